@@ -1,0 +1,50 @@
+//! Aberration: the line of sight in the ground frame and in the object's rest frame.
+//!
+//! A line of sight is a unit vector from the aperture to the source. Reference: A. Einstein, *Zur
+//! Elektrodynamik bewegter Koerper* (1905), section 7; R. Penrose, *The apparent shape of a
+//! relativistically moving sphere* (1959).
+
+use crate::speed::Speed;
+
+/// The rest-frame line of sight of the ground's `line_of_sight` (a unit vector).
+#[must_use]
+pub fn rest_from_ground(line_of_sight: [f64; 3], speed: &Speed) -> [f64; 3] {
+    aberrated(line_of_sight, speed)
+}
+
+/// The ground's line of sight of the rest frame's `line_of_sight` (a unit vector).
+#[must_use]
+pub fn ground_from_rest([x, y, z]: [f64; 3], speed: &Speed) -> [f64; 3] {
+    let [x, y, z] = aberrated([-x, y, z], speed);
+    [-x, y, z]
+}
+
+/// Doppler factor D = 1/(gamma (1 + beta `n_x`)) of light received along the ground's `line_of_sight`.
+#[must_use]
+pub fn doppler_factor(line_of_sight: [f64; 3], speed: &Speed) -> f64 {
+    1.0 / (speed.gamma() * one_plus_beta_x(line_of_sight, speed))
+}
+
+/// `1 + beta n_x` as a sum of positive terms.
+fn one_plus_beta_x([x, y, z]: [f64; 3], speed: &Speed) -> f64 {
+    if x < 0.0 {
+        // 1 + n_x = (n_y^2 + n_z^2)/(1 - n_x) for a unit vector.
+        speed.one_minus_beta() + speed.beta() * (y * y + z * z) / (1.0 - x)
+    } else {
+        1.0 + speed.beta() * x
+    }
+}
+
+/// ((`n_x` + beta), `n_y`/gamma, `n_z`/gamma) / (1 + beta `n_x`).
+fn aberrated(n: [f64; 3], speed: &Speed) -> [f64; 3] {
+    let [x, y, z] = n;
+    let denominator = one_plus_beta_x(n, speed);
+    let numerator = if x < 0.0 {
+        // (1 + n_x) - (1 - beta): the difference of two small numbers, not of two near 1.
+        (y * y + z * z) / (1.0 - x) - speed.one_minus_beta()
+    } else {
+        x + speed.beta()
+    };
+    let transverse = 1.0 / (speed.gamma() * denominator);
+    [numerator / denominator, y * transverse, z * transverse]
+}

@@ -1,0 +1,33 @@
+//! Received wavelength and intensity, from the Doppler factor.
+//!
+//! References: the paper, section 2(b) (exponent 2); D. Weiskopf, *Visualization of four-dimensional
+//! spacetimes*, dissertation, Tuebingen 2001 (exponents 3 and 4); U. Kraus, *Brightness and color of
+//! rapidly moving objects*, Am. J. Phys. 68 (2000).
+
+/// Exponent of the paper's received intensity.
+pub const PAPER_INTENSITY_EXPONENT: f64 = 2.0;
+/// Exponent of the specific intensity (spectral radiance, `I_nu`) of a surface: `I_nu / nu^3` is
+/// invariant.
+pub const SPECIFIC_INTENSITY_EXPONENT: f64 = 3.0;
+/// Exponent of the bolometric radiance of a surface, the specific intensity integrated over frequency.
+pub const BOLOMETRIC_INTENSITY_EXPONENT: f64 = 4.0;
+
+/// Received over rest intensity, D^`exponent`.
+///
+/// # Domain
+///
+/// Any finite exponent; the result overflows to inf or underflows to 0 as D^n does.
+#[must_use]
+pub fn intensity_factor(doppler_factor: f64, exponent: f64) -> f64 {
+    if exponent == PAPER_INTENSITY_EXPONENT {
+        doppler_factor * doppler_factor
+    } else {
+        doppler_factor.powf(exponent)
+    }
+}
+
+/// Wavelength received, from the wavelength at rest (same unit) and the Doppler factor.
+#[must_use]
+pub fn received_wavelength(rest_wavelength: f64, doppler_factor: f64) -> f64 {
+    rest_wavelength / doppler_factor
+}

@@ -1,0 +1,49 @@
+//! Exact special-relativistic optics for any number of apertures.
+//!
+//! A point moves along +x at a constant speed; apertures at rest on the ground each solve their own
+//! light cone for it. Pure numerics: no I/O, no logging, no graphics.
+//!
+//! # Conventions
+//!
+//! - c = 1; lengths and times share one unit; angles are radians.
+//! - Ground frame: x to the right (the direction of motion), y forward, z up.
+//! - Rest frame: the moving object's own. Its origin passes the ground's origin at t = 0. A point at
+//!   rest coordinates (xr, y, z) is *objectively* at x0 = xr / gamma at t = 0 (contracted).
+//! - `T` (`observation_time`) is when light is received, `t` (`retarded_time`) when it was emitted.
+//! - phi is the azimuth from +x towards +y, theta the elevation from the x-y plane. (Much of the
+//!   literature measures a polar angle from +z; we follow the paper.)
+//! - Doppler factor D = received / rest frequency: above 1 is a blueshift. (Some authors call its
+//!   inverse the Doppler factor.)
+//! - Disparity = primary (left) minus secondary (right).
+//!
+//! # Domain
+//!
+//! Coordinates and times up to [`MAX_COORDINATE`] in magnitude, gamma up to [`MAX_GAMMA`]. Inside it
+//! every result is finite; outside it every public function returns a [`DomainError`]. Lengths
+//! whose squares underflow (below 1e-150) count as zero.
+//!
+//! # Out of scope
+//!
+//! Acceleration, gravity, rotation of the moving body, apertures of finite size or exposure.
+//!
+//! # References
+//!
+//! - E. A. Cryer-Jenkins and P. D. Stevenson, *Gamow's cyclist: a new look at relativistic
+//!   measurements for a binocular observer*, Proc. R. Soc. A 476 (2020), 10.1098/rspa.2019.0703;
+//!   "the paper" throughout.
+//! - P. M. Mathews and M. Lakshmanan, *On the apparent visual forms of relativistically moving
+//!   objects*, Nuovo Cimento B 12 (1972).
+
+pub mod aberration;
+pub mod apparent;
+pub mod disparity;
+pub mod domain;
+pub mod doppler;
+pub mod published;
+pub mod speed;
+
+pub use apparent::{Aperture, Sighting, SourcePoint, sighting};
+pub use disparity::{Disparity, disparity, equidistance_time};
+pub use domain::{DomainError, MAX_COORDINATE};
+pub use published::{PublishedVariant, printed_apparent_x, published_disparity};
+pub use speed::{MAX_GAMMA, Speed, SpeedError};

@@ -1,0 +1,147 @@
+//! Speed, kept so that no digit of 1 - beta is lost however it was given.
+
+use num_traits::Float;
+use thiserror::Error;
+
+/// Largest Lorentz factor accepted. Squares and fourth powers of it times squared coordinates stay
+/// inside f64.
+pub const MAX_GAMMA: f64 = 1e30;
+
+/// A speed that is not one.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum SpeedError {
+    /// beta outside `0 <= beta < 1`.
+    #[error("beta = {0} is out of range: it must be at least 0 and below 1")]
+    Beta(f64),
+    /// gamma outside `1 <= gamma <= MAX_GAMMA`.
+    #[error("gamma = {0} is out of range: it must be between 1 and 1e30")]
+    Gamma(f64),
+    /// Rapidity negative, or with a gamma above `MAX_GAMMA`.
+    #[error("rapidity = {0} is out of range: it must be between 0 and 69.77 (gamma = 1e30)")]
+    Rapidity(f64),
+}
+
+/// A speed along +x, given as beta, gamma or rapidity.
+///
+/// beta alone cannot express what lies between 1 - 2^-53 and 1, so every function of the speed that
+/// would need `1 - beta` or `gamma - 1` by subtraction is stored at construction instead.
+///
+/// # Accuracy
+///
+/// Each accessor is within 4 units of 2^-53 (|f| + |x df/dx|), x being the parameter it was built
+/// from (`tests/oracle.rs`).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Speed {
+    beta: f64,
+    gamma: f64,
+    one_minus_beta: f64,
+    inverse_gamma_squared: f64,
+    rapidity: f64,
+}
+
+impl Speed {
+    /// At rest.
+    pub const REST: Self =
+        Self { beta: 0.0, gamma: 1.0, one_minus_beta: 1.0, inverse_gamma_squared: 1.0, rapidity: 0.0 };
+
+    /// From `beta` = v/c in [0, 1).
+    pub fn from_beta(beta: f64) -> Result<Self, SpeedError> {
+        if !(0.0..1.0).contains(&beta) {
+            return Err(SpeedError::Beta(beta));
+        }
+        let one_minus_beta = 1.0 - beta;
+        let inverse_gamma_squared = one_minus_beta * (1.0 + beta);
+        Ok(Self {
+            beta: beta.abs(), // -0.0 is rest too
+            gamma: 1.0 / inverse_gamma_squared.sqrt(),
+            one_minus_beta,
+            inverse_gamma_squared,
+            rapidity: beta.abs().atanh(),
+        })
+    }
+
+    /// From the Lorentz factor in [1, [`MAX_GAMMA`]].
+    pub fn from_gamma(gamma: f64) -> Result<Self, SpeedError> {
+        if !(1.0..=MAX_GAMMA).contains(&gamma) {
+            return Err(SpeedError::Gamma(gamma));
+        }
+        // gamma - 1 is exact for gamma < 2, and gamma beta keeps its digits for all.
+        let gamma_beta = (gamma - 1.0).sqrt() * (gamma + 1.0).sqrt();
+        Ok(Self {
+            beta: gamma_beta / gamma,
+            gamma,
+            one_minus_beta: 1.0 / (gamma * (gamma + gamma_beta)),
+            inverse_gamma_squared: 1.0 / gamma / gamma,
+            rapidity: gamma_beta.asinh(),
+        })
+    }
+
+    /// From the rapidity atanh(beta), 0 or more.
+    pub fn from_rapidity(rapidity: f64) -> Result<Self, SpeedError> {
+        let gamma = rapidity.cosh();
+        if !(rapidity >= 0.0 && gamma <= MAX_GAMMA) {
+            return Err(SpeedError::Rapidity(rapidity));
+        }
+        Ok(Self {
+            beta: rapidity.tanh(),
+            gamma,
+            one_minus_beta: 2.0 / ((2.0 * rapidity).exp() + 1.0),
+            inverse_gamma_squared: 1.0 / gamma / gamma,
+            rapidity: rapidity.abs(),
+        })
+    }
+
+    /// v/c, rounded to f64: from gamma of about 1e8 it is the last number before 1, or 1 itself.
+    #[must_use]
+    pub const fn beta(&self) -> f64 {
+        self.beta
+    }
+
+    /// The Lorentz factor.
+    #[must_use]
+    pub const fn gamma(&self) -> f64 {
+        self.gamma
+    }
+
+    /// 1 - beta, to full relative accuracy.
+    #[must_use]
+    pub const fn one_minus_beta(&self) -> f64 {
+        self.one_minus_beta
+    }
+
+    /// 1/gamma^2 = 1 - beta^2, to full relative accuracy.
+    #[must_use]
+    pub const fn inverse_gamma_squared(&self) -> f64 {
+        self.inverse_gamma_squared
+    }
+
+    /// atanh(beta).
+    #[must_use]
+    pub const fn rapidity(&self) -> f64 {
+        self.rapidity
+    }
+
+    /// The Doppler factor of a source approaching head-on, sqrt((1 + beta)/(1 - beta)).
+    #[must_use]
+    pub fn head_on_doppler_factor(&self) -> f64 {
+        self.gamma * (1.0 + self.beta)
+    }
+
+    /// The coefficients of the light-cone solution, rounded once to `F`.
+    pub(crate) fn coefficients<F: Float>(&self) -> Coefficients<F> {
+        let to = |v: f64| F::from(v).unwrap_or_else(F::infinity);
+        Coefficients {
+            beta: to(self.beta),
+            gamma: to(self.gamma),
+            inverse_gamma_squared: to(self.inverse_gamma_squared),
+        }
+    }
+}
+
+/// What the light-cone solution needs of a speed, in the precision it runs in.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Coefficients<F> {
+    pub beta: F,
+    pub gamma: F,
+    pub inverse_gamma_squared: F,
+}

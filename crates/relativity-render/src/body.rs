@@ -1,0 +1,42 @@
+//! What a scene is made of: solid shapes at rest in the moving frame.
+
+/// A solid shape in the rest frame. Lengths in the scene's unit; `[x, y, z]`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Shape {
+    /// A ball.
+    Sphere {
+        /// Centre.
+        center: [f64; 3],
+        /// Radius, above 0.
+        radius: f64,
+    },
+    /// A cylinder with rounded ends (a capsule).
+    Tube {
+        /// Centre of one rounded end.
+        from: [f64; 3],
+        /// Centre of the other.
+        to: [f64; 3],
+        /// Radius, above 0.
+        radius: f64,
+    },
+    /// A torus.
+    Ring {
+        /// Centre.
+        center: [f64; 3],
+        /// Unit vector along the axis of symmetry.
+        axis: [f64; 3],
+        /// Radius of the circle in the middle of the tube, above `tube_radius`.
+        radius: f64,
+        /// Radius of the tube, above 0.
+        tube_radius: f64,
+    },
+}
+
+/// A shape that glows: isotropically in the rest frame, at one wavelength.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Body {
+    /// Where it is and what form it has.
+    pub shape: Shape,
+    /// Wavelength of its light in the rest frame, nm.
+    pub rest_wavelength_nm: f64,
+}

@@ -1,0 +1,124 @@
+//! A pinhole camera at an aperture: lines of sight of pixels, and pixels of lines of sight.
+
+use glam::DVec3;
+use relativity_core::Aperture;
+
+/// Where a camera looks: the direction of its optical axis. Its horizon stays level.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Gaze {
+    /// Azimuth from +x towards +y, radians; pi/2 looks straight ahead along +y.
+    pub azimuth: f64,
+    /// Elevation from the x-y plane, radians, in (-pi/2, pi/2).
+    pub elevation: f64,
+}
+
+/// A pinhole camera at rest on the ground.
+///
+/// Pixel coordinates run right and down from the image's top left corner; the centre of pixel (i, j)
+/// lies at (i + 0.5, j + 0.5).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Camera {
+    /// The pinhole.
+    pub aperture: Aperture,
+    /// Optical axis.
+    pub gaze: Gaze,
+    /// Angle between the left and the right edge of the picture, radians, in (0, pi).
+    pub horizontal_fov: f64,
+    /// Width and height, pixels.
+    pub size: [u32; 2],
+}
+
+/// Unit vectors of a camera: right, up and forward.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Axes {
+    /// To the right edge of the picture.
+    pub right: DVec3,
+    /// To its upper edge.
+    pub up: DVec3,
+    /// Along the optical axis, away from the camera.
+    pub forward: DVec3,
+}
+
+impl Gaze {
+    /// The gaze that looks along `direction` (any length above 0).
+    #[must_use]
+    pub fn along([x, y, z]: [f64; 3]) -> Self {
+        Self { azimuth: y.atan2(x), elevation: z.atan2(x.hypot(y)) }
+    }
+
+    /// The camera's unit vectors.
+    #[must_use]
+    pub fn axes(&self) -> Axes {
+        let (sin_azimuth, cos_azimuth) = self.azimuth.sin_cos();
+        let (sin_elevation, cos_elevation) = self.elevation.sin_cos();
+        let right = DVec3::new(sin_azimuth, -cos_azimuth, 0.0);
+        let forward = DVec3::new(cos_elevation * cos_azimuth, cos_elevation * sin_azimuth, sin_elevation);
+        Axes { right, up: right.cross(forward), forward }
+    }
+}
+
+impl Camera {
+    /// Distance from the pinhole to the picture plane, in pixels.
+    #[must_use]
+    pub fn focal_length_px(&self) -> f64 {
+        0.5 * f64::from(self.size[0]) / (0.5 * self.horizontal_fov).tan()
+    }
+
+    /// Unit vector from the aperture through the point `[u, v]` of the picture, in pixels.
+    #[must_use]
+    pub fn line_of_sight(&self, [u, v]: [f64; 2]) -> DVec3 {
+        let Axes { right, up, forward } = self.gaze.axes();
+        let [width, height] = self.size.map(f64::from);
+        let focal_length = self.focal_length_px();
+        (forward * focal_length + right * (u - 0.5 * width) + up * (0.5 * height - v)).normalize()
+    }
+
+    /// Where in the picture (pixels) something along `direction` (any length above 0) appears; `None`
+    /// behind the camera. May lie outside the picture.
+    #[must_use]
+    pub fn pixel(&self, direction: DVec3) -> Option<[f64; 2]> {
+        let Axes { right, up, forward } = self.gaze.axes();
+        let depth = direction.dot(forward);
+        if depth <= 0.0 {
+            return None;
+        }
+        let [width, height] = self.size.map(f64::from);
+        let scale = self.focal_length_px() / depth;
+        Some([0.5 * width + direction.dot(right) * scale, 0.5 * height - direction.dot(up) * scale])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::FRAC_PI_2;
+
+    fn camera() -> Camera {
+        Camera {
+            aperture: Aperture::default(),
+            gaze: Gaze { azimuth: FRAC_PI_2, elevation: 0.0 },
+            horizontal_fov: FRAC_PI_2,
+            size: [200, 100],
+        }
+    }
+
+    #[test]
+    fn looking_ahead_has_x_on_the_right_and_z_up() {
+        let camera = camera();
+        let [u, v] = camera.pixel(DVec3::new(1.0, 1.0, 0.0)).expect("in front");
+        assert!((u - 200.0).abs() < 1e-9 && (v - 50.0).abs() < 1e-9);
+        let [u, v] = camera.pixel(DVec3::new(0.0, 1.0, 0.5)).expect("in front");
+        assert!((u - 100.0).abs() < 1e-9 && v.abs() < 1e-9);
+        assert!(camera.pixel(DVec3::NEG_Y).is_none());
+    }
+
+    #[test]
+    fn pixel_and_line_of_sight_are_inverse() {
+        let mut camera = camera();
+        camera.gaze = Gaze { azimuth: 2.0, elevation: 0.7 };
+        for pixel in [[0.5, 0.5], [13.0, 77.25], [199.5, 99.5]] {
+            let [u, v] = camera.pixel(camera.line_of_sight(pixel)).expect("in front");
+            assert!((u - pixel[0]).abs() < 1e-9 && (v - pixel[1]).abs() < 1e-9);
+        }
+    }
+}

@@ -1,0 +1,121 @@
+//! What is to be drawn for one aperture: the physics (`View`) and the looks (`Appearance`).
+
+use glam::DVec3;
+use relativity_core::{Speed, aberration};
+
+use crate::camera::Camera;
+
+/// Which geometry a picture shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
+pub enum Geometry {
+    /// As seen: each ray meets the body when the light left it. Exact.
+    #[default]
+    Seen,
+    /// Contracted only: where the body objectively is at the observation time, as if light were
+    /// instantaneous. What Gamow drew. No Doppler effect (D = 1).
+    Contracted,
+    /// At rest: what a camera moving along with the body photographs at the same event. D = 1.
+    Rest,
+}
+
+/// One aperture's picture: everything that decides which point of which body a pixel shows.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct View {
+    /// The camera at the aperture.
+    pub camera: Camera,
+    /// Speed of the bodies along +x.
+    pub speed: Speed,
+    /// T: when the light is received.
+    pub observation_time: f64,
+    /// Which geometry to show.
+    pub geometry: Geometry,
+}
+
+/// A ray in the rest frame of the bodies, where it is straight and they stand still.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RestRay {
+    /// The camera's event in the rest frame.
+    pub origin: DVec3,
+    /// Unit vector towards the source.
+    pub direction: DVec3,
+    /// Ground distance per rest-frame distance along the ray.
+    pub ground_per_rest: f64,
+    /// Doppler factor of light received along the ray.
+    pub doppler_factor: f64,
+}
+
+impl View {
+    /// Where the camera is in the rest frame at the observation time (same place for all geometries):
+    /// (gamma (a - beta T), `a_y`, `a_z`).
+    #[must_use]
+    pub fn rest_origin(&self) -> DVec3 {
+        let aperture = self.camera.aperture;
+        let x = self.speed.gamma() * (aperture.x - self.speed.beta() * self.observation_time);
+        DVec3::new(x, aperture.y, aperture.z)
+    }
+
+    /// The rest-frame ray of the ground's `line_of_sight` (unit vector).
+    #[must_use]
+    pub fn rest_ray(&self, line_of_sight: DVec3) -> RestRay {
+        let origin = self.rest_origin();
+        let n = line_of_sight;
+        match self.geometry {
+            Geometry::Seen => {
+                let doppler_factor = aberration::doppler_factor(n.to_array(), &self.speed);
+                let direction = aberration::rest_from_ground(n.to_array(), &self.speed).into();
+                // s* = s gamma (1 + beta n_x) = s / D.
+                RestRay { origin, direction, ground_per_rest: doppler_factor, doppler_factor }
+            }
+            Geometry::Contracted => {
+                let stretched = DVec3::new(self.speed.gamma() * n.x, n.y, n.z);
+                let rest_per_ground = stretched.length();
+                RestRay {
+                    origin,
+                    direction: stretched / rest_per_ground,
+                    ground_per_rest: 1.0 / rest_per_ground,
+                    doppler_factor: 1.0,
+                }
+            }
+            Geometry::Rest => RestRay { origin, direction: n, ground_per_rest: 1.0, doppler_factor: 1.0 },
+        }
+    }
+}
+
+/// How a wavelength becomes a colour.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
+pub enum Colour {
+    /// Through the CIE 1931 functions; black outside the visible range, as in the paper.
+    #[default]
+    Visible,
+    /// A labelled false colour that keeps ultraviolet and infrared visible.
+    False,
+}
+
+/// How form is shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
+pub enum Shading {
+    /// Plain isotropic emission, as in the paper.
+    Emission,
+    /// A gentle shading fixed to the rest frame.
+    #[default]
+    Form,
+}
+
+/// How it is drawn. Each effect that is off costs nothing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Appearance {
+    /// Colour map.
+    pub colour: Colour,
+    /// Whether the Doppler factor shifts the wavelength.
+    pub doppler_shift: bool,
+    /// Exponent n of the received intensity D^n; `None` leaves it out.
+    pub intensity_exponent: Option<f64>,
+    /// Exposure: factor on linear light is 2^`exposure_ev`.
+    pub exposure_ev: f64,
+    /// Shading.
+    pub shading: Shading,
+    /// Height z of the resting ground grid; `None` leaves it out.
+    pub ground_z: Option<f64>,
+    /// Whether the sky behind is a gradient (else plain).
+    pub sky: bool,
+}

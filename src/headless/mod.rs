@@ -1,0 +1,3 @@
+//! The commands that need no window, one file each.
+
+pub mod eval;

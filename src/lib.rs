@@ -1,0 +1,5 @@
+//! Gamow: the window and the headless commands over `relativity-core` and `relativity-render`.
+
+pub mod cli;
+pub mod headless;
+pub mod scene;
