@@ -3,10 +3,10 @@
 use relativity_render::{Body, Shape};
 use toml::de::DeTable;
 
+use super::Scene;
 use super::error::{Located, Problem};
 use super::placement::{forward_most_point, moved};
 use super::table::{Table, coincide};
-use super::Scene;
 
 /// Red, as in the paper.
 const DEFAULT_WAVELENGTH_NM: f64 = 700.0;
