@@ -36,6 +36,7 @@ pub struct Scene {
 impl Scene {
     /// The preset of that name, one of [`PRESETS`].
     #[must_use]
+    #[expect(clippy::missing_panics_doc, reason = "it cannot fail: tests read every preset")]
     pub fn preset(name: &str) -> Option<Self> {
         let text = presets::text(name)?;
         Some(Self::parse(text, name).expect("tests read every preset"))

@@ -247,3 +247,15 @@ fn an_axis_of_any_length_becomes_a_unit_vector() {
         assert_eq!(axis, [0.0, 0.0, -1.0]);
     }
 }
+
+#[test]
+fn a_mangled_file_gives_a_scene_or_one_line() {
+    for at in 0..EXAMPLE.len() {
+        for replacement in ["", "\"", "[", "]", "=", ".", "-", "9", "\n", "\u{e9}"] {
+            let mangled = format!("{}{replacement}{}", &EXAMPLE[..at], &EXAMPLE[at + 1..]);
+            let Err(error) = Scene::parse(&mangled, "balls.toml") else { continue };
+            let line = error.to_string();
+            assert!(line.starts_with("balls.toml:") && !line.contains('\n'), "{line}");
+        }
+    }
+}
