@@ -259,3 +259,12 @@ fn a_mangled_file_gives_a_scene_or_one_line() {
         }
     }
 }
+
+#[test]
+fn the_example_in_the_description_of_the_format_loads() {
+    let description = include_str!("../../assets/scenes/README.md");
+    let (_, rest) = description.split_once("```toml\n").expect("it has an example");
+    let (example, _) = rest.split_once("```").expect("which ends");
+    let scene = Scene::parse(example, "README.md").unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!((scene.bodies.len(), scene.ground_z), (3, Some(-2.5)));
+}
