@@ -4,10 +4,20 @@
 //! are boosted there, where rays are straight and bodies stand still. Knows wgpu, but neither windows
 //! nor files.
 
+pub mod backdrop;
 pub mod body;
+pub mod bvh;
 pub mod camera;
+pub mod colour;
+pub mod intersect;
+pub mod picture;
+mod polynomial;
+pub mod reference;
+pub mod shade;
 pub mod view;
 
 pub use body::{Body, Shape};
 pub use camera::{Camera, Gaze};
+pub use picture::Picture;
+pub use reference::{Hit, HitImage, ReferenceScene};
 pub use view::{Appearance, Colour, Geometry, Shading, View};
