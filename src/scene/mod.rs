@@ -50,7 +50,7 @@ impl Scene {
         let source_name = path.display().to_string();
         match std::fs::read_to_string(path) {
             Ok(text) => Self::parse(&text, &source_name),
-            Err(source) => Err(SceneError::Read { source_name, source }),
+            Err(reason) => Err(SceneError::Read { source_name, reason }),
         }
     }
 
