@@ -4,8 +4,9 @@
 //! both angles from the left aperture, so that ordinary parallax is left out. It is an approximation
 //! by construction; [`crate::disparity`] is exact. Reference: the paper, eqs. (1) and (5), Appendix A.
 
-use crate::apparent::{Aperture, LightCone, SourcePoint, check_inputs};
-use crate::disparity::{Disparity, Offset, angle_differences};
+use crate::apparent::{Aperture, LightCone, Sighting, SourcePoint, check_inputs};
+use crate::cone_pair::{ConePair, Offset};
+use crate::disparity::Disparity;
 use crate::domain::{DomainError, check};
 use crate::speed::Speed;
 
@@ -46,12 +47,19 @@ pub fn published_disparity(
         PublishedVariant::AppendixA => -delay,
         PublishedVariant::TextSign => delay,
     };
-    let right = LightCone::at(speed, left.s + speed.beta() * shift, left.y, left.z);
-    let offset = Offset { s: -speed.beta() * shift, y: 0.0, z: 0.0 };
-    let (dphi, dtheta) = angle_differences(speed, &left, &right, offset);
+    let shifted = speed.beta() * shift;
+    let right = LightCone::at(&speed.coefficients(), left.s + shifted, left.y, left.z);
+    let offset = Offset { s: -shifted, y: 0.0, z: 0.0 };
+    let pair = ConePair { beta: speed.beta(), left, right, offset, sum_s: left.s + right.s };
+    let (dphi, dtheta) = pair.angle_differences();
+    // Both events lie on one worldline: t_S = t + (X_S - X)/beta, in which nothing large cancels.
+    let (sum_r, sum_q) = (left.solution.r + right.solution.r, left.solution.q + right.solution.q);
+    let later = if sum_q == 0.0 { 0.0 } else { shift * (sum_r / sum_q) };
+    let primary = left.sighting(observation_time);
+    let retarded_time = primary.retarded_time + later;
     Ok(Disparity {
-        primary: left.sighting(observation_time),
-        secondary: right.sighting(observation_time + shift),
+        primary,
+        secondary: Sighting { retarded_time, ..right.sighting(observation_time + shift) },
         dphi,
         dtheta,
     })
@@ -61,7 +69,7 @@ pub fn published_disparity(
 ///
 /// The difference of the two distances is `-2 u d` over their sum, u being the event's x; u comes from
 /// the retarded time, since X - d/2 would cancel at low speed.
-fn delay(speed: &Speed, point: SourcePoint, separation: f64, left: &LightCone, observation_time: f64) -> f64 {
+fn delay(speed: &Speed, point: SourcePoint, separation: f64, left: &LightCone<f64>, observation_time: f64) -> f64 {
     let u = point.x0 + speed.beta() * (observation_time - left.solution.r);
     let to_right = u - separation / 2.0;
     let right_distance = (to_right * to_right + left.y * left.y + left.z * left.z).sqrt();
