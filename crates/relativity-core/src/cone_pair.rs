@@ -77,17 +77,37 @@ impl<F: Float> ConePair<F> {
             return (zero, zero); // the point is inside both apertures, which then coincide
         }
         let x = self.apparent_xs();
-        let dphi = -(left.y * x.difference - x.left * offset.y).atan2(x.left * x.right + left.y * right.y);
-        let left_h = (x.left * x.left + left.y * left.y).sqrt();
-        let right_h = (x.right * x.right + right.y * right.y).sqrt();
-        let sum_h = left_h + right_h;
-        let dh = if sum_h == zero {
-            zero
+        let y = Across { left: left.y, right: right.y, offset: offset.y };
+        let z = Across { left: left.z, right: right.z, offset: offset.z };
+        let dphi = self.cross_with_x(&x, &y, &z).atan2(x.left * x.right + y.left * y.right);
+        let left_h = (x.left * x.left + y.left * y.left).sqrt();
+        let right_h = (x.right * x.right + y.right * y.right).sqrt();
+        let sine = if z.same_sign() && left_h + right_h > zero {
+            // (z_l^2 h_r^2 - z_r^2 h_l^2)/(z_l h_r + z_r h_l), each difference of squares factored.
+            let sum = z.left * right_h + z.right * left_h;
+            let with_x = half((z.left + z.right) * x.sum - z.offset * x.difference);
+            let with_y = z.left * y.right + z.right * y.left;
+            self.cross_with_x(&x, &z, &y) * (with_x / sum) + z.cross(&y) * (with_y / sum)
         } else {
-            x.difference * (x.sum / sum_h) + offset.y * ((left.y + right.y) / sum_h)
+            z.left * right_h - z.right * left_h
         };
-        let dtheta = (offset.z * left_h - left.z * dh).atan2(left_h * right_h + left.z * right.z);
-        (dphi, dtheta)
+        (dphi, sine.atan2(left_h * right_h + z.left * z.right))
+    }
+
+    /// `u_l X_r - u_r X_l` for a coordinate u across the motion, v being the other one.
+    ///
+    /// With X = gamma^2 (S - beta q) the products of u and q are reduced like a difference of roots; what
+    /// remains vanishes term by term where the two lines of sight agree.
+    fn cross_with_x(&self, x: &ApparentXs<F>, u: &Across<F>, v: &Across<F>) -> F {
+        if !u.same_sign() {
+            return u.left * x.right - u.right * x.left;
+        }
+        let (left, right) = (&self.left.solution, &self.right.solution);
+        let u_q = u.left * right.q + u.right * left.q;
+        let u_r = u.left * right.r + u.right * left.r;
+        let u_v = u.left * v.right + u.right * v.left;
+        let cross_s = u.offset * self.left.s - u.left * self.offset.s;
+        cross_s * (u_r / u_q) - self.beta * u.cross(v) * (u_v / u_q)
     }
 
     /// With q^2 = S^2 + rho^2/gamma^2, X = gamma^2 (S - beta q); so the difference of the two X is
@@ -108,10 +128,34 @@ impl<F: Float> ConePair<F> {
         if size > F::from(3).map_or(size, |three| three * sum.abs()) {
             // Opposite and alike: their sum as S_l + S_r - beta (R_l + R_r).
             let sum = *sum_s - *beta * sum_r;
-            return ApparentXs { left: half(sum + difference), right: half(sum - difference), difference, sum };
+            return ApparentXs {
+                left: half(sum + difference),
+                right: half(sum - difference),
+                difference,
+                sum,
+            };
         }
         let (xl, xr) = if xl.abs() < xr.abs() { (xl, xl - difference) } else { (xr + difference, xr) };
         ApparentXs { left: xl, right: xr, difference, sum: xl + xr }
+    }
+}
+
+/// A coordinate across the motion, from both apertures, and left minus right.
+struct Across<F> {
+    left: F,
+    right: F,
+    offset: F,
+}
+
+impl<F: Float> Across<F> {
+    fn same_sign(&self) -> bool {
+        let zero = F::zero();
+        (self.left > zero && self.right > zero) || (self.left < zero && self.right < zero)
+    }
+
+    /// `u_l v_r - u_r v_l`.
+    fn cross(&self, v: &Self) -> F {
+        self.offset * v.left - self.left * v.offset
     }
 }
 

@@ -1,4 +1,4 @@
-//! Every output of the crate against 150-digit arithmetic, over the whole range of use.
+//! Every output of the crate against 115-digit arithmetic, over the whole range of use.
 //!
 //! `GAMOW_ORACLE_CASES` sets the number of cases per test; `-- --nocapture` shows the statistics.
 
@@ -136,9 +136,8 @@ fn disparities_of_apertures_anywhere_keep_their_digits() {
         let (point, primary, time) = (&sighting[1..4], &sighting[4..7], sighting[7]);
         let scale = draw::log_uniform(rng, -12.0, 0.0);
         let secondary: Vec<f64> = primary.iter().map(|a| a + scale * draw::length(rng)).collect();
-        let both =
-            disparity(&speed, point_at(point), aperture_at(primary), aperture_at(&secondary), time)
-                .expect("inside the domain");
+        let both = disparity(&speed, point_at(point), aperture_at(primary), aperture_at(&secondary), time)
+            .expect("inside the domain");
         let inputs = [&[sighting[0]], point, &[time], primary, &secondary].concat();
         case(parameter, inputs, |inputs| model::disparity(parameter, inputs), [both.dphi, both.dtheta])
     })
@@ -172,7 +171,8 @@ fn assert_published_is_accurate(variant: PublishedVariant, sign: f64, names: [&'
 
 #[test]
 fn appendix_a_is_evaluated_accurately() {
-    let names = ["Appendix A dphi", "Appendix A dtheta", "Appendix A X_S", "Appendix A t_S", "Appendix A D_S"];
+    let names =
+        ["Appendix A dphi", "Appendix A dtheta", "Appendix A X_S", "Appendix A t_S", "Appendix A D_S"];
     assert_published_is_accurate(PublishedVariant::AppendixA, -1.0, names);
 }
 

@@ -71,7 +71,11 @@ pub fn time(rng: &mut ChaCha8Rng, beta: f64, s0: f64, rho: f64) -> f64 {
 
 /// A separation of the apertures: a length, or from 1e-12 times `scale` up.
 pub fn separation(rng: &mut ChaCha8Rng, scale: f64) -> f64 {
-    if rng.random() || scale == 0.0 { log_uniform(rng, -4.0, 6.0) } else { scale * log_uniform(rng, -12.0, 0.0) }
+    if rng.random() || scale == 0.0 {
+        log_uniform(rng, -4.0, 6.0)
+    } else {
+        scale * log_uniform(rng, -12.0, 0.0)
+    }
 }
 
 /// A direction, uniform or close to the axis; a unit vector as far as rounding allows.
@@ -81,7 +85,8 @@ pub fn direction(rng: &mut ChaCha8Rng, critical: f64) -> [f64; 3] {
         1 => near(rng, critical).clamp(-1.0, 1.0),
         _ => signed(rng, 1.0),
     };
-    let sine = if cosine.abs() == 1.0 { log_uniform(rng, -18.0, -1.0) } else { (1.0 - cosine * cosine).sqrt() };
+    let sine =
+        if cosine.abs() == 1.0 { log_uniform(rng, -18.0, -1.0) } else { (1.0 - cosine * cosine).sqrt() };
     let (sin, cos) = rng.random_range(0.0..std::f64::consts::TAU).sin_cos();
     let x = if cosine.abs() == 1.0 { cosine * (1.0 - sine * sine).sqrt() } else { cosine };
     [x, sine * cos, sine * sin]

@@ -1,4 +1,4 @@
-//! An independent oracle: the physics from its definitions, in 150-digit arithmetic.
+//! An independent oracle: the physics from its definitions, in 115-digit arithmetic.
 //!
 //! The light cone is the textbook quadratic for the retarded time, with nothing rearranged: the digits that
 //! cancel are simply carried. Errors are measured in units of
@@ -12,11 +12,11 @@ use dashu_float::FBig;
 use dashu_float::ops::Abs;
 use dashu_float::round::mode::HalfEven;
 
-/// A number with 512 bits of significand. At gamma = 1e13 the quadratic loses 170 of them, and the
+/// A number with 384 bits of significand. At gamma = 1e13 the quadratic loses 170 of them, and the
 /// difference quotients 100 more.
 pub type Big = FBig<HalfEven, 2>;
 
-const BITS: usize = 512;
+const BITS: usize = 384;
 
 /// An f64, exactly.
 pub fn big(value: f64) -> Big {
