@@ -4,8 +4,8 @@
 //! eq. (6). The extremes below were found with independent 50-digit evaluations of the formulas.
 
 use relativity_core::{
-    Aperture, Disparity, PublishedVariant, SourcePoint, Speed, disparity, equidistance_time, published_disparity,
-    sighting,
+    Aperture, Disparity, PublishedVariant, SourcePoint, Speed, disparity, equidistance_time,
+    published_disparity, sighting,
 };
 
 const SEPARATION: f64 = 0.3;
