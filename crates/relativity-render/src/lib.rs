@@ -6,8 +6,16 @@
 
 pub mod body;
 pub mod camera;
+mod exact;
+mod frame;
+pub mod gpu;
+mod palette;
+mod target;
 pub mod view;
 
 pub use body::{Body, Shape};
 pub use camera::{Camera, Gaze};
+pub use exact::ExactRenderer;
+pub use gpu::{Gpu, GpuError};
+pub use target::{EyeTarget, Hit, HitImage};
 pub use view::{Appearance, Colour, Geometry, Shading, View};

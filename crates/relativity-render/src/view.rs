@@ -118,4 +118,6 @@ pub struct Appearance {
     pub ground_z: Option<f64>,
     /// Whether the sky behind is a gradient (else plain).
     pub sky: bool,
+    /// Whether sky and ground suit a light window (else a dark one).
+    pub light: bool,
 }
