@@ -1,5 +1,6 @@
 //! The colour table the shaders read: linear sRGB over the logarithm of the wavelength.
 
+use crate::colour::linear_srgb;
 use crate::view::Colour;
 
 /// Entries of the table.
@@ -27,13 +28,4 @@ pub fn table(colour: Colour) -> Vec<[f32; 4]> {
         [r as f32, g as f32, b as f32, 1.0]
     };
     (0..ENTRIES).map(entry).collect()
-}
-
-pub fn linear_srgb(wavelength_nm: f64, colour: Colour) -> [f64; 3] {
-    let l = match colour {
-        Colour::Visible => wavelength_nm,
-        Colour::False => 400.0 + 300.0 * ((wavelength_nm / 550.0).log2() / 6.0 + 0.5).clamp(0.0, 1.0),
-    };
-    let bump = |c: f64, w: f64| (-((l - c) / w).powi(2)).exp();
-    [bump(620.0, 50.0) + 0.2 * bump(430.0, 25.0), bump(540.0, 40.0), bump(450.0, 30.0)]
 }

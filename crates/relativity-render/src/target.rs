@@ -1,7 +1,5 @@
 //! Where a picture is drawn: an off-screen texture per eye, and its readback.
 
-use glam::DVec3;
-
 use crate::gpu::{Gpu, GpuError};
 
 /// Samples per pixel of a picture.
@@ -82,28 +80,6 @@ impl EyeTarget {
     pub fn rgba8(&self, gpu: &Gpu) -> Result<Vec<u8>, GpuError> {
         bytes(gpu, &self.picture, self.size, 4)
     }
-}
-
-/// What one pixel shows of a body.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Hit {
-    /// Number of the body.
-    pub body: usize,
-    /// Distance from the aperture to the event of emission.
-    pub distance: f64,
-    /// Doppler factor.
-    pub doppler_factor: f64,
-    /// The point, in the rest frame.
-    pub rest_position: DVec3,
-}
-
-/// What every pixel's centre shows; without anti-aliasing.
-#[derive(Debug, Clone, PartialEq)]
-pub struct HitImage {
-    /// Width and height, pixels.
-    pub size: [u32; 2],
-    /// Rows from the top; `None` where no body is seen.
-    pub hits: Vec<Option<Hit>>,
 }
 
 pub(crate) fn texture(

@@ -11,10 +11,13 @@ mod pipelines;
 use glam::DVec3;
 
 use crate::body::Body;
+use crate::camera::LinesOfSight;
 use crate::frame::Frame;
 use crate::gpu::{Gpu, GpuError};
+use crate::intersect::Solid;
 use crate::palette;
-use crate::target::{self, DEPTH_FORMAT, EyeTarget, Hit, HitImage, MEASURES_FORMAT};
+use crate::reference::{Hit, HitImage};
+use crate::target::{self, DEPTH_FORMAT, EyeTarget, MEASURES_FORMAT};
 use crate::view::{Appearance, Colour, Shading, View};
 use pieces::{Instance, Pieces};
 use pipelines::{Effects, Key, Pipelines};
@@ -152,7 +155,7 @@ impl ExactRenderer {
         gpu.queue.submit([encoder.finish()]);
         let measures = target::bytes(gpu, &measures, size, 16)?;
         let places = target::bytes(gpu, &places, size, 16)?;
-        Ok(HitImage { size, hits: decoded_hits(bodies, &measures, &places) })
+        Ok(HitImage { size, hits: decoded_hits(bodies, view, &measures, &places) })
     }
 
     fn bind_group(&self, gpu: &Gpu, frame: &wgpu::Buffer, colour: Colour) -> wgpu::BindGroup {
@@ -176,22 +179,33 @@ fn depth_attachment(view: &wgpu::TextureView) -> wgpu::RenderPassDepthStencilAtt
     }
 }
 
-fn decoded_hits(bodies: &[Body], measures: &[u8], places: &[u8]) -> Vec<Option<Hit>> {
+/// Hits from what the shader wrote; what the shader has not written follows from it in f64.
+fn decoded_hits(bodies: &[Body], view: &View, measures: &[u8], places: &[u8]) -> Vec<Option<Hit>> {
     let numbers = |bytes: &[u8]| -> Vec<[f32; 4]> {
         bytes.chunks_exact(16).map(bytemuck::pod_read_unaligned).collect()
     };
-    let decoded = |([index, distance, doppler, is_hit], [x, y, z, _]): ([f32; 4], [f32; 4])| {
-        (is_hit == 1.0).then(|| {
-            let body = index as usize;
-            Hit {
-                body,
-                distance: f64::from(distance),
-                doppler_factor: f64::from(doppler),
-                rest_position: pieces::anchor(&bodies[body].shape) + DVec3::from([x, y, z].map(f64::from)),
-            }
+    let solids: Vec<_> = bodies.iter().map(|body| Solid::new(&body.shape)).collect();
+    let lines_of_sight = LinesOfSight::new(&view.camera);
+    let width = view.camera.size[0] as usize;
+    let decoded = |(i, ([index, distance, doppler, is_hit], place)): (usize, ([f32; 4], [f32; 4]))| {
+        if is_hit != 1.0 {
+            return None;
+        }
+        let body = index as usize;
+        let [x, y, z, _] = place.map(f64::from);
+        let rest_position = solids[body].center() + DVec3::new(x, y, z);
+        let distance = f64::from(distance);
+        let pixel = [(i % width) as f64 + 0.5, (i / width) as f64 + 0.5];
+        Some(Hit {
+            body,
+            rest_position,
+            rest_normal: solids[body].normal(rest_position),
+            distance,
+            emission_time: view.emission_time(lines_of_sight.through(pixel), distance),
+            doppler_factor: f64::from(doppler),
         })
     };
-    numbers(measures).into_iter().zip(numbers(places)).map(decoded).collect()
+    numbers(measures).into_iter().zip(numbers(places)).enumerate().map(decoded).collect()
 }
 
 fn colour_table(gpu: &Gpu, colour: Colour) -> wgpu::TextureView {

@@ -8,7 +8,7 @@ use glam::{DVec2, DVec3};
 
 use super::footprint::{Capsule, Footprint, Projection, Rectangle};
 use crate::body::{Body, Shape};
-use crate::palette;
+use crate::colour::linear_srgb;
 use crate::view::{Appearance, View};
 
 /// How often a piece is halved before its bound is taken as it is.
@@ -151,7 +151,7 @@ fn instance(index: usize, body: &Body, origin: DVec3, appearance: &Appearance) -
             (center.into(), tube_radius, DVec3::from(axis), radius)
         }
     };
-    let [r, g, b] = palette::linear_srgb(body.rest_wavelength_nm, appearance.colour);
+    let [r, g, b] = linear_srgb(body.rest_wavelength_nm, appearance.colour);
     Instance {
         place: [0.0; 4],
         second_axis_index_wavelength: [0.0, 0.0, index as f32, body.rest_wavelength_nm as f32],
@@ -173,13 +173,5 @@ fn placed(template: Instance, rectangle: &Rectangle) -> Instance {
         place: [middle.x, middle.y, first.x, first.y],
         second_axis_index_wavelength: [second.x, second.y, index, wavelength],
         ..template
-    }
-}
-
-/// The point a shape's hits are measured from, in the rest frame.
-pub fn anchor(shape: &Shape) -> DVec3 {
-    match *shape {
-        Shape::Sphere { center, .. } | Shape::Ring { center, .. } => center.into(),
-        Shape::Tube { from, to, .. } => 0.5 * (DVec3::from(from) + DVec3::from(to)),
     }
 }
