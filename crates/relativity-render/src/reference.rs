@@ -5,7 +5,6 @@
 
 use glam::DVec3;
 use rayon::prelude::*;
-use relativity_core::aberration;
 
 use crate::backdrop::backdrop;
 use crate::body::Body;
@@ -15,7 +14,7 @@ use crate::colour::hue_preserving_clip;
 use crate::intersect::Solid;
 use crate::picture::{Picture, encoded};
 use crate::shade::surface_colour;
-use crate::view::{Appearance, Geometry, RestRay, View};
+use crate::view::{Appearance, View};
 
 /// What one ray meets.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,7 +71,7 @@ impl ReferenceScene {
             rest_position: entry.position,
             rest_normal: entry.normal,
             distance: entry.distance * ray.ground_per_rest,
-            emission_time: emission_time(view, line_of_sight, &ray, entry.distance),
+            emission_time: view.emission_time(line_of_sight, entry.distance * ray.ground_per_rest),
             doppler_factor: ray.doppler_factor,
         })
     }
@@ -129,18 +128,4 @@ impl ReferenceScene {
 fn sample_grid([u, v]: [u32; 2], samples: u32) -> impl Iterator<Item = [f64; 2]> {
     let place = move |pixel, part| f64::from(pixel) + (f64::from(part) + 0.5) / f64::from(samples);
     (0..samples).flat_map(move |j| (0..samples).map(move |i| [place(u, i), place(v, j)]))
-}
-
-/// Ground time of the event at `rest_distance` along `ray`.
-fn emission_time(view: &View, line_of_sight: DVec3, ray: &RestRay, rest_distance: f64) -> f64 {
-    let received = view.observation_time;
-    match view.geometry {
-        Geometry::Seen => received - rest_distance * ray.ground_per_rest,
-        Geometry::Contracted => received,
-        // The inverse boost of (-s, s n) is -gamma s (1 - beta n_x).
-        Geometry::Rest => {
-            let [x, y, z] = line_of_sight.to_array();
-            received - rest_distance / aberration::doppler_factor([-x, y, z], &view.speed)
-        }
-    }
 }
