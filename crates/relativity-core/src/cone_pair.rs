@@ -6,7 +6,7 @@
 
 use num_traits::Float;
 
-use crate::apparent::{Aperture, LightCone, SourcePoint};
+use crate::apparent::{Aperture, LightCone, SourcePoint, rounded};
 use crate::speed::Coefficients;
 
 /// S, y and z of the primary light cone minus those of the secondary, known without subtraction.
@@ -45,10 +45,9 @@ impl<F: Float> ConePair<F> {
         secondary: Aperture,
         time: F,
     ) -> Self {
-        let to = |v: f64| F::from(v).unwrap_or_else(F::infinity);
-        let [x0, y, z] = [point.x0, point.y, point.z].map(to);
-        let [lx, ly, lz] = [primary.x, primary.y, primary.z].map(to);
-        let [rx, ry, rz] = [secondary.x, secondary.y, secondary.z].map(to);
+        let [x0, y, z]: [F; 3] = rounded([point.x0, point.y, point.z]);
+        let [lx, ly, lz]: [F; 3] = rounded([primary.x, primary.y, primary.z]);
+        let [rx, ry, rz]: [F; 3] = rounded([secondary.x, secondary.y, secondary.z]);
         let offset = Offset { s: rx - lx, y: ry - ly, z: rz - lz };
         let moved = coefficients.beta * time;
         let sum_s = ((x0 + x0) - (lx + rx)) + (moved + moved);
