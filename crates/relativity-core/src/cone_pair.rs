@@ -34,6 +34,8 @@ struct ApparentXs<F> {
     right: F,
     difference: F,
     sum: F,
+    /// Of opposite signs and alike in size, so that their sum cancels.
+    is_opposite: bool,
 }
 
 impl<F: Float> ConePair<F> {
@@ -84,7 +86,11 @@ impl<F: Float> ConePair<F> {
         let sine = if z.same_sign() && left_h + right_h > zero {
             // (z_l^2 h_r^2 - z_r^2 h_l^2)/(z_l h_r + z_r h_l), each difference of squares factored.
             let sum = z.left * right_h + z.right * left_h;
-            let with_x = half((z.left + z.right) * x.sum - z.offset * x.difference);
+            let with_x = if x.is_opposite {
+                half((z.left + z.right) * x.sum - z.offset * x.difference)
+            } else {
+                z.left * x.right + z.right * x.left
+            };
             let with_y = z.left * y.right + z.right * y.left;
             self.cross_with_x(&x, &z, &y) * (with_x / sum) + z.cross(&y) * (with_y / sum)
         } else {
@@ -121,7 +127,7 @@ impl<F: Float> ConePair<F> {
         let difference = by_offset - by_rho;
         let size = xl.abs() + xr.abs();
         if by_offset.abs() + by_rho.abs() > size + size {
-            return ApparentXs { left: xl, right: xr, difference, sum: xl + xr };
+            return ApparentXs { left: xl, right: xr, difference, sum: xl + xr, is_opposite: false };
         }
         let sum = xl + xr;
         if size > F::from(3).map_or(size, |three| three * sum.abs()) {
@@ -132,10 +138,11 @@ impl<F: Float> ConePair<F> {
                 right: half(sum - difference),
                 difference,
                 sum,
+                is_opposite: true,
             };
         }
         let (xl, xr) = if xl.abs() < xr.abs() { (xl, xl - difference) } else { (xr + difference, xr) };
-        ApparentXs { left: xl, right: xr, difference, sum: xl + xr }
+        ApparentXs { left: xl, right: xr, difference, sum: xl + xr, is_opposite: false }
     }
 }
 
