@@ -6,14 +6,15 @@
 
 pub mod backdrop;
 pub mod body;
-pub mod bvh;
 pub mod camera;
 pub mod colour;
+pub mod cone;
 pub mod intersect;
 pub mod picture;
 mod polynomial;
 pub mod reference;
 pub mod shade;
+mod tiles;
 pub mod view;
 
 pub use body::{Body, Shape};
