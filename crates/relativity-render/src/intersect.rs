@@ -74,6 +74,12 @@ impl Solid {
         self.center
     }
 
+    /// Outward unit normal at a `position` on the surface.
+    #[must_use]
+    pub fn normal(&self, position: DVec3) -> DVec3 {
+        self.form.normal(position - self.center)
+    }
+
     /// Radius of a ball about the centre that holds it.
     #[must_use]
     pub fn bounding_radius(&self) -> f64 {

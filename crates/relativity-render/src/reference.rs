@@ -5,9 +5,8 @@
 
 use glam::DVec3;
 use rayon::prelude::*;
-use relativity_core::aberration;
 
-use crate::backdrop::backdrop;
+use crate::backdrop::Backdrop;
 use crate::body::Body;
 use crate::camera::LinesOfSight;
 use crate::colour::hue_preserving_clip;
@@ -16,7 +15,7 @@ use crate::intersect::Solid;
 use crate::picture::{Picture, encoded};
 use crate::shade::surface_colour;
 use crate::tiles::{Tile, tiles};
-use crate::view::{Appearance, Geometry, RestRay, View};
+use crate::view::{Appearance, View};
 
 /// What one ray meets.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,12 +27,12 @@ pub struct Hit {
     /// Outward unit normal in the rest frame.
     pub rest_normal: DVec3,
     /// From the aperture to the event of emission in the ground frame (in the rest frame for
-    /// [`Geometry::Rest`]).
+    /// [`Geometry::Rest`](crate::Geometry::Rest)).
     pub distance: f64,
-    /// Ground time of emission; the observation time itself for [`Geometry::Contracted`], whose light is
+    /// Ground time of emission; the observation time itself for [`Geometry::Contracted`](crate::Geometry::Contracted), whose light is
     /// instantaneous.
     pub emission_time: f64,
-    /// Doppler factor, 1 unless the geometry is [`Geometry::Seen`].
+    /// Doppler factor, 1 unless the geometry is [`Geometry::Seen`](crate::Geometry::Seen).
     pub doppler_factor: f64,
 }
 
@@ -91,7 +90,7 @@ impl ReferenceScene {
             rest_position: entry.position,
             rest_normal: entry.normal,
             distance: entry.distance * ray.ground_per_rest,
-            emission_time: emission_time(view, line_of_sight, &ray, entry.distance),
+            emission_time: view.emission_time(line_of_sight, entry.distance * ray.ground_per_rest),
             doppler_factor: ray.doppler_factor,
         })
     }
@@ -115,14 +114,12 @@ impl ReferenceScene {
     #[must_use]
     pub fn picture(&self, view: &View, appearance: &Appearance, samples: u32) -> Picture {
         let lines_of_sight = LinesOfSight::new(&view.camera);
+        let backdrop = Backdrop::new(&view.camera, appearance);
         let rgba = self.pixels(view, |bodies, pixel| {
             let sum = sample_grid(pixel, samples).fold([0.0; 3], |sum: [f64; 3], place| {
                 let line_of_sight = lines_of_sight.through(place);
                 let hit = self.first_hit_among(bodies, view, line_of_sight);
-                let colour = match hit {
-                    Some(hit) => self.surface_colour(appearance, &hit),
-                    None => backdrop(&view.camera, appearance, line_of_sight),
-                };
+                let colour = self.colour(appearance, &backdrop, line_of_sight, hit);
                 std::array::from_fn(|i| sum[i] + colour[i])
             });
             encoded(sum.map(|part| part / f64::from(samples * samples)))
@@ -130,10 +127,24 @@ impl ReferenceScene {
         Picture { size: view.camera.size, rgba }
     }
 
-    /// Linear sRGB in [0, 1] of what was hit.
-    fn surface_colour(&self, appearance: &Appearance, hit: &Hit) -> [f64; 3] {
-        let wavelength_nm = self.rest_wavelengths_nm[hit.body];
-        hue_preserving_clip(surface_colour(appearance, wavelength_nm, hit.rest_normal, hit.doppler_factor))
+    /// Linear sRGB of what is seen along `line_of_sight`, in [0, 1] where it is a body.
+    fn colour(
+        &self,
+        appearance: &Appearance,
+        backdrop: &Backdrop,
+        line_of_sight: DVec3,
+        hit: Option<Hit>,
+    ) -> [f64; 3] {
+        let ground_distance = backdrop.ground_distance(line_of_sight);
+        match (hit, ground_distance) {
+            (Some(hit), ground) if ground.is_none_or(|distance| hit.distance <= distance) => {
+                let wavelength_nm = self.rest_wavelengths_nm[hit.body];
+                let Hit { rest_normal, doppler_factor, .. } = hit;
+                hue_preserving_clip(surface_colour(appearance, wavelength_nm, rest_normal, doppler_factor))
+            }
+            (_, Some(distance)) => backdrop.ground(line_of_sight, distance),
+            (_, None) => backdrop.sky(line_of_sight),
+        }
     }
 
     /// One value per pixel of `view`, row by row, from the bodies that can be seen there and the pixel.
@@ -163,18 +174,4 @@ impl ReferenceScene {
 fn sample_grid([u, v]: [u32; 2], samples: u32) -> impl Iterator<Item = [f64; 2]> {
     let place = move |pixel, part| f64::from(pixel) + (f64::from(part) + 0.5) / f64::from(samples);
     (0..samples).flat_map(move |j| (0..samples).map(move |i| [place(u, i), place(v, j)]))
-}
-
-/// Ground time of the event at `rest_distance` along `ray`.
-fn emission_time(view: &View, line_of_sight: DVec3, ray: &RestRay, rest_distance: f64) -> f64 {
-    let received = view.observation_time;
-    match view.geometry {
-        Geometry::Seen => received - rest_distance * ray.ground_per_rest,
-        Geometry::Contracted => received,
-        // The inverse boost of (-s, s n) is -gamma s (1 - beta n_x).
-        Geometry::Rest => {
-            let [x, y, z] = line_of_sight.to_array();
-            received - rest_distance / aberration::doppler_factor([-x, y, z], &view.speed)
-        }
-    }
 }
