@@ -30,14 +30,16 @@ pub const COLUMNS: [&str; 14] = [
 
 /// Explains [`COLUMNS`] and the models at the end of a command's help.
 pub const COLUMNS_HELP: &str = "\
-The columns appended, each for the left and the right eye:
+The columns appended, for the left and the right eye (x_left, x_right and so on):
   x          apparent x, measured from the eye
   t          time of emission of the light that arrives at T
   doppler    received over rest frequency
   intensity  received over rest intensity: doppler to the power of the intensity exponent
   phi        azimuth from +x towards +y
   theta      elevation from the x-y plane
-  dphi, dtheta  the disparities: left minus right
+and the disparities between the two:
+  dphi       phi_left - phi_right
+  dtheta     theta_left - theta_right
 
 The published models evaluate the right eye through the left eye's formula at a shifted time, and measure its \
 angles from the left eye. They reproduce the paper (doi 10.1098/rspa.2019.0703) and leave parallax out.";
