@@ -6,8 +6,14 @@
 
 pub mod body;
 pub mod camera;
+pub mod colour;
+pub mod intersect;
+mod polynomial;
+pub mod reference;
+pub mod shade;
 pub mod view;
 
 pub use body::{Body, Shape};
 pub use camera::{Camera, Gaze};
+pub use reference::{Hit, ReferenceScene};
 pub use view::{Appearance, Colour, Geometry, Shading, View};
