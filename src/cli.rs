@@ -2,6 +2,7 @@
 
 use clap::{Args, Parser, Subcommand};
 use relativity_core::{Speed, SpeedError};
+use serde::{Deserialize, Serialize};
 
 use crate::headless;
 
@@ -41,7 +42,7 @@ pub fn run(cli: Cli) -> anyhow::Result<()> {
 }
 
 /// The three ways to give a speed: a flag each, and a column of a CSV file each.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum SpeedParameter {
     /// v/c.
     Beta,
