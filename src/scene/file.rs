@@ -17,12 +17,13 @@ pub(super) fn scene(text: &str) -> Result<Scene, Located> {
     let top = Table { text, entries: document.get_ref(), span: 0..0, owner: "a scene" };
     top.check_keys(&["name", "tracked", "ground_z", "include", "object"])?;
     let name = top.needed_string("name")?.to_owned();
+    let ground_z = top.coordinate("ground_z")?;
+    let tracked = top.point("tracked")?;
     let bodies = bodies(&top)?;
     let Some(forward_most) = forward_most_point(&bodies) else {
         return Err(Located { span: top.span, problem: Problem::Empty });
     };
-    let tracked = top.point("tracked")?.unwrap_or(forward_most);
-    Ok(Scene { name, bodies, tracked, ground_z: top.coordinate("ground_z")? })
+    Ok(Scene { name, bodies, tracked: tracked.unwrap_or(forward_most), ground_z })
 }
 
 /// All bodies: the included ones first.

@@ -8,6 +8,8 @@ mod file;
 mod placement;
 mod presets;
 mod table;
+#[cfg(test)]
+mod tests;
 
 use std::path::Path;
 

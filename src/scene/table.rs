@@ -78,7 +78,8 @@ impl<'a> Table<'a> {
             return Err(self.problem_at(key, Problem::NoDirection));
         }
         // Scaled first, so that no square underflows.
-        Ok((glam::DVec3::from(vector) / largest).normalize().to_array())
+        let scaled = glam::DVec3::from(vector) / largest;
+        Ok((scaled / scaled.length()).to_array())
     }
 
     /// The tables of an array of tables; none if the key is not there.

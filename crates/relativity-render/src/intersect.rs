@@ -68,6 +68,18 @@ impl Solid {
         Self { center, bounding_radius: radius, form: Form::Ball { radius } }
     }
 
+    /// Centre of the shape.
+    #[must_use]
+    pub fn center(&self) -> DVec3 {
+        self.center
+    }
+
+    /// Outward unit normal at a `position` on the surface.
+    #[must_use]
+    pub fn normal(&self, position: DVec3) -> DVec3 {
+        self.form.normal(position - self.center)
+    }
+
     /// Lower and upper corner of the box around it.
     #[must_use]
     pub fn bounds(&self) -> [DVec3; 2] {

@@ -4,11 +4,17 @@
 //! nearest entry into a body is what the aperture sees.
 
 use glam::DVec3;
-use relativity_core::aberration;
+use rayon::prelude::*;
 
+use crate::backdrop::backdrop;
 use crate::body::Body;
+use crate::bvh::Bvh;
+use crate::camera::LinesOfSight;
+use crate::colour::hue_preserving_clip;
 use crate::intersect::Solid;
-use crate::view::{Geometry, RestRay, View};
+use crate::picture::{Picture, encoded};
+use crate::shade::surface_colour;
+use crate::view::{Appearance, View};
 
 /// What one ray meets.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,47 +38,94 @@ pub struct Hit {
 /// Bodies prepared for tracing. Bodies may overlap; the nearest surface is seen.
 #[derive(Debug, Clone)]
 pub struct ReferenceScene {
-    solids: Vec<Solid>,
+    bvh: Bvh,
+    rest_wavelengths_nm: Vec<f64>,
+}
+
+/// What every pixel of a picture shows, row by row from the top left.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HitImage {
+    /// Width and height, pixels.
+    pub size: [u32; 2],
+    /// One per pixel centre, `None` where nothing is seen.
+    pub hits: Vec<Option<Hit>>,
 }
 
 impl ReferenceScene {
     /// Prepares `bodies`, numbered from 0 in this order.
     #[must_use]
     pub fn new(bodies: &[Body]) -> Self {
-        Self { solids: bodies.iter().map(|body| Solid::new(&body.shape)).collect() }
+        Self {
+            bvh: Bvh::new(bodies.iter().map(|body| Solid::new(&body.shape))),
+            rest_wavelengths_nm: bodies.iter().map(|body| body.rest_wavelength_nm).collect(),
+        }
     }
 
     /// What is seen along `line_of_sight` (unit vector, ground frame).
     #[must_use]
     pub fn first_hit(&self, view: &View, line_of_sight: DVec3) -> Option<Hit> {
         let ray = view.rest_ray(line_of_sight);
-        let (body, entry) = self
-            .solids
-            .iter()
-            .enumerate()
-            .filter_map(|(body, solid)| Some((body, solid.entry(ray.origin, ray.direction)?)))
-            .min_by(|a, b| a.1.distance.total_cmp(&b.1.distance))?;
+        let (body, entry) = self.bvh.nearest_entry(ray.origin, ray.direction)?;
         Some(Hit {
             body,
             rest_position: entry.position,
             rest_normal: entry.normal,
             distance: entry.distance * ray.ground_per_rest,
-            emission_time: emission_time(view, line_of_sight, &ray, entry.distance),
+            emission_time: view.emission_time(line_of_sight, entry.distance * ray.ground_per_rest),
             doppler_factor: ray.doppler_factor,
         })
     }
+
+    /// What `view` shows at the centre of every pixel.
+    #[must_use]
+    pub fn hit_image(&self, view: &View) -> HitImage {
+        let size @ [width, height] = view.camera.size;
+        let lines_of_sight = LinesOfSight::new(&view.camera);
+        let mut hits = vec![None; width as usize * height as usize];
+        let rows = hits.par_chunks_mut(width.max(1) as usize).zip(0..height);
+        rows.for_each(|(row, v)| {
+            for (hit, u) in row.iter_mut().zip(0..width) {
+                let pixel = [f64::from(u) + 0.5, f64::from(v) + 0.5];
+                *hit = self.first_hit(view, lines_of_sight.through(pixel));
+            }
+        });
+        HitImage { size, hits }
+    }
+
+    /// The picture `view` shows, sRGB-encoded, with `samples` times `samples` rays per pixel
+    /// (1 or more).
+    ///
+    /// Samples are clipped one by one, so that a bright body does not bleed over its silhouette, and averaged in linear light.
+    #[must_use]
+    pub fn picture(&self, view: &View, appearance: &Appearance, samples: u32) -> Picture {
+        let size @ [width, height] = view.camera.size;
+        let lines_of_sight = LinesOfSight::new(&view.camera);
+        let mut rgba = vec![[0; 4]; width as usize * height as usize];
+        let rows = rgba.par_chunks_mut(width.max(1) as usize).zip(0..height);
+        rows.for_each(|(row, v)| {
+            for (pixel, u) in row.iter_mut().zip(0..width) {
+                let sum = sample_grid([u, v], samples).fold([0.0; 3], |sum: [f64; 3], place| {
+                    let colour = self.colour(view, appearance, lines_of_sight.through(place));
+                    std::array::from_fn(|i| sum[i] + colour[i])
+                });
+                *pixel = encoded(sum.map(|part| part / f64::from(samples * samples)));
+            }
+        });
+        Picture { size, rgba }
+    }
+
+    /// Linear sRGB in [0, 1] of what is seen along `line_of_sight`.
+    fn colour(&self, view: &View, appearance: &Appearance, line_of_sight: DVec3) -> [f64; 3] {
+        let Some(hit) = self.first_hit(view, line_of_sight) else {
+            return backdrop(&view.camera, appearance, line_of_sight);
+        };
+        let wavelength_nm = self.rest_wavelengths_nm[hit.body];
+        hue_preserving_clip(surface_colour(appearance, wavelength_nm, hit.rest_normal, hit.doppler_factor))
+    }
 }
 
-/// Ground time of the event at `rest_distance` along `ray`.
-fn emission_time(view: &View, line_of_sight: DVec3, ray: &RestRay, rest_distance: f64) -> f64 {
-    let received = view.observation_time;
-    match view.geometry {
-        Geometry::Seen => received - rest_distance * ray.ground_per_rest,
-        Geometry::Contracted => received,
-        // The inverse boost of (-s, s n) is -gamma s (1 - beta n_x).
-        Geometry::Rest => {
-            let [x, y, z] = line_of_sight.to_array();
-            received - rest_distance / aberration::doppler_factor([-x, y, z], &view.speed)
-        }
-    }
+/// The centres of `samples` times `samples` equal parts of a pixel.
+fn sample_grid([u, v]: [u32; 2], samples: u32) -> impl Iterator<Item = [f64; 2]> {
+    let place = move |pixel, part| f64::from(pixel) + (f64::from(part) + 0.5) / f64::from(samples);
+    (0..samples).flat_map(move |j| (0..samples).map(move |i| [place(u, i), place(v, j)]))
 }
