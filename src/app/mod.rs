@@ -4,25 +4,31 @@
 //! lives in [`eyes`]. Panels read the state and ask for [`command::Command`]s; [`App`] applies them in
 //! between, so that what follows a control follows it in the same frame.
 
+pub mod args;
 pub mod clock;
 pub mod command;
 pub mod curves;
+mod eyes;
 pub mod figures;
+pub mod launch;
 mod layout;
+
 pub mod observer;
 mod panels;
 pub mod points;
 pub mod settings;
+mod screenshot;
 mod shortcuts;
 pub mod speed_setting;
 pub mod state;
 mod theme;
 
-use eframe::egui::{self, Rect, Ui, UiBuilder};
-use eframe::{egui_wgpu::RenderState, wgpu};
+use eframe::egui::{self, Rect, TextureId, Ui, UiBuilder};
+use eframe::egui_wgpu::RenderState;
 
 use command::Command;
 use curves::{Curves, Key};
+use eyes::EyePictures;
 use layout::Layout;
 use panels::{Asks, views::Pane};
 use state::State;
@@ -31,6 +37,7 @@ use state::State;
 pub struct App {
     state: State,
     curves: Vec<Curves>,
+    eyes: Option<EyePictures>,
 }
 
 impl App {
@@ -38,7 +45,7 @@ impl App {
     #[must_use]
     pub fn new(ctx: &egui::Context, render_state: Option<&RenderState>, state: State) -> Self {
         theme::install(ctx);
-        Self { state, curves: Vec::new() }
+        Self { state, curves: Vec::new(), eyes: render_state.map(EyePictures::new) }
     }
 
     /// What it shows.
@@ -91,6 +98,15 @@ impl App {
             .collect();
     }
 
+    /// The up-to-date picture for `pane`.
+    fn picture(&mut self, pane: Pane, light_window: bool) -> Option<TextureId> {
+        let state = &self.state;
+        let view = state.view(pane.eye, pane.size, state.gaze());
+        let appearance = state.appearance(light_window);
+        let eyes = self.eyes.as_mut()?;
+        Some(eyes.picture(pane.eye.index(), &state.session.bodies, &view, &appearance))
+    }
+
     /// Shows everything: first what changes the state, then what follows it.
     pub fn show(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
@@ -109,7 +125,8 @@ impl App {
             self.panel(ui, "controls", inset(rect), panels::controls::show);
         }
         self.panel(ui, "timeline", inset(layout.timeline), panels::timeline::show);
-        let panes = layout.views.map(|area| Pane::both(area, ctx.pixels_per_point(), 8192));
+        let largest = self.eyes.as_ref().map_or(1, EyePictures::largest_side);
+        let panes = layout.views.map(|area| Pane::both(area, ctx.pixels_per_point(), largest));
         for pane in panes.into_iter().flatten() {
             self.panel(ui, pane.eye.name(), pane.rect, |ui, state, asks| panels::views::interact(ui, state, pane, asks));
         }
@@ -123,7 +140,8 @@ impl App {
             self.panel(ui, "readout", inset(rect), panels::readout::show);
         }
         for pane in panes.into_iter().flatten() {
-            panels::views::paint(ui, &self.state, pane, None);
+            let picture = self.picture(pane, !ui.visuals().dark_mode);
+            panels::views::paint(ui, &self.state, pane, picture);
         }
         if self.state.session.playing {
             ctx.request_repaint();
@@ -139,9 +157,13 @@ impl eframe::App for App {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         self.show(ui);
     }
+
+    fn save(&mut self, storage: &mut dyn eframe::Storage) {
+        eframe::set_value(storage, eframe::APP_KEY, &self.state.settings);
+    }
 }
 
 /// A scene file dropped onto the window.
 fn dropped_scene(ctx: &egui::Context) -> Option<Command> {
-    ctx.input(|input| input.raw.dropped_files.first().and_then(|file| file.path.clone())).map(Command::OpenScene)
+    ctx.input(|input| input.raw.dropped_files.first().map(|file| Command::OpenScene(file.path().to_owned())))
 }

@@ -25,6 +25,9 @@ pub struct Settings {
     pub window: Window,
 }
 
+/// Largest separation, distance and height that can be set.
+pub const MAX_LENGTH: f64 = 1e6;
+
 /// Speed, aperture separation and path.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(default)]

@@ -81,7 +81,7 @@ impl State {
     /// Moves the bodies to where the path now is.
     pub fn place_bodies(&mut self) {
         let shift = self.shift();
-        self.session.bodies = self.session.scene.bodies.iter().map(|body| body.shifted(shift)).collect();
+        self.session.bodies = self.session.scene.bodies_moved(shift);
     }
 
     /// Wavelength at rest of the light of `point`, nm: of the body it was picked on, else of the first.
@@ -92,9 +92,9 @@ impl State {
         body.map_or(f64::NAN, |body| body.rest_wavelength_nm)
     }
 
-    /// The looks of a view.
+    /// The looks of a view, in a light window or a dark one.
     #[must_use]
-    pub fn appearance(&self) -> Appearance {
+    pub fn appearance(&self, light_window: bool) -> Appearance {
         let light = &self.settings.light;
         let ground_z = self.session.scene.ground_z.filter(|_| light.ground);
         Appearance {
@@ -105,6 +105,7 @@ impl State {
             shading: light.shading,
             ground_z: ground_z.map(|z| z + self.settings.motion.height_shift),
             sky: light.sky,
+            light: light_window,
         }
     }
 }

@@ -7,11 +7,8 @@ use super::Asks;
 use super::widgets::{NumberRow, choice, row, section};
 use super::{light, speed};
 use crate::app::command::{Command, FOV_DEGREES};
-use crate::app::settings::{GazeSetting, Motion};
+use crate::app::settings::{GazeSetting, MAX_LENGTH, Motion};
 use crate::app::state::State;
-
-/// Largest separation, distance and height that can be typed.
-const MAX_LENGTH: f64 = 1e6;
 
 /// Shows the controls.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {

@@ -54,7 +54,7 @@ fn marks(ui: &mut Ui, slider: Rect) -> Option<SpeedSetting> {
 }
 
 fn mark(ui: &mut Ui, rect: Rect, font: &FontId, text: &str) -> bool {
-    let id = ui.id().with(("speed mark", text));
+    let id = ui.scope_id().with(("speed mark", text));
     let response = ui.interact(rect, id, Sense::click()).on_hover_cursor(egui::CursorIcon::PointingHand);
     let colour =
         if response.hovered() { ui.visuals().strong_text_color() } else { ui.visuals().weak_text_color() };

@@ -67,7 +67,7 @@ impl Pane {
 
 /// Reads the mouse in `pane`.
 pub fn interact(ui: &mut Ui, state: &State, pane: Pane, asks: &mut Asks) {
-    let id = ui.id().with(("view", pane.eye.index()));
+    let id = ui.scope_id().with(("view", pane.eye.index()));
     let response = ui.interact(pane.rect, id, Sense::click_and_drag()).on_hover_cursor(CursorIcon::Crosshair);
     let name = format!("{} view", pane.eye.name());
     response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, &name));
