@@ -52,6 +52,23 @@ pub fn degrees(radians: f64) -> String {
     format!("{}°", fixed(radians.to_degrees(), 1))
 }
 
+/// The shortest text that parses as `value`.
+#[must_use]
+pub fn shortest(value: f64) -> String {
+    if value.abs() >= 1e9 { format!("{value:e}") } else { value.to_string() }
+}
+
+/// `value` with that many significant `digits`.
+#[must_use]
+pub fn significant(value: f64, digits: usize) -> String {
+    let magnitude = value.abs().log10().floor();
+    if value != 0.0 && !(-4.0..=digits as f64).contains(&magnitude) {
+        return format!("{value:.precision$e}", precision = digits - 1);
+    }
+    let decimals = (digits as f64 - 1.0 - if value == 0.0 { 0.0 } else { magnitude }).max(0.0) as usize;
+    format!("{value:.decimals$}")
+}
+
 /// 10 to the power of `exponent`, as a number as short as it gets.
 #[must_use]
 pub fn power_of_ten(exponent: f64) -> String {

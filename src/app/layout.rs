@@ -26,8 +26,8 @@ pub struct Layout {
 const BAR_HEIGHT: f32 = 38.0;
 const TIMELINE_HEIGHT: f32 = 66.0;
 /// Height of the readout's rows.
-pub const READOUT_HEIGHT: f32 = 262.0;
-const SIDE_WIDTH: f32 = 308.0;
+const READOUT_HEIGHT: f32 = 274.0;
+const SIDE_WIDTH: f32 = 332.0;
 /// Narrower windows than this have no room for the controls beside the views.
 const NARROWEST_WITH_CONTROLS: f32 = 560.0;
 /// Lowest plots and views of use.

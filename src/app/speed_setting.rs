@@ -3,6 +3,7 @@
 use relativity_core::{Speed, SpeedError};
 use serde::{Deserialize, Serialize};
 
+use super::figures;
 use crate::cli::SpeedParameter;
 
 /// A speed that is in range, in the parameter it was given in: what was typed is what is kept.
@@ -56,16 +57,16 @@ impl SpeedSetting {
         self.speed
     }
 
-    /// `parameter` of this speed, digit for digit as it was typed if it was given so.
+    /// `parameter` of this speed: digit for digit if it was given so, else to six digits.
     #[must_use]
-    pub fn value(&self, parameter: SpeedParameter) -> f64 {
+    pub fn text(&self, parameter: SpeedParameter) -> String {
         if parameter == self.given.parameter {
-            return self.given.value;
+            return figures::shortest(self.given.value);
         }
         match parameter {
-            SpeedParameter::Beta => self.speed.beta(),
-            SpeedParameter::Gamma => self.speed.gamma(),
-            SpeedParameter::Rapidity => self.speed.rapidity(),
+            SpeedParameter::Beta => figures::beta(&self.speed),
+            SpeedParameter::Gamma => figures::significant(self.speed.gamma(), 6),
+            SpeedParameter::Rapidity => figures::significant(self.speed.rapidity(), 6),
         }
     }
 

@@ -1,8 +1,9 @@
 //! The bar at the top: the scene, and which parts of the window are shown.
 
-use eframe::egui::{Align, ComboBox, Layout, RichText, ThemePreference, Ui};
+use eframe::egui::{Align, ComboBox, Layout, RichText, ThemePreference, Ui, vec2};
 
 use super::Asks;
+use super::icons::{self, Icon};
 use crate::app::command::Command;
 use crate::app::state::State;
 use crate::scene::PRESETS;
@@ -43,9 +44,9 @@ fn scene(ui: &mut Ui, state: &State, asks: &mut Asks) {
 fn parts(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let mut window = state.settings.window;
     let dark = ui.visuals().dark_mode;
-    let (sign, other) =
-        if dark { ("☀", ThemePreference::Light) } else { ("🌙", ThemePreference::Dark) };
-    if ui.button(sign).on_hover_text("Light or dark").accessible_name("Theme").clicked() {
+    let (icon, other) =
+        if dark { (Icon::Light, ThemePreference::Light) } else { (Icon::Dark, ThemePreference::Dark) };
+    if icons::button(ui, icon, "Theme", vec2(30.0, 22.0), false).on_hover_text("Light or dark").clicked() {
         window.theme = other;
     }
     ui.separator();

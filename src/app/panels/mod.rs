@@ -4,6 +4,7 @@
 pub mod bar;
 pub mod controls;
 pub mod help;
+mod icons;
 pub mod light;
 pub mod plots;
 pub mod readout;

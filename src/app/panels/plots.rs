@@ -7,6 +7,8 @@ use eframe::egui::{self, Align2, Color32, Id, RichText, Sense, Stroke, TextStyle
 use egui_plot::{HoverPosition, Line, LineStyle, Plot, PlotBounds, PlotPoint, PlotResponse, PlotUi, Points, VLine};
 
 use super::Asks;
+use super::icons::{self, Icon};
+use super::widgets::dot;
 use crate::app::command::Command;
 use crate::app::curves::{Curves, Quantity};
 use crate::app::observer::Eye;
@@ -31,7 +33,9 @@ pub fn show(ui: &mut Ui, state: &State, curves: &[Curves], asks: &mut Asks) {
     ui.horizontal(|ui| {
         for quantity in quantities {
             let size = vec2(width, free.y).max(vec2(20.0, 20.0));
-            ui.allocate_ui(size, |ui| plot(ui, size, state, curves, *quantity, asks));
+            ui.allocate_ui(size, |ui| {
+                ui.vertical(|ui| titled_plot(ui, state, curves, *quantity, asks));
+            });
         }
     });
 }
@@ -62,7 +66,7 @@ fn points(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let all = points.all();
     for (index, point) in all.iter().enumerate() {
         let colour = theme::point_colour(point.number, ui.visuals());
-        ui.label(RichText::new("●").color(colour));
+        dot(ui, colour);
         let chosen = all.len() > 1 && index == points.selected_index();
         let [x, y, z] = state.rest_place(point).map(|value| figures::fixed(value, 3));
         let tip = format!("At rest at ({x}, {y}, {z}).\nClick in a view to move it, shift-click to add one.");
@@ -70,15 +74,17 @@ fn points(ui: &mut Ui, state: &State, asks: &mut Asks) {
             asks.push(Command::SelectPoint(index));
         }
         if all.len() > 1 {
-            let remove = egui::Button::new("×").frame(false);
             let name = format!("Remove {}", point.name());
-            if ui.add(remove).on_hover_text(&name).accessible_name(name).clicked() {
+            if icons::button(ui, Icon::Remove, &name, vec2(18.0, 18.0), false).on_hover_text(&name).clicked() {
                 asks.push(Command::RemovePoint(index));
             }
         }
         ui.add_space(6.0);
     }
 }
+
+/// Room for the numbers beside a plot.
+const Y_AXIS_WIDTH: f32 = 48.0;
 
 /// A curve to draw.
 struct Trace<'a> {
@@ -87,6 +93,16 @@ struct Trace<'a> {
     colour: Color32,
     dashed: bool,
     wide: bool,
+}
+
+fn titled_plot(ui: &mut Ui, state: &State, curves: &[Curves], quantity: Quantity, asks: &mut Asks) {
+    ui.spacing_mut().item_spacing.y = 2.0;
+    ui.horizontal(|ui| {
+        ui.add_space(Y_AXIS_WIDTH);
+        ui.label(RichText::new(label(quantity)).strong());
+        ui.label(value_text(state, quantity));
+    });
+    plot(ui, ui.available_size(), state, curves, quantity, asks);
 }
 
 fn plot(ui: &mut Ui, size: egui::Vec2, state: &State, curves: &[Curves], quantity: Quantity, asks: &mut Asks) {
@@ -105,7 +121,9 @@ fn plot(ui: &mut Ui, size: egui::Vec2, state: &State, curves: &[Curves], quantit
         .allow_double_click_reset(false)
         .allow_axis_zoom_drag(false)
         .sense(Sense::click_and_drag())
-        .y_axis_min_width(44.0)
+        .y_axis_min_width(Y_AXIS_WIDTH)
+        .grid_color(ui.visuals().weak_text_color().gamma_multiply(0.25))
+        .grid_spacing(24.0..=220.0)
         .y_axis_formatter(move |mark, _: &RangeInclusive<f64>| tick(quantity, mark.value, mark.step_size))
         .x_axis_formatter(|mark, _| tick(Quantity::Phi, mark.value, mark.step_size))
         .label_formatter(move |hover| hover_text(quantity, hover))
@@ -121,7 +139,7 @@ fn plot(ui: &mut Ui, size: egui::Vec2, state: &State, curves: &[Curves], quantit
                 draw(plot, trace, now);
             }
         });
-    annotate(ui, &response, state, quantity, equidistant);
+    annotate(ui, &response, equidistant);
     describe(&response, state, quantity);
     if let Some(time) = time_at_pointer(&response) {
         asks.push(Command::Time(time));
@@ -220,16 +238,12 @@ fn hover_text(quantity: Quantity, hover: &HoverPosition<'_>) -> Option<String> {
     Some(format!("{plot_name}\nT = {time}\n{} = {value}{}", label(quantity), unit(quantity)))
 }
 
-/// What the plot shows and its value now, in its corners.
-fn annotate(ui: &Ui, response: &PlotResponse<()>, state: &State, quantity: Quantity, equidistant: Option<f64>) {
+/// Names the axis and T0, and frames the plot.
+fn annotate(ui: &Ui, response: &PlotResponse<()>, equidistant: Option<f64>) {
     let frame = *response.transform.frame();
     let painter = ui.painter().with_clip_rect(frame);
-    let text_colour = ui.visuals().text_color();
-    let body = TextStyle::Body.resolve(ui.style());
     let small = TextStyle::Small.resolve(ui.style());
-    let title = format!("{}{}", label(quantity), value_text(state, quantity));
     let inset = vec2(7.0, 4.0);
-    painter.text(frame.min + inset, Align2::LEFT_TOP, title, body, text_colour);
     let weak = ui.visuals().weak_text_color();
     painter.text(frame.max - inset, Align2::RIGHT_BOTTOM, "T", small.clone(), weak);
     if let Some(time) = equidistant {
@@ -240,16 +254,17 @@ fn annotate(ui: &Ui, response: &PlotResponse<()>, state: &State, quantity: Quant
     painter.rect_stroke(frame, 2.0, Stroke::new(1.0, ui.visuals().widgets.noninteractive.bg_stroke.color), egui::StrokeKind::Inside);
 }
 
-/// " = value now" of the selected point.
+/// The value now of the selected point, or of each eye.
 fn value_text(state: &State, quantity: Quantity) -> String {
     let point = state.session.points.selected();
     let both = state.disparity(point);
     let text = |value: Option<f64>| figures::fixed_or_none(value, 5);
     match quantity {
-        Quantity::DeltaPhi => format!(" = {} rad", text(both.map(|both| both.dphi))),
-        Quantity::DeltaTheta => format!(" = {} rad", text(both.map(|both| both.dtheta))),
-        Quantity::Phi | Quantity::Theta => " / rad".to_owned(),
-        Quantity::LogDoppler => String::new(),
+        Quantity::DeltaPhi => format!("{} rad", text(both.map(|both| both.dphi))),
+        Quantity::DeltaTheta => format!("{} rad", text(both.map(|both| both.dtheta))),
+        Quantity::Phi => "rad".to_owned(),
+        Quantity::Theta => "rad".to_owned(),
+        Quantity::LogDoppler => "received / rest frequency".to_owned(),
     }
 }
 

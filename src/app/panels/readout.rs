@@ -5,7 +5,7 @@ use relativity_core::{Sighting, doppler::received_wavelength};
 use relativity_render::{Colour, colour};
 
 use super::Asks;
-use super::widgets::named_text;
+use super::widgets::{dot, named_text};
 use crate::app::observer::Eye;
 use crate::app::state::State;
 use crate::app::{figures, theme};
@@ -17,12 +17,13 @@ pub fn show(ui: &mut Ui, state: &State, _asks: &mut Asks) {
     ui.horizontal(|ui| {
         ui.label(RichText::new("Seen").strong());
         let colour = theme::point_colour(point.number, ui.visuals());
-        ui.label(RichText::new("●").color(colour));
+        dot(ui, colour);
         ui.label(point.name());
     });
     let sightings = Eye::BOTH.map(|eye| state.sighting(point, eye));
+    differences(ui, state);
     let rest_wavelength = state.rest_wavelength_nm(point);
-    Grid::new("readout").num_columns(3).spacing([10.0, 3.0]).min_col_width(62.0).show(ui, |ui| {
+    Grid::new("readout").num_columns(3).spacing([10.0, 3.0]).min_col_width(70.0).min_row_height(18.0).show(ui, |ui| {
         ui.label("");
         for eye in Eye::BOTH {
             ui.label(RichText::new(eye.name()).color(theme::eye_colour(eye, ui.visuals())));
@@ -32,7 +33,6 @@ pub fn show(ui: &mut Ui, state: &State, _asks: &mut Asks) {
         for quantity in &QUANTITIES {
             quantity.row(ui, sightings);
         }
-        differences(ui, state);
     });
 }
 
@@ -141,23 +141,23 @@ fn swatch(ui: &mut Ui, wavelength_nm: Option<f64>, map: Colour) {
     }
 }
 
+/// The disparities, large: what the binocular observer measures.
 fn differences(ui: &mut Ui, state: &State) {
     let both = state.disparity(state.session.points.selected());
-    let rows = [
-        ("Δφ / rad", "Disparity Δφ", both.map(|both| both.dphi), "Azimuth, left minus right.\nΔφ = φ left − φ right"),
-        (
-            "Δθ / rad",
-            "Disparity Δθ",
-            both.map(|both| both.dtheta),
-            "Elevation, left minus right.\nΔθ = θ left − θ right",
-        ),
+    let parts = [
+        ("Δφ", both.map(|both| both.dphi), "Azimuth, left minus right.\nΔφ = φ left − φ right"),
+        ("Δθ", both.map(|both| both.dtheta), "Elevation, left minus right.\nΔθ = θ left − θ right"),
     ];
-    for (symbol, name, value, tip) in rows {
-        ui.label(RichText::new(symbol).strong()).on_hover_text(tip);
-        let text = figures::fixed_or_none(value, 6);
-        named_text(ui, RichText::new(&text).strong(), format!("{name}: {text}")).on_hover_text(tip);
-        let degrees = value.map_or_else(String::new, figures::degrees);
-        ui.label(RichText::new(degrees).weak());
-        ui.end_row();
-    }
+    ui.horizontal(|ui| {
+        for (symbol, value, tip) in parts {
+            ui.label(RichText::new(symbol).weak()).on_hover_text(tip);
+            let text = figures::fixed_or_none(value, 5);
+            let name = format!("Disparity {symbol}: {text} rad");
+            let degrees = value.map_or_else(String::new, figures::degrees);
+            let shown = RichText::new(format!("{text} rad")).strong();
+            named_text(ui, shown, name).on_hover_text(format!("{tip} = {degrees}"));
+            ui.add_space(8.0);
+        }
+    });
+    ui.separator();
 }

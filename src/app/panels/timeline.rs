@@ -5,6 +5,7 @@ use eframe::egui::{
 };
 
 use super::Asks;
+use super::icons::{self, Icon};
 use super::widgets;
 use crate::app::clock::MAX_TIME;
 use crate::app::command::Command;
@@ -28,22 +29,20 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
 fn transport(ui: &mut Ui, state: &State, asks: &mut Asks) {
     ui.spacing_mut().item_spacing.x = 4.0;
     let buttons = [
-        ("⏮", "To the start", "Key: Home", Command::TimeInRange(0.0)),
-        ("◀", "Step back", "Key: ←", Command::Step(-1)),
+        (Icon::Start, "To the start", "Key: Home", 28.0, Command::TimeInRange(0.0)),
+        (Icon::Back, "Step back", "Key: ←", 28.0, Command::Step(-1)),
         if state.session.playing {
-            ("⏸", "Pause", "Key: space", Command::TogglePlaying)
+            (Icon::Pause, "Pause", "Key: space", 46.0, Command::TogglePlaying)
         } else {
-            ("⏵", "Play", "Key: space", Command::TogglePlaying)
+            (Icon::Play, "Play", "Key: space", 46.0, Command::TogglePlaying)
         },
-        ("▶", "Step forwards", "Key: →", Command::Step(1)),
-        ("⏭", "To the end", "Key: End", Command::TimeInRange(1.0)),
+        (Icon::Forward, "Step forwards", "Key: →", 28.0, Command::Step(1)),
+        (Icon::End, "To the end", "Key: End", 28.0, Command::TimeInRange(1.0)),
     ];
-    for (sign, name, key, command) in buttons {
-        let large = matches!(command, Command::TogglePlaying);
-        let button = egui::Button::new(sign).min_size(egui::vec2(if large { 44.0 } else { 28.0 }, 24.0));
-        let button = if large { button.selected(state.session.playing) } else { button };
-        let response = ui.add(button).on_hover_text(format!("{name}\n{key}")).accessible_name(name);
-        if response.clicked() {
+    for (icon, name, key, width, command) in buttons {
+        let pressed = icon == Icon::Pause;
+        let response = icons::button(ui, icon, name, egui::vec2(width, 26.0), pressed);
+        if response.on_hover_text(format!("{name}\n{key}")).clicked() {
             asks.push(command);
         }
     }
@@ -96,7 +95,10 @@ fn playback(ui: &mut Ui, state: &State, asks: &mut Asks) {
     }
     ui.label("from");
     ui.separator();
-    ui.toggle_value(&mut playback.looping, "🔁").on_hover_text("Start again at the end").accessible_name("Loop");
+    let repeat = icons::button(ui, Icon::Loop, "Loop", egui::vec2(28.0, 24.0), playback.looping);
+    if repeat.on_hover_text("Start again at the end").clicked() {
+        playback.looping = !playback.looping;
+    }
     let rate = DragValue::new(&mut playback.rate).range(0.001..=1e6).speed(0.01).max_decimals(3).suffix(" / s");
     ui.add(rate).on_hover_text("Units of T per second of your clock").accessible_name("Playback rate");
     if playback != before {

@@ -89,17 +89,16 @@ pub fn choice<T: PartialEq + Copy>(ui: &mut Ui, value: &mut T, options: &[(T, &s
     }
 }
 
-/// A field in which a number is typed exactly. While it is not edited it shows `value`; what was typed
+/// A field in which a number is typed exactly. While it is not edited it shows `shown`; what was typed
 /// is handed out once, on Enter or when the field is left.
 pub fn exact_number(
     ui: &mut Ui,
     name: &str,
     tip: &str,
-    value: f64,
+    shown: String,
     width: f32,
 ) -> Option<Result<f64, String>> {
     let id = Id::unique(("exact number", name));
-    let shown = value.to_string();
     let mut text = ui.data(|data| data.get_temp::<String>(id)).unwrap_or_else(|| shown.clone());
     let field = TextEdit::singleline(&mut text).id(id).desired_width(width).clip_text(true);
     let response = ui.add(field).on_hover_text(tip).accessible_name(name);
@@ -116,6 +115,12 @@ pub fn handle_x(rect: egui::Rect, fraction: f64) -> f32 {
     // The theme's handles are circles of this radius.
     let radius = rect.height() / 2.5;
     egui::lerp(rect.min.x + radius..=rect.max.x - radius, fraction.clamp(0.0, 1.0) as f32)
+}
+
+/// A dot that tells what follows by its colour.
+pub fn dot(ui: &mut Ui, colour: egui::Color32) {
+    let (rect, _) = ui.allocate_exact_size(egui::vec2(10.0, 10.0), Sense::hover());
+    ui.painter().circle_filled(rect.center(), 4.5, colour);
 }
 
 /// Text with a `name` of its own for assistive technology.
