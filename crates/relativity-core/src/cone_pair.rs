@@ -132,7 +132,9 @@ impl<F: Float> ConePair<F> {
         let by_rho = *beta * (offset.y * (left.y + right.y) + offset.z * (left.z + right.z)) / sum_q;
         let difference = by_offset - by_rho;
         let size = xl.abs() + xr.abs();
-        if by_offset.abs() + by_rho.abs() > size + size {
+        // Each X alone is known to a rounding of X and S. Only where the difference is worse known than both
+        // (apertures far apart across the motion) are the two X left as they are.
+        if by_offset.abs() + by_rho.abs() > size + size + left.s.abs() + right.s.abs() {
             return ApparentXs { left: xl, right: xr, difference, sum: xl + xr, is_opposite: false };
         }
         let sum = xl + xr;
