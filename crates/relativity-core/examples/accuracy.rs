@@ -32,7 +32,7 @@ fn main() {
         let [x0, y, z] = [(); 3].map(|()| draw::length(rng));
         let rho = y.hypot(z);
         let d = draw::separation(rng, rho);
-        let time = draw::time(rng, speed.beta(), x0, y, rho.hypot(d / 2.0));
+        let time = draw::time(rng, speed.beta(), [x0, y, rho.hypot(d / 2.0)], UNIT_F64);
         let point = SourcePoint { x0, y, z };
         let inputs = vec![value, x0, y, z, time, d];
         let model = |inputs: &[_]| model::pair_views(parameter, inputs);

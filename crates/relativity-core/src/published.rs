@@ -2,7 +2,7 @@
 //!
 //! The paper evaluates the right eye through the left eye's formula at a shifted time and measures
 //! both angles from the left aperture, so that ordinary parallax is left out. It is an approximation
-//! by construction; [`crate::disparity`] is exact. Reference: the paper, eqs. (1) and (5), Appendix A.
+//! by construction; [`crate::disparity()`] is exact. Reference: the paper, eqs. (1) and (5), Appendix A.
 
 use crate::apparent::{Aperture, LightCone, Sighting, SourcePoint, check_inputs};
 use crate::cone_pair::{ConePair, Offset};
@@ -26,7 +26,8 @@ pub enum PublishedVariant {
 ///
 /// # Accuracy
 ///
-/// As [`crate::disparity`], towards the published formulas.
+/// As [`crate::disparity()`], towards the published formulas, at any separation. Measured (`tests/oracle`): median
+/// 0.2, 99 % 2.3, worst 7 units (Appendix A's `t_S`).
 ///
 /// # Errors
 ///

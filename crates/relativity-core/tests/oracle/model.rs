@@ -22,12 +22,13 @@ pub fn speed(parameter: Parameter, value: &Big) -> (Big, Big) {
     }
 }
 
-/// beta, gamma, 1 - beta, 1/gamma^2, rapidity, head-on Doppler factor.
-pub fn accessors(parameter: Parameter, value: &Big) -> [Big; 6] {
+/// beta, gamma, gamma - 1, 1 - beta, 1/gamma^2, rapidity, head-on Doppler factor.
+pub fn accessors(parameter: Parameter, value: &Big) -> [Big; 7] {
     let (beta, gamma) = speed(parameter, value);
     let ratio = (big(1.0) + &beta) / (big(1.0) - &beta);
     let rapidity = ratio.ln() / big(2.0);
-    [beta.clone(), gamma, big(1.0) - &beta, big(1.0) - square(&beta), rapidity, sqrt(&ratio)]
+    let gamma_minus_one = &gamma - big(1.0);
+    [beta.clone(), gamma, gamma_minus_one, big(1.0) - &beta, big(1.0) - square(&beta), rapidity, sqrt(&ratio)]
 }
 
 /// One aperture's view, from the definition of the light cone.
