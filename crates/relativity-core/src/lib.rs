@@ -41,6 +41,7 @@ pub const MAX_ERROR_UNITS: f64 = 8.0;
 
 pub mod aberration;
 pub mod apparent;
+pub mod batch;
 mod cone_pair;
 pub mod disparity;
 pub mod domain;
@@ -49,7 +50,7 @@ pub mod published;
 pub mod speed;
 
 pub use apparent::{Aperture, Sighting, SourcePoint, sighting};
-pub use disparity::{Disparity, disparity, equidistance_time};
+pub use disparity::{Disparity, disparities, disparity, equidistance_time};
 pub use domain::{DomainError, MAX_COORDINATE};
 pub use published::{PublishedVariant, printed_apparent_x, published_disparity};
 pub use speed::{MAX_GAMMA, Speed, SpeedError};
