@@ -7,8 +7,8 @@
 use std::io::{Seek, Write};
 
 use exr::prelude::{
-    AnyChannel, AnyChannels, Encoding, FlatSamples, Image, Layer, LayerAttributes, SmallVec, Text,
-    WritableImage,
+    AnyChannel, AnyChannels, Compression, Encoding, FlatSamples, Image, Layer, LayerAttributes, SmallVec,
+    Text, WritableImage,
 };
 use relativity_core::doppler::{intensity_factor, received_wavelength};
 use relativity_render::{Body, Hit, HitImage};
@@ -70,7 +70,7 @@ pub fn write(
     let mut attributes = LayerAttributes::default();
     attributes.software_name = Some(Text::from(SOFTWARE));
     attributes.comments = Some(Text::new_or_none(&provenance.parameters).unwrap_or_default());
-    let encoding = Encoding::SMALL_LOSSLESS;
+    let encoding = Encoding { compression: Compression::ZIP16, ..Encoding::default() };
     let layer = Layer::new((width, height), attributes, encoding, AnyChannels::sort(channels));
     Ok(Image::from_layer(layer).write().to_buffered(out)?)
 }
