@@ -33,6 +33,7 @@ Examples:
 enum Command {
     Eval(headless::eval::EvalArgs),
     Curve(headless::curve::CurveArgs),
+    Render(Box<headless::render::RenderArgs>),
 }
 
 /// Runs what the command line asks for.
@@ -41,6 +42,7 @@ pub fn run(cli: Cli) -> anyhow::Result<()> {
         None => app::launch::launch(&cli.window),
         Some(Command::Eval(args)) => headless::eval::run(&args),
         Some(Command::Curve(args)) => headless::curve::run(&args),
+        Some(Command::Render(args)) => headless::render::run(&args),
     }
 }
 

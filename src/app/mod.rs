@@ -16,8 +16,8 @@ mod layout;
 pub mod observer;
 mod panels;
 pub mod points;
-pub mod settings;
 mod screenshot;
+pub mod settings;
 mod shortcuts;
 pub mod speed_setting;
 pub mod state;
@@ -59,8 +59,7 @@ impl App {
         if self.state.session.playing {
             let playback = self.state.settings.playback;
             let range = self.state.time_range();
-            let tick =
-                clock::advanced(self.state.session.time, step, playback.rate, playback.looping, range);
+            let tick = clock::advanced(self.state.session.time, step, playback.rate, playback.looping, range);
             self.state.session.time = tick.time;
             self.state.session.playing = tick.playing;
         }
@@ -88,7 +87,8 @@ impl App {
 
     /// Brings the curves up to date; those that still hold are kept.
     fn update_curves(&mut self) {
-        let keys: Vec<Key> = self.state.session.points.all().iter().map(|point| self.state.curve_key(point)).collect();
+        let keys: Vec<Key> =
+            self.state.session.points.all().iter().map(|point| self.state.curve_key(point)).collect();
         self.curves = keys
             .into_iter()
             .map(|key| match self.curves.iter().position(|curves| *curves.key() == key) {
@@ -128,7 +128,9 @@ impl App {
         let largest = self.eyes.as_ref().map_or(1, EyePictures::largest_side);
         let panes = layout.views.map(|area| Pane::both(area, ctx.pixels_per_point(), largest));
         for pane in panes.into_iter().flatten() {
-            self.panel(ui, pane.eye.name(), pane.rect, |ui, state, asks| panels::views::interact(ui, state, pane, asks));
+            self.panel(ui, pane.eye.name(), pane.rect, |ui, state, asks| {
+                panels::views::interact(ui, state, pane, asks)
+            });
         }
         if let Some(rect) = layout.plots {
             self.update_curves();

@@ -81,11 +81,7 @@ pub const DEFAULT_FOV_DEGREES: f64 = 60.0;
 
 impl Default for Look {
     fn default() -> Self {
-        Self {
-            geometry: Geometry::Seen,
-            gaze: GazeSetting::Tracking,
-            fov_degrees: DEFAULT_FOV_DEGREES,
-        }
+        Self { geometry: Geometry::Seen, gaze: GazeSetting::Tracking, fov_degrees: DEFAULT_FOV_DEGREES }
     }
 }
 

@@ -4,7 +4,9 @@
 use std::ops::RangeInclusive;
 
 use eframe::egui::{self, Align2, Color32, Id, RichText, Sense, Stroke, TextStyle, Ui, vec2};
-use egui_plot::{HoverPosition, Line, LineStyle, Plot, PlotBounds, PlotPoint, PlotResponse, PlotUi, Points, VLine};
+use egui_plot::{
+    HoverPosition, Line, LineStyle, Plot, PlotBounds, PlotPoint, PlotResponse, PlotUi, Points, VLine,
+};
 
 use super::Asks;
 use super::icons::{self, Icon};
@@ -75,7 +77,8 @@ fn points(ui: &mut Ui, state: &State, asks: &mut Asks) {
         }
         if all.len() > 1 {
             let name = format!("Remove {}", point.name());
-            if icons::button(ui, Icon::Remove, &name, vec2(18.0, 18.0), false).on_hover_text(&name).clicked() {
+            if icons::button(ui, Icon::Remove, &name, vec2(18.0, 18.0), false).on_hover_text(&name).clicked()
+            {
                 asks.push(Command::RemovePoint(index));
             }
         }
@@ -105,7 +108,14 @@ fn titled_plot(ui: &mut Ui, state: &State, curves: &[Curves], quantity: Quantity
     plot(ui, ui.available_size(), state, curves, quantity, asks);
 }
 
-fn plot(ui: &mut Ui, size: egui::Vec2, state: &State, curves: &[Curves], quantity: Quantity, asks: &mut Asks) {
+fn plot(
+    ui: &mut Ui,
+    size: egui::Vec2,
+    state: &State,
+    curves: &[Curves],
+    quantity: Quantity,
+    asks: &mut Asks,
+) {
     let traces = traces(ui, state, curves, quantity);
     let bounds = bounds(&traces, state.time_range());
     let equidistant = state.equidistance_time(state.session.points.selected());
@@ -132,7 +142,13 @@ fn plot(ui: &mut Ui, size: egui::Vec2, state: &State, curves: &[Curves], quantit
             plot.set_plot_bounds(bounds);
             if let Some(time) = equidistant {
                 let colour = theme::equidistance_colour(&visuals);
-                plot.vline(VLine::new("T₀", time).color(colour).width(1.0).style(LineStyle::dashed_dense()).allow_hover(false));
+                plot.vline(
+                    VLine::new("T₀", time)
+                        .color(colour)
+                        .width(1.0)
+                        .style(LineStyle::dashed_dense())
+                        .allow_hover(false),
+                );
             }
             plot.vline(VLine::new("T", now).color(theme::now_colour(&visuals)).width(1.0).allow_hover(false));
             for trace in traces {
@@ -251,7 +267,12 @@ fn annotate(ui: &Ui, response: &PlotResponse<()>, equidistant: Option<f64>) {
         let place = egui::pos2(x + 3.0, frame.max.y - 3.0);
         painter.text(place, Align2::LEFT_BOTTOM, "T₀", small, weak);
     }
-    painter.rect_stroke(frame, 2.0, Stroke::new(1.0, ui.visuals().widgets.noninteractive.bg_stroke.color), egui::StrokeKind::Inside);
+    painter.rect_stroke(
+        frame,
+        2.0,
+        Stroke::new(1.0, ui.visuals().widgets.noninteractive.bg_stroke.color),
+        egui::StrokeKind::Inside,
+    );
 }
 
 /// The value now of the selected point, or of each eye.
@@ -272,7 +293,9 @@ fn value_text(state: &State, quantity: Quantity) -> String {
 fn describe(response: &PlotResponse<()>, state: &State, quantity: Quantity) {
     let point = state.session.points.selected().name();
     let name = format!("Plot of {} of {point} against T", label(quantity));
-    response.response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::GraphicsObject, true, &name));
+    response
+        .response
+        .widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::GraphicsObject, true, &name));
 }
 
 fn time_at_pointer(response: &PlotResponse<()>) -> Option<f64> {

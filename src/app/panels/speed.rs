@@ -68,7 +68,12 @@ fn fields(ui: &mut Ui, current: SpeedSetting) -> Option<SpeedSetting> {
     const FIELDS: [(SpeedParameter, &str, &str, &str); 3] = [
         (SpeedParameter::Beta, "β", "Beta, typed", "β = v/c, from 0 to below 1. Enter applies it."),
         (SpeedParameter::Gamma, "γ", "Gamma, typed", "γ = 1/√(1 − β²), from 1 to 1e30. Enter applies it."),
-        (SpeedParameter::Rapidity, "η", "Rapidity, typed", "η = artanh β, from 0 to 69.77. Enter applies it."),
+        (
+            SpeedParameter::Rapidity,
+            "η",
+            "Rapidity, typed",
+            "η = artanh β, from 0 to 69.77. Enter applies it.",
+        ),
     ];
     let error_id = egui::Id::unique("speed error");
     let mut chosen = None;
