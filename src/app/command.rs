@@ -140,7 +140,7 @@ impl State {
 
     fn go_to_fraction(&mut self, fraction: f64) {
         let [from, to] = self.time_range();
-        self.session.time = clock::bounded(from + fraction * (to - from));
+        self.session.time = clock::bounded(from * (1.0 - fraction) + to * fraction);
     }
 
     fn toggle_playing(&mut self) {

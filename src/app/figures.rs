@@ -34,7 +34,8 @@ pub fn beta(speed: &Speed) -> String {
     if distance < 1e-12 {
         return format!("1 − {distance:.2e}").replace("e-", "e−");
     }
-    let decimals = (2.0 - distance.log10().floor()).max(3.0) as usize;
+    // The slack keeps 1e-4, which is no sum of powers of two, from counting as the decade below.
+    let decimals = (2.0 + (-distance.log10() - 1e-9).ceil()).max(3.0) as usize;
     grouped(&format!("{:.decimals$}", speed.beta()))
 }
 

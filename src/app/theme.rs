@@ -1,7 +1,7 @@
 //! Colours and sizes. Left is blue and right is orange everywhere: a pair that colour-blind eyes tell
 //! apart, from M. Okabe and K. Ito, *Color universal design* (2008), like the colours of the points.
 
-use eframe::egui::{self, Color32, FontFamily, FontId, Stroke, TextStyle, Visuals, epaint::CornerRadius};
+use eframe::egui::{self, Color32, FontDefinitions, FontFamily, FontId, Stroke, TextStyle, Visuals, epaint::CornerRadius};
 
 use super::observer::Eye;
 
@@ -54,6 +54,7 @@ pub fn equidistance_colour(visuals: &Visuals) -> Color32 {
 
 /// Sets fonts, spacing and both palettes.
 pub fn install(ctx: &egui::Context) {
+    ctx.set_fonts(fonts());
     ctx.all_styles_mut(|style| {
         let size = |points, family| FontId::new(points, family);
         style.text_styles = [
@@ -82,6 +83,14 @@ pub fn install(ctx: &egui::Context) {
     });
     ctx.style_mut_of(egui::Theme::Dark, |style| dark(&mut style.visuals));
     ctx.style_mut_of(egui::Theme::Light, |style| light(&mut style.visuals));
+}
+
+/// The usual fonts, with arrows for the proportional one from the monospaced one.
+fn fonts() -> FontDefinitions {
+    let mut fonts = FontDefinitions::default();
+    let monospace = fonts.families.get(&FontFamily::Monospace).cloned().unwrap_or_default();
+    fonts.families.entry(FontFamily::Proportional).or_default().extend(monospace);
+    fonts
 }
 
 fn dark(visuals: &mut Visuals) {
