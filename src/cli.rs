@@ -24,7 +24,7 @@ The eyes rest at x = -d/2 (left) and x = +d/2 (right).
 Examples:
   gamow curve --beta 0.9 --d 0.3 --y 0.5 --z 0.5 --from -2 --to 5
   gamow curve --samples 1000 --out curve.csv
-  gamow eval curve-inputs.csv --out sightings.csv
+  gamow curve | cut -d, -f 1-6 | gamow eval --model published
 
 `gamow eval --help` and `gamow curve --help` tell more.";
 

@@ -88,3 +88,55 @@ fn lowest_z_of_tyre(shape: &Shape) -> Option<f64> {
         _ => None,
     }
 }
+
+#[test]
+fn every_preset_tracks_a_point_on_one_of_its_bodies() {
+    for name in PRESETS {
+        let scene = Scene::preset(name).expect("it is a preset");
+        let distances = scene.bodies.iter().map(|body| distance(&body.shape, scene.tracked.into()).abs());
+        assert!(distances.fold(f64::INFINITY, f64::min) < 1e-12, "{name}");
+    }
+}
+
+#[test]
+fn the_cyclist_is_one_piece() {
+    // Bodies that touch form one piece: nothing hangs in the air.
+    let bodies = Scene::default().bodies;
+    let mut reached = vec![false; bodies.len()];
+    let mut to_visit = vec![0];
+    while let Some(number) = to_visit.pop() {
+        if std::mem::replace(&mut reached[number], true) {
+            continue;
+        }
+        to_visit
+            .extend((0..bodies.len()).filter(|&other| touch(&bodies[number].shape, &bodies[other].shape)));
+    }
+    assert_eq!(reached.iter().position(|reached| !reached), None);
+}
+
+/// Whether two shapes overlap, or come within a hundredth of each other.
+fn touch(a: &Shape, b: &Shape) -> bool {
+    skeleton(a).any(|point| distance(b, point) < tube_radius(a) + 0.01)
+}
+
+/// Points along the curve in the middle of a shape.
+fn skeleton(shape: &Shape) -> Box<dyn Iterator<Item = DVec3>> {
+    let steps = (0..=200).map(|step| f64::from(step) / 200.0);
+    match *shape {
+        Shape::Sphere { center, .. } => Box::new(std::iter::once(center.into())),
+        Shape::Tube { from, to, .. } => Box::new(steps.map(move |s| DVec3::from(from).lerp(to.into(), s))),
+        Shape::Ring { center, axis, radius, .. } => {
+            let (u, v) = DVec3::from(axis).any_orthonormal_pair();
+            let turns = steps.map(|s| (std::f64::consts::TAU * s).sin_cos());
+            Box::new(turns.map(move |(sin, cos)| DVec3::from(center) + radius * (cos * u + sin * v)))
+        }
+    }
+}
+
+/// How far a shape reaches from its skeleton.
+fn tube_radius(shape: &Shape) -> f64 {
+    match *shape {
+        Shape::Sphere { radius, .. } | Shape::Tube { radius, .. } => radius,
+        Shape::Ring { tube_radius, .. } => tube_radius,
+    }
+}

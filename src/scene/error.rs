@@ -10,12 +10,12 @@ use super::presets::PRESETS;
 #[derive(Debug, Error)]
 pub enum SceneError {
     /// The file could not be read.
-    #[error("{source_name}: cannot read this scene file: {source}")]
+    #[error("{source_name}: cannot read this scene file: {reason}")]
     Read {
         /// The file.
         source_name: String,
         /// Why.
-        source: std::io::Error,
+        reason: std::io::Error,
     },
     /// Neither a preset nor a path.
     #[error("no scene is called `{0}`: there are {list}; for a file, give a name ending in .toml", list = PRESETS.join(", "))]

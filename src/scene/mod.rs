@@ -36,6 +36,7 @@ pub struct Scene {
 impl Scene {
     /// The preset of that name, one of [`PRESETS`].
     #[must_use]
+    #[expect(clippy::missing_panics_doc, reason = "it cannot fail: tests read every preset")]
     pub fn preset(name: &str) -> Option<Self> {
         let text = presets::text(name)?;
         Some(Self::parse(text, name).expect("tests read every preset"))
@@ -49,7 +50,7 @@ impl Scene {
         let source_name = path.display().to_string();
         match std::fs::read_to_string(path) {
             Ok(text) => Self::parse(&text, &source_name),
-            Err(source) => Err(SceneError::Read { source_name, source }),
+            Err(reason) => Err(SceneError::Read { source_name, reason }),
         }
     }
 

@@ -35,11 +35,6 @@ impl<'a> Table<'a> {
         Err(Located { span: first.span(), problem })
     }
 
-    /// A string, if the key is there.
-    pub fn string(&self, key: &'static str) -> Result<Option<&'a str>, Located> {
-        self.value(key).map(|value| self.string_of(key, value)).transpose()
-    }
-
     /// A coordinate, if the key is there.
     pub fn coordinate(&self, key: &'static str) -> Result<Option<f64>, Located> {
         self.value(key).map(|value| self.coordinate_of(key, value, "a number")).transpose()
@@ -57,7 +52,8 @@ impl<'a> Table<'a> {
 
     /// A string that must be there.
     pub fn needed_string(&self, key: &'static str) -> Result<&'a str, Located> {
-        self.string(key)?.ok_or_else(|| self.missing(key))
+        let value = self.value(key).ok_or_else(|| self.missing(key))?;
+        value.get_ref().as_str().ok_or_else(|| self.wrong_type(key, value, "a text in double quotes"))
     }
 
     /// A positive size that must be there.
@@ -119,10 +115,6 @@ impl<'a> Table<'a> {
     fn wrong_type(&self, key: &'static str, value: &Spanned<DeValue>, expected: &'static str) -> Located {
         let span = value.span();
         Located { problem: Problem::WrongType { key, value: self.quoted(&span), expected }, span }
-    }
-
-    fn string_of(&self, key: &'static str, value: &'a Spanned<DeValue<'a>>) -> Result<&'a str, Located> {
-        value.get_ref().as_str().ok_or_else(|| self.wrong_type(key, value, "a text in double quotes"))
     }
 
     fn coordinate_of(

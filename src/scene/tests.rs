@@ -247,3 +247,24 @@ fn an_axis_of_any_length_becomes_a_unit_vector() {
         assert_eq!(axis, [0.0, 0.0, -1.0]);
     }
 }
+
+#[test]
+fn a_mangled_file_gives_a_scene_or_one_line() {
+    for at in 0..EXAMPLE.len() {
+        for replacement in ["", "\"", "[", "]", "=", ".", "-", "9", "\n", "\u{e9}"] {
+            let mangled = format!("{}{replacement}{}", &EXAMPLE[..at], &EXAMPLE[at + 1..]);
+            let Err(error) = Scene::parse(&mangled, "balls.toml") else { continue };
+            let line = error.to_string();
+            assert!(line.starts_with("balls.toml:") && !line.contains('\n'), "{line}");
+        }
+    }
+}
+
+#[test]
+fn the_example_in_the_description_of_the_format_loads() {
+    let description = include_str!("../../assets/scenes/README.md");
+    let (_, rest) = description.split_once("```toml\n").expect("it has an example");
+    let (example, _) = rest.split_once("```").expect("which ends");
+    let scene = Scene::parse(example, "README.md").unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!((scene.bodies.len(), scene.ground_z), (3, Some(-2.5)));
+}

@@ -1,62 +1,121 @@
 //! What lies behind the bodies: a sky and a grid on the ground, at rest with the aperture.
 //!
-//! Never shifted, dimmed or exposed: it gives motion something to be seen against. The formulas use only
-//! + - * / and sqrt, so that a shader can repeat them to the last few bits.
+//! Never shifted, dimmed or exposed: it gives motion something to be seen against.
+//! `shaders/backdrop.wgsl` draws the same.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
-use crate::camera::Camera;
+use crate::camera::{Axes, Camera};
 use crate::colour::mix;
 use crate::view::Appearance;
 
-/// Plain backdrop, linear sRGB.
-pub const PLAIN: [f64; 3] = [0.010, 0.010, 0.012];
-/// Sky at the horizon, linear sRGB.
-pub const HORIZON: [f64; 3] = [0.050, 0.062, 0.085];
-/// Sky overhead and underfoot, linear sRGB.
-pub const ZENITH: [f64; 3] = [0.006, 0.009, 0.020];
-/// Ground between the grid's lines near the aperture, linear sRGB.
-pub const GROUND: [f64; 3] = [0.016, 0.017, 0.018];
-/// Lines of the grid, linear sRGB.
-pub const GRID_LINE: [f64; 3] = [0.13, 0.14, 0.15];
-/// Distance at which the ground is half lost in the haze of the horizon.
-pub const HAZE_DISTANCE: f64 = 40.0;
-/// Half the width of a line; the grid has one line per unit of length along x and along y.
-pub const LINE_HALF_WIDTH: f64 = 0.012;
+/// Half the width of the grid's lines, one per unit of length along x and along y.
+const LINE_HALF_WIDTH: f64 = 0.012;
+/// Half the width of the two lines through the origin.
+const AXIS_HALF_WIDTH: f64 = 0.03;
 
-/// Linear sRGB of what `camera` sees along `line_of_sight` (unit vector) behind all bodies.
-#[must_use]
-pub fn backdrop(camera: &Camera, appearance: &Appearance, line_of_sight: DVec3) -> [f64; 3] {
-    let behind = if appearance.sky { sky(line_of_sight.z) } else { PLAIN };
-    let Some(ground_z) = appearance.ground_z else { return behind };
-    let aperture = camera.aperture;
-    let distance = (ground_z - aperture.z) / line_of_sight.z;
-    if !(distance > 0.0 && distance.is_finite()) {
-        return behind;
+/// Linear sRGB colours of a backdrop.
+#[derive(Debug, Clone, Copy)]
+struct Palette {
+    plain: [f64; 3],
+    horizon: [f64; 3],
+    zenith: [f64; 3],
+    earth: [f64; 3],
+    ink: [f64; 3],
+}
+
+const DARK: Palette = Palette {
+    plain: [0.0060, 0.0070, 0.0100],
+    horizon: [0.0240, 0.0300, 0.0470],
+    zenith: [0.0052, 0.0072, 0.0150],
+    earth: [0.0085, 0.0100, 0.0135],
+    ink: [0.085, 0.105, 0.140],
+};
+
+const LIGHT: Palette = Palette {
+    plain: [0.88, 0.89, 0.91],
+    horizon: [0.83, 0.87, 0.91],
+    zenith: [0.50, 0.63, 0.80],
+    earth: [0.66, 0.69, 0.72],
+    ink: [0.26, 0.31, 0.38],
+};
+
+/// The backdrop of one camera's picture.
+#[derive(Debug, Clone, Copy)]
+pub struct Backdrop {
+    palette: Palette,
+    sky: bool,
+    aperture: DVec2,
+    /// Height of the ground from the aperture, below 0: ground above the eye would hide everything.
+    ground: Option<f64>,
+    axes: Axes,
+    focal_length_px: f64,
+}
+
+impl Backdrop {
+    /// What `camera` has behind the bodies.
+    #[must_use]
+    pub fn new(camera: &Camera, appearance: &Appearance) -> Self {
+        let aperture = camera.aperture;
+        Self {
+            palette: if appearance.light { LIGHT } else { DARK },
+            sky: appearance.sky,
+            aperture: DVec2::new(aperture.x, aperture.y),
+            ground: appearance.ground_z.map(|z| z - aperture.z).filter(|z| *z < 0.0),
+            axes: camera.gaze.axes(),
+            focal_length_px: camera.focal_length_px(),
+        }
     }
-    let foot = DVec3::new(aperture.x, aperture.y, 0.0) + line_of_sight * distance;
-    // Moving the line of sight by the angle of a pixel moves its foot along x by up to
-    // distance * angle * sqrt(1 + (n_x / n_z)^2), and along y alike.
-    let footprint = |n: f64| {
-        let steepness = n / line_of_sight.z;
-        distance / camera.focal_length_px() * (1.0 + steepness * steepness).sqrt()
-    };
-    let along_x = grid_line(foot.x, footprint(line_of_sight.x));
-    let along_y = grid_line(foot.y, footprint(line_of_sight.y));
-    let surface = mix(GROUND, GRID_LINE, along_x.max(along_y));
-    mix(surface, if appearance.sky { HORIZON } else { PLAIN }, distance / (distance + HAZE_DISTANCE))
+
+    /// Linear sRGB of the sky along `line_of_sight` (unit vector).
+    #[must_use]
+    pub fn sky(&self, line_of_sight: DVec3) -> [f64; 3] {
+        if !self.sky {
+            return self.palette.plain;
+        }
+        let nearness = 1.0 - (1.4 * line_of_sight.z.abs()).min(1.0);
+        mix(self.palette.zenith, self.palette.horizon, nearness * nearness)
+    }
+
+    /// Distance of the ground along `line_of_sight` (unit vector), if it is met.
+    #[must_use]
+    pub fn ground_distance(&self, line_of_sight: DVec3) -> Option<f64> {
+        let distance = self.ground? / line_of_sight.z;
+        (distance > 0.0 && distance.is_finite()).then_some(distance)
+    }
+
+    /// Linear sRGB of the ground met at `distance` along `line_of_sight`.
+    #[must_use]
+    pub fn ground(&self, line_of_sight: DVec3, distance: f64) -> [f64; 3] {
+        let n = line_of_sight;
+        let foot = self.aperture + n.truncate() * distance;
+        // The line of sight turns by this from one pixel to the next along `across`.
+        let turn =
+            |across: DVec3| (across - n * n.dot(across)) * (n.dot(self.axes.forward) / self.focal_length_px);
+        let shift = |turn: DVec3| (turn.truncate() - n.truncate() * (turn.z / n.z)) * distance;
+        let [right, down] = [self.axes.right, -self.axes.up].map(|across| shift(turn(across)));
+        let pixel = DVec2::new(right.x.hypot(down.x), right.y.hypot(down.y));
+        let grid = grid_cover(foot.x, pixel.x).max(grid_cover(foot.y, pixel.y));
+        let axes = axis_cover(foot.x, pixel.x).max(axis_cover(foot.y, pixel.y));
+        let Palette { earth, ink, .. } = self.palette;
+        let painted = mix(mix(earth, ink, 0.55 * grid), ink.map(|part| 1.5 * part), axes);
+        mix(self.sky(n), painted, 1.0 / (1.0 + 0.0025 * distance * distance))
+    }
 }
 
-/// Sky at the height `n_z` of the line of sight, -1 to 1.
-fn sky(n_z: f64) -> [f64; 3] {
-    let height = n_z.abs();
-    mix(HORIZON, ZENITH, height * (2.0 - height))
-}
-
-/// Strength, 0 to 1, of the lines at whole numbers for a pixel that covers `footprint` about
-/// `coordinate`. Lines fade out before a pixel covers half a cell.
-fn grid_line(coordinate: f64, footprint: f64) -> f64 {
+/// Share of a pixel, `pixel` wide on the ground, that the lines at whole numbers cover. A line thinner than a
+/// pixel is faded rather than broken up; a grid finer than pixels is left out.
+fn grid_cover(coordinate: f64, pixel: f64) -> f64 {
     let off_line = (coordinate - coordinate.round()).abs();
-    let reach = footprint.max(LINE_HALF_WIDTH);
-    (1.0 - off_line / reach).max(0.0) * (1.0 - 2.0 * footprint).max(0.0)
+    line_cover(off_line, LINE_HALF_WIDTH, pixel) * (2.0 - 4.0 * pixel).clamp(0.0, 1.0)
+}
+
+/// Share of a pixel that the line at 0 covers.
+fn axis_cover(coordinate: f64, pixel: f64) -> f64 {
+    line_cover(coordinate.abs(), AXIS_HALF_WIDTH, pixel)
+}
+
+fn line_cover(off_line: f64, half_width: f64, pixel: f64) -> f64 {
+    let half = half_width.max(0.5 * pixel);
+    ((half - off_line) / pixel.max(1e-6) + 0.5).clamp(0.0, 1.0) * (half_width / half)
 }

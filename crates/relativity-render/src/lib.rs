@@ -6,9 +6,9 @@
 
 pub mod backdrop;
 pub mod body;
-pub mod bvh;
 pub mod camera;
 pub mod colour;
+pub mod cone;
 mod exact;
 mod frame;
 pub mod gpu;
@@ -19,6 +19,7 @@ mod polynomial;
 pub mod reference;
 pub mod shade;
 mod target;
+mod tiles;
 pub mod view;
 
 pub use body::{Body, Shape};
