@@ -186,6 +186,6 @@ impl State {
         self.session.scene = scene;
         self.session.notice = None;
         self.place_bodies();
-        self.session.time = clock::time_of_approach(&self.speed(), self.selected_source());
+        self.go_to_approach();
     }
 }

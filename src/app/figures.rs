@@ -39,9 +39,11 @@ pub fn beta(speed: &Speed) -> String {
     grouped(&format!("{:.decimals$}", speed.beta()))
 }
 
-/// A thin space after every third decimal, as the SI writes numbers.
+/// A thin space after every third decimal if there are more than four, as the SI writes numbers.
 fn grouped(number: &str) -> String {
-    let Some((whole, decimals)) = number.split_once('.') else { return number.to_owned() };
+    let Some((whole, decimals)) = number.split_once('.').filter(|(_, decimals)| decimals.len() > 4) else {
+        return number.to_owned();
+    };
     let digits: Vec<char> = decimals.chars().collect();
     let groups: Vec<String> = digits.chunks(3).map(|group| group.iter().collect()).collect();
     format!("{whole}.{}", groups.join("\u{2009}"))

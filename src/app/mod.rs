@@ -10,6 +10,7 @@ pub mod command;
 pub mod curves;
 mod eyes;
 pub mod figures;
+mod graphics;
 pub mod launch;
 mod layout;
 

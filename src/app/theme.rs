@@ -40,6 +40,12 @@ pub fn point_colour(number: usize, visuals: &Visuals) -> Color32 {
     colours[(number + colours.len() - 1) % colours.len()]
 }
 
+/// What sets a marker off from any picture.
+#[must_use]
+pub fn halo_colour(visuals: &Visuals) -> Color32 {
+    if visuals.dark_mode { Color32::from_black_alpha(170) } else { Color32::from_white_alpha(210) }
+}
+
 /// The line at the present T.
 #[must_use]
 pub fn now_colour(visuals: &Visuals) -> Color32 {
