@@ -241,13 +241,7 @@ mod tests {
     fn key(beta: f64, point: [f64; 3]) -> Key {
         let speed = Speed::from_beta(beta).expect("in range");
         let [x0, y, z] = point;
-        Key {
-            speed,
-            source: SourcePoint { x0, y, z },
-            separation: 0.3,
-            range: [-2.0, 5.0],
-            published: true,
-        }
+        Key { speed, source: SourcePoint { x0, y, z }, separation: 0.3, range: [-2.0, 5.0], published: true }
     }
 
     /// Linear interpolation in a drawn curve.
@@ -259,9 +253,12 @@ mod tests {
 
     #[test]
     fn drawn_curves_stay_within_a_pixel_of_the_exact_ones() {
-        for (beta, point) in
-            [(0.0, [0.0, 0.5, 0.5]), (0.9, [0.0, 0.5, 0.5]), (0.9999, [0.3, 3.0, 2.0]), (0.9, [0.0, 1e-3, 1e-3])]
-        {
+        for (beta, point) in [
+            (0.0, [0.0, 0.5, 0.5]),
+            (0.9, [0.0, 0.5, 0.5]),
+            (0.9999, [0.3, 3.0, 2.0]),
+            (0.9, [0.0, 1e-3, 1e-3]),
+        ] {
             let key = key(beta, point);
             let curves = Curves::new(key);
             let curve = &curves.exact(Quantity::DeltaPhi)[0];

@@ -44,7 +44,13 @@ impl EyePictures {
     }
 
     /// The picture of the eye with this `index` (0 left, 1 right), drawn if it is not up to date.
-    pub fn picture(&mut self, index: usize, bodies: &[Body], view: &View, appearance: &Appearance) -> TextureId {
+    pub fn picture(
+        &mut self,
+        index: usize,
+        bodies: &[Body],
+        view: &View,
+        appearance: &Appearance,
+    ) -> TextureId {
         let Self { render_state, gpu, renderer, pictures } = self;
         let picture = fitting(&mut pictures[index], view.camera.size, gpu, render_state);
         let up_to_date = picture.drawn.as_ref().is_some_and(|drawn| {

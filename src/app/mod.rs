@@ -17,8 +17,8 @@ mod layout;
 pub mod observer;
 mod panels;
 pub mod points;
-pub mod settings;
 mod screenshot;
+pub mod settings;
 mod shortcuts;
 pub mod speed_setting;
 pub mod state;
@@ -65,8 +65,7 @@ impl App {
         if self.state.session.playing {
             let playback = self.state.settings.playback;
             let range = self.state.time_range();
-            let tick =
-                clock::advanced(self.state.session.time, step, playback.rate, playback.looping, range);
+            let tick = clock::advanced(self.state.session.time, step, playback.rate, playback.looping, range);
             self.state.session.time = tick.time;
             self.state.session.playing = tick.playing;
         }
@@ -87,12 +86,15 @@ impl App {
             // Panels that were shown before this one show the change in the next frame.
             ctx.request_repaint();
         }
-        asks.into_iter().for_each(|command| self.ask(command));
+        for command in asks {
+            self.ask(command);
+        }
     }
 
     /// Brings the curves up to date; those that still hold are kept.
     fn update_curves(&mut self) {
-        let keys: Vec<Key> = self.state.session.points.all().iter().map(|point| self.state.curve_key(point)).collect();
+        let keys: Vec<Key> =
+            self.state.session.points.all().iter().map(|point| self.state.curve_key(point)).collect();
         self.curves = keys
             .into_iter()
             .map(|key| match self.curves.iter().position(|curves| *curves.key() == key) {
@@ -122,7 +124,7 @@ impl App {
 
         let area = ui.max_rect();
         ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
-        let layout = Layout::of(area, &self.state.settings.window);
+        let layout = Layout::of(area, self.state.settings.window);
         let inset = |rect: Rect| rect.shrink2(egui::vec2(theme::GAP, theme::GAP / 2.0));
         self.panel(ui, "bar", inset(layout.bar), panels::bar::show);
         if let Some(rect) = layout.controls {
@@ -132,7 +134,9 @@ impl App {
         let largest = self.eyes.as_ref().map_or(1, EyePictures::largest_side);
         let panes = layout.views.map(|area| Pane::both(area, ctx.pixels_per_point(), largest));
         for pane in panes.into_iter().flatten() {
-            self.panel(ui, pane.eye.name(), pane.rect, |ui, state, asks| panels::views::interact(ui, state, pane, asks));
+            self.panel(ui, pane.eye.name(), pane.rect, |ui, state, asks| {
+                panels::views::interact(ui, state, pane, asks);
+            });
         }
         if let Some(rect) = layout.plots {
             self.update_curves();

@@ -1,9 +1,7 @@
 //! What the two eyes make of the state: sightings of the followed points, gaze, cameras, markers.
 
 use glam::DVec3;
-use relativity_core::{
-    Aperture, Disparity, Sighting, SourcePoint, disparity, equidistance_time, sighting,
-};
+use relativity_core::{Aperture, Disparity, Sighting, SourcePoint, disparity, equidistance_time, sighting};
 use relativity_render::{Camera, Gaze, Geometry, View};
 
 use super::curves::Key;
@@ -106,7 +104,9 @@ impl State {
                 let x = (source.x0 - aperture.x) + self.speed().beta() * self.session.time;
                 DVec3::new(x, source.y, source.z)
             }
-            Geometry::Rest => DVec3::from(self.rest_place(point)) - self.view(eye, [1, 1], STRAIGHT_AHEAD).rest_origin(),
+            Geometry::Rest => {
+                DVec3::from(self.rest_place(point)) - self.view(eye, [1, 1], STRAIGHT_AHEAD).rest_origin()
+            }
         };
         direction.is_finite().then_some(direction)
     }

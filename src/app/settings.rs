@@ -81,11 +81,7 @@ pub const DEFAULT_FOV_DEGREES: f64 = 72.0;
 
 impl Default for Look {
     fn default() -> Self {
-        Self {
-            geometry: Geometry::Seen,
-            gaze: GazeSetting::Tracking,
-            fov_degrees: DEFAULT_FOV_DEGREES,
-        }
+        Self { geometry: Geometry::Seen, gaze: GazeSetting::Tracking, fov_degrees: DEFAULT_FOV_DEGREES }
     }
 }
 
@@ -168,6 +164,7 @@ pub struct Plots {
 /// Which parts of the window are shown, and in which colours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
+#[expect(clippy::struct_excessive_bools, reason = "each part is shown or not")]
 pub struct Window {
     /// The two eyes' views. Hidden views compute nothing.
     pub views: bool,

@@ -12,8 +12,11 @@ pub struct Shortcut {
     /// As shown in the help.
     pub action: &'static str,
     /// Each key and what it asks for.
-    commands: &'static [(Key, fn(Modifiers) -> Command)],
+    commands: &'static [Binding],
 }
+
+/// A key, and what it asks for with the modifiers held.
+type Binding = (Key, fn(Modifiers) -> Command);
 
 /// All of them.
 pub const SHORTCUTS: [Shortcut; 9] = [
@@ -29,10 +32,7 @@ pub const SHORTCUTS: [Shortcut; 9] = [
     Shortcut {
         keys: "Home  End",
         action: "to the start, to the end",
-        commands: &[
-            (Key::Home, |_| Command::TimeInRange(0.0)),
-            (Key::End, |_| Command::TimeInRange(1.0)),
-        ],
+        commands: &[(Key::Home, |_| Command::TimeInRange(0.0)), (Key::End, |_| Command::TimeInRange(1.0))],
     },
     Shortcut {
         keys: "↑ ↓",
@@ -52,14 +52,15 @@ pub const SHORTCUTS: [Shortcut; 9] = [
         action: "contracted only",
         commands: &[(Key::Num2, |_| Command::Geometry(Geometry::Contracted))],
     },
-    Shortcut { keys: "3", action: "at rest", commands: &[(Key::Num3, |_| Command::Geometry(Geometry::Rest))] },
+    Shortcut {
+        keys: "3",
+        action: "at rest",
+        commands: &[(Key::Num3, |_| Command::Geometry(Geometry::Rest))],
+    },
     Shortcut {
         keys: "?  F1",
         action: "this help",
-        commands: &[
-            (Key::Questionmark, |_| Command::ToggleHelp),
-            (Key::F1, |_| Command::ToggleHelp),
-        ],
+        commands: &[(Key::Questionmark, |_| Command::ToggleHelp), (Key::F1, |_| Command::ToggleHelp)],
     },
     Shortcut { keys: "Esc", action: "close", commands: &[(Key::Escape, |_| Command::Close)] },
 ];

@@ -2,7 +2,9 @@
 
 use std::f32::consts::TAU;
 
-use eframe::egui::{Color32, Painter, Pos2, Response, Sense, Shape, Stroke, StrokeKind, Ui, Vec2, pos2, vec2};
+use eframe::egui::{
+    Color32, Painter, Pos2, Response, Sense, Shape, Stroke, StrokeKind, Ui, Vec2, pos2, vec2,
+};
 
 /// A sign, drawn inside a square of side 2 around the origin.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,12 +35,23 @@ pub enum Icon {
 pub fn button(ui: &mut Ui, icon: Icon, name: &str, size: Vec2, selected: bool) -> Response {
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     response.widget_info(|| {
-        eframe::egui::WidgetInfo::selected(eframe::egui::accesskit::Role::Button, ui.is_enabled(), selected, name)
+        eframe::egui::WidgetInfo::selected(
+            eframe::egui::accesskit::Role::Button,
+            ui.is_enabled(),
+            selected,
+            name,
+        )
     });
     let visuals = ui.style().interact_selectable(&response, selected);
     let painter = ui.painter();
     if icon != Icon::Remove || response.hovered() {
-        painter.rect(rect, visuals.corner_radius, visuals.weak_bg_fill, visuals.bg_stroke, StrokeKind::Inside);
+        painter.rect(
+            rect,
+            visuals.corner_radius,
+            visuals.weak_bg_fill,
+            visuals.bg_stroke,
+            StrokeKind::Inside,
+        );
     }
     let radius = 0.24 * size.y.min(size.x) * if icon == Icon::Play { 1.15 } else { 1.0 };
     paint(painter, icon, rect.center(), radius, visuals.fg_stroke.color, visuals.weak_bg_fill);

@@ -45,11 +45,7 @@ pub fn show(ui: &mut Ui, before: Light, asks: &mut Asks) {
 }
 
 const COLOURS: [(Colour, &str, &str); 2] = [
-    (
-        Colour::Visible,
-        "Natural",
-        "As a human eye sees it (CIE 1931). Ultraviolet and infrared are black.",
-    ),
+    (Colour::Visible, "Natural", "As a human eye sees it (CIE 1931). Ultraviolet and infrared are black."),
     (Colour::False, "False", "A false colour that keeps ultraviolet and infrared visible."),
 ];
 

@@ -4,7 +4,11 @@
 use std::ops::RangeInclusive;
 
 use eframe::egui::{self, Align2, Color32, Id, RichText, Sense, Stroke, TextStyle, Ui, vec2};
-use egui_plot::{HoverPosition, Line, LineStyle, Plot, PlotBounds, PlotPoint, PlotResponse, PlotUi, Points, VLine};
+use egui_plot::{
+    HoverPosition, Line, LineStyle, Plot, PlotBounds, PlotPoint, PlotResponse, PlotUi, Points, VLine,
+};
+
+use relativity_core::{Disparity, Sighting};
 
 use super::Asks;
 use super::icons::{self, Icon};
@@ -75,7 +79,8 @@ fn points(ui: &mut Ui, state: &State, asks: &mut Asks) {
         }
         if all.len() > 1 {
             let name = format!("Remove {}", point.name());
-            if icons::button(ui, Icon::Remove, &name, vec2(18.0, 18.0), false).on_hover_text(&name).clicked() {
+            if icons::button(ui, Icon::Remove, &name, vec2(18.0, 18.0), false).on_hover_text(&name).clicked()
+            {
                 asks.push(Command::RemovePoint(index));
             }
         }
@@ -100,12 +105,45 @@ fn titled_plot(ui: &mut Ui, state: &State, curves: &[Curves], quantity: Quantity
     ui.horizontal(|ui| {
         ui.add_space(Y_AXIS_WIDTH);
         ui.label(RichText::new(label(quantity)).strong());
-        ui.label(value_text(state, quantity));
+        values_now(ui, state, quantity);
     });
     plot(ui, ui.available_size(), state, curves, quantity, asks);
 }
 
-fn plot(ui: &mut Ui, size: egui::Vec2, state: &State, curves: &[Curves], quantity: Quantity, asks: &mut Asks) {
+/// What the selected point's curves are at T: the disparity, or what each eye sees, in its colour.
+fn values_now(ui: &mut Ui, state: &State, quantity: Quantity) {
+    let point = state.session.points.selected();
+    let difference = |value: fn(&Disparity) -> f64| {
+        figures::fixed_or_none(state.disparity(point).as_ref().map(value), 5) + unit(quantity)
+    };
+    let of_eye: fn(&Sighting) -> f64 = match quantity {
+        Quantity::DeltaPhi => {
+            ui.label(difference(|both| both.dphi));
+            return;
+        }
+        Quantity::DeltaTheta => {
+            ui.label(difference(|both| both.dtheta));
+            return;
+        }
+        Quantity::Phi => Sighting::phi,
+        Quantity::Theta => Sighting::theta,
+        Quantity::LogDoppler => |seen| seen.doppler_factor,
+    };
+    for eye in Eye::BOTH {
+        let value = figures::fixed_or_none(state.sighting(point, eye).as_ref().map(of_eye), 5);
+        let text = format!("{} {value}{}", eye.name(), unit(quantity));
+        ui.label(RichText::new(text).color(theme::eye_colour(eye, ui.visuals())));
+    }
+}
+
+fn plot(
+    ui: &mut Ui,
+    size: egui::Vec2,
+    state: &State,
+    curves: &[Curves],
+    quantity: Quantity,
+    asks: &mut Asks,
+) {
     let traces = traces(ui, state, curves, quantity);
     let bounds = bounds(&traces, state.time_range());
     let equidistant = state.equidistance_time(state.session.points.selected());
@@ -132,7 +170,13 @@ fn plot(ui: &mut Ui, size: egui::Vec2, state: &State, curves: &[Curves], quantit
             plot.set_plot_bounds(bounds);
             if let Some(time) = equidistant {
                 let colour = theme::equidistance_colour(&visuals);
-                plot.vline(VLine::new("T₀", time).color(colour).width(1.0).style(LineStyle::dashed_dense()).allow_hover(false));
+                plot.vline(
+                    VLine::new("T₀", time)
+                        .color(colour)
+                        .width(1.0)
+                        .style(LineStyle::dashed_dense())
+                        .allow_hover(false),
+                );
             }
             plot.vline(VLine::new("T", now).color(theme::now_colour(&visuals)).width(1.0).allow_hover(false));
             for trace in traces {
@@ -224,7 +268,7 @@ fn tick(quantity: Quantity, value: f64, step: f64) -> String {
     if quantity == Quantity::LogDoppler {
         return figures::power_of_ten(value);
     }
-    let decimals = (-step.abs().log10().floor()).clamp(0.0, 9.0) as usize;
+    let decimals = (-step.abs().log10().floor()).clamp(0.0, 9.0) as u8;
     // Rounding, so that a grid line at -1e-17 reads 0.
     let rounded = (value / step).round() * step + 0.0;
     figures::fixed(rounded, decimals)
@@ -253,28 +297,21 @@ fn annotate(ui: &Ui, response: &PlotResponse<()>, equidistant: Option<f64>) {
         let place = egui::pos2(x + 3.0, frame.max.y - 3.0);
         painter.text(place, Align2::LEFT_BOTTOM, "T₀", small, weak);
     }
-    painter.rect_stroke(frame, 2.0, Stroke::new(1.0, ui.visuals().widgets.noninteractive.bg_stroke.color), egui::StrokeKind::Inside);
-}
-
-/// The value now of the selected point, or of each eye.
-fn value_text(state: &State, quantity: Quantity) -> String {
-    let point = state.session.points.selected();
-    let both = state.disparity(point);
-    let text = |value: Option<f64>| figures::fixed_or_none(value, 5);
-    match quantity {
-        Quantity::DeltaPhi => format!("{} rad", text(both.map(|both| both.dphi))),
-        Quantity::DeltaTheta => format!("{} rad", text(both.map(|both| both.dtheta))),
-        Quantity::Phi => "rad".to_owned(),
-        Quantity::Theta => "rad".to_owned(),
-        Quantity::LogDoppler => "received / rest frequency".to_owned(),
-    }
+    painter.rect_stroke(
+        frame,
+        2.0,
+        Stroke::new(1.0, ui.visuals().widgets.noninteractive.bg_stroke.color),
+        egui::StrokeKind::Inside,
+    );
 }
 
 /// Names the plot for assistive technology: what it shows, of what.
 fn describe(response: &PlotResponse<()>, state: &State, quantity: Quantity) {
     let point = state.session.points.selected().name();
     let name = format!("Plot of {} of {point} against T", label(quantity));
-    response.response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::GraphicsObject, true, &name));
+    response
+        .response
+        .widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::GraphicsObject, true, &name));
 }
 
 fn time_at_pointer(response: &PlotResponse<()>) -> Option<f64> {

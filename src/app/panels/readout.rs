@@ -1,6 +1,6 @@
 //! The numbers: what each eye receives of the selected point now, and how the two differ.
 
-use eframe::egui::{self, Color32, Grid, RichText, Sense, Ui, vec2};
+use eframe::egui::{self, Align, Color32, Grid, Layout, RichText, Sense, Ui, vec2};
 use relativity_core::{Sighting, doppler::received_wavelength};
 use relativity_render::{Colour, colour};
 
@@ -20,6 +20,9 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         let colour = theme::point_colour(point.number, ui.visuals());
         dot(ui, colour);
         ui.label(point.name());
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            ui.label(RichText::new(format!("β {}", figures::beta(&state.speed()))).weak());
+        });
     });
     let sightings = Eye::BOTH.map(|eye| state.sighting(point, eye));
     differences(ui, state);
@@ -28,17 +31,20 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     }
     ui.separator();
     let rest_wavelength = state.rest_wavelength_nm(point);
-    Grid::new("readout").num_columns(3).spacing([10.0, 3.0]).min_col_width(70.0).min_row_height(18.0).show(ui, |ui| {
-        ui.label("");
-        for eye in Eye::BOTH {
-            ui.label(RichText::new(eye.name()).color(theme::eye_colour(eye, ui.visuals())));
-        }
-        ui.end_row();
-        wavelengths(ui, sightings, rest_wavelength, state.settings.light.colour);
-        for quantity in &QUANTITIES {
-            quantity.row(ui, sightings);
-        }
-    });
+    Grid::new("readout").num_columns(3).spacing([10.0, 3.0]).min_col_width(70.0).min_row_height(18.0).show(
+        ui,
+        |ui| {
+            ui.label("");
+            for eye in Eye::BOTH {
+                ui.label(RichText::new(eye.name()).color(theme::eye_colour(eye, ui.visuals())));
+            }
+            ui.end_row();
+            wavelengths(ui, sightings, rest_wavelength, state.settings.light.colour);
+            for quantity in &QUANTITIES {
+                quantity.row(ui, sightings);
+            }
+        },
+    );
 }
 
 /// The title, which folds the table away.
@@ -57,7 +63,7 @@ struct Quantity {
     symbol: &'static str,
     name: &'static str,
     tip: &'static str,
-    decimals: usize,
+    decimals: u8,
     value: fn(&Sighting) -> f64,
 }
 
@@ -148,7 +154,8 @@ fn wavelengths(ui: &mut Ui, sightings: [Option<Sighting>; 2], rest_wavelength: f
 fn swatch(ui: &mut Ui, wavelength_nm: Option<f64>, map: Colour) {
     let (rect, _) = ui.allocate_exact_size(vec2(14.0, 12.0), Sense::hover());
     let linear = wavelength_nm.map_or([0.0; 3], |wavelength| colour::linear_srgb(wavelength, map));
-    let [r, g, b] = linear.map(|channel| (255.0 * colour::srgb_encoded(channel.clamp(0.0, 1.0))).round() as u8);
+    let [r, g, b] =
+        linear.map(|channel| (255.0 * colour::srgb_encoded(channel.clamp(0.0, 1.0))).round() as u8);
     let stroke = ui.visuals().widgets.noninteractive.bg_stroke;
     let painter = ui.painter();
     painter.rect(rect, 2.0, Color32::from_rgb(r, g, b), stroke, egui::StrokeKind::Inside);

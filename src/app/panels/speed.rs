@@ -68,7 +68,12 @@ fn fields(ui: &mut Ui, current: SpeedSetting) -> Option<SpeedSetting> {
     const FIELDS: [(SpeedParameter, &str, &str, &str); 3] = [
         (SpeedParameter::Beta, "β", "Beta, typed", "β = v/c, from 0 to below 1. Enter applies it."),
         (SpeedParameter::Gamma, "γ", "Gamma, typed", "γ = 1/√(1 − β²), from 1 to 1e30. Enter applies it."),
-        (SpeedParameter::Rapidity, "η", "Rapidity, typed", "η = artanh β, from 0 to 69.77. Enter applies it."),
+        (
+            SpeedParameter::Rapidity,
+            "η",
+            "Rapidity, typed",
+            "η = artanh β, from 0 to 69.77. Enter applies it.",
+        ),
     ];
     let error_id = egui::Id::unique("speed error");
     let mut chosen = None;
@@ -77,7 +82,7 @@ fn fields(ui: &mut Ui, current: SpeedSetting) -> Option<SpeedSetting> {
         let width = ((ui.available_width() - 74.0) / 3.0).max(20.0);
         for (parameter, symbol, name, tip) in FIELDS {
             ui.label(symbol).on_hover_text(tip);
-            let Some(typed) = widgets::exact_number(ui, name, tip, current.text(parameter), width) else {
+            let Some(typed) = widgets::exact_number(ui, name, tip, &current.text(parameter), width) else {
                 continue;
             };
             let setting = typed

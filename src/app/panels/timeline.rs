@@ -67,7 +67,8 @@ fn time(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let button = egui::Button::new(RichText::new(text).weak()).frame(false);
     let tip = "T₀ = √((d/2)² + y² + z²) − x₀/β: when both eyes see the selected point at the same distance. \
         Click to go there. A scene at rest has none.";
-    let response = ui.add_enabled(equidistant.is_some(), button).on_hover_text(tip).on_disabled_hover_text(tip);
+    let response =
+        ui.add_enabled(equidistant.is_some(), button).on_hover_text(tip).on_disabled_hover_text(tip);
     if let (true, Some(time)) = (response.accessible_name("Go to T₀").clicked(), equidistant) {
         asks.push(Command::Time(time));
     }
@@ -85,7 +86,11 @@ fn playback(ui: &mut Ui, state: &State, asks: &mut Asks) {
     }
     let speed = (to - from) / 400.0;
     let end = |value| {
-        DragValue::new(value).range(-MAX_TIME..=MAX_TIME).speed(speed).max_decimals(2).update_while_editing(false)
+        DragValue::new(value)
+            .range(-MAX_TIME..=MAX_TIME)
+            .speed(speed)
+            .max_decimals(2)
+            .update_while_editing(false)
     };
     let last = ui.add(end(&mut to)).on_hover_text("Last T").accessible_name("Last T").changed();
     ui.label("to");
@@ -99,7 +104,8 @@ fn playback(ui: &mut Ui, state: &State, asks: &mut Asks) {
     if repeat.on_hover_text("Start again at the end").clicked() {
         playback.looping = !playback.looping;
     }
-    let rate = DragValue::new(&mut playback.rate).range(0.001..=1e6).speed(0.01).max_decimals(3).suffix(" / s");
+    let rate =
+        DragValue::new(&mut playback.rate).range(0.001..=1e6).speed(0.01).max_decimals(3).suffix(" / s");
     ui.add(rate).on_hover_text("Units of T per second of your clock").accessible_name("Playback rate");
     if playback != before {
         asks.push(Command::Playback(playback));

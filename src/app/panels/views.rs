@@ -126,7 +126,13 @@ fn title(ui: &Ui, pane: Pane, colour: Color32) {
     let place = pos2(pane.rect.min.x, pane.rect.min.y - TITLE_HEIGHT / 2.0 - 1.0);
     let painter = ui.painter();
     painter.circle_filled(place + vec2(5.0, 0.0), 4.5, colour);
-    painter.text(place + vec2(16.0, 0.0), Align2::LEFT_CENTER, pane.eye.name(), font, ui.visuals().text_color());
+    painter.text(
+        place + vec2(16.0, 0.0),
+        Align2::LEFT_CENTER,
+        pane.eye.name(),
+        font,
+        ui.visuals().text_color(),
+    );
 }
 
 /// What the picture is, where that is not what an eye would see.
