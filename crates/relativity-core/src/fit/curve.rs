@@ -1,0 +1,167 @@
+//! The curves that are fitted, with their derivatives: Delta-phi and Delta-theta of a trial object.
+//!
+//! The derivatives follow from the light cone itself. With R^2 = X^2 + rho^2 and X = S - beta R, and
+//! since R + beta X = q and q - beta X = R,
+//!
+//! ```text
+//! dX = (R dS - R^2 dbeta - beta (y dy + z dz))/q,    dS = (T - t0) dbeta - beta dt0
+//! ```
+//!
+//! where t0 is the time of passage, at which the object is objectively at x = 0 (or at a known x0).
+
+use crate::apparent::{Aperture, LightCone, SourcePoint};
+use crate::disparity::{Offset, angle_differences};
+use crate::published::delay;
+use crate::speed::Speed;
+
+/// Which binocular model is fitted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum FitModel {
+    /// Each aperture solves its own light cone.
+    #[default]
+    Exact,
+    /// The paper's Appendix A, which leaves out parallax.
+    Published,
+}
+
+/// Partial derivatives with respect to beta, y, z and t0.
+pub(crate) type Gradient = [f64; 4];
+
+const D_Y: Gradient = [0.0, 1.0, 0.0, 0.0];
+const D_Z: Gradient = [0.0, 0.0, 1.0, 0.0];
+
+/// A trial object: a value for each parameter.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Trial {
+    pub speed: Speed,
+    pub y: f64,
+    pub z: f64,
+    /// t0.
+    pub passage_time: f64,
+    /// Objective x at t0.
+    pub passage_x: f64,
+}
+
+/// Delta-phi and Delta-theta, and their gradients.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Slopes {
+    pub angles: [f64; 2],
+    pub gradients: [Gradient; 2],
+}
+
+impl Trial {
+    /// Delta-phi and Delta-theta at `time`.
+    pub fn angles(&self, model: FitModel, pair: &[Aperture; 2], time: f64) -> [f64; 2] {
+        let cones = self.cones(model, pair, time);
+        let (dphi, dtheta) = angle_differences(&self.speed, &cones.primary, &cones.secondary, cones.offset);
+        [dphi, dtheta]
+    }
+
+    /// The same with the gradients.
+    pub fn slopes(&self, model: FitModel, pair: &[Aperture; 2], time: f64) -> Slopes {
+        let cones = self.cones(model, pair, time);
+        let (dphi, dtheta) = angle_differences(&self.speed, &cones.primary, &cones.secondary, cones.offset);
+        let beta = self.speed.beta();
+        let ds = [time - self.passage_time, 0.0, 0.0, -beta];
+        let dx = x_gradient(beta, &cones.primary, ds);
+        let ds_secondary = match model {
+            FitModel::Exact => ds,
+            FitModel::Published => secondary_s_gradient(beta, &cones, ds, dx),
+        };
+        let [dphi_primary, dtheta_primary] = angle_gradients(&cones.primary, dx);
+        let dx = x_gradient(beta, &cones.secondary, ds_secondary);
+        let [dphi_secondary, dtheta_secondary] = angle_gradients(&cones.secondary, dx);
+        Slopes {
+            angles: [dphi, dtheta],
+            gradients: [
+                std::array::from_fn(|i| dphi_primary[i] - dphi_secondary[i]),
+                std::array::from_fn(|i| dtheta_primary[i] - dtheta_secondary[i]),
+            ],
+        }
+    }
+
+    #[inline]
+    fn cones(&self, model: FitModel, pair: &[Aperture; 2], time: f64) -> Cones {
+        let [primary, secondary] = *pair;
+        let since_passage = time - self.passage_time;
+        let point = SourcePoint { x0: self.passage_x, y: self.y, z: self.z };
+        let left = LightCone::new(&self.speed, point, primary, since_passage);
+        match model {
+            FitModel::Exact => Cones {
+                primary: left,
+                secondary: LightCone::new(&self.speed, point, secondary, since_passage),
+                offset: Offset {
+                    s: secondary.x - primary.x,
+                    y: secondary.y - primary.y,
+                    z: secondary.z - primary.z,
+                },
+                delay: 0.0,
+                separation: secondary.x - primary.x,
+            },
+            FitModel::Published => {
+                // Appendix A puts the origin midway between both apertures.
+                let separation = secondary.x - primary.x;
+                let x0 = point.x0 - 0.5 * (primary.x + secondary.x);
+                let centred = SourcePoint { x0, ..point };
+                let delay = delay(&self.speed, centred, separation, &left, since_passage);
+                let shift = -self.speed.beta() * delay;
+                Cones {
+                    primary: left,
+                    secondary: LightCone::at(&self.speed, left.s + shift, left.y, left.z),
+                    offset: Offset { s: -shift, y: 0.0, z: 0.0 },
+                    delay,
+                    separation,
+                }
+            }
+        }
+    }
+}
+
+/// Both light cones of a pair, as the model has them.
+struct Cones {
+    primary: LightCone,
+    secondary: LightCone,
+    offset: Offset,
+    /// Delta T of the published model.
+    delay: f64,
+    separation: f64,
+}
+
+#[inline]
+fn x_gradient(beta: f64, cone: &LightCone, ds: Gradient) -> Gradient {
+    let r = cone.solution.r;
+    let inverse_q = 1.0 / cone.solution.q;
+    let along = r * inverse_q;
+    let across = -beta * inverse_q;
+    [along * (ds[0] - r), along * ds[1] + across * cone.y, along * ds[2] + across * cone.z, along * ds[3]]
+}
+
+/// d(atan2(y, X)) and d(atan2(z, h)).
+#[inline]
+fn angle_gradients(cone: &LightCone, dx: Gradient) -> [Gradient; 2] {
+    let LightCone { y, z, solution, .. } = *cone;
+    let x = solution.x;
+    let h_squared = x * x + y * y;
+    let h = h_squared.sqrt();
+    let inverse_h_squared = 1.0 / h_squared;
+    let inverse_r_squared = 1.0 / (h_squared + z * z);
+    let slope = -z * inverse_r_squared / h;
+    let dphi = std::array::from_fn(|i| (x * D_Y[i] - y * dx[i]) * inverse_h_squared);
+    let dtheta = std::array::from_fn(|i| h * D_Z[i] * inverse_r_squared + slope * (x * dx[i] + y * D_Y[i]));
+    [dphi, dtheta]
+}
+
+/// Gradient of the secondary's S = S_primary - beta Delta T in the published model, where Delta T is
+/// the difference of the distances from the event seen by the primary.
+fn secondary_s_gradient(beta: f64, cones: &Cones, ds: Gradient, dx: Gradient) -> Gradient {
+    let LightCone { y, z, solution, .. } = cones.primary;
+    let to_secondary = solution.x - cones.separation;
+    let distance = (to_secondary * to_secondary + y * y + z * z).sqrt();
+    std::array::from_fn(|i| {
+        let transverse = y * D_Y[i] + z * D_Z[i];
+        let ddelay =
+            (to_secondary * dx[i] + transverse) / distance - (solution.x * dx[i] + transverse) / solution.r;
+        let dbeta = if i == 0 { cones.delay } else { 0.0 };
+        ds[i] - dbeta - beta * ddelay
+    })
+}
