@@ -18,9 +18,9 @@ use crate::fit::{Fit, FitError, Free, NormalEquations, Parameter, Problem, repor
 
 /// The number of replicates from which 95 % intervals are steady.
 pub const DEFAULT_REPLICATES: usize = 1000;
-/// A replicate ends when its next step is below this in units of its standard error: far below
-/// the scatter of any statistic over replicates.
-const TOLERANCE: f64 = 1e-3;
+/// A replicate ends with the first step below this in units of its standard error. As each step is much
+/// smaller than the one before, what is left is far below the scatter of any statistic over replicates.
+const TOLERANCE: f64 = 1e-2;
 /// Evaluations of the whole curve that a replicate gets.
 const MAX_EVALUATIONS: usize = 30;
 /// Damping of the first step after one that failed, and the damping at which no step can be told from none.
@@ -93,7 +93,7 @@ fn quantile(values: &[f64], share: f64) -> f64 {
 
 /// Refits `fit` to `replicates` (at least 2) samples drawn with replacement.
 ///
-/// Replicate i draws from stream i of a ChaCha8 generator with `seed`, so the result depends on neither
+/// Replicate i draws from stream i of a `ChaCha8` generator with `seed`, so the result depends on neither
 /// the number of threads nor their order.
 ///
 /// # Errors
@@ -105,10 +105,13 @@ pub fn bootstrap(fit: &Fit, replicates: usize, seed: u64) -> Result<Bootstrap, F
     };
     let estimates: Vec<_> = (0..replicates as u64)
         .into_par_iter()
-        .map_init(|| vec![0.0; fit.problem.rows.len()], |counts, stream| {
-            draw(counts, seed, stream);
-            shared.estimate(counts)
-        })
+        .map_init(
+            || vec![0.0; fit.problem.rows.len()],
+            |counts, stream| {
+                draw(counts, seed, stream);
+                shared.estimate(counts)
+            },
+        )
         .collect();
     let result = Bootstrap { estimates };
     let failed = result.failed();
@@ -207,4 +210,51 @@ impl<'a> Shared<'a> {
 
 fn damped(hessian: &Matrix4<f64>, damping: f64) -> Matrix4<f64> {
     hessian + Matrix4::from_diagonal(&(hessian.diagonal() * damping))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Curves, FitOptions, Observations, Reading, Sample, fit, fit_from};
+
+    /// A curve with a deterministic ripple for noise.
+    fn samples() -> Vec<Sample> {
+        let speed = crate::Speed::from_beta(0.8).expect("a speed");
+        let point = crate::SourcePoint { x0: 0.0, y: 1.0, z: 0.7 };
+        let [left, right] = crate::Aperture::pair(0.1);
+        let sample = |index: u32| {
+            let time = -1.0 + f64::from(index) / 25.0;
+            let seen = crate::disparity(&speed, point, left, right, time).expect("inside the domain");
+            let value = seen.dphi + 1e-3 * f64::from(index * index).sin();
+            Sample { time, pair: 0, dphi: Some(Reading { value, sigma: None }), dtheta: None }
+        };
+        (0..150).map(sample).collect()
+    }
+
+    #[test]
+    fn a_replicate_is_the_fit_of_its_samples() {
+        let samples = samples();
+        let options = FitOptions { curves: Curves::Azimuth, ..FitOptions::default() };
+        let observations = Observations::of_pair(0.1, samples.clone()).expect("usable samples");
+        let best = fit(&observations, &options).expect("a fit");
+        let replicates = bootstrap(&best, 20, 3).expect("replicates");
+        for (stream, estimate) in replicates.estimates.iter().enumerate() {
+            let mut counts = vec![0.0; samples.len()];
+            draw(&mut counts, 3, stream as u64);
+            let repeated = samples.iter().zip(&counts).flat_map(|(sample, &n)| vec![*sample; n as usize]);
+            let drawn = Observations::of_pair(0.1, repeated.collect()).expect("usable samples");
+            let refit = fit_from(&drawn, &options, best.values).expect("a fit");
+            let estimate = estimate.expect("a fit");
+            for &parameter in best.parameters() {
+                let error = (estimate[parameter as usize] - refit.value(parameter)).abs();
+                assert!(error < 2e-3 * best.standard_error(parameter), "{parameter:?}: {error:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn quantiles_interpolate_between_values() {
+        let values = [1.0, 2.0, 4.0];
+        assert_eq!([0.0, 0.25, 0.5, 0.75, 1.0].map(|p| quantile(&values, p)), [1.0, 1.5, 2.0, 3.0, 4.0]);
+    }
 }

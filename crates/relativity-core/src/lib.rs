@@ -48,6 +48,9 @@ pub use apparent::{Aperture, Sighting, SourcePoint, sighting};
 pub use bootstrap::{Bootstrap, DEFAULT_REPLICATES, bootstrap};
 pub use disparity::{Disparity, disparity, equidistance_time};
 pub use domain::{DomainError, MAX_COORDINATE};
-pub use fit::{Curves, Fit, FitError, FitModel, FitOptions, Observations, Parameter, Passage, Reading, Sample, fit, fit_from};
+pub use fit::{
+    Combined, Curves, Fit, FitError, FitModel, FitOptions, Observations, Parameter, Passage, Reading, Sample,
+    combined, fit, fit_from,
+};
 pub use published::{PublishedVariant, printed_apparent_x, published_disparity};
 pub use speed::{MAX_GAMMA, Speed, SpeedError};

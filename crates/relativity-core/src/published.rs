@@ -61,7 +61,13 @@ pub fn published_disparity(
 ///
 /// The difference of the two distances is `-2 u d` over their sum, u being the event's x; u comes from
 /// the retarded time, since X - d/2 would cancel at low speed.
-pub(crate) fn delay(speed: &Speed, point: SourcePoint, separation: f64, left: &LightCone, observation_time: f64) -> f64 {
+pub(crate) fn delay(
+    speed: &Speed,
+    point: SourcePoint,
+    separation: f64,
+    left: &LightCone,
+    observation_time: f64,
+) -> f64 {
     let u = point.x0 + speed.beta() * (observation_time - left.solution.r);
     let to_right = u - separation / 2.0;
     let right_distance = (to_right * to_right + left.y * left.y + left.z * left.z).sqrt();

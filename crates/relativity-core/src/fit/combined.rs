@@ -26,7 +26,8 @@ pub struct Combined {
 #[must_use]
 pub fn combined(azimuth: (&Fit, &Bootstrap), polar: (&Fit, &Bootstrap), parameter: Parameter) -> Combined {
     let of = |estimate: &Option<[f64; 4]>| estimate.map(|values| values[parameter as usize]);
-    let pairs = azimuth.1.estimates.iter().zip(&polar.1.estimates).filter_map(|(a, b)| Some((of(a)?, of(b)?)));
+    let pairs =
+        azimuth.1.estimates.iter().zip(&polar.1.estimates).filter_map(|(a, b)| Some((of(a)?, of(b)?)));
     let covariance = covariance(pairs);
     let [error_a, error_b] = [azimuth.1, polar.1].map(|bootstrap| bootstrap.standard_error(parameter));
     let (variance_a, variance_b) = (error_a * error_a, error_b * error_b);
@@ -34,8 +35,7 @@ pub fn combined(azimuth: (&Fit, &Bootstrap), polar: (&Fit, &Bootstrap), paramete
     // Weights 1/variance_a and 1/variance_b, brought to a sum of 1.
     let weight = if total > 0.0 { variance_b / total } else { 0.5 };
     let rest = 1.0 - weight;
-    let variance =
-        weight * weight * variance_a + rest * rest * variance_b + 2.0 * weight * rest * covariance;
+    let variance = weight * weight * variance_a + rest * rest * variance_b + 2.0 * weight * rest * covariance;
     let correlation = if total > 0.0 { covariance / (error_a * error_b) } else { 0.0 };
     Combined {
         value: weight * azimuth.0.value(parameter) + rest * polar.0.value(parameter),

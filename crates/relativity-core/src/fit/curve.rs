@@ -151,7 +151,7 @@ fn angle_gradients(cone: &LightCone, dx: Gradient) -> [Gradient; 2] {
     [dphi, dtheta]
 }
 
-/// Gradient of the secondary's S = S_primary - beta Delta T in the published model, where Delta T is
+/// Gradient of the secondary's S, the primary's minus beta Delta T, in the published model, where Delta T is
 /// the difference of the distances from the event seen by the primary.
 fn secondary_s_gradient(beta: f64, cones: &Cones, ds: Gradient, dx: Gradient) -> Gradient {
     let LightCone { y, z, solution, .. } = cones.primary;
@@ -164,4 +164,64 @@ fn secondary_s_gradient(beta: f64, cones: &Cones, ds: Gradient, dx: Gradient) ->
         let dbeta = if i == 0 { cones.delay } else { 0.0 };
         ds[i] - dbeta - beta * ddelay
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shifted(trial: &Trial, parameter: usize, by: f64) -> Trial {
+        let mut shifted = *trial;
+        match parameter {
+            0 => shifted.speed = Speed::from_beta(trial.speed.beta() + by).expect("a speed"),
+            1 => shifted.y += by,
+            2 => shifted.z += by,
+            _ => shifted.passage_time += by,
+        }
+        shifted
+    }
+
+    /// Six-point central difference: its truncation error is of the order of h^6.
+    fn difference(at: impl Fn(f64) -> [f64; 2], h: f64) -> [f64; 2] {
+        let weighted = |k: f64, weight: f64| {
+            let (above, below) = (at(k * h), at(-k * h));
+            [0, 1].map(|i| weight * (above[i] - below[i]) / (60.0 * h))
+        };
+        let parts = [weighted(1.0, 45.0), weighted(2.0, -9.0), weighted(3.0, 1.0)];
+        [0, 1].map(|i| parts.iter().map(|part| part[i]).sum())
+    }
+
+    #[test]
+    fn gradients_are_the_slopes_of_the_curves() {
+        let oblique = [Aperture { x: 0.3, y: -0.2, z: 0.1 }, Aperture { x: -0.1, y: 0.15, z: -0.3 }];
+        let cases = [
+            (FitModel::Exact, Aperture::pair(0.1)),
+            (FitModel::Exact, oblique),
+            (FitModel::Published, Aperture::pair(0.3)),
+            (FitModel::Published, [Aperture { x: 0.4, y: 0.1, z: 0.2 }, Aperture { x: 0.9, y: 0.1, z: 0.2 }]),
+        ];
+        for (model, pair) in cases {
+            for beta in [0.1, 0.6, 0.9, 0.99] {
+                for time in [-3.0, 0.1, 1.2, 2.4, 9.0] {
+                    let speed = Speed::from_beta(beta).expect("a speed");
+                    let trial = Trial { speed, y: 1.3, z: -0.8, passage_time: 0.4, passage_x: 0.2 };
+                    check_gradients(&trial, model, &pair, time);
+                }
+            }
+        }
+    }
+
+    fn check_gradients(trial: &Trial, model: FitModel, pair: &[Aperture; 2], time: f64) {
+        let gradients = trial.slopes(model, pair, time).gradients;
+        for parameter in 0..4 {
+            let h = if parameter == 0 { 2e-3 * trial.speed.one_minus_beta() } else { 1e-3 };
+            let slopes = difference(|by| shifted(trial, parameter, by).angles(model, pair, time), h);
+            for curve in 0..2 {
+                let error = (gradients[curve][parameter] - slopes[curve]).abs();
+                let size = 1.0 + gradients[curve][parameter].abs();
+                let context = (model, trial, time, parameter, curve);
+                assert!(error < 1e-9 * size, "{error:e} of {size}: {context:?}");
+            }
+        }
+    }
 }

@@ -28,13 +28,12 @@ pub(crate) use problem::{Free, NormalEquations, Problem};
 
 use levenberg_marquardt::{LevenbergMarquardt, TerminationReason};
 use nalgebra::{Matrix4, Vector4};
+use rayon::prelude::*;
 
 use curve::Trial;
 use prepare::Data;
 use problem::At;
 
-/// Starts that are followed up.
-const STARTS: usize = 3;
 /// Evaluations per parameter that a start gets, and that the final refinement gets.
 const START_PATIENCE: usize = 8;
 const PATIENCE: usize = 100;
@@ -198,11 +197,7 @@ pub fn fit(observations: &Observations, options: &FitOptions) -> Result<Fit, Fit
 /// # Errors
 ///
 /// As [`fit`], and [`FitError::Guess`].
-pub fn fit_from(
-    observations: &Observations,
-    options: &FitOptions,
-    guess: [f64; 4],
-) -> Result<Fit, FitError> {
+pub fn fit_from(observations: &Observations, options: &FitOptions, guess: [f64; 4]) -> Result<Fit, FitError> {
     let data = prepare::prepare(observations, options)?;
     let [beta, y, z, x0] = guess;
     let is_inside = (0.0..1.0).contains(&beta) && beta > 0.0 && y > 0.0 && z.is_finite() && x0.is_finite();
@@ -275,17 +270,14 @@ struct Minimum {
 
 /// The best of several starts after a few steps each.
 fn best_start(problem: &Problem, evaluations: &mut usize) -> Result<Free, FitError> {
-    let mut best: Option<(f64, Free)> = None;
-    for start in start::starts(problem, STARTS) {
-        let solver = LevenbergMarquardt::new().with_patience(START_PATIENCE);
-        let (at, report) = solver.minimize(At { problem, free: start });
-        *evaluations += report.number_of_evaluations;
-        let cost = report.objective_function;
-        if cost.is_finite() && best.is_none_or(|(least, _)| cost < least) {
-            best = Some((cost, at.free));
-        }
-    }
-    best.map(|(_, free)| free).ok_or_else(|| FitError::NotConverged {
+    let descend = |start: Free| {
+        LevenbergMarquardt::new().with_patience(START_PATIENCE).minimize(At { problem, free: start })
+    };
+    let descents: Vec<_> = start::starts(problem).into_par_iter().map(descend).collect();
+    *evaluations += descents.iter().map(|(_, report)| report.number_of_evaluations).sum::<usize>();
+    let finite = descents.iter().filter(|(_, report)| report.objective_function.is_finite());
+    let best = finite.min_by(|(_, a), (_, b)| a.objective_function.total_cmp(&b.objective_function));
+    best.map(|(at, _)| at.free).ok_or_else(|| FitError::NotConverged {
         evaluations: *evaluations,
         reason: "no start has a finite sum of squares".to_owned(),
     })

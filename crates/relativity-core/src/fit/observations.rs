@@ -1,5 +1,7 @@
 //! What was measured: disparities of one moving point, sample by sample, and by which apertures.
 
+use std::f64::consts::TAU;
+
 use crate::apparent::Aperture;
 use crate::domain::check;
 use crate::fit::error::FitError;
@@ -54,8 +56,11 @@ impl Observations {
             }
         }
         for (index, sample) in samples.iter().enumerate() {
-            check_sample(sample, pairs.len())
-                .map_err(|(quantity, value)| FitError::Sample { index, quantity, value })?;
+            check_sample(sample, pairs.len()).map_err(|(quantity, value)| FitError::Sample {
+                index,
+                quantity,
+                value,
+            })?;
         }
         Ok(Self { pairs, samples })
     }
@@ -90,7 +95,7 @@ fn check_sample(sample: &Sample, pairs: usize) -> Result<(), (&'static str, f64)
     let curves = [("dphi", "sigma_dphi", sample.dphi), ("dtheta", "sigma_dtheta", sample.dtheta)];
     for (name, sigma_name, reading) in curves {
         let Some(Reading { value, sigma }) = reading else { continue };
-        if !(value.abs() <= std::f64::consts::TAU) {
+        if !(-TAU..=TAU).contains(&value) {
             return Err((name, value));
         }
         if let Some(sigma) = sigma.filter(|sigma| !(1e-150..1e150).contains(sigma)) {

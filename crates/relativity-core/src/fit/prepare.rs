@@ -66,13 +66,12 @@ impl Data {
 
     /// Weighs each curve without sigmas by its scatter about `trial`.
     pub fn reweigh(&mut self, trial: &Trial) {
-        let scales = scales(self.ranges);
-        for curve in 0..2 {
+        for (curve, scale) in scales(self.ranges).into_iter().enumerate() {
             if self.has_sigmas[curve] || !self.used[curve] {
                 continue;
             }
             let only = [curve == 0, curve == 1];
-            let sigma = self.rms(trial, only).max(LEAST_NOISE * scales[curve]);
+            let sigma = self.rms(trial, only).max(LEAST_NOISE * scale);
             for row in &mut self.problem.rows {
                 if row.weights[curve] > 0.0 {
                     row.weights[curve] = 1.0 / sigma;
@@ -143,7 +142,8 @@ fn has_reading(observations: &Observations, curve: usize) -> bool {
 }
 
 fn range(observations: &Observations, curve: usize) -> f64 {
-    let values = || observations.samples().iter().filter_map(|sample| reading(sample, curve)).map(|r| r.value);
+    let values =
+        || observations.samples().iter().filter_map(|sample| reading(sample, curve)).map(|r| r.value);
     let range = values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min);
     range.max(0.0)
 }

@@ -105,7 +105,7 @@ impl NormalEquations {
     #[inline]
     pub fn add(&mut self, slopes: &Slopes, row: &Row, count: f64) {
         let residuals = weighed(&slopes.angles, row);
-        for curve in 0..2 {
+        for curve in (0..2).filter(|&curve| row.weights[curve] > 0.0) {
             let g = slopes.gradients[curve];
             let weight = count * row.weights[curve];
             let scaled = row.weights[curve] * weight;

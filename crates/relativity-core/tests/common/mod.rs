@@ -1,5 +1,8 @@
 //! Synthetic observations of a known object, for the tests, the experiment and the benchmark of the fit.
 
+#![allow(dead_code, reason = "each program that includes this module uses its own part")]
+#![allow(clippy::allow_attributes, reason = "an expectation would fail in the programs that use every part")]
+
 use rand::{Rng, RngExt as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution as _, StandardNormal};
@@ -30,7 +33,6 @@ pub const PAPER: Case =
 impl Case {
     /// A case from the domain that the fit is held against: beta 0.1 to 0.99, y and |z| 0.3 to 10,
     /// d 0.05 to 0.5, 120 to 500 samples, noise 0.1 to 2 % of each curve's range.
-    #[allow(dead_code, reason = "not every program that includes this module draws cases")]
     pub fn drawn(random: &mut impl Rng) -> Self {
         let mut between = |low: f64, high: f64| random.random_range(low..high);
         let log = |value: f64| value.exp();

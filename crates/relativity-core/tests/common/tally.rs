@@ -1,5 +1,8 @@
 //! Counts over many fits: right minima, refusals, and intervals that hold the truth.
 
+#![allow(dead_code, reason = "each program that includes this module uses its own part")]
+#![allow(clippy::allow_attributes, reason = "an expectation would fail in the programs that use every part")]
+
 use std::fmt;
 
 use relativity_core::{Curves, Fit, FitOptions, Observations, Parameter, bootstrap, fit, fit_from};
@@ -14,9 +17,9 @@ pub struct Tally {
     pub cases: usize,
     /// Fits in the minimum that a fit started at the truth finds, or in a lower one.
     pub right: usize,
-    /// Fits that said in words that there is no result.
+    /// Fits that said in words that there is no result, as does a fit from the truth.
     pub refused: usize,
-    /// Fits in another minimum.
+    /// Fits in another minimum, and refusals where a fit from the truth has a result.
     pub wrong: usize,
     /// Right fits too uncertain for a bootstrap, which said so.
     pub unsteady: usize,
@@ -24,7 +27,8 @@ pub struct Tally {
     pub fitted: usize,
     pub within_error: [usize; 4],
     pub within_interval: [usize; 4],
-    pub refusals: Vec<String>,
+    /// What was said of each fit that is not right.
+    pub complaints: Vec<String>,
 }
 
 impl Tally {
@@ -34,14 +38,16 @@ impl Tally {
         let best = match fit(&observations, options) {
             Ok(best) => best,
             Err(error) => {
-                self.refused += 1;
-                self.refusals.push(format!("{error} {case:?}"));
+                let is_found_from_truth = fit_from(&observations, options, case.truth()).is_ok();
+                *if is_found_from_truth { &mut self.wrong } else { &mut self.refused } += 1;
+                let what = if is_found_from_truth { "lost" } else { "refused" };
+                self.complaints.push(format!("{what}: {error}; {case:?}"));
                 return;
             }
         };
         if !is_right(&best, &observations, case) {
             self.wrong += 1;
-            self.refusals.push(format!("wrong: {:?} {case:?}", best.values));
+            self.complaints.push(format!("wrong: {:?} {case:?}", best.values));
             return;
         }
         self.right += 1;
@@ -61,9 +67,15 @@ impl Tally {
         }
     }
 
-    pub fn share(&self, count: usize, of: usize) -> f64 {
-        100.0 * count as f64 / of.max(1) as f64
+    /// Shares, in %, of the fits of `parameters` whose standard error and interval hold the truth.
+    pub fn coverage(&self, parameters: usize) -> [f64; 2] {
+        let all = self.fitted * parameters;
+        [self.within_error, self.within_interval].map(|counts| percentage(counts.iter().sum(), all))
     }
+}
+
+fn percentage(count: usize, of: usize) -> f64 {
+    100.0 * count as f64 / of.max(1) as f64
 }
 
 /// Whether `best` is the minimum that a fit started at the truth finds, or a better one.
@@ -79,12 +91,12 @@ fn is_right(best: &Fit, observations: &Observations, case: &Case) -> bool {
 impl fmt::Display for Tally {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for count in [self.right, self.refused, self.wrong, self.unsteady] {
-            write!(f, "{:6.1}", self.share(count, self.cases))?;
+            write!(f, "{:6.1}", percentage(count, self.cases))?;
         }
         for counts in [self.within_error, self.within_interval] {
             write!(f, " |")?;
             for count in counts {
-                write!(f, "{:6.1}", self.share(count, self.fitted))?;
+                write!(f, "{:6.1}", percentage(count, self.fitted))?;
             }
         }
         Ok(())
