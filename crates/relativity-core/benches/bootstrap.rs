@@ -5,7 +5,7 @@
 //! ```
 //!
 //! The naive bootstrap refits each resampled data set by the general solver, one after the other.
-//! `bootstrap_scipy.py` does the same with SciPy.
+//! `bootstrap_scipy.py` does the same with `SciPy`.
 
 #[path = "../tests/common/mod.rs"]
 mod common;

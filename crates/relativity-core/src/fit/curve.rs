@@ -213,15 +213,18 @@ mod tests {
 
     fn check_gradients(trial: &Trial, model: FitModel, pair: &[Aperture; 2], time: f64) {
         let gradients = trial.slopes(model, pair, time).gradients;
-        for parameter in 0..4 {
+        for (parameter, gradient) in transposed(gradients).into_iter().enumerate() {
             let h = if parameter == 0 { 2e-3 * trial.speed.one_minus_beta() } else { 1e-3 };
             let slopes = difference(|by| shifted(trial, parameter, by).angles(model, pair, time), h);
-            for curve in 0..2 {
-                let error = (gradients[curve][parameter] - slopes[curve]).abs();
-                let size = 1.0 + gradients[curve][parameter].abs();
-                let context = (model, trial, time, parameter, curve);
-                assert!(error < 1e-9 * size, "{error:e} of {size}: {context:?}");
+            for (slope, gradient) in slopes.into_iter().zip(gradient) {
+                let error = (gradient - slope).abs();
+                let context = (model, trial, time, parameter);
+                assert!(error < 1e-9 * (1.0 + gradient.abs()), "{error:e} of {gradient:e}: {context:?}");
             }
         }
+    }
+
+    fn transposed([dphi, dtheta]: [Gradient; 2]) -> [[f64; 2]; 4] {
+        std::array::from_fn(|i| [dphi[i], dtheta[i]])
     }
 }
