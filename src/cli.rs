@@ -1,30 +1,77 @@
 //! Commands and flags. Each command's own flags live beside its code in `headless`.
 
 use clap::{Args, Parser, Subcommand};
-use relativity_core::Speed;
+use relativity_core::{Speed, SpeedError};
 
 use crate::headless;
 
 /// Interactive stereo viewer of special relativity. Without a command it opens the window.
 #[derive(Debug, Parser)]
-#[command(version, about)]
+#[command(version, about, after_help = EXAMPLES)]
 pub struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
 }
 
+const EXAMPLES: &str = "\
+Conventions: c = 1; lengths and times share one unit; angles are radians. x points along the motion, y forward, z up. \
+The eyes rest at x = -d/2 (left) and x = +d/2 (right).
+
+Examples:
+  gamow curve --beta 0.9 --d 0.3 --y 0.5 --z 0.5 --from -2 --to 5
+  gamow curve --samples 1000 --out curve.csv
+  gamow curve | cut -d, -f 1-6 | gamow eval --model published
+
+`gamow eval --help` and `gamow curve --help` tell more.";
+
 /// The headless commands.
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// Evaluate rows of a CSV file.
     Eval(headless::eval::EvalArgs),
+    Curve(headless::curve::CurveArgs),
 }
 
 /// Runs what the command line asks for.
 pub fn run(cli: Cli) -> anyhow::Result<()> {
     match cli.command {
-        None => anyhow::bail!("the window comes with the next issue"),
+        None => anyhow::bail!("this version has no window; `gamow --help` lists its commands"),
         Some(Command::Eval(args)) => headless::eval::run(&args),
+        Some(Command::Curve(args)) => headless::curve::run(&args),
+    }
+}
+
+/// The three ways to give a speed: a flag each, and a column of a CSV file each.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SpeedParameter {
+    /// v/c.
+    Beta,
+    /// The Lorentz factor.
+    Gamma,
+    /// atanh(beta).
+    Rapidity,
+}
+
+impl SpeedParameter {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Beta, Self::Gamma, Self::Rapidity];
+
+    /// Its name as a flag and as a column.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Beta => "beta",
+            Self::Gamma => "gamma",
+            Self::Rapidity => "rapidity",
+        }
+    }
+
+    /// The speed whose parameter has this `value`.
+    pub fn speed(self, value: f64) -> Result<Speed, SpeedError> {
+        match self {
+            Self::Beta => Speed::from_beta(value),
+            Self::Gamma => Speed::from_gamma(value),
+            Self::Rapidity => Speed::from_rapidity(value),
+        }
     }
 }
 
@@ -33,24 +80,40 @@ pub fn run(cli: Cli) -> anyhow::Result<()> {
 #[group(multiple = false)]
 pub struct SpeedArgs {
     /// Speed as v/c, 0 <= beta < 1.
-    #[arg(long)]
+    #[arg(long, value_parser = finite_number, allow_hyphen_values = true)]
     pub beta: Option<f64>,
     /// Speed as Lorentz factor, 1 <= gamma <= 1e30.
-    #[arg(long)]
+    #[arg(long, value_parser = finite_number, allow_hyphen_values = true)]
     pub gamma: Option<f64>,
     /// Speed as rapidity atanh(beta), 0 to 69.77.
-    #[arg(long)]
+    #[arg(long, value_parser = finite_number, allow_hyphen_values = true)]
     pub rapidity: Option<f64>,
 }
 
 impl SpeedArgs {
+    /// The parameter given and its value, or `default_beta` if none was.
+    #[must_use]
+    pub fn parameter(&self, default_beta: f64) -> (SpeedParameter, f64) {
+        match (self.beta, self.gamma, self.rapidity) {
+            (Some(beta), _, _) => (SpeedParameter::Beta, beta),
+            (_, Some(gamma), _) => (SpeedParameter::Gamma, gamma),
+            (_, _, Some(rapidity)) => (SpeedParameter::Rapidity, rapidity),
+            (None, None, None) => (SpeedParameter::Beta, default_beta),
+        }
+    }
+
     /// The speed asked for, or `default_beta` if none was.
     pub fn speed(&self, default_beta: f64) -> anyhow::Result<Speed> {
-        Ok(match (self.beta, self.gamma, self.rapidity) {
-            (Some(beta), _, _) => Speed::from_beta(beta)?,
-            (_, Some(gamma), _) => Speed::from_gamma(gamma)?,
-            (_, _, Some(rapidity)) => Speed::from_rapidity(rapidity)?,
-            (None, None, None) => Speed::from_beta(default_beta)?,
-        })
+        let (parameter, value) = self.parameter(default_beta);
+        Ok(parameter.speed(value)?)
+    }
+}
+
+/// Parses a flag's value: f64's own parser also takes `nan` and `inf`, which no flag means.
+pub fn finite_number(text: &str) -> Result<f64, String> {
+    match text.trim().parse::<f64>() {
+        Ok(value) if value.is_finite() => Ok(value),
+        Ok(_) => Err("not a finite number".to_owned()),
+        Err(_) => Err("not a number".to_owned()),
     }
 }

@@ -1,5 +1,6 @@
 //! `gamow`: parses the command line, dispatches, and turns an error into one line and exit status 2.
 
+use std::io;
 use std::process::ExitCode;
 
 use clap::Parser as _;
@@ -9,9 +10,18 @@ fn main() -> ExitCode {
     env_logger::init();
     match gamow::cli::run(Cli::parse()) {
         Ok(()) => ExitCode::SUCCESS,
+        Err(error) if reader_has_gone(&error) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("gamow: {error:#}");
             ExitCode::from(2)
         }
     }
+}
+
+/// Whether output stopped because nobody reads it any more, as in `gamow curve | head`.
+fn reader_has_gone(error: &anyhow::Error) -> bool {
+    error
+        .chain()
+        .filter_map(|cause| cause.downcast_ref::<io::Error>())
+        .any(|cause| cause.kind() == io::ErrorKind::BrokenPipe)
 }

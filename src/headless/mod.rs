@@ -1,3 +1,9 @@
-//! The commands that need no window, one file each.
+//! The commands that need no window, one file each, and what they share: the columns they write
+//! (`columns`), the CSV they read and write (`csv_in`, `csv_out`), and files written whole (`output`).
 
+pub mod columns;
+mod csv_in;
+mod csv_out;
+pub mod curve;
 pub mod eval;
+pub mod output;

@@ -39,8 +39,8 @@ fn one_plus_beta_x([x, y, z]: [f64; 3], speed: &Speed) -> f64 {
 fn aberrated(n: [f64; 3], speed: &Speed) -> [f64; 3] {
     let [x, y, z] = n;
     let denominator = one_plus_beta_x(n, speed);
-    let numerator = if x < 0.0 {
-        // (1 + n_x) - (1 - beta): the difference of two small numbers, not of two near 1.
+    let numerator = if x < -0.5 {
+        // (1 + n_x) - (1 - beta): for directions nearly backward the difference of two small numbers.
         (y * y + z * z) / (1.0 - x) - speed.one_minus_beta()
     } else {
         x + speed.beta()

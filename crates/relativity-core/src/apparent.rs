@@ -124,23 +124,18 @@ pub(crate) fn check_inputs(
 
 /// The light cone of one aperture, solved for one point.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct LightCone {
+pub(crate) struct LightCone<F> {
     /// S = x0 - a + beta T: where the point objectively is at T, from the aperture.
-    pub s: f64,
-    pub y: f64,
-    pub z: f64,
-    pub solution: Solution<f64>,
+    pub s: F,
+    pub y: F,
+    pub z: F,
+    pub solution: Solution<F>,
 }
 
-impl LightCone {
+impl LightCone<f64> {
     pub fn new(speed: &Speed, point: SourcePoint, aperture: Aperture, time: f64) -> Self {
         let s = (point.x0 - aperture.x) + speed.beta() * time;
-        Self::at(speed, s, point.y - aperture.y, point.z - aperture.z)
-    }
-
-    pub fn at(speed: &Speed, s: f64, y: f64, z: f64) -> Self {
-        let solution = speed.coefficients().solution(s, y * y + z * z);
-        Self { s, y, z, solution }
+        Self::at(&speed.coefficients(), s, point.y - aperture.y, point.z - aperture.z)
     }
 
     pub fn sighting(&self, observation_time: f64) -> Sighting {
@@ -150,6 +145,13 @@ impl LightCone {
             retarded_time: observation_time - self.solution.r,
             doppler_factor: self.solution.doppler_factor,
         }
+    }
+}
+
+impl<F: Float> LightCone<F> {
+    #[inline]
+    pub fn at(coefficients: &Coefficients<F>, s: F, y: F, z: F) -> Self {
+        Self { s, y, z, solution: coefficients.solution(s, y * y + z * z) }
     }
 }
 
@@ -169,28 +171,28 @@ impl<F: Float> Coefficients<F> {
     /// Solves the light cone for a point objectively at `s` along x, at squared distance
     /// `rho_squared` from the line through the aperture along x.
     ///
-    /// With c = S/q (the cosine in the rest frame), D = gamma (1 - beta c). Where the point is already
-    /// past (S > 0) that difference cancels; then 1 - beta^2 c^2 = (1 + beta^2 rho^2/q^2)/gamma^2
-    /// gives D as a quotient of sums of positive terms. R = gamma q D in either case. X = S - beta R is
-    /// a sum of negative terms for S <= 0, and factors for S > 0.
+    /// With c = S/q (the cosine in the rest frame), D = gamma (1 - beta c). Close to 1 it is best formed as
+    /// 1 + ((gamma - 1) - gamma beta c), rounded once. Where gamma beta c is large that cancels; then
+    /// 1 - beta^2 c^2 = (1 + beta^2 rho^2/q^2)/gamma^2 gives D as a quotient of sums of positive terms.
+    /// R = gamma q D in either case. X = S - beta R is a sum of negative terms for S <= 0, and factors for
+    /// S > 0.
     #[inline]
     pub fn solution(&self, s: F, rho_squared: F) -> Solution<F> {
-        let Self { beta, gamma, inverse_gamma_squared } = *self;
+        let Self { beta, gamma, gamma_minus_one, inverse_gamma_squared } = *self;
         let one = F::one();
         let q = (s * s + rho_squared * inverse_gamma_squared).sqrt();
         // q = 0 only inside the aperture; a tiny divisor then makes c = 0 and D = gamma.
         let inverse_q = one / q.max(F::min_positive_value().sqrt());
-        let cosine = s * inverse_q;
-        let beta_cosine = beta * cosine;
-        let past = s > F::zero();
-        let transverse = beta * inverse_q;
-        let doppler_factor = if past {
+        let beta_cosine = beta * (s * inverse_q);
+        let gamma_beta_cosine = gamma * beta_cosine;
+        let doppler_factor = if gamma_beta_cosine + gamma_beta_cosine > one {
+            let transverse = beta * inverse_q;
             (one + transverse * transverse * rho_squared) / (gamma * (one + beta_cosine))
         } else {
-            gamma * (one - beta_cosine)
+            one + (gamma_minus_one - gamma_beta_cosine)
         };
         let r = gamma * q * doppler_factor;
-        let x = if past {
+        let x = if s > F::zero() {
             let beta_rho = beta * rho_squared.sqrt();
             (s - beta_rho) * (s + beta_rho) / (s + beta * q)
         } else {

@@ -34,9 +34,15 @@
 //! - P. M. Mathews and M. Lakshmanan, *On the apparent visual forms of relativistically moving
 //!   objects*, Nuovo Cimento B 12 (1972).
 
+/// The accuracy of every output: its error is at most this many units of
+/// `2^-53 (|f| + sum |x_i df/dx_i|)`, the `x_i` being the inputs. One unit is what rounding the result and
+/// the inputs once each can do.
+pub const MAX_ERROR_UNITS: f64 = 8.0;
+
 pub mod aberration;
 pub mod apparent;
 pub mod bootstrap;
+mod cone_pair;
 pub mod disparity;
 pub mod domain;
 pub mod doppler;

@@ -4,8 +4,9 @@
 //! both angles from the left aperture, so that ordinary parallax is left out. It is an approximation
 //! by construction; [`crate::disparity`] is exact. Reference: the paper, eqs. (1) and (5), Appendix A.
 
-use crate::apparent::{Aperture, LightCone, SourcePoint, check_inputs};
-use crate::disparity::{Disparity, Offset, angle_differences};
+use crate::apparent::{Aperture, LightCone, Sighting, SourcePoint, check_inputs};
+use crate::cone_pair::{ConePair, Offset};
+use crate::disparity::Disparity;
 use crate::domain::{DomainError, check};
 use crate::speed::Speed;
 
@@ -39,40 +40,149 @@ pub fn published_disparity(
 ) -> Result<Disparity, DomainError> {
     check_inputs(point, Aperture::default(), observation_time)?;
     check("d", separation)?;
-    let [left_aperture, _] = Aperture::pair(separation);
-    let left = LightCone::new(speed, point, left_aperture, observation_time);
-    let delay = delay(speed, point, separation, &left, observation_time);
-    let shift = match variant {
-        PublishedVariant::AppendixA => -delay,
-        PublishedVariant::TextSign => delay,
+    let (pair, shift) = cone_pair(speed, point, separation, observation_time, variant);
+    let ConePair { left, right, .. } = pair;
+    let (dphi, dtheta) = pair.angle_differences();
+    let primary = left.sighting(observation_time);
+    let retarded_time = match variant {
+        PublishedVariant::TextSign if left.solution.x > 0.0 => {
+            receding_text_time(speed, point.x0, separation, &primary, &right)
+        }
+        _ => later_time(&left, &right, primary.retarded_time, observation_time + shift, shift),
     };
-    let right = LightCone::at(speed, left.s + speed.beta() * shift, left.y, left.z);
-    let offset = Offset { s: -speed.beta() * shift, y: 0.0, z: 0.0 };
-    let (dphi, dtheta) = angle_differences(speed, &left, &right, offset);
     Ok(Disparity {
-        primary: left.sighting(observation_time),
-        secondary: right.sighting(observation_time + shift),
+        primary,
+        secondary: Sighting { retarded_time, ..right.sighting(observation_time + shift) },
         dphi,
         dtheta,
     })
 }
 
-/// Delta T (eq. 5): how much longer light from the event that the left eye sees takes to the right.
-///
-/// The difference of the two distances is `-2 u d` over their sum, u being the event's x; u comes from
-/// the retarded time, since X - d/2 would cancel at low speed.
-pub(crate) fn delay(
+/// Both light cones of the published model, and by how much the second is later.
+pub(crate) fn cone_pair(
     speed: &Speed,
     point: SourcePoint,
     separation: f64,
-    left: &LightCone,
     observation_time: f64,
+    variant: PublishedVariant,
+) -> (ConePair<f64>, f64) {
+    let [left_aperture, _] = Aperture::pair(separation);
+    let left = LightCone::new(speed, point, left_aperture, observation_time);
+    let Delay { delay, right_distance } = delay(speed, point, separation, &left, observation_time);
+    let (shift, s) = match variant {
+        PublishedVariant::AppendixA => {
+            let s0 = point.x0 + speed.beta() * observation_time;
+            (-delay, appendix_a_s(speed, s0, separation, &left, delay, right_distance))
+        }
+        PublishedVariant::TextSign => (delay, text_s(speed, separation, &left, delay)),
+    };
+    let shifted = speed.beta() * shift;
+    let right = LightCone::at(&speed.coefficients(), s, left.y, left.z);
+    let offset = Offset { s: -shifted, y: 0.0, z: 0.0 };
+    let pair = ConePair { beta: speed.beta(), left, right, offset, sum_s: left.s + right.s };
+    (pair, shift)
+}
+
+/// When the light was emitted that the right eye sees.
+///
+/// Both events lie on one worldline, so `t_S` = t + (`X_S` - X)/beta; or it is the shifted time less the
+/// distance. Of the two sums, the one with the smaller terms.
+fn later_time(
+    left: &LightCone<f64>,
+    right: &LightCone<f64>,
+    left_time: f64,
+    shifted_time: f64,
+    shift: f64,
 ) -> f64 {
+    if shifted_time.abs() < left_time.abs() {
+        return shifted_time - right.solution.r;
+    }
+    let (sum_r, sum_q) = (left.solution.r + right.solution.r, left.solution.q + right.solution.q);
+    if sum_q == 0.0 { left_time } else { left_time + shift * (sum_r / sum_q) }
+}
+
+/// The same for the text's sign and a point that the left aperture sees recede.
+///
+/// The shifted time is t + R'. With it the light cone's quadratic for `t_S` has the constant
+/// t^2/gamma^2 + 2 t (R' - beta (d - X)) - 2 d x0, each term as small at high speed as `t_S` becomes.
+fn receding_text_time(speed: &Speed, x0: f64, d: f64, primary: &Sighting, right: &LightCone<f64>) -> f64 {
+    let ([x, ..], t, beta) = (primary.position, primary.retarded_time, speed.beta());
+    let (ahead, rho_squared) = (d - x, right.y * right.y + right.z * right.z);
+    let right_distance = (ahead * ahead + rho_squared).sqrt();
+    let excess = if ahead > 0.0 {
+        (rho_squared + ahead * ahead * speed.inverse_gamma_squared()) / (right_distance + beta * ahead)
+    } else {
+        right_distance - beta * ahead
+    };
+    let constant = t * (t * speed.inverse_gamma_squared() + 2.0 * excess) - 2.0 * d * x0;
+    let shifted_time = t + right_distance;
+    constant / (shifted_time * speed.inverse_gamma_squared() + beta * right.s + right.solution.q)
+}
+
+/// Delta T (eq. 5), and the distance from the right aperture to the event that the left one sees.
+struct Delay {
+    delay: f64,
+    right_distance: f64,
+}
+
+/// How much longer light from the event that the left eye sees takes to the right.
+///
+/// The difference of the two distances is `-2 u d` over their sum, u being the event's x; u comes from
+/// the retarded time, since X - d/2 would cancel at low speed.
+fn delay(
+    speed: &Speed,
+    point: SourcePoint,
+    separation: f64,
+    left: &LightCone<f64>,
+    observation_time: f64,
+) -> Delay {
     let u = point.x0 + speed.beta() * (observation_time - left.solution.r);
     let to_right = u - separation / 2.0;
     let right_distance = (to_right * to_right + left.y * left.y + left.z * left.z).sqrt();
     let sum = left.solution.r + right_distance;
-    if sum == 0.0 { 0.0 } else { -2.0 * u * separation / sum }
+    let delay = if sum == 0.0 { 0.0 } else { -2.0 * u * separation / sum };
+    Delay { delay, right_distance }
+}
+
+/// `S + beta Delta T`: where the text has the point when the right eye sees it, from the left aperture.
+///
+/// Since S = X + beta R this is X + beta R', in which an error of X > 0 cancels at high speed as it should,
+/// if R' is formed from the same X.
+fn text_s(speed: &Speed, d: f64, left: &LightCone<f64>, delay: f64) -> f64 {
+    let x = left.solution.x;
+    if x <= 0.0 {
+        return left.s + speed.beta() * delay;
+    }
+    x + speed.beta() * ((x - d) * (x - d) + left.y * left.y + left.z * left.z).sqrt()
+}
+
+/// `S - beta Delta T`: where Appendix A has the point when the right eye sees it, from the left aperture.
+///
+/// `s0` is its objective x at the observation time. Where s0 is small against the separation d, the two
+/// terms nearly cancel at high speed. With R' - 3 R and then beta d - 4 R as quotients of their squares'
+/// differences, what remains is each of s0, 1 - beta, rho^2 and 1/gamma^2 with a factor of its own.
+fn appendix_a_s(
+    speed: &Speed,
+    s0: f64,
+    d: f64,
+    left: &LightCone<f64>,
+    delay: f64,
+    right_distance: f64,
+) -> f64 {
+    let beta = speed.beta();
+    if left.s <= 0.0 || s0.abs() > d.abs() / 4.0 {
+        return left.s - beta * delay;
+    }
+    let (q, r) = (left.solution.q, left.solution.r);
+    let rho_squared = left.y * left.y + left.z * left.z;
+    let slack = rho_squared * (4.0 - beta * d * speed.inverse_gamma_squared() / (q + left.s));
+    let excess = s0 * (beta * d * (1.0 + beta) - 4.0 * (s0 + d));
+    let deficit = d * d * speed.one_minus_beta() * (1.0 + beta / 2.0) + slack - excess;
+    let fourfold = right_distance + 3.0 * r;
+    let by_s0 = s0 * (r + right_distance + 2.0 * beta * d - d * d / fourfold);
+    let beta_d_minus_4r = -deficit / (q + beta * left.s);
+    let by_d = d * r * (2.0 * speed.inverse_gamma_squared() + beta_d_minus_4r / fourfold);
+    (by_s0 + by_d) / (r + right_distance)
 }
 
 /// Apparent X by eq. (1) as printed, with gamma/c before the root instead of gamma beta.

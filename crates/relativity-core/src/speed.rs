@@ -34,6 +34,7 @@ pub enum SpeedError {
 pub struct Speed {
     beta: f64,
     gamma: f64,
+    gamma_minus_one: f64,
     one_minus_beta: f64,
     inverse_gamma_squared: f64,
     rapidity: f64,
@@ -41,22 +42,30 @@ pub struct Speed {
 
 impl Speed {
     /// At rest.
-    pub const REST: Self =
-        Self { beta: 0.0, gamma: 1.0, one_minus_beta: 1.0, inverse_gamma_squared: 1.0, rapidity: 0.0 };
+    pub const REST: Self = Self {
+        beta: 0.0,
+        gamma: 1.0,
+        gamma_minus_one: 0.0,
+        one_minus_beta: 1.0,
+        inverse_gamma_squared: 1.0,
+        rapidity: 0.0,
+    };
 
     /// From `beta` = v/c in [0, 1).
     pub fn from_beta(beta: f64) -> Result<Self, SpeedError> {
         if !(0.0..1.0).contains(&beta) {
             return Err(SpeedError::Beta(beta));
         }
-        let one_minus_beta = 1.0 - beta;
-        let inverse_gamma_squared = one_minus_beta * (1.0 + beta);
+        let beta = beta.abs(); // -0.0 is rest too
+        let inverse_gamma_squared = (-beta).mul_add(beta, 1.0); // rounded once
+        let inverse_gamma = inverse_gamma_squared.sqrt();
         Ok(Self {
-            beta: beta.abs(), // -0.0 is rest too
-            gamma: 1.0 / inverse_gamma_squared.sqrt(),
-            one_minus_beta,
+            beta,
+            gamma: 1.0 / inverse_gamma,
+            gamma_minus_one: beta * beta / (inverse_gamma * (1.0 + inverse_gamma)),
+            one_minus_beta: 1.0 - beta,
             inverse_gamma_squared,
-            rapidity: beta.abs().atanh(),
+            rapidity: beta.atanh(),
         })
     }
 
@@ -70,6 +79,7 @@ impl Speed {
         Ok(Self {
             beta: gamma_beta / gamma,
             gamma,
+            gamma_minus_one: gamma - 1.0,
             one_minus_beta: 1.0 / (gamma * (gamma + gamma_beta)),
             inverse_gamma_squared: 1.0 / gamma / gamma,
             rapidity: gamma_beta.asinh(),
@@ -82,9 +92,11 @@ impl Speed {
         if !(rapidity >= 0.0 && gamma <= MAX_GAMMA) {
             return Err(SpeedError::Rapidity(rapidity));
         }
+        let half_sinh = (rapidity / 2.0).sinh();
         Ok(Self {
             beta: rapidity.tanh(),
             gamma,
+            gamma_minus_one: 2.0 * half_sinh * half_sinh,
             one_minus_beta: 2.0 / ((2.0 * rapidity).exp() + 1.0),
             inverse_gamma_squared: 1.0 / gamma / gamma,
             rapidity: rapidity.abs(),
@@ -101,6 +113,12 @@ impl Speed {
     #[must_use]
     pub const fn gamma(&self) -> f64 {
         self.gamma
+    }
+
+    /// gamma - 1, to full relative accuracy: the kinetic energy over the rest energy.
+    #[must_use]
+    pub const fn gamma_minus_one(&self) -> f64 {
+        self.gamma_minus_one
     }
 
     /// 1 - beta, to full relative accuracy.
@@ -133,6 +151,7 @@ impl Speed {
         Coefficients {
             beta: to(self.beta),
             gamma: to(self.gamma),
+            gamma_minus_one: to(self.gamma_minus_one),
             inverse_gamma_squared: to(self.inverse_gamma_squared),
         }
     }
@@ -143,5 +162,6 @@ impl Speed {
 pub(crate) struct Coefficients<F> {
     pub beta: F,
     pub gamma: F,
+    pub gamma_minus_one: F,
     pub inverse_gamma_squared: F,
 }

@@ -66,11 +66,8 @@ impl Camera {
 
     /// Unit vector from the aperture through the point `[u, v]` of the picture, in pixels.
     #[must_use]
-    pub fn line_of_sight(&self, [u, v]: [f64; 2]) -> DVec3 {
-        let Axes { right, up, forward } = self.gaze.axes();
-        let [width, height] = self.size.map(f64::from);
-        let focal_length = self.focal_length_px();
-        (forward * focal_length + right * (u - 0.5 * width) + up * (0.5 * height - v)).normalize()
+    pub fn line_of_sight(&self, pixel: [f64; 2]) -> DVec3 {
+        LinesOfSight::new(self).through(pixel)
     }
 
     /// Where in the picture (pixels) something along `direction` (any length above 0) appears; `None`
@@ -85,6 +82,31 @@ impl Camera {
         let [width, height] = self.size.map(f64::from);
         let scale = self.focal_length_px() / depth;
         Some([0.5 * width + direction.dot(right) * scale, 0.5 * height - direction.dot(up) * scale])
+    }
+}
+
+/// The lines of sight of one camera, for many pixels: its angles are turned into vectors once.
+#[derive(Debug, Clone, Copy)]
+pub struct LinesOfSight {
+    to_top_left: DVec3,
+    right: DVec3,
+    up: DVec3,
+}
+
+impl LinesOfSight {
+    /// Those of `camera`.
+    #[must_use]
+    pub fn new(camera: &Camera) -> Self {
+        let Axes { right, up, forward } = camera.gaze.axes();
+        let [width, height] = camera.size.map(f64::from);
+        let to_top_left = forward * camera.focal_length_px() - right * (0.5 * width) + up * (0.5 * height);
+        Self { to_top_left, right, up }
+    }
+
+    /// Unit vector from the aperture through the point `[u, v]` of the picture, in pixels.
+    #[must_use]
+    pub fn through(&self, [u, v]: [f64; 2]) -> DVec3 {
+        (self.to_top_left + self.right * u - self.up * v).normalize()
     }
 }
 

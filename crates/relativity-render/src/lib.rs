@@ -4,10 +4,29 @@
 //! are boosted there, where rays are straight and bodies stand still. Knows wgpu, but neither windows
 //! nor files.
 
+pub mod backdrop;
 pub mod body;
 pub mod camera;
+pub mod colour;
+pub mod cone;
+mod exact;
+mod frame;
+pub mod gpu;
+pub mod intersect;
+mod palette;
+pub mod picture;
+mod polynomial;
+pub mod reference;
+pub mod shade;
+mod target;
+mod tiles;
 pub mod view;
 
 pub use body::{Body, Shape};
 pub use camera::{Camera, Gaze};
+pub use exact::ExactRenderer;
+pub use gpu::{Gpu, GpuError};
+pub use picture::Picture;
+pub use reference::{Hit, HitImage, ReferenceScene};
+pub use target::EyeTarget;
 pub use view::{Appearance, Colour, Geometry, Shading, View};

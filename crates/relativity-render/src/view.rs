@@ -79,6 +79,22 @@ impl View {
             Geometry::Rest => RestRay { origin, direction: n, ground_per_rest: 1.0, doppler_factor: 1.0 },
         }
     }
+
+    /// Ground time of emission of what is seen along `line_of_sight` (unit vector) at `distance`: in the
+    /// ground frame, or in the rest frame for [`Geometry::Rest`].
+    #[must_use]
+    pub fn emission_time(&self, line_of_sight: DVec3, distance: f64) -> f64 {
+        let received = self.observation_time;
+        match self.geometry {
+            Geometry::Seen => received - distance,
+            Geometry::Contracted => received,
+            // The inverse boost of (-s, s n) is -gamma s (1 - beta n_x).
+            Geometry::Rest => {
+                let [x, y, z] = line_of_sight.to_array();
+                received - distance / aberration::doppler_factor([-x, y, z], &self.speed)
+            }
+        }
+    }
 }
 
 /// How a wavelength becomes a colour.
@@ -118,4 +134,6 @@ pub struct Appearance {
     pub ground_z: Option<f64>,
     /// Whether the sky behind is a gradient (else plain).
     pub sky: bool,
+    /// Whether sky and ground suit a light window (else a dark one).
+    pub light: bool,
 }

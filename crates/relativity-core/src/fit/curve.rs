@@ -10,8 +10,8 @@
 //! where t0 is the time of passage, at which the object is objectively at x = 0 (or at a known x0).
 
 use crate::apparent::{Aperture, LightCone, SourcePoint};
-use crate::disparity::{Offset, angle_differences};
-use crate::published::delay;
+use crate::cone_pair::ConePair;
+use crate::published::{self, PublishedVariant};
 use crate::speed::Speed;
 
 /// Which binocular model is fitted.
@@ -52,30 +52,27 @@ pub(crate) struct Slopes {
 impl Trial {
     /// Delta-phi and Delta-theta at `time`.
     pub fn angles(&self, model: FitModel, pair: &[Aperture; 2], time: f64) -> [f64; 2] {
-        let cones = self.cones(model, pair, time);
-        let (dphi, dtheta) = angle_differences(&self.speed, &cones.primary, &cones.secondary, cones.offset);
-        [dphi, dtheta]
+        self.cones(model, pair, time).pair.angle_differences().into()
     }
 
     /// The same with the gradients.
     pub fn slopes(&self, model: FitModel, pair: &[Aperture; 2], time: f64) -> Slopes {
         let cones = self.cones(model, pair, time);
-        let (dphi, dtheta) = angle_differences(&self.speed, &cones.primary, &cones.secondary, cones.offset);
+        let ConePair { left, right, .. } = &cones.pair;
         let beta = self.speed.beta();
         let ds = [time - self.passage_time, 0.0, 0.0, -beta];
-        let dx = x_gradient(beta, &cones.primary, ds);
-        let ds_secondary = match model {
+        let dx = x_gradient(beta, left, ds);
+        let ds_right = match model {
             FitModel::Exact => ds,
-            FitModel::Published => secondary_s_gradient(beta, &cones, ds, dx),
+            FitModel::Published => right_s_gradient(beta, &cones, ds, dx),
         };
-        let [dphi_primary, dtheta_primary] = angle_gradients(&cones.primary, dx);
-        let dx = x_gradient(beta, &cones.secondary, ds_secondary);
-        let [dphi_secondary, dtheta_secondary] = angle_gradients(&cones.secondary, dx);
+        let [dphi_left, dtheta_left] = angle_gradients(left, dx);
+        let [dphi_right, dtheta_right] = angle_gradients(right, x_gradient(beta, right, ds_right));
         Slopes {
-            angles: [dphi, dtheta],
+            angles: cones.pair.angle_differences().into(),
             gradients: [
-                std::array::from_fn(|i| dphi_primary[i] - dphi_secondary[i]),
-                std::array::from_fn(|i| dtheta_primary[i] - dtheta_secondary[i]),
+                std::array::from_fn(|i| dphi_left[i] - dphi_right[i]),
+                std::array::from_fn(|i| dtheta_left[i] - dtheta_right[i]),
             ],
         }
     }
@@ -85,33 +82,22 @@ impl Trial {
         let [primary, secondary] = *pair;
         let since_passage = time - self.passage_time;
         let point = SourcePoint { x0: self.passage_x, y: self.y, z: self.z };
-        let left = LightCone::new(&self.speed, point, primary, since_passage);
+        let separation = secondary.x - primary.x;
         match model {
-            FitModel::Exact => Cones {
-                primary: left,
-                secondary: LightCone::new(&self.speed, point, secondary, since_passage),
-                offset: Offset {
-                    s: secondary.x - primary.x,
-                    y: secondary.y - primary.y,
-                    z: secondary.z - primary.z,
-                },
-                delay: 0.0,
-                separation: secondary.x - primary.x,
-            },
+            FitModel::Exact => {
+                let pair =
+                    ConePair::new(&self.speed.coefficients(), point, primary, secondary, since_passage);
+                Cones { pair, delay: 0.0, separation }
+            }
             FitModel::Published => {
                 // Appendix A puts the origin midway between both apertures.
-                let separation = secondary.x - primary.x;
-                let x0 = point.x0 - 0.5 * (primary.x + secondary.x);
-                let centred = SourcePoint { x0, ..point };
-                let delay = delay(&self.speed, centred, separation, &left, since_passage);
-                let shift = -self.speed.beta() * delay;
-                Cones {
-                    primary: left,
-                    secondary: LightCone::at(&self.speed, left.s + shift, left.y, left.z),
-                    offset: Offset { s: -shift, y: 0.0, z: 0.0 },
-                    delay,
-                    separation,
-                }
+                let middle = 0.5 * (primary.x + secondary.x);
+                let point =
+                    SourcePoint { x0: point.x0 - middle, y: point.y - primary.y, z: point.z - primary.z };
+                let variant = PublishedVariant::AppendixA;
+                let (pair, shift) =
+                    published::cone_pair(&self.speed, point, separation, since_passage, variant);
+                Cones { pair, delay: -shift, separation }
             }
         }
     }
@@ -119,16 +105,14 @@ impl Trial {
 
 /// Both light cones of a pair, as the model has them.
 struct Cones {
-    primary: LightCone,
-    secondary: LightCone,
-    offset: Offset,
+    pair: ConePair<f64>,
     /// Delta T of the published model.
     delay: f64,
     separation: f64,
 }
 
 #[inline]
-fn x_gradient(beta: f64, cone: &LightCone, ds: Gradient) -> Gradient {
+fn x_gradient(beta: f64, cone: &LightCone<f64>, ds: Gradient) -> Gradient {
     let r = cone.solution.r;
     let inverse_q = 1.0 / cone.solution.q;
     let along = r * inverse_q;
@@ -138,7 +122,7 @@ fn x_gradient(beta: f64, cone: &LightCone, ds: Gradient) -> Gradient {
 
 /// d(atan2(y, X)) and d(atan2(z, h)).
 #[inline]
-fn angle_gradients(cone: &LightCone, dx: Gradient) -> [Gradient; 2] {
+fn angle_gradients(cone: &LightCone<f64>, dx: Gradient) -> [Gradient; 2] {
     let LightCone { y, z, solution, .. } = *cone;
     let x = solution.x;
     let h_squared = x * x + y * y;
@@ -153,8 +137,8 @@ fn angle_gradients(cone: &LightCone, dx: Gradient) -> [Gradient; 2] {
 
 /// Gradient of the secondary's S, the primary's minus beta Delta T, in the published model, where Delta T is
 /// the difference of the distances from the event seen by the primary.
-fn secondary_s_gradient(beta: f64, cones: &Cones, ds: Gradient, dx: Gradient) -> Gradient {
-    let LightCone { y, z, solution, .. } = cones.primary;
+fn right_s_gradient(beta: f64, cones: &Cones, ds: Gradient, dx: Gradient) -> Gradient {
+    let LightCone { y, z, solution, .. } = cones.pair.left;
     let to_secondary = solution.x - cones.separation;
     let distance = (to_secondary * to_secondary + y * y + z * z).sqrt();
     std::array::from_fn(|i| {

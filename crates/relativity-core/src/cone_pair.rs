@@ -1,0 +1,164 @@
+//! The differences between two light cones of one point, formed without subtracting one view from the other.
+//!
+//! Two things would spoil a plain difference. Small separations cancel; so the difference of the two X comes
+//! from a formula of its own. And where a disparity is extreme or zero, it does not depend on the time to first
+//! order, but each view alone does; so both views must carry the *same* rounding errors of S and X.
+
+use num_traits::Float;
+
+use crate::apparent::{Aperture, LightCone, SourcePoint};
+use crate::speed::Coefficients;
+
+/// S, y and z of the primary light cone minus those of the secondary, known without subtraction.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Offset<F> {
+    pub s: F,
+    pub y: F,
+    pub z: F,
+}
+
+/// Two light cones of one point.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ConePair<F> {
+    pub beta: F,
+    pub left: LightCone<F>,
+    pub right: LightCone<F>,
+    pub offset: Offset<F>,
+    /// The sum of both S, known better than by addition where they cancel.
+    pub sum_s: F,
+}
+
+/// Both apparent X, their difference and their sum.
+struct ApparentXs<F> {
+    left: F,
+    right: F,
+    difference: F,
+    sum: F,
+}
+
+impl<F: Float> ConePair<F> {
+    #[inline]
+    pub fn new(
+        coefficients: &Coefficients<F>,
+        point: SourcePoint,
+        primary: Aperture,
+        secondary: Aperture,
+        time: F,
+    ) -> Self {
+        let to = |v: f64| F::from(v).unwrap_or_else(F::infinity);
+        let [x0, y, z] = [point.x0, point.y, point.z].map(to);
+        let [lx, ly, lz] = [primary.x, primary.y, primary.z].map(to);
+        let [rx, ry, rz] = [secondary.x, secondary.y, secondary.z].map(to);
+        let offset = Offset { s: rx - lx, y: ry - ly, z: rz - lz };
+        let moved = coefficients.beta * time;
+        let sum_s = ((x0 + x0) - (lx + rx)) + (moved + moved);
+        let (from_left, from_right) = (x0 - lx, x0 - rx);
+        // S of both from their common mean, unless the separation dwarfs what the mean is made of.
+        let is_close = offset.s.abs() <= from_left.abs().min(from_right.abs()) + moved.abs();
+        let (left_s, right_s) = if is_close {
+            (half(sum_s + offset.s), half(sum_s - offset.s))
+        } else {
+            (from_left + moved, from_right + moved)
+        };
+        Self {
+            beta: coefficients.beta,
+            left: LightCone::at(coefficients, left_s, y - ly, z - lz),
+            right: LightCone::at(coefficients, right_s, y - ry, z - rz),
+            offset,
+            sum_s,
+        }
+    }
+
+    /// (Delta-phi, Delta-theta), from the sines and cosines of the differences.
+    pub fn angle_differences(&self) -> (F, F) {
+        let Self { left, right, offset, .. } = self;
+        let zero = F::zero();
+        if left.solution.q + right.solution.q == zero {
+            return (zero, zero); // the point is inside both apertures, which then coincide
+        }
+        let x = self.apparent_xs();
+        let y = Across { left: left.y, right: right.y, offset: offset.y };
+        let z = Across { left: left.z, right: right.z, offset: offset.z };
+        let dphi = self.cross_with_x(&x, &y, &z).atan2(x.left * x.right + y.left * y.right);
+        let left_h = (x.left * x.left + y.left * y.left).sqrt();
+        let right_h = (x.right * x.right + y.right * y.right).sqrt();
+        let sine = if z.same_sign() && left_h + right_h > zero {
+            // (z_l^2 h_r^2 - z_r^2 h_l^2)/(z_l h_r + z_r h_l), each difference of squares factored.
+            let sum = z.left * right_h + z.right * left_h;
+            let with_x = half((z.left + z.right) * x.sum - z.offset * x.difference);
+            let with_y = z.left * y.right + z.right * y.left;
+            self.cross_with_x(&x, &z, &y) * (with_x / sum) + z.cross(&y) * (with_y / sum)
+        } else {
+            z.left * right_h - z.right * left_h
+        };
+        (dphi, sine.atan2(left_h * right_h + z.left * z.right))
+    }
+
+    /// `u_l X_r - u_r X_l` for a coordinate u across the motion, v being the other one.
+    ///
+    /// With X = gamma^2 (S - beta q) the products of u and q are reduced like a difference of roots; what
+    /// remains vanishes term by term where the two lines of sight agree.
+    fn cross_with_x(&self, x: &ApparentXs<F>, u: &Across<F>, v: &Across<F>) -> F {
+        if !u.same_sign() {
+            return u.left * x.right - u.right * x.left;
+        }
+        let (left, right) = (&self.left.solution, &self.right.solution);
+        let u_q = u.left * right.q + u.right * left.q;
+        let u_r = u.left * right.r + u.right * left.r;
+        let u_v = u.left * v.right + u.right * v.left;
+        let cross_s = u.offset * self.left.s - u.left * self.offset.s;
+        cross_s * (u_r / u_q) - self.beta * u.cross(v) * (u_v / u_q)
+    }
+
+    /// With q^2 = S^2 + rho^2/gamma^2, X = gamma^2 (S - beta q); so the difference of the two X is
+    /// `(dS (R_l + R_r) - beta d(rho^2))/(q_l + q_r)`, in which small separations do not cancel.
+    fn apparent_xs(&self) -> ApparentXs<F> {
+        let Self { beta, left, right, offset, sum_s } = self;
+        let (xl, xr) = (left.solution.x, right.solution.x);
+        let sum_r = left.solution.r + right.solution.r;
+        let sum_q = left.solution.q + right.solution.q;
+        let by_offset = offset.s * sum_r / sum_q;
+        let by_rho = *beta * (offset.y * (left.y + right.y) + offset.z * (left.z + right.z)) / sum_q;
+        let difference = by_offset - by_rho;
+        let size = xl.abs() + xr.abs();
+        if by_offset.abs() + by_rho.abs() > size + size {
+            return ApparentXs { left: xl, right: xr, difference, sum: xl + xr };
+        }
+        let sum = xl + xr;
+        if size > F::from(3).map_or(size, |three| three * sum.abs()) {
+            // Opposite and alike: their sum as S_l + S_r - beta (R_l + R_r).
+            let sum = *sum_s - *beta * sum_r;
+            return ApparentXs {
+                left: half(sum + difference),
+                right: half(sum - difference),
+                difference,
+                sum,
+            };
+        }
+        let (xl, xr) = if xl.abs() < xr.abs() { (xl, xl - difference) } else { (xr + difference, xr) };
+        ApparentXs { left: xl, right: xr, difference, sum: xl + xr }
+    }
+}
+
+/// A coordinate across the motion, from both apertures, and left minus right.
+struct Across<F> {
+    left: F,
+    right: F,
+    offset: F,
+}
+
+impl<F: Float> Across<F> {
+    fn same_sign(&self) -> bool {
+        let zero = F::zero();
+        (self.left > zero && self.right > zero) || (self.left < zero && self.right < zero)
+    }
+
+    /// `u_l v_r - u_r v_l`.
+    fn cross(&self, v: &Self) -> F {
+        self.offset * v.left - self.left * v.offset
+    }
+}
+
+fn half<F: Float>(x: F) -> F {
+    x / (F::one() + F::one())
+}

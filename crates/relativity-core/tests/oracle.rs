@@ -1,0 +1,203 @@
+//! Every output of the crate against 115-digit arithmetic, over the whole range of use.
+//!
+//! `GAMOW_ORACLE_CASES` sets the number of cases per test; `-- --nocapture` shows the statistics.
+
+mod oracle_support;
+
+use oracle_support::draw::{self, program_speed};
+use oracle_support::model;
+use oracle_support::tally::{Case, Tally};
+use oracle_support::{Parameter, UNIT_F64, truths};
+use rand_chacha::ChaCha8Rng;
+use relativity_core::aberration::{doppler_factor, ground_from_rest, rest_from_ground};
+use relativity_core::doppler::{intensity_factor, received_wavelength};
+use relativity_core::{
+    Aperture, MAX_ERROR_UNITS, PublishedVariant, SourcePoint, Speed, disparity, equidistance_time,
+    printed_apparent_x, published_disparity, sighting,
+};
+
+fn cases() -> u64 {
+    std::env::var("GAMOW_ORACLE_CASES").map_or(2000, |n| n.parse().expect("a number of cases"))
+}
+
+/// The case of `inputs`, the true values being those of `model`.
+fn case<const N: usize>(
+    parameter: Parameter,
+    inputs: Vec<f64>,
+    model: impl Fn(&[oracle_support::Big]) -> [oracle_support::Big; N],
+    computed: [f64; N],
+) -> Case<N> {
+    let truths = truths(model, &inputs, UNIT_F64);
+    Case { errors: std::array::from_fn(|k| truths[k].error_units(computed[k])), parameter, inputs }
+}
+
+fn point_at(coordinates: &[f64]) -> SourcePoint {
+    SourcePoint { x0: coordinates[0], y: coordinates[1], z: coordinates[2] }
+}
+
+fn aperture_at(coordinates: &[f64]) -> Aperture {
+    Aperture { x: coordinates[0], y: coordinates[1], z: coordinates[2] }
+}
+
+#[test]
+fn speeds_keep_their_digits() {
+    let names = ["beta", "gamma", "1 - beta", "1/gamma^2", "rapidity", "head-on D"];
+    Tally::new(names, cases(), |rng| {
+        let (parameter, value) = draw::speed(rng);
+        let speed = program_speed(parameter, value);
+        let computed = [
+            speed.beta(),
+            speed.gamma(),
+            speed.one_minus_beta(),
+            speed.inverse_gamma_squared(),
+            speed.rapidity(),
+            speed.head_on_doppler_factor(),
+        ];
+        case(parameter, vec![value], |inputs| model::accessors(parameter, &inputs[0]), computed)
+    })
+    .assert_within(MAX_ERROR_UNITS);
+}
+
+/// Speed parameter, x0, y, z, aperture x, y, z, T.
+fn sighting_inputs(rng: &mut ChaCha8Rng) -> (Parameter, Speed, Vec<f64>) {
+    let (parameter, value) = draw::speed(rng);
+    let speed = program_speed(parameter, value);
+    let mut inputs = vec![value];
+    inputs.extend([(); 6].map(|()| draw::length(rng)));
+    let rho = (inputs[2] - inputs[5]).hypot(inputs[3] - inputs[6]);
+    inputs.push(draw::time(rng, speed.beta(), inputs[1] - inputs[4], rho));
+    (parameter, speed, inputs)
+}
+
+#[test]
+fn sightings_are_as_accurate_as_their_inputs() {
+    let names = ["X", "t", "R", "D", "D^2", "D^3", "D^4", "wavelength", "phi", "theta"];
+    Tally::new(names, cases(), |rng| {
+        let (parameter, speed, mut inputs) = sighting_inputs(rng);
+        let seen = sighting(&speed, point_at(&inputs[1..]), aperture_at(&inputs[4..]), inputs[7])
+            .expect("inside the domain");
+        inputs.push(550.0);
+        let computed = [
+            seen.position[0],
+            seen.retarded_time,
+            seen.distance,
+            seen.doppler_factor,
+            seen.intensity(2.0),
+            intensity_factor(seen.doppler_factor, 3.0),
+            intensity_factor(seen.doppler_factor, 4.0),
+            received_wavelength(inputs[8], seen.doppler_factor),
+            seen.phi(),
+            seen.theta(),
+        ];
+        case(parameter, inputs, |inputs| model::sighting(parameter, inputs), computed)
+    })
+    .assert_within(MAX_ERROR_UNITS);
+}
+
+#[test]
+fn the_printed_formula_is_evaluated_accurately() {
+    Tally::new(["X as printed"], cases(), |rng| {
+        let (parameter, speed, inputs) = sighting_inputs(rng);
+        let x = printed_apparent_x(&speed, point_at(&inputs[1..]), aperture_at(&inputs[4..]), inputs[7])
+            .expect("inside the domain");
+        case(parameter, inputs, |inputs| model::printed_x(parameter, inputs), [x])
+    })
+    .assert_within(MAX_ERROR_UNITS);
+}
+
+/// Speed parameter, x0, y, z, T, d.
+fn pair_inputs(rng: &mut ChaCha8Rng) -> (Parameter, Speed, Vec<f64>) {
+    let (parameter, value) = draw::speed(rng);
+    let speed = program_speed(parameter, value);
+    let [x0, y, z] = [(); 3].map(|()| draw::length(rng));
+    let rho = y.hypot(z);
+    let d = draw::separation(rng, rho);
+    let time = draw::time(rng, speed.beta(), x0, rho.hypot(d / 2.0));
+    (parameter, speed, vec![value, x0, y, z, time, d])
+}
+
+#[test]
+fn disparities_of_the_papers_pair_keep_their_digits_however_close_the_apertures() {
+    Tally::new(["dphi", "dtheta"], cases(), |rng| {
+        let (parameter, speed, inputs) = pair_inputs(rng);
+        let [left, right] = Aperture::pair(inputs[5]);
+        let both =
+            disparity(&speed, point_at(&inputs[1..]), left, right, inputs[4]).expect("inside the domain");
+        let model = |inputs: &[_]| model::pair_disparity(parameter, inputs);
+        case(parameter, inputs, model, [both.dphi, both.dtheta])
+    })
+    .assert_within(MAX_ERROR_UNITS);
+}
+
+#[test]
+fn disparities_of_apertures_anywhere_keep_their_digits() {
+    Tally::new(["general dphi", "general dtheta"], cases(), |rng| {
+        let (parameter, speed, sighting) = sighting_inputs(rng);
+        let (point, primary, time) = (&sighting[1..4], &sighting[4..7], sighting[7]);
+        let scale = draw::log_uniform(rng, -12.0, 0.0);
+        let secondary: Vec<f64> = primary.iter().map(|a| a + scale * draw::length(rng)).collect();
+        let both = disparity(&speed, point_at(point), aperture_at(primary), aperture_at(&secondary), time)
+            .expect("inside the domain");
+        let inputs = [&[sighting[0]], point, &[time], primary, &secondary].concat();
+        case(parameter, inputs, |inputs| model::disparity(parameter, inputs), [both.dphi, both.dtheta])
+    })
+    .assert_within(MAX_ERROR_UNITS);
+}
+
+#[test]
+fn equidistance_times_are_accurate() {
+    Tally::new(["T0"], cases(), |rng| {
+        let (parameter, speed, mut inputs) = pair_inputs(rng);
+        inputs.remove(4);
+        let t0 = equidistance_time(&speed, point_at(&inputs[1..]), inputs[4])
+            .expect("inside the domain")
+            .expect("moving");
+        case(parameter, inputs, |inputs| model::equidistance_time(parameter, inputs), [t0])
+    })
+    .assert_within(MAX_ERROR_UNITS);
+}
+
+fn assert_published_is_accurate(variant: PublishedVariant, sign: f64, names: [&'static str; 5]) {
+    Tally::new(names, cases(), |rng| {
+        let (parameter, speed, inputs) = pair_inputs(rng);
+        let both = published_disparity(&speed, point_at(&inputs[1..]), inputs[5], inputs[4], variant)
+            .expect("inside the domain");
+        let seen = both.secondary;
+        let computed = [both.dphi, both.dtheta, seen.position[0], seen.retarded_time, seen.doppler_factor];
+        case(parameter, inputs, |inputs| model::published(parameter, sign, inputs), computed)
+    })
+    .assert_within(MAX_ERROR_UNITS);
+}
+
+#[test]
+fn appendix_a_is_evaluated_accurately() {
+    let names =
+        ["Appendix A dphi", "Appendix A dtheta", "Appendix A X_S", "Appendix A t_S", "Appendix A D_S"];
+    assert_published_is_accurate(PublishedVariant::AppendixA, -1.0, names);
+}
+
+#[test]
+fn the_texts_sign_is_evaluated_accurately() {
+    let names = ["text dphi", "text dtheta", "text X_S", "text t_S", "text D_S"];
+    assert_published_is_accurate(PublishedVariant::TextSign, 1.0, names);
+}
+
+#[test]
+fn aberration_keeps_its_digits_both_ways() {
+    let names = ["rest n_x", "rest n_y", "rest n_z", "D along n", "ground n_x", "ground n_y", "ground n_z"];
+    Tally::new(names, cases(), |rng| {
+        let (parameter, value) = draw::speed(rng);
+        let speed = program_speed(parameter, value);
+        let n = draw::direction(rng, -speed.beta());
+        let [rx, ry, rz] = rest_from_ground(n, &speed);
+        let [gx, gy, gz] = ground_from_rest(n, &speed);
+        let model = |inputs: &[_]| {
+            let [ax, ay, az, doppler] = model::aberration(parameter, 1.0, inputs);
+            let [bx, by, bz, _] = model::aberration(parameter, -1.0, inputs);
+            [ax, ay, az, doppler, bx, by, bz]
+        };
+        let computed = [rx, ry, rz, doppler_factor(n, &speed), gx, gy, gz];
+        case(parameter, [&[value], &n[..]].concat(), model, computed)
+    })
+    .assert_within(MAX_ERROR_UNITS);
+}

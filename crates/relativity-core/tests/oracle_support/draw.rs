@@ -1,0 +1,93 @@
+//! Inputs over the whole range of use, drawn towards trouble.
+
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+
+use super::Parameter;
+use relativity_core::Speed;
+
+/// `10^u`, u uniform between the exponents.
+pub fn log_uniform(rng: &mut ChaCha8Rng, low: f64, high: f64) -> f64 {
+    10_f64.powf(rng.random_range(low..high))
+}
+
+fn signed(rng: &mut ChaCha8Rng, magnitude: f64) -> f64 {
+    if rng.random() { magnitude } else { -magnitude }
+}
+
+/// A length with sign, 1e-4 to 1e6 in magnitude, sometimes far smaller or zero.
+pub fn length(rng: &mut ChaCha8Rng) -> f64 {
+    let magnitude = match rng.random_range(0..10) {
+        0 => 0.0,
+        1 => log_uniform(rng, -16.0, -4.0),
+        _ => log_uniform(rng, -4.0, 6.0),
+    };
+    signed(rng, magnitude)
+}
+
+/// A speed: beta from 1e-14 to 1 - 1e-15, gamma from 1 + 1e-15 to 1e12, rapidity from 1e-14 to 30.
+pub fn speed(rng: &mut ChaCha8Rng) -> (Parameter, f64) {
+    match rng.random_range(0..6) {
+        0 => (Parameter::Beta, log_uniform(rng, -14.0, -0.001)),
+        1 => (Parameter::Beta, 1.0 - log_uniform(rng, -15.0, -0.1)),
+        2 => (Parameter::Gamma, 1.0 + log_uniform(rng, -15.0, 1.0)),
+        3 => (Parameter::Gamma, log_uniform(rng, 0.001, 12.0)),
+        4 => (Parameter::Rapidity, log_uniform(rng, -14.0, 0.0)),
+        _ => (Parameter::Rapidity, rng.random_range(0.1..30.0)),
+    }
+}
+
+/// The program's speed for a parameter.
+pub fn program_speed(parameter: Parameter, value: f64) -> Speed {
+    match parameter {
+        Parameter::Beta => Speed::from_beta(value),
+        Parameter::Gamma => Speed::from_gamma(value),
+        Parameter::Rapidity => Speed::from_rapidity(value),
+    }
+    .expect("drawn inside the range")
+}
+
+/// `value` times 1 + delta, delta from 1e-16 to 1.
+fn near(rng: &mut ChaCha8Rng, value: f64) -> f64 {
+    let delta = log_uniform(rng, -17.0, 0.0);
+    value * (1.0 + signed(rng, delta))
+}
+
+/// An observation time for a point at `s0` (from the aperture, at t = 0) and `rho` off the axis: anything up
+/// to 1e10, or close to S = 0, or to X = 0 (which is T0 for a pair, nearly).
+pub fn time(rng: &mut ChaCha8Rng, beta: f64, s0: f64, rho: f64) -> f64 {
+    let special = match rng.random_range(0..4) {
+        0 => -s0 / beta,
+        1 => rho - s0 / beta,
+        _ => 0.0,
+    };
+    let time = near(rng, special);
+    if special != 0.0 && time.abs() <= 1e10 {
+        return time;
+    }
+    let magnitude = log_uniform(rng, -4.0, 10.0);
+    signed(rng, magnitude)
+}
+
+/// A separation of the apertures: a length, or from 1e-12 times `scale` up.
+pub fn separation(rng: &mut ChaCha8Rng, scale: f64) -> f64 {
+    if rng.random() || scale == 0.0 {
+        log_uniform(rng, -4.0, 6.0)
+    } else {
+        scale * log_uniform(rng, -12.0, 0.0)
+    }
+}
+
+/// A direction, uniform or close to the axis; a unit vector as far as rounding allows.
+pub fn direction(rng: &mut ChaCha8Rng, critical: f64) -> [f64; 3] {
+    let cosine: f64 = match rng.random_range(0..3) {
+        0 => rng.random_range(-1.0..1.0),
+        1 => near(rng, critical).clamp(-1.0, 1.0),
+        _ => signed(rng, 1.0),
+    };
+    let sine =
+        if cosine.abs() == 1.0 { log_uniform(rng, -18.0, -1.0) } else { (1.0 - cosine * cosine).sqrt() };
+    let (sin, cos) = rng.random_range(0.0..std::f64::consts::TAU).sin_cos();
+    let x = if cosine.abs() == 1.0 { cosine * (1.0 - sine * sine).sqrt() } else { cosine };
+    [x, sine * cos, sine * sin]
+}

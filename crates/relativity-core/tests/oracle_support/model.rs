@@ -1,0 +1,159 @@
+//! The definitions: speed, light cone, angles, aberration, and the published model as printed.
+
+use super::{Big, Parameter, atan2, big, sqrt, square};
+
+/// (beta, gamma) from the parameter.
+pub fn speed(parameter: Parameter, value: &Big) -> (Big, Big) {
+    match parameter {
+        Parameter::Beta => (value.clone(), big(1.0) / sqrt(&(big(1.0) - square(value)))),
+        Parameter::Gamma => (sqrt(&(big(1.0) - big(1.0) / square(value))), value.clone()),
+        Parameter::Rapidity => {
+            let (sinh, cosh) = value.sinh_cosh();
+            (sinh / &cosh, cosh)
+        }
+    }
+}
+
+/// beta, gamma, 1 - beta, 1/gamma^2, rapidity, head-on Doppler factor.
+pub fn accessors(parameter: Parameter, value: &Big) -> [Big; 6] {
+    let (beta, gamma) = speed(parameter, value);
+    let ratio = (big(1.0) + &beta) / (big(1.0) - &beta);
+    let rapidity = ratio.ln() / big(2.0);
+    [beta.clone(), gamma, big(1.0) - &beta, big(1.0) - square(&beta), rapidity, sqrt(&ratio)]
+}
+
+/// One aperture's view, from the definition of the light cone.
+pub struct View {
+    pub x: Big,
+    pub y: Big,
+    pub z: Big,
+    pub r: Big,
+    pub t: Big,
+    pub doppler: Big,
+}
+
+impl View {
+    /// Solves |(s0 + beta t, y, z)| = time - t for the earlier t, s0 being the x at t = 0.
+    pub fn new((beta, gamma): &(Big, Big), [s0, y, z]: [Big; 3], time: &Big) -> Self {
+        let b = time + beta * &s0;
+        let c = square(time) - square(&s0) - square(&y) - square(&z);
+        let root = sqrt(&(square(&b) - (big(1.0) - square(beta)) * c));
+        let t = square(gamma) * (b - root);
+        let x = s0 + beta * &t;
+        let r = sqrt(&(square(&x) + square(&y) + square(&z)));
+        let doppler =
+            if r == Big::ZERO { gamma.clone() } else { big(1.0) / (gamma * (big(1.0) + beta * &x / &r)) };
+        Self { x, y, z, r, t, doppler }
+    }
+
+    pub fn phi(&self) -> Big {
+        atan2(&self.y, &self.x)
+    }
+
+    pub fn theta(&self) -> Big {
+        atan2(&self.z, &sqrt(&(square(&self.x) + square(&self.y))))
+    }
+}
+
+/// X, t, R, D, D^3, D^4, the received wavelength of `wavelength`, phi, theta.
+///
+/// `inputs`: speed parameter, x0, y, z, aperture x, y, z, T, wavelength.
+pub fn sighting(parameter: Parameter, inputs: &[Big]) -> [Big; 10] {
+    let view = View::new(&speed(parameter, &inputs[0]), difference(&inputs[1..4], &inputs[4..7]), &inputs[7]);
+    let squared = square(&view.doppler);
+    let (phi, theta) = (view.phi(), view.theta());
+    [
+        view.x,
+        view.t,
+        view.r,
+        view.doppler.clone(),
+        squared.clone(),
+        &squared * &view.doppler,
+        square(&squared),
+        &inputs[8] / view.doppler,
+        phi,
+        theta,
+    ]
+}
+
+fn difference(a: &[Big], b: &[Big]) -> [Big; 3] {
+    std::array::from_fn(|i| &a[i] - &b[i])
+}
+
+/// dphi, dtheta. `inputs`: speed parameter, x0, y, z, T, primary x, y, z, secondary x, y, z.
+pub fn disparity(parameter: Parameter, inputs: &[Big]) -> [Big; 2] {
+    let speed = speed(parameter, &inputs[0]);
+    let view = |aperture: &[Big]| View::new(&speed, difference(&inputs[1..4], aperture), &inputs[4]);
+    angle_differences(&view(&inputs[5..8]), &view(&inputs[8..11]))
+}
+
+/// dphi, dtheta of the paper's pair. `inputs`: speed parameter, x0, y, z, T, d.
+pub fn pair_disparity(parameter: Parameter, inputs: &[Big]) -> [Big; 2] {
+    let half = &inputs[5] / big(2.0);
+    let mut general = inputs[..5].to_vec();
+    general.extend([-half.clone(), big(0.0), big(0.0), half, big(0.0), big(0.0)]);
+    disparity(parameter, &general)
+}
+
+fn angle_differences(left: &View, right: &View) -> [Big; 2] {
+    let dphi = left.phi() - right.phi();
+    let pi = atan2(&big(0.0), &big(-1.0));
+    let turn = &pi + &pi;
+    let dphi = if dphi > pi {
+        dphi - turn
+    } else if dphi < -pi {
+        dphi + turn
+    } else {
+        dphi
+    };
+    [dphi, left.theta() - right.theta()]
+}
+
+/// The time at which the two distances are equal: the point is then at x = 0.
+///
+/// `inputs`: speed parameter, x0, y, z, d.
+pub fn equidistance_time(parameter: Parameter, inputs: &[Big]) -> [Big; 1] {
+    let (beta, _) = speed(parameter, &inputs[0]);
+    let distance = sqrt(&(square(&(&inputs[4] / big(2.0))) + square(&inputs[2]) + square(&inputs[3])));
+    [distance - &inputs[1] / beta]
+}
+
+/// dphi, dtheta, `X_S`, `t_S`, `D_S` of the published model, by Appendix A's sequence of formulas, the delay
+/// entering with `sign`. `inputs`: speed parameter, x0, y, z, T, d.
+pub fn published(parameter: Parameter, sign: f64, inputs: &[Big]) -> [Big; 5] {
+    let speed = speed(parameter, &inputs[0]);
+    let half = &inputs[5] / big(2.0);
+    let [x0, y, z, time] = [&inputs[1], &inputs[2], &inputs[3], &inputs[4]];
+    let view = |time: &Big| View::new(&speed, [x0 + &half, y.clone(), z.clone()], time);
+    let left = view(time);
+    let event = x0 + &speed.0 * &left.t;
+    let distance = |x: Big| sqrt(&(square(y) + square(z) + square(&x)));
+    let delay = distance(&event - &half) - distance(&event + &half);
+    let right = view(&(time + big(sign) * delay));
+    let [dphi, dtheta] = angle_differences(&left, &right);
+    [dphi, dtheta, right.x, right.t, right.doppler]
+}
+
+/// Eq. (1) as printed. `inputs`: speed parameter, x0, y, z, aperture x, y, z, T.
+pub fn printed_x(parameter: Parameter, inputs: &[Big]) -> [Big; 1] {
+    let (beta, gamma) = speed(parameter, &inputs[0]);
+    let [s0, y, z] = difference(&inputs[1..4], &inputs[4..7]);
+    let s = s0 + beta * &inputs[7];
+    let gamma_s = &gamma * s;
+    let root = sqrt(&(square(&gamma_s) + square(&y) + square(&z)));
+    [&gamma * (gamma_s - root)]
+}
+
+/// The line of sight seen from the other frame (`sign` = 1: the rest frame's from the ground's), and the
+/// Doppler factor along it. The vector is brought to unit length first.
+///
+/// `inputs`: speed parameter, n.
+pub fn aberration(parameter: Parameter, sign: f64, inputs: &[Big]) -> [Big; 4] {
+    let (beta, gamma) = speed(parameter, &inputs[0]);
+    let beta = beta * big(sign);
+    let norm = sqrt(&(square(&inputs[1]) + square(&inputs[2]) + square(&inputs[3])));
+    let [x, y, z] = std::array::from_fn(|i| &inputs[i + 1] / &norm);
+    let factor = big(1.0) + &beta * &x;
+    let transverse = &gamma * &factor;
+    [(x + beta) / factor, y / &transverse, z / &transverse, big(1.0) / transverse]
+}

@@ -1,0 +1,128 @@
+// One bounding rectangle per piece of a body; the ray test runs in the fragment stage and gives the depth.
+
+// Whether bodies may be thinner than a pixel: then they are drawn a pixel wide and faded instead.
+override THIN: bool = false;
+
+struct Instance {
+    // Rectangle in the picture (clip coordinates): centre and first half axis.
+    @location(0) place: vec4f,
+    // Second half axis, number of the body, rest wavelength in nm.
+    @location(1) second_axis_index_wavelength: vec4f,
+    // Anchor relative to the camera's event in the rest frame, and the radius.
+    @location(2) anchor_radius: vec4f,
+    // Unit axis and extent along it (tube) or radius of the middle circle (ring).
+    @location(3) axis_extent: vec4f,
+    // Linear sRGB without Doppler shift.
+    @location(4) rest_colour: vec4f,
+}
+
+struct Fragment {
+    @builtin(position) position: vec4f,
+    @location(0) @interpolate(flat) anchor_radius: vec4f,
+    @location(1) @interpolate(flat) axis_extent: vec4f,
+    @location(2) @interpolate(flat) rest_colour_wavelength: vec4f,
+    @location(3) @interpolate(flat) index: f32,
+}
+
+struct Body {
+    anchor: vec3f,
+    radius: f32,
+    axis: vec3f,
+    extent: f32,
+}
+
+struct Surface {
+    // How far inside the outline the ray passes, rest-frame length at the surface; negative outside.
+    clearance: f32,
+    // Unit vector from the body to the ray where they come closest: across the outline.
+    outward: vec3f,
+    // Rest-frame distance along the ray.
+    distance: f32,
+    // The point, from the anchor.
+    place: vec3f,
+    normal: vec3f,
+}
+
+@vertex
+fn rectangle(@builtin(vertex_index) vertex: u32, instance: Instance) -> Fragment {
+    let corner = vec2f(f32(vertex & 1u), f32(vertex >> 1u)) * 2.0 - 1.0;
+    let place = instance.place.xy + instance.place.zw * corner.x + instance.second_axis_index_wavelength.xy * corner.y;
+    return Fragment(
+        vec4f(place, 0.5, 1.0),
+        instance.anchor_radius,
+        instance.axis_extent,
+        vec4f(instance.rest_colour.rgb, instance.second_axis_index_wavelength.w),
+        instance.second_axis_index_wavelength.z,
+    );
+}
+
+fn body_of(fragment: Fragment) -> Body {
+    return Body(
+        fragment.anchor_radius.xyz,
+        fragment.anchor_radius.w,
+        fragment.axis_extent.xyz,
+        fragment.axis_extent.w,
+    );
+}
+
+struct Picture {
+    @location(0) colour: vec4f,
+    @builtin(frag_depth) depth: f32,
+    @builtin(sample_mask) samples: u32,
+}
+
+// The four samples of a pixel, from its centre, in the standard places.
+const SAMPLE_U = vec4f(-0.125, 0.375, -0.375, 0.125);
+const SAMPLE_V = vec4f(-0.375, -0.125, 0.125, 0.375);
+
+@fragment
+fn picture(fragment: Fragment) -> Picture {
+    let ray = rest_ray(fragment.position.xy);
+    let body = body_of(fragment);
+    let hit = surface(body, ray);
+    // How fast the ray moves across the outline from pixel to pixel.
+    let reach = max(hit.distance, 0.0);
+    let gradient = -reach * vec2f(dot(hit.outward, ray.along_u), dot(hit.outward, ray.along_v));
+    var clearance = hit.clearance;
+    var alpha = 1.0;
+    if THIN {
+        let half_pixel = 0.5 * length(gradient);
+        alpha = min(body.radius / max(half_pixel, 1e-30), 1.0);
+        clearance += max(half_pixel - body.radius, 0.0);
+    }
+    let inside = vec4f(clearance) + gradient.x * SAMPLE_U + gradient.y * SAMPLE_V > vec4f(0.0);
+    let samples = dot(select(vec4u(0u), vec4u(1u, 2u, 4u, 8u), inside), vec4u(1u));
+    if samples == 0u || !(hit.distance > 0.0) {
+        discard;
+    }
+    let colour = received_colour(
+        fragment.rest_colour_wavelength.rgb,
+        fragment.rest_colour_wavelength.w,
+        ray.doppler,
+        hit.normal,
+    );
+    return Picture(vec4f(colour * alpha, alpha), depth(hit.distance * ray.ground_per_rest), samples);
+}
+
+struct Hit {
+    // Number of the body, ground distance, Doppler factor, 1 (a hit).
+    @location(0) measures: vec4f,
+    // The point, from the anchor, in the rest frame.
+    @location(1) place: vec4f,
+    @builtin(frag_depth) depth: f32,
+}
+
+@fragment
+fn hits(fragment: Fragment) -> Hit {
+    let ray = rest_ray(fragment.position.xy);
+    let hit = surface(body_of(fragment), ray);
+    if !(hit.clearance > 0.0) || !(hit.distance > 0.0) {
+        discard;
+    }
+    let ground_distance = hit.distance * ray.ground_per_rest;
+    return Hit(
+        vec4f(fragment.index, ground_distance, ray.doppler, 1.0),
+        vec4f(hit.place, 0.0),
+        depth(ground_distance),
+    );
+}

@@ -1,0 +1,121 @@
+//! What lies behind the bodies: a sky and a grid on the ground, at rest with the aperture.
+//!
+//! Never shifted, dimmed or exposed: it gives motion something to be seen against.
+//! `shaders/backdrop.wgsl` draws the same.
+
+use glam::{DVec2, DVec3};
+
+use crate::camera::{Axes, Camera};
+use crate::colour::mix;
+use crate::view::Appearance;
+
+/// Half the width of the grid's lines, one per unit of length along x and along y.
+const LINE_HALF_WIDTH: f64 = 0.012;
+/// Half the width of the two lines through the origin.
+const AXIS_HALF_WIDTH: f64 = 0.03;
+
+/// Linear sRGB colours of a backdrop.
+#[derive(Debug, Clone, Copy)]
+struct Palette {
+    plain: [f64; 3],
+    horizon: [f64; 3],
+    zenith: [f64; 3],
+    earth: [f64; 3],
+    ink: [f64; 3],
+}
+
+const DARK: Palette = Palette {
+    plain: [0.0060, 0.0070, 0.0100],
+    horizon: [0.0240, 0.0300, 0.0470],
+    zenith: [0.0052, 0.0072, 0.0150],
+    earth: [0.0085, 0.0100, 0.0135],
+    ink: [0.085, 0.105, 0.140],
+};
+
+const LIGHT: Palette = Palette {
+    plain: [0.88, 0.89, 0.91],
+    horizon: [0.83, 0.87, 0.91],
+    zenith: [0.50, 0.63, 0.80],
+    earth: [0.66, 0.69, 0.72],
+    ink: [0.26, 0.31, 0.38],
+};
+
+/// The backdrop of one camera's picture.
+#[derive(Debug, Clone, Copy)]
+pub struct Backdrop {
+    palette: Palette,
+    sky: bool,
+    aperture: DVec2,
+    /// Height of the ground from the aperture, below 0: ground above the eye would hide everything.
+    ground: Option<f64>,
+    axes: Axes,
+    focal_length_px: f64,
+}
+
+impl Backdrop {
+    /// What `camera` has behind the bodies.
+    #[must_use]
+    pub fn new(camera: &Camera, appearance: &Appearance) -> Self {
+        let aperture = camera.aperture;
+        Self {
+            palette: if appearance.light { LIGHT } else { DARK },
+            sky: appearance.sky,
+            aperture: DVec2::new(aperture.x, aperture.y),
+            ground: appearance.ground_z.map(|z| z - aperture.z).filter(|z| *z < 0.0),
+            axes: camera.gaze.axes(),
+            focal_length_px: camera.focal_length_px(),
+        }
+    }
+
+    /// Linear sRGB of the sky along `line_of_sight` (unit vector).
+    #[must_use]
+    pub fn sky(&self, line_of_sight: DVec3) -> [f64; 3] {
+        if !self.sky {
+            return self.palette.plain;
+        }
+        let nearness = 1.0 - (1.4 * line_of_sight.z.abs()).min(1.0);
+        mix(self.palette.zenith, self.palette.horizon, nearness * nearness)
+    }
+
+    /// Distance of the ground along `line_of_sight` (unit vector), if it is met.
+    #[must_use]
+    pub fn ground_distance(&self, line_of_sight: DVec3) -> Option<f64> {
+        let distance = self.ground? / line_of_sight.z;
+        (distance > 0.0 && distance.is_finite()).then_some(distance)
+    }
+
+    /// Linear sRGB of the ground met at `distance` along `line_of_sight`.
+    #[must_use]
+    pub fn ground(&self, line_of_sight: DVec3, distance: f64) -> [f64; 3] {
+        let n = line_of_sight;
+        let foot = self.aperture + n.truncate() * distance;
+        // The line of sight turns by this from one pixel to the next along `across`.
+        let turn =
+            |across: DVec3| (across - n * n.dot(across)) * (n.dot(self.axes.forward) / self.focal_length_px);
+        let shift = |turn: DVec3| (turn.truncate() - n.truncate() * (turn.z / n.z)) * distance;
+        let [right, down] = [self.axes.right, -self.axes.up].map(|across| shift(turn(across)));
+        let pixel = DVec2::new(right.x.hypot(down.x), right.y.hypot(down.y));
+        let grid = grid_cover(foot.x, pixel.x).max(grid_cover(foot.y, pixel.y));
+        let axes = axis_cover(foot.x, pixel.x).max(axis_cover(foot.y, pixel.y));
+        let Palette { earth, ink, .. } = self.palette;
+        let painted = mix(mix(earth, ink, 0.55 * grid), ink.map(|part| 1.5 * part), axes);
+        mix(self.sky(n), painted, 1.0 / (1.0 + 0.0025 * distance * distance))
+    }
+}
+
+/// Share of a pixel, `pixel` wide on the ground, that the lines at whole numbers cover. A line thinner than a
+/// pixel is faded rather than broken up; a grid finer than pixels is left out.
+fn grid_cover(coordinate: f64, pixel: f64) -> f64 {
+    let off_line = (coordinate - coordinate.round()).abs();
+    line_cover(off_line, LINE_HALF_WIDTH, pixel) * (2.0 - 4.0 * pixel).clamp(0.0, 1.0)
+}
+
+/// Share of a pixel that the line at 0 covers.
+fn axis_cover(coordinate: f64, pixel: f64) -> f64 {
+    line_cover(coordinate.abs(), AXIS_HALF_WIDTH, pixel)
+}
+
+fn line_cover(off_line: f64, half_width: f64, pixel: f64) -> f64 {
+    let half = half_width.max(0.5 * pixel);
+    ((half - off_line) / pixel.max(1e-6) + 0.5).clamp(0.0, 1.0) * (half_width / half)
+}

@@ -1,0 +1,126 @@
+//! The colour of monochromatic light: linear sRGB of a wavelength.
+//!
+//! # A choice, and its name: spectral hue at equal brightness
+//!
+//! Monochromatic light lies outside sRGB. It is desaturated towards white (D65) just until no component
+//! is negative, and the largest component is then 1. So the wavelength decides the hue alone, while
+//! brightness comes from D^n and the exposure: through the luminous efficiency 700 nm would be all but
+//! black beside 550 nm, and the paper's red cyclist with it. Towards the ends of the visible range the
+//! colour fades, to exactly black at 380 nm and 780 nm.
+//!
+//! References: CIE 015:2018, *Colorimetry*; CIE 018:2019 (the table, see `assets/README.md`); IEC
+//! 61966-2-1:1999 (sRGB).
+
+use std::sync::LazyLock;
+
+use crate::view::Colour;
+
+/// Visible light fades in from black at the first of these to full at the second, nm.
+const VIOLET_END_NM: [f64; 2] = [380.0, 420.0];
+/// Visible light fades from full at the first of these to black at the second, nm. The paper's 700 nm
+/// is full red.
+const RED_END_NM: [f64; 2] = [710.0, 780.0];
+/// False colour of the far ultraviolet, linear sRGB: a pale cool tone.
+const ULTRAVIOLET: [f64; 3] = [0.70, 0.85, 1.0];
+/// False colour of the far infrared, linear sRGB: a warm grey-brown.
+const INFRARED: [f64; 3] = [0.55, 0.42, 0.30];
+
+const CIE_1931_CSV: &str =
+    include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/cie-1931-2deg.csv"));
+/// Wavelength of the table's first row, nm; a row follows every nm.
+const FIRST_NM: f64 = 360.0;
+
+static CIE_1931: LazyLock<Vec<[f64; 3]>> = LazyLock::new(|| CIE_1931_CSV.lines().skip(1).map(row).collect());
+
+fn row(line: &str) -> [f64; 3] {
+    let mut values = line.split(',').skip(1).map(|value| value.parse().expect("the table holds numbers"));
+    std::array::from_fn(|_| values.next().expect("a row holds three functions"))
+}
+
+/// The CIE 1931 colour-matching functions (x, y, z) at `wavelength_nm`, linear between the table's
+/// rows; `None` outside 360 nm to 830 nm.
+#[must_use]
+pub fn colour_matching(wavelength_nm: f64) -> Option<[f64; 3]> {
+    let position = wavelength_nm - FIRST_NM;
+    let last = CIE_1931.len() - 1;
+    if !(0.0..=last as f64).contains(&position) {
+        return None;
+    }
+    let index = (position as usize).min(last - 1);
+    Some(mix(CIE_1931[index], CIE_1931[index + 1], position - index as f64))
+}
+
+/// Linear sRGB (each component in [0, 1]) of light of `wavelength_nm` (above 0).
+///
+/// [`Colour::Visible`] is black outside 380 nm to 780 nm. [`Colour::False`] equals it from 420 nm to
+/// 710 nm and never fades: over the logarithm of the wavelength violet turns into a pale cool tone,
+/// reached at 42 nm, and red into a warm grey, reached at 7100 nm; the luminance only rises outwards.
+#[must_use]
+pub fn linear_srgb(wavelength_nm: f64, colour: Colour) -> [f64; 3] {
+    let [violet, red] = [VIOLET_END_NM[1], RED_END_NM[0]];
+    match colour {
+        Colour::Visible => spectral_hue(wavelength_nm).map(|part| part * visibility(wavelength_nm)),
+        Colour::False if wavelength_nm < violet => {
+            mix(spectral_hue(violet), ULTRAVIOLET, (violet / wavelength_nm).log10().min(1.0))
+        }
+        Colour::False if wavelength_nm > red => {
+            mix(spectral_hue(red), INFRARED, (wavelength_nm / red).log10().min(1.0))
+        }
+        Colour::False => spectral_hue(wavelength_nm),
+    }
+}
+
+/// The sRGB-encoded value of a linear one, both in [0, 1].
+#[must_use]
+pub fn srgb_encoded(linear: f64) -> f64 {
+    if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 }
+}
+
+/// `linear` (components 0 or more) brought into [0, 1] by scaling all components alike, which keeps
+/// the hue.
+#[must_use]
+pub fn hue_preserving_clip(linear: [f64; 3]) -> [f64; 3] {
+    let largest = linear.into_iter().fold(1.0, f64::max);
+    linear.map(|part| part / largest)
+}
+
+/// Relative luminance Y of a linear sRGB colour.
+#[must_use]
+pub fn luminance([red, green, blue]: [f64; 3]) -> f64 {
+    0.2126 * red + 0.7152 * green + 0.0722 * blue
+}
+
+/// Between the colours `a` (at `t` = 0) and `b` (at `t` = 1).
+#[must_use]
+pub fn mix(a: [f64; 3], b: [f64; 3], t: f64) -> [f64; 3] {
+    std::array::from_fn(|i| a[i] + (b[i] - a[i]) * t)
+}
+
+/// The hue of a wavelength at full brightness; black where the table ends.
+fn spectral_hue(wavelength_nm: f64) -> [f64; 3] {
+    let Some(xyz) = colour_matching(wavelength_nm) else { return [0.0; 3] };
+    let rgb = srgb_from_xyz(xyz);
+    let lift = -rgb.into_iter().fold(0.0, f64::min);
+    let lifted = rgb.map(|part| part + lift);
+    let largest = lifted.into_iter().fold(f64::MIN_POSITIVE, f64::max);
+    lifted.map(|part| part / largest)
+}
+
+/// Share of the full colour left at the ends of the visible range, 0 to 1.
+fn visibility(wavelength_nm: f64) -> f64 {
+    smoothstep(VIOLET_END_NM, wavelength_nm) * (1.0 - smoothstep(RED_END_NM, wavelength_nm))
+}
+
+fn smoothstep([start, end]: [f64; 2], x: f64) -> f64 {
+    let t = ((x - start) / (end - start)).clamp(0.0, 1.0);
+    t * t * (3.0 - 2.0 * t)
+}
+
+/// Linear sRGB of a CIE XYZ colour; components may be negative.
+fn srgb_from_xyz([x, y, z]: [f64; 3]) -> [f64; 3] {
+    [
+        3.240_454_2 * x - 1.537_138_5 * y - 0.498_531_4 * z,
+        -0.969_266_0 * x + 1.876_010_8 * y + 0.041_556_0 * z,
+        0.055_643_4 * x - 0.204_025_9 * y + 1.057_225_2 * z,
+    ]
+}

@@ -1,0 +1,229 @@
+//! Where in the picture a piece of a body can appear: a rectangle that surely contains it.
+//!
+//! A ball at rest in the moving frame subtends a circular cone of directions, and aberration maps circular
+//! cones to circular cones (Penrose 1959): as c.n* >= h with h = sqrt(|c|^2 - r^2) becomes C.n >= H, where
+//! (H, C) is the Lorentz transform of (h, c), the ball looks exactly as a ball of the same radius r around
+//! C would look at rest on the ground. A tube, swept by a ball, looks as a tube of the same radius swept
+//! along the curve C(t), which departs from its chord along x only. A cone projects to a conic, whose
+//! extent along any direction of the picture is the root of a quadratic.
+
+use glam::{DVec2, DVec3};
+
+use crate::camera::Axes;
+use crate::view::{Geometry, View};
+
+/// Space left around an outline for anti-aliasing and rounding, px.
+const MARGIN_PX: f64 = 1.5;
+
+/// A capsule in the rest frame, relative to the camera's event.
+#[derive(Debug, Clone, Copy)]
+pub struct Capsule {
+    pub from: DVec3,
+    pub to: DVec3,
+    pub radius: f64,
+}
+
+/// Where it can appear.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Footprint {
+    /// Nowhere in the picture.
+    Hidden,
+    /// Inside a rectangle.
+    Inside(Rectangle),
+}
+
+/// A rectangle in the picture, clip coordinates.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rectangle {
+    pub middle: DVec2,
+    pub half_axes: [DVec2; 2],
+    /// Smallest radius of the piece in the picture, px.
+    pub radius_px: f64,
+}
+
+/// Maps capsules to footprints for one view.
+#[derive(Debug, Clone, Copy)]
+pub struct Projection {
+    axes: Axes,
+    focal_length_px: f64,
+    size: DVec2,
+    geometry: Geometry,
+    beta: f64,
+    gamma: f64,
+    inverse_gamma_squared: f64,
+}
+
+impl Projection {
+    pub fn new(view: &View) -> Self {
+        Self {
+            axes: view.camera.gaze.axes(),
+            focal_length_px: view.camera.focal_length_px(),
+            size: DVec2::from(view.camera.size.map(f64::from)),
+            geometry: view.geometry,
+            beta: view.speed.beta(),
+            gamma: view.speed.gamma(),
+            inverse_gamma_squared: view.speed.inverse_gamma_squared(),
+        }
+    }
+
+    /// Where `capsule` can appear; `None` if the bound would be loose and its halves should be tried.
+    pub fn footprint(&self, capsule: &Capsule) -> Option<Footprint> {
+        let balls = self.hull(capsule)?;
+        let depth = self.depth(balls[0], capsule.radius);
+        if depth == Depth::Across || balls.iter().any(|ball| self.depth(*ball, capsule.radius) != depth) {
+            return None;
+        }
+        if depth == Depth::Behind {
+            return Some(Footprint::Hidden);
+        }
+        let distance = balls[0].length().min(balls[1].length());
+        let bulge = balls[2].x - balls[0].x;
+        let is_loose = bulge.abs() > 2.0 * capsule.radius + 4.0 * distance / self.focal_length_px;
+        (!is_loose).then(|| self.rectangle(&balls, capsule.radius))
+    }
+
+    /// Four balls (of the capsule's radius) in whose convex hull its image lies.
+    fn hull(&self, capsule: &Capsule) -> Option<[DVec3; 4]> {
+        let first = self.apparent_centre(capsule.from, capsule.radius)?;
+        let last = self.apparent_centre(capsule.to, capsule.radius)?;
+        let bulge = self.bulge(capsule)?;
+        Some([first, last, first + bulge, last + bulge])
+    }
+
+    /// The centre of the ground ball that looks as the rest-frame ball around `c` does. `None` if the
+    /// aperture is inside it, or its outline is wider than a half space.
+    fn apparent_centre(&self, c: DVec3, radius: f64) -> Option<DVec3> {
+        let outside_squared = c.length_squared() - radius * radius;
+        if outside_squared <= 0.0 {
+            return None;
+        }
+        match self.geometry {
+            Geometry::Rest => Some(c),
+            Geometry::Contracted => Some(DVec3::new(c.x / self.gamma, c.y, c.z)),
+            Geometry::Seen => {
+                let h = outside_squared.sqrt();
+                let (x, height) = self.boosted(c, h, radius);
+                (height > 0.0).then(|| DVec3::new(x, c.y, c.z))
+            }
+        }
+    }
+
+    /// gamma (c_x - beta h) and gamma (h - beta c_x), for c_x > 0 as quotients of what does not cancel.
+    fn boosted(&self, c: DVec3, h: f64, radius: f64) -> (f64, f64) {
+        let Self { beta, gamma, inverse_gamma_squared, .. } = *self;
+        if c.x <= 0.0 {
+            return (gamma * (c.x - beta * h), gamma * (h - beta * c.x));
+        }
+        let along = c.x * c.x * inverse_gamma_squared;
+        let transverse = c.y * c.y + c.z * c.z - radius * radius;
+        (
+            gamma * (along - beta * beta * transverse) / (c.x + beta * h),
+            gamma * (along + transverse) / (h + beta * c.x),
+        )
+    }
+
+    /// The furthest that C(t) departs from its chord.
+    ///
+    /// Only the part -gamma beta h(t) of C is curved, h being the root of a quadratic in t, which is
+    /// convex or concave throughout; the departure is greatest where its slope is the chord's.
+    fn bulge(&self, capsule: &Capsule) -> Option<DVec3> {
+        let Capsule { from, to, radius } = *capsule;
+        let span = to - from;
+        let a = span.length_squared();
+        if self.geometry != Geometry::Seen || a == 0.0 {
+            return Some(DVec3::ZERO);
+        }
+        let height_squared = |t: f64| (from + span * t).length_squared() - radius * radius;
+        let (first, last) = (height_squared(0.0).sqrt(), height_squared(1.0).sqrt());
+        let slope = last - first;
+        let offset = from.dot(span) / a;
+        let curvature = height_squared(0.0) / a - offset * offset;
+        let ratio = slope * slope * curvature / (a - slope * slope);
+        let steepest = (slope.signum() * ratio.max(0.0).sqrt() - offset).clamp(0.0, 1.0);
+        let squared = height_squared(steepest);
+        if squared.is_nan() || squared <= 0.0 || height_squared((-offset).clamp(0.0, 1.0)) <= 0.0 {
+            return None;
+        }
+        let departure = first + slope * steepest - squared.sqrt();
+        let rounding = 1e-15 * (first + last);
+        let scale = self.gamma * self.beta;
+        Some(DVec3::new(scale * (departure + rounding.copysign(departure)), 0.0, 0.0))
+    }
+
+    /// r^2 times the metric in which the apparent ball is one: contracted along x if it is.
+    fn metric(&self, p: DVec3, q: DVec3, radius: f64) -> f64 {
+        let along = if self.geometry == Geometry::Contracted { self.inverse_gamma_squared } else { 1.0 };
+        radius * radius * (along * p.x * q.x + p.y * q.y + p.z * q.z)
+    }
+
+    fn depth(&self, ball: DVec3, radius: f64) -> Depth {
+        let forward = self.axes.forward;
+        let depth = ball.dot(forward);
+        let reach = self.metric(forward, forward, radius).sqrt();
+        // Just in front, the outline runs off to infinity.
+        if depth > 1.001 * reach {
+            Depth::InFront
+        } else if depth < -reach {
+            Depth::Behind
+        } else {
+            Depth::Across
+        }
+    }
+
+    /// The rectangle along the piece's image around the four balls (all in front).
+    fn rectangle(&self, balls: &[DVec3; 4], radius: f64) -> Footprint {
+        let image = |ball: DVec3| {
+            let depth = ball.dot(self.axes.forward);
+            DVec2::new(ball.dot(self.axes.right), ball.dot(self.axes.up)) / depth
+        };
+        let along = (image(balls[1]) - image(balls[0])).try_normalize().unwrap_or(DVec2::X);
+        let across = along.perp();
+        let (along_low, along_high) = self.extent(balls, along, radius);
+        let (across_low, across_high) = self.extent(balls, across, radius);
+        let to_clip = 2.0 * self.focal_length_px / self.size;
+        let margin = MARGIN_PX / self.focal_length_px;
+        let middle = (along * (along_low + along_high) + across * (across_low + across_high)) * 0.5;
+        let half_axes = [
+            along * (0.5 * (along_high - along_low) + margin) * to_clip,
+            across * (0.5 * (across_high - across_low) + margin) * to_clip,
+        ];
+        let middle = middle * to_clip;
+        let reach = half_axes[0].abs() + half_axes[1].abs();
+        if (middle.abs() - reach).max_element() > 1.0 {
+            return Footprint::Hidden;
+        }
+        let furthest = balls.iter().map(|ball| ball.length()).fold(0.0, f64::max);
+        let radius_px = radius * self.focal_length_px / furthest;
+        Footprint::Inside(Rectangle { middle, half_axes, radius_px })
+    }
+
+    /// Least and greatest u/f of the balls' outlines, u being the picture coordinate along `direction`.
+    ///
+    /// The plane through the aperture and the line u = const touches the ball of centre C where
+    /// (p.C)^2 = m(p, p), p = e - (u/f) forward; the discriminant is written without cancellation.
+    fn extent(&self, balls: &[DVec3; 4], direction: DVec2, radius: f64) -> (f64, f64) {
+        let forward = self.axes.forward;
+        let e = self.axes.right * direction.x + self.axes.up * direction.y;
+        let (ee, ef, ff) = (
+            self.metric(e, e, radius),
+            self.metric(e, forward, radius),
+            self.metric(forward, forward, radius),
+        );
+        balls.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), ball| {
+            let (along, depth) = (ball.dot(e), ball.dot(forward));
+            let a = depth * depth - ff;
+            let b = along * depth - ef;
+            let discriminant =
+                ee * depth * depth - 2.0 * ef * along * depth + ff * along * along - (ee * ff - ef * ef);
+            let root = discriminant.max(0.0).sqrt();
+            (low.min((b - root) / a), high.max((b + root) / a))
+        })
+    }
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Depth {
+    InFront,
+    Across,
+    Behind,
+}

@@ -1,0 +1,19 @@
+//! A finished picture: sRGB-encoded pixels.
+
+use crate::colour::srgb_encoded;
+
+/// A picture of 8 bits per component, row by row from the top left.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Picture {
+    /// Width and height, pixels.
+    pub size: [u32; 2],
+    /// Red, green, blue (sRGB-encoded) and opacity, always 255.
+    pub rgba: Vec<[u8; 4]>,
+}
+
+/// The opaque pixel of a linear sRGB colour with components in [0, 1].
+#[must_use]
+pub fn encoded(linear: [f64; 3]) -> [u8; 4] {
+    let [r, g, b] = linear.map(|part| (255.0 * srgb_encoded(part)).round() as u8);
+    [r, g, b, u8::MAX]
+}

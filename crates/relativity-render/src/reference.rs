@@ -1,0 +1,177 @@
+//! The f64 renderer on the CPU: the truth the other renderers are held against.
+//!
+//! Each ray is boosted into the rest frame of the bodies, where it is straight (see `View::rest_ray`), and the
+//! nearest entry into a body is what the aperture sees.
+
+use glam::DVec3;
+use rayon::prelude::*;
+
+use crate::backdrop::Backdrop;
+use crate::body::Body;
+use crate::camera::LinesOfSight;
+use crate::colour::hue_preserving_clip;
+use crate::cone::Cone;
+use crate::intersect::Solid;
+use crate::picture::{Picture, encoded};
+use crate::shade::surface_colour;
+use crate::tiles::{Tile, tiles};
+use crate::view::{Appearance, View};
+
+/// What one ray meets.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hit {
+    /// Number of the body, in the order given.
+    pub body: usize,
+    /// On its surface, in the rest frame.
+    pub rest_position: DVec3,
+    /// Outward unit normal in the rest frame.
+    pub rest_normal: DVec3,
+    /// From the aperture to the event of emission in the ground frame (in the rest frame for
+    /// [`Geometry::Rest`](crate::Geometry::Rest)).
+    pub distance: f64,
+    /// Ground time of emission; the observation time itself for [`Geometry::Contracted`](crate::Geometry::Contracted), whose light is
+    /// instantaneous.
+    pub emission_time: f64,
+    /// Doppler factor, 1 unless the geometry is [`Geometry::Seen`](crate::Geometry::Seen).
+    pub doppler_factor: f64,
+}
+
+/// Bodies prepared for tracing. Bodies may overlap; the nearest surface is seen, of equally near ones the
+/// one with the lowest number.
+#[derive(Debug, Clone)]
+pub struct ReferenceScene {
+    solids: Vec<Solid>,
+    /// The numbers of all bodies.
+    all: Vec<u32>,
+    rest_wavelengths_nm: Vec<f64>,
+}
+
+/// What every pixel of a picture shows, row by row from the top left.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HitImage {
+    /// Width and height, pixels.
+    pub size: [u32; 2],
+    /// One per pixel centre, `None` where nothing is seen.
+    pub hits: Vec<Option<Hit>>,
+}
+
+impl ReferenceScene {
+    /// Prepares `bodies`, numbered from 0 in this order.
+    #[must_use]
+    pub fn new(bodies: &[Body]) -> Self {
+        Self {
+            solids: bodies.iter().map(|body| Solid::new(&body.shape)).collect(),
+            all: (0..bodies.len() as u32).collect(),
+            rest_wavelengths_nm: bodies.iter().map(|body| body.rest_wavelength_nm).collect(),
+        }
+    }
+
+    /// What is seen along `line_of_sight` (unit vector, ground frame).
+    ///
+    /// Tests every body: meant for single rays. [`Self::hit_image`] is much faster per ray.
+    #[must_use]
+    pub fn first_hit(&self, view: &View, line_of_sight: DVec3) -> Option<Hit> {
+        self.first_hit_among(&self.all, view, line_of_sight)
+    }
+
+    fn first_hit_among(&self, bodies: &[u32], view: &View, line_of_sight: DVec3) -> Option<Hit> {
+        if bodies.is_empty() {
+            return None;
+        }
+        let ray = view.rest_ray(line_of_sight);
+        let entry = |&body: &u32| {
+            let body = body as usize;
+            Some((body, self.solids[body].entry(ray.origin, ray.direction)?))
+        };
+        let entries = bodies.iter().filter_map(entry);
+        let (body, entry) = entries.min_by(|a, b| a.1.distance.total_cmp(&b.1.distance))?;
+        Some(Hit {
+            body,
+            rest_position: entry.position,
+            rest_normal: entry.normal,
+            distance: entry.distance * ray.ground_per_rest,
+            emission_time: view.emission_time(line_of_sight, entry.distance * ray.ground_per_rest),
+            doppler_factor: ray.doppler_factor,
+        })
+    }
+
+    /// What `view` shows at the centre of every pixel.
+    #[must_use]
+    pub fn hit_image(&self, view: &View) -> HitImage {
+        let lines_of_sight = LinesOfSight::new(&view.camera);
+        let hits = self.pixels(view, |bodies, [u, v]| {
+            let center = [f64::from(u) + 0.5, f64::from(v) + 0.5];
+            self.first_hit_among(bodies, view, lines_of_sight.through(center))
+        });
+        HitImage { size: view.camera.size, hits }
+    }
+
+    /// The picture `view` shows, sRGB-encoded, with `samples` times `samples` rays per pixel
+    /// (1 or more).
+    ///
+    /// Samples are clipped one by one, so that a bright body does not bleed over its silhouette, and
+    /// averaged in linear light.
+    #[must_use]
+    pub fn picture(&self, view: &View, appearance: &Appearance, samples: u32) -> Picture {
+        let lines_of_sight = LinesOfSight::new(&view.camera);
+        let backdrop = Backdrop::new(&view.camera, appearance);
+        let rgba = self.pixels(view, |bodies, pixel| {
+            let sum = sample_grid(pixel, samples).fold([0.0; 3], |sum: [f64; 3], place| {
+                let line_of_sight = lines_of_sight.through(place);
+                let hit = self.first_hit_among(bodies, view, line_of_sight);
+                let colour = self.colour(appearance, &backdrop, line_of_sight, hit);
+                std::array::from_fn(|i| sum[i] + colour[i])
+            });
+            encoded(sum.map(|part| part / f64::from(samples * samples)))
+        });
+        Picture { size: view.camera.size, rgba }
+    }
+
+    /// Linear sRGB of what is seen along `line_of_sight`, in [0, 1] where it is a body.
+    fn colour(
+        &self,
+        appearance: &Appearance,
+        backdrop: &Backdrop,
+        line_of_sight: DVec3,
+        hit: Option<Hit>,
+    ) -> [f64; 3] {
+        let ground_distance = backdrop.ground_distance(line_of_sight);
+        match (hit, ground_distance) {
+            (Some(hit), ground) if ground.is_none_or(|distance| hit.distance <= distance) => {
+                let wavelength_nm = self.rest_wavelengths_nm[hit.body];
+                let Hit { rest_normal, doppler_factor, .. } = hit;
+                hue_preserving_clip(surface_colour(appearance, wavelength_nm, rest_normal, doppler_factor))
+            }
+            (_, Some(distance)) => backdrop.ground(line_of_sight, distance),
+            (_, None) => backdrop.sky(line_of_sight),
+        }
+    }
+
+    /// One value per pixel of `view`, row by row, from the bodies that can be seen there and the pixel.
+    fn pixels<T: Clone + Default + Send>(
+        &self,
+        view: &View,
+        value: impl Fn(&[u32], [u32; 2]) -> T + Sync,
+    ) -> Vec<T> {
+        let cone = |solid: &Solid| Cone::of_sight(view, solid.center(), solid.bounding_radius());
+        let cones: Vec<_> = self.solids.iter().map(cone).collect();
+        let tiles = tiles(&view.camera, &cones).into_par_iter();
+        let blocks: Vec<(Tile, Vec<T>)> = tiles
+            .map(|(tile, bodies)| (tile, tile.pixels().map(|pixel| value(&bodies, pixel)).collect()))
+            .collect();
+        let [width, height] = view.camera.size.map(|side| side as usize);
+        let mut image = vec![T::default(); width * height];
+        for (tile, block) in blocks {
+            for ([u, v], value) in tile.pixels().zip(block) {
+                image[v as usize * width + u as usize] = value;
+            }
+        }
+        image
+    }
+}
+
+/// The centres of `samples` times `samples` equal parts of a pixel.
+fn sample_grid([u, v]: [u32; 2], samples: u32) -> impl Iterator<Item = [f64; 2]> {
+    let place = move |pixel, part| f64::from(pixel) + (f64::from(part) + 0.5) / f64::from(samples);
+    (0..samples).flat_map(move |j| (0..samples).map(move |i| [place(u, i), place(v, j)]))
+}

@@ -1,0 +1,43 @@
+//! Light and shade: what a hit looks like.
+
+use glam::DVec3;
+use relativity_core::doppler::{intensity_factor, received_wavelength};
+
+use crate::colour::linear_srgb;
+use crate::view::{Appearance, Shading};
+
+/// Direction to the light of [`form`], before normalising: over the viewer's left shoulder.
+pub const LIGHT: DVec3 = DVec3::new(-0.35, -0.55, 0.76);
+/// Brightness of a surface at right angles to the light, and how much turning towards it adds.
+pub const FORM: [f64; 2] = [0.62, 0.38];
+
+/// Gentle shading that shows form, 0.24 to 1: fixed to the rest frame, so that it moves with the body
+/// and is no effect of relativity. `rest_normal` is the outward unit normal in the rest frame.
+#[must_use]
+pub fn form(rest_normal: DVec3) -> f64 {
+    FORM[0] + FORM[1] * rest_normal.dot(LIGHT.normalize())
+}
+
+/// Linear sRGB (0 or more, may exceed 1) of a surface with `rest_normal` and light of
+/// `rest_wavelength_nm`, received at `doppler_factor`.
+#[must_use]
+pub fn surface_colour(
+    appearance: &Appearance,
+    rest_wavelength_nm: f64,
+    rest_normal: DVec3,
+    doppler_factor: f64,
+) -> [f64; 3] {
+    let wavelength_nm = if appearance.doppler_shift {
+        received_wavelength(rest_wavelength_nm, doppler_factor)
+    } else {
+        rest_wavelength_nm
+    };
+    let intensity = appearance.intensity_exponent.map_or(1.0, |n| intensity_factor(doppler_factor, n));
+    let shading = match appearance.shading {
+        Shading::Emission => 1.0,
+        Shading::Form => form(rest_normal),
+    };
+    // A product that overflows is as bright as can be, not infinite: black times infinity is no number.
+    let brightness = (intensity * shading * appearance.exposure_ev.exp2()).min(f64::MAX);
+    linear_srgb(wavelength_nm, appearance.colour).map(|part| part * brightness)
+}

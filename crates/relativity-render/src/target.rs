@@ -1,0 +1,145 @@
+//! Where a picture is drawn: an off-screen texture per eye, and its readback.
+
+use crate::gpu::{Gpu, GpuError};
+
+/// Samples per pixel of a picture.
+pub(crate) const SAMPLES: u32 = 4;
+pub(crate) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
+/// Written as linear light; the hardware encodes, and blends and averages in linear light.
+pub(crate) const LINEAR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8UnormSrgb;
+pub(crate) const ENCODED_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+pub(crate) const MEASURES_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
+
+/// One eye's picture: sRGB-encoded RGBA8 that can be sampled, copied and read back.
+#[derive(Debug)]
+pub struct EyeTarget {
+    size: [u32; 2],
+    /// The finished picture, numbers sRGB-encoded.
+    pub(crate) picture: wgpu::Texture,
+    picture_view: wgpu::TextureView,
+    /// Where samples are resolved to, as linear light.
+    pub(crate) resolved: wgpu::TextureView,
+    pub(crate) samples: wgpu::TextureView,
+    pub(crate) depth: wgpu::TextureView,
+    pub(crate) instances: crate::exact::InstanceBuffers,
+}
+
+impl EyeTarget {
+    /// A picture of `size` pixels (width, height), at least 1x1 and at most what the device allows.
+    #[must_use]
+    pub fn new(gpu: &Gpu, size: [u32; 2]) -> Self {
+        use wgpu::TextureUsages as Usage;
+        let limit = gpu.device.limits().max_texture_dimension_2d;
+        let size = size.map(|v| v.clamp(1, limit));
+        let picture = texture(
+            gpu,
+            "picture",
+            size,
+            1,
+            ENCODED_FORMAT,
+            Usage::RENDER_ATTACHMENT | Usage::TEXTURE_BINDING | Usage::COPY_SRC,
+            &[LINEAR_FORMAT],
+        );
+        let resolved = picture.create_view(&wgpu::TextureViewDescriptor {
+            format: Some(LINEAR_FORMAT),
+            usage: Some(Usage::RENDER_ATTACHMENT),
+            ..Default::default()
+        });
+        let attachment = |label, format| {
+            texture(gpu, label, size, SAMPLES, format, Usage::RENDER_ATTACHMENT, &[])
+                .create_view(&wgpu::TextureViewDescriptor::default())
+        };
+        Self {
+            size,
+            picture_view: picture.create_view(&wgpu::TextureViewDescriptor::default()),
+            picture,
+            resolved,
+            samples: attachment("samples", LINEAR_FORMAT),
+            depth: attachment("depth", DEPTH_FORMAT),
+            instances: crate::exact::InstanceBuffers::new(gpu),
+        }
+    }
+
+    /// Width and height, pixels.
+    #[must_use]
+    pub fn size(&self) -> [u32; 2] {
+        self.size
+    }
+
+    /// The picture, sRGB-encoded.
+    #[must_use]
+    pub fn view(&self) -> &wgpu::TextureView {
+        &self.picture_view
+    }
+
+    /// The picture as RGBA bytes, sRGB-encoded, rows from the top.
+    ///
+    /// # Errors
+    ///
+    /// The device was lost.
+    pub fn rgba8(&self, gpu: &Gpu) -> Result<Vec<u8>, GpuError> {
+        bytes(gpu, &self.picture, self.size, 4)
+    }
+}
+
+pub(crate) fn texture(
+    gpu: &Gpu,
+    label: &str,
+    [width, height]: [u32; 2],
+    sample_count: u32,
+    format: wgpu::TextureFormat,
+    usage: wgpu::TextureUsages,
+    view_formats: &[wgpu::TextureFormat],
+) -> wgpu::Texture {
+    gpu.device.create_texture(&wgpu::TextureDescriptor {
+        label: Some(label),
+        size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+        mip_level_count: 1,
+        sample_count,
+        dimension: wgpu::TextureDimension::D2,
+        format,
+        usage,
+        view_formats,
+    })
+}
+
+/// The texture's bytes, without the padding of rows.
+pub(crate) fn bytes(
+    gpu: &Gpu,
+    texture: &wgpu::Texture,
+    [width, height]: [u32; 2],
+    bytes_per_pixel: u32,
+) -> Result<Vec<u8>, GpuError> {
+    let row = width * bytes_per_pixel;
+    let padded_row = row.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+    let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("readback"),
+        size: u64::from(padded_row) * u64::from(height),
+        usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+        mapped_at_creation: false,
+    });
+    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    encoder.copy_texture_to_buffer(
+        texture.as_image_copy(),
+        wgpu::TexelCopyBufferInfo {
+            buffer: &buffer,
+            layout: wgpu::TexelCopyBufferLayout {
+                offset: 0,
+                bytes_per_row: Some(padded_row),
+                rows_per_image: None,
+            },
+        },
+        texture.size(),
+    );
+    gpu.queue.submit([encoder.finish()]);
+    let (sender, receiver) = std::sync::mpsc::channel();
+    buffer.map_async(wgpu::MapMode::Read, .., move |result| {
+        // The receiver waits below; if it is gone, nobody wants the answer.
+        let _ = sender.send(result);
+    });
+    let failed = |error: &dyn std::fmt::Display| GpuError::Readback(error.to_string());
+    gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| failed(&e))?;
+    receiver.recv().map_err(|e| failed(&e))?.map_err(|e| failed(&e))?;
+    let mapped = buffer.get_mapped_range(..).map_err(|e| failed(&e))?;
+    Ok(mapped.chunks(padded_row as usize).flat_map(|padded| &padded[..row as usize]).copied().collect())
+}

@@ -1,0 +1,129 @@
+//! The colour of a wavelength, against published values.
+//!
+//! References: G. Wyszecki and W. S. Stiles, *Color Science*, 2nd ed. (1982), table I(3.3.1): functions,
+//! chromaticities and sums; IEC 61966-2-1 for the way back from sRGB.
+
+use relativity_render::Colour::{False, Visible};
+use relativity_render::colour::{colour_matching, hue_preserving_clip, linear_srgb, luminance, srgb_encoded};
+
+fn nm(from: u32, to: u32, step: usize) -> impl Iterator<Item = f64> {
+    (from..=to).step_by(step).map(f64::from)
+}
+
+fn chromaticity([x, y, z]: [f64; 3]) -> [f64; 2] {
+    [x / (x + y + z), y / (x + y + z)]
+}
+
+/// The printed way back, rounded as the standard rounds it.
+fn xyz_from_srgb([r, g, b]: [f64; 3]) -> [f64; 3] {
+    [
+        0.4124 * r + 0.3576 * g + 0.1805 * b,
+        0.2126 * r + 0.7152 * g + 0.0722 * b,
+        0.0193 * r + 0.1192 * g + 0.9505 * b,
+    ]
+}
+
+#[test]
+fn the_table_holds_the_published_functions() {
+    let published = [
+        (450.0, [0.3362, 0.0380, 1.77211]),
+        (500.0, [0.0049, 0.3230, 0.2720]),
+        (555.0, [0.51205, 1.0, 0.00575]),
+        (600.0, [1.0622, 0.6310, 0.0008]),
+        (700.0, [0.011_359, 0.004_102, 0.0]),
+    ];
+    for (wavelength, expected) in published {
+        let found = colour_matching(wavelength).expect("inside the table");
+        for (found, expected) in found.into_iter().zip(expected) {
+            assert!((found - expected).abs() <= 5e-6, "{wavelength} nm: {found} against {expected}");
+        }
+    }
+    assert_eq!(colour_matching(359.9), None);
+    assert_eq!(colour_matching(830.1), None);
+    assert_eq!(colour_matching(f64::NAN), None);
+}
+
+#[test]
+fn the_sums_over_the_table_are_the_published_ones() {
+    let sums = nm(380, 780, 5).fold([0.0; 3], |sum: [f64; 3], wavelength| {
+        let value = colour_matching(wavelength).expect("inside the table");
+        std::array::from_fn(|i| sum[i] + value[i])
+    });
+    for (sum, published) in sums.into_iter().zip([21.3714, 21.3711, 21.3715]) {
+        assert!((sum - published).abs() < 2e-3, "{sum} against {published}");
+    }
+}
+
+#[test]
+fn spectral_chromaticities_are_the_published_ones() {
+    for (wavelength, published) in [
+        (460.0, [0.1440, 0.0297]),
+        (520.0, [0.0743, 0.8338]),
+        (580.0, [0.5125, 0.4866]),
+        (700.0, [0.7347, 0.2653]),
+    ] {
+        let found = chromaticity(colour_matching(wavelength).expect("inside the table"));
+        assert!((found[0] - published[0]).abs() < 1e-4 && (found[1] - published[1]).abs() < 1e-4);
+    }
+}
+
+#[test]
+fn desaturating_keeps_the_hue_and_stops_at_the_edge_of_srgb() {
+    let white = chromaticity(xyz_from_srgb([1.0; 3]));
+    for wavelength in nm(420, 710, 1) {
+        let rgb = linear_srgb(wavelength, Visible);
+        let smallest = rgb.into_iter().fold(f64::INFINITY, f64::min);
+        let largest = rgb.into_iter().fold(0.0, f64::max);
+        assert!(smallest.abs() < 1e-12 && (largest - 1.0).abs() < 1e-12, "{wavelength} nm: {rgb:?}");
+
+        let spectral = chromaticity(colour_matching(wavelength).expect("inside the table"));
+        let shown = chromaticity(xyz_from_srgb(rgb));
+        let [a, b] = [spectral[0] - white[0], spectral[1] - white[1]];
+        let [c, d] = [shown[0] - white[0], shown[1] - white[1]];
+        assert!(a * c + b * d > 0.0, "{wavelength} nm turned to the complementary hue");
+        let off_line = (a * d - b * c) / a.hypot(b);
+        assert!(off_line.abs() < 5e-4, "{wavelength} nm: {off_line} off the line to white");
+    }
+}
+
+#[test]
+fn visible_light_fades_smoothly_to_black_at_both_ends() {
+    for dark in [1e-3, 1.0, 200.0, 359.0, 380.0, 780.0, 900.0, 1e9] {
+        assert_eq!(linear_srgb(dark, Visible), [0.0; 3], "{dark} nm");
+    }
+    let red = linear_srgb(700.0, Visible);
+    assert!(red[0] == 1.0 && red[1] < 1e-12 && red[2] < 0.1, "the paper's red is full red: {red:?}");
+    for wavelength in nm(1440, 3200, 1).map(|quarter| quarter / 4.0) {
+        let [here, next] = [wavelength, wavelength + 0.25].map(|nm| linear_srgb(nm, Visible));
+        let step = (0..3).map(|i| (here[i] - next[i]).abs()).fold(0.0, f64::max);
+        assert!(step < 0.03, "a jump of {step} at {wavelength} nm");
+    }
+}
+
+#[test]
+fn false_colour_equals_the_visible_one_and_brightens_outwards() {
+    for wavelength in nm(420, 710, 1) {
+        assert_eq!(linear_srgb(wavelength, False), linear_srgb(wavelength, Visible));
+    }
+    let brightens = |wavelengths: Vec<f64>| {
+        let shown: Vec<_> = wavelengths.iter().map(|&nm| luminance(linear_srgb(nm, False))).collect();
+        assert!(shown.windows(2).all(|pair| pair[1] > pair[0]));
+    };
+    brightens((0..100).map(|i| 420.0 * 10f64.powf(f64::from(-i) / 100.0)).collect());
+    brightens((0..100).map(|i| 710.0 * 10f64.powf(f64::from(i) / 100.0)).collect());
+    let [ultraviolet, infrared] = [1e-6, 1e12].map(|nm| linear_srgb(nm, False));
+    assert!(ultraviolet[2] > ultraviolet[0] && infrared[0] > infrared[2]);
+}
+
+#[test]
+fn clipping_keeps_the_ratios_of_the_components() {
+    assert_eq!(hue_preserving_clip([4.0, 1.0, 0.0]), [1.0, 0.25, 0.0]);
+    assert_eq!(hue_preserving_clip([0.5, 0.1, 0.0]), [0.5, 0.1, 0.0]);
+}
+
+#[test]
+fn the_srgb_curve_has_the_standard_values() {
+    assert!((srgb_encoded(0.214_041_14) - 0.5).abs() < 1e-6);
+    assert_eq!(srgb_encoded(0.0), 0.0);
+    assert!((srgb_encoded(1.0) - 1.0).abs() < 1e-12);
+}

@@ -1,0 +1,35 @@
+//! What several tests share: spread numbers and signed distances.
+
+use glam::DVec3;
+use relativity_render::Shape;
+
+/// The `i`-th of a sequence that fills the unit cube of `N` dimensions evenly (Kronecker sequence of
+/// square roots of primes).
+#[must_use]
+pub fn spread<const N: usize>(i: u32) -> [f64; N] {
+    const PRIMES: [f64; 12] = [2., 3., 5., 7., 11., 13., 17., 19., 23., 29., 31., 37.];
+    std::array::from_fn(|k| (f64::from(i) * PRIMES[k].sqrt()).fract())
+}
+
+/// A point in the cube [-1, 1]^3.
+#[must_use]
+pub fn centred(u: [f64; 3]) -> DVec3 {
+    2.0 * DVec3::from(u) - 1.0
+}
+
+/// Signed distance of `p` from the surface of `shape`, negative inside.
+#[must_use]
+pub fn signed_distance(shape: &Shape, p: DVec3) -> f64 {
+    match *shape {
+        Shape::Sphere { center, radius } => p.distance(center.into()) - radius,
+        Shape::Tube { from, to, radius } => {
+            let (from, to) = (DVec3::from(from), DVec3::from(to));
+            let share = (p - from).dot(to - from) / from.distance_squared(to);
+            p.distance(from.lerp(to, share.clamp(0.0, 1.0))) - radius
+        }
+        Shape::Ring { center, axis, radius, tube_radius } => {
+            let (p, axis) = (p - DVec3::from(center), DVec3::from(axis));
+            (p.cross(axis).length() - radius).hypot(p.dot(axis)) - tube_radius
+        }
+    }
+}

@@ -1,0 +1,294 @@
+//! CSV rows in: which column is which, the numbers in them, and where in the file a fault is.
+//!
+//! Comma-separated as in RFC 4180, with any line ending; a byte order mark and blank lines are skipped.
+//! There are no comments: a line that starts with `#` is a row. Numbers may be quoted or padded
+//! with blanks. Columns that mean nothing here may hold any bytes.
+
+use std::io::{self, Read};
+
+use csv::ByteRecord;
+use relativity_core::SourcePoint;
+use thiserror::Error;
+
+use super::columns::{COLUMNS, Observation, ObservationError};
+use super::csv_out::io_error;
+use crate::cli::SpeedParameter;
+
+const BUFFER_BYTES: usize = 1 << 16;
+
+/// Reads rows, and knows the line of the last one.
+pub struct Rows<R> {
+    csv: csv::Reader<Tap<R>>,
+}
+
+impl<R: Read> Rows<R> {
+    pub fn new(reader: R) -> Self {
+        let csv = csv::ReaderBuilder::new()
+            .has_headers(false)
+            .flexible(true) // rows of the wrong length get an error of ours
+            .buffer_capacity(BUFFER_BYTES)
+            .from_reader(Tap { inner: reader, chunk: Vec::new(), bytes: 0 });
+        Self { csv }
+    }
+
+    /// Reads the next row into `row`; false if there is none.
+    pub fn read(&mut self, row: &mut ByteRecord) -> io::Result<bool> {
+        self.csv.read_byte_record(row).map_err(io_error)
+    }
+
+    /// The line, from 1, on which `row`, the last one read, starts.
+    ///
+    /// The position that csv notes for a record is that of the line end and the blank lines before it, so
+    /// we count back from its end.
+    pub fn line(&self, row: &ByteRecord) -> u64 {
+        let end = self.csv.position();
+        let breaks_inside = row.as_slice().split(|&byte| byte == b'\n').count() as u64 - 1;
+        let break_at_end = self.csv.get_ref().before(end.byte()).last() == Some(&b'\n');
+        end.line() - breaks_inside - u64::from(break_at_end)
+    }
+
+    /// Whether the next read waits for input: nothing is left but, after a carriage return, a line feed.
+    pub fn is_drained(&self) -> bool {
+        let left = self.csv.get_ref().after(self.csv.position().byte());
+        left.iter().all(|byte| matches!(byte, b'\r' | b'\n'))
+    }
+}
+
+/// A reader that remembers what it gave last.
+struct Tap<R> {
+    inner: R,
+    chunk: Vec<u8>,
+    bytes: u64,
+}
+
+impl<R: Read> Read for Tap<R> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let count = self.inner.read(buffer)?;
+        if count > 0 {
+            self.chunk.clear();
+            self.chunk.extend_from_slice(&buffer[..count]);
+            self.bytes += count as u64;
+        }
+        Ok(count)
+    }
+}
+
+impl<R> Tap<R> {
+    /// What it gave last, before `position` in the file.
+    fn before(&self, position: u64) -> &[u8] {
+        self.chunk.split_at(self.place(position)).0
+    }
+
+    /// What it gave last, from `position` in the file on.
+    fn after(&self, position: u64) -> &[u8] {
+        self.chunk.split_at(self.place(position)).1
+    }
+
+    fn place(&self, position: u64) -> usize {
+        // csv buffers nothing but what it was given last, so `position` is within it.
+        self.chunk.len() - (self.bytes - position) as usize
+    }
+}
+
+/// Where the inputs are in each row.
+#[derive(Debug)]
+pub struct Header {
+    speed_parameter: SpeedParameter,
+    speed: usize,
+    d: usize,
+    y: usize,
+    z: usize,
+    time: usize,
+    x0: Option<usize>,
+    names: ByteRecord,
+}
+
+/// A header that does not say where the inputs are.
+#[derive(Debug, PartialEq, Error)]
+pub enum HeaderError {
+    /// There is no row at all.
+    #[error("there is no header; it should name the columns, as in beta,d,y,z,T")]
+    Empty,
+    /// A column is not there.
+    #[error("column {name} is missing; the header should name {needed}, and it names {found}")]
+    Missing {
+        /// The column.
+        name: &'static str,
+        /// All the columns that are needed.
+        needed: &'static str,
+        /// All the columns there are.
+        found: String,
+    },
+    /// A column is there twice.
+    #[error("column {name} is there twice, as fields {first} and {second}; it should be there once")]
+    Duplicate {
+        /// The column.
+        name: &'static str,
+        /// Its first place, from 1.
+        first: usize,
+        /// Its second place, from 1.
+        second: usize,
+    },
+    /// The speed is given in two ways.
+    #[error("columns {0} and {1} both give the speed; there should be one of beta, gamma, rapidity")]
+    TwoSpeeds(&'static str, &'static str),
+    /// A column has the name of one that will be appended.
+    #[error("column {0} is there already, and would be appended again; it should be dropped or renamed")]
+    Taken(&'static str),
+}
+
+const NEEDED: &str = "d, y, z, T and one of beta, gamma, rapidity";
+
+impl Header {
+    /// Finds the inputs by the names in the first row.
+    pub fn new(names: ByteRecord) -> Result<Self, HeaderError> {
+        if names.is_empty() {
+            return Err(HeaderError::Empty);
+        }
+        for name in COLUMNS {
+            if place(&names, name)?.is_some() {
+                return Err(HeaderError::Taken(name));
+            }
+        }
+        let (speed_parameter, speed) = speed_place(&names)?;
+        Ok(Self {
+            speed_parameter,
+            speed,
+            d: needed_place(&names, "d")?,
+            y: needed_place(&names, "y")?,
+            z: needed_place(&names, "z")?,
+            time: needed_place(&names, "T")?,
+            x0: place(&names, "x0")?,
+            names,
+        })
+    }
+
+    /// The observation that `row` describes.
+    pub fn observation(&self, row: &ByteRecord) -> Result<Observation, RowError> {
+        self.check_length(row)?;
+        let speed = self.speed_parameter.speed(self.number(row, self.speed)?)?;
+        let x0 = self.x0.map_or(Ok(0.0), |place| self.number(row, place))?;
+        let point = SourcePoint { x0, y: self.number(row, self.y)?, z: self.number(row, self.z)? };
+        let (separation, time) = (self.number(row, self.d)?, self.number(row, self.time)?);
+        Ok(Observation { speed, point, separation, time })
+    }
+
+    fn check_length(&self, row: &ByteRecord) -> Result<(), RowError> {
+        let (fields, columns) = (row.len(), self.names.len());
+        if fields < columns {
+            let column = legible(&self.names[fields]);
+            return Err(RowError::TooShort { fields, columns, column });
+        }
+        if fields > columns {
+            let value = legible(&row[columns]);
+            return Err(RowError::TooLong { fields, columns, value });
+        }
+        Ok(())
+    }
+
+    fn number(&self, row: &ByteRecord, place: usize) -> Result<f64, RowError> {
+        let fault = |problem| RowError::Value {
+            column: legible(&self.names[place]),
+            value: legible(&row[place]),
+            problem,
+        };
+        let text = row[place].trim_ascii();
+        if text.is_empty() {
+            return Err(fault("is empty; it should be a number"));
+        }
+        let number = std::str::from_utf8(text).ok().and_then(|text| text.parse::<f64>().ok());
+        match number {
+            Some(number) if number.is_finite() => Ok(number),
+            Some(_) => Err(fault("is not finite; it should be a number that a 64-bit float can hold")),
+            None => Err(fault("is not a number; it should be one such as 0.9 or 1e-3")),
+        }
+    }
+}
+
+/// The place of the column `name`, blanks around it aside.
+fn place(names: &ByteRecord, name: &'static str) -> Result<Option<usize>, HeaderError> {
+    let mut places = (0..names.len()).filter(|&place| names[place].trim_ascii() == name.as_bytes());
+    let (first, second) = (places.next(), places.next());
+    match (first, second) {
+        (Some(first), Some(second)) => {
+            Err(HeaderError::Duplicate { name, first: first + 1, second: second + 1 })
+        }
+        _ => Ok(first),
+    }
+}
+
+fn needed_place(names: &ByteRecord, name: &'static str) -> Result<usize, HeaderError> {
+    place(names, name)?.ok_or_else(|| missing(names, name))
+}
+
+fn missing(names: &ByteRecord, name: &'static str) -> HeaderError {
+    let found = names.iter().map(legible).collect::<Vec<_>>().join(", ");
+    HeaderError::Missing { name, needed: NEEDED, found: shortened(&found, 120) }
+}
+
+fn speed_place(names: &ByteRecord) -> Result<(SpeedParameter, usize), HeaderError> {
+    let mut found = None;
+    for parameter in SpeedParameter::ALL {
+        let Some(place) = place(names, parameter.name())? else { continue };
+        if let Some((earlier, _)) = found.replace((parameter, place)) {
+            return Err(HeaderError::TwoSpeeds(earlier.name(), parameter.name()));
+        }
+    }
+    found.ok_or_else(|| missing(names, "beta, gamma or rapidity"))
+}
+
+/// A row that describes no observation.
+#[derive(Debug, PartialEq, Error)]
+pub enum RowError {
+    /// Fields are missing at its end.
+    #[error("column {column} has no value; the row has {fields} fields, and should have {columns}")]
+    TooShort {
+        /// How many fields the row has.
+        fields: usize,
+        /// How many the header has.
+        columns: usize,
+        /// The first column without a value.
+        column: String,
+    },
+    /// There are more fields than columns.
+    #[error("{value:?} belongs to no column; the row has {fields} fields, and should have {columns}")]
+    TooLong {
+        /// How many fields the row has.
+        fields: usize,
+        /// How many the header has.
+        columns: usize,
+        /// The first value without a column.
+        value: String,
+    },
+    /// A value is no finite number.
+    #[error("column {column}: {value:?} {problem}")]
+    Value {
+        /// Its column.
+        column: String,
+        /// The value as it stands.
+        value: String,
+        /// What is wrong with it.
+        problem: &'static str,
+    },
+    /// A value is outside its domain.
+    #[error("column {}: {}", .0.column(), .0)]
+    Observation(ObservationError),
+}
+
+impl<E: Into<ObservationError>> From<E> for RowError {
+    fn from(error: E) -> Self {
+        Self::Observation(error.into())
+    }
+}
+
+/// `field` as it can stand in a message.
+fn legible(field: &[u8]) -> String {
+    shortened(&String::from_utf8_lossy(field.trim_ascii()).escape_debug().to_string(), 40)
+}
+
+fn shortened(text: &str, length: usize) -> String {
+    match text.char_indices().nth(length) {
+        Some((end, _)) => format!("{}...", &text[..end]),
+        None => text.to_owned(),
+    }
+}

@@ -1,0 +1,150 @@
+//! What can be wrong with a scene, said in one line that a person who writes scene files can act on.
+
+use std::ops::Range;
+
+use thiserror::Error;
+
+use super::presets::PRESETS;
+
+/// A scene that cannot be had.
+#[derive(Debug, Error)]
+pub enum SceneError {
+    /// The file could not be read.
+    #[error("{source_name}: cannot read this scene file: {reason}")]
+    Read {
+        /// The file.
+        source_name: String,
+        /// Why.
+        reason: std::io::Error,
+    },
+    /// Neither a preset nor a path.
+    #[error("no scene is called `{0}`: there are {list}; for a file, give a name ending in .toml", list = PRESETS.join(", "))]
+    UnknownPreset(String),
+    /// The file says something wrong.
+    #[error("{source_name}:{line}: {problem}")]
+    Content {
+        /// The file.
+        source_name: String,
+        /// Line in it, from 1.
+        line: usize,
+        /// What is wrong there.
+        problem: Problem,
+    },
+}
+
+/// What is wrong at one place of a scene file. Values are quoted as the file has them.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum Problem {
+    /// Not TOML.
+    #[error("column {column}: {message}")]
+    Syntax {
+        /// Column, from 1.
+        column: usize,
+        /// What the TOML reader says.
+        message: String,
+    },
+    /// A key that means nothing here.
+    #[error("unknown key `{key}`: {owner} has {known}")]
+    UnknownKey {
+        /// The key.
+        key: String,
+        /// What it was written in.
+        owner: &'static str,
+        /// The keys that exist there.
+        known: String,
+    },
+    /// A key that must be there.
+    #[error("{owner} needs `{key}`")]
+    MissingKey {
+        /// The key.
+        key: &'static str,
+        /// What needs it.
+        owner: &'static str,
+    },
+    /// A value of the wrong type.
+    #[error("{key} = {value} must be {expected}")]
+    WrongType {
+        /// The key.
+        key: &'static str,
+        /// Its value.
+        value: String,
+        /// What it should be.
+        expected: &'static str,
+    },
+    /// A coordinate that is not finite, or too far out to draw.
+    #[error("{key} = {value} must lie between -1e6 and 1e6")]
+    OutOfRange {
+        /// The key.
+        key: &'static str,
+        /// Its value.
+        value: String,
+    },
+    /// A radius or wavelength that is not positive.
+    #[error("{key} = {value} must be above 0")]
+    NotPositive {
+        /// The key.
+        key: &'static str,
+        /// Its value.
+        value: String,
+    },
+    /// A positive size that f32 arithmetic on a graphics card would lose or overflow.
+    #[error("{key} = {value} must lie between 1e-6 and 1e6")]
+    SizeOutOfRange {
+        /// The key.
+        key: &'static str,
+        /// Its value.
+        value: String,
+    },
+    /// A ring whose tube leaves no hole.
+    #[error("tube_radius = {tube_radius} must be below radius = {radius}")]
+    NoHole {
+        /// Radius of the tube.
+        tube_radius: String,
+        /// Radius of the ring.
+        radius: String,
+    },
+    /// An axis without a direction.
+    #[error("axis = {0} must have a direction, such as [0, 1, 0]")]
+    NoDirection(String),
+    /// A tube without length.
+    #[error("to = {0} must differ from `from`: for a ball write shape = \"sphere\"")]
+    NoLength(String),
+    /// A shape that does not exist.
+    #[error("shape = {0} must be \"sphere\", \"tube\" or \"ring\"")]
+    UnknownShape(String),
+    /// An include of what is not a preset.
+    #[error("scene = {name} must be one of {list}", name = .0, list = PRESETS.join(", "))]
+    UnknownInclude(String),
+    /// A scene without bodies.
+    #[error("a scene needs at least one [[object]] or [[include]]")]
+    Empty,
+}
+
+/// A problem and where it is: bytes of the text.
+pub(super) struct Located {
+    pub span: Range<usize>,
+    pub problem: Problem,
+}
+
+impl Located {
+    /// The error as the user reads it.
+    pub fn in_source(self, text: &str, source_name: &str) -> SceneError {
+        let (line, _) = position(text, self.span.start);
+        SceneError::Content { source_name: source_name.to_owned(), line, problem: self.problem }
+    }
+
+    /// What the TOML reader found, in one line.
+    pub fn syntax(text: &str, error: &toml::de::Error) -> Self {
+        let span = error.span().unwrap_or(0..0);
+        let (_, column) = position(text, span.start);
+        let message = error.message().lines().collect::<Vec<_>>().join("; ");
+        Self { span, problem: Problem::Syntax { column, message } }
+    }
+}
+
+/// Line and column, from 1, of a byte of the text.
+fn position(text: &str, offset: usize) -> (usize, usize) {
+    let before = text.get(..offset).unwrap_or(text);
+    let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+    (before.matches('\n').count() + 1, before[line_start..].chars().count() + 1)
+}

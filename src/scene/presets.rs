@@ -1,0 +1,20 @@
+//! The scenes that are compiled in.
+
+/// Names of the presets; the first is the default.
+pub const PRESETS: [&str; 4] = ["cyclist", "street", "two-balls", "lattice"];
+
+/// The scene file of a preset.
+pub(super) fn text(name: &str) -> Option<&'static str> {
+    Some(match name {
+        "cyclist" => include_str!("../../assets/scenes/cyclist.toml"),
+        "street" => include_str!("../../assets/scenes/street.toml"),
+        "two-balls" => include_str!("../../assets/scenes/two-balls.toml"),
+        "lattice" => include_str!("../../assets/scenes/lattice.toml"),
+        _ => return None,
+    })
+}
+
+/// Whether `word` reads as a misspelt preset rather than as a path.
+pub(super) fn looks_like_a_name(word: &str) -> bool {
+    !word.contains(['/', '\\', '.'])
+}

@@ -1,0 +1,184 @@
+//! Typed, located reading of one table of a scene file.
+
+use std::ops::Range;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::error::{Located, Problem};
+
+/// Largest magnitude of a coordinate: beyond it, f32 has steps of more than 1/16.
+const MAX_COORDINATE: f64 = 1e6;
+
+/// Smallest size and distance: its square is still far from the smallest f32.
+const MIN_SIZE: f64 = 1e-6;
+
+/// One table of a scene file.
+pub(super) struct Table<'a> {
+    /// The whole file.
+    pub text: &'a str,
+    /// Its keys and values.
+    pub entries: &'a DeTable<'a>,
+    /// Where it is: what a missing key is reported at.
+    pub span: Range<usize>,
+    /// What it describes, with its article.
+    pub owner: &'static str,
+}
+
+impl<'a> Table<'a> {
+    /// Refuses keys other than `known`.
+    pub fn check_keys(&self, known: &[&str]) -> Result<(), Located> {
+        let unknown = self.entries.keys().filter(|key| !known.contains(&key.get_ref().as_ref()));
+        let Some(first) = unknown.min_by_key(|key| key.span().start) else { return Ok(()) };
+        let key = first.get_ref().to_string();
+        let problem = Problem::UnknownKey { key, owner: self.owner, known: known.join(", ") };
+        Err(Located { span: first.span(), problem })
+    }
+
+    /// A coordinate, if the key is there.
+    pub fn coordinate(&self, key: &'static str) -> Result<Option<f64>, Located> {
+        self.value(key).map(|value| self.coordinate_of(key, value, "a number")).transpose()
+    }
+
+    /// A positive size, if the key is there.
+    pub fn size(&self, key: &'static str) -> Result<Option<f64>, Located> {
+        self.value(key).map(|value| self.size_of(key, value)).transpose()
+    }
+
+    /// A point, if the key is there.
+    pub fn point(&self, key: &'static str) -> Result<Option<[f64; 3]>, Located> {
+        self.value(key).map(|value| self.point_of(key, value)).transpose()
+    }
+
+    /// A string that must be there.
+    pub fn needed_string(&self, key: &'static str) -> Result<&'a str, Located> {
+        let value = self.value(key).ok_or_else(|| self.missing(key))?;
+        value.get_ref().as_str().ok_or_else(|| self.wrong_type(key, value, "a text in double quotes"))
+    }
+
+    /// A positive size that must be there.
+    pub fn needed_size(&self, key: &'static str) -> Result<f64, Located> {
+        self.size(key)?.ok_or_else(|| self.missing(key))
+    }
+
+    /// A point that must be there.
+    pub fn needed_point(&self, key: &'static str) -> Result<[f64; 3], Located> {
+        self.point(key)?.ok_or_else(|| self.missing(key))
+    }
+
+    /// A unit vector that must be there; the file may give it any length.
+    pub fn needed_direction(&self, key: &'static str) -> Result<[f64; 3], Located> {
+        let vector = self.needed_point(key)?;
+        let largest = vector.into_iter().fold(0.0, |largest: f64, v| largest.max(v.abs()));
+        if largest == 0.0 {
+            return Err(self.problem_at(key, Problem::NoDirection));
+        }
+        // Scaled first, so that no square underflows.
+        let scaled = glam::DVec3::from(vector) / largest;
+        Ok((scaled / scaled.length()).to_array())
+    }
+
+    /// The tables of an array of tables; none if the key is not there.
+    pub fn tables(&self, key: &'static str, owner: &'static str) -> Result<Vec<Table<'a>>, Located> {
+        let Some(value) = self.value(key) else { return Ok(Vec::new()) };
+        let expected = "tables, each headed by its name in double brackets";
+        let DeValue::Array(items) = value.get_ref() else {
+            return Err(self.wrong_type(key, value, expected));
+        };
+        let table = |item: &'a Spanned<DeValue<'a>>| match item.get_ref() {
+            DeValue::Table(entries) => Ok(Table { text: self.text, entries, span: item.span(), owner }),
+            _ => Err(self.wrong_type(key, item, expected)),
+        };
+        items.iter().map(table).collect()
+    }
+
+    /// The problem with the value of `key`, which quotes that value.
+    pub fn problem_at(&self, key: &str, problem: impl FnOnce(String) -> Problem) -> Located {
+        let span = self.value(key).map_or(self.span.clone(), Spanned::span);
+        Located { problem: problem(self.quoted(&span)), span }
+    }
+
+    /// The value of `key` as the file has it.
+    pub fn quoted_value(&self, key: &str) -> String {
+        self.value(key).map_or_else(String::new, |value| self.quoted(&value.span()))
+    }
+
+    fn value(&self, key: &str) -> Option<&'a Spanned<DeValue<'a>>> {
+        self.entries.get(key)
+    }
+
+    fn missing(&self, key: &'static str) -> Located {
+        let problem = Problem::MissingKey { key, owner: self.owner };
+        Located { span: self.span.clone(), problem }
+    }
+
+    fn wrong_type(&self, key: &'static str, value: &Spanned<DeValue>, expected: &'static str) -> Located {
+        let span = value.span();
+        Located { problem: Problem::WrongType { key, value: self.quoted(&span), expected }, span }
+    }
+
+    fn coordinate_of(
+        &self,
+        key: &'static str,
+        value: &Spanned<DeValue>,
+        expected: &'static str,
+    ) -> Result<f64, Located> {
+        let number = number(value.get_ref()).ok_or_else(|| self.wrong_type(key, value, expected))?;
+        if number.abs() <= MAX_COORDINATE {
+            return Ok(number);
+        }
+        let span = value.span();
+        Err(Located { problem: Problem::OutOfRange { key, value: self.quoted(&span) }, span })
+    }
+
+    fn size_of(&self, key: &'static str, value: &Spanned<DeValue>) -> Result<f64, Located> {
+        let size = number(value.get_ref()).ok_or_else(|| self.wrong_type(key, value, "a number"))?;
+        if (MIN_SIZE..=MAX_COORDINATE).contains(&size) {
+            return Ok(size);
+        }
+        let span = value.span();
+        let value = self.quoted(&span);
+        let problem = if size <= 0.0 {
+            Problem::NotPositive { key, value }
+        } else {
+            Problem::SizeOutOfRange { key, value }
+        };
+        Err(Located { span, problem })
+    }
+
+    fn point_of(&self, key: &'static str, value: &Spanned<DeValue>) -> Result<[f64; 3], Located> {
+        const EXPECTED: &str = "three numbers [x, y, z]";
+        let Some([x, y, z]) = value.get_ref().as_array().map(|array| &array[..]) else {
+            return Err(self.wrong_type(key, value, EXPECTED));
+        };
+        let coordinate = |item| self.coordinate_of(key, item, EXPECTED);
+        Ok([coordinate(x)?, coordinate(y)?, coordinate(z)?])
+    }
+
+    /// A piece of the file, in one line of bounded length.
+    fn quoted(&self, span: &Range<usize>) -> String {
+        const LONGEST: usize = 40;
+        let words = self.text[span.clone()].split_whitespace().collect::<Vec<_>>().join(" ");
+        if words.chars().count() <= LONGEST {
+            return words;
+        }
+        words.chars().take(LONGEST).chain("...".chars()).collect()
+    }
+}
+
+/// Whether two points are too close for a direction between them.
+pub(super) fn coincide(a: [f64; 3], b: [f64; 3]) -> bool {
+    glam::DVec3::from(a).distance(b.into()) < MIN_SIZE
+}
+
+/// The number that a value is.
+fn number(value: &DeValue) -> Option<f64> {
+    match value {
+        DeValue::Float(float) => float.as_str().parse().ok(),
+        // Larger integers than i128 holds are out of range whatever they are.
+        DeValue::Integer(integer) => {
+            Some(i128::from_str_radix(integer.as_str(), integer.radix()).map_or(f64::INFINITY, |i| i as f64))
+        }
+        _ => None,
+    }
+}

@@ -1,0 +1,270 @@
+//! Scene files, right and wrong.
+
+use relativity_render::{Body, Shape};
+
+use super::{PRESETS, Scene, SceneError};
+
+const EXAMPLE: &str = r#"
+name = "Two balls"
+
+[[object]]
+shape = "sphere"
+center = [0.0, 3.0, 2.0]
+radius = 0.5
+wavelength_nm = 550
+
+[[object]]
+shape = "tube"
+from = [-1, 3, 0.5]
+to = [1, 3, 0.5]
+radius = 0.1
+
+[[object]]
+shape = "ring"
+center = [0, 4, 0]
+axis = [0, 3, 4]
+radius = 0.5
+tube_radius = 0.125
+"#;
+
+fn error(text: &str) -> String {
+    Scene::parse(text, "balls.toml").expect_err("the file is wrong").to_string()
+}
+
+/// The error of a file whose only object, from line 2 on, is `object`.
+fn object_error(object: &str) -> String {
+    error(&format!("name = \"x\"\n[[object]]\n{object}\n"))
+}
+
+#[test]
+fn objects_keep_their_order_and_what_the_file_says() {
+    let scene = Scene::parse(EXAMPLE, "balls.toml").expect("the example is right");
+    assert_eq!(scene.name, "Two balls");
+    assert_eq!(scene.ground_z, None);
+    let sphere = Shape::Sphere { center: [0.0, 3.0, 2.0], radius: 0.5 };
+    let tube = Shape::Tube { from: [-1.0, 3.0, 0.5], to: [1.0, 3.0, 0.5], radius: 0.1 };
+    let ring =
+        Shape::Ring { center: [0.0, 4.0, 0.0], axis: [0.0, 0.6, 0.8], radius: 0.5, tube_radius: 0.125 };
+    let expected = [(sphere, 550.0), (tube, 700.0), (ring, 700.0)];
+    let expected = expected.map(|(shape, rest_wavelength_nm)| Body { shape, rest_wavelength_nm });
+    assert_eq!(scene.bodies, expected);
+}
+
+#[test]
+fn the_forward_most_point_is_tracked_unless_the_file_names_another() {
+    let forward_most = Scene::parse(EXAMPLE, "x").expect("right").tracked;
+    assert_eq!(forward_most, [1.1, 3.0, 0.5]);
+    let chosen = format!("tracked = [1, 2, 3]\n{EXAMPLE}");
+    assert_eq!(Scene::parse(&chosen, "x").expect("right").tracked, [1.0, 2.0, 3.0]);
+}
+
+#[test]
+fn a_tilted_ring_is_forward_most_where_its_tube_faces_forward() {
+    let ring = "center = [0, 0, 0]\naxis = [3, 4, 0]\nradius = 1\ntube_radius = 0.25";
+    let scene =
+        Scene::parse(&format!("name = \"x\"\n[[object]]\nshape = \"ring\"\n{ring}"), "x").expect("right");
+    let expected = glam::DVec3::new(0.8 + 0.25, -0.6, 0.0);
+    assert!(expected.distance(scene.tracked.into()) < 1e-15, "{:?}", scene.tracked);
+}
+
+#[test]
+fn a_ring_that_faces_forward_is_tracked_on_its_tube() {
+    let ring = "center = [0, 0, 0]\naxis = [1, 0, 0]\nradius = 1\ntube_radius = 0.25";
+    let scene =
+        Scene::parse(&format!("name = \"x\"\n[[object]]\nshape = \"ring\"\n{ring}"), "x").expect("right");
+    let [x, y, z] = scene.tracked;
+    assert_eq!((x, y.hypot(z)), (0.25, 1.0));
+}
+
+#[test]
+fn an_include_moves_a_preset_and_comes_before_the_objects() {
+    let text = "name = \"x\"\n[[object]]\nshape = \"sphere\"\ncenter = [9, 0, 0]\nradius = 1\n\
+                [[include]]\nscene = \"cyclist\"\noffset = [1, 2, -3]\n[[include]]\nscene = \"two-balls\"";
+    let scene = Scene::parse(text, "x").expect("right");
+    let cyclist = Scene::preset("cyclist").expect("a preset");
+    let balls = Scene::preset("two-balls").expect("a preset");
+    let [Shape::Ring { center: there, .. }, Shape::Ring { center: here, .. }] =
+        [&scene, &cyclist].map(|scene| scene.bodies[0].shape)
+    else {
+        panic!("the tyre comes first")
+    };
+    assert_eq!(there, [here[0] + 1.0, here[1] + 2.0, here[2] - 3.0]);
+    let (cyclist_count, balls_count) = (cyclist.bodies.len(), balls.bodies.len());
+    assert_eq!(scene.bodies[cyclist_count..cyclist_count + balls_count], balls.bodies);
+    assert_eq!(scene.bodies.len(), cyclist_count + balls_count + 1);
+}
+
+#[test]
+fn presets_are_found_by_name_only() {
+    assert_eq!(Scene::default(), Scene::preset(PRESETS[0]).expect("a preset"));
+    assert!(PRESETS.iter().all(|name| Scene::open(name).is_ok()));
+    assert_eq!(Scene::preset("cyclist.toml"), None);
+    assert_eq!(
+        Scene::open("cycle").expect_err("no such scene").to_string(),
+        "no scene is called `cycle`: there are cyclist, street, two-balls, lattice; for a file, give a name \
+         ending in .toml"
+    );
+}
+
+#[test]
+fn a_file_that_cannot_be_read_is_named() {
+    let error = Scene::open("no/such.toml").expect_err("there is no such file");
+    assert!(matches!(error, SceneError::Read { .. }));
+    assert!(error.to_string().starts_with("no/such.toml: cannot read this scene file: "), "{error}");
+}
+
+#[test]
+fn a_syntax_error_names_line_and_column() {
+    let error = error("name = \"x\"\nground_z = = 1\n");
+    assert!(error.starts_with("balls.toml:2: column 12: ") && !error.contains('\n'), "{error}");
+}
+
+#[test]
+fn an_unknown_key_is_told_the_keys_there_are() {
+    assert_eq!(
+        error("name = \"x\"\n\ngroud_z = 1\n"),
+        "balls.toml:3: unknown key `groud_z`: a scene has name, tracked, ground_z, include, object"
+    );
+    assert_eq!(
+        object_error("shape = \"sphere\"\ncenter = [0, 3, 2]\nradus = 1"),
+        "balls.toml:5: unknown key `radus`: a sphere has shape, center, radius, wavelength_nm"
+    );
+    assert_eq!(
+        object_error("shape = \"tube\"\ncenter = [0, 3, 2]"),
+        "balls.toml:4: unknown key `center`: a tube has shape, from, to, radius, wavelength_nm"
+    );
+    assert_eq!(
+        error("name = \"x\"\n[[include]]\nscene = \"cyclist\"\nmove = [0, 0, 1]"),
+        "balls.toml:4: unknown key `move`: an include has scene, offset"
+    );
+}
+
+#[test]
+fn a_missing_key_is_reported_at_its_table() {
+    assert_eq!(error("\n\nground_z = 1\n"), "balls.toml:1: a scene needs `name`");
+    assert_eq!(object_error("radius = 1"), "balls.toml:2: an object needs `shape`");
+    assert_eq!(object_error("shape = \"sphere\"\nradius = 1"), "balls.toml:2: a sphere needs `center`");
+    assert_eq!(
+        object_error("shape = \"ring\"\ncenter = [0, 0, 0]\naxis = [0, 1, 0]\nradius = 1"),
+        "balls.toml:2: a ring needs `tube_radius`"
+    );
+}
+
+#[test]
+fn a_value_of_the_wrong_type_is_quoted() {
+    assert_eq!(error("name = 3\n"), "balls.toml:1: name = 3 must be a text in double quotes");
+    assert_eq!(
+        object_error("shape = \"sphere\"\ncenter = [0, 3]\nradius = 1"),
+        "balls.toml:4: center = [0, 3] must be three numbers [x, y, z]"
+    );
+    assert_eq!(
+        object_error("shape = \"sphere\"\ncenter = [0,\n  \"3\", 2]\nradius = 1"),
+        "balls.toml:5: center = \"3\" must be three numbers [x, y, z]"
+    );
+    assert_eq!(
+        object_error("shape = \"sphere\"\ncenter = [0, 3, 2]\nradius = true"),
+        "balls.toml:5: radius = true must be a number"
+    );
+    assert_eq!(
+        error("name = \"x\"\n[object]\nshape = \"sphere\"\n"),
+        "balls.toml:2: object = [object] must be tables, each headed by its name in double brackets"
+    );
+}
+
+#[test]
+fn a_coordinate_must_be_finite_and_within_reach() {
+    for coordinate in ["nan", "inf", "-inf", "1e7", "-1_000_001", "0xfffffffff", "9e999"] {
+        assert_eq!(
+            object_error(&format!("shape = \"sphere\"\ncenter = [0, {coordinate}, 2]\nradius = 1")),
+            format!("balls.toml:4: center = {coordinate} must lie between -1e6 and 1e6")
+        );
+    }
+    assert_eq!(
+        error("name = \"x\"\nground_z = nan"),
+        "balls.toml:2: ground_z = nan must lie between -1e6 and 1e6"
+    );
+}
+
+#[test]
+fn a_size_must_be_positive_and_drawable() {
+    let sphere = |size: &str| object_error(&format!("shape = \"sphere\"\ncenter = [0, 3, 2]\n{size}"));
+    assert_eq!(sphere("radius = -1"), "balls.toml:5: radius = -1 must be above 0");
+    assert_eq!(sphere("radius = 0.0"), "balls.toml:5: radius = 0.0 must be above 0");
+    assert_eq!(sphere("radius = 1e-9"), "balls.toml:5: radius = 1e-9 must lie between 1e-6 and 1e6");
+    assert_eq!(sphere("radius = nan"), "balls.toml:5: radius = nan must lie between 1e-6 and 1e6");
+    assert_eq!(
+        sphere("radius = 1\nwavelength_nm = -700"),
+        "balls.toml:6: wavelength_nm = -700 must be above 0"
+    );
+}
+
+#[test]
+fn a_ring_must_have_a_hole_and_an_axis() {
+    let ring = |rest: &str| object_error(&format!("shape = \"ring\"\ncenter = [0, 3, 2]\n{rest}"));
+    assert_eq!(
+        ring("axis = [0, 1, 0]\nradius = 0.5\ntube_radius = 0.5"),
+        "balls.toml:7: tube_radius = 0.5 must be below radius = 0.5"
+    );
+    assert_eq!(
+        ring("axis = [0, 0.0, 0]\nradius = 0.5\ntube_radius = 0.1"),
+        "balls.toml:5: axis = [0, 0.0, 0] must have a direction, such as [0, 1, 0]"
+    );
+}
+
+#[test]
+fn a_tube_must_have_a_length() {
+    assert_eq!(
+        object_error("shape = \"tube\"\nfrom = [0, 3, 2]\nto = [0, 3, 2]\nradius = 1"),
+        "balls.toml:5: to = [0, 3, 2] must differ from `from`: for a ball write shape = \"sphere\""
+    );
+}
+
+#[test]
+fn shapes_and_scenes_are_known_by_name() {
+    assert_eq!(
+        object_error("shape = \"cube\""),
+        "balls.toml:3: shape = \"cube\" must be \"sphere\", \"tube\" or \"ring\""
+    );
+    assert_eq!(
+        error("name = \"x\"\n[[include]]\nscene = \"cyclists\""),
+        "balls.toml:3: scene = \"cyclists\" must be one of cyclist, street, two-balls, lattice"
+    );
+}
+
+#[test]
+fn a_scene_is_never_empty() {
+    assert_eq!(error("name = \"x\"\n"), "balls.toml:1: a scene needs at least one [[object]] or [[include]]");
+}
+
+#[test]
+fn an_axis_of_any_length_becomes_a_unit_vector() {
+    for length in [1e-300, 1e-9, 1.0, 1e6] {
+        let ring = format!("center = [0, 0, 0]\naxis = [0, 0, -{length:e}]\nradius = 1\ntube_radius = 0.25");
+        let text = format!("name = \"x\"\n[[object]]\nshape = \"ring\"\n{ring}");
+        let Shape::Ring { axis, .. } = Scene::parse(&text, "x").expect("right").bodies[0].shape else {
+            panic!("a ring")
+        };
+        assert_eq!(axis, [0.0, 0.0, -1.0]);
+    }
+}
+
+#[test]
+fn a_mangled_file_gives_a_scene_or_one_line() {
+    for at in 0..EXAMPLE.len() {
+        for replacement in ["", "\"", "[", "]", "=", ".", "-", "9", "\n", "\u{e9}"] {
+            let mangled = format!("{}{replacement}{}", &EXAMPLE[..at], &EXAMPLE[at + 1..]);
+            let Err(error) = Scene::parse(&mangled, "balls.toml") else { continue };
+            let line = error.to_string();
+            assert!(line.starts_with("balls.toml:") && !line.contains('\n'), "{line}");
+        }
+    }
+}
+
+#[test]
+fn the_example_in_the_description_of_the_format_loads() {
+    let description = include_str!("../../assets/scenes/README.md");
+    let (_, rest) = description.split_once("```toml\n").expect("it has an example");
+    let (example, _) = rest.split_once("```").expect("which ends");
+    let scene = Scene::parse(example, "README.md").unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!((scene.bodies.len(), scene.ground_z), (3, Some(-2.5)));
+}

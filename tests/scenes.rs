@@ -1,0 +1,142 @@
+//! The scene files that ship with the program, checked geometrically.
+
+use gamow::scene::{PRESETS, Scene};
+use glam::DVec3;
+use relativity_render::Shape;
+
+/// Signed distance of a point from the surface of a shape.
+fn distance(shape: &Shape, point: DVec3) -> f64 {
+    match *shape {
+        Shape::Sphere { center, radius } => point.distance(center.into()) - radius,
+        Shape::Tube { from, to, radius } => {
+            let (from, to) = (DVec3::from(from), DVec3::from(to));
+            let along = (to - from).dot(point - from) / (to - from).length_squared();
+            point.distance(from.lerp(to, along.clamp(0.0, 1.0))) - radius
+        }
+        Shape::Ring { center, axis, radius, tube_radius } => {
+            let offset = point - DVec3::from(center);
+            let height = offset.dot(axis.into());
+            let from_axis = (offset - height * DVec3::from(axis)).length();
+            (from_axis - radius).hypot(height) - tube_radius
+        }
+    }
+}
+
+#[test]
+fn every_scene_file_is_a_preset_and_loads_as_one() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/scenes");
+    let mut names = Vec::new();
+    for entry in std::fs::read_dir(folder).expect("the folder exists") {
+        let path = entry.expect("it can be listed").path();
+        if path.extension().is_none_or(|extension| extension != "toml") {
+            continue;
+        }
+        let name = path.file_stem().expect("it has a name").to_string_lossy().into_owned();
+        let loaded = Scene::load(&path).unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!(Some(loaded), Scene::preset(&name), "{name}");
+        names.push(name);
+    }
+    names.sort();
+    let mut presets = PRESETS;
+    presets.sort_unstable();
+    assert_eq!(names, presets);
+}
+
+#[test]
+fn the_default_scene_tracks_the_papers_point_at_the_front_of_the_front_tyre() {
+    let cyclist = Scene::default();
+    assert_eq!(cyclist.tracked, [0.0, 3.0, 2.0]);
+    let Shape::Ring { center, axis, .. } = cyclist.bodies[0].shape else { panic!("the tyre comes first") };
+    assert_eq!((center[1], center[2], axis), (3.0, 2.0, [0.0, 1.0, 0.0]));
+    assert!(distance(&cyclist.bodies[0].shape, cyclist.tracked.into()).abs() < 1e-12);
+}
+
+#[test]
+fn no_other_part_of_the_cyclist_reaches_as_far_forward() {
+    for (number, body) in Scene::default().bodies.iter().enumerate().skip(1) {
+        let front = largest_x(&body.shape);
+        assert!(front < -0.01, "object {number} reaches x = {front}");
+    }
+}
+
+/// Largest x on a shape.
+fn largest_x(shape: &Shape) -> f64 {
+    match *shape {
+        Shape::Sphere { center, radius } => center[0] + radius,
+        Shape::Tube { from, to, radius } => from[0].max(to[0]) + radius,
+        Shape::Ring { center, axis, radius, tube_radius } => {
+            center[0] + radius * (1.0 - axis[0] * axis[0]).sqrt() + tube_radius
+        }
+    }
+}
+
+#[test]
+fn the_wheels_of_the_street_scene_stand_on_the_ground() {
+    let street = Scene::preset("street").expect("it is a preset");
+    let ground = street.ground_z.expect("a street has ground");
+    let tyres: Vec<f64> = street.bodies.iter().filter_map(|body| lowest_z_of_tyre(&body.shape)).collect();
+    assert_eq!(tyres.len(), 2);
+    assert!(tyres.iter().all(|lowest| (lowest - ground).abs() < 1e-9), "{tyres:?}");
+}
+
+/// Lowest point of a ring as large as a tyre.
+fn lowest_z_of_tyre(shape: &Shape) -> Option<f64> {
+    match *shape {
+        Shape::Ring { center, radius, tube_radius, .. } if radius > 0.47 => {
+            Some(center[2] - radius - tube_radius)
+        }
+        _ => None,
+    }
+}
+
+#[test]
+fn every_preset_tracks_a_point_on_one_of_its_bodies() {
+    for name in PRESETS {
+        let scene = Scene::preset(name).expect("it is a preset");
+        let distances = scene.bodies.iter().map(|body| distance(&body.shape, scene.tracked.into()).abs());
+        assert!(distances.fold(f64::INFINITY, f64::min) < 1e-12, "{name}");
+    }
+}
+
+#[test]
+fn the_cyclist_is_one_piece() {
+    // Bodies that touch form one piece: nothing hangs in the air.
+    let bodies = Scene::default().bodies;
+    let mut reached = vec![false; bodies.len()];
+    let mut to_visit = vec![0];
+    while let Some(number) = to_visit.pop() {
+        if std::mem::replace(&mut reached[number], true) {
+            continue;
+        }
+        to_visit
+            .extend((0..bodies.len()).filter(|&other| touch(&bodies[number].shape, &bodies[other].shape)));
+    }
+    assert_eq!(reached.iter().position(|reached| !reached), None);
+}
+
+/// Whether two shapes overlap, or come within a hundredth of each other.
+fn touch(a: &Shape, b: &Shape) -> bool {
+    skeleton(a).any(|point| distance(b, point) < tube_radius(a) + 0.01)
+}
+
+/// Points along the curve in the middle of a shape.
+fn skeleton(shape: &Shape) -> Box<dyn Iterator<Item = DVec3>> {
+    let steps = (0..=200).map(|step| f64::from(step) / 200.0);
+    match *shape {
+        Shape::Sphere { center, .. } => Box::new(std::iter::once(center.into())),
+        Shape::Tube { from, to, .. } => Box::new(steps.map(move |s| DVec3::from(from).lerp(to.into(), s))),
+        Shape::Ring { center, axis, radius, .. } => {
+            let (u, v) = DVec3::from(axis).any_orthonormal_pair();
+            let turns = steps.map(|s| (std::f64::consts::TAU * s).sin_cos());
+            Box::new(turns.map(move |(sin, cos)| DVec3::from(center) + radius * (cos * u + sin * v)))
+        }
+    }
+}
+
+/// How far a shape reaches from its skeleton.
+fn tube_radius(shape: &Shape) -> f64 {
+    match *shape {
+        Shape::Sphere { radius, .. } | Shape::Tube { radius, .. } => radius,
+        Shape::Ring { tube_radius, .. } => tube_radius,
+    }
+}
