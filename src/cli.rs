@@ -29,6 +29,7 @@ Examples:
 enum Command {
     Eval(headless::eval::EvalArgs),
     Curve(headless::curve::CurveArgs),
+    Fit(headless::fit::FitArgs),
 }
 
 /// Runs what the command line asks for.
@@ -37,6 +38,7 @@ pub fn run(cli: Cli) -> anyhow::Result<()> {
         None => anyhow::bail!("this version has no window; `gamow --help` lists its commands"),
         Some(Command::Eval(args)) => headless::eval::run(&args),
         Some(Command::Curve(args)) => headless::curve::run(&args),
+        Some(Command::Fit(args)) => headless::fit::run(&args),
     }
 }
 

@@ -6,4 +6,5 @@ mod csv_in;
 mod csv_out;
 pub mod curve;
 pub mod eval;
+pub mod fit;
 pub mod output;

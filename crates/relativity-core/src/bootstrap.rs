@@ -21,6 +21,9 @@ pub const DEFAULT_REPLICATES: usize = 1000;
 /// A replicate ends with the first step below this in units of its standard error. As each step is much
 /// smaller than the one before, what is left is far below the scatter of any statistic over replicates.
 const TOLERANCE: f64 = 1e-2;
+/// It also ends with a step below this in units of the parameters themselves: data without noise leave
+/// nothing but rounding to step towards.
+const SMALLEST_STEP: f64 = 1e-12;
 /// Evaluations of the whole curve that a replicate gets.
 const MAX_EVALUATIONS: usize = 30;
 /// Damping of the first step after one that failed, and the damping at which no step can be told from none.
@@ -64,9 +67,7 @@ impl Bootstrap {
     /// Percentile interval of `parameter` that holds 95 % of the replicates.
     #[must_use]
     pub fn interval_95(&self, parameter: Parameter) -> [f64; 2] {
-        let mut values: Vec<f64> = self.values(parameter).collect();
-        values.sort_by(f64::total_cmp);
-        [quantile(&values, 0.025), quantile(&values, 0.975)]
+        percentiles_95(self.values(parameter))
     }
 
     fn values(&self, parameter: Parameter) -> impl Iterator<Item = f64> + Clone {
@@ -81,6 +82,13 @@ pub(crate) fn covariance(pairs: impl Iterator<Item = (f64, f64)> + Clone) -> f64
     let mean_a = mean(pairs.clone().map(|(a, _)| a).sum());
     let mean_b = mean(pairs.clone().map(|(_, b)| b).sum());
     pairs.map(|(a, b)| (a - mean_a) * (b - mean_b)).sum::<f64>() / (count - 1.0)
+}
+
+/// The interval that holds all but the lowest and the highest 2.5 % of `values`.
+pub(crate) fn percentiles_95(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    let mut values: Vec<f64> = values.collect();
+    values.sort_by(f64::total_cmp);
+    [quantile(&values, 0.025), quantile(&values, 0.975)]
 }
 
 /// The value below which `share` of the sorted `values` lie, by linear interpolation.
@@ -139,6 +147,8 @@ struct Shared<'a> {
     /// Each row's part in the normal equations at the original optimum.
     parts: Vec<NormalEquations>,
     is_even_in_z: bool,
+    /// Sizes of the free parameters.
+    sizes: Free,
 }
 
 impl<'a> Shared<'a> {
@@ -152,7 +162,13 @@ impl<'a> Shared<'a> {
             part.in_free_parameters(chain)
         };
         let parts = problem.rows.iter().map(part).collect();
-        Some(Self { problem, free: fit.free, parts, is_even_in_z: problem.is_even_in_z() })
+        Some(Self {
+            problem,
+            free: fit.free,
+            parts,
+            is_even_in_z: problem.is_even_in_z(),
+            sizes: problem.sizes(&trial),
+        })
     }
 
     fn estimate(&self, counts: &[f64]) -> Option<[f64; 4]> {
@@ -171,7 +187,8 @@ impl<'a> Shared<'a> {
             let step = -damped(&equations.hessian, damping).cholesky()?.solve(&equations.gradient);
             let scatter = equations.cost / counts.len() as f64;
             let next = free + step;
-            if step.dot(&(equations.hessian * step)) <= TOLERANCE * TOLERANCE * scatter {
+            let is_small = step.component_div(&self.sizes).amax() <= SMALLEST_STEP;
+            if is_small || step.dot(&(equations.hessian * step)) <= TOLERANCE * TOLERANCE * scatter {
                 return Some(next);
             }
             match self.at(&next, counts).filter(|there| there.cost <= equations.cost) {

@@ -33,6 +33,9 @@ fn noise_free_curves_of_the_paper_give_its_object_back() {
                 let options = FitOptions { model, curves, passage };
                 let fit = fit(&observations, &options).expect("a fit");
                 assert_recovers(&fit, PAPER.truth(), 1e-9);
+                let replicates = bootstrap(&fit, 20, 1).expect("replicates");
+                assert_eq!(replicates.failed(), 0);
+                assert!(replicates.standard_error(Parameter::Y) < 1e-9);
             }
         }
     }

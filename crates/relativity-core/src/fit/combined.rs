@@ -4,7 +4,7 @@
 //! samples, so their errors are correlated; the covariance of the two estimates over common bootstrap replicates
 //! says how much. A joint fit ([`crate::fit::Curves::Both`]) uses the same data better.
 
-use crate::bootstrap::{Bootstrap, covariance};
+use crate::bootstrap::{Bootstrap, covariance, percentiles_95};
 use crate::fit::{Fit, Parameter};
 
 /// A weighted mean of the azimuthal and the polar estimate of one parameter.
@@ -14,6 +14,8 @@ pub struct Combined {
     pub value: f64,
     /// Its standard error, with the correlation accounted for.
     pub standard_error: f64,
+    /// Percentile interval that holds 95 % of the replicates' means.
+    pub interval_95: [f64; 2],
     /// Correlation of both estimates over the replicates.
     pub correlation: f64,
     /// Weight of the azimuthal estimate, 0 to 1.
@@ -26,20 +28,27 @@ pub struct Combined {
 #[must_use]
 pub fn combined(azimuth: (&Fit, &Bootstrap), polar: (&Fit, &Bootstrap), parameter: Parameter) -> Combined {
     let of = |estimate: &Option<[f64; 4]>| estimate.map(|values| values[parameter as usize]);
-    let pairs =
-        azimuth.1.estimates.iter().zip(&polar.1.estimates).filter_map(|(a, b)| Some((of(a)?, of(b)?)));
-    let covariance = covariance(pairs);
+    let pairs: Vec<(f64, f64)> = azimuth
+        .1
+        .estimates
+        .iter()
+        .zip(&polar.1.estimates)
+        .filter_map(|(a, b)| Some((of(a)?, of(b)?)))
+        .collect();
+    let covariance = covariance(pairs.iter().copied());
     let [error_a, error_b] = [azimuth.1, polar.1].map(|bootstrap| bootstrap.standard_error(parameter));
     let (variance_a, variance_b) = (error_a * error_a, error_b * error_b);
     let total = variance_a + variance_b;
-    // Weights 1/variance_a and 1/variance_b, brought to a sum of 1.
+    // Weights 1/variance_a and 1/variance_b, brought to a sum of 1; equal if there is no scatter at all.
     let weight = if total > 0.0 { variance_b / total } else { 0.5 };
     let rest = 1.0 - weight;
+    let mean = |a: f64, b: f64| weight * a + rest * b;
     let variance = weight * weight * variance_a + rest * rest * variance_b + 2.0 * weight * rest * covariance;
-    let correlation = if total > 0.0 { covariance / (error_a * error_b) } else { 0.0 };
+    let correlation = if error_a * error_b > 0.0 { covariance / (error_a * error_b) } else { 0.0 };
     Combined {
-        value: weight * azimuth.0.value(parameter) + rest * polar.0.value(parameter),
+        value: mean(azimuth.0.value(parameter), polar.0.value(parameter)),
         standard_error: variance.max(0.0).sqrt(),
+        interval_95: percentiles_95(pairs.iter().map(|&(a, b)| mean(a, b))),
         correlation,
         azimuth_weight: weight,
     }

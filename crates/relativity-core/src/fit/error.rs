@@ -82,7 +82,7 @@ pub enum FitError {
     },
     /// The data do not tell parameters apart.
     #[error(
-        "the data cannot tell {parameter} from {partner}: {parameter} = {value:.4} +- {standard_error:.2e}, \
+        "the data cannot tell {parameter} from {partner}: {parameter} = {value:.3e} +- {standard_error:.1e}, \
          correlation {correlation:.6}"
     )]
     Indistinguishable {
@@ -96,6 +96,16 @@ pub enum FitError {
         partner: &'static str,
         /// Correlation between both.
         correlation: f64,
+    },
+    /// The best fit is where the data do not depend on a parameter.
+    #[error(
+        "the data cannot tell {parameter}: near {parameter} = {value:.3e}, where they fit best, they do not depend on it"
+    )]
+    Insensitive {
+        /// The parameter.
+        parameter: &'static str,
+        /// Its best value, which means nothing.
+        value: f64,
     },
     /// Too many bootstrap replicates have no fit.
     #[error("{failed} of {replicates} bootstrap replicates have no fit: the data are too few or too noisy")]

@@ -79,6 +79,14 @@ impl Problem {
             && self.pairs.iter().flatten().all(|aperture| aperture.z == 0.0)
     }
 
+    /// Changes of the free parameters by which beta and y change by themselves, and z and t0 by as much as
+    /// the distance.
+    pub fn sizes(&self, trial: &Trial) -> Free {
+        let distance = trial.y.hypot(trial.z);
+        let beta = trial.speed.beta();
+        Free::new(beta / self.chain(trial)[0], 1.0, distance, distance / beta)
+    }
+
     pub fn slopes(&self, trial: &Trial, row: &Row) -> Slopes {
         trial.slopes(self.model, &self.pairs[row.pair], row.time)
     }

@@ -38,7 +38,8 @@ pub(super) fn covariance(problem: &Problem, trial: &Trial, scatter: f64) -> Resu
     let fitted = problem.parameters();
     let scale = hessian.diagonal().map(|diagonal| 1.0 / diagonal.sqrt());
     if let Some(index) = (0..fitted).find(|&index| !scale[index].is_finite()) {
-        return Err(indistinguishable(trial, index, index, f64::INFINITY, 1.0));
+        let (parameter, value) = (Parameter::ALL[index].name(), super::reported(trial)[index]);
+        return Err(FitError::Insensitive { parameter, value });
     }
     let outer = scale * scale.transpose();
     let eigen = hessian.component_mul(&outer).symmetric_eigen();
@@ -65,9 +66,7 @@ pub(super) fn covariance(problem: &Problem, trial: &Trial, scatter: f64) -> Resu
 
 fn check_determined(problem: &Problem, trial: &Trial, covariance: &Matrix4<f64>) -> Result<(), FitError> {
     let fitted = problem.parameters();
-    let distance = trial.y.hypot(trial.z);
-    // In units of the free parameters: beta and y are varied as logarithms.
-    let sizes = [1.0, 1.0, distance, distance / trial.speed.beta()];
+    let sizes = problem.sizes(trial);
     let error = |i: usize| covariance[(i, i)].sqrt();
     let relative = |i: &usize| error(*i) / sizes[*i];
     let Some(worst) = (0..fitted).max_by(|a, b| relative(a).total_cmp(&relative(b))) else { return Ok(()) };
