@@ -93,11 +93,16 @@ pub enum ObservationError {
     /// The aperture separation is negative or outside the domain.
     #[error("d = {0:?} is out of range: it must be between 0 and 1e60")]
     Separation(f64),
-    /// A result too large for f64: the intensity, for a large exponent.
-    #[error("{column} is too large for a 64-bit float; a smaller --intensity-exponent is needed")]
-    Overflow {
+    /// A result that f64 cannot hold: the intensity, for a large exponent.
+    #[error(
+        "{column} comes out as {value}, which cannot be written; less extreme values or a smaller \
+             --intensity-exponent are needed"
+    )]
+    NotFinite {
         /// The column that cannot be filled.
         column: &'static str,
+        /// What it would hold.
+        value: f64,
     },
 }
 
@@ -111,7 +116,7 @@ impl ObservationError {
             Self::Speed(SpeedError::Rapidity(_)) => "rapidity",
             Self::Domain(error) => error.name,
             Self::Separation(_) => "d",
-            Self::Overflow { column } => column,
+            Self::NotFinite { column, .. } => column,
         }
     }
 }
@@ -142,7 +147,7 @@ impl ModelArgs {
             dtheta,
         ];
         match values.iter().position(|value| !value.is_finite()) {
-            Some(index) => Err(ObservationError::Overflow { column: COLUMNS[index] }),
+            Some(index) => Err(ObservationError::NotFinite { column: COLUMNS[index], value: values[index] }),
             None => Ok(values),
         }
     }

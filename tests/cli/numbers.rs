@@ -226,10 +226,22 @@ fn significant_digits(decimal: &str) -> String {
 }
 
 #[test]
-fn eyes_in_one_place_see_no_disparity() {
-    let table = words("curve --d 0 --samples 21").table();
-    assert!(table.column("dphi").iter().chain(&table.column("dtheta")).all(|&value| value == 0.0));
-    assert_eq!(table.column("x_left"), table.column("x_right"));
+fn eyes_in_one_place_see_the_same_in_every_model() {
+    for model in ["exact", "published", "published-text"] {
+        for speed in ["--beta 0", "--beta 1e-14", "--beta 0.9", "--gamma 1e9"] {
+            // T = -5 is among the times: for a slow point minus the time that its light travels.
+            let flags =
+                format!("--d 0 --x0 3 --y 4 --z 0 --from -5 --to 5 --samples 21 --model {model} {speed}");
+            let table = words(&format!("curve {flags}")).table();
+            assert!(table.column("dphi").iter().chain(&table.column("dtheta")).all(|&value| value == 0.0));
+            for name in ["x", "t", "doppler"] {
+                let [left, right] = ["left", "right"].map(|eye| table.column(&format!("{name}_{eye}")));
+                for (left, right) in left.iter().zip(right) {
+                    assert_near(right, *left, 4.0 * f64::EPSILON * left.abs());
+                }
+            }
+        }
+    }
 }
 
 #[test]
