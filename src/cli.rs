@@ -2,15 +2,19 @@
 
 use clap::{Args, Parser, Subcommand};
 use relativity_core::{Speed, SpeedError};
+use serde::{Deserialize, Serialize};
 
+use crate::app::{self, args::WindowArgs};
 use crate::headless;
 
 /// Interactive stereo viewer of special relativity. Without a command it opens the window.
 #[derive(Debug, Parser)]
-#[command(version, about, after_help = EXAMPLES)]
+#[command(version, about, after_help = EXAMPLES, args_conflicts_with_subcommands = true)]
 pub struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
+    #[command(flatten)]
+    window: WindowArgs,
 }
 
 const EXAMPLES: &str = "\
@@ -35,7 +39,7 @@ enum Command {
 /// Runs what the command line asks for.
 pub fn run(cli: Cli) -> anyhow::Result<()> {
     match cli.command {
-        None => anyhow::bail!("this version has no window; `gamow --help` lists its commands"),
+        None => app::launch::launch(&cli.window),
         Some(Command::Eval(args)) => headless::eval::run(&args),
         Some(Command::Curve(args)) => headless::curve::run(&args),
         Some(Command::Fit(args)) => headless::fit::run(&args),
@@ -43,7 +47,7 @@ pub fn run(cli: Cli) -> anyhow::Result<()> {
 }
 
 /// The three ways to give a speed: a flag each, and a column of a CSV file each.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum SpeedParameter {
     /// v/c.
     Beta,

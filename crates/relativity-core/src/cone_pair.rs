@@ -6,7 +6,7 @@
 
 use num_traits::Float;
 
-use crate::apparent::{Aperture, LightCone, SourcePoint};
+use crate::apparent::{Aperture, LightCone, SourcePoint, rounded};
 use crate::speed::Coefficients;
 
 /// S, y and z of the primary light cone minus those of the secondary, known without subtraction.
@@ -34,6 +34,8 @@ struct ApparentXs<F> {
     right: F,
     difference: F,
     sum: F,
+    /// Of opposite signs and alike in size, so that their sum cancels.
+    is_opposite: bool,
 }
 
 impl<F: Float> ConePair<F> {
@@ -45,10 +47,9 @@ impl<F: Float> ConePair<F> {
         secondary: Aperture,
         time: F,
     ) -> Self {
-        let to = |v: f64| F::from(v).unwrap_or_else(F::infinity);
-        let [x0, y, z] = [point.x0, point.y, point.z].map(to);
-        let [lx, ly, lz] = [primary.x, primary.y, primary.z].map(to);
-        let [rx, ry, rz] = [secondary.x, secondary.y, secondary.z].map(to);
+        let [x0, y, z]: [F; 3] = rounded([point.x0, point.y, point.z]);
+        let [lx, ly, lz]: [F; 3] = rounded([primary.x, primary.y, primary.z]);
+        let [rx, ry, rz]: [F; 3] = rounded([secondary.x, secondary.y, secondary.z]);
         let offset = Offset { s: rx - lx, y: ry - ly, z: rz - lz };
         let moved = coefficients.beta * time;
         let sum_s = ((x0 + x0) - (lx + rx)) + (moved + moved);
@@ -85,7 +86,11 @@ impl<F: Float> ConePair<F> {
         let sine = if z.same_sign() && left_h + right_h > zero {
             // (z_l^2 h_r^2 - z_r^2 h_l^2)/(z_l h_r + z_r h_l), each difference of squares factored.
             let sum = z.left * right_h + z.right * left_h;
-            let with_x = half((z.left + z.right) * x.sum - z.offset * x.difference);
+            let with_x = if x.is_opposite {
+                half((z.left + z.right) * x.sum - z.offset * x.difference)
+            } else {
+                z.left * x.right + z.right * x.left
+            };
             let with_y = z.left * y.right + z.right * y.left;
             self.cross_with_x(&x, &z, &y) * (with_x / sum) + z.cross(&y) * (with_y / sum)
         } else {
@@ -122,7 +127,7 @@ impl<F: Float> ConePair<F> {
         let difference = by_offset - by_rho;
         let size = xl.abs() + xr.abs();
         if by_offset.abs() + by_rho.abs() > size + size {
-            return ApparentXs { left: xl, right: xr, difference, sum: xl + xr };
+            return ApparentXs { left: xl, right: xr, difference, sum: xl + xr, is_opposite: false };
         }
         let sum = xl + xr;
         if size > F::from(3).map_or(size, |three| three * sum.abs()) {
@@ -133,10 +138,11 @@ impl<F: Float> ConePair<F> {
                 right: half(sum - difference),
                 difference,
                 sum,
+                is_opposite: true,
             };
         }
         let (xl, xr) = if xl.abs() < xr.abs() { (xl, xl - difference) } else { (xr + difference, xr) };
-        ApparentXs { left: xl, right: xr, difference, sum: xl + xr }
+        ApparentXs { left: xl, right: xr, difference, sum: xl + xr, is_opposite: false }
     }
 }
 

@@ -41,6 +41,7 @@ pub const MAX_ERROR_UNITS: f64 = 8.0;
 
 pub mod aberration;
 pub mod apparent;
+pub mod batch;
 pub mod bootstrap;
 mod cone_pair;
 pub mod disparity;
@@ -52,7 +53,7 @@ pub mod speed;
 
 pub use apparent::{Aperture, Sighting, SourcePoint, sighting};
 pub use bootstrap::{Bootstrap, DEFAULT_REPLICATES, bootstrap};
-pub use disparity::{Disparity, disparity, equidistance_time};
+pub use disparity::{Disparity, disparities, disparity, equidistance_time};
 pub use domain::{DomainError, MAX_COORDINATE};
 pub use fit::{
     Combined, Curves, Fit, FitError, FitModel, FitOptions, Observations, Parameter, Passage, Reading, Sample,

@@ -66,12 +66,12 @@ pub(crate) fn cone_pair(
     observation_time: f64,
     variant: PublishedVariant,
 ) -> (ConePair<f64>, f64) {
-    let [left_aperture, _] = Aperture::pair(separation);
-    let left = LightCone::new(speed, point, left_aperture, observation_time);
-    let Delay { delay, right_distance } = delay(speed, point, separation, &left, observation_time);
+    // The same s0 goes into all that follows, so that its rounding acts like one of the inputs.
+    let s0 = point.x0 + speed.beta() * observation_time;
+    let left = LightCone::at(&speed.coefficients(), s0 + separation / 2.0, point.y, point.z);
+    let Delay { delay, right_distance } = delay(speed, s0, separation, &left);
     let (shift, s) = match variant {
         PublishedVariant::AppendixA => {
-            let s0 = point.x0 + speed.beta() * observation_time;
             (-delay, appendix_a_s(speed, s0, separation, &left, delay, right_distance))
         }
         PublishedVariant::TextSign => (delay, text_s(speed, separation, &left, delay)),
@@ -127,16 +127,10 @@ struct Delay {
 
 /// How much longer light from the event that the left eye sees takes to the right.
 ///
-/// The difference of the two distances is `-2 u d` over their sum, u being the event's x; u comes from
-/// the retarded time, since X - d/2 would cancel at low speed.
-fn delay(
-    speed: &Speed,
-    point: SourcePoint,
-    separation: f64,
-    left: &LightCone<f64>,
-    observation_time: f64,
-) -> Delay {
-    let u = point.x0 + speed.beta() * (observation_time - left.solution.r);
+/// The difference of the two distances is `-2 u d` over their sum, u being the event's x; u comes from s0,
+/// the point's objective x at the observation time, since X - d/2 would cancel at low speed.
+fn delay(speed: &Speed, s0: f64, separation: f64, left: &LightCone<f64>) -> Delay {
+    let u = s0 - speed.beta() * left.solution.r;
     let to_right = u - separation / 2.0;
     let right_distance = (to_right * to_right + left.y * left.y + left.z * left.z).sqrt();
     let sum = left.solution.r + right_distance;

@@ -152,7 +152,9 @@ impl Speed {
             beta: to(self.beta),
             gamma: to(self.gamma),
             gamma_minus_one: to(self.gamma_minus_one),
+            inverse_gamma: to(1.0 / self.gamma),
             inverse_gamma_squared: to(self.inverse_gamma_squared),
+            smallest_q: F::min_positive_value().sqrt(),
         }
     }
 }
@@ -163,5 +165,8 @@ pub(crate) struct Coefficients<F> {
     pub beta: F,
     pub gamma: F,
     pub gamma_minus_one: F,
+    pub inverse_gamma: F,
     pub inverse_gamma_squared: F,
+    /// The smallest length whose square does not underflow.
+    pub smallest_q: F,
 }

@@ -1,6 +1,14 @@
 //! The definitions: speed, light cone, angles, aberration, and the published model as printed.
 
-use super::{Big, Parameter, atan2, big, sqrt, square};
+use crate::arithmetic::{Big, atan2, big, sqrt, square};
+
+/// How the speed was given: the parameter is the input, everything else follows from it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Parameter {
+    Beta,
+    Gamma,
+    Rapidity,
+}
 
 /// (beta, gamma) from the parameter.
 pub fn speed(parameter: Parameter, value: &Big) -> (Big, Big) {

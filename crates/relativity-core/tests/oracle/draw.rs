@@ -3,7 +3,7 @@
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
-use super::Parameter;
+use crate::model::Parameter;
 use relativity_core::Speed;
 
 /// `10^u`, u uniform between the exponents.
@@ -25,6 +25,12 @@ pub fn length(rng: &mut ChaCha8Rng) -> f64 {
     signed(rng, magnitude)
 }
 
+/// A length with sign, 1e-4 to 1e6 in magnitude, or zero: no product of two underflows in f32.
+pub fn ordinary_length(rng: &mut ChaCha8Rng) -> f64 {
+    let length = length(rng);
+    if length.abs() < 1e-4 { 0.0 } else { length }
+}
+
 /// A speed: beta from 1e-14 to 1 - 1e-15, gamma from 1 + 1e-15 to 1e12, rapidity from 1e-14 to 30.
 pub fn speed(rng: &mut ChaCha8Rng) -> (Parameter, f64) {
     match rng.random_range(0..6) {
@@ -34,6 +40,16 @@ pub fn speed(rng: &mut ChaCha8Rng) -> (Parameter, f64) {
         3 => (Parameter::Gamma, log_uniform(rng, 0.001, 12.0)),
         4 => (Parameter::Rapidity, log_uniform(rng, -14.0, 0.0)),
         _ => (Parameter::Rapidity, rng.random_range(0.1..30.0)),
+    }
+}
+
+/// A speed for f32: gamma up to 1e3.
+pub fn slower_speed(rng: &mut ChaCha8Rng) -> (Parameter, f64) {
+    match rng.random_range(0..4) {
+        0 => (Parameter::Beta, log_uniform(rng, -14.0, -0.001)),
+        1 => (Parameter::Beta, 1.0 - log_uniform(rng, -6.0, -0.1)),
+        2 => (Parameter::Gamma, 1.0 + log_uniform(rng, -3.0, 2.99)),
+        _ => (Parameter::Rapidity, log_uniform(rng, -3.0, 0.87)),
     }
 }
 
@@ -53,10 +69,13 @@ fn near(rng: &mut ChaCha8Rng, value: f64) -> f64 {
     value * (1.0 + signed(rng, delta))
 }
 
-/// An observation time for a point at `s0` (from the aperture, at t = 0) and `rho` off the axis: anything up
-/// to 1e10, or close to S = 0, or to X = 0 (which is T0 for a pair, nearly).
-pub fn time(rng: &mut ChaCha8Rng, beta: f64, s0: f64, rho: f64) -> f64 {
+/// An observation time for a point at `s0` (from the aperture, at t = 0), `y` and `rho` off the axis: anything
+/// up to 1e10, or close to S = 0, or to X = 0 (which is T0 for a pair, nearly).
+///
+/// Not so for y = 0: phi is then 0 or pi by the sign of X, which rounding of the time decides.
+pub fn time(rng: &mut ChaCha8Rng, beta: f64, s0: f64, y: f64, rho: f64) -> f64 {
     let special = match rng.random_range(0..4) {
+        _ if y == 0.0 => 0.0,
         0 => -s0 / beta,
         1 => rho - s0 / beta,
         _ => 0.0,
