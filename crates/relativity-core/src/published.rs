@@ -41,20 +41,8 @@ pub fn published_disparity(
 ) -> Result<Disparity, DomainError> {
     check_inputs(point, Aperture::default(), observation_time)?;
     check("d", separation)?;
-    // The same s0 goes into all that follows, so that its rounding acts like one of the inputs.
-    let s0 = point.x0 + speed.beta() * observation_time;
-    let left = LightCone::at(&speed.coefficients(), s0 + separation / 2.0, point.y, point.z);
-    let Delay { delay, right_distance } = delay(speed, s0, separation, &left);
-    let (shift, s) = match variant {
-        PublishedVariant::AppendixA => {
-            (-delay, appendix_a_s(speed, s0, separation, &left, delay, right_distance))
-        }
-        PublishedVariant::TextSign => (delay, text_s(speed, separation, &left, delay)),
-    };
-    let shifted = speed.beta() * shift;
-    let right = LightCone::at(&speed.coefficients(), s, left.y, left.z);
-    let offset = Offset { s: -shifted, y: 0.0, z: 0.0 };
-    let pair = ConePair { beta: speed.beta(), left, right, offset, sum_s: left.s + right.s };
+    let (pair, shift) = cone_pair(speed, point, separation, observation_time, variant);
+    let ConePair { left, right, .. } = pair;
     let (dphi, dtheta) = pair.angle_differences();
     let primary = left.sighting(observation_time);
     let retarded_time = match variant {
@@ -69,6 +57,31 @@ pub fn published_disparity(
         dphi,
         dtheta,
     })
+}
+
+/// Both light cones of the published model, and by how much the second is later.
+pub(crate) fn cone_pair(
+    speed: &Speed,
+    point: SourcePoint,
+    separation: f64,
+    observation_time: f64,
+    variant: PublishedVariant,
+) -> (ConePair<f64>, f64) {
+    // The same s0 goes into all that follows, so that its rounding acts like one of the inputs.
+    let s0 = point.x0 + speed.beta() * observation_time;
+    let left = LightCone::at(&speed.coefficients(), s0 + separation / 2.0, point.y, point.z);
+    let Delay { delay, right_distance } = delay(speed, s0, separation, &left);
+    let (shift, s) = match variant {
+        PublishedVariant::AppendixA => {
+            (-delay, appendix_a_s(speed, s0, separation, &left, delay, right_distance))
+        }
+        PublishedVariant::TextSign => (delay, text_s(speed, separation, &left, delay)),
+    };
+    let shifted = speed.beta() * shift;
+    let right = LightCone::at(&speed.coefficients(), s, left.y, left.z);
+    let offset = Offset { s: -shifted, y: 0.0, z: 0.0 };
+    let pair = ConePair { beta: speed.beta(), left, right, offset, sum_s: left.s + right.s };
+    (pair, shift)
 }
 
 /// When the light was emitted that the right eye sees.
