@@ -38,7 +38,7 @@ fn torus_at(course: Course, body: Body, s: f32) -> Torus {
 
 fn surface(body: Body, ray: Ray) -> Surface {
     let n = ray.direction;
-    let nearest = -cross(n, cross(body.anchor, n));
+    let nearest = nearest_to(body.anchor, ray);
     let middle = dot(body.anchor, n);
     let height = dot(nearest, body.axis);
     let slope = dot(n, body.axis);
@@ -52,7 +52,7 @@ fn surface(body: Body, ray: Ray) -> Surface {
         slope,
     );
     // Widened by about a pixel, so that the neighbourhood of the outline is searched too.
-    let margin = abs(middle) * sqrt(max(dot(ray.along_u, ray.along_u), dot(ray.along_v, ray.along_v)));
+    let margin = 2.0 * abs(ray.to_centre + middle) * pixel_angle(ray);
     let widened = body.radius + margin;
     let lateral = cross(start, flat_direction);
     let closest_squared = dot(lateral, lateral) / course.a;

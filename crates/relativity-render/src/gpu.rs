@@ -30,7 +30,6 @@ pub struct Gpu {
     pub(crate) device: wgpu::Device,
     pub(crate) queue: wgpu::Queue,
     info: wgpu::AdapterInfo,
-    downlevel: wgpu::DownlevelFlags,
 }
 
 impl Gpu {
@@ -72,8 +71,7 @@ impl Gpu {
     /// Shares the device of a window.
     #[must_use]
     pub fn from_device(adapter: &wgpu::Adapter, device: wgpu::Device, queue: wgpu::Queue) -> Self {
-        let downlevel = adapter.get_downlevel_capabilities().flags;
-        Self { device, queue, info: adapter.get_info(), downlevel }
+        Self { device, queue, info: adapter.get_info() }
     }
 
     /// What the device is, e.g. "llvmpipe (Vulkan)".
@@ -88,8 +86,10 @@ impl Gpu {
         self.info.device_type == wgpu::DeviceType::Cpu
     }
 
-    /// Whether a texture can be seen both as sRGB-encoded and as plain numbers.
-    pub(crate) fn has_view_formats(&self) -> bool {
-        self.downlevel.contains(wgpu::DownlevelFlags::VIEW_FORMATS)
+    pub(crate) fn shader(&self, label: &str, source: &'static str) -> wgpu::ShaderModule {
+        self.device.create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some(label),
+            source: wgpu::ShaderSource::Wgsl(source.into()),
+        })
     }
 }
