@@ -105,12 +105,3 @@ fn nearest_to(anchor: vec3f, ray: Ray) -> vec3f {
 fn depth(beyond: f32) -> f32 {
     return 0.5 - beyond * frame.scene.w;
 }
-
-// How far the ray's direction turns from one pixel to the next, at most.
-fn pixel_angle(ray: Ray) -> f32 {
-    let ground_angle = ray.scale / frame.ground.w;
-    if GEOMETRY == 1u {
-        return ground_angle * frame.speed.w * ray.ground_per_rest;
-    }
-    return ground_angle * ray.doppler;
-}

@@ -9,11 +9,9 @@ use crate::backdrop::{AXIS_HALF_WIDTH, HAZE_DISTANCE, LINE_HALF_WIDTH};
 use crate::frame::Frame;
 use crate::gpu::{Gpu, GpuError};
 use crate::palette;
+use crate::shaders::BACKDROP;
 use crate::target::{self, DEPTH_FORMAT, ENCODED_FORMAT, EyeTarget, MEASURES_FORMAT};
 use crate::view::{Appearance, Colour};
-
-const BACKDROP: &str =
-    concat!(include_str!("../shaders/frame.wgsl"), include_str!("../shaders/backdrop.wgsl"));
 
 #[derive(Debug)]
 pub struct Canvas {
@@ -93,8 +91,8 @@ impl Canvas {
         let [measures, places, depth] =
             [("measures", MEASURES_FORMAT), ("places", MEASURES_FORMAT), ("depth", DEPTH_FORMAT)]
                 .map(|(label, format)| target::texture(gpu, label, size, 1, format, usage));
-        let [measures_view, places_view, depth_view] =
-            [&measures, &places, &depth].map(|texture| texture.create_view(&Default::default()));
+        let [measures_view, places_view, depth_view] = [&measures, &places, &depth]
+            .map(|texture| texture.create_view(&wgpu::TextureViewDescriptor::default()));
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         {
             let attachments =

@@ -14,15 +14,15 @@ use crate::view::{Appearance, View};
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Frame {
-    base: [f32; 4],
-    right: [f32; 4],
-    down: [f32; 4],
-    pole: [f32; 4],
-    speed: [f32; 4],
-    light: [f32; 4],
-    scene: [f32; 4],
-    ground: [f32; 4],
-    backdrop: [[f32; 4]; 5],
+    pub base: [f32; 4],
+    pub right: [f32; 4],
+    pub down: [f32; 4],
+    pub pole: [f32; 4],
+    pub speed: [f32; 4],
+    pub light: [f32; 4],
+    pub scene: [f32; 4],
+    pub ground: [f32; 4],
+    pub backdrop: [[f32; 4]; 5],
 }
 
 /// Where the bodies are as a whole, in the rest frame.

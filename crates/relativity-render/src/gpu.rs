@@ -44,15 +44,13 @@ impl Gpu {
 
     async fn headless_device() -> Result<Self, GpuError> {
         let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
+        let options = wgpu::RequestAdapterOptions {
+            power_preference: wgpu::PowerPreference::HighPerformance,
+            ..Default::default()
+        };
         let adapter = match wgpu::util::initialize_adapter_from_env(&instance, None).await {
-            Ok(adapter) => adapter,
-            Err(_) => {
-                let options = wgpu::RequestAdapterOptions {
-                    power_preference: wgpu::PowerPreference::HighPerformance,
-                    ..Default::default()
-                };
-                instance.request_adapter(&options).await.map_err(|_| GpuError::NoAdapter)?
-            }
+            Err(_) => instance.request_adapter(&options).await.map_err(|_| GpuError::NoAdapter)?,
+            Ok(chosen) => chosen,
         };
         let (device, queue) = adapter
             .request_device(&wgpu::DeviceDescriptor {

@@ -20,6 +20,8 @@ pub mod picture;
 mod polynomial;
 pub mod reference;
 pub mod shade;
+#[doc(hidden)]
+pub mod shaders;
 mod target;
 pub mod view;
 

@@ -15,7 +15,8 @@ use crate::gpu::{Gpu, GpuError};
 use crate::reference::HitImage;
 use crate::target::EyeTarget;
 use crate::view::{Appearance, Colour, View};
-use pieces::Pieces;
+pub(crate) use pieces::Instance;
+use pieces::{Bounds, Pieces};
 use pipelines::{Effects, Key, Pipelines};
 
 /// Draws exactly what an aperture sees.
@@ -23,6 +24,7 @@ use pipelines::{Effects, Key, Pipelines};
 pub struct ExactRenderer {
     canvas: Canvas,
     pipelines: Pipelines,
+    bounds: Bounds,
 }
 
 /// A range of instances drawn by one pipeline.
@@ -34,7 +36,13 @@ impl ExactRenderer {
     pub fn new(gpu: &Gpu) -> Self {
         let canvas = Canvas::new(gpu);
         let pipelines = Pipelines::new(gpu, canvas.body_layout(gpu));
-        Self { canvas, pipelines }
+        Self { canvas, pipelines, bounds: Bounds::Tight }
+    }
+
+    /// A renderer that tests every body at every pixel: the same pictures, and what the bounds are worth.
+    #[must_use]
+    pub fn brute_force(gpu: &Gpu) -> Self {
+        Self { bounds: Bounds::None, ..Self::new(gpu) }
     }
 
     /// Draws `bodies` into `target`, whose size overrides the camera's.
@@ -49,7 +57,7 @@ impl ExactRenderer {
         let view = &view.with_size(target.size());
         let effects = Effects::new(view.geometry, appearance);
         let extent = Extent::new(bodies, view.rest_origin());
-        let pieces = Pieces::new(bodies, view, appearance.colour, &extent);
+        let pieces = Pieces::new(bodies, view, appearance.colour, &extent, self.bounds);
         let draws = self.load(gpu, &pieces, &mut target.vertices, |shape, thin| Key::Picture {
             shape,
             thin,
@@ -68,7 +76,7 @@ impl ExactRenderer {
     /// The device was lost.
     pub fn hits(&mut self, gpu: &Gpu, bodies: &[Body], view: &View) -> Result<HitImage, GpuError> {
         let extent = Extent::new(bodies, view.rest_origin());
-        let pieces = Pieces::new(bodies, view, Colour::Visible, &extent);
+        let pieces = Pieces::new(bodies, view, Colour::Visible, &extent, self.bounds);
         let mut vertices = canvas::vertex_buffer(gpu, 0);
         let draws =
             self.load(gpu, &pieces, &mut vertices, |shape, _| Key::Hits { shape, geometry: view.geometry });
@@ -104,6 +112,9 @@ impl ExactRenderer {
     }
 
     fn record(&self, pass: &mut wgpu::RenderPass<'_>, vertices: &wgpu::Buffer, draws: &[Draw]) {
+        if draws.is_empty() {
+            return;
+        }
         pass.set_vertex_buffer(0, vertices.slice(..));
         for (key, instances) in draws {
             pass.set_pipeline(self.pipelines.get(*key));

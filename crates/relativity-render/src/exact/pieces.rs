@@ -18,6 +18,15 @@ const MAX_HALVINGS: u32 = 5;
 /// Below this radius a piece is faded instead of drawn thinner, px.
 const THIN_PX: f64 = 0.75;
 
+/// Where bodies are looked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Bounds {
+    /// Where they can appear.
+    Tight,
+    /// Everywhere: what tight bounds are measured against.
+    None,
+}
+
 /// Mirror of the shaders' `Instance`.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]
@@ -37,20 +46,19 @@ pub struct Pieces {
 }
 
 impl Pieces {
-    pub fn new(bodies: &[Body], view: &View, colour: Colour, extent: &Extent) -> Self {
+    pub fn new(bodies: &[Body], view: &View, colour: Colour, extent: &Extent, bounds: Bounds) -> Self {
         let projection = Projection::new(view);
         let origin = view.rest_origin();
         let mut pieces = Self::default();
         let mut rectangles = Vec::new();
         for (index, body) in bodies.iter().enumerate() {
             rectangles.clear();
-            for capsule in bounding_capsules(&body.shape, origin) {
-                add_rectangles(&projection, &capsule, MAX_HALVINGS, &mut rectangles);
+            if bounds == Bounds::Tight {
+                for capsule in bounding_capsules(&body.shape, origin) {
+                    add_rectangles(&projection, &capsule, MAX_HALVINGS, &mut rectangles);
+                }
             }
-            if rectangles.is_empty() {
-                continue;
-            }
-            if rectangles.contains(&EVERYWHERE) {
+            if bounds == Bounds::None || rectangles.contains(&EVERYWHERE) {
                 rectangles.clear();
                 rectangles.push(EVERYWHERE);
             }
@@ -158,7 +166,7 @@ fn packed(v: DVec3, w: f64) -> [f32; 4] {
 
 fn placed(template: &Instance, rectangle: &Rectangle) -> Instance {
     let [middle, first, second] =
-        [rectangle.middle, rectangle.half_axes[0], rectangle.half_axes[1]].map(|v| v.as_vec2());
+        [rectangle.middle, rectangle.half_axes[0], rectangle.half_axes[1]].map(DVec2::as_vec2);
     let [_, _, index, wavelength] = template.second_axis_index_wavelength;
     Instance {
         place: [middle.x, middle.y, first.x, first.y],

@@ -4,29 +4,10 @@ use std::collections::HashMap;
 
 use super::pieces::Instance;
 use crate::gpu::Gpu;
+use crate::shaders::{RING, SPHERE, TUBE};
 use crate::target::{DEPTH_FORMAT, LINEAR_FORMAT, MEASURES_FORMAT, SAMPLES};
 use crate::view::{Appearance, Geometry, Shading};
 
-const SHAPES: [&str; 3] = [
-    concat!(
-        include_str!("../../shaders/frame.wgsl"),
-        include_str!("../../shaders/colour.wgsl"),
-        include_str!("../../shaders/impostor.wgsl"),
-        include_str!("../../shaders/sphere.wgsl"),
-    ),
-    concat!(
-        include_str!("../../shaders/frame.wgsl"),
-        include_str!("../../shaders/colour.wgsl"),
-        include_str!("../../shaders/impostor.wgsl"),
-        include_str!("../../shaders/tube.wgsl"),
-    ),
-    concat!(
-        include_str!("../../shaders/frame.wgsl"),
-        include_str!("../../shaders/colour.wgsl"),
-        include_str!("../../shaders/impostor.wgsl"),
-        include_str!("../../shaders/ring.wgsl"),
-    ),
-];
 /// What a pipeline draws, with every effect decided.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Key {
@@ -77,7 +58,11 @@ pub struct Pipelines {
 
 impl Pipelines {
     pub fn new(gpu: &Gpu, layout: wgpu::PipelineLayout) -> Self {
-        Self { shapes: SHAPES.map(|source| gpu.shader("shape", source)), layout, made: HashMap::new() }
+        Self {
+            shapes: [SPHERE, TUBE, RING].map(|source| gpu.shader("shape", source)),
+            layout,
+            made: HashMap::new(),
+        }
     }
 
     /// Makes the pipeline of `key` unless it exists.
