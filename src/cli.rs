@@ -2,15 +2,19 @@
 
 use clap::{Args, Parser, Subcommand};
 use relativity_core::{Speed, SpeedError};
+use serde::{Deserialize, Serialize};
 
+use crate::app::{self, args::WindowArgs};
 use crate::headless;
 
 /// Interactive stereo viewer of special relativity. Without a command it opens the window.
 #[derive(Debug, Parser)]
-#[command(version, about, after_help = EXAMPLES)]
+#[command(version, about, after_help = EXAMPLES, args_conflicts_with_subcommands = true)]
 pub struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
+    #[command(flatten)]
+    window: WindowArgs,
 }
 
 const EXAMPLES: &str = "\
@@ -20,7 +24,7 @@ The eyes rest at x = -d/2 (left) and x = +d/2 (right).
 Examples:
   gamow curve --beta 0.9 --d 0.3 --y 0.5 --z 0.5 --from -2 --to 5
   gamow curve --samples 1000 --out curve.csv
-  gamow eval curve-inputs.csv --out sightings.csv
+  gamow curve | cut -d, -f 1-6 | gamow eval --model published
 
 `gamow eval --help` and `gamow curve --help` tell more.";
 
@@ -29,19 +33,21 @@ Examples:
 enum Command {
     Eval(headless::eval::EvalArgs),
     Curve(headless::curve::CurveArgs),
+    Render(Box<headless::render::RenderArgs>),
 }
 
 /// Runs what the command line asks for.
 pub fn run(cli: Cli) -> anyhow::Result<()> {
     match cli.command {
-        None => anyhow::bail!("this version has no window; `gamow --help` lists its commands"),
+        None => app::launch::launch(&cli.window),
         Some(Command::Eval(args)) => headless::eval::run(&args),
         Some(Command::Curve(args)) => headless::curve::run(&args),
+        Some(Command::Render(args)) => headless::render::run(&args),
     }
 }
 
 /// The three ways to give a speed: a flag each, and a column of a CSV file each.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum SpeedParameter {
     /// v/c.
     Beta,

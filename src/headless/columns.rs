@@ -30,14 +30,16 @@ pub const COLUMNS: [&str; 14] = [
 
 /// Explains [`COLUMNS`] and the models at the end of a command's help.
 pub const COLUMNS_HELP: &str = "\
-The columns appended, each for the left and the right eye:
+The columns appended, for the left and the right eye (x_left, x_right and so on):
   x          apparent x, measured from the eye
   t          time of emission of the light that arrives at T
   doppler    received over rest frequency
   intensity  received over rest intensity: doppler to the power of the intensity exponent
   phi        azimuth from +x towards +y
   theta      elevation from the x-y plane
-  dphi, dtheta  the disparities: left minus right
+and the disparities between the two:
+  dphi       phi_left - phi_right
+  dtheta     theta_left - theta_right
 
 The published models evaluate the right eye through the left eye's formula at a shifted time, and measure its \
 angles from the left eye. They reproduce the paper (doi 10.1098/rspa.2019.0703) and leave parallax out.";
@@ -91,11 +93,16 @@ pub enum ObservationError {
     /// The aperture separation is negative or outside the domain.
     #[error("d = {0:?} is out of range: it must be between 0 and 1e60")]
     Separation(f64),
-    /// A result too large for f64: the intensity, for a large exponent.
-    #[error("{column} is too large for a 64-bit float; a smaller --intensity-exponent is needed")]
-    Overflow {
+    /// A result that f64 cannot hold: the intensity, for a large exponent.
+    #[error(
+        "{column} comes out as {value}, which cannot be written; less extreme values or a smaller \
+             --intensity-exponent are needed"
+    )]
+    NotFinite {
         /// The column that cannot be filled.
         column: &'static str,
+        /// What it would hold.
+        value: f64,
     },
 }
 
@@ -109,7 +116,7 @@ impl ObservationError {
             Self::Speed(SpeedError::Rapidity(_)) => "rapidity",
             Self::Domain(error) => error.name,
             Self::Separation(_) => "d",
-            Self::Overflow { column } => column,
+            Self::NotFinite { column, .. } => column,
         }
     }
 }
@@ -140,7 +147,7 @@ impl ModelArgs {
             dtheta,
         ];
         match values.iter().position(|value| !value.is_finite()) {
-            Some(index) => Err(ObservationError::Overflow { column: COLUMNS[index] }),
+            Some(index) => Err(ObservationError::NotFinite { column: COLUMNS[index], value: values[index] }),
             None => Ok(values),
         }
     }

@@ -43,13 +43,14 @@ impl<R: Read> Rows<R> {
     pub fn line(&self, row: &ByteRecord) -> u64 {
         let end = self.csv.position();
         let breaks_inside = row.as_slice().split(|&byte| byte == b'\n').count() as u64 - 1;
-        let break_at_end = self.csv.get_ref().byte_before(end.byte()) == Some(b'\n');
+        let break_at_end = self.csv.get_ref().before(end.byte()).last() == Some(&b'\n');
         end.line() - breaks_inside - u64::from(break_at_end)
     }
 
-    /// Whether the next read waits for input.
+    /// Whether the next read waits for input: nothing is left but, after a carriage return, a line feed.
     pub fn is_drained(&self) -> bool {
-        self.csv.position().byte() == self.csv.get_ref().bytes
+        let left = self.csv.get_ref().after(self.csv.position().byte());
+        left.iter().all(|byte| matches!(byte, b'\r' | b'\n'))
     }
 }
 
@@ -73,10 +74,19 @@ impl<R: Read> Read for Tap<R> {
 }
 
 impl<R> Tap<R> {
-    fn byte_before(&self, position: u64) -> Option<u8> {
-        let from_end = usize::try_from(self.bytes - position).ok()?;
-        let index = self.chunk.len().checked_sub(from_end + 1)?;
-        self.chunk.get(index).copied()
+    /// What it gave last, before `position` in the file.
+    fn before(&self, position: u64) -> &[u8] {
+        self.chunk.split_at(self.place(position)).0
+    }
+
+    /// What it gave last, from `position` in the file on.
+    fn after(&self, position: u64) -> &[u8] {
+        self.chunk.split_at(self.place(position)).1
+    }
+
+    fn place(&self, position: u64) -> usize {
+        // csv buffers nothing but what it was given last, so `position` is within it.
+        self.chunk.len() - (self.bytes - position) as usize
     }
 }
 

@@ -91,8 +91,9 @@ impl Sighting {
 ///
 /// # Accuracy
 ///
-/// Every quantity is within 8 units of 2^-53 (|f| + sum |`x_i` df/`dx_i`|), the `x_i` being the inputs
-/// (`tests/oracle.rs`, against 60-digit arithmetic).
+/// Every quantity is within [`crate::MAX_ERROR_UNITS`] units of `2^-53 (|f| + sum |x_i df/dx_i|)`, the `x_i`
+/// being the inputs. Measured (`tests/oracle`, 15,000 inputs drawn towards trouble): X, t, R, D, phi and theta
+/// median 0.2, 99 % 1.5, worst 3; powers of D up to the fourth 99 % 4, worst 5.
 ///
 /// # Errors
 ///
@@ -122,6 +123,11 @@ pub(crate) fn check_inputs(
     Ok(())
 }
 
+/// Coordinates in the precision `F`.
+pub(crate) fn rounded<F: Float>(coordinates: [f64; 3]) -> [F; 3] {
+    coordinates.map(|v| F::from(v).unwrap_or_else(F::infinity))
+}
+
 /// The light cone of one aperture, solved for one point.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct LightCone<F> {
@@ -149,7 +155,11 @@ impl LightCone<f64> {
 }
 
 impl<F: Float> LightCone<F> {
-    #[inline]
+    #[inline(always)]
+    #[expect(
+        clippy::inline_always,
+        reason = "batches are dispatched to wider registers, which needs inlining"
+    )]
     pub fn at(coefficients: &Coefficients<F>, s: F, y: F, z: F) -> Self {
         Self { s, y, z, solution: coefficients.solution(s, y * y + z * z) }
     }
@@ -176,28 +186,29 @@ impl<F: Float> Coefficients<F> {
     /// 1 - beta^2 c^2 = (1 + beta^2 rho^2/q^2)/gamma^2 gives D as a quotient of sums of positive terms.
     /// R = gamma q D in either case. X = S - beta R is a sum of negative terms for S <= 0, and factors for
     /// S > 0.
-    #[inline]
+    #[inline(always)]
+    #[expect(
+        clippy::inline_always,
+        reason = "batches are dispatched to wider registers, which needs inlining"
+    )]
     pub fn solution(&self, s: F, rho_squared: F) -> Solution<F> {
-        let Self { beta, gamma, gamma_minus_one, inverse_gamma_squared } = *self;
-        let one = F::one();
+        let Self { beta, gamma, gamma_minus_one, inverse_gamma, inverse_gamma_squared, smallest_q } = *self;
+        let (zero, one) = (F::zero(), F::one());
         let q = (s * s + rho_squared * inverse_gamma_squared).sqrt();
         // q = 0 only inside the aperture; a tiny divisor then makes c = 0 and D = gamma.
-        let inverse_q = one / q.max(F::min_positive_value().sqrt());
-        let beta_cosine = beta * (s * inverse_q);
-        let gamma_beta_cosine = gamma * beta_cosine;
-        let doppler_factor = if gamma_beta_cosine + gamma_beta_cosine > one {
-            let transverse = beta * inverse_q;
-            (one + transverse * transverse * rho_squared) / (gamma * (one + beta_cosine))
-        } else {
-            one + (gamma_minus_one - gamma_beta_cosine)
-        };
+        let divisor = if q > smallest_q { q } else { smallest_q };
+        // One division serves both 1/q and the quotient of the receding case.
+        let divisor_and_s = divisor + beta * s.abs();
+        let shared = one / (divisor * divisor_and_s);
+        let gamma_beta_cosine = gamma * beta * (s * (divisor_and_s * shared));
+        // Both cases are computed and one chosen, so that loops over points vectorise.
+        let receding = (divisor * divisor + beta * beta * rho_squared) * shared * inverse_gamma;
+        let otherwise = one + (gamma_minus_one - gamma_beta_cosine);
+        let doppler_factor = if gamma_beta_cosine + gamma_beta_cosine > one { receding } else { otherwise };
         let r = gamma * q * doppler_factor;
-        let x = if s > F::zero() {
-            let beta_rho = beta * rho_squared.sqrt();
-            (s - beta_rho) * (s + beta_rho) / (s + beta * q)
-        } else {
-            s - beta * r
-        };
+        let beta_rho = beta * rho_squared.sqrt();
+        let past = (s - beta_rho) * (s + beta_rho) / (s + beta * q);
+        let x = if s > zero { past } else { s - beta * r };
         Solution { q, x, r, doppler_factor }
     }
 }

@@ -18,13 +18,14 @@ pub struct Disparity {
     pub dtheta: f64,
 }
 
-/// Disparity of `point` between two apertures at `observation_time`. For N apertures, take each
-/// against the primary.
+/// Disparity of `point` between two apertures at `observation_time`.
 ///
 /// # Accuracy
 ///
-/// As [`crate::sighting`]; relative accuracy holds however close the apertures are, since no
-/// difference of two sightings is formed.
+/// As [`crate::sighting`], however close the apertures are: no difference of two sightings is formed. For the
+/// paper's pair the unit's inputs are d and not each aperture's place. Measured (`tests/oracle`): median 0.2,
+/// 99 % 1.5, worst 4 units. With y = 0, phi is 0 or pi by the sign of X; where rounding of the inputs decides
+/// it, so it does dphi.
 ///
 /// # Errors
 ///
@@ -48,10 +49,27 @@ pub fn disparity(
     })
 }
 
+/// Disparities of `point` between the primary, first aperture of a slice and each of them (itself included).
+///
+/// # Errors
+///
+/// A coordinate or time outside the domain.
+pub fn disparities(
+    speed: &Speed,
+    point: SourcePoint,
+    apertures: &[Aperture],
+    observation_time: f64,
+) -> Result<Vec<Disparity>, DomainError> {
+    let against_primary =
+        |&secondary: &Aperture| disparity(speed, point, apertures[0], secondary, observation_time);
+    apertures.iter().map(against_primary).collect()
+}
+
 /// T0: the observation time at which `point` is seen equidistant from both apertures of the paper's
 /// pair (eq. 6 of the paper, shifted by -x0/beta for a point not on x(0) = 0).
 ///
 /// At rest (beta = 0) a point is equidistant always or never, so there is no such time: `None`.
+/// Nor is there one if it is too far off for an f64, which takes an absurdly small beta.
 ///
 /// # Errors
 ///
@@ -67,5 +85,6 @@ pub fn equidistance_time(
     }
     let half = separation / 2.0;
     let distance = (half * half + point.y * point.y + point.z * point.z).sqrt();
-    Ok(Some(distance - point.x0 / speed.beta()))
+    let time = distance - point.x0 / speed.beta();
+    Ok(time.is_finite().then_some(time))
 }

@@ -28,8 +28,8 @@ pub enum SpeedError {
 ///
 /// # Accuracy
 ///
-/// Each accessor is within 4 units of 2^-53 (|f| + |x df/dx|), x being the parameter it was built
-/// from (`tests/oracle.rs`).
+/// Each accessor is within [`crate::MAX_ERROR_UNITS`] units of `2^-53 (|f| + |x df/dx|)`, x being the parameter
+/// it was built from. Measured (`tests/oracle`, 15,000 speeds): median 0.1, 99 % 2, worst 3.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Speed {
     beta: f64,
@@ -152,7 +152,9 @@ impl Speed {
             beta: to(self.beta),
             gamma: to(self.gamma),
             gamma_minus_one: to(self.gamma_minus_one),
+            inverse_gamma: to(1.0 / self.gamma),
             inverse_gamma_squared: to(self.inverse_gamma_squared),
+            smallest_q: F::min_positive_value().sqrt(),
         }
     }
 }
@@ -163,5 +165,8 @@ pub(crate) struct Coefficients<F> {
     pub beta: F,
     pub gamma: F,
     pub gamma_minus_one: F,
+    pub inverse_gamma: F,
     pub inverse_gamma_squared: F,
+    /// The smallest length whose square does not underflow.
+    pub smallest_q: F,
 }

@@ -4,9 +4,6 @@
 
 // Whether there is a ground grid.
 override GROUND: bool = true;
-override HAZE_DISTANCE: f32;
-override LINE_HALF_WIDTH: f32;
-override AXIS_HALF_WIDTH: f32;
 
 // Linear light, premultiplied by coverage.
 @group(1) @binding(0) var bodies: texture_2d<f32>;
@@ -17,35 +14,42 @@ fn screen(@builtin(vertex_index) vertex: u32) -> @builtin(position) vec4f {
     return vec4f(corner, 0.5, 1.0);
 }
 
-fn line(off_line: vec2f, half_width: f32, footprint: vec2f) -> vec2f {
-    let drawn = max(vec2f(half_width), 0.5 * footprint);
-    let edge = (drawn - abs(off_line)) / footprint + 0.5;
-    return clamp(edge, vec2f(0.0), vec2f(1.0)) * (half_width / drawn);
+const LINE_HALF_WIDTH = 0.012;
+const AXIS_HALF_WIDTH = 0.03;
+
+fn line_cover(off_line: vec2f, half_width: f32, pixel: vec2f) -> vec2f {
+    let half = max(vec2f(half_width), 0.5 * pixel);
+    let cover = clamp((half - abs(off_line)) / max(pixel, vec2f(1e-6)) + 0.5, vec2f(0.0), vec2f(1.0));
+    return cover * (half_width / half);
 }
 
-fn ground_colour(sight: vec3f, distance: f32) -> vec3f {
+// How the place where a line of sight meets the ground moves, if the line turns towards `across`.
+fn shift(sight: vec4f, across: vec3f, distance: f32) -> vec2f {
+    let turn = (across - sight.xyz * dot(sight.xyz, across)) * sight.w;
+    return (turn.xy - sight.xy * (turn.z / sight.z)) * distance;
+}
+
+fn ground_colour(sky: vec3f, sight: vec4f, distance: f32) -> vec3f {
     let foot = frame.ground.xy + sight.xy * distance;
-    let steepness = sight.xy / sight.z;
-    let footprint = distance / frame.ground.w * sqrt(1.0 + steepness * steepness);
-    let fade = max(1.0 - 2.0 * footprint, vec2f(0.0));
-    let grid = line(foot - round(foot), LINE_HALF_WIDTH, footprint) * fade;
-    let axes = line(foot, AXIS_HALF_WIDTH, footprint);
+    let right = shift(sight, frame.right.xyz, distance);
+    let down = shift(sight, frame.down.xyz, distance);
+    let pixel = sqrt(right * right + down * down);
+    let fade = clamp(2.0 - 4.0 * pixel, vec2f(0.0), vec2f(1.0));
+    let grid = line_cover(foot - round(foot), LINE_HALF_WIDTH, pixel) * fade;
+    let axes = line_cover(foot, AXIS_HALF_WIDTH, pixel);
     let painted = mix(frame.backdrop[2].rgb, frame.backdrop[3].rgb, max(grid.x, grid.y));
     let marked = mix(painted, frame.backdrop[4].rgb, max(axes.x, axes.y));
-    return mix(marked, frame.backdrop[0].rgb, distance / (distance + HAZE_DISTANCE));
+    return mix(sky, marked, 1.0 / (1.0 + 0.0025 * distance * distance));
 }
 
 fn behind(pixel: vec2f) -> vec3f {
-    let sight = line_of_sight(pixel).xyz;
-    if GROUND {
-        // The horizon itself counts as 1e9 away.
-        let distance = frame.ground.z / select(sight.z, 1e-9, abs(sight.z) < 1e-9);
-        if distance > 0.0 {
-            return ground_colour(sight, distance);
-        }
+    let sight = line_of_sight(pixel);
+    let nearness = 1.0 - min(1.4 * abs(sight.z), 1.0);
+    let sky = mix(frame.backdrop[1].rgb, frame.backdrop[0].rgb, nearness * nearness);
+    if GROUND && sight.z < -1e-6 {
+        return ground_colour(sky, sight, frame.ground.z / sight.z);
     }
-    let height = abs(sight.z);
-    return mix(frame.backdrop[0].rgb, frame.backdrop[1].rgb, height * (2.0 - height));
+    return sky;
 }
 
 // The sRGB curve, fitted in square roots: within 0.1 of 255 levels, and cheaper than a power.

@@ -19,9 +19,9 @@ struct Frame {
     // xyz: centre of the scene from the camera's event, rest frame; w: 1/(2 reach), reach being the
     // greatest distance of any body's surface from that centre.
     scene: vec4f,
-    // Camera x and y, height of the ground above the camera, focal length in pixels.
+    // Camera x and y, height of the ground above the camera (far below if there is none), 0.
     ground: vec4f,
-    // Linear sRGB: haze at the horizon, zenith, ground, grid lines, axis lines.
+    // Linear sRGB: horizon, zenith, ground, grid lines, axis lines.
     backdrop: array<vec4f, 5>,
 }
 

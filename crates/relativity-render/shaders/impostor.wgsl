@@ -92,7 +92,8 @@ fn picture(fragment: Fragment) -> Picture {
     }
     let inside = vec4f(clearance) + gradient.x * SAMPLE_U + gradient.y * SAMPLE_V > vec4f(0.0);
     let samples = dot(select(vec4u(0u), vec4u(1u, 2u, 4u, 8u), inside), vec4u(1u));
-    if samples == 0u || distance <= 0.0 {
+    let height = frame.scene.z + body.anchor.z + hit.place.z;
+    if samples == 0u || distance <= 0.0 || height < frame.ground.z {
         discard;
     }
     let colour = received_colour(

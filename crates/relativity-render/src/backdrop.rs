@@ -1,106 +1,141 @@
 //! What lies behind the bodies: a sky and a grid on the ground, at rest with the aperture.
 //!
-//! Never shifted, dimmed or exposed: it gives motion something to be seen against. The formulas use only
-//! + - * / and sqrt, so that a shader can repeat them to the last few bits.
+//! Never shifted, dimmed or exposed: it gives motion something to be seen against.
+//! `shaders/backdrop.wgsl` draws the same.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
-use crate::camera::Camera;
+use crate::camera::{Axes, Camera};
 use crate::colour::mix;
 use crate::view::Appearance;
 
-/// Colours of a backdrop, linear sRGB.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Palette {
-    /// All of it, where the sky is plain.
-    pub plain: [f64; 3],
-    /// Sky at the horizon; the far ground fades into it.
-    pub horizon: [f64; 3],
-    /// Sky overhead and underfoot.
-    pub zenith: [f64; 3],
-    /// Ground between the grid's lines, near the aperture.
-    pub ground: [f64; 3],
-    /// Lines of the grid.
-    pub grid_line: [f64; 3],
-    /// The lines x = 0 and y = 0.
-    pub axis_line: [f64; 3],
+/// Half the width of the grid's lines, one per unit of length along x and along y.
+const LINE_HALF_WIDTH: f64 = 0.012;
+/// Half the width of the two lines through the origin.
+const AXIS_HALF_WIDTH: f64 = 0.03;
+
+/// Linear sRGB colours of a backdrop.
+#[derive(Debug, Clone, Copy)]
+struct Palette {
+    plain: [f64; 3],
+    horizon: [f64; 3],
+    zenith: [f64; 3],
+    earth: [f64; 3],
+    grid_line: [f64; 3],
+    axis_line: [f64; 3],
 }
 
-/// For a dark window.
-pub const DARK: Palette = Palette {
-    plain: [0.010, 0.010, 0.012],
-    horizon: [0.060, 0.076, 0.105],
-    zenith: [0.006, 0.009, 0.020],
-    ground: [0.014, 0.016, 0.019],
-    grid_line: [0.085, 0.098, 0.118],
-    axis_line: [0.200, 0.230, 0.270],
+const DARK: Palette = Palette {
+    plain: [0.010, 0.011, 0.014],
+    horizon: [0.046, 0.060, 0.086],
+    zenith: [0.006, 0.009, 0.019],
+    earth: [0.013, 0.015, 0.019],
+    grid_line: [0.075, 0.090, 0.112],
+    axis_line: [0.180, 0.212, 0.256],
 };
 
-/// For a light window.
-pub const LIGHT: Palette = Palette {
+const LIGHT: Palette = Palette {
     plain: [0.880, 0.890, 0.910],
     horizon: [0.860, 0.890, 0.920],
     zenith: [0.480, 0.620, 0.800],
-    ground: [0.640, 0.665, 0.680],
+    earth: [0.640, 0.665, 0.680],
     grid_line: [0.400, 0.430, 0.460],
     axis_line: [0.190, 0.220, 0.260],
 };
 
-/// Distance at which the ground is half lost in the haze of the horizon.
-pub const HAZE_DISTANCE: f64 = 40.0;
-/// Half the width of a line; the grid has one line per unit of length along x and along y.
-pub const LINE_HALF_WIDTH: f64 = 0.012;
-/// Half the width of the lines x = 0 and y = 0.
-pub const AXIS_HALF_WIDTH: f64 = 0.024;
-
-/// The colours that suit `appearance`.
-#[must_use]
-pub fn palette(appearance: &Appearance) -> &'static Palette {
-    if appearance.light { &LIGHT } else { &DARK }
+/// The backdrop of one camera's picture.
+#[derive(Debug, Clone, Copy)]
+pub struct Backdrop {
+    palette: Palette,
+    aperture: DVec2,
+    /// Height of the ground from the aperture, below 0: ground above the eye would hide everything.
+    ground: Option<f64>,
+    axes: Axes,
+    focal_length_px: f64,
 }
 
-/// Linear sRGB of what `camera` sees along `line_of_sight` (unit vector) behind all bodies.
-#[must_use]
-pub fn backdrop(camera: &Camera, appearance: &Appearance, line_of_sight: DVec3) -> [f64; 3] {
-    let palette = palette(appearance);
-    let behind = if appearance.sky { sky(palette, line_of_sight.z) } else { palette.plain };
-    let Some(ground_z) = appearance.ground_z else { return behind };
-    let aperture = camera.aperture;
-    let distance = (ground_z - aperture.z) / line_of_sight.z;
-    if !(distance > 0.0 && distance.is_finite()) {
-        return behind;
+impl Backdrop {
+    /// What `camera` has behind the bodies.
+    #[must_use]
+    pub fn new(camera: &Camera, appearance: &Appearance) -> Self {
+        let aperture = camera.aperture;
+        Self {
+            palette: palette(appearance),
+            aperture: DVec2::new(aperture.x, aperture.y),
+            ground: appearance.ground_z.map(|z| z - aperture.z).filter(|z| *z < 0.0),
+            axes: camera.gaze.axes(),
+            focal_length_px: camera.focal_length_px(),
+        }
     }
-    let foot = DVec3::new(aperture.x, aperture.y, 0.0) + line_of_sight * distance;
-    // Moving the line of sight by the angle of a pixel moves its foot along x by up to
-    // distance * angle * sqrt(1 + (n_x / n_z)^2), and along y alike.
-    let footprint = |n: f64| {
-        let steepness = n / line_of_sight.z;
-        distance / camera.focal_length_px() * (1.0 + steepness * steepness).sqrt()
-    };
-    let [reach_x, reach_y] = [footprint(line_of_sight.x), footprint(line_of_sight.y)];
-    let grid = grid_line(foot.x, reach_x).max(grid_line(foot.y, reach_y));
-    let axes = line(foot.x, AXIS_HALF_WIDTH, reach_x).max(line(foot.y, AXIS_HALF_WIDTH, reach_y));
-    let surface = mix(mix(palette.ground, palette.grid_line, grid), palette.axis_line, axes);
-    let haze = if appearance.sky { palette.horizon } else { palette.plain };
-    mix(surface, haze, distance / (distance + HAZE_DISTANCE))
+
+    /// Linear sRGB of the horizon, the zenith, the ground, the grid's lines and the axes.
+    #[must_use]
+    pub fn colours(&self) -> [[f64; 3]; 5] {
+        let Palette { horizon, zenith, earth, grid_line, axis_line, .. } = self.palette;
+        [horizon, zenith, earth, grid_line, axis_line]
+    }
+
+    /// Height of the ground from the aperture, below 0; `None` if there is none to be seen.
+    #[must_use]
+    pub fn ground_height(&self) -> Option<f64> {
+        self.ground
+    }
+
+    /// Linear sRGB of the sky along `line_of_sight` (unit vector).
+    #[must_use]
+    pub fn sky(&self, line_of_sight: DVec3) -> [f64; 3] {
+        let nearness = 1.0 - (1.4 * line_of_sight.z.abs()).min(1.0);
+        mix(self.palette.zenith, self.palette.horizon, nearness * nearness)
+    }
+
+    /// Distance of the ground along `line_of_sight` (unit vector), if it is met.
+    #[must_use]
+    pub fn ground_distance(&self, line_of_sight: DVec3) -> Option<f64> {
+        let distance = self.ground? / line_of_sight.z;
+        (distance > 0.0 && distance.is_finite()).then_some(distance)
+    }
+
+    /// Linear sRGB of the ground met at `distance` along `line_of_sight`.
+    #[must_use]
+    pub fn ground(&self, line_of_sight: DVec3, distance: f64) -> [f64; 3] {
+        let n = line_of_sight;
+        let foot = self.aperture + n.truncate() * distance;
+        // The line of sight turns by this from one pixel to the next along `across`.
+        let turn =
+            |across: DVec3| (across - n * n.dot(across)) * (n.dot(self.axes.forward) / self.focal_length_px);
+        let shift = |turn: DVec3| (turn.truncate() - n.truncate() * (turn.z / n.z)) * distance;
+        let [right, down] = [self.axes.right, -self.axes.up].map(|across| shift(turn(across)));
+        let pixel = DVec2::new(right.x.hypot(down.x), right.y.hypot(down.y));
+        let grid = grid_cover(foot.x, pixel.x).max(grid_cover(foot.y, pixel.y));
+        let axes = axis_cover(foot.x, pixel.x).max(axis_cover(foot.y, pixel.y));
+        let Palette { earth, grid_line, axis_line, .. } = self.palette;
+        let painted = mix(mix(earth, grid_line, grid), axis_line, axes);
+        mix(self.sky(n), painted, 1.0 / (1.0 + 0.0025 * distance * distance))
+    }
 }
 
-/// Sky at the height `n_z` of the line of sight, -1 to 1.
-fn sky(palette: &Palette, n_z: f64) -> [f64; 3] {
-    let height = n_z.abs();
-    mix(palette.horizon, palette.zenith, height * (2.0 - height))
+/// The colours for `appearance`; where the sky is plain, it has one colour.
+fn palette(appearance: &Appearance) -> Palette {
+    let palette = if appearance.light { LIGHT } else { DARK };
+    if appearance.sky {
+        return palette;
+    }
+    Palette { horizon: palette.plain, zenith: palette.plain, ..palette }
 }
 
-/// Strength, 0 to 1, of the lines at whole numbers for a pixel that covers `footprint` about
-/// `coordinate`. Lines fade out before a pixel covers half a cell.
-fn grid_line(coordinate: f64, footprint: f64) -> f64 {
-    line(coordinate - coordinate.round(), LINE_HALF_WIDTH, footprint) * (1.0 - 2.0 * footprint).max(0.0)
+/// Share of a pixel, `pixel` wide on the ground, that the lines at whole numbers cover. A line thinner than a
+/// pixel is faded rather than broken up; a grid finer than pixels is left out.
+fn grid_cover(coordinate: f64, pixel: f64) -> f64 {
+    let off_line = (coordinate - coordinate.round()).abs();
+    line_cover(off_line, LINE_HALF_WIDTH, pixel) * (2.0 - 4.0 * pixel).clamp(0.0, 1.0)
 }
 
-/// Strength, 0 to 1, of one line at 0. Thinner than a pixel, it is drawn a pixel wide and fainter.
-fn line(off_line: f64, half_width: f64, footprint: f64) -> f64 {
-    let half_pixel = 0.5 * footprint;
-    let drawn = half_width.max(half_pixel);
-    let edge = (drawn - off_line.abs()) / footprint + 0.5;
-    edge.clamp(0.0, 1.0) * (half_width / drawn)
+/// Share of a pixel that the line at 0 covers.
+fn axis_cover(coordinate: f64, pixel: f64) -> f64 {
+    line_cover(coordinate.abs(), AXIS_HALF_WIDTH, pixel)
+}
+
+fn line_cover(off_line: f64, half_width: f64, pixel: f64) -> f64 {
+    let half = half_width.max(0.5 * pixel);
+    ((half - off_line) / pixel.max(1e-6) + 0.5).clamp(0.0, 1.0) * (half_width / half)
 }

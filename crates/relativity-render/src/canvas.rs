@@ -5,7 +5,6 @@
 
 use bytemuck::bytes_of;
 
-use crate::backdrop::{AXIS_HALF_WIDTH, HAZE_DISTANCE, LINE_HALF_WIDTH};
 use crate::frame::Frame;
 use crate::gpu::{Gpu, GpuError};
 use crate::palette;
@@ -55,6 +54,7 @@ impl Canvas {
         bodies: impl FnOnce(&mut wgpu::RenderPass<'_>),
     ) {
         gpu.queue.write_buffer(&target.frame, 0, bytes_of(frame));
+        let has_ground = frame.has_ground();
         let frame = self.frame_bind_group(gpu, &target.frame, appearance.colour);
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         {
@@ -69,7 +69,7 @@ impl Canvas {
         {
             let picture = attachment(target.view(), wgpu::StoreOp::Store);
             let mut pass = begin_pass(&mut encoder, "last", &[Some(picture)], None);
-            pass.set_pipeline(&self.last_pass[usize::from(appearance.ground_z.is_some())]);
+            pass.set_pipeline(&self.last_pass[usize::from(has_ground)]);
             pass.set_bind_group(0, &frame, &[]);
             pass.set_bind_group(1, &self.layer_bind_group(gpu, &target.bodies), &[]);
             pass.draw(0..3, 0..1);
@@ -187,12 +187,7 @@ fn last_pass(
     layout: &wgpu::PipelineLayout,
     ground: f64,
 ) -> wgpu::RenderPipeline {
-    let constants = [
-        ("GROUND", ground),
-        ("HAZE_DISTANCE", HAZE_DISTANCE),
-        ("LINE_HALF_WIDTH", LINE_HALF_WIDTH),
-        ("AXIS_HALF_WIDTH", AXIS_HALF_WIDTH),
-    ];
+    let constants = [("GROUND", ground)];
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some("last pass"),
         layout: Some(layout),

@@ -3,7 +3,7 @@
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec2, DVec3, Vec3};
 
-use crate::backdrop;
+use crate::backdrop::Backdrop;
 use crate::body::Body;
 use crate::camera::{Axes, Camera};
 use crate::intersect::Solid;
@@ -41,8 +41,11 @@ pub struct Extent {
 
 impl Extent {
     pub fn new(bodies: &[Body], origin: DVec3) -> Self {
-        let bounds = bodies.iter().map(|body| Solid::new(&body.shape).bounds());
-        let [low, high] = bounds
+        let bounds = bodies.iter().map(|body| {
+            let solid = Solid::new(&body.shape);
+            [-1.0, 1.0].map(|side| solid.center() + side * solid.bounding_radius())
+        });
+        let [low, high]: [DVec3; 2] = bounds
             .reduce(|[low, high], [from, to]| [low.min(from), high.max(to)])
             .unwrap_or([DVec3::ZERO, DVec3::ONE]);
         let centre_from_camera = (0.5 * (low + high) - origin).as_vec3();
@@ -63,7 +66,8 @@ impl Frame {
         let exposure = appearance.exposure_ev.exp2();
         let exponent = appearance.intensity_exponent.unwrap_or(0.0);
         let aperture = camera.aperture;
-        let ground = appearance.ground_z.unwrap_or(0.0) - aperture.z;
+        let backdrop = Backdrop::new(camera, appearance);
+        let ground = backdrop.ground_height().unwrap_or(f64::from(f32::MIN));
         let coarse = pole.as_vec2();
         let fine = (pole - coarse.as_dvec2()).as_vec2();
         Self {
@@ -75,16 +79,15 @@ impl Frame {
                 .map(|v| v as f32),
             light: [exposure, exponent, first, per_octave].map(|v| v as f32),
             scene: extent.centre_from_camera.extend((0.5 / extent.reach) as f32).to_array(),
-            ground: [aperture.x, aperture.y, ground, camera.focal_length_px()].map(|v| v as f32),
-            backdrop: backdrop_colours(appearance),
+            ground: [aperture.x, aperture.y, ground, 0.0].map(|v| v as f32),
+            backdrop: backdrop.colours().map(|colour| vector(colour.into())),
         }
     }
-}
 
-fn backdrop_colours(appearance: &Appearance) -> [[f32; 4]; 5] {
-    let palette = backdrop::palette(appearance);
-    let [haze, zenith] = if appearance.sky { [palette.horizon, palette.zenith] } else { [palette.plain; 2] };
-    [haze, zenith, palette.ground, palette.grid_line, palette.axis_line].map(|c| vector(c.into()))
+    /// Whether there is ground to be seen.
+    pub fn has_ground(&self) -> bool {
+        self.ground[2] > f32::MIN
+    }
 }
 
 fn vector(v: DVec3) -> [f32; 4] {

@@ -6,10 +6,10 @@
 
 pub mod backdrop;
 pub mod body;
-pub mod bvh;
 pub mod camera;
 mod canvas;
 pub mod colour;
+pub mod cone;
 mod exact;
 mod frame;
 pub mod gpu;
@@ -23,6 +23,7 @@ pub mod shade;
 #[doc(hidden)]
 pub mod shaders;
 mod target;
+mod tiles;
 pub mod view;
 
 pub use body::{Body, Shape};

@@ -6,14 +6,15 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use crate::backdrop::backdrop;
+use crate::backdrop::Backdrop;
 use crate::body::Body;
-use crate::bvh::Bvh;
 use crate::camera::LinesOfSight;
 use crate::colour::hue_preserving_clip;
+use crate::cone::Cone;
 use crate::intersect::Solid;
 use crate::picture::{Picture, encoded};
 use crate::shade::surface_colour;
+use crate::tiles::{Tile, tiles};
 use crate::view::{Appearance, View};
 
 /// What one ray meets.
@@ -26,19 +27,22 @@ pub struct Hit {
     /// Outward unit normal in the rest frame.
     pub rest_normal: DVec3,
     /// From the aperture to the event of emission in the ground frame (in the rest frame for
-    /// [`Geometry::Rest`]).
+    /// [`Geometry::Rest`](crate::Geometry::Rest)).
     pub distance: f64,
-    /// Ground time of emission; the observation time itself for [`Geometry::Contracted`], whose light is
+    /// Ground time of emission; the observation time itself for [`Geometry::Contracted`](crate::Geometry::Contracted), whose light is
     /// instantaneous.
     pub emission_time: f64,
-    /// Doppler factor, 1 unless the geometry is [`Geometry::Seen`].
+    /// Doppler factor, 1 unless the geometry is [`Geometry::Seen`](crate::Geometry::Seen).
     pub doppler_factor: f64,
 }
 
-/// Bodies prepared for tracing. Bodies may overlap; the nearest surface is seen.
+/// Bodies prepared for tracing. Bodies may overlap; the nearest surface is seen, of equally near ones the
+/// one with the lowest number.
 #[derive(Debug, Clone)]
 pub struct ReferenceScene {
-    bvh: Bvh,
+    solids: Vec<Solid>,
+    /// The numbers of all bodies.
+    all: Vec<u32>,
     rest_wavelengths_nm: Vec<f64>,
 }
 
@@ -56,16 +60,31 @@ impl ReferenceScene {
     #[must_use]
     pub fn new(bodies: &[Body]) -> Self {
         Self {
-            bvh: Bvh::new(bodies.iter().map(|body| Solid::new(&body.shape))),
+            solids: bodies.iter().map(|body| Solid::new(&body.shape)).collect(),
+            all: (0..bodies.len() as u32).collect(),
             rest_wavelengths_nm: bodies.iter().map(|body| body.rest_wavelength_nm).collect(),
         }
     }
 
     /// What is seen along `line_of_sight` (unit vector, ground frame).
+    ///
+    /// Tests every body: meant for single rays. [`Self::hit_image`] is much faster per ray.
     #[must_use]
     pub fn first_hit(&self, view: &View, line_of_sight: DVec3) -> Option<Hit> {
+        self.first_hit_among(&self.all, view, line_of_sight)
+    }
+
+    fn first_hit_among(&self, bodies: &[u32], view: &View, line_of_sight: DVec3) -> Option<Hit> {
+        if bodies.is_empty() {
+            return None;
+        }
         let ray = view.rest_ray(line_of_sight);
-        let (body, entry) = self.bvh.nearest_entry(ray.origin, ray.direction)?;
+        let entry = |&body: &u32| {
+            let body = body as usize;
+            Some((body, self.solids[body].entry(ray.origin, ray.direction)?))
+        };
+        let entries = bodies.iter().filter_map(entry);
+        let (body, entry) = entries.min_by(|a, b| a.1.distance.total_cmp(&b.1.distance))?;
         Some(Hit {
             body,
             rest_position: entry.position,
@@ -79,48 +98,75 @@ impl ReferenceScene {
     /// What `view` shows at the centre of every pixel.
     #[must_use]
     pub fn hit_image(&self, view: &View) -> HitImage {
-        let size @ [width, height] = view.camera.size;
         let lines_of_sight = LinesOfSight::new(&view.camera);
-        let mut hits = vec![None; width as usize * height as usize];
-        let rows = hits.par_chunks_mut(width.max(1) as usize).zip(0..height);
-        rows.for_each(|(row, v)| {
-            for (hit, u) in row.iter_mut().zip(0..width) {
-                let pixel = [f64::from(u) + 0.5, f64::from(v) + 0.5];
-                *hit = self.first_hit(view, lines_of_sight.through(pixel));
-            }
+        let hits = self.pixels(view, |bodies, [u, v]| {
+            let center = [f64::from(u) + 0.5, f64::from(v) + 0.5];
+            self.first_hit_among(bodies, view, lines_of_sight.through(center))
         });
-        HitImage { size, hits }
+        HitImage { size: view.camera.size, hits }
     }
 
     /// The picture `view` shows, sRGB-encoded, with `samples` times `samples` rays per pixel
     /// (1 or more).
     ///
-    /// Samples are clipped one by one, so that a bright body does not bleed over its silhouette, and averaged in linear light.
+    /// Samples are clipped one by one, so that a bright body does not bleed over its silhouette, and
+    /// averaged in linear light.
     #[must_use]
     pub fn picture(&self, view: &View, appearance: &Appearance, samples: u32) -> Picture {
-        let size @ [width, height] = view.camera.size;
         let lines_of_sight = LinesOfSight::new(&view.camera);
-        let mut rgba = vec![[0; 4]; width as usize * height as usize];
-        let rows = rgba.par_chunks_mut(width.max(1) as usize).zip(0..height);
-        rows.for_each(|(row, v)| {
-            for (pixel, u) in row.iter_mut().zip(0..width) {
-                let sum = sample_grid([u, v], samples).fold([0.0; 3], |sum: [f64; 3], place| {
-                    let colour = self.colour(view, appearance, lines_of_sight.through(place));
-                    std::array::from_fn(|i| sum[i] + colour[i])
-                });
-                *pixel = encoded(sum.map(|part| part / f64::from(samples * samples)));
-            }
+        let backdrop = Backdrop::new(&view.camera, appearance);
+        let rgba = self.pixels(view, |bodies, pixel| {
+            let sum = sample_grid(pixel, samples).fold([0.0; 3], |sum: [f64; 3], place| {
+                let line_of_sight = lines_of_sight.through(place);
+                let hit = self.first_hit_among(bodies, view, line_of_sight);
+                let colour = self.colour(appearance, &backdrop, line_of_sight, hit);
+                std::array::from_fn(|i| sum[i] + colour[i])
+            });
+            encoded(sum.map(|part| part / f64::from(samples * samples)))
         });
-        Picture { size, rgba }
+        Picture { size: view.camera.size, rgba }
     }
 
-    /// Linear sRGB in [0, 1] of what is seen along `line_of_sight`.
-    fn colour(&self, view: &View, appearance: &Appearance, line_of_sight: DVec3) -> [f64; 3] {
-        let Some(hit) = self.first_hit(view, line_of_sight) else {
-            return backdrop(&view.camera, appearance, line_of_sight);
-        };
-        let wavelength_nm = self.rest_wavelengths_nm[hit.body];
-        hue_preserving_clip(surface_colour(appearance, wavelength_nm, hit.rest_normal, hit.doppler_factor))
+    /// Linear sRGB of what is seen along `line_of_sight`, in [0, 1] where it is a body.
+    fn colour(
+        &self,
+        appearance: &Appearance,
+        backdrop: &Backdrop,
+        line_of_sight: DVec3,
+        hit: Option<Hit>,
+    ) -> [f64; 3] {
+        let ground_distance = backdrop.ground_distance(line_of_sight);
+        match (hit, ground_distance) {
+            (Some(hit), ground) if ground.is_none_or(|distance| hit.distance <= distance) => {
+                let wavelength_nm = self.rest_wavelengths_nm[hit.body];
+                let Hit { rest_normal, doppler_factor, .. } = hit;
+                hue_preserving_clip(surface_colour(appearance, wavelength_nm, rest_normal, doppler_factor))
+            }
+            (_, Some(distance)) => backdrop.ground(line_of_sight, distance),
+            (_, None) => backdrop.sky(line_of_sight),
+        }
+    }
+
+    /// One value per pixel of `view`, row by row, from the bodies that can be seen there and the pixel.
+    fn pixels<T: Clone + Default + Send>(
+        &self,
+        view: &View,
+        value: impl Fn(&[u32], [u32; 2]) -> T + Sync,
+    ) -> Vec<T> {
+        let cone = |solid: &Solid| Cone::of_sight(view, solid.center(), solid.bounding_radius());
+        let cones: Vec<_> = self.solids.iter().map(cone).collect();
+        let tiles = tiles(&view.camera, &cones).into_par_iter();
+        let blocks: Vec<(Tile, Vec<T>)> = tiles
+            .map(|(tile, bodies)| (tile, tile.pixels().map(|pixel| value(&bodies, pixel)).collect()))
+            .collect();
+        let [width, height] = view.camera.size.map(|side| side as usize);
+        let mut image = vec![T::default(); width * height];
+        for (tile, block) in blocks {
+            for ([u, v], value) in tile.pixels().zip(block) {
+                image[v as usize * width + u as usize] = value;
+            }
+        }
+        image
     }
 }
 

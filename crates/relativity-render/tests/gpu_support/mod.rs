@@ -8,12 +8,15 @@ use std::sync::Arc;
 use libtest_mimic::{Arguments, Failed, Trial};
 use relativity_render::Gpu;
 
+/// A test's name and what it does with the device.
+pub type Test = (&'static str, fn(&Gpu));
+
 /// Runs `tests`, each with the device.
-pub fn run(tests: &[(&'static str, fn(&Gpu))]) -> ExitCode {
+pub fn run(tests: &[Test]) -> ExitCode {
     let arguments = Arguments::from_args();
     let gpu = Gpu::headless().map(Arc::new);
     let is_required = std::env::var("GAMOW_REQUIRE_GPU").is_ok_and(|value| value == "1");
-    let trial = |&(name, test): &(&'static str, fn(&Gpu))| {
+    let trial = |&(name, test): &Test| {
         let gpu = gpu.clone();
         let is_ignored = gpu.is_err() && !is_required;
         let run = move || {

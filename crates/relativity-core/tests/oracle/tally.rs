@@ -4,7 +4,7 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
-use super::Parameter;
+use crate::model::Parameter;
 
 /// Errors of `N` quantities in one case, and the inputs that led to them.
 pub struct Case<const N: usize> {

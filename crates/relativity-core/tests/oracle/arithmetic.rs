@@ -4,10 +4,6 @@
 //! cancel are simply carried. Errors are measured in units of
 //! `2^-53 (|f| + sum |x_i df/dx_i|)`: what rounding the result once and each input once does.
 
-pub mod draw;
-pub mod model;
-pub mod tally;
-
 use dashu_float::FBig;
 use dashu_float::ops::Abs;
 use dashu_float::round::mode::HalfEven;
@@ -36,24 +32,16 @@ pub fn atan2(y: &Big, x: &Big) -> Big {
     if *y == Big::ZERO && *x == Big::ZERO { big(0.0) } else { y.atan2(x) }
 }
 
-/// How the speed was given: the parameter is the input, everything else follows from it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Parameter {
-    Beta,
-    Gamma,
-    Rapidity,
-}
-
 /// A quantity's true value, and the size of one unit of error for it.
 #[derive(Debug)]
-pub struct Truth {
-    pub value: Big,
-    pub unit: f64,
+struct Truth {
+    value: Big,
+    unit: f64,
 }
 
 impl Truth {
     /// How many units `computed` is off.
-    pub fn error_units(&self, computed: f64) -> f64 {
+    fn error_units(&self, computed: f64) -> f64 {
         if !computed.is_finite() {
             return f64::INFINITY;
         }
@@ -62,13 +50,33 @@ impl Truth {
     }
 }
 
-/// The true values and units of `f` at `inputs`, for arithmetic with the given unit roundoff.
+/// Errors of `computed` in units of `f` at `inputs`, for arithmetic with the given unit roundoff.
 ///
-/// The derivatives are central difference quotients over 1 +- 2^-100.
-pub fn truths<const N: usize>(
+/// The unit's derivatives are those at the inputs. Where a value is further off than `bound`, the slopes of
+/// the chords over `bound` roundings of each input count too: near a jump (of phi, say, where a point passes
+/// through X = 0 close to the x-z plane) the derivative says nothing about what roundings do.
+pub fn error_units<const N: usize>(
+    f: impl Fn(&[Big]) -> [Big; N],
+    inputs: &[f64],
+    computed: [f64; N],
+    unit_roundoff: f64,
+    bound: f64,
+) -> [f64; N] {
+    let tangent = truths(&f, inputs, unit_roundoff, STEP);
+    let errors: [f64; N] = std::array::from_fn(|k| tangent[k].error_units(computed[k]));
+    if errors.iter().all(|&error| error <= bound) {
+        return errors;
+    }
+    let chord = truths(&f, inputs, unit_roundoff, bound * unit_roundoff);
+    std::array::from_fn(|k| errors[k].min(chord[k].error_units(computed[k])))
+}
+
+/// True values and units, from the chords over `1 +- step`.
+fn truths<const N: usize>(
     f: impl Fn(&[Big]) -> [Big; N],
     inputs: &[f64],
     unit_roundoff: f64,
+    step: f64,
 ) -> [Truth; N] {
     let exact: Vec<Big> = inputs.iter().map(|&x| big(x)).collect();
     let values = f(&exact);
@@ -79,12 +87,13 @@ pub fn truths<const N: usize>(
         }
         let moved = |sign: f64| {
             let mut inputs = exact.clone();
-            inputs[i] = &inputs[i] * (big(1.0) + big(sign * STEP));
+            inputs[i] = &inputs[i] * (big(1.0) + big(sign * step));
             f(&inputs)
         };
         let (above, below) = (moved(1.0), moved(-1.0));
         for (k, sum) in sums.iter_mut().enumerate() {
-            *sum += (&above[k] - &below[k]).abs().to_f64().value() / (2.0 * STEP);
+            let chord = |end: &Big| (end - &values[k]).abs().to_f64().value() / step;
+            *sum += chord(&above[k]).max(chord(&below[k]));
         }
     }
     let mut sums = sums.into_iter();
@@ -96,3 +105,5 @@ const STEP: f64 = f64::from_bits((1023 - 100) << 52);
 
 /// Unit roundoff of f64.
 pub const UNIT_F64: f64 = f64::EPSILON / 2.0;
+/// Unit roundoff of f32.
+pub const UNIT_F32: f64 = f32::EPSILON as f64 / 2.0;

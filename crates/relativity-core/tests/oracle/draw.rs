@@ -3,7 +3,7 @@
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
-use super::Parameter;
+use crate::model::Parameter;
 use relativity_core::Speed;
 
 /// `10^u`, u uniform between the exponents.
@@ -25,6 +25,12 @@ pub fn length(rng: &mut ChaCha8Rng) -> f64 {
     signed(rng, magnitude)
 }
 
+/// A length with sign, 1e-4 to 1e6 in magnitude, or zero: no product of two underflows in f32.
+pub fn ordinary_length(rng: &mut ChaCha8Rng) -> f64 {
+    let length = length(rng);
+    if length.abs() < 1e-4 { 0.0 } else { length }
+}
+
 /// A speed: beta from 1e-14 to 1 - 1e-15, gamma from 1 + 1e-15 to 1e12, rapidity from 1e-14 to 30.
 pub fn speed(rng: &mut ChaCha8Rng) -> (Parameter, f64) {
     match rng.random_range(0..6) {
@@ -34,6 +40,16 @@ pub fn speed(rng: &mut ChaCha8Rng) -> (Parameter, f64) {
         3 => (Parameter::Gamma, log_uniform(rng, 0.001, 12.0)),
         4 => (Parameter::Rapidity, log_uniform(rng, -14.0, 0.0)),
         _ => (Parameter::Rapidity, rng.random_range(0.1..30.0)),
+    }
+}
+
+/// A speed for f32: gamma up to 1e3.
+pub fn slower_speed(rng: &mut ChaCha8Rng) -> (Parameter, f64) {
+    match rng.random_range(0..4) {
+        0 => (Parameter::Beta, log_uniform(rng, -14.0, -0.001)),
+        1 => (Parameter::Beta, 1.0 - log_uniform(rng, -6.0, -0.1)),
+        2 => (Parameter::Gamma, 1.0 + log_uniform(rng, -3.0, 2.99)),
+        _ => (Parameter::Rapidity, log_uniform(rng, -3.0, 0.87)),
     }
 }
 
@@ -47,21 +63,26 @@ pub fn program_speed(parameter: Parameter, value: f64) -> Speed {
     .expect("drawn inside the range")
 }
 
-/// `value` times 1 + delta, delta from 1e-16 to 1.
-fn near(rng: &mut ChaCha8Rng, value: f64) -> f64 {
-    let delta = log_uniform(rng, -17.0, 0.0);
+/// `value` times 1 + delta, delta from `smallest` to 1.
+fn near(rng: &mut ChaCha8Rng, value: f64, smallest: f64) -> f64 {
+    let delta = log_uniform(rng, smallest.log10(), 0.0);
     value * (1.0 + signed(rng, delta))
 }
 
-/// An observation time for a point at `s0` (from the aperture, at t = 0) and `rho` off the axis: anything up
-/// to 1e10, or close to S = 0, or to X = 0 (which is T0 for a pair, nearly).
-pub fn time(rng: &mut ChaCha8Rng, beta: f64, s0: f64, rho: f64) -> f64 {
+/// An observation time for a point at `s0` (from the aperture, at t = 0), `y` and `rho` off the axis: anything
+/// up to 1e10, or close to S = 0, or to X = 0 (which is T0 for a pair, nearly).
+///
+/// Close to the x-z plane phi jumps where X changes sign; there the time keeps 16 roundings away, since
+/// fewer decide on which side of the jump the point is. With y = 0 it is not aimed at all.
+pub fn time(rng: &mut ChaCha8Rng, beta: f64, [s0, y, rho]: [f64; 3], unit_roundoff: f64) -> f64 {
     let special = match rng.random_range(0..4) {
+        _ if y == 0.0 => 0.0,
         0 => -s0 / beta,
         1 => rho - s0 / beta,
         _ => 0.0,
     };
-    let time = near(rng, special);
+    let is_jump = y.abs() < 1e-3 * (s0.abs() + rho);
+    let time = near(rng, special, if is_jump { 16.0 * unit_roundoff } else { 1e-17 });
     if special != 0.0 && time.abs() <= 1e10 {
         return time;
     }
@@ -82,7 +103,7 @@ pub fn separation(rng: &mut ChaCha8Rng, scale: f64) -> f64 {
 pub fn direction(rng: &mut ChaCha8Rng, critical: f64) -> [f64; 3] {
     let cosine: f64 = match rng.random_range(0..3) {
         0 => rng.random_range(-1.0..1.0),
-        1 => near(rng, critical).clamp(-1.0, 1.0),
+        1 => near(rng, critical, 1e-17).clamp(-1.0, 1.0),
         _ => signed(rng, 1.0),
     };
     let sine =

@@ -1,0 +1,116 @@
+//! Time per point of the batch forms, against the formulas as printed and against a copy of the same bytes.
+//!
+//! `cargo bench -p relativity-core --bench batch`. All in one run, since only ratios carry over between
+//! machines. The printed formulas (naive) lose digits; they are here to show what keeping them costs.
+
+use std::hint::black_box;
+use std::time::Instant;
+
+use num_traits::Float;
+use relativity_core::batch::{PointColumns, Real, SightingColumns, Threads, sightings_of_points};
+use relativity_core::{Aperture, Speed};
+
+const MANY: usize = 10_000_000;
+const IN_CACHE: usize = 1024;
+const REPETITIONS: usize = 7;
+const TIME: f64 = 1.5;
+const APERTURE: Aperture = Aperture { x: -0.05, y: 0.0, z: 0.0 };
+
+fn main() {
+    println!(
+        "ns per point, the best of {REPETITIONS}; ratios to the naive form and to a copy of the same bytes\n"
+    );
+    println!(
+        "{:8}{:>10}{:>12}{:>8}{:>8}{:>8}{:>10}{:>8}",
+        "", "points", "threads", "stable", "naive", "copy", "/ naive", "/ copy"
+    );
+    for rows in [MANY, IN_CACHE] {
+        bench::<f64>("f64", rows, Threads::One);
+        bench::<f32>("f32", rows, Threads::One);
+    }
+    bench::<f64>("f64", MANY, Threads::All);
+    bench::<f32>("f32", MANY, Threads::All);
+}
+
+struct Table<F> {
+    inputs: [Vec<F>; 3],
+    outputs: [Vec<F>; 3],
+}
+
+fn bench<F: Real>(name: &str, rows: usize, threads: Threads) {
+    let to = |v: f64| F::from(v).expect("f64 converts to any float");
+    let coordinate = |i: usize, step: f64| to(((i as f64 * step).fract() - 0.5) * 20.0);
+    let inputs =
+        [0.618_034, 0.324_718, 0.220_744].map(|step| (0..rows).map(|i| coordinate(i, step)).collect());
+    let mut table = Table { inputs, outputs: [(); 3].map(|()| vec![F::zero(); rows]) };
+    let speed = Speed::from_beta(0.9).expect("0.9 is a speed");
+    let stable = best(rows, || stable(&speed, &mut table, threads));
+    let naive = best(rows, || naive(&mut table));
+    let copy = best(rows, || copy(&mut table));
+    let label = format!("{threads:?}");
+    println!(
+        "{name:8}{rows:>10}{label:>12}{stable:8.2}{naive:8.2}{copy:8.2}{:10.2}{:8.2}",
+        stable / naive,
+        stable / copy
+    );
+}
+
+/// Nanoseconds per row of the fastest repetition.
+fn best(rows: usize, mut work: impl FnMut()) -> f64 {
+    let passes = (200_000 / rows).max(1);
+    let nanoseconds = |_| {
+        let start = Instant::now();
+        (0..passes).for_each(|_| work());
+        start.elapsed().as_secs_f64() * 1e9 / (rows * passes) as f64
+    };
+    (0..REPETITIONS).map(nanoseconds).fold(f64::INFINITY, f64::min)
+}
+
+#[inline(never)]
+fn stable<F: Real>(speed: &Speed, table: &mut Table<F>, threads: Threads) {
+    let [x0, y, z] = &table.inputs;
+    let [apparent_x, retarded_time, doppler_factor] = &mut table.outputs;
+    let out = SightingColumns { apparent_x, retarded_time, doppler_factor };
+    let time = F::from(TIME).expect("f64 converts to any float");
+    sightings_of_points(speed, PointColumns { x0, y, z }, APERTURE, time, out, threads)
+        .expect("inside the domain");
+    black_box(&table.outputs);
+}
+
+fn naive<F: Float>(table: &mut Table<F>) {
+    let [x0, y, z] = &table.inputs;
+    let [x, t, d] = &mut table.outputs;
+    pulp::Arch::new().dispatch(
+        #[inline(always)]
+        || naive_columns(x0, y, z, x, t, d),
+    );
+    black_box(&table.outputs);
+}
+
+/// One slice per argument, so that the compiler knows them apart and vectorises.
+#[inline(always)]
+#[expect(clippy::inline_always, reason = "what pulp dispatches must be inlined to use wider registers")]
+fn naive_columns<F: Float>(x0: &[F], y: &[F], z: &[F], x: &mut [F], t: &mut [F], d: &mut [F]) {
+    let to = |v: f64| F::from(v).expect("f64 converts to any float");
+    let (beta, time, aperture) = (to(0.9), to(TIME), to(APERTURE.x));
+    let gamma = F::one() / (F::one() - beta * beta).sqrt();
+    let rows = x0.len();
+    let (y, z, x, t, d) = (&y[..rows], &z[..rows], &mut x[..rows], &mut t[..rows], &mut d[..rows]);
+    for i in 0..rows {
+        let s = x0[i] - aperture + beta * time;
+        let rho_squared = y[i] * y[i] + z[i] * z[i];
+        let apparent = gamma * gamma * s - gamma * beta * (gamma * gamma * s * s + rho_squared).sqrt();
+        let r = (apparent * apparent + rho_squared).sqrt();
+        x[i] = apparent;
+        t[i] = time - r;
+        d[i] = F::one() / (gamma * (F::one() + beta * apparent / r));
+    }
+}
+
+#[inline(never)]
+fn copy<F: Float>(table: &mut Table<F>) {
+    for (to, from) in table.outputs.iter_mut().zip(&table.inputs) {
+        to.copy_from_slice(from);
+    }
+    black_box(&table.outputs);
+}

@@ -1,0 +1,260 @@
+//! Sightings and disparities over slices: of many points at one time, and of one point at many times.
+//!
+//! The same solution as the scalar functions', in f64 or f32, on one thread or on all. Plain loops without
+//! branches, which the compiler vectorises.
+
+use rayon::prelude::*;
+
+use crate::apparent::{Aperture, LightCone, SourcePoint, rounded};
+pub use crate::batch_error::BatchError;
+use crate::batch_error::{check_common, check_lengths, first_outside};
+use crate::cone_pair::ConePair;
+pub use crate::real::Real;
+use crate::speed::{Coefficients, Speed};
+
+/// Points per task: enough to hide the cost of a task, and few enough to stay in a core's cache.
+const CHUNK: usize = 4096;
+
+/// How many threads a batch uses.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Threads {
+    /// The caller's.
+    One,
+    /// All of rayon's.
+    All,
+}
+
+/// Points in columns.
+#[derive(Debug, Clone, Copy)]
+pub struct PointColumns<'a, F> {
+    /// Objective x at t = 0.
+    pub x0: &'a [F],
+    /// Depth.
+    pub y: &'a [F],
+    /// Height.
+    pub z: &'a [F],
+}
+
+/// Where sightings go. The apparent Y and Z are the point's own, less the aperture's.
+#[derive(Debug)]
+pub struct SightingColumns<'a, F> {
+    /// Apparent X from the aperture.
+    pub apparent_x: &'a mut [F],
+    /// Retarded time.
+    pub retarded_time: &'a mut [F],
+    /// Doppler factor.
+    pub doppler_factor: &'a mut [F],
+}
+
+/// Where disparities go.
+#[derive(Debug)]
+pub struct DisparityColumns<'a, F> {
+    /// Delta-phi.
+    pub dphi: &'a mut [F],
+    /// Delta-theta.
+    pub dtheta: &'a mut [F],
+}
+
+/// What `aperture` sees of many points at one `observation_time`.
+///
+/// # Accuracy
+///
+/// As [`crate::sighting`], with the unit of f32 (2^-24) for f32. The aperture is rounded to `F` first.
+///
+/// # Errors
+///
+/// Columns of unequal length; a value outside the domain.
+pub fn sightings_of_points<F: Real>(
+    speed: &Speed,
+    points: PointColumns<'_, F>,
+    aperture: Aperture,
+    observation_time: F,
+    out: SightingColumns<'_, F>,
+    threads: Threads,
+) -> Result<(), BatchError> {
+    let PointColumns { x0, y, z } = points;
+    let SightingColumns { apparent_x, retarded_time, doppler_factor } = out;
+    let rows = x0.len();
+    check_lengths(
+        rows,
+        &[
+            ("y", y.len()),
+            ("z", z.len()),
+            ("apparent_x", apparent_x.len()),
+            ("retarded_time", retarded_time.len()),
+            ("doppler_factor", doppler_factor.len()),
+        ],
+    )?;
+    let origin = SourcePoint { x0: 0.0, y: 0.0, z: 0.0 };
+    check_common::<F>(speed, origin, &[aperture], observation_time.into())?;
+    let view =
+        View { coefficients: speed.coefficients(), aperture: rounded([aperture.x, aperture.y, aperture.z]) };
+    let is_inside = match threads {
+        Threads::One => (x0.chunks(CHUNK).zip(y.chunks(CHUNK)).zip(z.chunks(CHUNK)))
+            .zip(
+                apparent_x
+                    .chunks_mut(CHUNK)
+                    .zip(retarded_time.chunks_mut(CHUNK))
+                    .zip(doppler_factor.chunks_mut(CHUNK)),
+            )
+            .all(|(((x0, y), z), ((x, t), d))| view.points(observation_time, [x0, y, z], [x, t, d])),
+        Threads::All => (
+            x0.par_chunks(CHUNK),
+            y.par_chunks(CHUNK),
+            z.par_chunks(CHUNK),
+            apparent_x.par_chunks_mut(CHUNK),
+            retarded_time.par_chunks_mut(CHUNK),
+            doppler_factor.par_chunks_mut(CHUNK),
+        )
+            .into_par_iter()
+            .all(|(x0, y, z, x, t, d)| view.points(observation_time, [x0, y, z], [x, t, d])),
+    };
+    if is_inside { Ok(()) } else { first_outside(&[("x0", x0), ("y", y), ("z", z)]) }
+}
+
+/// What `aperture` sees of one point at many observation `times`.
+///
+/// # Accuracy
+///
+/// As [`sightings_of_points`]; the point is rounded to `F` first.
+///
+/// # Errors
+///
+/// Columns of unequal length; a value outside the domain.
+pub fn sightings_over_time<F: Real>(
+    speed: &Speed,
+    point: SourcePoint,
+    aperture: Aperture,
+    times: &[F],
+    out: SightingColumns<'_, F>,
+    threads: Threads,
+) -> Result<(), BatchError> {
+    let SightingColumns { apparent_x, retarded_time, doppler_factor } = out;
+    check_lengths(
+        times.len(),
+        &[
+            ("apparent_x", apparent_x.len()),
+            ("retarded_time", retarded_time.len()),
+            ("doppler_factor", doppler_factor.len()),
+        ],
+    )?;
+    check_common::<F>(speed, point, &[aperture], 0.0)?;
+    let view =
+        View { coefficients: speed.coefficients(), aperture: rounded([aperture.x, aperture.y, aperture.z]) };
+    let point = rounded([point.x0, point.y, point.z]);
+    let is_inside = match threads {
+        Threads::One => (times.chunks(CHUNK).zip(apparent_x.chunks_mut(CHUNK)))
+            .zip(retarded_time.chunks_mut(CHUNK).zip(doppler_factor.chunks_mut(CHUNK)))
+            .all(|((times, x), (t, d))| view.over_time(point, times, [x, t, d])),
+        Threads::All => (
+            times.par_chunks(CHUNK),
+            apparent_x.par_chunks_mut(CHUNK),
+            retarded_time.par_chunks_mut(CHUNK),
+            doppler_factor.par_chunks_mut(CHUNK),
+        )
+            .into_par_iter()
+            .all(|(times, x, t, d)| view.over_time(point, times, [x, t, d])),
+    };
+    if is_inside { Ok(()) } else { first_outside(&[("T", times)]) }
+}
+
+/// Disparities of one point between two apertures at many observation `times`.
+///
+/// # Accuracy
+///
+/// As [`crate::disparity()`], with the unit of f32 (2^-24) for f32. The point and the apertures are rounded to
+/// `F` first.
+///
+/// # Errors
+///
+/// Columns of unequal length; a value outside the domain.
+pub fn disparities_over_time<F: Real>(
+    speed: &Speed,
+    point: SourcePoint,
+    [primary, secondary]: [Aperture; 2],
+    times: &[F],
+    out: DisparityColumns<'_, F>,
+    threads: Threads,
+) -> Result<(), BatchError> {
+    let DisparityColumns { dphi, dtheta } = out;
+    check_lengths(times.len(), &[("dphi", dphi.len()), ("dtheta", dtheta.len())])?;
+    check_common::<F>(speed, point, &[primary, secondary], 0.0)?;
+    let coefficients = speed.coefficients();
+    let chunk = |times: &[F], dphi: &mut [F], dtheta: &mut [F]| {
+        let mut is_inside = true;
+        for ((&time, dphi), dtheta) in times.iter().zip(dphi).zip(dtheta) {
+            is_inside &= time.abs() <= F::MAX_COORDINATE;
+            (*dphi, *dtheta) =
+                ConePair::new(&coefficients, point, primary, secondary, time).angle_differences();
+        }
+        is_inside
+    };
+    let is_inside = match threads {
+        Threads::One => chunk(times, dphi, dtheta),
+        Threads::All => (times.par_chunks(CHUNK), dphi.par_chunks_mut(CHUNK), dtheta.par_chunks_mut(CHUNK))
+            .into_par_iter()
+            .all(|(times, dphi, dtheta)| chunk(times, dphi, dtheta)),
+    };
+    if is_inside { Ok(()) } else { first_outside(&[("T", times)]) }
+}
+
+/// A speed and an aperture in the precision of a batch.
+struct View<F> {
+    coefficients: Coefficients<F>,
+    aperture: [F; 3],
+}
+
+impl<F: Real> View<F> {
+    /// Fills the columns `[apparent_x, retarded_time, doppler_factor]`; whether all points are inside the domain.
+    fn points(&self, time: F, inputs: [&[F]; 3], outputs: [&mut [F]; 3]) -> bool {
+        pulp::Arch::new().dispatch(
+            #[inline(always)]
+            || self.points_loop(time, inputs, outputs),
+        )
+    }
+
+    #[inline(always)]
+    #[expect(clippy::inline_always, reason = "what pulp dispatches must be inlined to use wider registers")]
+    fn points_loop(&self, time: F, [x0, y, z]: [&[F]; 3], [x, t, d]: [&mut [F]; 3]) -> bool {
+        let (moved, limit) = (self.coefficients.beta * time, F::MAX_COORDINATE);
+        // One length for all lets the compiler drop the bounds checks.
+        let rows = x0.len();
+        let (y, z, x, t, d) = (&y[..rows], &z[..rows], &mut x[..rows], &mut t[..rows], &mut d[..rows]);
+        let mut is_inside = true;
+        for i in 0..rows {
+            is_inside &= (x0[i].abs() <= limit) & (y[i].abs() <= limit) & (z[i].abs() <= limit);
+            let s = (x0[i] - self.aperture[0]) + moved;
+            let cone = LightCone::at(&self.coefficients, s, y[i] - self.aperture[1], z[i] - self.aperture[2]);
+            x[i] = cone.solution.x;
+            t[i] = time - cone.solution.r;
+            d[i] = cone.solution.doppler_factor;
+        }
+        is_inside
+    }
+
+    /// The same for one point at many times.
+    fn over_time(&self, point: [F; 3], times: &[F], outputs: [&mut [F]; 3]) -> bool {
+        pulp::Arch::new().dispatch(
+            #[inline(always)]
+            || self.over_time_loop(point, times, outputs),
+        )
+    }
+
+    #[inline(always)]
+    #[expect(clippy::inline_always, reason = "what pulp dispatches must be inlined to use wider registers")]
+    fn over_time_loop(&self, [x0, y, z]: [F; 3], times: &[F], [x, t, d]: [&mut [F]; 3]) -> bool {
+        let s0 = x0 - self.aperture[0];
+        let (y, z) = (y - self.aperture[1], z - self.aperture[2]);
+        let rows = times.len();
+        let (x, t, d) = (&mut x[..rows], &mut t[..rows], &mut d[..rows]);
+        let mut is_inside = true;
+        for i in 0..rows {
+            is_inside &= times[i].abs() <= F::MAX_COORDINATE;
+            let cone = LightCone::at(&self.coefficients, s0 + self.coefficients.beta * times[i], y, z);
+            x[i] = cone.solution.x;
+            t[i] = times[i] - cone.solution.r;
+            d[i] = cone.solution.doppler_factor;
+        }
+        is_inside
+    }
+}

@@ -1,0 +1,81 @@
+//! Cones of directions at an aperture: which part of the sky a body can be seen in.
+//!
+//! Aberration maps circles on the sky to circles, so the cone around a body in the rest frame becomes a
+//! cone on the ground, exactly. Reference: R. Penrose, *The apparent shape of a relativistically moving
+//! sphere* (1959).
+
+use std::f64::consts::PI;
+
+use glam::DVec3;
+
+use crate::view::{Geometry, View};
+
+/// All directions within `half_angle` of `axis`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cone {
+    /// Unit vector.
+    pub axis: DVec3,
+    /// Radians, 0 to pi; pi is the whole sky.
+    pub half_angle: f64,
+}
+
+impl Cone {
+    /// Every direction.
+    pub const WHOLE_SKY: Self = Self { axis: DVec3::Y, half_angle: PI };
+
+    /// The cone from the origin around the ball at `center`; the whole sky from inside the ball.
+    #[must_use]
+    pub fn around_ball(center: DVec3, radius: f64) -> Self {
+        let distance = center.length();
+        if distance <= radius {
+            return Self::WHOLE_SKY;
+        }
+        Self { axis: center / distance, half_angle: (radius / distance).asin() }
+    }
+
+    /// The ground's lines of sight along which `view` can see something inside the rest-frame ball at
+    /// `center`.
+    #[must_use]
+    pub fn of_sight(view: &View, center: DVec3, radius: f64) -> Self {
+        let center = center - view.rest_origin();
+        match view.geometry {
+            Geometry::Rest => Self::around_ball(center, radius),
+            Geometry::Seen => Self::around_ball(center, radius).seen_from_ground(view),
+            // The ball is an ellipsoid on the ground, flattened along x: inside the ball about its centre.
+            Geometry::Contracted => {
+                let contracted = DVec3::new(center.x / view.speed.gamma(), center.y, center.z);
+                Self::around_ball(contracted, radius)
+            }
+        }
+    }
+
+    /// Whether the cones share a direction, with a little to spare for rounding.
+    #[must_use]
+    pub fn meets(&self, other: &Self) -> bool {
+        let between = self.axis.cross(other.axis).length().atan2(self.axis.dot(other.axis));
+        between <= (self.half_angle + other.half_angle) * (1.0 + 1e-12) + 1e-14
+    }
+
+    /// The ground's cone of this rest-frame cone of half-angle up to pi/2.
+    ///
+    /// In the plane through `axis` and x the cone ends at the angles psi +- `half_angle` from x, and
+    /// aberration scales tan(psi/2). Angles count from the end of the x axis that is nearer, so that none reaches pi.
+    fn seen_from_ground(self, view: &View) -> Self {
+        if self.half_angle >= PI {
+            return self;
+        }
+        let ahead = 1f64.copysign(self.axis.x);
+        let across = DVec3::new(0.0, self.axis.y, self.axis.z);
+        let psi = across.length().atan2(ahead * self.axis.x);
+        let scale = if ahead > 0.0 {
+            view.speed.head_on_doppler_factor()
+        } else {
+            1.0 / view.speed.head_on_doppler_factor()
+        };
+        let ground = |psi: f64| 2.0 * (scale * (0.5 * psi).tan()).atan();
+        let [low, high] = [ground(psi - self.half_angle), ground(psi + self.half_angle)];
+        let (sin, cos) = (0.5 * (low + high)).sin_cos();
+        let axis = DVec3::X * (ahead * cos) + across.normalize_or_zero() * sin;
+        Self { axis, half_angle: 0.5 * (high - low) }
+    }
+}

@@ -1,0 +1,290 @@
+//! Curves of a point over T, sampled densely where they bend, and kept until something they depend on
+//! changes.
+
+use egui_plot::PlotPoint;
+use relativity_core::{
+    Aperture, PublishedVariant, SourcePoint, Speed, disparity, equidistance_time, published_disparity,
+};
+
+/// A quantity that is plotted against T.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Quantity {
+    /// Delta-phi.
+    DeltaPhi,
+    /// Delta-theta.
+    DeltaTheta,
+    /// phi of the left and the right eye.
+    Phi,
+    /// theta of the left and the right eye.
+    Theta,
+    /// Decimal logarithm of D of the left and the right eye.
+    LogDoppler,
+}
+
+/// What a point's curves depend on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Key {
+    /// Speed.
+    pub speed: Speed,
+    /// The point's worldline.
+    pub source: SourcePoint,
+    /// d.
+    pub separation: f64,
+    /// First and last T.
+    pub range: [f64; 2],
+    /// Whether the published model is wanted too.
+    pub published: bool,
+}
+
+/// Every curve of one point.
+#[derive(Debug, Clone)]
+pub struct Curves {
+    key: Key,
+    exact: [Vec<PlotPoint>; EXACT],
+    published: [Vec<PlotPoint>; 2],
+}
+
+/// Delta-phi, Delta-theta, then phi, theta and log D of the left and of the right eye.
+const EXACT: usize = 8;
+
+/// Largest distance of a drawn chord from the curve, as a fraction of the curve's height: a third of a
+/// pixel in a plot 600 pixels high.
+const TOLERANCE: f64 = 1.0 / 1800.0;
+/// Most halvings of one of the first intervals. A jump (phi of a point at y = 0) ends there.
+const MAX_DEPTH: u32 = 16;
+/// Intervals at first.
+const FIRST_INTERVALS: u32 = 64;
+/// Halvings of the distance to each point of interest: features narrower than 2^-40 of the range show
+/// as steps.
+const RUNGS: i32 = 40;
+
+impl Curves {
+    /// The curves for `key`.
+    #[must_use]
+    pub fn new(key: Key) -> Self {
+        let anchors = anchors(&key);
+        let exact = channels(&sampled(key.range, &anchors, |time| exact_values(&key, time)));
+        let published = if key.published {
+            channels(&sampled(key.range, &anchors, |time| published_values(&key, time)))
+        } else {
+            [Vec::new(), Vec::new()]
+        };
+        Self { key, exact, published }
+    }
+
+    /// What they were made for.
+    #[must_use]
+    pub const fn key(&self) -> &Key {
+        &self.key
+    }
+
+    /// The exact curve or, for a quantity of each eye, the pair.
+    #[must_use]
+    pub fn exact(&self, quantity: Quantity) -> &[Vec<PlotPoint>] {
+        match quantity {
+            Quantity::DeltaPhi => &self.exact[0..1],
+            Quantity::DeltaTheta => &self.exact[1..2],
+            Quantity::Phi => &self.exact[2..4],
+            Quantity::Theta => &self.exact[4..6],
+            Quantity::LogDoppler => &self.exact[6..8],
+        }
+    }
+
+    /// The published model's curve; empty for what that model does not change or if it is not wanted.
+    #[must_use]
+    pub fn published(&self, quantity: Quantity) -> &[PlotPoint] {
+        match quantity {
+            Quantity::DeltaPhi => &self.published[0],
+            Quantity::DeltaTheta => &self.published[1],
+            Quantity::Phi | Quantity::Theta | Quantity::LogDoppler => &[],
+        }
+    }
+}
+
+fn exact_values(key: &Key, time: f64) -> Option<[f64; EXACT]> {
+    let [left, right] = Aperture::pair(key.separation);
+    let both = disparity(&key.speed, key.source, left, right, time).ok()?;
+    let (l, r) = (both.primary, both.secondary);
+    let log = |doppler: f64| doppler.log10();
+    let values = [
+        both.dphi,
+        both.dtheta,
+        l.phi(),
+        r.phi(),
+        l.theta(),
+        r.theta(),
+        log(l.doppler_factor),
+        log(r.doppler_factor),
+    ];
+    values.iter().all(|value| value.is_finite()).then_some(values)
+}
+
+fn published_values(key: &Key, time: f64) -> Option<[f64; 2]> {
+    let variant = PublishedVariant::AppendixA;
+    let both = published_disparity(&key.speed, key.source, key.separation, time, variant).ok()?;
+    let values = [both.dphi, both.dtheta];
+    values.iter().all(|value| value.is_finite()).then_some(values)
+}
+
+/// The times around which curves bend: T0, and when the point is objectively abreast of each eye.
+fn anchors(key: &Key) -> Vec<f64> {
+    let Key { speed, source, separation, .. } = *key;
+    let equidistant = equidistance_time(&speed, source, separation).ok().flatten();
+    let abreast = Aperture::pair(separation).map(|aperture| (aperture.x - source.x0) / speed.beta());
+    equidistant.into_iter().chain(abreast).filter(|time| time.is_finite()).collect()
+}
+
+struct Sample<const N: usize> {
+    time: f64,
+    values: [f64; N],
+}
+
+/// `values` over `range`, in order of T, without the times at which there are none.
+fn sampled<const N: usize>(
+    range: [f64; 2],
+    anchors: &[f64],
+    values: impl Fn(f64) -> Option<[f64; N]>,
+) -> Vec<Sample<N>> {
+    let sample = |time| values(time).map(|values| Sample { time, values });
+    let first: Vec<Sample<N>> = first_times(range, anchors).into_iter().filter_map(&sample).collect();
+    let tolerances = tolerances(&first);
+    let mut refined = Vec::with_capacity(4 * first.len());
+    for end in first {
+        if let Some(start) = refined.pop() {
+            refine(start, &end, &sample, &tolerances, MAX_DEPTH, &mut refined);
+        }
+        refined.push(end);
+    }
+    thinned(refined, &tolerances, (range[1] - range[0]) * TOLERANCE)
+}
+
+/// Without the samples that lie on the one before, as drawn: a line through them would be drawn uneven.
+fn thinned<const N: usize>(
+    samples: Vec<Sample<N>>,
+    tolerances: &[f64; N],
+    time_tolerance: f64,
+) -> Vec<Sample<N>> {
+    let mut kept: Vec<Sample<N>> = Vec::with_capacity(samples.len());
+    for sample in samples {
+        let same = kept.last().is_some_and(|last| {
+            sample.time - last.time < time_tolerance
+                && (0..N).all(|i| (sample.values[i] - last.values[i]).abs() <= 2.0 * tolerances[i])
+        });
+        if !same {
+            kept.push(sample);
+        }
+    }
+    kept
+}
+
+/// Even steps, and a ladder towards each anchor from both sides.
+fn first_times([from, to]: [f64; 2], anchors: &[f64]) -> Vec<f64> {
+    let width = to - from;
+    let fraction = |i| f64::from(i) / f64::from(FIRST_INTERVALS);
+    let even = (0..=FIRST_INTERVALS).map(|i| from * (1.0 - fraction(i)) + to * fraction(i));
+    let rungs = (1..=RUNGS).map(|k| width * 0.5f64.powi(k));
+    let ladders = anchors.iter().flat_map(|anchor| {
+        std::iter::once(*anchor).chain(rungs.clone().flat_map(move |rung| [anchor - rung, anchor + rung]))
+    });
+    let mut times: Vec<f64> = even.chain(ladders).filter(|time| (from..=to).contains(time)).collect();
+    times.sort_by(f64::total_cmp);
+    times.dedup();
+    times
+}
+
+/// How far a chord may be from each curve.
+fn tolerances<const N: usize>(samples: &[Sample<N>]) -> [f64; N] {
+    std::array::from_fn(|channel| {
+        let values = samples.iter().map(|sample| sample.values[channel]);
+        let lowest = values.clone().fold(f64::INFINITY, f64::min);
+        let highest = values.fold(f64::NEG_INFINITY, f64::max);
+        // A constant curve has no height; any chord of it is exact.
+        ((highest - lowest) * TOLERANCE).max(f64::MIN_POSITIVE)
+    })
+}
+
+/// Pushes `start` and what lies between it and `end`, both exclusive of `end`.
+fn refine<const N: usize>(
+    start: Sample<N>,
+    end: &Sample<N>,
+    sample: &impl Fn(f64) -> Option<Sample<N>>,
+    tolerances: &[f64; N],
+    depth: u32,
+    refined: &mut Vec<Sample<N>>,
+) {
+    let time = start.time.midpoint(end.time);
+    let Some(middle) = sample(time).filter(|_| depth > 0 && start.time < time && time < end.time) else {
+        return refined.push(start);
+    };
+    let straight = (0..N).all(|i| {
+        let chord = start.values[i].midpoint(end.values[i]);
+        (middle.values[i] - chord).abs() <= tolerances[i]
+    });
+    if straight {
+        return refined.push(start);
+    }
+    let middle_values = middle.values;
+    refine(start, &middle, sample, tolerances, depth - 1, refined);
+    refine(Sample { time, values: middle_values }, end, sample, tolerances, depth - 1, refined);
+}
+
+fn channels<const N: usize>(samples: &[Sample<N>]) -> [Vec<PlotPoint>; N] {
+    std::array::from_fn(|channel| {
+        samples.iter().map(|sample| PlotPoint::new(sample.time, sample.values[channel])).collect()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn key(beta: f64, point: [f64; 3]) -> Key {
+        let speed = Speed::from_beta(beta).expect("in range");
+        let [x0, y, z] = point;
+        Key { speed, source: SourcePoint { x0, y, z }, separation: 0.3, range: [-2.0, 5.0], published: true }
+    }
+
+    /// Linear interpolation in a drawn curve.
+    fn drawn(curve: &[PlotPoint], time: f64) -> f64 {
+        let after = curve.partition_point(|point| point.x < time).clamp(1, curve.len() - 1);
+        let (a, b) = (curve[after - 1], curve[after]);
+        a.y + (b.y - a.y) * (time - a.x) / (b.x - a.x)
+    }
+
+    #[test]
+    fn drawn_curves_stay_within_a_pixel_of_the_exact_ones() {
+        for (beta, point) in [
+            (0.0, [0.0, 0.5, 0.5]),
+            (0.9, [0.0, 0.5, 0.5]),
+            (0.9999, [0.3, 3.0, 2.0]),
+            (0.9, [0.0, 1e-3, 1e-3]),
+        ] {
+            let key = key(beta, point);
+            let curves = Curves::new(key);
+            let curve = &curves.exact(Quantity::DeltaPhi)[0];
+            let height = curve.iter().map(|p| p.y).fold(0.0f64, |a, b| a.max(b.abs()));
+            for i in 0..5000 {
+                let time = -2.0 + 7.0 * (f64::from(i) + 0.37) / 5000.0;
+                let exact = exact_values(&key, time).expect("in the domain")[0];
+                assert!(
+                    (drawn(curve, time) - exact).abs() <= height / 600.0,
+                    "beta = {beta}, T = {time}: {} for {exact}",
+                    drawn(curve, time)
+                );
+            }
+            assert!(curve.len() < 4000, "{} samples", curve.len());
+        }
+    }
+
+    #[test]
+    fn every_drawn_value_is_finite() {
+        for beta in [0.0, 0.5, 0.999_999_999_999_999_9] {
+            for point in [[0.0, 0.0, 0.0], [0.15, 0.0, 0.0], [0.0, 0.0, 1.0], [1e6, 1e-9, 0.0]] {
+                let curves = Curves::new(key(beta, point));
+                let all = curves.exact.iter().chain(&curves.published).flatten();
+                assert!(all.clone().all(|point| point.x.is_finite() && point.y.is_finite()));
+                assert!(all.count() < 200_000);
+            }
+        }
+    }
+}

@@ -1,0 +1,124 @@
+//! How numbers are written on screen: fixed decimals, a true minus sign, and enough nines.
+
+use relativity_core::Speed;
+
+/// What stands where a number does not exist.
+pub const NONE: &str = "–";
+
+/// `value` with `decimals` digits after the point; in powers of ten where that would not fit; a dash
+/// if it is not a number.
+#[must_use]
+pub fn fixed(value: f64, decimals: usize) -> String {
+    if !value.is_finite() {
+        return NONE.to_owned();
+    }
+    let smallest_shown = 0.5 * 10f64.powi(-(decimals as i32));
+    let text = if value.abs() >= 1e6 || (value != 0.0 && value.abs() < smallest_shown) {
+        format!("{value:.2e}")
+    } else {
+        format!("{value:.decimals$}")
+    };
+    text.replace('-', "−")
+}
+
+/// As [`fixed`], with a dash for `None`.
+#[must_use]
+pub fn fixed_or_none(value: Option<f64>, decimals: usize) -> String {
+    value.map_or_else(|| NONE.to_owned(), |value| fixed(value, decimals))
+}
+
+/// beta with as many nines as it takes to see two or three digits of 1 - beta, in groups of three.
+#[must_use]
+pub fn beta(speed: &Speed) -> String {
+    let distance = speed.one_minus_beta();
+    if distance < 1e-12 {
+        return format!("1 − {distance:.2e}").replace("e-", "e−");
+    }
+    // The slack keeps 1e-4, which is no sum of powers of two, from counting as the decade below.
+    let decimals = (2.0 + (-distance.log10() - 1e-9).ceil()).max(3.0) as usize;
+    grouped(&format!("{:.decimals$}", speed.beta()))
+}
+
+/// A thin space after every third decimal if there are more than four, as the SI writes numbers.
+fn grouped(number: &str) -> String {
+    let Some((whole, decimals)) = number.split_once('.').filter(|(_, decimals)| decimals.len() > 4) else {
+        return number.to_owned();
+    };
+    let digits: Vec<char> = decimals.chars().collect();
+    let groups: Vec<String> = digits.chunks(3).map(|group| group.iter().collect()).collect();
+    format!("{whole}.{}", groups.join("\u{2009}"))
+}
+
+/// Radians as written beside an angle: degrees with one decimal.
+#[must_use]
+pub fn degrees(radians: f64) -> String {
+    format!("{}°", fixed(radians.to_degrees(), 1))
+}
+
+/// The shortest text that parses as `value`.
+#[must_use]
+pub fn shortest(value: f64) -> String {
+    if value.abs() >= 1e9 { format!("{value:e}") } else { value.to_string() }
+}
+
+/// `value` with that many significant `digits`.
+#[must_use]
+pub fn significant(value: f64, digits: usize) -> String {
+    let magnitude = value.abs().log10().floor();
+    if value != 0.0 && !(-4.0..=digits as f64).contains(&magnitude) {
+        return format!("{value:.precision$e}", precision = digits - 1);
+    }
+    let decimals = (digits as f64 - 1.0 - if value == 0.0 { 0.0 } else { magnitude }).max(0.0) as usize;
+    format!("{value:.decimals$}")
+}
+
+/// 10 to the power of `exponent`, as a number as short as it gets.
+#[must_use]
+pub fn power_of_ten(exponent: f64) -> String {
+    let value = 10f64.powf(exponent);
+    if (0.001..10_000.0).contains(&value) {
+        return format!("{}", (value * 1e4).round() / 1e4);
+    }
+    format!("{value:.0e}").replace('-', "−")
+}
+
+/// The number a user typed: surrounding space, groups of digits and a true minus sign are all right.
+pub fn parsed(text: &str) -> Result<f64, String> {
+    let plain: String = text.chars().filter(|c| !c.is_whitespace()).collect::<String>().replace('−', "-");
+    match plain.parse::<f64>() {
+        Ok(value) if value.is_finite() => Ok(value),
+        _ => Err(format!("“{}” is not a number", text.trim())),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn beta_shows_its_nines() {
+        let text = |beta_value| beta(&Speed::from_beta(beta_value).expect("in range"));
+        assert_eq!(text(0.0), "0.000");
+        assert_eq!(text(0.5), "0.500");
+        assert_eq!(text(0.9), "0.900");
+        assert_eq!(text(0.9999), "0.999\u{2009}900");
+        let fast = Speed::from_gamma(1e12).expect("in range");
+        assert_eq!(beta(&fast), "1 − 5.00e−25");
+    }
+
+    #[test]
+    fn numbers_that_do_not_exist_are_dashes() {
+        assert_eq!(fixed(f64::NAN, 3), NONE);
+        assert_eq!(fixed(-1.5, 3), "−1.500");
+        assert_eq!(fixed(0.0, 2), "0.00");
+        assert_eq!(fixed(-2.5e9, 2), "−2.50e9");
+    }
+
+    #[test]
+    fn typed_numbers_may_be_grouped() {
+        assert_eq!(parsed(" 0.999\u{2009}9 "), Ok(0.9999));
+        assert_eq!(parsed("−2"), Ok(-2.0));
+        assert_eq!(parsed("fast"), Err("“fast” is not a number".to_owned()));
+        assert!(parsed("inf").is_err());
+    }
+}

@@ -1,0 +1,103 @@
+//! Opens the window, or says in one sentence why it cannot be opened and what to do instead.
+
+use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
+
+use eframe::egui::ViewportBuilder;
+use eframe::{CreationContext, NativeOptions};
+
+use super::args::WindowArgs;
+use super::settings::Settings;
+use super::{App, graphics, screenshot};
+
+/// Name under which settings are saved.
+const APP_ID: &str = "gamow";
+
+const WHAT_TO_DO: &str = "On Debian and Ubuntu install `libx11-6 libxcursor1 libxi6 libxkbcommon-x11-0 mesa-vulkan-drivers` \
+    and start it inside a graphical session; without one, `gamow --screenshot window.png`, `gamow render --out cyclist.png` and \
+    `gamow curve` work all the same";
+
+/// Opens the window and returns when it is closed; with `--screenshot` draws it once instead.
+///
+/// # Errors
+/// A bad flag or scene, no display, no graphics adapter, or a missing system library.
+pub fn launch(args: &WindowArgs) -> anyhow::Result<()> {
+    if let Some(path) = &args.screenshot {
+        let state = args.state(Settings::default())?;
+        return screenshot::save(state, args.window_size_or_default(), path);
+    }
+    // Flags are judged before a window appears; the saved settings are only known once it has.
+    args.state(Settings::default())?;
+    let opened = if has_display() { open(args) } else { Err(anyhow::anyhow!("there is no display")) };
+    opened.map_err(|error| {
+        anyhow::anyhow!("the window cannot be opened: {}. {WHAT_TO_DO}.", in_one_line(&error.to_string()))
+    })
+}
+
+/// Whether the environment names a display, where that is how displays are found.
+fn has_display() -> bool {
+    let names_one = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
+    !cfg!(target_os = "linux") || ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"].into_iter().any(names_one)
+}
+
+/// An error of the windowing library, without line breaks and without the place in its source.
+fn in_one_line(message: &str) -> String {
+    let reason = message.rsplit_once(".rs:").map_or(message, |(_, reason)| reason);
+    let reason = reason.trim_start_matches(|c: char| c.is_ascii_digit() || c == ':' || c == ' ');
+    reason.split_whitespace().collect::<Vec<_>>().join(" ").trim_end_matches('.').to_owned()
+}
+
+fn open(args: &WindowArgs) -> anyhow::Result<()> {
+    let viewport = ViewportBuilder::default()
+        .with_title("Gamow")
+        .with_app_id(APP_ID)
+        .with_inner_size(args.window_size_or_default().map(|side| side as f32))
+        .with_min_inner_size([480.0, 320.0]);
+    let options = NativeOptions {
+        viewport,
+        // A size that is asked for is not overruled by a remembered one.
+        persist_window: args.window_size().is_none(),
+        wgpu_options: graphics::configuration(),
+        ..NativeOptions::default()
+    };
+    let args = args.clone();
+    let create = move |cc: &CreationContext<'_>| {
+        let settings = cc.storage.and_then(|storage| eframe::get_value(storage, eframe::APP_KEY));
+        let state = args.state(settings.unwrap_or_default())?;
+        Ok(Box::new(App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state)) as Box<dyn eframe::App>)
+    };
+    run_guarded(|| eframe::run_native(APP_ID, options, Box::new(create)))
+}
+
+/// Runs the event loop. The windowing library panics where a system library is missing; that becomes an
+/// error. Any other panic is a defect and is reported as usual.
+fn run_guarded(run: impl FnOnce() -> eframe::Result) -> anyhow::Result<()> {
+    let usual = std::sync::Arc::new(panic::take_hook());
+    let hook = std::sync::Arc::clone(&usual);
+    panic::set_hook(Box::new(move |info| {
+        if missing_library(message(info)).is_none() {
+            hook(info);
+        }
+    }));
+    let outcome = panic::catch_unwind(AssertUnwindSafe(run));
+    panic::set_hook(Box::new(move |info| usual(info)));
+    match outcome {
+        Ok(result) => result.map_err(|error| anyhow::anyhow!("{error}")),
+        Err(payload) => {
+            let text = payload.downcast_ref::<String>().map(String::as_str);
+            let text = text.or(payload.downcast_ref::<&str>().copied()).unwrap_or_default();
+            match missing_library(text) {
+                Some(reason) => Err(anyhow::anyhow!("{reason}")),
+                None => panic::resume_unwind(payload),
+            }
+        }
+    }
+}
+
+fn message<'a>(info: &'a PanicHookInfo<'_>) -> &'a str {
+    info.payload_as_str().unwrap_or_default()
+}
+
+/// What a panic says about a library that is not installed; `None` if it is about something else.
+fn missing_library(message: &str) -> Option<&str> {
+    message.contains("could not be loaded").then_some(message)
+}

@@ -1,0 +1,129 @@
+//! Where the parts of the window lie. A pure function of its size, so that the parts can be run in the
+//! order in which they depend on each other: controls first, then what follows them in the same frame.
+
+use eframe::egui::{Rect, pos2, vec2};
+
+use super::settings::Window;
+use super::theme::GAP;
+
+/// The parts of the window. A part without room (or switched off) has no rectangle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Layout {
+    /// Scene, theme, help.
+    pub bar: Rect,
+    /// Speed, path, view, light.
+    pub controls: Option<Rect>,
+    /// The numbers for each eye.
+    pub readout: Option<Rect>,
+    /// The two eyes' views.
+    pub views: Option<Rect>,
+    /// Play, pause, scrubber.
+    pub timeline: Rect,
+    /// Curves over T.
+    pub plots: Option<Rect>,
+}
+
+const BAR_HEIGHT: f32 = 38.0;
+const TIMELINE_HEIGHT: f32 = 66.0;
+/// Height of the readout's rows.
+const READOUT_HEIGHT: f32 = 274.0;
+/// Height of its title and the disparities alone.
+const FOLDED_READOUT_HEIGHT: f32 = 62.0;
+const SIDE_WIDTH: f32 = 332.0;
+/// Narrower windows than this have no room for the controls beside the views.
+const NARROWEST_WITH_CONTROLS: f32 = 560.0;
+/// Lowest plots and views of use.
+const LOWEST: f32 = 90.0;
+/// How much of the height the plots take from the views.
+const PLOTS_SHARE: f32 = 0.38;
+
+impl Layout {
+    /// The layout of a window with this inner `area`.
+    #[must_use]
+    pub fn of(area: Rect, window: &Window) -> Self {
+        let (bar, below) = split_top(area, BAR_HEIGHT);
+        let with_side = window.controls && area.width() >= NARROWEST_WITH_CONTROLS;
+        let (centre, side) = if with_side { split_right(below, SIDE_WIDTH) } else { (below, None) };
+        let (controls, readout) = side.map_or((None, None), |side| side_parts(side, window.readout));
+        let free = (centre.height() - TIMELINE_HEIGHT).max(0.0);
+        let views_height = match (window.views, window.plots) {
+            (true, true) if free >= 2.0 * LOWEST => free * (1.0 - PLOTS_SHARE),
+            (true, _) => free,
+            (false, _) => 0.0,
+        };
+        let (views, rest) = split_top(centre, views_height);
+        let (timeline, plots) = split_top(rest, TIMELINE_HEIGHT);
+        Self {
+            bar,
+            controls,
+            readout,
+            views: large_enough(views),
+            timeline,
+            plots: large_enough(plots).filter(|_| window.plots),
+        }
+    }
+}
+
+/// Controls above, the readout below them as far as there is room for both.
+fn side_parts(side: Rect, readout: bool) -> (Option<Rect>, Option<Rect>) {
+    let wanted = if readout { READOUT_HEIGHT } else { FOLDED_READOUT_HEIGHT };
+    let readout_height = wanted.min(side.height() / 2.0);
+    let (controls, readout) = split_top(side, side.height() - readout_height);
+    (Some(controls), large_enough(readout))
+}
+
+fn large_enough(rect: Rect) -> Option<Rect> {
+    let shrunk = rect.shrink(GAP / 2.0);
+    (shrunk.width() >= 40.0 && shrunk.height() >= 40.0).then_some(shrunk)
+}
+
+fn split_top(rect: Rect, height: f32) -> (Rect, Rect) {
+    let y = rect.min.y + height.clamp(0.0, rect.height().max(0.0));
+    (Rect::from_min_max(rect.min, pos2(rect.max.x, y)), Rect::from_min_max(pos2(rect.min.x, y), rect.max))
+}
+
+fn split_right(rect: Rect, width: f32) -> (Rect, Option<Rect>) {
+    let x = rect.max.x - width;
+    (
+        Rect::from_min_max(rect.min, pos2(x, rect.max.y)),
+        Some(Rect::from_min_size(pos2(x, rect.min.y), vec2(width, rect.height()))),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn layout(width: f32, height: f32) -> Layout {
+        Layout::of(Rect::from_min_size(pos2(0.0, 0.0), vec2(width, height)), &Window::default())
+    }
+
+    #[test]
+    fn the_smallest_supported_window_holds_every_part() {
+        let layout = layout(1024.0, 600.0);
+        for part in [layout.controls, layout.readout, layout.views, layout.plots] {
+            let part = part.expect("shown");
+            assert!(part.width() >= 280.0 && part.height() >= 140.0, "{part:?}");
+        }
+    }
+
+    #[test]
+    fn parts_stay_inside_the_window_and_do_not_overlap() {
+        for size in [[1.0, 1.0], [100.0, 50.0], [400.0, 300.0], [1024.0, 600.0], [3840.0, 2160.0]] {
+            let layout = layout(size[0], size[1]);
+            let window = Rect::from_min_size(pos2(0.0, 0.0), vec2(size[0], size[1]));
+            let parts: Vec<Rect> = [Some(layout.bar), Some(layout.timeline)]
+                .into_iter()
+                .chain([layout.controls, layout.readout, layout.views, layout.plots])
+                .flatten()
+                .collect();
+            for (i, a) in parts.iter().enumerate() {
+                assert!(window.contains_rect(*a), "{size:?}: {a:?}");
+                for b in &parts[i + 1..] {
+                    let overlap = a.intersect(*b);
+                    assert!(overlap.width() <= 0.0 || overlap.height() <= 0.0, "{size:?}: {a:?} {b:?}");
+                }
+            }
+        }
+    }
+}

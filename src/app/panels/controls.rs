@@ -1,0 +1,135 @@
+//! The controls of motion, path and view, and the panel that holds them all.
+
+use eframe::egui::{ScrollArea, Ui};
+use relativity_render::Geometry;
+
+use super::Asks;
+use super::widgets::{NumberRow, choice, row, section};
+use super::{light, speed};
+use crate::app::command::{Command, FOV_DEGREES};
+use crate::app::settings::{GazeSetting, MAX_LENGTH, Motion};
+use crate::app::state::State;
+
+/// Shows the controls.
+pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        ui.spacing_mut().item_spacing.y = 5.0;
+        section(ui, "Motion", |ui| motion(ui, state, asks));
+        section(ui, "View", |ui| look(ui, state, asks));
+        section(ui, "Light", |ui| light::show(ui, state.settings.light, asks));
+    });
+}
+
+fn motion(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    let mut motion = state.settings.motion;
+    if let Some(speed) = speed::show(ui, motion.speed) {
+        motion.speed = speed;
+    }
+    separation_row(ui, &mut motion);
+    path_rows(ui, state.session.scene.tracked, &mut motion);
+    if motion != state.settings.motion {
+        asks.push(Command::Motion(motion));
+    }
+}
+
+fn separation_row(ui: &mut Ui, motion: &mut Motion) {
+    let row = NumberRow {
+        name: "Eyes apart d",
+        tip: "Separation of the eyes' apertures, which rest at x = −d/2 (left) and x = +d/2 (right). \
+            In units of length.",
+        slider: 0.0..=2.0,
+        typed: 0.0..=MAX_LENGTH,
+        decimals: 6,
+        suffix: "",
+    };
+    row.show(ui, &mut motion.separation);
+}
+
+fn path_rows(ui: &mut Ui, [_, scene_depth, scene_height]: [f64; 3], motion: &mut Motion) {
+    let distance = NumberRow {
+        name: "Distance y",
+        tip: "How far in front of the eyes the path runs: y of the scene's tracked point. \
+            The whole scene moves with it.",
+        slider: 0.0..=20.0,
+        typed: -MAX_LENGTH..=MAX_LENGTH,
+        decimals: 6,
+        suffix: "",
+    };
+    let height = NumberRow {
+        name: "Height z",
+        tip: "How high above the eyes the path runs: z of the scene's tracked point. \
+            The whole scene moves with it.",
+        slider: -5.0..=5.0,
+        ..distance.clone()
+    };
+    let mut depth = scene_depth + motion.depth_shift;
+    if distance.show(ui, &mut depth) {
+        motion.depth_shift = depth - scene_depth;
+    }
+    let mut altitude = scene_height + motion.height_shift;
+    if height.show(ui, &mut altitude) {
+        motion.height_shift = altitude - scene_height;
+    }
+}
+
+fn look(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    let mut look = state.settings.look;
+    row(ui, "Geometry", "What the views show.   Keys: 1 2 3", |ui| {
+        choice(
+            ui,
+            &mut look.geometry,
+            &[
+                (
+                    Geometry::Seen,
+                    "As seen",
+                    "Each point where it was when its light left it: exact.\nt = T − R",
+                ),
+                (
+                    Geometry::Contracted,
+                    "Contracted",
+                    "Where everything is at T, as if light were instantaneous: what Gamow drew.\nx = x₀/γ + βT",
+                ),
+                (Geometry::Rest, "At rest", "What a camera that rides along photographs."),
+            ],
+        );
+    });
+    gaze_row(ui, state, &mut look.gaze, asks);
+    let fov = NumberRow {
+        name: "Field of view",
+        tip: "Angle from the left to the right edge of each view.   Scroll over a view to zoom.",
+        slider: 10.0..=120.0,
+        typed: FOV_DEGREES,
+        decimals: 1,
+        suffix: "°",
+    };
+    fov.show(ui, &mut look.fov_degrees);
+    if look != state.settings.look {
+        asks.push(Command::Look(look));
+    }
+}
+
+fn gaze_row(ui: &mut Ui, state: &State, gaze: &mut GazeSetting, asks: &mut Asks) {
+    let tip = "Where both eyes look, in parallel.   Drag in a view to look around.";
+    let now = state.gaze();
+    let fixed = match *gaze {
+        GazeSetting::Tracking => GazeSetting::Fixed { azimuth: now.azimuth, elevation: now.elevation },
+        fixed @ GazeSetting::Fixed { .. } => fixed,
+    };
+    row(ui, "Gaze", tip, |ui| {
+        choice(
+            ui,
+            gaze,
+            &[
+                (
+                    GazeSetting::Tracking,
+                    "Follows",
+                    "At the selected point: the mean of its two apparent directions, as in the paper.",
+                ),
+                (fixed, "Stays", "In one direction, however the scene moves."),
+            ],
+        );
+        if ui.button("Reset").on_hover_text("Follow the selected point, at the usual field of view.\nDouble-click in a view does the same.").clicked() {
+            asks.push(Command::ResetLook);
+        }
+    });
+}

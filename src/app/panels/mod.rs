@@ -1,0 +1,19 @@
+//! The parts of the window, one file each. Each reads the state and asks for commands; none calls
+//! another.
+
+pub mod bar;
+pub mod controls;
+pub mod help;
+mod icons;
+pub mod light;
+pub mod plots;
+pub mod readout;
+pub mod speed;
+pub mod timeline;
+pub mod views;
+mod widgets;
+
+use super::command::Command;
+
+/// What a panel asks for while it is shown.
+pub type Asks = Vec<Command>;

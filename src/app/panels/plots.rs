@@ -1,0 +1,308 @@
+//! Curves of the followed points over T: disparities, angles, Doppler factor. Clicking or dragging in
+//! a plot goes to that T.
+
+use std::ops::RangeInclusive;
+
+use eframe::egui::{self, Align2, Color32, Id, RichText, Sense, Stroke, TextStyle, Ui, vec2};
+use egui_plot::{
+    HoverPosition, Line, LineStyle, Plot, PlotBounds, PlotPoint, PlotResponse, PlotUi, Points, VLine,
+};
+
+use super::Asks;
+use super::icons::{self, Icon};
+use super::widgets::dot;
+use crate::app::command::Command;
+use crate::app::curves::{Curves, Quantity};
+use crate::app::observer::Eye;
+use crate::app::settings::PlotTab;
+use crate::app::state::State;
+use crate::app::{figures, theme};
+
+/// Shows the plots; `curves` holds those of each followed point, in order.
+pub fn show(ui: &mut Ui, state: &State, curves: &[Curves], asks: &mut Asks) {
+    ui.horizontal(|ui| {
+        tabs(ui, state, asks);
+        ui.separator();
+        points(ui, state, asks);
+    });
+    let quantities: &[Quantity] = match state.settings.plots.tab {
+        PlotTab::Disparity => &[Quantity::DeltaPhi, Quantity::DeltaTheta],
+        PlotTab::Angles => &[Quantity::Phi, Quantity::Theta],
+        PlotTab::Doppler => &[Quantity::LogDoppler],
+    };
+    let free = ui.available_size();
+    let width = free.x / quantities.len() as f32 - theme::GAP / 2.0;
+    ui.horizontal(|ui| {
+        for quantity in quantities {
+            let size = vec2(width, free.y).max(vec2(20.0, 20.0));
+            ui.allocate_ui(size, |ui| {
+                ui.vertical(|ui| titled_plot(ui, state, curves, *quantity, asks));
+            });
+        }
+    });
+}
+
+fn tabs(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    let mut plots = state.settings.plots;
+    let options = [
+        (PlotTab::Disparity, "Disparity", "Δφ and Δθ: how differently the eyes see each point"),
+        (PlotTab::Angles, "Angles", "φ and θ of the selected point, each eye"),
+        (PlotTab::Doppler, "Doppler", "D of the selected point, each eye"),
+    ];
+    for (tab, name, tip) in options {
+        ui.selectable_value(&mut plots.tab, tab, name).on_hover_text(tip);
+    }
+    let tip = "Draws the paper's approximate binocular model too, dashed:\n\
+        the right eye is the left one at T − ΔT, both angles measured from the left eye.";
+    let with_published = plots.tab == PlotTab::Disparity;
+    ui.add_enabled_ui(with_published, |ui| ui.checkbox(&mut plots.published, "Published").on_hover_text(tip));
+    if plots != state.settings.plots {
+        asks.push(Command::Plots(plots));
+    }
+}
+
+/// The followed points: a click selects one, a cross removes it.
+fn points(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    ui.spacing_mut().item_spacing.x = 3.0;
+    let points = &state.session.points;
+    let all = points.all();
+    for (index, point) in all.iter().enumerate() {
+        let colour = theme::point_colour(point.number, ui.visuals());
+        dot(ui, colour);
+        let chosen = all.len() > 1 && index == points.selected_index();
+        let [x, y, z] = state.rest_place(point).map(|value| figures::fixed(value, 3));
+        let tip = format!("At rest at ({x}, {y}, {z}).\nClick in a view to move it, shift-click to add one.");
+        if ui.selectable_label(chosen, point.name()).on_hover_text(tip).clicked() {
+            asks.push(Command::SelectPoint(index));
+        }
+        if all.len() > 1 {
+            let name = format!("Remove {}", point.name());
+            if icons::button(ui, Icon::Remove, &name, vec2(18.0, 18.0), false).on_hover_text(&name).clicked()
+            {
+                asks.push(Command::RemovePoint(index));
+            }
+        }
+        ui.add_space(6.0);
+    }
+}
+
+/// Room for the numbers beside a plot.
+const Y_AXIS_WIDTH: f32 = 48.0;
+
+/// A curve to draw.
+struct Trace<'a> {
+    name: String,
+    points: &'a [PlotPoint],
+    colour: Color32,
+    dashed: bool,
+    wide: bool,
+}
+
+fn titled_plot(ui: &mut Ui, state: &State, curves: &[Curves], quantity: Quantity, asks: &mut Asks) {
+    ui.spacing_mut().item_spacing.y = 2.0;
+    ui.horizontal(|ui| {
+        ui.add_space(Y_AXIS_WIDTH);
+        ui.label(RichText::new(label(quantity)).strong());
+        ui.label(value_text(state, quantity));
+    });
+    plot(ui, ui.available_size(), state, curves, quantity, asks);
+}
+
+fn plot(
+    ui: &mut Ui,
+    size: egui::Vec2,
+    state: &State,
+    curves: &[Curves],
+    quantity: Quantity,
+    asks: &mut Asks,
+) {
+    let traces = traces(ui, state, curves, quantity);
+    let bounds = bounds(&traces, state.time_range());
+    let equidistant = state.equidistance_time(state.session.points.selected());
+    let visuals = ui.visuals().clone();
+    let now = state.session.time;
+    let response = Plot::new(("plot", label(quantity)))
+        .width(size.x)
+        .height(size.y)
+        .allow_zoom(false)
+        .allow_drag(false)
+        .allow_scroll(false)
+        .allow_boxed_zoom(false)
+        .allow_double_click_reset(false)
+        .allow_axis_zoom_drag(false)
+        .sense(Sense::click_and_drag())
+        .y_axis_min_width(Y_AXIS_WIDTH)
+        .grid_color(ui.visuals().weak_text_color().gamma_multiply(0.25))
+        .grid_spacing(24.0..=220.0)
+        .y_axis_formatter(move |mark, _: &RangeInclusive<f64>| tick(quantity, mark.value, mark.step_size))
+        .x_axis_formatter(|mark, _| tick(Quantity::Phi, mark.value, mark.step_size))
+        .label_formatter(move |hover| hover_text(quantity, hover))
+        .link_cursor(Id::unique("cursor over T"), [true, false])
+        .show(ui, |plot| {
+            plot.set_plot_bounds(bounds);
+            if let Some(time) = equidistant {
+                let colour = theme::equidistance_colour(&visuals);
+                plot.vline(
+                    VLine::new("T₀", time)
+                        .color(colour)
+                        .width(1.0)
+                        .style(LineStyle::dashed_dense())
+                        .allow_hover(false),
+                );
+            }
+            plot.vline(VLine::new("T", now).color(theme::now_colour(&visuals)).width(1.0).allow_hover(false));
+            for trace in traces {
+                draw(plot, trace, now);
+            }
+        });
+    annotate(ui, &response, equidistant);
+    describe(&response, state, quantity);
+    if let Some(time) = time_at_pointer(&response) {
+        asks.push(Command::Time(time));
+    }
+}
+
+/// What is drawn of `quantity`: of every point for a disparity, of each eye of the selected one else.
+fn traces<'a>(ui: &Ui, state: &State, curves: &'a [Curves], quantity: Quantity) -> Vec<Trace<'a>> {
+    let selected = state.session.points.selected_index();
+    if !matches!(quantity, Quantity::DeltaPhi | Quantity::DeltaTheta) {
+        let Some(curves) = curves.get(selected) else { return Vec::new() };
+        let eyes = Eye::BOTH.into_iter().zip(curves.exact(quantity));
+        return eyes
+            .map(|(eye, points)| Trace {
+                name: eye.name().to_owned(),
+                points,
+                colour: theme::eye_colour(eye, ui.visuals()),
+                dashed: false,
+                wide: true,
+            })
+            .collect();
+    }
+    let mut traces = Vec::new();
+    for (index, (point, curves)) in state.session.points.all().iter().zip(curves).enumerate() {
+        let colour = theme::point_colour(point.number, ui.visuals());
+        let wide = index == selected;
+        let published = curves.published(quantity);
+        let name = format!("{}, published", point.name());
+        traces.push(Trace { name, points: published, colour, dashed: true, wide });
+        let exact = &curves.exact(quantity)[0];
+        traces.push(Trace { name: point.name(), points: exact, colour, dashed: false, wide });
+    }
+    traces
+}
+
+fn draw<'a>(plot: &mut PlotUi<'a>, trace: Trace<'a>, now: f64) {
+    let width = if trace.wide { 2.0 } else { 1.2 };
+    let style = if trace.dashed { LineStyle::dashed_dense() } else { LineStyle::Solid };
+    // Bands would draw steep parts of a densely sampled curve thinner than the rest.
+    let line = Line::new(trace.name, trace.points).allow_band(false);
+    plot.line(line.color(trace.colour).width(width).style(style));
+    if let (false, Some(value)) = (trace.dashed, value_at(trace.points, now)) {
+        let dot = Points::new("now", vec![[now, value]]).color(trace.colour).radius(4.0);
+        plot.points(dot.allow_hover(false));
+    }
+}
+
+/// Linear interpolation in a drawn curve, so that the dot lies on it; `None` outside it.
+fn value_at(points: &[PlotPoint], time: f64) -> Option<f64> {
+    let after = points.partition_point(|point| point.x < time);
+    let (b, a) = (points.get(after)?, points.get(after.checked_sub(1)?)?);
+    Some(if b.x > a.x { a.y + (b.y - a.y) * (time - a.x) / (b.x - a.x) } else { b.y })
+}
+
+/// Everything that is drawn, with a margin; never of no height.
+fn bounds(traces: &[Trace], [from, to]: [f64; 2]) -> PlotBounds {
+    let values = || traces.iter().flat_map(|trace| trace.points).map(|point| point.y);
+    let lowest = values().fold(f64::INFINITY, f64::min);
+    let highest = values().fold(f64::NEG_INFINITY, f64::max);
+    let (lowest, highest) = if lowest <= highest { (lowest, highest) } else { (0.0, 0.0) };
+    let margin = (0.08 * (highest - lowest)).max(1e-6 * highest.abs()).max(1e-9);
+    let width = (to - from).max(1e-9);
+    PlotBounds::from_min_max([from, lowest - margin], [from + width, highest + margin])
+}
+
+fn label(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::DeltaPhi => "Δφ",
+        Quantity::DeltaTheta => "Δθ",
+        Quantity::Phi => "φ",
+        Quantity::Theta => "θ",
+        Quantity::LogDoppler => "D",
+    }
+}
+
+fn unit(quantity: Quantity) -> &'static str {
+    if quantity == Quantity::LogDoppler { "" } else { " rad" }
+}
+
+/// The text at a grid line: as many digits as tell it from its neighbours.
+fn tick(quantity: Quantity, value: f64, step: f64) -> String {
+    if quantity == Quantity::LogDoppler {
+        return figures::power_of_ten(value);
+    }
+    let decimals = (-step.abs().log10().floor()).clamp(0.0, 9.0) as usize;
+    // Rounding, so that a grid line at -1e-17 reads 0.
+    let rounded = (value / step).round() * step + 0.0;
+    figures::fixed(rounded, decimals)
+}
+
+fn hover_text(quantity: Quantity, hover: &HoverPosition<'_>) -> Option<String> {
+    let HoverPosition::NearDataPoint { plot_name, position, .. } = hover else { return None };
+    let value = match quantity {
+        Quantity::LogDoppler => figures::fixed(10f64.powf(position.y), 4),
+        _ => figures::fixed(position.y, 5),
+    };
+    let time = figures::fixed(position.x, 3);
+    Some(format!("{plot_name}\nT = {time}\n{} = {value}{}", label(quantity), unit(quantity)))
+}
+
+/// Names the axis and T0, and frames the plot.
+fn annotate(ui: &Ui, response: &PlotResponse<()>, equidistant: Option<f64>) {
+    let frame = *response.transform.frame();
+    let painter = ui.painter().with_clip_rect(frame);
+    let small = TextStyle::Small.resolve(ui.style());
+    let inset = vec2(7.0, 4.0);
+    let weak = ui.visuals().weak_text_color();
+    painter.text(frame.max - inset, Align2::RIGHT_BOTTOM, "T", small.clone(), weak);
+    if let Some(time) = equidistant {
+        let x = response.transform.position_from_point_x(time);
+        let place = egui::pos2(x + 3.0, frame.max.y - 3.0);
+        painter.text(place, Align2::LEFT_BOTTOM, "T₀", small, weak);
+    }
+    painter.rect_stroke(
+        frame,
+        2.0,
+        Stroke::new(1.0, ui.visuals().widgets.noninteractive.bg_stroke.color),
+        egui::StrokeKind::Inside,
+    );
+}
+
+/// The value now of the selected point, or of each eye.
+fn value_text(state: &State, quantity: Quantity) -> String {
+    let point = state.session.points.selected();
+    let both = state.disparity(point);
+    let text = |value: Option<f64>| figures::fixed_or_none(value, 5);
+    match quantity {
+        Quantity::DeltaPhi => format!("{} rad", text(both.map(|both| both.dphi))),
+        Quantity::DeltaTheta => format!("{} rad", text(both.map(|both| both.dtheta))),
+        Quantity::Phi => "rad".to_owned(),
+        Quantity::Theta => "rad".to_owned(),
+        Quantity::LogDoppler => "received / rest frequency".to_owned(),
+    }
+}
+
+/// Names the plot for assistive technology: what it shows, of what.
+fn describe(response: &PlotResponse<()>, state: &State, quantity: Quantity) {
+    let point = state.session.points.selected().name();
+    let name = format!("Plot of {} of {point} against T", label(quantity));
+    response
+        .response
+        .widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::GraphicsObject, true, &name));
+}
+
+fn time_at_pointer(response: &PlotResponse<()>) -> Option<f64> {
+    let pressed = response.response.dragged() || response.response.clicked();
+    let place = response.response.interact_pointer_pos().filter(|_| pressed)?;
+    let time = response.transform.value_from_position(place).x;
+    time.is_finite().then_some(time)
+}

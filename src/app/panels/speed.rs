@@ -1,0 +1,99 @@
+//! The speed: a slider finer towards 1, speeds to click, and three fields to type it exactly.
+
+use eframe::egui::{self, Align, Align2, FontId, Layout, Rect, RichText, Sense, Slider, TextStyle, Ui, vec2};
+
+use super::widgets;
+use crate::app::figures;
+use crate::app::speed_setting::SpeedSetting;
+use crate::cli::SpeedParameter;
+
+const TIP: &str = "Speed of the scene in units of c.\nβ = v/c,   γ = 1/√(1 − β²),   η = artanh β\n\
+    The slider is finer towards 1.   Keys: ↑ ↓";
+
+/// Shows it; a speed if the user gave one.
+pub fn show(ui: &mut Ui, current: SpeedSetting) -> Option<SpeedSetting> {
+    ui.horizontal(|ui| {
+        ui.label("Speed").on_hover_text(TIP);
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let text = format!("β = {}", figures::beta(&current.speed()));
+            ui.label(RichText::new(text).heading().strong()).on_hover_text(TIP);
+        });
+    });
+    let slid = slider(ui, current);
+    let typed = fields(ui, current);
+    typed.or(slid)
+}
+
+fn slider(ui: &mut Ui, current: SpeedSetting) -> Option<SpeedSetting> {
+    let mut position = current.slider_position();
+    ui.spacing_mut().slider_width = ui.available_width();
+    let slider = Slider::new(&mut position, 0.0..=1.0).show_value(false).smart_aim(false);
+    let response = ui.add(slider).on_hover_text(TIP).accessible_name("Speed β");
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(figures::beta(&current.speed())));
+    let marked = marks(ui, response.rect);
+    let slid = response.changed().then(|| SpeedSetting::at_slider_position(position));
+    slid.or(marked)
+}
+
+/// Speeds to click below the slider, each where the slider has it.
+fn marks(ui: &mut Ui, slider: Rect) -> Option<SpeedSetting> {
+    const MARKS: [(f64, &str); 6] =
+        [(0.0, "0"), (0.5, "0.5"), (0.9, "0.9"), (0.99, "0.99"), (0.999, "0.999"), (0.9999, "0.9999")];
+    let (strip, _) = ui.allocate_exact_size(vec2(slider.width(), 15.0), Sense::hover());
+    let font = TextStyle::Small.resolve(ui.style());
+    let mut chosen = None;
+    for (beta, text) in MARKS {
+        let setting = SpeedSetting::new(SpeedParameter::Beta, beta).expect("marks are speeds");
+        let x = widgets::handle_x(slider, setting.slider_position());
+        let rect = Rect::from_center_size(egui::pos2(x, strip.center().y), vec2(36.0, strip.height()));
+        if mark(ui, rect, &font, text) {
+            chosen = Some(setting);
+        }
+    }
+    chosen
+}
+
+fn mark(ui: &mut Ui, rect: Rect, font: &FontId, text: &str) -> bool {
+    let id = ui.scope_id().with(("speed mark", text));
+    let response = ui.interact(rect, id, Sense::click()).on_hover_cursor(egui::CursorIcon::PointingHand);
+    let colour =
+        if response.hovered() { ui.visuals().strong_text_color() } else { ui.visuals().weak_text_color() };
+    ui.painter().text(rect.center(), Align2::CENTER_CENTER, text, font.clone(), colour);
+    let name = format!("Set β to {text}");
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Button, true, &name));
+    response.clicked()
+}
+
+fn fields(ui: &mut Ui, current: SpeedSetting) -> Option<SpeedSetting> {
+    const FIELDS: [(SpeedParameter, &str, &str, &str); 3] = [
+        (SpeedParameter::Beta, "β", "Beta, typed", "β = v/c, from 0 to below 1. Enter applies it."),
+        (SpeedParameter::Gamma, "γ", "Gamma, typed", "γ = 1/√(1 − β²), from 1 to 1e30. Enter applies it."),
+        (
+            SpeedParameter::Rapidity,
+            "η",
+            "Rapidity, typed",
+            "η = artanh β, from 0 to 69.77. Enter applies it.",
+        ),
+    ];
+    let error_id = egui::Id::unique("speed error");
+    let mut chosen = None;
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 5.0;
+        let width = ((ui.available_width() - 74.0) / 3.0).max(20.0);
+        for (parameter, symbol, name, tip) in FIELDS {
+            ui.label(symbol).on_hover_text(tip);
+            let Some(typed) = widgets::exact_number(ui, name, tip, current.text(parameter), width) else {
+                continue;
+            };
+            let setting = typed
+                .and_then(|value| SpeedSetting::new(parameter, value).map_err(|error| error.to_string()));
+            ui.data_mut(|data| data.insert_temp(error_id, setting.as_ref().err().cloned()));
+            chosen = setting.ok();
+        }
+    });
+    // The old speed stays, and so does the message, until something valid is typed.
+    if let Some(message) = ui.data(|data| data.get_temp::<Option<String>>(error_id)).flatten() {
+        ui.colored_label(ui.visuals().error_fg_color, message);
+    }
+    chosen
+}

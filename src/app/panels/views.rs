@@ -1,0 +1,195 @@
+//! What the two eyes see, side by side: pictures, markers of the followed points, and the mouse in
+//! them.
+
+use eframe::egui::{
+    self, Align2, Color32, CursorIcon, Painter, Pos2, Rect, Response, Sense, Stroke, StrokeKind, TextStyle,
+    TextureId, Ui, Visuals, pos2, vec2,
+};
+use relativity_render::{Colour, Geometry, ReferenceScene, View};
+
+use super::Asks;
+use crate::app::command::{Command, Pick};
+use crate::app::observer::Eye;
+use crate::app::points::Point;
+use crate::app::state::State;
+use crate::app::theme;
+
+const TITLE_HEIGHT: f32 = 22.0;
+/// Zoom per point of scrolling.
+const ZOOM_PER_SCROLL: f64 = 0.002;
+
+/// Where an eye's picture is on screen, and how many pixels it has.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pane {
+    /// Whose.
+    pub eye: Eye,
+    /// In points; its edges lie on pixel edges, so that the picture is shown pixel for pixel.
+    pub rect: Rect,
+    /// Width and height in pixels, at least 1.
+    pub size: [u32; 2],
+}
+
+impl Pane {
+    /// The panes of both eyes inside `area`, pictures being at most `largest` pixels wide or high.
+    #[must_use]
+    pub fn both(area: Rect, pixels_per_point: f32, largest: u32) -> [Self; 2] {
+        let width = ((area.width() - theme::GAP) / 2.0).max(1.0);
+        Eye::BOTH.map(|eye| {
+            let x = area.min.x + eye.index() as f32 * (width + theme::GAP);
+            let rect = Rect::from_min_max(
+                pos2(x, (area.min.y + TITLE_HEIGHT).min(area.max.y)),
+                pos2(x + width, area.max.y),
+            );
+            Self::new(eye, rect, pixels_per_point, largest)
+        })
+    }
+
+    fn new(eye: Eye, rect: Rect, pixels_per_point: f32, largest: u32) -> Self {
+        let snapped = |p: Pos2| (p.to_vec2() * pixels_per_point).round();
+        let (min, max) = (snapped(rect.min), snapped(rect.max));
+        let size = [max.x - min.x, max.y - min.y].map(|side| (side as u32).clamp(1, largest));
+        let rect = Rect::from_min_max((min / pixels_per_point).to_pos2(), (max / pixels_per_point).to_pos2());
+        Self { eye, rect, size }
+    }
+
+    fn pixel(&self, place: Pos2) -> [f64; 2] {
+        let inside = (place - self.rect.min) / self.rect.size();
+        [f64::from(inside.x) * f64::from(self.size[0]), f64::from(inside.y) * f64::from(self.size[1])]
+    }
+
+    /// Where a pixel of the picture is on screen.
+    #[must_use]
+    pub fn place(&self, [u, v]: [f64; 2]) -> Pos2 {
+        let fraction = vec2((u / f64::from(self.size[0])) as f32, (v / f64::from(self.size[1])) as f32);
+        self.rect.min + fraction * self.rect.size()
+    }
+}
+
+/// Reads the mouse in `pane`.
+pub fn interact(ui: &mut Ui, state: &State, pane: Pane, asks: &mut Asks) {
+    let id = ui.scope_id().with(("view", pane.eye.index()));
+    let response = ui.interact(pane.rect, id, Sense::click_and_drag()).on_hover_cursor(CursorIcon::Crosshair);
+    let name = format!("{} view", pane.eye.name());
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, &name));
+    if response.double_clicked() {
+        asks.push(Command::ResetLook);
+    } else if let (true, Some(place)) = (response.clicked(), response.interact_pointer_pos()) {
+        let add = ui.input(|input| input.modifiers.shift);
+        asks.push(Command::Pick(Pick { eye: pane.eye, pixel: pane.pixel(place), size: pane.size, add }));
+    }
+    turn(&response, state, pane, asks);
+    if response.hovered() {
+        let scroll = f64::from(ui.input(|input| input.smooth_scroll_delta().y));
+        let pinch = f64::from(ui.input(egui::InputState::zoom_delta));
+        let factor = (-scroll * ZOOM_PER_SCROLL).exp() / pinch;
+        if factor != 1.0 && factor.is_finite() {
+            asks.push(Command::Zoom(factor));
+        }
+    }
+}
+
+/// The scene follows the pointer: what is under it when a drag starts stays there.
+fn turn(response: &Response, state: &State, pane: Pane, asks: &mut Asks) {
+    let moved = response.drag_delta();
+    if !response.dragged() || moved == egui::Vec2::ZERO {
+        return;
+    }
+    let focal_length = state.view(pane.eye, pane.size, state.gaze()).camera.focal_length_px();
+    let pixels = f64::from(pane.size[0]) / f64::from(pane.rect.width());
+    let angle = |points: f32| f64::from(points) * pixels / focal_length;
+    asks.push(Command::Turn { azimuth: angle(moved.x), elevation: angle(moved.y) });
+}
+
+/// Draws `pane`: its picture if there is one, the markers on it, title and frame.
+pub fn paint(ui: &Ui, state: &State, pane: Pane, picture: Option<TextureId>) {
+    let visuals = ui.visuals();
+    let colour = theme::eye_colour(pane.eye, visuals);
+    let painter = ui.painter();
+    title(ui, pane, colour);
+    match picture {
+        Some(texture) => {
+            let uv = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+            painter.image(texture, pane.rect, uv, Color32::WHITE);
+        }
+        None => {
+            painter.rect_filled(pane.rect, 0.0, visuals.extreme_bg_color);
+        }
+    }
+    let inside = painter.with_clip_rect(pane.rect);
+    markers(&inside, state, pane, visuals);
+    notes(ui, &inside, state, pane);
+    painter.rect_stroke(pane.rect, 0.0, Stroke::new(1.5, colour), StrokeKind::Outside);
+}
+
+fn title(ui: &Ui, pane: Pane, colour: Color32) {
+    let font = TextStyle::Body.resolve(ui.style());
+    let place = pos2(pane.rect.min.x, pane.rect.min.y - TITLE_HEIGHT / 2.0 - 1.0);
+    let painter = ui.painter();
+    painter.circle_filled(place + vec2(5.0, 0.0), 4.5, colour);
+    painter.text(
+        place + vec2(16.0, 0.0),
+        Align2::LEFT_CENTER,
+        pane.eye.name(),
+        font,
+        ui.visuals().text_color(),
+    );
+}
+
+/// What the picture is, where that is not what an eye would see.
+fn notes(ui: &Ui, painter: &Painter, state: &State, pane: Pane) {
+    let geometry = match state.settings.look.geometry {
+        Geometry::Seen => None,
+        Geometry::Contracted => Some("contracted only"),
+        Geometry::Rest => Some("at rest"),
+    };
+    let colour = (state.settings.light.colour == Colour::False).then_some("false colour");
+    let text = [geometry, colour].into_iter().flatten().collect::<Vec<_>>().join("  ·  ");
+    let font = TextStyle::Small.resolve(ui.style());
+    let galley = painter.layout_no_wrap(text, font, Color32::WHITE);
+    let place = pane.rect.left_bottom() + vec2(8.0, -8.0 - galley.size().y);
+    if galley.size().x > 0.0 {
+        let back = Rect::from_min_size(place, galley.size()).expand2(vec2(5.0, 2.0));
+        painter.rect_filled(back, 3.0, Color32::from_black_alpha(150));
+        painter.galley(place, galley, Color32::WHITE);
+    }
+}
+
+fn markers(painter: &Painter, state: &State, pane: Pane, visuals: &Visuals) {
+    let view = state.view(pane.eye, pane.size, state.gaze());
+    let scene = ReferenceScene::new(&state.session.bodies);
+    for (index, point) in state.session.points.all().iter().enumerate() {
+        let Some(marker) = Marker::of(state, point, &view, &scene, pane.eye) else { continue };
+        let radius = if index == state.session.points.selected_index() { 6.0 } else { 4.5 };
+        let colour = theme::point_colour(point.number, visuals);
+        marker.paint(painter, pane.place(marker.pixel), radius, colour, theme::halo_colour(visuals));
+    }
+}
+
+/// Where an eye sees a followed point.
+struct Marker {
+    pixel: [f64; 2],
+    hidden: bool,
+}
+
+/// A surface this much nearer than the point, in parts of its distance, hides it. A picked point lies
+/// on its surface only up to rounding.
+const HIDING_MARGIN: f64 = 1e-4;
+
+impl Marker {
+    fn of(state: &State, point: &Point, view: &View, scene: &ReferenceScene, eye: Eye) -> Option<Self> {
+        let direction = state.direction(point, eye)?;
+        let pixel = view.camera.pixel(direction)?;
+        let first = scene.first_hit(view, direction.try_normalize()?);
+        let hidden = first.is_some_and(|hit| hit.distance < direction.length() * (1.0 - HIDING_MARGIN));
+        pixel.iter().all(|value| value.is_finite()).then_some(Self { pixel, hidden })
+    }
+
+    /// A ring, filled in the middle where the point is in sight and hollow where it is hidden.
+    fn paint(&self, painter: &Painter, place: Pos2, radius: f32, colour: Color32, halo: Color32) {
+        painter.circle_stroke(place, radius, Stroke::new(4.0, halo));
+        painter.circle_stroke(place, radius, Stroke::new(2.0, colour));
+        if !self.hidden {
+            painter.circle_filled(place, 2.0, colour);
+        }
+    }
+}

@@ -1,0 +1,129 @@
+//! Rows of controls that look alike: a name, a widget, an explanation on hover.
+
+use eframe::egui::{
+    self, Align, DragValue, Id, Layout, Response, RichText, Sense, Slider, SliderClamping, TextEdit, Ui,
+};
+
+use crate::app::figures;
+
+/// Width of the names in front of the widgets.
+const NAME_WIDTH: f32 = 88.0;
+/// Width of the numbers behind the sliders.
+const NUMBER_WIDTH: f32 = 62.0;
+
+/// A titled group of rows that can be folded away.
+pub fn section(ui: &mut Ui, title: &str, rows: impl FnOnce(&mut Ui)) {
+    egui::CollapsingHeader::new(RichText::new(title).strong()).default_open(true).show_unindented(ui, |ui| {
+        ui.add_space(2.0);
+        rows(ui);
+        ui.add_space(6.0);
+    });
+}
+
+/// `name`, then `widget` in the rest of the row; `tip` explains it.
+pub fn row(ui: &mut Ui, name: &str, tip: &str, widget: impl FnOnce(&mut Ui)) {
+    ui.horizontal(|ui| {
+        let size = egui::vec2(NAME_WIDTH, ui.spacing().interact_size.y);
+        ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
+            ui.set_min_width(NAME_WIDTH);
+            ui.label(name).on_hover_text(tip);
+        });
+        widget(ui);
+    });
+}
+
+/// A slider, and behind it the number, which can be typed.
+#[derive(Debug, Clone)]
+pub struct NumberRow<'a> {
+    /// Its name, on screen and for assistive technology.
+    pub name: &'a str,
+    /// What it does.
+    pub tip: &'a str,
+    /// What the slider spans.
+    pub slider: std::ops::RangeInclusive<f64>,
+    /// What may be typed.
+    pub typed: std::ops::RangeInclusive<f64>,
+    /// Digits behind the point at most.
+    pub decimals: usize,
+    /// Unit behind the number.
+    pub suffix: &'a str,
+}
+
+impl NumberRow<'_> {
+    /// Shows it; true if `value` changed.
+    pub fn show(&self, ui: &mut Ui, value: &mut f64) -> bool {
+        let mut changed = false;
+        row(ui, self.name, self.tip, |ui| {
+            changed = self.slider(ui, value) | self.number(ui, value);
+        });
+        changed
+    }
+
+    fn slider(&self, ui: &mut Ui, value: &mut f64) -> bool {
+        let free = ui.available_width() - NUMBER_WIDTH - ui.spacing().item_spacing.x;
+        ui.spacing_mut().slider_width = free.max(30.0);
+        // A typed value may lie beyond the slider's ends and stays as typed.
+        let slider =
+            Slider::new(value, self.slider.clone()).show_value(false).clamping(SliderClamping::Never);
+        ui.add(slider).on_hover_text(self.tip).accessible_name(self.name).changed()
+    }
+
+    fn number(&self, ui: &mut Ui, value: &mut f64) -> bool {
+        let number = DragValue::new(value)
+            .range(self.typed.clone())
+            .speed((self.slider.end() - self.slider.start()) / 400.0)
+            .max_decimals(self.decimals)
+            .update_while_editing(false)
+            .suffix(self.suffix);
+        let size = [NUMBER_WIDTH, ui.spacing().interact_size.y];
+        let name = format!("{}, typed", self.name);
+        ui.add_sized(size, number).on_hover_text(self.tip).accessible_name(name).changed()
+    }
+}
+
+/// Buttons side by side, one of them chosen; each with its own tip.
+pub fn choice<T: PartialEq + Copy>(ui: &mut Ui, value: &mut T, options: &[(T, &str, &str)]) {
+    ui.spacing_mut().item_spacing.x = 3.0;
+    for (option, name, tip) in options {
+        ui.selectable_value(value, *option, *name).on_hover_text(*tip);
+    }
+}
+
+/// A field in which a number is typed exactly. While it is not edited it shows `shown`; what was typed
+/// is handed out once, on Enter or when the field is left.
+pub fn exact_number(
+    ui: &mut Ui,
+    name: &str,
+    tip: &str,
+    shown: String,
+    width: f32,
+) -> Option<Result<f64, String>> {
+    let id = Id::unique(("exact number", name));
+    let mut text = ui.data(|data| data.get_temp::<String>(id)).unwrap_or_else(|| shown.clone());
+    let field = TextEdit::singleline(&mut text).id(id).desired_width(width).clip_text(true);
+    let response = ui.add(field).on_hover_text(tip).accessible_name(name);
+    if response.has_focus() {
+        ui.data_mut(|data| data.insert_temp(id, text));
+        return None;
+    }
+    ui.data_mut(|data| data.remove::<String>(id));
+    (response.lost_focus() && text != shown).then(|| figures::parsed(&text))
+}
+
+/// Where the middle of the handle of a slider in `rect` is, at `fraction` of its way.
+pub fn handle_x(rect: egui::Rect, fraction: f64) -> f32 {
+    // The theme's handles are circles of this radius.
+    let radius = rect.height() / 2.5;
+    egui::lerp(rect.min.x + radius..=rect.max.x - radius, fraction.clamp(0.0, 1.0) as f32)
+}
+
+/// A dot that tells what follows by its colour.
+pub fn dot(ui: &mut Ui, colour: egui::Color32) {
+    let (rect, _) = ui.allocate_exact_size(egui::vec2(10.0, 10.0), Sense::hover());
+    ui.painter().circle_filled(rect.center(), 4.5, colour);
+}
+
+/// Text with a `name` of its own for assistive technology.
+pub fn named_text(ui: &mut Ui, text: impl Into<egui::WidgetText>, name: impl Into<String>) -> Response {
+    ui.add(egui::Label::new(text).sense(Sense::hover())).accessible_name(name)
+}

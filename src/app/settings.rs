@@ -1,0 +1,208 @@
+//! What the user sets and the program remembers: plain values in groups, one group per control section.
+
+use eframe::egui::ThemePreference;
+use relativity_render::{Colour, Geometry, Shading};
+use serde::{Deserialize, Serialize};
+
+use super::speed_setting::SpeedSetting;
+use crate::cli::SpeedParameter;
+
+/// Everything that outlives a session.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Settings {
+    /// How the scene moves, and between which eyes.
+    pub motion: Motion,
+    /// How the eyes look at it.
+    pub look: Look,
+    /// What becomes of its light.
+    pub light: Light,
+    /// How time runs.
+    pub playback: Playback,
+    /// What the plots show.
+    pub plots: Plots,
+    /// Which parts of the window are shown.
+    pub window: Window,
+}
+
+/// Largest separation, distance and height that can be set.
+pub const MAX_LENGTH: f64 = 1e6;
+
+/// Speed, aperture separation and path.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Motion {
+    /// Speed along +x.
+    pub speed: SpeedSetting,
+    /// d, 0 or more.
+    pub separation: f64,
+    /// How much further away than the scene says, along y.
+    pub depth_shift: f64,
+    /// How much higher than the scene says, along z.
+    pub height_shift: f64,
+}
+
+impl Default for Motion {
+    fn default() -> Self {
+        let speed = SpeedSetting::new(SpeedParameter::Beta, 0.9).expect("0.9 is a speed");
+        Self { speed, separation: 0.1, depth_shift: 0.0, height_shift: 0.0 }
+    }
+}
+
+/// Where both eyes look.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub enum GazeSetting {
+    /// At the selected point (the mean of its two apparent directions), in parallel.
+    Tracking,
+    /// In one direction, in parallel.
+    Fixed {
+        /// From +x towards +y, radians.
+        azimuth: f64,
+        /// From the x-y plane, radians.
+        elevation: f64,
+    },
+}
+
+/// Geometry, gaze and field of view.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Look {
+    /// Which geometry the views show.
+    #[serde(with = "SavedGeometry")]
+    pub geometry: Geometry,
+    /// Where the eyes look.
+    pub gaze: GazeSetting,
+    /// Horizontal field of view of each eye, degrees.
+    pub fov_degrees: f64,
+}
+
+/// Field of view at start, degrees.
+pub const DEFAULT_FOV_DEGREES: f64 = 72.0;
+
+impl Default for Look {
+    fn default() -> Self {
+        Self { geometry: Geometry::Seen, gaze: GazeSetting::Tracking, fov_degrees: DEFAULT_FOV_DEGREES }
+    }
+}
+
+/// Colour, intensity, shading and background.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Light {
+    /// How a wavelength becomes a colour.
+    #[serde(with = "SavedColour")]
+    pub colour: Colour,
+    /// Whether the Doppler factor shifts the wavelength.
+    pub doppler_shift: bool,
+    /// Exponent n of D^n, or `None` for constant intensity.
+    pub intensity_exponent: Option<f64>,
+    /// Exposure, in factors of 2.
+    pub exposure_ev: f64,
+    /// How form is shown.
+    #[serde(with = "SavedShading")]
+    pub shading: Shading,
+    /// Whether there is a sky.
+    pub sky: bool,
+    /// Whether there is a ground grid (where the scene has a ground).
+    pub ground: bool,
+}
+
+impl Default for Light {
+    fn default() -> Self {
+        Self {
+            colour: Colour::Visible,
+            doppler_shift: true,
+            intensity_exponent: Some(relativity_core::doppler::PAPER_INTENSITY_EXPONENT),
+            exposure_ev: 0.0,
+            shading: Shading::Form,
+            sky: true,
+            ground: true,
+        }
+    }
+}
+
+/// How the observation time runs.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Playback {
+    /// Units of T per second of the wall clock.
+    pub rate: f64,
+    /// Whether to start again at the end.
+    pub looping: bool,
+    /// First and last T; `None` fits them to the selected point's passage.
+    pub range: Option<[f64; 2]>,
+}
+
+impl Default for Playback {
+    fn default() -> Self {
+        Self { rate: 1.0, looping: true, range: None }
+    }
+}
+
+/// Which quantity is plotted against T.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub enum PlotTab {
+    /// Delta-phi and Delta-theta.
+    #[default]
+    Disparity,
+    /// phi and theta, each eye.
+    Angles,
+    /// Doppler factor, each eye.
+    Doppler,
+}
+
+/// What the plots show.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Plots {
+    /// Which quantity.
+    pub tab: PlotTab,
+    /// Whether the published model is drawn too, dashed.
+    pub published: bool,
+}
+
+/// Which parts of the window are shown, and in which colours.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Window {
+    /// The two eyes' views. Hidden views compute nothing.
+    pub views: bool,
+    /// The plots.
+    pub plots: bool,
+    /// The controls.
+    pub controls: bool,
+    /// The numbers below the controls.
+    pub readout: bool,
+    /// Light, dark, or as the system says.
+    pub theme: ThemePreference,
+}
+
+impl Default for Window {
+    fn default() -> Self {
+        Self { views: true, plots: true, controls: true, readout: true, theme: ThemePreference::Dark }
+    }
+}
+
+// The renderer's enums as they are saved; the compiler holds the two in step.
+
+#[derive(Serialize, Deserialize)]
+#[serde(remote = "Geometry")]
+enum SavedGeometry {
+    Seen,
+    Contracted,
+    Rest,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(remote = "Colour")]
+enum SavedColour {
+    Visible,
+    False,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(remote = "Shading")]
+enum SavedShading {
+    Emission,
+    Form,
+}

@@ -1,0 +1,130 @@
+//! Colours and sizes. Left is blue and right is orange everywhere: a pair that colour-blind eyes tell
+//! apart, from M. Okabe and K. Ito, *Color universal design* (2008), like the colours of the points.
+
+use eframe::egui::{
+    self, Color32, FontDefinitions, FontFamily, FontId, Stroke, TextStyle, Visuals, epaint::CornerRadius,
+};
+
+use super::observer::Eye;
+
+/// Space around and between the parts of the window, points.
+pub const GAP: f32 = 8.0;
+
+/// The colour of an eye, on this background.
+#[must_use]
+pub fn eye_colour(eye: Eye, visuals: &Visuals) -> Color32 {
+    match (eye, visuals.dark_mode) {
+        (Eye::Left, true) => Color32::from_rgb(0x56, 0xB4, 0xE9),
+        (Eye::Left, false) => Color32::from_rgb(0x00, 0x72, 0xB2),
+        (Eye::Right, true) => Color32::from_rgb(0xE6, 0x9F, 0x00),
+        (Eye::Right, false) => Color32::from_rgb(0xD5, 0x5E, 0x00),
+    }
+}
+
+/// The colour of the followed point with this number (from 1), on this background.
+#[must_use]
+pub fn point_colour(number: usize, visuals: &Visuals) -> Color32 {
+    const DARK: [Color32; 5] = [
+        Color32::from_rgb(0x1F, 0xD0, 0x9E),
+        Color32::from_rgb(0xE7, 0x9B, 0xC8),
+        Color32::from_rgb(0xF0, 0xE4, 0x42),
+        Color32::from_rgb(0xC8, 0xC8, 0xC8),
+        Color32::from_rgb(0xA7, 0x8B, 0xFA),
+    ];
+    const LIGHT: [Color32; 5] = [
+        Color32::from_rgb(0x00, 0x8A, 0x64),
+        Color32::from_rgb(0xB3, 0x4E, 0x8A),
+        Color32::from_rgb(0x8F, 0x7A, 0x00),
+        Color32::from_rgb(0x55, 0x55, 0x55),
+        Color32::from_rgb(0x6D, 0x4A, 0xD8),
+    ];
+    let colours = if visuals.dark_mode { DARK } else { LIGHT };
+    colours[(number + colours.len() - 1) % colours.len()]
+}
+
+/// What sets a marker off from any picture.
+#[must_use]
+pub fn halo_colour(visuals: &Visuals) -> Color32 {
+    if visuals.dark_mode { Color32::from_black_alpha(170) } else { Color32::from_white_alpha(210) }
+}
+
+/// The line at the present T.
+#[must_use]
+pub fn now_colour(visuals: &Visuals) -> Color32 {
+    visuals.strong_text_color()
+}
+
+/// The line at T0.
+#[must_use]
+pub fn equidistance_colour(visuals: &Visuals) -> Color32 {
+    visuals.weak_text_color()
+}
+
+/// Sets fonts, spacing and both palettes.
+pub fn install(ctx: &egui::Context) {
+    ctx.set_fonts(fonts());
+    ctx.all_styles_mut(|style| {
+        let size = |points, family| FontId::new(points, family);
+        style.text_styles = [
+            (TextStyle::Small, size(11.5, FontFamily::Proportional)),
+            (TextStyle::Body, size(14.0, FontFamily::Proportional)),
+            (TextStyle::Button, size(14.0, FontFamily::Proportional)),
+            (TextStyle::Heading, size(16.0, FontFamily::Proportional)),
+            (TextStyle::Monospace, size(13.0, FontFamily::Monospace)),
+        ]
+        .into();
+        style.spacing.item_spacing = egui::vec2(GAP, 6.0);
+        style.spacing.button_padding = egui::vec2(7.0, 3.0);
+        style.spacing.interact_size.y = 22.0;
+        style.spacing.slider_rail_height = 4.0;
+        style.spacing.tooltip_width = 320.0;
+        style.visuals.slider_trailing_fill = true;
+        style.visuals.widgets.noninteractive.corner_radius = CornerRadius::same(5);
+        for widget in [
+            &mut style.visuals.widgets.inactive,
+            &mut style.visuals.widgets.hovered,
+            &mut style.visuals.widgets.active,
+            &mut style.visuals.widgets.open,
+        ] {
+            widget.corner_radius = CornerRadius::same(5);
+        }
+    });
+    ctx.style_mut_of(egui::Theme::Dark, |style| dark(&mut style.visuals));
+    ctx.style_mut_of(egui::Theme::Light, |style| light(&mut style.visuals));
+}
+
+/// The usual fonts, with arrows for the proportional one from the monospaced one.
+fn fonts() -> FontDefinitions {
+    let mut fonts = FontDefinitions::default();
+    let monospace = fonts.families.get(&FontFamily::Monospace).cloned().unwrap_or_default();
+    fonts.families.entry(FontFamily::Proportional).or_default().extend(monospace);
+    fonts
+}
+
+fn dark(visuals: &mut Visuals) {
+    visuals.panel_fill = Color32::from_rgb(0x16, 0x18, 0x1D);
+    visuals.window_fill = Color32::from_rgb(0x1D, 0x20, 0x27);
+    visuals.extreme_bg_color = Color32::from_rgb(0x0E, 0x10, 0x14);
+    visuals.faint_bg_color = Color32::from_rgb(0x1C, 0x1F, 0x26);
+    visuals.widgets.noninteractive.fg_stroke.color = Color32::from_rgb(0xC4, 0xC9, 0xD4);
+    visuals.widgets.noninteractive.bg_stroke = Stroke::new(1.0, Color32::from_rgb(0x2D, 0x32, 0x3C));
+    visuals.widgets.inactive.weak_bg_fill = Color32::from_rgb(0x2A, 0x2F, 0x39);
+    visuals.widgets.inactive.bg_fill = Color32::from_rgb(0x33, 0x39, 0x45);
+    visuals.widgets.inactive.fg_stroke.color = Color32::from_rgb(0xD6, 0xDA, 0xE3);
+    visuals.selection.bg_fill = Color32::from_rgb(0x2F, 0x5D, 0x8C);
+    visuals.selection.stroke.color = Color32::WHITE;
+}
+
+fn light(visuals: &mut Visuals) {
+    visuals.panel_fill = Color32::from_rgb(0xF6, 0xF7, 0xF9);
+    visuals.window_fill = Color32::WHITE;
+    visuals.extreme_bg_color = Color32::WHITE;
+    visuals.faint_bg_color = Color32::from_rgb(0xEC, 0xEE, 0xF2);
+    visuals.widgets.noninteractive.fg_stroke.color = Color32::from_rgb(0x33, 0x38, 0x42);
+    visuals.widgets.noninteractive.bg_stroke = Stroke::new(1.0, Color32::from_rgb(0xD5, 0xD9, 0xE0));
+    visuals.widgets.inactive.weak_bg_fill = Color32::from_rgb(0xE3, 0xE6, 0xEC);
+    visuals.widgets.inactive.bg_fill = Color32::from_rgb(0xD3, 0xD8, 0xE1);
+    visuals.widgets.inactive.fg_stroke.color = Color32::from_rgb(0x2B, 0x30, 0x3A);
+    visuals.selection.bg_fill = Color32::from_rgb(0xB9, 0xD8, 0xF2);
+    visuals.selection.stroke.color = Color32::from_rgb(0x08, 0x2F, 0x52);
+}
