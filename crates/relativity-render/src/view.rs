@@ -52,6 +52,13 @@ impl View {
         Self { camera: Camera { size, ..self.camera }, ..*self }
     }
 
+    /// Aperture separation d of the published model: of the pair at -d/2 and d/2 on the x axis whose left
+    /// aperture is the camera's.
+    #[must_use]
+    pub fn published_separation(&self) -> f64 {
+        -2.0 * self.camera.aperture.x
+    }
+
     /// Where the camera is in the rest frame at the observation time (same place for all geometries):
     /// (gamma (a - beta T), `a_y`, `a_z`).
     #[must_use]
