@@ -1,7 +1,13 @@
 //! The f64 renderer on the CPU: the truth the other renderers are held against.
 //!
-//! Each ray is boosted into the rest frame of the bodies, where it is straight (see `View::rest_ray`), and the
-//! nearest entry into a body is what the aperture sees.
+//! Each ray is boosted into the rest frame of the bodies, where it is straight (see `View::rest_ray`), and
+//! the nearest entry into a body is what the aperture sees.
+//!
+//! # Accuracy
+//!
+//! `tests/reference.rs`: against the core's light cone of each point shown, from rest to gamma = 1e6,
+//! positions are off by less than 1e-11 px, distances and Doppler factors by less than 1e-13 of themselves;
+//! a tracer that walks back along the light, without a boost, sees the same bodies.
 
 use glam::DVec3;
 use rayon::prelude::*;
