@@ -10,6 +10,7 @@ pub mod command;
 pub mod curves;
 mod eyes;
 pub mod figures;
+mod graphics;
 pub mod launch;
 mod layout;
 
@@ -54,6 +55,11 @@ impl App {
         &self.state
     }
 
+    /// Does what the user would have asked for.
+    pub fn ask(&mut self, command: Command) {
+        self.state.apply(command);
+    }
+
     /// Lets T run by a `step` of the wall clock, seconds.
     fn advance(&mut self, step: f64) {
         if self.state.session.playing {
@@ -80,9 +86,7 @@ impl App {
             // Panels that were shown before this one show the change in the next frame.
             ctx.request_repaint();
         }
-        for command in asks {
-            self.state.apply(command);
-        }
+        asks.into_iter().for_each(|command| self.ask(command));
     }
 
     /// Brings the curves up to date; those that still hold are kept.

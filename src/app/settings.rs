@@ -77,7 +77,7 @@ pub struct Look {
 }
 
 /// Field of view at start, degrees.
-pub const DEFAULT_FOV_DEGREES: f64 = 60.0;
+pub const DEFAULT_FOV_DEGREES: f64 = 72.0;
 
 impl Default for Look {
     fn default() -> Self {
@@ -171,13 +171,15 @@ pub struct Window {
     pub plots: bool,
     /// The controls.
     pub controls: bool,
+    /// The numbers below the controls.
+    pub readout: bool,
     /// Light, dark, or as the system says.
     pub theme: ThemePreference,
 }
 
 impl Default for Window {
     fn default() -> Self {
-        Self { views: true, plots: true, controls: true, theme: ThemePreference::Dark }
+        Self { views: true, plots: true, controls: true, readout: true, theme: ThemePreference::Dark }
     }
 }
 

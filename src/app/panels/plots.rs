@@ -194,7 +194,9 @@ fn traces<'a>(ui: &Ui, state: &State, curves: &'a [Curves], quantity: Quantity) 
 fn draw<'a>(plot: &mut PlotUi<'a>, trace: Trace<'a>, now: f64) {
     let width = if trace.wide { 2.0 } else { 1.2 };
     let style = if trace.dashed { LineStyle::dashed_dense() } else { LineStyle::Solid };
-    plot.line(Line::new(trace.name, trace.points).color(trace.colour).width(width).style(style));
+    // Bands would draw steep parts of a densely sampled curve thinner than the rest.
+    let line = Line::new(trace.name, trace.points).allow_band(false);
+    plot.line(line.color(trace.colour).width(width).style(style));
     if let (false, Some(value)) = (trace.dashed, value_at(trace.points, now)) {
         let dot = Points::new("now", vec![[now, value]]).color(trace.colour).radius(4.0);
         plot.points(dot.allow_hover(false));
