@@ -28,7 +28,7 @@ use crate::scene::{PRESETS, Scene};
 
 /// Draws what both eyes see, without a window, a display or a GPU.
 ///
-/// Without flags: the paper's stereo frame of its cyclist. A `.png` file is a picture, an `.exr` file holds
+/// Without flags: the stereo frame of the paper's cyclist at beta = 0.9, d = 0.1, T = T0. A `.png` file is a picture, an `.exr` file holds
 /// what every pixel shows (object, distance, time of emission, Doppler factor, ...), and with --frames a
 /// folder takes a sequence.
 #[derive(Debug, Args)]
