@@ -33,6 +33,7 @@ Examples:
 enum Command {
     Eval(headless::eval::EvalArgs),
     Curve(headless::curve::CurveArgs),
+    Fit(headless::fit::FitArgs),
     Render(Box<headless::render::RenderArgs>),
 }
 
@@ -42,6 +43,7 @@ pub fn run(cli: Cli) -> anyhow::Result<()> {
         None => app::launch::launch(&cli.window),
         Some(Command::Eval(args)) => headless::eval::run(&args),
         Some(Command::Curve(args)) => headless::curve::run(&args),
+        Some(Command::Fit(args)) => headless::fit::run(&args),
         Some(Command::Render(args)) => headless::render::run(&args),
     }
 }

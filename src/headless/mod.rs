@@ -7,6 +7,7 @@ mod csv_in;
 mod csv_out;
 pub mod curve;
 pub mod eval;
+pub mod fit;
 pub mod output;
 mod passage;
 pub mod render;

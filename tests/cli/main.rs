@@ -5,6 +5,7 @@ use std::process::{Command, Stdio};
 use std::thread;
 
 mod errors;
+mod fit;
 mod garbage;
 mod help;
 mod numbers;
