@@ -172,9 +172,9 @@ fn effects_and_geometries_change_the_picture() {
     assert!(picture(street).rgb != picture(&format!("{street} --ground off")).rgb);
 }
 
-/// The channels of an OpenEXR file.
+/// The channels of an EXR file.
 fn channels(path: &Path) -> BTreeMap<String, Vec<f32>> {
-    let image = read_first_flat_layer_from_file(path).expect("it is an OpenEXR file");
+    let image = read_first_flat_layer_from_file(path).expect("it is an EXR file");
     let channels = image.layer_data.channel_data.list.into_iter();
     let values = |samples| match samples {
         FlatSamples::F32(values) => values,
@@ -291,7 +291,7 @@ fn a_killed_sequence_leaves_only_whole_frames() {
         .expect("the program starts");
     let start = Instant::now();
     while !frame(folder.path(), 3).exists() {
-        assert!(start.elapsed() < Duration::from_secs(60), "no frames appear");
+        assert!(start.elapsed() < Duration::from_mins(1), "no frames appear");
         thread::sleep(Duration::from_millis(2));
     }
     child.kill().expect("it runs still");

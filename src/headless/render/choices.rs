@@ -209,6 +209,6 @@ pub fn field_of_view(text: &str) -> Result<f64, String> {
 
 /// The word that selects `choice` on the command line.
 #[must_use]
-pub fn word(choice: impl ValueEnum) -> String {
+pub fn word(choice: &impl ValueEnum) -> String {
     choice.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default()
 }

@@ -1,4 +1,4 @@
-//! OpenEXR files of what every pixel shows, for measurement.
+//! EXR files of what every pixel shows, for measurement.
 //!
 //! Channels in f32, for each of the layers `left` and `right`: `id` (number of the object, -1 where nothing
 //! is seen), `distance`, `emission_time`, `doppler`, `wavelength_nm` and `intensity` as received, and the
@@ -49,7 +49,7 @@ impl<'a> Light<'a> {
     }
 }
 
-/// What both eyes see as an OpenEXR file.
+/// What both eyes see as an EXR file.
 ///
 /// # Errors
 ///
@@ -67,9 +67,11 @@ pub fn write(
         })
         .collect();
     let [width, height] = eyes[0].size.map(|side| side as usize);
-    let mut attributes = LayerAttributes::default();
-    attributes.software_name = Some(Text::from(SOFTWARE));
-    attributes.comments = Some(Text::new_or_none(&provenance.parameters).unwrap_or_default());
+    let attributes = LayerAttributes {
+        software_name: Some(Text::from(SOFTWARE)),
+        comments: Text::new_or_none(&provenance.parameters),
+        ..LayerAttributes::default()
+    };
     let encoding = Encoding { compression: Compression::ZIP16, ..Encoding::default() };
     let layer = Layer::new((width, height), attributes, encoding, AnyChannels::sort(channels));
     Ok(Image::from_layer(layer).write().to_buffered(out)?)

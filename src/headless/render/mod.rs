@@ -185,7 +185,7 @@ impl Studio {
     fn provenance(&self, time: f64) -> Provenance {
         let mut flags = vec![("scene", self.scene_name.clone())];
         flags.extend(self.observer.flags(time));
-        flags.push(("layout", word(self.layout)));
+        flags.push(("layout", word(&self.layout)));
         flags.extend(self.look.flags());
         flags.extend(self.painter.flags());
         let flags: Vec<_> = flags.iter().map(|(flag, value)| format!("--{flag}={}", quoted(value))).collect();

@@ -147,7 +147,7 @@ impl Observer {
             ("size", self.args.size.to_string()),
             ("fov", self.args.fov.to_string()),
             ("gaze", self.args.gaze.to_string()),
-            ("geometry", word(self.args.geometry)),
+            ("geometry", word(&self.args.geometry)),
         ]
     }
 }
