@@ -35,8 +35,8 @@ pub struct Hit {
     /// From the aperture to the event of emission in the ground frame (in the rest frame for
     /// [`Geometry::Rest`](crate::Geometry::Rest)).
     pub distance: f64,
-    /// Ground time of emission; the observation time itself for [`Geometry::Contracted`](crate::Geometry::Contracted), whose light is
-    /// instantaneous.
+    /// Ground time of emission; the observation time itself for
+    /// [`Geometry::Contracted`](crate::Geometry::Contracted), whose light is instantaneous.
     pub emission_time: f64,
     /// Doppler factor, 1 unless the geometry is [`Geometry::Seen`](crate::Geometry::Seen).
     pub doppler_factor: f64,

@@ -1,8 +1,9 @@
 //! EXR files of what every pixel shows, for measurement.
 //!
-//! Channels in f32, for each of the layers `left` and `right`: `id` (number of the object, -1 where nothing
-//! is seen), `distance`, `emission_time`, `doppler`, `wavelength_nm` and `intensity` as received, and the
-//! place on the object in its rest frame, `rest_x`, `rest_y`, `rest_z`. All but `id` are 0 where nothing is seen.
+//! Channels in f32, for each of the layers `left` and `right`: `id` (number of the object, -1 where
+//! nothing is seen), `distance`, `emission_time`, `doppler`, `wavelength_nm` and `intensity` as received,
+//! and the place on the object in its rest frame, `rest_x`, `rest_y`, `rest_z`. All but `id` are 0 where
+//! nothing is seen.
 
 use std::io::{Seek, Write};
 
