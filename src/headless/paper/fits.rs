@@ -43,8 +43,11 @@ pub fn write_all(folder: &Path) -> anyhow::Result<[ModelFits; 2]> {
     Ok(fits)
 }
 
+/// Beta, y and z from some curves, or why there is no fit.
+pub type Outcome = (Curves, Result<[f64; 3], FitError>);
+
 /// What the published model makes of exact curves.
-pub fn bias_of_published() -> anyhow::Result<[(Curves, Result<[f64; 3], FitError>); 3]> {
+pub fn bias_of_published() -> anyhow::Result<[Outcome; 3]> {
     let observations = simulation(FitModel::Exact, 0.0)?.observations()?;
     Ok([Curves::Azimuth, Curves::Polar, Curves::Both].map(|curves| {
         let options = FitOptions { model: FitModel::Published, curves, ..FitOptions::default() };

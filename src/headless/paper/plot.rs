@@ -117,8 +117,10 @@ impl<'a> Axes<'a> {
             HEIGHT - MARGIN.bottom,
         ];
         let points = || panel.lines.iter().flat_map(|line| &line.pieces).flatten();
-        let [mut x, mut y] =
-            [span(points().map(|point| point[0]), 0.0), span(points().map(|point| point[1]), 0.06)];
+        let [mut x, mut y] = [
+            span(points().map(|point| point[0]), if panel.equal_scales { 0.02 } else { 0.0 }),
+            span(points().map(|point| point[1]), 0.06),
+        ];
         if panel.equal_scales {
             let (width, height) = (frame[1] - frame[0], frame[3] - frame[2]);
             let per_pixel = ((x[1] - x[0]) / width).max((y[1] - y[0]) / height);

@@ -2,9 +2,7 @@
 
 use std::fmt;
 
-use relativity_core::{Curves, FitError};
-
-use super::fits::ModelFits;
+use super::fits::{self, ModelFits};
 use super::numbers::Row;
 use super::stereo::{Figure, Frame};
 use crate::headless::fit::{Attempt, Outcome, Parameters};
@@ -17,7 +15,7 @@ pub struct Report<'a> {
     /// Fits of data of the published and of the exact model.
     pub fits: [ModelFits; 2],
     /// Fits of exact curves by the published model.
-    pub bias: [(Curves, Result<[f64; 3], FitError>); 3],
+    pub bias: [fits::Outcome; 3],
     /// The stereo frames.
     pub frames: Vec<(&'a Figure, Vec<Frame>)>,
 }
@@ -228,8 +226,9 @@ fn written(value: f64, uncertainty: f64) -> String {
     if uncertainty < 1e-9 {
         return format!("{value:.10}");
     }
-    let decimals = (1.0 - uncertainty.log10().floor()).max(0.0) as usize;
-    let digits = (uncertainty * 10.0_f64.powi(decimals as i32)).round();
+    let decimals = (1.0 - uncertainty.log10().floor()).max(0.0);
+    let digits = (uncertainty * 10.0_f64.powf(decimals)).round();
+    let decimals = decimals as usize;
     format!("{value:.decimals$}({digits})")
 }
 

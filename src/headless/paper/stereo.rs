@@ -103,7 +103,7 @@ impl Figure {
             let render = Render::try_parse_from(words.chain(["--out".into(), out.into_os_string()]))?;
             render::run(&render.args)?;
         }
-        figures::write_text(folder, &format!("{}.svg", self.name), &self.svg(&frames))?;
+        figures::write_text(folder, &format!("{}.svg", self.name), &svg(&frames))?;
         let column = |name: &str, value: fn(&Frame) -> f64| {
             (name.to_owned(), frames.iter().map(value).collect::<Vec<f64>>())
         };
@@ -133,27 +133,27 @@ impl Figure {
         let file = format!("{}-{number}.png", self.name);
         Ok(Frame { file, command, time, seen: setup.seen(Model::Exact, time)? })
     }
+}
 
-    /// The frames below each other, with their times.
-    fn svg(&self, frames: &[Frame]) -> String {
-        let (width, row) = (2 * WIDTH, HEIGHT + CAPTION_HEIGHT);
-        let height = row * frames.len() as u32;
-        let mut svg = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
-             font-family=\"sans-serif\" font-size=\"14\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
+/// The frames below each other, with their times.
+fn svg(frames: &[Frame]) -> String {
+    let (width, row) = (2 * WIDTH, HEIGHT + CAPTION_HEIGHT);
+    let height = row * frames.len() as u32;
+    let mut svg = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+         font-family=\"sans-serif\" font-size=\"14\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
+    );
+    for (index, frame) in (0..).zip(frames) {
+        let (top, text) = (row * index + CAPTION_HEIGHT, row * index + 18);
+        let [left, right] = [&frame.seen.primary, &frame.seen.secondary]
+            .map(|sighting| REST_WAVELENGTH_NM / sighting.doppler_factor);
+        let _ = writeln!(
+            svg,
+            "<text x=\"8\" y=\"{text}\">T = {:.3}; the tracked point at {left:.0} nm (left eye) and {right:.0} nm (right eye)</text>\n\
+             <image x=\"0\" y=\"{top}\" width=\"{width}\" height=\"{HEIGHT}\" href=\"{}\"/>",
+            frame.time, frame.file
         );
-        for (index, frame) in (0..).zip(frames) {
-            let (top, text) = (row * index + CAPTION_HEIGHT, row * index + 18);
-            let [left, right] = [&frame.seen.primary, &frame.seen.secondary]
-                .map(|sighting| REST_WAVELENGTH_NM / sighting.doppler_factor);
-            let _ = writeln!(
-                svg,
-                "<text x=\"8\" y=\"{text}\">T = {:.3}; the tracked point at {left:.0} nm (left eye) and {right:.0} nm (right eye)</text>\n\
-                 <image x=\"0\" y=\"{top}\" width=\"{width}\" height=\"{HEIGHT}\" href=\"{}\"/>",
-                frame.time, frame.file
-            );
-        }
-        svg.push_str("</svg>\n");
-        svg
     }
+    svg.push_str("</svg>\n");
+    svg
 }
