@@ -7,8 +7,9 @@ use clap::Parser as _;
 use gamow::cli::Cli;
 
 fn main() -> ExitCode {
-    // A graphics driver that is missing is no error while another is there.
-    env_logger::Builder::from_env(env_logger::Env::default().default_filter_or("error,wgpu_hal=off")).init();
+    // The graphics libraries log as errors what they then get over, or what is reported below.
+    let quiet = env_logger::Env::default().default_filter_or("error,eframe=off,wgpu_hal=off");
+    env_logger::Builder::from_env(quiet).init();
     match gamow::cli::run(Cli::parse()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) if reader_has_gone(&error) => ExitCode::SUCCESS,

@@ -140,7 +140,7 @@ impl State {
 
     fn go_to_fraction(&mut self, fraction: f64) {
         let [from, to] = self.time_range();
-        self.session.time = clock::bounded(from + fraction * (to - from));
+        self.session.time = clock::bounded(from * (1.0 - fraction) + to * fraction);
     }
 
     fn toggle_playing(&mut self) {
@@ -186,6 +186,6 @@ impl State {
         self.session.scene = scene;
         self.session.notice = None;
         self.place_bodies();
-        self.session.time = clock::time_of_approach(&self.speed(), self.selected_source());
+        self.go_to_approach();
     }
 }

@@ -155,13 +155,33 @@ fn sampled<const N: usize>(
         }
         refined.push(end);
     }
-    refined
+    thinned(refined, &tolerances, (range[1] - range[0]) * TOLERANCE)
+}
+
+/// Without the samples that lie on the one before, as drawn: a line through them would be drawn uneven.
+fn thinned<const N: usize>(
+    samples: Vec<Sample<N>>,
+    tolerances: &[f64; N],
+    time_tolerance: f64,
+) -> Vec<Sample<N>> {
+    let mut kept: Vec<Sample<N>> = Vec::with_capacity(samples.len());
+    for sample in samples {
+        let same = kept.last().is_some_and(|last| {
+            sample.time - last.time < time_tolerance
+                && (0..N).all(|i| (sample.values[i] - last.values[i]).abs() <= 2.0 * tolerances[i])
+        });
+        if !same {
+            kept.push(sample);
+        }
+    }
+    kept
 }
 
 /// Even steps, and a ladder towards each anchor from both sides.
 fn first_times([from, to]: [f64; 2], anchors: &[f64]) -> Vec<f64> {
     let width = to - from;
-    let even = (0..=FIRST_INTERVALS).map(|i| from + width * f64::from(i) / f64::from(FIRST_INTERVALS));
+    let fraction = |i| f64::from(i) / f64::from(FIRST_INTERVALS);
+    let even = (0..=FIRST_INTERVALS).map(|i| from * (1.0 - fraction(i)) + to * fraction(i));
     let rungs = (1..=RUNGS).map(|k| width * 0.5f64.powi(k));
     let ladders = anchors.iter().flat_map(|anchor| {
         std::iter::once(*anchor).chain(rungs.clone().flat_map(move |rung| [anchor - rung, anchor + rung]))

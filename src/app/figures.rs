@@ -8,22 +8,22 @@ pub const NONE: &str = "–";
 /// `value` with `decimals` digits after the point; in powers of ten where that would not fit; a dash
 /// if it is not a number.
 #[must_use]
-pub fn fixed(value: f64, decimals: usize) -> String {
+pub fn fixed(value: f64, decimals: u8) -> String {
     if !value.is_finite() {
         return NONE.to_owned();
     }
-    let smallest_shown = 0.5 * 10f64.powi(-(decimals as i32));
+    let smallest_shown = 0.5 * 10f64.powi(-i32::from(decimals));
     let text = if value.abs() >= 1e6 || (value != 0.0 && value.abs() < smallest_shown) {
         format!("{value:.2e}")
     } else {
-        format!("{value:.decimals$}")
+        format!("{value:.width$}", width = usize::from(decimals))
     };
     text.replace('-', "−")
 }
 
 /// As [`fixed`], with a dash for `None`.
 #[must_use]
-pub fn fixed_or_none(value: Option<f64>, decimals: usize) -> String {
+pub fn fixed_or_none(value: Option<f64>, decimals: u8) -> String {
     value.map_or_else(|| NONE.to_owned(), |value| fixed(value, decimals))
 }
 
@@ -34,13 +34,16 @@ pub fn beta(speed: &Speed) -> String {
     if distance < 1e-12 {
         return format!("1 − {distance:.2e}").replace("e-", "e−");
     }
-    let decimals = (2.0 - distance.log10().floor()).max(3.0) as usize;
+    // The slack keeps 1e-4, which is no sum of powers of two, from counting as the decade below.
+    let decimals = (2.0 + (-distance.log10() - 1e-9).ceil()).max(3.0) as usize;
     grouped(&format!("{:.decimals$}", speed.beta()))
 }
 
-/// A thin space after every third decimal, as the SI writes numbers.
+/// A thin space after every third decimal if there are more than four, as the SI writes numbers.
 fn grouped(number: &str) -> String {
-    let Some((whole, decimals)) = number.split_once('.') else { return number.to_owned() };
+    let Some((whole, decimals)) = number.split_once('.').filter(|(_, decimals)| decimals.len() > 4) else {
+        return number.to_owned();
+    };
     let digits: Vec<char> = decimals.chars().collect();
     let groups: Vec<String> = digits.chunks(3).map(|group| group.iter().collect()).collect();
     format!("{whole}.{}", groups.join("\u{2009}"))

@@ -2,13 +2,12 @@
 
 use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
 
-use anyhow::Context as _;
 use eframe::egui::ViewportBuilder;
 use eframe::{CreationContext, NativeOptions};
 
 use super::args::WindowArgs;
 use super::settings::Settings;
-use super::{App, screenshot};
+use super::{App, graphics, screenshot};
 
 /// Name under which settings are saved.
 const APP_ID: &str = "gamow";
@@ -28,10 +27,23 @@ pub fn launch(args: &WindowArgs) -> anyhow::Result<()> {
     }
     // Flags are judged before a window appears; the saved settings are only known once it has.
     args.state(Settings::default())?;
-    open(args).with_context(|| "the window could not be opened").map_err(|error| {
-        let reason = format!("{error:#}").replace('\n', " ");
-        anyhow::anyhow!("{}. {WHAT_TO_DO}", reason.trim_end_matches('.'))
+    let opened = if has_display() { open(args) } else { Err(anyhow::anyhow!("there is no display")) };
+    opened.map_err(|error| {
+        anyhow::anyhow!("the window cannot be opened: {}. {WHAT_TO_DO}.", in_one_line(&error.to_string()))
     })
+}
+
+/// Whether the environment names a display, where that is how displays are found.
+fn has_display() -> bool {
+    let names_one = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
+    !cfg!(target_os = "linux") || ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"].into_iter().any(names_one)
+}
+
+/// An error of the windowing library, without line breaks and without the place in its source.
+fn in_one_line(message: &str) -> String {
+    let reason = message.rsplit_once(".rs:").map_or(message, |(_, reason)| reason);
+    let reason = reason.trim_start_matches(|c: char| c.is_ascii_digit() || c == ':' || c == ' ');
+    reason.split_whitespace().collect::<Vec<_>>().join(" ").trim_end_matches('.').to_owned()
 }
 
 fn open(args: &WindowArgs) -> anyhow::Result<()> {
@@ -44,6 +56,7 @@ fn open(args: &WindowArgs) -> anyhow::Result<()> {
         viewport,
         // A size that is asked for is not overruled by a remembered one.
         persist_window: args.window_size().is_none(),
+        wgpu_options: graphics::configuration(),
         ..NativeOptions::default()
     };
     let args = args.clone();

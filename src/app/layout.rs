@@ -27,6 +27,8 @@ const BAR_HEIGHT: f32 = 38.0;
 const TIMELINE_HEIGHT: f32 = 66.0;
 /// Height of the readout's rows.
 const READOUT_HEIGHT: f32 = 274.0;
+/// Height of its title and the disparities alone.
+const FOLDED_READOUT_HEIGHT: f32 = 62.0;
 const SIDE_WIDTH: f32 = 332.0;
 /// Narrower windows than this have no room for the controls beside the views.
 const NARROWEST_WITH_CONTROLS: f32 = 560.0;
@@ -38,11 +40,11 @@ const PLOTS_SHARE: f32 = 0.38;
 impl Layout {
     /// The layout of a window with this inner `area`.
     #[must_use]
-    pub fn of(area: Rect, window: &Window) -> Self {
+    pub fn of(area: Rect, window: Window) -> Self {
         let (bar, below) = split_top(area, BAR_HEIGHT);
         let with_side = window.controls && area.width() >= NARROWEST_WITH_CONTROLS;
         let (centre, side) = if with_side { split_right(below, SIDE_WIDTH) } else { (below, None) };
-        let (controls, readout) = side.map_or((None, None), side_parts);
+        let (controls, readout) = side.map_or((None, None), |side| side_parts(side, window.readout));
         let free = (centre.height() - TIMELINE_HEIGHT).max(0.0);
         let views_height = match (window.views, window.plots) {
             (true, true) if free >= 2.0 * LOWEST => free * (1.0 - PLOTS_SHARE),
@@ -63,8 +65,9 @@ impl Layout {
 }
 
 /// Controls above, the readout below them as far as there is room for both.
-fn side_parts(side: Rect) -> (Option<Rect>, Option<Rect>) {
-    let readout_height = READOUT_HEIGHT.min(side.height() / 2.0);
+fn side_parts(side: Rect, readout: bool) -> (Option<Rect>, Option<Rect>) {
+    let wanted = if readout { READOUT_HEIGHT } else { FOLDED_READOUT_HEIGHT };
+    let readout_height = wanted.min(side.height() / 2.0);
     let (controls, readout) = split_top(side, side.height() - readout_height);
     (Some(controls), large_enough(readout))
 }
@@ -92,7 +95,7 @@ mod tests {
     use super::*;
 
     fn layout(width: f32, height: f32) -> Layout {
-        Layout::of(Rect::from_min_size(pos2(0.0, 0.0), vec2(width, height)), &Window::default())
+        Layout::of(Rect::from_min_size(pos2(0.0, 0.0), vec2(width, height)), Window::default())
     }
 
     #[test]

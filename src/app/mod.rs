@@ -10,6 +10,7 @@ pub mod command;
 pub mod curves;
 mod eyes;
 pub mod figures;
+mod graphics;
 pub mod launch;
 mod layout;
 
@@ -54,6 +55,11 @@ impl App {
         &self.state
     }
 
+    /// Does what the user would have asked for.
+    pub fn ask(&mut self, command: Command) {
+        self.state.apply(command);
+    }
+
     /// Lets T run by a `step` of the wall clock, seconds.
     fn advance(&mut self, step: f64) {
         if self.state.session.playing {
@@ -81,7 +87,7 @@ impl App {
             ctx.request_repaint();
         }
         for command in asks {
-            self.state.apply(command);
+            self.ask(command);
         }
     }
 
@@ -118,7 +124,7 @@ impl App {
 
         let area = ui.max_rect();
         ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
-        let layout = Layout::of(area, &self.state.settings.window);
+        let layout = Layout::of(area, self.state.settings.window);
         let inset = |rect: Rect| rect.shrink2(egui::vec2(theme::GAP, theme::GAP / 2.0));
         self.panel(ui, "bar", inset(layout.bar), panels::bar::show);
         if let Some(rect) = layout.controls {
@@ -129,7 +135,7 @@ impl App {
         let panes = layout.views.map(|area| Pane::both(area, ctx.pixels_per_point(), largest));
         for pane in panes.into_iter().flatten() {
             self.panel(ui, pane.eye.name(), pane.rect, |ui, state, asks| {
-                panels::views::interact(ui, state, pane, asks)
+                panels::views::interact(ui, state, pane, asks);
             });
         }
         if let Some(rect) = layout.plots {

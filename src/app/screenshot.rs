@@ -4,12 +4,12 @@ use std::path::Path;
 
 use anyhow::Context as _;
 use eframe::egui::{Context, FullOutput, Pos2, RawInput, Rect, vec2};
-use eframe::egui_wgpu::{RenderState, RendererOptions, ScreenDescriptor, WgpuConfiguration, WgpuSetup};
+use eframe::egui_wgpu::{RenderState, RendererOptions, ScreenDescriptor};
 use eframe::wgpu;
 use relativity_render::{EyeTarget, Gpu};
 
-use super::App;
 use super::state::State;
+use super::{App, graphics};
 use crate::headless::output::write_whole;
 
 /// Frames until the layout has settled: the size of a scroll area is known from the frame before.
@@ -47,7 +47,7 @@ fn pixels(state: State, size: [u32; 2]) -> anyhow::Result<Vec<u8>> {
 }
 
 fn render_state() -> anyhow::Result<RenderState> {
-    let config = WgpuConfiguration { wgpu_setup: WgpuSetup::without_display_handle(), ..Default::default() };
+    let config = graphics::configuration();
     pollster::block_on(async {
         let instance = config.wgpu_setup.new_instance().await;
         Ok(RenderState::create(&config, &instance, None, RendererOptions::PREDICTABLE).await?)

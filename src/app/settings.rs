@@ -77,7 +77,7 @@ pub struct Look {
 }
 
 /// Field of view at start, degrees.
-pub const DEFAULT_FOV_DEGREES: f64 = 60.0;
+pub const DEFAULT_FOV_DEGREES: f64 = 72.0;
 
 impl Default for Look {
     fn default() -> Self {
@@ -164,6 +164,7 @@ pub struct Plots {
 /// Which parts of the window are shown, and in which colours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
+#[expect(clippy::struct_excessive_bools, reason = "each part is shown or not")]
 pub struct Window {
     /// The two eyes' views. Hidden views compute nothing.
     pub views: bool,
@@ -171,13 +172,15 @@ pub struct Window {
     pub plots: bool,
     /// The controls.
     pub controls: bool,
+    /// The numbers below the controls.
+    pub readout: bool,
     /// Light, dark, or as the system says.
     pub theme: ThemePreference,
 }
 
 impl Default for Window {
     fn default() -> Self {
-        Self { views: true, plots: true, controls: true, theme: ThemePreference::Dark }
+        Self { views: true, plots: true, controls: true, readout: true, theme: ThemePreference::Dark }
     }
 }
 

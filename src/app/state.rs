@@ -52,7 +52,7 @@ impl State {
         };
         let mut state = Self { settings, session };
         state.place_bodies();
-        state.session.time = clock::time_of_approach(&state.speed(), state.selected_source());
+        state.go_to_approach();
         state
     }
 
@@ -69,6 +69,13 @@ impl State {
             .playback
             .range
             .unwrap_or_else(|| clock::fitted_range(&self.speed(), self.selected_source()))
+    }
+
+    /// Goes to a T at which the selected point is seen shortly before it passes.
+    pub fn go_to_approach(&mut self) {
+        let time = clock::time_of_approach(&self.speed(), self.selected_source());
+        let step = clock::step_size(self.time_range());
+        self.session.time = (time / step).round() * step;
     }
 
     /// How far the path is from where the scene has it: along y and z.

@@ -1,7 +1,9 @@
 //! Colours and sizes. Left is blue and right is orange everywhere: a pair that colour-blind eyes tell
 //! apart, from M. Okabe and K. Ito, *Color universal design* (2008), like the colours of the points.
 
-use eframe::egui::{self, Color32, FontFamily, FontId, Stroke, TextStyle, Visuals, epaint::CornerRadius};
+use eframe::egui::{
+    self, Color32, FontDefinitions, FontFamily, FontId, Stroke, TextStyle, Visuals, epaint::CornerRadius,
+};
 
 use super::observer::Eye;
 
@@ -40,6 +42,12 @@ pub fn point_colour(number: usize, visuals: &Visuals) -> Color32 {
     colours[(number + colours.len() - 1) % colours.len()]
 }
 
+/// What sets a marker off from any picture.
+#[must_use]
+pub fn halo_colour(visuals: &Visuals) -> Color32 {
+    if visuals.dark_mode { Color32::from_black_alpha(170) } else { Color32::from_white_alpha(210) }
+}
+
 /// The line at the present T.
 #[must_use]
 pub fn now_colour(visuals: &Visuals) -> Color32 {
@@ -54,6 +62,7 @@ pub fn equidistance_colour(visuals: &Visuals) -> Color32 {
 
 /// Sets fonts, spacing and both palettes.
 pub fn install(ctx: &egui::Context) {
+    ctx.set_fonts(fonts());
     ctx.all_styles_mut(|style| {
         let size = |points, family| FontId::new(points, family);
         style.text_styles = [
@@ -82,6 +91,14 @@ pub fn install(ctx: &egui::Context) {
     });
     ctx.style_mut_of(egui::Theme::Dark, |style| dark(&mut style.visuals));
     ctx.style_mut_of(egui::Theme::Light, |style| light(&mut style.visuals));
+}
+
+/// The usual fonts, with arrows for the proportional one from the monospaced one.
+fn fonts() -> FontDefinitions {
+    let mut fonts = FontDefinitions::default();
+    let monospace = fonts.families.get(&FontFamily::Monospace).cloned().unwrap_or_default();
+    fonts.families.entry(FontFamily::Proportional).or_default().extend(monospace);
+    fonts
 }
 
 fn dark(visuals: &mut Visuals) {

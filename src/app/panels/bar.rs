@@ -6,7 +6,7 @@ use super::Asks;
 use super::icons::{self, Icon};
 use crate::app::command::Command;
 use crate::app::state::State;
-use crate::scene::PRESETS;
+use crate::scene::{PRESETS, Scene};
 
 /// Shows the bar.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
@@ -30,8 +30,9 @@ fn scene(ui: &mut Ui, state: &State, asks: &mut Asks) {
         .selected_text(&state.session.scene.name)
         .width(170.0)
         .show_ui(ui, |ui| {
-            for preset in PRESETS {
-                if ui.selectable_label(false, preset).clicked() {
+            for (preset, scene) in PRESETS.into_iter().filter_map(|name| Some((name, Scene::preset(name)?))) {
+                let shown = scene.name == state.session.scene.name;
+                if ui.selectable_label(shown, scene.name).clicked() {
                     asks.push(Command::Preset(preset));
                 }
             }

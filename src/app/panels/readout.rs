@@ -1,27 +1,35 @@
 //! The numbers: what each eye receives of the selected point now, and how the two differ.
 
-use eframe::egui::{self, Color32, Grid, RichText, Sense, Ui, vec2};
+use eframe::egui::{self, Align, Color32, Grid, Layout, RichText, Sense, Ui, vec2};
 use relativity_core::{Sighting, doppler::received_wavelength};
 use relativity_render::{Colour, colour};
 
 use super::Asks;
 use super::widgets::{dot, named_text};
+use crate::app::command::Command;
 use crate::app::observer::Eye;
 use crate::app::state::State;
 use crate::app::{figures, theme};
 
 /// Shows the readout.
-pub fn show(ui: &mut Ui, state: &State, _asks: &mut Asks) {
+pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let point = state.session.points.selected();
     ui.spacing_mut().item_spacing.y = 3.0;
     ui.horizontal(|ui| {
-        ui.label(RichText::new("Seen").strong());
+        fold(ui, state, asks);
         let colour = theme::point_colour(point.number, ui.visuals());
         dot(ui, colour);
         ui.label(point.name());
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            ui.label(RichText::new(format!("β {}", figures::beta(&state.speed()))).weak());
+        });
     });
     let sightings = Eye::BOTH.map(|eye| state.sighting(point, eye));
     differences(ui, state);
+    if !state.settings.window.readout {
+        return;
+    }
+    ui.separator();
     let rest_wavelength = state.rest_wavelength_nm(point);
     Grid::new("readout").num_columns(3).spacing([10.0, 3.0]).min_col_width(70.0).min_row_height(18.0).show(
         ui,
@@ -39,11 +47,23 @@ pub fn show(ui: &mut Ui, state: &State, _asks: &mut Asks) {
     );
 }
 
+/// The title, which folds the table away.
+fn fold(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    let mut window = state.settings.window;
+    let sign = if window.readout { "▾" } else { "▸" };
+    let title = egui::Button::new(RichText::new(format!("{sign} Seen")).strong()).frame(false);
+    let tip = "What each eye receives of the selected point now. Click to fold the table away.";
+    if ui.add(title).on_hover_text(tip).accessible_name("Readout").clicked() {
+        window.readout = !window.readout;
+        asks.push(Command::Window(window));
+    }
+}
+
 struct Quantity {
     symbol: &'static str,
     name: &'static str,
     tip: &'static str,
-    decimals: usize,
+    decimals: u8,
     value: fn(&Sighting) -> f64,
 }
 
@@ -163,5 +183,4 @@ fn differences(ui: &mut Ui, state: &State) {
             ui.add_space(8.0);
         }
     });
-    ui.separator();
 }

@@ -160,7 +160,8 @@ fn markers(painter: &Painter, state: &State, pane: Pane, visuals: &Visuals) {
     for (index, point) in state.session.points.all().iter().enumerate() {
         let Some(marker) = Marker::of(state, point, &view, &scene, pane.eye) else { continue };
         let radius = if index == state.session.points.selected_index() { 6.0 } else { 4.5 };
-        marker.paint(painter, pane.place(marker.pixel), radius, theme::point_colour(point.number, visuals));
+        let colour = theme::point_colour(point.number, visuals);
+        marker.paint(painter, pane.place(marker.pixel), radius, colour, theme::halo_colour(visuals));
     }
 }
 
@@ -184,8 +185,8 @@ impl Marker {
     }
 
     /// A ring, filled in the middle where the point is in sight and hollow where it is hidden.
-    fn paint(&self, painter: &Painter, place: Pos2, radius: f32, colour: Color32) {
-        painter.circle_stroke(place, radius, Stroke::new(3.5, Color32::from_black_alpha(140)));
+    fn paint(&self, painter: &Painter, place: Pos2, radius: f32, colour: Color32, halo: Color32) {
+        painter.circle_stroke(place, radius, Stroke::new(4.0, halo));
         painter.circle_stroke(place, radius, Stroke::new(2.0, colour));
         if !self.hidden {
             painter.circle_filled(place, 2.0, colour);

@@ -1,0 +1,184 @@
+//! Speed, separation, path, geometry and light.
+
+use eframe::egui::{Key, pos2};
+use egui_kittest::kittest::Queryable as _;
+use relativity_core::{Speed, equidistance_time};
+use relativity_render::{Colour, Geometry, Shading};
+
+use super::Test;
+use super::support::{
+    cyclist, drag, label_starting_with, seen, shown, slider, type_into, window, window_of_size,
+};
+
+pub const TESTS: &[Test] = &[
+    ("dragging_beta_changes_the_readout_in_the_same_frame", dragging_beta_changes_the_readout),
+    ("marks_below_the_slider_set_the_speed_they_name", marks_set_the_speed),
+    ("typed_gamma_and_rapidity_are_kept_exactly", typed_gamma_is_kept_exactly),
+    ("a_bad_speed_is_explained_and_the_old_one_kept", a_bad_speed_is_explained),
+    ("the_readout_is_what_the_core_computes", the_readout_is_what_the_core_computes),
+    ("separation_and_path_follow_their_fields", separation_and_path_follow),
+    ("each_effect_changes_the_picture", each_effect_changes_the_picture),
+    ("settings_survive_saving_and_loading", settings_survive),
+];
+
+fn dragging_beta_changes_the_readout() {
+    let mut window = window(cyclist(0.5));
+    let rail = slider(&window, "Speed β");
+    let start = window.state().state().settings.motion.speed.slider_position();
+    let x = |position: f64| rail.min.x + 8.0 + (rail.width() - 16.0) * position as f32;
+    window.hover_at(pos2(x(start), rail.center().y));
+    window.step();
+    window.drag_at(pos2(x(start), rail.center().y));
+    window.step();
+    window.hover_at(pos2(x(0.6), rail.center().y));
+    window.step();
+    let state = window.state().state();
+    let beta = state.speed().beta();
+    assert!(beta > 0.98 && beta < 0.999, "beta = {beta}");
+    let doppler = shown(&window, "Left eye, Doppler factor D");
+    let expected = seen(beta, state.session.time, 0).doppler_factor;
+    assert!((doppler - expected).abs() < 6e-5, "{doppler} for {expected}");
+}
+
+fn marks_set_the_speed() {
+    let mut window = window(cyclist(0.5));
+    for (name, beta) in [("Set β to 0.99", 0.99), ("Set β to 0", 0.0), ("Set β to 0.9999", 0.9999)] {
+        window.get_by_label(name).click();
+        window.run();
+        assert_eq!(window.state().state().speed().beta(), beta);
+    }
+    window.get_by_label("β = 0.999\u{2009}900");
+}
+
+fn typed_gamma_is_kept_exactly() {
+    let mut window = window(cyclist(0.9));
+    type_into(&mut window, "Gamma, typed", "1e12");
+    let speed = window.state().state().speed();
+    assert_eq!(speed, Speed::from_gamma(1e12).expect("a speed"));
+    window.get_by_label("β = 1 − 5.00e−25");
+    type_into(&mut window, "Rapidity, typed", "2.5");
+    assert_eq!(window.state().state().speed(), Speed::from_rapidity(2.5).expect("a speed"));
+    type_into(&mut window, "Beta, typed", "0.123456789012345");
+    assert_eq!(window.state().state().speed().beta(), 0.123_456_789_012_345);
+}
+
+fn a_bad_speed_is_explained() {
+    let mut window = window(cyclist(0.9));
+    for (field, text, message) in [
+        ("Gamma, typed", "0.5", "gamma = 0.5 is out of range: it must be between 1 and 1e30"),
+        ("Beta, typed", "1", "beta = 1 is out of range: it must be at least 0 and below 1"),
+        ("Beta, typed", "fast", "“fast” is not a number"),
+    ] {
+        type_into(&mut window, field, text);
+        window.get_by_label(message);
+        assert_eq!(window.state().state().speed().beta(), 0.9);
+    }
+    type_into(&mut window, "Beta, typed", "0.8");
+    assert!(window.query_by_label("“fast” is not a number").is_none());
+}
+
+fn the_readout_is_what_the_core_computes() {
+    for beta in [0.0, 0.3, 0.9, 0.999] {
+        let state = cyclist(beta);
+        let time = state.session.time;
+        let window = window(state);
+        for (eye, name) in ["Left eye", "Right eye"].into_iter().enumerate() {
+            let expected = seen(beta, time, eye);
+            let rows = [
+                ("Doppler factor D", expected.doppler_factor, 6e-5),
+                ("Received wavelength", 700.0 / expected.doppler_factor, 0.06),
+                ("Retarded time t", expected.retarded_time, 6e-5),
+                ("Apparent X", expected.position[0], 6e-5),
+                ("Azimuth φ", expected.phi(), 6e-6),
+                ("Elevation θ", expected.theta(), 6e-6),
+            ];
+            for (quantity, value, rounding) in rows {
+                let shown = shown(&window, &format!("{name}, {quantity}"));
+                assert!((shown - value).abs() < rounding, "{name}, {quantity}: {shown} for {value}");
+            }
+        }
+        let dphi = seen(beta, time, 0).phi() - seen(beta, time, 1).phi();
+        assert!((shown(&window, "Disparity Δφ") - dphi).abs() < 6e-6);
+        let dtheta = seen(beta, time, 0).theta() - seen(beta, time, 1).theta();
+        assert!((shown(&window, "Disparity Δθ") - dtheta).abs() < 6e-6);
+    }
+}
+
+fn separation_and_path_follow() {
+    let mut window = window(cyclist(0.9));
+    let separation = slider(&window, "Eyes apart d");
+    drag(&mut window, separation.left_center() + [10.0, 0.0].into(), separation.center());
+    let separation = window.state().state().settings.motion.separation;
+    assert!((separation - 1.0).abs() < 0.1, "d = {separation}");
+
+    let distance = slider(&window, "Distance y");
+    drag(&mut window, distance.left_center() + [20.0, 0.0].into(), distance.center());
+    let state = window.state().state();
+    let depth = state.shift()[1] + 3.0;
+    assert!((depth - 10.0).abs() < 0.7, "y = {depth}");
+    let time = state.equidistance_time(state.session.points.selected()).expect("it moves");
+    let expected = (separation / 2.0).hypot(depth).hypot(2.0);
+    assert!((time - expected).abs() < 1e-12 * expected, "T0 = {time} for {expected}");
+    let apparent = shown(&window, "Left eye, Apparent Y");
+    assert!((apparent - depth).abs() < 6e-5);
+
+    let speed = Speed::from_beta(0.9).expect("a speed");
+    let of_core = equidistance_time(&speed, state.selected_source(), separation).expect("in the domain");
+    assert_eq!(of_core, Some(time));
+}
+
+fn each_effect_changes_the_picture() {
+    // High enough that every control is in view.
+    let mut window = window_of_size(cyclist(0.9), [1280.0, 1100.0], 1.0);
+    let mut last = window.render().expect("a picture").into_raw();
+    for effect in ["False", "As at rest", "Off", "Plain", "Sky", "Contracted", "At rest"] {
+        window.get_by_label(effect).click();
+        window.run();
+        window.remove_cursor();
+        window.run();
+        let picture = window.render().expect("a picture").into_raw();
+        assert!(picture != last, "{effect} changes nothing");
+        last = picture;
+    }
+    let state = window.state().state();
+    let light = state.settings.light;
+    assert_eq!(light.colour, Colour::False);
+    assert_eq!((light.doppler_shift, light.intensity_exponent, light.sky), (false, None, false));
+    assert_eq!((light.shading, state.settings.look.geometry), (Shading::Emission, Geometry::Rest));
+    label_starting_with(&window, "Plot of Δφ of point 1");
+    window.key_press(Key::Num1);
+    window.run();
+    assert_eq!(window.state().state().settings.look.geometry, Geometry::Seen);
+}
+
+/// What eframe saves to, in memory.
+#[derive(Default)]
+struct Storage(std::collections::HashMap<String, String>);
+
+impl eframe::Storage for Storage {
+    fn get_string(&self, key: &str) -> Option<String> {
+        self.0.get(key).cloned()
+    }
+    fn set_string(&mut self, key: &str, value: String) {
+        self.0.insert(key.to_owned(), value);
+    }
+    fn remove_string(&mut self, key: &str) {
+        self.0.remove(key);
+    }
+    fn flush(&mut self) {}
+}
+
+fn settings_survive() {
+    let mut window = window(cyclist(0.9));
+    type_into(&mut window, "Gamma, typed", "1e12");
+    for choice in ["False", "Published", "Angles", "Contracted", "Stays", "D⁴", "Theme"] {
+        window.get_by_label(choice).click();
+        window.run();
+    }
+    let mut storage = Storage::default();
+    eframe::App::save(window.state_mut(), &mut storage);
+    let loaded: gamow::app::settings::Settings =
+        eframe::get_value(&storage, eframe::APP_KEY).expect("it can be read back");
+    assert_eq!(loaded, window.state().state().settings);
+    assert_ne!(loaded, cyclist(0.9).settings);
+}

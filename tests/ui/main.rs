@@ -1,0 +1,33 @@
+//! Drives the real window as a user would: by the names of its widgets, the mouse and the keys, without
+//! a display. Numbers on screen are held against `relativity_core`, called directly.
+//!
+//! Needs a graphics adapter (a software one will do) and reports itself ignored where there is none;
+//! with `GAMOW_REQUIRE_GPU=1` that is a failure.
+
+mod controls;
+mod layouts;
+mod picking;
+mod support;
+mod time;
+
+use std::process::ExitCode;
+
+use libtest_mimic::{Arguments, Trial};
+
+/// A named test; the name is a claim.
+type Test = (&'static str, fn());
+
+fn main() -> ExitCode {
+    let arguments = Arguments::from_args();
+    let required = std::env::var_os("GAMOW_REQUIRE_GPU").is_some_and(|value| value == "1");
+    let missing = !required && relativity_render::Gpu::headless().is_err();
+    let all = [controls::TESTS, layouts::TESTS, picking::TESTS, time::TESTS].concat();
+    let trial = |(name, test): Test| {
+        let run = move || {
+            test();
+            Ok(())
+        };
+        Trial::test(name, run).with_ignored_flag(missing)
+    };
+    libtest_mimic::run(&arguments, all.into_iter().map(trial).collect()).exit_code()
+}

@@ -1,0 +1,218 @@
+//! Clicking points of the cyclist, their markers, and looking around.
+
+use eframe::egui::{Modifiers, PointerButton, Pos2, Rect, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use gamow::app::App;
+use gamow::app::command::{Command, Pick};
+use gamow::app::observer::Eye;
+use gamow::app::settings::GazeSetting;
+use gamow::app::speed_setting::SpeedSetting;
+use gamow::cli::SpeedParameter;
+use glam::DVec3;
+use relativity_core::{Aperture, SourcePoint, sighting};
+use relativity_render::{ExactRenderer, Geometry, Gpu};
+
+use super::Test;
+use super::support::{SEPARATION, cyclist, drag, label_starting_with, pane, window};
+
+pub const TESTS: &[Test] = &[
+    ("clicking_the_wheel_at_beta_0_9_plots_that_point", || clicking_the_wheel(0.9)),
+    ("clicking_the_wheel_at_beta_0_1_plots_that_point", || clicking_the_wheel(0.1)),
+    ("shift_clicking_compares_points", shift_clicking_compares_points),
+    ("a_click_beside_everything_changes_nothing", a_click_beside_everything),
+    ("marker_and_drawn_surface_agree_within_half_a_pixel", marker_and_surface_agree),
+    ("dragging_looks_around_and_double_clicking_follows_again", dragging_looks_around),
+    ("scrolling_zooms", scrolling_zooms),
+    ("the_followed_point_stays_in_the_middle", the_followed_point_stays_in_the_middle),
+];
+
+/// On the side of the front tyre that faces the eyes, at its top: the wheel stands around (-0.525, 3, 2)
+/// with a radius of 0.493 and a tyre of 0.032.
+const ON_THE_TYRE: [f64; 3] = [-0.525, 3.0 - 0.032, 2.0 + 0.493];
+/// The front tyre is the first object of the scene file.
+const FRONT_TYRE: usize = 0;
+
+/// Where an eye sees a point at rest coordinates `rest`, in its pane.
+fn place(window: &Harness<'_, App>, rest: [f64; 3], eye: usize) -> Pos2 {
+    let state = window.state().state();
+    let speed = state.speed();
+    let point = SourcePoint::from_rest(rest, &speed);
+    let aperture = Aperture::pair(SEPARATION)[eye];
+    let seen = sighting(&speed, point, aperture, state.session.time).expect("in the domain");
+    let pane = pane(window, eye);
+    let camera = relativity_render::Camera {
+        aperture,
+        gaze: state.gaze(),
+        horizontal_fov: state.settings.look.fov_degrees.to_radians(),
+        size: [pane.width() as u32, pane.height() as u32],
+    };
+    let [u, v] = camera.pixel(DVec3::from(seen.position)).expect("in front");
+    pane.min + vec2(u as f32, v as f32)
+}
+
+fn click(window: &mut Harness<'_, App>, place: Pos2, modifiers: Modifiers) {
+    window.hover_at(place);
+    window.step();
+    for pressed in [true, false] {
+        window.event_modifiers(
+            eframe::egui::Event::PointerButton {
+                pos: place,
+                button: PointerButton::Primary,
+                pressed,
+                modifiers,
+            },
+            modifiers,
+        );
+    }
+    window.run_ok();
+}
+
+fn clicking_the_wheel(beta: f64) {
+    for eye in [0, 1] {
+        let mut window = window(cyclist(beta));
+        let place = place(&window, ON_THE_TYRE, eye);
+        assert!(pane(&window, eye).contains(place));
+        click(&mut window, place, Modifiers::NONE);
+        let point = *window.state().state().session.points.selected();
+        assert_eq!(point.body, Some(FRONT_TYRE));
+        let off = DVec3::from(point.rest).distance(DVec3::from(ON_THE_TYRE));
+        assert!(off < 1e-3, "{off} from where it was clicked");
+        label_starting_with(&window, "Plot of Δφ of point 1 (body 0) against T");
+        label_starting_with(&window, "Plot of Δθ of point 1 (body 0) against T");
+    }
+}
+
+fn shift_clicking_compares_points() {
+    let mut window = window(cyclist(0.9));
+    let tyre = place(&window, ON_THE_TYRE, 0);
+    click(&mut window, tyre, Modifiers::SHIFT);
+    let points = window.state().state().session.points.clone();
+    assert_eq!(points.all().len(), 2);
+    assert_eq!((points.selected().number, points.selected().body), (2, Some(FRONT_TYRE)));
+    window.get_by_label("point 1 (tracked)").click();
+    window.run();
+    assert_eq!(window.state().state().session.points.selected().number, 1);
+    window.get_by_label("Remove point 1 (tracked)").click();
+    window.run();
+    assert_eq!(window.state().state().session.points.all().len(), 1);
+    label_starting_with(&window, "Plot of Δφ of point 2 (body 0)");
+}
+
+fn a_click_beside_everything() {
+    let mut window = window(cyclist(0.9));
+    let before = window.state().state().session.points.clone();
+    let corner = pane(&window, 0).right_top() + vec2(-5.0, 5.0);
+    click(&mut window, corner, Modifiers::NONE);
+    assert_eq!(window.state().state().session.points, before);
+}
+
+/// Every pixel the GPU draws of the scene: the marker of the point it shows lies on that pixel's centre,
+/// and so does that of a point picked there.
+fn marker_and_surface_agree() {
+    let gpu = Gpu::headless().expect("an adapter");
+    let mut renderer = ExactRenderer::new(&gpu);
+    let size = [320, 240];
+    for gamma in [1.0, 1.005, 2.3, 10.0, 1000.0] {
+        for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
+            let mut state = cyclist(0.0);
+            let mut motion = state.settings.motion;
+            motion.speed = SpeedSetting::new(SpeedParameter::Gamma, gamma).expect("a speed");
+            state.apply(Command::Motion(motion));
+            state.apply(Command::Geometry(geometry));
+            // Where each geometry has the scene in front of the eyes.
+            state.apply(Command::Time(if geometry == Geometry::Seen { 0.4 } else { 0.0 }));
+            if geometry == Geometry::Rest {
+                // In the rest frame the eyes are gamma d/2 away.
+                state.apply(Command::Zoom(1.0 / (gamma * SEPARATION).max(1.0)));
+            }
+            let mut worst = 0.0f64;
+            let mut checked = 0;
+            for eye in Eye::BOTH {
+                let view = state.view(eye, size, state.gaze());
+                let image = renderer.hits(&gpu, &state.session.bodies, &view).expect("the device works");
+                for (index, hit) in image.hits.iter().enumerate().step_by(31) {
+                    let Some(hit) = hit else { continue };
+                    let centre =
+                        [(index % size[0] as usize) as f64 + 0.5, (index / size[0] as usize) as f64 + 0.5];
+                    let mut picked = state.clone();
+                    picked.apply(Command::Pick(Pick { eye, pixel: centre, size, add: false }));
+                    let mut drawn = *picked.session.points.selected();
+                    if drawn.body != Some(hit.body) {
+                        continue; // An edge runs through this pixel.
+                    }
+                    for rest in [drawn.rest, hit.rest_position.to_array()] {
+                        drawn.rest = rest;
+                        let direction = state.direction(&drawn, eye).expect("in the domain");
+                        let [u, v] = view.camera.pixel(direction).expect("in front");
+                        worst = worst.max((u - centre[0]).hypot(v - centre[1]));
+                        checked += 1;
+                    }
+                }
+            }
+            assert!(checked > 10, "gamma = {gamma}, {geometry:?}: only {checked} pixels");
+            assert!(worst < 0.5, "gamma = {gamma}, {geometry:?}: {worst} pixels apart");
+        }
+    }
+}
+
+fn dragging_looks_around() {
+    let mut window = window(cyclist(0.9));
+    let before = window.state().state().gaze();
+    let middle = pane(&window, 0).center();
+    drag(&mut window, middle, middle + vec2(60.0, 30.0));
+    let GazeSetting::Fixed { azimuth, elevation } = window.state().state().settings.look.gaze else {
+        panic!("a drag fixes the gaze");
+    };
+    // The scene follows the pointer: right and down, so the gaze turns left and up.
+    assert!(azimuth > before.azimuth && elevation > before.elevation);
+    let place = place_of_gaze(&window, before, pane(&window, 0));
+    assert!((place - (middle + vec2(60.0, 30.0))).length() < 6.0, "{place:?}");
+    window.get_by_label("Reset").click();
+    window.run();
+    assert_eq!(window.state().state().settings.look.gaze, GazeSetting::Tracking);
+    drag(&mut window, middle, middle + vec2(60.0, 30.0));
+    window.get_by_label("Left eye view").click();
+    window.get_by_label("Left eye view").click();
+    window.run_ok();
+    assert_eq!(window.state().state().settings.look.gaze, GazeSetting::Tracking);
+}
+
+/// Where the direction of `gaze` now is in `pane`.
+fn place_of_gaze(window: &Harness<'_, App>, gaze: relativity_render::Gaze, pane: Rect) -> Pos2 {
+    let state = window.state().state();
+    let size = [pane.width() as u32, pane.height() as u32];
+    let camera = state.view(Eye::Left, size, state.gaze()).camera;
+    let [u, v] = camera.pixel(gaze.axes().forward).expect("in front");
+    pane.min + vec2(u as f32, v as f32)
+}
+
+fn scrolling_zooms() {
+    let mut window = window(cyclist(0.9));
+    let before = window.state().state().settings.look.fov_degrees;
+    window.hover_at(pane(&window, 1).center());
+    window.step();
+    window.event(eframe::egui::Event::MouseWheel {
+        source: eframe::egui::MouseWheelSource::Wheel,
+        unit: eframe::egui::MouseWheelUnit::Point,
+        delta: vec2(0.0, 80.0),
+        phase: eframe::egui::TouchPhase::Move,
+        modifiers: Modifiers::NONE,
+    });
+    window.run_ok();
+    let after = window.state().state().settings.look.fov_degrees;
+    assert!(after < 0.95 * before, "{before} to {after}");
+}
+
+fn the_followed_point_stays_in_the_middle() {
+    let mut window = window(cyclist(0.9));
+    for _ in 0..6 {
+        window.key_press_modifiers(Modifiers::SHIFT, eframe::egui::Key::ArrowRight);
+        window.run();
+        let places =
+            [0, 1].map(|eye| place(&window, super::support::TRACKED, eye) - pane(&window, eye).center());
+        // The eyes look in parallel, so the point is as far left of the middle in one as right in the other.
+        let mean = 0.5 * (places[0] + places[1]);
+        assert!(mean.length() < 0.5, "{places:?}");
+    }
+}

@@ -1,0 +1,113 @@
+//! A window without a display, and what a test reads off it.
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Pos2, Rect, Vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use gamow::app::App;
+use gamow::app::settings::Settings;
+use gamow::app::speed_setting::SpeedSetting;
+use gamow::app::state::State;
+use gamow::cli::SpeedParameter;
+use gamow::scene::Scene;
+use relativity_core::{Aperture, Sighting, SourcePoint, Speed, sighting};
+
+/// The cyclist's tracked point, and the usual separation of the eyes.
+pub const TRACKED: [f64; 3] = [0.0, 3.0, 2.0];
+pub const SEPARATION: f64 = 0.1;
+
+/// Seconds between frames: short enough for two clicks to be a double click.
+pub const FRAME: f32 = 1.0 / 16.0;
+
+/// The default scene at this beta.
+pub fn cyclist(beta: f64) -> State {
+    let mut settings = Settings::default();
+    settings.motion.speed = SpeedSetting::new(SpeedParameter::Beta, beta).expect("a speed");
+    State::new(settings, Scene::default())
+}
+
+/// A window of the usual size that shows `state`.
+pub fn window(state: State) -> Harness<'static, App> {
+    window_of_size(state, [1280.0, 800.0], 1.0)
+}
+
+pub fn window_of_size(state: State, size: [f32; 2], pixels_per_point: f32) -> Harness<'static, App> {
+    let mut harness = Harness::builder()
+        .with_size(Vec2::from(size))
+        .with_pixels_per_point(pixels_per_point)
+        .with_step_dt(FRAME)
+        .with_max_steps(12)
+        .with_render_cursor(false)
+        .wgpu()
+        .build_eframe(|cc| App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state));
+    harness.run_steps(3);
+    harness
+}
+
+/// What the core says an eye (0 left, 1 right) sees of the tracked point.
+pub fn seen(beta: f64, time: f64, eye: usize) -> Sighting {
+    let speed = Speed::from_beta(beta).expect("a speed");
+    let point = SourcePoint::from_rest(TRACKED, &speed);
+    sighting(&speed, point, Aperture::pair(SEPARATION)[eye], time).expect("in the domain")
+}
+
+/// The number behind the colon of the only label that starts with `name`.
+pub fn shown(harness: &Harness<'_, App>, name: &str) -> f64 {
+    let text = label_starting_with(harness, name);
+    let number = text.rsplit(": ").next().expect("a label names its value");
+    let number = number.trim_end_matches(" rad").trim_end_matches(" nm").replace('−', "-");
+    number.parse().unwrap_or_else(|_| panic!("{text:?} ends in a number"))
+}
+
+/// The only label that starts with `name`.
+pub fn label_starting_with(harness: &Harness<'_, App>, name: &str) -> String {
+    let labels: Vec<String> = labels(harness).into_iter().filter(|label| label.starts_with(name)).collect();
+    assert_eq!(labels.len(), 1, "labels that start with {name:?}: {labels:?}");
+    labels[0].clone()
+}
+
+/// Every label and value in the window.
+pub fn labels(harness: &Harness<'_, App>) -> Vec<String> {
+    let nodes = harness.root().children_recursive();
+    nodes
+        .flat_map(|node| {
+            let node = node.accesskit_node();
+            [node.label(), node.value()]
+        })
+        .flatten()
+        .collect()
+}
+
+/// Where the picture of an eye is.
+pub fn pane(harness: &Harness<'_, App>, eye: usize) -> Rect {
+    harness.get_by_label(["Left eye view", "Right eye view"][eye]).rect()
+}
+
+/// The slider called `name`, whose row is labelled so too.
+pub fn slider(harness: &Harness<'_, App>, name: &str) -> Rect {
+    harness.get_by_role_and_label(Role::Slider, name).rect()
+}
+
+/// Presses the button at `from`, moves to `to` in a few steps, and lets go.
+pub fn drag(harness: &mut Harness<'_, App>, from: Pos2, to: Pos2) {
+    harness.hover_at(from);
+    harness.step();
+    harness.drag_at(from);
+    for i in 1..=4 {
+        harness.hover_at(from + (to - from) * (i as f32 / 4.0));
+        harness.step();
+    }
+    harness.drop_at(to);
+    harness.run_ok();
+}
+
+/// Types `text` in place of what is in the field called `name`, and presses Enter.
+pub fn type_into(harness: &mut Harness<'_, App>, name: &str, text: &str) {
+    use eframe::egui::{Key, Modifiers};
+    harness.get_by_label(name).click();
+    harness.run_ok();
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    harness.get_by_label(name).type_text(text);
+    harness.key_press(Key::Enter);
+    harness.run_ok();
+}
