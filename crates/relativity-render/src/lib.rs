@@ -7,17 +7,21 @@
 pub mod backdrop;
 pub mod body;
 pub mod camera;
+mod canvas;
 pub mod colour;
 pub mod cone;
 mod exact;
 mod frame;
 pub mod gpu;
+mod hits;
 pub mod intersect;
 mod palette;
 pub mod picture;
 mod polynomial;
 pub mod reference;
 pub mod shade;
+#[doc(hidden)]
+pub mod shaders;
 mod target;
 mod tiles;
 pub mod view;

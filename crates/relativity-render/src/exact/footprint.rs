@@ -108,7 +108,7 @@ impl Projection {
         }
     }
 
-    /// gamma (c_x - beta h) and gamma (h - beta c_x), for c_x > 0 as quotients of what does not cancel.
+    /// `gamma (c_x - beta h)` and `gamma (h - beta c_x)`; for `c_x > 0` as quotients of what does not cancel.
     fn boosted(&self, c: DVec3, h: f64, radius: f64) -> (f64, f64) {
         let Self { beta, gamma, inverse_gamma_squared, .. } = *self;
         if c.x <= 0.0 {
