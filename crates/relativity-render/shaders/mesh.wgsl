@@ -149,10 +149,11 @@ fn picture(fragment: Fragment) -> Picture {
     return Picture(vec4f(colour, 1.0) * fragment.cover, measure.depth);
 }
 
+// Floats as their bits: OpenGL ES does not draw to 32-bit floats.
 struct Hit {
     // As the impostors'.
-    @location(0) measures: vec4f,
-    @location(1) place: vec4f,
+    @location(0) measures: vec4u,
+    @location(1) place: vec4u,
     @builtin(frag_depth) depth: f32,
 }
 
@@ -160,8 +161,10 @@ struct Hit {
 fn hits(fragment: Fragment) -> Hit {
     let measure = measure(fragment);
     return Hit(
-        vec4f(fragment.anchor_index.w, length(fragment.apparent), measure.doppler, 1.0),
-        vec4f(fragment.place, 0.0),
+        bitcast<vec4u>(
+            vec4f(fragment.anchor_index.w, length(fragment.apparent), measure.doppler, 1.0),
+        ),
+        bitcast<vec4u>(vec4f(fragment.place, 0.0)),
         measure.depth,
     );
 }
