@@ -5,9 +5,10 @@ use std::path::PathBuf;
 
 use clap::Args;
 use csv::ByteRecord;
-use relativity_core::{SourcePoint, equidistance_time};
+use relativity_core::SourcePoint;
 
 use super::columns::{COLUMNS, COLUMNS_HELP, ModelArgs, Observation, ObservationError};
+use super::passage::passage_times;
 use super::{csv_out, output};
 use crate::cli::{SpeedArgs, finite_number};
 
@@ -106,13 +107,9 @@ impl CurveArgs {
             return Ok([from, to]);
         }
         let (speed, point) = (observation.speed, observation.point);
-        let passage = SourcePoint { x0: 0.0, ..point };
-        let Some(distance) = equidistance_time(&speed, passage, self.d).map_err(ObservationError::from)?
-        else {
+        let Some(times) = passage_times(&speed, point, self.d).map_err(ObservationError::from)? else {
             anyhow::bail!("a point at rest passes at no time; --from and --to are needed");
         };
-        // Light from x = -2 R and +2 R leaves at these times, and travels sqrt(5) R.
-        let times = [-2.0, 2.0].map(|x| (x * distance - point.x0) / speed.beta() + 5.0_f64.sqrt() * distance);
         Ok([self.from.unwrap_or(times[0]), self.to.unwrap_or(times[1])])
     }
 }

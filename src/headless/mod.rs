@@ -1,9 +1,14 @@
 //! The commands that need no window, one file each, and what they share: the columns they write
-//! (`columns`), the CSV they read and write (`csv_in`, `csv_out`), and files written whole (`output`).
+//! (`columns`), the CSV they read and write (`csv_in`, `csv_out`), files written whole (`output`) and when a point passes
+//! (`passage`).
 
 pub mod columns;
 mod csv_in;
 mod csv_out;
 pub mod curve;
 pub mod eval;
+pub mod fit;
 pub mod output;
+pub mod paper;
+mod passage;
+pub mod render;

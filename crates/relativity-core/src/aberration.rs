@@ -3,6 +3,11 @@
 //! A line of sight is a unit vector from the aperture to the source. Reference: A. Einstein, *Zur
 //! Elektrodynamik bewegter Koerper* (1905), section 7; R. Penrose, *The apparent shape of a
 //! relativistically moving sphere* (1959).
+//!
+//! # Accuracy
+//!
+//! As [`crate::sighting`], for the direction of the vector given. Measured (`tests/oracle`, 15,000 directions,
+//! uniform and close to the axis): median 0.1, 99 % 2.2, worst 4.3 units.
 
 use crate::speed::Speed;
 

@@ -91,8 +91,9 @@ impl Sighting {
 ///
 /// # Accuracy
 ///
-/// Every quantity is within 8 units of 2^-53 (|f| + sum |`x_i` df/`dx_i`|), the `x_i` being the inputs
-/// (`tests/oracle.rs`, against 60-digit arithmetic).
+/// Every quantity is within [`crate::MAX_ERROR_UNITS`] units of `2^-53 (|f| + sum |x_i df/dx_i|)`, the `x_i`
+/// being the inputs. Measured (`tests/oracle`, 15,000 inputs drawn towards trouble): X, t, R, D, phi and theta
+/// median 0.2, 99 % 1.5, worst 3; powers of D up to the fourth 99 % 4, worst 5.
 ///
 /// # Errors
 ///

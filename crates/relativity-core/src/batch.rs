@@ -3,42 +3,17 @@
 //! The same solution as the scalar functions', in f64 or f32, on one thread or on all. Plain loops without
 //! branches, which the compiler vectorises.
 
-use num_traits::Float;
 use rayon::prelude::*;
-use thiserror::Error;
 
-use crate::apparent::{Aperture, LightCone, SourcePoint, check_inputs, rounded};
+use crate::apparent::{Aperture, LightCone, SourcePoint, rounded};
+pub use crate::batch_error::BatchError;
+use crate::batch_error::{check_common, check_lengths, first_outside};
 use crate::cone_pair::ConePair;
-use crate::domain::{DomainError, MAX_COORDINATE};
-use crate::speed::{Coefficients, MAX_GAMMA, Speed};
+pub use crate::real::Real;
+use crate::speed::{Coefficients, Speed};
 
 /// Points per task: enough to hide the cost of a task, and few enough to stay in a core's cache.
 const CHUNK: usize = 4096;
-
-/// The floating-point types that batches run in: f64 and f32.
-pub trait Real: Float + Send + Sync + Into<f64> + sealed::Sealed {
-    /// Largest magnitude of a coordinate or time.
-    const MAX_COORDINATE: Self;
-    /// Largest Lorentz factor.
-    const MAX_GAMMA: f64;
-}
-
-impl Real for f64 {
-    const MAX_COORDINATE: Self = MAX_COORDINATE;
-    const MAX_GAMMA: f64 = MAX_GAMMA;
-}
-
-/// Products of two apparent positions, (6 gamma^2 1e12)^2, stay inside f32.
-impl Real for f32 {
-    const MAX_COORDINATE: Self = 1e12;
-    const MAX_GAMMA: f64 = 1e3;
-}
-
-mod sealed {
-    pub trait Sealed {}
-    impl Sealed for f32 {}
-    impl Sealed for f64 {}
-}
 
 /// How many threads a batch uses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -47,39 +22,6 @@ pub enum Threads {
     One,
     /// All of rayon's.
     All,
-}
-
-/// Why a batch was refused. The output columns are then partly written.
-#[derive(Debug, Clone, Copy, PartialEq, Error)]
-pub enum BatchError {
-    /// A column of another length than the first.
-    #[error("column {column} has {found} rows instead of {expected}")]
-    Length {
-        /// The column's name.
-        column: &'static str,
-        /// Rows of the first column.
-        expected: usize,
-        /// Rows of this column.
-        found: usize,
-    },
-    /// A row outside the domain.
-    #[error("row {index}: {column} = {value:e} is not a number between -{limit:e} and {limit:e}")]
-    Row {
-        /// Index of the first such row.
-        index: usize,
-        /// The column's name.
-        column: &'static str,
-        /// The value.
-        value: f64,
-        /// [`Real::MAX_COORDINATE`].
-        limit: f64,
-    },
-    /// A value common to all rows outside the domain.
-    #[error(transparent)]
-    Common(#[from] DomainError),
-    /// A value common to all rows too large for f32.
-    #[error("{0:e} is too large for f32: at most 1e12 as a coordinate or time, at most 1e3 as gamma")]
-    Single(f64),
 }
 
 /// Points in columns.
@@ -220,7 +162,7 @@ pub fn sightings_over_time<F: Real>(
 ///
 /// # Accuracy
 ///
-/// As [`crate::disparity`], with the unit of f32 (2^-24) for f32. The point and the apertures are rounded to
+/// As [`crate::disparity()`], with the unit of f32 (2^-24) for f32. The point and the apertures are rounded to
 /// `F` first.
 ///
 /// # Errors
@@ -314,46 +256,5 @@ impl<F: Real> View<F> {
             d[i] = cone.solution.doppler_factor;
         }
         is_inside
-    }
-}
-
-fn check_lengths(expected: usize, columns: &[(&'static str, usize)]) -> Result<(), BatchError> {
-    match columns.iter().find(|(_, found)| *found != expected) {
-        Some(&(column, found)) => Err(BatchError::Length { column, expected, found }),
-        None => Ok(()),
-    }
-}
-
-fn check_common<F: Real>(
-    speed: &Speed,
-    point: SourcePoint,
-    apertures: &[Aperture],
-    observation_time: f64,
-) -> Result<(), BatchError> {
-    if speed.gamma() > F::MAX_GAMMA {
-        return Err(BatchError::Single(speed.gamma()));
-    }
-    for &aperture in apertures {
-        check_inputs(point, aperture, observation_time)?;
-        let common = [point.x0, point.y, point.z, aperture.x, aperture.y, aperture.z, observation_time];
-        if let Some(&value) = common.iter().find(|v| v.abs() > F::MAX_COORDINATE.into()) {
-            return Err(BatchError::Single(value));
-        }
-    }
-    Ok(())
-}
-
-/// The error of the first row with a value outside the domain.
-#[cold]
-fn first_outside<F: Real>(columns: &[(&'static str, &[F])]) -> Result<(), BatchError> {
-    let outside = |value: &F| value.is_nan() || value.abs() > F::MAX_COORDINATE;
-    let firsts = columns.iter().filter_map(|&(column, values)| {
-        values.iter().position(outside).map(|index| (index, column, values[index]))
-    });
-    match firsts.min_by_key(|&(index, ..)| index) {
-        Some((index, column, value)) => {
-            Err(BatchError::Row { index, column, value: value.into(), limit: F::MAX_COORDINATE.into() })
-        }
-        None => Ok(()),
     }
 }

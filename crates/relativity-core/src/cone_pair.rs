@@ -83,19 +83,7 @@ impl<F: Float> ConePair<F> {
         let dphi = self.cross_with_x(&x, &y, &z).atan2(x.left * x.right + y.left * y.right);
         let left_h = (x.left * x.left + y.left * y.left).sqrt();
         let right_h = (x.right * x.right + y.right * y.right).sqrt();
-        let sine = if z.same_sign() && left_h + right_h > zero {
-            // (z_l^2 h_r^2 - z_r^2 h_l^2)/(z_l h_r + z_r h_l), each difference of squares factored.
-            let sum = z.left * right_h + z.right * left_h;
-            let with_x = if x.is_opposite {
-                half((z.left + z.right) * x.sum - z.offset * x.difference)
-            } else {
-                z.left * x.right + z.right * x.left
-            };
-            let with_y = z.left * y.right + z.right * y.left;
-            self.cross_with_x(&x, &z, &y) * (with_x / sum) + z.cross(&y) * (with_y / sum)
-        } else {
-            z.left * right_h - z.right * left_h
-        };
+        let sine = self.elevation_cross(&x, &y, &z, left_h, right_h);
         (dphi, sine.atan2(left_h * right_h + z.left * z.right))
     }
 
@@ -104,15 +92,33 @@ impl<F: Float> ConePair<F> {
     /// With X = gamma^2 (S - beta q) the products of u and q are reduced like a difference of roots; what
     /// remains vanishes term by term where the two lines of sight agree.
     fn cross_with_x(&self, x: &ApparentXs<F>, u: &Across<F>, v: &Across<F>) -> F {
-        if !u.same_sign() {
-            return u.left * x.right - u.right * x.left;
-        }
         let (left, right) = (&self.left.solution, &self.right.solution);
+        let plain = (u.left * x.right, -u.right * x.left);
         let u_q = u.left * right.q + u.right * left.q;
+        if !u.same_sign() || u_q == F::zero() {
+            return plain.0 + plain.1;
+        }
         let u_r = u.left * right.r + u.right * left.r;
         let u_v = u.left * v.right + u.right * v.left;
         let cross_s = u.offset * self.left.s - u.left * self.offset.s;
-        cross_s * (u_r / u_q) - self.beta * u.cross(v) * (u_v / u_q)
+        smaller_terms(plain, (cross_s * (u_r / u_q), -self.beta * u.cross(v) * (u_v / u_q)))
+    }
+
+    /// `z_l h_r - z_r h_l`, h being the horizontal distances: as
+    /// `(z_l^2 h_r^2 - z_r^2 h_l^2)/(z_l h_r + z_r h_l)` with the differences of squares factored.
+    fn elevation_cross(&self, x: &ApparentXs<F>, y: &Across<F>, z: &Across<F>, left_h: F, right_h: F) -> F {
+        let plain = (z.left * right_h, -z.right * left_h);
+        let sum = plain.0 - plain.1;
+        if !z.same_sign() || sum == F::zero() {
+            return plain.0 + plain.1;
+        }
+        let with_x = if x.is_opposite {
+            half((z.left + z.right) * x.sum - z.offset * x.difference)
+        } else {
+            z.left * x.right + z.right * x.left
+        };
+        let with_y = z.left * y.right + z.right * y.left;
+        smaller_terms(plain, (self.cross_with_x(x, z, y) * (with_x / sum), z.cross(y) * (with_y / sum)))
     }
 
     /// With q^2 = S^2 + rho^2/gamma^2, X = gamma^2 (S - beta q); so the difference of the two X is
@@ -126,7 +132,9 @@ impl<F: Float> ConePair<F> {
         let by_rho = *beta * (offset.y * (left.y + right.y) + offset.z * (left.z + right.z)) / sum_q;
         let difference = by_offset - by_rho;
         let size = xl.abs() + xr.abs();
-        if by_offset.abs() + by_rho.abs() > size + size {
+        // Each X alone is known to a rounding of X and S. Only where the difference is worse known than both
+        // (apertures far apart across the motion) are the two X left as they are.
+        if by_offset.abs() + by_rho.abs() > size + size + left.s.abs() + right.s.abs() {
             return ApparentXs { left: xl, right: xr, difference, sum: xl + xr, is_opposite: false };
         }
         let sum = xl + xr;
@@ -163,6 +171,11 @@ impl<F: Float> Across<F> {
     fn cross(&self, v: &Self) -> F {
         self.offset * v.left - self.left * v.offset
     }
+}
+
+/// Of two ways to write one number as a sum of two terms, the one in which less cancels.
+fn smaller_terms<F: Float>(a: (F, F), b: (F, F)) -> F {
+    if a.0.abs() + a.1.abs() < b.0.abs() + b.1.abs() { a.0 + a.1 } else { b.0 + b.1 }
 }
 
 fn half<F: Float>(x: F) -> F {

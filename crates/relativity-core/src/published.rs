@@ -2,7 +2,7 @@
 //!
 //! The paper evaluates the right eye through the left eye's formula at a shifted time and measures
 //! both angles from the left aperture, so that ordinary parallax is left out. It is an approximation
-//! by construction; [`crate::disparity`] is exact. Reference: the paper, eqs. (1) and (5), Appendix A.
+//! by construction; [`crate::disparity()`] is exact. Reference: the paper, eqs. (1) and (5), Appendix A.
 
 use crate::apparent::{Aperture, LightCone, Sighting, SourcePoint, check_inputs};
 use crate::cone_pair::{ConePair, Offset};
@@ -26,7 +26,8 @@ pub enum PublishedVariant {
 ///
 /// # Accuracy
 ///
-/// As [`crate::disparity`], towards the published formulas.
+/// As [`crate::disparity()`], towards the published formulas, at any separation. Measured (`tests/oracle`): median
+/// 0.2, 99 % 2.3, worst 4.3 units.
 ///
 /// # Errors
 ///
@@ -40,20 +41,8 @@ pub fn published_disparity(
 ) -> Result<Disparity, DomainError> {
     check_inputs(point, Aperture::default(), observation_time)?;
     check("d", separation)?;
-    // The same s0 goes into all that follows, so that its rounding acts like one of the inputs.
-    let s0 = point.x0 + speed.beta() * observation_time;
-    let left = LightCone::at(&speed.coefficients(), s0 + separation / 2.0, point.y, point.z);
-    let Delay { delay, right_distance } = delay(speed, s0, separation, &left);
-    let (shift, s) = match variant {
-        PublishedVariant::AppendixA => {
-            (-delay, appendix_a_s(speed, s0, separation, &left, delay, right_distance))
-        }
-        PublishedVariant::TextSign => (delay, text_s(speed, separation, &left, delay)),
-    };
-    let shifted = speed.beta() * shift;
-    let right = LightCone::at(&speed.coefficients(), s, left.y, left.z);
-    let offset = Offset { s: -shifted, y: 0.0, z: 0.0 };
-    let pair = ConePair { beta: speed.beta(), left, right, offset, sum_s: left.s + right.s };
+    let (pair, shift) = cone_pair(speed, point, separation, observation_time, variant);
+    let ConePair { left, right, .. } = pair;
     let (dphi, dtheta) = pair.angle_differences();
     let primary = left.sighting(observation_time);
     let retarded_time = match variant {
@@ -68,6 +57,31 @@ pub fn published_disparity(
         dphi,
         dtheta,
     })
+}
+
+/// Both light cones of the published model, and by how much the second is later.
+pub(crate) fn cone_pair(
+    speed: &Speed,
+    point: SourcePoint,
+    separation: f64,
+    observation_time: f64,
+    variant: PublishedVariant,
+) -> (ConePair<f64>, f64) {
+    // The same s0 goes into all that follows, so that its rounding acts like one of the inputs.
+    let s0 = point.x0 + speed.beta() * observation_time;
+    let left = LightCone::at(&speed.coefficients(), s0 + separation / 2.0, point.y, point.z);
+    let Delay { delay, right_distance } = delay(speed, s0, separation, &left);
+    let (shift, s) = match variant {
+        PublishedVariant::AppendixA => {
+            (-delay, appendix_a_s(speed, s0, separation, &left, delay, right_distance))
+        }
+        PublishedVariant::TextSign => (delay, text_s(speed, separation, &left, delay)),
+    };
+    let shifted = speed.beta() * shift;
+    let right = LightCone::at(&speed.coefficients(), s, left.y, left.z);
+    let offset = Offset { s: -shifted, y: 0.0, z: 0.0 };
+    let pair = ConePair { beta: speed.beta(), left, right, offset, sum_s: left.s + right.s };
+    (pair, shift)
 }
 
 /// When the light was emitted that the right eye sees.
@@ -96,14 +110,18 @@ fn receding_text_time(speed: &Speed, x0: f64, d: f64, primary: &Sighting, right:
     let ([x, ..], t, beta) = (primary.position, primary.retarded_time, speed.beta());
     let (ahead, rho_squared) = (d - x, right.y * right.y + right.z * right.z);
     let right_distance = (ahead * ahead + rho_squared).sqrt();
-    let excess = if ahead > 0.0 {
+    let excess = if ahead > 0.0 && right_distance > 0.0 {
         (rho_squared + ahead * ahead * speed.inverse_gamma_squared()) / (right_distance + beta * ahead)
     } else {
         right_distance - beta * ahead
     };
     let constant = t * (t * speed.inverse_gamma_squared() + 2.0 * excess) - 2.0 * d * x0;
     let shifted_time = t + right_distance;
-    constant / (shifted_time * speed.inverse_gamma_squared() + beta * right.s + right.solution.q)
+    let divisor = shifted_time * speed.inverse_gamma_squared() + beta * right.s + right.solution.q;
+    if shifted_time < 0.0 || divisor == 0.0 {
+        return shifted_time - right.solution.r;
+    }
+    constant / divisor
 }
 
 /// Delta T (eq. 5), and the distance from the right aperture to the event that the left one sees.
@@ -114,12 +132,17 @@ struct Delay {
 
 /// How much longer light from the event that the left eye sees takes to the right.
 ///
-/// The difference of the two distances is `-2 u d` over their sum, u being the event's x; u comes from s0,
-/// the point's objective x at the observation time, since X - d/2 would cancel at low speed.
+/// The difference of the two distances is `-2 u d` over their sum, u being the event's x. That is X - d/2,
+/// sharing X's rounding; where this cancels, it comes from s0, the point's objective x at the observation time.
 fn delay(speed: &Speed, s0: f64, separation: f64, left: &LightCone<f64>) -> Delay {
-    let u = s0 - speed.beta() * left.solution.r;
+    let (x, rho_squared) = (left.solution.x, left.y * left.y + left.z * left.z);
+    let u = if x.abs() > separation.abs() {
+        x - separation / 2.0
+    } else {
+        s0 - speed.beta() * (x * x + rho_squared).sqrt()
+    };
     let to_right = u - separation / 2.0;
-    let right_distance = (to_right * to_right + left.y * left.y + left.z * left.z).sqrt();
+    let right_distance = (to_right * to_right + rho_squared).sqrt();
     let sum = left.solution.r + right_distance;
     let delay = if sum == 0.0 { 0.0 } else { -2.0 * u * separation / sum };
     Delay { delay, right_distance }
@@ -151,15 +174,15 @@ fn appendix_a_s(
     right_distance: f64,
 ) -> f64 {
     let beta = speed.beta();
-    if left.s <= 0.0 || s0.abs() > d.abs() / 4.0 {
+    let (q, r) = (left.solution.q, left.solution.r);
+    let fourfold = right_distance + 3.0 * r;
+    if left.s <= 0.0 || s0.abs() > d.abs() / 4.0 || fourfold == 0.0 {
         return left.s - beta * delay;
     }
-    let (q, r) = (left.solution.q, left.solution.r);
     let rho_squared = left.y * left.y + left.z * left.z;
     let slack = rho_squared * (4.0 - beta * d * speed.inverse_gamma_squared() / (q + left.s));
     let excess = s0 * (beta * d * (1.0 + beta) - 4.0 * (s0 + d));
     let deficit = d * d * speed.one_minus_beta() * (1.0 + beta / 2.0) + slack - excess;
-    let fourfold = right_distance + 3.0 * r;
     let by_s0 = s0 * (r + right_distance + 2.0 * beta * d - d * d / fourfold);
     let beta_d_minus_4r = -deficit / (q + beta * left.s);
     let by_d = d * r * (2.0 * speed.inverse_gamma_squared() + beta_d_minus_4r / fourfold);

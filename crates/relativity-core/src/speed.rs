@@ -28,8 +28,8 @@ pub enum SpeedError {
 ///
 /// # Accuracy
 ///
-/// Each accessor is within 4 units of 2^-53 (|f| + |x df/dx|), x being the parameter it was built
-/// from (`tests/oracle.rs`).
+/// Each accessor is within [`crate::MAX_ERROR_UNITS`] units of `2^-53 (|f| + |x df/dx|)`, x being the parameter
+/// it was built from. Measured (`tests/oracle`, 15,000 speeds): median 0.1, 99 % 2, worst 3.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Speed {
     beta: f64,

@@ -130,7 +130,8 @@ fn a_point_inside_the_aperture_has_the_documented_sighting() {
         let seen = sighting(&speed, point, aperture, 0.0).expect("inside the domain");
         assert_eq!(seen.position, [0.0; 3]);
         assert_eq!([seen.distance, seen.retarded_time, seen.phi(), seen.theta()], [0.0; 4]);
-        assert_eq!(seen.doppler_factor, speed.gamma());
+        let off = seen.doppler_factor - speed.gamma();
+        assert!(off.abs() <= f64::EPSILON * speed.gamma(), "{seen:?} for {speed:?}");
     }
 }
 

@@ -1,7 +1,8 @@
 //! The paper's numbers, and what the exact model gives in their place.
 //!
 //! Reference: the paper, section 3 (figures of the disparities for y = z = 0.5, d = 0.3, beta = 0.9) and
-//! eq. (6). The extremes below were found with independent 50-digit evaluations of the formulas.
+//! eq. (6). The paper quotes -0.34 and 0.06 for dphi, -0.015 and 0.19 for dtheta, which no printed variant of
+//! its formulas gives; the extremes below are what a direct scan of each variant gives.
 
 use relativity_core::{
     Aperture, Disparity, PublishedVariant, SourcePoint, Speed, disparity, equidistance_time,

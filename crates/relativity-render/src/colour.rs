@@ -76,6 +76,12 @@ pub fn srgb_encoded(linear: f64) -> f64 {
     if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 }
 }
 
+/// The linear value of an sRGB-encoded one, both in [0, 1].
+#[must_use]
+pub fn srgb_decoded(encoded: f64) -> f64 {
+    if encoded <= 0.040_45 { encoded / 12.92 } else { ((encoded + 0.055) / 1.055).powf(2.4) }
+}
+
 /// `linear` (components 0 or more) brought into [0, 1] by scaling all components alike, which keeps
 /// the hue.
 #[must_use]

@@ -4,7 +4,9 @@
 //! chromaticities and sums; IEC 61966-2-1 for the way back from sRGB.
 
 use relativity_render::Colour::{False, Visible};
-use relativity_render::colour::{colour_matching, hue_preserving_clip, linear_srgb, luminance, srgb_encoded};
+use relativity_render::colour::{
+    colour_matching, hue_preserving_clip, linear_srgb, luminance, srgb_decoded, srgb_encoded,
+};
 
 fn nm(from: u32, to: u32, step: usize) -> impl Iterator<Item = f64> {
     (from..=to).step_by(step).map(f64::from)
@@ -126,4 +128,8 @@ fn the_srgb_curve_has_the_standard_values() {
     assert!((srgb_encoded(0.214_041_14) - 0.5).abs() < 1e-6);
     assert_eq!(srgb_encoded(0.0), 0.0);
     assert!((srgb_encoded(1.0) - 1.0).abs() < 1e-12);
+    for step in 0..=255 {
+        let encoded = f64::from(step) / 255.0;
+        assert!((srgb_encoded(srgb_decoded(encoded)) - encoded).abs() < 1e-6);
+    }
 }

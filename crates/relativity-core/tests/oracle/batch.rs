@@ -82,7 +82,7 @@ fn f32_sightings_are_as_accurate_as_f32_inputs() {
         let speed = program_speed(parameter, value);
         let at: [f64; 6] = std::array::from_fn(|_| single(draw::length(rng)));
         let rho = (at[1] - at[4]).hypot(at[2] - at[5]);
-        let time = single(draw::time(rng, speed.beta(), at[0] - at[3], at[1] - at[4], rho));
+        let time = single(draw::time(rng, speed.beta(), [at[0] - at[3], at[1] - at[4], rho], UNIT_F32));
         let aperture = Aperture { x: at[3], y: at[4], z: at[5] };
         let [mut x, mut t, mut d] = [[f32::NAN]; 3];
         let points = PointColumns { x0: &[at[0] as f32], y: &[at[1] as f32], z: &[at[2] as f32] };
@@ -109,7 +109,7 @@ fn f32_disparities_are_as_accurate_as_f32_inputs() {
         let speed = program_speed(parameter, value);
         let [x0, y, z]: [f64; 3] = std::array::from_fn(|_| single(draw::ordinary_length(rng)));
         let d = single(draw::separation(rng, y.hypot(z)));
-        let time = single(draw::time(rng, speed.beta(), x0, y, y.hypot(z).hypot(d / 2.0)));
+        let time = single(draw::time(rng, speed.beta(), [x0, y, y.hypot(z).hypot(d / 2.0)], UNIT_F32));
         let [mut dphi, mut dtheta] = [[f32::NAN]; 2];
         let out = DisparityColumns { dphi: &mut dphi, dtheta: &mut dtheta };
         let point = SourcePoint { x0, y, z };

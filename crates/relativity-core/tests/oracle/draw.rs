@@ -63,24 +63,26 @@ pub fn program_speed(parameter: Parameter, value: f64) -> Speed {
     .expect("drawn inside the range")
 }
 
-/// `value` times 1 + delta, delta from 1e-16 to 1.
-fn near(rng: &mut ChaCha8Rng, value: f64) -> f64 {
-    let delta = log_uniform(rng, -17.0, 0.0);
+/// `value` times 1 + delta, delta from `smallest` to 1.
+fn near(rng: &mut ChaCha8Rng, value: f64, smallest: f64) -> f64 {
+    let delta = log_uniform(rng, smallest.log10(), 0.0);
     value * (1.0 + signed(rng, delta))
 }
 
 /// An observation time for a point at `s0` (from the aperture, at t = 0), `y` and `rho` off the axis: anything
 /// up to 1e10, or close to S = 0, or to X = 0 (which is T0 for a pair, nearly).
 ///
-/// Not so for y = 0: phi is then 0 or pi by the sign of X, which rounding of the time decides.
-pub fn time(rng: &mut ChaCha8Rng, beta: f64, s0: f64, y: f64, rho: f64) -> f64 {
+/// Close to the x-z plane phi jumps where X changes sign; there the time keeps 16 roundings away, since
+/// fewer decide on which side of the jump the point is. With y = 0 it is not aimed at all.
+pub fn time(rng: &mut ChaCha8Rng, beta: f64, [s0, y, rho]: [f64; 3], unit_roundoff: f64) -> f64 {
     let special = match rng.random_range(0..4) {
         _ if y == 0.0 => 0.0,
         0 => -s0 / beta,
         1 => rho - s0 / beta,
         _ => 0.0,
     };
-    let time = near(rng, special);
+    let is_jump = y.abs() < 1e-3 * (s0.abs() + rho);
+    let time = near(rng, special, if is_jump { 16.0 * unit_roundoff } else { 1e-17 });
     if special != 0.0 && time.abs() <= 1e10 {
         return time;
     }
@@ -101,7 +103,7 @@ pub fn separation(rng: &mut ChaCha8Rng, scale: f64) -> f64 {
 pub fn direction(rng: &mut ChaCha8Rng, critical: f64) -> [f64; 3] {
     let cosine: f64 = match rng.random_range(0..3) {
         0 => rng.random_range(-1.0..1.0),
-        1 => near(rng, critical).clamp(-1.0, 1.0),
+        1 => near(rng, critical, 1e-17).clamp(-1.0, 1.0),
         _ => signed(rng, 1.0),
     };
     let sine =

@@ -22,12 +22,13 @@ pub fn speed(parameter: Parameter, value: &Big) -> (Big, Big) {
     }
 }
 
-/// beta, gamma, 1 - beta, 1/gamma^2, rapidity, head-on Doppler factor.
-pub fn accessors(parameter: Parameter, value: &Big) -> [Big; 6] {
+/// beta, gamma, gamma - 1, 1 - beta, 1/gamma^2, rapidity, head-on Doppler factor.
+pub fn accessors(parameter: Parameter, value: &Big) -> [Big; 7] {
     let (beta, gamma) = speed(parameter, value);
     let ratio = (big(1.0) + &beta) / (big(1.0) - &beta);
     let rapidity = ratio.ln() / big(2.0);
-    [beta.clone(), gamma, big(1.0) - &beta, big(1.0) - square(&beta), rapidity, sqrt(&ratio)]
+    let gamma_minus_one = &gamma - big(1.0);
+    [beta.clone(), gamma, gamma_minus_one, big(1.0) - &beta, big(1.0) - square(&beta), rapidity, sqrt(&ratio)]
 }
 
 /// One aperture's view, from the definition of the light cone.
@@ -97,10 +98,18 @@ pub fn disparity(parameter: Parameter, inputs: &[Big]) -> [Big; 2] {
 
 /// dphi, dtheta of the paper's pair. `inputs`: speed parameter, x0, y, z, T, d.
 pub fn pair_disparity(parameter: Parameter, inputs: &[Big]) -> [Big; 2] {
+    let [.., dphi, dtheta] = pair_views(parameter, inputs);
+    [dphi, dtheta]
+}
+
+/// X, t, D of the left eye, dphi, dtheta, for the paper's pair; `inputs` as for [`pair_disparity`].
+pub fn pair_views(parameter: Parameter, inputs: &[Big]) -> [Big; 5] {
     let half = &inputs[5] / big(2.0);
-    let mut general = inputs[..5].to_vec();
-    general.extend([-half.clone(), big(0.0), big(0.0), half, big(0.0), big(0.0)]);
-    disparity(parameter, &general)
+    let speed = speed(parameter, &inputs[0]);
+    let view = |s0: Big| View::new(&speed, [s0, inputs[2].clone(), inputs[3].clone()], &inputs[4]);
+    let (left, right) = (view(&inputs[1] + &half), view(&inputs[1] - &half));
+    let [dphi, dtheta] = angle_differences(&left, &right);
+    [left.x, left.t, left.doppler, dphi, dtheta]
 }
 
 fn angle_differences(left: &View, right: &View) -> [Big; 2] {

@@ -1,0 +1,31 @@
+//! The precisions that batches run in.
+
+use num_traits::Float;
+
+use crate::domain::MAX_COORDINATE;
+use crate::speed::MAX_GAMMA;
+
+/// The floating-point types that batches run in: f64 and f32.
+pub trait Real: Float + Send + Sync + Into<f64> + sealed::Sealed {
+    /// Largest magnitude of a coordinate or time.
+    const MAX_COORDINATE: Self;
+    /// Largest Lorentz factor.
+    const MAX_GAMMA: f64;
+}
+
+impl Real for f64 {
+    const MAX_COORDINATE: Self = MAX_COORDINATE;
+    const MAX_GAMMA: f64 = MAX_GAMMA;
+}
+
+/// Products of two apparent positions, (6 gamma^2 1e12)^2, stay inside f32.
+impl Real for f32 {
+    const MAX_COORDINATE: Self = 1e12;
+    const MAX_GAMMA: f64 = 1e3;
+}
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for f32 {}
+    impl Sealed for f64 {}
+}
