@@ -18,6 +18,7 @@ pub mod intersect;
 mod palette;
 pub mod picture;
 mod polynomial;
+pub mod rectify;
 pub mod reference;
 pub mod shade;
 #[doc(hidden)]
