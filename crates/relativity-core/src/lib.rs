@@ -65,7 +65,7 @@ pub use disparity::{Disparity, disparities, disparity, equidistance_time};
 pub use domain::{DomainError, MAX_COORDINATE};
 pub use fit::{
     Combined, Curves, Fit, FitError, FitModel, FitOptions, Observations, Parameter, Passage, Reading, Sample,
-    combined, fit, fit_from,
+    Simulation, combined, fit, fit_from,
 };
 pub use published::{PublishedVariant, printed_apparent_x, published_disparity};
 pub use speed::{MAX_GAMMA, Speed, SpeedError};

@@ -8,8 +8,9 @@ use common::{Case, PAPER};
 use rand::SeedableRng as _;
 use rand_chacha::ChaCha8Rng;
 use relativity_core::{
-    Aperture, Curves, Fit, FitError, FitModel, FitOptions, Observations, Parameter, Passage, Reading, Sample,
-    SourcePoint, Speed, bootstrap, disparity, fit, fit_from,
+    Aperture, Curves, Fit, FitError, FitModel, FitOptions, Observations, Parameter, Passage,
+    PublishedVariant, Reading, Sample, SourcePoint, Speed, bootstrap, disparity, fit, fit_from,
+    published_disparity,
 };
 use tally::Tally;
 
@@ -37,6 +38,29 @@ fn noise_free_curves_of_the_paper_give_its_object_back() {
                 assert_eq!(replicates.failed(), 0);
                 assert!(replicates.standard_error(Parameter::Y) < 1e-9);
             }
+        }
+    }
+}
+
+/// The fit's own curves are those of `disparity` and `published_disparity`.
+#[test]
+fn simulated_curves_are_the_disparities() {
+    let case = Case { x0: 0.4, separation: 0.3, ..PAPER };
+    let speed = Speed::from_beta(case.beta).expect("a speed");
+    let point = SourcePoint { x0: case.x0, y: case.y, z: case.z };
+    let [left, right] = Aperture::pair(case.separation);
+    for model in MODELS {
+        for sample in case.samples(model, 0) {
+            let seen = match model {
+                FitModel::Exact => disparity(&speed, point, left, right, sample.time),
+                FitModel::Published => {
+                    published_disparity(&speed, point, 0.3, sample.time, PublishedVariant::AppendixA)
+                }
+            };
+            let seen = seen.expect("inside the domain");
+            let [dphi, dtheta] =
+                [sample.dphi, sample.dtheta].map(|reading| reading.expect("a reading").value);
+            assert!((dphi - seen.dphi).abs() < 1e-15 && (dtheta - seen.dtheta).abs() < 1e-15);
         }
     }
 }

@@ -16,6 +16,7 @@ mod error;
 mod observations;
 mod prepare;
 mod problem;
+mod simulation;
 mod start;
 mod verdict;
 
@@ -23,6 +24,7 @@ pub use combined::{Combined, combined};
 pub use curve::FitModel;
 pub use error::FitError;
 pub use observations::{Observations, Reading, Sample};
+pub use simulation::Simulation;
 
 pub(crate) use problem::{Free, NormalEquations, Problem};
 

@@ -3,13 +3,8 @@
 #![allow(dead_code, reason = "each program that includes this module uses its own part")]
 #![allow(clippy::allow_attributes, reason = "an expectation would fail in the programs that use every part")]
 
-use rand::{Rng, RngExt as _, SeedableRng as _};
-use rand_chacha::ChaCha8Rng;
-use rand_distr::{Distribution as _, StandardNormal};
-use relativity_core::{
-    Aperture, FitModel, Observations, PublishedVariant, Reading, Sample, SourcePoint, Speed, disparity,
-    published_disparity,
-};
+use rand::{Rng, RngExt as _};
+use relativity_core::{FitModel, Observations, Sample, Simulation, SourcePoint, Speed};
 
 /// An object and how it is observed.
 #[derive(Debug, Clone, Copy)]
@@ -52,19 +47,6 @@ impl Case {
         [self.beta, self.y, self.z, self.x0]
     }
 
-    /// Noise-free Delta-phi and Delta-theta at `time`.
-    pub fn angles(&self, model: FitModel, time: f64) -> [f64; 2] {
-        let speed = Speed::from_beta(self.beta).expect("a speed");
-        let point = SourcePoint { x0: self.x0, y: self.y, z: self.z };
-        let [left, right] = Aperture::pair(self.separation);
-        let variant = PublishedVariant::AppendixA;
-        let seen = match model {
-            FitModel::Exact => disparity(&speed, point, left, right, time),
-            FitModel::Published => published_disparity(&speed, point, self.separation, time, variant),
-        };
-        seen.map(|seen| [seen.dphi, seen.dtheta]).expect("inside the domain")
-    }
-
     pub fn times(&self) -> Vec<f64> {
         let distance = self.y.hypot(self.z);
         let received = |k: f64| (k * distance - self.x0) / self.beta + distance * k.hypot(1.0);
@@ -73,33 +55,21 @@ impl Case {
         (0..self.samples).map(|i| from + (to - from) * i as f64 / last).collect()
     }
 
-    /// Samples of this case, with noise from `seed`.
-    pub fn samples(&self, model: FitModel, seed: u64) -> Vec<Sample> {
-        let mut random = ChaCha8Rng::seed_from_u64(seed);
-        let times = self.times();
-        let curves: Vec<[f64; 2]> = times.iter().map(|&time| self.angles(model, time)).collect();
-        let range = |curve: usize| {
-            let values = || curves.iter().map(move |angles| angles[curve]);
-            values().fold(f64::MIN, f64::max) - values().fold(f64::MAX, f64::min)
+    pub fn observations(&self, model: FitModel, seed: u64) -> Observations {
+        let simulation = Simulation {
+            speed: Speed::from_beta(self.beta).expect("a speed"),
+            point: SourcePoint { x0: self.x0, y: self.y, z: self.z },
+            separation: self.separation,
+            model,
+            times: self.times(),
+            noise: self.noise,
+            seed,
         };
-        let sigmas = [self.noise * range(0), self.noise * range(1)];
-        let mut reading = |angles: [f64; 2], curve: usize| {
-            let deviate: f64 = StandardNormal.sample(&mut random);
-            Some(Reading { value: angles[curve] + sigmas[curve] * deviate, sigma: None })
-        };
-        times
-            .iter()
-            .zip(&curves)
-            .map(|(&time, &angles)| Sample {
-                time,
-                pair: 0,
-                dphi: reading(angles, 0),
-                dtheta: reading(angles, 1),
-            })
-            .collect()
+        simulation.observations().expect("usable samples")
     }
 
-    pub fn observations(&self, model: FitModel, seed: u64) -> Observations {
-        Observations::of_pair(self.separation, self.samples(model, seed)).expect("usable samples")
+    /// Samples of this case, with noise from `seed`.
+    pub fn samples(&self, model: FitModel, seed: u64) -> Vec<Sample> {
+        self.observations(model, seed).samples().to_vec()
     }
 }
