@@ -34,6 +34,7 @@ enum Command {
     Eval(headless::eval::EvalArgs),
     Curve(headless::curve::CurveArgs),
     Fit(headless::fit::FitArgs),
+    Paper(headless::paper::PaperArgs),
     Render(Box<headless::render::RenderArgs>),
 }
 
@@ -44,6 +45,7 @@ pub fn run(cli: Cli) -> anyhow::Result<()> {
         Some(Command::Eval(args)) => headless::eval::run(&args),
         Some(Command::Curve(args)) => headless::curve::run(&args),
         Some(Command::Fit(args)) => headless::fit::run(&args),
+        Some(Command::Paper(args)) => headless::paper::run(&args),
         Some(Command::Render(args)) => headless::render::run(&args),
     }
 }

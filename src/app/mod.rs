@@ -12,6 +12,7 @@ mod eyes;
 pub mod figures;
 pub mod fitting;
 mod graphics;
+mod icon;
 pub mod launch;
 mod layout;
 

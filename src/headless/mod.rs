@@ -9,5 +9,6 @@ pub mod curve;
 pub mod eval;
 pub mod fit;
 pub mod output;
+pub mod paper;
 mod passage;
 pub mod render;

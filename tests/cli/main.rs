@@ -9,6 +9,7 @@ mod fit;
 mod garbage;
 mod help;
 mod numbers;
+mod paper;
 mod streams;
 
 /// What a run left behind.

@@ -4,7 +4,7 @@
 mod support;
 
 use glam::{DMat3, DVec3};
-use relativity_core::{Aperture, Speed};
+use relativity_core::{Aperture, SourcePoint, Speed, sighting};
 use relativity_render::{Body, Camera, Gaze, Geometry, Hit, HitImage, ReferenceScene, Shape, View};
 use support::{centred, signed_distance, spread};
 
@@ -46,7 +46,8 @@ fn bodies() -> Vec<Body> {
     (0..14).map(body).collect()
 }
 
-/// Views of them before, about abreast and after, for each of [`BETAS`], so close that the bodies are well seen.
+/// Views of them before, about abreast and after, for each of [`BETAS`], so close that the bodies are
+/// well seen.
 fn views() -> Vec<View> {
     let mut views = Vec::new();
     for beta in BETAS {
@@ -90,9 +91,9 @@ fn in_body_coordinates(view: &View, place: DVec3, time: f64) -> DVec3 {
     DVec3::new(view.speed.gamma() * (place.x - view.speed.beta() * time), place.y, place.z)
 }
 
-/// Body and distance seen along `n`, by walking back along the light (or, for `Contracted`, along a line at
-/// the observation time) until the moving surface is met. A step is what the surface, as it moves, cannot have
-/// crossed.
+/// Body and distance seen along `n`, by walking back along the light (or, for `Contracted`, along a line
+/// at the observation time) until the moving surface is met. A step is what the surface, as it moves,
+/// cannot have crossed.
 fn walked(bodies: &[Body], view: &View, n: DVec3) -> Option<(usize, f64)> {
     let light_speed_inverse = if view.geometry == Geometry::Seen { 1.0 } else { 0.0 };
     let place = |s: f64| {
@@ -229,7 +230,64 @@ fn at_rest_a_camera_that_moves_along_sees_a_resting_scene() {
     }
 }
 
-/// Directions on the outline of the one body of `scene`, bisected between neighbouring pixels of a row or column.
+#[test]
+fn hits_lie_where_the_light_cone_shows_them_up_to_gamma_of_a_million() {
+    let bodies = bodies();
+    let scene = ReferenceScene::new(&bodies);
+    for view in extreme_views() {
+        let worst = worst_against_light_cone(&scene, &view);
+        println!("gamma {:e}, T {}: {worst:?}", view.speed.gamma(), view.observation_time);
+        assert!(worst.covered > 50, "only {} pixels covered at {view:?}", worst.covered);
+        assert!(worst.offset_px < 1e-11, "{worst:?} at {view:?}");
+        assert!(worst.distance < 1e-13 && worst.doppler_factor < 1e-13, "{worst:?} at {view:?}");
+    }
+}
+
+/// Views like [`views`] from rest up to gamma of a million.
+fn extreme_views() -> Vec<View> {
+    let mut views = Vec::new();
+    for gamma in [1.0, 10.0, 100.0, 1e3, 1e6] {
+        for time in [-1.0, 2.0, 3.2, 6.0] {
+            let speed = Speed::from_gamma(gamma).expect("in range");
+            let middle = SourcePoint { x0: 0.0, y: 3.0, z: 1.0 };
+            let middle = sighting(&speed, middle, Aperture::pair(0.1)[1], time).expect("in the domain");
+            let fov_degrees = (5.0 / middle.distance).to_degrees().min(70.0);
+            views.push(View { speed, ..view(0.0, time, middle.position, fov_degrees) });
+        }
+    }
+    views
+}
+
+/// Largest differences of an image from the light cone of each point it shows.
+#[derive(Debug, Default)]
+struct Worst {
+    covered: usize,
+    offset_px: f64,
+    distance: f64,
+    doppler_factor: f64,
+}
+
+fn worst_against_light_cone(scene: &ReferenceScene, view: &View) -> Worst {
+    let image = scene.hit_image(view);
+    let mut worst = Worst::default();
+    for (pixel, hit) in pixels(view).zip(&image.hits) {
+        let Some(hit) = hit else { continue };
+        let source = SourcePoint::from_rest(hit.rest_position.to_array(), &view.speed);
+        let seen = sighting(&view.speed, source, view.camera.aperture, view.observation_time);
+        let seen = seen.expect("in the domain");
+        let [u, v] = view.camera.pixel(seen.position.into()).expect("in front");
+        let offset_px = (u - 0.5 - f64::from(pixel[0])).hypot(v - 0.5 - f64::from(pixel[1]));
+        worst.covered += 1;
+        worst.offset_px = worst.offset_px.max(offset_px);
+        worst.distance = worst.distance.max((hit.distance / seen.distance - 1.0).abs());
+        worst.doppler_factor =
+            worst.doppler_factor.max((hit.doppler_factor / seen.doppler_factor - 1.0).abs());
+    }
+    worst
+}
+
+/// Directions on the outline of the one body of `scene`, bisected between neighbouring pixels of a row or
+/// column.
 fn outline(scene: &ReferenceScene, view: &View) -> Vec<DVec3> {
     let image = scene.hit_image(view);
     let seen = |place: [f64; 2]| scene.first_hit(view, view.camera.line_of_sight(place)).is_some();
@@ -296,7 +354,7 @@ fn tiles_lose_no_body_that_a_single_ray_sees() {
     let bodies = bodies();
     let scene = ReferenceScene::new(&bodies);
     for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
-        for view in views().into_iter().map(|view| View { geometry, ..view }) {
+        for view in views().into_iter().chain(extreme_views()).map(|view| View { geometry, ..view }) {
             let image = scene.hit_image(&view);
             for (pixel, hit) in pixels(&view).zip(&image.hits) {
                 assert_eq!(*hit, scene.first_hit(&view, line_of_sight(&view, pixel)), "{view:?}");

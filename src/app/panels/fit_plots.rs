@@ -65,7 +65,7 @@ impl Part {
         state: &State,
         bounds: PlotBounds,
         asks: &mut Asks,
-        contents: impl FnOnce(&mut PlotUi<'a>),
+        contents: impl FnOnce(&mut PlotUi<'a>) + 'a,
     ) {
         let size = vec2(ui.available_width(), self.height.max(10.0));
         let now = VLine::new("T", state.session.time).color(theme::now_colour(ui.visuals())).width(1.0);
@@ -74,7 +74,7 @@ impl Part {
                 tick(Quantity::DeltaPhi, mark.value, mark.step_size)
             })
             .x_axis_formatter(|mark, _| tick(Quantity::DeltaPhi, mark.value, mark.step_size));
-        let response = plot.show(ui, |plot| {
+        let response = plot.show(ui, move |plot| {
             plot.set_plot_bounds(bounds);
             plot.vline(now.allow_hover(false));
             contents(plot);
@@ -128,7 +128,7 @@ impl<'a> Drawing<'a> {
         bounds([-largest, largest].into_iter(), self.range)
     }
 
-    fn curve(&self, plot: &mut PlotUi<'a>) {
+    fn curve<'p>(&'p self, plot: &mut PlotUi<'p>) {
         self.band(plot, |point| point.y);
         self.dots(plot, "sample", self.data);
         if let Some(fitted) = self.fitted {
@@ -137,7 +137,7 @@ impl<'a> Drawing<'a> {
         }
     }
 
-    fn residuals(&self, plot: &mut PlotUi<'a>) {
+    fn residuals<'p>(&'p self, plot: &mut PlotUi<'p>) {
         let Some(fitted) = self.fitted else { return };
         self.band(plot, |_| 0.0);
         self.dots(plot, "sample − fit", &fitted.residuals);
@@ -146,7 +146,7 @@ impl<'a> Drawing<'a> {
     }
 
     /// The band around `middle` of the line.
-    fn band(&self, plot: &mut PlotUi<'a>, middle: impl Fn(&PlotPoint) -> f64) {
+    fn band(&self, plot: &mut PlotUi<'_>, middle: impl Fn(&PlotPoint) -> f64) {
         let Some(fitted) = self.fitted.filter(|fitted| !fitted.band.is_empty()) else { return };
         let edge = |end: usize| -> Vec<f64> {
             fitted.line.iter().zip(&fitted.band).map(|(point, band)| middle(point) + band[end]).collect()
@@ -156,7 +156,7 @@ impl<'a> Drawing<'a> {
         plot.add(area.fill_color(self.band_colour).allow_hover(false));
     }
 
-    fn dots(&self, plot: &mut PlotUi<'a>, name: &str, points: &'a [PlotPoint]) {
+    fn dots<'p>(&self, plot: &mut PlotUi<'p>, name: &str, points: &'p [PlotPoint]) {
         plot.points(Points::new(name, points).color(self.data_colour).radius(1.3).allow_hover(false));
     }
 }

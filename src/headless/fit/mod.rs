@@ -10,7 +10,7 @@ use clap::{Args, ValueEnum};
 use relativity_core::{Curves, DEFAULT_REPLICATES, FitModel, FitOptions, Passage};
 
 pub use data::Data;
-pub use report::{Estimate, Report, decimals, estimate};
+pub use report::{Attempt, Estimate, Outcome, Parameters, Report, decimals, estimate};
 
 use super::{csv_in, output};
 use crate::cli::finite_number;
@@ -18,7 +18,7 @@ use crate::cli::finite_number;
 /// Fits speed and distance of an object to the disparities that two eyes measured.
 ///
 /// The header names the columns, in any order: T (when the light arrives); dphi, dtheta or both (left minus right,
-/// radians); optionally sigma_dphi and sigma_dtheta (their standard deviations); d (aperture separation) unless --d gives
+/// radians); optionally `sigma_dphi` and `sigma_dtheta` (their standard deviations); d (aperture separation) unless --d gives
 /// it. Other columns are ignored. A disparity that was not measured is left empty.
 ///
 /// What the data cannot tell is said in one line, with exit status 2.

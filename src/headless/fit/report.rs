@@ -218,13 +218,11 @@ impl Outcome {
 pub fn estimate(fit: &Fit, bootstrap: Option<&Bootstrap>, parameter: Parameter) -> Estimate {
     let value = fit.value(parameter);
     let uncertainty_linear = fit.standard_error(parameter);
-    let (uncertainty, ci95) = match bootstrap {
-        Some(bootstrap) => (bootstrap.standard_error(parameter), bootstrap.interval_95(parameter)),
-        None => {
-            let half = NORMAL_95 * uncertainty_linear;
-            (uncertainty_linear, [value - half, value + half])
-        }
-    };
+    let half = NORMAL_95 * uncertainty_linear;
+    let (uncertainty, ci95) = bootstrap
+        .map_or((uncertainty_linear, [value - half, value + half]), |bootstrap| {
+            (bootstrap.standard_error(parameter), bootstrap.interval_95(parameter))
+        });
     Estimate { value, uncertainty, ci95, uncertainty_linear }
 }
 
@@ -244,8 +242,8 @@ impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "model      {}", self.model)?;
         match &self.bootstrap {
-            Some(b) => {
-                writeln!(f, "bootstrap  {} replicates, seed {}, {} failed", b.replicates, b.seed, b.failed)?
+            Some(BootstrapSummary { replicates, failed, seed }) => {
+                writeln!(f, "bootstrap  {replicates} replicates, seed {seed}, {failed} failed")?;
             }
             None => writeln!(f, "bootstrap  none")?,
         }

@@ -26,6 +26,11 @@ pub type Column = (String, Vec<f64>);
 /// Writes `name`.svg and `name`.csv into `folder`.
 pub fn write(folder: &Path, name: &str, panels: &[Panel], columns: &[Column]) -> anyhow::Result<()> {
     write_text(folder, &format!("{name}.svg"), &svg(panels))?;
+    write_csv(folder, name, columns)
+}
+
+/// Writes `name`.csv into `folder`; all columns are equally long.
+pub fn write_csv(folder: &Path, name: &str, columns: &[Column]) -> anyhow::Result<()> {
     write_whole(&folder.join(format!("{name}.csv")), |file| {
         let mut rows = csv_out::Rows::new(file);
         let names: Vec<&str> = columns.iter().map(|(name, _)| name.as_str()).collect();
@@ -141,7 +146,8 @@ fn eye_dots(places: &[f64]) -> Line {
 
 /// Columns x and y of the strokes' points, with the number of the stroke before them.
 fn bicycle_columns(strokes: &[bicycle::Stroke]) -> Vec<Column> {
-    let points = || strokes.iter().enumerate().flat_map(|(part, stroke)| stroke.iter().map(move |p| (part, p)));
+    let points =
+        || strokes.iter().enumerate().flat_map(|(part, stroke)| stroke.iter().map(move |p| (part, p)));
     vec![
         ("part".to_owned(), points().map(|(part, _)| part as f64).collect()),
         ("rest_x".to_owned(), points().map(|(_, p)| p[0]).collect()),
@@ -193,9 +199,15 @@ fn write_bicycle_for_two_eyes(folder: &Path) -> anyhow::Result<()> {
                 pieces.extend(seen);
             }
         }
-        let line = |name: &str, colour, pieces| Line { name: name.to_owned(), colour, stroke: Stroke::Solid, pieces };
+        let line = |name: &str, colour, pieces| Line {
+            name: name.to_owned(),
+            colour,
+            stroke: Stroke::Solid,
+            pieces,
+        };
         let half = 0.5 * setup.separation;
-        let lines = vec![line("left eye", BLUE, left), line("right eye", VERMILION, right), eye_dots(&[-half, half])];
+        let lines =
+            vec![line("left eye", BLUE, left), line("right eye", VERMILION, right), eye_dots(&[-half, half])];
         panels.push(bicycle_panel(format!("beta = 0.9, d = 0.3, {}", model.name()), lines, 900.0));
     }
     write(folder, "bicycle-2d-two-eyes", &panels, &columns)

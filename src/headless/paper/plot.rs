@@ -90,8 +90,8 @@ pub fn svg(panels: &[Panel]) -> String {
          <rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
     );
     let mut left = 0.0;
-    for (index, panel) in panels.iter().enumerate() {
-        Axes::new(panel, left, index).draw(&mut svg);
+    for panel in panels {
+        Axes::new(panel, left).draw(&mut svg);
         left += panel.width;
     }
     svg.push_str("</svg>\n");
@@ -101,7 +101,6 @@ pub fn svg(panels: &[Panel]) -> String {
 /// Where a panel's coordinates lie in the picture.
 struct Axes<'a> {
     panel: &'a Panel,
-    index: usize,
     /// Left, right, top and bottom of the box, pixels.
     frame: [f64; 4],
     x: [f64; 2],
@@ -109,7 +108,7 @@ struct Axes<'a> {
 }
 
 impl<'a> Axes<'a> {
-    fn new(panel: &'a Panel, left: f64, index: usize) -> Self {
+    fn new(panel: &'a Panel, left: f64) -> Self {
         let legend = LEGEND_ROW * panel.lines.len() as f64;
         let frame = [
             left + MARGIN.left,
@@ -118,13 +117,17 @@ impl<'a> Axes<'a> {
             HEIGHT - MARGIN.bottom,
         ];
         let points = || panel.lines.iter().flat_map(|line| &line.pieces).flatten();
-        let (x, mut y) = (span(points().map(|p| p[0]), 0.0), span(points().map(|p| p[1]), 0.06));
+        let [mut x, mut y] = [
+            span(points().map(|point| point[0]), if panel.equal_scales { 0.02 } else { 0.0 }),
+            span(points().map(|point| point[1]), 0.06),
+        ];
         if panel.equal_scales {
-            let per_pixel = (x[1] - x[0]) / (frame[1] - frame[0]);
-            let (middle, half) = (0.5 * (y[0] + y[1]), 0.5 * per_pixel * (frame[3] - frame[2]));
-            y = [middle - half, middle + half];
+            let (width, height) = (frame[1] - frame[0], frame[3] - frame[2]);
+            let per_pixel = ((x[1] - x[0]) / width).max((y[1] - y[0]) / height);
+            x = widened(x, per_pixel * width);
+            y = widened(y, per_pixel * height);
         }
-        Self { panel, index, frame, x, y }
+        Self { panel, frame, x, y }
     }
 
     fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
@@ -135,17 +138,10 @@ impl<'a> Axes<'a> {
 
     fn draw(&self, svg: &mut String) {
         self.draw_axes(svg);
-        let [left, right, top, bottom] = self.frame;
-        let (width, height, index) = (right - left, bottom - top, self.index);
-        let _ = writeln!(
-            svg,
-            "<clipPath id=\"box{index}\"><rect x=\"{left}\" y=\"{top}\" width=\"{width:.1}\" height=\"{height:.1}\"/></clipPath>\n\
-             <g clip-path=\"url(#box{index})\" fill=\"none\" stroke-width=\"1.6\" stroke-linejoin=\"round\">"
-        );
         for line in &self.panel.lines {
             self.draw_line(line, svg);
         }
-        svg.push_str("</g>\n");
+        let left = self.frame[0];
         for (row, line) in self.panel.lines.iter().enumerate() {
             let y = MARGIN.top + LEGEND_ROW * (row as f64 + 0.4);
             let (end, text) = (left + 30.0, left + 36.0);
@@ -229,6 +225,12 @@ fn span(values: impl Iterator<Item = f64> + Clone, margin: f64) -> [f64; 2] {
     if high > low { [low - room, high + room] } else { [low - 1.0, low + 1.0] }
 }
 
+/// The range of this `length` with the same middle.
+fn widened([low, high]: [f64; 2], length: f64) -> [f64; 2] {
+    let middle = 0.5 * (low + high);
+    [middle - 0.5 * length, middle + 0.5 * length]
+}
+
 /// Round values inside `range`: multiples of 1, 2 or 5 times a power of ten.
 fn ticks([low, high]: [f64; 2]) -> Vec<f64> {
     let step = round_step((high - low) / TICKS);
@@ -286,11 +288,8 @@ mod tests {
         };
         let svg = svg(&[panel]);
         let line = svg.rsplit("points=\"").nth(1).expect("the line comes before its entry in the legend");
-        let numbers: Vec<f64> = line
-            .split(['"', ' ', ','])
-            .take(4)
-            .map(|number| number.parse().expect("a number"))
-            .collect();
+        let numbers: Vec<f64> =
+            line.split(['"', ' ', ',']).take(4).map(|number| number.parse().expect("a number")).collect();
         assert_eq!(numbers[0], MARGIN.left);
         assert_eq!(numbers[2], 500.0 - MARGIN.right);
         assert!(numbers[1] > numbers[3], "larger values are higher up");
