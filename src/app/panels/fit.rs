@@ -13,7 +13,7 @@ use crate::app::state::State;
 use crate::app::theme;
 
 /// Width of the table.
-const TABLE_WIDTH: f32 = 318.0;
+const TABLE_WIDTH: f32 = 332.0;
 /// Least width of the plots beside it; in a narrower window there is the table alone.
 const LEAST_PLOT_WIDTH: f32 = 150.0;
 /// Most samples: their fit still takes less than a second.

@@ -43,7 +43,7 @@ pub fn show(ui: &mut Ui, fitting: &Fitting) {
 }
 
 fn table(ui: &mut Ui, fitted: &Fitted) {
-    Grid::new("fit").num_columns(6).spacing([9.0, 3.0]).min_col_width(12.0).show(ui, |ui| {
+    Grid::new("fit").num_columns(6).spacing([7.0, 3.0]).min_col_width(12.0).show(ui, |ui| {
         let heads = [
             ("", "Parameter"),
             ("value", "The best fit: least sum of squared residuals."),
@@ -78,7 +78,7 @@ fn row(ui: &mut Ui, parameter: Parameter, estimate: &Estimate, truth: f64) {
     named_text(ui, number(uncertainty), format!("Uncertainty of {symbol}: {}", number(uncertainty)));
     let interval = format!("{} … {}", number(low), number(high));
     named_text(ui, interval.as_str(), format!("95 % interval of {symbol}: {interval}"));
-    let truth_text = figures::fixed(truth, places.min(4));
+    let truth_text = figures::trimmed(truth, 4);
     named_text(ui, truth_text.as_str(), format!("True {symbol}: {truth_text}"));
     let off = off(estimate, truth);
     named_text(ui, off.as_str(), format!("{symbol} off by {off}"));
