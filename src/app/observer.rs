@@ -5,6 +5,7 @@ use relativity_core::{Aperture, Disparity, Sighting, SourcePoint, disparity, equ
 use relativity_render::{Camera, Gaze, Geometry, View};
 
 use super::curves::Key;
+use super::fitting;
 use super::points::Point;
 use super::settings::GazeSetting;
 use super::state::State;
@@ -120,6 +121,18 @@ impl State {
             separation: self.settings.motion.separation,
             range: self.time_range(),
             published: self.settings.plots.published,
+        }
+    }
+
+    /// What the fit of the selected point depends on.
+    #[must_use]
+    pub fn fit_key(&self) -> fitting::Key {
+        fitting::Key {
+            speed: self.speed(),
+            source: self.selected_source(),
+            separation: self.settings.motion.separation,
+            range: self.settings.fit.range.unwrap_or_else(|| self.time_range()),
+            setup: self.settings.fit,
         }
     }
 
