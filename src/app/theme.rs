@@ -1,7 +1,9 @@
 //! Colours and sizes. Left is blue and right is orange everywhere: a pair that colour-blind eyes tell
 //! apart, from M. Okabe and K. Ito, *Color universal design* (2008), like the colours of the points.
 
-use eframe::egui::{self, Color32, FontDefinitions, FontFamily, FontId, Stroke, TextStyle, Visuals, epaint::CornerRadius};
+use eframe::egui::{
+    self, Color32, FontDefinitions, FontFamily, FontId, Stroke, TextStyle, Visuals, epaint::CornerRadius,
+};
 
 use super::observer::Eye;
 

@@ -6,7 +6,9 @@ use relativity_core::{Speed, equidistance_time};
 use relativity_render::{Colour, Geometry, Shading};
 
 use super::Test;
-use super::support::{cyclist, drag, label_starting_with, seen, shown, slider, type_into, window, window_of_size};
+use super::support::{
+    cyclist, drag, label_starting_with, seen, shown, slider, type_into, window, window_of_size,
+};
 
 pub const TESTS: &[Test] = &[
     ("dragging_beta_changes_the_readout_in_the_same_frame", dragging_beta_changes_the_readout),

@@ -40,7 +40,9 @@ const ALWAYS_THERE: [&str; 11] = [
 ];
 
 fn every_part_is_in_the_window() {
-    for (size, scale) in [([1024.0, 600.0], 1.0), ([1280.0, 800.0], 2.0), ([3840.0, 2160.0], 1.0), ([1920.0, 1080.0], 2.0)] {
+    for (size, scale) in
+        [([1024.0, 600.0], 1.0), ([1280.0, 800.0], 2.0), ([3840.0, 2160.0], 1.0), ([1920.0, 1080.0], 2.0)]
+    {
         for theme in [ThemePreference::Light, ThemePreference::Dark] {
             let mut state = cyclist(0.9);
             state.settings.window.theme = theme;
@@ -73,7 +75,12 @@ fn tiny_windows() {
 }
 
 fn extremes_show_numbers_or_dashes() {
-    let speeds = [(SpeedParameter::Gamma, 1e12), (SpeedParameter::Gamma, 1e30), (SpeedParameter::Beta, 0.0), (SpeedParameter::Beta, 1e-14)];
+    let speeds = [
+        (SpeedParameter::Gamma, 1e12),
+        (SpeedParameter::Gamma, 1e30),
+        (SpeedParameter::Beta, 0.0),
+        (SpeedParameter::Beta, 1e-14),
+    ];
     for (parameter, value) in speeds {
         for tab in [PlotTab::Disparity, PlotTab::Angles, PlotTab::Doppler] {
             let mut window = window(extreme(parameter, value, tab));

@@ -56,7 +56,12 @@ fn click(window: &mut Harness<'_, App>, place: Pos2, modifiers: Modifiers) {
     window.step();
     for pressed in [true, false] {
         window.event_modifiers(
-            eframe::egui::Event::PointerButton { pos: place, button: PointerButton::Primary, pressed, modifiers },
+            eframe::egui::Event::PointerButton {
+                pos: place,
+                button: PointerButton::Primary,
+                pressed,
+                modifiers,
+            },
             modifiers,
         );
     }
@@ -204,7 +209,8 @@ fn the_followed_point_stays_in_the_middle() {
     for _ in 0..6 {
         window.key_press_modifiers(Modifiers::SHIFT, eframe::egui::Key::ArrowRight);
         window.run();
-        let places = [0, 1].map(|eye| place(&window, super::support::TRACKED, eye) - pane(&window, eye).center());
+        let places =
+            [0, 1].map(|eye| place(&window, super::support::TRACKED, eye) - pane(&window, eye).center());
         // The eyes look in parallel, so the point is as far left of the middle in one as right in the other.
         let mean = 0.5 * (places[0] + places[1]);
         assert!(mean.length() < 0.5, "{places:?}");

@@ -6,9 +6,9 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use gamow::app::App;
 use gamow::app::settings::Settings;
+use gamow::app::speed_setting::SpeedSetting;
 use gamow::app::state::State;
 use gamow::cli::SpeedParameter;
-use gamow::app::speed_setting::SpeedSetting;
 use gamow::scene::Scene;
 use relativity_core::{Aperture, Sighting, SourcePoint, Speed, sighting};
 
@@ -61,8 +61,7 @@ pub fn shown(harness: &Harness<'_, App>, name: &str) -> f64 {
 
 /// The only label that starts with `name`.
 pub fn label_starting_with(harness: &Harness<'_, App>, name: &str) -> String {
-    let labels: Vec<String> =
-        labels(harness).into_iter().filter(|label| label.starts_with(name)).collect();
+    let labels: Vec<String> = labels(harness).into_iter().filter(|label| label.starts_with(name)).collect();
     assert_eq!(labels.len(), 1, "labels that start with {name:?}: {labels:?}");
     labels[0].clone()
 }
