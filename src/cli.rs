@@ -34,6 +34,7 @@ enum Command {
     Eval(headless::eval::EvalArgs),
     Curve(headless::curve::CurveArgs),
     Render(Box<headless::render::RenderArgs>),
+    Accuracy(headless::accuracy::AccuracyArgs),
 }
 
 /// Runs what the command line asks for.
@@ -43,6 +44,7 @@ pub fn run(cli: Cli) -> anyhow::Result<()> {
         Some(Command::Eval(args)) => headless::eval::run(&args),
         Some(Command::Curve(args)) => headless::curve::run(&args),
         Some(Command::Render(args)) => headless::render::run(&args),
+        Some(Command::Accuracy(args)) => headless::accuracy::run(&args),
     }
 }
 

@@ -65,7 +65,7 @@ pub struct FormulaError {
 /// Measures `formula` for an aperture at (`aperture_x`, 0, 0) that sees points around the rest-frame point
 /// `tracked`, itself seen at `place`.
 ///
-/// All inputs are numbers that f32 has too, so that rounding them is nobody's error.
+/// All inputs, beta among them, are rounded to numbers that f32 has too, so that their rounding is nobody's error.
 ///
 /// # Errors
 ///
@@ -77,6 +77,8 @@ pub fn formula_error(
     tracked: [f64; 3],
     aperture_x: f64,
 ) -> Result<FormulaError, BatchError> {
+    // Above gamma of 4096 f32 has no beta below 1.
+    let speed = &Speed::from_beta(f64::from(speed.beta() as f32)).unwrap_or(*speed);
     let time = place.observation_time(speed, SourcePoint::from_rest(tracked, speed));
     let batch = Batch {
         speed: *speed,
