@@ -33,6 +33,8 @@ Examples:
 enum Command {
     Eval(headless::eval::EvalArgs),
     Curve(headless::curve::CurveArgs),
+    Fit(headless::fit::FitArgs),
+    Paper(headless::paper::PaperArgs),
     Render(Box<headless::render::RenderArgs>),
     Accuracy(headless::accuracy::AccuracyArgs),
 }
@@ -43,6 +45,8 @@ pub fn run(cli: Cli) -> anyhow::Result<()> {
         None => app::launch::launch(&cli.window),
         Some(Command::Eval(args)) => headless::eval::run(&args),
         Some(Command::Curve(args)) => headless::curve::run(&args),
+        Some(Command::Fit(args)) => headless::fit::run(&args),
+        Some(Command::Paper(args)) => headless::paper::run(&args),
         Some(Command::Render(args)) => headless::render::run(&args),
         Some(Command::Accuracy(args)) => headless::accuracy::run(&args),
     }

@@ -8,22 +8,22 @@ pub const NONE: &str = "–";
 /// `value` with `decimals` digits after the point; in powers of ten where that would not fit; a dash
 /// if it is not a number.
 #[must_use]
-pub fn fixed(value: f64, decimals: usize) -> String {
+pub fn fixed(value: f64, decimals: u8) -> String {
     if !value.is_finite() {
         return NONE.to_owned();
     }
-    let smallest_shown = 0.5 * 10f64.powi(-(decimals as i32));
+    let smallest_shown = 0.5 * 10f64.powi(-i32::from(decimals));
     let text = if value.abs() >= 1e6 || (value != 0.0 && value.abs() < smallest_shown) {
         format!("{value:.2e}")
     } else {
-        format!("{value:.decimals$}")
+        format!("{value:.width$}", width = usize::from(decimals))
     };
     text.replace('-', "−")
 }
 
 /// As [`fixed`], with a dash for `None`.
 #[must_use]
-pub fn fixed_or_none(value: Option<f64>, decimals: usize) -> String {
+pub fn fixed_or_none(value: Option<f64>, decimals: u8) -> String {
     value.map_or_else(|| NONE.to_owned(), |value| fixed(value, decimals))
 }
 

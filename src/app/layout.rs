@@ -40,7 +40,7 @@ const PLOTS_SHARE: f32 = 0.38;
 impl Layout {
     /// The layout of a window with this inner `area`.
     #[must_use]
-    pub fn of(area: Rect, window: &Window) -> Self {
+    pub fn of(area: Rect, window: Window) -> Self {
         let (bar, below) = split_top(area, BAR_HEIGHT);
         let with_side = window.controls && area.width() >= NARROWEST_WITH_CONTROLS;
         let (centre, side) = if with_side { split_right(below, SIDE_WIDTH) } else { (below, None) };
@@ -95,7 +95,7 @@ mod tests {
     use super::*;
 
     fn layout(width: f32, height: f32) -> Layout {
-        Layout::of(Rect::from_min_size(pos2(0.0, 0.0), vec2(width, height)), &Window::default())
+        Layout::of(Rect::from_min_size(pos2(0.0, 0.0), vec2(width, height)), Window::default())
     }
 
     #[test]

@@ -86,7 +86,9 @@ impl App {
             // Panels that were shown before this one show the change in the next frame.
             ctx.request_repaint();
         }
-        asks.into_iter().for_each(|command| self.ask(command));
+        for command in asks {
+            self.ask(command);
+        }
     }
 
     /// Brings the curves up to date; those that still hold are kept.
@@ -122,7 +124,7 @@ impl App {
 
         let area = ui.max_rect();
         ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
-        let layout = Layout::of(area, &self.state.settings.window);
+        let layout = Layout::of(area, self.state.settings.window);
         let inset = |rect: Rect| rect.shrink2(egui::vec2(theme::GAP, theme::GAP / 2.0));
         self.panel(ui, "bar", inset(layout.bar), panels::bar::show);
         if let Some(rect) = layout.controls {
@@ -133,7 +135,7 @@ impl App {
         let panes = layout.views.map(|area| Pane::both(area, ctx.pixels_per_point(), largest));
         for pane in panes.into_iter().flatten() {
             self.panel(ui, pane.eye.name(), pane.rect, |ui, state, asks| {
-                panels::views::interact(ui, state, pane, asks)
+                panels::views::interact(ui, state, pane, asks);
             });
         }
         if let Some(rect) = layout.plots {

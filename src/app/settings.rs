@@ -164,6 +164,7 @@ pub struct Plots {
 /// Which parts of the window are shown, and in which colours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
+#[expect(clippy::struct_excessive_bools, reason = "each part is shown or not")]
 pub struct Window {
     /// The two eyes' views. Hidden views compute nothing.
     pub views: bool,

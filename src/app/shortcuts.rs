@@ -12,8 +12,11 @@ pub struct Shortcut {
     /// As shown in the help.
     pub action: &'static str,
     /// Each key and what it asks for.
-    commands: &'static [(Key, fn(Modifiers) -> Command)],
+    commands: &'static [Binding],
 }
+
+/// A key, and what it asks for with the modifiers held.
+type Binding = (Key, fn(Modifiers) -> Command);
 
 /// All of them.
 pub const SHORTCUTS: [Shortcut; 9] = [

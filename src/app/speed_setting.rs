@@ -43,6 +43,10 @@ const SLIDER_MAX_RAPIDITY: f64 = 6.5;
 const SLIDER_POWER: f64 = 1.5;
 
 impl SpeedSetting {
+    /// At rest.
+    pub const REST: Self =
+        Self { given: Given { parameter: SpeedParameter::Beta, value: 0.0 }, speed: Speed::REST };
+
     /// The speed whose `parameter` has this `value`.
     ///
     /// # Errors
@@ -74,8 +78,9 @@ impl SpeedSetting {
     #[must_use]
     pub fn at_slider_position(position: f64) -> Self {
         let rapidity = SLIDER_MAX_RAPIDITY * position.clamp(0.0, 1.0).powf(SLIDER_POWER);
-        Self::new(SpeedParameter::Beta, readable_beta(rapidity.tanh()))
-            .expect("the slider ends below the speed of light")
+        let beta = readable_beta(rapidity.tanh());
+        // The slider ends below the speed of light.
+        Self::new(SpeedParameter::Beta, beta).unwrap_or(Self::REST)
     }
 
     /// Where on the slider (0 to 1) this speed is.

@@ -4,8 +4,11 @@
 //! There are no comments: a line that starts with `#` is a row. Numbers may be quoted or padded
 //! with blanks. Columns that mean nothing here may hold any bytes.
 
+use std::fs::File;
 use std::io::{self, Read};
+use std::path::Path;
 
+use anyhow::Context as _;
 use csv::ByteRecord;
 use relativity_core::SourcePoint;
 use thiserror::Error;
@@ -15,6 +18,16 @@ use super::csv_out::io_error;
 use crate::cli::SpeedParameter;
 
 const BUFFER_BYTES: usize = 1 << 16;
+
+/// `file`, or standard input if that is `None` or `-`; and its name in messages.
+pub fn open(file: Option<&Path>) -> anyhow::Result<(String, Box<dyn Read>)> {
+    let Some(file) = file.filter(|file| *file != Path::new("-")) else {
+        return Ok(("standard input".to_owned(), Box::new(io::stdin().lock())));
+    };
+    let name = file.display().to_string();
+    let input = File::open(file).with_context(|| name.clone())?;
+    Ok((name, Box::new(input)))
+}
 
 /// Reads rows, and knows the line of the last one.
 pub struct Rows<R> {
@@ -90,6 +103,73 @@ impl<R> Tap<R> {
     }
 }
 
+/// The columns' names, and the cells under them.
+#[derive(Debug)]
+pub struct Names(ByteRecord);
+
+impl Names {
+    /// The names in the first row.
+    pub fn new(row: ByteRecord) -> Result<Self, HeaderError> {
+        if row.is_empty() { Err(HeaderError::Empty) } else { Ok(Self(row)) }
+    }
+
+    /// The place of the column `name`, blanks around it aside.
+    pub fn place(&self, name: &'static str) -> Result<Option<usize>, HeaderError> {
+        let mut places = (0..self.0.len()).filter(|&place| self.0[place].trim_ascii() == name.as_bytes());
+        let (first, second) = (places.next(), places.next());
+        match (first, second) {
+            (Some(first), Some(second)) => {
+                Err(HeaderError::Duplicate { name, first: first + 1, second: second + 1 })
+            }
+            _ => Ok(first),
+        }
+    }
+
+    /// The place of the column `name`, one of those `needed`.
+    pub fn needed_place(&self, name: &'static str, needed: &'static str) -> Result<usize, HeaderError> {
+        self.place(name)?.ok_or_else(|| self.missing(name, needed))
+    }
+
+    /// What to say if the column `name`, one of those `needed`, is not there.
+    pub fn missing(&self, name: &'static str, needed: &'static str) -> HeaderError {
+        let found = self.0.iter().map(legible).collect::<Vec<_>>().join(", ");
+        HeaderError::Missing { name, needed, found: shortened(&found, 120) }
+    }
+
+    /// Refuses a row that has not as many fields as there are names.
+    pub fn check_length(&self, row: &ByteRecord) -> Result<(), RowError> {
+        let (fields, columns) = (row.len(), self.0.len());
+        if fields < columns {
+            let column = legible(&self.0[fields]);
+            return Err(RowError::TooShort { fields, columns, column });
+        }
+        if fields > columns {
+            let value = legible(&row[columns]);
+            return Err(RowError::TooLong { fields, columns, value });
+        }
+        Ok(())
+    }
+
+    /// The number at `place` in `row`.
+    pub fn number(&self, row: &ByteRecord, place: usize) -> Result<f64, RowError> {
+        let fault = |problem| RowError::Value {
+            column: legible(&self.0[place]),
+            value: legible(&row[place]),
+            problem,
+        };
+        let text = row[place].trim_ascii();
+        if text.is_empty() {
+            return Err(fault("is empty; it should be a number"));
+        }
+        let number = std::str::from_utf8(text).ok().and_then(|text| text.parse::<f64>().ok());
+        match number {
+            Some(number) if number.is_finite() => Ok(number),
+            Some(_) => Err(fault("is not finite; it should be a number that a 64-bit float can hold")),
+            None => Err(fault("is not a number; it should be one such as 0.9 or 1e-3")),
+        }
+    }
+}
+
 /// Where the inputs are in each row.
 #[derive(Debug)]
 pub struct Header {
@@ -100,7 +180,7 @@ pub struct Header {
     z: usize,
     time: usize,
     x0: Option<usize>,
-    names: ByteRecord,
+    names: Names,
 }
 
 /// A header that does not say where the inputs are.
@@ -141,12 +221,10 @@ const NEEDED: &str = "d, y, z, T and one of beta, gamma, rapidity";
 
 impl Header {
     /// Finds the inputs by the names in the first row.
-    pub fn new(names: ByteRecord) -> Result<Self, HeaderError> {
-        if names.is_empty() {
-            return Err(HeaderError::Empty);
-        }
+    pub fn new(row: ByteRecord) -> Result<Self, HeaderError> {
+        let names = Names::new(row)?;
         for name in COLUMNS {
-            if place(&names, name)?.is_some() {
+            if names.place(name)?.is_some() {
                 return Err(HeaderError::Taken(name));
             }
         }
@@ -154,87 +232,35 @@ impl Header {
         Ok(Self {
             speed_parameter,
             speed,
-            d: needed_place(&names, "d")?,
-            y: needed_place(&names, "y")?,
-            z: needed_place(&names, "z")?,
-            time: needed_place(&names, "T")?,
-            x0: place(&names, "x0")?,
+            d: names.needed_place("d", NEEDED)?,
+            y: names.needed_place("y", NEEDED)?,
+            z: names.needed_place("z", NEEDED)?,
+            time: names.needed_place("T", NEEDED)?,
+            x0: names.place("x0")?,
             names,
         })
     }
 
     /// The observation that `row` describes.
     pub fn observation(&self, row: &ByteRecord) -> Result<Observation, RowError> {
-        self.check_length(row)?;
-        let speed = self.speed_parameter.speed(self.number(row, self.speed)?)?;
-        let x0 = self.x0.map_or(Ok(0.0), |place| self.number(row, place))?;
-        let point = SourcePoint { x0, y: self.number(row, self.y)?, z: self.number(row, self.z)? };
-        let (separation, time) = (self.number(row, self.d)?, self.number(row, self.time)?);
-        Ok(Observation { speed, point, separation, time })
-    }
-
-    fn check_length(&self, row: &ByteRecord) -> Result<(), RowError> {
-        let (fields, columns) = (row.len(), self.names.len());
-        if fields < columns {
-            let column = legible(&self.names[fields]);
-            return Err(RowError::TooShort { fields, columns, column });
-        }
-        if fields > columns {
-            let value = legible(&row[columns]);
-            return Err(RowError::TooLong { fields, columns, value });
-        }
-        Ok(())
-    }
-
-    fn number(&self, row: &ByteRecord, place: usize) -> Result<f64, RowError> {
-        let fault = |problem| RowError::Value {
-            column: legible(&self.names[place]),
-            value: legible(&row[place]),
-            problem,
-        };
-        let text = row[place].trim_ascii();
-        if text.is_empty() {
-            return Err(fault("is empty; it should be a number"));
-        }
-        let number = std::str::from_utf8(text).ok().and_then(|text| text.parse::<f64>().ok());
-        match number {
-            Some(number) if number.is_finite() => Ok(number),
-            Some(_) => Err(fault("is not finite; it should be a number that a 64-bit float can hold")),
-            None => Err(fault("is not a number; it should be one such as 0.9 or 1e-3")),
-        }
+        self.names.check_length(row)?;
+        let number = |place| self.names.number(row, place);
+        let speed = self.speed_parameter.speed(number(self.speed)?)?;
+        let x0 = self.x0.map_or(Ok(0.0), number)?;
+        let point = SourcePoint { x0, y: number(self.y)?, z: number(self.z)? };
+        Ok(Observation { speed, point, separation: number(self.d)?, time: number(self.time)? })
     }
 }
 
-/// The place of the column `name`, blanks around it aside.
-fn place(names: &ByteRecord, name: &'static str) -> Result<Option<usize>, HeaderError> {
-    let mut places = (0..names.len()).filter(|&place| names[place].trim_ascii() == name.as_bytes());
-    let (first, second) = (places.next(), places.next());
-    match (first, second) {
-        (Some(first), Some(second)) => {
-            Err(HeaderError::Duplicate { name, first: first + 1, second: second + 1 })
-        }
-        _ => Ok(first),
-    }
-}
-
-fn needed_place(names: &ByteRecord, name: &'static str) -> Result<usize, HeaderError> {
-    place(names, name)?.ok_or_else(|| missing(names, name))
-}
-
-fn missing(names: &ByteRecord, name: &'static str) -> HeaderError {
-    let found = names.iter().map(legible).collect::<Vec<_>>().join(", ");
-    HeaderError::Missing { name, needed: NEEDED, found: shortened(&found, 120) }
-}
-
-fn speed_place(names: &ByteRecord) -> Result<(SpeedParameter, usize), HeaderError> {
+fn speed_place(names: &Names) -> Result<(SpeedParameter, usize), HeaderError> {
     let mut found = None;
     for parameter in SpeedParameter::ALL {
-        let Some(place) = place(names, parameter.name())? else { continue };
+        let Some(place) = names.place(parameter.name())? else { continue };
         if let Some((earlier, _)) = found.replace((parameter, place)) {
             return Err(HeaderError::TwoSpeeds(earlier.name(), parameter.name()));
         }
     }
-    found.ok_or_else(|| missing(names, "beta, gamma or rapidity"))
+    found.ok_or_else(|| names.missing("beta, gamma or rapidity", NEEDED))
 }
 
 /// A row that describes no observation.

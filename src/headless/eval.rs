@@ -1,8 +1,7 @@
 //! `gamow eval`: what both eyes see of the point in each row of a CSV file.
 
-use std::fs::File;
-use std::io::{self, Read, Write};
-use std::path::{Path, PathBuf};
+use std::io::{Read, Write};
+use std::path::PathBuf;
 
 use anyhow::Context as _;
 use clap::Args;
@@ -43,15 +42,7 @@ fn help() -> String {
 
 /// Runs `gamow eval`.
 pub fn run(args: &EvalArgs) -> anyhow::Result<()> {
-    let file = args.file.as_deref().filter(|file| *file != Path::new("-"));
-    let (name, input): (_, Box<dyn Read>) = match file {
-        None => ("standard input".to_owned(), Box::new(io::stdin().lock())),
-        Some(file) => {
-            let name = file.display().to_string();
-            let input = File::open(file).with_context(|| name.clone())?;
-            (name, Box::new(input))
-        }
-    };
+    let (name, input) = csv_in::open(args.file.as_deref())?;
     output::write_to(args.out.as_deref(), |out| evaluate(&name, input, args.model, out))
 }
 

@@ -8,6 +8,8 @@ mod csv_in;
 mod csv_out;
 pub mod curve;
 pub mod eval;
+pub mod fit;
 pub mod output;
+pub mod paper;
 mod passage;
 pub mod render;

@@ -5,9 +5,11 @@ use std::process::{Command, Stdio};
 use std::thread;
 
 mod errors;
+mod fit;
 mod garbage;
 mod help;
 mod numbers;
+mod paper;
 mod streams;
 
 /// What a run left behind.

@@ -49,16 +49,23 @@ pub mod aberration;
 pub mod apparent;
 pub mod batch;
 mod batch_error;
+pub mod bootstrap;
 mod cone_pair;
 pub mod disparity;
 pub mod domain;
 pub mod doppler;
+pub mod fit;
 pub mod published;
 mod real;
 pub mod speed;
 
 pub use apparent::{Aperture, Sighting, SourcePoint, sighting};
+pub use bootstrap::{Bootstrap, DEFAULT_REPLICATES, bootstrap};
 pub use disparity::{Disparity, disparities, disparity, equidistance_time};
 pub use domain::{DomainError, MAX_COORDINATE};
+pub use fit::{
+    Combined, Curves, Fit, FitError, FitModel, FitOptions, Observations, Parameter, Passage, Reading, Sample,
+    Simulation, combined, fit, fit_from,
+};
 pub use published::{PublishedVariant, printed_apparent_x, published_disparity};
 pub use speed::{MAX_GAMMA, Speed, SpeedError};

@@ -16,8 +16,18 @@ struct Frame {
     speed: vec4f,
     // 2^exposure, intensity exponent, log2 of the colour table's first wavelength, table entries per octave.
     light: vec4f,
-    // Camera x and y, height of the ground above the camera, whether there is a ground (1) or not (0).
+    // xyz: centre of the scene from the camera's event, rest frame; w: 1/(2 reach), reach being the
+    // greatest distance of any body's surface from that centre.
+    scene: vec4f,
+    // Camera x and y, height of the ground above the camera (far below if there is none), and
+    // the published model's aperture separation.
     ground: vec4f,
+    // Linear sRGB: horizon, zenith, ground, grid lines, axis lines.
+    backdrop: array<vec4f, 5>,
+    // Products with an apparent position give its clip coordinates x, y and w.
+    clip_right: vec4f,
+    clip_up: vec4f,
+    forward: vec4f,
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;
@@ -26,91 +36,77 @@ struct Frame {
 override GEOMETRY: u32 = 0u;
 
 struct Ray {
-    // Unit vector towards the source in the rest frame; the ray starts at the origin.
+    // Unit vector towards the source, in the ground frame.
+    sight: vec3f,
+    // 1/length of the unnormalised line of sight.
+    scale: f32,
+    // Unit vector towards the source in the rest frame.
     direction: vec3f,
-    // Its change from one pixel to the next, to the right and down.
-    along_u: vec3f,
-    along_v: vec3f,
     // Ground distance per rest-frame distance.
     ground_per_rest: f32,
     doppler: f32,
+    // Of the scene's centre: its moment about the ray, and its distance along it.
+    moment: vec3f,
+    to_centre: f32,
 }
 
-struct LineOfSight {
-    n: vec3f,
-    along_u: vec3f,
-    along_v: vec3f,
-}
-
-fn line_of_sight(pixel: vec2f) -> LineOfSight {
+// xyz: unit vector towards the source; w: 1/length of the unnormalised line of sight.
+fn line_of_sight(pixel: vec2f) -> vec4f {
     let offset = (pixel - frame.pole.xy) - frame.pole.zw;
     let unnormalised = frame.base.xyz + frame.right.xyz * offset.x + frame.down.xyz * offset.y;
     let scale = 1.0 / sqrt(dot(unnormalised, unnormalised));
-    let n = unnormalised * scale;
-    let along_u = (frame.right.xyz - n * dot(n, frame.right.xyz)) * scale;
-    let along_v = (frame.down.xyz - n * dot(n, frame.down.xyz)) * scale;
-    return LineOfSight(n, along_u, along_v);
-}
-
-// Aberration: n* = (n_x + beta, n_y/gamma, n_z/gamma)/(1 + beta n_x), D = 1/(gamma (1 + beta n_x)).
-fn seen_ray(sight: LineOfSight) -> Ray {
-    let n = sight.n;
-    let beta = frame.speed.x;
-    let gamma = frame.speed.w;
-    var numerator = n.x + beta;
-    var denominator = 1.0 + beta * n.x;
-    if n.x < 0.0 {
-        // 1 + n_x = (n_y^2 + n_z^2)/(1 - n_x): sums of positive terms where the printed forms cancel.
-        let one_plus_x = (n.y * n.y + n.z * n.z) / (1.0 - n.x);
-        numerator = one_plus_x - frame.speed.y;
-        denominator = frame.speed.y + beta * one_plus_x;
-    }
-    let doppler = frame.speed.z / denominator;
-    let direction = vec3f(numerator / denominator, n.y * doppler, n.z * doppler);
-    return Ray(
-        direction,
-        aberrated_change(direction, doppler, beta * gamma, sight.along_u),
-        aberrated_change(direction, doppler, beta * gamma, sight.along_v),
-        doppler,
-        doppler,
-    );
-}
-
-// The differential of aberration; conformal, with scale D.
-fn aberrated_change(direction: vec3f, doppler: f32, beta_gamma: f32, change: vec3f) -> vec3f {
-    let transverse = doppler * (change.yz - beta_gamma * direction.yz * change.x);
-    return vec3f(doppler * doppler * change.x, transverse);
-}
-
-// The contracted body stretched back to its rest shape, and the rays with it.
-fn contracted_ray(sight: LineOfSight) -> Ray {
-    let stretch = vec3f(frame.speed.w, 1.0, 1.0);
-    let stretched = sight.n * stretch;
-    let ground_per_rest = 1.0 / sqrt(dot(stretched, stretched));
-    let direction = stretched * ground_per_rest;
-    let u = sight.along_u * stretch * ground_per_rest;
-    let v = sight.along_v * stretch * ground_per_rest;
-    return Ray(
-        direction,
-        u - direction * dot(direction, u),
-        v - direction * dot(direction, v),
-        ground_per_rest,
-        1.0,
-    );
+    return vec4f(unnormalised * scale, scale);
 }
 
 fn rest_ray(pixel: vec2f) -> Ray {
     let sight = line_of_sight(pixel);
+    let n = sight.xyz;
+    var direction = n;
+    var ground_per_rest = 1.0;
+    var doppler = 1.0;
     if GEOMETRY == 0u {
-        return seen_ray(sight);
+        // Aberration: n* = (n_x + beta, n_y/gamma, n_z/gamma)/(1 + beta n_x), D = 1/(gamma (1 + beta n_x)),
+        // from 1 + n_x = (n_y^2 + n_z^2)/(1 - n_x) where the printed forms cancel.
+        let transverse_squared = n.y * n.y + n.z * n.z;
+        let one_plus_x = select(1.0 + n.x, transverse_squared / (1.0 - n.x), n.x < 0.0);
+        let reciprocal = 1.0 / (frame.speed.y + frame.speed.x * one_plus_x);
+        doppler = frame.speed.z * reciprocal;
+        direction = vec3f((one_plus_x - frame.speed.y) * reciprocal, n.yz * doppler);
+        ground_per_rest = doppler;
+    } else if GEOMETRY == 1u {
+        // The contracted body stretched back to its rest shape, and the ray with it.
+        let stretched = vec3f(n.x * frame.speed.w, n.yz);
+        ground_per_rest = 1.0 / sqrt(dot(stretched, stretched));
+        direction = stretched * ground_per_rest;
     }
-    if GEOMETRY == 1u {
-        return contracted_ray(sight);
-    }
-    return Ray(sight.n, sight.along_u, sight.along_v, 1.0, 1.0);
+    let centre = frame.scene.xyz;
+    let moment = cross(centre, direction);
+    return Ray(n, sight.w, direction, ground_per_rest, doppler, moment, dot(centre, direction));
 }
 
-// Depth of a ground distance: 1 at the camera, 0 at infinity, with f32's relative resolution all the way.
-fn depth(ground_distance: f32) -> f32 {
-    return 1.0 / (1.0 + max(ground_distance, 0.0));
+// How far the ray's direction (rest frame) moves along the unit vector `across`, perpendicular to it, from
+// one pixel to the next, to the right and down.
+fn movement(ray: Ray, across: vec3f) -> vec2f {
+    var ground = across;
+    if GEOMETRY == 0u {
+        // The transpose of the differential of aberration, which is conformal with scale D.
+        let along = frame.speed.x * frame.speed.w * dot(across.yz, ray.direction.yz);
+        ground = ray.doppler * vec3f(ray.doppler * across.x - along, across.yz);
+    } else if GEOMETRY == 1u {
+        ground = vec3f(across.x * frame.speed.w, across.yz) * ray.ground_per_rest;
+    }
+    let turned = (ground - ray.sight * dot(ray.sight, ground)) * ray.scale;
+    return vec2f(dot(turned, frame.right.xyz), dot(turned, frame.down.xyz));
+}
+
+// Where the ray comes closest to `anchor` (from the scene's centre), from there. The double cross product
+// keeps its digits however far the camera is; |c|^2 - (c.n)^2 would not.
+fn nearest_to(anchor: vec3f, ray: Ray) -> vec3f {
+    return -cross(ray.direction, ray.moment + cross(anchor, ray.direction));
+}
+
+// Depth of what lies `beyond` the scene's centre along a ray: 1 is nearest. Measured from the centre,
+// since distances from a camera far away in the rest frame differ by less than f32 resolves.
+fn depth(beyond: f32) -> f32 {
+    return 0.5 - beyond * frame.scene.w;
 }

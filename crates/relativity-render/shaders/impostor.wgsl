@@ -8,7 +8,7 @@ struct Instance {
     @location(0) place: vec4f,
     // Second half axis, number of the body, rest wavelength in nm.
     @location(1) second_axis_index_wavelength: vec4f,
-    // Anchor relative to the camera's event in the rest frame, and the radius.
+    // Anchor from the scene's centre in the rest frame, and the radius.
     @location(2) anchor_radius: vec4f,
     // Unit axis and extent along it (tube) or radius of the middle circle (ring).
     @location(3) axis_extent: vec4f,
@@ -36,8 +36,8 @@ struct Surface {
     clearance: f32,
     // Unit vector from the body to the ray where they come closest: across the outline.
     outward: vec3f,
-    // Rest-frame distance along the ray.
-    distance: f32,
+    // Rest-frame distance along the ray beyond the scene's centre.
+    beyond: f32,
     // The point, from the anchor.
     place: vec3f,
     normal: vec3f,
@@ -81,8 +81,8 @@ fn picture(fragment: Fragment) -> Picture {
     let body = body_of(fragment);
     let hit = surface(body, ray);
     // How fast the ray moves across the outline from pixel to pixel.
-    let reach = max(hit.distance, 0.0);
-    let gradient = -reach * vec2f(dot(hit.outward, ray.along_u), dot(hit.outward, ray.along_v));
+    let distance = ray.to_centre + hit.beyond;
+    let gradient = -max(distance, 0.0) * movement(ray, hit.outward);
     var clearance = hit.clearance;
     var alpha = 1.0;
     if THIN {
@@ -92,7 +92,8 @@ fn picture(fragment: Fragment) -> Picture {
     }
     let inside = vec4f(clearance) + gradient.x * SAMPLE_U + gradient.y * SAMPLE_V > vec4f(0.0);
     let samples = dot(select(vec4u(0u), vec4u(1u, 2u, 4u, 8u), inside), vec4u(1u));
-    if samples == 0u || !(hit.distance > 0.0) {
+    let height = frame.scene.z + body.anchor.z + hit.place.z;
+    if samples == 0u || distance <= 0.0 || height < frame.ground.z {
         discard;
     }
     let colour = received_colour(
@@ -101,7 +102,7 @@ fn picture(fragment: Fragment) -> Picture {
         ray.doppler,
         hit.normal,
     );
-    return Picture(vec4f(colour * alpha, alpha), depth(hit.distance * ray.ground_per_rest), samples);
+    return Picture(vec4f(colour * alpha, alpha), depth(hit.beyond), samples);
 }
 
 struct Hit {
@@ -116,13 +117,13 @@ struct Hit {
 fn hits(fragment: Fragment) -> Hit {
     let ray = rest_ray(fragment.position.xy);
     let hit = surface(body_of(fragment), ray);
-    if !(hit.clearance > 0.0) || !(hit.distance > 0.0) {
+    let distance = ray.to_centre + hit.beyond;
+    if hit.clearance <= 0.0 || distance <= 0.0 {
         discard;
     }
-    let ground_distance = hit.distance * ray.ground_per_rest;
     return Hit(
-        vec4f(fragment.index, ground_distance, ray.doppler, 1.0),
+        vec4f(fragment.index, distance * ray.ground_per_rest, ray.doppler, 1.0),
         vec4f(hit.place, 0.0),
-        depth(ground_distance),
+        depth(hit.beyond),
     );
 }

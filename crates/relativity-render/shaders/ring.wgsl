@@ -5,7 +5,8 @@
 // F, and stepping to its first root never passes a root of F and converges quadratically. Where the
 // parabola has no root, the ray is proved to miss. Quartic solvers lose the outline in f32; this does not.
 
-const MAX_STEPS = 24;
+// Reached only where the ray grazes within rounding.
+const MAX_STEPS = 16;
 
 struct Course {
     // rho^2 = a s^2 + 2 b s + c, z = height + s slope.
@@ -36,104 +37,101 @@ fn torus_at(course: Course, body: Body, s: f32) -> Torus {
     );
 }
 
+struct Search {
+    found: bool,
+    // Where F was least so far, and that F.
+    s: f32,
+    value: f32,
+}
+
+// The first root of F in [start, end], where F'' is at least `curvature`.
+fn entry(body: Body, course: Course, curvature: f32, start: f32, end: f32, before: Search) -> Search {
+    var search = before;
+    var s = start;
+    for (var i = 0; i < MAX_STEPS; i++) {
+        if s > end {
+            break;
+        }
+        let at = torus_at(course, body, s);
+        if at.value <= 1e-6 * body.extent * body.radius {
+            return Search(true, s, at.value);
+        }
+        search = nearer(search, s, at.value);
+        let discriminant = at.first * at.first - 2.0 * curvature * at.value;
+        let divisor = sqrt(max(discriminant, 0.0)) - at.first;
+        if discriminant < 0.0 || divisor <= 0.0 {
+            break;
+        }
+        s += 2.0 * at.value / divisor;
+    }
+    return search;
+}
+
 fn surface(body: Body, ray: Ray) -> Surface {
     let n = ray.direction;
-    let nearest = -cross(n, cross(body.anchor, n));
-    let middle = dot(body.anchor, n);
+    let nearest = nearest_to(body.anchor, ray);
     let height = dot(nearest, body.axis);
     let slope = dot(n, body.axis);
     let start = nearest - body.axis * height;
     let flat_direction = n - body.axis * slope;
-    let course = Course(
-        max(dot(flat_direction, flat_direction), 1e-12),
-        dot(start, flat_direction),
-        dot(start, start),
-        height,
-        slope,
-    );
-    // Widened by about a pixel, so that the neighbourhood of the outline is searched too.
-    let margin = abs(middle) * sqrt(max(dot(ray.along_u, ray.along_u), dot(ray.along_v, ray.along_v)));
-    let widened = body.radius + margin;
+    let a = max(dot(flat_direction, flat_direction), 1e-12);
+    let course = Course(a, dot(start, flat_direction), dot(start, start), height, slope);
     let lateral = cross(start, flat_direction);
-    let closest_squared = dot(lateral, lateral) / course.a;
+    let closest_squared = dot(lateral, lateral) / a;
 
-    let outer = body.extent + widened;
-    let inner = max(body.extent - widened, 0.25 * body.extent);
-    let outer_half = sqrt(max(outer * outer - closest_squared, 0.0) / course.a);
-    let inner_half = sqrt(max(inner * inner - closest_squared, 0.0) / course.a);
-    let turn = -course.b / course.a;
+    // The torus lies between two cylinders and two planes.
+    let outer = body.extent + body.radius;
+    let inner = body.extent - body.radius;
+    let outer_half = sqrt(max(outer * outer - closest_squared, 0.0) / a);
+    let inner_half = sqrt(max(inner * inner - closest_squared, 0.0) / a);
+    let turn = -course.b / a;
     let steep = select(-1.0, 1.0, slope >= 0.0) / max(abs(slope), 1e-12);
-    let slab_middle = -height * steep;
-    let slab_half = widened * abs(steep);
-    let first = max(turn - outer_half, slab_middle - slab_half);
-    let last = min(turn + outer_half, slab_middle + slab_half);
+    let level = -height * steep;
+    let first = max(turn - outer_half, level - body.radius * abs(steep));
+    let last = min(turn + outer_half, level + body.radius * abs(steep));
     // rho'' = a rho_closest^2/rho^3, at most this where the torus is.
     let least = max(sqrt(closest_squared), inner);
-    let curvature = 2.0 - 2.0 * body.extent * course.a * closest_squared / (least * least * least);
+    let curvature = 2.0 - 2.0 * body.extent * a * closest_squared / (least * least * least);
 
-    var s = first;
-    var best = 1e30;
-    var best_s = first;
-    var in_front = true;
-    var found = false;
+    var search = Search(false, turn, torus_at(course, body, turn).value);
     if outer * outer > closest_squared && first < last {
-        for (var i = 0; i < MAX_STEPS; i++) {
-            if in_front && s > turn - inner_half {
-                // Through the hole: nothing there.
-                in_front = false;
-                s = max(s, turn + inner_half);
-            }
-            if s > last {
-                break;
-            }
-            let at = torus_at(course, body, s);
-            if at.value < best {
-                best = at.value;
-                best_s = s;
-            }
-            if at.value <= 1e-6 * body.extent * body.radius {
-                found = true;
-                break;
-            }
-            let discriminant = at.first * at.first - 2.0 * curvature * at.value;
-            let divisor = sqrt(max(discriminant, 0.0)) - at.first;
-            if discriminant < 0.0 || divisor <= 0.0 {
-                if !in_front || inner_half <= 0.0 {
-                    break;
-                }
-                in_front = false;
-                s = max(turn + inner_half, first);
-                continue;
-            }
-            s += 2.0 * at.value / divisor;
+        search = entry(body, course, curvature, first, min(last, turn - inner_half), search);
+        // Nothing is in the hole, and the bound on rho'' does not hold there.
+        if !search.found {
+            search = entry(body, course, curvature, max(first, turn + inner_half), last, search);
         }
     }
+    if !search.found {
+        search = nearer(search, level, torus_at(course, body, level).value);
+    }
     // How deep inside the outline: the least F of this passage.
-    var deepest_s = best_s;
+    var deepest = Search(search.found, search.s, search.value);
     for (var i = 0; i < 3; i++) {
-        let at = torus_at(course, body, deepest_s);
-        deepest_s -= at.first / max(at.second, 0.5);
+        let at = torus_at(course, body, deepest.s);
+        deepest.s -= at.first / max(at.second, 0.5);
     }
-    deepest_s = clamp(deepest_s, first, max(first, last));
-    let deepest = min(torus_at(course, body, deepest_s).value, best);
-    let miss = sqrt(max(deepest + body.radius * body.radius, 0.0));
-    var clearance = body.radius - miss;
-    if !found {
-        clearance = min(clearance, 0.0);
-    } else {
-        clearance = max(clearance, 1e-30);
-    }
-    if best > 1e29 {
-        clearance = -1e30;
-    }
-    let place = nearest + n * best_s;
+    deepest = nearer(search, deepest.s, torus_at(course, body, deepest.s).value);
+    let miss = sqrt(max(deepest.value + body.radius * body.radius, 0.0));
+    let clearance = select(
+        min(body.radius - miss, 0.0),
+        max(body.radius - miss, 1e-6 * body.radius),
+        search.found,
+    );
+    let place = nearest + n * search.s;
     return Surface(
         clearance,
-        torus_normal(nearest + n * deepest_s, body),
-        middle + best_s,
+        torus_normal(nearest + n * deepest.s, body),
+        dot(body.anchor, n) + search.s,
         place,
         torus_normal(place, body),
     );
+}
+
+fn nearer(search: Search, s: f32, value: f32) -> Search {
+    if value < search.value {
+        return Search(search.found, s, value);
+    }
+    return search;
 }
 
 // From the nearest point of the middle circle, towards `place`.

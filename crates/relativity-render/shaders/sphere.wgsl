@@ -2,9 +2,7 @@
 
 fn surface(body: Body, ray: Ray) -> Surface {
     let n = ray.direction;
-    // Where the ray comes closest, from the centre. The double cross product keeps its digits however
-    // far the camera is; |c|^2 - (c.n)^2 would not.
-    let nearest = -cross(n, cross(body.anchor, n));
+    let nearest = nearest_to(body.anchor, ray);
     let miss = sqrt(dot(nearest, nearest));
     let half_chord = sqrt(max((body.radius - miss) * (body.radius + miss), 0.0));
     let outward = nearest / max(miss, 1e-30);

@@ -4,7 +4,7 @@ fn surface(body: Body, ray: Ray) -> Surface {
     let n = ray.direction;
     let axis = body.axis;
     // The ray is nearest + s n, from the middle, with nearest perpendicular to n.
-    let nearest = -cross(n, cross(body.anchor, n));
+    let nearest = nearest_to(body.anchor, ray);
     let cosine = dot(axis, n);
     let across = cross(axis, n);
     let sine = max(sqrt(dot(across, across)), 1e-9);

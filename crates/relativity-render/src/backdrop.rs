@@ -12,7 +12,7 @@ use crate::view::Appearance;
 /// Half the width of the grid's lines, one per unit of length along x and along y.
 const LINE_HALF_WIDTH: f64 = 0.012;
 /// Half the width of the two lines through the origin.
-const AXIS_HALF_WIDTH: f64 = 0.03;
+const AXIS_HALF_WIDTH: f64 = 0.02;
 
 /// Linear sRGB colours of a backdrop.
 #[derive(Debug, Clone, Copy)]
@@ -21,30 +21,33 @@ struct Palette {
     horizon: [f64; 3],
     zenith: [f64; 3],
     earth: [f64; 3],
-    ink: [f64; 3],
+    grid_line: [f64; 3],
+    axis_line: [f64; 3],
 }
 
+// Dusk, not night: what is shifted out of the visible is black, and must stand out.
 const DARK: Palette = Palette {
-    plain: [0.0060, 0.0070, 0.0100],
-    horizon: [0.0240, 0.0300, 0.0470],
-    zenith: [0.0052, 0.0072, 0.0150],
-    earth: [0.0085, 0.0100, 0.0135],
-    ink: [0.085, 0.105, 0.140],
+    plain: [0.055, 0.062, 0.075],
+    horizon: [0.190, 0.225, 0.275],
+    zenith: [0.045, 0.062, 0.105],
+    earth: [0.050, 0.056, 0.066],
+    grid_line: [0.145, 0.165, 0.195],
+    axis_line: [0.270, 0.305, 0.350],
 };
 
 const LIGHT: Palette = Palette {
-    plain: [0.88, 0.89, 0.91],
-    horizon: [0.83, 0.87, 0.91],
-    zenith: [0.50, 0.63, 0.80],
-    earth: [0.66, 0.69, 0.72],
-    ink: [0.26, 0.31, 0.38],
+    plain: [0.880, 0.890, 0.910],
+    horizon: [0.860, 0.890, 0.920],
+    zenith: [0.480, 0.620, 0.800],
+    earth: [0.640, 0.665, 0.680],
+    grid_line: [0.400, 0.430, 0.460],
+    axis_line: [0.190, 0.220, 0.260],
 };
 
 /// The backdrop of one camera's picture.
 #[derive(Debug, Clone, Copy)]
 pub struct Backdrop {
     palette: Palette,
-    sky: bool,
     aperture: DVec2,
     /// Height of the ground from the aperture, below 0: ground above the eye would hide everything.
     ground: Option<f64>,
@@ -58,8 +61,7 @@ impl Backdrop {
     pub fn new(camera: &Camera, appearance: &Appearance) -> Self {
         let aperture = camera.aperture;
         Self {
-            palette: if appearance.light { LIGHT } else { DARK },
-            sky: appearance.sky,
+            palette: palette(appearance),
             aperture: DVec2::new(aperture.x, aperture.y),
             ground: appearance.ground_z.map(|z| z - aperture.z).filter(|z| *z < 0.0),
             axes: camera.gaze.axes(),
@@ -67,12 +69,22 @@ impl Backdrop {
         }
     }
 
+    /// Linear sRGB of the horizon, the zenith, the ground, the grid's lines and the axes.
+    #[must_use]
+    pub fn colours(&self) -> [[f64; 3]; 5] {
+        let Palette { horizon, zenith, earth, grid_line, axis_line, .. } = self.palette;
+        [horizon, zenith, earth, grid_line, axis_line]
+    }
+
+    /// Height of the ground from the aperture, below 0; `None` if there is none to be seen.
+    #[must_use]
+    pub fn ground_height(&self) -> Option<f64> {
+        self.ground
+    }
+
     /// Linear sRGB of the sky along `line_of_sight` (unit vector).
     #[must_use]
     pub fn sky(&self, line_of_sight: DVec3) -> [f64; 3] {
-        if !self.sky {
-            return self.palette.plain;
-        }
         let nearness = 1.0 - (1.4 * line_of_sight.z.abs()).min(1.0);
         mix(self.palette.zenith, self.palette.horizon, nearness * nearness)
     }
@@ -97,10 +109,19 @@ impl Backdrop {
         let pixel = DVec2::new(right.x.hypot(down.x), right.y.hypot(down.y));
         let grid = grid_cover(foot.x, pixel.x).max(grid_cover(foot.y, pixel.y));
         let axes = axis_cover(foot.x, pixel.x).max(axis_cover(foot.y, pixel.y));
-        let Palette { earth, ink, .. } = self.palette;
-        let painted = mix(mix(earth, ink, 0.55 * grid), ink.map(|part| 1.5 * part), axes);
+        let Palette { earth, grid_line, axis_line, .. } = self.palette;
+        let painted = mix(mix(earth, grid_line, grid), axis_line, axes);
         mix(self.sky(n), painted, 1.0 / (1.0 + 0.0025 * distance * distance))
     }
+}
+
+/// The colours for `appearance`; where the sky is plain, it has one colour.
+fn palette(appearance: &Appearance) -> Palette {
+    let palette = if appearance.light { LIGHT } else { DARK };
+    if appearance.sky {
+        return palette;
+    }
+    Palette { horizon: palette.plain, zenith: palette.plain, ..palette }
 }
 
 /// Share of a pixel, `pixel` wide on the ground, that the lines at whole numbers cover. A line thinner than a

@@ -59,7 +59,8 @@ impl Cone {
     /// The ground's cone of this rest-frame cone of half-angle up to pi/2.
     ///
     /// In the plane through `axis` and x the cone ends at the angles psi +- `half_angle` from x, and
-    /// aberration scales tan(psi/2). Angles count from the end of the x axis that is nearer, so that none reaches pi.
+    /// aberration scales tan(psi/2). Angles count from the end of the x axis that is nearer, so that none
+    /// reaches pi.
     fn seen_from_ground(self, view: &View) -> Self {
         if self.half_angle >= PI {
             return self;

@@ -1,9 +1,12 @@
 //! What the shaders know of one aperture's picture: the uniform block, rounded once from f64.
 
 use bytemuck::{Pod, Zeroable};
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec3};
 
+use crate::backdrop::Backdrop;
+use crate::body::Body;
 use crate::camera::{Axes, Camera};
+use crate::intersect::Solid;
 use crate::palette;
 use crate::view::{Appearance, View};
 
@@ -11,19 +14,56 @@ use crate::view::{Appearance, View};
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Frame {
-    base: [f32; 4],
-    right: [f32; 4],
-    down: [f32; 4],
-    pole: [f32; 4],
-    speed: [f32; 4],
-    light: [f32; 4],
-    ground: [f32; 4],
+    pub base: [f32; 4],
+    pub right: [f32; 4],
+    pub down: [f32; 4],
+    pub pole: [f32; 4],
+    pub speed: [f32; 4],
+    pub light: [f32; 4],
+    pub scene: [f32; 4],
+    pub ground: [f32; 4],
+    pub backdrop: [[f32; 4]; 5],
+    pub clip_right: [f32; 4],
+    pub clip_up: [f32; 4],
+    pub forward: [f32; 4],
+}
+
+/// Where the bodies are as a whole, in the rest frame.
+///
+/// They are placed from a centre rounded to f32, whose rounding their places make up for: so bodies keep
+/// their places among each other however far the camera is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Extent {
+    /// From the camera's event.
+    pub centre_from_camera: Vec3,
+    /// The same place in the rest frame.
+    pub centre: DVec3,
+    /// Greatest distance of any surface from there, with room for rounding.
+    pub reach: f64,
+}
+
+impl Extent {
+    pub fn new(bodies: &[Body], origin: DVec3) -> Self {
+        let bounds = bodies.iter().map(|body| {
+            let solid = Solid::new(&body.shape);
+            [-1.0, 1.0].map(|side| solid.center() + side * solid.bounding_radius())
+        });
+        let [low, high]: [DVec3; 2] = bounds
+            .reduce(|[low, high], [from, to]| [low.min(from), high.max(to)])
+            .unwrap_or([DVec3::ZERO, DVec3::ONE]);
+        let centre_from_camera = (0.5 * (low + high) - origin).as_vec3();
+        let centre = origin + centre_from_camera.as_dvec3();
+        let reach = 1.001 * (0.5 * (high - low)).length() + (centre - 0.5 * (low + high)).length();
+        Self { centre_from_camera, centre, reach }
+    }
 }
 
 impl Frame {
-    pub fn new(view: &View, appearance: &Appearance) -> Self {
+    pub fn new(view: &View, appearance: &Appearance, extent: &Extent) -> Self {
         let camera = &view.camera;
-        let Axes { right, up, .. } = camera.gaze.axes();
+        let Axes { right, up, forward } = camera.gaze.axes();
+        let [width, height] = camera.size.map(f64::from);
+        let to_clip = 2.0 * camera.focal_length_px();
         let per_px = 1.0 / camera.focal_length_px();
         let (pole, base) = pole(camera);
         let speed = &view.speed;
@@ -31,8 +71,8 @@ impl Frame {
         let exposure = appearance.exposure_ev.exp2();
         let exponent = appearance.intensity_exponent.unwrap_or(0.0);
         let aperture = camera.aperture;
-        let has_ground = f64::from(u8::from(appearance.ground_z.is_some()));
-        let ground = appearance.ground_z.unwrap_or(0.0) - aperture.z;
+        let backdrop = Backdrop::new(camera, appearance);
+        let ground = backdrop.ground_height().unwrap_or(f64::from(f32::MIN));
         let coarse = pole.as_vec2();
         let fine = (pole - coarse.as_dvec2()).as_vec2();
         Self {
@@ -43,8 +83,18 @@ impl Frame {
             speed: [speed.beta(), speed.one_minus_beta(), 1.0 / speed.gamma(), speed.gamma()]
                 .map(|v| v as f32),
             light: [exposure, exponent, first, per_octave].map(|v| v as f32),
-            ground: [aperture.x, aperture.y, ground, has_ground].map(|v| v as f32),
+            scene: extent.centre_from_camera.extend((0.5 / extent.reach) as f32).to_array(),
+            ground: [aperture.x, aperture.y, ground, view.published_separation()].map(|v| v as f32),
+            backdrop: backdrop.colours().map(|colour| vector(colour.into())),
+            clip_right: vector(right * (to_clip / width)),
+            clip_up: vector(up * (to_clip / height)),
+            forward: vector(forward),
         }
+    }
+
+    /// Whether there is ground to be seen.
+    pub fn has_ground(&self) -> bool {
+        self.ground[2] > f32::MIN
     }
 }
 

@@ -30,7 +30,6 @@ pub struct Gpu {
     pub(crate) device: wgpu::Device,
     pub(crate) queue: wgpu::Queue,
     info: wgpu::AdapterInfo,
-    downlevel: wgpu::DownlevelFlags,
 }
 
 impl Gpu {
@@ -45,15 +44,13 @@ impl Gpu {
 
     async fn headless_device() -> Result<Self, GpuError> {
         let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
+        let options = wgpu::RequestAdapterOptions {
+            power_preference: wgpu::PowerPreference::HighPerformance,
+            ..Default::default()
+        };
         let adapter = match wgpu::util::initialize_adapter_from_env(&instance, None).await {
-            Ok(adapter) => adapter,
-            Err(_) => {
-                let options = wgpu::RequestAdapterOptions {
-                    power_preference: wgpu::PowerPreference::HighPerformance,
-                    ..Default::default()
-                };
-                instance.request_adapter(&options).await.map_err(|_| GpuError::NoAdapter)?
-            }
+            Err(_) => instance.request_adapter(&options).await.map_err(|_| GpuError::NoAdapter)?,
+            Ok(chosen) => chosen,
         };
         let (device, queue) = adapter
             .request_device(&wgpu::DeviceDescriptor {
@@ -72,8 +69,7 @@ impl Gpu {
     /// Shares the device of a window.
     #[must_use]
     pub fn from_device(adapter: &wgpu::Adapter, device: wgpu::Device, queue: wgpu::Queue) -> Self {
-        let downlevel = adapter.get_downlevel_capabilities().flags;
-        Self { device, queue, info: adapter.get_info(), downlevel }
+        Self { device, queue, info: adapter.get_info() }
     }
 
     /// What the device is, e.g. "llvmpipe (Vulkan)".
@@ -88,8 +84,10 @@ impl Gpu {
         self.info.device_type == wgpu::DeviceType::Cpu
     }
 
-    /// Whether a texture can be seen both as sRGB-encoded and as plain numbers.
-    pub(crate) fn has_view_formats(&self) -> bool {
-        self.downlevel.contains(wgpu::DownlevelFlags::VIEW_FORMATS)
+    pub(crate) fn shader(&self, label: &str, source: &'static str) -> wgpu::ShaderModule {
+        self.device.create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some(label),
+            source: wgpu::ShaderSource::Wgsl(source.into()),
+        })
     }
 }

@@ -1,9 +1,9 @@
 //! Where a straight ray enters a body, in the rest frame and in f64.
 //!
-//! A camera may be a million units away (at gamma = 1e6, one unit before the event), so every test
-//! first moves the ray's start to the point nearest to the body's centre, component by component: the rounding
-//! of the far start then lies along the ray, and what is left has the size of the body. Only
-//! entries count: an aperture inside a body does not see that body's inner surface.
+//! A camera may be a million units away (at gamma = 1e6, one unit before the event), so every test first
+//! moves the ray's start to the point nearest to the body's centre, component by component: the rounding
+//! of the far start then lies along the ray, and what is left has the size of the body. Only entries
+//! count: an aperture inside a body does not see that body's inner surface.
 
 use glam::DVec3;
 
@@ -91,7 +91,7 @@ impl Solid {
     /// # Accuracy
     ///
     /// `tests/reference_intersect.rs`: the position lies on the surface within 1e-14 of the body's size, for
-    /// cameras up to 1e6 sizes away and down to grazing incidence.
+    /// cameras up to 1e9 sizes away and down to grazing incidence.
     #[must_use]
     pub fn entry(&self, origin: DVec3, direction: DVec3) -> Option<Entry> {
         let to_nearest = direction.dot(self.center - origin);

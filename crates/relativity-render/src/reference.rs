@@ -20,7 +20,7 @@ use crate::cone::Cone;
 use crate::intersect::Solid;
 use crate::picture::{Picture, encoded};
 use crate::shade::surface_colour;
-use crate::tiles::{Tile, tiles};
+use crate::tiles::{TILE_SIDE, bands};
 use crate::view::{Appearance, View};
 
 /// What one ray meets.
@@ -35,8 +35,8 @@ pub struct Hit {
     /// From the aperture to the event of emission in the ground frame (in the rest frame for
     /// [`Geometry::Rest`](crate::Geometry::Rest)).
     pub distance: f64,
-    /// Ground time of emission; the observation time itself for [`Geometry::Contracted`](crate::Geometry::Contracted), whose light is
-    /// instantaneous.
+    /// Ground time of emission; the observation time itself for
+    /// [`Geometry::Contracted`](crate::Geometry::Contracted), whose light is instantaneous.
     pub emission_time: f64,
     /// Doppler factor, 1 unless the geometry is [`Geometry::Seen`](crate::Geometry::Seen).
     pub doppler_factor: f64,
@@ -161,17 +161,17 @@ impl ReferenceScene {
     ) -> Vec<T> {
         let cone = |solid: &Solid| Cone::of_sight(view, solid.center(), solid.bounding_radius());
         let cones: Vec<_> = self.solids.iter().map(cone).collect();
-        let tiles = tiles(&view.camera, &cones).into_par_iter();
-        let blocks: Vec<(Tile, Vec<T>)> = tiles
-            .map(|(tile, bodies)| (tile, tile.pixels().map(|pixel| value(&bodies, pixel)).collect()))
-            .collect();
+        let bands = bands(&view.camera, &cones);
         let [width, height] = view.camera.size.map(|side| side as usize);
         let mut image = vec![T::default(); width * height];
-        for (tile, block) in blocks {
-            for ([u, v], value) in tile.pixels().zip(block) {
-                image[v as usize * width + u as usize] = value;
+        let rows = image.par_chunks_mut((width * TILE_SIDE as usize).max(1));
+        rows.zip(bands).for_each(|(rows, band)| {
+            for (tile, bodies) in band {
+                for [u, v] in tile.pixels() {
+                    rows[(v % TILE_SIDE) as usize * width + u as usize] = value(&bodies, [u, v]);
+                }
             }
-        }
+        });
         image
     }
 }

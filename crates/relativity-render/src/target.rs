@@ -1,5 +1,6 @@
 //! Where a picture is drawn: an off-screen texture per eye, and its readback.
 
+use crate::canvas;
 use crate::gpu::{Gpu, GpuError};
 
 /// Samples per pixel of a picture.
@@ -14,14 +15,14 @@ pub(crate) const MEASURES_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgb
 #[derive(Debug)]
 pub struct EyeTarget {
     size: [u32; 2],
-    /// The finished picture, numbers sRGB-encoded.
-    pub(crate) picture: wgpu::Texture,
-    picture_view: wgpu::TextureView,
-    /// Where samples are resolved to, as linear light.
-    pub(crate) resolved: wgpu::TextureView,
+    picture: wgpu::Texture,
+    view: wgpu::TextureView,
+    /// The bodies alone, premultiplied by coverage, in linear light.
+    pub(crate) bodies: wgpu::TextureView,
     pub(crate) samples: wgpu::TextureView,
     pub(crate) depth: wgpu::TextureView,
-    pub(crate) instances: crate::exact::InstanceBuffers,
+    pub(crate) frame: wgpu::Buffer,
+    pub(crate) vertices: wgpu::Buffer,
 }
 
 impl EyeTarget {
@@ -31,32 +32,22 @@ impl EyeTarget {
         use wgpu::TextureUsages as Usage;
         let limit = gpu.device.limits().max_texture_dimension_2d;
         let size = size.map(|v| v.clamp(1, limit));
-        let picture = texture(
-            gpu,
-            "picture",
-            size,
-            1,
-            ENCODED_FORMAT,
-            Usage::RENDER_ATTACHMENT | Usage::TEXTURE_BINDING | Usage::COPY_SRC,
-            &[LINEAR_FORMAT],
-        );
-        let resolved = picture.create_view(&wgpu::TextureViewDescriptor {
-            format: Some(LINEAR_FORMAT),
-            usage: Some(Usage::RENDER_ATTACHMENT),
-            ..Default::default()
-        });
-        let attachment = |label, format| {
-            texture(gpu, label, size, SAMPLES, format, Usage::RENDER_ATTACHMENT, &[])
-                .create_view(&wgpu::TextureViewDescriptor::default())
+        let whole = wgpu::TextureViewDescriptor::default();
+        let layer = |label, samples, format, usage| {
+            let usage = Usage::RENDER_ATTACHMENT | usage;
+            texture(gpu, label, size, samples, format, usage)
         };
+        let readable = Usage::TEXTURE_BINDING | Usage::COPY_SRC;
+        let picture = layer("picture", 1, ENCODED_FORMAT, readable);
         Self {
             size,
-            picture_view: picture.create_view(&wgpu::TextureViewDescriptor::default()),
+            view: picture.create_view(&whole),
             picture,
-            resolved,
-            samples: attachment("samples", LINEAR_FORMAT),
-            depth: attachment("depth", DEPTH_FORMAT),
-            instances: crate::exact::InstanceBuffers::new(gpu),
+            bodies: layer("bodies", 1, LINEAR_FORMAT, Usage::TEXTURE_BINDING).create_view(&whole),
+            samples: layer("samples", SAMPLES, LINEAR_FORMAT, Usage::empty()).create_view(&whole),
+            depth: layer("depth", SAMPLES, DEPTH_FORMAT, Usage::empty()).create_view(&whole),
+            frame: canvas::frame_buffer(gpu),
+            vertices: canvas::vertex_buffer(gpu, 0),
         }
     }
 
@@ -69,7 +60,7 @@ impl EyeTarget {
     /// The picture, sRGB-encoded.
     #[must_use]
     pub fn view(&self) -> &wgpu::TextureView {
-        &self.picture_view
+        &self.view
     }
 
     /// The picture as RGBA bytes, sRGB-encoded, rows from the top.
@@ -89,7 +80,6 @@ pub(crate) fn texture(
     sample_count: u32,
     format: wgpu::TextureFormat,
     usage: wgpu::TextureUsages,
-    view_formats: &[wgpu::TextureFormat],
 ) -> wgpu::Texture {
     gpu.device.create_texture(&wgpu::TextureDescriptor {
         label: Some(label),
@@ -99,7 +89,7 @@ pub(crate) fn texture(
         dimension: wgpu::TextureDimension::D2,
         format,
         usage,
-        view_formats,
+        view_formats: &[],
     })
 }
 

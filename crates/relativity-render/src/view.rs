@@ -1,6 +1,7 @@
 //! What is to be drawn for one aperture: the physics (`View`) and the looks (`Appearance`).
 
 use glam::DVec3;
+use relativity_core::doppler::PAPER_INTENSITY_EXPONENT;
 use relativity_core::{Speed, aberration};
 
 use crate::camera::Camera;
@@ -45,6 +46,19 @@ pub struct RestRay {
 }
 
 impl View {
+    /// The same view in a picture of another size (width and height, pixels).
+    #[must_use]
+    pub fn with_size(&self, size: [u32; 2]) -> Self {
+        Self { camera: Camera { size, ..self.camera }, ..*self }
+    }
+
+    /// Aperture separation d of the published model: of the pair at -d/2 and d/2 on the x axis whose left
+    /// aperture is the camera's.
+    #[must_use]
+    pub fn published_separation(&self) -> f64 {
+        -2.0 * self.camera.aperture.x
+    }
+
     /// Where the camera is in the rest frame at the observation time (same place for all geometries):
     /// (gamma (a - beta T), `a_y`, `a_z`).
     #[must_use]
@@ -136,4 +150,20 @@ pub struct Appearance {
     pub sky: bool,
     /// Whether sky and ground suit a light window (else a dark one).
     pub light: bool,
+}
+
+impl Default for Appearance {
+    /// The paper's intensity, every effect on, no ground.
+    fn default() -> Self {
+        Self {
+            colour: Colour::default(),
+            doppler_shift: true,
+            intensity_exponent: Some(PAPER_INTENSITY_EXPONENT),
+            exposure_ev: 0.0,
+            shading: Shading::default(),
+            ground_z: None,
+            sky: true,
+            light: false,
+        }
+    }
 }

@@ -46,7 +46,8 @@ fn bodies() -> Vec<Body> {
     (0..14).map(body).collect()
 }
 
-/// Views of them before, about abreast and after, for each of [`BETAS`], so close that the bodies are well seen.
+/// Views of them before, about abreast and after, for each of [`BETAS`], so close that the bodies are
+/// well seen.
 fn views() -> Vec<View> {
     let mut views = Vec::new();
     for beta in BETAS {
@@ -90,9 +91,9 @@ fn in_body_coordinates(view: &View, place: DVec3, time: f64) -> DVec3 {
     DVec3::new(view.speed.gamma() * (place.x - view.speed.beta() * time), place.y, place.z)
 }
 
-/// Body and distance seen along `n`, by walking back along the light (or, for `Contracted`, along a line at
-/// the observation time) until the moving surface is met. A step is what the surface, as it moves, cannot have
-/// crossed.
+/// Body and distance seen along `n`, by walking back along the light (or, for `Contracted`, along a line
+/// at the observation time) until the moving surface is met. A step is what the surface, as it moves,
+/// cannot have crossed.
 fn walked(bodies: &[Body], view: &View, n: DVec3) -> Option<(usize, f64)> {
     let light_speed_inverse = if view.geometry == Geometry::Seen { 1.0 } else { 0.0 };
     let place = |s: f64| {
@@ -285,7 +286,8 @@ fn worst_against_light_cone(scene: &ReferenceScene, view: &View) -> Worst {
     worst
 }
 
-/// Directions on the outline of the one body of `scene`, bisected between neighbouring pixels of a row or column.
+/// Directions on the outline of the one body of `scene`, bisected between neighbouring pixels of a row or
+/// column.
 fn outline(scene: &ReferenceScene, view: &View) -> Vec<DVec3> {
     let image = scene.hit_image(view);
     let seen = |place: [f64; 2]| scene.first_hit(view, view.camera.line_of_sight(place)).is_some();

@@ -8,6 +8,8 @@ use egui_plot::{
     HoverPosition, Line, LineStyle, Plot, PlotBounds, PlotPoint, PlotResponse, PlotUi, Points, VLine,
 };
 
+use relativity_core::{Disparity, Sighting};
+
 use super::Asks;
 use super::icons::{self, Icon};
 use super::widgets::dot;
@@ -103,9 +105,35 @@ fn titled_plot(ui: &mut Ui, state: &State, curves: &[Curves], quantity: Quantity
     ui.horizontal(|ui| {
         ui.add_space(Y_AXIS_WIDTH);
         ui.label(RichText::new(label(quantity)).strong());
-        ui.label(value_text(state, quantity));
+        values_now(ui, state, quantity);
     });
     plot(ui, ui.available_size(), state, curves, quantity, asks);
+}
+
+/// What the selected point's curves are at T: the disparity, or what each eye sees, in its colour.
+fn values_now(ui: &mut Ui, state: &State, quantity: Quantity) {
+    let point = state.session.points.selected();
+    let difference = |value: fn(&Disparity) -> f64| {
+        figures::fixed_or_none(state.disparity(point).as_ref().map(value), 5) + unit(quantity)
+    };
+    let of_eye: fn(&Sighting) -> f64 = match quantity {
+        Quantity::DeltaPhi => {
+            ui.label(difference(|both| both.dphi));
+            return;
+        }
+        Quantity::DeltaTheta => {
+            ui.label(difference(|both| both.dtheta));
+            return;
+        }
+        Quantity::Phi => Sighting::phi,
+        Quantity::Theta => Sighting::theta,
+        Quantity::LogDoppler => |seen| seen.doppler_factor,
+    };
+    for eye in Eye::BOTH {
+        let value = figures::fixed_or_none(state.sighting(point, eye).as_ref().map(of_eye), 5);
+        let text = format!("{} {value}{}", eye.name(), unit(quantity));
+        ui.label(RichText::new(text).color(theme::eye_colour(eye, ui.visuals())));
+    }
 }
 
 fn plot(
@@ -240,7 +268,7 @@ fn tick(quantity: Quantity, value: f64, step: f64) -> String {
     if quantity == Quantity::LogDoppler {
         return figures::power_of_ten(value);
     }
-    let decimals = (-step.abs().log10().floor()).clamp(0.0, 9.0) as usize;
+    let decimals = (-step.abs().log10().floor()).clamp(0.0, 9.0) as u8;
     // Rounding, so that a grid line at -1e-17 reads 0.
     let rounded = (value / step).round() * step + 0.0;
     figures::fixed(rounded, decimals)
@@ -275,20 +303,6 @@ fn annotate(ui: &Ui, response: &PlotResponse<()>, equidistant: Option<f64>) {
         Stroke::new(1.0, ui.visuals().widgets.noninteractive.bg_stroke.color),
         egui::StrokeKind::Inside,
     );
-}
-
-/// The value now of the selected point, or of each eye.
-fn value_text(state: &State, quantity: Quantity) -> String {
-    let point = state.session.points.selected();
-    let both = state.disparity(point);
-    let text = |value: Option<f64>| figures::fixed_or_none(value, 5);
-    match quantity {
-        Quantity::DeltaPhi => format!("{} rad", text(both.map(|both| both.dphi))),
-        Quantity::DeltaTheta => format!("{} rad", text(both.map(|both| both.dtheta))),
-        Quantity::Phi => "rad".to_owned(),
-        Quantity::Theta => "rad".to_owned(),
-        Quantity::LogDoppler => "received / rest frequency".to_owned(),
-    }
 }
 
 /// Names the plot for assistive technology: what it shows, of what.

@@ -1,6 +1,6 @@
 //! The numbers: what each eye receives of the selected point now, and how the two differ.
 
-use eframe::egui::{self, Color32, Grid, RichText, Sense, Ui, vec2};
+use eframe::egui::{self, Align, Color32, Grid, Layout, RichText, Sense, Ui, vec2};
 use relativity_core::{Sighting, doppler::received_wavelength};
 use relativity_render::{Colour, colour};
 
@@ -20,6 +20,9 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         let colour = theme::point_colour(point.number, ui.visuals());
         dot(ui, colour);
         ui.label(point.name());
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            ui.label(RichText::new(format!("β {}", figures::beta(&state.speed()))).weak());
+        });
     });
     let sightings = Eye::BOTH.map(|eye| state.sighting(point, eye));
     differences(ui, state);
@@ -60,7 +63,7 @@ struct Quantity {
     symbol: &'static str,
     name: &'static str,
     tip: &'static str,
-    decimals: usize,
+    decimals: u8,
     value: fn(&Sighting) -> f64,
 }
 

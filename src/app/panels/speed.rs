@@ -82,7 +82,7 @@ fn fields(ui: &mut Ui, current: SpeedSetting) -> Option<SpeedSetting> {
         let width = ((ui.available_width() - 74.0) / 3.0).max(20.0);
         for (parameter, symbol, name, tip) in FIELDS {
             ui.label(symbol).on_hover_text(tip);
-            let Some(typed) = widgets::exact_number(ui, name, tip, current.text(parameter), width) else {
+            let Some(typed) = widgets::exact_number(ui, name, tip, &current.text(parameter), width) else {
                 continue;
             };
             let setting = typed

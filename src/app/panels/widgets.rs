@@ -95,11 +95,11 @@ pub fn exact_number(
     ui: &mut Ui,
     name: &str,
     tip: &str,
-    shown: String,
+    shown: &str,
     width: f32,
 ) -> Option<Result<f64, String>> {
     let id = Id::unique(("exact number", name));
-    let mut text = ui.data(|data| data.get_temp::<String>(id)).unwrap_or_else(|| shown.clone());
+    let mut text = ui.data(|data| data.get_temp::<String>(id)).unwrap_or_else(|| shown.to_owned());
     let field = TextEdit::singleline(&mut text).id(id).desired_width(width).clip_text(true);
     let response = ui.add(field).on_hover_text(tip).accessible_name(name);
     if response.has_focus() {

@@ -38,7 +38,8 @@ pub enum GeometryChoice {
     Contracted,
     /// What cameras that ride along would see.
     Rest,
-    /// The paper's binocular model: the right eye sees what the left eye saw a little earlier or later.
+    /// The paper's binocular model: the right eye sees what the left eye saw a little earlier or later
+    /// (mesh renderer only).
     Published,
 }
 
@@ -56,7 +57,7 @@ pub enum RendererChoice {
 /// How a wavelength becomes a colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum ColourChoice {
-    /// As visible; black outside the visible range, as in the paper.
+    /// As the eye sees it; black outside the visible range, as in the paper.
     Visible,
     /// A false colour that keeps ultraviolet and infrared visible.
     False,
@@ -74,9 +75,9 @@ pub enum ShadingChoice {
 /// An effect that is drawn or left out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Switch {
-    /// Drawn.
+    /// Yes.
     On,
-    /// Left out.
+    /// No.
     Off,
 }
 
@@ -208,6 +209,6 @@ pub fn field_of_view(text: &str) -> Result<f64, String> {
 
 /// The word that selects `choice` on the command line.
 #[must_use]
-pub fn word(choice: impl ValueEnum) -> String {
+pub fn word(choice: &impl ValueEnum) -> String {
     choice.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default()
 }

@@ -1,8 +1,9 @@
-//! OpenEXR files of what every pixel shows, for measurement.
+//! EXR files of what every pixel shows, for measurement.
 //!
-//! Channels in f32, for each of the layers `left` and `right`: `id` (number of the object, -1 where nothing
-//! is seen), `distance`, `emission_time`, `doppler`, `wavelength_nm` and `intensity` as received, and the
-//! place on the object in its rest frame, `rest_x`, `rest_y`, `rest_z`. All but `id` are 0 where nothing is seen.
+//! Channels in f32, for each of the layers `left` and `right`: `id` (number of the object, -1 where
+//! nothing is seen), `distance`, `emission_time`, `doppler`, `wavelength_nm` and `intensity` as received,
+//! and the place on the object in its rest frame, `rest_x`, `rest_y`, `rest_z`. All but `id` are 0 where
+//! nothing is seen.
 
 use std::io::{Seek, Write};
 
@@ -49,7 +50,7 @@ impl<'a> Light<'a> {
     }
 }
 
-/// What both eyes see as an OpenEXR file.
+/// What both eyes see as an EXR file.
 ///
 /// # Errors
 ///
@@ -67,9 +68,11 @@ pub fn write(
         })
         .collect();
     let [width, height] = eyes[0].size.map(|side| side as usize);
-    let mut attributes = LayerAttributes::default();
-    attributes.software_name = Some(Text::from(SOFTWARE));
-    attributes.comments = Some(Text::new_or_none(&provenance.parameters).unwrap_or_default());
+    let attributes = LayerAttributes {
+        software_name: Some(Text::from(SOFTWARE)),
+        comments: Text::new_or_none(&provenance.parameters),
+        ..LayerAttributes::default()
+    };
     let encoding = Encoding { compression: Compression::ZIP16, ..Encoding::default() };
     let layer = Layer::new((width, height), attributes, encoding, AnyChannels::sort(channels));
     Ok(Image::from_layer(layer).write().to_buffered(out)?)

@@ -62,14 +62,14 @@ impl LookArgs {
     #[must_use]
     pub fn flags(&self) -> Vec<(&'static str, String)> {
         vec![
-            ("colour", word(self.colour)),
-            ("doppler-shift", word(self.doppler_shift)),
+            ("colour", word(&self.colour)),
+            ("doppler-shift", word(&self.doppler_shift)),
             ("intensity-exponent", self.intensity_exponent.to_string()),
             ("exposure", self.exposure.to_string()),
-            ("shading", word(self.shading)),
-            ("ground", word(self.ground)),
-            ("sky", word(self.sky)),
-            ("light", word(self.light)),
+            ("shading", word(&self.shading)),
+            ("ground", word(&self.ground)),
+            ("sky", word(&self.sky)),
+            ("light", word(&self.light)),
         ]
     }
 }

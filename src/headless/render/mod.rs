@@ -28,9 +28,9 @@ use crate::scene::{PRESETS, Scene};
 
 /// Draws what both eyes see, without a window, a display or a GPU.
 ///
-/// Without flags: the paper's stereo frame of its cyclist. A `.png` file is a picture, an `.exr` file holds
-/// what every pixel shows (object, distance, time of emission, Doppler factor, ...), and with --frames a
-/// folder takes a sequence.
+/// Without flags: the stereo frame of the paper's cyclist at beta = 0.9, d = 0.1, T = T0. A `.png` file
+/// is a picture, an `.exr` file holds what every pixel shows (object, distance, time of emission, Doppler
+/// factor, ...), and with --frames a folder takes a sequence.
 #[derive(Debug, Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct RenderArgs {
@@ -125,7 +125,7 @@ impl Studio {
         let observer = Observer::new(&args.observer, scene.tracked)?;
         anyhow::ensure!(
             observer.geometry() != GeometryChoice::Published,
-            "--geometry published is defined point by point and needs the mesh renderer, which this version lacks"
+            "--geometry published is defined point by point: it needs the mesh renderer, which this version lacks"
         );
         let mut timings = Timings::default();
         let painter = timings.timed("set up", || Painter::new(args.renderer, &scene.bodies, args.samples))?;
@@ -185,7 +185,7 @@ impl Studio {
     fn provenance(&self, time: f64) -> Provenance {
         let mut flags = vec![("scene", self.scene_name.clone())];
         flags.extend(self.observer.flags(time));
-        flags.push(("layout", word(self.layout)));
+        flags.push(("layout", word(&self.layout)));
         flags.extend(self.look.flags());
         flags.extend(self.painter.flags());
         let flags: Vec<_> = flags.iter().map(|(flag, value)| format!("--{flag}={}", quoted(value))).collect();

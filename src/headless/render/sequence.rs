@@ -21,7 +21,8 @@ pub struct TimeArgs {
     /// Make a sequence of N frames.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub frames: Option<u32>,
-    /// Observation time of the first frame [default: when the tracked point is seen at x = -2 R, R being its distance at x = 0]
+    /// Observation time of the first frame [default: when the tracked point is seen at x = -2 R, R being
+    /// its distance at x = 0]
     #[arg(long, value_name = "T", value_parser = finite_number, allow_hyphen_values = true, requires = "frames")]
     from: Option<f64>,
     /// Observation time of the last frame [default: when the tracked point is seen at x = +2 R]

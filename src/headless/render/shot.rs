@@ -27,7 +27,8 @@ pub struct ObserverArgs {
     /// Horizontal field of view, degrees.
     #[arg(long, default_value_t = 60.0, value_name = "DEG", value_parser = field_of_view)]
     fov: f64,
-    /// Where both eyes look: towards the tracked point, or azimuth (from +x towards +y; 90 is straight ahead) and elevation in degrees.
+    /// Where both eyes look: towards the tracked point, or azimuth (from +x towards +y; 90 is straight
+    /// ahead) and elevation in degrees.
     #[arg(long, default_value_t = GazeChoice::Track, value_name = "track|AZ,EL", allow_hyphen_values = true)]
     gaze: GazeChoice,
     /// Which geometry is shown.
@@ -147,7 +148,7 @@ impl Observer {
             ("size", self.args.size.to_string()),
             ("fov", self.args.fov.to_string()),
             ("gaze", self.args.gaze.to_string()),
-            ("geometry", word(self.args.geometry)),
+            ("geometry", word(&self.args.geometry)),
         ]
     }
 }

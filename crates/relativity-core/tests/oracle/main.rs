@@ -21,7 +21,7 @@ use relativity_core::{
 use tally::{Case, Tally};
 
 fn cases() -> u64 {
-    std::env::var("GAMOW_ORACLE_CASES").map_or(1000, |n| n.parse().expect("a number of cases"))
+    std::env::var("GAMOW_ORACLE_CASES").map_or(600, |n| n.parse().expect("a number of cases"))
 }
 
 /// The case of `inputs`, the true values being those of `model`.

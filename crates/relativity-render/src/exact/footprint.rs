@@ -66,6 +66,13 @@ impl Projection {
         }
     }
 
+    /// Whether a rest-frame ball around `center`, relative to the camera's event, is surely not in the
+    /// picture.
+    pub fn hides(&self, center: DVec3, radius: f64) -> bool {
+        let ball = Capsule { from: center, to: center, radius };
+        self.footprint(&ball) == Some(Footprint::Hidden)
+    }
+
     /// Where `capsule` can appear; `None` if the bound would be loose and its halves should be tried.
     pub fn footprint(&self, capsule: &Capsule) -> Option<Footprint> {
         let balls = self.hull(capsule)?;
@@ -108,7 +115,7 @@ impl Projection {
         }
     }
 
-    /// gamma (c_x - beta h) and gamma (h - beta c_x), for c_x > 0 as quotients of what does not cancel.
+    /// `gamma (c_x - beta h)` and `gamma (h - beta c_x)`; for `c_x > 0` as quotients of what does not cancel.
     fn boosted(&self, c: DVec3, h: f64, radius: f64) -> (f64, f64) {
         let Self { beta, gamma, inverse_gamma_squared, .. } = *self;
         if c.x <= 0.0 {

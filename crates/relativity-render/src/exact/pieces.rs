@@ -9,12 +9,23 @@ use glam::{DVec2, DVec3};
 use super::footprint::{Capsule, Footprint, Projection, Rectangle};
 use crate::body::{Body, Shape};
 use crate::colour::linear_srgb;
-use crate::view::{Appearance, View};
+use crate::frame::Extent;
+use crate::intersect::Solid;
+use crate::view::{Colour, View};
 
 /// How often a piece is halved before its bound is taken as it is.
 const MAX_HALVINGS: u32 = 5;
 /// Below this radius a piece is faded instead of drawn thinner, px.
 const THIN_PX: f64 = 0.75;
+
+/// Where bodies are looked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Bounds {
+    /// Where they can appear.
+    Tight,
+    /// Everywhere: what tight bounds are measured against.
+    None,
+}
 
 /// Mirror of the shaders' `Instance`.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
@@ -35,38 +46,28 @@ pub struct Pieces {
 }
 
 impl Pieces {
-    pub fn new(bodies: &[Body], view: &View, appearance: &Appearance) -> Self {
+    pub fn new(bodies: &[Body], view: &View, colour: Colour, extent: &Extent, bounds: Bounds) -> Self {
         let projection = Projection::new(view);
         let origin = view.rest_origin();
         let mut pieces = Self::default();
         let mut rectangles = Vec::new();
         for (index, body) in bodies.iter().enumerate() {
             rectangles.clear();
-            for capsule in bounding_capsules(&body.shape, origin) {
-                add_rectangles(&projection, &capsule, MAX_HALVINGS, &mut rectangles);
+            if bounds == Bounds::Tight {
+                for capsule in bounding_capsules(&body.shape, origin) {
+                    add_rectangles(&projection, &capsule, MAX_HALVINGS, &mut rectangles);
+                }
             }
-            if rectangles.is_empty() {
-                continue;
-            }
-            if rectangles.contains(&EVERYWHERE) {
+            if bounds == Bounds::None || rectangles.contains(&EVERYWHERE) {
                 rectangles.clear();
                 rectangles.push(EVERYWHERE);
             }
-            pieces.add(index, body, origin, appearance, &rectangles);
+            pieces.add(&instance(index, body, extent, colour), kind(&body.shape), &rectangles);
         }
         pieces
     }
 
-    fn add(
-        &mut self,
-        index: usize,
-        body: &Body,
-        origin: DVec3,
-        appearance: &Appearance,
-        rectangles: &[Rectangle],
-    ) {
-        let template = instance(index, body, origin, appearance);
-        let kind = kind(&body.shape);
+    fn add(&mut self, template: &Instance, kind: usize, rectangles: &[Rectangle]) {
         for rectangle in rectangles {
             let list = if rectangle.radius_px < THIN_PX { &mut self.thin } else { &mut self.solid };
             list[kind].push(placed(template, rectangle));
@@ -139,25 +140,23 @@ fn arcs(center: DVec3, axis: DVec3, radius: f64, tube_radius: f64) -> Vec<Capsul
         .collect()
 }
 
-fn instance(index: usize, body: &Body, origin: DVec3, appearance: &Appearance) -> Instance {
-    let (anchor, radius, axis, extent) = match body.shape {
-        Shape::Sphere { center, radius } => (center.into(), radius, DVec3::X, 0.0),
+fn instance(index: usize, body: &Body, extent: &Extent, colour: Colour) -> Instance {
+    let (radius, axis, length) = match body.shape {
+        Shape::Sphere { radius, .. } => (radius, DVec3::X, 0.0),
         Shape::Tube { from, to, radius } => {
-            let (from, to) = (DVec3::from(from), DVec3::from(to));
-            let span = to - from;
-            (0.5 * (from + to), radius, span.try_normalize().unwrap_or(DVec3::X), 0.5 * span.length())
+            let span = DVec3::from(to) - DVec3::from(from);
+            (radius, span.try_normalize().unwrap_or(DVec3::X), 0.5 * span.length())
         }
-        Shape::Ring { center, axis, radius, tube_radius } => {
-            (center.into(), tube_radius, DVec3::from(axis), radius)
-        }
+        Shape::Ring { axis, radius, tube_radius, .. } => (tube_radius, axis.into(), radius),
     };
-    let [r, g, b] = linear_srgb(body.rest_wavelength_nm, appearance.colour);
+    let anchor = Solid::new(&body.shape).center() - extent.centre;
+    let colour = linear_srgb(body.rest_wavelength_nm, colour);
     Instance {
         place: [0.0; 4],
         second_axis_index_wavelength: [0.0, 0.0, index as f32, body.rest_wavelength_nm as f32],
-        anchor_radius: packed(anchor - origin, radius),
-        axis_extent: packed(axis, extent),
-        rest_colour: packed(DVec3::new(r, g, b), 0.0),
+        anchor_radius: packed(anchor, radius),
+        axis_extent: packed(axis, length),
+        rest_colour: packed(colour.into(), 0.0),
     }
 }
 
@@ -165,13 +164,13 @@ fn packed(v: DVec3, w: f64) -> [f32; 4] {
     v.as_vec3().extend(w as f32).to_array()
 }
 
-fn placed(template: Instance, rectangle: &Rectangle) -> Instance {
+fn placed(template: &Instance, rectangle: &Rectangle) -> Instance {
     let [middle, first, second] =
-        [rectangle.middle, rectangle.half_axes[0], rectangle.half_axes[1]].map(|v| v.as_vec2());
+        [rectangle.middle, rectangle.half_axes[0], rectangle.half_axes[1]].map(DVec2::as_vec2);
     let [_, _, index, wavelength] = template.second_axis_index_wavelength;
     Instance {
         place: [middle.x, middle.y, first.x, first.y],
         second_axis_index_wavelength: [second.x, second.y, index, wavelength],
-        ..template
+        ..*template
     }
 }

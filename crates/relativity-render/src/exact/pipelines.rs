@@ -3,104 +3,31 @@
 use std::collections::HashMap;
 
 use super::pieces::Instance;
+use crate::effects::{Effects, number};
 use crate::gpu::Gpu;
+use crate::shaders::{RING, SPHERE, TUBE};
 use crate::target::{DEPTH_FORMAT, LINEAR_FORMAT, MEASURES_FORMAT, SAMPLES};
-use crate::view::{Appearance, Geometry, Shading};
-
-const SHAPES: [&str; 3] = [
-    concat!(
-        include_str!("../../shaders/frame.wgsl"),
-        include_str!("../../shaders/colour.wgsl"),
-        include_str!("../../shaders/impostor.wgsl"),
-        include_str!("../../shaders/sphere.wgsl"),
-    ),
-    concat!(
-        include_str!("../../shaders/frame.wgsl"),
-        include_str!("../../shaders/colour.wgsl"),
-        include_str!("../../shaders/impostor.wgsl"),
-        include_str!("../../shaders/tube.wgsl"),
-    ),
-    concat!(
-        include_str!("../../shaders/frame.wgsl"),
-        include_str!("../../shaders/colour.wgsl"),
-        include_str!("../../shaders/impostor.wgsl"),
-        include_str!("../../shaders/ring.wgsl"),
-    ),
-];
-const BACKDROP: &str =
-    concat!(include_str!("../../shaders/frame.wgsl"), include_str!("../../shaders/backdrop.wgsl"));
+use crate::view::Geometry;
 
 /// What a pipeline draws, with every effect decided.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Key {
-    Backdrop { sky: bool, ground: bool, light: bool },
-    Picture { shape: usize, thin: bool, effects: Effects },
+    Picture { shape: usize, thin: bool, geometry: Geometry, effects: Effects },
     Hits { shape: usize, geometry: Geometry },
-}
-
-/// The effects of a picture, as far as they choose a pipeline.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Effects {
-    geometry: Geometry,
-    doppler_shift: bool,
-    intensity: Intensity,
-    form: bool,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-enum Intensity {
-    Off,
-    Integer(u8),
-    Real,
-}
-
-impl Effects {
-    pub fn new(geometry: Geometry, appearance: &Appearance) -> Self {
-        // D = 1 unless as seen: its effects are off.
-        let has_doppler = geometry == Geometry::Seen;
-        let intensity = match appearance.intensity_exponent.filter(|_| has_doppler) {
-            None => Intensity::Off,
-            Some(n) if [2.0, 3.0, 4.0].contains(&n) => Intensity::Integer(n as u8),
-            Some(_) => Intensity::Real,
-        };
-        Self {
-            geometry,
-            doppler_shift: appearance.doppler_shift && has_doppler,
-            intensity,
-            form: appearance.shading == Shading::Form,
-        }
-    }
 }
 
 #[derive(Debug)]
 pub struct Pipelines {
     shapes: [wgpu::ShaderModule; 3],
-    backdrop: wgpu::ShaderModule,
     layout: wgpu::PipelineLayout,
-    pub bind_group_layout: wgpu::BindGroupLayout,
     made: HashMap<Key, wgpu::RenderPipeline>,
 }
 
 impl Pipelines {
-    pub fn new(gpu: &Gpu) -> Self {
-        let device = &gpu.device;
-        let module = |label: &str, source: &'static str| {
-            device.create_shader_module(wgpu::ShaderModuleDescriptor {
-                label: Some(label),
-                source: wgpu::ShaderSource::Wgsl(source.into()),
-            })
-        };
-        let bind_group_layout = bind_group_layout(device);
-        let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-            label: Some("frame"),
-            bind_group_layouts: &[Some(&bind_group_layout)],
-            immediate_size: 0,
-        });
+    pub fn new(gpu: &Gpu, layout: wgpu::PipelineLayout) -> Self {
         Self {
-            shapes: SHAPES.map(|source| module("shape", source)),
-            backdrop: module("backdrop", BACKDROP),
+            shapes: [SPHERE, TUBE, RING].map(|source| gpu.shader("shape", source)),
             layout,
-            bind_group_layout,
             made: HashMap::new(),
         }
     }
@@ -113,24 +40,16 @@ impl Pipelines {
         }
     }
 
-    pub fn get(&self, key: Key) -> Option<&wgpu::RenderPipeline> {
-        self.made.get(&key)
+    /// The pipeline of a prepared `key`.
+    pub fn get(&self, key: Key) -> &wgpu::RenderPipeline {
+        &self.made[&key]
     }
 
     fn pipeline(&self, gpu: &Gpu, key: Key) -> wgpu::RenderPipeline {
         match key {
-            Key::Backdrop { sky, ground, light } => self.build(
-                gpu,
-                &Recipe {
-                    module: &self.backdrop,
-                    entry_points: ["screen", "backdrop"],
-                    constants: &[("SKY", number(sky)), ("GROUND", number(ground)), ("LIGHT", number(light))],
-                    has_instances: false,
-                    samples: SAMPLES,
-                    targets: &[Some(LINEAR_FORMAT.into())],
-                },
-            ),
-            Key::Picture { shape, thin, effects } => {
+            Key::Picture { shape, thin, geometry, effects } => {
+                let mut constants = vec![("THIN", number(thin)), ("GEOMETRY", geometry_number(geometry))];
+                constants.extend(effects.constants());
                 let blend = thin.then_some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING);
                 let target = wgpu::ColorTargetState {
                     format: LINEAR_FORMAT,
@@ -141,9 +60,8 @@ impl Pipelines {
                     gpu,
                     &Recipe {
                         module: &self.shapes[shape],
-                        entry_points: ["rectangle", "picture"],
-                        constants: &picture_constants(thin, effects),
-                        has_instances: true,
+                        entry_point: "picture",
+                        constants: &constants,
                         samples: SAMPLES,
                         targets: &[Some(target)],
                     },
@@ -153,9 +71,8 @@ impl Pipelines {
                 gpu,
                 &Recipe {
                     module: &self.shapes[shape],
-                    entry_points: ["rectangle", "hits"],
+                    entry_point: "hits",
                     constants: &[("GEOMETRY", geometry_number(geometry))],
-                    has_instances: true,
                     samples: 1,
                     targets: &[Some(MEASURES_FORMAT.into()), Some(MEASURES_FORMAT.into())],
                 },
@@ -171,18 +88,16 @@ impl Pipelines {
                 0 => Float32x4, 1 => Float32x4, 2 => Float32x4, 3 => Float32x4, 4 => Float32x4
             ],
         };
-        let buffers = [Some(instances)];
         let compilation_options =
             wgpu::PipelineCompilationOptions { constants: recipe.constants, ..Default::default() };
-        let [vertex, fragment] = recipe.entry_points;
         gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-            label: Some(fragment),
+            label: Some(recipe.entry_point),
             layout: Some(&self.layout),
             vertex: wgpu::VertexState {
                 module: recipe.module,
-                entry_point: Some(vertex),
+                entry_point: Some("rectangle"),
                 compilation_options: compilation_options.clone(),
-                buffers: if recipe.has_instances { &buffers } else { &[] },
+                buffers: &[Some(instances)],
             },
             primitive: wgpu::PrimitiveState {
                 topology: wgpu::PrimitiveTopology::TriangleStrip,
@@ -191,18 +106,14 @@ impl Pipelines {
             depth_stencil: Some(wgpu::DepthStencilState {
                 format: DEPTH_FORMAT,
                 depth_write_enabled: Some(true),
-                depth_compare: Some(if recipe.has_instances {
-                    wgpu::CompareFunction::Greater
-                } else {
-                    wgpu::CompareFunction::Always
-                }),
+                depth_compare: Some(wgpu::CompareFunction::Greater),
                 stencil: wgpu::StencilState::default(),
                 bias: wgpu::DepthBiasState::default(),
             }),
             multisample: wgpu::MultisampleState { count: recipe.samples, ..Default::default() },
             fragment: Some(wgpu::FragmentState {
                 module: recipe.module,
-                entry_point: Some(fragment),
+                entry_point: Some(recipe.entry_point),
                 compilation_options,
                 targets: recipe.targets,
             }),
@@ -214,15 +125,10 @@ impl Pipelines {
 
 struct Recipe<'a> {
     module: &'a wgpu::ShaderModule,
-    entry_points: [&'static str; 2],
+    entry_point: &'static str,
     constants: &'a [(&'a str, f64)],
-    has_instances: bool,
     samples: u32,
     targets: &'a [Option<wgpu::ColorTargetState>],
-}
-
-fn number(on: bool) -> f64 {
-    f64::from(u8::from(on))
 }
 
 fn geometry_number(geometry: Geometry) -> f64 {
@@ -231,46 +137,4 @@ fn geometry_number(geometry: Geometry) -> f64 {
         Geometry::Contracted => 1.0,
         Geometry::Rest => 2.0,
     }
-}
-
-fn picture_constants(thin: bool, effects: Effects) -> [(&'static str, f64); 5] {
-    let intensity = match effects.intensity {
-        Intensity::Off => 0.0,
-        Intensity::Integer(n) => f64::from(n),
-        Intensity::Real => 1.0,
-    };
-    [
-        ("THIN", number(thin)),
-        ("GEOMETRY", geometry_number(effects.geometry)),
-        ("DOPPLER_SHIFT", number(effects.doppler_shift)),
-        ("INTENSITY", intensity),
-        ("FORM", number(effects.form)),
-    ]
-}
-
-fn bind_group_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
-    let entry = |binding, visibility, ty| wgpu::BindGroupLayoutEntry { binding, visibility, ty, count: None };
-    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-        label: Some("frame"),
-        entries: &[
-            entry(
-                0,
-                wgpu::ShaderStages::VERTEX_FRAGMENT,
-                wgpu::BindingType::Buffer {
-                    ty: wgpu::BufferBindingType::Uniform,
-                    has_dynamic_offset: false,
-                    min_binding_size: None,
-                },
-            ),
-            entry(
-                1,
-                wgpu::ShaderStages::FRAGMENT,
-                wgpu::BindingType::Texture {
-                    sample_type: wgpu::TextureSampleType::Float { filterable: false },
-                    view_dimension: wgpu::TextureViewDimension::D2,
-                    multisampled: false,
-                },
-            ),
-        ],
-    })
 }

@@ -1,0 +1,55 @@
+//! The azimuthal and the polar fit taken together: their weighted mean, with their correlation.
+//!
+//! The paper weighs each fit by the inverse square of its uncertainty. Both fits come from the same
+//! samples, so their errors are correlated; the covariance of the two estimates over common bootstrap replicates
+//! says how much. A joint fit ([`crate::fit::Curves::Both`]) uses the same data better.
+
+use crate::bootstrap::{Bootstrap, covariance, percentiles_95};
+use crate::fit::{Fit, Parameter};
+
+/// A weighted mean of the azimuthal and the polar estimate of one parameter.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Combined {
+    /// The mean.
+    pub value: f64,
+    /// Its standard error, with the correlation accounted for.
+    pub standard_error: f64,
+    /// Percentile interval that holds 95 % of the replicates' means.
+    pub interval_95: [f64; 2],
+    /// Correlation of both estimates over the replicates.
+    pub correlation: f64,
+    /// Weight of the azimuthal estimate, 0 to 1.
+    pub azimuth_weight: f64,
+}
+
+/// The weighted mean of two fits of `parameter`.
+///
+/// Both bootstraps must have drawn the same samples: same observations, seed and number of replicates.
+#[must_use]
+pub fn combined(azimuth: (&Fit, &Bootstrap), polar: (&Fit, &Bootstrap), parameter: Parameter) -> Combined {
+    let of = |estimate: &Option<[f64; 4]>| estimate.map(|values| values[parameter as usize]);
+    let pairs: Vec<(f64, f64)> = azimuth
+        .1
+        .estimates
+        .iter()
+        .zip(&polar.1.estimates)
+        .filter_map(|(a, b)| Some((of(a)?, of(b)?)))
+        .collect();
+    let covariance = covariance(pairs.iter().copied());
+    let [error_a, error_b] = [azimuth.1, polar.1].map(|bootstrap| bootstrap.standard_error(parameter));
+    let (variance_a, variance_b) = (error_a * error_a, error_b * error_b);
+    let total = variance_a + variance_b;
+    // Weights 1/variance_a and 1/variance_b, brought to a sum of 1; equal if there is no scatter at all.
+    let weight = if total > 0.0 { variance_b / total } else { 0.5 };
+    let rest = 1.0 - weight;
+    let mean = |a: f64, b: f64| weight * a + rest * b;
+    let variance = weight * weight * variance_a + rest * rest * variance_b + 2.0 * weight * rest * covariance;
+    let correlation = if error_a * error_b > 0.0 { covariance / (error_a * error_b) } else { 0.0 };
+    Combined {
+        value: mean(azimuth.0.value(parameter), polar.0.value(parameter)),
+        standard_error: variance.max(0.0).sqrt(),
+        interval_95: percentiles_95(pairs.iter().map(|&(a, b)| mean(a, b))),
+        correlation,
+        azimuth_weight: weight,
+    }
+}

@@ -1,0 +1,214 @@
+//! The curves that are fitted, with their derivatives: Delta-phi and Delta-theta of a trial object.
+//!
+//! The derivatives follow from the light cone itself. With R^2 = X^2 + rho^2 and X = S - beta R, and
+//! since R + beta X = q and q - beta X = R,
+//!
+//! ```text
+//! dX = (R dS - R^2 dbeta - beta (y dy + z dz))/q,    dS = (T - t0) dbeta - beta dt0
+//! ```
+//!
+//! where t0 is the time of passage, at which the object is objectively at x = 0 (or at a known x0).
+
+use crate::apparent::{Aperture, LightCone, SourcePoint};
+use crate::cone_pair::ConePair;
+use crate::published::{self, PublishedVariant};
+use crate::speed::Speed;
+
+/// Which binocular model is fitted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum FitModel {
+    /// Each aperture solves its own light cone.
+    #[default]
+    Exact,
+    /// The paper's Appendix A, which leaves out parallax.
+    Published,
+}
+
+/// Partial derivatives with respect to beta, y, z and t0.
+pub(crate) type Gradient = [f64; 4];
+
+const D_Y: Gradient = [0.0, 1.0, 0.0, 0.0];
+const D_Z: Gradient = [0.0, 0.0, 1.0, 0.0];
+
+/// A trial object: a value for each parameter.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Trial {
+    pub speed: Speed,
+    pub y: f64,
+    pub z: f64,
+    /// t0.
+    pub passage_time: f64,
+    /// Objective x at t0.
+    pub passage_x: f64,
+}
+
+/// Delta-phi and Delta-theta, and their gradients.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Slopes {
+    pub angles: [f64; 2],
+    pub gradients: [Gradient; 2],
+}
+
+impl Trial {
+    /// Delta-phi and Delta-theta at `time`.
+    pub fn angles(&self, model: FitModel, pair: &[Aperture; 2], time: f64) -> [f64; 2] {
+        self.cones(model, pair, time).pair.angle_differences().into()
+    }
+
+    /// The same with the gradients.
+    pub fn slopes(&self, model: FitModel, pair: &[Aperture; 2], time: f64) -> Slopes {
+        let cones = self.cones(model, pair, time);
+        let ConePair { left, right, .. } = &cones.pair;
+        let beta = self.speed.beta();
+        let ds = [time - self.passage_time, 0.0, 0.0, -beta];
+        let dx = x_gradient(beta, left, ds);
+        let ds_right = match model {
+            FitModel::Exact => ds,
+            FitModel::Published => right_s_gradient(beta, &cones, ds, dx),
+        };
+        let [dphi_left, dtheta_left] = angle_gradients(left, dx);
+        let [dphi_right, dtheta_right] = angle_gradients(right, x_gradient(beta, right, ds_right));
+        Slopes {
+            angles: cones.pair.angle_differences().into(),
+            gradients: [
+                std::array::from_fn(|i| dphi_left[i] - dphi_right[i]),
+                std::array::from_fn(|i| dtheta_left[i] - dtheta_right[i]),
+            ],
+        }
+    }
+
+    #[inline]
+    fn cones(&self, model: FitModel, pair: &[Aperture; 2], time: f64) -> Cones {
+        let [primary, secondary] = *pair;
+        let since_passage = time - self.passage_time;
+        let point = SourcePoint { x0: self.passage_x, y: self.y, z: self.z };
+        let separation = secondary.x - primary.x;
+        match model {
+            FitModel::Exact => {
+                let pair =
+                    ConePair::new(&self.speed.coefficients(), point, primary, secondary, since_passage);
+                Cones { pair, delay: 0.0, separation }
+            }
+            FitModel::Published => {
+                // Appendix A puts the origin midway between both apertures.
+                let middle = 0.5 * (primary.x + secondary.x);
+                let point =
+                    SourcePoint { x0: point.x0 - middle, y: point.y - primary.y, z: point.z - primary.z };
+                let variant = PublishedVariant::AppendixA;
+                let (pair, shift) =
+                    published::cone_pair(&self.speed, point, separation, since_passage, variant);
+                Cones { pair, delay: -shift, separation }
+            }
+        }
+    }
+}
+
+/// Both light cones of a pair, as the model has them.
+struct Cones {
+    pair: ConePair<f64>,
+    /// Delta T of the published model.
+    delay: f64,
+    separation: f64,
+}
+
+#[inline]
+fn x_gradient(beta: f64, cone: &LightCone<f64>, ds: Gradient) -> Gradient {
+    let r = cone.solution.r;
+    let inverse_q = 1.0 / cone.solution.q;
+    let along = r * inverse_q;
+    let across = -beta * inverse_q;
+    [along * (ds[0] - r), along * ds[1] + across * cone.y, along * ds[2] + across * cone.z, along * ds[3]]
+}
+
+/// d(atan2(y, X)) and d(atan2(z, h)).
+#[inline]
+fn angle_gradients(cone: &LightCone<f64>, dx: Gradient) -> [Gradient; 2] {
+    let LightCone { y, z, solution, .. } = *cone;
+    let x = solution.x;
+    let h_squared = x * x + y * y;
+    let h = h_squared.sqrt();
+    let inverse_h_squared = 1.0 / h_squared;
+    let inverse_r_squared = 1.0 / (h_squared + z * z);
+    let slope = -z * inverse_r_squared / h;
+    let dphi = std::array::from_fn(|i| (x * D_Y[i] - y * dx[i]) * inverse_h_squared);
+    let dtheta = std::array::from_fn(|i| h * D_Z[i] * inverse_r_squared + slope * (x * dx[i] + y * D_Y[i]));
+    [dphi, dtheta]
+}
+
+/// Gradient of the secondary's S, the primary's minus beta Delta T, in the published model, where Delta T is
+/// the difference of the distances from the event seen by the primary.
+fn right_s_gradient(beta: f64, cones: &Cones, ds: Gradient, dx: Gradient) -> Gradient {
+    let LightCone { y, z, solution, .. } = cones.pair.left;
+    let to_secondary = solution.x - cones.separation;
+    let distance = (to_secondary * to_secondary + y * y + z * z).sqrt();
+    std::array::from_fn(|i| {
+        let transverse = y * D_Y[i] + z * D_Z[i];
+        let ddelay =
+            (to_secondary * dx[i] + transverse) / distance - (solution.x * dx[i] + transverse) / solution.r;
+        let dbeta = if i == 0 { cones.delay } else { 0.0 };
+        ds[i] - dbeta - beta * ddelay
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shifted(trial: &Trial, parameter: usize, by: f64) -> Trial {
+        let mut shifted = *trial;
+        match parameter {
+            0 => shifted.speed = Speed::from_beta(trial.speed.beta() + by).expect("a speed"),
+            1 => shifted.y += by,
+            2 => shifted.z += by,
+            _ => shifted.passage_time += by,
+        }
+        shifted
+    }
+
+    /// Six-point central difference: its truncation error is of the order of h^6.
+    fn difference(at: impl Fn(f64) -> [f64; 2], h: f64) -> [f64; 2] {
+        let weighted = |k: f64, weight: f64| {
+            let (above, below) = (at(k * h), at(-k * h));
+            [0, 1].map(|i| weight * (above[i] - below[i]) / (60.0 * h))
+        };
+        let parts = [weighted(1.0, 45.0), weighted(2.0, -9.0), weighted(3.0, 1.0)];
+        [0, 1].map(|i| parts.iter().map(|part| part[i]).sum())
+    }
+
+    #[test]
+    fn gradients_are_the_slopes_of_the_curves() {
+        let oblique = [Aperture { x: 0.3, y: -0.2, z: 0.1 }, Aperture { x: -0.1, y: 0.15, z: -0.3 }];
+        let cases = [
+            (FitModel::Exact, Aperture::pair(0.1)),
+            (FitModel::Exact, oblique),
+            (FitModel::Published, Aperture::pair(0.3)),
+            (FitModel::Published, [Aperture { x: 0.4, y: 0.1, z: 0.2 }, Aperture { x: 0.9, y: 0.1, z: 0.2 }]),
+        ];
+        for (model, pair) in cases {
+            for beta in [0.1, 0.6, 0.9, 0.99] {
+                for time in [-3.0, 0.1, 1.2, 2.4, 9.0] {
+                    let speed = Speed::from_beta(beta).expect("a speed");
+                    let trial = Trial { speed, y: 1.3, z: -0.8, passage_time: 0.4, passage_x: 0.2 };
+                    check_gradients(&trial, model, &pair, time);
+                }
+            }
+        }
+    }
+
+    fn check_gradients(trial: &Trial, model: FitModel, pair: &[Aperture; 2], time: f64) {
+        let gradients = trial.slopes(model, pair, time).gradients;
+        for (parameter, gradient) in transposed(gradients).into_iter().enumerate() {
+            let h = if parameter == 0 { 2e-3 * trial.speed.one_minus_beta() } else { 1e-3 };
+            let slopes = difference(|by| shifted(trial, parameter, by).angles(model, pair, time), h);
+            for (slope, gradient) in slopes.into_iter().zip(gradient) {
+                let error = (gradient - slope).abs();
+                let context = (model, trial, time, parameter);
+                assert!(error < 1e-9 * (1.0 + gradient.abs()), "{error:e} of {gradient:e}: {context:?}");
+            }
+        }
+    }
+
+    fn transposed([dphi, dtheta]: [Gradient; 2]) -> [[f64; 2]; 4] {
+        std::array::from_fn(|i| [dphi[i], dtheta[i]])
+    }
+}

@@ -1,0 +1,118 @@
+//! Why a fit has no result, in words and with the numbers.
+
+use thiserror::Error;
+
+use crate::domain::DomainError;
+
+/// Why there is no result.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum FitError {
+    /// A coordinate outside the domain.
+    #[error(transparent)]
+    Domain(#[from] DomainError),
+    /// A sample holds something that is not a measurement.
+    #[error("sample {index}: {quantity} = {value} is not usable")]
+    Sample {
+        /// Number of the sample, from 0.
+        index: usize,
+        /// Which of its quantities.
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A pair of apertures that measures nothing, or that the model does not cover.
+    #[error("pair {pair} of apertures: {problem}")]
+    Pair {
+        /// Number of the pair, from 0.
+        pair: usize,
+        /// What is wrong with it.
+        problem: &'static str,
+    },
+    /// Some readings of a curve have a sigma and some have none, so that they cannot be weighed.
+    #[error("{with} of {of} readings of {curve} have a sigma: give it for all or for none")]
+    MixedSigma {
+        /// Which curve.
+        curve: &'static str,
+        /// Readings with a sigma.
+        with: usize,
+        /// Readings.
+        of: usize,
+    },
+    /// Fewer samples than the parameters need.
+    #[error("{samples} samples of {curves} are too few: {parameters} parameters need at least {needed}")]
+    TooFew {
+        /// Usable samples.
+        samples: usize,
+        /// Which curves were to be fitted.
+        curves: &'static str,
+        /// Number of parameters.
+        parameters: usize,
+        /// Least number of samples.
+        needed: usize,
+    },
+    /// The curve does not change by more than its noise.
+    #[error("the curve of {curves} is flat: it varies by {range:e} rad, no more than its noise")]
+    Flat {
+        /// Which curves were to be fitted.
+        curves: &'static str,
+        /// Largest minus smallest value, radians.
+        range: f64,
+    },
+    /// A guess that is not an object in front of the apertures.
+    #[error("no guess: beta = {beta} must lie between 0 and 1, y = {y} above 0, and z and x0 be numbers")]
+    Guess {
+        /// Its speed.
+        beta: f64,
+        /// Its depth.
+        y: f64,
+    },
+    /// The iteration ended before the minimum was found.
+    #[error("not converged after {evaluations} evaluations ({reason})")]
+    NotConverged {
+        /// Evaluations of the whole curve.
+        evaluations: usize,
+        /// What the solver said.
+        reason: String,
+    },
+    /// The best fit leaves most of the data's variation unexplained.
+    #[error("no such object: the best fit leaves {:.0} % of the curve's variation unexplained", 100.0 * .share)]
+    Unexplained {
+        /// Unexplained share of the sum of squares, 0 to 1.
+        share: f64,
+    },
+    /// The data do not tell parameters apart.
+    #[error(
+        "the data cannot tell {parameter} from {partner}: {parameter} = {value:.3e} +- {standard_error:.1e}, \
+         correlation {correlation:.6}"
+    )]
+    Indistinguishable {
+        /// The parameter that is least determined.
+        parameter: &'static str,
+        /// Its best value, which means nothing.
+        value: f64,
+        /// Its standard error; infinite if the data do not depend on it.
+        standard_error: f64,
+        /// The parameter that can make up for it.
+        partner: &'static str,
+        /// Correlation between both.
+        correlation: f64,
+    },
+    /// The best fit is where the data do not depend on a parameter.
+    #[error(
+        "the data cannot tell {parameter}: near {parameter} = {value:.3e}, where they fit best, they do not depend on it"
+    )]
+    Insensitive {
+        /// The parameter.
+        parameter: &'static str,
+        /// Its best value, which means nothing.
+        value: f64,
+    },
+    /// Too many bootstrap replicates have no fit.
+    #[error("{failed} of {replicates} bootstrap replicates have no fit: the data are too few or too noisy")]
+    Bootstrap {
+        /// Replicates without a fit.
+        failed: usize,
+        /// Replicates drawn.
+        replicates: usize,
+    },
+}

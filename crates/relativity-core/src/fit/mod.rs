@@ -1,0 +1,302 @@
+//! Fits speed, distance and passage of a moving point to its measured disparities.
+//!
+//! Non-linear least squares (Levenberg-Marquardt, as in MINPACK) with analytic derivatives, in the
+//! exact or the published model, for any number of pairs of apertures. No initial guess is needed. Whatever
+//! the data cannot tell is an error in words, never a result.
+//!
+//! Conventions: y > 0, the object is in front of the apertures. (Behind them, Delta-phi has the other sign.)
+//! Delta-phi alone, seen by apertures at z = 0, tells only |z|; Delta-theta tells the sign.
+//!
+//! References: the paper, sections 3(b) and 4(c); J. J. More, *The Levenberg-Marquardt algorithm:
+//! implementation and theory* (1978).
+
+mod combined;
+mod curve;
+mod error;
+mod observations;
+mod prepare;
+mod problem;
+mod simulation;
+mod start;
+mod verdict;
+
+pub use combined::{Combined, combined};
+pub use curve::FitModel;
+pub use error::FitError;
+pub use observations::{Observations, Reading, Sample};
+pub use simulation::Simulation;
+
+pub(crate) use problem::{Free, NormalEquations, Problem};
+
+use levenberg_marquardt::{LevenbergMarquardt, TerminationReason};
+use nalgebra::{Matrix4, Vector4};
+use rayon::prelude::*;
+
+use curve::Trial;
+use prepare::Data;
+use problem::At;
+
+/// Evaluations per parameter that a start gets, and that the final refinement gets.
+const START_PATIENCE: usize = 8;
+const PATIENCE: usize = 100;
+
+/// Which curves are fitted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Curves {
+    /// Delta-phi only: the azimuthal fit.
+    Azimuth,
+    /// Delta-theta only: the polar fit.
+    Polar,
+    /// Both at once.
+    #[default]
+    Both,
+}
+
+impl Curves {
+    /// Delta-phi and Delta-theta: whether each is fitted.
+    #[must_use]
+    pub const fn used(self) -> [bool; 2] {
+        [matches!(self, Self::Azimuth | Self::Both), matches!(self, Self::Polar | Self::Both)]
+    }
+
+    /// As the command line and the files call them.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Azimuth => "dphi",
+            Self::Polar => "dtheta",
+            Self::Both => "both",
+        }
+    }
+}
+
+/// What is known of the object's objective x at t = 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Passage {
+    /// x0 is this.
+    Known(f64),
+    /// x0 is to be fitted.
+    Fitted,
+}
+
+/// What is to be fitted.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FitOptions {
+    /// The binocular model.
+    pub model: FitModel,
+    /// Which curves.
+    pub curves: Curves,
+    /// x0, known or not.
+    pub passage: Passage,
+}
+
+impl Default for FitOptions {
+    fn default() -> Self {
+        Self { model: FitModel::Exact, curves: Curves::Both, passage: Passage::Known(0.0) }
+    }
+}
+
+/// A parameter of the fit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Parameter {
+    /// Speed over c.
+    Beta,
+    /// Depth.
+    Y,
+    /// Height.
+    Z,
+    /// Objective x at t = 0.
+    X0,
+}
+
+impl Parameter {
+    /// Every parameter, in the order of all arrays of the fit.
+    pub const ALL: [Self; 4] = [Self::Beta, Self::Y, Self::Z, Self::X0];
+
+    /// Its name in files.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        ["beta", "y", "z", "x0"][self as usize]
+    }
+}
+
+/// The best fit.
+#[derive(Debug, Clone)]
+pub struct Fit {
+    /// What was asked for.
+    pub options: FitOptions,
+    /// Best values of beta, y, z, x0.
+    pub values: [f64; 4],
+    /// Their covariance by linearisation; 0 for a known x0. From the sigmas where all readings have one, else
+    /// scaled by the scatter of the residuals.
+    pub covariance: [[f64; 4]; 4],
+    /// Root mean square of the residuals of all fitted readings, radians.
+    pub rms: f64,
+    /// The sum of squares per degree of freedom, in units of the sigmas; 1 within its scatter if the model
+    /// and the sigmas are right. `None` without sigmas.
+    pub reduced_chi_squared: Option<f64>,
+    /// Readings that were fitted.
+    pub readings: usize,
+    /// Evaluations of the whole curve.
+    pub evaluations: usize,
+    pub(crate) problem: Problem,
+    pub(crate) free: Free,
+}
+
+impl Fit {
+    /// The fitted parameters: all, or all but a known x0.
+    #[must_use]
+    pub fn parameters(&self) -> &'static [Parameter] {
+        &Parameter::ALL[..self.problem.parameters()]
+    }
+
+    /// Best value of `parameter`.
+    #[must_use]
+    pub fn value(&self, parameter: Parameter) -> f64 {
+        self.values[parameter as usize]
+    }
+
+    /// Standard error of `parameter` by linearisation.
+    #[must_use]
+    pub fn standard_error(&self, parameter: Parameter) -> f64 {
+        self.covariance[parameter as usize][parameter as usize].sqrt()
+    }
+
+    /// Correlation of two fitted parameters by linearisation.
+    #[must_use]
+    pub fn correlation(&self, a: Parameter, b: Parameter) -> f64 {
+        let covariance = self.covariance[a as usize][b as usize];
+        covariance / (self.standard_error(a) * self.standard_error(b))
+    }
+
+    /// Delta-phi and Delta-theta of the fitted object at `time`, for the given pair of apertures.
+    #[must_use]
+    pub fn angles(&self, pair: usize, time: f64) -> Option<[f64; 2]> {
+        let trial = self.problem.trial(&self.free)?;
+        Some(trial.angles(self.options.model, self.problem.pairs.get(pair)?, time))
+    }
+}
+
+/// The object that fits `observations` best.
+///
+/// # Accuracy
+///
+/// Noise-free curves give beta, y and z back to 1e-9 (`tests/fit.rs`). Without a guess, the right minimum
+/// was found in the share of noisy cases that `examples/coverage.rs` prints.
+///
+/// # Errors
+///
+/// Every variant of [`FitError`] but those of [`Observations::new`] and of the bootstrap.
+pub fn fit(observations: &Observations, options: &FitOptions) -> Result<Fit, FitError> {
+    let data = prepare::prepare(observations, options)?;
+    let mut evaluations = 0;
+    let start = best_start(&data.problem, &mut evaluations)?;
+    fit_downhill(data, options, start, evaluations)
+}
+
+/// The fit downhill of a guess of beta, y, z and x0: less work than [`fit`], if the guess is good.
+///
+/// # Errors
+///
+/// As [`fit`], and [`FitError::Guess`].
+pub fn fit_from(observations: &Observations, options: &FitOptions, guess: [f64; 4]) -> Result<Fit, FitError> {
+    let data = prepare::prepare(observations, options)?;
+    let [beta, y, z, x0] = guess;
+    let is_inside = (0.0..1.0).contains(&beta) && beta > 0.0 && y > 0.0 && z.is_finite() && x0.is_finite();
+    if !is_inside {
+        return Err(FitError::Guess { beta, y });
+    }
+    let passage_time = if data.problem.fits_passage { -x0 / beta } else { 0.0 };
+    let start = Free::new(beta.atanh().ln(), y.ln(), z, passage_time);
+    fit_downhill(data, options, start, 0)
+}
+
+fn fit_downhill(
+    mut data: Data,
+    options: &FitOptions,
+    start: Free,
+    mut evaluations: usize,
+) -> Result<Fit, FitError> {
+    let mut minimum = refined(&data.problem, start, &mut evaluations)?;
+    if data.estimates_noise() {
+        // Weights from the scatter about a first fit, twice: the weights move the fit a little.
+        for _ in 0..2 {
+            data.reweigh(&minimum.trial);
+            minimum = refined(&data.problem, minimum.free, &mut evaluations)?;
+        }
+    }
+    verdict::check_explained(&data, minimum.cost)?;
+    let Minimum { mut free, mut trial, cost } = minimum;
+    if data.problem.is_even_in_z() {
+        free[2] = free[2].abs();
+        trial.z = trial.z.abs();
+    }
+    let reduced = cost / data.degrees_of_freedom();
+    let scatter = if data.has_all_sigmas { 1.0 } else { reduced };
+    let covariance = verdict::covariance(&data.problem, &trial, scatter)?;
+    Ok(Fit {
+        options: *options,
+        values: reported(&trial),
+        covariance: reported_covariance(&data.problem, &trial, &covariance),
+        rms: data.rms(&trial, [true, true]),
+        reduced_chi_squared: data.has_all_sigmas.then_some(reduced),
+        readings: data.problem.readings(),
+        evaluations,
+        problem: data.problem,
+        free,
+    })
+}
+
+/// Beta, y, z and x0 of an object.
+pub(crate) fn reported(trial: &Trial) -> [f64; 4] {
+    let beta = trial.speed.beta();
+    [beta, trial.y, trial.z, trial.passage_x - beta * trial.passage_time]
+}
+
+/// From the covariance of the free parameters to that of the reported ones.
+fn reported_covariance(problem: &Problem, trial: &Trial, covariance: &Matrix4<f64>) -> [[f64; 4]; 4] {
+    let mut jacobian = Matrix4::from_diagonal(&Vector4::from(problem.chain(trial)));
+    // x0 = const - beta t0.
+    jacobian[(3, 0)] = -trial.passage_time * jacobian[(0, 0)];
+    jacobian[(3, 3)] *= -trial.speed.beta();
+    // nalgebra's arrays are columns; a covariance is symmetric.
+    (jacobian * covariance * jacobian.transpose()).into()
+}
+
+/// A minimum of the sum of squares.
+struct Minimum {
+    free: Free,
+    trial: Trial,
+    cost: f64,
+}
+
+/// The best of several starts after a few steps each.
+fn best_start(problem: &Problem, evaluations: &mut usize) -> Result<Free, FitError> {
+    let descend = |start: Free| {
+        LevenbergMarquardt::new().with_patience(START_PATIENCE).minimize(At { problem, free: start })
+    };
+    let descents: Vec<_> = start::starts(problem).into_par_iter().map(descend).collect();
+    *evaluations += descents.iter().map(|(_, report)| report.number_of_evaluations).sum::<usize>();
+    let finite = descents.iter().filter(|(_, report)| report.objective_function.is_finite());
+    let best = finite.min_by(|(_, a), (_, b)| a.objective_function.total_cmp(&b.objective_function));
+    best.map(|(at, _)| at.free).ok_or_else(|| FitError::NotConverged {
+        evaluations: *evaluations,
+        reason: "no start has a finite sum of squares".to_owned(),
+    })
+}
+
+/// The minimum downhill of `start`, to the last digit that the sum of squares holds.
+fn refined(problem: &Problem, start: Free, evaluations: &mut usize) -> Result<Minimum, FitError> {
+    let solver = LevenbergMarquardt::new().with_patience(PATIENCE);
+    let (at, report) = solver.minimize(At { problem, free: start });
+    *evaluations += report.number_of_evaluations;
+    // No improvement possible: the solver's tolerance is finer than rounding allows here.
+    let converged = report.termination.was_successful()
+        || matches!(report.termination, TerminationReason::NoImprovementPossible(_));
+    let trial = problem.trial(&at.free).filter(|_| converged);
+    let Some(trial) = trial else {
+        let reason = format!("{:?}", report.termination);
+        return Err(FitError::NotConverged { evaluations: *evaluations, reason });
+    };
+    Ok(Minimum { free: at.free, trial, cost: 2.0 * report.objective_function })
+}

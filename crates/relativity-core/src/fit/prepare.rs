@@ -1,0 +1,190 @@
+//! From observations to weighed rows, with the verdicts that need no fit.
+
+use crate::domain::check;
+use crate::fit::curve::{FitModel, Trial};
+use crate::fit::error::FitError;
+use crate::fit::observations::{Observations, Reading, Sample};
+use crate::fit::problem::{Problem, Row};
+use crate::fit::{FitOptions, Passage};
+
+const NAMES: [&str; 2] = ["dphi", "dtheta"];
+/// Least noise of a curve that is assumed, relative to its range: what rounding leaves of noise-free data.
+const LEAST_NOISE: f64 = 1e-12;
+
+/// A problem, and what is known of its noise.
+pub(super) struct Data {
+    pub problem: Problem,
+    /// Whether every fitted reading has a sigma.
+    pub has_all_sigmas: bool,
+    /// Whether each curve is fitted.
+    used: [bool; 2],
+    /// Whether each curve's readings have sigmas.
+    has_sigmas: [bool; 2],
+    /// Largest minus smallest value of each curve.
+    ranges: [f64; 2],
+}
+
+/// Checks the observations against what `options` ask of them, and weighs them.
+pub(super) fn prepare(observations: &Observations, options: &FitOptions) -> Result<Data, FitError> {
+    check_pairs(observations, options.model)?;
+    let asked = options.curves.used();
+    let mut has_sigmas = [false; 2];
+    let mut ranges = [0.0; 2];
+    for curve in 0..2 {
+        if asked[curve] {
+            has_sigmas[curve] = check_sigmas(observations, curve)?;
+            ranges[curve] = range(observations, curve);
+        }
+    }
+    let used = [asked[0] && has_reading(observations, 0), asked[1] && has_reading(observations, 1)];
+    let scales = scales(ranges);
+    let rows = observations.samples().iter().map(|sample| row(sample, used, scales)).collect();
+    let passage_x = match options.passage {
+        Passage::Known(x0) => check("x0", x0)?,
+        Passage::Fitted => 0.0,
+    };
+    let fits_passage = options.passage == Passage::Fitted;
+    let mut problem =
+        Problem { model: options.model, pairs: observations.pairs().to_vec(), rows, passage_x, fits_passage };
+    problem.rows.retain(|row| row.weights != [0.0; 2]);
+    let has_all_sigmas = (0..2).all(|curve| has_sigmas[curve] || !used[curve]);
+    let data = Data { problem, has_all_sigmas, used, has_sigmas, ranges };
+    data.check_number(options)?;
+    data.check_variation(options)?;
+    Ok(data)
+}
+
+impl Data {
+    pub fn degrees_of_freedom(&self) -> f64 {
+        (self.problem.readings() - self.problem.parameters()) as f64
+    }
+
+    /// Whether two curves are to be weighed against each other by their own scatter.
+    pub fn estimates_noise(&self) -> bool {
+        self.used == [true, true] && self.has_sigmas != [true, true]
+    }
+
+    /// Weighs each curve without sigmas by its scatter about `trial`.
+    pub fn reweigh(&mut self, trial: &Trial) {
+        for (curve, scale) in scales(self.ranges).into_iter().enumerate() {
+            if self.has_sigmas[curve] || !self.used[curve] {
+                continue;
+            }
+            let only = [curve == 0, curve == 1];
+            let sigma = self.rms(trial, only).max(LEAST_NOISE * scale);
+            for row in &mut self.problem.rows {
+                if row.weights[curve] > 0.0 {
+                    row.weights[curve] = 1.0 / sigma;
+                }
+            }
+        }
+    }
+
+    /// Root mean square of the unweighed residuals of the readings of the given curves.
+    pub fn rms(&self, trial: &Trial, curves: [bool; 2]) -> f64 {
+        let (mut sum, mut count) = (0.0, 0.0);
+        for row in &self.problem.rows {
+            let angles = trial.angles(self.problem.model, &self.problem.pairs[row.pair], row.time);
+            for curve in (0..2).filter(|&curve| curves[curve] && row.weights[curve] > 0.0) {
+                sum += (angles[curve] - row.values[curve]).powi(2);
+                count += 1.0;
+            }
+        }
+        if count == 0.0 { 0.0 } else { f64::sqrt(sum / count) }
+    }
+
+    /// Weighed sum of squares about the mean of each curve.
+    pub fn variation(&self) -> f64 {
+        (0..2).map(|curve| self.variation_of(curve)).sum()
+    }
+
+    fn variation_of(&self, curve: usize) -> f64 {
+        let rows = || self.problem.rows.iter().map(|row| (row.weights[curve].powi(2), row.values[curve]));
+        let weight: f64 = rows().map(|(weight, _)| weight).sum();
+        if weight == 0.0 {
+            return 0.0;
+        }
+        let mean = rows().map(|(weight, value)| weight * value).sum::<f64>() / weight;
+        rows().map(|(weight, value)| weight * (value - mean).powi(2)).sum()
+    }
+
+    /// A bootstrap replicate keeps about 63 % of the samples, so twice the least number is asked for.
+    fn check_number(&self, options: &FitOptions) -> Result<(), FitError> {
+        let parameters = self.problem.parameters();
+        let (samples, needed) = (self.problem.rows.len(), 2 * parameters);
+        if samples >= needed {
+            return Ok(());
+        }
+        Err(FitError::TooFew { samples, curves: options.curves.name(), parameters, needed })
+    }
+
+    /// Refuses curves that are constant, or constant within their sigmas (by three standard deviations of
+    /// chi squared).
+    fn check_variation(&self, options: &FitOptions) -> Result<(), FitError> {
+        let varies = (0..2).any(|curve| {
+            let free = self.problem.rows.iter().filter(|row| row.weights[curve] > 0.0).count() as f64 - 1.0;
+            let scatter = free + 3.0 * (2.0 * free).sqrt();
+            self.ranges[curve] > 0.0 && (!self.has_sigmas[curve] || self.variation_of(curve) > scatter)
+        });
+        if varies {
+            return Ok(());
+        }
+        Err(FitError::Flat { curves: options.curves.name(), range: self.ranges[0].max(self.ranges[1]) })
+    }
+}
+
+fn reading(sample: &Sample, curve: usize) -> Option<Reading> {
+    [sample.dphi, sample.dtheta][curve]
+}
+
+fn has_reading(observations: &Observations, curve: usize) -> bool {
+    observations.samples().iter().any(|sample| reading(sample, curve).is_some())
+}
+
+fn range(observations: &Observations, curve: usize) -> f64 {
+    let values =
+        || observations.samples().iter().filter_map(|sample| reading(sample, curve)).map(|r| r.value);
+    let range = values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min);
+    range.max(0.0)
+}
+
+/// The scale of each curve's noise before a fit: its range, and for a curve that is constant a thousandth
+/// of the other's.
+fn scales(ranges: [f64; 2]) -> [f64; 2] {
+    let least = 1e-3 * ranges[0].max(ranges[1]).max(f64::MIN_POSITIVE.sqrt());
+    ranges.map(|range| range.max(least))
+}
+
+fn row(sample: &Sample, used: [bool; 2], scales: [f64; 2]) -> Row {
+    let mut row = Row { time: sample.time, pair: sample.pair, values: [0.0; 2], weights: [0.0; 2] };
+    for curve in (0..2).filter(|&curve| used[curve]) {
+        if let Some(Reading { value, sigma }) = reading(sample, curve) {
+            row.values[curve] = value;
+            row.weights[curve] = 1.0 / sigma.unwrap_or(scales[curve]);
+        }
+    }
+    row
+}
+
+/// Whether the readings of `curve` have sigmas: all or none must.
+fn check_sigmas(observations: &Observations, curve: usize) -> Result<bool, FitError> {
+    let readings = || observations.samples().iter().filter_map(|sample| reading(sample, curve));
+    let (with, of) = (readings().filter(|reading| reading.sigma.is_some()).count(), readings().count());
+    if with != 0 && with != of {
+        return Err(FitError::MixedSigma { curve: NAMES[curve], with, of });
+    }
+    Ok(of > 0 && with == of)
+}
+
+fn check_pairs(observations: &Observations, model: FitModel) -> Result<(), FitError> {
+    if model == FitModel::Exact {
+        return Ok(());
+    }
+    for (pair, [primary, secondary]) in observations.pairs().iter().enumerate() {
+        if primary.y != secondary.y || primary.z != secondary.z {
+            let problem = "the published model needs both on a line along x";
+            return Err(FitError::Pair { pair, problem });
+        }
+    }
+    Ok(())
+}

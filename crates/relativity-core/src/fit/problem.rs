@@ -1,0 +1,193 @@
+//! The least-squares problem: weighed rows of data, and free parameters without bounds.
+//!
+//! beta in (0, 1) is varied as the logarithm of the rapidity and y > 0 as its logarithm, so that no step
+//! leaves the domain; z has a sign and is varied as it is.
+
+use levenberg_marquardt::LeastSquaresProblem;
+use nalgebra::storage::Owned;
+use nalgebra::{Dyn, Matrix4, OMatrix, OVector, U4, Vector4};
+
+use crate::apparent::Aperture;
+use crate::fit::curve::{FitModel, Gradient, Slopes, Trial};
+use crate::speed::Speed;
+
+/// Largest rapidity tried (gamma = 1e26): it keeps a wild step inside the domain of [`Speed`].
+const MAX_RAPIDITY: f64 = 60.0;
+/// Likewise for lengths and times.
+const MAX_LENGTH: f64 = 1e50;
+
+/// One sample, ready to be fitted.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Row {
+    pub time: f64,
+    pub pair: usize,
+    /// Delta-phi and Delta-theta; 0 where there is no reading.
+    pub values: [f64; 2],
+    /// 1/sigma of each; 0 where it is not fitted.
+    pub weights: [f64; 2],
+}
+
+/// The free parameters: ln(rapidity), ln(y), z and the time of passage t0.
+pub(crate) type Free = Vector4<f64>;
+
+/// The data and the model.
+#[derive(Debug, Clone)]
+pub(crate) struct Problem {
+    pub model: FitModel,
+    pub pairs: Vec<[Aperture; 2]>,
+    pub rows: Vec<Row>,
+    /// Objective x at t0.
+    pub passage_x: f64,
+    /// Whether t0 is fitted; else it is 0.
+    pub fits_passage: bool,
+}
+
+/// Sums over rows: J^T W J, J^T W r and r^T W r.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct NormalEquations {
+    pub hessian: Matrix4<f64>,
+    pub gradient: Vector4<f64>,
+    pub cost: f64,
+}
+
+impl Problem {
+    /// The object that `free` describes; `None` if it is not a number.
+    pub fn trial(&self, free: &Free) -> Option<Trial> {
+        let rapidity = free[0].exp().min(MAX_RAPIDITY);
+        let bounded = |value: f64| value.clamp(-MAX_LENGTH, MAX_LENGTH);
+        let [y, z, passage_time] = [free[1].exp().min(MAX_LENGTH), bounded(free[2]), bounded(free[3])];
+        if y.is_nan() || z.is_nan() || passage_time.is_nan() {
+            return None;
+        }
+        let speed = Speed::from_rapidity(rapidity).ok()?;
+        Some(Trial { speed, y, z, passage_time, passage_x: self.passage_x })
+    }
+
+    /// Number of fitted parameters.
+    pub fn parameters(&self) -> usize {
+        3 + usize::from(self.fits_passage)
+    }
+
+    /// Number of readings that are fitted.
+    pub fn readings(&self) -> usize {
+        self.rows.iter().flat_map(|row| row.weights).filter(|&weight| weight > 0.0).count()
+    }
+
+    /// Whether only |z| matters: Delta-phi alone, seen by apertures that all lie at z = 0.
+    pub fn is_even_in_z(&self) -> bool {
+        self.rows.iter().all(|row| row.weights[1] == 0.0)
+            && self.pairs.iter().flatten().all(|aperture| aperture.z == 0.0)
+    }
+
+    /// Changes of the free parameters by which beta and y change by themselves, and z and t0 by as much as
+    /// the distance.
+    pub fn sizes(&self, trial: &Trial) -> Free {
+        let distance = trial.y.hypot(trial.z);
+        let beta = trial.speed.beta();
+        Free::new(beta / self.chain(trial)[0], 1.0, distance, distance / beta)
+    }
+
+    pub fn slopes(&self, trial: &Trial, row: &Row) -> Slopes {
+        trial.slopes(self.model, &self.pairs[row.pair], row.time)
+    }
+
+    /// Model minus data, weighed.
+    pub fn residuals_of_row(&self, trial: &Trial, row: &Row) -> [f64; 2] {
+        let angles = trial.angles(self.model, &self.pairs[row.pair], row.time);
+        weighed(&angles, row)
+    }
+
+    /// d(beta, y, z, t0)/d(free parameters): it is diagonal. 0 for a parameter that is not fitted.
+    pub fn chain(&self, trial: &Trial) -> Gradient {
+        let dbeta = trial.speed.rapidity() * trial.speed.inverse_gamma_squared();
+        [dbeta, trial.y, 1.0, if self.fits_passage { 1.0 } else { 0.0 }]
+    }
+}
+
+fn weighed(angles: &[f64; 2], row: &Row) -> [f64; 2] {
+    std::array::from_fn(|curve| row.weights[curve] * (angles[curve] - row.values[curve]))
+}
+
+impl NormalEquations {
+    /// Adds the row at which the model has `slopes`, `count` times.
+    #[inline]
+    pub fn add(&mut self, slopes: &Slopes, row: &Row, count: f64) {
+        let residuals = weighed(&slopes.angles, row);
+        for curve in (0..2).filter(|&curve| row.weights[curve] > 0.0) {
+            let g = slopes.gradients[curve];
+            let weight = count * row.weights[curve];
+            let scaled = row.weights[curve] * weight;
+            for i in 0..4 {
+                // Only the lower triangle: the matrix is symmetric, and its factorisation reads no more.
+                for j in 0..=i {
+                    self.hessian[(i, j)] += scaled * g[i] * g[j];
+                }
+                self.gradient[i] += weight * residuals[curve] * g[i];
+            }
+            self.cost += count * residuals[curve] * residuals[curve];
+        }
+    }
+
+    /// In the free parameters, whose `chain` is d(parameter)/d(free parameter). One that is not fitted
+    /// gets a unit row, so that its step is 0.
+    pub fn in_free_parameters(&self, chain: Gradient) -> Self {
+        let scale = Vector4::from(chain);
+        let mut hessian = self.hessian;
+        for i in 0..4 {
+            for j in 0..i {
+                hessian[(j, i)] = hessian[(i, j)];
+            }
+        }
+        hessian = hessian.component_mul(&(scale * scale.transpose()));
+        for i in 0..4 {
+            if chain[i] == 0.0 {
+                hessian[(i, i)] = 1.0;
+            }
+        }
+        Self { hessian, gradient: self.gradient.component_mul(&scale), cost: self.cost }
+    }
+}
+
+/// The problem at one point, for the solver.
+pub(crate) struct At<'a> {
+    pub problem: &'a Problem,
+    pub free: Free,
+}
+
+impl LeastSquaresProblem<f64, Dyn, U4> for At<'_> {
+    type ResidualStorage = Owned<f64, Dyn>;
+    type JacobianStorage = Owned<f64, Dyn, U4>;
+    type ParameterStorage = Owned<f64, U4>;
+
+    fn set_params(&mut self, free: &Free) {
+        self.free = *free;
+    }
+
+    fn params(&self) -> Free {
+        self.free
+    }
+
+    fn residuals(&self) -> Option<OVector<f64, Dyn>> {
+        let trial = self.problem.trial(&self.free)?;
+        let rows = &self.problem.rows;
+        let residuals = rows.iter().flat_map(|row| self.problem.residuals_of_row(&trial, row));
+        Some(OVector::<f64, Dyn>::from_iterator(2 * rows.len(), residuals))
+    }
+
+    fn jacobian(&self) -> Option<OMatrix<f64, Dyn, U4>> {
+        let trial = self.problem.trial(&self.free)?;
+        let chain = self.problem.chain(&trial);
+        let rows = &self.problem.rows;
+        let mut jacobian = OMatrix::<f64, Dyn, U4>::zeros(2 * rows.len());
+        for (index, row) in rows.iter().enumerate() {
+            let slopes = self.problem.slopes(&trial, row);
+            for curve in 0..2 {
+                for parameter in 0..4 {
+                    jacobian[(2 * index + curve, parameter)] =
+                        row.weights[curve] * slopes.gradients[curve][parameter] * chain[parameter];
+                }
+            }
+        }
+        Some(jacobian)
+    }
+}

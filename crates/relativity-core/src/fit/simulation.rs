@@ -1,0 +1,64 @@
+//! Simulated observations: what a known object would show, with noise.
+
+use rand::SeedableRng as _;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution as _, StandardNormal};
+
+use crate::apparent::SourcePoint;
+use crate::fit::curve::{FitModel, Trial};
+use crate::fit::error::FitError;
+use crate::fit::observations::{Observations, Reading, Sample};
+use crate::speed::Speed;
+
+/// A known object, and how it is observed by the paper's pair of apertures.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Simulation {
+    /// The object's speed, above 0.
+    pub speed: Speed,
+    /// The object.
+    pub point: SourcePoint,
+    /// Aperture separation.
+    pub separation: f64,
+    /// The binocular model that the curves follow.
+    pub model: FitModel,
+    /// Observation times.
+    pub times: Vec<f64>,
+    /// Standard deviation of the normal noise, as a share of each curve's range.
+    pub noise: f64,
+    /// Seed of the noise: a `ChaCha8` generator, the same numbers on every machine.
+    pub seed: u64,
+}
+
+impl Simulation {
+    /// Both curves, sample by sample; without sigmas, as if the noise were unknown.
+    ///
+    /// # Errors
+    ///
+    /// [`FitError::Domain`], [`FitError::Sample`] or [`FitError::Pair`] if a number is out of range.
+    pub fn observations(&self) -> Result<Observations, FitError> {
+        let &Self { speed, point, separation, model, ref times, noise, seed } = self;
+        let clean = Observations::of_pair(separation, Vec::new())?;
+        let object = Trial { speed, y: point.y, z: point.z, passage_time: 0.0, passage_x: point.x0 };
+        let curves: Vec<[f64; 2]> =
+            times.iter().map(|&time| object.angles(model, &clean.pairs()[0], time)).collect();
+        let sigmas = [0, 1].map(|curve| noise * range(curves.iter().map(|angles| angles[curve])));
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let mut reading = |angles: [f64; 2], curve: usize| {
+            let deviate: f64 = StandardNormal.sample(&mut random);
+            Some(Reading { value: angles[curve] + sigmas[curve] * deviate, sigma: None })
+        };
+        let samples = times.iter().zip(curves).map(|(&time, angles)| Sample {
+            time,
+            pair: 0,
+            dphi: reading(angles, 0),
+            dtheta: reading(angles, 1),
+        });
+        Observations::of_pair(separation, samples.collect())
+    }
+}
+
+fn range(values: impl Iterator<Item = f64> + Clone) -> f64 {
+    let low = values.clone().fold(f64::INFINITY, f64::min);
+    let high = values.fold(f64::NEG_INFINITY, f64::max);
+    (high - low).max(0.0)
+}

@@ -1,0 +1,278 @@
+//! What every GPU renderer draws on: the frame's uniforms, the colour tables, and the last pass.
+//!
+//! Bodies are drawn with four samples per pixel over nothing, in linear light; the last pass puts them over sky
+//! and ground and applies the sRGB curve.
+
+use bytemuck::bytes_of;
+
+use crate::frame::Frame;
+use crate::gpu::{Gpu, GpuError};
+use crate::palette;
+use crate::shaders::BACKDROP;
+use crate::target::{self, DEPTH_FORMAT, ENCODED_FORMAT, EyeTarget, MEASURES_FORMAT};
+use crate::view::{Appearance, Colour};
+
+#[derive(Debug)]
+pub struct Canvas {
+    frame_layout: wgpu::BindGroupLayout,
+    layer_layout: wgpu::BindGroupLayout,
+    tables: [wgpu::TextureView; 2],
+    /// The last pass, without and with a ground.
+    last_pass: [wgpu::RenderPipeline; 2],
+}
+
+/// What a pass over the bodies wrote: RGBA32 floats, see the shaders' `Hit`.
+pub struct Measures {
+    pub measures: Vec<[f32; 4]>,
+    pub places: Vec<[f32; 4]>,
+}
+
+impl Canvas {
+    pub fn new(gpu: &Gpu) -> Self {
+        let device = &gpu.device;
+        let frame_layout = bind_group_layout(device, &[frame_entry(), texture_entry(1)]);
+        let layer_layout = bind_group_layout(device, &[texture_entry(0)]);
+        let module = gpu.shader("backdrop", BACKDROP);
+        let layout = pipeline_layout(device, &[Some(&frame_layout), Some(&layer_layout)]);
+        let last_pass = [0.0, 1.0].map(|ground| last_pass(device, &module, &layout, ground));
+        let tables = [Colour::Visible, Colour::False].map(|colour| colour_table(gpu, colour));
+        Self { frame_layout, layer_layout, tables, last_pass }
+    }
+
+    /// The layout of pipelines that draw bodies.
+    pub fn body_layout(&self, gpu: &Gpu) -> wgpu::PipelineLayout {
+        pipeline_layout(&gpu.device, &[Some(&self.frame_layout)])
+    }
+
+    /// Draws a picture; `bodies` records the draws of the bodies.
+    pub fn paint(
+        &self,
+        gpu: &Gpu,
+        target: &EyeTarget,
+        frame: &Frame,
+        appearance: &Appearance,
+        bodies: impl FnOnce(&mut wgpu::RenderPass<'_>),
+    ) {
+        gpu.queue.write_buffer(&target.frame, 0, bytes_of(frame));
+        let has_ground = frame.has_ground();
+        let frame = self.frame_bind_group(gpu, &target.frame, appearance.colour);
+        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        {
+            let samples = wgpu::RenderPassColorAttachment {
+                resolve_target: Some(&target.bodies),
+                ..attachment(&target.samples, wgpu::StoreOp::Discard)
+            };
+            let mut pass = begin_pass(&mut encoder, "bodies", &[Some(samples)], Some(&target.depth));
+            pass.set_bind_group(0, &frame, &[]);
+            bodies(&mut pass);
+        }
+        {
+            let picture = attachment(target.view(), wgpu::StoreOp::Store);
+            let mut pass = begin_pass(&mut encoder, "last", &[Some(picture)], None);
+            pass.set_pipeline(&self.last_pass[usize::from(has_ground)]);
+            pass.set_bind_group(0, &frame, &[]);
+            pass.set_bind_group(1, &self.layer_bind_group(gpu, &target.bodies), &[]);
+            pass.draw(0..3, 0..1);
+        }
+        gpu.queue.submit([encoder.finish()]);
+    }
+
+    /// Measures what the centre of every pixel shows; `bodies` records the draws of the bodies.
+    pub fn measure(
+        &self,
+        gpu: &Gpu,
+        size: [u32; 2],
+        frame: &Frame,
+        bodies: impl FnOnce(&mut wgpu::RenderPass<'_>),
+    ) -> Result<Measures, GpuError> {
+        let buffer = frame_buffer(gpu);
+        gpu.queue.write_buffer(&buffer, 0, bytes_of(frame));
+        let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
+        let [measures, places, depth] =
+            [("measures", MEASURES_FORMAT), ("places", MEASURES_FORMAT), ("depth", DEPTH_FORMAT)]
+                .map(|(label, format)| target::texture(gpu, label, size, 1, format, usage));
+        let [measures_view, places_view, depth_view] = [&measures, &places, &depth]
+            .map(|texture| texture.create_view(&wgpu::TextureViewDescriptor::default()));
+        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        {
+            let attachments =
+                [&measures_view, &places_view].map(|view| Some(attachment(view, wgpu::StoreOp::Store)));
+            let mut pass = begin_pass(&mut encoder, "hits", &attachments, Some(&depth_view));
+            pass.set_bind_group(0, &self.frame_bind_group(gpu, &buffer, Colour::Visible), &[]);
+            bodies(&mut pass);
+        }
+        gpu.queue.submit([encoder.finish()]);
+        let numbers = |texture| -> Result<Vec<[f32; 4]>, GpuError> {
+            let bytes = target::bytes(gpu, texture, size, 16)?;
+            Ok(bytes.chunks_exact(16).map(bytemuck::pod_read_unaligned).collect())
+        };
+        Ok(Measures { measures: numbers(&measures)?, places: numbers(&places)? })
+    }
+
+    fn frame_bind_group(&self, gpu: &Gpu, frame: &wgpu::Buffer, colour: Colour) -> wgpu::BindGroup {
+        let table = &self.tables[usize::from(colour == Colour::False)];
+        let entries = [
+            wgpu::BindGroupEntry { binding: 0, resource: frame.as_entire_binding() },
+            wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(table) },
+        ];
+        bind_group(gpu, &self.frame_layout, &entries)
+    }
+
+    fn layer_bind_group(&self, gpu: &Gpu, layer: &wgpu::TextureView) -> wgpu::BindGroup {
+        let resource = wgpu::BindingResource::TextureView(layer);
+        bind_group(gpu, &self.layer_layout, &[wgpu::BindGroupEntry { binding: 0, resource }])
+    }
+}
+
+/// A buffer for one eye's frame: two eyes must not share one, since both are written before either draws.
+pub fn frame_buffer(gpu: &Gpu) -> wgpu::Buffer {
+    gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("frame"),
+        size: size_of::<Frame>() as u64,
+        usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    })
+}
+
+/// Puts `data` into `buffer`, which is made anew (and larger) if it is too small.
+pub fn fill_vertex_buffer<T: bytemuck::NoUninit>(gpu: &Gpu, buffer: &mut wgpu::Buffer, data: &[T]) {
+    let bytes = bytemuck::cast_slice(data);
+    if bytes.len() as u64 > buffer.size() {
+        *buffer = vertex_buffer(gpu, bytes.len().next_power_of_two() as u64);
+    }
+    gpu.queue.write_buffer(buffer, 0, bytes);
+}
+
+/// A vertex buffer of `size` bytes.
+pub fn vertex_buffer(gpu: &Gpu, size: u64) -> wgpu::Buffer {
+    gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("vertices"),
+        size,
+        usage: wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    })
+}
+
+fn begin_pass<'a>(
+    encoder: &'a mut wgpu::CommandEncoder,
+    label: &str,
+    color_attachments: &[Option<wgpu::RenderPassColorAttachment<'_>>],
+    depth: Option<&wgpu::TextureView>,
+) -> wgpu::RenderPass<'a> {
+    let depth_ops = Some(wgpu::Operations { load: wgpu::LoadOp::Clear(0.0), store: wgpu::StoreOp::Discard });
+    encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        label: Some(label),
+        color_attachments,
+        depth_stencil_attachment: depth.map(|view| wgpu::RenderPassDepthStencilAttachment {
+            view,
+            depth_ops,
+            stencil_ops: None,
+        }),
+        ..Default::default()
+    })
+}
+
+fn attachment(view: &wgpu::TextureView, store: wgpu::StoreOp) -> wgpu::RenderPassColorAttachment<'_> {
+    wgpu::RenderPassColorAttachment {
+        view,
+        depth_slice: None,
+        resolve_target: None,
+        ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT), store },
+    }
+}
+
+fn last_pass(
+    device: &wgpu::Device,
+    module: &wgpu::ShaderModule,
+    layout: &wgpu::PipelineLayout,
+    ground: f64,
+) -> wgpu::RenderPipeline {
+    let constants = [("GROUND", ground)];
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some("last pass"),
+        layout: Some(layout),
+        vertex: wgpu::VertexState {
+            module,
+            entry_point: Some("screen"),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            buffers: &[],
+        },
+        primitive: wgpu::PrimitiveState::default(),
+        depth_stencil: None,
+        multisample: wgpu::MultisampleState::default(),
+        fragment: Some(wgpu::FragmentState {
+            module,
+            entry_point: Some("composite"),
+            compilation_options: wgpu::PipelineCompilationOptions {
+                constants: &constants,
+                ..Default::default()
+            },
+            targets: &[Some(ENCODED_FORMAT.into())],
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
+}
+
+fn colour_table(gpu: &Gpu, colour: Colour) -> wgpu::TextureView {
+    let size = [palette::ENTRIES, 1];
+    let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
+    let texture = target::texture(gpu, "colour table", size, 1, MEASURES_FORMAT, usage);
+    let layout = wgpu::TexelCopyBufferLayout {
+        offset: 0,
+        bytes_per_row: Some(palette::ENTRIES * 16),
+        rows_per_image: None,
+    };
+    let table = palette::table(colour);
+    gpu.queue.write_texture(texture.as_image_copy(), bytemuck::cast_slice(&table), layout, texture.size());
+    texture.create_view(&wgpu::TextureViewDescriptor::default())
+}
+
+fn bind_group(
+    gpu: &Gpu,
+    layout: &wgpu::BindGroupLayout,
+    entries: &[wgpu::BindGroupEntry<'_>],
+) -> wgpu::BindGroup {
+    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries })
+}
+
+fn bind_group_layout(device: &wgpu::Device, entries: &[wgpu::BindGroupLayoutEntry]) -> wgpu::BindGroupLayout {
+    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: None, entries })
+}
+
+fn pipeline_layout(
+    device: &wgpu::Device,
+    bind_group_layouts: &[Option<&wgpu::BindGroupLayout>],
+) -> wgpu::PipelineLayout {
+    device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label: None,
+        bind_group_layouts,
+        immediate_size: 0,
+    })
+}
+
+fn frame_entry() -> wgpu::BindGroupLayoutEntry {
+    wgpu::BindGroupLayoutEntry {
+        binding: 0,
+        visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
+        ty: wgpu::BindingType::Buffer {
+            ty: wgpu::BufferBindingType::Uniform,
+            has_dynamic_offset: false,
+            min_binding_size: None,
+        },
+        count: None,
+    }
+}
+
+fn texture_entry(binding: u32) -> wgpu::BindGroupLayoutEntry {
+    wgpu::BindGroupLayoutEntry {
+        binding,
+        visibility: wgpu::ShaderStages::FRAGMENT,
+        ty: wgpu::BindingType::Texture {
+            sample_type: wgpu::TextureSampleType::Float { filterable: false },
+            view_dimension: wgpu::TextureViewDimension::D2,
+            multisampled: false,
+        },
+        count: None,
+    }
+}

@@ -1,0 +1,40 @@
+//! Hits from what the shaders wrote per pixel.
+
+use glam::DVec3;
+
+use crate::body::Body;
+use crate::camera::LinesOfSight;
+use crate::canvas::Measures;
+use crate::intersect::Solid;
+use crate::reference::{Hit, HitImage};
+use crate::view::View;
+
+impl Measures {
+    /// What is seen of `bodies` in `view`; what the shader has not written follows in f64.
+    pub fn hit_image(&self, bodies: &[Body], view: &View) -> HitImage {
+        let solids: Vec<_> = bodies.iter().map(|body| Solid::new(&body.shape)).collect();
+        let lines_of_sight = LinesOfSight::new(&view.camera);
+        let size = view.camera.size;
+        let width = size[0] as usize;
+        let hit = |(i, (measures, place)): (usize, (&[f32; 4], &[f32; 4]))| {
+            let [index, distance, doppler_factor, is_hit] = measures.map(f64::from);
+            if is_hit != 1.0 {
+                return None;
+            }
+            let body = index as usize;
+            let [x, y, z, _] = place.map(f64::from);
+            let rest_position = solids[body].center() + DVec3::new(x, y, z);
+            let pixel = [(i % width) as f64 + 0.5, (i / width) as f64 + 0.5];
+            Some(Hit {
+                body,
+                rest_position,
+                rest_normal: solids[body].normal(rest_position),
+                distance,
+                emission_time: view.emission_time(lines_of_sight.through(pixel), distance),
+                doppler_factor,
+            })
+        };
+        let hits = self.measures.iter().zip(&self.places).enumerate().map(hit).collect();
+        HitImage { size, hits }
+    }
+}

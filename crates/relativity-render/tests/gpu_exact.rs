@@ -1,0 +1,188 @@
+//! The exact renderer against the f64 reference and against the light-cone formula of the core.
+
+mod gpu_support;
+mod support;
+
+use std::process::ExitCode;
+
+use glam::DVec3;
+use gpu_support::scenes::{crowd, speeds, still_life, time_seen_at, view_following};
+use relativity_core::{SourcePoint, Speed, sighting};
+use relativity_render::{Body, ExactRenderer, Geometry, Gpu, HitImage, ReferenceScene, Shape, View};
+use support::signed_distance;
+
+fn main() -> ExitCode {
+    gpu_support::run(&[
+        ("hits_agree_with_the_reference", hits_agree_with_the_reference),
+        ("hits_appear_where_the_light_cone_says", hits_appear_where_the_light_cone_says),
+        ("bounds_never_clip", bounds_never_clip),
+        ("spheres_keep_a_circular_outline", spheres_keep_a_circular_outline),
+    ])
+}
+
+/// The point followed, and how far along its path it is seen, in units of its distance from the path:
+/// approaching, abreast, receding.
+const FOLLOWED: [f64; 3] = [-0.4, 3.0, 0.7];
+const ALONG: [f64; 5] = [-8.0, -1.0, 0.0, 1.0, 4.0];
+
+fn views() -> impl Iterator<Item = View> {
+    speeds().into_iter().flat_map(|speed| {
+        ALONG.map(|along| {
+            let time = time_seen_at(FOLLOWED, &speed, along);
+            view_following(FOLLOWED, speed, time, 45.0)
+        })
+    })
+}
+
+/// Silhouettes may be off by this, px (0.5 is asked for beyond gamma = 100).
+const SILHOUETTE_PX: f64 = 0.05;
+const DOPPLER_ERROR: f64 = 1e-5;
+/// Hits lie this close to the surface, in the scene's unit (the bodies are about 1 large).
+const SURFACE_ERROR: f64 = 2e-6;
+
+fn hits_agree_with_the_reference(gpu: &Gpu) {
+    let mut renderer = ExactRenderer::new(gpu);
+    for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
+        for view in views() {
+            let view = View { geometry, ..view };
+            agrees(&mut renderer, gpu, &still_life(), &view);
+        }
+    }
+}
+
+fn agrees(renderer: &mut ExactRenderer, gpu: &Gpu, bodies: &[Body], view: &View) {
+    let image = renderer.hits(gpu, bodies, view).expect("device works");
+    let reference = ReferenceScene::new(bodies);
+    let truth = reference.hit_image(view);
+    let context = format!("{:?} gamma {} T {}", view.geometry, view.speed.gamma(), view.observation_time);
+    let mut wrong = 0;
+    for (i, (hit, true_hit)) in image.hits.iter().zip(&truth.hits).enumerate() {
+        if let (Some(hit), Some(true_hit)) = (hit, true_hit) {
+            let error = (hit.doppler_factor / true_hit.doppler_factor - 1.0).abs();
+            assert!(error < DOPPLER_ERROR, "{context}: D off by {error:e}");
+        }
+        if let Some(hit) = hit {
+            let off_surface = signed_distance(&bodies[hit.body].shape, hit.rest_position).abs();
+            assert!(
+                off_surface < SURFACE_ERROR,
+                "{context}: {off_surface:e} off {:?}",
+                bodies[hit.body].shape
+            );
+        }
+        let body = hit.map(|hit| hit.body);
+        if body != true_hit.map(|hit| hit.body) {
+            wrong += 1;
+            let nearby = around(pixel(&image, i))
+                .map(|place| reference.first_hit(view, view.camera.line_of_sight(place)).map(|hit| hit.body));
+            assert!(nearby.contains(&body), "{context}: pixel {:?} is wrong inside", pixel(&image, i));
+        } else if let (Some(hit), Some(true_hit)) = (hit, true_hit)
+            && hit.rest_normal.distance(true_hit.rest_normal) > 0.5
+        {
+            // The wrong side of the right body.
+            wrong += 1;
+        }
+    }
+    let covered = truth.hits.iter().flatten().count();
+    assert!(wrong * 1000 <= covered.max(1000), "{context}: {wrong} of {covered} pixels are wrong");
+}
+
+/// The pixel's centre.
+fn pixel(image: &HitImage, i: usize) -> [f64; 2] {
+    let width = image.size[0] as usize;
+    [(i % width) as f64 + 0.5, (i / width) as f64 + 0.5]
+}
+
+/// Places as far from `place` as a silhouette may be off.
+fn around([u, v]: [f64; 2]) -> [[f64; 2]; 16] {
+    std::array::from_fn(|k| {
+        let (sine, cosine) = (std::f64::consts::TAU * k as f64 / 16.0).sin_cos();
+        [u + SILHOUETTE_PX * cosine, v + SILHOUETTE_PX * sine]
+    })
+}
+
+fn hits_appear_where_the_light_cone_says(gpu: &Gpu) {
+    let mut renderer = ExactRenderer::new(gpu);
+    for view in views() {
+        let image = renderer.hits(gpu, &still_life(), &view).expect("device works");
+        for (i, hit) in image.hits.iter().enumerate().filter_map(|(i, hit)| Some((i, (*hit)?))) {
+            let point = SourcePoint::from_rest(hit.rest_position.to_array(), &view.speed);
+            let seen = sighting(&view.speed, point, view.camera.aperture, view.observation_time);
+            let seen = seen.expect("inside the domain");
+            let place = view.camera.pixel(seen.position.into()).expect("in front");
+            let off = (DVec3::new(place[0], place[1], 0.0)
+                - DVec3::new(pixel(&image, i)[0], pixel(&image, i)[1], 0.0))
+            .length();
+            assert!(off < 0.05, "gamma {}: {off} px off", view.speed.gamma());
+            let distance_error = (hit.distance / seen.distance - 1.0).abs();
+            assert!(distance_error < 1e-5, "gamma {}: distance {distance_error:e}", view.speed.gamma());
+        }
+    }
+}
+
+fn bounds_never_clip(gpu: &Gpu) {
+    let mut bounded = ExactRenderer::new(gpu);
+    let mut unbounded = ExactRenderer::brute_force(gpu);
+    let bodies = crowd(150);
+    for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
+        for speed in speeds() {
+            for (rest, fov) in [([2.0, 1.0, 0.5], 50.0), ([-3.0, 0.5, -1.0], 120.0)] {
+                let view = View { geometry, ..view_following(rest, speed, 0.3, fov) };
+                let [found, expected] = [&mut bounded, &mut unbounded]
+                    .map(|renderer| renderer.hits(gpu, &bodies, &view).expect("device works"));
+                let differing = found.hits.iter().zip(&expected.hits).filter(|(a, b)| a != b).count();
+                assert_eq!(differing, 0, "{geometry:?} gamma {} fov {fov}", speed.gamma());
+            }
+        }
+    }
+}
+
+/// Penrose: the outline's lines of sight n satisfy n.a = 1 for some vector a.
+fn spheres_keep_a_circular_outline(gpu: &Gpu) {
+    let center = [0.0, 3.0, 1.0];
+    let body = Body { shape: Shape::Sphere { center, radius: 0.5 }, rest_wavelength_nm: 600.0 };
+    let mut renderer = ExactRenderer::new(gpu);
+    for speed in [0.0, 0.5, 0.9, 0.99, 0.9999].map(|beta| Speed::from_beta(beta).expect("below 1")) {
+        for along in [-1.5, 0.0, 1.5] {
+            let view = view_following(center, speed, time_seen_at(center, &speed, along), 40.0);
+            let image = renderer.hits(gpu, &[body], &view).expect("device works");
+            let outline = outline(&image, &view);
+            assert!(outline.len() > 20, "too small to judge");
+            let residual = circle_residual(&outline) * view.camera.focal_length_px();
+            // A place between two pixels is known to half a pixel.
+            assert!(residual < 0.75, "beta {} along {along}: {residual} px", speed.beta());
+        }
+    }
+}
+
+/// Lines of sight halfway between pixels that show the body and their neighbours that do not.
+fn outline(image: &HitImage, view: &View) -> Vec<DVec3> {
+    let [width, height] = image.size.map(|v| v as usize);
+    let shows = |u: usize, v: usize| image.hits[v * width + u].is_some();
+    let mut outline = Vec::new();
+    for v in 0..height - 1 {
+        for u in 0..width - 1 {
+            let [x, y] = [u as f64 + 0.5, v as f64 + 0.5];
+            if shows(u, v) != shows(u + 1, v) {
+                outline.push(view.camera.line_of_sight([x + 0.5, y]));
+            }
+            if shows(u, v) != shows(u, v + 1) {
+                outline.push(view.camera.line_of_sight([x, y + 0.5]));
+            }
+        }
+    }
+    outline
+}
+
+/// Largest angle between the outline and the circle fitted to it, radians.
+fn circle_residual(outline: &[DVec3]) -> f64 {
+    let mut normal = glam::DMat3::ZERO;
+    let mut sum = DVec3::ZERO;
+    for n in outline {
+        normal += glam::DMat3::from_cols(*n * n.x, *n * n.y, *n * n.z);
+        sum += *n;
+    }
+    let a = normal.inverse() * sum;
+    let radius = (1.0 / a.length()).acos();
+    let off = |n: &DVec3| (n.angle_between(a) - radius).abs();
+    outline.iter().map(off).fold(0.0, f64::max)
+}

@@ -1,0 +1,90 @@
+//! Scenes and views for the renderers to agree on.
+
+use glam::DVec3;
+use relativity_core::{Aperture, SourcePoint, Speed, sighting};
+use relativity_render::{Body, Camera, Gaze, Geometry, Shape, View};
+
+use crate::support::{centred, spread};
+
+/// A few bodies of every shape, thin and thick, that do not touch; about 1.5 long.
+pub fn still_life() -> Vec<Body> {
+    let ring = |center, axis: [f64; 3], radius, tube_radius| Shape::Ring {
+        center,
+        axis: DVec3::from(axis).normalize().to_array(),
+        radius,
+        tube_radius,
+    };
+    bodies(vec![
+        ring([0.0, 3.0, 0.4], [0.0, 1.0, 0.0], 0.33, 0.02),
+        ring([-0.8, 3.1, 0.5], [0.3, 1.0, 0.2], 0.3, 0.1),
+        ring([-0.4, 3.0, 1.2], [1.0, 0.1, 0.0], 0.2, 0.05),
+        Shape::Sphere { center: [-0.4, 3.0, 0.75], radius: 0.12 },
+        Shape::Sphere { center: [0.0, 3.0, 0.4], radius: 0.05 },
+        Shape::Tube { from: [-1.2, 3.0, 0.9], to: [0.3, 3.0, 0.95], radius: 0.03 },
+        Shape::Tube { from: [0.4, 2.8, 0.0], to: [0.4, 3.3, 1.3], radius: 0.05 },
+        Shape::Tube { from: [-1.2, 2.6, 0.0], to: [0.3, 2.6, 0.1], radius: 0.004 },
+        Shape::Tube { from: [-1.3, 3.3, 0.2], to: [-1.1, 3.3, 1.2], radius: 0.01 },
+    ])
+}
+
+/// `count` bodies of every shape strewn around the aperture, some of them around it or behind it.
+pub fn crowd(count: u32) -> Vec<Body> {
+    let shape = |i| {
+        let [x, y, z, size, u, v, w] = spread(i);
+        let center = centred([x, y, z]) * DVec3::new(6.0, 3.0, 3.0);
+        let direction = centred([u, v, w]).normalize();
+        let size = 0.02 + 0.5 * size * size;
+        match i % 3 {
+            0 => Shape::Sphere { center: center.to_array(), radius: 0.5 * size },
+            1 => Shape::Tube {
+                from: (center - direction * 3.0 * size).to_array(),
+                to: (center + direction * 3.0 * size).to_array(),
+                radius: 0.2 * size,
+            },
+            _ => Shape::Ring {
+                center: center.to_array(),
+                axis: direction.to_array(),
+                radius: 2.0 * size,
+                tube_radius: 0.15 * size,
+            },
+        }
+    };
+    bodies((0..count).map(shape).collect())
+}
+
+fn bodies(shapes: Vec<Shape>) -> Vec<Body> {
+    shapes.into_iter().map(|shape| Body { shape, rest_wavelength_nm: 600.0 }).collect()
+}
+
+/// A view from the origin that follows the rest-frame point `rest`, as seen at `observation_time`.
+pub fn view_following(rest: [f64; 3], speed: Speed, observation_time: f64, fov_degrees: f64) -> View {
+    let aperture = Aperture::default();
+    let seen = sighting(&speed, SourcePoint::from_rest(rest, &speed), aperture, observation_time);
+    View {
+        camera: Camera {
+            aperture,
+            gaze: Gaze::along(seen.expect("inside the domain").position),
+            horizontal_fov: fov_degrees.to_radians(),
+            size: [320, 240],
+        },
+        speed,
+        observation_time,
+        geometry: Geometry::Seen,
+    }
+}
+
+/// The speeds that the renderers are held to, slow to fast.
+pub fn speeds() -> [Speed; 6] {
+    let beta = |beta| Speed::from_beta(beta).expect("below 1");
+    let gamma = |gamma| Speed::from_gamma(gamma).expect("at least 1");
+    [beta(0.0), beta(0.5), beta(0.9), beta(0.9999), gamma(100.0), gamma(1000.0)]
+}
+
+/// The observation time at which the rest-frame point `rest` is seen at the place `along` past the
+/// aperture, in units of its distance from the path: negative before it passes.
+pub fn time_seen_at([x, y, z]: [f64; 3], speed: &Speed, along: f64) -> f64 {
+    let off_path = y.hypot(z);
+    // At rest it is seen where it is, at any time.
+    let emission = (along * off_path - x / speed.gamma()) / speed.beta().max(1e-3);
+    emission + off_path * along.hypot(1.0)
+}

@@ -1,0 +1,309 @@
+//! What `gamow fit` says: one structure, written as JSON or as a table.
+
+use std::fmt;
+
+use relativity_core::{
+    Bootstrap, Combined, Curves, Fit, FitError, FitModel, FitOptions, Observations, Parameter, bootstrap,
+    combined, fit,
+};
+use serde::Serialize;
+
+/// Half the width of a 95 % interval of a normal distribution, in standard errors.
+const NORMAL_95: f64 = 1.959_963_984_540_054;
+
+/// The fit, and with both curves also the fit of each and their weighted mean.
+#[derive(Debug, Serialize)]
+pub struct Report {
+    /// `exact` or `published`.
+    pub model: &'static str,
+    /// Always true: what did not converge is an error.
+    pub converged: bool,
+    /// The fit of all that was asked for.
+    #[serde(flatten)]
+    pub fit: Outcome,
+    /// The bootstrap behind the uncertainties.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bootstrap: Option<BootstrapSummary>,
+    /// Each curve on its own, and both together in the paper's way.
+    pub fits: Fits,
+}
+
+/// A fit of one set of curves.
+#[derive(Debug, Serialize)]
+pub struct Outcome {
+    /// Which curves: `dphi`, `dtheta` or `both`.
+    pub curves: &'static str,
+    /// Best values and their uncertainties.
+    pub parameters: Parameters<Estimate>,
+    /// Correlations, in the order of `parameters`.
+    pub correlations: Vec<Vec<f64>>,
+    /// Root mean square of the residuals, radians.
+    pub rms: f64,
+    /// Chi squared per degree of freedom, if there were sigmas.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reduced_chi_squared: Option<f64>,
+    /// Readings fitted.
+    pub readings: usize,
+}
+
+/// One value per parameter.
+#[derive(Debug, Clone, Serialize)]
+pub struct Parameters<T> {
+    /// Speed over c.
+    pub beta: T,
+    /// Depth.
+    pub y: T,
+    /// Height.
+    pub z: T,
+    /// Objective x at t = 0, if it was fitted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub x0: Option<T>,
+}
+
+/// A value and its uncertainty.
+#[derive(Debug, Clone, Serialize)]
+pub struct Estimate {
+    /// Best value.
+    pub value: f64,
+    /// Standard error, by the bootstrap if there was one.
+    pub uncertainty: f64,
+    /// Interval that holds 95 %.
+    pub ci95: [f64; 2],
+    /// Standard error from the covariance at the best fit.
+    pub uncertainty_linear: f64,
+}
+
+/// The bootstrap.
+#[derive(Debug, Serialize)]
+pub struct BootstrapSummary {
+    /// Replicates drawn.
+    pub replicates: usize,
+    /// Those without a fit.
+    pub failed: usize,
+    /// The seed.
+    pub seed: u64,
+}
+
+/// Fits of single curves.
+#[derive(Debug, Default, Serialize)]
+pub struct Fits {
+    /// The azimuthal fit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dphi: Option<Attempt>,
+    /// The polar fit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dtheta: Option<Attempt>,
+    /// Their weighted mean.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub combined: Option<Parameters<Mean>>,
+}
+
+/// A fit of a single curve, or why there is none.
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+pub enum Attempt {
+    /// A fit.
+    Fit(Box<Outcome>),
+    /// None.
+    Failure {
+        /// Why.
+        problem: String,
+    },
+}
+
+/// A weighted mean of two estimates.
+#[derive(Debug, Clone, Serialize)]
+pub struct Mean {
+    /// The mean.
+    pub value: f64,
+    /// Its standard error.
+    pub uncertainty: f64,
+    /// Interval that holds 95 % of the replicates.
+    pub ci95: [f64; 2],
+    /// Correlation between both estimates.
+    pub correlation: f64,
+}
+
+impl From<Combined> for Mean {
+    fn from(mean: Combined) -> Self {
+        Self {
+            value: mean.value,
+            uncertainty: mean.standard_error,
+            ci95: mean.interval_95,
+            correlation: mean.correlation,
+        }
+    }
+}
+
+/// A fit and its bootstrap, if one was asked for.
+type Fitted = (Fit, Option<Bootstrap>);
+
+impl Report {
+    /// Fits `observations`, with `replicates` bootstrap replicates unless that is 0.
+    pub fn new(
+        observations: &Observations,
+        options: &FitOptions,
+        replicates: usize,
+        seed: u64,
+    ) -> Result<Self, FitError> {
+        let attempt = |curves| fitted(observations, &FitOptions { curves, ..*options }, replicates, seed);
+        let joint = attempt(options.curves)?;
+        let bootstrap = joint.1.as_ref().map(|b| BootstrapSummary { replicates, failed: b.failed(), seed });
+        let fits = match options.curves {
+            Curves::Azimuth | Curves::Polar => Fits::default(),
+            Curves::Both => Fits::new(attempt(Curves::Azimuth), attempt(Curves::Polar)),
+        };
+        let model = match options.model {
+            FitModel::Exact => "exact",
+            FitModel::Published => "published",
+        };
+        Ok(Self { model, converged: true, fit: Outcome::new(&joint), bootstrap, fits })
+    }
+}
+
+fn fitted(
+    observations: &Observations,
+    options: &FitOptions,
+    replicates: usize,
+    seed: u64,
+) -> Result<Fitted, FitError> {
+    let best = fit(observations, options)?;
+    let bootstrap = if replicates == 0 { None } else { Some(bootstrap(&best, replicates, seed)?) };
+    Ok((best, bootstrap))
+}
+
+impl Fits {
+    fn new(azimuth: Result<Fitted, FitError>, polar: Result<Fitted, FitError>) -> Self {
+        let combined = match (&azimuth, &polar) {
+            (Ok((azimuth, Some(a))), Ok((polar, Some(p)))) => {
+                let mean = |parameter| combined((azimuth, a), (polar, p), parameter).into();
+                Some(Parameters::new(azimuth.parameters(), mean))
+            }
+            _ => None,
+        };
+        Self { dphi: Some(Attempt::new(azimuth)), dtheta: Some(Attempt::new(polar)), combined }
+    }
+}
+
+impl Attempt {
+    fn new(fitted: Result<Fitted, FitError>) -> Self {
+        match fitted {
+            Ok(fitted) => Self::Fit(Box::new(Outcome::new(&fitted))),
+            Err(error) => Self::Failure { problem: error.to_string() },
+        }
+    }
+}
+
+impl Outcome {
+    fn new((fit, bootstrap): &Fitted) -> Self {
+        let correlation = |&a: &Parameter, &b: &Parameter| match bootstrap {
+            Some(bootstrap) => bootstrap.correlation(a, b),
+            None => fit.correlation(a, b),
+        };
+        let parameters = fit.parameters();
+        let row = |a: &Parameter| parameters.iter().map(|b| correlation(a, b)).collect();
+        Self {
+            curves: fit.options.curves.name(),
+            parameters: Parameters::new(parameters, |parameter| estimate(fit, bootstrap.as_ref(), parameter)),
+            correlations: parameters.iter().map(row).collect(),
+            rms: fit.rms,
+            reduced_chi_squared: fit.reduced_chi_squared,
+            readings: fit.readings,
+        }
+    }
+}
+
+fn estimate(fit: &Fit, bootstrap: Option<&Bootstrap>, parameter: Parameter) -> Estimate {
+    let value = fit.value(parameter);
+    let uncertainty_linear = fit.standard_error(parameter);
+    let half = NORMAL_95 * uncertainty_linear;
+    let (uncertainty, ci95) = bootstrap
+        .map_or((uncertainty_linear, [value - half, value + half]), |bootstrap| {
+            (bootstrap.standard_error(parameter), bootstrap.interval_95(parameter))
+        });
+    Estimate { value, uncertainty, ci95, uncertainty_linear }
+}
+
+impl<T> Parameters<T> {
+    fn new(parameters: &[Parameter], of: impl Fn(Parameter) -> T) -> Self {
+        let x0 = parameters.contains(&Parameter::X0).then(|| of(Parameter::X0));
+        Self { beta: of(Parameter::Beta), y: of(Parameter::Y), z: of(Parameter::Z), x0 }
+    }
+
+    fn iter(&self) -> impl Iterator<Item = (Parameter, &T)> {
+        let all = [Some(&self.beta), Some(&self.y), Some(&self.z), self.x0.as_ref()];
+        Parameter::ALL.into_iter().zip(all).filter_map(|(parameter, value)| Some((parameter, value?)))
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "model      {}", self.model)?;
+        match &self.bootstrap {
+            Some(BootstrapSummary { replicates, failed, seed }) => {
+                writeln!(f, "bootstrap  {replicates} replicates, seed {seed}, {failed} failed")?;
+            }
+            None => writeln!(f, "bootstrap  none")?,
+        }
+        write!(f, "{}", self.fit)?;
+        for (name, attempt) in [("dphi", &self.fits.dphi), ("dtheta", &self.fits.dtheta)] {
+            match attempt {
+                Some(Attempt::Fit(outcome)) => write!(f, "{outcome}")?,
+                Some(Attempt::Failure { problem }) => writeln!(f, "\n{name}: no fit: {problem}")?,
+                None => {}
+            }
+        }
+        let Some(combined) = &self.fits.combined else { return Ok(()) };
+        writeln!(f, "\nweighted mean of dphi and dtheta")?;
+        writeln!(f, "  {:29} {:24} correlation", "     value +- uncertainty", "95 % interval")?;
+        for (parameter, mean) in combined.iter() {
+            write_estimate(f, parameter, mean.value, mean.uncertainty, mean.ci95)?;
+            writeln!(f, "  {:.3}", mean.correlation)?;
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Display for Outcome {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "\n{}: {} readings, rms {:.3e} rad", self.curves, self.readings, self.rms)?;
+        match self.reduced_chi_squared {
+            Some(reduced) => writeln!(f, ", reduced chi squared {reduced:.3}")?,
+            None => writeln!(f)?,
+        }
+        writeln!(f, "  {:29} {:24} linear     correlations", "     value +- uncertainty", "95 % interval")?;
+        for ((parameter, estimate), correlations) in self.parameters.iter().zip(&self.correlations) {
+            write_estimate(f, parameter, estimate.value, estimate.uncertainty, estimate.ci95)?;
+            write!(f, "  {:.1e} ", estimate.uncertainty_linear)?;
+            for correlation in correlations {
+                write!(f, "{correlation:7.3}")?;
+            }
+            writeln!(f)?;
+        }
+        Ok(())
+    }
+}
+
+/// A line of a table, with as many decimals as the uncertainty calls for.
+fn write_estimate(
+    f: &mut fmt::Formatter<'_>,
+    parameter: Parameter,
+    value: f64,
+    uncertainty: f64,
+    [low, high]: [f64; 2],
+) -> fmt::Result {
+    let decimals = decimals(uncertainty);
+    let value = format!("{value:.decimals$} +- {uncertainty:.decimals$}");
+    let interval = format!("{low:.decimals$} ... {high:.decimals$}");
+    write!(f, "  {:5}{value:24} {interval:24}", parameter.name())
+}
+
+/// Decimals that show two digits of `uncertainty`, but no more than nine.
+fn decimals(uncertainty: f64) -> usize {
+    const MOST: f64 = 9.0;
+    if uncertainty > 0.0 {
+        (1.0 - uncertainty.log10().floor()).clamp(0.0, MOST) as usize
+    } else {
+        MOST as usize
+    }
+}

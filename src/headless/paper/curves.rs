@@ -1,0 +1,145 @@
+//! The paper's curves: angles and their differences against time, in each model.
+
+use relativity_core::{
+    Aperture, Disparity, DomainError, PublishedVariant, SourcePoint, Speed, disparity, published_disparity,
+};
+
+/// A binocular model, as the report compares them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Model {
+    /// The paper's Appendix A.
+    Published,
+    /// The same with the sign of the text.
+    PublishedText,
+    /// Each aperture solves its own light cone.
+    Exact,
+}
+
+impl Model {
+    /// As the figures call it.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Published => "published (Appendix A)",
+            Self::PublishedText => "published, text's sign",
+            Self::Exact => "exact",
+        }
+    }
+}
+
+/// A tracked point, as the paper sets it up: it passes x = 0 at t = 0.
+#[derive(Debug, Clone, Copy)]
+pub struct Setup {
+    pub beta: f64,
+    pub y: f64,
+    pub z: f64,
+    pub separation: f64,
+}
+
+impl Setup {
+    /// The point of the paper's section 3.
+    pub const SECTION_3: Self = Self { beta: 0.9, y: 0.5, z: 0.5, separation: 0.3 };
+    /// The forward-most point of the cyclist's front wheel.
+    pub const CYCLIST: Self = Self { beta: 0.9, y: 3.0, z: 2.0, separation: 0.1 };
+
+    pub fn speed(&self) -> Speed {
+        Speed::from_beta(self.beta).expect("the paper's speeds are below 1")
+    }
+
+    /// What both eyes see of the tracked point.
+    pub fn seen(&self, model: Model, time: f64) -> Result<Disparity, DomainError> {
+        self.seen_at(model, SourcePoint { x0: 0.0, y: self.y, z: self.z }, time)
+    }
+
+    /// What both eyes see of another point of the same body.
+    pub fn seen_at(&self, model: Model, point: SourcePoint, time: f64) -> Result<Disparity, DomainError> {
+        let (speed, d) = (self.speed(), self.separation);
+        let [left, right] = Aperture::pair(d);
+        match model {
+            Model::Exact => disparity(&speed, point, left, right, time),
+            Model::Published => published_disparity(&speed, point, d, time, PublishedVariant::AppendixA),
+            Model::PublishedText => published_disparity(&speed, point, d, time, PublishedVariant::TextSign),
+        }
+    }
+
+    /// A quantity of what is seen against time, at `count` times.
+    pub fn curve(
+        &self,
+        model: Model,
+        [from, to]: [f64; 2],
+        count: usize,
+        quantity: impl Fn(&Disparity) -> f64,
+    ) -> Result<Vec<[f64; 2]>, DomainError> {
+        let time = |index: usize| from + (to - from) * index as f64 / (count - 1) as f64;
+        (0..count).map(|index| Ok([time(index), quantity(&self.seen(model, time(index))?)])).collect()
+    }
+}
+
+/// Extremes of a curve and where it is zero.
+#[derive(Debug, Clone)]
+pub struct Extent {
+    pub least: f64,
+    pub largest: f64,
+    pub zeros: Vec<f64>,
+}
+
+/// Extremes and zeros of a dense curve, between its points by parabolas and straight lines.
+pub fn extent(curve: &[[f64; 2]]) -> Extent {
+    let values = || curve.iter().map(|point| point[1]);
+    let mut extent = Extent {
+        least: values().fold(f64::INFINITY, f64::min),
+        largest: values().fold(f64::NEG_INFINITY, f64::max),
+        zeros: Vec::new(),
+    };
+    for three in curve.windows(3) {
+        let [before, here, after] = [three[0][1], three[1][1], three[2][1]];
+        let curvature = before - 2.0 * here + after;
+        if (here - before) * (after - here) < 0.0 {
+            let extreme = here - (after - before).powi(2) / (8.0 * curvature);
+            extent.least = extent.least.min(extreme);
+            extent.largest = extent.largest.max(extreme);
+        }
+    }
+    for two in curve.windows(2) {
+        let [[from, before], [to, after]] = [two[0], two[1]];
+        if before * after < 0.0 {
+            extent.zeros.push(from + (to - from) * before / (before - after));
+        }
+    }
+    extent
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The table of extremes that the errata rest on, as worked out independently of this program.
+    #[test]
+    fn extremes_and_zeros_of_each_model_are_the_known_ones() {
+        let known = [
+            (Model::Published, [-0.3295, 0.0712], [-0.0032, 0.2240], vec![0.723], vec![0.567, 0.723]),
+            (Model::PublishedText, [-0.0858, 0.4394], [-0.2694, 0.0045], vec![0.723], vec![0.504, 0.723]),
+            (Model::Exact, [-0.6678, f64::NAN], [-0.0973, 0.3219], vec![], vec![0.723]),
+        ];
+        for (model, dphi, dtheta, dphi_zeros, dtheta_zeros) in known {
+            let curve = |quantity: fn(&Disparity) -> f64| {
+                Setup::SECTION_3.curve(model, [-20.0, 40.0], 60_001, quantity).expect("inside the domain")
+            };
+            let [phi, theta] = [extent(&curve(|seen| seen.dphi)), extent(&curve(|seen| seen.dtheta))];
+            assert_near(&[phi.least], &dphi[..1], 5e-5);
+            assert_near(&[theta.least, theta.largest], &dtheta, 5e-5);
+            assert_near(&phi.zeros, &dphi_zeros, 5e-4);
+            assert_near(&theta.zeros, &dtheta_zeros, 5e-4);
+            match model {
+                Model::Exact => assert!(phi.largest < 0.0),
+                _ => assert_near(&[phi.largest], &dphi[1..], 5e-5),
+            }
+        }
+    }
+
+    fn assert_near(values: &[f64], known: &[f64], tolerance: f64) {
+        assert_eq!(values.len(), known.len(), "{values:?} {known:?}");
+        for (value, known) in values.iter().zip(known) {
+            assert!((value - known).abs() <= tolerance, "{value} is not {known}");
+        }
+    }
+}

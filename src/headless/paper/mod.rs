@@ -1,0 +1,48 @@
+//! `gamow paper`: every figure and number of the paper, beside those of the published and the exact model.
+//!
+//! The paper: E. A. Cryer-Jenkins and P. D. Stevenson, *Gamow's cyclist: a new look at relativistic measurements
+//! for a binocular observer*, Proc. R. Soc. A 476 (2020), doi 10.1098/rspa.2019.0703.
+
+mod bicycle;
+mod curves;
+mod figures;
+mod fits;
+mod numbers;
+mod plot;
+mod report;
+mod stereo;
+
+use std::fs;
+use std::path::PathBuf;
+
+use anyhow::Context as _;
+use clap::Args;
+
+/// Reproduces the paper: its figures as SVG, CSV and PNG, and report.md with its numbers beside ours.
+///
+/// Every number that the paper states stands beside that of its own model (Appendix A) and of the exact model, with its
+/// errata explained. What cannot be reproduced is said.
+#[derive(Debug, Args)]
+pub struct PaperArgs {
+    /// Folder to write to; it is made if it is not there.
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+}
+
+/// Runs `gamow paper`.
+pub fn run(args: &PaperArgs) -> anyhow::Result<()> {
+    let folder = args.out.as_path();
+    fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
+    figures::write_all(folder)?;
+    let fits = fits::write_all(folder)?;
+    let frames = stereo::write_all(folder)?;
+    let report = report::Report {
+        numbers: numbers::rows()?,
+        fits,
+        bias: fits::bias_of_published()?,
+        frames: stereo::FIGURES.iter().zip(frames).collect(),
+    };
+    figures::write_text(folder, "report.md", &report.to_string())?;
+    println!("{}", folder.join("report.md").display());
+    Ok(())
+}

@@ -1,0 +1,185 @@
+//! The numbers of the paper's section 3 and 4(a), beside those of each model.
+
+use relativity_core::{Aperture, Disparity, DomainError, SourcePoint, equidistance_time, sighting};
+
+use super::curves::{Extent, Model, Setup, extent};
+
+/// Observation times that hold all extremes and zeros.
+const TIMES: [f64; 2] = [-20.0, 40.0];
+const SAMPLES: usize = 60_001;
+/// So far away, in units of the distance of closest approach, that ratios have their limits.
+const FAR: f64 = 1e6;
+/// Shortest length that counts as short against its distance.
+const ROD: f64 = 1e-3;
+
+/// A number that the paper states, beside ours.
+#[derive(Debug)]
+pub struct Row {
+    /// What it is.
+    pub quantity: &'static str,
+    /// As the paper states it.
+    pub paper: &'static str,
+    /// In the models of [`MODELS`], or one value for all.
+    pub ours: Vec<String>,
+    /// What there is to say.
+    pub remark: &'static str,
+}
+
+/// The models, in the order of the columns.
+pub const MODELS: [Model; 3] = [Model::Published, Model::PublishedText, Model::Exact];
+
+/// All rows.
+pub fn rows() -> Result<Vec<Row>, DomainError> {
+    let mut rows = difference_rows()?;
+    rows.extend(motion_rows()?);
+    Ok(rows)
+}
+
+fn difference_rows() -> Result<Vec<Row>, DomainError> {
+    let setup = Setup::SECTION_3;
+    let extents = |quantity: fn(&Disparity) -> f64| -> Result<Vec<Extent>, DomainError> {
+        MODELS.iter().map(|&model| Ok(extent(&setup.curve(model, TIMES, SAMPLES, quantity)?))).collect()
+    };
+    let (phi, theta) = (extents(|seen| seen.dphi)?, extents(|seen| seen.dtheta)?);
+    let each = |extents: &[Extent], of: fn(&Extent) -> String| extents.iter().map(of).collect();
+    let point = SourcePoint { x0: 0.0, y: setup.y, z: setup.z };
+    let t0 = equidistance_time(&setup.speed(), point, setup.separation)?.unwrap_or(f64::NAN);
+    Ok(vec![
+        Row {
+            quantity: "T0 for y = z = 0.5, d = 0.3",
+            paper: "0.72",
+            ours: vec![format!("{t0:.4}")],
+            remark: "as stated",
+        },
+        Row {
+            quantity: "least delta-phi, rad",
+            paper: "-0.34",
+            ours: each(&phi, |extent| format!("{:.4}", extent.least)),
+            remark: "E5: no variant gives the quoted value",
+        },
+        Row {
+            quantity: "largest delta-phi, rad",
+            paper: "0.06",
+            ours: each(&phi, largest),
+            remark: "E5; exactly, delta-phi never changes its sign (E3)",
+        },
+        Row {
+            quantity: "zeros of delta-phi, T",
+            paper: "0.72",
+            ours: each(&phi, zeros),
+            remark: "exactly there is none: ordinary parallax is always negative (E3)",
+        },
+        Row {
+            quantity: "least delta-theta, rad",
+            paper: "-0.015",
+            ours: each(&theta, |extent| format!("{:.4}", extent.least)),
+            remark: "E5",
+        },
+        Row {
+            quantity: "largest delta-theta, rad",
+            paper: "0.19",
+            ours: each(&theta, |extent| format!("{:.4}", extent.largest)),
+            remark: "E5",
+        },
+        Row {
+            quantity: "zeros of delta-theta, T",
+            paper: "two, the later at 0.72",
+            ours: each(&theta, zeros),
+            remark: "exactly there is one, at T0, where both eyes see the point equally far",
+        },
+    ])
+}
+
+/// A curve that only comes near 0 at its ends has no lobe above it.
+fn largest(extent: &Extent) -> String {
+    if extent.largest < 0.0 { "below 0".to_owned() } else { format!("{:.4}", extent.largest) }
+}
+
+fn zeros(extent: &Extent) -> String {
+    let zeros: Vec<String> = extent.zeros.iter().map(|zero| format!("{zero:.4}")).collect();
+    if zeros.is_empty() { "none".to_owned() } else { zeros.join(", ") }
+}
+
+/// What one aperture sees, the same in every model.
+fn motion_rows() -> Result<Vec<Row>, DomainError> {
+    let setup = Setup::CYCLIST;
+    let doppler =
+        |x: f64| -> Result<f64, DomainError> { Ok(700.0 / seen_at(&setup, x, 0.0)?.doppler_factor) };
+    let [before, after] = [apparent_length(&setup, -FAR)?, apparent_length(&setup, FAR)?];
+    let [approaching, receding] = [apparent_speed(&setup, -FAR)?, apparent_speed(&setup, FAR)?];
+    Ok(vec![
+        Row {
+            quantity: "apparent length over rest length, far ahead",
+            paper: "sqrt((1+beta)/(1-beta)) = 4.3589",
+            ours: vec![format!("{before:.4}")],
+            remark: "as stated",
+        },
+        Row {
+            quantity: "apparent length over rest length, far past",
+            paper: "sqrt((1-beta)/(1+beta)) = 0.2294",
+            ours: vec![format!("{after:.4}")],
+            remark: "as stated",
+        },
+        Row {
+            quantity: "apparent speed, approaching",
+            paper: "above c",
+            ours: vec![format!("up to {approaching:.3} c")],
+            remark: "beta/(1 - beta)",
+        },
+        Row {
+            quantity: "apparent speed, receding",
+            paper: "at most c/2",
+            ours: vec![format!("down to {receding:.3} c")],
+            remark: "beta/(1 + beta); right after the passage it is still above c/2",
+        },
+        Row {
+            quantity: "received wavelength of 700 nm, approaching",
+            paper: "about 200 nm",
+            ours: vec![format!("{:.0} nm far ahead, {:.0} nm at x = -10", doppler(-FAR)?, doppler(-10.0)?)],
+            remark: "the paper's value is that of its frames, where the cyclist is not far ahead",
+        },
+        Row {
+            quantity: "received wavelength of 700 nm, receding",
+            paper: "about 1000 nm",
+            ours: vec![format!("{:.0} nm at x = 0, {:.0} nm far past", doppler(0.0)?, doppler(FAR)?)],
+            remark: "at beta = 0.9 about 1000 nm come from parts still seen ahead of the eyes",
+        },
+    ])
+}
+
+/// What an eye at the origin sees of the tracked point or one `xr` further forward in the rest frame, when
+/// it sees the tracked point at `x`.
+fn seen_at(setup: &Setup, x: f64, xr: f64) -> Result<relativity_core::Sighting, DomainError> {
+    let time = x / setup.beta + x.hypot(setup.y).hypot(setup.z);
+    let point = SourcePoint::from_rest([xr, setup.y, setup.z], &setup.speed());
+    sighting(&setup.speed(), point, Aperture::default(), time)
+}
+
+fn apparent_length(setup: &Setup, x: f64) -> Result<f64, DomainError> {
+    let length = ROD * x.abs();
+    let [rear, front] = [seen_at(setup, x, 0.0)?, seen_at(setup, x, length)?];
+    Ok((front.position[0] - rear.position[0]) / length)
+}
+
+fn apparent_speed(setup: &Setup, x: f64) -> Result<f64, DomainError> {
+    let point = SourcePoint { x0: 0.0, y: setup.y, z: setup.z };
+    let time = x / setup.beta + x.hypot(setup.y).hypot(setup.z);
+    let later = time + ROD * x.abs();
+    let at = |time| Ok(sighting(&setup.speed(), point, Aperture::default(), time)?.position[0]);
+    Ok((at(later)? - at(time)?) / (later - time))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ratios_and_apparent_speeds_have_their_limits() {
+        let setup = Setup::CYCLIST;
+        let ratio = 19.0_f64.sqrt();
+        assert!((apparent_length(&setup, -FAR).expect("inside") / ratio - 1.0).abs() < 1e-6);
+        assert!((apparent_length(&setup, FAR).expect("inside") * ratio - 1.0).abs() < 1e-6);
+        assert!((apparent_speed(&setup, -FAR).expect("inside") - 9.0).abs() < 1e-6);
+        assert!((apparent_speed(&setup, FAR).expect("inside") - 0.9 / 1.9).abs() < 1e-6);
+    }
+}

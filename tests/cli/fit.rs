@@ -1,0 +1,150 @@
+//! `gamow fit`: the chain from curves to speed, its JSON, and its complaints.
+
+use std::f64::consts::TAU;
+use std::fmt::Write as _;
+
+use serde_json::Value;
+
+use super::{gamow, run};
+
+/// Delta-phi and Delta-theta of the paper's tracked point by `gamow curve`, with a deterministic noise of
+/// about 1 % added, as CSV with the given columns.
+fn noisy_curve(columns: &[&str], model: &str) -> String {
+    let curve = run(gamow().args(["curve", "--samples", "240", "--model", model]), b"").text();
+    let mut lines = curve.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    let names = lines.next().expect("a header");
+    let places: Vec<usize> = columns
+        .iter()
+        .map(|column| names.iter().position(|name| name == column).expect("curve writes it"))
+        .collect();
+    let mut text = columns.join(",") + "\n";
+    for (index, line) in lines.enumerate() {
+        let cells = places.iter().map(|&place| match names[place] {
+            "dphi" | "dtheta" => noisy(line[place], 4 * index + 2 * place),
+            _ => line[place].to_owned(),
+        });
+        writeln!(text, "{}", cells.collect::<Vec<_>>().join(",")).expect("strings grow");
+    }
+    text
+}
+
+/// `cell` plus a normal deviate (Box and Muller's) of standard deviation 2e-4, about 1 % of the curves.
+fn noisy(cell: &str, index: usize) -> String {
+    let uniform = |index: usize| ((index as f64 + 1.0) * 0.618_033_988_749_895).fract().max(1e-9);
+    let deviate = (-2.0 * uniform(index).ln()).sqrt() * (TAU * uniform(index * index)).cos();
+    (cell.parse::<f64>().expect("a number") + 2e-4 * deviate).to_string()
+}
+
+fn fitted(csv: &str, arguments: &str) -> Value {
+    let text = run(gamow().arg("fit").args(arguments.split_whitespace()), csv.as_bytes()).text();
+    serde_json::from_str(&text).expect("JSON")
+}
+
+fn complaint(csv: &str, arguments: &str) -> String {
+    run(gamow().arg("fit").args(arguments.split_whitespace()), csv.as_bytes()).complaint()
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().expect("a number")
+}
+
+#[test]
+fn noise_free_curves_give_the_object_back_in_either_model() {
+    for model in ["exact", "published"] {
+        let curve = run(gamow().args(["curve", "--model", model]), b"").text();
+        let report = fitted(&curve, &format!("--model {model} --json --bootstrap 20"));
+        for (name, truth) in [("beta", 0.9), ("y", 3.0), ("z", 2.0)] {
+            let fits = [&report, &report["fits"]["dphi"], &report["fits"]["dtheta"]];
+            for fit in fits {
+                let value = number(&fit["parameters"][name]["value"]);
+                assert!((value - truth).abs() < 1e-9, "{model} {name} {value}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_json_holds_values_intervals_and_the_combined_fit() {
+    let report = fitted(&noisy_curve(&["T", "dphi", "dtheta"], "exact"), "--d 0.1 --json");
+    assert_eq!(report["model"], "exact");
+    assert_eq!(report["converged"], true);
+    assert!((1e-4..4e-4).contains(&number(&report["rms"])));
+    let (fits, truths) = (&report["fits"], [("beta", 0.9), ("y", 3.0), ("z", 2.0)]);
+    for (name, truth) in truths {
+        let parameters = [&report, &fits["dphi"], &fits["dtheta"]].map(|fit| &fit["parameters"]);
+        for parameter in
+            parameters.iter().map(|parameters| &parameters[name]).chain([&fits["combined"][name]])
+        {
+            let [value, uncertainty] = ["value", "uncertainty"].map(|key| number(&parameter[key]));
+            assert!((value - truth).abs() < 5.0 * uncertainty, "{name}: {parameter}");
+            let [low, high] = [0, 1].map(|end| number(&parameter["ci95"][end]));
+            assert!((3.0..5.0).contains(&((high - low) / uncertainty)), "{name}: {parameter}");
+        }
+    }
+}
+
+#[test]
+fn the_same_seed_gives_the_same_bytes() {
+    let csv = noisy_curve(&["T", "dphi", "dtheta"], "exact");
+    let report = |seed: &str| {
+        let mut command = gamow();
+        command.args(["fit", "--d", "0.1", "--json", "--bootstrap", "50", "--seed", seed]);
+        run(&mut command, csv.as_bytes()).text()
+    };
+    assert_eq!(report("3"), report("3"));
+    assert_ne!(report("3"), report("4"));
+}
+
+#[test]
+fn the_table_shows_all_parameters_and_an_output_file_is_whole() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("fit.txt");
+    let csv = noisy_curve(&["T", "dphi"], "published");
+    let mut command = gamow();
+    command.args(["fit", "--d", "0.1", "--model", "published", "--fit-x0", "--out"]).arg(&file);
+    assert_eq!(run(&mut command, csv.as_bytes()).text(), "");
+    let table = std::fs::read_to_string(&file).expect("written");
+    for name in ["model      published", "dphi: 240 readings", "  beta ", "  y ", "  z ", "  x0 "] {
+        assert!(table.contains(name), "{name:?} is missing:\n{table}");
+    }
+}
+
+#[test]
+fn faults_in_the_file_are_located() {
+    let header = "T,dphi,sigma_dphi\n";
+    let needed = "the header should name T, dphi or dtheta, and d unless --d gives it, and it names";
+    let cases = [
+        ("T,phi\n", "1: column dphi or dtheta is missing; ".to_owned() + needed + " T, phi"),
+        ("dphi\n", "1: column T is missing; ".to_owned() + needed + " dphi"),
+        (
+            "T,dphi,sigma_dphi\n0,x,1\n",
+            "2: column dphi: \"x\" is not a number; it should be one such as 0.9 or 1e-3".to_owned(),
+        ),
+        ("T,dphi,sigma_dphi\n0,-0.1,1\n\n1,-0.1,0\n", "4: column sigma_dphi: 0 is not usable".to_owned()),
+    ];
+    for (csv, expected) in cases {
+        assert_eq!(complaint(csv, "--d 0.1"), format!("gamow: standard input:{expected}"));
+    }
+    let no_separation = complaint(header, "");
+    assert!(no_separation.contains("column d is missing"), "{no_separation}");
+}
+
+#[test]
+fn what_the_data_cannot_tell_is_said() {
+    let few = complaint("T,dphi\n0,-0.1\n1,-0.2\n", "--d 0.1");
+    let expected = "2 samples of dphi are too few: 3 parameters need at least 6";
+    assert_eq!(few, format!("gamow: standard input: {expected}"));
+    let flat: String = (0..20).fold("T,dphi\n".to_owned(), |text, time| text + &format!("{time},-0.1\n"));
+    assert!(complaint(&flat, "--d 0.1").contains("the curve of dphi is flat"));
+    let not_there = complaint("T,dphi\n0,-0.1\n1,-0.2\n", "--d 0.1 --use dtheta");
+    assert!(not_there.contains("0 samples of dtheta are too few"), "{not_there}");
+}
+
+#[test]
+fn readings_that_were_not_made_are_left_out() {
+    let mut csv = noisy_curve(&["T", "dphi", "dtheta"], "exact");
+    csv.push_str("9.0,,\n9.1,-0.002,\n");
+    let report = fitted(&csv, "--d 0.1 --json --bootstrap 0");
+    assert_eq!(report["readings"], 481);
+    assert_eq!(report["fits"]["dtheta"]["readings"], 240);
+}

@@ -1,0 +1,69 @@
+//! What cannot be drawn, and what is drawn instead.
+
+use std::fs;
+use std::process::Command;
+
+use super::{Png, complaint, folder, output};
+
+#[test]
+fn mistakes_are_told_in_one_line() {
+    let folder = folder();
+    for (flags, told) in [
+        ("--out picture.jpg", ".png or .exr"),
+        ("--out folder", "--frames"),
+        ("--frames 2 --out picture.png", "folder"),
+        ("--frames 2 --beta 0 --out ride", "--from and --to"),
+        ("--geometry published", "mesh"),
+        ("--scene cyclsit", "cyclsit"),
+        ("--scene missing.toml", "missing.toml"),
+        ("--beta 1", "beta = 1"),
+        ("--d -1", "negative"),
+        ("--out missing/picture.png", "missing/picture.png"),
+        ("--time 1e70", "T = 1e70"),
+    ] {
+        let line = complaint(folder.path(), flags);
+        assert!(line.contains(told), "{flags}: {line}");
+    }
+    assert!(fs::read_dir(folder.path()).expect("it is there").next().is_none(), "a file was left behind");
+}
+
+#[test]
+fn flags_that_cannot_be_read_name_what_would_be_right() {
+    let folder = folder();
+    for (flags, told) in [
+        ("--size 0x5", "960x540"),
+        ("--fov 180", "between 0 and 180"),
+        ("--gaze up", "90,0"),
+        ("--gaze 0,90", "level"),
+        ("--layout both", "side-by-side"),
+        ("--exposure nan", "finite"),
+        ("--samples 0", "1..=16"),
+        ("--time 1 --frames 2", "--frames"),
+        ("--beta 0.5 --gamma 2", "--gamma"),
+    ] {
+        let output = output(folder.path(), flags);
+        let stderr = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{flags}: {stderr}");
+        assert!(stderr.contains(told), "{flags}: {stderr}");
+    }
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn without_an_adapter_it_draws_by_reference_and_says_so() {
+    let folder = folder();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_gamow"));
+    let flags = ["render", "--size=48x36", "--samples=1", "--out=picture.png"];
+    // There is no Direct3D 12 on this system.
+    let output = command.current_dir(folder.path()).args(flags).env("WGPU_BACKEND", "dx12").output();
+    let output = output.expect("the program starts");
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{stderr}");
+    assert!(stderr.contains("reference renderer") && stderr.lines().count() == 1, "{stderr}");
+    let parameters = &Png::read(&folder.path().join("picture.png")).texts["Parameters"];
+    assert!(parameters.contains("--renderer=reference"), "{parameters}");
+
+    let mut command = Command::new(env!("CARGO_BIN_EXE_gamow"));
+    let demanded = command.args(flags).arg("--renderer=exact").env("WGPU_BACKEND", "dx12").output();
+    assert_eq!(demanded.expect("the program starts").status.code(), Some(2));
+}

@@ -1,0 +1,106 @@
+//! PNG pictures: what they show, what they remember, and how long they take.
+
+use std::fs;
+use std::process::Command;
+
+use super::{HEIGHT, Png, WIDTH, command, folder, picture, render};
+
+#[test]
+#[cfg(unix)]
+fn a_picture_holds_the_command_that_makes_it_again() {
+    let folder = folder();
+    fs::write(
+        folder.path().join("it's mine.toml"),
+        "name = 'Mine'\n[[object]]\nshape = 'sphere'\ncenter = [0.0, 3.0, 0.5]\nradius = 0.4\n",
+    )
+    .expect("the folder is writable");
+    let flags = "--gamma 2.5 --d 0.3 --time 2.25 --fov 71.5 --gaze 100,-3.5 --layout anaglyph --colour false \
+                 --intensity-exponent 3 --exposure -0.5 --shading emission --sky off --samples 2 --out first.png";
+    let mut first = command(folder.path(), flags);
+    assert!(first.args(["--scene", "it's mine.toml"]).status().expect("the program starts").success());
+    let first = Png::read(&folder.path().join("first.png"));
+    let parameters = &first.texts["Parameters"];
+    assert_eq!(first.texts["Title"], "Mine");
+
+    let script = parameters.replacen("gamow", env!("CARGO_BIN_EXE_gamow"), 1) + " --out second.png";
+    let again = Command::new("sh").current_dir(folder.path()).args(["-c", &script]).status();
+    assert!(again.expect("there is a shell").success(), "{script}");
+    let second = Png::read(&folder.path().join("second.png"));
+    assert_eq!(&second.texts["Parameters"], parameters);
+    assert!(second.rgb == first.rgb, "the pictures differ");
+    assert!(first.rgb.iter().any(|&part| part > 100), "the ball is in the picture");
+}
+
+#[test]
+fn without_flags_it_is_the_stereo_frame_of_the_paper() {
+    let frame = picture("");
+    assert_eq!(frame.size, [2 * WIDTH, HEIGHT]);
+    let parameters = &frame.texts["Parameters"];
+    for part in
+        ["--scene=cyclist", "--beta=0.9", "--d=0.1", "--time=3.6058", "--gaze=track", "--layout=side-by-side"]
+    {
+        assert!(parameters.contains(part), "{part} in {parameters}");
+    }
+}
+
+#[test]
+fn layouts_show_the_same_two_pictures() {
+    let shown = |layout: &str| picture(&format!("--time 1.5 --layout {layout}"));
+    let [left, right] = [shown("left"), shown("right")];
+    assert!(left.rgb != right.rgb);
+    let [parallel, crossed] = [shown("side-by-side"), shown("cross-eyed")];
+    let [anaglyph, overlay] = [shown("anaglyph"), shown("overlay")];
+    for v in 0..HEIGHT {
+        assert_eq!(parallel.row(v), [left.row(v), right.row(v)].concat());
+        assert_eq!(crossed.row(v), [right.row(v), left.row(v)].concat());
+        for u in (0..3 * WIDTH as usize).step_by(3) {
+            let largest = |eye: &Png| *eye.row(v)[u..u + 3].iter().max().expect("three");
+            assert_eq!(anaglyph.row(v)[u..u + 3], [largest(&left), largest(&right), largest(&right)]);
+        }
+    }
+    assert_eq!(overlay.size, [WIDTH, HEIGHT]);
+    let blue_minus_red = |pixel: &[u8]| i32::from(pixel[2]) - i32::from(pixel[0]);
+    let tints: Vec<_> = overlay.rgb.chunks(3).map(blue_minus_red).collect();
+    assert!(tints.iter().any(|&tint| tint > 50) && tints.iter().any(|&tint| tint < -50), "blue and orange");
+}
+
+#[test]
+fn effects_and_geometries_change_the_picture() {
+    let plain = picture("--time 1.5");
+    for flags in [
+        "--colour false",
+        "--doppler-shift off",
+        "--intensity-exponent off",
+        "--exposure -2",
+        "--shading emission",
+        "--sky off",
+        "--light on",
+        "--geometry contracted",
+        "--geometry rest",
+        "--gaze 90,10",
+        "--fov 90",
+        "--beta 0.5",
+        "--d 0.6",
+    ] {
+        assert!(picture(&format!("--time 1.5 {flags}")).rgb != plain.rgb, "{flags}");
+    }
+    let street = "--time 1.5 --scene street --gaze 110,-20";
+    assert!(picture(street).rgb != picture(&format!("{street} --ground off")).rgb);
+}
+
+#[test]
+fn timings_name_every_stage() {
+    let folder = folder();
+    let table = render(folder.path(), "--timings --repeat 3 --samples 1 --out picture.png");
+    for stage in ["set up", "left eye", "right eye", "layout", "file"] {
+        let row = table
+            .lines()
+            .find(|line| line.starts_with(stage))
+            .unwrap_or_else(|| panic!("{stage} in {table}"));
+        let numbers: Vec<f64> =
+            row[stage.len()..].split_whitespace().map(|n| n.parse().expect("a number")).collect();
+        assert_eq!(numbers[0], if stage == "set up" { 1.0 } else { 3.0 });
+        assert!(numbers[1] <= numbers[2] && numbers[2] <= numbers[3], "{row}");
+    }
+    assert!(table.starts_with("reference, f64"), "{table}");
+}

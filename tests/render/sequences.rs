@@ -1,0 +1,83 @@
+//! Sequences that are broken off and taken up again.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Stdio;
+use std::thread;
+use std::time::{Duration, Instant};
+
+use super::{HEIGHT, Png, WIDTH, command, folder, output, render};
+
+fn frame(folder: &Path, number: u32) -> PathBuf {
+    folder.join(format!("ride/frame_{number:05}.png"))
+}
+
+#[test]
+fn a_sequence_keeps_the_frames_it_finds_and_mends_the_others() {
+    let folder = folder();
+    let flags = "--frames 4 --from 1 --to 2.5 --samples 1 --out ride";
+    render(folder.path(), flags);
+    let whole: Vec<_> =
+        (0..4).map(|number| fs::read(frame(folder.path(), number)).expect("it is there")).collect();
+    assert!(Png::read(&frame(folder.path(), 2)).texts["Parameters"].contains("--time=2 "));
+
+    let kept_before =
+        fs::metadata(frame(folder.path(), 0)).and_then(|file| file.modified()).expect("it is there");
+    fs::remove_file(frame(folder.path(), 1)).expect("it is there");
+    fs::write(frame(folder.path(), 2), &whole[2][..whole[2].len() - 20]).expect("it is writable");
+    fs::copy(frame(folder.path(), 0), frame(folder.path(), 3)).expect("it is writable"); // of another time
+    let message = String::from_utf8(output(folder.path(), flags).stderr).expect("it is text");
+    assert_eq!(message, "3 frames drawn and 1 kept in ride\n");
+    for (number, whole) in (0..4).zip(&whole) {
+        assert!(fs::read(frame(folder.path(), number)).is_ok_and(|bytes| bytes == *whole), "frame {number}");
+    }
+    let kept_after =
+        fs::metadata(frame(folder.path(), 0)).and_then(|file| file.modified()).expect("it is there");
+    assert_eq!(kept_after, kept_before);
+}
+
+#[test]
+fn a_sequence_draws_again_what_other_parameters_or_another_scene_made() {
+    let folder = folder();
+    let scene = |radius: &str| {
+        let text = format!(
+            "name = 'Ball'\n[[object]]\nshape = 'sphere'\ncenter = [0.0, 3.0, 0.5]\nradius = {radius}\n"
+        );
+        fs::write(folder.path().join("ball.toml"), text).expect("the folder is writable");
+    };
+    let drawn = |flags: &str| {
+        let flags = format!("--scene ball.toml --frames 2 --samples 1 --out ride {flags}");
+        String::from_utf8(output(folder.path(), &flags).stderr).expect("it is text")
+    };
+    scene("0.4");
+    assert!(drawn("").starts_with("2 frames drawn and 0 kept"));
+    assert!(drawn("").starts_with("0 frames drawn and 2 kept"));
+    assert!(drawn("--exposure 1").starts_with("2 frames drawn and 0 kept"));
+    scene("0.5");
+    assert!(drawn("--exposure 1").starts_with("2 frames drawn and 0 kept"));
+}
+
+#[test]
+fn a_killed_sequence_leaves_only_whole_frames() {
+    let folder = folder();
+    let mut child = command(folder.path(), "--frames 1000 --samples 1 --out ride")
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("the program starts");
+    let start = Instant::now();
+    while !frame(folder.path(), 3).exists() {
+        assert!(start.elapsed() < Duration::from_mins(1), "no frames appear");
+        thread::sleep(Duration::from_millis(2));
+    }
+    child.kill().expect("it runs still");
+    child.wait().expect("it ends");
+    let mut frames = 0;
+    for entry in fs::read_dir(folder.path().join("ride")).expect("it is there") {
+        let path = entry.expect("it can be read").path();
+        if path.extension().is_some_and(|extension| extension == "png") {
+            assert_eq!(Png::read(&path).size, [2 * WIDTH, HEIGHT]);
+            frames += 1;
+        }
+    }
+    assert!((4..1000).contains(&frames), "{frames} frames");
+}
