@@ -84,6 +84,6 @@ impl Renderers {
         place: &OutlinePoint,
     ) -> Result<f64, GpuError> {
         let reference = self.reference();
-        displacement_px(&reference, view, place, |view, _| self.hits(method, view))
+        displacement_px(&reference, view, place, |strip| self.hits_in_part(method, view, strip))
     }
 }

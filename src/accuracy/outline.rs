@@ -116,8 +116,8 @@ impl Search<'_> {
 /// How far the outline at `point` of `view` is displaced in a renderer's picture, pixels, 0 up to
 /// [`RESOLUTION_PX`].
 ///
-/// `hits` gives the renderer's picture of a view whose pixels are smaller than those of `view` by the factor
-/// given. Where it shows no end of the object up to [`LARGEST_PX`], that stands for more.
+/// `hits` gives the renderer's picture of a small part of `view`, magnified. Where it shows no end of the object up
+/// to [`LARGEST_PX`], that stands for more.
 ///
 /// # Errors
 ///
@@ -126,11 +126,11 @@ pub fn displacement_px<E>(
     scene: &ReferenceScene,
     view: &View,
     point: &OutlinePoint,
-    mut hits: impl FnMut(&View, f64) -> Result<HitImage, E>,
+    mut hits: impl FnMut(&View) -> Result<HitImage, E>,
 ) -> Result<f64, E> {
     for magnification in MAGNIFICATIONS {
         let strip = Strip::new(view, point, magnification);
-        let shown = hits(&strip.view, magnification)?;
+        let shown = hits(&strip.view)?;
         if let Some(end) = strip.end(&scene.hit_image(&strip.view), &shown) {
             return Ok(strip.displacement_px(&view.camera, end));
         }
@@ -234,7 +234,7 @@ mod tests {
             pairs.iter().filter_map(|pair| OutlinePoint::between(pair, &truth, &view)).collect();
         assert!(points.len() > 40, "{} places", points.len());
         let shown = ball(radius);
-        let hits = |view: &View, _: f64| Ok::<_, Infallible>(shown.hit_image(view));
+        let hits = |view: &View| Ok::<_, Infallible>(shown.hit_image(view));
         points.iter().map(|point| displacement_px(&truth, &view, point, hits).expect("cannot fail")).collect()
     }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use relativity_render::{
-    Appearance, Body, ExactRenderer, EyeTarget, Gpu, GpuError, HitImage, ReferenceScene, View,
+    Appearance, Body, ExactRenderer, EyeTarget, Gpu, GpuError, HitImage, MeshRenderer, ReferenceScene, View,
 };
 
 /// A way to draw a picture.
@@ -15,14 +15,20 @@ pub enum Method {
     Reference,
     /// A ray test per pixel on the GPU, in f32.
     Exact,
+    /// Triangles on the GPU that keep a bound on the picture.
+    Mesh {
+        /// How far any point may be drawn from where it is seen, pixels, above 0.
+        bound_px: f64,
+    },
 }
 
 impl fmt::Display for Method {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Reference => "reference f64",
-            Self::Exact => "exact f32",
-        })
+        match self {
+            Self::Reference => f.write_str("reference f64"),
+            Self::Exact => f.write_str("exact f32"),
+            Self::Mesh { bound_px } => write!(f, "mesh {bound_px} px"),
+        }
     }
 }
 
@@ -30,6 +36,8 @@ impl fmt::Display for Method {
 const REFERENCE_SAMPLES: u32 = 2;
 /// Frames of one timed run on the GPU, besides the first.
 const FRAMES: u32 = 4;
+/// Bounds at which meshes are measured: a fine one, the default, a coarse one.
+const MESH_BOUNDS_PX: [f64; 3] = [0.1, MeshRenderer::DEFAULT_BOUND_PX, 2.0];
 
 /// Renderers of one scene.
 pub struct Renderers {
@@ -42,6 +50,7 @@ pub struct Renderers {
 struct Graphics {
     gpu: Gpu,
     exact: ExactRenderer,
+    mesh: MeshRenderer,
     target: Option<EyeTarget>,
 }
 
@@ -49,7 +58,7 @@ impl Renderers {
     /// Renderers of `bodies`; without a `gpu` only those that need none.
     #[must_use]
     pub fn new(bodies: &[Body], gpu: Option<Gpu>) -> Self {
-        let graphics = gpu.map(|gpu| Graphics { exact: ExactRenderer::new(&gpu), gpu, target: None });
+        let graphics = gpu.map(Graphics::new);
         Self { bodies: bodies.to_vec(), reference: Arc::new(ReferenceScene::new(bodies)), graphics }
     }
 
@@ -68,7 +77,8 @@ impl Renderers {
     /// The methods that can be measured here.
     #[must_use]
     pub fn methods(&self) -> Vec<Method> {
-        let on_gpu = self.graphics.iter().map(|_| Method::Exact);
+        let meshes = MESH_BOUNDS_PX.map(|bound_px| Method::Mesh { bound_px });
+        let on_gpu = self.graphics.iter().flat_map(|_| [Method::Exact].into_iter().chain(meshes));
         std::iter::once(Method::Reference).chain(on_gpu).collect()
     }
 
@@ -78,13 +88,22 @@ impl Renderers {
     ///
     /// No GPU where `method` needs one; a device that was lost.
     pub fn hits(&mut self, method: Method, view: &View) -> Result<HitImage, GpuError> {
-        match method {
-            Method::Reference => Ok(self.reference.hit_image(view)),
-            Method::Exact => {
-                let Graphics { gpu, exact, .. } = self.graphics.as_mut().ok_or(GpuError::NoAdapter)?;
-                exact.hits(gpu, &self.bodies, view)
-            }
+        self.hits_in_part(method, view, view)
+    }
+
+    /// What `part`, a magnified view of a small part of `whole`, shows of what `method` draws `whole` with.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::hits`].
+    pub fn hits_in_part(&mut self, method: Method, whole: &View, part: &View) -> Result<HitImage, GpuError> {
+        if method == Method::Reference {
+            return Ok(self.reference.hit_image(part));
         }
+        let Graphics { gpu, exact, mesh, .. } = self.graphics.as_mut().ok_or(GpuError::NoAdapter)?;
+        let Method::Mesh { bound_px } = method else { return exact.hits(gpu, &self.bodies, part) };
+        mesh.bound_px = bound_px;
+        mesh.hits_in_part(gpu, &self.bodies, whole, part)
     }
 
     /// Milliseconds that `method` takes for a picture of `view`: the fastest of `rounds` runs.
@@ -102,57 +121,63 @@ impl Renderers {
         appearance: &Appearance,
         rounds: u32,
     ) -> Result<f64, GpuError> {
-        match method {
-            Method::Reference => Ok(fastest_ms(rounds, || {
+        if method == Method::Reference {
+            return Ok(fastest_ms(rounds, || {
                 std::hint::black_box(self.reference.picture(view, appearance, REFERENCE_SAMPLES));
-            })),
-            Method::Exact => {
-                let graphics = self.graphics.as_mut().ok_or(GpuError::NoAdapter)?;
-                graphics.frame_ms(&self.bodies, view, appearance, rounds)
-            }
+            }));
         }
+        let graphics = self.graphics.as_mut().ok_or(GpuError::NoAdapter)?;
+        if let Method::Mesh { bound_px } = method {
+            graphics.mesh.bound_px = bound_px;
+        }
+        let is_mesh = method != Method::Exact;
+        let Self { bodies, .. } = self;
+        fastest_frame_ms(rounds, |frames| graphics.draw(is_mesh, bodies, view, appearance, frames))
     }
 }
 
 impl Graphics {
-    fn frame_ms(
-        &mut self,
-        bodies: &[Body],
-        view: &View,
-        appearance: &Appearance,
-        rounds: u32,
-    ) -> Result<f64, GpuError> {
-        self.frames(bodies, view, appearance, 1)?; // makes pipelines and target
-        let mut fastest = [f64::INFINITY; 2];
-        for _ in 0..rounds {
-            for (fastest, frames) in fastest.iter_mut().zip([1, 1 + FRAMES]) {
-                let start = Instant::now();
-                self.frames(bodies, view, appearance, frames)?;
-                *fastest = fastest.min(milliseconds(start));
-            }
-        }
-        let [one, all] = fastest;
-        Ok((all - one).max(0.0) / f64::from(FRAMES))
+    fn new(gpu: Gpu) -> Self {
+        Self { exact: ExactRenderer::new(&gpu), mesh: MeshRenderer::new(&gpu), gpu, target: None }
     }
 
     /// Draws some frames and waits until they are done.
-    fn frames(
+    fn draw(
         &mut self,
+        is_mesh: bool,
         bodies: &[Body],
         view: &View,
         appearance: &Appearance,
         frames: u32,
     ) -> Result<(), GpuError> {
         let size = view.camera.size;
-        let Self { gpu, exact, target } = self;
-        let outgrown = target.take_if(|target| target.size() != size);
-        drop(outgrown);
+        let Self { gpu, exact, mesh, target } = self;
+        drop(target.take_if(|target| target.size() != size));
         let target = target.get_or_insert_with(|| EyeTarget::new(gpu, size));
         for _ in 0..frames {
-            exact.draw(gpu, bodies, view, appearance, target);
+            if is_mesh {
+                mesh.draw(gpu, bodies, view, appearance, target);
+            } else {
+                exact.draw(gpu, bodies, view, appearance, target);
+            }
         }
         target.rgba8(gpu).map(drop)
     }
+}
+
+/// Milliseconds per frame of `draw`, which draws as many as it is told and waits for them.
+fn fastest_frame_ms(rounds: u32, mut draw: impl FnMut(u32) -> Result<(), GpuError>) -> Result<f64, GpuError> {
+    draw(1)?; // makes pipelines and target
+    let mut fastest = [f64::INFINITY; 2];
+    for _ in 0..rounds {
+        for (fastest, frames) in fastest.iter_mut().zip([1, 1 + FRAMES]) {
+            let start = Instant::now();
+            draw(frames)?;
+            *fastest = fastest.min(milliseconds(start));
+        }
+    }
+    let [one, all] = fastest;
+    Ok((all - one).max(0.0) / f64::from(FRAMES))
 }
 
 /// Milliseconds of the fastest of `rounds` runs of `work`.
