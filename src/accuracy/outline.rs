@@ -1,8 +1,8 @@
 //! Displacement of outlines: how far from the reference's silhouette a renderer draws it, in pixels.
 //!
 //! Places on silhouettes are found in the reference's picture by bisection in f64. At each, the renderer draws a
-//! strip of the view across the outline, one pixel high and magnified until the displacement shows; where it
-//! sees the object end is compared with where the reference does, perpendicular to the outline, which is taken as
+//! strip of the view across the outline, one pixel high and magnified until the displacement shows; where in it
+//! the depth jumps is compared with where the reference does, perpendicular to the outline, which is taken as
 //! straight between the two.
 
 use glam::DVec2;
@@ -16,8 +16,8 @@ const MAGNIFICATIONS: [f64; 3] = [4096.0, 128.0, 8.0];
 pub const RESOLUTION_PX: f64 = 0.5 / MAGNIFICATIONS[0];
 /// Displacements from this on, half the coarsest strip, count as this.
 pub const LARGEST_PX: f64 = 0.5 * STRIP as f64 / MAGNIFICATIONS[2];
-/// Depth between two objects, relative to the distance, below which an edge is a crease, no silhouette.
-const CREASE: f64 = 1e-4;
+/// Depth behind an edge, relative to the distance, below which it is a crease and no silhouette.
+const CREASE: f64 = 1e-2;
 /// Distance of the neighbouring place that gives an outline's direction, pixels.
 const NEIGHBOUR_PX: f64 = 0.02;
 /// Halvings of a pixel in the search for an outline.
@@ -61,8 +61,8 @@ pub struct OutlinePoint {
     pub pixel: DVec2,
     /// Unit vector out of the object, across the outline; right and down.
     pub outward: DVec2,
-    /// The object in front.
-    pub body: usize,
+    /// What is nearer than this belongs to the silhouette, what is farther lies behind.
+    pub divide: f64,
 }
 
 impl OutlinePoint {
@@ -74,11 +74,9 @@ impl OutlinePoint {
         let aside = NEIGHBOUR_PX * (outside - inside).perp();
         let [pixel, beyond] = search.edge(inside, outside)?;
         let [neighbour, _] = search.edge(inside + aside, outside + aside)?;
-        if search.is_crease(pixel, beyond) {
-            return None;
-        }
+        let divide = search.divide(pixel, beyond)?;
         let across = (neighbour - pixel).perp().try_normalize()?;
-        Some(Self { pixel, outward: across * across.dot(outside - inside).signum(), body })
+        Some(Self { pixel, outward: across * across.dot(outside - inside).signum(), divide })
     }
 }
 
@@ -103,9 +101,11 @@ impl Search<'_> {
         Some((0..BISECTIONS).fold([inside, outside], halved))
     }
 
-    fn is_crease(&self, inside: DVec2, outside: DVec2) -> bool {
-        let (Some(inside), Some(outside)) = (self.hit(inside), self.hit(outside)) else { return false };
-        outside.distance - inside.distance < CREASE * inside.distance
+    /// A distance between those of the silhouette and of what lies behind; `None` at a crease.
+    fn divide(&self, inside: DVec2, outside: DVec2) -> Option<f64> {
+        let front = self.hit(inside)?.distance;
+        let Some(back) = self.hit(outside) else { return Some(f64::INFINITY) };
+        (back.distance > (1.0 + CREASE) * front).then(|| (back.distance * front).sqrt())
     }
 
     fn hit(&self, pixel: DVec2) -> Option<Hit> {
@@ -116,7 +116,7 @@ impl Search<'_> {
 /// How far the outline at `point` of `view` is displaced in a renderer's picture, pixels, 0 up to
 /// [`RESOLUTION_PX`].
 ///
-/// `hits` gives the renderer's picture of a small part of `view`, magnified. Where it shows no end of the object up
+/// `hits` gives the renderer's picture of a small part of `view`, magnified. Where it shows no end of the silhouette up
 /// to [`LARGEST_PX`], that stands for more.
 ///
 /// # Errors
@@ -165,26 +165,26 @@ impl Strip {
         strip
     }
 
-    /// Where along the strip the renderer sees the object end, strip pixels outwards from the middle.
+    /// Where along the strip the renderer sees the silhouette end, strip pixels outwards from the middle.
     ///
-    /// The search goes outwards from the middle of what the reference shows of the object here.
+    /// The search goes outwards from the middle of what the reference shows of it here.
     fn end(&self, reference: &HitImage, shown: &HitImage) -> Option<i32> {
         let middle = STRIP as usize / 2;
-        let depth = self.object(reference)[..middle].iter().rev().take_while(|&&object| object).count();
+        let depth = self.silhouette(reference)[..middle].iter().rev().take_while(|&&inside| inside).count();
         let start = middle - depth.div_ceil(2);
-        let length = self.object(shown)[start..].iter().take_while(|&&object| object).count();
+        let length = self.silhouette(shown)[start..].iter().take_while(|&&inside| inside).count();
         let end = start + length;
         (length > 0 && end < STRIP as usize).then(|| end as i32 - middle as i32)
     }
 
-    /// Which of the strip's pixels show the object, outwards.
-    fn object(&self, image: &HitImage) -> Vec<bool> {
-        let is_object = |hit: &Option<Hit>| hit.is_some_and(|hit| hit.body == self.point.body);
-        let mut object: Vec<_> = image.hits.iter().map(is_object).collect();
+    /// Which of the strip's pixels belong to the silhouette, outwards.
+    fn silhouette(&self, image: &HitImage) -> Vec<bool> {
+        let is_inside = |hit: &Option<Hit>| hit.is_some_and(|hit| hit.distance < self.point.divide);
+        let mut inside: Vec<_> = image.hits.iter().map(is_inside).collect();
         if self.reversed {
-            object.reverse();
+            inside.reverse();
         }
-        object
+        inside
     }
 
     fn displacement_px(&self, camera: &Camera, end: i32) -> f64 {

@@ -12,4 +12,5 @@ pub mod fit;
 pub mod output;
 pub mod paper;
 mod passage;
+mod plot;
 pub mod render;

@@ -7,6 +7,7 @@ mod plot;
 mod report;
 mod table;
 
+use std::io::Write as _;
 use std::path::PathBuf;
 
 use clap::Args;
@@ -64,7 +65,7 @@ pub fn run(args: &AccuracyArgs) -> anyhow::Result<()> {
     let scene = Scene::open(&args.scene)?;
     let report = measure::report(&scene, &args.scene, args.size.0, args.quick)?;
     if let Some(path) = &args.plot {
-        write_whole(path, |file| plot::write(&report, file))?;
+        write_whole(path, |file| Ok(file.write_all(plot::drawing(&report).as_bytes())?))?;
     }
     write_to(args.out.as_deref(), |out| {
         if args.json {
