@@ -1,11 +1,11 @@
 //! `gamow render`: pictures, sequences and measurements of a scene, without a window.
 
-mod choices;
+pub(super) mod choices;
 mod exr_file;
 mod layout;
 mod look;
 mod painter;
-mod png_file;
+pub(super) mod png_file;
 mod sequence;
 mod shot;
 mod timings;
