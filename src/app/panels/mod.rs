@@ -3,6 +3,7 @@
 
 pub mod bar;
 pub mod controls;
+pub mod fit;
 pub mod help;
 mod icons;
 pub mod light;
