@@ -7,9 +7,7 @@ use relativity_render::{Geometry, ReferenceScene};
 use super::clock;
 use super::observer::{Eye, MAX_ELEVATION};
 use super::points::Points;
-use super::settings::{
-    DEFAULT_FOV_DEGREES, Fitting, GazeSetting, Light, Look, Motion, Playback, Plots, Window,
-};
+use super::settings::{DEFAULT_FOV_DEGREES, GazeSetting, Light, Look, Motion, Playback, Plots, Window};
 use super::state::State;
 use crate::scene::Scene;
 
@@ -29,8 +27,6 @@ pub enum Command {
     Playback(Playback),
     /// New choice of curves.
     Plots(Plots),
-    /// New measurement or fit.
-    Fitting(Fitting),
     /// New layout or theme.
     Window(Window),
     /// Go to this T.
@@ -94,7 +90,6 @@ impl State {
             Command::Light(light) => self.settings.light = light,
             Command::Playback(playback) => self.settings.playback = playback,
             Command::Plots(plots) => self.settings.plots = plots,
-            Command::Fitting(fitting) => self.settings.fitting = fitting,
             Command::Window(window) => self.settings.window = window,
             Command::Time(time) => self.session.time = clock::bounded(time),
             Command::Step(steps) => self.step(steps),

@@ -10,7 +10,6 @@ pub mod command;
 pub mod curves;
 mod eyes;
 pub mod figures;
-mod fitting;
 mod graphics;
 mod icon;
 pub mod launch;
@@ -32,10 +31,8 @@ use eframe::egui_wgpu::RenderState;
 use command::Command;
 use curves::{Curves, Key};
 use eyes::EyePictures;
-use fitting::{Fitter, Request};
 use layout::Layout;
 use panels::{Asks, views::Pane};
-use settings::PlotTab;
 use state::State;
 
 /// The whole window.
@@ -43,7 +40,6 @@ pub struct App {
     state: State,
     curves: Vec<Curves>,
     eyes: Option<EyePictures>,
-    fitter: Option<Fitter>,
 }
 
 impl App {
@@ -51,7 +47,7 @@ impl App {
     #[must_use]
     pub fn new(ctx: &egui::Context, render_state: Option<&RenderState>, state: State) -> Self {
         theme::install(ctx);
-        Self { state, curves: Vec::new(), eyes: render_state.map(EyePictures::new), fitter: None }
+        Self { state, curves: Vec::new(), eyes: render_state.map(EyePictures::new) }
     }
 
     /// What it shows.
@@ -109,27 +105,6 @@ impl App {
             .collect();
     }
 
-    /// The tab of the plots that is chosen. What another tab would need is not computed.
-    fn plots(&mut self, ui: &mut Ui, rect: Rect) {
-        if self.state.settings.plots.tab == PlotTab::Fit {
-            let request = Request::of(&self.state);
-            let mut fitter = self.fitter.take().unwrap_or_else(|| Fitter::new(ui.ctx()));
-            self.panel(ui, "plots", rect, |ui, state, asks| {
-                panels::plots::header(ui, state, asks);
-                panels::fit::show(ui, state, fitter.outcome(request), asks);
-            });
-            self.fitter = Some(fitter);
-        } else {
-            self.update_curves();
-            let curves = std::mem::take(&mut self.curves);
-            self.panel(ui, "plots", rect, |ui, state, asks| {
-                panels::plots::header(ui, state, asks);
-                panels::plots::show(ui, state, &curves, asks);
-            });
-            self.curves = curves;
-        }
-    }
-
     /// The up-to-date picture for `pane`.
     fn picture(&mut self, pane: Pane, light_window: bool) -> Option<TextureId> {
         let state = &self.state;
@@ -168,7 +143,10 @@ impl App {
             });
         }
         if let Some(rect) = layout.plots {
-            self.plots(ui, rect);
+            self.update_curves();
+            let curves = std::mem::take(&mut self.curves);
+            self.panel(ui, "plots", rect, |ui, state, asks| panels::plots::show(ui, state, &curves, asks));
+            self.curves = curves;
         }
         if let Some(rect) = layout.readout {
             self.panel(ui, "readout", inset(rect), panels::readout::show);

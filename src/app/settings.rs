@@ -1,7 +1,6 @@
 //! What the user sets and the program remembers: plain values in groups, one group per control section.
 
 use eframe::egui::ThemePreference;
-use relativity_core::fit::{Curves, FitModel};
 use relativity_render::{Colour, Geometry, Shading};
 use serde::{Deserialize, Serialize};
 
@@ -22,8 +21,6 @@ pub struct Settings {
     pub playback: Playback,
     /// What the plots show.
     pub plots: Plots,
-    /// What is measured and fitted.
-    pub fitting: Fitting,
     /// Which parts of the window are shown.
     pub window: Window,
 }
@@ -159,8 +156,6 @@ pub enum PlotTab {
     Angles,
     /// Doppler factor, each eye.
     Doppler,
-    /// A fit to noisy disparities.
-    Fit,
 }
 
 /// What the plots show.
@@ -171,39 +166,6 @@ pub struct Plots {
     pub tab: PlotTab,
     /// Whether the published model is drawn too, dashed.
     pub published: bool,
-}
-
-/// A simulated measurement of the selected point, and what is fitted to it.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Fitting {
-    /// Number of samples over the range of T.
-    pub samples: usize,
-    /// Standard deviation of the noise, as a share of each curve's range.
-    pub noise: f64,
-    /// Which curves are fitted.
-    #[serde(with = "SavedCurves")]
-    pub curves: Curves,
-    /// Which binocular model is fitted; the measurement itself is exact.
-    #[serde(with = "SavedFitModel")]
-    pub model: FitModel,
-    /// Whether x0 is fitted too.
-    pub passage: bool,
-    /// Whether the plots show what the fit leaves over.
-    pub residuals: bool,
-}
-
-impl Default for Fitting {
-    fn default() -> Self {
-        Self {
-            samples: 120,
-            noise: 0.01,
-            curves: Curves::Both,
-            model: FitModel::Exact,
-            passage: false,
-            residuals: false,
-        }
-    }
 }
 
 /// Which parts of the window are shown, and in which colours.
@@ -229,7 +191,7 @@ impl Default for Window {
     }
 }
 
-// The other crates' enums as they are saved; the compiler holds the two in step.
+// The renderer's enums as they are saved; the compiler holds the two in step.
 
 #[derive(Serialize, Deserialize)]
 #[serde(remote = "Geometry")]
@@ -251,19 +213,4 @@ enum SavedColour {
 enum SavedShading {
     Emission,
     Form,
-}
-
-#[derive(Serialize, Deserialize)]
-#[serde(remote = "Curves")]
-enum SavedCurves {
-    Azimuth,
-    Polar,
-    Both,
-}
-
-#[derive(Serialize, Deserialize)]
-#[serde(remote = "FitModel")]
-enum SavedFitModel {
-    Exact,
-    Published,
 }

@@ -3,7 +3,6 @@
 
 pub mod bar;
 pub mod controls;
-pub mod fit;
 pub mod help;
 mod icons;
 pub mod light;

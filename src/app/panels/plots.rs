@@ -21,22 +21,17 @@ use crate::app::settings::PlotTab;
 use crate::app::state::State;
 use crate::app::{figures, theme};
 
-/// Shows which quantity is plotted, and of which points.
-pub fn header(ui: &mut Ui, state: &State, asks: &mut Asks) {
+/// Shows the plots; `curves` holds those of each followed point, in order.
+pub fn show(ui: &mut Ui, state: &State, curves: &[Curves], asks: &mut Asks) {
     ui.horizontal(|ui| {
         tabs(ui, state, asks);
         ui.separator();
         points(ui, state, asks);
     });
-}
-
-/// Shows the curves of a tab; `curves` holds those of each followed point, in order.
-pub fn show(ui: &mut Ui, state: &State, curves: &[Curves], asks: &mut Asks) {
     let quantities: &[Quantity] = match state.settings.plots.tab {
         PlotTab::Disparity => &[Quantity::DeltaPhi, Quantity::DeltaTheta],
         PlotTab::Angles => &[Quantity::Phi, Quantity::Theta],
         PlotTab::Doppler => &[Quantity::LogDoppler],
-        PlotTab::Fit => &[],
     };
     let free = ui.available_size();
     let width = free.x / quantities.len() as f32 - theme::GAP / 2.0;
@@ -56,7 +51,6 @@ fn tabs(ui: &mut Ui, state: &State, asks: &mut Asks) {
         (PlotTab::Disparity, "Disparity", "Δφ and Δθ: how differently the eyes see each point"),
         (PlotTab::Angles, "Angles", "φ and θ of the selected point, each eye"),
         (PlotTab::Doppler, "Doppler", "D of the selected point, each eye"),
-        (PlotTab::Fit, "Fit", "Speed and place of the selected point, from its disparities"),
     ];
     for (tab, name, tip) in options {
         ui.selectable_value(&mut plots.tab, tab, name).on_hover_text(tip);
