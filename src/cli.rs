@@ -38,6 +38,7 @@ enum Command {
     Fit(headless::fit::FitArgs),
     Paper(headless::paper::PaperArgs),
     Render(Box<headless::render::RenderArgs>),
+    Accuracy(headless::accuracy::AccuracyArgs),
 }
 
 /// Runs what the command line asks for.
@@ -49,6 +50,7 @@ pub fn run(cli: Cli) -> anyhow::Result<()> {
         Some(Command::Fit(args)) => headless::fit::run(&args),
         Some(Command::Paper(args)) => headless::paper::run(&args),
         Some(Command::Render(args)) => headless::render::run(&args),
+        Some(Command::Accuracy(args)) => headless::accuracy::run(&args),
     }
 }
 

@@ -7,7 +7,9 @@ use relativity_render::{Geometry, ReferenceScene};
 use super::clock;
 use super::observer::{Eye, MAX_ELEVATION};
 use super::points::Points;
-use super::settings::{DEFAULT_FOV_DEGREES, GazeSetting, Light, Look, Motion, Playback, Plots, Window};
+use super::settings::{
+    DEFAULT_FOV_DEGREES, FitSetup, GazeSetting, Light, Look, Motion, Playback, Plots, Window,
+};
 use super::state::State;
 use crate::scene::Scene;
 
@@ -27,6 +29,8 @@ pub enum Command {
     Playback(Playback),
     /// New choice of curves.
     Plots(Plots),
+    /// New samples, or another way to fit them.
+    Fit(FitSetup),
     /// New layout or theme.
     Window(Window),
     /// Go to this T.
@@ -90,6 +94,7 @@ impl State {
             Command::Light(light) => self.settings.light = light,
             Command::Playback(playback) => self.settings.playback = playback,
             Command::Plots(plots) => self.settings.plots = plots,
+            Command::Fit(fit) => self.settings.fit = fit,
             Command::Window(window) => self.settings.window = window,
             Command::Time(time) => self.session.time = clock::bounded(time),
             Command::Step(steps) => self.step(steps),

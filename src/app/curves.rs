@@ -62,7 +62,7 @@ impl Curves {
     /// The curves for `key`.
     #[must_use]
     pub fn new(key: Key) -> Self {
-        let anchors = anchors(&key);
+        let anchors = bends(&key.speed, key.source, key.separation);
         let exact = channels(&sampled(key.range, &anchors, |time| exact_values(&key, time)));
         let published = if key.published {
             channels(&sampled(key.range, &anchors, |time| published_values(&key, time)))
@@ -127,20 +127,22 @@ fn published_values(key: &Key, time: f64) -> Option<[f64; 2]> {
 }
 
 /// The times around which curves bend: T0, and when the point is objectively abreast of each eye.
-fn anchors(key: &Key) -> Vec<f64> {
-    let Key { speed, source, separation, .. } = *key;
-    let equidistant = equidistance_time(&speed, source, separation).ok().flatten();
+pub(super) fn bends(speed: &Speed, source: SourcePoint, separation: f64) -> Vec<f64> {
+    let equidistant = equidistance_time(speed, source, separation).ok().flatten();
     let abreast = Aperture::pair(separation).map(|aperture| (aperture.x - source.x0) / speed.beta());
     equidistant.into_iter().chain(abreast).filter(|time| time.is_finite()).collect()
 }
 
-struct Sample<const N: usize> {
-    time: f64,
-    values: [f64; N],
+/// Values at one T.
+pub(super) struct Sample<const N: usize> {
+    /// T.
+    pub time: f64,
+    /// Values there.
+    pub values: [f64; N],
 }
 
-/// `values` over `range`, in order of T, without the times at which there are none.
-fn sampled<const N: usize>(
+/// `values` over `range`, in order of T, densely where they bend; without the times at which there are none.
+pub(super) fn sampled<const N: usize>(
     range: [f64; 2],
     anchors: &[f64],
     values: impl Fn(f64) -> Option<[f64; N]>,

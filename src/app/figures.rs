@@ -21,6 +21,16 @@ pub fn fixed(value: f64, decimals: u8) -> String {
     text.replace('-', "−")
 }
 
+/// As [`fixed`], without zeros at the end of the decimals.
+#[must_use]
+pub fn trimmed(value: f64, decimals: u8) -> String {
+    let text = fixed(value, decimals);
+    if text.contains('e') || !text.contains('.') {
+        return text;
+    }
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
 /// As [`fixed`], with a dash for `None`.
 #[must_use]
 pub fn fixed_or_none(value: Option<f64>, decimals: u8) -> String {
@@ -112,6 +122,7 @@ mod tests {
         assert_eq!(fixed(-1.5, 3), "−1.500");
         assert_eq!(fixed(0.0, 2), "0.00");
         assert_eq!(fixed(-2.5e9, 2), "−2.50e9");
+        assert_eq!([0.9, 20.0, -2.5e9].map(|value| trimmed(value, 4)), ["0.9", "20", "−2.5000e9"]);
     }
 
     #[test]

@@ -10,6 +10,7 @@ pub mod command;
 pub mod curves;
 mod eyes;
 pub mod figures;
+pub mod fitting;
 mod graphics;
 mod icon;
 pub mod launch;
@@ -24,6 +25,7 @@ mod shortcuts;
 pub mod speed_setting;
 pub mod state;
 mod theme;
+mod worker;
 
 use eframe::egui::{self, Rect, TextureId, Ui, UiBuilder};
 use eframe::egui_wgpu::RenderState;
@@ -31,14 +33,17 @@ use eframe::egui_wgpu::RenderState;
 use command::Command;
 use curves::{Curves, Key};
 use eyes::EyePictures;
+use fitting::Fitting;
 use layout::Layout;
 use panels::{Asks, views::Pane};
+use settings::PlotTab;
 use state::State;
 
 /// The whole window.
 pub struct App {
     state: State,
     curves: Vec<Curves>,
+    fitting: Fitting,
     eyes: Option<EyePictures>,
 }
 
@@ -47,13 +52,24 @@ impl App {
     #[must_use]
     pub fn new(ctx: &egui::Context, render_state: Option<&RenderState>, state: State) -> Self {
         theme::install(ctx);
-        Self { state, curves: Vec::new(), eyes: render_state.map(EyePictures::new) }
+        Self {
+            state,
+            curves: Vec::new(),
+            fitting: Fitting::default(),
+            eyes: render_state.map(EyePictures::new),
+        }
     }
 
     /// What it shows.
     #[must_use]
     pub const fn state(&self) -> &State {
         &self.state
+    }
+
+    /// The fit of the selected point.
+    #[must_use]
+    pub const fn fitting(&self) -> &Fitting {
+        &self.fitting
     }
 
     /// Does what the user would have asked for.
@@ -105,6 +121,15 @@ impl App {
             .collect();
     }
 
+    /// Has the fit of the selected point made while it is in view.
+    fn update_fit(&mut self, ctx: &egui::Context, plots_are_shown: bool) {
+        if plots_are_shown && self.state.settings.plots.tab == PlotTab::Fit {
+            self.fitting.update(ctx, self.state.fit_key());
+        } else {
+            self.fitting.rest();
+        }
+    }
+
     /// The up-to-date picture for `pane`.
     fn picture(&mut self, pane: Pane, light_window: bool) -> Option<TextureId> {
         let state = &self.state;
@@ -128,7 +153,7 @@ impl App {
 
         let area = ui.max_rect();
         ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
-        let layout = Layout::of(area, self.state.settings.window);
+        let layout = Layout::of(area, self.state.settings.window, self.state.settings.plots.tab);
         let inset = |rect: Rect| rect.shrink2(egui::vec2(theme::GAP, theme::GAP / 2.0));
         self.panel(ui, "bar", inset(layout.bar), panels::bar::show);
         if let Some(rect) = layout.controls {
@@ -142,11 +167,14 @@ impl App {
                 panels::views::interact(ui, state, pane, asks);
             });
         }
+        self.update_fit(&ctx, layout.plots.is_some());
         if let Some(rect) = layout.plots {
             self.update_curves();
-            let curves = std::mem::take(&mut self.curves);
-            self.panel(ui, "plots", rect, |ui, state, asks| panels::plots::show(ui, state, &curves, asks));
-            self.curves = curves;
+            let (curves, fitting) = (std::mem::take(&mut self.curves), std::mem::take(&mut self.fitting));
+            self.panel(ui, "plots", rect, |ui, state, asks| {
+                panels::plots::show(ui, state, &curves, &fitting, asks);
+            });
+            (self.curves, self.fitting) = (curves, fitting);
         }
         if let Some(rect) = layout.readout {
             self.panel(ui, "readout", inset(rect), panels::readout::show);

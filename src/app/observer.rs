@@ -8,6 +8,7 @@ use relativity_core::{
 use relativity_render::{Camera, Gaze, Geometry, View};
 
 use super::curves::Key;
+use super::fitting;
 use super::points::Point;
 use super::settings::GazeSetting;
 use super::state::State;
@@ -139,6 +140,18 @@ impl State {
             separation: self.settings.motion.separation,
             range: self.time_range(),
             published: self.settings.plots.published,
+        }
+    }
+
+    /// What the fit of the selected point depends on.
+    #[must_use]
+    pub fn fit_key(&self) -> fitting::Key {
+        fitting::Key {
+            speed: self.speed(),
+            source: self.selected_source(),
+            separation: self.settings.motion.separation,
+            range: self.settings.fit.range.unwrap_or_else(|| self.time_range()),
+            setup: self.settings.fit,
         }
     }
 

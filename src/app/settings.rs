@@ -1,6 +1,7 @@
 //! What the user sets and the program remembers: plain values in groups, one group per control section.
 
 use eframe::egui::ThemePreference;
+use relativity_core::{Curves, FitModel};
 use relativity_render::{Colour, Geometry, Shading};
 use serde::{Deserialize, Serialize};
 
@@ -21,6 +22,8 @@ pub struct Settings {
     pub playback: Playback,
     /// What the plots show.
     pub plots: Plots,
+    /// What is fitted to what.
+    pub fit: FitSetup,
     /// Which parts of the window are shown.
     pub window: Window,
 }
@@ -156,6 +159,8 @@ pub enum PlotTab {
     Angles,
     /// Doppler factor, each eye.
     Doppler,
+    /// Speed and distance from noisy disparities.
+    Fit,
 }
 
 /// What the plots show.
@@ -166,6 +171,42 @@ pub struct Plots {
     pub tab: PlotTab,
     /// Whether the published model is drawn too, dashed.
     pub published: bool,
+}
+
+/// The fit of the selected point: the samples that both eyes take, and what is fitted to them.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct FitSetup {
+    /// Number of samples, evenly spread over the range.
+    pub samples: usize,
+    /// First and last T; `None` is as plotted.
+    pub range: Option<[f64; 2]>,
+    /// Standard deviation of the noise, in per cent of each curve's range.
+    pub noise_percent: f64,
+    /// Seed of the noise and of the bootstrap.
+    pub seed: u64,
+    /// Which curves are fitted.
+    #[serde(with = "SavedCurves")]
+    pub curves: Curves,
+    /// With which binocular model.
+    #[serde(with = "SavedFitModel")]
+    pub model: FitModel,
+    /// Whether the time of passage is unknown and x0 fitted too.
+    pub fit_x0: bool,
+}
+
+impl Default for FitSetup {
+    fn default() -> Self {
+        Self {
+            samples: 240,
+            range: None,
+            noise_percent: 1.0,
+            seed: 1,
+            curves: Curves::Both,
+            model: FitModel::Exact,
+            fit_x0: false,
+        }
+    }
 }
 
 /// Which parts of the window are shown, and in which colours.
@@ -191,7 +232,7 @@ impl Default for Window {
     }
 }
 
-// The renderer's enums as they are saved; the compiler holds the two in step.
+// The enums of the other crates as they are saved; the compiler holds the two in step.
 
 #[derive(Serialize, Deserialize)]
 #[serde(remote = "Geometry")]
@@ -213,4 +254,19 @@ enum SavedColour {
 enum SavedShading {
     Emission,
     Form,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(remote = "Curves")]
+enum SavedCurves {
+    Azimuth,
+    Polar,
+    Both,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(remote = "FitModel")]
+enum SavedFitModel {
+    Exact,
+    Published,
 }

@@ -84,8 +84,9 @@ pub(crate) fn covariance(pairs: impl Iterator<Item = (f64, f64)> + Clone) -> f64
     pairs.map(|(a, b)| (a - mean_a) * (b - mean_b)).sum::<f64>() / (count - 1.0)
 }
 
-/// The interval that holds all but the lowest and the highest 2.5 % of `values`.
-pub(crate) fn percentiles_95(values: impl Iterator<Item = f64>) -> [f64; 2] {
+/// The interval that holds all but the lowest and the highest 2.5 % of `values` (at least one).
+#[must_use]
+pub fn percentiles_95(values: impl Iterator<Item = f64>) -> [f64; 2] {
     let mut values: Vec<f64> = values.collect();
     values.sort_by(f64::total_cmp);
     [quantile(&values, 0.025), quantile(&values, 0.975)]
@@ -108,25 +109,42 @@ fn quantile(values: &[f64], share: f64) -> f64 {
 ///
 /// [`FitError::Bootstrap`] if more than 5 % of the replicates have no fit, or none were asked for.
 pub fn bootstrap(fit: &Fit, replicates: usize, seed: u64) -> Result<Bootstrap, FitError> {
+    bootstrap_unless(fit, replicates, seed, || false).expect("nothing stops it")
+}
+
+/// As [`bootstrap`], but `None` soon after `stopped` becomes true, which is asked before each replicate.
+///
+/// # Errors
+///
+/// As [`bootstrap`].
+pub fn bootstrap_unless(
+    fit: &Fit,
+    replicates: usize,
+    seed: u64,
+    stopped: impl Fn() -> bool + Sync,
+) -> Option<Result<Bootstrap, FitError>> {
     let Some(shared) = Shared::new(fit) else {
-        return Err(FitError::Bootstrap { failed: replicates, replicates });
+        return Some(Err(FitError::Bootstrap { failed: replicates, replicates }));
     };
-    let estimates: Vec<_> = (0..replicates as u64)
+    let estimates: Option<Vec<_>> = (0..replicates as u64)
         .into_par_iter()
         .map_init(
             || vec![0.0; fit.problem.rows.len()],
             |counts, stream| {
+                if stopped() {
+                    return None;
+                }
                 draw(counts, seed, stream);
-                shared.estimate(counts)
+                Some(shared.estimate(counts))
             },
         )
         .collect();
-    let result = Bootstrap { estimates };
+    let result = Bootstrap { estimates: estimates? };
     let failed = result.failed();
     if replicates < 2 || failed as f64 > MAX_FAILED_SHARE * replicates as f64 {
-        return Err(FitError::Bootstrap { failed, replicates });
+        return Some(Err(FitError::Bootstrap { failed, replicates }));
     }
-    Ok(result)
+    Some(Ok(result))
 }
 
 /// How often each sample is drawn.
@@ -267,6 +285,19 @@ mod tests {
                 assert!(error < 2e-3 * best.standard_error(parameter), "{parameter:?}: {error:e}");
             }
         }
+    }
+
+    #[test]
+    fn a_stopped_bootstrap_has_no_result() {
+        let observations = Observations::of_pair(0.1, samples()).expect("usable samples");
+        let best = fit(&observations, &FitOptions { curves: Curves::Azimuth, ..FitOptions::default() });
+        let best = best.expect("a fit");
+        let asked = std::sync::atomic::AtomicUsize::new(0);
+        let stopped = || asked.fetch_add(1, std::sync::atomic::Ordering::Relaxed) >= 100;
+        assert_eq!(bootstrap_unless(&best, 100_000, 3, stopped), None);
+        let asked = asked.into_inner();
+        assert!(asked < 10_000, "it went on for {asked} replicates");
+        assert_eq!(bootstrap_unless(&best, 20, 3, || false), Some(bootstrap(&best, 20, 3)));
     }
 
     #[test]

@@ -60,7 +60,7 @@ mod real;
 pub mod speed;
 
 pub use apparent::{Aperture, Sighting, SourcePoint, sighting};
-pub use bootstrap::{Bootstrap, DEFAULT_REPLICATES, bootstrap};
+pub use bootstrap::{Bootstrap, DEFAULT_REPLICATES, bootstrap, bootstrap_unless};
 pub use disparity::{Disparity, disparities, disparity, equidistance_time};
 pub use domain::{DomainError, MAX_COORDINATE};
 pub use fit::{

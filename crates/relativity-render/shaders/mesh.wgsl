@@ -70,17 +70,13 @@ fn delay(left: vec3f) -> f32 {
 
 fn mapped(c: vec3f) -> Sighting {
     switch MAP {
-        case 0u: {
-            let seen = sighting(c);
-            return Sighting(seen.position, 1.0 / seen.doppler);
-        }
+        case 0u: { return sighting(c); }
         case 1u: { return Sighting(vec3f(c.x * frame.speed.z, c.yz), 1.0); }
         case 2u: { return Sighting(c, 1.0); }
         default: {
             // The left eye's sighting at T - Delta T, as Appendix A prints it.
             let shift = frame.speed.x * frame.speed.w * delay(sighting(c).position);
-            let seen = sighting(c - vec3f(shift, 0.0, 0.0));
-            return Sighting(seen.position, 1.0 / seen.doppler);
+            return sighting(c - vec3f(shift, 0.0, 0.0));
         }
     }
 }

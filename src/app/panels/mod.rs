@@ -3,6 +3,9 @@
 
 pub mod bar;
 pub mod controls;
+pub mod fit;
+mod fit_plots;
+mod fit_table;
 pub mod help;
 mod icons;
 pub mod light;

@@ -11,18 +11,19 @@ use egui_plot::{
 
 use relativity_core::{Disparity, Sighting};
 
-use super::Asks;
 use super::icons::{self, Icon};
 use super::widgets::dot;
+use super::{Asks, fit};
 use crate::app::command::Command;
 use crate::app::curves::{Curves, Quantity};
+use crate::app::fitting::Fitting;
 use crate::app::observer::Eye;
 use crate::app::settings::PlotTab;
 use crate::app::state::State;
 use crate::app::{figures, theme};
 
 /// Shows the plots; `curves` holds those of each followed point, in order.
-pub fn show(ui: &mut Ui, state: &State, curves: &[Curves], asks: &mut Asks) {
+pub fn show(ui: &mut Ui, state: &State, curves: &[Curves], fitting: &Fitting, asks: &mut Asks) {
     ui.horizontal(|ui| {
         tabs(ui, state, asks);
         ui.separator();
@@ -32,6 +33,7 @@ pub fn show(ui: &mut Ui, state: &State, curves: &[Curves], asks: &mut Asks) {
         PlotTab::Disparity => &[Quantity::DeltaPhi, Quantity::DeltaTheta],
         PlotTab::Angles => &[Quantity::Phi, Quantity::Theta],
         PlotTab::Doppler => &[Quantity::LogDoppler],
+        PlotTab::Fit => return fit::show(ui, state, fitting, asks),
     };
     let free = ui.available_size();
     let width = free.x / quantities.len() as f32 - theme::GAP / 2.0;
@@ -51,6 +53,7 @@ fn tabs(ui: &mut Ui, state: &State, asks: &mut Asks) {
         (PlotTab::Disparity, "Disparity", "Δφ and Δθ: how differently the eyes see each point"),
         (PlotTab::Angles, "Angles", "φ and θ of the selected point, each eye"),
         (PlotTab::Doppler, "Doppler", "D of the selected point, each eye"),
+        (PlotTab::Fit, "Fit", "Speed and distance of the selected point, from noisy Δφ and Δθ alone"),
     ];
     for (tab, name, tip) in options {
         ui.selectable_value(&mut plots.tab, tab, name).on_hover_text(tip);
@@ -58,7 +61,10 @@ fn tabs(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let tip = "Draws the paper's approximate binocular model too, dashed:\n\
         the right eye is the left one at T − ΔT, both angles measured from the left eye.";
     let with_published = plots.tab == PlotTab::Disparity;
-    ui.add_enabled_ui(with_published, |ui| ui.checkbox(&mut plots.published, "Published").on_hover_text(tip));
+    if plots.tab != PlotTab::Fit {
+        let published = egui::Checkbox::new(&mut plots.published, "Published");
+        ui.add_enabled(with_published, published).on_hover_text(tip);
+    }
     if plots != state.settings.plots {
         asks.push(Command::Plots(plots));
     }
@@ -90,7 +96,7 @@ fn points(ui: &mut Ui, state: &State, asks: &mut Asks) {
 }
 
 /// Room for the numbers beside a plot.
-const Y_AXIS_WIDTH: f32 = 48.0;
+pub(super) const Y_AXIS_WIDTH: f32 = 48.0;
 
 /// A curve to draw.
 struct Trace<'a> {
@@ -146,28 +152,16 @@ fn plot(
     asks: &mut Asks,
 ) {
     let traces = traces(ui, state, curves, quantity);
-    let bounds = bounds(&traces, state.time_range());
+    let values = traces.iter().flat_map(|trace| trace.points).map(|point| point.y);
+    let bounds = bounds(values, state.time_range());
     let equidistant = state.equidistance_time(state.session.points.selected());
     let visuals = ui.visuals().clone();
     let now = state.session.time;
-    let response = Plot::new(("plot", label(quantity)))
-        .width(size.x)
-        .height(size.y)
-        .allow_zoom(false)
-        .allow_drag(false)
-        .allow_scroll(false)
-        .allow_boxed_zoom(false)
-        .allow_double_click_reset(false)
-        .allow_axis_zoom_drag(false)
-        .sense(Sense::click_and_drag())
-        .y_axis_min_width(Y_AXIS_WIDTH)
-        .grid_color(ui.visuals().weak_text_color().gamma_multiply(0.25))
-        .grid_spacing(24.0..=220.0)
+    let response = still_plot(ui, ("plot", label(quantity)), size)
         .y_grid_spacer(move |input| grid(quantity, input))
         .y_axis_formatter(move |mark, _: &RangeInclusive<f64>| tick(quantity, mark.value, mark.step_size))
         .x_axis_formatter(|mark, _| tick(Quantity::Phi, mark.value, mark.step_size))
         .label_formatter(move |hover| hover_text(quantity, hover))
-        .link_cursor(Id::unique("cursor over T"), [true, false])
         .show(ui, |plot| {
             plot.set_plot_bounds(bounds);
             if let Some(time) = equidistant {
@@ -190,6 +184,24 @@ fn plot(
     if let Some(time) = time_at_pointer(&response) {
         asks.push(Command::Time(time));
     }
+}
+
+/// A plot over T that neither scrolls nor zooms, so that a drag can move T.
+pub(super) fn still_plot<'a>(ui: &Ui, id: impl egui::AsIdSalt, size: egui::Vec2) -> Plot<'a> {
+    Plot::new(id)
+        .width(size.x)
+        .height(size.y)
+        .allow_zoom(false)
+        .allow_drag(false)
+        .allow_scroll(false)
+        .allow_boxed_zoom(false)
+        .allow_double_click_reset(false)
+        .allow_axis_zoom_drag(false)
+        .sense(Sense::click_and_drag())
+        .y_axis_min_width(Y_AXIS_WIDTH)
+        .grid_color(ui.visuals().weak_text_color().gamma_multiply(0.25))
+        .grid_spacing(24.0..=220.0)
+        .link_cursor(Id::unique("cursor over T"), [true, false])
 }
 
 /// What is drawn of `quantity`: of every point for a disparity, of each eye of the selected one else.
@@ -240,18 +252,17 @@ fn value_at(points: &[PlotPoint], time: f64) -> Option<f64> {
     Some(if b.x > a.x { a.y + (b.y - a.y) * (time - a.x) / (b.x - a.x) } else { b.y })
 }
 
-/// Everything that is drawn, with a margin; never of no height.
-fn bounds(traces: &[Trace], [from, to]: [f64; 2]) -> PlotBounds {
-    let values = || traces.iter().flat_map(|trace| trace.points).map(|point| point.y);
-    let lowest = values().fold(f64::INFINITY, f64::min);
-    let highest = values().fold(f64::NEG_INFINITY, f64::max);
+/// All `values` in the range of T, with a margin; never of no height.
+pub(super) fn bounds(values: impl Iterator<Item = f64> + Clone, [from, to]: [f64; 2]) -> PlotBounds {
+    let lowest = values.clone().fold(f64::INFINITY, f64::min);
+    let highest = values.fold(f64::NEG_INFINITY, f64::max);
     let (lowest, highest) = if lowest <= highest { (lowest, highest) } else { (0.0, 0.0) };
     let margin = (0.08 * (highest - lowest)).max(1e-6 * highest.abs()).max(1e-9);
     let width = (to - from).max(1e-9);
     PlotBounds::from_min_max([from, lowest - margin], [from + width, highest + margin])
 }
 
-fn label(quantity: Quantity) -> &'static str {
+pub(super) fn label(quantity: Quantity) -> &'static str {
     match quantity {
         Quantity::DeltaPhi => "Δφ",
         Quantity::DeltaTheta => "Δθ",
@@ -285,7 +296,7 @@ fn grid(quantity: Quantity, input: GridInput) -> Vec<GridMark> {
 }
 
 /// The text at a grid line: as many digits as tell it from its neighbours.
-fn tick(quantity: Quantity, value: f64, step: f64) -> String {
+pub(super) fn tick(quantity: Quantity, value: f64, step: f64) -> String {
     if quantity == Quantity::LogDoppler {
         return figures::power_of_ten(value);
     }
@@ -306,7 +317,7 @@ fn hover_text(quantity: Quantity, hover: &HoverPosition<'_>) -> Option<String> {
 }
 
 /// Names the axis and T0, and frames the plot.
-fn annotate(ui: &Ui, response: &PlotResponse<()>, equidistant: Option<f64>) {
+pub(super) fn annotate(ui: &Ui, response: &PlotResponse<()>, equidistant: Option<f64>) {
     let frame = *response.transform.frame();
     let painter = ui.painter().with_clip_rect(frame);
     let small = TextStyle::Small.resolve(ui.style());
@@ -335,7 +346,8 @@ fn describe(response: &PlotResponse<()>, state: &State, quantity: Quantity) {
         .widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::GraphicsObject, true, &name));
 }
 
-fn time_at_pointer(response: &PlotResponse<()>) -> Option<f64> {
+/// The T that is pointed at with the button pressed.
+pub(super) fn time_at_pointer(response: &PlotResponse<()>) -> Option<f64> {
     let pressed = response.response.dragged() || response.response.clicked();
     let place = response.response.interact_pointer_pos().filter(|_| pressed)?;
     let time = response.transform.value_from_position(place).x;

@@ -10,7 +10,7 @@ use clap::{Args, ValueEnum};
 use relativity_core::{Curves, DEFAULT_REPLICATES, FitModel, FitOptions, Passage};
 
 pub use data::Data;
-pub use report::{Attempt, Outcome, Parameters, Report};
+pub use report::{Attempt, Estimate, Outcome, Parameters, Report, decimals, estimate};
 
 use super::{csv_in, output};
 use crate::cli::finite_number;

@@ -61,7 +61,7 @@ pub struct Parameters<T> {
 }
 
 /// A value and its uncertainty.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Estimate {
     /// Best value.
     pub value: f64,
@@ -213,7 +213,9 @@ impl Outcome {
     }
 }
 
-fn estimate(fit: &Fit, bootstrap: Option<&Bootstrap>, parameter: Parameter) -> Estimate {
+/// `parameter` and its uncertainty: by the bootstrap, or from the covariance without one.
+#[must_use]
+pub fn estimate(fit: &Fit, bootstrap: Option<&Bootstrap>, parameter: Parameter) -> Estimate {
     let value = fit.value(parameter);
     let uncertainty_linear = fit.standard_error(parameter);
     let half = NORMAL_95 * uncertainty_linear;
@@ -299,7 +301,8 @@ fn write_estimate(
 }
 
 /// Decimals that show two digits of `uncertainty`, but no more than nine.
-fn decimals(uncertainty: f64) -> usize {
+#[must_use]
+pub fn decimals(uncertainty: f64) -> usize {
     const MOST: f64 = 9.0;
     if uncertainty > 0.0 {
         (1.0 - uncertainty.log10().floor()).clamp(0.0, MOST) as usize

@@ -28,7 +28,7 @@ impl Positions {
 /// The map from rest-frame places to apparent positions, and the camera they are seen with.
 #[derive(Debug, Clone, Copy)]
 pub struct Map {
-    positions: Positions,
+    pub positions: Positions,
     origin: DVec3,
     speed: Speed,
     separation: f64,

@@ -1,0 +1,83 @@
+//! The fit of the selected point, kept up to date by a thread of its own while it is shown.
+
+mod outcome;
+
+use std::time::{Duration, Instant};
+
+use eframe::egui::Context;
+
+pub use outcome::{Fitted, FittedCurve, Key, Outcome};
+
+use super::worker::Worker;
+
+/// An outdated outcome is shown as such once the next has been awaited for this long; sooner, it would
+/// only flicker.
+const GRACE: Duration = Duration::from_millis(150);
+
+/// The fit that is shown, and the one that is being made.
+#[derive(Default)]
+pub struct Fitting {
+    worker: Option<Worker<Key, Outcome>>,
+    requested: Option<Key>,
+    shown: Option<Outcome>,
+    awaited_since: Option<Instant>,
+    requests: u64,
+}
+
+impl Fitting {
+    /// Asks for the fit of `key`, unless that is what is shown or already asked for.
+    pub fn update(&mut self, ctx: &Context, key: Key) {
+        self.receive();
+        if self.requested != Some(key) {
+            let work = |key, wanted: &super::worker::Wanted| Outcome::new(key, &|| !wanted.holds());
+            self.worker.get_or_insert_with(|| Worker::new(ctx.clone(), work)).request(key);
+            self.requested = Some(key);
+            self.requests += 1;
+            self.awaited_since.get_or_insert_with(Instant::now);
+        }
+        if let Some(since) = self.awaited_since {
+            let rest = GRACE.saturating_sub(since.elapsed());
+            if !rest.is_zero() {
+                ctx.request_repaint_after(rest);
+            }
+        }
+    }
+
+    fn receive(&mut self) {
+        let Some(outcome) = self.worker.as_ref().and_then(Worker::result) else { return };
+        self.awaited_since = (self.requested != Some(outcome.key)).then(Instant::now);
+        self.shown = Some(outcome);
+    }
+
+    /// Gives up what is being made, as nobody sees it.
+    pub fn rest(&mut self) {
+        if self.awaited_since.take().is_some() {
+            self.worker.iter().for_each(Worker::stop);
+            self.requested = None;
+        }
+    }
+
+    /// The newest outcome, be it outdated or not.
+    #[must_use]
+    pub const fn shown(&self) -> Option<&Outcome> {
+        self.shown.as_ref()
+    }
+
+    /// Whether the newest outcome is visibly outdated.
+    #[must_use]
+    pub fn is_outdated(&self) -> bool {
+        self.awaited_since.is_some_and(|since| since.elapsed() >= GRACE)
+    }
+
+    /// Whether the newest outcome is what was asked for.
+    #[must_use]
+    pub const fn is_up_to_date(&self) -> bool {
+        self.shown.is_some() && self.awaited_since.is_none()
+    }
+
+    /// How many fits were asked for.
+    #[must_use]
+    pub const fn requests(&self) -> u64 {
+        self.requests
+    }
+}

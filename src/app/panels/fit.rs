@@ -1,0 +1,147 @@
+//! The Fit tab: which samples are taken of the selected point, what is fitted to them, and what comes out.
+
+use eframe::egui::{self, Align, DragValue, Layout, Response, RichText, ScrollArea, Ui, vec2};
+use relativity_core::{Curves, FitModel};
+
+use super::widgets::choice;
+use super::{Asks, fit_plots, fit_table};
+use crate::app::clock::MAX_TIME;
+use crate::app::command::Command;
+use crate::app::fitting::Fitting;
+use crate::app::settings::FitSetup;
+use crate::app::state::State;
+use crate::app::theme;
+
+/// Width of the table.
+const TABLE_WIDTH: f32 = 332.0;
+/// Least width of the plots beside it; in a narrower window there is the table alone.
+const LEAST_PLOT_WIDTH: f32 = 150.0;
+/// Most samples: their fit still takes less than a second.
+const MAX_SAMPLES: usize = 5000;
+
+/// Shows the tab.
+pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
+    setup(ui, state, asks);
+    let free = ui.available_size().max(vec2(20.0, 20.0));
+    let plot_width = free.x - TABLE_WIDTH - theme::GAP;
+    ui.horizontal_top(|ui| {
+        let with_plots = plot_width >= LEAST_PLOT_WIDTH;
+        if with_plots {
+            let size = vec2(plot_width, free.y);
+            ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Min), |ui| {
+                fit_plots::show(ui, state, fitting, size, asks);
+            });
+        }
+        let width = if with_plots { TABLE_WIDTH } else { free.x };
+        ui.allocate_ui_with_layout(vec2(width, free.y), Layout::top_down(Align::Min), |ui| {
+            let area = ScrollArea::vertical().id_salt("fit table").auto_shrink(false);
+            area.show(ui, |ui| fit_table::show(ui, fitting));
+        });
+    });
+}
+
+/// What is sampled, and what is fitted to it.
+fn setup(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    let mut setup = state.settings.fit;
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
+        model(ui, &mut setup);
+        samples(ui, &mut setup);
+        range(ui, state, &mut setup);
+    });
+    if setup != state.settings.fit {
+        asks.push(Command::Fit(setup));
+    }
+}
+
+fn model(ui: &mut Ui, setup: &mut FitSetup) {
+    let fitted = [
+        (Curves::Azimuth, "Δφ", "Fit Δφ", "Fits the differences in azimuth. They do not tell up from down."),
+        (Curves::Polar, "Δθ", "Fit Δθ", "Fits the differences in elevation."),
+        (Curves::Both, "both", "Fit both", "Fits both curves at once, each weighed by its scatter."),
+    ];
+    group(ui, |ui| {
+        ui.label(RichText::new("Fit").weak());
+        for (curves, text, name, tip) in fitted {
+            ui.selectable_value(&mut setup.curves, curves, text).on_hover_text(tip).accessible_name(name);
+        }
+    });
+    group(ui, |ui| {
+        ui.label(RichText::new("by").weak());
+        let exact = "Each eye solves its own light cone, as the data were made.";
+        let published = "The paper's binocular model: the right eye is the left one at T − ΔT, without parallax.\n\
+            The data stay what the eyes see, so its fit is biased.";
+        choice(
+            ui,
+            &mut setup.model,
+            &[(FitModel::Exact, "exact", exact), (FitModel::Published, "published", published)],
+        );
+        let tip = "Fits x₀, where the point is at t = 0, too: as if the time of passage were unknown.\n\
+            Else x₀ is known.";
+        ui.checkbox(&mut setup.fit_x0, "x₀").on_hover_text(tip).accessible_name("Fit x₀");
+    });
+}
+
+fn samples(ui: &mut Ui, setup: &mut FitSetup) {
+    let number = DragValue::new(&mut setup.samples).range(2..=MAX_SAMPLES).speed(2.0);
+    let tip = "Number of samples of each curve, evenly spread over T.";
+    named(ui, "samples", "Number of samples", tip, number);
+    let noise = DragValue::new(&mut setup.noise_percent)
+        .range(0.0..=100.0)
+        .speed(0.02)
+        .max_decimals(3)
+        .update_while_editing(false)
+        .suffix(" %");
+    let tip =
+        "Standard deviation of the normal noise on each sample.\nσ = noise × (highest − lowest of the curve)";
+    named(ui, "noise", "Noise", tip, noise);
+    let seed = DragValue::new(&mut setup.seed).speed(0.1).update_while_editing(false);
+    let tip = "Seed of the noise and of the bootstrap: the same seed gives the same numbers.\n\
+        Drag it to see other noise of the same strength.";
+    named(ui, "seed", "Seed", tip, seed);
+}
+
+fn range(ui: &mut Ui, state: &State, setup: &mut FitSetup) {
+    let plotted = state.time_range();
+    let [mut from, mut to] = setup.range.unwrap_or(plotted);
+    let speed = (plotted[1] - plotted[0]) / 400.0;
+    let field = |value| {
+        DragValue::new(value)
+            .range(-MAX_TIME..=MAX_TIME)
+            .speed(speed)
+            .max_decimals(3)
+            .update_while_editing(false)
+    };
+    let tip = "Over which T the samples are taken.";
+    let changed = group(ui, |ui| {
+        ui.label(RichText::new("T").weak());
+        let first = ui.add(field(&mut from)).on_hover_text(tip).accessible_name("Samples from T");
+        ui.label(RichText::new("to").weak());
+        let last = ui.add(field(&mut to)).on_hover_text(tip).accessible_name("Samples to T");
+        first.changed() || last.changed()
+    });
+    if changed && from < to {
+        setup.range = Some([from, to]);
+    }
+    let reset = egui::Button::new("as plotted").selected(setup.range.is_none());
+    if ui.add(reset).on_hover_text("Samples the range of T that the other plots show.").clicked() {
+        setup.range = None;
+    }
+}
+
+/// Widgets that stay on one line.
+fn group<R>(ui: &mut Ui, widgets: impl FnOnce(&mut Ui) -> R) -> R {
+    let shown = ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        widgets(ui)
+    });
+    ui.add_space(6.0);
+    shown.inner
+}
+
+fn named(ui: &mut Ui, text: &str, name: &str, tip: &str, widget: DragValue<'_>) -> Response {
+    group(ui, |ui| {
+        ui.label(RichText::new(text).weak()).on_hover_text(tip);
+        ui.add(widget).on_hover_text(tip).accessible_name(name)
+    })
+}

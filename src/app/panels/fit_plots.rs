@@ -1,0 +1,162 @@
+//! The samples, the fitted curve with its band, and what the fit leaves over.
+
+use std::ops::RangeInclusive;
+
+use eframe::egui::{self, Align, Color32, Layout, RichText, Ui, Vec2, Visuals, vec2};
+use egui_plot::{FilledArea, Line, Plot, PlotBounds, PlotPoint, PlotUi, Points, VLine};
+
+use super::Asks;
+use super::plots::{Y_AXIS_WIDTH, annotate, bounds, label, still_plot, tick, time_at_pointer};
+use crate::app::command::Command;
+use crate::app::curves::Quantity;
+use crate::app::fitting::{FittedCurve, Fitting, Outcome};
+use crate::app::state::State;
+use crate::app::theme;
+
+/// How much of the height the residuals take.
+const RESIDUALS_SHARE: f32 = 0.36;
+const TITLE_HEIGHT: f32 = 20.0;
+/// An outdated picture is drawn this faintly.
+const FAINT: f32 = 0.35;
+
+/// Shows the plots of the fitted curves side by side in `size`.
+pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, size: Vec2, asks: &mut Asks) {
+    let used = state.settings.fit.curves.used();
+    let shown = [Quantity::DeltaPhi, Quantity::DeltaTheta].into_iter().zip(used).filter(|(_, used)| *used);
+    let count = used.iter().filter(|used| **used).count() as f32;
+    let width = (size.x - theme::GAP * (count - 1.0)) / count;
+    for (quantity, _) in shown {
+        ui.allocate_ui_with_layout(vec2(width, size.y), Layout::top_down(Align::Min), |ui| {
+            ui.set_width(width);
+            pair(ui, state, fitting, quantity, asks);
+        });
+    }
+}
+
+/// A curve and its residuals.
+fn pair(ui: &mut Ui, state: &State, fitting: &Fitting, quantity: Quantity, asks: &mut Asks) {
+    ui.spacing_mut().item_spacing.y = 2.0;
+    ui.horizontal(|ui| {
+        ui.set_height(TITLE_HEIGHT);
+        ui.add_space(Y_AXIS_WIDTH);
+        ui.label(RichText::new(format!("{} / rad", label(quantity))).strong());
+        ui.label(RichText::new("samples, fit, 95 % band").weak().small());
+    });
+    let free = ui.available_size().max(vec2(20.0, 20.0));
+    let residuals_height = (RESIDUALS_SHARE * free.y).max(1.0);
+    let drawing = Drawing::new(ui.visuals(), state, fitting, quantity);
+    let name = label(quantity);
+    let upper = Part { name: format!("Fit of {name} against T"), height: free.y - residuals_height - 2.0 };
+    upper.show(ui, state, drawing.curve_bounds(), asks, |plot| drawing.curve(plot));
+    let lower = Part { name: format!("Residuals of {name} against T"), height: residuals_height };
+    lower.show(ui, state, drawing.residual_bounds(), asks, |plot| drawing.residuals(plot));
+}
+
+/// One plot.
+struct Part {
+    name: String,
+    height: f32,
+}
+
+impl Part {
+    fn show<'a>(
+        &self,
+        ui: &mut Ui,
+        state: &State,
+        bounds: PlotBounds,
+        asks: &mut Asks,
+        contents: impl FnOnce(&mut PlotUi<'a>) + 'a,
+    ) {
+        let size = vec2(ui.available_width(), self.height.max(10.0));
+        let now = VLine::new("T", state.session.time).color(theme::now_colour(ui.visuals())).width(1.0);
+        let plot: Plot<'a> = still_plot(ui, self.name.as_str(), size)
+            .y_axis_formatter(|mark, _: &RangeInclusive<f64>| {
+                tick(Quantity::DeltaPhi, mark.value, mark.step_size)
+            })
+            .x_axis_formatter(|mark, _| tick(Quantity::DeltaPhi, mark.value, mark.step_size));
+        let response = plot.show(ui, move |plot| {
+            plot.set_plot_bounds(bounds);
+            plot.vline(now.allow_hover(false));
+            contents(plot);
+        });
+        annotate(ui, &response, None);
+        let info = || egui::WidgetInfo::labeled(egui::accesskit::Role::GraphicsObject, true, &self.name);
+        response.response.widget_info(info);
+        if let Some(time) = time_at_pointer(&response) {
+            asks.push(Command::Time(time));
+        }
+    }
+}
+
+/// What is drawn of one curve.
+struct Drawing<'a> {
+    range: [f64; 2],
+    data: &'a [PlotPoint],
+    fitted: Option<&'a FittedCurve>,
+    data_colour: Color32,
+    fit_colour: Color32,
+    band_colour: Color32,
+}
+
+impl<'a> Drawing<'a> {
+    fn new(visuals: &Visuals, state: &State, fitting: &'a Fitting, quantity: Quantity) -> Self {
+        let curve = usize::from(quantity == Quantity::DeltaTheta);
+        let outcome = fitting.shown();
+        let fitted = outcome.and_then(|outcome| outcome.fitted.as_ref().ok()?.curves[curve].as_ref());
+        let faintness = if fitting.is_outdated() { FAINT } else { 1.0 };
+        let colour = theme::point_colour(state.session.points.selected().number, visuals);
+        Self {
+            range: outcome.map_or([0.0, 1.0], |outcome| outcome.key.range),
+            data: outcome.map_or(&[], |outcome: &Outcome| &outcome.data[curve]),
+            fitted,
+            data_colour: visuals.weak_text_color().gamma_multiply(faintness),
+            fit_colour: colour.gamma_multiply(faintness),
+            band_colour: colour.gamma_multiply(0.35 * faintness),
+        }
+    }
+
+    fn curve_bounds(&self) -> PlotBounds {
+        let line = self.fitted.iter().flat_map(|fitted| &fitted.line);
+        bounds(self.data.iter().chain(line).map(|point| point.y), self.range)
+    }
+
+    fn residual_bounds(&self) -> PlotBounds {
+        let residuals = self.fitted.iter().flat_map(|fitted| &fitted.residuals);
+        let band = self.fitted.iter().flat_map(|fitted| &fitted.band).flatten();
+        // Zero is in the middle, whichever side has the largest residual.
+        let largest = residuals.map(|point| point.y).chain(band.copied()).fold(0.0f64, |a, b| a.max(b.abs()));
+        bounds([-largest, largest].into_iter(), self.range)
+    }
+
+    fn curve<'p>(&'p self, plot: &mut PlotUi<'p>) {
+        self.band(plot, |point| point.y);
+        self.dots(plot, "sample", self.data);
+        if let Some(fitted) = self.fitted {
+            let line = Line::new("fit", fitted.line.as_slice()).allow_band(false).allow_hover(false);
+            plot.line(line.color(self.fit_colour).width(1.6));
+        }
+    }
+
+    fn residuals<'p>(&'p self, plot: &mut PlotUi<'p>) {
+        let Some(fitted) = self.fitted else { return };
+        self.band(plot, |_| 0.0);
+        self.dots(plot, "sample − fit", &fitted.residuals);
+        let zero = self.range.map(|time| [time, 0.0]).to_vec();
+        plot.line(Line::new("0", zero).color(self.fit_colour).width(1.2).allow_hover(false));
+    }
+
+    /// The band around `middle` of the line.
+    fn band(&self, plot: &mut PlotUi<'_>, middle: impl Fn(&PlotPoint) -> f64) {
+        let Some(fitted) = self.fitted.filter(|fitted| !fitted.band.is_empty()) else { return };
+        let edge = |end: usize| -> Vec<f64> {
+            fitted.line.iter().zip(&fitted.band).map(|(point, band)| middle(point) + band[end]).collect()
+        };
+        let times: Vec<f64> = fitted.line.iter().map(|point| point.x).collect();
+        let area = FilledArea::new("95 % band", &times, &edge(0), &edge(1));
+        plot.add(area.fill_color(self.band_colour).allow_hover(false));
+    }
+
+    fn dots<'p>(&self, plot: &mut PlotUi<'p>, name: &str, points: &'p [PlotPoint]) {
+        plot.points(Points::new(name, points).color(self.data_colour).radius(1.3).allow_hover(false));
+    }
+}

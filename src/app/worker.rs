@@ -1,0 +1,140 @@
+//! A thread of its own for work that would stop the window: of several jobs it does the newest.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::time::{Duration, Instant};
+
+use eframe::egui::Context;
+
+/// A job that has taken longer than this gives way to a newer one. A shorter one is finished, so that
+/// something is seen while a control is dragged.
+const PATIENCE: Duration = Duration::from_millis(250);
+
+/// The thread; it waits without using the processor, and ends with this.
+pub struct Worker<J, R> {
+    jobs: Sender<(u64, J)>,
+    results: Receiver<R>,
+    newest: Arc<AtomicU64>,
+    stopped: Arc<AtomicU64>,
+}
+
+/// Whether a job is still wanted.
+pub struct Wanted {
+    number: u64,
+    started: Instant,
+    newest: Arc<AtomicU64>,
+    stopped: Arc<AtomicU64>,
+}
+
+impl Wanted {
+    /// False once the job was stopped, or takes long while a newer one waits.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        let outdated = self.number < self.newest.load(Ordering::Relaxed);
+        let stopped = self.number <= self.stopped.load(Ordering::Relaxed);
+        !stopped && !(outdated && self.started.elapsed() > PATIENCE)
+    }
+}
+
+impl<J: Send + 'static, R: Send + 'static> Worker<J, R> {
+    /// A thread that does jobs by `work`, which ends early with `None` when it is no longer wanted. Each
+    /// result is announced by a repaint.
+    pub fn new(ctx: Context, work: impl Fn(J, &Wanted) -> Option<R> + Send + 'static) -> Self {
+        let (jobs, todo) = channel::<(u64, J)>();
+        let (done, results) = channel();
+        let (newest, stopped) = (Arc::new(AtomicU64::new(0)), Arc::new(AtomicU64::new(0)));
+        let worker = Self { jobs, results, newest: newest.clone(), stopped: stopped.clone() };
+        std::thread::spawn(move || {
+            while let Ok(first) = todo.recv() {
+                let (number, job) = todo.try_iter().last().unwrap_or(first);
+                let (newest, stopped) = (newest.clone(), stopped.clone());
+                let wanted = Wanted { number, started: Instant::now(), newest, stopped };
+                let Some(result) = wanted.holds().then(|| work(job, &wanted)).flatten() else { continue };
+                if done.send(result).is_err() {
+                    return;
+                }
+                ctx.request_repaint();
+            }
+        });
+        worker
+    }
+
+    /// Does `job` next, instead of what still waits.
+    pub fn request(&self, job: J) {
+        let number = self.newest.fetch_add(1, Ordering::Relaxed) + 1;
+        // The thread outlives this sender unless its work panicked; then there is nothing to wait for.
+        let _ = self.jobs.send((number, job));
+    }
+
+    /// Gives up what is running or waiting.
+    pub fn stop(&self) {
+        self.stopped.store(self.newest.load(Ordering::Relaxed), Ordering::Relaxed);
+    }
+
+    /// The newest result since this was last asked.
+    pub fn result(&self) -> Option<R> {
+        self.results.try_iter().last()
+    }
+}
+
+impl<J, R> Drop for Worker<J, R> {
+    fn drop(&mut self) {
+        self.stopped.store(u64::MAX, Ordering::Relaxed);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn eventually<T>(mut value: impl FnMut() -> Option<T>) -> T {
+        let start = Instant::now();
+        loop {
+            if let Some(value) = value() {
+                return value;
+            }
+            assert!(start.elapsed() < Duration::from_secs(20), "nothing came");
+            std::thread::sleep(Duration::from_millis(1));
+        }
+    }
+
+    #[test]
+    fn the_newest_of_waiting_jobs_is_done() {
+        let (go, gate) = channel::<()>();
+        let worker = Worker::new(Context::default(), move |job: u32, _: &Wanted| {
+            gate.recv().ok()?;
+            Some(job)
+        });
+        worker.request(1);
+        // Once the first has begun, the others wait together.
+        go.send(()).expect("the thread lives");
+        assert_eq!(eventually(|| worker.result()), 1);
+        worker.request(2);
+        worker.request(3);
+        worker.request(4);
+        for _ in 0..3 {
+            go.send(()).expect("the thread lives");
+        }
+        let last = eventually(|| worker.result().filter(|&job| job == 4));
+        assert_eq!(last, 4);
+    }
+
+    #[test]
+    fn stopped_and_outdated_jobs_end() {
+        let endless = |job: u32, wanted: &Wanted| {
+            while job == 0 && wanted.holds() {
+                std::thread::sleep(Duration::from_millis(1));
+            }
+            wanted.holds().then_some(job)
+        };
+        let worker = Worker::new(Context::default(), endless);
+        worker.request(0);
+        worker.request(7);
+        assert_eq!(eventually(|| worker.result()), 7);
+        worker.request(0);
+        worker.stop();
+        worker.request(8);
+        assert_eq!(eventually(|| worker.result()), 8);
+    }
+}

@@ -1,0 +1,212 @@
+//! The Fit tab: what it recovers from noisy curves, and what it says where there is nothing to recover.
+
+use std::time::{Duration, Instant};
+
+use eframe::egui::ViewportId;
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use gamow::app::App;
+use gamow::app::command::Command;
+use gamow::app::settings::{FitSetup, PlotTab, Plots};
+use gamow::app::state::State;
+use relativity_core::{Curves, FitModel, FitOptions, Observations, Parameter, Passage, Reading, Sample, fit};
+
+use super::Test;
+use super::support::{SEPARATION, cyclist, labels, seen, shown, type_into, window, window_of_size};
+
+pub const TESTS: &[Test] = &[
+    ("the_fit_recovers_speed_and_distance", the_fit_recovers),
+    ("each_curve_alone_recovers_them_too", each_curve_alone_recovers),
+    ("without_noise_the_fit_is_exact", without_noise_the_fit_is_exact),
+    ("the_published_model_is_biased_and_says_so", the_published_model_is_biased),
+    ("what_cannot_be_fitted_is_said_in_words", what_cannot_be_fitted),
+    ("the_fit_follows_the_controls", the_fit_follows_the_controls),
+    ("a_hidden_fit_is_not_made", a_hidden_fit_is_not_made),
+    ("a_window_that_shows_a_fit_rests", a_window_that_shows_a_fit_rests),
+];
+
+/// The default scene at this beta, with this fit in view.
+fn fitted(beta: f64, setup: FitSetup) -> State {
+    let mut state = cyclist(beta);
+    state.apply(Command::Fit(setup));
+    state.apply(Command::Plots(Plots { tab: PlotTab::Fit, ..Plots::default() }));
+    state
+}
+
+/// Frames until the newest fit is in view.
+fn wait(window: &mut Harness<'_, App>) {
+    let start = Instant::now();
+    window.step();
+    while !window.state().fitting().is_up_to_date() {
+        assert!(start.elapsed() < Duration::from_secs(60), "no fit");
+        std::thread::sleep(Duration::from_millis(5));
+        window.step();
+    }
+    window.step();
+}
+
+fn window_with_fit(state: State) -> Harness<'static, App> {
+    let mut window = window(state);
+    wait(&mut window);
+    window
+}
+
+fn estimate(window: &Harness<'_, App>, symbol: &str) -> [f64; 2] {
+    [shown(window, &format!("Fitted {symbol}")), shown(window, &format!("Uncertainty of {symbol}"))]
+}
+
+/// The first text that starts with `words`.
+fn text(window: &Harness<'_, App>, words: &str) -> String {
+    let all = labels(window);
+    let found = all.iter().find(|label| label.starts_with(words));
+    found.unwrap_or_else(|| panic!("no {words:?} in {all:?}")).clone()
+}
+
+fn the_fit_recovers() {
+    let mut window = window(cyclist(0.9));
+    window.get_by_label("Fit").click();
+    window.run_steps(2);
+    wait(&mut window);
+    for (symbol, truth) in [("β", 0.9), ("y", 3.0), ("z", 2.0)] {
+        let [value, uncertainty] = estimate(&window, symbol);
+        assert!(uncertainty > 0.0 && uncertainty < 0.02, "{symbol}: {uncertainty}");
+        assert!((value - truth).abs() < 3.0 * uncertainty, "{symbol} = {value} +- {uncertainty}");
+        assert_eq!(shown(&window, &format!("True {symbol}")), truth);
+    }
+    text(&window, "Agrees with the truth");
+    for name in ["Fit of Δφ against T", "Residuals of Δφ against T", "Fit of Δθ against T"] {
+        assert!(window.get_by_label(name).rect().height() > 40.0, "{name}");
+    }
+    window.render().expect("a picture");
+}
+
+fn each_curve_alone_recovers() {
+    for curves in [Curves::Azimuth, Curves::Polar] {
+        let setup = FitSetup { curves, noise_percent: 0.5, fit_x0: true, ..FitSetup::default() };
+        let mut state = fitted(0.6, setup);
+        let mut motion = state.settings.motion;
+        motion.height_shift = -3.5; // z = -1.5, of which Δφ tells only the magnitude
+        state.apply(Command::Motion(motion));
+        let window = window_with_fit(state);
+        let z = if curves == Curves::Azimuth { 1.5 } else { -1.5 };
+        for (symbol, truth) in [("β", 0.6), ("y", 3.0), ("z", z), ("x₀", 0.0)] {
+            let [value, uncertainty] = estimate(&window, symbol);
+            assert!(
+                (value - truth).abs() < 4.0 * uncertainty,
+                "{curves:?}: {symbol} = {value} +- {uncertainty}"
+            );
+        }
+    }
+}
+
+fn without_noise_the_fit_is_exact() {
+    let window = window_with_fit(fitted(0.9, FitSetup { noise_percent: 0.0, ..FitSetup::default() }));
+    for (symbol, truth) in [("β", 0.9), ("y", 3.0), ("z", 2.0)] {
+        assert!((estimate(&window, symbol)[0] - truth).abs() <= 1e-9, "{symbol}");
+    }
+    let error = text(&window, "Recovered to ");
+    let error = error.trim_start_matches("Recovered to ").trim_end_matches('.').replace('−', "-");
+    assert!(error.parse::<f64>().expect("a number") < 1e-9, "{error}");
+}
+
+fn the_published_model_is_biased() {
+    let setup = FitSetup { model: FitModel::Published, curves: Curves::Polar, ..FitSetup::default() };
+    let window = window_with_fit(fitted(0.9, setup));
+    let [beta, uncertainty] = estimate(&window, "β");
+    assert!((beta - 0.9).abs() > 5.0 * uncertainty, "β = {beta} +- {uncertainty}");
+    text(&window, "Wrong: ");
+    let note = text(&window, "Leaving out parallax biases it, even without noise: β by ");
+    let bias = published_beta_of_exact_curves(window.state().state(), setup) - 0.9;
+    assert!(bias > 0.05 && note.contains(&format!("β by +{bias:.3},")), "{note} for {bias}");
+}
+
+/// Beta that the published model fits to exact curves without noise, by the core.
+fn published_beta_of_exact_curves(state: &State, setup: FitSetup) -> f64 {
+    let [from, to] = state.time_range();
+    let sample = |index: usize| {
+        let time = from + (to - from) * index as f64 / (setup.samples - 1) as f64;
+        let [left, right] = [0, 1].map(|eye| seen(0.9, time, eye).theta());
+        Sample { time, pair: 0, dphi: None, dtheta: Some(Reading { value: left - right, sigma: None }) }
+    };
+    let observed = Observations::of_pair(SEPARATION, (0..setup.samples).map(sample).collect());
+    let options = FitOptions { model: setup.model, curves: setup.curves, passage: Passage::Known(0.0) };
+    fit(&observed.expect("usable samples"), &options).expect("a fit").value(Parameter::Beta)
+}
+
+fn what_cannot_be_fitted() {
+    let mut together = fitted(0.9, FitSetup::default());
+    let mut motion = together.settings.motion;
+    motion.separation = 0.0;
+    together.apply(Command::Motion(motion));
+    let mut behind = fitted(0.9, FitSetup::default());
+    motion.separation = 0.1;
+    motion.depth_shift = -3.0;
+    behind.apply(Command::Motion(motion));
+    let published = FitSetup { model: FitModel::Published, curves: Curves::Azimuth, ..FitSetup::default() };
+    let cases = [
+        (together, "Both eyes are in one place (d = 0)"),
+        (fitted(0.0, FitSetup::default()), "At rest (β = 0)"),
+        (behind, "The fit looks in front of the eyes"),
+        (fitted(0.9, FitSetup { samples: 4, ..FitSetup::default() }), "4 samples of both are too few"),
+        (fitted(0.9, published), "The data cannot tell z"),
+    ];
+    for (state, words) in cases {
+        // A frame is drawn too: what cannot be drawn panics there.
+        let mut window = window_with_fit(state);
+        text(&window, "No fit");
+        text(&window, words);
+        assert!(!labels(&window).iter().any(|label| label.contains("NaN")));
+        window.render().expect("a picture");
+    }
+}
+
+fn the_fit_follows_the_controls() {
+    // Higher than usual, so that every row is in view.
+    let mut window = window_of_size(fitted(0.9, FitSetup::default()), [1280.0, 1000.0], 1.0);
+    wait(&mut window);
+    type_into(&mut window, "Beta, typed", "0.7");
+    wait(&mut window);
+    let [beta, uncertainty] = estimate(&window, "β");
+    assert!((beta - 0.7).abs() < 4.0 * uncertainty, "β = {beta} +- {uncertainty}");
+    window.get_by_label("Fit Δθ").click();
+    window.run_steps(2);
+    wait(&mut window);
+    assert!(window.query_by_label("Fit of Δφ against T").is_none());
+    window.get_by_label("Fit of Δθ against T");
+    window.get_by_label("Fit x₀").click();
+    window.run_steps(2);
+    wait(&mut window);
+    text(&window, "Fitted x₀");
+}
+
+fn a_hidden_fit_is_not_made() {
+    let mut window = window(fitted(0.9, FitSetup::default()));
+    wait(&mut window);
+    let requests = window.state().fitting().requests();
+    assert_eq!(requests, 1, "one for one state of the controls");
+    window.get_by_label("Disparity").click();
+    window.run();
+    type_into(&mut window, "Beta, typed", "0.7");
+    window.run();
+    assert_eq!(window.state().fitting().requests(), requests);
+    window.get_by_label("Fit").click();
+    window.run_steps(2);
+    wait(&mut window);
+    assert_eq!(window.state().fitting().requests(), requests + 1);
+    window.get_by_label("Plots").click();
+    window.run();
+    type_into(&mut window, "Beta, typed", "0.8");
+    window.run();
+    assert_eq!(window.state().fitting().requests(), requests + 1);
+}
+
+fn a_window_that_shows_a_fit_rests() {
+    let mut window = window_with_fit(fitted(0.9, FitSetup::default()));
+    window.run();
+    window.step();
+    let repaint = window.output().viewport_output[&ViewportId::ROOT].repaint_delay;
+    assert_eq!(repaint, Duration::MAX);
+    window.state_mut().ask(Command::Time(2.0));
+    window.run();
+    assert_eq!(window.state().fitting().requests(), 1, "the fit does not depend on T");
+}
