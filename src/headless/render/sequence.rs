@@ -53,7 +53,7 @@ pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Resu
         let u = f64::from(frame) / f64::from(frames.max(2) - 1);
         let time = from * (1.0 - u) + to * u; // exact at both ends
         let path = frame_path(folder, frame);
-        let provenance = studio.provenance(time);
+        let provenance = studio.provenance(time)?;
         if png_file::is_made(&path, &provenance) {
             kept += 1;
         } else {
