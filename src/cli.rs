@@ -22,6 +22,8 @@ Conventions: c = 1; lengths and times share one unit; angles are radians. x poin
 The eyes rest at x = -d/2 (left) and x = +d/2 (right).
 
 Examples:
+  gamow
+  gamow --scene street --beta 0.99 --time 1 --screenshot window.png
   gamow curve --beta 0.9 --d 0.3 --y 0.5 --z 0.5 --from -2 --to 5
   gamow curve --samples 1000 --out curve.csv
   gamow curve | cut -d, -f 1-6 | gamow eval --model published

@@ -7,7 +7,7 @@ use eframe::{CreationContext, NativeOptions};
 
 use super::args::WindowArgs;
 use super::settings::Settings;
-use super::{App, graphics, screenshot};
+use super::{App, graphics, icon, screenshot};
 
 /// Name under which settings are saved.
 const APP_ID: &str = "gamow";
@@ -50,6 +50,7 @@ fn open(args: &WindowArgs) -> anyhow::Result<()> {
     let viewport = ViewportBuilder::default()
         .with_title("Gamow")
         .with_app_id(APP_ID)
+        .with_icon(icon::icon())
         .with_inner_size(args.window_size_or_default().map(|side| side as f32))
         .with_min_inner_size([480.0, 320.0]);
     let options = NativeOptions {

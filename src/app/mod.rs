@@ -11,6 +11,7 @@ pub mod curves;
 mod eyes;
 pub mod figures;
 mod graphics;
+mod icon;
 pub mod launch;
 mod layout;
 

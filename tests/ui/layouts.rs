@@ -82,20 +82,21 @@ fn extremes_show_numbers_or_dashes() {
         (SpeedParameter::Beta, 1e-14),
     ];
     for (parameter, value) in speeds {
+        let mut window = window_of_size(extreme(parameter, value), [1024.0, 600.0], 1.0);
         for tab in [PlotTab::Disparity, PlotTab::Angles, PlotTab::Doppler] {
-            let mut window = window(extreme(parameter, value, tab));
+            window.state_mut().ask(Command::Plots(Plots { tab, published: true }));
             for time in [0.0, -1e12, 1e12] {
                 window.state_mut().ask(Command::Time(time));
                 window.run();
                 assert_no_broken_numbers(&window);
             }
-            window.render().expect("a picture");
         }
+        window.render().expect("a picture");
     }
 }
 
 /// d = 0, and the selected point passes through both apertures.
-fn extreme(parameter: SpeedParameter, value: f64, tab: PlotTab) -> State {
+fn extreme(parameter: SpeedParameter, value: f64) -> State {
     let mut state = cyclist(0.5);
     let mut motion = state.settings.motion;
     motion.speed = SpeedSetting::new(parameter, value).expect("a speed");
@@ -103,7 +104,6 @@ fn extreme(parameter: SpeedParameter, value: f64, tab: PlotTab) -> State {
     motion.depth_shift = -3.0;
     motion.height_shift = -2.0;
     state.apply(Command::Motion(motion));
-    state.apply(Command::Plots(Plots { tab, published: true }));
     state
 }
 

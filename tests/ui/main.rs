@@ -7,6 +7,7 @@
 mod controls;
 mod layouts;
 mod picking;
+mod start;
 mod support;
 mod time;
 
@@ -21,7 +22,7 @@ fn main() -> ExitCode {
     let arguments = Arguments::from_args();
     let required = std::env::var_os("GAMOW_REQUIRE_GPU").is_some_and(|value| value == "1");
     let missing = !required && relativity_render::Gpu::headless().is_err();
-    let all = [controls::TESTS, layouts::TESTS, picking::TESTS, time::TESTS].concat();
+    let all = [controls::TESTS, layouts::TESTS, picking::TESTS, start::TESTS, time::TESTS].concat();
     let trial = |(name, test): Test| {
         let run = move || {
             test();

@@ -19,10 +19,15 @@ struct Frame {
     // xyz: centre of the scene from the camera's event, rest frame; w: 1/(2 reach), reach being the
     // greatest distance of any body's surface from that centre.
     scene: vec4f,
-    // Camera x and y, height of the ground above the camera (far below if there is none), 0.
+    // Camera x and y, height of the ground above the camera (far below if there is none), and
+    // the published model's aperture separation.
     ground: vec4f,
     // Linear sRGB: horizon, zenith, ground, grid lines, axis lines.
     backdrop: array<vec4f, 5>,
+    // Products with an apparent position give its clip coordinates x, y and w.
+    clip_right: vec4f,
+    clip_up: vec4f,
+    forward: vec4f,
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;

@@ -23,6 +23,9 @@ pub struct Frame {
     pub scene: [f32; 4],
     pub ground: [f32; 4],
     pub backdrop: [[f32; 4]; 5],
+    pub clip_right: [f32; 4],
+    pub clip_up: [f32; 4],
+    pub forward: [f32; 4],
 }
 
 /// Where the bodies are as a whole, in the rest frame.
@@ -58,7 +61,9 @@ impl Extent {
 impl Frame {
     pub fn new(view: &View, appearance: &Appearance, extent: &Extent) -> Self {
         let camera = &view.camera;
-        let Axes { right, up, .. } = camera.gaze.axes();
+        let Axes { right, up, forward } = camera.gaze.axes();
+        let [width, height] = camera.size.map(f64::from);
+        let to_clip = 2.0 * camera.focal_length_px();
         let per_px = 1.0 / camera.focal_length_px();
         let (pole, base) = pole(camera);
         let speed = &view.speed;
@@ -79,8 +84,11 @@ impl Frame {
                 .map(|v| v as f32),
             light: [exposure, exponent, first, per_octave].map(|v| v as f32),
             scene: extent.centre_from_camera.extend((0.5 / extent.reach) as f32).to_array(),
-            ground: [aperture.x, aperture.y, ground, 0.0].map(|v| v as f32),
+            ground: [aperture.x, aperture.y, ground, view.published_separation()].map(|v| v as f32),
             backdrop: backdrop.colours().map(|colour| vector(colour.into())),
+            clip_right: vector(right * (to_clip / width)),
+            clip_up: vector(up * (to_clip / height)),
+            forward: vector(forward),
         }
     }
 

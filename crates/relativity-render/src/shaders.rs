@@ -23,12 +23,30 @@ pub(crate) const RING: &str = concat!(
     include_str!("../shaders/impostor.wgsl"),
     include_str!("../shaders/ring.wgsl"),
 );
+pub(crate) const MESH_TUBE: &str = concat!(
+    include_str!("../shaders/frame.wgsl"),
+    include_str!("../shaders/colour.wgsl"),
+    include_str!("../shaders/mesh.wgsl"),
+    include_str!("../shaders/mesh_tube.wgsl"),
+);
+pub(crate) const MESH_RING: &str = concat!(
+    include_str!("../shaders/frame.wgsl"),
+    include_str!("../shaders/colour.wgsl"),
+    include_str!("../shaders/mesh.wgsl"),
+    include_str!("../shaders/mesh_ring.wgsl"),
+);
 pub(crate) const BACKDROP: &str =
     concat!(include_str!("../shaders/frame.wgsl"), include_str!("../shaders/backdrop.wgsl"));
 
 /// Every shader, by name.
-pub const SOURCES: [(&str, &str); 4] =
-    [("sphere", SPHERE), ("tube", TUBE), ("ring", RING), ("backdrop", BACKDROP)];
+pub const SOURCES: [(&str, &str); 6] = [
+    ("sphere", SPHERE),
+    ("tube", TUBE),
+    ("ring", RING),
+    ("mesh of a tube", MESH_TUBE),
+    ("mesh of a ring", MESH_RING),
+    ("backdrop", BACKDROP),
+];
 
 /// The layout that Rust gives a struct of the shaders.
 #[derive(Debug)]
@@ -55,6 +73,9 @@ pub const MIRRORS: [Mirror; 2] = [
             ("scene", offset_of!(Frame, scene)),
             ("ground", offset_of!(Frame, ground)),
             ("backdrop", offset_of!(Frame, backdrop)),
+            ("clip_right", offset_of!(Frame, clip_right)),
+            ("clip_up", offset_of!(Frame, clip_up)),
+            ("forward", offset_of!(Frame, forward)),
         ],
         size: size_of::<Frame>(),
     },

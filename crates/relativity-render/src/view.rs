@@ -19,6 +19,17 @@ pub enum Geometry {
     Rest,
 }
 
+impl Geometry {
+    /// The shaders' `GEOMETRY`.
+    pub(crate) fn number(self) -> f64 {
+        match self {
+            Self::Seen => 0.0,
+            Self::Contracted => 1.0,
+            Self::Rest => 2.0,
+        }
+    }
+}
+
 /// One aperture's picture: everything that decides which point of which body a pixel shows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct View {
@@ -50,6 +61,13 @@ impl View {
     #[must_use]
     pub fn with_size(&self, size: [u32; 2]) -> Self {
         Self { camera: Camera { size, ..self.camera }, ..*self }
+    }
+
+    /// Aperture separation d of the published model: of the pair at -d/2 and d/2 on the x axis whose left
+    /// aperture is the camera's.
+    #[must_use]
+    pub fn published_separation(&self) -> f64 {
+        -2.0 * self.camera.aperture.x
     }
 
     /// Where the camera is in the rest frame at the observation time (same place for all geometries):

@@ -5,7 +5,8 @@ use std::ops::RangeInclusive;
 
 use eframe::egui::{self, Align2, Color32, Id, RichText, Sense, Stroke, TextStyle, Ui, vec2};
 use egui_plot::{
-    HoverPosition, Line, LineStyle, Plot, PlotBounds, PlotPoint, PlotResponse, PlotUi, Points, VLine,
+    GridInput, GridMark, HoverPosition, Line, LineStyle, Plot, PlotBounds, PlotPoint, PlotResponse, PlotUi,
+    Points, VLine,
 };
 
 use relativity_core::{Disparity, Sighting};
@@ -162,6 +163,7 @@ fn plot(
         .y_axis_min_width(Y_AXIS_WIDTH)
         .grid_color(ui.visuals().weak_text_color().gamma_multiply(0.25))
         .grid_spacing(24.0..=220.0)
+        .y_grid_spacer(move |input| grid(quantity, input))
         .y_axis_formatter(move |mark, _: &RangeInclusive<f64>| tick(quantity, mark.value, mark.step_size))
         .x_axis_formatter(|mark, _| tick(Quantity::Phi, mark.value, mark.step_size))
         .label_formatter(move |hover| hover_text(quantity, hover))
@@ -261,6 +263,25 @@ fn label(quantity: Quantity) -> &'static str {
 
 fn unit(quantity: Quantity) -> &'static str {
     if quantity == Quantity::LogDoppler { "" } else { " rad" }
+}
+
+/// Where the grid lines are: at round numbers; for the logarithm of D at round numbers of D itself.
+fn grid(quantity: Quantity, input: GridInput) -> Vec<GridMark> {
+    if quantity != Quantity::LogDoppler {
+        return egui_plot::log_grid_spacer(10)(input);
+    }
+    let (from, to) = input.bounds;
+    let stride = ((to - from) / 8.0).ceil().max(1.0);
+    let first = (from / stride).floor();
+    let decades = (0..=9).map(|i| (first + f64::from(i)) * stride);
+    let within: &[f64] = if to - from < 3.0 { &[1.0, 1.5, 2.0, 3.0, 5.0, 7.0] } else { &[1.0] };
+    // A step of half a decade or more leaves room for the number at each.
+    let step_size = if to - from < 3.0 { 0.5 } else { stride };
+    decades
+        .flat_map(|decade| within.iter().map(move |value| decade + value.log10()))
+        .filter(|value| (from..=to).contains(value))
+        .map(|value| GridMark { value, step_size })
+        .collect()
 }
 
 /// The text at a grid line: as many digits as tell it from its neighbours.

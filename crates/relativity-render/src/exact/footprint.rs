@@ -66,6 +66,13 @@ impl Projection {
         }
     }
 
+    /// Whether a rest-frame ball around `center`, relative to the camera's event, is surely not in the
+    /// picture.
+    pub fn hides(&self, center: DVec3, radius: f64) -> bool {
+        let ball = Capsule { from: center, to: center, radius };
+        self.footprint(&ball) == Some(Footprint::Hidden)
+    }
+
     /// Where `capsule` can appear; `None` if the bound would be loose and its halves should be tried.
     pub fn footprint(&self, capsule: &Capsule) -> Option<Footprint> {
         let balls = self.hull(capsule)?;

@@ -10,14 +10,16 @@ mod pipelines;
 
 use crate::body::Body;
 use crate::canvas::{self, Canvas};
+use crate::effects::Effects;
 use crate::frame::{Extent, Frame};
 use crate::gpu::{Gpu, GpuError};
 use crate::reference::HitImage;
 use crate::target::EyeTarget;
-use crate::view::{Appearance, Colour, View};
+use crate::view::{Appearance, Colour, Geometry, View};
+pub(crate) use footprint::Projection;
 pub(crate) use pieces::Instance;
 use pieces::{Bounds, Pieces};
-use pipelines::{Effects, Key, Pipelines};
+use pipelines::{Key, Pipelines};
 
 /// Draws exactly what an aperture sees.
 #[derive(Debug)]
@@ -55,12 +57,14 @@ impl ExactRenderer {
         target: &mut EyeTarget,
     ) {
         let view = &view.with_size(target.size());
-        let effects = Effects::new(view.geometry, appearance);
+        let geometry = view.geometry;
+        let effects = Effects::new(geometry == Geometry::Seen, appearance);
         let extent = Extent::new(bodies, view.rest_origin());
         let pieces = Pieces::new(bodies, view, appearance.colour, &extent, self.bounds);
         let draws = self.load(gpu, &pieces, &mut target.vertices, |shape, thin| Key::Picture {
             shape,
             thin,
+            geometry,
             effects,
         });
         let frame = Frame::new(view, appearance, &extent);

@@ -3,50 +3,17 @@
 use std::collections::HashMap;
 
 use super::pieces::Instance;
+use crate::effects::{Effects, number};
 use crate::gpu::Gpu;
 use crate::shaders::{RING, SPHERE, TUBE};
 use crate::target::{DEPTH_FORMAT, LINEAR_FORMAT, MEASURES_FORMAT, SAMPLES};
-use crate::view::{Appearance, Geometry, Shading};
+use crate::view::Geometry;
 
 /// What a pipeline draws, with every effect decided.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Key {
-    Picture { shape: usize, thin: bool, effects: Effects },
+    Picture { shape: usize, thin: bool, geometry: Geometry, effects: Effects },
     Hits { shape: usize, geometry: Geometry },
-}
-
-/// The effects of a picture, as far as they choose a pipeline.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Effects {
-    geometry: Geometry,
-    doppler_shift: bool,
-    intensity: Intensity,
-    form: bool,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-enum Intensity {
-    Off,
-    Integer(u8),
-    Real,
-}
-
-impl Effects {
-    pub fn new(geometry: Geometry, appearance: &Appearance) -> Self {
-        // D = 1 unless as seen: its effects are off.
-        let has_doppler = geometry == Geometry::Seen;
-        let intensity = match appearance.intensity_exponent.filter(|_| has_doppler) {
-            None => Intensity::Off,
-            Some(n) if [2.0, 3.0, 4.0].contains(&n) => Intensity::Integer(n as u8),
-            Some(_) => Intensity::Real,
-        };
-        Self {
-            geometry,
-            doppler_shift: appearance.doppler_shift && has_doppler,
-            intensity,
-            form: appearance.shading == Shading::Form,
-        }
-    }
 }
 
 #[derive(Debug)]
@@ -80,7 +47,9 @@ impl Pipelines {
 
     fn pipeline(&self, gpu: &Gpu, key: Key) -> wgpu::RenderPipeline {
         match key {
-            Key::Picture { shape, thin, effects } => {
+            Key::Picture { shape, thin, geometry, effects } => {
+                let mut constants = vec![("THIN", number(thin)), ("GEOMETRY", geometry.number())];
+                constants.extend(effects.constants());
                 let blend = thin.then_some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING);
                 let target = wgpu::ColorTargetState {
                     format: LINEAR_FORMAT,
@@ -92,7 +61,7 @@ impl Pipelines {
                     &Recipe {
                         module: &self.shapes[shape],
                         entry_point: "picture",
-                        constants: &picture_constants(thin, effects),
+                        constants: &constants,
                         samples: SAMPLES,
                         targets: &[Some(target)],
                     },
@@ -103,7 +72,7 @@ impl Pipelines {
                 &Recipe {
                     module: &self.shapes[shape],
                     entry_point: "hits",
-                    constants: &[("GEOMETRY", geometry_number(geometry))],
+                    constants: &[("GEOMETRY", geometry.number())],
                     samples: 1,
                     targets: &[Some(MEASURES_FORMAT.into()), Some(MEASURES_FORMAT.into())],
                 },
@@ -160,31 +129,4 @@ struct Recipe<'a> {
     constants: &'a [(&'a str, f64)],
     samples: u32,
     targets: &'a [Option<wgpu::ColorTargetState>],
-}
-
-fn number(on: bool) -> f64 {
-    f64::from(u8::from(on))
-}
-
-fn geometry_number(geometry: Geometry) -> f64 {
-    match geometry {
-        Geometry::Seen => 0.0,
-        Geometry::Contracted => 1.0,
-        Geometry::Rest => 2.0,
-    }
-}
-
-fn picture_constants(thin: bool, effects: Effects) -> [(&'static str, f64); 5] {
-    let intensity = match effects.intensity {
-        Intensity::Off => 0.0,
-        Intensity::Integer(n) => f64::from(n),
-        Intensity::Real => 1.0,
-    };
-    [
-        ("THIN", number(thin)),
-        ("GEOMETRY", geometry_number(effects.geometry)),
-        ("DOPPLER_SHIFT", number(effects.doppler_shift)),
-        ("INTENSITY", intensity),
-        ("FORM", number(effects.form)),
-    ]
 }

@@ -1,0 +1,294 @@
+//! The mesh renderer: triangles whose corners go through the apparent position.
+//!
+//! Each body is an instance of a grid over its unit shape, divided as finely as the bound asks for
+//! (`division`). Corners lie exactly where the light cone says; between them pictures are off by no more
+//! than the bound. Unlike the exact renderer it can draw any map of points, and so the published
+//! binocular model, which is defined point by point and has no lines of sight.
+
+mod division;
+mod map;
+mod pipelines;
+mod template;
+
+use std::collections::{BTreeMap, HashMap};
+use std::ops::Range;
+
+use bytemuck::{Pod, Zeroable};
+use glam::DVec3;
+use rayon::prelude::*;
+
+use crate::body::{Body, Shape};
+use crate::canvas::{self, Canvas};
+use crate::colour::linear_srgb;
+use crate::effects::Effects;
+use crate::exact::Projection;
+use crate::frame::{Extent, Frame};
+use crate::gpu::{Gpu, GpuError};
+use crate::intersect::Solid;
+use crate::reference::HitImage;
+use crate::target::EyeTarget;
+use crate::view::{Appearance, Colour, Geometry, View};
+use map::{Map, Positions};
+use pipelines::{Key, Pipelines};
+
+pub(crate) use template::Corner;
+use template::Division;
+
+/// Draws triangles that keep a bound on the picture.
+#[derive(Debug)]
+pub struct MeshRenderer {
+    canvas: Canvas,
+    pipelines: Pipelines,
+    templates: HashMap<Division, Loaded>,
+    /// How far any point may be drawn from where it is seen, pixels, above 0.
+    pub bound_px: f64,
+}
+
+/// A template on the device.
+#[derive(Debug)]
+struct Loaded {
+    corners: wgpu::Buffer,
+    triangles: wgpu::Buffer,
+    count: u32,
+}
+
+/// Mirror of the shaders' `Solid`.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub(crate) struct Instance {
+    pub anchor_radius: [f32; 4],
+    pub axis_extent: [f32; 4],
+    pub across_index: [f32; 4],
+    pub colour_wavelength: [f32; 4],
+    pub cover: f32,
+}
+
+/// Instances by whether they are fainter than solid (drawn last) and by their division.
+type Groups = BTreeMap<(bool, Division), Vec<Instance>>;
+
+/// Instances of one division.
+struct Draw {
+    division: Division,
+    key: Key,
+    instances: Range<u32>,
+}
+
+impl MeshRenderer {
+    /// The bound unless another is chosen, pixels.
+    pub const DEFAULT_BOUND_PX: f64 = 0.5;
+
+    /// A renderer on `gpu` with the default bound.
+    #[must_use]
+    pub fn new(gpu: &Gpu) -> Self {
+        let canvas = Canvas::new(gpu);
+        let pipelines = Pipelines::new(gpu, canvas.body_layout(gpu));
+        Self { canvas, pipelines, templates: HashMap::new(), bound_px: Self::DEFAULT_BOUND_PX }
+    }
+
+    /// Draws `bodies` into `target`, whose size overrides the camera's.
+    pub fn draw(
+        &mut self,
+        gpu: &Gpu,
+        bodies: &[Body],
+        view: &View,
+        appearance: &Appearance,
+        target: &mut EyeTarget,
+    ) {
+        self.paint(gpu, bodies, view, Positions::Of(view.geometry), appearance, target);
+    }
+
+    /// Draws what the right eye sees in the published model (Appendix A), whatever the view's geometry.
+    ///
+    /// The model measures both eyes' angles from the left aperture of a pair at -d/2 and d/2 on the x axis:
+    /// `view` has the left eye's camera, from which d follows.
+    pub fn draw_published_right(
+        &mut self,
+        gpu: &Gpu,
+        bodies: &[Body],
+        view: &View,
+        appearance: &Appearance,
+        target: &mut EyeTarget,
+    ) {
+        self.paint(gpu, bodies, view, Positions::PublishedRight, appearance, target);
+    }
+
+    /// What the centre of every pixel of `view`'s camera shows, without anti-aliasing.
+    ///
+    /// # Errors
+    ///
+    /// The device was lost.
+    pub fn hits(&mut self, gpu: &Gpu, bodies: &[Body], view: &View) -> Result<HitImage, GpuError> {
+        self.measure(gpu, bodies, view, Positions::Of(view.geometry))
+    }
+
+    /// As [`Self::hits`], for the published model's right eye.
+    ///
+    /// # Errors
+    ///
+    /// The device was lost.
+    pub fn hits_published_right(
+        &mut self,
+        gpu: &Gpu,
+        bodies: &[Body],
+        view: &View,
+    ) -> Result<HitImage, GpuError> {
+        self.measure(gpu, bodies, view, Positions::PublishedRight)
+    }
+
+    fn paint(
+        &mut self,
+        gpu: &Gpu,
+        bodies: &[Body],
+        view: &View,
+        positions: Positions,
+        appearance: &Appearance,
+        target: &mut EyeTarget,
+    ) {
+        let view = &view.with_size(target.size());
+        let extent = Extent::new(bodies, view.rest_origin());
+        let has_doppler_effect = !matches!(positions, Positions::Of(Geometry::Contracted | Geometry::Rest));
+        let effects = Effects::new(has_doppler_effect, appearance);
+        let key = |is_ring, is_thin| Key::Picture { is_ring, is_thin, positions, effects };
+        let map = Map::new(view, positions);
+        let groups = self.groups(bodies, view, positions, |index, body| {
+            widened(instance(index, body, appearance.colour, &extent), body, &map)
+        });
+        let draws = self.load(gpu, &groups, &mut target.vertices, key);
+        let frame = Frame::new(view, appearance, &extent);
+        self.canvas.paint(gpu, target, &frame, appearance, |pass| {
+            self.record(pass, &target.vertices, &draws);
+        });
+    }
+
+    fn measure(
+        &mut self,
+        gpu: &Gpu,
+        bodies: &[Body],
+        view: &View,
+        positions: Positions,
+    ) -> Result<HitImage, GpuError> {
+        let extent = Extent::new(bodies, view.rest_origin());
+        let groups = self
+            .groups(bodies, view, positions, |index, body| instance(index, body, Colour::Visible, &extent));
+        let mut vertices = canvas::vertex_buffer(gpu, 0);
+        let draws = self.load(gpu, &groups, &mut vertices, |is_ring, _| Key::Hits { is_ring, positions });
+        let frame = Frame::new(view, &Appearance::default(), &extent);
+        let measures = self.canvas.measure(gpu, view.camera.size, &frame, |pass| {
+            self.record(pass, &vertices, &draws);
+        })?;
+        Ok(measures.hit_image(bodies, view))
+    }
+
+    /// The bodies that can be seen, by how they are divided.
+    fn groups(
+        &self,
+        bodies: &[Body],
+        view: &View,
+        positions: Positions,
+        instance: impl Fn(usize, &Body) -> Instance + Sync,
+    ) -> Groups {
+        let map = Map::new(view, positions);
+        let projection = Projection::new(view);
+        let is_seen = |body: &Body| {
+            let solid = Solid::new(&body.shape);
+            // The published positions are not the view's.
+            positions == Positions::PublishedRight
+                || !projection.hides(solid.center() - view.rest_origin(), solid.bounding_radius())
+        };
+        let visible = bodies.par_iter().enumerate().filter(|(_, body)| is_seen(body));
+        let divided: Vec<_> = visible
+            .map(|(index, body)| (division::division(body, &map, self.bound_px), instance(index, body)))
+            .collect();
+        let mut groups = Groups::new();
+        for (division, instance) in divided {
+            groups.entry((instance.cover < 1.0, division)).or_default().push(instance);
+        }
+        groups
+    }
+
+    fn load(
+        &mut self,
+        gpu: &Gpu,
+        groups: &Groups,
+        vertices: &mut wgpu::Buffer,
+        key: impl Fn(bool, bool) -> Key,
+    ) -> Vec<Draw> {
+        let mut instances = Vec::new();
+        let mut draws = Vec::new();
+        for ((is_thin, division), group) in groups {
+            let start = instances.len() as u32;
+            instances.extend_from_slice(group);
+            let key = key(matches!(division, Division::Ring { .. }), *is_thin);
+            self.pipelines.prepare(gpu, key);
+            self.templates.entry(*division).or_insert_with(|| Loaded::new(gpu, *division));
+            draws.push(Draw { division: *division, key, instances: start..instances.len() as u32 });
+        }
+        canvas::fill_vertex_buffer(gpu, vertices, &instances);
+        draws
+    }
+
+    fn record(&self, pass: &mut wgpu::RenderPass<'_>, instances: &wgpu::Buffer, draws: &[Draw]) {
+        for draw in draws {
+            let template = &self.templates[&draw.division];
+            pass.set_pipeline(self.pipelines.get(draw.key));
+            pass.set_vertex_buffer(0, template.corners.slice(..));
+            pass.set_vertex_buffer(1, instances.slice(..));
+            pass.set_index_buffer(template.triangles.slice(..), wgpu::IndexFormat::Uint32);
+            pass.draw_indexed(0..template.count, 0, draw.instances.clone());
+        }
+    }
+}
+
+impl Loaded {
+    fn new(gpu: &Gpu, division: Division) -> Self {
+        let template = division.template();
+        let buffer = |bytes: &[u8], usage| {
+            let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some("template"),
+                size: bytes.len() as u64,
+                usage: usage | wgpu::BufferUsages::COPY_DST,
+                mapped_at_creation: false,
+            });
+            gpu.queue.write_buffer(&buffer, 0, bytes);
+            buffer
+        };
+        Self {
+            corners: buffer(bytemuck::cast_slice(&template.corners), wgpu::BufferUsages::VERTEX),
+            triangles: buffer(bytemuck::cast_slice(&template.triangles), wgpu::BufferUsages::INDEX),
+            count: template.triangles.len() as u32,
+        }
+    }
+}
+
+/// Drawn at least a pixel wide: thinner, it is faded instead of broken up.
+fn widened(instance: Instance, body: &Body, map: &Map) -> Instance {
+    let distance = map.apparent(Solid::new(&body.shape).center()).length();
+    let [x, y, z, radius] = instance.anchor_radius;
+    let half_pixel = (0.5 * distance / map.focal_length_px) as f32;
+    if radius >= half_pixel {
+        return instance;
+    }
+    Instance { anchor_radius: [x, y, z, half_pixel], cover: radius / half_pixel, ..instance }
+}
+
+fn instance(index: usize, body: &Body, colour: Colour, extent: &Extent) -> Instance {
+    let (radius, axis, length) = match body.shape {
+        Shape::Sphere { radius, .. } => (radius, DVec3::X, 0.0),
+        Shape::Tube { from, to, radius } => {
+            let span = DVec3::from(to) - DVec3::from(from);
+            (radius, span.try_normalize().unwrap_or(DVec3::X), 0.5 * span.length())
+        }
+        Shape::Ring { axis, radius, tube_radius, .. } => (tube_radius, axis.into(), radius),
+    };
+    let packed = |v: DVec3, w: f64| v.as_vec3().extend(w as f32).to_array();
+    let (across, _) = division::basis(axis);
+    let anchor = Solid::new(&body.shape).center() - extent.centre;
+    let colour = linear_srgb(body.rest_wavelength_nm, colour);
+    Instance {
+        anchor_radius: packed(anchor, radius),
+        axis_extent: packed(axis, length),
+        across_index: packed(across, index as f64),
+        colour_wavelength: packed(colour.into(), body.rest_wavelength_nm),
+        cover: 1.0,
+    }
+}

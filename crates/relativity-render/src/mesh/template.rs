@@ -1,0 +1,75 @@
+//! Grids of corners over unit shapes, for bodies of that shape to be placed on.
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use bytemuck::{Pod, Zeroable};
+
+/// How finely a shape is divided.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Division {
+    /// A tube (or, with no sides, a ball): segments around, along each rounded end, and along the side.
+    Tube { around: u32, end: u32, side: u32 },
+    /// A ring: segments around the axis, and around the tube.
+    Ring { around: u32, tube: u32 },
+}
+
+/// Mirror of the shaders' `Corner`.
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Corner {
+    pub profile: [f32; 4],
+    pub turn: [f32; 2],
+}
+
+/// The corners of a division, and the triangles between them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Template {
+    pub corners: Vec<Corner>,
+    pub triangles: Vec<u32>,
+}
+
+impl Division {
+    /// Its corners and triangles, counter-clockwise as seen from outside.
+    pub fn template(self) -> Template {
+        match self {
+            Self::Tube { around, end, side } => grid(&tube_profile(end, side), around),
+            Self::Ring { around, tube } => {
+                let profile = (0..=tube).map(|i| {
+                    let (sine, cosine) = (TAU * f64::from(i) / f64::from(tube)).sin_cos();
+                    [cosine as f32, sine as f32, 0.0, 0.0]
+                });
+                grid(&profile.collect::<Vec<_>>(), around)
+            }
+        }
+    }
+}
+
+/// From the pole of one end to that of the other.
+fn tube_profile(end: u32, side: u32) -> Vec<[f32; 4]> {
+    let cap = |i: u32, sign: f64| {
+        let (sine, cosine) = (FRAC_PI_2 * f64::from(i) / f64::from(end)).sin_cos();
+        [sign as f32, (sign * cosine) as f32, sine as f32, 0.0]
+    };
+    let near = (0..=end).map(|i| cap(i, -1.0));
+    let along = (1..side).map(|i| [(2.0 * f64::from(i) / f64::from(side) - 1.0) as f32, 0.0, 1.0, 0.0]);
+    // A ball has no sides: its ends share their last circle.
+    let far = (0..=end).rev().map(|i| cap(i, 1.0)).skip(usize::from(side == 0));
+    near.chain(along).chain(far).collect()
+}
+
+/// `profile` turned around the axis.
+fn grid(profile: &[[f32; 4]], around: u32) -> Template {
+    let rows = profile.len() as u32;
+    let turn = |j: u32| {
+        let (sine, cosine) = (TAU * f64::from(j) / f64::from(around)).sin_cos();
+        [cosine as f32, sine as f32]
+    };
+    let corners = (0..=around)
+        .flat_map(|j| profile.iter().map(move |&profile| Corner { profile, turn: turn(j) }))
+        .collect();
+    let triangles = (0..around)
+        .flat_map(|j| (0..rows - 1).map(move |i| j * rows + i))
+        .flat_map(|low| [low, low + rows, low + 1, low + 1, low + rows, low + rows + 1])
+        .collect();
+    Template { corners, triangles }
+}
