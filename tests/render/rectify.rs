@@ -3,7 +3,9 @@
 use std::path::Path;
 
 use gamow::headless::image_in::{Measurements, measurements, picture};
-use relativity_render::Picture;
+use relativity_core::{Aperture, Speed};
+use relativity_render::rectify::Rectification;
+use relativity_render::{Camera, Picture};
 
 use super::{complaint_of, folder, render, run_gamow};
 
@@ -41,19 +43,38 @@ fn corrected_and_true(
     [corrected, folder.join(format!("true.{extension}"))]
 }
 
+/// The cameras behind a picture and its correction.
+fn rectification(seen: &Measurements, truth: &Measurements, beta: f64) -> Rectification {
+    let camera = |file: &Measurements| Camera {
+        aperture: Aperture::default(),
+        gaze: file.recorded.gaze().expect("it is recorded"),
+        horizontal_fov: file.recorded.number("fov").expect("it is recorded").to_radians(),
+        size: file.size,
+    };
+    Rectification::new(camera(seen), camera(truth), Speed::from_beta(beta).expect("a speed"))
+}
+
 /// Whether a pixel within one pixel of (column, row) fulfils `is`.
 fn is_near([column, row]: [usize; 2], [width, height]: [usize; 2], is: impl Fn(usize) -> bool) -> bool {
     let around = |at: usize, side: usize| at.saturating_sub(1)..(at + 2).min(side);
     around(row, height).any(|v| around(column, width).any(|u| is(v * width + u)))
 }
 
-/// Pixels at which silhouettes of the objects differ by more than a pixel, and all pixels of objects.
-fn misplaced(corrected: &Measurements, truth: &Measurements) -> [usize; 2] {
+/// Pixels at which silhouettes of the objects differ by more than a pixel, and all pixels of objects, where
+/// the picture from the ground `shows` something.
+fn misplaced(
+    corrected: &Measurements,
+    truth: &Measurements,
+    shows: impl Fn([usize; 2]) -> bool,
+) -> [usize; 2] {
     let size = truth.size.map(|side| side as usize);
     let [corrected, truth] = [corrected, truth].map(|file| file.channel("left.id").expect("it is there"));
     let mut counts = [0, 0];
     for pixel in 0..truth.len() {
         let at = [pixel % size[0], pixel / size[0]];
+        if !shows(at) {
+            continue;
+        }
         let has_counterpart = |id: &[f32], other: &[f32]| is_near(at, size, |near| other[near] == id[pixel]);
         counts[0] += usize::from(!has_counterpart(corrected, truth) || !has_counterpart(truth, corrected));
         counts[1] += usize::from(truth[pixel] >= 0.0);
@@ -67,7 +88,17 @@ fn silhouettes_and_wavelengths_are_those_of_a_camera_riding_along() {
         let folder = folder();
         let [corrected, truth] = corrected_and_true(folder.path(), SCENE, beta, time, "exr")
             .map(|path| measurements(&path).expect("it was written"));
-        let [wrong, covered] = misplaced(&corrected, &truth);
+        let seen = measurements(&folder.path().join("seen.exr")).expect("it was written");
+        let rectification = rectification(&seen, &truth, beta);
+        let shows = |[column, row]: [usize; 2]| {
+            let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
+            corners.iter().all(|[u, v]| {
+                rectification
+                    .ground_place([column as f64 + 2.0 * u - 0.5, row as f64 + 2.0 * v - 0.5])
+                    .is_some()
+            })
+        };
+        let [wrong, covered] = misplaced(&corrected, &truth, shows);
         assert!(covered > 500, "{covered} pixels show the balls");
         assert!(wrong * 1000 <= covered, "{wrong} of {covered} at beta {beta}, T {time}");
         let compared = assert_wavelengths(&corrected, &truth);
