@@ -9,6 +9,7 @@ pub mod curve;
 pub mod eval;
 pub mod fit;
 pub mod image_in;
+pub mod measure;
 pub mod output;
 pub mod paper;
 mod passage;
