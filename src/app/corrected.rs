@@ -12,6 +12,8 @@ use super::worker::{Wanted, Worker};
 
 /// Most pixels of a corrected picture: enough to judge it by, and made in a blink on the CPU.
 const MAX_PIXELS: f64 = 200_000.0;
+/// How much finer the eye's picture is, along each side: parts of it come out enlarged.
+const FINENESS: u32 = 2;
 /// How bright what lies outside the eye's picture is, beside the background inside it.
 const OUTSIDE: f64 = 0.45;
 
@@ -66,9 +68,10 @@ impl Corrected {
 
 /// The corrected picture of `job`.
 fn picture(job: &Job) -> ColorImage {
-    let camera = Camera { size: size(job.view.camera.size), ..job.view.camera };
+    let size = size(job.view.camera.size);
+    let camera = Camera { size: size.map(|side| FINENESS * side), ..job.view.camera };
     let view = View { camera, ..job.view };
-    let rest = Rectification::rest_camera(&view.camera, &job.speed);
+    let rest = Camera { size, ..Rectification::rest_camera(&camera, &job.speed) };
     let rectification = Rectification::new(view.camera, rest, job.speed);
     let hits = ReferenceScene::new(&job.bodies).hit_image(&view);
     let wavelengths: Vec<f64> = job.bodies.iter().map(|body| body.rest_wavelength_nm).collect();

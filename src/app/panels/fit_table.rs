@@ -43,7 +43,7 @@ pub fn show(ui: &mut Ui, fitting: &Fitting) {
 }
 
 fn table(ui: &mut Ui, fitted: &Fitted) {
-    Grid::new("fit").num_columns(6).spacing([7.0, 3.0]).min_col_width(12.0).show(ui, |ui| {
+    Grid::new("fit").num_columns(6).spacing([6.0, 3.0]).min_col_width(12.0).show(ui, |ui| {
         let heads = [
             ("", "Parameter"),
             ("value", "The best fit: least sum of squared residuals."),
@@ -98,7 +98,7 @@ fn off(estimate: &Estimate, truth: f64) -> String {
     if is_rounding(estimate, truth) {
         return signed(estimate.value - truth, 9);
     }
-    format!("{} σ", signed(deviation(estimate, truth), 1))
+    format!("{}σ", signed(deviation(estimate, truth), 1))
 }
 
 fn signed(value: f64, decimals: u8) -> String {
