@@ -13,8 +13,10 @@ use crate::app::fitting::{FittedCurve, Fitting, Outcome};
 use crate::app::state::State;
 use crate::app::theme;
 
-/// How much of the height the residuals take.
-const RESIDUALS_SHARE: f32 = 0.36;
+/// How much of the height the residuals take, with the numbers along T.
+const RESIDUALS_SHARE: f32 = 0.44;
+/// Between lines of the grid, so that even low plots have a scale, points.
+const LEAST_GRID_SPACING: f32 = 13.0;
 const TITLE_HEIGHT: f32 = 20.0;
 /// A plot less wide has no room for a caption.
 const NARROWEST_WITH_CAPTION: f32 = 240.0;
@@ -54,10 +56,10 @@ fn pair(ui: &mut Ui, state: &State, fitting: &Fitting, quantity: Quantity, size:
     let drawing = Drawing::new(ui.visuals(), state, fitting, quantity);
     let name = label(quantity);
     let upper = vec2(size.x, (1.0 - RESIDUALS_SHARE) * height);
-    let fit = Part { name: format!("Fit of {name} against T"), size: upper };
+    let fit = Part { name: format!("Fit of {name} against T"), size: upper, with_times: false };
     fit.show(ui, state, drawing.curve_bounds(), asks, |plot| drawing.curve(plot));
     let lower = vec2(size.x, RESIDUALS_SHARE * height);
-    let residuals = Part { name: format!("Residuals of {name} against T"), size: lower };
+    let residuals = Part { name: format!("Residuals of {name} against T"), size: lower, with_times: true };
     residuals.show(ui, state, drawing.residual_bounds(), asks, |plot| drawing.residuals(plot));
 }
 
@@ -65,6 +67,8 @@ fn pair(ui: &mut Ui, state: &State, fitting: &Fitting, quantity: Quantity, size:
 struct Part {
     name: String,
     size: Vec2,
+    /// Whether T is written along it.
+    with_times: bool,
 }
 
 impl Part {
@@ -78,6 +82,8 @@ impl Part {
     ) {
         let now = VLine::new("T", state.session.time).color(theme::now_colour(ui.visuals())).width(1.0);
         let plot: Plot<'a> = still_plot(ui, self.name.as_str(), self.size)
+            .show_axes([self.with_times, true])
+            .grid_spacing(LEAST_GRID_SPACING..=160.0)
             .y_axis_formatter(|mark, _: &RangeInclusive<f64>| {
                 tick(Quantity::DeltaPhi, mark.value, mark.step_size)
             })

@@ -63,12 +63,7 @@ fn table(ui: &mut Ui, fitted: &Fitted) {
 }
 
 fn row(ui: &mut Ui, parameter: Parameter, estimate: &Estimate, truth: f64) {
-    let (symbol, tip) = match parameter {
-        Parameter::Beta => ("β", "Speed over c."),
-        Parameter::Y => ("y", "Distance in front of the eyes."),
-        Parameter::Z => ("z", "Height above the eyes."),
-        Parameter::X0 => ("x₀", "Where the point is at t = 0, along the motion."),
-    };
+    let (symbol, tip) = named(parameter);
     let Estimate { value, uncertainty, ci95: [low, high], .. } = *estimate;
     let places = decimals(uncertainty) as u8;
     let number = |value| figures::fixed(value, places);
@@ -83,6 +78,16 @@ fn row(ui: &mut Ui, parameter: Parameter, estimate: &Estimate, truth: f64) {
     let off = off(estimate, truth);
     named_text(ui, off.as_str(), format!("{symbol} off by {off}"));
     ui.end_row();
+}
+
+/// Symbol and meaning.
+fn named(parameter: Parameter) -> (&'static str, &'static str) {
+    match parameter {
+        Parameter::Beta => ("β", "Speed over c."),
+        Parameter::Y => ("y", "Distance in front of the eyes."),
+        Parameter::Z => ("z", "Height above the eyes."),
+        Parameter::X0 => ("x₀", "Where the point is at t = 0, along the motion."),
+    }
 }
 
 fn is_rounding(estimate: &Estimate, truth: f64) -> bool {
@@ -120,7 +125,7 @@ fn verdict(fitted: &Fitted) -> String {
     if worst <= CHANCE {
         return format!("Agrees with the truth: at most {errors} σ off.");
     }
-    format!("Wrong: {} is {errors} σ off.", parameter.name())
+    format!("Wrong: {} is {errors} σ off.", named(parameter).0)
 }
 
 fn notes(ui: &mut Ui, outcome: &Outcome, fitted: &Fitted) {
