@@ -8,7 +8,10 @@ use serde_json::Value;
 
 fn command(flags: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_gamow"));
-    command.env_remove("RUST_LOG").args(["accuracy", "--quick", "--scene=two-balls", "--size=96x72"]).args(flags);
+    command
+        .env_remove("RUST_LOG")
+        .args(["accuracy", "--quick", "--scene=two-balls", "--size=96x72"])
+        .args(flags);
     command
 }
 
@@ -60,7 +63,8 @@ fn the_report_says_what_was_measured_where_and_how() {
         assert_eq!(views.len(), 7, "at rest, and three places at each of two speeds");
         for view in views {
             assert!(number(&view["wrong_share"]) >= 0.0 && view["place"].is_string());
-            let [median, p99, worst] = ["median", "p99", "worst"].map(|key| number(&view["line_of_sight_arcseconds"][key]));
+            let [median, p99, worst] =
+                ["median", "p99", "worst"].map(|key| number(&view["line_of_sight_arcseconds"][key]));
             assert!(median <= p99 && p99 <= worst);
         }
     }

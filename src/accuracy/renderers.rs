@@ -35,7 +35,7 @@ impl fmt::Display for Method {
 /// Rays per pixel and direction of the reference, so that it takes as many samples as the GPU does.
 const REFERENCE_SAMPLES: u32 = 2;
 /// Frames of one timed run on the GPU, besides the first.
-const FRAMES: u32 = 4;
+const FRAMES: u32 = 3;
 /// Frames that take longer are timed once, reading back included, which then matters little.
 const SLOW_MS: f64 = 100.0;
 /// Bounds at which meshes are measured: a fine one, the default, a coarse one.
@@ -110,7 +110,7 @@ impl Renderers {
 
     /// Milliseconds that `method` takes for a picture of `view`: the fastest of `rounds` runs.
     ///
-    /// On the GPU a run of five frames less a run of one, so that reading back, which a window need not, does not
+    /// On the GPU a run of four frames less a run of one, so that reading back, which a window need not, does not
     /// count; frames of over 100 ms are timed singly.
     ///
     /// # Errors
