@@ -255,12 +255,12 @@ fn naive_sightings<F: Precision>(
 fn point_ns(mut work: impl FnMut()) -> f64 {
     let mut run = || {
         let start = Instant::now();
-        let mut passes = 0;
+        let mut passes = 0_usize;
         while start.elapsed().as_secs_f64() * 1e3 < RUN_MS {
             work();
             passes += 1;
         }
-        start.elapsed().as_secs_f64() * 1e9 / f64::from(passes * POINTS as i32)
+        start.elapsed().as_secs_f64() * 1e9 / (passes * POINTS) as f64
     };
     (0..3).map(|_| run()).fold(f64::INFINITY, f64::min)
 }

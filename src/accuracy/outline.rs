@@ -169,7 +169,7 @@ impl Strip {
     /// beyond the strip.
     ///
     /// An object that is lost counts as displaced by its width, a gap that is closed by the gap's.
-    fn end(&self, reference: &HitImage, shown: &HitImage) -> Option<i32> {
+    fn end(&self, reference: &HitImage, shown: &HitImage) -> Option<f64> {
         let middle = STRIP as usize / 2;
         let (reference, shown) = (self.silhouette(reference), self.silhouette(shown));
         let width = reference[..middle].iter().rev().take_while(|&&inside| inside).count();
@@ -182,7 +182,7 @@ impl Strip {
         } else {
             core - shown[inner..core].iter().rev().take_while(|&&inside| !inside).count()
         };
-        (end > 0 && end < STRIP as usize).then(|| end as i32 - middle as i32)
+        (end > 0 && end < STRIP as usize).then_some(end as f64 - middle as f64)
     }
 
     /// Which of the strip's pixels belong to the silhouette, outwards.
@@ -195,9 +195,9 @@ impl Strip {
         inside
     }
 
-    fn displacement_px(&self, camera: &Camera, end: i32) -> f64 {
+    fn displacement_px(&self, camera: &Camera, end: f64) -> f64 {
         let end = if self.reversed { -end } else { end };
-        if end == 0 { 0.0 } else { self.outward_px(camera, f64::from(end)).abs() }
+        if end == 0.0 { 0.0 } else { self.outward_px(camera, end).abs() }
     }
 
     /// How far out of the object, in pixels of `camera`, the place is that lies `along` strip pixels from the

@@ -56,20 +56,16 @@ fn for_pictures(need: &Need, renderers: &[RendererReport]) -> String {
     let failures: Vec<_> = by_cost.iter().map_while(|renderer| first_failure(need, renderer)).collect();
     // The reference meets every need.
     let chosen = by_cost[failures.len().min(by_cost.len() - 1)];
-    let mut sentence = format!(
-        "{purpose} (silhouettes {silhouettes_p99_px} px at 99 %, D {doppler_p99:.0e}, wrong objects {} %): {}, {:.2} ms per eye",
+    let worst_view = chosen.worst_view.silhouettes_px;
+    let worst_view =
+        worst_view.map_or_else(String::new, |spread| format!("; its worst view has {:.4} px", spread.p99));
+    format!(
+        "{purpose} (silhouettes {silhouettes_p99_px} px at 99 %, D {doppler_p99:.0e}, wrong objects {} %): {}, {:.2} ms per eye{worst_view}.{}",
         100.0 * wrong_share,
         chosen.method,
-        chosen.frame_ms
-    );
-    match &chosen.worst_view.silhouettes_px {
-        Some(spread) => sentence += &format!("; its worst view has {:.4} px.", spread.p99),
-        None => sentence.push('.'),
-    }
-    for failure in failures {
-        sentence += &failure;
-    }
-    sentence
+        chosen.frame_ms,
+        failures.concat()
+    )
 }
 
 /// Where the renderer first fails to meet the need, in the order of speed.

@@ -8,8 +8,10 @@ use crate::accuracy::{Method, Renderers};
 /// How often each picture is timed; taking turns, so that all meet the same disturbances.
 const TURNS: u32 = 4;
 
-/// Names, and how each effect is left out.
-const EFFECTS: [(&str, fn(&mut View, &mut Appearance)); 7] = [
+/// Name of an effect, and how it is left out.
+type Effect = (&'static str, fn(&mut View, &mut Appearance));
+
+const EFFECTS: [Effect; 7] = [
     ("Doppler shift of colour", |_, looks| looks.doppler_shift = false),
     ("intensity D^n", |_, looks| looks.intensity_exponent = None),
     ("shading of form", |_, looks| looks.shading = Shading::Emission),
@@ -53,7 +55,7 @@ pub fn report(
         }
     }
     let all_on_ms = fastest[0];
-    let row = |(i, (effect, _)): (usize, &(&'static str, _))| EffectRow {
+    let row = |(i, (effect, _)): (usize, &Effect)| EffectRow {
         effect,
         same_geometry: pictures[i + 1].0.geometry == view.geometry,
         frame_ms: fastest[i + 1],
