@@ -7,6 +7,7 @@
 pub mod args;
 pub mod clock;
 pub mod command;
+pub mod corrected;
 pub mod curves;
 mod eyes;
 pub mod figures;
@@ -31,12 +32,13 @@ use eframe::egui::{self, Rect, TextureId, Ui, UiBuilder};
 use eframe::egui_wgpu::RenderState;
 
 use command::Command;
+use corrected::Corrected;
 use curves::{Curves, Key};
 use eyes::EyePictures;
 use fitting::Fitting;
 use layout::Layout;
 use panels::{Asks, views::Pane};
-use settings::PlotTab;
+use settings::{PlotTab, Settings};
 use state::State;
 
 /// The whole window.
@@ -44,6 +46,7 @@ pub struct App {
     state: State,
     curves: Vec<Curves>,
     fitting: Fitting,
+    corrected: Option<Corrected>,
     eyes: Option<EyePictures>,
 }
 
@@ -56,6 +59,7 @@ impl App {
             state,
             curves: Vec::new(),
             fitting: Fitting::default(),
+            corrected: None,
             eyes: render_state.map(EyePictures::new),
         }
     }
@@ -70,6 +74,12 @@ impl App {
     #[must_use]
     pub const fn fitting(&self) -> &Fitting {
         &self.fitting
+    }
+
+    /// The corrected picture, while there is one.
+    #[must_use]
+    pub const fn corrected(&self) -> Option<&Corrected> {
+        self.corrected.as_ref()
     }
 
     /// Does what the user would have asked for.
@@ -142,6 +152,22 @@ impl App {
         Some(self.eyes.as_mut()?.picture(pane.eye.index(), &request))
     }
 
+    /// Shows the left eye's picture in `rect`, corrected by the fitted speed while there is a fit in view.
+    fn show_corrected(&mut self, ui: &Ui, rect: Rect) {
+        let Settings { plots, window, .. } = self.state.settings;
+        let fit = self.fitting.shown().filter(|_| window.plots && plots.tab == PlotTab::Fit);
+        let correction = self.state.correction(fit);
+        let size = (rect.size() * ui.pixels_per_point()).round();
+        let job = corrected::Job {
+            view: self.state.view_to_correct([size.x, size.y].map(|side| side.max(1.0) as u32)),
+            speed: correction.speed,
+            appearance: self.state.appearance(!ui.visuals().dark_mode),
+            bodies: self.state.session.bodies.clone(),
+        };
+        let corrected = self.corrected.get_or_insert_default();
+        panels::corrected::show(ui, rect, &correction, corrected.picture(ui.ctx(), job));
+    }
+
     /// Shows everything: first what changes the state, then what follows it.
     pub fn show(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
@@ -161,7 +187,8 @@ impl App {
         }
         self.panel(ui, "timeline", inset(layout.timeline), panels::timeline::show);
         let largest = self.eyes.as_ref().map_or(1, EyePictures::largest_side);
-        let panes = layout.views.map(|area| Pane::both(area, ctx.pixels_per_point(), largest));
+        let columns = if self.state.settings.window.corrected { 3 } else { 2 };
+        let panes = layout.views.map(|area| Pane::both(area, columns, ctx.pixels_per_point(), largest));
         for pane in panes.into_iter().flatten() {
             self.panel(ui, pane.eye.name(), pane.rect, |ui, state, asks| {
                 panels::views::interact(ui, state, pane, asks);
@@ -182,6 +209,10 @@ impl App {
         for pane in panes.into_iter().flatten() {
             let picture = self.picture(pane, !ui.visuals().dark_mode);
             panels::views::paint(ui, &self.state, pane, picture);
+        }
+        match layout.views.filter(|_| self.state.settings.window.corrected) {
+            Some(area) => self.show_corrected(ui, panels::views::column(area, 2, columns)),
+            None => self.corrected = None,
         }
         if self.state.session.playing {
             ctx.request_repaint();

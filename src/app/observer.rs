@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 use relativity_core::{
-    Aperture, Disparity, PublishedVariant, Sighting, SourcePoint, disparity, equidistance_time,
-    published_disparity, sighting,
+    Aperture, Disparity, Parameter, PublishedVariant, Sighting, SourcePoint, Speed, disparity,
+    equidistance_time, published_disparity, sighting,
 };
 use relativity_render::{Camera, Gaze, Geometry, View};
 
@@ -51,7 +51,26 @@ pub const STRAIGHT_AHEAD: Gaze = Gaze { azimuth: std::f64::consts::FRAC_PI_2, el
 /// Steepest elevation of the gaze: at the zenith itself no horizon is level.
 pub const MAX_ELEVATION: f64 = 89.5 * std::f64::consts::PI / 180.0;
 
+/// By which speed a picture is corrected.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Correction {
+    /// The speed.
+    pub speed: Speed,
+    /// Whether it was found by the fit; else it is the scene's own.
+    pub is_fitted: bool,
+}
+
 impl State {
+    /// The speed found by `fit`, or the scene's own without one.
+    #[must_use]
+    pub fn correction(&self, fit: Option<&fitting::Outcome>) -> Correction {
+        let beta = fit.and_then(|outcome| outcome.fitted.as_ref().ok()?.value(Parameter::Beta));
+        match beta.and_then(|beta| Speed::from_beta(beta).ok()) {
+            Some(speed) => Correction { speed, is_fitted: true },
+            None => Correction { speed: self.speed(), is_fitted: false },
+        }
+    }
+
     /// The aperture of `eye`.
     #[must_use]
     pub fn aperture(&self, eye: Eye) -> Aperture {
@@ -115,9 +134,13 @@ impl State {
     /// From the aperture of `eye` to where the shown geometry has `point` now.
     #[must_use]
     pub fn direction(&self, point: &Point, eye: Eye) -> Option<DVec3> {
+        self.direction_in(self.settings.look.geometry, point, eye)
+    }
+
+    fn direction_in(&self, geometry: Geometry, point: &Point, eye: Eye) -> Option<DVec3> {
         let aperture = self.aperture(eye);
         let source = self.source(point);
-        let direction = match self.settings.look.geometry {
+        let direction = match geometry {
             Geometry::Seen if self.sees_as_published(eye) => DVec3::from(self.published_position(point)?),
             Geometry::Seen => DVec3::from(self.sighting(point, eye)?.position),
             Geometry::Contracted => {
@@ -158,21 +181,32 @@ impl State {
     /// Where both eyes look now, in parallel.
     #[must_use]
     pub fn gaze(&self) -> Gaze {
+        self.gaze_in(self.settings.look.geometry)
+    }
+
+    fn gaze_in(&self, geometry: Geometry) -> Gaze {
         match self.settings.look.gaze {
             GazeSetting::Fixed { azimuth, elevation } => Gaze { azimuth, elevation },
-            GazeSetting::Tracking => self.tracking_gaze().unwrap_or(STRAIGHT_AHEAD),
+            GazeSetting::Tracking => self.tracking_gaze(geometry).unwrap_or(STRAIGHT_AHEAD),
         }
     }
 
     /// At the selected point: the mean of its two apparent directions. `None` inside an aperture.
-    fn tracking_gaze(&self) -> Option<Gaze> {
+    fn tracking_gaze(&self, geometry: Geometry) -> Option<Gaze> {
         let point = self.session.points.selected();
         let mut sum = DVec3::ZERO;
         for eye in Eye::BOTH {
-            sum += self.direction(point, eye)?.try_normalize()?;
+            sum += self.direction_in(geometry, point, eye)?.try_normalize()?;
         }
         let Gaze { azimuth, elevation } = Gaze::along(sum.try_normalize()?.to_array());
         Some(Gaze { azimuth, elevation: elevation.clamp(-MAX_ELEVATION, MAX_ELEVATION) })
+    }
+
+    /// The picture that is corrected: what the left eye sees, whichever geometry is shown.
+    #[must_use]
+    pub fn view_to_correct(&self, size: [u32; 2]) -> View {
+        let view = self.view(Eye::Left, size, self.gaze_in(Geometry::Seen));
+        View { geometry: Geometry::Seen, ..view }
     }
 
     /// The picture of `eye` that looks along `gaze`, `size` in pixels.

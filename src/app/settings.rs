@@ -216,6 +216,8 @@ impl Default for FitSetup {
 pub struct Window {
     /// The two eyes' views. Hidden views compute nothing.
     pub views: bool,
+    /// The left eye's picture corrected to the rest frame, beside the two. Hidden, it costs nothing.
+    pub corrected: bool,
     /// The plots.
     pub plots: bool,
     /// The controls.
@@ -228,7 +230,14 @@ pub struct Window {
 
 impl Default for Window {
     fn default() -> Self {
-        Self { views: true, plots: true, controls: true, readout: true, theme: ThemePreference::Dark }
+        Self {
+            views: true,
+            corrected: false,
+            plots: true,
+            controls: true,
+            readout: true,
+            theme: ThemePreference::Dark,
+        }
     }
 }
 

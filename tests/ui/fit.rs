@@ -1,14 +1,18 @@
-//! The Fit tab: what it recovers from noisy curves, and what it says where there is nothing to recover.
+//! The Fit tab: what it recovers from noisy curves, and what it says where there is nothing to recover. The
+//! corrected view, which shows whether the fitted speed is right.
 
 use std::time::{Duration, Instant};
 
-use eframe::egui::ViewportId;
+use eframe::egui::{ThemePreference, ViewportId};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use gamow::app::App;
 use gamow::app::command::Command;
+use gamow::app::corrected::Corrected;
 use gamow::app::settings::{FitSetup, PlotTab, Plots};
+use gamow::app::speed_setting::SpeedSetting;
 use gamow::app::state::State;
+use gamow::cli::SpeedParameter;
 use relativity_core::{Curves, FitModel, FitOptions, Observations, Parameter, Passage, Reading, Sample, fit};
 
 use super::Test;
@@ -23,6 +27,9 @@ pub const TESTS: &[Test] = &[
     ("the_fit_follows_the_controls", the_fit_follows_the_controls),
     ("a_hidden_fit_is_not_made", a_hidden_fit_is_not_made),
     ("a_window_that_shows_a_fit_rests", a_window_that_shows_a_fit_rests),
+    ("the_corrected_picture_is_red_if_the_fit_is_right", the_corrected_picture_is_red_if_the_fit_is_right),
+    ("the_corrected_picture_costs_nothing_when_off", the_corrected_picture_costs_nothing_when_off),
+    ("extremes_are_fitted_and_corrected_without_harm", extremes_are_fitted_and_corrected_without_harm),
 ];
 
 /// The default scene at this beta, with this fit in view.
@@ -209,4 +216,99 @@ fn a_window_that_shows_a_fit_rests() {
     window.state_mut().ask(Command::Time(2.0));
     window.run();
     assert_eq!(window.state().fitting().requests(), 1, "the fit does not depend on T");
+}
+
+/// Frames until the newest corrected picture is in view.
+fn wait_for_picture(window: &mut Harness<'_, App>) {
+    let start = Instant::now();
+    window.step();
+    while !window.state().corrected().is_some_and(Corrected::is_up_to_date) {
+        assert!(start.elapsed() < Duration::from_secs(60), "no picture");
+        std::thread::sleep(Duration::from_millis(5));
+        window.step();
+    }
+    window.step();
+}
+
+/// The share of the corrected picture's bodies that is red: all of the cyclist at rest.
+fn red_share(window: &mut Harness<'_, App>, by: &str) -> f64 {
+    wait_for_picture(window);
+    let name = text(window, &format!("Corrected by the {by} β "));
+    let rect = window.get_by_label(&name).rect().shrink(2.0);
+    let picture = window.render().expect("a picture");
+    let (mut red, mut bodies) = (0, 0);
+    for y in rect.min.y as u32..rect.max.y as u32 {
+        for x in rect.min.x as u32..rect.max.x as u32 {
+            let [r, g, b, _] = picture.get_pixel(x, y).0.map(i32::from);
+            // Light of one wavelength has no grey in it; background and antialiased outlines have.
+            if r.min(g).min(b) > 12 {
+                continue;
+            }
+            bodies += 1;
+            red += i32::from(r > 80 && r > 3 * g && r > 2 * b);
+        }
+    }
+    assert!(bodies > 500, "{bodies} pixels");
+    f64::from(red) / f64::from(bodies)
+}
+
+fn the_corrected_picture_is_red_if_the_fit_is_right() {
+    let mut state = fitted(0.9, FitSetup::default());
+    state.settings.window.corrected = true;
+    state.settings.window.theme = ThemePreference::Light;
+    let mut window = window_with_fit(state);
+    let right = red_share(&mut window, "fitted");
+    assert!(right > 0.9, "{right}");
+    window.get_by_label("published").click();
+    window.run_steps(2);
+    wait(&mut window);
+    let wrong = red_share(&mut window, "fitted");
+    assert!(wrong < 0.1, "{wrong}");
+    window.get_by_label("Disparity").click();
+    window.run_steps(2);
+    let set = red_share(&mut window, "set");
+    assert!(set > 0.9, "{set}");
+}
+
+fn the_corrected_picture_costs_nothing_when_off() {
+    let mut window = window_of_size(cyclist(0.9), [1280.0, 1000.0], 1.0);
+    assert!(window.state().corrected().is_none());
+    let before = window.get_by_label("Left eye view").rect();
+    window.get_by_label("corrected").click();
+    window.run_steps(2);
+    wait_for_picture(&mut window);
+    assert!(window.get_by_label("Left eye view").rect().width() < 0.8 * before.width());
+    window.run();
+    window.step();
+    let repaint = window.output().viewport_output[&ViewportId::ROOT].repaint_delay;
+    assert_eq!(repaint, Duration::MAX);
+    window.get_by_label("corrected").click();
+    window.run();
+    assert!(window.state().corrected().is_none());
+    assert_eq!(window.get_by_label("Left eye view").rect(), before);
+}
+
+fn extremes_are_fitted_and_corrected_without_harm() {
+    for gamma in [1.0, 1e3, 1e30] {
+        let mut state = fitted(0.5, FitSetup { samples: 60, ..FitSetup::default() });
+        let mut motion = state.settings.motion;
+        motion.speed = SpeedSetting::new(SpeedParameter::Gamma, gamma).expect("a speed");
+        state.apply(Command::Motion(motion));
+        state.settings.window.corrected = true;
+        let mut window = window_of_size(state, [1024.0, 600.0], 1.0);
+        for time in [-1e12, 0.0, 1e12] {
+            window.state_mut().ask(Command::Time(time));
+            wait(&mut window);
+            wait_for_picture(&mut window);
+            assert!(!labels(&window).iter().any(|label| label.contains("NaN") || label.contains("inf ")));
+        }
+        window.render().expect("a picture");
+    }
+    for size in [[64.0, 64.0], [200.0, 100.0], [480.0, 320.0], [3000.0, 90.0], [90.0, 1500.0]] {
+        let mut state = fitted(0.9, FitSetup { samples: 20, ..FitSetup::default() });
+        state.settings.window.corrected = true;
+        let mut window = window_of_size(state, size, 1.0);
+        window.run_steps(3);
+        window.render().expect("a picture");
+    }
 }

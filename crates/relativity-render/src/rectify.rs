@@ -94,7 +94,7 @@ impl Rectification {
         let pixel = |index: u32| {
             let mut sum = [0.0; 3];
             for part in 0..SAMPLES * SAMPLES {
-                let place = sample_place([index % width, index / width], part);
+                let place = sample_place([index % width, index / width], part, SAMPLES);
                 let Some(source) = self.ground_place(place) else { continue };
                 let colour = interpolated(&linear, picture.size, source);
                 let corrected = light.corrected(colour, self.doppler_factor(source));
@@ -143,10 +143,10 @@ fn linear_rgb([r, g, b, _]: &[u8; 4]) -> [f64; 3] {
     [r, g, b].map(|&part| srgb_decoded(f64::from(part) / 255.0))
 }
 
-/// Centre of one of the equal parts of a pixel.
-fn sample_place([column, row]: [u32; 2], part: u32) -> [f64; 2] {
-    let place = |pixel: u32, part: u32| f64::from(pixel) + (f64::from(part) + 0.5) / f64::from(SAMPLES);
-    [place(column, part % SAMPLES), place(row, part / SAMPLES)]
+/// Centre of one of the `samples` times `samples` equal parts of a pixel.
+pub(crate) fn sample_place([column, row]: [u32; 2], part: u32, samples: u32) -> [f64; 2] {
+    let place = |pixel: u32, part: u32| f64::from(pixel) + (f64::from(part) + 0.5) / f64::from(samples);
+    [place(column, part % samples), place(row, part / samples)]
 }
 
 /// The colour at `place`, between the centres of pixels.

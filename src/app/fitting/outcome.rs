@@ -159,6 +159,13 @@ fn bias(key: &Key) -> Result<[f64; 3], String> {
 }
 
 impl Fitted {
+    /// Best value of `parameter`, if it was fitted.
+    #[must_use]
+    pub fn value(&self, parameter: Parameter) -> Option<f64> {
+        let found = self.estimates.iter().find(|(fitted, ..)| *fitted == parameter);
+        found.map(|(_, estimate, _)| estimate.value)
+    }
+
     fn new(
         key: &Key,
         observed: &Observations,

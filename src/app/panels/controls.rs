@@ -7,7 +7,7 @@ use super::Asks;
 use super::widgets::{NumberRow, choice, row, section};
 use super::{light, speed};
 use crate::app::command::{Command, FOV_DEGREES};
-use crate::app::settings::{GazeSetting, Look, MAX_LENGTH, Motion};
+use crate::app::settings::{GazeSetting, Look, MAX_LENGTH, Motion, Window};
 use crate::app::state::State;
 
 /// Shows the controls.
@@ -95,6 +95,7 @@ fn look(ui: &mut Ui, state: &State, asks: &mut Asks) {
     });
     right_eye_row(ui, &mut look);
     gaze_row(ui, state, &mut look.gaze, asks);
+    corrected_row(ui, state.settings.window, asks);
     let fov = NumberRow {
         name: "Field of view",
         tip: "Angle from the left to the right edge of each view.   Scroll over a view to zoom.",
@@ -126,6 +127,16 @@ const RIGHT_EYES: [(bool, &str, &str); 2] = [
         "The published model: what the left eye sees of each point at T − ΔT, measured from the left eye.",
     ),
 ];
+
+fn corrected_row(ui: &mut Ui, mut window: Window, asks: &mut Asks) {
+    let tip = "Shows the left eye's picture with the distortion undone, beside the two: by the fitted β \
+        while the Fit tab is shown, else by the one set here.";
+    row(ui, "Third view", tip, |ui| {
+        if ui.checkbox(&mut window.corrected, "corrected").on_hover_text(tip).changed() {
+            asks.push(Command::Window(window));
+        }
+    });
+}
 
 fn gaze_row(ui: &mut Ui, state: &State, gaze: &mut GazeSetting, asks: &mut Asks) {
     let tip = "Where both eyes look, in parallel.   Drag in a view to look around.";

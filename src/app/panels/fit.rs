@@ -1,6 +1,6 @@
 //! The Fit tab: which samples are taken of the selected point, what is fitted to them, and what comes out.
 
-use eframe::egui::{self, Align, DragValue, Layout, Response, RichText, ScrollArea, Ui, vec2};
+use eframe::egui::{self, DragValue, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2};
 use relativity_core::{Curves, FitModel};
 
 use super::widgets::choice;
@@ -13,45 +13,52 @@ use crate::app::state::State;
 use crate::app::theme;
 
 /// Width of the table.
-const TABLE_WIDTH: f32 = 332.0;
+const TABLE_WIDTH: f32 = 346.0;
 /// Least width of the plots beside it; in a narrower window there is the table alone.
 const LEAST_PLOT_WIDTH: f32 = 150.0;
 /// Most samples: their fit still takes less than a second.
 const MAX_SAMPLES: usize = 5000;
 
-/// Shows the tab.
+/// Shows the tab: the model above the plots, the samples above the table.
 pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
-    setup(ui, state, asks);
-    let free = ui.available_size().max(vec2(20.0, 20.0));
-    let plot_width = free.x - TABLE_WIDTH - theme::GAP;
-    ui.horizontal_top(|ui| {
-        let with_plots = plot_width >= LEAST_PLOT_WIDTH;
-        if with_plots {
-            let size = vec2(plot_width, free.y);
-            ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Min), |ui| {
-                fit_plots::show(ui, state, fitting, size, asks);
-            });
-        }
-        let width = if with_plots { TABLE_WIDTH } else { free.x };
-        ui.allocate_ui_with_layout(vec2(width, free.y), Layout::top_down(Align::Min), |ui| {
-            let area = ScrollArea::vertical().id_salt("fit table").auto_shrink(false);
-            area.show(ui, |ui| fit_table::show(ui, fitting));
-        });
-    });
-}
-
-/// What is sampled, and what is fitted to it.
-fn setup(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let mut setup = state.settings.fit;
-    ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().item_spacing = vec2(4.0, 4.0);
-        model(ui, &mut setup);
-        samples(ui, &mut setup);
-        range(ui, state, &mut setup);
+    let area = ui.available_rect_before_wrap();
+    let split = area.max.x - TABLE_WIDTH;
+    let plots = Rect::from_min_max(area.min, pos2(split - theme::GAP, area.max.y));
+    let with_plots = plots.width() >= LEAST_PLOT_WIDTH;
+    let table = if with_plots { Rect::from_min_max(pos2(split, area.min.y), area.max) } else { area };
+    part(ui, "fit samples and table", table, |ui| {
+        if !with_plots {
+            row(ui, |ui| model(ui, &mut setup));
+        }
+        row(ui, |ui| samples(ui, &mut setup));
+        row(ui, |ui| range(ui, state, &mut setup));
+        let area = ScrollArea::vertical().id_salt("fit table").auto_shrink(false);
+        area.show(ui, |ui| fit_table::show(ui, fitting));
     });
+    if with_plots {
+        part(ui, "fit plots", plots, |ui| {
+            row(ui, |ui| model(ui, &mut setup));
+            fit_plots::show(ui, state, fitting, asks);
+        });
+    }
     if setup != state.settings.fit {
         asks.push(Command::Fit(setup));
     }
+}
+
+fn part(ui: &mut Ui, name: &str, rect: Rect, contents: impl FnOnce(&mut Ui)) {
+    ui.scope_builder(UiBuilder::new().id_salt(name).max_rect(rect), |ui| {
+        ui.set_clip_rect(rect.intersect(ui.clip_rect()));
+        contents(ui);
+    });
+}
+
+fn row(ui: &mut Ui, widgets: impl FnOnce(&mut Ui)) {
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        widgets(ui);
+    });
 }
 
 fn model(ui: &mut Ui, setup: &mut FitSetup) {
@@ -60,26 +67,19 @@ fn model(ui: &mut Ui, setup: &mut FitSetup) {
         (Curves::Polar, "Δθ", "Fit Δθ", "Fits the differences in elevation."),
         (Curves::Both, "both", "Fit both", "Fits both curves at once, each weighed by its scatter."),
     ];
-    group(ui, |ui| {
-        ui.label(RichText::new("Fit").weak());
-        for (curves, text, name, tip) in fitted {
-            ui.selectable_value(&mut setup.curves, curves, text).on_hover_text(tip).accessible_name(name);
-        }
-    });
-    group(ui, |ui| {
-        ui.label(RichText::new("by").weak());
-        let exact = "Each eye solves its own light cone, as the data were made.";
-        let published = "The paper's binocular model: the right eye is the left one at T − ΔT, without parallax.\n\
-            The data stay what the eyes see, so its fit is biased.";
-        choice(
-            ui,
-            &mut setup.model,
-            &[(FitModel::Exact, "exact", exact), (FitModel::Published, "published", published)],
-        );
-        let tip = "Fits x₀, where the point is at t = 0, too: as if the time of passage were unknown.\n\
-            Else x₀ is known.";
-        ui.checkbox(&mut setup.fit_x0, "x₀").on_hover_text(tip).accessible_name("Fit x₀");
-    });
+    ui.label(RichText::new("Fit").weak());
+    for (curves, text, name, tip) in fitted {
+        ui.selectable_value(&mut setup.curves, curves, text).on_hover_text(tip).accessible_name(name);
+    }
+    ui.label(RichText::new("by").weak());
+    let exact = "Each eye solves its own light cone, as the data were made.";
+    let published = "The paper's binocular model: the right eye is the left one at T − ΔT, without parallax.\n\
+        The data stay what the eyes see, so its fit is biased.";
+    let models = [(FitModel::Exact, "exact", exact), (FitModel::Published, "published", published)];
+    choice(ui, &mut setup.model, &models);
+    let tip = "Fits x₀, where the point is at t = 0, too: as if the time of passage were unknown.\n\
+        Else x₀ is known.";
+    ui.checkbox(&mut setup.fit_x0, "x₀").on_hover_text(tip).accessible_name("Fit x₀");
 }
 
 fn samples(ui: &mut Ui, setup: &mut FitSetup) {
@@ -113,14 +113,11 @@ fn range(ui: &mut Ui, state: &State, setup: &mut FitSetup) {
             .update_while_editing(false)
     };
     let tip = "Over which T the samples are taken.";
-    let changed = group(ui, |ui| {
-        ui.label(RichText::new("T").weak());
-        let first = ui.add(field(&mut from)).on_hover_text(tip).accessible_name("Samples from T");
-        ui.label(RichText::new("to").weak());
-        let last = ui.add(field(&mut to)).on_hover_text(tip).accessible_name("Samples to T");
-        first.changed() || last.changed()
-    });
-    if changed && from < to {
+    ui.label(RichText::new("T").weak());
+    let first = ui.add(field(&mut from)).on_hover_text(tip).accessible_name("Samples from T");
+    ui.label(RichText::new("to").weak());
+    let last = ui.add(field(&mut to)).on_hover_text(tip).accessible_name("Samples to T");
+    if (first.changed() || last.changed()) && from < to {
         setup.range = Some([from, to]);
     }
     let reset = egui::Button::new("as plotted").selected(setup.range.is_none());
@@ -129,19 +126,8 @@ fn range(ui: &mut Ui, state: &State, setup: &mut FitSetup) {
     }
 }
 
-/// Widgets that stay on one line.
-fn group<R>(ui: &mut Ui, widgets: impl FnOnce(&mut Ui) -> R) -> R {
-    let shown = ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = 4.0;
-        widgets(ui)
-    });
-    ui.add_space(6.0);
-    shown.inner
-}
-
-fn named(ui: &mut Ui, text: &str, name: &str, tip: &str, widget: DragValue<'_>) -> Response {
-    group(ui, |ui| {
-        ui.label(RichText::new(text).weak()).on_hover_text(tip);
-        ui.add(widget).on_hover_text(tip).accessible_name(name)
-    })
+fn named(ui: &mut Ui, text: &str, name: &str, tip: &str, widget: DragValue<'_>) {
+    ui.label(RichText::new(text).weak()).on_hover_text(tip);
+    ui.add(widget).on_hover_text(tip).accessible_name(name);
+    ui.add_space(4.0);
 }

@@ -13,49 +13,62 @@ use crate::app::fitting::{FittedCurve, Fitting, Outcome};
 use crate::app::state::State;
 use crate::app::theme;
 
-/// How much of the height the residuals take.
-const RESIDUALS_SHARE: f32 = 0.36;
+/// How much of the height the residuals take, with the numbers along T.
+const RESIDUALS_SHARE: f32 = 0.44;
+/// Between lines of the grid, so that even low plots have a scale, points.
+const LEAST_GRID_SPACING: f32 = 13.0;
 const TITLE_HEIGHT: f32 = 20.0;
+/// A plot less wide has no room for a caption.
+const NARROWEST_WITH_CAPTION: f32 = 240.0;
 /// An outdated picture is drawn this faintly.
 const FAINT: f32 = 0.35;
 
-/// Shows the plots of the fitted curves side by side in `size`.
-pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, size: Vec2, asks: &mut Asks) {
+/// Shows the plots of the fitted curves side by side.
+pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
     let used = state.settings.fit.curves.used();
     let shown = [Quantity::DeltaPhi, Quantity::DeltaTheta].into_iter().zip(used).filter(|(_, used)| *used);
     let count = used.iter().filter(|used| **used).count() as f32;
-    let width = (size.x - theme::GAP * (count - 1.0)) / count;
-    for (quantity, _) in shown {
-        ui.allocate_ui_with_layout(vec2(width, size.y), Layout::top_down(Align::Min), |ui| {
-            ui.set_width(width);
-            pair(ui, state, fitting, quantity, asks);
-        });
-    }
+    let free = ui.available_size().max(vec2(20.0, 20.0));
+    let width = (free.x - theme::GAP * (count - 1.0)) / count;
+    ui.horizontal_top(|ui| {
+        ui.spacing_mut().item_spacing.x = theme::GAP;
+        for (quantity, _) in shown {
+            ui.allocate_ui_with_layout(vec2(width, free.y), Layout::top_down(Align::Min), |ui| {
+                ui.set_width(width);
+                pair(ui, state, fitting, quantity, vec2(width, free.y), asks);
+            });
+        }
+    });
 }
 
-/// A curve and its residuals.
-fn pair(ui: &mut Ui, state: &State, fitting: &Fitting, quantity: Quantity, asks: &mut Asks) {
+/// A curve and its residuals, in `size`.
+fn pair(ui: &mut Ui, state: &State, fitting: &Fitting, quantity: Quantity, size: Vec2, asks: &mut Asks) {
     ui.spacing_mut().item_spacing.y = 2.0;
     ui.horizontal(|ui| {
         ui.set_height(TITLE_HEIGHT);
         ui.add_space(Y_AXIS_WIDTH);
         ui.label(RichText::new(format!("{} / rad", label(quantity))).strong());
-        ui.label(RichText::new("samples, fit, 95 % band").weak().small());
+        if size.x >= NARROWEST_WITH_CAPTION {
+            ui.label(RichText::new("samples, fit, 95 % band").weak().small());
+        }
     });
-    let free = ui.available_size().max(vec2(20.0, 20.0));
-    let residuals_height = (RESIDUALS_SHARE * free.y).max(1.0);
+    let height = (size.y - TITLE_HEIGHT - 4.0).max(20.0);
     let drawing = Drawing::new(ui.visuals(), state, fitting, quantity);
     let name = label(quantity);
-    let upper = Part { name: format!("Fit of {name} against T"), height: free.y - residuals_height - 2.0 };
-    upper.show(ui, state, drawing.curve_bounds(), asks, |plot| drawing.curve(plot));
-    let lower = Part { name: format!("Residuals of {name} against T"), height: residuals_height };
-    lower.show(ui, state, drawing.residual_bounds(), asks, |plot| drawing.residuals(plot));
+    let upper = vec2(size.x, (1.0 - RESIDUALS_SHARE) * height);
+    let fit = Part { name: format!("Fit of {name} against T"), size: upper, with_times: false };
+    fit.show(ui, state, drawing.curve_bounds(), asks, |plot| drawing.curve(plot));
+    let lower = vec2(size.x, RESIDUALS_SHARE * height);
+    let residuals = Part { name: format!("Residuals of {name} against T"), size: lower, with_times: true };
+    residuals.show(ui, state, drawing.residual_bounds(), asks, |plot| drawing.residuals(plot));
 }
 
 /// One plot.
 struct Part {
     name: String,
-    height: f32,
+    size: Vec2,
+    /// Whether T is written along it.
+    with_times: bool,
 }
 
 impl Part {
@@ -67,9 +80,10 @@ impl Part {
         asks: &mut Asks,
         contents: impl FnOnce(&mut PlotUi<'a>) + 'a,
     ) {
-        let size = vec2(ui.available_width(), self.height.max(10.0));
         let now = VLine::new("T", state.session.time).color(theme::now_colour(ui.visuals())).width(1.0);
-        let plot: Plot<'a> = still_plot(ui, self.name.as_str(), size)
+        let plot: Plot<'a> = still_plot(ui, self.name.as_str(), self.size)
+            .show_axes([self.with_times, true])
+            .grid_spacing(LEAST_GRID_SPACING..=160.0)
             .y_axis_formatter(|mark, _: &RangeInclusive<f64>| {
                 tick(Quantity::DeltaPhi, mark.value, mark.step_size)
             })

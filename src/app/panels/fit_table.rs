@@ -43,7 +43,7 @@ pub fn show(ui: &mut Ui, fitting: &Fitting) {
 }
 
 fn table(ui: &mut Ui, fitted: &Fitted) {
-    Grid::new("fit").num_columns(6).spacing([7.0, 3.0]).min_col_width(12.0).show(ui, |ui| {
+    Grid::new("fit").num_columns(6).spacing([6.0, 3.0]).min_col_width(12.0).show(ui, |ui| {
         let heads = [
             ("", "Parameter"),
             ("value", "The best fit: least sum of squared residuals."),
@@ -63,12 +63,7 @@ fn table(ui: &mut Ui, fitted: &Fitted) {
 }
 
 fn row(ui: &mut Ui, parameter: Parameter, estimate: &Estimate, truth: f64) {
-    let (symbol, tip) = match parameter {
-        Parameter::Beta => ("β", "Speed over c."),
-        Parameter::Y => ("y", "Distance in front of the eyes."),
-        Parameter::Z => ("z", "Height above the eyes."),
-        Parameter::X0 => ("x₀", "Where the point is at t = 0, along the motion."),
-    };
+    let (symbol, tip) = named(parameter);
     let Estimate { value, uncertainty, ci95: [low, high], .. } = *estimate;
     let places = decimals(uncertainty) as u8;
     let number = |value| figures::fixed(value, places);
@@ -85,6 +80,16 @@ fn row(ui: &mut Ui, parameter: Parameter, estimate: &Estimate, truth: f64) {
     ui.end_row();
 }
 
+/// Symbol and meaning.
+fn named(parameter: Parameter) -> (&'static str, &'static str) {
+    match parameter {
+        Parameter::Beta => ("β", "Speed over c."),
+        Parameter::Y => ("y", "Distance in front of the eyes."),
+        Parameter::Z => ("z", "Height above the eyes."),
+        Parameter::X0 => ("x₀", "Where the point is at t = 0, along the motion."),
+    }
+}
+
 fn is_rounding(estimate: &Estimate, truth: f64) -> bool {
     estimate.uncertainty <= ROUNDING * truth.abs().max(ROUNDING)
 }
@@ -98,7 +103,7 @@ fn off(estimate: &Estimate, truth: f64) -> String {
     if is_rounding(estimate, truth) {
         return signed(estimate.value - truth, 9);
     }
-    format!("{} σ", signed(deviation(estimate, truth), 1))
+    format!("{}σ", signed(deviation(estimate, truth), 1))
 }
 
 fn signed(value: f64, decimals: u8) -> String {
@@ -120,7 +125,7 @@ fn verdict(fitted: &Fitted) -> String {
     if worst <= CHANCE {
         return format!("Agrees with the truth: at most {errors} σ off.");
     }
-    format!("Wrong: {} is {errors} σ off.", parameter.name())
+    format!("Wrong: {} is {errors} σ off.", named(parameter).0)
 }
 
 fn notes(ui: &mut Ui, outcome: &Outcome, fitted: &Fitted) {

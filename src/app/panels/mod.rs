@@ -3,6 +3,7 @@
 
 pub mod bar;
 pub mod controls;
+pub mod corrected;
 pub mod fit;
 mod fit_plots;
 mod fit_table;

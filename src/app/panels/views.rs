@@ -30,18 +30,11 @@ pub struct Pane {
 }
 
 impl Pane {
-    /// The panes of both eyes inside `area`, pictures being at most `largest` pixels wide or high.
+    /// The panes of both eyes: the first two of so many `columns` inside `area`, pictures being at most
+    /// `largest` pixels wide or high.
     #[must_use]
-    pub fn both(area: Rect, pixels_per_point: f32, largest: u32) -> [Self; 2] {
-        let width = ((area.width() - theme::GAP) / 2.0).max(1.0);
-        Eye::BOTH.map(|eye| {
-            let x = area.min.x + eye.index() as f32 * (width + theme::GAP);
-            let rect = Rect::from_min_max(
-                pos2(x, (area.min.y + TITLE_HEIGHT).min(area.max.y)),
-                pos2(x + width, area.max.y),
-            );
-            Self::new(eye, rect, pixels_per_point, largest)
-        })
+    pub fn both(area: Rect, columns: usize, pixels_per_point: f32, largest: u32) -> [Self; 2] {
+        Eye::BOTH.map(|eye| Self::new(eye, column(area, eye.index(), columns), pixels_per_point, largest))
     }
 
     fn new(eye: Eye, rect: Rect, pixels_per_point: f32, largest: u32) -> Self {
@@ -63,6 +56,16 @@ impl Pane {
         let fraction = vec2((u / f64::from(self.size[0])) as f32, (v / f64::from(self.size[1])) as f32);
         self.rect.min + fraction * self.rect.size()
     }
+}
+
+/// Where the picture in the column with this `index` is, of so many `columns` inside `area`.
+#[must_use]
+pub fn column(area: Rect, index: usize, columns: usize) -> Rect {
+    let columns = columns as f32;
+    let width = ((area.width() - theme::GAP * (columns - 1.0)) / columns).max(1.0);
+    let x = area.min.x + index as f32 * (width + theme::GAP);
+    let top = (area.min.y + TITLE_HEIGHT).min(area.max.y);
+    Rect::from_min_max(pos2(x, top), pos2(x + width, area.max.y))
 }
 
 /// Reads the mouse in `pane`.
@@ -105,7 +108,7 @@ pub fn paint(ui: &Ui, state: &State, pane: Pane, picture: Option<TextureId>) {
     let visuals = ui.visuals();
     let colour = theme::eye_colour(pane.eye, visuals);
     let painter = ui.painter();
-    title(ui, pane, colour);
+    title(ui, pane.rect, pane.eye.name(), colour);
     match picture {
         Some(texture) => {
             let uv = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
@@ -121,18 +124,13 @@ pub fn paint(ui: &Ui, state: &State, pane: Pane, picture: Option<TextureId>) {
     painter.rect_stroke(pane.rect, 0.0, Stroke::new(1.5, colour), StrokeKind::Outside);
 }
 
-fn title(ui: &Ui, pane: Pane, colour: Color32) {
+/// Names the picture in `rect`.
+pub(super) fn title(ui: &Ui, rect: Rect, text: &str, colour: Color32) {
     let font = TextStyle::Body.resolve(ui.style());
-    let place = pos2(pane.rect.min.x, pane.rect.min.y - TITLE_HEIGHT / 2.0 - 1.0);
-    let painter = ui.painter();
+    let place = pos2(rect.min.x, rect.min.y - TITLE_HEIGHT / 2.0 - 1.0);
+    let painter = ui.painter().with_clip_rect(rect.expand(TITLE_HEIGHT + 2.0));
     painter.circle_filled(place + vec2(5.0, 0.0), 4.5, colour);
-    painter.text(
-        place + vec2(16.0, 0.0),
-        Align2::LEFT_CENTER,
-        pane.eye.name(),
-        font,
-        ui.visuals().text_color(),
-    );
+    painter.text(place + vec2(16.0, 0.0), Align2::LEFT_CENTER, text, font, ui.visuals().text_color());
 }
 
 /// What the picture is, where that is not what an eye would see.

@@ -1,0 +1,162 @@
+//! Corrects what was measured at each pixel: as a picture of colours is corrected (see [`crate::rectify`]), but
+//! no wavelength is out of sight, and none has to be told from a hue.
+
+use rayon::prelude::*;
+
+use crate::colour::hue_preserving_clip;
+use crate::picture::{Picture, encoded};
+use crate::rectify::{Rectification, sample_place};
+use crate::reference::{Hit, HitImage};
+use crate::shade::surface_colour;
+use crate::view::Appearance;
+
+/// Rays per corrected pixel, along each side.
+const SAMPLES: u32 = 2;
+
+/// Linear sRGB of what is no body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Blank {
+    /// Where the picture from the ground shows no body.
+    pub background: [f64; 3],
+    /// What lies outside the picture from the ground.
+    pub outside: [f64; 3],
+}
+
+impl Rectification {
+    /// The corrected picture of `hits`, which the camera on the ground measured.
+    ///
+    /// Wavelengths are multiplied by the D of this rectification's speed and intensities divided by D^n, as
+    /// `appearance` has it: at the true speed each body has its colour at rest, at any other the rest of the
+    /// Doppler effect stays. `rest_wavelengths_nm` belongs to the bodies, in their order.
+    #[must_use]
+    pub fn picture_of_hits(
+        &self,
+        hits: &HitImage,
+        rest_wavelengths_nm: &[f64],
+        appearance: &Appearance,
+        blank: Blank,
+    ) -> Picture {
+        let [width, height] = self.rest().size;
+        let colour = |place: [f64; 2]| {
+            let Some(source) = self.ground_place(place) else { return blank.outside };
+            let [column, row] = source.map(f64::floor);
+            let index = row as usize * hits.size[0] as usize + column as usize;
+            let Some(hit) = hits.hits.get(index).copied().flatten() else { return blank.background };
+            let doppler_factor = self.doppler_factor([column + 0.5, row + 0.5]);
+            corrected_colour(&hit, rest_wavelengths_nm[hit.body], appearance, doppler_factor)
+        };
+        let pixel = |index: u32| {
+            let sum = (0..SAMPLES * SAMPLES).fold([0.0; 3], |sum: [f64; 3], part| {
+                let part = colour(sample_place([index % width, index / width], part, SAMPLES));
+                std::array::from_fn(|i| sum[i] + part[i])
+            });
+            encoded(sum.map(|part| part / f64::from(SAMPLES * SAMPLES)))
+        };
+        Picture { size: [width, height], rgba: (0..width * height).into_par_iter().map(pixel).collect() }
+    }
+}
+
+/// What is left of the Doppler effect of `hit` when one with `doppler_factor` is undone.
+fn corrected_colour(
+    hit: &Hit,
+    rest_wavelength_nm: f64,
+    appearance: &Appearance,
+    doppler_factor: f64,
+) -> [f64; 3] {
+    let left = hit.doppler_factor / doppler_factor;
+    hue_preserving_clip(surface_colour(appearance, rest_wavelength_nm, hit.rest_normal, left))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Body, Camera, Colour, Gaze, Geometry, ReferenceScene, Shading, Shape, View};
+    use relativity_core::{Aperture, Speed};
+
+    const RED_NM: f64 = 640.0;
+    /// Grey, which no light of one wavelength is.
+    const BLANK: Blank = Blank { background: [0.2; 3], outside: [0.4; 3] };
+
+    fn view() -> View {
+        let camera = Camera {
+            aperture: Aperture { x: -0.05, y: 0.0, z: 0.0 },
+            gaze: Gaze { azimuth: 2.2, elevation: 0.3 },
+            horizontal_fov: 1.2,
+            size: [160, 120],
+        };
+        let speed = Speed::from_beta(0.9).expect("a speed");
+        View { camera, speed, observation_time: 1.1, geometry: Geometry::Seen }
+    }
+
+    fn bodies() -> Vec<Body> {
+        let sphere = |x: f64| Body {
+            shape: Shape::Sphere { center: [x, 3.0, 1.6], radius: 0.5 },
+            rest_wavelength_nm: RED_NM,
+        };
+        vec![sphere(-1.2), sphere(0.0)]
+    }
+
+    fn appearance() -> Appearance {
+        Appearance {
+            colour: Colour::Visible,
+            doppler_shift: true,
+            intensity_exponent: Some(2.0),
+            exposure_ev: 0.0,
+            shading: Shading::Emission,
+            ground_z: None,
+            sky: false,
+            light: false,
+        }
+    }
+
+    fn corrected(fitted_beta: f64) -> Picture {
+        let (view, bodies) = (view(), bodies());
+        let hits = ReferenceScene::new(&bodies).hit_image(&view);
+        let speed = Speed::from_beta(fitted_beta).expect("a speed");
+        let rest = Rectification::rest_camera(&view.camera, &speed);
+        let rectification = Rectification::new(view.camera, rest, speed);
+        rectification.picture_of_hits(&hits, &[RED_NM; 2], &appearance(), BLANK)
+    }
+
+    fn greyness(pixel: &[u8; 4]) -> u8 {
+        pixel[0].min(pixel[1]).min(pixel[2])
+    }
+
+    /// Pixels that show a body and nothing else, and the largest difference of one from the colour at rest.
+    fn bodies_in(picture: &Picture) -> (usize, u8) {
+        let expected = encoded(crate::colour::linear_srgb(RED_NM, Colour::Visible));
+        let full = picture.rgba.iter().filter(|pixel| greyness(pixel) == 0);
+        let difference = |pixel: &[u8; 4]| (0..3).map(|i| pixel[i].abs_diff(expected[i])).max();
+        (full.clone().count(), full.filter_map(difference).max().unwrap_or(0))
+    }
+
+    #[test]
+    fn the_true_speed_gives_every_body_its_colour_at_rest() {
+        let (count, difference) = bodies_in(&corrected(0.9));
+        assert!(count > 500, "{count} pixels");
+        assert!(difference <= 1, "{difference} of 255");
+        let (_, difference) = bodies_in(&corrected(0.7));
+        assert!(difference > 30, "{difference} of 255");
+    }
+
+    #[test]
+    fn the_true_speed_gives_the_outlines_of_a_camera_that_rides_along() {
+        let view = view();
+        let rest_camera = Rectification::rest_camera(&view.camera, &view.speed);
+        let riding = View { camera: rest_camera, geometry: Geometry::Rest, ..view };
+        let expected = ReferenceScene::new(&bodies()).hit_image(&riding);
+        let differing = |beta: f64| {
+            let pairs = corrected(beta).rgba.into_iter().zip(&expected.hits);
+            let wrong = |(pixel, hit): &([u8; 4], &Option<Hit>)| {
+                let outside = pixel == &encoded(BLANK.outside);
+                !outside && hit.is_some() != (greyness(pixel) < encoded(BLANK.background)[0] / 2)
+            };
+            pairs.filter(wrong).count()
+        };
+        let outline = expected.hits.iter().flatten().count() as f64;
+        let length = (4.0 * std::f64::consts::PI * outline).sqrt() * 1.5;
+        // The nearest pixel is at most one off along the outline.
+        assert!((differing(0.9) as f64) < length, "{} for {length}", differing(0.9));
+        assert!((differing(0.8) as f64) > 2.0 * length, "{} for {length}", differing(0.8));
+    }
+}

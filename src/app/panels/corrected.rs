@@ -1,0 +1,33 @@
+//! The corrected picture beside those of the eyes, and by which speed it was corrected.
+
+use eframe::egui::{
+    self, Color32, Pos2, Rect, Sense, Stroke, StrokeKind, TextureHandle, Ui, accesskit::Role, pos2,
+};
+
+use super::views::title;
+use crate::app::figures;
+use crate::app::observer::Correction;
+
+/// Draws the pane in `rect`.
+pub fn show(ui: &Ui, rect: Rect, correction: &Correction, picture: Option<&TextureHandle>) {
+    let colour = ui.visuals().text_color();
+    let by = if correction.is_fitted { "fitted" } else { "set" };
+    let text = format!("Corrected by the {by} β {}", figures::beta(&correction.speed));
+    title(ui, rect, &text, colour);
+    let painter = ui.painter();
+    painter.rect_filled(rect, 0.0, ui.visuals().extreme_bg_color);
+    if let Some(picture) = picture {
+        let uv = Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0));
+        painter.image(picture.id(), rect, uv, Color32::WHITE);
+    }
+    painter.rect_stroke(rect, 0.0, Stroke::new(1.5, colour), StrokeKind::Outside);
+    let id = ui.scope_id().with("corrected view");
+    let response = ui.interact(rect, id, Sense::hover());
+    response.widget_info(|| egui::WidgetInfo::labeled(Role::Image, true, &text));
+    response.on_hover_text(
+        "The left eye's picture with the distortion undone, as far as this speed is right: straight and in \
+        its own colour, as a camera that rides along would take it at this event.\n\
+        Directions de-aberrated, λ × D, intensity / Dⁿ, D = 1/(γ(1 + β nₓ))\n\
+        While the Fit tab is shown, β is the fitted one. Darker: outside the eye's picture.",
+    );
+}
