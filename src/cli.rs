@@ -22,6 +22,8 @@ Conventions: c = 1; lengths and times share one unit; angles are radians. x poin
 The eyes rest at x = -d/2 (left) and x = +d/2 (right).
 
 Examples:
+  gamow
+  gamow --scene street --beta 0.99 --time 1 --screenshot window.png
   gamow curve --beta 0.9 --d 0.3 --y 0.5 --z 0.5 --from -2 --to 5
   gamow curve --samples 1000 --out curve.csv
   gamow curve | cut -d, -f 1-6 | gamow eval --model published
@@ -36,6 +38,7 @@ enum Command {
     Fit(headless::fit::FitArgs),
     Paper(headless::paper::PaperArgs),
     Render(Box<headless::render::RenderArgs>),
+    Accuracy(headless::accuracy::AccuracyArgs),
 }
 
 /// Runs what the command line asks for.
@@ -47,6 +50,7 @@ pub fn run(cli: Cli) -> anyhow::Result<()> {
         Some(Command::Fit(args)) => headless::fit::run(&args),
         Some(Command::Paper(args)) => headless::paper::run(&args),
         Some(Command::Render(args)) => headless::render::run(&args),
+        Some(Command::Accuracy(args)) => headless::accuracy::run(&args),
     }
 }
 

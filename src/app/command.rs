@@ -171,6 +171,12 @@ impl State {
     }
 
     fn pick(&mut self, pick: Pick) {
+        if self.sees_as_published(pick.eye) {
+            // The published right eye is defined point by point: no ray leads back.
+            self.session.notice =
+                Some("With the right eye as published, click in the left eye's view.".to_owned());
+            return;
+        }
         let view = self.view(pick.eye, pick.size, self.gaze());
         let line_of_sight = view.camera.line_of_sight(pick.pixel);
         let Some(hit) = ReferenceScene::new(&self.session.bodies).first_hit(&view, line_of_sight) else {

@@ -1,30 +1,62 @@
 //! The GPU's part of the window: a picture per eye, drawn again only when something about it changed.
 
+use std::borrow::Cow;
+
 use eframe::egui::TextureId;
 use eframe::egui_wgpu::RenderState;
-use eframe::wgpu::FilterMode;
-use relativity_render::{Appearance, Body, ExactRenderer, EyeTarget, Gpu, View};
+use eframe::wgpu::{Backend, FilterMode};
+use relativity_render::{Appearance, Body, ExactRenderer, EyeTarget, Gpu, MeshRenderer, View};
 
 /// Both eyes' pictures, and what draws them.
 pub struct EyePictures {
     render_state: RenderState,
     gpu: Gpu,
-    renderer: ExactRenderer,
+    renderers: Renderers,
     pictures: [Option<EyePicture>; 2],
 }
 
 struct EyePicture {
     target: EyeTarget,
     texture: TextureId,
-    drawn: Option<Request>,
+    drawn: Option<Request<'static>>,
 }
 
 /// Everything a picture depends on.
 #[derive(Debug, Clone, PartialEq)]
-struct Request {
-    view: View,
-    appearance: Appearance,
-    bodies: Vec<Body>,
+pub struct Request<'a> {
+    /// Who looks at what.
+    pub view: View,
+    /// With which looks.
+    pub appearance: Appearance,
+    /// What there is to see.
+    pub bodies: Cow<'a, [Body]>,
+    /// Whether it is the right eye's in the published model; `view` is then the left eye's.
+    pub published_right: bool,
+}
+
+/// What draws. Each is made when it is first needed.
+#[derive(Default)]
+struct Renderers {
+    /// Whether the exact renderer is out of reach: OpenGL cannot choose the samples of a pixel.
+    mesh_only: bool,
+    exact: Option<ExactRenderer>,
+    mesh: Option<MeshRenderer>,
+}
+
+impl Renderers {
+    fn draw(&mut self, gpu: &Gpu, request: &Request<'_>, target: &mut EyeTarget) {
+        let Request { view, appearance, bodies, published_right } = request;
+        if *published_right {
+            let mesh = self.mesh.get_or_insert_with(|| MeshRenderer::new(gpu));
+            mesh.draw_published_right(gpu, bodies, view, appearance, target);
+        } else if self.mesh_only {
+            let mesh = self.mesh.get_or_insert_with(|| MeshRenderer::new(gpu));
+            mesh.draw(gpu, bodies, view, appearance, target);
+        } else {
+            let exact = self.exact.get_or_insert_with(|| ExactRenderer::new(gpu));
+            exact.draw(gpu, bodies, view, appearance, target);
+        }
+    }
 }
 
 impl EyePictures {
@@ -33,8 +65,9 @@ impl EyePictures {
     pub fn new(render_state: &RenderState) -> Self {
         let RenderState { adapter, device, queue, .. } = render_state;
         let gpu = Gpu::from_device(adapter, device.clone(), queue.clone());
-        let renderer = ExactRenderer::new(&gpu);
-        Self { render_state: render_state.clone(), gpu, renderer, pictures: [None, None] }
+        let mesh_only = adapter.get_info().backend == Backend::Gl;
+        let renderers = Renderers { mesh_only, ..Renderers::default() };
+        Self { render_state: render_state.clone(), gpu, renderers, pictures: [None, None] }
     }
 
     /// Largest width and height of a picture, pixels.
@@ -44,23 +77,21 @@ impl EyePictures {
     }
 
     /// The picture of the eye with this `index` (0 left, 1 right), drawn if it is not up to date.
-    pub fn picture(
-        &mut self,
-        index: usize,
-        bodies: &[Body],
-        view: &View,
-        appearance: &Appearance,
-    ) -> TextureId {
-        let Self { render_state, gpu, renderer, pictures } = self;
-        let picture = fitting(&mut pictures[index], view.camera.size, gpu, render_state);
-        let up_to_date = picture.drawn.as_ref().is_some_and(|drawn| {
-            drawn.view == *view && drawn.appearance == *appearance && drawn.bodies == bodies
-        });
-        if !up_to_date {
-            renderer.draw(gpu, bodies, view, appearance, &mut picture.target);
-            picture.drawn = Some(Request { view: *view, appearance: *appearance, bodies: bodies.to_vec() });
+    pub fn picture(&mut self, index: usize, request: &Request<'_>) -> TextureId {
+        let Self { render_state, gpu, renderers, pictures } = self;
+        let picture = fitting(&mut pictures[index], request.view.camera.size, gpu, render_state);
+        if picture.drawn.as_ref() != Some(request) {
+            renderers.draw(gpu, request, &mut picture.target);
+            picture.drawn = Some(request.clone().into_owned());
         }
         picture.texture
+    }
+}
+
+impl Request<'_> {
+    fn into_owned(self) -> Request<'static> {
+        let bodies = Cow::Owned(self.bodies.into_owned());
+        Request { bodies, ..self }
     }
 }
 

@@ -143,10 +143,13 @@ impl App {
     /// The up-to-date picture for `pane`.
     fn picture(&mut self, pane: Pane, light_window: bool) -> Option<TextureId> {
         let state = &self.state;
-        let view = state.view(pane.eye, pane.size, state.gaze());
-        let appearance = state.appearance(light_window);
-        let eyes = self.eyes.as_mut()?;
-        Some(eyes.picture(pane.eye.index(), &state.session.bodies, &view, &appearance))
+        let request = eyes::Request {
+            view: state.view(pane.eye, pane.size, state.gaze()),
+            appearance: state.appearance(light_window),
+            bodies: state.session.bodies.as_slice().into(),
+            published_right: state.sees_as_published(pane.eye),
+        };
+        Some(self.eyes.as_mut()?.picture(pane.eye.index(), &request))
     }
 
     /// Shows the left eye's picture in `rect`, corrected by the fitted speed while there is a fit in view.

@@ -2,7 +2,8 @@
 
 use glam::DVec3;
 use relativity_core::{
-    Aperture, Disparity, Parameter, Sighting, SourcePoint, Speed, disparity, equidistance_time, sighting,
+    Aperture, Disparity, Parameter, PublishedVariant, Sighting, SourcePoint, Speed, disparity,
+    equidistance_time, published_disparity, sighting,
 };
 use relativity_render::{Camera, Gaze, Geometry, View};
 
@@ -115,6 +116,21 @@ impl State {
         equidistance_time(&self.speed(), self.source(point), self.settings.motion.separation).ok().flatten()
     }
 
+    /// Whether `eye` sees what the published model has the right eye see, measured from the left aperture.
+    #[must_use]
+    pub fn sees_as_published(&self, eye: Eye) -> bool {
+        let look = &self.settings.look;
+        eye == Eye::Right && look.right_as_published && look.geometry == Geometry::Seen
+    }
+
+    /// The published model's apparent position of `point` for the right eye, from the left aperture.
+    fn published_position(&self, point: &Point) -> Option<[f64; 3]> {
+        let (speed, variant) = (self.speed(), PublishedVariant::AppendixA);
+        let separation = self.settings.motion.separation;
+        let both = published_disparity(&speed, self.source(point), separation, self.session.time, variant);
+        Some(both.ok()?.secondary.position)
+    }
+
     /// From the aperture of `eye` to where the shown geometry has `point` now.
     #[must_use]
     pub fn direction(&self, point: &Point, eye: Eye) -> Option<DVec3> {
@@ -125,6 +141,7 @@ impl State {
         let aperture = self.aperture(eye);
         let source = self.source(point);
         let direction = match geometry {
+            Geometry::Seen if self.sees_as_published(eye) => DVec3::from(self.published_position(point)?),
             Geometry::Seen => DVec3::from(self.sighting(point, eye)?.position),
             Geometry::Contracted => {
                 let x = (source.x0 - aperture.x) + self.speed().beta() * self.session.time;
@@ -196,7 +213,7 @@ impl State {
     #[must_use]
     pub fn view(&self, eye: Eye, size: [u32; 2], gaze: Gaze) -> View {
         let camera = Camera {
-            aperture: self.aperture(eye),
+            aperture: self.aperture(if self.sees_as_published(eye) { Eye::Left } else { eye }),
             gaze,
             horizontal_fov: self.settings.look.fov_degrees.to_radians(),
             size,

@@ -73,6 +73,8 @@ pub struct Look {
     /// Which geometry the views show.
     #[serde(with = "SavedGeometry")]
     pub geometry: Geometry,
+    /// Whether the right eye sees, in place of its own light cone, what the published model has it see.
+    pub right_as_published: bool,
     /// Where the eyes look.
     pub gaze: GazeSetting,
     /// Horizontal field of view of each eye, degrees.
@@ -84,7 +86,12 @@ pub const DEFAULT_FOV_DEGREES: f64 = 72.0;
 
 impl Default for Look {
     fn default() -> Self {
-        Self { geometry: Geometry::Seen, gaze: GazeSetting::Tracking, fov_degrees: DEFAULT_FOV_DEGREES }
+        Self {
+            geometry: Geometry::Seen,
+            right_as_published: false,
+            gaze: GazeSetting::Tracking,
+            fov_degrees: DEFAULT_FOV_DEGREES,
+        }
     }
 }
 

@@ -2,6 +2,7 @@
 //! (`columns`), the CSV they read and write (`csv_in`, `csv_out`), files written whole (`output`) and when a point passes
 //! (`passage`).
 
+pub mod accuracy;
 pub mod columns;
 mod csv_in;
 mod csv_out;
@@ -11,4 +12,5 @@ pub mod fit;
 pub mod output;
 pub mod paper;
 mod passage;
+mod plot;
 pub mod render;

@@ -22,6 +22,7 @@ pub const TESTS: &[Test] = &[
     ("shift_clicking_compares_points", shift_clicking_compares_points),
     ("a_click_beside_everything_changes_nothing", a_click_beside_everything),
     ("marker_and_drawn_surface_agree_within_half_a_pixel", marker_and_surface_agree),
+    ("the_published_right_eye_shows_its_own_picture_and_marker", the_published_right_eye),
     ("dragging_looks_around_and_double_clicking_follows_again", dragging_looks_around),
     ("scrolling_zooms", scrolling_zooms),
     ("the_followed_point_stays_in_the_middle", the_followed_point_stays_in_the_middle),
@@ -155,6 +156,41 @@ fn marker_and_surface_agree() {
             assert!(worst < 0.5, "gamma = {gamma}, {geometry:?}: {worst} pixels apart");
         }
     }
+}
+
+/// In the published model the right eye's marker is where the left eye saw the point at T - Delta T.
+fn the_published_right_eye() {
+    let mut window = window(cyclist(0.9));
+    let exact = window.render().expect("a picture");
+    window.get_by_label("As in the paper").click();
+    window.remove_cursor();
+    window.run();
+    let published = window.render().expect("a picture");
+    let differing = |pane: Rect| {
+        let columns = pane.min.x as u32 + 4..pane.max.x as u32 - 4;
+        let rows = pane.min.y as u32 + 4..pane.max.y as u32 - 40;
+        rows.flat_map(|y| columns.clone().map(move |x| (x, y)))
+            .filter(|&(x, y)| exact.get_pixel(x, y) != published.get_pixel(x, y))
+            .count()
+    };
+    assert!(differing(pane(&window, 1)) > 500);
+
+    let state = window.state().state();
+    let point = state.session.points.selected();
+    let model = relativity_core::published_disparity(
+        &state.speed(),
+        state.source(point),
+        SEPARATION,
+        state.session.time,
+        relativity_core::PublishedVariant::AppendixA,
+    );
+    let [x, y, z] = model.expect("in the domain").secondary.position;
+    assert_eq!(state.direction(point, Eye::Right), Some(DVec3::new(x, y, z)));
+
+    let right = pane(&window, 1).center();
+    click(&mut window, right, Modifiers::NONE);
+    assert_eq!(window.state().state().session.points.selected().body, None);
+    window.get_by_label("With the right eye as published, click in the left eye's view.");
 }
 
 fn dragging_looks_around() {

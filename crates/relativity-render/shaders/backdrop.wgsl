@@ -15,7 +15,7 @@ fn screen(@builtin(vertex_index) vertex: u32) -> @builtin(position) vec4f {
 }
 
 const LINE_HALF_WIDTH = 0.012;
-const AXIS_HALF_WIDTH = 0.03;
+const AXIS_HALF_WIDTH = 0.02;
 
 fn line_cover(off_line: vec2f, half_width: f32, pixel: vec2f) -> vec2f {
     let half = max(vec2f(half_width), 0.5 * pixel);

@@ -105,11 +105,12 @@ fn picture(fragment: Fragment) -> Picture {
     return Picture(vec4f(colour * alpha, alpha), depth(hit.beyond), samples);
 }
 
+// Floats as their bits: OpenGL ES does not draw to 32-bit floats.
 struct Hit {
     // Number of the body, ground distance, Doppler factor, 1 (a hit).
-    @location(0) measures: vec4f,
+    @location(0) measures: vec4u,
     // The point, from the anchor, in the rest frame.
-    @location(1) place: vec4f,
+    @location(1) place: vec4u,
     @builtin(frag_depth) depth: f32,
 }
 
@@ -122,8 +123,8 @@ fn hits(fragment: Fragment) -> Hit {
         discard;
     }
     return Hit(
-        vec4f(fragment.index, distance * ray.ground_per_rest, ray.doppler, 1.0),
-        vec4f(hit.place, 0.0),
+        bitcast<vec4u>(vec4f(fragment.index, distance * ray.ground_per_rest, ray.doppler, 1.0)),
+        bitcast<vec4u>(vec4f(hit.place, 0.0)),
         depth(hit.beyond),
     );
 }

@@ -1,7 +1,7 @@
 // Triangles whose corners go through the apparent position: where the light cone of the aperture meets the
 // worldline of each corner.
 
-// 0 as seen, 1 contracted only, 2 at rest (as GEOMETRY), 3 the published model's right eye.
+// As GEOMETRY; 3 is the published model's right eye.
 override MAP: u32 = 0u;
 
 struct Corner {
@@ -32,7 +32,9 @@ struct Fragment {
     @location(2) apparent: vec3f,
     @location(3) doppler: f32,
     @location(4) @interpolate(flat) colour_wavelength: vec4f,
-    @location(5) @interpolate(flat) index_cover: vec2f,
+    // Anchor from the scene's centre, and the number of the body.
+    @location(5) @interpolate(flat) anchor_index: vec4f,
+    @location(6) @interpolate(flat) cover: f32,
 }
 
 struct Sighting {
@@ -68,17 +70,13 @@ fn delay(left: vec3f) -> f32 {
 
 fn mapped(c: vec3f) -> Sighting {
     switch MAP {
-        case 0u: {
-            let seen = sighting(c);
-            return Sighting(seen.position, 1.0 / seen.doppler);
-        }
+        case 0u: { return sighting(c); }
         case 1u: { return Sighting(vec3f(c.x * frame.speed.z, c.yz), 1.0); }
         case 2u: { return Sighting(c, 1.0); }
         default: {
             // The left eye's sighting at T - Delta T, as Appendix A prints it.
             let shift = frame.speed.x * frame.speed.w * delay(sighting(c).position);
-            let seen = sighting(c - vec3f(shift, 0.0, 0.0));
-            return Sighting(seen.position, 1.0 / seen.doppler);
+            return sighting(c - vec3f(shift, 0.0, 0.0));
         }
     }
 }
@@ -102,48 +100,67 @@ fn corner(corner: Corner, solid: Solid) -> Fragment {
         seen.position,
         seen.doppler,
         solid.colour_wavelength,
-        vec2f(solid.across_index.w, solid.cover),
+        vec4f(solid.anchor_radius.xyz, solid.across_index.w),
+        solid.cover,
     );
 }
 
 // Nothing nearer than this is drawn.
 const NEAR = 1e-4;
 
-fn doppler_of(fragment: Fragment) -> f32 {
-    if MAP == 0u {
-        // It depends on the line of sight alone, so the pixel's own is better than the corners'.
-        return rest_ray(fragment.position.xy).doppler;
+struct Measure {
+    depth: f32,
+    doppler: f32,
+}
+
+// From the pixel's own ray, which is better than what is interpolated between corners: the Doppler factor
+// depends on the line of sight alone, and in the rest frame depth is not contracted.
+fn measure(fragment: Fragment) -> Measure {
+    if MAP == 3u {
+        return Measure(1.0 / (1.0 + length(fragment.apparent)), fragment.doppler);
     }
-    return fragment.doppler;
+    let ray = rest_ray(fragment.position.xy);
+    let from_centre = fragment.anchor_index.xyz + fragment.place;
+    return Measure(depth(dot(from_centre, ray.direction)), ray.doppler);
+}
+
+struct Picture {
+    @location(0) colour: vec4f,
+    @builtin(frag_depth) depth: f32,
 }
 
 @fragment
-fn picture(fragment: Fragment) -> @location(0) vec4f {
-    let normal = fragment.normal / max(sqrt(dot(fragment.normal, fragment.normal)), 1e-30);
+fn picture(fragment: Fragment) -> Picture {
+    let measure = measure(fragment);
+    let normal = fragment.normal / max(length(fragment.normal), 1e-30);
     let colour = received_colour(
         fragment.colour_wavelength.rgb,
         fragment.colour_wavelength.w,
-        doppler_of(fragment),
+        measure.doppler,
         normal,
     );
     if fragment.apparent.z < frame.ground.z {
         discard;
     }
-    let cover = fragment.index_cover.y;
-    return vec4f(colour * cover, cover);
+    return Picture(vec4f(colour, 1.0) * fragment.cover, measure.depth);
 }
 
+// Floats as their bits: OpenGL ES does not draw to 32-bit floats.
 struct Hit {
     // As the impostors'.
-    @location(0) measures: vec4f,
-    @location(1) place: vec4f,
+    @location(0) measures: vec4u,
+    @location(1) place: vec4u,
+    @builtin(frag_depth) depth: f32,
 }
 
 @fragment
 fn hits(fragment: Fragment) -> Hit {
-    let distance = sqrt(dot(fragment.apparent, fragment.apparent));
+    let measure = measure(fragment);
     return Hit(
-        vec4f(fragment.index_cover.x, distance, doppler_of(fragment), 1.0),
-        vec4f(fragment.place, 0.0),
+        bitcast<vec4u>(
+            vec4f(fragment.anchor_index.w, length(fragment.apparent), measure.doppler, 1.0),
+        ),
+        bitcast<vec4u>(vec4f(fragment.place, 0.0)),
+        measure.depth,
     );
 }

@@ -12,7 +12,7 @@ use crate::view::Appearance;
 /// Half the width of the grid's lines, one per unit of length along x and along y.
 const LINE_HALF_WIDTH: f64 = 0.012;
 /// Half the width of the two lines through the origin.
-const AXIS_HALF_WIDTH: f64 = 0.03;
+const AXIS_HALF_WIDTH: f64 = 0.02;
 
 /// Linear sRGB colours of a backdrop.
 #[derive(Debug, Clone, Copy)]
@@ -25,13 +25,14 @@ struct Palette {
     axis_line: [f64; 3],
 }
 
+// Dusk, not night: what is shifted out of the visible is black, and must stand out.
 const DARK: Palette = Palette {
-    plain: [0.010, 0.011, 0.014],
-    horizon: [0.046, 0.060, 0.086],
-    zenith: [0.006, 0.009, 0.019],
-    earth: [0.013, 0.015, 0.019],
-    grid_line: [0.075, 0.090, 0.112],
-    axis_line: [0.180, 0.212, 0.256],
+    plain: [0.055, 0.062, 0.075],
+    horizon: [0.190, 0.225, 0.275],
+    zenith: [0.045, 0.062, 0.105],
+    earth: [0.050, 0.056, 0.066],
+    grid_line: [0.145, 0.165, 0.195],
+    axis_line: [0.270, 0.305, 0.350],
 };
 
 const LIGHT: Palette = Palette {

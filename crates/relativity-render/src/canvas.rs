@@ -217,7 +217,7 @@ fn last_pass(
 fn colour_table(gpu: &Gpu, colour: Colour) -> wgpu::TextureView {
     let size = [palette::ENTRIES, 1];
     let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
-    let texture = target::texture(gpu, "colour table", size, 1, MEASURES_FORMAT, usage);
+    let texture = target::texture(gpu, "colour table", size, 1, wgpu::TextureFormat::Rgba32Float, usage);
     let layout = wgpu::TexelCopyBufferLayout {
         offset: 0,
         bytes_per_row: Some(palette::ENTRIES * 16),

@@ -9,7 +9,8 @@ pub(crate) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth3
 /// Written as linear light; the hardware encodes, and blends and averages in linear light.
 pub(crate) const LINEAR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8UnormSrgb;
 pub(crate) const ENCODED_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
-pub(crate) const MEASURES_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
+/// Bits of floats: 32-bit floats cannot be drawn to everywhere.
+pub(crate) const MEASURES_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Uint;
 
 /// One eye's picture: sRGB-encoded RGBA8 that can be sampled, copied and read back.
 #[derive(Debug)]

@@ -19,6 +19,17 @@ pub enum Geometry {
     Rest,
 }
 
+impl Geometry {
+    /// The shaders' `GEOMETRY`.
+    pub(crate) fn number(self) -> f64 {
+        match self {
+            Self::Seen => 0.0,
+            Self::Contracted => 1.0,
+            Self::Rest => 2.0,
+        }
+    }
+}
+
 /// One aperture's picture: everything that decides which point of which body a pixel shows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct View {

@@ -7,7 +7,7 @@ use super::Asks;
 use super::widgets::{NumberRow, choice, row, section};
 use super::{light, speed};
 use crate::app::command::{Command, FOV_DEGREES};
-use crate::app::settings::{GazeSetting, MAX_LENGTH, Motion, Window};
+use crate::app::settings::{GazeSetting, Look, MAX_LENGTH, Motion, Window};
 use crate::app::state::State;
 
 /// Shows the controls.
@@ -93,6 +93,7 @@ fn look(ui: &mut Ui, state: &State, asks: &mut Asks) {
             ],
         );
     });
+    right_eye_row(ui, &mut look);
     gaze_row(ui, state, &mut look.gaze, asks);
     corrected_row(ui, state.settings.window, asks);
     let fov = NumberRow {
@@ -108,6 +109,24 @@ fn look(ui: &mut Ui, state: &State, asks: &mut Asks) {
         asks.push(Command::Look(look));
     }
 }
+
+fn right_eye_row(ui: &mut Ui, look: &mut Look) {
+    let tip = "What the right eye's view shows, with the geometry as seen.";
+    row(ui, "Right eye", tip, |ui| {
+        ui.add_enabled_ui(look.geometry == Geometry::Seen, |ui| {
+            choice(ui, &mut look.right_as_published, &RIGHT_EYES);
+        });
+    });
+}
+
+const RIGHT_EYES: [(bool, &str, &str); 2] = [
+    (false, "Its own", "What it sees through its own light cone: exact."),
+    (
+        true,
+        "As in the paper",
+        "The published model: what the left eye sees of each point at T − ΔT, measured from the left eye.",
+    ),
+];
 
 fn corrected_row(ui: &mut Ui, mut window: Window, asks: &mut Asks) {
     let tip = "Shows the left eye's picture with the distortion undone, beside the two: by the fitted β \

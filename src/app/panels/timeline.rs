@@ -56,7 +56,8 @@ fn time(ui: &mut Ui, state: &State, asks: &mut Asks) {
         .range(-MAX_TIME..=MAX_TIME)
         .speed((to - from) / 1000.0)
         .min_decimals(3)
-        .max_decimals(6)
+        // While it runs, digits that nobody can read would only flicker.
+        .max_decimals(if state.session.playing { 3 } else { 6 })
         .update_while_editing(false);
     let response = ui.add_sized([76.0, ui.spacing().interact_size.y], number);
     if response.on_hover_text(TIME_TIP).accessible_name("T, typed").changed() {

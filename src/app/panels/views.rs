@@ -140,8 +140,9 @@ fn notes(ui: &Ui, painter: &Painter, state: &State, pane: Pane) {
         Geometry::Contracted => Some("contracted only"),
         Geometry::Rest => Some("at rest"),
     };
+    let model = state.sees_as_published(pane.eye).then_some("as published");
     let colour = (state.settings.light.colour == Colour::False).then_some("false colour");
-    let text = [geometry, colour].into_iter().flatten().collect::<Vec<_>>().join("  ·  ");
+    let text = [geometry, model, colour].into_iter().flatten().collect::<Vec<_>>().join("  ·  ");
     let font = TextStyle::Small.resolve(ui.style());
     let galley = painter.layout_no_wrap(text, font, Color32::WHITE);
     let place = pane.rect.left_bottom() + vec2(8.0, -8.0 - galley.size().y);
@@ -177,7 +178,10 @@ impl Marker {
     fn of(state: &State, point: &Point, view: &View, scene: &ReferenceScene, eye: Eye) -> Option<Self> {
         let direction = state.direction(point, eye)?;
         let pixel = view.camera.pixel(direction)?;
-        let first = scene.first_hit(view, direction.try_normalize()?);
+        // In the published model no ray leads back from the right eye, so nothing is known to hide it.
+        let seen_along_rays = !state.sees_as_published(eye);
+        let first = direction.try_normalize().filter(|_| seen_along_rays);
+        let first = first.and_then(|line_of_sight| scene.first_hit(view, line_of_sight));
         let hidden = first.is_some_and(|hit| hit.distance < direction.length() * (1.0 - HIDING_MARGIN));
         pixel.iter().all(|value| value.is_finite()).then_some(Self { pixel, hidden })
     }

@@ -8,9 +8,9 @@ use relativity_core::Disparity;
 
 use super::bicycle;
 use super::curves::{Model, Setup};
-use super::plot::{BLACK, BLUE, Line, Panel, Stroke, VERMILION, svg};
 use crate::headless::csv_out;
 use crate::headless::output::write_whole;
+use crate::headless::plot::{BLACK, BLUE, Line, Panel, Stroke, VERMILION, svg};
 
 /// Observation times of the curves, which hold all their features; and how many.
 const TIMES: [f64; 2] = [-2.0, 5.0];
@@ -67,7 +67,15 @@ fn t0(setup: &Setup) -> f64 {
 }
 
 fn panel(title: &str, labels: [&'static str; 2], lines: Vec<Line>) -> Panel {
-    Panel { title: title.to_owned(), labels, lines, mark: None, equal_scales: false, width: 480.0 }
+    Panel {
+        title: title.to_owned(),
+        labels,
+        lines,
+        mark: None,
+        equal_scales: false,
+        logarithmic: false,
+        width: 480.0,
+    }
 }
 
 /// An angle of both eyes, in the published and in the exact model.
@@ -136,7 +144,7 @@ fn push_column(columns: &mut Vec<Column>, name: &str, curve: &[[f64; 2]]) {
 const BICYCLE_LABELS: [&str; 2] = ["x", "y"];
 
 fn bicycle_panel(title: String, lines: Vec<Line>, width: f64) -> Panel {
-    Panel { title, labels: BICYCLE_LABELS, lines, mark: None, equal_scales: true, width }
+    Panel { title, labels: BICYCLE_LABELS, lines, mark: None, equal_scales: true, logarithmic: false, width }
 }
 
 fn eye_dots(places: &[f64]) -> Line {

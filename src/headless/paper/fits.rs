@@ -8,9 +8,9 @@ use relativity_core::{
 
 use super::curves::Setup;
 use super::figures;
-use super::plot::{BLACK, Line, Panel, Stroke, VERMILION};
 use crate::headless::fit::Report;
 use crate::headless::passage::passage_times;
+use crate::headless::plot::{BLACK, Line, Panel, Stroke, VERMILION};
 
 const SAMPLES: usize = 240;
 /// Noise of the second set of fits, as a share of each curve's range.
@@ -108,6 +108,7 @@ fn write_figure(folder: &Path, name: &str, curve: usize, curves: Curves) -> anyh
             lines,
             mark: None,
             equal_scales: false,
+            logarithmic: false,
             width: 480.0,
         });
         if columns.is_empty() {

@@ -8,7 +8,6 @@ mod curves;
 mod figures;
 mod fits;
 mod numbers;
-mod plot;
 mod report;
 mod stereo;
 

@@ -38,8 +38,8 @@ pub enum GeometryChoice {
     Contracted,
     /// What cameras that ride along would see.
     Rest,
-    /// The paper's binocular model: the right eye sees what the left eye saw a little earlier or later
-    /// (mesh renderer only).
+    /// The paper's binocular model: the right eye sees, point by point, what the left eye saw a little
+    /// earlier or later, without parallax. Drawn by the mesh renderer.
     Published,
 }
 
@@ -205,6 +205,12 @@ pub fn field_of_view(text: &str) -> Result<f64, String> {
     } else {
         Err("must be between 0 and 180 degrees".to_owned())
     }
+}
+
+/// Parses a number above 0.
+pub fn positive(text: &str) -> Result<f64, String> {
+    let value = finite_number(text)?;
+    if value > 0.0 { Ok(value) } else { Err("must be above 0".to_owned()) }
 }
 
 /// The word that selects `choice` on the command line.

@@ -1,11 +1,12 @@
 //! `gamow render`: pictures, sequences and measurements of a scene, without a window.
 
-mod choices;
+pub(super) mod choices;
 mod exr_file;
+mod gpu_painter;
 mod layout;
 mod look;
 mod painter;
-mod png_file;
+pub(super) mod png_file;
 mod sequence;
 mod shot;
 mod timings;
@@ -15,10 +16,10 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use relativity_render::{Appearance, HitImage, Picture};
 
-use self::choices::{FileKind, GeometryChoice, Layout, RendererChoice, word};
+use self::choices::{FileKind, GeometryChoice, Layout, word};
 use self::exr_file::Light;
 use self::look::LookArgs;
-use self::painter::Painter;
+use self::painter::{Painter, RendererArgs};
 use self::png_file::Provenance;
 use self::sequence::TimeArgs;
 use self::shot::{Observer, ObserverArgs};
@@ -46,12 +47,8 @@ pub struct RenderArgs {
     layout: Layout,
     #[command(flatten)]
     look: LookArgs,
-    /// What draws [default: exact where there is a graphics adapter, else reference]
-    #[arg(long, value_enum)]
-    renderer: Option<RendererChoice>,
-    /// Rays per pixel of the reference renderer: N x N.
-    #[arg(long, default_value_t = 3, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=16))]
-    samples: u32,
+    #[command(flatten)]
+    renderer: RendererArgs,
     /// Where to: FILE.png, FILE.exr, or a folder with --frames. Each file is written whole or not at all.
     #[arg(long, default_value = "gamow.png", value_name = "FILE|DIR")]
     out: PathBuf,
@@ -70,7 +67,8 @@ Examples:
   gamow render --gamma 100 --time 0 --colour false --out false-colour.png
   gamow render --frames 200 --size 640x480 --out ride
   gamow render --renderer reference --out hits.exr
-  gamow render --renderer exact --timings --repeat 20";
+  gamow render --geometry published --time 1.5 --layout overlay --out published.png
+  gamow render --renderer mesh --bound-px 0.1 --timings --repeat 20";
 
 /// Names of the stages that draw the left and the right eye.
 const EYES: [&str; 2] = ["left eye", "right eye"];
@@ -123,12 +121,9 @@ impl Studio {
     fn new(args: &RenderArgs) -> anyhow::Result<Self> {
         let scene = Scene::open(&args.scene)?;
         let observer = Observer::new(&args.observer, scene.tracked)?;
-        anyhow::ensure!(
-            observer.geometry() != GeometryChoice::Published,
-            "--geometry published is defined point by point: it needs the mesh renderer, which this version lacks"
-        );
+        let published = observer.geometry() == GeometryChoice::Published;
         let mut timings = Timings::default();
-        let painter = timings.timed("set up", || Painter::new(args.renderer, &scene.bodies, args.samples))?;
+        let painter = timings.timed("set up", || args.renderer.painter(&scene.bodies, published))?;
         Ok(Self {
             appearance: args.look.appearance(scene.ground_z),
             scene,
@@ -165,8 +160,8 @@ impl Studio {
     /// The picture at observation time `time`.
     fn picture(&mut self, time: f64) -> anyhow::Result<Picture> {
         let Self { observer, appearance, layout, painter, timings, .. } = self;
-        let views = observer.views(time)?;
-        let eye = |&eye: &usize| timings.timed(EYES[eye], || painter.picture(&views[eye], appearance));
+        let sights = observer.sights(time)?;
+        let eye = |&eye: &usize| timings.timed(EYES[eye], || painter.picture(&sights[eye], appearance));
         let eyes = layout.eyes().iter().map(eye).collect::<Result<_, _>>()?;
         Ok(timings.timed("layout", || layout.composed(eyes)))
     }
@@ -174,7 +169,7 @@ impl Studio {
     /// What every pixel of the left and the right eye shows at observation time `time`.
     fn hits(&mut self, time: f64) -> anyhow::Result<[HitImage; 2]> {
         let Self { observer, painter, timings, .. } = self;
-        let [left, right] = observer.views(time)?;
+        let [left, right] = observer.sights(time)?;
         Ok([
             timings.timed(EYES[0], || painter.hits(&left))?,
             timings.timed(EYES[1], || painter.hits(&right))?,

@@ -1,11 +1,32 @@
-//! What draws a view: the chosen renderer, prepared for one scene.
+//! What draws: the chosen renderer, prepared for one scene.
 
 use anyhow::Context as _;
-use relativity_render::{
-    Appearance, Body, ExactRenderer, EyeTarget, Gpu, HitImage, Picture, ReferenceScene, View,
-};
+use clap::Args;
+use relativity_render::{Appearance, Body, Gpu, HitImage, MeshRenderer, Picture, ReferenceScene};
 
-use super::choices::RendererChoice;
+use super::choices::{RendererChoice, positive};
+use super::gpu_painter::{Drawer, GpuPainter};
+use super::shot::Sight;
+
+/// Flags of the renderer.
+#[derive(Debug, Clone, Args)]
+pub struct RendererArgs {
+    /// What draws [default: mesh for --geometry published; else exact where there is a graphics adapter,
+    /// else reference]
+    #[arg(long, value_enum)]
+    renderer: Option<RendererChoice>,
+    /// Rays per pixel of the reference renderer: N x N.
+    #[arg(
+        long,
+        default_value_t = 3,
+        value_name = "N",
+        value_parser = clap::value_parser!(u32).range(1..=16)
+    )]
+    samples: u32,
+    /// How far the mesh renderer may draw a point from where it is seen, pixels.
+    #[arg(long, default_value_t = MeshRenderer::DEFAULT_BOUND_PX, value_name = "PX", value_parser = positive)]
+    bound_px: f64,
+}
 
 /// A renderer and the scene it draws.
 pub enum Painter {
@@ -17,69 +38,77 @@ pub enum Painter {
         samples: u32,
     },
     /// On the GPU.
-    Exact(Box<ExactPainter>),
+    Gpu(Box<GpuPainter>),
 }
 
-/// The exact renderer, its device and its target.
-pub struct ExactPainter {
-    gpu: Gpu,
-    renderer: ExactRenderer,
-    bodies: Vec<Body>,
-    target: Option<EyeTarget>,
-}
-
-impl Painter {
-    /// The renderer of choice; without one, `exact` where there is a graphics adapter, else `reference`,
-    /// and then it says so on standard error.
+impl RendererArgs {
+    /// The renderer of choice for `bodies`. Without one, `exact` where there is a graphics adapter, else
+    /// `reference`, and then it says so on standard error; the `published` geometry takes `mesh`.
     ///
     /// # Errors
     ///
-    /// A renderer asked for that cannot be had.
-    pub fn new(choice: Option<RendererChoice>, bodies: &[Body], samples: u32) -> anyhow::Result<Self> {
-        let reference = || Self::Reference { scene: ReferenceScene::new(bodies), samples };
+    /// A renderer that cannot be had, or that cannot draw the published geometry.
+    pub fn painter(&self, bodies: &[Body], published: bool) -> anyhow::Result<Painter> {
+        let reference = || Painter::Reference { scene: ReferenceScene::new(bodies), samples: self.samples };
+        let choice = self.renderer.or(published.then_some(RendererChoice::Mesh));
+        anyhow::ensure!(
+            !published || choice == Some(RendererChoice::Mesh),
+            "--geometry published is defined point by point: only `--renderer mesh` draws it"
+        );
         match choice {
             Some(RendererChoice::Reference) => Ok(reference()),
-            Some(RendererChoice::Mesh) => anyhow::bail!("this version has no mesh renderer"),
+            Some(RendererChoice::Mesh) => {
+                let gpu = Gpu::headless().context("the mesh renderer")?;
+                let mut mesh = MeshRenderer::new(&gpu);
+                mesh.bound_px = self.bound_px;
+                Ok(gpu_painter(gpu, Drawer::Mesh(mesh), bodies))
+            }
             Some(RendererChoice::Exact) => {
-                let gpu = Gpu::headless().context("--renderer exact needs a graphics adapter")?;
-                Ok(Self::exact(gpu, bodies))
+                let gpu = Gpu::headless().context("the exact renderer")?;
+                Ok(exact(gpu, bodies))
             }
             None => Ok(Gpu::headless().map_or_else(
                 |error| {
                     eprintln!("gamow: drawing with the reference renderer on the CPU: {error}");
                     reference()
                 },
-                |gpu| Self::exact(gpu, bodies),
+                |gpu| exact(gpu, bodies),
             )),
         }
     }
+}
 
-    fn exact(gpu: Gpu, bodies: &[Body]) -> Self {
-        let renderer = ExactRenderer::new(&gpu);
-        Self::Exact(Box::new(ExactPainter { gpu, renderer, bodies: bodies.to_vec(), target: None }))
-    }
+fn exact(gpu: Gpu, bodies: &[Body]) -> Painter {
+    let drawer = Drawer::exact(&gpu);
+    gpu_painter(gpu, drawer, bodies)
+}
 
-    /// The picture of `view`.
+fn gpu_painter(gpu: Gpu, drawer: Drawer, bodies: &[Body]) -> Painter {
+    Painter::Gpu(Box::new(GpuPainter::new(gpu, drawer, bodies)))
+}
+
+impl Painter {
+    /// The picture of `sight`.
     ///
     /// # Errors
     ///
     /// A size the device cannot draw, or a device that was lost.
-    pub fn picture(&mut self, view: &View, appearance: &Appearance) -> anyhow::Result<Picture> {
+    pub fn picture(&mut self, sight: &Sight, appearance: &Appearance) -> anyhow::Result<Picture> {
         match self {
-            Self::Reference { scene, samples } => Ok(scene.picture(view, appearance, *samples)),
-            Self::Exact(painter) => painter.picture(view, appearance),
+            Self::Reference { scene, samples } => Ok(scene.picture(sight.view(), appearance, *samples)),
+            Self::Gpu(painter) => painter.picture(sight, appearance),
         }
     }
 
-    /// What the centre of every pixel of `view` shows.
+    /// What the centre of every pixel of `sight` shows.
     ///
     /// # Errors
     ///
-    /// A device that was lost.
-    pub fn hits(&mut self, view: &View) -> anyhow::Result<HitImage> {
+    /// A size the device cannot draw, or a device that was lost.
+    pub fn hits(&mut self, sight: &Sight) -> anyhow::Result<HitImage> {
         match self {
-            Self::Reference { scene, .. } => Ok(scene.hit_image(view)),
-            Self::Exact(painter) => Ok(painter.renderer.hits(&painter.gpu, &painter.bodies, view)?),
+            Self::Reference { scene, .. } => Ok(scene.hit_image(sight.view())),
+            Self::Gpu(painter) => painter.hits(sight),
         }
     }
 
@@ -90,7 +119,7 @@ impl Painter {
             Self::Reference { samples, .. } => {
                 vec![("renderer", "reference".to_owned()), ("samples", samples.to_string())]
             }
-            Self::Exact(_) => vec![("renderer", "exact".to_owned())],
+            Self::Gpu(painter) => painter.flags(),
         }
     }
 
@@ -99,33 +128,10 @@ impl Painter {
     pub fn description(&self) -> String {
         match self {
             Self::Reference { samples, .. } => {
-                format!(
-                    "reference, f64 on {} threads, {samples}x{samples} rays per pixel",
-                    rayon::current_num_threads()
-                )
+                let threads = rayon::current_num_threads();
+                format!("reference, f64 on {threads} threads, {samples}x{samples} rays per pixel")
             }
-            Self::Exact(painter) => format!("exact, f32 on {}", painter.gpu.description()),
+            Self::Gpu(painter) => painter.description(),
         }
-    }
-}
-
-impl ExactPainter {
-    fn picture(&mut self, view: &View, appearance: &Appearance) -> anyhow::Result<Picture> {
-        let size = view.camera.size;
-        let target = match &mut self.target {
-            Some(target) if target.size() == size => target,
-            target => target.insert(EyeTarget::new(&self.gpu, size)),
-        };
-        anyhow::ensure!(
-            target.size() == size,
-            "{} draws at most {}x{} pixels; `--renderer reference` has no such limit",
-            self.gpu.description(),
-            target.size()[0],
-            target.size()[1]
-        );
-        self.renderer.draw(&self.gpu, &self.bodies, view, appearance, target);
-        let bytes = target.rgba8(&self.gpu)?;
-        let rgba = bytes.chunks_exact(4).map(|pixel| [pixel[0], pixel[1], pixel[2], pixel[3]]).collect();
-        Ok(Picture { size, rgba })
     }
 }

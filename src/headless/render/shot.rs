@@ -44,6 +44,24 @@ pub struct Observer {
     tracked: [f64; 3],
 }
 
+/// What one eye is shown.
+#[derive(Debug, Clone, Copy)]
+pub enum Sight {
+    /// What an aperture sees.
+    Aperture(View),
+    /// What the paper's binocular model gives the right eye; the view is the left eye's.
+    PublishedRight(View),
+}
+
+impl Sight {
+    /// The view from the eye, or for the published model from the left eye.
+    #[must_use]
+    pub const fn view(&self) -> &View {
+        let (Self::Aperture(view) | Self::PublishedRight(view)) = self;
+        view
+    }
+}
+
 impl Observer {
     /// The observer of a scene with the rest-frame point `tracked`.
     ///
@@ -79,12 +97,20 @@ impl Observer {
         self.args.geometry
     }
 
-    /// What the left and the right eye see at `observation_time`.
+    /// What the left and the right eye are shown at `observation_time`.
     ///
     /// # Errors
     ///
     /// A time or a place outside the domain of the core.
-    pub fn views(&self, observation_time: f64) -> anyhow::Result<[View; 2]> {
+    pub fn sights(&self, observation_time: f64) -> anyhow::Result<[Sight; 2]> {
+        let [left, right] = self.views(observation_time)?;
+        Ok(match self.args.geometry {
+            GeometryChoice::Published => [Sight::Aperture(left), Sight::PublishedRight(left)],
+            _ => [Sight::Aperture(left), Sight::Aperture(right)],
+        })
+    }
+
+    fn views(&self, observation_time: f64) -> anyhow::Result<[View; 2]> {
         let geometry = match self.args.geometry {
             GeometryChoice::Seen | GeometryChoice::Published => Geometry::Seen,
             GeometryChoice::Contracted => Geometry::Contracted,

@@ -48,7 +48,7 @@ impl Pipelines {
     fn pipeline(&self, gpu: &Gpu, key: Key) -> wgpu::RenderPipeline {
         match key {
             Key::Picture { shape, thin, geometry, effects } => {
-                let mut constants = vec![("THIN", number(thin)), ("GEOMETRY", geometry_number(geometry))];
+                let mut constants = vec![("THIN", number(thin)), ("GEOMETRY", geometry.number())];
                 constants.extend(effects.constants());
                 let blend = thin.then_some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING);
                 let target = wgpu::ColorTargetState {
@@ -72,7 +72,7 @@ impl Pipelines {
                 &Recipe {
                     module: &self.shapes[shape],
                     entry_point: "hits",
-                    constants: &[("GEOMETRY", geometry_number(geometry))],
+                    constants: &[("GEOMETRY", geometry.number())],
                     samples: 1,
                     targets: &[Some(MEASURES_FORMAT.into()), Some(MEASURES_FORMAT.into())],
                 },
@@ -129,12 +129,4 @@ struct Recipe<'a> {
     constants: &'a [(&'a str, f64)],
     samples: u32,
     targets: &'a [Option<wgpu::ColorTargetState>],
-}
-
-fn geometry_number(geometry: Geometry) -> f64 {
-    match geometry {
-        Geometry::Seen => 0.0,
-        Geometry::Contracted => 1.0,
-        Geometry::Rest => 2.0,
-    }
 }

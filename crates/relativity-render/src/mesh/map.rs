@@ -16,13 +16,11 @@ pub enum Positions {
 }
 
 impl Positions {
-    /// The shaders' `MAP`.
-    pub fn number(self) -> f64 {
+    /// The shaders' constants.
+    pub fn constants(self) -> [(&'static str, f64); 2] {
         match self {
-            Self::Of(Geometry::Seen) => 0.0,
-            Self::Of(Geometry::Contracted) => 1.0,
-            Self::Of(Geometry::Rest) => 2.0,
-            Self::PublishedRight => 3.0,
+            Self::Of(geometry) => ["MAP", "GEOMETRY"].map(|name| (name, geometry.number())),
+            Self::PublishedRight => [("MAP", 3.0), ("GEOMETRY", Geometry::Seen.number())],
         }
     }
 }
@@ -30,7 +28,7 @@ impl Positions {
 /// The map from rest-frame places to apparent positions, and the camera they are seen with.
 #[derive(Debug, Clone, Copy)]
 pub struct Map {
-    positions: Positions,
+    pub positions: Positions,
     origin: DVec3,
     speed: Speed,
     separation: f64,

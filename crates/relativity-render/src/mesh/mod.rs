@@ -118,7 +118,22 @@ impl MeshRenderer {
     ///
     /// The device was lost.
     pub fn hits(&mut self, gpu: &Gpu, bodies: &[Body], view: &View) -> Result<HitImage, GpuError> {
-        self.measure(gpu, bodies, view, Positions::Of(view.geometry))
+        self.measure(gpu, bodies, view, view, Positions::Of(view.geometry))
+    }
+
+    /// What `part`, a magnified view of a small part of `whole`, shows of the triangles that `whole` is drawn with.
+    ///
+    /// # Errors
+    ///
+    /// The device was lost.
+    pub fn hits_in_part(
+        &mut self,
+        gpu: &Gpu,
+        bodies: &[Body],
+        whole: &View,
+        part: &View,
+    ) -> Result<HitImage, GpuError> {
+        self.measure(gpu, bodies, whole, part, Positions::Of(part.geometry))
     }
 
     /// As [`Self::hits`], for the published model's right eye.
@@ -132,7 +147,7 @@ impl MeshRenderer {
         bodies: &[Body],
         view: &View,
     ) -> Result<HitImage, GpuError> {
-        self.measure(gpu, bodies, view, Positions::PublishedRight)
+        self.measure(gpu, bodies, view, view, Positions::PublishedRight)
     }
 
     fn paint(
@@ -150,7 +165,7 @@ impl MeshRenderer {
         let effects = Effects::new(has_doppler_effect, appearance);
         let key = |is_ring, is_thin| Key::Picture { is_ring, is_thin, positions, effects };
         let map = Map::new(view, positions);
-        let groups = self.groups(bodies, view, positions, |index, body| {
+        let groups = self.groups(bodies, view, &map, |index, body| {
             widened(instance(index, body, appearance.colour, &extent), body, &map)
         });
         let draws = self.load(gpu, &groups, &mut target.vertices, key);
@@ -164,12 +179,14 @@ impl MeshRenderer {
         &mut self,
         gpu: &Gpu,
         bodies: &[Body],
+        divided_for: &View,
         view: &View,
         positions: Positions,
     ) -> Result<HitImage, GpuError> {
         let extent = Extent::new(bodies, view.rest_origin());
-        let groups = self
-            .groups(bodies, view, positions, |index, body| instance(index, body, Colour::Visible, &extent));
+        let map = Map::new(divided_for, positions);
+        let groups =
+            self.groups(bodies, view, &map, |index, body| instance(index, body, Colour::Visible, &extent));
         let mut vertices = canvas::vertex_buffer(gpu, 0);
         let draws = self.load(gpu, &groups, &mut vertices, |is_ring, _| Key::Hits { is_ring, positions });
         let frame = Frame::new(view, &Appearance::default(), &extent);
@@ -179,25 +196,24 @@ impl MeshRenderer {
         Ok(measures.hit_image(bodies, view))
     }
 
-    /// The bodies that can be seen, by how they are divided.
+    /// The bodies that can be seen in `view`, by how `map` has them divided.
     fn groups(
         &self,
         bodies: &[Body],
         view: &View,
-        positions: Positions,
+        map: &Map,
         instance: impl Fn(usize, &Body) -> Instance + Sync,
     ) -> Groups {
-        let map = Map::new(view, positions);
         let projection = Projection::new(view);
         let is_seen = |body: &Body| {
             let solid = Solid::new(&body.shape);
             // The published positions are not the view's.
-            positions == Positions::PublishedRight
+            map.positions == Positions::PublishedRight
                 || !projection.hides(solid.center() - view.rest_origin(), solid.bounding_radius())
         };
         let visible = bodies.par_iter().enumerate().filter(|(_, body)| is_seen(body));
         let divided: Vec<_> = visible
-            .map(|(index, body)| (division::division(body, &map, self.bound_px), instance(index, body)))
+            .map(|(index, body)| (division::division(body, map, self.bound_px), instance(index, body)))
             .collect();
         let mut groups = Groups::new();
         for (division, instance) in divided {

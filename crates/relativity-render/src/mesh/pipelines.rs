@@ -46,7 +46,7 @@ impl Pipelines {
     fn pipeline(&self, gpu: &Gpu, key: Key) -> wgpu::RenderPipeline {
         match key {
             Key::Picture { is_ring, is_thin, positions, effects } => {
-                let mut constants = vec![("MAP", positions.number())];
+                let mut constants = positions.constants().to_vec();
                 constants.extend(effects.constants());
                 let target = wgpu::ColorTargetState {
                     format: LINEAR_FORMAT,
@@ -57,7 +57,7 @@ impl Pipelines {
             }
             Key::Hits { is_ring, positions } => {
                 let targets = [Some(MEASURES_FORMAT.into()), Some(MEASURES_FORMAT.into())];
-                self.build(gpu, is_ring, "hits", &[("MAP", positions.number())], 1, &targets)
+                self.build(gpu, is_ring, "hits", &positions.constants(), 1, &targets)
             }
         }
     }

@@ -1,4 +1,4 @@
-//! Line plots as SVG: panels side by side, each with axes, ticks and a legend.
+//! Line plots as SVG: panels side by side, each with axes, linear or logarithmic, ticks and a legend.
 //!
 //! Colours are those of M. Okabe and K. Ito, *Color universal design* (2008), which colour-blind eyes tell
 //! apart; lines differ by dashes too.
@@ -11,6 +11,8 @@ pub const BLACK: &str = "#000000";
 pub const BLUE: &str = "#0072B2";
 /// Vermilion: the right eye.
 pub const VERMILION: &str = "#D55E00";
+/// As many more as there may be marks in a panel.
+pub const COLOURS: [&str; 7] = [BLUE, VERMILION, "#009E73", "#CC79A7", "#E69F00", "#56B4E9", BLACK];
 
 const HEIGHT: f64 = 380.0;
 const MARGIN: Margin = Margin { left: 72.0, right: 16.0, top: 44.0, bottom: 52.0 };
@@ -35,6 +37,8 @@ pub enum Stroke {
     Dashed,
     /// Dots at the points instead of a line.
     Dots,
+    /// A disc at the first point with a line to the last. Its name stands beside it, not in the legend.
+    Mark,
 }
 
 /// A line through points; several pieces share one entry of the legend.
@@ -76,8 +80,17 @@ pub struct Panel {
     pub mark: Option<(f64, &'static str)>,
     /// Whether a unit is as long on both axes.
     pub equal_scales: bool,
+    /// Whether both axes are logarithmic; then all coordinates are above 0, and `equal_scales` has no say.
+    pub logarithmic: bool,
     /// Width, pixels.
     pub width: f64,
+}
+
+impl Panel {
+    /// The lines that are named in the legend.
+    fn legend(&self) -> impl Iterator<Item = &Line> {
+        self.lines.iter().filter(|line| line.stroke != Stroke::Mark)
+    }
 }
 
 /// The panels beside each other.
@@ -109,7 +122,7 @@ struct Axes<'a> {
 
 impl<'a> Axes<'a> {
     fn new(panel: &'a Panel, left: f64) -> Self {
-        let legend = LEGEND_ROW * panel.lines.len() as f64;
+        let legend = LEGEND_ROW * panel.legend().count() as f64;
         let frame = [
             left + MARGIN.left,
             left + panel.width - MARGIN.right,
@@ -121,7 +134,9 @@ impl<'a> Axes<'a> {
             span(points().map(|point| point[0]), if panel.equal_scales { 0.02 } else { 0.0 }),
             span(points().map(|point| point[1]), 0.06),
         ];
-        if panel.equal_scales {
+        if panel.logarithmic {
+            [x, y] = [0, 1].map(|axis| decades(points().map(|point| point[axis])));
+        } else if panel.equal_scales {
             let (width, height) = (frame[1] - frame[0], frame[3] - frame[2]);
             let per_pixel = ((x[1] - x[0]) / width).max((y[1] - y[0]) / height);
             x = widened(x, per_pixel * width);
@@ -132,7 +147,8 @@ impl<'a> Axes<'a> {
 
     fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let [left, right, top, bottom] = self.frame;
-        let along = |value: f64, [low, high]: [f64; 2]| (value - low) / (high - low);
+        let scaled = |value: f64| if self.panel.logarithmic { value.log10() } else { value };
+        let along = |value: f64, [low, high]: [f64; 2]| (scaled(value) - low) / (high - low);
         [left + along(x, self.x) * (right - left), bottom - along(y, self.y) * (bottom - top)]
     }
 
@@ -142,7 +158,7 @@ impl<'a> Axes<'a> {
             self.draw_line(line, svg);
         }
         let left = self.frame[0];
-        for (row, line) in self.panel.lines.iter().enumerate() {
+        for (row, line) in self.panel.legend().enumerate() {
             let y = MARGIN.top + LEGEND_ROW * (row as f64 + 0.4);
             let (end, text) = (left + 30.0, left + 36.0);
             let sample = [[left, y - 4.0], [end, y - 4.0]];
@@ -155,6 +171,29 @@ impl<'a> Axes<'a> {
         for piece in &line.pieces {
             let places: Vec<_> = piece.iter().map(|&point| self.place(point)).collect();
             draw_piece(line, &places, svg);
+            if line.stroke == Stroke::Mark {
+                self.draw_name(line, places[0], svg);
+            }
+        }
+    }
+
+    /// The name of a mark, on the side where there is more room.
+    fn draw_name(&self, line: &Line, [x, y]: [f64; 2], svg: &mut String) {
+        let [left, right, ..] = self.frame;
+        let (anchor, x) = if 2.0 * x < left + right { ("start", x + 9.0) } else { ("end", x - 9.0) };
+        let (y, name) = (y - 5.0, escaped(&line.name));
+        let _ = writeln!(
+            svg,
+            "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\" stroke=\"white\" stroke-width=\"3\" paint-order=\"stroke\">{name}</text>"
+        );
+    }
+
+    /// Values to mark on an axis over `range`, and how they are written.
+    fn ticks(&self, range: [f64; 2]) -> Vec<(f64, String)> {
+        if self.panel.logarithmic {
+            powers_of_ten(range)
+        } else {
+            ticks(range).into_iter().map(|value| (value, tick_label(value))).collect()
         }
     }
 
@@ -169,17 +208,17 @@ impl<'a> Axes<'a> {
              <text x=\"{middle}\" y=\"{below}\" text-anchor=\"middle\">{x_label}</text>\n\
              <text transform=\"translate({beside} {centre}) rotate(-90)\" text-anchor=\"middle\">{y_label}</text>"
         );
-        for value in ticks(self.x) {
+        for (value, label) in self.ticks(self.x) {
             let [x, _] = self.place([value, 0.0]);
-            let (label, y) = (tick_label(value), bottom + 17.0);
+            let y = bottom + 17.0;
             let _ = writeln!(
                 svg,
                 "<path d=\"M{x:.1} {top}V{bottom}\" stroke=\"#e3e3e3\"/><text x=\"{x:.1}\" y=\"{y}\" text-anchor=\"middle\">{label}</text>"
             );
         }
-        for value in ticks(self.y) {
+        for (value, label) in self.ticks(self.y) {
             let [_, y] = self.place([0.0, value]);
-            let (label, x, base) = (tick_label(value), left - 6.0, y + 4.5);
+            let (x, base) = (left - 6.0, y + 4.5);
             let _ = writeln!(
                 svg,
                 "<path d=\"M{left} {y:.1}H{right}\" stroke=\"#e3e3e3\"/><text x=\"{x}\" y=\"{base:.1}\" text-anchor=\"end\">{label}</text>"
@@ -209,6 +248,9 @@ fn draw_piece(line: &Line, places: &[[f64; 2]], svg: &mut String) {
         }
         return;
     }
+    if let (Stroke::Mark, [[x, y], ..]) = (line.stroke, places) {
+        let _ = writeln!(svg, "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"5\" fill=\"{colour}\"/>");
+    }
     let dashes = if line.stroke == Stroke::Dashed { " stroke-dasharray=\"7 4\"" } else { "" };
     let _ = write!(svg, "<polyline fill=\"none\" stroke-width=\"1.6\" stroke=\"{colour}\"{dashes} points=\"");
     for [x, y] in places {
@@ -223,6 +265,31 @@ fn span(values: impl Iterator<Item = f64> + Clone, margin: f64) -> [f64; 2] {
     let high = values.fold(f64::NEG_INFINITY, f64::max);
     let room = margin * (high - low);
     if high > low { [low - room, high + room] } else { [low - 1.0, low + 1.0] }
+}
+
+/// Exponents of the powers of ten around `values`.
+fn decades(values: impl Iterator<Item = f64> + Clone) -> [f64; 2] {
+    let [low, high] = span(values.map(f64::log10), 0.0);
+    [low.floor(), high.ceil().max(low.floor() + 1.0)]
+}
+
+/// About [`TICKS`] powers of ten whose exponents lie in `range`.
+fn powers_of_ten([low, high]: [f64; 2]) -> Vec<(f64, String)> {
+    let step = ((high - low) / TICKS).ceil().max(1.0) as usize;
+    let exponents = (low.ceil() as i32..=high.floor() as i32).step_by(step);
+    exponents.map(|exponent| (10.0_f64.powi(exponent), power_label(exponent))).collect()
+}
+
+fn power_label(exponent: i32) -> String {
+    let superscript = |digit: char| match digit {
+        '-' => '\u{207b}',
+        '1' => '\u{b9}',
+        '2' => '\u{b2}',
+        '3' => '\u{b3}',
+        // The other superscripts are in one row.
+        digit => digit.to_digit(10).and_then(|digit| char::from_u32(0x2070 + digit)).unwrap_or(digit),
+    };
+    format!("10{}", exponent.to_string().chars().map(superscript).collect::<String>())
 }
 
 /// The range of this `length` with the same middle.
@@ -265,6 +332,13 @@ mod tests {
         assert_eq!(ticks([0.0, 11.0]).map_labels(), ["0", "2", "4", "6", "8", "10"]);
     }
 
+    #[test]
+    fn logarithmic_axes_go_from_power_to_power() {
+        assert_eq!(decades([3e-4, 0.02, 10.0].into_iter()), [-4.0, 1.0]);
+        let labels: Vec<_> = powers_of_ten([-10.0, 2.0]).into_iter().map(|(_, label)| label).collect();
+        assert_eq!(labels, ["10⁻¹⁰", "10⁻⁸", "10⁻⁶", "10⁻⁴", "10⁻²", "10⁰", "10²"]);
+    }
+
     trait Labels {
         fn map_labels(&self) -> Vec<String>;
     }
@@ -284,6 +358,7 @@ mod tests {
             lines: vec![Line::solid("line", BLUE, points)],
             mark: None,
             equal_scales: false,
+            logarithmic: false,
             width: 500.0,
         };
         let svg = svg(&[panel]);

@@ -1,0 +1,137 @@
+//! The mesh renderer keeps its bound, against the f64 reference and the core's published model.
+
+#[expect(dead_code, reason = "shared with the exact renderer's tests")]
+mod gpu_support;
+#[expect(dead_code, reason = "shared with the reference's tests")]
+mod support;
+
+use std::process::ExitCode;
+
+use glam::DVec2;
+use gpu_support::scenes::{still_life, time_seen_at, view_following};
+use relativity_core::{Aperture, PublishedVariant, SourcePoint, Speed, published_disparity, sighting};
+use relativity_render::{Geometry, Gpu, Hit, HitImage, MeshRenderer, ReferenceScene, View};
+
+fn main() -> ExitCode {
+    gpu_support::run(&[
+        ("the_picture_keeps_the_bound", the_picture_keeps_the_bound),
+        ("hits_appear_where_the_light_cone_says", hits_appear_where_the_light_cone_says),
+        ("the_published_right_eye_is_the_cores", the_published_right_eye_is_the_cores),
+    ])
+}
+
+const FOLLOWED: [f64; 3] = [-0.4, 3.0, 0.7];
+const BOUNDS_PX: [f64; 2] = [0.5, 2.0];
+
+/// Approaching, abreast and receding, up to beta = 0.9999.
+fn views() -> impl Iterator<Item = View> {
+    [0.0, 0.5, 0.9, 0.99, 0.9999].into_iter().flat_map(|beta| {
+        let speed = Speed::from_beta(beta).expect("below 1");
+        [-8.0, -1.0, 0.0, 1.0, 4.0]
+            .map(|along| view_following(FOLLOWED, speed, time_seen_at(FOLLOWED, &speed, along), 45.0))
+    })
+}
+
+fn the_picture_keeps_the_bound(gpu: &Gpu) {
+    let mut renderer = MeshRenderer::new(gpu);
+    let reference = ReferenceScene::new(&still_life());
+    for view in views() {
+        for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
+            let view = View { geometry, ..view };
+            let truth = reference.hit_image(&view);
+            for bound_px in BOUNDS_PX {
+                renderer.bound_px = bound_px;
+                let image = renderer.hits(gpu, &still_life(), &view).expect("device works");
+                keeps_bound(&image, &truth, bound_px, &reference, &view);
+            }
+        }
+    }
+}
+
+/// Every pixel shows the body that the reference shows there, or an outline is within the bound of there.
+fn keeps_bound(image: &HitImage, truth: &HitImage, bound_px: f64, reference: &ReferenceScene, view: &View) {
+    for (i, (hit, true_hit)) in image.hits.iter().zip(&truth.hits).enumerate() {
+        if hit.map(|hit| hit.body) == true_hit.map(|hit| hit.body) {
+            continue;
+        }
+        let mut nearby = around(pixel(image, i), bound_px)
+            .map(|place| reference.first_hit(view, view.camera.line_of_sight(place.to_array())));
+        assert!(
+            nearby.any(|found| is_across_an_outline(found, *true_hit)),
+            "{:?} beta {} T {}: {hit:?} at {} is further off than {bound_px} px",
+            view.geometry,
+            view.speed.beta(),
+            view.observation_time,
+            pixel(image, i)
+        );
+    }
+}
+
+/// Whether two neighbouring hits are on different bodies, or on different sides of one.
+fn is_across_an_outline(a: Option<Hit>, b: Option<Hit>) -> bool {
+    match (a, b) {
+        (Some(a), Some(b)) => a.body != b.body || a.rest_position.distance(b.rest_position) > 0.2,
+        _ => a.is_some() != b.is_some(),
+    }
+}
+
+fn hits_appear_where_the_light_cone_says(gpu: &Gpu) {
+    let mut renderer = MeshRenderer::new(gpu);
+    for view in views() {
+        for bound_px in BOUNDS_PX {
+            renderer.bound_px = bound_px;
+            let image = renderer.hits(gpu, &still_life(), &view).expect("device works");
+            for (i, hit) in image.hits.iter().enumerate().filter_map(|(i, hit)| Some((i, (*hit)?))) {
+                let point = SourcePoint::from_rest(hit.rest_position.to_array(), &view.speed);
+                let seen = sighting(&view.speed, point, view.camera.aperture, view.observation_time);
+                let place = place(&view, seen.expect("inside the domain").position);
+                let off = place.distance(pixel(&image, i));
+                assert!(off < bound_px, "beta {}: {off} px off, bound {bound_px}", view.speed.beta());
+            }
+        }
+    }
+}
+
+fn the_published_right_eye_is_the_cores(gpu: &Gpu) {
+    let separation = 0.1;
+    let [left, _] = Aperture::pair(separation);
+    let mut renderer = MeshRenderer::new(gpu);
+    let mut seen = 0;
+    for mut view in views() {
+        view.camera.aperture = left;
+        let image = renderer.hits_published_right(gpu, &still_life(), &view).expect("device works");
+        for (i, hit) in image.hits.iter().enumerate().filter_map(|(i, hit)| Some((i, (*hit)?))) {
+            let point = SourcePoint::from_rest(hit.rest_position.to_array(), &view.speed);
+            let published = published_disparity(
+                &view.speed,
+                point,
+                separation,
+                view.observation_time,
+                PublishedVariant::AppendixA,
+            );
+            let secondary = published.expect("inside the domain").secondary;
+            let off = place(&view, secondary.position).distance(pixel(&image, i));
+            assert!(off < renderer.bound_px, "beta {}: {off} px off", view.speed.beta());
+            seen += 1;
+        }
+    }
+    assert!(seen > 10_000, "{seen} pixels are too few to judge by");
+}
+
+/// The pixel's centre.
+fn pixel(image: &HitImage, i: usize) -> DVec2 {
+    let width = image.size[0] as usize;
+    DVec2::new((i % width) as f64 + 0.5, (i / width) as f64 + 0.5)
+}
+
+fn place(view: &View, apparent: [f64; 3]) -> DVec2 {
+    view.camera.pixel(apparent.into()).expect("in front of the camera").into()
+}
+
+/// Places up to `reach` from `center`.
+fn around(center: DVec2, reach: f64) -> impl Iterator<Item = DVec2> {
+    let turned = |k: u32| DVec2::from_angle(std::f64::consts::TAU * f64::from(k) / 32.0);
+    [1.0, 0.6, 0.3]
+        .into_iter()
+        .flat_map(move |share| (0..32).map(move |k| center + turned(k) * (share * reach)))
+}

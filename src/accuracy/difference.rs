@@ -1,0 +1,160 @@
+//! Two pictures of one view compared pixel by pixel: a renderer's against the reference's.
+
+use glam::DVec3;
+use relativity_core::{SourcePoint, aberration, sighting};
+use relativity_render::camera::LinesOfSight;
+use relativity_render::{Geometry, Hit, HitImage, View};
+use serde::Serialize;
+
+use super::spread::Spread;
+
+/// Arcseconds of a radian.
+pub const ARCSECONDS: f64 = 3600.0 * 180.0 / std::f64::consts::PI;
+
+/// Difference of distances, relative, below which two objects share a surface, and which of them is seen is
+/// beyond f32: where the tubes of a figure meet in a joint, say.
+pub const COINCIDENCE: f64 = 1e-5;
+
+/// How one pixel differs from the reference's.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PixelDifference {
+    /// Neither shows anything.
+    Nothing,
+    /// Another object, or only one of the two shows any.
+    WrongObject,
+    /// Another object, which shares its surface with the right one here: see [`COINCIDENCE`].
+    CoincidentObject,
+    /// The same object.
+    SameObject {
+        /// Angle between the pixel's line of sight and that along which the point shown is really seen.
+        arcseconds: f64,
+        /// |D / D of the reference - 1|.
+        doppler: f64,
+    },
+}
+
+/// How a picture differs from the reference's.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Difference {
+    /// Width and height, pixels.
+    pub size: [u32; 2],
+    /// One per pixel, row by row from the top left.
+    pub pixels: Vec<PixelDifference>,
+    /// In figures.
+    pub figures: DifferenceFigures,
+}
+
+/// A difference in figures.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct DifferenceFigures {
+    /// Pixels in which the reference shows an object.
+    pub covered_pixels: usize,
+    /// Pixels with the wrong object, or with one where there is none, or without one where there is.
+    pub wrong_pixels: usize,
+    /// Pixels with another object that shares its surface with the right one there, not counted as wrong.
+    pub coincident_pixels: usize,
+    /// Those of them whose eight neighbours all show the same as they do in the reference.
+    pub wrong_pixels_off_outlines: usize,
+    /// Over pixels with the right object: see [`PixelDifference::SameObject`].
+    pub line_of_sight_arcseconds: Option<Spread>,
+    /// Over the same pixels: relative error of the Doppler factor.
+    pub doppler_relative: Option<Spread>,
+}
+
+impl DifferenceFigures {
+    /// Wrong pixels per covered pixel.
+    #[must_use]
+    pub fn wrong_share(&self) -> f64 {
+        self.wrong_pixels as f64 / self.covered_pixels.max(1) as f64
+    }
+}
+
+impl Difference {
+    /// How `shown` differs from `reference`, both being pictures of `view`.
+    #[must_use]
+    pub fn new(view: &View, reference: &HitImage, shown: &HitImage) -> Self {
+        let lines_of_sight = LinesOfSight::new(&view.camera);
+        let width = view.camera.size[0] as usize;
+        let pairs = reference.hits.iter().zip(&shown.hits).enumerate();
+        let pixels: Vec<_> = pairs
+            .map(|(i, (reference, shown))| {
+                let center = [(i % width) as f64 + 0.5, (i / width) as f64 + 0.5];
+                pixel_difference(view, lines_of_sight.through(center), reference.as_ref(), shown.as_ref())
+            })
+            .collect();
+        Self { size: view.camera.size, figures: figures(reference, &pixels), pixels }
+    }
+}
+
+fn pixel_difference(
+    view: &View,
+    line_of_sight: DVec3,
+    reference: Option<&Hit>,
+    shown: Option<&Hit>,
+) -> PixelDifference {
+    match (reference, shown) {
+        (None, None) => PixelDifference::Nothing,
+        (Some(reference), Some(shown)) if reference.body == shown.body => PixelDifference::SameObject {
+            arcseconds: ARCSECONDS * angle(line_of_sight, direction(view, shown.rest_position)),
+            doppler: (shown.doppler_factor / reference.doppler_factor - 1.0).abs(),
+        },
+        (Some(reference), Some(shown))
+            if (shown.distance / reference.distance - 1.0).abs() <= COINCIDENCE =>
+        {
+            PixelDifference::CoincidentObject
+        }
+        _ => PixelDifference::WrongObject,
+    }
+}
+
+/// Along which `view` sees the rest-frame point `place`; through the core's light cone, not back along the ray.
+fn direction(view: &View, place: DVec3) -> DVec3 {
+    let from_camera = place - view.rest_origin();
+    match view.geometry {
+        Geometry::Seen => {
+            let point = SourcePoint::from_rest(place.to_array(), &view.speed);
+            let seen = sighting(&view.speed, point, view.camera.aperture, view.observation_time);
+            // Outside the domain of the core lies nothing that a scene can hold; aberration has no domain.
+            seen.map_or_else(
+                |_| aberration::ground_from_rest(from_camera.normalize().to_array(), &view.speed).into(),
+                |seen| seen.position.into(),
+            )
+        }
+        Geometry::Contracted => DVec3::new(from_camera.x / view.speed.gamma(), from_camera.y, from_camera.z),
+        Geometry::Rest => from_camera,
+    }
+}
+
+/// Angle between two directions, radians: accurate also where it is tiny.
+pub fn angle(a: DVec3, b: DVec3) -> f64 {
+    a.cross(b).length().atan2(a.dot(b))
+}
+
+fn figures(reference: &HitImage, pixels: &[PixelDifference]) -> DifferenceFigures {
+    let all = |kind| (0..pixels.len()).filter(move |&i| pixels[i] == kind);
+    let wrong: Vec<_> = all(PixelDifference::WrongObject).collect();
+    let same = |value: fn(f64, f64) -> f64| {
+        let errors = pixels.iter().filter_map(|pixel| match *pixel {
+            PixelDifference::SameObject { arcseconds, doppler } => Some(value(arcseconds, doppler)),
+            _ => None,
+        });
+        Spread::of(errors.collect())
+    };
+    DifferenceFigures {
+        covered_pixels: reference.hits.iter().flatten().count(),
+        wrong_pixels: wrong.len(),
+        coincident_pixels: all(PixelDifference::CoincidentObject).count(),
+        wrong_pixels_off_outlines: wrong.iter().filter(|&&i| !is_at_outline(reference, i)).count(),
+        line_of_sight_arcseconds: same(|arcseconds, _| arcseconds),
+        doppler_relative: same(|_, doppler| doppler),
+    }
+}
+
+/// Whether one of the eight neighbours of pixel `i` shows something else.
+fn is_at_outline(image: &HitImage, i: usize) -> bool {
+    let [width, height] = image.size.map(|side| side as usize);
+    let body = |i: usize| image.hits[i].map(|hit| hit.body);
+    let [u, v] = [i % width, i / width];
+    let near = |at: usize, side: usize| at.saturating_sub(1)..(at + 2).min(side);
+    near(v, height).any(|v| near(u, width).any(|u| body(v * width + u) != body(i)))
+}

@@ -1,0 +1,89 @@
+//! What error to expect of a method in one view, and what it costs there.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use rayon::prelude::*;
+use relativity_render::{Appearance, GpuError, HitImage, ReferenceScene, View};
+
+use super::difference::Difference;
+use super::outline::{OutlinePoint, displacement_px, silhouette_pixels};
+use super::renderers::{Method, Renderers};
+use super::spread::Spread;
+
+/// How thoroughly a view is examined.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Effort {
+    /// Places on outlines at which displacements are measured.
+    pub outline_places: usize,
+    /// Timed runs, of which the fastest counts.
+    pub rounds: u32,
+}
+
+impl Effort {
+    /// For a panel that is to be filled in a moment.
+    pub const GLANCE: Self = Self { outline_places: 40, rounds: 2 };
+    /// For a report.
+    pub const REPORT: Self = Self { outline_places: 150, rounds: 3 };
+}
+
+/// A method's cost and its difference to the reference, in one view.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ExpectedError {
+    /// Milliseconds per picture (of one eye).
+    pub frame_ms: f64,
+    /// Displacement of silhouettes, pixels; `None` if there are none, and for the reference itself.
+    pub silhouettes_px: Option<Spread>,
+    /// Pixel by pixel, for a heat map, and in figures.
+    pub difference: Difference,
+}
+
+/// Measures `method` in `view`; `None` if `cancelled` became true meanwhile.
+///
+/// May take seconds: meant for a thread of its own. `cancelled` is looked at between pictures.
+///
+/// # Errors
+///
+/// No GPU where `method` needs one; a device that was lost.
+pub fn expected_error(
+    renderers: &mut Renderers,
+    method: Method,
+    view: &View,
+    appearance: &Appearance,
+    effort: Effort,
+    cancelled: &AtomicBool,
+) -> Result<Option<ExpectedError>, GpuError> {
+    let is_cancelled = || cancelled.load(Ordering::Relaxed);
+    let reference = renderers.reference().hit_image(view);
+    if is_cancelled() {
+        return Ok(None);
+    }
+    let difference = Difference::new(view, &reference, &renderers.hits(method, view)?);
+    let places = if method == Method::Reference { 0 } else { effort.outline_places };
+    let mut displacements = Vec::new();
+    for place in outline_places(&renderers.reference(), view, &reference, places) {
+        if is_cancelled() {
+            return Ok(None);
+        }
+        displacements.push(renderers.displacement_px(method, view, &place)?);
+    }
+    let frame_ms = renderers.frame_ms(method, view, appearance, effort.rounds)?;
+    let silhouettes_px = Spread::of(displacements);
+    Ok((!is_cancelled()).then_some(ExpectedError { frame_ms, silhouettes_px, difference }))
+}
+
+fn outline_places(scene: &ReferenceScene, view: &View, image: &HitImage, count: usize) -> Vec<OutlinePoint> {
+    let place = |pixels| OutlinePoint::between(pixels, scene, view);
+    silhouette_pixels(image, count).par_iter().filter_map(place).collect()
+}
+
+impl Renderers {
+    fn displacement_px(
+        &mut self,
+        method: Method,
+        view: &View,
+        place: &OutlinePoint,
+    ) -> Result<f64, GpuError> {
+        let reference = self.reference();
+        displacement_px(&reference, view, place, |strip| self.hits_in_part(method, view, strip))
+    }
+}

@@ -1,0 +1,86 @@
+//! How far the published binocular model is from the exact one: where it puts the right eye's view.
+
+use std::hint::black_box;
+use std::time::Instant;
+
+use glam::{DVec2, DVec3};
+use relativity_core::{
+    Aperture, Disparity, DomainError, PublishedVariant, SourcePoint, disparity, published_disparity,
+};
+use relativity_render::{HitImage, ReferenceScene, View};
+
+use super::difference::{ARCSECONDS, angle};
+use super::spread::Spread;
+
+/// Most points that are compared.
+const POINTS: usize = 2000;
+
+/// The published model's error in one view, and both models' costs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PublishedError {
+    /// Nanoseconds per point of the published model.
+    pub published_ns: f64,
+    /// Nanoseconds per point of the exact model.
+    pub exact_ns: f64,
+    /// Angle between the lines of sight of the right eye, arcseconds.
+    pub line_of_sight_arcseconds: Option<Spread>,
+    /// The same in the right eye's picture, pixels.
+    pub pixels: Option<Spread>,
+}
+
+/// Compares the models (Appendix A's for the published one) at points that the left eye sees in `left`, a view
+/// from the paper's pair of apertures `separation` apart.
+///
+/// # Errors
+///
+/// Points outside the domain of the core.
+pub fn published_error(
+    scene: &ReferenceScene,
+    left: &View,
+    separation: f64,
+) -> Result<PublishedError, DomainError> {
+    let points = visible_points(&scene.hit_image(left), left);
+    let [primary, secondary] = Aperture::pair(separation);
+    let time = left.observation_time;
+    let exact = |&point: &SourcePoint| disparity(&left.speed, point, primary, secondary, time);
+    let published = |&point: &SourcePoint| {
+        published_disparity(&left.speed, point, separation, time, PublishedVariant::AppendixA)
+    };
+    let (exact, exact_ns) = timed(&points, exact)?;
+    let (published, published_ns) = timed(&points, published)?;
+    let sights = |both: &[Disparity]| -> Vec<DVec3> {
+        both.iter().map(|disparity| disparity.secondary.position.into()).collect()
+    };
+    let pairs: Vec<_> = sights(&exact).into_iter().zip(sights(&published)).collect();
+    let pixel = |direction| left.camera.pixel(direction).map(DVec2::from);
+    let pixels = |&(exact, published): &(DVec3, DVec3)| Some((pixel(exact)? - pixel(published)?).length());
+    Ok(PublishedError {
+        published_ns,
+        exact_ns,
+        line_of_sight_arcseconds: Spread::of(pairs.iter().map(|&(a, b)| ARCSECONDS * angle(a, b)).collect()),
+        pixels: Spread::of(pairs.iter().filter_map(pixels).collect()),
+    })
+}
+
+/// The worldlines of points on what `image` shows in `view`, evenly chosen from its pixels.
+fn visible_points(image: &HitImage, view: &View) -> Vec<SourcePoint> {
+    let hits: Vec<_> = image.hits.iter().flatten().collect();
+    let stride = hits.len().div_ceil(POINTS).max(1);
+    let point = |place: DVec3| SourcePoint::from_rest(place.to_array(), &view.speed);
+    hits.iter().step_by(stride).map(|hit| point(hit.rest_position)).collect()
+}
+
+/// The model's disparities, and nanoseconds per point.
+fn timed(
+    points: &[SourcePoint],
+    model: impl Fn(&SourcePoint) -> Result<Disparity, DomainError>,
+) -> Result<(Vec<Disparity>, f64), DomainError> {
+    let mut fastest = f64::INFINITY;
+    let mut disparities = Vec::new();
+    for _ in 0..3 {
+        let start = Instant::now();
+        disparities = black_box(points.iter().map(&model).collect::<Result<_, _>>()?);
+        fastest = fastest.min(start.elapsed().as_secs_f64() * 1e9 / points.len().max(1) as f64);
+    }
+    Ok((disparities, fastest))
+}

@@ -1,0 +1,45 @@
+//! Many errors in three numbers.
+
+use serde::Serialize;
+
+/// Median, 99th percentile and largest of many errors.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Spread {
+    /// Half of the errors are at most this.
+    pub median: f64,
+    /// 99 of 100 errors are at most this.
+    pub p99: f64,
+    /// The largest error.
+    pub worst: f64,
+    /// How many errors there were.
+    pub count: usize,
+}
+
+impl Spread {
+    /// The spread of `errors`, `None` of none.
+    #[must_use]
+    pub fn of(mut errors: Vec<f64>) -> Option<Self> {
+        errors.sort_by(f64::total_cmp);
+        let count = errors.len();
+        let at_most = |percent: usize| errors[(count * percent).div_ceil(100).max(1) - 1];
+        let &worst = errors.last()?;
+        Some(Self { median: at_most(50), p99: at_most(99), worst, count })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_hundred_errors_have_the_99th_as_their_99th_percentile() {
+        let errors = (1..=100).rev().map(f64::from).collect();
+        assert_eq!(Spread::of(errors), Some(Spread { median: 50.0, p99: 99.0, worst: 100.0, count: 100 }));
+    }
+
+    #[test]
+    fn one_error_is_all_of_its_spread_and_none_has_no_spread() {
+        assert_eq!(Spread::of(vec![3.0]), Some(Spread { median: 3.0, p99: 3.0, worst: 3.0, count: 1 }));
+        assert_eq!(Spread::of(vec![]), None);
+    }
+}

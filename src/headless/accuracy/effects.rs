@@ -1,0 +1,66 @@
+//! What each effect costs: the same view with one after the other left out.
+
+use relativity_render::{Appearance, Geometry, GpuError, Shading, View};
+
+use super::report::{Circumstances, EffectRow, EffectsReport};
+use crate::accuracy::{Method, Renderers};
+
+/// How often each picture is timed; taking turns, so that all meet the same disturbances.
+const TURNS: u32 = 4;
+
+/// Names, and how each effect is left out.
+const EFFECTS: [(&str, fn(&mut View, &mut Appearance)); 7] = [
+    ("Doppler shift of colour", |_, looks| looks.doppler_shift = false),
+    ("intensity D^n", |_, looks| looks.intensity_exponent = None),
+    ("shading of form", |_, looks| looks.shading = Shading::Emission),
+    ("ground grid", |_, looks| looks.ground_z = None),
+    ("sky gradient", |_, looks| looks.sky = false),
+    ("delay of light (contracted only)", |view, _| view.geometry = Geometry::Contracted),
+    ("all of these", |view, looks| {
+        view.geometry = Geometry::Contracted;
+        *looks = Appearance {
+            doppler_shift: false,
+            intensity_exponent: None,
+            shading: Shading::Emission,
+            ground_z: None,
+            sky: false,
+            ..*looks
+        };
+    }),
+];
+
+/// Times `view` with everything on and with effects left out, by the fastest method there is: the last.
+pub fn report(
+    renderers: &mut Renderers,
+    circumstances: Circumstances,
+    view: &View,
+    appearance: &Appearance,
+    rounds: u32,
+) -> anyhow::Result<EffectsReport> {
+    let method = renderers.methods().into_iter().last().unwrap_or(Method::Reference);
+    let mut pictures = vec![(*view, *appearance)];
+    for (_, leave_out) in EFFECTS {
+        let (mut view, mut appearance) = (*view, *appearance);
+        leave_out(&mut view, &mut appearance);
+        pictures.push((view, appearance));
+    }
+    let mut fastest = vec![f64::INFINITY; pictures.len()];
+    for _ in 0..TURNS {
+        for (fastest, (view, appearance)) in fastest.iter_mut().zip(&pictures) {
+            let frame_ms: Result<_, GpuError> = renderers.frame_ms(method, view, appearance, rounds);
+            *fastest = fastest.min(frame_ms?);
+        }
+    }
+    let all_on_ms = fastest[0];
+    let row = |((effect, _), &frame_ms): (&(&'static str, _), &f64)| EffectRow {
+        effect,
+        frame_ms,
+        ratio: frame_ms / all_on_ms,
+    };
+    Ok(EffectsReport {
+        method: method.to_string(),
+        view: circumstances,
+        all_on_ms,
+        without: EFFECTS.iter().zip(&fastest[1..]).map(row).collect(),
+    })
+}

@@ -1,0 +1,87 @@
+//! Starting in a state: flags, screenshots, and what is said where no window can open.
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+use super::Test;
+
+pub const TESTS: &[Test] = &[
+    ("a_screenshot_has_the_size_asked_for_and_shows_the_state", a_screenshot_shows_the_state),
+    ("a_screenshot_that_cannot_be_written_leaves_nothing", a_screenshot_that_cannot_be_written),
+    ("bad_flags_are_named_before_anything_is_drawn", bad_flags_are_named),
+    ("without_a_display_it_says_what_to_do", without_a_display),
+];
+
+fn gamow(arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_gamow"));
+    for display in ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"] {
+        command.env_remove(display);
+    }
+    command.args(arguments).output().expect("the program starts")
+}
+
+fn screenshot(folder: &Path, name: &str, arguments: &[&str]) -> (png::OutputInfo, Vec<u8>) {
+    let path = folder.join(name);
+    let flags = ["--screenshot", path.to_str().expect("a plain path"), "--window-size", "640x480"];
+    let output = gamow(&[&flags, arguments].concat());
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let file = std::io::BufReader::new(std::fs::File::open(path).expect("it is there"));
+    let mut reader = png::Decoder::new(file).read_info().expect("a PNG file");
+    let mut pixels = vec![0; reader.output_buffer_size().expect("it fits")];
+    let info = reader.next_frame(&mut pixels).expect("a whole PNG file");
+    (info, pixels)
+}
+
+fn a_screenshot_shows_the_state() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (info, fast) = screenshot(folder.path(), "fast.png", &["--beta", "0.9", "--time", "1", "--paused"]);
+    assert_eq!((info.width, info.height), (640, 480));
+    let (_, again) = screenshot(folder.path(), "again.png", &["--beta", "0.9", "--time", "1"]);
+    assert!(fast == again, "the same state is drawn the same");
+    let others: [&[&str]; 4] = [
+        &["--beta", "0.5", "--time", "1"],
+        &["--beta", "0.9", "--time", "2"],
+        &["--beta", "0.9", "--time", "1", "--d", "0.5"],
+        &["--beta", "0.9", "--time", "1", "--scene", "street"],
+    ];
+    for arguments in others {
+        let (_, other) = screenshot(folder.path(), "other.png", arguments);
+        assert!(other != fast, "{arguments:?} changes nothing");
+    }
+}
+
+fn a_screenshot_that_cannot_be_written() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("nowhere").join("window.png");
+    let output = gamow(&["--screenshot", path.to_str().expect("a plain path")]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(std::fs::read_dir(folder.path()).expect("it is there").next().is_none());
+}
+
+fn bad_flags_are_named() {
+    for (arguments, part) in [
+        (["--scene", "bicycle"], "bicycle"),
+        (["--gamma", "0.5"], "gamma = 0.5"),
+        (["--d", "-1"], "--d"),
+        (["--window-size", "wide"], "1280x800"),
+    ] {
+        let output = gamow(&arguments);
+        let message = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert!(message.contains(part), "{message}");
+    }
+}
+
+fn without_a_display() {
+    if !cfg!(target_os = "linux") {
+        return;
+    }
+    let output = gamow(&[]);
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    for part in ["no display", "mesa-vulkan-drivers", "gamow render --out cyclist.png", "gamow curve"] {
+        assert!(message.contains(part), "{message}");
+    }
+    let lines = message.lines().filter(|line| line.starts_with("gamow:")).count();
+    assert_eq!(lines, 1, "{message}");
+}
