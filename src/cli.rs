@@ -36,7 +36,9 @@ enum Command {
     Eval(headless::eval::EvalArgs),
     Curve(headless::curve::CurveArgs),
     Fit(headless::fit::FitArgs),
+    Measure(headless::measure::MeasureArgs),
     Paper(headless::paper::PaperArgs),
+    Rectify(headless::rectify::RectifyArgs),
     Render(Box<headless::render::RenderArgs>),
     Accuracy(headless::accuracy::AccuracyArgs),
 }
@@ -48,7 +50,9 @@ pub fn run(cli: Cli) -> anyhow::Result<()> {
         Some(Command::Eval(args)) => headless::eval::run(&args),
         Some(Command::Curve(args)) => headless::curve::run(&args),
         Some(Command::Fit(args)) => headless::fit::run(&args),
+        Some(Command::Measure(args)) => headless::measure::run(&args),
         Some(Command::Paper(args)) => headless::paper::run(&args),
+        Some(Command::Rectify(args)) => headless::rectify::run(&args),
         Some(Command::Render(args)) => headless::render::run(&args),
         Some(Command::Accuracy(args)) => headless::accuracy::run(&args),
     }
@@ -105,15 +109,19 @@ pub struct SpeedArgs {
 }
 
 impl SpeedArgs {
+    /// The parameter given and its value.
+    #[must_use]
+    pub fn given(&self) -> Option<(SpeedParameter, f64)> {
+        SpeedParameter::ALL
+            .into_iter()
+            .zip([self.beta, self.gamma, self.rapidity])
+            .find_map(|(parameter, value)| Some((parameter, value?)))
+    }
+
     /// The parameter given and its value, or `default_beta` if none was.
     #[must_use]
     pub fn parameter(&self, default_beta: f64) -> (SpeedParameter, f64) {
-        match (self.beta, self.gamma, self.rapidity) {
-            (Some(beta), _, _) => (SpeedParameter::Beta, beta),
-            (_, Some(gamma), _) => (SpeedParameter::Gamma, gamma),
-            (_, _, Some(rapidity)) => (SpeedParameter::Rapidity, rapidity),
-            (None, None, None) => (SpeedParameter::Beta, default_beta),
-        }
+        self.given().unwrap_or((SpeedParameter::Beta, default_beta))
     }
 
     /// The speed asked for, or `default_beta` if none was.

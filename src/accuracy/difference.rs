@@ -126,6 +126,7 @@ fn direction(view: &View, place: DVec3) -> DVec3 {
 }
 
 /// Angle between two directions, radians: accurate also where it is tiny.
+#[must_use]
 pub fn angle(a: DVec3, b: DVec3) -> f64 {
     a.cross(b).length().atan2(a.dot(b))
 }

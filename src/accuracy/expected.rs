@@ -23,7 +23,7 @@ impl Effort {
     /// For a panel that is to be filled in a moment.
     pub const GLANCE: Self = Self { outline_places: 40, rounds: 2 };
     /// For a report.
-    pub const REPORT: Self = Self { outline_places: 150, rounds: 3 };
+    pub const REPORT: Self = Self { outline_places: 60, rounds: 2 };
 }
 
 /// A method's cost and its difference to the reference, in one view.

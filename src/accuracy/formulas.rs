@@ -38,6 +38,15 @@ pub enum Formula {
 impl Formula {
     /// All of them.
     pub const ALL: [Self; 4] = [Self::StableF64, Self::StableF32, Self::NaiveF64, Self::NaiveF32];
+
+    /// Largest Lorentz factor it is meant for.
+    #[must_use]
+    pub const fn max_gamma(self) -> f64 {
+        match self {
+            Self::StableF64 | Self::NaiveF64 => <f64 as Real>::MAX_GAMMA,
+            Self::StableF32 | Self::NaiveF32 => <f32 as Real>::MAX_GAMMA,
+        }
+    }
 }
 
 impl fmt::Display for Formula {
@@ -65,7 +74,8 @@ pub struct FormulaError {
 /// Measures `formula` for an aperture at (`aperture_x`, 0, 0) that sees points around the rest-frame point
 /// `tracked`, itself seen at `place`.
 ///
-/// All inputs, beta among them, are rounded to numbers that f32 has too, so that their rounding is nobody's error.
+/// All inputs are rounded to numbers that f32 has too, so that their rounding is nobody's error; the speed where
+/// f32 is meant for it.
 ///
 /// # Errors
 ///
@@ -77,8 +87,7 @@ pub fn formula_error(
     tracked: [f64; 3],
     aperture_x: f64,
 ) -> Result<FormulaError, BatchError> {
-    // Above gamma of 4096 f32 has no beta below 1.
-    let speed = &Speed::from_beta(f64::from(speed.beta() as f32)).unwrap_or(*speed);
+    let speed = &rounded_down(speed);
     let time = place.observation_time(speed, SourcePoint::from_rest(tracked, speed));
     let batch = Batch {
         speed: *speed,
@@ -94,6 +103,16 @@ pub fn formula_error(
         Formula::NaiveF32 => batch.naive::<f32>(),
     };
     Ok(batch.error(&truth, &seen, point_ns))
+}
+
+/// The next lower speed that f32 can express as beta; the same where that is beyond f32.
+fn rounded_down(speed: &Speed) -> Speed {
+    if speed.gamma() > <f32 as Real>::MAX_GAMMA {
+        return *speed;
+    }
+    let nearest = speed.beta() as f32;
+    let below = if f64::from(nearest) > speed.beta() { nearest.next_down() } else { nearest };
+    Speed::from_beta(below.into()).unwrap_or(*speed)
 }
 
 /// x0, y, z of points spread evenly (golden ratio and its kin) over a box around `tracked`.
@@ -236,12 +255,12 @@ fn naive_sightings<F: Precision>(
 fn point_ns(mut work: impl FnMut()) -> f64 {
     let mut run = || {
         let start = Instant::now();
-        let mut passes = 0;
+        let mut passes = 0_usize;
         while start.elapsed().as_secs_f64() * 1e3 < RUN_MS {
             work();
             passes += 1;
         }
-        start.elapsed().as_secs_f64() * 1e9 / f64::from(passes * POINTS as i32)
+        start.elapsed().as_secs_f64() * 1e9 / (passes * POINTS) as f64
     };
     (0..3).map(|_| run()).fold(f64::INFINITY, f64::min)
 }
@@ -262,6 +281,15 @@ mod tests {
             assert!(worst_arcseconds(Formula::StableF32, 0.9999, place) < 0.2);
         }
         assert!(worst_arcseconds(Formula::NaiveF32, 0.9999, Place::Receding) > 20.0);
+    }
+
+    #[test]
+    fn the_naive_form_in_f64_fails_at_extreme_speed() {
+        let speed = Speed::from_gamma(1e7).expect("it is a speed");
+        let error = formula_error(Formula::NaiveF64, &speed, Place::Receding, [0.5, 3.0, 2.0], -0.05);
+        let worst =
+            error.expect("inside the domain").line_of_sight_arcseconds.expect("there are points").worst;
+        assert!(worst > 20.0, "{worst}");
     }
 
     #[test]

@@ -165,16 +165,24 @@ impl Strip {
         strip
     }
 
-    /// Where along the strip the renderer sees the silhouette end, strip pixels outwards from the middle.
+    /// Where along the strip the renderer sees the silhouette end, strip pixels outwards from the middle; `None`
+    /// beyond the strip.
     ///
-    /// The search goes outwards from the middle of what the reference shows of it here.
-    fn end(&self, reference: &HitImage, shown: &HitImage) -> Option<i32> {
+    /// An object that is lost counts as displaced by its width, a gap that is closed by the gap's.
+    fn end(&self, reference: &HitImage, shown: &HitImage) -> Option<f64> {
         let middle = STRIP as usize / 2;
-        let depth = self.silhouette(reference)[..middle].iter().rev().take_while(|&&inside| inside).count();
-        let start = middle - depth.div_ceil(2);
-        let length = self.silhouette(shown)[start..].iter().take_while(|&&inside| inside).count();
-        let end = start + length;
-        (length > 0 && end < STRIP as usize).then(|| end as i32 - middle as i32)
+        let (reference, shown) = (self.silhouette(reference), self.silhouette(shown));
+        let width = reference[..middle].iter().rev().take_while(|&&inside| inside).count();
+        let gap = reference[middle..].iter().take_while(|&&inside| !inside).count();
+        let [inner, outer] = [middle - width, middle + gap];
+        // Outwards from the middle of the object, inwards if it is not there.
+        let core = middle - width.div_ceil(2);
+        let end = if shown[core] {
+            core + shown[core..outer].iter().take_while(|&&inside| inside).count()
+        } else {
+            core - shown[inner..core].iter().rev().take_while(|&&inside| !inside).count()
+        };
+        (end > 0 && end < STRIP as usize).then_some(end as f64 - middle as f64)
     }
 
     /// Which of the strip's pixels belong to the silhouette, outwards.
@@ -187,9 +195,9 @@ impl Strip {
         inside
     }
 
-    fn displacement_px(&self, camera: &Camera, end: i32) -> f64 {
+    fn displacement_px(&self, camera: &Camera, end: f64) -> f64 {
         let end = if self.reversed { -end } else { end };
-        if end == 0 { 0.0 } else { self.outward_px(camera, f64::from(end)).abs() }
+        if end == 0.0 { 0.0 } else { self.outward_px(camera, end).abs() }
     }
 
     /// How far out of the object, in pixels of `camera`, the place is that lies `along` strip pixels from the
@@ -265,6 +273,21 @@ mod tests {
     fn the_truth_is_not_displaced_and_a_lost_object_is_displaced_by_the_most() {
         assert!(displacements(1.0).iter().all(|&displacement| displacement == 0.0));
         assert!(displacements(0.01).iter().all(|&displacement| displacement == LARGEST_PX));
+    }
+
+    #[test]
+    fn a_thin_object_that_is_lost_is_displaced_by_its_width() {
+        let thin = Shape::Tube { from: [-2.0, 5.0, 0.0], to: [2.0, 5.0, 0.0], radius: 0.01 };
+        let truth = ReferenceScene::new(&[Body { shape: thin, rest_wavelength_nm: 600.0 }]);
+        let view = view();
+        let width_px = 0.02 / 5.0 * view.camera.focal_length_px();
+        // 0.01 px above the edge.
+        let inside = DVec2::new(80.5, 60.0 + 0.5 * width_px - 0.01);
+        let pixels = SilhouettePixels { body: 0, inside, outside: inside + DVec2::Y };
+        let point = OutlinePoint::between(&pixels, &truth, &view).expect("the edge lies between");
+        let nothing = |view: &View| Ok::<_, Infallible>(ReferenceScene::new(&[]).hit_image(view));
+        let displacement = displacement_px(&truth, &view, &point, nothing).expect("cannot fail");
+        assert!((displacement - width_px).abs() < 0.02 * width_px, "{displacement} px, width {width_px} px");
     }
 
     #[test]

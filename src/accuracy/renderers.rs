@@ -35,7 +35,9 @@ impl fmt::Display for Method {
 /// Rays per pixel and direction of the reference, so that it takes as many samples as the GPU does.
 const REFERENCE_SAMPLES: u32 = 2;
 /// Frames of one timed run on the GPU, besides the first.
-const FRAMES: u32 = 4;
+const FRAMES: u32 = 3;
+/// Frames that take longer are timed once, reading back included, which then matters little.
+const SLOW_MS: f64 = 100.0;
 /// Bounds at which meshes are measured: a fine one, the default, a coarse one.
 const MESH_BOUNDS_PX: [f64; 3] = [0.1, MeshRenderer::DEFAULT_BOUND_PX, 2.0];
 
@@ -108,8 +110,8 @@ impl Renderers {
 
     /// Milliseconds that `method` takes for a picture of `view`: the fastest of `rounds` runs.
     ///
-    /// On the GPU a run of five frames less a run of one, so that reading back, which a window need not,
-    /// does not count.
+    /// On the GPU a run of four frames less a run of one, so that reading back, which a window need not, does not
+    /// count; frames of over 100 ms are timed singly.
     ///
     /// # Errors
     ///
@@ -168,15 +170,19 @@ impl Graphics {
 /// Milliseconds per frame of `draw`, which draws as many as it is told and waits for them.
 fn fastest_frame_ms(rounds: u32, mut draw: impl FnMut(u32) -> Result<(), GpuError>) -> Result<f64, GpuError> {
     draw(1)?; // makes pipelines and target
-    let mut fastest = [f64::INFINITY; 2];
-    for _ in 0..rounds {
-        for (fastest, frames) in fastest.iter_mut().zip([1, 1 + FRAMES]) {
-            let start = Instant::now();
-            draw(frames)?;
-            *fastest = fastest.min(milliseconds(start));
-        }
+    let mut run = |frames| {
+        let start = Instant::now();
+        draw(frames).map(|()| milliseconds(start))
+    };
+    let mut one = run(1)?;
+    if one > SLOW_MS {
+        return Ok(one);
     }
-    let [one, all] = fastest;
+    let mut all = f64::INFINITY;
+    for _ in 0..rounds {
+        all = all.min(run(1 + FRAMES)?);
+        one = one.min(run(1)?);
+    }
     Ok((all - one).max(0.0) / f64::from(FRAMES))
 }
 
@@ -187,7 +193,7 @@ fn fastest_ms(rounds: u32, mut work: impl FnMut()) -> f64 {
         work();
         milliseconds(start)
     };
-    (0..rounds).map(run).fold(f64::INFINITY, f64::min)
+    (0..rounds.max(1)).map(run).fold(f64::INFINITY, f64::min)
 }
 
 fn milliseconds(start: Instant) -> f64 {

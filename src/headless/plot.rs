@@ -182,10 +182,7 @@ impl<'a> Axes<'a> {
         let [left, right, ..] = self.frame;
         let (anchor, x) = if 2.0 * x < left + right { ("start", x + 9.0) } else { ("end", x - 9.0) };
         let (y, name) = (y - 5.0, escaped(&line.name));
-        let _ = writeln!(
-            svg,
-            "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\" stroke=\"white\" stroke-width=\"3\" paint-order=\"stroke\">{name}</text>"
-        );
+        let _ = writeln!(svg, "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\">{name}</text>");
     }
 
     /// Values to mark on an axis over `range`, and how they are written.

@@ -11,6 +11,7 @@ use tempfile::TempDir;
 mod errors;
 mod measurements;
 mod pictures;
+mod rectify;
 mod sequences;
 
 const WIDTH: u32 = 48;
@@ -45,12 +46,34 @@ fn render(folder: &Path, flags: &str) -> String {
     String::from_utf8(output.stdout).expect("it prints text")
 }
 
+/// `gamow` with the `words` in `folder`.
+fn gamow_output(folder: &Path, words: &str) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_gamow"));
+    command.current_dir(folder).env_remove("RUST_LOG").args(words.split_whitespace());
+    command.output().expect("the program starts")
+}
+
+/// The same, which must succeed; what it printed.
+fn run_gamow(folder: &Path, words: &str) -> String {
+    let output = gamow_output(folder, words);
+    assert!(output.status.success(), "{words}: {}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).expect("it prints text")
+}
+
 /// The one line of a run that must fail.
+fn complaint_of(folder: &Path, words: &str) -> String {
+    only_line(words, &gamow_output(folder, words))
+}
+
+/// The one line of a `gamow render` that must fail.
 fn complaint(folder: &Path, flags: &str) -> String {
-    let output = output(folder, flags);
+    only_line(flags, &output(folder, flags))
+}
+
+fn only_line(words: &str, output: &Output) -> String {
     let stderr = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert_eq!(output.status.code(), Some(2), "{flags}: {stderr}");
-    assert!(stderr.starts_with("gamow: ") && stderr.trim_end().lines().count() == 1, "{flags}: {stderr}");
+    assert_eq!(output.status.code(), Some(2), "{words}: {stderr}");
+    assert!(stderr.starts_with("gamow: ") && stderr.trim_end().lines().count() == 1, "{words}: {stderr}");
     stderr
 }
 

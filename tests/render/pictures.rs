@@ -36,9 +36,14 @@ fn without_flags_it_is_the_stereo_frame_of_the_paper() {
     let frame = picture("");
     assert_eq!(frame.size, [2 * WIDTH, HEIGHT]);
     let parameters = &frame.texts["Parameters"];
-    for part in
-        ["--scene=cyclist", "--beta=0.9", "--d=0.1", "--time=3.6058", "--gaze=track", "--layout=side-by-side"]
-    {
+    for part in [
+        "--scene=cyclist",
+        "--beta=0.9",
+        "--d=0.1",
+        "--time=3.6058",
+        "--gaze=90,33.69",
+        "--layout=side-by-side",
+    ] {
         assert!(parameters.contains(part), "{part} in {parameters}");
     }
 }

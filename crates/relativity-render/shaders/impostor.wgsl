@@ -65,18 +65,18 @@ fn body_of(fragment: Fragment) -> Body {
     );
 }
 
-struct Picture {
-    @location(0) colour: vec4f,
-    @builtin(frag_depth) depth: f32,
-    @builtin(sample_mask) samples: u32,
+// What a pixel shows of a body, and how deep inside the outline each of its samples lies, in pixels.
+struct Shaded {
+    colour: vec4f,
+    depth: f32,
+    clearances: vec4f,
 }
 
 // The four samples of a pixel, from its centre, in the standard places.
 const SAMPLE_U = vec4f(-0.125, 0.375, -0.375, 0.125);
 const SAMPLE_V = vec4f(-0.375, -0.125, 0.125, 0.375);
 
-@fragment
-fn picture(fragment: Fragment) -> Picture {
+fn shaded(fragment: Fragment) -> Shaded {
     let ray = rest_ray(fragment.position.xy);
     let body = body_of(fragment);
     let hit = surface(body, ray);
@@ -90,10 +90,8 @@ fn picture(fragment: Fragment) -> Picture {
         alpha = min(body.radius / max(half_pixel, 1e-30), 1.0);
         clearance += max(half_pixel - body.radius, 0.0);
     }
-    let inside = vec4f(clearance) + gradient.x * SAMPLE_U + gradient.y * SAMPLE_V > vec4f(0.0);
-    let samples = dot(select(vec4u(0u), vec4u(1u, 2u, 4u, 8u), inside), vec4u(1u));
     let height = frame.scene.z + body.anchor.z + hit.place.z;
-    if samples == 0u || distance <= 0.0 || height < frame.ground.z {
+    if distance <= 0.0 || height < frame.ground.z {
         discard;
     }
     let colour = received_colour(
@@ -102,7 +100,36 @@ fn picture(fragment: Fragment) -> Picture {
         ray.doppler,
         hit.normal,
     );
-    return Picture(vec4f(colour * alpha, alpha), depth(hit.beyond), samples);
+    let clearances = vec4f(clearance) + gradient.x * SAMPLE_U + gradient.y * SAMPLE_V;
+    return Shaded(vec4f(colour * alpha, alpha), depth(hit.beyond), clearances);
+}
+
+struct Picture {
+    @location(0) colour: vec4f,
+    @builtin(frag_depth) depth: f32,
+    @builtin(sample_mask) samples: u32,
+}
+
+@fragment
+fn picture(fragment: Fragment) -> Picture {
+    let shaded = shaded(fragment);
+    let inside = select(vec4u(0u), vec4u(1u, 2u, 4u, 8u), shaded.clearances > vec4f(0.0));
+    return Picture(shaded.colour, shaded.depth, inside.x + inside.y + inside.z + inside.w);
+}
+
+struct Sample {
+    @location(0) colour: vec4f,
+    @builtin(frag_depth) depth: f32,
+}
+
+// The same sample by sample, at four times the cost: for OpenGL, where wgpu cannot write a sample mask.
+@fragment
+fn picture_sample(fragment: Fragment, @builtin(sample_index) index: u32) -> Sample {
+    let shaded = shaded(fragment);
+    if shaded.clearances[index] <= 0.0 {
+        discard;
+    }
+    return Sample(shaded.colour, shaded.depth);
 }
 
 // Floats as their bits: OpenGL ES does not draw to 32-bit floats.

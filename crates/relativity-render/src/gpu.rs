@@ -84,6 +84,21 @@ impl Gpu {
         self.info.device_type == wgpu::DeviceType::Cpu
     }
 
+    /// Waits until everything drawn so far is finished; for timing.
+    ///
+    /// # Errors
+    ///
+    /// The device was lost.
+    pub fn wait(&self) -> Result<(), GpuError> {
+        let polled = self.device.poll(wgpu::PollType::wait_indefinitely());
+        polled.map(|_| ()).map_err(|error| GpuError::Readback(error.to_string()))
+    }
+
+    /// Whether shaders can choose the samples they cover.
+    pub(crate) fn has_sample_masks(&self) -> bool {
+        self.info.backend != wgpu::Backend::Gl
+    }
+
     pub(crate) fn shader(&self, label: &str, source: &'static str) -> wgpu::ShaderModule {
         self.device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some(label),

@@ -129,7 +129,7 @@ pub(crate) fn bytes(
         let _ = sender.send(result);
     });
     let failed = |error: &dyn std::fmt::Display| GpuError::Readback(error.to_string());
-    gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|e| failed(&e))?;
+    gpu.wait()?;
     receiver.recv().map_err(|e| failed(&e))?.map_err(|e| failed(&e))?;
     let mapped = buffer.get_mapped_range(..).map_err(|e| failed(&e))?;
     Ok(mapped.chunks(padded_row as usize).flat_map(|padded| &padded[..row as usize]).copied().collect())

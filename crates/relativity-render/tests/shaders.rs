@@ -8,7 +8,8 @@ use relativity_render::shaders::{self, Mirror};
 fn every_shader_is_valid() {
     for (name, source) in shaders::SOURCES {
         let module = module(name, source);
-        let validated = Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module);
+        let validated =
+            Validator::new(ValidationFlags::all(), Capabilities::MULTISAMPLED_SHADING).validate(&module);
         assert!(validated.is_ok(), "{name}: {:?}", validated.err());
     }
 }

@@ -29,6 +29,7 @@ const NEEDS: [Need; 2] = [
 pub fn advice(report: &Report) -> Vec<String> {
     let mut advice: Vec<_> = NEEDS.iter().map(|need| for_pictures(need, &report.renderers)).collect();
     advice.extend(for_comparison(&report.renderers));
+    advice.extend(on_bounds(&report.renderers));
     advice.push(for_points(report));
     advice.push(on_the_published_model(report));
     advice.push(on_effects(report));
@@ -55,20 +56,16 @@ fn for_pictures(need: &Need, renderers: &[RendererReport]) -> String {
     let failures: Vec<_> = by_cost.iter().map_while(|renderer| first_failure(need, renderer)).collect();
     // The reference meets every need.
     let chosen = by_cost[failures.len().min(by_cost.len() - 1)];
-    let mut sentence = format!(
-        "{purpose} (silhouettes {silhouettes_p99_px} px at 99 %, D {doppler_p99:.0e}, wrong objects {} %): {}, {:.2} ms per eye",
+    let worst_view = chosen.worst_view.silhouettes_px;
+    let worst_view =
+        worst_view.map_or_else(String::new, |spread| format!("; its worst view has {:.4} px", spread.p99));
+    format!(
+        "{purpose} (silhouettes {silhouettes_p99_px} px at 99 %, D {doppler_p99:.0e}, wrong objects {} %): {}, {:.2} ms per eye{worst_view}.{}",
         100.0 * wrong_share,
         chosen.method,
-        chosen.frame_ms
-    );
-    match &chosen.worst_view.silhouettes_px {
-        Some(spread) => sentence += &format!("; its worst view has {:.4} px.", spread.p99),
-        None => sentence.push('.'),
-    }
-    for failure in failures {
-        sentence += &failure;
-    }
-    sentence
+        chosen.frame_ms,
+        failures.concat()
+    )
 }
 
 /// Where the renderer first fails to meet the need, in the order of speed.
@@ -76,6 +73,22 @@ fn first_failure(need: &Need, renderer: &RendererReport) -> Option<String> {
     let PictureRow { view, .. } = renderer.views.iter().find(|row| !need.is_met_by(&row.errors))?;
     let place = view.place.name();
     Some(format!(" {} is cheaper but fails from gamma = {:.4} on ({place}).", renderer.method, view.gamma))
+}
+
+/// Whether meshes keep their bounds.
+fn on_bounds(renderers: &[RendererReport]) -> Option<String> {
+    let meshes = || renderers.iter().filter_map(|renderer| Some((renderer, renderer.bound_px?)));
+    let worst =
+        |renderer: &RendererReport| renderer.worst_view.silhouettes_px.map_or(0.0, |spread| spread.worst);
+    let broken = meshes().filter(|(renderer, bound_px)| worst(renderer) > *bound_px);
+    let broken: Vec<_> =
+        broken.map(|(renderer, _)| format!("{} ({:.2} px)", renderer.method, worst(renderer))).collect();
+    meshes().next()?;
+    Some(if broken.is_empty() {
+        "Every mesh keeps its bound on silhouettes in every view.".to_owned()
+    } else {
+        format!("Not every mesh keeps its bound on silhouettes in every view: {}.", broken.join(", "))
+    })
 }
 
 /// What certainty costs.
@@ -102,23 +115,23 @@ fn for_points(report: &Report) -> String {
     let mut good: Vec<_> =
         report.formulas.iter().filter(|formula| worst(formula) <= STEREO_ACUITY_ARCSECONDS).collect();
     good.sort_by(|a, b| a.point_ns.total_cmp(&b.point_ns));
-    let failing = report.formulas.iter().filter(|formula| worst(formula) > STEREO_ACUITY_ARCSECONDS);
-    let failing: Vec<_> = failing
-        .map(|formula| {
-            format!("{} ({:.2} ns) errs by up to {:.3e}", formula.formula, formula.point_ns, worst(&formula))
-        })
-        .collect();
-    let mut sentence = format!(
-        "For many points, with errors below the {STEREO_ACUITY_ARCSECONDS} arcseconds that stereo vision resolves: "
+    let best = good.first().map_or_else(
+        || "no form holds them everywhere".to_owned(),
+        |best| format!("{}, {:.2} ns per point, worst {:.1e}", best.formula, best.point_ns, worst(best)),
     );
-    sentence += &good.first().map_or_else(
-        || "no form holds them in every view.".to_owned(),
-        |best| format!("{}, {:.2} ns per point, worst {:.1e}.", best.formula, best.point_ns, worst(best)),
-    );
-    if !failing.is_empty() {
-        sentence += &format!(" Not {} arcseconds.", failing.join("; "));
-    }
-    sentence
+    let failing =
+        report.formulas.iter().filter(|formula| worst(formula) > STEREO_ACUITY_ARCSECONDS).map(|formula| {
+            format!(
+                "; {} ({:.2} ns) fails with up to {:.0}",
+                formula.formula,
+                formula.point_ns,
+                worst(&formula)
+            )
+        });
+    format!(
+        "For many points, with errors below the {STEREO_ACUITY_ARCSECONDS} arcseconds that stereo vision resolves: {best}{}.",
+        failing.collect::<String>()
+    )
 }
 
 fn on_the_published_model(report: &Report) -> String {
@@ -141,12 +154,12 @@ fn on_the_published_model(report: &Report) -> String {
 
 fn on_effects(report: &Report) -> String {
     let effects = &report.effects;
-    let single = &effects.without[..effects.without.len().saturating_sub(1)];
-    let dearest = single.iter().min_by(|a, b| a.ratio.total_cmp(&b.ratio));
+    let looks = effects.without.iter().filter(|row| row.same_geometry);
+    let dearest = looks.min_by(|a, b| a.ratio.total_cmp(&b.ratio));
     let share = |ratio: f64| 100.0 * (1.0 - ratio);
     match (dearest, effects.without.last()) {
         (Some(dearest), Some(all)) if dearest.ratio < 0.95 => format!(
-            "To save time, leave out first: {}, {:.0} % of the picture's time; all effects together are {:.0} %.",
+            "To save time, leave out first: {}, {:.0} % of the picture's time; all effects and the delay of light together are {:.0} %.",
             dearest.effect,
             share(dearest.ratio),
             share(all.ratio)

@@ -8,8 +8,10 @@ use crate::accuracy::{Method, Renderers};
 /// How often each picture is timed; taking turns, so that all meet the same disturbances.
 const TURNS: u32 = 4;
 
-/// Names, and how each effect is left out.
-const EFFECTS: [(&str, fn(&mut View, &mut Appearance)); 7] = [
+/// Name of an effect, and how it is left out.
+type Effect = (&'static str, fn(&mut View, &mut Appearance));
+
+const EFFECTS: [Effect; 7] = [
     ("Doppler shift of colour", |_, looks| looks.doppler_shift = false),
     ("intensity D^n", |_, looks| looks.intensity_exponent = None),
     ("shading of form", |_, looks| looks.shading = Shading::Emission),
@@ -29,7 +31,7 @@ const EFFECTS: [(&str, fn(&mut View, &mut Appearance)); 7] = [
     }),
 ];
 
-/// Times `view` with everything on and with effects left out, by the fastest method there is: the last.
+/// Times `view` with everything on and with effects left out, by the exact renderer if there is a GPU.
 pub fn report(
     renderers: &mut Renderers,
     circumstances: Circumstances,
@@ -37,7 +39,8 @@ pub fn report(
     appearance: &Appearance,
     rounds: u32,
 ) -> anyhow::Result<EffectsReport> {
-    let method = renderers.methods().into_iter().last().unwrap_or(Method::Reference);
+    let has_exact = renderers.methods().contains(&Method::Exact);
+    let method = if has_exact { Method::Exact } else { Method::Reference };
     let mut pictures = vec![(*view, *appearance)];
     for (_, leave_out) in EFFECTS {
         let (mut view, mut appearance) = (*view, *appearance);
@@ -52,15 +55,16 @@ pub fn report(
         }
     }
     let all_on_ms = fastest[0];
-    let row = |((effect, _), &frame_ms): (&(&'static str, _), &f64)| EffectRow {
+    let row = |(i, (effect, _)): (usize, &Effect)| EffectRow {
         effect,
-        frame_ms,
-        ratio: frame_ms / all_on_ms,
+        same_geometry: pictures[i + 1].0.geometry == view.geometry,
+        frame_ms: fastest[i + 1],
+        ratio: fastest[i + 1] / all_on_ms,
     };
     Ok(EffectsReport {
         method: method.to_string(),
         view: circumstances,
         all_on_ms,
-        without: EFFECTS.iter().zip(&fastest[1..]).map(row).collect(),
+        without: EFFECTS.iter().enumerate().map(row).collect(),
     })
 }

@@ -27,6 +27,8 @@ const BETAS: [f64; 6] = [0.0, 0.5, 0.9, 0.99, 0.999, 0.9999];
 const QUICK_BETAS: [f64; 3] = [0.0, 0.9, 0.9999];
 /// Beyond what beta says well.
 const GAMMAS: [f64; 2] = [100.0, 1000.0];
+/// Only for formulas in f64.
+const EXTREME_GAMMAS: [f64; 2] = [1e5, 1e7];
 const QUICK_EFFORT: Effort = Effort { outline_places: 12, rounds: 1 };
 
 /// Measures everything for `scene`, called `scene_name`.
@@ -36,7 +38,7 @@ const QUICK_EFFORT: Effort = Effort { outline_places: 12, rounds: 1 };
 /// A device that was lost; a scene outside the domain of the core.
 pub fn report(scene: &Scene, scene_name: &str, size: [u32; 2], quick: bool) -> anyhow::Result<Report> {
     let mut missing = Vec::new();
-    let gpu = Gpu::headless().map_err(|error| missing.push(format!("exact f32: {error}"))).ok();
+    let gpu = Gpu::headless().map_err(|error| missing.push(format!("exact and mesh: {error}"))).ok();
     let mut measurement = Measurement {
         renderers: Renderers::new(&scene.bodies, gpu),
         appearance: Appearance { ground_z: scene.ground_z, ..Appearance::default() },
@@ -73,23 +75,27 @@ pub fn report(scene: &Scene, scene_name: &str, size: [u32; 2], quick: bool) -> a
 
 /// The views, and what is said of them.
 fn views(scene: &Scene, size: [u32; 2], quick: bool) -> anyhow::Result<Vec<(Circumstances, View)>> {
-    let mut speeds = (if quick { &QUICK_BETAS[..] } else { &BETAS })
-        .iter()
-        .map(|&beta| Speed::from_beta(beta))
-        .collect::<Result<Vec<_>, _>>()?;
-    if !quick {
-        speeds.extend(GAMMAS.into_iter().map(Speed::from_gamma).collect::<Result<Vec<_>, _>>()?);
-    }
+    let betas: &[f64] = if quick { &QUICK_BETAS } else { &BETAS };
+    let gammas: &[f64] = if quick { &[] } else { &GAMMAS };
+    let speeds = betas.iter().map(|&beta| Speed::from_beta(beta));
     let mut views = Vec::new();
-    for speed in speeds {
-        // At rest there is nothing to wait for.
-        let places = if speed.beta() == 0.0 { &[Place::Abreast][..] } else { &Place::ALL };
-        for &place in places {
+    for speed in speeds.chain(gammas.iter().map(|&gamma| Speed::from_gamma(gamma))) {
+        let speed = speed?;
+        for &place in places(&speed) {
             let view = view_at(place, speed, scene.tracked, SEPARATION, FOV_DEGREES.to_radians(), size)?;
-            views.push((Circumstances { beta: speed.beta(), gamma: speed.gamma(), place }, view));
+            views.push((circumstances(&speed, place), view));
         }
     }
     Ok(views)
+}
+
+/// At rest there is nothing to wait for.
+fn places(speed: &Speed) -> &'static [Place] {
+    if speed.beta() == 0.0 { &[Place::Abreast] } else { &Place::ALL }
+}
+
+fn circumstances(speed: &Speed, place: Place) -> Circumstances {
+    Circumstances { beta: speed.beta(), gamma: speed.gamma(), place }
 }
 
 struct Measurement {
@@ -126,17 +132,23 @@ impl Measurement {
     }
 
     fn formula(&self, formula: Formula) -> anyhow::Result<FormulaReport> {
-        let row = |(view, shown): &(Circumstances, View)| {
-            let aperture_x = shown.camera.aperture.x;
-            let error = formula_error(formula, &shown.speed, view.place, self.tracked, aperture_x)?;
+        let usual = self.views.iter().map(|(circumstances, view)| (*circumstances, view.speed));
+        let mut cases: Vec<_> = usual.collect();
+        for gamma in EXTREME_GAMMAS {
+            let speed = Speed::from_gamma(gamma)?;
+            cases.extend(Place::ALL.map(|place| (circumstances(&speed, place), speed)));
+        }
+        cases.retain(|(_, speed)| speed.gamma() <= formula.max_gamma());
+        let row = |(view, speed): (Circumstances, Speed)| {
+            let error = formula_error(formula, &speed, view.place, self.tracked, -0.5 * SEPARATION)?;
             Ok(FormulaRow {
-                view: *view,
+                view,
                 point_ns: error.point_ns,
                 line_of_sight_arcseconds: error.line_of_sight_arcseconds,
                 doppler_relative: error.doppler_relative,
             })
         };
-        let views = self.views.iter().map(row).collect::<anyhow::Result<Vec<_>>>()?;
+        let views = cases.into_iter().map(row).collect::<anyhow::Result<Vec<_>>>()?;
         Ok(FormulaReport {
             formula: formula.to_string(),
             is_reference: formula == Formula::StableF64,
@@ -164,7 +176,7 @@ impl Measurement {
         })
     }
 
-    /// Abreast at the speed nearest to the paper's.
+    /// Abreast at the paper's speed.
     fn effects(&mut self) -> anyhow::Result<super::report::EffectsReport> {
         let is_paper = |(view, _): &&(Circumstances, View)| view.beta == 0.9 && view.place == Place::Abreast;
         let (circumstances, view) = *self.views.iter().find(is_paper).context("0.9 is always measured")?;
@@ -197,6 +209,7 @@ fn renderer_report(method: Method, views: Vec<PictureRow>) -> RendererReport {
     RendererReport {
         method: method.to_string(),
         is_reference: method == Method::Reference,
+        bound_px: if let Method::Mesh { bound_px } = method { Some(bound_px) } else { None },
         frame_ms: median(views.iter().map(|row| row.frame_ms)),
         worst_view: PictureErrors {
             silhouettes_px: spread(|errors| errors.silhouettes_px),

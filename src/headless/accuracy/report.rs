@@ -70,6 +70,8 @@ pub struct RendererReport {
     pub method: String,
     /// Whether it is what the others are held against; then its errors are 0 by definition.
     pub is_reference: bool,
+    /// How far it promises to draw any point from where it is seen, pixels, if it does.
+    pub bound_px: Option<f64>,
     /// Median over the views of the milliseconds per picture of one eye.
     pub frame_ms: f64,
     /// Of each figure the largest of all views.
@@ -181,6 +183,8 @@ pub struct EffectsReport {
 pub struct EffectRow {
     /// What is left out.
     pub effect: &'static str,
+    /// Whether the picture still shows the bodies in the same places.
+    pub same_geometry: bool,
     /// Milliseconds per picture of one eye.
     pub frame_ms: f64,
     /// Over that with everything on.

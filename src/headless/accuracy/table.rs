@@ -55,7 +55,7 @@ impl Report {
     fn write_formulas(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(
             f,
-            "\nPoints: ns per point, one thread; median, 99 % and worst error of the worst view, against stable f64"
+            "\nPoints: ns per point, one thread; median, 99 % and worst error of the worst view, against stable f64; f32 up to gamma = 1000"
         )?;
         writeln!(
             f,

@@ -91,6 +91,15 @@ pub enum FileKind {
 }
 
 impl FileKind {
+    /// The end of its files' names.
+    #[must_use]
+    pub const fn extension(self) -> &'static str {
+        match self {
+            Self::Png => "png",
+            Self::Exr => "exr",
+        }
+    }
+
     /// The kind of file that `path` names.
     #[must_use]
     pub fn of(path: &Path) -> Option<Self> {

@@ -6,7 +6,10 @@
 //! nothing is seen.
 
 use std::io::{Seek, Write};
+use std::path::Path;
 
+use exr::meta::MetaData;
+use exr::meta::header::Header;
 use exr::prelude::{
     AnyChannel, AnyChannels, Compression, Encoding, FlatSamples, Image, Layer, LayerAttributes, SmallVec,
     Text, WritableImage,
@@ -70,12 +73,27 @@ pub fn write(
     let [width, height] = eyes[0].size.map(|side| side as usize);
     let attributes = LayerAttributes {
         software_name: Some(Text::from(SOFTWARE)),
-        comments: Text::new_or_none(&provenance.parameters),
+        comments: Text::new_or_none(comments(provenance)),
         ..LayerAttributes::default()
     };
     let encoding = Encoding { compression: Compression::ZIP16, ..Encoding::default() };
     let layer = Layer::new((width, height), attributes, encoding, AnyChannels::sort(channels));
     Ok(Image::from_layer(layer).write().to_buffered(out)?)
+}
+
+/// What the file says of how it was made.
+fn comments(provenance: &Provenance) -> String {
+    format!("{}\nScene-Fingerprint {}", provenance.parameters, provenance.scene_fingerprint)
+}
+
+/// Whether `path` is an EXR file of just this provenance. (Files are written whole or not at all.)
+#[must_use]
+pub fn is_made(path: &Path, provenance: &Provenance) -> bool {
+    let expected = comments(provenance);
+    let is_expected = |header: &Header| {
+        header.own_attributes.comments.as_ref().is_some_and(|comments| comments.to_string() == expected)
+    };
+    MetaData::read_from_file(path, false).is_ok_and(|meta| meta.headers.iter().any(is_expected))
 }
 
 fn samples(eye: &str, image: &HitImage, (name, value): Channel<'_>) -> AnyChannel<FlatSamples> {

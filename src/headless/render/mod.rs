@@ -1,12 +1,12 @@
 //! `gamow render`: pictures, sequences and measurements of a scene, without a window.
 
-pub(super) mod choices;
+pub mod choices;
 mod exr_file;
 mod gpu_painter;
 mod layout;
 mod look;
 mod painter;
-pub(super) mod png_file;
+pub mod png_file;
 mod sequence;
 mod shot;
 mod timings;
@@ -137,7 +137,7 @@ impl Studio {
     }
 
     fn make_file(&mut self, time: f64, kind: FileKind, path: &Path) -> anyhow::Result<()> {
-        let provenance = self.provenance(time);
+        let provenance = self.provenance(time)?;
         match kind {
             FileKind::Png => {
                 let picture = self.picture(time)?;
@@ -177,18 +177,18 @@ impl Studio {
     }
 
     /// What makes the picture at observation time `time` again.
-    fn provenance(&self, time: f64) -> Provenance {
+    fn provenance(&self, time: f64) -> anyhow::Result<Provenance> {
         let mut flags = vec![("scene", self.scene_name.clone())];
-        flags.extend(self.observer.flags(time));
+        flags.extend(self.observer.flags(time)?);
         flags.push(("layout", word(&self.layout)));
         flags.extend(self.look.flags());
         flags.extend(self.painter.flags());
         let flags: Vec<_> = flags.iter().map(|(flag, value)| format!("--{flag}={}", quoted(value))).collect();
-        Provenance {
+        Ok(Provenance {
             title: self.scene.name.clone(),
             parameters: format!("gamow render {}", flags.join(" ")),
             scene_fingerprint: fingerprint(&self.scene),
-        }
+        })
     }
 }
 

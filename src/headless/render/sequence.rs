@@ -7,10 +7,10 @@ use anyhow::Context as _;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 
+use super::choices::FileKind;
 use super::shot::Observer;
-use super::{Studio, png_file};
+use super::{Studio, exr_file, png_file};
 use crate::cli::finite_number;
-use crate::headless::output::write_whole;
 
 /// Flags of time: one picture, or a sequence.
 #[derive(Debug, Clone, Args)]
@@ -21,6 +21,9 @@ pub struct TimeArgs {
     /// Make a sequence of N frames.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub frames: Option<u32>,
+    /// Make the frames of a sequence .exr files of what every pixel shows, not .png pictures.
+    #[arg(long, requires = "frames")]
+    exr: bool,
     /// Observation time of the first frame [default: when the tracked point is seen at x = -2 R, R being
     /// its distance at x = 0]
     #[arg(long, value_name = "T", value_parser = finite_number, allow_hyphen_values = true, requires = "frames")]
@@ -41,24 +44,28 @@ impl TimeArgs {
     }
 }
 
-/// Draws the frames into `folder` as `frame_00000.png` and so on. Frames that are there already, whole and
+/// Draws the frames into `folder` as `frame_00000.png` (or .exr) and so on. Frames that are there already, whole and
 /// with the same parameters, are kept.
 pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Result<()> {
     let frames = times.frames.unwrap_or(1);
     let [from, to] = times.range(&studio.observer)?;
     fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
     let progress = progress_bar(frames);
+    let kind = if times.exr { FileKind::Exr } else { FileKind::Png };
     let mut kept = 0;
     for frame in 0..frames {
         let u = f64::from(frame) / f64::from(frames.max(2) - 1);
         let time = from * (1.0 - u) + to * u; // exact at both ends
-        let path = frame_path(folder, frame);
-        let provenance = studio.provenance(time);
-        if png_file::is_made(&path, &provenance) {
+        let path = frame_path(folder, frame, kind);
+        let provenance = studio.provenance(time)?;
+        let is_made = match kind {
+            FileKind::Png => png_file::is_made(&path, &provenance),
+            FileKind::Exr => exr_file::is_made(&path, &provenance),
+        };
+        if is_made {
             kept += 1;
         } else {
-            let picture = studio.picture(time)?;
-            write_whole(&path, |file| png_file::write(&picture, &provenance, file))?;
+            studio.make_file(time, kind, &path)?;
         }
         progress.inc(1);
     }
@@ -67,8 +74,8 @@ pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Resu
     Ok(())
 }
 
-fn frame_path(folder: &Path, frame: u32) -> PathBuf {
-    folder.join(format!("frame_{frame:05}.png"))
+fn frame_path(folder: &Path, frame: u32, kind: FileKind) -> PathBuf {
+    folder.join(format!("frame_{frame:05}.{}", kind.extension()))
 }
 
 /// On standard error, and only if that is a terminal.

@@ -163,18 +163,19 @@ impl Observer {
         SourcePoint::from_rest(self.tracked, &self.speed)
     }
 
-    /// The flags that make the same views again at `observation_time`.
-    #[must_use]
-    pub fn flags(&self, observation_time: f64) -> Vec<(&'static str, String)> {
+    /// The flags that make the same views again at `observation_time`, the gaze in angles: whoever
+    /// measures a picture needs to know them.
+    pub fn flags(&self, observation_time: f64) -> anyhow::Result<Vec<(&'static str, String)>> {
         let (speed, value) = self.args.speed.parameter(CYCLIST_BETA);
-        vec![
+        let Gaze { azimuth, elevation } = self.views(observation_time)?[0].camera.gaze;
+        Ok(vec![
             (speed.name(), value.to_string()),
             ("d", self.args.d.to_string()),
             ("time", observation_time.to_string()),
             ("size", self.args.size.to_string()),
             ("fov", self.args.fov.to_string()),
-            ("gaze", self.args.gaze.to_string()),
+            ("gaze", format!("{},{}", azimuth.to_degrees(), elevation.to_degrees())),
             ("geometry", word(&self.args.geometry)),
-        ]
+        ])
     }
 }

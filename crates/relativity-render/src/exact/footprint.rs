@@ -39,6 +39,8 @@ pub struct Rectangle {
     pub half_axes: [DVec2; 2],
     /// Smallest radius of the piece in the picture, px.
     pub radius_px: f64,
+    /// Whether the halves of the piece would have much smaller rectangles.
+    pub is_loose: bool,
 }
 
 /// Maps capsules to footprints for one view.
@@ -73,7 +75,7 @@ impl Projection {
         self.footprint(&ball) == Some(Footprint::Hidden)
     }
 
-    /// Where `capsule` can appear; `None` if the bound would be loose and its halves should be tried.
+    /// Where `capsule` can appear; `None` if that cannot be said of it as a whole.
     pub fn footprint(&self, capsule: &Capsule) -> Option<Footprint> {
         let balls = self.hull(capsule)?;
         let depth = self.depth(balls[0], capsule.radius);
@@ -83,10 +85,7 @@ impl Projection {
         if depth == Depth::Behind {
             return Some(Footprint::Hidden);
         }
-        let distance = balls[0].length().min(balls[1].length());
-        let bulge = balls[2].x - balls[0].x;
-        let is_loose = bulge.abs() > 2.0 * capsule.radius + 4.0 * distance / self.focal_length_px;
-        (!is_loose).then(|| self.rectangle(&balls, capsule.radius))
+        Some(self.rectangle(&balls, capsule.radius))
     }
 
     /// Four balls (of the capsule's radius) in whose convex hull its image lies.
@@ -129,10 +128,11 @@ impl Projection {
         )
     }
 
-    /// The furthest that C(t) departs from its chord.
+    /// How far C(t) departs from its chord at most. `None` if the aperture looks along the axis from inside
+    /// the tube.
     ///
-    /// Only the part -gamma beta h(t) of C is curved, h being the root of a quadratic in t, which is
-    /// convex or concave throughout; the departure is greatest where its slope is the chord's.
+    /// Only the part -gamma beta h(t) of C is curved. Between the ends, h^2 and the square of the chord L(t) of h
+    /// differ by t (1 - t) (|span|^2 - slope^2), so L - h is that over L + h, with nothing left to cancel.
     fn bulge(&self, capsule: &Capsule) -> Option<DVec3> {
         let Capsule { from, to, radius } = *capsule;
         let span = to - from;
@@ -141,20 +141,14 @@ impl Projection {
             return Some(DVec3::ZERO);
         }
         let height_squared = |t: f64| (from + span * t).length_squared() - radius * radius;
-        let (first, last) = (height_squared(0.0).sqrt(), height_squared(1.0).sqrt());
-        let slope = last - first;
-        let offset = from.dot(span) / a;
-        let curvature = height_squared(0.0) / a - offset * offset;
-        let ratio = slope * slope * curvature / (a - slope * slope);
-        let steepest = (slope.signum() * ratio.max(0.0).sqrt() - offset).clamp(0.0, 1.0);
-        let squared = height_squared(steepest);
-        if squared.is_nan() || squared <= 0.0 || height_squared((-offset).clamp(0.0, 1.0)) <= 0.0 {
+        let least_squared = height_squared((-from.dot(span) / a).clamp(0.0, 1.0));
+        if least_squared <= 0.0 {
             return None;
         }
-        let departure = first + slope * steepest - squared.sqrt();
-        let rounding = 1e-15 * (first + last);
-        let scale = self.gamma * self.beta;
-        Some(DVec3::new(scale * (departure + rounding.copysign(departure)), 0.0, 0.0))
+        let ends = height_squared(0.0).sqrt() + height_squared(1.0).sqrt();
+        let slope = (a + 2.0 * from.dot(span)) / ends;
+        let departure = (a - slope * slope) / (8.0 * least_squared.sqrt());
+        Some(DVec3::X * (self.gamma * self.beta * departure))
     }
 
     /// r^2 times the metric in which the apparent ball is one: contracted along x if it is.
@@ -201,7 +195,10 @@ impl Projection {
         }
         let furthest = balls.iter().map(|ball| ball.length()).fold(0.0, f64::max);
         let radius_px = radius * self.focal_length_px / furthest;
-        Footprint::Inside(Rectangle { middle, half_axes, radius_px })
+        let distance = balls[0].length().min(balls[1].length());
+        let bulge = (balls[2].x - balls[0].x).abs();
+        let is_loose = bulge > 2.0 * radius + 4.0 * distance / self.focal_length_px;
+        Footprint::Inside(Rectangle { middle, half_axes, radius_px, is_loose })
     }
 
     /// Least and greatest u/f of the balls' outlines, u being the picture coordinate along `direction`.

@@ -76,8 +76,12 @@ impl Pieces {
 }
 
 /// A rectangle over the whole picture.
-const EVERYWHERE: Rectangle =
-    Rectangle { middle: DVec2::ZERO, half_axes: [DVec2::X, DVec2::Y], radius_px: f64::INFINITY };
+const EVERYWHERE: Rectangle = Rectangle {
+    middle: DVec2::ZERO,
+    half_axes: [DVec2::X, DVec2::Y],
+    radius_px: f64::INFINITY,
+    is_loose: false,
+};
 
 fn kind(shape: &Shape) -> usize {
     match shape {
@@ -88,11 +92,12 @@ fn kind(shape: &Shape) -> usize {
 }
 
 fn add_rectangles(projection: &Projection, capsule: &Capsule, halvings: u32, out: &mut Vec<Rectangle>) {
+    let is_whole = halvings == 0 || capsule.from == capsule.to;
     match projection.footprint(capsule) {
         Some(Footprint::Hidden) => {}
-        Some(Footprint::Inside(rectangle)) => out.push(rectangle),
-        None if halvings == 0 || capsule.from == capsule.to => out.push(EVERYWHERE),
-        None => {
+        Some(Footprint::Inside(rectangle)) if is_whole || !rectangle.is_loose => out.push(rectangle),
+        None if is_whole => out.push(EVERYWHERE),
+        _ => {
             let middle = 0.5 * (capsule.from + capsule.to);
             for half in [Capsule { to: middle, ..*capsule }, Capsule { from: middle, ..*capsule }] {
                 add_rectangles(projection, &half, halvings - 1, out);

@@ -60,7 +60,7 @@ impl Pipelines {
                     gpu,
                     &Recipe {
                         module: &self.shapes[shape],
-                        entry_point: "picture",
+                        entry_point: if gpu.has_sample_masks() { "picture" } else { "picture_sample" },
                         constants: &constants,
                         samples: SAMPLES,
                         targets: &[Some(target)],

@@ -1,0 +1,107 @@
+//! What the exact renderer costs, against a loop over all bodies per pixel and against triangles.
+//!
+//! `cargo bench -p relativity-render --bench gpu` prints, for 64, 640 and 6,400 bodies that ride past at
+//! beta = 0.9, milliseconds per frame of two eyes of 480 x 540 pixels (median of rounds taken in turns) and
+//! ratios to the exact renderer's.
+
+use std::time::Instant;
+
+use relativity_core::{Aperture, Speed};
+use relativity_render::{
+    Appearance, Body, Camera, ExactRenderer, EyeTarget, Gaze, Geometry, Gpu, GpuError, MeshRenderer, Shape,
+    View,
+};
+
+const ROUNDS: usize = 7;
+const SIZE: [u32; 2] = [480, 540];
+/// A brute-force frame of more bodies than this takes minutes on a software GPU.
+const MOST_FOR_BRUTE_FORCE: usize = 640;
+
+fn main() -> Result<(), GpuError> {
+    let gpu = Gpu::headless()?;
+    println!("{}, 2 x {} x {}, ms per frame", gpu.description(), SIZE[0], SIZE[1]);
+    println!("bodies  no bodies  exact  brute force        mesh 0.5 px       mesh 0.05 px");
+    for count in [64, 640, 6400] {
+        compare(&gpu, &crowd(count))?;
+    }
+    Ok(())
+}
+
+fn compare(gpu: &Gpu, bodies: &[Body]) -> Result<(), GpuError> {
+    let mut exact = ExactRenderer::new(gpu);
+    let mut brute = ExactRenderer::brute_force(gpu);
+    let mut mesh = MeshRenderer::new(gpu);
+    let appearance = Appearance { ground_z: Some(-2.5), ..Appearance::default() };
+    let mut targets = [EyeTarget::new(gpu, SIZE), EyeTarget::new(gpu, SIZE)];
+    let mut times = [const { Vec::new() }; 5];
+    for round in 0..=ROUNDS {
+        let mut timed = |times: &mut Vec<f64>, draw: &mut dyn FnMut(&View, &mut EyeTarget)| {
+            let start = Instant::now();
+            for (view, target) in views().iter().zip(&mut targets) {
+                draw(view, target);
+            }
+            gpu.wait()?;
+            // The first round makes pipelines.
+            if round > 0 {
+                times.push(start.elapsed().as_secs_f64() * 1e3);
+            }
+            Ok(())
+        };
+        timed(&mut times[0], &mut |view, target| exact.draw(gpu, &[], view, &appearance, target))?;
+        timed(&mut times[1], &mut |view, target| exact.draw(gpu, bodies, view, &appearance, target))?;
+        if bodies.len() <= MOST_FOR_BRUTE_FORCE {
+            timed(&mut times[2], &mut |view, target| brute.draw(gpu, bodies, view, &appearance, target))?;
+        }
+        for (bound_px, times) in [0.5, 0.05].into_iter().zip(&mut times[3..]) {
+            mesh.bound_px = bound_px;
+            timed(times, &mut |view, target| mesh.draw(gpu, bodies, view, &appearance, target))?;
+        }
+    }
+    let [none, exact, brute, coarse, fine] = times.map(median);
+    let ratio = |time: f64| format!("{time:8.1} ({:5.2} x)", time / exact);
+    println!(
+        "{:6}  {none:9.1}  {exact:5.1}  {}  {}  {}",
+        bodies.len(),
+        ratio(brute),
+        ratio(coarse),
+        ratio(fine)
+    );
+    Ok(())
+}
+
+/// NaN without times.
+fn median(mut times: Vec<f64>) -> f64 {
+    times.sort_by(f64::total_cmp);
+    times.get(times.len() / 2).copied().unwrap_or(f64::NAN)
+}
+
+fn views() -> [View; 2] {
+    Aperture::pair(0.1).map(|aperture| View {
+        camera: Camera {
+            aperture,
+            gaze: Gaze { azimuth: 2.0, elevation: 0.0 },
+            horizontal_fov: 1.0,
+            size: SIZE,
+        },
+        speed: Speed::from_beta(0.9).expect("below 1"),
+        observation_time: 6.0,
+        geometry: Geometry::Seen,
+    })
+}
+
+/// Balls, tubes and rings spread over a block 12 long, 4 deep and 4 high, smaller the more there are.
+fn crowd(count: u32) -> Vec<Body> {
+    let size = f64::from(count).cbrt().recip();
+    let spread = |i: u32, root: f64| (f64::from(i) * root.sqrt()).fract();
+    let body = |i| {
+        let center = [12.0 * spread(i, 2.0) - 6.0, 4.0 + 4.0 * spread(i, 3.0), 4.0 * spread(i, 5.0) - 2.0];
+        let [x, y, z] = center;
+        let shape = match i % 3 {
+            0 => Shape::Sphere { center, radius: 0.5 * size },
+            1 => Shape::Tube { from: [x - size, y, z], to: [x + size, y, z + size], radius: 0.2 * size },
+            _ => Shape::Ring { center, axis: [0.0, 0.6, 0.8], radius: size, tube_radius: 0.1 * size },
+        };
+        Body { shape, rest_wavelength_nm: 650.0 }
+    };
+    (0..count).map(body).collect()
+}

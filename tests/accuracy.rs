@@ -1,0 +1,139 @@
+//! `gamow accuracy`, run as its users run it. Costs are not looked at: they belong to the machine.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+fn command(flags: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_gamow"));
+    command
+        .env_remove("RUST_LOG")
+        .args(["accuracy", "--quick", "--scene=two-balls", "--size=96x72"])
+        .args(flags);
+    command
+}
+
+fn succeeded(output: Output) -> String {
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{stderr}");
+    String::from_utf8(output.stdout).expect("it prints text")
+}
+
+fn output(command: &mut Command) -> String {
+    succeeded(command.output().expect("the program starts"))
+}
+
+fn json(command: &mut Command) -> Value {
+    serde_json::from_str(&output(command.arg("--json"))).expect("it is JSON")
+}
+
+/// The entries of `list` in the report.
+fn entries<'a>(report: &'a Value, list: &str) -> &'a [Value] {
+    report[list].as_array().unwrap_or_else(|| panic!("{list} is a list"))
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("{value} is a number"))
+}
+
+/// The entry of `list` whose `key` is `name`.
+fn entry<'a>(report: &'a Value, list: &str, key: &str, name: &str) -> &'a Value {
+    let found = entries(report, list).iter().find(|entry| entry[key] == name);
+    found.unwrap_or_else(|| panic!("{list} has {name}"))
+}
+
+/// Hides every graphics adapter.
+#[cfg(target_os = "linux")]
+fn without_adapter(command: &mut Command) -> &mut Command {
+    command.env("WGPU_BACKEND", "dx12") // there is no Direct3D 12 on this system
+}
+
+#[test]
+fn the_report_says_what_was_measured_where_and_how() {
+    let report = json(&mut command(&[]));
+    let setting = &report["setting"];
+    assert_eq!(setting["scene"], "two-balls");
+    assert_eq!(setting["size_px"], serde_json::json!([96, 72]));
+    assert!(number(&setting["silhouette_resolution_px"]) < 0.001);
+    for renderer in entries(&report, "renderers") {
+        assert!(number(&renderer["frame_ms"]) >= 0.0);
+        let views = entries(renderer, "views");
+        assert_eq!(views.len(), 7, "at rest, and three places at each of two speeds");
+        for view in views {
+            assert!(number(&view["wrong_share"]) >= 0.0 && view["place"].is_string());
+            let [median, p99, worst] =
+                ["median", "p99", "worst"].map(|key| number(&view["line_of_sight_arcseconds"][key]));
+            assert!(median <= p99 && p99 <= worst);
+        }
+    }
+    assert!(number(&report["published"]["exact_ns"]) > 0.0);
+    assert_eq!(entries(&report["effects"], "without").len(), 7);
+    assert!(entries(&report, "advice").len() >= 5);
+}
+
+#[test]
+fn only_the_naive_form_in_f32_is_far_off_at_high_speed() {
+    let report = json(&mut command(&[]));
+    let worst = |formula: &str, beta: f64| {
+        let views = entries(entry(&report, "formulas", "formula", formula), "views");
+        let at_beta = views.iter().filter(|view| number(&view["beta"]) == beta);
+        at_beta.map(|view| number(&view["line_of_sight_arcseconds"]["worst"])).fold(0.0, f64::max)
+    };
+    assert!(worst("naive f32", 0.9999) > 20.0);
+    assert!(worst("stable f32", 0.9999) < 0.2);
+    assert!(worst("naive f64", 0.9999) < 1e-3);
+    assert!(worst("naive f32", 0.0) < 0.1);
+}
+
+#[test]
+fn every_renderer_that_can_be_measured_is_held_against_the_reference() {
+    let report = json(&mut command(&[]));
+    let reference = entry(&report, "renderers", "method", "reference f64");
+    // Through the core's light cone instead of back along the ray.
+    assert!(number(&reference["worst_view"]["line_of_sight_arcseconds"]["worst"]) < 1e-6);
+    if report["setting"]["device"].is_null() {
+        assert_eq!(entries(&report, "missing").len(), 1);
+        return;
+    }
+    let exact = &entry(&report, "renderers", "method", "exact f32")["worst_view"];
+    assert!(number(&exact["silhouettes_px"]["p99"]) < 0.05, "{exact}");
+    assert!(number(&exact["doppler_relative"]["p99"]) < 1e-5, "{exact}");
+    for bound_px in [0.1, 0.5, 2.0] {
+        let mesh = &entry(&report, "renderers", "method", &format!("mesh {bound_px} px"))["worst_view"];
+        let displaced = number(&mesh["silhouettes_px"]["worst"]);
+        assert!(displaced < bound_px, "{displaced} px, bound {bound_px} px");
+    }
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn without_an_adapter_it_measures_what_it_can_and_says_what_is_missing() {
+    let report = json(without_adapter(&mut command(&[])));
+    assert!(report["setting"]["device"].is_null());
+    assert_eq!(entries(&report, "renderers").len(), 1);
+    assert!(report["missing"][0].as_str().is_some_and(|missing| missing.contains("exact")));
+    assert_eq!(report["effects"]["method"], "reference f64");
+    let table = output(without_adapter(&mut command(&[])));
+    assert!(table.contains("not measured: exact"), "{table}");
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn table_and_plot_are_written_to_files() {
+    let folder = tempfile::tempdir().expect("there is a place for temporary files");
+    let [table, plot] = ["table.txt", "plot.svg"].map(|name| folder.path().join(name));
+    let path = |path: &Path| path.to_str().expect("it is text").to_owned();
+    let flags = [format!("--out={}", path(&table)), format!("--plot={}", path(&plot))];
+    let printed = output(without_adapter(&mut command(&flags.each_ref().map(String::as_str))));
+    assert_eq!(printed, "");
+    let read = |path: &Path| fs::read_to_string(path).expect("it was written");
+    let (table, plot) = (read(&table), read(&plot));
+    assert!(table.contains("Pictures:") && table.contains("Advice"), "{table}");
+    assert!(plot.starts_with("<svg") && plot.ends_with("</svg>\n"));
+    for name in ["reference f64", "stable f32", "naive f32", "published model"] {
+        assert!(plot.contains(name), "{name} is missing");
+    }
+    assert!(!plot.contains("NaN") && !plot.contains("inf"));
+}

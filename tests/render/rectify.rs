@@ -1,0 +1,149 @@
+//! `gamow rectify` of rendered frames, against frames rendered at rest from the same event.
+
+use std::path::Path;
+
+use gamow::headless::image_in::{Measurements, measurements, picture};
+use relativity_core::{Aperture, Speed};
+use relativity_render::rectify::Rectification;
+use relativity_render::{Camera, Picture};
+
+use super::{complaint_of, folder, render, run_gamow};
+
+/// Speeds and times: approaching, abreast and receding.
+const CASES: [(f64, f64); 4] = [(0.9, 0.6), (0.9, 2.0), (0.6, 3.0), (0.9, 6.0)];
+
+/// Solid bodies: the spokes of a wheel are thinner than a pixel, and a ray per pixel hits them at random.
+const SCENE: &str = "--scene two-balls";
+
+/// The corrected left eye's frame, and the frame of a camera at rest in the object's frame.
+fn corrected_and_true(
+    folder: &Path,
+    scene: &str,
+    beta: f64,
+    time: f64,
+    extension: &str,
+) -> [std::path::PathBuf; 2] {
+    let size = "--size 320x240 --fov 60 --ground off --sky off --shading emission";
+    let layout = if extension == "png" { "--layout left" } else { "" };
+    render(folder, &format!("{scene} --beta {beta} --time {time} {size} {layout} --out seen.{extension}"));
+    run_gamow(folder, &format!("rectify seen.{extension} --beta {beta} --out corrected.{extension}"));
+    let corrected = folder.join(format!("corrected.{extension}"));
+    let recorded = match extension {
+        "png" => picture(&corrected).expect("it was written").1,
+        _ => measurements(&corrected).expect("it was written").recorded,
+    };
+    let [fov, gaze] = ["out-fov", "out-gaze"].map(|flag| recorded.text(flag).expect("it is recorded"));
+    let size = size.replace("--fov 60", &format!("--fov {fov} --gaze {gaze}"));
+    render(
+        folder,
+        &format!(
+            "{scene} --beta {beta} --time {time} {size} {layout} --geometry rest --out true.{extension}"
+        ),
+    );
+    [corrected, folder.join(format!("true.{extension}"))]
+}
+
+/// The cameras behind a picture and its correction.
+fn rectification(seen: &Measurements, truth: &Measurements, beta: f64) -> Rectification {
+    let camera = |file: &Measurements| Camera {
+        aperture: Aperture::default(),
+        gaze: file.recorded.gaze().expect("it is recorded"),
+        horizontal_fov: file.recorded.number("fov").expect("it is recorded").to_radians(),
+        size: file.size,
+    };
+    Rectification::new(camera(seen), camera(truth), Speed::from_beta(beta).expect("a speed"))
+}
+
+/// Whether a pixel within one pixel of (column, row) fulfils `is`.
+fn is_near([column, row]: [usize; 2], [width, height]: [usize; 2], is: impl Fn(usize) -> bool) -> bool {
+    let around = |at: usize, side: usize| at.saturating_sub(1)..(at + 2).min(side);
+    around(row, height).any(|v| around(column, width).any(|u| is(v * width + u)))
+}
+
+/// Pixels at which silhouettes of the objects differ by more than a pixel, and all pixels of objects, where
+/// the picture from the ground `shows` something.
+fn misplaced(
+    corrected: &Measurements,
+    truth: &Measurements,
+    shows: impl Fn([usize; 2]) -> bool,
+) -> [usize; 2] {
+    let size = truth.size.map(|side| side as usize);
+    let [corrected, truth] = [corrected, truth].map(|file| file.channel("left.id").expect("it is there"));
+    let mut counts = [0, 0];
+    for pixel in 0..truth.len() {
+        let at = [pixel % size[0], pixel / size[0]];
+        if !shows(at) {
+            continue;
+        }
+        let has_counterpart = |id: &[f32], other: &[f32]| is_near(at, size, |near| other[near] == id[pixel]);
+        counts[0] += usize::from(!has_counterpart(corrected, truth) || !has_counterpart(truth, corrected));
+        counts[1] += usize::from(truth[pixel] >= 0.0);
+    }
+    counts
+}
+
+#[test]
+fn silhouettes_and_wavelengths_are_those_of_a_camera_riding_along() {
+    for (beta, time) in CASES {
+        let folder = folder();
+        let [corrected, truth] = corrected_and_true(folder.path(), SCENE, beta, time, "exr")
+            .map(|path| measurements(&path).expect("it was written"));
+        let seen = measurements(&folder.path().join("seen.exr")).expect("it was written");
+        let rectification = rectification(&seen, &truth, beta);
+        let shows = |[column, row]: [usize; 2]| {
+            let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
+            corners.iter().all(|[u, v]| {
+                rectification
+                    .ground_place([column as f64 + 2.0 * u - 0.5, row as f64 + 2.0 * v - 0.5])
+                    .is_some()
+            })
+        };
+        let [wrong, covered] = misplaced(&corrected, &truth, shows);
+        assert!(covered > 500, "{covered} pixels show the balls");
+        assert!(wrong * 1000 <= covered, "{wrong} of {covered} at beta {beta}, T {time}");
+        let compared = assert_wavelengths(&corrected, &truth);
+        assert!(compared > covered / 2, "{compared} of {covered}");
+    }
+}
+
+/// Compares received wavelengths wherever one object fills the surroundings; at how many pixels.
+fn assert_wavelengths(corrected: &Measurements, truth: &Measurements) -> usize {
+    let size = truth.size.map(|side| side as usize);
+    let channels = |name: &str| [corrected, truth].map(|file| file.channel(name).expect("it is there"));
+    let (ids, wavelengths) = (channels("left.id"), channels("left.wavelength_nm"));
+    let is_inside = |&pixel: &usize| {
+        let id = ids[1][pixel];
+        let at = [pixel % size[0], pixel / size[0]];
+        id >= 0.0 && ids.iter().all(|ids| !is_near(at, size, |near| ids[near] != id))
+    };
+    let inside: Vec<usize> = (0..ids[0].len()).filter(is_inside).collect();
+    for &pixel in &inside {
+        let error = (wavelengths[0][pixel] - wavelengths[1][pixel]).abs();
+        assert!(error < 0.5, "{error} nm at pixel {pixel}");
+    }
+    inside.len()
+}
+
+#[test]
+fn a_picture_becomes_evenly_red() {
+    let folder = folder();
+    let [corrected, truth] =
+        corrected_and_true(folder.path(), "", 0.6, 1.2, "png").map(|path| picture(&path).expect("written").0);
+    let is_red = |[r, g, b, _]: [u8; 4]| r > 150 && g < 60 && b < 160 && r > b;
+    let count = |picture: &Picture| picture.rgba.iter().filter(|&&pixel| is_red(pixel)).count();
+    let (corrected, truth) = (count(&corrected), count(&truth));
+    assert!(corrected * 10 > truth * 8 && corrected * 10 < truth * 12, "{corrected} of {truth}");
+}
+
+#[test]
+fn what_is_missing_is_named() {
+    let folder = folder();
+    render(folder.path(), "--out both.png");
+    let run = |arguments: &str| complaint_of(folder.path(), &format!("rectify {arguments}"));
+    assert!(run("both.png --beta 0.9 --out x.png").contains("it shows both eyes"));
+    assert!(run("both.png --beta 0.9 --out x.exr").contains("it should be of the same kind"));
+    assert!(run("none.png --beta 0.9 --out x.png").contains("none.png"));
+    assert!(run("both.png --out x.png --gaze 90,0 --fov 60").contains("it shows both eyes"));
+    render(folder.path(), "--layout left --out left.png");
+    assert!(run("left.png --out x.png").contains("one of --beta, --gamma, --rapidity is needed"));
+}
