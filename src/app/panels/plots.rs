@@ -96,7 +96,7 @@ fn points(ui: &mut Ui, state: &State, asks: &mut Asks) {
 }
 
 /// Room for the numbers beside a plot.
-pub(super) const Y_AXIS_WIDTH: f32 = 48.0;
+const Y_AXIS_WIDTH: f32 = 48.0;
 
 /// A curve to draw.
 struct Trace<'a> {
