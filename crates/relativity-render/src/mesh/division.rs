@@ -3,7 +3,9 @@
 //! Between its corners a triangle is flat where the image P(u, v) of the surface is curved. Interpolation over
 //! a triangle of a grid with steps g along u and h along v is off by at most
 //!
-//!     (g^2 |P_uu| + 2 g h |P_uv| + h^2 |P_vv|)/8
+//! ```text
+//! (g^2 |P_uu| + 2 g h |P_uv| + h^2 |P_vv|)/8
+//! ```
 //!
 //! Each direction gets a quarter of the bound, so that the mixed term, no larger than the geometric mean of the
 //! others on these shapes, has the other half. The derivatives come from second differences of the apparent
