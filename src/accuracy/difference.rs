@@ -159,3 +159,55 @@ fn is_at_outline(image: &HitImage, i: usize) -> bool {
     let near = |at: usize, side: usize| at.saturating_sub(1)..(at + 2).min(side);
     near(v, height).any(|v| near(u, width).any(|u| body(v * width + u) != body(i)))
 }
+
+#[cfg(test)]
+mod tests {
+    use relativity_core::Speed;
+    use relativity_render::{Body, Gaze, ReferenceScene, Shape};
+
+    use super::*;
+    use crate::accuracy::{Place, view_at};
+
+    fn ball(center: [f64; 3], radius: f64) -> Body {
+        Body { shape: Shape::Sphere { center, radius }, rest_wavelength_nm: 600.0 }
+    }
+
+    fn view(beta: f64) -> View {
+        let speed = Speed::from_beta(beta).expect("it is a speed");
+        view_at(Place::Abreast, speed, [0.0, 5.0, 0.0], 0.0, 1.0, [60, 40]).expect("inside the domain")
+    }
+
+    fn figures(view: &View, shown: &HitImage, truth: &[Body]) -> DifferenceFigures {
+        Difference::new(view, &ReferenceScene::new(truth).hit_image(view), shown).figures
+    }
+
+    #[test]
+    fn a_gaze_off_by_ten_arcseconds_shows_as_ten_arcseconds() {
+        let bodies = [ball([0.0, 5.0, 0.0], 1.0)];
+        for beta in [0.0, 0.9, 0.9999] {
+            let view = view(beta);
+            let mut off = view;
+            let azimuth = view.camera.gaze.azimuth + 10.0 / ARCSECONDS;
+            off.camera.gaze = Gaze { azimuth, ..view.camera.gaze };
+            let found = figures(&view, &ReferenceScene::new(&bodies).hit_image(&off), &bodies);
+            let spread = found.line_of_sight_arcseconds.expect("the ball is seen");
+            // Less by the cosine of the elevation, here up to 0.2.
+            assert!(spread.worst < 10.000_01 && spread.median > 9.8, "{spread:?} at beta = {beta}");
+        }
+    }
+
+    #[test]
+    fn objects_that_share_a_surface_are_not_wrong_and_others_are() {
+        let view = view(0.5);
+        let truth = [ball([0.0, 5.0, 0.0], 1.0), ball([0.0, 5.0, 0.0], 1.0)];
+        let mut shown = ReferenceScene::new(&truth).hit_image(&view);
+        let covered = shown.hits.iter().flatten().count();
+        shown.hits.iter_mut().flatten().for_each(|hit| hit.body = 1);
+        let found = figures(&view, &shown, &truth);
+        assert_eq!((found.wrong_pixels, found.coincident_pixels), (0, covered));
+        shown.hits.iter_mut().flatten().for_each(|hit| hit.distance *= 1.001);
+        let found = figures(&view, &shown, &truth);
+        assert_eq!((found.wrong_pixels, found.coincident_pixels), (covered, 0));
+        assert!(found.wrong_pixels_off_outlines > 0 && found.wrong_pixels_off_outlines < covered);
+    }
+}

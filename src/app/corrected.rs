@@ -15,7 +15,7 @@ const MAX_PIXELS: f64 = 200_000.0;
 /// How much finer the eye's picture is, along each side: parts of it come out enlarged.
 const FINENESS: u32 = 2;
 /// How bright what lies outside the eye's picture is, beside the background inside it.
-const OUTSIDE: f64 = 0.45;
+const OUTSIDE: f64 = 0.6;
 
 /// What a corrected picture depends on.
 #[derive(Debug, Clone, PartialEq)]

@@ -180,8 +180,10 @@ impl<'a> Axes<'a> {
     /// The name of a mark, on the side where there is more room.
     fn draw_name(&self, line: &Line, [x, y]: [f64; 2], svg: &mut String) {
         let [left, right, ..] = self.frame;
-        let (anchor, x) = if 2.0 * x < left + right { ("start", x + 9.0) } else { ("end", x - 9.0) };
-        let (y, name) = (y - 5.0, escaped(&line.name));
+        // Above or below, so that names from both sides can meet.
+        let (anchor, x, y) =
+            if 2.0 * x < left + right { ("start", x + 9.0, y - 5.0) } else { ("end", x - 9.0, y + 15.0) };
+        let name = escaped(&line.name);
         let _ = writeln!(svg, "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\">{name}</text>");
     }
 

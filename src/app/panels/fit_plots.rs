@@ -6,7 +6,7 @@ use eframe::egui::{self, Align, Color32, Layout, RichText, Ui, Vec2, Visuals, ve
 use egui_plot::{FilledArea, Line, Plot, PlotBounds, PlotPoint, PlotUi, Points, VLine};
 
 use super::Asks;
-use super::axes::{Y_AXIS_WIDTH, annotate, bounds, label, still_plot, tick, time_at_pointer};
+use super::axes::{annotate, bounds, label, still_plot, tick, time_at_pointer};
 use crate::app::command::Command;
 use crate::app::curves::Quantity;
 use crate::app::fitting::{FittedCurve, Fitting, Outcome};
@@ -15,8 +15,10 @@ use crate::app::theme;
 
 /// How much of the height the residuals take, with the numbers along T.
 const RESIDUALS_SHARE: f32 = 0.44;
-/// Between lines of the grid, so that even low plots have a scale, points.
-const LEAST_GRID_SPACING: f32 = 13.0;
+/// Between lines of the grid, faint to strong, so that even low plots have a scale; points.
+const GRID_SPACING: RangeInclusive<f32> = 13.0..=70.0;
+/// Room for the numbers of both plots: residuals have one digit more.
+const Y_AXIS_WIDTH: f32 = 54.0;
 const TITLE_HEIGHT: f32 = 20.0;
 /// A plot less wide has no room for a caption.
 const NARROWEST_WITH_CAPTION: f32 = 240.0;
@@ -83,7 +85,8 @@ impl Part {
         let now = VLine::new("T", state.session.time).color(theme::now_colour(ui.visuals())).width(1.0);
         let plot: Plot<'a> = still_plot(ui, self.name.as_str(), self.size)
             .show_axes([self.with_times, true])
-            .grid_spacing(LEAST_GRID_SPACING..=160.0)
+            .grid_spacing(GRID_SPACING)
+            .y_axis_min_width(Y_AXIS_WIDTH)
             .y_axis_formatter(|mark, _: &RangeInclusive<f64>| {
                 tick(Quantity::DeltaPhi, mark.value, mark.step_size)
             })
