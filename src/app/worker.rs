@@ -31,9 +31,9 @@ impl Wanted {
     /// False once the job was stopped, or takes long while a newer one waits.
     #[must_use]
     pub fn holds(&self) -> bool {
-        let outdated = self.number < self.newest.load(Ordering::Relaxed);
-        let stopped = self.number <= self.stopped.load(Ordering::Relaxed);
-        !stopped && !(outdated && self.started.elapsed() > PATIENCE)
+        let is_newest = self.number == self.newest.load(Ordering::Relaxed);
+        let goes_on = self.number > self.stopped.load(Ordering::Relaxed);
+        goes_on && (is_newest || self.started.elapsed() <= PATIENCE)
     }
 }
 

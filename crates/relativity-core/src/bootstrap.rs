@@ -109,7 +109,8 @@ fn quantile(values: &[f64], share: f64) -> f64 {
 ///
 /// [`FitError::Bootstrap`] if more than 5 % of the replicates have no fit, or none were asked for.
 pub fn bootstrap(fit: &Fit, replicates: usize, seed: u64) -> Result<Bootstrap, FitError> {
-    bootstrap_unless(fit, replicates, seed, || false).expect("nothing stops it")
+    let none = Err(FitError::Bootstrap { failed: replicates, replicates });
+    bootstrap_unless(fit, replicates, seed, || false).unwrap_or(none)
 }
 
 /// As [`bootstrap`], but `None` soon after `stopped` becomes true, which is asked before each replicate.

@@ -5,8 +5,8 @@ use rayon::prelude::*;
 
 use crate::colour::hue_preserving_clip;
 use crate::picture::{Picture, encoded};
-use crate::rectify::{Rectification, sample_place};
-use crate::reference::{Hit, HitImage};
+use crate::rectify::Rectification;
+use crate::reference::{Hit, HitImage, sample_grid};
 use crate::shade::surface_colour;
 use crate::view::Appearance;
 
@@ -46,8 +46,9 @@ impl Rectification {
             corrected_colour(&hit, rest_wavelengths_nm[hit.body], appearance, doppler_factor)
         };
         let pixel = |index: u32| {
-            let sum = (0..SAMPLES * SAMPLES).fold([0.0; 3], |sum: [f64; 3], part| {
-                let part = colour(sample_place([index % width, index / width], part, SAMPLES));
+            let places = sample_grid([index % width, index / width], SAMPLES);
+            let sum = places.fold([0.0; 3], |sum: [f64; 3], place| {
+                let part = colour(place);
                 std::array::from_fn(|i| sum[i] + part[i])
             });
             encoded(sum.map(|part| part / f64::from(SAMPLES * SAMPLES)))

@@ -18,6 +18,7 @@ use relativity_core::{Speed, aberration};
 use crate::camera::{Camera, Gaze, LinesOfSight};
 use crate::colour::{hue_preserving_clip, linear_srgb, mix, srgb_decoded};
 use crate::picture::{Picture, encoded};
+use crate::reference::sample_grid;
 use crate::view::Colour;
 
 /// Rays per pixel of a corrected picture, along each side.
@@ -89,12 +90,11 @@ impl Rectification {
     /// `picture` must have the size of the camera on the ground.
     #[must_use]
     pub fn picture(&self, picture: &Picture, light: LightCorrection) -> Picture {
-        let linear: Vec<[f64; 3]> = picture.rgba.par_iter().map(linear_rgb).collect();
+        let linear: Vec<[f64; 3]> = picture.rgba.par_iter().map(|&pixel| linear_rgb(pixel)).collect();
         let [width, height] = self.rest.size;
         let pixel = |index: u32| {
             let mut sum = [0.0; 3];
-            for part in 0..SAMPLES * SAMPLES {
-                let place = sample_place([index % width, index / width], part, SAMPLES);
+            for place in sample_grid([index % width, index / width], SAMPLES) {
                 let Some(source) = self.ground_place(place) else { continue };
                 let colour = interpolated(&linear, picture.size, source);
                 let corrected = light.corrected(colour, self.doppler_factor(source));
@@ -139,14 +139,8 @@ fn wavelength_nm(hue: [f64; 3]) -> Option<f64> {
     (distance(&nearest.1).sqrt() <= HUE_TOLERANCE).then_some(nearest.0)
 }
 
-fn linear_rgb([r, g, b, _]: &[u8; 4]) -> [f64; 3] {
-    [r, g, b].map(|&part| srgb_decoded(f64::from(part) / 255.0))
-}
-
-/// Centre of one of the `samples` times `samples` equal parts of a pixel.
-pub(crate) fn sample_place([column, row]: [u32; 2], part: u32, samples: u32) -> [f64; 2] {
-    let place = |pixel: u32, part: u32| f64::from(pixel) + (f64::from(part) + 0.5) / f64::from(samples);
-    [place(column, part % samples), place(row, part / samples)]
+fn linear_rgb([r, g, b, _]: [u8; 4]) -> [f64; 3] {
+    [r, g, b].map(|part| srgb_decoded(f64::from(part) / 255.0))
 }
 
 /// The colour at `place`, between the centres of pixels.

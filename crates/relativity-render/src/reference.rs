@@ -177,7 +177,7 @@ impl ReferenceScene {
 }
 
 /// The centres of `samples` times `samples` equal parts of a pixel.
-fn sample_grid([u, v]: [u32; 2], samples: u32) -> impl Iterator<Item = [f64; 2]> {
+pub(crate) fn sample_grid([u, v]: [u32; 2], samples: u32) -> impl Iterator<Item = [f64; 2]> {
     let place = move |pixel, part| f64::from(pixel) + (f64::from(part) + 0.5) / f64::from(samples);
     (0..samples).flat_map(move |j| (0..samples).map(move |i| [place(u, i), place(v, j)]))
 }
