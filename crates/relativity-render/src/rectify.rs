@@ -89,7 +89,7 @@ impl Rectification {
     /// `picture` must have the size of the camera on the ground.
     #[must_use]
     pub fn picture(&self, picture: &Picture, light: LightCorrection) -> Picture {
-        let linear: Vec<[f64; 3]> = picture.rgba.par_iter().map(linear_rgb).collect();
+        let linear: Vec<[f64; 3]> = picture.rgba.par_iter().copied().map(linear_rgb).collect();
         let [width, height] = self.rest.size;
         let pixel = |index: u32| {
             let mut sum = [0.0; 3];
@@ -139,7 +139,7 @@ fn wavelength_nm(hue: [f64; 3]) -> Option<f64> {
     (distance(&nearest.1).sqrt() <= HUE_TOLERANCE).then_some(nearest.0)
 }
 
-fn linear_rgb([r, g, b, _]: &[u8; 4]) -> [f64; 3] {
+fn linear_rgb([r, g, b, _]: [u8; 4]) -> [f64; 3] {
     [r, g, b].map(|&part| srgb_decoded(f64::from(part) / 255.0))
 }
 
