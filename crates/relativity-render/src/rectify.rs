@@ -140,7 +140,7 @@ fn wavelength_nm(hue: [f64; 3]) -> Option<f64> {
 }
 
 fn linear_rgb([r, g, b, _]: [u8; 4]) -> [f64; 3] {
-    [r, g, b].map(|&part| srgb_decoded(f64::from(part) / 255.0))
+    [r, g, b].map(|part| srgb_decoded(f64::from(part) / 255.0))
 }
 
 /// Centre of one of the equal parts of a pixel.
