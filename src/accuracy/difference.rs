@@ -11,8 +11,9 @@ use super::spread::Spread;
 /// Arcseconds of a radian.
 pub const ARCSECONDS: f64 = 3600.0 * 180.0 / std::f64::consts::PI;
 
-/// Difference of distances, relative, below which two objects share a surface, and which of them is seen is
-/// beyond f32: where the tubes of a figure meet in a joint, say.
+/// Two objects share a surface where their points along a ray are nearer to each other in the rest frame than this
+/// part of the distance, on the ground or in the rest frame, whichever is less. Which of them is seen is beyond f32:
+/// where the tubes of a figure meet in a joint, say.
 pub const COINCIDENCE: f64 = 1e-5;
 
 /// How one pixel differs from the reference's.
@@ -98,13 +99,17 @@ fn pixel_difference(
             arcseconds: ARCSECONDS * angle(line_of_sight, direction(view, shown.rest_position)),
             doppler: (shown.doppler_factor / reference.doppler_factor - 1.0).abs(),
         },
-        (Some(reference), Some(shown))
-            if (shown.distance / reference.distance - 1.0).abs() <= COINCIDENCE =>
-        {
+        (Some(reference), Some(shown)) if share_surface(reference, shown) => {
             PixelDifference::CoincidentObject
         }
         _ => PixelDifference::WrongObject,
     }
+}
+
+/// In the rest frame, since on the ground all of a receding body is about equally far.
+fn share_surface(a: &Hit, b: &Hit) -> bool {
+    let rest_distance = a.distance / a.doppler_factor;
+    a.rest_position.distance(b.rest_position) <= COINCIDENCE * a.distance.min(rest_distance)
 }
 
 /// Along which `view` sees the rest-frame point `place`; through the core's light cone, not back along the ray.
@@ -205,7 +210,7 @@ mod tests {
         shown.hits.iter_mut().flatten().for_each(|hit| hit.body = 1);
         let found = figures(&view, &shown, &truth);
         assert_eq!((found.wrong_pixels, found.coincident_pixels), (0, covered));
-        shown.hits.iter_mut().flatten().for_each(|hit| hit.distance *= 1.001);
+        shown.hits.iter_mut().flatten().for_each(|hit| hit.rest_position.y += 1e-3);
         let found = figures(&view, &shown, &truth);
         assert_eq!((found.wrong_pixels, found.coincident_pixels), (covered, 0));
         assert!(found.wrong_pixels_off_outlines > 0 && found.wrong_pixels_off_outlines < covered);
