@@ -2,7 +2,7 @@
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Rect, ThemePreference, pos2, vec2};
-use egui_kittest::Harness;
+use egui_kittest::{Harness, SnapshotOptions};
 use egui_kittest::kittest::Queryable as _;
 use gamow::app::App;
 use gamow::app::command::Command;
@@ -17,6 +17,8 @@ use super::support::{cyclist, labels, window, window_of_size};
 
 pub const TESTS: &[Test] = &[
     ("every_part_is_in_the_window_from_1024x600_to_4k", every_part_is_in_the_window),
+    ("the_light_window_looks_as_it_did", the_light_window_looks_as_it_did),
+    ("the_dark_window_looks_as_it_did", the_dark_window_looks_as_it_did),
     ("tiny_windows_do_no_harm", tiny_windows),
     ("extremes_show_numbers_or_dashes", extremes_show_numbers_or_dashes),
     ("every_scene_shows", every_scene_shows),
@@ -57,6 +59,25 @@ fn every_part_is_in_the_window() {
             assert_both_backgrounds_differ(&mut window, theme);
         }
     }
+}
+
+fn the_light_window_looks_as_it_did() {
+    assert_looks_as_it_did(ThemePreference::Light, "window-light");
+}
+
+fn the_dark_window_looks_as_it_did() {
+    assert_looks_as_it_did(ThemePreference::Dark, "window-dark");
+}
+
+/// The views are left out: their pixels depend on the rasteriser. `UPDATE_SNAPSHOTS=1` accepts a new look.
+fn assert_looks_as_it_did(theme: ThemePreference, name: &str) {
+    let mut state = cyclist(0.9);
+    state.settings.window.theme = theme;
+    state.settings.window.views = false;
+    let mut window = window_of_size(state, [1024.0, 600.0], 1.0);
+    window.run();
+    let options = SnapshotOptions::new().threshold(1.0).failed_pixel_count_threshold(300);
+    window.snapshot_options(name, &options);
 }
 
 /// The corner of the window shows the theme: light or dark.
