@@ -76,7 +76,7 @@ fn assert_looks_as_it_did(theme: ThemePreference, name: &str) {
     state.settings.window.views = false;
     let mut window = window_of_size(state, [1024.0, 600.0], 1.0);
     window.run();
-    let options = SnapshotOptions::new().threshold(1.0).failed_pixel_count_threshold(300);
+    let options = SnapshotOptions::new().threshold(1.0).max_failed_pixels(300_usize);
     window.snapshot_options(name, &options);
 }
 
