@@ -122,7 +122,7 @@ mod tests {
         assert_eq!(fixed(-1.5, 3), "−1.500");
         assert_eq!(fixed(0.0, 2), "0.00");
         assert_eq!(fixed(-2.5e9, 2), "−2.50e9");
-        assert_eq!([0.9, 20.0, -2.5e9].map(|value| trimmed(value, 4)), ["0.9", "20", "−2.5000e9"]);
+        assert_eq!([0.9, 20.0, -2.5e9].map(|value| trimmed(value, 4)), ["0.9", "20", "−2.50e9"]);
     }
 
     #[test]
