@@ -11,8 +11,9 @@ use super::spread::Spread;
 /// Arcseconds of a radian.
 pub const ARCSECONDS: f64 = 3600.0 * 180.0 / std::f64::consts::PI;
 
-/// Difference of distances, relative, below which two objects share a surface, and which of them is seen is
-/// beyond f32: where the tubes of a figure meet in a joint, say.
+/// Two objects share a surface where their points along a ray are nearer to each other in the rest frame than this
+/// part of the distance, on the ground or in the rest frame, whichever is less. Which of them is seen is beyond f32:
+/// where the tubes of a figure meet in a joint, say.
 pub const COINCIDENCE: f64 = 1e-5;
 
 /// How one pixel differs from the reference's.
@@ -98,13 +99,17 @@ fn pixel_difference(
             arcseconds: ARCSECONDS * angle(line_of_sight, direction(view, shown.rest_position)),
             doppler: (shown.doppler_factor / reference.doppler_factor - 1.0).abs(),
         },
-        (Some(reference), Some(shown))
-            if (shown.distance / reference.distance - 1.0).abs() <= COINCIDENCE =>
-        {
+        (Some(reference), Some(shown)) if share_surface(reference, shown) => {
             PixelDifference::CoincidentObject
         }
         _ => PixelDifference::WrongObject,
     }
+}
+
+/// In the rest frame, since on the ground all of a receding body is about equally far.
+fn share_surface(a: &Hit, b: &Hit) -> bool {
+    let rest_distance = a.distance / a.doppler_factor;
+    a.rest_position.distance(b.rest_position) <= COINCIDENCE * a.distance.min(rest_distance)
 }
 
 /// Along which `view` sees the rest-frame point `place`; through the core's light cone, not back along the ray.
@@ -158,4 +163,56 @@ fn is_at_outline(image: &HitImage, i: usize) -> bool {
     let [u, v] = [i % width, i / width];
     let near = |at: usize, side: usize| at.saturating_sub(1)..(at + 2).min(side);
     near(v, height).any(|v| near(u, width).any(|u| body(v * width + u) != body(i)))
+}
+
+#[cfg(test)]
+mod tests {
+    use relativity_core::Speed;
+    use relativity_render::{Body, Gaze, ReferenceScene, Shape};
+
+    use super::*;
+    use crate::accuracy::{Place, view_at};
+
+    fn ball(center: [f64; 3], radius: f64) -> Body {
+        Body { shape: Shape::Sphere { center, radius }, rest_wavelength_nm: 600.0 }
+    }
+
+    fn view(beta: f64) -> View {
+        let speed = Speed::from_beta(beta).expect("it is a speed");
+        view_at(Place::Abreast, speed, [0.0, 5.0, 0.0], 0.0, 1.0, [60, 40]).expect("inside the domain")
+    }
+
+    fn figures(view: &View, shown: &HitImage, truth: &[Body]) -> DifferenceFigures {
+        Difference::new(view, &ReferenceScene::new(truth).hit_image(view), shown).figures
+    }
+
+    #[test]
+    fn a_gaze_off_by_ten_arcseconds_shows_as_ten_arcseconds() {
+        let bodies = [ball([0.0, 5.0, 0.0], 1.0)];
+        for beta in [0.0, 0.9, 0.9999] {
+            let view = view(beta);
+            let mut off = view;
+            let azimuth = view.camera.gaze.azimuth + 10.0 / ARCSECONDS;
+            off.camera.gaze = Gaze { azimuth, ..view.camera.gaze };
+            let found = figures(&view, &ReferenceScene::new(&bodies).hit_image(&off), &bodies);
+            let spread = found.line_of_sight_arcseconds.expect("the ball is seen");
+            // Less by the cosine of the elevation, here up to 0.2.
+            assert!(spread.worst < 10.000_01 && spread.median > 9.8, "{spread:?} at beta = {beta}");
+        }
+    }
+
+    #[test]
+    fn objects_that_share_a_surface_are_not_wrong_and_others_are() {
+        let view = view(0.5);
+        let truth = [ball([0.0, 5.0, 0.0], 1.0), ball([0.0, 5.0, 0.0], 1.0)];
+        let mut shown = ReferenceScene::new(&truth).hit_image(&view);
+        let covered = shown.hits.iter().flatten().count();
+        shown.hits.iter_mut().flatten().for_each(|hit| hit.body = 1);
+        let found = figures(&view, &shown, &truth);
+        assert_eq!((found.wrong_pixels, found.coincident_pixels), (0, covered));
+        shown.hits.iter_mut().flatten().for_each(|hit| hit.rest_position.y += 1e-3);
+        let found = figures(&view, &shown, &truth);
+        assert_eq!((found.wrong_pixels, found.coincident_pixels), (covered, 0));
+        assert!(found.wrong_pixels_off_outlines > 0 && found.wrong_pixels_off_outlines < covered);
+    }
 }

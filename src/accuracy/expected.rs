@@ -87,3 +87,33 @@ impl Renderers {
         displacement_px(&reference, view, place, |strip| self.hits_in_part(method, view, strip))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use relativity_core::Speed;
+
+    use super::*;
+    use crate::accuracy::{Place, view_at};
+    use crate::scene::Scene;
+
+    #[test]
+    fn it_runs_on_another_thread_until_it_is_cancelled() {
+        let scene = Scene::default();
+        let mut renderers = Renderers::new(&scene.bodies, None);
+        let speed = Speed::from_beta(0.9).expect("it is a speed");
+        let view =
+            view_at(Place::Abreast, speed, scene.tracked, 0.1, 1.0, [32, 24]).expect("inside the domain");
+        let mut examined = |cancelled| {
+            let (looks, cancelled) = (Appearance::default(), AtomicBool::new(cancelled));
+            let work = || {
+                expected_error(&mut renderers, Method::Reference, &view, &looks, Effort::GLANCE, &cancelled)
+            };
+            std::thread::scope(|scope| scope.spawn(work).join().expect("it does not panic"))
+        };
+        assert_eq!(examined(true), Ok(None));
+        let found = examined(false).expect("it needs no GPU").expect("it was not cancelled");
+        assert_eq!(found.difference.pixels.len(), 32 * 24);
+        assert_eq!(found.difference.figures.wrong_pixels, 0);
+        assert!(found.difference.figures.covered_pixels > 0 && found.frame_ms > 0.0);
+    }
+}

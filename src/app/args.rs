@@ -21,7 +21,7 @@ pub struct WindowArgs {
     #[command(flatten)]
     speed: SpeedArgs,
     /// Separation of the eyes, 0 or more.
-    #[arg(long, value_parser = length)]
+    #[arg(long, value_parser = length, allow_hyphen_values = true)]
     d: Option<f64>,
     /// Observation time T to start at.
     #[arg(long, value_parser = finite_number, allow_hyphen_values = true)]

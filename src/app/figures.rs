@@ -5,8 +5,8 @@ use relativity_core::Speed;
 /// What stands where a number does not exist.
 pub const NONE: &str = "–";
 
-/// `value` with `decimals` digits after the point; in powers of ten where that would not fit; a dash
-/// if it is not a number.
+/// `value` with `decimals` digits after the point; in powers of ten, with two, where that would not
+/// fit; a dash if it is not a number.
 #[must_use]
 pub fn fixed(value: f64, decimals: u8) -> String {
     if !value.is_finite() {

@@ -6,7 +6,7 @@ use std::io::BufReader;
 use std::path::Path;
 
 use anyhow::Context as _;
-use exr::prelude::{FlatSamples, LayerAttributes, read_first_flat_layer_from_file};
+use exr::prelude::{FlatSamples, LayerAttributes, f16, read_first_flat_layer_from_file};
 use relativity_render::{Gaze, Picture};
 
 use super::render::choices::GazeChoice;
@@ -97,7 +97,7 @@ pub fn measurements(path: &Path) -> anyhow::Result<Measurements> {
     let channels = layer.channel_data.list.into_iter().map(|channel| {
         let values = match channel.sample_data {
             FlatSamples::F32(values) => values,
-            FlatSamples::F16(values) => values.into_iter().map(|value| value.to_f32()).collect(),
+            FlatSamples::F16(values) => values.into_iter().map(f16::to_f32).collect(),
             FlatSamples::U32(values) => values.into_iter().map(|value| value as f32).collect(),
         };
         (channel.name.to_string(), values)

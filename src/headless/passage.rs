@@ -1,9 +1,26 @@
-//! The range of observation times in which a point is seen to pass.
+//! The observation times at which a passing point is seen at a given place.
 
 use relativity_core::{DomainError, SourcePoint, Speed, equidistance_time};
 
-/// The observation times at which `point` is seen at x = -2 R and at x = +2 R, R being its distance from
-/// the eyes as it passes x = 0; `None` at rest.
+/// The observation time at which `point` is seen at x = `ratio` R, R being its distance from the eyes as it
+/// passes x = 0; `None` at rest.
+///
+/// # Errors
+///
+/// A coordinate outside the domain of the core.
+pub fn time_seen_at(
+    ratio: f64,
+    speed: &Speed,
+    point: SourcePoint,
+    separation: f64,
+) -> Result<Option<f64>, DomainError> {
+    let at_origin = SourcePoint { x0: 0.0, ..point };
+    let Some(distance) = equidistance_time(speed, at_origin, separation)? else { return Ok(None) };
+    let emitted = (ratio * distance - point.x0) / speed.beta();
+    Ok(Some(emitted + ratio.hypot(1.0) * distance))
+}
+
+/// The observation times at which `point` is seen at x = -2 R and at x = +2 R; `None` at rest.
 ///
 /// # Errors
 ///
@@ -13,9 +30,6 @@ pub fn passage_times(
     point: SourcePoint,
     separation: f64,
 ) -> Result<Option<[f64; 2]>, DomainError> {
-    let at_origin = SourcePoint { x0: 0.0, ..point };
-    let Some(distance) = equidistance_time(speed, at_origin, separation)? else { return Ok(None) };
-    // Light from x = -2 R and +2 R leaves at these times, and travels sqrt(5) R.
-    let time = |x: f64| (x * distance - point.x0) / speed.beta() + 5.0_f64.sqrt() * distance;
-    Ok(Some([time(-2.0), time(2.0)]))
+    let time = |ratio| time_seen_at(ratio, speed, point, separation);
+    Ok(time(-2.0)?.zip(time(2.0)?).map(|(first, last)| [first, last]))
 }

@@ -22,7 +22,7 @@ use crate::cli::SpeedArgs;
 ///
 /// Gives what a camera moving along with them would have taken at the same event: lines of sight turned back by
 /// aberration, wavelengths multiplied by the Doppler factor D, intensities divided by D^n. Works on any PNG picture with
-/// a known field of view, and on the OpenEXR files of `gamow render`.
+/// a known field of view, and on the EXR files of `gamow render`.
 ///
 /// The colours of a PNG picture tell wavelengths by their hue only: the part of a colour that is not grey counts as
 /// monochromatic. What the Doppler effect shifted out of sight stays dark.

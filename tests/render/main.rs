@@ -9,6 +9,7 @@ use std::process::{Command, Output};
 use tempfile::TempDir;
 
 mod errors;
+mod measure;
 mod measurements;
 mod pictures;
 mod rectify;

@@ -12,10 +12,10 @@ use relativity_render::{
     View,
 };
 
-const ROUNDS: usize = 7;
+const ROUNDS: usize = 5;
 const SIZE: [u32; 2] = [480, 540];
-/// A brute-force frame of more bodies than this takes minutes on a software GPU.
-const MOST_FOR_BRUTE_FORCE: usize = 640;
+/// A brute-force frame of more bodies than this takes half a minute on a software GPU.
+const MOST_FOR_BRUTE_FORCE: usize = 64;
 
 fn main() -> Result<(), GpuError> {
     let gpu = Gpu::headless()?;

@@ -6,7 +6,7 @@ use eframe::egui::{self, Align, Color32, Layout, RichText, Ui, Vec2, Visuals, ve
 use egui_plot::{FilledArea, Line, Plot, PlotBounds, PlotPoint, PlotUi, Points, VLine};
 
 use super::Asks;
-use super::plots::{annotate, bounds, label, still_plot, tick, time_at_pointer};
+use super::axes::{annotate, bounds, label, still_plot, tick, time_at_pointer};
 use crate::app::command::Command;
 use crate::app::curves::Quantity;
 use crate::app::fitting::{FittedCurve, Fitting, Outcome};

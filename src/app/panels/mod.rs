@@ -1,6 +1,7 @@
 //! The parts of the window, one file each. Each reads the state and asks for commands; none calls
 //! another.
 
+mod axes;
 pub mod bar;
 pub mod controls;
 pub mod corrected;

@@ -3,14 +3,11 @@
 
 use std::ops::RangeInclusive;
 
-use eframe::egui::{self, Align2, Color32, Id, RichText, Sense, Stroke, TextStyle, Ui, vec2};
-use egui_plot::{
-    GridInput, GridMark, HoverPosition, Line, LineStyle, Plot, PlotBounds, PlotPoint, PlotResponse, PlotUi,
-    Points, VLine,
-};
-
+use eframe::egui::{self, Color32, RichText, Ui, vec2};
+use egui_plot::{HoverPosition, Line, LineStyle, PlotPoint, PlotResponse, PlotUi, Points, VLine};
 use relativity_core::{Disparity, Sighting};
 
+use super::axes::{Y_AXIS_WIDTH, annotate, bounds, grid, label, still_plot, tick, time_at_pointer, unit};
 use super::icons::{self, Icon};
 use super::widgets::dot;
 use super::{Asks, fit};
@@ -94,9 +91,6 @@ fn points(ui: &mut Ui, state: &State, asks: &mut Asks) {
         ui.add_space(6.0);
     }
 }
-
-/// Room for the numbers beside a plot.
-const Y_AXIS_WIDTH: f32 = 48.0;
 
 /// A curve to draw.
 struct Trace<'a> {
@@ -186,24 +180,6 @@ fn plot(
     }
 }
 
-/// A plot over T that neither scrolls nor zooms, so that a drag can move T.
-pub(super) fn still_plot<'a>(ui: &Ui, id: impl egui::AsIdSalt, size: egui::Vec2) -> Plot<'a> {
-    Plot::new(id)
-        .width(size.x)
-        .height(size.y)
-        .allow_zoom(false)
-        .allow_drag(false)
-        .allow_scroll(false)
-        .allow_boxed_zoom(false)
-        .allow_double_click_reset(false)
-        .allow_axis_zoom_drag(false)
-        .sense(Sense::click_and_drag())
-        .y_axis_min_width(Y_AXIS_WIDTH)
-        .grid_color(ui.visuals().weak_text_color().gamma_multiply(0.25))
-        .grid_spacing(24.0..=220.0)
-        .link_cursor(Id::unique("cursor over T"), [true, false])
-}
-
 /// What is drawn of `quantity`: of every point for a disparity, of each eye of the selected one else.
 fn traces<'a>(ui: &Ui, state: &State, curves: &'a [Curves], quantity: Quantity) -> Vec<Trace<'a>> {
     let selected = state.session.points.selected_index();
@@ -252,60 +228,6 @@ fn value_at(points: &[PlotPoint], time: f64) -> Option<f64> {
     Some(if b.x > a.x { a.y + (b.y - a.y) * (time - a.x) / (b.x - a.x) } else { b.y })
 }
 
-/// All `values` in the range of T, with a margin; never of no height.
-pub(super) fn bounds(values: impl Iterator<Item = f64> + Clone, [from, to]: [f64; 2]) -> PlotBounds {
-    let lowest = values.clone().fold(f64::INFINITY, f64::min);
-    let highest = values.fold(f64::NEG_INFINITY, f64::max);
-    let (lowest, highest) = if lowest <= highest { (lowest, highest) } else { (0.0, 0.0) };
-    let margin = (0.08 * (highest - lowest)).max(1e-6 * highest.abs()).max(1e-9);
-    let width = (to - from).max(1e-9);
-    PlotBounds::from_min_max([from, lowest - margin], [from + width, highest + margin])
-}
-
-pub(super) fn label(quantity: Quantity) -> &'static str {
-    match quantity {
-        Quantity::DeltaPhi => "Δφ",
-        Quantity::DeltaTheta => "Δθ",
-        Quantity::Phi => "φ",
-        Quantity::Theta => "θ",
-        Quantity::LogDoppler => "D",
-    }
-}
-
-fn unit(quantity: Quantity) -> &'static str {
-    if quantity == Quantity::LogDoppler { "" } else { " rad" }
-}
-
-/// Where the grid lines are: at round numbers; for the logarithm of D at round numbers of D itself.
-fn grid(quantity: Quantity, input: GridInput) -> Vec<GridMark> {
-    if quantity != Quantity::LogDoppler {
-        return egui_plot::log_grid_spacer(10)(input);
-    }
-    let (from, to) = input.bounds;
-    let stride = ((to - from) / 8.0).ceil().max(1.0);
-    let first = (from / stride).floor();
-    let decades = (0..=9).map(|i| (first + f64::from(i)) * stride);
-    let within: &[f64] = if to - from < 3.0 { &[1.0, 1.5, 2.0, 3.0, 5.0, 7.0] } else { &[1.0] };
-    // A step of half a decade or more leaves room for the number at each.
-    let step_size = if to - from < 3.0 { 0.5 } else { stride };
-    decades
-        .flat_map(|decade| within.iter().map(move |value| decade + value.log10()))
-        .filter(|value| (from..=to).contains(value))
-        .map(|value| GridMark { value, step_size })
-        .collect()
-}
-
-/// The text at a grid line: as many digits as tell it from its neighbours.
-pub(super) fn tick(quantity: Quantity, value: f64, step: f64) -> String {
-    if quantity == Quantity::LogDoppler {
-        return figures::power_of_ten(value);
-    }
-    let decimals = (-step.abs().log10().floor()).clamp(0.0, 9.0) as u8;
-    // Rounding, so that a grid line at -1e-17 reads 0.
-    let rounded = (value / step).round() * step + 0.0;
-    figures::fixed(rounded, decimals)
-}
-
 fn hover_text(quantity: Quantity, hover: &HoverPosition<'_>) -> Option<String> {
     let HoverPosition::NearDataPoint { plot_name, position, .. } = hover else { return None };
     let value = match quantity {
@@ -316,27 +238,6 @@ fn hover_text(quantity: Quantity, hover: &HoverPosition<'_>) -> Option<String> {
     Some(format!("{plot_name}\nT = {time}\n{} = {value}{}", label(quantity), unit(quantity)))
 }
 
-/// Names the axis and T0, and frames the plot.
-pub(super) fn annotate(ui: &Ui, response: &PlotResponse<()>, equidistant: Option<f64>) {
-    let frame = *response.transform.frame();
-    let painter = ui.painter().with_clip_rect(frame);
-    let small = TextStyle::Small.resolve(ui.style());
-    let inset = vec2(7.0, 4.0);
-    let weak = ui.visuals().weak_text_color();
-    painter.text(frame.max - inset, Align2::RIGHT_BOTTOM, "T", small.clone(), weak);
-    if let Some(time) = equidistant {
-        let x = response.transform.position_from_point_x(time);
-        let place = egui::pos2(x + 3.0, frame.max.y - 3.0);
-        painter.text(place, Align2::LEFT_BOTTOM, "T₀", small, weak);
-    }
-    painter.rect_stroke(
-        frame,
-        2.0,
-        Stroke::new(1.0, ui.visuals().widgets.noninteractive.bg_stroke.color),
-        egui::StrokeKind::Inside,
-    );
-}
-
 /// Names the plot for assistive technology: what it shows, of what.
 fn describe(response: &PlotResponse<()>, state: &State, quantity: Quantity) {
     let point = state.session.points.selected().name();
@@ -344,12 +245,4 @@ fn describe(response: &PlotResponse<()>, state: &State, quantity: Quantity) {
     response
         .response
         .widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::GraphicsObject, true, &name));
-}
-
-/// The T that is pointed at with the button pressed.
-pub(super) fn time_at_pointer(response: &PlotResponse<()>) -> Option<f64> {
-    let pressed = response.response.dragged() || response.response.clicked();
-    let place = response.response.interact_pointer_pos().filter(|_| pressed)?;
-    let time = response.transform.value_from_position(place).x;
-    time.is_finite().then_some(time)
 }

@@ -48,7 +48,7 @@ pub struct Setting {
     pub silhouette_resolution_px: f64,
     /// Displacements of silhouettes from this on, pixels, are reported as this.
     pub silhouette_limit_px: f64,
-    /// Two objects share a surface where their distances differ by less than this, relatively.
+    /// Two objects share a surface where they are nearer to each other than this part of their distance.
     pub coincidence: f64,
 }
 

@@ -260,7 +260,7 @@ impl fmt::Display for Report {
         writeln!(f, "  {:29} {:24} correlation", "     value +- uncertainty", "95 % interval")?;
         for (parameter, mean) in combined.iter() {
             write_estimate(f, parameter, mean.value, mean.uncertainty, mean.ci95)?;
-            writeln!(f, "  {:.3}", mean.correlation)?;
+            writeln!(f, "  {}", correlation_text(mean.correlation))?;
         }
         Ok(())
     }
@@ -278,12 +278,17 @@ impl fmt::Display for Outcome {
             write_estimate(f, parameter, estimate.value, estimate.uncertainty, estimate.ci95)?;
             write!(f, "  {:.1e} ", estimate.uncertainty_linear)?;
             for correlation in correlations {
-                write!(f, "{correlation:7.3}")?;
+                write!(f, "{:>7}", correlation_text(*correlation))?;
             }
             writeln!(f)?;
         }
         Ok(())
     }
+}
+
+/// A dash stands for what does not exist: parameters that no replicate moves, as without noise.
+fn correlation_text(correlation: f64) -> String {
+    if correlation.is_finite() { format!("{correlation:.3}") } else { "-".to_owned() }
 }
 
 /// A line of a table, with as many decimals as the uncertainty calls for.

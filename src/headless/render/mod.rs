@@ -29,9 +29,9 @@ use crate::scene::{PRESETS, Scene};
 
 /// Draws what both eyes see, without a window, a display or a GPU.
 ///
-/// Without flags: the stereo frame of the paper's cyclist at beta = 0.9, d = 0.1, T = T0. A `.png` file
-/// is a picture, an `.exr` file holds what every pixel shows (object, distance, time of emission, Doppler
-/// factor, ...), and with --frames a folder takes a sequence.
+/// Without flags: the stereo frame of the paper's cyclist at beta = 0.9, d = 0.1, as the visible strip runs
+/// across it. A `.png` file is a picture, an `.exr` file holds what every pixel shows (object, distance,
+/// time of emission, Doppler factor, ...), and with --frames a folder takes a sequence.
 #[derive(Debug, Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct RenderArgs {
@@ -91,7 +91,7 @@ pub fn run(args: &RenderArgs) -> anyhow::Result<()> {
         return sequence::run(&mut Studio::new(args)?, &args.times, &args.out);
     };
     let mut studio = Studio::new(args)?;
-    let time = args.times.time.map_or_else(|| studio.observer.equidistance_time(), Ok)?;
+    let time = args.times.time.map_or_else(|| studio.observer.time_of_approach(), Ok)?;
     for _ in 0..if args.timings { args.repeat } else { 1 } {
         studio.make_file(time, kind, &args.out)?;
     }

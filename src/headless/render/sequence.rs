@@ -15,7 +15,7 @@ use crate::cli::finite_number;
 /// Flags of time: one picture, or a sequence.
 #[derive(Debug, Clone, Args)]
 pub struct TimeArgs {
-    /// Observation time T [default: T0, when both eyes are equally far from the tracked point]
+    /// Observation time T [default: when the tracked point is seen 45 degrees before it is abreast; 0 at rest]
     #[arg(long, value_name = "T", value_parser = finite_number, allow_hyphen_values = true, conflicts_with = "frames")]
     pub time: Option<f64>,
     /// Make a sequence of N frames.

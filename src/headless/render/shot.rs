@@ -3,12 +3,12 @@
 use anyhow::Context as _;
 use clap::Args;
 use glam::DVec3;
-use relativity_core::{Aperture, SourcePoint, Speed, equidistance_time, sighting};
+use relativity_core::{Aperture, SourcePoint, Speed, sighting};
 use relativity_render::{Camera, Gaze, Geometry, View};
 
 use super::choices::{GazeChoice, GeometryChoice, Size, field_of_view, word};
 use crate::cli::{SpeedArgs, finite_number};
-use crate::headless::passage::passage_times;
+use crate::headless::passage::{passage_times, time_seen_at};
 
 /// Speed of the paper's cyclist.
 const CYCLIST_BETA: f64 = 0.9;
@@ -73,9 +73,10 @@ impl Observer {
         Ok(Self { speed: args.speed.speed(CYCLIST_BETA)?, args: args.clone(), tracked })
     }
 
-    /// T0 of the tracked point, when both eyes see it at the same distance; 0 at rest.
-    pub fn equidistance_time(&self) -> anyhow::Result<f64> {
-        let time = equidistance_time(&self.speed, self.tracked_source(), self.args.d)?;
+    /// When the tracked point is seen 45 degrees before it is abreast, as in the window at the start: the
+    /// visible strip of the spectrum then runs across the cyclist. 0 at rest.
+    pub fn time_of_approach(&self) -> anyhow::Result<f64> {
+        let time = time_seen_at(-1.0, &self.speed, self.tracked_source(), self.args.d)?;
         Ok(time.unwrap_or(0.0))
     }
 

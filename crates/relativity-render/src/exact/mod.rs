@@ -22,6 +22,12 @@ use pieces::{Bounds, Pieces};
 use pipelines::{Key, Pipelines};
 
 /// Draws exactly what an aperture sees.
+///
+/// # Accuracy
+///
+/// `tests/gpu_exact.rs`, against the f64 reference up to gamma = 1000: the body differs at fewer than 0.1 % of
+/// covered pixels, all of them within 0.05 px of an outline; D is within 1e-5; hits lie within 2e-6 of
+/// the surfaces of bodies about 1 large. Where surfaces of two bodies coincide, either may show.
 #[derive(Debug)]
 pub struct ExactRenderer {
     canvas: Canvas,

@@ -3,13 +3,15 @@
 //! Between its corners a triangle is flat where the image P(u, v) of the surface is curved. Interpolation over
 //! a triangle of a grid with steps g along u and h along v is off by at most
 //!
-//!     (g^2 |P_uu| + 2 g h |P_uv| + h^2 |P_vv|)/8
+//! ```text
+//! (g^2 |P_uu| + 2 g h |P_uv| + h^2 |P_vv|)/8
+//! ```
 //!
 //! Each direction gets a quarter of the bound, so that the mixed term, no larger than the geometric mean of the
 //! others on these shapes, has the other half. The derivatives come from second differences of the apparent
 //! position in f64 at places all over the body: so the count follows from what the speed makes of the shape.
 
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use glam::{DVec2, DVec3};
 
@@ -23,8 +25,9 @@ const MAX_SEGMENTS: f64 = 512.0;
 const SAFETY: f64 = 1.3;
 /// Step of the second differences, radians or half lengths.
 const STEP: f64 = 1e-2;
-const AROUND: [f64; 8] = [0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875];
-const ALONG: [f64; 7] = [-0.99, -0.75, -0.4, 0.0, 0.4, 0.75, 0.99];
+/// Where a body is sampled: along it, and turned around it (radians).
+const ALONG: [f64; 5] = [-1.0, -0.5, 0.0, 0.5, 1.0];
+const AROUND: [f64; 4] = [0.0, FRAC_PI_2, PI, 1.5 * PI];
 
 /// The division of `body` that keeps `bound_px` under `map`.
 pub fn division(body: &Body, map: &Map, bound_px: f64) -> Division {
@@ -56,8 +59,8 @@ pub fn division(body: &Body, map: &Map, bound_px: f64) -> Division {
                     + outward * (radius + tube_radius * angle.cos())
                     + axis * (tube_radius * angle.sin())
             };
-            let around = curvature.greatest(|t, angle, h| surface(std::f64::consts::PI * t + h, angle));
-            let tube = curvature.greatest(|t, angle, h| surface(std::f64::consts::PI * t, angle + h));
+            let around = curvature.greatest(|t, angle, h| surface(PI * t + h, angle));
+            let tube = curvature.greatest(|t, angle, h| surface(PI * t, angle + h));
             Division::Ring { around: segments(TAU * around, 8), tube: segments(TAU * tube, 6) }
         }
     }
@@ -127,7 +130,7 @@ impl Curvature<'_> {
     /// The most segments per unit that any place of `surface` (a place along in [-1, 1], an angle, and the
     /// step of the parameter in question) needs.
     fn greatest(&self, surface: impl Fn(f64, f64, f64) -> DVec3) -> f64 {
-        let places = ALONG.iter().flat_map(|t| AROUND.iter().map(move |turn| (*t, TAU * turn)));
+        let places = ALONG.iter().flat_map(|t| AROUND.iter().map(move |turn| (*t, *turn)));
         let needed = places.map(|(t, angle)| self.segments(|h| surface(t, angle, h)));
         SAFETY * needed.fold(0.0, f64::max)
     }

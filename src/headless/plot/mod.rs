@@ -3,7 +3,11 @@
 //! Colours are those of M. Okabe and K. Ito, *Color universal design* (2008), which colour-blind eyes tell
 //! apart; lines differ by dashes too.
 
+mod scale;
+
 use std::fmt::Write as _;
+
+use self::scale::{decades, linear_ticks, powers_of_ten, span, widened};
 
 /// Black.
 pub const BLACK: &str = "#000000";
@@ -18,8 +22,6 @@ const HEIGHT: f64 = 380.0;
 const MARGIN: Margin = Margin { left: 72.0, right: 16.0, top: 44.0, bottom: 52.0 };
 /// Room for a row of the legend.
 const LEGEND_ROW: f64 = 17.0;
-/// About how many ticks an axis has.
-const TICKS: f64 = 6.0;
 
 struct Margin {
     left: f64,
@@ -180,18 +182,16 @@ impl<'a> Axes<'a> {
     /// The name of a mark, on the side where there is more room.
     fn draw_name(&self, line: &Line, [x, y]: [f64; 2], svg: &mut String) {
         let [left, right, ..] = self.frame;
-        let (anchor, x) = if 2.0 * x < left + right { ("start", x + 9.0) } else { ("end", x - 9.0) };
-        let (y, name) = (y - 5.0, escaped(&line.name));
+        // Above or below, so that names from both sides can meet.
+        let (anchor, x, y) =
+            if 2.0 * x < left + right { ("start", x + 9.0, y - 5.0) } else { ("end", x - 9.0, y + 15.0) };
+        let name = escaped(&line.name);
         let _ = writeln!(svg, "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\">{name}</text>");
     }
 
     /// Values to mark on an axis over `range`, and how they are written.
     fn ticks(&self, range: [f64; 2]) -> Vec<(f64, String)> {
-        if self.panel.logarithmic {
-            powers_of_ten(range)
-        } else {
-            ticks(range).into_iter().map(|value| (value, tick_label(value))).collect()
-        }
+        if self.panel.logarithmic { powers_of_ten(range) } else { linear_ticks(range) }
     }
 
     fn draw_axes(&self, svg: &mut String) {
@@ -256,65 +256,6 @@ fn draw_piece(line: &Line, places: &[[f64; 2]], svg: &mut String) {
     svg.push_str("\"/>\n");
 }
 
-/// From the least to the largest of `values`, and `margin` of that more at both ends.
-fn span(values: impl Iterator<Item = f64> + Clone, margin: f64) -> [f64; 2] {
-    let low = values.clone().fold(f64::INFINITY, f64::min);
-    let high = values.fold(f64::NEG_INFINITY, f64::max);
-    let room = margin * (high - low);
-    if high > low { [low - room, high + room] } else { [low - 1.0, low + 1.0] }
-}
-
-/// Exponents of the powers of ten around `values`.
-fn decades(values: impl Iterator<Item = f64> + Clone) -> [f64; 2] {
-    let [low, high] = span(values.map(f64::log10), 0.0);
-    [low.floor(), high.ceil().max(low.floor() + 1.0)]
-}
-
-/// About [`TICKS`] powers of ten whose exponents lie in `range`.
-fn powers_of_ten([low, high]: [f64; 2]) -> Vec<(f64, String)> {
-    let step = ((high - low) / TICKS).ceil().max(1.0) as usize;
-    let exponents = (low.ceil() as i32..=high.floor() as i32).step_by(step);
-    exponents.map(|exponent| (10.0_f64.powi(exponent), power_label(exponent))).collect()
-}
-
-fn power_label(exponent: i32) -> String {
-    let superscript = |digit: char| match digit {
-        '-' => '\u{207b}',
-        '1' => '\u{b9}',
-        '2' => '\u{b2}',
-        '3' => '\u{b3}',
-        // The other superscripts are in one row.
-        digit => digit.to_digit(10).and_then(|digit| char::from_u32(0x2070 + digit)).unwrap_or(digit),
-    };
-    format!("10{}", exponent.to_string().chars().map(superscript).collect::<String>())
-}
-
-/// The range of this `length` with the same middle.
-fn widened([low, high]: [f64; 2], length: f64) -> [f64; 2] {
-    let middle = 0.5 * (low + high);
-    [middle - 0.5 * length, middle + 0.5 * length]
-}
-
-/// Round values inside `range`: multiples of 1, 2 or 5 times a power of ten.
-fn ticks([low, high]: [f64; 2]) -> Vec<f64> {
-    let step = round_step((high - low) / TICKS);
-    let first = (low / step).ceil() as i64;
-    let last = (high / step).floor() as i64;
-    (first..=last).map(|n| n as f64 * step).collect()
-}
-
-fn round_step(step: f64) -> f64 {
-    let power = 10.0_f64.powf(step.log10().floor());
-    let leading = step / power;
-    power * [1.0, 2.0, 5.0, 10.0].into_iter().find(|&nice| nice >= leading).unwrap_or(10.0)
-}
-
-/// At most six significant digits: what is left of them is rounding.
-fn tick_label(value: f64) -> String {
-    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
-    rounded.to_string().replace('-', "\u{2212}")
-}
-
 fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;")
 }
@@ -322,29 +263,6 @@ fn escaped(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn ticks_are_round_and_inside() {
-        assert_eq!(ticks([-0.35, 0.08]).map_labels(), ["−0.3", "−0.2", "−0.1", "0"]);
-        assert_eq!(ticks([0.0, 11.0]).map_labels(), ["0", "2", "4", "6", "8", "10"]);
-    }
-
-    #[test]
-    fn logarithmic_axes_go_from_power_to_power() {
-        assert_eq!(decades([3e-4, 0.02, 10.0].into_iter()), [-4.0, 1.0]);
-        let labels: Vec<_> = powers_of_ten([-10.0, 2.0]).into_iter().map(|(_, label)| label).collect();
-        assert_eq!(labels, ["10⁻¹⁰", "10⁻⁸", "10⁻⁶", "10⁻⁴", "10⁻²", "10⁰", "10²"]);
-    }
-
-    trait Labels {
-        fn map_labels(&self) -> Vec<String>;
-    }
-
-    impl Labels for Vec<f64> {
-        fn map_labels(&self) -> Vec<String> {
-            self.iter().map(|&value| tick_label(value)).collect()
-        }
-    }
 
     #[test]
     fn points_inside_the_axes_are_drawn_inside_the_picture() {

@@ -1,0 +1,141 @@
+//! Pictures of both GPU renderers against the reference's, effect by effect.
+
+#[expect(dead_code, reason = "shared with tests of the hits")]
+mod gpu_support;
+#[expect(dead_code, reason = "shared with the reference's tests")]
+mod support;
+
+use std::process::ExitCode;
+
+use gpu_support::scenes::{still_life, time_seen_at, view_following};
+use relativity_core::Speed;
+use relativity_render::{
+    Appearance, Colour, ExactRenderer, EyeTarget, Geometry, Gpu, HitImage, MeshRenderer, ReferenceScene,
+    Shading, View,
+};
+
+fn main() -> ExitCode {
+    gpu_support::run(&[
+        ("pictures_are_the_references", pictures_are_the_references),
+        ("edges_are_the_references_on_average", edges_are_the_references_on_average),
+        ("every_speed_gives_a_picture", every_speed_gives_a_picture),
+    ])
+}
+
+const FOLLOWED: [f64; 3] = [-0.4, 3.0, 0.7];
+
+fn view(speed: Speed) -> View {
+    view_following(FOLLOWED, speed, time_seen_at(FOLLOWED, &speed, 0.3), 45.0)
+}
+
+fn fast() -> View {
+    view(Speed::from_beta(0.9).expect("below 1"))
+}
+
+fn appearances() -> Vec<Appearance> {
+    let plain = Appearance {
+        doppler_shift: false,
+        intensity_exponent: None,
+        shading: Shading::Emission,
+        sky: false,
+        ..Appearance::default()
+    };
+    vec![
+        plain,
+        Appearance { shading: Shading::Form, ground_z: Some(-0.5), ..plain },
+        Appearance { ground_z: Some(0.5), sky: true, light: true, ..plain },
+        Appearance { doppler_shift: true, colour: Colour::False, exposure_ev: -1.0, ..plain },
+        Appearance { intensity_exponent: Some(2.0), exposure_ev: 1.0, ..plain },
+        Appearance { intensity_exponent: Some(3.0), ..plain },
+        Appearance { intensity_exponent: Some(4.0), ..plain },
+        Appearance { intensity_exponent: Some(2.5), ..Appearance::default() },
+    ]
+}
+
+/// Away from outlines and grid lines, every component is within this many of 255 levels.
+const LEVELS: i32 = 2;
+
+fn pictures_are_the_references(gpu: &Gpu) {
+    let mut exact = ExactRenderer::new(gpu);
+    let mut mesh = MeshRenderer::new(gpu);
+    let bodies = still_life();
+    let reference = ReferenceScene::new(&bodies);
+    for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
+        let view = View { geometry, ..fast() };
+        let hits = reference.hit_image(&view);
+        let mut target = EyeTarget::new(gpu, view.camera.size);
+        for appearance in appearances() {
+            let truth = reference.picture(&view, &appearance, 1).rgba;
+            exact.draw(gpu, &bodies, &view, &appearance, &mut target);
+            let drawn = target.rgba8(gpu).expect("device works");
+            let off = levels_off(&drawn, &truth, |i| is_inside(&hits, i));
+            assert!(off <= LEVELS, "exact, {geometry:?}, {appearance:?}: {off} levels off");
+            mesh.bound_px = 0.1;
+            mesh.draw(gpu, &bodies, &view, &appearance, &mut target);
+            let drawn = target.rgba8(gpu).expect("device works");
+            // Normals are interpolated between corners.
+            let off = levels_off(&drawn, &truth, |i| is_inside(&hits, i));
+            assert!(off <= 3 * LEVELS, "mesh, {geometry:?}, {appearance:?}: {off} levels off");
+        }
+    }
+}
+
+/// Greatest difference of any component where `counts`.
+fn levels_off(drawn: &[u8], truth: &[[u8; 4]], counts: impl Fn(usize) -> bool) -> i32 {
+    let pixels = drawn.chunks(4).zip(truth).enumerate().filter(|(i, _)| counts(*i));
+    let difference = |(a, b): (&u8, &u8)| (i32::from(*a) - i32::from(*b)).abs();
+    pixels.flat_map(|(_, (drawn, truth))| drawn.iter().zip(truth).map(difference)).max().unwrap_or(0)
+}
+
+/// Whether a pixel and all around it show one body, the same side of it.
+fn is_inside(hits: &HitImage, i: usize) -> bool {
+    let [width, height] = hits.size.map(|v| v as usize);
+    let (u, v) = (i % width, i / width);
+    if !(1..width - 1).contains(&u) || !(1..height - 1).contains(&v) {
+        return false;
+    }
+    let Some(here) = hits.hits[i] else { return false };
+    [i - width - 1, i - width, i - width + 1, i - 1, i + 1, i + width - 1, i + width, i + width + 1]
+        .into_iter()
+        .all(|j| {
+            hits.hits[j].is_some_and(|there| {
+                there.body == here.body && there.rest_normal.distance(here.rest_normal) < 0.5
+            })
+        })
+}
+
+/// Sixteen rays per pixel against four samples, and thin bodies: their light agrees within this share.
+const LIGHT_SHARE: f64 = 0.01;
+
+fn edges_are_the_references_on_average(gpu: &Gpu) {
+    let bodies = still_life();
+    let appearance = Appearance { intensity_exponent: None, sky: false, ..Appearance::default() };
+    let truth = ReferenceScene::new(&bodies).picture(&fast(), &appearance, 4).rgba;
+    let expected = light(truth.iter().flat_map(|pixel| &pixel[..3]));
+    let mut target = EyeTarget::new(gpu, fast().camera.size);
+    ExactRenderer::new(gpu).draw(gpu, &bodies, &fast(), &appearance, &mut target);
+    let drawn = target.rgba8(gpu).expect("device works");
+    let found = light(drawn.chunks(4).flat_map(|pixel| &pixel[..3]));
+    assert!((found / expected - 1.0).abs() < LIGHT_SHARE, "{found} for {expected}");
+}
+
+/// Sum of linear light.
+fn light<'a>(encoded: impl Iterator<Item = &'a u8>) -> f64 {
+    encoded.map(|level| (f64::from(*level) / 255.0).powf(2.2)).sum()
+}
+
+fn every_speed_gives_a_picture(gpu: &Gpu) {
+    let mut exact = ExactRenderer::new(gpu);
+    let mut mesh = MeshRenderer::new(gpu);
+    for gamma in [1.0, 1e3, 1e6, 1e12, 1e30] {
+        let speed = Speed::from_gamma(gamma).expect("in range");
+        for observation_time in [-10.0, 0.0, 5.0] {
+            let view = View { observation_time, ..view(speed) };
+            let hits = exact.hits(gpu, &still_life(), &view).expect("device works");
+            let meshed = mesh.hits(gpu, &still_life(), &view).expect("device works");
+            for hit in hits.hits.into_iter().chain(meshed.hits).flatten() {
+                assert!(hit.distance.is_finite() && hit.rest_position.is_finite(), "gamma {gamma}: {hit:?}");
+            }
+        }
+    }
+}

@@ -1,0 +1,95 @@
+//! The whole chain: pictures of a passing ball, its disparities measured in them, and its speed and distance.
+
+use std::path::Path;
+
+use serde_json::Value;
+
+use super::{complaint_of, folder, render, run_gamow};
+
+/// A ball where the paper's tracked point is. (At small sizes a ball is easier to find than a spot on a tyre.)
+const BALL: &str = "\
+name = \"A ball\"
+[[object]]
+shape = \"sphere\"
+center = [0.0, 3.0, 2.0]
+radius = 0.12
+wavelength_nm = 550
+";
+/// The colour of light of 550 nm.
+const GREEN: &str = "2cff00";
+
+/// A sequence of the ball in `ride`, by the paper's numbers, small.
+fn ride(folder: &Path, flags: &str) {
+    std::fs::write(folder.join("ball.toml"), BALL).expect("the folder is there");
+    let camera = "--beta 0.9 --d 0.1 --size 160x120 --fov 50";
+    render(folder, &format!("--scene ball.toml --frames 30 {camera} {flags} --out ride"));
+}
+
+/// Speed and distance from `ride.csv` are the true ones within three standard errors, and these are small.
+fn assert_recovers(folder: &Path) {
+    let report: Value =
+        serde_json::from_str(&run_gamow(folder, "fit ride.csv --json")).expect("the report is JSON");
+    // The paper's uncertainties are 0.01, 0.05 and 0.08; these pictures are far smaller than a camera's.
+    for (name, truth, largest) in [("beta", 0.9, 0.015), ("y", 3.0, 0.1), ("z", 2.0, 0.08)] {
+        let parameter = &report["parameters"][name];
+        let [value, error] = ["value", "uncertainty"].map(|key| parameter[key].as_f64().expect("a number"));
+        assert!((value - truth).abs() <= 3.0 * error, "{name} = {value} +- {error}");
+        assert!(error < largest, "{name} = {value} +- {error}");
+    }
+}
+
+#[test]
+fn measurements_of_an_object_give_its_speed_and_distance() {
+    let folder = folder();
+    ride(folder.path(), "--exr");
+    run_gamow(folder.path(), "measure ride --object 0 --out ride.csv");
+    assert_recovers(folder.path());
+    assert!(
+        complaint_of(folder.path(), "measure ride --object 7").contains("none of 30 files shows the target")
+    );
+    assert!(complaint_of(folder.path(), "measure ride --marker ff0000").contains("there is no .png file"));
+}
+
+#[test]
+fn a_marker_in_pictures_gives_its_speed_and_distance() {
+    let folder = folder();
+    let plain = "--doppler-shift off --intensity-exponent off --shading emission --ground off --sky off";
+    ride(folder.path(), plain);
+    run_gamow(folder.path(), &format!("measure ride --marker {GREEN} --out ride.csv"));
+    assert_recovers(folder.path());
+}
+
+/// The angles of a mark on the surface are those of the light cone, to a fraction of a pixel.
+#[test]
+fn a_mark_on_a_surface_is_found_to_a_fraction_of_a_pixel() {
+    use relativity_core::{Aperture, SourcePoint, Speed, disparity};
+
+    let folder = folder();
+    let mark = [-0.2, 2.6, 2.2];
+    let camera = "--scene two-balls --beta 0.7 --d 0.4 --size 200x150 --fov 60";
+    for time in ["2.2", "3.1", "4.0"] {
+        render(folder.path(), &format!("{camera} --time {time} --out {time}.exr"));
+    }
+    // On the ball's surface, towards the eyes.
+    let direction = [mark[0], mark[1] - 3.0, mark[2] - 2.0];
+    let scale = 0.5 / direction.iter().map(|part| part * part).sum::<f64>().sqrt();
+    let point = [scale * direction[0], 3.0 + scale * direction[1], 2.0 + scale * direction[2]];
+    let words = format!("measure 2.2.exr 3.1.exr 4.0.exr --point={},{},{}", point[0], point[1], point[2]);
+    let text = run_gamow(folder.path(), &words);
+    let rows: Vec<Vec<f64>> = text
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').map(|cell| cell.parse().expect("a number")).collect())
+        .collect();
+    assert_eq!(rows.len(), 3, "{text}");
+    let speed = Speed::from_beta(0.7).expect("a speed");
+    let [left, right] = Aperture::pair(0.4);
+    for row in rows {
+        let source = SourcePoint::from_rest(point, &speed);
+        let seen = disparity(&speed, source, left, right, row[0]).expect("inside the domain");
+        let pixel = 60.0_f64.to_radians() / 200.0;
+        for (measured, exact) in [(row[6], seen.dphi), (row[7], seen.dtheta), (row[2], seen.primary.phi())] {
+            assert!((measured - exact).abs() < 0.15 * pixel, "{measured} is not {exact}");
+        }
+    }
+}
