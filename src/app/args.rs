@@ -6,7 +6,7 @@ use anyhow::Context as _;
 use clap::Args;
 use relativity_render::Geometry;
 
-use super::settings::Settings;
+use super::settings::{PlotTab, Settings};
 use super::speed_setting::SpeedSetting;
 use super::state::State;
 use crate::cli::{SpeedArgs, finite_number};
@@ -35,6 +35,12 @@ pub struct WindowArgs {
     /// What the views show.
     #[arg(long, value_enum)]
     geometry: Option<GeometryArg>,
+    /// Show the left eye's picture with the distortion undone, too.
+    #[arg(long)]
+    corrected: bool,
+    /// What is plotted.
+    #[arg(long, value_enum)]
+    plot: Option<PlotArg>,
     /// Colours of the window.
     #[arg(long, value_enum)]
     theme: Option<ThemeArg>,
@@ -52,6 +58,18 @@ enum GeometryArg {
     Seen,
     Contracted,
     Rest,
+}
+
+#[derive(Debug, Clone, Copy, clap::ValueEnum)]
+enum PlotArg {
+    /// How differently the eyes see each point.
+    Disparity,
+    /// Azimuth and elevation for each eye.
+    Angles,
+    /// Doppler factor for each eye.
+    Doppler,
+    /// Speed and distance fitted to noisy disparities.
+    Fit,
 }
 
 #[derive(Debug, Clone, Copy, clap::ValueEnum)]
@@ -76,6 +94,10 @@ impl WindowArgs {
         if let Some(geometry) = self.geometry {
             settings.look.geometry = geometry.into();
         }
+        if let Some(plot) = self.plot {
+            settings.plots.tab = plot.into();
+        }
+        settings.window.corrected |= self.corrected;
         if let Some(theme) = self.theme {
             settings.window.theme = theme.into();
         }
@@ -95,6 +117,17 @@ impl WindowArgs {
     #[must_use]
     pub fn window_size_or_default(&self) -> [u32; 2] {
         self.window_size.unwrap_or(DEFAULT_SIZE)
+    }
+}
+
+impl From<PlotArg> for PlotTab {
+    fn from(plot: PlotArg) -> Self {
+        match plot {
+            PlotArg::Disparity => Self::Disparity,
+            PlotArg::Angles => Self::Angles,
+            PlotArg::Doppler => Self::Doppler,
+            PlotArg::Fit => Self::Fit,
+        }
     }
 }
 

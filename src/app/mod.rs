@@ -82,6 +82,12 @@ impl App {
         self.corrected.as_ref()
     }
 
+    /// Whether everything is as it stays while nothing changes: no work in the background is left.
+    #[must_use]
+    pub fn is_settled(&self) -> bool {
+        !self.fitting.is_pending() && self.corrected.as_ref().is_none_or(Corrected::is_up_to_date)
+    }
+
     /// Does what the user would have asked for.
     pub fn ask(&mut self, command: Command) {
         self.state.apply(command);

@@ -1,6 +1,7 @@
 //! Draws the window once, without a display, and saves it.
 
 use std::path::Path;
+use std::time::Duration;
 
 use anyhow::Context as _;
 use eframe::egui::{Context, FullOutput, Pos2, RawInput, Rect, vec2};
@@ -14,6 +15,8 @@ use crate::headless::output::write_whole;
 
 /// Frames until the layout has settled: the size of a scroll area is known from the frame before.
 const FRAMES: usize = 3;
+/// How often it is asked whether a fit is done.
+const WAIT: Duration = Duration::from_millis(5);
 
 /// Saves the window's content in `state`, `size` points of one pixel each, as a PNG file. The file is
 /// written whole or not at all.
@@ -36,11 +39,15 @@ fn pixels(state: State, size: [u32; 2]) -> anyhow::Result<Vec<u8>> {
     let ctx = Context::default();
     let mut app = App::new(&ctx, Some(&render_state), state);
     let painter = Painter::new(&render_state, size);
-    for frame in 0..FRAMES {
+    for frame in 1.. {
         let mut output = ctx.run_ui(input(size, frame), |ui| app.show(ui));
         painter.load(&mut output);
-        if frame + 1 == FRAMES {
+        if frame >= FRAMES && app.is_settled() {
             painter.paint(&ctx, output);
+            break;
+        }
+        if !app.is_settled() {
+            std::thread::sleep(WAIT);
         }
     }
     Ok(painter.target.rgba8(&painter.gpu)?)

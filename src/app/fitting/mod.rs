@@ -72,7 +72,13 @@ impl Fitting {
     /// Whether the newest outcome is what was asked for.
     #[must_use]
     pub const fn is_up_to_date(&self) -> bool {
-        self.shown.is_some() && self.awaited_since.is_none()
+        self.shown.is_some() && !self.is_pending()
+    }
+
+    /// Whether a fit is being made.
+    #[must_use]
+    pub const fn is_pending(&self) -> bool {
+        self.awaited_since.is_some()
     }
 
     /// How many fits were asked for.

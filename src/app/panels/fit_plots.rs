@@ -25,8 +25,11 @@ const NARROWEST_WITH_CAPTION: f32 = 240.0;
 /// An outdated picture is drawn this faintly.
 const FAINT: f32 = 0.35;
 
-/// Shows the plots of the fitted curves side by side.
+/// Shows the plots of the fitted curves side by side; nothing where there are no samples.
 pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
+    if fitting.shown().is_none_or(|outcome| outcome.data.iter().all(Vec::is_empty)) {
+        return;
+    }
     let used = state.settings.fit.curves.used();
     let shown = [Quantity::DeltaPhi, Quantity::DeltaTheta].into_iter().zip(used).filter(|(_, used)| *used);
     let count = used.iter().filter(|used| **used).count() as f32;
@@ -54,15 +57,25 @@ fn pair(ui: &mut Ui, state: &State, fitting: &Fitting, quantity: Quantity, size:
             ui.label(RichText::new("samples, fit, 95 % band").weak().small());
         }
     });
-    let height = (size.y - TITLE_HEIGHT - 4.0).max(20.0);
     let drawing = Drawing::new(ui.visuals(), state, fitting, quantity);
+    let height = (size.y - TITLE_HEIGHT - 4.0).max(20.0);
+    let has_residuals = drawing.fitted.is_some();
+    let residuals_height = if has_residuals { RESIDUALS_SHARE * height } else { 0.0 };
     let name = label(quantity);
-    let upper = vec2(size.x, (1.0 - RESIDUALS_SHARE) * height);
-    let fit = Part { name: format!("Fit of {name} against T"), size: upper, with_times: false };
-    fit.show(ui, state, drawing.curve_bounds(), asks, |plot| drawing.curve(plot));
-    let lower = vec2(size.x, RESIDUALS_SHARE * height);
-    let residuals = Part { name: format!("Residuals of {name} against T"), size: lower, with_times: true };
-    residuals.show(ui, state, drawing.residual_bounds(), asks, |plot| drawing.residuals(plot));
+    let curve = Part {
+        name: format!("Fit of {name} against T"),
+        size: vec2(size.x, height - residuals_height),
+        with_times: !has_residuals,
+    };
+    curve.show(ui, state, drawing.curve_bounds(), asks, |plot| drawing.curve(plot));
+    if has_residuals {
+        let residuals = Part {
+            name: format!("Residuals of {name} against T"),
+            size: vec2(size.x, residuals_height),
+            with_times: true,
+        };
+        residuals.show(ui, state, drawing.residual_bounds(), asks, |plot| drawing.residuals(plot));
+    }
 }
 
 /// One plot.

@@ -135,10 +135,10 @@ fn notes(ui: &mut Ui, outcome: &Outcome, fitted: &Fitted) {
         None => format!("{DEFAULT_REPLICATES} replicates"),
         Some(_) => "no bootstrap".to_owned(),
     };
-    let text =
-        format!("rms {rms} rad  ·  {} readings  ·  {uncertainties}  ·  {milliseconds} ms", fitted.readings);
-    ui.label(RichText::new(text).weak().small())
-        .on_hover_text("Root mean square of sample minus fit, and how long fit and bootstrap took.");
+    let text = format!("rms {rms} rad  ·  {} readings  ·  {uncertainties}", fitted.readings);
+    // The time is no part of the picture: the same state is drawn the same.
+    let tip = format!("Root mean square of sample minus fit. Fit and bootstrap took {milliseconds} ms.");
+    ui.label(RichText::new(text).weak().small()).on_hover_text(tip);
     if let Some(problem) = &fitted.no_bootstrap {
         ui.label(RichText::new(format!("± by linearisation: {problem}.")).small());
     }
