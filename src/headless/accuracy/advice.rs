@@ -157,13 +157,17 @@ fn on_effects(report: &Report) -> String {
     let looks = effects.without.iter().filter(|row| row.same_geometry);
     let dearest = looks.min_by(|a, b| a.ratio.total_cmp(&b.ratio));
     let share = |ratio: f64| 100.0 * (1.0 - ratio);
+    let least = (3.0 * effects.repeatability).max(0.05);
     match (dearest, effects.without.last()) {
-        (Some(dearest), Some(all)) if dearest.ratio < 0.95 => format!(
+        (Some(dearest), Some(all)) if dearest.ratio < 1.0 - least => format!(
             "To save time, leave out first: {}, {:.0} % of the picture's time; all effects and the delay of light together are {:.0} %.",
             dearest.effect,
             share(dearest.ratio),
             share(all.ratio)
         ),
-        _ => "No effect costs more than 5 % of the picture's time: leave them on.".to_owned(),
+        _ => format!(
+            "No effect of looks was measured to cost more than {:.0} % of the picture's time: leave them on.",
+            100.0 * least
+        ),
     }
 }

@@ -174,6 +174,8 @@ pub struct EffectsReport {
     pub view: Circumstances,
     /// Milliseconds per picture of one eye with everything on.
     pub all_on_ms: f64,
+    /// By how much the same picture differed when it was timed again, relatively: less is noise.
+    pub repeatability: f64,
     /// One entry per effect, and one with all off.
     pub without: Vec<EffectRow>,
 }

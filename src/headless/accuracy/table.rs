@@ -101,6 +101,8 @@ impl Report {
         writeln!(f, "\nWhat effects cost: {}, {}", effects.method, view(&effects.view))?;
         writeln!(f, "{:36}{:>9}", "", "ms/eye")?;
         writeln!(f, "{:36}{:9.2}", "everything on", effects.all_on_ms)?;
+        let again = 100.0 * effects.repeatability;
+        writeln!(f, "(timed twice, it differed by {again:.0} %; smaller differences are noise)")?;
         let row = |row: &super::report::EffectRow| {
             let name = format!("without {}", row.effect);
             writeln!(f, "{name:44}{:9.2} {:9.2} of that", row.frame_ms, row.ratio)
