@@ -2,8 +2,8 @@
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Rect, ThemePreference, pos2, vec2};
-use egui_kittest::{Harness, SnapshotOptions};
 use egui_kittest::kittest::Queryable as _;
+use egui_kittest::{Harness, SnapshotOptions};
 use gamow::app::App;
 use gamow::app::command::Command;
 use gamow::app::settings::{PlotTab, Plots};
