@@ -40,8 +40,9 @@ fn without_flags_it_is_the_stereo_frame_of_the_paper() {
         "--scene=cyclist",
         "--beta=0.9",
         "--d=0.1",
-        "--time=3.6058",
-        "--gaze=90,33.69",
+        // T at which the tracked point is seen at X = -R, R^2 = 13 + d^2/4: -R/0.9 + sqrt(2) R.
+        "--time=1.09295",
+        "--gaze=140.2",
         "--layout=side-by-side",
     ] {
         assert!(parameters.contains(part), "{part} in {parameters}");

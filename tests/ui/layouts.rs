@@ -77,7 +77,7 @@ fn assert_looks_as_it_did(theme: ThemePreference, name: &str) {
     let mut window = window_of_size(state, [1024.0, 600.0], 1.0);
     window.run();
     let options = SnapshotOptions::new().threshold(1.0).max_failed_pixels(300_usize);
-    window.snapshot_options(name, &options);
+    window.try_snapshot_options(name, &options).unwrap_or_else(|difference| panic!("{difference}"));
 }
 
 /// The corner of the window shows the theme: light or dark.
