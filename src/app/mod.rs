@@ -1,7 +1,7 @@
 //! The window: two eyes' views of a scene that rides past, controls, a timeline, plots and a readout.
 //!
 //! Three owners of state: [`settings`] are remembered, [`state`] lasts a session, and the GPU's part
-//! lives in [`eyes`]. Panels read the state and ask for [`command::Command`]s; [`App`] applies them in
+//! lives in `eyes`. Panels read the state and ask for [`command::Command`]s; [`App`] applies them in
 //! between, so that what follows a control follows it in the same frame.
 
 pub mod args;

@@ -119,14 +119,14 @@ mod tests {
         rectification.picture_of_hits(&hits, &[RED_NM; 2], &appearance(), BLANK)
     }
 
-    fn greyness(pixel: &[u8; 4]) -> u8 {
+    fn greyness(pixel: [u8; 4]) -> u8 {
         pixel[0].min(pixel[1]).min(pixel[2])
     }
 
     /// Pixels that show a body and nothing else, and the largest difference of one from the colour at rest.
     fn bodies_in(picture: &Picture) -> (usize, u8) {
         let expected = encoded(crate::colour::linear_srgb(RED_NM, Colour::Visible));
-        let full = picture.rgba.iter().filter(|pixel| greyness(pixel) == 0);
+        let full = picture.rgba.iter().filter(|pixel| greyness(**pixel) == 0);
         let difference = |pixel: &[u8; 4]| (0..3).map(|i| pixel[i].abs_diff(expected[i])).max();
         (full.clone().count(), full.filter_map(difference).max().unwrap_or(0))
     }
@@ -150,7 +150,7 @@ mod tests {
             let pairs = corrected(beta).rgba.into_iter().zip(&expected.hits);
             let wrong = |(pixel, hit): &([u8; 4], &Option<Hit>)| {
                 let outside = pixel == &encoded(BLANK.outside);
-                !outside && hit.is_some() != (greyness(pixel) < encoded(BLANK.background)[0] / 2)
+                !outside && hit.is_some() != (greyness(*pixel) < encoded(BLANK.background)[0] / 2)
             };
             pairs.filter(wrong).count()
         };
