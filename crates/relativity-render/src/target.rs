@@ -12,6 +12,15 @@ pub(crate) const ENCODED_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba
 /// Bits of floats: 32-bit floats cannot be drawn to everywhere.
 pub(crate) const MEASURES_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Uint;
 
+/// Where bodies are drawn; those thinner than a pixel are blended by how much of it they cover.
+pub(crate) fn linear_target(is_thin: bool) -> wgpu::ColorTargetState {
+    wgpu::ColorTargetState {
+        format: LINEAR_FORMAT,
+        blend: is_thin.then_some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING),
+        write_mask: wgpu::ColorWrites::ALL,
+    }
+}
+
 /// One eye's picture: sRGB-encoded RGBA8 that can be sampled, copied and read back.
 #[derive(Debug)]
 pub struct EyeTarget {

@@ -22,15 +22,8 @@ fn pictures(report: &Report) -> Panel {
     let marks = report.renderers.iter().zip(COLOURS).map(|(renderer, colour)| {
         mark(&renderer.method, colour, renderer.frame_ms, renderer.worst_view.silhouettes_px, RESOLUTION_PX)
     });
-    Panel {
-        title: format!("Pictures, {width}x{height}: {device}"),
-        labels: ["ms per eye", "displacement of silhouettes, pixels"],
-        lines: marks.collect(),
-        mark: None,
-        equal_scales: false,
-        logarithmic: true,
-        width: 520.0,
-    }
+    let title = format!("Pictures, {width}x{height}: {device}");
+    logarithmic(title, ["ms per eye", "displacement of silhouettes, pixels"], marks.collect())
 }
 
 fn points(report: &Report) -> Panel {
@@ -45,15 +38,12 @@ fn points(report: &Report) -> Panel {
         .chain([published])
         .zip(COLOURS)
         .map(|((name, cost, error), colour)| mark(name, colour, cost, error, LEAST_ARCSECONDS));
-    Panel {
-        title: "Points, one thread".to_owned(),
-        labels: ["ns per point", "error of the line of sight, arcseconds"],
-        lines: marks.collect(),
-        mark: None,
-        equal_scales: false,
-        logarithmic: true,
-        width: 520.0,
-    }
+    let labels = ["ns per point", "error of the line of sight, arcseconds"];
+    logarithmic("Points, one thread".to_owned(), labels, marks.collect())
+}
+
+fn logarithmic(title: String, labels: [&'static str; 2], lines: Vec<Line>) -> Panel {
+    Panel { logarithmic: true, width: 520.0, ..Panel::new(title, labels, lines) }
 }
 
 /// Errors below `least` are drawn there, and said to be.

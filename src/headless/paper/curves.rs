@@ -1,7 +1,8 @@
 //! The paper's curves: angles and their differences against time, in each model.
 
 use relativity_core::{
-    Aperture, Disparity, DomainError, PublishedVariant, SourcePoint, Speed, disparity, published_disparity,
+    Aperture, Disparity, DomainError, PublishedVariant, SourcePoint, Speed, disparity, equidistance_time,
+    published_disparity,
 };
 
 /// A binocular model, as the report compares them.
@@ -45,9 +46,19 @@ impl Setup {
         Speed::from_beta(self.beta).expect("the paper's speeds are below 1")
     }
 
+    fn point(&self) -> SourcePoint {
+        SourcePoint { x0: 0.0, y: self.y, z: self.z }
+    }
+
+    /// T0 of the tracked point.
+    pub fn equidistance_time(&self) -> Result<f64, DomainError> {
+        let time = equidistance_time(&self.speed(), self.point(), self.separation)?;
+        Ok(time.expect("the paper's speeds are above 0"))
+    }
+
     /// What both eyes see of the tracked point.
     pub fn seen(&self, model: Model, time: f64) -> Result<Disparity, DomainError> {
-        self.seen_at(model, SourcePoint { x0: 0.0, y: self.y, z: self.z }, time)
+        self.seen_at(model, self.point(), time)
     }
 
     /// What both eyes see of another point of the same body.

@@ -62,22 +62,6 @@ pub fn write_all(folder: &Path) -> anyhow::Result<()> {
     write_bicycle_for_two_eyes(folder)
 }
 
-fn t0(setup: &Setup) -> f64 {
-    (0.5 * setup.separation).hypot(setup.y).hypot(setup.z)
-}
-
-fn panel(title: &str, labels: [&'static str; 2], lines: Vec<Line>) -> Panel {
-    Panel {
-        title: title.to_owned(),
-        labels,
-        lines,
-        mark: None,
-        equal_scales: false,
-        logarithmic: false,
-        width: 480.0,
-    }
-}
-
 /// An angle of both eyes, in the published and in the exact model.
 fn write_angles(
     folder: &Path,
@@ -96,8 +80,8 @@ fn write_angles(
             push_column(&mut columns, &format!("{name}_{eye_name}_{}", word(model)), &curve);
             lines.push(Line::solid(format!("{eye_name} eye"), colour, curve).with(stroke));
         }
-        let panel = panel(model.name(), ["T", label], lines);
-        panels.push(Panel { mark: Some((t0(&setup), "T0")), ..panel });
+        let mark = Some((setup.equidistance_time()?, "T0"));
+        panels.push(Panel { mark, ..Panel::new(model.name(), ["T", label], lines) });
     }
     write(folder, name, &panels, &columns)
 }
@@ -119,8 +103,8 @@ fn write_differences(
             push_column(&mut columns, &format!("{name}_beta_{beta}_{}", word(model)), &curve);
             lines.push(Line::solid(format!("beta = {beta}"), colour, curve));
         }
-        let panel = panel(model.name(), ["T", label], lines);
-        panels.push(Panel { mark: Some((t0(&Setup::SECTION_3), "T0")), ..panel });
+        let mark = Some((Setup::SECTION_3.equidistance_time()?, "T0"));
+        panels.push(Panel { mark, ..Panel::new(model.name(), ["T", label], lines) });
     }
     write(folder, name, &panels, &columns)
 }
@@ -144,7 +128,7 @@ fn push_column(columns: &mut Vec<Column>, name: &str, curve: &[[f64; 2]]) {
 const BICYCLE_LABELS: [&str; 2] = ["x", "y"];
 
 fn bicycle_panel(title: String, lines: Vec<Line>, width: f64) -> Panel {
-    Panel { title, labels: BICYCLE_LABELS, lines, mark: None, equal_scales: true, logarithmic: false, width }
+    Panel { equal_scales: true, width, ..Panel::new(title, BICYCLE_LABELS, lines) }
 }
 
 fn eye_dots(places: &[f64]) -> Line {

@@ -102,15 +102,7 @@ fn write_figure(folder: &Path, name: &str, curve: usize, curves: Curves) -> anyh
             Line::solid("fit", VERMILION, points(&fitted)),
         ];
         let labels = ["T", if curve == 0 { "delta-phi, rad" } else { "delta-theta, rad" }];
-        panels.push(Panel {
-            title: title.to_owned(),
-            labels,
-            lines,
-            mark: None,
-            equal_scales: false,
-            logarithmic: false,
-            width: 480.0,
-        });
+        panels.push(Panel::new(title, labels, lines));
         if columns.is_empty() {
             columns.push(("T".to_owned(), times));
         }

@@ -1,6 +1,6 @@
 //! The numbers of the paper's section 3 and 4(a), beside those of each model.
 
-use relativity_core::{Aperture, Disparity, DomainError, SourcePoint, equidistance_time, sighting};
+use relativity_core::{Aperture, Disparity, DomainError, SourcePoint, sighting};
 
 use super::curves::{Extent, Model, Setup, extent};
 
@@ -42,8 +42,7 @@ fn difference_rows() -> Result<Vec<Row>, DomainError> {
     };
     let (phi, theta) = (extents(|seen| seen.dphi)?, extents(|seen| seen.dtheta)?);
     let each = |extents: &[Extent], of: fn(&Extent) -> String| extents.iter().map(of).collect();
-    let point = SourcePoint { x0: 0.0, y: setup.y, z: setup.z };
-    let t0 = equidistance_time(&setup.speed(), point, setup.separation)?.unwrap_or(f64::NAN);
+    let t0 = setup.equidistance_time()?;
     Ok(vec![
         Row {
             quantity: "T0 for y = z = 0.5, d = 0.3",

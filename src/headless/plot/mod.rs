@@ -89,6 +89,12 @@ pub struct Panel {
 }
 
 impl Panel {
+    /// Linear axes with scales of their own, 480 pixels wide.
+    pub fn new(title: impl Into<String>, labels: [&'static str; 2], lines: Vec<Line>) -> Self {
+        let title = title.into();
+        Self { title, labels, lines, mark: None, equal_scales: false, logarithmic: false, width: 480.0 }
+    }
+
     /// The lines that are named in the legend.
     fn legend(&self) -> impl Iterator<Item = &Line> {
         self.lines.iter().filter(|line| line.stroke != Stroke::Mark)

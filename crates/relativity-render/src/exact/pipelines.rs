@@ -6,7 +6,7 @@ use super::pieces::Instance;
 use crate::effects::{Effects, number};
 use crate::gpu::Gpu;
 use crate::shaders::{RING, SPHERE, TUBE};
-use crate::target::{DEPTH_FORMAT, LINEAR_FORMAT, MEASURES_FORMAT, SAMPLES};
+use crate::target::{DEPTH_FORMAT, MEASURES_FORMAT, SAMPLES, linear_target};
 use crate::view::Geometry;
 
 /// What a pipeline draws, with every effect decided.
@@ -50,12 +50,6 @@ impl Pipelines {
             Key::Picture { shape, thin, geometry, effects } => {
                 let mut constants = vec![("THIN", number(thin)), ("GEOMETRY", geometry.number())];
                 constants.extend(effects.constants());
-                let blend = thin.then_some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING);
-                let target = wgpu::ColorTargetState {
-                    format: LINEAR_FORMAT,
-                    blend,
-                    write_mask: wgpu::ColorWrites::ALL,
-                };
                 self.build(
                     gpu,
                     &Recipe {
@@ -63,7 +57,7 @@ impl Pipelines {
                         entry_point: if gpu.has_sample_masks() { "picture" } else { "picture_sample" },
                         constants: &constants,
                         samples: SAMPLES,
-                        targets: &[Some(target)],
+                        targets: &[Some(linear_target(thin))],
                     },
                 )
             }

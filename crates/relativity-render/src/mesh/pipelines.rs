@@ -7,7 +7,7 @@ use super::{Corner, Instance};
 use crate::effects::Effects;
 use crate::gpu::Gpu;
 use crate::shaders::{MESH_RING, MESH_TUBE};
-use crate::target::{DEPTH_FORMAT, LINEAR_FORMAT, MEASURES_FORMAT, SAMPLES};
+use crate::target::{DEPTH_FORMAT, MEASURES_FORMAT, SAMPLES, linear_target};
 
 /// What a pipeline draws, with every effect decided.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -48,12 +48,8 @@ impl Pipelines {
             Key::Picture { is_ring, is_thin, positions, effects } => {
                 let mut constants = positions.constants().to_vec();
                 constants.extend(effects.constants());
-                let target = wgpu::ColorTargetState {
-                    format: LINEAR_FORMAT,
-                    blend: is_thin.then_some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING),
-                    write_mask: wgpu::ColorWrites::ALL,
-                };
-                self.build(gpu, is_ring, "picture", &constants, SAMPLES, &[Some(target)])
+                let targets = [Some(linear_target(is_thin))];
+                self.build(gpu, is_ring, "picture", &constants, SAMPLES, &targets)
             }
             Key::Hits { is_ring, positions } => {
                 let targets = [Some(MEASURES_FORMAT.into()), Some(MEASURES_FORMAT.into())];
