@@ -1,7 +1,8 @@
 //! Commands and flags. Each command's own flags live beside its code in `headless`.
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 use relativity_core::{Speed, SpeedError};
+use relativity_render::Geometry;
 use serde::{Deserialize, Serialize};
 
 use crate::app::{self, args::WindowArgs};
@@ -56,6 +57,44 @@ pub fn run(cli: Cli) -> anyhow::Result<()> {
         Some(Command::Render(args)) => headless::render::run(&args),
         Some(Command::Accuracy(args)) => headless::accuracy::run(&args),
     }
+}
+
+/// Which geometry a picture shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum GeometryChoice {
+    /// Exactly as seen, each eye through its own light cone.
+    Seen,
+    /// Contracted only, as if light were instantaneous: what Gamow drew.
+    Contracted,
+    /// What cameras that ride along would see.
+    Rest,
+    /// The paper's binocular model: the right eye sees, point by point, what the left eye saw a little
+    /// earlier or later, without parallax. Drawn by the mesh renderer.
+    Published,
+}
+
+impl GeometryChoice {
+    /// What each view shows. As published, that is the left eye's; the right eye's is defined point by point.
+    #[must_use]
+    pub const fn geometry(self) -> Geometry {
+        match self {
+            Self::Seen | Self::Published => Geometry::Seen,
+            Self::Contracted => Geometry::Contracted,
+            Self::Rest => Geometry::Rest,
+        }
+    }
+}
+
+/// What draws.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize, Deserialize)]
+pub enum RendererChoice {
+    /// A ray test per pixel on the GPU, in f32.
+    #[default]
+    Exact,
+    /// Triangles on the GPU.
+    Mesh,
+    /// A ray test per pixel on the CPU, in f64.
+    Reference,
 }
 
 /// The three ways to give a speed: a flag each, and a column of a CSV file each.
@@ -138,4 +177,10 @@ pub fn finite_number(text: &str) -> Result<f64, String> {
         Ok(_) => Err("not a finite number".to_owned()),
         Err(_) => Err("not a number".to_owned()),
     }
+}
+
+/// Parses a number above 0.
+pub fn positive(text: &str) -> Result<f64, String> {
+    let value = finite_number(text)?;
+    if value > 0.0 { Ok(value) } else { Err("must be above 0".to_owned()) }
 }

@@ -1,7 +1,5 @@
 //! What error to expect of a method in one view, and what it costs there.
 
-use std::sync::atomic::{AtomicBool, Ordering};
-
 use rayon::prelude::*;
 use relativity_render::{Appearance, GpuError, HitImage, ReferenceScene, View};
 
@@ -37,9 +35,9 @@ pub struct ExpectedError {
     pub difference: Difference,
 }
 
-/// Measures `method` in `view`; `None` if `cancelled` became true meanwhile.
+/// Measures `method` in `view`; `None` if it `is_cancelled` meanwhile.
 ///
-/// May take seconds: meant for a thread of its own. `cancelled` is looked at between pictures.
+/// May take seconds: meant for a thread of its own. Whether it `is_cancelled` is asked between pictures.
 ///
 /// # Errors
 ///
@@ -50,9 +48,8 @@ pub fn expected_error(
     view: &View,
     appearance: &Appearance,
     effort: Effort,
-    cancelled: &AtomicBool,
+    is_cancelled: &dyn Fn() -> bool,
 ) -> Result<Option<ExpectedError>, GpuError> {
-    let is_cancelled = || cancelled.load(Ordering::Relaxed);
     let reference = renderers.reference().hit_image(view);
     if is_cancelled() {
         return Ok(None);
@@ -104,9 +101,10 @@ mod tests {
         let view =
             view_at(Place::Abreast, speed, scene.tracked, 0.1, 1.0, [32, 24]).expect("inside the domain");
         let mut examined = |cancelled| {
-            let (looks, cancelled) = (Appearance::default(), AtomicBool::new(cancelled));
+            let looks = Appearance::default();
             let work = || {
-                expected_error(&mut renderers, Method::Reference, &view, &looks, Effort::GLANCE, &cancelled)
+                let method = Method::Reference;
+                expected_error(&mut renderers, method, &view, &looks, Effort::GLANCE, &|| cancelled)
             };
             std::thread::scope(|scope| scope.spawn(work).join().expect("it does not panic"))
         };

@@ -18,6 +18,6 @@ pub use outline::{
     LARGEST_PX, OutlinePoint, RESOLUTION_PX, SilhouettePixels, displacement_px, silhouette_pixels,
 };
 pub use published::{PublishedError, published_error};
-pub use renderers::{Method, Renderers};
+pub use renderers::{MESH_BOUNDS_PX, Method, REFERENCE_SAMPLES, Renderers};
 pub use spread::Spread;
 pub use views::{Place, view_at};

@@ -25,6 +25,17 @@ impl Spread {
         let &worst = errors.last()?;
         Some(Self { median: at_most(50), p99: at_most(99), worst, count })
     }
+
+    /// The worse of two spreads, figure by figure.
+    #[must_use]
+    pub fn worse(self, other: Self) -> Self {
+        Self {
+            median: self.median.max(other.median),
+            p99: self.p99.max(other.p99),
+            worst: self.worst.max(other.worst),
+            count: self.count + other.count,
+        }
+    }
 }
 
 #[cfg(test)]

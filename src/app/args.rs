@@ -4,12 +4,11 @@ use std::path::PathBuf;
 
 use anyhow::Context as _;
 use clap::Args;
-use relativity_render::Geometry;
 
 use super::settings::{PlotTab, Settings};
 use super::speed_setting::SpeedSetting;
 use super::state::State;
-use crate::cli::{SpeedArgs, finite_number};
+use crate::cli::{GeometryChoice, RendererChoice, SpeedArgs, finite_number, positive};
 use crate::scene::{PRESETS, Scene};
 
 /// Flags of the window. What is not given is as it was left, or as usual.
@@ -34,7 +33,13 @@ pub struct WindowArgs {
     paused: bool,
     /// What the views show.
     #[arg(long, value_enum)]
-    geometry: Option<GeometryArg>,
+    geometry: Option<GeometryChoice>,
+    /// What draws the views.
+    #[arg(long, value_enum)]
+    renderer: Option<RendererChoice>,
+    /// How far the mesh renderer may draw a point from where it is seen, pixels.
+    #[arg(long, value_name = "PX", value_parser = positive)]
+    bound_px: Option<f64>,
     /// Show the left eye's picture with the distortion undone, too.
     #[arg(long)]
     corrected: bool,
@@ -54,13 +59,6 @@ pub struct WindowArgs {
 }
 
 #[derive(Debug, Clone, Copy, clap::ValueEnum)]
-enum GeometryArg {
-    Seen,
-    Contracted,
-    Rest,
-}
-
-#[derive(Debug, Clone, Copy, clap::ValueEnum)]
 enum PlotArg {
     /// How differently the eyes see each point.
     Disparity,
@@ -70,6 +68,8 @@ enum PlotArg {
     Doppler,
     /// Speed and distance fitted to noisy disparities.
     Fit,
+    /// What each way to draw the views costs, and how far it is off.
+    Accuracy,
 }
 
 #[derive(Debug, Clone, Copy, clap::ValueEnum)]
@@ -85,15 +85,16 @@ impl WindowArgs {
     /// The state to start in: `settings`, with what the flags say in place of what was left.
     pub fn state(&self, mut settings: Settings) -> anyhow::Result<State> {
         let scene = Scene::open(&self.scene)?;
-        let SpeedArgs { beta, gamma, rapidity } = self.speed;
-        if beta.or(gamma).or(rapidity).is_some() {
-            let (parameter, value) = self.speed.parameter(0.0);
+        if let Some((parameter, value)) = self.speed.given() {
             settings.motion.speed = SpeedSetting::new(parameter, value)?;
         }
         settings.motion.separation = self.d.unwrap_or(settings.motion.separation);
-        if let Some(geometry) = self.geometry {
-            settings.look.geometry = geometry.into();
+        if let Some(choice) = self.geometry {
+            settings.look.geometry = choice.geometry();
+            settings.look.right_as_published = choice == GeometryChoice::Published;
         }
+        settings.quality.renderer = self.renderer.unwrap_or(settings.quality.renderer);
+        settings.quality.bound_px = self.bound_px.unwrap_or(settings.quality.bound_px);
         if let Some(plot) = self.plot {
             settings.plots.tab = plot.into();
         }
@@ -127,16 +128,7 @@ impl From<PlotArg> for PlotTab {
             PlotArg::Angles => Self::Angles,
             PlotArg::Doppler => Self::Doppler,
             PlotArg::Fit => Self::Fit,
-        }
-    }
-}
-
-impl From<GeometryArg> for Geometry {
-    fn from(geometry: GeometryArg) -> Self {
-        match geometry {
-            GeometryArg::Seen => Self::Seen,
-            GeometryArg::Contracted => Self::Contracted,
-            GeometryArg::Rest => Self::Rest,
+            PlotArg::Accuracy => Self::Accuracy,
         }
     }
 }

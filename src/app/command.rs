@@ -8,7 +8,7 @@ use super::clock;
 use super::observer::{Eye, MAX_ELEVATION};
 use super::points::Points;
 use super::settings::{
-    DEFAULT_FOV_DEGREES, FitSetup, GazeSetting, Light, Look, Motion, Playback, Plots, Window,
+    DEFAULT_FOV_DEGREES, FitSetup, GazeSetting, Light, Look, Motion, Playback, Plots, Quality, Window,
 };
 use super::state::State;
 use crate::scene::Scene;
@@ -25,6 +25,8 @@ pub enum Command {
     Look(Look),
     /// New colours.
     Light(Light),
+    /// Another renderer, or another bound of it.
+    Quality(Quality),
     /// New rate, range or looping.
     Playback(Playback),
     /// New choice of curves.
@@ -92,6 +94,7 @@ impl State {
             Command::Motion(motion) => self.set_motion(motion),
             Command::Look(look) => self.settings.look = look,
             Command::Light(light) => self.settings.light = light,
+            Command::Quality(quality) => self.settings.quality = quality,
             Command::Playback(playback) => self.settings.playback = playback,
             Command::Plots(plots) => self.settings.plots = plots,
             Command::Fit(fit) => self.settings.fit = fit,

@@ -1,14 +1,16 @@
 //! The left eye's picture, corrected to what a camera riding along would have taken: made by a thread of its
 //! own from the speed that the fit found.
 
-use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
+use std::sync::Arc;
+
+use eframe::egui::{ColorImage, Context};
 use relativity_core::Speed;
 use relativity_render::backdrop::Backdrop;
 use relativity_render::rectified_hits::Blank;
 use relativity_render::rectify::Rectification;
 use relativity_render::{Appearance, Body, Camera, ReferenceScene, View};
 
-use super::worker::{Wanted, Worker};
+use super::background_picture::BackgroundPicture;
 
 /// Most pixels of a corrected picture: enough to judge it by, and made in a blink on the CPU.
 const MAX_PIXELS: f64 = 200_000.0;
@@ -27,42 +29,17 @@ pub struct Job {
     /// Its looks.
     pub appearance: Appearance,
     /// What rides past.
-    pub bodies: Vec<Body>,
+    pub bodies: Arc<[Body]>,
 }
 
 /// The corrected picture that is shown, and the one that is being made.
-#[derive(Default)]
-pub struct Corrected {
-    worker: Option<Worker<Job, ColorImage>>,
-    requested: Option<Job>,
-    texture: Option<TextureHandle>,
-    pending: bool,
-}
+pub type Corrected = BackgroundPicture<Job>;
 
 impl Corrected {
-    /// The newest picture, and has the one for `job` made if that is another.
-    pub fn picture(&mut self, ctx: &Context, job: Job) -> Option<&TextureHandle> {
-        let work = |job: Job, _: &Wanted| Some(picture(&job));
-        let worker = self.worker.get_or_insert_with(|| Worker::new(ctx.clone(), work));
-        if let Some(image) = worker.result() {
-            self.pending = false;
-            match &mut self.texture {
-                Some(texture) => texture.set(image, TextureOptions::LINEAR),
-                none => *none = Some(ctx.load_texture("corrected", image, TextureOptions::LINEAR)),
-            }
-        }
-        if self.requested.as_ref() != Some(&job) {
-            worker.request(job.clone());
-            self.requested = Some(job);
-            self.pending = true;
-        }
-        self.texture.as_ref()
-    }
-
-    /// Whether the newest picture is what was asked for.
+    /// No picture yet.
     #[must_use]
-    pub const fn is_up_to_date(&self) -> bool {
-        self.texture.is_some() && !self.pending
+    pub fn of_left_eye(ctx: &Context) -> Self {
+        Self::new(ctx, "corrected", picture)
     }
 }
 

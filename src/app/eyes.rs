@@ -1,11 +1,18 @@
-//! The GPU's part of the window: a picture per eye, drawn again only when something about it changed.
+//! The two eyes' pictures, each drawn again only when something about it changed: on the GPU within the frame, or
+//! by the reference renderer in the background.
 
-use std::borrow::Cow;
+use std::sync::Arc;
 
-use eframe::egui::TextureId;
+use eframe::egui::{ColorImage, Context, TextureId};
 use eframe::egui_wgpu::RenderState;
-use eframe::wgpu::{Backend, FilterMode};
-use relativity_render::{Appearance, Body, ExactRenderer, EyeTarget, Gpu, MeshRenderer, View};
+use eframe::wgpu::FilterMode;
+use relativity_render::{
+    Appearance, Body, ExactRenderer, EyeTarget, Gpu, MeshRenderer, ReferenceScene, View,
+};
+
+use super::background_picture::BackgroundPicture;
+use super::stillness::Stillness;
+use crate::accuracy::{Method, REFERENCE_SAMPLES};
 
 /// Both eyes' pictures, and what draws them.
 pub struct EyePictures {
@@ -13,50 +20,109 @@ pub struct EyePictures {
     gpu: Gpu,
     renderers: Renderers,
     pictures: [Option<EyePicture>; 2],
+    references: [Option<ReferencePicture>; 2],
 }
 
 struct EyePicture {
     target: EyeTarget,
     texture: TextureId,
-    drawn: Option<Request<'static>>,
+    drawn: Option<Request>,
 }
 
 /// Everything a picture depends on.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Request<'a> {
+pub struct Request {
     /// Who looks at what.
     pub view: View,
     /// With which looks.
     pub appearance: Appearance,
     /// What there is to see.
-    pub bodies: Cow<'a, [Body]>,
+    pub bodies: Arc<[Body]>,
+    /// What is to draw it.
+    pub method: Method,
     /// Whether it is the right eye's in the published model; `view` is then the left eye's.
     pub published_right: bool,
 }
 
-/// What draws. Each is made when it is first needed.
+/// A picture to show.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shown {
+    /// The picture.
+    pub texture: TextureId,
+    /// What drew it. The exact renderer stands in for the reference until that is done; the published model is
+    /// only known to the mesh renderer.
+    pub method: Method,
+}
+
+impl Request {
+    /// Whether it is the reference's to draw.
+    fn is_for_reference(&self) -> bool {
+        self.method == Method::Reference && !self.published_right
+    }
+
+    /// What draws it on the GPU.
+    const fn method_on_gpu(&self) -> Method {
+        match self.method {
+            mesh @ Method::Mesh { .. } => mesh,
+            _ if self.published_right => Method::Mesh { bound_px: MeshRenderer::DEFAULT_BOUND_PX },
+            Method::Exact | Method::Reference => Method::Exact,
+        }
+    }
+}
+
+/// The renderers on the GPU. Each is made when it is first needed.
 #[derive(Default)]
 struct Renderers {
-    /// Whether the exact renderer is out of reach: OpenGL cannot choose the samples of a pixel.
-    mesh_only: bool,
     exact: Option<ExactRenderer>,
     mesh: Option<MeshRenderer>,
 }
 
 impl Renderers {
-    fn draw(&mut self, gpu: &Gpu, request: &Request<'_>, target: &mut EyeTarget) {
-        let Request { view, appearance, bodies, published_right } = request;
-        if *published_right {
-            let mesh = self.mesh.get_or_insert_with(|| MeshRenderer::new(gpu));
-            mesh.draw_published_right(gpu, bodies, view, appearance, target);
-        } else if self.mesh_only {
-            let mesh = self.mesh.get_or_insert_with(|| MeshRenderer::new(gpu));
-            mesh.draw(gpu, bodies, view, appearance, target);
-        } else {
+    fn draw(&mut self, gpu: &Gpu, request: &Request, target: &mut EyeTarget) {
+        let Request { view, appearance, bodies, published_right, .. } = request;
+        let Method::Mesh { bound_px } = request.method_on_gpu() else {
             let exact = self.exact.get_or_insert_with(|| ExactRenderer::new(gpu));
             exact.draw(gpu, bodies, view, appearance, target);
+            return;
+        };
+        let mesh = self.mesh.get_or_insert_with(|| MeshRenderer::new(gpu));
+        mesh.bound_px = bound_px;
+        if *published_right {
+            mesh.draw_published_right(gpu, bodies, view, appearance, target);
+        } else {
+            mesh.draw(gpu, bodies, view, appearance, target);
         }
     }
+}
+
+/// A picture by the reference renderer.
+struct ReferencePicture {
+    picture: BackgroundPicture<Request>,
+    stillness: Stillness<Request>,
+    is_shown: bool,
+}
+
+impl ReferencePicture {
+    fn new(ctx: &Context) -> Self {
+        let picture = BackgroundPicture::new(ctx, "reference", reference_picture);
+        Self { picture, stillness: Stillness::default(), is_shown: false }
+    }
+
+    /// The picture, once it is done. It is begun when what is asked for no longer changes.
+    fn texture(&mut self, ctx: &Context, request: &Request) -> Option<TextureId> {
+        let done = self.picture.of(request).map(Into::into);
+        if done.is_none() && self.stillness.is_still(ctx, request) {
+            self.picture.request(request);
+        }
+        self.is_shown = done.is_some();
+        done
+    }
+}
+
+fn reference_picture(request: &Request) -> ColorImage {
+    let scene = ReferenceScene::new(&request.bodies);
+    let picture = scene.picture(&request.view, &request.appearance, REFERENCE_SAMPLES);
+    ColorImage::from_rgba_unmultiplied(picture.size.map(|side| side as usize), picture.rgba.as_flattened())
 }
 
 impl EyePictures {
@@ -64,10 +130,19 @@ impl EyePictures {
     #[must_use]
     pub fn new(render_state: &RenderState) -> Self {
         let RenderState { adapter, device, queue, .. } = render_state;
-        let gpu = Gpu::from_device(adapter, device.clone(), queue.clone());
-        let mesh_only = adapter.get_info().backend == Backend::Gl;
-        let renderers = Renderers { mesh_only, ..Renderers::default() };
-        Self { render_state: render_state.clone(), gpu, renderers, pictures: [None, None] }
+        Self {
+            gpu: Gpu::from_device(adapter, device.clone(), queue.clone()),
+            render_state: render_state.clone(),
+            renderers: Renderers::default(),
+            pictures: [None, None],
+            references: [None, None],
+        }
+    }
+
+    /// The device they are drawn on.
+    #[must_use]
+    pub const fn gpu(&self) -> &Gpu {
+        &self.gpu
     }
 
     /// Largest width and height of a picture, pixels.
@@ -76,22 +151,36 @@ impl EyePictures {
         self.render_state.device.limits().max_texture_dimension_2d
     }
 
-    /// The picture of the eye with this `index` (0 left, 1 right), drawn if it is not up to date.
-    pub fn picture(&mut self, index: usize, request: &Request<'_>) -> TextureId {
-        let Self { render_state, gpu, renderers, pictures } = self;
-        let picture = fitting(&mut pictures[index], request.view.camera.size, gpu, render_state);
-        if picture.drawn.as_ref() != Some(request) {
-            renderers.draw(gpu, request, &mut picture.target);
-            picture.drawn = Some(request.clone().into_owned());
-        }
-        picture.texture
+    /// Whether every picture is drawn by what is to draw it.
+    #[must_use]
+    pub fn is_settled(&self) -> bool {
+        self.references.iter().flatten().all(|reference| reference.is_shown)
     }
-}
 
-impl Request<'_> {
-    fn into_owned(self) -> Request<'static> {
-        let bodies = Cow::Owned(self.bodies.into_owned());
-        Request { bodies, ..self }
+    /// The picture of the eye with this `index` (0 left, 1 right), drawn if it is not up to date.
+    pub fn picture(&mut self, ctx: &Context, index: usize, request: &Request) -> Shown {
+        let reference = &mut self.references[index];
+        if request.is_for_reference() {
+            let reference = reference.get_or_insert_with(|| ReferencePicture::new(ctx));
+            if let Some(texture) = reference.texture(ctx, request) {
+                return Shown { texture, method: Method::Reference };
+            }
+        } else {
+            *reference = None;
+        }
+        self.picture_on_gpu(index, request)
+    }
+
+    fn picture_on_gpu(&mut self, index: usize, request: &Request) -> Shown {
+        let Self { render_state, gpu, renderers, pictures, .. } = self;
+        let method = request.method_on_gpu();
+        let request = Request { method, ..request.clone() };
+        let picture = fitting(&mut pictures[index], request.view.camera.size, gpu, render_state);
+        if picture.drawn.as_ref() != Some(&request) {
+            renderers.draw(gpu, &request, &mut picture.target);
+            picture.drawn = Some(request);
+        }
+        Shown { texture: picture.texture, method }
     }
 }
 

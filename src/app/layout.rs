@@ -3,7 +3,7 @@
 
 use eframe::egui::{Rect, pos2, vec2};
 
-use super::settings::{PlotTab, Window};
+use super::settings::Window;
 use super::theme::GAP;
 
 /// The parts of the window. A part without room (or switched off) has no rectangle.
@@ -36,21 +36,22 @@ const NARROWEST_WITH_CONTROLS: f32 = 560.0;
 const LOWEST: f32 = 90.0;
 /// How much of the height the plots take from the views.
 const PLOTS_SHARE: f32 = 0.38;
-/// Height that the fit with its table and residuals needs; it gets at most half.
-const FIT_HEIGHT: f32 = 310.0;
+/// Height that the fit with its table and residuals needs. The other tabs get as much, so that the tabs stay in
+/// their place, but none more than half.
+const PLOTS_HEIGHT: f32 = 310.0;
 
 impl Layout {
-    /// The layout of a window with this inner `area` that shows the plots of `tab`.
+    /// The layout of a window with this inner `area`.
     #[must_use]
-    pub fn of(area: Rect, window: Window, tab: PlotTab) -> Self {
+    pub fn of(area: Rect, window: Window) -> Self {
         let (bar, below) = split_top(area, BAR_HEIGHT);
         let with_side = window.controls && area.width() >= NARROWEST_WITH_CONTROLS;
         let (centre, side) = if with_side { split_right(below, SIDE_WIDTH) } else { (below, None) };
         let (controls, readout) = side.map_or((None, None), |side| side_parts(side, window.readout));
         let free = (centre.height() - TIMELINE_HEIGHT).max(0.0);
-        let least_plots = if tab == PlotTab::Fit { FIT_HEIGHT.min(0.5 * free) } else { 0.0 };
+        let plots_height = (free * PLOTS_SHARE).max(PLOTS_HEIGHT.min(0.5 * free));
         let views_height = match (window.views, window.plots) {
-            (true, true) if free >= 2.0 * LOWEST => free - (free * PLOTS_SHARE).max(least_plots),
+            (true, true) if free >= 2.0 * LOWEST => free - plots_height,
             (true, _) => free,
             (false, _) => 0.0,
         };
@@ -97,25 +98,23 @@ fn split_right(rect: Rect, width: f32) -> (Rect, Option<Rect>) {
 mod tests {
     use super::*;
 
-    fn layout(width: f32, height: f32, tab: PlotTab) -> Layout {
-        Layout::of(Rect::from_min_size(pos2(0.0, 0.0), vec2(width, height)), Window::default(), tab)
+    fn layout(width: f32, height: f32) -> Layout {
+        Layout::of(Rect::from_min_size(pos2(0.0, 0.0), vec2(width, height)), Window::default())
     }
 
     #[test]
     fn the_smallest_supported_window_holds_every_part() {
-        for tab in [PlotTab::Disparity, PlotTab::Fit] {
-            let layout = layout(1024.0, 600.0, tab);
-            for part in [layout.controls, layout.readout, layout.views, layout.plots] {
-                let part = part.expect("shown");
-                assert!(part.width() >= 280.0 && part.height() >= 140.0, "{part:?}");
-            }
+        let layout = layout(1024.0, 600.0);
+        for part in [layout.controls, layout.readout, layout.views, layout.plots] {
+            let part = part.expect("shown");
+            assert!(part.width() >= 280.0 && part.height() >= 140.0, "{part:?}");
         }
     }
 
     #[test]
     fn parts_stay_inside_the_window_and_do_not_overlap() {
         for size in [[1.0, 1.0], [100.0, 50.0], [400.0, 300.0], [1024.0, 600.0], [3840.0, 2160.0]] {
-            let layout = layout(size[0], size[1], PlotTab::Fit);
+            let layout = layout(size[0], size[1]);
             let window = Rect::from_min_size(pos2(0.0, 0.0), vec2(size[0], size[1]));
             let parts: Vec<Rect> = [Some(layout.bar), Some(layout.timeline)]
                 .into_iter()

@@ -5,18 +5,20 @@
 //! between, so that what follows a control follows it in the same frame.
 
 pub mod args;
+mod background_picture;
 pub mod clock;
 pub mod command;
 pub mod corrected;
 pub mod curves;
+pub mod examination;
 mod eyes;
 pub mod figures;
 pub mod fitting;
 mod graphics;
+mod heat_map;
 mod icon;
 pub mod launch;
 mod layout;
-
 pub mod observer;
 mod panels;
 pub mod points;
@@ -25,19 +27,21 @@ pub mod settings;
 mod shortcuts;
 pub mod speed_setting;
 pub mod state;
+mod stillness;
 mod theme;
 mod worker;
 
-use eframe::egui::{self, Rect, TextureId, Ui, UiBuilder};
+use eframe::egui::{self, Rect, Ui, UiBuilder};
 use eframe::egui_wgpu::RenderState;
 
 use command::Command;
 use corrected::Corrected;
 use curves::{Curves, Key};
+use examination::{Examination, Sight};
 use eyes::EyePictures;
 use fitting::Fitting;
 use layout::Layout;
-use panels::{Asks, views::Pane};
+use panels::{Asks, plots::Plotted, views::Pane};
 use settings::{PlotTab, Settings};
 use state::State;
 
@@ -47,6 +51,7 @@ pub struct App {
     curves: Vec<Curves>,
     fitting: Fitting,
     corrected: Option<Corrected>,
+    examination: Option<Examination>,
     eyes: Option<EyePictures>,
 }
 
@@ -60,6 +65,7 @@ impl App {
             curves: Vec::new(),
             fitting: Fitting::default(),
             corrected: None,
+            examination: None,
             eyes: render_state.map(EyePictures::new),
         }
     }
@@ -82,10 +88,19 @@ impl App {
         self.corrected.as_ref()
     }
 
+    /// What the present views cost and how far they are off, while the Accuracy tab is shown.
+    #[must_use]
+    pub const fn examination(&self) -> Option<&Examination> {
+        self.examination.as_ref()
+    }
+
     /// Whether everything is as it stays while nothing changes: no work in the background is left.
     #[must_use]
     pub fn is_settled(&self) -> bool {
-        !self.fitting.is_pending() && self.corrected.as_ref().is_none_or(Corrected::is_up_to_date)
+        !self.fitting.is_pending()
+            && self.corrected.as_ref().is_none_or(Corrected::is_up_to_date)
+            && self.examination.as_ref().is_none_or(Examination::is_up_to_date)
+            && self.eyes.as_ref().is_none_or(EyePictures::is_settled)
     }
 
     /// Does what the user would have asked for.
@@ -146,16 +161,39 @@ impl App {
         }
     }
 
-    /// The up-to-date picture for `pane`.
-    fn picture(&mut self, pane: Pane, light_window: bool) -> Option<TextureId> {
+    /// Examines the pictures in `panes` while their figures are in view.
+    fn update_examination(&mut self, ui: &Ui, panes: &[Pane], plots_are_shown: bool) {
+        if !plots_are_shown || self.state.settings.plots.tab != PlotTab::Accuracy {
+            self.examination = None;
+            return;
+        }
         let state = &self.state;
+        let exact = panes.iter().filter(|pane| !state.sees_as_published(pane.eye));
+        let sight = Sight {
+            views: exact.map(|pane| (pane.eye, state.view(pane.eye, pane.size, state.gaze()))).collect(),
+            appearance: state.appearance(!ui.visuals().dark_mode),
+            bodies: state.session.bodies.clone(),
+        };
+        let gpu = self.eyes.as_ref().map(|eyes| eyes.gpu().clone());
+        let examination = self.examination.get_or_insert_with(|| Examination::new(ui.ctx(), gpu));
+        examination.update(ui.ctx(), &sight, state.settings.quality.method());
+    }
+
+    /// Draws `pane`: the up-to-date picture, how far it is off, and the markers.
+    fn paint(&mut self, ui: &Ui, pane: Pane) {
+        let state = &self.state;
+        let quality = state.settings.quality;
         let request = eyes::Request {
             view: state.view(pane.eye, pane.size, state.gaze()),
-            appearance: state.appearance(light_window),
-            bodies: state.session.bodies.as_slice().into(),
+            appearance: state.appearance(!ui.visuals().dark_mode),
+            bodies: state.session.bodies.clone(),
+            method: quality.method(),
             published_right: state.sees_as_published(pane.eye),
         };
-        Some(self.eyes.as_mut()?.picture(pane.eye.index(), &request))
+        let picture = self.eyes.as_mut().map(|eyes| eyes.picture(ui.ctx(), pane.eye.index(), &request));
+        let examination = self.examination.as_mut().filter(|_| quality.heat_map);
+        let heat_map = examination.and_then(|found| found.heat_map(ui.ctx(), pane.eye, request.method));
+        panels::views::paint(ui, state, pane, picture, heat_map.map(Into::into));
     }
 
     /// Shows the left eye's picture in `rect`, corrected by the fitted speed while there is a fit in view.
@@ -170,8 +208,9 @@ impl App {
             appearance: self.state.appearance(!ui.visuals().dark_mode),
             bodies: self.state.session.bodies.clone(),
         };
-        let corrected = self.corrected.get_or_insert_default();
-        panels::corrected::show(ui, rect, &correction, corrected.picture(ui.ctx(), job));
+        let corrected = self.corrected.get_or_insert_with(|| Corrected::of_left_eye(ui.ctx()));
+        corrected.request(&job);
+        panels::corrected::show(ui, rect, &correction, corrected.newest());
     }
 
     /// Shows everything: first what changes the state, then what follows it.
@@ -185,7 +224,7 @@ impl App {
 
         let area = ui.max_rect();
         ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
-        let layout = Layout::of(area, self.state.settings.window, self.state.settings.plots.tab);
+        let layout = Layout::of(area, self.state.settings.window);
         let inset = |rect: Rect| rect.shrink2(egui::vec2(theme::GAP, theme::GAP / 2.0));
         self.panel(ui, "bar", inset(layout.bar), panels::bar::show);
         if let Some(rect) = layout.controls {
@@ -195,26 +234,27 @@ impl App {
         let largest = self.eyes.as_ref().map_or(1, EyePictures::largest_side);
         let columns = if self.state.settings.window.corrected { 3 } else { 2 };
         let panes = layout.views.map(|area| Pane::both(area, columns, ctx.pixels_per_point(), largest));
-        for pane in panes.into_iter().flatten() {
+        let panes = panes.as_ref().map_or(&[][..], |panes| panes);
+        for &pane in panes {
             self.panel(ui, pane.eye.name(), pane.rect, |ui, state, asks| {
                 panels::views::interact(ui, state, pane, asks);
             });
         }
         self.update_fit(&ctx, layout.plots.is_some());
+        self.update_examination(ui, panes, layout.plots.is_some());
         if let Some(rect) = layout.plots {
             self.update_curves();
             let (curves, fitting) = (std::mem::take(&mut self.curves), std::mem::take(&mut self.fitting));
-            self.panel(ui, "plots", rect, |ui, state, asks| {
-                panels::plots::show(ui, state, &curves, &fitting, asks);
-            });
-            (self.curves, self.fitting) = (curves, fitting);
+            let examination = self.examination.take();
+            let plotted = Plotted { curves: &curves, fitting: &fitting, examination: examination.as_ref() };
+            self.panel(ui, "plots", rect, |ui, state, asks| panels::plots::show(ui, state, plotted, asks));
+            (self.curves, self.fitting, self.examination) = (curves, fitting, examination);
         }
         if let Some(rect) = layout.readout {
             self.panel(ui, "readout", inset(rect), panels::readout::show);
         }
-        for pane in panes.into_iter().flatten() {
-            let picture = self.picture(pane, !ui.visuals().dark_mode);
-            panels::views::paint(ui, &self.state, pane, picture);
+        for &pane in panes {
+            self.paint(ui, pane);
         }
         match layout.views.filter(|_| self.state.settings.window.corrected) {
             Some(area) => self.show_corrected(ui, panels::views::column(area, 2, columns)),

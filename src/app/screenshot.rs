@@ -15,7 +15,7 @@ use crate::headless::output::write_whole;
 
 /// Frames until the layout has settled: the size of a scroll area is known from the frame before.
 const FRAMES: usize = 3;
-/// How often it is asked whether a fit is done.
+/// How often it is asked whether the work in the background is done.
 const WAIT: Duration = Duration::from_millis(5);
 
 /// Saves the window's content in `state`, `size` points of one pixel each, as a PNG file. The file is
@@ -39,15 +39,19 @@ fn pixels(state: State, size: [u32; 2]) -> anyhow::Result<Vec<u8>> {
     let ctx = Context::default();
     let mut app = App::new(&ctx, Some(&render_state), state);
     let painter = Painter::new(&render_state, size);
+    let mut settled = 0;
     for frame in 1.. {
         let mut output = ctx.run_ui(input(size, frame), |ui| app.show(ui));
         painter.load(&mut output);
-        if frame >= FRAMES && app.is_settled() {
+        if app.is_settled() {
+            settled += 1;
+        } else {
+            settled = 0;
+            std::thread::sleep(WAIT);
+        }
+        if settled == FRAMES {
             painter.paint(&ctx, output);
             break;
-        }
-        if !app.is_settled() {
-            std::thread::sleep(WAIT);
         }
     }
     Ok(painter.target.rgba8(&painter.gpu)?)

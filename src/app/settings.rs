@@ -2,11 +2,12 @@
 
 use eframe::egui::ThemePreference;
 use relativity_core::{Curves, FitModel};
-use relativity_render::{Colour, Geometry, Shading};
+use relativity_render::{Colour, Geometry, MeshRenderer, Shading};
 use serde::{Deserialize, Serialize};
 
 use super::speed_setting::SpeedSetting;
-use crate::cli::SpeedParameter;
+use crate::accuracy::Method;
+use crate::cli::{RendererChoice, SpeedParameter};
 
 /// Everything that outlives a session.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -18,6 +19,8 @@ pub struct Settings {
     pub look: Look,
     /// What becomes of its light.
     pub light: Light,
+    /// What draws it.
+    pub quality: Quality,
     /// How time runs.
     pub playback: Playback,
     /// What the plots show.
@@ -82,7 +85,7 @@ pub struct Look {
 }
 
 /// Field of view at start, degrees.
-pub const DEFAULT_FOV_DEGREES: f64 = 72.0;
+pub const DEFAULT_FOV_DEGREES: f64 = 60.0;
 
 impl Default for Look {
     fn default() -> Self {
@@ -131,6 +134,52 @@ impl Default for Light {
     }
 }
 
+/// What draws the views: the trade of speed for accuracy.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Quality {
+    /// Which renderer.
+    pub renderer: RendererChoice,
+    /// How far the mesh renderer may draw a point from where it is seen, pixels.
+    pub bound_px: f64,
+    /// Whether the views show how far their pictures are off, while the Accuracy tab does.
+    pub heat_map: bool,
+}
+
+/// Finest and coarsest bound of the mesh renderer, pixels.
+pub const BOUND_PX: std::ops::RangeInclusive<f64> = 0.01..=100.0;
+
+impl Quality {
+    /// The renderer with its bound.
+    #[must_use]
+    pub const fn method(&self) -> Method {
+        match self.renderer {
+            RendererChoice::Exact => Method::Exact,
+            // In this order no number is an impossible bound.
+            RendererChoice::Mesh => {
+                Method::Mesh { bound_px: self.bound_px.max(*BOUND_PX.start()).min(*BOUND_PX.end()) }
+            }
+            RendererChoice::Reference => Method::Reference,
+        }
+    }
+
+    /// This, with another renderer.
+    #[must_use]
+    pub const fn with_method(self, method: Method) -> Self {
+        match method {
+            Method::Exact => Self { renderer: RendererChoice::Exact, ..self },
+            Method::Mesh { bound_px } => Self { renderer: RendererChoice::Mesh, bound_px, ..self },
+            Method::Reference => Self { renderer: RendererChoice::Reference, ..self },
+        }
+    }
+}
+
+impl Default for Quality {
+    fn default() -> Self {
+        Self { renderer: RendererChoice::Exact, bound_px: MeshRenderer::DEFAULT_BOUND_PX, heat_map: false }
+    }
+}
+
 /// How the observation time runs.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
@@ -161,6 +210,8 @@ pub enum PlotTab {
     Doppler,
     /// Speed and distance from noisy disparities.
     Fit,
+    /// Cost and error of each way to draw the views.
+    Accuracy,
 }
 
 /// What the plots show.

@@ -1,5 +1,7 @@
 //! What the window shows: settings that are remembered, and the session they are applied to.
 
+use std::sync::Arc;
+
 use relativity_core::Speed;
 use relativity_render::{Appearance, Body};
 
@@ -23,7 +25,7 @@ pub struct Session {
     /// What rides past, at rest, as its file says.
     pub scene: Scene,
     /// Its bodies where the shifted path has them; kept since every frame needs them.
-    pub bodies: Vec<Body>,
+    pub bodies: Arc<[Body]>,
     /// T.
     pub time: f64,
     /// Whether T runs.
@@ -42,7 +44,7 @@ impl State {
     pub fn new(settings: Settings, scene: Scene) -> Self {
         let points = Points::tracked(scene.tracked);
         let session = Session {
-            bodies: Vec::new(),
+            bodies: Arc::default(),
             time: 0.0,
             playing: false,
             points,
@@ -88,7 +90,7 @@ impl State {
     /// Moves the bodies to where the path now is.
     pub fn place_bodies(&mut self) {
         let shift = self.shift();
-        self.session.bodies = self.session.scene.bodies_moved(shift);
+        self.session.bodies = self.session.scene.bodies_moved(shift).into();
     }
 
     /// Wavelength at rest of the light of `point`, nm: of the body it was picked on, else of the first.

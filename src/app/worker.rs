@@ -1,5 +1,6 @@
 //! A thread of its own for work that would stop the window: of several jobs it does the newest.
 
+use std::cell::Cell;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -14,7 +15,8 @@ const PATIENCE: Duration = Duration::from_millis(250);
 /// The thread; it waits without using the processor, and ends with this.
 pub struct Worker<J, R> {
     jobs: Sender<(u64, J)>,
-    results: Receiver<R>,
+    results: Receiver<(u64, R)>,
+    received: Cell<u64>,
     newest: Arc<AtomicU64>,
     stopped: Arc<AtomicU64>,
 }
@@ -40,18 +42,19 @@ impl Wanted {
 impl<J: Send + 'static, R: Send + 'static> Worker<J, R> {
     /// A thread that does jobs by `work`, which ends early with `None` when it is no longer wanted. Each
     /// result is announced by a repaint.
-    pub fn new(ctx: Context, work: impl Fn(J, &Wanted) -> Option<R> + Send + 'static) -> Self {
+    pub fn new(ctx: Context, mut work: impl FnMut(J, &Wanted) -> Option<R> + Send + 'static) -> Self {
         let (jobs, todo) = channel::<(u64, J)>();
         let (done, results) = channel();
         let (newest, stopped) = (Arc::new(AtomicU64::new(0)), Arc::new(AtomicU64::new(0)));
-        let worker = Self { jobs, results, newest: newest.clone(), stopped: stopped.clone() };
+        let worker =
+            Self { jobs, results, received: Cell::new(0), newest: newest.clone(), stopped: stopped.clone() };
         std::thread::spawn(move || {
             while let Ok(first) = todo.recv() {
                 let (number, job) = todo.try_iter().last().unwrap_or(first);
                 let (newest, stopped) = (newest.clone(), stopped.clone());
                 let wanted = Wanted { number, started: Instant::now(), newest, stopped };
                 let Some(result) = wanted.holds().then(|| work(job, &wanted)).flatten() else { continue };
-                if done.send(result).is_err() {
+                if done.send((number, result)).is_err() {
                     return;
                 }
                 ctx.request_repaint();
@@ -74,7 +77,16 @@ impl<J: Send + 'static, R: Send + 'static> Worker<J, R> {
 
     /// The newest result since this was last asked.
     pub fn result(&self) -> Option<R> {
-        self.results.try_iter().last()
+        let (number, result) = self.results.try_iter().last()?;
+        self.received.set(number);
+        Some(result)
+    }
+
+    /// Whether the newest job's result has yet to be received. It will come: only a newer job or
+    /// [`Self::stop`] ends a job without one.
+    pub fn is_pending(&self) -> bool {
+        let stopped = self.stopped.load(Ordering::Relaxed);
+        self.newest.load(Ordering::Relaxed) > self.received.get().max(stopped)
     }
 }
 
@@ -106,10 +118,13 @@ mod tests {
             gate.recv().ok()?;
             Some(job)
         });
+        assert!(!worker.is_pending());
         worker.request(1);
         // Once the first has begun, the others wait together.
         go.send(()).expect("the thread lives");
+        assert!(worker.is_pending());
         assert_eq!(eventually(|| worker.result()), 1);
+        assert!(!worker.is_pending());
         worker.request(2);
         worker.request(3);
         worker.request(4);
@@ -118,6 +133,25 @@ mod tests {
         }
         let last = eventually(|| worker.result().filter(|&job| job == 4));
         assert_eq!(last, 4);
+    }
+
+    #[test]
+    fn an_older_result_leaves_the_newest_pending() {
+        let (begin, begun) = channel();
+        let (go, gate) = channel::<()>();
+        let worker = Worker::new(Context::default(), move |job: u32, _: &Wanted| {
+            begin.send(()).ok()?;
+            gate.recv().ok()?;
+            Some(job)
+        });
+        worker.request(1);
+        begun.recv().expect("the thread lives");
+        worker.request(2);
+        for (job, is_pending) in [(1, true), (2, false)] {
+            go.send(()).expect("the thread lives");
+            assert_eq!(eventually(|| worker.result()), job);
+            assert_eq!(worker.is_pending(), is_pending);
+        }
     }
 
     #[test]

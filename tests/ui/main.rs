@@ -8,6 +8,7 @@ mod controls;
 mod fit;
 mod layouts;
 mod picking;
+mod quality;
 mod start;
 mod support;
 mod time;
@@ -23,8 +24,16 @@ fn main() -> ExitCode {
     let arguments = Arguments::from_args();
     let required = std::env::var_os("GAMOW_REQUIRE_GPU").is_some_and(|value| value == "1");
     let missing = !required && relativity_render::Gpu::headless().is_err();
-    let all =
-        [controls::TESTS, fit::TESTS, layouts::TESTS, picking::TESTS, start::TESTS, time::TESTS].concat();
+    let all = [
+        controls::TESTS,
+        fit::TESTS,
+        layouts::TESTS,
+        picking::TESTS,
+        quality::TESTS,
+        start::TESTS,
+        time::TESTS,
+    ]
+    .concat();
     let trial = |(name, test): Test| {
         let run = move || {
             test();

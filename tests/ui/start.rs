@@ -38,20 +38,24 @@ fn a_screenshot_shows_the_state() {
     assert_eq!((info.width, info.height), (640, 480));
     let (_, again) = screenshot(folder.path(), "again.png", &["--beta", "0.9", "--time", "1"]);
     assert!(fast == again, "the same state is drawn the same");
-    let others: [&[&str]; 6] = [
+    let others: [&[&str]; 9] = [
         &["--beta", "0.5", "--time", "1"],
         &["--beta", "0.9", "--time", "2"],
         &["--beta", "0.9", "--time", "1", "--d", "0.5"],
         &["--beta", "0.9", "--time", "1", "--scene", "street"],
         &["--beta", "0.9", "--time", "1", "--plot", "fit"],
         &["--beta", "0.9", "--time", "1", "--corrected"],
+        &["--beta", "0.9", "--time", "1", "--renderer", "reference"],
+        &["--beta", "0.9", "--time", "1", "--renderer", "mesh", "--bound-px", "4"],
+        &["--beta", "0.9", "--time", "1", "--geometry", "published"],
     ];
     for arguments in others {
         let (_, other) = screenshot(folder.path(), "other.png", arguments);
         assert!(other != fast, "{arguments:?} changes nothing");
     }
     // What is made in the background is waited for.
-    let background = ["--beta", "0.9", "--time", "1", "--plot", "fit", "--corrected"];
+    let background =
+        ["--beta", "0.9", "--time", "1", "--plot", "fit", "--corrected", "--renderer", "reference"];
     let [(_, fit), (_, again)] = [0, 1].map(|_| screenshot(folder.path(), "fit.png", &background));
     assert!(fit == again, "the same fit is drawn the same");
 }

@@ -96,12 +96,13 @@ pub(super) fn annotate(ui: &Ui, response: &PlotResponse<()>, equidistant: Option
         let place = egui::pos2(x + 3.0, frame.max.y - 3.0);
         painter.text(place, Align2::LEFT_BOTTOM, "T₀", small, weak);
     }
-    painter.rect_stroke(
-        frame,
-        2.0,
-        Stroke::new(1.0, ui.visuals().widgets.noninteractive.bg_stroke.color),
-        egui::StrokeKind::Inside,
-    );
+    self::frame(ui, response);
+}
+
+/// Frames the plot.
+pub(super) fn frame(ui: &Ui, response: &PlotResponse<()>) {
+    let stroke = Stroke::new(1.0, ui.visuals().widgets.noninteractive.bg_stroke.color);
+    ui.painter().rect_stroke(*response.transform.frame(), 2.0, stroke, egui::StrokeKind::Inside);
 }
 
 /// The T that is pointed at with the button pressed.

@@ -7,13 +7,14 @@ use super::Asks;
 use super::widgets::{NumberRow, choice, row, section};
 use super::{light, speed};
 use crate::app::command::{Command, FOV_DEGREES};
-use crate::app::settings::{GazeSetting, Look, MAX_LENGTH, Motion, Window};
+use crate::app::settings::{BOUND_PX, GazeSetting, Look, MAX_LENGTH, Motion, Quality, Window};
 use crate::app::state::State;
+use crate::cli::RendererChoice;
 
 /// Shows the controls.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-        ui.spacing_mut().item_spacing.y = 5.0;
+        ui.spacing_mut().item_spacing.y = 3.0;
         section(ui, "Motion", |ui| motion(ui, state, asks));
         section(ui, "View", |ui| look(ui, state, asks));
         section(ui, "Light", |ui| light::show(ui, state.settings.light, asks));
@@ -105,10 +106,42 @@ fn look(ui: &mut Ui, state: &State, asks: &mut Asks) {
         suffix: "°",
     };
     fov.show(ui, &mut look.fov_degrees);
+    quality(ui, state.settings.quality, asks);
     if look != state.settings.look {
         asks.push(Command::Look(look));
     }
 }
+
+fn quality(ui: &mut Ui, before: Quality, asks: &mut Asks) {
+    let mut quality = before;
+    let tip = "What draws the views.   The Accuracy tab shows what each costs, and how far it is off.";
+    row(ui, "Quality", tip, |ui| choice(ui, &mut quality.renderer, &RENDERERS));
+    if quality.renderer == RendererChoice::Mesh {
+        let bound = NumberRow {
+            name: "Bound",
+            tip: "How far the mesh may draw a point from where it is seen. Coarser is faster.",
+            slider: 0.05..=4.0,
+            typed: BOUND_PX,
+            decimals: 3,
+            suffix: " px",
+        };
+        bound.show(ui, &mut quality.bound_px);
+    }
+    if quality != before {
+        asks.push(Command::Quality(quality));
+    }
+}
+
+const RENDERERS: [(RendererChoice, &str, &str); 3] = [
+    (RendererChoice::Exact, "Exact", "A ray test per pixel on the GPU, in 32-bit floats."),
+    (RendererChoice::Mesh, "Mesh", "Triangles on the GPU, as many as keep the bound."),
+    (
+        RendererChoice::Reference,
+        "Reference",
+        "A ray test per pixel on the CPU, in 64-bit floats: the truth that the others are held against.\n\
+        Made in the background when nothing moves; meanwhile the exact renderer draws.",
+    ),
+];
 
 fn right_eye_row(ui: &mut Ui, look: &mut Look) {
     let tip = "What the right eye's view shows, with the geometry as seen.";

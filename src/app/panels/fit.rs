@@ -1,8 +1,9 @@
 //! The Fit tab: which samples are taken of the selected point, what is fitted to them, and what comes out.
 
-use eframe::egui::{self, DragValue, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2};
+use eframe::egui::{self, DragValue, RichText, ScrollArea, Ui};
 use relativity_core::{Curves, FitModel};
 
+use super::split::{part, table_and_plots};
 use super::widgets::choice;
 use super::{Asks, fit_plots, fit_table};
 use crate::app::clock::MAX_TIME;
@@ -10,25 +11,18 @@ use crate::app::command::Command;
 use crate::app::fitting::Fitting;
 use crate::app::settings::FitSetup;
 use crate::app::state::State;
-use crate::app::theme;
 
 /// Width of the table.
 const TABLE_WIDTH: f32 = 346.0;
-/// Least width of the plots beside it; in a narrower window there is the table alone.
-const LEAST_PLOT_WIDTH: f32 = 150.0;
 /// Most samples: their fit still takes less than a second.
 const MAX_SAMPLES: usize = 5000;
 
 /// Shows the tab: the model above the plots, the samples above the table.
 pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
     let mut setup = state.settings.fit;
-    let area = ui.available_rect_before_wrap();
-    let split = area.max.x - TABLE_WIDTH;
-    let plots = Rect::from_min_max(area.min, pos2(split - theme::GAP, area.max.y));
-    let with_plots = plots.width() >= LEAST_PLOT_WIDTH;
-    let table = if with_plots { Rect::from_min_max(pos2(split, area.min.y), area.max) } else { area };
+    let (table, plots) = table_and_plots(ui.available_rect_before_wrap(), TABLE_WIDTH);
     part(ui, "fit samples and table", table, |ui| {
-        if !with_plots {
+        if plots.is_none() {
             row(ui, |ui| model(ui, &mut setup));
         }
         row(ui, |ui| samples(ui, &mut setup));
@@ -36,7 +30,7 @@ pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
         let area = ScrollArea::vertical().id_salt("fit table").auto_shrink(false);
         area.show(ui, |ui| fit_table::show(ui, fitting));
     });
-    if with_plots {
+    if let Some(plots) = plots {
         part(ui, "fit plots", plots, |ui| {
             row(ui, |ui| model(ui, &mut setup));
             fit_plots::show(ui, state, fitting, asks);
@@ -45,13 +39,6 @@ pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
     if setup != state.settings.fit {
         asks.push(Command::Fit(setup));
     }
-}
-
-fn part(ui: &mut Ui, name: &str, rect: Rect, contents: impl FnOnce(&mut Ui)) {
-    ui.scope_builder(UiBuilder::new().id_salt(name).max_rect(rect), |ui| {
-        ui.set_clip_rect(rect.intersect(ui.clip_rect()));
-        contents(ui);
-    });
 }
 
 fn row(ui: &mut Ui, widgets: impl FnOnce(&mut Ui)) {

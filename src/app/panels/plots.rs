@@ -10,27 +10,43 @@ use relativity_core::{Disparity, Sighting};
 use super::axes::{Y_AXIS_WIDTH, annotate, bounds, grid, label, still_plot, tick, time_at_pointer, unit};
 use super::icons::{self, Icon};
 use super::widgets::dot;
-use super::{Asks, fit};
+use super::{Asks, accuracy, fit};
 use crate::app::command::Command;
 use crate::app::curves::{Curves, Quantity};
+use crate::app::examination::Examination;
 use crate::app::fitting::Fitting;
 use crate::app::observer::Eye;
 use crate::app::settings::PlotTab;
 use crate::app::state::State;
 use crate::app::{figures, theme};
 
-/// Shows the plots; `curves` holds those of each followed point, in order.
-pub fn show(ui: &mut Ui, state: &State, curves: &[Curves], fitting: &Fitting, asks: &mut Asks) {
+/// What there is to plot.
+#[derive(Clone, Copy)]
+pub struct Plotted<'a> {
+    /// Those of each followed point, in order.
+    pub curves: &'a [Curves],
+    /// The fit of the selected one.
+    pub fitting: &'a Fitting,
+    /// What the views cost, and how far they are off.
+    pub examination: Option<&'a Examination>,
+}
+
+/// Shows the plots.
+pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {
     ui.horizontal(|ui| {
         tabs(ui, state, asks);
         ui.separator();
-        points(ui, state, asks);
+        match plotted.examination {
+            Some(examination) => accuracy::caption(ui, state, examination, asks),
+            None => points(ui, state, asks),
+        }
     });
     let quantities: &[Quantity] = match state.settings.plots.tab {
         PlotTab::Disparity => &[Quantity::DeltaPhi, Quantity::DeltaTheta],
         PlotTab::Angles => &[Quantity::Phi, Quantity::Theta],
         PlotTab::Doppler => &[Quantity::LogDoppler],
-        PlotTab::Fit => return fit::show(ui, state, fitting, asks),
+        PlotTab::Fit => return fit::show(ui, state, plotted.fitting, asks),
+        PlotTab::Accuracy => return accuracy::show(ui, state, plotted.examination, asks),
     };
     let free = ui.available_size();
     let width = free.x / quantities.len() as f32 - theme::GAP / 2.0;
@@ -38,7 +54,7 @@ pub fn show(ui: &mut Ui, state: &State, curves: &[Curves], fitting: &Fitting, as
         for quantity in quantities {
             let size = vec2(width, free.y).max(vec2(20.0, 20.0));
             ui.allocate_ui(size, |ui| {
-                ui.vertical(|ui| titled_plot(ui, state, curves, *quantity, asks));
+                ui.vertical(|ui| titled_plot(ui, state, plotted.curves, *quantity, asks));
             });
         }
     });
@@ -51,6 +67,7 @@ fn tabs(ui: &mut Ui, state: &State, asks: &mut Asks) {
         (PlotTab::Angles, "Angles", "φ and θ of the selected point, each eye"),
         (PlotTab::Doppler, "Doppler", "D of the selected point, each eye"),
         (PlotTab::Fit, "Fit", "Speed and distance of the selected point, from noisy Δφ and Δθ alone"),
+        (PlotTab::Accuracy, "Accuracy", "What each way to draw the views costs, and how far it is off"),
     ];
     for (tab, name, tip) in options {
         ui.selectable_value(&mut plots.tab, tab, name).on_hover_text(tip);
@@ -58,7 +75,7 @@ fn tabs(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let tip = "Draws the paper's approximate binocular model too, dashed:\n\
         the right eye is the left one at T − ΔT, both angles measured from the left eye.";
     let with_published = plots.tab == PlotTab::Disparity;
-    if plots.tab != PlotTab::Fit {
+    if !matches!(plots.tab, PlotTab::Fit | PlotTab::Accuracy) {
         let published = egui::Checkbox::new(&mut plots.published, "Published");
         ui.add_enabled(with_published, published).on_hover_text(tip);
     }

@@ -8,11 +8,13 @@ use eframe::egui::{
 use relativity_render::{Colour, Geometry, ReferenceScene, View};
 
 use super::Asks;
+use crate::accuracy::Method;
 use crate::app::command::{Command, Pick};
+use crate::app::eyes::Shown;
 use crate::app::observer::Eye;
 use crate::app::points::Point;
 use crate::app::state::State;
-use crate::app::theme;
+use crate::app::{figures, theme};
 
 const TITLE_HEIGHT: f32 = 22.0;
 /// Zoom per point of scrolling.
@@ -103,24 +105,20 @@ fn turn(response: &Response, state: &State, pane: Pane, asks: &mut Asks) {
     asks.push(Command::Turn { azimuth: angle(moved.x), elevation: angle(moved.y) });
 }
 
-/// Draws `pane`: its picture if there is one, the markers on it, title and frame.
-pub fn paint(ui: &Ui, state: &State, pane: Pane, picture: Option<TextureId>) {
+/// Draws `pane`: its picture and `heat_map` if there is one, the markers on it, title and frame.
+pub fn paint(ui: &Ui, state: &State, pane: Pane, picture: Option<Shown>, heat_map: Option<TextureId>) {
     let visuals = ui.visuals();
     let colour = theme::eye_colour(pane.eye, visuals);
     let painter = ui.painter();
     title(ui, pane.rect, pane.eye.name(), colour);
-    match picture {
-        Some(texture) => {
-            let uv = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-            painter.image(texture, pane.rect, uv, Color32::WHITE);
-        }
-        None => {
-            painter.rect_filled(pane.rect, 0.0, visuals.extreme_bg_color);
-        }
+    painter.rect_filled(pane.rect, 0.0, visuals.extreme_bg_color);
+    for texture in picture.map(|picture| picture.texture).into_iter().chain(heat_map) {
+        let uv = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+        painter.image(texture, pane.rect, uv, Color32::WHITE);
     }
     let inside = painter.with_clip_rect(pane.rect);
     markers(&inside, state, pane, visuals);
-    notes(ui, &inside, state, pane);
+    notes(ui, &inside, pane, &note(state, pane.eye, picture, heat_map.is_some()));
     painter.rect_stroke(pane.rect, 0.0, Stroke::new(1.5, colour), StrokeKind::Outside);
 }
 
@@ -133,18 +131,31 @@ pub(super) fn title(ui: &Ui, rect: Rect, text: &str, colour: Color32) {
     painter.text(place + vec2(16.0, 0.0), Align2::LEFT_CENTER, text, font, ui.visuals().text_color());
 }
 
-/// What the picture is, where that is not what an eye would see.
-fn notes(ui: &Ui, painter: &Painter, state: &State, pane: Pane) {
+/// What the picture is, where that is not what an eye would see, drawn exactly.
+fn note(state: &State, eye: Eye, picture: Option<Shown>, with_heat_map: bool) -> String {
     let geometry = match state.settings.look.geometry {
         Geometry::Seen => None,
-        Geometry::Contracted => Some("contracted only"),
-        Geometry::Rest => Some("at rest"),
+        Geometry::Contracted => Some("contracted only".to_owned()),
+        Geometry::Rest => Some("at rest".to_owned()),
     };
-    let model = state.sees_as_published(pane.eye).then_some("as published");
-    let colour = (state.settings.light.colour == Colour::False).then_some("false colour");
-    let text = [geometry, model, colour].into_iter().flatten().collect::<Vec<_>>().join("  ·  ");
+    let model = state.sees_as_published(eye).then(|| "as published".to_owned());
+    let colour = (state.settings.light.colour == Colour::False).then(|| "false colour".to_owned());
+    let chosen = state.settings.quality.method();
+    let method =
+        picture.map(|picture| picture.method).filter(|&drawn| drawn != Method::Exact || drawn != chosen);
+    let method = method.map(|drawn| match drawn {
+        Method::Exact => "exact, until the reference is done".to_owned(),
+        Method::Mesh { bound_px } => format!("mesh within {} px", figures::trimmed(bound_px, 3)),
+        Method::Reference => "reference".to_owned(),
+    });
+    let heat_map = with_heat_map.then(|| "difference to the reference".to_owned());
+    [geometry, model, colour, method, heat_map].into_iter().flatten().collect::<Vec<_>>().join("  ·  ")
+}
+
+/// Writes `text` into the corner of the picture.
+fn notes(ui: &Ui, painter: &Painter, pane: Pane, text: &str) {
     let font = TextStyle::Small.resolve(ui.style());
-    let galley = painter.layout_no_wrap(text, font, Color32::WHITE);
+    let galley = painter.layout_no_wrap(text.to_owned(), font, Color32::WHITE);
     let place = pane.rect.left_bottom() + vec2(8.0, -8.0 - galley.size().y);
     if galley.size().x > 0.0 {
         let back = Rect::from_min_size(place, galley.size()).expand2(vec2(5.0, 2.0));

@@ -1,7 +1,5 @@
 //! The measurement itself: every method in every view.
 
-use std::sync::atomic::AtomicBool;
-
 use anyhow::Context as _;
 use indicatif::{ProgressBar, ProgressStyle};
 use relativity_core::Speed;
@@ -114,9 +112,9 @@ impl Measurement {
         for method in methods {
             let mut rows = Vec::new();
             for (circumstances, view) in &self.views {
-                let (appearance, never) = (&self.appearance, &AtomicBool::new(false));
+                let appearance = &self.appearance;
                 let found =
-                    expected_error(&mut self.renderers, method, view, appearance, self.effort, never)?;
+                    expected_error(&mut self.renderers, method, view, appearance, self.effort, &|| false)?;
                 let found = found.context("nothing cancels this")?;
                 rows.push(picture_row(*circumstances, &found));
                 progress.inc(1);

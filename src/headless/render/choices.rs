@@ -29,31 +29,6 @@ pub enum Layout {
     Overlay,
 }
 
-/// Which geometry a picture shows.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum GeometryChoice {
-    /// Exactly as seen, each eye through its own light cone.
-    Seen,
-    /// Contracted only, as if light were instantaneous: what Gamow drew.
-    Contracted,
-    /// What cameras that ride along would see.
-    Rest,
-    /// The paper's binocular model: the right eye sees, point by point, what the left eye saw a little
-    /// earlier or later, without parallax. Drawn by the mesh renderer.
-    Published,
-}
-
-/// What draws.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum RendererChoice {
-    /// A ray test per pixel on the GPU, in f32.
-    Exact,
-    /// Triangles on the GPU.
-    Mesh,
-    /// A ray test per pixel on the CPU, in f64.
-    Reference,
-}
-
 /// How a wavelength becomes a colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum ColourChoice {
@@ -214,12 +189,6 @@ pub fn field_of_view(text: &str) -> Result<f64, String> {
     } else {
         Err("must be between 0 and 180 degrees".to_owned())
     }
-}
-
-/// Parses a number above 0.
-pub fn positive(text: &str) -> Result<f64, String> {
-    let value = finite_number(text)?;
-    if value > 0.0 { Ok(value) } else { Err("must be above 0".to_owned()) }
 }
 
 /// The word that selects `choice` on the command line.

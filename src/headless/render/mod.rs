@@ -16,7 +16,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use relativity_render::{Appearance, HitImage, Picture};
 
-use self::choices::{FileKind, GeometryChoice, Layout, word};
+use self::choices::{FileKind, Layout, word};
 use self::exr_file::Light;
 use self::look::LookArgs;
 use self::painter::{Painter, RendererArgs};
@@ -25,6 +25,7 @@ use self::sequence::TimeArgs;
 use self::shot::{Observer, ObserverArgs};
 use self::timings::Timings;
 use super::output::write_whole;
+use crate::cli::GeometryChoice;
 use crate::scene::{PRESETS, Scene};
 
 /// Draws what both eyes see, without a window, a display or a GPU.

@@ -4,9 +4,9 @@ use anyhow::Context as _;
 use clap::Args;
 use relativity_render::{Appearance, Body, Gpu, HitImage, MeshRenderer, Picture, ReferenceScene};
 
-use super::choices::{RendererChoice, positive};
 use super::gpu_painter::{Drawer, GpuPainter};
 use super::shot::Sight;
+use crate::cli::{RendererChoice, positive};
 
 /// Flags of the renderer.
 #[derive(Debug, Clone, Args)]

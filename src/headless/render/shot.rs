@@ -6,8 +6,8 @@ use glam::DVec3;
 use relativity_core::{Aperture, SourcePoint, Speed, sighting};
 use relativity_render::{Camera, Gaze, Geometry, View};
 
-use super::choices::{GazeChoice, GeometryChoice, Size, field_of_view, word};
-use crate::cli::{SpeedArgs, finite_number};
+use super::choices::{GazeChoice, Size, field_of_view, word};
+use crate::cli::{GeometryChoice, SpeedArgs, finite_number};
 use crate::headless::passage::{passage_times, time_seen_at};
 
 /// Speed of the paper's cyclist.
@@ -112,11 +112,6 @@ impl Observer {
     }
 
     fn views(&self, observation_time: f64) -> anyhow::Result<[View; 2]> {
-        let geometry = match self.args.geometry {
-            GeometryChoice::Seen | GeometryChoice::Published => Geometry::Seen,
-            GeometryChoice::Contracted => Geometry::Contracted,
-            GeometryChoice::Rest => Geometry::Rest,
-        };
         let straight_ahead = Gaze::along([0.0, 1.0, 0.0]);
         let mut views = Aperture::pair(self.args.d).map(|aperture| View {
             camera: Camera {
@@ -127,7 +122,7 @@ impl Observer {
             },
             speed: self.speed,
             observation_time,
-            geometry,
+            geometry: self.args.geometry.geometry(),
         });
         let gaze = match self.args.gaze.fixed() {
             Some(gaze) => gaze,

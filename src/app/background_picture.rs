@@ -1,0 +1,64 @@
+//! A picture made by a thread of its own, as it takes longer than a frame.
+
+use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
+
+use super::worker::{Wanted, Worker};
+
+/// The newest picture, and the one that is being made.
+pub struct BackgroundPicture<J> {
+    ctx: Context,
+    name: &'static str,
+    worker: Worker<J, ColorImage>,
+    requested: Option<J>,
+    texture: Option<TextureHandle>,
+}
+
+impl<J: Clone + PartialEq + Send + 'static> BackgroundPicture<J> {
+    /// Pictures of what `picture` makes of a job.
+    pub fn new(
+        ctx: &Context,
+        name: &'static str,
+        picture: impl Fn(&J) -> ColorImage + Send + 'static,
+    ) -> Self {
+        let work = move |job: J, _: &Wanted| Some(picture(&job));
+        Self {
+            ctx: ctx.clone(),
+            name,
+            worker: Worker::new(ctx.clone(), work),
+            requested: None,
+            texture: None,
+        }
+    }
+
+    /// Has the picture of `job` made, unless that was asked for last.
+    pub fn request(&mut self, job: &J) {
+        if self.requested.as_ref() != Some(job) {
+            self.worker.request(job.clone());
+            self.requested = Some(job.clone());
+        }
+    }
+
+    /// The newest picture, be it outdated or not.
+    pub fn newest(&mut self) -> Option<&TextureHandle> {
+        if let Some(image) = self.worker.result() {
+            match &mut self.texture {
+                Some(texture) => texture.set(image, TextureOptions::LINEAR),
+                none => *none = Some(self.ctx.load_texture(self.name, image, TextureOptions::LINEAR)),
+            }
+        }
+        self.texture.as_ref()
+    }
+
+    /// The picture of `job`, if it is done.
+    pub fn of(&mut self, job: &J) -> Option<&TextureHandle> {
+        let is_of_job = self.requested.as_ref() == Some(job);
+        self.newest();
+        self.texture.as_ref().filter(|_| is_of_job && !self.worker.is_pending())
+    }
+
+    /// Whether the newest picture is what was asked for.
+    #[must_use]
+    pub fn is_up_to_date(&self) -> bool {
+        self.texture.is_some() && !self.worker.is_pending()
+    }
+}

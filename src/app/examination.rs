@@ -1,0 +1,256 @@
+//! What each way to draw the present views costs, and how far it is off: measured by a thread of its own, one method
+//! after the other, while the Accuracy tab is shown and nothing moves.
+
+use std::sync::Arc;
+
+use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
+use relativity_render::{Appearance, Body, Gpu, GpuError, View};
+
+use super::heat_map;
+use super::observer::Eye;
+use super::stillness::Stillness;
+use super::worker::{Wanted, Worker};
+use crate::accuracy::{DifferenceFigures, Effort, MESH_BOUNDS_PX, Method, Renderers, Spread, expected_error};
+
+/// What is examined: the present views.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sight {
+    /// What the eyes see through their own light cones.
+    pub views: Vec<(Eye, View)>,
+    /// With which looks.
+    pub appearance: Appearance,
+    /// Of what.
+    pub bodies: Arc<[Body]>,
+}
+
+/// What one method costs, and how far its pictures are off: the worse of the eyes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Figures {
+    /// Milliseconds for the pictures of all eyes.
+    pub frame_ms: f64,
+    /// Displacement of outlines, pixels. `None` without outlines, and for the reference itself.
+    pub outlines_px: Option<Spread>,
+    /// Between where a point is drawn and where it is seen, arcseconds.
+    pub line_of_sight_arcseconds: Option<Spread>,
+    /// Relative error of the Doppler factor.
+    pub doppler: Option<Spread>,
+    /// Share of the covered pixels that show another object.
+    pub wrong_share: f64,
+}
+
+/// How far each eye's picture is off, pixel by pixel.
+type HeatMaps = Vec<(Eye, ColorImage)>;
+
+/// What came of one method.
+struct Outcome {
+    method: Method,
+    /// Which of the sights it was measured in.
+    sight: u64,
+    figures: Result<Figures, String>,
+    maps: HeatMaps,
+}
+
+/// One method to measure.
+struct Job {
+    sight: Sight,
+    number: u64,
+    method: Method,
+}
+
+/// The figures of all methods, and what measures them.
+pub struct Examination {
+    worker: Worker<Job, Outcome>,
+    has_gpu: bool,
+    stillness: Stillness<Sight>,
+    sight: Option<Sight>,
+    /// How many sights there were.
+    number: u64,
+    methods: Vec<Method>,
+    outcomes: Vec<Outcome>,
+    shown_maps: Option<ShownMaps>,
+}
+
+/// The heat maps that are on screen, and what they are of.
+struct ShownMaps {
+    method: Method,
+    sight: u64,
+    textures: Vec<(Eye, TextureHandle)>,
+}
+
+/// A method, and what is known about it.
+#[derive(Debug, Clone, Copy)]
+pub struct Row<'a> {
+    /// Which.
+    pub method: Method,
+    /// Its figures, or why there are none; `None` before the first.
+    pub figures: Option<&'a Result<Figures, String>>,
+    /// Whether they were measured in the present views.
+    pub is_current: bool,
+}
+
+impl Examination {
+    /// Nothing is known yet. Without a `gpu` there is only the reference to measure.
+    #[must_use]
+    pub fn new(ctx: &Context, gpu: Option<Gpu>) -> Self {
+        let has_gpu = gpu.is_some();
+        let mut renderers = None;
+        let work = move |job: Job, wanted: &Wanted| {
+            let renderers = renderers.get_or_insert_with(|| Renderers::new(&job.sight.bodies, gpu.clone()));
+            renderers.set_bodies(&job.sight.bodies);
+            outcome(renderers, &job, &|| !wanted.holds())
+        };
+        Self {
+            worker: Worker::new(ctx.clone(), work),
+            has_gpu,
+            stillness: Stillness::default(),
+            sight: None,
+            number: 0,
+            methods: Vec::new(),
+            outcomes: Vec::new(),
+            shown_maps: None,
+        }
+    }
+
+    /// Examines `sight` by all methods, the `chosen` one first. What was begun for another sight is given up.
+    pub fn update(&mut self, ctx: &Context, sight: &Sight, chosen: Method) {
+        self.methods = methods(self.has_gpu, chosen);
+        if self.sight.as_ref() != Some(sight) {
+            self.worker.stop();
+            self.sight = Some(sight.clone());
+            self.number += 1;
+        }
+        self.receive();
+        if !self.stillness.is_still(ctx, sight) || self.worker.is_pending() {
+            return;
+        }
+        let next = std::iter::once(chosen).chain(self.methods.iter().copied());
+        if let Some(method) = next.into_iter().find(|&method| self.is_wanted(method)) {
+            self.worker.request(Job { sight: sight.clone(), number: self.number, method });
+        }
+    }
+
+    fn receive(&mut self) {
+        let methods = &self.methods;
+        self.outcomes.retain(|outcome| methods.contains(&outcome.method));
+        let Some(new) = self.worker.result().filter(|outcome| outcome.sight == self.number) else { return };
+        self.outcomes.retain(|outcome| outcome.method != new.method);
+        self.outcomes.push(new);
+    }
+
+    fn outcome(&self, method: Method) -> Option<&Outcome> {
+        self.outcomes.iter().find(|outcome| outcome.method == method)
+    }
+
+    /// Whether `method` has yet to be measured in the present sight.
+    fn is_wanted(&self, method: Method) -> bool {
+        let is_seen = self.sight.as_ref().is_some_and(|sight| !sight.views.is_empty());
+        is_seen && self.outcome(method).is_none_or(|outcome| outcome.sight != self.number)
+    }
+
+    /// Whether everything has been measured.
+    #[must_use]
+    pub fn is_up_to_date(&self) -> bool {
+        self.sight.is_some() && !self.methods.iter().any(|&method| self.is_wanted(method))
+    }
+
+    /// Whether there is nothing to see, and so nothing to measure.
+    #[must_use]
+    pub fn is_blind(&self) -> bool {
+        self.sight.as_ref().is_none_or(|sight| sight.views.is_empty())
+    }
+
+    /// All methods: exact, meshes from fine to coarse, reference.
+    pub fn rows(&self) -> impl Iterator<Item = Row<'_>> {
+        self.methods.iter().map(|&method| {
+            let outcome = self.outcome(method);
+            let is_current = outcome.is_some_and(|outcome| outcome.sight == self.number);
+            Row { method, figures: outcome.map(|outcome| &outcome.figures), is_current }
+        })
+    }
+
+    /// How far the picture of `eye` by `method` is off, pixel by pixel, once that is known.
+    pub fn heat_map(&mut self, ctx: &Context, eye: Eye, method: Method) -> Option<&TextureHandle> {
+        let sight = self.number;
+        if !self.shown_maps.as_ref().is_some_and(|maps| (maps.method, maps.sight) == (method, sight)) {
+            let outcome = self.outcome(method).filter(|outcome| outcome.sight == sight)?;
+            let texture = |(eye, image): &(Eye, ColorImage)| {
+                (*eye, ctx.load_texture("heat map", image.clone(), TextureOptions::NEAREST))
+            };
+            let textures = outcome.maps.iter().map(texture).collect();
+            self.shown_maps = Some(ShownMaps { method, sight, textures });
+        }
+        let maps = self.shown_maps.as_ref()?;
+        maps.textures.iter().find_map(|(of, texture)| (*of == eye).then_some(texture))
+    }
+}
+
+/// What can be measured.
+fn methods(has_gpu: bool, chosen: Method) -> Vec<Method> {
+    if !has_gpu {
+        return vec![Method::Reference];
+    }
+    let mut bounds = MESH_BOUNDS_PX.to_vec();
+    if let Method::Mesh { bound_px } = chosen {
+        bounds.push(bound_px);
+    }
+    bounds.sort_by(f64::total_cmp);
+    bounds.dedup();
+    let meshes = bounds.into_iter().map(|bound_px| Method::Mesh { bound_px });
+    [Method::Exact].into_iter().chain(meshes).chain([Method::Reference]).collect()
+}
+
+fn outcome(renderers: &mut Renderers, job: &Job, is_cancelled: &dyn Fn() -> bool) -> Option<Outcome> {
+    let (figures, maps) = match examined(renderers, job, is_cancelled) {
+        Ok(found) => found.map(|(figures, maps)| (Ok(figures), maps))?,
+        Err(error) => (Err(error.to_string()), Vec::new()),
+    };
+    Some(Outcome { method: job.method, sight: job.number, figures, maps })
+}
+
+/// The figures and the heat maps; `None` if cancelled.
+fn examined(
+    renderers: &mut Renderers,
+    job: &Job,
+    is_cancelled: &dyn Fn() -> bool,
+) -> Result<Option<(Figures, HeatMaps)>, GpuError> {
+    let Job { sight, method, .. } = job;
+    let mut found = Vec::new();
+    let mut maps = Vec::new();
+    for (eye, view) in &sight.views {
+        let looks = &sight.appearance;
+        let error = expected_error(renderers, *method, view, looks, Effort::GLANCE, is_cancelled)?;
+        let Some(error) = error else { return Ok(None) };
+        maps.push((*eye, heat_map::image(&error.difference, view.camera.focal_length_px())));
+        found.push(Finding {
+            frame_ms: error.frame_ms,
+            outlines_px: error.silhouettes_px,
+            difference: error.difference.figures,
+        });
+    }
+    Ok(Some((Figures::of(&found), maps)))
+}
+
+/// What was found in one eye's view.
+struct Finding {
+    frame_ms: f64,
+    outlines_px: Option<Spread>,
+    difference: DifferenceFigures,
+}
+
+impl Figures {
+    fn of(found: &[Finding]) -> Self {
+        let worse =
+            |spread: fn(&Finding) -> Option<Spread>| found.iter().filter_map(spread).reduce(Spread::worse);
+        let sum = |count: fn(&DifferenceFigures) -> usize| -> usize {
+            found.iter().map(|finding| count(&finding.difference)).sum()
+        };
+        let covered = sum(|figures| figures.covered_pixels).max(1);
+        Self {
+            frame_ms: found.iter().map(|finding| finding.frame_ms).sum(),
+            outlines_px: worse(|finding| finding.outlines_px),
+            line_of_sight_arcseconds: worse(|finding| finding.difference.line_of_sight_arcseconds),
+            doppler: worse(|finding| finding.difference.doppler_relative),
+            wrong_share: sum(|figures| figures.wrong_pixels) as f64 / covered as f64,
+        }
+    }
+}

@@ -1,0 +1,71 @@
+//! Colours for how far a picture is off, pixel by pixel.
+
+use std::ops::RangeInclusive;
+
+use colorous::VIRIDIS;
+use eframe::egui::{Color32, ColorImage};
+
+use crate::accuracy::{ARCSECONDS, Difference, PixelDifference};
+
+/// Powers of ten of a pixel, from the darkest to the brightest colour.
+pub const DECADES: RangeInclusive<f64> = -8.0..=0.0;
+/// Where another object is seen.
+pub const WRONG_OBJECT: Color32 = Color32::from_rgb(0xFF, 0x38, 0x60);
+/// Where nothing is seen the picture shows through.
+const NOTHING: Color32 = Color32::from_black_alpha(170);
+
+/// The colour of 10 to this power of a pixel.
+#[must_use]
+pub fn colour(decade: f64) -> Color32 {
+    let (first, last) = DECADES.into_inner();
+    let colorous::Color { r, g, b } =
+        VIRIDIS.eval_continuous(((decade - first) / (last - first)).clamp(0.0, 1.0));
+    Color32::from_rgb(r, g, b)
+}
+
+/// The map of `difference`, whose pictures have `pixels_per_radian` at their centre.
+#[must_use]
+pub fn image(difference: &Difference, pixels_per_radian: f64) -> ColorImage {
+    let colours = difference.pixels.iter().map(|pixel| match *pixel {
+        PixelDifference::Nothing => NOTHING,
+        PixelDifference::WrongObject => WRONG_OBJECT,
+        PixelDifference::CoincidentObject => colour(f64::NEG_INFINITY),
+        PixelDifference::SameObject { arcseconds, .. } => {
+            colour((arcseconds / ARCSECONDS * pixels_per_radian).log10())
+        }
+    });
+    ColorImage::new(difference.size.map(|side| side as usize), colours.collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::accuracy::DifferenceFigures;
+
+    #[test]
+    fn every_kind_of_pixel_has_its_colour() {
+        let seen = |arcseconds| PixelDifference::SameObject { arcseconds, doppler: 0.0 };
+        let pixels_per_radian = 100.0;
+        let one_pixel = ARCSECONDS / pixels_per_radian;
+        let pixels = vec![
+            PixelDifference::Nothing,
+            PixelDifference::WrongObject,
+            seen(one_pixel),
+            seen(0.0),
+            seen(f64::NAN),
+        ];
+        let figures = DifferenceFigures {
+            covered_pixels: 4,
+            wrong_pixels: 1,
+            coincident_pixels: 0,
+            wrong_pixels_off_outlines: 0,
+            line_of_sight_arcseconds: None,
+            doppler_relative: None,
+        };
+        let image = image(&Difference { size: [5, 1], pixels, figures }, pixels_per_radian);
+        let (darkest, brightest) = (colour(-8.0), colour(0.0));
+        assert_eq!(image.size, [5, 1]);
+        assert_eq!(image.pixels[..4], [NOTHING, WRONG_OBJECT, brightest, darkest]);
+        assert!(image.pixels[4].is_opaque());
+    }
+}

@@ -1,0 +1,83 @@
+//! The Accuracy tab: what each way to draw the present views costs, and how far it is off. Clicking one in the table
+//! or in the plot chooses it.
+
+use eframe::egui::{Checkbox, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
+
+use super::split::{part, table_and_plots};
+use super::{Asks, accuracy_table, frontier};
+use crate::accuracy::Method;
+use crate::app::command::Command;
+use crate::app::examination::Examination;
+use crate::app::state::State;
+use crate::app::{figures, heat_map};
+
+/// Width of the table.
+const TABLE_WIDTH: f32 = 470.0;
+
+/// Shows the tab.
+pub fn show(ui: &mut Ui, state: &State, examination: Option<&Examination>, asks: &mut Asks) {
+    let Some(examination) = examination else { return };
+    if examination.is_blind() {
+        ui.label("There is nothing to measure: the views are hidden.");
+        return;
+    }
+    let before = state.settings.quality;
+    let mut quality = before;
+    let (table, plot) = table_and_plots(ui.available_rect_before_wrap(), TABLE_WIDTH);
+    part(ui, "figures", table, |ui| {
+        let area = ScrollArea::both().auto_shrink(false);
+        area.show(ui, |ui| accuracy_table::show(ui, examination, &mut quality));
+    });
+    if let Some(plot) = plot {
+        part(ui, "frontier", plot, |ui| frontier::show(ui, plot.size(), examination, &mut quality));
+    }
+    if quality != before {
+        asks.push(Command::Quality(quality));
+    }
+}
+
+/// The heat map's switch and scale, and what the figures are.
+pub fn caption(ui: &mut Ui, state: &State, examination: &Examination, asks: &mut Asks) {
+    let mut quality = state.settings.quality;
+    let tip = "Shows in the views how far each pixel's point is drawn from where it is seen.";
+    if ui.add(Checkbox::new(&mut quality.heat_map, "Heat map")).on_hover_text(tip).changed() {
+        asks.push(Command::Quality(quality));
+    }
+    if quality.heat_map {
+        scale(ui);
+    }
+    let text = if examination.is_up_to_date() {
+        "Measured in the present views."
+    } else {
+        "Measuring while nothing moves …"
+    };
+    ui.label(RichText::new(text).weak().small());
+}
+
+/// The colours of the heat map.
+fn scale(ui: &mut Ui) {
+    let (first, last) = heat_map::DECADES.into_inner();
+    let text = |exponent: f64| RichText::new(format!("{} px", figures::power_of_ten(exponent))).small();
+    ui.label(text(first));
+    let (rect, _) = ui.allocate_exact_size(vec2(90.0, 10.0), Sense::hover());
+    let width = rect.width() as usize;
+    for i in 0..width {
+        let fraction = (i as f64 + 0.5) / width as f64;
+        let left = rect.min.x + i as f32;
+        let line = Rect::from_min_max(pos2(left, rect.min.y), pos2(left + 1.0, rect.max.y));
+        ui.painter().rect_filled(line, 0.0, heat_map::colour(first + fraction * (last - first)));
+    }
+    ui.label(text(last));
+    let (square, _) = ui.allocate_exact_size(vec2(10.0, 10.0), Sense::hover());
+    ui.painter().rect_filled(square, 1.0, heat_map::WRONG_OBJECT);
+    ui.label(RichText::new("other object").small());
+}
+
+/// What a method is called.
+pub(super) fn name(method: Method) -> String {
+    match method {
+        Method::Exact => "exact".to_owned(),
+        Method::Mesh { bound_px } => format!("mesh {} px", figures::trimmed(bound_px, 3)),
+        Method::Reference => "reference".to_owned(),
+    }
+}

@@ -1,0 +1,90 @@
+//! The Accuracy tab's table: a row for each way to draw the present views.
+
+use eframe::egui::{Grid, RichText, Ui};
+
+use super::accuracy::name;
+use super::widgets::named_text;
+use crate::accuracy::{RESOLUTION_PX, Spread};
+use crate::app::examination::{Examination, Row};
+use crate::app::figures;
+use crate::app::settings::Quality;
+
+const HEADS: [(&str, &str); 6] = [
+    ("", "Click a renderer to choose it."),
+    ("ms", "Time to draw both eyes' pictures on this machine, milliseconds."),
+    (
+        "outlines / px",
+        "How far outlines are drawn from where the reference has them: 99 % of the places are better.",
+    ),
+    (
+        "direction / ″",
+        "Between where a point is drawn and where it is seen, arcseconds: 99 % of the pixels are better.",
+    ),
+    ("D", "Relative error of the Doppler factor: 99 % of the pixels are better."),
+    ("other object", "Share of the covered pixels that show another object than the reference does."),
+];
+
+/// Shows it; clicking a renderer chooses it.
+pub fn show(ui: &mut Ui, examination: &Examination, quality: &mut Quality) {
+    Grid::new("accuracy").num_columns(HEADS.len()).spacing([14.0, 2.0]).show(ui, |ui| {
+        for (head, tip) in HEADS {
+            ui.label(RichText::new(head).weak()).on_hover_text(tip);
+        }
+        ui.end_row();
+        for row in examination.rows() {
+            table_row(ui, &row, quality);
+            ui.end_row();
+        }
+    });
+}
+
+fn table_row(ui: &mut Ui, row: &Row<'_>, quality: &mut Quality) {
+    let name = name(row.method);
+    let is_chosen = quality.method() == row.method;
+    let label = ui.selectable_label(is_chosen, &name);
+    if label.on_hover_text(format!("Draw the views by {name}.")).clicked() {
+        *quality = quality.with_method(row.method);
+    }
+    let figures = match row.figures {
+        None => return drop(ui.label(RichText::new("…").weak())),
+        Some(Err(problem)) => return drop(ui.label(problem)),
+        Some(Ok(figures)) => figures,
+    };
+    let spreads = [
+        (figures.outlines_px, RESOLUTION_PX),
+        (figures.line_of_sight_arcseconds, 0.0),
+        (figures.doppler, 0.0),
+    ];
+    let [outlines, directions, dopplers] = spreads.map(|(spread, resolution)| cell(spread, resolution));
+    let [ms, wrong] = [(figures.frame_ms, 1), (100.0 * figures.wrong_share, 2)]
+        .map(|(value, decimals)| figures::fixed(value, decimals));
+    let cells = [(ms, String::new()), outlines, directions, dopplers, (format!("{wrong} %"), String::new())];
+    for ((text, tip), (head, _)) in cells.into_iter().zip(&HEADS[1..]) {
+        let shown = RichText::new(&text);
+        let shown = if row.is_current { shown } else { shown.weak() };
+        let label = named_text(ui, shown, format!("{name}, {head}: {text}"));
+        if !tip.is_empty() {
+            label.on_hover_text(tip);
+        }
+    }
+}
+
+/// A spread's 99 % as written, and the rest of it. Nothing below the `resolution` was told apart.
+fn cell(spread: Option<Spread>, resolution: f64) -> (String, String) {
+    let Some(Spread { median, p99, worst, count }) = spread else {
+        return (figures::NONE.to_owned(), String::new());
+    };
+    let [median, p99, worst] = [median, p99, worst].map(|error| {
+        if error <= resolution && resolution > 0.0 {
+            format!("< {}", small(resolution))
+        } else {
+            small(error)
+        }
+    });
+    (p99.clone(), format!("median {median}, 99 % {p99}, worst {worst}, of {count}; the worse eye of the two"))
+}
+
+/// Two digits of an error.
+fn small(error: f64) -> String {
+    figures::significant(error, 2).replace('-', "−")
+}

@@ -1,0 +1,36 @@
+//! Waits until something has stayed the same for a while, so that slow work does not start during a drag.
+
+use std::time::{Duration, Instant};
+
+use eframe::egui::Context;
+
+/// What has not changed for this long is still.
+const REST: Duration = Duration::from_millis(150);
+
+/// When something last changed.
+#[derive(Debug)]
+pub struct Stillness<K> {
+    last: Option<(K, Instant)>,
+}
+
+impl<K> Default for Stillness<K> {
+    fn default() -> Self {
+        Self { last: None }
+    }
+}
+
+impl<K: Clone + PartialEq> Stillness<K> {
+    /// Whether `key` is what it was before, and has been for a while. If not, a frame is asked for in which
+    /// it may be.
+    pub fn is_still(&mut self, ctx: &Context, key: &K) -> bool {
+        let since = match &self.last {
+            Some((last, since)) if last == key => *since,
+            _ => self.last.insert((key.clone(), Instant::now())).1,
+        };
+        let rest = REST.saturating_sub(since.elapsed());
+        if !rest.is_zero() {
+            ctx.request_repaint_after(rest);
+        }
+        rest.is_zero()
+    }
+}

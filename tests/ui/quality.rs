@@ -1,0 +1,223 @@
+//! The choice of what draws the views, and the Accuracy tab: what each costs, and how far it is off.
+
+use std::time::{Duration, Instant};
+
+use eframe::egui::ViewportId;
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use gamow::accuracy::Method;
+use gamow::app::App;
+use gamow::app::command::Command;
+use gamow::app::examination::Examination;
+use gamow::app::observer::Eye;
+use gamow::app::settings::{PlotTab, Plots, Settings};
+use gamow::app::state::State;
+use gamow::cli::RendererChoice;
+use relativity_render::ReferenceScene;
+
+use super::Test;
+use super::support::{cyclist, labels, pane, type_into, window};
+
+pub const TESTS: &[Test] = &[
+    ("the_reference_draws_the_views_if_chosen", the_reference_draws_the_views),
+    ("the_accuracy_tab_measures_every_renderer", the_accuracy_tab_measures),
+    ("figures_are_of_the_views_that_are_shown", figures_are_of_the_views),
+    ("hidden_figures_are_not_measured", hidden_figures_are_not_measured),
+    ("clicking_a_renderer_in_the_table_or_the_plot_chooses_it", clicking_a_renderer_chooses_it),
+    ("the_heat_map_marks_what_the_mesh_gets_wrong", the_heat_map_marks_errors),
+    ("a_bound_that_is_no_number_does_no_harm", a_bound_that_is_no_number),
+];
+
+/// The default scene at this beta, with the Accuracy tab in view.
+fn examined(beta: f64) -> State {
+    let mut state = cyclist(beta);
+    state.apply(Command::Plots(Plots { tab: PlotTab::Accuracy, ..Plots::default() }));
+    state
+}
+
+/// Frames until nothing is left to do in the background.
+fn settle(window: &mut Harness<'_, App>) {
+    let start = Instant::now();
+    window.step();
+    while !window.state().is_settled() {
+        assert!(start.elapsed() < Duration::from_mins(2), "it goes on");
+        std::thread::sleep(Duration::from_millis(5));
+        window.step();
+    }
+    window.run();
+}
+
+/// Height of the note at the bottom of a pane, pixels.
+const NOTE: u32 = 32;
+
+/// Share of the pixels of the left eye's pane, above the note, for which `differs` is true of the red, green and blue
+/// in the window and in the reference's picture.
+fn share_in_pane(window: &mut Harness<'_, App>, differs: fn([u8; 3], [u8; 3]) -> bool) -> f64 {
+    let pane = pane(window, 0);
+    let size = [pane.width() as u32, pane.height() as u32];
+    let state = window.state().state();
+    let view = state.view(Eye::Left, size, state.gaze());
+    let reference = ReferenceScene::new(&state.session.bodies).picture(&view, &state.appearance(false), 2);
+    let shown = window.render().expect("a picture");
+    let compared = size[0] * (size[1] - NOTE);
+    let differing = (0..compared).filter(|i| {
+        let (u, v) = (i % size[0], i / size[0]);
+        let [r, g, b, _] = shown.get_pixel(pane.min.x as u32 + u, pane.min.y as u32 + v).0;
+        let [red, green, blue, _] = reference.rgba[*i as usize];
+        differs([r, g, b], [red, green, blue])
+    });
+    differing.count() as f64 / f64::from(compared)
+}
+
+fn the_reference_draws_the_views() {
+    let mut window = window(cyclist(0.6));
+    let any =
+        |shown: [u8; 3], reference: [u8; 3]| shown.into_iter().zip(reference).any(|(a, b)| a.abs_diff(b) > 2);
+    settle(&mut window);
+    // Sampled elsewhere inside the pixels of outlines.
+    let exact = share_in_pane(&mut window, any);
+    window.get_by_label("Reference").click();
+    window.run_steps(2);
+    settle(&mut window);
+    // The marker covers the rest.
+    let reference = share_in_pane(&mut window, any);
+    assert!(
+        reference < 0.01 && reference < 0.7 * exact,
+        "{reference} of the pixels differ, of exact {exact}"
+    );
+    let repaint = window.output().viewport_output[&ViewportId::ROOT].repaint_delay;
+    assert_eq!(repaint, Duration::MAX, "a window at rest uses no processor");
+    // While something moves, the exact renderer stands in.
+    window.state_mut().ask(Command::Time(2.0));
+    window.step();
+    assert!(!window.state().is_settled());
+    let stand_in = share_in_pane(&mut window, any);
+    window.get_by_label("Exact").click();
+    window.run();
+    assert_eq!(stand_in, share_in_pane(&mut window, any));
+}
+
+/// The number in the table of the Accuracy tab.
+fn figure(window: &Harness<'_, App>, renderer: &str, column: &str) -> f64 {
+    let start = format!("{renderer}, {column}: ");
+    let all = labels(window);
+    let text = all.iter().find_map(|label| label.strip_prefix(&start));
+    let text = text.unwrap_or_else(|| panic!("no {start:?} in {all:?}"));
+    let text = text.trim_start_matches("< ").trim_end_matches(" %").replace('−', "-");
+    text.parse().unwrap_or_else(|_| panic!("{text:?} is a number"))
+}
+
+fn the_accuracy_tab_measures() {
+    let mut window = window(cyclist(0.9));
+    window.get_by_label("Accuracy").click();
+    window.run_steps(2);
+    settle(&mut window);
+    for renderer in ["exact", "mesh 0.1 px", "mesh 0.5 px", "mesh 2 px", "reference"] {
+        assert!(figure(&window, renderer, "ms") > 0.0, "{renderer}");
+    }
+    for (renderer, bound) in [("exact", 0.05), ("mesh 0.1 px", 0.1), ("mesh 0.5 px", 0.5), ("mesh 2 px", 2.0)]
+    {
+        assert!(figure(&window, renderer, "outlines / px") <= bound, "{renderer}");
+    }
+    let direction = |renderer| figure(&window, renderer, "direction / ″");
+    assert!(direction("reference") < 1e-6 && direction("exact") < 1.0);
+    assert!(
+        direction("exact") < direction("mesh 0.1 px") && direction("mesh 0.1 px") < direction("mesh 2 px")
+    );
+    assert!(figure(&window, "exact", "D") < 1e-5);
+    assert!(figure(&window, "exact", "other object") < 0.1);
+    assert_eq!(figure(&window, "reference", "other object"), 0.0);
+    let repaint = window.output().viewport_output[&ViewportId::ROOT].repaint_delay;
+    assert_eq!(repaint, Duration::MAX, "a window at rest uses no processor");
+}
+
+fn current(window: &Harness<'_, App>) -> usize {
+    let examination = window.state().examination().expect("it is shown");
+    examination.rows().filter(|row| row.is_current).count()
+}
+
+fn figures_are_of_the_views() {
+    let mut window = window(examined(0.9));
+    settle(&mut window);
+    let slow = figure(&window, "exact", "direction / ″");
+    assert_eq!(current(&window), 5);
+    type_into(&mut window, "Gamma, typed", "1000");
+    assert!(!window.state().is_settled());
+    assert!(current(&window) < 5, "what was measured before counts as outdated");
+    settle(&mut window);
+    assert_eq!(current(&window), 5);
+    assert!(figure(&window, "exact", "direction / ″") != slow);
+    window.get_by_label("Views").click();
+    window.run();
+    window.get_by_label("There is nothing to measure: the views are hidden.");
+    assert!(window.state().examination().is_some_and(Examination::is_up_to_date));
+}
+
+fn hidden_figures_are_not_measured() {
+    let mut window = window(examined(0.9));
+    assert!(window.state().examination().is_some());
+    window.get_by_label("Disparity").click();
+    window.run();
+    assert!(window.state().examination().is_none());
+    window.get_by_label("Accuracy").click();
+    window.run();
+    window.get_by_label("Plots").click();
+    window.run();
+    assert!(window.state().examination().is_none());
+}
+
+fn clicking_a_renderer_chooses_it() {
+    let mut window = window(examined(0.9));
+    settle(&mut window);
+    window.get_by_label("mesh 2 px").click();
+    window.run();
+    assert_eq!(window.state().state().settings.quality.method(), Method::Mesh { bound_px: 2.0 });
+    type_into(&mut window, "Bound, typed", "0.25");
+    settle(&mut window);
+    assert!(figure(&window, "mesh 0.25 px", "outlines / px") <= 0.25);
+    let plot = window.get_by_label("Plot of error against cost").rect();
+    // The reference has by far the least error.
+    let near_reference = [0.5, 0.55, 0.6, 0.45, 0.4, 0.65, 0.7, 0.75, 0.35, 0.8]
+        .map(|x| plot.min + eframe::egui::vec2(x * plot.width(), 0.92 * plot.height()));
+    for place in near_reference {
+        window.hover_at(place);
+        window.step();
+        window.drag_at(place);
+        window.drop_at(place);
+        window.run_steps(2);
+    }
+    assert_eq!(window.state().state().settings.quality.renderer, RendererChoice::Reference);
+}
+
+fn the_heat_map_marks_errors() {
+    let mut state = examined(0.9);
+    state.settings.quality.renderer = RendererChoice::Mesh;
+    state.settings.quality.bound_px = 4.0;
+    let mut window = window(state);
+    settle(&mut window);
+    let red = |[r, g, b]: [u8; 3], _: [u8; 3]| r == 0xFF && g == 0x38 && b == 0x60;
+    let darker = |shown: [u8; 3], reference: [u8; 3]| {
+        shown.into_iter().zip(reference).all(|(a, b)| u32::from(a) < u32::from(b) / 2)
+    };
+    assert_eq!(
+        [share_in_pane(&mut window, red), share_in_pane(&mut window, darker)].map(|share| share < 0.05),
+        [true; 2]
+    );
+    window.get_by_label("Heat map").click();
+    window.run();
+    assert!(share_in_pane(&mut window, red) > 1e-4);
+    assert!(share_in_pane(&mut window, darker) > 0.5, "what surrounds the scene is dimmed");
+    window.get_by_label("exact").click();
+    window.run();
+    assert!(share_in_pane(&mut window, red) < 1e-4);
+}
+
+fn a_bound_that_is_no_number() {
+    for bound_px in [f64::NAN, f64::NEG_INFINITY, 0.0, f64::INFINITY] {
+        let mut settings = Settings::default();
+        settings.quality.renderer = RendererChoice::Mesh;
+        settings.quality.bound_px = bound_px;
+        let Method::Mesh { bound_px } = settings.quality.method() else { panic!("it is a mesh") };
+        assert!((0.01..=100.0).contains(&bound_px), "{bound_px}");
+    }
+}
