@@ -62,6 +62,7 @@ pub struct Examination {
     worker: Worker<Job, Outcome>,
     has_gpu: bool,
     stillness: Stillness<Sight>,
+    /// What is examined; nothing while nobody looks.
     sight: Option<Sight>,
     /// How many sights there were.
     number: u64,
@@ -147,10 +148,17 @@ impl Examination {
         is_seen && self.outcome(method).is_none_or(|outcome| outcome.sight != self.number)
     }
 
-    /// Whether everything has been measured.
+    /// Gives up what is being measured, as nobody looks.
+    pub fn rest(&mut self) {
+        if self.sight.take().is_some() {
+            self.worker.stop();
+        }
+    }
+
+    /// Whether there is more to measure.
     #[must_use]
-    pub fn is_up_to_date(&self) -> bool {
-        self.sight.is_some() && !self.methods.iter().any(|&method| self.is_wanted(method))
+    pub fn is_pending(&self) -> bool {
+        self.methods.iter().any(|&method| self.is_wanted(method))
     }
 
     /// Whether there is nothing to see, and so nothing to measure.

@@ -99,13 +99,13 @@ impl Renderers {
 struct ReferencePicture {
     picture: BackgroundPicture<Request>,
     stillness: Stillness<Request>,
-    is_shown: bool,
+    is_awaited: bool,
 }
 
 impl ReferencePicture {
     fn new(ctx: &Context) -> Self {
         let picture = BackgroundPicture::new(ctx, "reference", reference_picture);
-        Self { picture, stillness: Stillness::default(), is_shown: false }
+        Self { picture, stillness: Stillness::default(), is_awaited: false }
     }
 
     /// The picture, once it is done. It is begun when what is asked for no longer changes.
@@ -114,7 +114,7 @@ impl ReferencePicture {
         if done.is_none() && self.stillness.is_still(ctx, request) {
             self.picture.request(request);
         }
-        self.is_shown = done.is_some();
+        self.is_awaited = done.is_none();
         done
     }
 }
@@ -154,7 +154,7 @@ impl EyePictures {
     /// Whether every picture is drawn by what is to draw it.
     #[must_use]
     pub fn is_settled(&self) -> bool {
-        self.references.iter().flatten().all(|reference| reference.is_shown)
+        !self.references.iter().flatten().any(|reference| reference.is_awaited)
     }
 
     /// The picture of the eye with this `index` (0 left, 1 right), drawn if it is not up to date.
@@ -165,8 +165,9 @@ impl EyePictures {
             if let Some(texture) = reference.texture(ctx, request) {
                 return Shown { texture, method: Method::Reference };
             }
-        } else {
-            *reference = None;
+        } else if let Some(reference) = reference {
+            // Kept, since ending its thread would take until its picture is done.
+            reference.is_awaited = false;
         }
         self.picture_on_gpu(index, request)
     }

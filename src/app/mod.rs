@@ -88,7 +88,7 @@ impl App {
         self.corrected.as_ref()
     }
 
-    /// What the present views cost and how far they are off, while the Accuracy tab is shown.
+    /// What the present views cost and how far they are off, once the Accuracy tab was shown.
     #[must_use]
     pub const fn examination(&self) -> Option<&Examination> {
         self.examination.as_ref()
@@ -99,7 +99,7 @@ impl App {
     pub fn is_settled(&self) -> bool {
         !self.fitting.is_pending()
             && self.corrected.as_ref().is_none_or(Corrected::is_up_to_date)
-            && self.examination.as_ref().is_none_or(Examination::is_up_to_date)
+            && !self.examination.as_ref().is_some_and(Examination::is_pending)
             && self.eyes.as_ref().is_none_or(EyePictures::is_settled)
     }
 
@@ -164,7 +164,7 @@ impl App {
     /// Examines the pictures in `panes` while their figures are in view.
     fn update_examination(&mut self, ui: &Ui, panes: &[Pane], plots_are_shown: bool) {
         if !plots_are_shown || self.state.settings.plots.tab != PlotTab::Accuracy {
-            self.examination = None;
+            self.examination.iter_mut().for_each(Examination::rest);
             return;
         }
         let state = &self.state;
@@ -191,7 +191,8 @@ impl App {
             published_right: state.sees_as_published(pane.eye),
         };
         let picture = self.eyes.as_mut().map(|eyes| eyes.picture(ui.ctx(), pane.eye.index(), &request));
-        let examination = self.examination.as_mut().filter(|_| quality.heat_map);
+        let with_heat_map = quality.heat_map && state.settings.plots.tab == PlotTab::Accuracy;
+        let examination = self.examination.as_mut().filter(|_| with_heat_map);
         let heat_map = examination.and_then(|found| found.heat_map(ui.ctx(), pane.eye, request.method));
         panels::views::paint(ui, state, pane, picture, heat_map.map(Into::into));
     }

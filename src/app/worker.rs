@@ -4,6 +4,7 @@ use std::cell::Cell;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
+use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use eframe::egui::Context;
@@ -19,6 +20,7 @@ pub struct Worker<J, R> {
     received: Cell<u64>,
     newest: Arc<AtomicU64>,
     stopped: Arc<AtomicU64>,
+    thread: Option<JoinHandle<()>>,
 }
 
 /// Whether a job is still wanted.
@@ -46,12 +48,11 @@ impl<J: Send + 'static, R: Send + 'static> Worker<J, R> {
         let (jobs, todo) = channel::<(u64, J)>();
         let (done, results) = channel();
         let (newest, stopped) = (Arc::new(AtomicU64::new(0)), Arc::new(AtomicU64::new(0)));
-        let worker =
-            Self { jobs, results, received: Cell::new(0), newest: newest.clone(), stopped: stopped.clone() };
-        std::thread::spawn(move || {
+        let (newest_asked, stopped_by) = (newest.clone(), stopped.clone());
+        let thread = std::thread::spawn(move || {
             while let Ok(first) = todo.recv() {
                 let (number, job) = todo.try_iter().last().unwrap_or(first);
-                let (newest, stopped) = (newest.clone(), stopped.clone());
+                let (newest, stopped) = (newest_asked.clone(), stopped_by.clone());
                 let wanted = Wanted { number, started: Instant::now(), newest, stopped };
                 let Some(result) = wanted.holds().then(|| work(job, &wanted)).flatten() else { continue };
                 if done.send((number, result)).is_err() {
@@ -60,7 +61,7 @@ impl<J: Send + 'static, R: Send + 'static> Worker<J, R> {
                 ctx.request_repaint();
             }
         });
-        worker
+        Self { jobs, results, received: Cell::new(0), newest, stopped, thread: Some(thread) }
     }
 
     /// Does `job` next, instead of what still waits.
@@ -91,8 +92,14 @@ impl<J: Send + 'static, R: Send + 'static> Worker<J, R> {
 }
 
 impl<J, R> Drop for Worker<J, R> {
+    /// Gives up everything, and waits until the thread has ended: it may hold what must not outlive the window, such as
+    /// the graphics device.
     fn drop(&mut self) {
         self.stopped.store(u64::MAX, Ordering::Relaxed);
+        // Without a sender the thread has nothing left to wait for.
+        self.jobs = channel().0;
+        // An error means that its work panicked, which has been reported.
+        let _ = self.thread.take().map(JoinHandle::join);
     }
 }
 

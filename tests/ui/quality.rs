@@ -16,7 +16,7 @@ use gamow::cli::RendererChoice;
 use relativity_render::ReferenceScene;
 
 use super::Test;
-use super::support::{cyclist, labels, pane, type_into, window};
+use super::support::{cyclist, labels, pane, type_into, window, window_of_size};
 
 pub const TESTS: &[Test] = &[
     ("the_reference_draws_the_views_if_chosen", the_reference_draws_the_views),
@@ -33,6 +33,11 @@ fn examined(beta: f64) -> State {
     let mut state = cyclist(beta);
     state.apply(Command::Plots(Plots { tab: PlotTab::Accuracy, ..Plots::default() }));
     state
+}
+
+/// A window whose small views are measured soon.
+fn small_window(state: State) -> Harness<'static, App> {
+    window_of_size(state, [1000.0, 560.0], 1.0)
 }
 
 /// Frames until nothing is left to do in the background.
@@ -108,7 +113,7 @@ fn figure(window: &Harness<'_, App>, renderer: &str, column: &str) -> f64 {
 }
 
 fn the_accuracy_tab_measures() {
-    let mut window = window(cyclist(0.9));
+    let mut window = small_window(cyclist(0.9));
     window.get_by_label("Accuracy").click();
     window.run_steps(2);
     settle(&mut window);
@@ -137,7 +142,7 @@ fn current(window: &Harness<'_, App>) -> usize {
 }
 
 fn figures_are_of_the_views() {
-    let mut window = window(examined(0.9));
+    let mut window = small_window(examined(0.9));
     settle(&mut window);
     let slow = figure(&window, "exact", "direction / ″");
     assert_eq!(current(&window), 5);
@@ -150,29 +155,33 @@ fn figures_are_of_the_views() {
     window.get_by_label("Views").click();
     window.run();
     window.get_by_label("There is nothing to measure: the views are hidden.");
-    assert!(window.state().examination().is_some_and(Examination::is_up_to_date));
+    assert!(window.state().is_settled());
 }
 
 fn hidden_figures_are_not_measured() {
-    let mut window = window(examined(0.9));
-    assert!(window.state().examination().is_some());
-    window.get_by_label("Disparity").click();
-    window.run();
-    assert!(window.state().examination().is_none());
-    window.get_by_label("Accuracy").click();
-    window.run();
-    window.get_by_label("Plots").click();
-    window.run();
-    assert!(window.state().examination().is_none());
+    let is_pending =
+        |window: &Harness<'_, App>| window.state().examination().is_some_and(Examination::is_pending);
+    let mut window = small_window(examined(0.9));
+    assert!(is_pending(&window));
+    for (hide, show) in [("Disparity", "Accuracy"), ("Plots", "Plots")] {
+        window.get_by_label(hide).click();
+        window.run();
+        assert!(!is_pending(&window));
+        window.get_by_label(show).click();
+        window.run();
+        assert!(is_pending(&window));
+    }
 }
 
 fn clicking_a_renderer_chooses_it() {
-    let mut window = window(examined(0.9));
+    let mut window = small_window(examined(0.9));
     settle(&mut window);
     window.get_by_label("mesh 2 px").click();
     window.run();
     assert_eq!(window.state().state().settings.quality.method(), Method::Mesh { bound_px: 2.0 });
-    type_into(&mut window, "Bound, typed", "0.25");
+    let mut quality = window.state().state().settings.quality;
+    quality.bound_px = 0.25;
+    window.state_mut().ask(Command::Quality(quality));
     settle(&mut window);
     assert!(figure(&window, "mesh 0.25 px", "outlines / px") <= 0.25);
     let plot = window.get_by_label("Plot of error against cost").rect();

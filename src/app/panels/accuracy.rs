@@ -46,11 +46,9 @@ pub fn caption(ui: &mut Ui, state: &State, examination: &Examination, asks: &mut
     if quality.heat_map {
         scale(ui);
     }
-    let text = if examination.is_up_to_date() {
-        "Measured in the present views."
-    } else {
-        "Measuring while nothing moves …"
-    };
+    let is_pending = examination.is_pending();
+    let text =
+        if is_pending { "Measuring while nothing moves …" } else { "Measured in the present views." };
     ui.label(RichText::new(text).weak().small());
 }
 

@@ -36,7 +36,7 @@ pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {
     ui.horizontal(|ui| {
         tabs(ui, state, asks);
         ui.separator();
-        match plotted.examination {
+        match plotted.examination.filter(|_| state.settings.plots.tab == PlotTab::Accuracy) {
             Some(examination) => accuracy::caption(ui, state, examination, asks),
             None => points(ui, state, asks),
         }
