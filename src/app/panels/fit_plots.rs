@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 
 use eframe::egui::{self, Align, Color32, Layout, RichText, Ui, Vec2, Visuals, vec2};
-use egui_plot::{FilledArea, Line, Plot, PlotBounds, PlotPoint, PlotUi, Points, VLine};
+use egui_plot::{FilledArea, GridInput, GridMark, Line, Plot, PlotBounds, PlotPoint, PlotUi, Points, VLine};
 
 use super::Asks;
 use super::axes::{annotate, bounds, label, still_plot, tick, time_at_pointer};
@@ -66,6 +66,7 @@ fn pair(ui: &mut Ui, state: &State, fitting: &Fitting, quantity: Quantity, size:
         name: format!("Fit of {name} against T"),
         size: vec2(size.x, height - residuals_height),
         with_times: !has_residuals,
+        grid: |input| egui_plot::log_grid_spacer(10)(input),
     };
     curve.show(ui, state, drawing.curve_bounds(), asks, |plot| drawing.curve(plot));
     if has_residuals {
@@ -73,6 +74,7 @@ fn pair(ui: &mut Ui, state: &State, fitting: &Fitting, quantity: Quantity, size:
             name: format!("Residuals of {name} against T"),
             size: vec2(size.x, residuals_height),
             with_times: true,
+            grid: |input| residual_grid(&input),
         };
         residuals.show(ui, state, drawing.residual_bounds(), asks, |plot| drawing.residuals(plot));
     }
@@ -84,6 +86,8 @@ struct Part {
     size: Vec2,
     /// Whether T is written along it.
     with_times: bool,
+    /// Where its horizontal lines are.
+    grid: fn(GridInput) -> Vec<GridMark>,
 }
 
 impl Part {
@@ -100,6 +104,7 @@ impl Part {
             .show_axes([self.with_times, true])
             .grid_spacing(GRID_SPACING)
             .y_axis_min_width(Y_AXIS_WIDTH)
+            .y_grid_spacer(self.grid)
             .y_axis_formatter(|mark, _: &RangeInclusive<f64>| {
                 tick(Quantity::DeltaPhi, mark.value, mark.step_size)
             })
@@ -116,6 +121,15 @@ impl Part {
             asks.push(Command::Time(time));
         }
     }
+}
+
+/// Lines at 0 and, on both sides of it, at the largest round number inside a plot around 0.
+fn residual_grid(input: &GridInput) -> Vec<GridMark> {
+    let most = 0.85 * input.bounds.1;
+    let decade = 10f64.powf(most.log10().floor());
+    let step_size = [5.0, 2.0, 1.0].map(|digit| digit * decade).into_iter().find(|step| *step <= most);
+    let Some(step_size) = step_size else { return Vec::new() };
+    [-step_size, 0.0, step_size].map(|value| GridMark { value, step_size }).to_vec()
 }
 
 /// What is drawn of one curve.

@@ -65,7 +65,7 @@ pub fn show(ui: &mut Ui, size: egui::Vec2, examination: &Examination, quality: &
         .show(ui, |plot| {
             plot.set_plot_bounds(bounds);
             for mark in &marks {
-                draw(plot, mark);
+                draw(plot, mark, &bounds);
             }
         });
     frame(ui, &response);
@@ -95,9 +95,9 @@ fn bounds(marks: &[Mark]) -> PlotBounds {
         let values = marks.iter().map(|mark| mark.place[axis]);
         let lowest = values.clone().fold(f64::INFINITY, f64::min);
         let highest = values.fold(f64::NEG_INFINITY, f64::max);
-        if lowest <= highest { [lowest - 0.5, highest + margin] } else { [-1.0, 1.0] }
+        if lowest <= highest { [lowest - margin.min(1.0), highest + margin] } else { [-1.0, 1.0] }
     };
-    let ([left, right], [bottom, top]) = (range(0, 0.8), range(1, 2.0));
+    let ([left, right], [bottom, top]) = (range(0, 0.6), range(1, 2.5));
     PlotBounds::from_min_max([left, bottom], [right, top])
 }
 
@@ -108,11 +108,14 @@ fn decades(input: &GridInput, step_size: f64) -> Vec<GridMark> {
     (first..=last).map(|mark| GridMark { value: f64::from(mark) * step_size, step_size }).collect()
 }
 
-fn draw(plot: &mut PlotUi<'_>, mark: &Mark) {
+fn draw(plot: &mut PlotUi<'_>, mark: &Mark, bounds: &PlotBounds) {
     let text = name(mark.method);
     let points = Points::new(text.clone(), vec![mark.place]).color(mark.colour).radius(mark.radius);
     plot.points(points.allow_hover(false));
-    let beside = PlotPoint::new(mark.place[0], mark.place[1]);
-    let label = Text::new(text.clone(), beside, RichText::new(format!("  {text}")).small());
-    plot.text(label.anchor(Align2::LEFT_BOTTOM).color(mark.colour).allow_hover(false));
+    let [x, y] = mark.place;
+    // On the side where there is more room.
+    let anchor =
+        if 2.0 * x < bounds.min()[0] + bounds.max()[0] { Align2::LEFT_BOTTOM } else { Align2::RIGHT_BOTTOM };
+    let label = Text::new(text.clone(), PlotPoint::new(x, y), RichText::new(format!("  {text}  ")).small());
+    plot.text(label.anchor(anchor).color(mark.colour).allow_hover(false));
 }
