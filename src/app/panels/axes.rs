@@ -9,7 +9,7 @@ use crate::app::figures;
 /// Room for the numbers beside a plot.
 pub(super) const Y_AXIS_WIDTH: f32 = 48.0;
 
-/// A plot over T that neither scrolls nor zooms, so that a drag can move T.
+/// A plot that neither scrolls nor zooms.
 pub(super) fn still_plot<'a>(ui: &Ui, id: impl egui::AsIdSalt, size: egui::Vec2) -> Plot<'a> {
     Plot::new(id)
         .width(size.x)
@@ -23,6 +23,11 @@ pub(super) fn still_plot<'a>(ui: &Ui, id: impl egui::AsIdSalt, size: egui::Vec2)
         .sense(Sense::click_and_drag())
         .y_axis_min_width(Y_AXIS_WIDTH)
         .grid_color(ui.visuals().weak_text_color().gamma_multiply(0.25))
+}
+
+/// A still plot over T, in which a drag can move T.
+pub(super) fn plot_over_time<'a>(ui: &Ui, id: impl egui::AsIdSalt, size: egui::Vec2) -> Plot<'a> {
+    still_plot(ui, id, size)
         .grid_spacing(24.0..=220.0)
         .link_cursor(Id::unique("cursor over T"), [true, false])
 }

@@ -6,7 +6,7 @@ use eframe::egui::{self, Align, Color32, Layout, RichText, Ui, Vec2, Visuals, ve
 use egui_plot::{FilledArea, GridInput, GridMark, Line, Plot, PlotBounds, PlotPoint, PlotUi, Points, VLine};
 
 use super::Asks;
-use super::axes::{annotate, bounds, label, still_plot, tick, time_at_pointer};
+use super::axes::{annotate, bounds, label, plot_over_time, tick, time_at_pointer};
 use crate::app::command::Command;
 use crate::app::curves::Quantity;
 use crate::app::fitting::{FittedCurve, Fitting, Outcome};
@@ -100,7 +100,7 @@ impl Part {
         contents: impl FnOnce(&mut PlotUi<'a>) + 'a,
     ) {
         let now = VLine::new("T", state.session.time).color(theme::now_colour(ui.visuals())).width(1.0);
-        let plot: Plot<'a> = still_plot(ui, self.name.as_str(), self.size)
+        let plot: Plot<'a> = plot_over_time(ui, self.name.as_str(), self.size)
             .show_axes([self.with_times, true])
             .grid_spacing(GRID_SPACING)
             .y_axis_min_width(Y_AXIS_WIDTH)

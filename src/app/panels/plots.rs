@@ -7,7 +7,7 @@ use eframe::egui::{self, Color32, RichText, Ui, vec2};
 use egui_plot::{HoverPosition, Line, LineStyle, PlotPoint, PlotResponse, PlotUi, Points, VLine};
 use relativity_core::{Disparity, Sighting};
 
-use super::axes::{Y_AXIS_WIDTH, annotate, bounds, grid, label, still_plot, tick, time_at_pointer, unit};
+use super::axes::{Y_AXIS_WIDTH, annotate, bounds, grid, label, plot_over_time, tick, time_at_pointer, unit};
 use super::icons::{self, Icon};
 use super::widgets::dot;
 use super::{Asks, accuracy, fit};
@@ -168,7 +168,7 @@ fn plot(
     let equidistant = state.equidistance_time(state.session.points.selected());
     let visuals = ui.visuals().clone();
     let now = state.session.time;
-    let response = still_plot(ui, ("plot", label(quantity)), size)
+    let response = plot_over_time(ui, ("plot", label(quantity)), size)
         .y_grid_spacer(move |input| grid(quantity, input))
         .y_axis_formatter(move |mark, _: &RangeInclusive<f64>| tick(quantity, mark.value, mark.step_size))
         .x_axis_formatter(|mark, _| tick(Quantity::Phi, mark.value, mark.step_size))
