@@ -182,3 +182,29 @@ fn out_keeps_links_devices_and_the_usual_permissions() {
     run(gamow().args(["curve", "--out", "/dev/null"]), b"").text();
     assert!(fs::metadata("/dev/null").expect("it is there").file_type().is_char_device());
 }
+
+#[test]
+#[cfg(unix)]
+fn an_interrupt_leaves_nothing_behind() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("sightings.csv");
+    let mut child =
+        gamow().args(["eval", "--out"]).arg(&path).stdin(Stdio::piped()).spawn().expect("the program starts");
+    let mut rows = child.stdin.take().expect("it is piped");
+    rows.write_all(GOOD.as_bytes()).expect("it reads");
+    let files = || fs::read_dir(folder.path()).expect("it is there").count();
+    for _ in 0..2000 {
+        if files() > 0 {
+            break;
+        }
+        thread::sleep(Duration::from_millis(10));
+    }
+    assert_eq!(files(), 1, "a temporary file");
+    // It is noted right after it is made.
+    thread::sleep(Duration::from_millis(200));
+    let kill = std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status();
+    assert!(kill.expect("there is kill").success());
+    assert_eq!(child.wait().expect("it ends").code(), Some(130));
+    assert_eq!(files(), 0);
+    drop(rows);
+}
