@@ -193,7 +193,7 @@ impl<F: Float> Coefficients<F> {
     )]
     pub fn solution(&self, s: F, rho_squared: F) -> Solution<F> {
         let Self { beta, gamma, gamma_minus_one, inverse_gamma, inverse_gamma_squared, smallest_q } = *self;
-        let (zero, one) = (F::zero(), F::one());
+        let one = F::one();
         let q = (s * s + rho_squared * inverse_gamma_squared).sqrt();
         // q = 0 only inside the aperture; a tiny divisor then makes c = 0 and D = gamma.
         let divisor = if q > smallest_q { q } else { smallest_q };
@@ -206,9 +206,6 @@ impl<F: Float> Coefficients<F> {
         let otherwise = one + (gamma_minus_one - gamma_beta_cosine);
         let doppler_factor = if gamma_beta_cosine + gamma_beta_cosine > one { receding } else { otherwise };
         let r = gamma * q * doppler_factor;
-        let beta_rho = beta * rho_squared.sqrt();
-        let past = (s - beta_rho) * (s + beta_rho) / (s + beta * q);
-        let x = if s > zero { past } else { s - beta * r };
-        Solution { q, x, r, doppler_factor }
+        Solution { q, x: s - beta * r, r, doppler_factor }
     }
 }
