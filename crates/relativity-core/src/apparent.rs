@@ -184,8 +184,12 @@ impl<F: Float> Coefficients<F> {
     /// With c = S/q (the cosine in the rest frame), D = gamma (1 - beta c). Close to 1 it is best formed as
     /// 1 + ((gamma - 1) - gamma beta c), rounded once. Where gamma beta c is large that cancels; then
     /// 1 - beta^2 c^2 = (1 + beta^2 rho^2/q^2)/gamma^2 gives D as a quotient of sums of positive terms.
-    /// R = gamma q D in either case. X = S - beta R is a sum of negative terms for S <= 0, and factors for
-    /// S > 0.
+    /// R = gamma q D in either case.
+    ///
+    /// X = S - beta R is a sum of negative terms for S <= 0. For S > 0 it may cancel, but with
+    /// dX/dS = R/q and rho dX/drho = -beta rho^2/q the error that the inputs permit X, |X| + sum |x_i dX/dx_i|
+    /// times one rounding, is then at least 2 beta R: the difference costs X no more than half of R's relative
+    /// error.
     #[inline(always)]
     #[expect(
         clippy::inline_always,
