@@ -186,10 +186,9 @@ impl<F: Float> Coefficients<F> {
     /// 1 - beta^2 c^2 = (1 + beta^2 rho^2/q^2)/gamma^2 gives D as a quotient of sums of positive terms.
     /// R = gamma q D in either case.
     ///
-    /// X = S - beta R is a sum of negative terms for S <= 0. For S > 0 it may cancel, but with
-    /// dX/dS = R/q and rho dX/drho = -beta rho^2/q the error that the inputs permit X, |X| + sum |x_i dX/dx_i|
-    /// times one rounding, is then at least 2 beta R: the difference costs X no more than half of R's relative
-    /// error.
+    /// X = S - beta R is a sum of negative terms for S <= 0. For S > 0 it is (S^2 - beta^2 rho^2)/(S + beta q);
+    /// where that cancels, S^2 rounds by no more than the roundings of S and rho that X depends on there. The
+    /// squares are at hand, while factors of their difference would need the root of rho^2.
     #[inline(always)]
     #[expect(
         clippy::inline_always,
@@ -197,7 +196,7 @@ impl<F: Float> Coefficients<F> {
     )]
     pub fn solution(&self, s: F, rho_squared: F) -> Solution<F> {
         let Self { beta, gamma, gamma_minus_one, inverse_gamma, inverse_gamma_squared, smallest_q } = *self;
-        let one = F::one();
+        let (zero, one) = (F::zero(), F::one());
         let q = (s * s + rho_squared * inverse_gamma_squared).sqrt();
         // q = 0 only inside the aperture; a tiny divisor then makes c = 0 and D = gamma.
         let divisor = if q > smallest_q { q } else { smallest_q };
@@ -210,6 +209,8 @@ impl<F: Float> Coefficients<F> {
         let otherwise = one + (gamma_minus_one - gamma_beta_cosine);
         let doppler_factor = if gamma_beta_cosine + gamma_beta_cosine > one { receding } else { otherwise };
         let r = gamma * q * doppler_factor;
-        Solution { q, x: s - beta * r, r, doppler_factor }
+        let past = (s * s - beta * beta * rho_squared) / (s + beta * q);
+        let x = if s > zero { past } else { s - beta * r };
+        Solution { q, x, r, doppler_factor }
     }
 }

@@ -4,7 +4,7 @@
 //! both angles from the left aperture, so that ordinary parallax is left out. It is an approximation
 //! by construction; [`crate::disparity()`] is exact. Reference: the paper, eqs. (1) and (5), Appendix A.
 
-use crate::apparent::{Aperture, LightCone, Sighting, Solution, SourcePoint, check_inputs};
+use crate::apparent::{Aperture, LightCone, Sighting, SourcePoint, check_inputs};
 use crate::cone_pair::{ConePair, Offset};
 use crate::disparity::Disparity;
 use crate::domain::{DomainError, check};
@@ -69,7 +69,7 @@ pub(crate) fn cone_pair(
 ) -> (ConePair<f64>, f64) {
     // The same s0 goes into all that follows, so that its rounding acts like one of the inputs.
     let s0 = point.x0 + speed.beta() * observation_time;
-    let left = light_cone(speed, s0 + separation / 2.0, point.y, point.z);
+    let left = LightCone::at(&speed.coefficients(), s0 + separation / 2.0, point.y, point.z);
     let Delay { delay, right_distance } = delay(speed, s0, separation, &left);
     let (shift, s) = match variant {
         PublishedVariant::AppendixA => {
@@ -78,24 +78,10 @@ pub(crate) fn cone_pair(
         PublishedVariant::TextSign => (delay, text_s(speed, separation, &left, delay)),
     };
     let shifted = speed.beta() * shift;
-    let right = light_cone(speed, s, left.y, left.z);
+    let right = LightCone::at(&speed.coefficients(), s, left.y, left.z);
     let offset = Offset { s: -shifted, y: 0.0, z: 0.0 };
     let pair = ConePair { beta: speed.beta(), left, right, offset, sum_s: left.s + right.s };
     (pair, shift)
-}
-
-/// The light cone at `s`, with X from its factors for S > 0: fewer roundings than in S - beta R.
-///
-/// The elevation's disparity has two zeros, at X = 0 and at X = d/2. Between them it is of second order in X, and
-/// far smaller than what a rounding more of S would make of it.
-fn light_cone(speed: &Speed, s: f64, y: f64, z: f64) -> LightCone<f64> {
-    let cone = LightCone::at(&speed.coefficients(), s, y, z);
-    if s <= 0.0 {
-        return cone;
-    }
-    let beta_rho = speed.beta() * (y * y + z * z).sqrt();
-    let x = (s - beta_rho) * (s + beta_rho) / (s + speed.beta() * cone.solution.q);
-    LightCone { solution: Solution { x, ..cone.solution }, ..cone }
 }
 
 /// When the light was emitted that the right eye sees.
