@@ -63,7 +63,7 @@ impl<R: Read> Rows<R> {
 
     /// Refuses `row`, the last one read, if its last field has swallowed the rest of the file.
     pub fn check_closed(&self, row: &ByteRecord) -> Result<(), RowError> {
-        match row.iter().last() {
+        match row.iter().next_back() {
             Some(field) if self.is_unclosed(row) => Err(RowError::Unclosed { value: legible(field) }),
             _ => Ok(()),
         }
@@ -76,7 +76,7 @@ impl<R: Read> Rows<R> {
     fn is_unclosed(&self, row: &ByteRecord) -> bool {
         let file = self.csv.get_ref();
         let has_break = |field: &[u8]| field.iter().any(|byte| matches!(byte, b'\r' | b'\n'));
-        file.has_ended && row.iter().last().is_some_and(has_break) && file.chunk.last() != Some(&b'"')
+        file.has_ended && row.iter().next_back().is_some_and(has_break) && file.chunk.last() != Some(&b'"')
     }
 
     /// Whether the next read waits for input: nothing is left but, after a carriage return, a line feed.
