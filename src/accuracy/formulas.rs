@@ -158,9 +158,10 @@ impl Batch {
         let [beta, time, aperture_x] = [self.speed.beta(), self.time, self.aperture_x].map(F::rounded);
         let mut out = Columns::new();
         let point_ns = point_ns(|| {
+            let outputs = out.0.each_mut().map(Vec::as_mut_slice);
             pulp::Arch::new().dispatch(
                 #[inline(always)]
-                || naive_sightings(beta, time, aperture_x, columns, &mut out),
+                || naive_sightings(beta, time, aperture_x, columns, outputs),
             );
             black_box(&out);
         });
@@ -233,9 +234,8 @@ fn naive_sightings<F: Precision>(
     time: F,
     aperture_x: F,
     [x0, y, z]: &[Vec<F>; 3],
-    out: &mut Columns<F>,
+    [x, t, d]: [&mut [F]; 3],
 ) {
-    let [x, t, d] = &mut out.0;
     let gamma = F::one() / (F::one() - beta * beta).sqrt();
     // One length for all lets the compiler drop the bounds checks.
     let (x0, y, z) = (&x0[..POINTS], &y[..POINTS], &z[..POINTS]);

@@ -40,7 +40,7 @@ impl<R: Read> Rows<R> {
             .has_headers(false)
             .flexible(true) // rows of the wrong length get an error of ours
             .buffer_capacity(BUFFER_BYTES)
-            .from_reader(Tap { inner: reader, chunk: Vec::new(), bytes: 0 });
+            .from_reader(Tap { inner: reader, chunk: Vec::new(), bytes: 0, has_ended: false });
         Self { csv }
     }
 
@@ -56,8 +56,27 @@ impl<R: Read> Rows<R> {
     pub fn line(&self, row: &ByteRecord) -> u64 {
         let end = self.csv.position();
         let breaks_inside = row.as_slice().split(|&byte| byte == b'\n').count() as u64 - 1;
-        let break_at_end = self.csv.get_ref().before(end.byte()).last() == Some(&b'\n');
+        let break_at_end =
+            !self.is_unclosed(row) && self.csv.get_ref().before(end.byte()).last() == Some(&b'\n');
         end.line() - breaks_inside - u64::from(break_at_end)
+    }
+
+    /// Refuses `row`, the last one read, if its last field has swallowed the rest of the file.
+    pub fn check_closed(&self, row: &ByteRecord) -> Result<(), RowError> {
+        match row.iter().next_back() {
+            Some(field) if self.is_unclosed(row) => Err(RowError::Unclosed { value: legible(field) }),
+            _ => Ok(()),
+        }
+    }
+
+    /// Whether the file ends inside the quotes of `row`, the last one read.
+    ///
+    /// csv closes them without a word. Only then has a row with no line end after it line ends in its last field,
+    /// and no quote at its end.
+    fn is_unclosed(&self, row: &ByteRecord) -> bool {
+        let file = self.csv.get_ref();
+        let has_break = |field: &[u8]| field.iter().any(|byte| matches!(byte, b'\r' | b'\n'));
+        file.has_ended && row.iter().next_back().is_some_and(has_break) && file.chunk.last() != Some(&b'"')
     }
 
     /// Whether the next read waits for input: nothing is left but, after a carriage return, a line feed.
@@ -72,12 +91,14 @@ struct Tap<R> {
     inner: R,
     chunk: Vec<u8>,
     bytes: u64,
+    has_ended: bool,
 }
 
 impl<R: Read> Read for Tap<R> {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         let count = self.inner.read(buffer)?;
-        if count > 0 {
+        self.has_ended = count == 0;
+        if !self.has_ended {
             self.chunk.clear();
             self.chunk.extend_from_slice(&buffer[..count]);
             self.bytes += count as u64;
@@ -267,7 +288,7 @@ fn speed_place(names: &Names) -> Result<(SpeedParameter, usize), HeaderError> {
 #[derive(Debug, PartialEq, Error)]
 pub enum RowError {
     /// Fields are missing at its end.
-    #[error("column {column} has no value; the row has {fields} fields, and should have {columns}")]
+    #[error("column {column} has no value; the row has {fields} of {columns} fields")]
     TooShort {
         /// How many fields the row has.
         fields: usize,
@@ -277,7 +298,7 @@ pub enum RowError {
         column: String,
     },
     /// There are more fields than columns.
-    #[error("{value:?} belongs to no column; the row has {fields} fields, and should have {columns}")]
+    #[error("\"{value}\" belongs to no column; the row has {fields} fields, and should have {columns}")]
     TooLong {
         /// How many fields the row has.
         fields: usize,
@@ -286,8 +307,14 @@ pub enum RowError {
         /// The first value without a column.
         value: String,
     },
+    /// The file ends inside a quoted field.
+    #[error("the quote that opens \"{value}\" is never closed")]
+    Unclosed {
+        /// The field.
+        value: String,
+    },
     /// A value is no finite number.
-    #[error("column {column}: {value:?} {problem}")]
+    #[error("column {column}: \"{value}\" {problem}")]
     Value {
         /// Its column.
         column: String,

@@ -8,12 +8,12 @@ use csv::ByteRecord;
 /// Writes rows of fields and numbers.
 pub struct Rows<W: Write> {
     csv: csv::Writer<W>,
-    decimals: ryu::Buffer,
+    decimals: zmij::Buffer,
 }
 
 impl<W: Write> Rows<W> {
     pub fn new(writer: W) -> Self {
-        Self { csv: csv::Writer::from_writer(writer), decimals: ryu::Buffer::new() }
+        Self { csv: csv::Writer::from_writer(writer), decimals: zmij::Buffer::new() }
     }
 
     /// Writes the fields of `row`, quoted where they must be, and then `numbers`, which must be finite.
@@ -21,7 +21,11 @@ impl<W: Write> Rows<W> {
     pub fn write(&mut self, row: &mut ByteRecord, numbers: &[f64]) -> io::Result<()> {
         for &number in numbers {
             let decimal = self.decimals.format_finite(number);
-            row.push_field(decimal.strip_suffix(".0").unwrap_or(decimal).as_bytes());
+            if number.abs() < 1e16 {
+                row.push_field(decimal.strip_suffix(".0").unwrap_or(decimal).as_bytes());
+            } else {
+                row.push_field(decimal.replacen('+', "", 1).as_bytes()); // 1e16 is shorter than 1e+16
+            }
         }
         self.csv.write_byte_record(row).map_err(io_error)
     }

@@ -59,8 +59,9 @@ fn evaluate(name: &str, input: impl Read, model: ModelArgs, out: &mut dyn Write)
     output.write(&mut row, &[])?;
 
     while input.read(&mut row).with_context(|| name.to_owned())? {
-        let values = header
-            .observation(&row)
+        let values = input
+            .check_closed(&row)
+            .and_then(|()| header.observation(&row))
             .and_then(|observation| Ok(model.values(&observation)?))
             .with_context(|| place(&input, &row))?;
         output.write(&mut row, &values)?;

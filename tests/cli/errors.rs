@@ -53,6 +53,10 @@ fn values_that_are_no_numbers_are_named() {
         assert_complaint(format!("{GOOD}0.9,0.3,\"{value}\",0.5,0\n"), &format!("3: column y: {problem}"));
     }
     assert_complaint(
+        "beta,d,y,z,T\n\x1b[31m\"\t,0.3,0.5,0.5,0\n",
+        "2: column beta: \"\\u{1b}[31m\\\"\" is not a number; it should be one such as 0.9 or 1e-3",
+    );
+    assert_complaint(
         b"beta,d,y,z,T\n0.9,0.3,\xff\xfe,0.5,0\n",
         "2: column y: \"\u{fffd}\u{fffd}\" is not a number; it should be one such as 0.9 or 1e-3",
     );
@@ -82,18 +86,29 @@ fn values_out_of_range_are_named() {
 
 #[test]
 fn rows_of_the_wrong_length_are_named() {
-    assert_complaint(
-        format!("{GOOD}0.9,0.3,0.5\n"),
-        "3: column z has no value; the row has 3 fields, and should have 5",
-    );
+    assert_complaint(format!("{GOOD}0.9,0.3,0.5\n"), "3: column z has no value; the row has 3 of 5 fields");
     assert_complaint(
         format!("{GOOD}0.9,0.3,0.5,0.5,0,rider\n"),
         "3: \"rider\" belongs to no column; the row has 6 fields, and should have 5",
     );
+    assert_complaint(format!("{GOOD}# a remark\n"), "3: column d has no value; the row has 1 of 5 fields");
+}
+
+#[test]
+fn quotes_that_swallow_the_rest_of_the_file_are_named() {
+    let good = "0.9,0.3,0.5,0.5,0";
     assert_complaint(
-        format!("{GOOD}# a remark\n"),
-        "3: column d has no value; the row has 1 fields, and should have 5",
+        format!("{GOOD}0.9,0.3,0.5,0.5,\"0\n{good}\n"),
+        "3: the quote that opens \"0\\n0.9,0.3,0.5,0.5,0\" is never closed",
     );
+    assert_complaint(
+        format!("beta,d,y,z,T,note\r\n{good},\"a\r\n{good},b\r\n{good},\"\"\r\n"),
+        "2: the quote that opens \"a\\r\\n0.9,0.3,0.5,0.5,0,b\\r\\n0.9,0.3,0.5,...\" is never closed",
+    );
+    for note in ["\"two\nlines\"", "\"two\nlines\"\n", "\"ends in one\n\"\n", "\"says \"\"hi\"\"\n\"\"\"\r\n"]
+    {
+        eval(format!("beta,d,y,z,T,note\n{good},{note}")).text();
+    }
 }
 
 #[test]

@@ -78,19 +78,18 @@ fn stable<F: Real>(speed: &Speed, table: &mut Table<F>, threads: Threads) {
 }
 
 fn naive<F: Float>(table: &mut Table<F>) {
-    let [x0, y, z] = &table.inputs;
-    let [x, t, d] = &mut table.outputs;
+    let inputs = table.inputs.each_ref().map(Vec::as_slice);
+    let outputs = table.outputs.each_mut().map(Vec::as_mut_slice);
     pulp::Arch::new().dispatch(
         #[inline(always)]
-        || naive_columns(x0, y, z, x, t, d),
+        || naive_columns(inputs, outputs),
     );
     black_box(&table.outputs);
 }
 
-/// One slice per argument, so that the compiler knows them apart and vectorises.
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "what pulp dispatches must be inlined to use wider registers")]
-fn naive_columns<F: Float>(x0: &[F], y: &[F], z: &[F], x: &mut [F], t: &mut [F], d: &mut [F]) {
+fn naive_columns<F: Float>([x0, y, z]: [&[F]; 3], [x, t, d]: [&mut [F]; 3]) {
     let to = |v: f64| F::from(v).expect("f64 converts to any float");
     let (beta, time, aperture) = (to(0.9), to(TIME), to(APERTURE.x));
     let gamma = F::one() / (F::one() - beta * beta).sqrt();

@@ -184,8 +184,11 @@ impl<F: Float> Coefficients<F> {
     /// With c = S/q (the cosine in the rest frame), D = gamma (1 - beta c). Close to 1 it is best formed as
     /// 1 + ((gamma - 1) - gamma beta c), rounded once. Where gamma beta c is large that cancels; then
     /// 1 - beta^2 c^2 = (1 + beta^2 rho^2/q^2)/gamma^2 gives D as a quotient of sums of positive terms.
-    /// R = gamma q D in either case. X = S - beta R is a sum of negative terms for S <= 0, and factors for
-    /// S > 0.
+    /// R = gamma q D in either case.
+    ///
+    /// X = S - beta R is a sum of negative terms for S <= 0. For S > 0 it is (S^2 - beta^2 rho^2)/(S + beta q);
+    /// where that cancels, S^2 rounds by no more than the roundings of S and rho that X depends on there. The
+    /// squares are at hand, while factors of their difference would need the root of rho^2.
     #[inline(always)]
     #[expect(
         clippy::inline_always,
@@ -206,8 +209,7 @@ impl<F: Float> Coefficients<F> {
         let otherwise = one + (gamma_minus_one - gamma_beta_cosine);
         let doppler_factor = if gamma_beta_cosine + gamma_beta_cosine > one { receding } else { otherwise };
         let r = gamma * q * doppler_factor;
-        let beta_rho = beta * rho_squared.sqrt();
-        let past = (s - beta_rho) * (s + beta_rho) / (s + beta * q);
+        let past = (s * s - beta * beta * rho_squared) / (s + beta * q);
         let x = if s > zero { past } else { s - beta * r };
         Solution { q, x, r, doppler_factor }
     }

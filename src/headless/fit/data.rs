@@ -49,7 +49,8 @@ impl Data {
         let (mut separations, mut samples, mut lines) = (Vec::new(), Vec::new(), Vec::new());
         while input.read(&mut row).with_context(|| name.to_owned())? {
             let line = input.line(&row);
-            samples.push(header.sample(&row, &mut separations).with_context(|| place(line))?);
+            let sample = input.check_closed(&row).and_then(|()| header.sample(&row, &mut separations));
+            samples.push(sample.with_context(|| place(line))?);
             lines.push(line);
         }
         let pairs = separations.into_iter().map(Aperture::pair).collect();

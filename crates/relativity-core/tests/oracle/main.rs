@@ -182,6 +182,27 @@ fn appendix_a_is_evaluated_accurately() {
 }
 
 #[test]
+fn appendix_a_keeps_its_digits_between_the_two_zeros_of_its_elevation_disparity() {
+    let inputs = vec![
+        14_003.487_521_324_716,
+        389.874_342_155_914_63,
+        -0.073_871_063_856_676_72,
+        -92_888.205_175_239_91,
+        92_498.330_680_436_24,
+        0.000_631_054_071_644_710_7,
+    ];
+    let (point, speed) = (point_at(&inputs[1..]), program_speed(Parameter::Gamma, inputs[0]));
+    let both = published_disparity(&speed, point, inputs[5], inputs[4], PublishedVariant::AppendixA)
+        .expect("inside the domain");
+    let model = |inputs: &[_]| {
+        let [_, dtheta, ..] = model::published(Parameter::Gamma, -1.0, inputs);
+        [dtheta]
+    };
+    let [error] = case(Parameter::Gamma, inputs, model, [both.dtheta]).errors;
+    assert!(error <= MAX_ERROR_UNITS, "{error} units");
+}
+
+#[test]
 fn the_texts_sign_is_evaluated_accurately() {
     let names = ["text dphi", "text dtheta", "text X_S", "text t_S", "text D_S"];
     assert_published_is_accurate(PublishedVariant::TextSign, 1.0, names);
