@@ -42,22 +42,26 @@ struct Sighting {
     doppler: f32,
 }
 
-// What is seen of a point at rest at `c` from the camera's event: X = gamma (c_x - beta |c|) and
-// R = gamma (|c| - beta c_x), for c_x > 0 as quotients of what does not cancel.
+// Beyond this apparent distance everything is drawn there.
+const FAR = 1e30;
+
+// What is seen of a point at rest at `c` from the camera's event: with S = c_x/gamma and q = hypot(S, rho/gamma),
+// R = gamma^2 (q - beta S) and X = S - beta R; for S > 0 as quotients of what does not cancel. No product of
+// these overflows at any gamma, as |c|^2 would.
 fn sighting(c: vec3f) -> Sighting {
     let beta = frame.speed.x;
     let gamma = frame.speed.w;
-    let rho_squared = c.y * c.y + c.z * c.z;
-    let rest_distance = max(sqrt(c.x * c.x + rho_squared), 1e-30);
-    var x = gamma * (c.x - beta * rest_distance);
-    var distance = gamma * (rest_distance - beta * c.x);
-    if c.x > 0.0 {
-        let along = c.x * frame.speed.z;
-        let contracted_squared = along * along;
-        x = gamma * (contracted_squared - beta * beta * rho_squared) / (c.x + beta * rest_distance);
-        distance = gamma * (contracted_squared + rho_squared) / (rest_distance + beta * c.x);
+    let s = c.x * frame.speed.z;
+    let rho = sqrt(c.y * c.y + c.z * c.z);
+    let across = rho * frame.speed.z;
+    let q = max(sqrt(s * s + across * across), 1e-30);
+    var distance = gamma * min(gamma * (q - beta * s), FAR * frame.speed.z);
+    var x = s - beta * distance;
+    if s > 0.0 {
+        distance = (s * s + rho * rho) / (q + beta * s);
+        x = (s - beta * rho) * (s + beta * rho) / (s + beta * q);
     }
-    return Sighting(vec3f(x, c.yz), distance / rest_distance);
+    return Sighting(vec3f(x, c.yz), distance * frame.speed.z / q);
 }
 
 // The paper's Delta T (eq. 5): how much longer the light that the left eye sees takes to the right eye.
@@ -86,7 +90,8 @@ fn corner(corner: Corner, solid: Solid) -> Fragment {
     let side = cross(solid.axis_extent.xyz, solid.across_index.xyz);
     let outward = corner.turn.x * solid.across_index.xyz + corner.turn.y * side;
     let shape = corner_place(corner, solid, outward);
-    let seen = mapped(frame.scene.xyz + (solid.anchor_radius.xyz + shape.place));
+    let from_centre = solid.anchor_radius.xyz + shape.place;
+    let seen = mapped(frame.scene.xyz + (frame.scene_fine.xyz + from_centre));
     let clip = vec4f(
         dot(seen.position, frame.clip_right.xyz),
         dot(seen.position, frame.clip_up.xyz),

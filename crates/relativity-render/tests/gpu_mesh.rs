@@ -9,7 +9,9 @@ use std::process::ExitCode;
 
 use glam::DVec2;
 use gpu_support::scenes::{still_life, time_seen_at, view_following};
-use relativity_core::{Aperture, PublishedVariant, SourcePoint, Speed, published_disparity, sighting};
+use relativity_core::{
+    Aperture, MAX_GAMMA, PublishedVariant, SourcePoint, Speed, published_disparity, sighting,
+};
 use relativity_render::{Geometry, Gpu, Hit, HitImage, MeshRenderer, ReferenceScene, View};
 
 fn main() -> ExitCode {
@@ -23,10 +25,11 @@ fn main() -> ExitCode {
 const FOLLOWED: [f64; 3] = [-0.4, 3.0, 0.7];
 const BOUNDS_PX: [f64; 2] = [0.5, 2.0];
 
-/// Approaching, abreast and receding, up to beta = 0.9999.
+/// Approaching, abreast and receding, up to beta = 0.9999 and at the greatest gamma.
 fn views() -> impl Iterator<Item = View> {
-    [0.0, 0.5, 0.9, 0.99, 0.9999].into_iter().flat_map(|beta| {
-        let speed = Speed::from_beta(beta).expect("below 1");
+    let speeds = [0.0, 0.5, 0.9, 0.99, 0.9999].map(|beta| Speed::from_beta(beta).expect("below 1"));
+    let fastest = Speed::from_gamma(MAX_GAMMA).expect("in range");
+    speeds.into_iter().chain([fastest]).flat_map(|speed| {
         [-8.0, -1.0, 0.0, 1.0, 4.0]
             .map(|along| view_following(FOLLOWED, speed, time_seen_at(FOLLOWED, &speed, along), 45.0))
     })
