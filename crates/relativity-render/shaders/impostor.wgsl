@@ -8,9 +8,8 @@ struct Instance {
     @location(0) place: vec4f,
     // Second half axis, number of the body, rest wavelength in nm.
     @location(1) second_axis_index_wavelength: vec4f,
-    // From the scene's centre in the rest frame: centre, or one end of a tube; and the radius.
+    // The `Body`.
     @location(2) place_radius: vec4f,
-    // The other end of a tube, or a ring's unit axis and the radius of its middle circle.
     @location(3) form: vec4f,
     // Linear sRGB without Doppler shift.
     @location(4) rest_colour: vec4f,
@@ -22,24 +21,6 @@ struct Fragment {
     @location(1) @interpolate(flat) form: vec4f,
     @location(2) @interpolate(flat) rest_colour_wavelength: vec4f,
     @location(3) @interpolate(flat) index: f32,
-}
-
-struct Body {
-    place: vec3f,
-    radius: f32,
-    form: vec4f,
-}
-
-struct Surface {
-    // How far inside the outline the ray passes, rest-frame length at the surface; negative outside.
-    clearance: f32,
-    // Unit vector from the body to the ray where they come closest: across the outline.
-    outward: vec3f,
-    // Rest-frame distance along the ray beyond the scene's centre.
-    beyond: f32,
-    // The point, from the body's middle.
-    place: vec3f,
-    normal: vec3f,
 }
 
 @vertex

@@ -11,10 +11,9 @@ struct Corner {
 }
 
 struct Solid {
-    // Anchor from the scene's centre in the rest frame, and the radius.
-    @location(2) anchor_radius: vec4f,
-    // Unit axis and extent along it (tube) or radius of the middle circle (ring).
-    @location(3) axis_extent: vec4f,
+    // The `Body`.
+    @location(2) place_radius: vec4f,
+    @location(3) form: vec4f,
     // Unit vector across the axis; number of the body.
     @location(4) across_index: vec4f,
     // Linear sRGB without Doppler shift; rest wavelength in nm.
@@ -25,16 +24,17 @@ struct Solid {
 
 struct Fragment {
     @builtin(position) position: vec4f,
-    // From the anchor, rest frame.
+    // From the body's middle, rest frame.
     @location(0) place: vec3f,
     @location(1) normal: vec3f,
     // From the aperture.
     @location(2) apparent: vec3f,
     @location(3) doppler: f32,
     @location(4) @interpolate(flat) colour_wavelength: vec4f,
-    // Anchor from the scene's centre, and the number of the body.
-    @location(5) @interpolate(flat) anchor_index: vec4f,
-    @location(6) @interpolate(flat) cover: f32,
+    // How much of a pixel it covers, and the number of the body.
+    @location(5) @interpolate(flat) cover_index: vec2f,
+    @location(6) @interpolate(flat) place_radius: vec4f,
+    @location(7) @interpolate(flat) form: vec4f,
 }
 
 struct Sighting {
@@ -87,10 +87,9 @@ fn mapped(c: vec3f) -> Sighting {
 
 @vertex
 fn corner(corner: Corner, solid: Solid) -> Fragment {
-    let side = cross(solid.axis_extent.xyz, solid.across_index.xyz);
-    let outward = corner.turn.x * solid.across_index.xyz + corner.turn.y * side;
-    let shape = corner_place(corner, solid, outward);
-    let from_centre = solid.anchor_radius.xyz + shape.place;
+    let body = Body(solid.place_radius.xyz, solid.place_radius.w, solid.form);
+    let shape = corner_place(corner, body, solid.across_index.xyz);
+    let from_centre = middle(body) + shape.place;
     let seen = mapped(frame.scene.xyz + (frame.scene_fine.xyz + from_centre));
     let clip = vec4f(
         dot(seen.position, frame.clip_right.xyz),
@@ -105,8 +104,9 @@ fn corner(corner: Corner, solid: Solid) -> Fragment {
         seen.position,
         seen.doppler,
         solid.colour_wavelength,
-        vec4f(solid.anchor_radius.xyz, solid.across_index.w),
-        solid.cover,
+        vec2f(solid.cover, solid.across_index.w),
+        solid.place_radius,
+        solid.form,
     );
 }
 
@@ -119,14 +119,15 @@ struct Measure {
 }
 
 // From the pixel's own ray, which is better than what is interpolated between corners: the Doppler factor
-// depends on the line of sight alone, and in the rest frame depth is not contracted.
+// depends on the line of sight alone, in the rest frame depth is not contracted, and the body itself is nearer
+// or farther than the triangle by what may be more than the gap to the next body.
 fn measure(fragment: Fragment) -> Measure {
     if MAP == 3u {
         return Measure(1.0 / (1.0 + length(fragment.apparent)), fragment.doppler);
     }
     let ray = rest_ray(fragment.position.xy);
-    let from_centre = fragment.anchor_index.xyz + fragment.place;
-    return Measure(depth(dot(from_centre, ray.direction)), ray.doppler);
+    let body = Body(fragment.place_radius.xyz, fragment.place_radius.w, fragment.form);
+    return Measure(depth(surface(body, ray).beyond), ray.doppler);
 }
 
 struct Picture {
@@ -147,7 +148,7 @@ fn picture(fragment: Fragment) -> Picture {
     if fragment.apparent.z < frame.ground.z {
         discard;
     }
-    return Picture(vec4f(colour, 1.0) * fragment.cover, measure.depth);
+    return Picture(vec4f(colour, 1.0) * fragment.cover_index.x, measure.depth);
 }
 
 // Floats as their bits: OpenGL ES does not draw to 32-bit floats.
@@ -163,7 +164,7 @@ fn hits(fragment: Fragment) -> Hit {
     let measure = measure(fragment);
     return Hit(
         bitcast<vec4u>(
-            vec4f(fragment.anchor_index.w, length(fragment.apparent), measure.doppler, 1.0),
+            vec4f(fragment.cover_index.y, length(fragment.apparent), measure.doppler, 1.0),
         ),
         bitcast<vec4u>(vec4f(fragment.place, 0.0)),
         measure.depth,

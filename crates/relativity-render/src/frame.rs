@@ -4,7 +4,7 @@ use bytemuck::{Pod, Zeroable};
 use glam::{DVec2, DVec3};
 
 use crate::backdrop::Backdrop;
-use crate::body::Body;
+use crate::body::{Body, Shape};
 use crate::camera::{Axes, Camera};
 use crate::intersect::{Solid, bounding_box};
 use crate::palette;
@@ -47,6 +47,30 @@ impl Extent {
         let [low, high] = bounding_box(&solids).unwrap_or([DVec3::ZERO, DVec3::ONE]);
         let centre = 0.5 * (low + high);
         Self { centre, centre_from_camera: centre - origin, reach: 1.001 * low.distance(centre) }
+    }
+}
+
+/// A shape as the shaders take it: mirror of the start of their `Body`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Placed {
+    /// From the scene's centre: centre, or one end of a tube; and the radius.
+    pub place_radius: [f32; 4],
+    /// The other end of a tube, or a ring's unit axis and the radius of its middle circle.
+    pub form: [f32; 4],
+}
+
+impl Placed {
+    /// A ball is a tube whose ends are in one place.
+    pub fn new(shape: &Shape, extent: &Extent) -> Self {
+        let from_centre = |place: [f64; 3], w: f64| packed(DVec3::from(place) - extent.centre, w);
+        let (place_radius, form) = match *shape {
+            Shape::Sphere { center, radius } => (from_centre(center, radius), from_centre(center, 0.0)),
+            Shape::Tube { from, to, radius } => (from_centre(from, radius), from_centre(to, 0.0)),
+            Shape::Ring { center, axis, radius, tube_radius } => {
+                (from_centre(center, tube_radius), packed(axis.into(), radius))
+            }
+        };
+        Self { place_radius, form }
     }
 }
 
@@ -93,7 +117,12 @@ impl Frame {
 }
 
 fn vector(v: DVec3) -> [f32; 4] {
-    v.as_vec3().extend(0.0).to_array()
+    packed(v, 0.0)
+}
+
+/// For the shaders.
+pub fn packed(v: DVec3, w: f64) -> [f32; 4] {
+    v.as_vec3().extend(w as f32).to_array()
 }
 
 /// The pixel towards -x and its (unnormalised) line of sight, if it is well in front of the camera; else

@@ -8,24 +8,30 @@ use crate::frame::Frame;
 pub(crate) const TUBE: &str = concat!(
     include_str!("../shaders/frame.wgsl"),
     include_str!("../shaders/colour.wgsl"),
+    include_str!("../shaders/body.wgsl"),
     include_str!("../shaders/impostor.wgsl"),
     include_str!("../shaders/tube.wgsl"),
 );
 pub(crate) const RING: &str = concat!(
     include_str!("../shaders/frame.wgsl"),
     include_str!("../shaders/colour.wgsl"),
+    include_str!("../shaders/body.wgsl"),
     include_str!("../shaders/impostor.wgsl"),
     include_str!("../shaders/ring.wgsl"),
 );
 pub(crate) const MESH_TUBE: &str = concat!(
     include_str!("../shaders/frame.wgsl"),
     include_str!("../shaders/colour.wgsl"),
+    include_str!("../shaders/body.wgsl"),
+    include_str!("../shaders/tube.wgsl"),
     include_str!("../shaders/mesh.wgsl"),
     include_str!("../shaders/mesh_tube.wgsl"),
 );
 pub(crate) const MESH_RING: &str = concat!(
     include_str!("../shaders/frame.wgsl"),
     include_str!("../shaders/colour.wgsl"),
+    include_str!("../shaders/body.wgsl"),
+    include_str!("../shaders/ring.wgsl"),
     include_str!("../shaders/mesh.wgsl"),
     include_str!("../shaders/mesh_ring.wgsl"),
 );

@@ -9,7 +9,7 @@ use glam::{DVec2, DVec3};
 use super::footprint::{Capsule, Footprint, Projection, Rectangle};
 use crate::body::{Body, Shape};
 use crate::colour::linear_srgb;
-use crate::frame::Extent;
+use crate::frame::{Extent, Placed, packed};
 use crate::view::{Colour, View};
 
 /// How often a piece is halved before its bound is taken as it is.
@@ -153,26 +153,15 @@ fn arcs(center: DVec3, axis: DVec3, radius: f64, tube_radius: f64) -> Vec<Capsul
 }
 
 fn instance(index: usize, body: &Body, extent: &Extent, colour: Colour) -> Instance {
-    let from_centre = |place: [f64; 3]| DVec3::from(place) - extent.centre;
-    let (place, radius, form) = match body.shape {
-        Shape::Sphere { center, radius } => (center, radius, packed(from_centre(center), 0.0)),
-        Shape::Tube { from, to, radius } => (from, radius, packed(from_centre(to), 0.0)),
-        Shape::Ring { center, axis, radius, tube_radius } => {
-            (center, tube_radius, packed(axis.into(), radius))
-        }
-    };
+    let Placed { place_radius, form } = Placed::new(&body.shape, extent);
     let colour = linear_srgb(body.rest_wavelength_nm, colour);
     Instance {
         place: [0.0; 4],
         second_axis_index_wavelength: [0.0, 0.0, index as f32, body.rest_wavelength_nm as f32],
-        place_radius: packed(from_centre(place), radius),
+        place_radius,
         form,
         rest_colour: packed(colour.into(), 0.0),
     }
-}
-
-fn packed(v: DVec3, w: f64) -> [f32; 4] {
-    v.as_vec3().extend(w as f32).to_array()
 }
 
 fn placed(template: &Instance, rectangle: &Rectangle) -> Instance {
