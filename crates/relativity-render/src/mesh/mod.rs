@@ -10,6 +10,7 @@
 
 mod division;
 mod map;
+mod order;
 mod pipelines;
 mod template;
 
@@ -83,6 +84,10 @@ impl Part {
     /// Whether it is thinner than a pixel, and faded for that.
     fn is_thin(&self) -> bool {
         self.instance.cover < 1.0
+    }
+
+    fn is_ring(&self) -> bool {
+        matches!(self.division, Division::Ring { .. })
     }
 
     fn is_drawn_with(&self, other: &Self) -> bool {
@@ -213,8 +218,7 @@ impl MeshRenderer {
         Ok(measures.hit_image(bodies, view))
     }
 
-    /// The bodies that can be seen in `view`, divided for `map`: in their order, so that where surfaces of two
-    /// coincide the first that is drawn stays, but faded ones last.
+    /// The bodies that can be seen in `view`, divided for `map`, in the order they are drawn in.
     fn parts(
         &self,
         bodies: &[Body],
@@ -235,7 +239,7 @@ impl MeshRenderer {
             instance: instance(index, body),
         };
         let mut parts: Vec<_> = visible.map(part).collect();
-        parts.sort_by_key(Part::is_thin);
+        order::sort(&mut parts);
         parts
     }
 
@@ -252,7 +256,7 @@ impl MeshRenderer {
             let start = instances.len() as u32;
             instances.extend(run.iter().map(|part| part.instance));
             let division = run[0].division;
-            let key = key(matches!(division, Division::Ring { .. }), run[0].is_thin());
+            let key = key(run[0].is_ring(), run[0].is_thin());
             self.pipelines.prepare(gpu, key);
             self.templates.entry(division).or_insert_with(|| Loaded::new(gpu, division));
             draws.push(Draw { division, key, instances: start..instances.len() as u32 });
