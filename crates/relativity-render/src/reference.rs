@@ -5,7 +5,7 @@
 //!
 //! # Accuracy
 //!
-//! `tests/reference.rs`: against the core's light cone of each point shown, from rest to gamma = 1e6,
+//! `tests/reference.rs`: against the core's light cone of each point shown, from rest to gamma = 1e30,
 //! positions are off by less than 1e-11 px, distances and Doppler factors by less than 1e-13 of themselves;
 //! a tracer that walks back along the light, without a boost, sees the same bodies.
 
