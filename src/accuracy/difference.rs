@@ -11,11 +11,6 @@ use super::spread::Spread;
 /// Arcseconds of a radian.
 pub const ARCSECONDS: f64 = 3600.0 * 180.0 / std::f64::consts::PI;
 
-/// Two objects share a surface where their points along a ray are nearer to each other in the rest frame than this
-/// part of the distance, on the ground or in the rest frame, whichever is less. Which of them is seen is beyond f32:
-/// where the tubes of a figure meet in a joint, say.
-pub const COINCIDENCE: f64 = 1e-5;
-
 /// How one pixel differs from the reference's.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PixelDifference {
@@ -23,8 +18,6 @@ pub enum PixelDifference {
     Nothing,
     /// Another object, or only one of the two shows any.
     WrongObject,
-    /// Another object, which shares its surface with the right one here: see [`COINCIDENCE`].
-    CoincidentObject,
     /// The same object.
     SameObject {
         /// Angle between the pixel's line of sight and that along which the point shown is really seen.
@@ -52,8 +45,6 @@ pub struct DifferenceFigures {
     pub covered_pixels: usize,
     /// Pixels with the wrong object, or with one where there is none, or without one where there is.
     pub wrong_pixels: usize,
-    /// Pixels with another object that shares its surface with the right one there, not counted as wrong.
-    pub coincident_pixels: usize,
     /// Those of them whose eight neighbours all show the same as they do in the reference.
     pub wrong_pixels_off_outlines: usize,
     /// Over pixels with the right object: see [`PixelDifference::SameObject`].
@@ -99,17 +90,8 @@ fn pixel_difference(
             arcseconds: ARCSECONDS * angle(line_of_sight, direction(view, shown.rest_position)),
             doppler: (shown.doppler_factor / reference.doppler_factor - 1.0).abs(),
         },
-        (Some(reference), Some(shown)) if share_surface(reference, shown) => {
-            PixelDifference::CoincidentObject
-        }
         _ => PixelDifference::WrongObject,
     }
-}
-
-/// In the rest frame, since on the ground all of a receding body is about equally far.
-fn share_surface(a: &Hit, b: &Hit) -> bool {
-    let rest_distance = a.distance / a.doppler_factor;
-    a.rest_position.distance(b.rest_position) <= COINCIDENCE * a.distance.min(rest_distance)
 }
 
 /// Along which `view` sees the rest-frame point `place`; through the core's light cone, not back along the ray.
@@ -149,7 +131,6 @@ fn figures(reference: &HitImage, pixels: &[PixelDifference]) -> DifferenceFigure
     DifferenceFigures {
         covered_pixels: reference.hits.iter().flatten().count(),
         wrong_pixels: wrong.len(),
-        coincident_pixels: all(PixelDifference::CoincidentObject).count(),
         wrong_pixels_off_outlines: wrong.iter().filter(|&&i| !is_at_outline(reference, i)).count(),
         line_of_sight_arcseconds: same(|arcseconds, _| arcseconds),
         doppler_relative: same(|_, doppler| doppler),
@@ -202,17 +183,15 @@ mod tests {
     }
 
     #[test]
-    fn objects_that_share_a_surface_are_not_wrong_and_others_are() {
+    fn another_object_is_wrong_also_where_it_has_the_same_surface() {
         let view = view(0.5);
         let truth = [ball([0.0, 5.0, 0.0], 1.0), ball([0.0, 5.0, 0.0], 1.0)];
         let mut shown = ReferenceScene::new(&truth).hit_image(&view);
+        assert_eq!(figures(&view, &shown, &truth).wrong_pixels, 0);
         let covered = shown.hits.iter().flatten().count();
         shown.hits.iter_mut().flatten().for_each(|hit| hit.body = 1);
         let found = figures(&view, &shown, &truth);
-        assert_eq!((found.wrong_pixels, found.coincident_pixels), (0, covered));
-        shown.hits.iter_mut().flatten().for_each(|hit| hit.rest_position.y += 1e-3);
-        let found = figures(&view, &shown, &truth);
-        assert_eq!((found.wrong_pixels, found.coincident_pixels), (covered, 0));
+        assert_eq!(found.wrong_pixels, covered);
         assert!(found.wrong_pixels_off_outlines > 0 && found.wrong_pixels_off_outlines < covered);
     }
 }

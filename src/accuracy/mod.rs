@@ -11,7 +11,7 @@ mod renderers;
 mod spread;
 mod views;
 
-pub use difference::{ARCSECONDS, COINCIDENCE, Difference, DifferenceFigures, PixelDifference, angle};
+pub use difference::{ARCSECONDS, Difference, DifferenceFigures, PixelDifference, angle};
 pub use expected::{Effort, ExpectedError, expected_error};
 pub use formulas::{Formula, FormulaError, formula_error};
 pub use outline::{

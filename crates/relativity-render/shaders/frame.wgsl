@@ -19,6 +19,8 @@ struct Frame {
     // xyz: centre of the scene from the camera's event, rest frame; w: 1/(2 reach), reach being the
     // greatest distance of any body's surface from that centre.
     scene: vec4f,
+    // xyz: what f32 loses of the centre, which matters however far it is: across a ray, all of it does not.
+    scene_fine: vec4f,
     // Camera x and y, height of the ground above the camera (far below if there is none), and
     // the published model's aperture separation.
     ground: vec4f,
@@ -74,13 +76,17 @@ fn rest_ray(pixel: vec2f) -> Ray {
         direction = vec3f((one_plus_x - frame.speed.y) * reciprocal, n.yz * doppler);
         ground_per_rest = doppler;
     } else if GEOMETRY == 1u {
-        // The contracted body stretched back to its rest shape, and the ray with it.
-        let stretched = vec3f(n.x * frame.speed.w, n.yz);
-        ground_per_rest = 1.0 / sqrt(dot(stretched, stretched));
-        direction = stretched * ground_per_rest;
+        // The contracted body stretched back to its rest shape, and the ray with it: by 1 along x and 1/gamma
+        // across, brought up to 1 before it is squared.
+        let flattened = vec3f(n.x, n.yz * frame.speed.z);
+        let largest = max(abs(flattened.x), max(abs(flattened.y), abs(flattened.z)));
+        let scaled = flattened / largest;
+        let reciprocal = 1.0 / sqrt(dot(scaled, scaled));
+        ground_per_rest = frame.speed.z * reciprocal / largest;
+        direction = scaled * reciprocal;
     }
     let centre = frame.scene.xyz;
-    let moment = cross(centre, direction);
+    let moment = cross(centre, direction) + cross(frame.scene_fine.xyz, direction);
     return Ray(n, sight.w, direction, ground_per_rest, doppler, moment, dot(centre, direction));
 }
 

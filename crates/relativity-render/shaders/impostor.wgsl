@@ -8,39 +8,19 @@ struct Instance {
     @location(0) place: vec4f,
     // Second half axis, number of the body, rest wavelength in nm.
     @location(1) second_axis_index_wavelength: vec4f,
-    // Anchor from the scene's centre in the rest frame, and the radius.
-    @location(2) anchor_radius: vec4f,
-    // Unit axis and extent along it (tube) or radius of the middle circle (ring).
-    @location(3) axis_extent: vec4f,
+    // The `Body`.
+    @location(2) place_radius: vec4f,
+    @location(3) form: vec4f,
     // Linear sRGB without Doppler shift.
     @location(4) rest_colour: vec4f,
 }
 
 struct Fragment {
     @builtin(position) position: vec4f,
-    @location(0) @interpolate(flat) anchor_radius: vec4f,
-    @location(1) @interpolate(flat) axis_extent: vec4f,
+    @location(0) @interpolate(flat) place_radius: vec4f,
+    @location(1) @interpolate(flat) form: vec4f,
     @location(2) @interpolate(flat) rest_colour_wavelength: vec4f,
     @location(3) @interpolate(flat) index: f32,
-}
-
-struct Body {
-    anchor: vec3f,
-    radius: f32,
-    axis: vec3f,
-    extent: f32,
-}
-
-struct Surface {
-    // How far inside the outline the ray passes, rest-frame length at the surface; negative outside.
-    clearance: f32,
-    // Unit vector from the body to the ray where they come closest: across the outline.
-    outward: vec3f,
-    // Rest-frame distance along the ray beyond the scene's centre.
-    beyond: f32,
-    // The point, from the anchor.
-    place: vec3f,
-    normal: vec3f,
 }
 
 @vertex
@@ -49,20 +29,15 @@ fn rectangle(@builtin(vertex_index) vertex: u32, instance: Instance) -> Fragment
     let place = instance.place.xy + instance.place.zw * corner.x + instance.second_axis_index_wavelength.xy * corner.y;
     return Fragment(
         vec4f(place, 0.5, 1.0),
-        instance.anchor_radius,
-        instance.axis_extent,
+        instance.place_radius,
+        instance.form,
         vec4f(instance.rest_colour.rgb, instance.second_axis_index_wavelength.w),
         instance.second_axis_index_wavelength.z,
     );
 }
 
 fn body_of(fragment: Fragment) -> Body {
-    return Body(
-        fragment.anchor_radius.xyz,
-        fragment.anchor_radius.w,
-        fragment.axis_extent.xyz,
-        fragment.axis_extent.w,
-    );
+    return Body(fragment.place_radius.xyz, fragment.place_radius.w, fragment.form);
 }
 
 // What a pixel shows of a body, and how deep inside the outline each of its samples lies, in pixels.
@@ -90,7 +65,7 @@ fn shaded(fragment: Fragment) -> Shaded {
         alpha = min(body.radius / max(half_pixel, 1e-30), 1.0);
         clearance += max(half_pixel - body.radius, 0.0);
     }
-    let height = frame.scene.z + body.anchor.z + hit.place.z;
+    let height = frame.scene.z + middle(body).z + hit.place.z;
     if distance <= 0.0 || height < frame.ground.z {
         discard;
     }
@@ -136,7 +111,7 @@ fn picture_sample(fragment: Fragment, @builtin(sample_index) index: u32) -> Samp
 struct Hit {
     // Number of the body, ground distance, Doppler factor, 1 (a hit).
     @location(0) measures: vec4u,
-    // The point, from the anchor, in the rest frame.
+    // The point, from the body's middle, in the rest frame.
     @location(1) place: vec4u,
     @builtin(frag_depth) depth: f32,
 }

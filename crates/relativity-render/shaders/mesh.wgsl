@@ -11,10 +11,9 @@ struct Corner {
 }
 
 struct Solid {
-    // Anchor from the scene's centre in the rest frame, and the radius.
-    @location(2) anchor_radius: vec4f,
-    // Unit axis and extent along it (tube) or radius of the middle circle (ring).
-    @location(3) axis_extent: vec4f,
+    // The `Body`.
+    @location(2) place_radius: vec4f,
+    @location(3) form: vec4f,
     // Unit vector across the axis; number of the body.
     @location(4) across_index: vec4f,
     // Linear sRGB without Doppler shift; rest wavelength in nm.
@@ -25,16 +24,17 @@ struct Solid {
 
 struct Fragment {
     @builtin(position) position: vec4f,
-    // From the anchor, rest frame.
+    // From the body's middle, rest frame.
     @location(0) place: vec3f,
     @location(1) normal: vec3f,
     // From the aperture.
     @location(2) apparent: vec3f,
     @location(3) doppler: f32,
     @location(4) @interpolate(flat) colour_wavelength: vec4f,
-    // Anchor from the scene's centre, and the number of the body.
-    @location(5) @interpolate(flat) anchor_index: vec4f,
-    @location(6) @interpolate(flat) cover: f32,
+    // How much of a pixel it covers, and the number of the body.
+    @location(5) @interpolate(flat) cover_index: vec2f,
+    @location(6) @interpolate(flat) place_radius: vec4f,
+    @location(7) @interpolate(flat) form: vec4f,
 }
 
 struct Sighting {
@@ -42,22 +42,26 @@ struct Sighting {
     doppler: f32,
 }
 
-// What is seen of a point at rest at `c` from the camera's event: X = gamma (c_x - beta |c|) and
-// R = gamma (|c| - beta c_x), for c_x > 0 as quotients of what does not cancel.
+// Beyond this apparent distance everything is drawn there.
+const FAR = 1e30;
+
+// What is seen of a point at rest at `c` from the camera's event: with S = c_x/gamma and q = hypot(S, rho/gamma),
+// R = gamma^2 (q - beta S) and X = S - beta R; for S > 0 as quotients of what does not cancel. No product of
+// these overflows at any gamma, as |c|^2 would.
 fn sighting(c: vec3f) -> Sighting {
     let beta = frame.speed.x;
     let gamma = frame.speed.w;
-    let rho_squared = c.y * c.y + c.z * c.z;
-    let rest_distance = max(sqrt(c.x * c.x + rho_squared), 1e-30);
-    var x = gamma * (c.x - beta * rest_distance);
-    var distance = gamma * (rest_distance - beta * c.x);
-    if c.x > 0.0 {
-        let along = c.x * frame.speed.z;
-        let contracted_squared = along * along;
-        x = gamma * (contracted_squared - beta * beta * rho_squared) / (c.x + beta * rest_distance);
-        distance = gamma * (contracted_squared + rho_squared) / (rest_distance + beta * c.x);
+    let s = c.x * frame.speed.z;
+    let rho = sqrt(c.y * c.y + c.z * c.z);
+    let across = rho * frame.speed.z;
+    let q = max(sqrt(s * s + across * across), 1e-30);
+    var distance = gamma * min(gamma * (q - beta * s), FAR * frame.speed.z);
+    var x = s - beta * distance;
+    if s > 0.0 {
+        distance = (s * s + rho * rho) / (q + beta * s);
+        x = (s - beta * rho) * (s + beta * rho) / (s + beta * q);
     }
-    return Sighting(vec3f(x, c.yz), distance / rest_distance);
+    return Sighting(vec3f(x, c.yz), distance * frame.speed.z / q);
 }
 
 // The paper's Delta T (eq. 5): how much longer the light that the left eye sees takes to the right eye.
@@ -83,10 +87,10 @@ fn mapped(c: vec3f) -> Sighting {
 
 @vertex
 fn corner(corner: Corner, solid: Solid) -> Fragment {
-    let side = cross(solid.axis_extent.xyz, solid.across_index.xyz);
-    let outward = corner.turn.x * solid.across_index.xyz + corner.turn.y * side;
-    let shape = corner_place(corner, solid, outward);
-    let seen = mapped(frame.scene.xyz + (solid.anchor_radius.xyz + shape.place));
+    let body = Body(solid.place_radius.xyz, solid.place_radius.w, solid.form);
+    let shape = corner_place(corner, body, solid.across_index.xyz);
+    let from_centre = middle(body) + shape.place;
+    let seen = mapped(frame.scene.xyz + (frame.scene_fine.xyz + from_centre));
     let clip = vec4f(
         dot(seen.position, frame.clip_right.xyz),
         dot(seen.position, frame.clip_up.xyz),
@@ -100,8 +104,9 @@ fn corner(corner: Corner, solid: Solid) -> Fragment {
         seen.position,
         seen.doppler,
         solid.colour_wavelength,
-        vec4f(solid.anchor_radius.xyz, solid.across_index.w),
-        solid.cover,
+        vec2f(solid.cover, solid.across_index.w),
+        solid.place_radius,
+        solid.form,
     );
 }
 
@@ -114,14 +119,15 @@ struct Measure {
 }
 
 // From the pixel's own ray, which is better than what is interpolated between corners: the Doppler factor
-// depends on the line of sight alone, and in the rest frame depth is not contracted.
+// depends on the line of sight alone, in the rest frame depth is not contracted, and the body itself is nearer
+// or farther than the triangle by what may be more than the gap to the next body.
 fn measure(fragment: Fragment) -> Measure {
     if MAP == 3u {
         return Measure(1.0 / (1.0 + length(fragment.apparent)), fragment.doppler);
     }
     let ray = rest_ray(fragment.position.xy);
-    let from_centre = fragment.anchor_index.xyz + fragment.place;
-    return Measure(depth(dot(from_centre, ray.direction)), ray.doppler);
+    let body = Body(fragment.place_radius.xyz, fragment.place_radius.w, fragment.form);
+    return Measure(depth(surface(body, ray).beyond), ray.doppler);
 }
 
 struct Picture {
@@ -142,7 +148,7 @@ fn picture(fragment: Fragment) -> Picture {
     if fragment.apparent.z < frame.ground.z {
         discard;
     }
-    return Picture(vec4f(colour, 1.0) * fragment.cover, measure.depth);
+    return Picture(vec4f(colour, 1.0) * fragment.cover_index.x, measure.depth);
 }
 
 // Floats as their bits: OpenGL ES does not draw to 32-bit floats.
@@ -158,7 +164,7 @@ fn hits(fragment: Fragment) -> Hit {
     let measure = measure(fragment);
     return Hit(
         bitcast<vec4u>(
-            vec4f(fragment.anchor_index.w, length(fragment.apparent), measure.doppler, 1.0),
+            vec4f(fragment.cover_index.y, length(fragment.apparent), measure.doppler, 1.0),
         ),
         bitcast<vec4u>(vec4f(fragment.place, 0.0)),
         measure.depth,

@@ -6,8 +6,9 @@ struct Shape {
 }
 
 // profile: unit normal off and along the axis.
-fn corner_place(corner: Corner, solid: Solid, outward: vec3f) -> Shape {
-    let normal = outward * corner.profile.x + solid.axis_extent.xyz * corner.profile.y;
-    let place = outward * solid.axis_extent.w + normal * solid.anchor_radius.w;
-    return Shape(place, normal);
+fn corner_place(corner: Corner, body: Body, across: vec3f) -> Shape {
+    let axis = body.form.xyz;
+    let outward = corner.turn.x * across + corner.turn.y * cross(axis, across);
+    let normal = outward * corner.profile.x + axis * corner.profile.y;
+    return Shape(outward * body.form.w + normal * body.radius, normal);
 }

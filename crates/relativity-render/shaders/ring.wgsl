@@ -1,4 +1,5 @@
-// Ray against a torus. `anchor` is its centre, `extent` the radius R of its middle circle, `radius` r.
+// Ray against a torus: `place` is its centre, `form` its axis and the radius R of its middle circle, `radius`
+// is r.
 //
 // With rho the distance from the axis and z the height, F = (rho - R)^2 + z^2 - r^2 is negative inside.
 // Along a ray F'' = 2 - 2 R rho'', and rho'' is bounded where rho is within r of R; so a parabola lies below
@@ -29,11 +30,11 @@ fn torus_at(course: Course, body: Body, s: f32) -> Torus {
     let rho_first = (course.a * s + course.b) / rho;
     let rho_second = (course.a - rho_first * rho_first) / rho;
     let z = course.height + s * course.slope;
-    let from_circle = rho - body.extent;
+    let from_circle = rho - body.form.w;
     return Torus(
         from_circle * from_circle + z * z - body.radius * body.radius,
         2.0 * (from_circle * rho_first + z * course.slope),
-        2.0 - 2.0 * body.extent * rho_second,
+        2.0 - 2.0 * body.form.w * rho_second,
     );
 }
 
@@ -53,7 +54,7 @@ fn entry(body: Body, course: Course, curvature: f32, start: f32, end: f32, befor
             break;
         }
         let at = torus_at(course, body, s);
-        if at.value <= 1e-6 * body.extent * body.radius {
+        if at.value <= 1e-6 * body.form.w * body.radius {
             return Search(true, s, at.value);
         }
         search = nearer(search, s, at.value);
@@ -67,21 +68,25 @@ fn entry(body: Body, course: Course, curvature: f32, start: f32, end: f32, befor
     return search;
 }
 
+fn middle(body: Body) -> vec3f {
+    return body.place;
+}
+
 fn surface(body: Body, ray: Ray) -> Surface {
     let n = ray.direction;
-    let nearest = nearest_to(body.anchor, ray);
-    let height = dot(nearest, body.axis);
-    let slope = dot(n, body.axis);
-    let start = nearest - body.axis * height;
-    let flat_direction = n - body.axis * slope;
+    let nearest = nearest_to(body.place, ray);
+    let height = dot(nearest, body.form.xyz);
+    let slope = dot(n, body.form.xyz);
+    let start = nearest - body.form.xyz * height;
+    let flat_direction = n - body.form.xyz * slope;
     let a = max(dot(flat_direction, flat_direction), 1e-12);
     let course = Course(a, dot(start, flat_direction), dot(start, start), height, slope);
     let lateral = cross(start, flat_direction);
     let closest_squared = dot(lateral, lateral) / a;
 
     // The torus lies between two cylinders and two planes.
-    let outer = body.extent + body.radius;
-    let inner = body.extent - body.radius;
+    let outer = body.form.w + body.radius;
+    let inner = body.form.w - body.radius;
     let outer_half = sqrt(max(outer * outer - closest_squared, 0.0) / a);
     let inner_half = sqrt(max(inner * inner - closest_squared, 0.0) / a);
     let turn = -course.b / a;
@@ -91,7 +96,7 @@ fn surface(body: Body, ray: Ray) -> Surface {
     let last = min(turn + outer_half, level + body.radius * abs(steep));
     // rho'' = a rho_closest^2/rho^3, at most this where the torus is.
     let least = max(sqrt(closest_squared), inner);
-    let curvature = 2.0 - 2.0 * body.extent * a * closest_squared / (least * least * least);
+    let curvature = 2.0 - 2.0 * body.form.w * a * closest_squared / (least * least * least);
 
     var search = Search(false, turn, torus_at(course, body, turn).value);
     if outer * outer > closest_squared && first < last {
@@ -121,7 +126,7 @@ fn surface(body: Body, ray: Ray) -> Surface {
     return Surface(
         clearance,
         torus_normal(nearest + n * deepest.s, body),
-        dot(body.anchor, n) + search.s,
+        dot(body.place, n) + search.s,
         place,
         torus_normal(place, body),
     );
@@ -136,9 +141,9 @@ fn nearer(search: Search, s: f32, value: f32) -> Search {
 
 // From the nearest point of the middle circle, towards `place`.
 fn torus_normal(place: vec3f, body: Body) -> vec3f {
-    let height = dot(place, body.axis);
-    let from_axis = place - body.axis * height;
+    let height = dot(place, body.form.xyz);
+    let from_axis = place - body.form.xyz * height;
     let rho = max(sqrt(dot(from_axis, from_axis)), 1e-30);
-    let outward = place - from_axis * (body.extent / rho);
+    let outward = place - from_axis * (body.form.w / rho);
     return outward / max(sqrt(dot(outward, outward)), 1e-30);
 }

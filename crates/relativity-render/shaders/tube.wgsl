@@ -1,10 +1,17 @@
-// Ray against a cylinder with rounded ends. `anchor` is its middle, `extent` half the length of its axis.
+// Ray against a cylinder with rounded ends: `place` and `form` are their centres. A ball has both in one place.
+
+fn middle(body: Body) -> vec3f {
+    return 0.5 * (body.place + body.form.xyz);
+}
 
 fn surface(body: Body, ray: Ray) -> Surface {
     let n = ray.direction;
-    let axis = body.axis;
+    let anchor = middle(body);
+    let half = 0.5 * (body.form.xyz - body.place);
+    let extent = sqrt(dot(half, half));
+    let axis = half / max(extent, 1e-30);
     // The ray is nearest + s n, from the middle, with nearest perpendicular to n.
-    let nearest = nearest_to(body.anchor, ray);
+    let nearest = nearest_to(anchor, ray);
     let cosine = dot(axis, n);
     let across = cross(axis, n);
     let sine = max(sqrt(dot(across, across)), 1e-9);
@@ -12,31 +19,30 @@ fn surface(body: Body, ray: Ray) -> Surface {
     // Where on the axis (as a line) the ray comes closest.
     let closest = nearest_along / (sine * sine);
 
-    let on_segment = clamp(closest, -body.extent, body.extent);
+    let on_segment = clamp(closest, -extent, extent);
     let miss_vector = nearest + (n * cosine - axis) * on_segment;
     let miss = sqrt(dot(miss_vector, miss_vector));
     let outward = miss_vector / max(miss, 1e-30);
 
     let line_miss = abs(dot(nearest, across)) / sine;
     let half_chord = sqrt(max((body.radius - line_miss) * (body.radius + line_miss), 0.0)) / sine;
-    var s = closest * cosine - half_chord;
+    let s = closest * cosine - half_chord;
+    var beyond = dot(anchor, n) + s;
+    var place = nearest + n * s;
     let along = nearest_along + s * cosine;
-    let foot = axis * clamp(along, -body.extent, body.extent);
-    if abs(along) > body.extent || line_miss >= body.radius {
-        s = cap_entry(nearest - foot, n, body.radius);
+    if abs(along) >= extent {
+        // From the end itself: tubes that share a rounded end get the same depth there to the bit.
+        let end = select(body.form.xyz, body.place, along < 0.0);
+        let from_end = nearest_to(end, ray);
+        let depth_squared = body.radius * body.radius - dot(from_end, from_end);
+        let half_cap = sqrt(max(depth_squared, 0.0));
+        beyond = dot(end, n) - half_cap;
+        place = (end - anchor) + (from_end - n * half_cap);
     }
-    let place = nearest + n * s;
     var normal = outward;
     if miss < body.radius {
-        let from_axis = place - axis * clamp(dot(place, axis), -body.extent, body.extent);
+        let from_axis = place - axis * clamp(dot(place, axis), -extent, extent);
         normal = from_axis / max(sqrt(dot(from_axis, from_axis)), 1e-30);
     }
-    return Surface(body.radius - miss, outward, dot(body.anchor, n) + s, place, normal);
-}
-
-// Where the ray start + s n enters the ball of `radius` around the origin, or comes closest to it.
-fn cap_entry(start: vec3f, n: vec3f, radius: f32) -> f32 {
-    let along = dot(start, n);
-    let nearest = start - n * along;
-    return -along - sqrt(max(radius * radius - dot(nearest, nearest), 0.0));
+    return Surface(body.radius - miss, outward, beyond, place, normal);
 }

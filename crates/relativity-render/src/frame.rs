@@ -1,12 +1,12 @@
 //! What the shaders know of one aperture's picture: the uniform block, rounded once from f64.
 
 use bytemuck::{Pod, Zeroable};
-use glam::{DVec2, DVec3, Vec3};
+use glam::{DVec2, DVec3};
 
 use crate::backdrop::Backdrop;
-use crate::body::Body;
+use crate::body::{Body, Shape};
 use crate::camera::{Axes, Camera};
-use crate::intersect::Solid;
+use crate::intersect::{Solid, bounding_box};
 use crate::palette;
 use crate::view::{Appearance, View};
 
@@ -21,6 +21,7 @@ pub struct Frame {
     pub speed: [f32; 4],
     pub light: [f32; 4],
     pub scene: [f32; 4],
+    pub scene_fine: [f32; 4],
     pub ground: [f32; 4],
     pub backdrop: [[f32; 4]; 5],
     pub clip_right: [f32; 4],
@@ -28,33 +29,48 @@ pub struct Frame {
     pub forward: [f32; 4],
 }
 
-/// Where the bodies are as a whole, in the rest frame.
-///
-/// They are placed from a centre rounded to f32, whose rounding their places make up for: so bodies keep
+/// Where the bodies are as a whole, in the rest frame: they are placed from their middle, so that they keep
 /// their places among each other however far the camera is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Extent {
-    /// From the camera's event.
-    pub centre_from_camera: Vec3,
-    /// The same place in the rest frame.
+    /// The middle of a box around the bodies.
     pub centre: DVec3,
+    /// From the camera's event to there.
+    pub centre_from_camera: DVec3,
     /// Greatest distance of any surface from there, with room for rounding.
     pub reach: f64,
 }
 
 impl Extent {
     pub fn new(bodies: &[Body], origin: DVec3) -> Self {
-        let bounds = bodies.iter().map(|body| {
-            let solid = Solid::new(&body.shape);
-            [-1.0, 1.0].map(|side| solid.center() + side * solid.bounding_radius())
-        });
-        let [low, high]: [DVec3; 2] = bounds
-            .reduce(|[low, high], [from, to]| [low.min(from), high.max(to)])
-            .unwrap_or([DVec3::ZERO, DVec3::ONE]);
-        let centre_from_camera = (0.5 * (low + high) - origin).as_vec3();
-        let centre = origin + centre_from_camera.as_dvec3();
-        let reach = 1.001 * (0.5 * (high - low)).length() + (centre - 0.5 * (low + high)).length();
-        Self { centre_from_camera, centre, reach }
+        let solids: Vec<_> = bodies.iter().map(|body| Solid::new(&body.shape)).collect();
+        let [low, high] = bounding_box(&solids).unwrap_or([DVec3::ZERO, DVec3::ONE]);
+        let centre = 0.5 * (low + high);
+        Self { centre, centre_from_camera: centre - origin, reach: 1.001 * low.distance(centre) }
+    }
+}
+
+/// A shape as the shaders take it: mirror of the start of their `Body`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Placed {
+    /// From the scene's centre: centre, or one end of a tube; and the radius.
+    pub place_radius: [f32; 4],
+    /// The other end of a tube, or a ring's unit axis and the radius of its middle circle.
+    pub form: [f32; 4],
+}
+
+impl Placed {
+    /// A ball is a tube whose ends are in one place.
+    pub fn new(shape: &Shape, extent: &Extent) -> Self {
+        let from_centre = |place: [f64; 3], w: f64| packed(DVec3::from(place) - extent.centre, w);
+        let (place_radius, form) = match *shape {
+            Shape::Sphere { center, radius } => (from_centre(center, radius), from_centre(center, 0.0)),
+            Shape::Tube { from, to, radius } => (from_centre(from, radius), from_centre(to, 0.0)),
+            Shape::Ring { center, axis, radius, tube_radius } => {
+                (from_centre(center, tube_radius), packed(axis.into(), radius))
+            }
+        };
+        Self { place_radius, form }
     }
 }
 
@@ -75,6 +91,7 @@ impl Frame {
         let ground = backdrop.ground_height().unwrap_or(f64::from(f32::MIN));
         let coarse = pole.as_vec2();
         let fine = (pole - coarse.as_dvec2()).as_vec2();
+        let centre = extent.centre_from_camera.as_vec3();
         Self {
             base: vector(base),
             right: vector(right * per_px),
@@ -83,7 +100,8 @@ impl Frame {
             speed: [speed.beta(), speed.one_minus_beta(), 1.0 / speed.gamma(), speed.gamma()]
                 .map(|v| v as f32),
             light: [exposure, exponent, first, per_octave].map(|v| v as f32),
-            scene: extent.centre_from_camera.extend((0.5 / extent.reach) as f32).to_array(),
+            scene: centre.extend((0.5 / extent.reach) as f32).to_array(),
+            scene_fine: vector(extent.centre_from_camera - centre.as_dvec3()),
             ground: [aperture.x, aperture.y, ground, view.published_separation()].map(|v| v as f32),
             backdrop: backdrop.colours().map(|colour| vector(colour.into())),
             clip_right: vector(right * (to_clip / width)),
@@ -99,7 +117,12 @@ impl Frame {
 }
 
 fn vector(v: DVec3) -> [f32; 4] {
-    v.as_vec3().extend(0.0).to_array()
+    packed(v, 0.0)
+}
+
+/// For the shaders.
+pub fn packed(v: DVec3, w: f64) -> [f32; 4] {
+    v.as_vec3().extend(w as f32).to_array()
 }
 
 /// The pixel towards -x and its (unnormalised) line of sight, if it is well in front of the camera; else

@@ -1,19 +1,18 @@
 //! Where a straight ray enters a body, in the rest frame and in f64.
 //!
-//! A camera may be a million units away (at gamma = 1e6, one unit before the event), so every test first
-//! moves the ray's start to the point nearest to the body's centre, component by component: the rounding
-//! of the far start then lies along the ray, and what is left has the size of the body. Only entries
-//! count: an aperture inside a body does not see that body's inner surface.
+//! Every test first moves the ray's start to the point nearest to the body's centre: what is left has the
+//! size of the body. Only entries count: an aperture inside a body does not see that body's inner surface.
 
 use glam::DVec3;
 
 use crate::body::Shape;
 use crate::polynomial::first_descent;
+use crate::ray::Ray;
 
 /// Where a ray enters a body. Rest frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Entry {
-    /// Along the ray, from its origin.
+    /// Along the ray, from its start.
     pub distance: f64,
     /// On the surface.
     pub position: DVec3,
@@ -86,25 +85,20 @@ impl Solid {
         self.bounding_radius
     }
 
-    /// Where the ray from `origin` along the unit vector `direction` first enters, beyond distance 0.
+    /// Where `ray` first enters, in front of the camera.
     ///
     /// # Accuracy
     ///
     /// `tests/reference_intersect.rs`: the position lies on the surface within 1e-14 of the body's size, for
     /// cameras up to 1e9 sizes away and down to grazing incidence.
     #[must_use]
-    pub fn entry(&self, origin: DVec3, direction: DVec3) -> Option<Entry> {
-        let to_nearest = direction.dot(self.center - origin);
-        let start = origin + direction * to_nearest - self.center;
-        // Twice: the first start is off by the rounding of a large distance.
-        let correction = -direction.dot(start);
-        let start = start + direction * correction;
-        let clearance = start.length_squared();
-        if clearance >= self.bounding_radius * self.bounding_radius {
+    pub fn entry(&self, ray: &Ray) -> Option<Entry> {
+        let (start, from_start) = ray.nearest_to(self.center);
+        if start.length_squared() >= self.bounding_radius * self.bounding_radius {
             return None;
         }
-        let from_start = to_nearest + correction;
-        let local = LocalRay { start, direction, behind: -from_start };
+        let direction = ray.direction;
+        let local = LocalRay { start, direction, behind: -ray.from_camera - from_start };
         let t = match self.form {
             Form::Ball { radius } => local.ball_entry(radius),
             Form::Capsule { axis, half_length, radius } => local.capsule_entry(axis, half_length, radius),
@@ -117,6 +111,14 @@ impl Solid {
             normal: self.form.normal(position),
         })
     }
+}
+
+/// The lowest and highest corner of a box around `solids`; `None` if there are none.
+#[must_use]
+pub fn bounding_box<'a>(solids: impl IntoIterator<Item = &'a Solid>) -> Option<[DVec3; 2]> {
+    let bounds =
+        solids.into_iter().map(|solid| [-1.0, 1.0].map(|side| solid.center + side * solid.bounding_radius));
+    bounds.reduce(|[low, high], [from, to]| [low.min(from), high.max(to)])
 }
 
 impl Form {

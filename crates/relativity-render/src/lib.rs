@@ -20,6 +20,7 @@ mod mesh;
 mod palette;
 pub mod picture;
 mod polynomial;
+pub mod ray;
 pub mod rectified_hits;
 pub mod rectify;
 pub mod reference;

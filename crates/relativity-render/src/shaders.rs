@@ -5,33 +5,33 @@ use std::mem::offset_of;
 use crate::exact::Instance;
 use crate::frame::Frame;
 
-pub(crate) const SPHERE: &str = concat!(
-    include_str!("../shaders/frame.wgsl"),
-    include_str!("../shaders/colour.wgsl"),
-    include_str!("../shaders/impostor.wgsl"),
-    include_str!("../shaders/sphere.wgsl"),
-);
 pub(crate) const TUBE: &str = concat!(
     include_str!("../shaders/frame.wgsl"),
     include_str!("../shaders/colour.wgsl"),
+    include_str!("../shaders/body.wgsl"),
     include_str!("../shaders/impostor.wgsl"),
     include_str!("../shaders/tube.wgsl"),
 );
 pub(crate) const RING: &str = concat!(
     include_str!("../shaders/frame.wgsl"),
     include_str!("../shaders/colour.wgsl"),
+    include_str!("../shaders/body.wgsl"),
     include_str!("../shaders/impostor.wgsl"),
     include_str!("../shaders/ring.wgsl"),
 );
 pub(crate) const MESH_TUBE: &str = concat!(
     include_str!("../shaders/frame.wgsl"),
     include_str!("../shaders/colour.wgsl"),
+    include_str!("../shaders/body.wgsl"),
+    include_str!("../shaders/tube.wgsl"),
     include_str!("../shaders/mesh.wgsl"),
     include_str!("../shaders/mesh_tube.wgsl"),
 );
 pub(crate) const MESH_RING: &str = concat!(
     include_str!("../shaders/frame.wgsl"),
     include_str!("../shaders/colour.wgsl"),
+    include_str!("../shaders/body.wgsl"),
+    include_str!("../shaders/ring.wgsl"),
     include_str!("../shaders/mesh.wgsl"),
     include_str!("../shaders/mesh_ring.wgsl"),
 );
@@ -39,8 +39,7 @@ pub(crate) const BACKDROP: &str =
     concat!(include_str!("../shaders/frame.wgsl"), include_str!("../shaders/backdrop.wgsl"));
 
 /// Every shader, by name.
-pub const SOURCES: [(&str, &str); 6] = [
-    ("sphere", SPHERE),
+pub const SOURCES: [(&str, &str); 5] = [
     ("tube", TUBE),
     ("ring", RING),
     ("mesh of a tube", MESH_TUBE),
@@ -71,6 +70,7 @@ pub const MIRRORS: [Mirror; 2] = [
             ("speed", offset_of!(Frame, speed)),
             ("light", offset_of!(Frame, light)),
             ("scene", offset_of!(Frame, scene)),
+            ("scene_fine", offset_of!(Frame, scene_fine)),
             ("ground", offset_of!(Frame, ground)),
             ("backdrop", offset_of!(Frame, backdrop)),
             ("clip_right", offset_of!(Frame, clip_right)),
@@ -84,8 +84,8 @@ pub const MIRRORS: [Mirror; 2] = [
         fields: &[
             ("place", offset_of!(Instance, place)),
             ("second_axis_index_wavelength", offset_of!(Instance, second_axis_index_wavelength)),
-            ("anchor_radius", offset_of!(Instance, anchor_radius)),
-            ("axis_extent", offset_of!(Instance, axis_extent)),
+            ("place_radius", offset_of!(Instance, place_radius)),
+            ("form", offset_of!(Instance, form)),
             ("rest_colour", offset_of!(Instance, rest_colour)),
         ],
         size: size_of::<Instance>(),

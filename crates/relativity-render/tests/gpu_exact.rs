@@ -1,12 +1,14 @@
 //! The exact renderer against the f64 reference and against the light-cone formula of the core.
 
 mod gpu_support;
+mod joints;
 mod support;
 
 use std::process::ExitCode;
 
 use glam::DVec3;
 use gpu_support::scenes::{crowd, speeds, still_life, time_seen_at, view_following};
+use joints::{joints, shared_pixels};
 use relativity_core::{SourcePoint, Speed, sighting};
 use relativity_render::{Body, ExactRenderer, Geometry, Gpu, HitImage, ReferenceScene, Shape, View};
 use support::signed_distance;
@@ -15,6 +17,7 @@ fn main() -> ExitCode {
     gpu_support::run(&[
         ("hits_agree_with_the_reference", hits_agree_with_the_reference),
         ("hits_appear_where_the_light_cone_says", hits_appear_where_the_light_cone_says),
+        ("where_surfaces_coincide_the_first_body_is_seen", where_surfaces_coincide_the_first_body_is_seen),
         ("bounds_never_clip", bounds_never_clip),
         ("spheres_keep_a_circular_outline", spheres_keep_a_circular_outline),
     ])
@@ -116,6 +119,24 @@ fn hits_appear_where_the_light_cone_says(gpu: &Gpu) {
             let distance_error = (hit.distance / seen.distance - 1.0).abs();
             assert!(distance_error < 1e-5, "gamma {}: distance {distance_error:e}", view.speed.gamma());
         }
+    }
+}
+
+fn where_surfaces_coincide_the_first_body_is_seen(gpu: &Gpu) {
+    let mut renderer = ExactRenderer::new(gpu);
+    let mut bodies = joints();
+    for _ in 0..2 {
+        for view in views() {
+            let image = renderer.hits(gpu, &bodies, &view).expect("device works");
+            let [shared, not_first] = shared_pixels(&image, &bodies, &view);
+            assert!(
+                not_first * 1000 <= shared.max(1000),
+                "gamma {}: {not_first} of {shared} pixels show the other body",
+                view.speed.gamma()
+            );
+            agrees(&mut renderer, gpu, &bodies, &view);
+        }
+        bodies.reverse();
     }
 }
 

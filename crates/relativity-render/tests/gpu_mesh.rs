@@ -2,6 +2,8 @@
 
 #[expect(dead_code, reason = "shared with the exact renderer's tests")]
 mod gpu_support;
+#[expect(dead_code, reason = "shared with the other renderers' tests")]
+mod joints;
 #[expect(dead_code, reason = "shared with the reference's tests")]
 mod support;
 
@@ -9,12 +11,17 @@ use std::process::ExitCode;
 
 use glam::DVec2;
 use gpu_support::scenes::{still_life, time_seen_at, view_following};
-use relativity_core::{Aperture, PublishedVariant, SourcePoint, Speed, published_disparity, sighting};
-use relativity_render::{Geometry, Gpu, Hit, HitImage, MeshRenderer, ReferenceScene, View};
+use joints::joints;
+use relativity_core::{
+    Aperture, MAX_GAMMA, PublishedVariant, SourcePoint, Speed, published_disparity, sighting,
+};
+use relativity_render::{Body, Geometry, Gpu, Hit, HitImage, MeshRenderer, ReferenceScene, Shape, View};
 
 fn main() -> ExitCode {
     gpu_support::run(&[
         ("the_picture_keeps_the_bound", the_picture_keeps_the_bound),
+        ("bodies_that_nearly_touch_are_told_apart", bodies_that_nearly_touch_are_told_apart),
+        ("where_surfaces_coincide_the_first_body_is_seen", where_surfaces_coincide_the_first_body_is_seen),
         ("hits_appear_where_the_light_cone_says", hits_appear_where_the_light_cone_says),
         ("the_published_right_eye_is_the_cores", the_published_right_eye_is_the_cores),
     ])
@@ -23,10 +30,11 @@ fn main() -> ExitCode {
 const FOLLOWED: [f64; 3] = [-0.4, 3.0, 0.7];
 const BOUNDS_PX: [f64; 2] = [0.5, 2.0];
 
-/// Approaching, abreast and receding, up to beta = 0.9999.
+/// Approaching, abreast and receding, up to beta = 0.9999 and at the greatest gamma.
 fn views() -> impl Iterator<Item = View> {
-    [0.0, 0.5, 0.9, 0.99, 0.9999].into_iter().flat_map(|beta| {
-        let speed = Speed::from_beta(beta).expect("below 1");
+    let speeds = [0.0, 0.5, 0.9, 0.99, 0.9999].map(|beta| Speed::from_beta(beta).expect("below 1"));
+    let fastest = Speed::from_gamma(MAX_GAMMA).expect("in range");
+    speeds.into_iter().chain([fastest]).flat_map(|speed| {
         [-8.0, -1.0, 0.0, 1.0, 4.0]
             .map(|along| view_following(FOLLOWED, speed, time_seen_at(FOLLOWED, &speed, along), 45.0))
     })
@@ -45,6 +53,38 @@ fn the_picture_keeps_the_bound(gpu: &Gpu) {
                 keeps_bound(&image, &truth, bound_px, &reference, &view);
             }
         }
+    }
+}
+
+/// A ball sticks out of a tube, and a ring of a ball, by less than triangles are off their surfaces.
+fn bodies_that_nearly_touch_are_told_apart(gpu: &Gpu) {
+    let mut renderer = MeshRenderer::new(gpu);
+    let center = FOLLOWED;
+    let shapes = [
+        Shape::Tube { from: [-0.4, 3.0, 0.2], to: [-0.4, 3.0, 1.2], radius: 0.2 },
+        Shape::Sphere { center, radius: 0.2005 },
+        Shape::Ring { center, axis: [0.6, 0.0, 0.8], radius: 0.11, tube_radius: 0.091 },
+    ];
+    for pair in shapes.windows(2) {
+        let bodies: Vec<_> = pair.iter().map(|&shape| Body { shape, rest_wavelength_nm: 600.0 }).collect();
+        let reference = ReferenceScene::new(&bodies);
+        for view in views() {
+            let image = renderer.hits(gpu, &bodies, &view).expect("device works");
+            keeps_bound(&image, &reference.hit_image(&view), renderer.bound_px, &reference, &view);
+        }
+    }
+}
+
+fn where_surfaces_coincide_the_first_body_is_seen(gpu: &Gpu) {
+    let mut renderer = MeshRenderer::new(gpu);
+    let mut bodies = joints();
+    for _ in 0..2 {
+        let reference = ReferenceScene::new(&bodies);
+        for view in views() {
+            let image = renderer.hits(gpu, &bodies, &view).expect("device works");
+            keeps_bound(&image, &reference.hit_image(&view), renderer.bound_px, &reference, &view);
+        }
+        bodies.reverse();
     }
 }
 

@@ -5,6 +5,7 @@ mod support;
 use glam::DVec3;
 use relativity_render::Shape;
 use relativity_render::intersect::Solid;
+use relativity_render::ray::Ray;
 use support::{centred, signed_distance, spread};
 
 /// Shapes about 1 in size, thin and thick, anywhere in the cube [-1, 1]^3.
@@ -81,7 +82,7 @@ fn an_entry_is_where_sphere_tracing_meets_the_body_first() {
     for i in 0..6000 {
         let shape = shape(i);
         let [origin, direction] = near_miss(&shape, i, 5.0, 0.3);
-        let entry = Solid::new(&shape).entry(origin, direction);
+        let entry = Solid::new(&shape).entry(&Ray::new(origin, direction));
         // A body fattened by 1e-9 is met a little earlier, one thinned by 1e-9 a little later.
         let fat = marched(&shape, [origin, direction], 12.0, 1e-9);
         let Some(entry) = entry else {
@@ -109,7 +110,7 @@ fn worst_residual(away: f64, depth: f64) -> [f64; 2] {
     for i in 0..6000 {
         let shape = shape(i);
         let [origin, direction] = near_miss(&shape, i, away, depth);
-        let Some(entry) = Solid::new(&shape).entry(origin, direction) else { continue };
+        let Some(entry) = Solid::new(&shape).entry(&Ray::new(origin, direction)) else { continue };
         let off_surface = signed_distance(&shape, entry.position).abs();
         let off_ray = (entry.position - origin).cross(direction).length() / away;
         worst = [off_surface.max(worst[0]), off_ray.max(worst[1])];
@@ -136,7 +137,7 @@ fn normals_point_along_the_gradient_of_the_signed_distance() {
     for i in 0..600 {
         let shape = shape(i);
         let [origin, direction] = near_miss(&shape, i, 5.0, 0.3);
-        let Some(entry) = Solid::new(&shape).entry(origin, direction) else { continue };
+        let Some(entry) = Solid::new(&shape).entry(&Ray::new(origin, direction)) else { continue };
         let h = 1e-6;
         let slope = |axis: DVec3| {
             let [ahead, back] = [h, -h].map(|h| signed_distance(&shape, entry.position + axis * h));
@@ -154,11 +155,11 @@ fn an_aperture_inside_a_body_does_not_see_its_inner_surface() {
         (Shape::Tube { from: [-1.0, 0.0, 0.0], to: [1.0, 0.0, 0.0], radius: 0.5 }, DVec3::X),
     ];
     for (shape, origin) in inside {
-        assert_eq!(Solid::new(&shape).entry(origin, DVec3::X), None);
+        assert_eq!(Solid::new(&shape).entry(&Ray::new(origin, DVec3::X)), None);
     }
     // From inside a ring's tube the far side of the ring is seen, its own skin is not.
     let ring = Shape::Ring { center: [0.0; 3], axis: [0.0, 0.0, 1.0], radius: 1.0, tube_radius: 0.25 };
-    let entry = Solid::new(&ring).entry(DVec3::X, DVec3::NEG_X).expect("the far side");
+    let entry = Solid::new(&ring).entry(&Ray::new(DVec3::X, DVec3::NEG_X)).expect("the far side");
     assert!((entry.distance - 1.75).abs() < 1e-12);
 }
 
@@ -167,6 +168,6 @@ fn bodies_behind_the_aperture_are_not_seen() {
     for i in 0..60 {
         let shape = shape(i);
         let [origin, direction] = near_miss(&shape, i, 5.0, 0.3);
-        assert_eq!(Solid::new(&shape).entry(origin, -direction), None);
+        assert_eq!(Solid::new(&shape).entry(&Ray::new(origin, -direction)), None);
     }
 }

@@ -11,8 +11,8 @@ use super::report::{
 };
 use super::{advice, effects};
 use crate::accuracy::{
-    COINCIDENCE, Effort, ExpectedError, Formula, LARGEST_PX, Method, Place, RESOLUTION_PX, Renderers,
-    expected_error, formula_error, published_error, view_at,
+    Effort, ExpectedError, Formula, LARGEST_PX, Method, Place, RESOLUTION_PX, Renderers, expected_error,
+    formula_error, published_error, view_at,
 };
 use crate::headless::render::png_file::SOFTWARE;
 use crate::scene::Scene;
@@ -56,7 +56,6 @@ pub fn report(scene: &Scene, scene_name: &str, size: [u32; 2], quick: bool) -> a
         separation: SEPARATION,
         silhouette_resolution_px: RESOLUTION_PX,
         silhouette_limit_px: LARGEST_PX,
-        coincidence: COINCIDENCE,
     };
     let mut report = Report {
         setting,
@@ -184,7 +183,6 @@ impl Measurement {
 
 fn picture_row(view: Circumstances, found: &ExpectedError) -> PictureRow {
     let figures = &found.difference.figures;
-    let share = |pixels: usize| pixels as f64 / figures.covered_pixels.max(1) as f64;
     PictureRow {
         view,
         frame_ms: found.frame_ms,
@@ -192,9 +190,8 @@ fn picture_row(view: Circumstances, found: &ExpectedError) -> PictureRow {
             silhouettes_px: found.silhouettes_px,
             line_of_sight_arcseconds: figures.line_of_sight_arcseconds,
             doppler_relative: figures.doppler_relative,
-            wrong_share: share(figures.wrong_pixels),
+            wrong_share: figures.wrong_share(),
             wrong_pixels_off_outlines: figures.wrong_pixels_off_outlines,
-            coincident_share: share(figures.coincident_pixels),
         },
     }
 }
@@ -215,7 +212,6 @@ fn renderer_report(method: Method, views: Vec<PictureRow>) -> RendererReport {
             doppler_relative: spread(|errors| errors.doppler_relative),
             wrong_share: largest(|errors| errors.wrong_share),
             wrong_pixels_off_outlines: off_outlines.unwrap_or(0),
-            coincident_share: largest(|errors| errors.coincident_share),
         },
         views,
     }

@@ -53,7 +53,7 @@ What is measured:
                  the light cone in f64, arcseconds
   D              relative error of the Doppler factor
   wrong object   pixels that show another object than the reference, per pixel that shows one; where two objects
-                 share a surface (to 1e-5 of their distance) either counts as right, and is counted apart
+                 share a surface, that of the first is right
 
 Examples:
   gamow accuracy

@@ -48,8 +48,6 @@ pub struct Setting {
     pub silhouette_resolution_px: f64,
     /// Displacements of silhouettes from this on, pixels, are reported as this.
     pub silhouette_limit_px: f64,
-    /// Two objects share a surface where they are nearer to each other than this part of their distance.
-    pub coincidence: f64,
 }
 
 /// The view of a row.
@@ -106,8 +104,6 @@ pub struct PictureErrors {
     pub wrong_share: f64,
     /// Wrong pixels away from any outline.
     pub wrong_pixels_off_outlines: usize,
-    /// Pixels per covered pixel that show another object of the same surface.
-    pub coincident_share: f64,
 }
 
 /// One form of the formulas for a point.

@@ -111,7 +111,7 @@ impl Report {
     }
 }
 
-const PICTURE_HEADER: &str = "   ms/eye        silhouette, pixels            line of sight, arcseconds              D, relative            wrong object, %   (shared surface)";
+const PICTURE_HEADER: &str = "   ms/eye        silhouette, pixels            line of sight, arcseconds              D, relative            wrong object, %";
 
 fn picture(renderer: &RendererReport, frame_ms: f64, errors: &PictureErrors) -> String {
     let sights = spread(errors.line_of_sight_arcseconds, 0.0);
@@ -121,11 +121,10 @@ fn picture(renderer: &RendererReport, frame_ms: f64, errors: &PictureErrors) -> 
     let off = errors.wrong_pixels_off_outlines;
     let off = if off == 0 { String::new() } else { format!(", {off} pixels off outlines") };
     format!(
-        "{frame_ms:9.2}  {}  {sights}  {}  {:>10.3} {:>18.3}{off}",
+        "{frame_ms:9.2}  {}  {sights}  {}  {:>10.3}{off}",
         spread(errors.silhouettes_px, RESOLUTION_PX),
         spread(errors.doppler_relative, 0.0),
-        100.0 * errors.wrong_share,
-        100.0 * errors.coincident_share
+        100.0 * errors.wrong_share
     )
 }
 

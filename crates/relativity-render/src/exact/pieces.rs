@@ -9,14 +9,13 @@ use glam::{DVec2, DVec3};
 use super::footprint::{Capsule, Footprint, Projection, Rectangle};
 use crate::body::{Body, Shape};
 use crate::colour::linear_srgb;
-use crate::frame::Extent;
-use crate::intersect::Solid;
+use crate::frame::{Extent, Placed, packed};
 use crate::view::{Colour, View};
 
 /// How often a piece is halved before its bound is taken as it is.
 const MAX_HALVINGS: u32 = 5;
-/// Below this radius a piece is faded instead of drawn thinner, px.
-const THIN_PX: f64 = 0.75;
+/// Below this radius a piece is faded in pictures instead of drawn thinner, px.
+pub const THIN_PX: f64 = 0.75;
 
 /// Where bodies are looked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,20 +32,29 @@ pub enum Bounds {
 pub struct Instance {
     pub place: [f32; 4],
     pub second_axis_index_wavelength: [f32; 4],
-    pub anchor_radius: [f32; 4],
-    pub axis_extent: [f32; 4],
+    pub place_radius: [f32; 4],
+    pub form: [f32; 4],
     pub rest_colour: [f32; 4],
 }
 
-/// The pieces of each kind: index by shape (ball, tube, ring), solid and thin.
+/// The pieces of each kind (tubes and balls, rings), solid and thin, in the order of the bodies: where surfaces
+/// of two coincide, the first that is drawn stays.
 #[derive(Debug, Default)]
 pub struct Pieces {
-    pub solid: [Vec<Instance>; 3],
-    pub thin: [Vec<Instance>; 3],
+    pub solid: [Vec<Instance>; 2],
+    pub thin: [Vec<Instance>; 2],
 }
 
 impl Pieces {
-    pub fn new(bodies: &[Body], view: &View, colour: Colour, extent: &Extent, bounds: Bounds) -> Self {
+    /// The pieces of `bodies` in `view`; those of a radius below `thin_px` pixels are thin.
+    pub fn new(
+        bodies: &[Body],
+        view: &View,
+        colour: Colour,
+        extent: &Extent,
+        bounds: Bounds,
+        thin_px: f64,
+    ) -> Self {
         let projection = Projection::new(view);
         let origin = view.rest_origin();
         let mut pieces = Self::default();
@@ -62,14 +70,14 @@ impl Pieces {
                 rectangles.clear();
                 rectangles.push(EVERYWHERE);
             }
-            pieces.add(&instance(index, body, extent, colour), kind(&body.shape), &rectangles);
+            pieces.add(&instance(index, body, extent, colour), kind(&body.shape), &rectangles, thin_px);
         }
         pieces
     }
 
-    fn add(&mut self, template: &Instance, kind: usize, rectangles: &[Rectangle]) {
+    fn add(&mut self, template: &Instance, kind: usize, rectangles: &[Rectangle], thin_px: f64) {
         for rectangle in rectangles {
-            let list = if rectangle.radius_px < THIN_PX { &mut self.thin } else { &mut self.solid };
+            let list = if rectangle.radius_px < thin_px { &mut self.thin } else { &mut self.solid };
             list[kind].push(placed(template, rectangle));
         }
     }
@@ -85,9 +93,8 @@ const EVERYWHERE: Rectangle = Rectangle {
 
 fn kind(shape: &Shape) -> usize {
     match shape {
-        Shape::Sphere { .. } => 0,
-        Shape::Tube { .. } => 1,
-        Shape::Ring { .. } => 2,
+        Shape::Sphere { .. } | Shape::Tube { .. } => 0,
+        Shape::Ring { .. } => 1,
     }
 }
 
@@ -146,27 +153,15 @@ fn arcs(center: DVec3, axis: DVec3, radius: f64, tube_radius: f64) -> Vec<Capsul
 }
 
 fn instance(index: usize, body: &Body, extent: &Extent, colour: Colour) -> Instance {
-    let (radius, axis, length) = match body.shape {
-        Shape::Sphere { radius, .. } => (radius, DVec3::X, 0.0),
-        Shape::Tube { from, to, radius } => {
-            let span = DVec3::from(to) - DVec3::from(from);
-            (radius, span.try_normalize().unwrap_or(DVec3::X), 0.5 * span.length())
-        }
-        Shape::Ring { axis, radius, tube_radius, .. } => (tube_radius, axis.into(), radius),
-    };
-    let anchor = Solid::new(&body.shape).center() - extent.centre;
+    let Placed { place_radius, form } = Placed::new(&body.shape, extent);
     let colour = linear_srgb(body.rest_wavelength_nm, colour);
     Instance {
         place: [0.0; 4],
         second_axis_index_wavelength: [0.0, 0.0, index as f32, body.rest_wavelength_nm as f32],
-        anchor_radius: packed(anchor, radius),
-        axis_extent: packed(axis, length),
+        place_radius,
+        form,
         rest_colour: packed(colour.into(), 0.0),
     }
-}
-
-fn packed(v: DVec3, w: f64) -> [f32; 4] {
-    v.as_vec3().extend(w as f32).to_array()
 }
 
 fn placed(template: &Instance, rectangle: &Rectangle) -> Instance {

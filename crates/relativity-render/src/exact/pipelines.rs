@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use super::pieces::Instance;
 use crate::effects::{Effects, number};
 use crate::gpu::Gpu;
-use crate::shaders::{RING, SPHERE, TUBE};
+use crate::shaders::{RING, TUBE};
 use crate::target::{DEPTH_FORMAT, MEASURES_FORMAT, SAMPLES, linear_target};
 use crate::view::Geometry;
 
@@ -18,18 +18,14 @@ pub enum Key {
 
 #[derive(Debug)]
 pub struct Pipelines {
-    shapes: [wgpu::ShaderModule; 3],
+    shapes: [wgpu::ShaderModule; 2],
     layout: wgpu::PipelineLayout,
     made: HashMap<Key, wgpu::RenderPipeline>,
 }
 
 impl Pipelines {
     pub fn new(gpu: &Gpu, layout: wgpu::PipelineLayout) -> Self {
-        Self {
-            shapes: [SPHERE, TUBE, RING].map(|source| gpu.shader("shape", source)),
-            layout,
-            made: HashMap::new(),
-        }
+        Self { shapes: [TUBE, RING].map(|source| gpu.shader("shape", source)), layout, made: HashMap::new() }
     }
 
     /// Makes the pipeline of `key` unless it exists.

@@ -4,13 +4,17 @@
 //! (`division`). Corners lie exactly where the light cone says; between them pictures are off by no more
 //! than the bound. Unlike the exact renderer it can draw any map of points, and so the published
 //! binocular model, which is defined point by point and has no lines of sight.
+//!
+//! Which of two bodies is nearer is decided by the pixel's ray where there is one, as in the exact renderer:
+//! bodies that nearly touch are nearer to each other than triangles are to their surfaces.
 
 mod division;
 mod map;
+mod order;
 mod pipelines;
 mod template;
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::HashMap;
 use std::ops::Range;
 
 use bytemuck::{Pod, Zeroable};
@@ -22,7 +26,7 @@ use crate::canvas::{self, Canvas};
 use crate::colour::linear_srgb;
 use crate::effects::Effects;
 use crate::exact::Projection;
-use crate::frame::{Extent, Frame};
+use crate::frame::{Extent, Frame, Placed, packed};
 use crate::gpu::{Gpu, GpuError};
 use crate::intersect::Solid;
 use crate::reference::HitImage;
@@ -56,21 +60,39 @@ struct Loaded {
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub(crate) struct Instance {
-    pub anchor_radius: [f32; 4],
-    pub axis_extent: [f32; 4],
+    pub place_radius: [f32; 4],
+    pub form: [f32; 4],
     pub across_index: [f32; 4],
     pub colour_wavelength: [f32; 4],
     pub cover: f32,
 }
 
-/// Instances by whether they are fainter than solid (drawn last) and by their division.
-type Groups = BTreeMap<(bool, Division), Vec<Instance>>;
+/// A body as it is drawn.
+struct Part {
+    division: Division,
+    instance: Instance,
+}
 
-/// Instances of one division.
+/// Neighbouring parts of one division.
 struct Draw {
     division: Division,
     key: Key,
     instances: Range<u32>,
+}
+
+impl Part {
+    /// Whether it is thinner than a pixel, and faded for that.
+    fn is_thin(&self) -> bool {
+        self.instance.cover < 1.0
+    }
+
+    fn is_ring(&self) -> bool {
+        matches!(self.division, Division::Ring { .. })
+    }
+
+    fn is_drawn_with(&self, other: &Self) -> bool {
+        self.division == other.division && self.is_thin() == other.is_thin()
+    }
 }
 
 impl MeshRenderer {
@@ -165,10 +187,10 @@ impl MeshRenderer {
         let effects = Effects::new(has_doppler_effect, appearance);
         let key = |is_ring, is_thin| Key::Picture { is_ring, is_thin, positions, effects };
         let map = Map::new(view, positions);
-        let groups = self.groups(bodies, view, &map, |index, body| {
+        let parts = self.parts(bodies, view, &map, |index, body| {
             widened(instance(index, body, appearance.colour, &extent), body, &map)
         });
-        let draws = self.load(gpu, &groups, &mut target.vertices, key);
+        let draws = self.load(gpu, &parts, &mut target.vertices, key);
         let frame = Frame::new(view, appearance, &extent);
         self.canvas.paint(gpu, target, &frame, appearance, |pass| {
             self.record(pass, &target.vertices, &draws);
@@ -185,10 +207,10 @@ impl MeshRenderer {
     ) -> Result<HitImage, GpuError> {
         let extent = Extent::new(bodies, view.rest_origin());
         let map = Map::new(divided_for, positions);
-        let groups =
-            self.groups(bodies, view, &map, |index, body| instance(index, body, Colour::Visible, &extent));
+        let parts =
+            self.parts(bodies, view, &map, |index, body| instance(index, body, Colour::Visible, &extent));
         let mut vertices = canvas::vertex_buffer(gpu, 0);
-        let draws = self.load(gpu, &groups, &mut vertices, |is_ring, _| Key::Hits { is_ring, positions });
+        let draws = self.load(gpu, &parts, &mut vertices, |is_ring, _| Key::Hits { is_ring, positions });
         let frame = Frame::new(view, &Appearance::default(), &extent);
         let measures = self.canvas.measure(gpu, view.camera.size, &frame, |pass| {
             self.record(pass, &vertices, &draws);
@@ -196,14 +218,14 @@ impl MeshRenderer {
         Ok(measures.hit_image(bodies, view))
     }
 
-    /// The bodies that can be seen in `view`, by how `map` has them divided.
-    fn groups(
+    /// The bodies that can be seen in `view`, divided for `map`, in the order they are drawn in.
+    fn parts(
         &self,
         bodies: &[Body],
         view: &View,
         map: &Map,
         instance: impl Fn(usize, &Body) -> Instance + Sync,
-    ) -> Groups {
+    ) -> Vec<Part> {
         let projection = Projection::new(view);
         let is_seen = |body: &Body| {
             let solid = Solid::new(&body.shape);
@@ -212,32 +234,32 @@ impl MeshRenderer {
                 || !projection.hides(solid.center() - view.rest_origin(), solid.bounding_radius())
         };
         let visible = bodies.par_iter().enumerate().filter(|(_, body)| is_seen(body));
-        let divided: Vec<_> = visible
-            .map(|(index, body)| (division::division(body, map, self.bound_px), instance(index, body)))
-            .collect();
-        let mut groups = Groups::new();
-        for (division, instance) in divided {
-            groups.entry((instance.cover < 1.0, division)).or_default().push(instance);
-        }
-        groups
+        let part = |(index, body)| Part {
+            division: division::division(body, map, self.bound_px),
+            instance: instance(index, body),
+        };
+        let mut parts: Vec<_> = visible.map(part).collect();
+        order::sort(&mut parts);
+        parts
     }
 
     fn load(
         &mut self,
         gpu: &Gpu,
-        groups: &Groups,
+        parts: &[Part],
         vertices: &mut wgpu::Buffer,
         key: impl Fn(bool, bool) -> Key,
     ) -> Vec<Draw> {
         let mut instances = Vec::new();
         let mut draws = Vec::new();
-        for ((is_thin, division), group) in groups {
+        for run in parts.chunk_by(Part::is_drawn_with) {
             let start = instances.len() as u32;
-            instances.extend_from_slice(group);
-            let key = key(matches!(division, Division::Ring { .. }), *is_thin);
+            instances.extend(run.iter().map(|part| part.instance));
+            let division = run[0].division;
+            let key = key(run[0].is_ring(), run[0].is_thin());
             self.pipelines.prepare(gpu, key);
-            self.templates.entry(*division).or_insert_with(|| Loaded::new(gpu, *division));
-            draws.push(Draw { division: *division, key, instances: start..instances.len() as u32 });
+            self.templates.entry(division).or_insert_with(|| Loaded::new(gpu, division));
+            draws.push(Draw { division, key, instances: start..instances.len() as u32 });
         }
         canvas::fill_vertex_buffer(gpu, vertices, &instances);
         draws
@@ -279,30 +301,28 @@ impl Loaded {
 /// Drawn at least a pixel wide: thinner, it is faded instead of broken up.
 fn widened(instance: Instance, body: &Body, map: &Map) -> Instance {
     let distance = map.apparent(Solid::new(&body.shape).center()).length();
-    let [x, y, z, radius] = instance.anchor_radius;
+    let [x, y, z, radius] = instance.place_radius;
     let half_pixel = (0.5 * distance / map.focal_length_px) as f32;
     if radius >= half_pixel {
         return instance;
     }
-    Instance { anchor_radius: [x, y, z, half_pixel], cover: radius / half_pixel, ..instance }
+    Instance { place_radius: [x, y, z, half_pixel], cover: radius / half_pixel, ..instance }
 }
 
 fn instance(index: usize, body: &Body, colour: Colour, extent: &Extent) -> Instance {
-    let (radius, axis, length) = match body.shape {
-        Shape::Sphere { radius, .. } => (radius, DVec3::X, 0.0),
-        Shape::Tube { from, to, radius } => {
-            let span = DVec3::from(to) - DVec3::from(from);
-            (radius, span.try_normalize().unwrap_or(DVec3::X), 0.5 * span.length())
+    let Placed { place_radius, form } = Placed::new(&body.shape, extent);
+    let axis = match body.shape {
+        Shape::Sphere { .. } => DVec3::X,
+        Shape::Tube { from, to, .. } => {
+            (DVec3::from(to) - DVec3::from(from)).try_normalize().unwrap_or(DVec3::X)
         }
-        Shape::Ring { axis, radius, tube_radius, .. } => (tube_radius, axis.into(), radius),
+        Shape::Ring { axis, .. } => axis.into(),
     };
-    let packed = |v: DVec3, w: f64| v.as_vec3().extend(w as f32).to_array();
     let (across, _) = division::basis(axis);
-    let anchor = Solid::new(&body.shape).center() - extent.centre;
     let colour = linear_srgb(body.rest_wavelength_nm, colour);
     Instance {
-        anchor_radius: packed(anchor, radius),
-        axis_extent: packed(axis, length),
+        place_radius,
+        form,
         across_index: packed(across, index as f64),
         colour_wavelength: packed(colour.into(), body.rest_wavelength_nm),
         cover: 1.0,

@@ -1,7 +1,7 @@
 //! Scenes and views for the renderers to agree on.
 
 use glam::DVec3;
-use relativity_core::{Aperture, SourcePoint, Speed, sighting};
+use relativity_core::{Aperture, MAX_GAMMA, SourcePoint, Speed, sighting};
 use relativity_render::{Body, Camera, Gaze, Geometry, Shape, View};
 
 use crate::support::{centred, spread};
@@ -74,10 +74,10 @@ pub fn view_following(rest: [f64; 3], speed: Speed, observation_time: f64, fov_d
 }
 
 /// The speeds that the renderers are held to, slow to fast.
-pub fn speeds() -> [Speed; 6] {
+pub fn speeds() -> [Speed; 7] {
     let beta = |beta| Speed::from_beta(beta).expect("below 1");
     let gamma = |gamma| Speed::from_gamma(gamma).expect("at least 1");
-    [beta(0.0), beta(0.5), beta(0.9), beta(0.9999), gamma(100.0), gamma(1000.0)]
+    [beta(0.0), beta(0.5), beta(0.9), beta(0.9999), gamma(100.0), gamma(1000.0), gamma(MAX_GAMMA)]
 }
 
 /// The observation time at which the rest-frame point `rest` is seen at the place `along` past the

@@ -1,0 +1,21 @@
+// A body, and where a ray meets it. Each shape has `middle(body)` and `surface(body, ray)`.
+
+struct Body {
+    // From the scene's centre in the rest frame: its centre, or one end of a tube.
+    place: vec3f,
+    radius: f32,
+    // The other end of a tube, or a ring's unit axis and the radius of its middle circle.
+    form: vec4f,
+}
+
+struct Surface {
+    // How far inside the outline the ray passes, rest-frame length at the surface; negative outside.
+    clearance: f32,
+    // Unit vector from the body to the ray where they come closest: across the outline.
+    outward: vec3f,
+    // Rest-frame distance along the ray beyond the scene's centre.
+    beyond: f32,
+    // The point, from the body's middle.
+    place: vec3f,
+    normal: vec3f,
+}
