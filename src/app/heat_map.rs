@@ -29,7 +29,6 @@ pub fn image(difference: &Difference, pixels_per_radian: f64) -> ColorImage {
     let colours = difference.pixels.iter().map(|pixel| match *pixel {
         PixelDifference::Nothing => NOTHING,
         PixelDifference::WrongObject => WRONG_OBJECT,
-        PixelDifference::CoincidentObject => colour(f64::NEG_INFINITY),
         PixelDifference::SameObject { arcseconds, .. } => {
             colour((arcseconds / ARCSECONDS * pixels_per_radian).log10())
         }
@@ -57,7 +56,6 @@ mod tests {
         let figures = DifferenceFigures {
             covered_pixels: 4,
             wrong_pixels: 1,
-            coincident_pixels: 0,
             wrong_pixels_off_outlines: 0,
             line_of_sight_arcseconds: None,
             doppler_relative: None,
