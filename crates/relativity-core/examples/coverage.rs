@@ -7,23 +7,27 @@
 //! Draws noisy synthetic curves over beta 0.1 to 0.99, y and |z| 0.3 to 10, d 0.05 to 0.5, noise 0.1 to 2 % of
 //! each curve's range, 120 to 500 samples, and fits each of them in every mode.
 //!
-//! Of 150 cases (seed 1), in %. `refused`: no result, nor from a start at the truth. `wrong`: another minimum. Ranges are
-//! those over beta, y, z and x0.
+//! Of 500 cases (seed 1), in %. `refused`: no result, nor from a start at the truth. `wrong`: another minimum. `unsteady`:
+//! right, but more than 5 % of the bootstrap's replicates have no fit, which it says. Ranges are those over beta, y, z
+//! and x0; each share is uncertain by about 2.
 //!
-//! | model | curves | x0 | right | refused | wrong | within 1 SE | within 95 % |
-//! |---|---|---|---|---|---|---|---|
-//! | exact | both | known | 100 | 0 | 0 | 70-73 | 95-97 |
-//! | exact | both | fitted | 100 | 0 | 0 | 67-75 | 94-97 |
-//! | exact | dphi | known | 100 | 0 | 0 | 65-72 | 93-97 |
-//! | exact | dphi | fitted | 94.7 | 4.7 | 0.7 | 65-71 | 96-98 |
-//! | exact | dtheta | known | 100 | 0 | 0 | 70-74 | 95-97 |
-//! | exact | dtheta | fitted | 100 | 0 | 0 | 73-75 | 95-97 |
-//! | published | both | known | 100 | 0 | 0 | 67-72 | 93-95 |
-//! | published | both | fitted | 100 | 0 | 0 | 69-72 | 94-97 |
-//! | published | dphi | known | 97.3 | 2.7 | 0 | 63-66 | 93-95 |
-//! | published | dphi | fitted | 96.7 | 3.3 | 0 | 70-80 | 94-98 |
-//! | published | dtheta | known | 98.7 | 0 | 1.3 | 70-71 | 95-97 |
-//! | published | dtheta | fitted | 100 | 0 | 0 | 69-73 | 93-95 |
+//! | model | curves | x0 | right | refused | wrong | unsteady | within 1 SE | within 95 % |
+//! |---|---|---|---|---|---|---|---|---|
+//! | exact | both | known | 100 | 0 | 0 | 0 | 69-71 | 93-96 |
+//! | exact | both | fitted | 100 | 0 | 0 | 0 | 67-72 | 94-96 |
+//! | exact | dphi | known | 100 | 0 | 0 | 1 | 65-68 | 92-95 |
+//! | exact | dphi | fitted | 97.4 | 2.6 | 0 | 6.2 | 65-70 | 94-96 |
+//! | exact | dtheta | known | 100 | 0 | 0 | 0 | 66-70 | 94-95 |
+//! | exact | dtheta | fitted | 100 | 0 | 0 | 0 | 69-72 | 95-97 |
+//! | published | both | known | 100 | 0 | 0 | 0 | 65-69 | 94-95 |
+//! | published | both | fitted | 100 | 0 | 0 | 0 | 69-71 | 95-96 |
+//! | published | dphi | known | 100 | 0 | 0 | 0.4 | 63-68 | 93-94 |
+//! | published | dphi | fitted | 100 | 0 | 0 | 2.4 | 67-71 | 94-95 |
+//! | published | dtheta | known | 100 | 0 | 0 | 0 | 67-68 | 94-94 |
+//! | published | dtheta | fitted | 100 | 0 | 0 | 0 | 67-71 | 94-96 |
+//!
+//! What is refused or unsteady in the exact model is mostly seen high above (|z| many times y): Delta-phi alone then
+//! tells a combination of z and x0, and no more of either.
 
 #[path = "../tests/common/mod.rs"]
 mod common;

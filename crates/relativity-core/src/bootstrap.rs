@@ -14,7 +14,7 @@ use rand::{RngExt as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
-use crate::fit::{Fit, FitError, Free, NormalEquations, Parameter, Problem, reported};
+use crate::fit::{Fit, FitError, Free, NormalEquations, Parameter, Regular, reported};
 
 /// The number of replicates from which 95 % intervals are steady.
 pub const DEFAULT_REPLICATES: usize = 1000;
@@ -161,41 +161,26 @@ fn draw(counts: &mut [f64], seed: u64, stream: u64) {
 
 /// What all replicates share.
 struct Shared<'a> {
-    problem: &'a Problem,
+    regular: Regular<'a>,
+    /// The regular parameters of the original optimum.
     free: Free,
-    /// Each row's part in the normal equations at the original optimum.
+    /// Each row's part in the normal equations there.
     parts: Vec<NormalEquations>,
-    is_even_in_z: bool,
-    /// Sizes of the free parameters.
+    /// Sizes of the regular parameters.
     sizes: Free,
 }
 
 impl<'a> Shared<'a> {
     fn new(fit: &'a Fit) -> Option<Self> {
-        let problem = &fit.problem;
-        let trial = problem.trial(&fit.free)?;
-        let chain = problem.chain(&trial);
-        let part = |row| {
-            let mut part = NormalEquations::default();
-            part.add(&problem.slopes(&trial, row), row, 1.0);
-            part.in_free_parameters(chain)
-        };
-        let parts = problem.rows.iter().map(part).collect();
-        Some(Self {
-            problem,
-            free: fit.free,
-            parts,
-            is_even_in_z: problem.is_even_in_z(),
-            sizes: problem.sizes(&trial),
-        })
+        let trial = fit.problem.trial(&fit.free)?;
+        let regular = Regular::new(&fit.problem, &trial);
+        let parts = regular.parts(&trial);
+        Some(Self { regular, free: regular.parameters(&fit.free), parts, sizes: fit.problem.sizes(&trial) })
     }
 
     fn estimate(&self, counts: &[f64]) -> Option<[f64; 4]> {
-        let mut free = self.minimum(counts)?;
-        if self.is_even_in_z {
-            free[2] = free[2].abs();
-        }
-        Some(reported(&self.problem.trial(&free)?))
+        let free = self.minimum(counts)?;
+        Some(reported(&self.regular.trial(&free)?))
     }
 
     fn minimum(&self, counts: &[f64]) -> Option<Free> {
@@ -203,7 +188,7 @@ impl<'a> Shared<'a> {
         let mut equations = self.at_original_optimum(counts);
         let mut damping = 0.0;
         for _ in 0..MAX_EVALUATIONS {
-            let step = -damped(&equations.hessian, damping).cholesky()?.solve(&equations.gradient);
+            let step = self.step(&free, &equations, damping)?;
             let scatter = equations.cost / counts.len() as f64;
             let next = free + step;
             let is_small = step.component_div(&self.sizes).amax() <= SMALLEST_STEP;
@@ -222,6 +207,22 @@ impl<'a> Shared<'a> {
         None
     }
 
+    /// The step to the minimum of the quadratic model, which goes no further than to z = 0.
+    fn step(&self, free: &Free, equations: &NormalEquations, damping: f64) -> Option<Free> {
+        let mut hessian = damped(&equations.hessian, damping);
+        let step = -hessian.cholesky()?.solve(&equations.gradient);
+        if !self.regular.stops_at_zero() || free[2] + step[2] >= 0.0 {
+            return Some(step);
+        }
+        let to_zero = -free[2];
+        let mut gradient = equations.gradient + hessian.column(2) * to_zero;
+        gradient[2] = -to_zero;
+        hessian.row_mut(2).fill(0.0);
+        hessian.column_mut(2).fill(0.0);
+        hessian[(2, 2)] = 1.0;
+        Some(-hessian.cholesky()?.solve(&gradient))
+    }
+
     fn at_original_optimum(&self, counts: &[f64]) -> NormalEquations {
         let mut sum = NormalEquations::default();
         for (part, &count) in self.parts.iter().zip(counts) {
@@ -233,14 +234,9 @@ impl<'a> Shared<'a> {
     }
 
     fn at(&self, free: &Free, counts: &[f64]) -> Option<NormalEquations> {
-        let trial = self.problem.trial(free)?;
-        let mut sum = NormalEquations::default();
-        for (row, &count) in self.problem.rows.iter().zip(counts) {
-            if count > 0.0 {
-                sum.add(&self.problem.slopes(&trial, row), row, count);
-            }
-        }
-        sum.cost.is_finite().then(|| sum.in_free_parameters(self.problem.chain(&trial)))
+        let trial = self.regular.trial(free)?;
+        let sum = self.regular.equations(&trial, counts.iter().copied());
+        sum.cost.is_finite().then_some(sum)
     }
 }
 

@@ -72,6 +72,12 @@ impl<F: Float> ConePair<F> {
 
     /// (Delta-phi, Delta-theta), from the sines and cosines of the differences.
     pub fn angle_differences(&self) -> (F, F) {
+        self.wanted_angle_differences([true, true])
+    }
+
+    /// The same, with 0 for what is not `wanted`: each has its price.
+    #[inline]
+    pub fn wanted_angle_differences(&self, wanted: [bool; 2]) -> (F, F) {
         let Self { left, right, offset, .. } = self;
         let zero = F::zero();
         if left.solution.q + right.solution.q == zero {
@@ -80,7 +86,14 @@ impl<F: Float> ConePair<F> {
         let x = self.apparent_xs();
         let y = Across { left: left.y, right: right.y, offset: offset.y };
         let z = Across { left: left.z, right: right.z, offset: offset.z };
-        let dphi = self.cross_with_x(&x, &y, &z).atan2(x.left * x.right + y.left * y.right);
+        let dphi = if wanted[0] {
+            self.cross_with_x(&x, &y, &z).atan2(x.left * x.right + y.left * y.right)
+        } else {
+            zero
+        };
+        if !wanted[1] {
+            return (dphi, zero);
+        }
         let left_h = (x.left * x.left + y.left * y.left).sqrt();
         let right_h = (x.right * x.right + y.right * y.right).sqrt();
         let sine = self.elevation_cross(&x, &y, &z, left_h, right_h);

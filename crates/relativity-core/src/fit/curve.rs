@@ -52,11 +52,22 @@ pub(crate) struct Slopes {
 impl Trial {
     /// Delta-phi and Delta-theta at `time`.
     pub fn angles(&self, model: FitModel, pair: &[Aperture; 2], time: f64) -> [f64; 2] {
-        self.cones(model, pair, time).pair.angle_differences().into()
+        self.wanted_angles(model, pair, time, [true, true])
+    }
+
+    /// The same, with 0 for what is not `wanted`.
+    pub fn wanted_angles(
+        &self,
+        model: FitModel,
+        pair: &[Aperture; 2],
+        time: f64,
+        wanted: [bool; 2],
+    ) -> [f64; 2] {
+        self.cones(model, pair, time).pair.wanted_angle_differences(wanted).into()
     }
 
     /// The same with the gradients.
-    pub fn slopes(&self, model: FitModel, pair: &[Aperture; 2], time: f64) -> Slopes {
+    pub fn slopes(&self, model: FitModel, pair: &[Aperture; 2], time: f64, wanted: [bool; 2]) -> Slopes {
         let cones = self.cones(model, pair, time);
         let ConePair { left, right, .. } = &cones.pair;
         let beta = self.speed.beta();
@@ -69,7 +80,7 @@ impl Trial {
         let [dphi_left, dtheta_left] = angle_gradients(left, dx);
         let [dphi_right, dtheta_right] = angle_gradients(right, x_gradient(beta, right, ds_right));
         Slopes {
-            angles: cones.pair.angle_differences().into(),
+            angles: cones.pair.wanted_angle_differences(wanted).into(),
             gradients: [
                 std::array::from_fn(|i| dphi_left[i] - dphi_right[i]),
                 std::array::from_fn(|i| dtheta_left[i] - dtheta_right[i]),
@@ -196,7 +207,7 @@ mod tests {
     }
 
     fn check_gradients(trial: &Trial, model: FitModel, pair: &[Aperture; 2], time: f64) {
-        let gradients = trial.slopes(model, pair, time).gradients;
+        let gradients = trial.slopes(model, pair, time, [true, true]).gradients;
         for (parameter, gradient) in transposed(gradients).into_iter().enumerate() {
             let h = if parameter == 0 { 2e-3 * trial.speed.one_minus_beta() } else { 1e-3 };
             let slopes = difference(|by| shifted(trial, parameter, by).angles(model, pair, time), h);

@@ -12,10 +12,12 @@
 
 mod combined;
 mod curve;
+mod descent;
 mod error;
 mod observations;
 mod prepare;
 mod problem;
+mod regular;
 mod simulation;
 mod start;
 mod verdict;
@@ -27,18 +29,13 @@ pub use observations::{Observations, Reading, Sample};
 pub use simulation::Simulation;
 
 pub(crate) use problem::{Free, NormalEquations, Problem};
+pub(crate) use regular::Regular;
 
-use levenberg_marquardt::{LevenbergMarquardt, TerminationReason};
 use nalgebra::{Matrix4, Vector4};
-use rayon::prelude::*;
 
 use curve::Trial;
+use descent::Minimum;
 use prepare::Data;
-use problem::At;
-
-/// Evaluations per parameter that a start gets, and that the final refinement gets.
-const START_PATIENCE: usize = 8;
-const PATIENCE: usize = 100;
 
 /// Which curves are fitted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -137,7 +134,7 @@ pub struct Fit {
     pub reduced_chi_squared: Option<f64>,
     /// Readings that were fitted.
     pub readings: usize,
-    /// Evaluations of the whole curve.
+    /// Evaluations of the curves, by all starts together.
     pub evaluations: usize,
     pub(crate) problem: Problem,
     pub(crate) free: Free,
@@ -190,7 +187,10 @@ impl Fit {
 pub fn fit(observations: &Observations, options: &FitOptions) -> Result<Fit, FitError> {
     let data = prepare::prepare(observations, options)?;
     let mut evaluations = 0;
-    let start = best_start(&data.problem, &mut evaluations)?;
+    let Some(start) = descent::best_start(&data.problem, &mut evaluations) else {
+        let reason = "no start has a finite sum of squares".to_owned();
+        return Err(FitError::NotConverged { evaluations, reason });
+    };
     fit_downhill(data, options, start, evaluations)
 }
 
@@ -217,12 +217,12 @@ fn fit_downhill(
     start: Free,
     mut evaluations: usize,
 ) -> Result<Fit, FitError> {
-    let mut minimum = refined(&data.problem, start, &mut evaluations)?;
+    let mut minimum = descent::minimum(&data.problem, start, &mut evaluations)?;
     if data.estimates_noise() {
         // Weights from the scatter about a first fit, twice: the weights move the fit a little.
         for _ in 0..2 {
             data.reweigh(&minimum.trial);
-            minimum = refined(&data.problem, minimum.free, &mut evaluations)?;
+            minimum = descent::minimum(&data.problem, minimum.free, &mut evaluations)?;
         }
     }
     verdict::check_explained(&data, minimum.cost)?;
@@ -261,42 +261,4 @@ fn reported_covariance(problem: &Problem, trial: &Trial, covariance: &Matrix4<f6
     jacobian[(3, 3)] *= -trial.speed.beta();
     // nalgebra's arrays are columns; a covariance is symmetric.
     (jacobian * covariance * jacobian.transpose()).into()
-}
-
-/// A minimum of the sum of squares.
-struct Minimum {
-    free: Free,
-    trial: Trial,
-    cost: f64,
-}
-
-/// The best of several starts after a few steps each.
-fn best_start(problem: &Problem, evaluations: &mut usize) -> Result<Free, FitError> {
-    let descend = |start: Free| {
-        LevenbergMarquardt::new().with_patience(START_PATIENCE).minimize(At { problem, free: start })
-    };
-    let descents: Vec<_> = start::starts(problem).into_par_iter().map(descend).collect();
-    *evaluations += descents.iter().map(|(_, report)| report.number_of_evaluations).sum::<usize>();
-    let finite = descents.iter().filter(|(_, report)| report.objective_function.is_finite());
-    let best = finite.min_by(|(_, a), (_, b)| a.objective_function.total_cmp(&b.objective_function));
-    best.map(|(at, _)| at.free).ok_or_else(|| FitError::NotConverged {
-        evaluations: *evaluations,
-        reason: "no start has a finite sum of squares".to_owned(),
-    })
-}
-
-/// The minimum downhill of `start`, to the last digit that the sum of squares holds.
-fn refined(problem: &Problem, start: Free, evaluations: &mut usize) -> Result<Minimum, FitError> {
-    let solver = LevenbergMarquardt::new().with_patience(PATIENCE);
-    let (at, report) = solver.minimize(At { problem, free: start });
-    *evaluations += report.number_of_evaluations;
-    // No improvement possible: the solver's tolerance is finer than rounding allows here.
-    let converged = report.termination.was_successful()
-        || matches!(report.termination, TerminationReason::NoImprovementPossible(_));
-    let trial = problem.trial(&at.free).filter(|_| converged);
-    let Some(trial) = trial else {
-        let reason = format!("{:?}", report.termination);
-        return Err(FitError::NotConverged { evaluations: *evaluations, reason });
-    };
-    Ok(Minimum { free: at.free, trial, cost: 2.0 * report.objective_function })
 }

@@ -84,7 +84,7 @@ impl Data {
     pub fn rms(&self, trial: &Trial, curves: [bool; 2]) -> f64 {
         let (mut sum, mut count) = (0.0, 0.0);
         for row in &self.problem.rows {
-            let angles = trial.angles(self.problem.model, &self.problem.pairs[row.pair], row.time);
+            let angles = self.problem.angles(trial, row);
             for curve in (0..2).filter(|&curve| curves[curve] && row.weights[curve] > 0.0) {
                 sum += (angles[curve] - row.values[curve]).powi(2);
                 count += 1.0;

@@ -27,6 +27,19 @@ pub(crate) struct Row {
     pub weights: [f64; 2],
 }
 
+impl Row {
+    /// Delta-phi and Delta-theta: whether each is fitted.
+    pub fn is_read(&self) -> [bool; 2] {
+        self.weights.map(|weight| weight > 0.0)
+    }
+
+    /// The curves that are fitted: 0, 1 or both.
+    fn curves(&self) -> impl Iterator<Item = usize> {
+        let is_read = self.is_read();
+        (0..2).filter(move |&curve| is_read[curve])
+    }
+}
+
 /// The free parameters: ln(rapidity), ln(y), z and the time of passage t0.
 pub(crate) type Free = Vector4<f64>;
 
@@ -70,7 +83,7 @@ impl Problem {
 
     /// Number of readings that are fitted.
     pub fn readings(&self) -> usize {
-        self.rows.iter().flat_map(|row| row.weights).filter(|&weight| weight > 0.0).count()
+        self.rows.iter().flat_map(Row::curves).count()
     }
 
     /// Whether only |z| matters: Delta-phi alone, seen by apertures that all lie at z = 0.
@@ -88,13 +101,12 @@ impl Problem {
     }
 
     pub fn slopes(&self, trial: &Trial, row: &Row) -> Slopes {
-        trial.slopes(self.model, &self.pairs[row.pair], row.time)
+        trial.slopes(self.model, &self.pairs[row.pair], row.time, row.is_read())
     }
 
-    /// Model minus data, weighed.
-    pub fn residuals_of_row(&self, trial: &Trial, row: &Row) -> [f64; 2] {
-        let angles = trial.angles(self.model, &self.pairs[row.pair], row.time);
-        weighed(&angles, row)
+    /// Delta-phi and Delta-theta, those that `row` reads.
+    pub fn angles(&self, trial: &Trial, row: &Row) -> [f64; 2] {
+        trial.wanted_angles(self.model, &self.pairs[row.pair], row.time, row.is_read())
     }
 
     /// d(beta, y, z, t0)/d(free parameters): it is diagonal. 0 for a parameter that is not fitted.
@@ -113,7 +125,7 @@ impl NormalEquations {
     #[inline]
     pub fn add(&mut self, slopes: &Slopes, row: &Row, count: f64) {
         let residuals = weighed(&slopes.angles, row);
-        for curve in (0..2).filter(|&curve| row.weights[curve] > 0.0) {
+        for curve in row.curves() {
             let g = slopes.gradients[curve];
             let weight = count * row.weights[curve];
             let scaled = row.weights[curve] * weight;
@@ -169,23 +181,26 @@ impl LeastSquaresProblem<f64, Dyn, U4> for At<'_> {
 
     fn residuals(&self) -> Option<OVector<f64, Dyn>> {
         let trial = self.problem.trial(&self.free)?;
-        let rows = &self.problem.rows;
-        let residuals = rows.iter().flat_map(|row| self.problem.residuals_of_row(&trial, row));
-        Some(OVector::<f64, Dyn>::from_iterator(2 * rows.len(), residuals))
+        let residuals = self.problem.rows.iter().flat_map(|row| {
+            let residuals = weighed(&self.problem.angles(&trial, row), row);
+            row.curves().map(move |curve| residuals[curve])
+        });
+        Some(OVector::<f64, Dyn>::from_iterator(self.problem.readings(), residuals))
     }
 
     fn jacobian(&self) -> Option<OMatrix<f64, Dyn, U4>> {
         let trial = self.problem.trial(&self.free)?;
         let chain = self.problem.chain(&trial);
-        let rows = &self.problem.rows;
-        let mut jacobian = OMatrix::<f64, Dyn, U4>::zeros(2 * rows.len());
-        for (index, row) in rows.iter().enumerate() {
+        let mut jacobian = OMatrix::<f64, Dyn, U4>::zeros(self.problem.readings());
+        let mut index = 0;
+        for row in &self.problem.rows {
             let slopes = self.problem.slopes(&trial, row);
-            for curve in 0..2 {
+            for curve in row.curves() {
                 for parameter in 0..4 {
-                    jacobian[(2 * index + curve, parameter)] =
+                    jacobian[(index, parameter)] =
                         row.weights[curve] * slopes.gradients[curve][parameter] * chain[parameter];
                 }
+                index += 1;
             }
         }
         Some(jacobian)

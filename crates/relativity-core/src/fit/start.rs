@@ -1,8 +1,8 @@
 //! Where to start: trial objects that already look like the data, found without a guess.
 //!
-//! A coarse grid over beta, elevation and distance. Its distances are scaled by the largest disparity,
-//! which falls as separation over distance; if the time of passage is unknown, each trial is moved in time
-//! until it shows a feature of the data (an extremum, the onset) when they do.
+//! A coarse grid over beta, elevation and distance. Its distances are those at which a trial's largest disparity is
+//! about the data's; if the time of passage is unknown, each trial is moved in time until it shows a feature
+//! of the data (an extremum, the onset) when they do.
 
 use rayon::prelude::*;
 
@@ -11,22 +11,28 @@ use crate::fit::curve::Trial;
 use crate::fit::problem::{Free, Problem, Row};
 use crate::speed::Speed;
 
-/// Samples that the grid is held against: enough to see the shape.
-const GRID_SAMPLES: usize = 48;
+/// Samples that the grid is held against: enough to see the shape. A prime, since alternating pairs or
+/// curves would be in step with most strides.
+const GRID_SAMPLES: usize = 47;
 /// Rapidities of the grid: beta = 0.05 to 0.9995, evenly in ln(rapidity), the parameter that is fitted.
-const RAPIDITIES: [f64; 12] = [0.05, 0.08, 0.14, 0.25, 0.45, 0.7, 1.0, 1.4, 1.9, 2.5, 3.2, 4.2];
-/// tan(elevation) = z/y of the grid.
-const SLOPES: [f64; 8] = [0.03, 0.15, 0.4, 0.9, 2.0, 5.0, 12.0, 30.0];
+const RAPIDITIES: [f64; 14] = [0.05, 0.08, 0.14, 0.25, 0.45, 0.7, 1.0, 1.35, 1.7, 2.05, 2.4, 2.8, 3.4, 4.2];
+/// tan(elevation) = z/y of the grid: low, middle and high.
+const SLOPES: [&[f64]; 3] = [&[0.03, 0.1, 0.25, 0.5], &[0.85, 1.3, 2.0], &[4.0, 10.0, 30.0]];
 /// Steps in distance, and the factor between them.
 const DISTANCES: i32 = 16;
-const DISTANCE_FACTOR: f64 = 1.45;
-/// The step at which the distance is the scale of the data.
+const DISTANCE_FACTOR: f64 = 1.25;
+/// The step at which a trial's largest disparity is the data's. Most are nearer: the data may lack the extremum.
 const MIDDLE: i32 = 10;
 /// Points of passage x/rho at which the largest disparity of a trial is looked for.
 const PASSAGE: [f64; 25] = [
     -8.0, -5.0, -3.5, -2.5, -1.8, -1.4, -1.1, -0.9, -0.7, -0.5, -0.35, -0.2, 0.0, 0.2, 0.35, 0.5, 0.7, 0.9,
     1.1, 1.4, 1.8, 2.5, 3.5, 5.0, 8.0,
 ];
+
+/// Features by which the time of passage is found.
+const FEATURES: usize = 3;
+/// Most starts.
+const STARTS: usize = 56;
 
 /// A start, and how badly it fits.
 #[derive(Debug, Clone, Copy)]
@@ -35,15 +41,31 @@ struct Candidate {
     cost: f64,
 }
 
-/// The best start of each speed, the slowest first. All are worth following: a coarse grid misjudges the
-/// sharp features of high speeds, and speed is what separates one minimum from another.
-pub(super) fn starts(problem: &Problem) -> Vec<Free> {
-    let features = Features::new(problem);
-    let best_of_speed = |&rapidity: &f64| {
-        let candidates = features.candidates(problem, rapidity).into_iter();
-        candidates.min_by(|a, b| a.cost.total_cmp(&b.cost)).map(|best| best.free)
-    };
-    RAPIDITIES.par_iter().filter_map(best_of_speed).collect()
+/// `problem` with some of its rows.
+pub(super) fn thinned(problem: &Problem) -> Problem {
+    let all = &problem.rows;
+    let count = all.len().min(GRID_SAMPLES);
+    Problem { rows: (0..count).map(|index| all[index * all.len() / count]).collect(), ..problem.clone() }
+}
+
+/// Of the best starts of each speed, elevation band and feature, those that fit `coarse` best, the best first.
+/// Many are worth following: a coarse grid misjudges the sharp features of high speeds.
+pub(super) fn starts(problem: &Problem, coarse: &Problem) -> Vec<Free> {
+    let features = Features::new(problem, coarse);
+    let best_of_speed = |&rapidity: &f64| SLOPES.map(|slopes| features.best_of(problem, rapidity, slopes));
+    let best = RAPIDITIES.par_iter().flat_map_iter(best_of_speed);
+    let mut best: Vec<Candidate> = best.flatten_iter().flatten().collect();
+    best.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+    best.iter().take(STARTS).map(|candidate| candidate.free).collect()
+}
+
+/// What the curve of a trial object looks like.
+struct Shape {
+    /// When its disparity is largest, smallest, and first reaches half its extreme, in units of the distance, from
+    /// the time of passage.
+    times: [f64; FEATURES],
+    /// Distance at which it is as large as the data.
+    distance: f64,
 }
 
 /// What the data look like.
@@ -54,12 +76,14 @@ struct Features {
     pair: [Aperture; 2],
     extremum_time: f64,
     onset_time: f64,
+    /// The largest disparity.
+    extreme: f64,
     /// Separation over largest disparity: of the order of the distance.
     scale: f64,
 }
 
 impl Features {
-    fn new(problem: &Problem) -> Self {
+    fn new(problem: &Problem, coarse: &Problem) -> Self {
         let curve = usize::from(problem.rows.iter().all(|row| row.weights[0] == 0.0));
         let read = |row: &&Row| row.weights[curve] > 0.0;
         let per_separation = |row: &Row| row.values[curve].abs() / separation(&problem.pairs[row.pair]);
@@ -73,48 +97,52 @@ impl Features {
         let of_pair = problem.rows.iter().filter(read).filter(|row| row.pair == extremum.pair);
         let mut seen: Vec<[f64; 2]> = of_pair.map(|row| [row.time, row.values[curve]]).collect();
         seen.sort_by(|a, b| a[0].total_cmp(&b[0]));
-        let stride = problem.rows.len().div_ceil(GRID_SAMPLES);
-        let mut rows: Vec<Row> = problem.rows.iter().step_by(stride).copied().collect();
+        let mut rows = coarse.rows.clone();
         rows.push(extremum);
+        // The largest first: a trial that misses them is given up at once.
+        rows.sort_by(|a, b| per_separation(b).total_cmp(&per_separation(a)));
         Self {
             rows,
             curve,
             pair: problem.pairs[extremum.pair],
             extremum_time: extremum.time,
             onset_time: onset(&seen, extremum.values[curve].abs()),
+            extreme: extremum.values[curve].abs().max(f64::MIN_POSITIVE.sqrt()),
             scale: 1.0 / per_separation(&extremum).max(f64::MIN_POSITIVE.sqrt()),
         }
     }
 
-    /// The trial objects of one speed.
-    fn candidates(&self, problem: &Problem, rapidity: f64) -> Vec<Candidate> {
-        let Ok(speed) = Speed::from_rapidity(rapidity) else { return Vec::new() };
-        let distances = (0..DISTANCES).map(|step| self.scale * DISTANCE_FACTOR.powi(step - MIDDLE));
-        let shapes = distances.flat_map(|distance| SLOPES.map(|slope| (distance, slope)));
-        let trials = shapes.map(|(distance, slope)| {
-            let y = distance / slope.hypot(1.0);
-            Trial { speed, y, z: slope * y, passage_time: 0.0, passage_x: problem.passage_x }
-        });
-        trials.flat_map(|trial| self.in_time(problem, trial)).collect()
-    }
-
-    /// `trial` at each time at which it might have passed.
-    fn in_time(&self, problem: &Problem, trial: Trial) -> Vec<Candidate> {
-        let at = |passage_time| self.best_sign(problem, &Trial { passage_time, ..trial });
-        if problem.fits_passage {
-            self.passage_times(problem, &trial).map(at).to_vec()
-        } else {
-            vec![at(0.0)]
+    /// The best trial object of one speed and some elevations, for each feature that may tell its time of passage.
+    fn best_of(&self, problem: &Problem, rapidity: f64, slopes: &[f64]) -> [Option<Candidate>; FEATURES] {
+        let mut best = [None; FEATURES];
+        let Ok(speed) = Speed::from_rapidity(rapidity) else { return best };
+        let ways = if problem.fits_passage { FEATURES } else { 1 };
+        for &slope in slopes {
+            let shape = self.shape(problem, speed, slope);
+            for step in 0..DISTANCES {
+                let distance = shape.distance * DISTANCE_FACTOR.powi(step - MIDDLE);
+                let trial = object(problem, speed, slope, distance);
+                for (feature, best) in best.iter_mut().enumerate().take(ways) {
+                    let passage_time = self.passage_time(problem, &shape, distance, feature);
+                    *best = self.better(problem, Trial { passage_time, ..trial }, *best);
+                }
+            }
         }
+        best
     }
 
-    /// Times of passage at which `trial` shows a feature of the data when they do: its largest or its
-    /// smallest disparity, or the first time at which the disparity reaches half its extreme.
-    fn passage_times(&self, problem: &Problem, trial: &Trial) -> [f64; 3] {
-        let distance = trial.y.hypot(trial.z);
+    /// What an object of that speed and elevation looks like at the distance at which it is as large as the data:
+    /// from afar disparities fall as separation over distance, so that a second look is enough.
+    fn shape(&self, problem: &Problem, speed: Speed, slope: f64) -> Shape {
+        let from_afar = self.shape_at(problem, speed, slope, self.scale);
+        self.shape_at(problem, speed, slope, from_afar.distance)
+    }
+
+    fn shape_at(&self, problem: &Problem, speed: Speed, slope: f64, distance: f64) -> Shape {
+        let trial = Trial { passage_x: 0.0, ..object(problem, speed, slope, distance) };
         let seen: [[f64; 2]; PASSAGE.len()] = PASSAGE.map(|x| {
-            let time = distance * (x / trial.speed.beta() + x.hypot(1.0));
-            [time, trial.angles(problem.model, &self.pair, time)[self.curve]]
+            let time = x / speed.beta() + x.hypot(1.0);
+            [time, trial.angles(problem.model, &self.pair, distance * time)[self.curve]]
         });
         let [mut largest, mut smallest] = [seen[0]; 2];
         for point in seen {
@@ -125,23 +153,43 @@ impl Features {
                 smallest = point;
             }
         }
-        let onset = onset(&seen, largest[1].max(-smallest[1]));
-        [self.extremum_time - largest[0], self.extremum_time - smallest[0], self.onset_time - onset]
+        let extreme = largest[1].max(-smallest[1]);
+        Shape {
+            times: [largest[0], smallest[0], onset(&seen, extreme)],
+            distance: (distance * extreme / self.extreme).clamp(1e-3 * self.scale, 1e3 * self.scale),
+        }
     }
 
-    /// The trial or its mirror image at -z, for which Delta-theta has the other sign.
-    fn best_sign(&self, problem: &Problem, trial: &Trial) -> Candidate {
+    /// Time of passage at which an object of `shape` at `distance` shows a feature of the data when they do.
+    fn passage_time(&self, problem: &Problem, shape: &Shape, distance: f64, feature: usize) -> f64 {
+        let seen = [self.extremum_time, self.extremum_time, self.onset_time][feature];
+        if problem.fits_passage { seen - distance * shape.times[feature] } else { 0.0 }
+    }
+
+    /// `trial`, or its mirror image at -z, for which Delta-theta has the other sign; `best` if that fits better.
+    fn better(&self, problem: &Problem, trial: Trial, best: Option<Candidate>) -> Option<Candidate> {
+        let limit = best.map_or(f64::INFINITY, |best| best.cost);
         let mut costs = [0.0; 2];
         for row in &self.rows {
-            let [dphi, dtheta] = trial.angles(problem.model, &problem.pairs[row.pair], row.time);
+            let [dphi, dtheta] = problem.angles(&trial, row);
             let azimuthal = (row.weights[0] * (dphi - row.values[0])).powi(2);
             costs[0] += azimuthal + (row.weights[1] * (dtheta - row.values[1])).powi(2);
             costs[1] += azimuthal + (row.weights[1] * (-dtheta - row.values[1])).powi(2);
+            if costs[0].min(costs[1]) >= limit {
+                return best;
+            }
         }
         let (cost, z) = if costs[1] < costs[0] { (costs[1], -trial.z) } else { (costs[0], trial.z) };
-        let free = Free::new(trial.speed.rapidity().ln(), trial.y.ln(), z, trial.passage_time);
-        Candidate { free, cost }
+        Some(Candidate {
+            free: Free::new(trial.speed.rapidity().ln(), trial.y.ln(), z, trial.passage_time),
+            cost,
+        })
     }
+}
+
+fn object(problem: &Problem, speed: Speed, slope: f64, distance: f64) -> Trial {
+    let y = distance / slope.hypot(1.0);
+    Trial { speed, y, z: slope * y, passage_time: 0.0, passage_x: problem.passage_x }
 }
 
 /// When the magnitude of a curve of (time, value) first reaches half of `extreme`, between points by

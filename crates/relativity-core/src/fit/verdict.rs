@@ -7,6 +7,7 @@ use crate::fit::curve::Trial;
 use crate::fit::error::FitError;
 use crate::fit::prepare::Data;
 use crate::fit::problem::{NormalEquations, Problem};
+use crate::fit::regular::Regular;
 
 /// Least ratio of the variance that each parameter explains to that which is left: about the 99.9 % point
 /// of the F distribution for three parameters and many samples.
@@ -30,11 +31,8 @@ pub(super) fn check_explained(data: &Data, cost: f64) -> Result<(), FitError> {
 ///
 /// [`FitError::Indistinguishable`] if a standard error exceeds the parameter itself (for z: the distance).
 pub(super) fn covariance(problem: &Problem, trial: &Trial, scatter: f64) -> Result<Matrix4<f64>, FitError> {
-    let mut equations = NormalEquations::default();
-    for row in &problem.rows {
-        equations.add(&problem.slopes(trial, row), row, 1.0);
-    }
-    let hessian = equations.in_free_parameters(problem.chain(trial)).hessian;
+    let regular = Regular::new(problem, trial);
+    let NormalEquations { hessian, gradient, .. } = regular.equations(trial, std::iter::repeat(1.0));
     let fitted = problem.parameters();
     let scale = hessian.diagonal().map(|diagonal| 1.0 / diagonal.sqrt());
     if let Some(index) = (0..fitted).find(|&index| !scale[index].is_finite()) {
@@ -56,10 +54,15 @@ pub(super) fn covariance(problem: &Problem, trial: &Trial, scatter: f64) -> Resu
     let inverse = eigen.eigenvectors
         * Matrix4::from_diagonal(&eigen.eigenvalues.map(f64::recip))
         * eigen.eigenvectors.transpose();
-    let mut covariance = inverse.component_mul(&outer) * scatter;
+    let inverse = inverse.component_mul(&outer);
+    let mut covariance = inverse * scatter;
     if !problem.fits_passage {
         covariance[(3, 3)] = 0.0;
     }
+    let step = -(inverse * gradient)[2];
+    let height_error = regular.height_error(trial.z, step, covariance[(2, 2)].sqrt());
+    covariance.row_mut(2).scale_mut(height_error);
+    covariance.column_mut(2).scale_mut(height_error);
     check_determined(problem, trial, &covariance)?;
     Ok(covariance)
 }

@@ -1,0 +1,124 @@
+//! From starts to the minimum of the sum of squares, by Levenberg and Marquardt.
+
+use levenberg_marquardt::{LevenbergMarquardt, TerminationReason};
+use rayon::prelude::*;
+
+use crate::fit::curve::Trial;
+use crate::fit::error::FitError;
+use crate::fit::problem::{At, Free, Problem};
+use crate::fit::start;
+
+/// Evaluations per parameter that every start gets, that those followed get, and that the minimum gets.
+const GLANCE: usize = 2;
+const START_PATIENCE: usize = 6;
+const PATIENCE: usize = 100;
+/// Descents that are followed after a glance.
+const FOLLOWED: usize = 6;
+/// Descents closer than this in ln(rapidity) and ln(y) are on the way to the same minimum.
+const NEAR: f64 = 0.25;
+/// ln(rapidity) above which speeds are all near that of light.
+const FAST: f64 = 1.6;
+/// |z|/y below which z = 0 is tried where only |z| matters.
+const NEAR_GROUND: f64 = 1e-2;
+/// |z|/y from which a way up is looked for there: at z = 0 the sum of squares has no slope.
+const LIFT: f64 = 0.1;
+/// Share of a sum of squares by which two may differ by rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// A minimum of the sum of squares.
+pub(super) struct Minimum {
+    pub free: Free,
+    pub trial: Trial,
+    pub cost: f64,
+}
+
+/// Where the best of several starts leads. All get a few steps against some of the data; those that promise
+/// most, and are on different ways, are followed.
+pub(super) fn best_start(problem: &Problem, evaluations: &mut usize) -> Option<Free> {
+    let coarse = start::thinned(problem);
+    let glances = descents(&coarse, start::starts(problem, &coarse), GLANCE, evaluations);
+    let followed = glances.iter().take(FOLLOWED).map(|descent| lifted(problem, descent.free)).collect();
+    descents(problem, followed, START_PATIENCE, evaluations).first().map(|best| best.free)
+}
+
+/// Where a few steps from a start led.
+#[derive(Debug, Clone, Copy)]
+struct Descent {
+    free: Free,
+    cost: f64,
+}
+
+impl Descent {
+    /// Whether both are on their way to the same minimum, as far as speed and depth tell.
+    fn is_near(&self, other: &Self) -> bool {
+        let speed = |descent: &Self| descent.free[0].min(FAST);
+        let apart = (speed(self) - speed(other)).abs().max((self.free[1] - other.free[1]).abs());
+        apart < NEAR
+    }
+}
+
+/// Where a few steps from each start lead, the lowest first, without those that are near a lower one.
+fn descents(problem: &Problem, starts: Vec<Free>, patience: usize, evaluations: &mut usize) -> Vec<Descent> {
+    let descend = |free: Free| {
+        let solver = LevenbergMarquardt::new().with_patience(patience);
+        let (at, report) = solver.minimize(At { problem, free });
+        (Descent { free: at.free, cost: report.objective_function }, report.number_of_evaluations)
+    };
+    let (mut descents, counts): (Vec<_>, Vec<usize>) = starts.into_par_iter().map(descend).unzip();
+    *evaluations += counts.into_iter().sum::<usize>();
+    descents.retain(|descent| descent.cost.is_finite());
+    descents.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+    let mut distinct: Vec<Descent> = Vec::new();
+    for descent in descents {
+        if !distinct.iter().any(|lower| lower.is_near(&descent)) {
+            distinct.push(descent);
+        }
+    }
+    distinct
+}
+
+/// `free`, off z = 0 where only |z| matters: no descent could leave it.
+fn lifted(problem: &Problem, mut free: Free) -> Free {
+    if problem.is_even_in_z() {
+        free[2] = free[2].abs().max(LIFT * free[1].exp());
+    }
+    free
+}
+
+/// The minimum downhill of `start`. Where only |z| matters, the way to z = 0 is endless and there is none back, so
+/// that near it z = 0 is tried as well, and a way up.
+pub(super) fn minimum(problem: &Problem, start: Free, evaluations: &mut usize) -> Result<Minimum, FitError> {
+    let (minimum, end) = refined(problem, start, evaluations);
+    if !problem.is_even_in_z() || end[2].abs() > NEAR_GROUND * end[1].exp() {
+        return minimum;
+    }
+    let mut on_ground = end;
+    on_ground[2] = 0.0;
+    // Of equals, but for rounding, the lower z: z = 0 before what only approaches it.
+    let lower = |lowest: Minimum, next: Minimum| {
+        let margin = if next.free[2].abs() < lowest.free[2].abs() { 1.0 + ROUNDING } else { 1.0 - ROUNDING };
+        if next.cost < margin * lowest.cost { next } else { lowest }
+    };
+    [on_ground, lifted(problem, end)].into_iter().fold(minimum, |lowest, start| {
+        match (lowest, refined(problem, start, evaluations).0) {
+            (Ok(lowest), Ok(next)) => Ok(lower(lowest, next)),
+            (Err(_), next) => next,
+            (lowest, Err(_)) => lowest,
+        }
+    })
+}
+
+/// The minimum downhill of `start`, to the last digit that the sum of squares holds.
+fn refined(problem: &Problem, start: Free, evaluations: &mut usize) -> (Result<Minimum, FitError>, Free) {
+    let solver = LevenbergMarquardt::new().with_patience(PATIENCE);
+    let (At { free, .. }, report) = solver.minimize(At { problem, free: start });
+    *evaluations += report.number_of_evaluations;
+    // No improvement possible: the solver's tolerance is finer than rounding allows here.
+    let converged = report.termination.was_successful()
+        || matches!(report.termination, TerminationReason::NoImprovementPossible(_));
+    let Some(trial) = problem.trial(&free).filter(|_| converged) else {
+        let reason = format!("{:?}", report.termination);
+        return (Err(FitError::NotConverged { evaluations: *evaluations, reason }), free);
+    };
+    (Ok(Minimum { free, trial, cost: 2.0 * report.objective_function }), free)
+}
