@@ -112,14 +112,12 @@ fn signed(value: f64, decimals: u8) -> String {
 }
 
 fn verdict(fitted: &Fitted) -> String {
-    let all = fitted.estimates.iter();
-    if all.clone().all(|(_, estimate, truth)| is_rounding(estimate, *truth)) {
-        let errors = all.map(|(_, estimate, truth)| (estimate.value - truth).abs());
-        return format!("Recovered to {}.", figures::fixed(errors.fold(0.0, f64::max), 9));
-    }
-    let deviations = all.map(|(parameter, estimate, truth)| (*parameter, deviation(estimate, *truth).abs()));
+    let uncertain = fitted.estimates.iter().filter(|(_, estimate, truth)| !is_rounding(estimate, *truth));
+    let deviations =
+        uncertain.map(|(parameter, estimate, truth)| (*parameter, deviation(estimate, *truth).abs()));
     let Some((parameter, worst)) = deviations.max_by(|a, b| a.1.total_cmp(&b.1)) else {
-        return String::new();
+        let errors = fitted.estimates.iter().map(|(_, estimate, truth)| (estimate.value - truth).abs());
+        return format!("Recovered to {}.", figures::fixed(errors.fold(0.0, f64::max), 9));
     };
     let errors = figures::fixed(worst, 1);
     if worst <= CHANCE {
