@@ -24,6 +24,7 @@ pub const TESTS: &[Test] = &[
     ("without_noise_the_fit_is_exact", without_noise_the_fit_is_exact),
     ("the_published_model_is_biased_and_says_so", the_published_model_is_biased),
     ("what_cannot_be_fitted_is_said_in_words", what_cannot_be_fitted),
+    ("intervals_keep_to_what_is_possible", intervals_keep_to_what_is_possible),
     ("the_fit_follows_the_controls", the_fit_follows_the_controls),
     ("a_hidden_fit_is_not_made", a_hidden_fit_is_not_made),
     ("a_window_that_shows_a_fit_rests", a_window_that_shows_a_fit_rests),
@@ -149,13 +150,20 @@ fn what_cannot_be_fitted() {
     motion.separation = 0.1;
     motion.depth_shift = -3.0;
     behind.apply(Command::Motion(motion));
-    let published = FitSetup { model: FitModel::Published, curves: Curves::Azimuth, ..FitSetup::default() };
+    // So slow, it hardly moves while it is watched.
+    let azimuth =
+        FitSetup { curves: Curves::Azimuth, fit_x0: true, noise_percent: 2.0, ..FitSetup::default() };
+    let mut slow = fitted(0.005, azimuth);
+    motion.speed = slow.settings.motion.speed;
+    motion.depth_shift = 5.0;
+    motion.height_shift = -1.5;
+    slow.apply(Command::Motion(motion));
     let cases = [
         (together, "Both eyes are in one place (d = 0)"),
         (fitted(0.0, FitSetup::default()), "At rest (β = 0)"),
         (behind, "The fit looks in front of the eyes"),
         (fitted(0.9, FitSetup { samples: 4, ..FitSetup::default() }), "4 samples of both are too few"),
-        (fitted(0.9, published), "The data cannot tell z"),
+        (slow, "The data cannot tell x0 from z"),
     ];
     for (state, words) in cases {
         // A frame is drawn too: what cannot be drawn panics there.
@@ -165,6 +173,20 @@ fn what_cannot_be_fitted() {
         assert!(!labels(&window).iter().any(|label| label.contains("NaN")));
         window.render().expect("a picture");
     }
+}
+
+fn intervals_keep_to_what_is_possible() {
+    // By azimuth alone the published model finds neither height nor an end to the speed.
+    let published = FitSetup { model: FitModel::Published, curves: Curves::Azimuth, ..FitSetup::default() };
+    let window = window_with_fit(fitted(0.9, published));
+    text(&window, "± by linearisation");
+    let interval = |symbol: &str| -> Vec<f64> {
+        let text = text(&window, &format!("95 % interval of {symbol}: "));
+        let (_, ends) = text.rsplit_once(": ").expect("a label names its value");
+        ends.split(" … ").map(|end| end.replace('−', "-").parse().expect("a number")).collect()
+    };
+    assert_eq!(interval("β")[1], 1.0);
+    assert_eq!(interval("z")[0], 0.0);
 }
 
 fn the_fit_follows_the_controls() {

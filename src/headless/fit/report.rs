@@ -219,11 +219,22 @@ pub fn estimate(fit: &Fit, bootstrap: Option<&Bootstrap>, parameter: Parameter) 
     let value = fit.value(parameter);
     let uncertainty_linear = fit.standard_error(parameter);
     let half = NORMAL_95 * uncertainty_linear;
+    let [least, most] = possible(fit, parameter);
+    let linear = (uncertainty_linear, [(value - half).max(least), (value + half).min(most)]);
     let (uncertainty, ci95) = bootstrap
-        .map_or((uncertainty_linear, [value - half, value + half]), |bootstrap| {
-            (bootstrap.standard_error(parameter), bootstrap.interval_95(parameter))
-        });
+        .map_or(linear, |bootstrap| (bootstrap.standard_error(parameter), bootstrap.interval_95(parameter)));
     Estimate { value, uncertainty, ci95, uncertainty_linear }
+}
+
+/// What `parameter` can be at all; linearised, an interval would go on beyond.
+fn possible(fit: &Fit, parameter: Parameter) -> [f64; 2] {
+    match parameter {
+        Parameter::Beta => [0.0, 1.0],
+        Parameter::Y => [0.0, f64::INFINITY],
+        // Differences in azimuth tell only |z|.
+        Parameter::Z if fit.options.curves == Curves::Azimuth => [0.0, f64::INFINITY],
+        Parameter::Z | Parameter::X0 => [f64::NEG_INFINITY, f64::INFINITY],
+    }
 }
 
 impl<T> Parameters<T> {
