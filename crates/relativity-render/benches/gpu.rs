@@ -58,7 +58,10 @@ fn compare(gpu: &Gpu, bodies: &[Body]) -> Result<(), GpuError> {
         }
     }
     let [none, exact, brute, coarse, fine] = times.map(median);
-    let ratio = |time: f64| format!("{time:8.1} ({:5.2} x)", time / exact);
+    let ratio = |time: f64| {
+        let text = if time.is_nan() { "-".to_owned() } else { format!("{time:.1} ({:5.2} x)", time / exact) };
+        format!("{text:>18}")
+    };
     println!(
         "{:6}  {none:9.1}  {exact:5.1}  {}  {}  {}",
         bodies.len(),
