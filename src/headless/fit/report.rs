@@ -8,9 +8,6 @@ use relativity_core::{
 };
 use serde::Serialize;
 
-/// Half the width of a 95 % interval of a normal distribution, in standard errors.
-const NORMAL_95: f64 = 1.959_963_984_540_054;
-
 /// The fit, and with both curves also the fit of each and their weighted mean.
 #[derive(Debug, Serialize)]
 pub struct Report {
@@ -218,23 +215,11 @@ impl Outcome {
 pub fn estimate(fit: &Fit, bootstrap: Option<&Bootstrap>, parameter: Parameter) -> Estimate {
     let value = fit.value(parameter);
     let uncertainty_linear = fit.standard_error(parameter);
-    let half = NORMAL_95 * uncertainty_linear;
-    let [least, most] = possible(fit, parameter);
-    let linear = (uncertainty_linear, [(value - half).max(least), (value + half).min(most)]);
-    let (uncertainty, ci95) = bootstrap
-        .map_or(linear, |bootstrap| (bootstrap.standard_error(parameter), bootstrap.interval_95(parameter)));
+    let (uncertainty, ci95) = bootstrap.map_or_else(
+        || (uncertainty_linear, fit.interval_95(parameter)),
+        |bootstrap| (bootstrap.standard_error(parameter), bootstrap.interval_95(parameter)),
+    );
     Estimate { value, uncertainty, ci95, uncertainty_linear }
-}
-
-/// What `parameter` can be at all; linearised, an interval would go on beyond.
-fn possible(fit: &Fit, parameter: Parameter) -> [f64; 2] {
-    match parameter {
-        Parameter::Beta => [0.0, 1.0],
-        Parameter::Y => [0.0, f64::INFINITY],
-        // Differences in azimuth tell only |z|.
-        Parameter::Z if fit.options.curves == Curves::Azimuth => [0.0, f64::INFINITY],
-        Parameter::Z | Parameter::X0 => [f64::NEG_INFINITY, f64::INFINITY],
-    }
 }
 
 impl<T> Parameters<T> {

@@ -37,6 +37,9 @@ use curve::Trial;
 use descent::Minimum;
 use prepare::Data;
 
+/// Half the width of a 95 % interval of a normal distribution, in standard errors.
+const NORMAL_95: f64 = 1.959_963_984_540_054;
+
 /// Which curves are fitted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Curves {
@@ -157,6 +160,21 @@ impl Fit {
     #[must_use]
     pub fn standard_error(&self, parameter: Parameter) -> f64 {
         self.covariance[parameter as usize][parameter as usize].sqrt()
+    }
+
+    /// 95 % interval of `parameter` by linearisation, as far as the parameter goes: up to beta = 1, down to y = 0,
+    /// and to z = 0 where only |z| matters.
+    #[must_use]
+    pub fn interval_95(&self, parameter: Parameter) -> [f64; 2] {
+        let (value, half) = (self.value(parameter), NORMAL_95 * self.standard_error(parameter));
+        let is_bounded = match parameter {
+            Parameter::Beta | Parameter::Y => true,
+            Parameter::Z => self.problem.is_even_in_z(),
+            Parameter::X0 => false,
+        };
+        let least = if is_bounded { 0.0 } else { f64::NEG_INFINITY };
+        let most = if parameter == Parameter::Beta { 1.0 } else { f64::INFINITY };
+        [(value - half).max(least), (value + half).min(most)]
     }
 
     /// Correlation of two fitted parameters by linearisation.
