@@ -34,12 +34,17 @@ pub(super) fn plot_over_time<'a>(ui: &Ui, id: impl egui::AsIdSalt, size: egui::V
 
 /// All `values` in the range of T, with a margin; never of no height.
 pub(super) fn bounds(values: impl Iterator<Item = f64> + Clone, [from, to]: [f64; 2]) -> PlotBounds {
-    let lowest = values.clone().fold(f64::INFINITY, f64::min);
-    let highest = values.fold(f64::NEG_INFINITY, f64::max);
-    let (lowest, highest) = if lowest <= highest { (lowest, highest) } else { (0.0, 0.0) };
+    let [lowest, highest] = extent(values).unwrap_or_default();
     let margin = (0.08 * (highest - lowest)).max(1e-6 * highest.abs()).max(1e-9);
     let width = (to - from).max(1e-9);
     PlotBounds::from_min_max([from, lowest - margin], [from + width, highest + margin])
+}
+
+/// Lowest and highest of `values`, `None` of none.
+pub(super) fn extent(values: impl Iterator<Item = f64> + Clone) -> Option<[f64; 2]> {
+    let lowest = values.clone().fold(f64::INFINITY, f64::min);
+    let highest = values.fold(f64::NEG_INFINITY, f64::max);
+    (lowest <= highest).then_some([lowest, highest])
 }
 
 /// The symbol of a quantity.

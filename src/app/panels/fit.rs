@@ -4,9 +4,8 @@ use eframe::egui::{self, DragValue, RichText, ScrollArea, Ui};
 use relativity_core::{Curves, FitModel};
 
 use super::split::{part, table_and_plots};
-use super::widgets::choice;
+use super::widgets::{choice, end_of_range};
 use super::{Asks, fit_plots, fit_table};
-use crate::app::clock::MAX_TIME;
 use crate::app::command::Command;
 use crate::app::fitting::Fitting;
 use crate::app::settings::FitSetup;
@@ -91,14 +90,7 @@ fn samples(ui: &mut Ui, setup: &mut FitSetup) {
 fn range(ui: &mut Ui, state: &State, setup: &mut FitSetup) {
     let plotted = state.time_range();
     let [mut from, mut to] = setup.range.unwrap_or(plotted);
-    let speed = (plotted[1] - plotted[0]) / 400.0;
-    let field = |value| {
-        DragValue::new(value)
-            .range(-MAX_TIME..=MAX_TIME)
-            .speed(speed)
-            .max_decimals(3)
-            .update_while_editing(false)
-    };
+    let field = |value| end_of_range(value, plotted, 3);
     let tip = "Over which T the samples are taken.";
     ui.label(RichText::new("T").weak());
     let first = ui.add(field(&mut from)).on_hover_text(tip).accessible_name("Samples from T");

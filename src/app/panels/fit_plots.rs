@@ -6,7 +6,7 @@ use eframe::egui::{self, Align, Color32, Layout, RichText, Ui, Vec2, Visuals, ve
 use egui_plot::{FilledArea, GridInput, GridMark, Line, Plot, PlotBounds, PlotPoint, PlotUi, Points, VLine};
 
 use super::Asks;
-use super::axes::{annotate, bounds, label, plot_over_time, tick, time_at_pointer};
+use super::axes::{annotate, bounds, grid, label, plot_over_time, tick, time_at_pointer};
 use crate::app::command::Command;
 use crate::app::curves::Quantity;
 use crate::app::fitting::{FittedCurve, Fitting, Outcome};
@@ -66,7 +66,7 @@ fn pair(ui: &mut Ui, state: &State, fitting: &Fitting, quantity: Quantity, size:
         name: format!("Fit of {name} against T"),
         size: vec2(size.x, height - residuals_height),
         with_times: !has_residuals,
-        grid: |input| egui_plot::log_grid_spacer(10)(input),
+        grid: |input| grid(Quantity::DeltaPhi, input),
     };
     curve.show(ui, state, drawing.curve_bounds(), asks, |plot| drawing.curve(plot));
     if has_residuals {

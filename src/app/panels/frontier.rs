@@ -6,7 +6,7 @@ use eframe::egui::{self, Align2, Color32, RichText, TextStyle, Ui, Visuals};
 use egui_plot::{GridInput, GridMark, PlotBounds, PlotPoint, PlotResponse, PlotUi, Points, Text};
 
 use super::accuracy::name;
-use super::axes::{frame, still_plot};
+use super::axes::{extent, frame, still_plot};
 use crate::accuracy::Method;
 use crate::app::examination::{Examination, Row};
 use crate::app::settings::Quality;
@@ -101,10 +101,8 @@ fn clicked<'a>(marks: &'a [Mark], response: &PlotResponse<()>) -> Option<&'a Mar
 /// All marks with a margin for their names; never of no size.
 fn bounds(marks: &[Mark]) -> PlotBounds {
     let range = |axis: usize, margin: f64| {
-        let values = marks.iter().map(|mark| mark.place[axis]);
-        let lowest = values.clone().fold(f64::INFINITY, f64::min);
-        let highest = values.fold(f64::NEG_INFINITY, f64::max);
-        if lowest <= highest { [lowest - margin.min(1.0), highest + margin] } else { [-1.0, 1.0] }
+        extent(marks.iter().map(|mark| mark.place[axis]))
+            .map_or([-1.0, 1.0], |[lowest, highest]| [lowest - margin.min(1.0), highest + margin])
     };
     let ([left, right], [bottom, top]) = (range(0, 0.6), range(1, 2.5));
     PlotBounds::from_min_max([left, bottom], [right, top])

@@ -85,14 +85,8 @@ fn playback(ui: &mut Ui, state: &State, asks: &mut Asks) {
     if ui.add(Checkbox::new(&mut fitted, "fit")).on_hover_text(tip).accessible_name("Fit range").changed() {
         playback.range = if fitted { None } else { Some([from, to]) };
     }
-    let speed = (to - from) / 400.0;
-    let end = |value| {
-        DragValue::new(value)
-            .range(-MAX_TIME..=MAX_TIME)
-            .speed(speed)
-            .max_decimals(2)
-            .update_while_editing(false)
-    };
+    let shown = [from, to];
+    let end = |value| widgets::end_of_range(value, shown, 2);
     let last = ui.add(end(&mut to)).on_hover_text("Last T").accessible_name("Last T").changed();
     ui.label("to");
     let first = ui.add(end(&mut from)).on_hover_text("First T").accessible_name("First T").changed();

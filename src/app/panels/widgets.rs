@@ -4,6 +4,7 @@ use eframe::egui::{
     self, Align, DragValue, Id, Layout, Response, RichText, Sense, Slider, SliderClamping, TextEdit, Ui,
 };
 
+use crate::app::clock::MAX_TIME;
 use crate::app::figures;
 
 /// Width of the names in front of the widgets.
@@ -108,6 +109,15 @@ pub fn exact_number(
     }
     ui.data_mut(|data| data.remove::<String>(id));
     (response.lost_focus() && text != shown).then(|| figures::parsed(&text))
+}
+
+/// The first or the last T of a range, to drag or type, where the plots show `from` to `to`.
+pub fn end_of_range(time: &mut f64, [from, to]: [f64; 2], decimals: usize) -> DragValue<'_> {
+    DragValue::new(time)
+        .range(-MAX_TIME..=MAX_TIME)
+        .speed((to - from) / 400.0)
+        .max_decimals(decimals)
+        .update_while_editing(false)
 }
 
 /// Where the middle of the handle of a slider in `rect` is, at `fraction` of its way.
