@@ -176,8 +176,9 @@ impl Examination {
         })
     }
 
-    /// How far the picture of `eye` by `method` is off, pixel by pixel, once that is known.
+    /// How far the picture of `eye` by `method` is off, pixel by pixel, once that is known and while somebody looks.
     pub fn heat_map(&mut self, ctx: &Context, eye: Eye, method: Method) -> Option<&TextureHandle> {
+        self.sight.as_ref()?;
         let sight = self.number;
         if !self.shown_maps.as_ref().is_some_and(|maps| (maps.method, maps.sight) == (method, sight)) {
             let outcome = self.outcome(method).filter(|outcome| outcome.sight == sight)?;

@@ -191,8 +191,7 @@ impl App {
             published_right: state.sees_as_published(pane.eye),
         };
         let picture = self.eyes.as_mut().map(|eyes| eyes.picture(ui.ctx(), pane.eye.index(), &request));
-        let with_heat_map = quality.heat_map && state.settings.plots.tab == PlotTab::Accuracy;
-        let examination = self.examination.as_mut().filter(|_| with_heat_map);
+        let examination = self.examination.as_mut().filter(|_| quality.heat_map);
         let heat_map = examination.and_then(|found| found.heat_map(ui.ctx(), pane.eye, request.method));
         panels::views::paint(ui, state, pane, picture, heat_map.map(Into::into));
     }

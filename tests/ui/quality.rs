@@ -221,6 +221,9 @@ fn the_heat_map_marks_errors() {
     window.get_by_label("exact").click();
     window.run();
     assert!(share_in_pane(&mut window, red) < 1e-4);
+    window.get_by_label("Plots").click();
+    window.run();
+    assert!(share_in_pane(&mut window, darker) < 0.05, "without its scale there is no map");
 }
 
 fn a_bound_that_is_no_number() {
