@@ -3,5 +3,11 @@
 pub mod accuracy;
 pub mod app;
 pub mod cli;
-pub mod headless;
+pub mod columns;
+pub mod commands;
+pub mod estimate;
+pub mod files;
+pub mod flags;
+mod passage;
+mod plot;
 pub mod scene;

@@ -98,7 +98,7 @@ fn pixel_difference(
 fn direction(view: &View, place: DVec3) -> DVec3 {
     let from_camera = place - view.rest_origin();
     match view.geometry {
-        Geometry::Seen => {
+        Geometry::Seen | Geometry::Published => {
             let point = SourcePoint::from_rest(place.to_array(), &view.speed);
             let seen = sighting(&view.speed, point, view.camera.aperture, view.observation_time);
             // Outside the domain of the core lies nothing that a scene can hold; aberration has no domain.

@@ -4,11 +4,12 @@ use std::path::PathBuf;
 
 use anyhow::Context as _;
 use clap::Args;
+use relativity_render::Geometry;
 
 use super::settings::{PlotTab, Settings};
 use super::speed_setting::SpeedSetting;
 use super::state::State;
-use crate::cli::{GeometryChoice, RendererChoice, SpeedArgs, finite_number, positive};
+use crate::flags::{RendererChoice, SpeedArgs, finite_number, positive};
 use crate::scene::{PRESETS, Scene};
 
 /// Flags of the window. What is not given is as it was left, or as usual.
@@ -33,7 +34,7 @@ pub struct WindowArgs {
     paused: bool,
     /// What the views show.
     #[arg(long, value_enum)]
-    geometry: Option<GeometryChoice>,
+    geometry: Option<Geometry>,
     /// What draws the views.
     #[arg(long, value_enum)]
     renderer: Option<RendererChoice>,
@@ -90,8 +91,8 @@ impl WindowArgs {
         }
         settings.motion.separation = self.d.unwrap_or(settings.motion.separation);
         if let Some(choice) = self.geometry {
-            settings.look.geometry = choice.geometry();
-            settings.look.right_as_published = choice == GeometryChoice::Published;
+            settings.look.geometry = choice.of_left_eye();
+            settings.look.right_as_published = choice == Geometry::Published;
         }
         settings.quality.renderer = self.renderer.unwrap_or(settings.quality.renderer);
         settings.quality.bound_px = self.bound_px.unwrap_or(settings.quality.bound_px);

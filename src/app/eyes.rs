@@ -7,7 +7,7 @@ use eframe::egui::{ColorImage, Context, TextureId};
 use eframe::egui_wgpu::RenderState;
 use eframe::wgpu::FilterMode;
 use relativity_render::{
-    Appearance, Body, ExactRenderer, EyeTarget, Gpu, MeshRenderer, ReferenceScene, View,
+    Appearance, Body, ExactRenderer, EyeTarget, Geometry, Gpu, MeshRenderer, ReferenceScene, View,
 };
 
 use super::background_picture::BackgroundPicture;
@@ -40,8 +40,6 @@ pub struct Request {
     pub bodies: Arc<[Body]>,
     /// What is to draw it.
     pub method: Method,
-    /// Whether it is the right eye's in the published model; `view` is then the left eye's.
-    pub published_right: bool,
 }
 
 /// A picture to show.
@@ -55,16 +53,21 @@ pub struct Shown {
 }
 
 impl Request {
+    /// Whether it is drawn point by point, which only the mesh renderer does.
+    fn is_published(&self) -> bool {
+        self.view.geometry == Geometry::Published
+    }
+
     /// Whether it is the reference's to draw.
     fn is_for_reference(&self) -> bool {
-        self.method == Method::Reference && !self.published_right
+        self.method == Method::Reference && !self.is_published()
     }
 
     /// What draws it on the GPU.
-    const fn method_on_gpu(&self) -> Method {
+    fn method_on_gpu(&self) -> Method {
         match self.method {
             mesh @ Method::Mesh { .. } => mesh,
-            _ if self.published_right => Method::Mesh { bound_px: MeshRenderer::DEFAULT_BOUND_PX },
+            _ if self.is_published() => Method::Mesh { bound_px: MeshRenderer::DEFAULT_BOUND_PX },
             Method::Exact | Method::Reference => Method::Exact,
         }
     }
@@ -79,7 +82,7 @@ struct Renderers {
 
 impl Renderers {
     fn draw(&mut self, gpu: &Gpu, request: &Request, target: &mut EyeTarget) {
-        let Request { view, appearance, bodies, published_right, .. } = request;
+        let Request { view, appearance, bodies, .. } = request;
         let Method::Mesh { bound_px } = request.method_on_gpu() else {
             let exact = self.exact.get_or_insert_with(|| ExactRenderer::new(gpu));
             exact.draw(gpu, bodies, view, appearance, target);
@@ -87,11 +90,7 @@ impl Renderers {
         };
         let mesh = self.mesh.get_or_insert_with(|| MeshRenderer::new(gpu));
         mesh.bound_px = bound_px;
-        if *published_right {
-            mesh.draw_published_right(gpu, bodies, view, appearance, target);
-        } else {
-            mesh.draw(gpu, bodies, view, appearance, target);
-        }
+        mesh.draw(gpu, bodies, view, appearance, target);
     }
 }
 

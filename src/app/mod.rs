@@ -188,7 +188,6 @@ impl App {
             appearance: state.appearance(!ui.visuals().dark_mode),
             bodies: state.session.bodies.clone(),
             method: quality.method(),
-            published_right: state.sees_as_published(pane.eye),
         };
         let picture = self.eyes.as_mut().map(|eyes| eyes.picture(ui.ctx(), pane.eye.index(), &request));
         let examination = self.examination.as_mut().filter(|_| quality.heat_map);

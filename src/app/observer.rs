@@ -141,8 +141,10 @@ impl State {
         let aperture = self.aperture(eye);
         let source = self.source(point);
         let direction = match geometry {
-            Geometry::Seen if self.sees_as_published(eye) => DVec3::from(self.published_position(point)?),
-            Geometry::Seen => DVec3::from(self.sighting(point, eye)?.position),
+            Geometry::Seen | Geometry::Published if self.sees_as_published(eye) => {
+                DVec3::from(self.published_position(point)?)
+            }
+            Geometry::Seen | Geometry::Published => DVec3::from(self.sighting(point, eye)?.position),
             Geometry::Contracted => {
                 let x = (source.x0 - aperture.x) + self.speed().beta() * self.session.time;
                 DVec3::new(x, source.y, source.z)
@@ -212,8 +214,9 @@ impl State {
     /// The picture of `eye` that looks along `gaze`, `size` in pixels.
     #[must_use]
     pub fn view(&self, eye: Eye, size: [u32; 2], gaze: Gaze) -> View {
+        let published = self.sees_as_published(eye);
         let camera = Camera {
-            aperture: self.aperture(if self.sees_as_published(eye) { Eye::Left } else { eye }),
+            aperture: self.aperture(if published { Eye::Left } else { eye }),
             gaze,
             horizontal_fov: self.settings.look.fov_degrees.to_radians(),
             size,
@@ -222,7 +225,7 @@ impl State {
             camera,
             speed: self.speed(),
             observation_time: self.session.time,
-            geometry: self.settings.look.geometry,
+            geometry: if published { Geometry::Published } else { self.settings.look.geometry },
         }
     }
 }

@@ -11,7 +11,7 @@ use relativity_render::{EyeTarget, Gpu};
 
 use super::state::State;
 use super::{App, graphics};
-use crate::headless::output::write_whole;
+use crate::files::whole::write_whole;
 
 /// Frames until the layout has settled: the size of a scroll area is known from the frame before.
 const FRAMES: usize = 3;

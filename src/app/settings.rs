@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::speed_setting::SpeedSetting;
 use crate::accuracy::Method;
-use crate::cli::{RendererChoice, SpeedParameter};
+use crate::flags::{RendererChoice, SpeedParameter};
 
 /// Everything that outlives a session.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -74,7 +74,6 @@ pub enum GazeSetting {
 #[serde(default)]
 pub struct Look {
     /// Which geometry the views show.
-    #[serde(with = "SavedGeometry")]
     pub geometry: Geometry,
     /// Whether the right eye sees, in place of its own light cone, what the published model has it see.
     pub right_as_published: bool,
@@ -103,7 +102,6 @@ impl Default for Look {
 #[serde(default)]
 pub struct Light {
     /// How a wavelength becomes a colour.
-    #[serde(with = "SavedColour")]
     pub colour: Colour,
     /// Whether the Doppler factor shifts the wavelength.
     pub doppler_shift: bool,
@@ -112,7 +110,6 @@ pub struct Light {
     /// Exposure, in factors of 2.
     pub exposure_ev: f64,
     /// How form is shown.
-    #[serde(with = "SavedShading")]
     pub shading: Shading,
     /// Whether there is a sky.
     pub sky: bool,
@@ -293,28 +290,6 @@ impl Default for Window {
 }
 
 // The enums of the other crates as they are saved; the compiler holds the two in step.
-
-#[derive(Serialize, Deserialize)]
-#[serde(remote = "Geometry")]
-enum SavedGeometry {
-    Seen,
-    Contracted,
-    Rest,
-}
-
-#[derive(Serialize, Deserialize)]
-#[serde(remote = "Colour")]
-enum SavedColour {
-    Visible,
-    False,
-}
-
-#[derive(Serialize, Deserialize)]
-#[serde(remote = "Shading")]
-enum SavedShading {
-    Emission,
-    Form,
-}
 
 #[derive(Serialize, Deserialize)]
 #[serde(remote = "Curves")]

@@ -4,7 +4,7 @@ use relativity_core::{Speed, SpeedError};
 use serde::{Deserialize, Serialize};
 
 use super::figures;
-use crate::cli::SpeedParameter;
+use crate::flags::SpeedParameter;
 
 /// A speed that is in range, in the parameter it was given in: what was typed is what is kept.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]

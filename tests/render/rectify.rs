@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use gamow::headless::image_in::{Measurements, measurements, picture};
+use gamow::files::image_in::{Measurements, measurements, picture};
 use relativity_core::{Aperture, Speed};
 use relativity_render::rectify::Rectification;
 use relativity_render::{Camera, Picture};

@@ -12,7 +12,7 @@ use gamow::app::corrected::Corrected;
 use gamow::app::settings::{FitSetup, PlotTab, Plots};
 use gamow::app::speed_setting::SpeedSetting;
 use gamow::app::state::State;
-use gamow::cli::SpeedParameter;
+use gamow::flags::SpeedParameter;
 use relativity_core::{Curves, FitModel, FitOptions, Observations, Parameter, Passage, Reading, Sample, fit};
 
 use super::Test;

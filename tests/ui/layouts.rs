@@ -9,7 +9,7 @@ use gamow::app::command::Command;
 use gamow::app::settings::{PlotTab, Plots};
 use gamow::app::speed_setting::SpeedSetting;
 use gamow::app::state::State;
-use gamow::cli::SpeedParameter;
+use gamow::flags::SpeedParameter;
 use gamow::scene::{PRESETS, Scene};
 
 use super::Test;

@@ -8,7 +8,7 @@ use gamow::app::command::{Command, Pick};
 use gamow::app::observer::Eye;
 use gamow::app::settings::GazeSetting;
 use gamow::app::speed_setting::SpeedSetting;
-use gamow::cli::SpeedParameter;
+use gamow::flags::SpeedParameter;
 use glam::DVec3;
 use relativity_core::{Aperture, SourcePoint, sighting};
 use relativity_render::{ExactRenderer, Geometry, Gpu};

@@ -12,7 +12,7 @@ use gamow::app::examination::Examination;
 use gamow::app::observer::Eye;
 use gamow::app::settings::{PlotTab, Plots, Settings};
 use gamow::app::state::State;
-use gamow::cli::RendererChoice;
+use gamow::flags::RendererChoice;
 use relativity_render::ReferenceScene;
 
 use super::Test;

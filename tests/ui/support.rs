@@ -8,7 +8,7 @@ use gamow::app::App;
 use gamow::app::settings::Settings;
 use gamow::app::speed_setting::SpeedSetting;
 use gamow::app::state::State;
-use gamow::cli::SpeedParameter;
+use gamow::flags::SpeedParameter;
 use gamow::scene::Scene;
 use relativity_core::{Aperture, Sighting, SourcePoint, Speed, sighting};
 

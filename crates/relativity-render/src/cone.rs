@@ -40,7 +40,7 @@ impl Cone {
         let center = center - view.rest_origin();
         match view.geometry {
             Geometry::Rest => Self::around_ball(center, radius),
-            Geometry::Seen => Self::around_ball(center, radius).seen_from_ground(view),
+            Geometry::Seen | Geometry::Published => Self::around_ball(center, radius).seen_from_ground(view),
             // The ball is an ellipsoid on the ground, flattened along x: inside the ball about its centre.
             Geometry::Contracted => {
                 let contracted = DVec3::new(center.x / view.speed.gamma(), center.y, center.z);

@@ -8,8 +8,10 @@ use crate::camera::Camera;
 
 /// Which geometry a picture shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 pub enum Geometry {
-    /// As seen: each ray meets the body when the light left it. Exact.
+    /// Exactly as seen, each eye through its own light cone: each ray meets the body when the light left it.
     #[default]
     Seen,
     /// Contracted only: where the body objectively is at the observation time, as if light were
@@ -17,16 +19,37 @@ pub enum Geometry {
     Contracted,
     /// At rest: what a camera moving along with the body photographs at the same event. D = 1.
     Rest,
+    /// The paper's binocular model: the right eye sees, point by point, what the left eye saw a little
+    /// earlier or later, without parallax. A view of it is the right eye's, from the left eye's camera; no ray
+    /// leads back, so only the mesh renderer draws it.
+    Published,
 }
 
 impl Geometry {
     /// The shaders' `GEOMETRY`.
     pub(crate) fn number(self) -> f64 {
         match self {
-            Self::Seen => 0.0,
+            Self::Seen | Self::Published => 0.0,
             Self::Contracted => 1.0,
             Self::Rest => 2.0,
         }
+    }
+
+    /// The mesh shaders' `MAP`.
+    pub(crate) fn map_number(self) -> f64 {
+        if self == Self::Published { 3.0 } else { self.number() }
+    }
+
+    /// Whether the Doppler factor is other than 1.
+    #[must_use]
+    pub const fn has_doppler_effect(self) -> bool {
+        matches!(self, Self::Seen | Self::Published)
+    }
+
+    /// What the left eye of a pair is shown: the published model gives it its own light cone.
+    #[must_use]
+    pub const fn of_left_eye(self) -> Self {
+        if matches!(self, Self::Published) { Self::Seen } else { self }
     }
 }
 
@@ -85,7 +108,7 @@ impl View {
         let origin = self.rest_origin();
         let n = line_of_sight;
         match self.geometry {
-            Geometry::Seen => {
+            Geometry::Seen | Geometry::Published => {
                 let doppler_factor = aberration::doppler_factor(n.to_array(), &self.speed);
                 let direction = aberration::rest_from_ground(n.to_array(), &self.speed).into();
                 // s* = s gamma (1 + beta n_x) = s / D.
@@ -111,7 +134,7 @@ impl View {
     pub fn emission_time(&self, line_of_sight: DVec3, distance: f64) -> f64 {
         let received = self.observation_time;
         match self.geometry {
-            Geometry::Seen => received - distance,
+            Geometry::Seen | Geometry::Published => received - distance,
             Geometry::Contracted => received,
             // The inverse boost of (-s, s n) is -gamma s (1 - beta n_x).
             Geometry::Rest => {
@@ -124,18 +147,22 @@ impl View {
 
 /// How a wavelength becomes a colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 pub enum Colour {
-    /// Through the CIE 1931 functions; black outside the visible range, as in the paper.
+    /// As the eye sees it (CIE 1931); black outside the visible range, as in the paper.
     #[default]
     Visible,
-    /// A labelled false colour that keeps ultraviolet and infrared visible.
+    /// A false colour that keeps ultraviolet and infrared visible.
     False,
 }
 
 /// How form is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 pub enum Shading {
-    /// Plain isotropic emission, as in the paper.
+    /// Plain emission, as in the paper.
     Emission,
     /// A gentle shading fixed to the rest frame.
     #[default]

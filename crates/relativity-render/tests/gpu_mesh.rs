@@ -139,7 +139,9 @@ fn the_published_right_eye_is_the_cores(gpu: &Gpu) {
     let mut seen = 0;
     for mut view in views() {
         view.camera.aperture = left;
-        let image = renderer.hits_published_right(gpu, &still_life(), &view).expect("device works");
+        let image = renderer
+            .hits(gpu, &still_life(), &View { geometry: Geometry::Published, ..view })
+            .expect("device works");
         for (i, hit) in image.hits.iter().enumerate().filter_map(|(i, hit)| Some((i, (*hit)?))) {
             let point = SourcePoint::from_rest(hit.rest_position.to_array(), &view.speed);
             let published = published_disparity(

@@ -14,7 +14,7 @@ use relativity_core::{
 
 use crate::app::curves::{Sample, bends, sampled};
 use crate::app::settings::FitSetup;
-use crate::headless::fit::{Estimate, estimate};
+use crate::estimate::{Estimate, estimate};
 
 /// Everything that a fit depends on.
 #[derive(Debug, Clone, Copy, PartialEq)]

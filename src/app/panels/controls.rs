@@ -9,7 +9,7 @@ use super::{light, speed};
 use crate::app::command::{Command, FOV_DEGREES};
 use crate::app::settings::{BOUND_PX, GazeSetting, Look, MAX_LENGTH, Motion, Quality, Window};
 use crate::app::state::State;
-use crate::cli::RendererChoice;
+use crate::flags::RendererChoice;
 
 /// Shows the controls.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {

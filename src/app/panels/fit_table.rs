@@ -6,7 +6,7 @@ use relativity_core::{DEFAULT_REPLICATES, Parameter};
 use super::widgets::named_text;
 use crate::app::figures;
 use crate::app::fitting::{Fitted, Fitting, Outcome};
-use crate::headless::fit::{Estimate, decimals};
+use crate::estimate::{Estimate, decimals};
 
 /// Estimates further off than this many standard errors are not chance.
 const CHANCE: f64 = 3.0;

@@ -134,7 +134,7 @@ pub(super) fn title(ui: &Ui, rect: Rect, text: &str, colour: Color32) {
 /// What the picture is, where that is not what an eye would see, drawn exactly.
 fn note(state: &State, eye: Eye, picture: Option<Shown>, with_heat_map: bool) -> String {
     let geometry = match state.settings.look.geometry {
-        Geometry::Seen => None,
+        Geometry::Seen | Geometry::Published => None,
         Geometry::Contracted => Some("contracted only".to_owned()),
         Geometry::Rest => Some("at rest".to_owned()),
     };

@@ -106,7 +106,7 @@ impl Projection {
         match self.geometry {
             Geometry::Rest => Some(c),
             Geometry::Contracted => Some(DVec3::new(c.x / self.gamma, c.y, c.z)),
-            Geometry::Seen => {
+            Geometry::Seen | Geometry::Published => {
                 let h = outside_squared.sqrt();
                 let (x, height) = self.boosted(c, h, radius);
                 (height > 0.0).then(|| DVec3::new(x, c.y, c.z))
@@ -137,7 +137,7 @@ impl Projection {
         let Capsule { from, to, radius } = *capsule;
         let span = to - from;
         let a = span.length_squared();
-        if self.geometry != Geometry::Seen || a == 0.0 {
+        if !self.geometry.has_doppler_effect() || a == 0.0 {
             return Some(DVec3::ZERO);
         }
         let height_squared = |t: f64| (from + span * t).length_squared() - radius * radius;

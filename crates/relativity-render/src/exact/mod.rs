@@ -15,7 +15,7 @@ use crate::frame::{Extent, Frame};
 use crate::gpu::{Gpu, GpuError};
 use crate::reference::HitImage;
 use crate::target::EyeTarget;
-use crate::view::{Appearance, Colour, Geometry, View};
+use crate::view::{Appearance, Colour, View};
 pub(crate) use footprint::Projection;
 pub(crate) use pieces::Instance;
 use pieces::{Bounds, Pieces, THIN_PX};
@@ -65,7 +65,7 @@ impl ExactRenderer {
     ) {
         let view = &view.with_size(target.size());
         let geometry = view.geometry;
-        let effects = Effects::new(geometry == Geometry::Seen, appearance);
+        let effects = Effects::new(geometry.has_doppler_effect(), appearance);
         let extent = Extent::new(bodies, view.rest_origin());
         let pieces = Pieces::new(bodies, view, appearance.colour, &extent, self.bounds, THIN_PX);
         let draws = self.load(gpu, &pieces, &mut target.vertices, |shape, thin| Key::Picture {

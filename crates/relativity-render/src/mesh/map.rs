@@ -6,29 +6,10 @@ use relativity_core::Speed;
 use crate::camera::Axes;
 use crate::view::{Geometry, View};
 
-/// Which positions corners are drawn at.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Positions {
-    /// The view's own.
-    Of(Geometry),
-    /// The published model's right eye: the left eye's sighting at the shifted time.
-    PublishedRight,
-}
-
-impl Positions {
-    /// The shaders' constants.
-    pub fn constants(self) -> [(&'static str, f64); 2] {
-        match self {
-            Self::Of(geometry) => ["MAP", "GEOMETRY"].map(|name| (name, geometry.number())),
-            Self::PublishedRight => [("MAP", 3.0), ("GEOMETRY", Geometry::Seen.number())],
-        }
-    }
-}
-
 /// The map from rest-frame places to apparent positions, and the camera they are seen with.
 #[derive(Debug, Clone, Copy)]
 pub struct Map {
-    pub positions: Positions,
+    pub geometry: Geometry,
     origin: DVec3,
     speed: Speed,
     separation: f64,
@@ -37,9 +18,9 @@ pub struct Map {
 }
 
 impl Map {
-    pub fn new(view: &View, positions: Positions) -> Self {
+    pub fn new(view: &View) -> Self {
         Self {
-            positions,
+            geometry: view.geometry,
             origin: view.rest_origin(),
             speed: view.speed,
             separation: view.published_separation(),
@@ -51,11 +32,11 @@ impl Map {
     /// Where the rest-frame point `place` appears, from the aperture.
     pub fn apparent(&self, place: DVec3) -> DVec3 {
         let c = place - self.origin;
-        match self.positions {
-            Positions::Of(Geometry::Seen) => self.seen(c),
-            Positions::Of(Geometry::Contracted) => DVec3::new(c.x / self.speed.gamma(), c.y, c.z),
-            Positions::Of(Geometry::Rest) => c,
-            Positions::PublishedRight => {
+        match self.geometry {
+            Geometry::Seen => self.seen(c),
+            Geometry::Contracted => DVec3::new(c.x / self.speed.gamma(), c.y, c.z),
+            Geometry::Rest => c,
+            Geometry::Published => {
                 let shift = self.speed.gamma() * self.speed.beta() * self.delay(self.seen(c));
                 self.seen(c - DVec3::X * shift)
             }

@@ -32,7 +32,7 @@ use crate::intersect::Solid;
 use crate::reference::HitImage;
 use crate::target::EyeTarget;
 use crate::view::{Appearance, Colour, Geometry, View};
-use map::{Map, Positions};
+use map::Map;
 use pipelines::{Key, Pipelines};
 
 pub(crate) use template::Corner;
@@ -116,22 +116,20 @@ impl MeshRenderer {
         appearance: &Appearance,
         target: &mut EyeTarget,
     ) {
-        self.paint(gpu, bodies, view, Positions::Of(view.geometry), appearance, target);
-    }
-
-    /// Draws what the right eye sees in the published model (Appendix A), whatever the view's geometry.
-    ///
-    /// The model measures both eyes' angles from the left aperture of a pair at -d/2 and d/2 on the x axis:
-    /// `view` has the left eye's camera, from which d follows.
-    pub fn draw_published_right(
-        &mut self,
-        gpu: &Gpu,
-        bodies: &[Body],
-        view: &View,
-        appearance: &Appearance,
-        target: &mut EyeTarget,
-    ) {
-        self.paint(gpu, bodies, view, Positions::PublishedRight, appearance, target);
+        let view = &view.with_size(target.size());
+        let extent = Extent::new(bodies, view.rest_origin());
+        let geometry = view.geometry;
+        let effects = Effects::new(geometry.has_doppler_effect(), appearance);
+        let key = |is_ring, is_thin| Key::Picture { is_ring, is_thin, geometry, effects };
+        let map = Map::new(view);
+        let parts = self.parts(bodies, view, &map, |index, body| {
+            widened(instance(index, body, appearance.colour, &extent), body, &map)
+        });
+        let draws = self.load(gpu, &parts, &mut target.vertices, key);
+        let frame = Frame::new(view, appearance, &extent);
+        self.canvas.paint(gpu, target, &frame, appearance, |pass| {
+            self.record(pass, &target.vertices, &draws);
+        });
     }
 
     /// What the centre of every pixel of `view`'s camera shows, without anti-aliasing.
@@ -140,7 +138,7 @@ impl MeshRenderer {
     ///
     /// The device was lost.
     pub fn hits(&mut self, gpu: &Gpu, bodies: &[Body], view: &View) -> Result<HitImage, GpuError> {
-        self.measure(gpu, bodies, view, view, Positions::Of(view.geometry))
+        self.hits_in_part(gpu, bodies, view, view)
     }
 
     /// What `part`, a magnified view of a small part of `whole`, shows of the triangles that `whole` is drawn with.
@@ -155,67 +153,18 @@ impl MeshRenderer {
         whole: &View,
         part: &View,
     ) -> Result<HitImage, GpuError> {
-        self.measure(gpu, bodies, whole, part, Positions::Of(part.geometry))
-    }
-
-    /// As [`Self::hits`], for the published model's right eye.
-    ///
-    /// # Errors
-    ///
-    /// The device was lost.
-    pub fn hits_published_right(
-        &mut self,
-        gpu: &Gpu,
-        bodies: &[Body],
-        view: &View,
-    ) -> Result<HitImage, GpuError> {
-        self.measure(gpu, bodies, view, view, Positions::PublishedRight)
-    }
-
-    fn paint(
-        &mut self,
-        gpu: &Gpu,
-        bodies: &[Body],
-        view: &View,
-        positions: Positions,
-        appearance: &Appearance,
-        target: &mut EyeTarget,
-    ) {
-        let view = &view.with_size(target.size());
-        let extent = Extent::new(bodies, view.rest_origin());
-        let has_doppler_effect = !matches!(positions, Positions::Of(Geometry::Contracted | Geometry::Rest));
-        let effects = Effects::new(has_doppler_effect, appearance);
-        let key = |is_ring, is_thin| Key::Picture { is_ring, is_thin, positions, effects };
-        let map = Map::new(view, positions);
-        let parts = self.parts(bodies, view, &map, |index, body| {
-            widened(instance(index, body, appearance.colour, &extent), body, &map)
-        });
-        let draws = self.load(gpu, &parts, &mut target.vertices, key);
-        let frame = Frame::new(view, appearance, &extent);
-        self.canvas.paint(gpu, target, &frame, appearance, |pass| {
-            self.record(pass, &target.vertices, &draws);
-        });
-    }
-
-    fn measure(
-        &mut self,
-        gpu: &Gpu,
-        bodies: &[Body],
-        divided_for: &View,
-        view: &View,
-        positions: Positions,
-    ) -> Result<HitImage, GpuError> {
-        let extent = Extent::new(bodies, view.rest_origin());
-        let map = Map::new(divided_for, positions);
+        let extent = Extent::new(bodies, part.rest_origin());
+        let map = Map::new(whole);
         let parts =
-            self.parts(bodies, view, &map, |index, body| instance(index, body, Colour::Visible, &extent));
+            self.parts(bodies, part, &map, |index, body| instance(index, body, Colour::Visible, &extent));
         let mut vertices = canvas::vertex_buffer(gpu, 0);
-        let draws = self.load(gpu, &parts, &mut vertices, |is_ring, _| Key::Hits { is_ring, positions });
-        let frame = Frame::new(view, &Appearance::default(), &extent);
-        let measures = self.canvas.measure(gpu, view.camera.size, &frame, |pass| {
+        let geometry = part.geometry;
+        let draws = self.load(gpu, &parts, &mut vertices, |is_ring, _| Key::Hits { is_ring, geometry });
+        let frame = Frame::new(part, &Appearance::default(), &extent);
+        let measures = self.canvas.measure(gpu, part.camera.size, &frame, |pass| {
             self.record(pass, &vertices, &draws);
         })?;
-        Ok(measures.hit_image(bodies, view))
+        Ok(measures.hit_image(bodies, part))
     }
 
     /// The bodies that can be seen in `view`, divided for `map`, in the order they are drawn in.
@@ -230,7 +179,7 @@ impl MeshRenderer {
         let is_seen = |body: &Body| {
             let solid = Solid::new(&body.shape);
             // The published positions are not the view's.
-            map.positions == Positions::PublishedRight
+            map.geometry == Geometry::Published
                 || !projection.hides(solid.center() - view.rest_origin(), solid.bounding_radius())
         };
         let visible = bodies.par_iter().enumerate().filter(|(_, body)| is_seen(body));

@@ -2,18 +2,18 @@
 
 use std::collections::HashMap;
 
-use super::map::Positions;
 use super::{Corner, Instance};
 use crate::effects::Effects;
 use crate::gpu::Gpu;
 use crate::shaders::{MESH_RING, MESH_TUBE};
 use crate::target::{DEPTH_FORMAT, MEASURES_FORMAT, SAMPLES, linear_target};
+use crate::view::Geometry;
 
 /// What a pipeline draws, with every effect decided.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Key {
-    Picture { is_ring: bool, is_thin: bool, positions: Positions, effects: Effects },
-    Hits { is_ring: bool, positions: Positions },
+    Picture { is_ring: bool, is_thin: bool, geometry: Geometry, effects: Effects },
+    Hits { is_ring: bool, geometry: Geometry },
 }
 
 #[derive(Debug)]
@@ -45,15 +45,15 @@ impl Pipelines {
 
     fn pipeline(&self, gpu: &Gpu, key: Key) -> wgpu::RenderPipeline {
         match key {
-            Key::Picture { is_ring, is_thin, positions, effects } => {
-                let mut constants = positions.constants().to_vec();
+            Key::Picture { is_ring, is_thin, geometry, effects } => {
+                let mut constants = constants(geometry).to_vec();
                 constants.extend(effects.constants());
                 let targets = [Some(linear_target(is_thin))];
                 self.build(gpu, is_ring, "picture", &constants, SAMPLES, &targets)
             }
-            Key::Hits { is_ring, positions } => {
+            Key::Hits { is_ring, geometry } => {
                 let targets = [Some(MEASURES_FORMAT.into()), Some(MEASURES_FORMAT.into())];
-                self.build(gpu, is_ring, "hits", &positions.constants(), 1, &targets)
+                self.build(gpu, is_ring, "hits", &constants(geometry), 1, &targets)
             }
         }
     }
@@ -109,4 +109,9 @@ impl Pipelines {
             cache: None,
         })
     }
+}
+
+/// The constants of a view's geometry.
+fn constants(geometry: Geometry) -> [(&'static str, f64); 2] {
+    [("MAP", geometry.map_number()), ("GEOMETRY", geometry.number())]
 }

@@ -1,0 +1,171 @@
+//! The columns that `eval` and `curve` append, and the models that fill them.
+
+use clap::{Args, ValueEnum};
+use relativity_core::doppler::PAPER_INTENSITY_EXPONENT;
+use relativity_core::{
+    Aperture, Disparity, DomainError, MAX_COORDINATE, PublishedVariant, SourcePoint, Speed, SpeedError,
+    disparity, published_disparity,
+};
+use thiserror::Error;
+
+use crate::flags::finite_number;
+
+/// The columns, in order. Left and right are the primary and the secondary aperture.
+pub const COLUMNS: [&str; 14] = [
+    "x_left",
+    "x_right",
+    "t_left",
+    "t_right",
+    "doppler_left",
+    "doppler_right",
+    "intensity_left",
+    "intensity_right",
+    "phi_left",
+    "phi_right",
+    "theta_left",
+    "theta_right",
+    "dphi",
+    "dtheta",
+];
+
+/// Explains [`COLUMNS`] and the models at the end of a command's help.
+pub const COLUMNS_HELP: &str = "\
+The columns appended, for the left and the right eye (x_left, x_right and so on):
+  x          apparent x, measured from the eye
+  t          time of emission of the light that arrives at T
+  doppler    received over rest frequency
+  intensity  received over rest intensity: doppler to the power of the intensity exponent
+  phi        azimuth from +x towards +y
+  theta      elevation from the x-y plane
+and the disparities between the two:
+  dphi       phi_left - phi_right
+  dtheta     theta_left - theta_right
+
+The published models evaluate the right eye through the left eye's formula at a shifted time, and measure its \
+angles from the left eye. They reproduce the paper (doi 10.1098/rspa.2019.0703) and leave parallax out.";
+
+/// How two eyes' views of one point are computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub enum Model {
+    /// Each eye solves its own light cone.
+    #[default]
+    Exact,
+    /// The paper's binocular model as its Appendix A prints it.
+    Published,
+    /// The same with the sign of the delay that the paper's text gives.
+    PublishedText,
+}
+
+/// Flags that choose the model behind the columns.
+#[derive(Debug, Clone, Copy, Args)]
+pub struct ModelArgs {
+    /// How the two eyes' views are computed.
+    #[arg(long, value_enum, default_value_t)]
+    pub model: Model,
+    /// Intensity = doppler^N: 2 is the paper's, 3 specific, 4 bolometric.
+    #[arg(long, value_name = "N", default_value_t = PAPER_INTENSITY_EXPONENT, value_parser = finite_number,
+          allow_hyphen_values = true)]
+    pub intensity_exponent: f64,
+}
+
+/// One point at one observation time, before a pair of eyes.
+#[derive(Debug, Clone, Copy)]
+pub struct Observation {
+    /// The point's speed.
+    pub speed: Speed,
+    /// Where it is at t = 0.
+    pub point: SourcePoint,
+    /// Aperture separation d, 0 or more.
+    pub separation: f64,
+    /// Observation time T.
+    pub time: f64,
+}
+
+/// An observation whose columns cannot be filled.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum ObservationError {
+    /// The speed is not one.
+    #[error(transparent)]
+    Speed(#[from] SpeedError),
+    /// A coordinate or time outside the domain.
+    #[error(transparent)]
+    Domain(#[from] DomainError),
+    /// The aperture separation is negative or outside the domain.
+    #[error("d = {0:?} is out of range: it must be between 0 and 1e60")]
+    Separation(f64),
+    /// A result that f64 cannot hold: the intensity, for a large exponent.
+    #[error(
+        "{column} comes out as {value}, which cannot be written; less extreme values or a smaller \
+             --intensity-exponent are needed"
+    )]
+    NotFinite {
+        /// The column that cannot be filled.
+        column: &'static str,
+        /// What it would hold.
+        value: f64,
+    },
+}
+
+impl ObservationError {
+    /// The column at fault.
+    #[must_use]
+    pub const fn column(&self) -> &'static str {
+        match self {
+            Self::Speed(SpeedError::Beta(_)) => "beta",
+            Self::Speed(SpeedError::Gamma(_)) => "gamma",
+            Self::Speed(SpeedError::Rapidity(_)) => "rapidity",
+            Self::Domain(error) => error.name,
+            Self::Separation(_) => "d",
+            Self::NotFinite { column, .. } => column,
+        }
+    }
+}
+
+impl ModelArgs {
+    /// The values of [`COLUMNS`], all finite.
+    ///
+    /// # Errors
+    ///
+    /// An input outside its domain, or an intensity that overflows. (One that underflows is 0.)
+    pub fn values(&self, observation: &Observation) -> Result<[f64; COLUMNS.len()], ObservationError> {
+        let Disparity { primary, secondary, dphi, dtheta } = self.disparity(observation)?;
+        let exponent = self.intensity_exponent;
+        let values = [
+            primary.position[0],
+            secondary.position[0],
+            primary.retarded_time,
+            secondary.retarded_time,
+            primary.doppler_factor,
+            secondary.doppler_factor,
+            primary.intensity(exponent),
+            secondary.intensity(exponent),
+            primary.phi(),
+            secondary.phi(),
+            primary.theta(),
+            secondary.theta(),
+            dphi,
+            dtheta,
+        ];
+        match values.iter().position(|value| !value.is_finite()) {
+            Some(index) => Err(ObservationError::NotFinite { column: COLUMNS[index], value: values[index] }),
+            None => Ok(values),
+        }
+    }
+
+    fn disparity(&self, observation: &Observation) -> Result<Disparity, ObservationError> {
+        let &Observation { ref speed, point, separation, time } = observation;
+        if !(0.0..=MAX_COORDINATE).contains(&separation) {
+            return Err(ObservationError::Separation(separation));
+        }
+        let [left, right] = Aperture::pair(separation);
+        Ok(match self.model {
+            Model::Exact => disparity(speed, point, left, right, time)?,
+            Model::Published => {
+                published_disparity(speed, point, separation, time, PublishedVariant::AppendixA)?
+            }
+            Model::PublishedText => {
+                published_disparity(speed, point, separation, time, PublishedVariant::TextSign)?
+            }
+        })
+    }
+}

@@ -1,0 +1,115 @@
+//! `gamow curve`: what both eyes see of one point over a range of observation times.
+
+use std::io::Write;
+use std::path::PathBuf;
+
+use clap::Args;
+use csv::ByteRecord;
+use relativity_core::SourcePoint;
+
+use crate::columns::{COLUMNS, COLUMNS_HELP, ModelArgs, Observation, ObservationError};
+use crate::files::{csv_out, whole};
+use crate::flags::{SpeedArgs, finite_number};
+use crate::passage::passage_times;
+
+/// Speed of the paper's cyclist.
+const CYCLIST_BETA: f64 = 0.9;
+
+/// What two eyes see of one point over a range of observation times, as CSV.
+///
+/// Without flags: the tracked point of the paper's cyclist. The first six columns are the inputs, under the names that
+/// `gamow eval` reads.
+#[derive(Debug, Args)]
+#[command(after_long_help = help())]
+pub struct CurveArgs {
+    #[command(flatten)]
+    speed: SpeedArgs,
+    /// Aperture separation.
+    #[arg(long, default_value_t = 0.1, value_parser = finite_number, allow_hyphen_values = true)]
+    d: f64,
+    /// Depth of the point.
+    #[arg(long, default_value_t = 3.0, value_parser = finite_number, allow_hyphen_values = true)]
+    y: f64,
+    /// Height of the point.
+    #[arg(long, default_value_t = 2.0, value_parser = finite_number, allow_hyphen_values = true)]
+    z: f64,
+    /// The point's objective x at t = 0.
+    #[arg(long, default_value_t = 0.0, value_parser = finite_number, allow_hyphen_values = true)]
+    x0: f64,
+    /// First observation time [default: when the point is seen at x = -2 R, R being its distance at x = 0]
+    #[arg(long, value_name = "T", value_parser = finite_number, allow_hyphen_values = true)]
+    from: Option<f64>,
+    /// Last observation time [default: when the point is seen at x = +2 R]
+    #[arg(long, value_name = "T", value_parser = finite_number, allow_hyphen_values = true)]
+    to: Option<f64>,
+    /// How many observation times, at least 2.
+    #[arg(long, default_value_t = 201, value_name = "N", value_parser = clap::value_parser!(u64).range(2..))]
+    samples: u64,
+    /// Write here, whole or not at all, instead of to standard output.
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    #[command(flatten)]
+    model: ModelArgs,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  gamow curve --samples 5
+  gamow curve --beta 0.9 --d 0.3 --y 0.5 --z 0.5 --from -2 --to 5 --model published
+  gamow curve --gamma 1e6 --x0 -10 --from 0 --to 20 --out curve.csv";
+
+fn help() -> String {
+    format!("{COLUMNS_HELP}\n\n{EXAMPLES}")
+}
+
+/// Runs `gamow curve`.
+pub fn run(args: &CurveArgs) -> anyhow::Result<()> {
+    let first = args.observation(0.0)?;
+    args.model.values(&first)?; // so that a bad flag leaves no header behind on standard output
+    let [from, to] = args.time_range(&first)?;
+    if from >= to {
+        anyhow::bail!("--from {from} is not before --to {to}");
+    }
+    whole::write_to(args.out.as_deref(), |out| write_curve(args, first, [from, to], out))
+}
+
+fn write_curve(
+    args: &CurveArgs,
+    first: Observation,
+    [from, to]: [f64; 2],
+    out: &mut dyn Write,
+) -> anyhow::Result<()> {
+    let (parameter, speed) = args.speed.parameter(CYCLIST_BETA);
+    let mut output = csv_out::Rows::new(out);
+    let mut row = ByteRecord::from(vec![parameter.name(), "d", "y", "z", "x0", "T"]);
+    row.extend(COLUMNS);
+    output.write(&mut row, &[])?;
+    for sample in 0..args.samples {
+        let u = sample as f64 / (args.samples - 1) as f64;
+        let time = from * (1.0 - u) + to * u; // exact at both ends
+        let values = args.model.values(&Observation { time, ..first })?;
+        row.clear();
+        let inputs = [speed, args.d, args.y, args.z, args.x0, time];
+        output.write(&mut row, &[&inputs[..], &values].concat())?;
+    }
+    Ok(output.flush()?)
+}
+
+impl CurveArgs {
+    fn observation(&self, time: f64) -> anyhow::Result<Observation> {
+        let point = SourcePoint { x0: self.x0, y: self.y, z: self.z };
+        Ok(Observation { speed: self.speed.speed(CYCLIST_BETA)?, point, separation: self.d, time })
+    }
+
+    /// The observation times to start and end at.
+    fn time_range(&self, observation: &Observation) -> anyhow::Result<[f64; 2]> {
+        if let (Some(from), Some(to)) = (self.from, self.to) {
+            return Ok([from, to]);
+        }
+        let (speed, point) = (observation.speed, observation.point);
+        let Some(times) = passage_times(&speed, point, self.d).map_err(ObservationError::from)? else {
+            anyhow::bail!("a point at rest passes at no time; --from and --to are needed");
+        };
+        Ok([self.from.unwrap_or(times[0]), self.to.unwrap_or(times[1])])
+    }
+}

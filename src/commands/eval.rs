@@ -1,0 +1,73 @@
+//! `gamow eval`: what both eyes see of the point in each row of a CSV file.
+
+use std::io::{Read, Write};
+use std::path::PathBuf;
+
+use anyhow::Context as _;
+use clap::Args;
+use csv::ByteRecord;
+
+use crate::columns::{COLUMNS, COLUMNS_HELP, ModelArgs};
+use crate::files::{csv_in, csv_out, whole};
+
+/// What two eyes see of the point in each row of a CSV file.
+///
+/// The header names the columns, in any order: exactly one of beta, gamma, rapidity; d (aperture separation); y and z
+/// (the point's depth and height); T (when the light arrives); optionally x0 (the point's x at t = 0, else 0). All other
+/// columns pass through.
+///
+/// A bad row ends the run with one line that names file, line and column, and exit status 2. With --out no file is then
+/// written; standard output has the rows before it.
+#[derive(Debug, Args)]
+#[command(after_long_help = help())]
+pub struct EvalArgs {
+    /// CSV file; standard input if none or -.
+    file: Option<PathBuf>,
+    /// Write here, whole or not at all, instead of to standard output.
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    #[command(flatten)]
+    model: ModelArgs,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  printf 'beta,d,y,z,T\\n0.9,0.3,0.5,0.5,0\\n' | gamow eval
+  printf 'gamma,d,y,z,T,x0,name\\n1e9,0.1,3,2,4,-1,rider\\n' | gamow eval --intensity-exponent 4
+  gamow curve | cut -d, -f 1-6 | gamow eval --model published --out published.csv";
+
+fn help() -> String {
+    format!("{COLUMNS_HELP}\n\n{EXAMPLES}")
+}
+
+/// Runs `gamow eval`.
+pub fn run(args: &EvalArgs) -> anyhow::Result<()> {
+    let (name, input) = csv_in::open(args.file.as_deref())?;
+    whole::write_to(args.out.as_deref(), |out| evaluate(&name, input, args.model, out))
+}
+
+/// Reads rows of `input`, called `name` in errors, and writes each with the columns appended.
+fn evaluate(name: &str, input: impl Read, model: ModelArgs, out: &mut dyn Write) -> anyhow::Result<()> {
+    let mut input = csv_in::Rows::new(input);
+    let mut output = csv_out::Rows::new(out);
+    let mut row = ByteRecord::new();
+
+    input.read(&mut row).with_context(|| name.to_owned())?;
+    let place = |input: &csv_in::Rows<_>, row: &ByteRecord| format!("{name}:{}", input.line(row));
+    let header = csv_in::Header::new(row.clone()).with_context(|| place(&input, &row))?;
+    row.extend(COLUMNS);
+    output.write(&mut row, &[])?;
+
+    while input.read(&mut row).with_context(|| name.to_owned())? {
+        let values = input
+            .check_closed(&row)
+            .and_then(|()| header.observation(&row))
+            .and_then(|observation| Ok(model.values(&observation)?))
+            .with_context(|| place(&input, &row))?;
+        output.write(&mut row, &values)?;
+        if input.is_drained() {
+            output.flush()?; // let a reader at the other end see these rows while we wait for more
+        }
+    }
+    Ok(output.flush()?)
+}

@@ -1,0 +1,123 @@
+//! `gamow fit`: speed and distance of an object from its measured disparities.
+
+mod data;
+
+use std::path::PathBuf;
+
+use anyhow::Context as _;
+use clap::{Args, ValueEnum};
+use relativity_core::{Curves, DEFAULT_REPLICATES, FitModel, FitOptions, Passage};
+
+use crate::estimate::Report;
+pub use data::Data;
+
+use crate::files::{csv_in, whole};
+use crate::flags::finite_number;
+
+/// Fits speed and distance of an object to the disparities that two eyes measured.
+///
+/// The header names the columns, in any order: T (when the light arrives); dphi, dtheta or both (left minus right,
+/// radians); optionally `sigma_dphi` and `sigma_dtheta` (their standard deviations); d (aperture separation) unless --d gives
+/// it. Other columns are ignored. A disparity that was not measured is left empty.
+///
+/// What the data cannot tell is said in one line, with exit status 2.
+#[derive(Debug, Args)]
+#[command(after_long_help = HELP)]
+pub struct FitArgs {
+    /// CSV file; standard input if none or -.
+    file: Option<PathBuf>,
+    /// Aperture separation; without it, the file's column d.
+    #[arg(long, value_parser = finite_number, allow_hyphen_values = true)]
+    d: Option<f64>,
+    /// How the two eyes' views are modelled.
+    #[arg(long, value_enum, default_value_t)]
+    model: Model,
+    /// Which curves are fitted [default: those that the file has]
+    #[arg(long = "use", value_enum)]
+    curves: Option<Use>,
+    /// Number of bootstrap replicates; 0 for none.
+    #[arg(long, value_name = "N", default_value_t = DEFAULT_REPLICATES, value_parser = replicates)]
+    bootstrap: usize,
+    /// Seed of the bootstrap.
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    seed: u64,
+    /// The object's objective x at t = 0, if it is known.
+    #[arg(long, default_value_t = 0.0, value_parser = finite_number, allow_hyphen_values = true)]
+    x0: f64,
+    /// Fit x0 too: the time of passage is unknown.
+    #[arg(long, conflicts_with = "x0")]
+    fit_x0: bool,
+    /// Write JSON instead of a table.
+    #[arg(long)]
+    json: bool,
+    /// Write here, whole or not at all, instead of to standard output.
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+}
+
+const HELP: &str = "\
+The object is in front of the eyes (y > 0). dphi alone tells the magnitude of z; dtheta tells its sign too.
+
+Uncertainties are standard errors over the bootstrap replicates, and the intervals hold 95 % of them; `linear` is \
+the standard error from the covariance at the best fit. With both curves, the joint fit is the best use of the data; \
+the paper's weighted mean of the two fits stands beside it, with their correlation accounted for.
+
+Examples:
+  gamow curve | gamow fit
+  gamow fit data.csv --d 0.1 --fit-x0
+  gamow fit data.csv --d 0.1 --model published --use dphi --json";
+
+/// The binocular model.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+enum Model {
+    /// Each eye solves its own light cone.
+    #[default]
+    Exact,
+    /// The paper's Appendix A, which leaves parallax out.
+    Published,
+}
+
+/// The curves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Use {
+    /// Azimuth.
+    Dphi,
+    /// Elevation.
+    Dtheta,
+    /// A joint fit, and a fit of each.
+    Both,
+}
+
+fn replicates(text: &str) -> Result<usize, String> {
+    match text.parse() {
+        Ok(1) | Err(_) => Err("not 0, nor a number from 2 on".to_owned()),
+        Ok(number) => Ok(number),
+    }
+}
+
+/// Runs `gamow fit`.
+pub fn run(args: &FitArgs) -> anyhow::Result<()> {
+    let (name, input) = csv_in::open(args.file.as_deref())?;
+    let data = Data::read(&name, input, args.d)?;
+    let curves = match (args.curves, data.has) {
+        (Some(Use::Dphi), _) | (None, [true, false]) => Curves::Azimuth,
+        (Some(Use::Dtheta), _) | (None, [false, true]) => Curves::Polar,
+        (Some(Use::Both) | None, _) => Curves::Both,
+    };
+    let model = match args.model {
+        Model::Exact => FitModel::Exact,
+        Model::Published => FitModel::Published,
+    };
+    let passage = if args.fit_x0 { Passage::Fitted } else { Passage::Known(args.x0) };
+    let options = FitOptions { model, curves, passage };
+    let report =
+        Report::new(&data.observations, &options, args.bootstrap, args.seed).with_context(|| name)?;
+    whole::write_to(args.out.as_deref(), |out| {
+        if args.json {
+            serde_json::to_writer_pretty(&mut *out, &report)?;
+            Ok(writeln!(out)?)
+        } else {
+            Ok(write!(out, "{report}")?)
+        }
+    })
+}

@@ -1,0 +1,163 @@
+//! Where in a picture the target is.
+
+use glam::DVec3;
+use relativity_render::Picture;
+
+use crate::files::image_in::Measurements;
+use crate::flags::choices::FileKind;
+use crate::flags::finite_number;
+
+/// Largest difference of a component of a colour that still counts as the same.
+const COLOUR_TOLERANCE: u8 = 24;
+/// How far from a pixel's centre a mark may be for that pixel to show it, in pixels: a corner is 0.7 away.
+const REACH_PX: f64 = 1.0;
+
+/// What is looked for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Target {
+    /// The mark at a place on an object's surface.
+    Point([f64; 3]),
+    /// The middle of an object.
+    Object(u32),
+    /// The middle of all pixels of a colour.
+    Marker([u8; 3]),
+}
+
+impl Target {
+    /// The kind of file that shows it.
+    pub const fn file_kind(self) -> FileKind {
+        match self {
+            Self::Point(_) | Self::Object(_) => FileKind::Exr,
+            Self::Marker(_) => FileKind::Png,
+        }
+    }
+}
+
+/// Parses a point.
+pub fn point(text: &str) -> Result<[f64; 3], String> {
+    let numbers: Vec<f64> = text.split(',').map(finite_number).collect::<Result<_, _>>()?;
+    numbers.try_into().map_err(|_| "write three numbers like 0,3,2".to_owned())
+}
+
+/// Parses a colour.
+pub fn colour(text: &str) -> Result<[u8; 3], String> {
+    let number = u32::from_str_radix(text.trim_start_matches('#'), 16).ok().filter(|_| text.len() >= 6);
+    let [_, r, g, b] = number.ok_or("write six hexadecimal digits like ff0000")?.to_be_bytes();
+    Ok([r, g, b])
+}
+
+/// The middle of `colour` in the left and in the right half of `picture`, pixels of that half.
+pub fn colour_in(picture: &Picture, colour: [u8; 3]) -> [Option<[f64; 2]>; 2] {
+    let width = picture.size[0] as usize;
+    let half = width / 2;
+    [0, half].map(|from| {
+        let pixels = picture.rgba.iter().enumerate().filter(|(pixel, rgba)| {
+            let is_same = (0..3).all(|i| rgba[i].abs_diff(colour[i]) <= COLOUR_TOLERANCE);
+            is_same && (from..from + half).contains(&(pixel % width))
+        });
+        middle(pixels.map(|(pixel, _)| [pixel % width - from, pixel / width]))
+    })
+}
+
+/// Where `target` is in the layer of `eye`, in pixels.
+pub fn in_layer(file: &Measurements, eye: &str, target: Target) -> anyhow::Result<Option<[f64; 2]>> {
+    let channel = |name: &str| file.channel(&format!("{eye}.{name}"));
+    let width = file.size[0] as usize;
+    let ids = channel("id")?;
+    match target {
+        Target::Point(point) => {
+            let surface =
+                Surface { width, ids, rest: [channel("rest_x")?, channel("rest_y")?, channel("rest_z")?] };
+            Ok(surface.place(point.into()))
+        }
+        Target::Object(object) => {
+            let pixels = ids.iter().enumerate().filter(|(_, id)| **id == object as f32);
+            Ok(middle(pixels.map(|(pixel, _)| [pixel % width, pixel / width])))
+        }
+        Target::Marker(_) => Ok(None),
+    }
+}
+
+/// The middle of `pixels`.
+fn middle(pixels: impl Iterator<Item = [usize; 2]>) -> Option<[f64; 2]> {
+    let (mut sum, mut count) = ([0.0; 2], 0.0);
+    for [column, row] in pixels {
+        sum = [sum[0] + column as f64 + 0.5, sum[1] + row as f64 + 0.5];
+        count += 1.0;
+    }
+    (count > 0.0).then(|| sum.map(|part| part / count))
+}
+
+/// Which place of which object each pixel shows.
+struct Surface<'a> {
+    width: usize,
+    ids: &'a [f32],
+    rest: [&'a [f32]; 3],
+}
+
+impl Surface<'_> {
+    /// Where `point` is seen: at the pixel that shows the nearest place, and from there to a fraction of a
+    /// pixel by how the places change from pixel to pixel; `None` if that leads out of the pixel's reach.
+    fn place(&self, point: DVec3) -> Option<[f64; 2]> {
+        let seen = (0..self.ids.len()).filter(|&pixel| self.ids[pixel] >= 0.0);
+        let distance = |&pixel: &usize| self.at(pixel).distance_squared(point);
+        let nearest = seen.min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+        let (column, row) = (nearest % self.width, nearest / self.width);
+        let (across, down) = (self.change(nearest, column, 1)?, self.change(nearest, row, self.width)?);
+        let offset = point - self.at(nearest);
+        let [u, v] = coordinates(offset, across, down)?;
+        let left_over = offset - across * u - down * v;
+        let step = across.length().max(down.length());
+        let is_shown = u.hypot(v) <= REACH_PX && left_over.length() <= REACH_PX * step;
+        is_shown.then_some([column as f64 + 0.5 + u, row as f64 + 0.5 + v])
+    }
+
+    fn at(&self, pixel: usize) -> DVec3 {
+        let [x, y, z] = self.rest.map(|channel| f64::from(channel[pixel]));
+        DVec3::new(x, y, z)
+    }
+
+    /// Change of place per pixel, from the neighbours `stride` away on the same object; none without one.
+    fn change(&self, pixel: usize, position: usize, stride: usize) -> Option<DVec3> {
+        let is_same = |&other: &usize| self.ids.get(other) == Some(&self.ids[pixel]);
+        let before = (position > 0).then(|| pixel - stride).filter(is_same);
+        let is_last = stride == 1 && position + 1 == self.width;
+        let after = (!is_last).then_some(pixel + stride).filter(is_same);
+        match (before, after) {
+            (Some(before), Some(after)) => Some(0.5 * (self.at(after) - self.at(before))),
+            (Some(before), None) => Some(self.at(pixel) - self.at(before)),
+            (None, Some(after)) => Some(self.at(after) - self.at(pixel)),
+            (None, None) => None,
+        }
+    }
+}
+
+/// Least-squares coordinates of `offset` along `a` and `b`; none if these are parallel.
+fn coordinates(offset: DVec3, a: DVec3, b: DVec3) -> Option<[f64; 2]> {
+    let (aa, ab, bb) = (a.dot(a), a.dot(b), b.dot(b));
+    let determinant = aa * bb - ab * ab;
+    let (oa, ob) = (offset.dot(a), offset.dot(b));
+    (determinant > 0.0).then(|| [(oa * bb - ob * ab) / determinant, (ob * aa - oa * ab) / determinant])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_and_colours_are_read() {
+        assert_eq!(point("-0.5,3, 2"), Ok([-0.5, 3.0, 2.0]));
+        assert!(point("1,2").is_err() && point("1,2,x").is_err());
+        assert_eq!(colour("ff8000"), Ok([255, 128, 0]));
+        assert_eq!(colour("#00ff01"), Ok([0, 255, 1]));
+        assert!(colour("red").is_err() && colour("fff").is_err());
+    }
+
+    #[test]
+    fn coordinates_are_those_of_the_plane() {
+        let (a, b) = (DVec3::new(1.0, 0.2, 0.0), DVec3::new(0.3, 0.0, 2.0));
+        let [u, v] = coordinates(0.25 * a - 0.5 * b, a, b).expect("not parallel");
+        assert!((u - 0.25).abs() < 1e-12 && (v + 0.5).abs() < 1e-12);
+        assert_eq!(coordinates(a, b, b), None);
+    }
+}

@@ -1,0 +1,214 @@
+//! `gamow measure`: follows a point through a stereo sequence and measures its angles, ready for `gamow fit`.
+//!
+//! It uses what an observer knows: the pictures, when they were taken, and where the cameras stood and looked.
+
+mod locate;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use anyhow::Context as _;
+use clap::Args;
+use csv::ByteRecord;
+use relativity_core::Aperture;
+use relativity_render::Camera;
+
+use self::locate::Target;
+use crate::files::image_in::{self, Recorded};
+use crate::files::{csv_out, whole};
+use crate::flags::choices::FileKind;
+
+/// Follows a point through a stereo sequence and measures its angles, as CSV.
+///
+/// Takes the files of `gamow render`, one per observation time: measurements (.exr) or side-by-side pictures (.png). The
+/// columns are the observation time, the separation of the eyes, the angles from each eye, their differences, and the
+/// standard deviation that the size of a pixel gives them: what `gamow fit` reads.
+#[derive(Debug, Args)]
+#[command(after_long_help = EXAMPLES)]
+pub struct MeasureArgs {
+    /// Files, or folders of files.
+    #[arg(required = true, value_name = "DIR|FILES")]
+    inputs: Vec<PathBuf>,
+    #[command(flatten)]
+    target: TargetArgs,
+    /// Write here, whole or not at all, instead of to standard output.
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+}
+
+/// What is followed.
+#[derive(Debug, Clone, Args)]
+#[group(required = true, multiple = false)]
+struct TargetArgs {
+    /// In .exr files: the mark on an object's surface at these rest-frame coordinates.
+    #[arg(long, value_name = "X,Y,Z", value_parser = locate::point, allow_hyphen_values = true)]
+    point: Option<[f64; 3]>,
+    /// In .exr files: the middle of the object with this number.
+    #[arg(long, value_name = "NUMBER")]
+    object: Option<u32>,
+    /// In .png files: the middle of all pixels of this colour.
+    #[arg(long, value_name = "RRGGBB", value_parser = locate::colour)]
+    marker: Option<[u8; 3]>,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  gamow render --frames 60 --exr --size 1440x1080 --out ride
+  gamow measure ride --point=-0.032,2.968,2 --out ride.csv
+  gamow fit ride.csv --fit-x0";
+
+const COLUMNS: [&str; 10] = [
+    "T",
+    "d",
+    "phi_left",
+    "phi_right",
+    "theta_left",
+    "theta_right",
+    "dphi",
+    "dtheta",
+    "sigma_dphi",
+    "sigma_dtheta",
+];
+
+/// Standard deviation of what is rounded to whole units.
+const ROUNDING: f64 = 0.288_675_134_594_812_9;
+
+/// Runs `gamow measure`.
+pub fn run(args: &MeasureArgs) -> anyhow::Result<()> {
+    let target = args.target.target();
+    let files = files(&args.inputs, target)?;
+    let mut rows = Vec::new();
+    for file in &files {
+        let row = measured(file, target).with_context(|| file.display().to_string())?;
+        rows.extend(row);
+    }
+    anyhow::ensure!(!rows.is_empty(), "none of {} files shows the target to both eyes", files.len());
+    rows.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    if rows.len() < files.len() {
+        eprintln!("{} of {} files show the target to both eyes", rows.len(), files.len());
+    }
+    whole::write_to(args.out.as_deref(), |out| {
+        let mut csv = csv_out::Rows::new(out);
+        csv.write(&mut ByteRecord::from(COLUMNS.to_vec()), &[])?;
+        for row in &rows {
+            csv.write(&mut ByteRecord::new(), row)?;
+        }
+        Ok(csv.flush()?)
+    })
+}
+
+impl TargetArgs {
+    fn target(&self) -> Target {
+        match (self.point, self.object, self.marker) {
+            (Some(point), _, _) => Target::Point(point),
+            (_, Some(object), _) => Target::Object(object),
+            (_, _, marker) => Target::Marker(marker.unwrap_or_default()), // clap wants one of them
+        }
+    }
+}
+
+/// The files among `inputs` and in its folders that can show `target`.
+fn files(inputs: &[PathBuf], target: Target) -> anyhow::Result<Vec<PathBuf>> {
+    let kind = target.file_kind();
+    let mut files = Vec::new();
+    for input in inputs {
+        let name = || input.display().to_string();
+        if input.is_dir() {
+            let mut inside = Vec::new();
+            for entry in fs::read_dir(input).with_context(name)? {
+                inside.push(entry.with_context(name)?.path());
+            }
+            inside.sort();
+            files.extend(inside.into_iter().filter(|path| FileKind::of(path) == Some(kind)));
+        } else {
+            anyhow::ensure!(
+                FileKind::of(input) == Some(kind),
+                "{}: it should end in .{}",
+                name(),
+                kind.extension()
+            );
+            files.push(input.clone());
+        }
+    }
+    anyhow::ensure!(!files.is_empty(), "there is no .{} file", kind.extension());
+    Ok(files)
+}
+
+/// A row of [`COLUMNS`]; none if an eye does not see the target.
+fn measured(file: &Path, target: Target) -> anyhow::Result<Option<[f64; COLUMNS.len()]>> {
+    let (places, size, recorded) = match target {
+        Target::Marker(colour) => {
+            let (picture, recorded) = image_in::picture(file)?;
+            anyhow::ensure!(recorded.text("layout") == Some("side-by-side"), "it is no side-by-side picture");
+            let [width, height] = picture.size;
+            (locate::colour_in(&picture, colour), [width / 2, height], recorded)
+        }
+        Target::Point(_) | Target::Object(_) => {
+            let measurements = image_in::measurements(file)?;
+            let places = [
+                locate::in_layer(&measurements, "left", target)?,
+                locate::in_layer(&measurements, "right", target)?,
+            ];
+            (places, measurements.size, measurements.recorded)
+        }
+    };
+    let [Some(left), Some(right)] = places else { return Ok(None) };
+    let time = number(&recorded, "time")?;
+    let separation = number(&recorded, "d")?;
+    let camera = camera(&recorded, size)?;
+    let (left, right) = (Angles::new(&camera, left), Angles::new(&camera, right));
+    let sigma = |a: f64, b: f64| ROUNDING * a.hypot(b);
+    Ok(Some([
+        time,
+        separation,
+        left.phi,
+        right.phi,
+        left.theta,
+        right.theta,
+        left.phi - right.phi,
+        left.theta - right.theta,
+        sigma(left.phi_per_pixel, right.phi_per_pixel),
+        sigma(left.theta_per_pixel, right.theta_per_pixel),
+    ]))
+}
+
+fn number(recorded: &Recorded, flag: &str) -> anyhow::Result<f64> {
+    recorded.number(flag).with_context(|| format!("it does not record --{flag}"))
+}
+
+/// The camera of either eye; where it stands does not matter for angles.
+fn camera(recorded: &Recorded, size: [u32; 2]) -> anyhow::Result<Camera> {
+    let gaze = recorded.gaze().context("it does not record --gaze")?;
+    let horizontal_fov = number(recorded, "fov")?.to_radians();
+    Ok(Camera { aperture: Aperture::default(), gaze, horizontal_fov, size })
+}
+
+/// Azimuth and elevation of a place in a picture.
+struct Angles {
+    phi: f64,
+    theta: f64,
+    /// By how much they change over a pixel, right and down together.
+    phi_per_pixel: f64,
+    theta_per_pixel: f64,
+}
+
+impl Angles {
+    fn new(camera: &Camera, [u, v]: [f64; 2]) -> Self {
+        let angles = |place| {
+            let line = camera.line_of_sight(place);
+            [line.y.atan2(line.x), line.z.atan2(line.x.hypot(line.y))]
+        };
+        let change = |du: f64, dv: f64| {
+            let (after, before) = (angles([u + du, v + dv]), angles([u - du, v - dv]));
+            [after[0] - before[0], after[1] - before[1]]
+        };
+        let (across, down) = (change(0.5, 0.0), change(0.0, 0.5));
+        let [phi, theta] = angles([u, v]);
+        Self {
+            phi,
+            theta,
+            phi_per_pixel: across[0].hypot(down[0]),
+            theta_per_pixel: across[1].hypot(down[1]),
+        }
+    }
+}

@@ -1,0 +1,213 @@
+//! The paper's figures of curves and of the two-dimensional bicycle, each as SVG and CSV.
+
+use std::path::Path;
+
+use anyhow::Context as _;
+use csv::ByteRecord;
+use relativity_core::Disparity;
+
+use super::bicycle;
+use super::curves::{Model, Setup};
+use crate::files::csv_out;
+use crate::files::whole::write_whole;
+use crate::plot::{BLACK, BLUE, Line, Panel, Stroke, VERMILION, svg};
+
+/// Observation times of the curves, which hold all their features; and how many.
+const TIMES: [f64; 2] = [-2.0, 5.0];
+const SAMPLES: usize = 701;
+/// The paper's speeds, and the colours it gives them, but safe for colour-blind eyes.
+const SPEEDS: [(f64, &str); 3] = [(0.9, BLACK), (0.7, VERMILION), (0.5, BLUE)];
+/// Where the crank of the two-dimensional bicycle is seen.
+const PLACES: [f64; 3] = [-7.0, 0.0, 3.0];
+
+/// A column of a CSV file.
+pub type Column = (String, Vec<f64>);
+
+/// Writes `name`.svg and `name`.csv into `folder`.
+pub fn write(folder: &Path, name: &str, panels: &[Panel], columns: &[Column]) -> anyhow::Result<()> {
+    write_text(folder, &format!("{name}.svg"), &svg(panels))?;
+    write_csv(folder, name, columns)
+}
+
+/// Writes `name`.csv into `folder`; all columns are equally long.
+pub fn write_csv(folder: &Path, name: &str, columns: &[Column]) -> anyhow::Result<()> {
+    write_whole(&folder.join(format!("{name}.csv")), |file| {
+        let mut rows = csv_out::Rows::new(file);
+        let names: Vec<&str> = columns.iter().map(|(name, _)| name.as_str()).collect();
+        rows.write(&mut ByteRecord::from(names), &[])?;
+        for index in 0..columns.first().map_or(0, |(_, values)| values.len()) {
+            let row: Vec<f64> = columns.iter().map(|(_, values)| values[index]).collect();
+            rows.write(&mut ByteRecord::new(), &row)?;
+        }
+        Ok(rows.flush()?)
+    })
+}
+
+/// Writes `text` as the file `name` in `folder`.
+pub fn write_text(folder: &Path, name: &str, text: &str) -> anyhow::Result<()> {
+    use std::io::Write as _;
+    write_whole(&folder.join(name), |file| Ok(file.write_all(text.as_bytes())?))
+        .with_context(|| format!("writing {name}"))
+}
+
+/// Every figure of this file.
+pub fn write_all(folder: &Path) -> anyhow::Result<()> {
+    write_angles(folder, "phi", "azimuth phi, rad", |seen| [seen.primary.phi(), seen.secondary.phi()])?;
+    let elevations = |seen: &Disparity| [seen.primary.theta(), seen.secondary.theta()];
+    write_angles(folder, "theta", "elevation theta, rad", elevations)?;
+    write_differences(folder, "phi-difference", "delta-phi, rad", |seen| seen.dphi)?;
+    write_differences(folder, "theta-difference", "delta-theta, rad", |seen| seen.dtheta)?;
+    write_resting_bicycle(folder)?;
+    write_bicycle_for_one_eye(folder)?;
+    write_bicycle_for_two_eyes(folder)
+}
+
+/// An angle of both eyes, in the published and in the exact model.
+fn write_angles(
+    folder: &Path,
+    name: &str,
+    label: &'static str,
+    angles: impl Fn(&Disparity) -> [f64; 2],
+) -> anyhow::Result<()> {
+    let setup = Setup::SECTION_3;
+    let mut panels = Vec::new();
+    let mut columns = Vec::new();
+    for model in [Model::Published, Model::Exact] {
+        let eyes = [(0, "left", BLUE, Stroke::Solid), (1, "right", VERMILION, Stroke::Dashed)];
+        let mut lines = Vec::new();
+        for (eye, eye_name, colour, stroke) in eyes {
+            let curve = setup.curve(model, TIMES, SAMPLES, |seen| angles(seen)[eye])?;
+            push_column(&mut columns, &format!("{name}_{eye_name}_{}", word(model)), &curve);
+            lines.push(Line::solid(format!("{eye_name} eye"), colour, curve).with(stroke));
+        }
+        let mark = Some((setup.equidistance_time()?, "T0"));
+        panels.push(Panel { mark, ..Panel::new(model.name(), ["T", label], lines) });
+    }
+    write(folder, name, &panels, &columns)
+}
+
+/// A difference at the paper's three speeds, in the published and in the exact model.
+fn write_differences(
+    folder: &Path,
+    name: &str,
+    label: &'static str,
+    difference: impl Fn(&Disparity) -> f64,
+) -> anyhow::Result<()> {
+    let mut panels = Vec::new();
+    let mut columns = Vec::new();
+    for model in [Model::Published, Model::Exact] {
+        let mut lines = Vec::new();
+        for (beta, colour) in SPEEDS {
+            let setup = Setup { beta, ..Setup::SECTION_3 };
+            let curve = setup.curve(model, TIMES, SAMPLES, &difference)?;
+            push_column(&mut columns, &format!("{name}_beta_{beta}_{}", word(model)), &curve);
+            lines.push(Line::solid(format!("beta = {beta}"), colour, curve));
+        }
+        let mark = Some((Setup::SECTION_3.equidistance_time()?, "T0"));
+        panels.push(Panel { mark, ..Panel::new(model.name(), ["T", label], lines) });
+    }
+    write(folder, name, &panels, &columns)
+}
+
+fn word(model: Model) -> &'static str {
+    match model {
+        Model::Published => "published",
+        Model::PublishedText => "published_text",
+        Model::Exact => "exact",
+    }
+}
+
+/// Appends the values of `curve`, and first its times if there is no column yet.
+fn push_column(columns: &mut Vec<Column>, name: &str, curve: &[[f64; 2]]) {
+    if columns.is_empty() {
+        columns.push(("T".to_owned(), curve.iter().map(|point| point[0]).collect()));
+    }
+    columns.push((name.to_owned(), curve.iter().map(|point| point[1]).collect()));
+}
+
+const BICYCLE_LABELS: [&str; 2] = ["x", "y"];
+
+fn bicycle_panel(title: String, lines: Vec<Line>, width: f64) -> Panel {
+    Panel { equal_scales: true, width, ..Panel::new(title, BICYCLE_LABELS, lines) }
+}
+
+fn eye_dots(places: &[f64]) -> Line {
+    let dots = places.iter().map(|&x| [x, 0.0]).collect();
+    Line::solid(if places.len() == 1 { "eye" } else { "eyes" }, BLACK, dots).with(Stroke::Dots)
+}
+
+/// Columns x and y of the strokes' points, with the number of the stroke before them.
+fn bicycle_columns(strokes: &[bicycle::Stroke]) -> Vec<Column> {
+    let points =
+        || strokes.iter().enumerate().flat_map(|(part, stroke)| stroke.iter().map(move |p| (part, p)));
+    vec![
+        ("part".to_owned(), points().map(|(part, _)| part as f64).collect()),
+        ("rest_x".to_owned(), points().map(|(_, p)| p[0]).collect()),
+        ("rest_y".to_owned(), points().map(|(_, p)| p[1]).collect()),
+    ]
+}
+
+fn write_resting_bicycle(folder: &Path) -> anyhow::Result<()> {
+    let strokes = bicycle::strokes();
+    let columns = bicycle_columns(&strokes);
+    let line = Line { name: "at rest".to_owned(), colour: BLACK, stroke: Stroke::Solid, pieces: strokes };
+    write(folder, "bicycle-2d", &[bicycle_panel("the bicycle".to_owned(), vec![line], 640.0)], &columns)
+}
+
+fn write_bicycle_for_one_eye(folder: &Path) -> anyhow::Result<()> {
+    let setup = Setup { separation: 0.0, ..Setup::SECTION_3 };
+    let strokes = bicycle::strokes();
+    let mut columns = bicycle_columns(&strokes);
+    let colours = [BLACK, VERMILION, BLUE];
+    let mut lines = Vec::new();
+    for (place, colour) in PLACES.into_iter().zip(colours) {
+        let time = bicycle::time_when_seen_at(&setup, place);
+        let seen = |&rest: &[f64; 2]| bicycle::seen_by_one(&setup, rest, time);
+        let pieces = mapped(&strokes, seen)?;
+        let xs = pieces.iter().flatten().map(|point| point[0]).collect();
+        columns.push((format!("x_at_T_{time:.3}"), xs));
+        lines.push(Line { name: format!("T = {time:.2}"), colour, stroke: Stroke::Solid, pieces });
+    }
+    lines.push(eye_dots(&[0.0]));
+    let title = "beta = 0.9: approaching, abreast and receding".to_owned();
+    write(folder, "bicycle-2d-one-eye", &[bicycle_panel(title, lines, 1200.0)], &columns)
+}
+
+fn write_bicycle_for_two_eyes(folder: &Path) -> anyhow::Result<()> {
+    let setup = Setup::SECTION_3;
+    let strokes = bicycle::strokes();
+    let mut columns = bicycle_columns(&strokes);
+    let mut panels = Vec::new();
+    for model in [Model::Published, Model::Exact] {
+        let mut left = Vec::new();
+        let mut right = Vec::new();
+        for place in PLACES {
+            let time = bicycle::time_when_seen_at(&setup, place);
+            for (eye, pieces) in [&mut left, &mut right].into_iter().enumerate() {
+                let seen = |&rest: &[f64; 2]| Ok(bicycle::seen_by_two(&setup, model, rest, time)?[eye]);
+                let seen = mapped(&strokes, seen)?;
+                let xs = seen.iter().flatten().map(|point| point[0]).collect();
+                columns.push((format!("x_{}_{}_at_T_{time:.3}", ["left", "right"][eye], word(model)), xs));
+                pieces.extend(seen);
+            }
+        }
+        let line = |name: &str, colour, pieces| Line {
+            name: name.to_owned(),
+            colour,
+            stroke: Stroke::Solid,
+            pieces,
+        };
+        let half = 0.5 * setup.separation;
+        let lines =
+            vec![line("left eye", BLUE, left), line("right eye", VERMILION, right), eye_dots(&[-half, half])];
+        panels.push(bicycle_panel(format!("beta = 0.9, d = 0.3, {}", model.name()), lines, 900.0));
+    }
+    write(folder, "bicycle-2d-two-eyes", &panels, &columns)
+}
+
+fn mapped(
+    strokes: &[bicycle::Stroke],
+    seen: impl Fn(&[f64; 2]) -> Result<[f64; 2], relativity_core::DomainError>,
+) -> Result<Vec<bicycle::Stroke>, relativity_core::DomainError> {
+    strokes.iter().map(|stroke| stroke.iter().map(&seen).collect()).collect()
+}

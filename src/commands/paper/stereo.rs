@@ -1,0 +1,159 @@
+//! The paper's stereo frames of its cyclist, drawn by `gamow render`.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use clap::Parser;
+use relativity_core::{Disparity, DomainError};
+
+use super::curves::{Model, Setup};
+use super::figures;
+use crate::commands::render::{self, RenderArgs};
+
+/// A row of frames, as one figure of the paper shows them.
+#[derive(Debug)]
+pub struct Figure {
+    /// Name of its files.
+    pub name: &'static str,
+    /// What it shows.
+    pub caption: &'static str,
+    beta: f64,
+    geometry: &'static str,
+    /// Where the tracked point is seen in each frame, x.
+    places: &'static [f64],
+}
+
+/// The figures. The paper numbers its frames but does not say at which times they are; these show what it
+/// describes.
+pub const FIGURES: [Figure; 5] = [
+    Figure {
+        name: "stereo-at-rest",
+        caption: "the cyclist itself, as cameras that ride along see it",
+        beta: 0.0,
+        geometry: "rest",
+        places: &[0.0],
+    },
+    Figure {
+        name: "stereo-approaching",
+        caption: "approaching at beta = 0.9",
+        beta: 0.9,
+        geometry: "seen",
+        places: &[-12.0, -8.0, -5.0],
+    },
+    Figure {
+        name: "stereo-abreast",
+        caption: "abreast at beta = 0.9",
+        beta: 0.9,
+        geometry: "seen",
+        places: &[-2.0, -0.5, 0.5],
+    },
+    Figure {
+        name: "stereo-abreast-0.6",
+        caption: "abreast at beta = 0.6",
+        beta: 0.6,
+        geometry: "seen",
+        places: &[-2.0, -0.5, 0.5],
+    },
+    Figure {
+        name: "stereo-receding",
+        caption: "receding at beta = 0.9",
+        beta: 0.9,
+        geometry: "seen",
+        places: &[1.5, 3.0, 5.0],
+    },
+];
+
+const WIDTH: u32 = 400;
+const HEIGHT: u32 = 300;
+const CAPTION_HEIGHT: u32 = 26;
+const REST_WAVELENGTH_NM: f64 = 700.0;
+
+/// One drawn frame.
+#[derive(Debug)]
+pub struct Frame {
+    /// Its file.
+    pub file: String,
+    /// The command that draws it, less --out.
+    pub command: String,
+    /// T.
+    pub time: f64,
+    /// What both eyes see of the tracked point.
+    pub seen: Disparity,
+}
+
+/// Draws every figure into `folder`; the frames of each.
+pub fn write_all(folder: &Path) -> anyhow::Result<Vec<Vec<Frame>>> {
+    FIGURES.iter().map(|figure| figure.write(folder)).collect()
+}
+
+/// `gamow render`, as its own command line.
+#[derive(Debug, Parser)]
+struct Render {
+    #[command(flatten)]
+    args: RenderArgs,
+}
+
+impl Figure {
+    fn write(&self, folder: &Path) -> anyhow::Result<Vec<Frame>> {
+        let frames: Vec<Frame> =
+            (1..).zip(self.places).map(|(number, &x)| self.frame(number, x)).collect::<Result<_, _>>()?;
+        for frame in &frames {
+            let out = folder.join(&frame.file);
+            let words = frame.command.split_whitespace().skip(1).map(Into::into);
+            let render = Render::try_parse_from(words.chain(["--out".into(), out.into_os_string()]))?;
+            render::run(&render.args)?;
+        }
+        figures::write_text(folder, &format!("{}.svg", self.name), &svg(&frames))?;
+        let column = |name: &str, value: fn(&Frame) -> f64| {
+            (name.to_owned(), frames.iter().map(value).collect::<Vec<f64>>())
+        };
+        let columns = [
+            column("T", |frame| frame.time),
+            column("x_left", |frame| frame.seen.primary.position[0]),
+            column("x_right", |frame| frame.seen.secondary.position[0]),
+            column("wavelength_left_nm", |frame| REST_WAVELENGTH_NM / frame.seen.primary.doppler_factor),
+            column("wavelength_right_nm", |frame| REST_WAVELENGTH_NM / frame.seen.secondary.doppler_factor),
+            column("dphi", |frame| frame.seen.dphi),
+            column("dtheta", |frame| frame.seen.dtheta),
+        ];
+        figures::write_csv(folder, self.name, &columns)?;
+        Ok(frames)
+    }
+
+    /// The frame in which the tracked point is seen at `x` from between the eyes.
+    fn frame(&self, number: usize, x: f64) -> Result<Frame, DomainError> {
+        let setup = Setup { beta: self.beta, ..Setup::CYCLIST };
+        let emitted = if self.beta > 0.0 { x / self.beta } else { 0.0 };
+        let time = emitted + x.hypot(setup.y).hypot(setup.z);
+        let command = format!(
+            "gamow render --beta {} --time {time:.6} --size {WIDTH}x{HEIGHT} --fov 70 --geometry {} --renderer reference \
+             --shading emission --ground off --sky off --light on",
+            self.beta, self.geometry
+        );
+        let file = format!("{}-{number}.png", self.name);
+        Ok(Frame { file, command, time, seen: setup.seen(Model::Exact, time)? })
+    }
+}
+
+/// The frames below each other, with their times.
+fn svg(frames: &[Frame]) -> String {
+    let (width, row) = (2 * WIDTH, HEIGHT + CAPTION_HEIGHT);
+    let height = row * frames.len() as u32;
+    let mut svg = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+         font-family=\"sans-serif\" font-size=\"14\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
+    );
+    for (index, frame) in (0..).zip(frames) {
+        let (top, text) = (row * index + CAPTION_HEIGHT, row * index + 18);
+        let [left, right] = [&frame.seen.primary, &frame.seen.secondary]
+            .map(|sighting| REST_WAVELENGTH_NM / sighting.doppler_factor);
+        let _ = writeln!(
+            svg,
+            "<text x=\"8\" y=\"{text}\">T = {:.3}; the tracked point at {left:.0} nm (left eye) and {right:.0} nm (right eye)</text>\n\
+             <image x=\"0\" y=\"{top}\" width=\"{width}\" height=\"{HEIGHT}\" href=\"{}\"/>",
+            frame.time, frame.file
+        );
+    }
+    svg.push_str("</svg>\n");
+    svg
+}

@@ -1,0 +1,204 @@
+//! `gamow rectify`: a picture taken from one eye, as a camera moving along with the objects would have taken it.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::Context as _;
+use clap::Args;
+use exr::prelude::{
+    AnyChannel, AnyChannels, Compression, Encoding, FlatSamples, Image, Layer, SmallVec, Text, WritableImage,
+};
+use relativity_core::doppler::{PAPER_INTENSITY_EXPONENT, intensity_factor};
+use relativity_core::{Aperture, Speed};
+use relativity_render::rectify::{LightCorrection, Rectification};
+use relativity_render::{Camera, Gaze};
+
+use crate::files::image_in::{self, Recorded};
+use crate::files::png_file::{self, Provenance};
+use crate::files::whole::write_whole;
+use crate::flags::SpeedArgs;
+use crate::flags::choices::{FileKind, GazeChoice, NumberOrOff, Switch, field_of_view};
+
+/// Corrects a picture taken from one eye to the frame of the objects in it.
+///
+/// Gives what a camera moving along with them would have taken at the same event: lines of sight turned back by
+/// aberration, wavelengths multiplied by the Doppler factor D, intensities divided by D^n. Works on any PNG picture with
+/// a known field of view, and on the EXR files of `gamow render`.
+///
+/// The colours of a PNG picture tell wavelengths by their hue only: the part of a colour that is not grey counts as
+/// monochromatic. What the Doppler effect shifted out of sight stays dark.
+#[derive(Debug, Args)]
+#[command(after_long_help = EXAMPLES)]
+pub struct RectifyArgs {
+    /// Picture (.png) or measurements (.exr).
+    image: PathBuf,
+    #[command(flatten)]
+    speed: SpeedArgs,
+    /// Horizontal field of view of the picture, degrees [default: as the file records it]
+    #[arg(long, value_name = "DEG", value_parser = field_of_view)]
+    fov: Option<f64>,
+    /// Where the camera looked: azimuth (from +x towards +y; 90 is straight ahead) and elevation in degrees [default: as
+    /// the file records it]
+    #[arg(long, value_name = "AZ,EL", allow_hyphen_values = true)]
+    gaze: Option<GazeChoice>,
+    /// Field of view of the corrected picture, degrees [default: so that its centre is as large as before]
+    #[arg(long, value_name = "DEG", value_parser = field_of_view)]
+    out_fov: Option<f64>,
+    /// Where the moving camera looks [default: at what was in the centre]
+    #[arg(long, value_name = "AZ,EL", allow_hyphen_values = true)]
+    out_gaze: Option<GazeChoice>,
+    /// Whether wavelengths are corrected.
+    #[arg(long, value_enum, default_value = "on", value_name = "ON|OFF")]
+    doppler_shift: Switch,
+    /// Exponent n of the received intensity D^n to divide by, or `off`.
+    #[arg(long, default_value_t = NumberOrOff(Some(PAPER_INTENSITY_EXPONENT)), value_name = "N|off", allow_hyphen_values = true)]
+    intensity_exponent: NumberOrOff,
+    /// Where to: a file of the same kind, written whole or not at all.
+    #[arg(long, value_name = "FILE")]
+    out: PathBuf,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  gamow render --beta 0.6 --layout left --out seen.png
+  gamow rectify seen.png --beta 0.6 --out corrected.png
+  gamow rectify photo.png --gamma 3 --fov 60 --gaze 90,0 --out corrected.png";
+
+/// Runs `gamow rectify`.
+pub fn run(args: &RectifyArgs) -> anyhow::Result<()> {
+    let kind = |path: &Path| {
+        FileKind::of(path).with_context(|| format!("{}: it should end in .png or .exr", path.display()))
+    };
+    let (from, to) = (kind(&args.image)?, kind(&args.out)?);
+    anyhow::ensure!(from == to, "--out {}: it should be of the same kind as the picture", args.out.display());
+    match from {
+        FileKind::Png => args.rectify_picture(),
+        FileKind::Exr => args.rectify_measurements(),
+    }
+}
+
+impl RectifyArgs {
+    fn rectify_picture(&self) -> anyhow::Result<()> {
+        let (picture, recorded) = image_in::picture(&self.image)?;
+        let is_stereo = recorded.text("layout").is_some_and(|layout| !["left", "right"].contains(&layout));
+        anyhow::ensure!(
+            !is_stereo,
+            "{}: it shows both eyes; `gamow render --layout left` draws one",
+            self.image.display()
+        );
+        let rectification = self.rectification(picture.size, &recorded)?;
+        let light = LightCorrection {
+            doppler_shift: self.doppler_shift == Switch::On,
+            intensity_exponent: self.intensity_exponent.0,
+        };
+        let corrected = rectification.picture(&picture, light);
+        let provenance = Provenance {
+            title: format!("{}, corrected", self.image.display()),
+            parameters: self.parameters(&rectification)?,
+            scene_fingerprint: String::new(),
+        };
+        write_whole(&self.out, |file| png_file::write(&corrected, &provenance, file))
+    }
+
+    fn rectify_measurements(&self) -> anyhow::Result<()> {
+        let measured = image_in::measurements(&self.image)?;
+        let rectification = self.rectification(measured.size, &measured.recorded)?;
+        let sources = sources(&rectification);
+        let channel = |(name, values): (&String, &Vec<f32>)| {
+            let factor = self.factor(name.rsplit('.').next().unwrap_or(name));
+            let nothing = if name.ends_with("id") { -1.0 } else { 0.0 };
+            let value = |source: &Option<Source>| {
+                source.map_or(nothing, |Source { pixel, doppler }| values[pixel] * factor(doppler) as f32)
+            };
+            let samples = FlatSamples::F32(sources.iter().map(value).collect());
+            AnyChannel::new(Text::from(name.as_str()), samples)
+        };
+        let channels: SmallVec<[_; 4]> = measured.channels.iter().map(channel).collect();
+        let mut attributes = measured.attributes.clone();
+        attributes.comments = Text::new_or_none(self.parameters(&rectification)?);
+        let size = rectification.rest().size.map(|side| side as usize);
+        let encoding = Encoding { compression: Compression::ZIP16, ..Encoding::default() };
+        let layer = Layer::new((size[0], size[1]), attributes, encoding, AnyChannels::sort(channels));
+        write_whole(&self.out, |file| Ok(Image::from_layer(layer).write().to_buffered(file)?))
+    }
+
+    /// By what the channel called `name` is multiplied, as a function of D.
+    fn factor(&self, name: &str) -> Box<dyn Fn(f64) -> f64 + Sync> {
+        let exponent = self.intensity_exponent.0;
+        match name {
+            "wavelength_nm" if self.doppler_shift == Switch::On => Box::new(|doppler| doppler),
+            "intensity" | "R" | "G" | "B" | "Y" => {
+                Box::new(move |doppler| exponent.map_or(1.0, |n| 1.0 / intensity_factor(doppler, n)))
+            }
+            // Rest lengths along a ray, s* = s/D; and a frequency ratio.
+            "distance" | "doppler" => Box::new(|doppler| 1.0 / doppler),
+            _ => Box::new(|_| 1.0),
+        }
+    }
+
+    fn rectification(&self, size: [u32; 2], recorded: &Recorded) -> anyhow::Result<Rectification> {
+        let (parameter, value) =
+            self.speed.given().context("one of --beta, --gamma, --rapidity is needed")?;
+        let speed: Speed = parameter.speed(value)?;
+        let fov = self
+            .fov
+            .or_else(|| recorded.number("fov"))
+            .context("--fov is needed: the file does not record it")?;
+        let gaze = fixed(self.gaze, "--gaze")?
+            .or_else(|| recorded.gaze())
+            .context("--gaze is needed: the file does not record it")?;
+        let ground = Camera { aperture: Aperture::default(), gaze, horizontal_fov: fov.to_radians(), size };
+        let mut rest = Rectification::rest_camera(&ground, &speed);
+        if let Some(fov) = self.out_fov {
+            rest.horizontal_fov = fov.to_radians();
+        }
+        if let Some(gaze) = fixed(self.out_gaze, "--out-gaze")? {
+            rest.gaze = gaze;
+        }
+        Ok(Rectification::new(ground, rest, speed))
+    }
+
+    /// The command that corrects the picture again, with the camera that took the corrected one.
+    fn parameters(&self, rectification: &Rectification) -> anyhow::Result<String> {
+        let (parameter, value) =
+            self.speed.given().context("one of --beta, --gamma, --rapidity is needed")?;
+        let Camera { gaze, horizontal_fov, .. } = rectification.rest();
+        Ok(format!(
+            "gamow rectify --{}={value} --out-fov={} --out-gaze={},{}",
+            parameter.name(),
+            horizontal_fov.to_degrees(),
+            gaze.azimuth.to_degrees(),
+            gaze.elevation.to_degrees()
+        ))
+    }
+}
+
+fn fixed(gaze: Option<GazeChoice>, flag: &str) -> anyhow::Result<Option<Gaze>> {
+    match gaze {
+        None => Ok(None),
+        Some(choice) => {
+            let problem = || format!("{flag}: a picture has one gaze; write azimuth and elevation like 90,0");
+            Ok(Some(choice.fixed().with_context(problem)?))
+        }
+    }
+}
+
+/// Where a pixel of the corrected picture comes from.
+#[derive(Debug, Clone, Copy)]
+struct Source {
+    /// Number of the pixel in the picture from the ground.
+    pixel: usize,
+    /// Doppler factor of the light at that pixel's centre.
+    doppler: f64,
+}
+
+/// The source of every pixel, row by row. Measurements are not interpolated: between two objects lies none.
+fn sources(rectification: &Rectification) -> Vec<Option<Source>> {
+    let [width, height] = rectification.rest().size;
+    let source = |column: u32, row: u32| {
+        let place = [f64::from(column) + 0.5, f64::from(row) + 0.5];
+        let [u, v] = rectification.ground_place(place)?.map(f64::floor);
+        let doppler = rectification.doppler_factor([u + 0.5, v + 0.5]);
+        Some(Source { pixel: v as usize * width as usize + u as usize, doppler })
+    };
+    (0..height).flat_map(|row| (0..width).map(move |column| source(column, row))).collect()
+}

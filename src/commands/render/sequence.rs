@@ -1,0 +1,86 @@
+//! Sequences of frames in a folder, which can be broken off and taken up again.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use anyhow::Context as _;
+use clap::Args;
+use indicatif::{ProgressBar, ProgressStyle};
+
+use super::Studio;
+use super::shot::Observer;
+use crate::files::{exr_file, png_file};
+use crate::flags::choices::FileKind;
+use crate::flags::finite_number;
+
+/// Flags of time: one picture, or a sequence.
+#[derive(Debug, Clone, Args)]
+pub struct TimeArgs {
+    /// Observation time T [default: when the tracked point is seen 45 degrees before it is abreast; 0 at rest]
+    #[arg(long, value_name = "T", value_parser = finite_number, allow_hyphen_values = true, conflicts_with = "frames")]
+    pub time: Option<f64>,
+    /// Make a sequence of N frames.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub frames: Option<u32>,
+    /// Make the frames of a sequence .exr files of what every pixel shows, not .png pictures.
+    #[arg(long, requires = "frames")]
+    exr: bool,
+    /// Observation time of the first frame [default: when the tracked point is seen at x = -2 R, R being
+    /// its distance at x = 0]
+    #[arg(long, value_name = "T", value_parser = finite_number, allow_hyphen_values = true, requires = "frames")]
+    from: Option<f64>,
+    /// Observation time of the last frame [default: when the tracked point is seen at x = +2 R]
+    #[arg(long, value_name = "T", value_parser = finite_number, allow_hyphen_values = true, requires = "frames")]
+    to: Option<f64>,
+}
+
+impl TimeArgs {
+    /// Observation times of the first and the last frame.
+    fn range(&self, observer: &Observer) -> anyhow::Result<[f64; 2]> {
+        if let (Some(from), Some(to)) = (self.from, self.to) {
+            return Ok([from, to]);
+        }
+        let passage = observer.passage_times()?;
+        Ok([self.from.unwrap_or(passage[0]), self.to.unwrap_or(passage[1])])
+    }
+}
+
+/// Draws the frames into `folder` as `frame_00000.png` (or .exr) and so on. Frames that are there already, whole and
+/// with the same parameters, are kept.
+pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Result<()> {
+    let frames = times.frames.unwrap_or(1);
+    let [from, to] = times.range(&studio.observer)?;
+    fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
+    let progress = progress_bar(frames);
+    let kind = if times.exr { FileKind::Exr } else { FileKind::Png };
+    let mut kept = 0;
+    for frame in 0..frames {
+        let u = f64::from(frame) / f64::from(frames.max(2) - 1);
+        let time = from * (1.0 - u) + to * u; // exact at both ends
+        let path = frame_path(folder, frame, kind);
+        let provenance = studio.provenance(time)?;
+        let is_made = match kind {
+            FileKind::Png => png_file::is_made(&path, &provenance),
+            FileKind::Exr => exr_file::is_made(&path, &provenance),
+        };
+        if is_made {
+            kept += 1;
+        } else {
+            studio.make_file(time, kind, &path)?;
+        }
+        progress.inc(1);
+    }
+    progress.finish_and_clear();
+    eprintln!("{} frames drawn and {kept} kept in {}", frames - kept, folder.display());
+    Ok(())
+}
+
+fn frame_path(folder: &Path, frame: u32, kind: FileKind) -> PathBuf {
+    folder.join(format!("frame_{frame:05}.{}", kind.extension()))
+}
+
+/// On standard error, and only if that is a terminal.
+fn progress_bar(frames: u32) -> ProgressBar {
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} frames, {eta} left");
+    ProgressBar::new(frames.into()).with_style(style.expect("the template is well formed"))
+}

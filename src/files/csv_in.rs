@@ -1,0 +1,348 @@
+//! CSV rows in: which column is which, the numbers in them, and where in the file a fault is.
+//!
+//! Comma-separated as in RFC 4180, with any line ending; a byte order mark and blank lines are skipped.
+//! There are no comments: a line that starts with `#` is a row. Numbers may be quoted or padded
+//! with blanks. Columns that mean nothing here may hold any bytes.
+
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+
+use anyhow::Context as _;
+use csv::ByteRecord;
+use relativity_core::SourcePoint;
+use thiserror::Error;
+
+use crate::columns::{COLUMNS, Observation, ObservationError};
+use crate::files::csv_out::io_error;
+use crate::flags::SpeedParameter;
+
+const BUFFER_BYTES: usize = 1 << 16;
+
+/// `file`, or standard input if that is `None` or `-`; and its name in messages.
+pub fn open(file: Option<&Path>) -> anyhow::Result<(String, Box<dyn Read>)> {
+    let Some(file) = file.filter(|file| *file != Path::new("-")) else {
+        return Ok(("standard input".to_owned(), Box::new(io::stdin().lock())));
+    };
+    let name = file.display().to_string();
+    let input = File::open(file).with_context(|| name.clone())?;
+    Ok((name, Box::new(input)))
+}
+
+/// Reads rows, and knows the line of the last one.
+pub struct Rows<R> {
+    csv: csv::Reader<Tap<R>>,
+}
+
+impl<R: Read> Rows<R> {
+    /// Of what `reader` gives.
+    pub fn new(reader: R) -> Self {
+        let csv = csv::ReaderBuilder::new()
+            .has_headers(false)
+            .flexible(true) // rows of the wrong length get an error of ours
+            .buffer_capacity(BUFFER_BYTES)
+            .from_reader(Tap { inner: reader, chunk: Vec::new(), bytes: 0, has_ended: false });
+        Self { csv }
+    }
+
+    /// Reads the next row into `row`; false if there is none.
+    pub fn read(&mut self, row: &mut ByteRecord) -> io::Result<bool> {
+        self.csv.read_byte_record(row).map_err(io_error)
+    }
+
+    /// The line, from 1, on which `row`, the last one read, starts.
+    ///
+    /// The position that csv notes for a record is that of the line end and the blank lines before it, so
+    /// we count back from its end.
+    pub fn line(&self, row: &ByteRecord) -> u64 {
+        let end = self.csv.position();
+        let breaks_inside = row.as_slice().split(|&byte| byte == b'\n').count() as u64 - 1;
+        let break_at_end =
+            !self.is_unclosed(row) && self.csv.get_ref().before(end.byte()).last() == Some(&b'\n');
+        end.line() - breaks_inside - u64::from(break_at_end)
+    }
+
+    /// Refuses `row`, the last one read, if its last field has swallowed the rest of the file.
+    pub fn check_closed(&self, row: &ByteRecord) -> Result<(), RowError> {
+        match row.iter().next_back() {
+            Some(field) if self.is_unclosed(row) => Err(RowError::Unclosed { value: legible(field) }),
+            _ => Ok(()),
+        }
+    }
+
+    /// Whether the file ends inside the quotes of `row`, the last one read.
+    ///
+    /// csv closes them without a word. Only then has a row with no line end after it line ends in its last field,
+    /// and no quote at its end.
+    fn is_unclosed(&self, row: &ByteRecord) -> bool {
+        let file = self.csv.get_ref();
+        let has_break = |field: &[u8]| field.iter().any(|byte| matches!(byte, b'\r' | b'\n'));
+        file.has_ended && row.iter().next_back().is_some_and(has_break) && file.chunk.last() != Some(&b'"')
+    }
+
+    /// Whether the next read waits for input: nothing is left but, after a carriage return, a line feed.
+    pub fn is_drained(&self) -> bool {
+        let left = self.csv.get_ref().after(self.csv.position().byte());
+        left.iter().all(|byte| matches!(byte, b'\r' | b'\n'))
+    }
+}
+
+/// A reader that remembers what it gave last.
+struct Tap<R> {
+    inner: R,
+    chunk: Vec<u8>,
+    bytes: u64,
+    has_ended: bool,
+}
+
+impl<R: Read> Read for Tap<R> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let count = self.inner.read(buffer)?;
+        self.has_ended = count == 0;
+        if !self.has_ended {
+            self.chunk.clear();
+            self.chunk.extend_from_slice(&buffer[..count]);
+            self.bytes += count as u64;
+        }
+        Ok(count)
+    }
+}
+
+impl<R> Tap<R> {
+    /// What it gave last, before `position` in the file.
+    fn before(&self, position: u64) -> &[u8] {
+        self.chunk.split_at(self.place(position)).0
+    }
+
+    /// What it gave last, from `position` in the file on.
+    fn after(&self, position: u64) -> &[u8] {
+        self.chunk.split_at(self.place(position)).1
+    }
+
+    fn place(&self, position: u64) -> usize {
+        // csv buffers nothing but what it was given last, so `position` is within it.
+        self.chunk.len() - (self.bytes - position) as usize
+    }
+}
+
+/// The columns' names, and the cells under them.
+#[derive(Debug)]
+pub struct Names(ByteRecord);
+
+impl Names {
+    /// The names in the first row.
+    pub fn new(row: ByteRecord) -> Result<Self, HeaderError> {
+        if row.is_empty() { Err(HeaderError::Empty) } else { Ok(Self(row)) }
+    }
+
+    /// The place of the column `name`, blanks around it aside.
+    pub fn place(&self, name: &'static str) -> Result<Option<usize>, HeaderError> {
+        let mut places = (0..self.0.len()).filter(|&place| self.0[place].trim_ascii() == name.as_bytes());
+        let (first, second) = (places.next(), places.next());
+        match (first, second) {
+            (Some(first), Some(second)) => {
+                Err(HeaderError::Duplicate { name, first: first + 1, second: second + 1 })
+            }
+            _ => Ok(first),
+        }
+    }
+
+    /// The place of the column `name`, one of those `needed`.
+    pub fn needed_place(&self, name: &'static str, needed: &'static str) -> Result<usize, HeaderError> {
+        self.place(name)?.ok_or_else(|| self.missing(name, needed))
+    }
+
+    /// What to say if the column `name`, one of those `needed`, is not there.
+    pub fn missing(&self, name: &'static str, needed: &'static str) -> HeaderError {
+        let found = self.0.iter().map(legible).collect::<Vec<_>>().join(", ");
+        HeaderError::Missing { name, needed, found: shortened(&found, 120) }
+    }
+
+    /// Refuses a row that has not as many fields as there are names.
+    pub fn check_length(&self, row: &ByteRecord) -> Result<(), RowError> {
+        let (fields, columns) = (row.len(), self.0.len());
+        if fields < columns {
+            let column = legible(&self.0[fields]);
+            return Err(RowError::TooShort { fields, columns, column });
+        }
+        if fields > columns {
+            let value = legible(&row[columns]);
+            return Err(RowError::TooLong { fields, columns, value });
+        }
+        Ok(())
+    }
+
+    /// The number at `place` in `row`.
+    pub fn number(&self, row: &ByteRecord, place: usize) -> Result<f64, RowError> {
+        let fault = |problem| RowError::Value {
+            column: legible(&self.0[place]),
+            value: legible(&row[place]),
+            problem,
+        };
+        let text = row[place].trim_ascii();
+        if text.is_empty() {
+            return Err(fault("is empty; it should be a number"));
+        }
+        let number = std::str::from_utf8(text).ok().and_then(|text| text.parse::<f64>().ok());
+        match number {
+            Some(number) if number.is_finite() => Ok(number),
+            Some(_) => Err(fault("is not finite; it should be a number that a 64-bit float can hold")),
+            None => Err(fault("is not a number; it should be one such as 0.9 or 1e-3")),
+        }
+    }
+}
+
+/// Where the inputs are in each row.
+#[derive(Debug)]
+pub struct Header {
+    speed_parameter: SpeedParameter,
+    speed: usize,
+    d: usize,
+    y: usize,
+    z: usize,
+    time: usize,
+    x0: Option<usize>,
+    names: Names,
+}
+
+/// A header that does not say where the inputs are.
+#[derive(Debug, PartialEq, Error)]
+pub enum HeaderError {
+    /// There is no row at all.
+    #[error("there is no header; it should name the columns, as in beta,d,y,z,T")]
+    Empty,
+    /// A column is not there.
+    #[error("column {name} is missing; the header should name {needed}, and it names {found}")]
+    Missing {
+        /// The column.
+        name: &'static str,
+        /// All the columns that are needed.
+        needed: &'static str,
+        /// All the columns there are.
+        found: String,
+    },
+    /// A column is there twice.
+    #[error("column {name} is there twice, as fields {first} and {second}; it should be there once")]
+    Duplicate {
+        /// The column.
+        name: &'static str,
+        /// Its first place, from 1.
+        first: usize,
+        /// Its second place, from 1.
+        second: usize,
+    },
+    /// The speed is given in two ways.
+    #[error("columns {0} and {1} both give the speed; there should be one of beta, gamma, rapidity")]
+    TwoSpeeds(&'static str, &'static str),
+    /// A column has the name of one that will be appended.
+    #[error("column {0} is there already, and would be appended again; it should be dropped or renamed")]
+    Taken(&'static str),
+}
+
+const NEEDED: &str = "d, y, z, T and one of beta, gamma, rapidity";
+
+impl Header {
+    /// Finds the inputs by the names in the first row.
+    pub fn new(row: ByteRecord) -> Result<Self, HeaderError> {
+        let names = Names::new(row)?;
+        for name in COLUMNS {
+            if names.place(name)?.is_some() {
+                return Err(HeaderError::Taken(name));
+            }
+        }
+        let (speed_parameter, speed) = speed_place(&names)?;
+        Ok(Self {
+            speed_parameter,
+            speed,
+            d: names.needed_place("d", NEEDED)?,
+            y: names.needed_place("y", NEEDED)?,
+            z: names.needed_place("z", NEEDED)?,
+            time: names.needed_place("T", NEEDED)?,
+            x0: names.place("x0")?,
+            names,
+        })
+    }
+
+    /// The observation that `row` describes.
+    pub fn observation(&self, row: &ByteRecord) -> Result<Observation, RowError> {
+        self.names.check_length(row)?;
+        let number = |place| self.names.number(row, place);
+        let speed = self.speed_parameter.speed(number(self.speed)?)?;
+        let x0 = self.x0.map_or(Ok(0.0), number)?;
+        let point = SourcePoint { x0, y: number(self.y)?, z: number(self.z)? };
+        Ok(Observation { speed, point, separation: number(self.d)?, time: number(self.time)? })
+    }
+}
+
+fn speed_place(names: &Names) -> Result<(SpeedParameter, usize), HeaderError> {
+    let mut found = None;
+    for parameter in SpeedParameter::ALL {
+        let Some(place) = names.place(parameter.name())? else { continue };
+        if let Some((earlier, _)) = found.replace((parameter, place)) {
+            return Err(HeaderError::TwoSpeeds(earlier.name(), parameter.name()));
+        }
+    }
+    found.ok_or_else(|| names.missing("beta, gamma or rapidity", NEEDED))
+}
+
+/// A row that describes no observation.
+#[derive(Debug, PartialEq, Error)]
+pub enum RowError {
+    /// Fields are missing at its end.
+    #[error("column {column} has no value; the row has {fields} of {columns} fields")]
+    TooShort {
+        /// How many fields the row has.
+        fields: usize,
+        /// How many the header has.
+        columns: usize,
+        /// The first column without a value.
+        column: String,
+    },
+    /// There are more fields than columns.
+    #[error("\"{value}\" belongs to no column; the row has {fields} fields, and should have {columns}")]
+    TooLong {
+        /// How many fields the row has.
+        fields: usize,
+        /// How many the header has.
+        columns: usize,
+        /// The first value without a column.
+        value: String,
+    },
+    /// The file ends inside a quoted field.
+    #[error("the quote that opens \"{value}\" is never closed")]
+    Unclosed {
+        /// The field.
+        value: String,
+    },
+    /// A value is no finite number.
+    #[error("column {column}: \"{value}\" {problem}")]
+    Value {
+        /// Its column.
+        column: String,
+        /// The value as it stands.
+        value: String,
+        /// What is wrong with it.
+        problem: &'static str,
+    },
+    /// A value is outside its domain.
+    #[error("column {}: {}", .0.column(), .0)]
+    Observation(ObservationError),
+}
+
+impl<E: Into<ObservationError>> From<E> for RowError {
+    fn from(error: E) -> Self {
+        Self::Observation(error.into())
+    }
+}
+
+/// `field` as it can stand in a message.
+fn legible(field: &[u8]) -> String {
+    shortened(&String::from_utf8_lossy(field.trim_ascii()).escape_debug().to_string(), 40)
+}
+
+fn shortened(text: &str, length: usize) -> String {
+    match text.char_indices().nth(length) {
+        Some((end, _)) => format!("{}...", &text[..end]),
+        None => text.to_owned(),
+    }
+}

@@ -1,0 +1,47 @@
+//! CSV rows out: fields passed through as bytes, and numbers as the shortest decimals that read back
+//! to the same f64.
+
+use std::io::{self, Write};
+
+use csv::ByteRecord;
+
+/// Writes rows of fields and numbers.
+pub struct Rows<W: Write> {
+    csv: csv::Writer<W>,
+    decimals: zmij::Buffer,
+}
+
+impl<W: Write> Rows<W> {
+    /// Into `writer`.
+    pub fn new(writer: W) -> Self {
+        Self { csv: csv::Writer::from_writer(writer), decimals: zmij::Buffer::new() }
+    }
+
+    /// Writes the fields of `row`, quoted where they must be, and then `numbers`, which must be finite.
+    /// `row` is left with all of them.
+    pub fn write(&mut self, row: &mut ByteRecord, numbers: &[f64]) -> io::Result<()> {
+        for &number in numbers {
+            let decimal = self.decimals.format_finite(number);
+            if number.abs() < 1e16 {
+                row.push_field(decimal.strip_suffix(".0").unwrap_or(decimal).as_bytes());
+            } else {
+                row.push_field(decimal.replacen('+', "", 1).as_bytes()); // 1e16 is shorter than 1e+16
+            }
+        }
+        self.csv.write_byte_record(row).map_err(io_error)
+    }
+
+    /// Pushes all rows so far to the reader at the other end.
+    pub fn flush(&mut self) -> io::Result<()> {
+        self.csv.flush()
+    }
+}
+
+/// The error inside `error`: csv's own conversion would hide its kind, and with it a broken pipe.
+#[must_use]
+pub fn io_error(error: csv::Error) -> io::Error {
+    match error.into_kind() {
+        csv::ErrorKind::Io(error) => error,
+        other => io::Error::other(format!("{other:?}")),
+    }
+}
