@@ -12,6 +12,9 @@ pub struct Gaze {
     pub elevation: f64,
 }
 
+/// Steepest elevation of a gaze that follows something: at the zenith itself no horizon is level.
+pub const MAX_ELEVATION: f64 = 89.5 * std::f64::consts::PI / 180.0;
+
 /// A pinhole camera at rest on the ground.
 ///
 /// Pixel coordinates run right and down from the image's top left corner; the centre of pixel (i, j)
@@ -40,10 +43,23 @@ pub struct Axes {
 }
 
 impl Gaze {
+    /// Along +y.
+    pub const STRAIGHT_AHEAD: Self = Self { azimuth: std::f64::consts::FRAC_PI_2, elevation: 0.0 };
+
     /// The gaze that looks along `direction` (any length above 0).
     #[must_use]
     pub fn along([x, y, z]: [f64; 3]) -> Self {
         Self { azimuth: y.atan2(x), elevation: z.atan2(x.hypot(y)) }
+    }
+
+    /// The gaze of two parallel eyes towards something that appears in these two directions (any lengths): their
+    /// bisector, so that it lies as far left of the middle in one picture as right in the other. `None` for opposite
+    /// directions, and inside an aperture.
+    #[must_use]
+    pub fn towards(directions: [DVec3; 2]) -> Option<Self> {
+        let [left, right] = directions.map(DVec3::try_normalize);
+        let Self { azimuth, elevation } = Self::along((left? + right?).try_normalize()?.to_array());
+        Some(Self { azimuth, elevation: elevation.clamp(-MAX_ELEVATION, MAX_ELEVATION) })
     }
 
     /// The camera's unit vectors.
