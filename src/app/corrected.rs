@@ -8,7 +8,7 @@ use relativity_core::Speed;
 use relativity_render::backdrop::Backdrop;
 use relativity_render::rectified_hits::Blank;
 use relativity_render::rectify::Rectification;
-use relativity_render::{Appearance, Body, Camera, ReferenceScene, View};
+use relativity_render::{Appearance, Body, Camera, PreparedScene, View};
 
 use super::background_picture::BackgroundPicture;
 
@@ -50,7 +50,7 @@ fn picture(job: &Job) -> ColorImage {
     let view = View { camera, ..job.view };
     let rest = Camera { size, ..Rectification::rest_camera(&camera, &job.speed) };
     let rectification = Rectification::new(view.camera, rest, job.speed);
-    let hits = ReferenceScene::new(&job.bodies).hit_image(&view);
+    let hits = PreparedScene::moving(&job.bodies).hit_image(&view);
     let wavelengths: Vec<f64> = job.bodies.iter().map(|body| body.rest_wavelength_nm).collect();
     let plain = Appearance { sky: false, ground_z: None, ..job.appearance };
     let background = Backdrop::new(&view.camera, &plain).sky(view.camera.gaze.axes().forward);

@@ -8,7 +8,8 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 
-use crate::view::{Geometry, View};
+use crate::group::GroupView;
+use crate::view::Geometry;
 
 /// All directions within `half_angle` of `axis`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,17 +34,21 @@ impl Cone {
         Self { axis: center / distance, half_angle: (radius / distance).asin() }
     }
 
-    /// The ground's lines of sight along which `view` can see something inside the rest-frame ball at
+    /// The camera's lines of sight along which `view` can see something of its group inside the rest-frame ball at
     /// `center`.
     #[must_use]
-    pub fn of_sight(view: &View, center: DVec3, radius: f64) -> Self {
-        let center = center - view.rest_origin();
+    pub fn of_sight(view: &GroupView, center: DVec3, radius: f64) -> Self {
+        let center = center - view.origin;
         match view.geometry {
             Geometry::Rest => Self::around_ball(center, radius),
-            Geometry::Seen | Geometry::Published => Self::around_ball(center, radius).seen_from_ground(view),
+            Geometry::Seen | Geometry::Published => {
+                let reflected = Self::around_ball(view.velocity.reflected(center), radius);
+                let cone = reflected.seen_from_ground(view);
+                Self { axis: view.velocity.reflected(cone.axis), ..cone }
+            }
             // The ball is an ellipsoid on the ground, flattened along x: inside the ball about its centre.
             Geometry::Contracted => {
-                let contracted = DVec3::new(center.x / view.speed.gamma(), center.y, center.z);
+                let contracted = DVec3::new(center.x / view.velocity.speed.gamma(), center.y, center.z);
                 Self::around_ball(contracted, radius)
             }
         }
@@ -56,12 +61,12 @@ impl Cone {
         between <= (self.half_angle + other.half_angle) * (1.0 + 1e-12) + 1e-14
     }
 
-    /// The ground's cone of this rest-frame cone of half-angle up to pi/2.
+    /// The ground's cone of this rest-frame cone of half-angle up to pi/2, for motion along +x.
     ///
     /// In the plane through `axis` and x the cone ends at the angles psi +- `half_angle` from x, and
     /// aberration scales tan(psi/2). Angles count from the end of the x axis that is nearer, so that none
     /// reaches pi.
-    fn seen_from_ground(self, view: &View) -> Self {
+    fn seen_from_ground(self, view: &GroupView) -> Self {
         if self.half_angle >= PI {
             return self;
         }
@@ -69,9 +74,9 @@ impl Cone {
         let across = DVec3::new(0.0, self.axis.y, self.axis.z);
         let psi = across.length().atan2(ahead * self.axis.x);
         let scale = if ahead > 0.0 {
-            view.speed.head_on_doppler_factor()
+            view.velocity.speed.head_on_doppler_factor()
         } else {
-            1.0 / view.speed.head_on_doppler_factor()
+            1.0 / view.velocity.speed.head_on_doppler_factor()
         };
         let ground = |psi: f64| 2.0 * (scale * (0.5 * psi).tan()).atan();
         let [low, high] = [ground(psi - self.half_angle), ground(psi + self.half_angle)];

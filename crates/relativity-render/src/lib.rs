@@ -25,6 +25,7 @@ pub mod ray;
 pub mod rectified_hits;
 pub mod rectify;
 pub mod reference;
+pub mod scene;
 pub mod shade;
 #[doc(hidden)]
 pub mod shaders;
@@ -39,6 +40,7 @@ pub use gpu::{Gpu, GpuError};
 pub use group::{GroupView, Motion, RestRay, Velocity};
 pub use mesh::MeshRenderer;
 pub use picture::Picture;
-pub use reference::{Hit, HitImage, ReferenceScene};
+pub use reference::{Hit, HitImage};
+pub use scene::{Group, PreparedScene};
 pub use target::EyeTarget;
 pub use view::{Appearance, Colour, Geometry, Shading, View};

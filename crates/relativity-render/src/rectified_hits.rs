@@ -71,7 +71,7 @@ fn corrected_colour(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Body, Camera, Colour, Gaze, Geometry, ReferenceScene, Shading, Shape, View};
+    use crate::{Body, Camera, Colour, Gaze, Geometry, PreparedScene, Shading, Shape, View};
     use relativity_core::{Aperture, Speed};
 
     const RED_NM: f64 = 640.0;
@@ -112,7 +112,7 @@ mod tests {
 
     fn corrected(fitted_beta: f64) -> Picture {
         let (view, bodies) = (view(), bodies());
-        let hits = ReferenceScene::new(&bodies).hit_image(&view);
+        let hits = PreparedScene::moving(&bodies).hit_image(&view);
         let speed = Speed::from_beta(fitted_beta).expect("a speed");
         let rest = Rectification::rest_camera(&view.camera, &speed);
         let rectification = Rectification::new(view.camera, rest, speed);
@@ -145,7 +145,7 @@ mod tests {
         let view = view();
         let rest_camera = Rectification::rest_camera(&view.camera, &view.speed);
         let riding = View { camera: rest_camera, geometry: Geometry::Rest, ..view };
-        let expected = ReferenceScene::new(&bodies()).hit_image(&riding);
+        let expected = PreparedScene::moving(&bodies()).hit_image(&riding);
         let differing = |beta: f64| {
             let pairs = corrected(beta).rgba.into_iter().zip(&expected.hits);
             let wrong = |(pixel, hit): &([u8; 4], &Option<Hit>)| {
