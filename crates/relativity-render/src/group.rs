@@ -69,6 +69,26 @@ impl Velocity {
         if self.is_backward { DVec3::new(-v.x, v.y, v.z) } else { v }
     }
 
+    /// The line of sight (unit vector) in the frame that moves so, of one on the ground.
+    #[must_use]
+    pub fn rest_from_ground(&self, line_of_sight: DVec3) -> DVec3 {
+        let n = self.reflected(line_of_sight).to_array();
+        self.reflected(aberration::rest_from_ground(n, &self.speed).into())
+    }
+
+    /// The line of sight (unit vector) on the ground, of one in the frame that moves so.
+    #[must_use]
+    pub fn ground_from_rest(&self, line_of_sight: DVec3) -> DVec3 {
+        let n = self.reflected(line_of_sight).to_array();
+        self.reflected(aberration::ground_from_rest(n, &self.speed).into())
+    }
+
+    /// Doppler factor of light from what moves so, received along the ground's `line_of_sight` (unit vector).
+    #[must_use]
+    pub fn doppler_factor(&self, line_of_sight: DVec3) -> f64 {
+        aberration::doppler_factor(self.reflected(line_of_sight).to_array(), &self.speed)
+    }
+
     /// This velocity as a camera sees it that moves at `camera`: rapidities subtract.
     fn seen_from(self, camera: Self) -> Self {
         if camera.is_rest() {
@@ -154,9 +174,8 @@ impl GroupView {
         let speed = &velocity.speed;
         match self.geometry {
             Geometry::Seen | Geometry::Published => {
-                let n = velocity.reflected(line_of_sight).to_array();
-                let doppler_factor = aberration::doppler_factor(n, speed);
-                let direction = velocity.reflected(aberration::rest_from_ground(n, speed).into());
+                let doppler_factor = velocity.doppler_factor(line_of_sight);
+                let direction = velocity.rest_from_ground(line_of_sight);
                 // s* = s gamma (1 + beta n_x) = s / D.
                 RestRay { origin, time, direction, ground_per_rest: doppler_factor, doppler_factor }
             }
