@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 use relativity_core::Aperture;
+use relativity_core::math::{atan2, hypot, sin_cos, tan};
 
 /// Where a camera looks: the direction of its optical axis. Its horizon stays level.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,7 +50,7 @@ impl Gaze {
     /// The gaze that looks along `direction` (any length above 0).
     #[must_use]
     pub fn along([x, y, z]: [f64; 3]) -> Self {
-        Self { azimuth: y.atan2(x), elevation: z.atan2(x.hypot(y)) }
+        Self { azimuth: atan2(y, x), elevation: atan2(z, hypot(x, y)) }
     }
 
     /// The gaze of two parallel eyes towards something that appears in these two directions (any lengths): their
@@ -65,8 +66,8 @@ impl Gaze {
     /// The camera's unit vectors.
     #[must_use]
     pub fn axes(&self) -> Axes {
-        let (sin_azimuth, cos_azimuth) = self.azimuth.sin_cos();
-        let (sin_elevation, cos_elevation) = self.elevation.sin_cos();
+        let (sin_azimuth, cos_azimuth) = sin_cos(self.azimuth);
+        let (sin_elevation, cos_elevation) = sin_cos(self.elevation);
         let right = DVec3::new(sin_azimuth, -cos_azimuth, 0.0);
         let forward = DVec3::new(cos_elevation * cos_azimuth, cos_elevation * sin_azimuth, sin_elevation);
         Axes { right, up: right.cross(forward), forward }
@@ -77,7 +78,7 @@ impl Camera {
     /// Distance from the pinhole to the picture plane, in pixels.
     #[must_use]
     pub fn focal_length_px(&self) -> f64 {
-        0.5 * f64::from(self.size[0]) / (0.5 * self.horizontal_fov).tan()
+        0.5 * f64::from(self.size[0]) / tan(0.5 * self.horizontal_fov)
     }
 
     /// Unit vector from the aperture through the point `[u, v]` of the picture, in pixels.

@@ -7,6 +7,7 @@
 use std::f64::consts::PI;
 
 use glam::DVec3;
+use relativity_core::math::{asin, atan, atan2, sin_cos, tan};
 
 use crate::group::GroupView;
 use crate::view::Geometry;
@@ -31,7 +32,7 @@ impl Cone {
         if distance <= radius {
             return Self::WHOLE_SKY;
         }
-        Self { axis: center / distance, half_angle: (radius / distance).asin() }
+        Self { axis: center / distance, half_angle: asin(radius / distance) }
     }
 
     /// The camera's lines of sight along which `view` can see something of its group inside the rest-frame ball at
@@ -57,7 +58,7 @@ impl Cone {
     /// Whether the cones share a direction, with a little to spare for rounding.
     #[must_use]
     pub fn meets(&self, other: &Self) -> bool {
-        let between = self.axis.cross(other.axis).length().atan2(self.axis.dot(other.axis));
+        let between = atan2(self.axis.cross(other.axis).length(), self.axis.dot(other.axis));
         between <= (self.half_angle + other.half_angle) * (1.0 + 1e-12) + 1e-14
     }
 
@@ -72,15 +73,15 @@ impl Cone {
         }
         let ahead = 1f64.copysign(self.axis.x);
         let across = DVec3::new(0.0, self.axis.y, self.axis.z);
-        let psi = across.length().atan2(ahead * self.axis.x);
+        let psi = atan2(across.length(), ahead * self.axis.x);
         let scale = if ahead > 0.0 {
             view.velocity.speed.head_on_doppler_factor()
         } else {
             1.0 / view.velocity.speed.head_on_doppler_factor()
         };
-        let ground = |psi: f64| 2.0 * (scale * (0.5 * psi).tan()).atan();
+        let ground = |psi: f64| 2.0 * atan(scale * tan(0.5 * psi));
         let [low, high] = [ground(psi - self.half_angle), ground(psi + self.half_angle)];
-        let (sin, cos) = (0.5 * (low + high)).sin_cos();
+        let (sin, cos) = sin_cos(0.5 * (low + high));
         let axis = DVec3::X * (ahead * cos) + across.normalize_or_zero() * sin;
         Self { axis, half_angle: 0.5 * (high - low) }
     }

@@ -1,7 +1,7 @@
 //! Corrects what was measured at each pixel: as a picture of colours is corrected (see [`crate::rectify`]), but
 //! no wavelength is out of sight, and none has to be told from a hue.
 
-use rayon::prelude::*;
+use relativity_core::threads::prelude::*;
 
 use crate::colour::hue_preserving_clip;
 use crate::picture::{Picture, encoded};

@@ -10,8 +10,9 @@
 
 use std::sync::LazyLock;
 
-use rayon::prelude::*;
 use relativity_core::doppler::intensity_factor;
+use relativity_core::math::{atan, tan};
+use relativity_core::threads::prelude::*;
 
 use crate::camera::{Camera, Gaze, LinesOfSight};
 use crate::colour::{hue_preserving_clip, linear_srgb, mix, srgb_decoded};
@@ -58,8 +59,8 @@ impl Rectification {
         let centre = ground.gaze.axes().forward;
         let gaze = Gaze::along(velocity.rest_from_ground(centre).to_array());
         // Small angles are D times as large in the rest frame, so the focal length is 1/D times as long.
-        let half_width = (0.5 * ground.horizontal_fov).tan() * velocity.doppler_factor(centre);
-        Camera { gaze, horizontal_fov: 2.0 * half_width.atan(), ..*ground }
+        let half_width = tan(0.5 * ground.horizontal_fov) * velocity.doppler_factor(centre);
+        Camera { gaze, horizontal_fov: 2.0 * atan(half_width), ..*ground }
     }
 
     /// The moving camera.

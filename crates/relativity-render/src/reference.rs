@@ -10,7 +10,7 @@
 //! a tracer that walks back along the light, without a boost, sees the same bodies.
 
 use glam::DVec3;
-use rayon::prelude::*;
+use relativity_core::threads::prelude::*;
 
 use crate::backdrop::Backdrop;
 use crate::camera::LinesOfSight;
