@@ -18,6 +18,18 @@ pub const MAX_ELEVATION: f64 = 89.5 * std::f64::consts::PI / 180.0;
 
 /// A pinhole camera at rest on the ground.
 ///
+/// # Examples
+///
+/// ```
+/// use relativity_core::Aperture;
+/// use relativity_render::{Camera, Gaze};
+///
+/// let (gaze, horizontal_fov) = (Gaze::STRAIGHT_AHEAD, std::f64::consts::FRAC_PI_2);
+/// let camera = Camera { aperture: Aperture::default(), gaze, horizontal_fov, size: [200, 100] };
+/// let [u, v] = camera.pixel([1.0, 2.0, 0.0].into()).expect("in front of the camera");
+/// assert!((u - 150.0).abs() < 1e-9 && (v - 50.0).abs() < 1e-9);
+/// ```
+///
 /// Pixel coordinates run right and down from the image's top left corner; the centre of pixel (i, j)
 /// lies at (i + 0.5, j + 0.5).
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 use glam::DVec3;
 use relativity_core::math::{asin, atan, atan2, sin_cos, tan};
 
-use crate::group::GroupView;
+use crate::group_view::GroupView;
 use crate::view::Geometry;
 
 /// All directions within `half_angle` of `axis`.

@@ -16,9 +16,9 @@ use relativity_core::threads::prelude::*;
 
 use crate::camera::{Camera, Gaze, LinesOfSight};
 use crate::colour::{hue_preserving_clip, linear_srgb, mix, srgb_decoded};
-use crate::group::Velocity;
 use crate::picture::{Picture, encoded};
 use crate::reference::sample_grid;
+use crate::velocity::Velocity;
 use crate::view::Colour;
 
 /// Rays per pixel of a corrected picture, along each side.
@@ -29,6 +29,24 @@ const HUES_NM: std::ops::RangeInclusive<u32> = 420..=710;
 const HUE_TOLERANCE: f64 = 0.1;
 
 /// Two cameras at one event: one at rest on the ground, one moving along with the objects.
+///
+/// # Examples
+///
+/// ```
+/// use relativity_core::Aperture;
+/// use relativity_render::rectify::Rectification;
+/// use relativity_render::{Camera, Gaze, Velocity};
+///
+/// let (aperture, gaze) = (Aperture::default(), Gaze::STRAIGHT_AHEAD);
+/// let ground = Camera { aperture, gaze, horizontal_fov: 1.0, size: [80, 60] };
+/// let velocity = Velocity::from_beta(0.6)?;
+/// let rest = Rectification::rest_camera(&ground, &velocity);
+/// // The camera that moves along looks ahead to see the same: cos(azimuth) = beta.
+/// assert!((rest.gaze.azimuth - 0.6f64.acos()).abs() < 1e-15);
+/// let [u, v] = Rectification::new(ground, rest, velocity).ground_place([40.0, 30.0]).expect("inside");
+/// assert!((u - 40.0).hypot(v - 30.0) < 1e-9);
+/// # Ok::<(), relativity_core::SpeedError>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Rectification {
     ground: Camera,

@@ -16,7 +16,7 @@ use crate::backdrop::Backdrop;
 use crate::camera::LinesOfSight;
 use crate::colour::hue_preserving_clip;
 use crate::cone::Cone;
-use crate::group::GroupView;
+use crate::group_view::GroupView;
 use crate::intersect::Entry;
 use crate::picture::{Picture, encoded};
 use crate::ray::Ray;

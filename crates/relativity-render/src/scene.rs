@@ -6,8 +6,9 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::body::Body;
-use crate::group::{GroupView, Motion};
+use crate::group_view::GroupView;
 use crate::intersect::{Solid, bounding_box};
+use crate::velocity::Motion;
 use crate::view::View;
 
 /// Bodies that move alike.
@@ -26,6 +27,21 @@ const TIE: f64 = 1e-12;
 /// A scene prepared for every way to draw it, for hits and for picking. Clones share it; equal are those that do.
 ///
 /// Bodies may overlap; the nearest surface is seen, of equally near ones that of the lowest number.
+///
+/// # Examples
+///
+/// ```
+/// use relativity_render::{Body, Group, Motion, PreparedScene, Shape, Velocity};
+///
+/// let ball = |x| Body { shape: Shape::Sphere { center: [x, 3.0, 0.0], radius: 0.5 }, rest_wavelength_nm: 550.0 };
+/// let (rider, street) = ([ball(0.0)], [ball(-2.0), ball(2.0)]);
+/// let scene = PreparedScene::new([
+///     Group { motion: Motion::Scene, bodies: &rider },
+///     Group { motion: Motion::Own(Velocity::REST), bodies: &street },
+/// ]);
+/// assert_eq!(scene.motion_of(2), Motion::Own(Velocity::REST));
+/// assert_eq!(scene.bodies()[2].group, 1);
+/// ```
 #[derive(Debug, Clone)]
 pub struct PreparedScene(Arc<Prepared>);
 
