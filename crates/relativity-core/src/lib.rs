@@ -56,6 +56,8 @@ pub mod domain;
 pub mod doppler;
 pub mod fit;
 pub mod math;
+mod model;
+pub mod passage;
 pub mod published;
 mod real;
 pub mod speed;
@@ -63,11 +65,13 @@ pub mod threads;
 
 pub use apparent::{Aperture, Sighting, SourcePoint, sighting};
 pub use bootstrap::{Bootstrap, DEFAULT_REPLICATES, bootstrap, bootstrap_unless};
-pub use disparity::{Disparity, disparities, disparity, equidistance_time};
+pub use disparity::{Disparity, disparities, disparity};
 pub use domain::{DomainError, MAX_COORDINATE};
 pub use fit::{
-    Combined, Curves, Fit, FitError, FitModel, FitOptions, Observations, Parameter, Passage, Reading, Sample,
+    Combined, Curves, Fit, FitError, FitOptions, Observations, Parameter, Passage, Reading, Sample,
     Simulation, combined, fit, fit_from,
 };
+pub use model::Model;
+pub use passage::{equidistance_time, observation_time_when_seen_at};
 pub use published::{PublishedVariant, printed_apparent_x, published_disparity};
 pub use speed::{MAX_GAMMA, Speed, SpeedError};

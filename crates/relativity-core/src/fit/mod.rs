@@ -23,7 +23,6 @@ mod start;
 mod verdict;
 
 pub use combined::{Combined, combined};
-pub use curve::FitModel;
 pub use error::FitError;
 pub use observations::{Observations, Reading, Sample};
 pub use simulation::Simulation;
@@ -34,6 +33,7 @@ pub(crate) use regular::Regular;
 use nalgebra::{Matrix4, Vector4};
 
 use crate::math;
+use crate::model::Model;
 use curve::Trial;
 use descent::Minimum;
 use prepare::Data;
@@ -42,14 +42,23 @@ use prepare::Data;
 const NORMAL_95: f64 = 1.959_963_984_540_054;
 
 /// Which curves are fitted.
+///
+/// As a flag's value and in a file they are their [name](Self::name).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Curves {
     /// Delta-phi only: the azimuthal fit.
+    #[cfg_attr(feature = "clap", value(name = "dphi"))]
+    #[cfg_attr(feature = "serde", serde(rename = "dphi", alias = "Azimuth"))]
     Azimuth,
     /// Delta-theta only: the polar fit.
+    #[cfg_attr(feature = "clap", value(name = "dtheta"))]
+    #[cfg_attr(feature = "serde", serde(rename = "dtheta", alias = "Polar"))]
     Polar,
     /// Both at once.
     #[default]
+    #[cfg_attr(feature = "serde", serde(rename = "both", alias = "Both"))]
     Both,
 }
 
@@ -84,7 +93,7 @@ pub enum Passage {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FitOptions {
     /// The binocular model.
-    pub model: FitModel,
+    pub model: Model,
     /// Which curves.
     pub curves: Curves,
     /// x0, known or not.
@@ -93,7 +102,7 @@ pub struct FitOptions {
 
 impl Default for FitOptions {
     fn default() -> Self {
-        Self { model: FitModel::Exact, curves: Curves::Both, passage: Passage::Known(0.0) }
+        Self { model: Model::Exact, curves: Curves::Both, passage: Passage::Known(0.0) }
     }
 }
 
