@@ -40,8 +40,8 @@ pub fn advanced(time: f64, step: f64, rate: f64, looping: bool, range: [f64; 2])
 #[must_use]
 pub fn fitted_range(speed: &Speed, point: SourcePoint) -> [f64; 2] {
     let passage = Passage::new(speed, point);
-    let width = passage.nearest / passage.speed.beta();
-    [-2.0, 3.0].map(|widths| bounded(passage.time_seen_at(0.0) + widths * width))
+    let (abreast, beta) = (passage.time_seen_at(0.0), passage.speed.beta());
+    [-2.0, 3.0].map(|widths| bounded(abreast + widths * passage.nearest / beta))
 }
 
 /// When `point` is seen 45 degrees before it is abreast: near enough to look at, and still approaching.
