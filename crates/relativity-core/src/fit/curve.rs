@@ -40,6 +40,12 @@ pub(crate) struct Slopes {
 }
 
 impl Trial {
+    /// Its beta, y, z and x0.
+    pub fn reported(&self) -> [f64; 4] {
+        let beta = self.speed.beta();
+        [beta, self.y, self.z, self.passage_x - beta * self.passage_time]
+    }
+
     /// Delta-phi and Delta-theta at `time`.
     pub fn angles(&self, model: Model, pair: &[Aperture; 2], time: f64) -> [f64; 2] {
         self.wanted_angles(model, pair, time, [true, true])

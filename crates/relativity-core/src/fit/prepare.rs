@@ -4,8 +4,8 @@ use crate::domain::check;
 use crate::fit::curve::Trial;
 use crate::fit::error::FitError;
 use crate::fit::observations::{Observations, Reading, Sample};
+use crate::fit::options::{FitOptions, Passage};
 use crate::fit::problem::{Problem, Row};
-use crate::fit::{FitOptions, Passage};
 use crate::model::Model;
 
 const NAMES: [&str; 2] = ["dphi", "dtheta"];
