@@ -4,9 +4,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use glam::{DVec2, DVec3};
-use relativity_core::{
-    Aperture, Disparity, DomainError, PublishedVariant, SourcePoint, disparity, published_disparity,
-};
+use relativity_core::{Disparity, DomainError, Model, PublishedVariant, SourcePoint};
 use relativity_render::{Hit, Motion, PreparedScene, View};
 
 use super::difference::{ARCSECONDS, angle};
@@ -40,14 +38,11 @@ pub fn published_error(
     separation: f64,
 ) -> Result<PublishedError, DomainError> {
     let points = visible_points(scene, left);
-    let [primary, secondary] = Aperture::pair(separation);
-    let time = left.observation_time;
-    let exact = |&point: &SourcePoint| disparity(&left.speed, point, primary, secondary, time);
-    let published = |&point: &SourcePoint| {
-        published_disparity(&left.speed, point, separation, time, PublishedVariant::AppendixA)
+    let of = |model: Model| {
+        timed(&points, |&point| model.disparity(&left.speed, point, separation, left.observation_time))
     };
-    let (exact, exact_ns) = timed(&points, exact)?;
-    let (published, published_ns) = timed(&points, published)?;
+    let (exact, exact_ns) = of(Model::Exact)?;
+    let (published, published_ns) = of(Model::Published(PublishedVariant::AppendixA))?;
     let sights = |both: &[Disparity]| -> Vec<DVec3> {
         both.iter().map(|disparity| disparity.secondary.position.into()).collect()
     };
