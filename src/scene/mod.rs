@@ -5,6 +5,7 @@
 
 mod error;
 mod file;
+mod fingerprint;
 mod placement;
 mod presets;
 mod table;

@@ -14,7 +14,7 @@ use crate::accuracy::{
     Effort, ExpectedError, Formula, LARGEST_PX, Method, Place, RESOLUTION_PX, Renderers, expected_error,
     formula_error, published_error, view_at,
 };
-use crate::files::png_file::SOFTWARE;
+use crate::files::provenance::SOFTWARE;
 use crate::scene::Scene;
 
 /// Separation of the apertures: the paper's for its cyclist.

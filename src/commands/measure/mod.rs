@@ -14,7 +14,9 @@ use relativity_core::Aperture;
 use relativity_render::Camera;
 
 use self::locate::Target;
-use crate::files::image_in::{self, Recorded};
+use crate::files::exr::{EYES, Measurements};
+use crate::files::png::PngFile;
+use crate::files::provenance::Recorded;
 use crate::files::{csv_out, whole};
 use crate::flags::choices::FileKind;
 
@@ -138,18 +140,16 @@ fn files(inputs: &[PathBuf], target: Target) -> anyhow::Result<Vec<PathBuf>> {
 fn measured(file: &Path, target: Target) -> anyhow::Result<Option<[f64; COLUMNS.len()]>> {
     let (places, size, recorded) = match target {
         Target::Marker(colour) => {
-            let (picture, recorded) = image_in::picture(file)?;
+            let file = PngFile::read(file)?;
+            let recorded = file.recorded();
             anyhow::ensure!(recorded.text("layout") == Some("side-by-side"), "it is no side-by-side picture");
-            let [width, height] = picture.size;
-            (locate::colour_in(&picture, colour), [width / 2, height], recorded)
+            let [width, height] = file.picture.size;
+            (locate::colour_in(&file.picture, colour), [width / 2, height], recorded)
         }
         Target::Point(_) | Target::Object(_) => {
-            let measurements = image_in::measurements(file)?;
-            let places = [
-                locate::in_layer(&measurements, "left", target)?,
-                locate::in_layer(&measurements, "right", target)?,
-            ];
-            (places, measurements.size, measurements.recorded)
+            let file = Measurements::read(file)?;
+            let [left, right] = EYES.map(|eye| locate::in_layer(&file, eye, target));
+            ([left?, right?], file.size, file.recorded())
         }
     };
     let [Some(left), Some(right)] = places else { return Ok(None) };

@@ -9,7 +9,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use super::Studio;
 use super::shot::Observer;
-use crate::files::{exr_file, png_file};
+use crate::files::{exr, png};
 use crate::flags::choices::FileKind;
 use crate::flags::finite_number;
 
@@ -60,8 +60,8 @@ pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Resu
         let path = frame_path(folder, frame, kind);
         let provenance = studio.provenance(time)?;
         let is_made = match kind {
-            FileKind::Png => png_file::is_made(&path, &provenance),
-            FileKind::Exr => exr_file::is_made(&path, &provenance),
+            FileKind::Png => png::is_made(&path, &provenance.texts()),
+            FileKind::Exr => exr::is_made(&path, &provenance.comments()),
         };
         if is_made {
             kept += 1;
