@@ -35,7 +35,7 @@ pub fn run(args: &PaperArgs) -> anyhow::Result<()> {
     figures::write_all(folder)?;
     let fits = fits::write_all(folder)?;
     let frames = stereo::write_all(folder)?;
-    let report = report::Report {
+    let report = report::PaperReport {
         numbers: numbers::rows()?,
         fits,
         bias: fits::bias_of_published()?,

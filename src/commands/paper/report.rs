@@ -5,17 +5,17 @@ use std::fmt;
 use super::fits::{self, ModelFits};
 use super::numbers::Row;
 use super::stereo::{Figure, Frame};
-use crate::estimate::{Attempt, Outcome, Parameters};
+use crate::estimate::{Attempt, CurvesFit, Parameters};
 
 /// Everything the report tells.
 #[derive(Debug)]
-pub struct Report<'a> {
+pub struct PaperReport<'a> {
     /// The numbers of the paper's text.
     pub numbers: Vec<Row>,
     /// Fits of data of the published and of the exact model.
     pub fits: [ModelFits; 2],
     /// Fits of exact curves by the published model.
-    pub bias: [fits::Outcome; 3],
+    pub bias: [fits::Bias; 3],
     /// The stereo frames.
     pub frames: Vec<(&'a Figure, Vec<Frame>)>,
 }
@@ -100,7 +100,7 @@ Each is an SVG file, with its numbers in a CSV file of the same name.
 | fit-theta | delta-theta of the tracked point and its fit |
 ";
 
-impl fmt::Display for Report<'_> {
+impl fmt::Display for PaperReport<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(OPENING)?;
         for row in &self.numbers {
@@ -119,7 +119,7 @@ impl fmt::Display for Report<'_> {
     }
 }
 
-impl Report<'_> {
+impl PaperReport<'_> {
     fn write_fits(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let paper = [
             ("delta-phi", ["0.901(5)", "2.99(5)", "2.02(7)"]),
@@ -193,8 +193,8 @@ impl Report<'_> {
 }
 
 /// Value and uncertainty of a parameter in fit 0 (azimuthal), 1 (polar), 2 (their mean) or 3 (joint).
-fn cell(report: &crate::estimate::Report, fit: usize, parameter: usize) -> String {
-    let of_outcome = |outcome: &Outcome| {
+fn cell(report: &crate::estimate::FitReport, fit: usize, parameter: usize) -> String {
+    let of_outcome = |outcome: &CurvesFit| {
         let estimate = pick(&outcome.parameters, parameter);
         written(estimate.value, estimate.uncertainty)
     };
