@@ -1,7 +1,6 @@
 //! How far the published binocular model is from the exact one: where it puts the right eye's view.
 
 use std::hint::black_box;
-use std::time::Instant;
 
 use glam::{DVec2, DVec3};
 use relativity_core::{
@@ -11,6 +10,7 @@ use relativity_render::{HitImage, ReferenceScene, View};
 
 use super::difference::{ARCSECONDS, angle};
 use super::spread::Spread;
+use crate::platform::clock::Instant;
 
 /// Most points that are compared.
 const POINTS: usize = 2000;

@@ -13,6 +13,7 @@ use super::state::State;
 use super::{App, graphics};
 use crate::files::png;
 use crate::files::whole::write_whole;
+use crate::platform::threads;
 
 /// Frames until the layout has settled: the size of a scroll area is known from the frame before.
 const FRAMES: usize = 3;
@@ -42,7 +43,7 @@ fn picture(state: State, size: [u32; 2]) -> anyhow::Result<Picture> {
             settled += 1;
         } else {
             settled = 0;
-            std::thread::sleep(WAIT);
+            threads::sleep(WAIT);
         }
         if settled == FRAMES {
             painter.paint(&ctx, output);

@@ -4,7 +4,6 @@
 //! There are no comments: a line that starts with `#` is a row. Numbers may be quoted or padded
 //! with blanks. Columns that mean nothing here may hold any bytes.
 
-use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
@@ -13,6 +12,7 @@ use csv::ByteRecord;
 use thiserror::Error;
 
 use super::csv_out::io_error;
+use crate::platform::files;
 
 const BUFFER_BYTES: usize = 1 << 16;
 
@@ -22,7 +22,7 @@ pub fn open(file: Option<&Path>) -> anyhow::Result<(String, Box<dyn Read>)> {
         return Ok(("standard input".to_owned(), Box::new(io::stdin().lock())));
     };
     let name = file.display().to_string();
-    let input = File::open(file).with_context(|| name.clone())?;
+    let input = files::open(file).with_context(|| name.clone())?;
     Ok((name, Box::new(input)))
 }
 

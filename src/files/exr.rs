@@ -2,21 +2,22 @@
 //! [`Channel`], in f32.
 
 use std::collections::BTreeMap;
-use std::io::{Seek, Write};
+use std::io::{BufReader, Seek, Write};
 use std::path::Path;
 
 use anyhow::Context as _;
 use exr::meta::MetaData;
 use exr::meta::header::Header;
 use exr::prelude::{
-    AnyChannel, AnyChannels, Compression, Encoding, FlatSamples, Image, Layer, LayerAttributes, SmallVec,
-    Text, WritableImage, f16, read_first_flat_layer_from_file,
+    AnyChannel, AnyChannels, Compression, Encoding, FlatSamples, Image, Layer, LayerAttributes,
+    ReadChannels as _, ReadLayers as _, SmallVec, Text, WritableImage, f16, read,
 };
 use relativity_core::doppler::{intensity_factor, received_wavelength};
 use relativity_render::rectify::LightCorrection;
 use relativity_render::{Body, Hit, HitImage};
 
 use super::provenance::{Recorded, SOFTWARE};
+use crate::platform::files;
 
 /// The layers: the eyes, in the order in which two eyes are given everywhere.
 pub const EYES: [&str; 2] = ["left", "right"];
@@ -187,8 +188,7 @@ impl Measurements {
     ///
     /// A file that cannot be read, named.
     pub fn read(path: &Path) -> anyhow::Result<Self> {
-        let name = || path.display().to_string();
-        let layer = read_first_flat_layer_from_file(path).with_context(name)?.layer_data;
+        let layer = first_layer(path).with_context(|| path.display().to_string())?;
         let channels = layer.channel_data.list.into_iter().map(|channel| {
             let values = match channel.sample_data {
                 FlatSamples::F32(values) => values,
@@ -249,6 +249,12 @@ impl Measurements {
     }
 }
 
+fn first_layer(path: &Path) -> anyhow::Result<Layer<AnyChannels<FlatSamples>>> {
+    let file = BufReader::new(files::open(path)?);
+    let layers = read().no_deep_data().largest_resolution_level().all_channels().first_valid_layer();
+    Ok(layers.all_attributes().from_buffered(file)?.layer_data)
+}
+
 /// The comments.
 fn said(attributes: &LayerAttributes) -> Option<String> {
     attributes.comments.as_ref().map(ToString::to_string)
@@ -258,7 +264,9 @@ fn said(attributes: &LayerAttributes) -> Option<String> {
 #[must_use]
 pub fn is_made(path: &Path, comments: &str) -> bool {
     let is_expected = |header: &Header| said(&header.own_attributes).as_deref() == Some(comments);
-    MetaData::read_from_file(path, false).is_ok_and(|meta| meta.headers.iter().any(is_expected))
+    let Ok(file) = files::open(path) else { return false };
+    let meta = MetaData::read_from_buffered(BufReader::new(file), false);
+    meta.is_ok_and(|meta| meta.headers.iter().any(is_expected))
 }
 
 #[cfg(test)]

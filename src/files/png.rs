@@ -1,6 +1,5 @@
 //! PNG files, with the texts in which they remember how they were made.
 
-use std::fs::File;
 use std::io::{BufReader, Write};
 use std::path::Path;
 
@@ -8,6 +7,7 @@ use anyhow::Context as _;
 use relativity_render::Picture;
 
 use super::provenance::{Recorded, SOFTWARE};
+use crate::platform::files;
 
 /// Keyword of the text that names the program.
 const SOFTWARE_KEYWORD: &str = "Software";
@@ -61,7 +61,7 @@ impl PngFile {
     }
 
     fn decoded(path: &Path) -> anyhow::Result<Self> {
-        let mut decoder = png::Decoder::new(BufReader::new(File::open(path)?));
+        let mut decoder = png::Decoder::new(BufReader::new(files::open(path)?));
         decoder
             .set_transformations(png::Transformations::normalize_to_color8() | png::Transformations::ALPHA);
         let mut reader = decoder.read_info()?;

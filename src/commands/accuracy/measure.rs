@@ -15,6 +15,7 @@ use crate::accuracy::{
     expected_error, formula_error, published_error, view_at,
 };
 use crate::files::provenance::SOFTWARE;
+use crate::platform::threads;
 use crate::scene::Scene;
 
 /// Separation of the apertures: the paper's for its cyclist.
@@ -52,7 +53,7 @@ pub fn report(
     let setting = Setting {
         program: SOFTWARE,
         optimised: !cfg!(debug_assertions),
-        threads: rayon::current_num_threads(),
+        threads: threads::count(),
         device: measurement.renderers.device(),
         scene: scene_name.to_owned(),
         objects: scene.bodies.len(),

@@ -4,7 +4,6 @@
 
 mod locate;
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::Context as _;
@@ -19,6 +18,7 @@ use crate::files::png::PngFile;
 use crate::files::provenance::Recorded;
 use crate::files::{csv_out, whole};
 use crate::flags::choices::FileKind;
+use crate::platform;
 
 /// Follows a point through a stereo sequence and measures its angles, as CSV.
 ///
@@ -115,12 +115,8 @@ fn files(inputs: &[PathBuf], target: Target) -> anyhow::Result<Vec<PathBuf>> {
     let mut files = Vec::new();
     for input in inputs {
         let name = || input.display().to_string();
-        if input.is_dir() {
-            let mut inside = Vec::new();
-            for entry in fs::read_dir(input).with_context(name)? {
-                inside.push(entry.with_context(name)?.path());
-            }
-            inside.sort();
+        if platform::files::is_folder(input) {
+            let inside = platform::files::list_folder(input).with_context(name)?;
             files.extend(inside.into_iter().filter(|path| FileKind::of(path) == Some(kind)));
         } else {
             anyhow::ensure!(
