@@ -12,9 +12,9 @@
 use nalgebra::Matrix4;
 use rand::{RngExt as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
-use rayon::prelude::*;
 
 use crate::fit::{Fit, FitError, Free, NormalEquations, Parameter, Regular, reported};
+use crate::threads::prelude::*;
 
 /// The number of replicates from which 95 % intervals are steady.
 pub const DEFAULT_REPLICATES: usize = 1000;
@@ -257,7 +257,7 @@ mod tests {
         let sample = |index: u32| {
             let time = -1.0 + f64::from(index) / 25.0;
             let seen = crate::disparity(&speed, point, left, right, time).expect("inside the domain");
-            let value = seen.dphi + 1e-3 * f64::from(index * index).sin();
+            let value = seen.dphi + 1e-3 * crate::math::sin(f64::from(index * index));
             Sample { time, pair: 0, dphi: Some(Reading { value, sigma: None }), dtheta: None }
         };
         (0..150).map(sample).collect()

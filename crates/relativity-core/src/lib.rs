@@ -55,9 +55,11 @@ pub mod disparity;
 pub mod domain;
 pub mod doppler;
 pub mod fit;
+pub mod math;
 pub mod published;
 mod real;
 pub mod speed;
+pub mod threads;
 
 pub use apparent::{Aperture, Sighting, SourcePoint, sighting};
 pub use bootstrap::{Bootstrap, DEFAULT_REPLICATES, bootstrap, bootstrap_unless};

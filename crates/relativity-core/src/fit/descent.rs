@@ -1,12 +1,13 @@
 //! From starts to the minimum of the sum of squares, by Levenberg and Marquardt.
 
 use levenberg_marquardt::{LevenbergMarquardt, TerminationReason};
-use rayon::prelude::*;
 
 use crate::fit::curve::Trial;
 use crate::fit::error::FitError;
 use crate::fit::problem::{At, Free, Problem};
 use crate::fit::start;
+use crate::math;
+use crate::threads::prelude::*;
 
 /// Evaluations per parameter that every start gets, that those followed get, and that the minimum gets.
 const GLANCE: usize = 2;
@@ -80,7 +81,7 @@ fn descents(problem: &Problem, starts: Vec<Free>, patience: usize, evaluations: 
 /// `free`, off z = 0 where only |z| matters: no descent could leave it.
 fn lifted(problem: &Problem, mut free: Free) -> Free {
     if problem.is_even_in_z() {
-        free[2] = free[2].abs().max(LIFT * free[1].exp());
+        free[2] = free[2].abs().max(LIFT * math::exp(free[1]));
     }
     free
 }
@@ -89,7 +90,7 @@ fn lifted(problem: &Problem, mut free: Free) -> Free {
 /// that near it z = 0 is tried as well, and a way up.
 pub(super) fn minimum(problem: &Problem, start: Free, evaluations: &mut usize) -> Result<Minimum, FitError> {
     let (minimum, end) = refined(problem, start, evaluations);
-    if !problem.is_even_in_z() || end[2].abs() > NEAR_GROUND * end[1].exp() {
+    if !problem.is_even_in_z() || end[2].abs() > NEAR_GROUND * math::exp(end[1]) {
         return minimum;
     }
     let mut on_ground = end;

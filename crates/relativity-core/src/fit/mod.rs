@@ -33,6 +33,7 @@ pub(crate) use regular::Regular;
 
 use nalgebra::{Matrix4, Vector4};
 
+use crate::math;
 use curve::Trial;
 use descent::Minimum;
 use prepare::Data;
@@ -225,7 +226,7 @@ pub fn fit_from(observations: &Observations, options: &FitOptions, guess: [f64; 
         return Err(FitError::Guess { beta, y });
     }
     let passage_time = if data.problem.fits_passage { -x0 / beta } else { 0.0 };
-    let start = Free::new(beta.atanh().ln(), y.ln(), z, passage_time);
+    let start = Free::new(math::ln(math::atanh(beta)), math::ln(y), z, passage_time);
     fit_downhill(data, options, start, 0)
 }
 
