@@ -1,5 +1,6 @@
 //! The observation times at which a passing point is seen at a given place.
 
+use relativity_core::math;
 use relativity_core::{DomainError, SourcePoint, Speed, equidistance_time};
 
 /// The observation time at which `point` is seen at x = `ratio` R, R being its distance from the eyes as it
@@ -17,7 +18,7 @@ pub fn time_seen_at(
     let at_origin = SourcePoint { x0: 0.0, ..point };
     let Some(distance) = equidistance_time(speed, at_origin, separation)? else { return Ok(None) };
     let emitted = (ratio * distance - point.x0) / speed.beta();
-    Ok(Some(emitted + ratio.hypot(1.0) * distance))
+    Ok(Some(emitted + math::hypot(ratio, 1.0) * distance))
 }
 
 /// The observation times at which `point` is seen at x = -2 R and at x = +2 R; `None` at rest.

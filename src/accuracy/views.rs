@@ -1,5 +1,6 @@
 //! The views in which methods are measured: a point of the scene seen to come, to pass and to go.
 
+use relativity_core::math;
 use relativity_core::{Aperture, DomainError, SourcePoint, Speed, sighting};
 use relativity_render::{Camera, Gaze, Geometry, View};
 use serde::Serialize;
@@ -36,13 +37,13 @@ impl Place {
         if speed.beta() == 0.0 {
             return 0.0;
         }
-        let rho = point.y.hypot(point.z);
+        let rho = math::hypot(point.y, point.z);
         let x = match self {
             Self::Approaching => -3.0,
             Self::Abreast => 0.0,
             Self::Receding => 3.0,
         } * rho;
-        (x - point.x0) / speed.beta() + x.hypot(rho)
+        (x - point.x0) / speed.beta() + math::hypot(x, rho)
     }
 }
 

@@ -1,5 +1,6 @@
 //! How the observation time runs. The wall clock's step is an argument, so tests decide what it is.
 
+use relativity_core::math;
 use relativity_core::{SourcePoint, Speed};
 
 /// Largest magnitude of the observation time that the window accepts.
@@ -40,7 +41,7 @@ pub fn advanced(time: f64, step: f64, rate: f64, looping: bool, range: [f64; 2])
 #[must_use]
 pub fn fitted_range(speed: &Speed, point: SourcePoint) -> [f64; 2] {
     let beta = speed.beta().max(SLOWEST_FITTED_BETA);
-    let nearest = point.y.hypot(point.z).max(NEAREST_FITTED_DISTANCE);
+    let nearest = math::hypot(point.y, point.z).max(NEAREST_FITTED_DISTANCE);
     // Abreast (X = 0) is seen one light travel time after the passage at t = -x0/beta.
     let abreast = nearest - point.x0 / beta;
     [abreast - 2.0 * nearest / beta, abreast + 3.0 * nearest / beta].map(bounded)
@@ -50,7 +51,7 @@ pub fn fitted_range(speed: &Speed, point: SourcePoint) -> [f64; 2] {
 #[must_use]
 pub fn time_of_approach(speed: &Speed, point: SourcePoint) -> f64 {
     let beta = speed.beta().max(SLOWEST_FITTED_BETA);
-    let nearest = point.y.hypot(point.z).max(NEAREST_FITTED_DISTANCE);
+    let nearest = math::hypot(point.y, point.z).max(NEAREST_FITTED_DISTANCE);
     bounded((-nearest - point.x0) / beta + nearest * std::f64::consts::SQRT_2)
 }
 
@@ -65,7 +66,7 @@ pub fn bounded(time: f64) -> f64 {
 #[must_use]
 pub fn step_size([from, to]: [f64; 2]) -> f64 {
     let ideal = ((to - from) / 200.0).max(1e-9);
-    let decade = 10f64.powf(ideal.log10().floor());
+    let decade = math::powf(10.0, math::log10(ideal).floor());
     let factor = match ideal / decade {
         ratio if ratio < 1.5 => 1.0,
         ratio if ratio < 3.5 => 2.0,

@@ -2,6 +2,7 @@
 //! changes.
 
 use egui_plot::PlotPoint;
+use relativity_core::math;
 use relativity_core::{
     Aperture, PublishedVariant, SourcePoint, Speed, disparity, equidistance_time, published_disparity,
 };
@@ -107,7 +108,6 @@ fn exact_values(key: &Key, time: f64) -> Option<[f64; EXACT]> {
     let [left, right] = Aperture::pair(key.separation);
     let both = disparity(&key.speed, key.source, left, right, time).ok()?;
     let (l, r) = (both.primary, both.secondary);
-    let log = |doppler: f64| doppler.log10();
     let values = [
         both.dphi,
         both.dtheta,
@@ -115,8 +115,8 @@ fn exact_values(key: &Key, time: f64) -> Option<[f64; EXACT]> {
         r.phi(),
         l.theta(),
         r.theta(),
-        log(l.doppler_factor),
-        log(r.doppler_factor),
+        math::log10(l.doppler_factor),
+        math::log10(r.doppler_factor),
     ];
     values.iter().all(|value| value.is_finite()).then_some(values)
 }

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use relativity_core::math;
 use relativity_core::{
     Bootstrap, Combined, Curves, Fit, FitError, FitModel, FitOptions, Observations, Parameter, bootstrap,
     combined, fit,
@@ -306,7 +307,7 @@ fn write_estimate(
 pub fn decimals(uncertainty: f64) -> usize {
     const MOST: f64 = 9.0;
     if uncertainty > 0.0 {
-        (1.0 - uncertainty.log10().floor()).clamp(0.0, MOST) as usize
+        (1.0 - math::log10(uncertainty).floor()).clamp(0.0, MOST) as usize
     } else {
         MOST as usize
     }

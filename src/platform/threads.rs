@@ -3,8 +3,7 @@
 
 use std::time::Duration;
 
-pub use rayon::current_num_threads as count;
-pub use rayon::prelude;
+pub use relativity_core::threads::{current_num_threads as count, prelude};
 pub use std::thread::JoinHandle;
 
 /// Runs `work` in a thread of its own.

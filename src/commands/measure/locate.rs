@@ -1,6 +1,7 @@
 //! Where in a picture the target is.
 
 use glam::DVec3;
+use relativity_core::math;
 use relativity_render::Picture;
 
 use crate::files::exr::{Channel, Measurements};
@@ -107,7 +108,7 @@ impl Surface<'_> {
         let [u, v] = coordinates(offset, across, down)?;
         let left_over = offset - across * u - down * v;
         let step = across.length().max(down.length());
-        let is_shown = u.hypot(v) <= REACH_PX && left_over.length() <= REACH_PX * step;
+        let is_shown = math::hypot(u, v) <= REACH_PX && left_over.length() <= REACH_PX * step;
         is_shown.then_some([column as f64 + 0.5 + u, row as f64 + 0.5 + v])
     }
 

@@ -10,6 +10,7 @@ use anyhow::Context as _;
 use clap::Args;
 use csv::ByteRecord;
 use relativity_core::Aperture;
+use relativity_core::math;
 use relativity_render::Camera;
 
 use self::locate::Target;
@@ -153,7 +154,7 @@ fn measured(file: &Path, target: Target) -> anyhow::Result<Option<[f64; COLUMNS.
     let separation = number(&recorded, "d")?;
     let camera = camera(&recorded, size)?;
     let (left, right) = (Angles::new(&camera, left), Angles::new(&camera, right));
-    let sigma = |a: f64, b: f64| ROUNDING * a.hypot(b);
+    let sigma = |a: f64, b: f64| ROUNDING * math::hypot(a, b);
     Ok(Some([
         time,
         separation,
@@ -192,7 +193,7 @@ impl Angles {
     fn new(camera: &Camera, [u, v]: [f64; 2]) -> Self {
         let angles = |place| {
             let line = camera.line_of_sight(place);
-            [line.y.atan2(line.x), line.z.atan2(line.x.hypot(line.y))]
+            [math::atan2(line.y, line.x), math::atan2(line.z, math::hypot(line.x, line.y))]
         };
         let change = |du: f64, dv: f64| {
             let (after, before) = (angles([u + du, v + dv]), angles([u - du, v - dv]));
@@ -203,8 +204,8 @@ impl Angles {
         Self {
             phi,
             theta,
-            phi_per_pixel: across[0].hypot(down[0]),
-            theta_per_pixel: across[1].hypot(down[1]),
+            phi_per_pixel: math::hypot(across[0], down[0]),
+            theta_per_pixel: math::hypot(across[1], down[1]),
         }
     }
 }

@@ -5,6 +5,7 @@
 
 use std::f64::consts::TAU;
 
+use relativity_core::math;
 use relativity_core::{Aperture, DomainError, SourcePoint, sighting};
 
 use super::curves::{Model, Setup};
@@ -27,7 +28,7 @@ pub fn strokes() -> Vec<Stroke> {
     let mut strokes: Vec<Stroke> = Vec::new();
     for axle in AXLES {
         let rim = |i: usize, of: usize| {
-            let (sin, cos) = (TAU * i as f64 / of as f64).sin_cos();
+            let (sin, cos) = math::sin_cos(TAU * i as f64 / of as f64);
             [axle[0] + WHEEL_RADIUS * cos, axle[1] + WHEEL_RADIUS * sin]
         };
         strokes.push((0..=2 * POINTS).map(|i| rim(i, 2 * POINTS)).collect());
@@ -54,7 +55,7 @@ fn straight(from: [f64; 2], to: [f64; 2]) -> Stroke {
 /// The observation time at which the eye at the origin sees the bicycle's crank at `x`.
 pub fn time_when_seen_at(setup: &Setup, x: f64) -> f64 {
     let speed = setup.speed();
-    (x - CRANK[0] / speed.gamma()) / setup.beta + x.hypot(CRANK[1])
+    (x - CRANK[0] / speed.gamma()) / setup.beta + math::hypot(x, CRANK[1])
 }
 
 /// Where a point at `rest` appears to a single eye at the origin.

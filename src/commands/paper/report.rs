@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use relativity_core::math;
+
 use super::fits::{self, ModelFits};
 use super::numbers::Row;
 use super::stereo::{Figure, Frame};
@@ -226,8 +228,8 @@ fn written(value: f64, uncertainty: f64) -> String {
     if uncertainty < 1e-9 {
         return format!("{value:.10}");
     }
-    let decimals = (1.0 - uncertainty.log10().floor()).max(0.0);
-    let digits = (uncertainty * 10.0_f64.powf(decimals)).round();
+    let decimals = (1.0 - math::log10(uncertainty).floor()).max(0.0);
+    let digits = (uncertainty * math::powf(10.0, decimals)).round();
     let decimals = decimals as usize;
     format!("{value:.decimals$}({digits})")
 }

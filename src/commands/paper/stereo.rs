@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use clap::Parser;
+use relativity_core::math;
 use relativity_core::{Disparity, DomainError};
 
 use super::curves::{Model, Setup};
@@ -124,7 +125,7 @@ impl Figure {
     fn frame(&self, number: usize, x: f64) -> Result<Frame, DomainError> {
         let setup = Setup { beta: self.beta, ..Setup::CYCLIST };
         let emitted = if self.beta > 0.0 { x / self.beta } else { 0.0 };
-        let time = emitted + x.hypot(setup.y).hypot(setup.z);
+        let time = emitted + math::hypot(math::hypot(x, setup.y), setup.z);
         let command = format!(
             "gamow render --beta {} --time {time:.6} --size {WIDTH}x{HEIGHT} --fov 70 --geometry {} --renderer reference \
              --shading emission --ground off --sky off --light on",
