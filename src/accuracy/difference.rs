@@ -1,6 +1,7 @@
 //! Two pictures of one view compared pixel by pixel: a renderer's against the reference's.
 
 use glam::DVec3;
+use relativity_core::math;
 use relativity_render::camera::LinesOfSight;
 use relativity_render::{GroupView, Hit, HitImage, PreparedScene, View};
 use serde::Serialize;
@@ -108,7 +109,7 @@ fn direction(view: &GroupView, hit: &Hit) -> DVec3 {
 /// Angle between two directions, radians: accurate also where it is tiny.
 #[must_use]
 pub fn angle(a: DVec3, b: DVec3) -> f64 {
-    a.cross(b).length().atan2(a.dot(b))
+    math::atan2(a.cross(b).length(), a.dot(b))
 }
 
 fn figures(reference: &HitImage, pixels: &[PixelDifference]) -> DifferenceFigures {

@@ -1,12 +1,12 @@
 //! What error to expect of a method in one view, and what it costs there.
 
-use rayon::prelude::*;
 use relativity_render::{Appearance, GpuError, HitImage, PreparedScene, View};
 
 use super::difference::Difference;
 use super::outline::{OutlinePoint, displacement_px, silhouette_pixels};
 use super::renderers::{Method, Renderers};
 use super::spread::Spread;
+use crate::platform::threads::prelude::*;
 
 /// How thoroughly a view is examined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

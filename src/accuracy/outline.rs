@@ -6,6 +6,7 @@
 //! straight between the two.
 
 use glam::DVec2;
+use relativity_core::math;
 use relativity_render::{Camera, Gaze, Hit, HitImage, PreparedScene, View};
 
 /// Pixels of a strip.
@@ -156,7 +157,7 @@ impl Strip {
         let line_of_sight = view.camera.line_of_sight(point.pixel.to_array());
         let camera = Camera {
             gaze: Gaze::along(line_of_sight.to_array()),
-            horizontal_fov: 2.0 * (0.5 * f64::from(size[0]) / focal_length_px).atan(),
+            horizontal_fov: 2.0 * math::atan(0.5 * f64::from(size[0]) / focal_length_px),
             size,
             ..view.camera
         };

@@ -1,7 +1,6 @@
 //! How far the published binocular model is from the exact one: where it puts the right eye's view.
 
 use std::hint::black_box;
-use std::time::Instant;
 
 use glam::{DVec2, DVec3};
 use relativity_core::{Disparity, DomainError, Model, PublishedVariant, SourcePoint};
@@ -9,6 +8,7 @@ use relativity_render::{Hit, Motion, PreparedScene, View};
 
 use super::difference::{ARCSECONDS, angle};
 use super::spread::Spread;
+use crate::platform::clock::Instant;
 
 /// Most points that are compared.
 const POINTS: usize = 2000;

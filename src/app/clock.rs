@@ -1,5 +1,6 @@
 //! How the observation time runs. The wall clock's step is an argument, so tests decide what it is.
 
+use relativity_core::math;
 use relativity_core::{SourcePoint, Speed, observation_time_when_seen_at};
 
 /// Largest magnitude of the observation time that the window accepts.
@@ -64,7 +65,7 @@ impl Passage {
         Self {
             speed: if speed.beta() < slowest.beta() { slowest } else { *speed },
             x0: point.x0,
-            nearest: point.y.hypot(point.z).max(NEAREST_FITTED_DISTANCE),
+            nearest: math::hypot(point.y, point.z).max(NEAREST_FITTED_DISTANCE),
         }
     }
 
@@ -86,7 +87,7 @@ pub fn bounded(time: f64) -> f64 {
 #[must_use]
 pub fn step_size([from, to]: [f64; 2]) -> f64 {
     let ideal = ((to - from) / 200.0).max(1e-9);
-    let decade = 10f64.powf(ideal.log10().floor());
+    let decade = math::powf(10.0, math::log10(ideal).floor());
     let factor = match ideal / decade {
         ratio if ratio < 1.5 => 1.0,
         ratio if ratio < 3.5 => 2.0,

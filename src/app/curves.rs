@@ -2,6 +2,7 @@
 //! changes.
 
 use egui_plot::PlotPoint;
+use relativity_core::math;
 use relativity_core::{Aperture, Model, PublishedVariant, SourcePoint, Speed, equidistance_time};
 
 /// A quantity that is plotted against T.
@@ -104,7 +105,6 @@ impl Curves {
 fn exact_values(key: &Key, time: f64) -> Option<[f64; EXACT]> {
     let both = Model::Exact.disparity(&key.speed, key.source, key.separation, time).ok()?;
     let (l, r) = (both.primary, both.secondary);
-    let log = |doppler: f64| doppler.log10();
     let values = [
         both.dphi,
         both.dtheta,
@@ -112,8 +112,8 @@ fn exact_values(key: &Key, time: f64) -> Option<[f64; EXACT]> {
         r.phi(),
         l.theta(),
         r.theta(),
-        log(l.doppler_factor),
-        log(r.doppler_factor),
+        math::log10(l.doppler_factor),
+        math::log10(r.doppler_factor),
     ];
     values.iter().all(|value| value.is_finite()).then_some(values)
 }

@@ -5,6 +5,7 @@
 
 mod error;
 mod file;
+mod fingerprint;
 mod placement;
 mod presets;
 mod table;
@@ -16,6 +17,7 @@ use std::path::Path;
 
 use relativity_render::{Body, Group, Motion, PreparedScene};
 
+use crate::platform::files;
 pub use error::{Problem, SceneError};
 pub use presets::PRESETS;
 
@@ -72,7 +74,7 @@ impl Scene {
     /// One line that names the file, the line in it, what is wrong and what would be right.
     pub fn load(path: &Path) -> Result<Self, SceneError> {
         let source_name = path.display().to_string();
-        match std::fs::read_to_string(path) {
+        match files::read_to_string(path) {
             Ok(text) => Self::parse(&text, &source_name),
             Err(reason) => Err(SceneError::Read { source_name, reason }),
         }

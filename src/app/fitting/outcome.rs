@@ -1,10 +1,9 @@
 //! A fit for the window: noisy samples of the exact curves, the object that fits them best, its
 //! uncertainty by the bootstrap, and what there is to draw.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use egui_plot::PlotPoint;
-use rayon::prelude::*;
 use relativity_core::bootstrap::percentiles_95;
 use relativity_core::{
     Bootstrap, Curves, DEFAULT_REPLICATES, Fit, FitOptions, Model, Observations, Parameter, Passage,
@@ -14,6 +13,8 @@ use relativity_core::{
 use crate::app::curves::{Sample, bends, sampled};
 use crate::app::settings::FitSetup;
 use crate::estimate::{Estimate, estimate};
+use crate::platform::clock::Instant;
+use crate::platform::threads::prelude::*;
 
 /// Everything that a fit depends on.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -5,6 +5,7 @@ use eframe::egui::{
     self, Align2, Color32, CursorIcon, Painter, Pos2, Rect, Response, Sense, Stroke, StrokeKind, TextStyle,
     TextureId, Ui, Visuals, pos2, vec2,
 };
+use relativity_core::math;
 use relativity_render::{Colour, Geometry, PreparedScene, View};
 
 use super::Asks;
@@ -86,7 +87,7 @@ pub fn interact(ui: &mut Ui, state: &State, pane: Pane, asks: &mut Asks) {
     if response.hovered() {
         let scroll = f64::from(ui.input(|input| input.smooth_scroll_delta().y));
         let pinch = f64::from(ui.input(egui::InputState::zoom_delta));
-        let factor = (-scroll * ZOOM_PER_SCROLL).exp() / pinch;
+        let factor = math::exp(-scroll * ZOOM_PER_SCROLL) / pinch;
         if factor != 1.0 && factor.is_finite() {
             asks.push(Command::Zoom(factor));
         }

@@ -8,7 +8,7 @@ use anyhow::Context as _;
 use clap::Args;
 use relativity_core::{Curves, DEFAULT_REPLICATES, FitOptions, Model, Passage};
 
-use crate::estimate::Report;
+use crate::estimate::FitReport;
 pub use data::Data;
 
 use crate::files::{csv_in, whole};
@@ -87,7 +87,7 @@ pub fn run(args: &FitArgs) -> anyhow::Result<()> {
     let passage = if args.fit_x0 { Passage::Fitted } else { Passage::Known(args.x0) };
     let options = FitOptions { model: args.model, curves, passage };
     let report =
-        Report::new(&data.observations, &options, args.bootstrap, args.seed).with_context(|| name)?;
+        FitReport::new(&data.observations, &options, args.bootstrap, args.seed).with_context(|| name)?;
     whole::write_to(args.out.as_deref(), |out| {
         if args.json {
             serde_json::to_writer_pretty(&mut *out, &report)?;

@@ -3,6 +3,7 @@
 //! It rides in the plane of its path and the eyes, at rest coordinates (x, y): x along the motion, y the
 //! distance from the line of the eyes, which stays as it is.
 
+use relativity_core::math;
 use std::f64::consts::TAU;
 
 use relativity_core::{Aperture, DomainError, Model, SourcePoint, observation_time_when_seen_at, sighting};
@@ -27,7 +28,7 @@ pub fn strokes() -> Vec<Stroke> {
     let mut strokes: Vec<Stroke> = Vec::new();
     for axle in AXLES {
         let rim = |i: usize, of: usize| {
-            let (sin, cos) = (TAU * i as f64 / of as f64).sin_cos();
+            let (sin, cos) = math::sin_cos(TAU * i as f64 / of as f64);
             [axle[0] + WHEEL_RADIUS * cos, axle[1] + WHEEL_RADIUS * sin]
         };
         strokes.push((0..=2 * POINTS).map(|i| rim(i, 2 * POINTS)).collect());

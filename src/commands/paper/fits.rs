@@ -8,7 +8,7 @@ use relativity_core::{
 
 use super::curves::{APPENDIX_A, Setup, title};
 use super::figures;
-use crate::estimate::Report;
+use crate::estimate::FitReport;
 use crate::passage::passage_times;
 use crate::plot::{BLACK, Line, Panel, Stroke, VERMILION};
 
@@ -26,9 +26,9 @@ pub struct ModelFits {
     /// The model of both data and fit.
     pub model: Model,
     /// Fits of curves without noise.
-    pub clean: Report,
+    pub clean: FitReport,
     /// Fits of curves with noise.
-    pub noisy: Report,
+    pub noisy: FitReport,
     /// The noise (a share of the curve's range) at which the uncertainty of beta from delta-phi would be
     /// the paper's.
     pub noise_of_paper: f64,
@@ -44,10 +44,10 @@ pub fn write_all(folder: &Path) -> anyhow::Result<[ModelFits; 2]> {
 }
 
 /// Beta, y and z from some curves, or why there is no fit.
-pub type Outcome = (Curves, Result<[f64; 3], FitError>);
+pub type Bias = (Curves, Result<[f64; 3], FitError>);
 
 /// What the published model makes of exact curves.
-pub fn bias_of_published() -> anyhow::Result<[Outcome; 3]> {
+pub fn bias_of_published() -> anyhow::Result<[Bias; 3]> {
     let observations = simulation(Model::Exact, 0.0)?.observations()?;
     Ok([Curves::Azimuth, Curves::Polar, Curves::Both].map(|curves| {
         let options = FitOptions { model: APPENDIX_A, curves, ..FitOptions::default() };
@@ -67,7 +67,7 @@ fn simulation(model: Model, noise: f64) -> anyhow::Result<Simulation> {
 
 fn model_fits(model: Model) -> anyhow::Result<ModelFits> {
     let report = |observations: &Observations| {
-        Report::new(observations, &FitOptions { model, ..FitOptions::default() }, REPLICATES, SEED)
+        FitReport::new(observations, &FitOptions { model, ..FitOptions::default() }, REPLICATES, SEED)
     };
     let noisy = simulation(model, NOISE)?.observations()?;
     let options = FitOptions { model, curves: Curves::Azimuth, ..FitOptions::default() };

@@ -18,10 +18,10 @@ use self::painter::{Painter, RendererArgs};
 use self::sequence::TimeArgs;
 use self::shot::{Observer, ObserverArgs};
 use self::timings::Timings;
-use crate::files::exr_file::Light;
-use crate::files::png_file::Provenance;
+use crate::files::exr::{Light, Measurements};
+use crate::files::png;
+use crate::files::provenance::Provenance;
 use crate::files::whole::write_whole;
-use crate::files::{exr_file, png_file};
 use crate::flags::choices::{FileKind, Layout, word};
 use crate::scene::{PRESETS, Scene};
 
@@ -139,8 +139,9 @@ impl Studio {
         match kind {
             FileKind::Png => {
                 let picture = self.picture(time)?;
-                self.timings
-                    .timed("file", || write_whole(path, |file| png_file::write(&picture, &provenance, file)))
+                self.timings.timed("file", || {
+                    write_whole(path, |file| png::write(&picture, &provenance.texts(), file))
+                })
             }
             FileKind::Exr => {
                 let hits = self.hits(time)?;
@@ -149,7 +150,8 @@ impl Studio {
                     intensity_exponent: self.appearance.intensity_exponent,
                 };
                 self.timings.timed("file", || {
-                    write_whole(path, |file| exr_file::write(&hits, light, &provenance, file))
+                    let measurements = Measurements::of_eyes(&hits, light, &provenance.comments());
+                    write_whole(path, |file| measurements.write(file))
                 })
             }
         }
@@ -185,7 +187,7 @@ impl Studio {
         Ok(Provenance {
             title: self.scene.name.clone(),
             parameters: format!("gamow render {}", flags.join(" ")),
-            scene_fingerprint: fingerprint(&self.scene),
+            scene_fingerprint: self.scene.fingerprint(),
         })
     }
 }
@@ -194,12 +196,4 @@ impl Studio {
 fn quoted(value: &str) -> String {
     let plain = |c: char| c.is_alphanumeric() || "-+_.,/:".contains(c);
     if value.chars().all(plain) { value.to_owned() } else { format!("'{}'", value.replace('\'', r"'\''")) }
-}
-
-/// FNV-1a hash (G. Fowler, L. C. Noll, K.-P. Vo) of all that is in a scene.
-fn fingerprint(scene: &Scene) -> String {
-    let hash = format!("{scene:?}").bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-    });
-    format!("{hash:016x}")
 }

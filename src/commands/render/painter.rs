@@ -6,6 +6,7 @@ use relativity_render::{Appearance, Body, Gpu, HitImage, MeshRenderer, Picture, 
 
 use super::gpu_painter::{Drawer, GpuPainter};
 use crate::flags::{RendererChoice, positive};
+use crate::platform::threads;
 
 /// Flags of the renderer.
 #[derive(Debug, Clone, Args)]
@@ -127,7 +128,7 @@ impl Painter {
     pub fn description(&self) -> String {
         match self {
             Self::Reference { samples, .. } => {
-                let threads = rayon::current_num_threads();
+                let threads = threads::count();
                 format!("reference, f64 on {threads} threads, {samples}x{samples} rays per pixel")
             }
             Self::Gpu(painter) => painter.description(),

@@ -1,6 +1,5 @@
 //! Sequences of frames in a folder, which can be broken off and taken up again.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::Context as _;
@@ -9,9 +8,10 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use super::Studio;
 use super::shot::Observer;
-use crate::files::{exr_file, png_file};
+use crate::files::{exr, png};
 use crate::flags::choices::FileKind;
 use crate::flags::finite_number;
+use crate::platform::files;
 
 /// Flags of time: one picture, or a sequence.
 #[derive(Debug, Clone, Args)]
@@ -50,7 +50,7 @@ impl TimeArgs {
 pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Result<()> {
     let frames = times.frames.unwrap_or(1);
     let [from, to] = times.range(&studio.observer)?;
-    fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
+    files::create_folder(folder).with_context(|| folder.display().to_string())?;
     let progress = progress_bar(frames);
     let kind = if times.exr { FileKind::Exr } else { FileKind::Png };
     let mut kept = 0;
@@ -60,8 +60,8 @@ pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Resu
         let path = frame_path(folder, frame, kind);
         let provenance = studio.provenance(time)?;
         let is_made = match kind {
-            FileKind::Png => png_file::is_made(&path, &provenance),
-            FileKind::Exr => exr_file::is_made(&path, &provenance),
+            FileKind::Png => png::is_made(&path, &provenance.texts()),
+            FileKind::Exr => exr::is_made(&path, &provenance.comments()),
         };
         if is_made {
             kept += 1;
