@@ -1,7 +1,9 @@
 //! How a group of bodies moves along x.
 
 use glam::DVec3;
-use relativity_core::{MAX_GAMMA, Speed, SpeedError, aberration};
+use relativity_core::{
+    Disparity, DomainError, MAX_GAMMA, Model, Sighting, SourcePoint, Speed, SpeedError, aberration,
+};
 
 /// A velocity along x.
 ///
@@ -90,6 +92,39 @@ impl Velocity {
     #[must_use]
     pub fn doppler_factor(&self, line_of_sight: DVec3) -> f64 {
         aberration::doppler_factor(self.reflected(line_of_sight).to_array(), &self.speed)
+    }
+
+    /// The worldline of the point at `rest` in the frame that moves so, reflected to move along +x.
+    #[must_use]
+    pub fn reflected_source(&self, rest: [f64; 3]) -> SourcePoint {
+        SourcePoint::from_rest(self.reflected(rest.into()).to_array(), &self.speed)
+    }
+
+    /// What the paper's pair of apertures, `separation` apart, sees in this `model` of the point at `rest` in the frame
+    /// that moves so.
+    ///
+    /// # Errors
+    ///
+    /// A coordinate or time outside the domain of the core.
+    pub fn disparity(
+        &self,
+        model: Model,
+        rest: [f64; 3],
+        separation: f64,
+        observation_time: f64,
+    ) -> Result<Disparity, DomainError> {
+        let point = self.reflected_source(rest);
+        if !self.is_backward {
+            return model.disparity(&self.speed, point, separation, observation_time);
+        }
+        // In the mirror the left aperture is the right-hand one, and azimuths count from the other side.
+        let there = model.disparity(&self.speed, point, -separation, observation_time)?;
+        let sighting = |seen: Sighting| {
+            let [x, y, z] = seen.position;
+            Sighting { position: [-x, y, z], ..seen }
+        };
+        let (primary, secondary) = (sighting(there.primary), sighting(there.secondary));
+        Ok(Disparity { primary, secondary, dphi: -there.dphi, dtheta: there.dtheta })
     }
 
     /// This velocity as a camera sees it that moves at `camera`: rapidities subtract.

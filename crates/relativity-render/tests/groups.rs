@@ -4,7 +4,7 @@
 mod support;
 
 use glam::DVec3;
-use relativity_core::{Aperture, Speed, aberration};
+use relativity_core::{Aperture, Model, Speed, aberration};
 use relativity_render::{
     Body, Camera, Gaze, Geometry, Group, Hit, Motion, PreparedScene, Shape, Velocity, View,
 };
@@ -216,4 +216,26 @@ fn motion_towards_minus_x_is_motion_towards_plus_x_in_a_mirror() {
     let seen_from_both = scenes[1].hit_image(&view).hits;
     let alone = lines_of_sight(&view).map(|n| scenes[1].first_hit(&view, n));
     assert!(seen_from_both.into_iter().eq(alone), "the cones of directions leave nothing out");
+}
+
+#[test]
+fn both_eyes_see_a_point_of_any_group_where_their_views_show_it() {
+    for (group, beta) in BETAS.into_iter().enumerate() {
+        let velocity = Velocity::from_beta(beta).expect("a speed");
+        for rest in [[0.2, 3.0, 1.0], [-0.7, 0.8, -0.5]] {
+            let both = velocity.disparity(Model::Exact, rest, 0.3, 2.1).expect("in the domain");
+            let places = Aperture::pair(0.3).map(|aperture| {
+                let view = view(Geometry::Seen, 2.1);
+                let camera = Camera { aperture, ..view.camera };
+                View { camera, ..view }.of_group(motion(group)).apparent_position(rest.into()).expect("there")
+            });
+            for (place, sighting) in places.into_iter().zip([both.primary, both.secondary]) {
+                assert!(place.distance(sighting.position.into()) < 1e-12 * place.length());
+            }
+            let [left, right] = places.map(|place| place.y.atan2(place.x));
+            assert!((both.dphi - (left - right)).abs() < 1e-12, "{} {}", both.dphi, left - right);
+            let [left, right] = places.map(|place| place.z.atan2(place.x.hypot(place.y)));
+            assert!((both.dtheta - (left - right)).abs() < 1e-12);
+        }
+    }
 }
