@@ -25,8 +25,7 @@ const ULTRAVIOLET: [f64; 3] = [0.70, 0.85, 1.0];
 /// False colour of the far infrared, linear sRGB: a warm grey-brown.
 const INFRARED: [f64; 3] = [0.55, 0.42, 0.30];
 
-const CIE_1931_CSV: &str =
-    include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/cie-1931-2deg.csv"));
+const CIE_1931_CSV: &str = include_str!("../assets/cie-1931-2deg.csv");
 /// Wavelength of the table's first row, nm; a row follows every nm.
 const FIRST_NM: f64 = 360.0;
 
