@@ -8,8 +8,8 @@ use std::time::Instant;
 
 use relativity_core::{Aperture, Speed};
 use relativity_render::{
-    Appearance, Body, Camera, ExactRenderer, EyeTarget, Gaze, Geometry, Gpu, GpuError, MeshRenderer, Shape,
-    View,
+    Appearance, Body, Camera, ExactRenderer, EyeTarget, Gaze, Geometry, Gpu, GpuError, MeshRenderer,
+    PreparedScene, Shape, View,
 };
 
 const ROUNDS: usize = 5;
@@ -31,6 +31,7 @@ fn compare(gpu: &Gpu, bodies: &[Body]) -> Result<(), GpuError> {
     let mut exact = ExactRenderer::new(gpu);
     let mut brute = ExactRenderer::brute_force(gpu);
     let mut mesh = MeshRenderer::new(gpu);
+    let (scene, empty) = (PreparedScene::moving(bodies), PreparedScene::moving(&[]));
     let appearance = Appearance { ground_z: Some(-2.5), ..Appearance::default() };
     let mut targets = [EyeTarget::new(gpu, SIZE), EyeTarget::new(gpu, SIZE)];
     let mut times = [const { Vec::new() }; 5];
@@ -47,14 +48,14 @@ fn compare(gpu: &Gpu, bodies: &[Body]) -> Result<(), GpuError> {
             }
             Ok(())
         };
-        timed(&mut times[0], &mut |view, target| exact.draw(gpu, &[], view, &appearance, target))?;
-        timed(&mut times[1], &mut |view, target| exact.draw(gpu, bodies, view, &appearance, target))?;
+        timed(&mut times[0], &mut |view, target| exact.draw(gpu, &empty, view, &appearance, target))?;
+        timed(&mut times[1], &mut |view, target| exact.draw(gpu, &scene, view, &appearance, target))?;
         if bodies.len() <= MOST_FOR_BRUTE_FORCE {
-            timed(&mut times[2], &mut |view, target| brute.draw(gpu, bodies, view, &appearance, target))?;
+            timed(&mut times[2], &mut |view, target| brute.draw(gpu, &scene, view, &appearance, target))?;
         }
         for (bound_px, times) in [0.5, 0.05].into_iter().zip(&mut times[3..]) {
             mesh.bound_px = bound_px;
-            timed(times, &mut |view, target| mesh.draw(gpu, bodies, view, &appearance, target))?;
+            timed(times, &mut |view, target| mesh.draw(gpu, &scene, view, &appearance, target))?;
         }
     }
     let [none, exact, brute, coarse, fine] = times.map(median);

@@ -1,25 +1,31 @@
-// The frame: one aperture's camera, the speed, and where the scene is.
+// The frame: one aperture's camera, and how one group of bodies moves and where it is.
 //
 // Physics uses only + - * / and sqrt, whose accuracy WGSL bounds; whatever needs more is computed in f64
 // on the CPU and arrives here.
 
 struct Frame {
     // Line of sight (unnormalised) = base + right * (u - pole.x) + down * (v - pole.y), u and v in pixels.
-    // The pole is the pixel towards -x when that is in front of the camera: there n_y and n_z are small,
-    // matter relatively, and must not come out of a difference.
+    // The pole is the pixel towards where the group comes from (-x, if it moves along +x) when that is in front of the
+    // camera: there n_y and n_z are small, matter relatively, and must not come out of a difference.
     base: vec4f,
     right: vec4f,
     down: vec4f,
     // xy: the pole, px; zw: what f32 loses of it.
     pole: vec4f,
-    // beta, 1 - beta, 1/gamma, gamma.
+    // Of the group against the camera: beta, 1 - beta, 1/gamma, gamma.
     speed: vec4f,
+    // 1, or -1 if the group moves towards -x: all is reflected then, to move along +x, and back; 1 if this group is the
+    // reference of depths, else 0; the first of these for that reference, and its GEOMETRY.
+    motion: vec4f,
+    // `speed` and `scene` of the reference.
+    reference_speed: vec4f,
+    reference: vec4f,
     // 2^exposure, intensity exponent, log2 of the colour table's first wavelength, table entries per octave.
     light: vec4f,
-    // xyz: centre of the scene from the camera's event, rest frame; w: 1/(2 reach), reach being the
-    // greatest distance of any body's surface from that centre.
+    // xyz: middle of the group from the camera's event, rest frame; w: 1/(2 reach), reach being the
+    // greatest distance of any body's surface from that middle.
     scene: vec4f,
-    // xyz: what f32 loses of the centre, which matters however far it is: across a ray, all of it does not.
+    // xyz: what f32 loses of the middle, which matters however far it is: across a ray, all of it does not.
     scene_fine: vec4f,
     // Camera x and y, height of the ground above the camera (far below if there is none), and
     // the published model's aperture separation.

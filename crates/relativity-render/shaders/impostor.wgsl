@@ -76,7 +76,7 @@ fn shaded(fragment: Fragment) -> Shaded {
         hit.normal,
     );
     let clearances = vec4f(clearance) + gradient.x * SAMPLE_U + gradient.y * SAMPLE_V;
-    return Shaded(vec4f(colour * alpha, alpha), depth(hit.beyond), clearances);
+    return Shaded(vec4f(colour * alpha, alpha), depth(ray, hit.beyond), clearances);
 }
 
 struct Picture {
@@ -127,6 +127,6 @@ fn hits(fragment: Fragment) -> Hit {
     return Hit(
         bitcast<vec4u>(vec4f(fragment.index, distance * ray.ground_per_rest, ray.doppler, 1.0)),
         bitcast<vec4u>(vec4f(hit.place, 0.0)),
-        depth(hit.beyond),
+        depth(ray, hit.beyond),
     );
 }

@@ -72,7 +72,13 @@ fn delay(left: vec3f) -> f32 {
     return -2.0 * event_x * separation / (sqrt(dot(left, left)) + sqrt(dot(to_right, to_right)));
 }
 
-fn mapped(c: vec3f) -> Sighting {
+fn mapped(from_camera: vec3f) -> Sighting {
+    let seen = mapped_along_x(reflected(from_camera, frame.motion.x));
+    return Sighting(reflected(seen.position, frame.motion.x), seen.doppler);
+}
+
+// The same for motion along +x.
+fn mapped_along_x(c: vec3f) -> Sighting {
     switch MAP {
         case 0u: { return sighting(c); }
         case 1u: { return Sighting(vec3f(c.x * frame.speed.z, c.yz), 1.0); }
@@ -122,12 +128,16 @@ struct Measure {
 // depends on the line of sight alone, in the rest frame depth is not contracted, and the body itself is nearer
 // or farther than the triangle by what may be more than the gap to the next body.
 fn measure(fragment: Fragment) -> Measure {
-    if MAP == 3u {
-        return Measure(1.0 / (1.0 + length(fragment.apparent)), fragment.doppler);
-    }
     let ray = rest_ray(fragment.position.xy);
+    if MAP == 3u {
+        let distance = length(fragment.apparent);
+        if HAS_OTHERS {
+            return Measure(depth_of_distance(distance, ray.sight), fragment.doppler);
+        }
+        return Measure(1.0 / (1.0 + distance), fragment.doppler);
+    }
     let body = Body(fragment.place_radius.xyz, fragment.place_radius.w, fragment.form);
-    return Measure(depth(surface(body, ray).beyond), ray.doppler);
+    return Measure(depth(ray, surface(body, ray).beyond), ray.doppler);
 }
 
 struct Picture {

@@ -2,6 +2,17 @@
 
 // 0 as seen, 1 contracted only, 2 at rest.
 override GEOMETRY: u32;
+// Whether there are other groups, among which depths must be told.
+override HAS_OTHERS: bool;
+
+// How a line of sight passes a group.
+struct Passage {
+    // Unit vector towards the source in the rest frame.
+    direction: vec3f,
+    // Ground distance per rest-frame distance.
+    ground_per_rest: f32,
+    doppler: f32,
+}
 
 struct Ray {
     // Unit vector towards the source, in the ground frame.
@@ -13,39 +24,49 @@ struct Ray {
     // Ground distance per rest-frame distance.
     ground_per_rest: f32,
     doppler: f32,
-    // Of the scene's centre: its moment about the ray, and its distance along it.
+    // Of the group's middle: its moment about the ray, and its distance along it.
     moment: vec3f,
     to_centre: f32,
+}
+
+// `v` with x reversed where `sign` is -1.
+fn reflected(v: vec3f, sign: f32) -> vec3f {
+    return vec3f(v.x * sign, v.yz);
+}
+
+// How the line of sight along the unit vector `sight` passes a group of this `speed`, with the `sign` of its motion.
+fn passage(sight: vec3f, geometry: u32, speed: vec4f, sign: f32) -> Passage {
+    if geometry == 0u {
+        // Aberration: n* = (n_x + beta, n_y/gamma, n_z/gamma)/(1 + beta n_x), D = 1/(gamma (1 + beta n_x)),
+        // from 1 + n_x = (n_y^2 + n_z^2)/(1 - n_x) where the printed forms cancel.
+        let n = reflected(sight, sign);
+        let transverse_squared = n.y * n.y + n.z * n.z;
+        let one_plus_x = select(1.0 + n.x, transverse_squared / (1.0 - n.x), n.x < 0.0);
+        let reciprocal = 1.0 / (speed.y + speed.x * one_plus_x);
+        let doppler = speed.z * reciprocal;
+        let direction = vec3f((one_plus_x - speed.y) * reciprocal, n.yz * doppler);
+        return Passage(reflected(direction, sign), doppler, doppler);
+    }
+    if geometry == 1u {
+        // The contracted body stretched back to its rest shape, and the ray with it: by 1 along x and 1/gamma
+        // across, brought up to 1 before it is squared.
+        let flattened = vec3f(sight.x, sight.yz * speed.z);
+        let largest = max(abs(flattened.x), max(abs(flattened.y), abs(flattened.z)));
+        let scaled = flattened / largest;
+        let reciprocal = 1.0 / sqrt(dot(scaled, scaled));
+        return Passage(scaled * reciprocal, speed.z * reciprocal / largest, 1.0);
+    }
+    return Passage(sight, 1.0, 1.0);
 }
 
 fn rest_ray(pixel: vec2f) -> Ray {
     let sight = line_of_sight(pixel);
     let n = sight.xyz;
-    var direction = n;
-    var ground_per_rest = 1.0;
-    var doppler = 1.0;
-    if GEOMETRY == 0u {
-        // Aberration: n* = (n_x + beta, n_y/gamma, n_z/gamma)/(1 + beta n_x), D = 1/(gamma (1 + beta n_x)),
-        // from 1 + n_x = (n_y^2 + n_z^2)/(1 - n_x) where the printed forms cancel.
-        let transverse_squared = n.y * n.y + n.z * n.z;
-        let one_plus_x = select(1.0 + n.x, transverse_squared / (1.0 - n.x), n.x < 0.0);
-        let reciprocal = 1.0 / (frame.speed.y + frame.speed.x * one_plus_x);
-        doppler = frame.speed.z * reciprocal;
-        direction = vec3f((one_plus_x - frame.speed.y) * reciprocal, n.yz * doppler);
-        ground_per_rest = doppler;
-    } else if GEOMETRY == 1u {
-        // The contracted body stretched back to its rest shape, and the ray with it: by 1 along x and 1/gamma
-        // across, brought up to 1 before it is squared.
-        let flattened = vec3f(n.x, n.yz * frame.speed.z);
-        let largest = max(abs(flattened.x), max(abs(flattened.y), abs(flattened.z)));
-        let scaled = flattened / largest;
-        let reciprocal = 1.0 / sqrt(dot(scaled, scaled));
-        ground_per_rest = frame.speed.z * reciprocal / largest;
-        direction = scaled * reciprocal;
-    }
+    let own = passage(n, GEOMETRY, frame.speed, frame.motion.x);
     let centre = frame.scene.xyz;
-    let moment = cross(centre, direction) + cross(frame.scene_fine.xyz, direction);
-    return Ray(n, sight.w, direction, ground_per_rest, doppler, moment, dot(centre, direction));
+    let moment = cross(centre, own.direction) + cross(frame.scene_fine.xyz, own.direction);
+    let to_centre = dot(centre, own.direction);
+    return Ray(n, sight.w, own.direction, own.ground_per_rest, own.doppler, moment, to_centre);
 }
 
 // How far the ray's direction (rest frame) moves along the unit vector `across`, perpendicular to it, from
@@ -54,7 +75,7 @@ fn movement(ray: Ray, across: vec3f) -> vec2f {
     var ground = across;
     if GEOMETRY == 0u {
         // The transpose of the differential of aberration, which is conformal with scale D.
-        let along = frame.speed.x * frame.speed.w * dot(across.yz, ray.direction.yz);
+        let along = frame.motion.x * (frame.speed.x * frame.speed.w * dot(across.yz, ray.direction.yz));
         ground = ray.doppler * vec3f(ray.doppler * across.x - along, across.yz);
     } else if GEOMETRY == 1u {
         ground = vec3f(across.x * frame.speed.w, across.yz) * ray.ground_per_rest;
@@ -69,8 +90,37 @@ fn nearest_to(anchor: vec3f, ray: Ray) -> vec3f {
     return -cross(ray.direction, ray.moment + cross(anchor, ray.direction));
 }
 
-// Depth of what lies `beyond` the scene's centre along a ray: 1 is nearest. Measured from the centre,
+// Depth of what lies `beyond` the group's middle along its ray: 1 is nearest. Measured from the middle,
 // since distances from a camera far away in the rest frame differ by less than f32 resolves.
-fn depth(beyond: f32) -> f32 {
-    return 0.5 - beyond * frame.scene.w;
+fn depth(ray: Ray, beyond: f32) -> f32 {
+    if !HAS_OTHERS {
+        return 0.5 - beyond * frame.scene.w;
+    }
+    if frame.motion.y == 1.0 {
+        return depth_in_reference(beyond);
+    }
+    return depth_of_distance((ray.to_centre + beyond) * ray.ground_per_rest, ray.sight);
+}
+
+// The reference group has the middle half of all depths for itself, so that its bodies keep their digits.
+fn depth_in_reference(beyond: f32) -> f32 {
+    return 0.5 - 0.5 * beyond * frame.reference.w;
+}
+
+// Depth of what is seen at `distance` (ground frame) along `sight`, among that of the reference group: the nearest by
+// light travel is seen. In front of that group depth falls evenly with distance, behind it with its reciprocal.
+fn depth_of_distance(distance: f32, sight: vec3f) -> f32 {
+    let reference = passage(sight, u32(frame.motion.w), frame.reference_speed, frame.motion.z);
+    let to_centre = dot(frame.reference.xyz, reference.direction);
+    let reach = 0.5 / frame.reference.w;
+    let near = (to_centre - reach) * reference.ground_per_rest;
+    let far = (to_centre + reach) * reference.ground_per_rest;
+    if distance < near {
+        return 1.0 - 0.25 * distance / near;
+    }
+    if distance > far {
+        let scale = max(far, 1.0);
+        return 0.25 * scale / (scale + (distance - far));
+    }
+    return depth_in_reference(distance / reference.ground_per_rest - to_centre);
 }

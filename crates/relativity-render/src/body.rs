@@ -32,6 +32,21 @@ pub enum Shape {
     },
 }
 
+impl Shape {
+    /// The shape moved by `offset`.
+    #[must_use]
+    pub fn moved(self, offset: [f64; 3]) -> Self {
+        let moved = |[x, y, z]: [f64; 3]| [x + offset[0], y + offset[1], z + offset[2]];
+        match self {
+            Self::Sphere { center, radius } => Self::Sphere { center: moved(center), radius },
+            Self::Tube { from, to, radius } => Self::Tube { from: moved(from), to: moved(to), radius },
+            Self::Ring { center, axis, radius, tube_radius } => {
+                Self::Ring { center: moved(center), axis, radius, tube_radius }
+            }
+        }
+    }
+}
+
 /// A shape that glows: isotropically in the rest frame, at one wavelength.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Body {
@@ -39,4 +54,12 @@ pub struct Body {
     pub shape: Shape,
     /// Wavelength of its light in the rest frame, nm.
     pub rest_wavelength_nm: f64,
+}
+
+impl Body {
+    /// The body moved by `offset`.
+    #[must_use]
+    pub fn moved(self, offset: [f64; 3]) -> Self {
+        Self { shape: self.shape.moved(offset), ..self }
+    }
 }

@@ -3,9 +3,38 @@
 use crate::frame::Frame;
 use crate::gpu::Gpu;
 
-/// A buffer for one eye's frame: two eyes must not share one, since both are written before either draws.
-pub fn frame_buffer(gpu: &Gpu) -> wgpu::Buffer {
-    buffer(gpu, "frame", size_of::<Frame>() as u64, wgpu::BufferUsages::UNIFORM)
+/// A buffer for this many groups' frames of one eye: two eyes must not share one, since both are written before either
+/// draws.
+pub fn frame_buffer(gpu: &Gpu, count: usize) -> wgpu::Buffer {
+    buffer(gpu, "frames", frame_stride(gpu) * count as u64, wgpu::BufferUsages::UNIFORM)
+}
+
+/// Puts `frames` into the buffer, which is made anew if it is too small.
+pub fn fill_frame_buffer(gpu: &Gpu, buffer: &mut wgpu::Buffer, frames: &[Frame]) {
+    let stride = frame_stride(gpu);
+    if stride * frames.len() as u64 > buffer.size() {
+        *buffer = frame_buffer(gpu, frames.len());
+    }
+    for (number, frame) in (0..).zip(frames) {
+        gpu.queue.write_buffer(buffer, number * stride, bytemuck::bytes_of(frame));
+    }
+}
+
+/// The frames in a buffer: one binding each.
+pub fn frame_bindings<'a>(
+    gpu: &Gpu,
+    buffer: &'a wgpu::Buffer,
+    count: usize,
+) -> impl Iterator<Item = wgpu::BufferBinding<'a>> + use<'a> {
+    let stride = frame_stride(gpu);
+    let size = std::num::NonZeroU64::new(size_of::<Frame>() as u64);
+    (0..count as u64).map(move |number| wgpu::BufferBinding { buffer, offset: number * stride, size })
+}
+
+/// From one frame to the next, bytes.
+fn frame_stride(gpu: &Gpu) -> u64 {
+    let alignment = gpu.device.limits().min_uniform_buffer_offset_alignment;
+    (size_of::<Frame>() as u64).next_multiple_of(alignment.into())
 }
 
 /// A vertex buffer of `size` bytes.

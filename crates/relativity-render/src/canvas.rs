@@ -3,10 +3,8 @@
 //! Bodies are drawn with four samples per pixel over nothing, in linear light; the last pass puts them over sky
 //! and ground and applies the sRGB curve.
 
-use bytemuck::bytes_of;
-
 use crate::backdrop;
-use crate::buffers::frame_buffer;
+use crate::buffers::{fill_frame_buffer, frame_bindings, frame_buffer};
 use crate::effects::Constant;
 use crate::frame::Frame;
 use crate::gpu::{Gpu, GpuError};
@@ -50,18 +48,20 @@ impl Canvas {
         pipeline_layout(&gpu.device, &[Some(&self.frame_layout)])
     }
 
-    /// Draws a picture; `bodies` records the draws of the bodies.
+    /// Draws a picture from the `frames` of its groups, one or more; `bodies` records the draws of the bodies, for which it
+    /// is given the target and a bind group for each frame.
     pub fn paint(
         &self,
         gpu: &Gpu,
-        target: &EyeTarget,
-        frame: &Frame,
+        target: &mut EyeTarget,
+        frames: &[Frame],
         appearance: &Appearance,
-        bodies: impl FnOnce(&mut wgpu::RenderPass<'_>),
+        bodies: impl FnOnce(&mut wgpu::RenderPass<'_>, &EyeTarget, &[wgpu::BindGroup]),
     ) {
-        gpu.queue.write_buffer(&target.frame, 0, bytes_of(frame));
-        let has_ground = frame.has_ground();
-        let frame = self.frame_bind_group(gpu, &target.frame, appearance.colour);
+        fill_frame_buffer(gpu, &mut target.frames, frames);
+        let target = &*target;
+        let has_ground = frames[0].has_ground();
+        let frames = self.frame_bind_groups(gpu, &target.frames, frames.len(), appearance.colour);
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         {
             let samples = wgpu::RenderPassColorAttachment {
@@ -69,30 +69,30 @@ impl Canvas {
                 ..attachment(&target.samples, wgpu::StoreOp::Discard)
             };
             let mut pass = begin_pass(&mut encoder, "bodies", &[Some(samples)], Some(&target.depth));
-            pass.set_bind_group(0, &frame, &[]);
-            bodies(&mut pass);
+            bodies(&mut pass, target, &frames);
         }
         {
             let picture = attachment(target.view(), wgpu::StoreOp::Store);
             let mut pass = begin_pass(&mut encoder, "last", &[Some(picture)], None);
             pass.set_pipeline(&self.last_pass[usize::from(has_ground)]);
-            pass.set_bind_group(0, &frame, &[]);
+            pass.set_bind_group(0, &frames[0], &[]);
             pass.set_bind_group(1, &self.layer_bind_group(gpu, &target.bodies), &[]);
             pass.draw(0..3, 0..1);
         }
         gpu.queue.submit([encoder.finish()]);
     }
 
-    /// Measures what the centre of every pixel shows; `bodies` records the draws of the bodies.
+    /// Measures what the centre of every pixel shows; otherwise as [`Self::paint`].
     pub fn measure(
         &self,
         gpu: &Gpu,
         size: [u32; 2],
-        frame: &Frame,
-        bodies: impl FnOnce(&mut wgpu::RenderPass<'_>),
+        frames: &[Frame],
+        bodies: impl FnOnce(&mut wgpu::RenderPass<'_>, &[wgpu::BindGroup]),
     ) -> Result<Measures, GpuError> {
-        let buffer = frame_buffer(gpu);
-        gpu.queue.write_buffer(&buffer, 0, bytes_of(frame));
+        let mut buffer = frame_buffer(gpu, frames.len());
+        fill_frame_buffer(gpu, &mut buffer, frames);
+        let frames = self.frame_bind_groups(gpu, &buffer, frames.len(), Colour::Visible);
         let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
         let [measures, places, depth] =
             [("measures", MEASURES_FORMAT), ("places", MEASURES_FORMAT), ("depth", DEPTH_FORMAT)]
@@ -104,8 +104,7 @@ impl Canvas {
             let attachments =
                 [&measures_view, &places_view].map(|view| Some(attachment(view, wgpu::StoreOp::Store)));
             let mut pass = begin_pass(&mut encoder, "hits", &attachments, Some(&depth_view));
-            pass.set_bind_group(0, &self.frame_bind_group(gpu, &buffer, Colour::Visible), &[]);
-            bodies(&mut pass);
+            bodies(&mut pass, &frames);
         }
         gpu.queue.submit([encoder.finish()]);
         let numbers = |texture| -> Result<Vec<[f32; 4]>, GpuError> {
@@ -115,16 +114,25 @@ impl Canvas {
         Ok(Measures { measures: numbers(&measures)?, places: numbers(&places)? })
     }
 
-    fn frame_bind_group(&self, gpu: &Gpu, frame: &wgpu::Buffer, colour: Colour) -> wgpu::BindGroup {
+    fn frame_bind_groups(
+        &self,
+        gpu: &Gpu,
+        frames: &wgpu::Buffer,
+        count: usize,
+        colour: Colour,
+    ) -> Vec<wgpu::BindGroup> {
         let table = match colour {
             Colour::Visible => &self.visible,
             Colour::False => &self.falsified,
         };
-        let entries = [
-            wgpu::BindGroupEntry { binding: 0, resource: frame.as_entire_binding() },
-            wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(table) },
-        ];
-        bind_group(gpu, &self.frame_layout, &entries)
+        let group = |frame| {
+            let entries = [
+                wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::Buffer(frame) },
+                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(table) },
+            ];
+            bind_group(gpu, &self.frame_layout, &entries)
+        };
+        frame_bindings(gpu, frames, count).map(group).collect()
     }
 
     fn layer_bind_group(&self, gpu: &Gpu, layer: &wgpu::TextureView) -> wgpu::BindGroup {

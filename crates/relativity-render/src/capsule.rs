@@ -1,8 +1,12 @@
 //! Capsules that contain a shape: what its bounds in a picture are worked out from.
 
+use std::f64::consts::{PI, TAU};
+
 use glam::DVec3;
+use relativity_core::math::{cos, sin};
 
 use crate::body::Shape;
+use crate::group_view::GroupView;
 
 /// A tube with rounded ends in the rest frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,9 +25,10 @@ impl Capsule {
         Self { from: center, to: center, radius }
     }
 
-    /// As seen from `origin`.
-    pub fn relative_to(&self, origin: DVec3) -> Self {
-        Self { from: self.from - origin, to: self.to - origin, ..*self }
+    /// From the camera's event, reflected so that the group moves along +x.
+    pub fn reflected_from_camera(&self, view: &GroupView) -> Self {
+        let [from, to] = [self.from, self.to].map(|end| view.reflected_from_camera(end));
+        Self { from, to, ..*self }
     }
 
     /// Its two halves.
@@ -49,16 +54,16 @@ fn arcs(center: DVec3, axis: DVec3, radius: f64, tube_radius: f64) -> impl Itera
     // Half the sagitta, radius angle^2/16, adds no more than half the tube's radius. A thick ring has eight arcs
     // nevertheless, lest its hole be covered; the thinnest has no more than thirty-two, each worth a rectangle.
     let angle = (8.0 * tube_radius / radius).sqrt().clamp(0.2, 0.8);
-    let count = (std::f64::consts::TAU / angle).ceil();
-    let half_angle = std::f64::consts::PI / count;
-    let half_sagitta = 0.5 * radius * (1.0 - half_angle.cos());
+    let count = (TAU / angle).ceil();
+    let half_angle = PI / count;
+    let half_sagitta = 0.5 * radius * (1.0 - cos(half_angle));
     let (u, v) = axis.any_orthonormal_pair();
     let point = move |middle: f64, end: f64| {
-        let outward = u * middle.cos() + v * middle.sin();
-        let along = v * middle.cos() - u * middle.sin();
+        let outward = u * cos(middle) + v * sin(middle);
+        let along = v * cos(middle) - u * sin(middle);
         center
-            + outward * (radius * half_angle.cos() + half_sagitta)
-            + along * (end * radius * half_angle.sin())
+            + outward * (radius * cos(half_angle) + half_sagitta)
+            + along * (end * radius * sin(half_angle))
     };
     (0..count as u32).map(move |i| {
         let middle = 2.0 * half_angle * f64::from(i);

@@ -11,7 +11,8 @@ use glam::{DVec2, DVec3};
 
 use crate::camera::Axes;
 use crate::capsule::Capsule;
-use crate::view::{Geometry, View};
+use crate::group_view::GroupView;
+use crate::view::Geometry;
 
 /// Space left around an outline, px: a pixel's samples lie up to 0.4 px from its centre, thin pieces are drawn up to
 /// half a pixel wider than they are, and f32 rounds.
@@ -44,7 +45,7 @@ pub struct Rectangle {
     pub is_loose: bool,
 }
 
-/// Maps capsules to footprints for one view.
+/// Maps capsules to footprints for one view of a group; all is reflected so that the group moves along +x.
 #[derive(Debug, Clone, Copy)]
 pub struct Projection {
     axes: Axes,
@@ -57,19 +58,22 @@ pub struct Projection {
 }
 
 impl Projection {
-    pub fn new(view: &View) -> Self {
+    pub fn new(view: &GroupView) -> Self {
+        let reflected = |v| view.velocity.reflected(v);
+        let Axes { right, up, forward } = view.camera.gaze.axes();
+        let speed = &view.velocity.speed;
         Self {
-            axes: view.camera.gaze.axes(),
+            axes: Axes { right: reflected(right), up: reflected(up), forward: reflected(forward) },
             focal_length_px: view.camera.focal_length_px(),
             size: DVec2::from(view.camera.size.map(f64::from)),
             geometry: view.geometry,
-            beta: view.speed.beta(),
-            gamma: view.speed.gamma(),
-            inverse_gamma_squared: view.speed.inverse_gamma_squared(),
+            beta: speed.beta(),
+            gamma: speed.gamma(),
+            inverse_gamma_squared: speed.inverse_gamma_squared(),
         }
     }
 
-    /// Whether a rest-frame ball around `center`, relative to the camera's event, is surely not in the
+    /// Whether a rest-frame ball around `center`, reflected from the camera's event, is surely not in the
     /// picture.
     pub fn hides(&self, center: DVec3, radius: f64) -> bool {
         self.footprint(&Capsule::ball(center, radius)) == Some(Footprint::Hidden)

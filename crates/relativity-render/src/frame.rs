@@ -1,13 +1,16 @@
-//! What the shaders know of one aperture's picture: the uniform block, rounded once from f64.
+//! What the shaders know of one aperture's picture and of one group in it: the uniform block, rounded once from f64.
 
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec2, DVec3};
+use relativity_core::math::exp2;
 
 use crate::backdrop::Backdrop;
 use crate::camera::{Axes, Camera};
+use crate::group_view::GroupView;
 use crate::palette;
-use crate::placed::{Extent, packed};
-use crate::view::{Appearance, View};
+use crate::prepared_body::{Extent, packed};
+use crate::scene::{PreparedGroup, PreparedScene};
+use crate::view::Appearance;
 
 /// Mirror of the shaders' `Frame`.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
@@ -19,17 +22,25 @@ pub struct Frame {
     pub right: [f32; 4],
     /// From one pixel to the next below.
     pub down: [f32; 4],
-    /// The pole, from which pixels are counted: u and v, px, and what f32 loses of them. It is the pixel towards -x if
-    /// that is in front, where the last digits of a line of sight matter most; else the middle of the picture.
+    /// The pole, from which pixels are counted: u and v, px, and what f32 loses of them. It is the pixel towards where
+    /// the group comes from, if that is in front, where the last digits of a line of sight matter most; else the middle
+    /// of the picture.
     pub pole: [f32; 4],
-    /// beta, 1 - beta, 1/gamma, gamma.
+    /// Of the group against the camera: beta, 1 - beta, 1/gamma, gamma.
     pub speed: [f32; 4],
+    /// -1 if the group moves towards -x, else 1; 1 if it is the reference of depths, else 0; then, of that reference, the
+    /// same sign and the `GEOMETRY`.
+    pub motion: [f32; 4],
+    /// `speed` of the reference.
+    pub reference_speed: [f32; 4],
+    /// `scene` of the reference.
+    pub reference: [f32; 4],
     /// Factor of the exposure, intensity exponent (0 for none), log2 of the colour table's first wavelength (nm), and
     /// its entries per octave.
     pub light: [f32; 4],
-    /// Centre of the scene from the camera's event, rest frame; and half the reciprocal of its reach.
+    /// Middle of the group from the camera's event, rest frame; and half the reciprocal of its reach.
     pub scene: [f32; 4],
-    /// What f32 loses of the centre.
+    /// What f32 loses of the middle.
     pub scene_fine: [f32; 4],
     /// Camera x and y, height of the ground above the camera (`f32::MIN` for none), and the published model's aperture
     /// separation.
@@ -45,34 +56,65 @@ pub struct Frame {
 }
 
 impl Frame {
-    pub fn new(view: &View, appearance: &Appearance, extent: &Extent) -> Self {
+    /// One for each group of `scene`, which its `views` show.
+    pub fn of_groups(scene: &PreparedScene, views: &[GroupView], appearance: &Appearance) -> Vec<Self> {
+        let groups = || views.iter().zip(scene.groups()).enumerate();
+        let gamma = |(_, (view, _)): &(usize, (&GroupView, _))| view.velocity.speed.gamma();
+        let reference = groups().max_by(|a, b| gamma(a).total_cmp(&gamma(b)).then(b.0.cmp(&a.0)));
+        let frame = |(number, (view, group)): (usize, (&GroupView, &PreparedGroup))| {
+            let own = Self::new(view, appearance, &group.extent);
+            match reference {
+                Some((chosen, (view, group))) => own.with_reference(view, &group.extent, chosen == number),
+                None => own,
+            }
+        };
+        groups().map(frame).collect()
+    }
+
+    /// With the group whose rest frame depths are told in: the fastest, since its bodies lie closest to each other along
+    /// a ray on the ground.
+    fn with_reference(self, view: &GroupView, extent: &Extent, is_own: bool) -> Self {
+        let [reflection, ..] = self.motion;
+        let own = f32::from(u8::from(is_own));
+        let geometry = view.geometry.number() as f32;
+        Self {
+            motion: [reflection, own, view.velocity.direction() as f32, geometry],
+            reference_speed: speed(view),
+            reference: middle(view, extent),
+            ..self
+        }
+    }
+
+    fn new(view: &GroupView, appearance: &Appearance, extent: &Extent) -> Self {
         let camera = &view.camera;
         let Axes { right, up, forward } = camera.gaze.axes();
         let [width, height] = camera.size.map(f64::from);
         let to_clip = 2.0 * camera.focal_length_px();
         let per_px = 1.0 / camera.focal_length_px();
-        let (pole, base) = pole(camera);
-        let speed = &view.speed;
+        let (pole, base) = pole(camera, -view.velocity.direction());
         let [first, per_octave] = palette::scale(appearance.colour);
-        let exposure = appearance.exposure_ev.exp2();
+        let exposure = exp2(appearance.exposure_ev);
         let exponent = appearance.intensity_exponent.unwrap_or(0.0);
         let aperture = camera.aperture;
         let backdrop = Backdrop::new(camera, appearance);
         let ground = backdrop.ground_height().unwrap_or(f64::from(f32::MIN));
         let coarse = pole.as_vec2();
         let fine = (pole - coarse.as_dvec2()).as_vec2();
-        let centre = extent.centre - view.rest_origin();
-        let coarse_centre = centre.as_vec3();
+        let scene = middle(view, extent);
+        let [x, y, z, _] = scene;
+        let from_camera = extent.middle - view.origin;
         Self {
             base: vector(base),
             right: vector(right * per_px),
             down: vector(-up * per_px),
             pole: [coarse.x, coarse.y, fine.x, fine.y],
-            speed: [speed.beta(), speed.one_minus_beta(), 1.0 / speed.gamma(), speed.gamma()]
-                .map(|v| v as f32),
+            speed: speed(view),
+            motion: [view.velocity.direction() as f32, 1.0, 1.0, 0.0],
+            reference_speed: [0.0; 4],
+            reference: [0.0; 4],
             light: [exposure, exponent, first, per_octave].map(|v| v as f32),
-            scene: coarse_centre.extend((0.5 / extent.reach) as f32).to_array(),
-            scene_fine: vector(centre - coarse_centre.as_dvec3()),
+            scene,
+            scene_fine: vector(from_camera - DVec3::new(x.into(), y.into(), z.into())),
             ground: [aperture.x, aperture.y, ground, view.published_separation()].map(|v| v as f32),
             backdrop: backdrop.colours().map(|colour| vector(colour.into())),
             clip_right: vector(right * (to_clip / width)),
@@ -91,15 +133,27 @@ fn vector(v: DVec3) -> [f32; 4] {
     packed(v, 0.0)
 }
 
-/// The pixel towards -x and its (unnormalised) line of sight, if it is well in front of the camera; else
-/// the middle of the picture and the optical axis.
-fn pole(camera: &Camera) -> (DVec2, DVec3) {
+/// The speed of the group against the camera.
+fn speed(view: &GroupView) -> [f32; 4] {
+    let speed = &view.velocity.speed;
+    [speed.beta(), speed.one_minus_beta(), 1.0 / speed.gamma(), speed.gamma()].map(|v| v as f32)
+}
+
+/// The middle of the group from the camera's event, and half the reciprocal of its reach.
+fn middle(view: &GroupView, extent: &Extent) -> [f32; 4] {
+    packed(extent.middle - view.origin, 0.5 / extent.reach)
+}
+
+/// The pixel towards the end of the x axis with this sign and its (unnormalised) line of sight, if it is well in front of
+/// the camera; else the middle of the picture and the optical axis.
+fn pole(camera: &Camera, sign: f64) -> (DVec2, DVec3) {
     let Axes { right, up, forward } = camera.gaze.axes();
     let middle = DVec2::from(camera.size.map(f64::from)) * 0.5;
-    if forward.x > -0.05 {
+    let depth = sign * forward.x;
+    if depth < 0.05 {
         return (middle, forward);
     }
-    let scale = camera.focal_length_px() / -forward.x;
-    let pole = middle + DVec2::new(-right.x, up.x) * scale;
-    (pole, DVec3::NEG_X / -forward.x)
+    let scale = sign * camera.focal_length_px() / depth;
+    let pole = middle + DVec2::new(right.x, -up.x) * scale;
+    (pole, DVec3::X * (sign / depth))
 }

@@ -72,6 +72,12 @@ impl GroupView {
         }
     }
 
+    /// From the camera's event to `place`, both in the group's frame, reflected so that the group moves along +x.
+    #[must_use]
+    pub fn reflected_from_camera(&self, place: DVec3) -> DVec3 {
+        self.velocity.reflected(place - self.origin)
+    }
+
     /// The rest-frame ray of the camera's `line_of_sight` (unit vector).
     ///
     /// # Examples
@@ -129,7 +135,7 @@ impl GroupView {
     pub fn apparent_position(&self, rest: DVec3) -> Option<DVec3> {
         let from_camera = rest - self.origin;
         let speed = &self.velocity.speed;
-        let point = SourcePoint::from_rest(self.velocity.reflected(from_camera).to_array(), speed);
+        let point = SourcePoint::from_rest(self.reflected_from_camera(rest).to_array(), speed);
         let position = match self.geometry {
             Geometry::Rest => from_camera,
             Geometry::Contracted => DVec3::new(from_camera.x / speed.gamma(), from_camera.y, from_camera.z),
@@ -153,7 +159,7 @@ impl GroupView {
     #[must_use]
     pub fn published_separation(&self) -> f64 {
         let separation = -2.0 * self.camera.aperture.x;
-        if self.velocity.is_backward { -separation } else { separation }
+        self.velocity.direction() * separation
     }
 }
 

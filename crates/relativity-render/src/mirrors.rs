@@ -54,7 +54,8 @@ macro_rules! mirror {
 
 /// The uniform blocks.
 pub const BLOCKS: [Mirror; 1] = [mirror!(
-    Frame: base, right, down, pole, speed, light, scene, scene_fine, ground, backdrop, clip_right, clip_up, forward
+    Frame: base, right, down, pole, speed, motion, reference_speed, reference, light, scene, scene_fine, ground, backdrop,
+    clip_right, clip_up, forward
 )];
 
 /// The structs of vertices and instances.
@@ -87,7 +88,7 @@ pub fn shaders() -> Vec<Shader> {
 
 fn of_bodies(kind: Kind, name: &str, technique: &Technique) -> Shader {
     let output = Output::Picture { is_thin: false, effects: Effects::new(true, &Appearance::default()) };
-    let key = Key { kind, geometry: Geometry::Seen, output };
+    let key = Key { kind, geometry: Geometry::Seen, has_others: false, output };
     Shader {
         name: format!("{name} of a {kind:?}"),
         source: (technique.source)(kind),

@@ -2,12 +2,13 @@
 
 use std::collections::HashMap;
 
-use crate::effects::{Constant, Effects};
+use crate::effects::{Constant, Effects, number};
 use crate::gpu::Gpu;
+use crate::group_view::GroupView;
 use crate::kind::Kind;
 use crate::shade;
 use crate::target::{DEPTH_FORMAT, MEASURES_FORMAT, SAMPLES, linear_target};
-use crate::view::Geometry;
+use crate::view::{Appearance, Geometry};
 
 /// What a pipeline draws, with every effect decided.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -16,6 +17,8 @@ pub struct Key {
     pub kind: Kind,
     /// As it shows them.
     pub geometry: Geometry,
+    /// Whether there are other groups, among which depths must be told.
+    pub has_others: bool,
     /// What is wanted of them.
     pub output: Output,
 }
@@ -27,6 +30,21 @@ pub enum Output {
     Picture { is_thin: bool, effects: Effects },
     /// What the centre of each pixel shows, in numbers.
     Hits,
+}
+
+impl Key {
+    /// For bodies of this `kind` in the group of this number among those that `views` show.
+    pub fn new(kind: Kind, views: &[GroupView], group: usize, output: Output) -> Self {
+        Self { kind, geometry: views[group].geometry, has_others: views.len() > 1, output }
+    }
+}
+
+impl Output {
+    /// A picture of what `view` shows.
+    pub fn picture(view: &GroupView, appearance: &Appearance, is_thin: bool) -> Self {
+        let effects = Effects::new(view.geometry.has_doppler_effect(), appearance);
+        Self::Picture { is_thin, effects }
+    }
 }
 
 /// How a renderer draws bodies: what its pipelines have of their own.
@@ -64,7 +82,11 @@ impl Technique {
             Output::Picture { effects, .. } => effects,
             Output::Hits => Effects::NONE,
         };
-        let mut constants = vec![(self.constant)(key), ("GEOMETRY", key.geometry.number())];
+        let mut constants = vec![
+            (self.constant)(key),
+            ("GEOMETRY", key.geometry.number()),
+            ("HAS_OTHERS", number(key.has_others)),
+        ];
         constants.extend(effects.constants());
         constants.extend(shade::constants());
         constants

@@ -19,8 +19,9 @@ use crate::cone::Cone;
 use crate::group_view::GroupView;
 use crate::intersect::Entry;
 use crate::picture::{Picture, encoded};
+use crate::prepared_body::PreparedBody;
 use crate::ray::Ray;
-use crate::scene::{PreparedBody, PreparedGroup, PreparedScene};
+use crate::scene::{PreparedGroup, PreparedScene};
 use crate::shade::surface_colour;
 use crate::tiles::{TILE_SIDE, bands};
 use crate::view::{Appearance, View};
@@ -79,7 +80,8 @@ impl PreparedScene {
         while let Some(&first) = bodies.first() {
             let number = self.bodies()[first as usize].group;
             let group = &self.groups()[number];
-            let (own, others) = bodies.split_at(bodies.partition_point(|&body| body < group.bodies.end));
+            let (own, others) =
+                bodies.split_at(bodies.partition_point(|&body| (body as usize) < group.bodies.end));
             bodies = others;
             let hit = self.first_hit_in(group, own, view, &group_views[number], line_of_sight);
             nearest = match (nearest, hit) {
@@ -100,8 +102,8 @@ impl PreparedScene {
         line_of_sight: DVec3,
     ) -> Option<Hit> {
         let ray = group_view.rest_ray(line_of_sight);
-        let near = Ray::new(ray.origin, ray.direction).counted_from(group.middle);
-        let (body, entry) = self.first_entry(bodies, &near, group.tie)?;
+        let near = Ray::new(ray.origin, ray.direction).counted_from(group.extent.middle);
+        let (body, entry) = self.first_entry(bodies, &near, group.tie())?;
         let distance = (near.from_camera + entry.distance) * ray.ground_per_rest;
         Some(Hit {
             body,

@@ -3,11 +3,10 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use glam::DVec3;
-
 use crate::body::Body;
+use crate::capsule::Capsule;
 use crate::group_view::GroupView;
-use crate::intersect::{Solid, bounding_box};
+use crate::prepared_body::{Extent, PreparedBody, find_joints};
 use crate::velocity::Motion;
 use crate::view::View;
 
@@ -51,6 +50,7 @@ struct Prepared {
     bodies: Vec<PreparedBody>,
     /// The numbers of all bodies.
     numbers: Vec<u32>,
+    capsules: Vec<Capsule>,
 }
 
 /// A group, and the box around it.
@@ -59,43 +59,29 @@ pub struct PreparedGroup {
     /// How it moves.
     pub motion: Motion,
     /// The numbers of its bodies.
-    pub bodies: Range<u32>,
-    /// The middle of the box: distances along rays count from near it.
-    pub middle: DVec3,
-    /// From there to the box's corners: no surface is further away.
-    pub reach: f64,
-    /// Length below which surfaces coincide.
-    pub(crate) tie: f64,
-}
-
-/// A body, placed.
-#[derive(Debug, Clone)]
-pub struct PreparedBody {
-    /// Its shape.
-    pub solid: Solid,
-    /// The number of its group.
-    pub group: usize,
-    /// Wavelength of its light in its rest frame, nm.
-    pub rest_wavelength_nm: f64,
+    pub bodies: Range<usize>,
+    /// Where they are as a whole: distances along rays count from near its middle.
+    pub extent: Extent,
 }
 
 impl PreparedScene {
     /// Prepares `groups`; their bodies are numbered from 0, in this order.
     #[must_use]
     pub fn new<'a>(groups: impl IntoIterator<Item = Group<'a>>) -> Self {
-        let mut bodies = Vec::new();
-        let mut prepared = Vec::new();
-        for (number, group) in groups.into_iter().enumerate() {
-            let first = bodies.len();
-            bodies.extend(group.bodies.iter().map(|body| PreparedBody {
-                solid: Solid::new(&body.shape),
-                group: number,
-                rest_wavelength_nm: body.rest_wavelength_nm,
-            }));
-            prepared.push(PreparedGroup::new(group.motion, &bodies, first));
+        let (mut bodies, mut capsules, mut prepared) = (Vec::new(), Vec::new(), Vec::new());
+        for (number, Group { motion, bodies: own }) in groups.into_iter().enumerate() {
+            let (first, extent) = (bodies.len(), Extent::new(own));
+            for (i, body) in own.iter().enumerate() {
+                bodies.push(PreparedBody::new(first + i, number, body, &extent, &mut capsules));
+            }
+            find_joints(&mut bodies[first..]);
+            prepared.push(PreparedGroup { motion, bodies: first..bodies.len(), extent });
+        }
+        if prepared.is_empty() {
+            prepared.push(PreparedGroup { motion: Motion::Scene, bodies: 0..0, extent: Extent::new(&[]) });
         }
         let numbers = (0..bodies.len() as u32).collect();
-        Self(Arc::new(Prepared { groups: prepared, bodies, numbers }))
+        Self(Arc::new(Prepared { groups: prepared, bodies, numbers, capsules }))
     }
 
     /// Prepares one group of `bodies`, which move at the scene's speed.
@@ -121,6 +107,11 @@ impl PreparedScene {
         &self.0.numbers
     }
 
+    /// Capsules that contain `body`, one of these.
+    pub(crate) fn capsules(&self, body: &PreparedBody) -> &[Capsule] {
+        &self.0.capsules[body.capsules.clone()]
+    }
+
     /// How the body of this number moves.
     #[must_use]
     pub fn motion_of(&self, body: usize) -> Motion {
@@ -141,17 +132,8 @@ impl PartialEq for PreparedScene {
 }
 
 impl PreparedGroup {
-    /// Of all `bodies` from the `first` on.
-    fn new(motion: Motion, bodies: &[PreparedBody], first: usize) -> Self {
-        let solids = bodies[first..].iter().map(|body| &body.solid);
-        let [low, high] = bounding_box(solids).unwrap_or([DVec3::ZERO, DVec3::ONE]);
-        let middle = 0.5 * (low + high);
-        Self {
-            motion,
-            bodies: first as u32..bodies.len() as u32,
-            middle,
-            reach: low.distance(middle),
-            tie: TIE * low.distance(high),
-        }
+    /// Length below which surfaces coincide.
+    pub(crate) fn tie(&self) -> f64 {
+        TIE * 2.0 * self.extent.reach
     }
 }

@@ -31,7 +31,7 @@ pub struct EyeTarget {
     pub(crate) bodies: wgpu::TextureView,
     pub(crate) samples: wgpu::TextureView,
     pub(crate) depth: wgpu::TextureView,
-    pub(crate) frame: wgpu::Buffer,
+    pub(crate) frames: wgpu::Buffer,
     pub(crate) vertices: wgpu::Buffer,
 }
 
@@ -56,7 +56,7 @@ impl EyeTarget {
             bodies: layer("bodies", 1, LINEAR_FORMAT, Usage::TEXTURE_BINDING).create_view(&whole),
             samples: layer("samples", SAMPLES, LINEAR_FORMAT, Usage::empty()).create_view(&whole),
             depth: layer("depth", SAMPLES, DEPTH_FORMAT, Usage::empty()).create_view(&whole),
-            frame: frame_buffer(gpu),
+            frames: frame_buffer(gpu, 1),
             vertices: vertex_buffer(gpu, 0),
         }
     }

@@ -59,7 +59,12 @@ impl Velocity {
     /// v/c, negative towards -x.
     #[must_use]
     pub fn beta(&self) -> f64 {
-        if self.is_backward { -self.speed.beta() } else { self.speed.beta() }
+        self.direction() * self.speed.beta()
+    }
+
+    /// 1 along +x, -1 towards -x.
+    pub(crate) const fn direction(&self) -> f64 {
+        if self.is_backward { -1.0 } else { 1.0 }
     }
 
     /// Whether it is none.
@@ -71,7 +76,7 @@ impl Velocity {
     /// `v` reflected where the velocity points towards -x: from the ground to where it points along +x, and back.
     #[must_use]
     pub fn reflected(&self, v: DVec3) -> DVec3 {
-        if self.is_backward { DVec3::new(-v.x, v.y, v.z) } else { v }
+        DVec3::new(self.direction() * v.x, v.y, v.z)
     }
 
     /// The line of sight (unit vector) in the frame that moves so, of one on the ground.
@@ -135,7 +140,7 @@ impl Velocity {
         if self.is_rest() {
             return Self { is_backward: !camera.is_backward, ..camera };
         }
-        let signed = |v: Self| if v.is_backward { -v.speed.rapidity() } else { v.speed.rapidity() };
+        let signed = |v: Self| v.direction() * v.speed.rapidity();
         let rapidity = signed(self) - signed(camera);
         // Two that fly apart at the greatest gamma part no faster than that.
         let speed = Speed::from_rapidity(rapidity.abs()).or(Speed::from_gamma(MAX_GAMMA));

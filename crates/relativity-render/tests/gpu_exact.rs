@@ -10,12 +10,15 @@ use glam::DVec3;
 use gpu_support::scenes::{crowd, speeds, still_life, time_seen_at, view_following};
 use joints::{joints, shared_pixels};
 use relativity_core::{SourcePoint, Speed, sighting};
-use relativity_render::{Body, ExactRenderer, Geometry, Gpu, HitImage, PreparedScene, Shape, View};
+use relativity_render::{
+    Body, ExactRenderer, Geometry, Gpu, Group, HitImage, Motion, PreparedScene, Shape, Velocity, View,
+};
 use support::signed_distance;
 
 fn main() -> ExitCode {
     gpu_support::run(&[
         ("hits_agree_with_the_reference", hits_agree_with_the_reference),
+        ("groups_agree_with_the_reference", groups_agree_with_the_reference),
         ("hits_appear_where_the_light_cone_says", hits_appear_where_the_light_cone_says),
         ("where_surfaces_coincide_the_first_body_is_seen", where_surfaces_coincide_the_first_body_is_seen),
         ("bounds_never_clip", bounds_never_clip),
@@ -48,14 +51,34 @@ fn hits_agree_with_the_reference(gpu: &Gpu) {
     for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
         for view in views() {
             let view = View { geometry, ..view };
-            agrees(&mut renderer, gpu, &still_life(), &view);
+            agrees(&mut renderer, gpu, &PreparedScene::moving(&still_life()), &still_life(), &view);
         }
     }
 }
 
-fn agrees(renderer: &mut ExactRenderer, gpu: &Gpu, bodies: &[Body], view: &View) {
-    let image = renderer.hits(gpu, bodies, view).expect("device works");
-    let reference = PreparedScene::moving(bodies);
+/// Groups of all motions, through each other: still lifes that ride past, rest and come the other way.
+fn groups_agree_with_the_reference(gpu: &Gpu) {
+    let mut renderer = ExactRenderer::new(gpu);
+    let [ground, oncoming] = [0.0, -0.6].map(|beta| Velocity::from_beta(beta).expect("a speed"));
+    let moved = |body: Body, offset: DVec3| body.moved(offset.to_array());
+    let behind = crowd(60).into_iter().map(|body| moved(body, DVec3::new(0.0, 5.0, 0.0)));
+    let other = still_life().into_iter().map(|body| moved(body, DVec3::new(0.3, 0.05, 0.1)));
+    let groups = [
+        (Motion::Scene, still_life()),
+        (Motion::Own(ground), behind.collect::<Vec<_>>()),
+        (Motion::Own(oncoming), other.collect()),
+    ];
+    let bodies: Vec<_> = groups.iter().flat_map(|(_, bodies)| bodies.clone()).collect();
+    let scene = PreparedScene::new(groups.iter().map(|(motion, bodies)| Group { motion: *motion, bodies }));
+    for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
+        for view in views() {
+            agrees(&mut renderer, gpu, &scene, &bodies, &View { geometry, ..view });
+        }
+    }
+}
+
+fn agrees(renderer: &mut ExactRenderer, gpu: &Gpu, reference: &PreparedScene, bodies: &[Body], view: &View) {
+    let image = renderer.hits(gpu, reference, view).expect("device works");
     let truth = reference.hit_image(view);
     let context = format!("{:?} gamma {} T {}", view.geometry, view.speed.gamma(), view.observation_time);
     let mut wrong = 0;
@@ -106,7 +129,7 @@ fn around([u, v]: [f64; 2]) -> [[f64; 2]; 16] {
 fn hits_appear_where_the_light_cone_says(gpu: &Gpu) {
     let mut renderer = ExactRenderer::new(gpu);
     for view in views() {
-        let image = renderer.hits(gpu, &still_life(), &view).expect("device works");
+        let image = renderer.hits(gpu, &PreparedScene::moving(&still_life()), &view).expect("device works");
         for (i, hit) in image.hits.iter().enumerate().filter_map(|(i, hit)| Some((i, (*hit)?))) {
             let point = SourcePoint::from_rest(hit.rest_position.to_array(), &view.speed);
             let seen = sighting(&view.speed, point, view.camera.aperture, view.observation_time);
@@ -127,14 +150,14 @@ fn where_surfaces_coincide_the_first_body_is_seen(gpu: &Gpu) {
     let mut bodies = joints();
     for _ in 0..2 {
         for view in views() {
-            let image = renderer.hits(gpu, &bodies, &view).expect("device works");
+            let image = renderer.hits(gpu, &PreparedScene::moving(&bodies), &view).expect("device works");
             let [shared, not_first] = shared_pixels(&image, &bodies, &view);
             assert!(
                 not_first * 1000 <= shared.max(1000),
                 "gamma {}: {not_first} of {shared} pixels show the other body",
                 view.speed.gamma()
             );
-            agrees(&mut renderer, gpu, &bodies, &view);
+            agrees(&mut renderer, gpu, &PreparedScene::moving(&bodies), &bodies, &view);
         }
         bodies.reverse();
     }
@@ -148,8 +171,9 @@ fn bounds_never_clip(gpu: &Gpu) {
         for speed in speeds() {
             for (rest, fov) in [([2.0, 1.0, 0.5], 50.0), ([-3.0, 0.5, -1.0], 120.0)] {
                 let view = View { geometry, ..view_following(rest, speed, 0.3, fov) };
-                let [found, expected] = [&mut bounded, &mut unbounded]
-                    .map(|renderer| renderer.hits(gpu, &bodies, &view).expect("device works"));
+                let [found, expected] = [&mut bounded, &mut unbounded].map(|renderer| {
+                    renderer.hits(gpu, &PreparedScene::moving(&bodies), &view).expect("device works")
+                });
                 let differing = found.hits.iter().zip(&expected.hits).filter(|(a, b)| a != b).count();
                 assert_eq!(differing, 0, "{geometry:?} gamma {} fov {fov}", speed.gamma());
             }
@@ -165,7 +189,7 @@ fn spheres_keep_a_circular_outline(gpu: &Gpu) {
     for speed in [0.0, 0.5, 0.9, 0.99, 0.9999].map(|beta| Speed::from_beta(beta).expect("below 1")) {
         for along in [-1.5, 0.0, 1.5] {
             let view = view_following(center, speed, time_seen_at(center, &speed, along), 40.0);
-            let image = renderer.hits(gpu, &[body], &view).expect("device works");
+            let image = renderer.hits(gpu, &PreparedScene::moving(&[body]), &view).expect("device works");
             let outline = outline(&image, &view);
             assert!(outline.len() > 20, "too small to judge");
             let residual = circle_residual(&outline) * view.camera.focal_length_px();

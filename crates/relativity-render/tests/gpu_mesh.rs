@@ -49,7 +49,7 @@ fn the_picture_keeps_the_bound(gpu: &Gpu) {
             let truth = reference.hit_image(&view);
             for bound_px in BOUNDS_PX {
                 renderer.bound_px = bound_px;
-                let image = renderer.hits(gpu, &still_life(), &view).expect("device works");
+                let image = renderer.hits(gpu, &reference, &view).expect("device works");
                 keeps_bound(&image, &truth, bound_px, &still_life(), &view);
             }
         }
@@ -69,7 +69,7 @@ fn bodies_that_nearly_touch_are_told_apart(gpu: &Gpu) {
         let bodies: Vec<_> = pair.iter().map(|&shape| Body { shape, rest_wavelength_nm: 600.0 }).collect();
         let reference = PreparedScene::moving(&bodies);
         for view in views() {
-            let image = renderer.hits(gpu, &bodies, &view).expect("device works");
+            let image = renderer.hits(gpu, &reference, &view).expect("device works");
             keeps_bound(&image, &reference.hit_image(&view), renderer.bound_px, &bodies, &view);
         }
     }
@@ -81,7 +81,7 @@ fn where_surfaces_coincide_the_first_body_is_seen(gpu: &Gpu) {
     for _ in 0..2 {
         let reference = PreparedScene::moving(&bodies);
         for view in views() {
-            let image = renderer.hits(gpu, &bodies, &view).expect("device works");
+            let image = renderer.hits(gpu, &reference, &view).expect("device works");
             keeps_bound(&image, &reference.hit_image(&view), renderer.bound_px, &bodies, &view);
         }
         bodies.reverse();
@@ -132,7 +132,8 @@ fn hits_appear_where_the_light_cone_says(gpu: &Gpu) {
     for view in views() {
         for bound_px in BOUNDS_PX {
             renderer.bound_px = bound_px;
-            let image = renderer.hits(gpu, &still_life(), &view).expect("device works");
+            let image =
+                renderer.hits(gpu, &PreparedScene::moving(&still_life()), &view).expect("device works");
             for (i, hit) in image.hits.iter().enumerate().filter_map(|(i, hit)| Some((i, (*hit)?))) {
                 let point = SourcePoint::from_rest(hit.rest_position.to_array(), &view.speed);
                 let seen = sighting(&view.speed, point, view.camera.aperture, view.observation_time);
@@ -152,7 +153,7 @@ fn the_published_right_eye_is_the_cores(gpu: &Gpu) {
     for mut view in views() {
         view.camera.aperture = left;
         let image = renderer
-            .hits(gpu, &still_life(), &View { geometry: Geometry::Published, ..view })
+            .hits(gpu, &PreparedScene::moving(&still_life()), &View { geometry: Geometry::Published, ..view })
             .expect("device works");
         for (i, hit) in image.hits.iter().enumerate().filter_map(|(i, hit)| Some((i, (*hit)?))) {
             let point = SourcePoint::from_rest(hit.rest_position.to_array(), &view.speed);

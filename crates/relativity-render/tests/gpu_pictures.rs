@@ -66,12 +66,12 @@ fn pictures_are_the_references(gpu: &Gpu) {
         let mut target = EyeTarget::new(gpu, view.camera.size);
         for appearance in appearances() {
             let truth = reference.picture(&view, &appearance, 1).rgba;
-            exact.draw(gpu, &bodies, &view, &appearance, &mut target);
+            exact.draw(gpu, &reference, &view, &appearance, &mut target);
             let drawn = target.rgba8(gpu).expect("device works");
             let off = levels_off(&drawn, &truth, |i| is_inside(&hits, i));
             assert!(off <= LEVELS, "exact, {geometry:?}, {appearance:?}: {off} levels off");
             mesh.bound_px = 0.1;
-            mesh.draw(gpu, &bodies, &view, &appearance, &mut target);
+            mesh.draw(gpu, &reference, &view, &appearance, &mut target);
             let drawn = target.rgba8(gpu).expect("device works");
             // Normals are interpolated between corners.
             let off = levels_off(&drawn, &truth, |i| is_inside(&hits, i));
@@ -110,10 +110,11 @@ const LIGHT_SHARE: f64 = 0.01;
 fn edges_are_the_references_on_average(gpu: &Gpu) {
     let bodies = still_life();
     let appearance = Appearance { intensity_exponent: None, sky: false, ..Appearance::default() };
-    let truth = PreparedScene::moving(&bodies).picture(&fast(), &appearance, 4).rgba;
+    let scene = PreparedScene::moving(&bodies);
+    let truth = scene.picture(&fast(), &appearance, 4).rgba;
     let expected = light(truth.iter().flat_map(|pixel| &pixel[..3]));
     let mut target = EyeTarget::new(gpu, fast().camera.size);
-    ExactRenderer::new(gpu).draw(gpu, &bodies, &fast(), &appearance, &mut target);
+    ExactRenderer::new(gpu).draw(gpu, &scene, &fast(), &appearance, &mut target);
     let drawn = target.rgba8(gpu).expect("device works");
     let found = light(drawn.chunks(4).flat_map(|pixel| &pixel[..3]));
     assert!((found / expected - 1.0).abs() < LIGHT_SHARE, "{found} for {expected}");
@@ -131,8 +132,8 @@ fn every_speed_gives_a_picture(gpu: &Gpu) {
         let speed = Speed::from_gamma(gamma).expect("in range");
         for observation_time in [-10.0, 0.0, 5.0] {
             let view = View { observation_time, ..view(speed) };
-            let hits = exact.hits(gpu, &still_life(), &view).expect("device works");
-            let meshed = mesh.hits(gpu, &still_life(), &view).expect("device works");
+            let hits = exact.hits(gpu, &PreparedScene::moving(&still_life()), &view).expect("device works");
+            let meshed = mesh.hits(gpu, &PreparedScene::moving(&still_life()), &view).expect("device works");
             for hit in hits.hits.into_iter().chain(meshed.hits).flatten() {
                 assert!(hit.distance.is_finite() && hit.rest_position.is_finite(), "gamma {gamma}: {hit:?}");
             }

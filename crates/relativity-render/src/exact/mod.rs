@@ -6,18 +6,20 @@
 
 mod pieces;
 
-use crate::body::Body;
+use std::ops::Range;
+
 use crate::buffers::{fill_vertex_buffer, vertex_buffer};
 use crate::canvas::Canvas;
-use crate::effects::{Effects, number};
+use crate::effects::number;
 use crate::frame::Frame;
 use crate::gpu::{Gpu, GpuError};
+use crate::group_view::GroupView;
 use crate::kind::Kind;
 use crate::pipelines::{Key, Output, Pipelines, Technique};
-use crate::placed::PlacedBodies;
 use crate::reference::HitImage;
+use crate::scene::PreparedScene;
 use crate::target::EyeTarget;
-use crate::view::{Appearance, Colour, Geometry, View};
+use crate::view::{Appearance, Colour, View};
 pub(crate) use pieces::Piece;
 use pieces::{Bounds, Pieces, THIN_PX};
 
@@ -39,8 +41,13 @@ pub struct ExactRenderer {
     draws: Vec<Draw>,
 }
 
-/// A range of instances drawn by one pipeline.
-type Draw = (Key, std::ops::Range<u32>);
+/// A range of instances of one group drawn by one pipeline.
+#[derive(Debug)]
+struct Draw {
+    group: usize,
+    key: Key,
+    instances: Range<u32>,
+}
 
 /// Rectangles, and a ray test for each of their pixels.
 pub(crate) const TECHNIQUE: Technique = Technique {
@@ -84,23 +91,24 @@ impl ExactRenderer {
         Self { bounds: Bounds::None, ..Self::new(gpu) }
     }
 
-    /// Draws `bodies` into `target`, whose size overrides the camera's.
+    /// Draws `scene` into `target`, whose size overrides the camera's.
     pub fn draw(
         &mut self,
         gpu: &Gpu,
-        bodies: &[Body],
+        scene: &PreparedScene,
         view: &View,
         appearance: &Appearance,
         target: &mut EyeTarget,
     ) {
-        let view = &view.with_size(target.size());
-        let geometry = view.geometry;
-        let effects = Effects::new(geometry.has_doppler_effect(), appearance);
-        let scene = PlacedBodies::new(bodies);
-        self.pieces.refill(&scene, view, appearance.colour, self.bounds, THIN_PX);
-        self.load(gpu, &mut target.vertices, geometry, |is_thin| Output::Picture { is_thin, effects });
-        let frame = Frame::new(view, appearance, &scene.extent);
-        self.canvas.paint(gpu, target, &frame, appearance, |pass| self.record(pass, &target.vertices));
+        let views = scene.group_views(&view.with_size(target.size()));
+        self.pieces.refill(scene, &views, appearance.colour, self.bounds, THIN_PX);
+        self.load(gpu, &mut target.vertices, &views, |view, is_thin| {
+            Output::picture(view, appearance, is_thin)
+        });
+        let frames = Frame::of_groups(scene, &views, appearance);
+        self.canvas.paint(gpu, target, &frames, appearance, |pass, target, frames| {
+            self.record(pass, &target.vertices, frames);
+        });
     }
 
     /// What the centre of every pixel of `view`'s camera shows, without anti-aliasing.
@@ -108,15 +116,16 @@ impl ExactRenderer {
     /// # Errors
     ///
     /// The device was lost.
-    pub fn hits(&mut self, gpu: &Gpu, bodies: &[Body], view: &View) -> Result<HitImage, GpuError> {
-        let scene = PlacedBodies::new(bodies);
-        self.pieces.refill(&scene, view, Colour::Visible, self.bounds, 0.0);
+    pub fn hits(&mut self, gpu: &Gpu, scene: &PreparedScene, view: &View) -> Result<HitImage, GpuError> {
+        let views = scene.group_views(view);
+        self.pieces.refill(scene, &views, Colour::Visible, self.bounds, 0.0);
         let mut vertices = vertex_buffer(gpu, 0);
-        self.load(gpu, &mut vertices, view.geometry, |_| Output::Hits);
-        let frame = Frame::new(view, &Appearance::default(), &scene.extent);
-        let measures =
-            self.canvas.measure(gpu, view.camera.size, &frame, |pass| self.record(pass, &vertices))?;
-        Ok(measures.hit_image(&crate::scene::PreparedScene::moving(bodies), view))
+        self.load(gpu, &mut vertices, &views, |_, _| Output::Hits);
+        let frames = Frame::of_groups(scene, &views, &Appearance::default());
+        let measures = self.canvas.measure(gpu, view.camera.size, &frames, |pass, frames| {
+            self.record(pass, &vertices, frames);
+        })?;
+        Ok(measures.hit_image(scene, view))
     }
 
     /// Loads the pieces and makes the pipelines they need.
@@ -124,27 +133,28 @@ impl ExactRenderer {
         &mut self,
         gpu: &Gpu,
         vertices: &mut wgpu::Buffer,
-        geometry: Geometry,
-        output: impl Fn(bool) -> Output,
+        views: &[GroupView],
+        output: impl Fn(&GroupView, bool) -> Output,
     ) {
         self.instances.clear();
         self.draws.clear();
-        for (is_thin, kind, list) in self.pieces.lists() {
+        for (is_thin, group, kind, list) in self.pieces.lists() {
             let start = self.instances.len() as u32;
             self.instances.extend_from_slice(list);
-            let key = Key { kind, geometry, output: output(is_thin) };
+            let key = Key::new(kind, views, group, output(&views[group], is_thin));
             self.pipelines.prepare(gpu, key);
-            self.draws.push((key, start..self.instances.len() as u32));
+            self.draws.push(Draw { group, key, instances: start..self.instances.len() as u32 });
         }
         fill_vertex_buffer(gpu, vertices, &self.instances);
     }
 
-    fn record(&self, pass: &mut wgpu::RenderPass<'_>, vertices: &wgpu::Buffer) {
+    fn record(&self, pass: &mut wgpu::RenderPass<'_>, vertices: &wgpu::Buffer, frames: &[wgpu::BindGroup]) {
         if self.draws.is_empty() {
             return;
         }
         pass.set_vertex_buffer(0, vertices.slice(..));
-        for (key, instances) in &self.draws {
+        for Draw { group, key, instances } in &self.draws {
+            pass.set_bind_group(0, &frames[*group], &[]);
             pass.set_pipeline(self.pipelines.get(*key));
             pass.draw(0..4, instances.clone());
         }

@@ -6,13 +6,15 @@
 use std::collections::BTreeMap;
 
 use bytemuck::{Pod, Zeroable};
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 
 use crate::capsule::Capsule;
 use crate::footprint::{Footprint, Projection, Rectangle};
+use crate::group_view::GroupView;
 use crate::kind::Kind;
-use crate::placed::{PlacedBodies, PlacedBody};
-use crate::view::{Colour, View};
+use crate::prepared_body::PreparedBody;
+use crate::scene::PreparedScene;
+use crate::view::Colour;
 
 /// How often a piece is halved before its bound is taken as it is: 32 rectangles follow the most bent of tubes, and
 /// a looser bound only costs time.
@@ -41,50 +43,57 @@ pub struct Piece {
     pub rest_colour: [f32; 4],
 }
 
-/// The pieces of a view, solid before thin and kind by kind, else in the order of the bodies: where surfaces of two
-/// coincide, the first that is drawn stays. Kept from view to view, for its memory.
+/// The pieces of a view, solid before thin, group by group and kind by kind, else in the order of the bodies: where
+/// surfaces of two coincide, the first that is drawn stays. Kept from view to view, for its memory.
 #[derive(Debug, Default)]
 pub struct Pieces {
-    lists: BTreeMap<(bool, Kind), Vec<Piece>>,
+    lists: BTreeMap<(bool, usize, Kind), Vec<Piece>>,
     rectangles: Vec<Rectangle>,
 }
 
 impl Pieces {
-    /// Replaces all by the pieces of `scene` in `view`; those of a radius below `thin_px` pixels are thin.
+    /// Replaces all by the pieces of `scene`, whose groups `views` show; those of a radius below `thin_px` pixels are thin.
     pub fn refill(
         &mut self,
-        scene: &PlacedBodies,
-        view: &View,
+        scene: &PreparedScene,
+        views: &[GroupView],
         colour: Colour,
         bounds: Bounds,
         thin_px: f64,
     ) {
-        let projection = Projection::new(view);
-        let origin = view.rest_origin();
         self.lists.values_mut().for_each(Vec::clear);
-        for body in &scene.bodies {
-            match bounds {
-                Bounds::Tight => self.bound(&projection, origin, scene.capsules(body)),
-                Bounds::None => self.bound_nowhere(),
-            }
-            let template = Piece::new(body, colour);
-            for rectangle in &self.rectangles {
-                let is_thin = rectangle.radius_px < thin_px;
-                self.lists.entry((is_thin, body.kind)).or_default().push(template.placed(rectangle));
+        for (view, group) in views.iter().zip(scene.groups()) {
+            let projection = Projection::new(view);
+            for body in &scene.bodies()[group.bodies.clone()] {
+                match bounds {
+                    Bounds::Tight => self.bound(&projection, view, scene.capsules(body)),
+                    Bounds::None => self.bound_nowhere(),
+                }
+                self.add(body, colour, thin_px);
             }
         }
     }
 
-    /// Whether they are thin, their kind, and the pieces.
-    pub fn lists(&self) -> impl Iterator<Item = (bool, Kind, &[Piece])> {
+    /// Whether they are thin, the number of their group, their kind, and the pieces.
+    pub fn lists(&self) -> impl Iterator<Item = (bool, usize, Kind, &[Piece])> {
         let filled = self.lists.iter().filter(|(_, list)| !list.is_empty());
-        filled.map(|(&(is_thin, kind), list)| (is_thin, kind, list.as_slice()))
+        filled.map(|(&(is_thin, group, kind), list)| (is_thin, group, kind, list.as_slice()))
     }
 
-    fn bound(&mut self, projection: &Projection, origin: DVec3, capsules: &[Capsule]) {
+    /// The pieces of `body` in the rectangles just found.
+    fn add(&mut self, body: &PreparedBody, colour: Colour, thin_px: f64) {
+        let template = Piece::new(body, colour);
+        for rectangle in &self.rectangles {
+            let list = (rectangle.radius_px < thin_px, body.group, body.kind);
+            self.lists.entry(list).or_default().push(template.placed(rectangle));
+        }
+    }
+
+    fn bound(&mut self, projection: &Projection, view: &GroupView, capsules: &[Capsule]) {
         self.rectangles.clear();
         for capsule in capsules {
-            add_rectangles(projection, &capsule.relative_to(origin), MAX_HALVINGS, &mut self.rectangles);
+            let capsule = capsule.reflected_from_camera(view);
+            add_rectangles(projection, &capsule, MAX_HALVINGS, &mut self.rectangles);
         }
         if self.rectangles.contains(&EVERYWHERE) {
             self.bound_nowhere();
@@ -130,11 +139,11 @@ impl Piece {
     };
 
     /// Of `body`, without a rectangle.
-    fn new(body: &PlacedBody, colour: Colour) -> Self {
+    fn new(body: &PreparedBody, colour: Colour) -> Self {
         let [red, green, blue] = body.rest_colour(colour);
         Self {
             place: [0.0; 4],
-            second_axis_index_wavelength: [0.0, 0.0, body.index, body.rest_wavelength_nm],
+            second_axis_index_wavelength: [0.0, 0.0, body.index, body.rest_wavelength_nm as f32],
             place_radius: body.place_radius,
             form: body.form,
             rest_colour: [red, green, blue, 0.0],

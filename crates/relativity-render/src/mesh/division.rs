@@ -15,8 +15,9 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use glam::{DVec2, DVec3};
 
-use super::map::Map;
 use super::template::Division;
+use crate::camera::Axes;
+use crate::group_view::GroupView;
 use crate::surface::{Surface, TubeSurface};
 
 /// The most segments a direction is divided into: bodies that touch the picture plane would need any number.
@@ -31,10 +32,15 @@ const STEP: f64 = 1e-2;
 const ALONG: [f64; 5] = [-1.0, -0.5, 0.0, 0.5, 1.0];
 const AROUND: [f64; 4] = [0.0, FRAC_PI_2, PI, 1.5 * PI];
 
-/// The division of a body's `surface` that keeps `bound_px` under `map`; where that would do with less, no coarser than
+/// The division of a body's `surface` that keeps `bound_px` in `view`; where that would do with less, no coarser than
 /// normals between corners look round.
-pub fn division(surface: &Surface, map: &Map, bound_px: f64) -> Division {
-    let curvature = Curvature { map, bound_px: 0.25 * bound_px };
+pub fn division(surface: &Surface, view: &GroupView, bound_px: f64) -> Division {
+    let curvature = Curvature {
+        view,
+        axes: view.camera.gaze.axes(),
+        focal_length_px: view.camera.focal_length_px(),
+        bound_px: 0.25 * bound_px,
+    };
     match surface {
         Surface::Tube(tube) => {
             let arc = curvature.of_arcs(tube);
@@ -63,7 +69,9 @@ fn segments(needed: f64, least: u32) -> u32 {
 
 /// Curvature of images, as segments per unit of a parameter.
 struct Curvature<'a> {
-    map: &'a Map,
+    view: &'a GroupView,
+    axes: Axes,
+    focal_length_px: f64,
     bound_px: f64,
 }
 
@@ -86,20 +94,25 @@ impl Curvature<'_> {
 
     /// Segments per unit of h that the curve needs at h = 0.
     fn segments(&self, curve: impl Fn(f64) -> DVec3) -> f64 {
-        let [before, at, after] = [-STEP, 0.0, STEP].map(|h| self.map.apparent(curve(h)));
+        let [before, at, after] = [-STEP, 0.0, STEP].map(|h| self.apparent(curve(h)));
         let second = (before - 2.0 * at + after) / (STEP * STEP);
         (self.image_of_change(at, second).length() / (8.0 * self.bound_px)).sqrt()
     }
 
+    /// Where `place` appears; no number outside the domain of the core, which asks for the finest division.
+    fn apparent(&self, place: DVec3) -> DVec3 {
+        self.view.apparent_position(place).unwrap_or(DVec3::NAN)
+    }
+
     /// How far a change of an apparent position moves its image, px.
     fn image_of_change(&self, at: DVec3, change: DVec3) -> DVec2 {
-        let axes = self.map.axes;
+        let axes = self.axes;
         let depth = at.dot(axes.forward);
         if depth <= 0.0 {
             return DVec2::ZERO;
         }
         let image = DVec2::new(at.dot(axes.right), at.dot(axes.up)) / depth;
         let moved = DVec2::new(change.dot(axes.right), change.dot(axes.up));
-        (moved - image * change.dot(axes.forward)) * (self.map.focal_length_px / depth)
+        (moved - image * change.dot(axes.forward)) * (self.focal_length_px / depth)
     }
 }

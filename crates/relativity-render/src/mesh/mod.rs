@@ -9,26 +9,23 @@
 //! bodies that nearly touch are nearer to each other than triangles are to their surfaces.
 
 mod division;
-mod map;
 mod parts;
 mod template;
 
 use std::collections::HashMap;
 use std::ops::Range;
 
-use crate::body::Body;
 use crate::buffers::{self, fill_vertex_buffer, vertex_buffer};
 use crate::canvas::Canvas;
-use crate::effects::Effects;
 use crate::frame::Frame;
 use crate::gpu::{Gpu, GpuError};
+use crate::group_view::GroupView;
 use crate::kind::Kind;
 use crate::pipelines::{Key, Output, Pipelines, Technique};
-use crate::placed::PlacedBodies;
 use crate::reference::HitImage;
+use crate::scene::PreparedScene;
 use crate::target::EyeTarget;
-use crate::view::{Appearance, Colour, Geometry, View};
-use map::Map;
+use crate::view::{Appearance, Colour, View};
 pub(crate) use parts::Instance;
 use parts::Parts;
 pub(crate) use template::Corner;
@@ -55,9 +52,10 @@ struct Loaded {
     count: u32,
 }
 
-/// Neighbouring parts of one division.
+/// Neighbouring parts of one group and division.
 #[derive(Debug)]
 struct Draw {
+    group: usize,
     division: Division,
     key: Key,
     instances: Range<u32>,
@@ -93,23 +91,24 @@ impl MeshRenderer {
         }
     }
 
-    /// Draws `bodies` into `target`, whose size overrides the camera's.
+    /// Draws `scene` into `target`, whose size overrides the camera's.
     pub fn draw(
         &mut self,
         gpu: &Gpu,
-        bodies: &[Body],
+        scene: &PreparedScene,
         view: &View,
         appearance: &Appearance,
         target: &mut EyeTarget,
     ) {
-        let view = &view.with_size(target.size());
-        let geometry = view.geometry;
-        let effects = Effects::new(geometry.has_doppler_effect(), appearance);
-        let scene = PlacedBodies::new(bodies);
-        self.parts.refill(&scene, view, appearance.colour, &Map::new(view), self.bound_px, true);
-        self.load(gpu, &mut target.vertices, geometry, |is_thin| Output::Picture { is_thin, effects });
-        let frame = Frame::new(view, appearance, &scene.extent);
-        self.canvas.paint(gpu, target, &frame, appearance, |pass| self.record(pass, &target.vertices));
+        let views = scene.group_views(&view.with_size(target.size()));
+        self.parts.refill(scene, &views, &views, appearance.colour, self.bound_px, true);
+        self.load(gpu, &mut target.vertices, &views, |view, is_thin| {
+            Output::picture(view, appearance, is_thin)
+        });
+        let frames = Frame::of_groups(scene, &views, appearance);
+        self.canvas.paint(gpu, target, &frames, appearance, |pass, target, frames| {
+            self.record(pass, &target.vertices, frames);
+        });
     }
 
     /// What the centre of every pixel of `view`'s camera shows, without anti-aliasing.
@@ -117,8 +116,8 @@ impl MeshRenderer {
     /// # Errors
     ///
     /// The device was lost.
-    pub fn hits(&mut self, gpu: &Gpu, bodies: &[Body], view: &View) -> Result<HitImage, GpuError> {
-        self.hits_in_part(gpu, bodies, view, view)
+    pub fn hits(&mut self, gpu: &Gpu, scene: &PreparedScene, view: &View) -> Result<HitImage, GpuError> {
+        self.hits_in_part(gpu, scene, view, view)
     }
 
     /// What `part`, a magnified view of a small part of `whole`, shows of the triangles that `whole` is drawn with.
@@ -129,18 +128,20 @@ impl MeshRenderer {
     pub fn hits_in_part(
         &mut self,
         gpu: &Gpu,
-        bodies: &[Body],
+        scene: &PreparedScene,
         whole: &View,
         part: &View,
     ) -> Result<HitImage, GpuError> {
-        let scene = PlacedBodies::new(bodies);
-        self.parts.refill(&scene, part, Colour::Visible, &Map::new(whole), self.bound_px, false);
+        let views = scene.group_views(part);
+        let divided_for = scene.group_views(whole);
+        self.parts.refill(scene, &views, &divided_for, Colour::Visible, self.bound_px, false);
         let mut vertices = vertex_buffer(gpu, 0);
-        self.load(gpu, &mut vertices, part.geometry, |_| Output::Hits);
-        let frame = Frame::new(part, &Appearance::default(), &scene.extent);
-        let measures =
-            self.canvas.measure(gpu, part.camera.size, &frame, |pass| self.record(pass, &vertices))?;
-        Ok(measures.hit_image(&crate::scene::PreparedScene::moving(bodies), part))
+        self.load(gpu, &mut vertices, &views, |_, _| Output::Hits);
+        let frames = Frame::of_groups(scene, &views, &Appearance::default());
+        let measures = self.canvas.measure(gpu, part.camera.size, &frames, |pass, frames| {
+            self.record(pass, &vertices, frames);
+        })?;
+        Ok(measures.hit_image(scene, part))
     }
 
     /// Loads the parts, and makes the pipelines and templates they need.
@@ -148,26 +149,27 @@ impl MeshRenderer {
         &mut self,
         gpu: &Gpu,
         vertices: &mut wgpu::Buffer,
-        geometry: Geometry,
-        output: impl Fn(bool) -> Output,
+        views: &[GroupView],
+        output: impl Fn(&GroupView, bool) -> Output,
     ) {
         self.instances.clear();
         self.draws.clear();
         for run in self.parts.runs() {
             let start = self.instances.len() as u32;
             self.instances.extend(run.iter().map(|part| part.instance));
-            let division = run[0].division;
-            let key = Key { kind: division.kind(), geometry, output: output(run[0].is_thin()) };
+            let (group, division) = (run[0].group, run[0].division);
+            let key = Key::new(division.kind(), views, group, output(&views[group], run[0].is_thin()));
             self.pipelines.prepare(gpu, key);
             self.templates.entry(division).or_insert_with(|| Loaded::new(gpu, division));
-            self.draws.push(Draw { division, key, instances: start..self.instances.len() as u32 });
+            self.draws.push(Draw { group, division, key, instances: start..self.instances.len() as u32 });
         }
         fill_vertex_buffer(gpu, vertices, &self.instances);
     }
 
-    fn record(&self, pass: &mut wgpu::RenderPass<'_>, instances: &wgpu::Buffer) {
+    fn record(&self, pass: &mut wgpu::RenderPass<'_>, instances: &wgpu::Buffer, frames: &[wgpu::BindGroup]) {
         for draw in &self.draws {
             let template = &self.templates[&draw.division];
+            pass.set_bind_group(0, &frames[draw.group], &[]);
             pass.set_pipeline(self.pipelines.get(draw.key));
             pass.set_vertex_buffer(0, template.corners.slice(..));
             pass.set_vertex_buffer(1, instances.slice(..));

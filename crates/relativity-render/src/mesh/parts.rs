@@ -1,14 +1,16 @@
 //! The bodies of a view as they are drawn: how finely each is divided, and in which order.
 
 use bytemuck::{Pod, Zeroable};
-use rayon::prelude::*;
+use glam::DVec3;
+use relativity_core::threads::prelude::*;
 
 use super::division::division;
-use super::map::Map;
 use super::template::Division;
 use crate::footprint::Projection;
-use crate::placed::{Joint, PlacedBodies, PlacedBody, packed};
-use crate::view::{Colour, Geometry, View};
+use crate::group_view::GroupView;
+use crate::prepared_body::{Joint, PreparedBody, packed};
+use crate::scene::PreparedScene;
+use crate::view::{Colour, Geometry};
 
 /// Mirror of the shaders' `Instance`.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
@@ -26,6 +28,8 @@ pub struct Instance {
 pub struct Part {
     pub division: Division,
     pub instance: Instance,
+    /// The number of its group.
+    pub group: usize,
     joint: Joint,
 }
 
@@ -39,34 +43,36 @@ pub struct Parts {
 }
 
 impl Parts {
-    /// Replaces all by the bodies of `scene` that can be seen in `view`, divided to keep `bound_px` under `map`. Thin
-    /// ones are drawn wider if `are_widened`.
+    /// Replaces all by the bodies of `scene` that can be seen where `views` show its groups, divided to keep `bound_px`
+    /// in the views `divided_for`. Thin ones are drawn wider if `are_widened`.
     pub fn refill(
         &mut self,
-        scene: &PlacedBodies,
-        view: &View,
+        scene: &PreparedScene,
+        views: &[GroupView],
+        divided_for: &[GroupView],
         colour: Colour,
-        map: &Map,
         bound_px: f64,
         are_widened: bool,
     ) {
-        let projection = Projection::new(view);
-        let origin = view.rest_origin();
-        let is_seen = |body: &PlacedBody| {
+        let projections: Vec<_> = views.iter().map(Projection::new).collect();
+        let is_seen = |body: &PreparedBody| {
+            let view = &views[body.group];
+            let middle = view.reflected_from_camera(body.solid.center());
             // The published positions are not the view's.
-            map.geometry == Geometry::Published
-                || !projection.hides(body.solid.center() - origin, body.solid.bounding_radius())
+            view.geometry == Geometry::Published
+                || !projections[body.group].hides(middle, body.solid.bounding_radius())
         };
-        let part = |body: &PlacedBody| {
-            let instance = Instance::new(body, colour);
+        let part = |body: &PreparedBody| {
+            let (instance, view) = (Instance::new(body, colour), &divided_for[body.group]);
             Part {
-                division: division(&body.surface, map, bound_px),
-                instance: if are_widened { instance.widened(body, map) } else { instance },
+                division: division(&body.surface, view, bound_px),
+                instance: if are_widened { instance.widened(body, view) } else { instance },
+                group: body.group,
                 joint: body.joint,
             }
         };
         scene
-            .bodies
+            .bodies()
             .par_iter()
             .map(|body| is_seen(body).then(|| part(body)))
             .collect_into_vec(&mut self.found);
@@ -77,7 +83,8 @@ impl Parts {
 
     /// Those that are drawn by one draw, in order.
     pub fn runs(&self) -> impl Iterator<Item = &[Part]> {
-        self.sorted.chunk_by(|a, b| a.division == b.division && a.is_thin() == b.is_thin())
+        let trait_of = |part: &Part| (part.group, part.division, part.is_thin());
+        self.sorted.chunk_by(move |a, b| trait_of(a) == trait_of(b))
     }
 }
 
@@ -87,13 +94,13 @@ impl Part {
         self.instance.cover < 1.0
     }
 
-    /// Its place in the order: faded ones last; in the bodies' order where surfaces may coincide, so that the first of
+    /// Its place in the order: faded ones last; group by group; in the bodies' order where surfaces may coincide, so that the first of
     /// them stays, and else those of one division together, which saves a draw for each.
-    fn rank(&self) -> (bool, Option<Division>, u32) {
+    fn rank(&self) -> (bool, usize, Option<Division>, u32) {
         let is_thin = self.is_thin();
         let is_joined = if is_thin { self.joint.widened } else { self.joint.as_it_is };
         let [_, _, _, index] = self.instance.across_index;
-        (is_thin, (!is_joined).then_some(self.division), index as u32)
+        (is_thin, self.group, (!is_joined).then_some(self.division), index as u32)
     }
 }
 
@@ -107,22 +114,22 @@ impl Instance {
         ],
     };
 
-    fn new(body: &PlacedBody, colour: Colour) -> Self {
+    fn new(body: &PreparedBody, colour: Colour) -> Self {
         let [red, green, blue] = body.rest_colour(colour);
         Self {
             place_radius: body.place_radius,
             form: body.form,
             across_index: packed(body.surface.across(), f64::from(body.index)),
-            colour_wavelength: [red, green, blue, body.rest_wavelength_nm],
+            colour_wavelength: [red, green, blue, body.rest_wavelength_nm as f32],
             cover: 1.0,
         }
     }
 
     /// Drawn at least a pixel wide: thinner, it is faded instead of broken up.
-    fn widened(self, body: &PlacedBody, map: &Map) -> Self {
-        let distance = map.apparent(body.solid.center()).length();
+    fn widened(self, body: &PreparedBody, view: &GroupView) -> Self {
+        let distance = view.apparent_position(body.solid.center()).map_or(f64::INFINITY, DVec3::length);
         let [x, y, z, radius] = self.place_radius;
-        let half_pixel = (0.5 * distance / map.focal_length_px) as f32;
+        let half_pixel = (0.5 * distance / view.camera.focal_length_px()) as f32;
         if radius >= half_pixel {
             return self;
         }

@@ -1,4 +1,4 @@
-//! Bodies as the GPU renderers take them: all of it that no view changes, worked out once per scene.
+//! A body prepared for every way to draw it: all of it that no view changes, worked out once per scene.
 
 use std::collections::HashMap;
 use std::hash::Hash;
@@ -14,42 +14,45 @@ use crate::kind::Kind;
 use crate::surface::Surface;
 use crate::view::Colour;
 
-/// Where bodies are as a whole, in the rest frame: they are placed from their middle, so that they keep
-/// their places among each other however far the camera is.
+/// Where the bodies of a group are as a whole: they are placed from their middle, so that they keep their places among
+/// each other however far the camera is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Extent {
     /// The middle of a box around the bodies.
-    pub centre: DVec3,
+    pub middle: DVec3,
     /// Greatest distance of any surface from there, with room for rounding.
     pub reach: f64,
 }
 
 /// A body, placed.
 #[derive(Debug, Clone, PartialEq)]
-pub struct PlacedBody {
-    /// Which shaders draw it.
-    pub kind: Kind,
-    /// Its number, in the order of the bodies; floats hold those up to 2^24.
-    pub index: f32,
+pub struct PreparedBody {
     /// Its shape in f64.
     pub solid: Solid,
-    /// From the scene's centre: its centre, or one end of a tube; and its radius.
-    pub place_radius: [f32; 4],
-    /// The other end of a tube, or a ring's unit axis and the radius of its middle circle.
-    pub form: [f32; 4],
+    /// The number of its group.
+    pub group: usize,
     /// Wavelength of its light in the rest frame, nm.
-    pub rest_wavelength_nm: f32,
-    rest_colours: RestColours,
+    pub rest_wavelength_nm: f64,
+    /// Which shaders draw it.
+    pub(crate) kind: Kind,
+    /// Its number, in the order of all bodies; floats hold those up to 2^24.
+    pub(crate) index: f32,
+    /// From the middle of its group: its centre, or one end of a tube; and its radius.
+    pub(crate) place_radius: [f32; 4],
+    /// The other end of a tube, or a ring's unit axis and the radius of its middle circle.
+    pub(crate) form: [f32; 4],
     /// What triangles approach.
-    pub surface: Surface,
+    pub(crate) surface: Surface,
     /// Whether its surface may coincide with another's.
-    pub joint: Joint,
-    capsules: Range<u32>,
+    pub(crate) joint: Joint,
+    /// Which of the scene's capsules contain it.
+    pub(crate) capsules: Range<usize>,
+    rest_colours: RestColours,
 }
 
 /// Whether a body has a rounded end, or all of a ring, in common with another: there the first of them is seen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Joint {
+pub(crate) struct Joint {
     /// As it is.
     pub as_it_is: bool,
     /// Where both are drawn a pixel wide: bodies about one centre, which are as wide there.
@@ -63,77 +66,53 @@ struct RestColours {
     falsified: [f32; 3],
 }
 
-/// The bodies of a scene, placed.
-#[derive(Debug, Clone, PartialEq)]
-pub struct PlacedBodies {
-    /// Where they are as a whole.
-    pub extent: Extent,
-    /// In the order given.
-    pub bodies: Vec<PlacedBody>,
-    capsules: Vec<Capsule>,
-}
-
-impl PlacedBodies {
-    /// Places `bodies`.
+impl Extent {
+    /// Of `bodies`.
     pub fn new(bodies: &[Body]) -> Self {
         let solids: Vec<_> = bodies.iter().map(|body| Solid::new(&body.shape)).collect();
-        let extent = Extent::new(&solids);
-        let mut capsules = Vec::new();
-        let mut placed: Vec<_> = bodies
-            .iter()
-            .zip(solids)
-            .enumerate()
-            .map(|(index, (body, solid))| {
-                let first = capsules.len() as u32;
-                add_capsules(&body.shape, &mut capsules);
-                PlacedBody::new(index, body, solid, &extent, first..capsules.len() as u32)
-            })
-            .collect();
-        find_joints(&mut placed);
-        Self { extent, bodies: placed, capsules }
-    }
-
-    /// Capsules that contain `body`, one of these.
-    pub fn capsules(&self, body: &PlacedBody) -> &[Capsule] {
-        &self.capsules[body.capsules.start as usize..body.capsules.end as usize]
+        let [low, high] = bounding_box(&solids).unwrap_or([DVec3::ZERO, DVec3::ONE]);
+        let middle = 0.5 * (low + high);
+        Self { middle, reach: 1.001 * low.distance(middle) }
     }
 }
 
-impl Extent {
-    fn new(solids: &[Solid]) -> Self {
-        let [low, high] = bounding_box(solids).unwrap_or([DVec3::ZERO, DVec3::ONE]);
-        let centre = 0.5 * (low + high);
-        Self { centre, reach: 1.001 * low.distance(centre) }
-    }
-}
-
-impl PlacedBody {
-    fn new(index: usize, body: &Body, solid: Solid, extent: &Extent, capsules: Range<u32>) -> Self {
-        let from_centre = |place: [f64; 3], w: f64| packed(DVec3::from(place) - extent.centre, w);
+impl PreparedBody {
+    /// The body of this `number`, in the group of that number, which has this `extent`; its capsules join the others.
+    pub(crate) fn new(
+        number: usize,
+        group: usize,
+        body: &Body,
+        extent: &Extent,
+        capsules: &mut Vec<Capsule>,
+    ) -> Self {
+        let from_middle = |place: [f64; 3], w: f64| packed(DVec3::from(place) - extent.middle, w);
         let (place_radius, form) = match body.shape {
             // A tube whose ends are in one place.
-            Shape::Sphere { center, radius } => (from_centre(center, radius), from_centre(center, 0.0)),
-            Shape::Tube { from, to, radius } => (from_centre(from, radius), from_centre(to, 0.0)),
+            Shape::Sphere { center, radius } => (from_middle(center, radius), from_middle(center, 0.0)),
+            Shape::Tube { from, to, radius } => (from_middle(from, radius), from_middle(to, 0.0)),
             Shape::Ring { center, axis, radius, tube_radius } => {
-                (from_centre(center, tube_radius), packed(axis.into(), radius))
+                (from_middle(center, tube_radius), packed(axis.into(), radius))
             }
         };
+        let first = capsules.len();
+        add_capsules(&body.shape, capsules);
         Self {
+            solid: Solid::new(&body.shape),
+            group,
+            rest_wavelength_nm: body.rest_wavelength_nm,
             kind: Kind::of(&body.shape),
-            index: index as f32,
-            solid,
+            index: number as f32,
             place_radius,
             form,
-            rest_wavelength_nm: body.rest_wavelength_nm as f32,
-            rest_colours: RestColours::new(body.rest_wavelength_nm),
             surface: Surface::new(&body.shape),
             joint: Joint::default(),
-            capsules,
+            capsules: first..capsules.len(),
+            rest_colours: RestColours::new(body.rest_wavelength_nm),
         }
     }
 
     /// Its colour without Doppler shift, linear sRGB.
-    pub fn rest_colour(&self, colour: Colour) -> [f32; 3] {
+    pub(crate) fn rest_colour(&self, colour: Colour) -> [f32; 3] {
         match colour {
             Colour::Visible => self.rest_colours.visible,
             Colour::False => self.rest_colours.falsified,
@@ -159,7 +138,8 @@ impl RestColours {
     }
 }
 
-fn find_joints(bodies: &mut [PlacedBody]) {
+/// Finds out which of `bodies`, those of one group, share an end.
+pub(crate) fn find_joints(bodies: &mut [PreparedBody]) {
     let as_they_are = shared_ends(bodies, |body| body.place_radius[3].to_bits());
     let widened = shared_ends(bodies, |body| body.solid.center().to_array().map(f64::to_bits));
     for ((body, as_it_is), widened) in bodies.iter_mut().zip(as_they_are).zip(widened) {
@@ -168,8 +148,8 @@ fn find_joints(bodies: &mut [PlacedBody]) {
 }
 
 /// Which of `bodies` have an end in one place with another that has the same `trait_of`.
-fn shared_ends<T: Eq + Hash>(bodies: &[PlacedBody], trait_of: impl Fn(&PlacedBody) -> T) -> Vec<bool> {
-    let ends = |body| PlacedBody::ends(body).map(|end| (end, trait_of(body)));
+fn shared_ends<T: Eq + Hash>(bodies: &[PreparedBody], trait_of: impl Fn(&PreparedBody) -> T) -> Vec<bool> {
+    let ends = |body| PreparedBody::ends(body).map(|end| (end, trait_of(body)));
     let mut bodies_at = HashMap::<_, u32>::new();
     for end in bodies.iter().flat_map(ends) {
         *bodies_at.entry(end).or_default() += 1;
@@ -178,6 +158,6 @@ fn shared_ends<T: Eq + Hash>(bodies: &[PlacedBody], trait_of: impl Fn(&PlacedBod
 }
 
 /// For the shaders.
-pub fn packed(v: DVec3, w: f64) -> [f32; 4] {
+pub(crate) fn packed(v: DVec3, w: f64) -> [f32; 4] {
     v.as_vec3().extend(w as f32).to_array()
 }
