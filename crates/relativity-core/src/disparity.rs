@@ -24,7 +24,7 @@ pub struct Disparity {
 ///
 /// As [`crate::sighting`], however close the apertures are: no difference of two sightings is formed. For the
 /// paper's pair the unit's inputs are d and not each aperture's place. Measured (`tests/oracle`, 15,000
-/// inputs): median 0.2, 99 % 1.5, worst 3.6 units. With y = 0, phi is 0 or pi by the sign of X; where rounding of the inputs decides
+/// inputs): median 0.2, 99 % 1.5, worst 3 units. With y = 0, phi is 0 or pi by the sign of X; where rounding of the inputs decides
 /// it, so it does dphi.
 ///
 /// # Errors
