@@ -9,13 +9,17 @@ use crate::fit::start;
 use crate::math;
 use crate::threads::prelude::*;
 
-/// Evaluations per parameter that every start gets, that those followed get, and that the minimum gets.
+// What is lost with other values is that of 100 to 150 cases of `examples/coverage.rs`, seed 7, Delta-phi alone.
+
+/// Evaluations per parameter that every start gets (with 1 a minimum is lost, with 4 no more is found), that those
+/// followed get (3 lose none either), and that the minimum gets: the solver's own number.
 const GLANCE: usize = 2;
 const START_PATIENCE: usize = 6;
 const PATIENCE: usize = 100;
-/// Descents that are followed after a glance.
+/// Descents that are followed after a glance: with 1 two minima are lost, with 3 none.
 const FOLLOWED: usize = 6;
-/// Descents closer than this in ln(rapidity) and ln(y) are on the way to the same minimum.
+/// Descents closer than this in ln(rapidity) and ln(y) are on the way to the same minimum. If all were followed, they
+/// would crowd other ways out: a minimum is lost.
 const NEAR: f64 = 0.25;
 /// ln(rapidity) above which speeds are all near that of light.
 const FAST: f64 = 1.6;

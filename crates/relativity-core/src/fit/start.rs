@@ -31,7 +31,7 @@ const PASSAGE: [f64; 25] = [
 
 /// Features by which the time of passage is found.
 const FEATURES: usize = 3;
-/// Most starts.
+/// Most starts. A quarter of them loses no minimum in 100 cases of `examples/coverage.rs`; the rest is for the worst.
 const STARTS: usize = 56;
 
 /// A start, and how badly it fits.
