@@ -11,3 +11,5 @@ pub mod flags;
 mod passage;
 mod plot;
 pub mod scene;
+pub mod settings;
+pub mod studio;

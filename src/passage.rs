@@ -8,7 +8,7 @@ use relativity_core::{DomainError, SourcePoint, Speed, equidistance_time};
 /// # Errors
 ///
 /// A coordinate outside the domain of the core.
-pub fn time_seen_at(
+fn time_seen_at(
     ratio: f64,
     speed: &Speed,
     point: SourcePoint,
@@ -32,4 +32,73 @@ pub fn passage_times(
 ) -> Result<Option<[f64; 2]>, DomainError> {
     let time = |ratio| time_seen_at(ratio, speed, point, separation);
     Ok(time(-2.0)?.zip(time(2.0)?).map(|(first, last)| [first, last]))
+}
+
+/// When `point` is seen 45 degrees before it is abreast: near enough to look at, and still approaching. Slow passages
+/// take so long that it lies before the [`fitted_range`]; then it is the first T of that. 0 at rest.
+///
+/// # Errors
+///
+/// A coordinate outside the domain of the core.
+pub fn time_of_approach(speed: &Speed, point: SourcePoint, separation: f64) -> Result<f64, DomainError> {
+    let [from, to] = fitted_range(speed, point);
+    Ok(time_seen_at(-1.0, speed, point, separation)?.map_or(0.0, |time| time.clamp(from, to)))
+}
+
+/// Slowest beta that the fitted range makes room for; slower passages are shown in part.
+const SLOWEST_FITTED_BETA: f64 = 0.2;
+/// Smallest passing distance that the fitted range makes room for.
+const NEAREST_FITTED_DISTANCE: f64 = 0.05;
+
+/// First and last T of a range that shows `point` approaching, abreast and receding.
+#[must_use]
+pub fn fitted_range(speed: &Speed, point: SourcePoint) -> [f64; 2] {
+    let beta = speed.beta().max(SLOWEST_FITTED_BETA);
+    let nearest = point.y.hypot(point.z).max(NEAREST_FITTED_DISTANCE);
+    // Abreast (X = 0) is seen one light travel time after the passage at t = -x0/beta.
+    let abreast = nearest - point.x0 / beta;
+    [abreast - 2.0 * nearest / beta, abreast + 3.0 * nearest / beta]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use relativity_core::{Aperture, sighting};
+
+    const TRACKED: SourcePoint = SourcePoint { x0: 0.0, y: 3.0, z: 2.0 };
+
+    #[test]
+    fn fitted_range_shows_approach_and_recession() {
+        for beta in [0.2, 0.6, 0.9, 0.9999] {
+            let speed = Speed::from_beta(beta).expect("in range");
+            let [from, to] = fitted_range(&speed, TRACKED);
+            let x = |time| {
+                sighting(&speed, TRACKED, Aperture::default(), time).expect("in the domain").position[0]
+            };
+            let distance = 3.0f64.hypot(2.0);
+            assert!(x(from) < -2.0 * distance && x(to) > 0.8 * distance, "beta = {beta}");
+        }
+    }
+
+    #[test]
+    fn approach_is_seen_at_45_degrees() {
+        let speed = Speed::from_beta(0.9).expect("in range");
+        let time = time_of_approach(&speed, TRACKED, 0.0).expect("in the domain");
+        let seen = sighting(&speed, TRACKED, Aperture::default(), time).expect("in the domain");
+        assert!((seen.position[0] + 3.0f64.hypot(2.0)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_time_of_approach_is_in_the_fitted_range_and_0_at_rest() {
+        for beta in [1e-300, 0.01, 0.19, 0.2, 0.9] {
+            for x0 in [-10.0, 0.0, 10.0] {
+                let (speed, point) =
+                    (Speed::from_beta(beta).expect("in range"), SourcePoint { x0, ..TRACKED });
+                let [from, to] = fitted_range(&speed, point);
+                let time = time_of_approach(&speed, point, 10.0).expect("in the domain");
+                assert!((from..=to).contains(&time), "beta = {beta}, x0 = {x0}: {time}");
+            }
+        }
+        assert_eq!(time_of_approach(&Speed::REST, TRACKED, 0.1), Ok(0.0));
+    }
 }

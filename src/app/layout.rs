@@ -3,8 +3,8 @@
 
 use eframe::egui::{Rect, pos2, vec2};
 
-use super::settings::Window;
 use super::theme::GAP;
+use crate::settings::Window;
 
 /// The parts of the window. A part without room (or switched off) has no rectangle.
 #[derive(Debug, Clone, Copy, PartialEq)]

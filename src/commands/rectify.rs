@@ -15,8 +15,8 @@ use relativity_render::{Camera, Gaze};
 use crate::files::image_in::{self, Recorded};
 use crate::files::png_file::{self, Provenance};
 use crate::files::whole::write_whole;
-use crate::flags::SpeedArgs;
-use crate::flags::choices::{FileKind, GazeChoice, NumberOrOff, Switch, field_of_view};
+use crate::flags::choices::{FileKind, GazeChoice};
+use crate::flags::{NumberOrOff, OnOff, SpeedArgs, field_of_view, switch};
 
 /// Corrects a picture taken from one eye to the frame of the objects in it.
 ///
@@ -47,8 +47,8 @@ pub struct RectifyArgs {
     #[arg(long, value_name = "AZ,EL", allow_hyphen_values = true)]
     out_gaze: Option<GazeChoice>,
     /// Whether wavelengths are corrected.
-    #[arg(long, value_enum, default_value = "on", value_name = "ON|OFF")]
-    doppler_shift: Switch,
+    #[arg(long, default_value = "on", value_name = "ON|OFF", value_parser = switch)]
+    doppler_shift: OnOff,
     /// Exponent n of the received intensity D^n to divide by, or `off`.
     #[arg(long, default_value_t = NumberOrOff(Some(PAPER_INTENSITY_EXPONENT)), value_name = "N|off", allow_hyphen_values = true)]
     intensity_exponent: NumberOrOff,
@@ -87,7 +87,7 @@ impl RectifyArgs {
         );
         let rectification = self.rectification(picture.size, &recorded)?;
         let light = LightCorrection {
-            doppler_shift: self.doppler_shift == Switch::On,
+            doppler_shift: self.doppler_shift,
             intensity_exponent: self.intensity_exponent.0,
         };
         let corrected = rectification.picture(&picture, light);
@@ -125,7 +125,7 @@ impl RectifyArgs {
     fn factor(&self, name: &str) -> Box<dyn Fn(f64) -> f64 + Sync> {
         let exponent = self.intensity_exponent.0;
         match name {
-            "wavelength_nm" if self.doppler_shift == Switch::On => Box::new(|doppler| doppler),
+            "wavelength_nm" if self.doppler_shift => Box::new(|doppler| doppler),
             "intensity" | "R" | "G" | "B" | "Y" => {
                 Box::new(move |doppler| exponent.map_or(1.0, |n| 1.0 / intensity_factor(doppler, n)))
             }

@@ -73,7 +73,7 @@ pub fn write(
     let [width, height] = eyes[0].size.map(|side| side as usize);
     let attributes = LayerAttributes {
         software_name: Some(Text::from(SOFTWARE)),
-        comments: Text::new_or_none(comments(provenance)),
+        comments: Some(Text::from_slice_unchecked(comments(provenance).as_bytes())), // in UTF-8
         ..LayerAttributes::default()
     };
     let encoding = Encoding { compression: Compression::ZIP16, ..Encoding::default() };
@@ -81,9 +81,12 @@ pub fn write(
     Ok(Image::from_layer(layer).write().to_buffered(out)?)
 }
 
+/// What parts the command in the comments from the fingerprint.
+pub(super) const FINGERPRINT_LINE: &str = "\nScene-Fingerprint ";
+
 /// What the file says of how it was made.
 fn comments(provenance: &Provenance) -> String {
-    format!("{}\nScene-Fingerprint {}", provenance.parameters, provenance.scene_fingerprint)
+    provenance.parameters.clone() + FINGERPRINT_LINE + &provenance.scene_fingerprint
 }
 
 /// Whether `path` is an EXR file of just this provenance. (Files are written whole or not at all.)
@@ -91,7 +94,7 @@ fn comments(provenance: &Provenance) -> String {
 pub fn is_made(path: &Path, provenance: &Provenance) -> bool {
     let expected = comments(provenance);
     let is_expected = |header: &Header| {
-        header.own_attributes.comments.as_ref().is_some_and(|comments| comments.to_string() == expected)
+        header.own_attributes.comments.as_ref().is_some_and(|text| text.as_slice() == expected.as_bytes())
     };
     MetaData::read_from_file(path, false).is_ok_and(|meta| meta.headers.iter().any(is_expected))
 }

@@ -6,28 +6,47 @@ use std::io::BufReader;
 use std::path::Path;
 
 use anyhow::Context as _;
-use exr::prelude::{FlatSamples, LayerAttributes, f16, read_first_flat_layer_from_file};
+use exr::meta::MetaData;
+use exr::prelude::{FlatSamples, LayerAttributes, Text, f16, read_first_flat_layer_from_file};
 use relativity_render::{Gaze, Picture};
 
-use crate::flags::choices::GazeChoice;
+use super::exr_file::FINGERPRINT_LINE;
+use crate::flags::choices::{FileKind, GazeChoice};
+use crate::flags::words::words;
 
-/// The flags of `gamow render` that made a picture, as its text records them.
+/// How a file was made, as it records it.
 #[derive(Debug, Clone, Default)]
-pub struct Recorded(BTreeMap<String, String>);
+pub struct Recorded {
+    /// The command line.
+    pub command: String,
+    flags: BTreeMap<String, String>,
+}
 
 impl Recorded {
-    fn new(parameters: &str) -> Self {
-        let flag = |word: &str| {
+    fn new(command: String) -> Self {
+        let flag = |word: String| {
             let (name, value) = word.strip_prefix("--")?.split_once('=')?;
             Some((name.to_owned(), value.to_owned()))
         };
-        Self(parameters.split_whitespace().filter_map(flag).collect())
+        Self { flags: words(&command).into_iter().filter_map(flag).collect(), command }
+    }
+
+    fn of_png(info: &png::Info<'_>) -> Self {
+        let mut texts = info.utf8_text.iter().filter(|chunk| chunk.keyword == "Parameters");
+        Self::new(texts.find_map(|chunk| chunk.get_text().ok()).unwrap_or_default())
+    }
+
+    fn of_exr(attributes: &LayerAttributes) -> Self {
+        let comments = attributes.comments.as_ref().map(Text::as_slice).unwrap_or_default();
+        let comments = String::from_utf8_lossy(comments);
+        let (command, _) = comments.rsplit_once(FINGERPRINT_LINE).unwrap_or((&comments, ""));
+        Self::new(command.to_owned())
     }
 
     /// The value of the flag `name`.
     #[must_use]
     pub fn text(&self, name: &str) -> Option<&str> {
-        self.0.get(name).map(String::as_str)
+        self.flags.get(name).map(String::as_str)
     }
 
     /// The number that the flag `name` has as its value.
@@ -40,6 +59,25 @@ impl Recorded {
     #[must_use]
     pub fn gaze(&self) -> Option<Gaze> {
         self.text("gaze")?.parse::<GazeChoice>().ok()?.fixed()
+    }
+}
+
+/// How the file of this `kind` at `path` was made, without its pixels.
+///
+/// # Errors
+///
+/// A file that cannot be read.
+pub fn recorded(path: &Path, kind: FileKind) -> anyhow::Result<Recorded> {
+    match kind {
+        FileKind::Png => {
+            let reader = png::Decoder::new(BufReader::new(File::open(path)?)).read_info()?;
+            Ok(Recorded::of_png(reader.info()))
+        }
+        FileKind::Exr => {
+            let meta = MetaData::read_from_file(path, false)?;
+            let first = meta.headers.first().context("it has no layer")?;
+            Ok(Recorded::of_exr(&first.own_attributes))
+        }
     }
 }
 
@@ -67,10 +105,7 @@ fn decoded_png(path: &Path) -> anyhow::Result<(Picture, Recorded)> {
         _ => [0, 0, 0, u8::MAX], // the transformations leave no other kind
     });
     let picture = Picture { size: [frame.width, frame.height], rgba: rgba.collect() };
-    let texts = reader.info().utf8_text.iter();
-    let parameters =
-        texts.filter(|chunk| chunk.keyword == "Parameters").find_map(|chunk| chunk.get_text().ok());
-    Ok((picture, Recorded::new(&parameters.unwrap_or_default())))
+    Ok((picture, Recorded::of_png(reader.info())))
 }
 
 /// The channels of an EXR file, all in f32.
@@ -102,12 +137,12 @@ pub fn measurements(path: &Path) -> anyhow::Result<Measurements> {
         };
         (channel.name.to_string(), values)
     });
-    let comments = layer.attributes.comments.as_ref().map(ToString::to_string).unwrap_or_default();
+    let recorded = Recorded::of_exr(&layer.attributes);
     Ok(Measurements {
         size: [layer.size.0 as u32, layer.size.1 as u32],
         channels: channels.collect(),
         attributes: layer.attributes,
-        recorded: Recorded::new(&comments),
+        recorded,
     })
 }
 

@@ -7,7 +7,7 @@ use super::widgets::named_text;
 use crate::accuracy::{RESOLUTION_PX, Spread};
 use crate::app::examination::{Examination, Row};
 use crate::app::figures;
-use crate::app::settings::Quality;
+use crate::settings::Quality;
 
 const HEADS: [(&str, &str); 6] = [
     ("", "Click a renderer to choose it."),

@@ -4,8 +4,8 @@ use eframe::egui::{
     self, Align, DragValue, Id, Layout, Response, RichText, Sense, Slider, SliderClamping, TextEdit, Ui,
 };
 
-use crate::app::clock::MAX_TIME;
 use crate::app::figures;
+use crate::flags::MAX_TIME;
 
 /// Width of the names in front of the widgets.
 const NAME_WIDTH: f32 = 88.0;

@@ -16,6 +16,8 @@ use crate::speed::Speed;
 
 /// Which binocular model is fitted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 pub enum FitModel {
     /// Each aperture solves its own light cone.
     #[default]

@@ -42,6 +42,8 @@ const NORMAL_95: f64 = 1.959_963_984_540_054;
 
 /// Which curves are fitted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 pub enum Curves {
     /// Delta-phi only: the azimuthal fit.
     Azimuth,
