@@ -17,6 +17,7 @@ use crate::scene::Scene;
 impl Settings {
     /// All settings as a file.
     #[must_use]
+    #[expect(clippy::missing_panics_doc, reason = "it cannot fail: a test writes a thousand")]
     pub fn to_toml(&self) -> String {
         toml::to_string(self).expect("settings are numbers, words and lists of them")
     }
@@ -52,16 +53,13 @@ impl Settings {
     pub fn with_file(self, path: &Path) -> Result<Self, SettingsError> {
         let source_name = path.display().to_string();
         let unreadable = |reason: String| SettingsError::Read { source_name: source_name.clone(), reason };
-        let mut settings = match FileKind::of(path) {
-            Some(kind) => {
-                let recorded =
-                    image_in::recorded(path, kind).map_err(|error| unreadable(format!("{error:#}")))?;
-                self.with_command(&recorded.command, &source_name)?
-            }
-            None => {
-                let text = fs::read_to_string(path).map_err(|reason| unreadable(reason.to_string()))?;
-                self.with_toml(&text, &source_name)?
-            }
+        let mut settings = if let Some(kind) = FileKind::of(path) {
+            let recorded =
+                image_in::recorded(path, kind).map_err(|error| unreadable(format!("{error:#}")))?;
+            self.with_command(&recorded.command, &source_name)?
+        } else {
+            let text = fs::read_to_string(path).map_err(|reason| unreadable(reason.to_string()))?;
+            self.with_toml(&text, &source_name)?
         };
         let beside = path.parent().map(|folder| folder.join(&settings.scene)).filter(|scene| scene.is_file());
         if let (None, Some(scene)) = (Scene::preset(&settings.scene), beside) {

@@ -309,7 +309,6 @@ pub enum Theme {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Window")]
-#[expect(clippy::struct_excessive_bools, reason = "each part is shown or not")]
 pub struct Window {
     /// The two eyes' views. Hidden views compute nothing.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
