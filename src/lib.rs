@@ -1,4 +1,5 @@
 //! Gamow: the window and the headless commands over `relativity-core` and `relativity-render`.
+#![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_types))]
 
 pub mod accuracy;
 pub mod app;
@@ -9,6 +10,7 @@ pub mod estimate;
 pub mod files;
 pub mod flags;
 mod passage;
+pub mod platform;
 mod plot;
 pub mod scene;
 pub mod settings;

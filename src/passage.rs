@@ -1,6 +1,7 @@
-//! The observation times at which a passing point is seen at a given place.
+//! Where a passing point is shown: places by its distance from the eyes as it passes x = 0.
 
-use relativity_core::{DomainError, SourcePoint, Speed, equidistance_time};
+use relativity_core::math;
+use relativity_core::{DomainError, SourcePoint, Speed, equidistance_time, observation_time_when_seen_at};
 
 /// The observation time at which `point` is seen at x = `ratio` R, R being its distance from the eyes as it
 /// passes x = 0; `None` at rest.
@@ -8,19 +9,20 @@ use relativity_core::{DomainError, SourcePoint, Speed, equidistance_time};
 /// # Errors
 ///
 /// A coordinate outside the domain of the core.
-fn time_seen_at(
+pub fn time_seen_at(
     ratio: f64,
     speed: &Speed,
     point: SourcePoint,
     separation: f64,
 ) -> Result<Option<f64>, DomainError> {
-    let at_origin = SourcePoint { x0: 0.0, ..point };
-    let Some(distance) = equidistance_time(speed, at_origin, separation)? else { return Ok(None) };
-    let emitted = (ratio * distance - point.x0) / speed.beta();
-    Ok(Some(emitted + ratio.hypot(1.0) * distance))
+    // Light from x = 0 at t = 0 arrives after R.
+    let Some(distance) = equidistance_time(speed, SourcePoint { x0: 0.0, ..point }, separation)? else {
+        return Ok(None);
+    };
+    observation_time_when_seen_at(speed, point, ratio * distance, separation)
 }
 
-/// The observation times at which `point` is seen at x = -2 R and at x = +2 R; `None` at rest.
+/// The observation times from which to which `point` is seen to pass: at x = -2 R and at x = +2 R; `None` at rest.
 ///
 /// # Errors
 ///
@@ -41,8 +43,11 @@ pub fn passage_times(
 ///
 /// A coordinate outside the domain of the core.
 pub fn time_of_approach(speed: &Speed, point: SourcePoint, separation: f64) -> Result<f64, DomainError> {
+    if speed.beta() == 0.0 {
+        return Ok(0.0);
+    }
     let [from, to] = fitted_range(speed, point);
-    Ok(time_seen_at(-1.0, speed, point, separation)?.map_or(0.0, |time| time.clamp(from, to)))
+    Ok(time_seen_at(-1.0, speed, point, separation)?.map_or(from, |time| time.clamp(from, to)))
 }
 
 /// Slowest beta that the fitted range makes room for; slower passages are shown in part.
@@ -53,11 +58,13 @@ const NEAREST_FITTED_DISTANCE: f64 = 0.05;
 /// First and last T of a range that shows `point` approaching, abreast and receding.
 #[must_use]
 pub fn fitted_range(speed: &Speed, point: SourcePoint) -> [f64; 2] {
-    let beta = speed.beta().max(SLOWEST_FITTED_BETA);
-    let nearest = point.y.hypot(point.z).max(NEAREST_FITTED_DISTANCE);
-    // Abreast (X = 0) is seen one light travel time after the passage at t = -x0/beta.
-    let abreast = nearest - point.x0 / beta;
-    [abreast - 2.0 * nearest / beta, abreast + 3.0 * nearest / beta]
+    let slowest = Speed::from_beta(SLOWEST_FITTED_BETA).expect("it is below 1");
+    let speed = if speed.beta() < slowest.beta() { slowest } else { *speed };
+    let nearest = math::hypot(point.y, point.z).max(NEAREST_FITTED_DISTANCE);
+    let passing = SourcePoint { y: nearest, z: 0.0, ..point };
+    // What is shown lies inside the domain of the core.
+    let abreast = observation_time_when_seen_at(&speed, passing, 0.0, 0.0).ok().flatten().unwrap_or_default();
+    [-2.0, 3.0].map(|widths| abreast + widths * nearest / speed.beta())
 }
 
 #[cfg(test)]
@@ -75,7 +82,7 @@ mod tests {
             let x = |time| {
                 sighting(&speed, TRACKED, Aperture::default(), time).expect("in the domain").position[0]
             };
-            let distance = 3.0f64.hypot(2.0);
+            let distance = 13f64.sqrt();
             assert!(x(from) < -2.0 * distance && x(to) > 0.8 * distance, "beta = {beta}");
         }
     }
@@ -85,7 +92,7 @@ mod tests {
         let speed = Speed::from_beta(0.9).expect("in range");
         let time = time_of_approach(&speed, TRACKED, 0.0).expect("in the domain");
         let seen = sighting(&speed, TRACKED, Aperture::default(), time).expect("in the domain");
-        assert!((seen.position[0] + 3.0f64.hypot(2.0)).abs() < 1e-12);
+        assert!((seen.position[0] + 13f64.sqrt()).abs() < 1e-12);
     }
 
     #[test]

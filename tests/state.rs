@@ -8,7 +8,7 @@ use gamow::app::command::Command;
 use gamow::app::observer::Eye;
 use gamow::app::state::State;
 use gamow::cli::Cli;
-use gamow::files::image_in::picture;
+use gamow::files::png::PngFile;
 use gamow::flags::choices::GazeChoice;
 use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::scene::{PRESETS, Scene};
@@ -126,7 +126,7 @@ fn pictures_and_files_open_in_the_window_and_in_render_alike() {
     render(folder.path(), "--state a.png --out c.exr");
     render(folder.path(), "--state c.exr --out d.png");
     let bytes = |name: &str| std::fs::read(path(name)).expect("it is there");
-    let pixels = |name: &str| picture(&path(name)).expect("it is there").0.rgba;
+    let pixels = |name: &str| PngFile::read(&path(name)).expect("it is there").picture.rgba;
     // The scene's path is found beside the file, and recorded as it was found.
     assert!(bytes("b.png") == bytes("d.png"));
 

@@ -5,7 +5,6 @@
 
 use std::fmt;
 use std::hint::black_box;
-use std::time::Instant;
 
 use glam::DVec3;
 use relativity_core::batch::{BatchError, PointColumns, Real, SightingColumns, Threads, sightings_of_points};
@@ -14,6 +13,7 @@ use relativity_core::{Aperture, SourcePoint, Speed};
 use super::difference::{ARCSECONDS, angle};
 use super::spread::Spread;
 use super::views::Place;
+use crate::platform::clock::Instant;
 
 /// Points in a batch: few enough for a core's cache, so that arithmetic is timed and not memory.
 const POINTS: usize = 1024;
@@ -256,7 +256,7 @@ fn point_ns(mut work: impl FnMut()) -> f64 {
     let mut run = || {
         let start = Instant::now();
         let mut passes = 0_usize;
-        while start.elapsed().as_secs_f64() * 1e3 < RUN_MS {
+        while start.elapsed_ms() < RUN_MS {
             work();
             passes += 1;
         }

@@ -2,11 +2,12 @@
 
 use std::fmt;
 use std::sync::Arc;
-use std::time::Instant;
 
 use relativity_render::{
-    Appearance, Body, ExactRenderer, EyeTarget, Gpu, GpuError, HitImage, MeshRenderer, ReferenceScene, View,
+    Appearance, Body, ExactRenderer, EyeTarget, Gpu, GpuError, HitImage, MeshRenderer, PreparedScene, View,
 };
+
+use crate::platform::clock::Instant;
 
 /// A way to draw a picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,7 +45,7 @@ pub const MESH_BOUNDS_PX: [f64; 3] = [0.1, MeshRenderer::DEFAULT_BOUND_PX, 2.0];
 /// Renderers of one scene.
 pub struct Renderers {
     bodies: Vec<Body>,
-    reference: Arc<ReferenceScene>,
+    reference: Arc<PreparedScene>,
     graphics: Option<Graphics>,
 }
 
@@ -61,20 +62,20 @@ impl Renderers {
     #[must_use]
     pub fn new(bodies: &[Body], gpu: Option<Gpu>) -> Self {
         let graphics = gpu.map(Graphics::new);
-        Self { bodies: bodies.to_vec(), reference: Arc::new(ReferenceScene::new(bodies)), graphics }
+        Self { bodies: bodies.to_vec(), reference: Arc::new(PreparedScene::moving(bodies)), graphics }
     }
 
     /// Renders these `bodies` from now on.
     pub fn set_bodies(&mut self, bodies: &[Body]) {
         if self.bodies != bodies {
             self.bodies = bodies.to_vec();
-            self.reference = Arc::new(ReferenceScene::new(bodies));
+            self.reference = Arc::new(PreparedScene::moving(bodies));
         }
     }
 
     /// The truth.
     #[must_use]
-    pub fn reference(&self) -> Arc<ReferenceScene> {
+    pub fn reference(&self) -> Arc<PreparedScene> {
         Arc::clone(&self.reference)
     }
 
@@ -180,7 +181,7 @@ fn fastest_frame_ms(rounds: u32, mut draw: impl FnMut(u32) -> Result<(), GpuErro
     draw(1)?; // makes pipelines and target
     let mut run = |frames| {
         let start = Instant::now();
-        draw(frames).map(|()| milliseconds(start))
+        draw(frames).map(|()| start.elapsed_ms())
     };
     let mut one = run(1)?.min(run(1)?);
     if one > SLOW_MS {
@@ -199,11 +200,7 @@ fn fastest_ms(rounds: u32, mut work: impl FnMut()) -> f64 {
     let run = |_| {
         let start = Instant::now();
         work();
-        milliseconds(start)
+        start.elapsed_ms()
     };
     (0..rounds.max(1)).map(run).fold(f64::INFINITY, f64::min)
-}
-
-fn milliseconds(start: Instant) -> f64 {
-    start.elapsed().as_secs_f64() * 1e3
 }

@@ -1,6 +1,7 @@
 //! How the observation time runs. The wall clock's step is an argument, so tests decide what it is.
 
 use crate::flags::MAX_TIME;
+use relativity_core::math;
 
 /// T after a step of the wall clock.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,7 +40,7 @@ pub fn bounded(time: f64) -> f64 {
 #[must_use]
 pub fn step_size([from, to]: [f64; 2]) -> f64 {
     let ideal = ((to - from) / 200.0).max(1e-9);
-    let decade = 10f64.powf(ideal.log10().floor());
+    let decade = math::powf(10.0, math::log10(ideal).floor());
     let factor = match ideal / decade {
         ratio if ratio < 1.5 => 1.0,
         ratio if ratio < 3.5 => 2.0,

@@ -1,15 +1,15 @@
 //! Everything that can be done in the window, and the one place where it is done.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use relativity_render::camera::MAX_ELEVATION;
-use relativity_render::{Gaze, Geometry, ReferenceScene};
+use relativity_render::{Gaze, Geometry, PreparedScene};
 
 use super::clock;
 use super::observer::Eye;
 use super::state::{Session, State};
 use crate::flags::choices::{FileKind, GazeChoice};
+use crate::platform::files;
 use crate::settings::{
     Daylight, FOV_DEGREES, FitSetup, Light, Look, Motion, Playback, Plots, Quality, Settings, SettingsError,
     Window, looks_like_settings,
@@ -180,7 +180,7 @@ impl State {
         }
         let view = self.view(pick.eye, pick.size);
         let line_of_sight = view.camera.line_of_sight(pick.pixel);
-        let Some(hit) = ReferenceScene::new(&self.session.bodies).first_hit(&view, line_of_sight) else {
+        let Some(hit) = PreparedScene::moving(&self.session.bodies).first_hit(&view, line_of_sight) else {
             return;
         };
         let rest = hit.rest_position.to_array();
@@ -200,7 +200,7 @@ impl State {
     /// rest is as usual.
     fn settings_in(&self, path: &Path) -> Result<Settings, SettingsError> {
         let is_scene = FileKind::of(path).is_none()
-            && !fs::read_to_string(path).is_ok_and(|text| looks_like_settings(&text));
+            && !files::read_to_string(path).is_ok_and(|text| looks_like_settings(&text));
         if is_scene {
             return Ok(self.with_scene(path.to_string_lossy().into_owned()));
         }

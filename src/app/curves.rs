@@ -2,9 +2,8 @@
 //! changes.
 
 use egui_plot::PlotPoint;
-use relativity_core::{
-    Aperture, PublishedVariant, SourcePoint, Speed, disparity, equidistance_time, published_disparity,
-};
+use relativity_core::math;
+use relativity_core::{Aperture, Model, PublishedVariant, SourcePoint, Speed, equidistance_time};
 
 /// A quantity that is plotted against T.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -104,10 +103,8 @@ impl Curves {
 }
 
 fn exact_values(key: &Key, time: f64) -> Option<[f64; EXACT]> {
-    let [left, right] = Aperture::pair(key.separation);
-    let both = disparity(&key.speed, key.source, left, right, time).ok()?;
+    let both = Model::Exact.disparity(&key.speed, key.source, key.separation, time).ok()?;
     let (l, r) = (both.primary, both.secondary);
-    let log = |doppler: f64| doppler.log10();
     let values = [
         both.dphi,
         both.dtheta,
@@ -115,15 +112,15 @@ fn exact_values(key: &Key, time: f64) -> Option<[f64; EXACT]> {
         r.phi(),
         l.theta(),
         r.theta(),
-        log(l.doppler_factor),
-        log(r.doppler_factor),
+        math::log10(l.doppler_factor),
+        math::log10(r.doppler_factor),
     ];
     values.iter().all(|value| value.is_finite()).then_some(values)
 }
 
 fn published_values(key: &Key, time: f64) -> Option<[f64; 2]> {
-    let variant = PublishedVariant::AppendixA;
-    let both = published_disparity(&key.speed, key.source, key.separation, time, variant).ok()?;
+    let model = Model::Published(PublishedVariant::AppendixA);
+    let both = model.disparity(&key.speed, key.source, key.separation, time).ok()?;
     let values = [both.dphi, both.dtheta];
     values.iter().all(|value| value.is_finite()).then_some(values)
 }

@@ -1,6 +1,7 @@
 //! How numbers are written on screen: fixed decimals, a true minus sign, and enough nines.
 
 use relativity_core::Speed;
+use relativity_core::math;
 
 /// What stands where a number does not exist.
 pub const NONE: &str = "–";
@@ -45,7 +46,7 @@ pub fn beta(speed: &Speed) -> String {
         return format!("1 − {distance:.2e}").replace("e-", "e−");
     }
     // The slack keeps 1e-4, which is no sum of powers of two, from counting as the decade below.
-    let decimals = (2.0 + (-distance.log10() - 1e-9).ceil()).max(3.0) as usize;
+    let decimals = (2.0 + (-math::log10(distance) - 1e-9).ceil()).max(3.0) as usize;
     grouped(&format!("{:.decimals$}", speed.beta()))
 }
 
@@ -74,7 +75,7 @@ pub fn shortest(value: f64) -> String {
 /// `value` with that many significant `digits`.
 #[must_use]
 pub fn significant(value: f64, digits: usize) -> String {
-    let magnitude = value.abs().log10().floor();
+    let magnitude = math::log10(value.abs()).floor();
     if value != 0.0 && !(-4.0..=digits as f64).contains(&magnitude) {
         return format!("{value:.precision$e}", precision = digits - 1);
     }
@@ -85,7 +86,7 @@ pub fn significant(value: f64, digits: usize) -> String {
 /// 10 to the power of `exponent`, as a number as short as it gets.
 #[must_use]
 pub fn power_of_ten(exponent: f64) -> String {
-    let value = 10f64.powf(exponent);
+    let value = math::powf(10.0, exponent);
     if (0.001..10_000.0).contains(&value) {
         return format!("{}", (value * 1e4).round() / 1e4);
     }

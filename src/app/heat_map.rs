@@ -4,6 +4,7 @@ use std::ops::RangeInclusive;
 
 use colorous::VIRIDIS;
 use eframe::egui::{Color32, ColorImage};
+use relativity_core::math;
 
 use crate::accuracy::{ARCSECONDS, Difference, PixelDifference};
 
@@ -30,7 +31,7 @@ pub fn image(difference: &Difference, pixels_per_radian: f64) -> ColorImage {
         PixelDifference::Nothing => NOTHING,
         PixelDifference::WrongObject => WRONG_OBJECT,
         PixelDifference::SameObject { arcseconds, .. } => {
-            colour((arcseconds / ARCSECONDS * pixels_per_radian).log10())
+            colour(math::log10(arcseconds / ARCSECONDS * pixels_per_radian))
         }
     });
     ColorImage::new(difference.size.map(|side| side as usize), colours.collect())

@@ -1,6 +1,7 @@
 //! The window's icon: what the left eye sees and what the right eye sees, overlapping.
 
 use eframe::egui::IconData;
+use relativity_core::math;
 
 /// Width and height, pixels.
 const SIDE: u32 = 64;
@@ -16,7 +17,7 @@ pub fn icon() -> IconData {
 }
 
 fn pixel(x: f32, y: f32) -> [u8; 4] {
-    let cover = |centre: f32| (20.5 - (x - centre).hypot(y - 32.0)).clamp(0.0, 1.0);
+    let cover = |centre: f32| (20.5 - math::hypot(x - centre, y - 32.0)).clamp(0.0, 1.0);
     let (left, right) = (cover(22.0), cover(42.0));
     let parts = [(LEFT, left * (1.0 - right)), (RIGHT, right * (1.0 - left)), (BOTH, left * right)];
     let alpha: f32 = parts.iter().map(|(_, part)| part).sum();

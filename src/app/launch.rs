@@ -24,7 +24,7 @@ const WHAT_TO_DO: &str = "On Debian and Ubuntu install `libx11-6 libxcursor1 lib
 pub fn launch(args: &WindowArgs) -> anyhow::Result<()> {
     if let Some(path) = &args.screenshot {
         let state = args.state(Settings::default())?;
-        return screenshot::save(state, args.window_size_or_default(), path);
+        return screenshot::save(state, args.window_size_or_default(), &[], path);
     }
     // Flags are judged before a window appears; the saved settings are only known once it has.
     args.state(Settings::default())?;

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use relativity_core::{
-    Aperture, Disparity, Parameter, Sighting, SourcePoint, Speed, disparity, equidistance_time, sighting,
+    Aperture, Disparity, Model, Parameter, Sighting, SourcePoint, Speed, equidistance_time, sighting,
 };
 use relativity_render::{Gaze, Geometry, View};
 
@@ -91,8 +91,8 @@ impl State {
     /// The exact disparity of `point` now.
     #[must_use]
     pub fn disparity(&self, point: &Point) -> Option<Disparity> {
-        let [left, right] = self.pair();
-        disparity(&self.speed(), self.source(point), left, right, self.session.time).ok()
+        let (separation, time) = (self.settings.motion.d, self.session.time);
+        Model::Exact.disparity(&self.speed(), self.source(point), separation, time).ok()
     }
 
     /// T0 of `point`: when both eyes see it at the same distance. `None` at rest.

@@ -7,34 +7,30 @@ use anyhow::Context as _;
 use eframe::egui::{Context, FullOutput, Pos2, RawInput, Rect, vec2};
 use eframe::egui_wgpu::{RenderState, RendererOptions, ScreenDescriptor};
 use eframe::wgpu;
-use relativity_render::{EyeTarget, Gpu};
+use relativity_render::{EyeTarget, Gpu, Picture};
 
 use super::state::State;
 use super::{App, graphics};
+use crate::files::png;
 use crate::files::whole::write_whole;
+use crate::platform::threads;
 
 /// Frames until the layout has settled: the size of a scroll area is known from the frame before.
 const FRAMES: usize = 3;
 /// How often it is asked whether the work in the background is done.
 const WAIT: Duration = Duration::from_millis(5);
 
-/// Saves the window's content in `state`, `size` points of one pixel each, as a PNG file. The file is
-/// written whole or not at all.
+/// Saves the window's content in `state`, `size` points of one pixel each, as a PNG file with `texts` that tell
+/// how it was made, keywords first. The file is written whole or not at all.
 ///
 /// # Errors
 /// No graphics adapter, or the file system's.
-pub fn save(state: State, size: [u32; 2], path: &Path) -> anyhow::Result<()> {
-    let rgba = pixels(state, size)?;
-    write_whole(path, |file| {
-        let mut encoder = png::Encoder::new(file, size[0], size[1]);
-        encoder.set_color(png::ColorType::Rgba);
-        encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
-        encoder.write_header()?.write_image_data(&rgba)?;
-        Ok(())
-    })
+pub fn save(state: State, size: [u32; 2], texts: &[(&str, &str)], path: &Path) -> anyhow::Result<()> {
+    let picture = picture(state, size)?;
+    write_whole(path, |file| png::write(&picture, texts, file))
 }
 
-fn pixels(state: State, size: [u32; 2]) -> anyhow::Result<Vec<u8>> {
+fn picture(state: State, size: [u32; 2]) -> anyhow::Result<Picture> {
     let render_state = render_state().context("the window cannot be drawn")?;
     let ctx = Context::default();
     let mut app = App::new(&ctx, Some(&render_state), state);
@@ -47,14 +43,16 @@ fn pixels(state: State, size: [u32; 2]) -> anyhow::Result<Vec<u8>> {
             settled += 1;
         } else {
             settled = 0;
-            std::thread::sleep(WAIT);
+            threads::sleep(WAIT);
         }
         if settled == FRAMES {
             painter.paint(&ctx, output);
             break;
         }
     }
-    Ok(painter.target.rgba8(&painter.gpu)?)
+    let bytes = painter.target.rgba8(&painter.gpu)?;
+    let rgba = bytes.chunks_exact(4).map(|pixel| [pixel[0], pixel[1], pixel[2], pixel[3]]).collect();
+    Ok(Picture { size, rgba })
 }
 
 fn render_state() -> anyhow::Result<RenderState> {

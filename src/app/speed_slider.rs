@@ -1,5 +1,7 @@
 //! The speed on screen: as text, and by a slider that is finer towards 1.
 
+use relativity_core::math;
+
 use super::figures;
 use crate::flags::{SpeedParameter, SpeedSetting};
 
@@ -25,8 +27,8 @@ impl SpeedSetting {
     /// The speed at `position` (0 to 1) of the slider, rounded to a beta that is easy to read.
     #[must_use]
     pub fn at_slider_position(position: f64) -> Self {
-        let rapidity = SLIDER_MAX_RAPIDITY * position.clamp(0.0, 1.0).powf(SLIDER_POWER);
-        let beta = readable_beta(rapidity.tanh());
+        let rapidity = SLIDER_MAX_RAPIDITY * math::powf(position.clamp(0.0, 1.0), SLIDER_POWER);
+        let beta = readable_beta(math::tanh(rapidity));
         // The slider ends below the speed of light.
         Self::new(SpeedParameter::Beta, beta).unwrap_or(Self::REST)
     }
@@ -34,7 +36,7 @@ impl SpeedSetting {
     /// Where on the slider (0 to 1) this speed is.
     #[must_use]
     pub fn slider_position(&self) -> f64 {
-        (self.speed().rapidity() / SLIDER_MAX_RAPIDITY).min(1.0).powf(1.0 / SLIDER_POWER)
+        math::powf((self.speed().rapidity() / SLIDER_MAX_RAPIDITY).min(1.0), 1.0 / SLIDER_POWER)
     }
 
     /// The speed `steps` hundredths of the slider further on.
@@ -50,7 +52,7 @@ impl SpeedSetting {
 
 /// `beta` rounded to a hundredth of the decade that 1 - beta has reached: 0.37, 0.904, 0.9904.
 fn readable_beta(beta: f64) -> f64 {
-    let inverse_unit = 10f64.powf(2.0 - (1.0 - beta).log10().ceil());
+    let inverse_unit = math::powf(10.0, 2.0 - math::log10(1.0 - beta).ceil());
     let rounded = (beta * inverse_unit).round() / inverse_unit;
     if rounded < 1.0 { rounded } else { beta }
 }

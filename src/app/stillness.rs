@@ -1,8 +1,10 @@
 //! Waits until something has stayed the same for a while, so that slow work does not start during a drag.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use eframe::egui::Context;
+
+use crate::platform::clock::Instant;
 
 /// What has not changed for this long is still.
 const REST: Duration = Duration::from_millis(150);

@@ -4,10 +4,12 @@ use std::cell::Cell;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
-use std::thread::JoinHandle;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use eframe::egui::Context;
+
+use crate::platform::clock::Instant;
+use crate::platform::threads::{self, JoinHandle};
 
 /// A job that has taken longer than this gives way to a newer one. A shorter one is finished, so that
 /// something is seen while a control is dragged.
@@ -49,7 +51,7 @@ impl<J: Send + 'static, R: Send + 'static> Worker<J, R> {
         let (done, results) = channel();
         let (newest, stopped) = (Arc::new(AtomicU64::new(0)), Arc::new(AtomicU64::new(0)));
         let (newest_asked, stopped_by) = (newest.clone(), stopped.clone());
-        let thread = std::thread::spawn(move || {
+        let thread = threads::spawn(move || {
             while let Ok(first) = todo.recv() {
                 let (number, job) = todo.try_iter().last().unwrap_or(first);
                 let (newest, stopped) = (newest_asked.clone(), stopped_by.clone());
@@ -114,7 +116,7 @@ mod tests {
                 return value;
             }
             assert!(start.elapsed() < Duration::from_secs(20), "nothing came");
-            std::thread::sleep(Duration::from_millis(1));
+            threads::sleep(Duration::from_millis(1));
         }
     }
 
@@ -165,7 +167,7 @@ mod tests {
     fn stopped_and_outdated_jobs_end() {
         let endless = |job: u32, wanted: &Wanted| {
             while job == 0 && wanted.holds() {
-                std::thread::sleep(Duration::from_millis(1));
+                threads::sleep(Duration::from_millis(1));
             }
             wanted.holds().then_some(job)
         };

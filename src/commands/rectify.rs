@@ -4,16 +4,14 @@ use std::path::{Path, PathBuf};
 
 use anyhow::Context as _;
 use clap::Args;
-use exr::prelude::{
-    AnyChannel, AnyChannels, Compression, Encoding, FlatSamples, Image, Layer, SmallVec, Text, WritableImage,
-};
-use relativity_core::doppler::{PAPER_INTENSITY_EXPONENT, intensity_factor};
-use relativity_core::{Aperture, Speed};
+use relativity_core::Aperture;
+use relativity_core::doppler::PAPER_INTENSITY_EXPONENT;
 use relativity_render::rectify::{LightCorrection, Rectification};
-use relativity_render::{Camera, Gaze};
+use relativity_render::{Camera, Gaze, Velocity};
 
-use crate::files::image_in::{self, Recorded};
-use crate::files::png_file::{self, Provenance};
+use crate::files::exr::{Channel, Measurements};
+use crate::files::png::{self, PngFile};
+use crate::files::provenance::{Provenance, Recorded};
 use crate::files::whole::write_whole;
 use crate::flags::choices::{FileKind, GazeChoice};
 use crate::flags::{NumberOrOff, OnOff, SpeedArgs, field_of_view, switch};
@@ -33,6 +31,9 @@ pub struct RectifyArgs {
     image: PathBuf,
     #[command(flatten)]
     speed: SpeedArgs,
+    /// The objects move towards -x.
+    #[arg(long)]
+    backward: bool,
     /// Horizontal field of view of the picture, degrees [default: as the file records it]
     #[arg(long, value_name = "DEG", value_parser = field_of_view)]
     fov: Option<f64>,
@@ -78,67 +79,49 @@ pub fn run(args: &RectifyArgs) -> anyhow::Result<()> {
 
 impl RectifyArgs {
     fn rectify_picture(&self) -> anyhow::Result<()> {
-        let (picture, recorded) = image_in::picture(&self.image)?;
+        let file = PngFile::read(&self.image)?;
+        let recorded = file.recorded();
         let is_stereo = recorded.text("layout").is_some_and(|layout| !["left", "right"].contains(&layout));
         anyhow::ensure!(
             !is_stereo,
             "{}: it shows both eyes; `gamow render --layout left` draws one",
             self.image.display()
         );
-        let rectification = self.rectification(picture.size, &recorded)?;
-        let light = LightCorrection {
-            doppler_shift: self.doppler_shift,
-            intensity_exponent: self.intensity_exponent.0,
-        };
-        let corrected = rectification.picture(&picture, light);
+        let rectification = self.rectification(file.picture.size, &recorded)?;
+        let corrected = rectification.picture(&file.picture, self.light());
         let provenance = Provenance {
             title: format!("{}, corrected", self.image.display()),
             parameters: self.parameters(&rectification)?,
             scene_fingerprint: String::new(),
         };
-        write_whole(&self.out, |file| png_file::write(&corrected, &provenance, file))
+        write_whole(&self.out, |file| png::write(&corrected, &provenance.texts(), file))
     }
 
     fn rectify_measurements(&self) -> anyhow::Result<()> {
-        let measured = image_in::measurements(&self.image)?;
-        let rectification = self.rectification(measured.size, &measured.recorded)?;
-        let sources = sources(&rectification);
-        let channel = |(name, values): (&String, &Vec<f32>)| {
-            let factor = self.factor(name.rsplit('.').next().unwrap_or(name));
-            let nothing = if name.ends_with("id") { -1.0 } else { 0.0 };
+        let measured = Measurements::read(&self.image)?;
+        let rectification = self.rectification(measured.size, &measured.recorded())?;
+        let (sources, light) = (sources(&rectification), self.light());
+        let corrected = measured.map(rectification.rest().size, |name, values| {
+            let channel = Channel::of(name);
+            let nothing = channel.map_or(0.0, Channel::nothing);
+            let factor = |doppler| channel.map_or(1.0, |channel| channel.factor(doppler, light));
             let value = |source: &Option<Source>| {
                 source.map_or(nothing, |Source { pixel, doppler }| values[pixel] * factor(doppler) as f32)
             };
-            let samples = FlatSamples::F32(sources.iter().map(value).collect());
-            AnyChannel::new(Text::from(name.as_str()), samples)
-        };
-        let channels: SmallVec<[_; 4]> = measured.channels.iter().map(channel).collect();
-        let mut attributes = measured.attributes.clone();
-        attributes.comments = Text::new_or_none(self.parameters(&rectification)?);
-        let size = rectification.rest().size.map(|side| side as usize);
-        let encoding = Encoding { compression: Compression::ZIP16, ..Encoding::default() };
-        let layer = Layer::new((size[0], size[1]), attributes, encoding, AnyChannels::sort(channels));
-        write_whole(&self.out, |file| Ok(Image::from_layer(layer).write().to_buffered(file)?))
+            sources.iter().map(value).collect()
+        });
+        let corrected = corrected.with_comments(&self.parameters(&rectification)?);
+        write_whole(&self.out, |file| corrected.write(file))
     }
 
-    /// By what the channel called `name` is multiplied, as a function of D.
-    fn factor(&self, name: &str) -> Box<dyn Fn(f64) -> f64 + Sync> {
-        let exponent = self.intensity_exponent.0;
-        match name {
-            "wavelength_nm" if self.doppler_shift => Box::new(|doppler| doppler),
-            "intensity" | "R" | "G" | "B" | "Y" => {
-                Box::new(move |doppler| exponent.map_or(1.0, |n| 1.0 / intensity_factor(doppler, n)))
-            }
-            // Rest lengths along a ray, s* = s/D; and a frequency ratio.
-            "distance" | "doppler" => Box::new(|doppler| 1.0 / doppler),
-            _ => Box::new(|_| 1.0),
-        }
+    fn light(&self) -> LightCorrection {
+        LightCorrection { doppler_shift: self.doppler_shift, intensity_exponent: self.intensity_exponent.0 }
     }
 
     fn rectification(&self, size: [u32; 2], recorded: &Recorded) -> anyhow::Result<Rectification> {
         let (parameter, value) =
             self.speed.given().context("one of --beta, --gamma, --rapidity is needed")?;
-        let speed: Speed = parameter.speed(value)?;
+        let velocity = Velocity { speed: parameter.speed(value)?, is_backward: self.backward };
         let fov = self
             .fov
             .or_else(|| recorded.number("fov"))
@@ -147,14 +130,14 @@ impl RectifyArgs {
             .or_else(|| recorded.gaze())
             .context("--gaze is needed: the file does not record it")?;
         let ground = Camera { aperture: Aperture::default(), gaze, horizontal_fov: fov.to_radians(), size };
-        let mut rest = Rectification::rest_camera(&ground, &speed);
+        let mut rest = Rectification::rest_camera(&ground, &velocity);
         if let Some(fov) = self.out_fov {
             rest.horizontal_fov = fov.to_radians();
         }
         if let Some(gaze) = fixed(self.out_gaze, "--out-gaze")? {
             rest.gaze = gaze;
         }
-        Ok(Rectification::new(ground, rest, speed))
+        Ok(Rectification::new(ground, rest, velocity))
     }
 
     /// The command that corrects the picture again, with the camera that took the corrected one.
@@ -163,8 +146,9 @@ impl RectifyArgs {
             self.speed.given().context("one of --beta, --gamma, --rapidity is needed")?;
         let Camera { gaze, horizontal_fov, .. } = rectification.rest();
         Ok(format!(
-            "gamow rectify --{}={value} --out-fov={} --out-gaze={},{}",
+            "gamow rectify --{}={value}{} --out-fov={} --out-gaze={},{}",
             parameter.name(),
+            if self.backward { " --backward" } else { "" },
             horizontal_fov.to_degrees(),
             gaze.azimuth.to_degrees(),
             gaze.elevation.to_degrees()

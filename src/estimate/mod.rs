@@ -2,22 +2,22 @@
 
 use std::fmt;
 
+use relativity_core::math;
 use relativity_core::{
-    Bootstrap, Combined, Curves, Fit, FitError, FitModel, FitOptions, Observations, Parameter, bootstrap,
-    combined, fit,
+    Bootstrap, Combined, Curves, Fit, FitError, FitOptions, Observations, Parameter, bootstrap, combined, fit,
 };
 use serde::Serialize;
 
 /// The fit, and with both curves also the fit of each and their weighted mean.
 #[derive(Debug, Serialize)]
-pub struct Report {
-    /// `exact` or `published`.
+pub struct FitReport {
+    /// The name of the [`Model`](relativity_core::Model).
     pub model: &'static str,
     /// Always true: what did not converge is an error.
     pub converged: bool,
     /// The fit of all that was asked for.
     #[serde(flatten)]
-    pub fit: Outcome,
+    pub fit: CurvesFit,
     /// The bootstrap behind the uncertainties.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bootstrap: Option<BootstrapSummary>,
@@ -27,7 +27,7 @@ pub struct Report {
 
 /// A fit of one set of curves.
 #[derive(Debug, Serialize)]
-pub struct Outcome {
+pub struct CurvesFit {
     /// Which curves: `dphi`, `dtheta` or `both`.
     pub curves: &'static str,
     /// Best values and their uncertainties.
@@ -100,7 +100,7 @@ pub struct Fits {
 #[serde(untagged)]
 pub enum Attempt {
     /// A fit.
-    Fit(Box<Outcome>),
+    Fit(Box<CurvesFit>),
     /// None.
     Failure {
         /// Why.
@@ -135,7 +135,7 @@ impl From<Combined> for Mean {
 /// A fit and its bootstrap, if one was asked for.
 type Fitted = (Fit, Option<Bootstrap>);
 
-impl Report {
+impl FitReport {
     /// Fits `observations`, with `replicates` bootstrap replicates unless that is 0.
     pub fn new(
         observations: &Observations,
@@ -150,11 +150,8 @@ impl Report {
             Curves::Azimuth | Curves::Polar => Fits::default(),
             Curves::Both => Fits::new(attempt(Curves::Azimuth), attempt(Curves::Polar)),
         };
-        let model = match options.model {
-            FitModel::Exact => "exact",
-            FitModel::Published => "published",
-        };
-        Ok(Self { model, converged: true, fit: Outcome::new(&joint), bootstrap, fits })
+        let model = options.model.name();
+        Ok(Self { model, converged: true, fit: CurvesFit::new(&joint), bootstrap, fits })
     }
 }
 
@@ -185,13 +182,13 @@ impl Fits {
 impl Attempt {
     fn new(fitted: Result<Fitted, FitError>) -> Self {
         match fitted {
-            Ok(fitted) => Self::Fit(Box::new(Outcome::new(&fitted))),
+            Ok(fitted) => Self::Fit(Box::new(CurvesFit::new(&fitted))),
             Err(error) => Self::Failure { problem: error.to_string() },
         }
     }
 }
 
-impl Outcome {
+impl CurvesFit {
     fn new((fit, bootstrap): &Fitted) -> Self {
         let correlation = |&a: &Parameter, &b: &Parameter| match bootstrap {
             Some(bootstrap) => bootstrap.correlation(a, b),
@@ -234,7 +231,7 @@ impl<T> Parameters<T> {
     }
 }
 
-impl fmt::Display for Report {
+impl fmt::Display for FitReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "model      {}", self.model)?;
         match &self.bootstrap {
@@ -262,7 +259,7 @@ impl fmt::Display for Report {
     }
 }
 
-impl fmt::Display for Outcome {
+impl fmt::Display for CurvesFit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "\n{}: {} readings, rms {:.3e} rad", self.curves, self.readings, self.rms)?;
         match self.reduced_chi_squared {
@@ -306,7 +303,7 @@ fn write_estimate(
 pub fn decimals(uncertainty: f64) -> usize {
     const MOST: f64 = 9.0;
     if uncertainty > 0.0 {
-        (1.0 - uncertainty.log10().floor()).clamp(0.0, MOST) as usize
+        (1.0 - math::log10(uncertainty).floor()).clamp(0.0, MOST) as usize
     } else {
         MOST as usize
     }

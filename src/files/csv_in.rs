@@ -4,18 +4,15 @@
 //! There are no comments: a line that starts with `#` is a row. Numbers may be quoted or padded
 //! with blanks. Columns that mean nothing here may hold any bytes.
 
-use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
 use anyhow::Context as _;
 use csv::ByteRecord;
-use relativity_core::SourcePoint;
 use thiserror::Error;
 
-use crate::columns::{COLUMNS, Observation, ObservationError};
-use crate::files::csv_out::io_error;
-use crate::flags::SpeedParameter;
+use super::csv_out::io_error;
+use crate::platform::files;
 
 const BUFFER_BYTES: usize = 1 << 16;
 
@@ -25,7 +22,7 @@ pub fn open(file: Option<&Path>) -> anyhow::Result<(String, Box<dyn Read>)> {
         return Ok(("standard input".to_owned(), Box::new(io::stdin().lock())));
     };
     let name = file.display().to_string();
-    let input = File::open(file).with_context(|| name.clone())?;
+    let input = files::open(file).with_context(|| name.clone())?;
     Ok((name, Box::new(input)))
 }
 
@@ -192,20 +189,7 @@ impl Names {
     }
 }
 
-/// Where the inputs are in each row.
-#[derive(Debug)]
-pub struct Header {
-    speed_parameter: SpeedParameter,
-    speed: usize,
-    d: usize,
-    y: usize,
-    z: usize,
-    time: usize,
-    x0: Option<usize>,
-    names: Names,
-}
-
-/// A header that does not say where the inputs are.
+/// A header that does not say where the inputs are, each of them once.
 #[derive(Debug, PartialEq, Error)]
 pub enum HeaderError {
     /// There is no row at all.
@@ -231,61 +215,9 @@ pub enum HeaderError {
         /// Its second place, from 1.
         second: usize,
     },
-    /// The speed is given in two ways.
-    #[error("columns {0} and {1} both give the speed; there should be one of beta, gamma, rapidity")]
-    TwoSpeeds(&'static str, &'static str),
-    /// A column has the name of one that will be appended.
-    #[error("column {0} is there already, and would be appended again; it should be dropped or renamed")]
-    Taken(&'static str),
 }
 
-const NEEDED: &str = "d, y, z, T and one of beta, gamma, rapidity";
-
-impl Header {
-    /// Finds the inputs by the names in the first row.
-    pub fn new(row: ByteRecord) -> Result<Self, HeaderError> {
-        let names = Names::new(row)?;
-        for name in COLUMNS {
-            if names.place(name)?.is_some() {
-                return Err(HeaderError::Taken(name));
-            }
-        }
-        let (speed_parameter, speed) = speed_place(&names)?;
-        Ok(Self {
-            speed_parameter,
-            speed,
-            d: names.needed_place("d", NEEDED)?,
-            y: names.needed_place("y", NEEDED)?,
-            z: names.needed_place("z", NEEDED)?,
-            time: names.needed_place("T", NEEDED)?,
-            x0: names.place("x0")?,
-            names,
-        })
-    }
-
-    /// The observation that `row` describes.
-    pub fn observation(&self, row: &ByteRecord) -> Result<Observation, RowError> {
-        self.names.check_length(row)?;
-        let number = |place| self.names.number(row, place);
-        let speed = self.speed_parameter.speed(number(self.speed)?)?;
-        let x0 = self.x0.map_or(Ok(0.0), number)?;
-        let point = SourcePoint { x0, y: number(self.y)?, z: number(self.z)? };
-        Ok(Observation { speed, point, separation: number(self.d)?, time: number(self.time)? })
-    }
-}
-
-fn speed_place(names: &Names) -> Result<(SpeedParameter, usize), HeaderError> {
-    let mut found = None;
-    for parameter in SpeedParameter::ALL {
-        let Some(place) = names.place(parameter.name())? else { continue };
-        if let Some((earlier, _)) = found.replace((parameter, place)) {
-            return Err(HeaderError::TwoSpeeds(earlier.name(), parameter.name()));
-        }
-    }
-    found.ok_or_else(|| names.missing("beta, gamma or rapidity", NEEDED))
-}
-
-/// A row that describes no observation.
+/// A row that is not as its header says.
 #[derive(Debug, PartialEq, Error)]
 pub enum RowError {
     /// Fields are missing at its end.
@@ -324,15 +256,6 @@ pub enum RowError {
         /// What is wrong with it.
         problem: &'static str,
     },
-    /// A value is outside its domain.
-    #[error("column {}: {}", .0.column(), .0)]
-    Observation(ObservationError),
-}
-
-impl<E: Into<ObservationError>> From<E> for RowError {
-    fn from(error: E) -> Self {
-        Self::Observation(error.into())
-    }
 }
 
 /// `field` as it can stand in a message.

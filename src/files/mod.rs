@@ -1,8 +1,8 @@
-//! Files in and out: CSV, PNG and EXR, and files written whole or not at all.
+//! Files in and out: CSV, PNG and EXR, what they say of how they were made, and files written whole or not at all.
 
 pub mod csv_in;
 pub mod csv_out;
-pub mod exr_file;
-pub mod image_in;
-pub mod png_file;
+pub mod exr;
+pub mod png;
+pub mod provenance;
 pub mod whole;

@@ -1,12 +1,14 @@
 //! Output files that are written whole or not at all, and standard output as the alternative.
 
 use std::collections::BTreeSet;
-use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, MutexGuard, Once, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use anyhow::Context as _;
+
+use crate::platform::files::{self, File};
+use crate::platform::interrupt;
 
 const BUFFER_BYTES: usize = 1 << 16;
 
@@ -44,15 +46,15 @@ pub fn write_whole(
     write: impl FnOnce(&mut BufWriter<File>) -> anyhow::Result<()>,
 ) -> anyhow::Result<()> {
     let name = || path.display().to_string();
-    if fs::metadata(path).is_ok_and(|found| !found.is_file()) {
-        let mut device = BufWriter::with_capacity(BUFFER_BYTES, File::create(path).with_context(name)?);
+    if files::is_special(path) {
+        let mut device = BufWriter::with_capacity(BUFFER_BYTES, files::create(path).with_context(name)?);
         write(&mut device)?;
         return device.flush().with_context(name);
     }
     // A link stays a link: what it points to is replaced.
-    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
-    catch_interrupts();
-    let temporary = file_builder().tempfile_in(folder_of(&target)).with_context(name)?;
+    let target = files::canonical(path).unwrap_or_else(|_| path.to_owned());
+    interrupt::end_after(remove_unfinished);
+    let temporary = files::temporary_in(&folder_of(&target)).with_context(name)?;
     let (file, temporary) = temporary.into_parts();
     let _unfinished = Unfinished::new(&temporary);
     let mut file = BufWriter::with_capacity(BUFFER_BYTES, file);
@@ -69,23 +71,8 @@ fn folder_of(path: &Path) -> PathBuf {
     }
 }
 
-/// Temporary files that get the permissions any new file would.
-fn file_builder() -> tempfile::Builder<'static, 'static> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".gamow-").suffix(".tmp");
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt as _;
-        builder.permissions(fs::Permissions::from_mode(0o666)); // less the umask
-    }
-    builder
-}
-
 /// Temporary files that are being written.
 static UNFINISHED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
-
-/// Exit status after an interrupt, as shells have it.
-const INTERRUPTED: i32 = 130;
 
 /// A temporary file that goes when the program is interrupted.
 struct Unfinished(PathBuf);
@@ -107,17 +94,9 @@ fn unfinished() -> MutexGuard<'static, BTreeSet<PathBuf>> {
     UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-fn catch_interrupts() {
-    static HANDLER: Once = Once::new();
-    // Where no handler can be set, an interrupt ends the program as ever.
-    HANDLER.call_once(|| drop(ctrlc::set_handler(remove_unfinished)));
-}
-
-/// Ends the program without a trace of unfinished files.
 fn remove_unfinished() {
     for path in unfinished().iter() {
         // What cannot be removed is not missed by an output file.
-        let _ = fs::remove_file(path);
+        let _ = files::remove(path);
     }
-    std::process::exit(INTERRUPTED);
 }

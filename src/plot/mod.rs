@@ -7,6 +7,8 @@ mod scale;
 
 use std::fmt::Write as _;
 
+use relativity_core::math;
+
 use self::scale::{decades, linear_ticks, powers_of_ten, span, widened};
 
 /// Black.
@@ -155,7 +157,7 @@ impl<'a> Axes<'a> {
 
     fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let [left, right, top, bottom] = self.frame;
-        let scaled = |value: f64| if self.panel.logarithmic { value.log10() } else { value };
+        let scaled = |value: f64| if self.panel.logarithmic { math::log10(value) } else { value };
         let along = |value: f64, [low, high]: [f64; 2]| (scaled(value) - low) / (high - low);
         [left + along(x, self.x) * (right - left), bottom - along(y, self.y) * (bottom - top)]
     }

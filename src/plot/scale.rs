@@ -1,5 +1,7 @@
 //! Where axes begin and end, and where their ticks are.
 
+use relativity_core::math;
+
 /// About how many ticks an axis has.
 const TICKS: f64 = 6.0;
 
@@ -13,7 +15,7 @@ pub fn span(values: impl Iterator<Item = f64> + Clone, margin: f64) -> [f64; 2] 
 
 /// Exponents of the powers of ten around `values`.
 pub fn decades(values: impl Iterator<Item = f64> + Clone) -> [f64; 2] {
-    let [low, high] = span(values.map(f64::log10), 0.0);
+    let [low, high] = span(values.map(math::log10), 0.0);
     [low.floor(), high.ceil().max(low.floor() + 1.0)]
 }
 
@@ -56,7 +58,7 @@ fn ticks([low, high]: [f64; 2]) -> Vec<f64> {
 }
 
 fn round_step(step: f64) -> f64 {
-    let power = 10.0_f64.powf(step.log10().floor());
+    let power = math::powf(10.0, math::log10(step).floor());
     let leading = step / power;
     power * [1.0, 2.0, 5.0, 10.0].into_iter().find(|&nice| nice >= leading).unwrap_or(10.0)
 }

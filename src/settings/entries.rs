@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 use clap::{Arg, Args as _, Command, FromArgMatches as _};
 use toml::{Table, Value};
 
-use super::Settings;
+use super::all::Settings;
 use super::error::{Problem, SettingsError};
 use crate::flags::words::{quoted, words};
 

@@ -1,17 +1,17 @@
 //! Settings in files: TOML out and in, and what pictures record.
 
-use std::fs;
 use std::ops::Range;
 use std::path::Path;
 
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
-use super::Settings;
+use super::all::Settings;
 use super::entries::names;
 use super::error::{Problem, SettingsError};
-use crate::files::image_in;
+use crate::files::{exr, png};
 use crate::flags::choices::FileKind;
+use crate::platform::files;
 use crate::scene::Scene;
 
 impl Settings {
@@ -54,14 +54,18 @@ impl Settings {
         let source_name = path.display().to_string();
         let unreadable = |reason: String| SettingsError::Read { source_name: source_name.clone(), reason };
         let mut settings = if let Some(kind) = FileKind::of(path) {
-            let recorded =
-                image_in::recorded(path, kind).map_err(|error| unreadable(format!("{error:#}")))?;
+            let recorded = match kind {
+                FileKind::Png => png::recorded(path),
+                FileKind::Exr => exr::recorded(path),
+            };
+            let recorded = recorded.map_err(|error| unreadable(format!("{error:#}")))?;
             self.with_command(&recorded.command, &source_name)?
         } else {
-            let text = fs::read_to_string(path).map_err(|reason| unreadable(reason.to_string()))?;
+            let text = files::read_to_string(path).map_err(|reason| unreadable(reason.to_string()))?;
             self.with_toml(&text, &source_name)?
         };
-        let beside = path.parent().map(|folder| folder.join(&settings.scene)).filter(|scene| scene.is_file());
+        let beside =
+            path.parent().map(|folder| folder.join(&settings.scene)).filter(|scene| files::is_file(scene));
         if let (None, Some(scene)) = (Scene::preset(&settings.scene), beside) {
             settings.scene = scene.to_string_lossy().into_owned();
         }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::Deserialize;
 
-use super::Settings;
+use super::all::Settings;
 
 /// Settings of before. Values are words, numbers, or groups of them.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
@@ -122,7 +122,11 @@ impl Legacy {
         match self {
             Self::Switch(is_on) => Some(if *is_on { "on" } else { "off" }.to_owned()),
             Self::Number(number) => Some(number.to_string()),
-            Self::Word(word) => Some(word.to_lowercase()),
+            Self::Word(word) => Some(match word.as_str() {
+                "Azimuth" => "dphi".to_owned(),
+                "Polar" => "dtheta".to_owned(),
+                _ => word.to_lowercase(),
+            }),
             Self::List(items) => Some(items.iter().map(f64::to_string).collect::<Vec<_>>().join(",")),
             Self::Optional(value) => value.as_ref().map_or(Some("off".to_owned()), |value| value.text()),
             Self::Group(_) => None,
@@ -134,7 +138,7 @@ impl Legacy {
 mod tests {
     use std::collections::HashMap;
 
-    use relativity_core::{Curves, FitModel};
+    use relativity_core::{Curves, Model, PublishedVariant};
     use relativity_render::{Colour, Geometry, Shading};
 
     use super::*;
@@ -187,7 +191,10 @@ mod tests {
             (fit.fit_samples, fit.fit_range, fit.noise_percent, fit.seed),
             (100, TimeRange(None), 2.0, 7)
         );
-        assert_eq!((fit.curves, fit.model, fit.fit_x0), (Curves::Azimuth, FitModel::Published, true));
+        assert_eq!(
+            (fit.curves, fit.model, fit.fit_x0),
+            (Curves::Azimuth, Model::Published(PublishedVariant::AppendixA), true)
+        );
         assert_eq!((window.corrected, window.controls, window.theme), (true, false, Theme::System));
     }
 

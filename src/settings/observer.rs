@@ -4,7 +4,8 @@
 use relativity_core::{Aperture, SourcePoint, Speed};
 use relativity_render::{Appearance, Camera, Gaze, Geometry, View};
 
-use super::{Daylight, Settings, Theme};
+use super::all::Settings;
+use super::sections::{Daylight, Theme};
 use crate::flags::choices::GazeChoice;
 use crate::passage;
 

@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 use clap::{Args, ValueEnum};
 use relativity_core::doppler::PAPER_INTENSITY_EXPONENT;
-use relativity_core::{Curves, FitModel};
+use relativity_core::{Curves, Model};
 use relativity_render::{Colour, Geometry, MeshRenderer, Shading};
 use serde::Serialize;
 
@@ -264,7 +264,7 @@ pub struct FitSetup {
     pub curves: Curves,
     /// With which binocular model.
     #[arg(long, value_enum)]
-    pub model: FitModel,
+    pub model: Model,
     /// Whether the time of passage is unknown and x0 fitted too.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub fit_x0: OnOff,
@@ -278,7 +278,7 @@ impl Default for FitSetup {
             noise_percent: 1.0,
             seed: 1,
             curves: Curves::Both,
-            model: FitModel::Exact,
+            model: Model::Exact,
             fit_x0: false,
         }
     }

@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use clap::builder::PathBufValueParser;
 use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
 
-use super::Settings;
+use super::all::Settings;
+use super::error::Problem;
 
 /// A flag for each setting, and one for a file of them.
 #[derive(Debug, Clone)]
@@ -37,8 +38,7 @@ impl StartArgs {
 
 impl Settings {
     fn set_given(&mut self, given: &ArgMatches) -> anyhow::Result<()> {
-        self.update_from_arg_matches(given)
-            .map_err(|error| anyhow::anyhow!(super::error::Problem::new(&error).text))
+        self.update_from_arg_matches(given).map_err(|error| anyhow::anyhow!(Problem::new(&error).text))
     }
 }
 

@@ -5,11 +5,13 @@ use std::path::Path;
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
-use relativity_core::{Curves, FitModel};
+use relativity_core::{Curves, Model};
 use relativity_render::{Colour, Geometry, HitImage, Picture as Pixels, Shading};
 
 use super::*;
-use crate::files::{exr_file, png_file};
+use crate::files::exr::{self, Measurements};
+use crate::files::png;
+use crate::files::provenance::Provenance;
 use crate::flags::choices::{GazeChoice, Layout, RendererChoice, Size};
 use crate::flags::{MAX_TIME, NumberOrOff, SpeedParameter, SpeedSetting, TimeRange};
 
@@ -68,7 +70,7 @@ fn range() -> impl Strategy<Value = TimeRange> {
 
 fn fit() -> impl Strategy<Value = FitSetup> {
     let noise = number(NOISE_PERCENT);
-    (FIT_SAMPLES, range(), noise, 0..=MAX_SEED, choice::<Curves>(), choice::<FitModel>(), any::<bool>())
+    (FIT_SAMPLES, range(), noise, 0..=MAX_SEED, choice::<Curves>(), choice::<Model>(), any::<bool>())
         .prop_map(|(fit_samples, fit_range, noise_percent, seed, curves, model, fit_x0)| FitSetup {
             fit_samples,
             fit_range,
@@ -147,7 +149,7 @@ fn settings() -> impl Strategy<Value = Settings> {
 
 /// The settings that a file by `gamow render` records.
 fn through_file(settings: &Settings, path: &Path) -> Settings {
-    let provenance = png_file::Provenance {
+    let provenance = Provenance {
         title: "Any".to_owned(),
         parameters: settings.command(),
         scene_fingerprint: "0".to_owned(),
@@ -155,11 +157,11 @@ fn through_file(settings: &Settings, path: &Path) -> Settings {
     let file = std::fs::File::create(path).expect("the folder is there");
     let size = [1, 1];
     if path.extension().is_some_and(|extension| extension == "png") {
-        png_file::write(&Pixels { size, rgba: vec![[0; 4]] }, &provenance, file).expect("it is written");
+        png::write(&Pixels { size, rgba: vec![[0; 4]] }, &provenance.texts(), file).expect("it is written");
     } else {
         let eyes = [(); 2].map(|()| HitImage { size, hits: vec![None] });
-        let light = exr_file::Light { bodies: &[], intensity_exponent: None };
-        exr_file::write(&eyes, light, &provenance, file).expect("it is written");
+        let light = exr::Light { bodies: &[], intensity_exponent: None };
+        Measurements::of_eyes(&eyes, light, &provenance.comments()).write(file).expect("it is written");
     }
     Settings::default().with_file(path).expect("it was recorded")
 }

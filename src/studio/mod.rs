@@ -12,10 +12,10 @@ use relativity_render::{HitImage, Picture};
 
 use self::painter::Painter;
 use self::timings::Timings;
-use crate::files::exr_file::Light;
-use crate::files::png_file::Provenance;
+use crate::files::exr::{Light, Measurements};
+use crate::files::provenance::Provenance;
 use crate::files::whole::write_whole;
-use crate::files::{exr_file, png_file};
+use crate::files::{exr, png};
 use crate::flags::choices::FileKind;
 use crate::scene::Scene;
 use crate::settings::Settings;
@@ -70,7 +70,7 @@ impl Studio {
         let provenance = Provenance {
             title: self.scene.name.clone(),
             parameters: settings.command(),
-            scene_fingerprint: fingerprint(&self.scene),
+            scene_fingerprint: self.scene.fingerprint(),
         };
         Ok(Frame { settings, time, provenance })
     }
@@ -85,15 +85,16 @@ impl Studio {
         match kind {
             FileKind::Png => {
                 let picture = self.picture(frame)?;
-                self.timings
-                    .timed("file", || write_whole(path, |file| png_file::write(&picture, provenance, file)))
+                let texts = provenance.texts();
+                self.timings.timed("file", || write_whole(path, |file| png::write(&picture, &texts, file)))
             }
             FileKind::Exr => {
                 let hits = self.hits(frame)?;
                 let intensity_exponent = frame.settings.light.intensity_exponent.0;
                 let light = Light { bodies: &self.scene.bodies, intensity_exponent };
                 self.timings.timed("file", || {
-                    write_whole(path, |file| exr_file::write(&hits, light, provenance, file))
+                    let measurements = Measurements::of_eyes(&hits, light, &provenance.comments());
+                    write_whole(path, |file| measurements.write(file))
                 })
             }
         }
@@ -143,16 +144,8 @@ impl Frame {
     #[must_use]
     pub fn is_made(&self, kind: FileKind, path: &Path) -> bool {
         match kind {
-            FileKind::Png => png_file::is_made(path, &self.provenance),
-            FileKind::Exr => exr_file::is_made(path, &self.provenance),
+            FileKind::Png => png::is_made(path, &self.provenance.texts()),
+            FileKind::Exr => exr::is_made(path, &self.provenance.comments()),
         }
     }
-}
-
-/// FNV-1a hash (G. Fowler, L. C. Noll, K.-P. Vo) of all that is in a scene.
-fn fingerprint(scene: &Scene) -> String {
-    let hash = format!("{scene:?}").bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-    });
-    format!("{hash:016x}")
 }

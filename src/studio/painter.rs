@@ -2,11 +2,12 @@
 
 use anyhow::Context as _;
 use relativity_render::{
-    Appearance, Body, Geometry, Gpu, HitImage, MeshRenderer, Picture, ReferenceScene, View,
+    Appearance, Body, Geometry, Gpu, HitImage, MeshRenderer, Picture, PreparedScene, View,
 };
 
 use super::gpu_painter::{Drawer, GpuPainter};
 use crate::flags::choices::RendererChoice;
+use crate::platform::threads;
 use crate::settings::Settings;
 
 /// A renderer and the scene it draws.
@@ -14,7 +15,7 @@ pub enum Painter {
     /// In f64 on the CPU.
     Reference {
         /// The scene.
-        scene: ReferenceScene,
+        scene: PreparedScene,
         /// Rays per pixel are the square of this.
         samples: u32,
     },
@@ -40,7 +41,7 @@ impl Painter {
     /// A renderer that cannot be had, or that cannot draw the published geometry.
     pub fn new(settings: &Settings, bodies: &[Body]) -> anyhow::Result<Self> {
         let samples = settings.picture.samples;
-        let reference = || Self::Reference { scene: ReferenceScene::new(bodies), samples };
+        let reference = || Self::Reference { scene: PreparedScene::moving(bodies), samples };
         let exact = |gpu: Gpu| {
             let drawer = Drawer::exact(&gpu);
             gpu_painter(gpu, drawer, bodies)
@@ -108,7 +109,7 @@ impl Painter {
     pub fn description(&self) -> String {
         match self {
             Self::Reference { samples, .. } => {
-                let threads = rayon::current_num_threads();
+                let threads = threads::count();
                 format!("reference, f64 on {threads} threads, {samples}x{samples} rays per pixel")
             }
             Self::Gpu(painter) => painter.description(),

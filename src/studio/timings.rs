@@ -1,7 +1,8 @@
 //! How long each stage of a picture takes.
 
 use std::fmt;
-use std::time::Instant;
+
+use crate::platform::clock::Instant;
 
 /// Durations of stages, in the order in which they first ran.
 #[derive(Debug, Default)]
@@ -14,7 +15,7 @@ impl Timings {
     pub fn timed<T>(&mut self, stage: &'static str, work: impl FnOnce() -> T) -> T {
         let start = Instant::now();
         let result = work();
-        let milliseconds = start.elapsed().as_secs_f64() * 1e3;
+        let milliseconds = start.elapsed_ms();
         match self.stages.iter_mut().find(|(name, _)| *name == stage) {
             Some((_, durations)) => durations.push(milliseconds),
             None => self.stages.push((stage, vec![milliseconds])),

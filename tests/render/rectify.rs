@@ -2,10 +2,11 @@
 
 use std::path::Path;
 
-use gamow::files::image_in::{Measurements, measurements, picture};
-use relativity_core::{Aperture, Speed};
+use gamow::files::exr::{Channel, Measurements};
+use gamow::files::png::PngFile;
+use relativity_core::Aperture;
 use relativity_render::rectify::Rectification;
-use relativity_render::{Camera, Picture};
+use relativity_render::{Camera, Picture, Velocity};
 
 use super::{complaint_of, folder, render, run_gamow};
 
@@ -29,8 +30,8 @@ fn corrected_and_true(
     run_gamow(folder, &format!("rectify seen.{extension} --beta {beta} --out corrected.{extension}"));
     let corrected = folder.join(format!("corrected.{extension}"));
     let recorded = match extension {
-        "png" => picture(&corrected).expect("it was written").1,
-        _ => measurements(&corrected).expect("it was written").recorded,
+        "png" => PngFile::read(&corrected).expect("it was written").recorded(),
+        _ => measurements(&corrected).recorded(),
     };
     let [fov, gaze] = ["out-fov", "out-gaze"].map(|flag| recorded.text(flag).expect("it is recorded"));
     let size = size.replace("--fov 60", &format!("--fov {fov} --gaze {gaze}"));
@@ -43,15 +44,24 @@ fn corrected_and_true(
     [corrected, folder.join(format!("true.{extension}"))]
 }
 
+fn measurements(path: &Path) -> Measurements {
+    Measurements::read(path).expect("it was written")
+}
+
+/// The left eye's values of a channel.
+fn channel(file: &Measurements, channel: Channel) -> &[f32] {
+    file.channel("left", channel).expect("it is there")
+}
+
 /// The cameras behind a picture and its correction.
 fn rectification(seen: &Measurements, truth: &Measurements, beta: f64) -> Rectification {
     let camera = |file: &Measurements| Camera {
         aperture: Aperture::default(),
-        gaze: file.recorded.gaze().expect("it is recorded"),
-        horizontal_fov: file.recorded.number("fov").expect("it is recorded").to_radians(),
+        gaze: file.recorded().gaze().expect("it is recorded"),
+        horizontal_fov: file.recorded().number("fov").expect("it is recorded").to_radians(),
         size: file.size,
     };
-    Rectification::new(camera(seen), camera(truth), Speed::from_beta(beta).expect("a speed"))
+    Rectification::new(camera(seen), camera(truth), Velocity::from_beta(beta).expect("a speed"))
 }
 
 /// Whether a pixel within one pixel of (column, row) fulfils `is`.
@@ -68,7 +78,7 @@ fn misplaced(
     shows: impl Fn([usize; 2]) -> bool,
 ) -> [usize; 2] {
     let size = truth.size.map(|side| side as usize);
-    let [corrected, truth] = [corrected, truth].map(|file| file.channel("left.id").expect("it is there"));
+    let [corrected, truth] = [corrected, truth].map(|file| channel(file, Channel::Id));
     let mut counts = [0, 0];
     for pixel in 0..truth.len() {
         let at = [pixel % size[0], pixel / size[0]];
@@ -86,9 +96,9 @@ fn misplaced(
 fn silhouettes_and_wavelengths_are_those_of_a_camera_riding_along() {
     for (beta, time) in CASES {
         let folder = folder();
-        let [corrected, truth] = corrected_and_true(folder.path(), SCENE, beta, time, "exr")
-            .map(|path| measurements(&path).expect("it was written"));
-        let seen = measurements(&folder.path().join("seen.exr")).expect("it was written");
+        let [corrected, truth] =
+            corrected_and_true(folder.path(), SCENE, beta, time, "exr").map(|path| measurements(&path));
+        let seen = measurements(&folder.path().join("seen.exr"));
         let rectification = rectification(&seen, &truth, beta);
         let shows = |[column, row]: [usize; 2]| {
             let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
@@ -109,8 +119,8 @@ fn silhouettes_and_wavelengths_are_those_of_a_camera_riding_along() {
 /// Compares received wavelengths wherever one object fills the surroundings; at how many pixels.
 fn assert_wavelengths(corrected: &Measurements, truth: &Measurements) -> usize {
     let size = truth.size.map(|side| side as usize);
-    let channels = |name: &str| [corrected, truth].map(|file| file.channel(name).expect("it is there"));
-    let (ids, wavelengths) = (channels("left.id"), channels("left.wavelength_nm"));
+    let channels = |of| [corrected, truth].map(|file| channel(file, of));
+    let (ids, wavelengths) = (channels(Channel::Id), channels(Channel::WavelengthNm));
     let is_inside = |&pixel: &usize| {
         let id = ids[1][pixel];
         let at = [pixel % size[0], pixel / size[0]];
@@ -127,8 +137,8 @@ fn assert_wavelengths(corrected: &Measurements, truth: &Measurements) -> usize {
 #[test]
 fn a_picture_becomes_evenly_red() {
     let folder = folder();
-    let [corrected, truth] =
-        corrected_and_true(folder.path(), "", 0.6, 1.2, "png").map(|path| picture(&path).expect("written").0);
+    let [corrected, truth] = corrected_and_true(folder.path(), "", 0.6, 1.2, "png")
+        .map(|path| PngFile::read(&path).expect("it was written").picture);
     let is_red = |[r, g, b, _]: [u8; 4]| r > 150 && g < 60 && b < 160 && r > b;
     let count = |picture: &Picture| picture.rgba.iter().filter(|&&pixel| is_red(pixel)).count();
     let (corrected, truth) = (count(&corrected), count(&truth));

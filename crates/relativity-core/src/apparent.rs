@@ -7,6 +7,7 @@ use num_traits::Float;
 
 use crate::domain::{DomainError, check};
 use crate::doppler::intensity_factor;
+use crate::math;
 use crate::speed::{Coefficients, Speed};
 
 /// A moving point, by its objective place at t = 0: its worldline is (x0 + beta t, y, z).
@@ -70,14 +71,14 @@ impl Sighting {
     #[must_use]
     pub fn phi(&self) -> f64 {
         let [x, y, _] = self.position;
-        y.atan2(x)
+        math::atan2(y, x)
     }
 
     /// Elevation from the x-y plane, in [-pi/2, pi/2].
     #[must_use]
     pub fn theta(&self) -> f64 {
         let [x, y, z] = self.position;
-        z.atan2((x * x + y * y).sqrt())
+        math::atan2(z, (x * x + y * y).sqrt())
     }
 
     /// Received over rest intensity, D^`exponent`; see [`intensity_factor`].

@@ -3,14 +3,13 @@
 //! The same solution as the scalar functions', in f64 or f32, on one thread or on all. Plain loops without
 //! branches, which the compiler vectorises.
 
-use rayon::prelude::*;
-
 use crate::apparent::{Aperture, LightCone, SourcePoint, rounded};
 pub use crate::batch_error::BatchError;
 use crate::batch_error::{check_common, check_lengths, first_outside};
 use crate::cone_pair::ConePair;
 pub use crate::real::Real;
 use crate::speed::{Coefficients, Speed};
+use crate::threads::prelude::*;
 
 /// Points per task: enough to hide the cost of a task, and few enough to stay in a core's cache.
 const CHUNK: usize = 4096;

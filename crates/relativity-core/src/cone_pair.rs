@@ -7,6 +7,7 @@
 use num_traits::Float;
 
 use crate::apparent::{Aperture, LightCone, SourcePoint, rounded};
+use crate::math;
 use crate::speed::Coefficients;
 
 /// S, y and z of the primary light cone minus those of the secondary, known without subtraction.
@@ -87,7 +88,7 @@ impl<F: Float> ConePair<F> {
         let y = Across { left: left.y, right: right.y, offset: offset.y };
         let z = Across { left: left.z, right: right.z, offset: offset.z };
         let dphi = if wanted[0] {
-            self.cross_with_x(&x, &y, &z).atan2(x.left * x.right + y.left * y.right)
+            math::atan2(self.cross_with_x(&x, &y, &z), x.left * x.right + y.left * y.right)
         } else {
             zero
         };
@@ -97,7 +98,7 @@ impl<F: Float> ConePair<F> {
         let left_h = (x.left * x.left + y.left * y.left).sqrt();
         let right_h = (x.right * x.right + y.right * y.right).sqrt();
         let sine = self.elevation_cross(&x, &y, &z, left_h, right_h);
-        (dphi, sine.atan2(left_h * right_h + z.left * z.right))
+        (dphi, math::atan2(sine, left_h * right_h + z.left * z.right))
     }
 
     /// `u_l X_r - u_r X_l` for a coordinate u across the motion, v being the other one.

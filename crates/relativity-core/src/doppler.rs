@@ -4,6 +4,8 @@
 //! spacetimes*, dissertation, Tuebingen 2001 (exponents 3 and 4); U. Kraus, *Brightness and color of
 //! rapidly moving objects*, Am. J. Phys. 68 (2000).
 
+use crate::math;
+
 /// Exponent of the paper's received intensity.
 pub const PAPER_INTENSITY_EXPONENT: f64 = 2.0;
 /// Exponent of the specific intensity (spectral radiance, `I_nu`) of a surface: `I_nu / nu^3` is
@@ -22,7 +24,7 @@ pub fn intensity_factor(doppler_factor: f64, exponent: f64) -> f64 {
     if exponent == PAPER_INTENSITY_EXPONENT {
         doppler_factor * doppler_factor
     } else {
-        doppler_factor.powf(exponent)
+        math::powf(doppler_factor, exponent)
     }
 }
 

@@ -34,6 +34,7 @@
 //!   "the paper" throughout.
 //! - P. M. Mathews and M. Lakshmanan, *On the apparent visual forms of relativistically moving
 //!   objects*, Nuovo Cimento B 12 (1972).
+#![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_types))]
 
 /// The accuracy of every output: its error is at most this many units of
 /// `2^-53 (|f| + sum |x_i df/dx_i|)`, the `x_i` being the inputs; 2^-24 in f32. One unit is what rounding the
@@ -50,22 +51,30 @@ pub mod apparent;
 pub mod batch;
 mod batch_error;
 pub mod bootstrap;
+pub mod combined;
 mod cone_pair;
 pub mod disparity;
 pub mod domain;
 pub mod doppler;
 pub mod fit;
+pub mod math;
+mod model;
+pub mod passage;
 pub mod published;
 mod real;
 pub mod speed;
+pub mod threads;
 
 pub use apparent::{Aperture, Sighting, SourcePoint, sighting};
 pub use bootstrap::{Bootstrap, DEFAULT_REPLICATES, bootstrap, bootstrap_unless};
-pub use disparity::{Disparity, disparities, disparity, equidistance_time};
+pub use combined::{Combined, combined};
+pub use disparity::{Disparity, disparities, disparity};
 pub use domain::{DomainError, MAX_COORDINATE};
 pub use fit::{
-    Combined, Curves, Fit, FitError, FitModel, FitOptions, Observations, Parameter, Passage, Reading, Sample,
-    Simulation, combined, fit, fit_from,
+    Curves, Fit, FitError, FitOptions, NotConverged, Observations, Parameter, Passage, Reading, Sample,
+    Simulation, fit, fit_from,
 };
+pub use model::Model;
+pub use passage::{equidistance_time, observation_time_when_seen_at};
 pub use published::{PublishedVariant, printed_apparent_x, published_disparity};
 pub use speed::{MAX_GAMMA, Speed, SpeedError};

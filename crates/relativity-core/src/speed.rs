@@ -3,6 +3,8 @@
 use num_traits::Float;
 use thiserror::Error;
 
+use crate::math;
+
 /// Largest Lorentz factor accepted. Squares and fourth powers of it times squared coordinates stay
 /// inside f64.
 pub const MAX_GAMMA: f64 = 1e30;
@@ -65,7 +67,7 @@ impl Speed {
             gamma_minus_one: beta * beta / (inverse_gamma * (1.0 + inverse_gamma)),
             one_minus_beta: 1.0 - beta,
             inverse_gamma_squared,
-            rapidity: beta.atanh(),
+            rapidity: math::atanh(beta),
         })
     }
 
@@ -82,22 +84,22 @@ impl Speed {
             gamma_minus_one: gamma - 1.0,
             one_minus_beta: 1.0 / (gamma * (gamma + gamma_beta)),
             inverse_gamma_squared: 1.0 / gamma / gamma,
-            rapidity: gamma_beta.asinh(),
+            rapidity: math::asinh(gamma_beta),
         })
     }
 
     /// From the rapidity atanh(beta), 0 or more.
     pub fn from_rapidity(rapidity: f64) -> Result<Self, SpeedError> {
-        let gamma = rapidity.cosh();
+        let gamma = math::cosh(rapidity);
         if !(rapidity >= 0.0 && gamma <= MAX_GAMMA) {
             return Err(SpeedError::Rapidity(rapidity));
         }
-        let half_sinh = (rapidity / 2.0).sinh();
+        let half_sinh = math::sinh(rapidity / 2.0);
         Ok(Self {
-            beta: rapidity.tanh(),
+            beta: math::tanh(rapidity),
             gamma,
             gamma_minus_one: 2.0 * half_sinh * half_sinh,
-            one_minus_beta: 2.0 / ((2.0 * rapidity).exp() + 1.0),
+            one_minus_beta: 2.0 / (math::exp(2.0 * rapidity) + 1.0),
             inverse_gamma_squared: 1.0 / gamma / gamma,
             rapidity: rapidity.abs(),
         })

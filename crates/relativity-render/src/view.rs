@@ -5,7 +5,6 @@ use relativity_core::doppler::PAPER_INTENSITY_EXPONENT;
 use relativity_core::{Speed, aberration};
 
 use crate::camera::Camera;
-use crate::group::{GroupView, Motion, RestRay};
 
 /// Which geometry a picture shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
@@ -79,31 +78,6 @@ impl View {
     #[must_use]
     pub fn published_separation(&self) -> f64 {
         -2.0 * self.camera.aperture.x
-    }
-
-    /// How this view sees a group of bodies that moves so.
-    #[must_use]
-    pub fn of_group(&self, motion: Motion) -> GroupView {
-        GroupView::new(self, motion)
-    }
-
-    /// The rest-frame ray of the `line_of_sight` (unit vector), for bodies that move at the scene's speed.
-    #[must_use]
-    pub fn rest_ray(&self, line_of_sight: DVec3) -> RestRay {
-        self.of_group(Motion::Scene).rest_ray(line_of_sight)
-    }
-
-    /// From the aperture to where the point at `rest` appears, which moves at the scene's speed; `None` outside the
-    /// domain of the core.
-    #[must_use]
-    pub fn apparent_position(&self, rest: DVec3) -> Option<DVec3> {
-        self.of_group(Motion::Scene).apparent_position(rest)
-    }
-
-    /// Where the camera is in the rest frame of the bodies that move at the scene's speed.
-    #[must_use]
-    pub fn rest_origin(&self) -> DVec3 {
-        self.of_group(Motion::Scene).origin
     }
 
     /// Ground time of emission of what is seen along `line_of_sight` (unit vector) at `distance`: in the

@@ -2,13 +2,14 @@
 
 mod outcome;
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use eframe::egui::Context;
 
 pub use outcome::{Fitted, FittedCurve, Key, Outcome};
 
 use super::worker::Worker;
+use crate::platform::clock::Instant;
 
 /// An outdated outcome is shown as such once the next has been awaited for this long; sooner, it would
 /// only flicker.

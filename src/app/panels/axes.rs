@@ -2,6 +2,7 @@
 
 use eframe::egui::{self, Align2, Id, Sense, Stroke, TextStyle, Ui, vec2};
 use egui_plot::{GridInput, GridMark, Plot, PlotBounds, PlotResponse};
+use relativity_core::math;
 
 use crate::app::curves::Quantity;
 use crate::app::figures;
@@ -76,7 +77,7 @@ pub(super) fn grid(quantity: Quantity, input: GridInput) -> Vec<GridMark> {
     // A step of half a decade or more leaves room for the number at each.
     let step_size = if to - from < 3.0 { 0.5 } else { stride };
     decades
-        .flat_map(|decade| within.iter().map(move |value| decade + value.log10()))
+        .flat_map(|decade| within.iter().map(move |value| decade + math::log10(*value)))
         .filter(|value| (from..=to).contains(value))
         .map(|value| GridMark { value, step_size })
         .collect()
@@ -87,7 +88,7 @@ pub(super) fn tick(quantity: Quantity, value: f64, step: f64) -> String {
     if quantity == Quantity::LogDoppler {
         return figures::power_of_ten(value);
     }
-    let decimals = (-step.abs().log10().floor()).clamp(0.0, 9.0) as u8;
+    let decimals = (-math::log10(step.abs()).floor()).clamp(0.0, 9.0) as u8;
     // Rounding, so that a grid line at -1e-17 reads 0.
     let rounded = (value / step).round() * step + 0.0;
     figures::fixed(rounded, decimals)

@@ -4,6 +4,7 @@ use std::ops::RangeInclusive;
 
 use eframe::egui::{self, Align, Color32, Layout, RichText, Ui, Vec2, Visuals, vec2};
 use egui_plot::{FilledArea, GridInput, GridMark, Line, Plot, PlotBounds, PlotPoint, PlotUi, Points, VLine};
+use relativity_core::math;
 
 use super::Asks;
 use super::axes::{annotate, bounds, grid, label, plot_over_time, tick, time_at_pointer};
@@ -126,7 +127,7 @@ impl Part {
 /// Lines at 0 and, on both sides of it, at the largest round number inside a plot around 0.
 fn residual_grid(input: &GridInput) -> Vec<GridMark> {
     let most = 0.85 * input.bounds.1;
-    let decade = 10f64.powf(most.log10().floor());
+    let decade = math::powf(10.0, math::log10(most).floor());
     let step_size = [5.0, 2.0, 1.0].map(|digit| digit * decade).into_iter().find(|step| *step <= most);
     let Some(step_size) = step_size else { return Vec::new() };
     [-step_size, 0.0, step_size].map(|value| GridMark { value, step_size }).to_vec()

@@ -4,6 +4,7 @@ use std::ops::RangeInclusive;
 
 use eframe::egui::{self, Align2, Color32, RichText, TextStyle, Ui, Visuals};
 use egui_plot::{GridInput, GridMark, PlotBounds, PlotPoint, PlotResponse, PlotUi, Points, Text};
+use relativity_core::math;
 
 use super::accuracy::name;
 use super::axes::{extent, frame, still_plot};
@@ -30,7 +31,7 @@ impl Mark {
     fn of(row: &Row<'_>, chosen: Method, visuals: &Visuals) -> Option<Self> {
         let figures = row.figures?.as_ref().ok()?;
         let error = figures.line_of_sight_arcseconds?.p99.max(LEAST_ERROR);
-        let place = [figures.frame_ms.log10(), error.log10()];
+        let place = [figures.frame_ms, error].map(math::log10);
         let is_chosen = row.method == chosen;
         let colour = if is_chosen { theme::point_colour(1, visuals) } else { visuals.text_color() };
         let mark = Self {

@@ -5,6 +5,7 @@ use std::ops::RangeInclusive;
 
 use eframe::egui::{self, Color32, RichText, Ui, vec2};
 use egui_plot::{HoverPosition, Line, LineStyle, PlotPoint, PlotResponse, PlotUi, Points, VLine};
+use relativity_core::math;
 use relativity_core::{Disparity, Sighting};
 
 use super::axes::{Y_AXIS_WIDTH, annotate, bounds, grid, label, plot_over_time, tick, time_at_pointer, unit};
@@ -248,7 +249,7 @@ fn value_at(points: &[PlotPoint], time: f64) -> Option<f64> {
 fn hover_text(quantity: Quantity, hover: &HoverPosition<'_>) -> Option<String> {
     let HoverPosition::NearDataPoint { plot_name, position, .. } = hover else { return None };
     let value = match quantity {
-        Quantity::LogDoppler => figures::fixed(10f64.powf(position.y), 4),
+        Quantity::LogDoppler => figures::fixed(math::powf(10.0, position.y), 4),
         _ => figures::fixed(position.y, 5),
     };
     let time = figures::fixed(position.x, 3);

@@ -5,7 +5,8 @@ use eframe::egui::{
     self, Align2, Color32, CursorIcon, Painter, Pos2, Rect, Response, Sense, Stroke, StrokeKind, TextStyle,
     TextureId, Ui, Visuals, pos2, vec2,
 };
-use relativity_render::{Colour, Geometry, ReferenceScene, View};
+use relativity_core::math;
+use relativity_render::{Colour, Geometry, PreparedScene, View};
 
 use super::Asks;
 use crate::accuracy::Method;
@@ -86,7 +87,7 @@ pub fn interact(ui: &mut Ui, state: &State, pane: Pane, asks: &mut Asks) {
     if response.hovered() {
         let scroll = f64::from(ui.input(|input| input.smooth_scroll_delta().y));
         let pinch = f64::from(ui.input(egui::InputState::zoom_delta));
-        let factor = (-scroll * ZOOM_PER_SCROLL).exp() / pinch;
+        let factor = math::exp(-scroll * ZOOM_PER_SCROLL) / pinch;
         if factor != 1.0 && factor.is_finite() {
             asks.push(Command::Zoom(factor));
         }
@@ -166,7 +167,7 @@ fn notes(ui: &Ui, painter: &Painter, pane: Pane, text: &str) {
 
 fn markers(painter: &Painter, state: &State, pane: Pane, visuals: &Visuals) {
     let view = state.view(pane.eye, pane.size);
-    let scene = ReferenceScene::new(&state.session.bodies);
+    let scene = PreparedScene::moving(&state.session.bodies);
     for (index, point) in state.session.points.all().iter().enumerate() {
         let Some(marker) = Marker::of(state, point, &view, &scene, pane.eye) else { continue };
         let radius = if index == state.session.points.selected_index() { 6.0 } else { 4.5 };
@@ -186,7 +187,7 @@ struct Marker {
 const HIDING_MARGIN: f64 = 1e-4;
 
 impl Marker {
-    fn of(state: &State, point: &Point, view: &View, scene: &ReferenceScene, eye: Eye) -> Option<Self> {
+    fn of(state: &State, point: &Point, view: &View, scene: &PreparedScene, eye: Eye) -> Option<Self> {
         let direction = state.direction(point, eye)?;
         let pixel = view.camera.pixel(direction)?;
         // In the published model no ray leads back from the right eye, so nothing is known to hide it.

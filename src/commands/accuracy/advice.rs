@@ -1,6 +1,6 @@
 //! Plain advice from the figures of a report: which method for which need.
 
-use super::report::{PictureErrors, PictureRow, RendererReport, Report};
+use super::report::{AccuracyReport, PictureErrors, PictureRow, RendererReport};
 
 /// Angles below this are lost on binocular vision, arcseconds: about the finest stereo acuity
 /// (I. P. Howard and B. J. Rogers, *Seeing in Depth*, 2002).
@@ -26,7 +26,7 @@ const NEEDS: [Need; 2] = [
 
 /// A sentence per need.
 #[must_use]
-pub fn advice(report: &Report) -> Vec<String> {
+pub fn advice(report: &AccuracyReport) -> Vec<String> {
     let mut advice: Vec<_> = NEEDS.iter().map(|need| for_pictures(need, &report.renderers)).collect();
     advice.extend(for_comparison(&report.renderers));
     advice.extend(on_bounds(&report.renderers));
@@ -108,7 +108,7 @@ fn for_comparison(renderers: &[RendererReport]) -> Option<String> {
 }
 
 /// The cheapest formula that stays below what eyes resolve, and what the naive form would gain.
-fn for_points(report: &Report) -> String {
+fn for_points(report: &AccuracyReport) -> String {
     let worst = |formula: &&super::report::FormulaReport| {
         formula.line_of_sight_arcseconds.map_or(0.0, |spread| spread.worst)
     };
@@ -134,7 +134,7 @@ fn for_points(report: &Report) -> String {
     )
 }
 
-fn on_the_published_model(report: &Report) -> String {
+fn on_the_published_model(report: &AccuracyReport) -> String {
     let views = &report.published.views;
     let medians =
         || views.iter().filter_map(|row| Some((row.line_of_sight_arcseconds?.median, row.pixels?.median)));
@@ -152,7 +152,7 @@ fn on_the_published_model(report: &Report) -> String {
     )
 }
 
-fn on_effects(report: &Report) -> String {
+fn on_effects(report: &AccuracyReport) -> String {
     let effects = &report.effects;
     let looks = effects.without.iter().filter(|row| row.same_geometry);
     let dearest = looks.min_by(|a, b| a.ratio.total_cmp(&b.ratio));

@@ -6,15 +6,16 @@ use relativity_core::Speed;
 use relativity_render::{Appearance, Gpu, View};
 
 use super::report::{
-    Circumstances, FormulaReport, FormulaRow, PictureErrors, PictureRow, PublishedReport, PublishedRow,
-    RendererReport, Report, Setting, larger, median,
+    AccuracyReport, Circumstances, FormulaReport, FormulaRow, PictureErrors, PictureRow, PublishedReport,
+    PublishedRow, RendererReport, Setting, median,
 };
 use super::{advice, effects};
 use crate::accuracy::{
-    Effort, ExpectedError, Formula, LARGEST_PX, Method, Place, RESOLUTION_PX, Renderers, expected_error,
-    formula_error, published_error, view_at,
+    Effort, ExpectedError, Formula, LARGEST_PX, Method, Place, RESOLUTION_PX, Renderers, Spread,
+    expected_error, formula_error, published_error, view_at,
 };
-use crate::files::png_file::SOFTWARE;
+use crate::files::provenance::SOFTWARE;
+use crate::platform::threads;
 use crate::scene::Scene;
 
 /// Separation of the apertures: the paper's for its cyclist.
@@ -34,7 +35,12 @@ const QUICK_EFFORT: Effort = Effort { outline_places: 12, rounds: 1 };
 /// # Errors
 ///
 /// A device that was lost; a scene outside the domain of the core.
-pub fn report(scene: &Scene, scene_name: &str, size: [u32; 2], quick: bool) -> anyhow::Result<Report> {
+pub fn report(
+    scene: &Scene,
+    scene_name: &str,
+    size: [u32; 2],
+    quick: bool,
+) -> anyhow::Result<AccuracyReport> {
     let mut missing = Vec::new();
     let gpu = Gpu::headless().map_err(|error| missing.push(format!("exact and mesh: {error}"))).ok();
     let mut measurement = Measurement {
@@ -47,7 +53,7 @@ pub fn report(scene: &Scene, scene_name: &str, size: [u32; 2], quick: bool) -> a
     let setting = Setting {
         program: SOFTWARE,
         optimised: !cfg!(debug_assertions),
-        threads: rayon::current_num_threads(),
+        threads: threads::count(),
         device: measurement.renderers.device(),
         scene: scene_name.to_owned(),
         objects: scene.bodies.len(),
@@ -57,7 +63,7 @@ pub fn report(scene: &Scene, scene_name: &str, size: [u32; 2], quick: bool) -> a
         silhouette_resolution_px: RESOLUTION_PX,
         silhouette_limit_px: LARGEST_PX,
     };
-    let mut report = Report {
+    let mut report = AccuracyReport {
         setting,
         missing,
         renderers: measurement.pictures()?,
@@ -150,8 +156,8 @@ impl Measurement {
             formula: formula.to_string(),
             is_reference: formula == Formula::StableF64,
             point_ns: median(views.iter().map(|row| row.point_ns)),
-            line_of_sight_arcseconds: views.iter().map(|row| row.line_of_sight_arcseconds).fold(None, larger),
-            doppler_relative: views.iter().map(|row| row.doppler_relative).fold(None, larger),
+            line_of_sight_arcseconds: worst(views.iter().map(|row| row.line_of_sight_arcseconds)),
+            doppler_relative: worst(views.iter().map(|row| row.doppler_relative)),
             views,
         })
     }
@@ -196,9 +202,13 @@ fn picture_row(view: Circumstances, found: &ExpectedError) -> PictureRow {
     }
 }
 
+/// The worst of some spreads, figure by figure.
+fn worst(spreads: impl Iterator<Item = Option<Spread>>) -> Option<Spread> {
+    spreads.flatten().reduce(Spread::worse)
+}
+
 fn renderer_report(method: Method, views: Vec<PictureRow>) -> RendererReport {
-    let spread =
-        |of: fn(&PictureErrors) -> Option<_>| views.iter().map(|row| of(&row.errors)).fold(None, larger);
+    let spread = |of: fn(&PictureErrors) -> Option<_>| worst(views.iter().map(|row| of(&row.errors)));
     let largest = |of: fn(&PictureErrors) -> f64| views.iter().map(|row| of(&row.errors)).fold(0.0, f64::max);
     let off_outlines = views.iter().map(|row| row.errors.wrong_pixels_off_outlines).max();
     RendererReport {

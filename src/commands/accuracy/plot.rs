@@ -1,6 +1,6 @@
 //! Cost against error as an SVG drawing: one mark per method, from the 99 % of its worst view to the median there.
 
-use super::report::{Report, larger};
+use super::report::AccuracyReport;
 use crate::accuracy::{RESOLUTION_PX, Spread};
 use crate::plot::{COLOURS, Line, Panel, Stroke, svg};
 
@@ -11,11 +11,11 @@ const LEAST_COST: f64 = 1e-3;
 
 /// The drawing of `report`.
 #[must_use]
-pub fn drawing(report: &Report) -> String {
+pub fn drawing(report: &AccuracyReport) -> String {
     svg(&[pictures(report), points(report)])
 }
 
-fn pictures(report: &Report) -> Panel {
+fn pictures(report: &AccuracyReport) -> Panel {
     let setting = &report.setting;
     let [width, height] = setting.size_px;
     let device = setting.device.as_deref().unwrap_or("no graphics adapter");
@@ -26,14 +26,14 @@ fn pictures(report: &Report) -> Panel {
     logarithmic(title, ["ms per eye", "displacement of silhouettes, pixels"], marks.collect())
 }
 
-fn points(report: &Report) -> Panel {
+fn points(report: &AccuracyReport) -> Panel {
     let formulas = report.formulas.iter().map(|formula| {
         let error = formula.line_of_sight_arcseconds.filter(|_| !formula.is_reference);
         (formula.formula.as_str(), formula.point_ns, error)
     });
     let published = &report.published;
-    let sights = published.views.iter().map(|row| row.line_of_sight_arcseconds);
-    let published = ("published model", published.published_ns, sights.fold(None, larger));
+    let sights = published.views.iter().filter_map(|row| row.line_of_sight_arcseconds);
+    let published = ("published model", published.published_ns, sights.reduce(Spread::worse));
     let marks = formulas
         .chain([published])
         .zip(COLOURS)

@@ -6,7 +6,7 @@ use crate::accuracy::{Place, Spread};
 
 /// All of it.
 #[derive(Debug, Clone, Serialize)]
-pub struct Report {
+pub struct AccuracyReport {
     /// Under which circumstances.
     pub setting: Setting,
     /// What this machine could not measure, and why.
@@ -187,18 +187,6 @@ pub struct EffectRow {
     pub frame_ms: f64,
     /// Over that with everything on.
     pub ratio: f64,
-}
-
-/// The largest of each number of two spreads.
-#[must_use]
-pub fn larger(a: Option<Spread>, b: Option<Spread>) -> Option<Spread> {
-    let (Some(a), Some(b)) = (a, b) else { return a.or(b) };
-    Some(Spread {
-        median: a.median.max(b.median),
-        p99: a.p99.max(b.p99),
-        worst: a.worst.max(b.worst),
-        count: a.count + b.count,
-    })
 }
 
 /// The median of some numbers, 0 of none.

@@ -2,10 +2,10 @@
 
 use std::fmt;
 
-use super::report::{Circumstances, FormulaReport, PictureErrors, RendererReport, Report};
+use super::report::{AccuracyReport, Circumstances, FormulaReport, PictureErrors, RendererReport};
 use crate::accuracy::{RESOLUTION_PX, Spread};
 
-impl fmt::Display for Report {
+impl fmt::Display for AccuracyReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.write_setting(f)?;
         self.write_pictures(f)?;
@@ -17,7 +17,7 @@ impl fmt::Display for Report {
     }
 }
 
-impl Report {
+impl AccuracyReport {
     fn write_setting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let setting = &self.setting;
         let [width, height] = setting.size_px;

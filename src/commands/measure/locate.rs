@@ -1,9 +1,10 @@
 //! Where in a picture the target is.
 
 use glam::DVec3;
+use relativity_core::math;
 use relativity_render::Picture;
 
-use crate::files::image_in::Measurements;
+use crate::files::exr::{Channel, Measurements};
 use crate::flags::choices::FileKind;
 
 /// Largest difference of a component of a colour that still counts as the same.
@@ -54,14 +55,13 @@ pub fn colour_in(picture: &Picture, colour: [u8; 3]) -> [Option<[f64; 2]>; 2] {
 
 /// Where `target` is in the layer of `eye`, in pixels.
 pub fn in_layer(file: &Measurements, eye: &str, target: Target) -> anyhow::Result<Option<[f64; 2]>> {
-    let channel = |name: &str| file.channel(&format!("{eye}.{name}"));
+    let channel = |channel| file.channel(eye, channel);
     let width = file.size[0] as usize;
-    let ids = channel("id")?;
+    let ids = channel(Channel::Id)?;
     match target {
         Target::Point(point) => {
-            let surface =
-                Surface { width, ids, rest: [channel("rest_x")?, channel("rest_y")?, channel("rest_z")?] };
-            Ok(surface.place(point.into()))
+            let rest = [channel(Channel::RestX)?, channel(Channel::RestY)?, channel(Channel::RestZ)?];
+            Ok(Surface { width, ids, rest }.place(point.into()))
         }
         Target::Object(object) => {
             let pixels = ids.iter().enumerate().filter(|(_, id)| **id == object as f32);
@@ -101,7 +101,7 @@ impl Surface<'_> {
         let [u, v] = coordinates(offset, across, down)?;
         let left_over = offset - across * u - down * v;
         let step = across.length().max(down.length());
-        let is_shown = u.hypot(v) <= REACH_PX && left_over.length() <= REACH_PX * step;
+        let is_shown = math::hypot(u, v) <= REACH_PX && left_over.length() <= REACH_PX * step;
         is_shown.then_some([column as f64 + 0.5 + u, row as f64 + 0.5 + v])
     }
 

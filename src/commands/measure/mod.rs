@@ -4,20 +4,23 @@
 
 mod locate;
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::Context as _;
 use clap::Args;
 use csv::ByteRecord;
 use relativity_core::Aperture;
+use relativity_core::math;
 use relativity_render::Camera;
 
 use self::locate::Target;
-use crate::files::image_in::{self, Recorded};
+use crate::files::exr::{EYES, Measurements};
+use crate::files::png::PngFile;
+use crate::files::provenance::Recorded;
 use crate::files::{csv_out, whole};
 use crate::flags::choices::FileKind;
 use crate::flags::coordinates;
+use crate::platform;
 
 /// Follows a point through a stereo sequence and measures its angles, as CSV.
 ///
@@ -114,12 +117,8 @@ fn files(inputs: &[PathBuf], target: Target) -> anyhow::Result<Vec<PathBuf>> {
     let mut files = Vec::new();
     for input in inputs {
         let name = || input.display().to_string();
-        if input.is_dir() {
-            let mut inside = Vec::new();
-            for entry in fs::read_dir(input).with_context(name)? {
-                inside.push(entry.with_context(name)?.path());
-            }
-            inside.sort();
+        if platform::files::is_folder(input) {
+            let inside = platform::files::list_folder(input).with_context(name)?;
             files.extend(inside.into_iter().filter(|path| FileKind::of(path) == Some(kind)));
         } else {
             anyhow::ensure!(
@@ -139,18 +138,16 @@ fn files(inputs: &[PathBuf], target: Target) -> anyhow::Result<Vec<PathBuf>> {
 fn measured(file: &Path, target: Target) -> anyhow::Result<Option<[f64; COLUMNS.len()]>> {
     let (places, size, recorded) = match target {
         Target::Marker(colour) => {
-            let (picture, recorded) = image_in::picture(file)?;
+            let file = PngFile::read(file)?;
+            let recorded = file.recorded();
             anyhow::ensure!(recorded.text("layout") == Some("side-by-side"), "it is no side-by-side picture");
-            let [width, height] = picture.size;
-            (locate::colour_in(&picture, colour), [width / 2, height], recorded)
+            let [width, height] = file.picture.size;
+            (locate::colour_in(&file.picture, colour), [width / 2, height], recorded)
         }
         Target::Point(_) | Target::Object(_) => {
-            let measurements = image_in::measurements(file)?;
-            let places = [
-                locate::in_layer(&measurements, "left", target)?,
-                locate::in_layer(&measurements, "right", target)?,
-            ];
-            (places, measurements.size, measurements.recorded)
+            let file = Measurements::read(file)?;
+            let [left, right] = EYES.map(|eye| locate::in_layer(&file, eye, target));
+            ([left?, right?], file.size, file.recorded())
         }
     };
     let [Some(left), Some(right)] = places else { return Ok(None) };
@@ -158,7 +155,7 @@ fn measured(file: &Path, target: Target) -> anyhow::Result<Option<[f64; COLUMNS.
     let separation = number(&recorded, "d")?;
     let camera = camera(&recorded, size)?;
     let (left, right) = (Angles::new(&camera, left), Angles::new(&camera, right));
-    let sigma = |a: f64, b: f64| ROUNDING * a.hypot(b);
+    let sigma = |a: f64, b: f64| ROUNDING * math::hypot(a, b);
     Ok(Some([
         time,
         separation,
@@ -197,7 +194,7 @@ impl Angles {
     fn new(camera: &Camera, [u, v]: [f64; 2]) -> Self {
         let angles = |place| {
             let line = camera.line_of_sight(place);
-            [line.y.atan2(line.x), line.z.atan2(line.x.hypot(line.y))]
+            [math::atan2(line.y, line.x), math::atan2(line.z, math::hypot(line.x, line.y))]
         };
         let change = |du: f64, dv: f64| {
             let (after, before) = (angles([u + du, v + dv]), angles([u - du, v - dv]));
@@ -208,8 +205,8 @@ impl Angles {
         Self {
             phi,
             theta,
-            phi_per_pixel: across[0].hypot(down[0]),
-            theta_per_pixel: across[1].hypot(down[1]),
+            phi_per_pixel: math::hypot(across[0], down[0]),
+            theta_per_pixel: math::hypot(across[1], down[1]),
         }
     }
 }

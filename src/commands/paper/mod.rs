@@ -11,11 +11,12 @@ mod numbers;
 mod report;
 mod stereo;
 
-use std::fs;
 use std::path::PathBuf;
 
 use anyhow::Context as _;
 use clap::Args;
+
+use crate::platform::files;
 
 /// Reproduces the paper: its figures as SVG, CSV and PNG, and report.md with its numbers beside ours.
 ///
@@ -31,11 +32,11 @@ pub struct PaperArgs {
 /// Runs `gamow paper`.
 pub fn run(args: &PaperArgs) -> anyhow::Result<()> {
     let folder = args.out.as_path();
-    fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
+    files::create_folder(folder).with_context(|| folder.display().to_string())?;
     figures::write_all(folder)?;
     let fits = fits::write_all(folder)?;
     let frames = stereo::write_all(folder)?;
-    let report = report::Report {
+    let report = report::PaperReport {
         numbers: numbers::rows()?,
         fits,
         bias: fits::bias_of_published()?,

@@ -2,20 +2,22 @@
 
 use std::fmt;
 
+use relativity_core::math;
+
 use super::fits::{self, ModelFits};
 use super::numbers::Row;
 use super::stereo::{Figure, Frame};
-use crate::estimate::{Attempt, Outcome, Parameters};
+use crate::estimate::{Attempt, CurvesFit, Parameters};
 
 /// Everything the report tells.
 #[derive(Debug)]
-pub struct Report<'a> {
+pub struct PaperReport<'a> {
     /// The numbers of the paper's text.
     pub numbers: Vec<Row>,
     /// Fits of data of the published and of the exact model.
     pub fits: [ModelFits; 2],
     /// Fits of exact curves by the published model.
-    pub bias: [fits::Outcome; 3],
+    pub bias: [fits::Bias; 3],
     /// The stereo frames.
     pub frames: Vec<(&'a Figure, Vec<Frame>)>,
 }
@@ -100,7 +102,7 @@ Each is an SVG file, with its numbers in a CSV file of the same name.
 | fit-theta | delta-theta of the tracked point and its fit |
 ";
 
-impl fmt::Display for Report<'_> {
+impl fmt::Display for PaperReport<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(OPENING)?;
         for row in &self.numbers {
@@ -119,7 +121,7 @@ impl fmt::Display for Report<'_> {
     }
 }
 
-impl Report<'_> {
+impl PaperReport<'_> {
     fn write_fits(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let paper = [
             ("delta-phi", ["0.901(5)", "2.99(5)", "2.02(7)"]),
@@ -139,7 +141,7 @@ impl Report<'_> {
             }
         }
         for model in &self.fits {
-            let (name, percent) = (format!("{:?}", model.model).to_lowercase(), 100.0 * model.noise_of_paper);
+            let (name, percent) = (model.model.name(), 100.0 * model.noise_of_paper);
             writeln!(
                 f,
                 "\nIn the {name} model, noise of {percent:.1} % of the range would give beta from delta-phi the paper's uncertainty of 0.005."
@@ -193,8 +195,8 @@ impl Report<'_> {
 }
 
 /// Value and uncertainty of a parameter in fit 0 (azimuthal), 1 (polar), 2 (their mean) or 3 (joint).
-fn cell(report: &crate::estimate::Report, fit: usize, parameter: usize) -> String {
-    let of_outcome = |outcome: &Outcome| {
+fn cell(report: &crate::estimate::FitReport, fit: usize, parameter: usize) -> String {
+    let of_outcome = |outcome: &CurvesFit| {
         let estimate = pick(&outcome.parameters, parameter);
         written(estimate.value, estimate.uncertainty)
     };
@@ -226,8 +228,8 @@ fn written(value: f64, uncertainty: f64) -> String {
     if uncertainty < 1e-9 {
         return format!("{value:.10}");
     }
-    let decimals = (1.0 - uncertainty.log10().floor()).max(0.0);
-    let digits = (uncertainty * 10.0_f64.powf(decimals)).round();
+    let decimals = (1.0 - math::log10(uncertainty).floor()).max(0.0);
+    let digits = (uncertainty * math::powf(10.0, decimals)).round();
     let decimals = decimals as usize;
     format!("{value:.decimals$}({digits})")
 }

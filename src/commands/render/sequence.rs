@@ -1,6 +1,5 @@
 //! Sequences of frames in a folder, which can be broken off and taken up again.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::Context as _;
@@ -10,6 +9,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use crate::flags::choices::FileKind;
 use crate::flags::finite_number;
 use crate::passage::passage_times;
+use crate::platform::files;
 use crate::studio::Studio;
 
 /// Flags of a sequence.
@@ -48,7 +48,7 @@ impl TimeArgs {
 pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Result<()> {
     let frames = times.frames.unwrap_or(1);
     let [from, to] = times.range(studio)?;
-    fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
+    files::create_folder(folder).with_context(|| folder.display().to_string())?;
     let progress = progress_bar(frames);
     let kind = if times.exr { FileKind::Exr } else { FileKind::Png };
     let mut kept = 0;

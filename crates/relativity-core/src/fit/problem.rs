@@ -8,7 +8,9 @@ use nalgebra::storage::Owned;
 use nalgebra::{Dyn, Matrix4, OMatrix, OVector, U4, Vector4};
 
 use crate::apparent::Aperture;
-use crate::fit::curve::{FitModel, Gradient, Slopes, Trial};
+use crate::fit::curve::{Gradient, Slopes, Trial};
+use crate::math;
+use crate::model::Model;
 use crate::speed::Speed;
 
 /// Largest rapidity tried (gamma = 1e26): it keeps a wild step inside the domain of [`Speed`].
@@ -46,7 +48,7 @@ pub(crate) type Free = Vector4<f64>;
 /// The data and the model.
 #[derive(Debug, Clone)]
 pub(crate) struct Problem {
-    pub model: FitModel,
+    pub model: Model,
     pub pairs: Vec<[Aperture; 2]>,
     pub rows: Vec<Row>,
     /// Objective x at t0.
@@ -66,9 +68,9 @@ pub(crate) struct NormalEquations {
 impl Problem {
     /// The object that `free` describes; `None` if it is not a number.
     pub fn trial(&self, free: &Free) -> Option<Trial> {
-        let rapidity = free[0].exp().min(MAX_RAPIDITY);
+        let rapidity = math::exp(free[0]).min(MAX_RAPIDITY);
         let bounded = |value: f64| value.clamp(-MAX_LENGTH, MAX_LENGTH);
-        let [y, z, passage_time] = [free[1].exp().min(MAX_LENGTH), bounded(free[2]), bounded(free[3])];
+        let [y, z, passage_time] = [math::exp(free[1]).min(MAX_LENGTH), bounded(free[2]), bounded(free[3])];
         if y.is_nan() || z.is_nan() || passage_time.is_nan() {
             return None;
         }
@@ -95,7 +97,7 @@ impl Problem {
     /// Changes of the free parameters by which beta and y change by themselves, and z and t0 by as much as
     /// the distance.
     pub fn sizes(&self, trial: &Trial) -> Free {
-        let distance = trial.y.hypot(trial.z);
+        let distance = math::hypot(trial.y, trial.z);
         let beta = trial.speed.beta();
         Free::new(beta / self.chain(trial)[0], 1.0, distance, distance / beta)
     }

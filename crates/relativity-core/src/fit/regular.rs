@@ -6,6 +6,7 @@
 
 use crate::fit::curve::{Gradient, Trial};
 use crate::fit::problem::{Free, NormalEquations, Problem};
+use crate::math;
 
 /// Least z in units of s at which the derivative by u is formed, from that by z.
 const LEAST_HEIGHT: f64 = 1e-6;
@@ -28,7 +29,7 @@ impl<'a> Regular<'a> {
     pub fn parameters(&self, free: &Free) -> Free {
         let Some(scale) = self.scale else { return *free };
         let z = free[2];
-        Free::new(free[0], free[1], z * z / (z.hypot(scale) + scale), free[3])
+        Free::new(free[0], free[1], z * z / (math::hypot(z, scale) + scale), free[3])
     }
 
     /// The object that `parameters` describe; z = 0 for u below 0.
@@ -82,7 +83,7 @@ impl<'a> Regular<'a> {
     fn chain(&self, trial: &Trial) -> Gradient {
         let mut chain = self.problem.chain(trial);
         if let Some(scale) = self.scale {
-            chain[2] = trial.z.hypot(scale) / trial.z;
+            chain[2] = math::hypot(trial.z, scale) / trial.z;
         }
         chain
     }
@@ -99,7 +100,7 @@ fn height(u: f64, scale: f64) -> f64 {
 fn rise(best: f64, error: f64, scale: f64) -> f64 {
     if best < 0.0 {
         // best + hypot(best, error), without the subtraction
-        return height(error * error / (best.hypot(error) - best), scale);
+        return height(error * error / (math::hypot(best, error) - best), scale);
     }
     // height(best + error) - height(best), likewise
     let sum = height(best + error, scale) + height(best, scale);
@@ -117,7 +118,7 @@ mod tests {
             for error in [1e-3, 0.2, 4.0] {
                 let lowest = best.max(0.0);
                 let z = height(lowest, scale) + rise(best, error, scale);
-                let u = z.hypot(scale) - scale;
+                let u = math::hypot(z, scale) - scale;
                 let cost = |u: f64| ((u - best) / error).powi(2);
                 let change = cost(u) - cost(lowest);
                 assert!((change - 1.0).abs() < 1e-6, "{change} at {best} +- {error}");

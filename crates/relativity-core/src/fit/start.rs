@@ -4,12 +4,12 @@
 //! about the data's; if the time of passage is unknown, each trial is moved in time until it shows a feature
 //! of the data (an extremum, the onset) when they do.
 
-use rayon::prelude::*;
-
 use crate::apparent::Aperture;
 use crate::fit::curve::Trial;
 use crate::fit::problem::{Free, Problem, Row};
+use crate::math;
 use crate::speed::Speed;
+use crate::threads::prelude::*;
 
 /// Samples that the grid is held against: enough to see the shape. A prime, since alternating pairs or
 /// curves would be in step with most strides.
@@ -141,7 +141,7 @@ impl Features {
     fn shape_at(&self, problem: &Problem, speed: Speed, slope: f64, distance: f64) -> Shape {
         let trial = Trial { passage_x: 0.0, ..object(problem, speed, slope, distance) };
         let seen: [[f64; 2]; PASSAGE.len()] = PASSAGE.map(|x| {
-            let time = x / speed.beta() + x.hypot(1.0);
+            let time = x / speed.beta() + math::hypot(x, 1.0);
             [time, trial.angles(problem.model, &self.pair, distance * time)[self.curve]]
         });
         let [mut largest, mut smallest] = [seen[0]; 2];
@@ -181,14 +181,14 @@ impl Features {
         }
         let (cost, z) = if costs[1] < costs[0] { (costs[1], -trial.z) } else { (costs[0], trial.z) };
         Some(Candidate {
-            free: Free::new(trial.speed.rapidity().ln(), trial.y.ln(), z, trial.passage_time),
+            free: Free::new(math::ln(trial.speed.rapidity()), math::ln(trial.y), z, trial.passage_time),
             cost,
         })
     }
 }
 
 fn object(problem: &Problem, speed: Speed, slope: f64, distance: f64) -> Trial {
-    let y = distance / slope.hypot(1.0);
+    let y = distance / math::hypot(slope, 1.0);
     Trial { speed, y, z: slope * y, passage_time: 0.0, passage_x: problem.passage_x }
 }
 
@@ -204,5 +204,5 @@ fn onset(curve: &[[f64; 2]], extreme: f64) -> f64 {
 }
 
 fn separation([primary, secondary]: &[Aperture; 2]) -> f64 {
-    (secondary.x - primary.x).hypot(secondary.y - primary.y).hypot(secondary.z - primary.z)
+    math::hypot(math::hypot(secondary.x - primary.x, secondary.y - primary.y), secondary.z - primary.z)
 }

@@ -1,89 +1,14 @@
-//! How a group of bodies moves along x, and how a view sees it.
+//! How a view sees a group of bodies that moves.
 //!
 //! A group rests in a frame of its own, in which its bodies stand still and rays are straight. Where it moves towards
 //! -x, everything is reflected there and back (x to -x), so that each formula is written for motion along +x alone.
 
 use glam::DVec3;
-use relativity_core::{
-    Aperture, MAX_GAMMA, PublishedVariant, SourcePoint, Speed, SpeedError, aberration, published_disparity,
-    sighting,
-};
+use relativity_core::{Aperture, PublishedVariant, SourcePoint, published_disparity, sighting};
 
 use crate::camera::Camera;
+use crate::velocity::{Motion, Velocity};
 use crate::view::{Geometry, View};
-
-/// A velocity along x.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Velocity {
-    /// Its magnitude.
-    pub speed: Speed,
-    /// Whether it points towards -x.
-    pub is_backward: bool,
-}
-
-/// How a group of bodies moves.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub enum Motion {
-    /// At the scene's speed along +x.
-    #[default]
-    Scene,
-    /// At a velocity of its own; [`Velocity::REST`] rests on the ground.
-    Own(Velocity),
-}
-
-impl Velocity {
-    /// At rest.
-    pub const REST: Self = Self::forward(Speed::REST);
-
-    /// At `speed` along +x.
-    #[must_use]
-    pub const fn forward(speed: Speed) -> Self {
-        Self { speed, is_backward: false }
-    }
-
-    /// From beta in (-1, 1), negative towards -x.
-    ///
-    /// # Errors
-    ///
-    /// A beta out of range.
-    pub fn from_beta(beta: f64) -> Result<Self, SpeedError> {
-        let speed = Speed::from_beta(beta.abs()).map_err(|_| SpeedError::Beta(beta))?;
-        Ok(Self { speed, is_backward: beta < 0.0 })
-    }
-
-    /// v/c, negative towards -x.
-    #[must_use]
-    pub fn beta(&self) -> f64 {
-        if self.is_backward { -self.speed.beta() } else { self.speed.beta() }
-    }
-
-    /// Whether it is none.
-    #[must_use]
-    pub fn is_rest(&self) -> bool {
-        self.speed == Speed::REST
-    }
-
-    /// `v` reflected where the velocity points towards -x: from the ground to where it points along +x, and back.
-    #[must_use]
-    pub fn reflected(&self, v: DVec3) -> DVec3 {
-        if self.is_backward { DVec3::new(-v.x, v.y, v.z) } else { v }
-    }
-
-    /// This velocity as a camera sees it that moves at `camera`: rapidities subtract.
-    fn seen_from(self, camera: Self) -> Self {
-        if camera.is_rest() {
-            return self;
-        }
-        if self.is_rest() {
-            return Self { is_backward: !camera.is_backward, ..camera };
-        }
-        let signed = |v: Self| if v.is_backward { -v.speed.rapidity() } else { v.speed.rapidity() };
-        let rapidity = signed(self) - signed(camera);
-        // Two that fly apart at the greatest gamma part no faster than that.
-        let speed = Speed::from_rapidity(rapidity.abs()).or(Speed::from_gamma(MAX_GAMMA));
-        Self { speed: speed.unwrap_or(Speed::REST), is_backward: rapidity < 0.0 }
-    }
-}
 
 /// A ray in the rest frame of a group, where it is straight and the bodies stand still.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -148,15 +73,34 @@ impl GroupView {
     }
 
     /// The rest-frame ray of the camera's `line_of_sight` (unit vector).
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use relativity_core::{Aperture, Speed};
+    /// use relativity_render::{Camera, Gaze, Geometry, Motion, Velocity, View};
+    ///
+    /// let aperture = Aperture::default();
+    /// let camera = Camera { aperture, gaze: Gaze::STRAIGHT_AHEAD, horizontal_fov: 1.0, size: [8, 8] };
+    /// let speed = Speed::from_beta(0.6)?;
+    /// let view = View { camera, speed, observation_time: 0.0, geometry: Geometry::Seen };
+    ///
+    /// // What is seen straight ahead left the rider when it was behind: aberration, D = 1/gamma.
+    /// let ray = view.of_group(Motion::Scene).rest_ray([0.0, 1.0, 0.0].into());
+    /// assert!((ray.direction.x - 0.6).abs() < 1e-15 && (ray.doppler_factor - 0.8).abs() < 1e-15);
+    /// // A street at rest is seen where it is.
+    /// let street = view.of_group(Motion::Own(Velocity::REST)).rest_ray([0.0, 1.0, 0.0].into());
+    /// assert_eq!((street.direction.x, street.doppler_factor), (0.0, 1.0));
+    /// # Ok::<(), relativity_core::SpeedError>(())
+    /// ```
     #[must_use]
     pub fn rest_ray(&self, line_of_sight: DVec3) -> RestRay {
         let Self { origin, time, velocity, .. } = *self;
         let speed = &velocity.speed;
         match self.geometry {
             Geometry::Seen | Geometry::Published => {
-                let n = velocity.reflected(line_of_sight).to_array();
-                let doppler_factor = aberration::doppler_factor(n, speed);
-                let direction = velocity.reflected(aberration::rest_from_ground(n, speed).into());
+                let doppler_factor = velocity.doppler_factor(line_of_sight);
+                let direction = velocity.rest_from_ground(line_of_sight);
                 // s* = s gamma (1 + beta n_x) = s / D.
                 RestRay { origin, time, direction, ground_per_rest: doppler_factor, doppler_factor }
             }
@@ -210,6 +154,33 @@ impl GroupView {
     pub fn published_separation(&self) -> f64 {
         let separation = -2.0 * self.camera.aperture.x;
         if self.velocity.is_backward { -separation } else { separation }
+    }
+}
+
+impl View {
+    /// How this view sees a group of bodies that moves so.
+    #[must_use]
+    pub fn of_group(&self, motion: Motion) -> GroupView {
+        GroupView::new(self, motion)
+    }
+
+    /// The rest-frame ray of the `line_of_sight` (unit vector), for bodies that move at the scene's speed.
+    #[must_use]
+    pub fn rest_ray(&self, line_of_sight: DVec3) -> RestRay {
+        self.of_group(Motion::Scene).rest_ray(line_of_sight)
+    }
+
+    /// From the aperture to where the point at `rest` appears, which moves at the scene's speed; `None` outside the
+    /// domain of the core.
+    #[must_use]
+    pub fn apparent_position(&self, rest: DVec3) -> Option<DVec3> {
+        self.of_group(Motion::Scene).apparent_position(rest)
+    }
+
+    /// Where the camera is in the rest frame of the bodies that move at the scene's speed.
+    #[must_use]
+    pub fn rest_origin(&self) -> DVec3 {
+        self.of_group(Motion::Scene).origin
     }
 }
 

@@ -1,5 +1,7 @@
 //! `gamow eval`: what both eyes see of the point in each row of a CSV file.
 
+mod header;
+
 use std::io::{Read, Write};
 use std::path::PathBuf;
 
@@ -7,6 +9,7 @@ use anyhow::Context as _;
 use clap::Args;
 use csv::ByteRecord;
 
+use self::header::{Header, InputError};
 use crate::columns::{COLUMNS, COLUMNS_HELP, ModelArgs};
 use crate::files::{csv_in, csv_out, whole};
 
@@ -54,13 +57,14 @@ fn evaluate(name: &str, input: impl Read, model: ModelArgs, out: &mut dyn Write)
 
     input.read(&mut row).with_context(|| name.to_owned())?;
     let place = |input: &csv_in::Rows<_>, row: &ByteRecord| format!("{name}:{}", input.line(row));
-    let header = csv_in::Header::new(row.clone()).with_context(|| place(&input, &row))?;
+    let header = Header::new(row.clone()).with_context(|| place(&input, &row))?;
     row.extend(COLUMNS);
     output.write(&mut row, &[])?;
 
     while input.read(&mut row).with_context(|| name.to_owned())? {
         let values = input
             .check_closed(&row)
+            .map_err(InputError::from)
             .and_then(|()| header.observation(&row))
             .and_then(|observation| Ok(model.values(&observation)?))
             .with_context(|| place(&input, &row))?;

@@ -1,0 +1,310 @@
+//! EXR files of what every pixel shows, for measurement: for each of the layers `left` and `right` every
+//! [`Channel`], in f32.
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::io::{BufReader, Seek, Write};
+use std::path::Path;
+
+use anyhow::Context as _;
+use exr::meta::{Headers, MetaData};
+use exr::prelude::{
+    AnyChannel, AnyChannels, Compression, Encoding, FlatSamples, Image, Layer, LayerAttributes,
+    ReadChannels as _, ReadLayers as _, SmallVec, Text, WritableImage, f16, read,
+};
+use relativity_core::doppler::{intensity_factor, received_wavelength};
+use relativity_render::rectify::LightCorrection;
+use relativity_render::{Body, Hit, HitImage};
+
+use super::provenance::{Recorded, SOFTWARE};
+use crate::platform::files;
+
+/// The layers: the eyes, in the order in which two eyes are given everywhere.
+pub const EYES: [&str; 2] = ["left", "right"];
+
+/// A measured quantity.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Channel {
+    /// Number of the object, -1 where nothing is seen.
+    Id,
+    /// From the aperture to the place where the light left.
+    Distance,
+    /// When it left.
+    EmissionTime,
+    /// Received over rest frequency.
+    Doppler,
+    /// Received wavelength, nm.
+    WavelengthNm,
+    /// Received over rest intensity.
+    Intensity,
+    /// Place on the object in its rest frame, along the motion.
+    RestX,
+    /// Its depth.
+    RestY,
+    /// Its height.
+    RestZ,
+}
+
+/// What there is to say of a [`Channel`].
+struct Definition {
+    /// Its name in the file, after the layer's.
+    name: &'static str,
+    /// What stands where nothing is seen.
+    nothing: f32,
+    /// Its value for a hit.
+    value: fn(&Hit, &Light<'_>) -> f64,
+    /// What multiplies it on the way to the frame of the objects, for a Doppler factor.
+    factor: fn(f64, LightCorrection) -> f64,
+}
+
+/// A channel that is the same in the frame of the objects.
+const fn same(name: &'static str, nothing: f32, value: fn(&Hit, &Light<'_>) -> f64) -> Definition {
+    Definition { name, nothing, value, factor: |_, _| 1.0 }
+}
+
+/// A channel that is not.
+const fn corrected(
+    name: &'static str,
+    value: fn(&Hit, &Light<'_>) -> f64,
+    factor: fn(f64, LightCorrection) -> f64,
+) -> Definition {
+    Definition { name, nothing: 0.0, value, factor }
+}
+
+impl Channel {
+    /// All of them.
+    pub const ALL: [Self; 9] = [
+        Self::Id,
+        Self::Distance,
+        Self::EmissionTime,
+        Self::Doppler,
+        Self::WavelengthNm,
+        Self::Intensity,
+        Self::RestX,
+        Self::RestY,
+        Self::RestZ,
+    ];
+
+    const fn definition(self) -> Definition {
+        match self {
+            Self::Id => same("id", -1.0, |hit, _| hit.body as f64),
+            // Rest lengths along a ray: s* = s/D.
+            Self::Distance => corrected("distance", |hit, _| hit.distance, |doppler, _| 1.0 / doppler),
+            Self::EmissionTime => same("emission_time", 0.0, |hit, _| hit.emission_time),
+            Self::Doppler => corrected("doppler", |hit, _| hit.doppler_factor, |doppler, _| 1.0 / doppler),
+            Self::WavelengthNm => corrected("wavelength_nm", received_nm, wavelength_correction),
+            Self::Intensity => corrected("intensity", received_intensity, intensity_correction),
+            Self::RestX => same("rest_x", 0.0, |hit, _| hit.rest_position.x),
+            Self::RestY => same("rest_y", 0.0, |hit, _| hit.rest_position.y),
+            Self::RestZ => same("rest_z", 0.0, |hit, _| hit.rest_position.z),
+        }
+    }
+
+    /// Its name in a file, after that of the layer and a dot.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        self.definition().name
+    }
+
+    /// The channel that is called `name` in a file, whichever layer it is in. Colours, as other programs write
+    /// them, are intensities.
+    #[must_use]
+    pub fn of(name: &str) -> Option<Self> {
+        match name.rsplit('.').next()? {
+            "R" | "G" | "B" | "Y" => Some(Self::Intensity),
+            name => Self::ALL.into_iter().find(|channel| channel.name() == name),
+        }
+    }
+
+    /// What stands where nothing is seen.
+    #[must_use]
+    pub const fn nothing(self) -> f32 {
+        self.definition().nothing
+    }
+
+    /// What multiplies it when light with the Doppler factor `doppler` is corrected to the frame of the objects.
+    #[must_use]
+    pub fn factor(self, doppler: f64, correction: LightCorrection) -> f64 {
+        (self.definition().factor)(doppler, correction)
+    }
+}
+
+/// What the channels need to know beside the hits.
+#[derive(Debug, Clone, Copy)]
+pub struct Light<'a> {
+    /// The scene's bodies.
+    pub bodies: &'a [Body],
+    /// Exponent of the received intensity; `None` leaves it at 1.
+    pub intensity_exponent: Option<f64>,
+}
+
+fn received_nm(hit: &Hit, light: &Light<'_>) -> f64 {
+    received_wavelength(light.bodies[hit.body].rest_wavelength_nm, hit.doppler_factor)
+}
+
+fn received_intensity(hit: &Hit, light: &Light<'_>) -> f64 {
+    light.intensity_exponent.map_or(1.0, |exponent| intensity_factor(hit.doppler_factor, exponent))
+}
+
+fn wavelength_correction(doppler: f64, correction: LightCorrection) -> f64 {
+    if correction.doppler_shift { doppler } else { 1.0 }
+}
+
+fn intensity_correction(doppler: f64, correction: LightCorrection) -> f64 {
+    correction.intensity_exponent.map_or(1.0, |exponent| 1.0 / intensity_factor(doppler, exponent))
+}
+
+/// What an EXR file holds: channels in f32, and what it says of how it was made.
+#[derive(Debug, Clone)]
+pub struct Measurements {
+    /// Width and height, pixels.
+    pub size: [u32; 2],
+    /// Values by the name of the channel, such as `left.id`, row by row from the top left.
+    pub channels: BTreeMap<String, Vec<f32>>,
+    attributes: LayerAttributes,
+}
+
+impl Measurements {
+    /// What both eyes see, in a file that says `comments` of how it was made.
+    #[must_use]
+    pub fn of_eyes(eyes: &[HitImage; 2], light: Light<'_>, comments: &str) -> Self {
+        let mut channels = BTreeMap::new();
+        for (eye, image) in EYES.into_iter().zip(eyes) {
+            for channel in Channel::ALL {
+                let Definition { name, nothing, value, .. } = channel.definition();
+                let sample =
+                    |hit: &Option<Hit>| hit.as_ref().map_or(nothing, |hit| value(hit, &light) as f32);
+                channels.insert(format!("{eye}.{name}"), image.hits.iter().map(sample).collect());
+            }
+        }
+        let attributes =
+            LayerAttributes { software_name: Some(Text::from(SOFTWARE)), ..LayerAttributes::default() };
+        Self { size: eyes[0].size, channels, attributes }.with_comments(comments)
+    }
+
+    /// The first layer of the file at `path`.
+    ///
+    /// # Errors
+    ///
+    /// A file that cannot be read, named.
+    pub fn read(path: &Path) -> anyhow::Result<Self> {
+        let layer = first_layer(path).with_context(|| path.display().to_string())?;
+        let channels = layer.channel_data.list.into_iter().map(|channel| {
+            let values = match channel.sample_data {
+                FlatSamples::F32(values) => values,
+                FlatSamples::F16(values) => values.into_iter().map(f16::to_f32).collect(),
+                FlatSamples::U32(values) => values.into_iter().map(|value| value as f32).collect(),
+            };
+            (channel.name.to_string(), values)
+        });
+        let size = [layer.size.0 as u32, layer.size.1 as u32];
+        Ok(Self { size, channels: channels.collect(), attributes: layer.attributes })
+    }
+
+    /// Into an EXR file.
+    ///
+    /// # Errors
+    ///
+    /// Those of `out`.
+    pub fn write(self, out: impl Write + Seek) -> anyhow::Result<()> {
+        let [width, height] = self.size.map(|side| side as usize);
+        let channel = |(name, values): (String, Vec<f32>)| {
+            AnyChannel::new(Text::from(name.as_str()), FlatSamples::F32(values))
+        };
+        let channels: SmallVec<[_; 4]> = self.channels.into_iter().map(channel).collect();
+        let encoding = Encoding { compression: Compression::ZIP16, ..Encoding::default() };
+        let layer = Layer::new((width, height), self.attributes, encoding, AnyChannels::sort(channels));
+        Ok(Image::from_layer(layer).write().to_buffered(out)?)
+    }
+
+    /// The same file with other values: those that `values` gives for each channel's name and values.
+    #[must_use]
+    pub fn map(&self, size: [u32; 2], values: impl Fn(&str, &[f32]) -> Vec<f32>) -> Self {
+        let channel = |(name, old): (&String, &Vec<f32>)| (name.clone(), values(name, old));
+        let channels = self.channels.iter().map(channel).collect();
+        Self { size, channels, attributes: self.attributes.clone() }
+    }
+
+    /// The same file, saying `comments` of how it was made.
+    #[must_use]
+    pub fn with_comments(mut self, comments: &str) -> Self {
+        self.attributes.comments = Some(Text::from_slice_unchecked(comments.as_bytes())); // in UTF-8
+        self
+    }
+
+    /// The `channel` of the layer `eye`, one of [`EYES`].
+    ///
+    /// # Errors
+    ///
+    /// That it is not there.
+    pub fn channel(&self, eye: &str, channel: Channel) -> anyhow::Result<&[f32]> {
+        let name = format!("{eye}.{}", channel.name());
+        self.channels.get(&name).map(Vec::as_slice).with_context(|| format!("there is no channel {name}"))
+    }
+
+    /// How it was made.
+    #[must_use]
+    pub fn recorded(&self) -> Recorded {
+        Recorded::in_comments(&said(&self.attributes))
+    }
+}
+
+fn first_layer(path: &Path) -> anyhow::Result<Layer<AnyChannels<FlatSamples>>> {
+    let file = BufReader::new(files::open(path)?);
+    let layers = read().no_deep_data().largest_resolution_level().all_channels().first_valid_layer();
+    Ok(layers.all_attributes().from_buffered(file)?.layer_data)
+}
+
+/// The comments; none if there are none.
+fn said(attributes: &LayerAttributes) -> Cow<'_, str> {
+    String::from_utf8_lossy(attributes.comments.as_ref().map(Text::as_slice).unwrap_or_default())
+}
+
+fn headers(path: &Path) -> anyhow::Result<Headers> {
+    Ok(MetaData::read_from_buffered(BufReader::new(files::open(path)?), false)?.headers)
+}
+
+/// How the EXR file at `path` was made, without its pixels.
+///
+/// # Errors
+///
+/// A file that cannot be read.
+pub fn recorded(path: &Path) -> anyhow::Result<Recorded> {
+    let headers = headers(path)?;
+    let first = headers.first().context("it has no layer")?;
+    Ok(Recorded::in_comments(&said(&first.own_attributes)))
+}
+
+/// Whether `path` is an EXR file that says just these `comments`. (Files are written whole or not at all.)
+#[must_use]
+pub fn is_made(path: &Path, comments: &str) -> bool {
+    headers(path).is_ok_and(|headers| headers.iter().any(|header| said(&header.own_attributes) == comments))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LIGHT: LightCorrection = LightCorrection { doppler_shift: true, intensity_exponent: Some(3.0) };
+
+    #[test]
+    fn channels_are_found_by_their_whole_name_in_any_layer() {
+        for channel in Channel::ALL {
+            assert_eq!(Channel::of(channel.name()), Some(channel));
+            assert_eq!(Channel::of(&format!("left.{}", channel.name())), Some(channel));
+        }
+        assert_eq!(["left.grid", "grid", "left", "Id"].map(Channel::of), [None; 4]);
+    }
+
+    #[test]
+    fn light_from_ahead_is_corrected_to_longer_fainter_and_nearer() {
+        let factor = |name: &str| Channel::of(name).map(|channel| channel.factor(2.0, LIGHT));
+        assert_eq!(factor("left.wavelength_nm"), Some(2.0));
+        assert_eq!([factor("intensity"), factor("R")], [Some(0.125); 2]);
+        assert_eq!([factor("distance"), factor("doppler")], [Some(0.5); 2]);
+        assert_eq!([factor("id"), factor("emission_time"), factor("rest_x")], [Some(1.0); 3]);
+        let untouched = LightCorrection { doppler_shift: false, intensity_exponent: None };
+        assert_eq!(Channel::WavelengthNm.factor(2.0, untouched), 1.0);
+        assert_eq!(Channel::Intensity.factor(2.0, untouched), 1.0);
+    }
+}

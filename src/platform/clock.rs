@@ -1,0 +1,28 @@
+//! The clock.
+#![expect(clippy::disallowed_types, clippy::disallowed_methods, reason = "this is where the clock is read")]
+
+use std::time::Duration;
+
+/// A moment of the wall clock, to tell how long ago it was.
+#[derive(Debug, Clone, Copy)]
+pub struct Instant(std::time::Instant);
+
+impl Instant {
+    /// This moment.
+    #[must_use]
+    pub fn now() -> Self {
+        Self(std::time::Instant::now())
+    }
+
+    /// How long ago it was.
+    #[must_use]
+    pub fn elapsed(&self) -> Duration {
+        self.0.elapsed()
+    }
+
+    /// The same in milliseconds.
+    #[must_use]
+    pub fn elapsed_ms(&self) -> f64 {
+        1e3 * self.elapsed().as_secs_f64()
+    }
+}

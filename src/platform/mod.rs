@@ -1,0 +1,7 @@
+//! What the system provides, each in one place, so that what a platform lacks is decided there: the clock, files,
+//! threads, and interrupts.
+
+pub mod clock;
+pub mod files;
+pub mod interrupt;
+pub mod threads;

@@ -1,0 +1,17 @@
+//! Threads.
+#![expect(clippy::disallowed_methods, reason = "this is where threads are started")]
+
+use std::time::Duration;
+
+pub use relativity_core::threads::{current_num_threads as count, prelude};
+pub use std::thread::JoinHandle;
+
+/// Runs `work` in a thread of its own.
+pub fn spawn<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static) -> JoinHandle<T> {
+    std::thread::spawn(work)
+}
+
+/// Lets this thread wait.
+pub fn sleep(duration: Duration) {
+    std::thread::sleep(duration);
+}

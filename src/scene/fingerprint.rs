@@ -1,0 +1,105 @@
+//! Whether two scenes are the same: a hash of what is in them, however the program calls its parts.
+
+use relativity_render::{Body, Shape};
+
+use super::Scene;
+
+impl Scene {
+    /// The fingerprint of its content, 16 hexadecimal digits: equal for equal scenes, and as good as never equal
+    /// for others.
+    ///
+    /// The FNV-1a hash (G. Fowler, L. C. Noll, K.-P. Vo) of, in this order: the name, the tracked point, the height of
+    /// the ground, and each body's shape by its name in a scene file, the numbers of that in the order of the scene
+    /// format, and its wavelength. Names end in a zero byte; numbers go in bit by bit, big end first, those that are
+    /// not there as infinity.
+    #[must_use]
+    pub fn fingerprint(&self) -> String {
+        let mut hash = Hash::default();
+        hash.name(&self.name);
+        hash.numbers(&self.tracked);
+        hash.numbers(&[self.ground_z.unwrap_or(f64::INFINITY)]);
+        for body in &self.bodies {
+            hash.body(body);
+        }
+        format!("{:016x}", hash.0)
+    }
+}
+
+/// FNV-1a of 64 bits.
+struct Hash(u64);
+
+impl Default for Hash {
+    fn default() -> Self {
+        Self(0xcbf2_9ce4_8422_2325)
+    }
+}
+
+impl Hash {
+    fn bytes(&mut self, bytes: &[u8]) {
+        for &byte in bytes {
+            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+        }
+    }
+
+    fn name(&mut self, name: &str) {
+        self.bytes(name.as_bytes());
+        self.bytes(&[0]);
+    }
+
+    fn numbers(&mut self, numbers: &[f64]) {
+        for number in numbers {
+            self.bytes(&number.to_bits().to_be_bytes());
+        }
+    }
+
+    fn body(&mut self, body: &Body) {
+        match body.shape {
+            Shape::Sphere { center, radius } => {
+                self.name("sphere");
+                self.numbers(&center);
+                self.numbers(&[radius]);
+            }
+            Shape::Tube { from, to, radius } => {
+                self.name("tube");
+                self.numbers(&from);
+                self.numbers(&to);
+                self.numbers(&[radius]);
+            }
+            Shape::Ring { center, axis, radius, tube_radius } => {
+                self.name("ring");
+                self.numbers(&center);
+                self.numbers(&axis);
+                self.numbers(&[radius, tube_radius]);
+            }
+        }
+        self.numbers(&[body.rest_wavelength_nm]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_fingerprint_of_a_preset_is_pinned() {
+        let scene = Scene::preset("two-balls").expect("it is a preset");
+        assert_eq!(scene.fingerprint(), "a0c2b194e1d4af6a");
+    }
+
+    #[test]
+    fn every_part_of_a_scene_shows_in_its_fingerprint() {
+        let scene = Scene::default();
+        let mut others = vec![scene.clone(); 6];
+        others[0].name.push('2');
+        others[1].tracked[2] += 1e-9;
+        others[2].ground_z = None;
+        others[3].bodies.swap(0, 1);
+        others[4].bodies[0].rest_wavelength_nm += 1.0;
+        others[5].bodies.pop();
+        let mut fingerprints: Vec<_> = others.iter().map(Scene::fingerprint).collect();
+        fingerprints.push(scene.fingerprint());
+        fingerprints.sort();
+        fingerprints.dedup();
+        assert_eq!(fingerprints.len(), 7);
+    }
+}

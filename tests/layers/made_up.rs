@@ -1,0 +1,126 @@
+//! The checker itself, on small made-up crates: it finds what it should, and nothing else.
+
+use std::collections::BTreeMap;
+
+use super::modules::modules;
+use super::{faults, imports};
+
+/// The faults of a program of these files.
+fn faults_of(files: &[(&str, &str)]) -> Vec<String> {
+    let sources: BTreeMap<String, String> =
+        files.iter().map(|&(file, text)| (file.to_owned(), text.to_owned())).collect();
+    faults("gamow", &imports("gamow", &sources))
+}
+
+/// Asserts that these files have one fault, and that its line contains every part.
+#[track_caller]
+fn assert_fault(files: &[(&str, &str)], parts: &[&str]) {
+    let faults = faults_of(files);
+    assert_eq!(faults.len(), 1, "{faults:?}");
+    assert!(parts.iter().all(|part| faults[0].contains(part)), "{faults:?}");
+}
+
+#[test]
+fn imports_downwards_are_no_fault() {
+    let faults = faults_of(&[
+        ("main.rs", "fn main() { gamow::cli::run() }"),
+        ("lib.rs", "pub mod cli; mod app; mod scene;"),
+        ("cli.rs", "use crate::app; pub fn run() { app::launch(); }"),
+        ("app/mod.rs", "mod state; pub use state::launch;"),
+        ("app/state.rs", "use crate::scene::{self, Scene}; pub fn launch() -> Scene { scene::open() }"),
+        ("scene.rs", "pub struct Scene; pub const fn open() -> Scene { Scene }"),
+    ]);
+    // `scene.rs` is not in the table.
+    assert_eq!(faults, ["app/state.rs imports scene.rs: one of them stands in no room of the table"]);
+}
+
+#[test]
+fn a_circle_is_found_through_re_exports() {
+    assert_fault(
+        &[
+            ("lib.rs", "mod app;"),
+            ("app/mod.rs", "mod a; mod b; pub use b::Second;"),
+            ("app/a.rs", "use super::Second; pub struct First(Second);"),
+            ("app/b.rs", "pub enum Second { Of(Box<super::a::First>) }"),
+        ],
+        &["a circle", "app/a.rs", "app/b.rs"],
+    );
+}
+
+#[test]
+fn a_circle_is_found_through_names_used_without_an_import() {
+    let files = [
+        ("lib.rs", "mod app;"),
+        ("app/mod.rs", "mod panel; pub type Asks = u8; fn show() { println!(\"{}\", panel::shown()); }"),
+        ("app/panel.rs", "pub fn shown() -> super::Asks { 1 }"),
+    ];
+    assert_fault(&files, &["a circle", "app/mod.rs", "app/panel.rs"]);
+}
+
+#[test]
+fn what_only_tests_import_is_no_fault() {
+    let faults = faults_of(&[
+        ("lib.rs", "mod app;"),
+        ("app/mod.rs", "mod a; mod b;"),
+        ("app/a.rs", "use super::b::B; pub struct A(B); #[cfg(test)] mod tests;"),
+        ("app/b.rs", "pub struct B; #[cfg(test)] mod tests { use crate::app::a::A; }"),
+        ("app/a/tests.rs", "use crate::commands::eval;"),
+    ]);
+    assert_eq!(faults, [""; 0]);
+}
+
+#[test]
+fn an_import_upwards_is_found() {
+    let files = [
+        ("lib.rs", "mod app; mod files;"),
+        ("app/mod.rs", "pub struct State { pub a: u8 }"),
+        ("files/mod.rs", "fn f() { use crate::app::State as Shown; }"),
+    ];
+    assert_fault(&files, &["files/mod.rs imports app/mod.rs: upwards"]);
+}
+
+#[test]
+fn commands_and_the_window_stand_apart() {
+    let commands = "pub mod eval; pub mod fit;";
+    let eval = "pub fn eval() {}";
+    let lib = ("lib.rs", "mod commands; mod app;");
+    let window = ("app/mod.rs", "fn f() { crate::commands::eval::eval(); }");
+    let fit = ("commands/fit/mod.rs", "use crate::commands::eval::*;");
+    let files = |window: (&'static str, &'static str), fit: (&'static str, &'static str)| {
+        faults_of(&[lib, ("commands/mod.rs", commands), ("commands/eval.rs", eval), window, fit])
+    };
+    let none = |file| (file, "");
+    let [from_window, from_command] =
+        [files(window, none("commands/fit/mod.rs")), files(none("app/mod.rs"), fit)]
+            .map(|faults| faults.join("\n"));
+    assert!(from_window.starts_with("app/mod.rs imports commands/eval.rs:"), "{from_window}");
+    assert!(from_command.starts_with("commands/fit/mod.rs imports commands/eval.rs:"), "{from_command}");
+}
+
+#[test]
+fn what_belongs_to_one_room_is_found_elsewhere() {
+    let files = [
+        ("lib.rs", "mod files; mod platform;"),
+        ("files/mod.rs", "use std::{fs, io}; const A: u8 = { 1 }; static B: u8 = { 2 };"),
+        ("platform/mod.rs", "use std::fs::File;"),
+    ];
+    assert_fault(&files, &["files/mod.rs names std::fs"]);
+}
+
+#[test]
+fn items_of_every_kind_are_told_apart() {
+    let items = "
+        pub(super) const fn first<F: Fn() -> [u8; 2]>(f: F) -> impl Iterator<Item = u8> { f().into_iter() }
+        const SECOND: fn() -> u8 = { || 2 };
+        #[derive(Debug)]
+        pub struct Third { pub a: u8 }
+        made! { fn hidden() {} }
+        pub(crate) unsafe trait Fourth {}
+        macro_rules! fifth { () => { 5 } }
+        static SIXTH: u8 = 6;
+        pub type Seventh = u8;";
+    let sources = BTreeMap::from([("lib.rs".to_owned(), items.to_owned())]);
+    let modules = modules(&sources);
+    let expected = ["Fourth", "SECOND", "SIXTH", "Seventh", "Third", "fifth", "first"];
+    assert!(modules[&vec![]].items.iter().eq(expected), "{:?}", modules[&vec![]].items);
+}

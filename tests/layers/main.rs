@@ -1,0 +1,135 @@
+//! The house keeps its layers: imports run down, never in a circle, and each crate knows only what it should.
+
+mod imports;
+mod made_up;
+mod modules;
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use imports::{Imports, circles, imports};
+
+/// The rooms of the program, from the top. A room imports from those below it and beside it, and not upwards.
+const ROOMS: [&[&str]; 7] = [
+    &["main.rs"],
+    &["cli.rs"],
+    &["commands", "app"],
+    &["accuracy", "estimate", "studio"],
+    &["settings"],
+    &["scene", "columns.rs", "passage.rs", "flags", "files", "plot"],
+    &["platform"],
+];
+
+/// What a crate names only in files whose paths begin in one way, if at all.
+const ONLY_IN: [(&str, &str, &[&str]); 3] = [
+    ("relativity-core", "threads.rs", &["rayon"]),
+    (
+        "gamow",
+        "platform/",
+        &[
+            "std::fs",
+            "std::thread",
+            "std::time::Instant",
+            "std::time::SystemTime",
+            "rayon",
+            "tempfile",
+            "ctrlc",
+        ],
+    ),
+    ("gamow", "app/", &["eframe", "egui_plot"]),
+];
+
+/// What a crate names nowhere.
+const NEVER: [(&str, &[&str]); 2] = [
+    ("relativity-core", &["std::fs", "std::time", "std::thread", "glam", "wgpu", "egui", "eframe", "log"]),
+    ("relativity-render", &["std::fs", "std::time", "std::thread", "rayon", "egui", "eframe"]),
+];
+
+#[test]
+fn the_core_keeps_its_layers() {
+    assert_kept("relativity-core", "crates/relativity-core/src");
+}
+
+#[test]
+fn the_renderers_keep_their_layers() {
+    assert_kept("relativity-render", "crates/relativity-render/src");
+}
+
+#[test]
+fn the_program_keeps_its_layers() {
+    assert_kept("gamow", "src");
+}
+
+#[track_caller]
+fn assert_kept(name: &str, folder: &str) {
+    let mut sources = BTreeMap::new();
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+    read_folder(&folder, "", &mut sources);
+    assert!(sources.len() > 10, "{} holds {} files", folder.display(), sources.len());
+    let faults = faults(name, &imports(name, &sources));
+    assert!(faults.is_empty(), "{} faults in {name}:\n{}", faults.len(), faults.join("\n"));
+}
+
+/// Adds the sources in `folder` to `sources`, their names after `prefix`.
+fn read_folder(folder: &Path, prefix: &str, sources: &mut BTreeMap<String, String>) {
+    for entry in std::fs::read_dir(folder).expect("it can be listed") {
+        let path = entry.expect("it can be listed").path();
+        let name = format!("{prefix}{}", path.file_name().expect("it has one").to_string_lossy());
+        if path.is_dir() {
+            read_folder(&path, &format!("{name}/"), sources);
+        } else if name.ends_with(".rs") {
+            sources.insert(name, std::fs::read_to_string(&path).expect("it is text"));
+        }
+    }
+}
+
+/// What is wrong with the imports of the crate `name`, a line each.
+fn faults(name: &str, imports: &Imports) -> Vec<String> {
+    let mut faults: Vec<String> = circles(&imports.inside)
+        .into_iter()
+        .map(|circle| format!("a circle: {} -> {}", circle.join(" -> "), circle[0]))
+        .collect();
+    if name == "gamow" {
+        faults.extend(imports.inside.iter().filter_map(|(from, to)| misplaced(from, to)));
+    }
+    for (file, path) in &imports.outside {
+        let is_named =
+            |names: &[&str]| names.iter().any(|name| path == name || path.starts_with(&format!("{name}::")));
+        let only_in = ONLY_IN.iter().filter(|(owner, ..)| *owner == name);
+        let is_misplaced =
+            only_in.into_iter().any(|(_, room, names)| is_named(names) && !file.starts_with(room));
+        if is_misplaced || NEVER.iter().any(|(owner, names)| *owner == name && is_named(names)) {
+            faults.push(format!("{file} names {path}"));
+        }
+    }
+    faults
+}
+
+/// What is wrong with an import of the program, if anything.
+fn misplaced(from: &str, to: &str) -> Option<String> {
+    let fault = |what: &str| Some(format!("{from} imports {to}: {what}"));
+    let [Some(here), Some(there)] = [level(from), level(to)] else {
+        return fault("one of them stands in no room of the table");
+    };
+    let [a, b] = [from, to].map(apart);
+    if here > there {
+        fault("upwards")
+    } else if a.is_some() && b.is_some() && a != b {
+        fault("commands and the window do not know each other")
+    } else {
+        None
+    }
+}
+
+/// The place of a file's room in the table.
+fn level(file: &str) -> Option<usize> {
+    let room = file.split('/').next()?;
+    ROOMS.iter().position(|rooms| rooms.contains(&room))
+}
+
+/// The command that a file belongs to, or else the window; these stand apart from each other.
+fn apart(file: &str) -> Option<&str> {
+    let below = file.strip_prefix("commands/");
+    let command = below.and_then(|below| below.split(['/', '.']).next()).filter(|name| *name != "mod");
+    command.or_else(|| file.starts_with("app/").then_some("app"))
+}
