@@ -15,10 +15,14 @@ static FLAGS: LazyLock<Command> = LazyLock::new(|| {
     Settings::augment_args_for_update(flags)
 });
 
-/// What comes before the flags in a picture's record.
+/// What draws a picture of settings.
 const RENDER: &str = "gamow render";
-/// The sections that decide what a picture shows.
-const OF_PICTURES: [&str; 6] = ["", "motion", "look", "light", "quality", "picture"];
+/// What opens a window with settings.
+const WINDOW: &str = "gamow";
+/// The sections that decide what the eyes are shown.
+const OF_VIEWS: [&str; 5] = ["", "motion", "look", "light", "quality"];
+/// The section that decides how a picture is made of it.
+const OF_PICTURES: &str = "picture";
 
 /// A setting with its value.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -57,25 +61,34 @@ impl Settings {
     /// that are not as usual.
     #[must_use]
     pub fn command(&self) -> String {
+        self.command_line(RENDER, |section| OF_VIEWS.contains(&section) || section == OF_PICTURES)
+    }
+
+    /// The command that opens a window with these settings.
+    #[must_use]
+    pub fn window_command(&self) -> String {
+        self.command_line(WINDOW, |section| OF_VIEWS.contains(&section))
+    }
+
+    fn command_line(&self, command: &str, is_told: impl Fn(&str) -> bool) -> String {
         let usual = Self::default().entries();
-        let told = self
-            .entries()
-            .into_iter()
-            .filter(|entry| OF_PICTURES.contains(&entry.section.as_str()) || !usual.contains(entry));
-        told.fold(RENDER.to_owned(), |command, Entry { key, text, .. }| {
-            command + " --" + &key + "=" + &quoted(&text)
+        let told =
+            self.entries().into_iter().filter(|entry| is_told(&entry.section) || !usual.contains(entry));
+        told.fold(command.to_owned(), |line, Entry { key, text, .. }| {
+            line + " --" + &key + "=" + &quoted(&text)
         })
     }
 
-    /// These settings, with what `command`, a `gamow render` that was recorded at `place`, says in their stead.
+    /// These settings, with what `command`, one of those above that was recorded at `place`, says in their stead.
     ///
     /// # Errors
     /// Another command, a flag that does not exist, or a value that it cannot have.
     pub fn with_command(mut self, command: &str, place: &str) -> Result<Self, SettingsError> {
-        let Some(flags) = command.strip_prefix(RENDER) else {
-            let problem = "it does not say how `gamow render` made it".to_owned();
+        let flags = [RENDER, WINDOW].iter().find_map(|known| command.strip_prefix(known)).unwrap_or_default();
+        if !flags.trim_start().starts_with("--") {
+            let problem = "it does not say with which settings gamow made it".to_owned();
             return Err(SettingsError::Content { place: place.to_owned(), problem });
-        };
+        }
         self.set(words(flags)).map_err(|problem| problem.at(place.to_owned()))?;
         Ok(self)
     }

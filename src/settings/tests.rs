@@ -178,13 +178,10 @@ fn a_thousand_states_survive_every_file_and_flags() {
             "{}",
             text
         );
-        let line = state.command();
-        prop_assert_eq!(
-            &Settings::default().with_command(&line, "").expect("it is right"),
-            &state,
-            "{}",
-            line
-        );
+        for line in [state.command(), state.window_command()] {
+            let read = Settings::default().with_command(&line, "").expect("it is right");
+            prop_assert_eq!(&read, &state, "{}", line);
+        }
         for name in ["picture.png", "measurements.exr"] {
             prop_assert_eq!(&through_file(&state, &folder.path().join(name)), &state);
         }
@@ -260,7 +257,7 @@ fn what_is_wrong_in_a_file_is_said_with_its_line() {
 fn other_commands_make_no_settings() {
     let error =
         Settings::default().with_command("gamow rectify --beta=0.5", "x.png").expect_err("it is wrong");
-    assert_eq!(error.to_string(), "x.png: it does not say how `gamow render` made it");
+    assert_eq!(error.to_string(), "x.png: it does not say with which settings gamow made it");
     let error = Settings::default().with_command("gamow render --what=1", "x.png").expect_err("it is wrong");
     assert_eq!(error.to_string(), "x.png: there is no setting `what`");
 }
