@@ -3,11 +3,42 @@
 
 use eframe::egui::{Rect, pos2, vec2};
 
+use super::observer::Eye;
 use super::theme::GAP;
 use crate::settings::Window;
 
-/// The parts of the window. A part without room (or switched off) has no rectangle.
+/// What can stand in a pane.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Content {
+    /// What an eye sees.
+    Eye(Eye),
+    /// The left eye's picture, corrected.
+    Corrected,
+}
+
+impl Content {
+    /// What stands side by side in `window`, from the left.
+    fn shown(window: Window) -> impl Iterator<Item = Self> {
+        let all = [
+            (Self::Eye(Eye::Left), true),
+            (Self::Eye(Eye::Right), true),
+            (Self::Corrected, window.corrected),
+        ];
+        all.into_iter().filter_map(|(content, is_shown)| is_shown.then_some(content))
+    }
+}
+
+/// One of the pictures that stand side by side.
 #[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pane {
+    /// What stands in it.
+    pub content: Content,
+    /// Where that is; its title stands above.
+    pub rect: Rect,
+}
+
+/// The parts of the window. A part without room (or switched off) has no rectangle.
+#[derive(Debug, Clone, PartialEq)]
 pub struct Layout {
     /// Scene, theme, help.
     pub bar: Rect,
@@ -15,14 +46,16 @@ pub struct Layout {
     pub controls: Option<Rect>,
     /// The numbers for each eye.
     pub readout: Option<Rect>,
-    /// The two eyes' views.
-    pub views: Option<Rect>,
+    /// The views: the two eyes', and what is shown beside them.
+    pub panes: Vec<Pane>,
     /// Play, pause, scrubber.
     pub timeline: Rect,
     /// Curves over T.
     pub plots: Option<Rect>,
 }
 
+/// Height of the titles of panes.
+pub const TITLE_HEIGHT: f32 = 22.0;
 const BAR_HEIGHT: f32 = 38.0;
 const TIMELINE_HEIGHT: f32 = 66.0;
 /// Height of the readout's rows.
@@ -41,6 +74,12 @@ const PLOTS_SHARE: f32 = 0.38;
 const PLOTS_HEIGHT: f32 = 310.0;
 
 impl Layout {
+    /// Whether `content` has a pane.
+    #[must_use]
+    pub fn shows(&self, content: Content) -> bool {
+        self.panes.iter().any(|pane| pane.content == content)
+    }
+
     /// The layout of a window with this inner `area`.
     #[must_use]
     pub fn of(area: Rect, window: Window) -> Self {
@@ -61,11 +100,24 @@ impl Layout {
             bar,
             controls,
             readout,
-            views: large_enough(views),
+            panes: large_enough(views).map_or_else(Vec::new, |views| panes(views, window)),
             timeline,
             plots: large_enough(plots).filter(|_| window.plots),
         }
     }
+}
+
+/// The panes of `window` side by side in `area`, all of one width.
+fn panes(area: Rect, window: Window) -> Vec<Pane> {
+    let contents: Vec<_> = Content::shown(window).collect();
+    let columns = contents.len() as f32;
+    let width = ((area.width() - GAP * (columns - 1.0)) / columns).max(1.0);
+    let top = (area.min.y + TITLE_HEIGHT).min(area.max.y);
+    let pane = |(column, content)| {
+        let x = area.min.x + column as f32 * (width + GAP);
+        Pane { content, rect: Rect::from_min_max(pos2(x, top), pos2(x + width, area.max.y)) }
+    };
+    contents.into_iter().enumerate().map(pane).collect()
 }
 
 /// Controls above, the readout below them as far as there is room for both.
@@ -105,7 +157,9 @@ mod tests {
     #[test]
     fn the_smallest_supported_window_holds_every_part() {
         let layout = layout(1024.0, 600.0);
-        for part in [layout.controls, layout.readout, layout.views, layout.plots] {
+        assert_eq!(layout.panes.len(), 2);
+        let panes = layout.panes.iter().map(|pane| Some(pane.rect));
+        for part in [layout.controls, layout.readout, layout.plots].into_iter().chain(panes) {
             let part = part.expect("shown");
             assert!(part.width() >= 280.0 && part.height() >= 140.0, "{part:?}");
         }
@@ -118,7 +172,8 @@ mod tests {
             let window = Rect::from_min_size(pos2(0.0, 0.0), vec2(size[0], size[1]));
             let parts: Vec<Rect> = [Some(layout.bar), Some(layout.timeline)]
                 .into_iter()
-                .chain([layout.controls, layout.readout, layout.views, layout.plots])
+                .chain([layout.controls, layout.readout, layout.plots])
+                .chain(layout.panes.iter().map(|pane| Some(pane.rect)))
                 .flatten()
                 .collect();
             for (i, a) in parts.iter().enumerate() {

@@ -41,8 +41,9 @@ use curves::{Curves, Key};
 use examination::{Examination, Sight};
 use eyes::EyePictures;
 use fitting::Fitting;
-use layout::Layout;
-use panels::{Asks, plots::Plotted, views::Pane};
+use layout::{Content, Layout, Pane};
+use observer::Eye;
+use panels::{Asks, plots::Plotted, views::EyePane};
 use state::State;
 
 use crate::settings::{PlotTab, Settings};
@@ -170,7 +171,11 @@ impl App {
             return;
         }
         let state = &self.state;
-        let exact = panes.iter().filter(|pane| !state.sees_as_published(pane.eye));
+        let panes = panes.iter().filter_map(|pane| {
+            let Content::Eye(eye) = pane.content else { return None };
+            Some(self.eye_pane(ui, eye, pane.rect))
+        });
+        let exact = panes.filter(|pane| !state.sees_as_published(pane.eye));
         let sight = Sight {
             views: exact.map(|pane| (pane.eye, state.view(pane.eye, pane.size))).collect(),
             appearance: state.appearance(!ui.visuals().dark_mode),
@@ -181,8 +186,32 @@ impl App {
         examination.update(ui.ctx(), &sight, state.settings.quality.method());
     }
 
-    /// Draws `pane`: the up-to-date picture, how far it is off, and the markers.
+    /// The pane of `eye` in `rect`.
+    fn eye_pane(&self, ui: &Ui, eye: Eye, rect: Rect) -> EyePane {
+        let largest = self.eyes.as_ref().map_or(1, EyePictures::largest_side);
+        EyePane::new(eye, rect, ui.pixels_per_point(), largest)
+    }
+
+    /// Reads the mouse in `pane`.
+    fn interact(&mut self, ui: &mut Ui, pane: Pane) {
+        if let Content::Eye(eye) = pane.content {
+            let pane = self.eye_pane(ui, eye, pane.rect);
+            self.panel(ui, eye.name(), pane.rect, |ui, state, asks| {
+                panels::views::interact(ui, state, pane, asks);
+            });
+        }
+    }
+
+    /// Draws what stands in `pane`.
     fn paint(&mut self, ui: &Ui, pane: Pane) {
+        match pane.content {
+            Content::Eye(eye) => self.paint_eye(ui, self.eye_pane(ui, eye, pane.rect)),
+            Content::Corrected => self.show_corrected(ui, pane.rect),
+        }
+    }
+
+    /// Draws `pane`: the up-to-date picture, how far it is off, and the markers.
+    fn paint_eye(&mut self, ui: &Ui, pane: EyePane) {
         let state = &self.state;
         let quality = state.settings.quality;
         let request = eyes::Request {
@@ -232,17 +261,11 @@ impl App {
             self.panel(ui, "controls", inset(rect), panels::controls::show);
         }
         self.panel(ui, "timeline", inset(layout.timeline), panels::timeline::show);
-        let largest = self.eyes.as_ref().map_or(1, EyePictures::largest_side);
-        let columns = if self.state.settings.window.corrected { 3 } else { 2 };
-        let panes = layout.views.map(|area| Pane::both(area, columns, ctx.pixels_per_point(), largest));
-        let panes = panes.as_ref().map_or(&[][..], |panes| panes);
-        for &pane in panes {
-            self.panel(ui, pane.eye.name(), pane.rect, |ui, state, asks| {
-                panels::views::interact(ui, state, pane, asks);
-            });
+        for &pane in &layout.panes {
+            self.interact(ui, pane);
         }
         self.update_fit(&ctx, layout.plots.is_some());
-        self.update_examination(ui, panes, layout.plots.is_some());
+        self.update_examination(ui, &layout.panes, layout.plots.is_some());
         if let Some(rect) = layout.plots {
             self.update_curves();
             let (curves, fitting) = (std::mem::take(&mut self.curves), std::mem::take(&mut self.fitting));
@@ -254,13 +277,10 @@ impl App {
         if let Some(rect) = layout.readout {
             self.panel(ui, "readout", inset(rect), panels::readout::show);
         }
-        for &pane in panes {
+        for &pane in &layout.panes {
             self.paint(ui, pane);
         }
-        match layout.views.filter(|_| self.state.settings.window.corrected) {
-            Some(area) => self.show_corrected(ui, panels::views::column(area, 2, columns)),
-            None => self.corrected = None,
-        }
+        self.corrected.take_if(|_| !layout.shows(Content::Corrected));
         if self.state.session.playing {
             ctx.request_repaint();
         }

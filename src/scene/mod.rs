@@ -98,13 +98,6 @@ impl Scene {
         PreparedScene::new(self.groups.iter().map(group))
     }
 
-    /// The bodies, moved by `offset` in the rest frame.
-    #[must_use]
-    pub fn bodies_moved(&self, offset: [f64; 3]) -> Vec<Body> {
-        let moved = |body: &Body| Body { shape: placement::moved(body.shape, offset), ..*body };
-        self.bodies.iter().map(moved).collect()
-    }
-
     /// The scene that `text` describes; errors call it `source_name`.
     pub fn parse(text: &str, source_name: &str) -> Result<Self, SceneError> {
         file::scene(text).map_err(|located| located.in_source(text, source_name))

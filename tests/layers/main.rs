@@ -77,7 +77,7 @@ fn read_folder(folder: &Path, prefix: &str, sources: &mut BTreeMap<String, Strin
         let name = format!("{prefix}{}", path.file_name().expect("it has one").to_string_lossy());
         if path.is_dir() {
             read_folder(&path, &format!("{name}/"), sources);
-        } else if name.ends_with(".rs") {
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
             sources.insert(name, std::fs::read_to_string(&path).expect("it is text"));
         }
     }

@@ -78,16 +78,13 @@ impl Reader {
         while at < tokens.len() {
             let length = item_length(&tokens[at..]);
             let item = &tokens[at..at + length];
-            match attribute(item) {
-                Some(attribute) => {
-                    for_tests |= attribute.stream().to_string().replace(' ', "") == "cfg(test)"
+            if let Some(attribute) = attribute(item) {
+                for_tests |= attribute.stream().to_string().replace(' ', "") == "cfg(test)";
+            } else {
+                if !for_tests {
+                    self.item(item);
                 }
-                None => {
-                    if !for_tests {
-                        self.item(item);
-                    }
-                    for_tests = false;
-                }
+                for_tests = false;
             }
             at += length;
         }

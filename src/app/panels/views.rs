@@ -12,18 +12,18 @@ use super::Asks;
 use crate::accuracy::Method;
 use crate::app::command::{Command, Pick};
 use crate::app::eyes::Shown;
+use crate::app::layout::TITLE_HEIGHT;
 use crate::app::observer::Eye;
 use crate::app::points::Point;
 use crate::app::state::State;
 use crate::app::{figures, theme};
 
-const TITLE_HEIGHT: f32 = 22.0;
 /// Zoom per point of scrolling.
 const ZOOM_PER_SCROLL: f64 = 0.002;
 
 /// Where an eye's picture is on screen, and how many pixels it has.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pane {
+pub struct EyePane {
     /// Whose.
     pub eye: Eye,
     /// In points; its edges lie on pixel edges, so that the picture is shown pixel for pixel.
@@ -32,15 +32,10 @@ pub struct Pane {
     pub size: [u32; 2],
 }
 
-impl Pane {
-    /// The panes of both eyes: the first two of so many `columns` inside `area`, pictures being at most
-    /// `largest` pixels wide or high.
+impl EyePane {
+    /// The pane of `eye` in `rect`, its picture being at most `largest` pixels wide or high.
     #[must_use]
-    pub fn both(area: Rect, columns: usize, pixels_per_point: f32, largest: u32) -> [Self; 2] {
-        Eye::BOTH.map(|eye| Self::new(eye, column(area, eye.index(), columns), pixels_per_point, largest))
-    }
-
-    fn new(eye: Eye, rect: Rect, pixels_per_point: f32, largest: u32) -> Self {
+    pub fn new(eye: Eye, rect: Rect, pixels_per_point: f32, largest: u32) -> Self {
         let snapped = |p: Pos2| (p.to_vec2() * pixels_per_point).round();
         let (min, max) = (snapped(rect.min), snapped(rect.max));
         let size = [max.x - min.x, max.y - min.y].map(|side| (side as u32).clamp(1, largest));
@@ -61,18 +56,8 @@ impl Pane {
     }
 }
 
-/// Where the picture in the column with this `index` is, of so many `columns` inside `area`.
-#[must_use]
-pub fn column(area: Rect, index: usize, columns: usize) -> Rect {
-    let columns = columns as f32;
-    let width = ((area.width() - theme::GAP * (columns - 1.0)) / columns).max(1.0);
-    let x = area.min.x + index as f32 * (width + theme::GAP);
-    let top = (area.min.y + TITLE_HEIGHT).min(area.max.y);
-    Rect::from_min_max(pos2(x, top), pos2(x + width, area.max.y))
-}
-
 /// Reads the mouse in `pane`.
-pub fn interact(ui: &mut Ui, state: &State, pane: Pane, asks: &mut Asks) {
+pub fn interact(ui: &mut Ui, state: &State, pane: EyePane, asks: &mut Asks) {
     let id = ui.scope_id().with(("view", pane.eye.index()));
     let response = ui.interact(pane.rect, id, Sense::click_and_drag()).on_hover_cursor(CursorIcon::Crosshair);
     let name = format!("{} view", pane.eye.name());
@@ -95,7 +80,7 @@ pub fn interact(ui: &mut Ui, state: &State, pane: Pane, asks: &mut Asks) {
 }
 
 /// The scene follows the pointer: what is under it when a drag starts stays there.
-fn turn(response: &Response, state: &State, pane: Pane, asks: &mut Asks) {
+fn turn(response: &Response, state: &State, pane: EyePane, asks: &mut Asks) {
     let moved = response.drag_delta();
     if !response.dragged() || moved == egui::Vec2::ZERO {
         return;
@@ -107,7 +92,7 @@ fn turn(response: &Response, state: &State, pane: Pane, asks: &mut Asks) {
 }
 
 /// Draws `pane`: its picture and `heat_map` if there is one, the markers on it, title and frame.
-pub fn paint(ui: &Ui, state: &State, pane: Pane, picture: Option<Shown>, heat_map: Option<TextureId>) {
+pub fn paint(ui: &Ui, state: &State, pane: EyePane, picture: Option<Shown>, heat_map: Option<TextureId>) {
     let visuals = ui.visuals();
     let colour = theme::eye_colour(pane.eye, visuals);
     let painter = ui.painter();
@@ -154,7 +139,7 @@ fn note(state: &State, eye: Eye, picture: Option<Shown>, with_heat_map: bool) ->
 }
 
 /// Writes `text` into the corner of the picture.
-fn notes(ui: &Ui, painter: &Painter, pane: Pane, text: &str) {
+fn notes(ui: &Ui, painter: &Painter, pane: EyePane, text: &str) {
     let font = TextStyle::Small.resolve(ui.style());
     let galley = painter.layout_no_wrap(text.to_owned(), font, Color32::WHITE);
     let place = pane.rect.left_bottom() + vec2(8.0, -8.0 - galley.size().y);
@@ -165,7 +150,7 @@ fn notes(ui: &Ui, painter: &Painter, pane: Pane, text: &str) {
     }
 }
 
-fn markers(painter: &Painter, state: &State, pane: Pane, visuals: &Visuals) {
+fn markers(painter: &Painter, state: &State, pane: EyePane, visuals: &Visuals) {
     let view = state.view(pane.eye, pane.size);
     let scene = PreparedScene::moving(&state.session.bodies);
     for (index, point) in state.session.points.all().iter().enumerate() {
