@@ -29,6 +29,7 @@ pub mod speed_setting;
 pub mod state;
 mod stillness;
 mod theme;
+mod widgets;
 mod worker;
 
 use eframe::egui::{self, Rect, Ui, UiBuilder};

@@ -5,11 +5,11 @@ use eframe::egui::{
 };
 
 use super::Asks;
-use super::icons::{self, Icon};
-use super::widgets;
 use crate::app::clock::MAX_TIME;
 use crate::app::command::Command;
 use crate::app::state::State;
+use crate::app::widgets;
+use crate::app::widgets::icons::{self, Icon};
 use crate::app::{figures, theme};
 
 const TIME_TIP: &str = "Observation time T: when the light is received.   Keys: ← →, Home, End";

@@ -6,10 +6,10 @@ use relativity_core::doppler::{
 };
 use relativity_render::{Colour, Shading};
 
-use super::Asks;
-use super::widgets::{NumberRow, choice, row};
 use crate::app::command::Command;
+use crate::app::panels::Asks;
 use crate::app::settings::Light;
+use crate::app::widgets::{NumberRow, choice, row};
 
 /// Shows them.
 pub fn show(ui: &mut Ui, before: Light, asks: &mut Asks) {

@@ -1,14 +1,16 @@
 //! The controls of motion, path and view, and the panel that holds them all.
 
+mod light;
+mod speed;
+
 use eframe::egui::{ScrollArea, Ui};
 use relativity_render::Geometry;
 
 use super::Asks;
-use super::widgets::{NumberRow, choice, row, section};
-use super::{light, speed};
 use crate::app::command::{Command, FOV_DEGREES};
 use crate::app::settings::{BOUND_PX, GazeSetting, Look, MAX_LENGTH, Motion, Quality, Window};
 use crate::app::state::State;
+use crate::app::widgets::{NumberRow, choice, row, section};
 use crate::flags::RendererChoice;
 
 /// Shows the controls.
