@@ -1,11 +1,8 @@
 //! The columns that `eval` and `curve` append, and the models that fill them.
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use relativity_core::doppler::PAPER_INTENSITY_EXPONENT;
-use relativity_core::{
-    Aperture, Disparity, DomainError, MAX_COORDINATE, PublishedVariant, SourcePoint, Speed, SpeedError,
-    disparity, published_disparity,
-};
+use relativity_core::{Disparity, DomainError, MAX_COORDINATE, Model, SourcePoint, Speed, SpeedError};
 use thiserror::Error;
 
 use crate::flags::finite_number;
@@ -43,18 +40,6 @@ and the disparities between the two:
 
 The published models evaluate the right eye through the left eye's formula at a shifted time, and measure its \
 angles from the left eye. They reproduce the paper (doi 10.1098/rspa.2019.0703) and leave parallax out.";
-
-/// How two eyes' views of one point are computed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
-pub enum Model {
-    /// Each eye solves its own light cone.
-    #[default]
-    Exact,
-    /// The paper's binocular model as its Appendix A prints it.
-    Published,
-    /// The same with the sign of the delay that the paper's text gives.
-    PublishedText,
-}
 
 /// Flags that choose the model behind the columns.
 #[derive(Debug, Clone, Copy, Args)]
@@ -157,15 +142,6 @@ impl ModelArgs {
         if !(0.0..=MAX_COORDINATE).contains(&separation) {
             return Err(ObservationError::Separation(separation));
         }
-        let [left, right] = Aperture::pair(separation);
-        Ok(match self.model {
-            Model::Exact => disparity(speed, point, left, right, time)?,
-            Model::Published => {
-                published_disparity(speed, point, separation, time, PublishedVariant::AppendixA)?
-            }
-            Model::PublishedText => {
-                published_disparity(speed, point, separation, time, PublishedVariant::TextSign)?
-            }
-        })
+        Ok(self.model.disparity(speed, point, separation, time)?)
     }
 }

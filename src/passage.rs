@@ -1,7 +1,6 @@
-//! The observation times at which a passing point is seen at a given place.
+//! Where a passing point is shown: places by its distance from the eyes as it passes x = 0.
 
-use relativity_core::math;
-use relativity_core::{DomainError, SourcePoint, Speed, equidistance_time};
+use relativity_core::{DomainError, SourcePoint, Speed, equidistance_time, observation_time_when_seen_at};
 
 /// The observation time at which `point` is seen at x = `ratio` R, R being its distance from the eyes as it
 /// passes x = 0; `None` at rest.
@@ -15,13 +14,14 @@ pub fn time_seen_at(
     point: SourcePoint,
     separation: f64,
 ) -> Result<Option<f64>, DomainError> {
-    let at_origin = SourcePoint { x0: 0.0, ..point };
-    let Some(distance) = equidistance_time(speed, at_origin, separation)? else { return Ok(None) };
-    let emitted = (ratio * distance - point.x0) / speed.beta();
-    Ok(Some(emitted + math::hypot(ratio, 1.0) * distance))
+    // Light from x = 0 at t = 0 arrives after R.
+    let Some(distance) = equidistance_time(speed, SourcePoint { x0: 0.0, ..point }, separation)? else {
+        return Ok(None);
+    };
+    observation_time_when_seen_at(speed, point, ratio * distance, separation)
 }
 
-/// The observation times at which `point` is seen at x = -2 R and at x = +2 R; `None` at rest.
+/// The observation times from which to which `point` is seen to pass: at x = -2 R and at x = +2 R; `None` at rest.
 ///
 /// # Errors
 ///

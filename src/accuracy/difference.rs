@@ -2,9 +2,8 @@
 
 use glam::DVec3;
 use relativity_core::math;
-use relativity_core::{SourcePoint, aberration, sighting};
 use relativity_render::camera::LinesOfSight;
-use relativity_render::{Geometry, Hit, HitImage, View};
+use relativity_render::{GroupView, Hit, HitImage, PreparedScene, View};
 use serde::Serialize;
 
 use super::spread::Spread;
@@ -65,14 +64,20 @@ impl DifferenceFigures {
 impl Difference {
     /// How `shown` differs from `reference`, both being pictures of `view`.
     #[must_use]
-    pub fn new(view: &View, reference: &HitImage, shown: &HitImage) -> Self {
+    pub fn new(scene: &PreparedScene, view: &View, reference: &HitImage, shown: &HitImage) -> Self {
+        let group_views = scene.group_views(view);
         let lines_of_sight = LinesOfSight::new(&view.camera);
         let width = view.camera.size[0] as usize;
         let pairs = reference.hits.iter().zip(&shown.hits).enumerate();
         let pixels: Vec<_> = pairs
             .map(|(i, (reference, shown))| {
                 let center = [(i % width) as f64 + 0.5, (i / width) as f64 + 0.5];
-                pixel_difference(view, lines_of_sight.through(center), reference.as_ref(), shown.as_ref())
+                pixel_difference(
+                    &group_views,
+                    lines_of_sight.through(center),
+                    reference.as_ref(),
+                    shown.as_ref(),
+                )
             })
             .collect();
         Self { size: view.camera.size, figures: figures(reference, &pixels), pixels }
@@ -80,7 +85,7 @@ impl Difference {
 }
 
 fn pixel_difference(
-    view: &View,
+    group_views: &[GroupView],
     line_of_sight: DVec3,
     reference: Option<&Hit>,
     shown: Option<&Hit>,
@@ -88,29 +93,17 @@ fn pixel_difference(
     match (reference, shown) {
         (None, None) => PixelDifference::Nothing,
         (Some(reference), Some(shown)) if reference.body == shown.body => PixelDifference::SameObject {
-            arcseconds: ARCSECONDS * angle(line_of_sight, direction(view, shown.rest_position)),
+            arcseconds: ARCSECONDS * angle(line_of_sight, direction(&group_views[shown.group], shown)),
             doppler: (shown.doppler_factor / reference.doppler_factor - 1.0).abs(),
         },
         _ => PixelDifference::WrongObject,
     }
 }
 
-/// Along which `view` sees the rest-frame point `place`; through the core's light cone, not back along the ray.
-fn direction(view: &View, place: DVec3) -> DVec3 {
-    let from_camera = place - view.rest_origin();
-    match view.geometry {
-        Geometry::Seen | Geometry::Published => {
-            let point = SourcePoint::from_rest(place.to_array(), &view.speed);
-            let seen = sighting(&view.speed, point, view.camera.aperture, view.observation_time);
-            // Outside the domain of the core lies nothing that a scene can hold; aberration has no domain.
-            seen.map_or_else(
-                |_| aberration::ground_from_rest(from_camera.normalize().to_array(), &view.speed).into(),
-                |seen| seen.position.into(),
-            )
-        }
-        Geometry::Contracted => DVec3::new(from_camera.x / view.speed.gamma(), from_camera.y, from_camera.z),
-        Geometry::Rest => from_camera,
-    }
+/// Along which `view` sees what was hit; through the core's light cone, not back along the ray.
+fn direction(view: &GroupView, hit: &Hit) -> DVec3 {
+    // Outside the domain of the core lies nothing that a scene can hold.
+    view.apparent_position(hit.rest_position).unwrap_or(DVec3::NAN)
 }
 
 /// Angle between two directions, radians: accurate also where it is tiny.
@@ -150,7 +143,7 @@ fn is_at_outline(image: &HitImage, i: usize) -> bool {
 #[cfg(test)]
 mod tests {
     use relativity_core::Speed;
-    use relativity_render::{Body, Gaze, ReferenceScene, Shape};
+    use relativity_render::{Body, Gaze, PreparedScene, Shape};
 
     use super::*;
     use crate::accuracy::{Place, view_at};
@@ -165,7 +158,10 @@ mod tests {
     }
 
     fn figures(view: &View, shown: &HitImage, truth: &[Body]) -> DifferenceFigures {
-        Difference::new(view, &ReferenceScene::new(truth).hit_image(view), shown).figures
+        {
+            let scene = PreparedScene::moving(truth);
+            Difference::new(&scene, view, &scene.hit_image(view), shown).figures
+        }
     }
 
     #[test]
@@ -176,7 +172,7 @@ mod tests {
             let mut off = view;
             let azimuth = view.camera.gaze.azimuth + 10.0 / ARCSECONDS;
             off.camera.gaze = Gaze { azimuth, ..view.camera.gaze };
-            let found = figures(&view, &ReferenceScene::new(&bodies).hit_image(&off), &bodies);
+            let found = figures(&view, &PreparedScene::moving(&bodies).hit_image(&off), &bodies);
             let spread = found.line_of_sight_arcseconds.expect("the ball is seen");
             // Less by the cosine of the elevation, here up to 0.2.
             assert!(spread.worst < 10.000_01 && spread.median > 9.8, "{spread:?} at beta = {beta}");
@@ -187,7 +183,7 @@ mod tests {
     fn another_object_is_wrong_also_where_it_has_the_same_surface() {
         let view = view(0.5);
         let truth = [ball([0.0, 5.0, 0.0], 1.0), ball([0.0, 5.0, 0.0], 1.0)];
-        let mut shown = ReferenceScene::new(&truth).hit_image(&view);
+        let mut shown = PreparedScene::moving(&truth).hit_image(&view);
         assert_eq!(figures(&view, &shown, &truth).wrong_pixels, 0);
         let covered = shown.hits.iter().flatten().count();
         shown.hits.iter_mut().flatten().for_each(|hit| hit.body = 1);

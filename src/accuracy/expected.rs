@@ -1,6 +1,6 @@
 //! What error to expect of a method in one view, and what it costs there.
 
-use relativity_render::{Appearance, GpuError, HitImage, ReferenceScene, View};
+use relativity_render::{Appearance, GpuError, HitImage, PreparedScene, View};
 
 use super::difference::Difference;
 use super::outline::{OutlinePoint, displacement_px, silhouette_pixels};
@@ -54,7 +54,8 @@ pub fn expected_error(
     if is_cancelled() {
         return Ok(None);
     }
-    let difference = Difference::new(view, &reference, &renderers.hits(method, view)?);
+    let difference =
+        Difference::new(&renderers.reference(), view, &reference, &renderers.hits(method, view)?);
     let places = if method == Method::Reference { 0 } else { effort.outline_places };
     let mut displacements = Vec::new();
     for place in outline_places(&renderers.reference(), view, &reference, places) {
@@ -68,7 +69,7 @@ pub fn expected_error(
     Ok((!is_cancelled()).then_some(ExpectedError { frame_ms, silhouettes_px, difference }))
 }
 
-fn outline_places(scene: &ReferenceScene, view: &View, image: &HitImage, count: usize) -> Vec<OutlinePoint> {
+fn outline_places(scene: &PreparedScene, view: &View, image: &HitImage, count: usize) -> Vec<OutlinePoint> {
     let place = |pixels| OutlinePoint::between(pixels, scene, view);
     silhouette_pixels(image, count).par_iter().filter_map(place).collect()
 }

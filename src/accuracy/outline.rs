@@ -7,7 +7,7 @@
 
 use glam::DVec2;
 use relativity_core::math;
-use relativity_render::{Camera, Gaze, Hit, HitImage, ReferenceScene, View};
+use relativity_render::{Camera, Gaze, Hit, HitImage, PreparedScene, View};
 
 /// Pixels of a strip.
 const STRIP: u32 = 256;
@@ -69,7 +69,7 @@ pub struct OutlinePoint {
 impl OutlinePoint {
     /// The place between two pixels of `view`; `None` at corners of an outline and at creases.
     #[must_use]
-    pub fn between(pixels: &SilhouettePixels, scene: &ReferenceScene, view: &View) -> Option<Self> {
+    pub fn between(pixels: &SilhouettePixels, scene: &PreparedScene, view: &View) -> Option<Self> {
         let SilhouettePixels { body, inside, outside } = *pixels;
         let search = Search { scene, view, body };
         let aside = NEIGHBOUR_PX * (outside - inside).perp();
@@ -83,7 +83,7 @@ impl OutlinePoint {
 
 /// A search for the edge of a body in the reference's picture.
 struct Search<'a> {
-    scene: &'a ReferenceScene,
+    scene: &'a PreparedScene,
     view: &'a View,
     body: usize,
 }
@@ -124,7 +124,7 @@ impl Search<'_> {
 ///
 /// Those of `hits`.
 pub fn displacement_px<E>(
-    scene: &ReferenceScene,
+    scene: &PreparedScene,
     view: &View,
     point: &OutlinePoint,
     mut hits: impl FnMut(&View) -> Result<HitImage, E>,
@@ -220,9 +220,9 @@ mod tests {
 
     use super::*;
 
-    fn ball(radius: f64) -> ReferenceScene {
+    fn ball(radius: f64) -> PreparedScene {
         let shape = Shape::Sphere { center: [0.0, 5.0, 0.0], radius };
-        ReferenceScene::new(&[Body { shape, rest_wavelength_nm: 600.0 }])
+        PreparedScene::moving(&[Body { shape, rest_wavelength_nm: 600.0 }])
     }
 
     fn view() -> View {
@@ -279,14 +279,14 @@ mod tests {
     #[test]
     fn a_thin_object_that_is_lost_is_displaced_by_its_width() {
         let thin = Shape::Tube { from: [-2.0, 5.0, 0.0], to: [2.0, 5.0, 0.0], radius: 0.01 };
-        let truth = ReferenceScene::new(&[Body { shape: thin, rest_wavelength_nm: 600.0 }]);
+        let truth = PreparedScene::moving(&[Body { shape: thin, rest_wavelength_nm: 600.0 }]);
         let view = view();
         let width_px = 0.02 / 5.0 * view.camera.focal_length_px();
         // 0.01 px above the edge.
         let inside = DVec2::new(80.5, 60.0 + 0.5 * width_px - 0.01);
         let pixels = SilhouettePixels { body: 0, inside, outside: inside + DVec2::Y };
         let point = OutlinePoint::between(&pixels, &truth, &view).expect("the edge lies between");
-        let nothing = |view: &View| Ok::<_, Infallible>(ReferenceScene::new(&[]).hit_image(view));
+        let nothing = |view: &View| Ok::<_, Infallible>(PreparedScene::moving(&[]).hit_image(view));
         let displacement = displacement_px(&truth, &view, &point, nothing).expect("cannot fail");
         assert!((displacement - width_px).abs() < 0.02 * width_px, "{displacement} px, width {width_px} px");
     }
@@ -296,7 +296,7 @@ mod tests {
         let tube = |to| Shape::Tube { from: [0.0, 5.0, 0.0], to, radius: 0.5 };
         let shapes = [tube([-1.0, 5.0, 0.0]), tube([1.0, 5.0, 0.0])];
         let bodies = shapes.map(|shape| Body { shape, rest_wavelength_nm: 600.0 });
-        let (scene, view) = (ReferenceScene::new(&bodies), view());
+        let (scene, view) = (PreparedScene::moving(&bodies), view());
         let pairs = silhouette_pixels(&scene.hit_image(&view), usize::MAX);
         let points: Vec<_> = pairs.iter().filter_map(|p| OutlinePoint::between(p, &scene, &view)).collect();
         assert!(points.len() < pairs.len());

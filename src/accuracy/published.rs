@@ -3,10 +3,8 @@
 use std::hint::black_box;
 
 use glam::{DVec2, DVec3};
-use relativity_core::{
-    Aperture, Disparity, DomainError, PublishedVariant, SourcePoint, disparity, published_disparity,
-};
-use relativity_render::{HitImage, ReferenceScene, View};
+use relativity_core::{Disparity, DomainError, Model, PublishedVariant, SourcePoint};
+use relativity_render::{Hit, Motion, PreparedScene, View};
 
 use super::difference::{ARCSECONDS, angle};
 use super::spread::Spread;
@@ -35,19 +33,16 @@ pub struct PublishedError {
 ///
 /// Points outside the domain of the core.
 pub fn published_error(
-    scene: &ReferenceScene,
+    scene: &PreparedScene,
     left: &View,
     separation: f64,
 ) -> Result<PublishedError, DomainError> {
-    let points = visible_points(&scene.hit_image(left), left);
-    let [primary, secondary] = Aperture::pair(separation);
-    let time = left.observation_time;
-    let exact = |&point: &SourcePoint| disparity(&left.speed, point, primary, secondary, time);
-    let published = |&point: &SourcePoint| {
-        published_disparity(&left.speed, point, separation, time, PublishedVariant::AppendixA)
+    let points = visible_points(scene, left);
+    let of = |model: Model| {
+        timed(&points, |&point| model.disparity(&left.speed, point, separation, left.observation_time))
     };
-    let (exact, exact_ns) = timed(&points, exact)?;
-    let (published, published_ns) = timed(&points, published)?;
+    let (exact, exact_ns) = of(Model::Exact)?;
+    let (published, published_ns) = of(Model::Published(PublishedVariant::AppendixA))?;
     let sights = |both: &[Disparity]| -> Vec<DVec3> {
         both.iter().map(|disparity| disparity.secondary.position.into()).collect()
     };
@@ -62,9 +57,12 @@ pub fn published_error(
     })
 }
 
-/// The worldlines of points on what `image` shows in `view`, evenly chosen from its pixels.
-fn visible_points(image: &HitImage, view: &View) -> Vec<SourcePoint> {
-    let hits: Vec<_> = image.hits.iter().flatten().collect();
+/// The worldlines of points on what `view` shows of the bodies that move at the scene's speed, evenly chosen from its
+/// pixels.
+fn visible_points(scene: &PreparedScene, view: &View) -> Vec<SourcePoint> {
+    let image = scene.hit_image(view);
+    let moves = |hit: &&Hit| scene.motion_of(hit.body) == Motion::Scene;
+    let hits: Vec<_> = image.hits.iter().flatten().filter(moves).collect();
     let stride = hits.len().div_ceil(POINTS).max(1);
     let point = |place: DVec3| SourcePoint::from_rest(place.to_array(), &view.speed);
     hits.iter().step_by(stride).map(|hit| point(hit.rest_position)).collect()

@@ -4,7 +4,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use relativity_render::{
-    Appearance, Body, ExactRenderer, EyeTarget, Gpu, GpuError, HitImage, MeshRenderer, ReferenceScene, View,
+    Appearance, Body, ExactRenderer, EyeTarget, Gpu, GpuError, HitImage, MeshRenderer, PreparedScene, View,
 };
 
 use crate::platform::clock::Instant;
@@ -45,7 +45,7 @@ pub const MESH_BOUNDS_PX: [f64; 3] = [0.1, MeshRenderer::DEFAULT_BOUND_PX, 2.0];
 /// Renderers of one scene.
 pub struct Renderers {
     bodies: Vec<Body>,
-    reference: Arc<ReferenceScene>,
+    reference: Arc<PreparedScene>,
     graphics: Option<Graphics>,
 }
 
@@ -62,20 +62,20 @@ impl Renderers {
     #[must_use]
     pub fn new(bodies: &[Body], gpu: Option<Gpu>) -> Self {
         let graphics = gpu.map(Graphics::new);
-        Self { bodies: bodies.to_vec(), reference: Arc::new(ReferenceScene::new(bodies)), graphics }
+        Self { bodies: bodies.to_vec(), reference: Arc::new(PreparedScene::moving(bodies)), graphics }
     }
 
     /// Renders these `bodies` from now on.
     pub fn set_bodies(&mut self, bodies: &[Body]) {
         if self.bodies != bodies {
             self.bodies = bodies.to_vec();
-            self.reference = Arc::new(ReferenceScene::new(bodies));
+            self.reference = Arc::new(PreparedScene::moving(bodies));
         }
     }
 
     /// The truth.
     #[must_use]
-    pub fn reference(&self) -> Arc<ReferenceScene> {
+    pub fn reference(&self) -> Arc<PreparedScene> {
         Arc::clone(&self.reference)
     }
 

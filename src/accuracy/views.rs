@@ -1,9 +1,10 @@
 //! The views in which methods are measured: a point of the scene seen to come, to pass and to go.
 
-use relativity_core::math;
 use relativity_core::{Aperture, DomainError, SourcePoint, Speed, sighting};
 use relativity_render::{Camera, Gaze, Geometry, View};
 use serde::Serialize;
+
+use crate::passage::time_seen_at;
 
 /// Where the tracked point is seen. Its distance as it passes x = 0 is the unit of length here.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -31,19 +32,16 @@ impl Place {
         }
     }
 
-    /// The observation time at which `point` is seen there from the origin; 0 at rest, where it never moves.
+    /// The observation time at which `point` is seen there from the origin; 0 at rest, where it never moves, and outside
+    /// the domain of the core.
     #[must_use]
     pub fn observation_time(self, speed: &Speed, point: SourcePoint) -> f64 {
-        if speed.beta() == 0.0 {
-            return 0.0;
-        }
-        let rho = math::hypot(point.y, point.z);
-        let x = match self {
+        let ratio = match self {
             Self::Approaching => -3.0,
             Self::Abreast => 0.0,
             Self::Receding => 3.0,
-        } * rho;
-        (x - point.x0) / speed.beta() + math::hypot(x, rho)
+        };
+        time_seen_at(ratio, speed, point, 0.0).ok().flatten().unwrap_or_default()
     }
 }
 

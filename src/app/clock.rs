@@ -1,7 +1,7 @@
 //! How the observation time runs. The wall clock's step is an argument, so tests decide what it is.
 
 use relativity_core::math;
-use relativity_core::{SourcePoint, Speed};
+use relativity_core::{SourcePoint, Speed, observation_time_when_seen_at};
 
 /// Largest magnitude of the observation time that the window accepts.
 pub const MAX_TIME: f64 = 1e12;
@@ -40,19 +40,40 @@ pub fn advanced(time: f64, step: f64, rate: f64, looping: bool, range: [f64; 2])
 /// First and last T of a range that shows `point` approaching, abreast and receding.
 #[must_use]
 pub fn fitted_range(speed: &Speed, point: SourcePoint) -> [f64; 2] {
-    let beta = speed.beta().max(SLOWEST_FITTED_BETA);
-    let nearest = math::hypot(point.y, point.z).max(NEAREST_FITTED_DISTANCE);
-    // Abreast (X = 0) is seen one light travel time after the passage at t = -x0/beta.
-    let abreast = nearest - point.x0 / beta;
-    [abreast - 2.0 * nearest / beta, abreast + 3.0 * nearest / beta].map(bounded)
+    let passage = Passage::new(speed, point);
+    let (abreast, beta) = (passage.time_seen_at(0.0), passage.speed.beta());
+    [-2.0, 3.0].map(|widths| bounded(abreast + widths * passage.nearest / beta))
 }
 
 /// When `point` is seen 45 degrees before it is abreast: near enough to look at, and still approaching.
 #[must_use]
 pub fn time_of_approach(speed: &Speed, point: SourcePoint) -> f64 {
-    let beta = speed.beta().max(SLOWEST_FITTED_BETA);
-    let nearest = math::hypot(point.y, point.z).max(NEAREST_FITTED_DISTANCE);
-    bounded((-nearest - point.x0) / beta + nearest * std::f64::consts::SQRT_2)
+    let passage = Passage::new(speed, point);
+    bounded(passage.time_seen_at(-passage.nearest))
+}
+
+/// A passage that is neither too slow nor too near to be shown.
+struct Passage {
+    speed: Speed,
+    x0: f64,
+    nearest: f64,
+}
+
+impl Passage {
+    fn new(speed: &Speed, point: SourcePoint) -> Self {
+        let slowest = Speed::from_beta(SLOWEST_FITTED_BETA).expect("it is below 1");
+        Self {
+            speed: if speed.beta() < slowest.beta() { slowest } else { *speed },
+            x0: point.x0,
+            nearest: math::hypot(point.y, point.z).max(NEAREST_FITTED_DISTANCE),
+        }
+    }
+
+    /// 0 outside the domain of the core.
+    fn time_seen_at(&self, x: f64) -> f64 {
+        let point = SourcePoint { x0: self.x0, y: self.nearest, z: 0.0 };
+        observation_time_when_seen_at(&self.speed, point, x, 0.0).ok().flatten().unwrap_or_default()
+    }
 }
 
 /// `time` inside the magnitudes that the window accepts.

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use relativity_render::{Geometry, ReferenceScene};
+use relativity_render::{Geometry, PreparedScene};
 
 use super::clock;
 use super::observer::{Eye, MAX_ELEVATION};
@@ -182,7 +182,7 @@ impl State {
         }
         let view = self.view(pick.eye, pick.size, self.gaze());
         let line_of_sight = view.camera.line_of_sight(pick.pixel);
-        let Some(hit) = ReferenceScene::new(&self.session.bodies).first_hit(&view, line_of_sight) else {
+        let Some(hit) = PreparedScene::moving(&self.session.bodies).first_hit(&view, line_of_sight) else {
             return;
         };
         let [_, dy, dz] = self.shift();

@@ -8,7 +8,7 @@ use relativity_core::Speed;
 use relativity_render::backdrop::Backdrop;
 use relativity_render::rectified_hits::Blank;
 use relativity_render::rectify::Rectification;
-use relativity_render::{Appearance, Body, Camera, ReferenceScene, View};
+use relativity_render::{Appearance, Body, Camera, PreparedScene, Velocity, View};
 
 use super::background_picture::BackgroundPicture;
 
@@ -48,9 +48,10 @@ fn picture(job: &Job) -> ColorImage {
     let size = size(job.view.camera.size);
     let camera = Camera { size: size.map(|side| FINENESS * side), ..job.view.camera };
     let view = View { camera, ..job.view };
-    let rest = Camera { size, ..Rectification::rest_camera(&camera, &job.speed) };
-    let rectification = Rectification::new(view.camera, rest, job.speed);
-    let hits = ReferenceScene::new(&job.bodies).hit_image(&view);
+    let velocity = Velocity::forward(job.speed);
+    let rest = Camera { size, ..Rectification::rest_camera(&camera, &velocity) };
+    let rectification = Rectification::new(view.camera, rest, velocity);
+    let hits = PreparedScene::moving(&job.bodies).hit_image(&view);
     let wavelengths: Vec<f64> = job.bodies.iter().map(|body| body.rest_wavelength_nm).collect();
     let plain = Appearance { sky: false, ground_z: None, ..job.appearance };
     let background = Backdrop::new(&view.camera, &plain).sky(view.camera.gaze.axes().forward);

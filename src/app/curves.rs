@@ -3,9 +3,7 @@
 
 use egui_plot::PlotPoint;
 use relativity_core::math;
-use relativity_core::{
-    Aperture, PublishedVariant, SourcePoint, Speed, disparity, equidistance_time, published_disparity,
-};
+use relativity_core::{Aperture, Model, PublishedVariant, SourcePoint, Speed, equidistance_time};
 
 /// A quantity that is plotted against T.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -105,8 +103,7 @@ impl Curves {
 }
 
 fn exact_values(key: &Key, time: f64) -> Option<[f64; EXACT]> {
-    let [left, right] = Aperture::pair(key.separation);
-    let both = disparity(&key.speed, key.source, left, right, time).ok()?;
+    let both = Model::Exact.disparity(&key.speed, key.source, key.separation, time).ok()?;
     let (l, r) = (both.primary, both.secondary);
     let values = [
         both.dphi,
@@ -122,8 +119,8 @@ fn exact_values(key: &Key, time: f64) -> Option<[f64; EXACT]> {
 }
 
 fn published_values(key: &Key, time: f64) -> Option<[f64; 2]> {
-    let variant = PublishedVariant::AppendixA;
-    let both = published_disparity(&key.speed, key.source, key.separation, time, variant).ok()?;
+    let model = Model::Published(PublishedVariant::AppendixA);
+    let both = model.disparity(&key.speed, key.source, key.separation, time).ok()?;
     let values = [both.dphi, both.dtheta];
     values.iter().all(|value| value.is_finite()).then_some(values)
 }

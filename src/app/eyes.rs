@@ -7,7 +7,7 @@ use eframe::egui::{ColorImage, Context, TextureId};
 use eframe::egui_wgpu::RenderState;
 use eframe::wgpu::FilterMode;
 use relativity_render::{
-    Appearance, Body, ExactRenderer, EyeTarget, Geometry, Gpu, MeshRenderer, ReferenceScene, View,
+    Appearance, Body, ExactRenderer, EyeTarget, Geometry, Gpu, MeshRenderer, PreparedScene, View,
 };
 
 use super::background_picture::BackgroundPicture;
@@ -119,7 +119,7 @@ impl ReferencePicture {
 }
 
 fn reference_picture(request: &Request) -> ColorImage {
-    let scene = ReferenceScene::new(&request.bodies);
+    let scene = PreparedScene::moving(&request.bodies);
     let picture = scene.picture(&request.view, &request.appearance, REFERENCE_SAMPLES);
     ColorImage::from_rgba_unmultiplied(picture.size.map(|side| side as usize), picture.rgba.as_flattened())
 }

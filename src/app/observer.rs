@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 use relativity_core::{
-    Aperture, Disparity, Parameter, PublishedVariant, Sighting, SourcePoint, Speed, disparity,
-    equidistance_time, published_disparity, sighting,
+    Aperture, Disparity, Model, Parameter, PublishedVariant, Sighting, SourcePoint, Speed, equidistance_time,
+    sighting,
 };
 use relativity_render::{Camera, Gaze, Geometry, View};
 
@@ -106,8 +106,12 @@ impl State {
     /// The exact disparity of `point` now.
     #[must_use]
     pub fn disparity(&self, point: &Point) -> Option<Disparity> {
-        let [left, right] = Eye::BOTH.map(|eye| self.aperture(eye));
-        disparity(&self.speed(), self.source(point), left, right, self.session.time).ok()
+        self.disparity_in(Model::Exact, point)
+    }
+
+    fn disparity_in(&self, model: Model, point: &Point) -> Option<Disparity> {
+        let separation = self.settings.motion.separation;
+        model.disparity(&self.speed(), self.source(point), separation, self.session.time).ok()
     }
 
     /// T0 of `point`: when both eyes see it at the same distance. `None` at rest.
@@ -125,10 +129,8 @@ impl State {
 
     /// The published model's apparent position of `point` for the right eye, from the left aperture.
     fn published_position(&self, point: &Point) -> Option<[f64; 3]> {
-        let (speed, variant) = (self.speed(), PublishedVariant::AppendixA);
-        let separation = self.settings.motion.separation;
-        let both = published_disparity(&speed, self.source(point), separation, self.session.time, variant);
-        Some(both.ok()?.secondary.position)
+        let model = Model::Published(PublishedVariant::AppendixA);
+        Some(self.disparity_in(model, point)?.secondary.position)
     }
 
     /// From the aperture of `eye` to where the shown geometry has `point` now.

@@ -1,7 +1,7 @@
 //! What the user sets and the program remembers: plain values in groups, one group per control section.
 
 use eframe::egui::ThemePreference;
-use relativity_core::{Curves, FitModel};
+use relativity_core::{Curves, Model};
 use relativity_render::{Colour, Geometry, MeshRenderer, Shading};
 use serde::{Deserialize, Serialize};
 
@@ -234,11 +234,9 @@ pub struct FitSetup {
     /// Seed of the noise and of the bootstrap.
     pub seed: u64,
     /// Which curves are fitted.
-    #[serde(with = "SavedCurves")]
     pub curves: Curves,
     /// With which binocular model.
-    #[serde(with = "SavedFitModel")]
-    pub model: FitModel,
+    pub model: Model,
     /// Whether the time of passage is unknown and x0 fitted too.
     pub fit_x0: bool,
 }
@@ -251,7 +249,7 @@ impl Default for FitSetup {
             noise_percent: 1.0,
             seed: 1,
             curves: Curves::Both,
-            model: FitModel::Exact,
+            model: Model::Exact,
             fit_x0: false,
         }
     }
@@ -287,21 +285,4 @@ impl Default for Window {
             theme: ThemePreference::Dark,
         }
     }
-}
-
-// The enums of the other crates as they are saved; the compiler holds the two in step.
-
-#[derive(Serialize, Deserialize)]
-#[serde(remote = "Curves")]
-enum SavedCurves {
-    Azimuth,
-    Polar,
-    Both,
-}
-
-#[derive(Serialize, Deserialize)]
-#[serde(remote = "FitModel")]
-enum SavedFitModel {
-    Exact,
-    Published,
 }

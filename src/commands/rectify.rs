@@ -4,10 +4,10 @@ use std::path::{Path, PathBuf};
 
 use anyhow::Context as _;
 use clap::Args;
+use relativity_core::Aperture;
 use relativity_core::doppler::PAPER_INTENSITY_EXPONENT;
-use relativity_core::{Aperture, Speed};
 use relativity_render::rectify::{LightCorrection, Rectification};
-use relativity_render::{Camera, Gaze};
+use relativity_render::{Camera, Gaze, Velocity};
 
 use crate::files::exr::{Channel, Measurements};
 use crate::files::png::{self, PngFile};
@@ -31,6 +31,9 @@ pub struct RectifyArgs {
     image: PathBuf,
     #[command(flatten)]
     speed: SpeedArgs,
+    /// The objects move towards -x.
+    #[arg(long)]
+    backward: bool,
     /// Horizontal field of view of the picture, degrees [default: as the file records it]
     #[arg(long, value_name = "DEG", value_parser = field_of_view)]
     fov: Option<f64>,
@@ -121,7 +124,7 @@ impl RectifyArgs {
     fn rectification(&self, size: [u32; 2], recorded: &Recorded) -> anyhow::Result<Rectification> {
         let (parameter, value) =
             self.speed.given().context("one of --beta, --gamma, --rapidity is needed")?;
-        let speed: Speed = parameter.speed(value)?;
+        let velocity = Velocity { speed: parameter.speed(value)?, is_backward: self.backward };
         let fov = self
             .fov
             .or_else(|| recorded.number("fov"))
@@ -130,14 +133,14 @@ impl RectifyArgs {
             .or_else(|| recorded.gaze())
             .context("--gaze is needed: the file does not record it")?;
         let ground = Camera { aperture: Aperture::default(), gaze, horizontal_fov: fov.to_radians(), size };
-        let mut rest = Rectification::rest_camera(&ground, &speed);
+        let mut rest = Rectification::rest_camera(&ground, &velocity);
         if let Some(fov) = self.out_fov {
             rest.horizontal_fov = fov.to_radians();
         }
         if let Some(gaze) = fixed(self.out_gaze, "--out-gaze")? {
             rest.gaze = gaze;
         }
-        Ok(Rectification::new(ground, rest, speed))
+        Ok(Rectification::new(ground, rest, velocity))
     }
 
     /// The command that corrects the picture again, with the camera that took the corrected one.
@@ -146,8 +149,9 @@ impl RectifyArgs {
             self.speed.given().context("one of --beta, --gamma, --rapidity is needed")?;
         let Camera { gaze, horizontal_fov, .. } = rectification.rest();
         Ok(format!(
-            "gamow rectify --{}={value} --out-fov={} --out-gaze={},{}",
+            "gamow rectify --{}={value}{} --out-fov={} --out-gaze={},{}",
             parameter.name(),
+            if self.backward { " --backward" } else { "" },
             horizontal_fov.to_degrees(),
             gaze.azimuth.to_degrees(),
             gaze.elevation.to_degrees()

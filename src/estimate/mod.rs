@@ -4,15 +4,14 @@ use std::fmt;
 
 use relativity_core::math;
 use relativity_core::{
-    Bootstrap, Combined, Curves, Fit, FitError, FitModel, FitOptions, Observations, Parameter, bootstrap,
-    combined, fit,
+    Bootstrap, Combined, Curves, Fit, FitError, FitOptions, Observations, Parameter, bootstrap, combined, fit,
 };
 use serde::Serialize;
 
 /// The fit, and with both curves also the fit of each and their weighted mean.
 #[derive(Debug, Serialize)]
 pub struct FitReport {
-    /// `exact` or `published`.
+    /// The name of the [`Model`](relativity_core::Model).
     pub model: &'static str,
     /// Always true: what did not converge is an error.
     pub converged: bool,
@@ -151,10 +150,7 @@ impl FitReport {
             Curves::Azimuth | Curves::Polar => Fits::default(),
             Curves::Both => Fits::new(attempt(Curves::Azimuth), attempt(Curves::Polar)),
         };
-        let model = match options.model {
-            FitModel::Exact => "exact",
-            FitModel::Published => "published",
-        };
+        let model = options.model.name();
         Ok(Self { model, converged: true, fit: CurvesFit::new(&joint), bootstrap, fits })
     }
 }

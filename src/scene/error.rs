@@ -95,6 +95,9 @@ pub enum Problem {
         /// Its value.
         value: String,
     },
+    /// A speed that is none.
+    #[error("beta = {0} must lie between -1 and 1 (0 rests on the ground, below 0 moves towards -x)")]
+    NoSpeed(String),
     /// A ring whose tube leaves no hole.
     #[error("tube_radius = {tube_radius} must be below radius = {radius}")]
     NoHole {
@@ -116,7 +119,7 @@ pub enum Problem {
     #[error("scene = {name} must be one of {list}", name = .0, list = PRESETS.join(", "))]
     UnknownInclude(String),
     /// A scene without bodies.
-    #[error("a scene needs at least one [[object]] or [[include]]")]
+    #[error("a scene needs at least one [[object]], [[include]] or [[group]] with one")]
     Empty,
 }
 

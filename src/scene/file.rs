@@ -1,12 +1,12 @@
 //! The scene format: what each table of a scene file means.
 
-use relativity_render::{Body, Shape};
+use relativity_render::{Body, Motion, Shape, Velocity};
 use toml::de::DeTable;
 
-use super::Scene;
 use super::error::{Located, Problem};
 use super::placement::{forward_most_point, moved};
 use super::table::{Table, coincide};
+use super::{Scene, SceneGroup};
 
 /// Red, as in the paper.
 const DEFAULT_WAVELENGTH_NM: f64 = 700.0;
@@ -15,30 +15,55 @@ const DEFAULT_WAVELENGTH_NM: f64 = 700.0;
 pub(super) fn scene(text: &str) -> Result<Scene, Located> {
     let document = DeTable::parse(text).map_err(|error| Located::syntax(text, &error))?;
     let top = Table { text, entries: document.get_ref(), span: 0..0, owner: "a scene" };
-    top.check_keys(&["name", "tracked", "ground_z", "include", "object"])?;
+    top.check_keys(&["name", "tracked", "ground_z", "include", "object", "group"])?;
     let name = top.needed_string("name")?.to_owned();
     let ground_z = top.coordinate("ground_z")?;
     let tracked = top.point("tracked")?;
-    let bodies = bodies(&top)?;
-    let Some(forward_most) = forward_most_point(&bodies) else {
+    let (bodies, groups) = groups(&top, &name)?;
+    let own = groups.first().map_or(&[][..], |group| &bodies[group.bodies()]);
+    let Some(forward_most) = forward_most_point(own) else {
         return Err(Located { span: top.span, problem: Problem::Empty });
     };
-    Ok(Scene { name, bodies, tracked: tracked.unwrap_or(forward_most), ground_z })
+    Ok(Scene { name, bodies, groups, tracked: tracked.unwrap_or(forward_most), ground_z })
 }
 
-/// All bodies: the included ones first.
-fn bodies(top: &Table) -> Result<Vec<Body>, Located> {
+/// All bodies, and the groups they belong to: the scene's own, which moves at its speed, comes first. A group without
+/// bodies is left out.
+fn groups(top: &Table, name: &str) -> Result<(Vec<Body>, Vec<SceneGroup>), Located> {
+    let mut all = bodies(top)?;
+    let mut groups =
+        vec![SceneGroup { name: name.to_owned(), motion: Motion::Scene, first: 0, count: all.len() }];
+    for table in top.tables("group", "a group")? {
+        table.check_keys(&["name", "beta", "include", "object"])?;
+        let (name, motion) = (table.needed_string("name")?.to_owned(), motion(&table)?);
+        let own = bodies(&table)?;
+        groups.push(SceneGroup { name, motion, first: all.len(), count: own.len() });
+        all.extend(own);
+    }
+    groups.retain(|group| group.count > 0);
+    Ok((all, groups))
+}
+
+/// How a group moves: at the scene's speed unless it has its own.
+fn motion(group: &Table) -> Result<Motion, Located> {
+    let Some(beta) = group.coordinate("beta")? else { return Ok(Motion::Scene) };
+    let velocity = Velocity::from_beta(beta).map_err(|_| group.problem_at("beta", Problem::NoSpeed))?;
+    Ok(Motion::Own(velocity))
+}
+
+/// All bodies of a group: the included ones first.
+fn bodies(group: &Table) -> Result<Vec<Body>, Located> {
     let mut bodies = Vec::new();
-    for include in top.tables("include", "an include")? {
+    for include in group.tables("include", "an include")? {
         bodies.extend(included_bodies(&include)?);
     }
-    for object in top.tables("object", "an object")? {
+    for object in group.tables("object", "an object")? {
         bodies.push(body(object)?);
     }
     Ok(bodies)
 }
 
-/// The bodies of a preset, moved.
+/// The bodies of a preset, moved; they move as the group does that includes them.
 fn included_bodies(include: &Table) -> Result<Vec<Body>, Located> {
     include.check_keys(&["scene", "offset"])?;
     let name = include.needed_string("scene")?;

@@ -1,6 +1,6 @@
 //! Scene files, right and wrong.
 
-use relativity_render::{Body, Shape};
+use relativity_render::{Body, Motion, Shape, Velocity};
 
 use super::{PRESETS, Scene, SceneError};
 
@@ -95,6 +95,46 @@ fn an_include_moves_a_preset_and_comes_before_the_objects() {
 }
 
 #[test]
+fn groups_have_motions_of_their_own() {
+    let ball = "[[group.object]]\nshape = \"sphere\"\ncenter = [0, 3, 2]\nradius = 1\n";
+    let text = format!(
+        "{EXAMPLE}[[group]]\nname = \"street\"\nbeta = 0\n{ball}{ball}[[group]]\nname = \"oncoming\"\nbeta = -0.6\n{ball}"
+    );
+    let scene = Scene::parse(&text, "x").expect("right");
+    let found: Vec<_> =
+        scene.groups.iter().map(|group| (&group.name[..], group.motion, group.bodies())).collect();
+    let oncoming = Velocity::from_beta(-0.6).expect("a speed");
+    let expected = [
+        ("Two balls", Motion::Scene, 0..3),
+        ("street", Motion::Own(Velocity::REST), 3..5),
+        ("oncoming", Motion::Own(oncoming), 5..6),
+    ];
+    assert_eq!(found, expected);
+    assert_eq!(scene.prepared().motion_of(5), Motion::Own(oncoming));
+}
+
+#[test]
+fn a_scene_may_be_all_groups() {
+    let group = "[[group]]\nname = \"b\"\n[[group.include]]\nscene = \"two-balls\"\n";
+    let scene = Scene::parse(&format!("name = \"x\"\n[[group]]\nname = \"a\"\n{group}"), "x").expect("right");
+    assert_eq!(scene.groups.len(), 1);
+    assert_eq!((&scene.groups[0].name[..], scene.groups[0].bodies()), ("b", 0..scene.bodies.len()));
+}
+
+#[test]
+fn a_group_moves_slower_than_light() {
+    for beta in ["1", "-1.0", "2"] {
+        assert_eq!(
+            error(&format!("name = \"x\"\n[[group]]\nname = \"a\"\nbeta = {beta}\n")),
+            format!(
+                "balls.toml:4: beta = {beta} must lie between -1 and 1 (0 rests on the ground, below 0 moves towards -x)"
+            )
+        );
+    }
+    assert_eq!(error("name = \"x\"\n[[group]]\nbeta = 0\n"), "balls.toml:2: a group needs `name`");
+}
+
+#[test]
 fn presets_are_found_by_name_only() {
     assert_eq!(Scene::default(), Scene::preset(PRESETS[0]).expect("a preset"));
     assert!(PRESETS.iter().all(|name| Scene::open(name).is_ok()));
@@ -123,7 +163,7 @@ fn a_syntax_error_names_line_and_column() {
 fn an_unknown_key_is_told_the_keys_there_are() {
     assert_eq!(
         error("name = \"x\"\n\ngroud_z = 1\n"),
-        "balls.toml:3: unknown key `groud_z`: a scene has name, tracked, ground_z, include, object"
+        "balls.toml:3: unknown key `groud_z`: a scene has name, tracked, ground_z, include, object, group"
     );
     assert_eq!(
         object_error("shape = \"sphere\"\ncenter = [0, 3, 2]\nradus = 1"),
@@ -233,7 +273,10 @@ fn shapes_and_scenes_are_known_by_name() {
 
 #[test]
 fn a_scene_is_never_empty() {
-    assert_eq!(error("name = \"x\"\n"), "balls.toml:1: a scene needs at least one [[object]] or [[include]]");
+    assert_eq!(
+        error("name = \"x\"\n"),
+        "balls.toml:1: a scene needs at least one [[object]], [[include]] or [[group]] with one"
+    );
 }
 
 #[test]

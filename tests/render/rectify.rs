@@ -4,9 +4,9 @@ use std::path::Path;
 
 use gamow::files::exr::{Channel, Measurements};
 use gamow::files::png::PngFile;
-use relativity_core::{Aperture, Speed};
+use relativity_core::Aperture;
 use relativity_render::rectify::Rectification;
-use relativity_render::{Camera, Picture};
+use relativity_render::{Camera, Picture, Velocity};
 
 use super::{complaint_of, folder, render, run_gamow};
 
@@ -61,7 +61,7 @@ fn rectification(seen: &Measurements, truth: &Measurements, beta: f64) -> Rectif
         horizontal_fov: file.recorded().number("fov").expect("it is recorded").to_radians(),
         size: file.size,
     };
-    Rectification::new(camera(seen), camera(truth), Speed::from_beta(beta).expect("a speed"))
+    Rectification::new(camera(seen), camera(truth), Velocity::from_beta(beta).expect("a speed"))
 }
 
 /// Whether a pixel within one pixel of (column, row) fulfils `is`.

@@ -13,7 +13,7 @@ use gamow::app::observer::Eye;
 use gamow::app::settings::{PlotTab, Plots, Settings};
 use gamow::app::state::State;
 use gamow::flags::RendererChoice;
-use relativity_render::ReferenceScene;
+use relativity_render::PreparedScene;
 
 use super::Test;
 use super::support::{cyclist, labels, pane, type_into, window, window_of_size};
@@ -62,7 +62,7 @@ fn share_in_pane(window: &mut Harness<'_, App>, differs: fn([u8; 3], [u8; 3]) ->
     let size = [pane.width() as u32, pane.height() as u32];
     let state = window.state().state();
     let view = state.view(Eye::Left, size, state.gaze());
-    let reference = ReferenceScene::new(&state.session.bodies).picture(&view, &state.appearance(false), 2);
+    let reference = PreparedScene::moving(&state.session.bodies).picture(&view, &state.appearance(false), 2);
     let shown = window.render().expect("a picture");
     let compared = size[0] * (size[1] - NOTE);
     let differing = (0..compared).filter(|i| {

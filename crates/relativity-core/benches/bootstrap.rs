@@ -16,7 +16,7 @@ use std::time::Instant;
 use rand::{RngExt as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 use relativity_core::{
-    Curves, FitModel, FitOptions, Observations, Passage, Sample, bootstrap, fit, fit_from,
+    Curves, FitOptions, Model, Observations, Passage, PublishedVariant, Sample, bootstrap, fit, fit_from,
 };
 
 const REPLICATES: usize = 1000;
@@ -26,7 +26,7 @@ fn main() {
     let case = common::Case { noise: 0.01, ..common::PAPER };
     println!("{} samples, {REPLICATES} replicates, {} threads", case.samples, rayon::current_num_threads());
     println!("model     curves x0     |  fit ms  bootstrap ms  both ms | naive bootstrap ms  ratio");
-    for model in [FitModel::Exact, FitModel::Published] {
+    for model in [Model::Exact, Model::Published(PublishedVariant::AppendixA)] {
         let samples = case.samples(model, 1);
         for curves in [Curves::Azimuth, Curves::Polar, Curves::Both] {
             for passage in [Passage::Known(0.0), Passage::Fitted] {

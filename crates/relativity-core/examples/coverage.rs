@@ -36,7 +36,7 @@ mod tally;
 
 use rand::SeedableRng as _;
 use rand_chacha::ChaCha8Rng;
-use relativity_core::{Curves, FitModel, FitOptions, Passage};
+use relativity_core::{Curves, FitOptions, Model, Passage, PublishedVariant};
 use tally::Tally;
 
 fn main() {
@@ -48,7 +48,7 @@ fn main() {
     println!(
         "model     curves x0     | right refused wrong unsteady | within 1 SE: beta y z x0 | within 95 %: beta y z x0"
     );
-    for model in [FitModel::Exact, FitModel::Published] {
+    for model in [Model::Exact, Model::Published(PublishedVariant::AppendixA)] {
         for curves in [Curves::Both, Curves::Azimuth, Curves::Polar] {
             if only.as_deref().is_some_and(|only| only != curves.name()) {
                 continue;
@@ -62,7 +62,7 @@ fn main() {
                     tally.add(&case, &FitOptions { model, curves, passage }, index as u64);
                 }
                 let x0 = if fits_x0 { "fitted" } else { "known" };
-                println!("{:9} {:6} {x0:6} | {tally}", format!("{model:?}"), curves.name());
+                println!("{:9} {:6} {x0:6} | {tally}", model.name(), curves.name());
             }
         }
     }

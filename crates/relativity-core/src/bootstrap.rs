@@ -13,7 +13,7 @@ use nalgebra::Matrix4;
 use rand::{RngExt as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 
-use crate::fit::{Fit, FitError, Free, NormalEquations, Parameter, Regular, reported};
+use crate::fit::{Fit, FitError, Free, NormalEquations, Parameter, Regular};
 use crate::threads::prelude::*;
 
 /// The number of replicates from which 95 % intervals are steady.
@@ -180,7 +180,7 @@ impl<'a> Shared<'a> {
 
     fn estimate(&self, counts: &[f64]) -> Option<[f64; 4]> {
         let free = self.minimum(counts)?;
-        Some(reported(&self.regular.trial(&free)?))
+        Some(self.regular.trial(&free)?.reported())
     }
 
     fn minimum(&self, counts: &[f64]) -> Option<Free> {
@@ -247,17 +247,21 @@ fn damped(hessian: &Matrix4<f64>, damping: f64) -> Matrix4<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Curves, FitOptions, Observations, Reading, Sample, fit, fit_from};
+    use crate::apparent::{Aperture, SourcePoint};
+    use crate::disparity::disparity;
+    use crate::fit::{Curves, FitOptions, Observations, Reading, Sample, fit, fit_from};
+    use crate::math;
+    use crate::speed::Speed;
 
     /// A curve with a deterministic ripple for noise.
     fn samples() -> Vec<Sample> {
-        let speed = crate::Speed::from_beta(0.8).expect("a speed");
-        let point = crate::SourcePoint { x0: 0.0, y: 1.0, z: 0.7 };
-        let [left, right] = crate::Aperture::pair(0.1);
+        let speed = Speed::from_beta(0.8).expect("a speed");
+        let point = SourcePoint { x0: 0.0, y: 1.0, z: 0.7 };
+        let [left, right] = Aperture::pair(0.1);
         let sample = |index: u32| {
             let time = -1.0 + f64::from(index) / 25.0;
-            let seen = crate::disparity(&speed, point, left, right, time).expect("inside the domain");
-            let value = seen.dphi + 1e-3 * crate::math::sin(f64::from(index * index));
+            let seen = disparity(&speed, point, left, right, time).expect("inside the domain");
+            let value = seen.dphi + 1e-3 * math::sin(f64::from(index * index));
             Sample { time, pair: 0, dphi: Some(Reading { value, sigma: None }), dtheta: None }
         };
         (0..150).map(sample).collect()

@@ -2,7 +2,7 @@
 
 use crate::apparent::{Aperture, LightCone, Sighting, SourcePoint, check_inputs};
 use crate::cone_pair::ConePair;
-use crate::domain::{DomainError, check};
+use crate::domain::DomainError;
 use crate::speed::Speed;
 
 /// Two sightings of one point, and the differences between them.
@@ -63,28 +63,4 @@ pub fn disparities(
     let against_primary =
         |&secondary: &Aperture| disparity(speed, point, apertures[0], secondary, observation_time);
     apertures.iter().map(against_primary).collect()
-}
-
-/// T0: the observation time at which `point` is seen equidistant from both apertures of the paper's
-/// pair (eq. 6 of the paper, shifted by -x0/beta for a point not on x(0) = 0).
-///
-/// At rest (beta = 0) a point is equidistant always or never, so there is no such time: `None`.
-/// Nor is there one if it is too far off for an f64, which takes an absurdly small beta.
-///
-/// # Errors
-///
-/// A coordinate outside the domain.
-pub fn equidistance_time(
-    speed: &Speed,
-    point: SourcePoint,
-    separation: f64,
-) -> Result<Option<f64>, DomainError> {
-    check_inputs(point, Aperture::default(), check("d", separation)?)?;
-    if speed.beta() == 0.0 {
-        return Ok(None);
-    }
-    let half = separation / 2.0;
-    let distance = (half * half + point.y * point.y + point.z * point.z).sqrt();
-    let time = distance - point.x0 / speed.beta();
-    Ok(time.is_finite().then_some(time))
 }

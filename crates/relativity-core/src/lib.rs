@@ -51,12 +51,15 @@ pub mod apparent;
 pub mod batch;
 mod batch_error;
 pub mod bootstrap;
+pub mod combined;
 mod cone_pair;
 pub mod disparity;
 pub mod domain;
 pub mod doppler;
 pub mod fit;
 pub mod math;
+mod model;
+pub mod passage;
 pub mod published;
 mod real;
 pub mod speed;
@@ -64,11 +67,14 @@ pub mod threads;
 
 pub use apparent::{Aperture, Sighting, SourcePoint, sighting};
 pub use bootstrap::{Bootstrap, DEFAULT_REPLICATES, bootstrap, bootstrap_unless};
-pub use disparity::{Disparity, disparities, disparity, equidistance_time};
+pub use combined::{Combined, combined};
+pub use disparity::{Disparity, disparities, disparity};
 pub use domain::{DomainError, MAX_COORDINATE};
 pub use fit::{
-    Combined, Curves, Fit, FitError, FitModel, FitOptions, Observations, Parameter, Passage, Reading, Sample,
-    Simulation, combined, fit, fit_from,
+    Curves, Fit, FitError, FitOptions, NotConverged, Observations, Parameter, Passage, Reading, Sample,
+    Simulation, fit, fit_from,
 };
+pub use model::Model;
+pub use passage::{equidistance_time, observation_time_when_seen_at};
 pub use published::{PublishedVariant, printed_apparent_x, published_disparity};
 pub use speed::{MAX_GAMMA, Speed, SpeedError};

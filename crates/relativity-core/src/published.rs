@@ -11,12 +11,22 @@ use crate::domain::{DomainError, check};
 use crate::speed::Speed;
 
 /// The sign of the delay `Delta T` (eq. 5), on which the paper disagrees with itself.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum PublishedVariant {
     /// `X_S = X(T - Delta T)`, as Appendix A prints it; right to first order.
     AppendixA,
     /// `X_S = X(T + Delta T)`, as the text of section 3 writes.
     TextSign,
+}
+
+impl PublishedVariant {
+    /// The sign with which Delta T goes into the right eye's time.
+    pub(crate) const fn delay_sign(self) -> f64 {
+        match self {
+            Self::AppendixA => -1.0,
+            Self::TextSign => 1.0,
+        }
+    }
 }
 
 /// Disparity of `point` in the published model, for the paper's pair of apertures.
@@ -71,12 +81,11 @@ pub(crate) fn cone_pair(
     let s0 = point.x0 + speed.beta() * observation_time;
     let left = LightCone::at(&speed.coefficients(), s0 + separation / 2.0, point.y, point.z);
     let Delay { delay, right_distance } = delay(speed, s0, separation, &left);
-    let (shift, s) = match variant {
-        PublishedVariant::AppendixA => {
-            (-delay, appendix_a_s(speed, s0, separation, &left, delay, right_distance))
-        }
-        PublishedVariant::TextSign => (delay, text_s(speed, separation, &left, delay)),
+    let s = match variant {
+        PublishedVariant::AppendixA => appendix_a_s(speed, s0, separation, &left, delay, right_distance),
+        PublishedVariant::TextSign => text_s(speed, separation, &left, delay),
     };
+    let shift = variant.delay_sign() * delay;
     let shifted = speed.beta() * shift;
     let right = LightCone::at(&speed.coefficients(), s, left.y, left.z);
     let offset = Offset { s: -shifted, y: 0.0, z: 0.0 };

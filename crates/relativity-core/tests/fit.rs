@@ -8,13 +8,12 @@ use common::{Case, PAPER};
 use rand::SeedableRng as _;
 use rand_chacha::ChaCha8Rng;
 use relativity_core::{
-    Aperture, Curves, Fit, FitError, FitModel, FitOptions, Observations, Parameter, Passage,
-    PublishedVariant, Reading, Sample, SourcePoint, Speed, bootstrap, disparity, fit, fit_from,
-    published_disparity,
+    Aperture, Curves, Fit, FitError, FitOptions, Model, Observations, Parameter, Passage, PublishedVariant,
+    Reading, Sample, SourcePoint, Speed, bootstrap, disparity, fit, fit_from, published_disparity,
 };
 use tally::Tally;
 
-const MODELS: [FitModel; 2] = [FitModel::Exact, FitModel::Published];
+const MODELS: [Model; 3] = Model::ALL;
 const CURVES: [Curves; 3] = [Curves::Azimuth, Curves::Polar, Curves::Both];
 const PASSAGES: [Passage; 2] = [Passage::Known(0.0), Passage::Fitted];
 
@@ -52,10 +51,8 @@ fn simulated_curves_are_the_disparities() {
     for model in MODELS {
         for sample in case.samples(model, 0) {
             let seen = match model {
-                FitModel::Exact => disparity(&speed, point, left, right, sample.time),
-                FitModel::Published => {
-                    published_disparity(&speed, point, 0.3, sample.time, PublishedVariant::AppendixA)
-                }
+                Model::Exact => disparity(&speed, point, left, right, sample.time),
+                Model::Published(variant) => published_disparity(&speed, point, 0.3, sample.time, variant),
             };
             let seen = seen.expect("inside the domain");
             let [dphi, dtheta] =
@@ -69,10 +66,10 @@ fn simulated_curves_are_the_disparities() {
 fn the_sign_of_height_is_seen_by_the_polar_curve() {
     let below = Case { z: -2.0, x0: 0.7, ..PAPER };
     let options = FitOptions { passage: Passage::Fitted, ..FitOptions::default() };
-    let both = fit(&below.observations(FitModel::Exact, 0), &options).expect("a fit");
+    let both = fit(&below.observations(Model::Exact, 0), &options).expect("a fit");
     assert_recovers(&both, below.truth(), 1e-9);
     let options = FitOptions { curves: Curves::Azimuth, ..options };
-    let azimuth = fit(&below.observations(FitModel::Exact, 0), &options).expect("a fit");
+    let azimuth = fit(&below.observations(Model::Exact, 0), &options).expect("a fit");
     assert_recovers(&azimuth, [0.9, 3.0, 2.0, 0.7], 1e-8);
 }
 
@@ -101,8 +98,9 @@ fn three_apertures_anywhere_give_the_object_back() {
 
 #[test]
 fn exact_data_fitted_by_the_published_model_are_biased() {
-    let observations = Case { noise: 0.005, ..PAPER }.observations(FitModel::Exact, 3);
-    let options = FitOptions { model: FitModel::Published, ..FitOptions::default() };
+    let observations = Case { noise: 0.005, ..PAPER }.observations(Model::Exact, 3);
+    let options =
+        FitOptions { model: Model::Published(PublishedVariant::AppendixA), ..FitOptions::default() };
     let exact = fit(&observations, &FitOptions::default()).expect("a fit");
     let is_biased = match fit(&observations, &options) {
         Ok(fit) => (fit.value(Parameter::Y) - PAPER.y).abs() > 10.0 * exact.standard_error(Parameter::Y),
@@ -132,7 +130,7 @@ fn intervals_hold_the_truth_as_often_as_they_say() {
 #[test]
 fn standard_errors_of_covariance_and_bootstrap_agree_for_small_noise() {
     let noisy = Case { noise: 0.005, ..PAPER };
-    let observations = noisy.observations(FitModel::Exact, 5);
+    let observations = noisy.observations(Model::Exact, 5);
     let fit = fit(&observations, &FitOptions::default()).expect("a fit");
     let replicates = bootstrap(&fit, 2000, 1).expect("replicates");
     for &parameter in fit.parameters() {
@@ -147,11 +145,11 @@ fn standard_errors_of_covariance_and_bootstrap_agree_for_small_noise() {
 #[test]
 fn right_sigmas_make_chi_squared_one_and_do_not_change_the_fit() {
     let noisy = Case { noise: 0.01, ..PAPER };
-    let mut samples = noisy.samples(FitModel::Exact, 8);
+    let mut samples = noisy.samples(Model::Exact, 8);
     let options = FitOptions { curves: Curves::Azimuth, ..FitOptions::default() };
     let without = Observations::of_pair(noisy.separation, samples.clone()).expect("usable samples");
     let without = fit(&without, &options).expect("a fit");
-    let clean = Case { noise: 0.0, ..noisy }.samples(FitModel::Exact, 8);
+    let clean = Case { noise: 0.0, ..noisy }.samples(Model::Exact, 8);
     let value = |sample: &Sample| sample.dphi.expect("a reading").value;
     let range =
         clean.iter().map(value).fold(f64::MIN, f64::max) - clean.iter().map(value).fold(f64::MAX, f64::min);
@@ -168,7 +166,7 @@ fn right_sigmas_make_chi_squared_one_and_do_not_change_the_fit() {
 
 #[test]
 fn replicates_depend_on_the_seed_but_not_on_threads() {
-    let observations = Case { noise: 0.01, ..PAPER }.observations(FitModel::Exact, 2);
+    let observations = Case { noise: 0.01, ..PAPER }.observations(Model::Exact, 2);
     let fit = fit(&observations, &FitOptions::default()).expect("a fit");
     let with_threads = |threads, seed| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
@@ -180,7 +178,7 @@ fn replicates_depend_on_the_seed_but_not_on_threads() {
 
 #[test]
 fn a_guess_near_the_truth_leads_to_the_same_fit() {
-    let observations = Case { noise: 0.01, ..PAPER }.observations(FitModel::Exact, 2);
+    let observations = Case { noise: 0.01, ..PAPER }.observations(Model::Exact, 2);
     let options = FitOptions::default();
     let found = fit(&observations, &options).expect("a fit");
     let guessed = fit_from(&observations, &options, [0.85, 3.3, 1.8, 0.0]).expect("a fit");
@@ -221,10 +219,10 @@ fn what_cannot_be_fitted_is_said_in_words() {
 fn a_slow_object_seen_only_in_azimuth_does_not_tell_its_height() {
     let slow = Case { beta: 0.005, y: 8.0, z: 0.5, noise: 0.02, ..PAPER };
     let options = FitOptions { curves: Curves::Azimuth, passage: Passage::Fitted, ..FitOptions::default() };
-    let error = fit(&slow.observations(FitModel::Exact, 1), &options).expect_err("no fit");
+    let error = fit(&slow.observations(Model::Exact, 1), &options).expect_err("no fit");
     assert!(matches!(error, FitError::Indistinguishable { parameter: "z", .. }), "{error}");
     let both = FitOptions { curves: Curves::Both, ..options };
-    fit(&slow.observations(FitModel::Exact, 1), &both).expect("both curves tell it");
+    fit(&slow.observations(Model::Exact, 1), &both).expect("both curves tell it");
 }
 
 /// Delta-phi has no slope at z = 0, where the noise often puts the best fit: z is then told by a bound.
@@ -232,7 +230,7 @@ fn a_slow_object_seen_only_in_azimuth_does_not_tell_its_height() {
 fn a_height_that_fits_best_as_zero_is_a_bound() {
     let low = Case { beta: 0.5, y: 8.0, z: 0.05, noise: 0.01, ..PAPER };
     let options = FitOptions { curves: Curves::Azimuth, ..FitOptions::default() };
-    let fits = (0..20).map(|seed| fit(&low.observations(FitModel::Exact, seed), &options).expect("a fit"));
+    let fits = (0..20).map(|seed| fit(&low.observations(Model::Exact, seed), &options).expect("a fit"));
     let zeros: Vec<Fit> = fits.filter(|fit| fit.value(Parameter::Z) == 0.0).collect();
     assert!((4..=16).contains(&zeros.len()), "{} of 20", zeros.len());
     for zero in zeros {
@@ -261,7 +259,7 @@ fn unusable_samples_are_named() {
 
 #[test]
 fn sigmas_are_given_for_all_readings_of_a_curve_or_for_none() {
-    let mut samples = PAPER.samples(FitModel::Exact, 0);
+    let mut samples = PAPER.samples(Model::Exact, 0);
     samples[3].dphi = samples[3].dphi.map(|reading| Reading { sigma: Some(1e-3), ..reading });
     let observations = Observations::of_pair(PAPER.separation, samples).expect("usable samples");
     let error = fit(&observations, &FitOptions::default()).expect_err("mixed");
@@ -271,15 +269,16 @@ fn sigmas_are_given_for_all_readings_of_a_curve_or_for_none() {
 #[test]
 fn the_published_model_needs_apertures_along_the_motion() {
     let pair = [Aperture::default(), Aperture { x: 0.1, y: 0.1, z: 0.0 }];
-    let observations = Observations::new(vec![pair], PAPER.samples(FitModel::Exact, 0)).expect("usable");
-    let options = FitOptions { model: FitModel::Published, ..FitOptions::default() };
+    let observations = Observations::new(vec![pair], PAPER.samples(Model::Exact, 0)).expect("usable");
+    let options =
+        FitOptions { model: Model::Published(PublishedVariant::AppendixA), ..FitOptions::default() };
     assert!(matches!(fit(&observations, &options), Err(FitError::Pair { pair: 0, .. })));
 }
 
 /// The standard error of the weighted mean is the scatter of the weighted mean over the replicates.
 #[test]
 fn the_combined_error_accounts_for_correlation() {
-    let observations = Case { noise: 0.01, ..PAPER }.observations(FitModel::Exact, 4);
+    let observations = Case { noise: 0.01, ..PAPER }.observations(Model::Exact, 4);
     let [azimuth, polar] = [Curves::Azimuth, Curves::Polar].map(|curves| {
         let best = fit(&observations, &FitOptions { curves, ..FitOptions::default() }).expect("a fit");
         let replicates = bootstrap(&best, 500, 9).expect("replicates");

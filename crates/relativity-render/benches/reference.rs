@@ -10,7 +10,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 use relativity_core::{Aperture, Speed};
 use relativity_render::camera::LinesOfSight;
-use relativity_render::{Body, Camera, Gaze, Geometry, ReferenceScene, Shape, View};
+use relativity_render::{Body, Camera, Gaze, Geometry, PreparedScene, Shape, View};
 
 const ROUNDS: usize = 3;
 
@@ -23,7 +23,7 @@ fn main() {
 
 fn compare(bodies: &[Body]) {
     let view = view();
-    let scene = ReferenceScene::new(bodies);
+    let scene = PreparedScene::moving(bodies);
     let image = || scene.hit_image(&view).hits.iter().flatten().count();
     let looped = || loop_over_all(&scene, &view);
     assert_eq!(image(), looped());
@@ -40,7 +40,7 @@ fn compare(bodies: &[Body]) {
 }
 
 /// Pixels that show a body, every ray tested against every body, on as many threads as the renderer uses.
-fn loop_over_all(scene: &ReferenceScene, view: &View) -> usize {
+fn loop_over_all(scene: &PreparedScene, view: &View) -> usize {
     let lines_of_sight = LinesOfSight::new(&view.camera);
     let [width, height] = view.camera.size;
     let hits_of_row = |v: u32| {

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 use relativity_core::Aperture;
+use relativity_core::math::{atan2, hypot, sin_cos, tan};
 
 /// Where a camera looks: the direction of its optical axis. Its horizon stays level.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -12,7 +13,22 @@ pub struct Gaze {
     pub elevation: f64,
 }
 
+/// Steepest elevation of a gaze that follows something: at the zenith itself no horizon is level.
+pub const MAX_ELEVATION: f64 = 89.5 * std::f64::consts::PI / 180.0;
+
 /// A pinhole camera at rest on the ground.
+///
+/// # Examples
+///
+/// ```
+/// use relativity_core::Aperture;
+/// use relativity_render::{Camera, Gaze};
+///
+/// let (gaze, horizontal_fov) = (Gaze::STRAIGHT_AHEAD, std::f64::consts::FRAC_PI_2);
+/// let camera = Camera { aperture: Aperture::default(), gaze, horizontal_fov, size: [200, 100] };
+/// let [u, v] = camera.pixel([1.0, 2.0, 0.0].into()).expect("in front of the camera");
+/// assert!((u - 150.0).abs() < 1e-9 && (v - 50.0).abs() < 1e-9);
+/// ```
 ///
 /// Pixel coordinates run right and down from the image's top left corner; the centre of pixel (i, j)
 /// lies at (i + 0.5, j + 0.5).
@@ -40,17 +56,30 @@ pub struct Axes {
 }
 
 impl Gaze {
+    /// Along +y.
+    pub const STRAIGHT_AHEAD: Self = Self { azimuth: std::f64::consts::FRAC_PI_2, elevation: 0.0 };
+
     /// The gaze that looks along `direction` (any length above 0).
     #[must_use]
     pub fn along([x, y, z]: [f64; 3]) -> Self {
-        Self { azimuth: y.atan2(x), elevation: z.atan2(x.hypot(y)) }
+        Self { azimuth: atan2(y, x), elevation: atan2(z, hypot(x, y)) }
+    }
+
+    /// The gaze of two parallel eyes towards something that appears in these two directions (any lengths): their
+    /// bisector, so that it lies as far left of the middle in one picture as right in the other. `None` for opposite
+    /// directions, and inside an aperture.
+    #[must_use]
+    pub fn towards(directions: [DVec3; 2]) -> Option<Self> {
+        let [left, right] = directions.map(DVec3::try_normalize);
+        let Self { azimuth, elevation } = Self::along((left? + right?).try_normalize()?.to_array());
+        Some(Self { azimuth, elevation: elevation.clamp(-MAX_ELEVATION, MAX_ELEVATION) })
     }
 
     /// The camera's unit vectors.
     #[must_use]
     pub fn axes(&self) -> Axes {
-        let (sin_azimuth, cos_azimuth) = self.azimuth.sin_cos();
-        let (sin_elevation, cos_elevation) = self.elevation.sin_cos();
+        let (sin_azimuth, cos_azimuth) = sin_cos(self.azimuth);
+        let (sin_elevation, cos_elevation) = sin_cos(self.elevation);
         let right = DVec3::new(sin_azimuth, -cos_azimuth, 0.0);
         let forward = DVec3::new(cos_elevation * cos_azimuth, cos_elevation * sin_azimuth, sin_elevation);
         Axes { right, up: right.cross(forward), forward }
@@ -61,7 +90,7 @@ impl Camera {
     /// Distance from the pinhole to the picture plane, in pixels.
     #[must_use]
     pub fn focal_length_px(&self) -> f64 {
-        0.5 * f64::from(self.size[0]) / (0.5 * self.horizontal_fov).tan()
+        0.5 * f64::from(self.size[0]) / tan(0.5 * self.horizontal_fov)
     }
 
     /// Unit vector from the aperture through the point `[u, v]` of the picture, in pixels.

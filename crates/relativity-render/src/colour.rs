@@ -8,10 +8,12 @@
 //! black beside 550 nm, and the paper's red cyclist with it. Towards the ends of the visible range the
 //! colour fades, to exactly black at 380 nm and 780 nm.
 //!
-//! References: CIE 015:2018, *Colorimetry*; CIE 018:2019 (the table, see `assets/README.md`); IEC
+//! References: CIE 015:2018, *Colorimetry*; CIE 018:2019 (the table, its source and licence: `assets/README.md` of the repository); IEC
 //! 61966-2-1:1999 (sRGB).
 
 use std::sync::LazyLock;
+
+use relativity_core::math::{log10, powf};
 
 use crate::view::Colour;
 
@@ -25,8 +27,7 @@ const ULTRAVIOLET: [f64; 3] = [0.70, 0.85, 1.0];
 /// False colour of the far infrared, linear sRGB: a warm grey-brown.
 const INFRARED: [f64; 3] = [0.55, 0.42, 0.30];
 
-const CIE_1931_CSV: &str =
-    include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/cie-1931-2deg.csv"));
+const CIE_1931_CSV: &str = include_str!("../assets/cie-1931-2deg.csv");
 /// Wavelength of the table's first row, nm; a row follows every nm.
 const FIRST_NM: f64 = 360.0;
 
@@ -61,10 +62,10 @@ pub fn linear_srgb(wavelength_nm: f64, colour: Colour) -> [f64; 3] {
     match colour {
         Colour::Visible => spectral_hue(wavelength_nm).map(|part| part * visibility(wavelength_nm)),
         Colour::False if wavelength_nm < violet => {
-            mix(spectral_hue(violet), ULTRAVIOLET, (violet / wavelength_nm).log10().min(1.0))
+            mix(spectral_hue(violet), ULTRAVIOLET, log10(violet / wavelength_nm).min(1.0))
         }
         Colour::False if wavelength_nm > red => {
-            mix(spectral_hue(red), INFRARED, (wavelength_nm / red).log10().min(1.0))
+            mix(spectral_hue(red), INFRARED, log10(wavelength_nm / red).min(1.0))
         }
         Colour::False => spectral_hue(wavelength_nm),
     }
@@ -73,13 +74,13 @@ pub fn linear_srgb(wavelength_nm: f64, colour: Colour) -> [f64; 3] {
 /// The sRGB-encoded value of a linear one, both in [0, 1].
 #[must_use]
 pub fn srgb_encoded(linear: f64) -> f64 {
-    if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 }
+    if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * powf(linear, 1.0 / 2.4) - 0.055 }
 }
 
 /// The linear value of an sRGB-encoded one, both in [0, 1].
 #[must_use]
 pub fn srgb_decoded(encoded: f64) -> f64 {
-    if encoded <= 0.040_45 { encoded / 12.92 } else { ((encoded + 0.055) / 1.055).powf(2.4) }
+    if encoded <= 0.040_45 { encoded / 12.92 } else { powf((encoded + 0.055) / 1.055, 2.4) }
 }
 
 /// `linear` (components 0 or more) brought into [0, 1] by scaling all components alike, which keeps

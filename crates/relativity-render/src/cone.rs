@@ -7,8 +7,10 @@
 use std::f64::consts::PI;
 
 use glam::DVec3;
+use relativity_core::math::{asin, atan, atan2, sin_cos, tan};
 
-use crate::view::{Geometry, View};
+use crate::group_view::GroupView;
+use crate::view::Geometry;
 
 /// All directions within `half_angle` of `axis`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,20 +32,24 @@ impl Cone {
         if distance <= radius {
             return Self::WHOLE_SKY;
         }
-        Self { axis: center / distance, half_angle: (radius / distance).asin() }
+        Self { axis: center / distance, half_angle: asin(radius / distance) }
     }
 
-    /// The ground's lines of sight along which `view` can see something inside the rest-frame ball at
+    /// The camera's lines of sight along which `view` can see something of its group inside the rest-frame ball at
     /// `center`.
     #[must_use]
-    pub fn of_sight(view: &View, center: DVec3, radius: f64) -> Self {
-        let center = center - view.rest_origin();
+    pub fn of_sight(view: &GroupView, center: DVec3, radius: f64) -> Self {
+        let center = center - view.origin;
         match view.geometry {
             Geometry::Rest => Self::around_ball(center, radius),
-            Geometry::Seen | Geometry::Published => Self::around_ball(center, radius).seen_from_ground(view),
+            Geometry::Seen | Geometry::Published => {
+                let reflected = Self::around_ball(view.velocity.reflected(center), radius);
+                let cone = reflected.seen_from_ground(view);
+                Self { axis: view.velocity.reflected(cone.axis), ..cone }
+            }
             // The ball is an ellipsoid on the ground, flattened along x: inside the ball about its centre.
             Geometry::Contracted => {
-                let contracted = DVec3::new(center.x / view.speed.gamma(), center.y, center.z);
+                let contracted = DVec3::new(center.x / view.velocity.speed.gamma(), center.y, center.z);
                 Self::around_ball(contracted, radius)
             }
         }
@@ -52,30 +58,30 @@ impl Cone {
     /// Whether the cones share a direction, with a little to spare for rounding.
     #[must_use]
     pub fn meets(&self, other: &Self) -> bool {
-        let between = self.axis.cross(other.axis).length().atan2(self.axis.dot(other.axis));
+        let between = atan2(self.axis.cross(other.axis).length(), self.axis.dot(other.axis));
         between <= (self.half_angle + other.half_angle) * (1.0 + 1e-12) + 1e-14
     }
 
-    /// The ground's cone of this rest-frame cone of half-angle up to pi/2.
+    /// The ground's cone of this rest-frame cone of half-angle up to pi/2, for motion along +x.
     ///
     /// In the plane through `axis` and x the cone ends at the angles psi +- `half_angle` from x, and
     /// aberration scales tan(psi/2). Angles count from the end of the x axis that is nearer, so that none
     /// reaches pi.
-    fn seen_from_ground(self, view: &View) -> Self {
+    fn seen_from_ground(self, view: &GroupView) -> Self {
         if self.half_angle >= PI {
             return self;
         }
         let ahead = 1f64.copysign(self.axis.x);
         let across = DVec3::new(0.0, self.axis.y, self.axis.z);
-        let psi = across.length().atan2(ahead * self.axis.x);
+        let psi = atan2(across.length(), ahead * self.axis.x);
         let scale = if ahead > 0.0 {
-            view.speed.head_on_doppler_factor()
+            view.velocity.speed.head_on_doppler_factor()
         } else {
-            1.0 / view.speed.head_on_doppler_factor()
+            1.0 / view.velocity.speed.head_on_doppler_factor()
         };
-        let ground = |psi: f64| 2.0 * (scale * (0.5 * psi).tan()).atan();
+        let ground = |psi: f64| 2.0 * atan(scale * tan(0.5 * psi));
         let [low, high] = [ground(psi - self.half_angle), ground(psi + self.half_angle)];
-        let (sin, cos) = (0.5 * (low + high)).sin_cos();
+        let (sin, cos) = sin_cos(0.5 * (low + high));
         let axis = DVec3::X * (ahead * cos) + across.normalize_or_zero() * sin;
         Self { axis, half_angle: 0.5 * (high - low) }
     }

@@ -2,17 +2,15 @@
 
 use glam::DVec3;
 
-use crate::body::Body;
 use crate::camera::LinesOfSight;
 use crate::canvas::Measures;
-use crate::intersect::Solid;
 use crate::reference::{Hit, HitImage};
+use crate::scene::PreparedScene;
 use crate::view::View;
 
 impl Measures {
-    /// What is seen of `bodies` in `view`; what the shader has not written follows in f64.
-    pub fn hit_image(&self, bodies: &[Body], view: &View) -> HitImage {
-        let solids: Vec<_> = bodies.iter().map(|body| Solid::new(&body.shape)).collect();
+    /// What is seen of `scene` in `view`; what the shader has not written follows in f64.
+    pub fn hit_image(&self, scene: &PreparedScene, view: &View) -> HitImage {
         let lines_of_sight = LinesOfSight::new(&view.camera);
         let size = view.camera.size;
         let width = size[0] as usize;
@@ -23,12 +21,15 @@ impl Measures {
             }
             let body = index as usize;
             let [x, y, z, _] = place.map(f64::from);
-            let rest_position = solids[body].center() + DVec3::new(x, y, z);
+            let solid = &scene.bodies()[body].solid;
+            let rest_position = solid.center() + DVec3::new(x, y, z);
             let pixel = [(i % width) as f64 + 0.5, (i / width) as f64 + 0.5];
             Some(Hit {
                 body,
+                group: scene.bodies()[body].group,
                 rest_position,
-                rest_normal: solids[body].normal(rest_position),
+                material_position: rest_position,
+                rest_normal: solid.normal(rest_position),
                 distance,
                 emission_time: view.emission_time(lines_of_sight.through(pixel), distance),
                 doppler_factor,

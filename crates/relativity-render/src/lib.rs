@@ -3,6 +3,37 @@
 //! A resting scene is ray-traced exactly in its rest frame: the camera's event and each line of sight
 //! are boosted there, where rays are straight and bodies stand still. Knows wgpu, but neither windows
 //! nor files.
+//!
+//! # Examples
+//!
+//! What the left eye sees of a ball that comes past at 0.9 c, on the CPU and in f64:
+//!
+//! ```
+//! use relativity_core::{Aperture, Speed};
+//! use relativity_render::{Appearance, Body, Camera, Gaze, Geometry, PreparedScene, Shape, View};
+//!
+//! let shape = Shape::Sphere { center: [0.0, 3.0, 2.0], radius: 0.5 };
+//! let scene = PreparedScene::moving(&[Body { shape, rest_wavelength_nm: 700.0 }]);
+//! let mut view = View {
+//!     camera: Camera {
+//!         aperture: Aperture::pair(0.1)[0],
+//!         gaze: Gaze::STRAIGHT_AHEAD,
+//!         horizontal_fov: 0.5,
+//!         size: [64, 48],
+//!     },
+//!     speed: Speed::from_beta(0.9)?,
+//!     observation_time: 1.1,
+//!     geometry: Geometry::Seen,
+//! };
+//! let centre = view.apparent_position([0.0, 3.0, 2.0].into()).expect("inside the domain");
+//! view.camera.gaze = Gaze::along(centre.to_array());
+//!
+//! let hit = scene.first_hit(&view, view.camera.line_of_sight([32.0, 24.0])).expect("a hit");
+//! assert!((hit.distance - 4.5).abs() < 0.5 && hit.doppler_factor > 1.0);
+//! let picture = scene.picture(&view, &Appearance::default(), 2);
+//! assert_eq!(picture.rgba.len(), 64 * 48);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod backdrop;
 pub mod body;
@@ -14,6 +45,7 @@ mod effects;
 mod exact;
 mod frame;
 pub mod gpu;
+pub mod group_view;
 mod hits;
 pub mod intersect;
 mod mesh;
@@ -24,19 +56,24 @@ pub mod ray;
 pub mod rectified_hits;
 pub mod rectify;
 pub mod reference;
+pub mod scene;
 pub mod shade;
 #[doc(hidden)]
 pub mod shaders;
 mod target;
 mod tiles;
+pub mod velocity;
 pub mod view;
 
 pub use body::{Body, Shape};
 pub use camera::{Camera, Gaze};
 pub use exact::ExactRenderer;
 pub use gpu::{Gpu, GpuError};
+pub use group_view::{GroupView, RestRay};
 pub use mesh::MeshRenderer;
 pub use picture::Picture;
-pub use reference::{Hit, HitImage, ReferenceScene};
+pub use reference::{Hit, HitImage};
+pub use scene::{Group, PreparedScene};
 pub use target::EyeTarget;
+pub use velocity::{Motion, Velocity};
 pub use view::{Appearance, Colour, Geometry, Shading, View};

@@ -1,7 +1,7 @@
 //! Corrects what was measured at each pixel: as a picture of colours is corrected (see [`crate::rectify`]), but
 //! no wavelength is out of sight, and none has to be told from a hue.
 
-use rayon::prelude::*;
+use relativity_core::threads::prelude::*;
 
 use crate::colour::hue_preserving_clip;
 use crate::picture::{Picture, encoded};
@@ -71,7 +71,7 @@ fn corrected_colour(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Body, Camera, Colour, Gaze, Geometry, ReferenceScene, Shading, Shape, View};
+    use crate::{Body, Camera, Colour, Gaze, Geometry, PreparedScene, Shading, Shape, Velocity, View};
     use relativity_core::{Aperture, Speed};
 
     const RED_NM: f64 = 640.0;
@@ -112,10 +112,10 @@ mod tests {
 
     fn corrected(fitted_beta: f64) -> Picture {
         let (view, bodies) = (view(), bodies());
-        let hits = ReferenceScene::new(&bodies).hit_image(&view);
-        let speed = Speed::from_beta(fitted_beta).expect("a speed");
-        let rest = Rectification::rest_camera(&view.camera, &speed);
-        let rectification = Rectification::new(view.camera, rest, speed);
+        let hits = PreparedScene::moving(&bodies).hit_image(&view);
+        let velocity = Velocity::from_beta(fitted_beta).expect("a speed");
+        let rest = Rectification::rest_camera(&view.camera, &velocity);
+        let rectification = Rectification::new(view.camera, rest, velocity);
         rectification.picture_of_hits(&hits, &[RED_NM; 2], &appearance(), BLANK)
     }
 
@@ -143,9 +143,9 @@ mod tests {
     #[test]
     fn the_true_speed_gives_the_outlines_of_a_camera_that_rides_along() {
         let view = view();
-        let rest_camera = Rectification::rest_camera(&view.camera, &view.speed);
+        let rest_camera = Rectification::rest_camera(&view.camera, &Velocity::forward(view.speed));
         let riding = View { camera: rest_camera, geometry: Geometry::Rest, ..view };
-        let expected = ReferenceScene::new(&bodies()).hit_image(&riding);
+        let expected = PreparedScene::moving(&bodies()).hit_image(&riding);
         let differing = |beta: f64| {
             let pairs = corrected(beta).rgba.into_iter().zip(&expected.hits);
             let wrong = |(pixel, hit): &([u8; 4], &Option<Hit>)| {

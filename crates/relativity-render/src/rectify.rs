@@ -10,15 +10,15 @@
 
 use std::sync::LazyLock;
 
-use glam::DVec3;
-use rayon::prelude::*;
 use relativity_core::doppler::intensity_factor;
-use relativity_core::{Speed, aberration};
+use relativity_core::math::{atan, tan};
+use relativity_core::threads::prelude::*;
 
 use crate::camera::{Camera, Gaze, LinesOfSight};
 use crate::colour::{hue_preserving_clip, linear_srgb, mix, srgb_decoded};
 use crate::picture::{Picture, encoded};
 use crate::reference::sample_grid;
+use crate::velocity::Velocity;
 use crate::view::Colour;
 
 /// Rays per pixel of a corrected picture, along each side.
@@ -29,11 +29,29 @@ const HUES_NM: std::ops::RangeInclusive<u32> = 420..=710;
 const HUE_TOLERANCE: f64 = 0.1;
 
 /// Two cameras at one event: one at rest on the ground, one moving along with the objects.
+///
+/// # Examples
+///
+/// ```
+/// use relativity_core::Aperture;
+/// use relativity_render::rectify::Rectification;
+/// use relativity_render::{Camera, Gaze, Velocity};
+///
+/// let (aperture, gaze) = (Aperture::default(), Gaze::STRAIGHT_AHEAD);
+/// let ground = Camera { aperture, gaze, horizontal_fov: 1.0, size: [80, 60] };
+/// let velocity = Velocity::from_beta(0.6)?;
+/// let rest = Rectification::rest_camera(&ground, &velocity);
+/// // The camera that moves along looks ahead to see the same: cos(azimuth) = beta.
+/// assert!((rest.gaze.azimuth - 0.6f64.acos()).abs() < 1e-15);
+/// let [u, v] = Rectification::new(ground, rest, velocity).ground_place([40.0, 30.0]).expect("inside");
+/// assert!((u - 40.0).hypot(v - 30.0) < 1e-9);
+/// # Ok::<(), relativity_core::SpeedError>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Rectification {
     ground: Camera,
     rest: Camera,
-    speed: Speed,
+    velocity: Velocity,
     lines_of_sight: LinesOfSight,
 }
 
@@ -47,20 +65,20 @@ pub struct LightCorrection {
 }
 
 impl Rectification {
-    /// From a picture of `ground`, taken on the ground, to one of `rest`, which moves along at `speed`.
+    /// From a picture of `ground`, taken on the ground, to one of `rest`, which moves along at `velocity`.
     #[must_use]
-    pub fn new(ground: Camera, rest: Camera, speed: Speed) -> Self {
-        Self { ground, rest, speed, lines_of_sight: LinesOfSight::new(&rest) }
+    pub fn new(ground: Camera, rest: Camera, velocity: Velocity) -> Self {
+        Self { ground, rest, velocity, lines_of_sight: LinesOfSight::new(&rest) }
     }
 
     /// The moving camera that has what `ground` has in its centre in its own, equally large.
     #[must_use]
-    pub fn rest_camera(ground: &Camera, speed: &Speed) -> Camera {
-        let centre = ground.gaze.axes().forward.to_array();
-        let gaze = Gaze::along(aberration::rest_from_ground(centre, speed));
+    pub fn rest_camera(ground: &Camera, velocity: &Velocity) -> Camera {
+        let centre = ground.gaze.axes().forward;
+        let gaze = Gaze::along(velocity.rest_from_ground(centre).to_array());
         // Small angles are D times as large in the rest frame, so the focal length is 1/D times as long.
-        let half_width = (0.5 * ground.horizontal_fov).tan() * aberration::doppler_factor(centre, speed);
-        Camera { gaze, horizontal_fov: 2.0 * half_width.atan(), ..*ground }
+        let half_width = tan(0.5 * ground.horizontal_fov) * velocity.doppler_factor(centre);
+        Camera { gaze, horizontal_fov: 2.0 * atan(half_width), ..*ground }
     }
 
     /// The moving camera.
@@ -73,8 +91,8 @@ impl Rectification {
     /// `None` if outside.
     #[must_use]
     pub fn ground_place(&self, place: [f64; 2]) -> Option<[f64; 2]> {
-        let rest_line = self.lines_of_sight.through(place).to_array();
-        let [u, v] = self.ground.pixel(DVec3::from(aberration::ground_from_rest(rest_line, &self.speed)))?;
+        let rest_line = self.lines_of_sight.through(place);
+        let [u, v] = self.ground.pixel(self.velocity.ground_from_rest(rest_line))?;
         let [width, height] = self.ground.size.map(f64::from);
         ((0.0..width).contains(&u) && (0.0..height).contains(&v)).then_some([u, v])
     }
@@ -82,7 +100,7 @@ impl Rectification {
     /// Doppler factor of the light at `place` in the picture from the ground.
     #[must_use]
     pub fn doppler_factor(&self, place: [f64; 2]) -> f64 {
-        aberration::doppler_factor(self.ground.line_of_sight(place).to_array(), &self.speed)
+        self.velocity.doppler_factor(self.ground.line_of_sight(place))
     }
 
     /// The corrected picture of `picture`; black where that shows nothing.
@@ -168,8 +186,8 @@ mod tests {
     }
 
     fn rectification() -> Rectification {
-        let speed = Speed::from_beta(0.8).expect("a speed");
-        Rectification::new(camera(), Rectification::rest_camera(&camera(), &speed), speed)
+        let velocity = Velocity::from_beta(0.8).expect("a speed");
+        Rectification::new(camera(), Rectification::rest_camera(&camera(), &velocity), velocity)
     }
 
     #[test]
@@ -181,6 +199,22 @@ mod tests {
         for step in [[0.01, 0.0], [0.0, 0.01]] {
             let beside = rectification.ground_place([60.0 + step[0], 45.0 + step[1]]).expect("inside");
             assert!((near(beside, centre) / 0.01 - 1.0).abs() < 1e-3);
+        }
+    }
+
+    #[test]
+    fn objects_that_move_towards_minus_x_are_corrected_as_in_a_mirror() {
+        let mirrored = |camera: Camera| {
+            let gaze = Gaze { azimuth: std::f64::consts::PI - camera.gaze.azimuth, ..camera.gaze };
+            Camera { gaze, ..camera }
+        };
+        let there = mirrored(camera());
+        let velocity = Velocity::from_beta(-0.8).expect("a speed");
+        let backward = Rectification::new(there, Rectification::rest_camera(&there, &velocity), velocity);
+        for [u, v] in [[60.0, 45.0], [20.5, 30.5], [100.5, 80.5]] {
+            let forward = rectification().ground_place([u, v]).expect("inside");
+            let [x, y] = backward.ground_place([120.0 - u, v]).expect("inside");
+            assert!((x + forward[0] - 120.0).hypot(y - forward[1]) < 1e-9);
         }
     }
 
@@ -212,7 +246,7 @@ mod tests {
         let rgba: Vec<[u8; 4]> = (0..48).map(|i| [5 * i, 255 - 4 * i, 3 * i, 255]).collect();
         let picture = Picture { size: [8, 6], rgba: rgba.clone() };
         let light = LightCorrection { doppler_shift: false, intensity_exponent: Some(2.0) };
-        let same = Rectification::new(camera, camera, Speed::REST).picture(&picture, light);
+        let same = Rectification::new(camera, camera, Velocity::REST).picture(&picture, light);
         for (pixel, (a, b)) in same.rgba.iter().zip(&rgba).enumerate() {
             let is_inside = (1..7).contains(&(pixel % 8)) && (1..5).contains(&(pixel / 8));
             assert!(!is_inside || (0..3).all(|i| a[i].abs_diff(b[i]) <= 4), "{a:?} {b:?}");

@@ -1,7 +1,7 @@
 //! The f64 renderer on the CPU: the truth the other renderers are held against.
 //!
-//! Each ray is boosted into the rest frame of the bodies, where it is straight (see `View::rest_ray`), and
-//! the nearest entry into a body is what the aperture sees.
+//! Each ray is boosted into the rest frame of each group of bodies, where it is straight (see
+//! `GroupView::rest_ray`), and the nearest entry into a body, by light travel, is what the aperture sees.
 //!
 //! # Accuracy
 //!
@@ -10,16 +10,17 @@
 //! a tracer that walks back along the light, without a boost, sees the same bodies.
 
 use glam::DVec3;
-use rayon::prelude::*;
+use relativity_core::threads::prelude::*;
 
 use crate::backdrop::Backdrop;
-use crate::body::Body;
 use crate::camera::LinesOfSight;
 use crate::colour::hue_preserving_clip;
 use crate::cone::Cone;
-use crate::intersect::{Entry, Solid, bounding_box};
+use crate::group_view::GroupView;
+use crate::intersect::Entry;
 use crate::picture::{Picture, encoded};
 use crate::ray::Ray;
+use crate::scene::{PreparedBody, PreparedGroup, PreparedScene};
 use crate::shade::surface_colour;
 use crate::tiles::{TILE_SIDE, bands};
 use crate::view::{Appearance, View};
@@ -29,8 +30,13 @@ use crate::view::{Appearance, View};
 pub struct Hit {
     /// Number of the body, in the order given.
     pub body: usize,
-    /// On its surface, in the rest frame.
+    /// Number of its group.
+    pub group: usize,
+    /// Where it was hit, in the rest frame of its group.
     pub rest_position: DVec3,
+    /// Which of its points that was: where that is in the body as it was placed. Bodies that stand still in their
+    /// group have it where they were hit.
+    pub material_position: DVec3,
     /// Outward unit normal in the rest frame.
     pub rest_normal: DVec3,
     /// From the aperture to the event of emission in the ground frame (in the rest frame for
@@ -43,24 +49,6 @@ pub struct Hit {
     pub doppler_factor: f64,
 }
 
-/// Of two surfaces nearer to each other than this part of the scene's size, along a ray, that of the body with
-/// the lower number is seen: they are one surface, and which comes out nearer is a matter of rounding.
-const TIE: f64 = 1e-12;
-
-/// Bodies prepared for tracing. Bodies may overlap; the nearest surface is seen, of equally near ones the
-/// one with the lowest number.
-#[derive(Debug, Clone)]
-pub struct ReferenceScene {
-    solids: Vec<Solid>,
-    /// Of a box around the bodies: distances along rays count from near it.
-    middle: DVec3,
-    /// [`TIE`] times the box's diagonal.
-    tie: f64,
-    /// The numbers of all bodies.
-    all: Vec<u32>,
-    rest_wavelengths_nm: Vec<f64>,
-}
-
 /// What every pixel of a picture shows, row by row from the top left.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HitImage {
@@ -70,40 +58,56 @@ pub struct HitImage {
     pub hits: Vec<Option<Hit>>,
 }
 
-impl ReferenceScene {
-    /// Prepares `bodies`, numbered from 0 in this order.
-    #[must_use]
-    pub fn new(bodies: &[Body]) -> Self {
-        let solids: Vec<_> = bodies.iter().map(|body| Solid::new(&body.shape)).collect();
-        let [low, high] = bounding_box(&solids).unwrap_or_default();
-        Self {
-            solids,
-            middle: 0.5 * (low + high),
-            tie: TIE * low.distance(high),
-            all: (0..bodies.len() as u32).collect(),
-            rest_wavelengths_nm: bodies.iter().map(|body| body.rest_wavelength_nm).collect(),
-        }
-    }
-
-    /// What is seen along `line_of_sight` (unit vector, ground frame).
+impl PreparedScene {
+    /// What is seen along `line_of_sight` (unit vector, the camera's frame).
     ///
     /// Tests every body: meant for single rays. [`Self::hit_image`] is much faster per ray.
     #[must_use]
     pub fn first_hit(&self, view: &View, line_of_sight: DVec3) -> Option<Hit> {
-        self.first_hit_among(&self.all, view, line_of_sight)
+        self.first_hit_among(self.numbers(), view, &self.group_views(view), line_of_sight)
     }
 
-    fn first_hit_among(&self, bodies: &[u32], view: &View, line_of_sight: DVec3) -> Option<Hit> {
-        if bodies.is_empty() {
-            return None;
+    /// What is seen of `bodies`, whose numbers ascend: of each group the first, of those the nearest by light travel.
+    fn first_hit_among(
+        &self,
+        mut bodies: &[u32],
+        view: &View,
+        group_views: &[GroupView],
+        line_of_sight: DVec3,
+    ) -> Option<Hit> {
+        let mut nearest: Option<Hit> = None;
+        while let Some(&first) = bodies.first() {
+            let number = self.bodies()[first as usize].group;
+            let group = &self.groups()[number];
+            let (own, others) = bodies.split_at(bodies.partition_point(|&body| body < group.bodies.end));
+            bodies = others;
+            let hit = self.first_hit_in(group, own, view, &group_views[number], line_of_sight);
+            nearest = match (nearest, hit) {
+                (Some(near), Some(hit)) if hit.distance < near.distance => Some(hit),
+                (near, hit) => near.or(hit),
+            };
         }
-        let ray = view.rest_ray(line_of_sight);
-        let near = Ray::new(ray.origin, ray.direction).counted_from(self.middle);
-        let (body, entry) = self.first_entry(bodies, &near)?;
+        nearest
+    }
+
+    /// What is seen of `bodies` of one `group`.
+    fn first_hit_in(
+        &self,
+        group: &PreparedGroup,
+        bodies: &[u32],
+        view: &View,
+        group_view: &GroupView,
+        line_of_sight: DVec3,
+    ) -> Option<Hit> {
+        let ray = group_view.rest_ray(line_of_sight);
+        let near = Ray::new(ray.origin, ray.direction).counted_from(group.middle);
+        let (body, entry) = self.first_entry(bodies, &near, group.tie)?;
         let distance = (near.from_camera + entry.distance) * ray.ground_per_rest;
         Some(Hit {
             body,
+            group: self.bodies()[body].group,
             rest_position: entry.position,
+            material_position: entry.position,
             rest_normal: entry.normal,
             distance,
             emission_time: view.emission_time(line_of_sight, distance),
@@ -112,21 +116,22 @@ impl ReferenceScene {
     }
 
     /// The nearest entry of `ray` among `bodies`, whose numbers ascend.
-    fn first_entry(&self, bodies: &[u32], ray: &Ray) -> Option<(usize, Entry)> {
+    fn first_entry(&self, bodies: &[u32], ray: &Ray, tie: f64) -> Option<(usize, Entry)> {
         let entries = bodies.iter().filter_map(|&body| {
             let body = body as usize;
-            Some((body, self.solids[body].entry(ray)?))
+            Some((body, self.bodies()[body].solid.entry(ray)?))
         });
-        entries.reduce(|first, next| if next.1.distance < first.1.distance - self.tie { next } else { first })
+        entries.reduce(|first, next| if next.1.distance < first.1.distance - tie { next } else { first })
     }
 
     /// What `view` shows at the centre of every pixel.
     #[must_use]
     pub fn hit_image(&self, view: &View) -> HitImage {
         let lines_of_sight = LinesOfSight::new(&view.camera);
-        let hits = self.pixels(view, |bodies, [u, v]| {
+        let group_views = self.group_views(view);
+        let hits = self.pixels(view, &group_views, |bodies, [u, v]| {
             let center = [f64::from(u) + 0.5, f64::from(v) + 0.5];
-            self.first_hit_among(bodies, view, lines_of_sight.through(center))
+            self.first_hit_among(bodies, view, &group_views, lines_of_sight.through(center))
         });
         HitImage { size: view.camera.size, hits }
     }
@@ -140,10 +145,11 @@ impl ReferenceScene {
     pub fn picture(&self, view: &View, appearance: &Appearance, samples: u32) -> Picture {
         let lines_of_sight = LinesOfSight::new(&view.camera);
         let backdrop = Backdrop::new(&view.camera, appearance);
-        let rgba = self.pixels(view, |bodies, pixel| {
+        let group_views = self.group_views(view);
+        let rgba = self.pixels(view, &group_views, |bodies, pixel| {
             let sum = sample_grid(pixel, samples).fold([0.0; 3], |sum: [f64; 3], place| {
                 let line_of_sight = lines_of_sight.through(place);
-                let hit = self.first_hit_among(bodies, view, line_of_sight);
+                let hit = self.first_hit_among(bodies, view, &group_views, line_of_sight);
                 let colour = self.colour(appearance, &backdrop, line_of_sight, hit);
                 std::array::from_fn(|i| sum[i] + colour[i])
             });
@@ -163,7 +169,7 @@ impl ReferenceScene {
         let ground_distance = backdrop.ground_distance(line_of_sight);
         match (hit, ground_distance) {
             (Some(hit), ground) if ground.is_none_or(|distance| hit.distance <= distance) => {
-                let wavelength_nm = self.rest_wavelengths_nm[hit.body];
+                let wavelength_nm = self.bodies()[hit.body].rest_wavelength_nm;
                 let Hit { rest_normal, doppler_factor, .. } = hit;
                 hue_preserving_clip(surface_colour(appearance, wavelength_nm, rest_normal, doppler_factor))
             }
@@ -176,10 +182,13 @@ impl ReferenceScene {
     fn pixels<T: Clone + Default + Send>(
         &self,
         view: &View,
+        group_views: &[GroupView],
         value: impl Fn(&[u32], [u32; 2]) -> T + Sync,
     ) -> Vec<T> {
-        let cone = |solid: &Solid| Cone::of_sight(view, solid.center(), solid.bounding_radius());
-        let cones: Vec<_> = self.solids.iter().map(cone).collect();
+        let cone = |body: &PreparedBody| {
+            Cone::of_sight(&group_views[body.group], body.solid.center(), body.solid.bounding_radius())
+        };
+        let cones: Vec<_> = self.bodies().iter().map(cone).collect();
         let bands = bands(&view.camera, &cones);
         let [width, height] = view.camera.size.map(|side| side as usize);
         let mut image = vec![T::default(); width * height];

@@ -5,6 +5,8 @@
 //! ray, measured three to six times slower on crowds of 64 to 6,400 (`benches/reference.rs` compares with
 //! a plain loop).
 
+use relativity_core::math::atan2;
+
 use crate::camera::{Camera, LinesOfSight};
 use crate::cone::Cone;
 
@@ -44,7 +46,7 @@ impl Tile {
         let axis = through(0.5, 0.5);
         let corners = [through(0.0, 0.0), through(1.0, 0.0), through(0.0, 1.0), through(1.0, 1.0)];
         let half_angle =
-            corners.into_iter().map(|corner| axis.cross(corner).length().atan2(axis.dot(corner)));
+            corners.into_iter().map(|corner| atan2(axis.cross(corner).length(), axis.dot(corner)));
         Cone { axis, half_angle: half_angle.fold(0.0, f64::max) }
     }
 }

@@ -58,25 +58,12 @@ impl Geometry {
 pub struct View {
     /// The camera at the aperture.
     pub camera: Camera,
-    /// Speed of the bodies along +x.
+    /// The scene's speed along +x: that of all groups that have none of their own.
     pub speed: Speed,
     /// T: when the light is received.
     pub observation_time: f64,
     /// Which geometry to show.
     pub geometry: Geometry,
-}
-
-/// A ray in the rest frame of the bodies, where it is straight and they stand still.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RestRay {
-    /// The camera's event in the rest frame.
-    pub origin: DVec3,
-    /// Unit vector towards the source.
-    pub direction: DVec3,
-    /// Ground distance per rest-frame distance along the ray.
-    pub ground_per_rest: f64,
-    /// Doppler factor of light received along the ray.
-    pub doppler_factor: f64,
 }
 
 impl View {
@@ -91,41 +78,6 @@ impl View {
     #[must_use]
     pub fn published_separation(&self) -> f64 {
         -2.0 * self.camera.aperture.x
-    }
-
-    /// Where the camera is in the rest frame at the observation time (same place for all geometries):
-    /// (gamma (a - beta T), `a_y`, `a_z`).
-    #[must_use]
-    pub fn rest_origin(&self) -> DVec3 {
-        let aperture = self.camera.aperture;
-        let x = self.speed.gamma() * (aperture.x - self.speed.beta() * self.observation_time);
-        DVec3::new(x, aperture.y, aperture.z)
-    }
-
-    /// The rest-frame ray of the ground's `line_of_sight` (unit vector).
-    #[must_use]
-    pub fn rest_ray(&self, line_of_sight: DVec3) -> RestRay {
-        let origin = self.rest_origin();
-        let n = line_of_sight;
-        match self.geometry {
-            Geometry::Seen | Geometry::Published => {
-                let doppler_factor = aberration::doppler_factor(n.to_array(), &self.speed);
-                let direction = aberration::rest_from_ground(n.to_array(), &self.speed).into();
-                // s* = s gamma (1 + beta n_x) = s / D.
-                RestRay { origin, direction, ground_per_rest: doppler_factor, doppler_factor }
-            }
-            Geometry::Contracted => {
-                let stretched = DVec3::new(self.speed.gamma() * n.x, n.y, n.z);
-                let rest_per_ground = stretched.length();
-                RestRay {
-                    origin,
-                    direction: stretched / rest_per_ground,
-                    ground_per_rest: 1.0 / rest_per_ground,
-                    doppler_factor: 1.0,
-                }
-            }
-            Geometry::Rest => RestRay { origin, direction: n, ground_per_rest: 1.0, doppler_factor: 1.0 },
-        }
     }
 
     /// Ground time of emission of what is seen along `line_of_sight` (unit vector) at `distance`: in the

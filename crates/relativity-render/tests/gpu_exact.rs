@@ -10,7 +10,7 @@ use glam::DVec3;
 use gpu_support::scenes::{crowd, speeds, still_life, time_seen_at, view_following};
 use joints::{joints, shared_pixels};
 use relativity_core::{SourcePoint, Speed, sighting};
-use relativity_render::{Body, ExactRenderer, Geometry, Gpu, HitImage, ReferenceScene, Shape, View};
+use relativity_render::{Body, ExactRenderer, Geometry, Gpu, HitImage, PreparedScene, Shape, View};
 use support::signed_distance;
 
 fn main() -> ExitCode {
@@ -55,7 +55,7 @@ fn hits_agree_with_the_reference(gpu: &Gpu) {
 
 fn agrees(renderer: &mut ExactRenderer, gpu: &Gpu, bodies: &[Body], view: &View) {
     let image = renderer.hits(gpu, bodies, view).expect("device works");
-    let reference = ReferenceScene::new(bodies);
+    let reference = PreparedScene::moving(bodies);
     let truth = reference.hit_image(view);
     let context = format!("{:?} gamma {} T {}", view.geometry, view.speed.gamma(), view.observation_time);
     let mut wrong = 0;

@@ -15,7 +15,7 @@ use joints::joints;
 use relativity_core::{
     Aperture, MAX_GAMMA, PublishedVariant, SourcePoint, Speed, published_disparity, sighting,
 };
-use relativity_render::{Body, Geometry, Gpu, Hit, HitImage, MeshRenderer, ReferenceScene, Shape, View};
+use relativity_render::{Body, Geometry, Gpu, Hit, HitImage, MeshRenderer, PreparedScene, Shape, View};
 
 fn main() -> ExitCode {
     gpu_support::run(&[
@@ -42,7 +42,7 @@ fn views() -> impl Iterator<Item = View> {
 
 fn the_picture_keeps_the_bound(gpu: &Gpu) {
     let mut renderer = MeshRenderer::new(gpu);
-    let reference = ReferenceScene::new(&still_life());
+    let reference = PreparedScene::moving(&still_life());
     for view in views() {
         for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
             let view = View { geometry, ..view };
@@ -67,7 +67,7 @@ fn bodies_that_nearly_touch_are_told_apart(gpu: &Gpu) {
     ];
     for pair in shapes.windows(2) {
         let bodies: Vec<_> = pair.iter().map(|&shape| Body { shape, rest_wavelength_nm: 600.0 }).collect();
-        let reference = ReferenceScene::new(&bodies);
+        let reference = PreparedScene::moving(&bodies);
         for view in views() {
             let image = renderer.hits(gpu, &bodies, &view).expect("device works");
             keeps_bound(&image, &reference.hit_image(&view), renderer.bound_px, &reference, &view);
@@ -79,7 +79,7 @@ fn where_surfaces_coincide_the_first_body_is_seen(gpu: &Gpu) {
     let mut renderer = MeshRenderer::new(gpu);
     let mut bodies = joints();
     for _ in 0..2 {
-        let reference = ReferenceScene::new(&bodies);
+        let reference = PreparedScene::moving(&bodies);
         for view in views() {
             let image = renderer.hits(gpu, &bodies, &view).expect("device works");
             keeps_bound(&image, &reference.hit_image(&view), renderer.bound_px, &reference, &view);
@@ -89,7 +89,7 @@ fn where_surfaces_coincide_the_first_body_is_seen(gpu: &Gpu) {
 }
 
 /// Every pixel shows the body that the reference shows there, or an outline is within the bound of there.
-fn keeps_bound(image: &HitImage, truth: &HitImage, bound_px: f64, reference: &ReferenceScene, view: &View) {
+fn keeps_bound(image: &HitImage, truth: &HitImage, bound_px: f64, reference: &PreparedScene, view: &View) {
     for (i, (hit, true_hit)) in image.hits.iter().zip(&truth.hits).enumerate() {
         if hit.map(|hit| hit.body) == true_hit.map(|hit| hit.body) {
             continue;

@@ -10,7 +10,7 @@ use std::process::ExitCode;
 use gpu_support::scenes::{still_life, time_seen_at, view_following};
 use relativity_core::Speed;
 use relativity_render::{
-    Appearance, Colour, ExactRenderer, EyeTarget, Geometry, Gpu, HitImage, MeshRenderer, ReferenceScene,
+    Appearance, Colour, ExactRenderer, EyeTarget, Geometry, Gpu, HitImage, MeshRenderer, PreparedScene,
     Shading, View,
 };
 
@@ -59,7 +59,7 @@ fn pictures_are_the_references(gpu: &Gpu) {
     let mut exact = ExactRenderer::new(gpu);
     let mut mesh = MeshRenderer::new(gpu);
     let bodies = still_life();
-    let reference = ReferenceScene::new(&bodies);
+    let reference = PreparedScene::moving(&bodies);
     for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
         let view = View { geometry, ..fast() };
         let hits = reference.hit_image(&view);
@@ -110,7 +110,7 @@ const LIGHT_SHARE: f64 = 0.01;
 fn edges_are_the_references_on_average(gpu: &Gpu) {
     let bodies = still_life();
     let appearance = Appearance { intensity_exponent: None, sky: false, ..Appearance::default() };
-    let truth = ReferenceScene::new(&bodies).picture(&fast(), &appearance, 4).rgba;
+    let truth = PreparedScene::moving(&bodies).picture(&fast(), &appearance, 4).rgba;
     let expected = light(truth.iter().flat_map(|pixel| &pixel[..3]));
     let mut target = EyeTarget::new(gpu, fast().camera.size);
     ExactRenderer::new(gpu).draw(gpu, &bodies, &fast(), &appearance, &mut target);

@@ -7,7 +7,7 @@ mod support;
 use glam::{DMat3, DVec3};
 use joints::{joints, shared_pixels};
 use relativity_core::{Aperture, MAX_GAMMA, SourcePoint, Speed, sighting};
-use relativity_render::{Body, Camera, Gaze, Geometry, Hit, HitImage, ReferenceScene, Shape, View};
+use relativity_render::{Body, Camera, Gaze, Geometry, Hit, HitImage, PreparedScene, Shape, View};
 use support::{centred, signed_distance, spread};
 
 const BETAS: [f64; 5] = [0.0, 0.5, 0.9, 0.99, 0.999];
@@ -155,7 +155,7 @@ fn close(found: f64, expected: f64) -> bool {
 
 /// Compares one view with the walk; returns how many pixels show a body, and on how many of them the
 /// body's number differs.
-fn compare_with_walk(scene: &ReferenceScene, bodies: &[Body], view: &View) -> [usize; 2] {
+fn compare_with_walk(scene: &PreparedScene, bodies: &[Body], view: &View) -> [usize; 2] {
     let image = scene.hit_image(view);
     let [mut covered, mut different] = [0; 2];
     for (pixel, hit) in pixels(view).zip(&image.hits) {
@@ -186,7 +186,7 @@ fn compare_hit(view: &View, hit: &Hit, distance: f64) {
 #[test]
 fn the_pictures_are_those_of_a_walk_back_along_the_light() {
     let bodies = bodies();
-    let scene = ReferenceScene::new(&bodies);
+    let scene = PreparedScene::moving(&bodies);
     let mut total = [0; 2];
     for view in views() {
         let [covered, different] = compare_with_walk(&scene, &bodies, &view);
@@ -201,7 +201,7 @@ fn the_pictures_are_those_of_a_walk_back_along_the_light() {
 #[test]
 fn contracted_pictures_are_those_of_a_walk_at_one_instant() {
     let bodies = bodies();
-    let scene = ReferenceScene::new(&bodies);
+    let scene = PreparedScene::moving(&bodies);
     for beta in BETAS {
         let towards = [beta * 3.0, 3.0, 1.0];
         let view = View { geometry: Geometry::Contracted, ..view(beta, 3.0, towards, 70.0) };
@@ -213,7 +213,7 @@ fn contracted_pictures_are_those_of_a_walk_at_one_instant() {
 #[test]
 fn at_rest_a_camera_that_moves_along_sees_a_resting_scene() {
     let bodies = bodies();
-    let scene = ReferenceScene::new(&bodies);
+    let scene = PreparedScene::moving(&bodies);
     let moving = View { geometry: Geometry::Rest, ..view(0.9, 1.5, [1.0, 1.0, 0.3], 90.0) };
     let mut resting = view(0.0, 0.0, [1.0, 1.0, 0.3], 90.0);
     let origin = moving.rest_origin();
@@ -235,7 +235,7 @@ fn at_rest_a_camera_that_moves_along_sees_a_resting_scene() {
 #[test]
 fn hits_lie_where_the_light_cone_shows_them_up_to_the_greatest_gamma() {
     let bodies = bodies();
-    let scene = ReferenceScene::new(&bodies);
+    let scene = PreparedScene::moving(&bodies);
     for view in extreme_views() {
         let worst = worst_against_light_cone(&scene, &view);
         println!("gamma {:e}, T {}: {worst:?}", view.speed.gamma(), view.observation_time);
@@ -271,7 +271,7 @@ struct Worst {
     doppler_factor: f64,
 }
 
-fn worst_against_light_cone(scene: &ReferenceScene, view: &View) -> Worst {
+fn worst_against_light_cone(scene: &PreparedScene, view: &View) -> Worst {
     let image = scene.hit_image(view);
     let mut worst = Worst::default();
     for (pixel, hit) in pixels(view).zip(&image.hits) {
@@ -292,7 +292,7 @@ fn worst_against_light_cone(scene: &ReferenceScene, view: &View) -> Worst {
 
 /// Directions on the outline of the one body of `scene`, bisected between neighbouring pixels of a row or
 /// column.
-fn outline(scene: &ReferenceScene, view: &View) -> Vec<DVec3> {
+fn outline(scene: &PreparedScene, view: &View) -> Vec<DVec3> {
     let image = scene.hit_image(view);
     let seen = |place: [f64; 2]| scene.first_hit(view, view.camera.line_of_sight(place)).is_some();
     let mut outline = Vec::new();
@@ -330,7 +330,7 @@ fn circle_residual_px(outline: &[DVec3], focal_length_px: f64) -> f64 {
 #[test]
 fn spheres_keep_a_circular_outline() {
     let ball = Shape::Sphere { center: [0.0, 3.0, 1.0], radius: 0.8 };
-    let scene = ReferenceScene::new(&[Body { shape: ball, rest_wavelength_nm: 600.0 }]);
+    let scene = PreparedScene::moving(&[Body { shape: ball, rest_wavelength_nm: 600.0 }]);
     for view in views() {
         let outline = outline(&scene, &view);
         assert!(outline.len() > 12, "an outline of {} points at {view:?}", outline.len());
@@ -348,7 +348,7 @@ fn spheres_keep_a_circular_outline() {
 #[test]
 fn a_contracted_sphere_does_not_keep_a_circular_outline() {
     let ball = Shape::Sphere { center: [0.0, 3.0, 1.0], radius: 0.8 };
-    let scene = ReferenceScene::new(&[Body { shape: ball, rest_wavelength_nm: 600.0 }]);
+    let scene = PreparedScene::moving(&[Body { shape: ball, rest_wavelength_nm: 600.0 }]);
     let view = View { geometry: Geometry::Contracted, ..view(0.9, 0.0, [0.0, 3.0, 1.0], 70.0) };
     assert!(circle_residual_px(&outline(&scene, &view), view.camera.focal_length_px()) > 2.0);
 }
@@ -356,7 +356,7 @@ fn a_contracted_sphere_does_not_keep_a_circular_outline() {
 #[test]
 fn tiles_lose_no_body_that_a_single_ray_sees() {
     let bodies = bodies();
-    let scene = ReferenceScene::new(&bodies);
+    let scene = PreparedScene::moving(&bodies);
     for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
         for view in views().into_iter().chain(extreme_views()).map(|view| View { geometry, ..view }) {
             let image = scene.hit_image(&view);
@@ -372,7 +372,7 @@ fn where_surfaces_coincide_the_first_body_is_seen() {
     let mut bodies = joints();
     for _ in 0..2 {
         for view in extreme_views() {
-            let image = ReferenceScene::new(&bodies).hit_image(&view);
+            let image = PreparedScene::moving(&bodies).hit_image(&view);
             let [shared, not_first] = shared_pixels(&image, &bodies, &view);
             assert!(shared > 10, "only {shared} pixels show a shared surface at {view:?}");
             assert_eq!(not_first, 0, "of {shared} pixels at {view:?}");
@@ -385,7 +385,7 @@ fn where_surfaces_coincide_the_first_body_is_seen() {
 #[test]
 fn from_a_gamma_of_a_million_on_the_picture_changes_no_more() {
     let bodies = bodies();
-    let scene = ReferenceScene::new(&bodies);
+    let scene = PreparedScene::moving(&bodies);
     let views = extreme_views();
     let of = |gamma: f64| {
         let is_seen_close = |view: &&View| view.observation_time > 0.0;

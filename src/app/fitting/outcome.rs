@@ -6,9 +6,8 @@ use std::time::Duration;
 use egui_plot::PlotPoint;
 use relativity_core::bootstrap::percentiles_95;
 use relativity_core::{
-    Aperture, Bootstrap, Curves, DEFAULT_REPLICATES, Fit, FitModel, FitOptions, Observations, Parameter,
-    Passage, PublishedVariant, Simulation, SourcePoint, Speed, bootstrap_unless, disparity, fit,
-    published_disparity,
+    Bootstrap, Curves, DEFAULT_REPLICATES, Fit, FitOptions, Model, Observations, Parameter, Passage,
+    Simulation, SourcePoint, Speed, bootstrap_unless, fit,
 };
 
 use crate::app::curves::{Sample, bends, sampled};
@@ -86,7 +85,7 @@ impl Outcome {
             Ok(observed) => (data(&observed), Fitted::new(&key, &observed, stopped)?),
             Err(problem) => ([Vec::new(), Vec::new()], Err(problem)),
         };
-        let bias = (key.setup.model == FitModel::Published).then(|| bias(&key));
+        let bias = (key.setup.model != Model::Exact).then(|| bias(&key));
         Some(Self { key, data, fitted, bias, elapsed: start.elapsed() })
     }
 }
@@ -135,7 +134,7 @@ fn observations(key: &Key, noise_percent: f64) -> Result<Observations, String> {
         speed: key.speed,
         point: key.source,
         separation: key.separation,
-        model: FitModel::Exact,
+        model: Model::Exact,
         times: (0..=last).map(|index| from * (1.0 - fraction(index)) + to * fraction(index)).collect(),
         noise: 0.01 * noise_percent,
         seed: key.setup.seed,
@@ -245,16 +244,7 @@ fn band_at(key: &Key, line: &Sample<2>, replicates: &Bootstrap) -> [[f64; 2]; 2]
 /// Delta-phi and Delta-theta, in the model of the fit, of an object given by beta, y, z and x0.
 fn angles(key: &Key, [beta, y, z, x0]: [f64; 4], time: f64) -> Option<[f64; 2]> {
     let (speed, point) = (Speed::from_beta(beta).ok()?, SourcePoint { x0, y, z });
-    let both = match key.setup.model {
-        FitModel::Exact => {
-            let [left, right] = Aperture::pair(key.separation);
-            disparity(&speed, point, left, right, time).ok()?
-        }
-        FitModel::Published => {
-            let variant = PublishedVariant::AppendixA;
-            published_disparity(&speed, point, key.separation, time, variant).ok()?
-        }
-    };
+    let both = key.setup.model.disparity(&speed, point, key.separation, time).ok()?;
     let angles = [both.dphi, both.dtheta];
     angles.iter().all(|angle| angle.is_finite()).then_some(angles)
 }

@@ -6,7 +6,7 @@ use eframe::egui::{
     TextureId, Ui, Visuals, pos2, vec2,
 };
 use relativity_core::math;
-use relativity_render::{Colour, Geometry, ReferenceScene, View};
+use relativity_render::{Colour, Geometry, PreparedScene, View};
 
 use super::Asks;
 use crate::accuracy::Method;
@@ -143,7 +143,7 @@ fn notes(ui: &Ui, painter: &Painter, pane: EyePane, text: &str) {
 
 fn markers(painter: &Painter, state: &State, pane: EyePane, visuals: &Visuals) {
     let view = state.view(pane.eye, pane.size, state.gaze());
-    let scene = ReferenceScene::new(&state.session.bodies);
+    let scene = PreparedScene::moving(&state.session.bodies);
     for (index, point) in state.session.points.all().iter().enumerate() {
         let Some(marker) = Marker::of(state, point, &view, &scene, pane.eye) else { continue };
         let radius = if index == state.session.points.selected_index() { 6.0 } else { 4.5 };
@@ -163,7 +163,7 @@ struct Marker {
 const HIDING_MARGIN: f64 = 1e-4;
 
 impl Marker {
-    fn of(state: &State, point: &Point, view: &View, scene: &ReferenceScene, eye: Eye) -> Option<Self> {
+    fn of(state: &State, point: &Point, view: &View, scene: &PreparedScene, eye: Eye) -> Option<Self> {
         let direction = state.direction(point, eye)?;
         let pixel = view.camera.pixel(direction)?;
         // In the published model no ray leads back from the right eye, so nothing is known to hide it.

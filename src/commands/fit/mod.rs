@@ -5,8 +5,8 @@ mod data;
 use std::path::PathBuf;
 
 use anyhow::Context as _;
-use clap::{Args, ValueEnum};
-use relativity_core::{Curves, DEFAULT_REPLICATES, FitModel, FitOptions, Passage};
+use clap::Args;
+use relativity_core::{Curves, DEFAULT_REPLICATES, FitOptions, Model, Passage};
 
 use crate::estimate::FitReport;
 pub use data::Data;
@@ -34,7 +34,7 @@ pub struct FitArgs {
     model: Model,
     /// Which curves are fitted [default: those that the file has]
     #[arg(long = "use", value_enum)]
-    curves: Option<Use>,
+    curves: Option<Curves>,
     /// Number of bootstrap replicates; 0 for none.
     #[arg(long, value_name = "N", default_value_t = DEFAULT_REPLICATES, value_parser = replicates)]
     bootstrap: usize,
@@ -67,27 +67,6 @@ Examples:
   gamow fit data.csv --d 0.1 --fit-x0
   gamow fit data.csv --d 0.1 --model published --use dphi --json";
 
-/// The binocular model.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
-enum Model {
-    /// Each eye solves its own light cone.
-    #[default]
-    Exact,
-    /// The paper's Appendix A, which leaves parallax out.
-    Published,
-}
-
-/// The curves.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Use {
-    /// Azimuth.
-    Dphi,
-    /// Elevation.
-    Dtheta,
-    /// A joint fit, and a fit of each.
-    Both,
-}
-
 fn replicates(text: &str) -> Result<usize, String> {
     match text.parse() {
         Ok(1) | Err(_) => Err("not 0, nor a number from 2 on".to_owned()),
@@ -100,16 +79,13 @@ pub fn run(args: &FitArgs) -> anyhow::Result<()> {
     let (name, input) = csv_in::open(args.file.as_deref())?;
     let data = Data::read(&name, input, args.d)?;
     let curves = match (args.curves, data.has) {
-        (Some(Use::Dphi), _) | (None, [true, false]) => Curves::Azimuth,
-        (Some(Use::Dtheta), _) | (None, [false, true]) => Curves::Polar,
-        (Some(Use::Both) | None, _) => Curves::Both,
-    };
-    let model = match args.model {
-        Model::Exact => FitModel::Exact,
-        Model::Published => FitModel::Published,
+        (Some(curves), _) => curves,
+        (None, [true, false]) => Curves::Azimuth,
+        (None, [false, true]) => Curves::Polar,
+        (None, _) => Curves::Both,
     };
     let passage = if args.fit_x0 { Passage::Fitted } else { Passage::Known(args.x0) };
-    let options = FitOptions { model, curves, passage };
+    let options = FitOptions { model: args.model, curves, passage };
     let report =
         FitReport::new(&data.observations, &options, args.bootstrap, args.seed).with_context(|| name)?;
     whole::write_to(args.out.as_deref(), |out| {

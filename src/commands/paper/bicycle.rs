@@ -3,12 +3,12 @@
 //! It rides in the plane of its path and the eyes, at rest coordinates (x, y): x along the motion, y the
 //! distance from the line of the eyes, which stays as it is.
 
+use relativity_core::math;
 use std::f64::consts::TAU;
 
-use relativity_core::math;
-use relativity_core::{Aperture, DomainError, SourcePoint, sighting};
+use relativity_core::{Aperture, DomainError, Model, SourcePoint, observation_time_when_seen_at, sighting};
 
-use super::curves::{Model, Setup};
+use super::curves::Setup;
 
 /// A polyline of rest coordinates (x, y).
 pub type Stroke = Vec<[f64; 2]>;
@@ -53,9 +53,9 @@ fn straight(from: [f64; 2], to: [f64; 2]) -> Stroke {
 }
 
 /// The observation time at which the eye at the origin sees the bicycle's crank at `x`.
-pub fn time_when_seen_at(setup: &Setup, x: f64) -> f64 {
-    let speed = setup.speed();
-    (x - CRANK[0] / speed.gamma()) / setup.beta + math::hypot(x, CRANK[1])
+pub fn time_when_seen_at(setup: &Setup, x: f64) -> Result<f64, DomainError> {
+    let time = observation_time_when_seen_at(&setup.speed(), source(setup, CRANK), x, 0.0)?;
+    Ok(time.expect("the paper's bicycles ride"))
 }
 
 /// Where a point at `rest` appears to a single eye at the origin.
@@ -94,7 +94,7 @@ mod tests {
         let [rear, front] = AXLES;
         let ratio = (1.9_f64 / 0.1).sqrt();
         for (x, expected) in [(-1e5, ratio), (1e5, 1.0 / ratio)] {
-            let time = time_when_seen_at(&setup, x);
+            let time = time_when_seen_at(&setup, x).expect("inside the domain");
             let seen = |rest| seen_by_one(&setup, rest, time).expect("inside the domain")[0];
             let stretch = (seen(front) - seen(rear)) / (front[0] - rear[0]);
             assert!((stretch / expected - 1.0).abs() < 1e-6, "{stretch}");

@@ -4,10 +4,10 @@ use std::path::Path;
 
 use anyhow::Context as _;
 use csv::ByteRecord;
-use relativity_core::Disparity;
+use relativity_core::{Disparity, Model};
 
 use super::bicycle;
-use super::curves::{Model, Setup};
+use super::curves::{APPENDIX_A, Setup, title};
 use crate::files::csv_out;
 use crate::files::whole::write_whole;
 use crate::plot::{BLACK, BLUE, Line, Panel, Stroke, VERMILION, svg};
@@ -72,16 +72,16 @@ fn write_angles(
     let setup = Setup::SECTION_3;
     let mut panels = Vec::new();
     let mut columns = Vec::new();
-    for model in [Model::Published, Model::Exact] {
+    for model in [APPENDIX_A, Model::Exact] {
         let eyes = [(0, "left", BLUE, Stroke::Solid), (1, "right", VERMILION, Stroke::Dashed)];
         let mut lines = Vec::new();
         for (eye, eye_name, colour, stroke) in eyes {
             let curve = setup.curve(model, TIMES, SAMPLES, |seen| angles(seen)[eye])?;
-            push_column(&mut columns, &format!("{name}_{eye_name}_{}", word(model)), &curve);
+            push_column(&mut columns, &format!("{name}_{eye_name}_{}", model.name()), &curve);
             lines.push(Line::solid(format!("{eye_name} eye"), colour, curve).with(stroke));
         }
         let mark = Some((setup.equidistance_time()?, "T0"));
-        panels.push(Panel { mark, ..Panel::new(model.name(), ["T", label], lines) });
+        panels.push(Panel { mark, ..Panel::new(title(model), ["T", label], lines) });
     }
     write(folder, name, &panels, &columns)
 }
@@ -95,26 +95,18 @@ fn write_differences(
 ) -> anyhow::Result<()> {
     let mut panels = Vec::new();
     let mut columns = Vec::new();
-    for model in [Model::Published, Model::Exact] {
+    for model in [APPENDIX_A, Model::Exact] {
         let mut lines = Vec::new();
         for (beta, colour) in SPEEDS {
             let setup = Setup { beta, ..Setup::SECTION_3 };
             let curve = setup.curve(model, TIMES, SAMPLES, &difference)?;
-            push_column(&mut columns, &format!("{name}_beta_{beta}_{}", word(model)), &curve);
+            push_column(&mut columns, &format!("{name}_beta_{beta}_{}", model.name()), &curve);
             lines.push(Line::solid(format!("beta = {beta}"), colour, curve));
         }
         let mark = Some((Setup::SECTION_3.equidistance_time()?, "T0"));
-        panels.push(Panel { mark, ..Panel::new(model.name(), ["T", label], lines) });
+        panels.push(Panel { mark, ..Panel::new(title(model), ["T", label], lines) });
     }
     write(folder, name, &panels, &columns)
-}
-
-fn word(model: Model) -> &'static str {
-    match model {
-        Model::Published => "published",
-        Model::PublishedText => "published_text",
-        Model::Exact => "exact",
-    }
 }
 
 /// Appends the values of `curve`, and first its times if there is no column yet.
@@ -161,7 +153,7 @@ fn write_bicycle_for_one_eye(folder: &Path) -> anyhow::Result<()> {
     let colours = [BLACK, VERMILION, BLUE];
     let mut lines = Vec::new();
     for (place, colour) in PLACES.into_iter().zip(colours) {
-        let time = bicycle::time_when_seen_at(&setup, place);
+        let time = bicycle::time_when_seen_at(&setup, place)?;
         let seen = |&rest: &[f64; 2]| bicycle::seen_by_one(&setup, rest, time);
         let pieces = mapped(&strokes, seen)?;
         let xs = pieces.iter().flatten().map(|point| point[0]).collect();
@@ -178,16 +170,16 @@ fn write_bicycle_for_two_eyes(folder: &Path) -> anyhow::Result<()> {
     let strokes = bicycle::strokes();
     let mut columns = bicycle_columns(&strokes);
     let mut panels = Vec::new();
-    for model in [Model::Published, Model::Exact] {
+    for model in [APPENDIX_A, Model::Exact] {
         let mut left = Vec::new();
         let mut right = Vec::new();
         for place in PLACES {
-            let time = bicycle::time_when_seen_at(&setup, place);
+            let time = bicycle::time_when_seen_at(&setup, place)?;
             for (eye, pieces) in [&mut left, &mut right].into_iter().enumerate() {
                 let seen = |&rest: &[f64; 2]| Ok(bicycle::seen_by_two(&setup, model, rest, time)?[eye]);
                 let seen = mapped(&strokes, seen)?;
                 let xs = seen.iter().flatten().map(|point| point[0]).collect();
-                columns.push((format!("x_{}_{}_at_T_{time:.3}", ["left", "right"][eye], word(model)), xs));
+                columns.push((format!("x_{}_{}_at_T_{time:.3}", ["left", "right"][eye], model.name()), xs));
                 pieces.extend(seen);
             }
         }
@@ -200,7 +192,7 @@ fn write_bicycle_for_two_eyes(folder: &Path) -> anyhow::Result<()> {
         let half = 0.5 * setup.separation;
         let lines =
             vec![line("left eye", BLUE, left), line("right eye", VERMILION, right), eye_dots(&[-half, half])];
-        panels.push(bicycle_panel(format!("beta = 0.9, d = 0.3, {}", model.name()), lines, 900.0));
+        panels.push(bicycle_panel(format!("beta = 0.9, d = 0.3, {}", title(model)), lines, 900.0));
     }
     write(folder, "bicycle-2d-two-eyes", &panels, &columns)
 }

@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use relativity_core::{
-    Curves, FitError, FitModel, FitOptions, Observations, Simulation, SourcePoint, bootstrap, fit,
+    Curves, FitError, FitOptions, Model, Observations, Simulation, SourcePoint, bootstrap, fit,
 };
 
-use super::curves::Setup;
+use super::curves::{APPENDIX_A, Setup, title};
 use super::figures;
 use crate::estimate::FitReport;
 use crate::passage::passage_times;
@@ -24,7 +24,7 @@ const PAPER_BETA_ERROR: f64 = 0.005;
 #[derive(Debug)]
 pub struct ModelFits {
     /// The model of both data and fit.
-    pub model: FitModel,
+    pub model: Model,
     /// Fits of curves without noise.
     pub clean: FitReport,
     /// Fits of curves with noise.
@@ -36,7 +36,7 @@ pub struct ModelFits {
 
 /// Fits in the published and in the exact model, with their figures in `folder`.
 pub fn write_all(folder: &Path) -> anyhow::Result<[ModelFits; 2]> {
-    let [published, exact] = [FitModel::Published, FitModel::Exact].map(model_fits);
+    let [published, exact] = [APPENDIX_A, Model::Exact].map(model_fits);
     let fits = [published?, exact?];
     write_figure(folder, "fit-phi", 0, Curves::Azimuth)?;
     write_figure(folder, "fit-theta", 1, Curves::Polar)?;
@@ -48,15 +48,15 @@ pub type Bias = (Curves, Result<[f64; 3], FitError>);
 
 /// What the published model makes of exact curves.
 pub fn bias_of_published() -> anyhow::Result<[Bias; 3]> {
-    let observations = simulation(FitModel::Exact, 0.0)?.observations()?;
+    let observations = simulation(Model::Exact, 0.0)?.observations()?;
     Ok([Curves::Azimuth, Curves::Polar, Curves::Both].map(|curves| {
-        let options = FitOptions { model: FitModel::Published, curves, ..FitOptions::default() };
+        let options = FitOptions { model: APPENDIX_A, curves, ..FitOptions::default() };
         let [beta, y, z] = [0, 1, 2];
         (curves, fit(&observations, &options).map(|fit| [fit.values[beta], fit.values[y], fit.values[z]]))
     }))
 }
 
-fn simulation(model: FitModel, noise: f64) -> anyhow::Result<Simulation> {
+fn simulation(model: Model, noise: f64) -> anyhow::Result<Simulation> {
     let Setup { y, z, separation, .. } = Setup::CYCLIST;
     let (speed, point) = (Setup::CYCLIST.speed(), SourcePoint { x0: 0.0, y, z });
     let [from, to] = passage_times(&speed, point, separation)?.unwrap_or_default();
@@ -65,7 +65,7 @@ fn simulation(model: FitModel, noise: f64) -> anyhow::Result<Simulation> {
     Ok(Simulation { speed, point, separation, model, times, noise, seed: SEED })
 }
 
-fn model_fits(model: FitModel) -> anyhow::Result<ModelFits> {
+fn model_fits(model: Model) -> anyhow::Result<ModelFits> {
     let report = |observations: &Observations| {
         FitReport::new(observations, &FitOptions { model, ..FitOptions::default() }, REPLICATES, SEED)
     };
@@ -85,7 +85,7 @@ fn model_fits(model: FitModel) -> anyhow::Result<ModelFits> {
 fn write_figure(folder: &Path, name: &str, curve: usize, curves: Curves) -> anyhow::Result<()> {
     let mut panels = Vec::new();
     let mut columns: Vec<figures::Column> = Vec::new();
-    for model in [FitModel::Published, FitModel::Exact] {
+    for model in [APPENDIX_A, Model::Exact] {
         let observations = simulation(model, NOISE)?.observations()?;
         let best = fit(&observations, &FitOptions { model, curves, ..FitOptions::default() })?;
         let times: Vec<f64> = observations.samples().iter().map(|sample| sample.time).collect();
@@ -93,21 +93,17 @@ fn write_figure(folder: &Path, name: &str, curve: usize, curves: Curves) -> anyh
         let data: Vec<f64> = data.map(|reading| reading.value).collect();
         let fitted: Vec<f64> = times.iter().filter_map(|&time| Some(best.angles(0, time)?[curve])).collect();
         let points = |values: &[f64]| times.iter().zip(values).map(|(&t, &v)| [t, v]).collect();
-        let (title, label) = match model {
-            FitModel::Published => ("published (Appendix A)", "published"),
-            FitModel::Exact => ("exact", "exact"),
-        };
         let lines = vec![
             Line::solid("simulated, noise 2 % of the range", BLACK, points(&data)).with(Stroke::Dots),
             Line::solid("fit", VERMILION, points(&fitted)),
         ];
         let labels = ["T", if curve == 0 { "delta-phi, rad" } else { "delta-theta, rad" }];
-        panels.push(Panel::new(title, labels, lines));
+        panels.push(Panel::new(title(model), labels, lines));
         if columns.is_empty() {
             columns.push(("T".to_owned(), times));
         }
-        columns.push((format!("{}_simulated_{label}", curves.name()), data));
-        columns.push((format!("{}_fit_{label}", curves.name()), fitted));
+        columns.push((format!("{}_simulated_{}", curves.name(), model.name()), data));
+        columns.push((format!("{}_fit_{}", curves.name(), model.name()), fitted));
     }
     figures::write(folder, name, &panels, &columns)
 }

@@ -1,9 +1,8 @@
 //! The numbers of the paper's section 3 and 4(a), beside those of each model.
 
-use relativity_core::math;
-use relativity_core::{Aperture, Disparity, DomainError, SourcePoint, sighting};
+use relativity_core::{Aperture, Disparity, DomainError, Model, SourcePoint, sighting};
 
-use super::curves::{Extent, Model, Setup, extent};
+use super::curves::{APPENDIX_A, Extent, Setup, TEXT_SIGN, extent};
 
 /// Observation times that hold all extremes and zeros.
 const TIMES: [f64; 2] = [-20.0, 40.0];
@@ -27,7 +26,7 @@ pub struct Row {
 }
 
 /// The models, in the order of the columns.
-pub const MODELS: [Model; 3] = [Model::Published, Model::PublishedText, Model::Exact];
+pub const MODELS: [Model; 3] = [APPENDIX_A, TEXT_SIGN, Model::Exact];
 
 /// All rows.
 pub fn rows() -> Result<Vec<Row>, DomainError> {
@@ -150,7 +149,7 @@ fn motion_rows() -> Result<Vec<Row>, DomainError> {
 /// What an eye at the origin sees of the tracked point or one `xr` further forward in the rest frame, when
 /// it sees the tracked point at `x`.
 fn seen_at(setup: &Setup, x: f64, xr: f64) -> Result<relativity_core::Sighting, DomainError> {
-    let time = x / setup.beta + math::hypot(math::hypot(x, setup.y), setup.z);
+    let time = setup.time_when_seen_at(x)?;
     let point = SourcePoint::from_rest([xr, setup.y, setup.z], &setup.speed());
     sighting(&setup.speed(), point, Aperture::default(), time)
 }
@@ -163,7 +162,7 @@ fn apparent_length(setup: &Setup, x: f64) -> Result<f64, DomainError> {
 
 fn apparent_speed(setup: &Setup, x: f64) -> Result<f64, DomainError> {
     let point = SourcePoint { x0: 0.0, y: setup.y, z: setup.z };
-    let time = x / setup.beta + math::hypot(math::hypot(x, setup.y), setup.z);
+    let time = setup.time_when_seen_at(x)?;
     let later = time + ROD * x.abs();
     let at = |time| Ok(sighting(&setup.speed(), point, Aperture::default(), time)?.position[0]);
     Ok((at(later)? - at(time)?) / (later - time))

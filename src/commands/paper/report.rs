@@ -141,7 +141,7 @@ impl PaperReport<'_> {
             }
         }
         for model in &self.fits {
-            let (name, percent) = (format!("{:?}", model.model).to_lowercase(), 100.0 * model.noise_of_paper);
+            let (name, percent) = (model.model.name(), 100.0 * model.noise_of_paper);
             writeln!(
                 f,
                 "\nIn the {name} model, noise of {percent:.1} % of the range would give beta from delta-phi the paper's uncertainty of 0.005."

@@ -4,10 +4,9 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use clap::Parser;
-use relativity_core::math;
-use relativity_core::{Disparity, DomainError};
+use relativity_core::{Disparity, DomainError, Model};
 
-use super::curves::{Model, Setup};
+use super::curves::Setup;
 use super::figures;
 use crate::commands::render::{self, RenderArgs};
 
@@ -124,8 +123,7 @@ impl Figure {
     /// The frame in which the tracked point is seen at `x` from between the eyes.
     fn frame(&self, number: usize, x: f64) -> Result<Frame, DomainError> {
         let setup = Setup { beta: self.beta, ..Setup::CYCLIST };
-        let emitted = if self.beta > 0.0 { x / self.beta } else { 0.0 };
-        let time = emitted + math::hypot(math::hypot(x, setup.y), setup.z);
+        let time = setup.time_when_seen_at(x)?;
         let command = format!(
             "gamow render --beta {} --time {time:.6} --size {WIDTH}x{HEIGHT} --fov 70 --geometry {} --renderer reference \
              --shading emission --ground off --sky off --light on",

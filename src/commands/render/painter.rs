@@ -2,7 +2,7 @@
 
 use anyhow::Context as _;
 use clap::Args;
-use relativity_render::{Appearance, Body, Gpu, HitImage, MeshRenderer, Picture, ReferenceScene, View};
+use relativity_render::{Appearance, Body, Gpu, HitImage, MeshRenderer, Picture, PreparedScene, View};
 
 use super::gpu_painter::{Drawer, GpuPainter};
 use crate::flags::{RendererChoice, positive};
@@ -33,7 +33,7 @@ pub enum Painter {
     /// In f64 on the CPU.
     Reference {
         /// The scene.
-        scene: ReferenceScene,
+        scene: PreparedScene,
         /// Rays per pixel are the square of this.
         samples: u32,
     },
@@ -49,7 +49,7 @@ impl RendererArgs {
     ///
     /// A renderer that cannot be had, or that cannot draw the published geometry.
     pub fn painter(&self, bodies: &[Body], published: bool) -> anyhow::Result<Painter> {
-        let reference = || Painter::Reference { scene: ReferenceScene::new(bodies), samples: self.samples };
+        let reference = || Painter::Reference { scene: PreparedScene::moving(bodies), samples: self.samples };
         let choice = self.renderer.or(published.then_some(RendererChoice::Mesh));
         anyhow::ensure!(
             !published || choice == Some(RendererChoice::Mesh),

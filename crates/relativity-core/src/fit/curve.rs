@@ -11,18 +11,8 @@
 
 use crate::apparent::{Aperture, LightCone, SourcePoint};
 use crate::cone_pair::ConePair;
-use crate::published::{self, PublishedVariant};
+use crate::model::Model;
 use crate::speed::Speed;
-
-/// Which binocular model is fitted.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-pub enum FitModel {
-    /// Each aperture solves its own light cone.
-    #[default]
-    Exact,
-    /// The paper's Appendix A, which leaves out parallax.
-    Published,
-}
 
 /// Partial derivatives with respect to beta, y, z and t0.
 pub(crate) type Gradient = [f64; 4];
@@ -50,37 +40,51 @@ pub(crate) struct Slopes {
 }
 
 impl Trial {
+    /// Its beta, y, z and x0.
+    pub fn reported(&self) -> [f64; 4] {
+        let beta = self.speed.beta();
+        [beta, self.y, self.z, self.passage_x - beta * self.passage_time]
+    }
+
     /// Delta-phi and Delta-theta at `time`.
-    pub fn angles(&self, model: FitModel, pair: &[Aperture; 2], time: f64) -> [f64; 2] {
+    pub fn angles(&self, model: Model, pair: &[Aperture; 2], time: f64) -> [f64; 2] {
         self.wanted_angles(model, pair, time, [true, true])
     }
 
     /// The same, with 0 for what is not `wanted`.
     pub fn wanted_angles(
         &self,
-        model: FitModel,
+        model: Model,
         pair: &[Aperture; 2],
         time: f64,
         wanted: [bool; 2],
     ) -> [f64; 2] {
-        self.cones(model, pair, time).pair.wanted_angle_differences(wanted).into()
+        self.cone_pair(model, pair, time).0.wanted_angle_differences(wanted).into()
     }
 
     /// The same with the gradients.
-    pub fn slopes(&self, model: FitModel, pair: &[Aperture; 2], time: f64, wanted: [bool; 2]) -> Slopes {
-        let cones = self.cones(model, pair, time);
-        let ConePair { left, right, .. } = &cones.pair;
+    pub fn slopes(&self, model: Model, pair: &[Aperture; 2], time: f64, wanted: [bool; 2]) -> Slopes {
+        let (cones, shift) = self.cone_pair(model, pair, time);
+        let ConePair { left, right, .. } = &cones;
         let beta = self.speed.beta();
         let ds = [time - self.passage_time, 0.0, 0.0, -beta];
         let dx = x_gradient(beta, left, ds);
         let ds_right = match model {
-            FitModel::Exact => ds,
-            FitModel::Published => right_s_gradient(beta, &cones, ds, dx),
+            Model::Exact => ds,
+            Model::Published(variant) => {
+                let to_secondary = left.solution.x - (pair[1].x - pair[0].x);
+                let ddelay = delay_gradient(left, to_secondary, dx);
+                let sign = variant.delay_sign();
+                std::array::from_fn(|i| {
+                    let dbeta = if i == 0 { shift } else { 0.0 };
+                    ds[i] + dbeta + beta * (sign * ddelay[i])
+                })
+            }
         };
         let [dphi_left, dtheta_left] = angle_gradients(left, dx);
         let [dphi_right, dtheta_right] = angle_gradients(right, x_gradient(beta, right, ds_right));
         Slopes {
-            angles: cones.pair.wanted_angle_differences(wanted).into(),
+            angles: cones.wanted_angle_differences(wanted).into(),
             gradients: [
                 std::array::from_fn(|i| dphi_left[i] - dphi_right[i]),
                 std::array::from_fn(|i| dtheta_left[i] - dtheta_right[i]),
@@ -89,37 +93,10 @@ impl Trial {
     }
 
     #[inline]
-    fn cones(&self, model: FitModel, pair: &[Aperture; 2], time: f64) -> Cones {
-        let [primary, secondary] = *pair;
-        let since_passage = time - self.passage_time;
+    fn cone_pair(&self, model: Model, pair: &[Aperture; 2], time: f64) -> (ConePair<f64>, f64) {
         let point = SourcePoint { x0: self.passage_x, y: self.y, z: self.z };
-        let separation = secondary.x - primary.x;
-        match model {
-            FitModel::Exact => {
-                let pair =
-                    ConePair::new(&self.speed.coefficients(), point, primary, secondary, since_passage);
-                Cones { pair, delay: 0.0, separation }
-            }
-            FitModel::Published => {
-                // Appendix A puts the origin midway between both apertures.
-                let middle = 0.5 * (primary.x + secondary.x);
-                let point =
-                    SourcePoint { x0: point.x0 - middle, y: point.y - primary.y, z: point.z - primary.z };
-                let variant = PublishedVariant::AppendixA;
-                let (pair, shift) =
-                    published::cone_pair(&self.speed, point, separation, since_passage, variant);
-                Cones { pair, delay: -shift, separation }
-            }
-        }
+        model.cone_pair(&self.speed, point, *pair, time - self.passage_time)
     }
-}
-
-/// Both light cones of a pair, as the model has them.
-struct Cones {
-    pair: ConePair<f64>,
-    /// Delta T of the published model.
-    delay: f64,
-    separation: f64,
 }
 
 #[inline]
@@ -146,18 +123,13 @@ fn angle_gradients(cone: &LightCone<f64>, dx: Gradient) -> [Gradient; 2] {
     [dphi, dtheta]
 }
 
-/// Gradient of the secondary's S, the primary's minus beta Delta T, in the published model, where Delta T is
-/// the difference of the distances from the event seen by the primary.
-fn right_s_gradient(beta: f64, cones: &Cones, ds: Gradient, dx: Gradient) -> Gradient {
-    let LightCone { y, z, solution, .. } = cones.pair.left;
-    let to_secondary = solution.x - cones.separation;
+/// Gradient of Delta T, by which light from the event that the primary sees takes longer to the secondary.
+fn delay_gradient(primary: &LightCone<f64>, to_secondary: f64, dx: Gradient) -> Gradient {
+    let LightCone { y, z, solution, .. } = *primary;
     let distance = (to_secondary * to_secondary + y * y + z * z).sqrt();
     std::array::from_fn(|i| {
         let transverse = y * D_Y[i] + z * D_Z[i];
-        let ddelay =
-            (to_secondary * dx[i] + transverse) / distance - (solution.x * dx[i] + transverse) / solution.r;
-        let dbeta = if i == 0 { cones.delay } else { 0.0 };
-        ds[i] - dbeta - beta * ddelay
+        (to_secondary * dx[i] + transverse) / distance - (solution.x * dx[i] + transverse) / solution.r
     })
 }
 
@@ -189,11 +161,15 @@ mod tests {
     #[test]
     fn gradients_are_the_slopes_of_the_curves() {
         let oblique = [Aperture { x: 0.3, y: -0.2, z: 0.1 }, Aperture { x: -0.1, y: 0.15, z: -0.3 }];
+        let along_x = [Aperture { x: 0.4, y: 0.1, z: 0.2 }, Aperture { x: 0.9, y: 0.1, z: 0.2 }];
+        let [_, appendix_a, text_sign] = Model::ALL;
         let cases = [
-            (FitModel::Exact, Aperture::pair(0.1)),
-            (FitModel::Exact, oblique),
-            (FitModel::Published, Aperture::pair(0.3)),
-            (FitModel::Published, [Aperture { x: 0.4, y: 0.1, z: 0.2 }, Aperture { x: 0.9, y: 0.1, z: 0.2 }]),
+            (Model::Exact, Aperture::pair(0.1)),
+            (Model::Exact, oblique),
+            (appendix_a, Aperture::pair(0.3)),
+            (appendix_a, along_x),
+            (text_sign, Aperture::pair(0.3)),
+            (text_sign, along_x),
         ];
         for (model, pair) in cases {
             for beta in [0.1, 0.6, 0.9, 0.99] {
@@ -206,7 +182,7 @@ mod tests {
         }
     }
 
-    fn check_gradients(trial: &Trial, model: FitModel, pair: &[Aperture; 2], time: f64) {
+    fn check_gradients(trial: &Trial, model: Model, pair: &[Aperture; 2], time: f64) {
         let gradients = trial.slopes(model, pair, time, [true, true]).gradients;
         for (parameter, gradient) in transposed(gradients).into_iter().enumerate() {
             let h = if parameter == 0 { 2e-3 * trial.speed.one_minus_beta() } else { 1e-3 };

@@ -3,7 +3,7 @@
 use levenberg_marquardt::{LevenbergMarquardt, TerminationReason};
 
 use crate::fit::curve::Trial;
-use crate::fit::error::FitError;
+use crate::fit::error::{FitError, NotConverged};
 use crate::fit::problem::{At, Free, Problem};
 use crate::fit::start;
 use crate::math;
@@ -35,11 +35,11 @@ pub(super) struct Minimum {
 
 /// Where the best of several starts leads. All get a few steps against some of the data; those that promise
 /// most, and are on different ways, are followed.
-pub(super) fn best_start(problem: &Problem, evaluations: &mut usize) -> Option<Free> {
+pub(super) fn best_start(problem: &Problem) -> Option<Free> {
     let coarse = start::thinned(problem);
-    let glances = descents(&coarse, start::starts(problem, &coarse), GLANCE, evaluations);
+    let glances = descents(&coarse, start::starts(problem, &coarse), GLANCE);
     let followed = glances.iter().take(FOLLOWED).map(|descent| lifted(problem, descent.free)).collect();
-    descents(problem, followed, START_PATIENCE, evaluations).first().map(|best| best.free)
+    descents(problem, followed, START_PATIENCE).first().map(|best| best.free)
 }
 
 /// Where a few steps from a start led.
@@ -59,14 +59,13 @@ impl Descent {
 }
 
 /// Where a few steps from each start lead, the lowest first, without those that are near a lower one.
-fn descents(problem: &Problem, starts: Vec<Free>, patience: usize, evaluations: &mut usize) -> Vec<Descent> {
+fn descents(problem: &Problem, starts: Vec<Free>, patience: usize) -> Vec<Descent> {
     let descend = |free: Free| {
         let solver = LevenbergMarquardt::new().with_patience(patience);
         let (at, report) = solver.minimize(At { problem, free });
-        (Descent { free: at.free, cost: report.objective_function }, report.number_of_evaluations)
+        Descent { free: at.free, cost: report.objective_function }
     };
-    let (mut descents, counts): (Vec<_>, Vec<usize>) = starts.into_par_iter().map(descend).unzip();
-    *evaluations += counts.into_iter().sum::<usize>();
+    let mut descents: Vec<_> = starts.into_par_iter().map(descend).collect();
     descents.retain(|descent| descent.cost.is_finite());
     descents.sort_by(|a, b| a.cost.total_cmp(&b.cost));
     let mut distinct: Vec<Descent> = Vec::new();
@@ -88,8 +87,8 @@ fn lifted(problem: &Problem, mut free: Free) -> Free {
 
 /// The minimum downhill of `start`. Where only |z| matters, the way to z = 0 is endless and there is none back, so
 /// that near it z = 0 is tried as well, and a way up.
-pub(super) fn minimum(problem: &Problem, start: Free, evaluations: &mut usize) -> Result<Minimum, FitError> {
-    let (minimum, end) = refined(problem, start, evaluations);
+pub(super) fn minimum(problem: &Problem, start: Free) -> Result<Minimum, FitError> {
+    let (minimum, end) = refined(problem, start);
     if !problem.is_even_in_z() || end[2].abs() > NEAR_GROUND * math::exp(end[1]) {
         return minimum;
     }
@@ -101,7 +100,7 @@ pub(super) fn minimum(problem: &Problem, start: Free, evaluations: &mut usize) -
         if next.cost < margin * lowest.cost { next } else { lowest }
     };
     [on_ground, lifted(problem, end)].into_iter().fold(minimum, |lowest, start| {
-        match (lowest, refined(problem, start, evaluations).0) {
+        match (lowest, refined(problem, start).0) {
             (Ok(lowest), Ok(next)) => Ok(lower(lowest, next)),
             (Err(_), next) => next,
             (lowest, Err(_)) => lowest,
@@ -110,16 +109,20 @@ pub(super) fn minimum(problem: &Problem, start: Free, evaluations: &mut usize) -
 }
 
 /// The minimum downhill of `start`, to the last digit that the sum of squares holds.
-fn refined(problem: &Problem, start: Free, evaluations: &mut usize) -> (Result<Minimum, FitError>, Free) {
+fn refined(problem: &Problem, start: Free) -> (Result<Minimum, FitError>, Free) {
     let solver = LevenbergMarquardt::new().with_patience(PATIENCE);
     let (At { free, .. }, report) = solver.minimize(At { problem, free: start });
-    *evaluations += report.number_of_evaluations;
-    // No improvement possible: the solver's tolerance is finer than rounding allows here.
-    let converged = report.termination.was_successful()
-        || matches!(report.termination, TerminationReason::NoImprovementPossible(_));
-    let Some(trial) = problem.trial(&free).filter(|_| converged) else {
-        let reason = format!("{:?}", report.termination);
-        return (Err(FitError::NotConverged { evaluations: *evaluations, reason }), free);
+    let minimum = match (report.termination, problem.trial(&free)) {
+        (TerminationReason::LostPatience, _) => {
+            Err(NotConverged::StillFalling { evaluations: report.number_of_evaluations })
+        }
+        // No improvement possible: the solver's tolerance is finer than rounding allows here.
+        (reason, Some(trial))
+            if reason.was_successful() || matches!(reason, TerminationReason::NoImprovementPossible(_)) =>
+        {
+            Ok(Minimum { free, trial, cost: 2.0 * report.objective_function })
+        }
+        _ => Err(NotConverged::NotFinite),
     };
-    (Ok(Minimum { free, trial, cost: 2.0 * report.objective_function }), free)
+    (minimum.map_err(FitError::NotConverged), free)
 }

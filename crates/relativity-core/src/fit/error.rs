@@ -66,14 +66,9 @@ pub enum FitError {
         /// Its depth.
         y: f64,
     },
-    /// The iteration ended before the minimum was found.
-    #[error("not converged after {evaluations} evaluations ({reason})")]
-    NotConverged {
-        /// Evaluations of the whole curve.
-        evaluations: usize,
-        /// What the solver said.
-        reason: String,
-    },
+    /// The search ended before a minimum was found.
+    #[error("not converged: {0}")]
+    NotConverged(NotConverged),
     /// The best fit leaves most of the data's variation unexplained.
     #[error("no such object: the best fit leaves {:.0} % of the curve's variation unexplained", 100.0 * .share)]
     Unexplained {
@@ -115,4 +110,21 @@ pub enum FitError {
         /// Replicates drawn.
         replicates: usize,
     },
+}
+
+/// Why the search for a minimum ended without one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+pub enum NotConverged {
+    /// None of the objects tried at first shows finite disparities.
+    #[error("no object to start from has finite disparities")]
+    NoStart,
+    /// The sum of squares was still falling.
+    #[error("after {evaluations} evaluations of the curves the sum of squares still falls")]
+    StillFalling {
+        /// Evaluations of all curves since the last start.
+        evaluations: usize,
+    },
+    /// The search came to an object whose disparities are not finite.
+    #[error("the search leads to objects whose disparities are not finite")]
+    NotFinite,
 }

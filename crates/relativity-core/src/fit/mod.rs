@@ -10,11 +10,11 @@
 //! References: the paper, sections 3(b) and 4(c); J. J. More, *The Levenberg-Marquardt algorithm:
 //! implementation and theory* (1978).
 
-mod combined;
 mod curve;
 mod descent;
 mod error;
 mod observations;
+mod options;
 mod prepare;
 mod problem;
 mod regular;
@@ -22,10 +22,9 @@ mod simulation;
 mod start;
 mod verdict;
 
-pub use combined::{Combined, combined};
-pub use curve::FitModel;
-pub use error::FitError;
+pub use error::{FitError, NotConverged};
 pub use observations::{Observations, Reading, Sample};
+pub use options::{Curves, FitOptions, Parameter, Passage};
 pub use simulation::Simulation;
 
 pub(crate) use problem::{Free, NormalEquations, Problem};
@@ -40,86 +39,6 @@ use prepare::Data;
 
 /// Half the width of a 95 % interval of a normal distribution, in standard errors.
 const NORMAL_95: f64 = 1.959_963_984_540_054;
-
-/// Which curves are fitted.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-pub enum Curves {
-    /// Delta-phi only: the azimuthal fit.
-    Azimuth,
-    /// Delta-theta only: the polar fit.
-    Polar,
-    /// Both at once.
-    #[default]
-    Both,
-}
-
-impl Curves {
-    /// Delta-phi and Delta-theta: whether each is fitted.
-    #[must_use]
-    pub const fn used(self) -> [bool; 2] {
-        [matches!(self, Self::Azimuth | Self::Both), matches!(self, Self::Polar | Self::Both)]
-    }
-
-    /// As the command line and the files call them.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Azimuth => "dphi",
-            Self::Polar => "dtheta",
-            Self::Both => "both",
-        }
-    }
-}
-
-/// What is known of the object's objective x at t = 0.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Passage {
-    /// x0 is this.
-    Known(f64),
-    /// x0 is to be fitted.
-    Fitted,
-}
-
-/// What is to be fitted.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FitOptions {
-    /// The binocular model.
-    pub model: FitModel,
-    /// Which curves.
-    pub curves: Curves,
-    /// x0, known or not.
-    pub passage: Passage,
-}
-
-impl Default for FitOptions {
-    fn default() -> Self {
-        Self { model: FitModel::Exact, curves: Curves::Both, passage: Passage::Known(0.0) }
-    }
-}
-
-/// A parameter of the fit.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Parameter {
-    /// Speed over c.
-    Beta,
-    /// Depth.
-    Y,
-    /// Height.
-    Z,
-    /// Objective x at t = 0.
-    X0,
-}
-
-impl Parameter {
-    /// Every parameter, in the order of all arrays of the fit.
-    pub const ALL: [Self; 4] = [Self::Beta, Self::Y, Self::Z, Self::X0];
-
-    /// Its name in files.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        ["beta", "y", "z", "x0"][self as usize]
-    }
-}
 
 /// The best fit.
 #[derive(Debug, Clone)]
@@ -138,8 +57,6 @@ pub struct Fit {
     pub reduced_chi_squared: Option<f64>,
     /// Readings that were fitted.
     pub readings: usize,
-    /// Evaluations of the curves, by all starts together.
-    pub evaluations: usize,
     pub(crate) problem: Problem,
     pub(crate) free: Free,
 }
@@ -205,12 +122,8 @@ impl Fit {
 /// Every variant of [`FitError`] but those of [`Observations::new`] and of the bootstrap.
 pub fn fit(observations: &Observations, options: &FitOptions) -> Result<Fit, FitError> {
     let data = prepare::prepare(observations, options)?;
-    let mut evaluations = 0;
-    let Some(start) = descent::best_start(&data.problem, &mut evaluations) else {
-        let reason = "no start has a finite sum of squares".to_owned();
-        return Err(FitError::NotConverged { evaluations, reason });
-    };
-    fit_downhill(data, options, start, evaluations)
+    let start = descent::best_start(&data.problem).ok_or(FitError::NotConverged(NotConverged::NoStart))?;
+    fit_downhill(data, options, start)
 }
 
 /// The fit downhill of a guess of beta, y, z and x0: less work than [`fit`], if the guess is good.
@@ -227,21 +140,16 @@ pub fn fit_from(observations: &Observations, options: &FitOptions, guess: [f64; 
     }
     let passage_time = if data.problem.fits_passage { -x0 / beta } else { 0.0 };
     let start = Free::new(math::ln(math::atanh(beta)), math::ln(y), z, passage_time);
-    fit_downhill(data, options, start, 0)
+    fit_downhill(data, options, start)
 }
 
-fn fit_downhill(
-    mut data: Data,
-    options: &FitOptions,
-    start: Free,
-    mut evaluations: usize,
-) -> Result<Fit, FitError> {
-    let mut minimum = descent::minimum(&data.problem, start, &mut evaluations)?;
+fn fit_downhill(mut data: Data, options: &FitOptions, start: Free) -> Result<Fit, FitError> {
+    let mut minimum = descent::minimum(&data.problem, start)?;
     if data.estimates_noise() {
         // Weights from the scatter about a first fit, twice: the weights move the fit a little.
         for _ in 0..2 {
             data.reweigh(&minimum.trial);
-            minimum = descent::minimum(&data.problem, minimum.free, &mut evaluations)?;
+            minimum = descent::minimum(&data.problem, minimum.free)?;
         }
     }
     verdict::check_explained(&data, minimum.cost)?;
@@ -255,21 +163,14 @@ fn fit_downhill(
     let covariance = verdict::covariance(&data.problem, &trial, scatter)?;
     Ok(Fit {
         options: *options,
-        values: reported(&trial),
+        values: trial.reported(),
         covariance: reported_covariance(&data.problem, &trial, &covariance),
         rms: data.rms(&trial, [true, true]),
         reduced_chi_squared: data.has_all_sigmas.then_some(reduced),
         readings: data.problem.readings(),
-        evaluations,
         problem: data.problem,
         free,
     })
-}
-
-/// Beta, y, z and x0 of an object.
-pub(crate) fn reported(trial: &Trial) -> [f64; 4] {
-    let beta = trial.speed.beta();
-    [beta, trial.y, trial.z, trial.passage_x - beta * trial.passage_time]
 }
 
 /// From the covariance of the free parameters to that of the reported ones.

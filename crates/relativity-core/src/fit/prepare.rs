@@ -1,11 +1,12 @@
 //! From observations to weighed rows, with the verdicts that need no fit.
 
 use crate::domain::check;
-use crate::fit::curve::{FitModel, Trial};
+use crate::fit::curve::Trial;
 use crate::fit::error::FitError;
 use crate::fit::observations::{Observations, Reading, Sample};
+use crate::fit::options::{FitOptions, Passage};
 use crate::fit::problem::{Problem, Row};
-use crate::fit::{FitOptions, Passage};
+use crate::model::Model;
 
 const NAMES: [&str; 2] = ["dphi", "dtheta"];
 /// Least noise of a curve that is assumed, relative to its range: what rounding leaves of noise-free data.
@@ -176,8 +177,8 @@ fn check_sigmas(observations: &Observations, curve: usize) -> Result<bool, FitEr
     Ok(of > 0 && with == of)
 }
 
-fn check_pairs(observations: &Observations, model: FitModel) -> Result<(), FitError> {
-    if model == FitModel::Exact {
+fn check_pairs(observations: &Observations, model: Model) -> Result<(), FitError> {
+    if model == Model::Exact {
         return Ok(());
     }
     for (pair, [primary, secondary]) in observations.pairs().iter().enumerate() {

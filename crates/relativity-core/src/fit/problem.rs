@@ -8,8 +8,9 @@ use nalgebra::storage::Owned;
 use nalgebra::{Dyn, Matrix4, OMatrix, OVector, U4, Vector4};
 
 use crate::apparent::Aperture;
-use crate::fit::curve::{FitModel, Gradient, Slopes, Trial};
+use crate::fit::curve::{Gradient, Slopes, Trial};
 use crate::math;
+use crate::model::Model;
 use crate::speed::Speed;
 
 /// Largest rapidity tried (gamma = 1e26): it keeps a wild step inside the domain of [`Speed`].
@@ -47,7 +48,7 @@ pub(crate) type Free = Vector4<f64>;
 /// The data and the model.
 #[derive(Debug, Clone)]
 pub(crate) struct Problem {
-    pub model: FitModel,
+    pub model: Model,
     pub pairs: Vec<[Aperture; 2]>,
     pub rows: Vec<Row>,
     /// Objective x at t0.

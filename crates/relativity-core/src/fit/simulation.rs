@@ -5,9 +5,10 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution as _, StandardNormal};
 
 use crate::apparent::SourcePoint;
-use crate::fit::curve::{FitModel, Trial};
+use crate::fit::curve::Trial;
 use crate::fit::error::FitError;
 use crate::fit::observations::{Observations, Reading, Sample};
+use crate::model::Model;
 use crate::speed::Speed;
 
 /// A known object, and how it is observed by the paper's pair of apertures.
@@ -20,7 +21,7 @@ pub struct Simulation {
     /// Aperture separation.
     pub separation: f64,
     /// The binocular model that the curves follow.
-    pub model: FitModel,
+    pub model: Model,
     /// Observation times.
     pub times: Vec<f64>,
     /// Standard deviation of the normal noise, as a share of each curve's range.

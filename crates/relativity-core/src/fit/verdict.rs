@@ -2,9 +2,9 @@
 
 use nalgebra::Matrix4;
 
-use crate::fit::Parameter;
 use crate::fit::curve::Trial;
 use crate::fit::error::FitError;
+use crate::fit::options::Parameter;
 use crate::fit::prepare::Data;
 use crate::fit::problem::{NormalEquations, Problem};
 use crate::fit::regular::Regular;
@@ -36,7 +36,7 @@ pub(super) fn covariance(problem: &Problem, trial: &Trial, scatter: f64) -> Resu
     let fitted = problem.parameters();
     let scale = hessian.diagonal().map(|diagonal| 1.0 / diagonal.sqrt());
     if let Some(index) = (0..fitted).find(|&index| !scale[index].is_finite()) {
-        let (parameter, value) = (Parameter::ALL[index].name(), super::reported(trial)[index]);
+        let (parameter, value) = (Parameter::ALL[index].name(), trial.reported()[index]);
         return Err(FitError::Insensitive { parameter, value });
     }
     let outer = scale * scale.transpose();
@@ -91,7 +91,7 @@ fn indistinguishable(
     standard_error: f64,
     correlation: f64,
 ) -> FitError {
-    let value = super::reported(trial)[index];
+    let value = trial.reported()[index];
     let [parameter, partner] = [index, partner].map(|i| Parameter::ALL[i].name());
     FitError::Indistinguishable { parameter, value, standard_error, partner, correlation }
 }

@@ -4,7 +4,7 @@
 #![allow(clippy::allow_attributes, reason = "an expectation would fail in the programs that use every part")]
 
 use rand::{Rng, RngExt as _};
-use relativity_core::{FitModel, Observations, Sample, Simulation, SourcePoint, Speed};
+use relativity_core::{Model, Observations, Sample, Simulation, SourcePoint, Speed};
 
 /// An object and how it is observed.
 #[derive(Debug, Clone, Copy)]
@@ -55,7 +55,7 @@ impl Case {
         (0..self.samples).map(|i| from + (to - from) * i as f64 / last).collect()
     }
 
-    pub fn observations(&self, model: FitModel, seed: u64) -> Observations {
+    pub fn observations(&self, model: Model, seed: u64) -> Observations {
         let simulation = Simulation {
             speed: Speed::from_beta(self.beta).expect("a speed"),
             point: SourcePoint { x0: self.x0, y: self.y, z: self.z },
@@ -69,7 +69,7 @@ impl Case {
     }
 
     /// Samples of this case, with noise from `seed`.
-    pub fn samples(&self, model: FitModel, seed: u64) -> Vec<Sample> {
+    pub fn samples(&self, model: Model, seed: u64) -> Vec<Sample> {
         self.observations(model, seed).samples().to_vec()
     }
 }

@@ -16,7 +16,7 @@ use relativity_core::aberration::{doppler_factor, ground_from_rest, rest_from_gr
 use relativity_core::doppler::{intensity_factor, received_wavelength};
 use relativity_core::{
     Aperture, MAX_ERROR_UNITS, PublishedVariant, SourcePoint, Speed, disparity, equidistance_time,
-    printed_apparent_x, published_disparity, sighting,
+    observation_time_when_seen_at, printed_apparent_x, published_disparity, sighting,
 };
 use tally::{Case, Tally};
 
@@ -158,6 +158,20 @@ fn equidistance_times_are_accurate() {
             .expect("inside the domain")
             .expect("moving");
         case(parameter, inputs, |inputs| model::equidistance_time(parameter, inputs), [t0])
+    })
+    .assert_within(MAX_ERROR_UNITS);
+}
+
+#[test]
+fn the_times_at_which_a_point_is_seen_at_a_place_are_accurate() {
+    Tally::new(["T"], cases(), |rng| {
+        let (parameter, speed, mut inputs) = pair_inputs(rng);
+        inputs[4] = draw::length(rng);
+        inputs.swap(4, 5);
+        let time = observation_time_when_seen_at(&speed, point_at(&inputs[1..]), inputs[5], inputs[4])
+            .expect("inside the domain")
+            .expect("moving");
+        case(parameter, inputs, |inputs| model::observation_time_when_seen_at(parameter, inputs), [time])
     })
     .assert_within(MAX_ERROR_UNITS);
 }

@@ -126,13 +126,21 @@ fn angle_differences(left: &View, right: &View) -> [Big; 2] {
     [dphi, left.theta() - right.theta()]
 }
 
+/// When the point was at x, and the root mean square of the distances from there.
+///
+/// `inputs`: speed parameter, x0, y, z, d, x.
+pub fn observation_time_when_seen_at(parameter: Parameter, inputs: &[Big]) -> [Big; 1] {
+    let (beta, _) = speed(parameter, &inputs[0]);
+    let [x0, y, z, d, x] = [1, 2, 3, 4, 5].map(|i| &inputs[i]);
+    let distance = sqrt(&(square(&(d / big(2.0))) + square(x) + square(y) + square(z)));
+    [distance + (x - x0) / beta]
+}
+
 /// The time at which the two distances are equal: the point is then at x = 0.
 ///
 /// `inputs`: speed parameter, x0, y, z, d.
 pub fn equidistance_time(parameter: Parameter, inputs: &[Big]) -> [Big; 1] {
-    let (beta, _) = speed(parameter, &inputs[0]);
-    let distance = sqrt(&(square(&(&inputs[4] / big(2.0))) + square(&inputs[2]) + square(&inputs[3])));
-    [distance - &inputs[1] / beta]
+    observation_time_when_seen_at(parameter, &[inputs, &[big(0.0)]].concat())
 }
 
 /// dphi, dtheta, `X_S`, `t_S`, `D_S` of the published model, by Appendix A's sequence of formulas, the delay

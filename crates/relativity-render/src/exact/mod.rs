@@ -95,7 +95,7 @@ impl ExactRenderer {
         let measures = self.canvas.measure(gpu, view.camera.size, &frame, |pass| {
             self.record(pass, &vertices, &draws);
         })?;
-        Ok(measures.hit_image(bodies, view))
+        Ok(measures.hit_image(&crate::scene::PreparedScene::moving(bodies), view))
     }
 
     /// Loads the pieces and makes the pipelines they need.

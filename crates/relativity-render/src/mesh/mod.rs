@@ -164,7 +164,7 @@ impl MeshRenderer {
         let measures = self.canvas.measure(gpu, part.camera.size, &frame, |pass| {
             self.record(pass, &vertices, &draws);
         })?;
-        Ok(measures.hit_image(bodies, part))
+        Ok(measures.hit_image(&crate::scene::PreparedScene::moving(bodies), part))
     }
 
     /// The bodies that can be seen in `view`, divided for `map`, in the order they are drawn in.

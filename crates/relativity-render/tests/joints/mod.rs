@@ -1,6 +1,6 @@
 //! Bodies that share surfaces, and which of them a picture shows there.
 
-use relativity_render::{Body, HitImage, ReferenceScene, Shape, View};
+use relativity_render::{Body, HitImage, PreparedScene, Shape, View};
 
 /// A bent rod of two tubes with a knob at either end and two rings around it, one in the other's place, near
 /// (-0.3, 3, 0.6): surfaces that are the same in part or as a whole.
@@ -25,7 +25,7 @@ pub fn joints() -> Vec<Body> {
 pub fn shared_pixels(image: &HitImage, bodies: &[Body], view: &View) -> [usize; 2] {
     let alone: Vec<_> = bodies
         .iter()
-        .map(|body| ReferenceScene::new(std::slice::from_ref(body)).hit_image(view).hits)
+        .map(|body| PreparedScene::moving(std::slice::from_ref(body)).hit_image(view).hits)
         .collect();
     let [mut shared, mut not_first] = [0; 2];
     for (i, shown) in image.hits.iter().enumerate().filter_map(|(i, hit)| Some((i, (*hit)?.body))) {

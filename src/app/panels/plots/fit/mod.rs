@@ -4,7 +4,7 @@ mod plots;
 mod table;
 
 use eframe::egui::{self, DragValue, RichText, ScrollArea, Ui};
-use relativity_core::{Curves, FitModel};
+use relativity_core::{Curves, Model, PublishedVariant};
 
 use super::split::{part, table_and_plots};
 use crate::app::command::Command;
@@ -64,7 +64,8 @@ fn model(ui: &mut Ui, setup: &mut FitSetup) {
     let exact = "Each eye solves its own light cone, as the data were made.";
     let published = "The paper's binocular model: the right eye is the left one at T − ΔT, without parallax.\n\
         The data stay what the eyes see, so its fit is biased.";
-    let models = [(FitModel::Exact, "exact", exact), (FitModel::Published, "published", published)];
+    let appendix_a = Model::Published(PublishedVariant::AppendixA);
+    let models = [(Model::Exact, "exact", exact), (appendix_a, "published", published)];
     choice(ui, &mut setup.model, &models);
     let tip = "Fits x₀, where the point is at t = 0, too: as if the time of passage were unknown.\n\
         Else x₀ is known.";

@@ -1,0 +1,152 @@
+//! The binocular models: the ways in which two apertures' views of one point are computed.
+
+use crate::apparent::{Aperture, SourcePoint};
+use crate::cone_pair::ConePair;
+use crate::disparity::{Disparity, disparity};
+use crate::domain::DomainError;
+use crate::published::{self, PublishedVariant, published_disparity};
+use crate::speed::Speed;
+
+/// A binocular model.
+///
+/// As a flag's value and in a file it is its [name](Self::name).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(from = "saved::Model", into = "saved::Model")
+)]
+pub enum Model {
+    /// Each aperture solves its own light cone.
+    #[default]
+    Exact,
+    /// The paper's model, which leaves out parallax.
+    Published(PublishedVariant),
+}
+
+impl Model {
+    /// Every model.
+    pub const ALL: [Self; 3] = [
+        Self::Exact,
+        Self::Published(PublishedVariant::AppendixA),
+        Self::Published(PublishedVariant::TextSign),
+    ];
+
+    /// As the command line and the files call it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Exact => "exact",
+            Self::Published(PublishedVariant::AppendixA) => "published",
+            Self::Published(PublishedVariant::TextSign) => "published-text",
+        }
+    }
+
+    /// Disparity of `point` in this model for the paper's pair of apertures, `separation` apart.
+    ///
+    /// # Accuracy
+    ///
+    /// As [`disparity()`] and [`published_disparity`], which it is.
+    ///
+    /// # Errors
+    ///
+    /// A coordinate or time outside the domain.
+    pub fn disparity(
+        self,
+        speed: &Speed,
+        point: SourcePoint,
+        separation: f64,
+        observation_time: f64,
+    ) -> Result<Disparity, DomainError> {
+        match self {
+            Self::Exact => {
+                let [left, right] = Aperture::pair(separation);
+                disparity(speed, point, left, right, observation_time)
+            }
+            Self::Published(variant) => {
+                published_disparity(speed, point, separation, observation_time, variant)
+            }
+        }
+    }
+
+    /// Both light cones, and by how much the second one's observation time is later. The published model
+    /// takes pairs of apertures on a line along x.
+    #[inline]
+    pub(crate) fn cone_pair(
+        self,
+        speed: &Speed,
+        point: SourcePoint,
+        [primary, secondary]: [Aperture; 2],
+        observation_time: f64,
+    ) -> (ConePair<f64>, f64) {
+        match self {
+            Self::Exact => {
+                let coefficients = speed.coefficients();
+                (ConePair::new(&coefficients, point, primary, secondary, observation_time), 0.0)
+            }
+            Self::Published(variant) => {
+                // The paper puts the origin midway between both apertures.
+                let middle = 0.5 * (primary.x + secondary.x);
+                let point =
+                    SourcePoint { x0: point.x0 - middle, y: point.y - primary.y, z: point.z - primary.z };
+                published::cone_pair(speed, point, secondary.x - primary.x, observation_time, variant)
+            }
+        }
+    }
+}
+
+#[cfg(feature = "clap")]
+impl clap::ValueEnum for Model {
+    fn value_variants<'a>() -> &'a [Self] {
+        &Self::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
+        let help = match self {
+            Self::Exact => "Each eye solves its own light cone",
+            Self::Published(PublishedVariant::AppendixA) => {
+                "The paper's binocular model as its Appendix A prints it"
+            }
+            Self::Published(PublishedVariant::TextSign) => {
+                "The same with the sign of the delay that the paper's text gives"
+            }
+        };
+        Some(clap::builder::PossibleValue::new(self.name()).help(help))
+    }
+}
+
+#[cfg(feature = "serde")]
+mod saved {
+    use crate::published::PublishedVariant;
+
+    /// The models as files spell them, each with its former spelling.
+    #[derive(serde::Serialize, serde::Deserialize)]
+    #[serde(rename_all = "kebab-case")]
+    pub enum Model {
+        #[serde(alias = "Exact")]
+        Exact,
+        #[serde(alias = "Published")]
+        Published,
+        PublishedText,
+    }
+
+    impl From<Model> for super::Model {
+        fn from(saved: Model) -> Self {
+            match saved {
+                Model::Exact => Self::Exact,
+                Model::Published => Self::Published(PublishedVariant::AppendixA),
+                Model::PublishedText => Self::Published(PublishedVariant::TextSign),
+            }
+        }
+    }
+
+    impl From<super::Model> for Model {
+        fn from(model: super::Model) -> Self {
+            match model {
+                super::Model::Exact => Self::Exact,
+                super::Model::Published(PublishedVariant::AppendixA) => Self::Published,
+                super::Model::Published(PublishedVariant::TextSign) => Self::PublishedText,
+            }
+        }
+    }
+}

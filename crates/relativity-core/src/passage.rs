@@ -1,0 +1,72 @@
+//! When a passing point is seen at a given place.
+//!
+//! Reference: the paper, eq. (6).
+
+use crate::apparent::{Aperture, SourcePoint, check_inputs};
+use crate::domain::{DomainError, check};
+use crate::speed::Speed;
+
+/// From this many times the nearest distance on a point is far ahead: its distance nearly cancels x.
+const FAR_AHEAD: f64 = 2.0;
+
+/// The observation time at which `point` is seen at `x` by the paper's pair of apertures, `separation` apart:
+/// `(x - x0)/beta + sqrt(x^2 + y^2 + z^2 + d^2/4)`.
+///
+/// That is when the point was at `x`, and the root mean square of the distances from there to both apertures. One
+/// aperture at the origin (`separation` 0) sees the point at `x` exactly then; of two, each does a little before or
+/// after, and at x = 0 both at once.
+///
+/// At rest (beta = 0) a point is seen at `x` always or never, so there is no such time: `None`.
+/// Nor is there one if it is too far off for an f64, which takes an absurdly small beta.
+///
+/// # Accuracy
+///
+/// As [`crate::sighting`].
+///
+/// # Errors
+///
+/// A coordinate outside the domain.
+pub fn observation_time_when_seen_at(
+    speed: &Speed,
+    point: SourcePoint,
+    x: f64,
+    separation: f64,
+) -> Result<Option<f64>, DomainError> {
+    check("x", x)?;
+    check_inputs(point, Aperture::default(), check("d", separation)?)?;
+    if speed.beta() == 0.0 {
+        return Ok(None);
+    }
+    let half = separation / 2.0;
+    let nearest = (half * half + point.y * point.y + point.z * point.z).sqrt();
+    let (beta, distance) = (speed.beta(), diagonal(x.abs(), nearest));
+    let time = if x < -FAR_AHEAD * nearest {
+        // x/beta + distance, of which at high speed little is left, without the subtraction.
+        let lead = nearest * nearest / (distance - x) + x * (speed.one_minus_beta() / beta);
+        lead - point.x0 / beta
+    } else {
+        (x - point.x0) / beta + distance
+    };
+    Ok(time.is_finite().then_some(time))
+}
+
+/// T0: the observation time at which `point` is seen equidistant from both apertures of the paper's
+/// pair (eq. 6 of the paper, shifted by -x0/beta for a point not on x(0) = 0), which is when it is seen at x = 0.
+///
+/// # Accuracy, errors
+///
+/// As [`observation_time_when_seen_at`].
+pub fn equidistance_time(
+    speed: &Speed,
+    point: SourcePoint,
+    separation: f64,
+) -> Result<Option<f64>, DomainError> {
+    observation_time_when_seen_at(speed, point, 0.0, separation)
+}
+
+/// sqrt(a^2 + b^2) of two lengths: the longer one times a factor, which is the same for the same ratio of the two.
+fn diagonal(a: f64, b: f64) -> f64 {
+    let (short, long) = if a < b { (a, b) } else { (b, a) };
+    let ratio = if long > 0.0 { short / long } else { 0.0 };
+    long * (1.0 + ratio * ratio).sqrt()
+}

@@ -1,0 +1,32 @@
+//! What flags and files call the models and the curves.
+#![cfg(all(feature = "clap", feature = "serde"))]
+
+use clap::ValueEnum;
+use relativity_core::{Curves, Model, PublishedVariant};
+use serde::Deserialize;
+use serde::de::IntoDeserializer as _;
+use serde::de::value::Error;
+
+fn read<'a, T: Deserialize<'a>>(text: &'a str) -> Result<T, Error> {
+    T::deserialize(text.into_deserializer())
+}
+
+#[test]
+fn a_name_is_the_flags_value_and_the_files() {
+    for model in Model::ALL {
+        assert_eq!(Model::from_str(model.name(), false), Ok(model));
+        assert_eq!(read(model.name()), Ok(model));
+    }
+    for &curves in Curves::value_variants() {
+        assert_eq!(Curves::from_str(curves.name(), false), Ok(curves));
+        assert_eq!(read(curves.name()), Ok(curves));
+    }
+}
+
+#[test]
+fn settings_saved_under_the_former_names_can_be_read() {
+    let published = Model::Published(PublishedVariant::AppendixA);
+    assert_eq!([read("Exact"), read("Published")], [Ok(Model::Exact), Ok(published)]);
+    let curves = [Curves::Azimuth, Curves::Polar, Curves::Both];
+    assert_eq!(["Azimuth", "Polar", "Both"].map(read), curves.map(Ok));
+}

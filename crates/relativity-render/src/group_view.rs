@@ -1,0 +1,189 @@
+//! How a view sees a group of bodies that moves.
+//!
+//! A group rests in a frame of its own, in which its bodies stand still and rays are straight. Where it moves towards
+//! -x, everything is reflected there and back (x to -x), so that each formula is written for motion along +x alone.
+
+use glam::DVec3;
+use relativity_core::{Aperture, PublishedVariant, SourcePoint, published_disparity, sighting};
+
+use crate::camera::Camera;
+use crate::velocity::{Motion, Velocity};
+use crate::view::{Geometry, View};
+
+/// A ray in the rest frame of a group, where it is straight and the bodies stand still.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RestRay {
+    /// Where the camera's event is.
+    pub origin: DVec3,
+    /// When it is, by the group's own clocks; light was there earlier by the distance along the ray.
+    pub time: f64,
+    /// Unit vector towards the source.
+    pub direction: DVec3,
+    /// Ground distance per rest-frame distance along the ray.
+    pub ground_per_rest: f64,
+    /// Doppler factor of light received along the ray.
+    pub doppler_factor: f64,
+}
+
+/// How one view sees one group: as it moves against the camera, from where the camera is in the group's frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GroupView {
+    /// The camera.
+    pub camera: Camera,
+    /// Which geometry shows the group: [`Geometry::Rest`] wherever it rests with the camera, since no ray is
+    /// turned then.
+    pub geometry: Geometry,
+    /// The group's velocity as the camera sees it.
+    pub velocity: Velocity,
+    /// Where the camera's event is in the group's frame: (gamma (a - beta T), `a_y`, `a_z`).
+    pub origin: DVec3,
+    /// When it is there: gamma (T - beta a).
+    pub time: f64,
+}
+
+impl GroupView {
+    /// How `view` sees a group that moves so.
+    #[must_use]
+    pub fn new(view: &View, motion: Motion) -> Self {
+        let scene = Velocity::forward(view.speed);
+        let on_ground = match motion {
+            Motion::Scene => scene,
+            Motion::Own(velocity) => velocity,
+        };
+        let rides_along = view.geometry == Geometry::Rest;
+        let velocity = on_ground.seen_from(if rides_along { scene } else { Velocity::REST });
+        let geometry = match (view.geometry, motion) {
+            (Geometry::Rest, Motion::Scene) => Geometry::Rest,
+            (_, Motion::Own(_)) if velocity.is_rest() => Geometry::Rest,
+            // What does not ride along passes a camera that does.
+            (Geometry::Rest, Motion::Own(_)) => Geometry::Seen,
+            (geometry, _) => geometry,
+        };
+        let aperture = on_ground.reflected(position(view.camera.aperture));
+        let (beta, gamma, received) =
+            (on_ground.speed.beta(), on_ground.speed.gamma(), view.observation_time);
+        let origin = DVec3::new(gamma * (aperture.x - beta * received), aperture.y, aperture.z);
+        Self {
+            camera: view.camera,
+            geometry,
+            velocity,
+            origin: on_ground.reflected(origin),
+            time: gamma * (received - beta * aperture.x),
+        }
+    }
+
+    /// The rest-frame ray of the camera's `line_of_sight` (unit vector).
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use relativity_core::{Aperture, Speed};
+    /// use relativity_render::{Camera, Gaze, Geometry, Motion, Velocity, View};
+    ///
+    /// let aperture = Aperture::default();
+    /// let camera = Camera { aperture, gaze: Gaze::STRAIGHT_AHEAD, horizontal_fov: 1.0, size: [8, 8] };
+    /// let speed = Speed::from_beta(0.6)?;
+    /// let view = View { camera, speed, observation_time: 0.0, geometry: Geometry::Seen };
+    ///
+    /// // What is seen straight ahead left the rider when it was behind: aberration, D = 1/gamma.
+    /// let ray = view.of_group(Motion::Scene).rest_ray([0.0, 1.0, 0.0].into());
+    /// assert!((ray.direction.x - 0.6).abs() < 1e-15 && (ray.doppler_factor - 0.8).abs() < 1e-15);
+    /// // A street at rest is seen where it is.
+    /// let street = view.of_group(Motion::Own(Velocity::REST)).rest_ray([0.0, 1.0, 0.0].into());
+    /// assert_eq!((street.direction.x, street.doppler_factor), (0.0, 1.0));
+    /// # Ok::<(), relativity_core::SpeedError>(())
+    /// ```
+    #[must_use]
+    pub fn rest_ray(&self, line_of_sight: DVec3) -> RestRay {
+        let Self { origin, time, velocity, .. } = *self;
+        let speed = &velocity.speed;
+        match self.geometry {
+            Geometry::Seen | Geometry::Published => {
+                let doppler_factor = velocity.doppler_factor(line_of_sight);
+                let direction = velocity.rest_from_ground(line_of_sight);
+                // s* = s gamma (1 + beta n_x) = s / D.
+                RestRay { origin, time, direction, ground_per_rest: doppler_factor, doppler_factor }
+            }
+            Geometry::Contracted => {
+                let n = line_of_sight;
+                let stretched = DVec3::new(speed.gamma() * n.x, n.y, n.z);
+                let rest_per_ground = stretched.length();
+                RestRay {
+                    origin,
+                    time,
+                    direction: stretched / rest_per_ground,
+                    ground_per_rest: 1.0 / rest_per_ground,
+                    doppler_factor: 1.0,
+                }
+            }
+            Geometry::Rest => {
+                RestRay { origin, time, direction: line_of_sight, ground_per_rest: 1.0, doppler_factor: 1.0 }
+            }
+        }
+    }
+
+    /// From the aperture to where the group's point at `rest` appears; `None` outside the domain of the core.
+    ///
+    /// The core is asked in coordinates whose origin is the camera's event, which serves a camera that rides along, too.
+    #[must_use]
+    pub fn apparent_position(&self, rest: DVec3) -> Option<DVec3> {
+        let from_camera = rest - self.origin;
+        let speed = &self.velocity.speed;
+        let point = SourcePoint::from_rest(self.velocity.reflected(from_camera).to_array(), speed);
+        let position = match self.geometry {
+            Geometry::Rest => from_camera,
+            Geometry::Contracted => DVec3::new(from_camera.x / speed.gamma(), from_camera.y, from_camera.z),
+            Geometry::Seen => {
+                let seen = sighting(speed, point, Aperture::default(), 0.0).ok()?;
+                self.velocity.reflected(seen.position.into())
+            }
+            Geometry::Published => {
+                let separation = self.published_separation();
+                let from_middle = SourcePoint { x0: point.x0 - 0.5 * separation, ..point };
+                let variant = PublishedVariant::AppendixA;
+                let both = published_disparity(speed, from_middle, separation, 0.0, variant).ok()?;
+                self.velocity.reflected(both.secondary.position.into())
+            }
+        };
+        position.is_finite().then_some(position)
+    }
+
+    /// d of the published model: of the pair at -d/2 and d/2 on the x axis whose left aperture is the camera's;
+    /// reflected as the group is, below 0 where it moves towards -x.
+    #[must_use]
+    pub fn published_separation(&self) -> f64 {
+        let separation = -2.0 * self.camera.aperture.x;
+        if self.velocity.is_backward { -separation } else { separation }
+    }
+}
+
+impl View {
+    /// How this view sees a group of bodies that moves so.
+    #[must_use]
+    pub fn of_group(&self, motion: Motion) -> GroupView {
+        GroupView::new(self, motion)
+    }
+
+    /// The rest-frame ray of the `line_of_sight` (unit vector), for bodies that move at the scene's speed.
+    #[must_use]
+    pub fn rest_ray(&self, line_of_sight: DVec3) -> RestRay {
+        self.of_group(Motion::Scene).rest_ray(line_of_sight)
+    }
+
+    /// From the aperture to where the point at `rest` appears, which moves at the scene's speed; `None` outside the
+    /// domain of the core.
+    #[must_use]
+    pub fn apparent_position(&self, rest: DVec3) -> Option<DVec3> {
+        self.of_group(Motion::Scene).apparent_position(rest)
+    }
+
+    /// Where the camera is in the rest frame of the bodies that move at the scene's speed.
+    #[must_use]
+    pub fn rest_origin(&self) -> DVec3 {
+        self.of_group(Motion::Scene).origin
+    }
+}
+
+fn position(aperture: Aperture) -> DVec3 {
+    DVec3::new(aperture.x, aperture.y, aperture.z)
+}

@@ -1,0 +1,157 @@
+//! A scene ready to be drawn: bodies placed and boxed once, whatever speed, time, eye, gaze and colour are.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use crate::body::Body;
+use crate::group_view::GroupView;
+use crate::intersect::{Solid, bounding_box};
+use crate::velocity::Motion;
+use crate::view::View;
+
+/// Bodies that move alike.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Group<'a> {
+    /// How they move.
+    pub motion: Motion,
+    /// They, at rest in the group's frame, whose origin passes the ground's at t = 0.
+    pub bodies: &'a [Body],
+}
+
+/// Of two surfaces of one group nearer to each other than this part of the group's size, along a ray, that of the
+/// body with the lower number is seen: they are one surface, and which comes out nearer is a matter of rounding.
+const TIE: f64 = 1e-12;
+
+/// A scene prepared for every way to draw it, for hits and for picking. Clones share it; equal are those that do.
+///
+/// Bodies may overlap; the nearest surface is seen, of equally near ones that of the lowest number.
+///
+/// # Examples
+///
+/// ```
+/// use relativity_render::{Body, Group, Motion, PreparedScene, Shape, Velocity};
+///
+/// let ball = |x| Body { shape: Shape::Sphere { center: [x, 3.0, 0.0], radius: 0.5 }, rest_wavelength_nm: 550.0 };
+/// let (rider, street) = ([ball(0.0)], [ball(-2.0), ball(2.0)]);
+/// let scene = PreparedScene::new([
+///     Group { motion: Motion::Scene, bodies: &rider },
+///     Group { motion: Motion::Own(Velocity::REST), bodies: &street },
+/// ]);
+/// assert_eq!(scene.motion_of(2), Motion::Own(Velocity::REST));
+/// assert_eq!(scene.bodies()[2].group, 1);
+/// ```
+#[derive(Debug, Clone)]
+pub struct PreparedScene(Arc<Prepared>);
+
+#[derive(Debug)]
+struct Prepared {
+    groups: Vec<PreparedGroup>,
+    bodies: Vec<PreparedBody>,
+    /// The numbers of all bodies.
+    numbers: Vec<u32>,
+}
+
+/// A group, and the box around it.
+#[derive(Debug, Clone)]
+pub struct PreparedGroup {
+    /// How it moves.
+    pub motion: Motion,
+    /// The numbers of its bodies.
+    pub bodies: Range<u32>,
+    /// The middle of the box: distances along rays count from near it.
+    pub middle: DVec3,
+    /// From there to the box's corners: no surface is further away.
+    pub reach: f64,
+    /// Length below which surfaces coincide.
+    pub(crate) tie: f64,
+}
+
+/// A body, placed.
+#[derive(Debug, Clone)]
+pub struct PreparedBody {
+    /// Its shape.
+    pub solid: Solid,
+    /// The number of its group.
+    pub group: usize,
+    /// Wavelength of its light in its rest frame, nm.
+    pub rest_wavelength_nm: f64,
+}
+
+impl PreparedScene {
+    /// Prepares `groups`; their bodies are numbered from 0, in this order.
+    #[must_use]
+    pub fn new<'a>(groups: impl IntoIterator<Item = Group<'a>>) -> Self {
+        let mut bodies = Vec::new();
+        let mut prepared = Vec::new();
+        for (number, group) in groups.into_iter().enumerate() {
+            let first = bodies.len();
+            bodies.extend(group.bodies.iter().map(|body| PreparedBody {
+                solid: Solid::new(&body.shape),
+                group: number,
+                rest_wavelength_nm: body.rest_wavelength_nm,
+            }));
+            prepared.push(PreparedGroup::new(group.motion, &bodies, first));
+        }
+        let numbers = (0..bodies.len() as u32).collect();
+        Self(Arc::new(Prepared { groups: prepared, bodies, numbers }))
+    }
+
+    /// Prepares one group of `bodies`, which move at the scene's speed.
+    #[must_use]
+    pub fn moving(bodies: &[Body]) -> Self {
+        Self::new([Group { motion: Motion::Scene, bodies }])
+    }
+
+    /// The groups.
+    #[must_use]
+    pub fn groups(&self) -> &[PreparedGroup] {
+        &self.0.groups
+    }
+
+    /// The bodies of all groups, by their number.
+    #[must_use]
+    pub fn bodies(&self) -> &[PreparedBody] {
+        &self.0.bodies
+    }
+
+    /// The numbers of all bodies.
+    pub(crate) fn numbers(&self) -> &[u32] {
+        &self.0.numbers
+    }
+
+    /// How the body of this number moves.
+    #[must_use]
+    pub fn motion_of(&self, body: usize) -> Motion {
+        self.0.groups[self.0.bodies[body].group].motion
+    }
+
+    /// How `view` sees each group.
+    #[must_use]
+    pub fn group_views(&self, view: &View) -> Vec<GroupView> {
+        self.0.groups.iter().map(|group| view.of_group(group.motion)).collect()
+    }
+}
+
+impl PartialEq for PreparedScene {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
+impl PreparedGroup {
+    /// Of all `bodies` from the `first` on.
+    fn new(motion: Motion, bodies: &[PreparedBody], first: usize) -> Self {
+        let solids = bodies[first..].iter().map(|body| &body.solid);
+        let [low, high] = bounding_box(solids).unwrap_or([DVec3::ZERO, DVec3::ONE]);
+        let middle = 0.5 * (low + high);
+        Self {
+            motion,
+            bodies: first as u32..bodies.len() as u32,
+            middle,
+            reach: low.distance(middle),
+            tie: TIE * low.distance(high),
+        }
+    }
+}

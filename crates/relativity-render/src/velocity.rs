@@ -1,0 +1,144 @@
+//! How a group of bodies moves along x.
+
+use glam::DVec3;
+use relativity_core::{
+    Disparity, DomainError, MAX_GAMMA, Model, Sighting, SourcePoint, Speed, SpeedError, aberration,
+};
+
+/// A velocity along x.
+///
+/// # Examples
+///
+/// ```
+/// use relativity_render::Velocity;
+///
+/// let oncoming = Velocity::from_beta(-0.6)?;
+/// assert!(oncoming.is_backward && oncoming.speed.gamma() == 1.25);
+/// // Its light is blueshifted from the side it comes from: sqrt((1 + 0.6)/(1 - 0.6)).
+/// assert!((oncoming.doppler_factor([1.0, 0.0, 0.0].into()) - 2.0).abs() < 1e-15);
+/// # Ok::<(), relativity_core::SpeedError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Velocity {
+    /// Its magnitude.
+    pub speed: Speed,
+    /// Whether it points towards -x.
+    pub is_backward: bool,
+}
+
+/// How a group of bodies moves.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Motion {
+    /// At the scene's speed along +x.
+    #[default]
+    Scene,
+    /// At a velocity of its own; [`Velocity::REST`] rests on the ground.
+    Own(Velocity),
+}
+
+impl Velocity {
+    /// At rest.
+    pub const REST: Self = Self::forward(Speed::REST);
+
+    /// At `speed` along +x.
+    #[must_use]
+    pub const fn forward(speed: Speed) -> Self {
+        Self { speed, is_backward: false }
+    }
+
+    /// From beta in (-1, 1), negative towards -x.
+    ///
+    /// # Errors
+    ///
+    /// A beta out of range.
+    pub fn from_beta(beta: f64) -> Result<Self, SpeedError> {
+        let speed = Speed::from_beta(beta.abs()).map_err(|_| SpeedError::Beta(beta))?;
+        Ok(Self { speed, is_backward: beta < 0.0 })
+    }
+
+    /// v/c, negative towards -x.
+    #[must_use]
+    pub fn beta(&self) -> f64 {
+        if self.is_backward { -self.speed.beta() } else { self.speed.beta() }
+    }
+
+    /// Whether it is none.
+    #[must_use]
+    pub fn is_rest(&self) -> bool {
+        self.speed == Speed::REST
+    }
+
+    /// `v` reflected where the velocity points towards -x: from the ground to where it points along +x, and back.
+    #[must_use]
+    pub fn reflected(&self, v: DVec3) -> DVec3 {
+        if self.is_backward { DVec3::new(-v.x, v.y, v.z) } else { v }
+    }
+
+    /// The line of sight (unit vector) in the frame that moves so, of one on the ground.
+    #[must_use]
+    pub fn rest_from_ground(&self, line_of_sight: DVec3) -> DVec3 {
+        let n = self.reflected(line_of_sight).to_array();
+        self.reflected(aberration::rest_from_ground(n, &self.speed).into())
+    }
+
+    /// The line of sight (unit vector) on the ground, of one in the frame that moves so.
+    #[must_use]
+    pub fn ground_from_rest(&self, line_of_sight: DVec3) -> DVec3 {
+        let n = self.reflected(line_of_sight).to_array();
+        self.reflected(aberration::ground_from_rest(n, &self.speed).into())
+    }
+
+    /// Doppler factor of light from what moves so, received along the ground's `line_of_sight` (unit vector).
+    #[must_use]
+    pub fn doppler_factor(&self, line_of_sight: DVec3) -> f64 {
+        aberration::doppler_factor(self.reflected(line_of_sight).to_array(), &self.speed)
+    }
+
+    /// The worldline of the point at `rest` in the frame that moves so, reflected to move along +x.
+    #[must_use]
+    pub fn reflected_source(&self, rest: [f64; 3]) -> SourcePoint {
+        SourcePoint::from_rest(self.reflected(rest.into()).to_array(), &self.speed)
+    }
+
+    /// What the paper's pair of apertures, `separation` apart, sees in this `model` of the point at `rest` in the frame
+    /// that moves so.
+    ///
+    /// # Errors
+    ///
+    /// A coordinate or time outside the domain of the core.
+    pub fn disparity(
+        &self,
+        model: Model,
+        rest: [f64; 3],
+        separation: f64,
+        observation_time: f64,
+    ) -> Result<Disparity, DomainError> {
+        let point = self.reflected_source(rest);
+        if !self.is_backward {
+            return model.disparity(&self.speed, point, separation, observation_time);
+        }
+        // In the mirror the left aperture is the right-hand one, and azimuths count from the other side.
+        let there = model.disparity(&self.speed, point, -separation, observation_time)?;
+        let sighting = |seen: Sighting| {
+            let [x, y, z] = seen.position;
+            Sighting { position: [-x, y, z], ..seen }
+        };
+        let (primary, secondary) = (sighting(there.primary), sighting(there.secondary));
+        Ok(Disparity { primary, secondary, dphi: -there.dphi, dtheta: there.dtheta })
+    }
+
+    /// This velocity as a camera sees it that moves at `camera`: rapidities subtract.
+    pub(crate) fn seen_from(self, camera: Self) -> Self {
+        if camera.is_rest() {
+            return self;
+        }
+        if self.is_rest() {
+            return Self { is_backward: !camera.is_backward, ..camera };
+        }
+        let signed = |v: Self| if v.is_backward { -v.speed.rapidity() } else { v.speed.rapidity() };
+        let rapidity = signed(self) - signed(camera);
+        // Two that fly apart at the greatest gamma part no faster than that.
+        let speed = Speed::from_rapidity(rapidity.abs()).or(Speed::from_gamma(MAX_GAMMA));
+        Self { speed: speed.unwrap_or(Speed::REST), is_backward: rapidity < 0.0 }
+    }
+}
