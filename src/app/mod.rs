@@ -30,6 +30,7 @@ mod speed_slider;
 pub mod state;
 mod stillness;
 mod theme;
+mod widgets;
 mod worker;
 
 use eframe::egui::{self, Rect, Ui, UiBuilder};

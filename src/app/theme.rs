@@ -11,6 +11,8 @@ use crate::settings::Theme;
 
 /// Space around and between the parts of the window, points.
 pub const GAP: f32 = 8.0;
+/// Height of the titles of panes.
+pub const TITLE_HEIGHT: f32 = 22.0;
 
 /// The colour of an eye, on this background.
 #[must_use]

@@ -3,9 +3,9 @@
 use eframe::egui::{Align, ComboBox, Layout, RichText, Ui, vec2};
 
 use super::Asks;
-use super::icons::{self, Icon};
 use crate::app::command::Command;
 use crate::app::state::State;
+use crate::app::widgets::icons::{self, Icon};
 use crate::scene::{PRESETS, Scene};
 use crate::settings::Theme;
 

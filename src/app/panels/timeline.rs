@@ -5,10 +5,10 @@ use eframe::egui::{
 };
 
 use super::Asks;
-use super::icons::{self, Icon};
-use super::widgets;
 use crate::app::command::Command;
 use crate::app::state::State;
+use crate::app::widgets;
+use crate::app::widgets::icons::{self, Icon};
 use crate::app::{figures, theme};
 use crate::flags::{MAX_TIME, TimeRange};
 use crate::settings::RATE;

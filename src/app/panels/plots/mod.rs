@@ -1,5 +1,10 @@
-//! Curves of the followed points over T: disparities, angles, Doppler factor. Clicking or dragging in
-//! a plot goes to that T.
+//! The plots: a strip of tabs, each of them a file or a folder here, and the curves of the followed points over T:
+//! disparities, angles, Doppler factor. Clicking or dragging in a plot goes to that T.
+
+mod accuracy;
+mod axes;
+mod fit;
+mod split;
 
 use std::ops::RangeInclusive;
 
@@ -8,16 +13,16 @@ use egui_plot::{HoverPosition, Line, LineStyle, PlotPoint, PlotResponse, PlotUi,
 use relativity_core::math;
 use relativity_core::{Disparity, Sighting};
 
-use super::axes::{Y_AXIS_WIDTH, annotate, bounds, grid, label, plot_over_time, tick, time_at_pointer, unit};
-use super::icons::{self, Icon};
-use super::widgets::dot;
-use super::{Asks, accuracy, fit};
+use self::axes::{Y_AXIS_WIDTH, annotate, bounds, grid, label, plot_over_time, tick, time_at_pointer, unit};
 use crate::app::command::Command;
 use crate::app::curves::{Curves, Quantity};
 use crate::app::examination::Examination;
 use crate::app::fitting::Fitting;
 use crate::app::observer::Eye;
+use crate::app::panels::Asks;
 use crate::app::state::State;
+use crate::app::widgets::dot;
+use crate::app::widgets::icons::{self, Icon};
 use crate::app::{figures, theme};
 use crate::settings::PlotTab;
 

@@ -1,13 +1,15 @@
 //! The controls of motion, path and view, and the panel that holds them all.
 
+mod light;
+mod speed;
+
 use eframe::egui::{ScrollArea, Ui};
 use relativity_render::Geometry;
 
 use super::Asks;
-use super::widgets::{NumberRow, choice, row, section};
-use super::{light, speed};
 use crate::app::command::Command;
 use crate::app::state::State;
+use crate::app::widgets::{NumberRow, choice, row, section};
 use crate::flags::choices::{GazeChoice, RendererChoice};
 use crate::settings::{BOUND_PX, FOV_DEGREES, MAX_LENGTH, Motion, Quality, Window};
 

@@ -1,14 +1,17 @@
 //! The Fit tab: which samples are taken of the selected point, what is fitted to them, and what comes out.
 
+mod plots;
+mod table;
+
 use eframe::egui::{self, DragValue, RichText, ScrollArea, Ui};
 use relativity_core::{Curves, Model, PublishedVariant};
 
 use super::split::{part, table_and_plots};
-use super::widgets::{choice, end_of_range};
-use super::{Asks, fit_plots, fit_table};
 use crate::app::command::Command;
 use crate::app::fitting::Fitting;
+use crate::app::panels::Asks;
 use crate::app::state::State;
+use crate::app::widgets::{choice, end_of_range};
 use crate::flags::TimeRange;
 use crate::settings::{FIT_SAMPLES, FitSetup, MAX_SEED, NOISE_PERCENT};
 
@@ -26,12 +29,12 @@ pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
         row(ui, |ui| samples(ui, &mut setup));
         row(ui, |ui| range(ui, state, &mut setup));
         let area = ScrollArea::vertical().id_salt("fit table").auto_shrink(false);
-        area.show(ui, |ui| fit_table::show(ui, fitting));
+        area.show(ui, |ui| table::show(ui, fitting));
     });
     if let Some(plots) = plots {
         part(ui, "fit plots", plots, |ui| {
             row(ui, |ui| model(ui, &mut setup));
-            fit_plots::show(ui, state, fitting, asks);
+            plots::show(ui, state, fitting, asks);
         });
     }
     if setup != state.settings.fit {

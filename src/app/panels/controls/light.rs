@@ -6,9 +6,9 @@ use relativity_core::doppler::{
 };
 use relativity_render::{Colour, Shading};
 
-use super::Asks;
-use super::widgets::{NumberRow, choice, row};
 use crate::app::command::Command;
+use crate::app::panels::Asks;
+use crate::app::widgets::{NumberRow, choice, row};
 use crate::settings::{EXPOSURE_EV, Light};
 
 /// Shows them.
