@@ -12,6 +12,21 @@
 use crate::speed::Speed;
 
 /// The rest-frame line of sight of the ground's `line_of_sight` (a unit vector).
+///
+/// # Examples
+///
+/// ```
+/// use relativity_core::Speed;
+/// use relativity_core::aberration::{ground_from_rest, rest_from_ground};
+///
+/// let speed = Speed::from_beta(0.6)?;
+/// // What is seen straight ahead along y shows the object turned: (beta, 1/gamma, 0).
+/// let [x, y, _] = rest_from_ground([0.0, 1.0, 0.0], &speed);
+/// assert!((x - 0.6).abs() < 1e-15 && (y - 0.8).abs() < 1e-15);
+/// let [x, y, _] = ground_from_rest([x, y, 0.0], &speed);
+/// assert!(x.abs() < 1e-15 && (y - 1.0).abs() < 1e-15);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[must_use]
 pub fn rest_from_ground(line_of_sight: [f64; 3], speed: &Speed) -> [f64; 3] {
     aberrated(line_of_sight, speed)
@@ -25,6 +40,20 @@ pub fn ground_from_rest([x, y, z]: [f64; 3], speed: &Speed) -> [f64; 3] {
 }
 
 /// Doppler factor D = 1/(gamma (1 + beta `n_x`)) of light received along the ground's `line_of_sight`.
+///
+/// # Examples
+///
+/// ```
+/// use relativity_core::Speed;
+/// use relativity_core::aberration::doppler_factor;
+///
+/// let speed = Speed::from_beta(0.6)?;
+/// let of = |x: f64, y: f64| doppler_factor([x, y, 0.0], &speed);
+/// assert!((of(-1.0, 0.0) - 2.0).abs() < 1e-15); // coming: sqrt((1 + beta)/(1 - beta))
+/// assert!((of(0.0, 1.0) - 0.8).abs() < 1e-15); // abreast: 1/gamma
+/// assert!((of(1.0, 0.0) - 0.5).abs() < 1e-15); // going
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[must_use]
 pub fn doppler_factor(line_of_sight: [f64; 3], speed: &Speed) -> f64 {
     1.0 / (speed.gamma() * one_plus_beta_x(line_of_sight, speed))

@@ -63,6 +63,22 @@ pub struct DisparityColumns<'a, F> {
 /// # Errors
 ///
 /// Columns of unequal length; a value outside the domain.
+///
+/// # Examples
+///
+/// ```
+/// use relativity_core::batch::{PointColumns, SightingColumns, Threads, sightings_of_points};
+/// use relativity_core::{Aperture, Speed};
+///
+/// let speed = Speed::from_beta(0.6)?;
+/// let points = PointColumns { x0: &[0.0, 0.0_f32], y: &[4.0, 8.0], z: &[0.0, 0.0] };
+/// let (mut x, mut t, mut d) = ([0.0; 2], [0.0; 2], [0.0; 2]);
+/// let out = SightingColumns { apparent_x: &mut x, retarded_time: &mut t, doppler_factor: &mut d };
+/// sightings_of_points(&speed, points, Aperture::default(), 0.0, out, Threads::One)?;
+/// assert!((x[0] + 3.0).abs() < 1e-6 && (x[1] + 6.0).abs() < 1e-6);
+/// assert!((t[0] + 5.0).abs() < 1e-6 && (t[1] + 10.0).abs() < 1e-6);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn sightings_of_points<F: Real>(
     speed: &Speed,
     points: PointColumns<'_, F>,

@@ -36,7 +36,10 @@ pub enum BatchError {
     #[error(transparent)]
     Common(#[from] DomainError),
     /// A value common to all rows too large for f32.
-    #[error("{0:e} is too large for f32: at most 1e12 as a coordinate or time, at most 1e3 as gamma")]
+    #[error(
+        "{0:e} is too large for f32: at most {length:e} as a coordinate or time, at most {gamma:e} as gamma",
+        length = <f32 as Real>::MAX_COORDINATE, gamma = <f32 as Real>::MAX_GAMMA
+    )]
     Single(f64),
 }
 

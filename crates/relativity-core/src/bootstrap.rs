@@ -24,12 +24,14 @@ const TOLERANCE: f64 = 1e-2;
 /// It also ends with a step below this in units of the parameters themselves: data without noise leave
 /// nothing but rounding to step towards.
 const SMALLEST_STEP: f64 = 1e-12;
-/// Evaluations of the whole curve that a replicate gets.
+/// Evaluations of the whole curve that a replicate gets: far more than the few steps that lead there from near.
 const MAX_EVALUATIONS: usize = 30;
-/// Damping of the first step after one that failed, and the damping at which no step can be told from none.
+/// Damping of the first step after one that failed, in units of the diagonal that it adds to: little, as a minimum
+/// is near. And the damping at which no step can be told from none.
 const FIRST_DAMPING: f64 = 1e-3;
 const LAST_DAMPING: f64 = 1e12;
-/// Share of replicates that may have no fit.
+/// Share of replicates that may have no fit: as much as a 95 % interval leaves outside, so that its ends could be
+/// anywhere if more were missing.
 const MAX_FAILED_SHARE: f64 = 0.05;
 
 /// The refits.
@@ -108,6 +110,29 @@ fn quantile(values: &[f64], share: f64) -> f64 {
 /// # Errors
 ///
 /// [`FitError::Bootstrap`] if more than 5 % of the replicates have no fit, or none were asked for.
+///
+/// # Examples
+///
+/// ```
+/// use relativity_core::{FitOptions, Parameter, bootstrap, fit};
+/// # use relativity_core::{Model, Simulation, SourcePoint, Speed};
+/// # let truth = Simulation {
+/// #     speed: Speed::from_beta(0.9)?,
+/// #     point: SourcePoint { x0: 0.0, y: 3.0, z: 2.0 },
+/// #     separation: 0.1,
+/// #     model: Model::Exact,
+/// #     times: (0..100).map(|i| -1.0 + 0.1 * f64::from(i)).collect(),
+/// #     noise: 0.01,
+/// #     seed: 1,
+/// # };
+///
+/// let found = fit(&truth.observations()?, &FitOptions::default())?;
+/// let replicates = bootstrap(&found, 200, 7)?;
+/// let [low, high] = replicates.interval_95(Parameter::Beta);
+/// assert!(low < 0.9 && 0.9 < high && high - low < 0.02);
+/// assert_eq!(replicates, bootstrap(&found, 200, 7)?); // on any number of threads
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn bootstrap(fit: &Fit, replicates: usize, seed: u64) -> Result<Bootstrap, FitError> {
     let none = Err(FitError::Bootstrap { failed: replicates, replicates });
     bootstrap_unless(fit, replicates, seed, || false).unwrap_or(none)

@@ -25,6 +25,34 @@ pub struct Combined {
 /// The weighted mean of two fits of `parameter`.
 ///
 /// Both bootstraps must have drawn the same samples: same observations, seed and number of replicates.
+///
+/// # Examples
+///
+/// ```
+/// use relativity_core::{Curves, FitOptions, Parameter, bootstrap, combined, fit};
+/// # use relativity_core::{Model, Simulation, SourcePoint, Speed};
+/// # let truth = Simulation {
+/// #     speed: Speed::from_beta(0.9)?,
+/// #     point: SourcePoint { x0: 0.0, y: 3.0, z: 2.0 },
+/// #     separation: 0.1,
+/// #     model: Model::Exact,
+/// #     times: (0..100).map(|i| -1.0 + 0.1 * f64::from(i)).collect(),
+/// #     noise: 0.01,
+/// #     seed: 1,
+/// # };
+///
+/// let observations = truth.observations()?;
+/// let fitted = |curves| {
+///     let found = fit(&observations, &FitOptions { curves, ..FitOptions::default() })?;
+///     let replicates = bootstrap(&found, 200, 7)?;
+///     Ok::<_, relativity_core::FitError>((found, replicates))
+/// };
+/// let (azimuth, polar) = (fitted(Curves::Azimuth)?, fitted(Curves::Polar)?);
+/// let mean = combined((&azimuth.0, &azimuth.1), (&polar.0, &polar.1), Parameter::Beta);
+/// assert!((mean.value - 0.9).abs() < 3.0 * mean.standard_error);
+/// assert!((0.0..=1.0).contains(&mean.azimuth_weight));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[must_use]
 pub fn combined(azimuth: (&Fit, &Bootstrap), polar: (&Fit, &Bootstrap), parameter: Parameter) -> Combined {
     let of = |estimate: &Option<[f64; 4]>| estimate.map(|values| values[parameter as usize]);

@@ -30,6 +30,23 @@ pub struct Disparity {
 /// # Errors
 ///
 /// A coordinate or time outside the domain.
+///
+/// # Examples
+///
+/// ```
+/// use relativity_core::{Aperture, SourcePoint, Speed, disparity};
+///
+/// // The paper's section 3: at beta = 0.9 the difference in azimuth reaches -0.6678.
+/// let speed = Speed::from_beta(0.9)?;
+/// let point = SourcePoint { x0: 0.0, y: 0.5, z: 0.5 };
+/// let [left, right] = Aperture::pair(0.3);
+/// let mut least = 0.0_f64;
+/// for step in 0..10_000 {
+///     least = least.min(disparity(&speed, point, left, right, f64::from(step) * 1e-4)?.dphi);
+/// }
+/// assert!((least + 0.6678).abs() < 5e-5);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn disparity(
     speed: &Speed,
     point: SourcePoint,
@@ -49,7 +66,8 @@ pub fn disparity(
     })
 }
 
-/// Disparities of `point` between the primary, first aperture of a slice and each of them (itself included).
+/// Disparities of `point` between the primary, first aperture of a slice and each of them (itself included); none of
+/// no apertures.
 ///
 /// # Errors
 ///

@@ -10,7 +10,7 @@ pub const MAX_COORDINATE: f64 = 1e60;
 
 /// An input outside the domain.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
-#[error("{name} = {value:e} is not a number between -1e60 and 1e60")]
+#[error("{name} = {value:e} is not a number between -{MAX_COORDINATE:e} and {MAX_COORDINATE:e}")]
 pub struct DomainError {
     /// The input's name, as in the documentation.
     pub name: &'static str,

@@ -19,9 +19,33 @@
 //! # Domain
 //!
 //! Coordinates and times up to [`MAX_COORDINATE`] in magnitude, gamma up to [`MAX_GAMMA`]. Inside it
-//! every result is finite; outside it every public function returns an error. Lengths whose squares underflow
+//! every result is finite, but for powers of D. Functions of a coordinate or a time return an error outside it; those
+//! of a direction ([`aberration`]) or of D alone ([`doppler`]) have nothing to refuse. Lengths whose squares underflow
 //! (rho/gamma below 1e-150) count as zero. The batch forms in f32 have a smaller domain ([`batch::Real`]), and
 //! there lengths below 1e-19 count as zero.
+//!
+//! # Examples
+//!
+//! ```
+//! use relativity_core::{Aperture, SourcePoint, Speed, disparity, equidistance_time, sighting};
+//!
+//! // The paper's cyclist passes 3 ahead of two eyes that are 0.1 apart, and 2 higher than they.
+//! let speed = Speed::from_beta(0.9)?;
+//! let point = SourcePoint { x0: 0.0, y: 3.0, z: 2.0 };
+//! let [left, right] = Aperture::pair(0.1);
+//!
+//! // At T = 0 it is objectively abreast, but seen where it was at t = -8.27, blueshifted by gamma = 2.29.
+//! let seen = sighting(&speed, point, Aperture::default(), 0.0)?;
+//! assert!((seen.position[0] + 7.4445).abs() < 1e-4 && (seen.retarded_time + 8.2717).abs() < 1e-4);
+//! assert!((seen.doppler_factor - 2.2942).abs() < 1e-4);
+//!
+//! // Both eyes see it equally far, and in the same elevation, at T0 = sqrt(3^2 + 2^2 + 0.05^2).
+//! let t0 = equidistance_time(&speed, point, 0.1)?.ok_or("at rest")?;
+//! assert!((t0 - 13.0025_f64.sqrt()).abs() < 1e-15);
+//! let both = disparity(&speed, point, left, right, t0)?;
+//! assert!(both.dtheta.abs() < 1e-15 && both.dphi < 0.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 //!
 //! # Out of scope
 //!

@@ -51,6 +51,20 @@ impl Model {
     /// # Errors
     ///
     /// A coordinate or time outside the domain.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use relativity_core::{Model, SourcePoint, Speed};
+    ///
+    /// let speed = Speed::from_beta(0.9)?;
+    /// let point = SourcePoint { x0: 0.0, y: 0.5, z: 0.5 };
+    /// // What parallax makes of the paper's section 3, at T0: the published model leaves it out.
+    /// let [exact, appendix_a, _] = Model::ALL.map(|model| model.disparity(&speed, point, 0.3, 0.522_5_f64.sqrt()));
+    /// assert!((exact?.dphi + 0.582_9).abs() < 1e-4);
+    /// assert!(appendix_a?.dphi.abs() < 1e-15);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn disparity(
         self,
         speed: &Speed,

@@ -21,11 +21,26 @@ const FAR_AHEAD: f64 = 2.0;
 ///
 /// # Accuracy
 ///
-/// As [`crate::sighting`].
+/// As [`crate::sighting`]. Measured (`tests/oracle`, 15,000 inputs): median 0.2, 99 % 1.5, worst 3 units.
 ///
 /// # Errors
 ///
 /// A coordinate outside the domain.
+///
+/// # Examples
+///
+/// ```
+/// use relativity_core::{Aperture, SourcePoint, Speed, observation_time_when_seen_at, sighting};
+///
+/// let speed = Speed::from_beta(0.6)?;
+/// let point = SourcePoint { x0: 0.0, y: 4.0, z: 0.0 };
+/// // It is at x = 3 at t = 3/0.6 = 5, and its light takes as long again.
+/// let time = observation_time_when_seen_at(&speed, point, 3.0, 0.0)?.ok_or("at rest")?;
+/// assert!((time - 10.0).abs() < 1e-14);
+/// let seen = sighting(&speed, point, Aperture::default(), time)?;
+/// assert!((seen.position[0] - 3.0).abs() < 1e-14);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn observation_time_when_seen_at(
     speed: &Speed,
     point: SourcePoint,
@@ -56,6 +71,19 @@ pub fn observation_time_when_seen_at(
 /// # Accuracy, errors
 ///
 /// As [`observation_time_when_seen_at`].
+///
+/// # Examples
+///
+/// ```
+/// use relativity_core::{SourcePoint, Speed, equidistance_time};
+///
+/// // The paper's section 3 has 0.72.
+/// let point = SourcePoint { x0: 0.0, y: 0.5, z: 0.5 };
+/// let t0 = equidistance_time(&Speed::from_beta(0.9)?, point, 0.3)?;
+/// assert!((t0.ok_or("at rest")? - 0.7228).abs() < 5e-5);
+/// assert_eq!(equidistance_time(&Speed::REST, point, 0.3)?, None);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn equidistance_time(
     speed: &Speed,
     point: SourcePoint,

@@ -42,6 +42,24 @@ impl PublishedVariant {
 /// # Errors
 ///
 /// A coordinate or time outside the domain.
+///
+/// # Examples
+///
+/// ```
+/// use relativity_core::{PublishedVariant, SourcePoint, Speed, published_disparity};
+///
+/// // The paper's section 3: Appendix A's difference in azimuth falls to -0.3295 and rises to 0.0712.
+/// let speed = Speed::from_beta(0.9)?;
+/// let point = SourcePoint { x0: 0.0, y: 0.5, z: 0.5 };
+/// let (mut least, mut largest) = (0.0_f64, 0.0_f64);
+/// for step in 0..10_000 {
+///     let time = f64::from(step) * 5e-4;
+///     let seen = published_disparity(&speed, point, 0.3, time, PublishedVariant::AppendixA)?;
+///     (least, largest) = (least.min(seen.dphi), largest.max(seen.dphi));
+/// }
+/// assert!((least + 0.3295).abs() < 5e-5 && (largest - 0.0712).abs() < 5e-5);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn published_disparity(
     speed: &Speed,
     point: SourcePoint,
@@ -205,6 +223,18 @@ fn appendix_a_s(
 /// # Errors
 ///
 /// A coordinate or time outside the domain.
+///
+/// # Examples
+///
+/// ```
+/// use relativity_core::{Aperture, SourcePoint, Speed, printed_apparent_x};
+///
+/// // At rest at x = 3, as printed it would appear at x = 3 - 5.
+/// let point = SourcePoint { x0: 3.0, y: 4.0, z: 0.0 };
+/// let x = printed_apparent_x(&Speed::REST, point, Aperture::default(), 0.0)?;
+/// assert_eq!(x, -2.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub fn printed_apparent_x(
     speed: &Speed,
     point: SourcePoint,

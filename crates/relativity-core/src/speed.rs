@@ -16,10 +16,10 @@ pub enum SpeedError {
     #[error("beta = {0} is out of range: it must be at least 0 and below 1")]
     Beta(f64),
     /// gamma outside `1 <= gamma <= MAX_GAMMA`.
-    #[error("gamma = {0} is out of range: it must be between 1 and 1e30")]
+    #[error("gamma = {0} is out of range: it must be between 1 and {MAX_GAMMA:e}")]
     Gamma(f64),
     /// Rapidity negative, or with a gamma above `MAX_GAMMA`.
-    #[error("rapidity = {0} is out of range: it must be between 0 and 69.77 (gamma = 1e30)")]
+    #[error("rapidity = {0} is out of range: it must be between 0 and 69.77 (gamma = {MAX_GAMMA:e})")]
     Rapidity(f64),
 }
 
@@ -54,6 +54,20 @@ impl Speed {
     };
 
     /// From `beta` = v/c in [0, 1).
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use relativity_core::Speed;
+    ///
+    /// let speed = Speed::from_beta(0.6)?;
+    /// assert!((speed.gamma() - 1.25).abs() < 1e-15);
+    /// assert!((speed.head_on_doppler_factor() - 2.0).abs() < 1e-15);
+    /// // An everyday speed keeps its digits: gamma - 1 is beta^2/2.
+    /// let cyclist = Speed::from_beta(2e-8)?;
+    /// assert!((cyclist.gamma_minus_one() / 2e-16 - 1.0).abs() < 1e-15);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn from_beta(beta: f64) -> Result<Self, SpeedError> {
         if !(0.0..1.0).contains(&beta) {
             return Err(SpeedError::Beta(beta));
@@ -72,6 +86,17 @@ impl Speed {
     }
 
     /// From the Lorentz factor in [1, [`MAX_GAMMA`]].
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use relativity_core::Speed;
+    ///
+    /// let speed = Speed::from_gamma(1e12)?;
+    /// assert_eq!(speed.beta(), 1.0); // rounded
+    /// assert!((speed.one_minus_beta() / 5e-25 - 1.0).abs() < 1e-15);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn from_gamma(gamma: f64) -> Result<Self, SpeedError> {
         if !(1.0..=MAX_GAMMA).contains(&gamma) {
             return Err(SpeedError::Gamma(gamma));
@@ -89,6 +114,17 @@ impl Speed {
     }
 
     /// From the rapidity atanh(beta), 0 or more.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use relativity_core::Speed;
+    ///
+    /// // Rapidities add up where betas do not: 0.5 and 0.5 make 0.8.
+    /// let half = Speed::from_beta(0.5)?.rapidity();
+    /// assert!((Speed::from_rapidity(half + half)?.beta() - 0.8).abs() < 1e-15);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn from_rapidity(rapidity: f64) -> Result<Self, SpeedError> {
         let gamma = math::cosh(rapidity);
         if !(rapidity >= 0.0 && gamma <= MAX_GAMMA) {

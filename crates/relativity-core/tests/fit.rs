@@ -7,6 +7,7 @@ mod tally;
 use common::{Case, PAPER};
 use rand::SeedableRng as _;
 use rand_chacha::ChaCha8Rng;
+use relativity_core::fit::NOISE_FREE_ERROR;
 use relativity_core::{
     Aperture, Curves, Fit, FitError, FitOptions, Model, Observations, Parameter, Passage, PublishedVariant,
     Reading, Sample, SourcePoint, Speed, bootstrap, disparity, fit, fit_from, published_disparity,
@@ -32,7 +33,7 @@ fn noise_free_curves_of_the_paper_give_its_object_back() {
             for passage in PASSAGES {
                 let options = FitOptions { model, curves, passage };
                 let fit = fit(&observations, &options).expect("a fit");
-                assert_recovers(&fit, PAPER.truth(), 1e-9);
+                assert_recovers(&fit, PAPER.truth(), NOISE_FREE_ERROR);
                 let replicates = bootstrap(&fit, 20, 1).expect("replicates");
                 assert_eq!(replicates.failed(), 0);
                 assert!(replicates.standard_error(Parameter::Y) < 1e-9);

@@ -31,6 +31,21 @@ pub struct Sample {
 /// The samples of one moving point, and the pairs of apertures (primary, secondary) they refer to.
 ///
 /// N apertures give up to N (N - 1)/2 pairs; those that share the primary are enough.
+///
+/// # Examples
+///
+/// ```
+/// use relativity_core::{FitError, Observations, Reading, Sample};
+///
+/// let reading = |value| Some(Reading { value, sigma: Some(1e-3) });
+/// let sample = |time, dphi| Sample { time, pair: 0, dphi: reading(dphi), dtheta: None };
+/// let observed = Observations::of_pair(0.1, vec![sample(0.0, -0.02), sample(1.0, -0.03)])?;
+/// assert_eq!(observed.samples().len(), 2);
+///
+/// let refused = Observations::of_pair(0.1, vec![sample(f64::NAN, -0.02)]);
+/// assert!(matches!(refused, Err(FitError::Sample { index: 0, quantity: "T", .. })));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Observations {
     pub(super) pairs: Vec<[Aperture; 2]>,
@@ -95,9 +110,11 @@ fn check_sample(sample: &Sample, pairs: usize) -> Result<(), (&'static str, f64)
     let curves = [("dphi", "sigma_dphi", sample.dphi), ("dtheta", "sigma_dtheta", sample.dtheta)];
     for (name, sigma_name, reading) in curves {
         let Some(Reading { value, sigma }) = reading else { continue };
+        // The difference of two angles, each in a range of a whole turn.
         if !(-TAU..=TAU).contains(&value) {
             return Err((name, value));
         }
+        // The square of a weight, 1/sigma^2, must be a number.
         if let Some(sigma) = sigma.filter(|sigma| !(1e-150..1e150).contains(sigma)) {
             return Err((sigma_name, sigma));
         }

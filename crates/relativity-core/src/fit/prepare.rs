@@ -150,7 +150,7 @@ fn range(observations: &Observations, curve: usize) -> f64 {
 }
 
 /// The scale of each curve's noise before a fit: its range, and for a curve that is constant a thousandth
-/// of the other's.
+/// of the other's, so that it counts for much and not for all.
 fn scales(ranges: [f64; 2]) -> [f64; 2] {
     let least = 1e-3 * ranges[0].max(ranges[1]).max(f64::MIN_POSITIVE.sqrt());
     ranges.map(|range| range.max(least))

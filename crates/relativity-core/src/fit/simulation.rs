@@ -12,6 +12,28 @@ use crate::model::Model;
 use crate::speed::Speed;
 
 /// A known object, and how it is observed by the paper's pair of apertures.
+///
+/// # Examples
+///
+/// ```
+/// use relativity_core::{Model, Simulation, SourcePoint, Speed, disparity, Aperture};
+///
+/// let simulation = Simulation {
+///     speed: Speed::from_beta(0.9)?,
+///     point: SourcePoint { x0: 0.0, y: 3.0, z: 2.0 },
+///     separation: 0.1,
+///     model: Model::Exact,
+///     times: vec![0.0, 4.0],
+///     noise: 0.0,
+///     seed: 1,
+/// };
+/// let observed = simulation.observations()?;
+/// let [left, right] = Aperture::pair(0.1);
+/// let seen = disparity(&simulation.speed, simulation.point, left, right, 4.0)?;
+/// let reading = observed.samples()[1].dphi.ok_or("no reading")?;
+/// assert!((reading.value - seen.dphi).abs() < 1e-15);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Simulation {
     /// The object's speed, above 0.

@@ -60,7 +60,8 @@ fn speeds_keep_their_digits() {
         ];
         case(parameter, vec![value], |inputs| model::accessors(parameter, &inputs[0]), computed)
     })
-    .assert_within(MAX_ERROR_UNITS);
+    .assert_within(MAX_ERROR_UNITS)
+    .assert_as_documented(include_str!("../../src/speed.rs"), &names);
 }
 
 /// Speed parameter, x0, y, z, aperture x, y, z, T.
@@ -77,7 +78,7 @@ fn sighting_inputs(rng: &mut ChaCha8Rng) -> (Parameter, Speed, Vec<f64>) {
 #[test]
 fn sightings_are_as_accurate_as_their_inputs() {
     let names = ["X", "t", "R", "D", "D^2", "D^3", "D^4", "wavelength", "phi", "theta"];
-    Tally::new(names, cases(), |rng| {
+    let tally = Tally::new(names, cases(), |rng| {
         let (parameter, speed, mut inputs) = sighting_inputs(rng);
         let seen = sighting(&speed, point_at(&inputs[1..]), aperture_at(&inputs[4..]), inputs[7])
             .expect("inside the domain");
@@ -95,8 +96,10 @@ fn sightings_are_as_accurate_as_their_inputs() {
             seen.theta(),
         ];
         case(parameter, inputs, |inputs| model::sighting(parameter, inputs), computed)
-    })
-    .assert_within(MAX_ERROR_UNITS);
+    });
+    tally.assert_within(MAX_ERROR_UNITS);
+    tally.assert_as_documented(include_str!("../../src/apparent.rs"), &["X", "t", "R", "D", "phi", "theta"]);
+    tally.assert_as_documented(include_str!("../../src/doppler.rs"), &["D^2", "D^3", "D^4", "wavelength"]);
 }
 
 #[test]
@@ -131,7 +134,8 @@ fn disparities_of_the_papers_pair_keep_their_digits_however_close_the_apertures(
         let model = |inputs: &[_]| model::pair_disparity(parameter, inputs);
         case(parameter, inputs, model, [both.dphi, both.dtheta])
     })
-    .assert_within(MAX_ERROR_UNITS);
+    .assert_within(MAX_ERROR_UNITS)
+    .assert_as_documented(include_str!("../../src/disparity.rs"), &["dphi", "dtheta"]);
 }
 
 #[test]
@@ -146,7 +150,8 @@ fn disparities_of_apertures_anywhere_keep_their_digits() {
         let inputs = [&[sighting[0]], point, &[time], primary, &secondary].concat();
         case(parameter, inputs, |inputs| model::disparity(parameter, inputs), [both.dphi, both.dtheta])
     })
-    .assert_within(MAX_ERROR_UNITS);
+    .assert_within(MAX_ERROR_UNITS)
+    .assert_as_documented(include_str!("../../src/disparity.rs"), &["general dphi", "general dtheta"]);
 }
 
 #[test]
@@ -159,7 +164,8 @@ fn equidistance_times_are_accurate() {
             .expect("moving");
         case(parameter, inputs, |inputs| model::equidistance_time(parameter, inputs), [t0])
     })
-    .assert_within(MAX_ERROR_UNITS);
+    .assert_within(MAX_ERROR_UNITS)
+    .assert_as_documented(include_str!("../../src/passage.rs"), &["T0"]);
 }
 
 #[test]
@@ -173,7 +179,8 @@ fn the_times_at_which_a_point_is_seen_at_a_place_are_accurate() {
             .expect("moving");
         case(parameter, inputs, |inputs| model::observation_time_when_seen_at(parameter, inputs), [time])
     })
-    .assert_within(MAX_ERROR_UNITS);
+    .assert_within(MAX_ERROR_UNITS)
+    .assert_as_documented(include_str!("../../src/passage.rs"), &["T"]);
 }
 
 fn assert_published_is_accurate(variant: PublishedVariant, sign: f64, names: [&'static str; 5]) {
@@ -185,7 +192,8 @@ fn assert_published_is_accurate(variant: PublishedVariant, sign: f64, names: [&'
         let computed = [both.dphi, both.dtheta, seen.position[0], seen.retarded_time, seen.doppler_factor];
         case(parameter, inputs, |inputs| model::published(parameter, sign, inputs), computed)
     })
-    .assert_within(MAX_ERROR_UNITS);
+    .assert_within(MAX_ERROR_UNITS)
+    .assert_as_documented(include_str!("../../src/published.rs"), &names);
 }
 
 #[test]
@@ -239,5 +247,6 @@ fn aberration_keeps_its_digits_both_ways() {
         let computed = [rx, ry, rz, doppler_factor(n, &speed), gx, gy, gz];
         case(parameter, [&[value], &n[..]].concat(), model, computed)
     })
-    .assert_within(MAX_ERROR_UNITS);
+    .assert_within(MAX_ERROR_UNITS)
+    .assert_as_documented(include_str!("../../src/aberration.rs"), &names);
 }

@@ -6,6 +6,22 @@ use rayon::prelude::*;
 
 use crate::model::Parameter;
 
+/// The number of cases that the documentation speaks of.
+const DOCUMENTED_CASES: u64 = 15_000;
+
+/// The first "median A, 99 % B, worst C" in the comments of `source`.
+fn documented(source: &str) -> [f64; 3] {
+    let comments = source.lines().filter_map(|line| line.trim_start().strip_prefix("//"));
+    let words = comments.flat_map(|line| line.trim_start_matches(['/', '!']).split_whitespace());
+    let text = words.collect::<Vec<_>>().join(" ");
+    let (_, figures) = text.split_once("median ").expect("there are figures");
+    ["", ", 99 % ", ", worst "].map(|before| {
+        let (_, after) = figures.split_once(before).expect("there are three figures");
+        let end = after.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(after.len());
+        after[..end].trim_end_matches('.').parse().expect("a number")
+    })
+}
+
 /// Errors of `N` quantities in one case, and the inputs that led to them.
 pub struct Case<const N: usize> {
     pub errors: [f64; N],
@@ -37,19 +53,42 @@ impl<const N: usize> Tally<N> {
         errors
     }
 
+    /// Median, 99 % and worst of quantity `k`.
+    fn figures(&self, k: usize) -> [f64; 3] {
+        let sorted = self.sorted(k);
+        let count = sorted.len();
+        [sorted[count / 2], sorted[count * 99 / 100], sorted[count - 1]]
+    }
+
     /// Prints median, 99 % and worst of each quantity, and fails where the worst exceeds `bound`.
-    pub fn assert_within(&self, bound: f64) {
+    pub fn assert_within(&self, bound: f64) -> &Self {
         let mut report = String::new();
+        let count = self.cases.len();
         for (k, name) in self.names.iter().enumerate() {
-            let sorted = self.sorted(k);
-            let count = sorted.len();
-            let (median, most, worst) = (sorted[count / 2], sorted[count * 99 / 100], sorted[count - 1]);
+            let [median, most, worst] = self.figures(k);
             println!("{name:>22}: {count} cases, median {median:.2}, 99 % {most:.2}, worst {worst:.2}");
             if worst > bound {
                 report += &self.worst(k);
             }
         }
         assert!(report.is_empty(), "more than {bound} units:\n{report}");
+        self
+    }
+
+    /// Fails where one of `names` is less accurate than `source` documents, but for the rounding of its figures.
+    /// Its cases begin with these; fewer do not tell where 99 % of them are.
+    pub fn assert_as_documented(&self, source: &str, names: &[&str]) {
+        let documented = documented(source);
+        let is_whole = self.cases.len() as u64 >= DOCUMENTED_CASES;
+        for (k, name) in self.names.iter().enumerate().filter(|(_, name)| names.contains(name)) {
+            let measured = self.figures(k);
+            for i in (0..3).filter(|&i| i != 1 || is_whole) {
+                assert!(
+                    measured[i] <= documented[i] + 0.05,
+                    "{name}: {measured:?}, documented {documented:?}"
+                );
+            }
+        }
     }
 
     fn worst(&self, k: usize) -> String {
