@@ -4,8 +4,6 @@ use std::ops::Range;
 
 use relativity_render::{Body, Group, Motion, PreparedScene};
 
-use super::placement;
-
 /// A scene: groups of bodies, each at rest in a frame of its own, and the ground they pass over. Lengths in the scene's
 /// unit, rest-frame coordinates `[x, y, z]` with x along the motion.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,12 +48,5 @@ impl Scene {
     pub fn prepared(&self) -> PreparedScene {
         let group = |group: &SceneGroup| Group { motion: group.motion, bodies: &self.bodies[group.bodies()] };
         PreparedScene::new(self.groups.iter().map(group))
-    }
-
-    /// The bodies, moved by `offset` in the rest frame.
-    #[must_use]
-    pub fn bodies_moved(&self, offset: [f64; 3]) -> Vec<Body> {
-        let moved = |body: &Body| Body { shape: placement::moved(body.shape, offset), ..*body };
-        self.bodies.iter().map(moved).collect()
     }
 }
