@@ -6,6 +6,7 @@ use std::sync::Arc;
 use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
 use relativity_render::{Appearance, Body, Gpu, GpuError, View};
 
+use super::figures;
 use super::heat_map;
 use super::observer::Eye;
 use super::stillness::Stillness;
@@ -87,6 +88,18 @@ pub struct Row<'a> {
     pub figures: Option<&'a Result<Figures, String>>,
     /// Whether they were measured in the present views.
     pub is_current: bool,
+}
+
+impl Row<'_> {
+    /// What the method is called.
+    #[must_use]
+    pub fn name(&self) -> String {
+        match self.method {
+            Method::Exact => "exact".to_owned(),
+            Method::Mesh { bound_px } => format!("mesh {} px", figures::trimmed(bound_px, 3)),
+            Method::Reference => "reference".to_owned(),
+        }
+    }
 }
 
 impl Examination {

@@ -4,8 +4,8 @@
 use eframe::egui::{Rect, pos2, vec2};
 
 use super::observer::Eye;
-use super::settings::Window;
-use super::theme::GAP;
+use super::theme::{GAP, TITLE_HEIGHT};
+use crate::settings::Window;
 
 /// What can stand in a pane.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -54,8 +54,6 @@ pub struct Layout {
     pub plots: Option<Rect>,
 }
 
-/// Height of the titles of panes.
-pub const TITLE_HEIGHT: f32 = 22.0;
 const BAR_HEIGHT: f32 = 38.0;
 const TIMELINE_HEIGHT: f32 = 66.0;
 /// Height of the readout's rows.

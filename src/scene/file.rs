@@ -3,10 +3,11 @@
 use relativity_render::{Body, Motion, Shape, Velocity};
 use toml::de::DeTable;
 
+use super::content::{Scene, SceneGroup};
 use super::error::{Located, Problem};
 use super::placement::{forward_most_point, moved};
+use super::presets;
 use super::table::{Table, coincide};
-use super::{Scene, SceneGroup};
 
 /// Red, as in the paper.
 const DEFAULT_WAVELENGTH_NM: f64 = 700.0;
@@ -25,6 +26,12 @@ pub(super) fn scene(text: &str) -> Result<Scene, Located> {
         return Err(Located { span: top.span, problem: Problem::Empty });
     };
     Ok(Scene { name, bodies, groups, tracked: tracked.unwrap_or(forward_most), ground_z })
+}
+
+/// The preset of that name.
+pub(super) fn preset(name: &str) -> Option<Scene> {
+    let text = presets::text(name)?;
+    Some(scene(text).unwrap_or_else(|_| unreachable!("tests read every preset")))
 }
 
 /// All bodies, and the groups they belong to: the scene's own, which moves at its speed, comes first. A group without
@@ -67,7 +74,7 @@ fn bodies(group: &Table) -> Result<Vec<Body>, Located> {
 fn included_bodies(include: &Table) -> Result<Vec<Body>, Located> {
     include.check_keys(&["scene", "offset"])?;
     let name = include.needed_string("scene")?;
-    let Some(preset) = Scene::preset(name) else {
+    let Some(preset) = preset(name) else {
         return Err(include.problem_at("scene", Problem::UnknownInclude));
     };
     let offset = include.point("offset")?.unwrap_or_default();

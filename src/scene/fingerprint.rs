@@ -1,25 +1,26 @@
 //! Whether two scenes are the same: a hash of what is in them, however the program calls its parts.
 
-use relativity_render::{Body, Shape};
+use relativity_render::{Body, Motion, Shape};
 
-use super::Scene;
+use super::content::{Scene, SceneGroup};
 
 impl Scene {
     /// The fingerprint of its content, 16 hexadecimal digits: equal for equal scenes, and as good as never equal
     /// for others.
     ///
     /// The FNV-1a hash (G. Fowler, L. C. Noll, K.-P. Vo) of, in this order: the name, the tracked point, the height of
-    /// the ground, and each body's shape by its name in a scene file, the numbers of that in the order of the scene
-    /// format, and its wavelength. Names end in a zero byte; numbers go in bit by bit, big end first, those that are
-    /// not there as infinity.
+    /// the ground, and of each group its name, its own beta, and its bodies; of a body its shape by the name in a scene
+    /// file, the numbers of that in the order of the scene format, and its wavelength. Names end in a zero byte; numbers
+    /// go in bit by bit, big end first, those that are not there as infinity.
     #[must_use]
     pub fn fingerprint(&self) -> String {
         let mut hash = Hash::default();
         hash.name(&self.name);
         hash.numbers(&self.tracked);
         hash.numbers(&[self.ground_z.unwrap_or(f64::INFINITY)]);
-        for body in &self.bodies {
-            hash.body(body);
+        for group in &self.groups {
+            hash.group(group);
+            self.bodies[group.bodies()].iter().for_each(|body| hash.body(body));
         }
         format!("{:016x}", hash.0)
     }
@@ -52,6 +53,14 @@ impl Hash {
         }
     }
 
+    fn group(&mut self, group: &SceneGroup) {
+        self.name(&group.name);
+        self.numbers(&[match group.motion {
+            Motion::Scene => f64::INFINITY,
+            Motion::Own(velocity) => velocity.beta(),
+        }]);
+    }
+
     fn body(&mut self, body: &Body) {
         match body.shape {
             Shape::Sphere { center, radius } => {
@@ -78,28 +87,31 @@ impl Hash {
 
 #[cfg(test)]
 mod tests {
+    use relativity_render::Velocity;
+
     use super::*;
 
     #[test]
     fn the_fingerprint_of_a_preset_is_pinned() {
         let scene = Scene::preset("two-balls").expect("it is a preset");
-        assert_eq!(scene.fingerprint(), "a0c2b194e1d4af6a");
+        assert_eq!(scene.fingerprint(), "67c61ac45f224318");
     }
 
     #[test]
     fn every_part_of_a_scene_shows_in_its_fingerprint() {
         let scene = Scene::default();
-        let mut others = vec![scene.clone(); 6];
+        let mut others = vec![scene.clone(); 7];
         others[0].name.push('2');
         others[1].tracked[2] += 1e-9;
         others[2].ground_z = None;
         others[3].bodies.swap(0, 1);
         others[4].bodies[0].rest_wavelength_nm += 1.0;
-        others[5].bodies.pop();
+        others[5].groups[0].count -= 1;
+        others[6].groups[0].motion = Motion::Own(Velocity::REST);
         let mut fingerprints: Vec<_> = others.iter().map(Scene::fingerprint).collect();
         fingerprints.push(scene.fingerprint());
         fingerprints.sort();
         fingerprints.dedup();
-        assert_eq!(fingerprints.len(), 7);
+        assert_eq!(fingerprints.len(), 8);
     }
 }

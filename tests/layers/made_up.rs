@@ -98,6 +98,20 @@ fn commands_and_the_window_stand_apart() {
 }
 
 #[test]
+fn panels_stand_apart_but_have_parts_and_share_a_room() {
+    let files = [
+        ("lib.rs", "mod app;"),
+        ("app/mod.rs", "mod panels; mod widgets;"),
+        ("app/widgets.rs", "pub struct Row;"),
+        ("app/panels/mod.rs", "mod bar; mod plots; pub type Asks = u8;"),
+        ("app/panels/bar.rs", "use super::Asks; use crate::app::widgets::Row; use super::plots::show;"),
+        ("app/panels/plots/mod.rs", "mod fit; pub fn show() { fit::show() }"),
+        ("app/panels/plots/fit.rs", "pub fn show() -> crate::app::panels::Asks { 1 }"),
+    ];
+    assert_fault(&files, &["app/panels/bar.rs imports app/panels/plots/mod.rs: neither"]);
+}
+
+#[test]
 fn what_belongs_to_one_room_is_found_elsewhere() {
     let files = [
         ("lib.rs", "mod files; mod platform;"),

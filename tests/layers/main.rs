@@ -14,7 +14,7 @@ const ROOMS: [&[&str]; 7] = [
     &["main.rs"],
     &["cli.rs"],
     &["commands", "app"],
-    &["accuracy", "estimate"],
+    &["accuracy", "estimate", "studio"],
     &["settings"],
     &["scene", "columns.rs", "passage.rs", "flags", "files", "plot"],
     &["platform"],
@@ -111,11 +111,10 @@ fn misplaced(from: &str, to: &str) -> Option<String> {
     let [Some(here), Some(there)] = [level(from), level(to)] else {
         return fault("one of them stands in no room of the table");
     };
-    let [a, b] = [from, to].map(apart);
     if here > there {
         fault("upwards")
-    } else if a.is_some() && b.is_some() && a != b {
-        fault("commands and the window do not know each other")
+    } else if are_apart(from, to) {
+        fault("neither knows the other")
     } else {
         None
     }
@@ -127,9 +126,17 @@ fn level(file: &str) -> Option<usize> {
     ROOMS.iter().position(|rooms| rooms.contains(&room))
 }
 
-/// The command that a file belongs to, or else the window; these stand apart from each other.
-fn apart(file: &str) -> Option<&str> {
-    let below = file.strip_prefix("commands/");
-    let command = below.and_then(|below| below.split(['/', '.']).next()).filter(|name| *name != "mod");
-    command.or_else(|| file.starts_with("app/").then_some("app"))
+/// Folders whose files and folders do not know each other.
+const APART: [&str; 2] = ["commands/", "app/panels/"];
+
+/// Whether two files stand beside each other in such a folder, or in the window and among the commands.
+fn are_apart(from: &str, to: &str) -> bool {
+    let inside = |folder| Some((from.strip_prefix(folder)?, to.strip_prefix(folder)?));
+    let part = |file: &str| file.split(['/', '.']).next().map(str::to_owned);
+    let differ = |(from, to)| part(from) != part(to) && ![from, to].contains(&"mod.rs");
+    let is_window = |file: &str| file.starts_with("app/");
+    let is_command = |file: &str| file.starts_with("commands/");
+    APART.iter().filter_map(inside).any(differ)
+        || is_window(from) && is_command(to)
+        || is_command(from) && is_window(to)
 }

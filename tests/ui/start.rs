@@ -53,6 +53,10 @@ fn a_screenshot_shows_the_state() {
         let (_, other) = screenshot(folder.path(), "other.png", arguments);
         assert!(other != fast, "{arguments:?} changes nothing");
     }
+    let file = folder.path().join("fast.png");
+    let (_, opened) =
+        screenshot(folder.path(), "opened.png", &["--state", file.to_str().expect("a plain path")]);
+    assert!(opened == fast, "a screenshot opens as it was");
     // What is made in the background is waited for.
     let background =
         ["--beta", "0.9", "--time", "1", "--plot", "fit", "--corrected", "--renderer", "reference"];

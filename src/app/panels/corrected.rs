@@ -4,16 +4,16 @@ use eframe::egui::{
     self, Color32, Pos2, Rect, Sense, Stroke, StrokeKind, TextureHandle, Ui, accesskit::Role, pos2,
 };
 
-use super::views::title;
 use crate::app::figures;
 use crate::app::observer::Correction;
+use crate::app::widgets::pane_title;
 
 /// Draws the pane in `rect`.
 pub fn show(ui: &Ui, rect: Rect, correction: &Correction, picture: Option<&TextureHandle>) {
     let colour = ui.visuals().text_color();
     let by = if correction.is_fitted { "fitted" } else { "set" };
     let text = format!("Corrected by the {by} β {}", figures::beta(&correction.speed));
-    title(ui, rect, &text, colour);
+    pane_title(ui, rect, &text, colour);
     let painter = ui.painter();
     painter.rect_filled(rect, 0.0, ui.visuals().extreme_bg_color);
     if let Some(picture) = picture {

@@ -1,26 +1,14 @@
-//! The parts of the window, one file each. Each reads the state and asks for commands; none calls
-//! another.
+//! The parts of the window, a file each, or a folder that holds the parts of one. Each reads the state and asks for
+//! commands; none calls another, and all are made of [`super::widgets`].
 
-pub mod accuracy;
-mod accuracy_table;
-mod axes;
 pub mod bar;
 pub mod controls;
 pub mod corrected;
-pub mod fit;
-mod fit_plots;
-mod fit_table;
-mod frontier;
 pub mod help;
-mod icons;
-pub mod light;
 pub mod plots;
 pub mod readout;
-pub mod speed;
-mod split;
 pub mod timeline;
 pub mod views;
-mod widgets;
 
 use super::command::Command;
 

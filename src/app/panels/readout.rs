@@ -5,10 +5,10 @@ use relativity_core::{Sighting, doppler::received_wavelength};
 use relativity_render::{Colour, colour};
 
 use super::Asks;
-use super::widgets::{dot, named_text};
 use crate::app::command::Command;
 use crate::app::observer::Eye;
 use crate::app::state::State;
+use crate::app::widgets::{dot, named_text};
 use crate::app::{figures, theme};
 
 /// Shows the readout.

@@ -2,7 +2,7 @@
 //! them.
 
 use eframe::egui::{
-    self, Align2, Color32, CursorIcon, Painter, Pos2, Rect, Response, Sense, Stroke, StrokeKind, TextStyle,
+    self, Color32, CursorIcon, Painter, Pos2, Rect, Response, Sense, Stroke, StrokeKind, TextStyle,
     TextureId, Ui, Visuals, pos2, vec2,
 };
 use relativity_core::math;
@@ -12,10 +12,10 @@ use super::Asks;
 use crate::accuracy::Method;
 use crate::app::command::{Command, Pick};
 use crate::app::eyes::Shown;
-use crate::app::layout::TITLE_HEIGHT;
 use crate::app::observer::Eye;
 use crate::app::points::Point;
 use crate::app::state::State;
+use crate::app::widgets::pane_title;
 use crate::app::{figures, theme};
 
 /// Zoom per point of scrolling.
@@ -85,7 +85,7 @@ fn turn(response: &Response, state: &State, pane: EyePane, asks: &mut Asks) {
     if !response.dragged() || moved == egui::Vec2::ZERO {
         return;
     }
-    let focal_length = state.view(pane.eye, pane.size, state.gaze()).camera.focal_length_px();
+    let focal_length = state.view(pane.eye, pane.size).camera.focal_length_px();
     let pixels = f64::from(pane.size[0]) / f64::from(pane.rect.width());
     let angle = |points: f32| f64::from(points) * pixels / focal_length;
     asks.push(Command::Turn { azimuth: angle(moved.x), elevation: angle(moved.y) });
@@ -96,7 +96,7 @@ pub fn paint(ui: &Ui, state: &State, pane: EyePane, picture: Option<Shown>, heat
     let visuals = ui.visuals();
     let colour = theme::eye_colour(pane.eye, visuals);
     let painter = ui.painter();
-    title(ui, pane.rect, pane.eye.name(), colour);
+    pane_title(ui, pane.rect, pane.eye.name(), colour);
     painter.rect_filled(pane.rect, 0.0, visuals.extreme_bg_color);
     for texture in picture.map(|picture| picture.texture).into_iter().chain(heat_map) {
         let uv = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
@@ -106,15 +106,6 @@ pub fn paint(ui: &Ui, state: &State, pane: EyePane, picture: Option<Shown>, heat
     markers(&inside, state, pane, visuals);
     notes(ui, &inside, pane, &note(state, pane.eye, picture, heat_map.is_some()));
     painter.rect_stroke(pane.rect, 0.0, Stroke::new(1.5, colour), StrokeKind::Outside);
-}
-
-/// Names the picture in `rect`.
-pub(super) fn title(ui: &Ui, rect: Rect, text: &str, colour: Color32) {
-    let font = TextStyle::Body.resolve(ui.style());
-    let place = pos2(rect.min.x, rect.min.y - TITLE_HEIGHT / 2.0 - 1.0);
-    let painter = ui.painter().with_clip_rect(rect.expand(TITLE_HEIGHT + 2.0));
-    painter.circle_filled(place + vec2(5.0, 0.0), 4.5, colour);
-    painter.text(place + vec2(16.0, 0.0), Align2::LEFT_CENTER, text, font, ui.visuals().text_color());
 }
 
 /// What the picture is, where that is not what an eye would see, drawn exactly.
@@ -151,7 +142,7 @@ fn notes(ui: &Ui, painter: &Painter, pane: EyePane, text: &str) {
 }
 
 fn markers(painter: &Painter, state: &State, pane: EyePane, visuals: &Visuals) {
-    let view = state.view(pane.eye, pane.size, state.gaze());
+    let view = state.view(pane.eye, pane.size);
     let scene = PreparedScene::moving(&state.session.bodies);
     for (index, point) in state.session.points.all().iter().enumerate() {
         let Some(marker) = Marker::of(state, point, &view, &scene, pane.eye) else { continue };

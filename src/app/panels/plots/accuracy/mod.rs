@@ -1,13 +1,15 @@
 //! The Accuracy tab: what each way to draw the present views costs, and how far it is off. Clicking one in the table
 //! or in the plot chooses it.
 
+mod frontier;
+mod table;
+
 use eframe::egui::{Checkbox, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
 
 use super::split::{part, table_and_plots};
-use super::{Asks, accuracy_table, frontier};
-use crate::accuracy::Method;
 use crate::app::command::Command;
 use crate::app::examination::Examination;
+use crate::app::panels::Asks;
 use crate::app::state::State;
 use crate::app::{figures, heat_map};
 
@@ -26,7 +28,7 @@ pub fn show(ui: &mut Ui, state: &State, examination: Option<&Examination>, asks:
     let (table, plot) = table_and_plots(ui.available_rect_before_wrap(), TABLE_WIDTH);
     part(ui, "figures", table, |ui| {
         let area = ScrollArea::both().auto_shrink(false);
-        area.show(ui, |ui| accuracy_table::show(ui, examination, &mut quality));
+        area.show(ui, |ui| table::show(ui, examination, &mut quality));
     });
     if let Some(plot) = plot {
         part(ui, "frontier", plot, |ui| frontier::show(ui, plot.size(), examination, &mut quality));
@@ -38,12 +40,12 @@ pub fn show(ui: &mut Ui, state: &State, examination: Option<&Examination>, asks:
 
 /// The heat map's switch and scale, and what the figures are.
 pub fn caption(ui: &mut Ui, state: &State, examination: &Examination, asks: &mut Asks) {
-    let mut quality = state.settings.quality;
+    let mut plots = state.settings.plots;
     let tip = "Shows in the views how far each pixel's point is drawn from where it is seen.";
-    if ui.add(Checkbox::new(&mut quality.heat_map, "Heat map")).on_hover_text(tip).changed() {
-        asks.push(Command::Quality(quality));
+    if ui.add(Checkbox::new(&mut plots.heat_map, "Heat map")).on_hover_text(tip).changed() {
+        asks.push(Command::Plots(plots));
     }
-    if quality.heat_map {
+    if plots.heat_map {
         scale(ui);
     }
     let is_pending = examination.is_pending();
@@ -69,13 +71,4 @@ fn scale(ui: &mut Ui) {
     let (square, _) = ui.allocate_exact_size(vec2(10.0, 10.0), Sense::hover());
     ui.painter().rect_filled(square, 1.0, heat_map::WRONG_OBJECT);
     ui.label(RichText::new("other object").small());
-}
-
-/// What a method is called.
-pub(super) fn name(method: Method) -> String {
-    match method {
-        Method::Exact => "exact".to_owned(),
-        Method::Mesh { bound_px } => format!("mesh {} px", figures::trimmed(bound_px, 3)),
-        Method::Reference => "reference".to_owned(),
-    }
 }

@@ -6,12 +6,11 @@ use eframe::egui::{self, Align2, Color32, RichText, TextStyle, Ui, Visuals};
 use egui_plot::{GridInput, GridMark, PlotBounds, PlotPoint, PlotResponse, PlotUi, Points, Text};
 use relativity_core::math;
 
-use super::accuracy::name;
-use super::axes::{extent, frame, still_plot};
 use crate::accuracy::Method;
 use crate::app::examination::{Examination, Row};
-use crate::app::settings::Quality;
+use crate::app::panels::plots::axes::{extent, frame, still_plot};
 use crate::app::{figures, theme};
+use crate::settings::Quality;
 
 /// Errors below this, arcseconds, are drawn as this: none is measured as 0 but by chance.
 const LEAST_ERROR: f64 = 1e-12;
@@ -21,6 +20,7 @@ const REACH: f32 = 40.0;
 /// A method in the plot.
 struct Mark {
     method: Method,
+    name: String,
     /// log10 of its milliseconds and of its error in arcseconds.
     place: [f64; 2],
     colour: Color32,
@@ -36,6 +36,7 @@ impl Mark {
         let colour = if is_chosen { theme::point_colour(1, visuals) } else { visuals.text_color() };
         let mark = Self {
             method: row.method,
+            name: row.name(),
             place,
             colour: if row.is_current { colour } else { colour.gamma_multiply(0.4) },
             radius: if is_chosen { 5.5 } else { 4.0 },
@@ -44,8 +45,8 @@ impl Mark {
     }
 
     fn draw(&self, plot: &mut PlotUi<'_>, bounds: &PlotBounds) {
-        let text = name(self.method);
-        let points = Points::new(text.clone(), vec![self.place]).color(self.colour).radius(self.radius);
+        let text = &self.name;
+        let points = Points::new(text, vec![self.place]).color(self.colour).radius(self.radius);
         plot.points(points.allow_hover(false));
         let [x, y] = self.place;
         // On the side where there is more room.

@@ -6,11 +6,11 @@ use eframe::egui::{self, Align, Color32, Layout, RichText, Ui, Vec2, Visuals, ve
 use egui_plot::{FilledArea, GridInput, GridMark, Line, Plot, PlotBounds, PlotPoint, PlotUi, Points, VLine};
 use relativity_core::math;
 
-use super::Asks;
-use super::axes::{annotate, bounds, grid, label, plot_over_time, tick, time_at_pointer};
 use crate::app::command::Command;
 use crate::app::curves::Quantity;
 use crate::app::fitting::{FittedCurve, Fitting, Outcome};
+use crate::app::panels::Asks;
+use crate::app::panels::plots::axes::{annotate, bounds, grid, label, plot_over_time, tick, time_at_pointer};
 use crate::app::state::State;
 use crate::app::theme;
 

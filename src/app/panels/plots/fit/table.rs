@@ -3,9 +3,9 @@
 use eframe::egui::{Grid, RichText, Ui};
 use relativity_core::{DEFAULT_REPLICATES, Parameter};
 
-use super::widgets::named_text;
 use crate::app::figures;
 use crate::app::fitting::{Fitted, Fitting, Outcome};
+use crate::app::widgets::named_text;
 use crate::estimate::{Estimate, decimals};
 
 /// Estimates further off than this many standard errors are not chance.

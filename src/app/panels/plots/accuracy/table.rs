@@ -2,12 +2,11 @@
 
 use eframe::egui::{Grid, RichText, Ui};
 
-use super::accuracy::name;
-use super::widgets::named_text;
 use crate::accuracy::{RESOLUTION_PX, Spread};
 use crate::app::examination::{Examination, Row};
 use crate::app::figures;
-use crate::app::settings::Quality;
+use crate::app::widgets::named_text;
+use crate::settings::Quality;
 
 const HEADS: [(&str, &str); 6] = [
     ("", "Click a renderer to choose it."),
@@ -39,7 +38,7 @@ pub fn show(ui: &mut Ui, examination: &Examination, quality: &mut Quality) {
 }
 
 fn table_row(ui: &mut Ui, row: &Row<'_>, quality: &mut Quality) {
-    let name = name(row.method);
+    let name = row.name();
     let is_chosen = quality.method() == row.method;
     let label = ui.selectable_label(is_chosen, &name);
     if label.on_hover_text(format!("Draw the views by {name}.")).clicked() {

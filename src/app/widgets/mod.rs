@@ -1,11 +1,15 @@
-//! Rows of controls that look alike: a name, a widget, an explanation on hover.
+//! What panels are made of: rows of controls that look alike (a name, a widget, an explanation on hover), buttons,
+//! numbers and titles.
+
+pub mod icons;
 
 use eframe::egui::{
-    self, Align, DragValue, Id, Layout, Response, RichText, Sense, Slider, SliderClamping, TextEdit, Ui,
+    self, Align, Align2, Color32, DragValue, Id, Layout, Rect, Response, RichText, Sense, Slider,
+    SliderClamping, TextEdit, TextStyle, Ui, pos2, vec2,
 };
 
-use crate::app::clock::MAX_TIME;
-use crate::app::figures;
+use crate::app::{figures, theme};
+use crate::flags::MAX_TIME;
 
 /// Width of the names in front of the widgets.
 const NAME_WIDTH: f32 = 88.0;
@@ -24,7 +28,7 @@ pub fn section(ui: &mut Ui, title: &str, rows: impl FnOnce(&mut Ui)) {
 /// `name`, then `widget` in the rest of the row; `tip` explains it.
 pub fn row(ui: &mut Ui, name: &str, tip: &str, widget: impl FnOnce(&mut Ui)) {
     ui.horizontal(|ui| {
-        let size = egui::vec2(NAME_WIDTH, ui.spacing().interact_size.y);
+        let size = vec2(NAME_WIDTH, ui.spacing().interact_size.y);
         ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
             ui.set_min_width(NAME_WIDTH);
             ui.label(name).on_hover_text(tip);
@@ -129,11 +133,20 @@ pub fn handle_x(rect: egui::Rect, fraction: f64) -> f32 {
 
 /// A dot that tells what follows by its colour.
 pub fn dot(ui: &mut Ui, colour: egui::Color32) {
-    let (rect, _) = ui.allocate_exact_size(egui::vec2(10.0, 10.0), Sense::hover());
+    let (rect, _) = ui.allocate_exact_size(vec2(10.0, 10.0), Sense::hover());
     ui.painter().circle_filled(rect.center(), 4.5, colour);
 }
 
 /// Text with a `name` of its own for assistive technology.
 pub fn named_text(ui: &mut Ui, text: impl Into<egui::WidgetText>, name: impl Into<String>) -> Response {
     ui.add(egui::Label::new(text).sense(Sense::hover())).accessible_name(name)
+}
+
+/// Names the picture in `rect`.
+pub fn pane_title(ui: &Ui, rect: Rect, text: &str, colour: Color32) {
+    let font = TextStyle::Body.resolve(ui.style());
+    let place = pos2(rect.min.x, rect.min.y - theme::TITLE_HEIGHT / 2.0 - 1.0);
+    let painter = ui.painter().with_clip_rect(rect.expand(theme::TITLE_HEIGHT + 2.0));
+    painter.circle_filled(place + vec2(5.0, 0.0), 4.5, colour);
+    painter.text(place + vec2(16.0, 0.0), Align2::LEFT_CENTER, text, font, ui.visuals().text_color());
 }

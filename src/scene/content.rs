@@ -1,0 +1,52 @@
+//! What a scene consists of.
+
+use std::ops::Range;
+
+use relativity_render::{Body, Group, Motion, PreparedScene};
+
+/// A scene: groups of bodies, each at rest in a frame of its own, and the ground they pass over. Lengths in the scene's
+/// unit, rest-frame coordinates `[x, y, z]` with x along the motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scene {
+    /// Its name, as shown.
+    pub name: String,
+    /// The bodies of all groups, numbered from 0; at least one.
+    pub bodies: Vec<Body>,
+    /// Which of them move alike: one after the other, without gaps.
+    pub groups: Vec<SceneGroup>,
+    /// The point that is selected and followed at first: the forward-most one (largest x) unless the
+    /// file chooses another.
+    pub tracked: [f64; 3],
+    /// Height of the resting ground (the grid), if there is one.
+    pub ground_z: Option<f64>,
+}
+
+/// Bodies that move alike.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SceneGroup {
+    /// Its name.
+    pub name: String,
+    /// How it moves.
+    pub motion: Motion,
+    /// Number of its first body.
+    pub first: usize,
+    /// How many it has.
+    pub count: usize,
+}
+
+impl SceneGroup {
+    /// The numbers of its bodies.
+    #[must_use]
+    pub fn bodies(&self) -> Range<usize> {
+        self.first..self.first + self.count
+    }
+}
+
+impl Scene {
+    /// It, ready to be drawn.
+    #[must_use]
+    pub fn prepared(&self) -> PreparedScene {
+        let group = |group: &SceneGroup| Group { motion: group.motion, bodies: &self.bodies[group.bodies()] };
+        PreparedScene::new(self.groups.iter().map(group))
+    }
+}
