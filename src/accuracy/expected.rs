@@ -1,10 +1,10 @@
 //! What error to expect of a method in one view, and what it costs there.
 
-use relativity_render::{Appearance, GpuError, HitImage, PreparedScene, View};
+use relativity_render::{Appearance, GpuError, HitImage, Method, PreparedScene, Renderers, View};
 
+use super::cost::frame_ms;
 use super::difference::Difference;
 use super::outline::{OutlinePoint, displacement_px, silhouette_pixels};
-use super::renderers::{Method, Renderers};
 use super::spread::Spread;
 use crate::platform::threads::prelude::*;
 
@@ -35,7 +35,7 @@ pub struct ExpectedError {
     pub difference: Difference,
 }
 
-/// Measures `method` in `view`; `None` if it `is_cancelled` meanwhile.
+/// Measures `method` in `view` of `scene`; `None` if it `is_cancelled` meanwhile.
 ///
 /// May take seconds: meant for a thread of its own. Whether it `is_cancelled` is asked between pictures.
 ///
@@ -44,27 +44,28 @@ pub struct ExpectedError {
 /// No GPU where `method` needs one; a device that was lost.
 pub fn expected_error(
     renderers: &mut Renderers,
+    scene: &PreparedScene,
     method: Method,
     view: &View,
     appearance: &Appearance,
     effort: Effort,
     is_cancelled: &dyn Fn() -> bool,
 ) -> Result<Option<ExpectedError>, GpuError> {
-    let reference = renderers.reference().hit_image(view);
+    let reference = scene.hit_image(view);
     if is_cancelled() {
         return Ok(None);
     }
-    let difference =
-        Difference::new(&renderers.reference(), view, &reference, &renderers.hits(method, view)?);
+    let difference = Difference::new(scene, view, &reference, &renderers.hits(method, scene, view)?);
     let places = if method == Method::Reference { 0 } else { effort.outline_places };
     let mut displacements = Vec::new();
-    for place in outline_places(&renderers.reference(), view, &reference, places) {
+    for place in outline_places(scene, view, &reference, places) {
         if is_cancelled() {
             return Ok(None);
         }
-        displacements.push(renderers.displacement_px(method, view, &place)?);
+        let strips = |strip: &View| renderers.hits_in_part(method, scene, view, strip);
+        displacements.push(displacement_px(scene, view, &place, strips)?);
     }
-    let frame_ms = renderers.frame_ms(method, view, appearance, effort.rounds)?;
+    let frame_ms = frame_ms(renderers, method, scene, view, appearance, effort.rounds)?;
     let silhouettes_px = Spread::of(displacements);
     Ok((!is_cancelled()).then_some(ExpectedError { frame_ms, silhouettes_px, difference }))
 }
@@ -72,18 +73,6 @@ pub fn expected_error(
 fn outline_places(scene: &PreparedScene, view: &View, image: &HitImage, count: usize) -> Vec<OutlinePoint> {
     let place = |pixels| OutlinePoint::between(pixels, scene, view);
     silhouette_pixels(image, count).par_iter().filter_map(place).collect()
-}
-
-impl Renderers {
-    fn displacement_px(
-        &mut self,
-        method: Method,
-        view: &View,
-        place: &OutlinePoint,
-    ) -> Result<f64, GpuError> {
-        let reference = self.reference();
-        displacement_px(&reference, view, place, |strip| self.hits_in_part(method, view, strip))
-    }
 }
 
 #[cfg(test)]
@@ -97,7 +86,7 @@ mod tests {
     #[test]
     fn it_runs_on_another_thread_until_it_is_cancelled() {
         let scene = Scene::default();
-        let mut renderers = Renderers::new(&scene.bodies, None);
+        let (mut renderers, prepared) = (Renderers::new(None), scene.prepared());
         let speed = Speed::from_beta(0.9).expect("it is a speed");
         let view =
             view_at(Place::Abreast, speed, scene.tracked, 0.1, 1.0, [32, 24]).expect("inside the domain");
@@ -105,7 +94,9 @@ mod tests {
             let looks = Appearance::default();
             let work = || {
                 let method = Method::Reference;
-                expected_error(&mut renderers, method, &view, &looks, Effort::GLANCE, &|| cancelled)
+                expected_error(&mut renderers, &prepared, method, &view, &looks, Effort::GLANCE, &|| {
+                    cancelled
+                })
             };
             std::thread::scope(|scope| scope.spawn(work).join().expect("it does not panic"))
         };

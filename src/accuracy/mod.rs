@@ -2,15 +2,16 @@
 //!
 //! Knows neither the window nor the command line; both call it.
 
+mod cost;
 mod difference;
 mod expected;
 mod formulas;
 mod outline;
 mod published;
-mod renderers;
 mod spread;
 mod views;
 
+pub use cost::{MESH_BOUNDS_PX, REFERENCE_SAMPLES, frame_ms, methods};
 pub use difference::{ARCSECONDS, Difference, DifferenceFigures, PixelDifference, angle};
 pub use expected::{Effort, ExpectedError, expected_error};
 pub use formulas::{Formula, FormulaError, formula_error};
@@ -18,6 +19,5 @@ pub use outline::{
     LARGEST_PX, OutlinePoint, RESOLUTION_PX, SilhouettePixels, displacement_px, silhouette_pixels,
 };
 pub use published::{PublishedError, published_error};
-pub use renderers::{MESH_BOUNDS_PX, Method, REFERENCE_SAMPLES, Renderers};
 pub use spread::Spread;
 pub use views::{Place, view_at};

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use relativity_render::camera::MAX_ELEVATION;
-use relativity_render::{Gaze, Geometry, PreparedScene};
+use relativity_render::{Gaze, Geometry};
 
 use super::clock;
 use super::observer::Eye;
@@ -180,7 +180,7 @@ impl State {
         }
         let view = self.view(pick.eye, pick.size);
         let line_of_sight = view.camera.line_of_sight(pick.pixel);
-        let Some(hit) = PreparedScene::moving(&self.session.bodies).first_hit(&view, line_of_sight) else {
+        let Some(hit) = self.session.prepared.first_hit(&view, line_of_sight) else {
             return;
         };
         let rest = hit.rest_position.to_array();

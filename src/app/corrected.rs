@@ -1,14 +1,12 @@
 //! The left eye's picture, corrected to what a camera riding along would have taken: made by a thread of its
 //! own from the speed that the fit found.
 
-use std::sync::Arc;
-
 use eframe::egui::{ColorImage, Context};
 use relativity_core::Speed;
 use relativity_render::backdrop::Backdrop;
 use relativity_render::rectified_hits::Blank;
 use relativity_render::rectify::Rectification;
-use relativity_render::{Appearance, Body, Camera, PreparedScene, Velocity, View};
+use relativity_render::{Appearance, Camera, PreparedScene, Velocity, View};
 
 use super::background_picture::BackgroundPicture;
 
@@ -29,7 +27,7 @@ pub struct Job {
     /// Its looks.
     pub appearance: Appearance,
     /// What rides past.
-    pub bodies: Arc<[Body]>,
+    pub scene: PreparedScene,
 }
 
 /// The corrected picture that is shown, and the one that is being made.
@@ -51,8 +49,8 @@ fn picture(job: &Job) -> ColorImage {
     let velocity = Velocity::forward(job.speed);
     let rest = Camera { size, ..Rectification::rest_camera(&camera, &velocity) };
     let rectification = Rectification::new(view.camera, rest, velocity);
-    let hits = PreparedScene::moving(&job.bodies).hit_image(&view);
-    let wavelengths: Vec<f64> = job.bodies.iter().map(|body| body.rest_wavelength_nm).collect();
+    let hits = job.scene.hit_image(&view);
+    let wavelengths: Vec<f64> = job.scene.bodies().iter().map(|body| body.rest_wavelength_nm).collect();
     let plain = Appearance { sky: false, ground_z: None, ..job.appearance };
     let background = Backdrop::new(&view.camera, &plain).sky(view.camera.gaze.axes().forward);
     let blank = Blank { background, outside: background.map(|part| OUTSIDE * part) };

@@ -1,17 +1,15 @@
 //! What each way to draw the present views costs, and how far it is off: measured by a thread of its own, one method
 //! after the other, while the Accuracy tab is shown and nothing moves.
 
-use std::sync::Arc;
-
 use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
-use relativity_render::{Appearance, Body, Gpu, GpuError, View};
+use relativity_render::{Appearance, Gpu, GpuError, Method, PreparedScene, Renderers, View};
 
 use super::figures;
 use super::heat_map;
 use super::observer::Eye;
 use super::stillness::Stillness;
 use super::worker::{Wanted, Worker};
-use crate::accuracy::{DifferenceFigures, Effort, MESH_BOUNDS_PX, Method, Renderers, Spread, expected_error};
+use crate::accuracy::{DifferenceFigures, Effort, MESH_BOUNDS_PX, Spread, expected_error};
 
 /// What is examined: the present views.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,7 +19,7 @@ pub struct Sight {
     /// With which looks.
     pub appearance: Appearance,
     /// Of what.
-    pub bodies: Arc<[Body]>,
+    pub scene: PreparedScene,
 }
 
 /// What one method costs, and how far its pictures are off: the worse of the eyes.
@@ -107,12 +105,8 @@ impl Examination {
     #[must_use]
     pub fn new(ctx: &Context, gpu: Option<Gpu>) -> Self {
         let has_gpu = gpu.is_some();
-        let mut renderers = None;
-        let work = move |job: Job, wanted: &Wanted| {
-            let renderers = renderers.get_or_insert_with(|| Renderers::new(&job.sight.bodies, gpu.clone()));
-            renderers.set_bodies(&job.sight.bodies);
-            outcome(renderers, &job, &|| !wanted.holds())
-        };
+        let mut renderers = Renderers::new(gpu);
+        let work = move |job: Job, wanted: &Wanted| outcome(&mut renderers, &job, &|| !wanted.holds());
         Self {
             worker: Worker::new(ctx.clone(), work),
             has_gpu,
@@ -240,7 +234,8 @@ fn examined(
     let mut maps = Vec::new();
     for (eye, view) in &sight.views {
         let looks = &sight.appearance;
-        let error = expected_error(renderers, *method, view, looks, Effort::GLANCE, is_cancelled)?;
+        let error =
+            expected_error(renderers, &sight.scene, *method, view, looks, Effort::GLANCE, is_cancelled)?;
         let Some(error) = error else { return Ok(None) };
         maps.push((*eye, heat_map::image(&error.difference, view.camera.focal_length_px())));
         found.push(Finding {

@@ -1,18 +1,14 @@
 //! The two eyes' pictures, each drawn again only when something about it changed: on the GPU within the frame, or
 //! by the reference renderer in the background.
 
-use std::sync::Arc;
-
 use eframe::egui::{ColorImage, Context, TextureId};
 use eframe::egui_wgpu::RenderState;
 use eframe::wgpu::FilterMode;
-use relativity_render::{
-    Appearance, Body, ExactRenderer, EyeTarget, Geometry, Gpu, MeshRenderer, PreparedScene, View,
-};
+use relativity_render::{Appearance, EyeTarget, Gpu, Method, PreparedScene, Renderers, View};
 
 use super::background_picture::BackgroundPicture;
 use super::stillness::Stillness;
-use crate::accuracy::{Method, REFERENCE_SAMPLES};
+use crate::accuracy::REFERENCE_SAMPLES;
 
 /// Both eyes' pictures, and what draws them.
 pub struct EyePictures {
@@ -37,7 +33,7 @@ pub struct Request {
     /// With which looks.
     pub appearance: Appearance,
     /// What there is to see.
-    pub bodies: Arc<[Body]>,
+    pub scene: PreparedScene,
     /// What is to draw it.
     pub method: Method,
 }
@@ -53,44 +49,14 @@ pub struct Shown {
 }
 
 impl Request {
-    /// Whether it is drawn point by point, which only the mesh renderer does.
-    fn is_published(&self) -> bool {
-        self.view.geometry == Geometry::Published
-    }
-
     /// Whether it is the reference's to draw.
     fn is_for_reference(&self) -> bool {
-        self.method == Method::Reference && !self.is_published()
+        self.method.of_view(&self.view) == Method::Reference
     }
 
     /// What draws it on the GPU.
     fn method_on_gpu(&self) -> Method {
-        match self.method {
-            mesh @ Method::Mesh { .. } => mesh,
-            _ if self.is_published() => Method::Mesh { bound_px: MeshRenderer::DEFAULT_BOUND_PX },
-            Method::Exact | Method::Reference => Method::Exact,
-        }
-    }
-}
-
-/// The renderers on the GPU. Each is made when it is first needed.
-#[derive(Default)]
-struct Renderers {
-    exact: Option<ExactRenderer>,
-    mesh: Option<MeshRenderer>,
-}
-
-impl Renderers {
-    fn draw(&mut self, gpu: &Gpu, request: &Request, target: &mut EyeTarget) {
-        let Request { view, appearance, bodies, .. } = request;
-        let Method::Mesh { bound_px } = request.method_on_gpu() else {
-            let exact = self.exact.get_or_insert_with(|| ExactRenderer::new(gpu));
-            exact.draw(gpu, bodies, view, appearance, target);
-            return;
-        };
-        let mesh = self.mesh.get_or_insert_with(|| MeshRenderer::new(gpu));
-        mesh.bound_px = bound_px;
-        mesh.draw(gpu, bodies, view, appearance, target);
+        self.method.of_view(&self.view).on_gpu()
     }
 }
 
@@ -119,8 +85,7 @@ impl ReferencePicture {
 }
 
 fn reference_picture(request: &Request) -> ColorImage {
-    let scene = PreparedScene::moving(&request.bodies);
-    let picture = scene.picture(&request.view, &request.appearance, REFERENCE_SAMPLES);
+    let picture = request.scene.picture(&request.view, &request.appearance, REFERENCE_SAMPLES);
     ColorImage::from_rgba_unmultiplied(picture.size.map(|side| side as usize), picture.rgba.as_flattened())
 }
 
@@ -129,10 +94,11 @@ impl EyePictures {
     #[must_use]
     pub fn new(render_state: &RenderState) -> Self {
         let RenderState { adapter, device, queue, .. } = render_state;
+        let gpu = Gpu::from_device(adapter, device.clone(), queue.clone());
         Self {
-            gpu: Gpu::from_device(adapter, device.clone(), queue.clone()),
+            renderers: Renderers::new(Some(gpu.clone())),
+            gpu,
             render_state: render_state.clone(),
-            renderers: Renderers::default(),
             pictures: [None, None],
             references: [None, None],
         }
@@ -147,7 +113,7 @@ impl EyePictures {
     /// Largest width and height of a picture, pixels.
     #[must_use]
     pub fn largest_side(&self) -> u32 {
-        self.render_state.device.limits().max_texture_dimension_2d
+        self.gpu.largest_side()
     }
 
     /// Whether every picture is drawn by what is to draw it.
@@ -177,8 +143,9 @@ impl EyePictures {
         let request = Request { method, ..request.clone() };
         let picture = fitting(&mut pictures[index], request.view.camera.size, gpu, render_state);
         if picture.drawn.as_ref() != Some(&request) {
-            renderers.draw(gpu, &request, &mut picture.target);
-            picture.drawn = Some(request);
+            let Request { scene, view, appearance, .. } = &request;
+            let drawn = renderers.draw(method, scene, view, appearance, &mut picture.target);
+            picture.drawn = drawn.is_ok().then_some(request);
         }
         Shown { texture: picture.texture, method }
     }

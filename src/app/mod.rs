@@ -23,7 +23,6 @@ pub mod memory;
 pub mod observer;
 mod panels;
 pub mod points;
-mod quality;
 mod screenshot;
 mod shortcuts;
 mod speed_slider;
@@ -180,7 +179,7 @@ impl App {
         let sight = Sight {
             views: exact.map(|pane| (pane.eye, state.view(pane.eye, pane.size))).collect(),
             appearance: state.appearance(!ui.visuals().dark_mode),
-            bodies: state.session.bodies.clone(),
+            scene: state.session.prepared.clone(),
         };
         let gpu = self.eyes.as_ref().map(|eyes| eyes.gpu().clone());
         let examination = self.examination.get_or_insert_with(|| Examination::new(ui.ctx(), gpu));
@@ -218,7 +217,7 @@ impl App {
         let request = eyes::Request {
             view: state.view(pane.eye, pane.size),
             appearance: state.appearance(!ui.visuals().dark_mode),
-            bodies: state.session.bodies.clone(),
+            scene: state.session.prepared.clone(),
             method: quality.method(),
         };
         let picture = self.eyes.as_mut().map(|eyes| eyes.picture(ui.ctx(), pane.eye.index(), &request));
@@ -237,7 +236,7 @@ impl App {
             view: self.state.view_to_correct([size.x, size.y].map(|side| side.max(1.0) as u32)),
             speed: correction.speed,
             appearance: self.state.appearance(!ui.visuals().dark_mode),
-            bodies: self.state.session.bodies.clone(),
+            scene: self.state.session.prepared.clone(),
         };
         let corrected = self.corrected.get_or_insert_with(|| Corrected::of_left_eye(ui.ctx()));
         corrected.request(&job);

@@ -1,9 +1,7 @@
 //! What the window shows: settings that are remembered, and the session they are applied to.
 
-use std::sync::Arc;
-
 use relativity_core::Speed;
-use relativity_render::{Appearance, Body};
+use relativity_render::{Appearance, PreparedScene};
 
 use super::clock;
 use super::points::{Point, Points};
@@ -25,8 +23,8 @@ pub struct State {
 pub struct Session {
     /// What rides past, at rest, as its file says.
     pub scene: Scene,
-    /// Its bodies; kept since every frame needs them.
-    pub bodies: Arc<[Body]>,
+    /// It, ready to be drawn and picked from.
+    pub prepared: PreparedScene,
     /// T.
     pub time: f64,
     /// Whether T runs.
@@ -47,7 +45,7 @@ impl State {
         let tracked = settings.point.take().unwrap_or(scene.tracked);
         let time = settings.time.take().unwrap_or_else(|| settings.time_of_approach(tracked));
         let session = Session {
-            bodies: scene.bodies.as_slice().into(),
+            prepared: scene.prepared(),
             time: clock::bounded(time),
             playing: false,
             points: Points::tracked(tracked),
@@ -94,7 +92,7 @@ impl State {
     /// Wavelength at rest of the light of `point`, nm: of the body it was picked on, else of the first.
     #[must_use]
     pub fn rest_wavelength_nm(&self, point: &Point) -> f64 {
-        let bodies = &self.session.bodies;
+        let bodies = self.session.prepared.bodies();
         let body = point.body.and_then(|body| bodies.get(body)).or(bodies.first());
         body.map_or(f64::NAN, |body| body.rest_wavelength_nm)
     }

@@ -14,7 +14,7 @@ use exr::prelude::{
 };
 use relativity_core::doppler::{intensity_factor, received_wavelength};
 use relativity_render::rectify::LightCorrection;
-use relativity_render::{Body, Hit, HitImage};
+use relativity_render::{Hit, HitImage, PreparedScene};
 
 use super::provenance::{Recorded, SOFTWARE};
 use crate::platform::files;
@@ -27,6 +27,8 @@ pub const EYES: [&str; 2] = ["left", "right"];
 pub enum Channel {
     /// Number of the object, -1 where nothing is seen.
     Id,
+    /// Number of the group it moves with, -1 where nothing is seen.
+    Group,
     /// From the aperture to the place where the light left.
     Distance,
     /// When it left.
@@ -73,8 +75,9 @@ const fn corrected(
 
 impl Channel {
     /// All of them.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Id,
+        Self::Group,
         Self::Distance,
         Self::EmissionTime,
         Self::Doppler,
@@ -88,6 +91,7 @@ impl Channel {
     const fn definition(self) -> Definition {
         match self {
             Self::Id => same("id", -1.0, |hit, _| hit.body as f64),
+            Self::Group => same("group", -1.0, |hit, _| hit.group as f64),
             // Rest lengths along a ray: s* = s/D.
             Self::Distance => corrected("distance", |hit, _| hit.distance, |doppler, _| 1.0 / doppler),
             Self::EmissionTime => same("emission_time", 0.0, |hit, _| hit.emission_time),
@@ -132,14 +136,14 @@ impl Channel {
 /// What the channels need to know beside the hits.
 #[derive(Debug, Clone, Copy)]
 pub struct Light<'a> {
-    /// The scene's bodies.
-    pub bodies: &'a [Body],
+    /// The scene.
+    pub scene: &'a PreparedScene,
     /// Exponent of the received intensity; `None` leaves it at 1.
     pub intensity_exponent: Option<f64>,
 }
 
 fn received_nm(hit: &Hit, light: &Light<'_>) -> f64 {
-    received_wavelength(light.bodies[hit.body].rest_wavelength_nm, hit.doppler_factor)
+    received_wavelength(light.scene.bodies()[hit.body].rest_wavelength_nm, hit.doppler_factor)
 }
 
 fn received_intensity(hit: &Hit, light: &Light<'_>) -> f64 {

@@ -9,6 +9,7 @@ mod entries;
 mod error;
 mod file;
 mod legacy;
+mod method;
 mod observer;
 mod sections;
 mod start;

@@ -1,6 +1,5 @@
 //! Where pictures are made for files: a scene, settings and a renderer, and what the files record of them.
 
-mod gpu_painter;
 mod layout;
 mod painter;
 mod timings;
@@ -8,7 +7,7 @@ mod timings;
 use std::path::Path;
 
 use relativity_core::sighting;
-use relativity_render::{HitImage, Picture};
+use relativity_render::{HitImage, Picture, PreparedScene};
 
 use self::painter::Painter;
 use self::timings::Timings;
@@ -26,6 +25,7 @@ const EYES: [&str; 2] = ["left eye", "right eye"];
 /// A scene, and a renderer that draws it as the settings say.
 pub struct Studio {
     scene: Scene,
+    prepared: PreparedScene,
     settings: Settings,
     painter: Painter,
     timings: Timings,
@@ -40,9 +40,9 @@ impl Studio {
     pub fn new(mut settings: Settings) -> anyhow::Result<Self> {
         let scene = Scene::open(&settings.scene)?;
         let mut timings = Timings::default();
-        let painter = timings.timed("set up", || Painter::new(&settings, &scene.bodies))?;
+        let painter = timings.timed("set up", || Painter::new(&settings))?;
         settings.quality.renderer = painter.choice();
-        Ok(Self { scene, settings, painter, timings })
+        Ok(Self { prepared: scene.prepared(), scene, settings, painter, timings })
     }
 
     /// What is drawn, and how.
@@ -91,7 +91,7 @@ impl Studio {
             FileKind::Exr => {
                 let hits = self.hits(frame)?;
                 let intensity_exponent = frame.settings.light.intensity_exponent.0;
-                let light = Light { bodies: &self.scene.bodies, intensity_exponent };
+                let light = Light { scene: &self.prepared, intensity_exponent };
                 self.timings.timed("file", || {
                     let measurements = Measurements::of_eyes(&hits, light, &provenance.comments());
                     write_whole(path, |file| measurements.write(file))
@@ -105,8 +105,9 @@ impl Studio {
         let layout = settings.picture.layout;
         let views = settings.views(self.tracked(), *time, settings.picture.size.0);
         let appearance = settings.appearance(self.scene.ground_z, false);
-        let Self { painter, timings, .. } = self;
-        let eye = |&eye: &usize| timings.timed(EYES[eye], || painter.picture(&views[eye], &appearance));
+        let Self { painter, prepared, timings, .. } = self;
+        let eye =
+            |&eye: &usize| timings.timed(EYES[eye], || painter.picture(prepared, &views[eye], &appearance));
         let eyes = layout.eyes().iter().map(eye).collect::<Result<_, _>>()?;
         Ok(timings.timed("layout", || layout.composed(eyes)))
     }
@@ -115,10 +116,10 @@ impl Studio {
     fn hits(&mut self, frame: &Frame) -> anyhow::Result<[HitImage; 2]> {
         let Frame { settings, time, .. } = frame;
         let [left, right] = settings.views(self.tracked(), *time, settings.picture.size.0);
-        let Self { painter, timings, .. } = self;
+        let Self { painter, prepared, timings, .. } = self;
         Ok([
-            timings.timed(EYES[0], || painter.hits(&left))?,
-            timings.timed(EYES[1], || painter.hits(&right))?,
+            timings.timed(EYES[0], || painter.hits(prepared, &left))?,
+            timings.timed(EYES[1], || painter.hits(prepared, &right))?,
         ])
     }
 

@@ -17,18 +17,27 @@ pub enum GpuError {
         /// Name of the adapter.
         adapter: String,
         /// What the driver said.
-        #[source]
         reason: wgpu::RequestDeviceError,
+    },
+    /// A picture larger than the device can draw.
+    #[error(
+        "{adapter} draws at most {}x{} of these pixels; the reference renderer has no such limit", size[0], size[1]
+    )]
+    TooLarge {
+        /// What the device is.
+        adapter: String,
+        /// The part of the picture that it could draw: width and height, pixels.
+        size: [u32; 2],
     },
     /// The device did not finish what it was given to draw.
     #[error("the graphics device was lost before it had finished drawing")]
     Lost,
     /// A picture's memory was not given to be read.
     #[error("the picture could not be read back from the graphics device: {0}")]
-    Mapping(#[source] wgpu::BufferAsyncError),
+    Mapping(wgpu::BufferAsyncError),
     /// A picture's memory was given, but not all of it.
     #[error("the picture could not be read back from the graphics device: {0}")]
-    Range(#[source] wgpu::MapRangeError),
+    Range(wgpu::MapRangeError),
 }
 
 /// A graphics device and its queue.
@@ -74,6 +83,12 @@ impl Gpu {
     #[must_use]
     pub fn from_device(adapter: &wgpu::Adapter, device: wgpu::Device, queue: wgpu::Queue) -> Self {
         Self { device, queue, info: adapter.get_info() }
+    }
+
+    /// Largest width and height of a picture, pixels.
+    #[must_use]
+    pub fn largest_side(&self) -> u32 {
+        self.device.limits().max_texture_dimension_2d
     }
 
     /// What the device is, e.g. "llvmpipe (Vulkan)".

@@ -211,7 +211,7 @@ mod tests {
         let there = mirrored(camera());
         let velocity = Velocity::from_beta(-0.8).expect("a speed");
         let backward = Rectification::new(there, Rectification::rest_camera(&there, &velocity), velocity);
-        for [u, v] in [[60.0, 45.0], [20.5, 30.5], [100.5, 80.5]] {
+        for [u, v] in [[60.0, 45.0], [50.5, 40.5], [70.5, 52.5]] {
             let forward = rectification().ground_place([u, v]).expect("inside");
             let [x, y] = backward.ground_place([120.0 - u, v]).expect("inside");
             assert!((x + forward[0] - 120.0).hypot(y - forward[1]) < 1e-9);

@@ -40,7 +40,7 @@ impl EyeTarget {
     #[must_use]
     pub fn new(gpu: &Gpu, size: [u32; 2]) -> Self {
         use wgpu::TextureUsages as Usage;
-        let limit = gpu.device.limits().max_texture_dimension_2d;
+        let limit = gpu.largest_side();
         let size = size.map(|v| v.clamp(1, limit));
         let whole = wgpu::TextureViewDescriptor::default();
         let layer = |label, samples, format, usage| {

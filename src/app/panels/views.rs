@@ -6,10 +6,9 @@ use eframe::egui::{
     TextureId, Ui, Visuals, pos2, vec2,
 };
 use relativity_core::math;
-use relativity_render::{Colour, Geometry, PreparedScene, View};
+use relativity_render::{Colour, Geometry, Method, PreparedScene, View};
 
 use super::Asks;
-use crate::accuracy::Method;
 use crate::app::command::{Command, Pick};
 use crate::app::eyes::Shown;
 use crate::app::observer::Eye;
@@ -143,9 +142,9 @@ fn notes(ui: &Ui, painter: &Painter, pane: EyePane, text: &str) {
 
 fn markers(painter: &Painter, state: &State, pane: EyePane, visuals: &Visuals) {
     let view = state.view(pane.eye, pane.size);
-    let scene = PreparedScene::moving(&state.session.bodies);
+    let scene = &state.session.prepared;
     for (index, point) in state.session.points.all().iter().enumerate() {
-        let Some(marker) = Marker::of(state, point, &view, &scene, pane.eye) else { continue };
+        let Some(marker) = Marker::of(state, point, &view, scene, pane.eye) else { continue };
         let radius = if index == state.session.points.selected_index() { 6.0 } else { 4.5 };
         let colour = theme::point_colour(point.number, visuals);
         marker.paint(painter, pane.place(marker.pixel), radius, colour, theme::halo_colour(visuals));

@@ -1,9 +1,9 @@
 //! What each effect costs: the same view with one after the other left out.
 
-use relativity_render::{Appearance, Geometry, GpuError, Shading, View};
+use relativity_render::{Appearance, Geometry, GpuError, Method, PreparedScene, Renderers, Shading, View};
 
 use super::report::{Circumstances, EffectRow, EffectsReport};
-use crate::accuracy::{Method, Renderers};
+use crate::accuracy::{frame_ms, methods};
 
 /// How often each picture is timed; taking turns, so that all meet the same disturbances.
 const TURNS: u32 = 6;
@@ -31,15 +31,16 @@ const EFFECTS: [Effect; 7] = [
     }),
 ];
 
-/// Times `view` with everything on and with effects left out, by the exact renderer if there is a GPU.
+/// Times `view` of `scene` with everything on and with effects left out, by the exact renderer if there is a GPU.
 pub fn report(
     renderers: &mut Renderers,
+    scene: &PreparedScene,
     circumstances: Circumstances,
     view: &View,
     appearance: &Appearance,
     rounds: u32,
 ) -> anyhow::Result<EffectsReport> {
-    let has_exact = renderers.methods().contains(&Method::Exact);
+    let has_exact = methods(renderers).contains(&Method::Exact);
     let method = if has_exact { Method::Exact } else { Method::Reference };
     let mut pictures = vec![(*view, *appearance)];
     for (_, leave_out) in EFFECTS {
@@ -52,7 +53,7 @@ pub fn report(
     let mut fastest = vec![f64::INFINITY; pictures.len()];
     for _ in 0..TURNS {
         for (fastest, (view, appearance)) in fastest.iter_mut().zip(&pictures) {
-            let frame_ms: Result<_, GpuError> = renderers.frame_ms(method, view, appearance, rounds);
+            let frame_ms: Result<_, GpuError> = frame_ms(renderers, method, scene, view, appearance, rounds);
             *fastest = fastest.min(frame_ms?);
         }
     }

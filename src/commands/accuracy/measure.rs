@@ -3,7 +3,7 @@
 use anyhow::Context as _;
 use indicatif::{ProgressBar, ProgressStyle};
 use relativity_core::Speed;
-use relativity_render::{Appearance, Gpu, View};
+use relativity_render::{Appearance, Gpu, Method, PreparedScene, Renderers, View};
 
 use super::report::{
     AccuracyReport, Circumstances, FormulaReport, FormulaRow, PictureErrors, PictureRow, PublishedReport,
@@ -11,8 +11,8 @@ use super::report::{
 };
 use super::{advice, effects};
 use crate::accuracy::{
-    Effort, ExpectedError, Formula, LARGEST_PX, Method, Place, RESOLUTION_PX, Renderers, Spread,
-    expected_error, formula_error, published_error, view_at,
+    Effort, ExpectedError, Formula, LARGEST_PX, Place, RESOLUTION_PX, Spread, expected_error, formula_error,
+    methods, published_error, view_at,
 };
 use crate::files::provenance::SOFTWARE;
 use crate::platform::threads;
@@ -44,7 +44,8 @@ pub fn report(
     let mut missing = Vec::new();
     let gpu = Gpu::headless().map_err(|error| missing.push(format!("exact and mesh: {error}"))).ok();
     let mut measurement = Measurement {
-        renderers: Renderers::new(&scene.bodies, gpu),
+        renderers: Renderers::new(gpu),
+        scene: scene.prepared(),
         appearance: Appearance { ground_z: scene.ground_z, ..Appearance::default() },
         views: views(scene, size, quick)?,
         tracked: scene.tracked,
@@ -54,7 +55,7 @@ pub fn report(
         program: SOFTWARE,
         optimised: !cfg!(debug_assertions),
         threads: threads::count(),
-        device: measurement.renderers.device(),
+        device: measurement.renderers.gpu().map(Gpu::description),
         scene: scene_name.to_owned(),
         objects: scene.bodies.len(),
         size_px: size,
@@ -103,6 +104,7 @@ fn circumstances(speed: &Speed, place: Place) -> Circumstances {
 
 struct Measurement {
     renderers: Renderers,
+    scene: PreparedScene,
     appearance: Appearance,
     views: Vec<(Circumstances, View)>,
     tracked: [f64; 3],
@@ -111,15 +113,14 @@ struct Measurement {
 
 impl Measurement {
     fn pictures(&mut self) -> anyhow::Result<Vec<RendererReport>> {
-        let methods = self.renderers.methods();
+        let methods = methods(&self.renderers);
         let progress = progress_bar(methods.len() * self.views.len());
         let mut reports = Vec::new();
         for method in methods {
             let mut rows = Vec::new();
             for (circumstances, view) in &self.views {
-                let appearance = &self.appearance;
-                let found =
-                    expected_error(&mut self.renderers, method, view, appearance, self.effort, &|| false)?;
+                let (renderers, looks, effort) = (&mut self.renderers, &self.appearance, self.effort);
+                let found = expected_error(renderers, &self.scene, method, view, looks, effort, &|| false)?;
                 let found = found.context("nothing cancels this")?;
                 rows.push(picture_row(*circumstances, &found));
                 progress.inc(1);
@@ -163,8 +164,7 @@ impl Measurement {
     }
 
     fn published(&self) -> anyhow::Result<PublishedReport> {
-        let scene = self.renderers.reference();
-        let error = |(_, view): &(Circumstances, View)| published_error(&scene, view, SEPARATION);
+        let error = |(_, view): &(Circumstances, View)| published_error(&self.scene, view, SEPARATION);
         let errors = self.views.iter().map(error).collect::<Result<Vec<_>, _>>()?;
         let row =
             |((view, _), error): (&(Circumstances, View), &crate::accuracy::PublishedError)| PublishedRow {
@@ -183,7 +183,8 @@ impl Measurement {
     fn effects(&mut self) -> anyhow::Result<super::report::EffectsReport> {
         let is_paper = |(view, _): &&(Circumstances, View)| view.beta == 0.9 && view.place == Place::Abreast;
         let (circumstances, view) = *self.views.iter().find(is_paper).context("0.9 is always measured")?;
-        effects::report(&mut self.renderers, circumstances, &view, &self.appearance, self.effort.rounds)
+        let (renderers, rounds) = (&mut self.renderers, self.effort.rounds);
+        effects::report(renderers, &self.scene, circumstances, &view, &self.appearance, rounds)
     }
 }
 

@@ -5,8 +5,8 @@ use std::ops::RangeInclusive;
 use eframe::egui::{self, Align2, Color32, RichText, TextStyle, Ui, Visuals};
 use egui_plot::{GridInput, GridMark, PlotBounds, PlotPoint, PlotResponse, PlotUi, Points, Text};
 use relativity_core::math;
+use relativity_render::Method;
 
-use crate::accuracy::Method;
 use crate::app::examination::{Examination, Row};
 use crate::app::panels::plots::axes::{extent, frame, still_plot};
 use crate::app::{figures, theme};

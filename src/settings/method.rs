@@ -1,8 +1,9 @@
 //! The method that the settings choose to draw the views with.
 
-use crate::accuracy::Method;
+use relativity_render::Method;
+
+use super::Quality;
 use crate::flags::choices::RendererChoice;
-use crate::settings::Quality;
 
 impl Quality {
     /// The renderer with its bound. The window cannot be without a GPU.

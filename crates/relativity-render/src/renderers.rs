@@ -1,0 +1,201 @@
+//! Every way to draw behind one face: what draws a prepared scene, by the method that is chosen.
+
+use std::fmt;
+
+use crate::exact::ExactRenderer;
+use crate::gpu::{Gpu, GpuError};
+use crate::mesh::MeshRenderer;
+use crate::picture::Picture;
+use crate::reference::HitImage;
+use crate::scene::PreparedScene;
+use crate::target::EyeTarget;
+use crate::view::{Appearance, Geometry, View};
+
+/// A way to draw a picture.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Method {
+    /// A ray test per pixel on the CPU, in f64.
+    Reference,
+    /// A ray test per pixel on the GPU, in f32.
+    Exact,
+    /// Triangles on the GPU that keep a bound on the picture.
+    Mesh {
+        /// How far any point may be drawn from where it is seen, pixels, above 0.
+        bound_px: f64,
+    },
+}
+
+impl Method {
+    /// What draws `view` where this is asked for: the published model, which is defined point by point, is known to
+    /// the mesh renderer alone.
+    #[must_use]
+    pub fn of_view(self, view: &View) -> Self {
+        match (view.geometry, self) {
+            (Geometry::Published, Self::Reference | Self::Exact) => {
+                Self::Mesh { bound_px: MeshRenderer::DEFAULT_BOUND_PX }
+            }
+            _ => self,
+        }
+    }
+
+    /// What draws on the GPU where this is asked for: the exact renderer stands in for the reference.
+    #[must_use]
+    pub const fn on_gpu(self) -> Self {
+        match self {
+            Self::Reference | Self::Exact => Self::Exact,
+            Self::Mesh { bound_px } => Self::Mesh { bound_px },
+        }
+    }
+}
+
+impl fmt::Display for Method {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Reference => f.write_str("reference f64"),
+            Self::Exact => f.write_str("exact f32"),
+            Self::Mesh { bound_px } => write!(f, "mesh {bound_px} px"),
+        }
+    }
+}
+
+/// All renderers, each made when it is first needed.
+#[derive(Debug, Default)]
+pub struct Renderers {
+    gpu: Option<Gpu>,
+    exact: Option<ExactRenderer>,
+    mesh: Option<MeshRenderer>,
+    target: Option<EyeTarget>,
+}
+
+impl Renderers {
+    /// Renderers on `gpu`; without one, only the reference.
+    #[must_use]
+    pub const fn new(gpu: Option<Gpu>) -> Self {
+        Self { gpu, exact: None, mesh: None, target: None }
+    }
+
+    /// The device, if there is one.
+    #[must_use]
+    pub const fn gpu(&self) -> Option<&Gpu> {
+        self.gpu.as_ref()
+    }
+
+    /// Draws `scene` into `target`, whose size overrides the camera's, by what stands for `method` on the GPU.
+    ///
+    /// # Errors
+    ///
+    /// No device.
+    pub fn draw(
+        &mut self,
+        method: Method,
+        scene: &PreparedScene,
+        view: &View,
+        appearance: &Appearance,
+        target: &mut EyeTarget,
+    ) -> Result<(), GpuError> {
+        match method.of_view(view).on_gpu() {
+            Method::Mesh { bound_px } => {
+                let (gpu, mesh) = self.mesh(bound_px)?;
+                mesh.draw(gpu, scene, view, appearance, target);
+            }
+            Method::Reference | Method::Exact => {
+                let (gpu, exact) = self.exact()?;
+                exact.draw(gpu, scene, view, appearance, target);
+            }
+        }
+        Ok(())
+    }
+
+    /// The picture of `view` by `method`, the reference with `samples` times `samples` rays per pixel.
+    ///
+    /// # Errors
+    ///
+    /// No device where `method` needs one, a size that it cannot draw, or a device that was lost.
+    pub fn picture(
+        &mut self,
+        method: Method,
+        scene: &PreparedScene,
+        view: &View,
+        appearance: &Appearance,
+        samples: u32,
+    ) -> Result<Picture, GpuError> {
+        let method = method.of_view(view);
+        if method == Method::Reference {
+            return Ok(scene.picture(view, appearance, samples));
+        }
+        let size = view.camera.size;
+        let mut target = self.sized_target(size)?;
+        self.draw(method, scene, view, appearance, &mut target)?;
+        let bytes = target.rgba8(self.gpu.as_ref().ok_or(GpuError::NoAdapter)?);
+        self.target = Some(target);
+        let rgba = bytes?.chunks_exact(4).map(|pixel| [pixel[0], pixel[1], pixel[2], pixel[3]]).collect();
+        Ok(Picture { size, rgba })
+    }
+
+    /// What the centre of every pixel of `view` shows by `method`.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::picture`].
+    pub fn hits(&mut self, method: Method, scene: &PreparedScene, view: &View) -> Result<HitImage, GpuError> {
+        self.hits_in_part(method, scene, view, view)
+    }
+
+    /// What `part`, a magnified view of a small part of `whole`, shows of what `method` draws `whole` with.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::picture`].
+    pub fn hits_in_part(
+        &mut self,
+        method: Method,
+        scene: &PreparedScene,
+        whole: &View,
+        part: &View,
+    ) -> Result<HitImage, GpuError> {
+        let method = method.of_view(part);
+        if method != Method::Reference {
+            self.check_size(part.camera.size)?;
+        }
+        match method {
+            Method::Reference => Ok(scene.hit_image(part)),
+            Method::Exact => {
+                let (gpu, exact) = self.exact()?;
+                exact.hits(gpu, scene, part)
+            }
+            Method::Mesh { bound_px } => {
+                let (gpu, mesh) = self.mesh(bound_px)?;
+                mesh.hits_in_part(gpu, scene, whole, part)
+            }
+        }
+    }
+
+    fn exact(&mut self) -> Result<(&Gpu, &mut ExactRenderer), GpuError> {
+        let gpu = self.gpu.as_ref().ok_or(GpuError::NoAdapter)?;
+        Ok((gpu, self.exact.get_or_insert_with(|| ExactRenderer::new(gpu))))
+    }
+
+    fn mesh(&mut self, bound_px: f64) -> Result<(&Gpu, &mut MeshRenderer), GpuError> {
+        let gpu = self.gpu.as_ref().ok_or(GpuError::NoAdapter)?;
+        let mesh = self.mesh.get_or_insert_with(|| MeshRenderer::new(gpu));
+        mesh.bound_px = bound_px;
+        Ok((gpu, mesh))
+    }
+
+    /// The target of the last picture if it has this `size`, else a new one.
+    fn sized_target(&mut self, size: [u32; 2]) -> Result<EyeTarget, GpuError> {
+        self.check_size(size)?;
+        let gpu = self.gpu.as_ref().ok_or(GpuError::NoAdapter)?;
+        let kept = self.target.take().filter(|target| target.size() == size);
+        Ok(kept.unwrap_or_else(|| EyeTarget::new(gpu, size)))
+    }
+
+    fn check_size(&self, size: [u32; 2]) -> Result<(), GpuError> {
+        let gpu = self.gpu.as_ref().ok_or(GpuError::NoAdapter)?;
+        let largest = gpu.largest_side();
+        if size.into_iter().all(|side| side <= largest) {
+            return Ok(());
+        }
+        Err(GpuError::TooLarge { adapter: gpu.description(), size: size.map(|side| side.min(largest)) })
+    }
+}

@@ -1,0 +1,84 @@
+//! The methods that are measured, and how long each takes for a picture.
+
+use relativity_render::{
+    Appearance, EyeTarget, GpuError, MeshRenderer, Method, PreparedScene, Renderers, View,
+};
+
+use crate::platform::clock::Instant;
+
+/// Rays per pixel and direction of the reference, so that it takes as many samples as the GPU does.
+pub const REFERENCE_SAMPLES: u32 = 2;
+/// Frames of one timed run on the GPU, besides the first.
+const FRAMES: u32 = 3;
+/// Frames that take longer are timed singly, reading back included, which then matters little.
+const SLOW_MS: f64 = 100.0;
+/// Bounds at which meshes are measured: a fine one, the default, a coarse one.
+pub const MESH_BOUNDS_PX: [f64; 3] = [0.1, MeshRenderer::DEFAULT_BOUND_PX, 2.0];
+
+/// The methods that can be measured with these `renderers`.
+#[must_use]
+pub fn methods(renderers: &Renderers) -> Vec<Method> {
+    let meshes = MESH_BOUNDS_PX.map(|bound_px| Method::Mesh { bound_px });
+    let on_gpu = renderers.gpu().into_iter().flat_map(|_| [Method::Exact].into_iter().chain(meshes));
+    std::iter::once(Method::Reference).chain(on_gpu).collect()
+}
+
+/// Milliseconds that `method` takes for a picture of `view`: the fastest of `rounds` runs.
+///
+/// On the GPU a run of four frames less a run of one, so that reading back, which a window need not, does not
+/// count; frames of over 100 ms are timed singly.
+///
+/// # Errors
+///
+/// No GPU where `method` needs one; a device that was lost.
+pub fn frame_ms(
+    renderers: &mut Renderers,
+    method: Method,
+    scene: &PreparedScene,
+    view: &View,
+    appearance: &Appearance,
+    rounds: u32,
+) -> Result<f64, GpuError> {
+    if method == Method::Reference {
+        return Ok(fastest_ms(rounds, || {
+            std::hint::black_box(scene.picture(view, appearance, REFERENCE_SAMPLES));
+        }));
+    }
+    let gpu = renderers.gpu().cloned().ok_or(GpuError::NoAdapter)?;
+    let mut target = EyeTarget::new(&gpu, view.camera.size);
+    fastest_frame_ms(rounds, |frames| {
+        for _ in 0..frames {
+            renderers.draw(method, scene, view, appearance, &mut target)?;
+        }
+        target.rgba8(&gpu).map(drop)
+    })
+}
+
+/// Milliseconds per frame of `draw`, which draws as many as it is told and waits for them.
+fn fastest_frame_ms(rounds: u32, mut draw: impl FnMut(u32) -> Result<(), GpuError>) -> Result<f64, GpuError> {
+    draw(1)?; // makes pipelines and target
+    let mut run = |frames| {
+        let start = Instant::now();
+        draw(frames).map(|()| start.elapsed_ms())
+    };
+    let mut one = run(1)?.min(run(1)?);
+    if one > SLOW_MS {
+        return Ok(one);
+    }
+    let mut all = f64::INFINITY;
+    for _ in 0..rounds {
+        all = all.min(run(1 + FRAMES)?);
+        one = one.min(run(1)?);
+    }
+    Ok((all - one).max(0.0) / f64::from(FRAMES))
+}
+
+/// Milliseconds of the fastest of `rounds` runs of `work`.
+fn fastest_ms(rounds: u32, mut work: impl FnMut()) -> f64 {
+    let run = |_| {
+        let start = Instant::now();
+        work();
+        start.elapsed_ms()
+    };
+    (0..rounds.max(1)).map(run).fold(f64::INFINITY, f64::min)
+}
