@@ -7,9 +7,9 @@ use std::time::{Duration, Instant};
 
 use egui_kittest::Harness;
 use gamow::app::App;
-use gamow::app::settings::Settings;
 use gamow::app::state::State;
 use gamow::scene::Scene;
+use gamow::settings::Settings;
 
 const SIZE: [f32; 2] = [1200.0, 760.0];
 const FRAMES: usize = 60;

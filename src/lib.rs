@@ -13,3 +13,5 @@ mod passage;
 pub mod platform;
 mod plot;
 pub mod scene;
+pub mod settings;
+pub mod studio;

@@ -1,5 +1,6 @@
 //! Where a passing point is shown: places by its distance from the eyes as it passes x = 0.
 
+use relativity_core::math;
 use relativity_core::{DomainError, SourcePoint, Speed, equidistance_time, observation_time_when_seen_at};
 
 /// The observation time at which `point` is seen at x = `ratio` R, R being its distance from the eyes as it
@@ -33,4 +34,78 @@ pub fn passage_times(
 ) -> Result<Option<[f64; 2]>, DomainError> {
     let time = |ratio| time_seen_at(ratio, speed, point, separation);
     Ok(time(-2.0)?.zip(time(2.0)?).map(|(first, last)| [first, last]))
+}
+
+/// When `point` is seen 45 degrees before it is abreast: near enough to look at, and still approaching. Slow passages
+/// take so long that it lies before the [`fitted_range`]; then it is the first T of that. 0 at rest.
+///
+/// # Errors
+///
+/// A coordinate outside the domain of the core.
+pub fn time_of_approach(speed: &Speed, point: SourcePoint, separation: f64) -> Result<f64, DomainError> {
+    if speed.beta() == 0.0 {
+        return Ok(0.0);
+    }
+    let [from, to] = fitted_range(speed, point);
+    Ok(time_seen_at(-1.0, speed, point, separation)?.map_or(from, |time| time.clamp(from, to)))
+}
+
+/// Slowest beta that the fitted range makes room for; slower passages are shown in part.
+const SLOWEST_FITTED_BETA: f64 = 0.2;
+/// Smallest passing distance that the fitted range makes room for.
+const NEAREST_FITTED_DISTANCE: f64 = 0.05;
+
+/// First and last T of a range that shows `point` approaching, abreast and receding.
+#[must_use]
+pub fn fitted_range(speed: &Speed, point: SourcePoint) -> [f64; 2] {
+    let slowest = Speed::from_beta(SLOWEST_FITTED_BETA).expect("it is below 1");
+    let speed = if speed.beta() < slowest.beta() { slowest } else { *speed };
+    let nearest = math::hypot(point.y, point.z).max(NEAREST_FITTED_DISTANCE);
+    let passing = SourcePoint { y: nearest, z: 0.0, ..point };
+    // What is shown lies inside the domain of the core.
+    let abreast = observation_time_when_seen_at(&speed, passing, 0.0, 0.0).ok().flatten().unwrap_or_default();
+    [-2.0, 3.0].map(|widths| abreast + widths * nearest / speed.beta())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use relativity_core::{Aperture, sighting};
+
+    const TRACKED: SourcePoint = SourcePoint { x0: 0.0, y: 3.0, z: 2.0 };
+
+    #[test]
+    fn fitted_range_shows_approach_and_recession() {
+        for beta in [0.2, 0.6, 0.9, 0.9999] {
+            let speed = Speed::from_beta(beta).expect("in range");
+            let [from, to] = fitted_range(&speed, TRACKED);
+            let x = |time| {
+                sighting(&speed, TRACKED, Aperture::default(), time).expect("in the domain").position[0]
+            };
+            let distance = 13f64.sqrt();
+            assert!(x(from) < -2.0 * distance && x(to) > 0.8 * distance, "beta = {beta}");
+        }
+    }
+
+    #[test]
+    fn approach_is_seen_at_45_degrees() {
+        let speed = Speed::from_beta(0.9).expect("in range");
+        let time = time_of_approach(&speed, TRACKED, 0.0).expect("in the domain");
+        let seen = sighting(&speed, TRACKED, Aperture::default(), time).expect("in the domain");
+        assert!((seen.position[0] + 13f64.sqrt()).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_time_of_approach_is_in_the_fitted_range_and_0_at_rest() {
+        for beta in [1e-300, 0.01, 0.19, 0.2, 0.9] {
+            for x0 in [-10.0, 0.0, 10.0] {
+                let (speed, point) =
+                    (Speed::from_beta(beta).expect("in range"), SourcePoint { x0, ..TRACKED });
+                let [from, to] = fitted_range(&speed, point);
+                let time = time_of_approach(&speed, point, 10.0).expect("in the domain");
+                assert!((from..=to).contains(&time), "beta = {beta}, x0 = {x0}: {time}");
+            }
+        }
+        assert_eq!(time_of_approach(&Speed::REST, TRACKED, 0.1), Ok(0.0));
+    }
 }

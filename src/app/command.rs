@@ -1,20 +1,19 @@
 //! Everything that can be done in the window, and the one place where it is done.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use relativity_render::{Geometry, PreparedScene};
+use relativity_render::camera::MAX_ELEVATION;
+use relativity_render::{Gaze, Geometry, PreparedScene};
 
 use super::clock;
-use super::observer::{Eye, MAX_ELEVATION};
-use super::points::Points;
-use super::settings::{
-    DEFAULT_FOV_DEGREES, FitSetup, GazeSetting, Light, Look, Motion, Playback, Plots, Quality, Window,
+use super::observer::Eye;
+use super::state::{Session, State};
+use crate::flags::choices::{FileKind, GazeChoice};
+use crate::platform::files;
+use crate::settings::{
+    Daylight, FOV_DEGREES, FitSetup, Light, Look, Motion, Playback, Plots, Quality, Settings, SettingsError,
+    Window, looks_like_settings,
 };
-use super::state::State;
-use crate::scene::Scene;
-
-/// Narrowest and widest field of view, degrees.
-pub const FOV_DEGREES: std::ops::RangeInclusive<f64> = 2.0..=150.0;
 
 /// Something the user asked for.
 #[derive(Debug, Clone, PartialEq)]
@@ -66,8 +65,8 @@ pub enum Command {
     RemovePoint(usize),
     /// Show another preset.
     Preset(&'static str),
-    /// Show the scene in a file.
-    OpenScene(PathBuf),
+    /// Show what is in a file: a scene, settings, or a picture with which settings it was made.
+    Open(PathBuf),
     /// Show or hide the help.
     ToggleHelp,
     /// Close what can be closed.
@@ -91,14 +90,14 @@ impl State {
     /// Does what was asked.
     pub fn apply(&mut self, command: Command) {
         match command {
-            Command::Motion(motion) => self.set_motion(motion),
+            Command::Motion(motion) => self.settings.motion = motion,
             Command::Look(look) => self.settings.look = look,
             Command::Light(light) => self.settings.light = light,
             Command::Quality(quality) => self.settings.quality = quality,
             Command::Playback(playback) => self.settings.playback = playback,
             Command::Plots(plots) => self.settings.plots = plots,
             Command::Fit(fit) => self.settings.fit = fit,
-            Command::Window(window) => self.settings.window = window,
+            Command::Window(window) => self.set_window(window),
             Command::Time(time) => self.session.time = clock::bounded(time),
             Command::Step(steps) => self.step(steps),
             Command::TimeInRange(fraction) => self.go_to_fraction(fraction),
@@ -110,19 +109,15 @@ impl State {
             Command::Turn { azimuth, elevation } => self.turn(azimuth, elevation),
             Command::Zoom(factor) => self.zoom(factor),
             Command::ResetLook => {
-                self.settings.look.gaze = GazeSetting::Tracking;
-                self.settings.look.fov_degrees = DEFAULT_FOV_DEGREES;
+                self.settings.look.gaze = GazeChoice::Track;
+                self.settings.look.fov = Look::default().fov;
             }
             Command::Pick(pick) => self.pick(pick),
             Command::SelectPoint(index) => self.session.points.select(index),
             Command::RemovePoint(index) => self.session.points.remove(index),
-            Command::Preset(name) => {
-                if let Some(scene) = Scene::preset(name) {
-                    self.show_scene(scene);
-                }
-            }
-            Command::OpenScene(path) => match Scene::load(&path) {
-                Ok(scene) => self.show_scene(scene),
+            Command::Preset(name) => self.show(self.with_scene(name.to_owned())),
+            Command::Open(path) => match self.settings_in(&path) {
+                Ok(settings) => self.show(settings),
                 Err(error) => self.session.notice = Some(error.to_string()),
             },
             Command::ToggleHelp => self.session.help = !self.session.help,
@@ -133,9 +128,12 @@ impl State {
         }
     }
 
-    fn set_motion(&mut self, motion: Motion) {
-        self.settings.motion = motion;
-        self.place_bodies();
+    fn set_window(&mut self, window: Window) {
+        if window.theme != self.settings.window.theme {
+            // Whatever a picture was made with: who changes the theme wants to see it.
+            self.settings.light.light = Daylight::Theme;
+        }
+        self.settings.window = window;
     }
 
     fn step(&mut self, steps: i32) {
@@ -162,15 +160,15 @@ impl State {
 
     fn turn(&mut self, azimuth: f64, elevation: f64) {
         let gaze = self.gaze();
-        self.settings.look.gaze = GazeSetting::Fixed {
+        self.settings.look.gaze = GazeChoice::fixed_at(Gaze {
             azimuth: (gaze.azimuth + azimuth).rem_euclid(std::f64::consts::TAU),
             elevation: (gaze.elevation + elevation).clamp(-MAX_ELEVATION, MAX_ELEVATION),
-        };
+        });
     }
 
     fn zoom(&mut self, factor: f64) {
-        let fov = self.settings.look.fov_degrees * factor;
-        self.settings.look.fov_degrees = fov.clamp(*FOV_DEGREES.start(), *FOV_DEGREES.end());
+        let fov = self.settings.look.fov * factor;
+        self.settings.look.fov = fov.clamp(*FOV_DEGREES.start(), *FOV_DEGREES.end());
     }
 
     fn pick(&mut self, pick: Pick) {
@@ -180,14 +178,12 @@ impl State {
                 Some("With the right eye as published, click in the left eye's view.".to_owned());
             return;
         }
-        let view = self.view(pick.eye, pick.size, self.gaze());
+        let view = self.view(pick.eye, pick.size);
         let line_of_sight = view.camera.line_of_sight(pick.pixel);
         let Some(hit) = PreparedScene::moving(&self.session.bodies).first_hit(&view, line_of_sight) else {
             return;
         };
-        let [_, dy, dz] = self.shift();
-        let [x, y, z] = hit.rest_position.to_array();
-        let rest = [x, y - dy, z - dz];
+        let rest = hit.rest_position.to_array();
         if pick.add {
             self.session.points.add(rest, hit.body);
         } else {
@@ -195,11 +191,31 @@ impl State {
         }
     }
 
-    fn show_scene(&mut self, scene: Scene) {
-        self.session.points = Points::tracked(scene.tracked);
-        self.session.scene = scene;
-        self.session.notice = None;
-        self.place_bodies();
-        self.go_to_approach();
+    /// These settings with another scene, a preset or a file.
+    fn with_scene(&self, scene: String) -> Settings {
+        Settings { scene, ..self.settings.clone() }
+    }
+
+    /// The settings that the file at `path` leads to. What it does not say of the window's parts stays as it is; the
+    /// rest is as usual.
+    fn settings_in(&self, path: &Path) -> Result<Settings, SettingsError> {
+        let is_scene = FileKind::of(path).is_none()
+            && !files::read_to_string(path).is_ok_and(|text| looks_like_settings(&text));
+        if is_scene {
+            return Ok(self.with_scene(path.to_string_lossy().into_owned()));
+        }
+        Settings { window: self.settings.window, ..Settings::default() }.with_file(path)
+    }
+
+    /// Shows what `settings` say; where their scene cannot be had, a message. T runs on unless they give one.
+    fn show(&mut self, settings: Settings) {
+        let starts_at_a_time = settings.time.is_some();
+        match Self::open(settings) {
+            Ok(state) => {
+                let playing = self.session.playing && !starts_at_a_time;
+                *self = Self { session: Session { playing, ..state.session }, ..state };
+            }
+            Err(error) => self.session.notice = Some(error.to_string()),
+        }
     }
 }

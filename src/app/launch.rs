@@ -6,8 +6,9 @@ use eframe::egui::ViewportBuilder;
 use eframe::{CreationContext, NativeOptions};
 
 use super::args::WindowArgs;
-use super::settings::Settings;
-use super::{App, graphics, icon, screenshot};
+use super::state::State;
+use super::{App, graphics, icon, memory, screenshot};
+use crate::settings::Settings;
 
 /// Name under which settings are saved.
 const APP_ID: &str = "gamow";
@@ -62,11 +63,21 @@ fn open(args: &WindowArgs) -> anyhow::Result<()> {
     };
     let args = args.clone();
     let create = move |cc: &CreationContext<'_>| {
-        let settings = cc.storage.and_then(|storage| eframe::get_value(storage, eframe::APP_KEY));
-        let state = args.state(settings.unwrap_or_default())?;
+        let left = cc.storage.map(memory::remembered).unwrap_or_default();
+        let state = state_from(&args, left)?;
         Ok(Box::new(App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state)) as Box<dyn eframe::App>)
     };
     run_guarded(|| eframe::run_native(APP_ID, options, Box::new(create)))
+}
+
+/// The state to start in. Where the scene that was left is no more, the usual one is shown, and why.
+fn state_from(args: &WindowArgs, left: Settings) -> anyhow::Result<State> {
+    let usual = Settings { scene: Settings::default().scene, ..left.clone() };
+    args.state(left).or_else(|error| {
+        let mut state = args.state(usual)?;
+        state.session.notice = Some(error.to_string());
+        Ok(state)
+    })
 }
 
 /// Runs the event loop. The windowing library panics where a system library is missing; that becomes an

@@ -4,8 +4,8 @@
 use eframe::egui::{Rect, pos2, vec2};
 
 use super::observer::Eye;
-use super::settings::Window;
 use super::theme::{GAP, TITLE_HEIGHT};
+use crate::settings::Window;
 
 /// What can stand in a pane.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,6 +1,6 @@
 //! The window: two eyes' views of a scene that rides past, controls, a timeline, plots and a readout.
 //!
-//! Three owners of state: [`settings`] are remembered, [`state`] lasts a session, and the GPU's part
+//! Three owners of state: [`crate::settings`] are remembered, [`state`] lasts a session, and the GPU's part
 //! lives in `eyes`. Panels read the state and ask for [`command::Command`]s; [`App`] applies them in
 //! between, so that what follows a control follows it in the same frame.
 
@@ -19,13 +19,14 @@ mod heat_map;
 mod icon;
 pub mod launch;
 mod layout;
+pub mod memory;
 pub mod observer;
 mod panels;
 pub mod points;
+mod quality;
 mod screenshot;
-pub mod settings;
 mod shortcuts;
-pub mod speed_setting;
+mod speed_slider;
 pub mod state;
 mod stillness;
 mod theme;
@@ -44,8 +45,9 @@ use fitting::Fitting;
 use layout::{Content, Layout, Pane};
 use observer::Eye;
 use panels::{Asks, plots::Plotted, views::EyePane};
-use settings::{PlotTab, Settings};
 use state::State;
+
+use crate::settings::{PlotTab, Settings};
 
 /// The whole window.
 pub struct App {
@@ -156,7 +158,7 @@ impl App {
 
     /// Has the fit of the selected point made while it is in view.
     fn update_fit(&mut self, ctx: &egui::Context, plots_are_shown: bool) {
-        if plots_are_shown && self.state.settings.plots.tab == PlotTab::Fit {
+        if plots_are_shown && self.state.settings.plots.plot == PlotTab::Fit {
             self.fitting.update(ctx, self.state.fit_key());
         } else {
             self.fitting.rest();
@@ -165,7 +167,7 @@ impl App {
 
     /// Examines the pictures in `panes` while their figures are in view.
     fn update_examination(&mut self, ui: &Ui, panes: &[Pane], plots_are_shown: bool) {
-        if !plots_are_shown || self.state.settings.plots.tab != PlotTab::Accuracy {
+        if !plots_are_shown || self.state.settings.plots.plot != PlotTab::Accuracy {
             self.examination.iter_mut().for_each(Examination::rest);
             return;
         }
@@ -176,7 +178,7 @@ impl App {
         });
         let exact = panes.filter(|pane| !state.sees_as_published(pane.eye));
         let sight = Sight {
-            views: exact.map(|pane| (pane.eye, state.view(pane.eye, pane.size, state.gaze()))).collect(),
+            views: exact.map(|pane| (pane.eye, state.view(pane.eye, pane.size))).collect(),
             appearance: state.appearance(!ui.visuals().dark_mode),
             bodies: state.session.bodies.clone(),
         };
@@ -214,13 +216,13 @@ impl App {
         let state = &self.state;
         let quality = state.settings.quality;
         let request = eyes::Request {
-            view: state.view(pane.eye, pane.size, state.gaze()),
+            view: state.view(pane.eye, pane.size),
             appearance: state.appearance(!ui.visuals().dark_mode),
             bodies: state.session.bodies.clone(),
             method: quality.method(),
         };
         let picture = self.eyes.as_mut().map(|eyes| eyes.picture(ui.ctx(), pane.eye.index(), &request));
-        let examination = self.examination.as_mut().filter(|_| quality.heat_map);
+        let examination = self.examination.as_mut().filter(|_| state.settings.plots.heat_map);
         let heat_map = examination.and_then(|found| found.heat_map(ui.ctx(), pane.eye, request.method));
         panels::views::paint(ui, state, pane, picture, heat_map.map(Into::into));
     }
@@ -228,7 +230,7 @@ impl App {
     /// Shows the left eye's picture in `rect`, corrected by the fitted speed while there is a fit in view.
     fn show_corrected(&mut self, ui: &Ui, rect: Rect) {
         let Settings { plots, window, .. } = self.state.settings;
-        let fit = self.fitting.shown().filter(|_| window.plots && plots.tab == PlotTab::Fit);
+        let fit = self.fitting.shown().filter(|_| window.plots && plots.plot == PlotTab::Fit);
         let correction = self.state.correction(fit);
         let size = (rect.size() * ui.pixels_per_point()).round();
         let job = corrected::Job {
@@ -245,9 +247,9 @@ impl App {
     /// Shows everything: first what changes the state, then what follows it.
     pub fn show(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
-        ctx.set_theme(self.state.settings.window.theme);
+        ctx.set_theme(theme::preference(self.state.settings.window.theme));
         let mut asks = shortcuts::asked(&ctx);
-        asks.extend(dropped_scene(&ctx));
+        asks.extend(dropped_file(&ctx));
         panels::help::show(&ctx, &self.state, &mut asks);
         self.apply(&ctx, asks);
 
@@ -296,11 +298,11 @@ impl eframe::App for App {
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
-        eframe::set_value(storage, eframe::APP_KEY, &self.state.settings);
+        memory::remember(storage, &self.state.settings);
     }
 }
 
-/// A scene file dropped onto the window.
-fn dropped_scene(ctx: &egui::Context) -> Option<Command> {
-    ctx.input(|input| input.raw.dropped_files.first().map(|file| Command::OpenScene(file.path().to_owned())))
+/// A file dropped onto the window.
+fn dropped_file(ctx: &egui::Context) -> Option<Command> {
+    ctx.input(|input| input.raw.dropped_files.first().map(|file| Command::Open(file.path().to_owned())))
 }

@@ -2,23 +2,23 @@
 
 use glam::DVec3;
 use relativity_core::{
-    Aperture, Disparity, Model, Parameter, PublishedVariant, Sighting, SourcePoint, Speed, equidistance_time,
-    sighting,
+    Aperture, Disparity, Model, Parameter, Sighting, SourcePoint, Speed, equidistance_time, sighting,
 };
-use relativity_render::{Camera, Gaze, Geometry, View};
+use relativity_render::{Gaze, Geometry, View};
 
 use super::curves::Key;
 use super::fitting;
 use super::points::Point;
-use super::settings::GazeSetting;
 use super::state::State;
+use crate::flags::choices::GazeChoice;
+use crate::settings::Settings;
 
 /// One of the two eyes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Eye {
-    /// The primary aperture, at (-d/2, 0, 0).
+    /// The primary aperture.
     Left,
-    /// The secondary aperture, at (+d/2, 0, 0).
+    /// The secondary aperture.
     Right,
 }
 
@@ -45,12 +45,6 @@ impl Eye {
     }
 }
 
-/// Straight ahead: along +y.
-pub const STRAIGHT_AHEAD: Gaze = Gaze { azimuth: std::f64::consts::FRAC_PI_2, elevation: 0.0 };
-
-/// Steepest elevation of the gaze: at the zenith itself no horizon is level.
-pub const MAX_ELEVATION: f64 = 89.5 * std::f64::consts::PI / 180.0;
-
 /// By which speed a picture is corrected.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Correction {
@@ -71,24 +65,10 @@ impl State {
         }
     }
 
-    /// The aperture of `eye`.
-    #[must_use]
-    pub fn aperture(&self, eye: Eye) -> Aperture {
-        Aperture::pair(self.settings.motion.separation)[eye.index()]
-    }
-
-    /// Rest coordinates of `point` on the shifted path.
-    #[must_use]
-    pub fn rest_place(&self, point: &Point) -> [f64; 3] {
-        let [_, dy, dz] = self.shift();
-        let [x, y, z] = point.rest;
-        [x, y + dy, z + dz]
-    }
-
-    /// The worldline of `point`.
+    /// The worldline of `point`, from between the eyes.
     #[must_use]
     pub fn source(&self, point: &Point) -> SourcePoint {
-        SourcePoint::from_rest(self.rest_place(point), &self.speed())
+        self.settings.source(point.rest)
     }
 
     /// The worldline of the selected point.
@@ -97,65 +77,40 @@ impl State {
         self.source(self.session.points.selected())
     }
 
+    /// The apertures, from between them.
+    fn pair(&self) -> [Aperture; 2] {
+        Aperture::pair(self.settings.motion.d)
+    }
+
     /// What `eye` sees of `point` now; `None` outside the domain of the core.
     #[must_use]
     pub fn sighting(&self, point: &Point, eye: Eye) -> Option<Sighting> {
-        sighting(&self.speed(), self.source(point), self.aperture(eye), self.session.time).ok()
+        sighting(&self.speed(), self.source(point), self.pair()[eye.index()], self.session.time).ok()
     }
 
     /// The exact disparity of `point` now.
     #[must_use]
     pub fn disparity(&self, point: &Point) -> Option<Disparity> {
-        self.disparity_in(Model::Exact, point)
-    }
-
-    fn disparity_in(&self, model: Model, point: &Point) -> Option<Disparity> {
-        let separation = self.settings.motion.separation;
-        model.disparity(&self.speed(), self.source(point), separation, self.session.time).ok()
+        let (separation, time) = (self.settings.motion.d, self.session.time);
+        Model::Exact.disparity(&self.speed(), self.source(point), separation, time).ok()
     }
 
     /// T0 of `point`: when both eyes see it at the same distance. `None` at rest.
     #[must_use]
     pub fn equidistance_time(&self, point: &Point) -> Option<f64> {
-        equidistance_time(&self.speed(), self.source(point), self.settings.motion.separation).ok().flatten()
+        equidistance_time(&self.speed(), self.source(point), self.settings.motion.d).ok().flatten()
     }
 
     /// Whether `eye` sees what the published model has the right eye see, measured from the left aperture.
     #[must_use]
     pub fn sees_as_published(&self, eye: Eye) -> bool {
-        let look = &self.settings.look;
-        eye == Eye::Right && look.right_as_published && look.geometry == Geometry::Seen
-    }
-
-    /// The published model's apparent position of `point` for the right eye, from the left aperture.
-    fn published_position(&self, point: &Point) -> Option<[f64; 3]> {
-        let model = Model::Published(PublishedVariant::AppendixA);
-        Some(self.disparity_in(model, point)?.secondary.position)
+        eye == Eye::Right && self.settings.look.geometry == Geometry::Published
     }
 
     /// From the aperture of `eye` to where the shown geometry has `point` now.
     #[must_use]
     pub fn direction(&self, point: &Point, eye: Eye) -> Option<DVec3> {
-        self.direction_in(self.settings.look.geometry, point, eye)
-    }
-
-    fn direction_in(&self, geometry: Geometry, point: &Point, eye: Eye) -> Option<DVec3> {
-        let aperture = self.aperture(eye);
-        let source = self.source(point);
-        let direction = match geometry {
-            Geometry::Seen | Geometry::Published if self.sees_as_published(eye) => {
-                DVec3::from(self.published_position(point)?)
-            }
-            Geometry::Seen | Geometry::Published => DVec3::from(self.sighting(point, eye)?.position),
-            Geometry::Contracted => {
-                let x = (source.x0 - aperture.x) + self.speed().beta() * self.session.time;
-                DVec3::new(x, source.y, source.z)
-            }
-            Geometry::Rest => {
-                DVec3::from(self.rest_place(point)) - self.view(eye, [1, 1], STRAIGHT_AHEAD).rest_origin()
-            }
-        };
-        direction.is_finite().then_some(direction)
+        self.view(eye, [1, 1]).apparent_position(point.rest.into())
     }
 
     /// What the curves of `point` depend on.
@@ -164,7 +119,7 @@ impl State {
         Key {
             speed: self.speed(),
             source: self.source(point),
-            separation: self.settings.motion.separation,
+            separation: self.settings.motion.d,
             range: self.time_range(),
             published: self.settings.plots.published,
         }
@@ -176,8 +131,8 @@ impl State {
         fitting::Key {
             speed: self.speed(),
             source: self.selected_source(),
-            separation: self.settings.motion.separation,
-            range: self.settings.fit.range.unwrap_or_else(|| self.time_range()),
+            separation: self.settings.motion.d,
+            range: self.settings.fit.fit_range.0.unwrap_or_else(|| self.time_range()),
             setup: self.settings.fit,
         }
     }
@@ -185,49 +140,30 @@ impl State {
     /// Where both eyes look now, in parallel.
     #[must_use]
     pub fn gaze(&self) -> Gaze {
-        self.gaze_in(self.settings.look.geometry)
+        self.view(Eye::Left, [1, 1]).camera.gaze
     }
 
-    fn gaze_in(&self, geometry: Geometry) -> Gaze {
-        match self.settings.look.gaze {
-            GazeSetting::Fixed { azimuth, elevation } => Gaze { azimuth, elevation },
-            GazeSetting::Tracking => self.tracking_gaze(geometry).unwrap_or(STRAIGHT_AHEAD),
-        }
+    /// The same as a gaze that stays there.
+    #[must_use]
+    pub fn fixed_gaze(&self) -> GazeChoice {
+        self.settings.fixed_gaze(self.session.points.selected().rest, self.session.time)
     }
 
-    /// At the selected point: the mean of its two apparent directions. `None` inside an aperture.
-    fn tracking_gaze(&self, geometry: Geometry) -> Option<Gaze> {
-        let point = self.session.points.selected();
-        let mut sum = DVec3::ZERO;
-        for eye in Eye::BOTH {
-            sum += self.direction_in(geometry, point, eye)?.try_normalize()?;
-        }
-        let Gaze { azimuth, elevation } = Gaze::along(sum.try_normalize()?.to_array());
-        Some(Gaze { azimuth, elevation: elevation.clamp(-MAX_ELEVATION, MAX_ELEVATION) })
+    /// The picture of `eye`, `size` in pixels.
+    #[must_use]
+    pub fn view(&self, eye: Eye, size: [u32; 2]) -> View {
+        self.views_of(&self.settings, size)[eye.index()]
     }
 
     /// The picture that is corrected: what the left eye sees, whichever geometry is shown.
     #[must_use]
     pub fn view_to_correct(&self, size: [u32; 2]) -> View {
-        let view = self.view(Eye::Left, size, self.gaze_in(Geometry::Seen));
-        View { geometry: Geometry::Seen, ..view }
+        let mut settings = self.settings.clone();
+        settings.look.geometry = Geometry::Seen;
+        self.views_of(&settings, size)[Eye::Left.index()]
     }
 
-    /// The picture of `eye` that looks along `gaze`, `size` in pixels.
-    #[must_use]
-    pub fn view(&self, eye: Eye, size: [u32; 2], gaze: Gaze) -> View {
-        let published = self.sees_as_published(eye);
-        let camera = Camera {
-            aperture: self.aperture(if published { Eye::Left } else { eye }),
-            gaze,
-            horizontal_fov: self.settings.look.fov_degrees.to_radians(),
-            size,
-        };
-        View {
-            camera,
-            speed: self.speed(),
-            observation_time: self.session.time,
-            geometry: if published { Geometry::Published } else { self.settings.look.geometry },
-        }
+    fn views_of(&self, settings: &Settings, size: [u32; 2]) -> [View; 2] {
+        settings.views(self.session.points.selected().rest, self.session.time, size)
     }
 }

@@ -7,13 +7,14 @@ use relativity_render::{Appearance, Body};
 
 use super::clock;
 use super::points::{Point, Points};
-use super::settings::Settings;
-use crate::scene::Scene;
+use crate::passage;
+use crate::scene::{Scene, SceneError};
+use crate::settings::Settings;
 
 /// Everything the panels read. Only [`super::command`] changes it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct State {
-    /// Remembered.
+    /// Remembered. T and the tracked point are the session's.
     pub settings: Settings,
     /// Forgotten at the end.
     pub session: Session,
@@ -24,7 +25,7 @@ pub struct State {
 pub struct Session {
     /// What rides past, at rest, as its file says.
     pub scene: Scene,
-    /// Its bodies where the shifted path has them; kept since every frame needs them.
+    /// Its bodies; kept since every frame needs them.
     pub bodies: Arc<[Body]>,
     /// T.
     pub time: f64,
@@ -39,58 +40,55 @@ pub struct Session {
 }
 
 impl State {
-    /// The state at start: the scene with its own point selected, shortly before it passes.
+    /// `scene` as `settings` have it. Unless they say otherwise its own point is selected, and T is shortly before
+    /// that passes.
     #[must_use]
-    pub fn new(settings: Settings, scene: Scene) -> Self {
-        let points = Points::tracked(scene.tracked);
+    pub fn new(mut settings: Settings, scene: Scene) -> Self {
+        let tracked = settings.point.take().unwrap_or(scene.tracked);
+        let time = settings.time.take().unwrap_or_else(|| settings.time_of_approach(tracked));
         let session = Session {
-            bodies: Arc::default(),
-            time: 0.0,
+            bodies: scene.bodies.as_slice().into(),
+            time: clock::bounded(time),
             playing: false,
-            points,
+            points: Points::tracked(tracked),
             help: false,
             notice: None,
             scene,
         };
-        let mut state = Self { settings, session };
-        state.place_bodies();
-        state.go_to_approach();
-        state
+        Self { settings, session }
+    }
+
+    /// The scene that `settings` name, as they have it.
+    ///
+    /// # Errors
+    /// A scene that cannot be had.
+    pub fn open(settings: Settings) -> Result<Self, SceneError> {
+        let scene = Scene::open(&settings.scene)?;
+        Ok(Self::new(settings, scene))
+    }
+
+    /// All that is shown, as settings: what is remembered, and the session's T and selected point.
+    #[must_use]
+    pub fn shown(&self) -> Settings {
+        let point = self.session.points.selected().rest;
+        Settings {
+            time: Some(self.session.time),
+            point: (point != self.session.scene.tracked).then_some(point),
+            ..self.settings.clone()
+        }
     }
 
     /// The speed of the scene.
     #[must_use]
     pub fn speed(&self) -> Speed {
-        self.settings.motion.speed.speed()
+        self.settings.speed()
     }
 
     /// First and last T of the scrubber and the plots.
     #[must_use]
     pub fn time_range(&self) -> [f64; 2] {
-        self.settings
-            .playback
-            .range
-            .unwrap_or_else(|| clock::fitted_range(&self.speed(), self.selected_source()))
-    }
-
-    /// Goes to a T at which the selected point is seen shortly before it passes.
-    pub fn go_to_approach(&mut self) {
-        let time = clock::time_of_approach(&self.speed(), self.selected_source());
-        let step = clock::step_size(self.time_range());
-        self.session.time = (time / step).round() * step;
-    }
-
-    /// How far the path is from where the scene has it: along y and z.
-    #[must_use]
-    pub fn shift(&self) -> [f64; 3] {
-        let motion = &self.settings.motion;
-        [0.0, motion.depth_shift, motion.height_shift]
-    }
-
-    /// Moves the bodies to where the path now is.
-    pub fn place_bodies(&mut self) {
-        let shift = self.shift();
-        self.session.bodies = self.session.scene.bodies_moved(shift).into();
+        let fitted = || passage::fitted_range(&self.speed(), self.selected_source()).map(clock::bounded);
+        self.settings.playback.range.0.unwrap_or_else(fitted)
     }
 
     /// Wavelength at rest of the light of `point`, nm: of the body it was picked on, else of the first.
@@ -104,17 +102,6 @@ impl State {
     /// The looks of a view, in a light window or a dark one.
     #[must_use]
     pub fn appearance(&self, light_window: bool) -> Appearance {
-        let light = &self.settings.light;
-        let ground_z = self.session.scene.ground_z.filter(|_| light.ground);
-        Appearance {
-            colour: light.colour,
-            doppler_shift: light.doppler_shift,
-            intensity_exponent: light.intensity_exponent,
-            exposure_ev: light.exposure_ev,
-            shading: light.shading,
-            ground_z: ground_z.map(|z| z + self.settings.motion.height_shift),
-            sky: light.sky,
-            light: light_window,
-        }
+        self.settings.appearance(self.session.scene.ground_z, light_window)
     }
 }

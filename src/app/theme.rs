@@ -2,10 +2,12 @@
 //! apart, from M. Okabe and K. Ito, *Color universal design* (2008), like the colours of the points.
 
 use eframe::egui::{
-    self, Color32, FontDefinitions, FontFamily, FontId, Stroke, TextStyle, Visuals, epaint::CornerRadius,
+    self, Color32, FontDefinitions, FontFamily, FontId, Stroke, TextStyle, ThemePreference, Visuals,
+    epaint::CornerRadius,
 };
 
 use super::observer::Eye;
+use crate::settings::Theme;
 
 /// Space around and between the parts of the window, points.
 pub const GAP: f32 = 8.0;
@@ -60,6 +62,16 @@ pub fn now_colour(visuals: &Visuals) -> Color32 {
 #[must_use]
 pub fn equidistance_colour(visuals: &Visuals) -> Color32 {
     visuals.weak_text_color()
+}
+
+/// The choice of theme as the toolkit has it.
+#[must_use]
+pub const fn preference(theme: Theme) -> ThemePreference {
+    match theme {
+        Theme::Light => ThemePreference::Light,
+        Theme::Dark => ThemePreference::Dark,
+        Theme::System => ThemePreference::System,
+    }
 }
 
 /// Sets fonts, spacing and both palettes.

@@ -13,8 +13,8 @@ use crate::files::exr::{Channel, Measurements};
 use crate::files::png::{self, PngFile};
 use crate::files::provenance::{Provenance, Recorded};
 use crate::files::whole::write_whole;
-use crate::flags::SpeedArgs;
-use crate::flags::choices::{FileKind, GazeChoice, NumberOrOff, Switch, field_of_view};
+use crate::flags::choices::{FileKind, GazeChoice};
+use crate::flags::{NumberOrOff, OnOff, SpeedArgs, field_of_view, switch};
 
 /// Corrects a picture taken from one eye to the frame of the objects in it.
 ///
@@ -48,8 +48,8 @@ pub struct RectifyArgs {
     #[arg(long, value_name = "AZ,EL", allow_hyphen_values = true)]
     out_gaze: Option<GazeChoice>,
     /// Whether wavelengths are corrected.
-    #[arg(long, value_enum, default_value = "on", value_name = "ON|OFF")]
-    doppler_shift: Switch,
+    #[arg(long, default_value = "on", value_name = "ON|OFF", value_parser = switch)]
+    doppler_shift: OnOff,
     /// Exponent n of the received intensity D^n to divide by, or `off`.
     #[arg(long, default_value_t = NumberOrOff(Some(PAPER_INTENSITY_EXPONENT)), value_name = "N|off", allow_hyphen_values = true)]
     intensity_exponent: NumberOrOff,
@@ -115,10 +115,7 @@ impl RectifyArgs {
     }
 
     fn light(&self) -> LightCorrection {
-        LightCorrection {
-            doppler_shift: self.doppler_shift == Switch::On,
-            intensity_exponent: self.intensity_exponent.0,
-        }
+        LightCorrection { doppler_shift: self.doppler_shift, intensity_exponent: self.intensity_exponent.0 }
     }
 
     fn rectification(&self, size: [u32; 2], recorded: &Recorded) -> anyhow::Result<Rectification> {

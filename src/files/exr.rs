@@ -1,13 +1,13 @@
 //! EXR files of what every pixel shows, for measurement: for each of the layers `left` and `right` every
 //! [`Channel`], in f32.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::io::{BufReader, Seek, Write};
 use std::path::Path;
 
 use anyhow::Context as _;
-use exr::meta::MetaData;
-use exr::meta::header::Header;
+use exr::meta::{Headers, MetaData};
 use exr::prelude::{
     AnyChannel, AnyChannels, Compression, Encoding, FlatSamples, Image, Layer, LayerAttributes,
     ReadChannels as _, ReadLayers as _, SmallVec, Text, WritableImage, f16, read,
@@ -228,7 +228,7 @@ impl Measurements {
     /// The same file, saying `comments` of how it was made.
     #[must_use]
     pub fn with_comments(mut self, comments: &str) -> Self {
-        self.attributes.comments = Text::new_or_none(comments);
+        self.attributes.comments = Some(Text::from_slice_unchecked(comments.as_bytes())); // in UTF-8
         self
     }
 
@@ -245,7 +245,7 @@ impl Measurements {
     /// How it was made.
     #[must_use]
     pub fn recorded(&self) -> Recorded {
-        Recorded::new(&said(&self.attributes).unwrap_or_default())
+        Recorded::in_comments(&said(&self.attributes))
     }
 }
 
@@ -255,18 +255,30 @@ fn first_layer(path: &Path) -> anyhow::Result<Layer<AnyChannels<FlatSamples>>> {
     Ok(layers.all_attributes().from_buffered(file)?.layer_data)
 }
 
-/// The comments.
-fn said(attributes: &LayerAttributes) -> Option<String> {
-    attributes.comments.as_ref().map(ToString::to_string)
+/// The comments; none if there are none.
+fn said(attributes: &LayerAttributes) -> Cow<'_, str> {
+    String::from_utf8_lossy(attributes.comments.as_ref().map(Text::as_slice).unwrap_or_default())
+}
+
+fn headers(path: &Path) -> anyhow::Result<Headers> {
+    Ok(MetaData::read_from_buffered(BufReader::new(files::open(path)?), false)?.headers)
+}
+
+/// How the EXR file at `path` was made, without its pixels.
+///
+/// # Errors
+///
+/// A file that cannot be read.
+pub fn recorded(path: &Path) -> anyhow::Result<Recorded> {
+    let headers = headers(path)?;
+    let first = headers.first().context("it has no layer")?;
+    Ok(Recorded::in_comments(&said(&first.own_attributes)))
 }
 
 /// Whether `path` is an EXR file that says just these `comments`. (Files are written whole or not at all.)
 #[must_use]
 pub fn is_made(path: &Path, comments: &str) -> bool {
-    let is_expected = |header: &Header| said(&header.own_attributes).as_deref() == Some(comments);
-    let Ok(file) = files::open(path) else { return false };
-    let meta = MetaData::read_from_buffered(BufReader::new(file), false);
-    meta.is_ok_and(|meta| meta.headers.iter().any(is_expected))
+    headers(path).is_ok_and(|headers| headers.iter().any(|header| said(&header.own_attributes) == comments))
 }
 
 #[cfg(test)]

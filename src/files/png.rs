@@ -76,9 +76,7 @@ impl PngFile {
             _ => [0, 0, 0, u8::MAX], // the transformations leave no other kind
         });
         let picture = Picture { size: [frame.width, frame.height], rgba: rgba.collect() };
-        let text =
-            |chunk: &png::text_metadata::ITXtChunk| Some((chunk.keyword.clone(), chunk.get_text().ok()?));
-        Ok(Self { picture, texts: reader.info().utf8_text.iter().filter_map(text).collect() })
+        Ok(Self { picture, texts: texts(reader.info()) })
     }
 
     /// How it was made.
@@ -86,4 +84,20 @@ impl PngFile {
     pub fn recorded(&self) -> Recorded {
         Recorded::in_texts(&self.texts)
     }
+}
+
+/// Keywords and texts.
+fn texts(info: &png::Info<'_>) -> Vec<(String, String)> {
+    let text = |chunk: &png::text_metadata::ITXtChunk| Some((chunk.keyword.clone(), chunk.get_text().ok()?));
+    info.utf8_text.iter().filter_map(text).collect()
+}
+
+/// How the PNG file at `path` was made, without its pixels.
+///
+/// # Errors
+///
+/// A file that cannot be read.
+pub fn recorded(path: &Path) -> anyhow::Result<Recorded> {
+    let reader = png::Decoder::new(BufReader::new(files::open(path)?)).read_info()?;
+    Ok(Recorded::in_texts(&texts(reader.info())))
 }

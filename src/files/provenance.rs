@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use relativity_render::Gaze;
 
 use crate::flags::choices::GazeChoice;
+use crate::flags::words::words;
 
 /// Program and version.
 pub const SOFTWARE: &str = concat!("gamow ", env!("CARGO_PKG_VERSION"));
@@ -35,26 +36,37 @@ impl Provenance {
     /// The comments of an EXR file.
     #[must_use]
     pub fn comments(&self) -> String {
-        format!("{}\n{SCENE_FINGERPRINT} {}", self.parameters, self.scene_fingerprint)
+        [&self.parameters, FINGERPRINT_LINE, &self.scene_fingerprint].concat()
     }
 }
 
-/// The flags of `gamow render` that made a picture, as its text records them.
+/// What parts the command from the fingerprint in the comments of an EXR file.
+const FINGERPRINT_LINE: &str = "\nScene-Fingerprint ";
+
+/// How a file was made, as it records it.
 #[derive(Debug, Clone, Default)]
-pub struct Recorded(BTreeMap<String, String>);
+pub struct Recorded {
+    /// The command line.
+    pub command: String,
+    flags: BTreeMap<String, String>,
+}
 
 impl Recorded {
-    /// The flags in a text that begins with a command line.
-    #[must_use]
-    pub fn new(parameters: &str) -> Self {
-        let flag = |word: &str| {
+    fn new(command: &str) -> Self {
+        let flag = |word: String| {
             let (name, value) = word.strip_prefix("--")?.split_once('=')?;
             Some((name.to_owned(), value.to_owned()))
         };
-        Self(parameters.split_whitespace().filter_map(flag).collect())
+        Self { command: command.to_owned(), flags: words(command).into_iter().filter_map(flag).collect() }
     }
 
-    /// The flags in the texts of a PNG file; none if they do not tell.
+    /// What the comments of an EXR file tell.
+    #[must_use]
+    pub fn in_comments(comments: &str) -> Self {
+        Self::new(comments.rsplit_once(FINGERPRINT_LINE).map_or(comments, |(command, _)| command))
+    }
+
+    /// What the texts of a PNG file tell; nothing if there are none of ours.
     #[must_use]
     pub fn in_texts(texts: &[(String, String)]) -> Self {
         let parameters = texts.iter().find(|(keyword, _)| keyword == PARAMETERS);
@@ -64,7 +76,7 @@ impl Recorded {
     /// The value of the flag `name`.
     #[must_use]
     pub fn text(&self, name: &str) -> Option<&str> {
-        self.0.get(name).map(String::as_str)
+        self.flags.get(name).map(String::as_str)
     }
 
     /// The number that the flag `name` has as its value.

@@ -1,4 +1,4 @@
-//! The values of `gamow render`'s flags: what can be chosen, and how it is written.
+//! What can be chosen, and how it is written.
 
 use std::fmt;
 use std::path::Path;
@@ -6,16 +6,31 @@ use std::str::FromStr;
 
 use clap::ValueEnum;
 use relativity_render::Gaze;
+use serde::{Serialize, Serializer};
 
-use crate::flags::finite_number;
+use super::finite_number;
 
-/// Longest side of one eye's picture, pixels.
-const MAX_SIDE: u32 = 16_384;
+/// What draws.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum RendererChoice {
+    /// Exact where there is a graphics adapter, else reference; mesh for the published geometry.
+    #[default]
+    Auto,
+    /// A ray test per pixel on the GPU, in f32.
+    Exact,
+    /// Triangles on the GPU.
+    Mesh,
+    /// A ray test per pixel on the CPU, in f64.
+    Reference,
+}
 
 /// How the pictures of the two eyes share a file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Layout {
     /// The left eye's picture on the left, the right eye's on the right (for parallel viewing).
+    #[default]
     SideBySide,
     /// The other way round, for crossed eyes.
     CrossEyed,
@@ -27,15 +42,6 @@ pub enum Layout {
     Anaglyph,
     /// The left eye in blue and the right eye in orange, added.
     Overlay,
-}
-
-/// An effect that is drawn or left out.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Switch {
-    /// Yes.
-    On,
-    /// No.
-    Off,
 }
 
 /// What a file can be, by its extension.
@@ -73,6 +79,9 @@ impl FileKind {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Size(pub [u32; 2]);
 
+/// Longest side of one eye's picture, pixels.
+const MAX_SIDE: u32 = 16_384;
+
 impl FromStr for Size {
     type Err = String;
 
@@ -90,10 +99,17 @@ impl fmt::Display for Size {
     }
 }
 
+impl Serialize for Size {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
 /// Where both eyes look, in parallel.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum GazeChoice {
-    /// Towards the mean of the two places where the tracked point appears.
+    /// At the tracked point: along the bisector of its two apparent directions.
+    #[default]
     Track,
     /// Fixed: azimuth and elevation, degrees.
     Fixed([f64; 2]),
@@ -110,6 +126,12 @@ impl GazeChoice {
                 Some(Gaze { azimuth, elevation })
             }
         }
+    }
+
+    /// Fixed at `gaze`.
+    #[must_use]
+    pub const fn fixed_at(gaze: Gaze) -> Self {
+        Self::Fixed([gaze.azimuth.to_degrees(), gaze.elevation.to_degrees()])
     }
 }
 
@@ -133,48 +155,11 @@ impl FromStr for GazeChoice {
     }
 }
 
-impl fmt::Display for GazeChoice {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl Serialize for GazeChoice {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self {
-            Self::Track => f.write_str("track"),
-            Self::Fixed([azimuth, elevation]) => write!(f, "{azimuth},{elevation}"),
+            Self::Track => serializer.serialize_str("track"),
+            Self::Fixed(degrees) => degrees.serialize(serializer),
         }
     }
-}
-
-/// A number, or `off`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct NumberOrOff(pub Option<f64>);
-
-impl FromStr for NumberOrOff {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        if text == "off" { Ok(Self(None)) } else { finite_number(text).map(|value| Self(Some(value))) }
-    }
-}
-
-impl fmt::Display for NumberOrOff {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.0 {
-            Some(value) => write!(f, "{value}"),
-            None => f.write_str("off"),
-        }
-    }
-}
-
-/// Parses a field of view, degrees.
-pub fn field_of_view(text: &str) -> Result<f64, String> {
-    let degrees = finite_number(text)?;
-    if degrees > 0.0 && degrees < 180.0 {
-        Ok(degrees)
-    } else {
-        Err("must be between 0 and 180 degrees".to_owned())
-    }
-}
-
-/// The word that selects `choice` on the command line.
-#[must_use]
-pub fn word(choice: &impl ValueEnum) -> String {
-    choice.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default()
 }

@@ -46,6 +46,12 @@ pub fn is_folder(path: &Path) -> bool {
     path.is_dir()
 }
 
+/// Whether there is a regular file at `path`.
+#[must_use]
+pub fn is_file(path: &Path) -> bool {
+    path.is_file()
+}
+
 /// Whether there is something at `path` that is no regular file, such as a device or a named pipe.
 #[must_use]
 pub fn is_special(path: &Path) -> bool {

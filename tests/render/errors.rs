@@ -18,7 +18,6 @@ fn mistakes_are_told_in_one_line() {
         ("--scene cyclsit", "cyclsit"),
         ("--scene missing.toml", "missing.toml"),
         ("--beta 1", "beta = 1"),
-        ("--d -1", "negative"),
         ("--out missing/picture.png", "missing/picture.png"),
         ("--time 1e70", "T = 1e70"),
     ] {
@@ -34,6 +33,7 @@ fn flags_that_cannot_be_read_name_what_would_be_right() {
     for (flags, told) in [
         ("--size 0x5", "960x540"),
         ("--fov 180", "between 0 and 180"),
+        ("--d -1", "between 0 and 1e6"),
         ("--gaze up", "90,0"),
         ("--gaze 0,90", "level"),
         ("--layout both", "side-by-side"),

@@ -108,13 +108,13 @@ fn separation_and_path_follow() {
     let mut window = window(cyclist(0.9));
     let separation = slider(&window, "Eyes apart d");
     drag(&mut window, separation.left_center() + [10.0, 0.0].into(), separation.center());
-    let separation = window.state().state().settings.motion.separation;
+    let separation = window.state().state().settings.motion.d;
     assert!((separation - 1.0).abs() < 0.1, "d = {separation}");
 
     let distance = slider(&window, "Distance y");
     drag(&mut window, distance.left_center() + [20.0, 0.0].into(), distance.center());
     let state = window.state().state();
-    let depth = state.shift()[1] + 3.0;
+    let depth = state.settings.motion.depth_shift + 3.0;
     assert!((depth - 10.0).abs() < 0.7, "y = {depth}");
     let time = state.equidistance_time(state.session.points.selected()).expect("it moves");
     let expected = (separation / 2.0).hypot(depth).hypot(2.0);
@@ -143,7 +143,7 @@ fn each_effect_changes_the_picture() {
     let state = window.state().state();
     let light = state.settings.light;
     assert_eq!(light.colour, Colour::False);
-    assert_eq!((light.doppler_shift, light.intensity_exponent, light.sky), (false, None, false));
+    assert_eq!((light.doppler_shift, light.intensity_exponent.0, light.sky), (false, None, false));
     assert_eq!((light.shading, state.settings.look.geometry), (Shading::Emission, Geometry::Rest));
     label_starting_with(&window, "Plot of Δφ of point 1");
     window.key_press(Key::Num1);
@@ -177,8 +177,7 @@ fn settings_survive() {
     }
     let mut storage = Storage::default();
     eframe::App::save(window.state_mut(), &mut storage);
-    let loaded: gamow::app::settings::Settings =
-        eframe::get_value(&storage, eframe::APP_KEY).expect("it can be read back");
+    let loaded = gamow::app::memory::remembered(&storage);
     assert_eq!(loaded, window.state().state().settings);
     assert_ne!(loaded, cyclist(0.9).settings);
 }

@@ -3,16 +3,15 @@
 
 use std::time::{Duration, Instant};
 
-use eframe::egui::{ThemePreference, ViewportId};
+use eframe::egui::ViewportId;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use gamow::app::App;
 use gamow::app::command::Command;
 use gamow::app::corrected::Corrected;
-use gamow::app::settings::{FitSetup, PlotTab, Plots};
-use gamow::app::speed_setting::SpeedSetting;
 use gamow::app::state::State;
-use gamow::flags::SpeedParameter;
+use gamow::flags::{SpeedParameter, SpeedSetting};
+use gamow::settings::{FitSetup, PlotTab, Plots, Theme};
 use relativity_core::{
     Curves, FitOptions, Model, Observations, Parameter, Passage, PublishedVariant, Reading, Sample, fit,
 };
@@ -41,7 +40,7 @@ const APPENDIX_A: Model = Model::Published(PublishedVariant::AppendixA);
 fn fitted(beta: f64, setup: FitSetup) -> State {
     let mut state = cyclist(beta);
     state.apply(Command::Fit(setup));
-    state.apply(Command::Plots(Plots { tab: PlotTab::Fit, ..Plots::default() }));
+    state.apply(Command::Plots(Plots { plot: PlotTab::Fit, ..Plots::default() }));
     state
 }
 
@@ -136,11 +135,11 @@ fn the_published_model_is_biased() {
 fn published_beta_of_exact_curves(state: &State, setup: FitSetup) -> f64 {
     let [from, to] = state.time_range();
     let sample = |index: usize| {
-        let time = from + (to - from) * index as f64 / (setup.samples - 1) as f64;
+        let time = from + (to - from) * index as f64 / (setup.fit_samples - 1) as f64;
         let [left, right] = [0, 1].map(|eye| seen(0.9, time, eye).theta());
         Sample { time, pair: 0, dphi: None, dtheta: Some(Reading { value: left - right, sigma: None }) }
     };
-    let observed = Observations::of_pair(SEPARATION, (0..setup.samples).map(sample).collect());
+    let observed = Observations::of_pair(SEPARATION, (0..setup.fit_samples).map(sample).collect());
     let options = FitOptions { model: setup.model, curves: setup.curves, passage: Passage::Known(0.0) };
     fit(&observed.expect("usable samples"), &options).expect("a fit").value(Parameter::Beta)
 }
@@ -148,10 +147,10 @@ fn published_beta_of_exact_curves(state: &State, setup: FitSetup) -> f64 {
 fn what_cannot_be_fitted() {
     let mut together = fitted(0.9, FitSetup::default());
     let mut motion = together.settings.motion;
-    motion.separation = 0.0;
+    motion.d = 0.0;
     together.apply(Command::Motion(motion));
     let mut behind = fitted(0.9, FitSetup::default());
-    motion.separation = 0.1;
+    motion.d = 0.1;
     motion.depth_shift = -3.0;
     behind.apply(Command::Motion(motion));
     // So slow, it hardly moves while it is watched.
@@ -166,7 +165,7 @@ fn what_cannot_be_fitted() {
         (together, "Both eyes are in one place (d = 0)"),
         (fitted(0.0, FitSetup::default()), "At rest (β = 0)"),
         (behind, "The fit looks in front of the eyes"),
-        (fitted(0.9, FitSetup { samples: 4, ..FitSetup::default() }), "4 samples of both are too few"),
+        (fitted(0.9, FitSetup { fit_samples: 4, ..FitSetup::default() }), "4 samples of both are too few"),
         (slow, "The data cannot tell x0 from z"),
     ];
     for (state, words) in cases {
@@ -281,7 +280,7 @@ fn red_share(window: &mut Harness<'_, App>, by: &str) -> f64 {
 fn the_corrected_picture_is_red_if_the_fit_is_right() {
     let mut state = fitted(0.9, FitSetup::default());
     state.settings.window.corrected = true;
-    state.settings.window.theme = ThemePreference::Light;
+    state.settings.window.theme = Theme::Light;
     let mut window = window_with_fit(state);
     let right = red_share(&mut window, "fitted");
     assert!(right > 0.9, "{right}");
@@ -316,7 +315,7 @@ fn the_corrected_picture_costs_nothing_when_off() {
 
 fn extremes_are_fitted_and_corrected_without_harm() {
     for gamma in [1.0, 1e3, 1e30] {
-        let mut state = fitted(0.5, FitSetup { samples: 60, ..FitSetup::default() });
+        let mut state = fitted(0.5, FitSetup { fit_samples: 60, ..FitSetup::default() });
         let mut motion = state.settings.motion;
         motion.speed = SpeedSetting::new(SpeedParameter::Gamma, gamma).expect("a speed");
         state.apply(Command::Motion(motion));
@@ -331,7 +330,7 @@ fn extremes_are_fitted_and_corrected_without_harm() {
         window.render().expect("a picture");
     }
     for size in [[64.0, 64.0], [200.0, 100.0], [480.0, 320.0], [3000.0, 90.0], [90.0, 1500.0]] {
-        let mut state = fitted(0.9, FitSetup { samples: 20, ..FitSetup::default() });
+        let mut state = fitted(0.9, FitSetup { fit_samples: 20, ..FitSetup::default() });
         state.settings.window.corrected = true;
         let mut window = window_of_size(state, size, 1.0);
         window.run_steps(3);

@@ -1,16 +1,15 @@
 //! Sizes, scales, themes and extremes: everything is in the window, has a name, and is a number.
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Rect, ThemePreference, pos2, vec2};
+use eframe::egui::{Rect, pos2, vec2};
 use egui_kittest::kittest::Queryable as _;
 use egui_kittest::{Harness, SnapshotOptions};
 use gamow::app::App;
 use gamow::app::command::Command;
-use gamow::app::settings::{PlotTab, Plots};
-use gamow::app::speed_setting::SpeedSetting;
 use gamow::app::state::State;
-use gamow::flags::SpeedParameter;
+use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::scene::{PRESETS, Scene};
+use gamow::settings::{PlotTab, Plots, Theme};
 
 use super::Test;
 use super::support::{cyclist, labels, window, window_of_size};
@@ -45,7 +44,7 @@ fn every_part_is_in_the_window() {
     for (size, scale) in
         [([1024.0, 600.0], 1.0), ([1280.0, 800.0], 2.0), ([3840.0, 2160.0], 1.0), ([1920.0, 1080.0], 2.0)]
     {
-        for theme in [ThemePreference::Light, ThemePreference::Dark] {
+        for theme in [Theme::Light, Theme::Dark] {
             let mut state = cyclist(0.9);
             state.settings.window.theme = theme;
             let mut window = window_of_size(state, size, scale);
@@ -62,15 +61,15 @@ fn every_part_is_in_the_window() {
 }
 
 fn the_light_window_looks_as_it_did() {
-    assert_looks_as_it_did(ThemePreference::Light, "window-light");
+    assert_looks_as_it_did(Theme::Light, "window-light");
 }
 
 fn the_dark_window_looks_as_it_did() {
-    assert_looks_as_it_did(ThemePreference::Dark, "window-dark");
+    assert_looks_as_it_did(Theme::Dark, "window-dark");
 }
 
 /// The views are left out: their pixels depend on the rasteriser. `UPDATE_SNAPSHOTS=1` accepts a new look.
-fn assert_looks_as_it_did(theme: ThemePreference, name: &str) {
+fn assert_looks_as_it_did(theme: Theme, name: &str) {
     let mut state = cyclist(0.9);
     state.settings.window.theme = theme;
     state.settings.window.views = false;
@@ -81,10 +80,10 @@ fn assert_looks_as_it_did(theme: ThemePreference, name: &str) {
 }
 
 /// The corner of the window shows the theme: light or dark.
-fn assert_both_backgrounds_differ(window: &mut Harness<'_, App>, theme: ThemePreference) {
+fn assert_both_backgrounds_differ(window: &mut Harness<'_, App>, theme: Theme) {
     let picture = window.render().expect("a picture");
     let corner = picture.get_pixel(1, 1).0;
-    assert_eq!(corner[0] > 128, theme == ThemePreference::Light, "{corner:?}");
+    assert_eq!(corner[0] > 128, theme == Theme::Light, "{corner:?}");
 }
 
 fn tiny_windows() {
@@ -104,8 +103,8 @@ fn extremes_show_numbers_or_dashes() {
     ];
     for (parameter, value) in speeds {
         let mut window = window_of_size(extreme(parameter, value), [1024.0, 600.0], 1.0);
-        for tab in [PlotTab::Disparity, PlotTab::Angles, PlotTab::Doppler] {
-            window.state_mut().ask(Command::Plots(Plots { tab, published: true }));
+        for plot in [PlotTab::Disparity, PlotTab::Angles, PlotTab::Doppler] {
+            window.state_mut().ask(Command::Plots(Plots { plot, published: true, ..Plots::default() }));
             for time in [0.0, -1e12, 1e12] {
                 window.state_mut().ask(Command::Time(time));
                 window.run();
@@ -121,7 +120,7 @@ fn extreme(parameter: SpeedParameter, value: f64) -> State {
     let mut state = cyclist(0.5);
     let mut motion = state.settings.motion;
     motion.speed = SpeedSetting::new(parameter, value).expect("a speed");
-    motion.separation = 0.0;
+    motion.d = 0.0;
     motion.depth_shift = -3.0;
     motion.height_shift = -2.0;
     state.apply(Command::Motion(motion));

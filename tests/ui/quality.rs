@@ -10,9 +10,9 @@ use gamow::app::App;
 use gamow::app::command::Command;
 use gamow::app::examination::Examination;
 use gamow::app::observer::Eye;
-use gamow::app::settings::{PlotTab, Plots, Settings};
 use gamow::app::state::State;
-use gamow::flags::RendererChoice;
+use gamow::flags::choices::RendererChoice;
+use gamow::settings::{PlotTab, Plots};
 use relativity_render::PreparedScene;
 
 use super::Test;
@@ -25,13 +25,12 @@ pub const TESTS: &[Test] = &[
     ("hidden_figures_are_not_measured", hidden_figures_are_not_measured),
     ("clicking_a_renderer_in_the_table_or_the_plot_chooses_it", clicking_a_renderer_chooses_it),
     ("the_heat_map_marks_what_the_mesh_gets_wrong", the_heat_map_marks_errors),
-    ("a_bound_that_is_no_number_does_no_harm", a_bound_that_is_no_number),
 ];
 
 /// The default scene at this beta, with the Accuracy tab in view.
 fn examined(beta: f64) -> State {
     let mut state = cyclist(beta);
-    state.apply(Command::Plots(Plots { tab: PlotTab::Accuracy, ..Plots::default() }));
+    state.apply(Command::Plots(Plots { plot: PlotTab::Accuracy, ..Plots::default() }));
     state
 }
 
@@ -61,7 +60,7 @@ fn share_in_pane(window: &mut Harness<'_, App>, differs: fn([u8; 3], [u8; 3]) ->
     let pane = pane(window, 0);
     let size = [pane.width() as u32, pane.height() as u32];
     let state = window.state().state();
-    let view = state.view(Eye::Left, size, state.gaze());
+    let view = state.view(Eye::Left, size);
     let reference = PreparedScene::moving(&state.session.bodies).picture(&view, &state.appearance(false), 2);
     let shown = window.render().expect("a picture");
     let compared = size[0] * (size[1] - NOTE);
@@ -224,14 +223,4 @@ fn the_heat_map_marks_errors() {
     window.get_by_label("Plots").click();
     window.run();
     assert!(share_in_pane(&mut window, darker) < 0.05, "without its scale there is no map");
-}
-
-fn a_bound_that_is_no_number() {
-    for bound_px in [f64::NAN, f64::NEG_INFINITY, 0.0, f64::INFINITY] {
-        let mut settings = Settings::default();
-        settings.quality.renderer = RendererChoice::Mesh;
-        settings.quality.bound_px = bound_px;
-        let Method::Mesh { bound_px } = settings.quality.method() else { panic!("it is a mesh") };
-        assert!((0.01..=100.0).contains(&bound_px), "{bound_px}");
-    }
 }

@@ -5,11 +5,10 @@ use eframe::egui::{Pos2, Rect, Vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use gamow::app::App;
-use gamow::app::settings::Settings;
-use gamow::app::speed_setting::SpeedSetting;
 use gamow::app::state::State;
-use gamow::flags::SpeedParameter;
+use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::scene::Scene;
+use gamow::settings::Settings;
 use relativity_core::{Aperture, Sighting, SourcePoint, Speed, sighting};
 
 /// The cyclist's tracked point, and the usual separation of the eyes.

@@ -11,10 +11,10 @@ use relativity_core::{
 };
 
 use crate::app::curves::{Sample, bends, sampled};
-use crate::app::settings::FitSetup;
 use crate::estimate::{Estimate, estimate};
 use crate::platform::clock::Instant;
 use crate::platform::threads::prelude::*;
+use crate::settings::FitSetup;
 
 /// Everything that a fit depends on.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -128,7 +128,7 @@ fn observations(key: &Key, noise_percent: f64) -> Result<Observations, String> {
         return Err(obstacle.to_owned());
     }
     let [from, to] = key.range;
-    let last = key.setup.samples.max(2) - 1;
+    let last = key.setup.fit_samples.max(2) - 1;
     let fraction = |index: usize| index as f64 / last as f64;
     let simulation = Simulation {
         speed: key.speed,

@@ -1,12 +1,13 @@
 //! The bar at the top: the scene, and which parts of the window are shown.
 
-use eframe::egui::{Align, ComboBox, Layout, RichText, ThemePreference, Ui, vec2};
+use eframe::egui::{Align, ComboBox, Layout, RichText, Ui, vec2};
 
 use super::Asks;
 use crate::app::command::Command;
 use crate::app::state::State;
 use crate::app::widgets::icons::{self, Icon};
 use crate::scene::{PRESETS, Scene};
+use crate::settings::Theme;
 
 /// Shows the bar.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
@@ -45,8 +46,7 @@ fn scene(ui: &mut Ui, state: &State, asks: &mut Asks) {
 fn parts(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let mut window = state.settings.window;
     let dark = ui.visuals().dark_mode;
-    let (icon, other) =
-        if dark { (Icon::Light, ThemePreference::Light) } else { (Icon::Dark, ThemePreference::Dark) };
+    let (icon, other) = if dark { (Icon::Light, Theme::Light) } else { (Icon::Dark, Theme::Dark) };
     if icons::button(ui, icon, "Theme", vec2(30.0, 22.0), false).on_hover_text("Light or dark").clicked() {
         window.theme = other;
     }

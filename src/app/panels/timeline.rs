@@ -5,12 +5,13 @@ use eframe::egui::{
 };
 
 use super::Asks;
-use crate::app::clock::MAX_TIME;
 use crate::app::command::Command;
 use crate::app::state::State;
 use crate::app::widgets;
 use crate::app::widgets::icons::{self, Icon};
 use crate::app::{figures, theme};
+use crate::flags::{MAX_TIME, TimeRange};
+use crate::settings::RATE;
 
 const TIME_TIP: &str = "Observation time T: when the light is received.   Keys: ← →, Home, End";
 
@@ -80,10 +81,10 @@ fn playback(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let before = state.settings.playback;
     let mut playback = before;
     let [mut from, mut to] = state.time_range();
-    let mut fitted = playback.range.is_none();
+    let mut fitted = playback.range.0.is_none();
     let tip = "Fits the range to the selected point: approaching, abreast, receding.";
     if ui.add(Checkbox::new(&mut fitted, "fit")).on_hover_text(tip).accessible_name("Fit range").changed() {
-        playback.range = if fitted { None } else { Some([from, to]) };
+        playback.range = TimeRange((!fitted).then_some([from, to]));
     }
     let shown = [from, to];
     let end = |value| widgets::end_of_range(value, shown, 2);
@@ -91,7 +92,7 @@ fn playback(ui: &mut Ui, state: &State, asks: &mut Asks) {
     ui.label("to");
     let first = ui.add(end(&mut from)).on_hover_text("First T").accessible_name("First T").changed();
     if first || last {
-        playback.range = Some([from.min(to), to.max(from)]);
+        playback.range = TimeRange(Some([from.min(to), to.max(from)]));
     }
     ui.label("from");
     ui.separator();
@@ -99,8 +100,7 @@ fn playback(ui: &mut Ui, state: &State, asks: &mut Asks) {
     if repeat.on_hover_text("Start again at the end").clicked() {
         playback.looping = !playback.looping;
     }
-    let rate =
-        DragValue::new(&mut playback.rate).range(0.001..=1e6).speed(0.01).max_decimals(3).suffix(" / s");
+    let rate = DragValue::new(&mut playback.rate).range(RATE).speed(0.01).max_decimals(3).suffix(" / s");
     ui.add(rate).on_hover_text("Units of T per second of your clock").accessible_name("Playback rate");
     if playback != before {
         asks.push(Command::Playback(playback));

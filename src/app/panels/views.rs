@@ -85,7 +85,7 @@ fn turn(response: &Response, state: &State, pane: EyePane, asks: &mut Asks) {
     if !response.dragged() || moved == egui::Vec2::ZERO {
         return;
     }
-    let focal_length = state.view(pane.eye, pane.size, state.gaze()).camera.focal_length_px();
+    let focal_length = state.view(pane.eye, pane.size).camera.focal_length_px();
     let pixels = f64::from(pane.size[0]) / f64::from(pane.rect.width());
     let angle = |points: f32| f64::from(points) * pixels / focal_length;
     asks.push(Command::Turn { azimuth: angle(moved.x), elevation: angle(moved.y) });
@@ -142,7 +142,7 @@ fn notes(ui: &Ui, painter: &Painter, pane: EyePane, text: &str) {
 }
 
 fn markers(painter: &Painter, state: &State, pane: EyePane, visuals: &Visuals) {
-    let view = state.view(pane.eye, pane.size, state.gaze());
+    let view = state.view(pane.eye, pane.size);
     let scene = PreparedScene::moving(&state.session.bodies);
     for (index, point) in state.session.points.all().iter().enumerate() {
         let Some(marker) = Marker::of(state, point, &view, &scene, pane.eye) else { continue };

@@ -8,8 +8,8 @@ use eframe::egui::{
     SliderClamping, TextEdit, TextStyle, Ui, pos2, vec2,
 };
 
-use crate::app::clock::MAX_TIME;
 use crate::app::{figures, theme};
+use crate::flags::MAX_TIME;
 
 /// Width of the names in front of the widgets.
 const NAME_WIDTH: f32 = 88.0;

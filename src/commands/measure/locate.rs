@@ -6,7 +6,6 @@ use relativity_render::Picture;
 
 use crate::files::exr::{Channel, Measurements};
 use crate::flags::choices::FileKind;
-use crate::flags::finite_number;
 
 /// Largest difference of a component of a colour that still counts as the same.
 const COLOUR_TOLERANCE: u8 = 24;
@@ -32,12 +31,6 @@ impl Target {
             Self::Marker(_) => FileKind::Png,
         }
     }
-}
-
-/// Parses a point.
-pub fn point(text: &str) -> Result<[f64; 3], String> {
-    let numbers: Vec<f64> = text.split(',').map(finite_number).collect::<Result<_, _>>()?;
-    numbers.try_into().map_err(|_| "write three numbers like 0,3,2".to_owned())
 }
 
 /// Parses a colour.
@@ -145,9 +138,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn points_and_colours_are_read() {
-        assert_eq!(point("-0.5,3, 2"), Ok([-0.5, 3.0, 2.0]));
-        assert!(point("1,2").is_err() && point("1,2,x").is_err());
+    fn colours_are_read() {
         assert_eq!(colour("ff8000"), Ok([255, 128, 0]));
         assert_eq!(colour("#00ff01"), Ok([0, 255, 1]));
         assert!(colour("red").is_err() && colour("fff").is_err());

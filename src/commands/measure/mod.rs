@@ -19,6 +19,7 @@ use crate::files::png::PngFile;
 use crate::files::provenance::Recorded;
 use crate::files::{csv_out, whole};
 use crate::flags::choices::FileKind;
+use crate::flags::coordinates;
 use crate::platform;
 
 /// Follows a point through a stereo sequence and measures its angles, as CSV.
@@ -44,7 +45,7 @@ pub struct MeasureArgs {
 #[group(required = true, multiple = false)]
 struct TargetArgs {
     /// In .exr files: the mark on an object's surface at these rest-frame coordinates.
-    #[arg(long, value_name = "X,Y,Z", value_parser = locate::point, allow_hyphen_values = true)]
+    #[arg(long, value_name = "X,Y,Z", value_parser = coordinates, allow_hyphen_values = true)]
     point: Option<[f64; 3]>,
     /// In .exr files: the middle of the object with this number.
     #[arg(long, value_name = "NUMBER")]

@@ -1,14 +1,15 @@
-//! The paper's stereo frames of its cyclist, drawn by `gamow render`.
+//! The paper's stereo frames of its cyclist, drawn as `gamow render` draws them.
 
 use std::fmt::Write as _;
 use std::path::Path;
 
-use clap::Parser;
 use relativity_core::{Disparity, DomainError, Model};
 
 use super::curves::Setup;
 use super::figures;
-use crate::commands::render::{self, RenderArgs};
+use crate::flags::choices::FileKind;
+use crate::settings::Settings;
+use crate::studio::Studio;
 
 /// A row of frames, as one figure of the paper shows them.
 #[derive(Debug)]
@@ -86,22 +87,14 @@ pub fn write_all(folder: &Path) -> anyhow::Result<Vec<Vec<Frame>>> {
     FIGURES.iter().map(|figure| figure.write(folder)).collect()
 }
 
-/// `gamow render`, as its own command line.
-#[derive(Debug, Parser)]
-struct Render {
-    #[command(flatten)]
-    args: RenderArgs,
-}
-
 impl Figure {
     fn write(&self, folder: &Path) -> anyhow::Result<Vec<Frame>> {
         let frames: Vec<Frame> =
             (1..).zip(self.places).map(|(number, &x)| self.frame(number, x)).collect::<Result<_, _>>()?;
         for frame in &frames {
-            let out = folder.join(&frame.file);
-            let words = frame.command.split_whitespace().skip(1).map(Into::into);
-            let render = Render::try_parse_from(words.chain(["--out".into(), out.into_os_string()]))?;
-            render::run(&render.args)?;
+            let settings = Settings::default().with_command(&frame.command, self.name)?;
+            let mut studio = Studio::new(settings)?;
+            studio.make_file(&studio.frame(None)?, FileKind::Png, &folder.join(&frame.file))?;
         }
         figures::write_text(folder, &format!("{}.svg", self.name), &svg(&frames))?;
         let column = |name: &str, value: fn(&Frame) -> f64| {

@@ -6,21 +6,17 @@ use anyhow::Context as _;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 
-use super::Studio;
-use super::shot::Observer;
-use crate::files::{exr, png};
 use crate::flags::choices::FileKind;
 use crate::flags::finite_number;
+use crate::passage::passage_times;
 use crate::platform::files;
+use crate::studio::Studio;
 
-/// Flags of time: one picture, or a sequence.
+/// Flags of a sequence.
 #[derive(Debug, Clone, Args)]
 pub struct TimeArgs {
-    /// Observation time T [default: when the tracked point is seen 45 degrees before it is abreast; 0 at rest]
-    #[arg(long, value_name = "T", value_parser = finite_number, allow_hyphen_values = true, conflicts_with = "frames")]
-    pub time: Option<f64>,
     /// Make a sequence of N frames.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..), conflicts_with = "time")]
     pub frames: Option<u32>,
     /// Make the frames of a sequence .exr files of what every pixel shows, not .png pictures.
     #[arg(long, requires = "frames")]
@@ -36,11 +32,13 @@ pub struct TimeArgs {
 
 impl TimeArgs {
     /// Observation times of the first and the last frame.
-    fn range(&self, observer: &Observer) -> anyhow::Result<[f64; 2]> {
+    fn range(&self, studio: &Studio) -> anyhow::Result<[f64; 2]> {
         if let (Some(from), Some(to)) = (self.from, self.to) {
             return Ok([from, to]);
         }
-        let passage = observer.passage_times()?;
+        let settings = studio.settings();
+        let passage = passage_times(&settings.speed(), settings.source(studio.tracked()), settings.motion.d)?;
+        let passage = passage.context("a scene at rest passes at no time; --from and --to are needed")?;
         Ok([self.from.unwrap_or(passage[0]), self.to.unwrap_or(passage[1])])
     }
 }
@@ -49,7 +47,7 @@ impl TimeArgs {
 /// with the same parameters, are kept.
 pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Result<()> {
     let frames = times.frames.unwrap_or(1);
-    let [from, to] = times.range(&studio.observer)?;
+    let [from, to] = times.range(studio)?;
     files::create_folder(folder).with_context(|| folder.display().to_string())?;
     let progress = progress_bar(frames);
     let kind = if times.exr { FileKind::Exr } else { FileKind::Png };
@@ -58,15 +56,11 @@ pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Resu
         let u = f64::from(frame) / f64::from(frames.max(2) - 1);
         let time = from * (1.0 - u) + to * u; // exact at both ends
         let path = frame_path(folder, frame, kind);
-        let provenance = studio.provenance(time)?;
-        let is_made = match kind {
-            FileKind::Png => png::is_made(&path, &provenance.texts()),
-            FileKind::Exr => exr::is_made(&path, &provenance.comments()),
-        };
-        if is_made {
+        let frame = studio.frame(Some(time))?;
+        if frame.is_made(kind, &path) {
             kept += 1;
         } else {
-            studio.make_file(time, kind, &path)?;
+            studio.make_file(&frame, kind, &path)?;
         }
         progress.inc(1);
     }

@@ -8,8 +8,8 @@ use relativity_render::{Colour, Shading};
 
 use crate::app::command::Command;
 use crate::app::panels::Asks;
-use crate::app::settings::Light;
 use crate::app::widgets::{NumberRow, choice, row};
+use crate::settings::{EXPOSURE_EV, Light};
 
 /// Shows them.
 pub fn show(ui: &mut Ui, before: Light, asks: &mut Asks) {
@@ -21,7 +21,7 @@ pub fn show(ui: &mut Ui, before: Light, asks: &mut Asks) {
         choice(ui, &mut light.doppler_shift, &SHIFTS);
     });
     row(ui, "Intensity", "How much brighter the Doppler factor D makes light.", |ui| {
-        choice(ui, &mut light.intensity_exponent, &EXPONENTS);
+        choice(ui, &mut light.intensity_exponent.0, &EXPONENTS);
     });
     row(ui, "Shading", "How form is shown.", |ui| {
         choice(ui, &mut light.shading, &SHADINGS);
@@ -30,11 +30,11 @@ pub fn show(ui: &mut Ui, before: Light, asks: &mut Asks) {
         name: "Exposure",
         tip: "Brightness of the picture: light × 2^EV.",
         slider: -8.0..=8.0,
-        typed: -40.0..=40.0,
+        typed: EXPOSURE_EV,
         decimals: 2,
         suffix: " EV",
     };
-    exposure.show(ui, &mut light.exposure_ev);
+    exposure.show(ui, &mut light.exposure);
     row(ui, "Background", "What rests with the eyes.", |ui| {
         ui.checkbox(&mut light.sky, "Sky").on_hover_text("A sky behind the scene.");
         ui.checkbox(&mut light.ground, "Ground").on_hover_text("A grid on the ground, at rest.");

@@ -7,11 +7,11 @@ use eframe::egui::{ScrollArea, Ui};
 use relativity_render::Geometry;
 
 use super::Asks;
-use crate::app::command::{Command, FOV_DEGREES};
-use crate::app::settings::{BOUND_PX, GazeSetting, Look, MAX_LENGTH, Motion, Quality, Window};
+use crate::app::command::Command;
 use crate::app::state::State;
 use crate::app::widgets::{NumberRow, choice, row, section};
-use crate::flags::RendererChoice;
+use crate::flags::choices::{GazeChoice, RendererChoice};
+use crate::settings::{BOUND_PX, FOV_DEGREES, MAX_LENGTH, Motion, Quality, Window};
 
 /// Shows the controls.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
@@ -45,7 +45,7 @@ fn separation_row(ui: &mut Ui, motion: &mut Motion) {
         decimals: 6,
         suffix: "",
     };
-    row.show(ui, &mut motion.separation);
+    row.show(ui, &mut motion.d);
 }
 
 fn path_rows(ui: &mut Ui, [_, scene_depth, scene_height]: [f64; 3], motion: &mut Motion) {
@@ -67,36 +67,23 @@ fn path_rows(ui: &mut Ui, [_, scene_depth, scene_height]: [f64; 3], motion: &mut
     };
     let mut depth = scene_depth + motion.depth_shift;
     if distance.show(ui, &mut depth) {
-        motion.depth_shift = depth - scene_depth;
+        motion.depth_shift = shift(depth - scene_depth);
     }
     let mut altitude = scene_height + motion.height_shift;
     if height.show(ui, &mut altitude) {
-        motion.height_shift = altitude - scene_height;
+        motion.height_shift = shift(altitude - scene_height);
     }
+}
+
+/// A shift that settings can have: only a place at the very end of its range may ask for more.
+fn shift(distance: f64) -> f64 {
+    distance.clamp(-MAX_LENGTH, MAX_LENGTH)
 }
 
 fn look(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let mut look = state.settings.look;
-    row(ui, "Geometry", "What the views show.   Keys: 1 2 3", |ui| {
-        choice(
-            ui,
-            &mut look.geometry,
-            &[
-                (
-                    Geometry::Seen,
-                    "As seen",
-                    "Each point where it was when its light left it: exact.\nt = T − R",
-                ),
-                (
-                    Geometry::Contracted,
-                    "Contracted",
-                    "Where everything is at T, as if light were instantaneous: what Gamow drew.\nx = x₀/γ + βT",
-                ),
-                (Geometry::Rest, "At rest", "What a camera that rides along photographs."),
-            ],
-        );
-    });
-    right_eye_row(ui, &mut look);
+    geometry_row(ui, &mut look.geometry);
+    right_eye_row(ui, &mut look.geometry);
     gaze_row(ui, state, &mut look.gaze, asks);
     corrected_row(ui, state.settings.window, asks);
     let fov = NumberRow {
@@ -107,14 +94,17 @@ fn look(ui: &mut Ui, state: &State, asks: &mut Asks) {
         decimals: 1,
         suffix: "°",
     };
-    fov.show(ui, &mut look.fov_degrees);
+    fov.show(ui, &mut look.fov);
     quality(ui, state.settings.quality, asks);
     if look != state.settings.look {
         asks.push(Command::Look(look));
     }
 }
 
-fn quality(ui: &mut Ui, before: Quality, asks: &mut Asks) {
+fn quality(ui: &mut Ui, set: Quality, asks: &mut Asks) {
+    // The window has a GPU, so that what is automatic is exact.
+    let renderer = if set.renderer == RendererChoice::Exact { RendererChoice::Auto } else { set.renderer };
+    let before = Quality { renderer, ..set };
     let mut quality = before;
     let tip = "What draws the views.   The Accuracy tab shows what each costs, and how far it is off.";
     row(ui, "Quality", tip, |ui| choice(ui, &mut quality.renderer, &RENDERERS));
@@ -135,7 +125,7 @@ fn quality(ui: &mut Ui, before: Quality, asks: &mut Asks) {
 }
 
 const RENDERERS: [(RendererChoice, &str, &str); 3] = [
-    (RendererChoice::Exact, "Exact", "A ray test per pixel on the GPU, in 32-bit floats."),
+    (RendererChoice::Auto, "Exact", "A ray test per pixel on the GPU, in 32-bit floats."),
     (RendererChoice::Mesh, "Mesh", "Triangles on the GPU, as many as keep the bound."),
     (
         RendererChoice::Reference,
@@ -145,19 +135,43 @@ const RENDERERS: [(RendererChoice, &str, &str); 3] = [
     ),
 ];
 
-fn right_eye_row(ui: &mut Ui, look: &mut Look) {
-    let tip = "What the right eye's view shows, with the geometry as seen.";
-    row(ui, "Right eye", tip, |ui| {
-        ui.add_enabled_ui(look.geometry == Geometry::Seen, |ui| {
-            choice(ui, &mut look.right_as_published, &RIGHT_EYES);
-        });
-    });
+fn geometry_row(ui: &mut Ui, geometry: &mut Geometry) {
+    let before = geometry.of_left_eye();
+    let mut chosen = before;
+    row(ui, "Geometry", "What the views show.   Keys: 1 2 3", |ui| choice(ui, &mut chosen, &GEOMETRIES));
+    if chosen != before {
+        *geometry = chosen;
+    }
 }
 
-const RIGHT_EYES: [(bool, &str, &str); 2] = [
-    (false, "Its own", "What it sees through its own light cone: exact."),
+const GEOMETRIES: [(Geometry, &str, &str); 3] = [
+    (Geometry::Seen, "As seen", "Each point where it was when its light left it: exact.\nt = T − R"),
     (
-        true,
+        Geometry::Contracted,
+        "Contracted",
+        "Where everything is at T, as if light were instantaneous: what Gamow drew.\nx = x₀/γ + βT",
+    ),
+    (Geometry::Rest, "At rest", "What a camera that rides along photographs."),
+];
+
+fn right_eye_row(ui: &mut Ui, geometry: &mut Geometry) {
+    let tip = "What the right eye's view shows, with the geometry as seen.";
+    let published = Geometry::Published;
+    let before = if *geometry == published { published } else { Geometry::Seen };
+    let mut chosen = before;
+    row(ui, "Right eye", tip, |ui| {
+        let is_seen = geometry.of_left_eye() == Geometry::Seen;
+        ui.add_enabled_ui(is_seen, |ui| choice(ui, &mut chosen, &RIGHT_EYES));
+    });
+    if chosen != before {
+        *geometry = chosen;
+    }
+}
+
+const RIGHT_EYES: [(Geometry, &str, &str); 2] = [
+    (Geometry::Seen, "Its own", "What it sees through its own light cone: exact."),
+    (
+        Geometry::Published,
         "As in the paper",
         "The published model: what the left eye sees of each point at T − ΔT, measured from the left eye.",
     ),
@@ -173,20 +187,16 @@ fn corrected_row(ui: &mut Ui, mut window: Window, asks: &mut Asks) {
     });
 }
 
-fn gaze_row(ui: &mut Ui, state: &State, gaze: &mut GazeSetting, asks: &mut Asks) {
+fn gaze_row(ui: &mut Ui, state: &State, gaze: &mut GazeChoice, asks: &mut Asks) {
     let tip = "Where both eyes look, in parallel.   Drag in a view to look around.";
-    let now = state.gaze();
-    let fixed = match *gaze {
-        GazeSetting::Tracking => GazeSetting::Fixed { azimuth: now.azimuth, elevation: now.elevation },
-        fixed @ GazeSetting::Fixed { .. } => fixed,
-    };
+    let fixed = state.fixed_gaze();
     row(ui, "Gaze", tip, |ui| {
         choice(
             ui,
             gaze,
             &[
                 (
-                    GazeSetting::Tracking,
+                    GazeChoice::Track,
                     "Follows",
                     "At the selected point: the mean of its two apparent directions, as in the paper.",
                 ),

@@ -20,11 +20,11 @@ use crate::app::examination::Examination;
 use crate::app::fitting::Fitting;
 use crate::app::observer::Eye;
 use crate::app::panels::Asks;
-use crate::app::settings::PlotTab;
 use crate::app::state::State;
 use crate::app::widgets::dot;
 use crate::app::widgets::icons::{self, Icon};
 use crate::app::{figures, theme};
+use crate::settings::PlotTab;
 
 /// What there is to plot.
 #[derive(Clone, Copy)]
@@ -42,12 +42,12 @@ pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {
     ui.horizontal(|ui| {
         tabs(ui, state, asks);
         ui.separator();
-        match plotted.examination.filter(|_| state.settings.plots.tab == PlotTab::Accuracy) {
+        match plotted.examination.filter(|_| state.settings.plots.plot == PlotTab::Accuracy) {
             Some(examination) => accuracy::caption(ui, state, examination, asks),
             None => points(ui, state, asks),
         }
     });
-    let quantities: &[Quantity] = match state.settings.plots.tab {
+    let quantities: &[Quantity] = match state.settings.plots.plot {
         PlotTab::Disparity => &[Quantity::DeltaPhi, Quantity::DeltaTheta],
         PlotTab::Angles => &[Quantity::Phi, Quantity::Theta],
         PlotTab::Doppler => &[Quantity::LogDoppler],
@@ -76,12 +76,12 @@ fn tabs(ui: &mut Ui, state: &State, asks: &mut Asks) {
         (PlotTab::Accuracy, "Accuracy", "What each way to draw the views costs, and how far it is off"),
     ];
     for (tab, name, tip) in options {
-        ui.selectable_value(&mut plots.tab, tab, name).on_hover_text(tip);
+        ui.selectable_value(&mut plots.plot, tab, name).on_hover_text(tip);
     }
     let tip = "Draws the paper's approximate binocular model too, dashed:\n\
         the right eye is the left one at T − ΔT, both angles measured from the left eye.";
-    let with_published = plots.tab == PlotTab::Disparity;
-    if !matches!(plots.tab, PlotTab::Fit | PlotTab::Accuracy) {
+    let with_published = plots.plot == PlotTab::Disparity;
+    if !matches!(plots.plot, PlotTab::Fit | PlotTab::Accuracy) {
         let published = egui::Checkbox::new(&mut plots.published, "Published");
         ui.add_enabled(with_published, published).on_hover_text(tip);
     }
@@ -99,7 +99,7 @@ fn points(ui: &mut Ui, state: &State, asks: &mut Asks) {
         let colour = theme::point_colour(point.number, ui.visuals());
         dot(ui, colour);
         let chosen = all.len() > 1 && index == points.selected_index();
-        let [x, y, z] = state.rest_place(point).map(|value| figures::fixed(value, 3));
+        let [x, y, z] = state.settings.rest_place(point.rest).map(|value| figures::fixed(value, 3));
         let tip = format!("At rest at ({x}, {y}, {z}).\nClick in a view to move it, shift-click to add one.");
         if ui.selectable_label(chosen, point.name()).on_hover_text(tip).clicked() {
             asks.push(Command::SelectPoint(index));

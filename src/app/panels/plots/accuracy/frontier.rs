@@ -9,8 +9,8 @@ use relativity_core::math;
 use crate::accuracy::Method;
 use crate::app::examination::{Examination, Row};
 use crate::app::panels::plots::axes::{extent, frame, still_plot};
-use crate::app::settings::Quality;
 use crate::app::{figures, theme};
+use crate::settings::Quality;
 
 /// Errors below this, arcseconds, are drawn as this: none is measured as 0 but by chance.
 const LEAST_ERROR: f64 = 1e-12;

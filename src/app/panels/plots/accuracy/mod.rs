@@ -40,12 +40,12 @@ pub fn show(ui: &mut Ui, state: &State, examination: Option<&Examination>, asks:
 
 /// The heat map's switch and scale, and what the figures are.
 pub fn caption(ui: &mut Ui, state: &State, examination: &Examination, asks: &mut Asks) {
-    let mut quality = state.settings.quality;
+    let mut plots = state.settings.plots;
     let tip = "Shows in the views how far each pixel's point is drawn from where it is seen.";
-    if ui.add(Checkbox::new(&mut quality.heat_map, "Heat map")).on_hover_text(tip).changed() {
-        asks.push(Command::Quality(quality));
+    if ui.add(Checkbox::new(&mut plots.heat_map, "Heat map")).on_hover_text(tip).changed() {
+        asks.push(Command::Plots(plots));
     }
-    if quality.heat_map {
+    if plots.heat_map {
         scale(ui);
     }
     let is_pending = examination.is_pending();

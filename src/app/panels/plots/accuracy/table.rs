@@ -5,8 +5,8 @@ use eframe::egui::{Grid, RichText, Ui};
 use crate::accuracy::{RESOLUTION_PX, Spread};
 use crate::app::examination::{Examination, Row};
 use crate::app::figures;
-use crate::app::settings::Quality;
 use crate::app::widgets::named_text;
+use crate::settings::Quality;
 
 const HEADS: [(&str, &str); 6] = [
     ("", "Click a renderer to choose it."),

@@ -10,14 +10,13 @@ use super::split::{part, table_and_plots};
 use crate::app::command::Command;
 use crate::app::fitting::Fitting;
 use crate::app::panels::Asks;
-use crate::app::settings::FitSetup;
 use crate::app::state::State;
 use crate::app::widgets::{choice, end_of_range};
+use crate::flags::TimeRange;
+use crate::settings::{FIT_SAMPLES, FitSetup, MAX_SEED, NOISE_PERCENT};
 
 /// Width of the table.
 const TABLE_WIDTH: f32 = 346.0;
-/// Most samples: their fit still takes less than a second.
-const MAX_SAMPLES: usize = 5000;
 
 /// Shows the tab: the model above the plots, the samples above the table.
 pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
@@ -73,11 +72,11 @@ fn model(ui: &mut Ui, setup: &mut FitSetup) {
 }
 
 fn samples(ui: &mut Ui, setup: &mut FitSetup) {
-    let number = DragValue::new(&mut setup.samples).range(2..=MAX_SAMPLES).speed(2.0);
+    let number = DragValue::new(&mut setup.fit_samples).range(FIT_SAMPLES).speed(2.0);
     let tip = "Number of samples of each curve, evenly spread over T.";
     named(ui, "samples", "Number of samples", tip, number);
     let noise = DragValue::new(&mut setup.noise_percent)
-        .range(0.0..=100.0)
+        .range(NOISE_PERCENT)
         .speed(0.02)
         .max_decimals(3)
         .update_while_editing(false)
@@ -85,7 +84,7 @@ fn samples(ui: &mut Ui, setup: &mut FitSetup) {
     let tip =
         "Standard deviation of the normal noise on each sample.\nσ = noise × (highest − lowest of the curve)";
     named(ui, "noise", "Noise", tip, noise);
-    let seed = DragValue::new(&mut setup.seed).speed(0.1).update_while_editing(false);
+    let seed = DragValue::new(&mut setup.seed).range(0..=MAX_SEED).speed(0.1).update_while_editing(false);
     let tip = "Seed of the noise and of the bootstrap: the same seed gives the same numbers.\n\
         Drag it to see other noise of the same strength.";
     named(ui, "seed", "Seed", tip, seed);
@@ -93,7 +92,7 @@ fn samples(ui: &mut Ui, setup: &mut FitSetup) {
 
 fn range(ui: &mut Ui, state: &State, setup: &mut FitSetup) {
     let plotted = state.time_range();
-    let [mut from, mut to] = setup.range.unwrap_or(plotted);
+    let [mut from, mut to] = setup.fit_range.0.unwrap_or(plotted);
     let field = |value| end_of_range(value, plotted, 3);
     let tip = "Over which T the samples are taken.";
     ui.label(RichText::new("T").weak());
@@ -101,11 +100,11 @@ fn range(ui: &mut Ui, state: &State, setup: &mut FitSetup) {
     ui.label(RichText::new("to").weak());
     let last = ui.add(field(&mut to)).on_hover_text(tip).accessible_name("Samples to T");
     if (first.changed() || last.changed()) && from < to {
-        setup.range = Some([from, to]);
+        setup.fit_range = TimeRange(Some([from, to]));
     }
-    let reset = egui::Button::new("as plotted").selected(setup.range.is_none());
+    let reset = egui::Button::new("as plotted").selected(setup.fit_range.0.is_none());
     if ui.add(reset).on_hover_text("Samples the range of T that the other plots show.").clicked() {
-        setup.range = None;
+        setup.fit_range = TimeRange(None);
     }
 }
 

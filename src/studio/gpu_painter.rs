@@ -4,6 +4,8 @@ use relativity_render::{
     Appearance, Body, ExactRenderer, EyeTarget, Gpu, HitImage, MeshRenderer, Picture, View,
 };
 
+use crate::flags::choices::RendererChoice;
+
 /// A renderer on the GPU.
 pub enum Drawer {
     /// A ray test per pixel.
@@ -67,14 +69,12 @@ impl GpuPainter {
         })
     }
 
-    /// The flags that choose this renderer again.
+    /// The choice that leads to this renderer again.
     #[must_use]
-    pub fn flags(&self) -> Vec<(&'static str, String)> {
-        match &self.drawer {
-            Drawer::Exact(_) => vec![("renderer", "exact".to_owned())],
-            Drawer::Mesh(mesh) => {
-                vec![("renderer", "mesh".to_owned()), ("bound-px", mesh.bound_px.to_string())]
-            }
+    pub const fn choice(&self) -> RendererChoice {
+        match self.drawer {
+            Drawer::Exact(_) => RendererChoice::Exact,
+            Drawer::Mesh(_) => RendererChoice::Mesh,
         }
     }
 

@@ -1,41 +1,9 @@
-//! The speed as the user gave it: exactly, as beta, gamma or rapidity, and by a slider finer towards 1.
+//! The speed on screen: as text, and by a slider that is finer towards 1.
 
 use relativity_core::math;
-use relativity_core::{Speed, SpeedError};
-use serde::{Deserialize, Serialize};
 
 use super::figures;
-use crate::flags::SpeedParameter;
-
-/// A speed that is in range, in the parameter it was given in: what was typed is what is kept.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(try_from = "Given", into = "Given")]
-pub struct SpeedSetting {
-    given: Given,
-    speed: Speed,
-}
-
-/// A parameter and its value, as saved.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-struct Given {
-    parameter: SpeedParameter,
-    value: f64,
-}
-
-impl TryFrom<Given> for SpeedSetting {
-    type Error = SpeedError;
-
-    fn try_from(given: Given) -> Result<Self, SpeedError> {
-        let speed = given.parameter.speed(given.value)?;
-        Ok(Self { given, speed })
-    }
-}
-
-impl From<SpeedSetting> for Given {
-    fn from(setting: SpeedSetting) -> Self {
-        setting.given
-    }
-}
+use crate::flags::{SpeedParameter, SpeedSetting};
 
 /// Rapidity at the right end of the slider: beta = 0.999 995.
 const SLIDER_MAX_RAPIDITY: f64 = 6.5;
@@ -44,34 +12,15 @@ const SLIDER_MAX_RAPIDITY: f64 = 6.5;
 const SLIDER_POWER: f64 = 1.5;
 
 impl SpeedSetting {
-    /// At rest.
-    pub const REST: Self =
-        Self { given: Given { parameter: SpeedParameter::Beta, value: 0.0 }, speed: Speed::REST };
-
-    /// The speed whose `parameter` has this `value`.
-    ///
-    /// # Errors
-    /// A value out of range.
-    pub fn new(parameter: SpeedParameter, value: f64) -> Result<Self, SpeedError> {
-        Self::try_from(Given { parameter, value })
-    }
-
-    /// The speed.
-    #[must_use]
-    pub const fn speed(&self) -> Speed {
-        self.speed
-    }
-
     /// `parameter` of this speed: digit for digit if it was given so, else to six digits.
     #[must_use]
     pub fn text(&self, parameter: SpeedParameter) -> String {
-        if parameter == self.given.parameter {
-            return figures::shortest(self.given.value);
-        }
+        let (given, value) = self.given();
         match parameter {
-            SpeedParameter::Beta => figures::beta(&self.speed),
-            SpeedParameter::Gamma => figures::significant(self.speed.gamma(), 6),
-            SpeedParameter::Rapidity => figures::significant(self.speed.rapidity(), 6),
+            _ if parameter == given => figures::shortest(value),
+            SpeedParameter::Beta => figures::beta(&self.speed()),
+            SpeedParameter::Gamma => figures::significant(self.speed().gamma(), 6),
+            SpeedParameter::Rapidity => figures::significant(self.speed().rapidity(), 6),
         }
     }
 
@@ -87,7 +36,7 @@ impl SpeedSetting {
     /// Where on the slider (0 to 1) this speed is.
     #[must_use]
     pub fn slider_position(&self) -> f64 {
-        math::powf((self.speed.rapidity() / SLIDER_MAX_RAPIDITY).min(1.0), 1.0 / SLIDER_POWER)
+        math::powf((self.speed().rapidity() / SLIDER_MAX_RAPIDITY).min(1.0), 1.0 / SLIDER_POWER)
     }
 
     /// The speed `steps` hundredths of the slider further on.
@@ -96,7 +45,7 @@ impl SpeedSetting {
         let position = self.slider_position() + f64::from(steps) / 100.0;
         let next = Self::at_slider_position(position);
         // Beyond the slider's end only a step down leads back.
-        let beyond = self.speed.rapidity() > SLIDER_MAX_RAPIDITY && steps > 0;
+        let beyond = self.speed().rapidity() > SLIDER_MAX_RAPIDITY && steps > 0;
         if beyond { *self } else { next }
     }
 }

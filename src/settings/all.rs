@@ -1,0 +1,70 @@
+//! All settings together.
+
+use clap::Args;
+use serde::Serialize;
+
+use super::sections::{FitSetup, Light, Look, Motion, Picture, Playback, Plots, Quality, Window};
+use crate::flags::{coordinates, finite_number};
+use crate::scene::PRESETS;
+
+/// Everything that is set.
+#[derive(Debug, Clone, PartialEq, Serialize, Args)]
+#[serde(rename_all = "kebab-case")]
+pub struct Settings {
+    /// What rides past: a preset (cyclist, street, two-balls, lattice) or a scene file.
+    #[arg(long, value_name = "PRESET|FILE")]
+    pub scene: String,
+    /// Observation time T [default: when the tracked point is seen 45 degrees before it is abreast; 0 at rest]
+    #[arg(long, value_name = "T", value_parser = finite_number, allow_hyphen_values = true)]
+    pub time: Option<f64>,
+    /// The point that is tracked, at rest [default: the scene's own]
+    #[arg(long, value_name = "X,Y,Z", value_parser = coordinates, allow_hyphen_values = true)]
+    pub point: Option<[f64; 3]>,
+    /// How the scene moves, and between which eyes.
+    #[command(flatten)]
+    pub motion: Motion,
+    /// How the eyes look at it.
+    #[command(flatten)]
+    pub look: Look,
+    /// What becomes of its light.
+    #[command(flatten)]
+    pub light: Light,
+    /// What draws it.
+    #[command(flatten)]
+    pub quality: Quality,
+    /// How a picture is made of it.
+    #[command(flatten)]
+    pub picture: Picture,
+    /// How time runs.
+    #[command(flatten)]
+    pub playback: Playback,
+    /// What the plots show.
+    #[command(flatten)]
+    pub plots: Plots,
+    /// What is fitted to what.
+    #[command(flatten)]
+    pub fit: FitSetup,
+    /// Which parts of the window are shown.
+    #[command(flatten)]
+    pub window: Window,
+}
+
+impl Default for Settings {
+    /// The paper's cyclist.
+    fn default() -> Self {
+        Self {
+            scene: PRESETS[0].to_owned(),
+            time: None,
+            point: None,
+            motion: Motion::default(),
+            look: Look::default(),
+            light: Light::default(),
+            quality: Quality::default(),
+            picture: Picture::default(),
+            playback: Playback::default(),
+            plots: Plots::default(),
+            fit: FitSetup::default(),
+            window: Window::default(),
+        }
+    }
+}

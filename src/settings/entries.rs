@@ -1,0 +1,99 @@
+//! Settings as a list of names and values, which files, flags and records of pictures have in common.
+
+use std::sync::LazyLock;
+
+use clap::{Arg, Args as _, Command, FromArgMatches as _};
+use toml::{Table, Value};
+
+use super::all::Settings;
+use super::error::{Problem, SettingsError};
+use crate::flags::words::{quoted, words};
+
+/// All settings as flags.
+static FLAGS: LazyLock<Command> = LazyLock::new(|| {
+    let flags = Command::new("settings").no_binary_name(true).disable_help_flag(true);
+    Settings::augment_args_for_update(flags)
+});
+
+/// What comes before the flags in a picture's record.
+const RENDER: &str = "gamow render";
+/// The sections that decide what a picture shows.
+const OF_PICTURES: [&str; 6] = ["", "motion", "look", "light", "quality", "picture"];
+
+/// A setting with its value.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Entry {
+    /// The section it is in; none at the top.
+    pub section: String,
+    /// Its name.
+    pub key: String,
+    /// Its value, as a flag has it.
+    pub text: String,
+}
+
+/// The section of every setting and its name, in their order.
+pub(super) fn names() -> impl Iterator<Item = (String, &'static str)> {
+    FLAGS.get_arguments().filter_map(|flag| Some((section(flag), flag.get_long()?)))
+}
+
+/// The section that a flag is in.
+pub(super) fn section(flag: &Arg) -> String {
+    flag.get_help_heading().unwrap_or_default().to_lowercase()
+}
+
+impl Settings {
+    /// Every setting that has a value, in order.
+    pub(super) fn entries(&self) -> Vec<Entry> {
+        let top = Table::try_from(self).expect("settings are numbers, words and lists of them");
+        let entry = |(section, key): (String, &str)| {
+            let table = if section.is_empty() { &top } else { top.get(&section)?.as_table()? };
+            let text = text(table.get(key)?);
+            Some(Entry { section, key: key.to_owned(), text })
+        };
+        names().filter_map(entry).collect()
+    }
+
+    /// The command that draws a picture with these settings: all that decide what it shows, and of the others those
+    /// that are not as usual.
+    #[must_use]
+    pub fn command(&self) -> String {
+        let usual = Self::default().entries();
+        let told = self
+            .entries()
+            .into_iter()
+            .filter(|entry| OF_PICTURES.contains(&entry.section.as_str()) || !usual.contains(entry));
+        told.fold(RENDER.to_owned(), |command, Entry { key, text, .. }| {
+            command + " --" + &key + "=" + &quoted(&text)
+        })
+    }
+
+    /// These settings, with what `command`, a `gamow render` that was recorded at `place`, says in their stead.
+    ///
+    /// # Errors
+    /// Another command, a flag that does not exist, or a value that it cannot have.
+    pub fn with_command(mut self, command: &str, place: &str) -> Result<Self, SettingsError> {
+        let Some(flags) = command.strip_prefix(RENDER) else {
+            let problem = "it does not say how `gamow render` made it".to_owned();
+            return Err(SettingsError::Content { place: place.to_owned(), problem });
+        };
+        self.set(words(flags)).map_err(|problem| problem.at(place.to_owned()))?;
+        Ok(self)
+    }
+
+    /// Sets what `flags` say.
+    pub(super) fn set(&mut self, flags: Vec<String>) -> Result<(), Problem> {
+        let matches = FLAGS.clone().try_get_matches_from(flags).map_err(|error| Problem::new(&error))?;
+        self.update_from_arg_matches(&matches).map_err(|error| Problem::new(&error))
+    }
+}
+
+/// A value as a flag has it.
+fn text(value: &Value) -> String {
+    match value {
+        Value::String(text) => text.clone(),
+        Value::Boolean(is_on) => if *is_on { "on" } else { "off" }.to_owned(),
+        Value::Array(items) => items.iter().map(text).collect::<Vec<_>>().join(","),
+        Value::Float(number) => number.to_string(), // not as TOML writes it, which adds `.0`
+        other => other.to_string(),
+    }
+}

@@ -1,0 +1,83 @@
+//! What can be wrong with settings, in one line that says where, what, and what would be right.
+
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use std::error::Error as _;
+use thiserror::Error;
+
+/// Settings that cannot be had.
+#[derive(Debug, Error)]
+pub enum SettingsError {
+    /// The file could not be read.
+    #[error("{source_name}: cannot read these settings: {reason}")]
+    Read {
+        /// The file.
+        source_name: String,
+        /// Why.
+        reason: String,
+    },
+    /// A setting that does not exist, or has a value that it cannot have.
+    #[error("{place}: {problem}")]
+    Content {
+        /// The file, and the line in it where it has lines.
+        place: String,
+        /// What is wrong there.
+        problem: String,
+    },
+}
+
+/// What is wrong with a setting.
+#[derive(Debug)]
+pub(super) struct Problem {
+    /// The setting's name, if it has one.
+    pub key: Option<String>,
+    /// What is wrong with it.
+    pub text: String,
+}
+
+impl Problem {
+    /// What `clap` finds wrong, in one line.
+    pub fn new(error: &clap::Error) -> Self {
+        let key = context(error, ContextKind::InvalidArg).map(name);
+        let value = context(error, ContextKind::InvalidValue).unwrap_or_default();
+        let shown = key.as_deref().unwrap_or_default();
+        let text = match (error.kind(), error.source()) {
+            (ErrorKind::ValueValidation, Some(reason)) => format!("{shown} = {value}: {reason}"),
+            (ErrorKind::InvalidValue, _) => format!("{shown} = {value}: must be {}", choices(error)),
+            (ErrorKind::UnknownArgument, _) => format!("there is no setting `{shown}`"),
+            _ => first_line(error),
+        };
+        Self { key, text }
+    }
+
+    /// The error of settings that stand at `place`.
+    pub fn at(self, place: String) -> SettingsError {
+        SettingsError::Content { place, problem: self.text }
+    }
+}
+
+/// `depth-shift` of `--depth-shift <DY>`.
+fn name(flag: &str) -> String {
+    let name = flag.trim_start_matches("--");
+    name.split([' ', '=']).next().unwrap_or(name).to_owned()
+}
+
+fn context(error: &clap::Error, kind: ContextKind) -> Option<&str> {
+    match error.get(kind)? {
+        ContextValue::String(text) => Some(text),
+        _ => None,
+    }
+}
+
+/// The values that there are.
+fn choices(error: &clap::Error) -> String {
+    match error.get(ContextKind::ValidValue) {
+        Some(ContextValue::Strings(values)) => format!("one of {}", values.join(", ")),
+        _ => "a value".to_owned(),
+    }
+}
+
+/// The message alone: `clap` goes on with hints for a command line.
+fn first_line(error: &clap::Error) -> String {
+    let text = error.to_string();
+    text.lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned()
+}

@@ -1,0 +1,154 @@
+//! Settings in files: TOML out and in, and what pictures record.
+
+use std::ops::Range;
+use std::path::Path;
+
+use toml::Spanned;
+use toml::de::{DeString, DeTable, DeValue};
+
+use super::all::Settings;
+use super::entries::names;
+use super::error::{Problem, SettingsError};
+use crate::files::{exr, png};
+use crate::flags::choices::FileKind;
+use crate::platform::files;
+use crate::scene::Scene;
+
+impl Settings {
+    /// All settings as a file.
+    #[must_use]
+    #[expect(clippy::missing_panics_doc, reason = "it cannot fail: a test writes a thousand")]
+    pub fn to_toml(&self) -> String {
+        toml::to_string(self).expect("settings are numbers, words and lists of them")
+    }
+
+    /// These settings, with what `text`, a file called `source_name`, says in their stead.
+    ///
+    /// # Errors
+    /// One line that names the file, the line in it, what is wrong and what would be right.
+    pub fn with_toml(mut self, text: &str, source_name: &str) -> Result<Self, SettingsError> {
+        let place = |span: Range<usize>| {
+            let before = text.get(..span.start).unwrap_or(text);
+            format!("{source_name}:{}", before.matches('\n').count() + 1)
+        };
+        let given = given(text).map_err(|(span, text)| Problem { key: None, text }.at(place(span)))?;
+        let flags = given.iter().map(|given| format!("--{}={}", given.key, given.text)).collect();
+        self.set(flags).map_err(|problem| {
+            // An error that names no setting begins with it.
+            let is_meant = |given: &&Given| {
+                problem.key.as_deref().map_or(problem.text.starts_with(&given.key), |key| key == given.key)
+            };
+            let span = given.iter().find(is_meant).map_or(0..0, |given| given.span.clone());
+            problem.at(place(span))
+        })?;
+        Ok(self)
+    }
+
+    /// These settings, with what the file at `path` says in their stead: settings in TOML, or a picture (.png) or
+    /// measurements (.exr) by `gamow render`. A relative path to a scene is looked for beside the file, then where the
+    /// program runs.
+    ///
+    /// # Errors
+    /// One line that names the file and what is wrong with it.
+    pub fn with_file(self, path: &Path) -> Result<Self, SettingsError> {
+        let source_name = path.display().to_string();
+        let unreadable = |reason: String| SettingsError::Read { source_name: source_name.clone(), reason };
+        let mut settings = if let Some(kind) = FileKind::of(path) {
+            let recorded = match kind {
+                FileKind::Png => png::recorded(path),
+                FileKind::Exr => exr::recorded(path),
+            };
+            let recorded = recorded.map_err(|error| unreadable(format!("{error:#}")))?;
+            self.with_command(&recorded.command, &source_name)?
+        } else {
+            let text = files::read_to_string(path).map_err(|reason| unreadable(reason.to_string()))?;
+            self.with_toml(&text, &source_name)?
+        };
+        let beside =
+            path.parent().map(|folder| folder.join(&settings.scene)).filter(|scene| files::is_file(scene));
+        if let (None, Some(scene)) = (Scene::preset(&settings.scene), beside) {
+            settings.scene = scene.to_string_lossy().into_owned();
+        }
+        Ok(settings)
+    }
+}
+
+/// Whether `text` holds settings, and not a scene.
+#[must_use]
+pub fn looks_like_settings(text: &str) -> bool {
+    DeTable::parse(text).is_ok_and(|top| {
+        let mut keys = top.get_ref().iter().map(|(key, _)| key.get_ref().as_ref());
+        keys.any(|key| names().any(|(section, name)| key == if section.is_empty() { name } else { &section }))
+    })
+}
+
+/// A setting in a file.
+struct Given {
+    key: String,
+    text: String,
+    span: Range<usize>,
+}
+
+/// Something wrong, and where.
+type Located = (Range<usize>, String);
+
+/// The settings that a file's text gives.
+fn given(text: &str) -> Result<Vec<Given>, Located> {
+    let top = DeTable::parse(text).map_err(|error| {
+        let message = error.message().lines().collect::<Vec<_>>().join("; ");
+        (error.span().unwrap_or_default(), message)
+    })?;
+    let mut all = Vec::new();
+    for (key, value) in top.get_ref() {
+        match value.get_ref() {
+            DeValue::Table(table) => {
+                check_section(key)?;
+                for (inner, value) in table {
+                    all.push(setting(key.get_ref(), inner, value)?);
+                }
+            }
+            _ => all.push(setting("", key, value)?),
+        }
+    }
+    Ok(all)
+}
+
+fn check_section(section: &Spanned<DeString>) -> Result<(), Located> {
+    let mut known: Vec<String> =
+        names().map(|(section, _)| section).filter(|name| !name.is_empty()).collect();
+    known.dedup();
+    if known.iter().any(|name| name == section.get_ref()) {
+        return Ok(());
+    }
+    Err((section.span(), format!("unknown section [{}]: there are {}", section.get_ref(), known.join(", "))))
+}
+
+fn setting(section: &str, key: &Spanned<DeString>, value: &Spanned<DeValue>) -> Result<Given, Located> {
+    let known: Vec<&str> = names().filter(|(name, _)| name == section).map(|(_, key)| key).collect();
+    let name = key.get_ref();
+    if !known.contains(&name.as_ref()) {
+        let owner = if section.is_empty() { "before the first section" } else { section };
+        return Err((key.span(), format!("unknown setting `{name}`: {owner} has {}", known.join(", "))));
+    }
+    let text = text_of(value.get_ref());
+    let text =
+        text.ok_or_else(|| (value.span(), format!("{name}: must be a number, a word or a list of them")))?;
+    Ok(Given { key: name.to_string(), text, span: value.span() })
+}
+
+/// A value as a flag has it.
+fn text_of(value: &DeValue) -> Option<String> {
+    Some(match value {
+        DeValue::String(text) => text.to_string(),
+        DeValue::Integer(integer) => {
+            i128::from_str_radix(integer.as_str(), integer.radix()).ok()?.to_string()
+        }
+        DeValue::Float(number) => number.as_str().to_owned(),
+        DeValue::Boolean(is_on) => if *is_on { "on" } else { "off" }.to_owned(),
+        DeValue::Array(items) => {
+            let items: Option<Vec<String>> = items.iter().map(|item| text_of(item.get_ref())).collect();
+            items?.join(",")
+        }
+        DeValue::Datetime(_) | DeValue::Table(_) => return None,
+    })
+}

@@ -1,0 +1,26 @@
+//! The one state: what the window remembers, the flags of the window and of `gamow render`, a state file, and what a
+//! picture records of how it was made.
+//!
+//! A setting is one field here. Its name is the flag and the file's key, its doc comment the help, its parser the
+//! judge of its values, wherever they come from. A section is a heading of the help and a table of the file.
+
+mod all;
+mod entries;
+mod error;
+mod file;
+mod legacy;
+mod observer;
+mod sections;
+mod start;
+#[cfg(test)]
+mod tests;
+
+pub use all::Settings;
+pub use error::SettingsError;
+pub use file::looks_like_settings;
+pub use legacy::Legacy;
+pub use sections::{
+    BOUND_PX, Daylight, EXPOSURE_EV, FIT_SAMPLES, FOV_DEGREES, FitSetup, Light, Look, MAX_LENGTH, MAX_SEED,
+    Motion, NOISE_PERCENT, Picture, Playback, PlotTab, Plots, Quality, RATE, Theme, Window,
+};
+pub use start::StartArgs;

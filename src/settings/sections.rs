@@ -1,0 +1,337 @@
+//! The sections of the settings: plain values, one section per group of controls.
+
+use std::ops::RangeInclusive;
+
+use clap::{Args, ValueEnum};
+use relativity_core::doppler::PAPER_INTENSITY_EXPONENT;
+use relativity_core::{Curves, Model};
+use relativity_render::{Colour, Geometry, MeshRenderer, Shading};
+use serde::Serialize;
+
+use crate::flags::choices::{GazeChoice, Layout, RendererChoice, Size};
+use crate::flags::{
+    NumberOrOff, OnOff, SpeedParameter, SpeedSetting, TimeRange, field_of_view, switch, whole_number, within,
+};
+
+/// Largest separation, distance and height.
+pub const MAX_LENGTH: f64 = 1e6;
+
+/// Speed, aperture separation and path.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Args)]
+#[serde(rename_all = "kebab-case")]
+#[command(next_help_heading = "Motion")]
+pub struct Motion {
+    /// Speed along +x.
+    #[command(flatten)]
+    #[serde(flatten)]
+    pub speed: SpeedSetting,
+    /// Separation of the eyes, which rest at x = -d/2 and +d/2.
+    #[arg(long, value_parser = within(0.0..=MAX_LENGTH), allow_hyphen_values = true)]
+    pub d: f64,
+    /// How much further away than the scene says it passes, along y.
+    #[arg(long, value_name = "DY", value_parser = within(-MAX_LENGTH..=MAX_LENGTH), allow_hyphen_values = true)]
+    pub depth_shift: f64,
+    /// How much higher than the scene says it passes, along z.
+    #[arg(long, value_name = "DZ", value_parser = within(-MAX_LENGTH..=MAX_LENGTH), allow_hyphen_values = true)]
+    pub height_shift: f64,
+}
+
+impl Default for Motion {
+    /// The paper's.
+    fn default() -> Self {
+        let speed = SpeedSetting::new(SpeedParameter::Beta, 0.9).expect("0.9 is a speed");
+        Self { speed, d: 0.1, depth_shift: 0.0, height_shift: 0.0 }
+    }
+}
+
+/// Narrowest and widest field of view that can be set in the window, degrees.
+pub const FOV_DEGREES: RangeInclusive<f64> = 2.0..=150.0;
+
+/// Geometry, gaze and field of view.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Args)]
+#[serde(rename_all = "kebab-case")]
+#[command(next_help_heading = "Look")]
+pub struct Look {
+    /// Which geometry is shown.
+    #[arg(long, value_enum)]
+    pub geometry: Geometry,
+    /// Where both eyes look: at the tracked point, or azimuth (from +x towards +y; 90 is straight ahead) and elevation
+    /// in degrees.
+    #[arg(long, value_name = "track|AZ,EL", allow_hyphen_values = true)]
+    pub gaze: GazeChoice,
+    /// Horizontal field of view of each eye, degrees.
+    #[arg(long, value_name = "DEG", value_parser = field_of_view)]
+    pub fov: f64,
+}
+
+impl Default for Look {
+    fn default() -> Self {
+        Self { geometry: Geometry::Seen, gaze: GazeChoice::Track, fov: 60.0 }
+    }
+}
+
+/// Dimmest and brightest exposure, factors of 2.
+pub const EXPOSURE_EV: RangeInclusive<f64> = -40.0..=40.0;
+
+/// Colour, intensity, shading and background.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Args)]
+#[serde(rename_all = "kebab-case")]
+#[command(next_help_heading = "Light")]
+pub struct Light {
+    /// How a wavelength becomes a colour.
+    #[arg(long, value_enum)]
+    pub colour: Colour,
+    /// Whether the Doppler effect shifts the wavelength.
+    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    pub doppler_shift: OnOff,
+    /// Exponent n of the received intensity D^n (the paper's 2; 3 or 4 in the literature), or `off`.
+    #[arg(long, value_name = "N|off", allow_hyphen_values = true)]
+    pub intensity_exponent: NumberOrOff,
+    /// Exposure: light is multiplied by 2^EV.
+    #[arg(long, value_name = "EV", value_parser = within(EXPOSURE_EV), allow_hyphen_values = true)]
+    pub exposure: f64,
+    /// How form is shown.
+    #[arg(long, value_enum)]
+    pub shading: Shading,
+    /// Whether the scene's ground is drawn, with a grid of one line per unit of length.
+    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    pub ground: OnOff,
+    /// Whether the sky is a gradient, else it is plain.
+    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    pub sky: OnOff,
+    /// Whether sky and ground are light.
+    #[arg(long, value_enum)]
+    pub light: Daylight,
+}
+
+impl Default for Light {
+    /// The paper's intensity, and every effect.
+    fn default() -> Self {
+        Self {
+            colour: Colour::Visible,
+            doppler_shift: true,
+            intensity_exponent: NumberOrOff(Some(PAPER_INTENSITY_EXPONENT)),
+            exposure: 0.0,
+            shading: Shading::Form,
+            ground: true,
+            sky: true,
+            light: Daylight::Theme,
+        }
+    }
+}
+
+/// Whether sky and ground are light.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Daylight {
+    /// As the window is.
+    #[default]
+    Theme,
+    /// Light.
+    On,
+    /// Dark.
+    Off,
+}
+
+/// Finest and coarsest bound of the mesh renderer, pixels.
+pub const BOUND_PX: RangeInclusive<f64> = 0.01..=100.0;
+
+/// What draws the views: the trade of speed for accuracy.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Args)]
+#[serde(rename_all = "kebab-case")]
+#[command(next_help_heading = "Quality")]
+pub struct Quality {
+    /// What draws.
+    #[arg(long, value_enum)]
+    pub renderer: RendererChoice,
+    /// How far the mesh renderer may draw a point from where it is seen, pixels.
+    #[arg(long, value_name = "PX", value_parser = within(BOUND_PX))]
+    pub bound_px: f64,
+}
+
+impl Default for Quality {
+    fn default() -> Self {
+        Self { renderer: RendererChoice::Auto, bound_px: MeshRenderer::DEFAULT_BOUND_PX }
+    }
+}
+
+/// How `gamow render` makes a picture. The window's views are as large as its panes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Args)]
+#[serde(rename_all = "kebab-case")]
+#[command(next_help_heading = "Picture")]
+pub struct Picture {
+    /// Size of one eye's picture, pixels.
+    #[arg(long, value_name = "WxH")]
+    pub size: Size,
+    /// How the pictures of the two eyes share a file. Those of an .exr file are layers of their own.
+    #[arg(long, value_enum)]
+    pub layout: Layout,
+    /// Rays per pixel of the reference renderer: N x N.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=16))]
+    pub samples: u32,
+}
+
+impl Default for Picture {
+    fn default() -> Self {
+        Self { size: Size([960, 720]), layout: Layout::SideBySide, samples: 3 }
+    }
+}
+
+/// Slowest and fastest playback, units of T per second.
+pub const RATE: RangeInclusive<f64> = 0.001..=1e6;
+
+/// How the observation time runs.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Args)]
+#[serde(rename_all = "kebab-case")]
+#[command(next_help_heading = "Playback")]
+pub struct Playback {
+    /// Units of T per second of the wall clock.
+    #[arg(long, value_parser = within(RATE))]
+    pub rate: f64,
+    /// Whether T starts again at the end.
+    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    pub looping: OnOff,
+    /// First and last T; `auto` fits them to the selected point's passage.
+    #[arg(long, value_name = "auto|FROM,TO", allow_hyphen_values = true)]
+    pub range: TimeRange,
+}
+
+impl Default for Playback {
+    fn default() -> Self {
+        Self { rate: 1.0, looping: true, range: TimeRange(None) }
+    }
+}
+
+/// Which quantity is plotted against T.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PlotTab {
+    /// How differently the eyes see each point.
+    #[default]
+    Disparity,
+    /// Azimuth and elevation for each eye.
+    Angles,
+    /// Doppler factor for each eye.
+    Doppler,
+    /// Speed and distance fitted to noisy disparities.
+    Fit,
+    /// What each way to draw the views costs, and how far it is off.
+    Accuracy,
+}
+
+/// What the plots show.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Args)]
+#[serde(rename_all = "kebab-case")]
+#[command(next_help_heading = "Plots")]
+pub struct Plots {
+    /// What is plotted.
+    #[arg(long, value_enum)]
+    pub plot: PlotTab,
+    /// Whether the published model is drawn too, dashed.
+    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    pub published: OnOff,
+    /// Whether the views show how far their pictures are off, while the Accuracy tab does.
+    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    pub heat_map: OnOff,
+}
+
+/// Fewest and most samples that are fitted: their fit still takes less than a second.
+pub const FIT_SAMPLES: RangeInclusive<usize> = 2..=5000;
+/// Most noise, per cent.
+pub const NOISE_PERCENT: RangeInclusive<f64> = 0.0..=100.0;
+/// Largest seed: what a file can hold.
+pub const MAX_SEED: u64 = i64::MAX as u64;
+
+/// The fit of the selected point: the samples that both eyes take, and what is fitted to them.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Args)]
+#[serde(rename_all = "kebab-case")]
+#[command(next_help_heading = "Fit")]
+pub struct FitSetup {
+    /// Number of samples, evenly spread over the range.
+    #[arg(long, value_name = "N", value_parser = samples)]
+    pub fit_samples: usize,
+    /// First and last T of the samples; `auto` is as plotted.
+    #[arg(long, value_name = "auto|FROM,TO", allow_hyphen_values = true)]
+    pub fit_range: TimeRange,
+    /// Standard deviation of the noise, in per cent of each curve's range.
+    #[arg(long, value_name = "PERCENT", value_parser = within(NOISE_PERCENT))]
+    pub noise_percent: f64,
+    /// Seed of the noise and of the bootstrap.
+    #[arg(long, value_name = "S", value_parser = seed)]
+    pub seed: u64,
+    /// Which curves are fitted.
+    #[arg(long, value_enum)]
+    pub curves: Curves,
+    /// With which binocular model.
+    #[arg(long, value_enum)]
+    pub model: Model,
+    /// Whether the time of passage is unknown and x0 fitted too.
+    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    pub fit_x0: OnOff,
+}
+
+impl Default for FitSetup {
+    fn default() -> Self {
+        Self {
+            fit_samples: 240,
+            fit_range: TimeRange(None),
+            noise_percent: 1.0,
+            seed: 1,
+            curves: Curves::Both,
+            model: Model::Exact,
+            fit_x0: false,
+        }
+    }
+}
+
+fn samples(text: &str) -> Result<usize, String> {
+    whole_number(text, FIT_SAMPLES)
+}
+
+fn seed(text: &str) -> Result<u64, String> {
+    whole_number(text, 0..=MAX_SEED)
+}
+
+/// Colours of the window.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Theme {
+    /// Dark on light.
+    Light,
+    /// Light on dark.
+    #[default]
+    Dark,
+    /// As the system says.
+    System,
+}
+
+/// Which parts of the window are shown, and in which colours.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Args)]
+#[serde(rename_all = "kebab-case")]
+#[command(next_help_heading = "Window")]
+pub struct Window {
+    /// The two eyes' views. Hidden views compute nothing.
+    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    pub views: OnOff,
+    /// The left eye's picture corrected to the rest frame, beside the two. Hidden, it costs nothing.
+    #[arg(long, value_parser = switch, value_name = "ON|OFF", num_args = 0..=1, default_missing_value = "on")]
+    pub corrected: OnOff,
+    /// The plots.
+    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    pub plots: OnOff,
+    /// The controls.
+    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    pub controls: OnOff,
+    /// The numbers below the controls.
+    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    pub readout: OnOff,
+    /// Colours of the window.
+    #[arg(long, value_enum)]
+    pub theme: Theme,
+}
+
+impl Default for Window {
+    fn default() -> Self {
+        Self { views: true, corrected: false, plots: true, controls: true, readout: true, theme: Theme::Dark }
+    }
+}

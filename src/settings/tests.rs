@@ -1,0 +1,297 @@
+//! Settings survive every file they are in, to the last digit; and what is wrong with one is said in a line.
+
+use std::ops::RangeInclusive;
+use std::path::Path;
+
+use proptest::prelude::*;
+use proptest::test_runner::{Config, TestRunner};
+use relativity_core::{Curves, Model};
+use relativity_render::{Colour, Geometry, HitImage, Picture as Pixels, Shading};
+
+use super::*;
+use crate::files::exr::{self, Measurements};
+use crate::files::png;
+use crate::files::provenance::Provenance;
+use crate::flags::choices::{GazeChoice, Layout, RendererChoice, Size};
+use crate::flags::{MAX_TIME, NumberOrOff, SpeedParameter, SpeedSetting, TimeRange};
+
+/// Any number within `range`, of any magnitude.
+fn number(range: RangeInclusive<f64>) -> impl Strategy<Value = f64> {
+    let (low, high) = range.clone().into_inner();
+    let any = (any_number(), range.clone())
+        .prop_map(move |(any, inside)| if range.contains(&any) { any } else { inside });
+    prop_oneof![8 => any, 1 => Just(low), 1 => Just(high)]
+}
+
+fn any_number() -> impl Strategy<Value = f64> {
+    any::<f64>()
+}
+
+fn choice<T: clap::ValueEnum + std::fmt::Debug + Clone + 'static>() -> impl Strategy<Value = T> {
+    proptest::sample::select(T::value_variants())
+}
+
+fn motion() -> impl Strategy<Value = Motion> {
+    let speed = prop_oneof![
+        (0.0..1.0).prop_map(|value| (SpeedParameter::Beta, value)),
+        (0.0..30.0).prop_map(|power| (SpeedParameter::Gamma, 10f64.powf(power))),
+        (0.0..69.0).prop_map(|value| (SpeedParameter::Rapidity, value)),
+    ];
+    let length = || number(-MAX_LENGTH..=MAX_LENGTH);
+    (speed, number(0.0..=MAX_LENGTH), length(), length()).prop_map(
+        |((parameter, value), d, depth_shift, height_shift)| {
+            let speed = SpeedSetting::new(parameter, value).expect("in range");
+            Motion { speed, d, depth_shift, height_shift }
+        },
+    )
+}
+
+fn look() -> impl Strategy<Value = Look> {
+    let fixed =
+        (any_number(), -89.5..89.5).prop_map(|(azimuth, elevation)| GazeChoice::Fixed([azimuth, elevation]));
+    let gaze = prop_oneof![Just(GazeChoice::Track), fixed];
+    (choice::<Geometry>(), gaze, 1e-9..179.9).prop_map(|(geometry, gaze, fov)| Look { geometry, gaze, fov })
+}
+
+fn light() -> impl Strategy<Value = Light> {
+    let exponent = prop_oneof![Just(None), any_number().prop_map(Some)].prop_map(NumberOrOff);
+    let switches = any::<[bool; 3]>();
+    (choice::<Colour>(), exponent, number(EXPOSURE_EV), choice::<Shading>(), choice::<Daylight>(), switches)
+        .prop_map(|(colour, intensity_exponent, exposure, shading, light, [doppler_shift, ground, sky])| {
+            Light { colour, doppler_shift, intensity_exponent, exposure, shading, ground, sky, light }
+        })
+}
+
+fn range() -> impl Strategy<Value = TimeRange> {
+    let time = || number(-MAX_TIME..=MAX_TIME);
+    let ends = (time(), time()).prop_map(|(a, b)| Some([a.min(b), a.max(b)]));
+    prop_oneof![Just(None), ends].prop_map(TimeRange)
+}
+
+fn fit() -> impl Strategy<Value = FitSetup> {
+    let noise = number(NOISE_PERCENT);
+    (FIT_SAMPLES, range(), noise, 0..=MAX_SEED, choice::<Curves>(), choice::<Model>(), any::<bool>())
+        .prop_map(|(fit_samples, fit_range, noise_percent, seed, curves, model, fit_x0)| FitSetup {
+            fit_samples,
+            fit_range,
+            noise_percent,
+            seed,
+            curves,
+            model,
+            fit_x0,
+        })
+}
+
+fn window() -> impl Strategy<Value = Window> {
+    (any::<[bool; 5]>(), choice::<Theme>()).prop_map(
+        |([views, corrected, plots, controls, readout], theme)| Window {
+            views,
+            corrected,
+            plots,
+            controls,
+            readout,
+            theme,
+        },
+    )
+}
+
+fn quality_and_picture() -> impl Strategy<Value = (Quality, Picture)> {
+    let quality = (choice::<RendererChoice>(), number(BOUND_PX))
+        .prop_map(|(renderer, bound_px)| Quality { renderer, bound_px });
+    let size = (1..=16_384u32, 1..=16_384u32).prop_map(|(width, height)| Size([width, height]));
+    let picture = (size, choice::<Layout>(), 1..=16u32).prop_map(|(size, layout, samples)| Picture {
+        size,
+        layout,
+        samples,
+    });
+    (quality, picture)
+}
+
+fn playback_and_plots() -> impl Strategy<Value = (Playback, Plots)> {
+    let playback = (number(RATE), any::<bool>(), range()).prop_map(|(rate, looping, range)| Playback {
+        rate,
+        looping,
+        range,
+    });
+    let plots = (choice::<PlotTab>(), any::<[bool; 2]>()).prop_map(|(plot, [published, heat_map])| Plots {
+        plot,
+        published,
+        heat_map,
+    });
+    (playback, plots)
+}
+
+fn settings() -> impl Strategy<Value = Settings> {
+    let top = (
+        ".{0,20}",
+        proptest::option::of(any_number()),
+        proptest::option::of([any_number(), any_number(), any_number()]),
+    );
+    (top, motion(), look(), light(), quality_and_picture(), playback_and_plots(), fit(), window()).prop_map(
+        |((scene, time, point), motion, look, light, (quality, picture), (playback, plots), fit, window)| {
+            Settings {
+                scene,
+                time,
+                point,
+                motion,
+                look,
+                light,
+                quality,
+                picture,
+                playback,
+                plots,
+                fit,
+                window,
+            }
+        },
+    )
+}
+
+/// The settings that a file by `gamow render` records.
+fn through_file(settings: &Settings, path: &Path) -> Settings {
+    let provenance = Provenance {
+        title: "Any".to_owned(),
+        parameters: settings.command(),
+        scene_fingerprint: "0".to_owned(),
+    };
+    let file = std::fs::File::create(path).expect("the folder is there");
+    let size = [1, 1];
+    if path.extension().is_some_and(|extension| extension == "png") {
+        png::write(&Pixels { size, rgba: vec![[0; 4]] }, &provenance.texts(), file).expect("it is written");
+    } else {
+        let eyes = [(); 2].map(|()| HitImage { size, hits: vec![None] });
+        let light = exr::Light { bodies: &[], intensity_exponent: None };
+        Measurements::of_eyes(&eyes, light, &provenance.comments()).write(file).expect("it is written");
+    }
+    Settings::default().with_file(path).expect("it was recorded")
+}
+
+#[test]
+fn a_thousand_states_survive_every_file_and_flags() {
+    let folder = tempfile::tempdir().expect("there is a place for temporary files");
+    let mut runner = TestRunner::new(Config { cases: 1000, failure_persistence: None, ..Config::default() });
+    let outcome = runner.run(&settings(), |state| {
+        let text = state.to_toml();
+        prop_assert_eq!(
+            &Settings::default().with_toml(&text, "state.toml").expect("it is right"),
+            &state,
+            "{}",
+            text
+        );
+        let line = state.command();
+        prop_assert_eq!(
+            &Settings::default().with_command(&line, "").expect("it is right"),
+            &state,
+            "{}",
+            line
+        );
+        for name in ["picture.png", "measurements.exr"] {
+            prop_assert_eq!(&through_file(&state, &folder.path().join(name)), &state);
+        }
+        Ok(())
+    });
+    outcome.unwrap_or_else(|error| panic!("{error}"));
+}
+
+#[test]
+fn every_setting_is_a_flag_under_the_heading_of_its_section() {
+    let entries = Settings { time: Some(1.0), point: Some([0.0; 3]), ..Settings::default() }.entries();
+    let known: Vec<_> = entries::names().filter(|(_, name)| !["gamma", "rapidity"].contains(name)).collect();
+    let found: Vec<_> = entries.iter().map(|entry| (entry.section.clone(), entry.key.as_str())).collect();
+    assert_eq!(found, known);
+}
+
+#[test]
+fn a_short_file_leaves_the_rest_as_it_was() {
+    let text =
+        "scene = \"street\"\ntime = 2\n[motion]\ngamma = 3\n[look]\ngaze = [90, -5.5]\n[light]\nsky = false";
+    let set = Settings::default().with_toml(text, "short.toml").expect("it is right");
+    let mut expected = Settings { scene: "street".to_owned(), time: Some(2.0), ..Settings::default() };
+    expected.motion.speed = SpeedSetting::new(SpeedParameter::Gamma, 3.0).expect("a speed");
+    expected.look.gaze = GazeChoice::Fixed([90.0, -5.5]);
+    expected.light.sky = false;
+    assert_eq!(set, expected);
+}
+
+fn complaint(text: &str) -> String {
+    Settings::default().with_toml(text, "state.toml").expect_err("it is wrong").to_string()
+}
+
+#[test]
+fn what_is_wrong_in_a_file_is_said_with_its_line() {
+    for (text, expected) in [
+        ("[motion]\n\nd = -1", "state.toml:3: d = -1: must be between 0 and 1e6"),
+        ("[motion]\nd = nan", "state.toml:2: d = nan: not a finite number"),
+        ("time = -inf", "state.toml:1: time = -inf: not a finite number"),
+        ("[motion]\nbeta = 1.0", "state.toml:2: beta = 1 is out of range: it must be at least 0 and below 1"),
+        ("[look]\nfov = 180", "state.toml:2: fov = 180: must be between 0 and 180 degrees"),
+        (
+            "[look]\ngeometry = \"sen\"",
+            "state.toml:2: geometry = sen: must be one of seen, contracted, rest, published",
+        ),
+        ("[quality]\nbound-px = 0", "state.toml:2: bound-px = 0: must be between 0.01 and 100"),
+        ("[quality]\nbound-px = nan", "state.toml:2: bound-px = nan: not a finite number"),
+        ("[light]\nsky = 1", "state.toml:2: sky = 1: must be on or off"),
+        (
+            "[fit]\nseed = -1",
+            "state.toml:2: seed = -1: must be a whole number between 0 and 9223372036854775807",
+        ),
+        (
+            "[motion]\nbetta = 0.5",
+            "state.toml:2: unknown setting `betta`: motion has beta, gamma, rapidity, d, depth-shift, height-shift",
+        ),
+        (
+            "\nbeta = 0.5",
+            "state.toml:2: unknown setting `beta`: before the first section has scene, time, point",
+        ),
+        (
+            "[more]\nd = 1",
+            "state.toml:1: unknown section [more]: there are motion, look, light, quality, picture, playback, plots, fit, window",
+        ),
+        ("[motion]\nd = 1979-05-27", "state.toml:2: d: must be a number, a word or a list of them"),
+    ] {
+        assert_eq!(complaint(text), expected);
+    }
+    assert!(complaint("[motion]\nbeta = 0.5\ngamma = 2").starts_with("state.toml:"));
+    assert!(complaint("time = = 2").starts_with("state.toml:1: "));
+}
+
+#[test]
+fn other_commands_make_no_settings() {
+    let error =
+        Settings::default().with_command("gamow rectify --beta=0.5", "x.png").expect_err("it is wrong");
+    assert_eq!(error.to_string(), "x.png: it does not say how `gamow render` made it");
+    let error = Settings::default().with_command("gamow render --what=1", "x.png").expect_err("it is wrong");
+    assert_eq!(error.to_string(), "x.png: there is no setting `what`");
+}
+
+#[test]
+fn a_picture_recorded_before_still_opens() {
+    let command = "gamow render --scene=street --gamma=2.5 --d=0.3 --time=2.25 --size=48x36 --fov=71.5 --gaze=100,-3.5 \
+                   --geometry=seen --layout=anaglyph --colour=false --doppler-shift=on --intensity-exponent=off \
+                   --exposure=-0.5 --shading=emission --ground=on --sky=off --light=off --renderer=reference --samples=2";
+    let settings = Settings::default().with_command(command, "old.png").expect("it is right");
+    assert_eq!((settings.scene.as_str(), settings.time, settings.motion.d), ("street", Some(2.25), 0.3));
+    assert_eq!(settings.light.intensity_exponent, NumberOrOff(None));
+    assert_eq!(settings.look.gaze, GazeChoice::Fixed([100.0, -3.5]));
+    assert_eq!((settings.light.light, settings.picture.samples), (Daylight::Off, 2));
+}
+
+#[test]
+fn a_scene_is_looked_for_beside_the_file_that_names_it() {
+    let folder = tempfile::tempdir().expect("there is a place for temporary files");
+    let [file, scene] = ["state.toml", "ball.toml"].map(|name| folder.path().join(name));
+    std::fs::write(&file, "scene = \"ball.toml\"").expect("it is writable");
+    let named = |file| Settings::default().with_file(file).expect("it is right").scene;
+    assert_eq!(named(&file), "ball.toml");
+    std::fs::write(&scene, "").expect("it is writable");
+    assert_eq!(Path::new(&named(&file)), scene);
+}
+
+#[test]
+fn settings_are_told_from_scenes() {
+    assert!(looks_like_settings(&Settings::default().to_toml()));
+    assert!(looks_like_settings("[look]\n"));
+    assert!(!looks_like_settings(include_str!("../../assets/scenes/cyclist.toml")));
+    assert!(!looks_like_settings("name = = 3"));
+}

@@ -1,0 +1,151 @@
+//! Where pictures are made for files: a scene, settings and a renderer, and what the files record of them.
+
+mod gpu_painter;
+mod layout;
+mod painter;
+mod timings;
+
+use std::path::Path;
+
+use relativity_core::sighting;
+use relativity_render::{HitImage, Picture};
+
+use self::painter::Painter;
+use self::timings::Timings;
+use crate::files::exr::{Light, Measurements};
+use crate::files::provenance::Provenance;
+use crate::files::whole::write_whole;
+use crate::files::{exr, png};
+use crate::flags::choices::FileKind;
+use crate::scene::Scene;
+use crate::settings::Settings;
+
+/// Names of the stages that draw the left and the right eye.
+const EYES: [&str; 2] = ["left eye", "right eye"];
+
+/// A scene, and a renderer that draws it as the settings say.
+pub struct Studio {
+    scene: Scene,
+    settings: Settings,
+    painter: Painter,
+    timings: Timings,
+}
+
+impl Studio {
+    /// The scene that `settings` name, and the renderer that they choose.
+    ///
+    /// # Errors
+    ///
+    /// A scene or a renderer that cannot be had.
+    pub fn new(mut settings: Settings) -> anyhow::Result<Self> {
+        let scene = Scene::open(&settings.scene)?;
+        let mut timings = Timings::default();
+        let painter = timings.timed("set up", || Painter::new(&settings, &scene.bodies))?;
+        settings.quality.renderer = painter.choice();
+        Ok(Self { scene, settings, painter, timings })
+    }
+
+    /// What is drawn, and how.
+    #[must_use]
+    pub const fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// The rest coordinates of the point that is tracked.
+    #[must_use]
+    pub fn tracked(&self) -> [f64; 3] {
+        self.settings.point.unwrap_or(self.scene.tracked)
+    }
+
+    /// The frame at `time`, or at the T that the settings say.
+    ///
+    /// # Errors
+    ///
+    /// A T outside the domain of the core.
+    pub fn frame(&self, time: Option<f64>) -> anyhow::Result<Frame> {
+        let settings = Settings { time: time.or(self.settings.time), ..self.settings.clone() };
+        let settings = settings.resolved(self.tracked());
+        let time = settings.time.unwrap_or_default();
+        sighting(&settings.speed(), settings.source(self.tracked()), settings.apertures()[0], time)?;
+        let provenance = Provenance {
+            title: self.scene.name.clone(),
+            parameters: settings.command(),
+            scene_fingerprint: self.scene.fingerprint(),
+        };
+        Ok(Frame { settings, time, provenance })
+    }
+
+    /// Makes the file of `frame` at `path`, whole or not at all.
+    ///
+    /// # Errors
+    ///
+    /// Those of the renderer and of the file system.
+    pub fn make_file(&mut self, frame: &Frame, kind: FileKind, path: &Path) -> anyhow::Result<()> {
+        let provenance = &frame.provenance;
+        match kind {
+            FileKind::Png => {
+                let picture = self.picture(frame)?;
+                let texts = provenance.texts();
+                self.timings.timed("file", || write_whole(path, |file| png::write(&picture, &texts, file)))
+            }
+            FileKind::Exr => {
+                let hits = self.hits(frame)?;
+                let intensity_exponent = frame.settings.light.intensity_exponent.0;
+                let light = Light { bodies: &self.scene.bodies, intensity_exponent };
+                self.timings.timed("file", || {
+                    let measurements = Measurements::of_eyes(&hits, light, &provenance.comments());
+                    write_whole(path, |file| measurements.write(file))
+                })
+            }
+        }
+    }
+
+    fn picture(&mut self, frame: &Frame) -> anyhow::Result<Picture> {
+        let Frame { settings, time, .. } = frame;
+        let layout = settings.picture.layout;
+        let views = settings.views(self.tracked(), *time, settings.picture.size.0);
+        let appearance = settings.appearance(self.scene.ground_z, false);
+        let Self { painter, timings, .. } = self;
+        let eye = |&eye: &usize| timings.timed(EYES[eye], || painter.picture(&views[eye], &appearance));
+        let eyes = layout.eyes().iter().map(eye).collect::<Result<_, _>>()?;
+        Ok(timings.timed("layout", || layout.composed(eyes)))
+    }
+
+    /// What every pixel of the left and the right eye shows.
+    fn hits(&mut self, frame: &Frame) -> anyhow::Result<[HitImage; 2]> {
+        let Frame { settings, time, .. } = frame;
+        let [left, right] = settings.views(self.tracked(), *time, settings.picture.size.0);
+        let Self { painter, timings, .. } = self;
+        Ok([
+            timings.timed(EYES[0], || painter.hits(&left))?,
+            timings.timed(EYES[1], || painter.hits(&right))?,
+        ])
+    }
+
+    /// What draws on what, and how long each stage took.
+    #[must_use]
+    pub fn report(&self) -> String {
+        let size = self.settings.picture.size;
+        format!("{}; {size} per eye\n{}", self.painter.description(), self.timings)
+    }
+}
+
+/// One observation time of a studio's scene.
+#[derive(Debug, Clone)]
+pub struct Frame {
+    /// The settings, with nothing left to be found out.
+    settings: Settings,
+    time: f64,
+    provenance: Provenance,
+}
+
+impl Frame {
+    /// Whether `path` is a whole file of this `kind` and of just this frame.
+    #[must_use]
+    pub fn is_made(&self, kind: FileKind, path: &Path) -> bool {
+        match kind {
+            FileKind::Png => png::is_made(path, &self.provenance.texts()),
+            FileKind::Exr => exr::is_made(path, &self.provenance.comments()),
+        }
+    }
+}

@@ -1,0 +1,185 @@
+//! The window and `gamow render` show the same of the same settings, wherever these come from.
+
+use std::path::Path;
+
+use clap::Parser;
+use gamow::app::args::WindowArgs;
+use gamow::app::command::Command;
+use gamow::app::observer::Eye;
+use gamow::app::state::State;
+use gamow::cli::Cli;
+use gamow::files::png::PngFile;
+use gamow::flags::choices::GazeChoice;
+use gamow::flags::{SpeedParameter, SpeedSetting};
+use gamow::scene::{PRESETS, Scene};
+use gamow::settings::Settings;
+use relativity_render::{Geometry, View};
+
+const SIZE: [u32; 2] = [960, 720];
+
+/// What the window shows both eyes of `settings` when it starts.
+fn in_window(settings: Settings) -> [View; 2] {
+    let state = State::open(settings).expect("the scene is there");
+    Eye::BOTH.map(|eye| state.view(eye, SIZE))
+}
+
+/// What `gamow render` draws of them, by the command that it records.
+fn in_picture(settings: &Settings) -> [View; 2] {
+    let tracked = Scene::open(&settings.scene).expect("the scene is there").tracked;
+    let command = settings.resolved(settings.point.unwrap_or(tracked)).command();
+    let recorded = Settings::default().with_command(&command, "picture.png").expect("it can be read");
+    let time = recorded.time.expect("it is recorded");
+    // The gaze is recorded as angles, so that nothing needs to be tracked.
+    assert!(matches!(recorded.look.gaze, GazeChoice::Fixed(_)), "{command}");
+    recorded.views([f64::NAN; 3], time, recorded.picture.size.0)
+}
+
+#[test]
+fn the_window_at_its_start_shows_what_is_rendered_to_the_last_digit() {
+    let speeds = [
+        (SpeedParameter::Beta, 0.0),
+        (SpeedParameter::Beta, 0.01),
+        (SpeedParameter::Beta, 0.3),
+        (SpeedParameter::Beta, 0.9),
+        (SpeedParameter::Gamma, 1000.0),
+        (SpeedParameter::Gamma, 1e12),
+    ];
+    for scene in PRESETS {
+        for (parameter, value) in speeds {
+            for d in [0.0, 0.1, 2.0, 10.0] {
+                for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest, Geometry::Published] {
+                    let mut settings = Settings { scene: scene.to_owned(), ..Settings::default() };
+                    settings.motion.speed = SpeedSetting::new(parameter, value).expect("a speed");
+                    settings.motion.d = d;
+                    settings.look.geometry = geometry;
+                    let context = format!("{scene}, {parameter:?} {value}, d = {d}, {geometry:?}");
+                    assert_eq!(in_window(settings.clone()), in_picture(&settings), "{context}");
+                    (settings.motion.depth_shift, settings.motion.height_shift) = (0.7, -1.3);
+                    assert_eq!(in_window(settings.clone()), in_picture(&settings), "{context}, shifted");
+                }
+            }
+        }
+    }
+}
+
+/// The window's command line.
+#[derive(Debug, Parser)]
+struct Line {
+    #[command(flatten)]
+    args: WindowArgs,
+}
+
+fn started(flags: &[&str], left: Settings) -> State {
+    let line = Line::try_parse_from([&["gamow"], flags].concat()).expect("they are flags");
+    line.args.state(left).expect("they make a state")
+}
+
+#[test]
+fn what_is_not_given_is_as_it_was_left_but_beside_a_file_as_usual() {
+    let mut left = Settings::default();
+    left.motion.d = 0.5;
+    left.light.sky = false;
+    let state = started(&["--gamma", "3", "--light=on", "--corrected"], left.clone());
+    let settings = &state.settings;
+    assert_eq!((settings.motion.d, settings.light.sky, settings.window.corrected), (0.5, false, true));
+    assert_eq!(settings.motion.speed.given(), (SpeedParameter::Gamma, 3.0));
+
+    let folder = tempfile::tempdir().expect("there is a place for temporary files");
+    let file = folder.path().join("state.toml");
+    std::fs::write(&file, "time = 2.5\n[motion]\nbeta = 0.5\n[window]\nplots = false\n")
+        .expect("it is writable");
+    let state = started(&["--state", file.to_str().expect("a plain path"), "--d", "2"], left);
+    let Settings { motion, light, window, .. } = &state.settings;
+    assert_eq!((motion.speed.given(), motion.d), ((SpeedParameter::Beta, 0.5), 2.0));
+    assert_eq!((light.sky, window.plots, state.session.time), (true, false, 2.5));
+}
+
+#[test]
+fn a_scene_given_by_a_flag_starts_at_a_time_of_its_own() {
+    let left = Settings { time: Some(77.0), point: Some([1.0, 2.0, 3.0]), ..Settings::default() };
+    let state = started(&["--scene", "street"], left.clone());
+    let street = Scene::preset("street").expect("a preset");
+    assert_eq!((state.session.time < 70.0, state.session.points.selected().rest), (true, street.tracked));
+    let state = started(&[], left);
+    assert_eq!((state.session.time, state.session.points.selected().rest), (77.0, [1.0, 2.0, 3.0]));
+}
+
+fn render(folder: &Path, flags: &str) {
+    let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_gamow"));
+    let words = ["render", "--renderer=reference", "--samples=1", "--size=48x36"];
+    let output = command.current_dir(folder).args(words).args(flags.split_whitespace()).output();
+    let output = output.expect("the program starts");
+    assert!(output.status.success(), "{flags}: {}", String::from_utf8_lossy(&output.stderr));
+}
+
+#[test]
+fn pictures_and_files_open_in_the_window_and_in_render_alike() {
+    let folder = tempfile::tempdir().expect("there is a place for temporary files");
+    let path = |name: &str| folder.path().join(name);
+    let ball = "name = 'Ball'\n[[object]]\nshape = 'sphere'\ncenter = [0.0, 3.0, 0.5]\nradius = 0.4\n";
+    std::fs::write(path("ball.toml"), ball).expect("the folder is writable");
+    render(
+        folder.path(),
+        "--scene ball.toml --beta 0.8 --d 0.7 --height-shift 0.25 --colour false --out a.png",
+    );
+    render(folder.path(), "--state a.png --out b.png");
+    render(folder.path(), "--state a.png --out c.exr");
+    render(folder.path(), "--state c.exr --out d.png");
+    let bytes = |name: &str| std::fs::read(path(name)).expect("it is there");
+    let pixels = |name: &str| PngFile::read(&path(name)).expect("it is there").picture.rgba;
+    // The scene's path is found beside the file, and recorded as it was found.
+    assert!(bytes("b.png") == bytes("d.png"));
+
+    let mut shown = Vec::new();
+    for name in ["a.png", "b.png", "c.exr"] {
+        let mut state = State::open(Settings::default()).expect("a preset");
+        state.settings.window.plots = false;
+        state.apply(Command::Open(path(name)));
+        assert_eq!(state.session.notice, None);
+        assert!(!state.settings.window.plots, "the window's parts stay as they are");
+        assert_eq!(state.session.scene.name, "Ball");
+        shown.push(Eye::BOTH.map(|eye| state.view(eye, [48, 36])));
+        let file = path("saved.toml");
+        std::fs::write(&file, state.shown().to_toml()).expect("the folder is writable");
+        render(folder.path(), "--state saved.toml --out again.png");
+        assert!(pixels("again.png") == pixels("b.png"), "{name}");
+    }
+    assert!(shown.windows(2).all(|pair| pair[0] == pair[1]), "{shown:?}");
+}
+
+#[test]
+fn a_file_that_cannot_be_opened_leaves_all_as_it_was_and_says_why() {
+    let folder = tempfile::tempdir().expect("there is a place for temporary files");
+    let file = folder.path().join("state.toml");
+    for (text, told) in [
+        ("[motion]\nd = -1", "state.toml:2: d = -1: must be between 0 and 1e6"),
+        ("scene = \"bicycle\"", "no scene is called `bicycle`"),
+        ("name = \"x\"", "state.toml:1: a scene needs at least one"),
+    ] {
+        std::fs::write(&file, text).expect("the folder is writable");
+        let mut state = State::open(Settings::default()).expect("a preset");
+        let before = state.clone();
+        state.apply(Command::Open(file.clone()));
+        let notice = state.session.notice.take().expect("it says why");
+        assert!(notice.contains(told), "{notice}");
+        assert_eq!(state, before);
+    }
+}
+
+#[test]
+fn both_commands_know_every_setting() {
+    for flags in [vec!["gamow"], vec!["gamow", "render"]] {
+        let usual = Settings::default().command();
+        let given = usual.split_whitespace().skip(2).map(str::to_owned);
+        let more = [
+            "--time=2",
+            "--point=0,3,2",
+            "--range=auto",
+            "--fit-samples=10",
+            "--theme=light",
+            "--looping=off",
+        ];
+        let words = flags.iter().map(ToString::to_string).chain(given).chain(more.map(str::to_owned));
+        assert!(Cli::try_parse_from(words).is_ok(), "{flags:?}");
+    }
+}
