@@ -109,7 +109,7 @@ mod tests {
             };
             std::thread::scope(|scope| scope.spawn(work).join().expect("it does not panic"))
         };
-        assert_eq!(examined(true), Ok(None));
+        assert!(matches!(examined(true), Ok(None)));
         let found = examined(false).expect("it needs no GPU").expect("it was not cancelled");
         assert_eq!(found.difference.pixels.len(), 32 * 24);
         assert_eq!(found.difference.figures.wrong_pixels, 0);

@@ -1,9 +1,15 @@
 // The last pass: sky and resting ground, the bodies over them, and the sRGB curve.
 //
-// Repeats `backdrop.rs`, which says what each line is for.
+// Repeats `backdrop.rs`, which says what each line is for and gives these.
 
 // Whether there is a ground grid.
-override GROUND: bool = true;
+override GROUND: bool;
+override LINE_HALF_WIDTH: f32;
+override AXIS_HALF_WIDTH: f32;
+override GRID_FADE_START: f32;
+override GRID_FADE_RATE: f32;
+override HAZE: f32;
+override SKY_RISE: f32;
 
 // Linear light, premultiplied by coverage.
 @group(1) @binding(0) var bodies: texture_2d<f32>;
@@ -13,9 +19,6 @@ fn screen(@builtin(vertex_index) vertex: u32) -> @builtin(position) vec4f {
     let corner = vec2f(f32(vertex & 1u), f32(vertex >> 1u)) * 4.0 - 1.0;
     return vec4f(corner, 0.5, 1.0);
 }
-
-const LINE_HALF_WIDTH = 0.012;
-const AXIS_HALF_WIDTH = 0.02;
 
 fn line_cover(off_line: vec2f, half_width: f32, pixel: vec2f) -> vec2f {
     let half = max(vec2f(half_width), 0.5 * pixel);
@@ -34,17 +37,17 @@ fn ground_colour(sky: vec3f, sight: vec4f, distance: f32) -> vec3f {
     let right = shift(sight, frame.right.xyz, distance);
     let down = shift(sight, frame.down.xyz, distance);
     let pixel = sqrt(right * right + down * down);
-    let fade = clamp(2.0 - 4.0 * pixel, vec2f(0.0), vec2f(1.0));
+    let fade = clamp(GRID_FADE_START - GRID_FADE_RATE * pixel, vec2f(0.0), vec2f(1.0));
     let grid = line_cover(foot - round(foot), LINE_HALF_WIDTH, pixel) * fade;
     let axes = line_cover(foot, AXIS_HALF_WIDTH, pixel);
     let painted = mix(frame.backdrop[2].rgb, frame.backdrop[3].rgb, max(grid.x, grid.y));
     let marked = mix(painted, frame.backdrop[4].rgb, max(axes.x, axes.y));
-    return mix(sky, marked, 1.0 / (1.0 + 0.0025 * distance * distance));
+    return mix(sky, marked, 1.0 / (1.0 + HAZE * distance * distance));
 }
 
 fn behind(pixel: vec2f) -> vec3f {
     let sight = line_of_sight(pixel);
-    let nearness = 1.0 - min(1.4 * abs(sight.z), 1.0);
+    let nearness = 1.0 - min(SKY_RISE * abs(sight.z), 1.0);
     let sky = mix(frame.backdrop[1].rgb, frame.backdrop[0].rgb, nearness * nearness);
     if GROUND && sight.z < -1e-6 {
         return ground_colour(sky, sight, frame.ground.z / sight.z);

@@ -3,14 +3,18 @@
 @group(0) @binding(1) var colour_table: texture_2d<f32>;
 
 // Whether the Doppler factor shifts the wavelength.
-override DOPPLER_SHIFT: bool = true;
+override DOPPLER_SHIFT: bool;
 // Intensity D^n: 0 leaves it out, 2, 3 and 4 are n, anything else takes n from the frame.
-override INTENSITY: u32 = 2u;
+override INTENSITY: u32;
 // Whether form is shown by shading.
-override FORM: bool = true;
-
-// Toward the light of the shading, in the rest frame: (-0.35, -0.55, 0.76) normalised.
-const TO_LIGHT = vec3f(-0.349546, -0.549286, 0.759014);
+override FORM: bool;
+// Unit vector towards the light of the shading, in the rest frame.
+override LIGHT_X: f32;
+override LIGHT_Y: f32;
+override LIGHT_Z: f32;
+// Brightness of a surface at right angles to that light, and how much turning towards it adds.
+override FORM_ACROSS: f32;
+override FORM_TOWARDS: f32;
 
 fn table_colour(wavelength_nm: f32) -> vec3f {
     let last = i32(textureDimensions(colour_table).x) - 1;
@@ -40,7 +44,7 @@ fn received_colour(rest_colour: vec3f, rest_wavelength_nm: f32, doppler: f32, no
     }
     light *= frame.light.x * intensity(doppler);
     if FORM {
-        light *= 0.62 + 0.38 * dot(normal, TO_LIGHT);
+        light *= FORM_ACROSS + FORM_TOWARDS * dot(normal, vec3f(LIGHT_X, LIGHT_Y, LIGHT_Z));
     }
     return light / max(1.0, max(light.r, max(light.g, light.b)));
 }

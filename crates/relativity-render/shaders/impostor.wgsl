@@ -1,9 +1,9 @@
 // One bounding rectangle per piece of a body; the ray test runs in the fragment stage and gives the depth.
 
 // Whether bodies may be thinner than a pixel: then they are drawn a pixel wide and faded instead.
-override THIN: bool = false;
+override THIN: bool;
 
-struct Instance {
+struct Piece {
     // Rectangle in the picture (clip coordinates): centre and first half axis.
     @location(0) place: vec4f,
     // Second half axis, number of the body, rest wavelength in nm.
@@ -24,15 +24,15 @@ struct Fragment {
 }
 
 @vertex
-fn rectangle(@builtin(vertex_index) vertex: u32, instance: Instance) -> Fragment {
+fn rectangle(@builtin(vertex_index) vertex: u32, piece: Piece) -> Fragment {
     let corner = vec2f(f32(vertex & 1u), f32(vertex >> 1u)) * 2.0 - 1.0;
-    let place = instance.place.xy + instance.place.zw * corner.x + instance.second_axis_index_wavelength.xy * corner.y;
+    let place = piece.place.xy + piece.place.zw * corner.x + piece.second_axis_index_wavelength.xy * corner.y;
     return Fragment(
         vec4f(place, 0.5, 1.0),
-        instance.place_radius,
-        instance.form,
-        vec4f(instance.rest_colour.rgb, instance.second_axis_index_wavelength.w),
-        instance.second_axis_index_wavelength.z,
+        piece.place_radius,
+        piece.form,
+        vec4f(piece.rest_colour.rgb, piece.second_axis_index_wavelength.w),
+        piece.second_axis_index_wavelength.z,
     );
 }
 

@@ -2,7 +2,7 @@
 // worldline of each corner.
 
 // As GEOMETRY; 3 is the published model's right eye.
-override MAP: u32 = 0u;
+override MAP: u32;
 
 struct Corner {
     // Place on the unit shape; see the shape's `corner_place`.
@@ -10,7 +10,7 @@ struct Corner {
     @location(1) turn: vec2f,
 }
 
-struct Solid {
+struct Instance {
     // The `Body`.
     @location(2) place_radius: vec4f,
     @location(3) form: vec4f,
@@ -86,9 +86,9 @@ fn mapped(c: vec3f) -> Sighting {
 }
 
 @vertex
-fn corner(corner: Corner, solid: Solid) -> Fragment {
-    let body = Body(solid.place_radius.xyz, solid.place_radius.w, solid.form);
-    let shape = corner_place(corner, body, solid.across_index.xyz);
+fn corner(corner: Corner, instance: Instance) -> Fragment {
+    let body = Body(instance.place_radius.xyz, instance.place_radius.w, instance.form);
+    let shape = corner_place(corner, body, instance.across_index.xyz);
     let from_centre = middle(body) + shape.place;
     let seen = mapped(frame.scene.xyz + (frame.scene_fine.xyz + from_centre));
     let clip = vec4f(
@@ -103,10 +103,10 @@ fn corner(corner: Corner, solid: Solid) -> Fragment {
         shape.normal,
         seen.position,
         seen.doppler,
-        solid.colour_wavelength,
-        vec2f(solid.cover, solid.across_index.w),
-        solid.place_radius,
-        solid.form,
+        instance.colour_wavelength,
+        vec2f(instance.cover, instance.across_index.w),
+        instance.place_radius,
+        instance.form,
     );
 }
 

@@ -1,18 +1,28 @@
 //! What lies behind the bodies: a sky and a grid on the ground, at rest with the aperture.
 //!
 //! Never shifted, dimmed or exposed: it gives motion something to be seen against.
-//! `shaders/backdrop.wgsl` draws the same.
+//! `shaders/backdrop.wgsl` draws the same, with the same constants.
 
 use glam::{DVec2, DVec3};
 
 use crate::camera::{Axes, Camera};
 use crate::colour::mix;
+use crate::effects::{Constant, number};
 use crate::view::Appearance;
 
 /// Half the width of the grid's lines, one per unit of length along x and along y.
 const LINE_HALF_WIDTH: f64 = 0.012;
 /// Half the width of the two lines through the origin.
 const AXIS_HALF_WIDTH: f64 = 0.02;
+/// Where a pixel is p units wide on the ground, the share of the grid drawn is the first less p times the second:
+/// all of it where four pixels lie between two lines, none where only two do and lines would merge.
+const GRID_FADE: [f64; 2] = [2.0, 4.0];
+/// Of the ground at the distance s the share 1/(1 + `HAZE` s^2) is seen, half of it 20 units away: so the plane
+/// ends in the sky and not in a line, and the flicker of far grid lines with it.
+const HAZE: f64 = 0.0025;
+/// The sky is the zenith's colour above the height z of a line of sight of 1/`SKY_RISE`, 46 degrees: a picture
+/// that looks straight ahead shows all of the gradient.
+const SKY_RISE: f64 = 1.4;
 
 /// Linear sRGB colours of a backdrop.
 #[derive(Debug, Clone, Copy)]
@@ -43,6 +53,19 @@ const LIGHT: Palette = Palette {
     grid_line: [0.400, 0.430, 0.460],
     axis_line: [0.190, 0.220, 0.260],
 };
+
+/// The shader's constants; `has_ground` is whether any ground is to be seen.
+pub(crate) fn constants(has_ground: bool) -> [Constant; 7] {
+    [
+        ("GROUND", number(has_ground)),
+        ("LINE_HALF_WIDTH", LINE_HALF_WIDTH),
+        ("AXIS_HALF_WIDTH", AXIS_HALF_WIDTH),
+        ("GRID_FADE_START", GRID_FADE[0]),
+        ("GRID_FADE_RATE", GRID_FADE[1]),
+        ("HAZE", HAZE),
+        ("SKY_RISE", SKY_RISE),
+    ]
+}
 
 /// The backdrop of one camera's picture.
 #[derive(Debug, Clone, Copy)]
@@ -85,7 +108,7 @@ impl Backdrop {
     /// Linear sRGB of the sky along `line_of_sight` (unit vector).
     #[must_use]
     pub fn sky(&self, line_of_sight: DVec3) -> [f64; 3] {
-        let nearness = 1.0 - (1.4 * line_of_sight.z.abs()).min(1.0);
+        let nearness = 1.0 - (SKY_RISE * line_of_sight.z.abs()).min(1.0);
         mix(self.palette.zenith, self.palette.horizon, nearness * nearness)
     }
 
@@ -111,7 +134,7 @@ impl Backdrop {
         let axes = axis_cover(foot.x, pixel.x).max(axis_cover(foot.y, pixel.y));
         let Palette { earth, grid_line, axis_line, .. } = self.palette;
         let painted = mix(mix(earth, grid_line, grid), axis_line, axes);
-        mix(self.sky(n), painted, 1.0 / (1.0 + 0.0025 * distance * distance))
+        mix(self.sky(n), painted, 1.0 / (1.0 + HAZE * distance * distance))
     }
 }
 
@@ -128,7 +151,7 @@ fn palette(appearance: &Appearance) -> Palette {
 /// pixel is faded rather than broken up; a grid finer than pixels is left out.
 fn grid_cover(coordinate: f64, pixel: f64) -> f64 {
     let off_line = (coordinate - coordinate.round()).abs();
-    line_cover(off_line, LINE_HALF_WIDTH, pixel) * (2.0 - 4.0 * pixel).clamp(0.0, 1.0)
+    line_cover(off_line, LINE_HALF_WIDTH, pixel) * (GRID_FADE[0] - GRID_FADE[1] * pixel).clamp(0.0, 1.0)
 }
 
 /// Share of a pixel that the line at 0 covers.

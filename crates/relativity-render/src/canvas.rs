@@ -5,6 +5,9 @@
 
 use bytemuck::bytes_of;
 
+use crate::backdrop;
+use crate::buffers::frame_buffer;
+use crate::effects::Constant;
 use crate::frame::Frame;
 use crate::gpu::{Gpu, GpuError};
 use crate::palette;
@@ -16,7 +19,9 @@ use crate::view::{Appearance, Colour};
 pub struct Canvas {
     frame_layout: wgpu::BindGroupLayout,
     layer_layout: wgpu::BindGroupLayout,
-    tables: [wgpu::TextureView; 2],
+    /// The colour tables of [`Colour::Visible`] and [`Colour::False`].
+    visible: wgpu::TextureView,
+    falsified: wgpu::TextureView,
     /// The last pass, without and with a ground.
     last_pass: [wgpu::RenderPipeline; 2],
 }
@@ -34,9 +39,10 @@ impl Canvas {
         let layer_layout = bind_group_layout(device, &[texture_entry(0)]);
         let module = gpu.shader("backdrop", BACKDROP);
         let layout = pipeline_layout(device, &[Some(&frame_layout), Some(&layer_layout)]);
-        let last_pass = [0.0, 1.0].map(|ground| last_pass(device, &module, &layout, ground));
-        let tables = [Colour::Visible, Colour::False].map(|colour| colour_table(gpu, colour));
-        Self { frame_layout, layer_layout, tables, last_pass }
+        let last_pass = [false, true]
+            .map(|has_ground| last_pass(device, &module, &layout, &backdrop::constants(has_ground)));
+        let [visible, falsified] = [Colour::Visible, Colour::False].map(|colour| colour_table(gpu, colour));
+        Self { frame_layout, layer_layout, visible, falsified, last_pass }
     }
 
     /// The layout of pipelines that draw bodies.
@@ -110,7 +116,10 @@ impl Canvas {
     }
 
     fn frame_bind_group(&self, gpu: &Gpu, frame: &wgpu::Buffer, colour: Colour) -> wgpu::BindGroup {
-        let table = &self.tables[usize::from(colour == Colour::False)];
+        let table = match colour {
+            Colour::Visible => &self.visible,
+            Colour::False => &self.falsified,
+        };
         let entries = [
             wgpu::BindGroupEntry { binding: 0, resource: frame.as_entire_binding() },
             wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(table) },
@@ -122,35 +131,6 @@ impl Canvas {
         let resource = wgpu::BindingResource::TextureView(layer);
         bind_group(gpu, &self.layer_layout, &[wgpu::BindGroupEntry { binding: 0, resource }])
     }
-}
-
-/// A buffer for one eye's frame: two eyes must not share one, since both are written before either draws.
-pub fn frame_buffer(gpu: &Gpu) -> wgpu::Buffer {
-    gpu.device.create_buffer(&wgpu::BufferDescriptor {
-        label: Some("frame"),
-        size: size_of::<Frame>() as u64,
-        usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
-        mapped_at_creation: false,
-    })
-}
-
-/// Puts `data` into `buffer`, which is made anew (and larger) if it is too small.
-pub fn fill_vertex_buffer<T: bytemuck::NoUninit>(gpu: &Gpu, buffer: &mut wgpu::Buffer, data: &[T]) {
-    let bytes = bytemuck::cast_slice(data);
-    if bytes.len() as u64 > buffer.size() {
-        *buffer = vertex_buffer(gpu, bytes.len().next_power_of_two() as u64);
-    }
-    gpu.queue.write_buffer(buffer, 0, bytes);
-}
-
-/// A vertex buffer of `size` bytes.
-pub fn vertex_buffer(gpu: &Gpu, size: u64) -> wgpu::Buffer {
-    gpu.device.create_buffer(&wgpu::BufferDescriptor {
-        label: Some("vertices"),
-        size,
-        usage: wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST,
-        mapped_at_creation: false,
-    })
 }
 
 fn begin_pass<'a>(
@@ -185,9 +165,8 @@ fn last_pass(
     device: &wgpu::Device,
     module: &wgpu::ShaderModule,
     layout: &wgpu::PipelineLayout,
-    ground: f64,
+    constants: &[Constant],
 ) -> wgpu::RenderPipeline {
-    let constants = [("GROUND", ground)];
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some("last pass"),
         layout: Some(layout),
@@ -203,10 +182,7 @@ fn last_pass(
         fragment: Some(wgpu::FragmentState {
             module,
             entry_point: Some("composite"),
-            compilation_options: wgpu::PipelineCompilationOptions {
-                constants: &constants,
-                ..Default::default()
-            },
+            compilation_options: wgpu::PipelineCompilationOptions { constants, ..Default::default() },
             targets: &[Some(ENCODED_FORMAT.into())],
         }),
         multiview_mask: None,

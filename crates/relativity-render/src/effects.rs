@@ -18,6 +18,9 @@ enum Intensity {
 }
 
 impl Effects {
+    /// None at all.
+    pub const NONE: Self = Self { doppler_shift: false, intensity: Intensity::Off, form: false };
+
     /// Those of `appearance`; without a Doppler effect (D = 1) what depends on it is off.
     pub fn new(has_doppler_effect: bool, appearance: &Appearance) -> Self {
         let intensity = match appearance.intensity_exponent.filter(|_| has_doppler_effect) {
@@ -25,15 +28,15 @@ impl Effects {
             Some(n) if [2.0, 3.0, 4.0].contains(&n) => Intensity::Integer(n as u8),
             Some(_) => Intensity::Real,
         };
-        Self {
-            doppler_shift: appearance.doppler_shift && has_doppler_effect,
-            intensity,
-            form: appearance.shading == Shading::Form,
-        }
+        let form = match appearance.shading {
+            Shading::Emission => false,
+            Shading::Form => true,
+        };
+        Self { doppler_shift: appearance.doppler_shift && has_doppler_effect, intensity, form }
     }
 
     /// The shader's constants.
-    pub fn constants(self) -> [(&'static str, f64); 3] {
+    pub fn constants(self) -> [Constant; 3] {
         let intensity = match self.intensity {
             Intensity::Off => 0.0,
             Intensity::Integer(n) => f64::from(n),
@@ -42,6 +45,9 @@ impl Effects {
         [("DOPPLER_SHIFT", number(self.doppler_shift)), ("INTENSITY", intensity), ("FORM", number(self.form))]
     }
 }
+
+/// A constant that a shader leaves open: its name there, and its value.
+pub type Constant = (&'static str, f64);
 
 /// A boolean constant.
 pub fn number(on: bool) -> f64 {

@@ -4,74 +4,44 @@ use bytemuck::{Pod, Zeroable};
 use glam::{DVec2, DVec3};
 
 use crate::backdrop::Backdrop;
-use crate::body::{Body, Shape};
 use crate::camera::{Axes, Camera};
-use crate::intersect::{Solid, bounding_box};
 use crate::palette;
+use crate::placed::{Extent, packed};
 use crate::view::{Appearance, View};
 
 /// Mirror of the shaders' `Frame`.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Frame {
+    /// Line of sight through the pole, unnormalised: 1 along the optical axis, or along -x.
     pub base: [f32; 4],
+    /// By how much it changes from one pixel to the next on the right.
     pub right: [f32; 4],
+    /// From one pixel to the next below.
     pub down: [f32; 4],
+    /// The pole, from which pixels are counted: u and v, px, and what f32 loses of them. It is the pixel towards -x if
+    /// that is in front, where the last digits of a line of sight matter most; else the middle of the picture.
     pub pole: [f32; 4],
+    /// beta, 1 - beta, 1/gamma, gamma.
     pub speed: [f32; 4],
+    /// Factor of the exposure, intensity exponent (0 for none), log2 of the colour table's first wavelength (nm), and
+    /// its entries per octave.
     pub light: [f32; 4],
+    /// Centre of the scene from the camera's event, rest frame; and half the reciprocal of its reach.
     pub scene: [f32; 4],
+    /// What f32 loses of the centre.
     pub scene_fine: [f32; 4],
+    /// Camera x and y, height of the ground above the camera (`f32::MIN` for none), and the published model's aperture
+    /// separation.
     pub ground: [f32; 4],
+    /// Linear sRGB of the horizon, the zenith, the ground, the grid's lines and the axes.
     pub backdrop: [[f32; 4]; 5],
+    /// Its product with an apparent position is the clip coordinate x.
     pub clip_right: [f32; 4],
+    /// y.
     pub clip_up: [f32; 4],
+    /// w: the depth along the optical axis.
     pub forward: [f32; 4],
-}
-
-/// Where the bodies are as a whole, in the rest frame: they are placed from their middle, so that they keep
-/// their places among each other however far the camera is.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Extent {
-    /// The middle of a box around the bodies.
-    pub centre: DVec3,
-    /// From the camera's event to there.
-    pub centre_from_camera: DVec3,
-    /// Greatest distance of any surface from there, with room for rounding.
-    pub reach: f64,
-}
-
-impl Extent {
-    pub fn new(bodies: &[Body], origin: DVec3) -> Self {
-        let solids: Vec<_> = bodies.iter().map(|body| Solid::new(&body.shape)).collect();
-        let [low, high] = bounding_box(&solids).unwrap_or([DVec3::ZERO, DVec3::ONE]);
-        let centre = 0.5 * (low + high);
-        Self { centre, centre_from_camera: centre - origin, reach: 1.001 * low.distance(centre) }
-    }
-}
-
-/// A shape as the shaders take it: mirror of the start of their `Body`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Placed {
-    /// From the scene's centre: centre, or one end of a tube; and the radius.
-    pub place_radius: [f32; 4],
-    /// The other end of a tube, or a ring's unit axis and the radius of its middle circle.
-    pub form: [f32; 4],
-}
-
-impl Placed {
-    /// A ball is a tube whose ends are in one place.
-    pub fn new(shape: &Shape, extent: &Extent) -> Self {
-        let from_centre = |place: [f64; 3], w: f64| packed(DVec3::from(place) - extent.centre, w);
-        let (place_radius, form) = match *shape {
-            Shape::Sphere { center, radius } => (from_centre(center, radius), from_centre(center, 0.0)),
-            Shape::Tube { from, to, radius } => (from_centre(from, radius), from_centre(to, 0.0)),
-            Shape::Ring { center, axis, radius, tube_radius } => {
-                (from_centre(center, tube_radius), packed(axis.into(), radius))
-            }
-        };
-        Self { place_radius, form }
-    }
 }
 
 impl Frame {
@@ -91,7 +61,8 @@ impl Frame {
         let ground = backdrop.ground_height().unwrap_or(f64::from(f32::MIN));
         let coarse = pole.as_vec2();
         let fine = (pole - coarse.as_dvec2()).as_vec2();
-        let centre = extent.centre_from_camera.as_vec3();
+        let centre = extent.centre - view.rest_origin();
+        let coarse_centre = centre.as_vec3();
         Self {
             base: vector(base),
             right: vector(right * per_px),
@@ -100,8 +71,8 @@ impl Frame {
             speed: [speed.beta(), speed.one_minus_beta(), 1.0 / speed.gamma(), speed.gamma()]
                 .map(|v| v as f32),
             light: [exposure, exponent, first, per_octave].map(|v| v as f32),
-            scene: centre.extend((0.5 / extent.reach) as f32).to_array(),
-            scene_fine: vector(extent.centre_from_camera - centre.as_dvec3()),
+            scene: coarse_centre.extend((0.5 / extent.reach) as f32).to_array(),
+            scene_fine: vector(centre - coarse_centre.as_dvec3()),
             ground: [aperture.x, aperture.y, ground, view.published_separation()].map(|v| v as f32),
             backdrop: backdrop.colours().map(|colour| vector(colour.into())),
             clip_right: vector(right * (to_clip / width)),
@@ -118,11 +89,6 @@ impl Frame {
 
 fn vector(v: DVec3) -> [f32; 4] {
     packed(v, 0.0)
-}
-
-/// For the shaders.
-pub fn packed(v: DVec3, w: f64) -> [f32; 4] {
-    v.as_vec3().extend(w as f32).to_array()
 }
 
 /// The pixel towards -x and its (unnormalised) line of sight, if it is well in front of the camera; else

@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 /// Why nothing can be drawn on a GPU, in one sentence.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, Clone, Error)]
 pub enum GpuError {
     /// No adapter at all.
     #[error(
@@ -17,11 +17,18 @@ pub enum GpuError {
         /// Name of the adapter.
         adapter: String,
         /// What the driver said.
-        reason: String,
+        #[source]
+        reason: wgpu::RequestDeviceError,
     },
-    /// A picture could not be read back.
+    /// The device did not finish what it was given to draw.
+    #[error("the graphics device was lost before it had finished drawing")]
+    Lost,
+    /// A picture's memory was not given to be read.
     #[error("the picture could not be read back from the graphics device: {0}")]
-    Readback(String),
+    Mapping(#[source] wgpu::BufferAsyncError),
+    /// A picture's memory was given, but not all of it.
+    #[error("the picture could not be read back from the graphics device: {0}")]
+    Range(#[source] wgpu::MapRangeError),
 }
 
 /// A graphics device and its queue.
@@ -59,10 +66,7 @@ impl Gpu {
                 ..Default::default()
             })
             .await
-            .map_err(|error| GpuError::Device {
-                adapter: adapter.get_info().name,
-                reason: error.to_string(),
-            })?;
+            .map_err(|reason| GpuError::Device { adapter: adapter.get_info().name, reason })?;
         Ok(Self::from_device(&adapter, device, queue))
     }
 
@@ -78,20 +82,14 @@ impl Gpu {
         format!("{} ({:?})", self.info.name, self.info.backend)
     }
 
-    /// Whether the device is a program that runs on the CPU.
-    #[must_use]
-    pub fn is_software(&self) -> bool {
-        self.info.device_type == wgpu::DeviceType::Cpu
-    }
-
     /// Waits until everything drawn so far is finished; for timing.
     ///
     /// # Errors
     ///
     /// The device was lost.
     pub fn wait(&self) -> Result<(), GpuError> {
-        let polled = self.device.poll(wgpu::PollType::wait_indefinitely());
-        polled.map(|_| ()).map_err(|error| GpuError::Readback(error.to_string()))
+        // Nothing else can go wrong without a limit on the time.
+        self.device.poll(wgpu::PollType::wait_indefinitely()).map(|_| ()).map_err(|_| GpuError::Lost)
     }
 
     /// Whether shaders can choose the samples they cover.

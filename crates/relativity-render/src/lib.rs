@@ -1,8 +1,8 @@
 //! Draws a scene that moves past, as one aperture sees it at one time.
 //!
 //! A resting scene is ray-traced exactly in its rest frame: the camera's event and each line of sight
-//! are boosted there, where rays are straight and bodies stand still. Knows wgpu, but neither windows
-//! nor files.
+//! are boosted there, where rays are straight and bodies stand still. Knows wgpu, but no windows, and reads and
+//! writes no files.
 //!
 //! # Examples
 //!
@@ -37,20 +37,28 @@
 
 pub mod backdrop;
 pub mod body;
+mod buffers;
 pub mod camera;
 mod canvas;
+mod capsule;
 pub mod colour;
 pub mod cone;
 mod effects;
 mod exact;
+mod footprint;
 mod frame;
 pub mod gpu;
 pub mod group_view;
 mod hits;
 pub mod intersect;
+mod kind;
 mod mesh;
+#[doc(hidden)]
+pub mod mirrors;
 mod palette;
 pub mod picture;
+mod pipelines;
+mod placed;
 mod polynomial;
 pub mod ray;
 pub mod rectified_hits;
@@ -58,8 +66,8 @@ pub mod rectify;
 pub mod reference;
 pub mod scene;
 pub mod shade;
-#[doc(hidden)]
-pub mod shaders;
+mod shaders;
+mod surface;
 mod target;
 mod tiles;
 pub mod velocity;

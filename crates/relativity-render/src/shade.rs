@@ -4,12 +4,19 @@ use glam::DVec3;
 use relativity_core::doppler::{intensity_factor, received_wavelength};
 
 use crate::colour::linear_srgb;
+use crate::effects::Constant;
 use crate::view::{Appearance, Shading};
 
 /// Direction to the light of [`form`], before normalising: over the viewer's left shoulder.
 pub const LIGHT: DVec3 = DVec3::new(-0.35, -0.55, 0.76);
 /// Brightness of a surface at right angles to the light, and how much turning towards it adds.
 pub const FORM: [f64; 2] = [0.62, 0.38];
+
+/// The shaders' constants of [`form`].
+pub(crate) fn constants() -> [Constant; 5] {
+    let [x, y, z] = LIGHT.normalize().to_array();
+    [("LIGHT_X", x), ("LIGHT_Y", y), ("LIGHT_Z", z), ("FORM_ACROSS", FORM[0]), ("FORM_TOWARDS", FORM[1])]
+}
 
 /// Gentle shading that shows form, 0.24 to 1: fixed to the rest frame, so that it moves with the body
 /// and is no effect of relativity. `rest_normal` is the outward unit normal in the rest frame.

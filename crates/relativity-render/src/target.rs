@@ -1,6 +1,6 @@
 //! Where a picture is drawn: an off-screen texture per eye, and its readback.
 
-use crate::canvas;
+use crate::buffers::{frame_buffer, vertex_buffer};
 use crate::gpu::{Gpu, GpuError};
 
 /// Samples per pixel of a picture.
@@ -56,8 +56,8 @@ impl EyeTarget {
             bodies: layer("bodies", 1, LINEAR_FORMAT, Usage::TEXTURE_BINDING).create_view(&whole),
             samples: layer("samples", SAMPLES, LINEAR_FORMAT, Usage::empty()).create_view(&whole),
             depth: layer("depth", SAMPLES, DEPTH_FORMAT, Usage::empty()).create_view(&whole),
-            frame: canvas::frame_buffer(gpu),
-            vertices: canvas::vertex_buffer(gpu, 0),
+            frame: frame_buffer(gpu),
+            vertices: vertex_buffer(gpu, 0),
         }
     }
 
@@ -137,9 +137,8 @@ pub(crate) fn bytes(
         // The receiver waits below; if it is gone, nobody wants the answer.
         let _ = sender.send(result);
     });
-    let failed = |error: &dyn std::fmt::Display| GpuError::Readback(error.to_string());
     gpu.wait()?;
-    receiver.recv().map_err(|e| failed(&e))?.map_err(|e| failed(&e))?;
-    let mapped = buffer.get_mapped_range(..).map_err(|e| failed(&e))?;
+    receiver.recv().map_err(|_| GpuError::Lost)?.map_err(GpuError::Mapping)?;
+    let mapped = buffer.get_mapped_range(..).map_err(GpuError::Range)?;
     Ok(mapped.chunks(padded_row as usize).flat_map(|padded| &padded[..row as usize]).copied().collect())
 }

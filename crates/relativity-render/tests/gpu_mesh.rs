@@ -50,7 +50,7 @@ fn the_picture_keeps_the_bound(gpu: &Gpu) {
             for bound_px in BOUNDS_PX {
                 renderer.bound_px = bound_px;
                 let image = renderer.hits(gpu, &still_life(), &view).expect("device works");
-                keeps_bound(&image, &truth, bound_px, &reference, &view);
+                keeps_bound(&image, &truth, bound_px, &still_life(), &view);
             }
         }
     }
@@ -70,7 +70,7 @@ fn bodies_that_nearly_touch_are_told_apart(gpu: &Gpu) {
         let reference = PreparedScene::moving(&bodies);
         for view in views() {
             let image = renderer.hits(gpu, &bodies, &view).expect("device works");
-            keeps_bound(&image, &reference.hit_image(&view), renderer.bound_px, &reference, &view);
+            keeps_bound(&image, &reference.hit_image(&view), renderer.bound_px, &bodies, &view);
         }
     }
 }
@@ -82,14 +82,16 @@ fn where_surfaces_coincide_the_first_body_is_seen(gpu: &Gpu) {
         let reference = PreparedScene::moving(&bodies);
         for view in views() {
             let image = renderer.hits(gpu, &bodies, &view).expect("device works");
-            keeps_bound(&image, &reference.hit_image(&view), renderer.bound_px, &reference, &view);
+            keeps_bound(&image, &reference.hit_image(&view), renderer.bound_px, &bodies, &view);
         }
         bodies.reverse();
     }
 }
 
-/// Every pixel shows the body that the reference shows there, or an outline is within the bound of there.
-fn keeps_bound(image: &HitImage, truth: &HitImage, bound_px: f64, reference: &PreparedScene, view: &View) {
+/// Every pixel shows the body that the reference shows there, or an outline is within the bound of there, or a place
+/// where f32 cannot tell which of two is nearer.
+fn keeps_bound(image: &HitImage, truth: &HitImage, bound_px: f64, bodies: &[Body], view: &View) {
+    let reference = PreparedScene::moving(bodies);
     for (i, (hit, true_hit)) in image.hits.iter().zip(&truth.hits).enumerate() {
         if hit.map(|hit| hit.body) == true_hit.map(|hit| hit.body) {
             continue;
@@ -97,7 +99,8 @@ fn keeps_bound(image: &HitImage, truth: &HitImage, bound_px: f64, reference: &Pr
         let mut nearby = around(pixel(image, i), bound_px)
             .map(|place| reference.first_hit(view, view.camera.line_of_sight(place.to_array())));
         assert!(
-            nearby.any(|found| is_across_an_outline(found, *true_hit)),
+            nearby.any(|found| is_across_an_outline(found, *true_hit))
+                || is_a_toss_up(*hit, *true_hit, bodies, view, pixel(image, i)),
             "{:?} beta {} T {}: {hit:?} at {} is further off than {bound_px} px",
             view.geometry,
             view.speed.beta(),
@@ -113,6 +116,15 @@ fn is_across_an_outline(a: Option<Hit>, b: Option<Hit>) -> bool {
         (Some(a), Some(b)) => a.body != b.body || a.rest_position.distance(b.rest_position) > 0.2,
         _ => a.is_some() != b.is_some(),
     }
+}
+
+/// Whether, where `pixel` is, the body that was hit is farther than the true one by less than f32 resolves, though not
+/// in the same place: so it is where the side of a tube begins to part from a ball at its end.
+fn is_a_toss_up(hit: Option<Hit>, true_hit: Option<Hit>, bodies: &[Body], view: &View, pixel: DVec2) -> bool {
+    let (Some(hit), Some(true_hit)) = (hit, true_hit) else { return false };
+    let alone = PreparedScene::moving(&bodies[hit.body..=hit.body]);
+    let there = alone.first_hit(view, view.camera.line_of_sight(pixel.to_array()));
+    there.is_some_and(|there| (1e-11..1e-6).contains(&(there.distance / true_hit.distance - 1.0)))
 }
 
 fn hits_appear_where_the_light_cone_says(gpu: &Gpu) {

@@ -4,22 +4,22 @@
 //! fragment stage boosts the pixel's line of sight into the rest frame, where rays are straight, and
 //! tests it against the body.
 
-mod footprint;
 mod pieces;
-mod pipelines;
 
 use crate::body::Body;
-use crate::canvas::{self, Canvas};
-use crate::effects::Effects;
-use crate::frame::{Extent, Frame};
+use crate::buffers::{fill_vertex_buffer, vertex_buffer};
+use crate::canvas::Canvas;
+use crate::effects::{Effects, number};
+use crate::frame::Frame;
 use crate::gpu::{Gpu, GpuError};
+use crate::kind::Kind;
+use crate::pipelines::{Key, Output, Pipelines, Technique};
+use crate::placed::PlacedBodies;
 use crate::reference::HitImage;
 use crate::target::EyeTarget;
-use crate::view::{Appearance, Colour, View};
-pub(crate) use footprint::Projection;
-pub(crate) use pieces::Instance;
+use crate::view::{Appearance, Colour, Geometry, View};
+pub(crate) use pieces::Piece;
 use pieces::{Bounds, Pieces, THIN_PX};
-use pipelines::{Key, Pipelines};
 
 /// Draws exactly what an aperture sees.
 ///
@@ -34,18 +34,48 @@ pub struct ExactRenderer {
     canvas: Canvas,
     pipelines: Pipelines,
     bounds: Bounds,
+    pieces: Pieces,
+    instances: Vec<Piece>,
+    draws: Vec<Draw>,
 }
 
 /// A range of instances drawn by one pipeline.
 type Draw = (Key, std::ops::Range<u32>);
+
+/// Rectangles, and a ray test for each of their pixels.
+pub(crate) const TECHNIQUE: Technique = Technique {
+    source: Kind::impostor,
+    vertex: "rectangle",
+    buffers: &[Some(Piece::LAYOUT)],
+    primitive: wgpu::PrimitiveState {
+        topology: wgpu::PrimitiveTopology::TriangleStrip,
+        ..Technique::TRIANGLES
+    },
+    picture: "picture",
+    constant: |key| {
+        let is_thin = match key.output {
+            Output::Picture { is_thin, .. } => is_thin,
+            Output::Hits => false,
+        };
+        ("THIN", number(is_thin))
+    },
+};
 
 impl ExactRenderer {
     /// A renderer on `gpu`; pipelines are made when first needed.
     #[must_use]
     pub fn new(gpu: &Gpu) -> Self {
         let canvas = Canvas::new(gpu);
-        let pipelines = Pipelines::new(gpu, canvas.body_layout(gpu));
-        Self { canvas, pipelines, bounds: Bounds::Tight }
+        let picture = if gpu.has_sample_masks() { TECHNIQUE.picture } else { "picture_sample" };
+        let pipelines = Pipelines::new(Technique { picture, ..TECHNIQUE }, canvas.body_layout(gpu));
+        Self {
+            canvas,
+            pipelines,
+            bounds: Bounds::Tight,
+            pieces: Pieces::default(),
+            instances: Vec::new(),
+            draws: Vec::new(),
+        }
     }
 
     /// A renderer that tests every body at every pixel: the same pictures, and what the bounds are worth.
@@ -66,18 +96,11 @@ impl ExactRenderer {
         let view = &view.with_size(target.size());
         let geometry = view.geometry;
         let effects = Effects::new(geometry.has_doppler_effect(), appearance);
-        let extent = Extent::new(bodies, view.rest_origin());
-        let pieces = Pieces::new(bodies, view, appearance.colour, &extent, self.bounds, THIN_PX);
-        let draws = self.load(gpu, &pieces, &mut target.vertices, |shape, thin| Key::Picture {
-            shape,
-            thin,
-            geometry,
-            effects,
-        });
-        let frame = Frame::new(view, appearance, &extent);
-        self.canvas.paint(gpu, target, &frame, appearance, |pass| {
-            self.record(pass, &target.vertices, &draws);
-        });
+        let scene = PlacedBodies::new(bodies);
+        self.pieces.refill(&scene, view, appearance.colour, self.bounds, THIN_PX);
+        self.load(gpu, &mut target.vertices, geometry, |is_thin| Output::Picture { is_thin, effects });
+        let frame = Frame::new(view, appearance, &scene.extent);
+        self.canvas.paint(gpu, target, &frame, appearance, |pass| self.record(pass, &target.vertices));
     }
 
     /// What the centre of every pixel of `view`'s camera shows, without anti-aliasing.
@@ -86,15 +109,13 @@ impl ExactRenderer {
     ///
     /// The device was lost.
     pub fn hits(&mut self, gpu: &Gpu, bodies: &[Body], view: &View) -> Result<HitImage, GpuError> {
-        let extent = Extent::new(bodies, view.rest_origin());
-        let pieces = Pieces::new(bodies, view, Colour::Visible, &extent, self.bounds, 0.0);
-        let mut vertices = canvas::vertex_buffer(gpu, 0);
-        let draws =
-            self.load(gpu, &pieces, &mut vertices, |shape, _| Key::Hits { shape, geometry: view.geometry });
-        let frame = Frame::new(view, &Appearance::default(), &extent);
-        let measures = self.canvas.measure(gpu, view.camera.size, &frame, |pass| {
-            self.record(pass, &vertices, &draws);
-        })?;
+        let scene = PlacedBodies::new(bodies);
+        self.pieces.refill(&scene, view, Colour::Visible, self.bounds, 0.0);
+        let mut vertices = vertex_buffer(gpu, 0);
+        self.load(gpu, &mut vertices, view.geometry, |_| Output::Hits);
+        let frame = Frame::new(view, &Appearance::default(), &scene.extent);
+        let measures =
+            self.canvas.measure(gpu, view.camera.size, &frame, |pass| self.record(pass, &vertices))?;
         Ok(measures.hit_image(&crate::scene::PreparedScene::moving(bodies), view))
     }
 
@@ -102,32 +123,28 @@ impl ExactRenderer {
     fn load(
         &mut self,
         gpu: &Gpu,
-        pieces: &Pieces,
         vertices: &mut wgpu::Buffer,
-        key: impl Fn(usize, bool) -> Key,
-    ) -> Vec<Draw> {
-        let mut instances = Vec::new();
-        let mut draws = Vec::new();
-        for (thin, lists) in [(false, &pieces.solid), (true, &pieces.thin)] {
-            for (shape, list) in lists.iter().enumerate().filter(|(_, list)| !list.is_empty()) {
-                let start = instances.len() as u32;
-                instances.extend_from_slice(list);
-                draws.push((key(shape, thin), start..instances.len() as u32));
-            }
+        geometry: Geometry,
+        output: impl Fn(bool) -> Output,
+    ) {
+        self.instances.clear();
+        self.draws.clear();
+        for (is_thin, kind, list) in self.pieces.lists() {
+            let start = self.instances.len() as u32;
+            self.instances.extend_from_slice(list);
+            let key = Key { kind, geometry, output: output(is_thin) };
+            self.pipelines.prepare(gpu, key);
+            self.draws.push((key, start..self.instances.len() as u32));
         }
-        canvas::fill_vertex_buffer(gpu, vertices, &instances);
-        for (key, _) in &draws {
-            self.pipelines.prepare(gpu, *key);
-        }
-        draws
+        fill_vertex_buffer(gpu, vertices, &self.instances);
     }
 
-    fn record(&self, pass: &mut wgpu::RenderPass<'_>, vertices: &wgpu::Buffer, draws: &[Draw]) {
-        if draws.is_empty() {
+    fn record(&self, pass: &mut wgpu::RenderPass<'_>, vertices: &wgpu::Buffer) {
+        if self.draws.is_empty() {
             return;
         }
         pass.set_vertex_buffer(0, vertices.slice(..));
-        for (key, instances) in draws {
+        for (key, instances) in &self.draws {
             pass.set_pipeline(self.pipelines.get(*key));
             pass.draw(0..4, instances.clone());
         }

@@ -17,59 +17,37 @@ use glam::{DVec2, DVec3};
 
 use super::map::Map;
 use super::template::Division;
-use crate::body::{Body, Shape};
+use crate::surface::{Surface, TubeSurface};
 
 /// The most segments a direction is divided into: bodies that touch the picture plane would need any number.
 const MAX_SEGMENTS: f64 = 512.0;
-/// Second derivatives between the samples may be this much larger than at them.
+/// Second derivatives between the samples may be this much larger than at them: with it, `tests/gpu_mesh.rs` finds
+/// the bound kept at all speeds.
 const SAFETY: f64 = 1.3;
-/// Step of the second differences, radians or half lengths.
+/// Step of the second differences, radians or half lengths: their error is a 1e-5th of the derivative, and rounding
+/// costs 1e-12 of the position.
 const STEP: f64 = 1e-2;
 /// Where a body is sampled: along it, and turned around it (radians).
 const ALONG: [f64; 5] = [-1.0, -0.5, 0.0, 0.5, 1.0];
 const AROUND: [f64; 4] = [0.0, FRAC_PI_2, PI, 1.5 * PI];
 
-/// The division of `body` that keeps `bound_px` under `map`.
-pub fn division(body: &Body, map: &Map, bound_px: f64) -> Division {
+/// The division of a body's `surface` that keeps `bound_px` under `map`; where that would do with less, no coarser than
+/// normals between corners look round.
+pub fn division(surface: &Surface, map: &Map, bound_px: f64) -> Division {
     let curvature = Curvature { map, bound_px: 0.25 * bound_px };
-    match body.shape {
-        Shape::Sphere { center, radius } => {
-            let surface = Tube::new(center.into(), DVec3::X, 0.0, radius);
-            let arc = curvature.of_arcs(&surface);
-            Division::Tube { around: segments(TAU * arc, 6), end: segments(FRAC_PI_2 * arc, 2), side: 0 }
+    match surface {
+        Surface::Tube(tube) => {
+            let arc = curvature.of_arcs(tube);
+            let side = || curvature.greatest(|t, angle, h| tube.side(t + h, angle));
+            let side = if tube.half_length == 0.0 { 0 } else { segments(2.0 * side(), 1) };
+            Division::Tube { around: segments(TAU * arc, 6), end: segments(FRAC_PI_2 * arc, 2), side }
         }
-        Shape::Tube { from, to, radius } => {
-            let (from, to) = (DVec3::from(from), DVec3::from(to));
-            let axis = (to - from).try_normalize().unwrap_or(DVec3::X);
-            let surface = Tube::new(0.5 * (from + to), axis, 0.5 * (to - from).length(), radius);
-            let arc = curvature.of_arcs(&surface);
-            let side = curvature.greatest(|t, angle, h| surface.side(t + h, angle));
-            Division::Tube {
-                around: segments(TAU * arc, 6),
-                end: segments(FRAC_PI_2 * arc, 2),
-                side: segments(2.0 * side, 1),
-            }
-        }
-        Shape::Ring { center, axis, radius, tube_radius } => {
-            let axis = DVec3::from(axis);
-            let (across, side) = basis(axis);
-            let surface = |turn: f64, angle: f64| {
-                let outward = across * turn.cos() + side * turn.sin();
-                DVec3::from(center)
-                    + outward * (radius + tube_radius * angle.cos())
-                    + axis * (tube_radius * angle.sin())
-            };
-            let around = curvature.greatest(|t, angle, h| surface(PI * t + h, angle));
-            let tube = curvature.greatest(|t, angle, h| surface(PI * t, angle + h));
+        Surface::Ring(ring) => {
+            let around = curvature.greatest(|t, angle, h| ring.at(PI * t + h, angle));
+            let tube = curvature.greatest(|t, angle, h| ring.at(PI * t, angle + h));
             Division::Ring { around: segments(TAU * around, 8), tube: segments(TAU * tube, 6) }
         }
     }
-}
-
-/// Two unit vectors across `axis`, as the renderer turns shapes around it.
-pub fn basis(axis: DVec3) -> (DVec3, DVec3) {
-    let across = axis.any_orthonormal_vector();
-    (across, axis.cross(across))
 }
 
 /// The number of segments, on a ladder so that bodies share templates.
@@ -83,35 +61,6 @@ fn segments(needed: f64, least: u32) -> u32 {
     needed.next_multiple_of(step)
 }
 
-struct Tube {
-    center: DVec3,
-    axis: DVec3,
-    across: DVec3,
-    side: DVec3,
-    extent: f64,
-    radius: f64,
-}
-
-impl Tube {
-    fn new(center: DVec3, axis: DVec3, extent: f64, radius: f64) -> Self {
-        let (across, side) = basis(axis);
-        Self { center, axis, across, side, extent, radius }
-    }
-
-    /// On the side, `t` half lengths along the axis from the middle.
-    fn side(&self, t: f64, angle: f64) -> DVec3 {
-        let outward = self.across * angle.cos() + self.side * angle.sin();
-        self.center + self.axis * (t * self.extent) + outward * self.radius
-    }
-
-    /// On the circle of the tube's radius through the axis, `t` half lengths along it, turned by `turn`.
-    fn meridian(&self, t: f64, turn: f64, angle: f64) -> DVec3 {
-        let outward = self.across * turn.cos() + self.side * turn.sin();
-        let normal = self.axis * angle.cos() + outward * angle.sin();
-        self.center + self.axis * (t * self.extent) + normal * self.radius
-    }
-}
-
 /// Curvature of images, as segments per unit of a parameter.
 struct Curvature<'a> {
     map: &'a Map,
@@ -120,7 +69,7 @@ struct Curvature<'a> {
 
 impl Curvature<'_> {
     /// Of the circles around and along a tube.
-    fn of_arcs(&self, tube: &Tube) -> f64 {
+    fn of_arcs(&self, tube: &TubeSurface) -> f64 {
         let around = self.greatest(|t, angle, h| tube.side(t, angle + h));
         let meridians = [0.0, FRAC_PI_2]
             .map(|turn| self.greatest(|t, angle, h| tube.meridian(t.signum(), turn, angle + h)));

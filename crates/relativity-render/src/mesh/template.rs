@@ -4,6 +4,8 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use bytemuck::{Pod, Zeroable};
 
+use crate::kind::Kind;
+
 /// How finely a shape is divided.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Division {
@@ -21,6 +23,15 @@ pub struct Corner {
     pub turn: [f32; 2],
 }
 
+impl Corner {
+    /// How the vertex stage reads it.
+    pub const LAYOUT: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
+        array_stride: size_of::<Self>() as u64,
+        step_mode: wgpu::VertexStepMode::Vertex,
+        attributes: &wgpu::vertex_attr_array![0 => Float32x4, 1 => Float32x2],
+    };
+}
+
 /// The corners of a division, and the triangles between them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Template {
@@ -29,6 +40,14 @@ pub struct Template {
 }
 
 impl Division {
+    /// The kind of shape that it divides.
+    pub fn kind(self) -> Kind {
+        match self {
+            Self::Tube { .. } => Kind::Tube,
+            Self::Ring { .. } => Kind::Ring,
+        }
+    }
+
     /// Its corners and triangles, counter-clockwise as seen from outside.
     pub fn template(self) -> Template {
         match self {

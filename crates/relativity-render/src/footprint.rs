@@ -10,18 +10,19 @@
 use glam::{DVec2, DVec3};
 
 use crate::camera::Axes;
+use crate::capsule::Capsule;
 use crate::view::{Geometry, View};
 
-/// Space left around an outline for anti-aliasing and rounding, px.
+/// Space left around an outline, px: a pixel's samples lie up to 0.4 px from its centre, thin pieces are drawn up to
+/// half a pixel wider than they are, and f32 rounds.
 const MARGIN_PX: f64 = 1.5;
-
-/// A capsule in the rest frame, relative to the camera's event.
-#[derive(Debug, Clone, Copy)]
-pub struct Capsule {
-    pub from: DVec3,
-    pub to: DVec3,
-    pub radius: f64,
-}
+/// In front is what lies deeper than this many times its own reach in depth: at 1 the outline runs off to infinity, and
+/// just beyond it the quadratic for its extent has lost its digits.
+const CLEAR_OF_APERTURE: f64 = 1.001;
+/// How much longer than wide a piece may bulge before halves are worth their own rectangles: by this many radii and
+/// this many pixels. Halves of a bulge are a quarter of it each.
+const LOOSE_RADII: f64 = 2.0;
+const LOOSE_PX: f64 = 4.0;
 
 /// Where it can appear.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -71,8 +72,7 @@ impl Projection {
     /// Whether a rest-frame ball around `center`, relative to the camera's event, is surely not in the
     /// picture.
     pub fn hides(&self, center: DVec3, radius: f64) -> bool {
-        let ball = Capsule { from: center, to: center, radius };
-        self.footprint(&ball) == Some(Footprint::Hidden)
+        self.footprint(&Capsule::ball(center, radius)) == Some(Footprint::Hidden)
     }
 
     /// Where `capsule` can appear; `None` if that cannot be said of it as a whole.
@@ -161,8 +161,7 @@ impl Projection {
         let forward = self.axes.forward;
         let depth = ball.dot(forward);
         let reach = self.metric(forward, forward, radius).sqrt();
-        // Just in front, the outline runs off to infinity.
-        if depth > 1.001 * reach {
+        if depth > CLEAR_OF_APERTURE * reach {
             Depth::InFront
         } else if depth < -reach {
             Depth::Behind
@@ -197,7 +196,7 @@ impl Projection {
         let radius_px = radius * self.focal_length_px / furthest;
         let distance = balls[0].length().min(balls[1].length());
         let bulge = (balls[2].x - balls[0].x).abs();
-        let is_loose = bulge > 2.0 * radius + 4.0 * distance / self.focal_length_px;
+        let is_loose = bulge > LOOSE_RADII * radius + LOOSE_PX * distance / self.focal_length_px;
         Footprint::Inside(Rectangle { middle, half_axes, radius_px, is_loose })
     }
 

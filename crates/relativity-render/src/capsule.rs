@@ -1,0 +1,67 @@
+//! Capsules that contain a shape: what its bounds in a picture are worked out from.
+
+use glam::DVec3;
+
+use crate::body::Shape;
+
+/// A tube with rounded ends in the rest frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Capsule {
+    /// Centre of one end.
+    pub from: DVec3,
+    /// Centre of the other.
+    pub to: DVec3,
+    /// Radius.
+    pub radius: f64,
+}
+
+impl Capsule {
+    /// A ball.
+    pub const fn ball(center: DVec3, radius: f64) -> Self {
+        Self { from: center, to: center, radius }
+    }
+
+    /// As seen from `origin`.
+    pub fn relative_to(&self, origin: DVec3) -> Self {
+        Self { from: self.from - origin, to: self.to - origin, ..*self }
+    }
+
+    /// Its two halves.
+    pub fn halves(&self) -> [Self; 2] {
+        let middle = 0.5 * (self.from + self.to);
+        [Self { to: middle, ..*self }, Self { from: middle, ..*self }]
+    }
+}
+
+/// Adds capsules to `out` that contain `shape`.
+pub fn add_capsules(shape: &Shape, out: &mut Vec<Capsule>) {
+    match *shape {
+        Shape::Sphere { center, radius } => out.push(Capsule::ball(center.into(), radius)),
+        Shape::Tube { from, to, radius } => out.push(Capsule { from: from.into(), to: to.into(), radius }),
+        Shape::Ring { center, axis, radius, tube_radius } => {
+            out.extend(arcs(center.into(), axis.into(), radius, tube_radius));
+        }
+    }
+}
+
+/// A ring's arcs, each in a capsule along its chord, moved outwards by half the sagitta.
+fn arcs(center: DVec3, axis: DVec3, radius: f64, tube_radius: f64) -> impl Iterator<Item = Capsule> {
+    // Half the sagitta, radius angle^2/16, adds no more than half the tube's radius. A thick ring has eight arcs
+    // nevertheless, lest its hole be covered; the thinnest has no more than thirty-two, each worth a rectangle.
+    let angle = (8.0 * tube_radius / radius).sqrt().clamp(0.2, 0.8);
+    let count = (std::f64::consts::TAU / angle).ceil();
+    let half_angle = std::f64::consts::PI / count;
+    let half_sagitta = 0.5 * radius * (1.0 - half_angle.cos());
+    let (u, v) = axis.any_orthonormal_pair();
+    let point = move |middle: f64, end: f64| {
+        let outward = u * middle.cos() + v * middle.sin();
+        let along = v * middle.cos() - u * middle.sin();
+        center
+            + outward * (radius * half_angle.cos() + half_sagitta)
+            + along * (end * radius * half_angle.sin())
+    };
+    (0..count as u32).map(move |i| {
+        let middle = 2.0 * half_angle * f64::from(i);
+        Capsule { from: point(middle, -1.0), to: point(middle, 1.0), radius: tube_radius + half_sagitta }
+    })
+}

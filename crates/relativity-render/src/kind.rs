@@ -1,0 +1,51 @@
+//! The kinds of shape that shaders tell apart: each has its own ray test, and its own corners of triangles.
+
+use crate::body::Shape;
+use crate::shaders::source;
+
+/// One line for each kind: its name, and its files in `shaders/` for the ray test and for the corners.
+macro_rules! kinds {
+    ($($(#[$doc:meta])* $kind:ident: $test:literal, $corners:literal;)+) => {
+        /// A kind of shape.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        pub enum Kind {
+            $($(#[$doc])* $kind,)+
+        }
+
+        impl Kind {
+            /// Every kind.
+            pub const ALL: &[Self] = &[$(Self::$kind),+];
+
+            /// The exact renderer's shader.
+            pub const fn impostor(self) -> &'static str {
+                match self {
+                    $(Self::$kind => source!("frame", "rest_ray", "colour", "body", "impostor", $test),)+
+                }
+            }
+
+            /// The mesh renderer's shader.
+            pub const fn mesh(self) -> &'static str {
+                match self {
+                    $(Self::$kind => source!("frame", "rest_ray", "colour", "body", $test, "mesh", $corners),)+
+                }
+            }
+        }
+    };
+}
+
+kinds! {
+    /// A tube with rounded ends; a ball is one without a length.
+    Tube: "tube", "mesh_tube";
+    /// A torus.
+    Ring: "ring", "mesh_ring";
+}
+
+impl Kind {
+    /// The kind of `shape`.
+    pub const fn of(shape: &Shape) -> Self {
+        match shape {
+            Shape::Sphere { .. } | Shape::Tube { .. } => Self::Tube,
+            Shape::Ring { .. } => Self::Ring,
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! What the shaders and Rust both state, for a test to compare: structs, and constants.
+
+use std::mem::offset_of;
+
+use crate::effects::{Constant, Effects};
+use crate::exact::Piece;
+use crate::frame::Frame;
+use crate::kind::Kind;
+use crate::mesh::{Corner, Instance};
+use crate::pipelines::{Key, Output, Technique};
+use crate::view::{Appearance, Geometry};
+use crate::{backdrop, exact, mesh, shaders};
+
+/// A shader and what Rust gives it.
+#[derive(Debug)]
+pub struct Shader {
+    /// What it draws.
+    pub name: String,
+    /// WGSL.
+    pub source: &'static str,
+    /// The constants that its pipelines are made with.
+    pub constants: Vec<Constant>,
+}
+
+/// A struct that a shader reads, as Rust lays it out.
+#[derive(Debug)]
+pub struct Mirror {
+    /// Its name on both sides.
+    pub name: &'static str,
+    /// Its fields and their offsets, bytes.
+    pub fields: &'static [(&'static str, usize)],
+    /// Its size, bytes.
+    pub size: usize,
+}
+
+/// A mirror that the vertex stage reads by attributes.
+#[derive(Debug)]
+pub struct VertexMirror {
+    /// The struct.
+    pub mirror: Mirror,
+    /// How pipelines read it.
+    pub layout: wgpu::VertexBufferLayout<'static>,
+}
+
+macro_rules! mirror {
+    ($struct:ident: $($field:ident),+) => {
+        Mirror {
+            name: stringify!($struct),
+            fields: &[$((stringify!($field), offset_of!($struct, $field))),+],
+            size: size_of::<$struct>(),
+        }
+    };
+}
+
+/// The uniform blocks.
+pub const BLOCKS: [Mirror; 1] = [mirror!(
+    Frame: base, right, down, pole, speed, light, scene, scene_fine, ground, backdrop, clip_right, clip_up, forward
+)];
+
+/// The structs of vertices and instances.
+pub const VERTICES: [VertexMirror; 3] = [
+    VertexMirror {
+        mirror: mirror!(Piece: place, second_axis_index_wavelength, place_radius, form, rest_colour),
+        layout: Piece::LAYOUT,
+    },
+    VertexMirror { mirror: mirror!(Corner: profile, turn), layout: Corner::LAYOUT },
+    VertexMirror {
+        mirror: mirror!(Instance: place_radius, form, across_index, colour_wavelength, cover),
+        layout: Instance::LAYOUT,
+    },
+];
+
+/// Every shader.
+#[must_use]
+pub fn shaders() -> Vec<Shader> {
+    let backdrop = Shader {
+        name: "backdrop".to_owned(),
+        source: shaders::BACKDROP,
+        constants: backdrop::constants(true).to_vec(),
+    };
+    let bodies = Kind::ALL.iter().flat_map(|&kind| {
+        [("impostor", exact::TECHNIQUE), ("mesh", mesh::TECHNIQUE)]
+            .map(|(name, technique)| of_bodies(kind, name, &technique))
+    });
+    bodies.chain([backdrop]).collect()
+}
+
+fn of_bodies(kind: Kind, name: &str, technique: &Technique) -> Shader {
+    let output = Output::Picture { is_thin: false, effects: Effects::new(true, &Appearance::default()) };
+    let key = Key { kind, geometry: Geometry::Seen, output };
+    Shader {
+        name: format!("{name} of a {kind:?}"),
+        source: (technique.source)(kind),
+        constants: technique.constants(key),
+    }
+}

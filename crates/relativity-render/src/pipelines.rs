@@ -1,0 +1,149 @@
+//! The pipelines that draw bodies, made when first needed: one per kind of shape, geometry and set of effects.
+
+use std::collections::HashMap;
+
+use crate::effects::{Constant, Effects};
+use crate::gpu::Gpu;
+use crate::kind::Kind;
+use crate::shade;
+use crate::target::{DEPTH_FORMAT, MEASURES_FORMAT, SAMPLES, linear_target};
+use crate::view::Geometry;
+
+/// What a pipeline draws, with every effect decided.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Key {
+    /// Bodies of this kind.
+    pub kind: Kind,
+    /// As it shows them.
+    pub geometry: Geometry,
+    /// What is wanted of them.
+    pub output: Output,
+}
+
+/// What a pipeline writes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Output {
+    /// Colours; bodies thinner than a pixel are blended by how much of it they cover.
+    Picture { is_thin: bool, effects: Effects },
+    /// What the centre of each pixel shows, in numbers.
+    Hits,
+}
+
+/// How a renderer draws bodies: what its pipelines have of their own.
+#[derive(Debug, Clone, Copy)]
+pub struct Technique {
+    /// The shader of a kind of shape.
+    pub source: fn(Kind) -> &'static str,
+    /// Entry point of the vertex stage.
+    pub vertex: &'static str,
+    /// What the vertex stage reads.
+    pub buffers: &'static [Option<wgpu::VertexBufferLayout<'static>>],
+    /// How vertices become triangles.
+    pub primitive: wgpu::PrimitiveState,
+    /// Entry point of the fragment stage of a picture.
+    pub picture: &'static str,
+    /// The constant that no other technique's shaders have.
+    pub constant: fn(Key) -> Constant,
+}
+
+impl Technique {
+    /// Triangles, both sides of them, corner by corner.
+    pub const TRIANGLES: wgpu::PrimitiveState = wgpu::PrimitiveState {
+        topology: wgpu::PrimitiveTopology::TriangleList,
+        strip_index_format: None,
+        front_face: wgpu::FrontFace::Ccw,
+        cull_mode: None,
+        unclipped_depth: false,
+        polygon_mode: wgpu::PolygonMode::Fill,
+        conservative: false,
+    };
+
+    /// All constants of the shaders.
+    pub fn constants(&self, key: Key) -> Vec<Constant> {
+        let effects = match key.output {
+            Output::Picture { effects, .. } => effects,
+            Output::Hits => Effects::NONE,
+        };
+        let mut constants = vec![(self.constant)(key), ("GEOMETRY", key.geometry.number())];
+        constants.extend(effects.constants());
+        constants.extend(shade::constants());
+        constants
+    }
+}
+
+/// A renderer's pipelines.
+#[derive(Debug)]
+pub struct Pipelines {
+    technique: Technique,
+    layout: wgpu::PipelineLayout,
+    modules: HashMap<Kind, wgpu::ShaderModule>,
+    made: HashMap<Key, wgpu::RenderPipeline>,
+}
+
+impl Pipelines {
+    /// None yet.
+    pub fn new(technique: Technique, layout: wgpu::PipelineLayout) -> Self {
+        Self { technique, layout, modules: HashMap::new(), made: HashMap::new() }
+    }
+
+    /// Makes the pipeline of `key` unless it exists.
+    pub fn prepare(&mut self, gpu: &Gpu, key: Key) {
+        if !self.made.contains_key(&key) {
+            let pipeline = self.pipeline(gpu, key);
+            self.made.insert(key, pipeline);
+        }
+    }
+
+    /// The pipeline of a prepared `key`.
+    pub fn get(&self, key: Key) -> &wgpu::RenderPipeline {
+        &self.made[&key]
+    }
+
+    fn pipeline(&mut self, gpu: &Gpu, key: Key) -> wgpu::RenderPipeline {
+        let constants = self.technique.constants(key);
+        let (entry_point, samples, targets) = match key.output {
+            Output::Picture { is_thin, .. } => {
+                (self.technique.picture, SAMPLES, vec![Some(linear_target(is_thin))])
+            }
+            Output::Hits => ("hits", 1, vec![Some(MEASURES_FORMAT.into()); 2]),
+        };
+        let module = self
+            .modules
+            .entry(key.kind)
+            .or_insert_with(|| gpu.shader("bodies", (self.technique.source)(key.kind)));
+        let compilation_options =
+            wgpu::PipelineCompilationOptions { constants: &constants, ..Default::default() };
+        gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: Some(entry_point),
+            layout: Some(&self.layout),
+            vertex: wgpu::VertexState {
+                module,
+                entry_point: Some(self.technique.vertex),
+                compilation_options: compilation_options.clone(),
+                buffers: self.technique.buffers,
+            },
+            primitive: self.technique.primitive,
+            depth_stencil: Some(nearest()),
+            multisample: wgpu::MultisampleState { count: samples, ..Default::default() },
+            fragment: Some(wgpu::FragmentState {
+                module,
+                entry_point: Some(entry_point),
+                compilation_options,
+                targets: &targets,
+            }),
+            multiview_mask: None,
+            cache: None,
+        })
+    }
+}
+
+/// The nearest is seen, of equally near ones the first: see the shaders' `depth`.
+fn nearest() -> wgpu::DepthStencilState {
+    wgpu::DepthStencilState {
+        format: DEPTH_FORMAT,
+        depth_write_enabled: Some(true),
+        depth_compare: Some(wgpu::CompareFunction::Greater),
+        stencil: wgpu::StencilState::default(),
+        bias: wgpu::DepthBiasState::default(),
+    }
+}

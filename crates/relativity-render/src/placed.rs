@@ -1,0 +1,183 @@
+//! Bodies as the GPU renderers take them: all of it that no view changes, worked out once per scene.
+
+use std::collections::HashMap;
+use std::hash::Hash;
+use std::ops::Range;
+
+use glam::DVec3;
+
+use crate::body::{Body, Shape};
+use crate::capsule::{Capsule, add_capsules};
+use crate::colour::linear_srgb;
+use crate::intersect::{Solid, bounding_box};
+use crate::kind::Kind;
+use crate::surface::Surface;
+use crate::view::Colour;
+
+/// Where bodies are as a whole, in the rest frame: they are placed from their middle, so that they keep
+/// their places among each other however far the camera is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Extent {
+    /// The middle of a box around the bodies.
+    pub centre: DVec3,
+    /// Greatest distance of any surface from there, with room for rounding.
+    pub reach: f64,
+}
+
+/// A body, placed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlacedBody {
+    /// Which shaders draw it.
+    pub kind: Kind,
+    /// Its number, in the order of the bodies; floats hold those up to 2^24.
+    pub index: f32,
+    /// Its shape in f64.
+    pub solid: Solid,
+    /// From the scene's centre: its centre, or one end of a tube; and its radius.
+    pub place_radius: [f32; 4],
+    /// The other end of a tube, or a ring's unit axis and the radius of its middle circle.
+    pub form: [f32; 4],
+    /// Wavelength of its light in the rest frame, nm.
+    pub rest_wavelength_nm: f32,
+    rest_colours: RestColours,
+    /// What triangles approach.
+    pub surface: Surface,
+    /// Whether its surface may coincide with another's.
+    pub joint: Joint,
+    capsules: Range<u32>,
+}
+
+/// Whether a body has a rounded end, or all of a ring, in common with another: there the first of them is seen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Joint {
+    /// As it is.
+    pub as_it_is: bool,
+    /// Where both are drawn a pixel wide: bodies about one centre, which are as wide there.
+    pub widened: bool,
+}
+
+/// Linear sRGB without Doppler shift.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct RestColours {
+    visible: [f32; 3],
+    falsified: [f32; 3],
+}
+
+/// The bodies of a scene, placed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlacedBodies {
+    /// Where they are as a whole.
+    pub extent: Extent,
+    /// In the order given.
+    pub bodies: Vec<PlacedBody>,
+    capsules: Vec<Capsule>,
+}
+
+impl PlacedBodies {
+    /// Places `bodies`.
+    pub fn new(bodies: &[Body]) -> Self {
+        let solids: Vec<_> = bodies.iter().map(|body| Solid::new(&body.shape)).collect();
+        let extent = Extent::new(&solids);
+        let mut capsules = Vec::new();
+        let mut placed: Vec<_> = bodies
+            .iter()
+            .zip(solids)
+            .enumerate()
+            .map(|(index, (body, solid))| {
+                let first = capsules.len() as u32;
+                add_capsules(&body.shape, &mut capsules);
+                PlacedBody::new(index, body, solid, &extent, first..capsules.len() as u32)
+            })
+            .collect();
+        find_joints(&mut placed);
+        Self { extent, bodies: placed, capsules }
+    }
+
+    /// Capsules that contain `body`, one of these.
+    pub fn capsules(&self, body: &PlacedBody) -> &[Capsule] {
+        &self.capsules[body.capsules.start as usize..body.capsules.end as usize]
+    }
+}
+
+impl Extent {
+    fn new(solids: &[Solid]) -> Self {
+        let [low, high] = bounding_box(solids).unwrap_or([DVec3::ZERO, DVec3::ONE]);
+        let centre = 0.5 * (low + high);
+        Self { centre, reach: 1.001 * low.distance(centre) }
+    }
+}
+
+impl PlacedBody {
+    fn new(index: usize, body: &Body, solid: Solid, extent: &Extent, capsules: Range<u32>) -> Self {
+        let from_centre = |place: [f64; 3], w: f64| packed(DVec3::from(place) - extent.centre, w);
+        let (place_radius, form) = match body.shape {
+            // A tube whose ends are in one place.
+            Shape::Sphere { center, radius } => (from_centre(center, radius), from_centre(center, 0.0)),
+            Shape::Tube { from, to, radius } => (from_centre(from, radius), from_centre(to, 0.0)),
+            Shape::Ring { center, axis, radius, tube_radius } => {
+                (from_centre(center, tube_radius), packed(axis.into(), radius))
+            }
+        };
+        Self {
+            kind: Kind::of(&body.shape),
+            index: index as f32,
+            solid,
+            place_radius,
+            form,
+            rest_wavelength_nm: body.rest_wavelength_nm as f32,
+            rest_colours: RestColours::new(body.rest_wavelength_nm),
+            surface: Surface::new(&body.shape),
+            joint: Joint::default(),
+            capsules,
+        }
+    }
+
+    /// Its colour without Doppler shift, linear sRGB.
+    pub fn rest_colour(&self, colour: Colour) -> [f32; 3] {
+        match colour {
+            Colour::Visible => self.rest_colours.visible,
+            Colour::False => self.rest_colours.falsified,
+        }
+    }
+
+    /// The centres of the ends of a tube, or of a ring, as bits.
+    fn ends(&self) -> impl Iterator<Item = [u32; 3]> + use<> {
+        let place = |[x, y, z, _]: [f32; 4]| [x, y, z].map(f32::to_bits);
+        let first = place(self.place_radius);
+        let second = match self.kind {
+            Kind::Tube => Some(place(self.form)).filter(|second| *second != first),
+            Kind::Ring => None,
+        };
+        [Some(first), second].into_iter().flatten()
+    }
+}
+
+impl RestColours {
+    fn new(wavelength_nm: f64) -> Self {
+        let of = |colour| linear_srgb(wavelength_nm, colour).map(|part| part as f32);
+        Self { visible: of(Colour::Visible), falsified: of(Colour::False) }
+    }
+}
+
+fn find_joints(bodies: &mut [PlacedBody]) {
+    let as_they_are = shared_ends(bodies, |body| body.place_radius[3].to_bits());
+    let widened = shared_ends(bodies, |body| body.solid.center().to_array().map(f64::to_bits));
+    for ((body, as_it_is), widened) in bodies.iter_mut().zip(as_they_are).zip(widened) {
+        body.joint = Joint { as_it_is, widened };
+    }
+}
+
+/// Which of `bodies` have an end in one place with another that has the same `trait_of`.
+fn shared_ends<T: Eq + Hash>(bodies: &[PlacedBody], trait_of: impl Fn(&PlacedBody) -> T) -> Vec<bool> {
+    let ends = |body| PlacedBody::ends(body).map(|end| (end, trait_of(body)));
+    let mut bodies_at = HashMap::<_, u32>::new();
+    for end in bodies.iter().flat_map(ends) {
+        *bodies_at.entry(end).or_default() += 1;
+    }
+    bodies.iter().map(|body| ends(body).any(|end| bodies_at[&end] > 1)).collect()
+}
+
+/// For the shaders.
+pub fn packed(v: DVec3, w: f64) -> [f32; 4] {
+    v.as_vec3().extend(w as f32).to_array()
+}
