@@ -1,6 +1,7 @@
 //! Capsules that contain a shape: what its bounds in a picture are worked out from.
 
 use glam::DVec3;
+use relativity_core::math;
 
 use crate::body::Shape;
 
@@ -51,14 +52,14 @@ fn arcs(center: DVec3, axis: DVec3, radius: f64, tube_radius: f64) -> impl Itera
     let angle = (8.0 * tube_radius / radius).sqrt().clamp(0.2, 0.8);
     let count = (std::f64::consts::TAU / angle).ceil();
     let half_angle = std::f64::consts::PI / count;
-    let half_sagitta = 0.5 * radius * (1.0 - half_angle.cos());
+    let half_sagitta = 0.5 * radius * (1.0 - math::cos(half_angle));
     let (u, v) = axis.any_orthonormal_pair();
     let point = move |middle: f64, end: f64| {
-        let outward = u * middle.cos() + v * middle.sin();
-        let along = v * middle.cos() - u * middle.sin();
+        let outward = u * math::cos(middle) + v * math::sin(middle);
+        let along = v * math::cos(middle) - u * math::sin(middle);
         center
-            + outward * (radius * half_angle.cos() + half_sagitta)
-            + along * (end * radius * half_angle.sin())
+            + outward * (radius * math::cos(half_angle) + half_sagitta)
+            + along * (end * radius * math::sin(half_angle))
     };
     (0..count as u32).map(move |i| {
         let middle = 2.0 * half_angle * f64::from(i);

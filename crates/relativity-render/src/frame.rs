@@ -2,6 +2,7 @@
 
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec2, DVec3};
+use relativity_core::math;
 
 use crate::backdrop::Backdrop;
 use crate::camera::{Axes, Camera};
@@ -54,7 +55,7 @@ impl Frame {
         let (pole, base) = pole(camera);
         let speed = &view.speed;
         let [first, per_octave] = palette::scale(appearance.colour);
-        let exposure = appearance.exposure_ev.exp2();
+        let exposure = math::exp2(appearance.exposure_ev);
         let exponent = appearance.intensity_exponent.unwrap_or(0.0);
         let aperture = camera.aperture;
         let backdrop = Backdrop::new(camera, appearance);

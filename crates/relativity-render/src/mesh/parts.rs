@@ -1,7 +1,7 @@
 //! The bodies of a view as they are drawn: how finely each is divided, and in which order.
 
 use bytemuck::{Pod, Zeroable};
-use rayon::prelude::*;
+use relativity_core::threads::prelude::*;
 
 use super::division::division;
 use super::map::Map;
