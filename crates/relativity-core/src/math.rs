@@ -39,6 +39,8 @@ functions! {
     exp2(x);
     /// The natural logarithm of x; NaN below 0.
     ln(x);
+    /// The logarithm of x to the base 2; NaN below 0.
+    log2(x);
     /// The decimal logarithm of x; NaN below 0.
     log10(x);
     /// x^exponent; NaN for x below 0 unless the exponent is whole.

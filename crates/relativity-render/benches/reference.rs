@@ -7,7 +7,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use glam::DVec3;
-use rayon::prelude::*;
+use relativity_core::threads::prelude::*;
 use relativity_core::{Aperture, Speed};
 use relativity_render::camera::LinesOfSight;
 use relativity_render::{Body, Camera, Gaze, Geometry, PreparedScene, Shape, View};

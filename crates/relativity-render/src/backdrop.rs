@@ -4,6 +4,7 @@
 //! `shaders/backdrop.wgsl` draws the same, with the same constants.
 
 use glam::{DVec2, DVec3};
+use relativity_core::math;
 
 use crate::camera::{Axes, Camera};
 use crate::colour::mix;
@@ -129,7 +130,7 @@ impl Backdrop {
             |across: DVec3| (across - n * n.dot(across)) * (n.dot(self.axes.forward) / self.focal_length_px);
         let shift = |turn: DVec3| (turn.truncate() - n.truncate() * (turn.z / n.z)) * distance;
         let [right, down] = [self.axes.right, -self.axes.up].map(|across| shift(turn(across)));
-        let pixel = DVec2::new(right.x.hypot(down.x), right.y.hypot(down.y));
+        let pixel = DVec2::new(math::hypot(right.x, down.x), math::hypot(right.y, down.y));
         let grid = grid_cover(foot.x, pixel.x).max(grid_cover(foot.y, pixel.y));
         let axes = axis_cover(foot.x, pixel.x).max(axis_cover(foot.y, pixel.y));
         let Palette { earth, grid_line, axis_line, .. } = self.palette;

@@ -34,6 +34,7 @@
 //! assert_eq!(picture.rgba.len(), 64 * 48);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+#![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_types))]
 
 pub mod backdrop;
 pub mod body;

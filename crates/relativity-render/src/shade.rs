@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 use relativity_core::doppler::{intensity_factor, received_wavelength};
+use relativity_core::math;
 
 use crate::colour::linear_srgb;
 use crate::effects::Constant;
@@ -45,6 +46,6 @@ pub fn surface_colour(
         Shading::Form => form(rest_normal),
     };
     // A product that overflows is as bright as can be, not infinite: black times infinity is no number.
-    let brightness = (intensity * shading * appearance.exposure_ev.exp2()).min(f64::MAX);
+    let brightness = (intensity * shading * math::exp2(appearance.exposure_ev)).min(f64::MAX);
     linear_srgb(wavelength_nm, appearance.colour).map(|part| part * brightness)
 }

@@ -1,6 +1,7 @@
 //! The surfaces of shapes over two parameters: what triangles are corners of, and how they are turned.
 
 use glam::DVec3;
+use relativity_core::math;
 
 use crate::body::Shape;
 
@@ -48,7 +49,7 @@ impl Turn {
 
     /// Unit vector off the axis.
     fn outward(&self, angle: f64) -> DVec3 {
-        self.across * angle.cos() + self.side * angle.sin()
+        self.across * math::cos(angle) + self.side * math::sin(angle)
     }
 }
 
@@ -96,7 +97,7 @@ impl TubeSurface {
 
     /// On the circle of the tube's radius through the axis, `t` half lengths along it, turned by `turn`.
     pub fn meridian(&self, t: f64, turn: f64, angle: f64) -> DVec3 {
-        let normal = self.turn.axis * angle.cos() + self.turn.outward(turn) * angle.sin();
+        let normal = self.turn.axis * math::cos(angle) + self.turn.outward(turn) * math::sin(angle);
         self.along(t) + normal * self.radius
     }
 
@@ -109,7 +110,7 @@ impl RingSurface {
     /// Turned around the axis by `turn`, and around the tube by `angle`.
     pub fn at(&self, turn: f64, angle: f64) -> DVec3 {
         self.center
-            + self.turn.outward(turn) * (self.radius + self.tube_radius * angle.cos())
-            + self.turn.axis * (self.tube_radius * angle.sin())
+            + self.turn.outward(turn) * (self.radius + self.tube_radius * math::cos(angle))
+            + self.turn.axis * (self.tube_radius * math::sin(angle))
     }
 }

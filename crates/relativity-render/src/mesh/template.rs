@@ -1,5 +1,6 @@
 //! Grids of corners over unit shapes, for bodies of that shape to be placed on.
 
+use relativity_core::math;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use bytemuck::{Pod, Zeroable};
@@ -54,7 +55,7 @@ impl Division {
             Self::Tube { around, end, side } => grid(&tube_profile(end, side), around),
             Self::Ring { around, tube } => {
                 let profile = (0..=tube).map(|i| {
-                    let (sine, cosine) = (TAU * f64::from(i) / f64::from(tube)).sin_cos();
+                    let (sine, cosine) = math::sin_cos(TAU * f64::from(i) / f64::from(tube));
                     [cosine as f32, sine as f32, 0.0, 0.0]
                 });
                 grid(&profile.collect::<Vec<_>>(), around)
@@ -66,7 +67,7 @@ impl Division {
 /// From the pole of one end to that of the other.
 fn tube_profile(end: u32, side: u32) -> Vec<[f32; 4]> {
     let cap = |i: u32, sign: f64| {
-        let (sine, cosine) = (FRAC_PI_2 * f64::from(i) / f64::from(end)).sin_cos();
+        let (sine, cosine) = math::sin_cos(FRAC_PI_2 * f64::from(i) / f64::from(end));
         [sign as f32, (sign * cosine) as f32, sine as f32, 0.0]
     };
     let near = (0..=end).map(|i| cap(i, -1.0));
@@ -80,7 +81,7 @@ fn tube_profile(end: u32, side: u32) -> Vec<[f32; 4]> {
 fn grid(profile: &[[f32; 4]], around: u32) -> Template {
     let rows = profile.len() as u32;
     let turn = |j: u32| {
-        let (sine, cosine) = (TAU * f64::from(j) / f64::from(around)).sin_cos();
+        let (sine, cosine) = math::sin_cos(TAU * f64::from(j) / f64::from(around));
         [cosine as f32, sine as f32]
     };
     let corners = (0..=around)
