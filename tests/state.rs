@@ -11,7 +11,7 @@ use gamow::cli::Cli;
 use gamow::files::png::PngFile;
 use gamow::flags::choices::GazeChoice;
 use gamow::flags::{SpeedParameter, SpeedSetting};
-use gamow::scene::{PRESETS, Scene};
+use gamow::scene::{PRESETS, Scene, Track};
 use gamow::settings::Settings;
 use relativity_render::{Geometry, View};
 
@@ -25,13 +25,13 @@ fn in_window(settings: Settings) -> [View; 2] {
 
 /// What `gamow render` draws of them, by the command that it records.
 fn in_picture(settings: &Settings) -> [View; 2] {
-    let tracked = Scene::open(&settings.scene).expect("the scene is there").tracked;
-    let command = settings.resolved(settings.point.unwrap_or(tracked)).command();
+    let tracked = Scene::open(&settings.scene).expect("the scene is there").track(settings.point);
+    let command = settings.resolved(&tracked).command();
     let recorded = Settings::default().with_command(&command, "picture.png").expect("it can be read");
     let time = recorded.time.expect("it is recorded");
     // The gaze is recorded as angles, so that nothing needs to be tracked.
     assert!(matches!(recorded.look.gaze, GazeChoice::Fixed(_)), "{command}");
-    recorded.views([f64::NAN; 3], time, recorded.picture.size.0)
+    recorded.views(&Track { rest: [f64::NAN; 3], ..tracked }, time, recorded.picture.size.0)
 }
 
 #[test]
@@ -99,9 +99,12 @@ fn a_scene_given_by_a_flag_starts_at_a_time_of_its_own() {
     let left = Settings { time: Some(77.0), point: Some([1.0, 2.0, 3.0]), ..Settings::default() };
     let state = started(&["--scene", "street"], left.clone());
     let street = Scene::preset("street").expect("a preset");
-    assert_eq!((state.session.time < 70.0, state.session.points.selected().rest), (true, street.tracked));
+    assert_eq!(
+        (state.session.time < 70.0, state.session.points.selected().track.rest),
+        (true, street.tracked)
+    );
     let state = started(&[], left);
-    assert_eq!((state.session.time, state.session.points.selected().rest), (77.0, [1.0, 2.0, 3.0]));
+    assert_eq!((state.session.time, state.session.points.selected().track.rest), (77.0, [1.0, 2.0, 3.0]));
 }
 
 fn render(folder: &Path, flags: &str) {

@@ -10,6 +10,7 @@ use super::observer::Eye;
 use super::state::{Session, State};
 use crate::flags::choices::{FileKind, GazeChoice};
 use crate::platform::files;
+use crate::scene::Track;
 use crate::settings::{
     Daylight, FOV_DEGREES, FitSetup, Light, Look, Motion, Playback, Plots, Quality, Settings, SettingsError,
     Window, looks_like_settings,
@@ -183,11 +184,12 @@ impl State {
         let Some(hit) = self.session.prepared.first_hit(&view, line_of_sight) else {
             return;
         };
-        let rest = hit.rest_position.to_array();
+        let motion = self.session.prepared.motion_of(hit.body);
+        let track = Track { rest: hit.material_position.to_array(), motion };
         if pick.add {
-            self.session.points.add(rest, hit.body);
+            self.session.points.add(track, hit.body);
         } else {
-            self.session.points.replace_selected(rest, hit.body);
+            self.session.points.replace_selected(track, hit.body);
         }
     }
 

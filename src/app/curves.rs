@@ -4,6 +4,7 @@
 use egui_plot::PlotPoint;
 use relativity_core::math;
 use relativity_core::{Aperture, Model, PublishedVariant, SourcePoint, Speed, equidistance_time};
+use relativity_render::Velocity;
 
 /// A quantity that is plotted against T.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -23,10 +24,10 @@ pub enum Quantity {
 /// What a point's curves depend on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Key {
-    /// Speed.
-    pub speed: Speed,
-    /// The point's worldline.
-    pub source: SourcePoint,
+    /// How the point moves.
+    pub velocity: Velocity,
+    /// Where it is at rest, from between the eyes.
+    pub rest: [f64; 3],
     /// d.
     pub separation: f64,
     /// First and last T.
@@ -63,7 +64,8 @@ impl Curves {
     /// The curves for `key`.
     #[must_use]
     pub fn new(key: Key) -> Self {
-        let anchors = bends(&key.speed, key.source, key.separation);
+        let source = key.velocity.reflected_source(key.rest);
+        let anchors = bends(&key.velocity.speed, source, key.separation);
         let exact = channels(&sampled(key.range, &anchors, |time| exact_values(&key, time)));
         let published = if key.published {
             channels(&sampled(key.range, &anchors, |time| published_values(&key, time)))
@@ -103,7 +105,7 @@ impl Curves {
 }
 
 fn exact_values(key: &Key, time: f64) -> Option<[f64; EXACT]> {
-    let both = Model::Exact.disparity(&key.speed, key.source, key.separation, time).ok()?;
+    let both = key.velocity.disparity(Model::Exact, key.rest, key.separation, time).ok()?;
     let (l, r) = (both.primary, both.secondary);
     let values = [
         both.dphi,
@@ -120,7 +122,7 @@ fn exact_values(key: &Key, time: f64) -> Option<[f64; EXACT]> {
 
 fn published_values(key: &Key, time: f64) -> Option<[f64; 2]> {
     let model = Model::Published(PublishedVariant::AppendixA);
-    let both = model.disparity(&key.speed, key.source, key.separation, time).ok()?;
+    let both = key.velocity.disparity(model, key.rest, key.separation, time).ok()?;
     let values = [both.dphi, both.dtheta];
     values.iter().all(|value| value.is_finite()).then_some(values)
 }
@@ -241,9 +243,10 @@ mod tests {
     use super::*;
 
     fn key(beta: f64, point: [f64; 3]) -> Key {
-        let speed = Speed::from_beta(beta).expect("in range");
+        let velocity = Velocity::from_beta(beta).expect("in range");
         let [x0, y, z] = point;
-        Key { speed, source: SourcePoint { x0, y, z }, separation: 0.3, range: [-2.0, 5.0], published: true }
+        let rest = [x0 * velocity.speed.gamma(), y, z];
+        Key { velocity, rest, separation: 0.3, range: [-2.0, 5.0], published: true }
     }
 
     /// Linear interpolation in a drawn curve.

@@ -1,10 +1,8 @@
 //! What the two eyes make of the state: sightings of the followed points, gaze, cameras, markers.
 
 use glam::DVec3;
-use relativity_core::{
-    Aperture, Disparity, Model, Parameter, Sighting, SourcePoint, Speed, equidistance_time, sighting,
-};
-use relativity_render::{Gaze, Geometry, View};
+use relativity_core::{Disparity, Model, Parameter, Sighting, SourcePoint, Speed, equidistance_time};
+use relativity_render::{Gaze, Geometry, Velocity, View};
 
 use super::curves::Key;
 use super::fitting;
@@ -65,40 +63,47 @@ impl State {
         }
     }
 
-    /// The worldline of `point`, from between the eyes.
+    /// The velocity of `point`.
     #[must_use]
-    pub fn source(&self, point: &Point) -> SourcePoint {
-        self.settings.source(point.rest)
+    pub const fn velocity(&self, point: &Point) -> Velocity {
+        self.settings.velocity(point.track.motion)
     }
 
-    /// The worldline of the selected point.
+    /// The velocity of the selected point.
+    #[must_use]
+    pub fn selected_velocity(&self) -> Velocity {
+        self.velocity(self.session.points.selected())
+    }
+
+    /// The worldline of the selected point from between the eyes, reflected to move along +x.
     #[must_use]
     pub fn selected_source(&self) -> SourcePoint {
-        self.source(self.session.points.selected())
-    }
-
-    /// The apertures, from between them.
-    fn pair(&self) -> [Aperture; 2] {
-        Aperture::pair(self.settings.motion.d)
+        self.settings.source(&self.session.points.selected().track)
     }
 
     /// What `eye` sees of `point` now; `None` outside the domain of the core.
     #[must_use]
     pub fn sighting(&self, point: &Point, eye: Eye) -> Option<Sighting> {
-        sighting(&self.speed(), self.source(point), self.pair()[eye.index()], self.session.time).ok()
+        let both = self.disparity(point)?;
+        Some(match eye {
+            Eye::Left => both.primary,
+            Eye::Right => both.secondary,
+        })
     }
 
     /// The exact disparity of `point` now.
     #[must_use]
     pub fn disparity(&self, point: &Point) -> Option<Disparity> {
+        let place = self.settings.rest_place(point.track.rest);
         let (separation, time) = (self.settings.motion.d, self.session.time);
-        Model::Exact.disparity(&self.speed(), self.source(point), separation, time).ok()
+        self.velocity(point).disparity(Model::Exact, place, separation, time).ok()
     }
 
     /// T0 of `point`: when both eyes see it at the same distance. `None` at rest.
     #[must_use]
     pub fn equidistance_time(&self, point: &Point) -> Option<f64> {
-        equidistance_time(&self.speed(), self.source(point), self.settings.motion.d).ok().flatten()
+        let source = self.settings.source(&point.track);
+        equidistance_time(&self.velocity(point).speed, source, self.settings.motion.d).ok().flatten()
     }
 
     /// Whether `eye` sees what the published model has the right eye see, measured from the left aperture.
@@ -110,15 +115,15 @@ impl State {
     /// From the aperture of `eye` to where the shown geometry has `point` now.
     #[must_use]
     pub fn direction(&self, point: &Point, eye: Eye) -> Option<DVec3> {
-        self.view(eye, [1, 1]).apparent_position(point.rest.into())
+        self.view(eye, [1, 1]).of_group(point.track.motion).apparent_position(point.track.rest.into())
     }
 
     /// What the curves of `point` depend on.
     #[must_use]
     pub fn curve_key(&self, point: &Point) -> Key {
         Key {
-            speed: self.speed(),
-            source: self.source(point),
+            velocity: self.velocity(point),
+            rest: self.settings.rest_place(point.track.rest),
             separation: self.settings.motion.d,
             range: self.time_range(),
             published: self.settings.plots.published,
@@ -129,7 +134,7 @@ impl State {
     #[must_use]
     pub fn fit_key(&self) -> fitting::Key {
         fitting::Key {
-            speed: self.speed(),
+            velocity: self.selected_velocity(),
             source: self.selected_source(),
             separation: self.settings.motion.d,
             range: self.settings.fit.fit_range.0.unwrap_or_else(|| self.time_range()),
@@ -146,7 +151,7 @@ impl State {
     /// The same as a gaze that stays there.
     #[must_use]
     pub fn fixed_gaze(&self) -> GazeChoice {
-        self.settings.fixed_gaze(self.session.points.selected().rest, self.session.time)
+        self.settings.fixed_gaze(&self.session.points.selected().track, self.session.time)
     }
 
     /// The picture of `eye`, `size` in pixels.
@@ -164,6 +169,6 @@ impl State {
     }
 
     fn views_of(&self, settings: &Settings, size: [u32; 2]) -> [View; 2] {
-        settings.views(self.session.points.selected().rest, self.session.time, size)
+        settings.views(&self.session.points.selected().track, self.session.time, size)
     }
 }

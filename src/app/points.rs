@@ -1,12 +1,14 @@
 //! The points of the scene that are followed: where they are at rest, and what they are called.
 
+use crate::scene::Track;
+
 /// A followed point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Point {
     /// Number shown to the user, from 1; kept when others are removed.
     pub number: usize,
-    /// Rest coordinates as in the scene file, before the path is shifted.
-    pub rest: [f64; 3],
+    /// Where it is in the scene.
+    pub track: Track,
     /// The body it was picked on; `None` for the scene's own tracked point.
     pub body: Option<usize>,
 }
@@ -36,8 +38,8 @@ pub const MAX_POINTS: usize = 5;
 impl Points {
     /// Only the scene's own tracked point.
     #[must_use]
-    pub fn tracked(rest: [f64; 3]) -> Self {
-        Self { all: vec![Point { number: 1, rest, body: None }], selected: 0, last_number: 1 }
+    pub fn tracked(track: Track) -> Self {
+        Self { all: vec![Point { number: 1, track, body: None }], selected: 0, last_number: 1 }
     }
 
     /// All of them, in the order they were added.
@@ -65,20 +67,20 @@ impl Points {
         }
     }
 
-    /// Replaces the selected one by the point at `rest` on `body`.
-    pub fn replace_selected(&mut self, rest: [f64; 3], body: usize) {
+    /// Replaces the selected one by the point at `track` on `body`.
+    pub fn replace_selected(&mut self, track: Track, body: usize) {
         let number = self.selected().number;
-        self.all[self.selected] = Point { number, rest, body: Some(body) };
+        self.all[self.selected] = Point { number, track, body: Some(body) };
     }
 
-    /// Adds and selects the point at `rest` on `body`; once there are [`MAX_POINTS`] the selected one
+    /// Adds and selects the point at `track` on `body`; once there are [`MAX_POINTS`] the selected one
     /// is replaced instead.
-    pub fn add(&mut self, rest: [f64; 3], body: usize) {
+    pub fn add(&mut self, track: Track, body: usize) {
         if self.all.len() == MAX_POINTS {
-            return self.replace_selected(rest, body);
+            return self.replace_selected(track, body);
         }
         self.last_number += 1;
-        self.all.push(Point { number: self.last_number, rest, body: Some(body) });
+        self.all.push(Point { number: self.last_number, track, body: Some(body) });
         self.selected = self.all.len() - 1;
     }
 
@@ -96,15 +98,21 @@ impl Points {
 
 #[cfg(test)]
 mod tests {
+    use relativity_render::Motion;
+
     use super::*;
+
+    const fn at(rest: [f64; 3]) -> Track {
+        Track { rest, motion: Motion::Scene }
+    }
 
     #[test]
     fn one_point_always_stays_selected() {
-        let mut points = Points::tracked([0.0, 3.0, 2.0]);
+        let mut points = Points::tracked(at([0.0, 3.0, 2.0]));
         points.remove(0);
         assert_eq!(points.all().len(), 1);
-        points.add([1.0, 3.0, 2.0], 4);
-        points.add([2.0, 3.0, 2.0], 5);
+        points.add(at([1.0, 3.0, 2.0]), 4);
+        points.add(at([2.0, 3.0, 2.0]), 5);
         assert_eq!(points.selected().number, 3);
         points.remove(0);
         assert_eq!((points.selected().number, points.selected_index()), (3, 1));
@@ -114,9 +122,9 @@ mod tests {
 
     #[test]
     fn no_more_points_than_colours() {
-        let mut points = Points::tracked([0.0; 3]);
+        let mut points = Points::tracked(at([0.0; 3]));
         for body in 0..10 {
-            points.add([0.0; 3], body);
+            points.add(at([0.0; 3]), body);
         }
         assert_eq!(points.all().len(), MAX_POINTS);
         assert_eq!(points.selected().body, Some(9));

@@ -6,7 +6,7 @@ use relativity_render::{Appearance, PreparedScene};
 use super::clock;
 use super::points::{Point, Points};
 use crate::passage;
-use crate::scene::{Scene, SceneError};
+use crate::scene::{Scene, SceneError, Track};
 use crate::settings::Settings;
 
 /// Everything the panels read. Only [`super::command`] changes it.
@@ -42,8 +42,8 @@ impl State {
     /// that passes.
     #[must_use]
     pub fn new(mut settings: Settings, scene: Scene) -> Self {
-        let tracked = settings.point.take().unwrap_or(scene.tracked);
-        let time = settings.time.take().unwrap_or_else(|| settings.time_of_approach(tracked));
+        let tracked = scene.track(settings.point.take());
+        let time = settings.time.take().unwrap_or_else(|| settings.time_of_approach(&tracked));
         let session = Session {
             prepared: scene.prepared(),
             time: clock::bounded(time),
@@ -68,10 +68,11 @@ impl State {
     /// All that is shown, as settings: what is remembered, and the session's T and selected point.
     #[must_use]
     pub fn shown(&self) -> Settings {
-        let point = self.session.points.selected().rest;
+        let Track { rest, motion } = self.session.points.selected().track;
+        let own = self.session.scene.track(None);
         Settings {
             time: Some(self.session.time),
-            point: (point != self.session.scene.tracked).then_some(point),
+            point: (motion == own.motion && rest != own.rest).then_some(rest),
             ..self.settings.clone()
         }
     }
@@ -85,7 +86,9 @@ impl State {
     /// First and last T of the scrubber and the plots.
     #[must_use]
     pub fn time_range(&self) -> [f64; 2] {
-        let fitted = || passage::fitted_range(&self.speed(), self.selected_source()).map(clock::bounded);
+        let fitted = || {
+            passage::fitted_range(&self.selected_velocity().speed, self.selected_source()).map(clock::bounded)
+        };
         self.settings.playback.range.0.unwrap_or_else(fitted)
     }
 

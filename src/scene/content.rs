@@ -42,7 +42,23 @@ impl SceneGroup {
     }
 }
 
+/// A point of a scene: where it rests in the frame of its group, and how that moves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Track {
+    /// Rest coordinates, as in the scene file.
+    pub rest: [f64; 3],
+    /// How its group moves.
+    pub motion: Motion,
+}
+
 impl Scene {
+    /// The scene's own tracked point, which belongs to its first group; another `point` of that group in its place, if
+    /// there is one.
+    #[must_use]
+    pub fn track(&self, point: Option<[f64; 3]>) -> Track {
+        Track { rest: point.unwrap_or(self.tracked), motion: self.groups[0].motion }
+    }
+
     /// It, ready to be drawn.
     #[must_use]
     pub fn prepared(&self) -> PreparedScene {

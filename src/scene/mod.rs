@@ -16,7 +16,7 @@ mod tests;
 use std::path::Path;
 
 use crate::platform::files;
-pub use content::{Scene, SceneGroup};
+pub use content::{Scene, SceneGroup, Track};
 pub use error::{Problem, SceneError};
 pub use presets::PRESETS;
 

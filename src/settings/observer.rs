@@ -2,12 +2,13 @@
 //! it from.
 
 use relativity_core::{Aperture, SourcePoint, Speed};
-use relativity_render::{Appearance, Camera, Gaze, Geometry, View};
+use relativity_render::{Appearance, Camera, Gaze, Geometry, Motion, Velocity, View};
 
 use super::all::Settings;
 use super::sections::{Daylight, Theme};
 use crate::flags::choices::GazeChoice;
 use crate::passage;
+use crate::scene::Track;
 
 impl Settings {
     /// The speed of the scene.
@@ -30,23 +31,33 @@ impl Settings {
         [x, y + self.motion.depth_shift, z + self.motion.height_shift]
     }
 
-    /// The worldline of the point at `rest`, from the point between the eyes.
+    /// The velocity of what moves so.
     #[must_use]
-    pub fn source(&self, rest: [f64; 3]) -> SourcePoint {
-        SourcePoint::from_rest(self.rest_place(rest), &self.speed())
+    pub const fn velocity(&self, motion: Motion) -> Velocity {
+        match motion {
+            Motion::Scene => Velocity::forward(self.speed()),
+            Motion::Own(velocity) => velocity,
+        }
     }
 
-    /// The T of a picture for which none is given: when the point at `rest` is seen 45 degrees before it is abreast.
+    /// The worldline of `point` from the point between the eyes, reflected to move along +x.
     #[must_use]
-    pub fn time_of_approach(&self, rest: [f64; 3]) -> f64 {
+    pub fn source(&self, point: &Track) -> SourcePoint {
+        self.velocity(point.motion).reflected_source(self.rest_place(point.rest))
+    }
+
+    /// The T of a picture for which none is given: when `point` is seen 45 degrees before it is abreast.
+    #[must_use]
+    pub fn time_of_approach(&self, point: &Track) -> f64 {
+        let speed = self.velocity(point.motion).speed;
         // Settings lie inside the domain of the core.
-        passage::time_of_approach(&self.speed(), self.source(rest), self.motion.d).unwrap_or_default()
+        passage::time_of_approach(&speed, self.source(point), self.motion.d).unwrap_or_default()
     }
 
     /// What the left and the right eye are shown at `observation_time`, `size` in pixels; a gaze that tracks follows
-    /// the point at rest coordinates `tracked`.
+    /// the point `tracked`.
     #[must_use]
-    pub fn views(&self, tracked: [f64; 3], observation_time: f64, size: [u32; 2]) -> [View; 2] {
+    pub fn views(&self, tracked: &Track, observation_time: f64, size: [u32; 2]) -> [View; 2] {
         let mut views = self.views_ahead(observation_time, size);
         let gaze = self.fixed_gaze(tracked, observation_time);
         for view in &mut views {
@@ -58,10 +69,10 @@ impl Settings {
     /// Where both eyes look at `observation_time`, as a gaze that stays there: in degrees, from which a view's angles
     /// are made, so that a recorded gaze gives the same view to the last digit.
     #[must_use]
-    pub fn fixed_gaze(&self, tracked: [f64; 3], observation_time: f64) -> GazeChoice {
+    pub fn fixed_gaze(&self, tracked: &Track, observation_time: f64) -> GazeChoice {
         let GazeChoice::Track = self.look.gaze else { return self.look.gaze };
-        let [left, right] =
-            self.views_ahead(observation_time, [1, 1]).map(|view| view.apparent_position(tracked.into()));
+        let place = |view: View| view.of_group(tracked.motion).apparent_position(tracked.rest.into());
+        let [left, right] = self.views_ahead(observation_time, [1, 1]).map(place);
         let gaze = left.zip(right).and_then(|(left, right)| Gaze::towards([left, right]));
         // Inside an aperture there is no direction to follow.
         GazeChoice::fixed_at(gaze.unwrap_or(Gaze::STRAIGHT_AHEAD))
@@ -104,7 +115,7 @@ impl Settings {
     /// These settings with nothing left to be found out: everything that decides the picture that `self` makes of a scene
     /// with this `tracked` point.
     #[must_use]
-    pub fn resolved(&self, tracked: [f64; 3]) -> Self {
+    pub fn resolved(&self, tracked: &Track) -> Self {
         let time = self.time.unwrap_or_else(|| self.time_of_approach(tracked));
         let mut resolved = Self { time: Some(time), ..self.clone() };
         resolved.look.gaze = self.fixed_gaze(tracked, time);

@@ -6,7 +6,7 @@ use std::path::Path;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use relativity_core::{Curves, Model};
-use relativity_render::{Colour, Geometry, HitImage, Picture as Pixels, Shading};
+use relativity_render::{Colour, Geometry, HitImage, Picture as Pixels, PreparedScene, Shading};
 
 use super::*;
 use crate::files::exr::{self, Measurements};
@@ -160,7 +160,7 @@ fn through_file(settings: &Settings, path: &Path) -> Settings {
         png::write(&Pixels { size, rgba: vec![[0; 4]] }, &provenance.texts(), file).expect("it is written");
     } else {
         let eyes = [(); 2].map(|()| HitImage { size, hits: vec![None] });
-        let light = exr::Light { bodies: &[], intensity_exponent: None };
+        let light = exr::Light { scene: &PreparedScene::moving(&[]), intensity_exponent: None };
         Measurements::of_eyes(&eyes, light, &provenance.comments()).write(file).expect("it is written");
     }
     Settings::default().with_file(path).expect("it was recorded")

@@ -6,7 +6,7 @@ mod timings;
 
 use std::path::Path;
 
-use relativity_core::sighting;
+use relativity_core::Model;
 use relativity_render::{HitImage, Picture, PreparedScene};
 
 use self::painter::Painter;
@@ -16,7 +16,7 @@ use crate::files::provenance::Provenance;
 use crate::files::whole::write_whole;
 use crate::files::{exr, png};
 use crate::flags::choices::FileKind;
-use crate::scene::Scene;
+use crate::scene::{Scene, Track};
 use crate::settings::Settings;
 
 /// Names of the stages that draw the left and the right eye.
@@ -51,10 +51,10 @@ impl Studio {
         &self.settings
     }
 
-    /// The rest coordinates of the point that is tracked.
+    /// The point that is tracked.
     #[must_use]
-    pub fn tracked(&self) -> [f64; 3] {
-        self.settings.point.unwrap_or(self.scene.tracked)
+    pub fn tracked(&self) -> Track {
+        self.scene.track(self.settings.point)
     }
 
     /// The frame at `time`, or at the T that the settings say.
@@ -64,9 +64,11 @@ impl Studio {
     /// A T outside the domain of the core.
     pub fn frame(&self, time: Option<f64>) -> anyhow::Result<Frame> {
         let settings = Settings { time: time.or(self.settings.time), ..self.settings.clone() };
-        let settings = settings.resolved(self.tracked());
+        let settings = settings.resolved(&self.tracked());
         let time = settings.time.unwrap_or_default();
-        sighting(&settings.speed(), settings.source(self.tracked()), settings.apertures()[0], time)?;
+        let (velocity, place) =
+            (settings.velocity(self.tracked().motion), settings.rest_place(self.tracked().rest));
+        velocity.disparity(Model::Exact, place, settings.motion.d, time)?;
         let provenance = Provenance {
             title: self.scene.name.clone(),
             parameters: settings.command(),
@@ -103,7 +105,7 @@ impl Studio {
     fn picture(&mut self, frame: &Frame) -> anyhow::Result<Picture> {
         let Frame { settings, time, .. } = frame;
         let layout = settings.picture.layout;
-        let views = settings.views(self.tracked(), *time, settings.picture.size.0);
+        let views = settings.views(&self.tracked(), *time, settings.picture.size.0);
         let appearance = settings.appearance(self.scene.ground_z, false);
         let Self { painter, prepared, timings, .. } = self;
         let eye =
@@ -115,7 +117,7 @@ impl Studio {
     /// What every pixel of the left and the right eye shows.
     fn hits(&mut self, frame: &Frame) -> anyhow::Result<[HitImage; 2]> {
         let Frame { settings, time, .. } = frame;
-        let [left, right] = settings.views(self.tracked(), *time, settings.picture.size.0);
+        let [left, right] = settings.views(&self.tracked(), *time, settings.picture.size.0);
         let Self { painter, prepared, timings, .. } = self;
         Ok([
             timings.timed(EYES[0], || painter.hits(prepared, &left))?,

@@ -76,7 +76,7 @@ fn clicking_the_wheel(beta: f64) {
         click(&mut window, place, Modifiers::NONE);
         let point = *window.state().state().session.points.selected();
         assert_eq!(point.body, Some(FRONT_TYRE));
-        let off = DVec3::from(point.rest).distance(DVec3::from(ON_THE_TYRE));
+        let off = DVec3::from(point.track.rest).distance(DVec3::from(ON_THE_TYRE));
         assert!(off < 1e-3, "{off} from where it was clicked");
         label_starting_with(&window, "Plot of Δφ of point 1 (body 0) against T");
         label_starting_with(&window, "Plot of Δθ of point 1 (body 0) against T");
@@ -130,7 +130,7 @@ fn marker_and_surface_agree() {
             let mut checked = 0;
             for eye in Eye::BOTH {
                 let view = state.view(eye, size);
-                let image = renderer.hits(&gpu, &state.session.bodies, &view).expect("the device works");
+                let image = renderer.hits(&gpu, &state.session.prepared, &view).expect("the device works");
                 let hits: Vec<_> = image.hits.iter().enumerate().filter(|(_, hit)| hit.is_some()).collect();
                 for (index, hit) in hits.iter().step_by((hits.len() / 40).max(1)) {
                     let Some(hit) = hit else { continue };
@@ -142,8 +142,8 @@ fn marker_and_surface_agree() {
                     if drawn.body != Some(hit.body) {
                         continue; // An edge runs through this pixel.
                     }
-                    for rest in [drawn.rest, hit.rest_position.to_array()] {
-                        drawn.rest = rest;
+                    for rest in [drawn.track.rest, hit.rest_position.to_array()] {
+                        drawn.track.rest = rest;
                         let direction = state.direction(&drawn, eye).expect("in the domain");
                         let [u, v] = view.camera.pixel(direction).expect("in front");
                         worst = worst.max((u - centre[0]).hypot(v - centre[1]));
@@ -178,7 +178,7 @@ fn the_published_right_eye() {
     let point = state.session.points.selected();
     let model = relativity_core::published_disparity(
         &state.speed(),
-        state.source(point),
+        state.selected_source(),
         SEPARATION,
         state.session.time,
         relativity_core::PublishedVariant::AppendixA,

@@ -5,7 +5,6 @@ use std::time::{Duration, Instant};
 use eframe::egui::ViewportId;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use gamow::accuracy::Method;
 use gamow::app::App;
 use gamow::app::command::Command;
 use gamow::app::examination::Examination;
@@ -13,7 +12,7 @@ use gamow::app::observer::Eye;
 use gamow::app::state::State;
 use gamow::flags::choices::RendererChoice;
 use gamow::settings::{PlotTab, Plots};
-use relativity_render::PreparedScene;
+use relativity_render::Method;
 
 use super::Test;
 use super::support::{cyclist, labels, pane, type_into, window, window_of_size};
@@ -61,7 +60,7 @@ fn share_in_pane(window: &mut Harness<'_, App>, differs: fn([u8; 3], [u8; 3]) ->
     let size = [pane.width() as u32, pane.height() as u32];
     let state = window.state().state();
     let view = state.view(Eye::Left, size);
-    let reference = PreparedScene::moving(&state.session.bodies).picture(&view, &state.appearance(false), 2);
+    let reference = state.session.prepared.picture(&view, &state.appearance(false), 2);
     let shown = window.render().expect("a picture");
     let compared = size[0] * (size[1] - NOTE);
     let differing = (0..compared).filter(|i| {

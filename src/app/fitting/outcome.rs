@@ -9,6 +9,7 @@ use relativity_core::{
     Bootstrap, Curves, DEFAULT_REPLICATES, Fit, FitOptions, Model, Observations, Parameter, Passage,
     Simulation, SourcePoint, Speed, bootstrap_unless, fit,
 };
+use relativity_render::Velocity;
 
 use crate::app::curves::{Sample, bends, sampled};
 use crate::estimate::{Estimate, estimate};
@@ -20,7 +21,7 @@ use crate::settings::FitSetup;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Key {
     /// True speed.
-    pub speed: Speed,
+    pub velocity: Velocity,
     /// True worldline.
     pub source: SourcePoint,
     /// d.
@@ -99,7 +100,7 @@ impl Key {
 
     fn true_value(&self, parameter: Parameter) -> f64 {
         match parameter {
-            Parameter::Beta => self.speed.beta(),
+            Parameter::Beta => self.velocity.speed.beta(),
             Parameter::Y => self.source.y,
             // Delta-phi alone does not tell above from below.
             Parameter::Z if self.setup.curves == Curves::Azimuth => self.source.z.abs(),
@@ -112,8 +113,10 @@ impl Key {
     fn obstacle(&self) -> Option<&'static str> {
         if self.separation == 0.0 {
             Some("both eyes are in one place (d = 0) and see the same")
-        } else if self.speed.beta() == 0.0 {
+        } else if self.velocity.speed.beta() == 0.0 {
             Some("at rest (β = 0) no disparity changes with T")
+        } else if self.velocity.is_backward {
+            Some("the fit takes what moves towards +x, and the point moves the other way")
         } else if self.source.y <= 0.0 {
             Some("the fit looks in front of the eyes, and the point is not there (y ≤ 0)")
         } else {
@@ -131,7 +134,7 @@ fn observations(key: &Key, noise_percent: f64) -> Result<Observations, String> {
     let last = key.setup.fit_samples.max(2) - 1;
     let fraction = |index: usize| index as f64 / last as f64;
     let simulation = Simulation {
-        speed: key.speed,
+        speed: key.velocity.speed,
         point: key.source,
         separation: key.separation,
         model: Model::Exact,
@@ -205,7 +208,7 @@ fn curves(
     replicates: Option<&Bootstrap>,
 ) -> [Option<FittedCurve>; 2] {
     let at = |time| best.angles(0, time).filter(|angles| angles.iter().all(|angle| angle.is_finite()));
-    let lines = sampled(key.range, &bends(&key.speed, key.source, key.separation), at);
+    let lines = sampled(key.range, &bends(&key.velocity.speed, key.source, key.separation), at);
     let bands = replicates.map(|replicates| bands(key, &lines, replicates)).unwrap_or_default();
     let (data, used) = (data(observed), key.setup.curves.used());
     [0, 1].map(|curve| {

@@ -2,7 +2,7 @@
 
 use eframe::egui::{self, Align, Color32, Grid, Layout, RichText, Sense, Ui, vec2};
 use relativity_core::{Sighting, doppler::received_wavelength};
-use relativity_render::{Colour, colour};
+use relativity_render::{Colour, Velocity, colour};
 
 use super::Asks;
 use crate::app::command::Command;
@@ -21,7 +21,9 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         dot(ui, colour);
         ui.label(point.name());
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            ui.label(RichText::new(format!("β {}", figures::beta(&state.speed()))).weak());
+            let Velocity { speed, is_backward } = state.velocity(point);
+            let sign = if is_backward { "−" } else { "" };
+            ui.label(RichText::new(format!("β {sign}{}", figures::beta(&speed))).weak());
         });
     });
     let sightings = Eye::BOTH.map(|eye| state.sighting(point, eye));

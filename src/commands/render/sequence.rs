@@ -37,7 +37,11 @@ impl TimeArgs {
             return Ok([from, to]);
         }
         let settings = studio.settings();
-        let passage = passage_times(&settings.speed(), settings.source(studio.tracked()), settings.motion.d)?;
+        let passage = passage_times(
+            &settings.velocity(studio.tracked().motion).speed,
+            settings.source(&studio.tracked()),
+            settings.motion.d,
+        )?;
         let passage = passage.context("a scene at rest passes at no time; --from and --to are needed")?;
         Ok([self.from.unwrap_or(passage[0]), self.to.unwrap_or(passage[1])])
     }

@@ -99,7 +99,7 @@ fn points(ui: &mut Ui, state: &State, asks: &mut Asks) {
         let colour = theme::point_colour(point.number, ui.visuals());
         dot(ui, colour);
         let chosen = all.len() > 1 && index == points.selected_index();
-        let [x, y, z] = state.settings.rest_place(point.rest).map(|value| figures::fixed(value, 3));
+        let [x, y, z] = state.settings.rest_place(point.track.rest).map(|value| figures::fixed(value, 3));
         let tip = format!("At rest at ({x}, {y}, {z}).\nClick in a view to move it, shift-click to add one.");
         if ui.selectable_label(chosen, point.name()).on_hover_text(tip).clicked() {
             asks.push(Command::SelectPoint(index));
