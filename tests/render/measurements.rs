@@ -26,7 +26,7 @@ fn measurements_agree_with_the_light_cone_of_each_point() {
     let folder = folder();
     render(folder.path(), "--time 2 --beta 0.9 --d 0.4 --fov 80 --gaze 120,30 --out hits.exr");
     let channels = channels(&folder.path().join("hits.exr"));
-    assert_eq!(channels.len(), 18);
+    assert_eq!(channels.len(), 20);
     let speed = Speed::from_beta(0.9).expect("below 1");
     let scene = Scene::preset("cyclist").expect("it is a preset");
     let [azimuth, elevation] = [120f64, 30.0].map(f64::to_radians);
@@ -43,6 +43,7 @@ fn measurements_agree_with_the_light_cone_of_each_point() {
             let value = |name: &str| f64::from(channel(name)[pixel]);
             if value("id") < 0.0 {
                 assert_eq!([value("distance"), value("intensity"), value("rest_x")], [0.0; 3]);
+                assert_eq!(value("group"), -1.0);
                 continue;
             }
             seen += 1;
@@ -56,6 +57,7 @@ fn measurements_agree_with_the_light_cone_of_each_point() {
                     "{name}: {found}, {expected}"
                 );
             };
+            assert_eq!(value("group"), 0.0);
             near("distance", expected.distance);
             near("emission_time", expected.retarded_time);
             near("doppler", expected.doppler_factor);
