@@ -44,6 +44,7 @@ mod canvas;
 mod capsule;
 pub mod colour;
 pub mod cone;
+mod drawing;
 mod effects;
 mod exact;
 mod footprint;
@@ -77,10 +78,8 @@ pub mod view;
 
 pub use body::{Body, Shape};
 pub use camera::{Camera, Gaze};
-pub use exact::ExactRenderer;
 pub use gpu::{Gpu, GpuError};
 pub use group_view::{GroupView, RestRay};
-pub use mesh::MeshRenderer;
 pub use picture::Picture;
 pub use reference::{Hit, HitImage};
 pub use renderers::{Method, Renderers};

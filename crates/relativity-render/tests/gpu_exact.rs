@@ -11,7 +11,7 @@ use gpu_support::scenes::{crowd, speeds, still_life, time_seen_at, view_followin
 use joints::{joints, shared_pixels};
 use relativity_core::{SourcePoint, Speed, sighting};
 use relativity_render::{
-    Body, ExactRenderer, Geometry, Gpu, Group, HitImage, Motion, PreparedScene, Shape, Velocity, View,
+    Body, Geometry, Group, HitImage, Method, Motion, PreparedScene, Renderers, Shape, Velocity, View,
 };
 use support::signed_distance;
 
@@ -46,19 +46,17 @@ const DOPPLER_ERROR: f64 = 1e-5;
 /// Hits lie this close to the surface, in the scene's unit (the bodies are about 1 large).
 const SURFACE_ERROR: f64 = 2e-6;
 
-fn hits_agree_with_the_reference(gpu: &Gpu) {
-    let mut renderer = ExactRenderer::new(gpu);
+fn hits_agree_with_the_reference(renderers: &mut Renderers) {
     for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
         for view in views() {
             let view = View { geometry, ..view };
-            agrees(&mut renderer, gpu, &PreparedScene::moving(&still_life()), &still_life(), &view);
+            agrees(renderers, &PreparedScene::moving(&still_life()), &still_life(), &view);
         }
     }
 }
 
 /// Groups of all motions, through each other: still lifes that ride past, rest and come the other way.
-fn groups_agree_with_the_reference(gpu: &Gpu) {
-    let mut renderer = ExactRenderer::new(gpu);
+fn groups_agree_with_the_reference(renderers: &mut Renderers) {
     let [ground, oncoming] = [0.0, -0.6].map(|beta| Velocity::from_beta(beta).expect("a speed"));
     let moved = |body: Body, offset: DVec3| body.moved(offset.to_array());
     let behind = crowd(60).into_iter().map(|body| moved(body, DVec3::new(0.0, 5.0, 0.0)));
@@ -72,13 +70,13 @@ fn groups_agree_with_the_reference(gpu: &Gpu) {
     let scene = PreparedScene::new(groups.iter().map(|(motion, bodies)| Group { motion: *motion, bodies }));
     for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
         for view in views() {
-            agrees(&mut renderer, gpu, &scene, &bodies, &View { geometry, ..view });
+            agrees(renderers, &scene, &bodies, &View { geometry, ..view });
         }
     }
 }
 
-fn agrees(renderer: &mut ExactRenderer, gpu: &Gpu, reference: &PreparedScene, bodies: &[Body], view: &View) {
-    let image = renderer.hits(gpu, reference, view).expect("device works");
+fn agrees(renderers: &mut Renderers, reference: &PreparedScene, bodies: &[Body], view: &View) {
+    let image = renderers.hits(Method::Exact, reference, view).expect("device works");
     let truth = reference.hit_image(view);
     let context = format!("{:?} gamma {} T {}", view.geometry, view.speed.gamma(), view.observation_time);
     let mut wrong = 0;
@@ -126,10 +124,11 @@ fn around([u, v]: [f64; 2]) -> [[f64; 2]; 16] {
     })
 }
 
-fn hits_appear_where_the_light_cone_says(gpu: &Gpu) {
-    let mut renderer = ExactRenderer::new(gpu);
+fn hits_appear_where_the_light_cone_says(renderers: &mut Renderers) {
     for view in views() {
-        let image = renderer.hits(gpu, &PreparedScene::moving(&still_life()), &view).expect("device works");
+        let image = renderers
+            .hits(Method::Exact, &PreparedScene::moving(&still_life()), &view)
+            .expect("device works");
         for (i, hit) in image.hits.iter().enumerate().filter_map(|(i, hit)| Some((i, (*hit)?))) {
             let point = SourcePoint::from_rest(hit.rest_position.to_array(), &view.speed);
             let seen = sighting(&view.speed, point, view.camera.aperture, view.observation_time);
@@ -145,34 +144,35 @@ fn hits_appear_where_the_light_cone_says(gpu: &Gpu) {
     }
 }
 
-fn where_surfaces_coincide_the_first_body_is_seen(gpu: &Gpu) {
-    let mut renderer = ExactRenderer::new(gpu);
+fn where_surfaces_coincide_the_first_body_is_seen(renderers: &mut Renderers) {
     let mut bodies = joints();
     for _ in 0..2 {
         for view in views() {
-            let image = renderer.hits(gpu, &PreparedScene::moving(&bodies), &view).expect("device works");
+            let image =
+                renderers.hits(Method::Exact, &PreparedScene::moving(&bodies), &view).expect("device works");
             let [shared, not_first] = shared_pixels(&image, &bodies, &view);
             assert!(
                 not_first * 1000 <= shared.max(1000),
                 "gamma {}: {not_first} of {shared} pixels show the other body",
                 view.speed.gamma()
             );
-            agrees(&mut renderer, gpu, &PreparedScene::moving(&bodies), &bodies, &view);
+            agrees(renderers, &PreparedScene::moving(&bodies), &bodies, &view);
         }
         bodies.reverse();
     }
 }
 
-fn bounds_never_clip(gpu: &Gpu) {
-    let mut bounded = ExactRenderer::new(gpu);
-    let mut unbounded = ExactRenderer::brute_force(gpu);
+fn bounds_never_clip(renderers: &mut Renderers) {
+    let mut unbounded = Renderers::brute_force(renderers.gpu().expect("a device").clone());
     let bodies = crowd(150);
     for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
         for speed in speeds() {
             for (rest, fov) in [([2.0, 1.0, 0.5], 50.0), ([-3.0, 0.5, -1.0], 120.0)] {
                 let view = View { geometry, ..view_following(rest, speed, 0.3, fov) };
-                let [found, expected] = [&mut bounded, &mut unbounded].map(|renderer| {
-                    renderer.hits(gpu, &PreparedScene::moving(&bodies), &view).expect("device works")
+                let [found, expected] = [&mut *renderers, &mut unbounded].map(|renderers| {
+                    renderers
+                        .hits(Method::Exact, &PreparedScene::moving(&bodies), &view)
+                        .expect("device works")
                 });
                 let differing = found.hits.iter().zip(&expected.hits).filter(|(a, b)| a != b).count();
                 assert_eq!(differing, 0, "{geometry:?} gamma {} fov {fov}", speed.gamma());
@@ -182,14 +182,14 @@ fn bounds_never_clip(gpu: &Gpu) {
 }
 
 /// Penrose: the outline's lines of sight n satisfy n.a = 1 for some vector a.
-fn spheres_keep_a_circular_outline(gpu: &Gpu) {
+fn spheres_keep_a_circular_outline(renderers: &mut Renderers) {
     let center = [0.0, 3.0, 1.0];
     let body = Body { shape: Shape::Sphere { center, radius: 0.5 }, rest_wavelength_nm: 600.0 };
-    let mut renderer = ExactRenderer::new(gpu);
     for speed in [0.0, 0.5, 0.9, 0.99, 0.9999].map(|beta| Speed::from_beta(beta).expect("below 1")) {
         for along in [-1.5, 0.0, 1.5] {
             let view = view_following(center, speed, time_seen_at(center, &speed, along), 40.0);
-            let image = renderer.hits(gpu, &PreparedScene::moving(&[body]), &view).expect("device works");
+            let image =
+                renderers.hits(Method::Exact, &PreparedScene::moving(&[body]), &view).expect("device works");
             let outline = outline(&image, &view);
             assert!(outline.len() > 20, "too small to judge");
             let residual = circle_residual(&outline) * view.camera.focal_length_px();

@@ -15,7 +15,7 @@ use joints::joints;
 use relativity_core::{
     Aperture, MAX_GAMMA, PublishedVariant, SourcePoint, Speed, published_disparity, sighting,
 };
-use relativity_render::{Body, Geometry, Gpu, Hit, HitImage, MeshRenderer, PreparedScene, Shape, View};
+use relativity_render::{Body, Geometry, Hit, HitImage, Method, PreparedScene, Renderers, Shape, View};
 
 fn main() -> ExitCode {
     gpu_support::run(&[
@@ -29,6 +29,7 @@ fn main() -> ExitCode {
 
 const FOLLOWED: [f64; 3] = [-0.4, 3.0, 0.7];
 const BOUNDS_PX: [f64; 2] = [0.5, 2.0];
+const DEFAULT: Method = Method::Mesh { bound_px: Method::DEFAULT_BOUND_PX };
 
 /// Approaching, abreast and receding, up to beta = 0.9999 and at the greatest gamma.
 fn views() -> impl Iterator<Item = View> {
@@ -40,16 +41,15 @@ fn views() -> impl Iterator<Item = View> {
     })
 }
 
-fn the_picture_keeps_the_bound(gpu: &Gpu) {
-    let mut renderer = MeshRenderer::new(gpu);
+fn the_picture_keeps_the_bound(renderers: &mut Renderers) {
     let reference = PreparedScene::moving(&still_life());
     for view in views() {
         for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
             let view = View { geometry, ..view };
             let truth = reference.hit_image(&view);
             for bound_px in BOUNDS_PX {
-                renderer.bound_px = bound_px;
-                let image = renderer.hits(gpu, &reference, &view).expect("device works");
+                let image =
+                    renderers.hits(Method::Mesh { bound_px }, &reference, &view).expect("device works");
                 keeps_bound(&image, &truth, bound_px, &still_life(), &view);
             }
         }
@@ -57,8 +57,7 @@ fn the_picture_keeps_the_bound(gpu: &Gpu) {
 }
 
 /// A ball sticks out of a tube, and a ring of a ball, by less than triangles are off their surfaces.
-fn bodies_that_nearly_touch_are_told_apart(gpu: &Gpu) {
-    let mut renderer = MeshRenderer::new(gpu);
+fn bodies_that_nearly_touch_are_told_apart(renderers: &mut Renderers) {
     let center = FOLLOWED;
     let shapes = [
         Shape::Tube { from: [-0.4, 3.0, 0.2], to: [-0.4, 3.0, 1.2], radius: 0.2 },
@@ -69,20 +68,19 @@ fn bodies_that_nearly_touch_are_told_apart(gpu: &Gpu) {
         let bodies: Vec<_> = pair.iter().map(|&shape| Body { shape, rest_wavelength_nm: 600.0 }).collect();
         let reference = PreparedScene::moving(&bodies);
         for view in views() {
-            let image = renderer.hits(gpu, &reference, &view).expect("device works");
-            keeps_bound(&image, &reference.hit_image(&view), renderer.bound_px, &bodies, &view);
+            let image = renderers.hits(DEFAULT, &reference, &view).expect("device works");
+            keeps_bound(&image, &reference.hit_image(&view), Method::DEFAULT_BOUND_PX, &bodies, &view);
         }
     }
 }
 
-fn where_surfaces_coincide_the_first_body_is_seen(gpu: &Gpu) {
-    let mut renderer = MeshRenderer::new(gpu);
+fn where_surfaces_coincide_the_first_body_is_seen(renderers: &mut Renderers) {
     let mut bodies = joints();
     for _ in 0..2 {
         let reference = PreparedScene::moving(&bodies);
         for view in views() {
-            let image = renderer.hits(gpu, &reference, &view).expect("device works");
-            keeps_bound(&image, &reference.hit_image(&view), renderer.bound_px, &bodies, &view);
+            let image = renderers.hits(DEFAULT, &reference, &view).expect("device works");
+            keeps_bound(&image, &reference.hit_image(&view), Method::DEFAULT_BOUND_PX, &bodies, &view);
         }
         bodies.reverse();
     }
@@ -127,13 +125,12 @@ fn is_a_toss_up(hit: Option<Hit>, true_hit: Option<Hit>, bodies: &[Body], view: 
     there.is_some_and(|there| (1e-11..1e-6).contains(&(there.distance / true_hit.distance - 1.0)))
 }
 
-fn hits_appear_where_the_light_cone_says(gpu: &Gpu) {
-    let mut renderer = MeshRenderer::new(gpu);
+fn hits_appear_where_the_light_cone_says(renderers: &mut Renderers) {
     for view in views() {
         for bound_px in BOUNDS_PX {
-            renderer.bound_px = bound_px;
-            let image =
-                renderer.hits(gpu, &PreparedScene::moving(&still_life()), &view).expect("device works");
+            let image = renderers
+                .hits(Method::Mesh { bound_px }, &PreparedScene::moving(&still_life()), &view)
+                .expect("device works");
             for (i, hit) in image.hits.iter().enumerate().filter_map(|(i, hit)| Some((i, (*hit)?))) {
                 let point = SourcePoint::from_rest(hit.rest_position.to_array(), &view.speed);
                 let seen = sighting(&view.speed, point, view.camera.aperture, view.observation_time);
@@ -145,15 +142,18 @@ fn hits_appear_where_the_light_cone_says(gpu: &Gpu) {
     }
 }
 
-fn the_published_right_eye_is_the_cores(gpu: &Gpu) {
+fn the_published_right_eye_is_the_cores(renderers: &mut Renderers) {
     let separation = 0.1;
     let [left, _] = Aperture::pair(separation);
-    let mut renderer = MeshRenderer::new(gpu);
     let mut seen = 0;
     for mut view in views() {
         view.camera.aperture = left;
-        let image = renderer
-            .hits(gpu, &PreparedScene::moving(&still_life()), &View { geometry: Geometry::Published, ..view })
+        let image = renderers
+            .hits(
+                DEFAULT,
+                &PreparedScene::moving(&still_life()),
+                &View { geometry: Geometry::Published, ..view },
+            )
             .expect("device works");
         for (i, hit) in image.hits.iter().enumerate().filter_map(|(i, hit)| Some((i, (*hit)?))) {
             let point = SourcePoint::from_rest(hit.rest_position.to_array(), &view.speed);
@@ -166,7 +166,7 @@ fn the_published_right_eye_is_the_cores(gpu: &Gpu) {
             );
             let secondary = published.expect("inside the domain").secondary;
             let off = place(&view, secondary.position).distance(pixel(&image, i));
-            assert!(off < renderer.bound_px, "beta {}: {off} px off", view.speed.beta());
+            assert!(off < Method::DEFAULT_BOUND_PX, "beta {}: {off} px off", view.speed.beta());
             seen += 1;
         }
     }
