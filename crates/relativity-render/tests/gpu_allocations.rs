@@ -2,7 +2,6 @@
 
 #[expect(dead_code, reason = "shared with the other renderers' tests")]
 mod gpu_support;
-#[expect(dead_code, reason = "shared with the reference's tests")]
 mod support;
 
 use std::process::ExitCode;

@@ -2,7 +2,6 @@
 
 #[expect(dead_code, reason = "shared with tests of the hits")]
 mod gpu_support;
-#[expect(dead_code, reason = "shared with the reference's tests")]
 mod support;
 
 use std::process::ExitCode;
@@ -12,6 +11,7 @@ use relativity_core::Speed;
 use relativity_render::{
     Appearance, Colour, Geometry, HitImage, Method, Picture, PreparedScene, Renderers, Shading, View,
 };
+use support::documented;
 
 fn main() -> ExitCode {
     gpu_support::run(&[
@@ -51,23 +51,26 @@ fn appearances() -> Vec<Appearance> {
     ]
 }
 
-/// Away from outlines and grid lines, every component is within this many of 255 levels.
-const LEVELS: i32 = 2;
+const RENDERERS: &str = include_str!("../src/renderers.rs");
 
 fn pictures_are_the_references(renderers: &mut Renderers) {
     let bodies = still_life();
     let reference = PreparedScene::moving(&bodies);
+    let exact_levels = documented(RENDERERS, "away from outlines colours are within ");
+    let bound_px = documented(RENDERERS, "`tests/gpu_pictures.rs`: within ");
+    let mesh_levels = documented(RENDERERS, "colours away from outlines are within ");
     for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
         let view = View { geometry, ..fast() };
         let hits = reference.hit_image(&view);
         for appearance in appearances() {
             let truth = reference.picture(&view, &appearance, 1).rgba;
             // A mesh's normals are interpolated between corners.
-            for (method, levels) in [(Method::Exact, LEVELS), (Method::Mesh { bound_px: 0.1 }, 3 * LEVELS)] {
+            for (method, levels) in [(Method::Exact, exact_levels), (Method::Mesh { bound_px }, mesh_levels)]
+            {
                 let drawn =
                     renderers.picture(method, &reference, &view, &appearance, 1).expect("device works");
                 let off = levels_off(&drawn.rgba, &truth, |i| is_inside(&hits, i));
-                assert!(off <= levels, "{method}, {geometry:?}, {appearance:?}: {off} levels off");
+                assert!(f64::from(off) <= levels, "{method}, {geometry:?}, {appearance:?}: {off} levels off");
             }
         }
     }

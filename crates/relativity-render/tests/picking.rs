@@ -3,7 +3,6 @@
 #[expect(dead_code, reason = "shared with the renderers' tests")]
 #[path = "gpu_support/scenes.rs"]
 mod scenes;
-#[expect(dead_code, reason = "shared with the reference's tests")]
 mod support;
 
 use relativity_core::Speed;
