@@ -136,7 +136,7 @@ impl PreparedScene {
     /// The picture `view` shows, sRGB-encoded, with `samples` times `samples` rays per pixel
     /// (1 or more).
     ///
-    /// Samples are clipped one by one, so that a bright body does not bleed over its silhouette, and
+    /// Samples are clipped one by one, so that a bright body does not bleed over its outline, and
     /// averaged in linear light.
     #[must_use]
     pub fn picture(&self, view: &View, appearance: &Appearance, samples: u32) -> Picture {

@@ -21,7 +21,8 @@ use crate::view::Colour;
 /// a looser bound only costs time.
 const MAX_HALVINGS: u32 = 5;
 /// Below this radius a piece may be faded in pictures instead of drawn thinner, px. The shader fades what it finds
-/// thinner than half a pixel; the rest is room.
+/// thinner than half a pixel; the rest is room. The radius is the one across x: what `Geometry::Contracted` flattens
+/// along x below a pixel is drawn as thin as it is there.
 const THIN_PX: f64 = 0.75;
 
 /// Where bodies are looked for.
