@@ -63,8 +63,8 @@ fn rest_ray(pixel: vec2f) -> Ray {
     let sight = line_of_sight(pixel);
     let n = sight.xyz;
     let own = passage(n, GEOMETRY, frame.speed, frame.motion.x);
-    let centre = frame.scene.xyz;
-    let moment = cross(centre, own.direction) + cross(frame.scene_fine.xyz, own.direction);
+    let centre = frame.middle.xyz;
+    let moment = cross(centre, own.direction) + cross(frame.middle_fine.xyz, own.direction);
     let to_centre = dot(centre, own.direction);
     return Ray(n, sight.w, own.direction, own.ground_per_rest, own.doppler, moment, to_centre);
 }
@@ -84,7 +84,7 @@ fn movement(ray: Ray, across: vec3f) -> vec2f {
     return vec2f(dot(turned, frame.right.xyz), dot(turned, frame.down.xyz));
 }
 
-// Where the ray comes closest to `anchor` (from the scene's centre), from there. The double cross product
+// Where the ray comes closest to `anchor` (from the group's middle), from there. The double cross product
 // keeps its digits however far the camera is; |c|^2 - (c.n)^2 would not.
 fn nearest_to(anchor: vec3f, ray: Ray) -> vec3f {
     return -cross(ray.direction, ray.moment + cross(anchor, ray.direction));
@@ -101,7 +101,7 @@ fn nearest_to(anchor: vec3f, ray: Ray) -> vec3f {
 // says `Method::Exact`, and `tests/gpu_exact.rs` measures it.
 fn depth(ray: Ray, beyond: f32) -> f32 {
     if !HAS_OTHERS {
-        return 0.5 - beyond * frame.scene.w;
+        return 0.5 - beyond * frame.middle.w;
     }
     if frame.motion.y == 1.0 {
         return depth_in_reference(beyond);
@@ -111,7 +111,7 @@ fn depth(ray: Ray, beyond: f32) -> f32 {
 
 // The reference group has the middle half of all depths, from 3/4 to 1/4 over twice its reach.
 fn depth_in_reference(beyond: f32) -> f32 {
-    return 0.5 - 0.5 * beyond * frame.reference.w;
+    return 0.5 - 0.5 * beyond * frame.reference_middle.w;
 }
 
 // Depth of what is seen at `distance` (ground frame) along `sight`, among that of the reference group: the nearest by
@@ -119,8 +119,8 @@ fn depth_in_reference(beyond: f32) -> f32 {
 // where that ends with the reciprocal.
 fn depth_of_distance(distance: f32, sight: vec3f) -> f32 {
     let reference = passage(sight, u32(frame.motion.w), frame.reference_speed, frame.motion.z);
-    let to_centre = dot(frame.reference.xyz, reference.direction);
-    let reach = 0.5 / frame.reference.w;
+    let to_centre = dot(frame.reference_middle.xyz, reference.direction);
+    let reach = 0.5 / frame.reference_middle.w;
     let near = (to_centre - reach) * reference.ground_per_rest;
     let far = (to_centre + reach) * reference.ground_per_rest;
     if distance < near {

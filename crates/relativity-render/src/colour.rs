@@ -8,7 +8,7 @@
 //! black beside 550 nm, and the paper's red cyclist with it. Towards the ends of the visible range the
 //! colour fades, to exactly black at 380 nm and 780 nm.
 //!
-//! References: CIE 015:2018, *Colorimetry*; CIE 018:2019 (the table, its source and licence: `assets/README.md` of the repository); IEC
+//! References: CIE 015:2018, *Colorimetry*; CIE 018:2019 (the table, its source and licence: `assets/README.md`); IEC
 //! 61966-2-1:1999 (sRGB).
 
 use std::sync::LazyLock;

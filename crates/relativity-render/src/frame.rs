@@ -34,15 +34,15 @@ pub struct Frame {
     pub motion: [f32; 4],
     /// `speed` of the reference.
     pub reference_speed: [f32; 4],
-    /// `scene` of the reference.
-    pub reference: [f32; 4],
+    /// `middle` of the reference.
+    pub reference_middle: [f32; 4],
     /// Factor of the exposure, intensity exponent (0 for none), log2 of the colour table's first wavelength (nm), and
     /// its entries per octave.
     pub light: [f32; 4],
     /// Middle of the group from the camera's event, rest frame; and half the reciprocal of its reach.
-    pub scene: [f32; 4],
+    pub middle: [f32; 4],
     /// What f32 loses of the middle.
-    pub scene_fine: [f32; 4],
+    pub middle_fine: [f32; 4],
     /// Camera x and y, height of the ground above the camera (`f32::MIN` for none), and the published model's aperture
     /// separation.
     pub ground: [f32; 4],
@@ -78,7 +78,7 @@ impl Frame {
         let [_, _, reflection, geometry] = reference.motion;
         self.motion = [self.motion[0], 0.0, reflection, geometry];
         self.reference_speed = reference.speed;
-        self.reference = reference.scene;
+        self.reference_middle = reference.middle;
     }
 
     /// That of a group which is its own reference.
@@ -98,8 +98,8 @@ impl Frame {
         let coarse = pole.as_vec2();
         let fine = (pole - coarse.as_dvec2()).as_vec2();
         let from_camera = extent.middle - view.origin;
-        let scene = packed(from_camera, 0.5 / extent.reach);
-        let [x, y, z, _] = scene;
+        let middle = packed(from_camera, 0.5 / extent.reach);
+        let [x, y, z, _] = middle;
         let Velocity { speed, .. } = view.velocity;
         let speed =
             [speed.beta(), speed.one_minus_beta(), 1.0 / speed.gamma(), speed.gamma()].map(|v| v as f32);
@@ -112,10 +112,10 @@ impl Frame {
             speed,
             motion: [reflection, 1.0, reflection, view.geometry.number() as f32],
             reference_speed: speed,
-            reference: scene,
+            reference_middle: middle,
             light: [exposure, exponent, first, per_octave].map(|v| v as f32),
-            scene,
-            scene_fine: vector(from_camera - DVec3::new(x.into(), y.into(), z.into())),
+            middle,
+            middle_fine: vector(from_camera - DVec3::new(x.into(), y.into(), z.into())),
             ground: [aperture.x, aperture.y, ground, view.published_separation()].map(|v| v as f32),
             backdrop: backdrop.colours().map(|colour| vector(colour.into())),
             clip_right: vector(right * (to_clip / width)),

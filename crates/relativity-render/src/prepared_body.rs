@@ -20,7 +20,7 @@ use crate::view::Colour;
 pub struct Extent {
     /// The middle of a box around the bodies.
     pub middle: DVec3,
-    /// Greatest distance of any surface from there, with room for rounding.
+    /// No surface is farther from there, with room for rounding.
     pub reach: f64,
 }
 
