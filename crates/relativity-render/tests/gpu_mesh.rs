@@ -42,16 +42,11 @@ fn views() -> impl Iterator<Item = View> {
 }
 
 fn the_picture_keeps_the_bound(renderers: &mut Renderers) {
-    let reference = PreparedScene::moving(&still_life());
+    let scene = PreparedScene::moving(&still_life());
     for view in views() {
         for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
             let view = View { geometry, ..view };
-            let truth = reference.hit_image(&view);
-            for bound_px in BOUNDS_PX {
-                let image =
-                    renderers.hits(Method::Mesh { bound_px }, &reference, &view).expect("device works");
-                keeps_bound(&image, &truth, bound_px, &reference, &still_life(), &view);
-            }
+            keep_bounds(renderers, &BOUNDS_PX, &scene, &still_life(), &view);
         }
     }
 }
@@ -72,9 +67,7 @@ fn groups_keep_the_bound(renderers: &mut Renderers) {
     for view in views() {
         for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
             let view = View { geometry, ..view };
-            let image = renderers.hits(DEFAULT, &scene, &view).expect("device works");
-            let truth = scene.hit_image(&view);
-            keeps_bound(&image, &truth, Method::DEFAULT_BOUND_PX, &scene, &bodies, &view);
+            keep_bounds(renderers, &[Method::DEFAULT_BOUND_PX], &scene, &bodies, &view);
         }
     }
 }
@@ -89,17 +82,9 @@ fn bodies_that_nearly_touch_are_told_apart(renderers: &mut Renderers) {
     ];
     for pair in shapes.windows(2) {
         let bodies: Vec<_> = pair.iter().map(|&shape| Body { shape, rest_wavelength_nm: 600.0 }).collect();
-        let reference = PreparedScene::moving(&bodies);
+        let scene = PreparedScene::moving(&bodies);
         for view in views() {
-            let image = renderers.hits(DEFAULT, &reference, &view).expect("device works");
-            keeps_bound(
-                &image,
-                &reference.hit_image(&view),
-                Method::DEFAULT_BOUND_PX,
-                &reference,
-                &bodies,
-                &view,
-            );
+            keep_bounds(renderers, &[Method::DEFAULT_BOUND_PX], &scene, &bodies, &view);
         }
     }
 }
@@ -107,19 +92,26 @@ fn bodies_that_nearly_touch_are_told_apart(renderers: &mut Renderers) {
 fn where_surfaces_coincide_the_first_body_is_seen(renderers: &mut Renderers) {
     let mut bodies = joints();
     for _ in 0..2 {
-        let reference = PreparedScene::moving(&bodies);
+        let scene = PreparedScene::moving(&bodies);
         for view in views() {
-            let image = renderers.hits(DEFAULT, &reference, &view).expect("device works");
-            keeps_bound(
-                &image,
-                &reference.hit_image(&view),
-                Method::DEFAULT_BOUND_PX,
-                &reference,
-                &bodies,
-                &view,
-            );
+            keep_bounds(renderers, &[Method::DEFAULT_BOUND_PX], &scene, &bodies, &view);
         }
         bodies.reverse();
+    }
+}
+
+/// What is drawn of `scene`, which consists of `bodies`, keeps each of the bounds.
+fn keep_bounds(
+    renderers: &mut Renderers,
+    bounds_px: &[f64],
+    scene: &PreparedScene,
+    bodies: &[Body],
+    view: &View,
+) {
+    let truth = scene.hit_image(view);
+    for &bound_px in bounds_px {
+        let image = renderers.hits(Method::Mesh { bound_px }, scene, view).expect("device works");
+        keeps_bound(&image, &truth, bound_px, scene, bodies, view);
     }
 }
 
