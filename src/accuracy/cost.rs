@@ -1,8 +1,6 @@
 //! The methods that are measured, and how long each takes for a picture.
 
-use relativity_render::{
-    Appearance, EyeTarget, GpuError, MeshRenderer, Method, PreparedScene, Renderers, View,
-};
+use relativity_render::{Appearance, EyeTarget, GpuError, Method, PreparedScene, Renderers, View};
 
 use crate::platform::clock::Instant;
 
@@ -13,7 +11,7 @@ const FRAMES: u32 = 3;
 /// Frames that take longer are timed singly, reading back included, which then matters little.
 const SLOW_MS: f64 = 100.0;
 /// Bounds at which meshes are measured: a fine one, the default, a coarse one.
-pub const MESH_BOUNDS_PX: [f64; 3] = [0.1, MeshRenderer::DEFAULT_BOUND_PX, 2.0];
+pub const MESH_BOUNDS_PX: [f64; 3] = [0.1, Method::DEFAULT_BOUND_PX, 2.0];
 
 /// The methods that can be measured with these `renderers`.
 #[must_use]

@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use clap::{Args, ValueEnum};
 use relativity_core::doppler::PAPER_INTENSITY_EXPONENT;
 use relativity_core::{Curves, Model};
-use relativity_render::{Colour, Geometry, MeshRenderer, Shading};
+use relativity_render::{Colour, Geometry, Method, Shading};
 use serde::Serialize;
 
 use crate::flags::choices::{GazeChoice, Layout, RendererChoice, Size};
@@ -151,7 +151,7 @@ pub struct Quality {
 
 impl Default for Quality {
     fn default() -> Self {
-        Self { renderer: RendererChoice::Auto, bound_px: MeshRenderer::DEFAULT_BOUND_PX }
+        Self { renderer: RendererChoice::Auto, bound_px: Method::DEFAULT_BOUND_PX }
     }
 }
 

@@ -10,7 +10,7 @@ use gamow::flags::choices::GazeChoice;
 use gamow::flags::{SpeedParameter, SpeedSetting};
 use glam::DVec3;
 use relativity_core::{Aperture, SourcePoint, sighting};
-use relativity_render::{ExactRenderer, Geometry, Gpu};
+use relativity_render::{Geometry, Gpu, Method, Renderers};
 
 use super::Test;
 use super::support::{SEPARATION, cyclist, drag, label_starting_with, pane, window};
@@ -111,7 +111,7 @@ fn a_click_beside_everything() {
 /// and so does that of a point picked there.
 fn marker_and_surface_agree() {
     let gpu = Gpu::headless().expect("an adapter");
-    let mut renderer = ExactRenderer::new(&gpu);
+    let mut renderers = Renderers::new(Some(gpu));
     let size = [320, 240];
     for gamma in [1.0, 1.005, 2.3, 10.0, 1000.0] {
         for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
@@ -130,7 +130,8 @@ fn marker_and_surface_agree() {
             let mut checked = 0;
             for eye in Eye::BOTH {
                 let view = state.view(eye, size);
-                let image = renderer.hits(&gpu, &state.session.prepared, &view).expect("the device works");
+                let image =
+                    renderers.hits(Method::Exact, &state.session.prepared, &view).expect("the device works");
                 let hits: Vec<_> = image.hits.iter().enumerate().filter(|(_, hit)| hit.is_some()).collect();
                 for (index, hit) in hits.iter().step_by((hits.len() / 40).max(1)) {
                     let Some(hit) = hit else { continue };

@@ -8,8 +8,8 @@ use std::time::Instant;
 
 use relativity_core::{Aperture, Speed};
 use relativity_render::{
-    Appearance, Body, Camera, ExactRenderer, EyeTarget, Gaze, Geometry, Gpu, GpuError, MeshRenderer,
-    PreparedScene, Shape, View,
+    Appearance, Body, Camera, EyeTarget, Gaze, Geometry, Gpu, GpuError, Method, PreparedScene, Renderers,
+    Shape, View,
 };
 
 const ROUNDS: usize = 5;
@@ -28,34 +28,32 @@ fn main() -> Result<(), GpuError> {
 }
 
 fn compare(gpu: &Gpu, bodies: &[Body]) -> Result<(), GpuError> {
-    let mut exact = ExactRenderer::new(gpu);
-    let mut brute = ExactRenderer::brute_force(gpu);
-    let mut mesh = MeshRenderer::new(gpu);
+    let mut renderers = Renderers::new(Some(gpu.clone()));
+    let mut brute = Renderers::brute_force(gpu.clone());
     let (scene, empty) = (PreparedScene::moving(bodies), PreparedScene::moving(&[]));
     let appearance = Appearance { ground_z: Some(-2.5), ..Appearance::default() };
     let mut targets = [EyeTarget::new(gpu, SIZE), EyeTarget::new(gpu, SIZE)];
     let mut times = [const { Vec::new() }; 5];
     for round in 0..=ROUNDS {
-        let mut timed = |times: &mut Vec<f64>, draw: &mut dyn FnMut(&View, &mut EyeTarget)| {
+        let mut timed = |times: &mut Vec<f64>, renderers: &mut Renderers, method, scene| {
             let start = Instant::now();
             for (view, target) in views().iter().zip(&mut targets) {
-                draw(view, target);
+                renderers.draw(method, scene, view, &appearance, target)?;
             }
             gpu.wait()?;
             // The first round makes pipelines.
             if round > 0 {
                 times.push(start.elapsed().as_secs_f64() * 1e3);
             }
-            Ok(())
+            Ok::<_, GpuError>(())
         };
-        timed(&mut times[0], &mut |view, target| exact.draw(gpu, &empty, view, &appearance, target))?;
-        timed(&mut times[1], &mut |view, target| exact.draw(gpu, &scene, view, &appearance, target))?;
+        timed(&mut times[0], &mut renderers, Method::Exact, &empty)?;
+        timed(&mut times[1], &mut renderers, Method::Exact, &scene)?;
         if bodies.len() <= MOST_FOR_BRUTE_FORCE {
-            timed(&mut times[2], &mut |view, target| brute.draw(gpu, &scene, view, &appearance, target))?;
+            timed(&mut times[2], &mut brute, Method::Exact, &scene)?;
         }
         for (bound_px, times) in [0.5, 0.05].into_iter().zip(&mut times[3..]) {
-            mesh.bound_px = bound_px;
-            timed(times, &mut |view, target| mesh.draw(gpu, &scene, view, &appearance, target))?;
+            timed(times, &mut renderers, Method::Mesh { bound_px }, &scene)?;
         }
     }
     let [none, exact, brute, coarse, fine] = times.map(median);

@@ -1,7 +1,7 @@
 // A body, and where a ray meets it. Each shape has `middle(body)` and `surface(body, ray)`.
 
 struct Body {
-    // From the scene's centre in the rest frame: its centre, or one end of a tube.
+    // From the middle of its group: its centre, or one end of a tube.
     place: vec3f,
     radius: f32,
     // The other end of a tube, or a ring's unit axis and the radius of its middle circle.
@@ -13,7 +13,7 @@ struct Surface {
     clearance: f32,
     // Unit vector from the body to the ray where they come closest: across the outline.
     outward: vec3f,
-    // Rest-frame distance along the ray beyond the scene's centre.
+    // Rest-frame distance along the ray beyond the middle of its group.
     beyond: f32,
     // The point, from the body's middle.
     place: vec3f,

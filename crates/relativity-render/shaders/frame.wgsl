@@ -17,16 +17,16 @@ struct Frame {
     // 1, or -1 if the group moves towards -x: all is reflected then, to move along +x, and back; 1 if this group is the
     // reference of depths, else 0; the first of these for that reference, and its GEOMETRY.
     motion: vec4f,
-    // `speed` and `scene` of the reference.
+    // `speed` and `middle` of the reference.
     reference_speed: vec4f,
-    reference: vec4f,
+    reference_middle: vec4f,
     // 2^exposure, intensity exponent, log2 of the colour table's first wavelength, table entries per octave.
     light: vec4f,
     // xyz: middle of the group from the camera's event, rest frame; w: 1/(2 reach), reach being the
     // greatest distance of any body's surface from that middle.
-    scene: vec4f,
+    middle: vec4f,
     // xyz: what f32 loses of the middle, which matters however far it is: across a ray, all of it does not.
-    scene_fine: vec4f,
+    middle_fine: vec4f,
     // Camera x and y, height of the ground above the camera (far below if there is none), and
     // the published model's aperture separation.
     ground: vec4f,

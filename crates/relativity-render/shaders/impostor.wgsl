@@ -65,7 +65,7 @@ fn shaded(fragment: Fragment) -> Shaded {
         alpha = min(body.radius / max(half_pixel, 1e-30), 1.0);
         clearance += max(half_pixel - body.radius, 0.0);
     }
-    let height = frame.scene.z + middle(body).z + hit.place.z;
+    let height = frame.middle.z + middle(body).z + hit.place.z;
     if distance <= 0.0 || height < frame.ground.z {
         discard;
     }

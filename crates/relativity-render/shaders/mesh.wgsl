@@ -96,7 +96,7 @@ fn corner(corner: Corner, instance: Instance) -> Fragment {
     let body = Body(instance.place_radius.xyz, instance.place_radius.w, instance.form);
     let shape = corner_place(corner, body, instance.across_index.xyz);
     let from_centre = middle(body) + shape.place;
-    let seen = mapped(frame.scene.xyz + (frame.scene_fine.xyz + from_centre));
+    let seen = mapped(frame.middle.xyz + (frame.middle_fine.xyz + from_centre));
     let clip = vec4f(
         dot(seen.position, frame.clip_right.xyz),
         dot(seen.position, frame.clip_up.xyz),

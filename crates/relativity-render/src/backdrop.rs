@@ -94,15 +94,13 @@ impl Backdrop {
     }
 
     /// Linear sRGB of the horizon, the zenith, the ground, the grid's lines and the axes.
-    #[must_use]
-    pub fn colours(&self) -> [[f64; 3]; 5] {
+    pub(crate) fn colours(&self) -> [[f64; 3]; 5] {
         let Palette { horizon, zenith, earth, grid_line, axis_line, .. } = self.palette;
         [horizon, zenith, earth, grid_line, axis_line]
     }
 
     /// Height of the ground from the aperture, below 0; `None` if there is none to be seen.
-    #[must_use]
-    pub fn ground_height(&self) -> Option<f64> {
+    pub(crate) fn ground_height(&self) -> Option<f64> {
         self.ground
     }
 
@@ -114,15 +112,13 @@ impl Backdrop {
     }
 
     /// Distance of the ground along `line_of_sight` (unit vector), if it is met.
-    #[must_use]
-    pub fn ground_distance(&self, line_of_sight: DVec3) -> Option<f64> {
+    pub(crate) fn ground_distance(&self, line_of_sight: DVec3) -> Option<f64> {
         let distance = self.ground? / line_of_sight.z;
         (distance > 0.0 && distance.is_finite()).then_some(distance)
     }
 
     /// Linear sRGB of the ground met at `distance` along `line_of_sight`.
-    #[must_use]
-    pub fn ground(&self, line_of_sight: DVec3, distance: f64) -> [f64; 3] {
+    pub(crate) fn ground(&self, line_of_sight: DVec3, distance: f64) -> [f64; 3] {
         let n = line_of_sight;
         let foot = self.aperture + n.truncate() * distance;
         // The line of sight turns by this from one pixel to the next along `across`.

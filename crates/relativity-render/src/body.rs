@@ -1,4 +1,4 @@
-//! What a scene is made of: solid shapes at rest in the moving frame.
+//! What a scene is made of: solid shapes at rest in the frame of their group.
 
 /// A solid shape in the rest frame. Lengths in the scene's unit; `[x, y, z]`.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -4,14 +4,17 @@
 //! and ground and applies the sRGB curve.
 
 use crate::backdrop;
-use crate::buffers::{fill_frame_buffer, frame_bindings, frame_buffer};
+use crate::buffers::{fill_frame_buffer, frame_bindings, frame_buffer, vertex_buffer};
+use crate::drawing::{Drawing, Shot};
 use crate::effects::Constant;
 use crate::frame::Frame;
 use crate::gpu::{Gpu, GpuError};
 use crate::palette;
+use crate::reference::HitImage;
+use crate::scene::PreparedScene;
 use crate::shaders::BACKDROP;
 use crate::target::{self, DEPTH_FORMAT, ENCODED_FORMAT, EyeTarget, MEASURES_FORMAT};
-use crate::view::{Appearance, Colour};
+use crate::view::{Appearance, Colour, View};
 
 #[derive(Debug)]
 pub struct Canvas {
@@ -48,18 +51,21 @@ impl Canvas {
         pipeline_layout(&gpu.device, &[Some(&self.frame_layout)])
     }
 
-    /// Draws a picture from the `frames` of its groups, one or more; `bodies` records the draws of the bodies, for which it
-    /// is given the target and a bind group for each frame.
+    /// Draws `scene` into `target`, whose size overrides the camera's, its bodies as `drawing` does.
     pub fn paint(
         &self,
         gpu: &Gpu,
-        target: &mut EyeTarget,
-        frames: &[Frame],
+        drawing: &mut dyn Drawing,
+        scene: &PreparedScene,
+        view: &View,
         appearance: &Appearance,
-        bodies: impl FnOnce(&mut wgpu::RenderPass<'_>, &EyeTarget, &[wgpu::BindGroup]),
+        target: &mut EyeTarget,
     ) {
-        fill_frame_buffer(gpu, &mut target.frames, frames);
-        let target = &*target;
+        let views = scene.group_views(&view.with_size(target.size()));
+        let shot = Shot { scene, views: &views, divided_for: &views, appearance: Some(appearance) };
+        drawing.load(gpu, &mut target.vertices, &shot);
+        let frames = Frame::of_groups(scene, &views, appearance);
+        fill_frame_buffer(gpu, &mut target.frames, &frames);
         let has_ground = frames[0].has_ground();
         let frames = self.frame_bind_groups(gpu, &target.frames, frames.len(), appearance.colour);
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
@@ -69,7 +75,7 @@ impl Canvas {
                 ..attachment(&target.samples, wgpu::StoreOp::Discard)
             };
             let mut pass = begin_pass(&mut encoder, "bodies", &[Some(samples)], Some(&target.depth));
-            bodies(&mut pass, target, &frames);
+            drawing.record(&mut pass, &target.vertices, &frames);
         }
         {
             let picture = attachment(target.view(), wgpu::StoreOp::Store);
@@ -82,8 +88,28 @@ impl Canvas {
         gpu.queue.submit([encoder.finish()]);
     }
 
-    /// Measures what the centre of every pixel shows; otherwise as [`Self::paint`].
-    pub fn measure(
+    /// What the centre of every pixel of `part`, a magnified view of a small part of `whole` or that itself, shows of
+    /// `scene`, its bodies drawn as `drawing` does for `whole`; without anti-aliasing.
+    pub fn hits(
+        &self,
+        gpu: &Gpu,
+        drawing: &mut dyn Drawing,
+        scene: &PreparedScene,
+        whole: &View,
+        part: &View,
+    ) -> Result<HitImage, GpuError> {
+        let (views, divided_for) = (scene.group_views(part), scene.group_views(whole));
+        let mut vertices = vertex_buffer(gpu, 0);
+        let shot = Shot { scene, views: &views, divided_for: &divided_for, appearance: None };
+        drawing.load(gpu, &mut vertices, &shot);
+        let frames = Frame::of_groups(scene, &views, &Appearance::default());
+        let measures = self.measure(gpu, part.camera.size, &frames, |pass, frames| {
+            drawing.record(pass, &vertices, frames);
+        })?;
+        Ok(measures.hit_image(scene, part))
+    }
+
+    fn measure(
         &self,
         gpu: &Gpu,
         size: [u32; 2],

@@ -8,7 +8,7 @@
 //! black beside 550 nm, and the paper's red cyclist with it. Towards the ends of the visible range the
 //! colour fades, to exactly black at 380 nm and 780 nm.
 //!
-//! References: CIE 015:2018, *Colorimetry*; CIE 018:2019 (the table, its source and licence: `assets/README.md` of the repository); IEC
+//! References: CIE 015:2018, *Colorimetry*; CIE 018:2019 (the table, its source and licence: `assets/README.md`); IEC
 //! 61966-2-1:1999 (sRGB).
 
 use std::sync::LazyLock;
@@ -98,8 +98,7 @@ pub fn luminance([red, green, blue]: [f64; 3]) -> f64 {
 }
 
 /// Between the colours `a` (at `t` = 0) and `b` (at `t` = 1).
-#[must_use]
-pub fn mix(a: [f64; 3], b: [f64; 3], t: f64) -> [f64; 3] {
+pub(crate) fn mix(a: [f64; 3], b: [f64; 3], t: f64) -> [f64; 3] {
     std::array::from_fn(|i| a[i] + (b[i] - a[i]) * t)
 }
 

@@ -10,13 +10,14 @@ use crate::group_view::GroupView;
 use crate::palette;
 use crate::prepared_body::{Extent, packed};
 use crate::scene::{PreparedGroup, PreparedScene};
+use crate::velocity::Velocity;
 use crate::view::Appearance;
 
 /// Mirror of the shaders' `Frame`.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Frame {
-    /// Line of sight through the pole, unnormalised: 1 along the optical axis, or along -x.
+    /// Line of sight through the pole, unnormalised: its part along the optical axis is 1.
     pub base: [f32; 4],
     /// By how much it changes from one pixel to the next on the right.
     pub right: [f32; 4],
@@ -33,15 +34,15 @@ pub struct Frame {
     pub motion: [f32; 4],
     /// `speed` of the reference.
     pub reference_speed: [f32; 4],
-    /// `scene` of the reference.
-    pub reference: [f32; 4],
+    /// `middle` of the reference.
+    pub reference_middle: [f32; 4],
     /// Factor of the exposure, intensity exponent (0 for none), log2 of the colour table's first wavelength (nm), and
     /// its entries per octave.
     pub light: [f32; 4],
     /// Middle of the group from the camera's event, rest frame; and half the reciprocal of its reach.
-    pub scene: [f32; 4],
+    pub middle: [f32; 4],
     /// What f32 loses of the middle.
-    pub scene_fine: [f32; 4],
+    pub middle_fine: [f32; 4],
     /// Camera x and y, height of the ground above the camera (`f32::MIN` for none), and the published model's aperture
     /// separation.
     pub ground: [f32; 4],
@@ -57,34 +58,30 @@ pub struct Frame {
 
 impl Frame {
     /// One for each group of `scene`, which its `views` show.
+    ///
+    /// The fastest group (of equally fast ones the first) is the reference, among whose bodies the depths of all others
+    /// are told; why, and what that costs these, is said at `depth` in `shaders/rest_ray.wgsl`.
     pub fn of_groups(scene: &PreparedScene, views: &[GroupView], appearance: &Appearance) -> Vec<Self> {
-        let groups = || views.iter().zip(scene.groups()).enumerate();
-        let gamma = |(_, (view, _)): &(usize, (&GroupView, _))| view.velocity.speed.gamma();
-        let reference = groups().max_by(|a, b| gamma(a).total_cmp(&gamma(b)).then(b.0.cmp(&a.0)));
-        let frame = |(number, (view, group)): (usize, (&GroupView, &PreparedGroup))| {
-            let own = Self::new(view, appearance, &group.extent);
-            match reference {
-                Some((chosen, (view, group))) => own.with_reference(view, &group.extent, chosen == number),
-                None => own,
-            }
-        };
-        groups().map(frame).collect()
+        let frame = |(view, group): (_, &PreparedGroup)| Self::new(view, appearance, &group.extent);
+        let mut frames: Vec<_> = views.iter().zip(scene.groups()).map(frame).collect();
+        let gamma = |group: usize| views[group].velocity.speed.gamma();
+        let faster = |fastest, group| if gamma(group) > gamma(fastest) { group } else { fastest };
+        let fastest = (0..views.len()).fold(0, faster);
+        let reference = frames[fastest];
+        let others = frames.iter_mut().enumerate().filter(|(group, _)| *group != fastest);
+        others.for_each(|(_, frame)| frame.refer_to(&reference));
+        frames
     }
 
-    /// With the group whose rest frame depths are told in: the fastest, since its bodies lie closest to each other along
-    /// a ray on the ground.
-    fn with_reference(self, view: &GroupView, extent: &Extent, is_own: bool) -> Self {
-        let [reflection, ..] = self.motion;
-        let own = f32::from(u8::from(is_own));
-        let geometry = view.geometry.number() as f32;
-        Self {
-            motion: [reflection, own, view.velocity.direction() as f32, geometry],
-            reference_speed: speed(view),
-            reference: middle(view, extent),
-            ..self
-        }
+    /// Has depths told among the bodies of the group of `reference`.
+    fn refer_to(&mut self, reference: &Self) {
+        let [_, _, reflection, geometry] = reference.motion;
+        self.motion = [self.motion[0], 0.0, reflection, geometry];
+        self.reference_speed = reference.speed;
+        self.reference_middle = reference.middle;
     }
 
+    /// That of a group which is its own reference.
     fn new(view: &GroupView, appearance: &Appearance, extent: &Extent) -> Self {
         let camera = &view.camera;
         let Axes { right, up, forward } = camera.gaze.axes();
@@ -100,21 +97,25 @@ impl Frame {
         let ground = backdrop.ground_height().unwrap_or(f64::from(f32::MIN));
         let coarse = pole.as_vec2();
         let fine = (pole - coarse.as_dvec2()).as_vec2();
-        let scene = middle(view, extent);
-        let [x, y, z, _] = scene;
         let from_camera = extent.middle - view.origin;
+        let middle = packed(from_camera, 0.5 / extent.reach);
+        let [x, y, z, _] = middle;
+        let Velocity { speed, .. } = view.velocity;
+        let speed =
+            [speed.beta(), speed.one_minus_beta(), 1.0 / speed.gamma(), speed.gamma()].map(|v| v as f32);
+        let reflection = view.velocity.direction() as f32;
         Self {
             base: vector(base),
             right: vector(right * per_px),
             down: vector(-up * per_px),
             pole: [coarse.x, coarse.y, fine.x, fine.y],
-            speed: speed(view),
-            motion: [view.velocity.direction() as f32, 1.0, 1.0, 0.0],
-            reference_speed: [0.0; 4],
-            reference: [0.0; 4],
+            speed,
+            motion: [reflection, 1.0, reflection, view.geometry.number() as f32],
+            reference_speed: speed,
+            reference_middle: middle,
             light: [exposure, exponent, first, per_octave].map(|v| v as f32),
-            scene,
-            scene_fine: vector(from_camera - DVec3::new(x.into(), y.into(), z.into())),
+            middle,
+            middle_fine: vector(from_camera - DVec3::new(x.into(), y.into(), z.into())),
             ground: [aperture.x, aperture.y, ground, view.published_separation()].map(|v| v as f32),
             backdrop: backdrop.colours().map(|colour| vector(colour.into())),
             clip_right: vector(right * (to_clip / width)),
@@ -131,17 +132,6 @@ impl Frame {
 
 fn vector(v: DVec3) -> [f32; 4] {
     packed(v, 0.0)
-}
-
-/// The speed of the group against the camera.
-fn speed(view: &GroupView) -> [f32; 4] {
-    let speed = &view.velocity.speed;
-    [speed.beta(), speed.one_minus_beta(), 1.0 / speed.gamma(), speed.gamma()].map(|v| v as f32)
-}
-
-/// The middle of the group from the camera's event, and half the reciprocal of its reach.
-fn middle(view: &GroupView, extent: &Extent) -> [f32; 4] {
-    packed(extent.middle - view.origin, 0.5 / extent.reach)
 }
 
 /// The pixel towards the end of the x axis with this sign and its (unnormalised) line of sight, if it is well in front of

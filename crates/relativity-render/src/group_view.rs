@@ -30,21 +30,21 @@ pub struct RestRay {
 pub struct GroupView {
     /// The camera.
     pub camera: Camera,
-    /// Which geometry shows the group: [`Geometry::Rest`] wherever it rests with the camera, since no ray is
-    /// turned then.
+    /// Which geometry shows the group: [`Geometry::Rest`] where a group with a velocity of its own rests with the
+    /// camera, since no ray is turned then; [`Geometry::Seen`] where it passes a camera that rides along with the scene.
     pub geometry: Geometry,
     /// The group's velocity as the camera sees it.
     pub velocity: Velocity,
-    /// Where the camera's event is in the group's frame: (gamma (a - beta T), `a_y`, `a_z`).
+    /// Where the camera's event is in the group's frame: (gamma (`a_x` - beta T), `a_y`, `a_z`), with the group's beta on
+    /// the ground.
     pub origin: DVec3,
-    /// When it is there: gamma (T - beta a).
+    /// When it is there: gamma (T - beta `a_x`).
     pub time: f64,
 }
 
 impl GroupView {
     /// How `view` sees a group that moves so.
-    #[must_use]
-    pub fn new(view: &View, motion: Motion) -> Self {
+    pub(crate) fn new(view: &View, motion: Motion) -> Self {
         let scene = Velocity::forward(view.speed);
         let on_ground = match motion {
             Motion::Scene => scene,
@@ -55,7 +55,6 @@ impl GroupView {
         let geometry = match (view.geometry, motion) {
             (Geometry::Rest, Motion::Scene) => Geometry::Rest,
             (_, Motion::Own(_)) if velocity.is_rest() => Geometry::Rest,
-            // What does not ride along passes a camera that does.
             (Geometry::Rest, Motion::Own(_)) => Geometry::Seen,
             (geometry, _) => geometry,
         };
@@ -73,8 +72,7 @@ impl GroupView {
     }
 
     /// From the camera's event to `place`, both in the group's frame, reflected so that the group moves along +x.
-    #[must_use]
-    pub fn reflected_from_camera(&self, place: DVec3) -> DVec3 {
+    pub(crate) fn reflected_from_camera(&self, place: DVec3) -> DVec3 {
         self.velocity.reflected(place - self.origin)
     }
 
@@ -156,8 +154,7 @@ impl GroupView {
 
     /// d of the published model: of the pair at -d/2 and d/2 on the x axis whose left aperture is the camera's;
     /// reflected as the group is, below 0 where it moves towards -x.
-    #[must_use]
-    pub fn published_separation(&self) -> f64 {
+    pub(crate) fn published_separation(&self) -> f64 {
         let separation = -2.0 * self.camera.aperture.x;
         self.velocity.direction() * separation
     }
@@ -170,23 +167,11 @@ impl View {
         GroupView::new(self, motion)
     }
 
-    /// The rest-frame ray of the `line_of_sight` (unit vector), for bodies that move at the scene's speed.
-    #[must_use]
-    pub fn rest_ray(&self, line_of_sight: DVec3) -> RestRay {
-        self.of_group(Motion::Scene).rest_ray(line_of_sight)
-    }
-
     /// From the aperture to where the point at `rest` appears, which moves at the scene's speed; `None` outside the
     /// domain of the core.
     #[must_use]
     pub fn apparent_position(&self, rest: DVec3) -> Option<DVec3> {
         self.of_group(Motion::Scene).apparent_position(rest)
-    }
-
-    /// Where the camera is in the rest frame of the bodies that move at the scene's speed.
-    #[must_use]
-    pub fn rest_origin(&self) -> DVec3 {
-        self.of_group(Motion::Scene).origin
     }
 }
 

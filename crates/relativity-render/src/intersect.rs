@@ -74,14 +74,12 @@ impl Solid {
     }
 
     /// Outward unit normal at a `position` on the surface.
-    #[must_use]
-    pub fn normal(&self, position: DVec3) -> DVec3 {
+    pub(crate) fn normal(&self, position: DVec3) -> DVec3 {
         self.form.normal(position - self.center)
     }
 
     /// Radius of a ball about the centre that holds it.
-    #[must_use]
-    pub fn bounding_radius(&self) -> f64 {
+    pub(crate) fn bounding_radius(&self) -> f64 {
         self.bounding_radius
     }
 
@@ -114,8 +112,7 @@ impl Solid {
 }
 
 /// The lowest and highest corner of a box around `solids`; `None` if there are none.
-#[must_use]
-pub fn bounding_box<'a>(solids: impl IntoIterator<Item = &'a Solid>) -> Option<[DVec3; 2]> {
+pub(crate) fn bounding_box<'a>(solids: impl IntoIterator<Item = &'a Solid>) -> Option<[DVec3; 2]> {
     let bounds =
         solids.into_iter().map(|solid| [-1.0, 1.0].map(|side| solid.center + side * solid.bounding_radius));
     bounds.reduce(|[low, high], [from, to]| [low.min(from), high.max(to)])

@@ -1,8 +1,18 @@
-//! Draws a scene that moves past, as one aperture sees it at one time.
+//! Draws groups of bodies that move past, each with a speed of its own along x, as one aperture sees them at one time.
 //!
-//! A resting scene is ray-traced exactly in its rest frame: the camera's event and each line of sight
-//! are boosted there, where rays are straight and bodies stand still. Knows wgpu, but no windows, and reads and
-//! writes no files.
+//! A group is ray-traced exactly in its rest frame: the camera's event and each line of sight are boosted there, where
+//! rays are straight and bodies stand still. [`PreparedScene`] holds what no view changes, [`View`] and [`Appearance`]
+//! say what is seen and how it looks, and [`Renderers`] draw that by any [`Method`]: the f64 reference on the CPU, a ray
+//! test per pixel on the GPU, or triangles. Conventions are those of [`relativity_core`].
+//!
+//! # Scope
+//!
+//! Bodies are balls, tubes and rings that glow, each at one wavelength and alike in all directions of its rest frame. They
+//! are opaque and do not light each other; the shading is a choice of looks, fixed to the rest frame. Motion is uniform
+//! and along x: nothing accelerates, turns or deforms. The camera is a pinhole that rests on the ground or rides along.
+//! The published binocular model, which has no lines of sight, is drawn by triangles alone.
+//!
+//! Out of scope are windows and files (it knows wgpu, but reads and writes nothing), and a medium: light travels at c.
 //!
 //! # Examples
 //!
@@ -43,7 +53,8 @@ pub mod camera;
 mod canvas;
 mod capsule;
 pub mod colour;
-pub mod cone;
+mod cone;
+mod drawing;
 mod effects;
 mod exact;
 mod footprint;
@@ -67,7 +78,7 @@ pub mod rectify;
 pub mod reference;
 pub mod renderers;
 pub mod scene;
-pub mod shade;
+mod shade;
 mod shaders;
 mod surface;
 mod target;
@@ -77,10 +88,8 @@ pub mod view;
 
 pub use body::{Body, Shape};
 pub use camera::{Camera, Gaze};
-pub use exact::ExactRenderer;
 pub use gpu::{Gpu, GpuError};
 pub use group_view::{GroupView, RestRay};
-pub use mesh::MeshRenderer;
 pub use picture::Picture;
 pub use reference::{Hit, HitImage};
 pub use renderers::{Method, Renderers};

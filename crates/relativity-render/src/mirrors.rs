@@ -54,7 +54,7 @@ macro_rules! mirror {
 
 /// The uniform blocks.
 pub const BLOCKS: [Mirror; 1] = [mirror!(
-    Frame: base, right, down, pole, speed, motion, reference_speed, reference, light, scene, scene_fine, ground, backdrop,
+    Frame: base, right, down, pole, speed, motion, reference_speed, reference_middle, light, middle, middle_fine, ground, backdrop,
     clip_right, clip_up, forward
 )];
 

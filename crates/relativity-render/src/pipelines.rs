@@ -40,10 +40,12 @@ impl Key {
 }
 
 impl Output {
-    /// A picture of what `view` shows.
-    pub fn picture(view: &GroupView, appearance: &Appearance, is_thin: bool) -> Self {
-        let effects = Effects::new(view.geometry.has_doppler_effect(), appearance);
-        Self::Picture { is_thin, effects }
+    /// Of what `view` shows: a picture that looks as `appearance` says, or numbers.
+    pub fn new(view: &GroupView, appearance: Option<&Appearance>, is_thin: bool) -> Self {
+        appearance.map_or(Self::Hits, |appearance| {
+            let effects = Effects::new(view.geometry.has_doppler_effect(), appearance);
+            Self::Picture { is_thin, effects }
+        })
     }
 }
 

@@ -20,7 +20,7 @@ use crate::view::Colour;
 pub struct Extent {
     /// The middle of a box around the bodies.
     pub middle: DVec3,
-    /// Greatest distance of any surface from there, with room for rounding.
+    /// No surface is farther from there, with room for rounding.
     pub reach: f64,
 }
 
@@ -68,8 +68,7 @@ struct RestColours {
 
 impl Extent {
     /// Of `bodies`.
-    #[must_use]
-    pub fn new(bodies: &[Body]) -> Self {
+    pub(crate) fn new(bodies: &[Body]) -> Self {
         let solids: Vec<_> = bodies.iter().map(|body| Solid::new(&body.shape)).collect();
         let [low, high] = bounding_box(&solids).unwrap_or([DVec3::ZERO, DVec3::ONE]);
         let middle = 0.5 * (low + high);

@@ -29,8 +29,7 @@ impl Ray {
     ///
     /// The rounding of a far start ends up along the ray, where it does not matter; across the ray a few units
     /// in the last place of the start's own offset are left.
-    #[must_use]
-    pub fn nearest_to(&self, place: DVec3) -> (DVec3, f64) {
+    pub(crate) fn nearest_to(&self, place: DVec3) -> (DVec3, f64) {
         let mut offset = self.start - place;
         let mut distance = 0.0;
         // Each step leaves what f64 does not resolve of its length: of 1e30, 1e14, then 1e-2, then nothing.
@@ -43,8 +42,7 @@ impl Ray {
     }
 
     /// The same ray, counted from its point nearest to `place`.
-    #[must_use]
-    pub fn counted_from(&self, place: DVec3) -> Self {
+    pub(crate) fn counted_from(&self, place: DVec3) -> Self {
         let (offset, distance) = self.nearest_to(place);
         Self { start: place + offset, from_camera: self.from_camera + distance, ..*self }
     }

@@ -1,4 +1,4 @@
-//! Corrects a picture to the frame of the objects: what a camera moving along with them would have taken at
+//! Corrects a picture to the frame of the bodies: what a camera moving along with them would have taken at
 //! the same event.
 //!
 //! Both cameras meet at one event and receive the same light. A line of sight turns by aberration, a wavelength
@@ -28,7 +28,7 @@ const HUES_NM: std::ops::RangeInclusive<u32> = 420..=710;
 /// How far from every spectral hue a colour may lie that still counts as one: a step of the table, widely.
 const HUE_TOLERANCE: f64 = 0.1;
 
-/// Two cameras at one event: one at rest on the ground, one moving along with the objects.
+/// Two cameras at one event: one at rest on the ground, one moving along with the bodies.
 ///
 /// # Examples
 ///
@@ -203,7 +203,7 @@ mod tests {
     }
 
     #[test]
-    fn objects_that_move_towards_minus_x_are_corrected_as_in_a_mirror() {
+    fn bodies_that_move_towards_minus_x_are_corrected_as_in_a_mirror() {
         let mirrored = |camera: Camera| {
             let gaze = Gaze { azimuth: std::f64::consts::PI - camera.gaze.azimuth, ..camera.gaze };
             Camera { gaze, ..camera }

@@ -1,13 +1,8 @@
 //! The f64 renderer on the CPU: the truth the other renderers are held against.
 //!
 //! Each ray is boosted into the rest frame of each group of bodies, where it is straight (see
-//! `GroupView::rest_ray`), and the nearest entry into a body, by light travel, is what the aperture sees.
-//!
-//! # Accuracy
-//!
-//! `tests/reference.rs`: against the core's light cone of each point shown, from rest to gamma = 1e30,
-//! positions are off by less than 1e-11 px, distances and Doppler factors by less than 1e-13 of themselves;
-//! a tracer that walks back along the light, without a boost, sees the same bodies.
+//! `GroupView::rest_ray`), and the nearest entry into a body, by light travel, is what the aperture sees. How accurate
+//! that is says [`Method::Reference`](crate::Method::Reference).
 
 use glam::DVec3;
 use relativity_core::threads::prelude::*;
@@ -141,7 +136,7 @@ impl PreparedScene {
     /// The picture `view` shows, sRGB-encoded, with `samples` times `samples` rays per pixel
     /// (1 or more).
     ///
-    /// Samples are clipped one by one, so that a bright body does not bleed over its silhouette, and
+    /// Samples are clipped one by one, so that a bright body does not bleed over its outline, and
     /// averaged in linear light.
     #[must_use]
     pub fn picture(&self, view: &View, appearance: &Appearance, samples: u32) -> Picture {

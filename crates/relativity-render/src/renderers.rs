@@ -2,7 +2,9 @@
 
 use std::fmt;
 
-use crate::exact::ExactRenderer;
+use crate::canvas::Canvas;
+use crate::drawing::Drawing;
+use crate::exact::{Bounds, ExactRenderer};
 use crate::gpu::{Gpu, GpuError};
 use crate::mesh::MeshRenderer;
 use crate::picture::Picture;
@@ -15,10 +17,33 @@ use crate::view::{Appearance, Geometry, View};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Method {
     /// A ray test per pixel on the CPU, in f64.
+    ///
+    /// # Accuracy
+    ///
+    /// `tests/reference.rs`: against the core's light cone of each point shown, from rest to gamma = 1e30, positions are
+    /// off by less than 1e-11 px, distances and Doppler factors by less than 1e-13 of themselves; a tracer that walks
+    /// back along the light, without a boost, sees the same bodies.
     Reference,
     /// A ray test per pixel on the GPU, in f32.
+    ///
+    /// # Accuracy
+    ///
+    /// `tests/gpu_exact.rs`, against the reference from rest to gamma = 1e30: the body differs at fewer than 0.1 % of
+    /// covered pixels, all of them within 0.05 px of an outline; D is within 1e-5; hits lie within 2e-6 of the surfaces
+    /// of bodies about 1 large. Where tubes share a rounded end, the first of them is seen. `tests/gpu_pictures.rs`: away
+    /// from outlines colours are within 2 of 255 levels.
+    ///
+    /// Of groups that fly apart all but the fastest lose digits as the camera recedes in their frames. Where two do so
+    /// 3 units away, bodies a tenth of a unit apart are still told apart up to gamma = 1e5; at 1e6 the slower group (of
+    /// equally fast ones the second) shows one body for another at up to 3 % of its pixels, the fastest at none.
     Exact,
     /// Triangles on the GPU that keep a bound on the picture.
+    ///
+    /// # Accuracy
+    ///
+    /// `tests/gpu_mesh.rs`, against the reference from rest to gamma = 1e30, for bounds of 0.5 px and 2 px: each pixel
+    /// shows what is seen no further off than the bound. `tests/gpu_pictures.rs`: within 0.1 px, colours away from
+    /// outlines are within 6 of 255 levels. Groups are told apart as by the exact renderer.
     Mesh {
         /// How far any point may be drawn from where it is seen, pixels, above 0.
         bound_px: f64,
@@ -26,13 +51,16 @@ pub enum Method {
 }
 
 impl Method {
+    /// The bound of a mesh unless another is chosen, pixels.
+    pub const DEFAULT_BOUND_PX: f64 = 0.5;
+
     /// What draws `view` where this is asked for: the published model, which is defined point by point, is known to
     /// the mesh renderer alone.
     #[must_use]
     pub fn of_view(self, view: &View) -> Self {
         match (view.geometry, self) {
             (Geometry::Published, Self::Reference | Self::Exact) => {
-                Self::Mesh { bound_px: MeshRenderer::DEFAULT_BOUND_PX }
+                Self::Mesh { bound_px: Self::DEFAULT_BOUND_PX }
             }
             _ => self,
         }
@@ -62,6 +90,8 @@ impl fmt::Display for Method {
 #[derive(Debug, Default)]
 pub struct Renderers {
     gpu: Option<Gpu>,
+    bounds: Bounds,
+    canvas: Option<Canvas>,
     exact: Option<ExactRenderer>,
     mesh: Option<MeshRenderer>,
     target: Option<EyeTarget>,
@@ -71,7 +101,13 @@ impl Renderers {
     /// Renderers on `gpu`; without one, only the reference.
     #[must_use]
     pub const fn new(gpu: Option<Gpu>) -> Self {
-        Self { gpu, exact: None, mesh: None, target: None }
+        Self { gpu, bounds: Bounds::Tight, canvas: None, exact: None, mesh: None, target: None }
+    }
+
+    /// Renderers of which the exact one tests every body at every pixel: the same pictures, and what its bounds are worth.
+    #[must_use]
+    pub fn brute_force(gpu: Gpu) -> Self {
+        Self { bounds: Bounds::None, ..Self::new(Some(gpu)) }
     }
 
     /// The device, if there is one.
@@ -93,16 +129,8 @@ impl Renderers {
         appearance: &Appearance,
         target: &mut EyeTarget,
     ) -> Result<(), GpuError> {
-        match method.of_view(view).on_gpu() {
-            Method::Mesh { bound_px } => {
-                let (gpu, mesh) = self.mesh(bound_px)?;
-                mesh.draw(gpu, scene, view, appearance, target);
-            }
-            Method::Reference | Method::Exact => {
-                let (gpu, exact) = self.exact()?;
-                exact.draw(gpu, scene, view, appearance, target);
-            }
-        }
+        let (gpu, canvas, drawing) = self.drawing(method.of_view(view))?;
+        canvas.paint(gpu, drawing, scene, view, appearance, target);
         Ok(())
     }
 
@@ -154,32 +182,27 @@ impl Renderers {
         part: &View,
     ) -> Result<HitImage, GpuError> {
         let method = method.of_view(part);
-        if method != Method::Reference {
-            self.check_size(part.camera.size)?;
+        if method == Method::Reference {
+            return Ok(scene.hit_image(part));
         }
-        match method {
-            Method::Reference => Ok(scene.hit_image(part)),
-            Method::Exact => {
-                let (gpu, exact) = self.exact()?;
-                exact.hits(gpu, scene, part)
+        self.check_size(part.camera.size)?;
+        let (gpu, canvas, drawing) = self.drawing(method)?;
+        canvas.hits(gpu, drawing, scene, whole, part)
+    }
+
+    /// The device, what is drawn on, and what stands for `method` on the GPU.
+    fn drawing(&mut self, method: Method) -> Result<(&Gpu, &Canvas, &mut dyn Drawing), GpuError> {
+        let gpu = self.gpu.as_ref().ok_or(GpuError::NoAdapter)?;
+        let canvas = &*self.canvas.get_or_insert_with(|| Canvas::new(gpu));
+        let drawing: &mut dyn Drawing = match method.on_gpu() {
+            Method::Reference | Method::Exact => {
+                self.exact.get_or_insert_with(|| ExactRenderer::new(gpu, canvas, self.bounds))
             }
             Method::Mesh { bound_px } => {
-                let (gpu, mesh) = self.mesh(bound_px)?;
-                mesh.hits_in_part(gpu, scene, whole, part)
+                self.mesh.get_or_insert_with(|| MeshRenderer::new(gpu, canvas)).within(bound_px)
             }
-        }
-    }
-
-    fn exact(&mut self) -> Result<(&Gpu, &mut ExactRenderer), GpuError> {
-        let gpu = self.gpu.as_ref().ok_or(GpuError::NoAdapter)?;
-        Ok((gpu, self.exact.get_or_insert_with(|| ExactRenderer::new(gpu))))
-    }
-
-    fn mesh(&mut self, bound_px: f64) -> Result<(&Gpu, &mut MeshRenderer), GpuError> {
-        let gpu = self.gpu.as_ref().ok_or(GpuError::NoAdapter)?;
-        let mesh = self.mesh.get_or_insert_with(|| MeshRenderer::new(gpu));
-        mesh.bound_px = bound_px;
-        Ok((gpu, mesh))
+        };
+        Ok((gpu, canvas, drawing))
     }
 
     /// The target of the last picture if it has this `size`, else a new one.

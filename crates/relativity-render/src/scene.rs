@@ -15,7 +15,7 @@ use crate::view::View;
 pub struct Group<'a> {
     /// How they move.
     pub motion: Motion,
-    /// They, at rest in the group's frame, whose origin passes the ground's at t = 0.
+    /// Its bodies, at rest in its frame, whose origin passes the ground's at t = 0.
     pub bodies: &'a [Body],
 }
 

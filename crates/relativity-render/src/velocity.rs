@@ -68,27 +68,23 @@ impl Velocity {
     }
 
     /// Whether it is none.
-    #[must_use]
-    pub fn is_rest(&self) -> bool {
+    pub(crate) fn is_rest(&self) -> bool {
         self.speed == Speed::REST
     }
 
     /// `v` reflected where the velocity points towards -x: from the ground to where it points along +x, and back.
-    #[must_use]
-    pub fn reflected(&self, v: DVec3) -> DVec3 {
+    pub(crate) fn reflected(&self, v: DVec3) -> DVec3 {
         DVec3::new(self.direction() * v.x, v.y, v.z)
     }
 
     /// The line of sight (unit vector) in the frame that moves so, of one on the ground.
-    #[must_use]
-    pub fn rest_from_ground(&self, line_of_sight: DVec3) -> DVec3 {
+    pub(crate) fn rest_from_ground(&self, line_of_sight: DVec3) -> DVec3 {
         let n = self.reflected(line_of_sight).to_array();
         self.reflected(aberration::rest_from_ground(n, &self.speed).into())
     }
 
     /// The line of sight (unit vector) on the ground, of one in the frame that moves so.
-    #[must_use]
-    pub fn ground_from_rest(&self, line_of_sight: DVec3) -> DVec3 {
+    pub(crate) fn ground_from_rest(&self, line_of_sight: DVec3) -> DVec3 {
         let n = self.reflected(line_of_sight).to_array();
         self.reflected(aberration::ground_from_rest(n, &self.speed).into())
     }
@@ -143,7 +139,7 @@ impl Velocity {
         let signed = |v: Self| v.direction() * v.speed.rapidity();
         let rapidity = signed(self) - signed(camera);
         // Two that fly apart at the greatest gamma part no faster than that.
-        let speed = Speed::from_rapidity(rapidity.abs()).or(Speed::from_gamma(MAX_GAMMA));
-        Self { speed: speed.unwrap_or(Speed::REST), is_backward: rapidity < 0.0 }
+        let speed = Speed::from_rapidity(rapidity.abs()).or_else(|_| Speed::from_gamma(MAX_GAMMA));
+        Self { speed: speed.expect("the greatest gamma is one"), is_backward: rapidity < 0.0 }
     }
 }

@@ -37,12 +37,14 @@ impl Geometry {
 
     /// The mesh shaders' `MAP`.
     pub(crate) fn map_number(self) -> f64 {
-        if self == Self::Published { 3.0 } else { self.number() }
+        match self {
+            Self::Seen | Self::Contracted | Self::Rest => self.number(),
+            Self::Published => 3.0,
+        }
     }
 
     /// Whether the Doppler factor is other than 1.
-    #[must_use]
-    pub const fn has_doppler_effect(self) -> bool {
+    pub(crate) const fn has_doppler_effect(self) -> bool {
         matches!(self, Self::Seen | Self::Published)
     }
 
@@ -73,17 +75,9 @@ impl View {
         Self { camera: Camera { size, ..self.camera }, ..*self }
     }
 
-    /// Aperture separation d of the published model: of the pair at -d/2 and d/2 on the x axis whose left
-    /// aperture is the camera's.
-    #[must_use]
-    pub fn published_separation(&self) -> f64 {
-        -2.0 * self.camera.aperture.x
-    }
-
     /// Ground time of emission of what is seen along `line_of_sight` (unit vector) at `distance`: in the
     /// ground frame, or in the rest frame for [`Geometry::Rest`].
-    #[must_use]
-    pub fn emission_time(&self, line_of_sight: DVec3, distance: f64) -> f64 {
+    pub(crate) fn emission_time(&self, line_of_sight: DVec3, distance: f64) -> f64 {
         let received = self.observation_time;
         match self.geometry {
             Geometry::Seen | Geometry::Published => received - distance,

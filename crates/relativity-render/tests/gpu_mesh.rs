@@ -4,22 +4,22 @@
 mod gpu_support;
 #[expect(dead_code, reason = "shared with the other renderers' tests")]
 mod joints;
-#[expect(dead_code, reason = "shared with the reference's tests")]
 mod support;
 
 use std::process::ExitCode;
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use gpu_support::scenes::{still_life, time_seen_at, view_following};
 use joints::joints;
-use relativity_core::{
-    Aperture, MAX_GAMMA, PublishedVariant, SourcePoint, Speed, published_disparity, sighting,
+use relativity_core::{Aperture, MAX_GAMMA, Model, PublishedVariant, SourcePoint, Speed, sighting};
+use relativity_render::{
+    Body, Geometry, Group, Hit, HitImage, Method, Motion, PreparedScene, Renderers, Shape, Velocity, View,
 };
-use relativity_render::{Body, Geometry, Gpu, Hit, HitImage, MeshRenderer, PreparedScene, Shape, View};
 
 fn main() -> ExitCode {
     gpu_support::run(&[
         ("the_picture_keeps_the_bound", the_picture_keeps_the_bound),
+        ("groups_keep_the_bound", groups_keep_the_bound),
         ("bodies_that_nearly_touch_are_told_apart", bodies_that_nearly_touch_are_told_apart),
         ("where_surfaces_coincide_the_first_body_is_seen", where_surfaces_coincide_the_first_body_is_seen),
         ("hits_appear_where_the_light_cone_says", hits_appear_where_the_light_cone_says),
@@ -29,6 +29,7 @@ fn main() -> ExitCode {
 
 const FOLLOWED: [f64; 3] = [-0.4, 3.0, 0.7];
 const BOUNDS_PX: [f64; 2] = [0.5, 2.0];
+const DEFAULT: Method = Method::Mesh { bound_px: Method::DEFAULT_BOUND_PX };
 
 /// Approaching, abreast and receding, up to beta = 0.9999 and at the greatest gamma.
 fn views() -> impl Iterator<Item = View> {
@@ -40,25 +41,39 @@ fn views() -> impl Iterator<Item = View> {
     })
 }
 
-fn the_picture_keeps_the_bound(gpu: &Gpu) {
-    let mut renderer = MeshRenderer::new(gpu);
-    let reference = PreparedScene::moving(&still_life());
+fn the_picture_keeps_the_bound(renderers: &mut Renderers) {
+    let scene = PreparedScene::moving(&still_life());
     for view in views() {
         for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
             let view = View { geometry, ..view };
-            let truth = reference.hit_image(&view);
-            for bound_px in BOUNDS_PX {
-                renderer.bound_px = bound_px;
-                let image = renderer.hits(gpu, &reference, &view).expect("device works");
-                keeps_bound(&image, &truth, bound_px, &still_life(), &view);
-            }
+            keep_bounds(renderers, &BOUNDS_PX, &scene, &still_life(), &view);
+        }
+    }
+}
+
+/// Still lifes that ride past, rest and come the other way, through each other.
+fn groups() -> (PreparedScene, Vec<Body>) {
+    let groups = [(0.0, [0.0, 1.0, 0.0]), (-0.6, [0.3, 0.05, 0.1])].map(|(beta, offset)| {
+        let motion = Motion::Own(Velocity::from_beta(beta).expect("a speed"));
+        (motion, still_life().into_iter().map(|body| body.moved(offset)).collect::<Vec<_>>())
+    });
+    let groups: Vec<_> = [(Motion::Scene, still_life())].into_iter().chain(groups).collect();
+    let scene = PreparedScene::new(groups.iter().map(|(motion, bodies)| Group { motion: *motion, bodies }));
+    (scene, groups.into_iter().flat_map(|(_, bodies)| bodies).collect())
+}
+
+fn groups_keep_the_bound(renderers: &mut Renderers) {
+    let (scene, bodies) = groups();
+    for view in views() {
+        for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
+            let view = View { geometry, ..view };
+            keep_bounds(renderers, &[Method::DEFAULT_BOUND_PX], &scene, &bodies, &view);
         }
     }
 }
 
 /// A ball sticks out of a tube, and a ring of a ball, by less than triangles are off their surfaces.
-fn bodies_that_nearly_touch_are_told_apart(gpu: &Gpu) {
-    let mut renderer = MeshRenderer::new(gpu);
+fn bodies_that_nearly_touch_are_told_apart(renderers: &mut Renderers) {
     let center = FOLLOWED;
     let shapes = [
         Shape::Tube { from: [-0.4, 3.0, 0.2], to: [-0.4, 3.0, 1.2], radius: 0.2 },
@@ -67,40 +82,58 @@ fn bodies_that_nearly_touch_are_told_apart(gpu: &Gpu) {
     ];
     for pair in shapes.windows(2) {
         let bodies: Vec<_> = pair.iter().map(|&shape| Body { shape, rest_wavelength_nm: 600.0 }).collect();
-        let reference = PreparedScene::moving(&bodies);
+        let scene = PreparedScene::moving(&bodies);
         for view in views() {
-            let image = renderer.hits(gpu, &reference, &view).expect("device works");
-            keeps_bound(&image, &reference.hit_image(&view), renderer.bound_px, &bodies, &view);
+            keep_bounds(renderers, &[Method::DEFAULT_BOUND_PX], &scene, &bodies, &view);
         }
     }
 }
 
-fn where_surfaces_coincide_the_first_body_is_seen(gpu: &Gpu) {
-    let mut renderer = MeshRenderer::new(gpu);
+fn where_surfaces_coincide_the_first_body_is_seen(renderers: &mut Renderers) {
     let mut bodies = joints();
     for _ in 0..2 {
-        let reference = PreparedScene::moving(&bodies);
+        let scene = PreparedScene::moving(&bodies);
         for view in views() {
-            let image = renderer.hits(gpu, &reference, &view).expect("device works");
-            keeps_bound(&image, &reference.hit_image(&view), renderer.bound_px, &bodies, &view);
+            keep_bounds(renderers, &[Method::DEFAULT_BOUND_PX], &scene, &bodies, &view);
         }
         bodies.reverse();
     }
 }
 
+/// What is drawn of `scene`, which consists of `bodies`, keeps each of the bounds.
+fn keep_bounds(
+    renderers: &mut Renderers,
+    bounds_px: &[f64],
+    scene: &PreparedScene,
+    bodies: &[Body],
+    view: &View,
+) {
+    let truth = scene.hit_image(view);
+    for &bound_px in bounds_px {
+        let image = renderers.hits(Method::Mesh { bound_px }, scene, view).expect("device works");
+        keeps_bound(&image, &truth, bound_px, scene, bodies, view);
+    }
+}
+
 /// Every pixel shows the body that the reference shows there, or an outline is within the bound of there, or a place
 /// where f32 cannot tell which of two is nearer.
-fn keeps_bound(image: &HitImage, truth: &HitImage, bound_px: f64, bodies: &[Body], view: &View) {
-    let reference = PreparedScene::moving(bodies);
+fn keeps_bound(
+    image: &HitImage,
+    truth: &HitImage,
+    bound_px: f64,
+    scene: &PreparedScene,
+    bodies: &[Body],
+    view: &View,
+) {
     for (i, (hit, true_hit)) in image.hits.iter().zip(&truth.hits).enumerate() {
         if hit.map(|hit| hit.body) == true_hit.map(|hit| hit.body) {
             continue;
         }
         let mut nearby = around(pixel(image, i), bound_px)
-            .map(|place| reference.first_hit(view, view.camera.line_of_sight(place.to_array())));
+            .map(|place| scene.first_hit(view, view.camera.line_of_sight(place.to_array())));
         assert!(
             nearby.any(|found| is_across_an_outline(found, *true_hit))
-                || is_a_toss_up(*hit, *true_hit, bodies, view, pixel(image, i)),
+                || is_a_toss_up(*hit, *true_hit, scene, bodies, view, pixel(image, i)),
             "{:?} beta {} T {}: {hit:?} at {} is further off than {bound_px} px",
             view.geometry,
             view.speed.beta(),
@@ -120,20 +153,27 @@ fn is_across_an_outline(a: Option<Hit>, b: Option<Hit>) -> bool {
 
 /// Whether, where `pixel` is, the body that was hit is farther than the true one by less than f32 resolves, though not
 /// in the same place: so it is where the side of a tube begins to part from a ball at its end.
-fn is_a_toss_up(hit: Option<Hit>, true_hit: Option<Hit>, bodies: &[Body], view: &View, pixel: DVec2) -> bool {
+fn is_a_toss_up(
+    hit: Option<Hit>,
+    true_hit: Option<Hit>,
+    scene: &PreparedScene,
+    bodies: &[Body],
+    view: &View,
+    pixel: DVec2,
+) -> bool {
     let (Some(hit), Some(true_hit)) = (hit, true_hit) else { return false };
-    let alone = PreparedScene::moving(&bodies[hit.body..=hit.body]);
+    let motion = scene.motion_of(hit.body);
+    let alone = PreparedScene::new([Group { motion, bodies: &bodies[hit.body..=hit.body] }]);
     let there = alone.first_hit(view, view.camera.line_of_sight(pixel.to_array()));
     there.is_some_and(|there| (1e-11..1e-6).contains(&(there.distance / true_hit.distance - 1.0)))
 }
 
-fn hits_appear_where_the_light_cone_says(gpu: &Gpu) {
-    let mut renderer = MeshRenderer::new(gpu);
+fn hits_appear_where_the_light_cone_says(renderers: &mut Renderers) {
     for view in views() {
         for bound_px in BOUNDS_PX {
-            renderer.bound_px = bound_px;
-            let image =
-                renderer.hits(gpu, &PreparedScene::moving(&still_life()), &view).expect("device works");
+            let image = renderers
+                .hits(Method::Mesh { bound_px }, &PreparedScene::moving(&still_life()), &view)
+                .expect("device works");
             for (i, hit) in image.hits.iter().enumerate().filter_map(|(i, hit)| Some((i, (*hit)?))) {
                 let point = SourcePoint::from_rest(hit.rest_position.to_array(), &view.speed);
                 let seen = sighting(&view.speed, point, view.camera.aperture, view.observation_time);
@@ -145,32 +185,36 @@ fn hits_appear_where_the_light_cone_says(gpu: &Gpu) {
     }
 }
 
-fn the_published_right_eye_is_the_cores(gpu: &Gpu) {
+/// So it is for every group; what rests appears where the left eye sees it.
+fn the_published_right_eye_is_the_cores(renderers: &mut Renderers) {
     let separation = 0.1;
     let [left, _] = Aperture::pair(separation);
-    let mut renderer = MeshRenderer::new(gpu);
-    let mut seen = 0;
+    let (scene, _) = groups();
+    let mut seen = [0; 3];
     for mut view in views() {
         view.camera.aperture = left;
-        let image = renderer
-            .hits(gpu, &PreparedScene::moving(&still_life()), &View { geometry: Geometry::Published, ..view })
-            .expect("device works");
+        let published = View { geometry: Geometry::Published, ..view };
+        let image = renderers.hits(DEFAULT, &scene, &published).expect("device works");
         for (i, hit) in image.hits.iter().enumerate().filter_map(|(i, hit)| Some((i, (*hit)?))) {
-            let point = SourcePoint::from_rest(hit.rest_position.to_array(), &view.speed);
-            let published = published_disparity(
-                &view.speed,
-                point,
-                separation,
-                view.observation_time,
-                PublishedVariant::AppendixA,
-            );
-            let secondary = published.expect("inside the domain").secondary;
-            let off = place(&view, secondary.position).distance(pixel(&image, i));
-            assert!(off < renderer.bound_px, "beta {}: {off} px off", view.speed.beta());
-            seen += 1;
+            let apparent = match scene.motion_of(hit.body) {
+                Motion::Own(Velocity::REST) => hit.rest_position - DVec3::new(left.x, left.y, left.z),
+                Motion::Own(velocity) => published_right(velocity, &hit, separation, &view),
+                Motion::Scene => published_right(Velocity::forward(view.speed), &hit, separation, &view),
+            };
+            let off = place(&view, apparent.to_array()).distance(pixel(&image, i));
+            let context = format!("beta {}, group {}", view.speed.beta(), hit.group);
+            assert!(off < Method::DEFAULT_BOUND_PX, "{context}: {off} px off");
+            seen[hit.group] += 1;
         }
     }
-    assert!(seen > 10_000, "{seen} pixels are too few to judge by");
+    assert!(seen.iter().all(|&seen| seen > 10_000), "{seen:?} pixels are too few to judge by");
+}
+
+/// Where the core's published model has the right eye see what was hit.
+fn published_right(velocity: Velocity, hit: &Hit, separation: f64, view: &View) -> DVec3 {
+    let model = Model::Published(PublishedVariant::AppendixA);
+    let both = velocity.disparity(model, hit.rest_position.to_array(), separation, view.observation_time);
+    both.expect("inside the domain").secondary.position.into()
 }
 
 /// The pixel's centre.

@@ -2,7 +2,6 @@
 
 #[expect(dead_code, reason = "shared with tests of the hits")]
 mod gpu_support;
-#[expect(dead_code, reason = "shared with the reference's tests")]
 mod support;
 
 use std::process::ExitCode;
@@ -10,9 +9,9 @@ use std::process::ExitCode;
 use gpu_support::scenes::{still_life, time_seen_at, view_following};
 use relativity_core::Speed;
 use relativity_render::{
-    Appearance, Colour, ExactRenderer, EyeTarget, Geometry, Gpu, HitImage, MeshRenderer, PreparedScene,
-    Shading, View,
+    Appearance, Colour, Geometry, HitImage, Method, Picture, PreparedScene, Renderers, Shading, View,
 };
+use support::documented;
 
 fn main() -> ExitCode {
     gpu_support::run(&[
@@ -52,37 +51,34 @@ fn appearances() -> Vec<Appearance> {
     ]
 }
 
-/// Away from outlines and grid lines, every component is within this many of 255 levels.
-const LEVELS: i32 = 2;
+const RENDERERS: &str = include_str!("../src/renderers.rs");
 
-fn pictures_are_the_references(gpu: &Gpu) {
-    let mut exact = ExactRenderer::new(gpu);
-    let mut mesh = MeshRenderer::new(gpu);
+fn pictures_are_the_references(renderers: &mut Renderers) {
     let bodies = still_life();
     let reference = PreparedScene::moving(&bodies);
+    let exact_levels = documented(RENDERERS, "away from outlines colours are within ");
+    let bound_px = documented(RENDERERS, "`tests/gpu_pictures.rs`: within ");
+    let mesh_levels = documented(RENDERERS, "colours away from outlines are within ");
     for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
         let view = View { geometry, ..fast() };
         let hits = reference.hit_image(&view);
-        let mut target = EyeTarget::new(gpu, view.camera.size);
         for appearance in appearances() {
             let truth = reference.picture(&view, &appearance, 1).rgba;
-            exact.draw(gpu, &reference, &view, &appearance, &mut target);
-            let drawn = target.rgba8(gpu).expect("device works");
-            let off = levels_off(&drawn, &truth, |i| is_inside(&hits, i));
-            assert!(off <= LEVELS, "exact, {geometry:?}, {appearance:?}: {off} levels off");
-            mesh.bound_px = 0.1;
-            mesh.draw(gpu, &reference, &view, &appearance, &mut target);
-            let drawn = target.rgba8(gpu).expect("device works");
-            // Normals are interpolated between corners.
-            let off = levels_off(&drawn, &truth, |i| is_inside(&hits, i));
-            assert!(off <= 3 * LEVELS, "mesh, {geometry:?}, {appearance:?}: {off} levels off");
+            // A mesh's normals are interpolated between corners.
+            for (method, levels) in [(Method::Exact, exact_levels), (Method::Mesh { bound_px }, mesh_levels)]
+            {
+                let drawn =
+                    renderers.picture(method, &reference, &view, &appearance, 1).expect("device works");
+                let off = levels_off(&drawn.rgba, &truth, |i| is_inside(&hits, i));
+                assert!(f64::from(off) <= levels, "{method}, {geometry:?}, {appearance:?}: {off} levels off");
+            }
         }
     }
 }
 
 /// Greatest difference of any component where `counts`.
-fn levels_off(drawn: &[u8], truth: &[[u8; 4]], counts: impl Fn(usize) -> bool) -> i32 {
-    let pixels = drawn.chunks(4).zip(truth).enumerate().filter(|(i, _)| counts(*i));
+fn levels_off(drawn: &[[u8; 4]], truth: &[[u8; 4]], counts: impl Fn(usize) -> bool) -> i32 {
+    let pixels = drawn.iter().zip(truth).enumerate().filter(|(i, _)| counts(*i));
     let difference = |(a, b): (&u8, &u8)| (i32::from(*a) - i32::from(*b)).abs();
     pixels.flat_map(|(_, (drawn, truth))| drawn.iter().zip(truth).map(difference)).max().unwrap_or(0)
 }
@@ -107,35 +103,36 @@ fn is_inside(hits: &HitImage, i: usize) -> bool {
 /// Sixteen rays per pixel against four samples, and thin bodies: their light agrees within this share.
 const LIGHT_SHARE: f64 = 0.01;
 
-fn edges_are_the_references_on_average(gpu: &Gpu) {
+fn edges_are_the_references_on_average(renderers: &mut Renderers) {
     let bodies = still_life();
     let appearance = Appearance { intensity_exponent: None, sky: false, ..Appearance::default() };
     let scene = PreparedScene::moving(&bodies);
-    let truth = scene.picture(&fast(), &appearance, 4).rgba;
-    let expected = light(truth.iter().flat_map(|pixel| &pixel[..3]));
-    let mut target = EyeTarget::new(gpu, fast().camera.size);
-    ExactRenderer::new(gpu).draw(gpu, &scene, &fast(), &appearance, &mut target);
-    let drawn = target.rgba8(gpu).expect("device works");
-    let found = light(drawn.chunks(4).flat_map(|pixel| &pixel[..3]));
+    let [expected, found] = [Method::Reference, Method::Exact].map(|method| {
+        light(&renderers.picture(method, &scene, &fast(), &appearance, 4).expect("device works"))
+    });
     assert!((found / expected - 1.0).abs() < LIGHT_SHARE, "{found} for {expected}");
 }
 
 /// Sum of linear light.
-fn light<'a>(encoded: impl Iterator<Item = &'a u8>) -> f64 {
+fn light(picture: &Picture) -> f64 {
+    let encoded = picture.rgba.iter().flat_map(|pixel| &pixel[..3]);
     encoded.map(|level| (f64::from(*level) / 255.0).powf(2.2)).sum()
 }
 
-fn every_speed_gives_a_picture(gpu: &Gpu) {
-    let mut exact = ExactRenderer::new(gpu);
-    let mut mesh = MeshRenderer::new(gpu);
+fn every_speed_gives_a_picture(renderers: &mut Renderers) {
+    let scene = PreparedScene::moving(&still_life());
     for gamma in [1.0, 1e3, 1e6, 1e12, 1e30] {
         let speed = Speed::from_gamma(gamma).expect("in range");
         for observation_time in [-10.0, 0.0, 5.0] {
             let view = View { observation_time, ..view(speed) };
-            let hits = exact.hits(gpu, &PreparedScene::moving(&still_life()), &view).expect("device works");
-            let meshed = mesh.hits(gpu, &PreparedScene::moving(&still_life()), &view).expect("device works");
-            for hit in hits.hits.into_iter().chain(meshed.hits).flatten() {
-                assert!(hit.distance.is_finite() && hit.rest_position.is_finite(), "gamma {gamma}: {hit:?}");
+            for method in [Method::Exact, Method::Mesh { bound_px: Method::DEFAULT_BOUND_PX }] {
+                let image = renderers.hits(method, &scene, &view).expect("device works");
+                for hit in image.hits.into_iter().flatten() {
+                    assert!(
+                        hit.distance.is_finite() && hit.rest_position.is_finite(),
+                        "gamma {gamma}: {hit:?}"
+                    );
+                }
             }
         }
     }

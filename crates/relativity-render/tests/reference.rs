@@ -7,8 +7,8 @@ mod support;
 use glam::{DMat3, DVec3};
 use joints::{joints, shared_pixels};
 use relativity_core::{Aperture, MAX_GAMMA, SourcePoint, Speed, sighting};
-use relativity_render::{Body, Camera, Gaze, Geometry, Hit, HitImage, PreparedScene, Shape, View};
-use support::{centred, signed_distance, spread};
+use relativity_render::{Body, Camera, Gaze, Geometry, Hit, HitImage, Motion, PreparedScene, Shape, View};
+use support::{centred, documented, signed_distance, spread};
 
 const BETAS: [f64; 5] = [0.0, 0.5, 0.9, 0.99, 0.999];
 
@@ -143,7 +143,7 @@ fn body_at(image: &HitImage, u: i64, v: i64) -> Option<usize> {
     image.hits[(v * width + u) as usize].map(|hit| hit.body)
 }
 
-fn on_silhouette(image: &HitImage, [u, v]: [u32; 2]) -> bool {
+fn on_outline(image: &HitImage, [u, v]: [u32; 2]) -> bool {
     let [u, v] = [i64::from(u), i64::from(v)];
     let here = body_at(image, u, v);
     (-1..=1).any(|dv| (-1..=1).any(|du| body_at(image, u + du, v + dv) != here))
@@ -163,7 +163,7 @@ fn compare_with_walk(scene: &PreparedScene, bodies: &[Body], view: &View) -> [us
         covered += usize::from(walked.is_some());
         if walked.map(|(body, _)| body) != hit.map(|hit| hit.body) {
             different += 1;
-            assert!(on_silhouette(&image, pixel), "{view:?}, pixel {pixel:?}: {hit:?} against {walked:?}");
+            assert!(on_outline(&image, pixel), "{view:?}, pixel {pixel:?}: {hit:?} against {walked:?}");
         } else if let (Some(hit), Some((_, distance))) = (hit, walked) {
             compare_hit(view, hit, distance);
         }
@@ -216,7 +216,7 @@ fn at_rest_a_camera_that_moves_along_sees_a_resting_scene() {
     let scene = PreparedScene::moving(&bodies);
     let moving = View { geometry: Geometry::Rest, ..view(0.9, 1.5, [1.0, 1.0, 0.3], 90.0) };
     let mut resting = view(0.0, 0.0, [1.0, 1.0, 0.3], 90.0);
-    let origin = moving.rest_origin();
+    let origin = moving.of_group(Motion::Scene).origin;
     resting.camera.aperture = Aperture { x: origin.x, y: origin.y, z: origin.z };
     let [a, b] = [moving, resting].map(|view| scene.hit_image(&view));
     assert!(a.hits.iter().flatten().count() > 100);
@@ -236,12 +236,15 @@ fn at_rest_a_camera_that_moves_along_sees_a_resting_scene() {
 fn hits_lie_where_the_light_cone_shows_them_up_to_the_greatest_gamma() {
     let bodies = bodies();
     let scene = PreparedScene::moving(&bodies);
+    let renderers = include_str!("../src/renderers.rs");
+    let offset_px = documented(renderers, "positions are off by less than ");
+    let share = documented(renderers, "distances and Doppler factors by less than ");
     for view in extreme_views() {
         let worst = worst_against_light_cone(&scene, &view);
         println!("gamma {:e}, T {}: {worst:?}", view.speed.gamma(), view.observation_time);
         assert!(worst.covered > 50, "only {} pixels covered at {view:?}", worst.covered);
-        assert!(worst.offset_px < 1e-11, "{worst:?} at {view:?}");
-        assert!(worst.distance < 1e-13 && worst.doppler_factor < 1e-13, "{worst:?} at {view:?}");
+        assert!(worst.offset_px < offset_px, "{worst:?} at {view:?}");
+        assert!(worst.distance < share && worst.doppler_factor < share, "{worst:?} at {view:?}");
     }
 }
 

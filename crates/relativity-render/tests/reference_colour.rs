@@ -3,10 +3,14 @@
 //! References: G. Wyszecki and W. S. Stiles, *Color Science*, 2nd ed. (1982), table I(3.3.1): functions,
 //! chromaticities and sums; IEC 61966-2-1 for the way back from sRGB.
 
+mod support;
+
 use relativity_render::Colour::{False, Visible};
 use relativity_render::colour::{
     colour_matching, hue_preserving_clip, linear_srgb, luminance, srgb_decoded, srgb_encoded,
 };
+
+use support::documented;
 
 fn nm(from: u32, to: u32, step: usize) -> impl Iterator<Item = f64> {
     (from..=to).step_by(step).map(f64::from)
@@ -132,4 +136,21 @@ fn the_srgb_curve_has_the_standard_values() {
         let encoded = f64::from(step) / 255.0;
         assert!((srgb_encoded(srgb_decoded(encoded)) - encoded).abs() < 1e-6);
     }
+}
+
+#[test]
+fn colours_end_where_the_documentation_says() {
+    let source = include_str!("../src/colour.rs");
+    let nm = |before| documented(source, before);
+    let [violet, red] = ["is black outside ", "is black outside 380 nm to "].map(nm);
+    assert_eq!([violet, red].map(|nm| linear_srgb(nm, Visible)), [[0.0; 3]; 2]);
+    assert!([violet + 1.0, red - 1.0].iter().all(|&nm| luminance(linear_srgb(nm, Visible)) > 0.0));
+    let [first, last] = ["equals it from ", "equals it from 420 nm to "].map(nm);
+    assert!([first, last].iter().all(|&nm| linear_srgb(nm, False) == linear_srgb(nm, Visible)));
+    assert!([first - 1.0, last + 1.0].iter().all(|&nm| linear_srgb(nm, False) != linear_srgb(nm, Visible)));
+    let [cool, warm] = ["cool tone, reached at ", "warm grey, reached at "].map(nm);
+    assert_eq!(linear_srgb(cool, False), linear_srgb(1e-3, False));
+    assert_eq!(linear_srgb(warm, False), linear_srgb(1e9, False));
+    assert!(linear_srgb(1.01 * cool, False) != linear_srgb(cool, False));
+    assert!(linear_srgb(0.99 * warm, False) != linear_srgb(warm, False));
 }

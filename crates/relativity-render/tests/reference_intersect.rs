@@ -6,7 +6,7 @@ use glam::DVec3;
 use relativity_render::Shape;
 use relativity_render::intersect::Solid;
 use relativity_render::ray::Ray;
-use support::{centred, signed_distance, spread};
+use support::{centred, documented, signed_distance, spread};
 
 /// Shapes about 1 in size, thin and thick, anywhere in the cube [-1, 1]^3.
 fn shape(i: u32) -> Shape {
@@ -120,13 +120,16 @@ fn worst_residual(away: f64, depth: f64) -> [f64; 2] {
 
 #[test]
 fn entries_lie_on_the_surface_even_from_far_away_and_at_grazing_incidence() {
-    for away in [5.0, 1e3, 1e6, 1e9] {
+    let intersect = include_str!("../src/intersect.rs");
+    let bound = documented(intersect, "the position lies on the surface within ");
+    let furthest = documented(intersect, "for cameras up to ");
+    for away in [5.0, 1e3, 1e6, furthest] {
         for depth in [0.3, 1e-3, 1e-6, 1e-9] {
             let [off_surface, off_ray] = worst_residual(away, depth);
             println!(
                 "from {away:e}, grazing depth {depth:e}: off surface {off_surface:.1e}, off ray {off_ray:.1e} of the way"
             );
-            assert!(off_surface < 1e-14, "from {away:e}, depth {depth:e}: {off_surface:e} off the surface");
+            assert!(off_surface < bound, "from {away:e}, depth {depth:e}: {off_surface:e} off the surface");
             assert!(off_ray < 4.0 * f64::EPSILON, "from {away:e}: {off_ray:e} off the ray");
         }
     }

@@ -6,51 +6,25 @@
 
 mod pieces;
 
-use std::ops::Range;
-
-use crate::buffers::{fill_vertex_buffer, vertex_buffer};
 use crate::canvas::Canvas;
+use crate::drawing::{Batches, Drawing, Shot};
 use crate::effects::number;
-use crate::frame::Frame;
-use crate::gpu::{Gpu, GpuError};
-use crate::group_view::GroupView;
+use crate::gpu::Gpu;
 use crate::kind::Kind;
-use crate::pipelines::{Key, Output, Pipelines, Technique};
-use crate::reference::HitImage;
-use crate::scene::PreparedScene;
-use crate::target::EyeTarget;
-use crate::view::{Appearance, Colour, View};
-pub(crate) use pieces::Piece;
-use pieces::{Bounds, Pieces, THIN_PX};
+use crate::pipelines::{Output, Pipelines, Technique};
+use pieces::Pieces;
+pub use pieces::{Bounds, Piece};
 
 /// Draws exactly what an aperture sees.
-///
-/// # Accuracy
-///
-/// `tests/gpu_exact.rs`, against the f64 reference up to gamma = 1000: the body differs at fewer than 0.1 % of
-/// covered pixels, all of them within 0.05 px of an outline; D is within 1e-5; hits lie within 2e-6 of
-/// the surfaces of bodies about 1 large. Where tubes share a rounded end, the first of them is seen. The
-/// same holds at gamma = 1e30.
 #[derive(Debug)]
 pub struct ExactRenderer {
-    canvas: Canvas,
-    pipelines: Pipelines,
     bounds: Bounds,
     pieces: Pieces,
-    instances: Vec<Piece>,
-    draws: Vec<Draw>,
-}
-
-/// A range of instances of one group drawn by one pipeline.
-#[derive(Debug)]
-struct Draw {
-    group: usize,
-    key: Key,
-    instances: Range<u32>,
+    batches: Batches<Piece, ()>,
 }
 
 /// Rectangles, and a ray test for each of their pixels.
-pub(crate) const TECHNIQUE: Technique = Technique {
+pub const TECHNIQUE: Technique = Technique {
     source: Kind::impostor,
     vertex: "rectangle",
     buffers: &[Some(Piece::LAYOUT)],
@@ -69,94 +43,25 @@ pub(crate) const TECHNIQUE: Technique = Technique {
 };
 
 impl ExactRenderer {
-    /// A renderer on `gpu`; pipelines are made when first needed.
-    #[must_use]
-    pub fn new(gpu: &Gpu) -> Self {
-        let canvas = Canvas::new(gpu);
+    /// A renderer on `gpu` that looks for bodies within `bounds`; pipelines are made when first needed.
+    pub fn new(gpu: &Gpu, canvas: &Canvas, bounds: Bounds) -> Self {
         let picture = if gpu.has_sample_masks() { TECHNIQUE.picture } else { "picture_sample" };
         let pipelines = Pipelines::new(Technique { picture, ..TECHNIQUE }, canvas.body_layout(gpu));
-        Self {
-            canvas,
-            pipelines,
-            bounds: Bounds::Tight,
-            pieces: Pieces::default(),
-            instances: Vec::new(),
-            draws: Vec::new(),
-        }
+        Self { bounds, pieces: Pieces::default(), batches: Batches::new(pipelines) }
     }
+}
 
-    /// A renderer that tests every body at every pixel: the same pictures, and what the bounds are worth.
-    #[must_use]
-    pub fn brute_force(gpu: &Gpu) -> Self {
-        Self { bounds: Bounds::None, ..Self::new(gpu) }
-    }
-
-    /// Draws `scene` into `target`, whose size overrides the camera's.
-    pub fn draw(
-        &mut self,
-        gpu: &Gpu,
-        scene: &PreparedScene,
-        view: &View,
-        appearance: &Appearance,
-        target: &mut EyeTarget,
-    ) {
-        let views = scene.group_views(&view.with_size(target.size()));
-        self.pieces.refill(scene, &views, appearance.colour, self.bounds, THIN_PX);
-        self.load(gpu, &mut target.vertices, &views, |view, is_thin| {
-            Output::picture(view, appearance, is_thin)
-        });
-        let frames = Frame::of_groups(scene, &views, appearance);
-        self.canvas.paint(gpu, target, &frames, appearance, |pass, target, frames| {
-            self.record(pass, &target.vertices, frames);
-        });
-    }
-
-    /// What the centre of every pixel of `view`'s camera shows, without anti-aliasing.
-    ///
-    /// # Errors
-    ///
-    /// The device was lost.
-    pub fn hits(&mut self, gpu: &Gpu, scene: &PreparedScene, view: &View) -> Result<HitImage, GpuError> {
-        let views = scene.group_views(view);
-        self.pieces.refill(scene, &views, Colour::Visible, self.bounds, 0.0);
-        let mut vertices = vertex_buffer(gpu, 0);
-        self.load(gpu, &mut vertices, &views, |_, _| Output::Hits);
-        let frames = Frame::of_groups(scene, &views, &Appearance::default());
-        let measures = self.canvas.measure(gpu, view.camera.size, &frames, |pass, frames| {
-            self.record(pass, &vertices, frames);
-        })?;
-        Ok(measures.hit_image(scene, view))
-    }
-
-    /// Loads the pieces and makes the pipelines they need.
-    fn load(
-        &mut self,
-        gpu: &Gpu,
-        vertices: &mut wgpu::Buffer,
-        views: &[GroupView],
-        output: impl Fn(&GroupView, bool) -> Output,
-    ) {
-        self.instances.clear();
-        self.draws.clear();
-        for (is_thin, group, kind, list) in self.pieces.lists() {
-            let start = self.instances.len() as u32;
-            self.instances.extend_from_slice(list);
-            let key = Key::new(kind, views, group, output(&views[group], is_thin));
-            self.pipelines.prepare(gpu, key);
-            self.draws.push(Draw { group, key, instances: start..self.instances.len() as u32 });
-        }
-        fill_vertex_buffer(gpu, vertices, &self.instances);
+impl Drawing for ExactRenderer {
+    fn load(&mut self, gpu: &Gpu, vertices: &mut wgpu::Buffer, shot: &Shot<'_>) {
+        self.pieces.refill(shot, self.bounds);
+        self.batches.refill(gpu, vertices, shot, self.pieces.runs());
     }
 
     fn record(&self, pass: &mut wgpu::RenderPass<'_>, vertices: &wgpu::Buffer, frames: &[wgpu::BindGroup]) {
-        if self.draws.is_empty() {
-            return;
-        }
-        pass.set_vertex_buffer(0, vertices.slice(..));
-        for Draw { group, key, instances } in &self.draws {
-            pass.set_bind_group(0, &frames[*group], &[]);
-            pass.set_pipeline(self.pipelines.get(*key));
-            pass.draw(0..4, instances.clone());
+        for batch in self.batches.iter() {
+            self.batches.begin(pass, frames, batch);
+            pass.set_vertex_buffer(0, vertices.slice(..));
+            pass.draw(0..4, batch.instances.clone());
         }
     }
 }

@@ -4,29 +4,32 @@
 //! agree to the bit, and a strict depth test draws each pixel once.
 
 use std::collections::BTreeMap;
+use std::slice::Iter;
 
 use bytemuck::{Pod, Zeroable};
 use glam::DVec2;
 
 use crate::capsule::Capsule;
+use crate::drawing::{Shot, Trait};
 use crate::footprint::{Footprint, Projection, Rectangle};
 use crate::group_view::GroupView;
 use crate::kind::Kind;
 use crate::prepared_body::PreparedBody;
-use crate::scene::PreparedScene;
 use crate::view::Colour;
 
 /// How often a piece is halved before its bound is taken as it is: 32 rectangles follow the most bent of tubes, and
 /// a looser bound only costs time.
 const MAX_HALVINGS: u32 = 5;
 /// Below this radius a piece may be faded in pictures instead of drawn thinner, px. The shader fades what it finds
-/// thinner than half a pixel; the rest is room.
-pub const THIN_PX: f64 = 0.75;
+/// thinner than half a pixel; the rest is room. The radius is the one across x: what `Geometry::Contracted` flattens
+/// along x below a pixel is drawn as thin as it is there.
+const THIN_PX: f64 = 0.75;
 
 /// Where bodies are looked for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Bounds {
     /// Where they can appear.
+    #[default]
     Tight,
     /// Everywhere: what tight bounds are measured against.
     None,
@@ -52,32 +55,28 @@ pub struct Pieces {
 }
 
 impl Pieces {
-    /// Replaces all by the pieces of `scene`, whose groups `views` show; those of a radius below `thin_px` pixels are thin.
-    pub fn refill(
-        &mut self,
-        scene: &PreparedScene,
-        views: &[GroupView],
-        colour: Colour,
-        bounds: Bounds,
-        thin_px: f64,
-    ) {
+    /// Replaces all by the pieces of `shot`. In numbers nothing is faded, so none is thin there.
+    pub fn refill(&mut self, shot: &Shot<'_>, bounds: Bounds) {
+        let thin_px = if shot.appearance.is_some() { THIN_PX } else { 0.0 };
         self.lists.values_mut().for_each(Vec::clear);
-        for (view, group) in views.iter().zip(scene.groups()) {
+        for (view, group) in shot.views.iter().zip(shot.scene.groups()) {
             let projection = Projection::new(view);
-            for body in &scene.bodies()[group.bodies.clone()] {
+            for body in &shot.scene.bodies()[group.bodies.clone()] {
                 match bounds {
-                    Bounds::Tight => self.bound(&projection, view, scene.capsules(body)),
+                    Bounds::Tight => self.bound(&projection, view, shot.scene.capsules(body)),
                     Bounds::None => self.bound_nowhere(),
                 }
-                self.add(body, colour, thin_px);
+                self.add(body, shot.colour(), thin_px);
             }
         }
     }
 
-    /// Whether they are thin, the number of their group, their kind, and the pieces.
-    pub fn lists(&self) -> impl Iterator<Item = (bool, usize, Kind, &[Piece])> {
+    /// Those that are drawn by one draw, in order.
+    pub fn runs(&self) -> impl Iterator<Item = (Trait<()>, Iter<'_, Piece>)> {
         let filled = self.lists.iter().filter(|(_, list)| !list.is_empty());
-        filled.map(|(&(is_thin, group, kind), list)| (is_thin, group, kind, list.as_slice()))
+        filled.map(|(&(is_thin, group, kind), list)| {
+            (Trait { group, kind, template: (), is_thin }, list.iter())
+        })
     }
 
     /// The pieces of `body` in the rectangles just found.

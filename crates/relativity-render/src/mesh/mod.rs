@@ -13,35 +13,26 @@ mod parts;
 mod template;
 
 use std::collections::HashMap;
-use std::ops::Range;
 
-use crate::buffers::{self, fill_vertex_buffer, vertex_buffer};
+use crate::buffers;
 use crate::canvas::Canvas;
-use crate::frame::Frame;
-use crate::gpu::{Gpu, GpuError};
-use crate::group_view::GroupView;
+use crate::drawing::{Batches, Drawing, Shot};
+use crate::gpu::Gpu;
 use crate::kind::Kind;
-use crate::pipelines::{Key, Output, Pipelines, Technique};
-use crate::reference::HitImage;
-use crate::scene::PreparedScene;
-use crate::target::EyeTarget;
-use crate::view::{Appearance, Colour, View};
-pub(crate) use parts::Instance;
+use crate::pipelines::{Pipelines, Technique};
+pub use parts::Instance;
 use parts::Parts;
-pub(crate) use template::Corner;
+pub use template::Corner;
 use template::Division;
 
 /// Draws triangles that keep a bound on the picture.
 #[derive(Debug)]
 pub struct MeshRenderer {
-    canvas: Canvas,
-    pipelines: Pipelines,
-    templates: HashMap<Division, Loaded>,
     /// How far any point may be drawn from where it is seen, pixels, above 0.
-    pub bound_px: f64,
+    bound_px: f64,
     parts: Parts,
-    instances: Vec<Instance>,
-    draws: Vec<Draw>,
+    templates: HashMap<Division, Loaded>,
+    batches: Batches<Instance, Division>,
 }
 
 /// A template on the device.
@@ -52,17 +43,8 @@ struct Loaded {
     count: u32,
 }
 
-/// Neighbouring parts of one group and division.
-#[derive(Debug)]
-struct Draw {
-    group: usize,
-    division: Division,
-    key: Key,
-    instances: Range<u32>,
-}
-
 /// Triangles over each body, their corners where they appear.
-pub(crate) const TECHNIQUE: Technique = Technique {
+pub const TECHNIQUE: Technique = Technique {
     source: Kind::mesh,
     vertex: "corner",
     buffers: &[Some(Corner::LAYOUT), Some(Instance::LAYOUT)],
@@ -72,109 +54,42 @@ pub(crate) const TECHNIQUE: Technique = Technique {
 };
 
 impl MeshRenderer {
-    /// The bound unless another is chosen, pixels.
-    pub const DEFAULT_BOUND_PX: f64 = 0.5;
-
-    /// A renderer on `gpu` with the default bound.
-    #[must_use]
-    pub fn new(gpu: &Gpu) -> Self {
-        let canvas = Canvas::new(gpu);
+    /// A renderer on `gpu`; its bound is set before each use.
+    pub fn new(gpu: &Gpu, canvas: &Canvas) -> Self {
         let pipelines = Pipelines::new(TECHNIQUE, canvas.body_layout(gpu));
         Self {
-            canvas,
-            pipelines,
-            templates: HashMap::new(),
-            bound_px: Self::DEFAULT_BOUND_PX,
+            bound_px: f64::INFINITY,
             parts: Parts::default(),
-            instances: Vec::new(),
-            draws: Vec::new(),
+            templates: HashMap::new(),
+            batches: Batches::new(pipelines),
         }
     }
 
-    /// Draws `scene` into `target`, whose size overrides the camera's.
-    pub fn draw(
-        &mut self,
-        gpu: &Gpu,
-        scene: &PreparedScene,
-        view: &View,
-        appearance: &Appearance,
-        target: &mut EyeTarget,
-    ) {
-        let views = scene.group_views(&view.with_size(target.size()));
-        self.parts.refill(scene, &views, &views, appearance.colour, self.bound_px, true);
-        self.load(gpu, &mut target.vertices, &views, |view, is_thin| {
-            Output::picture(view, appearance, is_thin)
-        });
-        let frames = Frame::of_groups(scene, &views, appearance);
-        self.canvas.paint(gpu, target, &frames, appearance, |pass, target, frames| {
-            self.record(pass, &target.vertices, frames);
-        });
+    /// The same, to keep this bound from now on, pixels, above 0.
+    pub const fn within(&mut self, bound_px: f64) -> &mut Self {
+        self.bound_px = bound_px;
+        self
     }
+}
 
-    /// What the centre of every pixel of `view`'s camera shows, without anti-aliasing.
-    ///
-    /// # Errors
-    ///
-    /// The device was lost.
-    pub fn hits(&mut self, gpu: &Gpu, scene: &PreparedScene, view: &View) -> Result<HitImage, GpuError> {
-        self.hits_in_part(gpu, scene, view, view)
-    }
-
-    /// What `part`, a magnified view of a small part of `whole`, shows of the triangles that `whole` is drawn with.
-    ///
-    /// # Errors
-    ///
-    /// The device was lost.
-    pub fn hits_in_part(
-        &mut self,
-        gpu: &Gpu,
-        scene: &PreparedScene,
-        whole: &View,
-        part: &View,
-    ) -> Result<HitImage, GpuError> {
-        let views = scene.group_views(part);
-        let divided_for = scene.group_views(whole);
-        self.parts.refill(scene, &views, &divided_for, Colour::Visible, self.bound_px, false);
-        let mut vertices = vertex_buffer(gpu, 0);
-        self.load(gpu, &mut vertices, &views, |_, _| Output::Hits);
-        let frames = Frame::of_groups(scene, &views, &Appearance::default());
-        let measures = self.canvas.measure(gpu, part.camera.size, &frames, |pass, frames| {
-            self.record(pass, &vertices, frames);
-        })?;
-        Ok(measures.hit_image(scene, part))
-    }
-
-    /// Loads the parts, and makes the pipelines and templates they need.
-    fn load(
-        &mut self,
-        gpu: &Gpu,
-        vertices: &mut wgpu::Buffer,
-        views: &[GroupView],
-        output: impl Fn(&GroupView, bool) -> Output,
-    ) {
-        self.instances.clear();
-        self.draws.clear();
-        for run in self.parts.runs() {
-            let start = self.instances.len() as u32;
-            self.instances.extend(run.iter().map(|part| part.instance));
-            let (group, division) = (run[0].group, run[0].division);
-            let key = Key::new(division.kind(), views, group, output(&views[group], run[0].is_thin()));
-            self.pipelines.prepare(gpu, key);
+impl Drawing for MeshRenderer {
+    fn load(&mut self, gpu: &Gpu, vertices: &mut wgpu::Buffer, shot: &Shot<'_>) {
+        self.parts.refill(shot, self.bound_px);
+        self.batches.refill(gpu, vertices, shot, self.parts.runs());
+        for batch in self.batches.iter() {
+            let division = batch.template;
             self.templates.entry(division).or_insert_with(|| Loaded::new(gpu, division));
-            self.draws.push(Draw { group, division, key, instances: start..self.instances.len() as u32 });
         }
-        fill_vertex_buffer(gpu, vertices, &self.instances);
     }
 
-    fn record(&self, pass: &mut wgpu::RenderPass<'_>, instances: &wgpu::Buffer, frames: &[wgpu::BindGroup]) {
-        for draw in &self.draws {
-            let template = &self.templates[&draw.division];
-            pass.set_bind_group(0, &frames[draw.group], &[]);
-            pass.set_pipeline(self.pipelines.get(draw.key));
+    fn record(&self, pass: &mut wgpu::RenderPass<'_>, vertices: &wgpu::Buffer, frames: &[wgpu::BindGroup]) {
+        for batch in self.batches.iter() {
+            let template = &self.templates[&batch.template];
+            self.batches.begin(pass, frames, batch);
             pass.set_vertex_buffer(0, template.corners.slice(..));
-            pass.set_vertex_buffer(1, instances.slice(..));
+            pass.set_vertex_buffer(1, vertices.slice(..));
             pass.set_index_buffer(template.triangles.slice(..), wgpu::IndexFormat::Uint32);
-            pass.draw_indexed(0..template.count, 0, draw.instances.clone());
+            pass.draw_indexed(0..template.count, 0, batch.instances.clone());
         }
     }
 }

@@ -6,10 +6,10 @@ use relativity_core::threads::prelude::*;
 
 use super::division::division;
 use super::template::Division;
+use crate::drawing::{Shot, Trait};
 use crate::footprint::Projection;
 use crate::group_view::GroupView;
 use crate::prepared_body::{Joint, PreparedBody, packed};
-use crate::scene::PreparedScene;
 use crate::view::{Colour, Geometry};
 
 /// Mirror of the shaders' `Instance`.
@@ -25,11 +25,11 @@ pub struct Instance {
 
 /// A body as it is drawn.
 #[derive(Debug, Clone, Copy)]
-pub struct Part {
-    pub division: Division,
-    pub instance: Instance,
+struct Part {
+    division: Division,
+    instance: Instance,
     /// The number of its group.
-    pub group: usize,
+    group: usize,
     joint: Joint,
 }
 
@@ -43,17 +43,10 @@ pub struct Parts {
 }
 
 impl Parts {
-    /// Replaces all by the bodies of `scene` that can be seen where `views` show its groups, divided to keep `bound_px`
-    /// in the views `divided_for`. Thin ones are drawn wider if `are_widened`.
-    pub fn refill(
-        &mut self,
-        scene: &PreparedScene,
-        views: &[GroupView],
-        divided_for: &[GroupView],
-        colour: Colour,
-        bound_px: f64,
-        are_widened: bool,
-    ) {
+    /// Replaces all by the bodies that `shot` can show, divided to keep `bound_px`. In pictures thin ones are drawn
+    /// wider, and faded.
+    pub fn refill(&mut self, shot: &Shot<'_>, bound_px: f64) {
+        let Shot { scene, views, divided_for, appearance } = *shot;
         let projections: Vec<_> = views.iter().map(Projection::new).collect();
         let is_seen = |body: &PreparedBody| {
             let view = &views[body.group];
@@ -63,10 +56,10 @@ impl Parts {
                 || !projections[body.group].hides(middle, body.solid.bounding_radius())
         };
         let part = |body: &PreparedBody| {
-            let (instance, view) = (Instance::new(body, colour), &divided_for[body.group]);
+            let (instance, view) = (Instance::new(body, shot.colour()), &divided_for[body.group]);
             Part {
                 division: division(&body.surface, view, bound_px),
-                instance: if are_widened { instance.widened(body, view) } else { instance },
+                instance: if appearance.is_some() { instance.widened(body, view) } else { instance },
                 group: body.group,
                 joint: body.joint,
             }
@@ -82,22 +75,23 @@ impl Parts {
     }
 
     /// Those that are drawn by one draw, in order.
-    pub fn runs(&self) -> impl Iterator<Item = &[Part]> {
-        let trait_of = |part: &Part| (part.group, part.division, part.is_thin());
-        self.sorted.chunk_by(move |a, b| trait_of(a) == trait_of(b))
+    pub fn runs(&self) -> impl Iterator<Item = (Trait<Division>, impl Iterator<Item = &Instance>)> {
+        let chunks = self.sorted.chunk_by(|a, b| a.common() == b.common());
+        chunks.map(|run| (run[0].common(), run.iter().map(|part| &part.instance)))
     }
 }
 
 impl Part {
-    /// Whether it is thinner than a pixel, and faded for that.
-    pub fn is_thin(&self) -> bool {
-        self.instance.cover < 1.0
+    /// What it has in common with those that are drawn with it.
+    fn common(&self) -> Trait<Division> {
+        let Self { division, group, .. } = *self;
+        Trait { group, kind: division.kind(), template: division, is_thin: self.instance.cover < 1.0 }
     }
 
     /// Its place in the order: faded ones last; group by group; in the bodies' order where surfaces may coincide, so that the first of
     /// them stays, and else those of one division together, which saves a draw for each.
     fn rank(&self) -> (bool, usize, Option<Division>, u32) {
-        let is_thin = self.is_thin();
+        let Trait { is_thin, .. } = self.common();
         let is_joined = if is_thin { self.joint.widened } else { self.joint.as_it_is };
         let [_, _, _, index] = self.instance.across_index;
         (is_thin, self.group, (!is_joined).then_some(self.division), index as u32)

@@ -3,25 +3,24 @@
 pub mod scenes;
 
 use std::process::ExitCode;
-use std::sync::Arc;
 
 use libtest_mimic::{Arguments, Failed, Trial};
-use relativity_render::Gpu;
+use relativity_render::{Gpu, Renderers};
 
-/// A test's name and what it does with the device.
-pub type Test = (&'static str, fn(&Gpu));
+/// A test's name, and what it does with renderers on the device.
+pub type Test = (&'static str, fn(&mut Renderers));
 
-/// Runs `tests`, each with the device.
+/// Runs `tests`, each with renderers of its own.
 pub fn run(tests: &[Test]) -> ExitCode {
     let arguments = Arguments::from_args();
-    let gpu = Gpu::headless().map(Arc::new);
+    let gpu = Gpu::headless();
     let is_required = std::env::var("GAMOW_REQUIRE_GPU").is_ok_and(|value| value == "1");
     let trial = |&(name, test): &Test| {
         let gpu = gpu.clone();
         let is_ignored = gpu.is_err() && !is_required;
         let run = move || {
             let gpu = gpu.map_err(|error| Failed::from(error.to_string()))?;
-            test(&gpu);
+            test(&mut Renderers::new(Some(gpu)));
             Ok(())
         };
         Trial::test(name, run).with_ignored_flag(is_ignored)

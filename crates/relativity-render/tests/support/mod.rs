@@ -1,7 +1,21 @@
-//! What several tests share: spread numbers and signed distances.
+//! What several tests share: spread numbers, signed distances, and the figures of the documentation.
+
+#![allow(dead_code, reason = "each program that includes this module uses its own part")]
+#![allow(clippy::allow_attributes, reason = "an expectation would fail in the programs that use every part")]
 
 use glam::DVec3;
 use relativity_render::Shape;
+
+/// The figure that follows `before` in the comments of `source`: what is written is what tests hold it to.
+#[must_use]
+pub fn documented(source: &str, before: &str) -> f64 {
+    let comments = source.lines().filter_map(|line| line.trim_start().strip_prefix("//"));
+    let words = comments.flat_map(|line| line.trim_start_matches(['/', '!']).split_whitespace());
+    let text = words.collect::<Vec<_>>().join(" ");
+    let (_, after) = text.split_once(before).expect("the documentation says so");
+    let end = after.find(|c: char| !c.is_ascii_digit() && !".e-".contains(c)).unwrap_or(after.len());
+    after[..end].trim_end_matches('.').parse().expect("a number")
+}
 
 /// The `i`-th of a sequence that fills the unit cube of `N` dimensions evenly (Kronecker sequence of
 /// square roots of primes).

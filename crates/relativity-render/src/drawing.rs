@@ -1,0 +1,118 @@
+//! What the renderers on the GPU share: what they are asked for, and the batches of instances that they answer with.
+//!
+//! A renderer says which bodies can be seen and as what they are drawn ([`Drawing::load`], [`Drawing::record`]); the
+//! canvas makes a picture or a measurement of that.
+
+use std::ops::Range;
+
+use crate::buffers::fill_vertex_buffer;
+use crate::gpu::Gpu;
+use crate::group_view::GroupView;
+use crate::kind::Kind;
+use crate::pipelines::{Key, Output, Pipelines};
+use crate::scene::PreparedScene;
+use crate::view::{Appearance, Colour};
+
+/// What is to be drawn.
+#[derive(Debug, Clone, Copy)]
+pub struct Shot<'a> {
+    /// The bodies.
+    pub scene: &'a PreparedScene,
+    /// How each of their groups is seen.
+    pub views: &'a [GroupView],
+    /// The views that triangles are made for: `views`, unless these show a magnified part of a picture.
+    pub divided_for: &'a [GroupView],
+    /// The looks of a picture; `None` asks for what the centre of each pixel shows, in numbers.
+    pub appearance: Option<&'a Appearance>,
+}
+
+/// A way to draw bodies.
+pub trait Drawing {
+    /// Decides what is drawn for `shot`, puts it into the vertex buffer, and makes the pipelines that it needs.
+    fn load(&mut self, gpu: &Gpu, vertices: &mut wgpu::Buffer, shot: &Shot<'_>);
+
+    /// Draws what was loaded, with a bind group for the frame of each group.
+    fn record(&self, pass: &mut wgpu::RenderPass<'_>, vertices: &wgpu::Buffer, frames: &[wgpu::BindGroup]);
+}
+
+/// Instances `I`, in the order they are drawn in: neighbours that one draw serves make a batch. Kept from shot to shot,
+/// for its memory.
+#[derive(Debug)]
+pub struct Batches<I, T> {
+    pipelines: Pipelines,
+    instances: Vec<I>,
+    in_order: Vec<Batch<T>>,
+}
+
+/// Instances that one draw serves.
+#[derive(Debug)]
+pub struct Batch<T> {
+    group: usize,
+    key: Key,
+    /// What each of them is an instance of.
+    pub template: T,
+    /// Where they are in the vertex buffer.
+    pub instances: Range<u32>,
+}
+
+/// What the instances of a batch have in common.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Trait<T> {
+    /// The number of their group.
+    pub group: usize,
+    /// The kind of their shapes.
+    pub kind: Kind,
+    /// What each of them is an instance of.
+    pub template: T,
+    /// Whether they are thinner than a pixel, and faded for that.
+    pub is_thin: bool,
+}
+
+impl Shot<'_> {
+    /// The colours that it shows; numbers have none.
+    pub fn colour(&self) -> Colour {
+        self.appearance.map_or(Colour::Visible, |appearance| appearance.colour)
+    }
+}
+
+impl<I: bytemuck::NoUninit, T> Batches<I, T> {
+    /// None yet, to be drawn by these pipelines.
+    pub const fn new(pipelines: Pipelines) -> Self {
+        Self { pipelines, instances: Vec::new(), in_order: Vec::new() }
+    }
+
+    /// Replaces all by `runs`: what makes the pipelines that they need, and fills the vertex buffer with them.
+    pub fn refill<'a>(
+        &mut self,
+        gpu: &Gpu,
+        vertices: &mut wgpu::Buffer,
+        shot: &Shot<'_>,
+        runs: impl Iterator<Item = (Trait<T>, impl Iterator<Item = &'a I>)>,
+    ) where
+        I: 'a,
+    {
+        self.instances.clear();
+        self.in_order.clear();
+        for (Trait { group, kind, template, is_thin }, run) in runs {
+            let start = self.instances.len() as u32;
+            self.instances.extend(run);
+            let output = Output::new(&shot.views[group], shot.appearance, is_thin);
+            let key = Key::new(kind, shot.views, group, output);
+            self.pipelines.prepare(gpu, key);
+            let instances = start..self.instances.len() as u32;
+            self.in_order.push(Batch { group, key, template, instances });
+        }
+        fill_vertex_buffer(gpu, vertices, &self.instances);
+    }
+
+    /// The batches, in order.
+    pub fn iter(&self) -> impl Iterator<Item = &Batch<T>> {
+        self.in_order.iter()
+    }
+
+    /// Sets the pipeline and the frame of `batch`.
+    pub fn begin(&self, pass: &mut wgpu::RenderPass<'_>, frames: &[wgpu::BindGroup], batch: &Batch<T>) {
+        pass.set_bind_group(0, &frames[batch.group], &[]);
+        pass.set_pipeline(self.pipelines.get(batch.key));
+    }
+}

@@ -1,0 +1,54 @@
+//! A slider moved: a frame in which only the speed changes allocates nothing per body.
+
+#[expect(dead_code, reason = "shared with the other renderers' tests")]
+mod gpu_support;
+mod support;
+
+use std::process::ExitCode;
+
+use gpu_support::scenes::{crowd, view_following};
+use relativity_core::Speed;
+use relativity_render::{Appearance, EyeTarget, Method, PreparedScene, Renderers};
+
+fn main() -> ExitCode {
+    gpu_support::run(&[
+        ("exact_frames_allocate_nothing_per_body", exact_frames_allocate_nothing_per_body),
+        ("mesh_frames_allocate_nothing_per_body", mesh_frames_allocate_nothing_per_body),
+    ])
+}
+
+fn exact_frames_allocate_nothing_per_body(renderers: &mut Renderers) {
+    allocate_nothing_per_body(renderers, Method::Exact);
+}
+
+fn mesh_frames_allocate_nothing_per_body(renderers: &mut Renderers) {
+    allocate_nothing_per_body(renderers, Method::Mesh { bound_px: 2.0 });
+}
+
+fn allocate_nothing_per_body(renderers: &mut Renderers, method: Method) {
+    // Allocations are counted on this thread, so all work is done on it.
+    let here = rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread().build().expect("a pool");
+    let [few, many] = here.install(|| [64, 640].map(|count| allocations(renderers, method, count)));
+    println!("{method}: {few} and {many} allocations");
+    assert!(many <= few + 16, "{method}: {few} allocations for 64 bodies, {many} for 640");
+}
+
+/// How often memory is asked for by a frame with another speed than the one before, of `count` bodies.
+///
+/// Both speeds were drawn before: what is made once (pipelines, templates, buffers large enough) is there.
+fn allocations(renderers: &mut Renderers, method: Method, count: u32) -> u64 {
+    let gpu = renderers.gpu().expect("a device").clone();
+    let scene = PreparedScene::moving(&crowd(count));
+    let views = [0.5, 0.6].map(|beta| {
+        let speed = Speed::from_beta(beta).expect("below 1");
+        view_following([0.0, 3.0, 0.5], speed, 0.3, 90.0)
+    });
+    let appearance = Appearance::default();
+    let mut target = EyeTarget::new(&gpu, views[0].camera.size);
+    let mut draw = |view| {
+        renderers.draw(method, &scene, view, &appearance, &mut target).expect("a device");
+        gpu.wait().expect("device works");
+    };
+    views.iter().cycle().take(6).for_each(&mut draw);
+    allocation_counter::measure(|| draw(&views[0])).count_total
+}
