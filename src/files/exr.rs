@@ -16,7 +16,7 @@ use relativity_core::doppler::{intensity_factor, received_wavelength};
 use relativity_render::rectify::LightCorrection;
 use relativity_render::{Hit, HitImage, PreparedScene};
 
-use super::provenance::{Recorded, SOFTWARE};
+use super::provenance::{SOFTWARE, command_in_comments};
 use crate::platform::files;
 
 /// The layers: the eyes, in the order in which two eyes are given everywhere.
@@ -246,10 +246,10 @@ impl Measurements {
         self.channels.get(&name).map(Vec::as_slice).with_context(|| format!("there is no channel {name}"))
     }
 
-    /// How it was made.
+    /// The command that made it, as it records it; empty if it does not.
     #[must_use]
-    pub fn recorded(&self) -> Recorded {
-        Recorded::in_comments(&said(&self.attributes))
+    pub fn command(&self) -> String {
+        command_in_comments(&said(&self.attributes)).to_owned()
     }
 }
 
@@ -268,15 +268,15 @@ fn headers(path: &Path) -> anyhow::Result<Headers> {
     Ok(MetaData::read_from_buffered(BufReader::new(files::open(path)?), false)?.headers)
 }
 
-/// How the EXR file at `path` was made, without its pixels.
+/// The command that made the EXR file at `path`, as it records it; empty if it does not.
 ///
 /// # Errors
 ///
 /// A file that cannot be read.
-pub fn recorded(path: &Path) -> anyhow::Result<Recorded> {
+pub fn command(path: &Path) -> anyhow::Result<String> {
     let headers = headers(path)?;
     let first = headers.first().context("it has no layer")?;
-    Ok(Recorded::in_comments(&said(&first.own_attributes)))
+    Ok(command_in_comments(&said(&first.own_attributes)).to_owned())
 }
 
 /// Whether `path` is an EXR file that says just these `comments`. (Files are written whole or not at all.)

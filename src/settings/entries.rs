@@ -83,8 +83,20 @@ impl Settings {
     ///
     /// # Errors
     /// Another command, a flag that does not exist, or a value that it cannot have.
-    pub fn with_command(mut self, command: &str, place: &str) -> Result<Self, SettingsError> {
-        let flags = [RENDER, WINDOW].iter().find_map(|known| command.strip_prefix(known)).unwrap_or_default();
+    pub fn with_command(self, command: &str, place: &str) -> Result<Self, SettingsError> {
+        self.with_command_of(&[RENDER, WINDOW], command, place)
+    }
+
+    /// The settings with which `gamow render` made what is at `place`, where this `command` was recorded.
+    ///
+    /// # Errors
+    /// As [`Self::with_command`].
+    pub fn of_picture(command: &str, place: &str) -> Result<Self, SettingsError> {
+        Self::default().with_command_of(&[RENDER], command, place)
+    }
+
+    fn with_command_of(mut self, known: &[&str], command: &str, place: &str) -> Result<Self, SettingsError> {
+        let flags = known.iter().find_map(|known| command.strip_prefix(known)).unwrap_or_default();
         if !flags.trim_start().starts_with("--") {
             let problem = "it does not say with which settings gamow made it".to_owned();
             return Err(SettingsError::Content { place: place.to_owned(), problem });

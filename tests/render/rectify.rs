@@ -4,6 +4,7 @@ use std::path::Path;
 
 use gamow::files::exr::{Channel, Measurements};
 use gamow::files::png::PngFile;
+use gamow::settings::Settings;
 use relativity_core::Aperture;
 use relativity_render::rectify::Rectification;
 use relativity_render::{Camera, Picture, Velocity};
@@ -29,11 +30,12 @@ fn corrected_and_true(
     render(folder, &format!("{scene} --beta {beta} --time {time} {size} {layout} --out seen.{extension}"));
     run_gamow(folder, &format!("rectify seen.{extension} --beta {beta} --out corrected.{extension}"));
     let corrected = folder.join(format!("corrected.{extension}"));
-    let recorded = match extension {
-        "png" => PngFile::read(&corrected).expect("it was written").recorded(),
-        _ => measurements(&corrected).recorded(),
+    let command = match extension {
+        "png" => PngFile::read(&corrected).expect("it was written").command().to_owned(),
+        _ => measurements(&corrected).command(),
     };
-    let [fov, gaze] = ["out-fov", "out-gaze"].map(|flag| recorded.text(flag).expect("it is recorded"));
+    let value = |flag| command.split_whitespace().find_map(|word| word.strip_prefix(flag));
+    let [fov, gaze] = ["--out-fov=", "--out-gaze="].map(|flag| value(flag).expect("it is recorded"));
     let size = size.replace("--fov 60", &format!("--fov {fov} --gaze {gaze}"));
     render(
         folder,
@@ -55,11 +57,11 @@ fn channel(file: &Measurements, channel: Channel) -> &[f32] {
 
 /// The cameras behind a picture and its correction.
 fn rectification(seen: &Measurements, truth: &Measurements, beta: f64) -> Rectification {
-    let camera = |file: &Measurements| Camera {
-        aperture: Aperture::default(),
-        gaze: file.recorded().gaze().expect("it is recorded"),
-        horizontal_fov: file.recorded().number("fov").expect("it is recorded").to_radians(),
-        size: file.size,
+    let camera = |file: &Measurements| {
+        let look = Settings::of_picture(&file.command(), "it").expect("it was rendered").look;
+        let gaze = look.gaze.fixed().expect("it is recorded");
+        let horizontal_fov = look.fov.to_radians();
+        Camera { aperture: Aperture::default(), gaze, horizontal_fov, size: file.size }
     };
     Rectification::new(camera(seen), camera(truth), Velocity::from_beta(beta).expect("a speed"))
 }
