@@ -158,10 +158,8 @@ mod tests {
     }
 
     fn figures(view: &View, shown: &HitImage, truth: &[Body]) -> DifferenceFigures {
-        {
-            let scene = PreparedScene::moving(truth);
-            Difference::new(&scene, view, &scene.hit_image(view), shown).figures
-        }
+        let scene = PreparedScene::moving(truth);
+        Difference::new(&scene, view, &scene.hit_image(view), shown).figures
     }
 
     #[test]

@@ -6,6 +6,8 @@ use relativity_core::math;
 use relativity_core::{Aperture, Model, PublishedVariant, SourcePoint, Speed, equidistance_time};
 use relativity_render::Velocity;
 
+use crate::passage::time_within;
+
 /// A quantity that is plotted against T.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Quantity {
@@ -183,8 +185,8 @@ fn thinned<const N: usize>(
 /// Even steps, and a ladder towards each anchor from both sides.
 fn first_times([from, to]: [f64; 2], anchors: &[f64]) -> Vec<f64> {
     let width = to - from;
-    let fraction = |i| f64::from(i) / f64::from(FIRST_INTERVALS);
-    let even = (0..=FIRST_INTERVALS).map(|i| from * (1.0 - fraction(i)) + to * fraction(i));
+    let even =
+        (0..=FIRST_INTERVALS).map(|i| time_within([from, to], f64::from(i) / f64::from(FIRST_INTERVALS)));
     let rungs = (1..=RUNGS).map(|k| width * 0.5f64.powi(k));
     let ladders = anchors.iter().flat_map(|anchor| {
         std::iter::once(*anchor).chain(rungs.clone().flat_map(move |rung| [anchor - rung, anchor + rung]))

@@ -1,7 +1,7 @@
 //! What the two eyes make of the state: sightings of the followed points, gaze, cameras, markers.
 
 use glam::DVec3;
-use relativity_core::{Disparity, Model, Parameter, Sighting, SourcePoint, Speed, equidistance_time};
+use relativity_core::{Disparity, Parameter, Sighting, SourcePoint, Speed, equidistance_time};
 use relativity_render::{Gaze, Geometry, Velocity, View};
 
 use super::curves::Key;
@@ -94,9 +94,7 @@ impl State {
     /// The exact disparity of `point` now.
     #[must_use]
     pub fn disparity(&self, point: &Point) -> Option<Disparity> {
-        let place = self.settings.rest_place(point.track.rest);
-        let (separation, time) = (self.settings.motion.d, self.session.time);
-        self.velocity(point).disparity(Model::Exact, place, separation, time).ok()
+        self.settings.disparity(&point.track, self.session.time).ok()
     }
 
     /// T0 of `point`: when both eyes see it at the same distance. `None` at rest.

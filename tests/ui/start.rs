@@ -77,7 +77,7 @@ fn bad_flags_are_named() {
         (["--scene", "bicycle"], "bicycle"),
         (["--gamma", "0.5"], "gamma = 0.5"),
         (["--d", "-1"], "--d"),
-        (["--window-size", "wide"], "1280x800"),
+        (["--window-size", "wide"], "from 64 to 8192"),
     ] {
         let output = gamow(&arguments);
         let message = String::from_utf8_lossy(&output.stderr).into_owned();

@@ -13,6 +13,7 @@ use relativity_render::Velocity;
 
 use crate::app::curves::{Sample, bends, sampled};
 use crate::estimate::{Estimate, estimate};
+use crate::passage::time_within;
 use crate::platform::clock::Instant;
 use crate::platform::threads::prelude::*;
 use crate::settings::FitSetup;
@@ -130,15 +131,14 @@ fn observations(key: &Key, noise_percent: f64) -> Result<Observations, String> {
     if let Some(obstacle) = key.obstacle() {
         return Err(obstacle.to_owned());
     }
-    let [from, to] = key.range;
     let last = key.setup.fit_samples.max(2) - 1;
-    let fraction = |index: usize| index as f64 / last as f64;
+    let time = |index: usize| time_within(key.range, index as f64 / last as f64);
     let simulation = Simulation {
         speed: key.velocity.speed,
         point: key.source,
         separation: key.separation,
         model: Model::Exact,
-        times: (0..=last).map(|index| from * (1.0 - fraction(index)) + to * fraction(index)).collect(),
+        times: (0..=last).map(time).collect(),
         noise: 0.01 * noise_percent,
         seed: key.setup.seed,
     };

@@ -1,7 +1,6 @@
 //! The measurement itself: every method in every view.
 
 use anyhow::Context as _;
-use indicatif::{ProgressBar, ProgressStyle};
 use relativity_core::Speed;
 use relativity_render::{Appearance, Gpu, Method, PreparedScene, Renderers, View};
 
@@ -15,7 +14,7 @@ use crate::accuracy::{
     methods, published_error, view_at,
 };
 use crate::files::provenance::SOFTWARE;
-use crate::platform::threads;
+use crate::platform::{progress, threads};
 use crate::scene::Scene;
 
 /// Separation of the apertures: the paper's for its cyclist.
@@ -114,7 +113,7 @@ struct Measurement {
 impl Measurement {
     fn pictures(&mut self) -> anyhow::Result<Vec<RendererReport>> {
         let methods = methods(&self.renderers);
-        let progress = progress_bar(methods.len() * self.views.len());
+        let progress = progress::bar((methods.len() * self.views.len()) as u64, "views");
         let mut reports = Vec::new();
         for method in methods {
             let mut rows = Vec::new();
@@ -226,10 +225,4 @@ fn renderer_report(method: Method, views: Vec<PictureRow>) -> RendererReport {
         },
         views,
     }
-}
-
-/// On standard error, and only if that is a terminal.
-fn progress_bar(views: usize) -> ProgressBar {
-    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} views, {eta} left");
-    ProgressBar::new(views as u64).with_style(style.expect("the template is well formed"))
 }

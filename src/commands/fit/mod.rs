@@ -8,10 +8,10 @@ use anyhow::Context as _;
 use clap::Args;
 use relativity_core::{Curves, DEFAULT_REPLICATES, FitOptions, Model, Passage};
 
+use self::data::Data;
 use crate::estimate::FitReport;
-pub use data::Data;
-
-use crate::files::{csv_in, whole};
+use crate::files::csv_in;
+use crate::files::whole::ReportArgs;
 use crate::flags::finite_number;
 
 /// Fits speed and distance of an object to the disparities that two eyes measured.
@@ -47,12 +47,8 @@ pub struct FitArgs {
     /// Fit x0 too: the time of passage is unknown.
     #[arg(long, conflicts_with = "x0")]
     fit_x0: bool,
-    /// Write JSON instead of a table.
-    #[arg(long)]
-    json: bool,
-    /// Write here, whole or not at all, instead of to standard output.
-    #[arg(long, value_name = "FILE")]
-    out: Option<PathBuf>,
+    #[command(flatten)]
+    report: ReportArgs,
 }
 
 const HELP: &str = "\
@@ -88,12 +84,5 @@ pub fn run(args: &FitArgs) -> anyhow::Result<()> {
     let options = FitOptions { model: args.model, curves, passage };
     let report =
         FitReport::new(&data.observations, &options, args.bootstrap, args.seed).with_context(|| name)?;
-    whole::write_to(args.out.as_deref(), |out| {
-        if args.json {
-            serde_json::to_writer_pretty(&mut *out, &report)?;
-            Ok(writeln!(out)?)
-        } else {
-            Ok(write!(out, "{report}")?)
-        }
-    })
+    args.report.write(&report)
 }

@@ -14,9 +14,11 @@ use relativity_core::math;
 use relativity_render::Camera;
 
 use self::locate::Target;
+use crate::columns::ANGLES;
+use crate::files::csv_out;
 use crate::files::exr::{EYES, Measurements};
 use crate::files::png::PngFile;
-use crate::files::{csv_out, whole};
+use crate::files::whole::OutArgs;
 use crate::flags::choices::{FileKind, Layout};
 use crate::flags::coordinates;
 use crate::platform;
@@ -35,9 +37,8 @@ pub struct MeasureArgs {
     inputs: Vec<PathBuf>,
     #[command(flatten)]
     target: TargetArgs,
-    /// Write here, whole or not at all, instead of to standard output.
-    #[arg(long, value_name = "FILE")]
-    out: Option<PathBuf>,
+    #[command(flatten)]
+    out: OutArgs,
 }
 
 /// What is followed.
@@ -61,18 +62,8 @@ Examples:
   gamow measure ride --point=-0.032,2.968,2 --out ride.csv
   gamow fit ride.csv --fit-x0";
 
-const COLUMNS: [&str; 10] = [
-    "T",
-    "d",
-    "phi_left",
-    "phi_right",
-    "theta_left",
-    "theta_right",
-    "dphi",
-    "dtheta",
-    "sigma_dphi",
-    "sigma_dtheta",
-];
+/// How many columns there are: T, d, the angles, and the standard deviations of their differences.
+const COLUMNS: usize = 2 + ANGLES.len() + 2;
 
 /// Standard deviation of what is rounded to whole units.
 const ROUNDING: f64 = 0.288_675_134_594_812_9;
@@ -90,9 +81,10 @@ pub fn run(args: &MeasureArgs) -> anyhow::Result<()> {
     if rows.len() < files.len() {
         eprintln!("{} of {} files show the target to both eyes", rows.len(), files.len());
     }
-    whole::write_to(args.out.as_deref(), |out| {
+    args.out.write(|out| {
         let mut csv = csv_out::Rows::new(out);
-        csv.write(&mut ByteRecord::from(COLUMNS.to_vec()), &[])?;
+        let names = [&["T", "d"], ANGLES, &["sigma_dphi", "sigma_dtheta"]].concat();
+        csv.write(&mut ByteRecord::from(names), &[])?;
         for row in &rows {
             csv.write(&mut ByteRecord::new(), row)?;
         }
@@ -133,8 +125,8 @@ fn files(inputs: &[PathBuf], target: Target) -> anyhow::Result<Vec<PathBuf>> {
     Ok(files)
 }
 
-/// A row of [`COLUMNS`]; none if an eye does not see the target.
-fn measured(path: &Path, target: Target) -> anyhow::Result<Option<[f64; COLUMNS.len()]>> {
+/// A row; none if an eye does not see the target.
+fn measured(path: &Path, target: Target) -> anyhow::Result<Option<[f64; COLUMNS]>> {
     let name = path.display().to_string();
     let (places, size, settings) = match target {
         Target::Marker(colour) => {
