@@ -33,7 +33,7 @@ pub struct Figures {
     pub line_of_sight_arcseconds: Option<Spread>,
     /// Relative error of the Doppler factor.
     pub doppler: Option<Spread>,
-    /// Share of the covered pixels that show another object.
+    /// Share of the covered pixels that show another body.
     pub wrong_share: f64,
 }
 
@@ -240,7 +240,7 @@ fn examined(
         maps.push((*eye, heat_map::image(&error.difference, view.camera.focal_length_px())));
         found.push(Finding {
             frame_ms: error.frame_ms,
-            outlines_px: error.silhouettes_px,
+            outlines_px: error.outlines_px,
             difference: error.difference.figures,
         });
     }

@@ -4,8 +4,8 @@ use glam::DVec3;
 use relativity_core::{Disparity, Parameter, Sighting, SourcePoint, Speed, equidistance_time};
 use relativity_render::{Gaze, Geometry, Velocity, View};
 
-use super::curves::Key;
-use super::fitting;
+use super::curves::CurvesKey;
+use super::fitting::{FitKey, FitOutcome};
 use super::points::Point;
 use super::state::State;
 use crate::flags::choices::GazeChoice;
@@ -55,7 +55,7 @@ pub struct Correction {
 impl State {
     /// The speed found by `fit`, or the scene's own without one.
     #[must_use]
-    pub fn correction(&self, fit: Option<&fitting::Outcome>) -> Correction {
+    pub fn correction(&self, fit: Option<&FitOutcome>) -> Correction {
         let beta = fit.and_then(|outcome| outcome.fitted.as_ref().ok()?.value(Parameter::Beta));
         match beta.and_then(|beta| Speed::from_beta(beta).ok()) {
             Some(speed) => Correction { speed, is_fitted: true },
@@ -118,8 +118,8 @@ impl State {
 
     /// What the curves of `point` depend on.
     #[must_use]
-    pub fn curve_key(&self, point: &Point) -> Key {
-        Key {
+    pub fn curve_key(&self, point: &Point) -> CurvesKey {
+        CurvesKey {
             velocity: self.velocity(point),
             rest: self.settings.rest_place(point.track.rest),
             separation: self.settings.motion.d,
@@ -130,8 +130,8 @@ impl State {
 
     /// What the fit of the selected point depends on.
     #[must_use]
-    pub fn fit_key(&self) -> fitting::Key {
-        fitting::Key {
+    pub fn fit_key(&self) -> FitKey {
+        FitKey {
             velocity: self.selected_velocity(),
             source: self.selected_source(),
             separation: self.settings.motion.d,

@@ -102,9 +102,8 @@ pub fn install(ctx: &egui::Context) {
         ] {
             widget.corner_radius = CornerRadius::same(5);
         }
+        palette(&mut style.visuals);
     });
-    ctx.style_mut_of(egui::Theme::Dark, |style| dark(&mut style.visuals));
-    ctx.style_mut_of(egui::Theme::Light, |style| light(&mut style.visuals));
 }
 
 /// The usual fonts, with arrows for the proportional one from the monospaced one.
@@ -115,30 +114,24 @@ fn fonts() -> FontDefinitions {
     fonts
 }
 
-fn dark(visuals: &mut Visuals) {
-    visuals.panel_fill = Color32::from_rgb(0x16, 0x18, 0x1D);
-    visuals.window_fill = Color32::from_rgb(0x1D, 0x20, 0x27);
-    visuals.extreme_bg_color = Color32::from_rgb(0x0E, 0x10, 0x14);
-    visuals.faint_bg_color = Color32::from_rgb(0x1C, 0x1F, 0x26);
-    visuals.widgets.noninteractive.fg_stroke.color = Color32::from_rgb(0xC4, 0xC9, 0xD4);
-    visuals.widgets.noninteractive.bg_stroke = Stroke::new(1.0, Color32::from_rgb(0x2D, 0x32, 0x3C));
-    visuals.widgets.inactive.weak_bg_fill = Color32::from_rgb(0x2A, 0x2F, 0x39);
-    visuals.widgets.inactive.bg_fill = Color32::from_rgb(0x33, 0x39, 0x45);
-    visuals.widgets.inactive.fg_stroke.color = Color32::from_rgb(0xD6, 0xDA, 0xE3);
-    visuals.selection.bg_fill = Color32::from_rgb(0x2F, 0x5D, 0x8C);
-    visuals.selection.stroke.color = Color32::WHITE;
-}
-
-fn light(visuals: &mut Visuals) {
-    visuals.panel_fill = Color32::from_rgb(0xF6, 0xF7, 0xF9);
-    visuals.window_fill = Color32::WHITE;
-    visuals.extreme_bg_color = Color32::WHITE;
-    visuals.faint_bg_color = Color32::from_rgb(0xEC, 0xEE, 0xF2);
-    visuals.widgets.noninteractive.fg_stroke.color = Color32::from_rgb(0x33, 0x38, 0x42);
-    visuals.widgets.noninteractive.bg_stroke = Stroke::new(1.0, Color32::from_rgb(0xD5, 0xD9, 0xE0));
-    visuals.widgets.inactive.weak_bg_fill = Color32::from_rgb(0xE3, 0xE6, 0xEC);
-    visuals.widgets.inactive.bg_fill = Color32::from_rgb(0xD3, 0xD8, 0xE1);
-    visuals.widgets.inactive.fg_stroke.color = Color32::from_rgb(0x2B, 0x30, 0x3A);
-    visuals.selection.bg_fill = Color32::from_rgb(0xB9, 0xD8, 0xF2);
-    visuals.selection.stroke.color = Color32::from_rgb(0x08, 0x2F, 0x52);
+/// The colours of the window's parts, on dark and on light.
+fn palette(visuals: &mut Visuals) {
+    let is_dark = visuals.dark_mode;
+    let colour = |dark: [u8; 3], light: [u8; 3]| {
+        let [r, g, b] = if is_dark { dark } else { light };
+        Color32::from_rgb(r, g, b)
+    };
+    visuals.panel_fill = colour([0x16, 0x18, 0x1D], [0xF6, 0xF7, 0xF9]);
+    visuals.window_fill = colour([0x1D, 0x20, 0x27], [0xFF, 0xFF, 0xFF]);
+    visuals.extreme_bg_color = colour([0x0E, 0x10, 0x14], [0xFF, 0xFF, 0xFF]);
+    visuals.faint_bg_color = colour([0x1C, 0x1F, 0x26], [0xEC, 0xEE, 0xF2]);
+    let still = &mut visuals.widgets.noninteractive;
+    still.fg_stroke.color = colour([0xC4, 0xC9, 0xD4], [0x33, 0x38, 0x42]);
+    still.bg_stroke = Stroke::new(1.0, colour([0x2D, 0x32, 0x3C], [0xD5, 0xD9, 0xE0]));
+    let inactive = &mut visuals.widgets.inactive;
+    inactive.weak_bg_fill = colour([0x2A, 0x2F, 0x39], [0xE3, 0xE6, 0xEC]);
+    inactive.bg_fill = colour([0x33, 0x39, 0x45], [0xD3, 0xD8, 0xE1]);
+    inactive.fg_stroke.color = colour([0xD6, 0xDA, 0xE3], [0x2B, 0x30, 0x3A]);
+    visuals.selection.bg_fill = colour([0x2F, 0x5D, 0x8C], [0xB9, 0xD8, 0xF2]);
+    visuals.selection.stroke.color = colour([0xFF, 0xFF, 0xFF], [0x08, 0x2F, 0x52]);
 }

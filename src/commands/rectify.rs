@@ -1,4 +1,4 @@
-//! `gamow rectify`: a picture taken from one eye, as a camera moving along with the objects would have taken it.
+//! `gamow rectify`: a picture taken from one eye, as a camera moving along with the bodies would have taken it.
 
 use std::path::{Path, PathBuf};
 
@@ -17,7 +17,7 @@ use crate::flags::choices::{FileKind, GazeChoice};
 use crate::flags::{NumberOrOff, OnOff, SpeedArgs, SpeedParameter, field_of_view, switch};
 use crate::settings::Settings;
 
-/// Corrects a picture taken from one eye to the frame of the objects in it.
+/// Corrects a picture taken from one eye to the frame of the bodies in it.
 ///
 /// Gives what a camera moving along with them would have taken at the same event: lines of sight turned back by
 /// aberration, wavelengths multiplied by the Doppler factor D, intensities divided by D^n. Works on any PNG picture with
@@ -32,7 +32,7 @@ pub struct RectifyArgs {
     image: PathBuf,
     #[command(flatten)]
     speed: SpeedArgs,
-    /// The objects move towards -x.
+    /// The bodies move towards -x.
     #[arg(long)]
     backward: bool,
     /// Horizontal field of view of the picture, degrees [default: as the file records it]
@@ -180,7 +180,7 @@ struct Source {
     doppler: f64,
 }
 
-/// The source of every pixel, row by row. Measurements are not interpolated: between two objects lies none.
+/// The source of every pixel, row by row. Measurements are not interpolated: between two bodies lies none.
 fn sources(rectification: &Rectification) -> Vec<Option<Source>> {
     let [width, height] = rectification.rest().size;
     let source = |column: u32, row: u32| {

@@ -25,7 +25,7 @@ pub const EYES: [&str; 2] = ["left", "right"];
 /// A measured quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Channel {
-    /// Number of the object, -1 where nothing is seen.
+    /// Number of the body, -1 where nothing is seen.
     Id,
     /// Number of the group it moves with, -1 where nothing is seen.
     Group,
@@ -39,7 +39,7 @@ pub enum Channel {
     WavelengthNm,
     /// Received over rest intensity.
     Intensity,
-    /// Place on the object in its rest frame, along the motion.
+    /// Place on the body in its rest frame, along the motion.
     RestX,
     /// Its depth.
     RestY,
@@ -55,11 +55,11 @@ struct Definition {
     nothing: f32,
     /// Its value for a hit.
     value: fn(&Hit, &Light<'_>) -> f64,
-    /// What multiplies it on the way to the frame of the objects, for a Doppler factor.
+    /// What multiplies it on the way to the frame of the bodies, for a Doppler factor.
     factor: fn(f64, LightCorrection) -> f64,
 }
 
-/// A channel that is the same in the frame of the objects.
+/// A channel that is the same in the frame of the bodies.
 const fn same(name: &'static str, nothing: f32, value: fn(&Hit, &Light<'_>) -> f64) -> Definition {
     Definition { name, nothing, value, factor: |_, _| 1.0 }
 }
@@ -126,7 +126,7 @@ impl Channel {
         self.definition().nothing
     }
 
-    /// What multiplies it when light with the Doppler factor `doppler` is corrected to the frame of the objects.
+    /// What multiplies it when light with the Doppler factor `doppler` is corrected to the frame of the bodies.
     #[must_use]
     pub fn factor(self, doppler: f64, correction: LightCorrection) -> f64 {
         (self.definition().factor)(doppler, correction)

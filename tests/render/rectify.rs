@@ -17,7 +17,7 @@ const CASES: [(f64, f64); 4] = [(0.9, 0.6), (0.9, 2.0), (0.6, 3.0), (0.9, 6.0)];
 /// Solid bodies: the spokes of a wheel are thinner than a pixel, and a ray per pixel hits them at random.
 const SCENE: &str = "--scene two-balls";
 
-/// The corrected left eye's frame, and the frame of a camera at rest in the object's frame.
+/// The corrected left eye's frame, and the frame of a camera at rest in the bodies' frame.
 fn corrected_and_true(
     folder: &Path,
     scene: &str,
@@ -72,7 +72,7 @@ fn is_near([column, row]: [usize; 2], [width, height]: [usize; 2], is: impl Fn(u
     around(row, height).any(|v| around(column, width).any(|u| is(v * width + u)))
 }
 
-/// Pixels at which silhouettes of the objects differ by more than a pixel, and all pixels of objects, where
+/// Pixels at which outlines of the bodies differ by more than a pixel, and all pixels of bodies, where
 /// the picture from the ground `shows` something.
 fn misplaced(
     corrected: &Measurements,
@@ -95,7 +95,7 @@ fn misplaced(
 }
 
 #[test]
-fn silhouettes_and_wavelengths_are_those_of_a_camera_riding_along() {
+fn outlines_and_wavelengths_are_those_of_a_camera_riding_along() {
     for (beta, time) in CASES {
         let folder = folder();
         let [corrected, truth] =
@@ -118,7 +118,7 @@ fn silhouettes_and_wavelengths_are_those_of_a_camera_riding_along() {
     }
 }
 
-/// Compares received wavelengths wherever one object fills the surroundings; at how many pixels.
+/// Compares received wavelengths wherever one body fills the surroundings; at how many pixels.
 fn assert_wavelengths(corrected: &Measurements, truth: &Measurements) -> usize {
     let size = truth.size.map(|side| side as usize);
     let channels = |of| [corrected, truth].map(|file| channel(file, of));

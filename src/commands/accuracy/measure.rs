@@ -56,12 +56,12 @@ pub fn report(
         threads: threads::count(),
         device: measurement.renderers.gpu().map(Gpu::description),
         scene: scene_name.to_owned(),
-        objects: scene.bodies.len(),
+        bodies: scene.bodies.len(),
         size_px: size,
         fov_degrees: FOV_DEGREES,
         separation: SEPARATION,
-        silhouette_resolution_px: RESOLUTION_PX,
-        silhouette_limit_px: LARGEST_PX,
+        outline_resolution_px: RESOLUTION_PX,
+        outline_limit_px: LARGEST_PX,
     };
     let mut report = AccuracyReport {
         setting,
@@ -193,7 +193,7 @@ fn picture_row(view: Circumstances, found: &ExpectedError) -> PictureRow {
         view,
         frame_ms: found.frame_ms,
         errors: PictureErrors {
-            silhouettes_px: found.silhouettes_px,
+            outlines_px: found.outlines_px,
             line_of_sight_arcseconds: figures.line_of_sight_arcseconds,
             doppler_relative: figures.doppler_relative,
             wrong_share: figures.wrong_share(),
@@ -217,7 +217,7 @@ fn renderer_report(method: Method, views: Vec<PictureRow>) -> RendererReport {
         bound_px: if let Method::Mesh { bound_px } = method { Some(bound_px) } else { None },
         frame_ms: median(views.iter().map(|row| row.frame_ms)),
         worst_view: PictureErrors {
-            silhouettes_px: spread(|errors| errors.silhouettes_px),
+            outlines_px: spread(|errors| errors.outlines_px),
             line_of_sight_arcseconds: spread(|errors| errors.line_of_sight_arcseconds),
             doppler_relative: spread(|errors| errors.doppler_relative),
             wrong_share: largest(|errors| errors.wrong_share),

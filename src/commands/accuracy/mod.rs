@@ -43,12 +43,12 @@ pub struct AccuracyArgs {
 
 const HELP: &str = "\
 What is measured:
-  silhouette     how far outlines are displaced, pixels: at places found on the reference's silhouettes by bisection,
+  outline        how far outlines are displaced, pixels: at places found on the reference's by bisection,
                  the method draws a strip across, up to 4096 times magnified
   line of sight  angle between a pixel's line of sight and that along which the point it shows is really seen, by
                  the light cone in f64, arcseconds
   D              relative error of the Doppler factor
-  wrong object   pixels that show another object than the reference, per pixel that shows one; where two objects
+  wrong body     pixels that show another body than the reference, per pixel that shows one; where two bodies
                  share a surface, that of the first is right
 
 Examples:

@@ -45,10 +45,10 @@ pub struct MeasureArgs {
 #[derive(Debug, Clone, Args)]
 #[group(required = true, multiple = false)]
 struct TargetArgs {
-    /// In .exr files: the mark on an object's surface at these rest-frame coordinates.
+    /// In .exr files: the mark on a body's surface at these rest-frame coordinates.
     #[arg(long, value_name = "X,Y,Z", value_parser = coordinates, allow_hyphen_values = true)]
     point: Option<[f64; 3]>,
-    /// In .exr files: the middle of the object with this number.
+    /// In .exr files: the middle of the body with this number.
     #[arg(long, value_name = "NUMBER")]
     object: Option<u32>,
     /// In .png files: the middle of all pixels of this colour.
@@ -96,7 +96,7 @@ impl TargetArgs {
     fn target(&self) -> Target {
         match (self.point, self.object, self.marker) {
             (Some(point), _, _) => Target::Point(point),
-            (_, Some(object), _) => Target::Object(object),
+            (_, Some(body), _) => Target::Body(body),
             (_, _, marker) => Target::Marker(marker.unwrap_or_default()), // clap wants one of them
         }
     }
@@ -137,7 +137,7 @@ fn measured(path: &Path, target: Target) -> anyhow::Result<Option<[f64; COLUMNS]
             let [width, height] = file.picture.size;
             (locate::colour_in(&file.picture, colour), [width / 2, height], settings)
         }
-        Target::Point(_) | Target::Object(_) => {
+        Target::Point(_) | Target::Body(_) => {
             let file = Measurements::read(path)?;
             let [left, right] =
                 EYES.map(|eye| locate::in_layer(&file, eye, target).with_context(|| name.clone()));
