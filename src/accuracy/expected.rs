@@ -91,10 +91,10 @@ mod tests {
         let view =
             view_at(Place::Abreast, speed, scene.tracked, 0.1, 1.0, [32, 24]).expect("inside the domain");
         let mut examined = |cancelled| {
-            let looks = Appearance::default();
+            let appearance = Appearance::default();
             let work = || {
                 let method = Method::Reference;
-                expected_error(&mut renderers, &prepared, method, &view, &looks, Effort::GLANCE, &|| {
+                expected_error(&mut renderers, &prepared, method, &view, &appearance, Effort::GLANCE, &|| {
                     cancelled
                 })
             };

@@ -24,7 +24,7 @@ pub struct Job {
     pub view: View,
     /// By which speed it is corrected.
     pub speed: Speed,
-    /// Its looks.
+    /// What becomes of its light.
     pub appearance: Appearance,
     /// What rides past.
     pub scene: PreparedScene,

@@ -16,7 +16,7 @@ use crate::accuracy::{DifferenceFigures, Effort, MESH_BOUNDS_PX, Spread, expecte
 pub struct Sight {
     /// What the eyes see through their own light cones.
     pub views: Vec<(Eye, View)>,
-    /// With which looks.
+    /// What becomes of their light.
     pub appearance: Appearance,
     /// Of what.
     pub scene: PreparedScene,
@@ -233,9 +233,9 @@ fn examined(
     let mut found = Vec::new();
     let mut maps = Vec::new();
     for (eye, view) in &sight.views {
-        let looks = &sight.appearance;
+        let appearance = &sight.appearance;
         let error =
-            expected_error(renderers, &sight.scene, *method, view, looks, Effort::GLANCE, is_cancelled)?;
+            expected_error(renderers, &sight.scene, *method, view, appearance, Effort::GLANCE, is_cancelled)?;
         let Some(error) = error else { return Ok(None) };
         maps.push((*eye, heat_map::image(&error.difference, view.camera.focal_length_px())));
         found.push(Finding {

@@ -30,7 +30,7 @@ struct EyePicture {
 pub struct Request {
     /// Who looks at what.
     pub view: View,
-    /// With which looks.
+    /// What becomes of its light.
     pub appearance: Appearance,
     /// What there is to see.
     pub scene: PreparedScene,

@@ -101,7 +101,7 @@ impl Settings {
         [view(left, geometry.of_left_eye()), view(right, geometry)]
     }
 
-    /// The looks of a scene whose ground lies at `ground_z`, if it has one.
+    /// What becomes of the light of a scene whose ground lies at `ground_z`, if it has one.
     #[must_use]
     pub fn appearance(&self, ground_z: Option<f64>, light_window: bool) -> Appearance {
         let light = &self.light;

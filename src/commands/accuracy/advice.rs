@@ -149,8 +149,8 @@ fn on_the_published_model(report: &AccuracyReport) -> String {
 
 fn on_effects(report: &AccuracyReport) -> String {
     let effects = &report.effects;
-    let looks = effects.without.iter().filter(|row| row.same_geometry);
-    let dearest = looks.min_by(|a, b| a.ratio.total_cmp(&b.ratio));
+    let of_light = effects.without.iter().filter(|row| row.same_geometry);
+    let dearest = of_light.min_by(|a, b| a.ratio.total_cmp(&b.ratio));
     let share = |ratio: f64| 100.0 * (1.0 - ratio);
     let least = (3.0 * effects.repeatability).max(0.05);
     match (dearest, effects.without.last()) {
@@ -161,7 +161,7 @@ fn on_effects(report: &AccuracyReport) -> String {
             share(all.ratio)
         ),
         _ => format!(
-            "No effect of looks was measured to cost more than {:.0} % of the picture's time: leave them on.",
+            "No effect of light was measured to cost more than {:.0} % of the picture's time: leave them on.",
             100.0 * least
         ),
     }

@@ -118,8 +118,9 @@ impl Measurement {
         for method in methods {
             let mut rows = Vec::new();
             for (circumstances, view) in &self.views {
-                let (renderers, looks, effort) = (&mut self.renderers, &self.appearance, self.effort);
-                let found = expected_error(renderers, &self.scene, method, view, looks, effort, &|| false)?;
+                let (renderers, appearance, effort) = (&mut self.renderers, &self.appearance, self.effort);
+                let found =
+                    expected_error(renderers, &self.scene, method, view, appearance, effort, &|| false)?;
                 let found = found.context("nothing cancels this")?;
                 rows.push(picture_row(*circumstances, &found));
                 progress.inc(1);
