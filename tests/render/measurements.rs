@@ -89,30 +89,8 @@ fn measurements_agree_with_the_light_cone_of_each_point() {
     assert!(pixels[0] > 100, "only {pixels:?} pixels show a body");
 }
 
-/// A ball that passes, a wall lamp that rests, and a ball that comes the other way.
-const GROUPS: &str = "\
-name = \"Groups\"
-[[object]]
-shape = \"sphere\"
-center = [0.0, 3.0, 1.0]
-radius = 0.5
-[[group]]
-name = \"street\"
-beta = 0
-[[group.object]]
-shape = \"sphere\"
-center = [1.0, 4.0, -0.5]
-radius = 0.7
-wavelength_nm = 550
-[[group]]
-name = \"oncoming\"
-beta = -0.6
-[[group.object]]
-shape = \"sphere\"
-center = [1.5, 5.0, 1.5]
-radius = 0.8
-wavelength_nm = 600
-";
+/// A ball that passes at the scene's speed, one that rests beside the road, and one that comes the other way.
+const GROUPS: &str = include_str!("../groups.toml");
 
 #[test]
 fn each_group_of_a_scene_is_measured_by_its_own_speed() {
@@ -132,7 +110,7 @@ fn each_group_of_a_scene_is_measured_by_its_own_speed() {
     assert!(resting.clone().count() > 10);
     resting.for_each(|pixel| assert_eq!([doppler[pixel], wavelength[pixel]], [1.0, 550.0]));
 
-    // What reads such files reads these too: the lamp is where it was.
+    // What reads such files reads these too: the resting ball is where it was.
     let text = run_gamow(folder.path(), "measure hits.exr --object 1");
     let row: Vec<f64> =
         text.lines().last().into_iter().flat_map(|row| row.split(',')).flat_map(str::parse).collect();

@@ -51,7 +51,8 @@ fn place(window: &Harness<'_, App>, rest: [f64; 3], eye: usize) -> Pos2 {
     pane.min + vec2(u as f32, v as f32)
 }
 
-fn click(window: &mut Harness<'_, App>, place: Pos2, modifiers: Modifiers) {
+/// Presses the button at `place` and lets it go.
+pub fn click(window: &mut Harness<'_, App>, place: Pos2, modifiers: Modifiers) {
     window.hover_at(place);
     window.step();
     for pressed in [true, false] {
