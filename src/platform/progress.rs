@@ -4,7 +4,8 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 /// A bar of so many `steps`, called `things`: on standard error, and only if that is a terminal.
 #[must_use]
-pub fn bar(steps: u64, things: &str) -> ProgressBar {
-    let style = ProgressStyle::with_template(&format!("{{bar:40}} {{pos}}/{{len}} {things}, {{eta}} left"));
-    ProgressBar::new(steps).with_style(style.expect("the template is well formed"))
+#[expect(clippy::missing_panics_doc, reason = "the template is well formed")]
+pub fn bar(steps: u64, things: &'static str) -> ProgressBar {
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} {prefix}, {eta} left");
+    ProgressBar::new(steps).with_style(style.expect("the template is well formed")).with_prefix(things)
 }

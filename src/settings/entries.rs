@@ -37,12 +37,8 @@ pub(super) struct Entry {
 
 /// The section of every setting and its name, in their order.
 pub(super) fn names() -> impl Iterator<Item = (String, &'static str)> {
-    FLAGS.get_arguments().filter_map(|flag| Some((section(flag), flag.get_long()?)))
-}
-
-/// The section that a flag is in.
-pub(super) fn section(flag: &Arg) -> String {
-    flag.get_help_heading().unwrap_or_default().to_lowercase()
+    let section = |flag: &Arg| flag.get_help_heading().unwrap_or_default().to_lowercase();
+    FLAGS.get_arguments().filter_map(move |flag| Some((section(flag), flag.get_long()?)))
 }
 
 impl Settings {
@@ -107,8 +103,9 @@ impl Settings {
 
     /// Sets what `flags` say.
     pub(super) fn set(&mut self, flags: Vec<String>) -> Result<(), Problem> {
-        let matches = FLAGS.clone().try_get_matches_from(flags).map_err(|error| Problem::new(&error))?;
-        self.update_from_arg_matches(&matches).map_err(|error| Problem::new(&error))
+        let matches = FLAGS.clone().try_get_matches_from(flags);
+        let updated = matches.and_then(|matches| self.update_from_arg_matches(&matches));
+        updated.map_err(|error| Problem::new(&error))
     }
 }
 

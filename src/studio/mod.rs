@@ -66,11 +66,7 @@ impl Studio {
         let settings = settings.resolved(&self.tracked());
         let time = settings.time.unwrap_or_default();
         settings.disparity(&self.tracked(), time)?;
-        let provenance = Provenance {
-            title: self.scene.name.clone(),
-            parameters: settings.command(),
-            scene_fingerprint: self.scene.fingerprint(),
-        };
+        let provenance = self.scene.provenance(settings.command());
         Ok(Frame { settings, time, provenance })
     }
 
