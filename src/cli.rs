@@ -5,9 +5,11 @@ use clap::{Parser, Subcommand};
 use crate::app::{self, args::WindowArgs};
 use crate::commands;
 
-/// Interactive stereo viewer of special relativity. Without a command it opens the window.
+/// Interactive stereo viewer of special relativity: what each eye sees, exactly.
+///
+/// Without a command it opens the window, in which what no flag sets is as it was left.
 #[derive(Debug, Parser)]
-#[command(version, about, after_help = EXAMPLES, args_conflicts_with_subcommands = true)]
+#[command(version, after_help = EXAMPLES, args_conflicts_with_subcommands = true)]
 pub struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
@@ -26,7 +28,7 @@ Examples:
   gamow curve --samples 1000 --out curve.csv
   gamow curve | cut -d, -f 1-6 | gamow eval --model published
 
-`gamow eval --help` and `gamow curve --help` tell more.";
+`gamow COMMAND --help` tells more.";
 
 /// The headless commands.
 #[derive(Debug, Subcommand)]

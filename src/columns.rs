@@ -24,9 +24,16 @@ pub const COLUMNS: [&str; 14] = [
     "dphi",
     "dtheta",
 ];
+/// Those of angles.
+pub const ANGLES: &[&str] = COLUMNS.split_at(8).1;
 
-/// Explains [`COLUMNS`] and the models at the end of a command's help.
-pub const COLUMNS_HELP: &str = "\
+/// The end of a command's help: what [`COLUMNS`] and the models are, and `examples`.
+#[must_use]
+pub fn help_with(examples: &str) -> String {
+    format!("{HELP}\n\n{examples}")
+}
+
+const HELP: &str = "\
 The columns appended, for the left and the right eye (x_left, x_right and so on):
   x          apparent x, measured from the eye
   t          time of emission of the light that arrives at T

@@ -22,6 +22,12 @@ pub fn time_seen_at(
     observation_time_when_seen_at(speed, point, ratio * distance, separation)
 }
 
+/// The T at a `fraction` of the way from the first to the last of a range: exact at both ends.
+#[must_use]
+pub fn time_within([from, to]: [f64; 2], fraction: f64) -> f64 {
+    from * (1.0 - fraction) + to * fraction
+}
+
 /// The observation times from which to which `point` is seen to pass: at x = -2 R and at x = +2 R; `None` at rest.
 ///
 /// # Errors

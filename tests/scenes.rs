@@ -55,7 +55,7 @@ fn the_default_scene_tracks_the_papers_point_at_the_front_of_the_front_tyre() {
 fn no_other_part_of_the_cyclist_reaches_as_far_forward() {
     for (number, body) in Scene::default().bodies.iter().enumerate().skip(1) {
         let front = largest_x(&body.shape);
-        assert!(front < -0.01, "object {number} reaches x = {front}");
+        assert!(front < -0.01, "body {number} reaches x = {front}");
     }
 }
 

@@ -16,10 +16,10 @@ pub const ARCSECONDS: f64 = 3600.0 * 180.0 / std::f64::consts::PI;
 pub enum PixelDifference {
     /// Neither shows anything.
     Nothing,
-    /// Another object, or only one of the two shows any.
-    WrongObject,
-    /// The same object.
-    SameObject {
+    /// Another body, or only one of the two shows any.
+    WrongBody,
+    /// The same body.
+    SameBody {
         /// Angle between the pixel's line of sight and that along which the point shown is really seen.
         arcseconds: f64,
         /// |D / D of the reference - 1|.
@@ -41,13 +41,13 @@ pub struct Difference {
 /// A difference in figures.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct DifferenceFigures {
-    /// Pixels in which the reference shows an object.
+    /// Pixels in which the reference shows a body.
     pub covered_pixels: usize,
-    /// Pixels with the wrong object, or with one where there is none, or without one where there is.
+    /// Pixels with the wrong body, or with one where there is none, or without one where there is.
     pub wrong_pixels: usize,
     /// Those of them whose eight neighbours all show the same as they do in the reference.
     pub wrong_pixels_off_outlines: usize,
-    /// Over pixels with the right object: see [`PixelDifference::SameObject`].
+    /// Over pixels with the right body: see [`PixelDifference::SameBody`].
     pub line_of_sight_arcseconds: Option<Spread>,
     /// Over the same pixels: relative error of the Doppler factor.
     pub doppler_relative: Option<Spread>,
@@ -92,11 +92,11 @@ fn pixel_difference(
 ) -> PixelDifference {
     match (reference, shown) {
         (None, None) => PixelDifference::Nothing,
-        (Some(reference), Some(shown)) if reference.body == shown.body => PixelDifference::SameObject {
+        (Some(reference), Some(shown)) if reference.body == shown.body => PixelDifference::SameBody {
             arcseconds: ARCSECONDS * angle(line_of_sight, direction(&group_views[shown.group], shown)),
             doppler: (shown.doppler_factor / reference.doppler_factor - 1.0).abs(),
         },
-        _ => PixelDifference::WrongObject,
+        _ => PixelDifference::WrongBody,
     }
 }
 
@@ -114,10 +114,10 @@ pub fn angle(a: DVec3, b: DVec3) -> f64 {
 
 fn figures(reference: &HitImage, pixels: &[PixelDifference]) -> DifferenceFigures {
     let all = |kind| (0..pixels.len()).filter(move |&i| pixels[i] == kind);
-    let wrong: Vec<_> = all(PixelDifference::WrongObject).collect();
+    let wrong: Vec<_> = all(PixelDifference::WrongBody).collect();
     let same = |value: fn(f64, f64) -> f64| {
         let errors = pixels.iter().filter_map(|pixel| match *pixel {
-            PixelDifference::SameObject { arcseconds, doppler } => Some(value(arcseconds, doppler)),
+            PixelDifference::SameBody { arcseconds, doppler } => Some(value(arcseconds, doppler)),
             _ => None,
         });
         Spread::of(errors.collect())
@@ -158,10 +158,8 @@ mod tests {
     }
 
     fn figures(view: &View, shown: &HitImage, truth: &[Body]) -> DifferenceFigures {
-        {
-            let scene = PreparedScene::moving(truth);
-            Difference::new(&scene, view, &scene.hit_image(view), shown).figures
-        }
+        let scene = PreparedScene::moving(truth);
+        Difference::new(&scene, view, &scene.hit_image(view), shown).figures
     }
 
     #[test]
@@ -180,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn another_object_is_wrong_also_where_it_has_the_same_surface() {
+    fn another_body_is_wrong_also_where_it_has_the_same_surface() {
         let view = view(0.5);
         let truth = [ball([0.0, 5.0, 0.0], 1.0), ball([0.0, 5.0, 0.0], 1.0)];
         let mut shown = PreparedScene::moving(&truth).hit_image(&view);

@@ -4,7 +4,7 @@ use relativity_render::{Appearance, GpuError, HitImage, Method, PreparedScene, R
 
 use super::cost::frame_ms;
 use super::difference::Difference;
-use super::outline::{OutlinePoint, displacement_px, silhouette_pixels};
+use super::outline::{OutlinePoint, displacement_px, outline_pixels};
 use super::spread::Spread;
 use crate::platform::threads::prelude::*;
 
@@ -29,8 +29,8 @@ impl Effort {
 pub struct ExpectedError {
     /// Milliseconds per picture (of one eye).
     pub frame_ms: f64,
-    /// Displacement of silhouettes, pixels; `None` if there are none, and for the reference itself.
-    pub silhouettes_px: Option<Spread>,
+    /// Displacement of outlines, pixels; `None` if there are none, and for the reference itself.
+    pub outlines_px: Option<Spread>,
     /// Pixel by pixel, for a heat map, and in figures.
     pub difference: Difference,
 }
@@ -66,13 +66,13 @@ pub fn expected_error(
         displacements.push(displacement_px(scene, view, &place, strips)?);
     }
     let frame_ms = frame_ms(renderers, method, scene, view, appearance, effort.rounds)?;
-    let silhouettes_px = Spread::of(displacements);
-    Ok((!is_cancelled()).then_some(ExpectedError { frame_ms, silhouettes_px, difference }))
+    let outlines_px = Spread::of(displacements);
+    Ok((!is_cancelled()).then_some(ExpectedError { frame_ms, outlines_px, difference }))
 }
 
 fn outline_places(scene: &PreparedScene, view: &View, image: &HitImage, count: usize) -> Vec<OutlinePoint> {
     let place = |pixels| OutlinePoint::between(pixels, scene, view);
-    silhouette_pixels(image, count).par_iter().filter_map(place).collect()
+    outline_pixels(image, count).par_iter().filter_map(place).collect()
 }
 
 #[cfg(test)]
@@ -91,10 +91,10 @@ mod tests {
         let view =
             view_at(Place::Abreast, speed, scene.tracked, 0.1, 1.0, [32, 24]).expect("inside the domain");
         let mut examined = |cancelled| {
-            let looks = Appearance::default();
+            let appearance = Appearance::default();
             let work = || {
                 let method = Method::Reference;
-                expected_error(&mut renderers, &prepared, method, &view, &looks, Effort::GLANCE, &|| {
+                expected_error(&mut renderers, &prepared, method, &view, &appearance, Effort::GLANCE, &|| {
                     cancelled
                 })
             };

@@ -14,10 +14,8 @@ mod views;
 pub use cost::{MESH_BOUNDS_PX, REFERENCE_SAMPLES, frame_ms, methods};
 pub use difference::{ARCSECONDS, Difference, DifferenceFigures, PixelDifference, angle};
 pub use expected::{Effort, ExpectedError, expected_error};
-pub use formulas::{Formula, FormulaError, formula_error};
-pub use outline::{
-    LARGEST_PX, OutlinePoint, RESOLUTION_PX, SilhouettePixels, displacement_px, silhouette_pixels,
-};
+pub use formulas::{Formula, formula_error};
+pub use outline::{LARGEST_PX, RESOLUTION_PX};
 pub use published::{PublishedError, published_error};
 pub use spread::Spread;
 pub use views::{Place, view_at};

@@ -1,6 +1,6 @@
-//! Displacement of outlines: how far from the reference's silhouette a renderer draws it, in pixels.
+//! Displacement of outlines: how far from the reference's a renderer draws them, in pixels.
 //!
-//! Places on silhouettes are found in the reference's picture by bisection in f64. At each, the renderer draws a
+//! Places on outlines are found in the reference's picture by bisection in f64. At each, the renderer draws a
 //! strip of the view across the outline, one pixel high and magnified until the displacement shows; where in it
 //! the depth jumps is compared with where the reference does, perpendicular to the outline, which is taken as
 //! straight between the two.
@@ -17,24 +17,24 @@ const MAGNIFICATIONS: [f64; 3] = [4096.0, 128.0, 8.0];
 pub const RESOLUTION_PX: f64 = 0.5 / MAGNIFICATIONS[0];
 /// Displacements from this on, half the coarsest strip, count as this.
 pub const LARGEST_PX: f64 = 0.5 * STRIP as f64 / MAGNIFICATIONS[2];
-/// Depth behind an edge, relative to the distance, below which it is a crease and no silhouette.
+/// Depth behind an edge, relative to the distance, below which it is a crease and no outline.
 const CREASE: f64 = 1e-2;
 /// Distance of the neighbouring place that gives an outline's direction, pixels.
 const NEIGHBOUR_PX: f64 = 0.02;
 /// Halvings of a pixel in the search for an outline.
 const BISECTIONS: u32 = 24;
 
-/// Two neighbouring pixels of a picture, of which only the first shows the object in front.
+/// Two neighbouring pixels of a picture, of which only the first shows the body in front.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SilhouettePixels {
+pub struct OutlinePixels {
     body: usize,
     inside: DVec2,
     outside: DVec2,
 }
 
-/// About `count` pairs, evenly chosen from all along the silhouettes of the reference's `image`.
+/// About `count` pairs, evenly chosen from all along the outlines of the reference's `image`.
 #[must_use]
-pub fn silhouette_pixels(image: &HitImage, count: usize) -> Vec<SilhouettePixels> {
+pub fn outline_pixels(image: &HitImage, count: usize) -> Vec<OutlinePixels> {
     let [width, height] = image.size.map(|side| side as usize);
     let pixel = |u: usize, v: usize| {
         let center = DVec2::new(u as f64 + 0.5, v as f64 + 0.5);
@@ -42,35 +42,35 @@ pub fn silhouette_pixels(image: &HitImage, count: usize) -> Vec<SilhouettePixels
     };
     let rows = (0..height).flat_map(|v| (1..width).map(move |u| [pixel(u - 1, v), pixel(u, v)]));
     let columns = (1..height).flat_map(|v| (0..width).map(move |u| [pixel(u, v - 1), pixel(u, v)]));
-    let all: Vec<_> = rows.chain(columns).filter_map(across_silhouette).collect();
+    let all: Vec<_> = rows.chain(columns).filter_map(across_outline).collect();
     let chosen = count.min(all.len());
     (0..chosen).map(|i| all[i * all.len() / chosen]).collect()
 }
 
-fn across_silhouette([a, b]: [(Option<Hit>, DVec2); 2]) -> Option<SilhouettePixels> {
+fn across_outline([a, b]: [(Option<Hit>, DVec2); 2]) -> Option<OutlinePixels> {
     let distance = |hit: Option<Hit>| hit.map_or(f64::INFINITY, |hit| hit.distance);
     let [front, back] = if distance(a.0) <= distance(b.0) { [a, b] } else { [b, a] };
     let body = front.0?.body;
     let is_edge = back.0.is_none_or(|hit| hit.body != body);
-    is_edge.then_some(SilhouettePixels { body, inside: front.1, outside: back.1 })
+    is_edge.then_some(OutlinePixels { body, inside: front.1, outside: back.1 })
 }
 
-/// A place on a silhouette in the reference's picture.
+/// A place on an outline in the reference's picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OutlinePoint {
     /// Where it is in the picture.
     pub pixel: DVec2,
-    /// Unit vector out of the object, across the outline; right and down.
+    /// Unit vector out of the body, across the outline; right and down.
     pub outward: DVec2,
-    /// What is nearer than this belongs to the silhouette, what is farther lies behind.
+    /// What is nearer than this lies inside the outline, what is farther behind it.
     pub divide: f64,
 }
 
 impl OutlinePoint {
     /// The place between two pixels of `view`; `None` at corners of an outline and at creases.
     #[must_use]
-    pub fn between(pixels: &SilhouettePixels, scene: &PreparedScene, view: &View) -> Option<Self> {
-        let SilhouettePixels { body, inside, outside } = *pixels;
+    pub fn between(pixels: &OutlinePixels, scene: &PreparedScene, view: &View) -> Option<Self> {
+        let OutlinePixels { body, inside, outside } = *pixels;
         let search = Search { scene, view, body };
         let aside = NEIGHBOUR_PX * (outside - inside).perp();
         let [pixel, beyond] = search.edge(inside, outside)?;
@@ -102,7 +102,7 @@ impl Search<'_> {
         Some((0..BISECTIONS).fold([inside, outside], halved))
     }
 
-    /// A distance between those of the silhouette and of what lies behind; `None` at a crease.
+    /// A distance between those just inside the outline and just outside; `None` at a crease.
     fn divide(&self, inside: DVec2, outside: DVec2) -> Option<f64> {
         let front = self.hit(inside)?.distance;
         let Some(back) = self.hit(outside) else { return Some(f64::INFINITY) };
@@ -117,7 +117,7 @@ impl Search<'_> {
 /// How far the outline at `point` of `view` is displaced in a renderer's picture, pixels, 0 up to
 /// [`RESOLUTION_PX`].
 ///
-/// `hits` gives the renderer's picture of a small part of `view`, magnified. Where it shows no end of the silhouette up
+/// `hits` gives the renderer's picture of a small part of `view`, magnified. Where it shows no outline up
 /// to [`LARGEST_PX`], that stands for more.
 ///
 /// # Errors
@@ -145,7 +145,7 @@ struct Strip {
     point: OutlinePoint,
     /// Picture axis along which it runs: 0 right, 1 down.
     axis: usize,
-    /// Whether the object lies towards larger pixel numbers.
+    /// Whether the body lies towards larger pixel numbers.
     reversed: bool,
 }
 
@@ -166,17 +166,17 @@ impl Strip {
         strip
     }
 
-    /// Where along the strip the renderer sees the silhouette end, strip pixels outwards from the middle; `None`
+    /// Where along the strip the renderer draws the outline, strip pixels outwards from the middle; `None`
     /// beyond the strip.
     ///
-    /// An object that is lost counts as displaced by its width, a gap that is closed by the gap's.
+    /// A body that is lost counts as displaced by its width, a gap that is closed by the gap's.
     fn end(&self, reference: &HitImage, shown: &HitImage) -> Option<f64> {
         let middle = STRIP as usize / 2;
-        let (reference, shown) = (self.silhouette(reference), self.silhouette(shown));
+        let (reference, shown) = (self.inside(reference), self.inside(shown));
         let width = reference[..middle].iter().rev().take_while(|&&inside| inside).count();
         let gap = reference[middle..].iter().take_while(|&&inside| !inside).count();
         let [inner, outer] = [middle - width, middle + gap];
-        // Outwards from the middle of the object, inwards if it is not there.
+        // Outwards from the middle of the body, inwards if it is not there.
         let core = middle - width.div_ceil(2);
         let end = if shown[core] {
             core + shown[core..outer].iter().take_while(|&&inside| inside).count()
@@ -186,8 +186,8 @@ impl Strip {
         (end > 0 && end < STRIP as usize).then_some(end as f64 - middle as f64)
     }
 
-    /// Which of the strip's pixels belong to the silhouette, outwards.
-    fn silhouette(&self, image: &HitImage) -> Vec<bool> {
+    /// Which of the strip's pixels lie inside the outline, outwards.
+    fn inside(&self, image: &HitImage) -> Vec<bool> {
         let is_inside = |hit: &Option<Hit>| hit.is_some_and(|hit| hit.distance < self.point.divide);
         let mut inside: Vec<_> = image.hits.iter().map(is_inside).collect();
         if self.reversed {
@@ -201,7 +201,7 @@ impl Strip {
         if end == 0.0 { 0.0 } else { self.outward_px(camera, end).abs() }
     }
 
-    /// How far out of the object, in pixels of `camera`, the place is that lies `along` strip pixels from the
+    /// How far out of the body, in pixels of `camera`, the place is that lies `along` strip pixels from the
     /// middle.
     fn outward_px(&self, camera: &Camera, along: f64) -> f64 {
         let mut place = [0.5, 0.5];
@@ -238,7 +238,7 @@ mod tests {
     /// Displacements of the outline of a ball of radius 1 in the eyes of one who takes it for `radius`.
     fn displacements(radius: f64) -> Vec<f64> {
         let (truth, view) = (ball(1.0), view());
-        let pairs = silhouette_pixels(&truth.hit_image(&view), 50);
+        let pairs = outline_pixels(&truth.hit_image(&view), 50);
         let points: Vec<_> =
             pairs.iter().filter_map(|pair| OutlinePoint::between(pair, &truth, &view)).collect();
         assert!(points.len() > 40, "{} places", points.len());
@@ -271,20 +271,20 @@ mod tests {
     }
 
     #[test]
-    fn the_truth_is_not_displaced_and_a_lost_object_is_displaced_by_the_most() {
+    fn the_truth_is_not_displaced_and_a_lost_body_is_displaced_by_the_most() {
         assert!(displacements(1.0).iter().all(|&displacement| displacement == 0.0));
         assert!(displacements(0.01).iter().all(|&displacement| displacement == LARGEST_PX));
     }
 
     #[test]
-    fn a_thin_object_that_is_lost_is_displaced_by_its_width() {
+    fn a_thin_body_that_is_lost_is_displaced_by_its_width() {
         let thin = Shape::Tube { from: [-2.0, 5.0, 0.0], to: [2.0, 5.0, 0.0], radius: 0.01 };
         let truth = PreparedScene::moving(&[Body { shape: thin, rest_wavelength_nm: 600.0 }]);
         let view = view();
         let width_px = 0.02 / 5.0 * view.camera.focal_length_px();
         // 0.01 px above the edge.
         let inside = DVec2::new(80.5, 60.0 + 0.5 * width_px - 0.01);
-        let pixels = SilhouettePixels { body: 0, inside, outside: inside + DVec2::Y };
+        let pixels = OutlinePixels { body: 0, inside, outside: inside + DVec2::Y };
         let point = OutlinePoint::between(&pixels, &truth, &view).expect("the edge lies between");
         let nothing = |view: &View| Ok::<_, Infallible>(PreparedScene::moving(&[]).hit_image(view));
         let displacement = displacement_px(&truth, &view, &point, nothing).expect("cannot fail");
@@ -292,12 +292,12 @@ mod tests {
     }
 
     #[test]
-    fn creases_between_objects_that_intersect_are_no_silhouettes() {
+    fn creases_between_bodies_that_intersect_are_no_outlines() {
         let tube = |to| Shape::Tube { from: [0.0, 5.0, 0.0], to, radius: 0.5 };
         let shapes = [tube([-1.0, 5.0, 0.0]), tube([1.0, 5.0, 0.0])];
         let bodies = shapes.map(|shape| Body { shape, rest_wavelength_nm: 600.0 });
         let (scene, view) = (PreparedScene::moving(&bodies), view());
-        let pairs = silhouette_pixels(&scene.hit_image(&view), usize::MAX);
+        let pairs = outline_pixels(&scene.hit_image(&view), usize::MAX);
         let points: Vec<_> = pairs.iter().filter_map(|p| OutlinePoint::between(p, &scene, &view)).collect();
         assert!(points.len() < pairs.len());
         let middle = f64::from(view.camera.size[1]) / 2.0;

@@ -2,10 +2,10 @@
 
 use std::path::PathBuf;
 
-use anyhow::Context as _;
 use clap::{Arg, Args};
 
 use super::state::State;
+use crate::flags::choices::sides;
 use crate::settings::{Settings, StartArgs};
 
 /// Flags of the window. A setting that is not given is as it was left, or as usual.
@@ -63,15 +63,5 @@ impl WindowArgs {
 }
 
 fn size(text: &str) -> Result<[u32; 2], String> {
-    sides(text).map_err(|error| format!("{error:#}"))
-}
-
-fn sides(text: &str) -> anyhow::Result<[u32; 2]> {
-    let (width, height) = text.split_once('x').context("write it like 1280x800")?;
-    let side = |text: &str| -> anyhow::Result<u32> {
-        let side: u16 = text.trim().parse().context("write it like 1280x800")?;
-        anyhow::ensure!((64..=8192).contains(&side), "each side must be between 64 and 8192");
-        Ok(u32::from(side))
-    };
-    Ok([side(width)?, side(height)?])
+    sides(text, 64..=8192)
 }

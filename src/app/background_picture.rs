@@ -1,6 +1,7 @@
 //! A picture made by a thread of its own, as it takes longer than a frame.
 
 use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
+use relativity_render::Picture;
 
 use super::worker::{Wanted, Worker};
 
@@ -15,12 +16,11 @@ pub struct BackgroundPicture<J> {
 
 impl<J: Clone + PartialEq + Send + 'static> BackgroundPicture<J> {
     /// Pictures of what `picture` makes of a job.
-    pub fn new(
-        ctx: &Context,
-        name: &'static str,
-        picture: impl Fn(&J) -> ColorImage + Send + 'static,
-    ) -> Self {
-        let work = move |job: J, _: &Wanted| Some(picture(&job));
+    pub fn new(ctx: &Context, name: &'static str, picture: impl Fn(&J) -> Picture + Send + 'static) -> Self {
+        let work = move |job: J, _: &Wanted| {
+            let Picture { size, rgba } = picture(&job);
+            Some(ColorImage::from_rgba_unmultiplied(size.map(|side| side as usize), rgba.as_flattened()))
+        };
         Self {
             ctx: ctx.clone(),
             name,

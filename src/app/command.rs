@@ -9,6 +9,7 @@ use super::clock;
 use super::observer::Eye;
 use super::state::{Session, State};
 use crate::flags::choices::{FileKind, GazeChoice};
+use crate::passage::time_within;
 use crate::platform::files;
 use crate::scene::Track;
 use crate::settings::{
@@ -101,7 +102,9 @@ impl State {
             Command::Window(window) => self.set_window(window),
             Command::Time(time) => self.session.time = clock::bounded(time),
             Command::Step(steps) => self.step(steps),
-            Command::TimeInRange(fraction) => self.go_to_fraction(fraction),
+            Command::TimeInRange(fraction) => {
+                self.session.time = clock::bounded(time_within(self.time_range(), fraction));
+            }
             Command::TogglePlaying => self.toggle_playing(),
             Command::NudgeSpeed(steps) => {
                 self.settings.motion.speed = self.settings.motion.speed.nudged(steps);
@@ -143,11 +146,6 @@ impl State {
         let next = (self.session.time / size).round() + f64::from(steps);
         self.session.time = clock::bounded(next * size);
         self.session.playing = false;
-    }
-
-    fn go_to_fraction(&mut self, fraction: f64) {
-        let [from, to] = self.time_range();
-        self.session.time = clock::bounded(from * (1.0 - fraction) + to * fraction);
     }
 
     fn toggle_playing(&mut self) {

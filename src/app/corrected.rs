@@ -1,12 +1,12 @@
 //! The left eye's picture, corrected to what a camera riding along would have taken: made by a thread of its
 //! own from the speed that the fit found.
 
-use eframe::egui::{ColorImage, Context};
+use eframe::egui::Context;
 use relativity_core::Speed;
 use relativity_render::backdrop::Backdrop;
 use relativity_render::rectified_hits::Blank;
 use relativity_render::rectify::Rectification;
-use relativity_render::{Appearance, Camera, PreparedScene, Velocity, View};
+use relativity_render::{Appearance, Camera, Picture, PreparedScene, Velocity, View};
 
 use super::background_picture::BackgroundPicture;
 
@@ -24,7 +24,7 @@ pub struct Job {
     pub view: View,
     /// By which speed it is corrected.
     pub speed: Speed,
-    /// Its looks.
+    /// What becomes of its light.
     pub appearance: Appearance,
     /// What rides past.
     pub scene: PreparedScene,
@@ -42,7 +42,7 @@ impl Corrected {
 }
 
 /// The corrected picture of `job`.
-fn picture(job: &Job) -> ColorImage {
+fn picture(job: &Job) -> Picture {
     let size = size(job.view.camera.size);
     let camera = Camera { size: size.map(|side| FINENESS * side), ..job.view.camera };
     let view = View { camera, ..job.view };
@@ -54,9 +54,7 @@ fn picture(job: &Job) -> ColorImage {
     let plain = Appearance { sky: false, ground_z: None, ..job.appearance };
     let background = Backdrop::new(&view.camera, &plain).sky(view.camera.gaze.axes().forward);
     let blank = Blank { background, outside: background.map(|part| OUTSIDE * part) };
-    let picture = rectification.picture_of_hits(&hits, &wavelengths, &job.appearance, blank);
-    let rgb: Vec<u8> = picture.rgba.iter().flat_map(|[r, g, b, _]| [*r, *g, *b]).collect();
-    ColorImage::from_rgb(picture.size.map(|side| side as usize), &rgb)
+    rectification.picture_of_hits(&hits, &wavelengths, &job.appearance, blank)
 }
 
 /// `size`, scaled down to what is made in time.

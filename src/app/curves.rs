@@ -6,6 +6,8 @@ use relativity_core::math;
 use relativity_core::{Aperture, Model, PublishedVariant, SourcePoint, Speed, equidistance_time};
 use relativity_render::Velocity;
 
+use crate::passage::time_within;
+
 /// A quantity that is plotted against T.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Quantity {
@@ -23,7 +25,7 @@ pub enum Quantity {
 
 /// What a point's curves depend on.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Key {
+pub struct CurvesKey {
     /// How the point moves.
     pub velocity: Velocity,
     /// Where it is at rest, from between the eyes.
@@ -39,7 +41,7 @@ pub struct Key {
 /// Every curve of one point.
 #[derive(Debug, Clone)]
 pub struct Curves {
-    key: Key,
+    key: CurvesKey,
     exact: [Vec<PlotPoint>; EXACT],
     published: [Vec<PlotPoint>; 2],
 }
@@ -63,7 +65,7 @@ const RUNGS: i32 = 40;
 impl Curves {
     /// The curves for `key`.
     #[must_use]
-    pub fn new(key: Key) -> Self {
+    pub fn new(key: CurvesKey) -> Self {
         let source = key.velocity.reflected_source(key.rest);
         let anchors = bends(&key.velocity.speed, source, key.separation);
         let exact = channels(&sampled(key.range, &anchors, |time| exact_values(&key, time)));
@@ -77,7 +79,7 @@ impl Curves {
 
     /// What they were made for.
     #[must_use]
-    pub const fn key(&self) -> &Key {
+    pub const fn key(&self) -> &CurvesKey {
         &self.key
     }
 
@@ -104,7 +106,7 @@ impl Curves {
     }
 }
 
-fn exact_values(key: &Key, time: f64) -> Option<[f64; EXACT]> {
+fn exact_values(key: &CurvesKey, time: f64) -> Option<[f64; EXACT]> {
     let both = key.velocity.disparity(Model::Exact, key.rest, key.separation, time).ok()?;
     let (l, r) = (both.primary, both.secondary);
     let values = [
@@ -120,7 +122,7 @@ fn exact_values(key: &Key, time: f64) -> Option<[f64; EXACT]> {
     values.iter().all(|value| value.is_finite()).then_some(values)
 }
 
-fn published_values(key: &Key, time: f64) -> Option<[f64; 2]> {
+fn published_values(key: &CurvesKey, time: f64) -> Option<[f64; 2]> {
     let model = Model::Published(PublishedVariant::AppendixA);
     let both = key.velocity.disparity(model, key.rest, key.separation, time).ok()?;
     let values = [both.dphi, both.dtheta];
@@ -183,8 +185,8 @@ fn thinned<const N: usize>(
 /// Even steps, and a ladder towards each anchor from both sides.
 fn first_times([from, to]: [f64; 2], anchors: &[f64]) -> Vec<f64> {
     let width = to - from;
-    let fraction = |i| f64::from(i) / f64::from(FIRST_INTERVALS);
-    let even = (0..=FIRST_INTERVALS).map(|i| from * (1.0 - fraction(i)) + to * fraction(i));
+    let even =
+        (0..=FIRST_INTERVALS).map(|i| time_within([from, to], f64::from(i) / f64::from(FIRST_INTERVALS)));
     let rungs = (1..=RUNGS).map(|k| width * 0.5f64.powi(k));
     let ladders = anchors.iter().flat_map(|anchor| {
         std::iter::once(*anchor).chain(rungs.clone().flat_map(move |rung| [anchor - rung, anchor + rung]))
@@ -242,11 +244,11 @@ fn channels<const N: usize>(samples: &[Sample<N>]) -> [Vec<PlotPoint>; N] {
 mod tests {
     use super::*;
 
-    fn key(beta: f64, point: [f64; 3]) -> Key {
+    fn key(beta: f64, point: [f64; 3]) -> CurvesKey {
         let velocity = Velocity::from_beta(beta).expect("in range");
         let [x0, y, z] = point;
         let rest = [x0 * velocity.speed.gamma(), y, z];
-        Key { velocity, rest, separation: 0.3, range: [-2.0, 5.0], published: true }
+        CurvesKey { velocity, rest, separation: 0.3, range: [-2.0, 5.0], published: true }
     }
 
     /// Linear interpolation in a drawn curve.

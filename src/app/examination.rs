@@ -9,14 +9,14 @@ use super::heat_map;
 use super::observer::Eye;
 use super::stillness::Stillness;
 use super::worker::{Wanted, Worker};
-use crate::accuracy::{DifferenceFigures, Effort, MESH_BOUNDS_PX, Spread, expected_error};
+use crate::accuracy::{DifferenceFigures, Effort, ExpectedError, MESH_BOUNDS_PX, Spread, expected_error};
 
 /// What is examined: the present views.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sight {
     /// What the eyes see through their own light cones.
     pub views: Vec<(Eye, View)>,
-    /// With which looks.
+    /// What becomes of their light.
     pub appearance: Appearance,
     /// Of what.
     pub scene: PreparedScene,
@@ -33,7 +33,7 @@ pub struct Figures {
     pub line_of_sight_arcseconds: Option<Spread>,
     /// Relative error of the Doppler factor.
     pub doppler: Option<Spread>,
-    /// Share of the covered pixels that show another object.
+    /// Share of the covered pixels that show another body.
     pub wrong_share: f64,
 }
 
@@ -229,44 +229,36 @@ fn examined(
     job: &Job,
     is_cancelled: &dyn Fn() -> bool,
 ) -> Result<Option<(Figures, HeatMaps)>, GpuError> {
-    let Job { sight, method, .. } = job;
+    let Sight { views, appearance, scene } = &job.sight;
     let mut found = Vec::new();
-    let mut maps = Vec::new();
-    for (eye, view) in &sight.views {
-        let looks = &sight.appearance;
-        let error =
-            expected_error(renderers, &sight.scene, *method, view, looks, Effort::GLANCE, is_cancelled)?;
+    for (_, view) in views {
+        let (method, effort) = (job.method, Effort::GLANCE);
+        let error = expected_error(renderers, scene, method, view, appearance, effort, is_cancelled)?;
         let Some(error) = error else { return Ok(None) };
-        maps.push((*eye, heat_map::image(&error.difference, view.camera.focal_length_px())));
-        found.push(Finding {
-            frame_ms: error.frame_ms,
-            outlines_px: error.silhouettes_px,
-            difference: error.difference.figures,
-        });
+        found.push(error);
     }
+    let map = |((eye, view), error): (&(Eye, View), &ExpectedError)| {
+        (*eye, heat_map::image(&error.difference, view.camera.focal_length_px()))
+    };
+    let maps = views.iter().zip(&found).map(map).collect();
     Ok(Some((Figures::of(&found), maps)))
 }
 
-/// What was found in one eye's view.
-struct Finding {
-    frame_ms: f64,
-    outlines_px: Option<Spread>,
-    difference: DifferenceFigures,
-}
-
 impl Figures {
-    fn of(found: &[Finding]) -> Self {
-        let worse =
-            |spread: fn(&Finding) -> Option<Spread>| found.iter().filter_map(spread).reduce(Spread::worse);
+    /// Of what was found in the eyes' views.
+    fn of(found: &[ExpectedError]) -> Self {
+        let worse = |spread: fn(&ExpectedError) -> Option<Spread>| {
+            found.iter().filter_map(spread).reduce(Spread::worse)
+        };
         let sum = |count: fn(&DifferenceFigures) -> usize| -> usize {
-            found.iter().map(|finding| count(&finding.difference)).sum()
+            found.iter().map(|error| count(&error.difference.figures)).sum()
         };
         let covered = sum(|figures| figures.covered_pixels).max(1);
         Self {
-            frame_ms: found.iter().map(|finding| finding.frame_ms).sum(),
-            outlines_px: worse(|finding| finding.outlines_px),
-            line_of_sight_arcseconds: worse(|finding| finding.difference.line_of_sight_arcseconds),
-            doppler: worse(|finding| finding.difference.doppler_relative),
+            frame_ms: found.iter().map(|error| error.frame_ms).sum(),
+            outlines_px: worse(|error| error.outlines_px),
+            line_of_sight_arcseconds: worse(|error| error.difference.figures.line_of_sight_arcseconds),
+            doppler: worse(|error| error.difference.figures.doppler_relative),
             wrong_share: sum(|figures| figures.wrong_pixels) as f64 / covered as f64,
         }
     }

@@ -1,7 +1,7 @@
 //! The two eyes' pictures, each drawn again only when something about it changed: on the GPU within the frame, or
 //! by the reference renderer in the background.
 
-use eframe::egui::{ColorImage, Context, TextureId};
+use eframe::egui::{Context, TextureId};
 use eframe::egui_wgpu::RenderState;
 use eframe::wgpu::FilterMode;
 use relativity_render::{Appearance, EyeTarget, Gpu, Method, PreparedScene, Renderers, View};
@@ -30,7 +30,7 @@ struct EyePicture {
 pub struct Request {
     /// Who looks at what.
     pub view: View,
-    /// With which looks.
+    /// What becomes of its light.
     pub appearance: Appearance,
     /// What there is to see.
     pub scene: PreparedScene,
@@ -69,7 +69,9 @@ struct ReferencePicture {
 
 impl ReferencePicture {
     fn new(ctx: &Context) -> Self {
-        let picture = BackgroundPicture::new(ctx, "reference", reference_picture);
+        let picture =
+            |request: &Request| request.scene.picture(&request.view, &request.appearance, REFERENCE_SAMPLES);
+        let picture = BackgroundPicture::new(ctx, "reference", picture);
         Self { picture, stillness: Stillness::default(), is_awaited: false }
     }
 
@@ -82,11 +84,6 @@ impl ReferencePicture {
         self.is_awaited = done.is_none();
         done
     }
-}
-
-fn reference_picture(request: &Request) -> ColorImage {
-    let picture = request.scene.picture(&request.view, &request.appearance, REFERENCE_SAMPLES);
-    ColorImage::from_rgba_unmultiplied(picture.size.map(|side| side as usize), picture.rgba.as_flattened())
 }
 
 impl EyePictures {

@@ -10,8 +10,8 @@ use crate::accuracy::{ARCSECONDS, Difference, PixelDifference};
 
 /// Powers of ten of a pixel, from the darkest to the brightest colour.
 pub const DECADES: RangeInclusive<f64> = -8.0..=0.0;
-/// Where another object is seen.
-pub const WRONG_OBJECT: Color32 = Color32::from_rgb(0xFF, 0x38, 0x60);
+/// Where another body is seen.
+pub const WRONG_BODY: Color32 = Color32::from_rgb(0xFF, 0x38, 0x60);
 /// Where nothing is seen the picture shows through.
 const NOTHING: Color32 = Color32::from_black_alpha(170);
 
@@ -29,8 +29,8 @@ pub fn colour(decade: f64) -> Color32 {
 pub fn image(difference: &Difference, pixels_per_radian: f64) -> ColorImage {
     let colours = difference.pixels.iter().map(|pixel| match *pixel {
         PixelDifference::Nothing => NOTHING,
-        PixelDifference::WrongObject => WRONG_OBJECT,
-        PixelDifference::SameObject { arcseconds, .. } => {
+        PixelDifference::WrongBody => WRONG_BODY,
+        PixelDifference::SameBody { arcseconds, .. } => {
             colour(math::log10(arcseconds / ARCSECONDS * pixels_per_radian))
         }
     });
@@ -44,12 +44,12 @@ mod tests {
 
     #[test]
     fn every_kind_of_pixel_has_its_colour() {
-        let seen = |arcseconds| PixelDifference::SameObject { arcseconds, doppler: 0.0 };
+        let seen = |arcseconds| PixelDifference::SameBody { arcseconds, doppler: 0.0 };
         let pixels_per_radian = 100.0;
         let one_pixel = ARCSECONDS / pixels_per_radian;
         let pixels = vec![
             PixelDifference::Nothing,
-            PixelDifference::WrongObject,
+            PixelDifference::WrongBody,
             seen(one_pixel),
             seen(0.0),
             seen(f64::NAN),
@@ -64,7 +64,7 @@ mod tests {
         let image = image(&Difference { size: [5, 1], pixels, figures }, pixels_per_radian);
         let (darkest, brightest) = (colour(-8.0), colour(0.0));
         assert_eq!(image.size, [5, 1]);
-        assert_eq!(image.pixels[..4], [NOTHING, WRONG_OBJECT, brightest, darkest]);
+        assert_eq!(image.pixels[..4], [NOTHING, WRONG_BODY, brightest, darkest]);
         assert!(image.pixels[4].is_opaque());
     }
 }

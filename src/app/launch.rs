@@ -8,7 +8,6 @@ use eframe::{CreationContext, NativeOptions};
 use super::args::WindowArgs;
 use super::state::State;
 use super::{App, graphics, icon, memory, screenshot};
-use crate::files::provenance::Provenance;
 use crate::settings::Settings;
 
 /// Name under which settings are saved.
@@ -25,11 +24,7 @@ const WHAT_TO_DO: &str = "On Debian and Ubuntu install `libx11-6 libxcursor1 lib
 pub fn launch(args: &WindowArgs) -> anyhow::Result<()> {
     if let Some(path) = &args.screenshot {
         let state = args.state(Settings::default())?;
-        let provenance = Provenance {
-            title: state.session.scene.name.clone(),
-            parameters: state.shown().window_command(),
-            scene_fingerprint: state.session.scene.fingerprint(),
-        };
+        let provenance = state.session.scene.provenance(state.shown().window_command());
         return screenshot::save(state, args.window_size_or_default(), &provenance.texts(), path);
     }
     // Flags are judged before a window appears; the saved settings are only known once it has.

@@ -7,7 +7,8 @@ use super::observer::Eye;
 use super::theme::{GAP, TITLE_HEIGHT};
 use crate::settings::Window;
 
-/// What can stand in a pane.
+/// What can stand in a pane. One more is a variant and a line in [`Self::shown`], its switch among the settings of the
+/// [`Window`], a file in `panels`, and an arm where panes are painted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Content {
     /// What an eye sees.

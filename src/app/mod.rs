@@ -37,7 +37,7 @@ use eframe::egui_wgpu::RenderState;
 
 use command::Command;
 use corrected::Corrected;
-use curves::{Curves, Key};
+use curves::{Curves, CurvesKey};
 use examination::{Examination, Sight};
 use eyes::EyePictures;
 use fitting::Fitting;
@@ -144,7 +144,7 @@ impl App {
 
     /// Brings the curves up to date; those that still hold are kept.
     fn update_curves(&mut self) {
-        let keys: Vec<Key> =
+        let keys: Vec<CurvesKey> =
             self.state.session.points.all().iter().map(|point| self.state.curve_key(point)).collect();
         self.curves = keys
             .into_iter()

@@ -1,11 +1,11 @@
 //! What the two eyes make of the state: sightings of the followed points, gaze, cameras, markers.
 
 use glam::DVec3;
-use relativity_core::{Disparity, Model, Parameter, Sighting, SourcePoint, Speed, equidistance_time};
+use relativity_core::{Disparity, Parameter, Sighting, SourcePoint, Speed, equidistance_time};
 use relativity_render::{Gaze, Geometry, Velocity, View};
 
-use super::curves::Key;
-use super::fitting;
+use super::curves::CurvesKey;
+use super::fitting::{FitKey, FitOutcome};
 use super::points::Point;
 use super::state::State;
 use crate::flags::choices::GazeChoice;
@@ -55,7 +55,7 @@ pub struct Correction {
 impl State {
     /// The speed found by `fit`, or the scene's own without one.
     #[must_use]
-    pub fn correction(&self, fit: Option<&fitting::Outcome>) -> Correction {
+    pub fn correction(&self, fit: Option<&FitOutcome>) -> Correction {
         let beta = fit.and_then(|outcome| outcome.fitted.as_ref().ok()?.value(Parameter::Beta));
         match beta.and_then(|beta| Speed::from_beta(beta).ok()) {
             Some(speed) => Correction { speed, is_fitted: true },
@@ -94,9 +94,7 @@ impl State {
     /// The exact disparity of `point` now.
     #[must_use]
     pub fn disparity(&self, point: &Point) -> Option<Disparity> {
-        let place = self.settings.rest_place(point.track.rest);
-        let (separation, time) = (self.settings.motion.d, self.session.time);
-        self.velocity(point).disparity(Model::Exact, place, separation, time).ok()
+        self.settings.disparity(&point.track, self.session.time).ok()
     }
 
     /// T0 of `point`: when both eyes see it at the same distance. `None` at rest.
@@ -120,8 +118,8 @@ impl State {
 
     /// What the curves of `point` depend on.
     #[must_use]
-    pub fn curve_key(&self, point: &Point) -> Key {
-        Key {
+    pub fn curve_key(&self, point: &Point) -> CurvesKey {
+        CurvesKey {
             velocity: self.velocity(point),
             rest: self.settings.rest_place(point.track.rest),
             separation: self.settings.motion.d,
@@ -132,8 +130,8 @@ impl State {
 
     /// What the fit of the selected point depends on.
     #[must_use]
-    pub fn fit_key(&self) -> fitting::Key {
-        fitting::Key {
+    pub fn fit_key(&self) -> FitKey {
+        FitKey {
             velocity: self.selected_velocity(),
             source: self.selected_source(),
             separation: self.settings.motion.d,

@@ -100,7 +100,7 @@ impl State {
         body.map_or(f64::NAN, |body| body.rest_wavelength_nm)
     }
 
-    /// The looks of a view, in a light window or a dark one.
+    /// What becomes of its light, in a light window or a dark one.
     #[must_use]
     pub fn appearance(&self, light_window: bool) -> Appearance {
         self.settings.appearance(self.session.scene.ground_z, light_window)

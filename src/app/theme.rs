@@ -7,6 +7,7 @@ use eframe::egui::{
 };
 
 use super::observer::Eye;
+use super::points::MAX_POINTS;
 use crate::settings::Theme;
 
 /// Space around and between the parts of the window, points.
@@ -14,36 +15,32 @@ pub const GAP: f32 = 8.0;
 /// Height of the titles of panes.
 pub const TITLE_HEIGHT: f32 = 22.0;
 
+/// The first of two colours (red, green, blue) on a dark background, the second on a light one.
+fn either(is_dark: bool, [dark, light]: [[u8; 3]; 2]) -> Color32 {
+    let [r, g, b] = if is_dark { dark } else { light };
+    Color32::from_rgb(r, g, b)
+}
+
 /// The colour of an eye, on this background.
 #[must_use]
 pub fn eye_colour(eye: Eye, visuals: &Visuals) -> Color32 {
-    match (eye, visuals.dark_mode) {
-        (Eye::Left, true) => Color32::from_rgb(0x56, 0xB4, 0xE9),
-        (Eye::Left, false) => Color32::from_rgb(0x00, 0x72, 0xB2),
-        (Eye::Right, true) => Color32::from_rgb(0xE6, 0x9F, 0x00),
-        (Eye::Right, false) => Color32::from_rgb(0xD5, 0x5E, 0x00),
+    match eye {
+        Eye::Left => either(visuals.dark_mode, [[0x56, 0xB4, 0xE9], [0x00, 0x72, 0xB2]]),
+        Eye::Right => either(visuals.dark_mode, [[0xE6, 0x9F, 0x00], [0xD5, 0x5E, 0x00]]),
     }
 }
 
 /// The colour of the followed point with this number (from 1), on this background.
 #[must_use]
 pub fn point_colour(number: usize, visuals: &Visuals) -> Color32 {
-    const DARK: [Color32; 5] = [
-        Color32::from_rgb(0x1F, 0xD0, 0x9E),
-        Color32::from_rgb(0xE7, 0x9B, 0xC8),
-        Color32::from_rgb(0xF0, 0xE4, 0x42),
-        Color32::from_rgb(0xC8, 0xC8, 0xC8),
-        Color32::from_rgb(0xA7, 0x8B, 0xFA),
+    const COLOURS: [[[u8; 3]; 2]; MAX_POINTS] = [
+        [[0x1F, 0xD0, 0x9E], [0x00, 0x8A, 0x64]],
+        [[0xE7, 0x9B, 0xC8], [0xB3, 0x4E, 0x8A]],
+        [[0xF0, 0xE4, 0x42], [0x8F, 0x7A, 0x00]],
+        [[0xC8, 0xC8, 0xC8], [0x55, 0x55, 0x55]],
+        [[0xA7, 0x8B, 0xFA], [0x6D, 0x4A, 0xD8]],
     ];
-    const LIGHT: [Color32; 5] = [
-        Color32::from_rgb(0x00, 0x8A, 0x64),
-        Color32::from_rgb(0xB3, 0x4E, 0x8A),
-        Color32::from_rgb(0x8F, 0x7A, 0x00),
-        Color32::from_rgb(0x55, 0x55, 0x55),
-        Color32::from_rgb(0x6D, 0x4A, 0xD8),
-    ];
-    let colours = if visuals.dark_mode { DARK } else { LIGHT };
-    colours[(number + colours.len() - 1) % colours.len()]
+    either(visuals.dark_mode, COLOURS[(number + MAX_POINTS - 1) % MAX_POINTS])
 }
 
 /// What sets a marker off from any picture.
@@ -102,9 +99,8 @@ pub fn install(ctx: &egui::Context) {
         ] {
             widget.corner_radius = CornerRadius::same(5);
         }
+        palette(&mut style.visuals);
     });
-    ctx.style_mut_of(egui::Theme::Dark, |style| dark(&mut style.visuals));
-    ctx.style_mut_of(egui::Theme::Light, |style| light(&mut style.visuals));
 }
 
 /// The usual fonts, with arrows for the proportional one from the monospaced one.
@@ -115,30 +111,21 @@ fn fonts() -> FontDefinitions {
     fonts
 }
 
-fn dark(visuals: &mut Visuals) {
-    visuals.panel_fill = Color32::from_rgb(0x16, 0x18, 0x1D);
-    visuals.window_fill = Color32::from_rgb(0x1D, 0x20, 0x27);
-    visuals.extreme_bg_color = Color32::from_rgb(0x0E, 0x10, 0x14);
-    visuals.faint_bg_color = Color32::from_rgb(0x1C, 0x1F, 0x26);
-    visuals.widgets.noninteractive.fg_stroke.color = Color32::from_rgb(0xC4, 0xC9, 0xD4);
-    visuals.widgets.noninteractive.bg_stroke = Stroke::new(1.0, Color32::from_rgb(0x2D, 0x32, 0x3C));
-    visuals.widgets.inactive.weak_bg_fill = Color32::from_rgb(0x2A, 0x2F, 0x39);
-    visuals.widgets.inactive.bg_fill = Color32::from_rgb(0x33, 0x39, 0x45);
-    visuals.widgets.inactive.fg_stroke.color = Color32::from_rgb(0xD6, 0xDA, 0xE3);
-    visuals.selection.bg_fill = Color32::from_rgb(0x2F, 0x5D, 0x8C);
-    visuals.selection.stroke.color = Color32::WHITE;
-}
-
-fn light(visuals: &mut Visuals) {
-    visuals.panel_fill = Color32::from_rgb(0xF6, 0xF7, 0xF9);
-    visuals.window_fill = Color32::WHITE;
-    visuals.extreme_bg_color = Color32::WHITE;
-    visuals.faint_bg_color = Color32::from_rgb(0xEC, 0xEE, 0xF2);
-    visuals.widgets.noninteractive.fg_stroke.color = Color32::from_rgb(0x33, 0x38, 0x42);
-    visuals.widgets.noninteractive.bg_stroke = Stroke::new(1.0, Color32::from_rgb(0xD5, 0xD9, 0xE0));
-    visuals.widgets.inactive.weak_bg_fill = Color32::from_rgb(0xE3, 0xE6, 0xEC);
-    visuals.widgets.inactive.bg_fill = Color32::from_rgb(0xD3, 0xD8, 0xE1);
-    visuals.widgets.inactive.fg_stroke.color = Color32::from_rgb(0x2B, 0x30, 0x3A);
-    visuals.selection.bg_fill = Color32::from_rgb(0xB9, 0xD8, 0xF2);
-    visuals.selection.stroke.color = Color32::from_rgb(0x08, 0x2F, 0x52);
+/// The colours of the window's parts, on dark and on light.
+fn palette(visuals: &mut Visuals) {
+    let is_dark = visuals.dark_mode;
+    let colour = |dark, light| either(is_dark, [dark, light]);
+    visuals.panel_fill = colour([0x16, 0x18, 0x1D], [0xF6, 0xF7, 0xF9]);
+    visuals.window_fill = colour([0x1D, 0x20, 0x27], [0xFF, 0xFF, 0xFF]);
+    visuals.extreme_bg_color = colour([0x0E, 0x10, 0x14], [0xFF, 0xFF, 0xFF]);
+    visuals.faint_bg_color = colour([0x1C, 0x1F, 0x26], [0xEC, 0xEE, 0xF2]);
+    let still = &mut visuals.widgets.noninteractive;
+    still.fg_stroke.color = colour([0xC4, 0xC9, 0xD4], [0x33, 0x38, 0x42]);
+    still.bg_stroke = Stroke::new(1.0, colour([0x2D, 0x32, 0x3C], [0xD5, 0xD9, 0xE0]));
+    let inactive = &mut visuals.widgets.inactive;
+    inactive.weak_bg_fill = colour([0x2A, 0x2F, 0x39], [0xE3, 0xE6, 0xEC]);
+    inactive.bg_fill = colour([0x33, 0x39, 0x45], [0xD3, 0xD8, 0xE1]);
+    inactive.fg_stroke.color = colour([0xD6, 0xDA, 0xE3], [0x2B, 0x30, 0x3A]);
+    visuals.selection.bg_fill = colour([0x2F, 0x5D, 0x8C], [0xB9, 0xD8, 0xF2]);
+    visuals.selection.stroke.color = colour([0xFF, 0xFF, 0xFF], [0x08, 0x2F, 0x52]);
 }

@@ -1,16 +1,16 @@
 //! `gamow curve`: what both eyes see of one point over a range of observation times.
 
 use std::io::Write;
-use std::path::PathBuf;
 
 use clap::Args;
 use csv::ByteRecord;
 use relativity_core::SourcePoint;
 
-use crate::columns::{COLUMNS, COLUMNS_HELP, ModelArgs, Observation, ObservationError};
-use crate::files::{csv_out, whole};
+use crate::columns::{COLUMNS, ModelArgs, Observation, ObservationError, help_with};
+use crate::files::csv_out;
+use crate::files::whole::OutArgs;
 use crate::flags::{SpeedArgs, finite_number};
-use crate::passage::passage_times;
+use crate::passage::{passage_times, time_within};
 
 /// Speed of the paper's cyclist.
 const CYCLIST_BETA: f64 = 0.9;
@@ -20,7 +20,7 @@ const CYCLIST_BETA: f64 = 0.9;
 /// Without flags: the tracked point of the paper's cyclist. The first six columns are the inputs, under the names that
 /// `gamow eval` reads.
 #[derive(Debug, Args)]
-#[command(after_long_help = help())]
+#[command(after_long_help = help_with(EXAMPLES))]
 pub struct CurveArgs {
     #[command(flatten)]
     speed: SpeedArgs,
@@ -45,9 +45,8 @@ pub struct CurveArgs {
     /// How many observation times, at least 2.
     #[arg(long, default_value_t = 201, value_name = "N", value_parser = clap::value_parser!(u64).range(2..))]
     samples: u64,
-    /// Write here, whole or not at all, instead of to standard output.
-    #[arg(long, value_name = "FILE")]
-    out: Option<PathBuf>,
+    #[command(flatten)]
+    out: OutArgs,
     #[command(flatten)]
     model: ModelArgs,
 }
@@ -58,10 +57,6 @@ Examples:
   gamow curve --beta 0.9 --d 0.3 --y 0.5 --z 0.5 --from -2 --to 5 --model published
   gamow curve --gamma 1e6 --x0 -10 --from 0 --to 20 --out curve.csv";
 
-fn help() -> String {
-    format!("{COLUMNS_HELP}\n\n{EXAMPLES}")
-}
-
 /// Runs `gamow curve`.
 pub fn run(args: &CurveArgs) -> anyhow::Result<()> {
     let first = args.observation(0.0)?;
@@ -70,7 +65,7 @@ pub fn run(args: &CurveArgs) -> anyhow::Result<()> {
     if from >= to {
         anyhow::bail!("--from {from} is not before --to {to}");
     }
-    whole::write_to(args.out.as_deref(), |out| write_curve(args, first, [from, to], out))
+    args.out.write(|out| write_curve(args, first, [from, to], out))
 }
 
 fn write_curve(
@@ -85,8 +80,7 @@ fn write_curve(
     row.extend(COLUMNS);
     output.write(&mut row, &[])?;
     for sample in 0..args.samples {
-        let u = sample as f64 / (args.samples - 1) as f64;
-        let time = from * (1.0 - u) + to * u; // exact at both ends
+        let time = time_within([from, to], sample as f64 / (args.samples - 1) as f64);
         let values = args.model.values(&Observation { time, ..first })?;
         row.clear();
         let inputs = [speed, args.d, args.y, args.z, args.x0, time];

@@ -1,4 +1,4 @@
-//! `gamow rectify`: a picture taken from one eye, as a camera moving along with the objects would have taken it.
+//! `gamow rectify`: a picture taken from one eye, as a camera moving along with the bodies would have taken it.
 
 use std::path::{Path, PathBuf};
 
@@ -11,12 +11,13 @@ use relativity_render::{Camera, Gaze, Velocity};
 
 use crate::files::exr::{Channel, Measurements};
 use crate::files::png::{self, PngFile};
-use crate::files::provenance::{Provenance, Recorded};
+use crate::files::provenance::Provenance;
 use crate::files::whole::write_whole;
 use crate::flags::choices::{FileKind, GazeChoice};
-use crate::flags::{NumberOrOff, OnOff, SpeedArgs, field_of_view, switch};
+use crate::flags::{NumberOrOff, OnOff, SpeedArgs, SpeedParameter, field_of_view, switch};
+use crate::settings::Settings;
 
-/// Corrects a picture taken from one eye to the frame of the objects in it.
+/// Corrects a picture taken from one eye to the frame of the bodies in it.
 ///
 /// Gives what a camera moving along with them would have taken at the same event: lines of sight turned back by
 /// aberration, wavelengths multiplied by the Doppler factor D, intensities divided by D^n. Works on any PNG picture with
@@ -31,7 +32,7 @@ pub struct RectifyArgs {
     image: PathBuf,
     #[command(flatten)]
     speed: SpeedArgs,
-    /// The objects move towards -x.
+    /// The bodies move towards -x.
     #[arg(long)]
     backward: bool,
     /// Horizontal field of view of the picture, degrees [default: as the file records it]
@@ -80,17 +81,14 @@ pub fn run(args: &RectifyArgs) -> anyhow::Result<()> {
 impl RectifyArgs {
     fn rectify_picture(&self) -> anyhow::Result<()> {
         let file = PngFile::read(&self.image)?;
-        let recorded = file.recorded();
-        let is_stereo = recorded.text("layout").is_some_and(|layout| !["left", "right"].contains(&layout));
-        anyhow::ensure!(
-            !is_stereo,
-            "{}: it shows both eyes; `gamow render --layout left` draws one",
-            self.image.display()
-        );
-        let rectification = self.rectification(file.picture.size, &recorded)?;
+        let recorded = self.recorded(file.command());
+        let eyes = recorded.as_ref().map_or(1, |settings| settings.picture.layout.eyes().len());
+        let name = self.image.display();
+        anyhow::ensure!(eyes == 1, "{name}: it shows both eyes; `gamow render --layout left` draws one");
+        let rectification = self.rectification(file.picture.size, recorded.as_ref())?;
         let corrected = rectification.picture(&file.picture, self.light());
         let provenance = Provenance {
-            title: format!("{}, corrected", self.image.display()),
+            title: format!("{name}, corrected"),
             parameters: self.parameters(&rectification)?,
             scene_fingerprint: String::new(),
         };
@@ -99,7 +97,7 @@ impl RectifyArgs {
 
     fn rectify_measurements(&self) -> anyhow::Result<()> {
         let measured = Measurements::read(&self.image)?;
-        let rectification = self.rectification(measured.size, &measured.recorded())?;
+        let rectification = self.rectification(measured.size, self.recorded(&measured.command()).as_ref())?;
         let (sources, light) = (sources(&rectification), self.light());
         let corrected = measured.map(rectification.rest().size, |name, values| {
             let channel = Channel::of(name);
@@ -118,16 +116,24 @@ impl RectifyArgs {
         LightCorrection { doppler_shift: self.doppler_shift, intensity_exponent: self.intensity_exponent.0 }
     }
 
-    fn rectification(&self, size: [u32; 2], recorded: &Recorded) -> anyhow::Result<Rectification> {
-        let (parameter, value) =
-            self.speed.given().context("one of --beta, --gamma, --rapidity is needed")?;
+    /// The settings that the file's `command` tells, if `gamow render` made it.
+    fn recorded(&self, command: &str) -> Option<Settings> {
+        Settings::of_picture(command, &self.image.display().to_string()).ok()
+    }
+
+    fn speed(&self) -> anyhow::Result<(SpeedParameter, f64)> {
+        self.speed.given().context("one of --beta, --gamma, --rapidity is needed")
+    }
+
+    fn rectification(&self, size: [u32; 2], recorded: Option<&Settings>) -> anyhow::Result<Rectification> {
+        let (parameter, value) = self.speed()?;
         let velocity = Velocity { speed: parameter.speed(value)?, is_backward: self.backward };
         let fov = self
             .fov
-            .or_else(|| recorded.number("fov"))
+            .or(recorded.map(|settings| settings.look.fov))
             .context("--fov is needed: the file does not record it")?;
         let gaze = fixed(self.gaze, "--gaze")?
-            .or_else(|| recorded.gaze())
+            .or(recorded.and_then(|settings| settings.look.gaze.fixed()))
             .context("--gaze is needed: the file does not record it")?;
         let ground = Camera { aperture: Aperture::default(), gaze, horizontal_fov: fov.to_radians(), size };
         let mut rest = Rectification::rest_camera(&ground, &velocity);
@@ -142,8 +148,7 @@ impl RectifyArgs {
 
     /// The command that corrects the picture again, with the camera that took the corrected one.
     fn parameters(&self, rectification: &Rectification) -> anyhow::Result<String> {
-        let (parameter, value) =
-            self.speed.given().context("one of --beta, --gamma, --rapidity is needed")?;
+        let (parameter, value) = self.speed()?;
         let Camera { gaze, horizontal_fov, .. } = rectification.rest();
         Ok(format!(
             "gamow rectify --{}={value}{} --out-fov={} --out-gaze={},{}",
@@ -175,7 +180,7 @@ struct Source {
     doppler: f64,
 }
 
-/// The source of every pixel, row by row. Measurements are not interpolated: between two objects lies none.
+/// The source of every pixel, row by row. Measurements are not interpolated: between two bodies lies none.
 fn sources(rectification: &Rectification) -> Vec<Option<Source>> {
     let [width, height] = rectification.rest().size;
     let source = |column: u32, row: u32| {

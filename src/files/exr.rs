@@ -16,7 +16,7 @@ use relativity_core::doppler::{intensity_factor, received_wavelength};
 use relativity_render::rectify::LightCorrection;
 use relativity_render::{Hit, HitImage, PreparedScene};
 
-use super::provenance::{Recorded, SOFTWARE};
+use super::provenance::{SOFTWARE, command_in_comments};
 use crate::platform::files;
 
 /// The layers: the eyes, in the order in which two eyes are given everywhere.
@@ -25,7 +25,7 @@ pub const EYES: [&str; 2] = ["left", "right"];
 /// A measured quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Channel {
-    /// Number of the object, -1 where nothing is seen.
+    /// Number of the body, -1 where nothing is seen.
     Id,
     /// Number of the group it moves with, -1 where nothing is seen.
     Group,
@@ -39,7 +39,7 @@ pub enum Channel {
     WavelengthNm,
     /// Received over rest intensity.
     Intensity,
-    /// Place on the object in its rest frame, along the motion.
+    /// Place on the body in its rest frame, along the motion.
     RestX,
     /// Its depth.
     RestY,
@@ -55,11 +55,11 @@ struct Definition {
     nothing: f32,
     /// Its value for a hit.
     value: fn(&Hit, &Light<'_>) -> f64,
-    /// What multiplies it on the way to the frame of the objects, for a Doppler factor.
+    /// What multiplies it on the way to the frame of the bodies, for a Doppler factor.
     factor: fn(f64, LightCorrection) -> f64,
 }
 
-/// A channel that is the same in the frame of the objects.
+/// A channel that is the same in the frame of the bodies.
 const fn same(name: &'static str, nothing: f32, value: fn(&Hit, &Light<'_>) -> f64) -> Definition {
     Definition { name, nothing, value, factor: |_, _| 1.0 }
 }
@@ -126,7 +126,7 @@ impl Channel {
         self.definition().nothing
     }
 
-    /// What multiplies it when light with the Doppler factor `doppler` is corrected to the frame of the objects.
+    /// What multiplies it when light with the Doppler factor `doppler` is corrected to the frame of the bodies.
     #[must_use]
     pub fn factor(self, doppler: f64, correction: LightCorrection) -> f64 {
         (self.definition().factor)(doppler, correction)
@@ -246,10 +246,10 @@ impl Measurements {
         self.channels.get(&name).map(Vec::as_slice).with_context(|| format!("there is no channel {name}"))
     }
 
-    /// How it was made.
+    /// The command that made it, as it records it; empty if it does not.
     #[must_use]
-    pub fn recorded(&self) -> Recorded {
-        Recorded::in_comments(&said(&self.attributes))
+    pub fn command(&self) -> String {
+        command_in_comments(&said(&self.attributes)).to_owned()
     }
 }
 
@@ -268,15 +268,15 @@ fn headers(path: &Path) -> anyhow::Result<Headers> {
     Ok(MetaData::read_from_buffered(BufReader::new(files::open(path)?), false)?.headers)
 }
 
-/// How the EXR file at `path` was made, without its pixels.
+/// The command that made the EXR file at `path`, as it records it; empty if it does not.
 ///
 /// # Errors
 ///
 /// A file that cannot be read.
-pub fn recorded(path: &Path) -> anyhow::Result<Recorded> {
+pub fn command(path: &Path) -> anyhow::Result<String> {
     let headers = headers(path)?;
     let first = headers.first().context("it has no layer")?;
-    Ok(Recorded::in_comments(&said(&first.own_attributes)))
+    Ok(command_in_comments(&said(&first.own_attributes)).to_owned())
 }
 
 /// Whether `path` is an EXR file that says just these `comments`. (Files are written whole or not at all.)

@@ -6,7 +6,7 @@ use std::path::Path;
 use anyhow::Context as _;
 use relativity_render::Picture;
 
-use super::provenance::{Recorded, SOFTWARE};
+use super::provenance::{SOFTWARE, command_in_texts};
 use crate::platform::files;
 
 /// Keyword of the text that names the program.
@@ -79,10 +79,10 @@ impl PngFile {
         Ok(Self { picture, texts: texts(reader.info()) })
     }
 
-    /// How it was made.
+    /// The command that made it, as it records it; empty if it does not.
     #[must_use]
-    pub fn recorded(&self) -> Recorded {
-        Recorded::in_texts(&self.texts)
+    pub fn command(&self) -> &str {
+        command_in_texts(&self.texts)
     }
 }
 
@@ -92,12 +92,12 @@ fn texts(info: &png::Info<'_>) -> Vec<(String, String)> {
     info.utf8_text.iter().filter_map(text).collect()
 }
 
-/// How the PNG file at `path` was made, without its pixels.
+/// The command that made the PNG file at `path`, as it records it; empty if it does not.
 ///
 /// # Errors
 ///
 /// A file that cannot be read.
-pub fn recorded(path: &Path) -> anyhow::Result<Recorded> {
+pub fn command(path: &Path) -> anyhow::Result<String> {
     let reader = png::Decoder::new(BufReader::new(files::open(path)?)).read_info()?;
-    Ok(Recorded::in_texts(&texts(reader.info())))
+    Ok(command_in_texts(&texts(reader.info())).to_owned())
 }

@@ -1,12 +1,5 @@
 //! How a picture or a file of measurements was made: what is written into it, and what is read back.
 
-use std::collections::BTreeMap;
-
-use relativity_render::Gaze;
-
-use crate::flags::choices::GazeChoice;
-use crate::flags::words::words;
-
 /// Program and version.
 pub const SOFTWARE: &str = concat!("gamow ", env!("CARGO_PKG_VERSION"));
 
@@ -43,51 +36,14 @@ impl Provenance {
 /// What parts the command from the fingerprint in the comments of an EXR file.
 const FINGERPRINT_LINE: &str = "\nScene-Fingerprint ";
 
-/// How a file was made, as it records it.
-#[derive(Debug, Clone, Default)]
-pub struct Recorded {
-    /// The command line.
-    pub command: String,
-    flags: BTreeMap<String, String>,
+/// The command that the comments of an EXR file tell.
+#[must_use]
+pub fn command_in_comments(comments: &str) -> &str {
+    comments.rsplit_once(FINGERPRINT_LINE).map_or(comments, |(command, _)| command)
 }
 
-impl Recorded {
-    fn new(command: &str) -> Self {
-        let flag = |word: String| {
-            let (name, value) = word.strip_prefix("--")?.split_once('=')?;
-            Some((name.to_owned(), value.to_owned()))
-        };
-        Self { command: command.to_owned(), flags: words(command).into_iter().filter_map(flag).collect() }
-    }
-
-    /// What the comments of an EXR file tell.
-    #[must_use]
-    pub fn in_comments(comments: &str) -> Self {
-        Self::new(comments.rsplit_once(FINGERPRINT_LINE).map_or(comments, |(command, _)| command))
-    }
-
-    /// What the texts of a PNG file tell; nothing if there are none of ours.
-    #[must_use]
-    pub fn in_texts(texts: &[(String, String)]) -> Self {
-        let parameters = texts.iter().find(|(keyword, _)| keyword == PARAMETERS);
-        parameters.map(|(_, text)| Self::new(text)).unwrap_or_default()
-    }
-
-    /// The value of the flag `name`.
-    #[must_use]
-    pub fn text(&self, name: &str) -> Option<&str> {
-        self.flags.get(name).map(String::as_str)
-    }
-
-    /// The number that the flag `name` has as its value.
-    #[must_use]
-    pub fn number(&self, name: &str) -> Option<f64> {
-        self.text(name)?.parse().ok()
-    }
-
-    /// Where both eyes looked.
-    #[must_use]
-    pub fn gaze(&self) -> Option<Gaze> {
-        self.text("gaze")?.parse::<GazeChoice>().ok()?.fixed()
-    }
+/// The command that the texts of a PNG file tell; empty if none of them is ours.
+#[must_use]
+pub fn command_in_texts(texts: &[(String, String)]) -> &str {
+    texts.iter().find(|(keyword, _)| keyword == PARAMETERS).map_or("", |(_, command)| command)
 }

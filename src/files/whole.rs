@@ -1,34 +1,72 @@
 //! Output files that are written whole or not at all, and standard output as the alternative.
 
 use std::collections::BTreeSet;
+use std::fmt;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use anyhow::Context as _;
+use clap::Args;
+use serde::Serialize;
 
 use crate::platform::files::{self, File};
 use crate::platform::interrupt;
 
 const BUFFER_BYTES: usize = 1 << 16;
 
-/// Hands a writer for `path`, or for standard output if that is `None` or `-`, to `write`.
-///
-/// # Errors
-///
-/// Those of `write`, and of the file system. A file is then left as it was; standard output keeps what
-/// reached it before.
-pub fn write_to(
-    path: Option<&Path>,
-    write: impl FnOnce(&mut dyn Write) -> anyhow::Result<()>,
-) -> anyhow::Result<()> {
-    match path {
-        Some(path) if path != Path::new("-") => write_whole(path, |file| write(file)),
-        _ => {
-            let mut stdout = BufWriter::with_capacity(BUFFER_BYTES, io::stdout().lock());
-            write(&mut stdout)?;
-            Ok(stdout.flush()?)
+/// Where a command writes to.
+#[derive(Debug, Clone, Args)]
+pub struct OutArgs {
+    /// Write here, whole or not at all, instead of to standard output.
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+}
+
+impl OutArgs {
+    /// Hands a writer for the file, or for standard output if there is none or it is called `-`, to `write`.
+    ///
+    /// # Errors
+    ///
+    /// Those of `write`, and of the file system. A file is then left as it was; standard output keeps what
+    /// reached it before.
+    pub fn write(&self, write: impl FnOnce(&mut dyn Write) -> anyhow::Result<()>) -> anyhow::Result<()> {
+        match &self.out {
+            Some(path) if path != Path::new("-") => write_whole(path, |file| write(file)),
+            _ => {
+                let mut stdout = BufWriter::with_capacity(BUFFER_BYTES, io::stdout().lock());
+                write(&mut stdout)?;
+                Ok(stdout.flush()?)
+            }
         }
+    }
+}
+
+/// How a command writes its report, and where to.
+#[derive(Debug, Clone, Args)]
+pub struct ReportArgs {
+    /// Write JSON instead of a table.
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    out: OutArgs,
+}
+
+impl ReportArgs {
+    /// Writes `report`.
+    ///
+    /// # Errors
+    ///
+    /// As [`OutArgs::write`].
+    pub fn write(&self, report: &(impl fmt::Display + Serialize)) -> anyhow::Result<()> {
+        self.out.write(|out| {
+            if self.json {
+                serde_json::to_writer_pretty(&mut *out, report)?;
+                Ok(writeln!(out)?)
+            } else {
+                Ok(write!(out, "{report}")?)
+            }
+        })
     }
 }
 

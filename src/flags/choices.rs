@@ -1,6 +1,7 @@
 //! What can be chosen, and how it is written.
 
 use std::fmt;
+use std::ops::RangeInclusive;
 use std::path::Path;
 use std::str::FromStr;
 
@@ -86,10 +87,16 @@ impl FromStr for Size {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let side = |text: &str| text.trim().parse().ok().filter(|side| (1..=MAX_SIDE).contains(side));
-        let sides = text.split_once('x').and_then(|(width, height)| Some([side(width)?, side(height)?]));
-        sides.map(Self).ok_or_else(|| format!("write it like 960x540, each side from 1 to {MAX_SIDE}"))
+        sides(text, 1..=MAX_SIDE).map(Self)
     }
+}
+
+/// Parses width and height, each inside `range`.
+pub fn sides(text: &str, range: RangeInclusive<u32>) -> Result<[u32; 2], String> {
+    let side = |text: &str| text.trim().parse().ok().filter(|side| range.contains(side));
+    let sides = text.split_once('x').and_then(|(width, height)| Some([side(width)?, side(height)?]));
+    let (least, most) = range.clone().into_inner();
+    sides.ok_or_else(|| format!("write it like 960x540, each side from {least} to {most}"))
 }
 
 impl fmt::Display for Size {

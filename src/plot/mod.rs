@@ -61,7 +61,12 @@ pub struct Line {
 impl Line {
     /// A solid line in one piece.
     pub fn solid(name: impl Into<String>, colour: &'static str, points: Vec<[f64; 2]>) -> Self {
-        Self { name: name.into(), colour, stroke: Stroke::Solid, pieces: vec![points] }
+        Self::in_pieces(name, colour, vec![points])
+    }
+
+    /// A solid line in these pieces.
+    pub fn in_pieces(name: impl Into<String>, colour: &'static str, pieces: Vec<Vec<[f64; 2]>>) -> Self {
+        Self { name: name.into(), colour, stroke: Stroke::Solid, pieces }
     }
 
     /// The same line, drawn with `stroke`.

@@ -5,7 +5,7 @@ use toml::de::DeTable;
 
 use super::content::{Scene, SceneGroup};
 use super::error::{Located, Problem};
-use super::placement::{forward_most_point, moved};
+use super::forward_most::forward_most_point;
 use super::presets;
 use super::table::{Table, coincide};
 
@@ -78,8 +78,7 @@ fn included_bodies(include: &Table) -> Result<Vec<Body>, Located> {
         return Err(include.problem_at("scene", Problem::UnknownInclude));
     };
     let offset = include.point("offset")?.unwrap_or_default();
-    let moved = |body: Body| Body { shape: moved(body.shape, offset), ..body };
-    Ok(preset.bodies.into_iter().map(moved).collect())
+    Ok(preset.bodies.into_iter().map(|body| body.moved(offset)).collect())
 }
 
 /// One object.

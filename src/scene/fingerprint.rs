@@ -3,6 +3,7 @@
 use relativity_render::{Body, Motion, Shape};
 
 use super::content::{Scene, SceneGroup};
+use crate::files::provenance::Provenance;
 
 impl Scene {
     /// The fingerprint of its content, 16 hexadecimal digits: equal for equal scenes, and as good as never equal
@@ -23,6 +24,12 @@ impl Scene {
             self.bodies[group.bodies()].iter().for_each(|body| hash.body(body));
         }
         format!("{:016x}", hash.0)
+    }
+
+    /// What a picture of it records, which this `command` makes.
+    #[must_use]
+    pub fn provenance(&self, command: String) -> Provenance {
+        Provenance { title: self.name.clone(), parameters: command, scene_fingerprint: self.fingerprint() }
     }
 }
 

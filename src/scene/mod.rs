@@ -7,7 +7,7 @@ mod content;
 mod error;
 mod file;
 mod fingerprint;
-mod placement;
+mod forward_most;
 mod presets;
 mod table;
 #[cfg(test)]

@@ -37,12 +37,8 @@ pub(super) struct Entry {
 
 /// The section of every setting and its name, in their order.
 pub(super) fn names() -> impl Iterator<Item = (String, &'static str)> {
-    FLAGS.get_arguments().filter_map(|flag| Some((section(flag), flag.get_long()?)))
-}
-
-/// The section that a flag is in.
-pub(super) fn section(flag: &Arg) -> String {
-    flag.get_help_heading().unwrap_or_default().to_lowercase()
+    let section = |flag: &Arg| flag.get_help_heading().unwrap_or_default().to_lowercase();
+    FLAGS.get_arguments().filter_map(move |flag| Some((section(flag), flag.get_long()?)))
 }
 
 impl Settings {
@@ -83,8 +79,20 @@ impl Settings {
     ///
     /// # Errors
     /// Another command, a flag that does not exist, or a value that it cannot have.
-    pub fn with_command(mut self, command: &str, place: &str) -> Result<Self, SettingsError> {
-        let flags = [RENDER, WINDOW].iter().find_map(|known| command.strip_prefix(known)).unwrap_or_default();
+    pub fn with_command(self, command: &str, place: &str) -> Result<Self, SettingsError> {
+        self.with_command_of(&[RENDER, WINDOW], command, place)
+    }
+
+    /// The settings with which `gamow render` made what is at `place`, where this `command` was recorded.
+    ///
+    /// # Errors
+    /// As [`Self::with_command`].
+    pub fn of_picture(command: &str, place: &str) -> Result<Self, SettingsError> {
+        Self::default().with_command_of(&[RENDER], command, place)
+    }
+
+    fn with_command_of(mut self, known: &[&str], command: &str, place: &str) -> Result<Self, SettingsError> {
+        let flags = known.iter().find_map(|known| command.strip_prefix(known)).unwrap_or_default();
         if !flags.trim_start().starts_with("--") {
             let problem = "it does not say with which settings gamow made it".to_owned();
             return Err(SettingsError::Content { place: place.to_owned(), problem });
@@ -95,8 +103,9 @@ impl Settings {
 
     /// Sets what `flags` say.
     pub(super) fn set(&mut self, flags: Vec<String>) -> Result<(), Problem> {
-        let matches = FLAGS.clone().try_get_matches_from(flags).map_err(|error| Problem::new(&error))?;
-        self.update_from_arg_matches(&matches).map_err(|error| Problem::new(&error))
+        let matches = FLAGS.clone().try_get_matches_from(flags);
+        let updated = matches.and_then(|matches| self.update_from_arg_matches(&matches));
+        updated.map_err(|error| Problem::new(&error))
     }
 }
 

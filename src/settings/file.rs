@@ -54,12 +54,12 @@ impl Settings {
         let source_name = path.display().to_string();
         let unreadable = |reason: String| SettingsError::Read { source_name: source_name.clone(), reason };
         let mut settings = if let Some(kind) = FileKind::of(path) {
-            let recorded = match kind {
-                FileKind::Png => png::recorded(path),
-                FileKind::Exr => exr::recorded(path),
+            let command = match kind {
+                FileKind::Png => png::command(path),
+                FileKind::Exr => exr::command(path),
             };
-            let recorded = recorded.map_err(|error| unreadable(format!("{error:#}")))?;
-            self.with_command(&recorded.command, &source_name)?
+            let command = command.map_err(|error| unreadable(format!("{error:#}")))?;
+            self.with_command(&command, &source_name)?
         } else {
             let text = files::read_to_string(path).map_err(|reason| unreadable(reason.to_string()))?;
             self.with_toml(&text, &source_name)?

@@ -83,18 +83,16 @@ impl Legacy {
     }
 
     fn speed(&self) -> Option<String> {
-        let [parameter, value] = ["parameter", "value"].map(|key| self.at(&["motion", "speed", key]));
-        Some(format!("--{}={}", parameter?.text()?, value?.text()?))
+        let text = |key| self.at(&["motion", "speed", key])?.text();
+        Some(format!("--{}={}", text("parameter")?, text("value")?))
     }
 
     fn gaze(&self) -> Option<String> {
-        let [azimuth, elevation] = ["azimuth", "elevation"].map(|key| {
-            let angle = self.at(&["look", "gaze", "Fixed", key]);
-            angle.and_then(
-                |angle| if let Self::Number(radians) = angle { Some(radians.to_degrees()) } else { None },
-            )
-        });
-        Some(format!("--gaze={},{}", azimuth?, elevation?))
+        let degrees = |key| match self.at(&["look", "gaze", "Fixed", key])? {
+            Self::Number(radians) => Some(radians.to_degrees()),
+            _ => None,
+        };
+        Some(format!("--gaze={},{}", degrees("azimuth")?, degrees("elevation")?))
     }
 
     /// The exact renderer was what is automatic now.

@@ -1,7 +1,7 @@
 //! What the two eyes are shown of a scene with these settings: the one place where the window and `gamow render` have
 //! it from.
 
-use relativity_core::{Aperture, SourcePoint, Speed};
+use relativity_core::{Aperture, Disparity, DomainError, Model, SourcePoint, Speed};
 use relativity_render::{Appearance, Camera, Gaze, Geometry, Motion, Velocity, View};
 
 use super::all::Settings;
@@ -44,6 +44,15 @@ impl Settings {
     #[must_use]
     pub fn source(&self, point: &Track) -> SourcePoint {
         self.velocity(point.motion).reflected_source(self.rest_place(point.rest))
+    }
+
+    /// What the eyes see of `point` at `observation_time`, exactly.
+    ///
+    /// # Errors
+    /// A time outside the domain of the core.
+    pub fn disparity(&self, point: &Track, observation_time: f64) -> Result<Disparity, DomainError> {
+        let place = self.rest_place(point.rest);
+        self.velocity(point.motion).disparity(Model::Exact, place, self.motion.d, observation_time)
     }
 
     /// The T of a picture for which none is given: when `point` is seen 45 degrees before it is abreast.
@@ -92,7 +101,7 @@ impl Settings {
         [view(left, geometry.of_left_eye()), view(right, geometry)]
     }
 
-    /// The looks of a scene whose ground lies at `ground_z`, if it has one.
+    /// What becomes of the light of a scene whose ground lies at `ground_z`, if it has one.
     #[must_use]
     pub fn appearance(&self, ground_z: Option<f64>, light_window: bool) -> Appearance {
         let light = &self.light;

@@ -124,7 +124,7 @@ impl Default for Light {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Daylight {
-    /// As the window is.
+    /// As the window is; dark where there is none.
     #[default]
     Theme,
     /// Light.

@@ -27,18 +27,13 @@ impl StartArgs {
         };
         let Settings { scene, time, point, .. } = settings.clone();
         (settings.time, settings.point) = (None, None);
-        settings.set_given(&self.given)?;
+        let updated = settings.update_from_arg_matches(&self.given);
+        updated.map_err(|error| anyhow::anyhow!(Problem::new(&error).text))?;
         if settings.scene == scene {
             settings.time = settings.time.or(time);
             settings.point = settings.point.or(point);
         }
         Ok(settings)
-    }
-}
-
-impl Settings {
-    fn set_given(&mut self, given: &ArgMatches) -> anyhow::Result<()> {
-        self.update_from_arg_matches(given).map_err(|error| anyhow::anyhow!(Problem::new(&error).text))
     }
 }
 

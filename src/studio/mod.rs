@@ -6,7 +6,6 @@ mod timings;
 
 use std::path::Path;
 
-use relativity_core::Model;
 use relativity_render::{HitImage, Picture, PreparedScene};
 
 use self::painter::Painter;
@@ -66,14 +65,8 @@ impl Studio {
         let settings = Settings { time: time.or(self.settings.time), ..self.settings.clone() };
         let settings = settings.resolved(&self.tracked());
         let time = settings.time.unwrap_or_default();
-        let (velocity, place) =
-            (settings.velocity(self.tracked().motion), settings.rest_place(self.tracked().rest));
-        velocity.disparity(Model::Exact, place, settings.motion.d, time)?;
-        let provenance = Provenance {
-            title: self.scene.name.clone(),
-            parameters: settings.command(),
-            scene_fingerprint: self.scene.fingerprint(),
-        };
+        settings.disparity(&self.tracked(), time)?;
+        let provenance = self.scene.provenance(settings.command());
         Ok(Frame { settings, time, provenance })
     }
 

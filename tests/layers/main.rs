@@ -10,11 +10,10 @@ use std::path::Path;
 use imports::{Imports, circles, imports};
 
 /// The rooms of the program, from the top. A room imports from those below it and beside it, and not upwards.
-const ROOMS: [&[&str]; 8] = [
+const ROOMS: [&[&str]; 7] = [
     &["main.rs"],
     &["cli.rs"],
     &["commands", "app"],
-    &["studio"],
     &["accuracy", "estimate", "studio"],
     &["settings"],
     &["scene", "columns.rs", "passage.rs", "flags", "files", "plot"],

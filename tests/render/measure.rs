@@ -39,7 +39,7 @@ fn assert_recovers(folder: &Path) {
 }
 
 #[test]
-fn measurements_of_an_object_give_its_speed_and_distance() {
+fn measurements_of_a_body_give_its_speed_and_distance() {
     let folder = folder();
     ride(folder.path(), "--exr");
     run_gamow(folder.path(), "measure ride --object 0 --out ride.csv");

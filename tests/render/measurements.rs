@@ -5,10 +5,10 @@ use std::path::Path;
 
 use exr::prelude::{FlatSamples, read_first_flat_layer_from_file};
 use gamow::scene::Scene;
-use relativity_core::{Aperture, SourcePoint, Speed, sighting};
-use relativity_render::{Camera, Gaze};
+use relativity_core::{Aperture, Sighting, SourcePoint, sighting};
+use relativity_render::{Camera, Gaze, Velocity};
 
-use super::{HEIGHT, WIDTH, folder, render};
+use super::{HEIGHT, WIDTH, folder, render, run_gamow};
 
 /// The channels of an EXR file.
 fn channels(path: &Path) -> BTreeMap<String, Vec<f32>> {
@@ -21,24 +21,35 @@ fn channels(path: &Path) -> BTreeMap<String, Vec<f32>> {
     channels.map(|channel| (channel.name.to_string(), values(channel.sample_data))).collect()
 }
 
-#[test]
-fn measurements_agree_with_the_light_cone_of_each_point() {
-    let folder = folder();
-    render(folder.path(), "--time 2 --beta 0.9 --d 0.4 --fov 80 --gaze 120,30 --out hits.exr");
-    let channels = channels(&folder.path().join("hits.exr"));
+/// What the core says an aperture sees of a point at `rest` in the frame that has this `velocity`: where that points
+/// towards -x, by reflection.
+fn seen(velocity: Velocity, [x, y, z]: [f64; 3], aperture: Aperture, time: f64) -> Sighting {
+    let sign = if velocity.is_backward { -1.0 } else { 1.0 };
+    let source = SourcePoint::from_rest([sign * x, y, z], &velocity.speed);
+    let reflected = Aperture { x: sign * aperture.x, ..aperture };
+    let mut seen = sighting(&velocity.speed, source, reflected, time).expect("it is in the domain");
+    seen.position[0] *= sign;
+    seen
+}
+
+/// Holds what each pixel of `hits.exr` in `folder` tells at `time`, with d = 0.4, a field of view of 80 degrees and this
+/// gaze, against the light cone of the point that it shows; how many pixels show each group of the `scene`, whose
+/// `velocities` are these.
+fn assert_on_light_cone(
+    folder: &Path,
+    scene: &Scene,
+    time: f64,
+    gaze: [f64; 2],
+    velocities: &[Velocity],
+) -> Vec<usize> {
+    let channels = channels(&folder.join("hits.exr"));
     assert_eq!(channels.len(), 20);
-    let speed = Speed::from_beta(0.9).expect("below 1");
-    let scene = Scene::preset("cyclist").expect("it is a preset");
-    let [azimuth, elevation] = [120f64, 30.0].map(f64::to_radians);
+    let [azimuth, elevation] = gaze.map(f64::to_radians);
+    let mut pixels = vec![0; velocities.len()];
     for (eye, aperture) in ["left", "right"].into_iter().zip(Aperture::pair(0.4)) {
         let channel = |name: &str| &channels[&format!("{eye}.{name}")];
-        let camera = Camera {
-            aperture,
-            gaze: Gaze { azimuth, elevation },
-            horizontal_fov: 80f64.to_radians(),
-            size: [WIDTH, HEIGHT],
-        };
-        let mut seen = 0;
+        let gaze = Gaze { azimuth, elevation };
+        let camera = Camera { aperture, gaze, horizontal_fov: 80f64.to_radians(), size: [WIDTH, HEIGHT] };
         for pixel in 0..channel("id").len() {
             let value = |name: &str| f64::from(channel(name)[pixel]);
             if value("id") < 0.0 {
@@ -46,29 +57,67 @@ fn measurements_agree_with_the_light_cone_of_each_point() {
                 assert_eq!(value("group"), -1.0);
                 continue;
             }
-            seen += 1;
+            let (body, group) = (value("id") as usize, value("group") as usize);
+            assert!(scene.groups[group].bodies().contains(&body), "body {body} in group {group}");
+            pixels[group] += 1;
             let rest = [value("rest_x"), value("rest_y"), value("rest_z")];
-            let source = SourcePoint::from_rest(rest, &speed);
-            let expected = sighting(&speed, source, aperture, 2.0).expect("it is in the domain");
+            let expected = seen(velocities[group], rest, aperture, time);
             let near = |name: &str, expected: f64| {
-                let found = value(name);
-                assert!(
-                    (found - expected).abs() <= 2e-6 * expected.abs().max(1.0),
-                    "{name}: {found}, {expected}"
-                );
+                let error = (value(name) - expected).abs();
+                assert!(error <= 2e-6 * expected.abs().max(1.0), "{name}: {}, {expected}", value(name));
             };
             assert_eq!(value("group"), 0.0);
             near("distance", expected.distance);
             near("emission_time", expected.retarded_time);
             near("doppler", expected.doppler_factor);
             near("intensity", expected.intensity(2.0));
-            let rest_wavelength_nm = scene.bodies[value("id") as usize].rest_wavelength_nm;
-            let wavelength_nm = rest_wavelength_nm / expected.doppler_factor;
+            let wavelength_nm = scene.bodies[body].rest_wavelength_nm / expected.doppler_factor;
             assert!((value("wavelength_nm") / wavelength_nm - 1.0).abs() < 2e-6);
             let [u, v] = camera.pixel(expected.position.into()).expect("it is in front");
             let [column, row] = [pixel % WIDTH as usize, pixel / WIDTH as usize];
             assert!((u - column as f64 - 0.5).abs() < 1e-3 && (v - row as f64 - 0.5).abs() < 1e-3);
         }
-        assert!(seen > 50, "only {seen} pixels show a body");
     }
+    pixels
+}
+
+#[test]
+fn measurements_agree_with_the_light_cone_of_each_point() {
+    let folder = folder();
+    render(folder.path(), "--time 2 --beta 0.9 --d 0.4 --fov 80 --gaze 120,30 --out hits.exr");
+    let velocity = Velocity::from_beta(0.9).expect("below 1");
+    let pixels = assert_on_light_cone(folder.path(), &Scene::default(), 2.0, [120.0, 30.0], &[velocity]);
+    assert!(pixels[0] > 100, "only {pixels:?} pixels show a body");
+}
+
+/// A ball that passes at the scene's speed, one that rests beside the road, and one that comes the other way.
+const GROUPS: &str = include_str!("../groups.toml");
+
+#[test]
+fn each_group_of_a_scene_is_measured_by_its_own_speed() {
+    let folder = folder();
+    std::fs::write(folder.path().join("groups.toml"), GROUPS).expect("the folder is there");
+    let flags = "--scene groups.toml --beta 0.9 --d 0.4 --fov 80 --gaze 90,5 --time 3.5";
+    render(folder.path(), &format!("{flags} --out hits.exr"));
+    let scene = Scene::parse(GROUPS, "groups.toml").expect("it is right");
+    let velocities = [0.9, 0.0, -0.6].map(|beta| Velocity::from_beta(beta).expect("a speed"));
+    let pixels = assert_on_light_cone(folder.path(), &scene, 3.5, [90.0, 5.0], &velocities);
+    assert!(pixels.iter().all(|&count| count > 20), "{pixels:?} pixels show the groups");
+
+    let channels = channels(&folder.path().join("hits.exr"));
+    let [group, doppler, wavelength] =
+        ["group", "doppler", "wavelength_nm"].map(|name| &channels[&format!("left.{name}")]);
+    let resting = (0..group.len()).filter(|&pixel| group[pixel] == 1.0);
+    assert!(resting.clone().count() > 10);
+    resting.for_each(|pixel| assert_eq!([doppler[pixel], wavelength[pixel]], [1.0, 550.0]));
+
+    // What reads such files reads these too: the resting ball is where it was.
+    let text = run_gamow(folder.path(), "measure hits.exr --object 1");
+    let row: Vec<f64> =
+        text.lines().last().into_iter().flat_map(|row| row.split(',')).flat_map(str::parse).collect();
+    let [left, right] = Aperture::pair(0.4).map(|aperture| 4.0f64.atan2(1.0 - aperture.x));
+    let pixel = 80f64.to_radians() / f64::from(WIDTH);
+    assert!((row[2] - left).abs() < 0.5 * pixel && (row[3] - right).abs() < 0.5 * pixel, "{text}");
+    run_gamow(folder.path(), "rectify hits.exr --beta 0.6 --backward --out corrected.exr");
+    assert_eq!(self::channels(&folder.path().join("corrected.exr")).len(), 20);
 }

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use gamow::files::exr::{Channel, Measurements};
 use gamow::files::png::PngFile;
+use gamow::settings::Settings;
 use relativity_core::Aperture;
 use relativity_render::rectify::Rectification;
 use relativity_render::{Camera, Picture, Velocity};
@@ -16,7 +17,7 @@ const CASES: [(f64, f64); 4] = [(0.9, 0.6), (0.9, 2.0), (0.6, 3.0), (0.9, 6.0)];
 /// Solid bodies: the spokes of a wheel are thinner than a pixel, and a ray per pixel hits them at random.
 const SCENE: &str = "--scene two-balls";
 
-/// The corrected left eye's frame, and the frame of a camera at rest in the object's frame.
+/// The corrected left eye's frame, and the frame of a camera at rest in the bodies' frame.
 fn corrected_and_true(
     folder: &Path,
     scene: &str,
@@ -29,11 +30,12 @@ fn corrected_and_true(
     render(folder, &format!("{scene} --beta {beta} --time {time} {size} {layout} --out seen.{extension}"));
     run_gamow(folder, &format!("rectify seen.{extension} --beta {beta} --out corrected.{extension}"));
     let corrected = folder.join(format!("corrected.{extension}"));
-    let recorded = match extension {
-        "png" => PngFile::read(&corrected).expect("it was written").recorded(),
-        _ => measurements(&corrected).recorded(),
+    let command = match extension {
+        "png" => PngFile::read(&corrected).expect("it was written").command().to_owned(),
+        _ => measurements(&corrected).command(),
     };
-    let [fov, gaze] = ["out-fov", "out-gaze"].map(|flag| recorded.text(flag).expect("it is recorded"));
+    let value = |flag| command.split_whitespace().find_map(|word| word.strip_prefix(flag));
+    let [fov, gaze] = ["--out-fov=", "--out-gaze="].map(|flag| value(flag).expect("it is recorded"));
     let size = size.replace("--fov 60", &format!("--fov {fov} --gaze {gaze}"));
     render(
         folder,
@@ -55,11 +57,11 @@ fn channel(file: &Measurements, channel: Channel) -> &[f32] {
 
 /// The cameras behind a picture and its correction.
 fn rectification(seen: &Measurements, truth: &Measurements, beta: f64) -> Rectification {
-    let camera = |file: &Measurements| Camera {
-        aperture: Aperture::default(),
-        gaze: file.recorded().gaze().expect("it is recorded"),
-        horizontal_fov: file.recorded().number("fov").expect("it is recorded").to_radians(),
-        size: file.size,
+    let camera = |file: &Measurements| {
+        let look = Settings::of_picture(&file.command(), "it").expect("it was rendered").look;
+        let gaze = look.gaze.fixed().expect("it is recorded");
+        let horizontal_fov = look.fov.to_radians();
+        Camera { aperture: Aperture::default(), gaze, horizontal_fov, size: file.size }
     };
     Rectification::new(camera(seen), camera(truth), Velocity::from_beta(beta).expect("a speed"))
 }
@@ -70,7 +72,7 @@ fn is_near([column, row]: [usize; 2], [width, height]: [usize; 2], is: impl Fn(u
     around(row, height).any(|v| around(column, width).any(|u| is(v * width + u)))
 }
 
-/// Pixels at which silhouettes of the objects differ by more than a pixel, and all pixels of objects, where
+/// Pixels at which outlines of the bodies differ by more than a pixel, and all pixels of bodies, where
 /// the picture from the ground `shows` something.
 fn misplaced(
     corrected: &Measurements,
@@ -93,7 +95,7 @@ fn misplaced(
 }
 
 #[test]
-fn silhouettes_and_wavelengths_are_those_of_a_camera_riding_along() {
+fn outlines_and_wavelengths_are_those_of_a_camera_riding_along() {
     for (beta, time) in CASES {
         let folder = folder();
         let [corrected, truth] =
@@ -116,7 +118,7 @@ fn silhouettes_and_wavelengths_are_those_of_a_camera_riding_along() {
     }
 }
 
-/// Compares received wavelengths wherever one object fills the surroundings; at how many pixels.
+/// Compares received wavelengths wherever one body fills the surroundings; at how many pixels.
 fn assert_wavelengths(corrected: &Measurements, truth: &Measurements) -> usize {
     let size = truth.size.map(|side| side as usize);
     let channels = |of| [corrected, truth].map(|file| channel(file, of));

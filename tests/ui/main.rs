@@ -6,6 +6,7 @@
 
 mod controls;
 mod fit;
+mod groups;
 mod layouts;
 mod picking;
 mod quality;
@@ -27,6 +28,7 @@ fn main() -> ExitCode {
     let all = [
         controls::TESTS,
         fit::TESTS,
+        groups::TESTS,
         layouts::TESTS,
         picking::TESTS,
         quality::TESTS,

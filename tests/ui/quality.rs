@@ -128,8 +128,8 @@ fn the_accuracy_tab_measures() {
         direction("exact") < direction("mesh 0.1 px") && direction("mesh 0.1 px") < direction("mesh 2 px")
     );
     assert!(figure(&window, "exact", "D") < 1e-5);
-    assert!(figure(&window, "exact", "other object") < 0.1);
-    assert_eq!(figure(&window, "reference", "other object"), 0.0);
+    assert!(figure(&window, "exact", "other body") < 0.1);
+    assert_eq!(figure(&window, "reference", "other body"), 0.0);
     let repaint = window.output().viewport_output[&ViewportId::ROOT].repaint_delay;
     assert_eq!(repaint, Duration::MAX, "a window at rest uses no processor");
 }

@@ -3,6 +3,8 @@
 use std::path::Path;
 use std::process::{Command, Output};
 
+use gamow::settings::Settings;
+
 use super::Test;
 
 pub const TESTS: &[Test] = &[
@@ -54,9 +56,14 @@ fn a_screenshot_shows_the_state() {
         assert!(other != fast, "{arguments:?} changes nothing");
     }
     let file = folder.path().join("fast.png");
-    let (_, opened) =
-        screenshot(folder.path(), "opened.png", &["--state", file.to_str().expect("a plain path")]);
-    assert!(opened == fast, "a screenshot opens as it was");
+    let text = Settings::default().with_file(&file).expect("it is recorded").to_toml();
+    let written = folder.path().join("fast.toml");
+    std::fs::write(&written, text).expect("the folder is there");
+    for state in [file, written] {
+        let arguments = ["--state", state.to_str().expect("a plain path")];
+        let (_, opened) = screenshot(folder.path(), "opened.png", &arguments);
+        assert!(opened == fast, "{} opens as it was", state.display());
+    }
     // What is made in the background is waited for.
     let background =
         ["--beta", "0.9", "--time", "1", "--plot", "fit", "--corrected", "--renderer", "reference"];
@@ -77,7 +84,7 @@ fn bad_flags_are_named() {
         (["--scene", "bicycle"], "bicycle"),
         (["--gamma", "0.5"], "gamma = 0.5"),
         (["--d", "-1"], "--d"),
-        (["--window-size", "wide"], "1280x800"),
+        (["--window-size", "wide"], "from 64 to 8192"),
     ] {
         let output = gamow(&arguments);
         let message = String::from_utf8_lossy(&output.stderr).into_owned();

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use eframe::egui::Context;
 
-pub use outcome::{Fitted, FittedCurve, Key, Outcome};
+pub use outcome::{FitKey, FitOutcome, Fitted, FittedCurve};
 
 use super::worker::Worker;
 use crate::platform::clock::Instant;
@@ -18,19 +18,19 @@ const GRACE: Duration = Duration::from_millis(150);
 /// The fit that is shown, and the one that is being made.
 #[derive(Default)]
 pub struct Fitting {
-    worker: Option<Worker<Key, Outcome>>,
-    requested: Option<Key>,
-    shown: Option<Outcome>,
+    worker: Option<Worker<FitKey, FitOutcome>>,
+    requested: Option<FitKey>,
+    shown: Option<FitOutcome>,
     awaited_since: Option<Instant>,
     requests: u64,
 }
 
 impl Fitting {
     /// Asks for the fit of `key`, unless that is what is shown or already asked for.
-    pub fn update(&mut self, ctx: &Context, key: Key) {
+    pub fn update(&mut self, ctx: &Context, key: FitKey) {
         self.receive();
         if self.requested != Some(key) {
-            let work = |key, wanted: &super::worker::Wanted| Outcome::new(key, &|| !wanted.holds());
+            let work = |key, wanted: &super::worker::Wanted| FitOutcome::new(key, &|| !wanted.holds());
             self.worker.get_or_insert_with(|| Worker::new(ctx.clone(), work)).request(key);
             self.requested = Some(key);
             self.requests += 1;
@@ -60,7 +60,7 @@ impl Fitting {
 
     /// The newest outcome, be it outdated or not.
     #[must_use]
-    pub const fn shown(&self) -> Option<&Outcome> {
+    pub const fn shown(&self) -> Option<&FitOutcome> {
         self.shown.as_ref()
     }
 

@@ -1,4 +1,4 @@
-//! A fit for the window: noisy samples of the exact curves, the object that fits them best, its
+//! A fit for the window: noisy samples of the exact curves, the point that fits them best, its
 //! uncertainty by the bootstrap, and what there is to draw.
 
 use std::time::Duration;
@@ -13,13 +13,14 @@ use relativity_render::Velocity;
 
 use crate::app::curves::{Sample, bends, sampled};
 use crate::estimate::{Estimate, estimate};
+use crate::passage::time_within;
 use crate::platform::clock::Instant;
 use crate::platform::threads::prelude::*;
 use crate::settings::FitSetup;
 
 /// Everything that a fit depends on.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Key {
+pub struct FitKey {
     /// True speed.
     pub velocity: Velocity,
     /// True worldline.
@@ -34,9 +35,9 @@ pub struct Key {
 
 /// The samples and what became of them.
 #[derive(Debug, Clone)]
-pub struct Outcome {
+pub struct FitOutcome {
     /// What it was made for.
-    pub key: Key,
+    pub key: FitKey,
     /// The samples of Delta-phi and of Delta-theta.
     pub data: [Vec<PlotPoint>; 2],
     /// The fit, or why there is none.
@@ -78,9 +79,9 @@ pub struct FittedCurve {
 /// Most times at which the band is found; in between it is interpolated.
 const BAND_TIMES: usize = 120;
 
-impl Outcome {
+impl FitOutcome {
     /// The outcome for `key`; `None` soon after `stopped` becomes true.
-    pub fn new(key: Key, stopped: &(impl Fn() -> bool + Sync)) -> Option<Self> {
+    pub fn new(key: FitKey, stopped: &(impl Fn() -> bool + Sync)) -> Option<Self> {
         let start = Instant::now();
         let (data, fitted) = match observations(&key, key.setup.noise_percent) {
             Ok(observed) => (data(&observed), Fitted::new(&key, &observed, stopped)?),
@@ -91,7 +92,7 @@ impl Outcome {
     }
 }
 
-impl Key {
+impl FitKey {
     fn options(&self) -> FitOptions {
         let FitSetup { model, curves, fit_x0, .. } = self.setup;
         let passage = if fit_x0 { Passage::Fitted } else { Passage::Known(self.source.x0) };
@@ -126,19 +127,18 @@ impl Key {
 }
 
 /// What both eyes see of the point, exactly, and with noise.
-fn observations(key: &Key, noise_percent: f64) -> Result<Observations, String> {
+fn observations(key: &FitKey, noise_percent: f64) -> Result<Observations, String> {
     if let Some(obstacle) = key.obstacle() {
         return Err(obstacle.to_owned());
     }
-    let [from, to] = key.range;
     let last = key.setup.fit_samples.max(2) - 1;
-    let fraction = |index: usize| index as f64 / last as f64;
+    let time = |index: usize| time_within(key.range, index as f64 / last as f64);
     let simulation = Simulation {
         speed: key.velocity.speed,
         point: key.source,
         separation: key.separation,
         model: Model::Exact,
-        times: (0..=last).map(|index| from * (1.0 - fraction(index)) + to * fraction(index)).collect(),
+        times: (0..=last).map(time).collect(),
         noise: 0.01 * noise_percent,
         seed: key.setup.seed,
     };
@@ -155,7 +155,7 @@ fn data(observed: &Observations) -> [Vec<PlotPoint>; 2] {
     })
 }
 
-fn bias(key: &Key) -> Result<[f64; 3], String> {
+fn bias(key: &FitKey) -> Result<[f64; 3], String> {
     let clean = observations(key, 0.0)?;
     let best = fit(&clean, &key.options()).map_err(|error| error.to_string())?;
     Ok([Parameter::Beta, Parameter::Y, Parameter::Z].map(|p| best.value(p) - key.true_value(p)))
@@ -170,7 +170,7 @@ impl Fitted {
     }
 
     fn new(
-        key: &Key,
+        key: &FitKey,
         observed: &Observations,
         stopped: &(impl Fn() -> bool + Sync),
     ) -> Option<Result<Self, String>> {
@@ -202,7 +202,7 @@ impl Fitted {
 
 /// What there is to draw of the fitted curves.
 fn curves(
-    key: &Key,
+    key: &FitKey,
     observed: &Observations,
     best: &Fit,
     replicates: Option<&Bootstrap>,
@@ -222,7 +222,7 @@ fn curves(
 }
 
 /// For each sample of the best fit's `lines` the replicates' 95 % intervals, relative to the best fit.
-fn bands(key: &Key, lines: &[Sample<2>], replicates: &Bootstrap) -> Vec<[[f64; 2]; 2]> {
+fn bands(key: &FitKey, lines: &[Sample<2>], replicates: &Bootstrap) -> Vec<[[f64; 2]; 2]> {
     let stride = lines.len().div_ceil(BAND_TIMES).max(1);
     let found: Vec<_> = lines.par_iter().step_by(stride).map(|line| band_at(key, line, replicates)).collect();
     let interpolated = |index: usize| {
@@ -235,17 +235,17 @@ fn bands(key: &Key, lines: &[Sample<2>], replicates: &Bootstrap) -> Vec<[[f64; 2
 }
 
 /// The same at one time; of no width where the replicates have no curve.
-fn band_at(key: &Key, line: &Sample<2>, replicates: &Bootstrap) -> [[f64; 2]; 2] {
-    let objects = replicates.estimates.iter().flatten();
-    let angles: Vec<[f64; 2]> = objects.filter_map(|object| angles(key, *object, line.time)).collect();
+fn band_at(key: &FitKey, line: &Sample<2>, replicates: &Bootstrap) -> [[f64; 2]; 2] {
+    let points = replicates.estimates.iter().flatten();
+    let angles: Vec<[f64; 2]> = points.filter_map(|point| angles(key, *point, line.time)).collect();
     if angles.is_empty() {
         return [[0.0; 2]; 2];
     }
     [0, 1].map(|curve| percentiles_95(angles.iter().map(|angles| angles[curve] - line.values[curve])))
 }
 
-/// Delta-phi and Delta-theta, in the model of the fit, of an object given by beta, y, z and x0.
-fn angles(key: &Key, [beta, y, z, x0]: [f64; 4], time: f64) -> Option<[f64; 2]> {
+/// Delta-phi and Delta-theta, in the model of the fit, of a point given by beta, y, z and x0.
+fn angles(key: &FitKey, [beta, y, z, x0]: [f64; 4], time: f64) -> Option<[f64; 2]> {
     let (speed, point) = (Speed::from_beta(beta).ok()?, SourcePoint { x0, y, z });
     let both = key.setup.model.disparity(&speed, point, key.separation, time).ok()?;
     let angles = [both.dphi, both.dtheta];

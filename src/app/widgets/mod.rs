@@ -86,12 +86,14 @@ impl NumberRow<'_> {
     }
 }
 
-/// Buttons side by side, one of them chosen; each with its own tip.
-pub fn choice<T: PartialEq + Copy>(ui: &mut Ui, value: &mut T, options: &[(T, &str, &str)]) {
+/// Buttons side by side, one of them chosen; each with its own tip. True if another was chosen.
+pub fn choice<T: PartialEq + Copy>(ui: &mut Ui, value: &mut T, options: &[(T, &str, &str)]) -> bool {
     ui.spacing_mut().item_spacing.x = 3.0;
+    let mut changed = false;
     for (option, name, tip) in options {
-        ui.selectable_value(value, *option, *name).on_hover_text(*tip);
+        changed |= ui.selectable_value(value, *option, *name).on_hover_text(*tip).changed();
     }
+    changed
 }
 
 /// A field in which a number is typed exactly. While it is not edited it shows `shown`; what was typed

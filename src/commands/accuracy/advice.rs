@@ -9,19 +9,14 @@ const STEREO_ACUITY_ARCSECONDS: f64 = 10.0;
 /// What a picture is for, and what it must not exceed then.
 struct Need {
     purpose: &'static str,
-    silhouettes_p99_px: f64,
+    outlines_p99_px: f64,
     doppler_p99: f64,
     wrong_share: f64,
 }
 
 const NEEDS: [Need; 2] = [
-    Need { purpose: "To look", silhouettes_p99_px: 0.5, doppler_p99: 1e-3, wrong_share: 0.01 },
-    Need {
-        purpose: "To measure in pictures",
-        silhouettes_p99_px: 0.05,
-        doppler_p99: 1e-5,
-        wrong_share: 0.001,
-    },
+    Need { purpose: "To look", outlines_p99_px: 0.5, doppler_p99: 1e-3, wrong_share: 0.01 },
+    Need { purpose: "To measure in pictures", outlines_p99_px: 0.05, doppler_p99: 1e-5, wrong_share: 0.001 },
 ];
 
 /// A sentence per need.
@@ -42,7 +37,7 @@ pub fn advice(report: &AccuracyReport) -> Vec<String> {
 impl Need {
     fn is_met_by(&self, errors: &PictureErrors) -> bool {
         let p99 = |spread: Option<crate::accuracy::Spread>| spread.map_or(0.0, |spread| spread.p99);
-        p99(errors.silhouettes_px) <= self.silhouettes_p99_px
+        p99(errors.outlines_px) <= self.outlines_p99_px
             && p99(errors.doppler_relative) <= self.doppler_p99
             && errors.wrong_share <= self.wrong_share
     }
@@ -50,17 +45,17 @@ impl Need {
 
 /// The cheapest renderer that meets the need in every view, and what the cheaper ones fail at.
 fn for_pictures(need: &Need, renderers: &[RendererReport]) -> String {
-    let Need { purpose, silhouettes_p99_px, doppler_p99, wrong_share } = need;
+    let Need { purpose, outlines_p99_px, doppler_p99, wrong_share } = need;
     let mut by_cost: Vec<_> = renderers.iter().collect();
     by_cost.sort_by(|a, b| a.frame_ms.total_cmp(&b.frame_ms));
     let failures: Vec<_> = by_cost.iter().map_while(|renderer| first_failure(need, renderer)).collect();
     // The reference meets every need.
     let chosen = by_cost[failures.len().min(by_cost.len() - 1)];
-    let worst_view = chosen.worst_view.silhouettes_px;
+    let worst_view = chosen.worst_view.outlines_px;
     let worst_view =
         worst_view.map_or_else(String::new, |spread| format!("; its worst view has {:.4} px", spread.p99));
     format!(
-        "{purpose} (silhouettes {silhouettes_p99_px} px at 99 %, D {doppler_p99:.0e}, wrong objects {} %): {}, {:.2} ms per eye{worst_view}.{}",
+        "{purpose} (outlines {outlines_p99_px} px at 99 %, D {doppler_p99:.0e}, wrong bodies {} %): {}, {:.2} ms per eye{worst_view}.{}",
         100.0 * wrong_share,
         chosen.method,
         chosen.frame_ms,
@@ -79,15 +74,15 @@ fn first_failure(need: &Need, renderer: &RendererReport) -> Option<String> {
 fn on_bounds(renderers: &[RendererReport]) -> Option<String> {
     let meshes = || renderers.iter().filter_map(|renderer| Some((renderer, renderer.bound_px?)));
     let worst =
-        |renderer: &RendererReport| renderer.worst_view.silhouettes_px.map_or(0.0, |spread| spread.worst);
+        |renderer: &RendererReport| renderer.worst_view.outlines_px.map_or(0.0, |spread| spread.worst);
     let broken = meshes().filter(|(renderer, bound_px)| worst(renderer) > *bound_px);
     let broken: Vec<_> =
         broken.map(|(renderer, _)| format!("{} ({:.2} px)", renderer.method, worst(renderer))).collect();
     meshes().next()?;
     Some(if broken.is_empty() {
-        "Every mesh keeps its bound on silhouettes in every view.".to_owned()
+        "Every mesh keeps its bound on outlines in every view.".to_owned()
     } else {
-        format!("Not every mesh keeps its bound on silhouettes in every view: {}.", broken.join(", "))
+        format!("Not every mesh keeps its bound on outlines in every view: {}.", broken.join(", "))
     })
 }
 
@@ -154,8 +149,8 @@ fn on_the_published_model(report: &AccuracyReport) -> String {
 
 fn on_effects(report: &AccuracyReport) -> String {
     let effects = &report.effects;
-    let looks = effects.without.iter().filter(|row| row.same_geometry);
-    let dearest = looks.min_by(|a, b| a.ratio.total_cmp(&b.ratio));
+    let of_light = effects.without.iter().filter(|row| row.same_geometry);
+    let dearest = of_light.min_by(|a, b| a.ratio.total_cmp(&b.ratio));
     let share = |ratio: f64| 100.0 * (1.0 - ratio);
     let least = (3.0 * effects.repeatability).max(0.05);
     match (dearest, effects.without.last()) {
@@ -166,7 +161,7 @@ fn on_effects(report: &AccuracyReport) -> String {
             share(all.ratio)
         ),
         _ => format!(
-            "No effect of looks was measured to cost more than {:.0} % of the picture's time: leave them on.",
+            "No effect of light was measured to cost more than {:.0} % of the picture's time: leave them on.",
             100.0 * least
         ),
     }

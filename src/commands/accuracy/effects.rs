@@ -12,21 +12,21 @@ const TURNS: u32 = 6;
 type Effect = (&'static str, fn(&mut View, &mut Appearance));
 
 const EFFECTS: [Effect; 7] = [
-    ("Doppler shift of colour", |_, looks| looks.doppler_shift = false),
-    ("intensity D^n", |_, looks| looks.intensity_exponent = None),
-    ("shading of form", |_, looks| looks.shading = Shading::Emission),
-    ("ground grid", |_, looks| looks.ground_z = None),
-    ("sky gradient", |_, looks| looks.sky = false),
+    ("Doppler shift of colour", |_, appearance| appearance.doppler_shift = false),
+    ("intensity D^n", |_, appearance| appearance.intensity_exponent = None),
+    ("shading of form", |_, appearance| appearance.shading = Shading::Emission),
+    ("ground grid", |_, appearance| appearance.ground_z = None),
+    ("sky gradient", |_, appearance| appearance.sky = false),
     ("delay of light (contracted only)", |view, _| view.geometry = Geometry::Contracted),
-    ("all of these", |view, looks| {
+    ("all of these", |view, appearance| {
         view.geometry = Geometry::Contracted;
-        *looks = Appearance {
+        *appearance = Appearance {
             doppler_shift: false,
             intensity_exponent: None,
             shading: Shading::Emission,
             ground_z: None,
             sky: false,
-            ..*looks
+            ..*appearance
         };
     }),
 ];

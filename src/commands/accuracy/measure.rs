@@ -1,7 +1,6 @@
 //! The measurement itself: every method in every view.
 
 use anyhow::Context as _;
-use indicatif::{ProgressBar, ProgressStyle};
 use relativity_core::Speed;
 use relativity_render::{Appearance, Gpu, Method, PreparedScene, Renderers, View};
 
@@ -15,7 +14,7 @@ use crate::accuracy::{
     methods, published_error, view_at,
 };
 use crate::files::provenance::SOFTWARE;
-use crate::platform::threads;
+use crate::platform::{progress, threads};
 use crate::scene::Scene;
 
 /// Separation of the apertures: the paper's for its cyclist.
@@ -57,12 +56,12 @@ pub fn report(
         threads: threads::count(),
         device: measurement.renderers.gpu().map(Gpu::description),
         scene: scene_name.to_owned(),
-        objects: scene.bodies.len(),
+        bodies: scene.bodies.len(),
         size_px: size,
         fov_degrees: FOV_DEGREES,
         separation: SEPARATION,
-        silhouette_resolution_px: RESOLUTION_PX,
-        silhouette_limit_px: LARGEST_PX,
+        outline_resolution_px: RESOLUTION_PX,
+        outline_limit_px: LARGEST_PX,
     };
     let mut report = AccuracyReport {
         setting,
@@ -114,13 +113,14 @@ struct Measurement {
 impl Measurement {
     fn pictures(&mut self) -> anyhow::Result<Vec<RendererReport>> {
         let methods = methods(&self.renderers);
-        let progress = progress_bar(methods.len() * self.views.len());
+        let progress = progress::bar((methods.len() * self.views.len()) as u64, "views");
         let mut reports = Vec::new();
         for method in methods {
             let mut rows = Vec::new();
             for (circumstances, view) in &self.views {
-                let (renderers, looks, effort) = (&mut self.renderers, &self.appearance, self.effort);
-                let found = expected_error(renderers, &self.scene, method, view, looks, effort, &|| false)?;
+                let (renderers, appearance, effort) = (&mut self.renderers, &self.appearance, self.effort);
+                let found =
+                    expected_error(renderers, &self.scene, method, view, appearance, effort, &|| false)?;
                 let found = found.context("nothing cancels this")?;
                 rows.push(picture_row(*circumstances, &found));
                 progress.inc(1);
@@ -194,7 +194,7 @@ fn picture_row(view: Circumstances, found: &ExpectedError) -> PictureRow {
         view,
         frame_ms: found.frame_ms,
         errors: PictureErrors {
-            silhouettes_px: found.silhouettes_px,
+            outlines_px: found.outlines_px,
             line_of_sight_arcseconds: figures.line_of_sight_arcseconds,
             doppler_relative: figures.doppler_relative,
             wrong_share: figures.wrong_share(),
@@ -218,7 +218,7 @@ fn renderer_report(method: Method, views: Vec<PictureRow>) -> RendererReport {
         bound_px: if let Method::Mesh { bound_px } = method { Some(bound_px) } else { None },
         frame_ms: median(views.iter().map(|row| row.frame_ms)),
         worst_view: PictureErrors {
-            silhouettes_px: spread(|errors| errors.silhouettes_px),
+            outlines_px: spread(|errors| errors.outlines_px),
             line_of_sight_arcseconds: spread(|errors| errors.line_of_sight_arcseconds),
             doppler_relative: spread(|errors| errors.doppler_relative),
             wrong_share: largest(|errors| errors.wrong_share),
@@ -226,10 +226,4 @@ fn renderer_report(method: Method, views: Vec<PictureRow>) -> RendererReport {
         },
         views,
     }
-}
-
-/// On standard error, and only if that is a terminal.
-fn progress_bar(views: usize) -> ProgressBar {
-    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} views, {eta} left");
-    ProgressBar::new(views as u64).with_style(style.expect("the template is well formed"))
 }

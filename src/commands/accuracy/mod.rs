@@ -12,7 +12,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::files::whole::{write_to, write_whole};
+use crate::files::whole::{ReportArgs, write_whole};
 use crate::flags::choices::Size;
 use crate::scene::{PRESETS, Scene};
 
@@ -34,25 +34,21 @@ pub struct AccuracyArgs {
     /// Fewer views, places and runs.
     #[arg(long)]
     quick: bool,
-    /// Write JSON instead of a table.
-    #[arg(long)]
-    json: bool,
     /// Draw cost against error into this SVG file.
     #[arg(long, value_name = "FILE.svg")]
     plot: Option<PathBuf>,
-    /// Write here, whole or not at all, instead of to standard output.
-    #[arg(long, value_name = "FILE")]
-    out: Option<PathBuf>,
+    #[command(flatten)]
+    report: ReportArgs,
 }
 
 const HELP: &str = "\
 What is measured:
-  silhouette     how far outlines are displaced, pixels: at places found on the reference's silhouettes by bisection,
+  outline        how far outlines are displaced, pixels: at places found on the reference's by bisection,
                  the method draws a strip across, up to 4096 times magnified
   line of sight  angle between a pixel's line of sight and that along which the point it shows is really seen, by
                  the light cone in f64, arcseconds
   D              relative error of the Doppler factor
-  wrong object   pixels that show another object than the reference, per pixel that shows one; where two objects
+  wrong body     pixels that show another body than the reference, per pixel that shows one; where two bodies
                  share a surface, that of the first is right
 
 Examples:
@@ -67,13 +63,5 @@ pub fn run(args: &AccuracyArgs) -> anyhow::Result<()> {
     if let Some(path) = &args.plot {
         write_whole(path, |file| Ok(file.write_all(plot::drawing(&report).as_bytes())?))?;
     }
-    write_to(args.out.as_deref(), |out| {
-        if args.json {
-            serde_json::to_writer_pretty(&mut *out, &report)?;
-            writeln!(out)?;
-        } else {
-            write!(out, "{report}")?;
-        }
-        Ok(())
-    })
+    args.report.write(&report)
 }

@@ -20,10 +20,10 @@ fn pictures(report: &AccuracyReport) -> Panel {
     let [width, height] = setting.size_px;
     let device = setting.device.as_deref().unwrap_or("no graphics adapter");
     let marks = report.renderers.iter().zip(COLOURS).map(|(renderer, colour)| {
-        mark(&renderer.method, colour, renderer.frame_ms, renderer.worst_view.silhouettes_px, RESOLUTION_PX)
+        mark(&renderer.method, colour, renderer.frame_ms, renderer.worst_view.outlines_px, RESOLUTION_PX)
     });
     let title = format!("Pictures, {width}x{height}: {device}");
-    logarithmic(title, ["ms per eye", "displacement of silhouettes, pixels"], marks.collect())
+    logarithmic(title, ["ms per eye", "displacement of outlines, pixels"], marks.collect())
 }
 
 fn points(report: &AccuracyReport) -> Panel {

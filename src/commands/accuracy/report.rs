@@ -36,18 +36,21 @@ pub struct Setting {
     pub device: Option<String>,
     /// Name or path of the scene.
     pub scene: String,
-    /// Number of its objects.
-    pub objects: usize,
+    /// Number of its bodies.
+    #[serde(rename = "objects")]
+    pub bodies: usize,
     /// Width and height of one eye's picture, pixels.
     pub size_px: [u32; 2],
     /// Horizontal field of view, degrees.
     pub fov_degrees: f64,
     /// Distance of the apertures; pictures are the left one's.
     pub separation: f64,
-    /// Displacements of silhouettes up to this, pixels, are reported as 0.
-    pub silhouette_resolution_px: f64,
-    /// Displacements of silhouettes from this on, pixels, are reported as this.
-    pub silhouette_limit_px: f64,
+    /// Displacements of outlines up to this, pixels, are reported as 0.
+    #[serde(rename = "silhouette_resolution_px")]
+    pub outline_resolution_px: f64,
+    /// Displacements of outlines from this on, pixels, are reported as this.
+    #[serde(rename = "silhouette_limit_px")]
+    pub outline_limit_px: f64,
 }
 
 /// The view of a row.
@@ -94,8 +97,9 @@ pub struct PictureRow {
 /// Errors of a picture.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PictureErrors {
-    /// Displacement of silhouettes.
-    pub silhouettes_px: Option<Spread>,
+    /// Displacement of outlines.
+    #[serde(rename = "silhouettes_px")]
+    pub outlines_px: Option<Spread>,
     /// Lines of sight.
     pub line_of_sight_arcseconds: Option<Spread>,
     /// Doppler factor.

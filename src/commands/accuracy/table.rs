@@ -23,8 +23,8 @@ impl AccuracyReport {
         let [width, height] = setting.size_px;
         writeln!(
             f,
-            "{}: {}, {} objects, {width}x{height} per eye, {} degrees wide",
-            setting.program, setting.scene, setting.objects, setting.fov_degrees
+            "{}: {}, {} bodies, {width}x{height} per eye, {} degrees wide",
+            setting.program, setting.scene, setting.bodies, setting.fov_degrees
         )?;
         let device = setting.device.as_deref().unwrap_or("none");
         let build = if setting.optimised { "" } else { "; NOT AN OPTIMISED BUILD" };
@@ -111,7 +111,7 @@ impl AccuracyReport {
     }
 }
 
-const PICTURE_HEADER: &str = "   ms/eye        silhouette, pixels            line of sight, arcseconds              D, relative            wrong object, %";
+const PICTURE_HEADER: &str = "   ms/eye          outline, pixels             line of sight, arcseconds              D, relative              wrong body, %";
 
 fn picture(renderer: &RendererReport, frame_ms: f64, errors: &PictureErrors) -> String {
     let sights = spread(errors.line_of_sight_arcseconds, 0.0);
@@ -122,7 +122,7 @@ fn picture(renderer: &RendererReport, frame_ms: f64, errors: &PictureErrors) -> 
     let off = if off == 0 { String::new() } else { format!(", {off} pixels off outlines") };
     format!(
         "{frame_ms:9.2}  {}  {sights}  {}  {:>10.3}{off}",
-        spread(errors.silhouettes_px, RESOLUTION_PX),
+        spread(errors.outlines_px, RESOLUTION_PX),
         spread(errors.doppler_relative, 0.0),
         100.0 * errors.wrong_share
     )

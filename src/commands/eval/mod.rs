@@ -10,8 +10,9 @@ use clap::Args;
 use csv::ByteRecord;
 
 use self::header::{Header, InputError};
-use crate::columns::{COLUMNS, COLUMNS_HELP, ModelArgs};
-use crate::files::{csv_in, csv_out, whole};
+use crate::columns::{COLUMNS, ModelArgs, help_with};
+use crate::files::whole::OutArgs;
+use crate::files::{csv_in, csv_out};
 
 /// What two eyes see of the point in each row of a CSV file.
 ///
@@ -22,13 +23,12 @@ use crate::files::{csv_in, csv_out, whole};
 /// A bad row ends the run with one line that names file, line and column, and exit status 2. With --out no file is then
 /// written; standard output has the rows before it.
 #[derive(Debug, Args)]
-#[command(after_long_help = help())]
+#[command(after_long_help = help_with(EXAMPLES))]
 pub struct EvalArgs {
     /// CSV file; standard input if none or -.
     file: Option<PathBuf>,
-    /// Write here, whole or not at all, instead of to standard output.
-    #[arg(long, value_name = "FILE")]
-    out: Option<PathBuf>,
+    #[command(flatten)]
+    out: OutArgs,
     #[command(flatten)]
     model: ModelArgs,
 }
@@ -39,14 +39,10 @@ Examples:
   printf 'gamma,d,y,z,T,x0,name\\n1e9,0.1,3,2,4,-1,rider\\n' | gamow eval --intensity-exponent 4
   gamow curve | cut -d, -f 1-6 | gamow eval --model published --out published.csv";
 
-fn help() -> String {
-    format!("{COLUMNS_HELP}\n\n{EXAMPLES}")
-}
-
 /// Runs `gamow eval`.
 pub fn run(args: &EvalArgs) -> anyhow::Result<()> {
     let (name, input) = csv_in::open(args.file.as_deref())?;
-    whole::write_to(args.out.as_deref(), |out| evaluate(&name, input, args.model, out))
+    args.out.write(|out| evaluate(&name, input, args.model, out))
 }
 
 /// Reads rows of `input`, called `name` in errors, and writes each with the columns appended.

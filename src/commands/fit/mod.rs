@@ -1,4 +1,4 @@
-//! `gamow fit`: speed and distance of an object from its measured disparities.
+//! `gamow fit`: speed and distance of a point from its measured disparities.
 
 mod data;
 
@@ -8,13 +8,13 @@ use anyhow::Context as _;
 use clap::Args;
 use relativity_core::{Curves, DEFAULT_REPLICATES, FitOptions, Model, Passage};
 
+use self::data::Data;
 use crate::estimate::FitReport;
-pub use data::Data;
-
-use crate::files::{csv_in, whole};
+use crate::files::csv_in;
+use crate::files::whole::ReportArgs;
 use crate::flags::finite_number;
 
-/// Fits speed and distance of an object to the disparities that two eyes measured.
+/// Fits speed and distance of a point to the disparities that two eyes measured.
 ///
 /// The header names the columns, in any order: T (when the light arrives); dphi, dtheta or both (left minus right,
 /// radians); optionally `sigma_dphi` and `sigma_dtheta` (their standard deviations); d (aperture separation) unless --d gives
@@ -41,22 +41,18 @@ pub struct FitArgs {
     /// Seed of the bootstrap.
     #[arg(long, value_name = "S", default_value_t = 1)]
     seed: u64,
-    /// The object's objective x at t = 0, if it is known.
+    /// The point's objective x at t = 0, if it is known.
     #[arg(long, default_value_t = 0.0, value_parser = finite_number, allow_hyphen_values = true)]
     x0: f64,
     /// Fit x0 too: the time of passage is unknown.
     #[arg(long, conflicts_with = "x0")]
     fit_x0: bool,
-    /// Write JSON instead of a table.
-    #[arg(long)]
-    json: bool,
-    /// Write here, whole or not at all, instead of to standard output.
-    #[arg(long, value_name = "FILE")]
-    out: Option<PathBuf>,
+    #[command(flatten)]
+    report: ReportArgs,
 }
 
 const HELP: &str = "\
-The object is in front of the eyes (y > 0). dphi alone tells the magnitude of z; dtheta tells its sign too.
+The point is in front of the eyes (y > 0). dphi alone tells the magnitude of z; dtheta tells its sign too.
 
 Uncertainties are standard errors over the bootstrap replicates, and the intervals hold 95 % of them; `linear` is \
 the standard error from the covariance at the best fit. With both curves, the joint fit is the best use of the data; \
@@ -88,12 +84,5 @@ pub fn run(args: &FitArgs) -> anyhow::Result<()> {
     let options = FitOptions { model: args.model, curves, passage };
     let report =
         FitReport::new(&data.observations, &options, args.bootstrap, args.seed).with_context(|| name)?;
-    whole::write_to(args.out.as_deref(), |out| {
-        if args.json {
-            serde_json::to_writer_pretty(&mut *out, &report)?;
-            Ok(writeln!(out)?)
-        } else {
-            Ok(write!(out, "{report}")?)
-        }
-    })
+    args.report.write(&report)
 }

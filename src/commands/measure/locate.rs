@@ -15,10 +15,10 @@ const REACH_PX: f64 = 1.0;
 /// What is looked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Target {
-    /// The mark at a place on an object's surface.
+    /// The mark at a place on a body's surface.
     Point([f64; 3]),
-    /// The middle of an object.
-    Object(u32),
+    /// The middle of a body.
+    Body(u32),
     /// The middle of all pixels of a colour.
     Marker([u8; 3]),
 }
@@ -27,7 +27,7 @@ impl Target {
     /// The kind of file that shows it.
     pub const fn file_kind(self) -> FileKind {
         match self {
-            Self::Point(_) | Self::Object(_) => FileKind::Exr,
+            Self::Point(_) | Self::Body(_) => FileKind::Exr,
             Self::Marker(_) => FileKind::Png,
         }
     }
@@ -63,8 +63,8 @@ pub fn in_layer(file: &Measurements, eye: &str, target: Target) -> anyhow::Resul
             let rest = [channel(Channel::RestX)?, channel(Channel::RestY)?, channel(Channel::RestZ)?];
             Ok(Surface { width, ids, rest }.place(point.into()))
         }
-        Target::Object(object) => {
-            let pixels = ids.iter().enumerate().filter(|(_, id)| **id == object as f32);
+        Target::Body(body) => {
+            let pixels = ids.iter().enumerate().filter(|(_, id)| **id == body as f32);
             Ok(middle(pixels.map(|(pixel, _)| [pixel % width, pixel / width])))
         }
         Target::Marker(_) => Ok(None),
@@ -81,7 +81,7 @@ fn middle(pixels: impl Iterator<Item = [usize; 2]>) -> Option<[f64; 2]> {
     (count > 0.0).then(|| sum.map(|part| part / count))
 }
 
-/// Which place of which object each pixel shows.
+/// Which place of which body each pixel shows.
 struct Surface<'a> {
     width: usize,
     ids: &'a [f32],
@@ -110,7 +110,7 @@ impl Surface<'_> {
         DVec3::new(x, y, z)
     }
 
-    /// Change of place per pixel, from the neighbours `stride` away on the same object; none without one.
+    /// Change of place per pixel, from the neighbours `stride` away on the same body; none without one.
     fn change(&self, pixel: usize, position: usize, stride: usize) -> Option<DVec3> {
         let is_same = |&other: &usize| self.ids.get(other) == Some(&self.ids[pixel]);
         let before = (position > 0).then(|| pixel - stride).filter(is_same);

@@ -14,13 +14,15 @@ use relativity_core::math;
 use relativity_render::Camera;
 
 use self::locate::Target;
+use crate::columns::ANGLES;
+use crate::files::csv_out;
 use crate::files::exr::{EYES, Measurements};
 use crate::files::png::PngFile;
-use crate::files::provenance::Recorded;
-use crate::files::{csv_out, whole};
-use crate::flags::choices::FileKind;
+use crate::files::whole::OutArgs;
+use crate::flags::choices::{FileKind, Layout};
 use crate::flags::coordinates;
 use crate::platform;
+use crate::settings::Settings;
 
 /// Follows a point through a stereo sequence and measures its angles, as CSV.
 ///
@@ -35,19 +37,18 @@ pub struct MeasureArgs {
     inputs: Vec<PathBuf>,
     #[command(flatten)]
     target: TargetArgs,
-    /// Write here, whole or not at all, instead of to standard output.
-    #[arg(long, value_name = "FILE")]
-    out: Option<PathBuf>,
+    #[command(flatten)]
+    out: OutArgs,
 }
 
 /// What is followed.
 #[derive(Debug, Clone, Args)]
 #[group(required = true, multiple = false)]
 struct TargetArgs {
-    /// In .exr files: the mark on an object's surface at these rest-frame coordinates.
+    /// In .exr files: the mark on a body's surface at these rest-frame coordinates.
     #[arg(long, value_name = "X,Y,Z", value_parser = coordinates, allow_hyphen_values = true)]
     point: Option<[f64; 3]>,
-    /// In .exr files: the middle of the object with this number.
+    /// In .exr files: the middle of the body with this number.
     #[arg(long, value_name = "NUMBER")]
     object: Option<u32>,
     /// In .png files: the middle of all pixels of this colour.
@@ -61,18 +62,8 @@ Examples:
   gamow measure ride --point=-0.032,2.968,2 --out ride.csv
   gamow fit ride.csv --fit-x0";
 
-const COLUMNS: [&str; 10] = [
-    "T",
-    "d",
-    "phi_left",
-    "phi_right",
-    "theta_left",
-    "theta_right",
-    "dphi",
-    "dtheta",
-    "sigma_dphi",
-    "sigma_dtheta",
-];
+/// How many columns there are: T, d, the angles, and the standard deviations of their differences.
+const COLUMNS: usize = 2 + ANGLES.len() + 2;
 
 /// Standard deviation of what is rounded to whole units.
 const ROUNDING: f64 = 0.288_675_134_594_812_9;
@@ -83,17 +74,17 @@ pub fn run(args: &MeasureArgs) -> anyhow::Result<()> {
     let files = files(&args.inputs, target)?;
     let mut rows = Vec::new();
     for file in &files {
-        let row = measured(file, target).with_context(|| file.display().to_string())?;
-        rows.extend(row);
+        rows.extend(measured(file, target)?);
     }
     anyhow::ensure!(!rows.is_empty(), "none of {} files shows the target to both eyes", files.len());
     rows.sort_by(|a, b| a[0].total_cmp(&b[0]));
     if rows.len() < files.len() {
         eprintln!("{} of {} files show the target to both eyes", rows.len(), files.len());
     }
-    whole::write_to(args.out.as_deref(), |out| {
+    args.out.write(|out| {
         let mut csv = csv_out::Rows::new(out);
-        csv.write(&mut ByteRecord::from(COLUMNS.to_vec()), &[])?;
+        let names = [&["T", "d"], ANGLES, &["sigma_dphi", "sigma_dtheta"]].concat();
+        csv.write(&mut ByteRecord::from(names), &[])?;
         for row in &rows {
             csv.write(&mut ByteRecord::new(), row)?;
         }
@@ -105,7 +96,7 @@ impl TargetArgs {
     fn target(&self) -> Target {
         match (self.point, self.object, self.marker) {
             (Some(point), _, _) => Target::Point(point),
-            (_, Some(object), _) => Target::Object(object),
+            (_, Some(body), _) => Target::Body(body),
             (_, _, marker) => Target::Marker(marker.unwrap_or_default()), // clap wants one of them
         }
     }
@@ -134,31 +125,36 @@ fn files(inputs: &[PathBuf], target: Target) -> anyhow::Result<Vec<PathBuf>> {
     Ok(files)
 }
 
-/// A row of [`COLUMNS`]; none if an eye does not see the target.
-fn measured(file: &Path, target: Target) -> anyhow::Result<Option<[f64; COLUMNS.len()]>> {
-    let (places, size, recorded) = match target {
+/// A row; none if an eye does not see the target.
+fn measured(path: &Path, target: Target) -> anyhow::Result<Option<[f64; COLUMNS]>> {
+    let name = path.display().to_string();
+    let (places, size, settings) = match target {
         Target::Marker(colour) => {
-            let file = PngFile::read(file)?;
-            let recorded = file.recorded();
-            anyhow::ensure!(recorded.text("layout") == Some("side-by-side"), "it is no side-by-side picture");
+            let file = PngFile::read(path)?;
+            let settings = Settings::of_picture(file.command(), &name)?;
+            let is_side_by_side = settings.picture.layout == Layout::SideBySide;
+            anyhow::ensure!(is_side_by_side, "{name}: it is no side-by-side picture");
             let [width, height] = file.picture.size;
-            (locate::colour_in(&file.picture, colour), [width / 2, height], recorded)
+            (locate::colour_in(&file.picture, colour), [width / 2, height], settings)
         }
-        Target::Point(_) | Target::Object(_) => {
-            let file = Measurements::read(file)?;
-            let [left, right] = EYES.map(|eye| locate::in_layer(&file, eye, target));
-            ([left?, right?], file.size, file.recorded())
+        Target::Point(_) | Target::Body(_) => {
+            let file = Measurements::read(path)?;
+            let [left, right] =
+                EYES.map(|eye| locate::in_layer(&file, eye, target).with_context(|| name.clone()));
+            ([left?, right?], file.size, Settings::of_picture(&file.command(), &name)?)
         }
     };
     let [Some(left), Some(right)] = places else { return Ok(None) };
-    let time = number(&recorded, "time")?;
-    let separation = number(&recorded, "d")?;
-    let camera = camera(&recorded, size)?;
+    let time = settings.time.with_context(|| format!("{name}: it does not record --time"))?;
+    let gaze = settings.look.gaze.fixed().with_context(|| format!("{name}: it does not record --gaze"))?;
+    // Where the camera of either eye stands does not matter for angles.
+    let horizontal_fov = settings.look.fov.to_radians();
+    let camera = Camera { aperture: Aperture::default(), gaze, horizontal_fov, size };
     let (left, right) = (Angles::new(&camera, left), Angles::new(&camera, right));
     let sigma = |a: f64, b: f64| ROUNDING * math::hypot(a, b);
     Ok(Some([
         time,
-        separation,
+        settings.motion.d,
         left.phi,
         right.phi,
         left.theta,
@@ -168,17 +164,6 @@ fn measured(file: &Path, target: Target) -> anyhow::Result<Option<[f64; COLUMNS.
         sigma(left.phi_per_pixel, right.phi_per_pixel),
         sigma(left.theta_per_pixel, right.theta_per_pixel),
     ]))
-}
-
-fn number(recorded: &Recorded, flag: &str) -> anyhow::Result<f64> {
-    recorded.number(flag).with_context(|| format!("it does not record --{flag}"))
-}
-
-/// The camera of either eye; where it stands does not matter for angles.
-fn camera(recorded: &Recorded, size: [u32; 2]) -> anyhow::Result<Camera> {
-    let gaze = recorded.gaze().context("it does not record --gaze")?;
-    let horizontal_fov = number(recorded, "fov")?.to_radians();
-    Ok(Camera { aperture: Aperture::default(), gaze, horizontal_fov, size })
 }
 
 /// Azimuth and elevation of a place in a picture.

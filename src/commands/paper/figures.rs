@@ -142,7 +142,7 @@ fn bicycle_columns(strokes: &[bicycle::Stroke]) -> Vec<Column> {
 fn write_resting_bicycle(folder: &Path) -> anyhow::Result<()> {
     let strokes = bicycle::strokes();
     let columns = bicycle_columns(&strokes);
-    let line = Line { name: "at rest".to_owned(), colour: BLACK, stroke: Stroke::Solid, pieces: strokes };
+    let line = Line::in_pieces("at rest", BLACK, strokes);
     write(folder, "bicycle-2d", &[bicycle_panel("the bicycle".to_owned(), vec![line], 640.0)], &columns)
 }
 
@@ -158,7 +158,7 @@ fn write_bicycle_for_one_eye(folder: &Path) -> anyhow::Result<()> {
         let pieces = mapped(&strokes, seen)?;
         let xs = pieces.iter().flatten().map(|point| point[0]).collect();
         columns.push((format!("x_at_T_{time:.3}"), xs));
-        lines.push(Line { name: format!("T = {time:.2}"), colour, stroke: Stroke::Solid, pieces });
+        lines.push(Line::in_pieces(format!("T = {time:.2}"), colour, pieces));
     }
     lines.push(eye_dots(&[0.0]));
     let title = "beta = 0.9: approaching, abreast and receding".to_owned();
@@ -183,15 +183,12 @@ fn write_bicycle_for_two_eyes(folder: &Path) -> anyhow::Result<()> {
                 pieces.extend(seen);
             }
         }
-        let line = |name: &str, colour, pieces| Line {
-            name: name.to_owned(),
-            colour,
-            stroke: Stroke::Solid,
-            pieces,
-        };
         let half = 0.5 * setup.separation;
-        let lines =
-            vec![line("left eye", BLUE, left), line("right eye", VERMILION, right), eye_dots(&[-half, half])];
+        let lines = vec![
+            Line::in_pieces("left eye", BLUE, left),
+            Line::in_pieces("right eye", VERMILION, right),
+            eye_dots(&[-half, half]),
+        ];
         panels.push(bicycle_panel(format!("beta = 0.9, d = 0.3, {}", title(model)), lines, 900.0));
     }
     write(folder, "bicycle-2d-two-eyes", &panels, &columns)

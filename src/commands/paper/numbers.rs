@@ -35,6 +35,10 @@ pub fn rows() -> Result<Vec<Row>, DomainError> {
     Ok(rows)
 }
 
+const fn row(quantity: &'static str, paper: &'static str, ours: Vec<String>, remark: &'static str) -> Row {
+    Row { quantity, paper, ours, remark }
+}
+
 fn difference_rows() -> Result<Vec<Row>, DomainError> {
     let setup = Setup::SECTION_3;
     let extents = |quantity: fn(&Disparity) -> f64| -> Result<Vec<Extent>, DomainError> {
@@ -44,49 +48,33 @@ fn difference_rows() -> Result<Vec<Row>, DomainError> {
     let each = |extents: &[Extent], of: fn(&Extent) -> String| extents.iter().map(of).collect();
     let t0 = setup.equidistance_time()?;
     Ok(vec![
-        Row {
-            quantity: "T0 for y = z = 0.5, d = 0.3",
-            paper: "0.72",
-            ours: vec![format!("{t0:.4}")],
-            remark: "as stated",
-        },
-        Row {
-            quantity: "least delta-phi, rad",
-            paper: "-0.34",
-            ours: each(&phi, |extent| format!("{:.4}", extent.least)),
-            remark: "E5: no variant gives the quoted value",
-        },
-        Row {
-            quantity: "largest delta-phi, rad",
-            paper: "0.06",
-            ours: each(&phi, largest),
-            remark: "E5; exactly, delta-phi never changes its sign (E3)",
-        },
-        Row {
-            quantity: "zeros of delta-phi, T",
-            paper: "0.72",
-            ours: each(&phi, zeros),
-            remark: "exactly there is none: ordinary parallax is always negative (E3)",
-        },
-        Row {
-            quantity: "least delta-theta, rad",
-            paper: "-0.015",
-            ours: each(&theta, |extent| format!("{:.4}", extent.least)),
-            remark: "E5",
-        },
-        Row {
-            quantity: "largest delta-theta, rad",
-            paper: "0.19",
-            ours: each(&theta, |extent| format!("{:.4}", extent.largest)),
-            remark: "E5",
-        },
-        Row {
-            quantity: "zeros of delta-theta, T",
-            paper: "two, the later at 0.72",
-            ours: each(&theta, zeros),
-            remark: "exactly there is one, at T0, where both eyes see the point equally far",
-        },
+        row("T0 for y = z = 0.5, d = 0.3", "0.72", vec![format!("{t0:.4}")], "as stated"),
+        row("least delta-phi, rad", "-0.34", each(&phi, least), "E5: no variant gives the quoted value"),
+        row(
+            "largest delta-phi, rad",
+            "0.06",
+            each(&phi, largest),
+            "E5; exactly, delta-phi never changes its sign (E3)",
+        ),
+        row(
+            "zeros of delta-phi, T",
+            "0.72",
+            each(&phi, zeros),
+            "exactly there is none: ordinary parallax is always negative (E3)",
+        ),
+        row("least delta-theta, rad", "-0.015", each(&theta, least), "E5"),
+        row("largest delta-theta, rad", "0.19", each(&theta, largest), "E5"),
+        row(
+            "zeros of delta-theta, T",
+            "two, the later at 0.72",
+            each(&theta, zeros),
+            "exactly there is one, at T0, where both eyes see the point equally far",
+        ),
     ])
+}
+
+fn least(extent: &Extent) -> String {
+    format!("{:.4}", extent.least)
 }
 
 /// A curve that only comes near 0 at its ends has no lobe above it.
@@ -107,42 +95,42 @@ fn motion_rows() -> Result<Vec<Row>, DomainError> {
     let [before, after] = [apparent_length(&setup, -FAR)?, apparent_length(&setup, FAR)?];
     let [approaching, receding] = [apparent_speed(&setup, -FAR)?, apparent_speed(&setup, FAR)?];
     Ok(vec![
-        Row {
-            quantity: "apparent length over rest length, far ahead",
-            paper: "sqrt((1+beta)/(1-beta)) = 4.3589",
-            ours: vec![format!("{before:.4}")],
-            remark: "as stated",
-        },
-        Row {
-            quantity: "apparent length over rest length, far past",
-            paper: "sqrt((1-beta)/(1+beta)) = 0.2294",
-            ours: vec![format!("{after:.4}")],
-            remark: "as stated",
-        },
-        Row {
-            quantity: "apparent speed, approaching",
-            paper: "above c",
-            ours: vec![format!("up to {approaching:.3} c")],
-            remark: "beta/(1 - beta)",
-        },
-        Row {
-            quantity: "apparent speed, receding",
-            paper: "at most c/2",
-            ours: vec![format!("down to {receding:.3} c")],
-            remark: "beta/(1 + beta); right after the passage it is still above c/2",
-        },
-        Row {
-            quantity: "received wavelength of 700 nm, approaching",
-            paper: "about 200 nm",
-            ours: vec![format!("{:.0} nm far ahead, {:.0} nm at x = -10", doppler(-FAR)?, doppler(-10.0)?)],
-            remark: "the paper's value is that of its frames, where the cyclist is not far ahead",
-        },
-        Row {
-            quantity: "received wavelength of 700 nm, receding",
-            paper: "about 1000 nm",
-            ours: vec![format!("{:.0} nm at x = 0, {:.0} nm far past", doppler(0.0)?, doppler(FAR)?)],
-            remark: "at beta = 0.9 about 1000 nm come from parts still seen ahead of the eyes",
-        },
+        row(
+            "apparent length over rest length, far ahead",
+            "sqrt((1+beta)/(1-beta)) = 4.3589",
+            vec![format!("{before:.4}")],
+            "as stated",
+        ),
+        row(
+            "apparent length over rest length, far past",
+            "sqrt((1-beta)/(1+beta)) = 0.2294",
+            vec![format!("{after:.4}")],
+            "as stated",
+        ),
+        row(
+            "apparent speed, approaching",
+            "above c",
+            vec![format!("up to {approaching:.3} c")],
+            "beta/(1 - beta)",
+        ),
+        row(
+            "apparent speed, receding",
+            "at most c/2",
+            vec![format!("down to {receding:.3} c")],
+            "beta/(1 + beta); right after the passage it is still above c/2",
+        ),
+        row(
+            "received wavelength of 700 nm, approaching",
+            "about 200 nm",
+            vec![format!("{:.0} nm far ahead, {:.0} nm at x = -10", doppler(-FAR)?, doppler(-10.0)?)],
+            "the paper's value is that of its frames, where the cyclist is not far ahead",
+        ),
+        row(
+            "received wavelength of 700 nm, receding",
+            "about 1000 nm",
+            vec![format!("{:.0} nm at x = 0, {:.0} nm far past", doppler(0.0)?, doppler(FAR)?)],
+            "at beta = 0.9 about 1000 nm come from parts still seen ahead of the eyes",
+        ),
     ])
 }
 

@@ -14,7 +14,7 @@ use crate::studio::Studio;
 /// Draws what both eyes see, without a window, a display or a GPU.
 ///
 /// Without flags: the stereo frame of the paper's cyclist at beta = 0.9, d = 0.1, as the visible strip runs
-/// across it. A `.png` file is a picture, an `.exr` file holds what every pixel shows (object, distance,
+/// across it. A `.png` file is a picture, an `.exr` file holds what every pixel shows (body, distance,
 /// time of emission, Doppler factor, ...), and with --frames a folder takes a sequence.
 #[derive(Debug, Args)]
 #[command(after_long_help = EXAMPLES, mut_args(without_the_windows))]

@@ -4,12 +4,11 @@ use std::path::{Path, PathBuf};
 
 use anyhow::Context as _;
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::flags::choices::FileKind;
 use crate::flags::finite_number;
-use crate::passage::passage_times;
-use crate::platform::files;
+use crate::passage::{passage_times, time_within};
+use crate::platform::{files, progress};
 use crate::studio::Studio;
 
 /// Flags of a sequence.
@@ -51,14 +50,13 @@ impl TimeArgs {
 /// with the same parameters, are kept.
 pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Result<()> {
     let frames = times.frames.unwrap_or(1);
-    let [from, to] = times.range(studio)?;
+    let range = times.range(studio)?;
     files::create_folder(folder).with_context(|| folder.display().to_string())?;
-    let progress = progress_bar(frames);
+    let progress = progress::bar(frames.into(), "frames");
     let kind = if times.exr { FileKind::Exr } else { FileKind::Png };
     let mut kept = 0;
     for frame in 0..frames {
-        let u = f64::from(frame) / f64::from(frames.max(2) - 1);
-        let time = from * (1.0 - u) + to * u; // exact at both ends
+        let time = time_within(range, f64::from(frame) / f64::from(frames.max(2) - 1));
         let path = frame_path(folder, frame, kind);
         let frame = studio.frame(Some(time))?;
         if frame.is_made(kind, &path) {
@@ -75,10 +73,4 @@ pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Resu
 
 fn frame_path(folder: &Path, frame: u32, kind: FileKind) -> PathBuf {
     folder.join(format!("frame_{frame:05}.{}", kind.extension()))
-}
-
-/// On standard error, and only if that is a terminal.
-fn progress_bar(frames: u32) -> ProgressBar {
-    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} frames, {eta} left");
-    ProgressBar::new(frames.into()).with_style(style.expect("the template is well formed"))
 }

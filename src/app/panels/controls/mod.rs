@@ -107,7 +107,7 @@ fn quality(ui: &mut Ui, set: Quality, asks: &mut Asks) {
     let before = Quality { renderer, ..set };
     let mut quality = before;
     let tip = "What draws the views.   The Accuracy tab shows what each costs, and how far it is off.";
-    row(ui, "Quality", tip, |ui| choice(ui, &mut quality.renderer, &RENDERERS));
+    row(ui, "Quality", tip, |ui| _ = choice(ui, &mut quality.renderer, &RENDERERS));
     if quality.renderer == RendererChoice::Mesh {
         let bound = NumberRow {
             name: "Bound",
@@ -136,12 +136,12 @@ const RENDERERS: [(RendererChoice, &str, &str); 3] = [
 ];
 
 fn geometry_row(ui: &mut Ui, geometry: &mut Geometry) {
-    let before = geometry.of_left_eye();
-    let mut chosen = before;
-    row(ui, "Geometry", "What the views show.   Keys: 1 2 3", |ui| choice(ui, &mut chosen, &GEOMETRIES));
-    if chosen != before {
-        *geometry = chosen;
-    }
+    let mut of_left_eye = geometry.of_left_eye();
+    row(ui, "Geometry", "What the views show.   Keys: 1 2 3", |ui| {
+        if choice(ui, &mut of_left_eye, &GEOMETRIES) {
+            *geometry = of_left_eye;
+        }
+    });
 }
 
 const GEOMETRIES: [(Geometry, &str, &str); 3] = [
@@ -156,16 +156,13 @@ const GEOMETRIES: [(Geometry, &str, &str); 3] = [
 
 fn right_eye_row(ui: &mut Ui, geometry: &mut Geometry) {
     let tip = "What the right eye's view shows, with the geometry as seen.";
-    let published = Geometry::Published;
-    let before = if *geometry == published { published } else { Geometry::Seen };
-    let mut chosen = before;
+    let is_seen = geometry.of_left_eye() == Geometry::Seen;
+    let mut of_right_eye = if is_seen { *geometry } else { Geometry::Seen };
     row(ui, "Right eye", tip, |ui| {
-        let is_seen = geometry.of_left_eye() == Geometry::Seen;
-        ui.add_enabled_ui(is_seen, |ui| choice(ui, &mut chosen, &RIGHT_EYES));
+        if ui.add_enabled_ui(is_seen, |ui| choice(ui, &mut of_right_eye, &RIGHT_EYES)).inner {
+            *geometry = of_right_eye;
+        }
     });
-    if chosen != before {
-        *geometry = chosen;
-    }
 }
 
 const RIGHT_EYES: [(Geometry, &str, &str); 2] = [

@@ -8,6 +8,7 @@ mod split;
 
 use std::ops::RangeInclusive;
 
+use clap::ValueEnum as _;
 use eframe::egui::{self, Color32, RichText, Ui, vec2};
 use egui_plot::{HoverPosition, Line, LineStyle, PlotPoint, PlotResponse, PlotUi, Points, VLine};
 use relativity_core::math;
@@ -68,14 +69,14 @@ pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {
 
 fn tabs(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let mut plots = state.settings.plots;
-    let options = [
-        (PlotTab::Disparity, "Disparity", "Δφ and Δθ: how differently the eyes see each point"),
-        (PlotTab::Angles, "Angles", "φ and θ of the selected point, each eye"),
-        (PlotTab::Doppler, "Doppler", "D of the selected point, each eye"),
-        (PlotTab::Fit, "Fit", "Speed and distance of the selected point, from noisy Δφ and Δθ alone"),
-        (PlotTab::Accuracy, "Accuracy", "What each way to draw the views costs, and how far it is off"),
-    ];
-    for (tab, name, tip) in options {
+    for &tab in PlotTab::value_variants() {
+        let (name, tip) = match tab {
+            PlotTab::Disparity => ("Disparity", "Δφ and Δθ: how differently the eyes see each point"),
+            PlotTab::Angles => ("Angles", "φ and θ of the selected point, each eye"),
+            PlotTab::Doppler => ("Doppler", "D of the selected point, each eye"),
+            PlotTab::Fit => ("Fit", "Speed and distance of the selected point, from noisy Δφ and Δθ alone"),
+            PlotTab::Accuracy => ("Accuracy", "What each way to draw the views costs, and how far it is off"),
+        };
         ui.selectable_value(&mut plots.plot, tab, name).on_hover_text(tip);
     }
     let tip = "Draws the paper's approximate binocular model too, dashed:\n\

@@ -69,6 +69,6 @@ fn scale(ui: &mut Ui) {
     }
     ui.label(text(last));
     let (square, _) = ui.allocate_exact_size(vec2(10.0, 10.0), Sense::hover());
-    ui.painter().rect_filled(square, 1.0, heat_map::WRONG_OBJECT);
-    ui.label(RichText::new("other object").small());
+    ui.painter().rect_filled(square, 1.0, heat_map::WRONG_BODY);
+    ui.label(RichText::new("other body").small());
 }

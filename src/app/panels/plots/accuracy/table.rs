@@ -20,7 +20,7 @@ const HEADS: [(&str, &str); 6] = [
         "Between where a point is drawn and where it is seen, arcseconds: 99 % of the pixels are better.",
     ),
     ("D", "Relative error of the Doppler factor: 99 % of the pixels are better."),
-    ("other object", "Share of the covered pixels that show another object than the reference does."),
+    ("other body", "Share of the covered pixels that show another body than the reference does."),
 ];
 
 /// Shows it; clicking a renderer chooses it.

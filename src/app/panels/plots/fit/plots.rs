@@ -8,7 +8,7 @@ use relativity_core::math;
 
 use crate::app::command::Command;
 use crate::app::curves::Quantity;
-use crate::app::fitting::{FittedCurve, Fitting, Outcome};
+use crate::app::fitting::{FitOutcome, FittedCurve, Fitting};
 use crate::app::panels::Asks;
 use crate::app::panels::plots::axes::{annotate, bounds, grid, label, plot_over_time, tick, time_at_pointer};
 use crate::app::state::State;
@@ -152,7 +152,7 @@ impl<'a> Drawing<'a> {
         let colour = theme::point_colour(state.session.points.selected().number, visuals);
         Self {
             range: outcome.map_or([0.0, 1.0], |outcome| outcome.key.range),
-            data: outcome.map_or(&[], |outcome: &Outcome| &outcome.data[curve]),
+            data: outcome.map_or(&[], |outcome: &FitOutcome| &outcome.data[curve]),
             fitted,
             data_colour: visuals.weak_text_color().gamma_multiply(faintness),
             fit_colour: colour.gamma_multiply(faintness),

@@ -4,7 +4,7 @@ use eframe::egui::{Grid, RichText, Ui};
 use relativity_core::{DEFAULT_REPLICATES, Parameter};
 
 use crate::app::figures;
-use crate::app::fitting::{Fitted, Fitting, Outcome};
+use crate::app::fitting::{FitOutcome, Fitted, Fitting};
 use crate::app::widgets::named_text;
 use crate::estimate::{Estimate, decimals};
 
@@ -126,7 +126,7 @@ fn verdict(fitted: &Fitted) -> String {
     format!("Wrong: {} is {errors} σ off.", named(parameter).0)
 }
 
-fn notes(ui: &mut Ui, outcome: &Outcome, fitted: &Fitted) {
+fn notes(ui: &mut Ui, outcome: &FitOutcome, fitted: &Fitted) {
     let milliseconds = figures::fixed(1e3 * outcome.elapsed.as_secs_f64(), 0);
     let rms = figures::significant(fitted.rms, 3).replace('-', "−");
     let uncertainties = match &fitted.no_bootstrap {

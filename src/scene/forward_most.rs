@@ -1,19 +1,7 @@
-//! Where bodies are: moving them, and their forward-most point.
+//! Where the forward-most point of bodies is.
 
 use glam::DVec3;
 use relativity_render::{Body, Shape};
-
-/// The shape moved by `offset`.
-pub(super) fn moved(shape: Shape, offset: [f64; 3]) -> Shape {
-    let moved = |point: [f64; 3]| (DVec3::from(point) + DVec3::from(offset)).to_array();
-    match shape {
-        Shape::Sphere { center, radius } => Shape::Sphere { center: moved(center), radius },
-        Shape::Tube { from, to, radius } => Shape::Tube { from: moved(from), to: moved(to), radius },
-        Shape::Ring { center, axis, radius, tube_radius } => {
-            Shape::Ring { center: moved(center), axis, radius, tube_radius }
-        }
-    }
-}
 
 /// The point with the largest x on any of the bodies; `None` without bodies.
 pub(super) fn forward_most_point(bodies: &[Body]) -> Option<[f64; 3]> {

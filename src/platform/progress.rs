@@ -1,0 +1,11 @@
+//! How far a command has come, on a terminal.
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+/// A bar of so many `steps`, called `things`: on standard error, and only if that is a terminal.
+#[must_use]
+#[expect(clippy::missing_panics_doc, reason = "the template is well formed")]
+pub fn bar(steps: u64, things: &'static str) -> ProgressBar {
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} {prefix}, {eta} left");
+    ProgressBar::new(steps).with_style(style.expect("the template is well formed")).with_prefix(things)
+}
