@@ -21,7 +21,7 @@ impl Measures {
             }
             let body = index as usize;
             let [x, y, z, _] = place.map(f64::from);
-            let solid = &scene.bodies()[body].solid;
+            let solid = scene.solid(body);
             let rest_position = solid.center() + DVec3::new(x, y, z);
             let pixel = [(i % width) as f64 + 0.5, (i / width) as f64 + 0.5];
             Some(Hit {

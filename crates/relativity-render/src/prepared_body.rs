@@ -27,16 +27,14 @@ pub struct Extent {
 /// A body, placed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PreparedBody {
-    /// Its shape in f64.
-    pub solid: Solid,
+    /// Its number, in the order of all bodies.
+    pub number: usize,
     /// The number of its group.
     pub group: usize,
     /// Wavelength of its light in the rest frame, nm.
     pub rest_wavelength_nm: f64,
     /// Which shaders draw it.
     pub(crate) kind: Kind,
-    /// Its number, in the order of all bodies; floats hold those up to 2^24.
-    pub(crate) index: f32,
     /// From the middle of its group: its centre, or one end of a tube; and its radius.
     pub(crate) place_radius: [f32; 4],
     /// The other end of a tube, or a ring's unit axis and the radius of its middle circle.
@@ -67,10 +65,10 @@ struct RestColours {
 }
 
 impl Extent {
-    /// Of `bodies`.
-    pub(crate) fn new(bodies: &[Body]) -> Self {
-        let solids: Vec<_> = bodies.iter().map(|body| Solid::new(&body.shape)).collect();
-        let [low, high] = bounding_box(&solids).unwrap_or([DVec3::ZERO, DVec3::ONE]);
+    /// Of a group's `solids`.
+    #[must_use]
+    pub fn new(solids: &[Solid]) -> Self {
+        let [low, high] = bounding_box(solids).unwrap_or([DVec3::ZERO, DVec3::ONE]);
         let middle = 0.5 * (low + high);
         Self { middle, reach: 1.001 * low.distance(middle) }
     }
@@ -97,11 +95,10 @@ impl PreparedBody {
         let first = capsules.len();
         add_capsules(&body.shape, capsules);
         Self {
-            solid: Solid::new(&body.shape),
+            number,
             group,
             rest_wavelength_nm: body.rest_wavelength_nm,
             kind: Kind::of(&body.shape),
-            index: number as f32,
             place_radius,
             form,
             surface: Surface::new(&body.shape),
@@ -109,6 +106,11 @@ impl PreparedBody {
             capsules: first..capsules.len(),
             rest_colours: RestColours::new(body.rest_wavelength_nm),
         }
+    }
+
+    /// Its number for the shaders: floats hold those up to 2^24.
+    pub(crate) const fn index(&self) -> f32 {
+        self.number as f32
     }
 
     /// Its colour without Doppler shift, linear sRGB.
@@ -138,10 +140,12 @@ impl RestColours {
     }
 }
 
-/// Finds out which of `bodies`, those of one group, share an end.
-pub(crate) fn find_joints(bodies: &mut [PreparedBody]) {
+/// Finds out which of `bodies`, those of one group, share an end; `solids` are theirs.
+pub(crate) fn find_joints(bodies: &mut [PreparedBody], solids: &[Solid]) {
     let as_they_are = shared_ends(bodies, |body| body.place_radius[3].to_bits());
-    let widened = shared_ends(bodies, |body| body.solid.center().to_array().map(f64::to_bits));
+    let first = bodies.first().map_or(0, |body| body.number);
+    let centre = |body: &PreparedBody| solids[body.number - first].center();
+    let widened = shared_ends(bodies, |body| centre(body).to_array().map(f64::to_bits));
     for ((body, as_it_is), widened) in bodies.iter_mut().zip(as_they_are).zip(widened) {
         body.joint = Joint { as_it_is, widened };
     }

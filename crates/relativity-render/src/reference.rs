@@ -116,7 +116,7 @@ impl PreparedScene {
     fn first_entry(&self, bodies: &[u32], ray: &Ray, tie: f64) -> Option<(usize, Entry)> {
         let entries = bodies.iter().filter_map(|&body| {
             let body = body as usize;
-            Some((body, self.bodies()[body].solid.entry(ray)?))
+            Some((body, self.solid(body).entry(ray)?))
         });
         entries.reduce(|first, next| if next.1.distance < first.1.distance - tie { next } else { first })
     }
@@ -183,7 +183,8 @@ impl PreparedScene {
         value: impl Fn(&[u32], [u32; 2]) -> T + Sync,
     ) -> Vec<T> {
         let cone = |body: &PreparedBody| {
-            Cone::of_sight(&group_views[body.group], body.solid.center(), body.solid.bounding_radius())
+            let solid = self.solid(body.number);
+            Cone::of_sight(&group_views[body.group], solid.center(), solid.bounding_radius())
         };
         let cones: Vec<_> = self.bodies().iter().map(cone).collect();
         let bands = bands(&view.camera, &cones);

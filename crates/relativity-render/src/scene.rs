@@ -6,6 +6,7 @@ use std::sync::Arc;
 use crate::body::Body;
 use crate::capsule::Capsule;
 use crate::group_view::GroupView;
+use crate::intersect::Solid;
 use crate::prepared_body::{Extent, PreparedBody, find_joints};
 use crate::velocity::Motion;
 use crate::view::View;
@@ -48,6 +49,8 @@ pub struct PreparedScene(Arc<Prepared>);
 struct Prepared {
     groups: Vec<PreparedGroup>,
     bodies: Vec<PreparedBody>,
+    /// Their shapes for rays, side by side: a ray looks at many, and at nothing else of them.
+    solids: Vec<Solid>,
     /// The numbers of all bodies.
     numbers: Vec<u32>,
     capsules: Vec<Capsule>,
@@ -68,20 +71,23 @@ impl PreparedScene {
     /// Prepares `groups`; their bodies are numbered from 0, in this order.
     #[must_use]
     pub fn new<'a>(groups: impl IntoIterator<Item = Group<'a>>) -> Self {
-        let (mut bodies, mut capsules, mut prepared) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut bodies, mut solids, mut capsules) = (Vec::new(), Vec::new(), Vec::new());
+        let mut prepared = Vec::new();
         for (number, Group { motion, bodies: own }) in groups.into_iter().enumerate() {
-            let (first, extent) = (bodies.len(), Extent::new(own));
+            let first = bodies.len();
+            solids.extend(own.iter().map(|body| Solid::new(&body.shape)));
+            let extent = Extent::new(&solids[first..]);
             for (i, body) in own.iter().enumerate() {
                 bodies.push(PreparedBody::new(first + i, number, body, &extent, &mut capsules));
             }
-            find_joints(&mut bodies[first..]);
+            find_joints(&mut bodies[first..], &solids[first..]);
             prepared.push(PreparedGroup { motion, bodies: first..bodies.len(), extent });
         }
         if prepared.is_empty() {
             prepared.push(PreparedGroup { motion: Motion::Scene, bodies: 0..0, extent: Extent::new(&[]) });
         }
         let numbers = (0..bodies.len() as u32).collect();
-        Self(Arc::new(Prepared { groups: prepared, bodies, numbers, capsules }))
+        Self(Arc::new(Prepared { groups: prepared, bodies, solids, numbers, capsules }))
     }
 
     /// Prepares one group of `bodies`, which move at the scene's speed.
@@ -100,6 +106,11 @@ impl PreparedScene {
     #[must_use]
     pub fn bodies(&self) -> &[PreparedBody] {
         &self.0.bodies
+    }
+
+    /// The shape of the body of this number.
+    pub(crate) fn solid(&self, body: usize) -> &Solid {
+        &self.0.solids[body]
     }
 
     /// The numbers of all bodies.

@@ -142,7 +142,7 @@ impl Piece {
         let [red, green, blue] = body.rest_colour(colour);
         Self {
             place: [0.0; 4],
-            second_axis_index_wavelength: [0.0, 0.0, body.index, body.rest_wavelength_nm as f32],
+            second_axis_index_wavelength: [0.0, 0.0, body.index(), body.rest_wavelength_nm as f32],
             place_radius: body.place_radius,
             form: body.form,
             rest_colour: [red, green, blue, 0.0],

@@ -49,17 +49,21 @@ impl Parts {
         let Shot { scene, views, divided_for, appearance } = *shot;
         let projections: Vec<_> = views.iter().map(Projection::new).collect();
         let is_seen = |body: &PreparedBody| {
-            let view = &views[body.group];
-            let middle = view.reflected_from_camera(body.solid.center());
+            let (view, solid) = (&views[body.group], scene.solid(body.number));
+            let middle = view.reflected_from_camera(solid.center());
             // The published positions are not the view's.
             view.geometry == Geometry::Published
-                || !projections[body.group].hides(middle, body.solid.bounding_radius())
+                || !projections[body.group].hides(middle, solid.bounding_radius())
         };
         let part = |body: &PreparedBody| {
             let (instance, view) = (Instance::new(body, shot.colour()), &divided_for[body.group]);
             Part {
                 division: division(&body.surface, view, bound_px),
-                instance: if appearance.is_some() { instance.widened(body, view) } else { instance },
+                instance: if appearance.is_some() {
+                    instance.widened(scene.solid(body.number).center(), view)
+                } else {
+                    instance
+                },
                 group: body.group,
                 joint: body.joint,
             }
@@ -113,15 +117,15 @@ impl Instance {
         Self {
             place_radius: body.place_radius,
             form: body.form,
-            across_index: packed(body.surface.across(), f64::from(body.index)),
+            across_index: packed(body.surface.across(), f64::from(body.index())),
             colour_wavelength: [red, green, blue, body.rest_wavelength_nm as f32],
             cover: 1.0,
         }
     }
 
     /// Drawn at least a pixel wide: thinner, it is faded instead of broken up.
-    fn widened(self, body: &PreparedBody, view: &GroupView) -> Self {
-        let distance = view.apparent_position(body.solid.center()).map_or(f64::INFINITY, DVec3::length);
+    fn widened(self, center: DVec3, view: &GroupView) -> Self {
+        let distance = view.apparent_position(center).map_or(f64::INFINITY, DVec3::length);
         let [x, y, z, radius] = self.place_radius;
         let half_pixel = (0.5 * distance / view.camera.focal_length_px()) as f32;
         if radius >= half_pixel {
