@@ -93,12 +93,12 @@ fn nearest_to(anchor: vec3f, ray: Ray) -> vec3f {
 // Depth of what lies `beyond` the group's middle along its ray: 1 is nearest, 0 is nothing.
 //
 // Measured from the middle, since distances from a camera far away in the rest frame (gamma times as far as on the
-// ground, abreast) differ by less than f32 resolves. That orders the bodies of one group at any speed, but counts for it
-// alone. Of several groups the fastest, which would lose most, keeps that order: it is the reference. All others are told
-// by ground distance, and placed where the reference would show a body of its own at that distance. f32 holds their
-// distances to about 1e-7: two of their surfaces that are nearer to each other than this part of the way to the camera in
-// their own rest frame may come out in either order. For slow groups that is nothing; what it is for a second fast one
-// says `Method::Exact`, and `tests/gpu_exact.rs` measures it.
+// ground, abreast) differ by less than f32 resolves. That orders the bodies of one group at any speed, but counts for
+// it alone. Of several groups the fastest, which would lose most, keeps that order: it is the reference. All others
+// are told by ground distance, and placed where the reference would show a body of its own at that distance. f32
+// holds their distances to about 1e-7: two of their surfaces that are nearer to each other than this part of the way
+// to the camera in their own rest frame may come out in either order. For slow groups that is nothing; what it is for
+// a second fast one says `Method::Exact`, and `tests/gpu_exact.rs` measures it.
 fn depth(ray: Ray, beyond: f32) -> f32 {
     if !HAS_OTHERS {
         return 0.5 - beyond * frame.middle.w;

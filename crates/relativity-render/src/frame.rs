@@ -29,8 +29,8 @@ pub struct Frame {
     pub pole: [f32; 4],
     /// Of the group against the camera: beta, 1 - beta, 1/gamma, gamma.
     pub speed: [f32; 4],
-    /// -1 if the group moves towards -x, else 1; 1 if it is the reference of depths, else 0; then, of that reference, the
-    /// same sign and the `GEOMETRY`.
+    /// -1 if the group moves towards -x, else 1; 1 if it is the reference of depths, else 0; then, of that reference,
+    /// the same sign and the `GEOMETRY`.
     pub motion: [f32; 4],
     /// `speed` of the reference.
     pub reference_speed: [f32; 4],
@@ -134,8 +134,8 @@ fn vector(v: DVec3) -> [f32; 4] {
     packed(v, 0.0)
 }
 
-/// The pixel towards the end of the x axis with this sign and its (unnormalised) line of sight, if it is well in front of
-/// the camera; else the middle of the picture and the optical axis.
+/// The pixel towards the end of the x axis with this sign and its (unnormalised) line of sight, if it is well in
+/// front of the camera; else the middle of the picture and the optical axis.
 fn pole(camera: &Camera, sign: f64) -> (DVec2, DVec3) {
     let Axes { right, up, forward } = camera.gaze.axes();
     let middle = DVec2::from(camera.size.map(f64::from)) * 0.5;

@@ -31,12 +31,13 @@ pub struct GroupView {
     /// The camera.
     pub camera: Camera,
     /// Which geometry shows the group: [`Geometry::Rest`] where a group with a velocity of its own rests with the
-    /// camera, since no ray is turned then; [`Geometry::Seen`] where it passes a camera that rides along with the scene.
+    /// camera, since no ray is turned then; [`Geometry::Seen`] where it passes a camera that rides along with the
+    /// scene.
     pub geometry: Geometry,
     /// The group's velocity as the camera sees it.
     pub velocity: Velocity,
-    /// Where the camera's event is in the group's frame: (gamma (`a_x` - beta T), `a_y`, `a_z`), with the group's beta on
-    /// the ground.
+    /// Where the camera's event is in the group's frame: (gamma (`a_x` - beta T), `a_y`, `a_z`), with the group's
+    /// beta on the ground.
     pub origin: DVec3,
     /// When it is there: gamma (T - beta `a_x`).
     pub time: f64,
@@ -128,7 +129,8 @@ impl GroupView {
 
     /// From the aperture to where the group's point at `rest` appears; `None` outside the domain of the core.
     ///
-    /// The core is asked in coordinates whose origin is the camera's event, which serves a camera that rides along, too.
+    /// The core is asked in coordinates whose origin is the camera's event, which serves a camera that rides along,
+    /// too.
     #[must_use]
     pub fn apparent_position(&self, rest: DVec3) -> Option<DVec3> {
         let from_camera = rest - self.origin;

@@ -2,15 +2,15 @@
 //!
 //! A group is ray-traced exactly in its rest frame: the camera's event and each line of sight are boosted there, where
 //! rays are straight and bodies stand still. [`PreparedScene`] holds what no view changes, [`View`] and [`Appearance`]
-//! say what is seen and how it looks, and [`Renderers`] draw that by any [`Method`]: the f64 reference on the CPU, a ray
-//! test per pixel on the GPU, or triangles. Conventions are those of [`relativity_core`].
+//! say what is seen and how it looks, and [`Renderers`] draw that by any [`Method`]: the f64 reference on the CPU, a
+//! ray test per pixel on the GPU, or triangles. Conventions are those of [`relativity_core`].
 //!
 //! # Scope
 //!
-//! Bodies are balls, tubes and rings that glow, each at one wavelength and alike in all directions of its rest frame. They
-//! are opaque and do not light each other; the shading is a choice of looks, fixed to the rest frame. Motion is uniform
-//! and along x: nothing accelerates, turns or deforms. The camera is a pinhole that rests on the ground or rides along.
-//! The published binocular model, which has no lines of sight, is drawn by triangles alone.
+//! Bodies are balls, tubes and rings that glow, each at one wavelength, alike in all directions in its rest frame.
+//! They are opaque and do not light each other; the shading is a choice of looks, fixed to the rest frame. Motion is
+//! uniform and along x: nothing accelerates, turns or deforms. The camera is a pinhole that rests on the ground or
+//! rides along. The published binocular model, which has no lines of sight, is drawn by triangles alone.
 //!
 //! Out of scope are windows and files (it knows wgpu, but reads and writes nothing), and a medium: light travels at c.
 //!

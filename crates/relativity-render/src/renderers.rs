@@ -20,9 +20,9 @@ pub enum Method {
     ///
     /// # Accuracy
     ///
-    /// `tests/reference.rs`: against the core's light cone of each point shown, from rest to gamma = 1e30, positions are
-    /// off by less than 1e-11 px, distances and Doppler factors by less than 1e-13 of themselves; a tracer that walks
-    /// back along the light, without a boost, sees the same bodies.
+    /// `tests/reference.rs`: against the core's light cone of each point shown, from rest to gamma = 1e30, positions
+    /// are off by less than 1e-11 px, distances and Doppler factors by less than 1e-13 of themselves; a tracer that
+    /// walks back along the light, without a boost, sees the same bodies.
     Reference,
     /// A ray test per pixel on the GPU, in f32.
     ///
@@ -30,8 +30,8 @@ pub enum Method {
     ///
     /// `tests/gpu_exact.rs`, against the reference from rest to gamma = 1e30: the body differs at fewer than 0.1 % of
     /// covered pixels, all of them within 0.05 px of an outline; D is within 1e-5; hits lie within 2e-6 of the surfaces
-    /// of bodies about 1 large. Where tubes share a rounded end, the first of them is seen. `tests/gpu_pictures.rs`: away
-    /// from outlines colours are within 2 of 255 levels.
+    /// of bodies about 1 large. Where tubes share a rounded end, the first of them is seen. `tests/gpu_pictures.rs`:
+    /// away from outlines colours are within 2 of 255 levels.
     ///
     /// Of groups that fly apart all but the fastest lose digits as the camera recedes in their frames. Where two do so
     /// 3 units away, bodies a tenth of a unit apart are still told apart up to gamma = 1e5; at 1e6 the slower group (of
@@ -104,7 +104,8 @@ impl Renderers {
         Self { gpu, bounds: Bounds::Tight, canvas: None, exact: None, mesh: None, target: None }
     }
 
-    /// Renderers of which the exact one tests every body at every pixel: the same pictures, and what its bounds are worth.
+    /// Renderers of which the exact one tests every body at every pixel: the same pictures, and what its bounds are
+    /// worth.
     #[must_use]
     pub fn brute_force(gpu: Gpu) -> Self {
         Self { bounds: Bounds::None, ..Self::new(Some(gpu)) }

@@ -41,7 +41,7 @@ fn allocations(renderers: &mut Renderers, method: Method, count: u32) -> u64 {
     let scene = PreparedScene::moving(&crowd(count));
     let views = [0.5, 0.6].map(|beta| {
         let speed = Speed::from_beta(beta).expect("below 1");
-        view_following([0.0, 3.0, 0.5], speed, 0.3, 90.0)
+        view_following([0.0, 3.0, 0.5], speed, 0.3, 90.0).with_size([64, 48])
     });
     let appearance = Appearance::default();
     let mut target = EyeTarget::new(&gpu, views[0].camera.size);

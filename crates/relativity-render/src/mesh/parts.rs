@@ -92,8 +92,8 @@ impl Part {
         Trait { group, kind: division.kind(), template: division, is_thin: self.instance.cover < 1.0 }
     }
 
-    /// Its place in the order: faded ones last; group by group; in the bodies' order where surfaces may coincide, so that the first of
-    /// them stays, and else those of one division together, which saves a draw for each.
+    /// Its place in the order: faded ones last; group by group; in the bodies' order where surfaces may coincide, so
+    /// that the first of them stays, and else those of one division together, which saves a draw for each.
     fn rank(&self) -> (bool, usize, Option<Division>, u32) {
         let Trait { is_thin, .. } = self.common();
         let is_joined = if is_thin { self.joint.widened } else { self.joint.as_it_is };
