@@ -20,8 +20,9 @@ pub enum Geometry {
     /// At rest: what a camera moving along with the body photographs at the same event. D = 1.
     Rest,
     /// The paper's binocular model: the right eye sees, point by point, what the left eye saw a little
-    /// earlier or later, without parallax. A view of it is the right eye's, from the left eye's camera; no ray
-    /// leads back, so only the mesh renderer draws it.
+    /// earlier or later, without parallax. Drawn by the mesh renderer.
+    ///
+    /// A view of it is the right eye's, from the left eye's camera; no ray leads back from there.
     Published,
 }
 
