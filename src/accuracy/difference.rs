@@ -72,12 +72,9 @@ impl Difference {
         let pixels: Vec<_> = pairs
             .map(|(i, (reference, shown))| {
                 let center = [(i % width) as f64 + 0.5, (i / width) as f64 + 0.5];
-                pixel_difference(
-                    &group_views,
-                    lines_of_sight.through(center),
-                    reference.as_ref(),
-                    shown.as_ref(),
-                )
+                let line_of_sight = lines_of_sight.through(center);
+                let seen = |hit: &Hit| direction(&group_views[scene.group_of(hit.body)], hit);
+                pixel_difference(line_of_sight, reference.as_ref(), shown.as_ref(), seen)
             })
             .collect();
         Self { size: view.camera.size, figures: figures(reference, &pixels), pixels }
@@ -85,15 +82,15 @@ impl Difference {
 }
 
 fn pixel_difference(
-    group_views: &[GroupView],
     line_of_sight: DVec3,
     reference: Option<&Hit>,
     shown: Option<&Hit>,
+    seen: impl Fn(&Hit) -> DVec3,
 ) -> PixelDifference {
     match (reference, shown) {
         (None, None) => PixelDifference::Nothing,
         (Some(reference), Some(shown)) if reference.body == shown.body => PixelDifference::SameBody {
-            arcseconds: ARCSECONDS * angle(line_of_sight, direction(&group_views[shown.group], shown)),
+            arcseconds: ARCSECONDS * angle(line_of_sight, seen(shown)),
             doppler: (shown.doppler_factor / reference.doppler_factor - 1.0).abs(),
         },
         _ => PixelDifference::WrongBody,

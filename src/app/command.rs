@@ -183,7 +183,7 @@ impl State {
             return;
         };
         let motion = self.session.prepared.motion_of(hit.body);
-        let track = Track { rest: hit.material_position.to_array(), motion };
+        let track = Track { rest: hit.material_position().to_array(), motion };
         if pick.add {
             self.session.points.add(track, hit.body);
         } else {

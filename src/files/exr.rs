@@ -91,7 +91,7 @@ impl Channel {
     const fn definition(self) -> Definition {
         match self {
             Self::Id => same("id", -1.0, |hit, _| hit.body as f64),
-            Self::Group => same("group", -1.0, |hit, _| hit.group as f64),
+            Self::Group => same("group", -1.0, |hit, light| light.scene.group_of(hit.body) as f64),
             // Rest lengths along a ray: s* = s/D.
             Self::Distance => corrected("distance", |hit, _| hit.distance, |doppler, _| 1.0 / doppler),
             Self::EmissionTime => same("emission_time", 0.0, |hit, _| hit.emission_time),

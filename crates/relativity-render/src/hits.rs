@@ -26,9 +26,7 @@ impl Measures {
             let pixel = [(i % width) as f64 + 0.5, (i / width) as f64 + 0.5];
             Some(Hit {
                 body,
-                group: scene.bodies()[body].group,
                 rest_position,
-                material_position: rest_position,
                 rest_normal: solid.normal(rest_position),
                 distance,
                 emission_time: view.emission_time(lines_of_sight.through(pixel), distance),

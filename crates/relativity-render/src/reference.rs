@@ -16,7 +16,7 @@ use crate::intersect::Entry;
 use crate::picture::{Picture, encoded};
 use crate::prepared_body::PreparedBody;
 use crate::ray::Ray;
-use crate::scene::{PreparedGroup, PreparedScene};
+use crate::scene::PreparedScene;
 use crate::shade::surface_colour;
 use crate::tiles::{TILE_SIDE, bands};
 use crate::view::{Appearance, View};
@@ -26,13 +26,8 @@ use crate::view::{Appearance, View};
 pub struct Hit {
     /// Number of the body, in the order given.
     pub body: usize,
-    /// Number of its group.
-    pub group: usize,
     /// Where it was hit, in the rest frame of its group.
     pub rest_position: DVec3,
-    /// Which of its points that was: where that is in the body as it was placed. Bodies that stand still in their
-    /// group have it where they were hit.
-    pub material_position: DVec3,
     /// Outward unit normal in the rest frame.
     pub rest_normal: DVec3,
     /// From the aperture to the event of emission in the ground frame (in the rest frame for
@@ -43,6 +38,15 @@ pub struct Hit {
     pub emission_time: f64,
     /// Doppler factor, 1 unless the geometry is [`Geometry::Seen`](crate::Geometry::Seen).
     pub doppler_factor: f64,
+}
+
+impl Hit {
+    /// Which of the body's points was hit: where that is in the body as it was placed. Bodies that stand still in their
+    /// group have it where they were hit.
+    #[must_use]
+    pub const fn material_position(&self) -> DVec3 {
+        self.rest_position
+    }
 }
 
 /// What every pixel of a picture shows, row by row from the top left.
@@ -72,13 +76,13 @@ impl PreparedScene {
         line_of_sight: DVec3,
     ) -> Option<Hit> {
         let mut nearest: Option<Hit> = None;
-        while let Some(&first) = bodies.first() {
-            let number = self.bodies()[first as usize].group;
-            let group = &self.groups()[number];
-            let (own, others) =
-                bodies.split_at(bodies.partition_point(|&body| (body as usize) < group.bodies.end));
-            bodies = others;
-            let hit = self.first_hit_in(group, own, view, &group_views[number], line_of_sight);
+        for (number, group_view) in group_views.iter().enumerate() {
+            let own;
+            (own, bodies) = self.split(bodies, number);
+            if own.is_empty() {
+                continue;
+            }
+            let hit = self.first_hit_in(number, own, view, group_view, line_of_sight);
             nearest = match (nearest, hit) {
                 (Some(near), Some(hit)) if hit.distance < near.distance => Some(hit),
                 (near, hit) => near.or(hit),
@@ -87,24 +91,33 @@ impl PreparedScene {
         nearest
     }
 
-    /// What is seen of `bodies` of one `group`.
+    /// Of `bodies`, whose numbers ascend from this group's on, those of the group, and the others. The last group, often
+    /// the only one, has them all without a search.
+    fn split<'a>(&self, bodies: &'a [u32], group: usize) -> (&'a [u32], &'a [u32]) {
+        let is_last = group + 1 == self.groups().len();
+        let end = self.groups()[group].bodies.end;
+        let count =
+            if is_last { bodies.len() } else { bodies.partition_point(|&body| (body as usize) < end) };
+        bodies.split_at(count)
+    }
+
+    /// What is seen of `bodies` of the `group` of this number.
     fn first_hit_in(
         &self,
-        group: &PreparedGroup,
+        group: usize,
         bodies: &[u32],
         view: &View,
         group_view: &GroupView,
         line_of_sight: DVec3,
     ) -> Option<Hit> {
         let ray = group_view.rest_ray(line_of_sight);
-        let near = Ray::new(ray.origin, ray.direction).counted_from(group.extent.middle);
-        let (body, entry) = self.first_entry(bodies, &near, group.tie())?;
+        let prepared = &self.groups()[group];
+        let near = Ray::new(ray.origin, ray.direction).counted_from(prepared.extent.middle);
+        let (body, entry) = self.first_entry(bodies, &near, prepared.tie())?;
         let distance = (near.from_camera + entry.distance) * ray.ground_per_rest;
         Some(Hit {
             body,
-            group: self.bodies()[body].group,
             rest_position: entry.position,
-            material_position: entry.position,
             rest_normal: entry.normal,
             distance,
             emission_time: view.emission_time(line_of_sight, distance),

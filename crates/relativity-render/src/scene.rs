@@ -123,10 +123,16 @@ impl PreparedScene {
         &self.0.capsules[body.capsules.clone()]
     }
 
+    /// The number of the group that the body of this number is in.
+    #[must_use]
+    pub fn group_of(&self, body: usize) -> usize {
+        self.0.bodies[body].group
+    }
+
     /// How the body of this number moves.
     #[must_use]
     pub fn motion_of(&self, body: usize) -> Motion {
-        self.0.groups[self.0.bodies[body].group].motion
+        self.0.groups[self.group_of(body)].motion
     }
 
     /// How `view` sees each group.

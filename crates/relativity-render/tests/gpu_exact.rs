@@ -107,9 +107,9 @@ fn beyond_it_only_the_fastest_group_keeps_its_digits(renderers: &mut Renderers) 
         let ([mut shown, mut confused], truth) = ([0; 2], scene.hit_image(&view));
         for (i, (hit, true_hit)) in image.hits.iter().zip(&truth.hits).enumerate() {
             let body = hit.map(|hit| hit.body);
-            shown += usize::from(true_hit.is_some_and(|hit| hit.group == 1));
+            shown += usize::from(true_hit.is_some_and(|hit| scene.group_of(hit.body) == 1));
             if !bodies_around(&scene, &view, pixel(&image, i)).contains(&body) {
-                let groups = [*hit, *true_hit].map(|hit| hit.map(|hit| hit.group));
+                let groups = [*hit, *true_hit].map(|hit| hit.map(|hit| scene.group_of(hit.body)));
                 assert_eq!(groups, [Some(1); 2], "along {along}: {hit:?} for {true_hit:?}");
                 confused += 1;
             }

@@ -202,9 +202,10 @@ fn the_published_right_eye_is_the_cores(renderers: &mut Renderers) {
                 Motion::Scene => published_right(Velocity::forward(view.speed), &hit, separation, &view),
             };
             let off = place(&view, apparent.to_array()).distance(pixel(&image, i));
-            let context = format!("beta {}, group {}", view.speed.beta(), hit.group);
+            let group = scene.group_of(hit.body);
+            let context = format!("beta {}, group {group}", view.speed.beta());
             assert!(off < Method::DEFAULT_BOUND_PX, "{context}: {off} px off");
-            seen[hit.group] += 1;
+            seen[group] += 1;
         }
     }
     assert!(seen.iter().all(|&seen| seen > 10_000), "{seen:?} pixels are too few to judge by");
