@@ -146,7 +146,7 @@ mod tests {
     use crate::accuracy::{Place, view_at};
 
     fn ball(center: [f64; 3], radius: f64) -> Body {
-        Body { shape: Shape::Sphere { center, radius }, rest_wavelength_nm: 600.0 }
+        Body::new(Shape::Sphere { center, radius }, 600.0)
     }
 
     fn view(beta: f64) -> View {

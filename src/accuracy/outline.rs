@@ -222,7 +222,7 @@ mod tests {
 
     fn ball(radius: f64) -> PreparedScene {
         let shape = Shape::Sphere { center: [0.0, 5.0, 0.0], radius };
-        PreparedScene::moving(&[Body { shape, rest_wavelength_nm: 600.0 }])
+        PreparedScene::moving(&[Body::new(shape, 600.0)])
     }
 
     fn view() -> View {
@@ -279,7 +279,7 @@ mod tests {
     #[test]
     fn a_thin_body_that_is_lost_is_displaced_by_its_width() {
         let thin = Shape::Tube { from: [-2.0, 5.0, 0.0], to: [2.0, 5.0, 0.0], radius: 0.01 };
-        let truth = PreparedScene::moving(&[Body { shape: thin, rest_wavelength_nm: 600.0 }]);
+        let truth = PreparedScene::moving(&[Body::new(thin, 600.0)]);
         let view = view();
         let width_px = 0.02 / 5.0 * view.camera.focal_length_px();
         // 0.01 px above the edge.
@@ -295,7 +295,7 @@ mod tests {
     fn creases_between_bodies_that_intersect_are_no_outlines() {
         let tube = |to| Shape::Tube { from: [0.0, 5.0, 0.0], to, radius: 0.5 };
         let shapes = [tube([-1.0, 5.0, 0.0]), tube([1.0, 5.0, 0.0])];
-        let bodies = shapes.map(|shape| Body { shape, rest_wavelength_nm: 600.0 });
+        let bodies = shapes.map(|shape| Body::new(shape, 600.0));
         let (scene, view) = (PreparedScene::moving(&bodies), view());
         let pairs = outline_pixels(&scene.hit_image(&view), usize::MAX);
         let points: Vec<_> = pairs.iter().filter_map(|p| OutlinePoint::between(p, &scene, &view)).collect();

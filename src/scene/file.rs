@@ -99,7 +99,7 @@ fn body(mut object: Table) -> Result<Body, Located> {
         _ => return Err(object.problem_at("shape", Problem::UnknownShape)),
     };
     let rest_wavelength_nm = object.size("wavelength_nm")?.unwrap_or(DEFAULT_WAVELENGTH_NM);
-    Ok(Body { shape, rest_wavelength_nm })
+    Ok(Body::new(shape, rest_wavelength_nm))
 }
 
 fn sphere(object: &Table) -> Result<Shape, Located> {

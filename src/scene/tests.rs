@@ -46,7 +46,7 @@ fn objects_keep_their_order_and_what_the_file_says() {
     let ring =
         Shape::Ring { center: [0.0, 4.0, 0.0], axis: [0.0, 0.6, 0.8], radius: 0.5, tube_radius: 0.125 };
     let expected = [(sphere, 550.0), (tube, 700.0), (ring, 700.0)];
-    let expected = expected.map(|(shape, rest_wavelength_nm)| Body { shape, rest_wavelength_nm });
+    let expected = expected.map(|(shape, rest_wavelength_nm)| Body::new(shape, rest_wavelength_nm));
     assert_eq!(scene.bodies, expected);
 }
 

@@ -103,7 +103,7 @@ fn crowd(count: u32) -> Vec<Body> {
             1 => Shape::Tube { from: [x - size, y, z], to: [x + size, y, z + size], radius: 0.2 * size },
             _ => Shape::Ring { center, axis: [0.0, 0.6, 0.8], radius: size, tube_radius: 0.1 * size },
         };
-        Body { shape, rest_wavelength_nm: 650.0 }
+        Body::new(shape, 650.0)
     };
     (0..count).map(body).collect()
 }

@@ -66,7 +66,7 @@ fn crowd(count: u32) -> Vec<Body> {
             }
             _ => Shape::Ring { center, axis: turned.to_array(), radius: 0.6 * size, tube_radius: 0.1 * size },
         };
-        Body { shape, rest_wavelength_nm: 600.0 }
+        Body::new(shape, 600.0)
     };
     (0..count).map(body).collect()
 }

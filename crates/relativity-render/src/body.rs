@@ -57,6 +57,12 @@ pub struct Body {
 }
 
 impl Body {
+    /// A plain body of this `shape` and `rest_wavelength_nm`, above 0.
+    #[must_use]
+    pub const fn new(shape: Shape, rest_wavelength_nm: f64) -> Self {
+        Self { shape, rest_wavelength_nm }
+    }
+
     /// The body moved by `offset`.
     #[must_use]
     pub fn moved(self, offset: [f64; 3]) -> Self {

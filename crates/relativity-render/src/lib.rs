@@ -23,7 +23,7 @@
 //! use relativity_render::{Appearance, Body, Camera, Gaze, Geometry, PreparedScene, Shape, View};
 //!
 //! let shape = Shape::Sphere { center: [0.0, 3.0, 2.0], radius: 0.5 };
-//! let scene = PreparedScene::moving(&[Body { shape, rest_wavelength_nm: 700.0 }]);
+//! let scene = PreparedScene::moving(&[Body::new(shape, 700.0)]);
 //! let mut view = View {
 //!     camera: Camera {
 //!         aperture: Aperture::pair(0.1)[0],

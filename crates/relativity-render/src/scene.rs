@@ -33,7 +33,7 @@ const TIE: f64 = 1e-12;
 /// ```
 /// use relativity_render::{Body, Group, Motion, PreparedScene, Shape, Velocity};
 ///
-/// let ball = |x| Body { shape: Shape::Sphere { center: [x, 3.0, 0.0], radius: 0.5 }, rest_wavelength_nm: 550.0 };
+/// let ball = |x| Body::new(Shape::Sphere { center: [x, 3.0, 0.0], radius: 0.5 }, 550.0);
 /// let (rider, street) = ([ball(0.0)], [ball(-2.0), ball(2.0)]);
 /// let scene = PreparedScene::new([
 ///     Group { motion: Motion::Scene, bodies: &rider },

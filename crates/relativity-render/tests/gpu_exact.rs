@@ -259,7 +259,7 @@ fn bounds_never_clip(renderers: &mut Renderers) {
 /// Penrose: the outline's lines of sight n satisfy n.a = 1 for some vector a.
 fn spheres_keep_a_circular_outline(renderers: &mut Renderers) {
     let center = [0.0, 3.0, 1.0];
-    let body = Body { shape: Shape::Sphere { center, radius: 0.5 }, rest_wavelength_nm: 600.0 };
+    let body = Body::new(Shape::Sphere { center, radius: 0.5 }, 600.0);
     for speed in [0.0, 0.5, 0.9, 0.99, 0.9999].map(|beta| Speed::from_beta(beta).expect("below 1")) {
         for along in [-1.5, 0.0, 1.5] {
             let view = view_following(center, speed, time_seen_at(center, &speed, along), 40.0);

@@ -81,7 +81,7 @@ fn bodies_that_nearly_touch_are_told_apart(renderers: &mut Renderers) {
         Shape::Ring { center, axis: [0.6, 0.0, 0.8], radius: 0.11, tube_radius: 0.091 },
     ];
     for pair in shapes.windows(2) {
-        let bodies: Vec<_> = pair.iter().map(|&shape| Body { shape, rest_wavelength_nm: 600.0 }).collect();
+        let bodies: Vec<_> = pair.iter().map(|&shape| Body::new(shape, 600.0)).collect();
         let scene = PreparedScene::moving(&bodies);
         for view in views() {
             keep_bounds(renderers, &[Method::DEFAULT_BOUND_PX], &scene, &bodies, &view);

@@ -37,7 +37,7 @@ fn bodies(group: usize) -> Vec<Body> {
                 tube_radius: 0.06,
             },
         };
-        Body { shape, rest_wavelength_nm: 600.0 }
+        Body::new(shape, 600.0)
     };
     (0..5).map(body).collect()
 }

@@ -43,7 +43,7 @@ fn bodies() -> Vec<Body> {
                 tube_radius: 0.05 + 0.05 * a,
             },
         };
-        Body { shape, rest_wavelength_nm: 600.0 }
+        Body::new(shape, 600.0)
     };
     (0..14).map(body).collect()
 }
@@ -333,7 +333,7 @@ fn circle_residual_px(outline: &[DVec3], focal_length_px: f64) -> f64 {
 #[test]
 fn spheres_keep_a_circular_outline() {
     let ball = Shape::Sphere { center: [0.0, 3.0, 1.0], radius: 0.8 };
-    let scene = PreparedScene::moving(&[Body { shape: ball, rest_wavelength_nm: 600.0 }]);
+    let scene = PreparedScene::moving(&[Body::new(ball, 600.0)]);
     for view in views() {
         let outline = outline(&scene, &view);
         assert!(outline.len() > 12, "an outline of {} points at {view:?}", outline.len());
@@ -351,7 +351,7 @@ fn spheres_keep_a_circular_outline() {
 #[test]
 fn a_contracted_sphere_does_not_keep_a_circular_outline() {
     let ball = Shape::Sphere { center: [0.0, 3.0, 1.0], radius: 0.8 };
-    let scene = PreparedScene::moving(&[Body { shape: ball, rest_wavelength_nm: 600.0 }]);
+    let scene = PreparedScene::moving(&[Body::new(ball, 600.0)]);
     let view = View { geometry: Geometry::Contracted, ..view(0.9, 0.0, [0.0, 3.0, 1.0], 70.0) };
     assert!(circle_residual_px(&outline(&scene, &view), view.camera.focal_length_px()) > 2.0);
 }

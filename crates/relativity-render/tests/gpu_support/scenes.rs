@@ -53,7 +53,7 @@ pub fn crowd(count: u32) -> Vec<Body> {
 }
 
 fn bodies(shapes: Vec<Shape>) -> Vec<Body> {
-    shapes.into_iter().map(|shape| Body { shape, rest_wavelength_nm: 600.0 }).collect()
+    shapes.into_iter().map(|shape| Body::new(shape, 600.0)).collect()
 }
 
 /// A view from the origin that follows the rest-frame point `rest`, as seen at `observation_time`.

@@ -16,7 +16,7 @@ pub fn joints() -> Vec<Body> {
         ring,
         ring,
     ];
-    shapes.map(|shape| Body { shape, rest_wavelength_nm: 600.0 }).to_vec()
+    shapes.map(|shape| Body::new(shape, 600.0)).to_vec()
 }
 
 /// In how many pixels of `view` the body shown has its surface in the same place as another of `bodies`, and in
