@@ -7,7 +7,7 @@ use super::clock;
 use super::points::{Point, Points};
 use crate::passage;
 use crate::scene::{Scene, SceneError, Track};
-use crate::settings::Settings;
+use crate::settings::{Preset, Settings};
 
 /// Everything the panels read. Only [`super::command`] changes it.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,6 +33,8 @@ pub struct Session {
     pub points: Points,
     /// Whether the help is shown.
     pub help: bool,
+    /// The preset that is shown, until another scene or state is.
+    pub preset: Option<&'static Preset>,
     /// A message about the last thing that could not be done.
     pub notice: Option<String>,
 }
@@ -42,6 +44,7 @@ impl State {
     /// that passes.
     #[must_use]
     pub fn new(mut settings: Settings, scene: Scene) -> Self {
+        let preset = Preset::of(&settings);
         let tracked = scene.track(settings.point.take());
         let time = settings.time.take().unwrap_or_else(|| settings.time_of_approach(&tracked));
         let session = Session {
@@ -50,6 +53,7 @@ impl State {
             playing: false,
             points: Points::tracked(tracked),
             help: false,
+            preset,
             notice: None,
             scene,
         };
