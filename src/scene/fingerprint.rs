@@ -107,8 +107,8 @@ mod tests {
 
     #[test]
     fn every_part_of_a_scene_shows_in_its_fingerprint() {
-        let scene = Scene::default();
-        let mut others = vec![scene.clone(); 7];
+        let scene = Scene::preset("cyclist").expect("a preset");
+        let mut others = vec![scene.clone(); 8];
         others[0].name.push('2');
         others[1].tracked[2] += 1e-9;
         others[2].ground_z = None;
@@ -116,10 +116,11 @@ mod tests {
         others[4].bodies[0].rest_wavelength_nm += 1.0;
         others[5].groups[0].count -= 1;
         others[6].groups[0].motion = Motion::Own(Velocity::REST);
+        others[7].road = Some([2.0, 9.0]);
         let mut fingerprints: Vec<_> = others.iter().map(Scene::fingerprint).collect();
         fingerprints.push(scene.fingerprint());
         fingerprints.sort();
         fingerprints.dedup();
-        assert_eq!(fingerprints.len(), 8);
+        assert_eq!(fingerprints.len(), 9);
     }
 }

@@ -85,7 +85,13 @@ fn measurements_agree_with_the_light_cone_of_each_point() {
     let folder = folder();
     render(folder.path(), "--time 2 --beta 0.9 --d 0.4 --fov 80 --gaze 120,30 --out hits.exr");
     let velocity = Velocity::from_beta(0.9).expect("below 1");
-    let pixels = assert_on_light_cone(folder.path(), &Scene::default(), 2.0, [120.0, 30.0], &[velocity]);
+    let pixels = assert_on_light_cone(
+        folder.path(),
+        &Scene::preset("cyclist").expect("a preset"),
+        2.0,
+        [120.0, 30.0],
+        &[velocity],
+    );
     assert!(pixels[0] > 100, "only {pixels:?} pixels show a body");
 }
 
