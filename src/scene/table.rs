@@ -50,10 +50,16 @@ impl<'a> Table<'a> {
         self.value(key).map(|value| self.point_of(key, value)).transpose()
     }
 
+    /// A string, if the key is there.
+    pub fn string(&self, key: &'static str) -> Result<Option<&'a str>, Located> {
+        let text = |value: &'a Spanned<DeValue<'a>>| value.get_ref().as_str();
+        let Some(value) = self.value(key) else { return Ok(None) };
+        text(value).map(Some).ok_or_else(|| self.wrong_type(key, value, "a text in double quotes"))
+    }
+
     /// A string that must be there.
     pub fn needed_string(&self, key: &'static str) -> Result<&'a str, Located> {
-        let value = self.value(key).ok_or_else(|| self.missing(key))?;
-        value.get_ref().as_str().ok_or_else(|| self.wrong_type(key, value, "a text in double quotes"))
+        self.string(key)?.ok_or_else(|| self.missing(key))
     }
 
     /// A positive size that must be there.
@@ -96,6 +102,11 @@ impl<'a> Table<'a> {
     pub fn problem_at(&self, key: &str, problem: impl FnOnce(String) -> Problem) -> Located {
         let span = self.value(key).map_or(self.span.clone(), Spanned::span);
         Located { problem: problem(self.quoted(&span)), span }
+    }
+
+    /// That the value of `key` is not what is `expected`.
+    pub fn wrong(&self, key: &'static str, expected: &'static str) -> Located {
+        self.problem_at(key, |value| Problem::WrongType { key, value, expected })
     }
 
     /// The value of `key` as the file has it.
