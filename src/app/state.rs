@@ -96,12 +96,13 @@ impl State {
         self.settings.playback.range.0.unwrap_or_else(fitted)
     }
 
-    /// Wavelength at rest of the light of `point`, nm: of the body it was picked on, else of the first.
+    /// Wavelength at rest of the light of `point`, nm: of the body it was picked on, else of the first; white light has
+    /// none.
     #[must_use]
-    pub fn rest_wavelength_nm(&self, point: &Point) -> f64 {
+    pub fn rest_wavelength_nm(&self, point: &Point) -> Option<f64> {
         let bodies = self.session.prepared.bodies();
-        let body = point.body.and_then(|body| bodies.get(body)).or(bodies.first());
-        body.map_or(f64::NAN, |body| body.rest_wavelength_nm)
+        let body = point.body.and_then(|body| bodies.get(body)).or(bodies.first())?;
+        body.emission.wavelength_nm()
     }
 
     /// What becomes of its light, in a light window or a dark one.

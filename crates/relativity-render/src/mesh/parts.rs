@@ -118,7 +118,7 @@ impl Instance {
             place_radius: body.place_radius,
             form: body.form,
             across_index: packed(body.surface.across(), f64::from(body.index())),
-            colour_wavelength: [red, green, blue, body.rest_wavelength_nm as f32],
+            colour_wavelength: [red, green, blue, body.emission.wavelength_nm().unwrap_or(0.0) as f32],
             cover: 1.0,
         }
     }
