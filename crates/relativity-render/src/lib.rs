@@ -83,6 +83,7 @@ mod shaders;
 mod surface;
 mod target;
 mod tiles;
+mod turn;
 pub mod velocity;
 pub mod view;
 
