@@ -4,6 +4,9 @@ use std::ops::Range;
 
 use relativity_render::{Body, Group, Motion, PreparedScene};
 
+use super::forward_most::forward_most_on;
+use super::table::coincide;
+
 /// A scene: groups of bodies, each at rest in a frame of its own, and the ground they pass over. Lengths in the scene's
 /// unit, rest-frame coordinates `[x, y, z]` with x along the motion.
 #[derive(Debug, Clone, PartialEq)]
@@ -12,6 +15,8 @@ pub struct Scene {
     pub name: String,
     /// The bodies of all groups, numbered from 0; at least one.
     pub bodies: Vec<Body>,
+    /// What each body is called, such as `front tyre`: what follows "the" in a sentence.
+    pub names: Vec<String>,
     /// Which of them move alike: one after the other, without gaps.
     pub groups: Vec<SceneGroup>,
     /// The point that is selected and followed at first: the forward-most one (largest x) unless the
@@ -57,6 +62,19 @@ impl Scene {
     #[must_use]
     pub fn track(&self, point: Option<[f64; 3]>) -> Track {
         Track { rest: point.unwrap_or(self.tracked), motion: self.groups[0].motion }
+    }
+
+    /// What the body of this number is called: as its file names it, else by shape and number.
+    #[must_use]
+    pub fn name_of(&self, body: usize) -> &str {
+        &self.names[body]
+    }
+
+    /// The number of the body that the scene's own tracked point is the forward-most point of, if it is one's.
+    #[must_use]
+    pub fn tracked_body(&self) -> Option<usize> {
+        let own = &self.bodies[self.groups[0].bodies()];
+        own.iter().position(|body| coincide(forward_most_on(&body.shape).into(), self.tracked))
     }
 
     /// It, ready to be drawn.

@@ -52,8 +52,14 @@ impl<'a> Table<'a> {
 
     /// A string that must be there.
     pub fn needed_string(&self, key: &'static str) -> Result<&'a str, Located> {
-        let value = self.value(key).ok_or_else(|| self.missing(key))?;
-        value.get_ref().as_str().ok_or_else(|| self.wrong_type(key, value, "a text in double quotes"))
+        self.string(key)?.ok_or_else(|| self.missing(key))
+    }
+
+    /// A string, if the key is there.
+    pub fn string(&self, key: &'static str) -> Result<Option<&'a str>, Located> {
+        let Some(value) = self.value(key) else { return Ok(None) };
+        let text = value.get_ref().as_str();
+        text.map(Some).ok_or_else(|| self.wrong_type(key, value, "a text in double quotes"))
     }
 
     /// A positive size that must be there.

@@ -95,6 +95,24 @@ fn an_include_moves_a_preset_and_comes_before_the_objects() {
 }
 
 #[test]
+fn bodies_are_called_what_their_file_says_else_by_shape_and_number() {
+    let ball = "shape = \"sphere\"\ncenter = [0, 3, 2]\nradius = 1\n";
+    let text = format!(
+        "name = \"x\"\n[[include]]\nscene = \"cyclist\"\n[[object]]\n{ball}\
+         [[group]]\nname = \"moon\"\n[[group.object]]\n{ball}name = \"full moon\""
+    );
+    let scene = Scene::parse(&text, "x").expect("right");
+    let ball = Scene::preset("cyclist").expect("a preset").bodies.len();
+    assert_eq!(scene.name_of(0), "front tyre");
+    assert_eq!(scene.name_of(ball), format!("sphere {ball}"));
+    assert_eq!(scene.name_of(ball + 1), "full moon");
+    assert_eq!(scene.tracked_body(), Some(ball), "the forward-most point is the ball's");
+    let named = text.replace("full moon", "new moon");
+    assert_eq!(Scene::parse(&named, "x").expect("right").fingerprint(), scene.fingerprint());
+    assert_eq!(Scene::preset("cyclist").expect("a preset").tracked_body(), Some(0));
+}
+
+#[test]
 fn groups_have_motions_of_their_own() {
     let ball = "[[group.object]]\nshape = \"sphere\"\ncenter = [0, 3, 2]\nradius = 1\n";
     let text = format!(
@@ -167,11 +185,11 @@ fn an_unknown_key_is_told_the_keys_there_are() {
     );
     assert_eq!(
         object_error("shape = \"sphere\"\ncenter = [0, 3, 2]\nradus = 1"),
-        "balls.toml:5: unknown key `radus`: a sphere has shape, center, radius, wavelength_nm"
+        "balls.toml:5: unknown key `radus`: a sphere has shape, name, center, radius, wavelength_nm"
     );
     assert_eq!(
         object_error("shape = \"tube\"\ncenter = [0, 3, 2]"),
-        "balls.toml:4: unknown key `center`: a tube has shape, from, to, radius, wavelength_nm"
+        "balls.toml:4: unknown key `center`: a tube has shape, name, from, to, radius, wavelength_nm"
     );
     assert_eq!(
         error("name = \"x\"\n[[include]]\nscene = \"cyclist\"\nmove = [0, 0, 1]"),
