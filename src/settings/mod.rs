@@ -23,7 +23,7 @@ pub use file::looks_like_settings;
 pub use legacy::Legacy;
 pub use presets::Preset;
 pub use sections::{
-    BOUND_PX, Daylight, EXPOSURE_EV, FIT_SAMPLES, FOV_DEGREES, FitSetup, Light, Look, MAX_LENGTH, MAX_SEED,
-    Motion, NOISE_PERCENT, Picture, Playback, PlotTab, Plots, Quality, RATE, Theme, Window,
+    BOUND_PX, Daylight, FIT_SAMPLES, FOV_DEGREES, FitSetup, Light, Look, MAX_LENGTH, MAX_SEED, Motion,
+    NOISE_PERCENT, Picture, Playback, PlotTab, Plots, Quality, RATE, Theme, Window,
 };
 pub use start::StartArgs;

@@ -1,7 +1,9 @@
 //! Where pictures are made for files: a scene, settings and a renderer, and what the files record of them.
 
 mod layout;
+mod letters;
 mod painter;
+mod sheet;
 mod timings;
 
 use std::path::Path;
@@ -9,6 +11,8 @@ use std::path::Path;
 use relativity_render::{HitImage, Picture, PreparedScene};
 
 use self::painter::Painter;
+use self::sheet::Ink;
+pub use self::sheet::Sheet;
 use self::timings::Timings;
 use crate::files::exr::{Light, Measurements};
 use crate::files::provenance::Provenance;
@@ -63,7 +67,7 @@ impl Studio {
     /// A T outside the domain of the core.
     pub fn frame(&self, time: Option<f64>) -> anyhow::Result<Frame> {
         let settings = Settings { time: time.or(self.settings.time), ..self.settings.clone() };
-        let settings = settings.resolved(&self.tracked());
+        let settings = settings.resolved(&self.tracked()).exposed_for(&self.scene);
         let time = settings.time.unwrap_or_default();
         settings.disparity(&self.tracked(), time)?;
         let provenance = self.scene.provenance(settings.command());
@@ -85,8 +89,8 @@ impl Studio {
             }
             FileKind::Exr => {
                 let hits = self.hits(frame)?;
-                let intensity_exponent = frame.settings.light.intensity_exponent.0;
-                let light = Light { scene: &self.prepared, intensity_exponent };
+                let appearance = frame.settings.appearance(&self.scene, false);
+                let light = Light { scene: &self.prepared, appearance };
                 self.timings.timed("file", || {
                     let measurements = Measurements::of_eyes(&hits, light, &provenance.comments());
                     write_whole(path, |file| measurements.write(file))
@@ -104,7 +108,8 @@ impl Studio {
         let eye =
             |&eye: &usize| timings.timed(EYES[eye], || painter.picture(prepared, &views[eye], &appearance));
         let eyes = layout.eyes().iter().map(eye).collect::<Result<_, _>>()?;
-        Ok(timings.timed("layout", || layout.composed(eyes)))
+        let labels = settings.picture.labels.then(|| Ink::beside(appearance.light));
+        Ok(timings.timed("layout", || layout.composed(eyes, labels)))
     }
 
     /// What every pixel of the left and the right eye shows.

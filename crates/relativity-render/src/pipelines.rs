@@ -6,8 +6,10 @@ use crate::effects::{Constant, Effects, number};
 use crate::gpu::Gpu;
 use crate::group_view::GroupView;
 use crate::kind::Kind;
+use crate::palette;
 use crate::shade;
 use crate::target::{DEPTH_FORMAT, MEASURES_FORMAT, SAMPLES, linear_target};
+use crate::tone;
 use crate::view::{Appearance, Geometry};
 
 /// What a pipeline draws, with every effect decided.
@@ -91,6 +93,8 @@ impl Technique {
         ];
         constants.extend(effects.constants());
         constants.extend(shade::constants());
+        constants.extend(tone::constants());
+        constants.extend(palette::constants());
         constants
     }
 }

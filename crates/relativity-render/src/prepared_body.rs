@@ -8,11 +8,10 @@ use glam::DVec3;
 
 use crate::body::{Body, Emission, Shape};
 use crate::capsule::{Capsule, add_capsules};
-use crate::colour::linear_srgb;
 use crate::intersect::{Solid, bounding_box};
 use crate::kind::Kind;
 use crate::surface::Surface;
-use crate::view::Colour;
+use crate::turn::turn_of;
 
 /// Where the bodies of a group are as a whole: they are placed from their middle, so that they keep their places among
 /// each other however far the camera is.
@@ -41,13 +40,14 @@ pub struct PreparedBody {
     pub(crate) place_radius: [f32; 4],
     /// The other end of a tube, or a ring's unit axis and the radius of its middle circle.
     pub(crate) form: [f32; 4],
+    /// Unit quaternion from its own axes to those of the rest frame.
+    pub(crate) turn: [f32; 4],
     /// What triangles approach.
     pub(crate) surface: Surface,
     /// Whether its surface may coincide with another's.
     pub(crate) joint: Joint,
     /// Which of the scene's capsules contain it.
     pub(crate) capsules: Range<usize>,
-    rest_colours: RestColours,
 }
 
 /// Whether a body has a rounded end, or all of a ring, in common with another: there the first of them is seen.
@@ -57,13 +57,6 @@ pub(crate) struct Joint {
     pub as_it_is: bool,
     /// Where both are drawn a pixel wide: bodies about one centre, which are as wide there.
     pub widened: bool,
-}
-
-/// Linear sRGB without Doppler shift.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct RestColours {
-    visible: [f32; 3],
-    falsified: [f32; 3],
 }
 
 impl Extent {
@@ -104,24 +97,16 @@ impl PreparedBody {
             kind: Kind::of(&body.shape),
             place_radius,
             form,
+            turn: turn_of(&body.shape).as_quat().to_array(),
             surface: Surface::new(&body.shape),
             joint: Joint::default(),
             capsules: first..capsules.len(),
-            rest_colours: RestColours::new(body),
         }
     }
 
     /// Its number for the shaders: floats hold those up to 2^24.
     pub(crate) const fn index(&self) -> f32 {
         self.number as f32
-    }
-
-    /// Its colour without Doppler shift, linear sRGB.
-    pub(crate) fn rest_colour(&self, colour: Colour) -> [f32; 3] {
-        match colour {
-            Colour::Visible => self.rest_colours.visible,
-            Colour::False => self.rest_colours.falsified,
-        }
     }
 
     /// The centres of the ends of a tube, or of a ring, as bits.
@@ -133,14 +118,6 @@ impl PreparedBody {
             Kind::Ring => None,
         };
         [Some(first), second].into_iter().flatten()
-    }
-}
-
-impl RestColours {
-    fn new(body: &Body) -> Self {
-        let hue = |colour| body.emission.wavelength_nm().map_or([1.0; 3], |nm| linear_srgb(nm, colour));
-        let of = |colour| hue(colour).map(|part| (part * body.brightness) as f32);
-        Self { visible: of(Colour::Visible), falsified: of(Colour::False) }
     }
 }
 

@@ -3,7 +3,6 @@
 
 use relativity_core::threads::prelude::*;
 
-use crate::colour::hue_preserving_clip;
 use crate::picture::{Picture, encoded};
 use crate::prepared_body::PreparedBody;
 use crate::rectify::Rectification;
@@ -67,13 +66,13 @@ fn corrected_colour(
     doppler_factor: f64,
 ) -> [f64; 3] {
     let left = hit.doppler_factor / doppler_factor;
-    hue_preserving_clip(surface_colour(appearance, body, hit.rest_normal, left))
+    surface_colour(appearance, body, hit.rest_normal, left)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Body, Camera, Colour, Gaze, Geometry, Shading, Shape, Velocity, View};
+    use crate::{Body, Camera, Gaze, Geometry, Shading, Shape, Velocity, View};
     use relativity_core::{Aperture, Speed};
 
     const RED_NM: f64 = 640.0;
@@ -98,10 +97,8 @@ mod tests {
 
     fn appearance() -> Appearance {
         Appearance {
-            colour: Colour::Visible,
-            doppler_shift: true,
             intensity_exponent: Some(2.0),
-            exposure_ev: 0.0,
+            invisible: false,
             shading: Shading::Emission,
             ground_z: None,
             road: None,
@@ -125,7 +122,7 @@ mod tests {
 
     /// Pixels that show a body and nothing else, and the largest difference of one from the colour at rest.
     fn bodies_in(picture: &Picture) -> (usize, u8) {
-        let expected = encoded(crate::colour::linear_srgb(RED_NM, Colour::Visible));
+        let expected = encoded(crate::tone::toned(crate::colour::linear_srgb(RED_NM)));
         let full = picture.rgba.iter().filter(|pixel| greyness(**pixel) == 0);
         let difference = |pixel: &[u8; 4]| (0..3).map(|i| pixel[i].abs_diff(expected[i])).max();
         (full.clone().count(), full.filter_map(difference).max().unwrap_or(0))

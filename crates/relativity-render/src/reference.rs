@@ -9,7 +9,6 @@ use relativity_core::threads::prelude::*;
 
 use crate::backdrop::Backdrop;
 use crate::camera::LinesOfSight;
-use crate::colour::hue_preserving_clip;
 use crate::cone::Cone;
 use crate::group_view::GroupView;
 use crate::intersect::Entry;
@@ -149,7 +148,7 @@ impl PreparedScene {
     /// The picture `view` shows, sRGB-encoded, with `samples` times `samples` rays per pixel
     /// (1 or more).
     ///
-    /// Samples are clipped one by one, so that a bright body does not bleed over its outline, and
+    /// Samples go through the shoulder one by one, so that a bright body does not bleed over its outline, and are
     /// averaged in linear light.
     #[must_use]
     pub fn picture(&self, view: &View, appearance: &Appearance, samples: u32) -> Picture {
@@ -181,7 +180,7 @@ impl PreparedScene {
             (Some(hit), ground) if ground.is_none_or(|distance| hit.distance <= distance) => {
                 let body = &self.bodies()[hit.body];
                 let Hit { rest_normal, doppler_factor, .. } = hit;
-                hue_preserving_clip(surface_colour(appearance, body, rest_normal, doppler_factor))
+                surface_colour(appearance, body, rest_normal, doppler_factor)
             }
             (_, Some(distance)) => backdrop.ground(line_of_sight, distance),
             (_, None) => backdrop.sky(line_of_sight),

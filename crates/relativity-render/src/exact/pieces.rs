@@ -15,7 +15,6 @@ use crate::footprint::{Footprint, Projection, Rectangle};
 use crate::group_view::GroupView;
 use crate::kind::Kind;
 use crate::prepared_body::PreparedBody;
-use crate::view::Colour;
 
 /// How often a piece is halved before its bound is taken as it is: 32 rectangles follow the most bent of tubes, and
 /// a looser bound only costs time.
@@ -40,10 +39,11 @@ pub enum Bounds {
 #[repr(C)]
 pub struct Piece {
     pub place: [f32; 4],
-    pub second_axis_index_wavelength: [f32; 4],
+    pub second_axis_index_brightness: [f32; 4],
     pub place_radius: [f32; 4],
     pub form: [f32; 4],
-    pub rest_colour: [f32; 4],
+    pub turn: [f32; 4],
+    pub light: [f32; 4],
 }
 
 /// The pieces of a view, solid before thin, group by group and kind by kind, else in the order of the bodies: where
@@ -66,7 +66,7 @@ impl Pieces {
                     Bounds::Tight => self.bound(&projection, view, shot.scene.capsules(body)),
                     Bounds::None => self.bound_nowhere(),
                 }
-                self.add(body, shot.colour(), thin_px);
+                self.add(body, shot, thin_px);
             }
         }
     }
@@ -80,8 +80,8 @@ impl Pieces {
     }
 
     /// The pieces of `body` in the rectangles just found.
-    fn add(&mut self, body: &PreparedBody, colour: Colour, thin_px: f64) {
-        let template = Piece::new(body, colour);
+    fn add(&mut self, body: &PreparedBody, shot: &Shot<'_>, thin_px: f64) {
+        let template = Piece::new(body, shot);
         for rectangle in &self.rectangles {
             let list = (rectangle.radius_px < thin_px, body.group, body.kind);
             self.lists.entry(list).or_default().push(template.placed(rectangle));
@@ -133,34 +133,29 @@ impl Piece {
         array_stride: size_of::<Self>() as u64,
         step_mode: wgpu::VertexStepMode::Instance,
         attributes: &wgpu::vertex_attr_array![
-            0 => Float32x4, 1 => Float32x4, 2 => Float32x4, 3 => Float32x4, 4 => Float32x4
+            0 => Float32x4, 1 => Float32x4, 2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4
         ],
     };
 
     /// Of `body`, without a rectangle.
-    fn new(body: &PreparedBody, colour: Colour) -> Self {
-        let [red, green, blue] = body.rest_colour(colour);
+    fn new(body: &PreparedBody, shot: &Shot<'_>) -> Self {
         Self {
             place: [0.0; 4],
-            second_axis_index_wavelength: [
-                0.0,
-                0.0,
-                body.index(),
-                body.emission.wavelength_nm().unwrap_or(0.0) as f32,
-            ],
+            second_axis_index_brightness: [0.0, 0.0, body.index(), body.brightness as f32],
             place_radius: body.place_radius,
             form: body.form,
-            rest_colour: [red, green, blue, 0.0],
+            turn: body.turn,
+            light: shot.light(body),
         }
     }
 
     fn placed(&self, rectangle: &Rectangle) -> Self {
         let [middle, first, second] =
             [rectangle.middle, rectangle.half_axes[0], rectangle.half_axes[1]].map(DVec2::as_vec2);
-        let [_, _, index, wavelength] = self.second_axis_index_wavelength;
+        let [_, _, index, brightness] = self.second_axis_index_brightness;
         Self {
             place: [middle.x, middle.y, first.x, first.y],
-            second_axis_index_wavelength: [second.x, second.y, index, wavelength],
+            second_axis_index_brightness: [second.x, second.y, index, brightness],
             ..*self
         }
     }

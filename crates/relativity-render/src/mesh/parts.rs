@@ -9,8 +9,8 @@ use super::template::Division;
 use crate::drawing::{Shot, Trait};
 use crate::footprint::Projection;
 use crate::group_view::GroupView;
-use crate::prepared_body::{Joint, PreparedBody, packed};
-use crate::view::{Colour, Geometry};
+use crate::prepared_body::{Joint, PreparedBody};
+use crate::view::Geometry;
 
 /// Mirror of the shaders' `Instance`.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
@@ -18,9 +18,9 @@ use crate::view::{Colour, Geometry};
 pub struct Instance {
     pub place_radius: [f32; 4],
     pub form: [f32; 4],
-    pub across_index: [f32; 4],
-    pub colour_wavelength: [f32; 4],
-    pub cover: f32,
+    pub turn: [f32; 4],
+    pub light: [f32; 4],
+    pub cover_brightness_index: [f32; 3],
 }
 
 /// A body as it is drawn.
@@ -56,7 +56,7 @@ impl Parts {
                 || !projections[body.group].hides(middle, solid.bounding_radius())
         };
         let part = |body: &PreparedBody| {
-            let (instance, view) = (Instance::new(body, shot.colour()), &divided_for[body.group]);
+            let (instance, view) = (Instance::new(body, shot), &divided_for[body.group]);
             Part {
                 division: division(&body.surface, view, bound_px),
                 instance: if appearance.is_some() {
@@ -89,7 +89,12 @@ impl Part {
     /// What it has in common with those that are drawn with it.
     fn common(&self) -> Trait<Division> {
         let Self { division, group, .. } = *self;
-        Trait { group, kind: division.kind(), template: division, is_thin: self.instance.cover < 1.0 }
+        Trait {
+            group,
+            kind: division.kind(),
+            template: division,
+            is_thin: self.instance.cover_brightness_index[0] < 1.0,
+        }
     }
 
     /// Its place in the order: faded ones last; group by group; in the bodies' order where surfaces may coincide, so
@@ -97,7 +102,7 @@ impl Part {
     fn rank(&self) -> (bool, usize, Option<Division>, u32) {
         let Trait { is_thin, .. } = self.common();
         let is_joined = if is_thin { self.joint.widened } else { self.joint.as_it_is };
-        let [_, _, _, index] = self.instance.across_index;
+        let [_, _, index] = self.instance.cover_brightness_index;
         (is_thin, self.group, (!is_joined).then_some(self.division), index as u32)
     }
 }
@@ -108,18 +113,17 @@ impl Instance {
         array_stride: size_of::<Self>() as u64,
         step_mode: wgpu::VertexStepMode::Instance,
         attributes: &wgpu::vertex_attr_array![
-            2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4, 6 => Float32
+            2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4, 6 => Float32x3
         ],
     };
 
-    fn new(body: &PreparedBody, colour: Colour) -> Self {
-        let [red, green, blue] = body.rest_colour(colour);
+    fn new(body: &PreparedBody, shot: &Shot<'_>) -> Self {
         Self {
             place_radius: body.place_radius,
             form: body.form,
-            across_index: packed(body.surface.across(), f64::from(body.index())),
-            colour_wavelength: [red, green, blue, body.emission.wavelength_nm().unwrap_or(0.0) as f32],
-            cover: 1.0,
+            turn: body.turn,
+            light: shot.light(body),
+            cover_brightness_index: [1.0, body.brightness as f32, body.index()],
         }
     }
 
@@ -131,6 +135,8 @@ impl Instance {
         if radius >= half_pixel {
             return self;
         }
-        Self { place_radius: [x, y, z, half_pixel], cover: radius / half_pixel, ..self }
+        let [_, brightness, index] = self.cover_brightness_index;
+        let cover_brightness_index = [radius / half_pixel, brightness, index];
+        Self { place_radius: [x, y, z, half_pixel], cover_brightness_index, ..self }
     }
 }
