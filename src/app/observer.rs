@@ -8,6 +8,7 @@ use super::curves::CurvesKey;
 use super::fitting::{FitKey, FitOutcome};
 use super::points::Point;
 use super::state::State;
+use crate::caption::{Emission, Moment};
 use crate::flags::choices::GazeChoice;
 use crate::settings::Settings;
 
@@ -89,6 +90,15 @@ impl State {
             Eye::Left => both.primary,
             Eye::Right => both.secondary,
         })
+    }
+
+    /// What is shown of the selected point now.
+    #[must_use]
+    pub fn moment(&self) -> Moment {
+        let point = self.session.points.selected();
+        let name = point.noun(&self.session.scene);
+        let emission = Emission::Line(self.rest_wavelength_nm(point));
+        Moment::new(&self.settings, &point.track, name, emission, self.session.time)
     }
 
     /// The exact disparity of `point` now.

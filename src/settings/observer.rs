@@ -88,7 +88,7 @@ impl Settings {
     }
 
     /// The views of eyes that look straight ahead.
-    fn views_ahead(&self, observation_time: f64, size: [u32; 2]) -> [View; 2] {
+    pub(crate) fn views_ahead(&self, observation_time: f64, size: [u32; 2]) -> [View; 2] {
         let geometry = self.look.geometry;
         let view = |aperture, geometry| {
             let horizontal_fov = self.look.fov.to_radians();

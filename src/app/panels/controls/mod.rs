@@ -86,6 +86,7 @@ fn look(ui: &mut Ui, state: &State, asks: &mut Asks) {
     right_eye_row(ui, &mut look.geometry);
     gaze_row(ui, state, &mut look.gaze, asks);
     corrected_row(ui, state.settings.window, asks);
+    words_row(ui, state.settings.window, asks);
     let fov = NumberRow {
         name: "Field of view",
         tip: "Angle from the left to the right edge of each view.   Scroll over a view to zoom.",
@@ -182,6 +183,18 @@ fn corrected_row(ui: &mut Ui, mut window: Window, asks: &mut Asks) {
             asks.push(Command::Window(window));
         }
     });
+}
+
+fn words_row(ui: &mut Ui, before: Window, asks: &mut Asks) {
+    let mut window = before;
+    row(ui, "Below them", "What stands below the views.", |ui| {
+        let spectrum = "Which wavelengths arrive of the selected point, among all that there are.";
+        ui.checkbox(&mut window.spectrum, "spectrum").on_hover_text(spectrum);
+        ui.checkbox(&mut window.sentence, "sentence").on_hover_text("The moment in words.");
+    });
+    if window != before {
+        asks.push(Command::Window(window));
+    }
 }
 
 fn gaze_row(ui: &mut Ui, state: &State, gaze: &mut GazeChoice, asks: &mut Asks) {
