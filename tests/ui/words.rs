@@ -112,7 +112,10 @@ fn words_at_the_ends() {
                     window.run();
                     for label in labels(&window) {
                         let plain = label.replace("infrared", "");
-                        assert!(!plain.contains("NaN") && !plain.contains("inf"), "{value}, {d}, {time}: {label}");
+                        assert!(
+                            !plain.contains("NaN") && !plain.contains("inf"),
+                            "{value}, {d}, {time}: {label}"
+                        );
                     }
                 }
             }
@@ -140,7 +143,8 @@ fn words_are_in_the_window() {
 fn words_can_be_switched_off() {
     let mut window = window(cyclist(0.9));
     let before = window.get_by_label("Left eye view").rect();
-    let has = |window: &Harness<'_, App>, name: &str| labels(window).iter().any(|label| label.starts_with(name));
+    let has =
+        |window: &Harness<'_, App>, name: &str| labels(window).iter().any(|label| label.starts_with(name));
     for (name, words) in [("spectrum", "Wavelengths that arrive"), ("sentence", ARRIVING)] {
         assert!(has(&window, words));
         window.get_by_label(name).click();

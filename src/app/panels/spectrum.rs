@@ -2,7 +2,7 @@
 
 use eframe::egui::{
     self, Align2, Color32, CornerRadius, FontId, Mesh, Painter, Pos2, Rect, Sense, Shape, Stroke, StrokeKind,
-    Ui, Visuals, accesskit::Role, pos2, vec2,
+    Ui, Visuals, accesskit::Role, lerp, pos2, vec2,
 };
 use relativity_core::math;
 use relativity_render::spectrum::VISIBLE_NM;
@@ -24,6 +24,8 @@ const BELOW: f32 = 3.0;
 const BETWEEN: f32 = 12.0;
 /// Points between colours that are worked out.
 const STEP: f32 = 2.0;
+/// Least space between a mark and a name on the strip.
+const NAME_MARGIN: f32 = 4.0;
 /// Size of the writing.
 const FONT: FontId = FontId::proportional(12.0);
 const SMALL_FONT: FontId = FontId::proportional(11.0);
@@ -34,8 +36,9 @@ pub fn show(ui: &mut Ui, state: &State) {
     let rect = ui.max_rect();
     let strip = Rect::from_min_max(rect.min + vec2(0.0, NUMBERS_HEIGHT), rect.max - vec2(0.0, BELOW));
     let painter = ui.painter().clone();
-    paint_strip(&painter, strip, ui.visuals());
     let marks = marks(&moment, state.settings.motion.d == 0.0, ui.visuals());
+    paint_colours(&painter, strip, ui.visuals());
+    paint_names(&painter, strip, &marks, ui.visuals());
     paint_marks(ui, strip, &marks);
     if marks.is_empty() {
         let font_colour = ui.visuals().text_color();
@@ -81,6 +84,13 @@ struct Mark {
     is_at_rest: bool,
 }
 
+impl Mark {
+    /// Where it stands: at an end of the strip where it lies beyond.
+    fn x(&self, strip: Rect) -> f32 {
+        place(strip, self.wavelength_nm).clamp(strip.min.x, strip.max.x)
+    }
+}
+
 /// The marks of `moment`: at rest, and what arrives at each eye, or at both in one place.
 fn marks(moment: &Moment, are_eyes_together: bool, visuals: &Visuals) -> Vec<Mark> {
     let Emission::Line(at_rest) = moment.emission else { return Vec::new() };
@@ -91,7 +101,7 @@ fn marks(moment: &Moment, are_eyes_together: bool, visuals: &Visuals) -> Vec<Mar
         colour,
         is_at_rest: false,
     };
-    let rest = mark("at rest", "at rest", at_rest, visuals.weak_text_color());
+    let rest = mark("at rest", "at rest", at_rest, visuals.text_color());
     let mut marks = vec![Mark { is_at_rest: true, ..rest }];
     let received = moment.wavelengths_nm();
     if let ([Some(both), _], true) = (received, are_eyes_together) {
@@ -119,8 +129,8 @@ fn description(marks: &[Mark], moment: &Moment) -> String {
     if texts.is_empty() { many_wavelengths(moment) } else { texts.join(", ") }
 }
 
-/// The colours of the scale, and the names of what has none.
-fn paint_strip(painter: &Painter, strip: Rect, visuals: &Visuals) {
+/// The colours of the scale.
+fn paint_colours(painter: &Painter, strip: Rect, visuals: &Visuals) {
     let columns = (strip.width() / STEP).ceil().max(1.0) as u32;
     let mut mesh = Mesh::default();
     for column in 0..=columns {
@@ -137,17 +147,24 @@ fn paint_strip(painter: &Painter, strip: Rect, visuals: &Visuals) {
     painter.add(Shape::mesh(mesh));
     let stroke = visuals.widgets.noninteractive.bg_stroke;
     painter.rect_stroke(strip, CornerRadius::ZERO, stroke, StrokeKind::Outside);
+}
+
+/// The ends of the scale, and what has no colour, by name; left out where a mark stands.
+fn paint_names(painter: &Painter, strip: Rect, marks: &[Mark], visuals: &Visuals) {
     let [violet, red] = VISIBLE_NM.map(|end| place(strip, end));
-    let colour = visuals.text_color();
-    let middle = strip.center().y;
-    let ends = [
+    let names = [
         (strip.min.x + 5.0, Align2::LEFT_CENTER, "100 nm"),
+        (violet - 8.0, Align2::RIGHT_CENTER, "ultraviolet"),
+        (red + 8.0, Align2::LEFT_CENTER, "infrared"),
         (strip.max.x - 5.0, Align2::RIGHT_CENTER, "3 µm"),
     ];
-    let names =
-        [(violet - 8.0, Align2::RIGHT_CENTER, "ultraviolet"), (red + 8.0, Align2::LEFT_CENTER, "infrared")];
-    for (x, align, text) in ends.into_iter().chain(names) {
-        painter.text(pos2(x, middle), align, text, SMALL_FONT, colour);
+    for (x, align, text) in names {
+        let galley = painter.layout_no_wrap(text.to_owned(), SMALL_FONT, visuals.text_color());
+        let rect = align.anchor_size(pos2(x, strip.center().y), galley.size());
+        let room = rect.x_range().expand(NAME_MARGIN);
+        if !marks.iter().any(|mark| room.contains(mark.x(strip))) {
+            painter.galley(rect.min, galley, visuals.text_color());
+        }
     }
 }
 
@@ -193,27 +210,27 @@ fn paint_marks(ui: &Ui, strip: Rect, marks: &[Mark]) {
 fn paint_tick(ui: &Ui, strip: Rect, mark: &Mark) {
     let painter = ui.painter();
     let halo = theme::halo_colour(ui.visuals());
-    let x = place(strip, mark.wavelength_nm);
-    let inside = x.clamp(strip.min.x, strip.max.x);
-    if x < strip.min.x {
-        paint_arrow(painter, pos2(strip.min.x, strip.center().y), -1.0, mark.colour, halo);
-    } else if x > strip.max.x {
-        paint_arrow(painter, pos2(strip.max.x, strip.center().y), 1.0, mark.colour, halo);
+    let (wanted, x) = (place(strip, mark.wavelength_nm), mark.x(strip));
+    if wanted == x {
+        let (beyond, width) = if mark.is_at_rest { (0.0, 1.5) } else { (2.0, 2.5) };
+        let line = strip.y_range().expand(beyond);
+        painter.vline(x, line, Stroke::new(width + 2.5, halo));
+        painter.vline(x, line, Stroke::new(width, mark.colour));
     } else {
-        let line = strip.y_range().expand(if mark.is_at_rest { 0.0 } else { 2.0 });
-        let width = if mark.is_at_rest { 1.5 } else { 2.5 };
-        painter.vline(inside, line, Stroke::new(width + 2.5, halo));
-        painter.vline(inside, line, Stroke::new(width, mark.colour));
+        // The right eye's below the left's, which may lie beyond the same end.
+        let part = if mark.name == Eye::Right.name() { 0.75 } else { 0.25 };
+        let tip = pos2(x, lerp(strip.y_range().into(), part));
+        paint_arrow(painter, tip, (wanted - x).signum(), mark.colour);
     }
-    let at = Rect::from_center_size(pos2(inside, strip.center().y), vec2(4.0, strip.height()));
+    let at = Rect::from_center_size(pos2(x, strip.center().y), vec2(4.0, strip.height()));
     let response = ui.interact(at, ui.scope_id().with(mark.name), Sense::hover());
     let name = format!("Wavelength, {}: {:.1} nm", mark.name, mark.wavelength_nm);
     response.widget_info(|| egui::WidgetInfo::labeled(Role::Label, true, &name));
 }
 
 /// An arrow at the end of a scale that points out of it: to the left (-1) or right (1).
-fn paint_arrow(painter: &Painter, tip: Pos2, direction: f32, colour: Color32, halo: Color32) {
-    let back = tip.x - direction * 9.0;
-    let corners = vec![tip, pos2(back, tip.y - 6.0), pos2(back, tip.y + 6.0)];
-    painter.add(Shape::convex_polygon(corners, colour, Stroke::new(1.5, halo)));
+fn paint_arrow(painter: &Painter, tip: Pos2, direction: f32, colour: Color32) {
+    let back = tip.x - direction * 10.0;
+    let corners = vec![tip, pos2(back, tip.y - 4.0), pos2(back, tip.y + 4.0)];
+    painter.add(Shape::convex_polygon(corners, colour, Stroke::NONE));
 }
