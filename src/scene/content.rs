@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use relativity_render::{Body, Group, Motion, PreparedScene};
+use relativity_render::{Body, Group, Motion, PreparedScene, Velocity};
 
 use super::forward_most::forward_most_on;
 use super::table::coincide;
@@ -22,8 +22,10 @@ pub struct Scene {
     /// The point that is selected and followed at first: the forward-most one (largest x) unless the
     /// file chooses another.
     pub tracked: [f64; 3],
-    /// Height of the resting ground (the grid), if there is one.
+    /// Height of the resting ground, if there is one.
     pub ground_z: Option<f64>,
+    /// The road on it, along x, in place of a grid: y of its near and of its far kerb.
+    pub road: Option<[f64; 2]>,
 }
 
 /// Bodies that move alike.
@@ -62,6 +64,23 @@ impl Scene {
     #[must_use]
     pub fn track(&self, point: Option<[f64; 3]>) -> Track {
         Track { rest: point.unwrap_or(self.tracked), motion: self.groups[0].motion }
+    }
+
+    /// It without what rests on the ground: the groups that do not move, but for its first.
+    #[must_use]
+    pub fn without_surroundings(self) -> Self {
+        let rests = |group: &SceneGroup| group.motion == Motion::Own(Velocity::REST);
+        let kept: Vec<_> =
+            self.groups.iter().enumerate().filter(|(number, group)| *number == 0 || !rests(group)).collect();
+        let numbers = || kept.iter().flat_map(|(_, group)| group.bodies());
+        let (bodies, names) = numbers().map(|body| (self.bodies[body], self.names[body].clone())).unzip();
+        let mut first = 0;
+        let groups = kept.iter().map(|(_, group)| {
+            let moved = SceneGroup { first, ..(*group).clone() };
+            first += group.count;
+            moved
+        });
+        Self { groups: groups.collect(), bodies, names, ..self }
     }
 
     /// What the body of this number is called: as its file names it, else by shape and number.

@@ -16,9 +16,10 @@ const DEFAULT_WAVELENGTH_NM: f64 = 700.0;
 pub(super) fn scene(text: &str) -> Result<Scene, Located> {
     let document = DeTable::parse(text).map_err(|error| Located::syntax(text, &error))?;
     let top = Table { text, entries: document.get_ref(), span: 0..0, owner: "a scene" };
-    top.check_keys(&["name", "tracked", "ground_z", "include", "object", "group"])?;
+    top.check_keys(&["name", "tracked", "ground_z", "road", "include", "object", "group"])?;
     let name = top.needed_string("name")?.to_owned();
     let ground_z = top.coordinate("ground_z")?;
+    let road = road(&top)?;
     let tracked = top.point("tracked")?;
     let (objects, groups) = groups(&top, &name)?;
     let names = objects.iter().enumerate().map(|(number, object)| object.name_as(number)).collect();
@@ -27,10 +28,20 @@ pub(super) fn scene(text: &str) -> Result<Scene, Located> {
     let Some(forward_most) = forward_most_point(own) else {
         return Err(Located { span: top.span, problem: Problem::Empty });
     };
-    Ok(Scene { name, bodies, names, groups, tracked: tracked.unwrap_or(forward_most), ground_z })
+    Ok(Scene { name, bodies, names, groups, tracked: tracked.unwrap_or(forward_most), ground_z, road })
+}
+
+/// The kerbs of the road on the ground, the near one first.
+fn road(top: &Table) -> Result<Option<[f64; 2]>, Located> {
+    let Some([near, far]) = top.pair("road")? else { return Ok(None) };
+    if near >= far {
+        return Err(top.problem_at("road", Problem::NoWidth));
+    }
+    Ok(Some([near, far]))
 }
 
 /// A body, and what its file calls it.
+#[derive(Clone)]
 struct Object {
     body: Body,
     name: Option<String>,
@@ -85,7 +96,7 @@ fn objects(group: &Table) -> Result<Vec<Object>, Located> {
         objects.extend(included(&include)?);
     }
     for table in group.tables("object", "an object")? {
-        objects.push(object(table)?);
+        objects.extend(repeated(table)?);
     }
     Ok(objects)
 }
@@ -100,6 +111,18 @@ fn included(include: &Table) -> Result<Vec<Object>, Located> {
     let offset = include.point("offset")?.unwrap_or_default();
     let objects = preset.bodies.into_iter().zip(preset.names);
     Ok(objects.map(|(body, name)| Object { body: body.moved(offset), name: Some(name) }).collect())
+}
+
+/// An object, and as many more like it as its table says, a step from each to the next; they are told apart by numbers.
+fn repeated(table: Table) -> Result<Vec<Object>, Located> {
+    let (count, step) = (table.count("repeat")?, table.point("step")?);
+    let first = object(table)?;
+    let Some(count) = count else { return Ok(vec![first]) };
+    let nth = |n: usize| Object {
+        body: first.body.moved(step.unwrap_or_default().map(|along| n as f64 * along)),
+        name: first.name.as_ref().map(|name| format!("{name} {}", n + 1)),
+    };
+    Ok((0..count).map(nth).collect())
 }
 
 /// One object.
@@ -125,12 +148,12 @@ fn object(mut object: Table) -> Result<Object, Located> {
 }
 
 fn sphere(object: &Table) -> Result<Shape, Located> {
-    object.check_keys(&["shape", "name", "center", "radius", "wavelength_nm"])?;
+    object.check_keys(&["shape", "name", "center", "radius", "wavelength_nm", "repeat", "step"])?;
     Ok(Shape::Sphere { center: object.needed_point("center")?, radius: object.needed_size("radius")? })
 }
 
 fn tube(object: &Table) -> Result<Shape, Located> {
-    object.check_keys(&["shape", "name", "from", "to", "radius", "wavelength_nm"])?;
+    object.check_keys(&["shape", "name", "from", "to", "radius", "wavelength_nm", "repeat", "step"])?;
     let from = object.needed_point("from")?;
     let to = object.needed_point("to")?;
     if coincide(from, to) {
@@ -140,7 +163,17 @@ fn tube(object: &Table) -> Result<Shape, Located> {
 }
 
 fn ring(object: &Table) -> Result<Shape, Located> {
-    object.check_keys(&["shape", "name", "center", "axis", "radius", "tube_radius", "wavelength_nm"])?;
+    object.check_keys(&[
+        "shape",
+        "name",
+        "center",
+        "axis",
+        "radius",
+        "tube_radius",
+        "wavelength_nm",
+        "repeat",
+        "step",
+    ])?;
     let center = object.needed_point("center")?;
     let axis = object.needed_direction("axis")?;
     let radius = object.needed_size("radius")?;

@@ -93,7 +93,10 @@ pub struct Light {
     /// How form is shown.
     #[arg(long, value_enum)]
     pub shading: Shading,
-    /// Whether the scene's ground is drawn, with a grid of one line per unit of length.
+    /// Whether what rests around the scene is drawn: its groups that do not move, such as houses.
+    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    pub surroundings: OnOff,
+    /// Whether the scene's ground is drawn: its road, or a grid of one line per unit of length.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub ground: OnOff,
     /// Whether the sky is a gradient, else it is plain.
@@ -113,6 +116,7 @@ impl Default for Light {
             intensity_exponent: NumberOrOff(Some(PAPER_INTENSITY_EXPONENT)),
             exposure: 0.0,
             shading: Shading::Form,
+            surroundings: true,
             ground: true,
             sky: true,
             light: Daylight::Theme,

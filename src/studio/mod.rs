@@ -41,7 +41,7 @@ impl Studio {
     ///
     /// A scene or a renderer that cannot be had.
     pub fn new(mut settings: Settings) -> anyhow::Result<Self> {
-        let scene = Scene::open(&settings.scene)?;
+        let scene = settings.opened_scene()?;
         let mut timings = Timings::default();
         let painter = timings.timed("set up", || Painter::new(&settings))?;
         settings.quality.renderer = painter.choice();
@@ -103,7 +103,7 @@ impl Studio {
         let Frame { settings, time, .. } = frame;
         let layout = settings.picture.layout;
         let views = settings.views(&self.tracked(), *time, settings.picture.size.0);
-        let appearance = settings.appearance(self.scene.ground_z, false);
+        let appearance = settings.appearance(&self.scene, false);
         let Self { painter, prepared, timings, .. } = self;
         let eye =
             |&eye: &usize| timings.timed(EYES[eye], || painter.picture(prepared, &views[eye], &appearance));

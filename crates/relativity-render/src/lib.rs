@@ -85,6 +85,7 @@ pub mod spectrum;
 mod surface;
 mod target;
 mod tiles;
+mod turn;
 pub mod velocity;
 pub mod view;
 
