@@ -8,7 +8,7 @@ use super::curves::CurvesKey;
 use super::fitting::{FitKey, FitOutcome};
 use super::points::Point;
 use super::state::State;
-use crate::caption::{Emission, Moment};
+use crate::caption::Moment;
 use crate::flags::choices::GazeChoice;
 use crate::settings::Settings;
 
@@ -97,8 +97,8 @@ impl State {
     pub fn moment(&self) -> Moment {
         let point = self.session.points.selected();
         let name = point.noun(&self.session.scene);
-        let emission = Emission::Line(self.rest_wavelength_nm(point));
-        Moment::new(&self.settings, &point.track, name, emission, self.session.time)
+        let rest_wavelength = self.rest_wavelength_nm(point);
+        Moment::new(&self.settings, &point.track, name, rest_wavelength, self.session.time)
     }
 
     /// The exact disparity of `point` now.

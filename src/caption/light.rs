@@ -5,42 +5,22 @@ use relativity_render::spectrum::{self, Band};
 
 use super::numbers::told_apart;
 
-/// The light of a body where it is at rest.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Emission {
-    /// Of one wavelength, nm.
-    Line(f64),
-    /// Of many.
-    Broad,
-}
-
 /// From this wavelength on, nm, micrometres are easier to read.
 const MICROMETRES_FROM: f64 = 10_000.0;
 /// Decimals of a Doppler factor.
 const DOPPLER_DECIMALS: u8 = 2;
 
-impl Emission {
-    /// The wavelength that is received, nm; none where there are many.
-    #[must_use]
-    pub fn received_nm(self, doppler_factor: f64) -> Option<f64> {
-        match self {
-            Self::Line(wavelength) => Some(received_wavelength(wavelength, doppler_factor)),
-            Self::Broad => None,
+/// What is received with these `doppler_factors`, of the left and the right eye or of one, of light with this
+/// wavelength at rest or with many; none where they are no numbers.
+pub fn described(rest_wavelength_nm: Option<f64>, doppler_factors: &[f64]) -> Option<String> {
+    let are_numbers = doppler_factors.iter().all(|factor| factor.is_finite() && *factor > 0.0);
+    are_numbers.then(|| match rest_wavelength_nm {
+        Some(wavelength) => {
+            let received = |factor: &f64| received_wavelength(wavelength, *factor);
+            line(&doppler_factors.iter().map(received).collect::<Vec<_>>())
         }
-    }
-
-    /// What is received with these `doppler_factors`, of the left and the right eye or of one; none where they are no
-    /// numbers.
-    pub(super) fn described(self, doppler_factors: &[f64]) -> Option<String> {
-        let are_numbers = doppler_factors.iter().all(|factor| factor.is_finite() && *factor > 0.0);
-        are_numbers.then(|| match self {
-            Self::Line(wavelength) => {
-                let received = |factor: &f64| received_wavelength(wavelength, *factor);
-                line(&doppler_factors.iter().map(received).collect::<Vec<_>>())
-            }
-            Self::Broad => shift(doppler_factors),
-        })
-    }
+        None => shift(doppler_factors),
+    })
 }
 
 /// `wavelengths` with unit, `606 and 567 nm`.

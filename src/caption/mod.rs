@@ -11,9 +11,10 @@ mod tests;
 mod unseen;
 
 use relativity_core::Sighting;
+use relativity_core::doppler::received_wavelength;
 use relativity_render::{Geometry, View};
 
-pub use self::light::{Emission, in_words};
+pub use self::light::in_words;
 use self::numbers::{decimal, told_apart};
 pub use self::unseen::notice;
 use crate::scene::Track;
@@ -27,8 +28,8 @@ const DECIMALS: u8 = 2;
 pub struct Moment {
     /// What the point is called, with its article.
     pub name: String,
-    /// Its light where it is at rest.
-    pub emission: Emission,
+    /// Wavelength of its light at rest, nm; none where there are many.
+    pub rest_wavelength_nm: Option<f64>,
     /// T.
     pub time: f64,
     /// Whether its light is drawn as shifted by the Doppler effect.
@@ -61,9 +62,15 @@ enum Eyes {
 impl Moment {
     /// What is shown of the point at `track`, called `name`, at `time` with these `settings`.
     #[must_use]
-    pub fn new(settings: &Settings, track: &Track, name: String, emission: Emission, time: f64) -> Self {
+    pub fn new(
+        settings: &Settings,
+        track: &Track,
+        name: String,
+        rest_wavelength_nm: Option<f64>,
+        time: f64,
+    ) -> Self {
         let shown = Shown::new(settings, track, time).unwrap_or(Shown::Unknown);
-        Self { name, emission, time, is_shift_drawn: settings.light.doppler_shift, shown }
+        Self { name, rest_wavelength_nm, time, is_shift_drawn: settings.light.doppler_shift, shown }
     }
 
     /// Doppler factors of the light that arrives at the left and the right eye, or at cameras in their places, in the
@@ -81,8 +88,8 @@ impl Moment {
     /// Wavelengths of that light, nm; none for light of many.
     #[must_use]
     pub fn wavelengths_nm(&self) -> [Option<f64>; 2] {
-        let received = |factor| self.emission.received_nm(factor).filter(|wavelength| wavelength.is_finite());
-        self.doppler_factors().map(|factor| factor.and_then(received))
+        let received = |(rest, factor)| Some(received_wavelength(rest, factor)).filter(|nm| nm.is_finite());
+        self.doppler_factors().map(|factor| self.rest_wavelength_nm.zip(factor).and_then(received))
     }
 
     /// The moment in a sentence or two.
@@ -132,7 +139,7 @@ impl Moment {
     /// `start`, and which light that is.
     fn with_colour<const N: usize>(&self, start: &str, doppler_factors: [f64; N]) -> String {
         let drawn = if self.is_shift_drawn { "" } else { " Its colour is drawn as at rest." };
-        match self.emission.described(&doppler_factors) {
+        match light::described(self.rest_wavelength_nm, &doppler_factors) {
             Some(light) => format!("{start}: {light}.{drawn}"),
             None => format!("{start}."),
         }

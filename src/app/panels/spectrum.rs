@@ -2,7 +2,7 @@
 
 use eframe::egui::{
     self, Align2, Color32, CornerRadius, FontId, Mesh, Painter, Pos2, Rect, Sense, Shape, Stroke, StrokeKind,
-    Ui, Visuals, accesskit::Role, lerp, pos2, vec2,
+    Ui, Visuals, accesskit::Role, pos2, vec2,
 };
 use relativity_core::math;
 use relativity_render::spectrum::VISIBLE_NM;
@@ -12,7 +12,7 @@ use crate::app::observer::Eye;
 use crate::app::state::State;
 use crate::app::theme;
 use crate::app::widgets::apart::{Span, apart};
-use crate::caption::{Emission, Moment, in_words};
+use crate::caption::{Moment, in_words};
 
 /// Shortest and longest wavelength of the scale, nm.
 const RANGE_NM: [f64; 2] = [100.0, 3000.0];
@@ -93,7 +93,7 @@ impl Mark {
 
 /// The marks of `moment`: at rest, and what arrives at each eye, or at both in one place.
 fn marks(moment: &Moment, are_eyes_together: bool, visuals: &Visuals) -> Vec<Mark> {
-    let Emission::Line(at_rest) = moment.emission else { return Vec::new() };
+    let Some(at_rest) = moment.rest_wavelength_nm else { return Vec::new() };
     let mark = |name, text: &str, wavelength_nm: f64, colour| Mark {
         name,
         wavelength_nm,
@@ -219,7 +219,7 @@ fn paint_tick(ui: &Ui, strip: Rect, mark: &Mark) {
     } else {
         // The right eye's below the left's, which may lie beyond the same end.
         let part = if mark.name == Eye::Right.name() { 0.75 } else { 0.25 };
-        let tip = pos2(x, lerp(strip.y_range().into(), part));
+        let tip = pos2(x, strip.min.y + part * strip.height());
         paint_arrow(painter, tip, (wanted - x).signum(), mark.colour);
     }
     let at = Rect::from_center_size(pos2(x, strip.center().y), vec2(4.0, strip.height()));
