@@ -33,6 +33,8 @@ pub struct Session {
     pub points: Points,
     /// Whether the help is shown.
     pub help: bool,
+    /// Width and height of an eye's picture, which a field of view is fitted to, pixels.
+    pub picture_size: [u32; 2],
     /// A message about the last thing that could not be done.
     pub notice: Option<String>,
 }
@@ -50,6 +52,7 @@ impl State {
             playing: false,
             points: Points::tracked(tracked),
             help: false,
+            picture_size: settings.picture.size.0,
             notice: None,
             scene,
         };

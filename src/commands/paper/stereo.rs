@@ -118,7 +118,7 @@ impl Figure {
         let setup = Setup { beta: self.beta, ..Setup::CYCLIST };
         let time = setup.time_when_seen_at(x)?;
         let command = format!(
-            "gamow render --beta {} --time {time:.6} --size {WIDTH}x{HEIGHT} --fov 70 --geometry {} --renderer reference \
+            "gamow render --beta {} --time {time:.6} --size {WIDTH}x{HEIGHT} --gaze point --fov 70 --geometry {} --renderer reference \
              --shading emission --ground off --sky off --light on",
             self.beta, self.geometry
         );
