@@ -108,7 +108,7 @@ impl State {
         match command {
             Command::Motion(motion) => self.settings.motion = motion,
             Command::Look(look) => self.settings.look = look,
-            Command::Light(light) => self.settings.light = light,
+            Command::Light(light) => self.set_light(light),
             Command::Quality(quality) => self.settings.quality = quality,
             Command::Playback(playback) => self.settings.playback = playback,
             Command::Plots(plots) => self.settings.plots = plots,
@@ -143,6 +143,16 @@ impl State {
                 self.session.help = false;
                 self.session.notice = None;
             }
+        }
+    }
+
+    fn set_light(&mut self, light: Light) {
+        let is_rebuilt = light.surroundings != self.settings.light.surroundings;
+        self.settings.light = light;
+        if is_rebuilt {
+            let playing = self.session.playing;
+            self.show(self.shown());
+            self.session.playing = playing;
         }
     }
 
@@ -239,7 +249,8 @@ impl State {
         match Self::open(settings) {
             Ok(state) => {
                 let playing = self.session.playing && !starts_at_a_time;
-                *self = Self { session: Session { playing, ..state.session }, ..state };
+                let picture_size = self.session.picture_size;
+                *self = Self { session: Session { playing, picture_size, ..state.session }, ..state };
             }
             Err(error) => self.session.notice = Some(error.to_string()),
         }

@@ -64,7 +64,7 @@ impl State {
     /// # Errors
     /// A scene that cannot be had.
     pub fn open(settings: Settings) -> Result<Self, SceneError> {
-        let scene = Scene::open(&settings.scene)?;
+        let scene = settings.opened_scene()?;
         Ok(Self::new(settings, scene))
     }
 
@@ -106,6 +106,6 @@ impl State {
     /// What becomes of its light, in a light window or a dark one.
     #[must_use]
     pub fn appearance(&self, light_window: bool) -> Appearance {
-        self.settings.appearance(self.session.scene.ground_z, light_window)
+        self.settings.appearance(&self.session.scene, light_window)
     }
 }

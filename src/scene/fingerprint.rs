@@ -10,7 +10,7 @@ impl Scene {
     /// for others.
     ///
     /// The FNV-1a hash (G. Fowler, L. C. Noll, K.-P. Vo) of, in this order: the name, the tracked point, the height of
-    /// the ground, and of each group its name, its own beta, and its bodies; of a body its shape by the name in a scene
+    /// the ground, its road if there is one, and of each group its name, its own beta, and its bodies; of a body its shape by the name in a scene
     /// file, the numbers of that in the order of the scene format, and its wavelength. Names end in a zero byte; numbers
     /// go in bit by bit, big end first, those that are not there as infinity.
     #[must_use]
@@ -19,6 +19,7 @@ impl Scene {
         hash.name(&self.name);
         hash.numbers(&self.tracked);
         hash.numbers(&[self.ground_z.unwrap_or(f64::INFINITY)]);
+        self.road.iter().for_each(|road| hash.numbers(road));
         for group in &self.groups {
             hash.group(group);
             self.bodies[group.bodies()].iter().for_each(|body| hash.body(body));

@@ -105,6 +105,7 @@ mod tests {
             exposure_ev: 0.0,
             shading: Shading::Emission,
             ground_z: None,
+            road: None,
             sky: false,
             light: false,
         }

@@ -8,8 +8,9 @@ use super::Asks;
 use crate::app::command::Command;
 use crate::app::observer::Eye;
 use crate::app::state::State;
+use crate::app::theme;
 use crate::app::widgets::{dot, named_text};
-use crate::app::{figures, theme};
+use crate::figures;
 
 /// Shows the readout.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
@@ -19,7 +20,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         fold(ui, state, asks);
         let colour = theme::point_colour(point.number, ui.visuals());
         dot(ui, colour);
-        ui.label(point.name());
+        ui.label(point.name(&state.session.scene));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let Velocity { speed, is_backward } = state.velocity(point);
             let sign = if is_backward { "−" } else { "" };

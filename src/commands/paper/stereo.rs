@@ -7,9 +7,9 @@ use relativity_core::{Disparity, DomainError, Model};
 
 use super::curves::Setup;
 use super::figures;
-use crate::flags::choices::FileKind;
+use crate::flags::choices::{FileKind, Layout};
 use crate::settings::Settings;
-use crate::studio::Studio;
+use crate::studio::{Sheet, Studio};
 
 /// A row of frames, as one figure of the paper shows them.
 #[derive(Debug)]
@@ -129,7 +129,8 @@ impl Figure {
 
 /// The frames below each other, with their times.
 fn svg(frames: &[Frame]) -> String {
-    let (width, row) = (2 * WIDTH, HEIGHT + CAPTION_HEIGHT);
+    let [width, frame_height] = Sheet::new(Layout::SideBySide, [WIDTH, HEIGHT], true).size;
+    let row = frame_height + CAPTION_HEIGHT;
     let height = row * frames.len() as u32;
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
@@ -142,7 +143,7 @@ fn svg(frames: &[Frame]) -> String {
         let _ = writeln!(
             svg,
             "<text x=\"8\" y=\"{text}\">T = {:.3}; the tracked point at {left:.0} nm (left eye) and {right:.0} nm (right eye)</text>\n\
-             <image x=\"0\" y=\"{top}\" width=\"{width}\" height=\"{HEIGHT}\" href=\"{}\"/>",
+             <image x=\"0\" y=\"{top}\" width=\"{width}\" height=\"{frame_height}\" href=\"{}\"/>",
             frame.time, frame.file
         );
     }
