@@ -198,7 +198,8 @@ impl App {
         }
     }
 
-    /// Reads the mouse in `pane`.&mut self, ui: &mut Ui, pane: Pane) {
+    /// Reads the mouse in `pane`.
+    fn interact(&mut self, ui: &mut Ui, pane: Pane) {
         if let Content::Eye(eye) = pane.content {
             let pane = self.eye_pane(ui, eye, pane.rect);
             self.panel(ui, eye.name(), pane.rect, |ui, state, asks| {
