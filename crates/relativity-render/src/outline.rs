@@ -18,9 +18,9 @@ use crate::scene::PreparedScene;
 use crate::view::{Geometry, View};
 
 /// The part of the picture that is left free on each side of what is framed.
-const MARGIN: f64 = 0.09;
+const MARGIN: f64 = 0.1;
 /// Narrowest horizontal field of view that frames, radians: something small or far is shown with what is around it.
-const NARROWEST: f64 = 28.0 * DEGREE;
+const NARROWEST: f64 = 42.0 * DEGREE;
 /// Widest horizontal field of view that frames, radians. What reaches further is cropped.
 const WIDEST: f64 = 150.0 * DEGREE;
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
@@ -200,7 +200,7 @@ fn tilted(elevation: f64) -> f64 {
 
 impl Framing {
     /// Horizontal field of view that holds the outline with a margin, radians, in a picture of this `size` (width and
-    /// height): 28 to 150 degrees.
+    /// height): 42 to 150 degrees.
     #[must_use]
     pub fn horizontal_fov(&self, size: [u32; 2]) -> f64 {
         let [width, height] = size.map(f64::from);
