@@ -5,9 +5,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use relativity_core::{Aperture, Disparity, DomainError, Model, SourcePoint, Speed};
-use relativity_render::{
-    Appearance, Camera, Gaze, Geometry, Motion, Outline, PreparedScene, Velocity, View,
-};
+use relativity_render::{Appearance, Camera, Gaze, Geometry, Motion, Outline, PreparedScene, Velocity, View};
 
 use super::all::Settings;
 use super::sections::{Daylight, Look, Theme, USUAL_FOV};
@@ -138,7 +136,7 @@ impl Settings {
     }
 
     /// The views of eyes that look straight ahead, in pictures of no matter what size.
-    fn views_ahead(&self, observation_time: f64) -> [View; 2] {
+    pub(crate) fn views_ahead(&self, observation_time: f64) -> [View; 2] {
         self.views_with(&Look { gaze: GazeChoice::Ahead, ..self.look }, observation_time, [1, 1])
     }
 

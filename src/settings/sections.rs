@@ -336,6 +336,12 @@ pub struct Window {
     /// The left eye's picture corrected to the rest frame, beside the two. Hidden, it costs nothing.
     #[arg(long, value_parser = switch, value_name = "ON|OFF", num_args = 0..=1, default_missing_value = "on")]
     pub corrected: OnOff,
+    /// Below the views, which wavelengths arrive of the selected point.
+    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    pub spectrum: OnOff,
+    /// Below the views, the moment in a sentence.
+    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    pub sentence: OnOff,
     /// The plots.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub plots: OnOff,
@@ -352,6 +358,15 @@ pub struct Window {
 
 impl Default for Window {
     fn default() -> Self {
-        Self { views: true, corrected: false, plots: true, controls: true, readout: true, theme: Theme::Dark }
+        Self {
+            views: true,
+            corrected: false,
+            spectrum: true,
+            sentence: true,
+            plots: true,
+            controls: true,
+            readout: true,
+            theme: Theme::Dark,
+        }
     }
 }

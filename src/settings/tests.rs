@@ -104,10 +104,12 @@ fn fit() -> impl Strategy<Value = FitSetup> {
 }
 
 fn window() -> impl Strategy<Value = Window> {
-    (any::<[bool; 5]>(), choice::<Theme>()).prop_map(
-        |([views, corrected, plots, controls, readout], theme)| Window {
+    (any::<[bool; 7]>(), choice::<Theme>()).prop_map(
+        |([views, corrected, spectrum, sentence, plots, controls, readout], theme)| Window {
             views,
             corrected,
+            spectrum,
+            sentence,
             plots,
             controls,
             readout,
@@ -120,11 +122,8 @@ fn quality_and_picture() -> impl Strategy<Value = (Quality, Picture)> {
     let quality = (choice::<RendererChoice>(), number(BOUND_PX))
         .prop_map(|(renderer, bound_px)| Quality { renderer, bound_px });
     let size = (1..=16_384u32, 1..=16_384u32).prop_map(|(width, height)| Size([width, height]));
-    let picture = (size, choice::<Layout>(), 1..=16u32).prop_map(|(size, layout, samples)| Picture {
-        size,
-        layout,
-        samples,
-    });
+    let picture = (size, choice::<Layout>(), any::<bool>(), 1..=16u32)
+        .prop_map(|(size, layout, labels, samples)| Picture { size, layout, labels, samples });
     (quality, picture)
 }
 

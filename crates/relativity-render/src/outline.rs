@@ -82,7 +82,8 @@ impl Outline {
         let projection = Projection::new(view);
         let first = self.balls.len();
         for capsule in capsules {
-            let found = add_balls(&projection, &capsule.reflected_from_camera(view), HALVINGS, &mut self.balls);
+            let found =
+                add_balls(&projection, &capsule.reflected_from_camera(view), HALVINGS, &mut self.balls);
             self.surrounds |= found.is_none();
         }
         for ball in &mut self.balls[first..] {

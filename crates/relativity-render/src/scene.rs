@@ -90,7 +90,14 @@ impl PreparedScene {
             prepared.push(PreparedGroup { motion: Motion::Scene, bodies: 0..0, extent: Extent::new(&[]) });
         }
         let numbers = (0..bodies.len() as u32).collect();
-        Self(Arc::new(Prepared { groups: prepared, bodies, solids, numbers, capsules, last_outline: Mutex::default() }))
+        Self(Arc::new(Prepared {
+            groups: prepared,
+            bodies,
+            solids,
+            numbers,
+            capsules,
+            last_outline: Mutex::default(),
+        }))
     }
 
     /// Prepares one group of `bodies`, which move at the scene's speed.
