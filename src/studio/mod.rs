@@ -1,7 +1,9 @@
 //! Where pictures are made for files: a scene, settings and a renderer, and what the files record of them.
 
 mod layout;
+mod letters;
 mod painter;
+mod sheet;
 mod timings;
 
 use std::path::Path;
@@ -9,6 +11,8 @@ use std::path::Path;
 use relativity_render::{HitImage, Picture, PreparedScene};
 
 use self::painter::Painter;
+use self::sheet::Ink;
+pub use self::sheet::Sheet;
 use self::timings::Timings;
 use crate::files::exr::{Light, Measurements};
 use crate::files::provenance::Provenance;
@@ -104,7 +108,8 @@ impl Studio {
         let eye =
             |&eye: &usize| timings.timed(EYES[eye], || painter.picture(prepared, &views[eye], &appearance));
         let eyes = layout.eyes().iter().map(eye).collect::<Result<_, _>>()?;
-        Ok(timings.timed("layout", || layout.composed(eyes)))
+        let labels = settings.picture.labels.then(|| Ink::beside(appearance.light));
+        Ok(timings.timed("layout", || layout.composed(eyes, labels)))
     }
 
     /// What every pixel of the left and the right eye shows.

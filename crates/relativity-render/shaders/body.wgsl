@@ -6,6 +6,8 @@ struct Body {
     radius: f32,
     // The other end of a tube, or a ring's unit axis and the radius of its middle circle.
     form: vec4f,
+    // Unit quaternion from the body's own axes to those of the rest frame.
+    turn: vec4f,
 }
 
 struct Surface {
@@ -18,4 +20,20 @@ struct Surface {
     // The point, from the body's middle.
     place: vec3f,
     normal: vec3f,
+}
+
+// `v` turned by the unit quaternion `turn`.
+fn turned(v: vec3f, turn: vec4f) -> vec3f {
+    let twist = 2.0 * cross(turn.xyz, v);
+    return v + turn.w * twist + cross(turn.xyz, twist);
+}
+
+// From the body's own axes to those of the rest frame.
+fn rest_from_body(v: vec3f, body: Body) -> vec3f {
+    return turned(v, body.turn);
+}
+
+// And back.
+fn body_from_rest(v: vec3f, body: Body) -> vec3f {
+    return turned(v, vec4f(-body.turn.xyz, body.turn.w));
 }

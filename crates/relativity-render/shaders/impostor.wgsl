@@ -11,16 +11,18 @@ struct Piece {
     // The `Body`.
     @location(2) place_radius: vec4f,
     @location(3) form: vec4f,
+    @location(4) turn: vec4f,
     // Linear sRGB without Doppler shift.
-    @location(4) rest_colour: vec4f,
+    @location(5) rest_colour: vec4f,
 }
 
 struct Fragment {
     @builtin(position) position: vec4f,
     @location(0) @interpolate(flat) place_radius: vec4f,
     @location(1) @interpolate(flat) form: vec4f,
-    @location(2) @interpolate(flat) rest_colour_wavelength: vec4f,
-    @location(3) @interpolate(flat) index: f32,
+    @location(2) @interpolate(flat) turn: vec4f,
+    @location(3) @interpolate(flat) rest_colour_wavelength: vec4f,
+    @location(4) @interpolate(flat) index: f32,
 }
 
 @vertex
@@ -31,13 +33,14 @@ fn rectangle(@builtin(vertex_index) vertex: u32, piece: Piece) -> Fragment {
         vec4f(place, 0.5, 1.0),
         piece.place_radius,
         piece.form,
+        piece.turn,
         vec4f(piece.rest_colour.rgb, piece.second_axis_index_wavelength.w),
         piece.second_axis_index_wavelength.z,
     );
 }
 
 fn body_of(fragment: Fragment) -> Body {
-    return Body(fragment.place_radius.xyz, fragment.place_radius.w, fragment.form);
+    return Body(fragment.place_radius.xyz, fragment.place_radius.w, fragment.form, fragment.turn);
 }
 
 // What a pixel shows of a body, and how deep inside the outline each of its samples lies, in pixels.

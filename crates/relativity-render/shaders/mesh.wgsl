@@ -14,12 +14,11 @@ struct Instance {
     // The `Body`.
     @location(2) place_radius: vec4f,
     @location(3) form: vec4f,
-    // Unit vector across the axis; number of the body.
-    @location(4) across_index: vec4f,
+    @location(4) turn: vec4f,
     // Linear sRGB without Doppler shift; rest wavelength in nm.
     @location(5) colour_wavelength: vec4f,
-    // How much of a pixel a body thinner than one covers.
-    @location(6) cover: f32,
+    // How much of a pixel a body thinner than one covers, and the number of the body.
+    @location(6) cover_index: vec2f,
 }
 
 struct Fragment {
@@ -31,10 +30,10 @@ struct Fragment {
     @location(2) apparent: vec3f,
     @location(3) doppler: f32,
     @location(4) @interpolate(flat) colour_wavelength: vec4f,
-    // How much of a pixel it covers, and the number of the body.
     @location(5) @interpolate(flat) cover_index: vec2f,
     @location(6) @interpolate(flat) place_radius: vec4f,
     @location(7) @interpolate(flat) form: vec4f,
+    @location(8) @interpolate(flat) turn: vec4f,
 }
 
 struct Sighting {
@@ -93,8 +92,8 @@ fn mapped_along_x(c: vec3f) -> Sighting {
 
 @vertex
 fn corner(corner: Corner, instance: Instance) -> Fragment {
-    let body = Body(instance.place_radius.xyz, instance.place_radius.w, instance.form);
-    let shape = corner_place(corner, body, instance.across_index.xyz);
+    let body = Body(instance.place_radius.xyz, instance.place_radius.w, instance.form, instance.turn);
+    let shape = corner_place(corner, body);
     let from_centre = middle(body) + shape.place;
     let seen = mapped(frame.middle.xyz + (frame.middle_fine.xyz + from_centre));
     let clip = vec4f(
@@ -110,9 +109,10 @@ fn corner(corner: Corner, instance: Instance) -> Fragment {
         seen.position,
         seen.doppler,
         instance.colour_wavelength,
-        vec2f(instance.cover, instance.across_index.w),
+        instance.cover_index,
         instance.place_radius,
         instance.form,
+        instance.turn,
     );
 }
 
@@ -136,7 +136,7 @@ fn measure(fragment: Fragment) -> Measure {
         }
         return Measure(1.0 / (1.0 + distance), fragment.doppler);
     }
-    let body = Body(fragment.place_radius.xyz, fragment.place_radius.w, fragment.form);
+    let body = Body(fragment.place_radius.xyz, fragment.place_radius.w, fragment.form, fragment.turn);
     return Measure(depth(ray, surface(body, ray).beyond), ray.doppler);
 }
 

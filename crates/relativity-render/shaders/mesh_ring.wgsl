@@ -6,9 +6,8 @@ struct Shape {
 }
 
 // profile: unit normal off and along the axis.
-fn corner_place(corner: Corner, body: Body, across: vec3f) -> Shape {
-    let axis = body.form.xyz;
-    let outward = corner.turn.x * across + corner.turn.y * cross(axis, across);
-    let normal = outward * corner.profile.x + axis * corner.profile.y;
+fn corner_place(corner: Corner, body: Body) -> Shape {
+    let outward = rest_from_body(vec3f(corner.turn, 0.0), body);
+    let normal = rest_from_body(vec3f(corner.turn * corner.profile.x, corner.profile.y), body);
     return Shape(outward * body.form.w + normal * body.radius, normal);
 }

@@ -61,12 +61,12 @@ pub const BLOCKS: [Mirror; 1] = [mirror!(
 /// The structs of vertices and instances.
 pub const VERTICES: [VertexMirror; 3] = [
     VertexMirror {
-        mirror: mirror!(Piece: place, second_axis_index_wavelength, place_radius, form, rest_colour),
+        mirror: mirror!(Piece: place, second_axis_index_wavelength, place_radius, form, turn, rest_colour),
         layout: Piece::LAYOUT,
     },
     VertexMirror { mirror: mirror!(Corner: profile, turn), layout: Corner::LAYOUT },
     VertexMirror {
-        mirror: mirror!(Instance: place_radius, form, across_index, colour_wavelength, cover),
+        mirror: mirror!(Instance: place_radius, form, turn, colour_wavelength, cover_index),
         layout: Instance::LAYOUT,
     },
 ];

@@ -12,6 +12,7 @@ use crate::colour::linear_srgb;
 use crate::intersect::{Solid, bounding_box};
 use crate::kind::Kind;
 use crate::surface::Surface;
+use crate::turn::turn_of;
 use crate::view::Colour;
 
 /// Where the bodies of a group are as a whole: they are placed from their middle, so that they keep their places among
@@ -41,6 +42,8 @@ pub struct PreparedBody {
     pub(crate) place_radius: [f32; 4],
     /// The other end of a tube, or a ring's unit axis and the radius of its middle circle.
     pub(crate) form: [f32; 4],
+    /// Unit quaternion from its own axes to those of the rest frame.
+    pub(crate) turn: [f32; 4],
     /// What triangles approach.
     pub(crate) surface: Surface,
     /// Whether its surface may coincide with another's.
@@ -104,6 +107,7 @@ impl PreparedBody {
             kind: Kind::of(&body.shape),
             place_radius,
             form,
+            turn: turn_of(&body.shape).as_quat().to_array(),
             surface: Surface::new(&body.shape),
             joint: Joint::default(),
             capsules: first..capsules.len(),

@@ -8,8 +8,9 @@ use super::Asks;
 use crate::app::command::Command;
 use crate::app::observer::Eye;
 use crate::app::state::State;
+use crate::app::theme;
 use crate::app::widgets::{dot, named_text};
-use crate::app::{figures, theme};
+use crate::figures;
 
 /// Shows the readout.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {

@@ -8,10 +8,10 @@ use relativity_render::Geometry;
 
 use super::curves::Setup;
 use super::figures;
-use crate::flags::choices::{FileKind, RendererChoice, Size};
+use crate::flags::choices::{FileKind, Layout, RendererChoice, Size};
 use crate::flags::{SpeedParameter, SpeedSetting};
 use crate::settings::{Daylight, Preset, Settings};
-use crate::studio::Studio;
+use crate::studio::{Sheet, Studio};
 
 /// A row of frames, as one figure of the paper shows them.
 #[derive(Debug)]
@@ -143,7 +143,8 @@ impl Figure {
 
 /// The frames below each other, with their times.
 fn svg(frames: &[Frame]) -> String {
-    let (width, row) = (2 * WIDTH, HEIGHT + CAPTION_HEIGHT);
+    let [width, frame_height] = Sheet::new(Layout::SideBySide, [WIDTH, HEIGHT], true).size;
+    let row = frame_height + CAPTION_HEIGHT;
     let height = row * frames.len() as u32;
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
@@ -156,7 +157,7 @@ fn svg(frames: &[Frame]) -> String {
         let _ = writeln!(
             svg,
             "<text x=\"8\" y=\"{text}\">T = {:.3}; the tracked point at {left:.0} nm (left eye) and {right:.0} nm (right eye)</text>\n\
-             <image x=\"0\" y=\"{top}\" width=\"{width}\" height=\"{HEIGHT}\" href=\"{}\"/>",
+             <image x=\"0\" y=\"{top}\" width=\"{width}\" height=\"{frame_height}\" href=\"{}\"/>",
             frame.time, frame.file
         );
     }

@@ -43,6 +43,7 @@ pub struct Piece {
     pub second_axis_index_wavelength: [f32; 4],
     pub place_radius: [f32; 4],
     pub form: [f32; 4],
+    pub turn: [f32; 4],
     pub rest_colour: [f32; 4],
 }
 
@@ -133,7 +134,7 @@ impl Piece {
         array_stride: size_of::<Self>() as u64,
         step_mode: wgpu::VertexStepMode::Instance,
         attributes: &wgpu::vertex_attr_array![
-            0 => Float32x4, 1 => Float32x4, 2 => Float32x4, 3 => Float32x4, 4 => Float32x4
+            0 => Float32x4, 1 => Float32x4, 2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4
         ],
     };
 
@@ -150,6 +151,7 @@ impl Piece {
             ],
             place_radius: body.place_radius,
             form: body.form,
+            turn: body.turn,
             rest_colour: [red, green, blue, 0.0],
         }
     }

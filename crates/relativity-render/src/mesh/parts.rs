@@ -9,7 +9,7 @@ use super::template::Division;
 use crate::drawing::{Shot, Trait};
 use crate::footprint::Projection;
 use crate::group_view::GroupView;
-use crate::prepared_body::{Joint, PreparedBody, packed};
+use crate::prepared_body::{Joint, PreparedBody};
 use crate::view::{Colour, Geometry};
 
 /// Mirror of the shaders' `Instance`.
@@ -18,9 +18,9 @@ use crate::view::{Colour, Geometry};
 pub struct Instance {
     pub place_radius: [f32; 4],
     pub form: [f32; 4],
-    pub across_index: [f32; 4],
+    pub turn: [f32; 4],
     pub colour_wavelength: [f32; 4],
-    pub cover: f32,
+    pub cover_index: [f32; 2],
 }
 
 /// A body as it is drawn.
@@ -89,7 +89,12 @@ impl Part {
     /// What it has in common with those that are drawn with it.
     fn common(&self) -> Trait<Division> {
         let Self { division, group, .. } = *self;
-        Trait { group, kind: division.kind(), template: division, is_thin: self.instance.cover < 1.0 }
+        Trait {
+            group,
+            kind: division.kind(),
+            template: division,
+            is_thin: self.instance.cover_index[0] < 1.0,
+        }
     }
 
     /// Its place in the order: faded ones last; group by group; in the bodies' order where surfaces may coincide, so
@@ -97,7 +102,7 @@ impl Part {
     fn rank(&self) -> (bool, usize, Option<Division>, u32) {
         let Trait { is_thin, .. } = self.common();
         let is_joined = if is_thin { self.joint.widened } else { self.joint.as_it_is };
-        let [_, _, _, index] = self.instance.across_index;
+        let [_, index] = self.instance.cover_index;
         (is_thin, self.group, (!is_joined).then_some(self.division), index as u32)
     }
 }
@@ -108,7 +113,7 @@ impl Instance {
         array_stride: size_of::<Self>() as u64,
         step_mode: wgpu::VertexStepMode::Instance,
         attributes: &wgpu::vertex_attr_array![
-            2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4, 6 => Float32
+            2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4, 6 => Float32x2
         ],
     };
 
@@ -117,9 +122,9 @@ impl Instance {
         Self {
             place_radius: body.place_radius,
             form: body.form,
-            across_index: packed(body.surface.across(), f64::from(body.index())),
+            turn: body.turn,
             colour_wavelength: [red, green, blue, body.emission.wavelength_nm().unwrap_or(0.0) as f32],
-            cover: 1.0,
+            cover_index: [1.0, body.index()],
         }
     }
 
@@ -131,6 +136,7 @@ impl Instance {
         if radius >= half_pixel {
             return self;
         }
-        Self { place_radius: [x, y, z, half_pixel], cover: radius / half_pixel, ..self }
+        let [_, index] = self.cover_index;
+        Self { place_radius: [x, y, z, half_pixel], cover_index: [radius / half_pixel, index], ..self }
     }
 }

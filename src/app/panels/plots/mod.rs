@@ -22,9 +22,10 @@ use crate::app::fitting::Fitting;
 use crate::app::observer::Eye;
 use crate::app::panels::Asks;
 use crate::app::state::State;
+use crate::app::theme;
 use crate::app::widgets::dot;
 use crate::app::widgets::icons::{self, Icon};
-use crate::app::{figures, theme};
+use crate::figures;
 use crate::settings::PlotTab;
 
 /// What there is to plot.
