@@ -9,7 +9,7 @@ use relativity_core::math;
 use relativity_render::{Colour, Geometry, Method, PreparedScene, View};
 
 use super::Asks;
-use crate::app::command::{Command, Pick};
+use crate::app::command::{Command, Pick, Zoom};
 use crate::app::eyes::Shown;
 use crate::app::observer::Eye;
 use crate::app::points::Point;
@@ -63,7 +63,7 @@ pub fn interact(ui: &mut Ui, state: &State, pane: EyePane, asks: &mut Asks) {
     let name = format!("{} view", pane.eye.name());
     response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, &name));
     if response.double_clicked() {
-        asks.push(Command::ResetLook);
+        asks.push(Command::Frame);
     } else if let (true, Some(place)) = (response.clicked(), response.interact_pointer_pos()) {
         let add = ui.input(|input| input.modifiers.shift);
         asks.push(Command::Pick(Pick { eye: pane.eye, pixel: pane.pixel(place), size: pane.size, add }));
@@ -74,7 +74,8 @@ pub fn interact(ui: &mut Ui, state: &State, pane: EyePane, asks: &mut Asks) {
         let pinch = f64::from(ui.input(egui::InputState::zoom_delta));
         let factor = math::exp(-scroll * ZOOM_PER_SCROLL) / pinch;
         if factor != 1.0 && factor.is_finite() {
-            asks.push(Command::Zoom(factor));
+            let place = response.hover_pos().unwrap_or(pane.rect.center());
+            asks.push(Command::Zoom(Zoom { eye: pane.eye, pixel: pane.pixel(place), size: pane.size, factor }));
         }
     }
 }
