@@ -14,8 +14,8 @@ use crate::passage::time_within;
 use crate::platform::files;
 use crate::scene::Track;
 use crate::settings::{
-    Daylight, FOV_DEGREES, FitSetup, Light, Look, Motion, Playback, Plots, Quality, Settings, SettingsError,
-    Window, looks_like_settings,
+    Daylight, FOV_DEGREES, FitSetup, Light, Look, Motion, Playback, Plots, Preset, Quality, Settings,
+    SettingsError, Window, looks_like_settings,
 };
 
 /// Something the user asked for.
@@ -68,6 +68,8 @@ pub enum Command {
     RemovePoint(usize),
     /// Show another preset.
     Preset(&'static str),
+    /// Show this state, all else as usual but for the parts of the window.
+    State(&'static Preset),
     /// Show what is in a file: a scene, settings, or a picture with which settings it was made.
     Open(PathBuf),
     /// Show or hide the help.
@@ -134,6 +136,9 @@ impl State {
             Command::SelectPoint(index) => self.session.points.select(index),
             Command::RemovePoint(index) => self.session.points.remove(index),
             Command::Preset(name) => self.show(self.with_scene(name.to_owned())),
+            Command::State(preset) => {
+                self.show(Settings { window: self.settings.window, ..preset.settings.clone() });
+            }
             Command::Open(path) => match self.settings_in(&path) {
                 Ok(settings) => self.show(settings),
                 Err(error) => self.session.notice = Some(error.to_string()),
@@ -150,9 +155,9 @@ impl State {
         let is_rebuilt = light.surroundings != self.settings.light.surroundings;
         self.settings.light = light;
         if is_rebuilt {
-            let playing = self.session.playing;
+            let Session { playing, preset, .. } = self.session;
             self.show(self.shown());
-            self.session.playing = playing;
+            (self.session.playing, self.session.preset) = (playing, preset);
         }
     }
 

@@ -7,7 +7,7 @@ use super::clock;
 use super::points::{Point, Points};
 use crate::passage;
 use crate::scene::{Scene, SceneError, Track};
-use crate::settings::Settings;
+use crate::settings::{Preset, Settings};
 
 /// Everything the panels read. Only [`super::command`] changes it.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,6 +35,8 @@ pub struct Session {
     pub help: bool,
     /// Width and height of an eye's picture, which a field of view is fitted to, pixels.
     pub picture_size: [u32; 2],
+    /// The preset that is shown, until another scene or state is.
+    pub preset: Option<&'static Preset>,
     /// A message about the last thing that could not be done.
     pub notice: Option<String>,
 }
@@ -44,6 +46,7 @@ impl State {
     /// that passes.
     #[must_use]
     pub fn new(mut settings: Settings, scene: Scene) -> Self {
+        let preset = Preset::of(&settings);
         let tracked = scene.track(settings.point.take());
         let time = settings.time.take().unwrap_or_else(|| settings.time_of_approach(&tracked));
         let session = Session {
@@ -53,6 +56,7 @@ impl State {
             points: Points::tracked(tracked),
             help: false,
             picture_size: settings.picture.size.0,
+            preset,
             notice: None,
             scene,
         };
@@ -95,12 +99,13 @@ impl State {
         self.settings.playback.range.0.unwrap_or_else(fitted)
     }
 
-    /// Wavelength at rest of the light of `point`, nm: of the body it was picked on, else of the first.
+    /// Wavelength at rest of the light of `point`, nm: of the body it was picked on, else of the first; white light has
+    /// none.
     #[must_use]
-    pub fn rest_wavelength_nm(&self, point: &Point) -> f64 {
+    pub fn rest_wavelength_nm(&self, point: &Point) -> Option<f64> {
         let bodies = self.session.prepared.bodies();
-        let body = point.body.and_then(|body| bodies.get(body)).or(bodies.first());
-        body.map_or(f64::NAN, |body| body.rest_wavelength_nm)
+        let body = point.body.and_then(|body| bodies.get(body)).or(bodies.first())?;
+        body.emission.wavelength_nm()
     }
 
     /// What becomes of its light, in a light window or a dark one.

@@ -61,7 +61,7 @@ pub enum Problem {
         /// What needs it.
         owner: &'static str,
     },
-    /// A value of the wrong type.
+    /// A value of the wrong type, or none of those that there are.
     #[error("{key} = {value} must be {expected}")]
     WrongType {
         /// The key.

@@ -1,6 +1,6 @@
 //! The scene format: what each table of a scene file means.
 
-use relativity_render::{Body, Motion, Shape, Velocity};
+use relativity_render::{Body, Emission, Motion, Shape, Velocity};
 use toml::de::DeTable;
 
 use super::content::{Scene, SceneGroup};
@@ -11,6 +11,8 @@ use super::table::{Table, coincide};
 
 /// Red, as in the paper.
 const DEFAULT_WAVELENGTH_NM: f64 = 700.0;
+/// The keys of an object of any shape, beside its shape.
+const OF_EVERY_OBJECT: [&str; 6] = ["name", "wavelength_nm", "light", "brightness", "repeat", "step"];
 
 /// The scene that a file's text describes.
 pub(super) fn scene(text: &str) -> Result<Scene, Located> {
@@ -142,18 +144,45 @@ fn object(mut object: Table) -> Result<Object, Located> {
         }
         _ => return Err(object.problem_at("shape", Problem::UnknownShape)),
     };
-    let rest_wavelength_nm = object.size("wavelength_nm")?.unwrap_or(DEFAULT_WAVELENGTH_NM);
     let name = object.string("name")?.map(str::to_owned);
-    Ok(Object { body: Body::new(shape, rest_wavelength_nm), name })
+    let body = Body { shape, emission: emission(&object)?, brightness: brightness(&object)? };
+    Ok(Object { body, name })
+}
+
+/// Refuses keys other than those of every object and the `known` ones of its shape.
+fn check_keys(object: &Table, known: &[&str]) -> Result<(), Located> {
+    object.check_keys(&[&["shape"], known, &OF_EVERY_OBJECT].concat())
+}
+
+/// The light of an object: of one wavelength unless it says otherwise.
+fn emission(object: &Table) -> Result<Emission, Located> {
+    let wavelength = object.size("wavelength_nm")?;
+    match (object.string("light")?, wavelength) {
+        (None, wavelength) => Ok(Emission::Wavelength(wavelength.unwrap_or(DEFAULT_WAVELENGTH_NM))),
+        (Some("white"), None) => Ok(Emission::White),
+        (Some("white"), Some(_)) => {
+            Err(object.wrong("wavelength_nm", "left out where light = \"white\", which has every wavelength"))
+        }
+        (Some(_), _) => Err(object.wrong("light", "\"white\", or left out for light of one wavelength")),
+    }
+}
+
+/// How bright an object is beside others: as bright as can be unless it says otherwise.
+fn brightness(object: &Table) -> Result<f64, Located> {
+    let Some(brightness) = object.coordinate("brightness")? else { return Ok(1.0) };
+    if brightness > 0.0 && brightness <= 1.0 {
+        return Ok(brightness);
+    }
+    Err(object.wrong("brightness", "above 0 and at most 1"))
 }
 
 fn sphere(object: &Table) -> Result<Shape, Located> {
-    object.check_keys(&["shape", "name", "center", "radius", "wavelength_nm", "repeat", "step"])?;
+    check_keys(object, &["center", "radius"])?;
     Ok(Shape::Sphere { center: object.needed_point("center")?, radius: object.needed_size("radius")? })
 }
 
 fn tube(object: &Table) -> Result<Shape, Located> {
-    object.check_keys(&["shape", "name", "from", "to", "radius", "wavelength_nm", "repeat", "step"])?;
+    check_keys(object, &["from", "to", "radius"])?;
     let from = object.needed_point("from")?;
     let to = object.needed_point("to")?;
     if coincide(from, to) {
@@ -163,17 +192,7 @@ fn tube(object: &Table) -> Result<Shape, Located> {
 }
 
 fn ring(object: &Table) -> Result<Shape, Located> {
-    object.check_keys(&[
-        "shape",
-        "name",
-        "center",
-        "axis",
-        "radius",
-        "tube_radius",
-        "wavelength_nm",
-        "repeat",
-        "step",
-    ])?;
+    check_keys(object, &["center", "axis", "radius", "tube_radius"])?;
     let center = object.needed_point("center")?;
     let axis = object.needed_direction("axis")?;
     let radius = object.needed_size("radius")?;

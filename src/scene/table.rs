@@ -123,6 +123,11 @@ impl<'a> Table<'a> {
         Located { problem: problem(self.quoted(&span)), span }
     }
 
+    /// That the value of `key` is not what is `expected`.
+    pub fn wrong(&self, key: &'static str, expected: &'static str) -> Located {
+        self.problem_at(key, |value| Problem::WrongType { key, value, expected })
+    }
+
     /// The value of `key` as the file has it.
     pub fn quoted_value(&self, key: &str) -> String {
         self.value(key).map_or_else(String::new, |value| self.quoted(&value.span()))

@@ -1,6 +1,6 @@
 //! Scene files, right and wrong.
 
-use relativity_render::{Body, Motion, Shape, Velocity};
+use relativity_render::{Body, Emission, Motion, Shape, Velocity};
 
 use super::{PRESETS, Scene, SceneError};
 
@@ -197,7 +197,7 @@ fn presets_are_found_by_name_only() {
     assert_eq!(Scene::preset("cyclist.toml"), None);
     assert_eq!(
         Scene::open("cycle").expect_err("no such scene").to_string(),
-        "no scene is called `cycle`: there are cyclist, street, two-balls, lattice; for a file, give a name \
+        "no scene is called `cycle`: there are street, cyclist, two-balls, lattice; for a file, give a name \
          ending in .toml"
     );
 }
@@ -223,11 +223,11 @@ fn an_unknown_key_is_told_the_keys_there_are() {
     );
     assert_eq!(
         object_error("shape = \"sphere\"\ncenter = [0, 3, 2]\nradus = 1"),
-        "balls.toml:5: unknown key `radus`: a sphere has shape, name, center, radius, wavelength_nm, repeat, step"
+        "balls.toml:5: unknown key `radus`: a sphere has shape, center, radius, name, wavelength_nm, light, brightness, repeat, step"
     );
     assert_eq!(
         object_error("shape = \"tube\"\ncenter = [0, 3, 2]"),
-        "balls.toml:4: unknown key `center`: a tube has shape, name, from, to, radius, wavelength_nm, repeat, step"
+        "balls.toml:4: unknown key `center`: a tube has shape, from, to, radius, name, wavelength_nm, light, brightness, repeat, step"
     );
     assert_eq!(
         error("name = \"x\"\n[[include]]\nscene = \"cyclist\"\nmove = [0, 0, 1]"),
@@ -295,6 +295,33 @@ fn a_size_must_be_positive_and_drawable() {
 }
 
 #[test]
+fn an_object_may_be_white_and_dim() {
+    let ball = |light: &str| {
+        let text =
+            format!("{EXAMPLE}[[object]]\nshape = \"sphere\"\ncenter = [9, 0, 0]\nradius = 1\n{light}");
+        let scene = Scene::parse(&text, "balls.toml").map_err(|error| error.to_string())?;
+        let body = *scene.bodies.last().expect("the ball");
+        Ok::<_, String>((body.emission, body.brightness))
+    };
+    assert_eq!(ball(""), Ok((Emission::Wavelength(700.0), 1.0)));
+    assert_eq!(ball("light = \"white\"\nbrightness = 0.25"), Ok((Emission::White, 0.25)));
+    assert_eq!(ball("wavelength_nm = 600\nbrightness = 1"), Ok((Emission::Wavelength(600.0), 1.0)));
+    for (light, problem) in [
+        ("light = \"red\"", "light = \"red\" must be \"white\", or left out for light of one wavelength"),
+        (
+            "wavelength_nm = 5\nlight = \"white\"",
+            "wavelength_nm = 5 must be left out where light = \"white\", which has every wavelength",
+        ),
+        ("brightness = 0", "brightness = 0 must be above 0 and at most 1"),
+        ("brightness = 1.5", "brightness = 1.5 must be above 0 and at most 1"),
+        ("brightness = nan", "brightness = nan must lie between -1e6 and 1e6"),
+    ] {
+        let error = ball(light).expect_err(problem);
+        assert!(error.ends_with(problem), "{error}");
+    }
+}
+
+#[test]
 fn a_ring_must_have_a_hole_and_an_axis() {
     let ring = |rest: &str| object_error(&format!("shape = \"ring\"\ncenter = [0, 3, 2]\n{rest}"));
     assert_eq!(
@@ -323,7 +350,7 @@ fn shapes_and_scenes_are_known_by_name() {
     );
     assert_eq!(
         error("name = \"x\"\n[[include]]\nscene = \"cyclists\""),
-        "balls.toml:3: scene = \"cyclists\" must be one of cyclist, street, two-balls, lattice"
+        "balls.toml:3: scene = \"cyclists\" must be one of street, cyclist, two-balls, lattice"
     );
 }
 

@@ -24,9 +24,10 @@ const KERB_WIDTH: f64 = 0.25;
 const LANE_HALF_WIDTH: f64 = 0.09;
 /// Length of the dashes of that line, the first of which begins at x = 0, and from one to the next.
 const DASH: [f64; 2] = [3.0, 8.0];
-/// Of the ground at the distance s the share 1/(1 + `HAZE` s^2) is seen, half of it 20 units away: so the plane
-/// ends in the sky and not in a line, and the flicker of far grid lines with it.
-const HAZE: f64 = 0.0025;
+/// Of the ground at the distance s the share 1/(1 + haze s^2) is seen, of a grid half of it 20 units away, of a road
+/// half of it 50 units away: so the plane ends in the sky and not in a line, and the flicker of far lines with it.
+const GRID_HAZE: f64 = 0.0025;
+const ROAD_HAZE: f64 = 0.0004;
 /// The sky is the zenith's colour above the height z of a line of sight of 1/`SKY_RISE`, 46 degrees: a picture
 /// that looks straight ahead shows all of the gradient.
 const SKY_RISE: f64 = 1.4;
@@ -102,7 +103,7 @@ pub(crate) fn constants(floor: Floor) -> [Constant; 12] {
         ("AXIS_HALF_WIDTH", AXIS_HALF_WIDTH),
         ("GRID_FADE_START", GRID_FADE[0]),
         ("GRID_FADE_RATE", GRID_FADE[1]),
-        ("HAZE", HAZE),
+        ("HAZE", if floor == Floor::Road { ROAD_HAZE } else { GRID_HAZE }),
         ("SKY_RISE", SKY_RISE),
     ]
 }
@@ -187,7 +188,8 @@ impl Backdrop {
             }
             None => mix(gridded, paint, axis_cover(foot.x, pixel.x).max(axis_cover(foot.y, pixel.y))),
         };
-        mix(self.sky(n), painted, 1.0 / (1.0 + HAZE * distance * distance))
+        let haze = if self.road.is_some() { ROAD_HAZE } else { GRID_HAZE };
+        mix(self.sky(n), painted, 1.0 / (1.0 + haze * distance * distance))
     }
 }
 

@@ -63,6 +63,7 @@ pub mod gpu;
 pub mod group_view;
 mod hits;
 pub mod intersect;
+mod ipt;
 mod kind;
 mod mesh;
 #[doc(hidden)]
@@ -90,7 +91,7 @@ mod turn;
 pub mod velocity;
 pub mod view;
 
-pub use body::{Body, Shape};
+pub use body::{Body, Emission, Shape};
 pub use camera::{Camera, Gaze};
 pub use gpu::{Gpu, GpuError};
 pub use group_view::{GroupView, RestRay};

@@ -5,8 +5,10 @@ use relativity_core::threads::prelude::*;
 
 use crate::colour::hue_preserving_clip;
 use crate::picture::{Picture, encoded};
+use crate::prepared_body::PreparedBody;
 use crate::rectify::Rectification;
 use crate::reference::{Hit, HitImage, sample_grid};
+use crate::scene::PreparedScene;
 use crate::shade::surface_colour;
 use crate::view::Appearance;
 
@@ -27,12 +29,12 @@ impl Rectification {
     ///
     /// Wavelengths are multiplied by the D of this rectification's speed and intensities divided by D^n, as
     /// `appearance` has it: at the true speed each body has its colour at rest, at any other the rest of the
-    /// Doppler effect stays. `rest_wavelengths_nm` belongs to the bodies, in their order.
+    /// Doppler effect stays. `hits` are of `scene`.
     #[must_use]
     pub fn picture_of_hits(
         &self,
         hits: &HitImage,
-        rest_wavelengths_nm: &[f64],
+        scene: &PreparedScene,
         appearance: &Appearance,
         blank: Blank,
     ) -> Picture {
@@ -43,7 +45,7 @@ impl Rectification {
             let index = row as usize * hits.size[0] as usize + column as usize;
             let Some(hit) = hits.hits.get(index).copied().flatten() else { return blank.background };
             let doppler_factor = self.doppler_factor([column + 0.5, row + 0.5]);
-            corrected_colour(&hit, rest_wavelengths_nm[hit.body], appearance, doppler_factor)
+            corrected_colour(&hit, &scene.bodies()[hit.body], appearance, doppler_factor)
         };
         let pixel = |index: u32| {
             let places = sample_grid([index % width, index / width], SAMPLES);
@@ -60,18 +62,18 @@ impl Rectification {
 /// What is left of the Doppler effect of `hit` when one with `doppler_factor` is undone.
 fn corrected_colour(
     hit: &Hit,
-    rest_wavelength_nm: f64,
+    body: &PreparedBody,
     appearance: &Appearance,
     doppler_factor: f64,
 ) -> [f64; 3] {
     let left = hit.doppler_factor / doppler_factor;
-    hue_preserving_clip(surface_colour(appearance, rest_wavelength_nm, hit.rest_normal, left))
+    hue_preserving_clip(surface_colour(appearance, body, hit.rest_normal, left))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Body, Camera, Colour, Gaze, Geometry, PreparedScene, Shading, Shape, Velocity, View};
+    use crate::{Body, Camera, Colour, Gaze, Geometry, Shading, Shape, Velocity, View};
     use relativity_core::{Aperture, Speed};
 
     const RED_NM: f64 = 640.0;
@@ -90,10 +92,7 @@ mod tests {
     }
 
     fn bodies() -> Vec<Body> {
-        let sphere = |x: f64| Body {
-            shape: Shape::Sphere { center: [x, 3.0, 1.6], radius: 0.5 },
-            rest_wavelength_nm: RED_NM,
-        };
+        let sphere = |x: f64| Body::new(Shape::Sphere { center: [x, 3.0, 1.6], radius: 0.5 }, RED_NM);
         vec![sphere(-1.2), sphere(0.0)]
     }
 
@@ -112,12 +111,12 @@ mod tests {
     }
 
     fn corrected(fitted_beta: f64) -> Picture {
-        let (view, bodies) = (view(), bodies());
-        let hits = PreparedScene::moving(&bodies).hit_image(&view);
+        let (view, scene) = (view(), PreparedScene::moving(&bodies()));
+        let hits = scene.hit_image(&view);
         let velocity = Velocity::from_beta(fitted_beta).expect("a speed");
         let rest = Rectification::rest_camera(&view.camera, &velocity);
         let rectification = Rectification::new(view.camera, rest, velocity);
-        rectification.picture_of_hits(&hits, &[RED_NM; 2], &appearance(), BLANK)
+        rectification.picture_of_hits(&hits, &scene, &appearance(), BLANK)
     }
 
     fn greyness(pixel: [u8; 4]) -> u8 {

@@ -179,9 +179,9 @@ impl PreparedScene {
         let ground_distance = backdrop.ground_distance(line_of_sight);
         match (hit, ground_distance) {
             (Some(hit), ground) if ground.is_none_or(|distance| hit.distance <= distance) => {
-                let wavelength_nm = self.bodies()[hit.body].rest_wavelength_nm;
+                let body = &self.bodies()[hit.body];
                 let Hit { rest_normal, doppler_factor, .. } = hit;
-                hue_preserving_clip(surface_colour(appearance, wavelength_nm, rest_normal, doppler_factor))
+                hue_preserving_clip(surface_colour(appearance, body, rest_normal, doppler_factor))
             }
             (_, Some(distance)) => backdrop.ground(line_of_sight, distance),
             (_, None) => backdrop.sky(line_of_sight),

@@ -134,14 +134,17 @@ impl Quantity {
     }
 }
 
-fn wavelengths(ui: &mut Ui, sightings: [Option<Sighting>; 2], rest_wavelength: f64, map: Colour) {
-    let tip = format!(
-        "Received wavelength; at rest {} nm.\nλ received = λ at rest / D",
-        figures::fixed(rest_wavelength, 0)
+fn wavelengths(ui: &mut Ui, sightings: [Option<Sighting>; 2], rest_wavelength: Option<f64>, map: Colour) {
+    let tip = rest_wavelength.map_or_else(
+        || "White light has every wavelength.".to_owned(),
+        |nm| {
+            format!("Received wavelength; at rest {} nm.\nλ received = λ at rest / D", figures::fixed(nm, 0))
+        },
     );
     ui.label(RichText::new("λ / nm").weak()).on_hover_text(&tip);
     for (eye, seen) in Eye::BOTH.into_iter().zip(sightings) {
-        let received = seen.map(|seen| received_wavelength(rest_wavelength, seen.doppler_factor));
+        let received =
+            seen.zip(rest_wavelength).map(|(seen, nm)| received_wavelength(nm, seen.doppler_factor));
         let text = figures::fixed_or_none(received, 1);
         let name = format!("{}, Received wavelength: {text} nm", eye.name());
         ui.horizontal(|ui| {

@@ -14,7 +14,7 @@ use crate::app::eyes::Shown;
 use crate::app::observer::Eye;
 use crate::app::points::Point;
 use crate::app::state::State;
-use crate::app::theme;
+use crate::app::{beyond, theme};
 use crate::app::widgets::pane_title;
 use crate::figures;
 
@@ -105,6 +105,7 @@ pub fn paint(ui: &Ui, state: &State, pane: EyePane, picture: Option<Shown>, heat
     }
     let inside = painter.with_clip_rect(pane.rect);
     markers(&inside, state, pane, visuals);
+    beyond::paint(ui, &inside, pane.rect, &state.beyond(pane.eye, pane.size));
     notes(ui, &inside, pane, &note(state, pane.eye, picture, heat_map.is_some()));
     painter.rect_stroke(pane.rect, 0.0, Stroke::new(1.5, colour), StrokeKind::Outside);
 }
