@@ -12,7 +12,7 @@ use gamow::files::png::PngFile;
 use gamow::flags::choices::GazeChoice;
 use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::scene::{PRESETS, Scene, Track};
-use gamow::settings::{Light, Preset, Settings, Theme};
+use gamow::settings::{Light, Preset, Settings, Subject, Theme};
 use relativity_render::{Geometry, Motion, View};
 
 const SIZE: [u32; 2] = [960, 720];
@@ -25,13 +25,16 @@ fn in_window(settings: Settings) -> [View; 2] {
 
 /// What `gamow render` draws of them, by the command that it records.
 fn in_picture(settings: &Settings) -> [View; 2] {
-    let tracked = Scene::open(&settings.scene).expect("the scene is there").track(settings.point);
-    let command = settings.resolved(&tracked).command();
+    let scene = Scene::open(&settings.scene).expect("the scene is there");
+    let prepared = scene.prepared();
+    let tracked = scene.track(settings.point);
+    let command = settings.resolved(Subject { scene: &prepared, tracked }).command();
     let recorded = Settings::default().with_command(&command, "picture.png").expect("it can be read");
     let time = recorded.time.expect("it is recorded");
     // The gaze is recorded as angles, so that nothing needs to be tracked.
     assert!(matches!(recorded.look.gaze, GazeChoice::Fixed(_)), "{command}");
-    recorded.views(&Track { rest: [f64::NAN; 3], ..tracked }, time, recorded.picture.size.0)
+    let untracked = Track { rest: [f64::NAN; 3], ..tracked };
+    recorded.views(Subject { scene: &prepared, tracked: untracked }, time, recorded.picture.size.0)
 }
 
 #[test]

@@ -174,7 +174,7 @@ impl Shown {
             let line_of_sight = seen.apparent_position(track.rest.into())?.try_normalize()?;
             Some(seen.rest_ray(line_of_sight).doppler_factor)
         };
-        let [left, right] = settings.views_ahead(time, [1, 1]).map(doppler_factor);
+        let [left, right] = settings.views_ahead(time).map(doppler_factor);
         Some(Self::RidingAlong([left?, right?]))
     }
 }

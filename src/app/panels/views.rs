@@ -9,13 +9,13 @@ use relativity_core::math;
 use relativity_render::{Colour, Geometry, Method, PreparedScene, View};
 
 use super::Asks;
-use crate::app::command::{Command, Pick};
+use crate::app::command::{Command, Pick, Zoom};
 use crate::app::eyes::Shown;
 use crate::app::observer::Eye;
 use crate::app::points::Point;
 use crate::app::state::State;
-use crate::app::theme;
 use crate::app::widgets::pane_title;
+use crate::app::{beyond, theme};
 use crate::caption;
 use crate::figures;
 use crate::settings::Light;
@@ -65,7 +65,7 @@ pub fn interact(ui: &mut Ui, state: &State, pane: EyePane, asks: &mut Asks) {
     let name = format!("{} view", pane.eye.name());
     response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, &name));
     if response.double_clicked() {
-        asks.push(Command::ResetLook);
+        asks.push(Command::Frame);
     } else if let (true, Some(place)) = (response.clicked(), response.interact_pointer_pos()) {
         let add = ui.input(|input| input.modifiers.shift);
         asks.push(Command::Pick(Pick { eye: pane.eye, pixel: pane.pixel(place), size: pane.size, add }));
@@ -76,7 +76,13 @@ pub fn interact(ui: &mut Ui, state: &State, pane: EyePane, asks: &mut Asks) {
         let pinch = f64::from(ui.input(egui::InputState::zoom_delta));
         let factor = math::exp(-scroll * ZOOM_PER_SCROLL) / pinch;
         if factor != 1.0 && factor.is_finite() {
-            asks.push(Command::Zoom(factor));
+            let place = response.hover_pos().unwrap_or(pane.rect.center());
+            asks.push(Command::Zoom(Zoom {
+                eye: pane.eye,
+                pixel: pane.pixel(place),
+                size: pane.size,
+                factor,
+            }));
         }
     }
 }
@@ -106,6 +112,7 @@ pub fn paint(ui: &Ui, state: &State, pane: EyePane, picture: Option<Shown>, heat
     }
     let inside = painter.with_clip_rect(pane.rect);
     markers(&inside, state, pane, visuals);
+    beyond::paint(ui, &inside, pane.rect, &state.beyond(pane.eye, pane.size));
     write(ui, &inside, pane, Align2::LEFT_BOTTOM, note(state, pane.eye, picture, heat_map.is_some()));
     write(ui, &inside, pane, Align2::LEFT_TOP, unseen(state, pane).unwrap_or_default());
     painter.rect_stroke(pane.rect, 0.0, Stroke::new(1.5, colour), StrokeKind::Outside);
