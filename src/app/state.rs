@@ -33,10 +33,10 @@ pub struct Session {
     pub points: Points,
     /// Whether the help is shown.
     pub help: bool,
-    /// Width and height of an eye's picture, which a field of view is fitted to, pixels.
-    pub picture_size: [u32; 2],
     /// The preset that is shown, until another scene or state is.
     pub preset: Option<&'static Preset>,
+    /// Width and height of an eye's picture, which a field of view is fitted to, pixels.
+    pub picture_size: [u32; 2],
     /// A message about the last thing that could not be done.
     pub notice: Option<String>,
 }
@@ -55,8 +55,8 @@ impl State {
             playing: false,
             points: Points::tracked(tracked),
             help: false,
-            picture_size: settings.picture.size.0,
             preset,
+            picture_size: settings.picture.size.0,
             notice: None,
             scene,
         };

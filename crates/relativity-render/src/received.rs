@@ -44,7 +44,9 @@ impl PreparedScene {
                 for capsule in self.capsules(body) {
                     for Light { weight, doppler_factor } in lights(capsule, &seen) {
                         let shift = if doppler_shift { doppler_factor } else { 1.0 };
-                        let band = Band::of(body.rest_wavelength_nm / shift);
+                        // Of white light some is visible at any shift that is not extreme.
+                        let wavelength_nm = body.emission.wavelength_nm();
+                        let band = wavelength_nm.map_or(Band::Visible, |nm| Band::of(nm / shift));
                         shares[band as usize] += weight;
                     }
                 }
