@@ -1,5 +1,7 @@
 //! What a scene is made of: solid shapes at rest in the frame of their group.
 
+use crate::pattern::Pattern;
+
 /// A solid shape in the rest frame. Lengths in the scene's unit; `[x, y, z]`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Shape {
@@ -54,13 +56,21 @@ pub struct Body {
     pub shape: Shape,
     /// Wavelength of its light in the rest frame, nm.
     pub rest_wavelength_nm: f64,
+    /// What it carries.
+    pub pattern: Pattern,
 }
 
 impl Body {
     /// A plain body of this `shape` and `rest_wavelength_nm`, above 0.
     #[must_use]
     pub const fn new(shape: Shape, rest_wavelength_nm: f64) -> Self {
-        Self { shape, rest_wavelength_nm }
+        Self { shape, rest_wavelength_nm, pattern: Pattern::Plain }
+    }
+
+    /// The body with this `pattern`.
+    #[must_use]
+    pub const fn with_pattern(self, pattern: Pattern) -> Self {
+        Self { pattern, ..self }
     }
 
     /// The body moved by `offset`.

@@ -68,6 +68,7 @@ mod mesh;
 #[doc(hidden)]
 pub mod mirrors;
 mod palette;
+pub mod pattern;
 pub mod picture;
 mod pipelines;
 mod polynomial;
@@ -91,6 +92,7 @@ pub use body::{Body, Shape};
 pub use camera::{Camera, Gaze};
 pub use gpu::{Gpu, GpuError};
 pub use group_view::{GroupView, RestRay};
+pub use pattern::Pattern;
 pub use picture::Picture;
 pub use reference::{Hit, HitImage};
 pub use renderers::{Method, Renderers};

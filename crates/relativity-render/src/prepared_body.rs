@@ -11,6 +11,7 @@ use crate::capsule::{Capsule, add_capsules};
 use crate::colour::linear_srgb;
 use crate::intersect::{Solid, bounding_box};
 use crate::kind::Kind;
+use crate::pattern::{Form, Marking};
 use crate::surface::Surface;
 use crate::turn::turn_of;
 use crate::view::Colour;
@@ -49,6 +50,10 @@ pub struct PreparedBody {
     /// Which of the scene's capsules contain it.
     pub(crate) capsules: Range<usize>,
     rest_colours: RestColours,
+    /// Its pattern; `None` for a plain one.
+    pub(crate) marking: Option<Marking>,
+    /// Whether it is drawn by a pipeline that knows patterns.
+    pub(crate) is_patterned: bool,
 }
 
 /// Whether a body has a rounded end, or all of a ring, in common with another: there the first of them is seen.
@@ -95,6 +100,7 @@ impl PreparedBody {
                 (from_middle(center, tube_radius), packed(axis.into(), radius))
             }
         };
+        let turn = turn_of(&body.shape);
         let first = capsules.len();
         add_capsules(&body.shape, capsules);
         Self {
@@ -104,11 +110,13 @@ impl PreparedBody {
             kind: Kind::of(&body.shape),
             place_radius,
             form,
-            turn: turn_of(&body.shape).as_quat().to_array(),
+            turn: turn.as_quat().to_array(),
             surface: Surface::new(&body.shape),
             joint: Joint::default(),
             capsules: first..capsules.len(),
             rest_colours: RestColours::new(body.rest_wavelength_nm),
+            marking: Marking::new(body.pattern, Form::new(&body.shape), turn),
+            is_patterned: false,
         }
     }
 
@@ -123,6 +131,11 @@ impl PreparedBody {
             Colour::Visible => self.rest_colours.visible,
             Colour::False => self.rest_colours.falsified,
         }
+    }
+
+    /// Its pattern for the shaders: 0 for none, and else what it is, and its steps along and around.
+    pub(crate) fn pattern(&self) -> [f32; 3] {
+        self.marking.map_or([0.0; 3], |marking| marking.packed())
     }
 
     /// The centres of the ends of a tube, or of a ring, as bits.
@@ -152,6 +165,16 @@ pub(crate) fn find_joints(bodies: &mut [PreparedBody], solids: &[Solid]) {
     let widened = shared_ends(bodies, |body| centre(body).to_array().map(f64::to_bits));
     for ((body, as_it_is), widened) in bodies.iter_mut().zip(as_they_are).zip(widened) {
         body.joint = Joint { as_it_is, widened };
+    }
+}
+
+/// Decides which of `bodies`, those of one group, are drawn by pipelines that know patterns: those that carry one, and
+/// with them those that share an end with others, since all of these must be drawn in their order.
+pub(crate) fn find_patterned(bodies: &mut [PreparedBody]) {
+    let has_patterns = bodies.iter().any(|body| body.marking.is_some());
+    for body in bodies {
+        let is_joined = body.joint.as_it_is || body.joint.widened;
+        body.is_patterned = body.marking.is_some() || has_patterns && is_joined;
     }
 }
 
