@@ -7,6 +7,8 @@ pub mod cli;
 pub mod columns;
 pub mod commands;
 pub mod estimate;
+mod eye_colours;
+mod figures;
 pub mod files;
 pub mod flags;
 mod passage;

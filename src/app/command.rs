@@ -13,8 +13,8 @@ use crate::passage::time_within;
 use crate::platform::files;
 use crate::scene::Track;
 use crate::settings::{
-    Daylight, FOV_DEGREES, FitSetup, Light, Look, Motion, Playback, Plots, Quality, Settings, SettingsError,
-    Window, looks_like_settings,
+    Daylight, FOV_DEGREES, FitSetup, Light, Look, Motion, Playback, Plots, Preset, Quality, Settings,
+    SettingsError, Window, looks_like_settings,
 };
 
 /// Something the user asked for.
@@ -67,6 +67,8 @@ pub enum Command {
     RemovePoint(usize),
     /// Show another preset.
     Preset(&'static str),
+    /// Show this state, all else as usual but for the parts of the window.
+    State(&'static Preset),
     /// Show what is in a file: a scene, settings, or a picture with which settings it was made.
     Open(PathBuf),
     /// Show or hide the help.
@@ -94,7 +96,7 @@ impl State {
         match command {
             Command::Motion(motion) => self.settings.motion = motion,
             Command::Look(look) => self.settings.look = look,
-            Command::Light(light) => self.settings.light = light,
+            Command::Light(light) => self.set_light(light),
             Command::Quality(quality) => self.settings.quality = quality,
             Command::Playback(playback) => self.settings.playback = playback,
             Command::Plots(plots) => self.settings.plots = plots,
@@ -120,6 +122,9 @@ impl State {
             Command::SelectPoint(index) => self.session.points.select(index),
             Command::RemovePoint(index) => self.session.points.remove(index),
             Command::Preset(name) => self.show(self.with_scene(name.to_owned())),
+            Command::State(preset) => {
+                self.show(Settings { window: self.settings.window, ..preset.settings.clone() });
+            }
             Command::Open(path) => match self.settings_in(&path) {
                 Ok(settings) => self.show(settings),
                 Err(error) => self.session.notice = Some(error.to_string()),
@@ -129,6 +134,16 @@ impl State {
                 self.session.help = false;
                 self.session.notice = None;
             }
+        }
+    }
+
+    fn set_light(&mut self, light: Light) {
+        let is_rebuilt = light.surroundings != self.settings.light.surroundings;
+        self.settings.light = light;
+        if is_rebuilt {
+            let Session { playing, preset, .. } = self.session;
+            self.show(self.shown());
+            (self.session.playing, self.session.preset) = (playing, preset);
         }
     }
 

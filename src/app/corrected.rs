@@ -53,7 +53,7 @@ fn picture(job: &Job) -> Picture {
     let plain = Appearance { sky: false, ground_z: None, ..job.appearance };
     let background = Backdrop::new(&view.camera, &plain).sky(view.camera.gaze.axes().forward);
     let blank = Blank { background, outside: background.map(|part| OUTSIDE * part) };
-    rectification.picture_of_hits(&job.scene, &hits, &job.appearance, blank)
+    rectification.picture_of_hits(&hits, &job.scene, &job.appearance, blank)
 }
 
 /// `size`, scaled down to what is made in time.

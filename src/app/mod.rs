@@ -12,7 +12,6 @@ pub mod corrected;
 pub mod curves;
 pub mod examination;
 mod eyes;
-pub mod figures;
 pub mod fitting;
 mod graphics;
 mod heat_map;

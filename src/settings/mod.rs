@@ -11,6 +11,7 @@ mod file;
 mod legacy;
 mod method;
 mod observer;
+mod presets;
 mod sections;
 mod start;
 #[cfg(test)]
@@ -20,6 +21,7 @@ pub use all::Settings;
 pub use error::SettingsError;
 pub use file::looks_like_settings;
 pub use legacy::Legacy;
+pub use presets::Preset;
 pub use sections::{
     BOUND_PX, Daylight, EXPOSURE_EV, FIT_SAMPLES, FOV_DEGREES, FitSetup, Light, Look, MAX_LENGTH, MAX_SEED,
     Motion, NOISE_PERCENT, Picture, Playback, PlotTab, Plots, Quality, RATE, Theme, Window,

@@ -8,9 +8,18 @@ use super::all::Settings;
 use super::sections::{Daylight, Theme};
 use crate::flags::choices::GazeChoice;
 use crate::passage;
-use crate::scene::Track;
+use crate::scene::{Scene, SceneError, Track};
 
 impl Settings {
+    /// The scene that they name, with or without what rests around what moves.
+    ///
+    /// # Errors
+    /// A scene that cannot be had.
+    pub fn opened_scene(&self) -> Result<Scene, SceneError> {
+        let scene = Scene::open(&self.scene)?;
+        Ok(if self.light.surroundings { scene } else { scene.without_surroundings() })
+    }
+
     /// The speed of the scene.
     #[must_use]
     pub const fn speed(&self) -> Speed {
@@ -101,9 +110,9 @@ impl Settings {
         [view(left, geometry.of_left_eye()), view(right, geometry)]
     }
 
-    /// What becomes of the light of a scene whose ground lies at `ground_z`, if it has one.
+    /// What becomes of the light of `scene`, in a light window or a dark one.
     #[must_use]
-    pub fn appearance(&self, ground_z: Option<f64>, light_window: bool) -> Appearance {
+    pub fn appearance(&self, scene: &Scene, light_window: bool) -> Appearance {
         let light = &self.light;
         Appearance {
             colour: light.colour,
@@ -111,7 +120,8 @@ impl Settings {
             intensity_exponent: light.intensity_exponent.0,
             exposure_ev: light.exposure,
             shading: light.shading,
-            ground_z: ground_z.filter(|_| light.ground),
+            ground_z: scene.ground_z.filter(|_| light.ground),
+            road: scene.road,
             sky: light.sky,
             light: match light.light {
                 Daylight::Theme => light_window,

@@ -93,7 +93,10 @@ pub struct Light {
     /// How form is shown.
     #[arg(long, value_enum)]
     pub shading: Shading,
-    /// Whether the scene's ground is drawn, with a grid of one line per unit of length.
+    /// Whether what rests around the scene is drawn: its groups that do not move, such as houses.
+    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    pub surroundings: OnOff,
+    /// Whether the scene's ground is drawn: its road, or a grid of one line per unit of length.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub ground: OnOff,
     /// Whether the sky is a gradient, else it is plain.
@@ -113,6 +116,7 @@ impl Default for Light {
             intensity_exponent: NumberOrOff(Some(PAPER_INTENSITY_EXPONENT)),
             exposure: 0.0,
             shading: Shading::Form,
+            surroundings: true,
             ground: true,
             sky: true,
             light: Daylight::Theme,
@@ -166,6 +170,10 @@ pub struct Picture {
     /// How the pictures of the two eyes share a file. Those of an .exr file are layers of their own.
     #[arg(long, value_enum)]
     pub layout: Layout,
+    /// Whether side by side they are told apart by a letter above each and a bar between them. Both lie outside the
+    /// pictures.
+    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    pub labels: OnOff,
     /// Rays per pixel of the reference renderer: N x N.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=16))]
     pub samples: u32,
@@ -173,7 +181,7 @@ pub struct Picture {
 
 impl Default for Picture {
     fn default() -> Self {
-        Self { size: Size([960, 720]), layout: Layout::SideBySide, samples: 3 }
+        Self { size: Size([960, 720]), layout: Layout::SideBySide, labels: true, samples: 3 }
     }
 }
 

@@ -55,11 +55,30 @@ fn look() -> impl Strategy<Value = Look> {
 
 fn light() -> impl Strategy<Value = Light> {
     let exponent = prop_oneof![Just(None), any_number().prop_map(Some)].prop_map(NumberOrOff);
-    let switches = any::<[bool; 3]>();
+    let switches = any::<[bool; 4]>();
     (choice::<Colour>(), exponent, number(EXPOSURE_EV), choice::<Shading>(), choice::<Daylight>(), switches)
-        .prop_map(|(colour, intensity_exponent, exposure, shading, light, [doppler_shift, ground, sky])| {
-            Light { colour, doppler_shift, intensity_exponent, exposure, shading, ground, sky, light }
-        })
+        .prop_map(
+            |(
+                colour,
+                intensity_exponent,
+                exposure,
+                shading,
+                light,
+                [doppler_shift, surroundings, ground, sky],
+            )| {
+                Light {
+                    colour,
+                    doppler_shift,
+                    intensity_exponent,
+                    exposure,
+                    shading,
+                    surroundings,
+                    ground,
+                    sky,
+                    light,
+                }
+            },
+        )
 }
 
 fn range() -> impl Strategy<Value = TimeRange> {

@@ -1,7 +1,9 @@
 //! Where pictures are made for files: a scene, settings and a renderer, and what the files record of them.
 
 mod layout;
+mod letters;
 mod painter;
+mod sheet;
 mod timings;
 
 use std::path::Path;
@@ -9,6 +11,8 @@ use std::path::Path;
 use relativity_render::{HitImage, Picture, PreparedScene};
 
 use self::painter::Painter;
+use self::sheet::Ink;
+pub use self::sheet::Sheet;
 use self::timings::Timings;
 use crate::files::exr::{Light, Measurements};
 use crate::files::provenance::Provenance;
@@ -37,7 +41,7 @@ impl Studio {
     ///
     /// A scene or a renderer that cannot be had.
     pub fn new(mut settings: Settings) -> anyhow::Result<Self> {
-        let scene = Scene::open(&settings.scene)?;
+        let scene = settings.opened_scene()?;
         let mut timings = Timings::default();
         let painter = timings.timed("set up", || Painter::new(&settings))?;
         settings.quality.renderer = painter.choice();
@@ -99,12 +103,13 @@ impl Studio {
         let Frame { settings, time, .. } = frame;
         let layout = settings.picture.layout;
         let views = settings.views(&self.tracked(), *time, settings.picture.size.0);
-        let appearance = settings.appearance(self.scene.ground_z, false);
+        let appearance = settings.appearance(&self.scene, false);
         let Self { painter, prepared, timings, .. } = self;
         let eye =
             |&eye: &usize| timings.timed(EYES[eye], || painter.picture(prepared, &views[eye], &appearance));
         let eyes = layout.eyes().iter().map(eye).collect::<Result<_, _>>()?;
-        Ok(timings.timed("layout", || layout.composed(eyes)))
+        let labels = settings.picture.labels.then(|| Ink::beside(appearance.light));
+        Ok(timings.timed("layout", || layout.composed(eyes, labels)))
     }
 
     /// What every pixel of the left and the right eye shows.

@@ -16,7 +16,7 @@ const ROOMS: [&[&str]; 7] = [
     &["commands", "app"],
     &["accuracy", "estimate", "studio"],
     &["settings"],
-    &["scene", "columns.rs", "passage.rs", "flags", "files", "plot"],
+    &["scene", "columns.rs", "passage.rs", "eye_colours.rs", "figures.rs", "flags", "files", "plot"],
     &["platform"],
 ];
 

@@ -49,13 +49,35 @@ impl Shape {
     }
 }
 
-/// A shape that glows: isotropically in the rest frame, at one wavelength.
+/// What light a body sends, alike in all directions in its rest frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Emission {
+    /// Light of one wavelength, nm, above 0.
+    Wavelength(f64),
+    /// White light: daylight, which a grey body reflects.
+    White,
+}
+
+impl Emission {
+    /// Its wavelength in the rest frame, nm; white light has none.
+    #[must_use]
+    pub const fn wavelength_nm(self) -> Option<f64> {
+        match self {
+            Self::Wavelength(nm) => Some(nm),
+            Self::White => None,
+        }
+    }
+}
+
+/// A shape, and the light it sends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Body {
     /// Where it is and what form it has.
     pub shape: Shape,
-    /// Wavelength of its light in the rest frame, nm.
-    pub rest_wavelength_nm: f64,
+    /// Its light in the rest frame.
+    pub emission: Emission,
+    /// Brightness beside other bodies, above 0 and at most 1.
+    pub brightness: f64,
     /// What it carries.
     pub pattern: Pattern,
 }
@@ -64,7 +86,23 @@ impl Body {
     /// A plain body of this `shape` and `rest_wavelength_nm`, above 0.
     #[must_use]
     pub const fn new(shape: Shape, rest_wavelength_nm: f64) -> Self {
-        Self { shape, rest_wavelength_nm, pattern: Pattern::Plain }
+        Self::of_light(shape, Emission::Wavelength(rest_wavelength_nm))
+    }
+
+    /// A plain white body of this `shape`.
+    #[must_use]
+    pub const fn white(shape: Shape) -> Self {
+        Self::of_light(shape, Emission::White)
+    }
+
+    const fn of_light(shape: Shape, emission: Emission) -> Self {
+        Self { shape, emission, brightness: 1.0, pattern: Pattern::Plain }
+    }
+
+    /// The body with another `brightness`, above 0 and at most 1.
+    #[must_use]
+    pub const fn with_brightness(self, brightness: f64) -> Self {
+        Self { brightness, ..self }
     }
 
     /// The body with this `pattern`.

@@ -6,7 +6,7 @@ use std::ops::Range;
 
 use glam::DVec3;
 
-use crate::body::{Body, Shape};
+use crate::body::{Body, Emission, Shape};
 use crate::capsule::{Capsule, add_capsules};
 use crate::colour::linear_srgb;
 use crate::intersect::{Solid, bounding_box};
@@ -33,8 +33,10 @@ pub struct PreparedBody {
     pub number: usize,
     /// The number of its group.
     pub group: usize,
-    /// Wavelength of its light in the rest frame, nm.
-    pub rest_wavelength_nm: f64,
+    /// Its light in the rest frame.
+    pub emission: Emission,
+    /// Brightness beside other bodies, above 0 and at most 1.
+    pub brightness: f64,
     /// Which shaders draw it.
     pub(crate) kind: Kind,
     /// From the middle of its group: its centre, or one end of a tube; and its radius.
@@ -106,7 +108,8 @@ impl PreparedBody {
         Self {
             number,
             group,
-            rest_wavelength_nm: body.rest_wavelength_nm,
+            emission: body.emission,
+            brightness: body.brightness,
             kind: Kind::of(&body.shape),
             place_radius,
             form,
@@ -114,7 +117,7 @@ impl PreparedBody {
             surface: Surface::new(&body.shape),
             joint: Joint::default(),
             capsules: first..capsules.len(),
-            rest_colours: RestColours::new(body.rest_wavelength_nm),
+            rest_colours: RestColours::new(body),
             marking: Marking::new(body.pattern, Form::new(&body.shape), turn),
             is_patterned: false,
         }
@@ -151,8 +154,9 @@ impl PreparedBody {
 }
 
 impl RestColours {
-    fn new(wavelength_nm: f64) -> Self {
-        let of = |colour| linear_srgb(wavelength_nm, colour).map(|part| part as f32);
+    fn new(body: &Body) -> Self {
+        let hue = |colour| body.emission.wavelength_nm().map_or([1.0; 3], |nm| linear_srgb(nm, colour));
+        let of = |colour| hue(colour).map(|part| (part * body.brightness) as f32);
         Self { visible: of(Colour::Visible), falsified: of(Colour::False) }
     }
 }

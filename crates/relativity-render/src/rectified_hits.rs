@@ -25,16 +25,16 @@ pub struct Blank {
 }
 
 impl Rectification {
-    /// The corrected picture of `hits`, which the camera on the ground measured of `scene`.
+    /// The corrected picture of `hits`, which the camera on the ground measured.
     ///
     /// Wavelengths are multiplied by the D of this rectification's speed and intensities divided by D^n, as
     /// `appearance` has it: at the true speed each body has its colour at rest, at any other the rest of the
-    /// Doppler effect stays. Patterns are where the hits are.
+    /// Doppler effect stays. Patterns are where the hits are, and `hits` are of `scene`.
     #[must_use]
     pub fn picture_of_hits(
         &self,
-        scene: &PreparedScene,
         hits: &HitImage,
+        scene: &PreparedScene,
         appearance: &Appearance,
         blank: Blank,
     ) -> Picture {
@@ -67,10 +67,8 @@ fn corrected_colour(
     doppler_factor: f64,
 ) -> [f64; 3] {
     let left = hit.doppler_factor / doppler_factor;
-    let rest_wavelength_nm = scene.bodies()[hit.body].rest_wavelength_nm;
-    let colour = surface_colour(appearance, rest_wavelength_nm, hit.rest_normal, left);
-    let mark = scene.mark(hit, Covered::NOTHING);
-    hue_preserving_clip(colour).map(|part| part * mark)
+    let colour = surface_colour(appearance, &scene.bodies()[hit.body], hit.rest_normal, left);
+    hue_preserving_clip(colour).map(|part| part * scene.mark(hit, Covered::NOTHING))
 }
 
 #[cfg(test)]
@@ -107,6 +105,7 @@ mod tests {
             exposure_ev: 0.0,
             shading: Shading::Emission,
             ground_z: None,
+            road: None,
             sky: false,
             light: false,
         }
@@ -118,7 +117,7 @@ mod tests {
         let velocity = Velocity::from_beta(fitted_beta).expect("a speed");
         let rest = Rectification::rest_camera(&view.camera, &velocity);
         let rectification = Rectification::new(view.camera, rest, velocity);
-        rectification.picture_of_hits(&scene, &hits, &appearance(), BLANK)
+        rectification.picture_of_hits(&hits, &scene, &appearance(), BLANK)
     }
 
     fn greyness(pixel: [u8; 4]) -> u8 {

@@ -207,9 +207,8 @@ impl PreparedScene {
         match (hit, ground_distance) {
             (Some(hit), ground) if ground.is_none_or(|distance| hit.distance <= distance) => {
                 let body = &self.bodies()[hit.body];
-                let wavelength_nm = body.rest_wavelength_nm;
                 let Hit { rest_normal, doppler_factor, .. } = hit;
-                let colour = surface_colour(appearance, wavelength_nm, rest_normal, doppler_factor);
+                let colour = surface_colour(appearance, body, rest_normal, doppler_factor);
                 let mark = if body.marking.is_some() { mark(&hit) } else { 1.0 };
                 hue_preserving_clip(colour).map(|part| part * mark)
             }

@@ -14,8 +14,9 @@ use crate::app::eyes::Shown;
 use crate::app::observer::Eye;
 use crate::app::points::Point;
 use crate::app::state::State;
+use crate::app::theme;
 use crate::app::widgets::pane_title;
-use crate::app::{figures, theme};
+use crate::figures;
 
 /// Zoom per point of scrolling.
 const ZOOM_PER_SCROLL: f64 = 0.002;

@@ -8,7 +8,8 @@ use eframe::egui::{
     SliderClamping, TextEdit, TextStyle, Ui, pos2, vec2,
 };
 
-use crate::app::{figures, theme};
+use crate::app::theme;
+use crate::figures;
 use crate::flags::MAX_TIME;
 
 /// Width of the names in front of the widgets.

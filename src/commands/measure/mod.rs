@@ -19,10 +19,11 @@ use crate::files::csv_out;
 use crate::files::exr::{EYES, Measurements};
 use crate::files::png::PngFile;
 use crate::files::whole::OutArgs;
-use crate::flags::choices::{FileKind, Layout};
+use crate::flags::choices::{FileKind, Layout, Size};
 use crate::flags::coordinates;
 use crate::platform;
 use crate::settings::Settings;
+use crate::studio::Sheet;
 
 /// Follows a point through a stereo sequence and measures its angles, as CSV.
 ///
@@ -134,8 +135,12 @@ fn measured(path: &Path, target: Target) -> anyhow::Result<Option<[f64; COLUMNS]
             let settings = Settings::of_picture(file.command(), &name)?;
             let is_side_by_side = settings.picture.layout == Layout::SideBySide;
             anyhow::ensure!(is_side_by_side, "{name}: it is no side-by-side picture");
-            let [width, height] = file.picture.size;
-            (locate::colour_in(&file.picture, colour), [width / 2, height], settings)
+            let Size(size) = settings.picture.size;
+            let sheet = Sheet::of_file(settings.picture.layout, size, file.picture.size);
+            let sheet =
+                sheet.with_context(|| format!("{name}: it no longer has the size in which it was made"))?;
+            let place = |eye| locate::colour_in(&sheet.picture_of(eye, &file.picture)?, colour);
+            ([0, 1].map(place), size, settings)
         }
         Target::Point(_) | Target::Body(_) => {
             let file = Measurements::read(path)?;

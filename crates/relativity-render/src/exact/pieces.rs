@@ -145,7 +145,12 @@ impl Piece {
         let [red, green, blue] = body.rest_colour(colour);
         Self {
             place: [0.0; 4],
-            second_axis_index_wavelength: [0.0, 0.0, body.index(), body.rest_wavelength_nm as f32],
+            second_axis_index_wavelength: [
+                0.0,
+                0.0,
+                body.index(),
+                body.emission.wavelength_nm().unwrap_or(0.0) as f32,
+            ],
             place_radius: body.place_radius,
             form: body.form,
             turn: body.turn,

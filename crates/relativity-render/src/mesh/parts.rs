@@ -128,7 +128,7 @@ impl Instance {
             place_radius: body.place_radius,
             form: body.form,
             turn: body.turn,
-            colour_wavelength: [red, green, blue, body.rest_wavelength_nm as f32],
+            colour_wavelength: [red, green, blue, body.emission.wavelength_nm().unwrap_or(0.0) as f32],
             cover_index: [1.0, body.index()],
             pattern: body.pattern(),
         }
