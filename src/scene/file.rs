@@ -1,5 +1,6 @@
 //! The scene format: what each table of a scene file means.
 
+use glam::DQuat;
 use relativity_render::{Body, Motion, Shape, Velocity};
 use toml::de::DeTable;
 
@@ -96,6 +97,14 @@ fn body(mut object: Table) -> Result<Body, Located> {
             object.owner = "a ring";
             ring(&object)?
         }
+        "box" => {
+            object.owner = "a box";
+            cuboid(&object)?
+        }
+        "cylinder" => {
+            object.owner = "a cylinder";
+            cylinder(&object)?
+        }
         _ => return Err(object.problem_at("shape", Problem::UnknownShape)),
     };
     let rest_wavelength_nm = object.size("wavelength_nm")?.unwrap_or(DEFAULT_WAVELENGTH_NM);
@@ -128,4 +137,30 @@ fn ring(object: &Table) -> Result<Shape, Located> {
         return Err(object.problem_at("tube_radius", |tube_radius| Problem::NoHole { tube_radius, radius }));
     }
     Ok(Shape::Ring { center, axis, radius, tube_radius })
+}
+
+fn cuboid(object: &Table) -> Result<Shape, Located> {
+    object.check_keys(&["shape", "center", "size", "axis", "angle", "wavelength_nm"])?;
+    let center = object.needed_point("center")?;
+    let half = object.needed_sizes("size")?.map(|size| 0.5 * size);
+    let axis = object.direction("axis")?;
+    let turn = match object.coordinate("angle")? {
+        Some(angle) => {
+            let axis = axis.unwrap_or([0.0, 0.0, 1.0]);
+            DQuat::from_axis_angle(axis.into(), angle.to_radians())
+        }
+        None if axis.is_some() => return Err(object.problem_at("axis", Problem::NoAngle)),
+        None => DQuat::IDENTITY,
+    };
+    Ok(Shape::Box { center, half, turn: turn.to_array() })
+}
+
+fn cylinder(object: &Table) -> Result<Shape, Located> {
+    object.check_keys(&["shape", "from", "to", "radius", "wavelength_nm"])?;
+    let from = object.needed_point("from")?;
+    let to = object.needed_point("to")?;
+    if coincide(from, to) {
+        return Err(object.problem_at("to", Problem::NoHeight));
+    }
+    Ok(Shape::Cylinder { from, to, radius: object.needed_size("radius")? })
 }

@@ -11,8 +11,9 @@ impl Scene {
     ///
     /// The FNV-1a hash (G. Fowler, L. C. Noll, K.-P. Vo) of, in this order: the name, the tracked point, the height of
     /// the ground, and of each group its name, its own beta, and its bodies; of a body its shape by the name in a scene
-    /// file, the numbers of that in the order of the scene format, and its wavelength. Names end in a zero byte; numbers
-    /// go in bit by bit, big end first, those that are not there as infinity.
+    /// file, the numbers of that in the order of the scene format (of a box half its size, and its turn as a quaternion),
+    /// and its wavelength. Names end in a zero byte; numbers go in bit by bit, big end first, those that are not there
+    /// as infinity.
     #[must_use]
     pub fn fingerprint(&self) -> String {
         let mut hash = Hash::default();
@@ -86,6 +87,18 @@ impl Hash {
                 self.numbers(&center);
                 self.numbers(&axis);
                 self.numbers(&[radius, tube_radius]);
+            }
+            Shape::Box { center, half, turn } => {
+                self.name("box");
+                self.numbers(&center);
+                self.numbers(&half);
+                self.numbers(&turn);
+            }
+            Shape::Cylinder { from, to, radius } => {
+                self.name("cylinder");
+                self.numbers(&from);
+                self.numbers(&to);
+                self.numbers(&[radius]);
             }
         }
         self.numbers(&[body.rest_wavelength_nm]);
