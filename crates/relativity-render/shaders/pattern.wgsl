@@ -1,6 +1,7 @@
 // Patterns on bodies: the share of its light, in (0, 1], that a body shows where a ray meets it.
 //
-// Repeats `pattern.rs`, which says what each line is for and gives these. Each shape has `darkness`.
+// Repeats `pattern.rs`, which says what each line is for and gives these. Each shape has
+// `normal_at` and `darkness`, in the body's own axes.
 
 // Whether any body of this draw carries a pattern.
 override PATTERNS: bool;
@@ -45,16 +46,21 @@ fn mark(body: Body, pattern: vec3f, place: vec3f, normal: vec3f, ray: Ray, dista
     if pattern.x == 0.0 {
         return 1.0;
     }
-    let covered = covered_by_pixel(ray, normal, distance, body);
     let own_place = body_from_rest(place, body);
-    let dark = darkness(body, pattern, own_place, body_from_rest(normal, body), covered);
+    let own_normal = normal_at(body, own_place, body_from_rest(normal, body));
+    let covered = covered_by_pixel(ray, own_normal, distance, body);
+    let dark = darkness(body, pattern, own_place, own_normal, covered);
     return 1.0 - (1.0 - DARK) * clamp(dark, 0.0, 1.0);
 }
 
 fn covered_by_pixel(ray: Ray, normal: vec3f, distance: f32, body: Body) -> Covered {
-    let right = on_surface(shift(ray, frame.right.xyz), ray.direction, normal) * distance;
-    let down = on_surface(shift(ray, frame.down.xyz), ray.direction, normal) * distance;
-    return Covered(body_from_rest(right, body), body_from_rest(down, body));
+    let direction = body_from_rest(ray.direction, body);
+    let right = body_from_rest(shift(ray, frame.right.xyz), body);
+    let down = body_from_rest(shift(ray, frame.down.xyz), body);
+    return Covered(
+        on_surface(right, direction, normal) * distance,
+        on_surface(down, direction, normal) * distance,
+    );
 }
 
 // How far what is seen moves in the rest frame from pixel to pixel along `across`, per ground distance, but for what is

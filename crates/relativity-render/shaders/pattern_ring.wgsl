@@ -1,5 +1,9 @@
 // Patterns on a ring.
 
+fn normal_at(body: Body, place: vec3f, normal: vec3f) -> vec3f {
+    return normal;
+}
+
 fn darkness(body: Body, pattern: vec3f, place: vec3f, normal: vec3f, covered: Covered) -> f32 {
     let off_axis = max(sqrt(dot(place.xy, place.xy)), 1e-30);
     let outward = vec3f(place.xy / off_axis, 0.0);

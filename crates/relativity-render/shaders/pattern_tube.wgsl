@@ -1,5 +1,9 @@
 // Patterns on a tube with rounded ends, or on a ball.
 
+fn normal_at(body: Body, place: vec3f, normal: vec3f) -> vec3f {
+    return normal;
+}
+
 fn darkness(body: Body, pattern: vec3f, place: vec3f, normal: vec3f, covered: Covered) -> f32 {
     let length = body.form.xyz - body.place;
     let half = 0.5 * sqrt(dot(length, length));

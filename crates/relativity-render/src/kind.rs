@@ -42,6 +42,10 @@ kinds! {
     Tube: "tube", "mesh_tube", "pattern_tube";
     /// A torus.
     Ring: "ring", "mesh_ring", "pattern_ring";
+    /// A box.
+    Box: "box", "mesh_box", "pattern_box";
+    /// A cylinder with flat ends.
+    Cylinder: "cylinder", "mesh_cylinder", "pattern_cylinder";
 }
 
 impl Kind {
@@ -50,6 +54,8 @@ impl Kind {
         match shape {
             Shape::Sphere { .. } | Shape::Tube { .. } => Self::Tube,
             Shape::Ring { .. } => Self::Ring,
+            Shape::Box { .. } => Self::Box,
+            Shape::Cylinder { .. } => Self::Cylinder,
         }
     }
 }

@@ -38,9 +38,11 @@ impl Form {
     pub fn new(shape: &Shape) -> Self {
         match *shape {
             Shape::Sphere { radius, .. } => Self::Tube { half_length: 0.0, radius },
-            Shape::Tube { from, to, radius } => {
-                Self::Tube { half_length: 0.5 * DVec3::from(from).distance(to.into()), radius }
+            Shape::Tube { from, to, radius } => Self::Tube { half_length: half_way(from, to), radius },
+            Shape::Cylinder { from, to, radius } => {
+                Self::Cylinder { half_length: half_way(from, to), radius }
             }
+            Shape::Box { half, .. } => Self::Box { half: half.into() },
             Shape::Ring { radius, tube_radius, .. } => Self::Ring { radius, tube_radius },
         }
     }
@@ -105,6 +107,10 @@ impl Form {
             Self::Box { .. } => (0.0, DVec3::ZERO),
         }
     }
+}
+
+fn half_way(from: [f64; 3], to: [f64; 3]) -> f64 {
+    0.5 * DVec3::from(from).distance(to.into())
 }
 
 /// The arc of a circle of this `radius` from its outermost place up to where `off` and `z` lead from its middle.
