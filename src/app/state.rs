@@ -35,6 +35,8 @@ pub struct Session {
     pub help: bool,
     /// The preset that is shown, until another scene or state is.
     pub preset: Option<&'static Preset>,
+    /// Width and height of an eye's picture, which a field of view is fitted to, pixels.
+    pub picture_size: [u32; 2],
     /// A message about the last thing that could not be done.
     pub notice: Option<String>,
 }
@@ -54,6 +56,7 @@ impl State {
             points: Points::tracked(tracked),
             help: false,
             preset,
+            picture_size: settings.picture.size.0,
             notice: None,
             scene,
         };

@@ -68,6 +68,7 @@ mod kind;
 mod mesh;
 #[doc(hidden)]
 pub mod mirrors;
+pub mod outline;
 mod palette;
 pub mod pattern;
 pub mod picture;
@@ -95,6 +96,7 @@ pub use body::{Body, Emission, Shape};
 pub use camera::{Camera, Gaze};
 pub use gpu::{Gpu, GpuError};
 pub use group_view::{GroupView, RestRay};
+pub use outline::{Framing, Outline};
 pub use pattern::Pattern;
 pub use picture::Picture;
 pub use reference::{Hit, HitImage};

@@ -41,12 +41,13 @@ impl PreparedScene {
         let shares = |(group, seen): (&crate::scene::PreparedGroup, GroupView)| {
             let mut shares = Shares::default();
             for body in &self.bodies()[group.bodies.clone()] {
-                for capsule in self.capsules(body) {
-                    for Light { weight, doppler_factor } in lights(capsule, &seen) {
-                        let shift = if doppler_shift { doppler_factor } else { 1.0 };
-                        let band = Band::of(body.rest_wavelength_nm / shift);
-                        shares[band as usize] += weight;
-                    }
+                for Light { weight, doppler_factor } in
+                    self.capsules(body).iter().flat_map(|c| lights(c, &seen))
+                {
+                    let shift = if doppler_shift { doppler_factor } else { 1.0 };
+                    // Of light of many wavelengths some is seen.
+                    let band = body.emission.wavelength_nm().map_or(Band::Visible, |nm| Band::of(nm / shift));
+                    shares[band as usize] += weight;
                 }
             }
             normalised(shares)
