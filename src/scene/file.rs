@@ -1,5 +1,6 @@
 //! The scene format: what each table of a scene file means.
 
+use glam::DQuat;
 use relativity_render::{Body, Emission, Motion, Shape, Velocity};
 use toml::de::DeTable;
 
@@ -56,6 +57,8 @@ impl Object {
             Shape::Sphere { .. } => "sphere",
             Shape::Tube { .. } => "tube",
             Shape::Ring { .. } => "ring",
+            Shape::Box { .. } => "box",
+            Shape::Cylinder { .. } => "cylinder",
         };
         self.name.clone().unwrap_or_else(|| format!("{shape} {number}"))
     }
@@ -142,6 +145,14 @@ fn object(mut object: Table) -> Result<Object, Located> {
             object.owner = "a ring";
             ring(&object)?
         }
+        "box" => {
+            object.owner = "a box";
+            cuboid(&object)?
+        }
+        "cylinder" => {
+            object.owner = "a cylinder";
+            cylinder(&object)?
+        }
         _ => return Err(object.problem_at("shape", Problem::UnknownShape)),
     };
     let name = object.string("name")?.map(str::to_owned);
@@ -202,4 +213,30 @@ fn ring(object: &Table) -> Result<Shape, Located> {
         return Err(object.problem_at("tube_radius", |tube_radius| Problem::NoHole { tube_radius, radius }));
     }
     Ok(Shape::Ring { center, axis, radius, tube_radius })
+}
+
+fn cuboid(object: &Table) -> Result<Shape, Located> {
+    check_keys(object, &["center", "size", "axis", "angle"])?;
+    let center = object.needed_point("center")?;
+    let half = object.needed_sizes("size")?.map(|size| 0.5 * size);
+    let axis = object.direction("axis")?;
+    let turn = match object.coordinate("angle")? {
+        Some(angle) => {
+            let axis = axis.unwrap_or([0.0, 0.0, 1.0]);
+            DQuat::from_axis_angle(axis.into(), angle.to_radians())
+        }
+        None if axis.is_some() => return Err(object.problem_at("axis", Problem::NoAngle)),
+        None => DQuat::IDENTITY,
+    };
+    Ok(Shape::Box { center, half, turn: turn.to_array() })
+}
+
+fn cylinder(object: &Table) -> Result<Shape, Located> {
+    check_keys(object, &["from", "to", "radius"])?;
+    let from = object.needed_point("from")?;
+    let to = object.needed_point("to")?;
+    if coincide(from, to) {
+        return Err(object.problem_at("to", Problem::NoHeight));
+    }
+    Ok(Shape::Cylinder { from, to, radius: object.needed_size("radius")? })
 }

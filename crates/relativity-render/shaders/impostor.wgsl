@@ -65,8 +65,8 @@ fn shaded(fragment: Fragment) -> Shaded {
     var alpha = 1.0;
     if THIN {
         let half_pixel = 0.5 * length(gradient);
-        alpha = min(body.radius / max(half_pixel, 1e-30), 1.0);
-        clearance += max(half_pixel - body.radius, 0.0);
+        alpha = min(hit.half_width / max(half_pixel, 1e-30), 1.0);
+        clearance += max(half_pixel - hit.half_width, 0.0);
     }
     let height = frame.middle.z + middle(body).z + hit.place.z;
     if distance <= 0.0 || height < frame.ground.z {

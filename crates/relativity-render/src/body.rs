@@ -30,6 +30,24 @@ pub enum Shape {
         /// Radius of the tube, above 0.
         tube_radius: f64,
     },
+    /// A box: three pairs of flat faces at right angles.
+    Box {
+        /// Centre.
+        center: [f64; 3],
+        /// Half its lengths along its own axes, above 0.
+        half: [f64; 3],
+        /// Unit quaternion `[x, y, z, w]` that turns its own axes into those of the rest frame.
+        turn: [f64; 4],
+    },
+    /// A cylinder with flat ends.
+    Cylinder {
+        /// Centre of one flat end.
+        from: [f64; 3],
+        /// Centre of the other, elsewhere.
+        to: [f64; 3],
+        /// Radius, above 0.
+        radius: f64,
+    },
 }
 
 impl Shape {
@@ -42,6 +60,10 @@ impl Shape {
             Self::Tube { from, to, radius } => Self::Tube { from: moved(from), to: moved(to), radius },
             Self::Ring { center, axis, radius, tube_radius } => {
                 Self::Ring { center: moved(center), axis, radius, tube_radius }
+            }
+            Self::Box { center, half, turn } => Self::Box { center: moved(center), half, turn },
+            Self::Cylinder { from, to, radius } => {
+                Self::Cylinder { from: moved(from), to: moved(to), radius }
             }
         }
     }

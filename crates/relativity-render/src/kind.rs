@@ -38,6 +38,10 @@ kinds! {
     Tube: "tube", "mesh_tube";
     /// A torus.
     Ring: "ring", "mesh_ring";
+    /// A box.
+    Box: "box", "mesh_box";
+    /// A cylinder with flat ends.
+    Cylinder: "cylinder", "mesh_cylinder";
 }
 
 impl Kind {
@@ -46,6 +50,8 @@ impl Kind {
         match shape {
             Shape::Sphere { .. } | Shape::Tube { .. } => Self::Tube,
             Shape::Ring { .. } => Self::Ring,
+            Shape::Box { .. } => Self::Box,
+            Shape::Cylinder { .. } => Self::Cylinder,
         }
     }
 }

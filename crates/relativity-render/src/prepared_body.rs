@@ -7,7 +7,7 @@ use std::ops::Range;
 use glam::DVec3;
 
 use crate::body::{Body, Emission, Shape};
-use crate::capsule::{Capsule, add_capsules};
+use crate::capsule::{Block, Capsule, add_capsules, block};
 use crate::colour::linear_srgb;
 use crate::intersect::{Solid, bounding_box};
 use crate::kind::Kind;
@@ -38,9 +38,11 @@ pub struct PreparedBody {
     pub brightness: f64,
     /// Which shaders draw it.
     pub(crate) kind: Kind,
-    /// From the middle of its group: its centre, or one end of a tube; and its radius.
+    /// From the middle of its group: its centre, or one end of a tube; and its radius, of bodies with flat
+    /// faces half their least length.
     pub(crate) place_radius: [f32; 4],
-    /// The other end of a tube, or a ring's unit axis and the radius of its middle circle.
+    /// The other end of a tube; a ring's unit axis and the radius of its middle circle; half the lengths of a box or a
+    /// cylinder along its own axes.
     pub(crate) form: [f32; 4],
     /// Unit quaternion from its own axes to those of the rest frame.
     pub(crate) turn: [f32; 4],
@@ -48,12 +50,15 @@ pub struct PreparedBody {
     pub(crate) surface: Surface,
     /// Whether its surface may coincide with another's.
     pub(crate) joint: Joint,
-    /// Which of the scene's capsules contain it.
+    /// The block that contains it, if it has one.
+    pub(crate) block: Option<Block>,
+    /// Which of the scene's capsules contain it otherwise.
     pub(crate) capsules: Range<usize>,
     rest_colours: RestColours,
 }
 
-/// Whether a body has a rounded end, or all of a ring, in common with another: there the first of them is seen.
+/// Whether a body may have a rounded end, or all of a body that is no tube, in common with another: there the first of
+/// them is seen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) struct Joint {
     /// As it is.
@@ -96,6 +101,15 @@ impl PreparedBody {
             Shape::Ring { center, axis, radius, tube_radius } => {
                 (from_middle(center, tube_radius), packed(axis.into(), radius))
             }
+            Shape::Box { center, half, .. } => {
+                let half = DVec3::from(half);
+                (from_middle(center, half.min_element()), packed(half, 0.0))
+            }
+            Shape::Cylinder { from, to, radius } => {
+                let (from, to) = (DVec3::from(from), DVec3::from(to));
+                let half = DVec3::new(radius, radius, 0.5 * (to - from).length());
+                (from_middle((0.5 * (from + to)).to_array(), half.min_element()), packed(half, 0.0))
+            }
         };
         let first = capsules.len();
         add_capsules(&body.shape, capsules);
@@ -110,6 +124,7 @@ impl PreparedBody {
             turn: turn_of(&body.shape).as_quat().to_array(),
             surface: Surface::new(&body.shape),
             joint: Joint::default(),
+            block: block(&body.shape),
             capsules: first..capsules.len(),
             rest_colours: RestColours::new(body),
         }
@@ -128,13 +143,13 @@ impl PreparedBody {
         }
     }
 
-    /// The centres of the ends of a tube, or of a ring, as bits.
+    /// The centres of the ends of a tube, or of another body, as bits.
     fn ends(&self) -> impl Iterator<Item = [u32; 3]> + use<> {
         let place = |[x, y, z, _]: [f32; 4]| [x, y, z].map(f32::to_bits);
         let first = place(self.place_radius);
         let second = match self.kind {
             Kind::Tube => Some(place(self.form)).filter(|second| *second != first),
-            Kind::Ring => None,
+            Kind::Ring | Kind::Box | Kind::Cylinder => None,
         };
         [Some(first), second].into_iter().flatten()
     }

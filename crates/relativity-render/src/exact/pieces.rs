@@ -9,12 +9,12 @@ use std::slice::Iter;
 use bytemuck::{Pod, Zeroable};
 use glam::DVec2;
 
-use crate::capsule::Capsule;
 use crate::drawing::{Shot, Trait};
-use crate::footprint::{Footprint, Projection, Rectangle};
+use crate::footprint::{Bound, Footprint, Projection, Rectangle};
 use crate::group_view::GroupView;
 use crate::kind::Kind;
 use crate::prepared_body::PreparedBody;
+use crate::scene::PreparedScene;
 use crate::view::Colour;
 
 /// How often a piece is halved before its bound is taken as it is: 32 rectangles follow the most bent of tubes, and
@@ -64,7 +64,7 @@ impl Pieces {
             let projection = Projection::new(view);
             for body in &shot.scene.bodies()[group.bodies.clone()] {
                 match bounds {
-                    Bounds::Tight => self.bound(&projection, view, shot.scene.capsules(body)),
+                    Bounds::Tight => self.bound(&projection, view, shot.scene, body),
                     Bounds::None => self.bound_nowhere(),
                 }
                 self.add(body, shot.colour(), thin_px);
@@ -89,9 +89,19 @@ impl Pieces {
         }
     }
 
-    fn bound(&mut self, projection: &Projection, view: &GroupView, capsules: &[Capsule]) {
+    fn bound(
+        &mut self,
+        projection: &Projection,
+        view: &GroupView,
+        scene: &PreparedScene,
+        body: &PreparedBody,
+    ) {
         self.rectangles.clear();
-        for capsule in capsules {
+        if let Some(block) = body.block {
+            let block = block.reflected_from_camera(view);
+            add_rectangles(projection, &block, MAX_HALVINGS, &mut self.rectangles);
+        }
+        for capsule in scene.capsules(body) {
             let capsule = capsule.reflected_from_camera(view);
             add_rectangles(projection, &capsule, MAX_HALVINGS, &mut self.rectangles);
         }
@@ -114,14 +124,14 @@ const EVERYWHERE: Rectangle = Rectangle {
     is_loose: false,
 };
 
-fn add_rectangles(projection: &Projection, capsule: &Capsule, halvings: u32, out: &mut Vec<Rectangle>) {
-    let is_whole = halvings == 0 || capsule.from == capsule.to;
-    match projection.footprint(capsule) {
+fn add_rectangles<B: Bound>(projection: &Projection, bound: &B, halvings: u32, out: &mut Vec<Rectangle>) {
+    let is_whole = halvings == 0 || bound.is_point();
+    match bound.footprint(projection) {
         Some(Footprint::Hidden) => {}
         Some(Footprint::Inside(rectangle)) if is_whole || !rectangle.is_loose => out.push(rectangle),
         None if is_whole => out.push(EVERYWHERE),
         Some(Footprint::Inside(_)) | None => {
-            for half in capsule.halves() {
+            for half in bound.halves() {
                 add_rectangles(projection, &half, halvings - 1, out);
             }
         }

@@ -9,6 +9,7 @@ use super::template::Division;
 use crate::drawing::{Shot, Trait};
 use crate::footprint::Projection;
 use crate::group_view::GroupView;
+use crate::intersect::Solid;
 use crate::prepared_body::{Joint, PreparedBody};
 use crate::view::{Colour, Geometry};
 
@@ -60,7 +61,7 @@ impl Parts {
             Part {
                 division: division(&body.surface, view, bound_px),
                 instance: if appearance.is_some() {
-                    instance.widened(scene.solid(body.number).center(), view)
+                    instance.widened(scene.solid(body.number), view)
                 } else {
                     instance
                 },
@@ -129,14 +130,16 @@ impl Instance {
     }
 
     /// Drawn at least a pixel wide: thinner, it is faded instead of broken up.
-    fn widened(self, center: DVec3, view: &GroupView) -> Self {
+    fn widened(self, solid: &Solid, view: &GroupView) -> Self {
+        let center = solid.center();
         let distance = view.apparent_position(center).map_or(f64::INFINITY, DVec3::length);
-        let [x, y, z, radius] = self.place_radius;
+        let [x, y, z, _] = self.place_radius;
+        let half_width = solid.half_width((center - view.origin).normalize_or(DVec3::Y)) as f32;
         let half_pixel = (0.5 * distance / view.camera.focal_length_px()) as f32;
-        if radius >= half_pixel {
+        if half_width >= half_pixel {
             return self;
         }
         let [_, index] = self.cover_index;
-        Self { place_radius: [x, y, z, half_pixel], cover_index: [radius / half_pixel, index], ..self }
+        Self { place_radius: [x, y, z, half_pixel], cover_index: [half_width / half_pixel, index], ..self }
     }
 }
