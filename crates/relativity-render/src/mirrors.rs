@@ -88,7 +88,7 @@ pub fn shaders() -> Vec<Shader> {
 
 fn of_bodies(kind: Kind, name: &str, technique: &Technique) -> Shader {
     let output = Output::Picture { is_thin: false, effects: Effects::new(true, &Appearance::default()) };
-    let key = Key { kind, geometry: Geometry::Seen, has_others: false, output };
+    let key = Key { kind, geometry: Geometry::Seen, among_others: None, output };
     Shader {
         name: format!("{name} of a {kind:?}"),
         source: (technique.source)(kind),
