@@ -8,7 +8,7 @@ use crate::capsule::Capsule;
 use crate::group_view::GroupView;
 use crate::intersect::Solid;
 use crate::outline::Outline;
-use crate::prepared_body::{Extent, PreparedBody, find_joints};
+use crate::prepared_body::{Extent, PreparedBody, find_joints, find_patterned};
 use crate::velocity::Motion;
 use crate::view::View;
 
@@ -84,6 +84,7 @@ impl PreparedScene {
                 bodies.push(PreparedBody::new(first + i, number, body, &extent, &mut capsules));
             }
             find_joints(&mut bodies[first..], &solids[first..]);
+            find_patterned(&mut bodies[first..]);
             prepared.push(PreparedGroup { motion, bodies: first..bodies.len(), extent });
         }
         if prepared.is_empty() {
