@@ -37,6 +37,17 @@ impl Capsule {
         Self { from: center, to: center, radius }
     }
 
+    /// A ball around some, of which there is at least one.
+    pub fn ball_around(all: &[Self]) -> Self {
+        let ends = || all.iter().flat_map(|capsule| [capsule.from, capsule.to]);
+        let (low, high) = ends()
+            .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), end| (low.min(end), high.max(end)));
+        let center = 0.5 * (low + high);
+        let reach =
+            |capsule: &Self| capsule.from.distance(center).max(capsule.to.distance(center)) + capsule.radius;
+        Self::ball(center, all.iter().map(reach).fold(0.0, f64::max))
+    }
+
     /// From the camera's event, reflected so that the group moves along +x.
     pub fn reflected_from_camera(&self, view: &GroupView) -> Self {
         let [from, to] = [self.from, self.to].map(|end| view.reflected_from_camera(end));
@@ -78,6 +89,18 @@ impl Block {
         })
     }
 
+    /// Its edges, without thickness.
+    pub fn edges(&self) -> impl Iterator<Item = Capsule> + use<> {
+        let corners = self.corners();
+        let edge = move |(from, bit): (usize, usize)| Capsule {
+            from: corners[from],
+            to: corners[from | bit],
+            radius: 0.0,
+        };
+        let pairs = (0..8).flat_map(|from| [1, 2, 4].map(|bit| (from, bit)));
+        pairs.filter(|(from, bit)| from & bit == 0).map(edge)
+    }
+
     /// How far from the origin it is; 0 around it.
     pub fn distance(&self) -> f64 {
         let nearest = self.half_axes.iter().fold(self.center, |from_origin, axis| {
@@ -107,17 +130,14 @@ pub fn block(shape: &Shape) -> Option<Block> {
     }
 }
 
-/// Adds capsules to `out` that contain `shape`, unless it has a [`block`].
+/// Adds capsules to `out` which, from outside, look no smaller than `shape`: they contain it, or they are its edges.
 pub fn add_capsules(shape: &Shape, out: &mut Vec<Capsule>) {
-    if block(shape).is_some() {
-        return;
-    }
     match *shape {
         Shape::Sphere { center, radius } => out.push(Capsule::ball(center.into(), radius)),
         Shape::Tube { from, to, radius } | Shape::Cylinder { from, to, radius } => {
             out.push(Capsule { from: from.into(), to: to.into(), radius });
         }
-        Shape::Box { .. } => {}
+        Shape::Box { .. } => out.extend(block(shape).into_iter().flat_map(|block| block.edges())),
         Shape::Ring { center, axis, radius, tube_radius } => {
             out.extend(arcs(center.into(), axis.into(), radius, tube_radius));
         }

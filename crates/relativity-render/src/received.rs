@@ -40,9 +40,11 @@ impl PreparedScene {
         let shares = |(group, seen): (&crate::scene::PreparedGroup, GroupView)| {
             let mut shares = Shares::default();
             for body in &self.bodies()[group.bodies.clone()] {
-                for Light { weight, doppler_factor } in
-                    self.capsules(body).iter().flat_map(|c| lights(c, &seen))
-                {
+                let capsules = match body.block {
+                    Some(_) => std::slice::from_ref(self.ball_around(body)),
+                    None => self.capsules(body),
+                };
+                for Light { weight, doppler_factor } in capsules.iter().flat_map(|c| lights(c, &seen)) {
                     let shift = if doppler_shift { doppler_factor } else { 1.0 };
                     shares[body.emission.band(shift) as usize] += weight;
                 }
