@@ -197,8 +197,8 @@ fn presets_are_found_by_name_only() {
     assert_eq!(Scene::preset("cyclist.toml"), None);
     assert_eq!(
         Scene::open("cycle").expect_err("no such scene").to_string(),
-        "no scene is called `cycle`: there are street, cyclist, two-balls, lattice; for a file, give a name \
-         ending in .toml"
+        "no scene is called `cycle`: there are street, cyclist, cube, globe, train, rods, lattice, two-balls; \
+         for a file, give a name ending in .toml"
     );
 }
 
@@ -350,7 +350,7 @@ fn shapes_and_scenes_are_known_by_name() {
     );
     assert_eq!(
         error("name = \"x\"\n[[include]]\nscene = \"cyclists\""),
-        "balls.toml:3: scene = \"cyclists\" must be one of street, cyclist, two-balls, lattice"
+        "balls.toml:3: scene = \"cyclists\" must be one of street, cyclist, cube, globe, train, rods, lattice, two-balls"
     );
 }
 
