@@ -6,6 +6,7 @@
 
 pub mod args;
 mod background_picture;
+pub mod beyond;
 pub mod clock;
 pub mod command;
 pub mod corrected;

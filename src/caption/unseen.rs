@@ -4,7 +4,7 @@ use relativity_render::received::Shares;
 use relativity_render::spectrum::Band;
 
 /// From this part of a group on it is said.
-const SUBSTANTIAL: f64 = 0.15;
+const SUBSTANTIAL: f64 = 0.03;
 /// From this part on it is all of it.
 const ALL: f64 = 0.97;
 
@@ -31,7 +31,7 @@ mod tests {
     fn black_is_explained_and_nothing_else() {
         let said = |groups: &[Shares]| notice(groups).unwrap_or_default();
         assert_eq!(said(&[[1.0, 0.0, 0.0]]), "received as ultraviolet: eyes see nothing");
-        assert_eq!(said(&[[0.0, 0.01, 0.99]]), "received as infrared: eyes see nothing");
+        assert_eq!(said(&[[0.0, 0.02, 0.98]]), "received as infrared: eyes see nothing");
         assert_eq!(said(&[[0.5, 0.5, 0.0]]), "dark parts are ultraviolet: eyes see nothing there");
         assert_eq!(
             said(&[[0.4, 0.2, 0.4]]),
@@ -43,7 +43,7 @@ mod tests {
             "dark parts are ultraviolet: eyes see nothing there"
         );
         assert_eq!(said(&[[0.0, 0.0, 0.0], [0.0, 1.0, 0.0]]), "");
-        assert_eq!(said(&[[0.1, 0.9, 0.0]]), "");
+        assert_eq!(said(&[[0.01, 0.99, 0.0]]), "");
         assert_eq!(said(&[]), "");
     }
 }

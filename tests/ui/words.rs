@@ -28,7 +28,7 @@ const ARRIVING: &str = "Light arriving now";
 
 fn the_sentence_has_the_numbers_of_the_core() {
     let mut window = window(cyclist(0.9));
-    for time in [0.3, 1.1, 3.6, 9.0] {
+    for time in [0.3, 1.1, 3.0, 9.0] {
         window.state_mut().ask(Command::Time(time));
         window.run();
         let sentence = label_starting_with(&window, ARRIVING);

@@ -57,7 +57,9 @@ struct OwnRay {
 
 fn own_ray(body: Body, ray: Ray) -> OwnRay {
     let direction = body_from_rest(ray.direction, body);
-    let moment = body_from_rest(ray.moment + cross(body.place, ray.direction), body);
+    // A ray that passes farther off than bodies are large misses: nearer, no product of its distances overflows.
+    let far = vec3f(1e15);
+    let moment = clamp(body_from_rest(ray.moment + cross(body.place, ray.direction), body), -far, far);
     return OwnRay(direction, moment, cross(moment, direction));
 }
 

@@ -14,8 +14,8 @@ use crate::app::eyes::Shown;
 use crate::app::observer::Eye;
 use crate::app::points::Point;
 use crate::app::state::State;
-use crate::app::theme;
 use crate::app::widgets::pane_title;
+use crate::app::{beyond, theme};
 use crate::caption;
 use crate::figures;
 use crate::settings::Light;
@@ -112,6 +112,7 @@ pub fn paint(ui: &Ui, state: &State, pane: EyePane, picture: Option<Shown>, heat
     }
     let inside = painter.with_clip_rect(pane.rect);
     markers(&inside, state, pane, visuals);
+    beyond::paint(ui, &inside, pane.rect, &state.beyond(pane.eye, pane.size));
     write(ui, &inside, pane, Align2::LEFT_BOTTOM, note(state, pane.eye, picture, heat_map.is_some()));
     write(ui, &inside, pane, Align2::LEFT_TOP, unseen(state, pane).unwrap_or_default());
     painter.rect_stroke(pane.rect, 0.0, Stroke::new(1.5, colour), StrokeKind::Outside);

@@ -8,10 +8,11 @@ use crate::support::{centred, spread};
 
 /// A few bodies of every shape, thin and thick, that do not touch; about 1.5 long.
 pub fn still_life() -> Vec<Body> {
-    let turned = |center, half, axis: [f64; 3], angle| {
-        let turn = DQuat::from_axis_angle(DVec3::from(axis).normalize(), angle).to_array();
-        Shape::Box { center, half, turn }
-    };
+    [round_still_life(), flat_still_life()].concat()
+}
+
+/// Those of it without flat faces.
+pub fn round_still_life() -> Vec<Body> {
     let ring = |center, axis: [f64; 3], radius, tube_radius| Shape::Ring {
         center,
         axis: DVec3::from(axis).normalize().to_array(),
@@ -28,6 +29,16 @@ pub fn still_life() -> Vec<Body> {
         Shape::Tube { from: [0.4, 2.8, 0.0], to: [0.4, 3.3, 1.3], radius: 0.05 },
         Shape::Tube { from: [-1.2, 2.6, 0.0], to: [0.3, 2.6, 0.1], radius: 0.004 },
         Shape::Tube { from: [-1.3, 3.3, 0.2], to: [-1.1, 3.3, 1.2], radius: 0.01 },
+    ])
+}
+
+/// Boxes and cylinders: cubes, plates and rods.
+fn flat_still_life() -> Vec<Body> {
+    let turned = |center, half, axis: [f64; 3], angle| {
+        let turn = DQuat::from_axis_angle(DVec3::from(axis).normalize(), angle).to_array();
+        Shape::Box { center, half, turn }
+    };
+    bodies(vec![
         turned([0.0, 2.8, 1.15], [0.12; 3], [0.3, 0.5, 1.0], 0.7),
         turned([0.15, 3.4, 0.7], [0.1, 0.15, 0.05], [0.0, 0.0, 1.0], 0.0),
         turned([-0.5, 3.5, 0.0], [0.6, 0.3, 0.003], [0.0, 0.2, 1.0], 0.1),
