@@ -139,8 +139,8 @@ impl Marking {
         match self.ruling {
             Ruling::Faces => 0.0,
             Ruling::Graticule => {
-                let parallels = line(along / along_step, LINE, quarter, along_covered);
                 let quarter = FRAC_PI_2 / around_step;
+                let parallels = line(along / along_step, LINE, quarter, along_covered);
                 let width = LINE * along_step / (off_axis * around_step).max(1e-30);
                 parallels.max(line(around / around_step, width, quarter, around_covered))
             }
