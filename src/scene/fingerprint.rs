@@ -140,7 +140,7 @@ mod tests {
     #[test]
     fn every_part_of_a_scene_shows_in_its_fingerprint() {
         let scene = Scene::preset("cyclist").expect("a preset");
-        let mut others = vec![scene.clone(); 10];
+        let mut others = vec![scene.clone(); 12];
         others[0].name.push('2');
         others[1].tracked[2] += 1e-9;
         others[2].ground_z = None;
@@ -151,10 +151,12 @@ mod tests {
         others[5].groups[0].count -= 1;
         others[6].groups[0].motion = Motion::Own(Velocity::REST);
         others[9].road = Some([2.0, 9.0]);
+        others[10].bodies[0].pattern = Pattern::Stripes { step: 0.5 };
+        others[11].bodies[0].pattern = Pattern::Stripes { step: 0.6 };
         let mut fingerprints: Vec<_> = others.iter().map(Scene::fingerprint).collect();
         fingerprints.push(scene.fingerprint());
         fingerprints.sort();
         fingerprints.dedup();
-        assert_eq!(fingerprints.len(), 11);
+        assert_eq!(fingerprints.len(), 13);
     }
 }

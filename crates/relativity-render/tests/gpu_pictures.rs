@@ -73,7 +73,8 @@ fn patterns_are_the_references(renderers: &mut Renderers) {
     }
 }
 
-const PATTERNS: [Pattern; 6] = [
+const PATTERNS: [Pattern; 7] = [
+    Pattern::Faces,
     Pattern::Graticule { step_degrees: 30.0 },
     Pattern::Graticule { step_degrees: 5.0 },
     Pattern::Chequer { step: 0.1 },
@@ -88,6 +89,8 @@ fn patterned_life() -> Vec<Body> {
         Shape::Sphere { center: [-0.1, 3.1, 0.9], radius: 0.35 },
         Shape::Tube { from: [-1.2, 3.0, 0.2], to: [0.3, 3.3, 0.3], radius: 0.12 },
         Shape::Ring { center: [-0.9, 3.2, 0.9], axis: [0.36, 0.48, 0.8], radius: 0.3, tube_radius: 0.1 },
+        Shape::Box { center: [0.1, 2.9, 0.1], half: [0.2, 0.25, 0.15], turn: [0.2, 0.4, 0.4, 0.8] },
+        Shape::Cylinder { from: [-1.0, 2.9, 0.5], to: [-0.6, 3.0, 0.5], radius: 0.2 },
     ];
     shapes.into_iter().map(|shape| Body::new(shape, 600.0)).collect()
 }
