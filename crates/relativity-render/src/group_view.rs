@@ -196,6 +196,14 @@ impl View {
     }
 }
 
+/// The fastest of the groups that `views` show (of equally fast ones the first): the reference, among whose bodies the
+/// depths of all others are told; why, and what that costs these, is said at `depth` in `shaders/rest_ray.wgsl`.
+pub(crate) fn reference_of_depths(views: &[GroupView]) -> usize {
+    let gamma = |group: usize| views[group].velocity.speed.gamma();
+    let faster = |fastest, group| if gamma(group) > gamma(fastest) { group } else { fastest };
+    (0..views.len()).fold(0, faster)
+}
+
 fn position(aperture: Aperture) -> DVec3 {
     DVec3::new(aperture.x, aperture.y, aperture.z)
 }

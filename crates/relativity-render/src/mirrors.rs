@@ -92,7 +92,7 @@ fn of_bodies(kind: Kind, name: &str, technique: &Technique) -> Shader {
         is_patterned: true,
         effects: Effects::new(true, &Appearance::default()),
     };
-    let key = Key { kind, geometry: Geometry::Seen, has_others: false, output };
+    let key = Key { kind, geometry: Geometry::Seen, among_others: None, output };
     Shader {
         name: format!("{name} of a {kind:?}"),
         source: (technique.source)(kind),
