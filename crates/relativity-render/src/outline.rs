@@ -203,29 +203,33 @@ impl<'a> Sight<'a> {
             *found = Reach::EVERYWHERE;
             return;
         };
-        let reach = |more: f64| {
+        let reach = |offset: DVec3| {
             let [first, last] =
-                ends.map(|center| Reach::of(&Ball { center, radius: piece.radius + more }, axes));
+                ends.map(|end| Reach::of(&Ball { center: end + offset, radius: piece.radius }, axes));
             first.joined(&last)
         };
-        *found = found.joined(&reach(0.0));
+        *found = found.joined(&reach(DVec3::ZERO));
+        if bulge == DVec3::ZERO {
+            return;
+        }
         let all = reach(bulge);
         if found.holds(&all) {
             return;
         }
-        if halvings == 0 || bulge <= SLIGHT_BULGE * ends[0].length().min(ends[1].length()) {
+        let slight = SLIGHT_BULGE * SLIGHT_BULGE * ends[0].length_squared().min(ends[1].length_squared());
+        if halvings == 0 || bulge.length_squared() <= slight {
             *found = found.joined(&all);
             return;
         }
         piece.halves().iter().for_each(|half| self.widen_by(half, halvings - 1, axes, found));
     }
 
-    /// The centres of the balls that its ends look like, and how far it departs from the straight tube between them.
-    /// `None` where that cannot be said.
-    fn image(&self, piece: &Capsule) -> Option<([DVec3; 2], f64)> {
+    /// The centres of the balls that its ends look like, and how far it departs at most from the straight tube between
+    /// them. `None` where that cannot be said.
+    fn image(&self, piece: &Capsule) -> Option<([DVec3; 2], DVec3)> {
         let first = self.projection.apparent_centre(piece.from, piece.radius)?;
         let last = self.projection.apparent_centre(piece.to, piece.radius)?;
-        Some(([first, last], self.projection.bulge(piece)?.length()))
+        Some(([first, last], self.projection.bulge(piece)?))
     }
 }
 
