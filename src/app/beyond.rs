@@ -48,12 +48,13 @@ impl State {
         let scene = self.subject_beyond(&camera);
         let point = self.session.points.selected();
         let is_told = scene.is_some() && point.track.motion == Motion::Scene;
-        let point = self.direction(point, eye).filter(|&direction| !is_told && !shows(&camera, direction)).map(
-            |direction| {
+        let point = self
+            .direction(point, eye)
+            .filter(|&direction| !is_told && !shows(&camera, direction))
+            .map(|direction| {
                 let name = point.name(&self.session.scene);
                 Beyond::new(name, &camera, direction, Some(point.number))
-            },
-        );
+            });
         scene.into_iter().chain(point).collect()
     }
 

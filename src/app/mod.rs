@@ -288,6 +288,12 @@ impl App {
         for &pane in &layout.panes {
             self.paint(ui, pane);
         }
+        if let Some(rect) = layout.spectrum {
+            self.panel(ui, "spectrum", rect, |ui, state, _| panels::spectrum::show(ui, state));
+        }
+        if let Some(rect) = layout.sentence {
+            self.panel(ui, "sentence", rect, |ui, state, _| panels::sentence::show(ui, state));
+        }
         self.corrected.take_if(|_| !layout.shows(Content::Corrected));
         if self.state.session.playing {
             ctx.request_repaint();

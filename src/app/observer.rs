@@ -10,6 +10,7 @@ use super::curves::CurvesKey;
 use super::fitting::{FitKey, FitOutcome};
 use super::points::Point;
 use super::state::State;
+use crate::caption::Moment;
 use crate::settings::{Look, Settings, Subject};
 
 /// One of the two eyes.
@@ -90,6 +91,15 @@ impl State {
             Eye::Left => both.primary,
             Eye::Right => both.secondary,
         })
+    }
+
+    /// What is shown of the selected point now.
+    #[must_use]
+    pub fn moment(&self) -> Moment {
+        let point = self.session.points.selected();
+        let name = point.noun(&self.session.scene);
+        let rest_wavelength = self.rest_wavelength_nm(point);
+        Moment::new(&self.settings, &point.track, name, rest_wavelength, self.session.time)
     }
 
     /// The exact disparity of `point` now.

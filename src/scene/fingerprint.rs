@@ -1,6 +1,6 @@
 //! Whether two scenes are the same: a hash of what is in them, however the program calls its parts.
 
-use relativity_render::{Body, Motion, Shape};
+use relativity_render::{Body, Motion, Pattern, Shape};
 
 use super::content::{Scene, SceneGroup};
 use crate::files::provenance::Provenance;
@@ -10,10 +10,11 @@ impl Scene {
     /// for others.
     ///
     /// The FNV-1a hash (G. Fowler, L. C. Noll, K.-P. Vo) of, in this order: the name, the tracked point, the height of
-    /// the ground, its road if there is one, and of each group its name, its own beta, and its bodies; of a body its shape by the name in a scene
-    /// file, the numbers of that in the order of the scene format, its wavelength and, if it is below 1, its brightness
-    /// after that word. Names end in a zero byte; numbers go in bit by bit, big end first, those that are not there as
-    /// infinity.
+    /// the ground, its road if there is one, and of each group its name, its own beta, and its bodies; of a body its shape
+    /// by the name in a scene file, the numbers of that in the order of the scene format (of a box half its size, and its
+    /// turn as a quaternion), its wavelength and, if it is below 1, its brightness after that word, and if it has one its
+    /// pattern by name, with its spacing. Names end in a zero byte; numbers go in bit by bit, big end first, those that
+    /// are not there as infinity.
     #[must_use]
     pub fn fingerprint(&self) -> String {
         let mut hash = Hash::default();
@@ -89,12 +90,38 @@ impl Hash {
                 self.numbers(&axis);
                 self.numbers(&[radius, tube_radius]);
             }
+            Shape::Box { center, half, turn } => {
+                self.name("box");
+                self.numbers(&center);
+                self.numbers(&half);
+                self.numbers(&turn);
+            }
+            Shape::Cylinder { from, to, radius } => {
+                self.name("cylinder");
+                self.numbers(&from);
+                self.numbers(&to);
+                self.numbers(&[radius]);
+            }
         }
         self.numbers(&[body.emission.wavelength_nm().unwrap_or(f64::INFINITY)]);
         if body.brightness < 1.0 {
             self.name("brightness");
             self.numbers(&[body.brightness]);
         }
+        self.pattern(body.pattern);
+    }
+
+    /// Nothing of a plain body.
+    fn pattern(&mut self, pattern: Pattern) {
+        let (name, spacing) = match pattern {
+            Pattern::Plain => return,
+            Pattern::Faces => ("faces", f64::INFINITY),
+            Pattern::Graticule { step_degrees } => ("graticule", step_degrees),
+            Pattern::Chequer { step } => ("chequer", step),
+            Pattern::Stripes { step } => ("stripes", step),
+        };
+        self.name(name);
+        self.numbers(&[spacing]);
     }
 }
 

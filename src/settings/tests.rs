@@ -13,7 +13,7 @@ use crate::files::exr::{self, Measurements};
 use crate::files::png;
 use crate::files::provenance::Provenance;
 use crate::flags::choices::{GazeChoice, Layout, RendererChoice, Size};
-use crate::flags::{FieldOfView, MAX_TIME, NumberOrOff, SpeedParameter, SpeedSetting, TimeRange};
+use crate::flags::{FieldOfView, IntensityExponent, MAX_TIME, SpeedParameter, SpeedSetting, TimeRange};
 
 /// Any number within `range`, of any magnitude.
 fn number(range: RangeInclusive<f64>) -> impl Strategy<Value = f64> {
@@ -56,7 +56,7 @@ fn look() -> impl Strategy<Value = Look> {
 }
 
 fn light() -> impl Strategy<Value = Light> {
-    let exponent = prop_oneof![Just(None), any_number().prop_map(Some)].prop_map(NumberOrOff);
+    let exponent = prop_oneof![Just(None), any_number().prop_map(Some)].prop_map(IntensityExponent);
     let switches = any::<[bool; 4]>();
     (choice::<Colour>(), exponent, number(EXPOSURE_EV), choice::<Shading>(), choice::<Daylight>(), switches)
         .prop_map(
@@ -104,10 +104,12 @@ fn fit() -> impl Strategy<Value = FitSetup> {
 }
 
 fn window() -> impl Strategy<Value = Window> {
-    (any::<[bool; 5]>(), choice::<Theme>()).prop_map(
-        |([views, corrected, plots, controls, readout], theme)| Window {
+    (any::<[bool; 7]>(), choice::<Theme>()).prop_map(
+        |([views, corrected, spectrum, sentence, plots, controls, readout], theme)| Window {
             views,
             corrected,
+            spectrum,
+            sentence,
             plots,
             controls,
             readout,
@@ -120,11 +122,8 @@ fn quality_and_picture() -> impl Strategy<Value = (Quality, Picture)> {
     let quality = (choice::<RendererChoice>(), number(BOUND_PX))
         .prop_map(|(renderer, bound_px)| Quality { renderer, bound_px });
     let size = (1..=16_384u32, 1..=16_384u32).prop_map(|(width, height)| Size([width, height]));
-    let picture = (size, choice::<Layout>(), 1..=16u32).prop_map(|(size, layout, samples)| Picture {
-        size,
-        layout,
-        samples,
-    });
+    let picture = (size, choice::<Layout>(), any::<bool>(), 1..=16u32)
+        .prop_map(|(size, layout, labels, samples)| Picture { size, layout, labels, samples });
     (quality, picture)
 }
 
@@ -181,7 +180,7 @@ fn through_file(settings: &Settings, path: &Path) -> Settings {
         png::write(&Pixels { size, rgba: vec![[0; 4]] }, &provenance.texts(), file).expect("it is written");
     } else {
         let eyes = [(); 2].map(|()| HitImage { size, hits: vec![None] });
-        let light = exr::Light { scene: &PreparedScene::moving(&[]), intensity_exponent: None };
+        let light = exr::Light { scene: &PreparedScene::moving(&[]), appearance: Appearance::default() };
         Measurements::of_eyes(&eyes, light, &provenance.comments()).write(file).expect("it is written");
     }
     Settings::default().with_file(path).expect("it was recorded")
@@ -290,7 +289,7 @@ fn a_picture_recorded_before_still_opens() {
                    --exposure=-0.5 --shading=emission --ground=on --sky=off --light=off --renderer=reference --samples=2";
     let settings = Settings::default().with_command(command, "old.png").expect("it is right");
     assert_eq!((settings.scene.as_str(), settings.time, settings.motion.d), ("street", Some(2.25), 0.3));
-    assert_eq!(settings.light.intensity_exponent, NumberOrOff(None));
+    assert_eq!(settings.light.intensity_exponent, IntensityExponent(None));
     assert_eq!(settings.look.gaze, GazeChoice::Fixed([100.0, -3.5]));
     assert_eq!((settings.light.light, settings.picture.samples), (Daylight::Off, 2));
 }

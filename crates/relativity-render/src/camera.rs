@@ -153,6 +153,14 @@ impl LinesOfSight {
     pub fn through(&self, [u, v]: [f64; 2]) -> DVec3 {
         (self.to_top_left + self.right * u - self.up * v).normalize()
     }
+
+    /// By how much that turns from there to the pixel on the right, and to the one below.
+    pub(crate) fn turns(&self, [u, v]: [f64; 2]) -> [DVec3; 2] {
+        let unnormalised = self.to_top_left + self.right * u - self.up * v;
+        let length = unnormalised.length();
+        let sight = unnormalised / length;
+        [self.right, -self.up].map(|across| (across - sight * sight.dot(across)) / length)
+    }
 }
 
 #[cfg(test)]

@@ -6,12 +6,15 @@
 use std::ops::Range;
 
 use crate::buffers::fill_vertex_buffer;
+use crate::effects::Effects;
 use crate::gpu::Gpu;
 use crate::group_view::GroupView;
 use crate::kind::Kind;
+use crate::light::Light;
 use crate::pipelines::{Key, Output, Pipelines};
+use crate::prepared_body::PreparedBody;
 use crate::scene::PreparedScene;
-use crate::view::{Appearance, Colour};
+use crate::view::Appearance;
 
 /// What is to be drawn.
 #[derive(Debug, Clone, Copy)]
@@ -66,12 +69,17 @@ pub struct Trait<T> {
     pub template: T,
     /// Whether they are thinner than a pixel, and faded for that.
     pub is_thin: bool,
+    /// Whether any of them carries a pattern.
+    pub is_patterned: bool,
 }
 
 impl Shot<'_> {
-    /// The colours that it shows; numbers have none.
-    pub fn colour(&self) -> Colour {
-        self.appearance.map_or(Colour::Visible, |appearance| appearance.colour)
+    /// The light of `body` for the shaders; numbers have none.
+    pub fn light(&self, body: &PreparedBody) -> [f32; 4] {
+        self.appearance.map_or([0.0; 4], |appearance| {
+            let effects = Effects::new(self.views[body.group].geometry.has_doppler_effect(), appearance);
+            Light::new(body.emission, appearance).packed(appearance, effects).map(|part| part as f32)
+        })
     }
 }
 
@@ -93,10 +101,10 @@ impl<I: bytemuck::NoUninit, T> Batches<I, T> {
     {
         self.instances.clear();
         self.in_order.clear();
-        for (Trait { group, kind, template, is_thin }, run) in runs {
+        for (Trait { group, kind, template, is_thin, is_patterned }, run) in runs {
             let start = self.instances.len() as u32;
             self.instances.extend(run);
-            let output = Output::new(&shot.views[group], shot.appearance, is_thin);
+            let output = Output::new(&shot.views[group], shot.appearance, is_thin, is_patterned);
             let key = Key::new(kind, shot.views, group, output);
             self.pipelines.prepare(gpu, key);
             let instances = start..self.instances.len() as u32;

@@ -11,7 +11,7 @@ use glam::DVec3;
 use relativity_core::math::{atan, sin_cos, tan};
 
 use crate::camera::{Axes, Camera, Gaze, MAX_ELEVATION};
-use crate::capsule::Capsule;
+use crate::capsule::{Block, Capsule};
 use crate::footprint::Projection;
 use crate::group_view::GroupView;
 use crate::prepared_body::PreparedBody;
@@ -72,6 +72,15 @@ struct Seen<'a> {
     /// What the ball around it looks like; `None` from inside.
     ball: Option<Ball>,
     capsules: &'a [Capsule],
+    block: Option<Block>,
+}
+
+impl Seen<'_> {
+    /// Tubes that reach as far as it does. Of a block its edges do, wherever they are seen.
+    fn pieces(&self) -> impl Iterator<Item = Capsule> {
+        let edges = self.block.iter().flat_map(Block::edges);
+        self.capsules.iter().copied().chain(edges)
+    }
 }
 
 impl Outline {
@@ -165,7 +174,7 @@ impl<'a> Sight<'a> {
             let around = scene.ball_around(body);
             let center = projection.apparent_centre(view.reflected_from_camera(around.from), around.radius);
             let ball = center.map(|center| Ball { center, radius: around.radius });
-            Seen { ball, capsules: scene.capsules(body) }
+            Seen { ball, capsules: scene.capsules(body), block: body.block }
         };
         let bodies = scene.bodies()[group.bodies.clone()].iter().map(seen).collect();
         Self { view, projection, bodies }
@@ -180,17 +189,14 @@ impl<'a> Sight<'a> {
     /// Widens `found` so that it holds every body.
     fn widen(&self, axes: &Axes, found: &mut Reach) {
         let reflected = |v| self.view.velocity.reflected(v);
-        let axes = &Axes {
-            right: reflected(axes.right),
-            up: reflected(axes.up),
-            forward: reflected(axes.forward),
-        };
+        let axes =
+            &Axes { right: reflected(axes.right), up: reflected(axes.up), forward: reflected(axes.forward) };
         let whole = |body: &Seen| body.ball.map_or(Reach::EVERYWHERE, |ball| Reach::of(&ball, axes));
         let wholes: Vec<_> = self.bodies.iter().map(whole).collect();
         // Those that may reach furthest come first: few of the others need a closer look then.
         for number in furthest(&wholes).into_iter().chain(0..wholes.len()) {
             if !found.holds(&wholes[number]) {
-                for capsule in self.bodies[number].capsules {
+                for capsule in self.bodies[number].pieces() {
                     self.widen_by(&capsule.reflected_from_camera(&self.view), HALVINGS, axes, found);
                 }
             }
@@ -236,7 +242,8 @@ impl<'a> Sight<'a> {
 /// The numbers of those that reach furthest to each side.
 fn furthest(all: &[Reach]) -> Vec<usize> {
     let sides: [fn(&Reach) -> f64; 4] = [|r| -r.across[0], |r| r.across[1], |r| -r.up[0], |r| r.up[1]];
-    let by = |side: &fn(&Reach) -> f64| (0..all.len()).max_by(|&a, &b| side(&all[a]).total_cmp(&side(&all[b])));
+    let by =
+        |side: &fn(&Reach) -> f64| (0..all.len()).max_by(|&a, &b| side(&all[a]).total_cmp(&side(&all[b])));
     sides.iter().filter_map(by).collect()
 }
 

@@ -6,7 +6,6 @@ use glam::DVec3;
 use crate::capsule::Capsule;
 use crate::group_view::GroupView;
 use crate::scene::PreparedScene;
-use crate::spectrum::Band;
 use crate::view::View;
 
 /// Where along a capsule its light is looked at, in parts of its length.
@@ -41,14 +40,11 @@ impl PreparedScene {
         let shares = |(group, seen): (&crate::scene::PreparedGroup, GroupView)| {
             let mut shares = Shares::default();
             for body in &self.bodies()[group.bodies.clone()] {
-                for capsule in self.capsules(body) {
-                    for Light { weight, doppler_factor } in lights(capsule, &seen) {
-                        let shift = if doppler_shift { doppler_factor } else { 1.0 };
-                        // Of white light some is visible at any shift that is not extreme.
-                        let wavelength_nm = body.emission.wavelength_nm();
-                        let band = wavelength_nm.map_or(Band::Visible, |nm| Band::of(nm / shift));
-                        shares[band as usize] += weight;
-                    }
+                for Light { weight, doppler_factor } in
+                    self.capsules(body).iter().flat_map(|c| lights(c, &seen))
+                {
+                    let shift = if doppler_shift { doppler_factor } else { 1.0 };
+                    shares[body.emission.band(shift) as usize] += weight;
                 }
             }
             normalised(shares)

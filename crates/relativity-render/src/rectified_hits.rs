@@ -3,9 +3,8 @@
 
 use relativity_core::threads::prelude::*;
 
-use crate::colour::hue_preserving_clip;
+use crate::pattern::Covered;
 use crate::picture::{Picture, encoded};
-use crate::prepared_body::PreparedBody;
 use crate::rectify::Rectification;
 use crate::reference::{Hit, HitImage, sample_grid};
 use crate::scene::PreparedScene;
@@ -29,7 +28,7 @@ impl Rectification {
     ///
     /// Wavelengths are multiplied by the D of this rectification's speed and intensities divided by D^n, as
     /// `appearance` has it: at the true speed each body has its colour at rest, at any other the rest of the
-    /// Doppler effect stays. `hits` are of `scene`.
+    /// Doppler effect stays. Patterns are where the hits are, and `hits` are of `scene`.
     #[must_use]
     pub fn picture_of_hits(
         &self,
@@ -45,7 +44,7 @@ impl Rectification {
             let index = row as usize * hits.size[0] as usize + column as usize;
             let Some(hit) = hits.hits.get(index).copied().flatten() else { return blank.background };
             let doppler_factor = self.doppler_factor([column + 0.5, row + 0.5]);
-            corrected_colour(&hit, &scene.bodies()[hit.body], appearance, doppler_factor)
+            corrected_colour(scene, &hit, appearance, doppler_factor)
         };
         let pixel = |index: u32| {
             let places = sample_grid([index % width, index / width], SAMPLES);
@@ -61,19 +60,20 @@ impl Rectification {
 
 /// What is left of the Doppler effect of `hit` when one with `doppler_factor` is undone.
 fn corrected_colour(
+    scene: &PreparedScene,
     hit: &Hit,
-    body: &PreparedBody,
     appearance: &Appearance,
     doppler_factor: f64,
 ) -> [f64; 3] {
     let left = hit.doppler_factor / doppler_factor;
-    hue_preserving_clip(surface_colour(appearance, body, hit.rest_normal, left))
+    let colour = surface_colour(appearance, &scene.bodies()[hit.body], hit.rest_normal, left);
+    colour.map(|part| part * scene.mark(hit, Covered::NOTHING))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Body, Camera, Colour, Gaze, Geometry, Shading, Shape, Velocity, View};
+    use crate::{Body, Camera, Gaze, Geometry, Shading, Shape, Velocity, View};
     use relativity_core::{Aperture, Speed};
 
     const RED_NM: f64 = 640.0;
@@ -98,15 +98,14 @@ mod tests {
 
     fn appearance() -> Appearance {
         Appearance {
-            colour: Colour::Visible,
-            doppler_shift: true,
             intensity_exponent: Some(2.0),
-            exposure_ev: 0.0,
+            invisible: false,
             shading: Shading::Emission,
             ground_z: None,
             road: None,
             sky: false,
             light: false,
+            ..Appearance::default()
         }
     }
 
@@ -125,7 +124,7 @@ mod tests {
 
     /// Pixels that show a body and nothing else, and the largest difference of one from the colour at rest.
     fn bodies_in(picture: &Picture) -> (usize, u8) {
-        let expected = encoded(crate::colour::linear_srgb(RED_NM, Colour::Visible));
+        let expected = encoded(crate::tone::toned(crate::colour::linear_srgb(RED_NM)));
         let full = picture.rgba.iter().filter(|pixel| greyness(**pixel) == 0);
         let difference = |pixel: &[u8; 4]| (0..3).map(|i| pixel[i].abs_diff(expected[i])).max();
         (full.clone().count(), full.filter_map(difference).max().unwrap_or(0))

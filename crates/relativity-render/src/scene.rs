@@ -8,7 +8,7 @@ use crate::capsule::Capsule;
 use crate::group_view::GroupView;
 use crate::intersect::Solid;
 use crate::outline::Outline;
-use crate::prepared_body::{Extent, PreparedBody, find_joints};
+use crate::prepared_body::{Extent, PreparedBody, find_joints, find_patterned};
 use crate::velocity::Motion;
 use crate::view::View;
 
@@ -86,15 +86,27 @@ impl PreparedScene {
                 bodies.push(PreparedBody::new(first + i, number, body, &extent, &mut capsules));
             }
             find_joints(&mut bodies[first..], &solids[first..]);
+            find_patterned(&mut bodies[first..]);
             prepared.push(PreparedGroup { motion, bodies: first..bodies.len(), extent });
         }
         if prepared.is_empty() {
             prepared.push(PreparedGroup { motion: Motion::Scene, bodies: 0..0, extent: Extent::new(&[]) });
         }
-        let ball = |body: &PreparedBody| Capsule::ball_around(&capsules[body.capsules.clone()]);
+        let ball = |body: &PreparedBody| match &body.block {
+            Some(block) => block.ball_around(),
+            None => Capsule::ball_around(&capsules[body.capsules.clone()]),
+        };
         let balls = bodies.iter().map(ball).collect();
         let numbers = (0..bodies.len() as u32).collect();
-        Self(Arc::new(Prepared { groups: prepared, bodies, solids, numbers, capsules, balls, last_outline: Mutex::default() }))
+        Self(Arc::new(Prepared {
+            groups: prepared,
+            bodies,
+            solids,
+            numbers,
+            capsules,
+            balls,
+            last_outline: Mutex::default(),
+        }))
     }
 
     /// Prepares one group of `bodies`, which move at the scene's speed.

@@ -8,7 +8,7 @@ use std::process::ExitCode;
 use std::sync::LazyLock;
 
 use glam::DVec3;
-use gpu_support::scenes::{crowd, speeds, still_life, time_seen_at, view_following};
+use gpu_support::scenes::{crowd, round_still_life, speeds, still_life, time_seen_at, view_following};
 use joints::{joints, shared_pixels};
 use relativity_core::{SourcePoint, Speed, sighting};
 use relativity_render::{
@@ -77,12 +77,12 @@ fn hits_agree_with_the_reference(renderers: &mut Renderers) {
 /// Two still lifes that fly apart as fast.
 fn pair_apart(speed: Speed) -> (PreparedScene, Vec<Body>) {
     let apart = Velocity { speed, is_backward: true };
-    let second: Vec<_> = still_life().into_iter().map(|body| body.moved([0.3, 0.05, 0.1])).collect();
+    let second: Vec<_> = round_still_life().into_iter().map(|body| body.moved([0.3, 0.05, 0.1])).collect();
     let scene = PreparedScene::new([
-        Group { motion: Motion::Scene, bodies: &still_life() },
+        Group { motion: Motion::Scene, bodies: &round_still_life() },
         Group { motion: Motion::Own(apart), bodies: &second },
     ]);
-    (scene, [still_life(), second].concat())
+    (scene, [round_still_life(), second].concat())
 }
 
 fn groups_that_fly_apart_agree_up_to_the_documented_gamma(renderers: &mut Renderers) {

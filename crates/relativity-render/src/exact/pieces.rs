@@ -9,13 +9,12 @@ use std::slice::Iter;
 use bytemuck::{Pod, Zeroable};
 use glam::DVec2;
 
-use crate::capsule::Capsule;
 use crate::drawing::{Shot, Trait};
-use crate::footprint::{Footprint, Projection, Rectangle};
+use crate::footprint::{Bound, Footprint, Projection, Rectangle};
 use crate::group_view::GroupView;
 use crate::kind::Kind;
 use crate::prepared_body::PreparedBody;
-use crate::view::Colour;
+use crate::scene::PreparedScene;
 
 /// How often a piece is halved before its bound is taken as it is: 32 rectangles follow the most bent of tubes, and
 /// a looser bound only costs time.
@@ -40,18 +39,19 @@ pub enum Bounds {
 #[repr(C)]
 pub struct Piece {
     pub place: [f32; 4],
-    pub second_axis_index_wavelength: [f32; 4],
+    pub second_axis_index_brightness: [f32; 4],
     pub place_radius: [f32; 4],
     pub form: [f32; 4],
     pub turn: [f32; 4],
-    pub rest_colour: [f32; 4],
+    pub light: [f32; 4],
+    pub pattern: [f32; 3],
 }
 
-/// The pieces of a view, solid before thin, group by group and kind by kind, else in the order of the bodies: where
+/// The pieces of a view, solid before thin, group by group, kind by kind, plain before patterned, else in the order of the bodies: where
 /// surfaces of two coincide, the first that is drawn stays. Kept from view to view, for its memory.
 #[derive(Debug, Default)]
 pub struct Pieces {
-    lists: BTreeMap<(bool, usize, Kind), Vec<Piece>>,
+    lists: BTreeMap<(bool, usize, Kind, bool), Vec<Piece>>,
     rectangles: Vec<Rectangle>,
 }
 
@@ -64,10 +64,10 @@ impl Pieces {
             let projection = Projection::new(view);
             for body in &shot.scene.bodies()[group.bodies.clone()] {
                 match bounds {
-                    Bounds::Tight => self.bound(&projection, view, shot.scene.capsules(body)),
+                    Bounds::Tight => self.bound(&projection, view, shot.scene, body),
                     Bounds::None => self.bound_nowhere(),
                 }
-                self.add(body, shot.colour(), thin_px);
+                self.add(body, shot, thin_px);
             }
         }
     }
@@ -75,23 +75,33 @@ impl Pieces {
     /// Those that are drawn by one draw, in order.
     pub fn runs(&self) -> impl Iterator<Item = (Trait<()>, Iter<'_, Piece>)> {
         let filled = self.lists.iter().filter(|(_, list)| !list.is_empty());
-        filled.map(|(&(is_thin, group, kind), list)| {
-            (Trait { group, kind, template: (), is_thin }, list.iter())
+        filled.map(|(&(is_thin, group, kind, is_patterned), list)| {
+            (Trait { group, kind, template: (), is_thin, is_patterned }, list.iter())
         })
     }
 
     /// The pieces of `body` in the rectangles just found.
-    fn add(&mut self, body: &PreparedBody, colour: Colour, thin_px: f64) {
-        let template = Piece::new(body, colour);
+    fn add(&mut self, body: &PreparedBody, shot: &Shot<'_>, thin_px: f64) {
+        let template = Piece::new(body, shot);
         for rectangle in &self.rectangles {
-            let list = (rectangle.radius_px < thin_px, body.group, body.kind);
+            let list = (rectangle.radius_px < thin_px, body.group, body.kind, body.is_patterned);
             self.lists.entry(list).or_default().push(template.placed(rectangle));
         }
     }
 
-    fn bound(&mut self, projection: &Projection, view: &GroupView, capsules: &[Capsule]) {
+    fn bound(
+        &mut self,
+        projection: &Projection,
+        view: &GroupView,
+        scene: &PreparedScene,
+        body: &PreparedBody,
+    ) {
         self.rectangles.clear();
-        for capsule in capsules {
+        if let Some(block) = body.block {
+            let block = block.reflected_from_camera(view);
+            add_rectangles(projection, &block, MAX_HALVINGS, &mut self.rectangles);
+        }
+        for capsule in scene.capsules(body) {
             let capsule = capsule.reflected_from_camera(view);
             add_rectangles(projection, &capsule, MAX_HALVINGS, &mut self.rectangles);
         }
@@ -114,14 +124,14 @@ const EVERYWHERE: Rectangle = Rectangle {
     is_loose: false,
 };
 
-fn add_rectangles(projection: &Projection, capsule: &Capsule, halvings: u32, out: &mut Vec<Rectangle>) {
-    let is_whole = halvings == 0 || capsule.from == capsule.to;
-    match projection.footprint(capsule) {
+fn add_rectangles<B: Bound>(projection: &Projection, bound: &B, halvings: u32, out: &mut Vec<Rectangle>) {
+    let is_whole = halvings == 0 || bound.is_point();
+    match bound.footprint(projection) {
         Some(Footprint::Hidden) => {}
         Some(Footprint::Inside(rectangle)) if is_whole || !rectangle.is_loose => out.push(rectangle),
         None if is_whole => out.push(EVERYWHERE),
         Some(Footprint::Inside(_)) | None => {
-            for half in capsule.halves() {
+            for half in bound.halves() {
                 add_rectangles(projection, &half, halvings - 1, out);
             }
         }
@@ -134,35 +144,31 @@ impl Piece {
         array_stride: size_of::<Self>() as u64,
         step_mode: wgpu::VertexStepMode::Instance,
         attributes: &wgpu::vertex_attr_array![
-            0 => Float32x4, 1 => Float32x4, 2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4
+            0 => Float32x4, 1 => Float32x4, 2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4,
+            6 => Float32x3
         ],
     };
 
     /// Of `body`, without a rectangle.
-    fn new(body: &PreparedBody, colour: Colour) -> Self {
-        let [red, green, blue] = body.rest_colour(colour);
+    fn new(body: &PreparedBody, shot: &Shot<'_>) -> Self {
         Self {
             place: [0.0; 4],
-            second_axis_index_wavelength: [
-                0.0,
-                0.0,
-                body.index(),
-                body.emission.wavelength_nm().unwrap_or(0.0) as f32,
-            ],
+            second_axis_index_brightness: [0.0, 0.0, body.index(), body.brightness as f32],
             place_radius: body.place_radius,
             form: body.form,
             turn: body.turn,
-            rest_colour: [red, green, blue, 0.0],
+            light: shot.light(body),
+            pattern: body.pattern(),
         }
     }
 
     fn placed(&self, rectangle: &Rectangle) -> Self {
         let [middle, first, second] =
             [rectangle.middle, rectangle.half_axes[0], rectangle.half_axes[1]].map(DVec2::as_vec2);
-        let [_, _, index, wavelength] = self.second_axis_index_wavelength;
+        let [_, _, index, brightness] = self.second_axis_index_brightness;
         Self {
             place: [middle.x, middle.y, first.x, first.y],
-            second_axis_index_wavelength: [second.x, second.y, index, wavelength],
+            second_axis_index_brightness: [second.x, second.y, index, brightness],
             ..*self
         }
     }

@@ -20,7 +20,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         ui.spacing_mut().item_spacing.y = 3.0;
         section(ui, "Motion", |ui| motion(ui, state, asks));
         section(ui, "View", |ui| look(ui, state, asks));
-        section(ui, "Light", |ui| light::show(ui, state.settings.light, asks));
+        section(ui, "Light", |ui| light::show(ui, state, asks));
     });
 }
 
@@ -88,6 +88,7 @@ fn look(ui: &mut Ui, state: &State, asks: &mut Asks) {
     gaze_row(ui, state, &mut look);
     field_of_view_rows(ui, state, &mut look, asks);
     corrected_row(ui, state.settings.window, asks);
+    words_row(ui, state.settings.window, asks);
     quality(ui, state.settings.quality, asks);
     if look != state.settings.look {
         asks.push(Command::Look(look));
@@ -175,6 +176,18 @@ fn corrected_row(ui: &mut Ui, mut window: Window, asks: &mut Asks) {
             asks.push(Command::Window(window));
         }
     });
+}
+
+fn words_row(ui: &mut Ui, before: Window, asks: &mut Asks) {
+    let mut window = before;
+    row(ui, "Below them", "What stands below the views.", |ui| {
+        let spectrum = "Which wavelengths arrive of the selected point, among all that there are.";
+        ui.checkbox(&mut window.spectrum, "spectrum").on_hover_text(spectrum);
+        ui.checkbox(&mut window.sentence, "sentence").on_hover_text("The moment in words.");
+    });
+    if window != before {
+        asks.push(Command::Window(window));
+    }
 }
 
 fn gaze_row(ui: &mut Ui, state: &State, look: &mut Look) {
