@@ -89,16 +89,19 @@ impl Block {
         })
     }
 
-    /// Its edges, without thickness.
+    /// Its edges, tubes without a radius.
     pub fn edges(&self) -> impl Iterator<Item = Capsule> + use<> {
         let corners = self.corners();
-        let edge = move |(from, bit): (usize, usize)| Capsule {
-            from: corners[from],
-            to: corners[from | bit],
-            radius: 0.0,
+        let edge = move |from: usize, bit: usize| {
+            (from & bit == 0).then(|| Capsule { from: corners[from], to: corners[from | bit], radius: 0.0 })
         };
-        let pairs = (0..8).flat_map(|from| [1, 2, 4].map(|bit| (from, bit)));
-        pairs.filter(|(from, bit)| from & bit == 0).map(edge)
+        (0..8).flat_map(move |from| [1, 2, 4].map(|bit| edge(from, bit)).into_iter().flatten())
+    }
+
+    /// The ball around it.
+    pub fn ball_around(&self) -> Capsule {
+        let radius = self.half_axes.iter().map(|axis| axis.length_squared()).sum::<f64>().sqrt();
+        Capsule::ball(self.center, radius)
     }
 
     /// How far from the origin it is; 0 around it.
@@ -130,14 +133,17 @@ pub fn block(shape: &Shape) -> Option<Block> {
     }
 }
 
-/// Adds capsules to `out` which, from outside, look no smaller than `shape`: they contain it, or they are its edges.
+/// Adds capsules to `out` that contain `shape`, unless it has a [`block`].
 pub fn add_capsules(shape: &Shape, out: &mut Vec<Capsule>) {
+    if block(shape).is_some() {
+        return;
+    }
     match *shape {
         Shape::Sphere { center, radius } => out.push(Capsule::ball(center.into(), radius)),
         Shape::Tube { from, to, radius } | Shape::Cylinder { from, to, radius } => {
             out.push(Capsule { from: from.into(), to: to.into(), radius });
         }
-        Shape::Box { .. } => out.extend(block(shape).into_iter().flat_map(|block| block.edges())),
+        Shape::Box { .. } => {}
         Shape::Ring { center, axis, radius, tube_radius } => {
             out.extend(arcs(center.into(), axis.into(), radius, tube_radius));
         }

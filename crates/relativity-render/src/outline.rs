@@ -11,7 +11,7 @@ use glam::DVec3;
 use relativity_core::math::{atan, sin_cos, tan};
 
 use crate::camera::{Axes, Camera, Gaze, MAX_ELEVATION};
-use crate::capsule::Capsule;
+use crate::capsule::{Block, Capsule};
 use crate::footprint::Projection;
 use crate::group_view::GroupView;
 use crate::prepared_body::PreparedBody;
@@ -72,6 +72,15 @@ struct Seen<'a> {
     /// What the ball around it looks like; `None` from inside.
     ball: Option<Ball>,
     capsules: &'a [Capsule],
+    block: Option<Block>,
+}
+
+impl Seen<'_> {
+    /// Tubes that reach as far as it does. Of a block its edges do, wherever they are seen.
+    fn pieces(&self) -> impl Iterator<Item = Capsule> {
+        let edges = self.block.iter().flat_map(Block::edges);
+        self.capsules.iter().copied().chain(edges)
+    }
 }
 
 impl Outline {
@@ -165,7 +174,7 @@ impl<'a> Sight<'a> {
             let around = scene.ball_around(body);
             let center = projection.apparent_centre(view.reflected_from_camera(around.from), around.radius);
             let ball = center.map(|center| Ball { center, radius: around.radius });
-            Seen { ball, capsules: scene.capsules(body) }
+            Seen { ball, capsules: scene.capsules(body), block: body.block }
         };
         let bodies = scene.bodies()[group.bodies.clone()].iter().map(seen).collect();
         Self { view, projection, bodies }
@@ -187,7 +196,7 @@ impl<'a> Sight<'a> {
         // Those that may reach furthest come first: few of the others need a closer look then.
         for number in furthest(&wholes).into_iter().chain(0..wholes.len()) {
             if !found.holds(&wholes[number]) {
-                for capsule in self.bodies[number].capsules {
+                for capsule in self.bodies[number].pieces() {
                     self.widen_by(&capsule.reflected_from_camera(&self.view), HALVINGS, axes, found);
                 }
             }
@@ -200,29 +209,33 @@ impl<'a> Sight<'a> {
             *found = Reach::EVERYWHERE;
             return;
         };
-        let reach = |more: f64| {
+        let reach = |offset: DVec3| {
             let [first, last] =
-                ends.map(|center| Reach::of(&Ball { center, radius: piece.radius + more }, axes));
+                ends.map(|end| Reach::of(&Ball { center: end + offset, radius: piece.radius }, axes));
             first.joined(&last)
         };
-        *found = found.joined(&reach(0.0));
+        *found = found.joined(&reach(DVec3::ZERO));
+        if bulge == DVec3::ZERO {
+            return;
+        }
         let all = reach(bulge);
         if found.holds(&all) {
             return;
         }
-        if halvings == 0 || bulge <= SLIGHT_BULGE * ends[0].length().min(ends[1].length()) {
+        let slight = SLIGHT_BULGE * SLIGHT_BULGE * ends[0].length_squared().min(ends[1].length_squared());
+        if halvings == 0 || bulge.length_squared() <= slight {
             *found = found.joined(&all);
             return;
         }
         piece.halves().iter().for_each(|half| self.widen_by(half, halvings - 1, axes, found));
     }
 
-    /// The centres of the balls that its ends look like, and how far it departs from the straight tube between them.
-    /// `None` where that cannot be said.
-    fn image(&self, piece: &Capsule) -> Option<([DVec3; 2], f64)> {
+    /// The centres of the balls that its ends look like, and how far it departs at most from the straight tube between
+    /// them. `None` where that cannot be said.
+    fn image(&self, piece: &Capsule) -> Option<([DVec3; 2], DVec3)> {
         let first = self.projection.apparent_centre(piece.from, piece.radius)?;
         let last = self.projection.apparent_centre(piece.to, piece.radius)?;
-        Some(([first, last], self.projection.bulge(piece)?.length()))
+        Some(([first, last], self.projection.bulge(piece)?))
     }
 }
 

@@ -51,7 +51,7 @@ pub struct PreparedBody {
     pub(crate) joint: Joint,
     /// The block that contains it, if it has one.
     pub(crate) block: Option<Block>,
-    /// Which of the scene's capsules look no smaller than it.
+    /// Which of the scene's capsules contain it otherwise.
     pub(crate) capsules: Range<usize>,
     /// Its pattern; `None` for a plain one.
     pub(crate) marking: Option<Marking>,

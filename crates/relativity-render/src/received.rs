@@ -41,21 +41,13 @@ impl PreparedScene {
         let shares = |(group, seen): (&PreparedGroup, GroupView)| {
             let mut shares = Shares::default();
             for body in &self.bodies()[group.bodies.clone()] {
-<<<<<<< HEAD
+                let light = Light::new(body.emission, appearance);
                 let capsules = match body.block {
                     Some(_) => std::slice::from_ref(self.ball_around(body)),
                     None => self.capsules(body),
                 };
-                for Light { weight, doppler_factor } in capsules.iter().flat_map(|c| lights(c, &seen)) {
-                    let shift = if doppler_shift { doppler_factor } else { 1.0 };
-                    shares[body.emission.band(shift) as usize] += weight;
-=======
-                let light = Light::new(body.emission, appearance);
-                for Sample { weight, doppler_factor } in
-                    self.capsules(body).iter().flat_map(|capsule| samples(capsule, &seen))
-                {
+                for Sample { weight, doppler_factor } in capsules.iter().flat_map(|c| samples(c, &seen)) {
                     shares[light.band(appearance, doppler_factor) as usize] += weight;
->>>>>>> words
                 }
             }
             normalised(shares)

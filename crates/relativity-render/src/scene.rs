@@ -92,7 +92,10 @@ impl PreparedScene {
         if prepared.is_empty() {
             prepared.push(PreparedGroup { motion: Motion::Scene, bodies: 0..0, extent: Extent::new(&[]) });
         }
-        let ball = |body: &PreparedBody| Capsule::ball_around(&capsules[body.capsules.clone()]);
+        let ball = |body: &PreparedBody| match &body.block {
+            Some(block) => block.ball_around(),
+            None => Capsule::ball_around(&capsules[body.capsules.clone()]),
+        };
         let balls = bodies.iter().map(ball).collect();
         let numbers = (0..bodies.len() as u32).collect();
         Self(Arc::new(Prepared {
@@ -134,7 +137,7 @@ impl PreparedScene {
         &self.0.numbers
     }
 
-    /// Capsules that look no smaller than `body`, one of these.
+    /// Capsules that contain `body`, one of these, unless it has a block.
     pub(crate) fn capsules(&self, body: &PreparedBody) -> &[Capsule] {
         &self.0.capsules[body.capsules.clone()]
     }

@@ -100,11 +100,10 @@ impl Pieces {
         if let Some(block) = body.block {
             let block = block.reflected_from_camera(view);
             add_rectangles(projection, &block, MAX_HALVINGS, &mut self.rectangles);
-        } else {
-            for capsule in scene.capsules(body) {
-                let capsule = capsule.reflected_from_camera(view);
-                add_rectangles(projection, &capsule, MAX_HALVINGS, &mut self.rectangles);
-            }
+        }
+        for capsule in scene.capsules(body) {
+            let capsule = capsule.reflected_from_camera(view);
+            add_rectangles(projection, &capsule, MAX_HALVINGS, &mut self.rectangles);
         }
         if self.rectangles.contains(&EVERYWHERE) {
             self.bound_nowhere();
