@@ -3,10 +3,13 @@
 
 pub mod accuracy;
 pub mod app;
+pub mod caption;
 pub mod cli;
 pub mod columns;
 pub mod commands;
 pub mod estimate;
+mod eye_colours;
+mod figures;
 pub mod files;
 pub mod flags;
 mod passage;

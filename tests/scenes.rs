@@ -54,9 +54,13 @@ fn every_scene_file_is_a_preset_and_loads_as_one() {
     assert_eq!(names, presets);
 }
 
+fn cyclist() -> Scene {
+    Scene::preset("cyclist").expect("it is a preset")
+}
+
 #[test]
-fn the_default_scene_tracks_the_papers_point_at_the_front_of_the_front_tyre() {
-    let cyclist = Scene::default();
+fn the_cyclists_tracked_point_is_the_papers_at_the_front_of_the_front_tyre() {
+    let cyclist = cyclist();
     assert_eq!(cyclist.tracked, [0.0, 3.0, 2.0]);
     let Shape::Ring { center, axis, .. } = cyclist.bodies[0].shape else { panic!("the tyre comes first") };
     assert_eq!((center[1], center[2], axis), (3.0, 2.0, [0.0, 1.0, 0.0]));
@@ -65,7 +69,7 @@ fn the_default_scene_tracks_the_papers_point_at_the_front_of_the_front_tyre() {
 
 #[test]
 fn no_other_part_of_the_cyclist_reaches_as_far_forward() {
-    for (number, body) in Scene::default().bodies.iter().enumerate().skip(1) {
+    for (number, body) in cyclist().bodies.iter().enumerate().skip(1) {
         let front = largest_x(&body.shape);
         assert!(front < -0.01, "body {number} reaches x = {front}");
     }
@@ -116,7 +120,7 @@ fn every_preset_tracks_a_point_on_one_of_its_bodies() {
 #[test]
 fn the_cyclist_is_one_piece() {
     // Bodies that touch form one piece: nothing hangs in the air.
-    let bodies = Scene::default().bodies;
+    let bodies = cyclist().bodies;
     let mut reached = vec![false; bodies.len()];
     let mut to_visit = vec![0];
     while let Some(number) = to_visit.pop() {

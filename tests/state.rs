@@ -12,8 +12,8 @@ use gamow::files::png::PngFile;
 use gamow::flags::choices::GazeChoice;
 use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::scene::{PRESETS, Scene, Track};
-use gamow::settings::Settings;
-use relativity_render::{Geometry, View};
+use gamow::settings::{Light, Preset, Settings, Subject, Theme};
+use relativity_render::{Geometry, Motion, PreparedScene, View};
 
 const SIZE: [u32; 2] = [960, 720];
 
@@ -25,13 +25,15 @@ fn in_window(settings: Settings) -> [View; 2] {
 
 /// What `gamow render` draws of them, by the command that it records.
 fn in_picture(settings: &Settings) -> [View; 2] {
-    let tracked = Scene::open(&settings.scene).expect("the scene is there").track(settings.point);
-    let command = settings.resolved(&tracked).command();
+    let scene = Scene::open(&settings.scene).expect("the scene is there");
+    let (prepared, tracked) = (scene.prepared(), scene.track(settings.point));
+    let command = settings.resolved(Subject { scene: &prepared, tracked }).command();
     let recorded = Settings::default().with_command(&command, "picture.png").expect("it can be read");
     let time = recorded.time.expect("it is recorded");
-    // The gaze is recorded as angles, so that nothing needs to be tracked.
+    // The gaze and the field are recorded as angles, so that nothing needs to be followed.
     assert!(matches!(recorded.look.gaze, GazeChoice::Fixed(_)), "{command}");
-    recorded.views(&Track { rest: [f64::NAN; 3], ..tracked }, time, recorded.picture.size.0)
+    let (nothing, nowhere) = (PreparedScene::moving(&[]), Track { rest: [f64::NAN; 3], ..tracked });
+    recorded.views(Subject { scene: &nothing, tracked: nowhere }, time, recorded.picture.size.0)
 }
 
 #[test]
@@ -97,11 +99,11 @@ fn what_is_not_given_is_as_it_was_left_but_beside_a_file_as_usual() {
 #[test]
 fn a_scene_given_by_a_flag_starts_at_a_time_of_its_own() {
     let left = Settings { time: Some(77.0), point: Some([1.0, 2.0, 3.0]), ..Settings::default() };
-    let state = started(&["--scene", "street"], left.clone());
-    let street = Scene::preset("street").expect("a preset");
+    let state = started(&["--scene", "cyclist"], left.clone());
+    let cyclist = Scene::preset("cyclist").expect("a preset");
     assert_eq!(
         (state.session.time < 70.0, state.session.points.selected().track.rest),
-        (true, street.tracked)
+        (true, cyclist.tracked)
     );
     let state = started(&[], left);
     assert_eq!((state.session.time, state.session.points.selected().track.rest), (77.0, [1.0, 2.0, 3.0]));
@@ -167,6 +169,46 @@ fn a_file_that_cannot_be_opened_leaves_all_as_it_was_and_says_why() {
         assert!(notice.contains(told), "{notice}");
         assert_eq!(state, before);
     }
+}
+
+#[test]
+fn a_preset_is_a_state_by_its_name() {
+    for preset in Preset::all() {
+        let state = started(&["--state", preset.name], Settings { time: Some(77.0), ..Settings::default() });
+        assert_eq!(state.session.preset, Some(preset), "{}", preset.name);
+        assert!(!preset.title.is_empty() && !preset.caption.is_empty());
+    }
+    assert_eq!(Preset::all()[0].settings, Settings::default());
+    let line = Line::try_parse_from(["gamow", "--state", "streets"]).expect("it is a flag");
+    let error = line.args.state(Settings::default()).expect_err("there is none").to_string();
+    assert!(error.starts_with("no preset is called `streets`: there are street, overhead, "), "{error}");
+}
+
+#[test]
+fn a_preset_is_applied_afresh_but_for_the_parts_of_the_window() {
+    let mut state = started(&["--beta", "0.3", "--plots=off", "--theme=light"], Settings::default());
+    assert_eq!(state.session.preset, None);
+    let preset = Preset::named("overhead").expect("a preset");
+    state.apply(Command::State(preset));
+    let window = state.settings.window;
+    assert!(!window.plots && window.theme == Theme::Light);
+    assert_eq!(state.shown(), Settings { window, time: Some(state.session.time), ..preset.settings.clone() });
+    state.apply(Command::Preset("two-balls"));
+    assert_eq!(state.session.preset, None);
+}
+
+#[test]
+fn surroundings_are_left_out_and_put_back_and_all_else_stays() {
+    let mut state = started(&["--time", "2.5"], Settings::default());
+    let before = state.clone();
+    let set = |state: &mut State, surroundings| {
+        state.apply(Command::Light(Light { surroundings, ..state.settings.light }));
+    };
+    set(&mut state, false);
+    assert!(state.session.prepared.groups().iter().all(|group| group.motion == Motion::Scene));
+    assert_eq!((state.session.time, &state.session.points), (2.5, &before.session.points));
+    set(&mut state, true);
+    assert_eq!(state.session.scene, before.session.scene);
 }
 
 #[test]

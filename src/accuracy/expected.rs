@@ -85,7 +85,7 @@ mod tests {
 
     #[test]
     fn it_runs_on_another_thread_until_it_is_cancelled() {
-        let scene = Scene::default();
+        let scene = Scene::preset("cyclist").expect("a preset");
         let (mut renderers, prepared) = (Renderers::new(None), scene.prepared());
         let speed = Speed::from_beta(0.9).expect("it is a speed");
         let view =

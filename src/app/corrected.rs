@@ -50,11 +50,10 @@ fn picture(job: &Job) -> Picture {
     let rest = Camera { size, ..Rectification::rest_camera(&camera, &velocity) };
     let rectification = Rectification::new(view.camera, rest, velocity);
     let hits = job.scene.hit_image(&view);
-    let wavelengths: Vec<f64> = job.scene.bodies().iter().map(|body| body.rest_wavelength_nm).collect();
     let plain = Appearance { sky: false, ground_z: None, ..job.appearance };
     let background = Backdrop::new(&view.camera, &plain).sky(view.camera.gaze.axes().forward);
     let blank = Blank { background, outside: background.map(|part| OUTSIDE * part) };
-    rectification.picture_of_hits(&hits, &wavelengths, &job.appearance, blank)
+    rectification.picture_of_hits(&hits, &job.scene, &job.appearance, blank)
 }
 
 /// `size`, scaled down to what is made in time.

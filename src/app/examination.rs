@@ -4,12 +4,12 @@
 use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
 use relativity_render::{Appearance, Gpu, GpuError, Method, PreparedScene, Renderers, View};
 
-use super::figures;
 use super::heat_map;
 use super::observer::Eye;
 use super::stillness::Stillness;
 use super::worker::{Wanted, Worker};
 use crate::accuracy::{DifferenceFigures, Effort, ExpectedError, MESH_BOUNDS_PX, Spread, expected_error};
+use crate::figures;
 
 /// What is examined: the present views.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,6 +1,6 @@
 //! The points of the scene that are followed: where they are at rest, and what they are called.
 
-use crate::scene::Track;
+use crate::scene::{Scene, Track};
 
 /// A followed point.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,11 +16,16 @@ pub struct Point {
 impl Point {
     /// What it is called in lists and plots.
     #[must_use]
-    pub fn name(&self) -> String {
-        match self.body {
-            Some(body) => format!("point {} (body {body})", self.number),
-            None => format!("point {} (tracked)", self.number),
-        }
+    pub fn name(&self, scene: &Scene) -> String {
+        let what = self.body.or(scene.tracked_body()).map_or("tracked", |body| scene.name_of(body));
+        format!("point {} ({what})", self.number)
+    }
+
+    /// What it is called in a sentence.
+    #[must_use]
+    pub fn noun(&self, scene: &Scene) -> String {
+        let what = self.body.or(scene.tracked_body()).map_or("tracked point", |body| scene.name_of(body));
+        format!("the {what}")
     }
 }
 

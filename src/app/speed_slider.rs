@@ -2,7 +2,7 @@
 
 use relativity_core::math;
 
-use super::figures;
+use crate::figures;
 use crate::flags::{SpeedParameter, SpeedSetting};
 
 /// Rapidity at the right end of the slider: beta = 0.999 995.

@@ -7,7 +7,7 @@ use super::clock;
 use super::points::{Point, Points};
 use crate::passage;
 use crate::scene::{Scene, SceneError, Track};
-use crate::settings::Settings;
+use crate::settings::{Preset, Settings};
 
 /// Everything the panels read. Only [`super::command`] changes it.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,6 +33,10 @@ pub struct Session {
     pub points: Points,
     /// Whether the help is shown.
     pub help: bool,
+    /// The preset that is shown, until another scene or state is.
+    pub preset: Option<&'static Preset>,
+    /// Width and height of an eye's picture, which a field of view is fitted to, pixels.
+    pub picture_size: [u32; 2],
     /// A message about the last thing that could not be done.
     pub notice: Option<String>,
 }
@@ -42,6 +46,7 @@ impl State {
     /// that passes.
     #[must_use]
     pub fn new(mut settings: Settings, scene: Scene) -> Self {
+        let preset = Preset::of(&settings);
         let tracked = scene.track(settings.point.take());
         let time = settings.time.take().unwrap_or_else(|| settings.time_of_approach(&tracked));
         let session = Session {
@@ -50,6 +55,8 @@ impl State {
             playing: false,
             points: Points::tracked(tracked),
             help: false,
+            preset,
+            picture_size: settings.picture.size.0,
             notice: None,
             scene,
         };
@@ -61,7 +68,7 @@ impl State {
     /// # Errors
     /// A scene that cannot be had.
     pub fn open(settings: Settings) -> Result<Self, SceneError> {
-        let scene = Scene::open(&settings.scene)?;
+        let scene = settings.opened_scene()?;
         Ok(Self::new(settings, scene))
     }
 
@@ -92,17 +99,18 @@ impl State {
         self.settings.playback.range.0.unwrap_or_else(fitted)
     }
 
-    /// Wavelength at rest of the light of `point`, nm: of the body it was picked on, else of the first.
+    /// Wavelength at rest of the light of `point`, nm: of the body it was picked on, else of the first; white light has
+    /// none.
     #[must_use]
-    pub fn rest_wavelength_nm(&self, point: &Point) -> f64 {
+    pub fn rest_wavelength_nm(&self, point: &Point) -> Option<f64> {
         let bodies = self.session.prepared.bodies();
-        let body = point.body.and_then(|body| bodies.get(body)).or(bodies.first());
-        body.map_or(f64::NAN, |body| body.rest_wavelength_nm)
+        let body = point.body.and_then(|body| bodies.get(body)).or(bodies.first())?;
+        body.emission.wavelength_nm()
     }
 
     /// What becomes of its light, in a light window or a dark one.
     #[must_use]
     pub fn appearance(&self, light_window: bool) -> Appearance {
-        self.settings.appearance(self.session.scene.ground_z, light_window)
+        self.settings.appearance(&self.session.scene, light_window)
     }
 }

@@ -1,5 +1,5 @@
-//! Colours and sizes. Left is blue and right is orange everywhere: a pair that colour-blind eyes tell
-//! apart, from M. Okabe and K. Ito, *Color universal design* (2008), like the colours of the points.
+//! Colours and sizes. Colour-blind eyes tell the colours of the points apart, too: they are from M. Okabe and K. Ito,
+//! *Color universal design* (2008), like those of the eyes.
 
 use eframe::egui::{
     self, Color32, FontDefinitions, FontFamily, FontId, Stroke, TextStyle, ThemePreference, Visuals,
@@ -8,6 +8,7 @@ use eframe::egui::{
 
 use super::observer::Eye;
 use super::points::MAX_POINTS;
+use crate::eye_colours;
 use crate::settings::Theme;
 
 /// Space around and between the parts of the window, points.
@@ -24,10 +25,8 @@ fn either(is_dark: bool, [dark, light]: [[u8; 3]; 2]) -> Color32 {
 /// The colour of an eye, on this background.
 #[must_use]
 pub fn eye_colour(eye: Eye, visuals: &Visuals) -> Color32 {
-    match eye {
-        Eye::Left => either(visuals.dark_mode, [[0x56, 0xB4, 0xE9], [0x00, 0x72, 0xB2]]),
-        Eye::Right => either(visuals.dark_mode, [[0xE6, 0x9F, 0x00], [0xD5, 0x5E, 0x00]]),
-    }
+    let of = |colours: [[u8; 3]; 2]| colours[eye.index()];
+    either(visuals.dark_mode, [of(eye_colours::ON_DARK), of(eye_colours::ON_LIGHT)])
 }
 
 /// The colour of the followed point with this number (from 1), on this background.

@@ -22,6 +22,9 @@ use crate::platform::files;
 /// The layers: the eyes, in the order in which two eyes are given everywhere.
 pub const EYES: [&str; 2] = ["left", "right"];
 
+/// The wavelength of light that has none of its own, and of nothing.
+const NO_WAVELENGTH_NM: f64 = 0.0;
+
 /// A measured quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Channel {
@@ -35,7 +38,7 @@ pub enum Channel {
     EmissionTime,
     /// Received over rest frequency.
     Doppler,
-    /// Received wavelength, nm.
+    /// Received wavelength, nm; 0 where the light is white.
     WavelengthNm,
     /// Received over rest intensity.
     Intensity,
@@ -143,7 +146,8 @@ pub struct Light<'a> {
 }
 
 fn received_nm(hit: &Hit, light: &Light<'_>) -> f64 {
-    received_wavelength(light.scene.bodies()[hit.body].rest_wavelength_nm, hit.doppler_factor)
+    let rest_nm = light.scene.bodies()[hit.body].emission.wavelength_nm();
+    rest_nm.map_or(NO_WAVELENGTH_NM, |rest_nm| received_wavelength(rest_nm, hit.doppler_factor))
 }
 
 fn received_intensity(hit: &Hit, light: &Light<'_>) -> f64 {

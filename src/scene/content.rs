@@ -2,7 +2,10 @@
 
 use std::ops::Range;
 
-use relativity_render::{Body, Group, Motion, PreparedScene};
+use relativity_render::{Body, Group, Motion, PreparedScene, Velocity};
+
+use super::forward_most::forward_most_on;
+use super::table::coincide;
 
 /// A scene: groups of bodies, each at rest in a frame of its own, and the ground they pass over. Lengths in the scene's
 /// unit, rest-frame coordinates `[x, y, z]` with x along the motion.
@@ -12,13 +15,17 @@ pub struct Scene {
     pub name: String,
     /// The bodies of all groups, numbered from 0; at least one.
     pub bodies: Vec<Body>,
+    /// What each body is called, such as `front tyre`: what follows "the" in a sentence.
+    pub names: Vec<String>,
     /// Which of them move alike: one after the other, without gaps.
     pub groups: Vec<SceneGroup>,
     /// The point that is selected and followed at first: the forward-most one (largest x) unless the
     /// file chooses another.
     pub tracked: [f64; 3],
-    /// Height of the resting ground (the grid), if there is one.
+    /// Height of the resting ground, if there is one.
     pub ground_z: Option<f64>,
+    /// The road on it, along x, in place of a grid: y of its near and of its far kerb.
+    pub road: Option<[f64; 2]>,
 }
 
 /// Bodies that move alike.
@@ -57,6 +64,36 @@ impl Scene {
     #[must_use]
     pub fn track(&self, point: Option<[f64; 3]>) -> Track {
         Track { rest: point.unwrap_or(self.tracked), motion: self.groups[0].motion }
+    }
+
+    /// It without what rests on the ground: the groups that do not move, but for its first.
+    #[must_use]
+    pub fn without_surroundings(self) -> Self {
+        let rests = |group: &SceneGroup| group.motion == Motion::Own(Velocity::REST);
+        let kept: Vec<_> =
+            self.groups.iter().enumerate().filter(|(number, group)| *number == 0 || !rests(group)).collect();
+        let numbers = || kept.iter().flat_map(|(_, group)| group.bodies());
+        let (bodies, names) = numbers().map(|body| (self.bodies[body], self.names[body].clone())).unzip();
+        let mut first = 0;
+        let groups = kept.iter().map(|(_, group)| {
+            let moved = SceneGroup { first, ..(*group).clone() };
+            first += group.count;
+            moved
+        });
+        Self { groups: groups.collect(), bodies, names, ..self }
+    }
+
+    /// What the body of this number is called: as its file names it, else by shape and number.
+    #[must_use]
+    pub fn name_of(&self, body: usize) -> &str {
+        &self.names[body]
+    }
+
+    /// The number of the body that the scene's own tracked point is the forward-most point of, if it is one's.
+    #[must_use]
+    pub fn tracked_body(&self) -> Option<usize> {
+        let own = &self.bodies[self.groups[0].bodies()];
+        own.iter().position(|body| coincide(forward_most_on(&body.shape).into(), self.tracked))
     }
 
     /// It, ready to be drawn.

@@ -61,7 +61,7 @@ pub enum Problem {
         /// What needs it.
         owner: &'static str,
     },
-    /// A value of the wrong type.
+    /// A value of the wrong type, or none of those that there are.
     #[error("{key} = {value} must be {expected}")]
     WrongType {
         /// The key.
@@ -98,6 +98,9 @@ pub enum Problem {
     /// A speed that is none.
     #[error("beta = {0} must lie between -1 and 1 (0 rests on the ground, below 0 moves towards -x)")]
     NoSpeed(String),
+    /// A road between kerbs that do not lie one behind the other.
+    #[error("road = {0} must be the y of the near kerb and then that of the far one")]
+    NoWidth(String),
     /// A ring whose tube leaves no hole.
     #[error("tube_radius = {tube_radius} must be below radius = {radius}")]
     NoHole {

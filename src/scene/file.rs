@@ -1,7 +1,7 @@
 //! The scene format: what each table of a scene file means.
 
 use glam::DQuat;
-use relativity_render::{Body, Motion, Shape, Velocity};
+use relativity_render::{Body, Emission, Motion, Pattern, Shape, Velocity};
 use toml::de::DeTable;
 
 use super::content::{Scene, SceneGroup};
@@ -12,21 +12,60 @@ use super::table::{Table, coincide};
 
 /// Red, as in the paper.
 const DEFAULT_WAVELENGTH_NM: f64 = 700.0;
+/// Degrees from line to line of a graticule, and length from line to line of other patterns, unless told.
+const DEFAULT_DEGREES: f64 = 15.0;
+const DEFAULT_SPACING: f64 = 0.25;
+/// The keys of an object of any shape, beside its shape.
+const OF_EVERY_OBJECT: [&str; 8] =
+    ["name", "wavelength_nm", "light", "brightness", "pattern", "spacing", "repeat", "step"];
 
 /// The scene that a file's text describes.
 pub(super) fn scene(text: &str) -> Result<Scene, Located> {
     let document = DeTable::parse(text).map_err(|error| Located::syntax(text, &error))?;
     let top = Table { text, entries: document.get_ref(), span: 0..0, owner: "a scene" };
-    top.check_keys(&["name", "tracked", "ground_z", "include", "object", "group"])?;
+    top.check_keys(&["name", "tracked", "ground_z", "road", "include", "object", "group"])?;
     let name = top.needed_string("name")?.to_owned();
     let ground_z = top.coordinate("ground_z")?;
+    let road = road(&top)?;
     let tracked = top.point("tracked")?;
-    let (bodies, groups) = groups(&top, &name)?;
+    let (objects, groups) = groups(&top, &name)?;
+    let names = objects.iter().enumerate().map(|(number, object)| object.name_as(number)).collect();
+    let bodies: Vec<Body> = objects.into_iter().map(|object| object.body).collect();
     let own = groups.first().map_or(&[][..], |group| &bodies[group.bodies()]);
     let Some(forward_most) = forward_most_point(own) else {
         return Err(Located { span: top.span, problem: Problem::Empty });
     };
-    Ok(Scene { name, bodies, groups, tracked: tracked.unwrap_or(forward_most), ground_z })
+    Ok(Scene { name, bodies, names, groups, tracked: tracked.unwrap_or(forward_most), ground_z, road })
+}
+
+/// The kerbs of the road on the ground, the near one first.
+fn road(top: &Table) -> Result<Option<[f64; 2]>, Located> {
+    let Some([near, far]) = top.pair("road")? else { return Ok(None) };
+    if near >= far {
+        return Err(top.problem_at("road", Problem::NoWidth));
+    }
+    Ok(Some([near, far]))
+}
+
+/// A body, and what its file calls it.
+#[derive(Clone)]
+struct Object {
+    body: Body,
+    name: Option<String>,
+}
+
+impl Object {
+    /// What it is called as the body of this number.
+    fn name_as(&self, number: usize) -> String {
+        let shape = match self.body.shape {
+            Shape::Sphere { .. } => "sphere",
+            Shape::Tube { .. } => "tube",
+            Shape::Ring { .. } => "ring",
+            Shape::Box { .. } => "box",
+            Shape::Cylinder { .. } => "cylinder",
+        };
+        self.name.clone().unwrap_or_else(|| format!("{shape} {number}"))
+    }
 }
 
 /// The preset of that name.
@@ -35,16 +74,16 @@ pub(super) fn preset(name: &str) -> Option<Scene> {
     Some(scene(text).unwrap_or_else(|_| unreachable!("tests read every preset")))
 }
 
-/// All bodies, and the groups they belong to: the scene's own, which moves at its speed, comes first. A group without
-/// bodies is left out.
-fn groups(top: &Table, name: &str) -> Result<(Vec<Body>, Vec<SceneGroup>), Located> {
-    let mut all = bodies(top)?;
+/// All objects, and the groups they belong to: the scene's own, which moves at its speed, comes first. A group without
+/// objects is left out.
+fn groups(top: &Table, name: &str) -> Result<(Vec<Object>, Vec<SceneGroup>), Located> {
+    let mut all = objects(top)?;
     let mut groups =
         vec![SceneGroup { name: name.to_owned(), motion: Motion::Scene, first: 0, count: all.len() }];
     for table in top.tables("group", "a group")? {
         table.check_keys(&["name", "beta", "include", "object"])?;
         let (name, motion) = (table.needed_string("name")?.to_owned(), motion(&table)?);
-        let own = bodies(&table)?;
+        let own = objects(&table)?;
         groups.push(SceneGroup { name, motion, first: all.len(), count: own.len() });
         all.extend(own);
     }
@@ -59,31 +98,44 @@ fn motion(group: &Table) -> Result<Motion, Located> {
     Ok(Motion::Own(velocity))
 }
 
-/// All bodies of a group: the included ones first.
-fn bodies(group: &Table) -> Result<Vec<Body>, Located> {
-    let mut bodies = Vec::new();
+/// All objects of a group: the included ones first.
+fn objects(group: &Table) -> Result<Vec<Object>, Located> {
+    let mut objects = Vec::new();
     for include in group.tables("include", "an include")? {
-        bodies.extend(included_bodies(&include)?);
+        objects.extend(included(&include)?);
     }
-    for object in group.tables("object", "an object")? {
-        bodies.push(body(object)?);
+    for table in group.tables("object", "an object")? {
+        objects.extend(repeated(table)?);
     }
-    Ok(bodies)
+    Ok(objects)
 }
 
-/// The bodies of a preset, moved; they move as the group does that includes them.
-fn included_bodies(include: &Table) -> Result<Vec<Body>, Located> {
+/// The objects of a preset, moved; they move as the group does that includes them.
+fn included(include: &Table) -> Result<Vec<Object>, Located> {
     include.check_keys(&["scene", "offset"])?;
     let name = include.needed_string("scene")?;
     let Some(preset) = preset(name) else {
         return Err(include.problem_at("scene", Problem::UnknownInclude));
     };
     let offset = include.point("offset")?.unwrap_or_default();
-    Ok(preset.bodies.into_iter().map(|body| body.moved(offset)).collect())
+    let objects = preset.bodies.into_iter().zip(preset.names);
+    Ok(objects.map(|(body, name)| Object { body: body.moved(offset), name: Some(name) }).collect())
+}
+
+/// An object, and as many more like it as its table says, a step from each to the next; they are told apart by numbers.
+fn repeated(table: Table) -> Result<Vec<Object>, Located> {
+    let (count, step) = (table.count("repeat")?, table.point("step")?);
+    let first = object(table)?;
+    let Some(count) = count else { return Ok(vec![first]) };
+    let nth = |n: usize| Object {
+        body: first.body.moved(step.unwrap_or_default().map(|along| n as f64 * along)),
+        name: first.name.as_ref().map(|name| format!("{name} {}", n + 1)),
+    };
+    Ok((0..count).map(nth).collect())
 }
 
 /// One object.
-fn body(mut object: Table) -> Result<Body, Located> {
+fn object(mut object: Table) -> Result<Object, Located> {
     let shape = match object.needed_string("shape")? {
         "sphere" => {
             object.owner = "a sphere";
@@ -107,17 +159,82 @@ fn body(mut object: Table) -> Result<Body, Located> {
         }
         _ => return Err(object.problem_at("shape", Problem::UnknownShape)),
     };
-    let rest_wavelength_nm = object.size("wavelength_nm")?.unwrap_or(DEFAULT_WAVELENGTH_NM);
-    Ok(Body::new(shape, rest_wavelength_nm))
+    let name = object.string("name")?.map(str::to_owned);
+    let (emission, brightness) = (emission(&object)?, brightness(&object)?);
+    let body = Body { shape, emission, brightness, pattern: pattern(&object, &shape)? };
+    Ok(Object { body, name })
+}
+
+/// Refuses keys other than those of every object and the `known` ones of its shape.
+fn check_keys(object: &Table, known: &[&str]) -> Result<(), Located> {
+    object.check_keys(&[&["shape"], known, &OF_EVERY_OBJECT].concat())
+}
+
+/// The light of an object: of one wavelength unless it says otherwise.
+fn emission(object: &Table) -> Result<Emission, Located> {
+    let wavelength = object.size("wavelength_nm")?;
+    match (object.string("light")?, wavelength) {
+        (None, wavelength) => Ok(Emission::Wavelength(wavelength.unwrap_or(DEFAULT_WAVELENGTH_NM))),
+        (Some("white"), None) => Ok(Emission::White),
+        (Some("white"), Some(_)) => {
+            Err(object.wrong("wavelength_nm", "left out where light = \"white\", which has every wavelength"))
+        }
+        (Some(_), _) => Err(object.wrong("light", "\"white\", or left out for light of one wavelength")),
+    }
+}
+
+/// How bright an object is beside others: as bright as can be unless it says otherwise.
+fn brightness(object: &Table) -> Result<f64, Located> {
+    let Some(brightness) = object.coordinate("brightness")? else { return Ok(1.0) };
+    if brightness > 0.0 && brightness <= 1.0 {
+        return Ok(brightness);
+    }
+    Err(object.wrong("brightness", "above 0 and at most 1"))
+}
+
+/// The pattern of an object of this `shape`: none unless it names one.
+fn pattern(object: &Table, shape: &Shape) -> Result<Pattern, Located> {
+    let is_box = matches!(shape, Shape::Box { .. });
+    let spacing = object.size("spacing")?;
+    let step = || spacing.unwrap_or(DEFAULT_SPACING);
+    Ok(match object.string("pattern")? {
+        None if spacing.is_some() => {
+            return Err(object.wrong("spacing", "left out where there is no `pattern`"));
+        }
+        None => Pattern::Plain,
+        Some("faces") if !is_box => return Err(object.wrong("pattern", "on a box: only that has faces")),
+        Some("faces") if spacing.is_some() => {
+            return Err(object.wrong("spacing", "left out where pattern = \"faces\", which has none"));
+        }
+        Some("faces") => Pattern::Faces,
+        Some("graticule") if is_box => {
+            return Err(
+                object.wrong("pattern", "\"faces\", \"chequer\" or \"stripes\" on a box, which is not round")
+            );
+        }
+        Some("graticule") => {
+            let step_degrees = spacing.unwrap_or(DEFAULT_DEGREES);
+            if 90.0 % step_degrees != 0.0 {
+                return Err(object
+                    .wrong("spacing", "a divisor of 90: degrees from line to line, such as 10, 15 or 30"));
+            }
+            Pattern::Graticule { step_degrees }
+        }
+        Some("chequer") => Pattern::Chequer { step: step() },
+        Some("stripes") => Pattern::Stripes { step: step() },
+        Some(_) => {
+            return Err(object.wrong("pattern", "\"faces\", \"graticule\", \"chequer\" or \"stripes\""));
+        }
+    })
 }
 
 fn sphere(object: &Table) -> Result<Shape, Located> {
-    object.check_keys(&["shape", "center", "radius", "wavelength_nm"])?;
+    check_keys(object, &["center", "radius"])?;
     Ok(Shape::Sphere { center: object.needed_point("center")?, radius: object.needed_size("radius")? })
 }
 
 fn tube(object: &Table) -> Result<Shape, Located> {
-    object.check_keys(&["shape", "from", "to", "radius", "wavelength_nm"])?;
+    check_keys(object, &["from", "to", "radius"])?;
     let from = object.needed_point("from")?;
     let to = object.needed_point("to")?;
     if coincide(from, to) {
@@ -127,7 +244,7 @@ fn tube(object: &Table) -> Result<Shape, Located> {
 }
 
 fn ring(object: &Table) -> Result<Shape, Located> {
-    object.check_keys(&["shape", "center", "axis", "radius", "tube_radius", "wavelength_nm"])?;
+    check_keys(object, &["center", "axis", "radius", "tube_radius"])?;
     let center = object.needed_point("center")?;
     let axis = object.needed_direction("axis")?;
     let radius = object.needed_size("radius")?;
@@ -140,7 +257,7 @@ fn ring(object: &Table) -> Result<Shape, Located> {
 }
 
 fn cuboid(object: &Table) -> Result<Shape, Located> {
-    object.check_keys(&["shape", "center", "size", "axis", "angle", "wavelength_nm"])?;
+    check_keys(object, &["center", "size", "axis", "angle"])?;
     let center = object.needed_point("center")?;
     let half = object.needed_sizes("size")?.map(|size| 0.5 * size);
     let axis = object.direction("axis")?;
@@ -156,7 +273,7 @@ fn cuboid(object: &Table) -> Result<Shape, Located> {
 }
 
 fn cylinder(object: &Table) -> Result<Shape, Located> {
-    object.check_keys(&["shape", "from", "to", "radius", "wavelength_nm"])?;
+    check_keys(object, &["from", "to", "radius"])?;
     let from = object.needed_point("from")?;
     let to = object.needed_point("to")?;
     if coincide(from, to) {

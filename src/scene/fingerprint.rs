@@ -1,6 +1,6 @@
 //! Whether two scenes are the same: a hash of what is in them, however the program calls its parts.
 
-use relativity_render::{Body, Motion, Shape};
+use relativity_render::{Body, Motion, Pattern, Shape};
 
 use super::content::{Scene, SceneGroup};
 use crate::files::provenance::Provenance;
@@ -10,16 +10,18 @@ impl Scene {
     /// for others.
     ///
     /// The FNV-1a hash (G. Fowler, L. C. Noll, K.-P. Vo) of, in this order: the name, the tracked point, the height of
-    /// the ground, and of each group its name, its own beta, and its bodies; of a body its shape by the name in a scene
-    /// file, the numbers of that in the order of the scene format (of a box half its size, and its turn as a quaternion),
-    /// and its wavelength. Names end in a zero byte; numbers go in bit by bit, big end first, those that are not there
-    /// as infinity.
+    /// the ground, its road if there is one, and of each group its name, its own beta, and its bodies; of a body its shape
+    /// by the name in a scene file, the numbers of that in the order of the scene format (of a box half its size, and its
+    /// turn as a quaternion), its wavelength and, if it is below 1, its brightness after that word, and if it has one its
+    /// pattern by name, with its spacing. Names end in a zero byte; numbers go in bit by bit, big end first, those that
+    /// are not there as infinity.
     #[must_use]
     pub fn fingerprint(&self) -> String {
         let mut hash = Hash::default();
         hash.name(&self.name);
         hash.numbers(&self.tracked);
         hash.numbers(&[self.ground_z.unwrap_or(f64::INFINITY)]);
+        self.road.iter().for_each(|road| hash.numbers(road));
         for group in &self.groups {
             hash.group(group);
             self.bodies[group.bodies()].iter().for_each(|body| hash.body(body));
@@ -101,13 +103,31 @@ impl Hash {
                 self.numbers(&[radius]);
             }
         }
-        self.numbers(&[body.rest_wavelength_nm]);
+        self.numbers(&[body.emission.wavelength_nm().unwrap_or(f64::INFINITY)]);
+        if body.brightness < 1.0 {
+            self.name("brightness");
+            self.numbers(&[body.brightness]);
+        }
+        self.pattern(body.pattern);
+    }
+
+    /// Nothing of a plain body.
+    fn pattern(&mut self, pattern: Pattern) {
+        let (name, spacing) = match pattern {
+            Pattern::Plain => return,
+            Pattern::Faces => ("faces", f64::INFINITY),
+            Pattern::Graticule { step_degrees } => ("graticule", step_degrees),
+            Pattern::Chequer { step } => ("chequer", step),
+            Pattern::Stripes { step } => ("stripes", step),
+        };
+        self.name(name);
+        self.numbers(&[spacing]);
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use relativity_render::Velocity;
+    use relativity_render::{Emission, Velocity};
 
     use super::*;
 
@@ -119,19 +139,22 @@ mod tests {
 
     #[test]
     fn every_part_of_a_scene_shows_in_its_fingerprint() {
-        let scene = Scene::default();
-        let mut others = vec![scene.clone(); 7];
+        let scene = Scene::preset("cyclist").expect("a preset");
+        let mut others = vec![scene.clone(); 10];
         others[0].name.push('2');
         others[1].tracked[2] += 1e-9;
         others[2].ground_z = None;
         others[3].bodies.swap(0, 1);
-        others[4].bodies[0].rest_wavelength_nm += 1.0;
+        others[4].bodies[0].emission = Emission::Wavelength(701.0);
+        others[7].bodies[0].emission = Emission::White;
+        others[8].bodies[0].brightness = 0.5;
         others[5].groups[0].count -= 1;
         others[6].groups[0].motion = Motion::Own(Velocity::REST);
+        others[9].road = Some([2.0, 9.0]);
         let mut fingerprints: Vec<_> = others.iter().map(Scene::fingerprint).collect();
         fingerprints.push(scene.fingerprint());
         fingerprints.sort();
         fingerprints.dedup();
-        assert_eq!(fingerprints.len(), 8);
+        assert_eq!(fingerprints.len(), 11);
     }
 }

@@ -13,7 +13,7 @@ pub(super) fn forward_most_point(bodies: &[Body]) -> Option<[f64; 3]> {
 }
 
 /// The point with the largest x on a shape; any of them where it has several.
-fn forward_most_on(shape: &Shape) -> DVec3 {
+pub(super) fn forward_most_on(shape: &Shape) -> DVec3 {
     match *shape {
         Shape::Sphere { center, radius } => DVec3::from(center) + radius * DVec3::X,
         Shape::Tube { from, to, radius } => {

@@ -18,7 +18,7 @@ use std::path::Path;
 use crate::platform::files;
 pub use content::{Scene, SceneGroup, Track};
 pub use error::{Problem, SceneError};
-pub use presets::PRESETS;
+pub use presets::{PRESETS, looks_like_a_name};
 
 impl Scene {
     /// The preset of that name, one of [`PRESETS`].
@@ -43,7 +43,7 @@ impl Scene {
     pub fn open(preset_or_path: &str) -> Result<Self, SceneError> {
         match Self::preset(preset_or_path) {
             Some(scene) => Ok(scene),
-            None if presets::looks_like_a_name(preset_or_path) => {
+            None if looks_like_a_name(preset_or_path) => {
                 Err(SceneError::UnknownPreset(preset_or_path.to_owned()))
             }
             None => Self::load(Path::new(preset_or_path)),
@@ -57,8 +57,8 @@ impl Scene {
 }
 
 impl Default for Scene {
-    /// The cyclist of the paper.
+    /// Gamow's street.
     fn default() -> Self {
-        Self::preset("cyclist").expect("it is a preset")
+        Self::preset(PRESETS[0]).expect("it is a preset")
     }
 }

@@ -1,7 +1,7 @@
 //! The scenes that are compiled in.
 
 /// Names of the presets; the first is the default.
-pub const PRESETS: [&str; 4] = ["cyclist", "street", "two-balls", "lattice"];
+pub const PRESETS: [&str; 4] = ["street", "cyclist", "two-balls", "lattice"];
 
 /// The scene file of a preset.
 pub(super) fn text(name: &str) -> Option<&'static str> {
@@ -15,6 +15,7 @@ pub(super) fn text(name: &str) -> Option<&'static str> {
 }
 
 /// Whether `word` reads as a misspelt preset rather than as a path.
-pub(super) fn looks_like_a_name(word: &str) -> bool {
+#[must_use]
+pub fn looks_like_a_name(word: &str) -> bool {
     !word.contains(['/', '\\', '.'])
 }

@@ -1,6 +1,6 @@
 //! Typed, located reading of one table of a scene file.
 
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -12,6 +12,9 @@ const MAX_COORDINATE: f64 = 1e6;
 
 /// Smallest size and distance: its square is still far from the smallest f32.
 const MIN_SIZE: f64 = 1e-6;
+
+/// How often an object can be repeated.
+const COUNT: RangeInclusive<usize> = 1..=1000;
 
 /// One table of a scene file.
 pub(super) struct Table<'a> {
@@ -50,10 +53,32 @@ impl<'a> Table<'a> {
         self.value(key).map(|value| self.point_of(key, value)).transpose()
     }
 
+    /// Two coordinates, if the key is there.
+    pub fn pair(&self, key: &'static str) -> Result<Option<[f64; 2]>, Located> {
+        self.value(key).map(|value| self.coordinates_of(key, value, "two numbers")).transpose()
+    }
+
+    /// How many, if the key is there.
+    pub fn count(&self, key: &'static str) -> Result<Option<usize>, Located> {
+        let Some(value) = self.value(key) else { return Ok(None) };
+        let count = match value.get_ref() {
+            DeValue::Integer(integer) => usize::from_str_radix(integer.as_str(), integer.radix()).ok(),
+            _ => None,
+        };
+        let count = count.filter(|count| COUNT.contains(count));
+        count.map(Some).ok_or_else(|| self.wrong_type(key, value, "a whole number between 1 and 1000"))
+    }
+
     /// A string that must be there.
     pub fn needed_string(&self, key: &'static str) -> Result<&'a str, Located> {
-        let value = self.value(key).ok_or_else(|| self.missing(key))?;
-        value.get_ref().as_str().ok_or_else(|| self.wrong_type(key, value, "a text in double quotes"))
+        self.string(key)?.ok_or_else(|| self.missing(key))
+    }
+
+    /// A string, if the key is there.
+    pub fn string(&self, key: &'static str) -> Result<Option<&'a str>, Located> {
+        let Some(value) = self.value(key) else { return Ok(None) };
+        let text = value.get_ref().as_str();
+        text.map(Some).ok_or_else(|| self.wrong_type(key, value, "a text in double quotes"))
     }
 
     /// A positive size that must be there.
@@ -113,6 +138,11 @@ impl<'a> Table<'a> {
         Located { problem: problem(self.quoted(&span)), span }
     }
 
+    /// That the value of `key` is not what is `expected`.
+    pub fn wrong(&self, key: &'static str, expected: &'static str) -> Located {
+        self.problem_at(key, |value| Problem::WrongType { key, value, expected })
+    }
+
     /// The value of `key` as the file has it.
     pub fn quoted_value(&self, key: &str) -> String {
         self.value(key).map_or_else(String::new, |value| self.quoted(&value.span()))
@@ -162,12 +192,22 @@ impl<'a> Table<'a> {
     }
 
     fn point_of(&self, key: &'static str, value: &Spanned<DeValue>) -> Result<[f64; 3], Located> {
-        const EXPECTED: &str = "three numbers [x, y, z]";
-        let Some([x, y, z]) = value.get_ref().as_array().map(|array| &array[..]) else {
-            return Err(self.wrong_type(key, value, EXPECTED));
-        };
-        let coordinate = |item| self.coordinate_of(key, item, EXPECTED);
-        Ok([coordinate(x)?, coordinate(y)?, coordinate(z)?])
+        self.coordinates_of(key, value, "three numbers [x, y, z]")
+    }
+
+    fn coordinates_of<const N: usize>(
+        &self,
+        key: &'static str,
+        value: &Spanned<DeValue>,
+        expected: &'static str,
+    ) -> Result<[f64; N], Located> {
+        let items = value.get_ref().as_array().filter(|items| items.len() == N);
+        let items = items.ok_or_else(|| self.wrong_type(key, value, expected))?;
+        let mut coordinates = [0.0; N];
+        for (coordinate, item) in coordinates.iter_mut().zip(items.iter()) {
+            *coordinate = self.coordinate_of(key, item, expected)?;
+        }
+        Ok(coordinates)
     }
 
     /// A piece of the file, in one line of bounded length.

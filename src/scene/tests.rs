@@ -1,6 +1,6 @@
 //! Scene files, right and wrong.
 
-use relativity_render::{Body, Motion, Shape, Velocity};
+use relativity_render::{Body, Emission, Motion, Shape, Velocity};
 
 use super::{PRESETS, Scene, SceneError};
 
@@ -95,6 +95,62 @@ fn an_include_moves_a_preset_and_comes_before_the_objects() {
 }
 
 #[test]
+fn bodies_are_called_what_their_file_says_else_by_shape_and_number() {
+    let ball = "shape = \"sphere\"\ncenter = [0, 3, 2]\nradius = 1\n";
+    let text = format!(
+        "name = \"x\"\n[[include]]\nscene = \"cyclist\"\n[[object]]\n{ball}\
+         [[group]]\nname = \"moon\"\n[[group.object]]\n{ball}name = \"full moon\""
+    );
+    let scene = Scene::parse(&text, "x").expect("right");
+    let ball = Scene::preset("cyclist").expect("a preset").bodies.len();
+    assert_eq!(scene.name_of(0), "front tyre");
+    assert_eq!(scene.name_of(ball), format!("sphere {ball}"));
+    assert_eq!(scene.name_of(ball + 1), "full moon");
+    assert_eq!(scene.tracked_body(), Some(ball), "the forward-most point is the ball's");
+    let named = text.replace("full moon", "new moon");
+    assert_eq!(Scene::parse(&named, "x").expect("right").fingerprint(), scene.fingerprint());
+    assert_eq!(Scene::preset("cyclist").expect("a preset").tracked_body(), Some(0));
+}
+
+#[test]
+fn an_object_is_repeated_a_step_further_each_time() {
+    let post = "shape = \"tube\"\nfrom = [0, 3, 0]\nto = [0, 3, 2]\nradius = 0.1";
+    let text = format!("name = \"x\"\n[[object]]\n{post}\nname = \"post\"\nrepeat = 3\nstep = [8, 0, -1]");
+    let scene = Scene::parse(&text, "x").expect("right");
+    assert_eq!(scene.names, ["post 1", "post 2", "post 3"]);
+    let last = Shape::Tube { from: [16.0, 3.0, -2.0], to: [16.0, 3.0, 0.0], radius: 0.1 };
+    assert_eq!(scene.bodies[2].shape, last);
+    for count in ["0", "1001", "2.0", "-3"] {
+        assert_eq!(
+            object_error(&format!("{post}\nrepeat = {count}")),
+            format!("balls.toml:7: repeat = {count} must be a whole number between 1 and 1000")
+        );
+    }
+}
+
+#[test]
+fn a_road_has_a_near_and_a_far_kerb() {
+    let road = |kerbs: &str| format!("road = {kerbs}\n{EXAMPLE}");
+    assert_eq!(Scene::parse(&road("[2, 9.5]"), "x").expect("right").road, Some([2.0, 9.5]));
+    assert_eq!(
+        error(&road("[2, 2]")),
+        "balls.toml:1: road = [2, 2] must be the y of the near kerb and then that of the far one"
+    );
+    assert_eq!(error(&road("[2]")), "balls.toml:1: road = [2] must be two numbers");
+}
+
+#[test]
+fn without_surroundings_only_what_moves_is_left() {
+    let ball = "[[group.object]]\nshape = \"sphere\"\ncenter = [0, 3, 2]\nradius = 1\n";
+    let group = |name: &str, beta: &str| format!("[[group]]\nname = \"{name}\"\nbeta = {beta}\n{ball}");
+    let [street, oncoming] = [group("street", "0"), group("oncoming", "-0.6")];
+    let all = Scene::parse(&format!("{EXAMPLE}{street}{oncoming}"), "x").expect("right");
+    let moving = Scene::parse(&format!("{EXAMPLE}{oncoming}"), "x").expect("right");
+    assert_eq!(all.without_surroundings().fingerprint(), moving.fingerprint());
+    assert_eq!(moving.clone().without_surroundings(), moving);
+}
+
+#[test]
 fn groups_have_motions_of_their_own() {
     let ball = "[[group.object]]\nshape = \"sphere\"\ncenter = [0, 3, 2]\nradius = 1\n";
     let text = format!(
@@ -141,7 +197,7 @@ fn presets_are_found_by_name_only() {
     assert_eq!(Scene::preset("cyclist.toml"), None);
     assert_eq!(
         Scene::open("cycle").expect_err("no such scene").to_string(),
-        "no scene is called `cycle`: there are cyclist, street, two-balls, lattice; for a file, give a name \
+        "no scene is called `cycle`: there are street, cyclist, two-balls, lattice; for a file, give a name \
          ending in .toml"
     );
 }
@@ -163,15 +219,15 @@ fn a_syntax_error_names_line_and_column() {
 fn an_unknown_key_is_told_the_keys_there_are() {
     assert_eq!(
         error("name = \"x\"\n\ngroud_z = 1\n"),
-        "balls.toml:3: unknown key `groud_z`: a scene has name, tracked, ground_z, include, object, group"
+        "balls.toml:3: unknown key `groud_z`: a scene has name, tracked, ground_z, road, include, object, group"
     );
     assert_eq!(
         object_error("shape = \"sphere\"\ncenter = [0, 3, 2]\nradus = 1"),
-        "balls.toml:5: unknown key `radus`: a sphere has shape, center, radius, wavelength_nm"
+        "balls.toml:5: unknown key `radus`: a sphere has shape, center, radius, name, wavelength_nm, light, brightness, repeat, step"
     );
     assert_eq!(
         object_error("shape = \"tube\"\ncenter = [0, 3, 2]"),
-        "balls.toml:4: unknown key `center`: a tube has shape, from, to, radius, wavelength_nm"
+        "balls.toml:4: unknown key `center`: a tube has shape, from, to, radius, name, wavelength_nm, light, brightness, repeat, step"
     );
     assert_eq!(
         error("name = \"x\"\n[[include]]\nscene = \"cyclist\"\nmove = [0, 0, 1]"),
@@ -226,6 +282,58 @@ fn a_coordinate_must_be_finite_and_within_reach() {
 }
 
 #[test]
+fn a_box_has_full_lengths_and_may_be_turned() {
+    let half_and_x = |rest: &str| {
+        let text = format!("name = \"x\"\n[[object]]\nshape = \"box\"\ncenter = [1, 2, 3]\n{rest}");
+        let scene = Scene::parse(&text, "x").unwrap_or_else(|error| panic!("{error}"));
+        let Shape::Box { center, half, turn } = scene.bodies[0].shape else { panic!("a box") };
+        assert_eq!(center, [1.0, 2.0, 3.0]);
+        (half, glam::DQuat::from_array(turn) * glam::DVec3::X)
+    };
+    let size = "size = [2, 4, 6]";
+    assert_eq!(half_and_x(size), ([1.0, 2.0, 3.0], glam::DVec3::X));
+    // Counter-clockwise as seen from above, or from where the axis points.
+    let turned = |rest: &str| half_and_x(&format!("{size}\n{rest}")).1;
+    assert!(turned("angle = 90").distance(glam::DVec3::Y) < 1e-15);
+    assert!(turned("angle = 90\naxis = [0, 3, 0]").distance(glam::DVec3::NEG_Z) < 1e-15);
+}
+
+#[test]
+fn what_is_wrong_with_a_box_or_a_cylinder_is_said() {
+    let cuboid = |rest: &str| object_error(&format!("shape = \"box\"\ncenter = [0, 3, 2]\n{rest}"));
+    assert_eq!(cuboid("angle = 5"), "balls.toml:2: a box needs `size`");
+    assert_eq!(cuboid("size = 2"), "balls.toml:5: size = 2 must be three sizes [x, y, z]");
+    assert_eq!(cuboid("size = [1, 0, 1]"), "balls.toml:5: size = 0 must be above 0");
+    assert_eq!(
+        cuboid("size = [1, 1, 1]\naxis = [0, 0, 1]"),
+        "balls.toml:6: axis = [0, 0, 1] needs `angle`, by how many degrees the box is turned about it"
+    );
+    assert_eq!(
+        cuboid("size = [1, 1, 1]\naxis = [0, 0, 0]\nangle = 5"),
+        "balls.toml:6: axis = [0, 0, 0] must have a direction, such as [0, 1, 0]"
+    );
+    assert_eq!(
+        object_error("shape = \"cylinder\"\nfrom = [0, 3, 2]\nto = [0, 3, 2]\nradius = 1"),
+        "balls.toml:5: to = [0, 3, 2] must differ from `from`, the middle of the other end"
+    );
+}
+
+#[test]
+fn flat_faces_are_tracked_in_their_middle_and_corners_where_they_stand_out() {
+    let tracked = |object: &str| {
+        let text = format!("name = \"x\"\n[[object]]\n{object}");
+        Scene::parse(&text, "x").unwrap_or_else(|error| panic!("{error}")).tracked
+    };
+    let cuboid = "shape = \"box\"\ncenter = [0, 3, 0]\nsize = [2, 2, 2]\n";
+    assert_eq!(tracked(cuboid), [1.0, 3.0, 0.0]);
+    let [x, y, z] = tracked(&format!("{cuboid}angle = 45"));
+    assert!((x - 2f64.sqrt()).abs() < 1e-15 && (y - 3.0).abs() < 1e-15 && z == 0.0, "{x}, {y}, {z}");
+    let cylinder = "shape = \"cylinder\"\nradius = 0.5\nfrom = [0, 3, 0]\n";
+    assert_eq!(tracked(&format!("{cylinder}to = [2, 3, 0]")), [2.0, 3.0, 0.0]);
+    assert_eq!(tracked(&format!("{cylinder}to = [0, 5, 0]")), [0.5, 4.0, 0.0]);
+}
+
+#[test]
 fn a_size_must_be_positive_and_drawable() {
     let sphere = |size: &str| object_error(&format!("shape = \"sphere\"\ncenter = [0, 3, 2]\n{size}"));
     assert_eq!(sphere("radius = -1"), "balls.toml:5: radius = -1 must be above 0");
@@ -236,6 +344,33 @@ fn a_size_must_be_positive_and_drawable() {
         sphere("radius = 1\nwavelength_nm = -700"),
         "balls.toml:6: wavelength_nm = -700 must be above 0"
     );
+}
+
+#[test]
+fn an_object_may_be_white_and_dim() {
+    let ball = |light: &str| {
+        let text =
+            format!("{EXAMPLE}[[object]]\nshape = \"sphere\"\ncenter = [9, 0, 0]\nradius = 1\n{light}");
+        let scene = Scene::parse(&text, "balls.toml").map_err(|error| error.to_string())?;
+        let body = *scene.bodies.last().expect("the ball");
+        Ok::<_, String>((body.emission, body.brightness))
+    };
+    assert_eq!(ball(""), Ok((Emission::Wavelength(700.0), 1.0)));
+    assert_eq!(ball("light = \"white\"\nbrightness = 0.25"), Ok((Emission::White, 0.25)));
+    assert_eq!(ball("wavelength_nm = 600\nbrightness = 1"), Ok((Emission::Wavelength(600.0), 1.0)));
+    for (light, problem) in [
+        ("light = \"red\"", "light = \"red\" must be \"white\", or left out for light of one wavelength"),
+        (
+            "wavelength_nm = 5\nlight = \"white\"",
+            "wavelength_nm = 5 must be left out where light = \"white\", which has every wavelength",
+        ),
+        ("brightness = 0", "brightness = 0 must be above 0 and at most 1"),
+        ("brightness = 1.5", "brightness = 1.5 must be above 0 and at most 1"),
+        ("brightness = nan", "brightness = nan must lie between -1e6 and 1e6"),
+    ] {
+        let error = ball(light).expect_err(problem);
+        assert!(error.ends_with(problem), "{error}");
+    }
 }
 
 #[test]
@@ -267,7 +402,7 @@ fn shapes_and_scenes_are_known_by_name() {
     );
     assert_eq!(
         error("name = \"x\"\n[[include]]\nscene = \"cyclists\""),
-        "balls.toml:3: scene = \"cyclists\" must be one of cyclist, street, two-balls, lattice"
+        "balls.toml:3: scene = \"cyclists\" must be one of street, cyclist, two-balls, lattice"
     );
 }
 

@@ -82,6 +82,27 @@ pub fn looks_like_settings(text: &str) -> bool {
     })
 }
 
+/// What a file of settings says besides them.
+pub(super) struct Told {
+    /// A title.
+    pub title: String,
+    /// A sentence or two.
+    pub caption: String,
+}
+
+/// The keys of that.
+const TOLD: [&str; 2] = ["title", "caption"];
+
+impl Told {
+    /// That of a file's text; `None` where a part is missing.
+    pub fn in_toml(text: &str) -> Option<Self> {
+        let top = DeTable::parse(text).ok()?;
+        let [title, caption] =
+            TOLD.map(|key| top.get_ref().get(key).and_then(|value| value.get_ref().as_str()));
+        Some(Self { title: title?.to_owned(), caption: caption?.to_owned() })
+    }
+}
+
 /// A setting in a file.
 struct Given {
     key: String,
@@ -107,6 +128,7 @@ fn given(text: &str) -> Result<Vec<Given>, Located> {
                     all.push(setting(key.get_ref(), inner, value)?);
                 }
             }
+            DeValue::String(_) if TOLD.contains(&key.get_ref().as_ref()) => {}
             _ => all.push(setting("", key, value)?),
         }
     }

@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use crate::flags::choices::{GazeChoice, Layout, RendererChoice, Size};
 use crate::flags::{
-    NumberOrOff, OnOff, SpeedParameter, SpeedSetting, TimeRange, field_of_view, switch, whole_number, within,
+    FieldOfView, NumberOrOff, OnOff, SpeedParameter, SpeedSetting, TimeRange, switch, whole_number, within,
 };
 
 /// Largest separation, distance and height.
@@ -48,25 +48,37 @@ impl Default for Motion {
 pub const FOV_DEGREES: RangeInclusive<f64> = 2.0..=150.0;
 
 /// Geometry, gaze and field of view.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Args)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Look")]
 pub struct Look {
     /// Which geometry is shown.
     #[arg(long, value_enum)]
     pub geometry: Geometry,
-    /// Where both eyes look: at the tracked point, or azimuth (from +x towards +y; 90 is straight ahead) and elevation
-    /// in degrees.
-    #[arg(long, value_name = "track|AZ,EL", allow_hyphen_values = true)]
+    /// Where both eyes look: at the middle of all that moves with the scene, at the tracked point, straight ahead, or
+    /// azimuth (from +x towards +y; 90 is straight ahead) and elevation in degrees.
+    #[arg(long, value_name = "whole|point|ahead|AZ,EL", allow_hyphen_values = true)]
     pub gaze: GazeChoice,
-    /// Horizontal field of view of each eye, degrees.
-    #[arg(long, value_name = "DEG", value_parser = field_of_view)]
-    pub fov: f64,
+    /// Horizontal field of view of each eye, degrees; `auto` shows the whole scene with a margin (42 to 150), is 110
+    /// straight ahead and else 60.
+    #[arg(long, value_name = "auto|DEG", allow_hyphen_values = true)]
+    pub fov: FieldOfView,
 }
 
-impl Default for Look {
-    fn default() -> Self {
-        Self { geometry: Geometry::Seen, gaze: GazeChoice::Track, fov: 60.0 }
+/// The field of view that is used to show a point or a direction, degrees.
+pub const USUAL_FOV: f64 = 60.0;
+/// That straight ahead, degrees: wide enough for what passes to be seen coming and going.
+const FOV_AHEAD: f64 = 110.0;
+
+impl Look {
+    /// The field of view, degrees, unless what is to be seen decides it.
+    #[must_use]
+    pub fn set_fov(&self) -> Option<f64> {
+        self.fov.0.or(match self.gaze {
+            GazeChoice::Whole => None,
+            GazeChoice::Ahead => Some(FOV_AHEAD),
+            GazeChoice::Point | GazeChoice::Fixed(_) => Some(USUAL_FOV),
+        })
     }
 }
 
@@ -93,7 +105,10 @@ pub struct Light {
     /// How form is shown.
     #[arg(long, value_enum)]
     pub shading: Shading,
-    /// Whether the scene's ground is drawn, with a grid of one line per unit of length.
+    /// Whether what rests around the scene is drawn: its groups that do not move, such as houses.
+    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    pub surroundings: OnOff,
+    /// Whether the scene's ground is drawn: its road, or a grid of one line per unit of length.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub ground: OnOff,
     /// Whether the sky is a gradient, else it is plain.
@@ -113,6 +128,7 @@ impl Default for Light {
             intensity_exponent: NumberOrOff(Some(PAPER_INTENSITY_EXPONENT)),
             exposure: 0.0,
             shading: Shading::Form,
+            surroundings: true,
             ground: true,
             sky: true,
             light: Daylight::Theme,
@@ -166,6 +182,10 @@ pub struct Picture {
     /// How the pictures of the two eyes share a file. Those of an .exr file are layers of their own.
     #[arg(long, value_enum)]
     pub layout: Layout,
+    /// Whether side by side they are told apart by a letter above each and a bar between them. Both lie outside the
+    /// pictures.
+    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    pub labels: OnOff,
     /// Rays per pixel of the reference renderer: N x N.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=16))]
     pub samples: u32,
@@ -173,7 +193,7 @@ pub struct Picture {
 
 impl Default for Picture {
     fn default() -> Self {
-        Self { size: Size([960, 720]), layout: Layout::SideBySide, samples: 3 }
+        Self { size: Size([960, 720]), layout: Layout::SideBySide, labels: true, samples: 3 }
     }
 }
 
@@ -316,6 +336,12 @@ pub struct Window {
     /// The left eye's picture corrected to the rest frame, beside the two. Hidden, it costs nothing.
     #[arg(long, value_parser = switch, value_name = "ON|OFF", num_args = 0..=1, default_missing_value = "on")]
     pub corrected: OnOff,
+    /// Below the views, which wavelengths arrive of the selected point.
+    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    pub spectrum: OnOff,
+    /// Below the views, the moment in a sentence.
+    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    pub sentence: OnOff,
     /// The plots.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub plots: OnOff,
@@ -332,6 +358,15 @@ pub struct Window {
 
 impl Default for Window {
     fn default() -> Self {
-        Self { views: true, corrected: false, plots: true, controls: true, readout: true, theme: Theme::Dark }
+        Self {
+            views: true,
+            corrected: false,
+            spectrum: true,
+            sentence: true,
+            plots: true,
+            controls: true,
+            readout: true,
+            theme: Theme::Dark,
+        }
     }
 }

@@ -1,28 +1,29 @@
 //! The settings to start with: what was left or is usual, what a file says, what flags say.
 
-use std::path::PathBuf;
+use std::path::Path;
 
-use clap::builder::PathBufValueParser;
 use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
 
 use super::all::Settings;
-use super::error::Problem;
+use super::error::{Problem, SettingsError};
+use super::presets::Preset;
+use crate::scene::looks_like_a_name;
 
-/// A flag for each setting, and one for a file of them.
+/// A flag for each setting, and one for a preset or a file of them.
 #[derive(Debug, Clone)]
 pub struct StartArgs {
-    file: Option<PathBuf>,
+    state: Option<String>,
     given: ArgMatches,
 }
 
-const FILE: &str = "state";
+const STATE: &str = "state";
 
 impl StartArgs {
-    /// `left`, or what the file says if one is given; and the flags in their stead. A scene that a flag gives starts at
+    /// `left`, or what the preset or the file says if one is given; and the flags in their stead. A scene that a flag gives starts at
     /// a T and with a point of its own.
     pub fn settings(&self, left: Settings) -> anyhow::Result<Settings> {
-        let mut settings = match &self.file {
-            Some(path) => Settings::default().with_file(path)?,
+        let mut settings = match &self.state {
+            Some(state) => named(state)?,
             None => left,
         };
         let Settings { scene, time, point, .. } = settings.clone();
@@ -37,12 +38,25 @@ impl StartArgs {
     }
 }
 
+/// The settings of the preset of this name, or in the file there.
+fn named(preset_or_path: &str) -> Result<Settings, SettingsError> {
+    match Preset::named(preset_or_path) {
+        Some(preset) => Ok(preset.settings.clone()),
+        None if looks_like_a_name(preset_or_path) => {
+            Err(SettingsError::UnknownPreset(preset_or_path.to_owned()))
+        }
+        None => Settings::default().with_file(Path::new(preset_or_path)),
+    }
+}
+
 impl Args for StartArgs {
     fn augment_args(command: Command) -> Command {
-        let file = Arg::new(FILE).long(FILE).value_name("FILE").value_parser(PathBufValueParser::new()).help(
-            "Start from the settings in this file (.toml), or with which a picture was made (.png, .exr)",
-        );
-        let command = Settings::augment_args_for_update(command.arg(file)).next_help_heading(None::<&str>);
+        let state = Arg::new(STATE).long(STATE).value_name("PRESET|FILE").help(format!(
+            "Start from a preset ({}), from the settings in a file (.toml), or from those with which a picture was made \
+             (.png, .exr)",
+            Preset::all().iter().map(|preset| preset.name).collect::<Vec<_>>().join(", "),
+        ));
+        let command = Settings::augment_args_for_update(command.arg(state)).next_help_heading(None::<&str>);
         Settings::default().entries().into_iter().fold(command, |command, entry| {
             command.mut_arg(entry.key.replace('-', "_"), |flag| {
                 let help = flag.get_help().map(ToString::to_string).unwrap_or_default();
@@ -58,7 +72,7 @@ impl Args for StartArgs {
 
 impl FromArgMatches for StartArgs {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
-        Ok(Self { file: matches.get_one(FILE).cloned(), given: matches.clone() })
+        Ok(Self { state: matches.get_one(STATE).cloned(), given: matches.clone() })
     }
 
     fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {

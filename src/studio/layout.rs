@@ -4,13 +4,9 @@ use relativity_render::Picture;
 use relativity_render::colour::{hue_preserving_clip, srgb_decoded};
 use relativity_render::picture::encoded;
 
+use super::sheet::{Ink, Sheet};
+use crate::eye_colours;
 use crate::flags::choices::Layout;
-
-/// The left eye's colour wherever eyes are told apart by colour, sRGB-encoded; with the right eye's a
-/// pair that colour-blind eyes tell apart (M. Okabe and K. Ito, *Color universal design*, 2008).
-const LEFT_COLOUR: [u8; 3] = [0x56, 0xB4, 0xE9];
-/// The right eye's.
-const RIGHT_COLOUR: [u8; 3] = [0xE6, 0x9F, 0x00];
 
 impl Layout {
     /// The eyes it shows (0 left, 1 right), in the order in which [`Self::composed`] wants them.
@@ -24,23 +20,28 @@ impl Layout {
         }
     }
 
-    /// The picture that shows those of [`Self::eyes`], all of one size.
+    /// The eyes whose pictures stand beside each other, from the left; the first alone where one lies on the other.
     #[must_use]
-    pub fn composed(self, mut eyes: Vec<Picture>) -> Picture {
+    pub const fn side_by_side(self) -> &'static [usize] {
+        match self {
+            Self::Anaglyph | Self::Overlay => &[0],
+            _ => self.eyes(),
+        }
+    }
+
+    /// The picture that shows those of [`Self::eyes`], all of one size, labelled in `labels` where that tells them apart.
+    #[must_use]
+    pub fn composed(self, mut eyes: Vec<Picture>, labels: Option<Ink>) -> Picture {
         match (self, eyes.as_slice()) {
-            (Self::SideBySide | Self::CrossEyed, [first, second]) => beside(first, second),
+            (Self::SideBySide | Self::CrossEyed, [first, _]) => {
+                let sheet = Sheet::new(self, first.size, labels.is_some());
+                sheet.composed(&eyes, labels.unwrap_or(Ink::beside(false)))
+            }
             (Self::Anaglyph, [left, right]) => blended(left, right, anaglyph),
             (Self::Overlay, [left, right]) => blended(left, right, overlay),
             _ => eyes.swap_remove(0),
         }
     }
-}
-
-fn beside(first: &Picture, second: &Picture) -> Picture {
-    let [width, height] = first.size;
-    let [first, second] = [first, second].map(|picture| picture.rgba.chunks(width as usize));
-    let rgba = first.zip(second).flat_map(|(a, b)| [a, b].concat()).collect();
-    Picture { size: [2 * width, height], rgba }
 }
 
 fn blended(left: &Picture, right: &Picture, blend: impl Fn([u8; 4], [u8; 4]) -> [u8; 4]) -> Picture {
@@ -58,7 +59,8 @@ fn anaglyph(left: [u8; 4], right: [u8; 4]) -> [u8; 4] {
 fn overlay(left: [u8; 4], right: [u8; 4]) -> [u8; 4] {
     let linear = |encoded: u8| srgb_decoded(f64::from(encoded) / 255.0);
     let [left, right] = [left, right].map(|pixel| linear(largest(pixel)));
-    let part = |i: usize| left * linear(LEFT_COLOUR[i]) + right * linear(RIGHT_COLOUR[i]);
+    let [left_colour, right_colour] = eye_colours::ON_DARK;
+    let part = |i: usize| left * linear(left_colour[i]) + right * linear(right_colour[i]);
     encoded(hue_preserving_clip([part(0), part(1), part(2)]))
 }
 

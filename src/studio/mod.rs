@@ -1,7 +1,9 @@
 //! Where pictures are made for files: a scene, settings and a renderer, and what the files record of them.
 
 mod layout;
+mod letters;
 mod painter;
+mod sheet;
 mod timings;
 
 use std::path::Path;
@@ -9,6 +11,8 @@ use std::path::Path;
 use relativity_render::{HitImage, Picture, PreparedScene};
 
 use self::painter::Painter;
+use self::sheet::Ink;
+pub use self::sheet::Sheet;
 use self::timings::Timings;
 use crate::files::exr::{Light, Measurements};
 use crate::files::provenance::Provenance;
@@ -16,7 +20,7 @@ use crate::files::whole::write_whole;
 use crate::files::{exr, png};
 use crate::flags::choices::FileKind;
 use crate::scene::{Scene, Track};
-use crate::settings::Settings;
+use crate::settings::{Settings, Subject};
 
 /// Names of the stages that draw the left and the right eye.
 const EYES: [&str; 2] = ["left eye", "right eye"];
@@ -37,7 +41,7 @@ impl Studio {
     ///
     /// A scene or a renderer that cannot be had.
     pub fn new(mut settings: Settings) -> anyhow::Result<Self> {
-        let scene = Scene::open(&settings.scene)?;
+        let scene = settings.opened_scene()?;
         let mut timings = Timings::default();
         let painter = timings.timed("set up", || Painter::new(&settings))?;
         settings.quality.renderer = painter.choice();
@@ -56,6 +60,11 @@ impl Studio {
         self.scene.track(self.settings.point)
     }
 
+    /// What the eyes look at.
+    fn subject(&self) -> Subject<'_> {
+        Subject { scene: &self.prepared, tracked: self.tracked() }
+    }
+
     /// The frame at `time`, or at the T that the settings say.
     ///
     /// # Errors
@@ -63,7 +72,7 @@ impl Studio {
     /// A T outside the domain of the core.
     pub fn frame(&self, time: Option<f64>) -> anyhow::Result<Frame> {
         let settings = Settings { time: time.or(self.settings.time), ..self.settings.clone() };
-        let settings = settings.resolved(&self.tracked());
+        let settings = settings.resolved(self.subject());
         let time = settings.time.unwrap_or_default();
         settings.disparity(&self.tracked(), time)?;
         let provenance = self.scene.provenance(settings.command());
@@ -98,19 +107,20 @@ impl Studio {
     fn picture(&mut self, frame: &Frame) -> anyhow::Result<Picture> {
         let Frame { settings, time, .. } = frame;
         let layout = settings.picture.layout;
-        let views = settings.views(&self.tracked(), *time, settings.picture.size.0);
-        let appearance = settings.appearance(self.scene.ground_z, false);
+        let views = settings.views(self.subject(), *time, settings.picture.size.0);
+        let appearance = settings.appearance(&self.scene, false);
         let Self { painter, prepared, timings, .. } = self;
         let eye =
             |&eye: &usize| timings.timed(EYES[eye], || painter.picture(prepared, &views[eye], &appearance));
         let eyes = layout.eyes().iter().map(eye).collect::<Result<_, _>>()?;
-        Ok(timings.timed("layout", || layout.composed(eyes)))
+        let labels = settings.picture.labels.then(|| Ink::beside(appearance.light));
+        Ok(timings.timed("layout", || layout.composed(eyes, labels)))
     }
 
     /// What every pixel of the left and the right eye shows.
     fn hits(&mut self, frame: &Frame) -> anyhow::Result<[HitImage; 2]> {
         let Frame { settings, time, .. } = frame;
-        let [left, right] = settings.views(&self.tracked(), *time, settings.picture.size.0);
+        let [left, right] = settings.views(self.subject(), *time, settings.picture.size.0);
         let Self { painter, prepared, timings, .. } = self;
         Ok([
             timings.timed(EYES[0], || painter.hits(prepared, &left))?,

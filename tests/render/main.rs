@@ -22,10 +22,13 @@ fn folder() -> TempDir {
     tempfile::tempdir().expect("there is a place for temporary files")
 }
 
-/// `gamow render` with the words of `flags` in `folder`, small and by the reference renderer.
+/// `gamow render` with the words of `flags` in `folder`, of the cyclist, small and by the reference renderer.
 fn command(folder: &Path, flags: &str) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_gamow"));
     command.current_dir(folder).env_remove("RUST_LOG").arg("render").args(flags.split_whitespace());
+    if !flags.contains("--scene") && !flags.contains("--state") {
+        command.arg("--scene=cyclist");
+    }
     if !flags.contains("--size") {
         command.arg(format!("--size={WIDTH}x{HEIGHT}"));
     }

@@ -55,8 +55,25 @@ fn a_marker_in_pictures_gives_its_speed_and_distance() {
     let folder = folder();
     let plain = "--doppler-shift off --intensity-exponent off --shading emission --ground off --sky off";
     ride(folder.path(), plain);
-    run_gamow(folder.path(), &format!("measure ride --marker {GREEN} --out ride.csv"));
+    let measured = || {
+        run_gamow(folder.path(), &format!("measure ride --marker {GREEN} --out ride.csv"));
+        std::fs::read_to_string(folder.path().join("ride.csv")).expect("it was written")
+    };
+    let labelled = measured();
     assert_recovers(folder.path());
+    // The letters and the bar are not in the pictures: the same is measured without them.
+    std::fs::remove_dir_all(folder.path().join("ride")).expect("it is there");
+    ride(folder.path(), &format!("{plain} --labels off"));
+    assert_eq!(measured(), labelled);
+}
+
+#[test]
+fn the_letters_of_a_picture_are_no_marker() {
+    let folder = folder();
+    ride(folder.path(), "--doppler-shift off --shading emission --layout side-by-side");
+    // The colour of the letter L.
+    let complaint = complaint_of(folder.path(), "measure ride --marker 56b4e9");
+    assert!(complaint.contains("none of 30 files shows the target"), "{complaint}");
 }
 
 /// The angles of a mark on the surface are those of the light cone, to a fraction of a pixel.

@@ -44,7 +44,7 @@ fn a_screenshot_shows_the_state() {
         &["--beta", "0.5", "--time", "1"],
         &["--beta", "0.9", "--time", "2"],
         &["--beta", "0.9", "--time", "1", "--d", "0.5"],
-        &["--beta", "0.9", "--time", "1", "--scene", "street"],
+        &["--beta", "0.9", "--time", "1", "--scene", "cyclist"],
         &["--beta", "0.9", "--time", "1", "--plot", "fit"],
         &["--beta", "0.9", "--time", "1", "--corrected"],
         &["--beta", "0.9", "--time", "1", "--renderer", "reference"],

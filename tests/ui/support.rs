@@ -7,7 +7,6 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use gamow::app::App;
 use gamow::app::state::State;
 use gamow::flags::{SpeedParameter, SpeedSetting};
-use gamow::scene::Scene;
 use gamow::settings::Settings;
 use relativity_core::{Aperture, Sighting, SourcePoint, Speed, sighting};
 
@@ -18,11 +17,11 @@ pub const SEPARATION: f64 = 0.1;
 /// Seconds between frames: short enough for two clicks to be a double click.
 pub const FRAME: f32 = 1.0 / 16.0;
 
-/// The default scene at this beta.
+/// The paper's cyclist at this beta.
 pub fn cyclist(beta: f64) -> State {
-    let mut settings = Settings::default();
+    let mut settings = Settings { scene: "cyclist".to_owned(), ..Settings::default() };
     settings.motion.speed = SpeedSetting::new(SpeedParameter::Beta, beta).expect("a speed");
-    State::new(settings, Scene::default())
+    State::open(settings).expect("a preset")
 }
 
 /// A window of the usual size that shows `state`.

@@ -52,7 +52,7 @@ fn at_t0_the_elevations_agree() {
 
 fn clicking_in_a_plot() {
     let mut window = window(cyclist(0.9));
-    let plot = window.get_by_label("Plot of Δθ of point 1 (tracked) against T").rect();
+    let plot = window.get_by_label("Plot of Δθ of point 1 (front tyre) against T").rect();
     let before = time(&window);
     let place = pos2(plot.min.x + 0.75 * plot.width(), plot.center().y);
     drag(&mut window, place, place + [20.0, 0.0].into());

@@ -2,8 +2,13 @@
 //
 // Repeats `backdrop.rs`, which says what each line is for and gives these.
 
-// Whether there is a ground grid.
+// Whether there is a ground, and a road on it.
 override GROUND: bool;
+override ROAD: bool;
+override KERB_WIDTH: f32;
+override LANE_HALF_WIDTH: f32;
+override DASH_LENGTH: f32;
+override DASH_PERIOD: f32;
 override LINE_HALF_WIDTH: f32;
 override AXIS_HALF_WIDTH: f32;
 override GRID_FADE_START: f32;
@@ -32,6 +37,33 @@ fn shift(sight: vec4f, across: vec3f, distance: f32) -> vec2f {
     return (turn.xy - sight.xy * (turn.z / sight.z)) * distance;
 }
 
+fn band_cover(coordinate: f32, lowest: f32, highest: f32, pixel: f32) -> f32 {
+    let half = max(0.5 * pixel, 1e-6);
+    let covered = min(coordinate + half, highest) - max(coordinate - half, lowest);
+    return clamp(covered / (2.0 * half), 0.0, 1.0);
+}
+
+// The length of all dashes between 0 and each x.
+fn dashes(x: vec2f) -> vec2f {
+    let before = floor(x / DASH_PERIOD);
+    return before * DASH_LENGTH + min(x - before * DASH_PERIOD, vec2f(DASH_LENGTH));
+}
+
+fn dashes_cover(x: f32, pixel: f32) -> f32 {
+    let half = max(0.5 * pixel, 1e-6);
+    let ends = dashes(vec2f(x - half, x + half));
+    return (ends.y - ends.x) / (2.0 * half);
+}
+
+fn marks_cover(foot: vec2f, pixel: vec2f) -> f32 {
+    let near = frame.road.x;
+    let far = frame.road.y;
+    let middle = 0.5 * (near + far);
+    let kerbs = band_cover(foot.y, near - KERB_WIDTH, near, pixel.y) + band_cover(foot.y, far, far + KERB_WIDTH, pixel.y);
+    let lane = band_cover(foot.y, middle - LANE_HALF_WIDTH, middle + LANE_HALF_WIDTH, pixel.y);
+    return kerbs + lane * dashes_cover(foot.x, pixel.x);
+}
+
 fn ground_colour(sky: vec3f, sight: vec4f, distance: f32) -> vec3f {
     let foot = frame.ground.xy + sight.xy * distance;
     let right = shift(sight, frame.right.xyz, distance);
@@ -39,10 +71,16 @@ fn ground_colour(sky: vec3f, sight: vec4f, distance: f32) -> vec3f {
     let pixel = sqrt(right * right + down * down);
     let fade = clamp(GRID_FADE_START - GRID_FADE_RATE * pixel, vec2f(0.0), vec2f(1.0));
     let grid = line_cover(foot - round(foot), LINE_HALF_WIDTH, pixel) * fade;
-    let axes = line_cover(foot, AXIS_HALF_WIDTH, pixel);
-    let painted = mix(frame.backdrop[2].rgb, frame.backdrop[3].rgb, max(grid.x, grid.y));
-    let marked = mix(painted, frame.backdrop[4].rgb, max(axes.x, axes.y));
-    return mix(sky, marked, 1.0 / (1.0 + HAZE * distance * distance));
+    let gridded = mix(frame.backdrop[2].rgb, frame.backdrop[3].rgb, max(grid.x, grid.y));
+    var painted: vec3f;
+    if ROAD {
+        let surface = mix(gridded, frame.backdrop[5].rgb, band_cover(foot.y, frame.road.x, frame.road.y, pixel.y));
+        painted = mix(surface, frame.backdrop[4].rgb, marks_cover(foot, pixel));
+    } else {
+        let axes = line_cover(foot, AXIS_HALF_WIDTH, pixel);
+        painted = mix(gridded, frame.backdrop[4].rgb, max(axes.x, axes.y));
+    }
+    return mix(sky, painted, 1.0 / (1.0 + HAZE * distance * distance));
 }
 
 fn behind(pixel: vec2f) -> vec3f {

@@ -39,7 +39,7 @@ fn intensity(doppler: f32) -> f32 {
 // `rest_colour` is the colour without Doppler shift. Too bright a colour is dimmed, which keeps its hue.
 fn received_colour(rest_colour: vec3f, rest_wavelength_nm: f32, doppler: f32, normal: vec3f) -> vec3f {
     var light = rest_colour;
-    if DOPPLER_SHIFT {
+    if DOPPLER_SHIFT && rest_wavelength_nm > 0.0 {
         light = table_colour(rest_wavelength_nm / doppler);
     }
     light *= frame.light.x * intensity(doppler);

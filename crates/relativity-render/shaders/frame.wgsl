@@ -30,8 +30,10 @@ struct Frame {
     // Camera x and y, height of the ground above the camera (far below if there is none), and
     // the published model's aperture separation.
     ground: vec4f,
-    // Linear sRGB: horizon, zenith, ground, grid lines, axis lines.
-    backdrop: array<vec4f, 5>,
+    // xy: y of the near and the far kerb of a road, equal where there is none.
+    road: vec4f,
+    // Linear sRGB: horizon, zenith, ground, its grid's lines, the paint on it, a road.
+    backdrop: array<vec4f, 6>,
     // Products with an apparent position give its clip coordinates x, y and w.
     clip_right: vec4f,
     clip_up: vec4f,

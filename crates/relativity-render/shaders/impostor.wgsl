@@ -14,6 +14,8 @@ struct Piece {
     @location(4) turn: vec4f,
     // Linear sRGB without Doppler shift.
     @location(5) rest_colour: vec4f,
+    // As `mark` reads it.
+    @location(6) pattern: vec3f,
 }
 
 struct Fragment {
@@ -23,6 +25,7 @@ struct Fragment {
     @location(2) @interpolate(flat) turn: vec4f,
     @location(3) @interpolate(flat) rest_colour_wavelength: vec4f,
     @location(4) @interpolate(flat) index: f32,
+    @location(5) @interpolate(flat) pattern: vec3f,
 }
 
 @vertex
@@ -36,6 +39,7 @@ fn rectangle(@builtin(vertex_index) vertex: u32, piece: Piece) -> Fragment {
         piece.turn,
         vec4f(piece.rest_colour.rgb, piece.second_axis_index_wavelength.w),
         piece.second_axis_index_wavelength.z,
+        piece.pattern,
     );
 }
 
@@ -72,12 +76,15 @@ fn shaded(fragment: Fragment) -> Shaded {
     if distance <= 0.0 || height < frame.ground.z {
         discard;
     }
-    let colour = received_colour(
+    var colour = received_colour(
         fragment.rest_colour_wavelength.rgb,
         fragment.rest_colour_wavelength.w,
         ray.doppler,
         hit.normal,
     );
+    if PATTERNS {
+        colour *= mark(body, fragment.pattern, hit.place, hit.normal, ray, distance * ray.ground_per_rest);
+    }
     let clearances = vec4f(clearance) + gradient.x * SAMPLE_U + gradient.y * SAMPLE_V;
     return Shaded(vec4f(colour * alpha, alpha), depth(ray, hit.beyond), clearances);
 }

@@ -1,4 +1,4 @@
-//! What lies behind the bodies: a sky and a grid on the ground, at rest with the aperture.
+//! What lies behind the bodies: a sky, and on the ground a road or a grid, at rest with the aperture.
 //!
 //! Never shifted, dimmed or exposed: it gives motion something to be seen against.
 //! `shaders/backdrop.wgsl` draws the same, with the same constants.
@@ -18,9 +18,16 @@ const AXIS_HALF_WIDTH: f64 = 0.02;
 /// Where a pixel is p units wide on the ground, the share of the grid drawn is the first less p times the second:
 /// all of it where four pixels lie between two lines, none where only two do and lines would merge.
 const GRID_FADE: [f64; 2] = [2.0, 4.0];
-/// Of the ground at the distance s the share 1/(1 + `HAZE` s^2) is seen, half of it 20 units away: so the plane
-/// ends in the sky and not in a line, and the flicker of far grid lines with it.
-const HAZE: f64 = 0.0025;
+/// Width of the kerbs beside a road.
+const KERB_WIDTH: f64 = 0.25;
+/// Half the width of the line in the middle of a road.
+const LANE_HALF_WIDTH: f64 = 0.09;
+/// Length of the dashes of that line, the first of which begins at x = 0, and from one to the next.
+const DASH: [f64; 2] = [3.0, 8.0];
+/// Of the ground at the distance s the share 1/(1 + haze s^2) is seen, of a grid half of it 20 units away, of a road
+/// half of it 50 units away: so the plane ends in the sky and not in a line, and the flicker of far lines with it.
+const GRID_HAZE: f64 = 0.0025;
+const ROAD_HAZE: f64 = 0.0004;
 /// The sky is the zenith's colour above the height z of a line of sight of 1/`SKY_RISE`, 46 degrees: a picture
 /// that looks straight ahead shows all of the gradient.
 const SKY_RISE: f64 = 1.4;
@@ -34,6 +41,10 @@ struct Palette {
     earth: [f64; 3],
     grid_line: [f64; 3],
     axis_line: [f64; 3],
+    asphalt: [f64; 3],
+    pavement: [f64; 3],
+    joint: [f64; 3],
+    paint: [f64; 3],
 }
 
 // Dusk, not night: what is shifted out of the visible is black, and must stand out.
@@ -44,6 +55,10 @@ const DARK: Palette = Palette {
     earth: [0.050, 0.056, 0.066],
     grid_line: [0.145, 0.165, 0.195],
     axis_line: [0.270, 0.305, 0.350],
+    asphalt: [0.040, 0.045, 0.054],
+    pavement: [0.085, 0.092, 0.104],
+    joint: [0.052, 0.057, 0.066],
+    paint: [0.330, 0.345, 0.365],
 };
 
 const LIGHT: Palette = Palette {
@@ -53,17 +68,42 @@ const LIGHT: Palette = Palette {
     earth: [0.640, 0.665, 0.680],
     grid_line: [0.400, 0.430, 0.460],
     axis_line: [0.190, 0.220, 0.260],
+    asphalt: [0.270, 0.280, 0.300],
+    pavement: [0.560, 0.555, 0.540],
+    joint: [0.400, 0.400, 0.395],
+    paint: [0.900, 0.900, 0.880],
 };
 
-/// The shader's constants; `has_ground` is whether any ground is to be seen.
-pub(crate) fn constants(has_ground: bool) -> [Constant; 7] {
+/// What is to be seen below the horizon.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Floor {
+    /// Nothing.
+    Open,
+    /// A grid.
+    Grid,
+    /// A road between pavements.
+    Road,
+}
+
+impl Floor {
+    /// All of them, by their number.
+    pub const ALL: [Self; 3] = [Self::Open, Self::Grid, Self::Road];
+}
+
+/// The shader's constants for a floor.
+pub(crate) fn constants(floor: Floor) -> [Constant; 12] {
     [
-        ("GROUND", number(has_ground)),
+        ("GROUND", number(floor != Floor::Open)),
+        ("ROAD", number(floor == Floor::Road)),
+        ("KERB_WIDTH", KERB_WIDTH),
+        ("LANE_HALF_WIDTH", LANE_HALF_WIDTH),
+        ("DASH_LENGTH", DASH[0]),
+        ("DASH_PERIOD", DASH[1]),
         ("LINE_HALF_WIDTH", LINE_HALF_WIDTH),
         ("AXIS_HALF_WIDTH", AXIS_HALF_WIDTH),
         ("GRID_FADE_START", GRID_FADE[0]),
         ("GRID_FADE_RATE", GRID_FADE[1]),
-        ("HAZE", HAZE),
+        ("HAZE", if floor == Floor::Road { ROAD_HAZE } else { GRID_HAZE }),
         ("SKY_RISE", SKY_RISE),
     ]
 }
@@ -75,6 +115,7 @@ pub struct Backdrop {
     aperture: DVec2,
     /// Height of the ground from the aperture, below 0: ground above the eye would hide everything.
     ground: Option<f64>,
+    road: Option<[f64; 2]>,
     axes: Axes,
     focal_length_px: f64,
 }
@@ -88,15 +129,25 @@ impl Backdrop {
             palette: palette(appearance),
             aperture: DVec2::new(aperture.x, aperture.y),
             ground: appearance.ground_z.map(|z| z - aperture.z).filter(|z| *z < 0.0),
+            road: appearance.road,
             axes: camera.gaze.axes(),
             focal_length_px: camera.focal_length_px(),
         }
     }
 
-    /// Linear sRGB of the horizon, the zenith, the ground, the grid's lines and the axes.
-    pub(crate) fn colours(&self) -> [[f64; 3]; 5] {
-        let Palette { horizon, zenith, earth, grid_line, axis_line, .. } = self.palette;
-        [horizon, zenith, earth, grid_line, axis_line]
+    /// Linear sRGB of the horizon, the zenith, the ground, its grid's lines, the paint on it, and a road.
+    pub(crate) fn colours(&self) -> [[f64; 3]; 6] {
+        let Palette { horizon, zenith, earth, grid_line, axis_line, asphalt, .. } = self.palette;
+        let [earth, lines, paint] = match self.road {
+            Some(_) => [self.palette.pavement, self.palette.joint, self.palette.paint],
+            None => [earth, grid_line, axis_line],
+        };
+        [horizon, zenith, earth, lines, paint, asphalt]
+    }
+
+    /// Where the near and the far kerb of a road lie, y; equal where there is none.
+    pub(crate) fn kerbs(&self) -> [f64; 2] {
+        self.road.unwrap_or_default()
     }
 
     /// Height of the ground from the aperture, below 0; `None` if there is none to be seen.
@@ -127,11 +178,18 @@ impl Backdrop {
         let shift = |turn: DVec3| (turn.truncate() - n.truncate() * (turn.z / n.z)) * distance;
         let [right, down] = [self.axes.right, -self.axes.up].map(|across| shift(turn(across)));
         let pixel = DVec2::new(math::hypot(right.x, down.x), math::hypot(right.y, down.y));
+        let [_, _, earth, lines, paint, asphalt] = self.colours();
         let grid = grid_cover(foot.x, pixel.x).max(grid_cover(foot.y, pixel.y));
-        let axes = axis_cover(foot.x, pixel.x).max(axis_cover(foot.y, pixel.y));
-        let Palette { earth, grid_line, axis_line, .. } = self.palette;
-        let painted = mix(mix(earth, grid_line, grid), axis_line, axes);
-        mix(self.sky(n), painted, 1.0 / (1.0 + HAZE * distance * distance))
+        let gridded = mix(earth, lines, grid);
+        let painted = match self.road {
+            Some(kerbs) => {
+                let surface = mix(gridded, asphalt, band_cover(foot.y, kerbs, pixel.y));
+                mix(surface, paint, marks_cover(foot, kerbs, pixel))
+            }
+            None => mix(gridded, paint, axis_cover(foot.x, pixel.x).max(axis_cover(foot.y, pixel.y))),
+        };
+        let haze = if self.road.is_some() { ROAD_HAZE } else { GRID_HAZE };
+        mix(self.sky(n), painted, 1.0 / (1.0 + haze * distance * distance))
     }
 }
 
@@ -149,6 +207,33 @@ fn palette(appearance: &Appearance) -> Palette {
 fn grid_cover(coordinate: f64, pixel: f64) -> f64 {
     let off_line = (coordinate - coordinate.round()).abs();
     line_cover(off_line, LINE_HALF_WIDTH, pixel) * (GRID_FADE[0] - GRID_FADE[1] * pixel).clamp(0.0, 1.0)
+}
+
+/// Share of a pixel, `pixel` wide on the ground, that what lies between two places covers.
+fn band_cover(coordinate: f64, [from, to]: [f64; 2], pixel: f64) -> f64 {
+    let half = (0.5 * pixel).max(1e-6);
+    let covered = (coordinate + half).min(to) - (coordinate - half).max(from);
+    (covered / (2.0 * half)).clamp(0.0, 1.0)
+}
+
+/// Share of a pixel that the kerbs of a road and the dashes in its middle cover.
+fn marks_cover(foot: DVec2, [near, far]: [f64; 2], pixel: DVec2) -> f64 {
+    let middle = 0.5 * (near + far);
+    let kerbs = band_cover(foot.y, [near - KERB_WIDTH, near], pixel.y)
+        + band_cover(foot.y, [far, far + KERB_WIDTH], pixel.y);
+    let lane = band_cover(foot.y, [middle - LANE_HALF_WIDTH, middle + LANE_HALF_WIDTH], pixel.y);
+    kerbs + lane * dashes_cover(foot.x, pixel.x)
+}
+
+/// Share of a pixel that dashes along x cover.
+fn dashes_cover(x: f64, pixel: f64) -> f64 {
+    let half = (0.5 * pixel).max(1e-6);
+    // The length of all dashes between 0 and x.
+    let length = |x: f64| {
+        let before = (x / DASH[1]).floor();
+        before * DASH[0] + (x - before * DASH[1]).min(DASH[0])
+    };
+    (length(x + half) - length(x - half)) / (2.0 * half)
 }
 
 /// Share of a pixel that the line at 0 covers.

@@ -1,5 +1,7 @@
 //! What a scene is made of: solid shapes at rest in the frame of their group.
 
+use crate::pattern::Pattern;
+
 /// A solid shape in the rest frame. Lengths in the scene's unit; `[x, y, z]`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Shape {
@@ -69,20 +71,66 @@ impl Shape {
     }
 }
 
-/// A shape that glows: isotropically in the rest frame, at one wavelength.
+/// What light a body sends, alike in all directions in its rest frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Emission {
+    /// Light of one wavelength, nm, above 0.
+    Wavelength(f64),
+    /// White light: daylight, which a grey body reflects.
+    White,
+}
+
+impl Emission {
+    /// Its wavelength in the rest frame, nm; white light has none.
+    #[must_use]
+    pub const fn wavelength_nm(self) -> Option<f64> {
+        match self {
+            Self::Wavelength(nm) => Some(nm),
+            Self::White => None,
+        }
+    }
+}
+
+/// A shape, and the light it sends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Body {
     /// Where it is and what form it has.
     pub shape: Shape,
-    /// Wavelength of its light in the rest frame, nm.
-    pub rest_wavelength_nm: f64,
+    /// Its light in the rest frame.
+    pub emission: Emission,
+    /// Brightness beside other bodies, above 0 and at most 1.
+    pub brightness: f64,
+    /// What it carries.
+    pub pattern: Pattern,
 }
 
 impl Body {
     /// A plain body of this `shape` and `rest_wavelength_nm`, above 0.
     #[must_use]
     pub const fn new(shape: Shape, rest_wavelength_nm: f64) -> Self {
-        Self { shape, rest_wavelength_nm }
+        Self::of_light(shape, Emission::Wavelength(rest_wavelength_nm))
+    }
+
+    /// A plain white body of this `shape`.
+    #[must_use]
+    pub const fn white(shape: Shape) -> Self {
+        Self::of_light(shape, Emission::White)
+    }
+
+    const fn of_light(shape: Shape, emission: Emission) -> Self {
+        Self { shape, emission, brightness: 1.0, pattern: Pattern::Plain }
+    }
+
+    /// The body with another `brightness`, above 0 and at most 1.
+    #[must_use]
+    pub const fn with_brightness(self, brightness: f64) -> Self {
+        Self { brightness, ..self }
+    }
+
+    /// The body with this `pattern`.
+    #[must_use]
+    pub const fn with_pattern(self, pattern: Pattern) -> Self {
+        Self { pattern, ..self }
     }
 
     /// The body moved by `offset`.

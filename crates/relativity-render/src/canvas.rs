@@ -3,7 +3,7 @@
 //! Bodies are drawn with four samples per pixel over nothing, in linear light; the last pass puts them over sky
 //! and ground and applies the sRGB curve.
 
-use crate::backdrop;
+use crate::backdrop::{self, Floor};
 use crate::buffers::{fill_frame_buffer, frame_bindings, frame_buffer, vertex_buffer};
 use crate::drawing::{Drawing, Shot};
 use crate::effects::Constant;
@@ -23,8 +23,8 @@ pub struct Canvas {
     /// The colour tables of [`Colour::Visible`] and [`Colour::False`].
     visible: wgpu::TextureView,
     falsified: wgpu::TextureView,
-    /// The last pass, without and with a ground.
-    last_pass: [wgpu::RenderPipeline; 2],
+    /// The last pass, by the number of the floor.
+    last_pass: [wgpu::RenderPipeline; 3],
 }
 
 /// What a pass over the bodies wrote: RGBA32 floats, see the shaders' `Hit`.
@@ -40,8 +40,8 @@ impl Canvas {
         let layer_layout = bind_group_layout(device, &[texture_entry(0)]);
         let module = gpu.shader("backdrop", BACKDROP);
         let layout = pipeline_layout(device, &[Some(&frame_layout), Some(&layer_layout)]);
-        let last_pass = [false, true]
-            .map(|has_ground| last_pass(device, &module, &layout, &backdrop::constants(has_ground)));
+        let last_pass =
+            Floor::ALL.map(|floor| last_pass(device, &module, &layout, &backdrop::constants(floor)));
         let [visible, falsified] = [Colour::Visible, Colour::False].map(|colour| colour_table(gpu, colour));
         Self { frame_layout, layer_layout, visible, falsified, last_pass }
     }
@@ -66,7 +66,7 @@ impl Canvas {
         drawing.load(gpu, &mut target.vertices, &shot);
         let frames = Frame::of_groups(scene, &views, appearance);
         fill_frame_buffer(gpu, &mut target.frames, &frames);
-        let has_ground = frames[0].has_ground();
+        let floor = frames[0].floor();
         let frames = self.frame_bind_groups(gpu, &target.frames, frames.len(), appearance.colour);
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         {
@@ -80,7 +80,7 @@ impl Canvas {
         {
             let picture = attachment(target.view(), wgpu::StoreOp::Store);
             let mut pass = begin_pass(&mut encoder, "last", &[Some(picture)], None);
-            pass.set_pipeline(&self.last_pass[usize::from(has_ground)]);
+            pass.set_pipeline(&self.last_pass[floor as usize]);
             pass.set_bind_group(0, &frames[0], &[]);
             pass.set_bind_group(1, &self.layer_bind_group(gpu, &target.bodies), &[]);
             pass.draw(0..3, 0..1);

@@ -2,11 +2,10 @@
 //!
 //! # A choice, and its name: spectral hue at equal brightness
 //!
-//! Monochromatic light lies outside sRGB. It is desaturated towards white (D65) just until no component
-//! is negative, and the largest component is then 1. So the wavelength decides the hue alone, while
-//! brightness comes from D^n and the exposure: through the luminous efficiency 700 nm would be all but
-//! black beside 550 nm, and the paper's red cyclist with it. Towards the ends of the visible range the
-//! colour fades, to exactly black at 380 nm and 780 nm.
+//! Monochromatic light lies outside sRGB. It is shown by the most saturated colour of sRGB that has its hue (in IPT,
+//! see `ipt.rs`), whose largest component is 1. So the wavelength decides the hue alone, while brightness comes from
+//! D^n and the exposure: through the luminous efficiency 700 nm would be all but black beside 550 nm, and the paper's
+//! red cyclist with it. Towards the ends of the visible range the colour fades, to exactly black at 380 nm and 780 nm.
 //!
 //! References: CIE 015:2018, *Colorimetry*; CIE 018:2019 (the table, its source and licence: `assets/README.md`); IEC
 //! 61966-2-1:1999 (sRGB).
@@ -15,6 +14,7 @@ use std::sync::LazyLock;
 
 use relativity_core::math::{log10, powf};
 
+use crate::ipt;
 use crate::view::Colour;
 
 /// Visible light fades in from black at the first of these to full at the second, nm.
@@ -38,17 +38,26 @@ fn row(line: &str) -> [f64; 3] {
     std::array::from_fn(|_| values.next().expect("a row holds three functions"))
 }
 
+/// The colours of the table's wavelengths at full brightness.
+static HUES: LazyLock<Vec<[f64; 3]>> =
+    LazyLock::new(|| CIE_1931.iter().map(|&xyz| ipt::purest_srgb(ipt::hue(xyz))).collect());
+
 /// The CIE 1931 colour-matching functions (x, y, z) at `wavelength_nm`, linear between the table's
 /// rows; `None` outside 360 nm to 830 nm.
 #[must_use]
 pub fn colour_matching(wavelength_nm: f64) -> Option<[f64; 3]> {
+    interpolated(&CIE_1931, wavelength_nm)
+}
+
+/// In a table with a row for every nm; `None` where it ends.
+fn interpolated(table: &[[f64; 3]], wavelength_nm: f64) -> Option<[f64; 3]> {
     let position = wavelength_nm - FIRST_NM;
-    let last = CIE_1931.len() - 1;
+    let last = table.len() - 1;
     if !(0.0..=last as f64).contains(&position) {
         return None;
     }
     let index = (position as usize).min(last - 1);
-    Some(mix(CIE_1931[index], CIE_1931[index + 1], position - index as f64))
+    Some(mix(table[index], table[index + 1], position - index as f64))
 }
 
 /// Linear sRGB (each component in [0, 1]) of light of `wavelength_nm` (above 0).
@@ -104,12 +113,9 @@ pub(crate) fn mix(a: [f64; 3], b: [f64; 3], t: f64) -> [f64; 3] {
 
 /// The hue of a wavelength at full brightness; black where the table ends.
 fn spectral_hue(wavelength_nm: f64) -> [f64; 3] {
-    let Some(xyz) = colour_matching(wavelength_nm) else { return [0.0; 3] };
-    let rgb = srgb_from_xyz(xyz);
-    let lift = -rgb.into_iter().fold(0.0, f64::min);
-    let lifted = rgb.map(|part| part + lift);
-    let largest = lifted.into_iter().fold(f64::MIN_POSITIVE, f64::max);
-    lifted.map(|part| part / largest)
+    let Some(rgb) = interpolated(&HUES, wavelength_nm) else { return [0.0; 3] };
+    let largest = rgb.into_iter().fold(0.0, f64::max);
+    rgb.map(|part| part / largest)
 }
 
 /// Share of the full colour left at the ends of the visible range, 0 to 1.
@@ -123,10 +129,19 @@ fn smoothstep([start, end]: [f64; 2], x: f64) -> f64 {
 }
 
 /// Linear sRGB of a CIE XYZ colour; components may be negative.
-fn srgb_from_xyz([x, y, z]: [f64; 3]) -> [f64; 3] {
+pub(crate) fn srgb_from_xyz([x, y, z]: [f64; 3]) -> [f64; 3] {
     [
         3.240_454_2 * x - 1.537_138_5 * y - 0.498_531_4 * z,
         -0.969_266_0 * x + 1.876_010_8 * y + 0.041_556_0 * z,
         0.055_643_4 * x - 0.204_025_9 * y + 1.057_225_2 * z,
+    ]
+}
+
+/// CIE XYZ of a linear sRGB colour.
+pub(crate) fn xyz_from_srgb([red, green, blue]: [f64; 3]) -> [f64; 3] {
+    [
+        0.412_456_4 * red + 0.357_576_1 * green + 0.180_437_5 * blue,
+        0.212_672_9 * red + 0.715_152_2 * green + 0.072_175_0 * blue,
+        0.019_333_9 * red + 0.119_192_0 * green + 0.950_304_1 * blue,
     ]
 }

@@ -193,7 +193,7 @@ impl Projection {
 
     /// The centre of the ground ball that looks as the rest-frame ball around `c` does. `None` if the
     /// aperture is inside it, or its outline is wider than a half space.
-    fn apparent_centre(&self, c: DVec3, radius: f64) -> Option<DVec3> {
+    pub fn apparent_centre(&self, c: DVec3, radius: f64) -> Option<DVec3> {
         let outside_squared = c.length_squared() - radius * radius;
         if outside_squared <= 0.0 {
             return None;
@@ -228,7 +228,7 @@ impl Projection {
     ///
     /// Only the part -gamma beta h(t) of C is curved. Between the ends, h^2 and the square of the chord L(t) of h
     /// differ by t (1 - t) (|span|^2 - slope^2), so L - h is that over L + h, with nothing left to cancel.
-    fn bulge(&self, capsule: &Capsule) -> Option<DVec3> {
+    pub fn bulge(&self, capsule: &Capsule) -> Option<DVec3> {
         let Capsule { from, to, radius } = *capsule;
         let span = to - from;
         let a = span.length_squared();

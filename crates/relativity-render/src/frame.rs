@@ -4,7 +4,7 @@ use bytemuck::{Pod, Zeroable};
 use glam::{DVec2, DVec3};
 use relativity_core::math::exp2;
 
-use crate::backdrop::Backdrop;
+use crate::backdrop::{Backdrop, Floor};
 use crate::camera::{Axes, Camera};
 use crate::group_view::{GroupView, reference_of_depths};
 use crate::palette;
@@ -45,8 +45,10 @@ pub struct Frame {
     /// Camera x and y, height of the ground above the camera (`f32::MIN` for none), and the published model's aperture
     /// separation.
     pub ground: [f32; 4],
-    /// Linear sRGB of the horizon, the zenith, the ground, the grid's lines and the axes.
-    pub backdrop: [[f32; 4]; 5],
+    /// y of the near and the far kerb of a road, equal where there is none; 0; 0.
+    pub road: [f32; 4],
+    /// Linear sRGB of the horizon, the zenith, the ground, its grid's lines, the paint on it, and a road.
+    pub backdrop: [[f32; 4]; 6],
     /// Its product with an apparent position is the clip coordinate x.
     pub clip_right: [f32; 4],
     /// y.
@@ -86,6 +88,7 @@ impl Frame {
         let exponent = appearance.intensity_exponent.unwrap_or(0.0);
         let aperture = camera.aperture;
         let backdrop = Backdrop::new(camera, appearance);
+        let kerbs = backdrop.kerbs();
         let ground = backdrop.ground_height().unwrap_or(f64::from(f32::MIN));
         let coarse = pole.as_vec2();
         let fine = (pole - coarse.as_dvec2()).as_vec2();
@@ -109,6 +112,7 @@ impl Frame {
             middle,
             middle_fine: vector(from_camera - DVec3::new(x.into(), y.into(), z.into())),
             ground: [aperture.x, aperture.y, ground, view.published_separation()].map(|v| v as f32),
+            road: [kerbs[0], kerbs[1], 0.0, 0.0].map(|v| v as f32),
             backdrop: backdrop.colours().map(|colour| vector(colour.into())),
             clip_right: vector(right * (to_clip / width)),
             clip_up: vector(up * (to_clip / height)),
@@ -116,9 +120,13 @@ impl Frame {
         }
     }
 
-    /// Whether there is ground to be seen.
-    pub fn has_ground(&self) -> bool {
-        self.ground[2] > f32::MIN
+    /// What is to be seen below the horizon.
+    pub fn floor(&self) -> Floor {
+        match (self.ground[2] > f32::MIN, self.road[0] < self.road[1]) {
+            (false, _) => Floor::Open,
+            (true, false) => Floor::Grid,
+            (true, true) => Floor::Road,
+        }
     }
 }
 

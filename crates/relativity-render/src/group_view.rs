@@ -127,6 +127,25 @@ impl GroupView {
         }
     }
 
+    /// How far what is seen along `ray` moves in the rest frame where the line of sight turns by `turn`, but for what is
+    /// along the ray: per ground distance, since at the greatest speeds only that is a moderate number.
+    pub(crate) fn shift(&self, ray: &RestRay, turn: DVec3) -> DVec3 {
+        let speed = &self.velocity.speed;
+        match self.geometry {
+            Geometry::Seen | Geometry::Published => {
+                // The differential of aberration, conformal with scale D.
+                let along = self.velocity.direction() * speed.beta() * speed.gamma() * turn.x;
+                DVec3::new(
+                    ray.doppler_factor * turn.x,
+                    turn.y - along * ray.direction.y,
+                    turn.z - along * ray.direction.z,
+                )
+            }
+            Geometry::Contracted => DVec3::new(speed.gamma() * turn.x, turn.y, turn.z),
+            Geometry::Rest => turn,
+        }
+    }
+
     /// From the aperture to where the group's point at `rest` appears; `None` outside the domain of the core.
     ///
     /// The core is asked in coordinates whose origin is the camera's event, which serves a camera that rides along,

@@ -54,19 +54,19 @@ macro_rules! mirror {
 
 /// The uniform blocks.
 pub const BLOCKS: [Mirror; 1] = [mirror!(
-    Frame: base, right, down, pole, speed, motion, reference_speed, reference_middle, light, middle, middle_fine, ground, backdrop,
+    Frame: base, right, down, pole, speed, motion, reference_speed, reference_middle, light, middle, middle_fine, ground, road, backdrop,
     clip_right, clip_up, forward
 )];
 
 /// The structs of vertices and instances.
 pub const VERTICES: [VertexMirror; 3] = [
     VertexMirror {
-        mirror: mirror!(Piece: place, second_axis_index_wavelength, place_radius, form, turn, rest_colour),
+        mirror: mirror!(Piece: place, second_axis_index_wavelength, place_radius, form, turn, rest_colour, pattern),
         layout: Piece::LAYOUT,
     },
     VertexMirror { mirror: mirror!(Corner: profile, turn), layout: Corner::LAYOUT },
     VertexMirror {
-        mirror: mirror!(Instance: place_radius, form, turn, colour_wavelength, cover_index),
+        mirror: mirror!(Instance: place_radius, form, turn, colour_wavelength, cover_index, pattern),
         layout: Instance::LAYOUT,
     },
 ];
@@ -77,7 +77,7 @@ pub fn shaders() -> Vec<Shader> {
     let backdrop = Shader {
         name: "backdrop".to_owned(),
         source: shaders::BACKDROP,
-        constants: backdrop::constants(true).to_vec(),
+        constants: backdrop::constants(backdrop::Floor::Road).to_vec(),
     };
     let bodies = Kind::ALL.iter().flat_map(|&kind| {
         [("impostor", exact::TECHNIQUE), ("mesh", mesh::TECHNIQUE)]
@@ -87,7 +87,11 @@ pub fn shaders() -> Vec<Shader> {
 }
 
 fn of_bodies(kind: Kind, name: &str, technique: &Technique) -> Shader {
-    let output = Output::Picture { is_thin: false, effects: Effects::new(true, &Appearance::default()) };
+    let output = Output::Picture {
+        is_thin: false,
+        is_patterned: true,
+        effects: Effects::new(true, &Appearance::default()),
+    };
     let key = Key { kind, geometry: Geometry::Seen, among_others: None, output };
     Shader {
         name: format!("{name} of a {kind:?}"),

@@ -6,9 +6,9 @@ use crate::effects::{Constant, Effects, number};
 use crate::gpu::Gpu;
 use crate::group_view::{GroupView, reference_of_depths};
 use crate::kind::Kind;
-use crate::shade;
 use crate::target::{DEPTH_FORMAT, MEASURES_FORMAT, SAMPLES, linear_target};
 use crate::view::{Appearance, Geometry};
+use crate::{pattern, shade};
 
 /// What a pipeline draws, with every effect decided.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -36,7 +36,7 @@ pub struct AmongOthers {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Output {
     /// Colours; bodies thinner than a pixel are blended by how much of it they cover.
-    Picture { is_thin: bool, effects: Effects },
+    Picture { is_thin: bool, is_patterned: bool, effects: Effects },
     /// What the centre of each pixel shows, in numbers.
     Hits,
 }
@@ -54,10 +54,10 @@ impl Key {
 
 impl Output {
     /// Of what `view` shows: a picture that looks as `appearance` says, or numbers.
-    pub fn new(view: &GroupView, appearance: Option<&Appearance>, is_thin: bool) -> Self {
+    pub fn new(view: &GroupView, appearance: Option<&Appearance>, is_thin: bool, is_patterned: bool) -> Self {
         appearance.map_or(Self::Hits, |appearance| {
             let effects = Effects::new(view.geometry.has_doppler_effect(), appearance);
-            Self::Picture { is_thin, effects }
+            Self::Picture { is_thin, is_patterned, effects }
         })
     }
 }
@@ -93,9 +93,9 @@ impl Technique {
 
     /// All constants of the shaders.
     pub fn constants(&self, key: Key) -> Vec<Constant> {
-        let effects = match key.output {
-            Output::Picture { effects, .. } => effects,
-            Output::Hits => Effects::NONE,
+        let (effects, is_patterned) = match key.output {
+            Output::Picture { effects, is_patterned, .. } => (effects, is_patterned),
+            Output::Hits => (Effects::NONE, false),
         };
         let alone = AmongOthers { is_reference: true, reference: key.geometry };
         let others = key.among_others.unwrap_or(alone);
@@ -108,6 +108,7 @@ impl Technique {
         ];
         constants.extend(effects.constants());
         constants.extend(shade::constants());
+        constants.extend(pattern::constants(is_patterned));
         constants
     }
 }

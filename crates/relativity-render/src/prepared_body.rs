@@ -6,11 +6,12 @@ use std::ops::Range;
 
 use glam::DVec3;
 
-use crate::body::{Body, Shape};
+use crate::body::{Body, Emission, Shape};
 use crate::capsule::{Block, Capsule, add_capsules, block};
 use crate::colour::linear_srgb;
 use crate::intersect::{Solid, bounding_box};
 use crate::kind::Kind;
+use crate::pattern::{Form, Marking};
 use crate::surface::Surface;
 use crate::turn::turn_of;
 use crate::view::Colour;
@@ -32,8 +33,10 @@ pub struct PreparedBody {
     pub number: usize,
     /// The number of its group.
     pub group: usize,
-    /// Wavelength of its light in the rest frame, nm.
-    pub rest_wavelength_nm: f64,
+    /// Its light in the rest frame.
+    pub emission: Emission,
+    /// Brightness beside other bodies, above 0 and at most 1.
+    pub brightness: f64,
     /// Which shaders draw it.
     pub(crate) kind: Kind,
     /// From the middle of its group: its centre, or one end of a tube; and its radius, of bodies with flat
@@ -53,6 +56,10 @@ pub struct PreparedBody {
     /// Which of the scene's capsules contain it otherwise.
     pub(crate) capsules: Range<usize>,
     rest_colours: RestColours,
+    /// Its pattern; `None` for a plain one.
+    pub(crate) marking: Option<Marking>,
+    /// Whether it is drawn by a pipeline that knows patterns.
+    pub(crate) is_patterned: bool,
 }
 
 /// Whether a body may have a rounded end, or all of a body that is no tube, in common with another: there the first of
@@ -109,21 +116,25 @@ impl PreparedBody {
                 (from_middle((0.5 * (from + to)).to_array(), half.min_element()), packed(half, 0.0))
             }
         };
+        let turn = turn_of(&body.shape);
         let first = capsules.len();
         add_capsules(&body.shape, capsules);
         Self {
             number,
             group,
-            rest_wavelength_nm: body.rest_wavelength_nm,
+            emission: body.emission,
+            brightness: body.brightness,
             kind: Kind::of(&body.shape),
             place_radius,
             form,
-            turn: turn_of(&body.shape).as_quat().to_array(),
+            turn: turn.as_quat().to_array(),
             surface: Surface::new(&body.shape),
             joint: Joint::default(),
             block: block(&body.shape),
             capsules: first..capsules.len(),
-            rest_colours: RestColours::new(body.rest_wavelength_nm),
+            rest_colours: RestColours::new(body),
+            marking: Marking::new(body.pattern, Form::new(&body.shape), turn),
+            is_patterned: false,
         }
     }
 
@@ -140,6 +151,11 @@ impl PreparedBody {
         }
     }
 
+    /// Its pattern for the shaders: 0 for none, and else what it is, and its steps along and around.
+    pub(crate) fn pattern(&self) -> [f32; 3] {
+        self.marking.map_or([0.0; 3], |marking| marking.packed())
+    }
+
     /// The centres of the ends of a tube, or of another body, as bits.
     fn ends(&self) -> impl Iterator<Item = [u32; 3]> + use<> {
         let place = |[x, y, z, _]: [f32; 4]| [x, y, z].map(f32::to_bits);
@@ -153,8 +169,9 @@ impl PreparedBody {
 }
 
 impl RestColours {
-    fn new(wavelength_nm: f64) -> Self {
-        let of = |colour| linear_srgb(wavelength_nm, colour).map(|part| part as f32);
+    fn new(body: &Body) -> Self {
+        let hue = |colour| body.emission.wavelength_nm().map_or([1.0; 3], |nm| linear_srgb(nm, colour));
+        let of = |colour| hue(colour).map(|part| (part * body.brightness) as f32);
         Self { visible: of(Colour::Visible), falsified: of(Colour::False) }
     }
 }
@@ -167,6 +184,16 @@ pub(crate) fn find_joints(bodies: &mut [PreparedBody], solids: &[Solid]) {
     let widened = shared_ends(bodies, |body| centre(body).to_array().map(f64::to_bits));
     for ((body, as_it_is), widened) in bodies.iter_mut().zip(as_they_are).zip(widened) {
         body.joint = Joint { as_it_is, widened };
+    }
+}
+
+/// Decides which of `bodies`, those of one group, are drawn by pipelines that know patterns: those that carry one, and
+/// with them those that share an end with others, since all of these must be drawn in their order.
+pub(crate) fn find_patterned(bodies: &mut [PreparedBody]) {
+    let has_patterns = bodies.iter().any(|body| body.marking.is_some());
+    for body in bodies {
+        let is_joined = body.joint.as_it_is || body.joint.widened;
+        body.is_patterned = body.marking.is_some() || has_patterns && is_joined;
     }
 }
 

@@ -4,9 +4,11 @@
 use relativity_core::threads::prelude::*;
 
 use crate::colour::hue_preserving_clip;
+use crate::pattern::Covered;
 use crate::picture::{Picture, encoded};
 use crate::rectify::Rectification;
 use crate::reference::{Hit, HitImage, sample_grid};
+use crate::scene::PreparedScene;
 use crate::shade::surface_colour;
 use crate::view::Appearance;
 
@@ -27,12 +29,12 @@ impl Rectification {
     ///
     /// Wavelengths are multiplied by the D of this rectification's speed and intensities divided by D^n, as
     /// `appearance` has it: at the true speed each body has its colour at rest, at any other the rest of the
-    /// Doppler effect stays. `rest_wavelengths_nm` belongs to the bodies, in their order.
+    /// Doppler effect stays. Patterns are where the hits are, and `hits` are of `scene`.
     #[must_use]
     pub fn picture_of_hits(
         &self,
         hits: &HitImage,
-        rest_wavelengths_nm: &[f64],
+        scene: &PreparedScene,
         appearance: &Appearance,
         blank: Blank,
     ) -> Picture {
@@ -43,7 +45,7 @@ impl Rectification {
             let index = row as usize * hits.size[0] as usize + column as usize;
             let Some(hit) = hits.hits.get(index).copied().flatten() else { return blank.background };
             let doppler_factor = self.doppler_factor([column + 0.5, row + 0.5]);
-            corrected_colour(&hit, rest_wavelengths_nm[hit.body], appearance, doppler_factor)
+            corrected_colour(scene, &hit, appearance, doppler_factor)
         };
         let pixel = |index: u32| {
             let places = sample_grid([index % width, index / width], SAMPLES);
@@ -59,19 +61,20 @@ impl Rectification {
 
 /// What is left of the Doppler effect of `hit` when one with `doppler_factor` is undone.
 fn corrected_colour(
+    scene: &PreparedScene,
     hit: &Hit,
-    rest_wavelength_nm: f64,
     appearance: &Appearance,
     doppler_factor: f64,
 ) -> [f64; 3] {
     let left = hit.doppler_factor / doppler_factor;
-    hue_preserving_clip(surface_colour(appearance, rest_wavelength_nm, hit.rest_normal, left))
+    let colour = surface_colour(appearance, &scene.bodies()[hit.body], hit.rest_normal, left);
+    hue_preserving_clip(colour).map(|part| part * scene.mark(hit, Covered::NOTHING))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Body, Camera, Colour, Gaze, Geometry, PreparedScene, Shading, Shape, Velocity, View};
+    use crate::{Body, Camera, Colour, Gaze, Geometry, Shading, Shape, Velocity, View};
     use relativity_core::{Aperture, Speed};
 
     const RED_NM: f64 = 640.0;
@@ -90,10 +93,7 @@ mod tests {
     }
 
     fn bodies() -> Vec<Body> {
-        let sphere = |x: f64| Body {
-            shape: Shape::Sphere { center: [x, 3.0, 1.6], radius: 0.5 },
-            rest_wavelength_nm: RED_NM,
-        };
+        let sphere = |x: f64| Body::new(Shape::Sphere { center: [x, 3.0, 1.6], radius: 0.5 }, RED_NM);
         vec![sphere(-1.2), sphere(0.0)]
     }
 
@@ -105,18 +105,19 @@ mod tests {
             exposure_ev: 0.0,
             shading: Shading::Emission,
             ground_z: None,
+            road: None,
             sky: false,
             light: false,
         }
     }
 
     fn corrected(fitted_beta: f64) -> Picture {
-        let (view, bodies) = (view(), bodies());
-        let hits = PreparedScene::moving(&bodies).hit_image(&view);
+        let (view, scene) = (view(), PreparedScene::moving(&bodies()));
+        let hits = scene.hit_image(&view);
         let velocity = Velocity::from_beta(fitted_beta).expect("a speed");
         let rest = Rectification::rest_camera(&view.camera, &velocity);
         let rectification = Rectification::new(view.camera, rest, velocity);
-        rectification.picture_of_hits(&hits, &[RED_NM; 2], &appearance(), BLANK)
+        rectification.picture_of_hits(&hits, &scene, &appearance(), BLANK)
     }
 
     fn greyness(pixel: [u8; 4]) -> u8 {

@@ -6,6 +6,7 @@ use relativity_core::math;
 
 use crate::colour::linear_srgb;
 use crate::effects::Constant;
+use crate::prepared_body::PreparedBody;
 use crate::view::{Appearance, Shading};
 
 /// Direction to the light of [`form`], before normalising: over the viewer's left shoulder.
@@ -26,26 +27,26 @@ pub fn form(rest_normal: DVec3) -> f64 {
     FORM[0] + FORM[1] * rest_normal.dot(LIGHT.normalize())
 }
 
-/// Linear sRGB (0 or more, may exceed 1) of a surface with `rest_normal` and light of
-/// `rest_wavelength_nm`, received at `doppler_factor`.
+/// Linear sRGB (0 or more, may exceed 1) of the surface of `body` with `rest_normal`, received at `doppler_factor`.
 #[must_use]
 pub fn surface_colour(
     appearance: &Appearance,
-    rest_wavelength_nm: f64,
+    body: &PreparedBody,
     rest_normal: DVec3,
     doppler_factor: f64,
 ) -> [f64; 3] {
-    let wavelength_nm = if appearance.doppler_shift {
-        received_wavelength(rest_wavelength_nm, doppler_factor)
-    } else {
-        rest_wavelength_nm
-    };
+    let colour = body.emission.wavelength_nm().map_or([1.0; 3], |rest_nm| {
+        let nm =
+            if appearance.doppler_shift { received_wavelength(rest_nm, doppler_factor) } else { rest_nm };
+        linear_srgb(nm, appearance.colour)
+    });
     let intensity = appearance.intensity_exponent.map_or(1.0, |n| intensity_factor(doppler_factor, n));
     let shading = match appearance.shading {
         Shading::Emission => 1.0,
         Shading::Form => form(rest_normal),
     };
     // A product that overflows is as bright as can be, not infinite: black times infinity is no number.
-    let brightness = (intensity * shading * math::exp2(appearance.exposure_ev)).min(f64::MAX);
-    linear_srgb(wavelength_nm, appearance.colour).map(|part| part * brightness)
+    let brightness =
+        (intensity * shading * body.brightness * math::exp2(appearance.exposure_ev)).min(f64::MAX);
+    colour.map(|part| part * brightness)
 }

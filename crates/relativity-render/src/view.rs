@@ -129,8 +129,10 @@ pub struct Appearance {
     pub exposure_ev: f64,
     /// Shading.
     pub shading: Shading,
-    /// Height z of the resting ground grid; `None` leaves it out.
+    /// Height z of the resting ground; `None` leaves it out.
     pub ground_z: Option<f64>,
+    /// Where a road along x lies on the ground: y of its near and of its far kerb. `None` draws a grid.
+    pub road: Option<[f64; 2]>,
     /// Whether the sky behind is a gradient (else plain).
     pub sky: bool,
     /// Whether sky and ground suit a light window (else a dark one).
@@ -147,6 +149,7 @@ impl Default for Appearance {
             exposure_ev: 0.0,
             shading: Shading::default(),
             ground_z: None,
+            road: None,
             sky: true,
             light: false,
         }

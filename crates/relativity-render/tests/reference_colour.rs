@@ -73,22 +73,44 @@ fn spectral_chromaticities_are_the_published_ones() {
     }
 }
 
-#[test]
-fn desaturating_keeps_the_hue_and_stops_at_the_edge_of_srgb() {
-    let white = chromaticity(xyz_from_srgb([1.0; 3]));
-    for wavelength in nm(420, 710, 1) {
-        let rgb = linear_srgb(wavelength, Visible);
-        let smallest = rgb.into_iter().fold(f64::INFINITY, f64::min);
-        let largest = rgb.into_iter().fold(0.0, f64::max);
-        assert!(smallest.abs() < 1e-12 && (largest - 1.0).abs() < 1e-12, "{wavelength} nm: {rgb:?}");
+/// Hue angle in IPT, degrees, as its authors define it: worked out here once more, with the printed matrices.
+fn hue_in_ipt([x, y, z]: [f64; 3]) -> f64 {
+    let cones = [0.4002 * x + 0.7075 * y - 0.0807 * z, -0.2280 * x + 1.1500 * y + 0.0612 * z, 0.9184 * z];
+    let [l, m, s] = cones.map(|response: f64| response.abs().powf(0.43).copysign(response));
+    let (p, t) = (4.4550 * l - 4.8510 * m + 0.3960 * s, 0.8056 * l + 0.3572 * m - 1.1628 * s);
+    t.atan2(p).to_degrees()
+}
 
-        let spectral = chromaticity(colour_matching(wavelength).expect("inside the table"));
-        let shown = chromaticity(xyz_from_srgb(rgb));
-        let [a, b] = [spectral[0] - white[0], spectral[1] - white[1]];
-        let [c, d] = [shown[0] - white[0], shown[1] - white[1]];
-        assert!(a * c + b * d > 0.0, "{wavelength} nm turned to the complementary hue");
-        let off_line = (a * d - b * c) / a.hypot(b);
-        assert!(off_line.abs() < 5e-4, "{wavelength} nm: {off_line} off the line to white");
+/// From the hue `from` to the hue `to` by the shorter way, degrees.
+fn turn(from: f64, to: f64) -> f64 {
+    (to - from + 180.0).rem_euclid(360.0) - 180.0
+}
+
+#[test]
+fn a_spectral_colour_has_the_hue_of_its_wavelength_and_no_more_saturated_one_has() {
+    for wavelength in nm(1600, 2840, 1).map(|quarter| quarter / 4.0) {
+        let spectral = hue_in_ipt(colour_matching(wavelength).expect("inside the table"));
+        let full = linear_srgb(wavelength.clamp(420.0, 710.0), Visible);
+        let rgb = linear_srgb(wavelength, Visible);
+        let largest = rgb.into_iter().fold(0.0, f64::max);
+        let smallest = rgb.into_iter().fold(f64::INFINITY, f64::min);
+        assert!(smallest.abs() < 1e-9, "{wavelength} nm: {rgb:?}");
+        assert!(full.into_iter().any(|part| (part - 1.0).abs() < 1e-12), "{wavelength} nm: {full:?}");
+        let off = turn(spectral, hue_in_ipt(xyz_from_srgb(rgb.map(|part| part / largest))));
+        assert!(off.abs() < 0.5, "{wavelength} nm is {off} degrees off its hue");
+    }
+}
+
+#[test]
+fn the_red_of_long_waves_is_red_and_hues_follow_the_wavelength() {
+    let bytes = |nm| linear_srgb(nm, Visible).map(|part| (255.0 * srgb_encoded(part)).round() as u8);
+    assert_eq!(bytes(700.0), [0xff, 0x00, 0x1e]);
+    assert_eq!(bytes(620.0), [0xff, 0x3c, 0x00]);
+    let hues: Vec<_> =
+        nm(420, 700, 1).map(|nm| hue_in_ipt(xyz_from_srgb(linear_srgb(nm, Visible)))).collect();
+    for (step, pair) in hues.windows(2).enumerate() {
+        let turn = turn(pair[0], pair[1]);
+        assert!((-20.0..0.0).contains(&turn), "{turn} degrees after {} nm", 420 + step);
     }
 }
 

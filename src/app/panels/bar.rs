@@ -1,19 +1,21 @@
 //! The bar at the top: the scene, and which parts of the window are shown.
 
-use eframe::egui::{Align, ComboBox, Layout, RichText, Ui, vec2};
+use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
+use eframe::egui::{Align, ComboBox, Layout, RichText, TextStyle, Ui, vec2};
 
 use super::Asks;
 use crate::app::command::Command;
 use crate::app::state::State;
 use crate::app::widgets::icons::{self, Icon};
 use crate::scene::{PRESETS, Scene};
-use crate::settings::Theme;
+use crate::settings::{Preset, Theme};
 
 /// Shows the bar.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     ui.horizontal_centered(|ui| {
         ui.label(RichText::new("Gamow").heading().strong());
         scene(ui, state, asks);
+        presets(ui, state, asks);
         if let Some(notice) = &state.session.notice {
             ui.colored_label(ui.visuals().error_fg_color, notice);
         }
@@ -22,14 +24,43 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
                 asks.push(Command::ToggleHelp);
             }
             parts(ui, state, asks);
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| caption(ui, state));
         });
     });
+}
+
+fn presets(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    let shown = state.session.preset;
+    ComboBox::from_id_salt("presets")
+        .selected_text(shown.map_or("Presets", |preset| &preset.title))
+        .width(170.0)
+        .show_ui(ui, |ui| {
+            for preset in Preset::all() {
+                let choice = ui.selectable_label(shown == Some(preset), &preset.title);
+                if choice.on_hover_text(&preset.caption).clicked() {
+                    asks.push(Command::State(preset));
+                }
+            }
+        })
+        .response
+        .on_hover_text("States to start from, and what each shows.")
+        .accessible_name("Presets");
+}
+
+/// What the preset shows and why, in two lines; all of it on hover.
+fn caption(ui: &mut Ui, state: &State) {
+    let Some(preset) = state.session.preset.filter(|_| state.session.notice.is_none()) else { return };
+    let format = TextFormat::simple(TextStyle::Small.resolve(ui.style()), ui.visuals().weak_text_color());
+    let mut job = LayoutJob::single_section(preset.caption.clone(), format);
+    job.wrap = TextWrapping { max_width: ui.available_width(), max_rows: 2, ..TextWrapping::default() };
+    let galley = ui.painter().layout_job(job);
+    ui.label(galley).on_hover_text(&preset.caption);
 }
 
 fn scene(ui: &mut Ui, state: &State, asks: &mut Asks) {
     ComboBox::from_id_salt("scene")
         .selected_text(&state.session.scene.name)
-        .width(170.0)
+        .width(140.0)
         .show_ui(ui, |ui| {
             for (preset, scene) in PRESETS.into_iter().filter_map(|name| Some((name, Scene::preset(name)?))) {
                 let shown = scene.name == state.session.scene.name;

@@ -4,9 +4,9 @@ use eframe::egui::{
     self, Color32, Pos2, Rect, Sense, Stroke, StrokeKind, TextureHandle, Ui, accesskit::Role, pos2,
 };
 
-use crate::app::figures;
 use crate::app::observer::Correction;
 use crate::app::widgets::pane_title;
+use crate::figures;
 
 /// Draws the pane in `rect`.
 pub fn show(ui: &Ui, rect: Rect, correction: &Correction, picture: Option<&TextureHandle>) {

@@ -8,8 +8,9 @@ use super::Asks;
 use crate::app::command::Command;
 use crate::app::observer::Eye;
 use crate::app::state::State;
+use crate::app::theme;
 use crate::app::widgets::{dot, named_text};
-use crate::app::{figures, theme};
+use crate::figures;
 
 /// Shows the readout.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
@@ -19,7 +20,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         fold(ui, state, asks);
         let colour = theme::point_colour(point.number, ui.visuals());
         dot(ui, colour);
-        ui.label(point.name());
+        ui.label(point.name(&state.session.scene));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let Velocity { speed, is_backward } = state.velocity(point);
             let sign = if is_backward { "−" } else { "" };
@@ -133,14 +134,17 @@ impl Quantity {
     }
 }
 
-fn wavelengths(ui: &mut Ui, sightings: [Option<Sighting>; 2], rest_wavelength: f64, map: Colour) {
-    let tip = format!(
-        "Received wavelength; at rest {} nm.\nλ received = λ at rest / D",
-        figures::fixed(rest_wavelength, 0)
+fn wavelengths(ui: &mut Ui, sightings: [Option<Sighting>; 2], rest_wavelength: Option<f64>, map: Colour) {
+    let tip = rest_wavelength.map_or_else(
+        || "White light has every wavelength.".to_owned(),
+        |nm| {
+            format!("Received wavelength; at rest {} nm.\nλ received = λ at rest / D", figures::fixed(nm, 0))
+        },
     );
     ui.label(RichText::new("λ / nm").weak()).on_hover_text(&tip);
     for (eye, seen) in Eye::BOTH.into_iter().zip(sightings) {
-        let received = seen.map(|seen| received_wavelength(rest_wavelength, seen.doppler_factor));
+        let received =
+            seen.zip(rest_wavelength).map(|(seen, nm)| received_wavelength(nm, seen.doppler_factor));
         let text = figures::fixed_or_none(received, 1);
         let name = format!("{}, Received wavelength: {text} nm", eye.name());
         ui.horizontal(|ui| {

@@ -7,9 +7,10 @@ use eframe::egui::{
 use super::Asks;
 use crate::app::command::Command;
 use crate::app::state::State;
+use crate::app::theme;
 use crate::app::widgets;
 use crate::app::widgets::icons::{self, Icon};
-use crate::app::{figures, theme};
+use crate::figures;
 use crate::flags::{MAX_TIME, TimeRange};
 use crate::settings::RATE;
 

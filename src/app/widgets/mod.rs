@@ -1,6 +1,7 @@
 //! What panels are made of: rows of controls that look alike (a name, a widget, an explanation on hover), buttons,
 //! numbers and titles.
 
+pub mod apart;
 pub mod icons;
 
 use eframe::egui::{
@@ -8,7 +9,8 @@ use eframe::egui::{
     SliderClamping, TextEdit, TextStyle, Ui, pos2, vec2,
 };
 
-use crate::app::{figures, theme};
+use crate::app::theme;
+use crate::figures;
 use crate::flags::MAX_TIME;
 
 /// Width of the names in front of the widgets.

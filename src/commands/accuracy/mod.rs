@@ -14,7 +14,7 @@ use clap::Args;
 
 use crate::files::whole::{ReportArgs, write_whole};
 use crate::flags::choices::Size;
-use crate::scene::{PRESETS, Scene};
+use crate::scene::Scene;
 
 /// Measures speed against accuracy: each method's cost on this machine, its error against the f64 reference, and
 /// what follows for its use.
@@ -25,8 +25,8 @@ use crate::scene::{PRESETS, Scene};
 #[derive(Debug, Args)]
 #[command(after_long_help = HELP)]
 pub struct AccuracyArgs {
-    /// What rides past: a preset (cyclist, street, two-balls, lattice) or a scene file.
-    #[arg(long, default_value = PRESETS[0], value_name = "PRESET|FILE")]
+    /// What rides past: a preset (street, cyclist, two-balls, lattice) or a scene file.
+    #[arg(long, default_value = "cyclist", value_name = "PRESET|FILE")]
     scene: String,
     /// Size of one eye's picture, pixels.
     #[arg(long, default_value_t = Size([480, 360]), value_name = "WxH")]

@@ -40,17 +40,12 @@ pub fn colour(text: &str) -> Result<[u8; 3], String> {
     Ok([r, g, b])
 }
 
-/// The middle of `colour` in the left and in the right half of `picture`, pixels of that half.
-pub fn colour_in(picture: &Picture, colour: [u8; 3]) -> [Option<[f64; 2]>; 2] {
+/// The middle of `colour` in `picture`, pixels.
+pub fn colour_in(picture: &Picture, colour: [u8; 3]) -> Option<[f64; 2]> {
     let width = picture.size[0] as usize;
-    let half = width / 2;
-    [0, half].map(|from| {
-        let pixels = picture.rgba.iter().enumerate().filter(|(pixel, rgba)| {
-            let is_same = (0..3).all(|i| rgba[i].abs_diff(colour[i]) <= COLOUR_TOLERANCE);
-            is_same && (from..from + half).contains(&(pixel % width))
-        });
-        middle(pixels.map(|(pixel, _)| [pixel % width - from, pixel / width]))
-    })
+    let pixels = picture.rgba.iter().enumerate();
+    let alike = pixels.filter(|(_, rgba)| (0..3).all(|i| rgba[i].abs_diff(colour[i]) <= COLOUR_TOLERANCE));
+    middle(alike.map(|(pixel, _)| [pixel % width, pixel / width]))
 }
 
 /// Where `target` is in the layer of `eye`, in pixels.

@@ -19,10 +19,11 @@ use crate::files::csv_out;
 use crate::files::exr::{EYES, Measurements};
 use crate::files::png::PngFile;
 use crate::files::whole::OutArgs;
-use crate::flags::choices::{FileKind, Layout};
+use crate::flags::choices::{FileKind, Layout, Size};
 use crate::flags::coordinates;
 use crate::platform;
 use crate::settings::Settings;
+use crate::studio::Sheet;
 
 /// Follows a point through a stereo sequence and measures its angles, as CSV.
 ///
@@ -134,8 +135,12 @@ fn measured(path: &Path, target: Target) -> anyhow::Result<Option<[f64; COLUMNS]
             let settings = Settings::of_picture(file.command(), &name)?;
             let is_side_by_side = settings.picture.layout == Layout::SideBySide;
             anyhow::ensure!(is_side_by_side, "{name}: it is no side-by-side picture");
-            let [width, height] = file.picture.size;
-            (locate::colour_in(&file.picture, colour), [width / 2, height], settings)
+            let Size(size) = settings.picture.size;
+            let sheet = Sheet::of_file(settings.picture.layout, size, file.picture.size);
+            let sheet =
+                sheet.with_context(|| format!("{name}: it no longer has the size in which it was made"))?;
+            let place = |eye| locate::colour_in(&sheet.picture_of(eye, &file.picture)?, colour);
+            ([0, 1].map(place), size, settings)
         }
         Target::Point(_) | Target::Body(_) => {
             let file = Measurements::read(path)?;
@@ -148,7 +153,8 @@ fn measured(path: &Path, target: Target) -> anyhow::Result<Option<[f64; COLUMNS]
     let time = settings.time.with_context(|| format!("{name}: it does not record --time"))?;
     let gaze = settings.look.gaze.fixed().with_context(|| format!("{name}: it does not record --gaze"))?;
     // Where the camera of either eye stands does not matter for angles.
-    let horizontal_fov = settings.look.fov.to_radians();
+    let fov = settings.look.set_fov().with_context(|| format!("{name}: it does not record --fov"))?;
+    let horizontal_fov = fov.to_radians();
     let camera = Camera { aperture: Aperture::default(), gaze, horizontal_fov, size };
     let (left, right) = (Angles::new(&camera, left), Angles::new(&camera, right));
     let sigma = |a: f64, b: f64| ROUNDING * math::hypot(a, b);

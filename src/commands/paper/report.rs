@@ -187,7 +187,7 @@ impl PaperReport<'_> {
         for (figure, frames) in &self.frames {
             writeln!(f, "\n**{}.svg**: {}\n", figure.name, figure.caption)?;
             for frame in frames {
-                writeln!(f, "- {}: T = {:.3}; `{}`", frame.file, frame.time, frame.command)?;
+                writeln!(f, "- {}: T = {:.3}; `{}`", frame.file, frame.time, frame.settings.command())?;
             }
         }
         Ok(())

@@ -4,12 +4,14 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use relativity_core::{Disparity, DomainError, Model};
+use relativity_render::Geometry;
 
 use super::curves::Setup;
 use super::figures;
-use crate::flags::choices::FileKind;
-use crate::settings::Settings;
-use crate::studio::Studio;
+use crate::flags::choices::{FileKind, Layout, RendererChoice, Size};
+use crate::flags::{SpeedParameter, SpeedSetting};
+use crate::settings::{Daylight, Preset, Settings};
+use crate::studio::{Sheet, Studio};
 
 /// A row of frames, as one figure of the paper shows them.
 #[derive(Debug)]
@@ -18,8 +20,10 @@ pub struct Figure {
     pub name: &'static str,
     /// What it shows.
     pub caption: &'static str,
-    beta: f64,
-    geometry: &'static str,
+    /// The preset that it is drawn with.
+    preset: &'static str,
+    /// Whether it shows the cyclist itself, at rest.
+    at_rest: bool,
     /// Where the tracked point is seen in each frame, x.
     places: &'static [f64],
 }
@@ -30,36 +34,36 @@ pub const FIGURES: [Figure; 5] = [
     Figure {
         name: "stereo-at-rest",
         caption: "the cyclist itself, as cameras that ride along see it",
-        beta: 0.0,
-        geometry: "rest",
+        preset: "abreast",
+        at_rest: true,
         places: &[0.0],
     },
     Figure {
         name: "stereo-approaching",
         caption: "approaching at beta = 0.9",
-        beta: 0.9,
-        geometry: "seen",
+        preset: "approaching",
+        at_rest: false,
         places: &[-12.0, -8.0, -5.0],
     },
     Figure {
         name: "stereo-abreast",
         caption: "abreast at beta = 0.9",
-        beta: 0.9,
-        geometry: "seen",
+        preset: "abreast",
+        at_rest: false,
         places: &[-2.0, -0.5, 0.5],
     },
     Figure {
         name: "stereo-abreast-0.6",
         caption: "abreast at beta = 0.6",
-        beta: 0.6,
-        geometry: "seen",
+        preset: "abreast-0.6",
+        at_rest: false,
         places: &[-2.0, -0.5, 0.5],
     },
     Figure {
         name: "stereo-receding",
         caption: "receding at beta = 0.9",
-        beta: 0.9,
-        geometry: "seen",
+        preset: "receding",
+        at_rest: false,
         places: &[1.5, 3.0, 5.0],
     },
 ];
@@ -74,8 +78,8 @@ const REST_WAVELENGTH_NM: f64 = 700.0;
 pub struct Frame {
     /// Its file.
     pub file: String,
-    /// The command that draws it, less --out.
-    pub command: String,
+    /// The settings that draw it.
+    pub settings: Settings,
     /// T.
     pub time: f64,
     /// What both eyes see of the tracked point.
@@ -92,8 +96,7 @@ impl Figure {
         let frames: Vec<Frame> =
             (1..).zip(self.places).map(|(number, &x)| self.frame(number, x)).collect::<Result<_, _>>()?;
         for frame in &frames {
-            let settings = Settings::default().with_command(&frame.command, self.name)?;
-            let mut studio = Studio::new(settings)?;
+            let mut studio = Studio::new(frame.settings.clone())?;
             studio.make_file(&studio.frame(None)?, FileKind::Png, &folder.join(&frame.file))?;
         }
         figures::write_text(folder, &format!("{}.svg", self.name), &svg(&frames))?;
@@ -115,21 +118,33 @@ impl Figure {
 
     /// The frame in which the tracked point is seen at `x` from between the eyes.
     fn frame(&self, number: usize, x: f64) -> Result<Frame, DomainError> {
-        let setup = Setup { beta: self.beta, ..Setup::CYCLIST };
+        let settings = self.settings();
+        let setup = Setup { beta: settings.speed().beta(), ..Setup::CYCLIST };
         let time = setup.time_when_seen_at(x)?;
-        let command = format!(
-            "gamow render --beta {} --time {time:.6} --size {WIDTH}x{HEIGHT} --fov 70 --geometry {} --renderer reference \
-             --shading emission --ground off --sky off --light on",
-            self.beta, self.geometry
-        );
+        let settings = Settings { time: Some(time), ..settings };
         let file = format!("{}-{number}.png", self.name);
-        Ok(Frame { file, command, time, seen: setup.seen(Model::Exact, time)? })
+        Ok(Frame { file, settings, time, seen: setup.seen(Model::Exact, time)? })
+    }
+
+    /// Those of its preset, for print.
+    fn settings(&self) -> Settings {
+        let preset = Preset::named(self.preset).expect("tests draw every figure");
+        let mut settings = preset.settings.clone();
+        if self.at_rest {
+            settings.look.geometry = Geometry::Rest;
+            settings.motion.speed = SpeedSetting::new(SpeedParameter::Beta, 0.0).expect("rest is a speed");
+        }
+        settings.light.light = Daylight::On;
+        settings.quality.renderer = RendererChoice::Reference;
+        settings.picture.size = Size([WIDTH, HEIGHT]);
+        settings
     }
 }
 
 /// The frames below each other, with their times.
 fn svg(frames: &[Frame]) -> String {
-    let (width, row) = (2 * WIDTH, HEIGHT + CAPTION_HEIGHT);
+    let [width, frame_height] = Sheet::new(Layout::SideBySide, [WIDTH, HEIGHT], true).size;
+    let row = frame_height + CAPTION_HEIGHT;
     let height = row * frames.len() as u32;
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
@@ -142,7 +157,7 @@ fn svg(frames: &[Frame]) -> String {
         let _ = writeln!(
             svg,
             "<text x=\"8\" y=\"{text}\">T = {:.3}; the tracked point at {left:.0} nm (left eye) and {right:.0} nm (right eye)</text>\n\
-             <image x=\"0\" y=\"{top}\" width=\"{width}\" height=\"{HEIGHT}\" href=\"{}\"/>",
+             <image x=\"0\" y=\"{top}\" width=\"{width}\" height=\"{frame_height}\" href=\"{}\"/>",
             frame.time, frame.file
         );
     }

@@ -13,8 +13,7 @@ use crate::studio::Studio;
 
 /// Draws what both eyes see, without a window, a display or a GPU.
 ///
-/// Without flags: the stereo frame of the paper's cyclist at beta = 0.9, d = 0.1, as the visible strip runs
-/// across it. A `.png` file is a picture, an `.exr` file holds what every pixel shows (body, distance,
+/// Without flags: the cyclist at beta = 0.9 on Gamow's street, seen with d = 0.1. A `.png` file is a picture, an `.exr` file holds what every pixel shows (body, distance,
 /// time of emission, Doppler factor, ...), and with --frames a folder takes a sequence.
 #[derive(Debug, Args)]
 #[command(after_long_help = EXAMPLES, mut_args(without_the_windows))]
@@ -44,7 +43,8 @@ fn without_the_windows(flag: Arg) -> Arg {
 
 const EXAMPLES: &str = "\
 Examples:
-  gamow render --out cyclist.png
+  gamow render --out street.png
+  gamow render --state abreast --out abreast.png
   gamow render --beta 0.6 --gaze 90,0 --fov 100 --layout anaglyph --out anaglyph.png
   gamow render --gamma 100 --time 0 --colour false --out false-colour.png
   gamow render --frames 200 --size 640x480 --out ride

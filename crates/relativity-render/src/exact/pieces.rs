@@ -45,13 +45,14 @@ pub struct Piece {
     pub form: [f32; 4],
     pub turn: [f32; 4],
     pub rest_colour: [f32; 4],
+    pub pattern: [f32; 3],
 }
 
-/// The pieces of a view, solid before thin, group by group and kind by kind, else in the order of the bodies: where
+/// The pieces of a view, solid before thin, group by group, kind by kind, plain before patterned, else in the order of the bodies: where
 /// surfaces of two coincide, the first that is drawn stays. Kept from view to view, for its memory.
 #[derive(Debug, Default)]
 pub struct Pieces {
-    lists: BTreeMap<(bool, usize, Kind), Vec<Piece>>,
+    lists: BTreeMap<(bool, usize, Kind, bool), Vec<Piece>>,
     rectangles: Vec<Rectangle>,
 }
 
@@ -75,8 +76,8 @@ impl Pieces {
     /// Those that are drawn by one draw, in order.
     pub fn runs(&self) -> impl Iterator<Item = (Trait<()>, Iter<'_, Piece>)> {
         let filled = self.lists.iter().filter(|(_, list)| !list.is_empty());
-        filled.map(|(&(is_thin, group, kind), list)| {
-            (Trait { group, kind, template: (), is_thin }, list.iter())
+        filled.map(|(&(is_thin, group, kind, is_patterned), list)| {
+            (Trait { group, kind, template: (), is_thin, is_patterned }, list.iter())
         })
     }
 
@@ -84,7 +85,7 @@ impl Pieces {
     fn add(&mut self, body: &PreparedBody, colour: Colour, thin_px: f64) {
         let template = Piece::new(body, colour);
         for rectangle in &self.rectangles {
-            let list = (rectangle.radius_px < thin_px, body.group, body.kind);
+            let list = (rectangle.radius_px < thin_px, body.group, body.kind, body.is_patterned);
             self.lists.entry(list).or_default().push(template.placed(rectangle));
         }
     }
@@ -144,7 +145,8 @@ impl Piece {
         array_stride: size_of::<Self>() as u64,
         step_mode: wgpu::VertexStepMode::Instance,
         attributes: &wgpu::vertex_attr_array![
-            0 => Float32x4, 1 => Float32x4, 2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4
+            0 => Float32x4, 1 => Float32x4, 2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4,
+            6 => Float32x3
         ],
     };
 
@@ -153,11 +155,17 @@ impl Piece {
         let [red, green, blue] = body.rest_colour(colour);
         Self {
             place: [0.0; 4],
-            second_axis_index_wavelength: [0.0, 0.0, body.index(), body.rest_wavelength_nm as f32],
+            second_axis_index_wavelength: [
+                0.0,
+                0.0,
+                body.index(),
+                body.emission.wavelength_nm().unwrap_or(0.0) as f32,
+            ],
             place_radius: body.place_radius,
             form: body.form,
             turn: body.turn,
             rest_colour: [red, green, blue, 0.0],
+            pattern: body.pattern(),
         }
     }
 

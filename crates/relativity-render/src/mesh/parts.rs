@@ -22,6 +22,7 @@ pub struct Instance {
     pub turn: [f32; 4],
     pub colour_wavelength: [f32; 4],
     pub cover_index: [f32; 2],
+    pub pattern: [f32; 3],
 }
 
 /// A body as it is drawn.
@@ -32,6 +33,7 @@ struct Part {
     /// The number of its group.
     group: usize,
     joint: Joint,
+    is_patterned: bool,
 }
 
 /// The parts of a view. Kept from view to view, for their memory.
@@ -67,6 +69,7 @@ impl Parts {
                 },
                 group: body.group,
                 joint: body.joint,
+                is_patterned: body.is_patterned,
             }
         };
         scene
@@ -89,22 +92,23 @@ impl Parts {
 impl Part {
     /// What it has in common with those that are drawn with it.
     fn common(&self) -> Trait<Division> {
-        let Self { division, group, .. } = *self;
+        let Self { division, group, is_patterned, .. } = *self;
         Trait {
             group,
             kind: division.kind(),
             template: division,
             is_thin: self.instance.cover_index[0] < 1.0,
+            is_patterned,
         }
     }
 
     /// Its place in the order: faded ones last; group by group; in the bodies' order where surfaces may coincide, so
     /// that the first of them stays, and else those of one division together, which saves a draw for each.
-    fn rank(&self) -> (bool, usize, Option<Division>, u32) {
+    fn rank(&self) -> (bool, usize, Option<(bool, Division)>, u32) {
         let Trait { is_thin, .. } = self.common();
         let is_joined = if is_thin { self.joint.widened } else { self.joint.as_it_is };
         let [_, index] = self.instance.cover_index;
-        (is_thin, self.group, (!is_joined).then_some(self.division), index as u32)
+        (is_thin, self.group, (!is_joined).then_some((self.is_patterned, self.division)), index as u32)
     }
 }
 
@@ -114,7 +118,8 @@ impl Instance {
         array_stride: size_of::<Self>() as u64,
         step_mode: wgpu::VertexStepMode::Instance,
         attributes: &wgpu::vertex_attr_array![
-            2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4, 6 => Float32x2
+            2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4, 6 => Float32x2,
+            7 => Float32x3
         ],
     };
 
@@ -124,8 +129,9 @@ impl Instance {
             place_radius: body.place_radius,
             form: body.form,
             turn: body.turn,
-            colour_wavelength: [red, green, blue, body.rest_wavelength_nm as f32],
+            colour_wavelength: [red, green, blue, body.emission.wavelength_nm().unwrap_or(0.0) as f32],
             cover_index: [1.0, body.index()],
+            pattern: body.pattern(),
         }
     }
 

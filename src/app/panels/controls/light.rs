@@ -37,7 +37,9 @@ pub fn show(ui: &mut Ui, before: Light, asks: &mut Asks) {
     exposure.show(ui, &mut light.exposure);
     row(ui, "Background", "What rests with the eyes.", |ui| {
         ui.checkbox(&mut light.sky, "Sky").on_hover_text("A sky behind the scene.");
-        ui.checkbox(&mut light.ground, "Ground").on_hover_text("A grid on the ground, at rest.");
+        ui.checkbox(&mut light.ground, "Ground").on_hover_text("A road or a grid on the ground, at rest.");
+        let tip = "What stands around the scene, at rest: houses and lamp posts.";
+        ui.checkbox(&mut light.surroundings, "Street").on_hover_text(tip);
     });
     if light != before {
         asks.push(Command::Light(light));

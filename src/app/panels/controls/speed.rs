@@ -2,8 +2,8 @@
 
 use eframe::egui::{self, Align, Align2, FontId, Layout, Rect, RichText, Sense, Slider, TextStyle, Ui, vec2};
 
-use crate::app::figures;
 use crate::app::widgets;
+use crate::figures;
 use crate::flags::{SpeedParameter, SpeedSetting};
 
 const TIP: &str = "Speed of the scene in units of c.\nβ = v/c,   γ = 1/√(1 − β²),   η = artanh β\n\

@@ -5,7 +5,7 @@ use egui_plot::{GridInput, GridMark, Plot, PlotBounds, PlotResponse};
 use relativity_core::math;
 
 use crate::app::curves::Quantity;
-use crate::app::figures;
+use crate::figures;
 
 /// Room for the numbers beside a plot.
 pub(super) const Y_AXIS_WIDTH: f32 = 48.0;

@@ -22,9 +22,10 @@ use crate::app::fitting::Fitting;
 use crate::app::observer::Eye;
 use crate::app::panels::Asks;
 use crate::app::state::State;
+use crate::app::theme;
 use crate::app::widgets::dot;
 use crate::app::widgets::icons::{self, Icon};
-use crate::app::{figures, theme};
+use crate::figures;
 use crate::settings::PlotTab;
 
 /// What there is to plot.
@@ -102,11 +103,11 @@ fn points(ui: &mut Ui, state: &State, asks: &mut Asks) {
         let chosen = all.len() > 1 && index == points.selected_index();
         let [x, y, z] = state.settings.rest_place(point.track.rest).map(|value| figures::fixed(value, 3));
         let tip = format!("At rest at ({x}, {y}, {z}).\nClick in a view to move it, shift-click to add one.");
-        if ui.selectable_label(chosen, point.name()).on_hover_text(tip).clicked() {
+        if ui.selectable_label(chosen, point.name(&state.session.scene)).on_hover_text(tip).clicked() {
             asks.push(Command::SelectPoint(index));
         }
         if all.len() > 1 {
-            let name = format!("Remove {}", point.name());
+            let name = format!("Remove {}", point.name(&state.session.scene));
             if icons::button(ui, Icon::Remove, &name, vec2(18.0, 18.0), false).on_hover_text(&name).clicked()
             {
                 asks.push(Command::RemovePoint(index));
@@ -225,10 +226,16 @@ fn traces<'a>(ui: &Ui, state: &State, curves: &'a [Curves], quantity: Quantity) 
         let colour = theme::point_colour(point.number, ui.visuals());
         let wide = index == selected;
         let published = curves.published(quantity);
-        let name = format!("{}, published", point.name());
+        let name = format!("{}, published", point.name(&state.session.scene));
         traces.push(Trace { name, points: published, colour, dashed: true, wide });
         let exact = &curves.exact(quantity)[0];
-        traces.push(Trace { name: point.name(), points: exact, colour, dashed: false, wide });
+        traces.push(Trace {
+            name: point.name(&state.session.scene),
+            points: exact,
+            colour,
+            dashed: false,
+            wide,
+        });
     }
     traces
 }
@@ -264,7 +271,7 @@ fn hover_text(quantity: Quantity, hover: &HoverPosition<'_>) -> Option<String> {
 
 /// Names the plot for assistive technology: what it shows, of what.
 fn describe(response: &PlotResponse<()>, state: &State, quantity: Quantity) {
-    let point = state.session.points.selected().name();
+    let point = state.session.points.selected().name(&state.session.scene);
     let name = format!("Plot of {} of {point} against T", label(quantity));
     response
         .response

@@ -9,7 +9,8 @@ use relativity_render::Method;
 
 use crate::app::examination::{Examination, Row};
 use crate::app::panels::plots::axes::{extent, frame, still_plot};
-use crate::app::{figures, theme};
+use crate::app::theme;
+use crate::figures;
 use crate::settings::Quality;
 
 /// Errors below this, arcseconds, are drawn as this: none is measured as 0 but by chance.

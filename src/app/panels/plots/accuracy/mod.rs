@@ -9,9 +9,10 @@ use eframe::egui::{Checkbox, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
 use super::split::{part, table_and_plots};
 use crate::app::command::Command;
 use crate::app::examination::Examination;
+use crate::app::heat_map;
 use crate::app::panels::Asks;
 use crate::app::state::State;
-use crate::app::{figures, heat_map};
+use crate::figures;
 
 /// Width of the table.
 const TABLE_WIDTH: f32 = 470.0;

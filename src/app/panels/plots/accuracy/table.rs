@@ -4,8 +4,8 @@ use eframe::egui::{Grid, RichText, Ui};
 
 use crate::accuracy::{RESOLUTION_PX, Spread};
 use crate::app::examination::{Examination, Row};
-use crate::app::figures;
 use crate::app::widgets::named_text;
+use crate::figures;
 use crate::settings::Quality;
 
 const HEADS: [(&str, &str); 6] = [

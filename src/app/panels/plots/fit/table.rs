@@ -3,10 +3,10 @@
 use eframe::egui::{Grid, RichText, Ui};
 use relativity_core::{DEFAULT_REPLICATES, Parameter};
 
-use crate::app::figures;
 use crate::app::fitting::{FitOutcome, Fitted, Fitting};
 use crate::app::widgets::named_text;
 use crate::estimate::{Estimate, decimals};
+use crate::figures;
 
 /// Estimates further off than this many standard errors are not chance.
 const CHANCE: f64 = 3.0;

@@ -1,0 +1,93 @@
+//! How much of each group is received in which band: so that a picture can say why something in it is dark, from the
+//! places of the bodies alone.
+
+use glam::DVec3;
+
+use crate::capsule::Capsule;
+use crate::group_view::GroupView;
+use crate::scene::PreparedScene;
+use crate::spectrum::Band;
+use crate::view::View;
+
+/// Where along a capsule its light is looked at, in parts of its length.
+const PLACES: [f64; 3] = [1.0 / 6.0, 0.5, 5.0 / 6.0];
+
+/// Parts of a group's picture by the band of [`Band::ALL`] in which they are received. They add up to 1, or are all 0
+/// where nothing of it is in the picture.
+pub type Shares = [f64; 3];
+
+impl PreparedScene {
+    /// The shares of each group in the picture of `view`: about, since neither what hides what nor an outline is
+    /// worked out. Without a `doppler_shift` light keeps its wavelength.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use relativity_core::{Aperture, Speed};
+    /// use relativity_render::{Body, Camera, Gaze, Geometry, PreparedScene, Shape, View};
+    ///
+    /// // A red ball far to the left comes at 0.9 c: its light arrives at 700 nm / 4.36.
+    /// let ball = Body::new(Shape::Sphere { center: [-50.0, 1.0, 0.0], radius: 0.5 }, 700.0);
+    /// let scene = PreparedScene::moving(&[ball]);
+    /// let gaze = Gaze { azimuth: std::f64::consts::PI, elevation: 0.0 };
+    /// let camera = Camera { aperture: Aperture::default(), gaze, horizontal_fov: 1.0, size: [640, 480] };
+    /// let speed = Speed::from_beta(0.9)?;
+    /// let view = View { camera, speed, observation_time: 0.0, geometry: Geometry::Seen };
+    /// assert_eq!(scene.received_shares(&view, true), [[1.0, 0.0, 0.0]]);
+    /// # Ok::<(), relativity_core::SpeedError>(())
+    /// ```
+    #[must_use]
+    pub fn received_shares(&self, view: &View, doppler_shift: bool) -> Vec<Shares> {
+        let shares = |(group, seen): (&crate::scene::PreparedGroup, GroupView)| {
+            let mut shares = Shares::default();
+            for body in &self.bodies()[group.bodies.clone()] {
+                for Light { weight, doppler_factor } in
+                    self.capsules(body).iter().flat_map(|c| lights(c, &seen))
+                {
+                    let shift = if doppler_shift { doppler_factor } else { 1.0 };
+                    // Of light of many wavelengths some is seen.
+                    let band = body.emission.wavelength_nm().map_or(Band::Visible, |nm| Band::of(nm / shift));
+                    shares[band as usize] += weight;
+                }
+            }
+            normalised(shares)
+        };
+        self.groups().iter().zip(self.group_views(view)).map(shares).collect()
+    }
+}
+
+/// What arrives from a place.
+struct Light {
+    /// About how large it is in the picture, 0 outside.
+    weight: f64,
+    doppler_factor: f64,
+}
+
+/// The light from the places of `capsule`.
+fn lights<'a>(capsule: &'a Capsule, seen: &'a GroupView) -> impl Iterator<Item = Light> + 'a {
+    let length = capsule.from.distance(capsule.to) / PLACES.len() as f64;
+    let area = capsule.radius * (length + capsule.radius);
+    PLACES.into_iter().filter_map(move |place| {
+        let place = capsule.from.lerp(capsule.to, place);
+        let line_of_sight = seen.apparent_position(place)?.try_normalize()?;
+        let doppler_factor = seen.rest_ray(line_of_sight).doppler_factor;
+        // Aberration makes what is blueshifted smaller: solid angles by D^2.
+        let angle = area / (place.distance_squared(seen.origin) + area) / (doppler_factor * doppler_factor);
+        let weight = if is_in_picture(seen, line_of_sight) { angle } else { 0.0 };
+        weight.is_finite().then_some(Light { weight, doppler_factor })
+    })
+}
+
+fn is_in_picture(seen: &GroupView, line_of_sight: DVec3) -> bool {
+    let inside = |[u, v]: [f64; 2]| {
+        let [width, height] = seen.camera.size.map(f64::from);
+        (0.0..=width).contains(&u) && (0.0..=height).contains(&v)
+    };
+    seen.camera.pixel(line_of_sight).is_some_and(inside)
+}
+
+/// `shares` scaled to a sum of 1, if they have one.
+fn normalised(shares: Shares) -> Shares {
+    let sum: f64 = shares.iter().sum();
+    if sum > 0.0 { shares.map(|share| share / sum) } else { Shares::default() }
+}

@@ -1,0 +1,104 @@
+//! Names of wavelengths: what eyes see of them, and what that colour is called.
+
+/// Where the visible range begins and ends, nm. Colours fade towards these.
+pub const VISIBLE_NM: [f64; 2] = [380.0, 780.0];
+
+/// Where each colour but the last ends, nm, and the last: the spectrum as it is usually divided, with cyan for the
+/// transition that looks like neither blue nor green.
+const COLOURS: [(f64, &str); 7] = [
+    (450.0, "violet"),
+    (485.0, "blue"),
+    (500.0, "cyan"),
+    (565.0, "green"),
+    (590.0, "yellow"),
+    (625.0, "orange"),
+    (VISIBLE_NM[1], "red"),
+];
+
+/// Part of the spectrum.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Band {
+    /// Shorter than what eyes see.
+    Ultraviolet,
+    /// What eyes see.
+    Visible,
+    /// Longer than what eyes see.
+    Infrared,
+}
+
+impl Band {
+    /// From the shortest waves to the longest.
+    pub const ALL: [Self; 3] = [Self::Ultraviolet, Self::Visible, Self::Infrared];
+
+    /// The band that holds this wavelength (above 0); both ends of the visible range belong to it.
+    #[must_use]
+    pub fn of(wavelength_nm: f64) -> Self {
+        let [shortest, longest] = VISIBLE_NM;
+        if wavelength_nm < shortest {
+            Self::Ultraviolet
+        } else if wavelength_nm > longest {
+            Self::Infrared
+        } else {
+            Self::Visible
+        }
+    }
+
+    /// What it is called.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Ultraviolet => "ultraviolet",
+            Self::Visible => "visible",
+            Self::Infrared => "infrared",
+        }
+    }
+}
+
+/// What light of this wavelength (above 0) is called: its colour, or the band where eyes see none.
+///
+/// # Examples
+///
+/// ```
+/// use relativity_render::spectrum::name;
+///
+/// assert_eq!([189.0, 410.0, 567.0, 606.0, 900.0].map(name), ["ultraviolet", "violet", "yellow", "orange", "infrared"]);
+/// ```
+#[must_use]
+pub fn name(wavelength_nm: f64) -> &'static str {
+    let band = Band::of(wavelength_nm);
+    let colour = COLOURS.iter().find(|(end, _)| band == Band::Visible && wavelength_nm <= *end);
+    colour.map_or(band.name(), |(_, colour)| colour)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::colour::linear_srgb;
+    use crate::view::Colour;
+
+    #[test]
+    fn bands_end_where_colours_do() {
+        let is_black = |wavelength| linear_srgb(wavelength, Colour::Visible) == [0.0; 3];
+        let [first, last] = VISIBLE_NM;
+        assert!(is_black(first) && is_black(last) && !is_black(first + 1.0) && !is_black(last - 1.0));
+        assert_eq!(
+            [first - 0.1, first, last, last + 0.1].map(name),
+            ["ultraviolet", "violet", "red", "infrared"]
+        );
+    }
+
+    #[test]
+    fn names_agree_with_the_largest_component_of_the_colour() {
+        let largest = |wavelength| {
+            let rgb = linear_srgb(wavelength, Colour::Visible);
+            (0..3).max_by(|&a, &b| rgb[a].total_cmp(&rgb[b])).expect("three")
+        };
+        for (name_there, component, wavelengths) in
+            [("red", 0, [630.0, 700.0]), ("green", 1, [510.0, 550.0]), ("blue", 2, [455.0, 480.0])]
+        {
+            for wavelength in wavelengths {
+                assert_eq!((name(wavelength), largest(wavelength)), (name_there, component), "{wavelength}");
+            }
+        }
+    }
+}

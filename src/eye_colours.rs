@@ -1,0 +1,7 @@
+//! Left is blue and right is orange wherever the eyes are told apart by colour: a pair that colour-blind eyes tell
+//! apart, from M. Okabe and K. Ito, *Color universal design* (2008).
+
+/// The colours of the left and the right eye on a dark background, sRGB-encoded.
+pub const ON_DARK: [[u8; 3]; 2] = [[0x56, 0xB4, 0xE9], [0xE6, 0x9F, 0x00]];
+/// The same on a light one.
+pub const ON_LIGHT: [[u8; 3]; 2] = [[0x00, 0x72, 0xB2], [0xD5, 0x5E, 0x00]];

@@ -1,0 +1,69 @@
+//! Presets: states with a name, a title and a caption, compiled in.
+
+use std::sync::LazyLock;
+
+use super::all::Settings;
+use super::file::Told;
+
+/// A state that has something to show.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Preset {
+    /// Its name on the command line.
+    pub name: &'static str,
+    /// Its title in the window.
+    pub title: String,
+    /// What is seen, and why.
+    pub caption: String,
+    /// All its settings.
+    pub settings: Settings,
+}
+
+macro_rules! files {
+    ($($name:literal),+ $(,)?) => {
+        [$(($name, include_str!(concat!("../../assets/presets/", $name, ".toml")))),+]
+    };
+}
+
+/// The names of all, and their files; the first is the start.
+const FILES: [(&str, &str); 8] = files![
+    "street",
+    "overhead",
+    "approaching",
+    "abreast",
+    "receding",
+    "abreast-0.6",
+    "disparity-curve",
+    "gamow-1938",
+];
+
+static ALL: LazyLock<Vec<Preset>> = LazyLock::new(|| {
+    let preset =
+        |(name, text)| Preset::read(name, text).unwrap_or_else(|| unreachable!("tests read every preset"));
+    FILES.map(preset).into()
+});
+
+impl Preset {
+    /// All of them; the first is the start.
+    #[must_use]
+    pub fn all() -> &'static [Self] {
+        &ALL
+    }
+
+    /// The one of that name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<&'static Self> {
+        ALL.iter().find(|preset| preset.name == name)
+    }
+
+    /// The one with these settings, whatever the parts of the window are.
+    #[must_use]
+    pub fn of(settings: &Settings) -> Option<&'static Self> {
+        ALL.iter().find(|preset| Settings { window: settings.window, ..preset.settings.clone() } == *settings)
+    }
+
+    fn read(name: &'static str, text: &str) -> Option<Self> {
+        let Told { title, caption } = Told::in_toml(text)?;
+        let settings = Settings::default().with_toml(text, name).ok()?;
+        Some(Self { name, title, caption, settings })
+    }
+}
