@@ -14,7 +14,7 @@ use crate::files::png::{self, PngFile};
 use crate::files::provenance::Provenance;
 use crate::files::whole::write_whole;
 use crate::flags::choices::{FileKind, GazeChoice};
-use crate::flags::{NumberOrOff, OnOff, SpeedArgs, SpeedParameter, field_of_view, switch};
+use crate::flags::{IntensityExponent, OnOff, SpeedArgs, SpeedParameter, field_of_view, switch};
 use crate::settings::Settings;
 
 /// Corrects a picture taken from one eye to the frame of the bodies in it.
@@ -51,9 +51,10 @@ pub struct RectifyArgs {
     /// Whether wavelengths are corrected.
     #[arg(long, default_value = "on", value_name = "ON|OFF", value_parser = switch)]
     doppler_shift: OnOff,
-    /// Exponent n of the received intensity D^n to divide by, or `off`.
-    #[arg(long, default_value_t = NumberOrOff(Some(PAPER_INTENSITY_EXPONENT)), value_name = "N|off", allow_hyphen_values = true)]
-    intensity_exponent: NumberOrOff,
+    /// Exponent n of the received intensity D^n to divide by, as of `gamow render` [default: as the file records it, else
+    /// the paper's 2]
+    #[arg(long, value_name = "surface|photons|paper|N|off", allow_hyphen_values = true)]
+    intensity_exponent: Option<IntensityExponent>,
     /// Where to: a file of the same kind, written whole or not at all.
     #[arg(long, value_name = "FILE")]
     out: PathBuf,
@@ -86,7 +87,7 @@ impl RectifyArgs {
         let name = self.image.display();
         anyhow::ensure!(eyes == 1, "{name}: it shows both eyes; `gamow render --layout left` draws one");
         let rectification = self.rectification(file.picture.size, recorded.as_ref())?;
-        let corrected = rectification.picture(&file.picture, self.light());
+        let corrected = rectification.picture(&file.picture, self.light(recorded.as_ref()));
         let provenance = Provenance {
             title: format!("{name}, corrected"),
             parameters: self.parameters(&rectification)?,
@@ -97,8 +98,9 @@ impl RectifyArgs {
 
     fn rectify_measurements(&self) -> anyhow::Result<()> {
         let measured = Measurements::read(&self.image)?;
-        let rectification = self.rectification(measured.size, self.recorded(&measured.command()).as_ref())?;
-        let (sources, light) = (sources(&rectification), self.light());
+        let recorded = self.recorded(&measured.command());
+        let rectification = self.rectification(measured.size, recorded.as_ref())?;
+        let (sources, light) = (sources(&rectification), self.light(recorded.as_ref()));
         let corrected = measured.map(rectification.rest().size, |name, values| {
             let channel = Channel::of(name);
             let nothing = channel.map_or(0.0, Channel::nothing);
@@ -112,8 +114,10 @@ impl RectifyArgs {
         write_whole(&self.out, |file| corrected.write(file))
     }
 
-    fn light(&self) -> LightCorrection {
-        LightCorrection { doppler_shift: self.doppler_shift, intensity_exponent: self.intensity_exponent.0 }
+    fn light(&self, recorded: Option<&Settings>) -> LightCorrection {
+        let exponent = self.intensity_exponent.or(recorded.map(|settings| settings.light.intensity_exponent));
+        let exponent = exponent.unwrap_or(IntensityExponent(Some(PAPER_INTENSITY_EXPONENT)));
+        LightCorrection { doppler_shift: self.doppler_shift, intensity_exponent: exponent.0 }
     }
 
     /// The settings that the file's `command` tells, if `gamow render` made it.

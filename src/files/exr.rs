@@ -14,7 +14,7 @@ use exr::prelude::{
 };
 use relativity_core::doppler::{intensity_factor, received_wavelength};
 use relativity_render::rectify::LightCorrection;
-use relativity_render::{Hit, HitImage, PreparedScene};
+use relativity_render::{Appearance, Hit, HitImage, PreparedScene};
 
 use super::provenance::{SOFTWARE, command_in_comments};
 use crate::platform::files;
@@ -40,7 +40,7 @@ pub enum Channel {
     Doppler,
     /// Received wavelength, nm; 0 where the light is white.
     WavelengthNm,
-    /// Received over rest intensity.
+    /// Received over rest intensity, before any exposure: D^n of one wavelength, the luminance of what has many.
     Intensity,
     /// Place on the body in its rest frame, along the motion.
     RestX,
@@ -141,8 +141,8 @@ impl Channel {
 pub struct Light<'a> {
     /// The scene.
     pub scene: &'a PreparedScene,
-    /// Exponent of the received intensity; `None` leaves it at 1.
-    pub intensity_exponent: Option<f64>,
+    /// What becomes of its light.
+    pub appearance: Appearance,
 }
 
 fn received_nm(hit: &Hit, light: &Light<'_>) -> f64 {
@@ -151,7 +151,8 @@ fn received_nm(hit: &Hit, light: &Light<'_>) -> f64 {
 }
 
 fn received_intensity(hit: &Hit, light: &Light<'_>) -> f64 {
-    light.intensity_exponent.map_or(1.0, |exponent| intensity_factor(hit.doppler_factor, exponent))
+    let emission = light.scene.bodies()[hit.body].emission;
+    relativity_render::received_intensity(emission, &light.appearance, hit.doppler_factor)
 }
 
 fn wavelength_correction(doppler: f64, correction: LightCorrection) -> f64 {

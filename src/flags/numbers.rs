@@ -4,6 +4,9 @@ use std::fmt;
 use std::ops::RangeInclusive;
 use std::str::FromStr;
 
+use relativity_core::doppler::{
+    BOLOMETRIC_INTENSITY_EXPONENT, PAPER_INTENSITY_EXPONENT, SPECIFIC_INTENSITY_EXPONENT,
+};
 use serde::{Serialize, Serializer};
 
 /// Parses a number: f64's own parser also takes `nan` and `inf`, which nobody means.
@@ -96,19 +99,28 @@ pub fn switch(text: &str) -> Result<OnOff, String> {
     }
 }
 
-/// A number, or `off`.
+/// Exponent n of the received intensity D^n: a number, a word for what it means, or `off`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct NumberOrOff(pub Option<f64>);
+pub struct IntensityExponent(pub Option<f64>);
 
-impl FromStr for NumberOrOff {
+impl FromStr for IntensityExponent {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        if text == "off" { Ok(Self(None)) } else { finite_number(text).map(|value| Self(Some(value))) }
+        Ok(Self(match text {
+            "off" => None,
+            "paper" => Some(PAPER_INTENSITY_EXPONENT),
+            "photons" => Some(SPECIFIC_INTENSITY_EXPONENT),
+            "surface" => Some(BOLOMETRIC_INTENSITY_EXPONENT),
+            _ => Some(
+                finite_number(text)
+                    .map_err(|reason| format!("{reason}, nor one of surface, photons, paper, off"))?,
+            ),
+        }))
     }
 }
 
-impl fmt::Display for NumberOrOff {
+impl fmt::Display for IntensityExponent {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.0 {
             Some(value) => write!(f, "{value}"),
@@ -117,12 +129,49 @@ impl fmt::Display for NumberOrOff {
     }
 }
 
-impl Serialize for NumberOrOff {
+impl Serialize for IntensityExponent {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self.0 {
             Some(value) => serializer.serialize_f64(value),
             None => serializer.serialize_str("off"),
         }
+    }
+}
+
+/// An exposure, factors of 2, or `auto`.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Exposure(pub Option<f64>);
+
+/// Dimmest and brightest exposure, factors of 2.
+pub const EXPOSURE_EV: RangeInclusive<f64> = -40.0..=40.0;
+
+impl FromStr for Exposure {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        if text == "auto" { Ok(Self(None)) } else { within(EXPOSURE_EV)(text).map(|ev| Self(Some(ev))) }
+    }
+}
+
+impl Serialize for Exposure {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.0 {
+            Some(ev) => serializer.serialize_f64(ev),
+            None => serializer.serialize_str("auto"),
+        }
+    }
+}
+
+/// Lowest and highest temperature of what glows, K.
+pub const TEMPERATURE_K: RangeInclusive<f64> = 300.0..=100_000.0;
+
+/// Parses a temperature in kelvin, or in degrees Celsius if it ends in C.
+pub fn temperature(text: &str) -> Result<f64, String> {
+    /// Of ice that melts, K.
+    const MELTING_K: f64 = 273.15;
+    match text.strip_suffix('C') {
+        Some(celsius) => within(TEMPERATURE_K)(&(finite_number(celsius)? + MELTING_K).to_string()),
+        None => within(TEMPERATURE_K)(text),
     }
 }
 
@@ -165,6 +214,26 @@ impl Serialize for TimeRange {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn an_exponent_is_a_number_or_a_word_for_what_it_means() {
+        let exponent = |text: &str| text.parse::<IntensityExponent>().map(|exponent| exponent.0);
+        assert_eq!(
+            ["surface", "photons", "paper"].map(exponent),
+            [Ok(Some(4.0)), Ok(Some(3.0)), Ok(Some(2.0))]
+        );
+        assert_eq!([exponent("2.5"), exponent("off")], [Ok(Some(2.5)), Ok(None)]);
+        assert_eq!(
+            exponent("bright"),
+            Err("not a number, nor one of surface, photons, paper, off".to_owned())
+        );
+    }
+
+    #[test]
+    fn a_temperature_may_be_in_degrees_celsius() {
+        assert_eq!([temperature("1273.15"), temperature("1000C")], [Ok(1273.15); 2]);
+        assert_eq!(temperature("0"), Err("must be between 300 and 1e5".to_owned()));
+    }
 
     #[test]
     fn places_are_three_numbers() {

@@ -5,12 +5,13 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use relativity_core::{Aperture, Disparity, DomainError, Model, SourcePoint, Speed};
+use relativity_render::exposure::automatic_ev;
 use relativity_render::{Appearance, Camera, Gaze, Geometry, Motion, Outline, PreparedScene, Velocity, View};
 
 use super::all::Settings;
-use super::sections::{Daylight, Look, Theme, USUAL_FOV};
-use crate::flags::FieldOfView;
+use super::sections::{Daylight, Light, Look, Theme, USUAL_FOV};
 use crate::flags::choices::GazeChoice;
+use crate::flags::{Exposure, FieldOfView};
 use crate::passage;
 use crate::scene::{Scene, SceneError, Track};
 
@@ -161,9 +162,11 @@ impl Settings {
         let light = &self.light;
         Appearance {
             colour: light.colour,
+            temperature_k: light.temperature,
             doppler_shift: light.doppler_shift,
             intensity_exponent: light.intensity_exponent.0,
-            exposure_ev: light.exposure,
+            exposure_ev: light.exposure.0.unwrap_or_else(|| self.automatic_ev(scene)),
+            invisible: light.invisible,
             shading: light.shading,
             ground_z: scene.ground_z.filter(|_| light.ground),
             road: scene.road,
@@ -174,6 +177,24 @@ impl Settings {
                 Daylight::Off => false,
             },
         }
+    }
+
+    /// The exposure that is found for `scene`, factors of 2.
+    #[must_use]
+    pub fn automatic_ev(&self, scene: &Scene) -> f64 {
+        let fixed = Self { light: Light { exposure: Exposure(Some(0.0)), ..self.light }, ..self.clone() };
+        let lights = scene.groups.iter().flat_map(|group| {
+            let velocity = self.velocity(group.motion);
+            scene.bodies[group.bodies()].iter().map(move |body| (velocity, body.emission))
+        });
+        automatic_ev(lights, self.look.geometry, &fixed.appearance(scene, false))
+    }
+
+    /// These settings with the exposure that `scene` gets by them.
+    #[must_use]
+    pub fn exposed_for(self, scene: &Scene) -> Self {
+        let exposure = Exposure(self.light.exposure.0.or_else(|| Some(self.automatic_ev(scene))));
+        Self { light: Light { exposure, ..self.light }, ..self }
     }
 
     /// These settings with nothing left to be found out: everything that decides the picture that `self` makes of this

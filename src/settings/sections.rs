@@ -3,14 +3,15 @@
 use std::ops::RangeInclusive;
 
 use clap::{Args, ValueEnum};
-use relativity_core::doppler::PAPER_INTENSITY_EXPONENT;
+use relativity_core::doppler::BOLOMETRIC_INTENSITY_EXPONENT;
 use relativity_core::{Curves, Model};
-use relativity_render::{Colour, Geometry, Method, Shading};
+use relativity_render::{Appearance, Colour, Geometry, Method, Shading};
 use serde::Serialize;
 
 use crate::flags::choices::{GazeChoice, Layout, RendererChoice, Size};
 use crate::flags::{
-    FieldOfView, NumberOrOff, OnOff, SpeedParameter, SpeedSetting, TimeRange, switch, whole_number, within,
+    Exposure, FieldOfView, IntensityExponent, OnOff, SpeedParameter, SpeedSetting, TimeRange, switch,
+    temperature, whole_number, within,
 };
 
 /// Largest separation, distance and height.
@@ -82,26 +83,30 @@ impl Look {
     }
 }
 
-/// Dimmest and brightest exposure, factors of 2.
-pub const EXPOSURE_EV: RangeInclusive<f64> = -40.0..=40.0;
-
-/// Colour, intensity, shading and background.
+/// What light bodies send, what is received of it, shading and background.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Light")]
 pub struct Light {
-    /// How a wavelength becomes a colour.
+    /// What light the bodies send, and how it becomes a colour.
     #[arg(long, value_enum)]
     pub colour: Colour,
+    /// Temperature of bodies that glow, in kelvin, or in degrees Celsius like 1000C.
+    #[arg(long, value_name = "K", value_parser = temperature)]
+    pub temperature: f64,
     /// Whether the Doppler effect shifts the wavelength.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub doppler_shift: OnOff,
-    /// Exponent n of the received intensity D^n (the paper's 2; 3 or 4 in the literature), or `off`.
-    #[arg(long, value_name = "N|off", allow_hyphen_values = true)]
-    pub intensity_exponent: NumberOrOff,
-    /// Exposure: light is multiplied by 2^EV.
-    #[arg(long, value_name = "EV", value_parser = within(EXPOSURE_EV), allow_hyphen_values = true)]
-    pub exposure: f64,
+    /// Exponent n of the received intensity D^n of light of one wavelength: `surface` (4, what a surface shows),
+    /// `photons` (3, their number, or the power per unit of frequency), `paper` (2), a number, or `off`.
+    #[arg(long, value_name = "surface|photons|paper|N|off", allow_hyphen_values = true)]
+    pub intensity_exponent: IntensityExponent,
+    /// Exposure: light is multiplied by 2^EV; `auto` finds it from the speeds and the lights of the scene.
+    #[arg(long, value_name = "auto|EV", allow_hyphen_values = true)]
+    pub exposure: Exposure,
+    /// Whether what is received as ultraviolet or infrared keeps its form, very dark; eyes see nothing there.
+    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    pub invisible: OnOff,
     /// How form is shown.
     #[arg(long, value_enum)]
     pub shading: Shading,
@@ -120,13 +125,15 @@ pub struct Light {
 }
 
 impl Default for Light {
-    /// The paper's intensity, and every effect.
+    /// The intensity of a surface that shines in one wavelength, and every effect.
     fn default() -> Self {
         Self {
-            colour: Colour::Visible,
+            colour: Colour::OneWavelength,
+            temperature: Appearance::TEMPERATURE_K,
             doppler_shift: true,
-            intensity_exponent: NumberOrOff(Some(PAPER_INTENSITY_EXPONENT)),
-            exposure: 0.0,
+            intensity_exponent: IntensityExponent(Some(BOLOMETRIC_INTENSITY_EXPONENT)),
+            exposure: Exposure(None),
+            invisible: true,
             shading: Shading::Form,
             surroundings: true,
             ground: true,

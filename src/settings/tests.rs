@@ -13,7 +13,7 @@ use crate::files::exr::{self, Measurements};
 use crate::files::png;
 use crate::files::provenance::Provenance;
 use crate::flags::choices::{GazeChoice, Layout, RendererChoice, Size};
-use crate::flags::{FieldOfView, MAX_TIME, NumberOrOff, SpeedParameter, SpeedSetting, TimeRange};
+use crate::flags::{FieldOfView, IntensityExponent, MAX_TIME, SpeedParameter, SpeedSetting, TimeRange};
 
 /// Any number within `range`, of any magnitude.
 fn number(range: RangeInclusive<f64>) -> impl Strategy<Value = f64> {
@@ -56,7 +56,7 @@ fn look() -> impl Strategy<Value = Look> {
 }
 
 fn light() -> impl Strategy<Value = Light> {
-    let exponent = prop_oneof![Just(None), any_number().prop_map(Some)].prop_map(NumberOrOff);
+    let exponent = prop_oneof![Just(None), any_number().prop_map(Some)].prop_map(IntensityExponent);
     let switches = any::<[bool; 4]>();
     (choice::<Colour>(), exponent, number(EXPOSURE_EV), choice::<Shading>(), choice::<Daylight>(), switches)
         .prop_map(
@@ -180,7 +180,7 @@ fn through_file(settings: &Settings, path: &Path) -> Settings {
         png::write(&Pixels { size, rgba: vec![[0; 4]] }, &provenance.texts(), file).expect("it is written");
     } else {
         let eyes = [(); 2].map(|()| HitImage { size, hits: vec![None] });
-        let light = exr::Light { scene: &PreparedScene::moving(&[]), intensity_exponent: None };
+        let light = exr::Light { scene: &PreparedScene::moving(&[]), appearance: Appearance::default() };
         Measurements::of_eyes(&eyes, light, &provenance.comments()).write(file).expect("it is written");
     }
     Settings::default().with_file(path).expect("it was recorded")
@@ -289,7 +289,7 @@ fn a_picture_recorded_before_still_opens() {
                    --exposure=-0.5 --shading=emission --ground=on --sky=off --light=off --renderer=reference --samples=2";
     let settings = Settings::default().with_command(command, "old.png").expect("it is right");
     assert_eq!((settings.scene.as_str(), settings.time, settings.motion.d), ("street", Some(2.25), 0.3));
-    assert_eq!(settings.light.intensity_exponent, NumberOrOff(None));
+    assert_eq!(settings.light.intensity_exponent, IntensityExponent(None));
     assert_eq!(settings.look.gaze, GazeChoice::Fixed([100.0, -3.5]));
     assert_eq!((settings.light.light, settings.picture.samples), (Daylight::Off, 2));
 }

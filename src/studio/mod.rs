@@ -72,7 +72,7 @@ impl Studio {
     /// A T outside the domain of the core.
     pub fn frame(&self, time: Option<f64>) -> anyhow::Result<Frame> {
         let settings = Settings { time: time.or(self.settings.time), ..self.settings.clone() };
-        let settings = settings.resolved(self.subject());
+        let settings = settings.resolved(self.subject()).exposed_for(&self.scene);
         let time = settings.time.unwrap_or_default();
         settings.disparity(&self.tracked(), time)?;
         let provenance = self.scene.provenance(settings.command());
@@ -94,8 +94,8 @@ impl Studio {
             }
             FileKind::Exr => {
                 let hits = self.hits(frame)?;
-                let intensity_exponent = frame.settings.light.intensity_exponent.0;
-                let light = Light { scene: &self.prepared, intensity_exponent };
+                let appearance = frame.settings.appearance(&self.scene, false);
+                let light = Light { scene: &self.prepared, appearance };
                 self.timings.timed("file", || {
                     let measurements = Measurements::of_eyes(&hits, light, &provenance.comments());
                     write_whole(path, |file| measurements.write(file))

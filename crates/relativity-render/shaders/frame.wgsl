@@ -20,8 +20,6 @@ struct Frame {
     // `speed` and `middle` of the reference.
     reference_speed: vec4f,
     reference_middle: vec4f,
-    // 2^exposure, intensity exponent, log2 of the colour table's first wavelength, table entries per octave.
-    light: vec4f,
     // xyz: middle of the group from the camera's event, rest frame; w: 1/(2 reach), reach being the
     // greatest distance of any body's surface from that middle.
     middle: vec4f,

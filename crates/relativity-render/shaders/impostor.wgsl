@@ -6,14 +6,14 @@ override THIN: bool;
 struct Piece {
     // Rectangle in the picture (clip coordinates): centre and first half axis.
     @location(0) place: vec4f,
-    // Second half axis, number of the body, rest wavelength in nm.
-    @location(1) second_axis_index_wavelength: vec4f,
+    // Second half axis, number of the body, its brightness.
+    @location(1) second_axis_index_brightness: vec4f,
     // The `Body`.
     @location(2) place_radius: vec4f,
     @location(3) form: vec4f,
     @location(4) turn: vec4f,
-    // Linear sRGB without Doppler shift.
-    @location(5) rest_colour: vec4f,
+    // As `received_colour` takes it.
+    @location(5) light: vec4f,
     // As `mark` reads it.
     @location(6) pattern: vec3f,
 }
@@ -23,22 +23,22 @@ struct Fragment {
     @location(0) @interpolate(flat) place_radius: vec4f,
     @location(1) @interpolate(flat) form: vec4f,
     @location(2) @interpolate(flat) turn: vec4f,
-    @location(3) @interpolate(flat) rest_colour_wavelength: vec4f,
-    @location(4) @interpolate(flat) index: f32,
+    @location(3) @interpolate(flat) light: vec4f,
+    @location(4) @interpolate(flat) index_brightness: vec2f,
     @location(5) @interpolate(flat) pattern: vec3f,
 }
 
 @vertex
 fn rectangle(@builtin(vertex_index) vertex: u32, piece: Piece) -> Fragment {
     let corner = vec2f(f32(vertex & 1u), f32(vertex >> 1u)) * 2.0 - 1.0;
-    let place = piece.place.xy + piece.place.zw * corner.x + piece.second_axis_index_wavelength.xy * corner.y;
+    let place = piece.place.xy + piece.place.zw * corner.x + piece.second_axis_index_brightness.xy * corner.y;
     return Fragment(
         vec4f(place, 0.5, 1.0),
         piece.place_radius,
         piece.form,
         piece.turn,
-        vec4f(piece.rest_colour.rgb, piece.second_axis_index_wavelength.w),
-        piece.second_axis_index_wavelength.z,
+        piece.light,
+        piece.second_axis_index_brightness.zw,
         piece.pattern,
     );
 }
@@ -76,12 +76,7 @@ fn shaded(fragment: Fragment) -> Shaded {
     if distance <= 0.0 || height < frame.ground.z {
         discard;
     }
-    var colour = received_colour(
-        fragment.rest_colour_wavelength.rgb,
-        fragment.rest_colour_wavelength.w,
-        ray.doppler,
-        hit.normal,
-    );
+    var colour = received_colour(fragment.light, ray.doppler, hit.normal) * fragment.index_brightness.y;
     if PATTERNS {
         colour *= mark(body, fragment.pattern, hit.place, hit.normal, ray, distance * ray.ground_per_rest);
     }
@@ -135,7 +130,7 @@ fn hits(fragment: Fragment) -> Hit {
         discard;
     }
     return Hit(
-        bitcast<vec4u>(vec4f(fragment.index, distance * ray.ground_per_rest, ray.doppler, 1.0)),
+        bitcast<vec4u>(vec4f(fragment.index_brightness.x, distance * ray.ground_per_rest, ray.doppler, 1.0)),
         bitcast<vec4u>(vec4f(hit.place, 0.0)),
         depth(ray, hit.beyond),
     );

@@ -15,10 +15,10 @@ struct Instance {
     @location(2) place_radius: vec4f,
     @location(3) form: vec4f,
     @location(4) turn: vec4f,
-    // Linear sRGB without Doppler shift; rest wavelength in nm.
-    @location(5) colour_wavelength: vec4f,
-    // How much of a pixel a body thinner than one covers, and the number of the body.
-    @location(6) cover_index: vec2f,
+    // As `received_colour` takes it.
+    @location(5) light: vec4f,
+    // How much of a pixel a body thinner than one covers, its brightness, and its number.
+    @location(6) cover_brightness_index: vec3f,
     // As `mark` reads it.
     @location(7) pattern: vec3f,
 }
@@ -31,8 +31,8 @@ struct Fragment {
     // From the aperture.
     @location(2) apparent: vec3f,
     @location(3) doppler: f32,
-    @location(4) @interpolate(flat) colour_wavelength: vec4f,
-    @location(5) @interpolate(flat) cover_index: vec2f,
+    @location(4) @interpolate(flat) light: vec4f,
+    @location(5) @interpolate(flat) cover_brightness_index: vec3f,
     @location(6) @interpolate(flat) place_radius: vec4f,
     @location(7) @interpolate(flat) form: vec4f,
     @location(8) @interpolate(flat) turn: vec4f,
@@ -111,8 +111,8 @@ fn corner(corner: Corner, instance: Instance) -> Fragment {
         shape.normal,
         seen.position,
         seen.doppler,
-        instance.colour_wavelength,
-        instance.cover_index,
+        instance.light,
+        instance.cover_brightness_index,
         instance.place_radius,
         instance.form,
         instance.turn,
@@ -170,12 +170,8 @@ struct Picture {
 fn picture(fragment: Fragment) -> Picture {
     let measure = measure(fragment);
     let normal = fragment.normal / max(length(fragment.normal), 1e-30);
-    var colour = received_colour(
-        fragment.colour_wavelength.rgb,
-        fragment.colour_wavelength.w,
-        measure.doppler,
-        normal,
-    );
+    var colour = received_colour(fragment.light, measure.doppler, normal)
+        * fragment.cover_brightness_index.y;
     if PATTERNS {
         colour *= mark(
             body_of(fragment),
@@ -189,7 +185,7 @@ fn picture(fragment: Fragment) -> Picture {
     if fragment.apparent.z < frame.ground.z {
         discard;
     }
-    return Picture(vec4f(colour, 1.0) * fragment.cover_index.x, measure.depth);
+    return Picture(vec4f(colour, 1.0) * fragment.cover_brightness_index.x, measure.depth);
 }
 
 // Floats as their bits: OpenGL ES does not draw to 32-bit floats.
@@ -205,7 +201,7 @@ fn hits(fragment: Fragment) -> Hit {
     let measure = measure(fragment);
     return Hit(
         bitcast<vec4u>(
-            vec4f(fragment.cover_index.y, length(fragment.apparent), measure.doppler, 1.0),
+            vec4f(fragment.cover_brightness_index.z, length(fragment.apparent), measure.doppler, 1.0),
         ),
         bitcast<vec4u>(vec4f(fragment.place, 0.0)),
         measure.depth,

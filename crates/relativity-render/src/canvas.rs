@@ -14,15 +14,14 @@ use crate::reference::HitImage;
 use crate::scene::PreparedScene;
 use crate::shaders::BACKDROP;
 use crate::target::{self, DEPTH_FORMAT, ENCODED_FORMAT, EyeTarget, MEASURES_FORMAT};
-use crate::view::{Appearance, Colour, View};
+use crate::view::{Appearance, View};
 
 #[derive(Debug)]
 pub struct Canvas {
     frame_layout: wgpu::BindGroupLayout,
     layer_layout: wgpu::BindGroupLayout,
-    /// The colour tables of [`Colour::Visible`] and [`Colour::False`].
-    visible: wgpu::TextureView,
-    falsified: wgpu::TextureView,
+    /// The tables of colours.
+    tables: wgpu::TextureView,
     /// The last pass, by the number of the floor.
     last_pass: [wgpu::RenderPipeline; 3],
 }
@@ -42,8 +41,8 @@ impl Canvas {
         let layout = pipeline_layout(device, &[Some(&frame_layout), Some(&layer_layout)]);
         let last_pass =
             Floor::ALL.map(|floor| last_pass(device, &module, &layout, &backdrop::constants(floor)));
-        let [visible, falsified] = [Colour::Visible, Colour::False].map(|colour| colour_table(gpu, colour));
-        Self { frame_layout, layer_layout, visible, falsified, last_pass }
+        let tables = tables(gpu);
+        Self { frame_layout, layer_layout, tables, last_pass }
     }
 
     /// The layout of pipelines that draw bodies.
@@ -67,7 +66,7 @@ impl Canvas {
         let frames = Frame::of_groups(scene, &views, appearance);
         fill_frame_buffer(gpu, &mut target.frames, &frames);
         let floor = frames[0].floor();
-        let frames = self.frame_bind_groups(gpu, &target.frames, frames.len(), appearance.colour);
+        let frames = self.frame_bind_groups(gpu, &target.frames, frames.len());
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         {
             let samples = wgpu::RenderPassColorAttachment {
@@ -118,7 +117,7 @@ impl Canvas {
     ) -> Result<Measures, GpuError> {
         let mut buffer = frame_buffer(gpu, frames.len());
         fill_frame_buffer(gpu, &mut buffer, frames);
-        let frames = self.frame_bind_groups(gpu, &buffer, frames.len(), Colour::Visible);
+        let frames = self.frame_bind_groups(gpu, &buffer, frames.len());
         let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
         let [measures, places, depth] =
             [("measures", MEASURES_FORMAT), ("places", MEASURES_FORMAT), ("depth", DEPTH_FORMAT)]
@@ -140,21 +139,12 @@ impl Canvas {
         Ok(Measures { measures: numbers(&measures)?, places: numbers(&places)? })
     }
 
-    fn frame_bind_groups(
-        &self,
-        gpu: &Gpu,
-        frames: &wgpu::Buffer,
-        count: usize,
-        colour: Colour,
-    ) -> Vec<wgpu::BindGroup> {
-        let table = match colour {
-            Colour::Visible => &self.visible,
-            Colour::False => &self.falsified,
-        };
+    fn frame_bind_groups(&self, gpu: &Gpu, frames: &wgpu::Buffer, count: usize) -> Vec<wgpu::BindGroup> {
+        let tables = wgpu::BindingResource::TextureView(&self.tables);
         let group = |frame| {
             let entries = [
                 wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::Buffer(frame) },
-                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(table) },
+                wgpu::BindGroupEntry { binding: 1, resource: tables.clone() },
             ];
             bind_group(gpu, &self.frame_layout, &entries)
         };
@@ -224,17 +214,17 @@ fn last_pass(
     })
 }
 
-fn colour_table(gpu: &Gpu, colour: Colour) -> wgpu::TextureView {
-    let size = [palette::ENTRIES, 1];
+fn tables(gpu: &Gpu) -> wgpu::TextureView {
+    let size = [palette::ENTRIES, palette::ROWS];
     let usage = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
-    let texture = target::texture(gpu, "colour table", size, 1, wgpu::TextureFormat::Rgba32Float, usage);
+    let texture = target::texture(gpu, "tables", size, 1, wgpu::TextureFormat::Rgba32Float, usage);
     let layout = wgpu::TexelCopyBufferLayout {
         offset: 0,
         bytes_per_row: Some(palette::ENTRIES * 16),
         rows_per_image: None,
     };
-    let table = palette::table(colour);
-    gpu.queue.write_texture(texture.as_image_copy(), bytemuck::cast_slice(&table), layout, texture.size());
+    let tables = palette::tables();
+    gpu.queue.write_texture(texture.as_image_copy(), bytemuck::cast_slice(&tables), layout, texture.size());
     texture.create_view(&wgpu::TextureViewDescriptor::default())
 }
 

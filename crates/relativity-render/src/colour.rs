@@ -12,20 +12,22 @@
 
 use std::sync::LazyLock;
 
-use relativity_core::math::{log10, powf};
+use relativity_core::math::{atan, log2, powf};
 
 use crate::ipt;
-use crate::view::Colour;
 
 /// Visible light fades in from black at the first of these to full at the second, nm.
 const VIOLET_END_NM: [f64; 2] = [380.0, 420.0];
 /// Visible light fades from full at the first of these to black at the second, nm. The paper's 700 nm
 /// is full red.
 const RED_END_NM: [f64; 2] = [710.0, 780.0];
-/// False colour of the far ultraviolet, linear sRGB: a pale cool tone.
-const ULTRAVIOLET: [f64; 3] = [0.70, 0.85, 1.0];
-/// False colour of the far infrared, linear sRGB: a warm grey-brown.
-const INFRARED: [f64; 3] = [0.55, 0.42, 0.30];
+/// What is received as ultraviolet and as infrared, kept very dark, linear sRGB: violet-black and red-black. Paler than
+/// any light of one wavelength, so that nobody takes them for that.
+const DARK: [[f64; 3]; 2] = [[0.070, 0.030, 0.140], [0.120, 0.022, 0.016]];
+/// Between these what glows shows less and less of its dark infrared, K.
+const DARK_GLOW_KELVIN: [f64; 2] = [1000.0, 3500.0];
+/// False colours for D far below 1, at 1 and far above, linear sRGB.
+const FALSE_COLOURS: [[f64; 3]; 3] = [[0.60, 0.03, 0.01], [0.72, 0.72, 0.68], [0.02, 0.10, 0.80]];
 
 const CIE_1931_CSV: &str = include_str!("../assets/cie-1931-2deg.csv");
 /// Wavelength of the table's first row, nm; a row follows every nm.
@@ -60,24 +62,35 @@ fn interpolated(table: &[[f64; 3]], wavelength_nm: f64) -> Option<[f64; 3]> {
     Some(mix(table[index], table[index + 1], position - index as f64))
 }
 
-/// Linear sRGB (each component in [0, 1]) of light of `wavelength_nm` (above 0).
-///
-/// [`Colour::Visible`] is black outside 380 nm to 780 nm. [`Colour::False`] equals it from 420 nm to
-/// 710 nm and never fades: over the logarithm of the wavelength violet turns into a pale cool tone,
-/// reached at 42 nm, and red into a warm grey, reached at 7100 nm; the luminance only rises outwards.
+/// Linear sRGB (each component in [0, 1]) of light of `wavelength_nm` (above 0), as bright as can be; black outside
+/// 380 nm to 780 nm.
 #[must_use]
-pub fn linear_srgb(wavelength_nm: f64, colour: Colour) -> [f64; 3] {
-    let [violet, red] = [VIOLET_END_NM[1], RED_END_NM[0]];
-    match colour {
-        Colour::Visible => spectral_hue(wavelength_nm).map(|part| part * visibility(wavelength_nm)),
-        Colour::False if wavelength_nm < violet => {
-            mix(spectral_hue(violet), ULTRAVIOLET, log10(violet / wavelength_nm).min(1.0))
-        }
-        Colour::False if wavelength_nm > red => {
-            mix(spectral_hue(red), INFRARED, log10(wavelength_nm / red).min(1.0))
-        }
-        Colour::False => spectral_hue(wavelength_nm),
-    }
+pub fn linear_srgb(wavelength_nm: f64) -> [f64; 3] {
+    spectral_hue(wavelength_nm).map(|part| part * visibility(wavelength_nm))
+}
+
+/// Linear sRGB of what eyes do not see of light of `wavelength_nm`: all of it below 380 nm, violet-black, and above
+/// 780 nm, red-black; none from 420 nm to 710 nm.
+#[must_use]
+pub fn dark_line(wavelength_nm: f64) -> [f64; 3] {
+    let is_long = wavelength_nm > 0.5 * (VIOLET_END_NM[1] + RED_END_NM[0]);
+    DARK[usize::from(is_long)].map(|part| part * (1.0 - visibility(wavelength_nm)))
+}
+
+/// Linear sRGB of what eyes do not see of a body that glows at 2^`log2_kelvin`: all of it up to 1000 K, none from 3500 K.
+#[must_use]
+pub fn dark_glow(log2_kelvin: f64) -> [f64; 3] {
+    let seen = smoothstep(DARK_GLOW_KELVIN.map(log2), log2_kelvin);
+    DARK[1].map(|part| part * (1.0 - seen))
+}
+
+/// The false colour of light shifted by `octaves` (log2 D), linear sRGB: grey at D = 1, bluer above, redder below, and
+/// the more so the farther.
+#[must_use]
+pub fn false_colour(octaves: f64) -> [f64; 3] {
+    let [low, middle, high] = FALSE_COLOURS;
+    let end = if octaves < 0.0 { low } else { high };
+    mix(middle, end, atan(1.2 * octaves.abs()) / std::f64::consts::FRAC_PI_2)
 }
 
 /// The sRGB-encoded value of a linear one, both in [0, 1].

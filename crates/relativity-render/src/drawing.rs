@@ -6,12 +6,15 @@
 use std::ops::Range;
 
 use crate::buffers::fill_vertex_buffer;
+use crate::effects::Effects;
 use crate::gpu::Gpu;
 use crate::group_view::GroupView;
 use crate::kind::Kind;
+use crate::light::Light;
 use crate::pipelines::{Key, Output, Pipelines};
+use crate::prepared_body::PreparedBody;
 use crate::scene::PreparedScene;
-use crate::view::{Appearance, Colour};
+use crate::view::Appearance;
 
 /// What is to be drawn.
 #[derive(Debug, Clone, Copy)]
@@ -71,9 +74,12 @@ pub struct Trait<T> {
 }
 
 impl Shot<'_> {
-    /// The colours that it shows; numbers have none.
-    pub fn colour(&self) -> Colour {
-        self.appearance.map_or(Colour::Visible, |appearance| appearance.colour)
+    /// The light of `body` for the shaders; numbers have none.
+    pub fn light(&self, body: &PreparedBody) -> [f32; 4] {
+        self.appearance.map_or([0.0; 4], |appearance| {
+            let effects = Effects::new(self.views[body.group].geometry.has_doppler_effect(), appearance);
+            Light::new(body.emission, appearance).packed(appearance, effects).map(|part| part as f32)
+        })
     }
 }
 

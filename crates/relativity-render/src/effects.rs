@@ -1,48 +1,70 @@
 //! Which effects a picture has, as far as they choose a pipeline: what is off is not computed.
 
-use crate::view::{Appearance, Shading};
+use crate::view::{Appearance, Colour, Shading};
 
 /// The effects of `colour.wgsl`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Effects {
+    spectrum: Spectrum,
     doppler_shift: bool,
-    intensity: Intensity,
+    invisible: bool,
     form: bool,
 }
 
+/// How the shaders come from a Doppler factor to a colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-enum Intensity {
-    Off,
-    Integer(u8),
-    Real,
+pub enum Spectrum {
+    /// Not at all: each body has its colour at rest.
+    AtRest,
+    /// By one place in one table: light of one wavelength, or of a black body.
+    OnePlace,
+    /// By a place in each of two: daylight, and the band of it that a body reflects most of.
+    Daylight,
+    /// By the Doppler factor alone.
+    Map,
 }
 
 impl Effects {
     /// None at all.
-    pub const NONE: Self = Self { doppler_shift: false, intensity: Intensity::Off, form: false };
+    pub const NONE: Self =
+        Self { spectrum: Spectrum::AtRest, doppler_shift: false, invisible: false, form: false };
 
     /// Those of `appearance`; without a Doppler effect (D = 1) what depends on it is off.
     pub fn new(has_doppler_effect: bool, appearance: &Appearance) -> Self {
-        let intensity = match appearance.intensity_exponent.filter(|_| has_doppler_effect) {
-            None => Intensity::Off,
-            Some(n) if [2.0, 3.0, 4.0].contains(&n) => Intensity::Integer(n as u8),
-            Some(_) => Intensity::Real,
-        };
+        let Appearance { doppler_shift, intensity_exponent, .. } = *appearance;
         let form = match appearance.shading {
             Shading::Emission => false,
             Shading::Form => true,
         };
-        Self { doppler_shift: appearance.doppler_shift && has_doppler_effect, intensity, form }
+        let spectrum = match appearance.colour {
+            Colour::False if has_doppler_effect => Spectrum::Map,
+            _ if !has_doppler_effect || !(doppler_shift || intensity_exponent.is_some()) => Spectrum::AtRest,
+            Colour::White => Spectrum::Daylight,
+            _ => Spectrum::OnePlace,
+        };
+        let invisible = appearance.invisible && matches!(spectrum, Spectrum::OnePlace | Spectrum::Daylight);
+        Self { spectrum, doppler_shift, invisible, form }
+    }
+
+    /// How colours are found.
+    pub const fn spectrum(self) -> Spectrum {
+        self.spectrum
     }
 
     /// The shader's constants.
-    pub fn constants(self) -> [Constant; 3] {
-        let intensity = match self.intensity {
-            Intensity::Off => 0.0,
-            Intensity::Integer(n) => f64::from(n),
-            Intensity::Real => 1.0,
+    pub fn constants(self) -> [Constant; 4] {
+        let spectrum = match self.spectrum {
+            Spectrum::AtRest => 0.0,
+            Spectrum::OnePlace => 1.0,
+            Spectrum::Daylight => 2.0,
+            Spectrum::Map => 3.0,
         };
-        [("DOPPLER_SHIFT", number(self.doppler_shift)), ("INTENSITY", intensity), ("FORM", number(self.form))]
+        [
+            ("SPECTRUM", spectrum),
+            ("DOPPLER_SHIFT", number(self.doppler_shift)),
+            ("INVISIBLE", number(self.invisible)),
+            ("FORM", number(self.form)),
+        ]
     }
 }
 

@@ -2,12 +2,10 @@
 
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec2, DVec3};
-use relativity_core::math::exp2;
 
 use crate::backdrop::{Backdrop, Floor};
 use crate::camera::{Axes, Camera};
 use crate::group_view::{GroupView, reference_of_depths};
-use crate::palette;
 use crate::prepared_body::{Extent, packed};
 use crate::scene::{PreparedGroup, PreparedScene};
 use crate::velocity::Velocity;
@@ -35,9 +33,6 @@ pub struct Frame {
     pub reference_speed: [f32; 4],
     /// `middle` of the reference.
     pub reference_middle: [f32; 4],
-    /// Factor of the exposure, intensity exponent (0 for none), log2 of the colour table's first wavelength (nm), and
-    /// its entries per octave.
-    pub light: [f32; 4],
     /// Middle of the group from the camera's event, rest frame; and half the reciprocal of its reach.
     pub middle: [f32; 4],
     /// What f32 loses of the middle.
@@ -83,9 +78,6 @@ impl Frame {
         let to_clip = 2.0 * camera.focal_length_px();
         let per_px = 1.0 / camera.focal_length_px();
         let (pole, base) = pole(camera, -view.velocity.direction());
-        let [first, per_octave] = palette::scale(appearance.colour);
-        let exposure = exp2(appearance.exposure_ev);
-        let exponent = appearance.intensity_exponent.unwrap_or(0.0);
         let aperture = camera.aperture;
         let backdrop = Backdrop::new(camera, appearance);
         let kerbs = backdrop.kerbs();
@@ -108,7 +100,6 @@ impl Frame {
             motion: [reflection, reflection, 0.0, 0.0],
             reference_speed: speed,
             reference_middle: middle,
-            light: [exposure, exponent, first, per_octave].map(|v| v as f32),
             middle,
             middle_fine: vector(from_camera - DVec3::new(x.into(), y.into(), z.into())),
             ground: [aperture.x, aperture.y, ground, view.published_separation()].map(|v| v as f32),

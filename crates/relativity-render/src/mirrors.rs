@@ -54,19 +54,19 @@ macro_rules! mirror {
 
 /// The uniform blocks.
 pub const BLOCKS: [Mirror; 1] = [mirror!(
-    Frame: base, right, down, pole, speed, motion, reference_speed, reference_middle, light, middle, middle_fine, ground, road, backdrop,
+    Frame: base, right, down, pole, speed, motion, reference_speed, reference_middle, middle, middle_fine, ground, road, backdrop,
     clip_right, clip_up, forward
 )];
 
 /// The structs of vertices and instances.
 pub const VERTICES: [VertexMirror; 3] = [
     VertexMirror {
-        mirror: mirror!(Piece: place, second_axis_index_wavelength, place_radius, form, turn, rest_colour, pattern),
+        mirror: mirror!(Piece: place, second_axis_index_brightness, place_radius, form, turn, light, pattern),
         layout: Piece::LAYOUT,
     },
     VertexMirror { mirror: mirror!(Corner: profile, turn), layout: Corner::LAYOUT },
     VertexMirror {
-        mirror: mirror!(Instance: place_radius, form, turn, colour_wavelength, cover_index, pattern),
+        mirror: mirror!(Instance: place_radius, form, turn, light, cover_brightness_index, pattern),
         layout: Instance::LAYOUT,
     },
 ];

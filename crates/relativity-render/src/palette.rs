@@ -1,32 +1,73 @@
-//! The colour table the shaders read: linear sRGB over the logarithm of the wavelength.
+//! The tables that the shaders read: colours over a logarithm, made in f64.
 
-use crate::colour::linear_srgb;
-use crate::view::Colour;
-use relativity_core::math;
+use relativity_core::math::{exp2, log2};
 
-/// Entries of the table.
+use crate::colour::{dark_glow, dark_line, false_colour, linear_srgb};
+use crate::effects::Constant;
+use crate::light::DAYLIGHT_KELVIN;
+use crate::planck::{Broad, band, black_body};
+
+/// Entries of a table.
 pub const ENTRIES: u32 = 1024;
+/// Tables: the light of one wavelength over log2 of that, nm, and what eyes do not see of it; of black bodies over log2
+/// of the temperature, K, and what eyes do not see of it; of bands over log2 of their middle, nm; and the false colours
+/// over log2 D.
+pub const ROWS: u32 = 6;
 
-/// The wavelengths the table of `colour` covers, nm; outside, its ends hold.
-fn range_nm(colour: Colour) -> [f64; 2] {
-    match colour {
-        Colour::Visible => [340.0, 860.0],
-        Colour::False => [1.0, 1e6],
+/// The range of a table: outside, its ends hold.
+#[derive(Debug, Clone, Copy)]
+pub struct Range {
+    first: f64,
+    last: f64,
+}
+
+/// Of light of one wavelength: 338 nm to 861 nm.
+pub const LINE: Range = Range { first: 8.4, last: 9.75 };
+/// Of black bodies: 32 K to 17 million.
+pub const GLOW: Range = Range { first: 5.0, last: 24.0 };
+/// Of bands: 97 nm to 3100 nm.
+pub const BAND: Range = Range { first: 6.6, last: 11.6 };
+/// Of false colours: D from 1/256 to 256.
+const MAP: Range = Range { first: -8.0, last: 8.0 };
+
+impl Range {
+    /// Entries per octave.
+    pub fn per_octave(self) -> f64 {
+        f64::from(ENTRIES - 1) / (self.last - self.first)
+    }
+
+    /// The place of `log2` in the table, entries.
+    pub fn place(self, log2: f64) -> f64 {
+        (log2 - self.first) * self.per_octave()
+    }
+
+    /// The entries of a table of `colour`.
+    fn table(self, colour: impl Fn(f64) -> [f64; 4]) -> impl Iterator<Item = [f32; 4]> {
+        let entry = move |i| colour(self.first + f64::from(i) / self.per_octave()).map(|part| part as f32);
+        (0..ENTRIES).map(entry)
     }
 }
 
-/// log2 of the first wavelength, and entries per octave.
-pub fn scale(colour: Colour) -> [f64; 2] {
-    let [first, last] = range_nm(colour).map(math::log2);
-    [first, f64::from(ENTRIES - 1) / (last - first)]
+/// The shader's constants.
+pub fn constants() -> [Constant; 5] {
+    [
+        ("GLOW_PER_OCTAVE", GLOW.per_octave()),
+        ("BAND_PER_OCTAVE", BAND.per_octave()),
+        ("DAYLIGHT_PLACE", GLOW.place(log2(DAYLIGHT_KELVIN))),
+        ("MAP_MIDDLE", MAP.place(0.0)),
+        ("MAP_PER_OCTAVE", MAP.per_octave()),
+    ]
 }
 
-/// The table: RGBA, one row.
-pub fn table(colour: Colour) -> Vec<[f32; 4]> {
-    let [first, per_octave] = scale(colour);
-    let entry = |i: u32| {
-        let [r, g, b] = linear_srgb(math::exp2(first + f64::from(i) / per_octave), colour);
-        [r as f32, g as f32, b as f32, 1.0]
-    };
-    (0..ENTRIES).map(entry).collect()
+/// The tables, RGBA, a row each. The last component is log2 of what the colour is multiplied by.
+pub fn tables() -> Vec<[f32; 4]> {
+    let plain = |[red, green, blue]: [f64; 3]| [red, green, blue, 0.0];
+    let broad = |Broad { hue: [red, green, blue], log2_level }| [red, green, blue, log2_level];
+    let line = LINE.table(|log2_nm| plain(linear_srgb(exp2(log2_nm))));
+    let dark_line = LINE.table(|log2_nm| plain(dark_line(exp2(log2_nm))));
+    let glow = GLOW.table(|log2_kelvin| broad(black_body(log2_kelvin)));
+    let dark_glow = GLOW.table(|log2_kelvin| plain(dark_glow(log2_kelvin)));
+    let band = BAND.table(|log2_nm| broad(band(log2_nm)));
+    let map = MAP.table(|octaves| plain(false_colour(octaves)));
+    line.chain(dark_line).chain(glow).chain(dark_glow).chain(band).chain(map).collect()
 }

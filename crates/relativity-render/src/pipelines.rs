@@ -7,8 +7,9 @@ use crate::gpu::Gpu;
 use crate::group_view::{GroupView, reference_of_depths};
 use crate::kind::Kind;
 use crate::target::{DEPTH_FORMAT, MEASURES_FORMAT, SAMPLES, linear_target};
+use crate::tone;
 use crate::view::{Appearance, Geometry};
-use crate::{pattern, shade};
+use crate::{palette, pattern, shade};
 
 /// What a pipeline draws, with every effect decided.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -108,6 +109,8 @@ impl Technique {
         ];
         constants.extend(effects.constants());
         constants.extend(shade::constants());
+        constants.extend(tone::constants());
+        constants.extend(palette::constants());
         constants.extend(pattern::constants(is_patterned));
         constants
     }

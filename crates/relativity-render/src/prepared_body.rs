@@ -8,13 +8,11 @@ use glam::DVec3;
 
 use crate::body::{Body, Emission, Shape};
 use crate::capsule::{Block, Capsule, add_capsules, block};
-use crate::colour::linear_srgb;
 use crate::intersect::{Solid, bounding_box};
 use crate::kind::Kind;
 use crate::pattern::{Form, Marking};
 use crate::surface::Surface;
 use crate::turn::turn_of;
-use crate::view::Colour;
 
 /// Where the bodies of a group are as a whole: they are placed from their middle, so that they keep their places among
 /// each other however far the camera is.
@@ -55,7 +53,6 @@ pub struct PreparedBody {
     pub(crate) block: Option<Block>,
     /// Which of the scene's capsules contain it otherwise.
     pub(crate) capsules: Range<usize>,
-    rest_colours: RestColours,
     /// Its pattern; `None` for a plain one.
     pub(crate) marking: Option<Marking>,
     /// Whether it is drawn by a pipeline that knows patterns.
@@ -70,13 +67,6 @@ pub(crate) struct Joint {
     pub as_it_is: bool,
     /// Where both are drawn a pixel wide: bodies about one centre, which are as wide there.
     pub widened: bool,
-}
-
-/// Linear sRGB without Doppler shift.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct RestColours {
-    visible: [f32; 3],
-    falsified: [f32; 3],
 }
 
 impl Extent {
@@ -132,7 +122,6 @@ impl PreparedBody {
             joint: Joint::default(),
             block: block(&body.shape),
             capsules: first..capsules.len(),
-            rest_colours: RestColours::new(body),
             marking: Marking::new(body.pattern, Form::new(&body.shape), turn),
             is_patterned: false,
         }
@@ -141,14 +130,6 @@ impl PreparedBody {
     /// Its number for the shaders: floats hold those up to 2^24.
     pub(crate) const fn index(&self) -> f32 {
         self.number as f32
-    }
-
-    /// Its colour without Doppler shift, linear sRGB.
-    pub(crate) fn rest_colour(&self, colour: Colour) -> [f32; 3] {
-        match colour {
-            Colour::Visible => self.rest_colours.visible,
-            Colour::False => self.rest_colours.falsified,
-        }
     }
 
     /// Its pattern for the shaders: 0 for none, and else what it is, and its steps along and around.
@@ -165,14 +146,6 @@ impl PreparedBody {
             Kind::Ring | Kind::Box | Kind::Cylinder => None,
         };
         [Some(first), second].into_iter().flatten()
-    }
-}
-
-impl RestColours {
-    fn new(body: &Body) -> Self {
-        let hue = |colour| body.emission.wavelength_nm().map_or([1.0; 3], |nm| linear_srgb(nm, colour));
-        let of = |colour| hue(colour).map(|part| (part * body.brightness) as f32);
-        Self { visible: of(Colour::Visible), falsified: of(Colour::False) }
     }
 }
 

@@ -6,7 +6,6 @@ use glam::DVec3;
 use crate::capsule::Capsule;
 use crate::group_view::GroupView;
 use crate::scene::PreparedScene;
-use crate::spectrum::Band;
 use crate::view::View;
 
 /// Where along a capsule its light is looked at, in parts of its length.
@@ -45,9 +44,7 @@ impl PreparedScene {
                     self.capsules(body).iter().flat_map(|c| lights(c, &seen))
                 {
                     let shift = if doppler_shift { doppler_factor } else { 1.0 };
-                    // Of light of many wavelengths some is seen.
-                    let band = body.emission.wavelength_nm().map_or(Band::Visible, |nm| Band::of(nm / shift));
-                    shares[band as usize] += weight;
+                    shares[body.emission.band(shift) as usize] += weight;
                 }
             }
             normalised(shares)

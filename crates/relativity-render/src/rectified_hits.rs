@@ -3,7 +3,6 @@
 
 use relativity_core::threads::prelude::*;
 
-use crate::colour::hue_preserving_clip;
 use crate::pattern::Covered;
 use crate::picture::{Picture, encoded};
 use crate::rectify::Rectification;
@@ -68,13 +67,13 @@ fn corrected_colour(
 ) -> [f64; 3] {
     let left = hit.doppler_factor / doppler_factor;
     let colour = surface_colour(appearance, &scene.bodies()[hit.body], hit.rest_normal, left);
-    hue_preserving_clip(colour).map(|part| part * scene.mark(hit, Covered::NOTHING))
+    colour.map(|part| part * scene.mark(hit, Covered::NOTHING))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Body, Camera, Colour, Gaze, Geometry, Shading, Shape, Velocity, View};
+    use crate::{Body, Camera, Gaze, Geometry, Shading, Shape, Velocity, View};
     use relativity_core::{Aperture, Speed};
 
     const RED_NM: f64 = 640.0;
@@ -99,15 +98,14 @@ mod tests {
 
     fn appearance() -> Appearance {
         Appearance {
-            colour: Colour::Visible,
-            doppler_shift: true,
             intensity_exponent: Some(2.0),
-            exposure_ev: 0.0,
+            invisible: false,
             shading: Shading::Emission,
             ground_z: None,
             road: None,
             sky: false,
             light: false,
+            ..Appearance::default()
         }
     }
 
@@ -126,7 +124,7 @@ mod tests {
 
     /// Pixels that show a body and nothing else, and the largest difference of one from the colour at rest.
     fn bodies_in(picture: &Picture) -> (usize, u8) {
-        let expected = encoded(crate::colour::linear_srgb(RED_NM, Colour::Visible));
+        let expected = encoded(crate::tone::toned(crate::colour::linear_srgb(RED_NM)));
         let full = picture.rgba.iter().filter(|pixel| greyness(**pixel) == 0);
         let difference = |pixel: &[u8; 4]| (0..3).map(|i| pixel[i].abs_diff(expected[i])).max();
         (full.clone().count(), full.filter_map(difference).max().unwrap_or(0))

@@ -5,8 +5,8 @@
 //! is multiplied by D, and an intensity is divided by D^n. That holds for all light, whatever sent it.
 //!
 //! A pixel's colour tells a wavelength only as far as its hue does: the part of it that is not grey counts as
-//! monochromatic light (see [`crate::colour`]), the grey part as light without a wavelength. What the Doppler effect
-//! shifted out of sight stays dark.
+//! monochromatic light (see [`crate::colour`]), the grey part as light without a wavelength; what the shoulder of bright
+//! light (see [`crate::tone`]) took off is put back first. What the Doppler effect shifted out of sight stays dark.
 
 use std::sync::LazyLock;
 
@@ -15,11 +15,11 @@ use relativity_core::math::{atan, tan};
 use relativity_core::threads::prelude::*;
 
 use crate::camera::{Camera, Gaze, LinesOfSight};
-use crate::colour::{hue_preserving_clip, linear_srgb, mix, srgb_decoded};
+use crate::colour::{linear_srgb, mix, srgb_decoded};
 use crate::picture::{Picture, encoded};
 use crate::reference::sample_grid;
+use crate::tone::{toned, untoned};
 use crate::velocity::Velocity;
-use crate::view::Colour;
 
 /// Rays per pixel of a corrected picture, along each side.
 const SAMPLES: u32 = 3;
@@ -125,15 +125,17 @@ impl Rectification {
 }
 
 impl LightCorrection {
-    /// The linear colour that light of the linear colour `received` at Doppler factor `doppler` has at rest.
+    /// The linear colour that light of the linear colour `received` at Doppler factor `doppler` has at rest, both as a
+    /// screen shows them.
     #[must_use]
     pub fn corrected(&self, received: [f64; 3], doppler: f64) -> [f64; 3] {
         let brightness =
             self.intensity_exponent.map_or(1.0, |exponent| 1.0 / intensity_factor(doppler, exponent));
+        let received = untoned(received);
         let grey = received.into_iter().fold(f64::INFINITY, f64::min);
         let hue = received.map(|part| part - grey);
         let shifted = if self.doppler_shift { shifted(hue, doppler) } else { hue };
-        hue_preserving_clip(shifted.map(|part| ((part + grey) * brightness).min(f64::MAX)))
+        toned(shifted.map(|part| ((part + grey) * brightness).min(f64::MAX)))
     }
 }
 
@@ -145,13 +147,13 @@ fn shifted(hue: [f64; 3], factor: f64) -> [f64; 3] {
         return hue;
     }
     let Some(wavelength_nm) = wavelength_nm(hue.map(|part| part / largest)) else { return hue };
-    linear_srgb(wavelength_nm * factor, Colour::Visible).map(|part| part * largest)
+    linear_srgb(wavelength_nm * factor).map(|part| part * largest)
 }
 
 /// The wavelength whose hue at full brightness is `hue`.
 fn wavelength_nm(hue: [f64; 3]) -> Option<f64> {
     static HUES: LazyLock<Vec<(f64, [f64; 3])>> =
-        LazyLock::new(|| HUES_NM.map(f64::from).map(|nm| (nm, linear_srgb(nm, Colour::Visible))).collect());
+        LazyLock::new(|| HUES_NM.map(f64::from).map(|nm| (nm, linear_srgb(nm))).collect());
     let distance = |other: &[f64; 3]| -> f64 { (0..3).map(|i| (other[i] - hue[i]).powi(2)).sum() };
     let nearest = HUES.iter().min_by(|a, b| distance(&a.1).total_cmp(&distance(&b.1)))?;
     (distance(&nearest.1).sqrt() <= HUE_TOLERANCE).then_some(nearest.0)
@@ -222,9 +224,8 @@ mod tests {
     fn light_of_one_wavelength_gets_its_own_colour_back() {
         let light = LightCorrection { doppler_shift: true, intensity_exponent: Some(2.0) };
         for doppler in [0.9, 1.0, 1.2, 1.35] {
-            let rest = linear_srgb(590.0, Colour::Visible).map(|part| part * 0.3);
-            let received =
-                linear_srgb(590.0 / doppler, Colour::Visible).map(|part| part * 0.3 * doppler * doppler);
+            let rest = linear_srgb(590.0).map(|part| part * 0.3);
+            let received = linear_srgb(590.0 / doppler).map(|part| part * 0.3 * doppler * doppler);
             let corrected = light.corrected(received, doppler);
             let difference = (0..3).map(|i| (corrected[i] - rest[i]).abs()).fold(0.0, f64::max);
             assert!(difference < 0.02, "{corrected:?} {rest:?}");

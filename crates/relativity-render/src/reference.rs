@@ -9,7 +9,6 @@ use relativity_core::threads::prelude::*;
 
 use crate::backdrop::Backdrop;
 use crate::camera::LinesOfSight;
-use crate::colour::hue_preserving_clip;
 use crate::cone::Cone;
 use crate::group_view::GroupView;
 use crate::intersect::Entry;
@@ -150,7 +149,7 @@ impl PreparedScene {
     /// The picture `view` shows, sRGB-encoded, with `samples` times `samples` rays per pixel
     /// (1 or more).
     ///
-    /// Samples are clipped one by one, so that a bright body does not bleed over its outline, and
+    /// Samples go through the shoulder one by one, so that a bright body does not bleed over its outline, and are
     /// averaged in linear light.
     #[must_use]
     pub fn picture(&self, view: &View, appearance: &Appearance, samples: u32) -> Picture {
@@ -210,7 +209,7 @@ impl PreparedScene {
                 let Hit { rest_normal, doppler_factor, .. } = hit;
                 let colour = surface_colour(appearance, body, rest_normal, doppler_factor);
                 let mark = if body.marking.is_some() { mark(&hit) } else { 1.0 };
-                hue_preserving_clip(colour).map(|part| part * mark)
+                colour.map(|part| part * mark)
             }
             (_, Some(distance)) => backdrop.ground(line_of_sight, distance),
             (_, None) => backdrop.sky(line_of_sight),

@@ -1,11 +1,9 @@
 //! Light and shade: what a hit looks like.
 
 use glam::DVec3;
-use relativity_core::doppler::{intensity_factor, received_wavelength};
-use relativity_core::math;
 
-use crate::colour::linear_srgb;
 use crate::effects::Constant;
+use crate::light::Light;
 use crate::prepared_body::PreparedBody;
 use crate::view::{Appearance, Shading};
 
@@ -27,7 +25,10 @@ pub fn form(rest_normal: DVec3) -> f64 {
     FORM[0] + FORM[1] * rest_normal.dot(LIGHT.normalize())
 }
 
-/// Linear sRGB (0 or more, may exceed 1) of the surface of `body` with `rest_normal`, received at `doppler_factor`.
+/// Linear sRGB, in [0, 1], of the surface of `body` with `rest_normal`, received at `doppler_factor`.
+///
+/// Form and the body's brightness come after the shoulder: so they show in what is very bright, and in what is all but
+/// black.
 #[must_use]
 pub fn surface_colour(
     appearance: &Appearance,
@@ -35,18 +36,10 @@ pub fn surface_colour(
     rest_normal: DVec3,
     doppler_factor: f64,
 ) -> [f64; 3] {
-    let colour = body.emission.wavelength_nm().map_or([1.0; 3], |rest_nm| {
-        let nm =
-            if appearance.doppler_shift { received_wavelength(rest_nm, doppler_factor) } else { rest_nm };
-        linear_srgb(nm, appearance.colour)
-    });
-    let intensity = appearance.intensity_exponent.map_or(1.0, |n| intensity_factor(doppler_factor, n));
     let shading = match appearance.shading {
         Shading::Emission => 1.0,
         Shading::Form => form(rest_normal),
     };
-    // A product that overflows is as bright as can be, not infinite: black times infinity is no number.
-    let brightness =
-        (intensity * shading * body.brightness * math::exp2(appearance.exposure_ev)).min(f64::MAX);
-    colour.map(|part| part * brightness)
+    let light = Light::new(body.emission, appearance);
+    light.shown(appearance, doppler_factor).map(|part| part * shading * body.brightness)
 }

@@ -1,7 +1,7 @@
 //! What is to be drawn for one aperture: the physics (`View`) and the looks (`Appearance`).
 
 use glam::DVec3;
-use relativity_core::doppler::PAPER_INTENSITY_EXPONENT;
+use relativity_core::doppler::BOLOMETRIC_INTENSITY_EXPONENT;
 use relativity_core::{Speed, aberration};
 
 use crate::camera::Camera;
@@ -92,15 +92,20 @@ impl View {
     }
 }
 
-/// How a wavelength becomes a colour.
+/// What light the bodies send, and how it becomes a colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 pub enum Colour {
-    /// As the eye sees it (CIE 1931); black outside the visible range, as in the paper.
+    /// Each body one wavelength, as in the paper (once called `visible`).
     #[default]
-    Visible,
-    /// A false colour that keeps ultraviolet and infrared visible.
+    #[cfg_attr(feature = "clap", value(alias = "visible"))]
+    OneWavelength,
+    /// Each body glows: a black body of one temperature H, seen as one of the temperature D H.
+    Glowing,
+    /// Each body reflects daylight, most of it about its own wavelength.
+    White,
+    /// The colour tells the Doppler factor: grey at D = 1, blue above, red below.
     False,
 }
 
@@ -119,14 +124,18 @@ pub enum Shading {
 /// How it is drawn. Each effect that is off costs nothing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Appearance {
-    /// Colour map.
+    /// What light bodies send.
     pub colour: Colour,
+    /// Temperature of bodies that glow, K, above 0.
+    pub temperature_k: f64,
     /// Whether the Doppler factor shifts the wavelength.
     pub doppler_shift: bool,
-    /// Exponent n of the received intensity D^n; `None` leaves it out.
+    /// Exponent n of the received intensity D^n of light of one wavelength; `None` leaves it out.
     pub intensity_exponent: Option<f64>,
     /// Exposure: factor on linear light is 2^`exposure_ev`.
     pub exposure_ev: f64,
+    /// Whether what is received as ultraviolet or infrared keeps its form, very dark; else it is black.
+    pub invisible: bool,
     /// Shading.
     pub shading: Shading,
     /// Height z of the resting ground; `None` leaves it out.
@@ -139,14 +148,21 @@ pub struct Appearance {
     pub light: bool,
 }
 
+impl Appearance {
+    /// The temperature of what glows unless another is chosen, K: 1000 degrees Celsius, orange.
+    pub const TEMPERATURE_K: f64 = 1273.15;
+}
+
 impl Default for Appearance {
-    /// The paper's intensity, every effect on, no ground.
+    /// The intensity of a surface that shines in one wavelength, every effect on, no ground.
     fn default() -> Self {
         Self {
             colour: Colour::default(),
+            temperature_k: Self::TEMPERATURE_K,
             doppler_shift: true,
-            intensity_exponent: Some(PAPER_INTENSITY_EXPONENT),
+            intensity_exponent: Some(BOLOMETRIC_INTENSITY_EXPONENT),
             exposure_ev: 0.0,
+            invisible: true,
             shading: Shading::default(),
             ground_z: None,
             road: None,

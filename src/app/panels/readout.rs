@@ -2,7 +2,7 @@
 
 use eframe::egui::{self, Align, Color32, Grid, Layout, RichText, Sense, Ui, vec2};
 use relativity_core::{Sighting, doppler::received_wavelength};
-use relativity_render::{Colour, Velocity, colour};
+use relativity_render::{Velocity, colour};
 
 use super::Asks;
 use crate::app::command::Command;
@@ -42,7 +42,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
                 ui.label(RichText::new(eye.name()).color(theme::eye_colour(eye, ui.visuals())));
             }
             ui.end_row();
-            wavelengths(ui, sightings, rest_wavelength, state.settings.light.colour);
+            wavelengths(ui, sightings, rest_wavelength);
             for quantity in &QUANTITIES {
                 quantity.row(ui, sightings);
             }
@@ -134,7 +134,7 @@ impl Quantity {
     }
 }
 
-fn wavelengths(ui: &mut Ui, sightings: [Option<Sighting>; 2], rest_wavelength: Option<f64>, map: Colour) {
+fn wavelengths(ui: &mut Ui, sightings: [Option<Sighting>; 2], rest_wavelength: Option<f64>) {
     let tip = rest_wavelength.map_or_else(
         || "White light has every wavelength.".to_owned(),
         |nm| {
@@ -150,16 +150,16 @@ fn wavelengths(ui: &mut Ui, sightings: [Option<Sighting>; 2], rest_wavelength: O
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 5.0;
             named_text(ui, text, name).on_hover_text(&tip);
-            swatch(ui, received, map);
+            swatch(ui, received);
         });
     }
     ui.end_row();
 }
 
 /// The colour of a wavelength; a struck-out box where it has none.
-fn swatch(ui: &mut Ui, wavelength_nm: Option<f64>, map: Colour) {
+fn swatch(ui: &mut Ui, wavelength_nm: Option<f64>) {
     let (rect, _) = ui.allocate_exact_size(vec2(14.0, 12.0), Sense::hover());
-    let linear = wavelength_nm.map_or([0.0; 3], |wavelength| colour::linear_srgb(wavelength, map));
+    let linear = wavelength_nm.map_or([0.0; 3], colour::linear_srgb);
     let [r, g, b] =
         linear.map(|channel| (255.0 * colour::srgb_encoded(channel.clamp(0.0, 1.0))).round() as u8);
     let stroke = ui.visuals().widgets.noninteractive.bg_stroke;

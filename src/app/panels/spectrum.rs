@@ -5,8 +5,8 @@ use eframe::egui::{
     Ui, Visuals, accesskit::Role, pos2, vec2,
 };
 use relativity_core::math;
+use relativity_render::colour;
 use relativity_render::spectrum::VISIBLE_NM;
-use relativity_render::{Colour, colour};
 
 use crate::app::observer::Eye;
 use crate::app::state::State;
@@ -177,7 +177,7 @@ fn scale_colour(wavelength_nm: f64, visuals: &Visuals) -> Color32 {
     };
     let behind: [u8; 3] =
         if wavelength_nm < VISIBLE_NM[0].midpoint(VISIBLE_NM[1]) { ultraviolet } else { infrared };
-    let linear = colour::linear_srgb(wavelength_nm, Colour::Visible);
+    let linear = colour::linear_srgb(wavelength_nm);
     let seen = linear.into_iter().fold(0.0, f64::max).min(1.0);
     let [r, g, b] = [0, 1, 2].map(|i| {
         let behind = colour::srgb_decoded(f64::from(behind[i]) / 255.0);

@@ -143,9 +143,9 @@ fn note(state: &State, eye: Eye, picture: Option<Shown>, with_heat_map: bool) ->
 fn unseen(state: &State, pane: EyePane) -> Option<String> {
     let Light { colour, doppler_shift, .. } = state.settings.light;
     let view = state.view(pane.eye, pane.size);
-    // False colours leave nothing dark.
-    let shares =
-        (colour == Colour::Visible).then(|| state.session.prepared.received_shares(&view, doppler_shift));
+    // Other light than of one wavelength leaves nothing quite dark.
+    let shares = (colour == Colour::OneWavelength)
+        .then(|| state.session.prepared.received_shares(&view, doppler_shift));
     caption::notice(&shares?)
 }
 

@@ -15,7 +15,6 @@ use crate::group_view::GroupView;
 use crate::kind::Kind;
 use crate::prepared_body::PreparedBody;
 use crate::scene::PreparedScene;
-use crate::view::Colour;
 
 /// How often a piece is halved before its bound is taken as it is: 32 rectangles follow the most bent of tubes, and
 /// a looser bound only costs time.
@@ -40,11 +39,11 @@ pub enum Bounds {
 #[repr(C)]
 pub struct Piece {
     pub place: [f32; 4],
-    pub second_axis_index_wavelength: [f32; 4],
+    pub second_axis_index_brightness: [f32; 4],
     pub place_radius: [f32; 4],
     pub form: [f32; 4],
     pub turn: [f32; 4],
-    pub rest_colour: [f32; 4],
+    pub light: [f32; 4],
     pub pattern: [f32; 3],
 }
 
@@ -68,7 +67,7 @@ impl Pieces {
                     Bounds::Tight => self.bound(&projection, view, shot.scene, body),
                     Bounds::None => self.bound_nowhere(),
                 }
-                self.add(body, shot.colour(), thin_px);
+                self.add(body, shot, thin_px);
             }
         }
     }
@@ -82,8 +81,8 @@ impl Pieces {
     }
 
     /// The pieces of `body` in the rectangles just found.
-    fn add(&mut self, body: &PreparedBody, colour: Colour, thin_px: f64) {
-        let template = Piece::new(body, colour);
+    fn add(&mut self, body: &PreparedBody, shot: &Shot<'_>, thin_px: f64) {
+        let template = Piece::new(body, shot);
         for rectangle in &self.rectangles {
             let list = (rectangle.radius_px < thin_px, body.group, body.kind, body.is_patterned);
             self.lists.entry(list).or_default().push(template.placed(rectangle));
@@ -151,20 +150,14 @@ impl Piece {
     };
 
     /// Of `body`, without a rectangle.
-    fn new(body: &PreparedBody, colour: Colour) -> Self {
-        let [red, green, blue] = body.rest_colour(colour);
+    fn new(body: &PreparedBody, shot: &Shot<'_>) -> Self {
         Self {
             place: [0.0; 4],
-            second_axis_index_wavelength: [
-                0.0,
-                0.0,
-                body.index(),
-                body.emission.wavelength_nm().unwrap_or(0.0) as f32,
-            ],
+            second_axis_index_brightness: [0.0, 0.0, body.index(), body.brightness as f32],
             place_radius: body.place_radius,
             form: body.form,
             turn: body.turn,
-            rest_colour: [red, green, blue, 0.0],
+            light: shot.light(body),
             pattern: body.pattern(),
         }
     }
@@ -172,10 +165,10 @@ impl Piece {
     fn placed(&self, rectangle: &Rectangle) -> Self {
         let [middle, first, second] =
             [rectangle.middle, rectangle.half_axes[0], rectangle.half_axes[1]].map(DVec2::as_vec2);
-        let [_, _, index, wavelength] = self.second_axis_index_wavelength;
+        let [_, _, index, brightness] = self.second_axis_index_brightness;
         Self {
             place: [middle.x, middle.y, first.x, first.y],
-            second_axis_index_wavelength: [second.x, second.y, index, wavelength],
+            second_axis_index_brightness: [second.x, second.y, index, brightness],
             ..*self
         }
     }

@@ -11,7 +11,7 @@ use crate::footprint::Projection;
 use crate::group_view::GroupView;
 use crate::intersect::Solid;
 use crate::prepared_body::{Joint, PreparedBody};
-use crate::view::{Colour, Geometry};
+use crate::view::Geometry;
 
 /// Mirror of the shaders' `Instance`.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
@@ -20,8 +20,8 @@ pub struct Instance {
     pub place_radius: [f32; 4],
     pub form: [f32; 4],
     pub turn: [f32; 4],
-    pub colour_wavelength: [f32; 4],
-    pub cover_index: [f32; 2],
+    pub light: [f32; 4],
+    pub cover_brightness_index: [f32; 3],
     pub pattern: [f32; 3],
 }
 
@@ -59,7 +59,7 @@ impl Parts {
                 || !projections[body.group].hides(middle, solid.bounding_radius())
         };
         let part = |body: &PreparedBody| {
-            let (instance, view) = (Instance::new(body, shot.colour()), &divided_for[body.group]);
+            let (instance, view) = (Instance::new(body, shot), &divided_for[body.group]);
             Part {
                 division: division(&body.surface, view, bound_px),
                 instance: if appearance.is_some() {
@@ -97,7 +97,7 @@ impl Part {
             group,
             kind: division.kind(),
             template: division,
-            is_thin: self.instance.cover_index[0] < 1.0,
+            is_thin: self.instance.cover_brightness_index[0] < 1.0,
             is_patterned,
         }
     }
@@ -107,7 +107,7 @@ impl Part {
     fn rank(&self) -> (bool, usize, Option<(bool, Division)>, u32) {
         let Trait { is_thin, .. } = self.common();
         let is_joined = if is_thin { self.joint.widened } else { self.joint.as_it_is };
-        let [_, index] = self.instance.cover_index;
+        let [_, _, index] = self.instance.cover_brightness_index;
         (is_thin, self.group, (!is_joined).then_some((self.is_patterned, self.division)), index as u32)
     }
 }
@@ -118,19 +118,18 @@ impl Instance {
         array_stride: size_of::<Self>() as u64,
         step_mode: wgpu::VertexStepMode::Instance,
         attributes: &wgpu::vertex_attr_array![
-            2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4, 6 => Float32x2,
+            2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4, 6 => Float32x3,
             7 => Float32x3
         ],
     };
 
-    fn new(body: &PreparedBody, colour: Colour) -> Self {
-        let [red, green, blue] = body.rest_colour(colour);
+    fn new(body: &PreparedBody, shot: &Shot<'_>) -> Self {
         Self {
             place_radius: body.place_radius,
             form: body.form,
             turn: body.turn,
-            colour_wavelength: [red, green, blue, body.emission.wavelength_nm().unwrap_or(0.0) as f32],
-            cover_index: [1.0, body.index()],
+            light: shot.light(body),
+            cover_brightness_index: [1.0, body.brightness as f32, body.index()],
             pattern: body.pattern(),
         }
     }
@@ -145,7 +144,8 @@ impl Instance {
         if half_width >= half_pixel {
             return self;
         }
-        let [_, index] = self.cover_index;
-        Self { place_radius: [x, y, z, half_pixel], cover_index: [half_width / half_pixel, index], ..self }
+        let [_, brightness, index] = self.cover_brightness_index;
+        let cover_brightness_index = [half_width / half_pixel, brightness, index];
+        Self { place_radius: [x, y, z, half_pixel], cover_brightness_index, ..self }
     }
 }

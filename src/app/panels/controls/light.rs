@@ -8,33 +8,33 @@ use relativity_render::{Colour, Shading};
 
 use crate::app::command::Command;
 use crate::app::panels::Asks;
+use crate::app::state::State;
 use crate::app::widgets::{NumberRow, choice, row};
-use crate::settings::{EXPOSURE_EV, Light};
+use crate::figures;
+use crate::flags::{EXPOSURE_EV, Exposure, TEMPERATURE_K};
+use crate::settings::Light;
 
 /// Shows them.
-pub fn show(ui: &mut Ui, before: Light, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    let before = state.settings.light;
     let mut light = before;
-    row(ui, "Colour", "How a received wavelength becomes a colour.", |ui| {
+    row(ui, "Light", "What light the bodies send, and how it becomes a colour.", |ui| {
         choice(ui, &mut light.colour, &COLOURS);
     });
+    if light.colour == Colour::Glowing {
+        temperature().show(ui, &mut light.temperature);
+    }
     row(ui, "Doppler", "Whether motion shifts the wavelength.\nλ received = λ at rest / D", |ui| {
         choice(ui, &mut light.doppler_shift, &SHIFTS);
     });
-    row(ui, "Intensity", "How much brighter the Doppler factor D makes light.", |ui| {
-        choice(ui, &mut light.intensity_exponent.0, &EXPONENTS);
+    intensity_row(ui, &mut light);
+    row(ui, "Unseen", "Light received as ultraviolet or infrared. Eyes see nothing of it.", |ui| {
+        choice(ui, &mut light.invisible, &UNSEEN);
     });
     row(ui, "Shading", "How form is shown.", |ui| {
         choice(ui, &mut light.shading, &SHADINGS);
     });
-    let exposure = NumberRow {
-        name: "Exposure",
-        tip: "Brightness of the picture: light × 2^EV.",
-        slider: -8.0..=8.0,
-        typed: EXPOSURE_EV,
-        decimals: 2,
-        suffix: " EV",
-    };
-    exposure.show(ui, &mut light.exposure);
+    exposure_rows(ui, state.settings.automatic_ev(&state.session.scene), &mut light.exposure);
     row(ui, "Background", "What rests with the eyes.", |ui| {
         ui.checkbox(&mut light.sky, "Sky").on_hover_text("A sky behind the scene.");
         ui.checkbox(&mut light.ground, "Ground").on_hover_text("A road or a grid on the ground, at rest.");
@@ -46,9 +46,57 @@ pub fn show(ui: &mut Ui, before: Light, asks: &mut Asks) {
     }
 }
 
-const COLOURS: [(Colour, &str, &str); 2] = [
-    (Colour::Visible, "Natural", "As a human eye sees it (CIE 1931). Ultraviolet and infrared are black."),
-    (Colour::False, "False", "A false colour that keeps ultraviolet and infrared visible."),
+fn temperature() -> NumberRow<'static> {
+    NumberRow {
+        name: "Temperature",
+        tip: "Temperature H of what glows. It is seen at D·H.",
+        slider: 600.0..=10_000.0,
+        typed: TEMPERATURE_K,
+        decimals: 2,
+        suffix: " K",
+    }
+}
+
+/// How much brighter light becomes: that of one wavelength by an exponent, any other as Planck's law says.
+fn intensity_row(ui: &mut Ui, light: &mut Light) {
+    let tip = "How much brighter the Doppler factor D makes light.";
+    row(ui, "Intensity", tip, |ui| match light.colour {
+        Colour::OneWavelength => _ = choice(ui, &mut light.intensity_exponent.0, &EXPONENTS),
+        Colour::Glowing => _ = ui.weak("Planck's law at D·H: no exponent"),
+        Colour::White => _ = ui.weak("Planck's law at D·6504 K"),
+        Colour::False => _ = ui.weak("not shown: the colour is D"),
+    });
+}
+
+/// Whether the exposure is automatic, and the number.
+fn exposure_rows(ui: &mut Ui, automatic_ev: f64, exposure: &mut Exposure) {
+    let tip = "Brightness of the picture: light × 2^EV, with a shoulder instead of clipping.";
+    row(ui, "Exposure", tip, |ui| {
+        let automatic = format!("auto ({} EV)", figures::fixed(automatic_ev, 1));
+        let tip = "Found from the speeds and the lights of the scene, so it is steady while time runs: \
+            midway between the light at rest and the brightest that can be seen.";
+        ui.selectable_value(&mut exposure.0, None, automatic).on_hover_text(tip);
+        if ui.selectable_label(exposure.0.is_some(), "set").on_hover_text(tip).clicked() {
+            exposure.0 = exposure.0.or(Some(automatic_ev));
+        }
+    });
+    if let Some(ev) = &mut exposure.0 {
+        let row =
+            NumberRow { name: "EV", tip, slider: -8.0..=8.0, typed: EXPOSURE_EV, decimals: 2, suffix: " EV" };
+        row.show(ui, ev);
+    }
+}
+
+const COLOURS: [(Colour, &str, &str); 4] = [
+    (Colour::OneWavelength, "One λ", "Each body sends light of one wavelength, as in the paper."),
+    (Colour::Glowing, "Glow", "Each body is a black body of one temperature H, seen at D·H (Planck's law)."),
+    (Colour::White, "White", "Each body reflects daylight (6504 K), most of it about its own wavelength."),
+    (Colour::False, "False", "The colour tells the Doppler factor: grey at D = 1, blue above, red below."),
+];
+
+const UNSEEN: [(bool, &str, &str); 2] = [
+    (true, "Dim", "It keeps its form: ultraviolet in violet-black, infrared in red-black."),
+    (false, "Black", "As eyes see it."),
 ];
 
 const SHIFTS: [(bool, &str, &str); 2] = [
@@ -58,9 +106,21 @@ const SHIFTS: [(bool, &str, &str); 2] = [
 
 const EXPONENTS: [(Option<f64>, &str, &str); 4] = [
     (None, "Off", "Intensity stays as it is at rest."),
-    (Some(PAPER_INTENSITY_EXPONENT), "D²", "As in the paper."),
-    (Some(SPECIFIC_INTENSITY_EXPONENT), "D³", "Specific intensity of a surface: I(ν)/ν³ is invariant."),
-    (Some(BOLOMETRIC_INTENSITY_EXPONENT), "D⁴", "Radiance of a surface over all frequencies."),
+    (
+        Some(PAPER_INTENSITY_EXPONENT),
+        "D² paper",
+        "The paper's: the flux of a point, beside what a camera riding along gets.",
+    ),
+    (
+        Some(SPECIFIC_INTENSITY_EXPONENT),
+        "D³ photons",
+        "Number of photons from a surface, or its power per unit of frequency: I(ν)/ν³ is invariant.",
+    ),
+    (
+        Some(BOLOMETRIC_INTENSITY_EXPONENT),
+        "D⁴ surface",
+        "What a surface of one wavelength shows: its radiance.",
+    ),
 ];
 
 const SHADINGS: [(Shading, &str, &str); 2] = [

@@ -20,7 +20,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         ui.spacing_mut().item_spacing.y = 3.0;
         section(ui, "Motion", |ui| motion(ui, state, asks));
         section(ui, "View", |ui| look(ui, state, asks));
-        section(ui, "Light", |ui| light::show(ui, state.settings.light, asks));
+        section(ui, "Light", |ui| light::show(ui, state, asks));
     });
 }
 

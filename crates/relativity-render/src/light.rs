@@ -1,0 +1,223 @@
+//! What becomes of a body's light on its way to the screen, for one way to show it.
+//!
+//! Twice the same: `Light::shown` in f64 for one Doppler factor, and `Light::packed`, from which
+//! `shaders/colour.wgsl` works it out for each pixel by the tables of `palette.rs`.
+
+use relativity_core::doppler::intensity_factor;
+use relativity_core::math::{exp2, log2};
+
+use crate::body::Emission;
+use crate::colour::{dark_glow, dark_line, false_colour, linear_srgb, luminance};
+use crate::effects::{Effects, Spectrum};
+use crate::palette;
+use crate::planck::{band, black_body};
+use crate::tone::toned;
+use crate::view::{Appearance, Colour};
+
+/// Temperature of daylight (CIE D65), K.
+pub const DAYLIGHT_KELVIN: f64 = 6504.0;
+/// What a tinted body reflects of daylight at every wavelength; the rest it reflects only about its own.
+const WHITE_SHARE: f64 = 0.25;
+/// Exponent of the radiance per wavelength, by which a band rises where it is received: `I_lambda lambda^5` is the same
+/// for all.
+const BAND_EXPONENT: f64 = 5.0;
+/// log2 of what is dark at any exposure.
+const LOG2_DARK: f64 = -1e4;
+
+/// A body's light as a picture takes it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Light {
+    /// One wavelength, nm.
+    Line(f64),
+    /// A black body, K.
+    Glow(f64),
+    /// Daylight, of which a body reflects more about a wavelength, nm; without one, all alike.
+    Daylight(Option<f64>),
+    /// None: the colour tells the Doppler factor.
+    Map,
+}
+
+/// What has to be known of light of a broad spectrum for one Doppler factor.
+struct Levels {
+    /// log2 of the brightness of its glowing part.
+    glow: f64,
+    /// log2 of the brightness of its band.
+    band: f64,
+}
+
+impl Light {
+    /// Of `emission`, as `appearance` takes it.
+    pub fn new(emission: Emission, appearance: &Appearance) -> Self {
+        match (appearance.colour, emission) {
+            (Colour::False, _) => Self::Map,
+            (Colour::Glowing, _) => Self::Glow(appearance.temperature_k),
+            (Colour::OneWavelength, Emission::Wavelength(nm)) => Self::Line(nm),
+            (Colour::OneWavelength, Emission::White) => Self::Glow(DAYLIGHT_KELVIN),
+            (Colour::White, emission) => Self::Daylight(emission.wavelength_nm()),
+        }
+    }
+
+    /// Linear sRGB, in [0, 1], of it at `doppler_factor`, on a surface that faces the light.
+    pub fn shown(self, appearance: &Appearance, doppler_factor: f64) -> [f64; 3] {
+        if self == Self::Map {
+            return false_colour(log2(doppler_factor));
+        }
+        let shift = if appearance.doppler_shift { log2(doppler_factor) } else { 0.0 };
+        // A product that overflows is as bright as can be, not infinite: black times infinity is no number.
+        let exposed = |part: f64| (part * exp2(appearance.exposure_ev)).min(f64::MAX);
+        let received = self.received(shift, self.log2_intensity(appearance, doppler_factor));
+        let shown = toned(received.map(exposed));
+        if appearance.invisible { over_dark(shown, self.dark(shift)) } else { shown }
+    }
+
+    /// log2 of the part of the received intensity that its colour does not tell: D^n of one wavelength, and of all where
+    /// colours stay as they are at rest.
+    fn log2_intensity(self, appearance: &Appearance, doppler_factor: f64) -> f64 {
+        if self.exponent(appearance) == 0.0 {
+            return 0.0;
+        }
+        (self.exponent(appearance) * log2(doppler_factor)).clamp(-1e3, 1e3)
+    }
+
+    fn exponent(self, appearance: &Appearance) -> f64 {
+        match self {
+            Self::Glow(_) | Self::Daylight(_) if appearance.doppler_shift => 0.0,
+            _ => appearance.intensity_exponent.unwrap_or(0.0),
+        }
+    }
+
+    /// Linear sRGB before any exposure, for light shifted by `shift` octaves. At rest its largest component is about 1.
+    fn received(self, shift: f64, log2_intensity: f64) -> [f64; 3] {
+        match self {
+            Self::Line(nm) => linear_srgb(exp2(log2(nm) - shift)).map(|part| part * exp2(log2_intensity)),
+            Self::Glow(kelvin) => glow(kelvin, shift, log2_intensity - black_body(log2(kelvin)).log2_level),
+            Self::Daylight(tint) => {
+                let levels = daylight(tint);
+                let white = glow(DAYLIGHT_KELVIN, shift, log2_intensity + levels.glow);
+                let Some(nm) = tint else { return white };
+                let own = band(log2(nm) - shift);
+                let level = own.log2_level + levels.band + BAND_EXPONENT * shift + log2_intensity;
+                std::array::from_fn(|i| white[i] + own.hue[i] * exp2(level.min(1e3)))
+            }
+            Self::Map => [0.0; 3],
+        }
+    }
+
+    /// Linear sRGB of what eyes do not see of it, kept very dark.
+    fn dark(self, shift: f64) -> [f64; 3] {
+        match self {
+            Self::Line(nm) => dark_line(exp2(log2(nm) - shift)),
+            Self::Glow(kelvin) => dark_glow(log2(kelvin) + shift),
+            Self::Daylight(_) => dark_glow(log2(DAYLIGHT_KELVIN) + shift),
+            Self::Map => [0.0; 3],
+        }
+    }
+
+    /// What the shaders need of it: see `received_colour` there.
+    pub fn packed(self, appearance: &Appearance, effects: Effects) -> [f64; 4] {
+        let (exponent, exposure) = (self.exponent(appearance), appearance.exposure_ev);
+        match (effects.spectrum(), self) {
+            (Spectrum::AtRest, _) => {
+                let [red, green, blue] = self.shown(appearance, 1.0);
+                [red, green, blue, 0.0]
+            }
+            (_, Self::Line(nm)) => {
+                [palette::LINE.place(log2(nm)), -palette::LINE.per_octave(), exponent, exposure]
+            }
+            (_, Self::Glow(kelvin)) => {
+                let level = exposure - black_body(log2(kelvin)).log2_level;
+                [palette::GLOW.place(log2(kelvin)), palette::GLOW.per_octave(), exponent, level]
+            }
+            (_, Self::Daylight(tint)) => {
+                let levels = daylight(tint);
+                let place = palette::BAND.place(log2(tint.unwrap_or(1.0)));
+                let own = if appearance.doppler_shift { BAND_EXPONENT } else { exponent };
+                [place, levels.band + exposure, levels.glow + exposure, own]
+            }
+            (_, Self::Map) => [0.0; 4],
+        }
+    }
+}
+
+/// A black body of the temperature `kelvin` at rest, times 2^`log2_factor`.
+fn glow(kelvin: f64, shift: f64, log2_factor: f64) -> [f64; 3] {
+    let light = black_body(log2(kelvin) + shift);
+    light.hue.map(|part| part * exp2((light.log2_level + log2_factor).min(1e3)))
+}
+
+/// By how much the parts of daylight with this `tint` have to be scaled for a largest component of 1 at rest.
+fn daylight(tint: Option<f64>) -> Levels {
+    let white = -black_body(log2(DAYLIGHT_KELVIN)).log2_level;
+    let Some(nm) = tint else { return Levels { glow: white, band: LOG2_DARK } };
+    let own = band(log2(nm));
+    // In daylight of the largest component 1 a band at green would have one of about 1, too.
+    let visible = own.log2_level.max(band(log2(nm.clamp(420.0, 680.0))).log2_level);
+    let parts: [f64; 3] = std::array::from_fn(|i| {
+        let paper = black_body(log2(DAYLIGHT_KELVIN)).hue[i];
+        WHITE_SHARE * paper + (1.0 - WHITE_SHARE) * own.hue[i] * exp2(own.log2_level - visible)
+    });
+    let scale = -log2(parts.into_iter().fold(0.0, f64::max));
+    Levels { glow: white + log2(WHITE_SHARE) + scale, band: log2(1.0 - WHITE_SHARE) + scale - visible }
+}
+
+/// `shown` with `dark` under it, which shows only where the other is all but black.
+fn over_dark(shown: [f64; 3], dark: [f64; 3]) -> [f64; 3] {
+    let left = (1.0 - shown.into_iter().fold(0.0, f64::max)).powi(4);
+    std::array::from_fn(|i| shown[i] + left * dark[i])
+}
+
+/// Received over rest intensity of this `emission` at `doppler_factor`, before any exposure: D^n of light of one
+/// wavelength, else the luminance beside that at rest.
+#[must_use]
+pub fn received_intensity(emission: Emission, appearance: &Appearance, doppler_factor: f64) -> f64 {
+    let light = Light::new(emission, appearance);
+    let of_exponent = |exponent| intensity_factor(doppler_factor, exponent);
+    if matches!(light, Light::Line(_) | Light::Map) || !appearance.doppler_shift {
+        return appearance.intensity_exponent.map_or(1.0, of_exponent);
+    }
+    let [received, at_rest] = [log2(doppler_factor), 0.0].map(|shift| luminance(light.received(shift, 0.0)));
+    received / at_rest
+}
+
+/// log2 of how bright daylight or a glow is at `doppler_factor`, beside itself at rest.
+pub(crate) fn log2_glow(kelvin: f64, doppler_factor: f64) -> f64 {
+    black_body(log2(kelvin * doppler_factor)).log2_level - black_body(log2(kelvin)).log2_level
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tone::shoulder;
+
+    #[test]
+    fn light_at_rest_is_as_bright_as_a_screen_before_the_shoulder() {
+        let lights =
+            [Light::Line(700.0), Light::Glow(1273.15), Light::Daylight(None), Light::Daylight(Some(600.0))];
+        for light in lights {
+            let largest = light.received(0.0, 0.0).into_iter().fold(0.0, f64::max);
+            assert!((largest - 1.0).abs() < 1e-9, "{light:?}: {largest}");
+            assert!((shoulder(largest) - 0.8).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn no_doppler_factor_gives_a_colour_that_is_none() {
+        let appearance = Appearance { intensity_exponent: Some(4.0), ..Appearance::default() };
+        let lights = [
+            Light::Line(700.0),
+            Light::Line(1e-6),
+            Light::Glow(300.0),
+            Light::Glow(1e5),
+            Light::Daylight(None),
+            Light::Daylight(Some(1e6)),
+            Light::Map,
+        ];
+        for light in lights {
+            for exponent in -100..=100 {
+                let colour = light.shown(&appearance, exp2(f64::from(exponent)));
+                let is_shown = colour.into_iter().all(|part| (0.0..=1.0).contains(&part));
+                assert!(is_shown, "{light:?} at D = 2^{exponent}: {colour:?}");
+            }
+        }
+    }
+}
