@@ -3,6 +3,7 @@
 
 pub mod accuracy;
 pub mod app;
+pub mod caption;
 pub mod cli;
 pub mod columns;
 pub mod commands;

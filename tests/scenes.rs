@@ -1,7 +1,7 @@
 //! The scene files that ship with the program, checked geometrically.
 
 use gamow::scene::{PRESETS, Scene};
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 use relativity_render::Shape;
 
 /// Signed distance of a point from the surface of a shape.
@@ -18,6 +18,18 @@ fn distance(shape: &Shape, point: DVec3) -> f64 {
             let height = offset.dot(axis.into());
             let from_axis = (offset - height * DVec3::from(axis)).length();
             (from_axis - radius).hypot(height) - tube_radius
+        }
+        Shape::Box { center, half, turn } => {
+            let own = DQuat::from_array(turn).conjugate() * (point - DVec3::from(center));
+            let out = own.abs() - DVec3::from(half);
+            out.max(DVec3::ZERO).length() + out.max_element().min(0.0)
+        }
+        Shape::Cylinder { from, to, radius } => {
+            let (from, to) = (DVec3::from(from), DVec3::from(to));
+            let (axis, offset) = ((to - from).normalize(), point - 0.5 * (from + to));
+            let off_axis = offset.cross(axis).length() - radius;
+            let along = offset.dot(axis).abs() - 0.5 * from.distance(to);
+            off_axis.max(0.0).hypot(along.max(0.0)) + off_axis.max(along).min(0.0)
         }
     }
 }
@@ -63,6 +75,8 @@ fn no_other_part_of_the_cyclist_reaches_as_far_forward() {
     }
 }
 
+const NO_FLAT_FACES: &str = "the cyclist has none with flat faces";
+
 /// Largest x on a shape.
 fn largest_x(shape: &Shape) -> f64 {
     match *shape {
@@ -71,6 +85,7 @@ fn largest_x(shape: &Shape) -> f64 {
         Shape::Ring { center, axis, radius, tube_radius } => {
             center[0] + radius * (1.0 - axis[0] * axis[0]).sqrt() + tube_radius
         }
+        Shape::Box { .. } | Shape::Cylinder { .. } => unreachable!("{NO_FLAT_FACES}"),
     }
 }
 
@@ -134,6 +149,7 @@ fn skeleton(shape: &Shape) -> Box<dyn Iterator<Item = DVec3>> {
             let turns = steps.map(|s| (std::f64::consts::TAU * s).sin_cos());
             Box::new(turns.map(move |(sin, cos)| DVec3::from(center) + radius * (cos * u + sin * v)))
         }
+        Shape::Box { .. } | Shape::Cylinder { .. } => unreachable!("{NO_FLAT_FACES}"),
     }
 }
 
@@ -142,5 +158,6 @@ fn tube_radius(shape: &Shape) -> f64 {
     match *shape {
         Shape::Sphere { radius, .. } | Shape::Tube { radius, .. } => radius,
         Shape::Ring { tube_radius, .. } => tube_radius,
+        Shape::Box { .. } | Shape::Cylinder { .. } => unreachable!("{NO_FLAT_FACES}"),
     }
 }

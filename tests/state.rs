@@ -12,8 +12,8 @@ use gamow::files::png::PngFile;
 use gamow::flags::choices::GazeChoice;
 use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::scene::{PRESETS, Scene, Track};
-use gamow::settings::{Light, Preset, Settings, Theme};
-use relativity_render::{Geometry, Motion, View};
+use gamow::settings::{Light, Preset, Settings, Subject, Theme};
+use relativity_render::{Geometry, Motion, PreparedScene, View};
 
 const SIZE: [u32; 2] = [960, 720];
 
@@ -25,13 +25,15 @@ fn in_window(settings: Settings) -> [View; 2] {
 
 /// What `gamow render` draws of them, by the command that it records.
 fn in_picture(settings: &Settings) -> [View; 2] {
-    let tracked = Scene::open(&settings.scene).expect("the scene is there").track(settings.point);
-    let command = settings.resolved(&tracked).command();
+    let scene = Scene::open(&settings.scene).expect("the scene is there");
+    let (prepared, tracked) = (scene.prepared(), scene.track(settings.point));
+    let command = settings.resolved(Subject { scene: &prepared, tracked }).command();
     let recorded = Settings::default().with_command(&command, "picture.png").expect("it can be read");
     let time = recorded.time.expect("it is recorded");
-    // The gaze is recorded as angles, so that nothing needs to be tracked.
+    // The gaze and the field are recorded as angles, so that nothing needs to be followed.
     assert!(matches!(recorded.look.gaze, GazeChoice::Fixed(_)), "{command}");
-    recorded.views(&Track { rest: [f64::NAN; 3], ..tracked }, time, recorded.picture.size.0)
+    let (nothing, nowhere) = (PreparedScene::moving(&[]), Track { rest: [f64::NAN; 3], ..tracked });
+    recorded.views(Subject { scene: &nothing, tracked: nowhere }, time, recorded.picture.size.0)
 }
 
 #[test]

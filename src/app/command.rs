@@ -3,11 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use relativity_render::camera::MAX_ELEVATION;
-use relativity_render::{Gaze, Geometry};
+use relativity_render::{Camera, Gaze, Geometry};
 
 use super::clock;
 use super::observer::Eye;
 use super::state::{Session, State};
+use crate::flags::FieldOfView;
 use crate::flags::choices::{FileKind, GazeChoice};
 use crate::passage::time_within;
 use crate::platform::files;
@@ -55,10 +56,10 @@ pub enum Command {
         /// Upwards.
         elevation: f64,
     },
-    /// Multiply the field of view.
-    Zoom(f64),
-    /// Follow the selected point again, with the usual field of view.
-    ResetLook,
+    /// Multiply the field of view; what is seen at a place stays there.
+    Zoom(Zoom),
+    /// Hold the whole scene in the views.
+    Frame,
     /// Select the point of the scene at a pixel of an eye's picture.
     Pick(Pick),
     /// Select a followed point.
@@ -75,6 +76,19 @@ pub enum Command {
     ToggleHelp,
     /// Close what can be closed.
     Close,
+}
+
+/// A turn of the wheel over a picture.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Zoom {
+    /// Whose picture.
+    pub eye: Eye,
+    /// Where, in pixels from the top left corner.
+    pub pixel: [f64; 2],
+    /// Width and height of the picture, pixels.
+    pub size: [u32; 2],
+    /// What the field of view is multiplied by.
+    pub factor: f64,
 }
 
 /// A click into a picture.
@@ -113,10 +127,10 @@ impl State {
             }
             Command::Geometry(geometry) => self.settings.look.geometry = geometry,
             Command::Turn { azimuth, elevation } => self.turn(azimuth, elevation),
-            Command::Zoom(factor) => self.zoom(factor),
-            Command::ResetLook => {
-                self.settings.look.gaze = GazeChoice::Track;
-                self.settings.look.fov = Look::default().fov;
+            Command::Zoom(zoom) => self.zoom(zoom),
+            Command::Frame => {
+                self.settings.look.gaze = GazeChoice::Whole;
+                self.settings.look.fov = FieldOfView(None);
             }
             Command::Pick(pick) => self.pick(pick),
             Command::SelectPoint(index) => self.session.points.select(index),
@@ -174,15 +188,27 @@ impl State {
 
     fn turn(&mut self, azimuth: f64, elevation: f64) {
         let gaze = self.gaze();
-        self.settings.look.gaze = GazeChoice::fixed_at(Gaze {
-            azimuth: (gaze.azimuth + azimuth).rem_euclid(std::f64::consts::TAU),
+        self.stay_at(Gaze {
+            azimuth: gaze.azimuth + azimuth,
             elevation: (gaze.elevation + elevation).clamp(-MAX_ELEVATION, MAX_ELEVATION),
         });
     }
 
-    fn zoom(&mut self, factor: f64) {
-        let fov = self.settings.look.fov * factor;
-        self.settings.look.fov = fov.clamp(*FOV_DEGREES.start(), *FOV_DEGREES.end());
+    fn zoom(&mut self, zoom: Zoom) {
+        let camera = self.view(zoom.eye, zoom.size).camera;
+        let direction = camera.line_of_sight(zoom.pixel);
+        let fov = camera.horizontal_fov.to_degrees() * zoom.factor;
+        let fov = fov.clamp(*FOV_DEGREES.start(), *FOV_DEGREES.end());
+        self.settings.look.fov = FieldOfView(Some(fov));
+        let zoomed = Camera { horizontal_fov: fov.to_radians(), ..camera };
+        self.stay_at(zoomed.gaze_with(direction, zoom.pixel));
+    }
+
+    /// Both eyes look there from now on, with the present field of view.
+    fn stay_at(&mut self, gaze: Gaze) {
+        self.settings.look.fov = self.look().fov;
+        let azimuth = gaze.azimuth.rem_euclid(std::f64::consts::TAU);
+        self.settings.look.gaze = GazeChoice::fixed_at(Gaze { azimuth, ..gaze });
     }
 
     fn pick(&mut self, pick: Pick) {
@@ -228,7 +254,8 @@ impl State {
         match Self::open(settings) {
             Ok(state) => {
                 let playing = self.session.playing && !starts_at_a_time;
-                *self = Self { session: Session { playing, ..state.session }, ..state };
+                let picture_size = self.session.picture_size;
+                *self = Self { session: Session { playing, picture_size, ..state.session }, ..state };
             }
             Err(error) => self.session.notice = Some(error.to_string()),
         }

@@ -49,6 +49,10 @@ pub struct Layout {
     pub readout: Option<Rect>,
     /// The views: the two eyes', and what is shown beside them.
     pub panes: Vec<Pane>,
+    /// Which wavelengths arrive, below the views.
+    pub spectrum: Option<Rect>,
+    /// The moment in a sentence, below that.
+    pub sentence: Option<Rect>,
     /// Play, pause, scrubber.
     pub timeline: Rect,
     /// Curves over T.
@@ -57,6 +61,11 @@ pub struct Layout {
 
 const BAR_HEIGHT: f32 = 38.0;
 const TIMELINE_HEIGHT: f32 = 66.0;
+/// Height of the wavelength scale with the numbers on it.
+const SPECTRUM_HEIGHT: f32 = 36.0;
+/// Heights of the sentence in a line and in two, and from which width on it needs but one.
+const SENTENCE_HEIGHTS: [f32; 2] = [22.0, 38.0];
+const NARROWEST_LINE: f32 = 1000.0;
 /// Height of the readout's rows.
 const READOUT_HEIGHT: f32 = 274.0;
 /// Height of its title and the disparities alone.
@@ -86,7 +95,9 @@ impl Layout {
         let with_side = window.controls && area.width() >= NARROWEST_WITH_CONTROLS;
         let (centre, side) = if with_side { split_right(below, SIDE_WIDTH) } else { (below, None) };
         let (controls, readout) = side.map_or((None, None), |side| side_parts(side, window.readout));
-        let free = (centre.height() - TIMELINE_HEIGHT).max(0.0);
+        let without_words = (centre.height() - TIMELINE_HEIGHT).max(0.0);
+        let words = words_heights(centre.width(), without_words, window);
+        let free = without_words - words.iter().sum::<f32>();
         let plots_height = (free * PLOTS_SHARE).max(PLOTS_HEIGHT.min(0.5 * free));
         let views_height = match (window.views, window.plots) {
             (true, true) if free >= 2.0 * LOWEST => free - plots_height,
@@ -94,16 +105,32 @@ impl Layout {
             (false, _) => 0.0,
         };
         let (views, rest) = split_top(centre, views_height);
+        let (spectrum, rest) = split_top(rest, words[0]);
+        let (sentence, rest) = split_top(rest, words[1]);
         let (timeline, plots) = split_top(rest, TIMELINE_HEIGHT);
+        let shown = |rect: Rect| (rect.height() > 0.0).then(|| rect.shrink2(vec2(GAP / 2.0, 0.0)));
         Self {
             bar,
             controls,
             readout,
             panes: large_enough(views).map_or_else(Vec::new, |views| panes(views, window)),
+            spectrum: shown(spectrum),
+            sentence: shown(sentence),
             timeline,
             plots: large_enough(plots).filter(|_| window.plots),
         }
     }
+}
+
+/// Heights of the wavelength scale and of the sentence below views of this `width`; 0 where they are switched off, and
+/// where they would leave the views and the plots too little of `height`.
+fn words_heights(width: f32, height: f32, window: Window) -> [f32; 2] {
+    let [in_a_line, in_two] = SENTENCE_HEIGHTS;
+    let sentence = if width >= NARROWEST_LINE { in_a_line } else { in_two };
+    let wanted = [(window.spectrum, SPECTRUM_HEIGHT), (window.sentence, sentence)]
+        .map(|(is_on, height)| if is_on && window.views { height } else { 0.0 });
+    let lowest = if window.plots { 2.0 * LOWEST } else { LOWEST };
+    if height - wanted.iter().sum::<f32>() >= lowest { wanted } else { [0.0; 2] }
 }
 
 /// The panes of `window` side by side in `area`, all of one width.
@@ -158,6 +185,7 @@ mod tests {
         let layout = layout(1024.0, 600.0);
         assert_eq!(layout.panes.len(), 2);
         let panes = layout.panes.iter().map(|pane| Some(pane.rect));
+        assert!(layout.spectrum.is_some() && layout.sentence.is_some());
         for part in [layout.controls, layout.readout, layout.plots].into_iter().chain(panes) {
             let part = part.expect("shown");
             assert!(part.width() >= 280.0 && part.height() >= 140.0, "{part:?}");
@@ -171,7 +199,7 @@ mod tests {
             let window = Rect::from_min_size(pos2(0.0, 0.0), vec2(size[0], size[1]));
             let parts: Vec<Rect> = [Some(layout.bar), Some(layout.timeline)]
                 .into_iter()
-                .chain([layout.controls, layout.readout, layout.plots])
+                .chain([layout.controls, layout.readout, layout.plots, layout.spectrum, layout.sentence])
                 .chain(layout.panes.iter().map(|pane| Some(pane.rect)))
                 .flatten()
                 .collect();

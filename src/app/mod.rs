@@ -6,6 +6,7 @@
 
 pub mod args;
 mod background_picture;
+pub mod beyond;
 pub mod clock;
 pub mod command;
 pub mod corrected;
@@ -191,6 +192,13 @@ impl App {
         EyePane::new(eye, rect, ui.pixels_per_point(), largest)
     }
 
+    /// Notes how large the eyes' pictures are: fields of view are fitted to that of the left one.
+    fn measure_pictures(&mut self, ui: &Ui, panes: &[Pane]) {
+        if let Some(pane) = panes.iter().find(|pane| pane.content == Content::Eye(Eye::Left)) {
+            self.state.session.picture_size = self.eye_pane(ui, Eye::Left, pane.rect).size;
+        }
+    }
+
     /// Reads the mouse in `pane`.
     fn interact(&mut self, ui: &mut Ui, pane: Pane) {
         if let Content::Eye(eye) = pane.content {
@@ -254,6 +262,7 @@ impl App {
         let area = ui.max_rect();
         ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
         let layout = Layout::of(area, self.state.settings.window);
+        self.measure_pictures(ui, &layout.panes);
         let inset = |rect: Rect| rect.shrink2(egui::vec2(theme::GAP, theme::GAP / 2.0));
         self.panel(ui, "bar", inset(layout.bar), panels::bar::show);
         if let Some(rect) = layout.controls {
@@ -278,6 +287,12 @@ impl App {
         }
         for &pane in &layout.panes {
             self.paint(ui, pane);
+        }
+        if let Some(rect) = layout.spectrum {
+            self.panel(ui, "spectrum", rect, |ui, state, _| panels::spectrum::show(ui, state));
+        }
+        if let Some(rect) = layout.sentence {
+            self.panel(ui, "sentence", rect, |ui, state, _| panels::sentence::show(ui, state));
         }
         self.corrected.take_if(|_| !layout.shows(Content::Corrected));
         if self.state.session.playing {

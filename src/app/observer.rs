@@ -1,15 +1,17 @@
 //! What the two eyes make of the state: sightings of the followed points, gaze, cameras, markers.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 use relativity_core::{Disparity, Parameter, Sighting, SourcePoint, Speed, equidistance_time};
-use relativity_render::{Gaze, Geometry, Velocity, View};
+use relativity_render::{Gaze, Geometry, Outline, Velocity, View};
 
 use super::curves::CurvesKey;
 use super::fitting::{FitKey, FitOutcome};
 use super::points::Point;
 use super::state::State;
-use crate::flags::choices::GazeChoice;
-use crate::settings::Settings;
+use crate::caption::Moment;
+use crate::settings::{Look, Settings, Subject};
 
 /// One of the two eyes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -91,6 +93,14 @@ impl State {
         })
     }
 
+    /// What is shown of the selected point now.
+    #[must_use]
+    pub fn moment(&self) -> Moment {
+        let point = self.session.points.selected();
+        let name = point.noun(&self.session.scene);
+        Moment::new(&self.settings, &point.track, name, self.emission(point), self.session.time)
+    }
+
     /// The exact disparity of `point` now.
     #[must_use]
     pub fn disparity(&self, point: &Point) -> Option<Disparity> {
@@ -113,7 +123,7 @@ impl State {
     /// From the aperture of `eye` to where the shown geometry has `point` now.
     #[must_use]
     pub fn direction(&self, point: &Point, eye: Eye) -> Option<DVec3> {
-        self.view(eye, [1, 1]).of_group(point.track.motion).apparent_position(point.track.rest.into())
+        self.settings.directions(&point.track, self.session.time)[eye.index()]
     }
 
     /// What the curves of `point` depend on.
@@ -140,16 +150,16 @@ impl State {
         }
     }
 
+    /// How both eyes look now: a gaze that stays there, in parallel, and a field of view that is a number.
+    #[must_use]
+    pub fn look(&self) -> Look {
+        self.look_of(&self.settings)
+    }
+
     /// Where both eyes look now, in parallel.
     #[must_use]
     pub fn gaze(&self) -> Gaze {
         self.view(Eye::Left, [1, 1]).camera.gaze
-    }
-
-    /// The same as a gaze that stays there.
-    #[must_use]
-    pub fn fixed_gaze(&self) -> GazeChoice {
-        self.settings.fixed_gaze(&self.session.points.selected().track, self.session.time)
     }
 
     /// The picture of `eye`, `size` in pixels.
@@ -166,7 +176,23 @@ impl State {
         self.views_of(&settings, size)[Eye::Left.index()]
     }
 
+    /// The outline of what moves with the scene in both eyes together.
+    #[must_use]
+    pub fn outline(&self) -> Arc<Outline> {
+        self.settings.outline(&self.session.prepared, self.session.time)
+    }
+
+    fn look_of(&self, settings: &Settings) -> Look {
+        settings.fixed_look(self.subject(), self.session.time, self.session.picture_size)
+    }
+
+    /// One look for both eyes, however their panes are rounded to pixels.
     fn views_of(&self, settings: &Settings, size: [u32; 2]) -> [View; 2] {
-        settings.views(&self.session.points.selected().track, self.session.time, size)
+        let settings = Settings { look: self.look_of(settings), ..settings.clone() };
+        settings.views(self.subject(), self.session.time, size)
+    }
+
+    fn subject(&self) -> Subject<'_> {
+        Subject { scene: &self.session.prepared, tracked: self.session.points.selected().track }
     }
 }

@@ -20,6 +20,13 @@ impl Point {
         let what = self.body.or(scene.tracked_body()).map_or("tracked", |body| scene.name_of(body));
         format!("point {} ({what})", self.number)
     }
+
+    /// What it is called in a sentence.
+    #[must_use]
+    pub fn noun(&self, scene: &Scene) -> String {
+        let what = self.body.or(scene.tracked_body()).map_or("tracked point", |body| scene.name_of(body));
+        format!("the {what}")
+    }
 }
 
 /// The followed points, one of them selected. Never empty.

@@ -19,7 +19,7 @@ pub struct Shortcut {
 type Binding = (Key, fn(Modifiers) -> Command);
 
 /// All of them.
-pub const SHORTCUTS: [Shortcut; 9] = [
+pub const SHORTCUTS: [Shortcut; 10] = [
     Shortcut { keys: "Space", action: "play, pause", commands: &[(Key::Space, |_| Command::TogglePlaying)] },
     Shortcut {
         keys: "← →",
@@ -56,6 +56,11 @@ pub const SHORTCUTS: [Shortcut; 9] = [
         keys: "3",
         action: "at rest",
         commands: &[(Key::Num3, |_| Command::Geometry(Geometry::Rest))],
+    },
+    Shortcut {
+        keys: "F",
+        action: "frame: the whole scene in the views",
+        commands: &[(Key::F, |_| Command::Frame)],
     },
     Shortcut {
         keys: "?  F1",

@@ -1,7 +1,7 @@
 //! What the window shows: settings that are remembered, and the session they are applied to.
 
 use relativity_core::Speed;
-use relativity_render::{Appearance, PreparedScene};
+use relativity_render::{Appearance, Emission, PreparedScene};
 
 use super::clock;
 use super::points::{Point, Points};
@@ -35,6 +35,8 @@ pub struct Session {
     pub help: bool,
     /// The preset that is shown, until another scene or state is.
     pub preset: Option<&'static Preset>,
+    /// Width and height of an eye's picture, which a field of view is fitted to, pixels.
+    pub picture_size: [u32; 2],
     /// A message about the last thing that could not be done.
     pub notice: Option<String>,
 }
@@ -54,6 +56,7 @@ impl State {
             points: Points::tracked(tracked),
             help: false,
             preset,
+            picture_size: settings.picture.size.0,
             notice: None,
             scene,
         };
@@ -96,13 +99,18 @@ impl State {
         self.settings.playback.range.0.unwrap_or_else(fitted)
     }
 
-    /// Wavelength at rest of the light of `point`, nm: of the body it was picked on, else of the first; white light has
-    /// none.
+    /// The light of `point`: of the body it was picked on, else of the one that the scene's own point is on, else of the
+    /// first.
+    #[must_use]
+    pub fn emission(&self, point: &Point) -> Emission {
+        let body = point.body.or_else(|| self.session.scene.tracked_body()).unwrap_or(0);
+        self.session.prepared.bodies().get(body).map_or(Emission::White, |body| body.emission)
+    }
+
+    /// Wavelength of that light at rest, nm; white light has none.
     #[must_use]
     pub fn rest_wavelength_nm(&self, point: &Point) -> Option<f64> {
-        let bodies = self.session.prepared.bodies();
-        let body = point.body.and_then(|body| bodies.get(body)).or(bodies.first())?;
-        body.emission.wavelength_nm()
+        self.emission(point).wavelength_nm()
     }
 
     /// What becomes of its light, in a light window or a dark one.

@@ -134,7 +134,7 @@ impl RectifyArgs {
         let velocity = Velocity { speed: parameter.speed(value)?, is_backward: self.backward };
         let fov = self
             .fov
-            .or(recorded.map(|settings| settings.look.fov))
+            .or(recorded.and_then(|settings| settings.look.set_fov()))
             .context("--fov is needed: the file does not record it")?;
         let gaze = fixed(self.gaze, "--gaze")?
             .or(recorded.and_then(|settings| settings.look.gaze.fixed()))

@@ -115,19 +115,24 @@ impl Serialize for Size {
 /// Where both eyes look, in parallel.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum GazeChoice {
-    /// At the tracked point: along the bisector of its two apparent directions.
+    /// At the apparent middle of what moves with the scene, all of it.
     #[default]
-    Track,
+    Whole,
+    /// At the tracked point, as in the paper: along the bisector of its two apparent directions.
+    Point,
+    /// Straight ahead, along +y.
+    Ahead,
     /// Fixed: azimuth and elevation, degrees.
     Fixed([f64; 2]),
 }
 
 impl GazeChoice {
-    /// The fixed gaze in radians, if it is one.
+    /// The gaze in radians, if it follows nothing.
     #[must_use]
     pub fn fixed(self) -> Option<Gaze> {
         match self {
-            Self::Track => None,
+            Self::Whole | Self::Point => None,
+            Self::Ahead => Some(Gaze::STRAIGHT_AHEAD),
             Self::Fixed(degrees) => {
                 let [azimuth, elevation] = degrees.map(f64::to_radians);
                 Some(Gaze { azimuth, elevation })
@@ -146,11 +151,16 @@ impl FromStr for GazeChoice {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        if text == "track" {
-            return Ok(Self::Track);
+        match text {
+            "whole" => return Ok(Self::Whole),
+            // What it was called before there were others.
+            "point" | "track" => return Ok(Self::Point),
+            "ahead" => return Ok(Self::Ahead),
+            _ => (),
         }
         let Some((azimuth, elevation)) = text.split_once(',') else {
-            return Err("write `track`, or azimuth and elevation in degrees like 90,0".to_owned());
+            let choices = "write `whole`, `point`, `ahead`, or azimuth and elevation in degrees like 90,0";
+            return Err(choices.to_owned());
         };
         let [azimuth, elevation] = [finite_number(azimuth)?, finite_number(elevation)?];
         if elevation.abs() >= 90.0 {
@@ -165,7 +175,9 @@ impl FromStr for GazeChoice {
 impl Serialize for GazeChoice {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self {
-            Self::Track => serializer.serialize_str("track"),
+            Self::Whole => serializer.serialize_str("whole"),
+            Self::Point => serializer.serialize_str("point"),
+            Self::Ahead => serializer.serialize_str("ahead"),
             Self::Fixed(degrees) => degrees.serialize(serializer),
         }
     }

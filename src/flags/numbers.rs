@@ -60,6 +60,27 @@ pub fn field_of_view(text: &str) -> Result<f64, String> {
     }
 }
 
+/// A horizontal field of view, degrees, or `auto`.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct FieldOfView(pub Option<f64>);
+
+impl FromStr for FieldOfView {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        if text == "auto" { Ok(Self(None)) } else { field_of_view(text).map(|degrees| Self(Some(degrees))) }
+    }
+}
+
+impl Serialize for FieldOfView {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.0 {
+            Some(degrees) => serializer.serialize_f64(degrees),
+            None => serializer.serialize_str("auto"),
+        }
+    }
+}
+
 /// Parses a place.
 pub fn coordinates(text: &str) -> Result<[f64; 3], String> {
     let numbers: Vec<f64> = text.split(',').map(finite_number).collect::<Result<_, _>>()?;

@@ -115,8 +115,14 @@ pub enum Problem {
     /// A tube without length.
     #[error("to = {0} must differ from `from`: for a ball write shape = \"sphere\"")]
     NoLength(String),
+    /// A cylinder without length.
+    #[error("to = {0} must differ from `from`, the middle of the other end")]
+    NoHeight(String),
+    /// A box with an axis to be turned about, and no angle.
+    #[error("axis = {0} needs `angle`, by how many degrees the box is turned about it")]
+    NoAngle(String),
     /// A shape that does not exist.
-    #[error("shape = {0} must be \"sphere\", \"tube\" or \"ring\"")]
+    #[error("shape = {0} must be \"sphere\", \"tube\", \"ring\", \"box\" or \"cylinder\"")]
     UnknownShape(String),
     /// An include of what is not a preset.
     #[error("scene = {name} must be one of {list}", name = .0, list = PRESETS.join(", "))]

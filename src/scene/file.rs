@@ -1,6 +1,7 @@
 //! The scene format: what each table of a scene file means.
 
-use relativity_render::{Body, Emission, Motion, Shape, Velocity};
+use glam::DQuat;
+use relativity_render::{Body, Emission, Motion, Pattern, Shape, Velocity};
 use toml::de::DeTable;
 
 use super::content::{Scene, SceneGroup};
@@ -11,8 +12,12 @@ use super::table::{Table, coincide};
 
 /// Red, as in the paper.
 const DEFAULT_WAVELENGTH_NM: f64 = 700.0;
+/// Degrees from line to line of a graticule, and length from line to line of other patterns, unless told.
+const DEFAULT_DEGREES: f64 = 15.0;
+const DEFAULT_SPACING: f64 = 0.25;
 /// The keys of an object of any shape, beside its shape.
-const OF_EVERY_OBJECT: [&str; 6] = ["name", "wavelength_nm", "light", "brightness", "repeat", "step"];
+const OF_EVERY_OBJECT: [&str; 8] =
+    ["name", "wavelength_nm", "light", "brightness", "pattern", "spacing", "repeat", "step"];
 
 /// The scene that a file's text describes.
 pub(super) fn scene(text: &str) -> Result<Scene, Located> {
@@ -56,6 +61,8 @@ impl Object {
             Shape::Sphere { .. } => "sphere",
             Shape::Tube { .. } => "tube",
             Shape::Ring { .. } => "ring",
+            Shape::Box { .. } => "box",
+            Shape::Cylinder { .. } => "cylinder",
         };
         self.name.clone().unwrap_or_else(|| format!("{shape} {number}"))
     }
@@ -142,10 +149,19 @@ fn object(mut object: Table) -> Result<Object, Located> {
             object.owner = "a ring";
             ring(&object)?
         }
+        "box" => {
+            object.owner = "a box";
+            cuboid(&object)?
+        }
+        "cylinder" => {
+            object.owner = "a cylinder";
+            cylinder(&object)?
+        }
         _ => return Err(object.problem_at("shape", Problem::UnknownShape)),
     };
     let name = object.string("name")?.map(str::to_owned);
-    let body = Body { shape, emission: emission(&object)?, brightness: brightness(&object)? };
+    let (emission, brightness) = (emission(&object)?, brightness(&object)?);
+    let body = Body { shape, emission, brightness, pattern: pattern(&object, &shape)? };
     Ok(Object { body, name })
 }
 
@@ -176,6 +192,42 @@ fn brightness(object: &Table) -> Result<f64, Located> {
     Err(object.wrong("brightness", "above 0 and at most 1"))
 }
 
+/// The pattern of an object of this `shape`: none unless it names one.
+fn pattern(object: &Table, shape: &Shape) -> Result<Pattern, Located> {
+    let is_box = matches!(shape, Shape::Box { .. });
+    let spacing = object.size("spacing")?;
+    let step = || spacing.unwrap_or(DEFAULT_SPACING);
+    Ok(match object.string("pattern")? {
+        None if spacing.is_some() => {
+            return Err(object.wrong("spacing", "left out where there is no `pattern`"));
+        }
+        None => Pattern::Plain,
+        Some("faces") if !is_box => return Err(object.wrong("pattern", "on a box: only that has faces")),
+        Some("faces") if spacing.is_some() => {
+            return Err(object.wrong("spacing", "left out where pattern = \"faces\", which has none"));
+        }
+        Some("faces") => Pattern::Faces,
+        Some("graticule") if is_box => {
+            return Err(
+                object.wrong("pattern", "\"faces\", \"chequer\" or \"stripes\" on a box, which is not round")
+            );
+        }
+        Some("graticule") => {
+            let step_degrees = spacing.unwrap_or(DEFAULT_DEGREES);
+            if 90.0 % step_degrees != 0.0 {
+                return Err(object
+                    .wrong("spacing", "a divisor of 90: degrees from line to line, such as 10, 15 or 30"));
+            }
+            Pattern::Graticule { step_degrees }
+        }
+        Some("chequer") => Pattern::Chequer { step: step() },
+        Some("stripes") => Pattern::Stripes { step: step() },
+        Some(_) => {
+            return Err(object.wrong("pattern", "\"faces\", \"graticule\", \"chequer\" or \"stripes\""));
+        }
+    })
+}
+
 fn sphere(object: &Table) -> Result<Shape, Located> {
     check_keys(object, &["center", "radius"])?;
     Ok(Shape::Sphere { center: object.needed_point("center")?, radius: object.needed_size("radius")? })
@@ -202,4 +254,30 @@ fn ring(object: &Table) -> Result<Shape, Located> {
         return Err(object.problem_at("tube_radius", |tube_radius| Problem::NoHole { tube_radius, radius }));
     }
     Ok(Shape::Ring { center, axis, radius, tube_radius })
+}
+
+fn cuboid(object: &Table) -> Result<Shape, Located> {
+    check_keys(object, &["center", "size", "axis", "angle"])?;
+    let center = object.needed_point("center")?;
+    let half = object.needed_sizes("size")?.map(|size| 0.5 * size);
+    let axis = object.direction("axis")?;
+    let turn = match object.coordinate("angle")? {
+        Some(angle) => {
+            let axis = axis.unwrap_or([0.0, 0.0, 1.0]);
+            DQuat::from_axis_angle(axis.into(), angle.to_radians())
+        }
+        None if axis.is_some() => return Err(object.problem_at("axis", Problem::NoAngle)),
+        None => DQuat::IDENTITY,
+    };
+    Ok(Shape::Box { center, half, turn: turn.to_array() })
+}
+
+fn cylinder(object: &Table) -> Result<Shape, Located> {
+    check_keys(object, &["from", "to", "radius"])?;
+    let from = object.needed_point("from")?;
+    let to = object.needed_point("to")?;
+    if coincide(from, to) {
+        return Err(object.problem_at("to", Problem::NoHeight));
+    }
+    Ok(Shape::Cylinder { from, to, radius: object.needed_size("radius")? })
 }

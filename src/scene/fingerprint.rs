@@ -1,6 +1,6 @@
 //! Whether two scenes are the same: a hash of what is in them, however the program calls its parts.
 
-use relativity_render::{Body, Motion, Shape};
+use relativity_render::{Body, Motion, Pattern, Shape};
 
 use super::content::{Scene, SceneGroup};
 use crate::files::provenance::Provenance;
@@ -10,10 +10,11 @@ impl Scene {
     /// for others.
     ///
     /// The FNV-1a hash (G. Fowler, L. C. Noll, K.-P. Vo) of, in this order: the name, the tracked point, the height of
-    /// the ground, its road if there is one, and of each group its name, its own beta, and its bodies; of a body its shape by the name in a scene
-    /// file, the numbers of that in the order of the scene format, its wavelength and, if it is below 1, its brightness
-    /// after that word. Names end in a zero byte; numbers go in bit by bit, big end first, those that are not there as
-    /// infinity.
+    /// the ground, its road if there is one, and of each group its name, its own beta, and its bodies; of a body its shape
+    /// by the name in a scene file, the numbers of that in the order of the scene format (of a box half its size, and its
+    /// turn as a quaternion), its wavelength and, if it is below 1, its brightness after that word, and if it has one its
+    /// pattern by name, with its spacing. Names end in a zero byte; numbers go in bit by bit, big end first, those that
+    /// are not there as infinity.
     #[must_use]
     pub fn fingerprint(&self) -> String {
         let mut hash = Hash::default();
@@ -89,12 +90,38 @@ impl Hash {
                 self.numbers(&axis);
                 self.numbers(&[radius, tube_radius]);
             }
+            Shape::Box { center, half, turn } => {
+                self.name("box");
+                self.numbers(&center);
+                self.numbers(&half);
+                self.numbers(&turn);
+            }
+            Shape::Cylinder { from, to, radius } => {
+                self.name("cylinder");
+                self.numbers(&from);
+                self.numbers(&to);
+                self.numbers(&[radius]);
+            }
         }
         self.numbers(&[body.emission.wavelength_nm().unwrap_or(f64::INFINITY)]);
         if body.brightness < 1.0 {
             self.name("brightness");
             self.numbers(&[body.brightness]);
         }
+        self.pattern(body.pattern);
+    }
+
+    /// Nothing of a plain body.
+    fn pattern(&mut self, pattern: Pattern) {
+        let (name, spacing) = match pattern {
+            Pattern::Plain => return,
+            Pattern::Faces => ("faces", f64::INFINITY),
+            Pattern::Graticule { step_degrees } => ("graticule", step_degrees),
+            Pattern::Chequer { step } => ("chequer", step),
+            Pattern::Stripes { step } => ("stripes", step),
+        };
+        self.name(name);
+        self.numbers(&[spacing]);
     }
 }
 
@@ -113,7 +140,7 @@ mod tests {
     #[test]
     fn every_part_of_a_scene_shows_in_its_fingerprint() {
         let scene = Scene::preset("cyclist").expect("a preset");
-        let mut others = vec![scene.clone(); 10];
+        let mut others = vec![scene.clone(); 12];
         others[0].name.push('2');
         others[1].tracked[2] += 1e-9;
         others[2].ground_z = None;
@@ -124,10 +151,12 @@ mod tests {
         others[5].groups[0].count -= 1;
         others[6].groups[0].motion = Motion::Own(Velocity::REST);
         others[9].road = Some([2.0, 9.0]);
+        others[10].bodies[0].pattern = Pattern::Stripes { step: 0.5 };
+        others[11].bodies[0].pattern = Pattern::Stripes { step: 0.6 };
         let mut fingerprints: Vec<_> = others.iter().map(Scene::fingerprint).collect();
         fingerprints.push(scene.fingerprint());
         fingerprints.sort();
         fingerprints.dedup();
-        assert_eq!(fingerprints.len(), 11);
+        assert_eq!(fingerprints.len(), 13);
     }
 }

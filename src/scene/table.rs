@@ -86,6 +86,16 @@ impl<'a> Table<'a> {
         self.size(key)?.ok_or_else(|| self.missing(key))
     }
 
+    /// Three positive sizes that must be there.
+    pub fn needed_sizes(&self, key: &'static str) -> Result<[f64; 3], Located> {
+        const EXPECTED: &str = "three sizes [x, y, z]";
+        let value = self.value(key).ok_or_else(|| self.missing(key))?;
+        let Some([x, y, z]) = value.get_ref().as_array().map(|array| &array[..]) else {
+            return Err(self.wrong_type(key, value, EXPECTED));
+        };
+        Ok([self.size_of(key, x)?, self.size_of(key, y)?, self.size_of(key, z)?])
+    }
+
     /// A point that must be there.
     pub fn needed_point(&self, key: &'static str) -> Result<[f64; 3], Located> {
         self.point(key)?.ok_or_else(|| self.missing(key))
@@ -93,14 +103,19 @@ impl<'a> Table<'a> {
 
     /// A unit vector that must be there; the file may give it any length.
     pub fn needed_direction(&self, key: &'static str) -> Result<[f64; 3], Located> {
-        let vector = self.needed_point(key)?;
+        self.direction(key)?.ok_or_else(|| self.missing(key))
+    }
+
+    /// A unit vector, if the key is there; the file may give it any length.
+    pub fn direction(&self, key: &'static str) -> Result<Option<[f64; 3]>, Located> {
+        let Some(vector) = self.point(key)? else { return Ok(None) };
         let largest = vector.into_iter().fold(0.0, |largest: f64, v| largest.max(v.abs()));
         if largest == 0.0 {
             return Err(self.problem_at(key, Problem::NoDirection));
         }
         // Scaled first, so that no square underflows.
         let scaled = glam::DVec3::from(vector) / largest;
-        Ok((scaled / scaled.length()).to_array())
+        Ok(Some((scaled / scaled.length()).to_array()))
     }
 
     /// The tables of an array of tables; none if the key is not there.

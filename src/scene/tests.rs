@@ -1,6 +1,6 @@
 //! Scene files, right and wrong.
 
-use relativity_render::{Body, Emission, Motion, Shape, Velocity};
+use relativity_render::{Body, Emission, Motion, Pattern, Shape, Velocity};
 
 use super::{PRESETS, Scene, SceneError};
 
@@ -197,8 +197,8 @@ fn presets_are_found_by_name_only() {
     assert_eq!(Scene::preset("cyclist.toml"), None);
     assert_eq!(
         Scene::open("cycle").expect_err("no such scene").to_string(),
-        "no scene is called `cycle`: there are street, cyclist, two-balls, lattice; for a file, give a name \
-         ending in .toml"
+        "no scene is called `cycle`: there are street, cyclist, cube, globe, train, rods, lattice, two-balls; \
+         for a file, give a name ending in .toml"
     );
 }
 
@@ -223,11 +223,11 @@ fn an_unknown_key_is_told_the_keys_there_are() {
     );
     assert_eq!(
         object_error("shape = \"sphere\"\ncenter = [0, 3, 2]\nradus = 1"),
-        "balls.toml:5: unknown key `radus`: a sphere has shape, center, radius, name, wavelength_nm, light, brightness, repeat, step"
+        "balls.toml:5: unknown key `radus`: a sphere has shape, center, radius, name, wavelength_nm, light, brightness, pattern, spacing, repeat, step"
     );
     assert_eq!(
         object_error("shape = \"tube\"\ncenter = [0, 3, 2]"),
-        "balls.toml:4: unknown key `center`: a tube has shape, from, to, radius, name, wavelength_nm, light, brightness, repeat, step"
+        "balls.toml:4: unknown key `center`: a tube has shape, from, to, radius, name, wavelength_nm, light, brightness, pattern, spacing, repeat, step"
     );
     assert_eq!(
         error("name = \"x\"\n[[include]]\nscene = \"cyclist\"\nmove = [0, 0, 1]"),
@@ -279,6 +279,105 @@ fn a_coordinate_must_be_finite_and_within_reach() {
         error("name = \"x\"\nground_z = nan"),
         "balls.toml:2: ground_z = nan must lie between -1e6 and 1e6"
     );
+}
+
+#[test]
+fn an_object_may_carry_a_pattern_with_a_spacing() {
+    let pattern = |shape: &str, pattern: &str| {
+        let text = format!("name = \"x\"\n[[object]]\ncenter = [0, 3, 2]\n{shape}\n{pattern}");
+        Scene::parse(&text, "x").unwrap_or_else(|error| panic!("{error}")).bodies[0].pattern
+    };
+    let (ball, cuboid) = ("shape = \"sphere\"\nradius = 1", "shape = \"box\"\nsize = [1, 1, 1]");
+    assert_eq!(pattern(ball, ""), Pattern::Plain);
+    assert_eq!(pattern(ball, "pattern = \"graticule\""), Pattern::Graticule { step_degrees: 15.0 });
+    assert_eq!(
+        pattern(ball, "pattern = \"graticule\"\nspacing = 22.5"),
+        Pattern::Graticule { step_degrees: 22.5 }
+    );
+    assert_eq!(pattern(ball, "pattern = \"chequer\""), Pattern::Chequer { step: 0.25 });
+    assert_eq!(pattern(cuboid, "pattern = \"stripes\"\nspacing = 0.1"), Pattern::Stripes { step: 0.1 });
+    assert_eq!(pattern(cuboid, "pattern = \"faces\""), Pattern::Faces);
+}
+
+#[test]
+fn a_pattern_must_fit_its_shape_and_close_around_it() {
+    let ball =
+        |rest: &str| object_error(&format!("shape = \"sphere\"\ncenter = [0, 3, 2]\nradius = 1\n{rest}"));
+    let cuboid =
+        |rest: &str| object_error(&format!("shape = \"box\"\ncenter = [0, 3, 2]\nsize = [1, 1, 1]\n{rest}"));
+    assert_eq!(
+        ball("pattern = \"faces\""),
+        "balls.toml:6: pattern = \"faces\" must be on a box: only that has faces"
+    );
+    assert_eq!(
+        ball("pattern = \"dots\""),
+        "balls.toml:6: pattern = \"dots\" must be \"faces\", \"graticule\", \"chequer\" or \"stripes\""
+    );
+    assert_eq!(
+        ball("pattern = \"graticule\"\nspacing = 7"),
+        "balls.toml:7: spacing = 7 must be a divisor of 90: degrees from line to line, such as 10, 15 or 30"
+    );
+    assert_eq!(ball("spacing = 1"), "balls.toml:6: spacing = 1 must be left out where there is no `pattern`");
+    assert_eq!(
+        cuboid("pattern = \"faces\"\nspacing = 1"),
+        "balls.toml:7: spacing = 1 must be left out where pattern = \"faces\", which has none"
+    );
+    assert_eq!(
+        cuboid("pattern = \"graticule\""),
+        "balls.toml:6: pattern = \"graticule\" must be \"faces\", \"chequer\" or \"stripes\" on a box, which is not round"
+    );
+}
+
+#[test]
+fn a_box_has_full_lengths_and_may_be_turned() {
+    let half_and_x = |rest: &str| {
+        let text = format!("name = \"x\"\n[[object]]\nshape = \"box\"\ncenter = [1, 2, 3]\n{rest}");
+        let scene = Scene::parse(&text, "x").unwrap_or_else(|error| panic!("{error}"));
+        let Shape::Box { center, half, turn } = scene.bodies[0].shape else { panic!("a box") };
+        assert_eq!(center, [1.0, 2.0, 3.0]);
+        (half, glam::DQuat::from_array(turn) * glam::DVec3::X)
+    };
+    let size = "size = [2, 4, 6]";
+    assert_eq!(half_and_x(size), ([1.0, 2.0, 3.0], glam::DVec3::X));
+    // Counter-clockwise as seen from above, or from where the axis points.
+    let turned = |rest: &str| half_and_x(&format!("{size}\n{rest}")).1;
+    assert!(turned("angle = 90").distance(glam::DVec3::Y) < 1e-15);
+    assert!(turned("angle = 90\naxis = [0, 3, 0]").distance(glam::DVec3::NEG_Z) < 1e-15);
+}
+
+#[test]
+fn what_is_wrong_with_a_box_or_a_cylinder_is_said() {
+    let cuboid = |rest: &str| object_error(&format!("shape = \"box\"\ncenter = [0, 3, 2]\n{rest}"));
+    assert_eq!(cuboid("angle = 5"), "balls.toml:2: a box needs `size`");
+    assert_eq!(cuboid("size = 2"), "balls.toml:5: size = 2 must be three sizes [x, y, z]");
+    assert_eq!(cuboid("size = [1, 0, 1]"), "balls.toml:5: size = 0 must be above 0");
+    assert_eq!(
+        cuboid("size = [1, 1, 1]\naxis = [0, 0, 1]"),
+        "balls.toml:6: axis = [0, 0, 1] needs `angle`, by how many degrees the box is turned about it"
+    );
+    assert_eq!(
+        cuboid("size = [1, 1, 1]\naxis = [0, 0, 0]\nangle = 5"),
+        "balls.toml:6: axis = [0, 0, 0] must have a direction, such as [0, 1, 0]"
+    );
+    assert_eq!(
+        object_error("shape = \"cylinder\"\nfrom = [0, 3, 2]\nto = [0, 3, 2]\nradius = 1"),
+        "balls.toml:5: to = [0, 3, 2] must differ from `from`, the middle of the other end"
+    );
+}
+
+#[test]
+fn flat_faces_are_tracked_in_their_middle_and_corners_where_they_stand_out() {
+    let tracked = |object: &str| {
+        let text = format!("name = \"x\"\n[[object]]\n{object}");
+        Scene::parse(&text, "x").unwrap_or_else(|error| panic!("{error}")).tracked
+    };
+    let cuboid = "shape = \"box\"\ncenter = [0, 3, 0]\nsize = [2, 2, 2]\n";
+    assert_eq!(tracked(cuboid), [1.0, 3.0, 0.0]);
+    let [x, y, z] = tracked(&format!("{cuboid}angle = 45"));
+    assert!((x - 2f64.sqrt()).abs() < 1e-15 && (y - 3.0).abs() < 1e-15 && z == 0.0, "{x}, {y}, {z}");
+    let cylinder = "shape = \"cylinder\"\nradius = 0.5\nfrom = [0, 3, 0]\n";
+    assert_eq!(tracked(&format!("{cylinder}to = [2, 3, 0]")), [2.0, 3.0, 0.0]);
+    assert_eq!(tracked(&format!("{cylinder}to = [0, 5, 0]")), [0.5, 4.0, 0.0]);
 }
 
 #[test]
@@ -350,7 +449,7 @@ fn shapes_and_scenes_are_known_by_name() {
     );
     assert_eq!(
         error("name = \"x\"\n[[include]]\nscene = \"cyclists\""),
-        "balls.toml:3: scene = \"cyclists\" must be one of street, cyclist, two-balls, lattice"
+        "balls.toml:3: scene = \"cyclists\" must be one of street, cyclist, cube, globe, train, rods, lattice, two-balls"
     );
 }
 

@@ -88,6 +88,9 @@ impl Legacy {
     }
 
     fn gaze(&self) -> Option<String> {
+        if self.at(&["look", "gaze"])? == &Self::Word("Track".to_owned()) {
+            return Some("--gaze=point".to_owned());
+        }
         let degrees = |key| match self.at(&["look", "gaze", "Fixed", key])? {
             Self::Number(radians) => Some(radians.to_degrees()),
             _ => None,
@@ -141,7 +144,7 @@ mod tests {
 
     use super::*;
     use crate::flags::choices::{GazeChoice, RendererChoice};
-    use crate::flags::{IntensityExponent, SpeedParameter, TimeRange};
+    use crate::flags::{FieldOfView, IntensityExponent, SpeedParameter, TimeRange};
     use crate::settings::{PlotTab, Theme};
 
     /// As the window saved it.
@@ -174,7 +177,7 @@ mod tests {
         let Settings { motion, look, light, quality, playback, plots, fit, window, .. } = settings(SAVED);
         assert_eq!(motion.speed.given(), (SpeedParameter::Gamma, 1e12));
         assert_eq!((motion.d, motion.depth_shift, motion.height_shift), (0.25, -1.5, 0.5));
-        assert_eq!((look.geometry, look.fov), (Geometry::Contracted, 45.0));
+        assert_eq!((look.geometry, look.fov), (Geometry::Contracted, FieldOfView(Some(45.0))));
         assert_eq!(look.gaze, GazeChoice::Fixed([90.0, (-0.5f64).to_degrees()]));
         assert_eq!((light.colour, light.shading, light.exposure), (Colour::False, Shading::Emission, 1.5));
         assert_eq!(light.intensity_exponent, IntensityExponent(Some(4.0)));
@@ -194,6 +197,13 @@ mod tests {
             (Curves::Azimuth, Model::Published(PublishedVariant::AppendixA), true)
         );
         assert_eq!((window.corrected, window.controls, window.theme), (true, false, Theme::System));
+    }
+
+    #[test]
+    fn a_gaze_that_tracked_the_point_still_does() {
+        let fixed = "Fixed(azimuth:1.5707963267948966,elevation:-0.5)";
+        assert!(SAVED.contains(fixed));
+        assert_eq!(settings(&SAVED.replace(fixed, "Track")).look.gaze, GazeChoice::Point);
     }
 
     #[test]

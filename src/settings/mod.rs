@@ -21,9 +21,10 @@ pub use all::Settings;
 pub use error::SettingsError;
 pub use file::looks_like_settings;
 pub use legacy::Legacy;
+pub use observer::Subject;
 pub use presets::Preset;
 pub use sections::{
     BOUND_PX, Daylight, FIT_SAMPLES, FOV_DEGREES, FitSetup, Light, Look, MAX_LENGTH, MAX_SEED, Motion,
-    NOISE_PERCENT, Picture, Playback, PlotTab, Plots, Quality, RATE, Theme, Window,
+    NOISE_PERCENT, Picture, Playback, PlotTab, Plots, Quality, RATE, Theme, USUAL_FOV, Window,
 };
 pub use start::StartArgs;

@@ -1,16 +1,28 @@
 //! What the two eyes are shown of a scene with these settings: the one place where the window and `gamow render` have
 //! it from.
 
+use std::sync::Arc;
+
+use glam::DVec3;
 use relativity_core::{Aperture, Disparity, DomainError, Model, SourcePoint, Speed};
 use relativity_render::exposure::automatic_ev;
-use relativity_render::{Appearance, Camera, Gaze, Geometry, Motion, Velocity, View};
+use relativity_render::{Appearance, Camera, Gaze, Geometry, Motion, Outline, PreparedScene, Velocity, View};
 
 use super::all::Settings;
-use super::sections::{Daylight, Light, Theme};
-use crate::flags::Exposure;
+use super::sections::{Daylight, Light, Look, Theme, USUAL_FOV};
 use crate::flags::choices::GazeChoice;
+use crate::flags::{Exposure, FieldOfView};
 use crate::passage;
 use crate::scene::{Scene, SceneError, Track};
+
+/// What gazes turn to.
+#[derive(Debug, Clone, Copy)]
+pub struct Subject<'a> {
+    /// All that moves with the scene.
+    pub scene: &'a PreparedScene,
+    /// The point that is tracked.
+    pub tracked: Track,
+}
 
 impl Settings {
     /// The scene that they name, with or without what rests around what moves.
@@ -74,39 +86,71 @@ impl Settings {
         passage::time_of_approach(&speed, self.source(point), self.motion.d).unwrap_or_default()
     }
 
-    /// What the left and the right eye are shown at `observation_time`, `size` in pixels; a gaze that tracks follows
-    /// the point `tracked`.
+    /// What the left and the right eye are shown at `observation_time`, `size` in pixels, as they look at `subject`.
     #[must_use]
-    pub fn views(&self, tracked: &Track, observation_time: f64, size: [u32; 2]) -> [View; 2] {
-        let mut views = self.views_ahead(observation_time, size);
-        let gaze = self.fixed_gaze(tracked, observation_time);
-        for view in &mut views {
-            view.camera.gaze = gaze.fixed().unwrap_or(Gaze::STRAIGHT_AHEAD);
+    pub fn views(&self, subject: Subject, observation_time: f64, size: [u32; 2]) -> [View; 2] {
+        self.views_with(&self.fixed_look(subject, observation_time, size), observation_time, size)
+    }
+
+    /// How both eyes look at `subject` at `observation_time` in pictures of this `size`, as a gaze that stays there and
+    /// a field of view: in degrees, from which a view's angles are made, so that recorded ones give the same view to the
+    /// last digit.
+    #[must_use]
+    pub fn fixed_look(&self, subject: Subject, observation_time: f64, size: [u32; 2]) -> Look {
+        let framing = match self.look.gaze {
+            GazeChoice::Whole => self.outline(subject.scene, observation_time).framing(),
+            _ => None,
+        };
+        let gaze = match self.look.gaze {
+            GazeChoice::Point => self.gaze_at(&subject.tracked, observation_time),
+            other => other.fixed().or(framing.map(|framing| framing.gaze)),
+        };
+        let fitted = || framing.map_or(USUAL_FOV, |framing| framing.horizontal_fov(size).to_degrees());
+        Look {
+            gaze: match self.look.gaze {
+                GazeChoice::Fixed(degrees) => GazeChoice::Fixed(degrees),
+                // Inside an aperture, and where nothing is, there is no direction to follow.
+                _ => GazeChoice::fixed_at(gaze.unwrap_or(Gaze::STRAIGHT_AHEAD)),
+            },
+            fov: FieldOfView(Some(self.look.set_fov().unwrap_or_else(fitted))),
+            ..self.look
         }
-        views
     }
 
-    /// Where both eyes look at `observation_time`, as a gaze that stays there: in degrees, from which a view's angles
-    /// are made, so that a recorded gaze gives the same view to the last digit.
+    /// The outline of what moves with the `scene` in both eyes together.
     #[must_use]
-    pub fn fixed_gaze(&self, tracked: &Track, observation_time: f64) -> GazeChoice {
-        let GazeChoice::Track = self.look.gaze else { return self.look.gaze };
-        let place = |view: View| view.of_group(tracked.motion).apparent_position(tracked.rest.into());
-        let [left, right] = self.views_ahead(observation_time, [1, 1]).map(place);
-        let gaze = left.zip(right).and_then(|(left, right)| Gaze::towards([left, right]));
-        // Inside an aperture there is no direction to follow.
-        GazeChoice::fixed_at(gaze.unwrap_or(Gaze::STRAIGHT_AHEAD))
+    pub fn outline(&self, scene: &PreparedScene, observation_time: f64) -> Arc<Outline> {
+        scene.outline(&self.views_ahead(observation_time))
     }
 
-    /// The views of eyes that look straight ahead.
-    fn views_ahead(&self, observation_time: f64, size: [u32; 2]) -> [View; 2] {
-        let geometry = self.look.geometry;
+    /// The gaze at `point`.
+    fn gaze_at(&self, point: &Track, observation_time: f64) -> Option<Gaze> {
+        let [left, right] = self.directions(point, observation_time);
+        Gaze::towards([left?, right?])
+    }
+
+    /// From each eye to where the shown geometry has `point`; `None` outside the domain of the core.
+    #[must_use]
+    pub fn directions(&self, point: &Track, observation_time: f64) -> [Option<DVec3>; 2] {
+        let place = |view: View| view.of_group(point.motion).apparent_position(point.rest.into());
+        self.views_ahead(observation_time).map(place)
+    }
+
+    /// The views of eyes that look straight ahead, in pictures of no matter what size.
+    pub(crate) fn views_ahead(&self, observation_time: f64) -> [View; 2] {
+        self.views_with(&Look { gaze: GazeChoice::Ahead, ..self.look }, observation_time, [1, 1])
+    }
+
+    /// The views of eyes with this `look`, which follows nothing.
+    fn views_with(&self, look: &Look, observation_time: f64, size: [u32; 2]) -> [View; 2] {
+        let gaze = look.gaze.fixed().unwrap_or(Gaze::STRAIGHT_AHEAD);
+        let horizontal_fov = look.set_fov().unwrap_or(USUAL_FOV).to_radians();
         let view = |aperture, geometry| {
-            let horizontal_fov = self.look.fov.to_radians();
-            let camera = Camera { aperture, gaze: Gaze::STRAIGHT_AHEAD, horizontal_fov, size };
+            let camera = Camera { aperture, gaze, horizontal_fov, size };
             View { camera, speed: self.speed(), observation_time, geometry }
         };
         let [left, right] = self.apertures();
+        let geometry = self.look.geometry;
         // The published right eye's view is from the left eye's camera.
         let right = if geometry == Geometry::Published { left } else { right };
         [view(left, geometry.of_left_eye()), view(right, geometry)]
@@ -153,13 +197,13 @@ impl Settings {
         Self { light: Light { exposure, ..self.light }, ..self }
     }
 
-    /// These settings with nothing left to be found out: everything that decides the picture that `self` makes of a scene
-    /// with this `tracked` point.
+    /// These settings with nothing left to be found out: everything that decides the picture that `self` makes of this
+    /// `subject`.
     #[must_use]
-    pub fn resolved(&self, tracked: &Track) -> Self {
-        let time = self.time.unwrap_or_else(|| self.time_of_approach(tracked));
+    pub fn resolved(&self, subject: Subject) -> Self {
+        let time = self.time.unwrap_or_else(|| self.time_of_approach(&subject.tracked));
         let mut resolved = Self { time: Some(time), ..self.clone() };
-        resolved.look.gaze = self.fixed_gaze(tracked, time);
+        resolved.look = self.fixed_look(subject, time, self.picture.size.0);
         if self.light.light == Daylight::Theme {
             resolved.light.light =
                 if self.window.theme == Theme::Light { Daylight::On } else { Daylight::Off };

@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use crate::flags::choices::{GazeChoice, Layout, RendererChoice, Size};
 use crate::flags::{
-    Exposure, IntensityExponent, OnOff, SpeedParameter, SpeedSetting, TimeRange, field_of_view, switch,
+    Exposure, FieldOfView, IntensityExponent, OnOff, SpeedParameter, SpeedSetting, TimeRange, switch,
     temperature, whole_number, within,
 };
 
@@ -49,25 +49,37 @@ impl Default for Motion {
 pub const FOV_DEGREES: RangeInclusive<f64> = 2.0..=150.0;
 
 /// Geometry, gaze and field of view.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Args)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Look")]
 pub struct Look {
     /// Which geometry is shown.
     #[arg(long, value_enum)]
     pub geometry: Geometry,
-    /// Where both eyes look: at the tracked point, or azimuth (from +x towards +y; 90 is straight ahead) and elevation
-    /// in degrees.
-    #[arg(long, value_name = "track|AZ,EL", allow_hyphen_values = true)]
+    /// Where both eyes look: at the middle of all that moves with the scene, at the tracked point, straight ahead, or
+    /// azimuth (from +x towards +y; 90 is straight ahead) and elevation in degrees.
+    #[arg(long, value_name = "whole|point|ahead|AZ,EL", allow_hyphen_values = true)]
     pub gaze: GazeChoice,
-    /// Horizontal field of view of each eye, degrees.
-    #[arg(long, value_name = "DEG", value_parser = field_of_view)]
-    pub fov: f64,
+    /// Horizontal field of view of each eye, degrees; `auto` shows the whole scene with a margin (42 to 150), is 110
+    /// straight ahead and else 60.
+    #[arg(long, value_name = "auto|DEG", allow_hyphen_values = true)]
+    pub fov: FieldOfView,
 }
 
-impl Default for Look {
-    fn default() -> Self {
-        Self { geometry: Geometry::Seen, gaze: GazeChoice::Track, fov: 60.0 }
+/// The field of view that is used to show a point or a direction, degrees.
+pub const USUAL_FOV: f64 = 60.0;
+/// That straight ahead, degrees: wide enough for what passes to be seen coming and going.
+const FOV_AHEAD: f64 = 110.0;
+
+impl Look {
+    /// The field of view, degrees, unless what is to be seen decides it.
+    #[must_use]
+    pub fn set_fov(&self) -> Option<f64> {
+        self.fov.0.or(match self.gaze {
+            GazeChoice::Whole => None,
+            GazeChoice::Ahead => Some(FOV_AHEAD),
+            GazeChoice::Point | GazeChoice::Fixed(_) => Some(USUAL_FOV),
+        })
     }
 }
 
@@ -331,6 +343,12 @@ pub struct Window {
     /// The left eye's picture corrected to the rest frame, beside the two. Hidden, it costs nothing.
     #[arg(long, value_parser = switch, value_name = "ON|OFF", num_args = 0..=1, default_missing_value = "on")]
     pub corrected: OnOff,
+    /// Below the views, which wavelengths arrive of the selected point.
+    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    pub spectrum: OnOff,
+    /// Below the views, the moment in a sentence.
+    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    pub sentence: OnOff,
     /// The plots.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub plots: OnOff,
@@ -347,6 +365,15 @@ pub struct Window {
 
 impl Default for Window {
     fn default() -> Self {
-        Self { views: true, corrected: false, plots: true, controls: true, readout: true, theme: Theme::Dark }
+        Self {
+            views: true,
+            corrected: false,
+            spectrum: true,
+            sentence: true,
+            plots: true,
+            controls: true,
+            readout: true,
+            theme: Theme::Dark,
+        }
     }
 }

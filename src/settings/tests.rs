@@ -13,7 +13,7 @@ use crate::files::exr::{self, Measurements};
 use crate::files::png;
 use crate::files::provenance::Provenance;
 use crate::flags::choices::{GazeChoice, Layout, RendererChoice, Size};
-use crate::flags::{IntensityExponent, MAX_TIME, SpeedParameter, SpeedSetting, TimeRange};
+use crate::flags::{FieldOfView, IntensityExponent, MAX_TIME, SpeedParameter, SpeedSetting, TimeRange};
 
 /// Any number within `range`, of any magnitude.
 fn number(range: RangeInclusive<f64>) -> impl Strategy<Value = f64> {
@@ -49,8 +49,10 @@ fn motion() -> impl Strategy<Value = Motion> {
 fn look() -> impl Strategy<Value = Look> {
     let fixed =
         (any_number(), -89.5..89.5).prop_map(|(azimuth, elevation)| GazeChoice::Fixed([azimuth, elevation]));
-    let gaze = prop_oneof![Just(GazeChoice::Track), fixed];
-    (choice::<Geometry>(), gaze, 1e-9..179.9).prop_map(|(geometry, gaze, fov)| Look { geometry, gaze, fov })
+    let followed = proptest::sample::select(vec![GazeChoice::Whole, GazeChoice::Point, GazeChoice::Ahead]);
+    let gaze = prop_oneof![followed, fixed];
+    let fov = proptest::option::of(1e-9..179.9).prop_map(FieldOfView);
+    (choice::<Geometry>(), gaze, fov).prop_map(|(geometry, gaze, fov)| Look { geometry, gaze, fov })
 }
 
 fn light() -> impl Strategy<Value = Light> {
@@ -102,10 +104,12 @@ fn fit() -> impl Strategy<Value = FitSetup> {
 }
 
 fn window() -> impl Strategy<Value = Window> {
-    (any::<[bool; 5]>(), choice::<Theme>()).prop_map(
-        |([views, corrected, plots, controls, readout], theme)| Window {
+    (any::<[bool; 7]>(), choice::<Theme>()).prop_map(
+        |([views, corrected, spectrum, sentence, plots, controls, readout], theme)| Window {
             views,
             corrected,
+            spectrum,
+            sentence,
             plots,
             controls,
             readout,
@@ -118,11 +122,8 @@ fn quality_and_picture() -> impl Strategy<Value = (Quality, Picture)> {
     let quality = (choice::<RendererChoice>(), number(BOUND_PX))
         .prop_map(|(renderer, bound_px)| Quality { renderer, bound_px });
     let size = (1..=16_384u32, 1..=16_384u32).prop_map(|(width, height)| Size([width, height]));
-    let picture = (size, choice::<Layout>(), 1..=16u32).prop_map(|(size, layout, samples)| Picture {
-        size,
-        layout,
-        samples,
-    });
+    let picture = (size, choice::<Layout>(), any::<bool>(), 1..=16u32)
+        .prop_map(|(size, layout, labels, samples)| Picture { size, layout, labels, samples });
     (quality, picture)
 }
 
@@ -291,6 +292,12 @@ fn a_picture_recorded_before_still_opens() {
     assert_eq!(settings.light.intensity_exponent, IntensityExponent(None));
     assert_eq!(settings.look.gaze, GazeChoice::Fixed([100.0, -3.5]));
     assert_eq!((settings.light.light, settings.picture.samples), (Daylight::Off, 2));
+}
+
+#[test]
+fn a_gaze_that_tracked_the_point_still_does() {
+    let set = Settings::default().with_toml("[look]\ngaze = \"track\"", "old.toml").expect("it is right");
+    assert_eq!(set.look.gaze, GazeChoice::Point);
 }
 
 #[test]

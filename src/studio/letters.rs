@@ -5,7 +5,7 @@ use relativity_core::math;
 use relativity_render::Picture;
 
 /// Half the width of the pen in parts of a letter's height.
-const PEN: f64 = 0.075;
+const PEN: f64 = 0.085;
 
 /// A letter of height 1, from its top left corner to the right and down.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -20,7 +20,7 @@ use crate::files::whole::write_whole;
 use crate::files::{exr, png};
 use crate::flags::choices::FileKind;
 use crate::scene::{Scene, Track};
-use crate::settings::Settings;
+use crate::settings::{Settings, Subject};
 
 /// Names of the stages that draw the left and the right eye.
 const EYES: [&str; 2] = ["left eye", "right eye"];
@@ -60,6 +60,11 @@ impl Studio {
         self.scene.track(self.settings.point)
     }
 
+    /// What the eyes look at.
+    fn subject(&self) -> Subject<'_> {
+        Subject { scene: &self.prepared, tracked: self.tracked() }
+    }
+
     /// The frame at `time`, or at the T that the settings say.
     ///
     /// # Errors
@@ -67,7 +72,7 @@ impl Studio {
     /// A T outside the domain of the core.
     pub fn frame(&self, time: Option<f64>) -> anyhow::Result<Frame> {
         let settings = Settings { time: time.or(self.settings.time), ..self.settings.clone() };
-        let settings = settings.resolved(&self.tracked()).exposed_for(&self.scene);
+        let settings = settings.resolved(self.subject()).exposed_for(&self.scene);
         let time = settings.time.unwrap_or_default();
         settings.disparity(&self.tracked(), time)?;
         let provenance = self.scene.provenance(settings.command());
@@ -102,7 +107,7 @@ impl Studio {
     fn picture(&mut self, frame: &Frame) -> anyhow::Result<Picture> {
         let Frame { settings, time, .. } = frame;
         let layout = settings.picture.layout;
-        let views = settings.views(&self.tracked(), *time, settings.picture.size.0);
+        let views = settings.views(self.subject(), *time, settings.picture.size.0);
         let appearance = settings.appearance(&self.scene, false);
         let Self { painter, prepared, timings, .. } = self;
         let eye =
@@ -115,7 +120,7 @@ impl Studio {
     /// What every pixel of the left and the right eye shows.
     fn hits(&mut self, frame: &Frame) -> anyhow::Result<[HitImage; 2]> {
         let Frame { settings, time, .. } = frame;
-        let [left, right] = settings.views(&self.tracked(), *time, settings.picture.size.0);
+        let [left, right] = settings.views(self.subject(), *time, settings.picture.size.0);
         let Self { painter, prepared, timings, .. } = self;
         Ok([
             timings.timed(EYES[0], || painter.hits(prepared, &left))?,

@@ -8,11 +8,11 @@ use crate::eye_colours;
 use crate::flags::choices::Layout;
 
 /// Height of the strip of letters in parts of the pictures', and at least, pixels.
-const STRIP: (f64, u32) = (1.0 / 18.0, 12);
+const STRIP: (f64, u32) = (1.0 / 15.0, 12);
 /// Width of the bar between the pictures in parts of one, and at least, pixels.
 const BAR: (f64, u32) = (1.0 / 160.0, 2);
 /// Height of a letter in parts of the strip's.
-const LETTER: f64 = 0.56;
+const LETTER: f64 = 0.6;
 
 /// What the strip and the bar are drawn with, sRGB-encoded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

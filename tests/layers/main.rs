@@ -14,7 +14,7 @@ const ROOMS: [&[&str]; 7] = [
     &["main.rs"],
     &["cli.rs"],
     &["commands", "app"],
-    &["accuracy", "estimate", "studio"],
+    &["accuracy", "caption", "estimate", "studio"],
     &["settings"],
     &["scene", "columns.rs", "passage.rs", "eye_colours.rs", "figures.rs", "flags", "files", "plot"],
     &["platform"],

@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use relativity_render::colour::linear_srgb;
+use relativity_render::picture::encoded;
 use serde_json::Value;
 
 use super::{complaint_of, folder, render, run_gamow};
@@ -15,13 +17,16 @@ center = [0.0, 3.0, 2.0]
 radius = 0.12
 wavelength_nm = 550
 ";
-/// The colour of light of 550 nm.
-const GREEN: &str = "2cff00";
+/// The colour of the ball's light, 550 nm, as it is typed.
+fn green() -> String {
+    let [r, g, b, _] = encoded(linear_srgb(550.0));
+    format!("{r:02x}{g:02x}{b:02x}")
+}
 
 /// A sequence of the ball in `ride`, by the paper's numbers, small.
 fn ride(folder: &Path, flags: &str) {
     std::fs::write(folder.join("ball.toml"), BALL).expect("the folder is there");
-    let camera = "--beta 0.9 --d 0.1 --size 160x120 --fov 50";
+    let camera = "--beta 0.9 --d 0.1 --size 160x120 --gaze point --fov 50";
     render(folder, &format!("--scene ball.toml --frames 30 {camera} {flags} --out ride"));
 }
 
@@ -55,8 +60,25 @@ fn a_marker_in_pictures_gives_its_speed_and_distance() {
     let folder = folder();
     let plain = "--doppler-shift off --intensity-exponent off --shading emission --ground off --sky off";
     ride(folder.path(), plain);
-    run_gamow(folder.path(), &format!("measure ride --marker {GREEN} --out ride.csv"));
+    let measured = || {
+        run_gamow(folder.path(), &format!("measure ride --marker {} --out ride.csv", green()));
+        std::fs::read_to_string(folder.path().join("ride.csv")).expect("it was written")
+    };
+    let labelled = measured();
     assert_recovers(folder.path());
+    // The letters and the bar are not in the pictures: the same is measured without them.
+    std::fs::remove_dir_all(folder.path().join("ride")).expect("it is there");
+    ride(folder.path(), &format!("{plain} --labels off"));
+    assert_eq!(measured(), labelled);
+}
+
+#[test]
+fn the_letters_of_a_picture_are_no_marker() {
+    let folder = folder();
+    ride(folder.path(), "--doppler-shift off --shading emission --layout side-by-side");
+    // The colour of the letter L.
+    let complaint = complaint_of(folder.path(), "measure ride --marker 56b4e9");
+    assert!(complaint.contains("none of 30 files shows the target"), "{complaint}");
 }
 
 /// The angles of a mark on the surface are those of the light cone, to a fraction of a pixel.

@@ -33,7 +33,7 @@ fn a_picture_holds_the_command_that_makes_it_again() {
 
 #[test]
 fn without_flags_it_is_the_stereo_frame_of_the_paper() {
-    let frame = picture("");
+    let frame = picture("--labels off");
     assert_eq!(frame.size, [2 * WIDTH, HEIGHT]);
     let parameters = &frame.texts["Parameters"];
     for part in [
@@ -51,7 +51,7 @@ fn without_flags_it_is_the_stereo_frame_of_the_paper() {
 
 #[test]
 fn layouts_show_the_same_two_pictures() {
-    let shown = |layout: &str| picture(&format!("--time 1.5 --layout {layout}"));
+    let shown = |layout: &str| picture(&format!("--time 1.5 --labels off --layout {layout}"));
     let [left, right] = [shown("left"), shown("right")];
     assert!(left.rgb != right.rgb);
     let [parallel, crossed] = [shown("side-by-side"), shown("cross-eyed")];
@@ -68,6 +68,31 @@ fn layouts_show_the_same_two_pictures() {
     let blue_minus_red = |pixel: &[u8]| i32::from(pixel[2]) - i32::from(pixel[0]);
     let tints: Vec<_> = overlay.rgb.chunks(3).map(blue_minus_red).collect();
     assert!(tints.iter().any(|&tint| tint > 50) && tints.iter().any(|&tint| tint < -50), "blue and orange");
+}
+
+#[test]
+fn labels_stand_outside_of_the_pictures_and_tell_them_apart() {
+    let shown = |flags: &str| picture(&format!("--time 1.5 --layout {flags}"));
+    let [left, right] = [shown("left"), shown("right")];
+    for (layout, [first, second]) in [("side-by-side", [&left, &right]), ("cross-eyed", [&right, &left])] {
+        let file = shown(layout);
+        let [strip, bar] = [file.size[1] - HEIGHT, file.size[0] - 2 * WIDTH];
+        assert!(strip >= 10 && bar >= 2, "{:?}", file.size);
+        let (length, bar) = (3 * WIDTH as usize, 3 * bar as usize);
+        for v in 0..HEIGHT {
+            let row = file.row(strip + v);
+            assert_eq!([&row[..length], &row[length + bar..]], [first.row(v), second.row(v)]);
+        }
+        // Blue for the left eye, orange for the right.
+        let tint = |from: usize| -> i32 {
+            let pixels = (0..strip).flat_map(|v| file.row(v)[from..from + length].chunks(3));
+            pixels.map(|pixel| i32::from(pixel[2]) - i32::from(pixel[0])).sum()
+        };
+        let paper = 15 * i32::try_from(strip * WIDTH).expect("few"); // it is a little blue itself
+        let is_blue = [0, length + bar].map(|from| tint(from) > paper);
+        assert_eq!(is_blue, [layout == "side-by-side", layout != "side-by-side"]);
+    }
+    assert_eq!(shown("anaglyph").size, [WIDTH, HEIGHT]);
 }
 
 #[test]

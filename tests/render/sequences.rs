@@ -60,7 +60,7 @@ fn a_sequence_draws_again_what_other_parameters_or_another_scene_made() {
 #[test]
 fn a_killed_sequence_leaves_only_whole_frames() {
     let folder = folder();
-    let mut child = command(folder.path(), "--frames 1000 --samples 1 --out ride")
+    let mut child = command(folder.path(), "--frames 1000 --samples 1 --labels off --out ride")
         .stderr(Stdio::null())
         .spawn()
         .expect("the program starts");

@@ -7,6 +7,7 @@ use gamow::app::App;
 use gamow::app::command::{Command, Pick};
 use gamow::app::observer::Eye;
 use gamow::app::state::State;
+use gamow::flags::FieldOfView;
 use gamow::flags::choices::GazeChoice;
 use gamow::scene::Scene;
 use gamow::settings::{PlotTab, Plots, Settings};
@@ -32,7 +33,7 @@ const ONCOMING: usize = 2;
 fn groups() -> State {
     let mut settings = Settings { time: Some(TIME), ..Settings::default() };
     settings.look.gaze = GazeChoice::Fixed([90.0, 5.0]);
-    settings.look.fov = 80.0;
+    settings.look.fov = FieldOfView(Some(80.0));
     State::new(settings, Scene::parse(SCENE, "groups.toml").expect("it is right"))
 }
 

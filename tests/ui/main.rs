@@ -13,6 +13,7 @@ mod quality;
 mod start;
 mod support;
 mod time;
+mod words;
 
 use std::process::ExitCode;
 
@@ -34,6 +35,7 @@ fn main() -> ExitCode {
         quality::TESTS,
         start::TESTS,
         time::TESTS,
+        words::TESTS,
     ]
     .concat();
     let trial = |(name, test): Test| {

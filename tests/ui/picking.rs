@@ -1,6 +1,6 @@
 //! Clicking points of the cyclist, their markers, and looking around.
 
-use eframe::egui::{Modifiers, PointerButton, Pos2, Rect, vec2};
+use eframe::egui::{Key, Modifiers, PointerButton, Pos2, Rect, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use gamow::app::App;
@@ -8,6 +8,7 @@ use gamow::app::command::{Command, Pick};
 use gamow::app::observer::Eye;
 use gamow::flags::choices::GazeChoice;
 use gamow::flags::{SpeedParameter, SpeedSetting};
+use gamow::settings::Look;
 use glam::DVec3;
 use relativity_core::{Aperture, SourcePoint, sighting};
 use relativity_render::{Geometry, Gpu, Method, Renderers};
@@ -22,8 +23,10 @@ pub const TESTS: &[Test] = &[
     ("a_click_beside_everything_changes_nothing", a_click_beside_everything),
     ("marker_and_drawn_surface_agree_within_half_a_pixel", marker_and_surface_agree),
     ("the_published_right_eye_shows_its_own_picture_and_marker", the_published_right_eye),
-    ("dragging_looks_around_and_double_clicking_follows_again", dragging_looks_around),
-    ("scrolling_zooms", scrolling_zooms),
+    ("dragging_looks_around_and_frame_comes_back", dragging_looks_around),
+    ("scrolling_zooms_at_the_pointer", scrolling_zooms_at_the_pointer),
+    ("a_pick_leaves_the_whole_scene_where_it_is", a_pick_leaves_the_whole_scene_where_it_is),
+    ("the_gazes_are_chosen_by_name", the_gazes_are_chosen_by_name),
     ("the_followed_point_stays_in_the_middle", the_followed_point_stays_in_the_middle),
 ];
 
@@ -44,7 +47,7 @@ fn place(window: &Harness<'_, App>, rest: [f64; 3], eye: usize) -> Pos2 {
     let camera = relativity_render::Camera {
         aperture,
         gaze: state.gaze(),
-        horizontal_fov: state.settings.look.fov.to_radians(),
+        horizontal_fov: state.look().set_fov().expect("it is a number").to_radians(),
         size: [pane.width() as u32, pane.height() as u32],
     };
     let [u, v] = camera.pixel(DVec3::from(seen.position)).expect("in front");
@@ -208,14 +211,18 @@ fn dragging_looks_around() {
     assert!(azimuth > before.azimuth && elevation > before.elevation);
     let place = place_of_gaze(&window, before, pane(&window, 0));
     assert!((place - (middle + vec2(60.0, 30.0))).length() < 6.0, "{place:?}");
-    window.get_by_label("Reset").click();
+    window.key_press(Key::F);
     window.run();
-    assert_eq!(window.state().state().settings.look.gaze, GazeChoice::Track);
+    assert_eq!(window.state().state().settings.look, Look::default());
     drag(&mut window, middle, middle + vec2(60.0, 30.0));
     window.get_by_label("Left eye view").click();
     window.get_by_label("Left eye view").click();
     window.run_ok();
-    assert_eq!(window.state().state().settings.look.gaze, GazeChoice::Track);
+    assert_eq!(window.state().state().settings.look, Look::default());
+    drag(&mut window, middle, middle + vec2(60.0, 30.0));
+    window.get_by_label("Frame").click();
+    window.run();
+    assert_eq!(window.state().state().settings.look, Look::default());
 }
 
 /// Where the direction of `gaze` now is in `pane`.
@@ -227,10 +234,20 @@ fn place_of_gaze(window: &Harness<'_, App>, gaze: relativity_render::Gaze, pane:
     pane.min + vec2(u as f32, v as f32)
 }
 
-fn scrolling_zooms() {
+/// What the right eye sees in its pane a quarter from the left and a third from the top.
+fn seen_aside(window: &Harness<'_, App>) -> DVec3 {
+    let pane = pane(window, 1);
+    let size = [pane.width() as u32, pane.height() as u32];
+    let camera = window.state().state().view(Eye::Right, size).camera;
+    camera.line_of_sight([0.25 * f64::from(size[0]), f64::from(size[1]) / 3.0])
+}
+
+fn scrolling_zooms_at_the_pointer() {
     let mut window = window(cyclist(0.9));
-    let before = window.state().state().settings.look.fov;
-    window.hover_at(pane(&window, 1).center());
+    let fov = |window: &Harness<'_, App>| window.state().state().look().set_fov().expect("a number");
+    let (before, aside) = (fov(&window), seen_aside(&window));
+    let right = pane(&window, 1);
+    window.hover_at(right.min + right.size() * vec2(0.25, 1.0 / 3.0));
     window.step();
     window.event(eframe::egui::Event::MouseWheel {
         source: eframe::egui::MouseWheelSource::Wheel,
@@ -240,12 +257,45 @@ fn scrolling_zooms() {
         modifiers: Modifiers::NONE,
     });
     window.run_ok();
-    let after = window.state().state().settings.look.fov;
+    let after = fov(&window);
     assert!(after < 0.95 * before, "{before} to {after}");
+    let moved = seen_aside(&window).angle_between(aside);
+    assert!(moved < 0.003 * after.to_radians(), "what was under the pointer moved by {moved}");
+    assert!(matches!(window.state().state().settings.look.gaze, GazeChoice::Fixed(_)));
+}
+
+fn a_pick_leaves_the_whole_scene_where_it_is() {
+    let mut window = window(cyclist(0.9));
+    let before = window.state().state().look();
+    let tyre = place(&window, ON_THE_TYRE, 0);
+    click(&mut window, tyre, Modifiers::NONE);
+    assert_eq!(window.state().state().session.points.selected().body, Some(FRONT_TYRE));
+    assert_eq!(window.state().state().look(), before);
+}
+
+fn the_gazes_are_chosen_by_name() {
+    let mut window = window(cyclist(0.9));
+    let fitted = window.state().state().look().fov;
+    for (name, gaze, fov) in [
+        ("Point", GazeChoice::Point, 60.0),
+        ("Ahead", GazeChoice::Ahead, 110.0),
+        ("Scene", GazeChoice::Whole, fitted.0.expect("a number")),
+    ] {
+        window.get_by_label(name).click();
+        window.run();
+        let state = window.state().state();
+        assert_eq!((state.settings.look.gaze, state.look().fov.0), (gaze, Some(fov)), "{name}");
+    }
+    let shown = window.state().state().look();
+    window.get_by_label("Stays").click();
+    window.run();
+    assert_eq!(window.state().state().settings.look, shown);
 }
 
 fn the_followed_point_stays_in_the_middle() {
-    let mut window = window(cyclist(0.9));
+    let mut state = cyclist(0.9);
+    state.settings.look.gaze = GazeChoice::Point;
+    let mut window = window(state);
     for _ in 0..6 {
         window.key_press_modifiers(Modifiers::SHIFT, eframe::egui::Key::ArrowRight);
         window.run();

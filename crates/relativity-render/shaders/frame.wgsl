@@ -14,8 +14,8 @@ struct Frame {
     pole: vec4f,
     // Of the group against the camera: beta, 1 - beta, 1/gamma, gamma.
     speed: vec4f,
-    // 1, or -1 if the group moves towards -x: all is reflected then, to move along +x, and back; 1 if this group is the
-    // reference of depths, else 0; the first of these for that reference, and its GEOMETRY.
+    // 1, or -1 if the group moves towards -x: all is reflected then, to move along +x, and back; the same for the
+    // reference of depths.
     motion: vec4f,
     // `speed` and `middle` of the reference.
     reference_speed: vec4f,

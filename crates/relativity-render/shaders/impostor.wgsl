@@ -14,6 +14,8 @@ struct Piece {
     @location(4) turn: vec4f,
     // As `received_colour` takes it.
     @location(5) light: vec4f,
+    // As `mark` reads it.
+    @location(6) pattern: vec3f,
 }
 
 struct Fragment {
@@ -23,6 +25,7 @@ struct Fragment {
     @location(2) @interpolate(flat) turn: vec4f,
     @location(3) @interpolate(flat) light: vec4f,
     @location(4) @interpolate(flat) index_brightness: vec2f,
+    @location(5) @interpolate(flat) pattern: vec3f,
 }
 
 @vertex
@@ -36,6 +39,7 @@ fn rectangle(@builtin(vertex_index) vertex: u32, piece: Piece) -> Fragment {
         piece.turn,
         piece.light,
         piece.second_axis_index_brightness.zw,
+        piece.pattern,
     );
 }
 
@@ -65,14 +69,17 @@ fn shaded(fragment: Fragment) -> Shaded {
     var alpha = 1.0;
     if THIN {
         let half_pixel = 0.5 * length(gradient);
-        alpha = min(body.radius / max(half_pixel, 1e-30), 1.0);
-        clearance += max(half_pixel - body.radius, 0.0);
+        alpha = min(hit.half_width / max(half_pixel, 1e-30), 1.0);
+        clearance += max(half_pixel - hit.half_width, 0.0);
     }
     let height = frame.middle.z + middle(body).z + hit.place.z;
     if distance <= 0.0 || height < frame.ground.z {
         discard;
     }
-    let colour = received_colour(fragment.light, ray.doppler, hit.normal) * fragment.index_brightness.y;
+    var colour = received_colour(fragment.light, ray.doppler, hit.normal) * fragment.index_brightness.y;
+    if PATTERNS {
+        colour *= mark(body, fragment.pattern, hit.place, hit.normal, ray, distance * ray.ground_per_rest);
+    }
     let clearances = vec4f(clearance) + gradient.x * SAMPLE_U + gradient.y * SAMPLE_V;
     return Shaded(vec4f(colour * alpha, alpha), depth(ray, hit.beyond), clearances);
 }

@@ -19,6 +19,8 @@ struct Instance {
     @location(5) light: vec4f,
     // How much of a pixel a body thinner than one covers, its brightness, and its number.
     @location(6) cover_brightness_index: vec3f,
+    // As `mark` reads it.
+    @location(7) pattern: vec3f,
 }
 
 struct Fragment {
@@ -34,6 +36,7 @@ struct Fragment {
     @location(6) @interpolate(flat) place_radius: vec4f,
     @location(7) @interpolate(flat) form: vec4f,
     @location(8) @interpolate(flat) turn: vec4f,
+    @location(9) @interpolate(flat) pattern: vec3f,
 }
 
 struct Sighting {
@@ -113,6 +116,7 @@ fn corner(corner: Corner, instance: Instance) -> Fragment {
         instance.place_radius,
         instance.form,
         instance.turn,
+        instance.pattern,
     );
 }
 
@@ -122,6 +126,12 @@ const NEAR = 1e-4;
 struct Measure {
     depth: f32,
     doppler: f32,
+    ray: Ray,
+    // Where on the body: from its middle, and its normal there, rest frame.
+    place: vec3f,
+    normal: vec3f,
+    // On the ground.
+    distance: f32,
 }
 
 // From the pixel's own ray, which is better than what is interpolated between corners: the Doppler factor
@@ -129,15 +139,26 @@ struct Measure {
 // or farther than the triangle by what may be more than the gap to the next body.
 fn measure(fragment: Fragment) -> Measure {
     let ray = rest_ray(fragment.position.xy);
+    let normal = fragment.normal / max(length(fragment.normal), 1e-30);
     if MAP == 3u {
         let distance = length(fragment.apparent);
+        var depth = 1.0 / (1.0 + distance);
         if HAS_OTHERS {
-            return Measure(depth_of_distance(distance, ray.sight), fragment.doppler);
+            depth = depth_of_distance(distance, ray.sight);
         }
-        return Measure(1.0 / (1.0 + distance), fragment.doppler);
+        return Measure(depth, fragment.doppler, ray, fragment.place, normal, distance);
     }
-    let body = Body(fragment.place_radius.xyz, fragment.place_radius.w, fragment.form, fragment.turn);
-    return Measure(depth(ray, surface(body, ray).beyond), ray.doppler);
+    let hit = surface(body_of(fragment), ray);
+    let distance = (ray.to_centre + hit.beyond) * ray.ground_per_rest;
+    let depth = depth(ray, hit.beyond);
+    if hit.clearance > 0.0 {
+        return Measure(depth, ray.doppler, ray, hit.place, hit.normal, distance);
+    }
+    return Measure(depth, ray.doppler, ray, fragment.place, normal, distance);
+}
+
+fn body_of(fragment: Fragment) -> Body {
+    return Body(fragment.place_radius.xyz, fragment.place_radius.w, fragment.form, fragment.turn);
 }
 
 struct Picture {
@@ -149,8 +170,18 @@ struct Picture {
 fn picture(fragment: Fragment) -> Picture {
     let measure = measure(fragment);
     let normal = fragment.normal / max(length(fragment.normal), 1e-30);
-    let colour = received_colour(fragment.light, measure.doppler, normal)
+    var colour = received_colour(fragment.light, measure.doppler, normal)
         * fragment.cover_brightness_index.y;
+    if PATTERNS {
+        colour *= mark(
+            body_of(fragment),
+            fragment.pattern,
+            measure.place,
+            measure.normal,
+            measure.ray,
+            measure.distance,
+        );
+    }
     if fragment.apparent.z < frame.ground.z {
         discard;
     }

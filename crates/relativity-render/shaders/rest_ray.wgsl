@@ -4,6 +4,9 @@
 override GEOMETRY: u32;
 // Whether there are other groups, among which depths must be told.
 override HAS_OTHERS: bool;
+// Whether this group is the reference of depths, and the GEOMETRY of that.
+override IS_REFERENCE: bool;
+override REFERENCE_GEOMETRY: u32;
 
 // How a line of sight passes a group.
 struct Passage {
@@ -103,7 +106,7 @@ fn depth(ray: Ray, beyond: f32) -> f32 {
     if !HAS_OTHERS {
         return 0.5 - beyond * frame.middle.w;
     }
-    if frame.motion.y == 1.0 {
+    if IS_REFERENCE {
         return depth_in_reference(beyond);
     }
     return depth_of_distance((ray.to_centre + beyond) * ray.ground_per_rest, ray.sight);
@@ -118,7 +121,7 @@ fn depth_in_reference(beyond: f32) -> f32 {
 // light travel is seen. From 1 at the camera to 3/4 where the reference begins it falls evenly with distance, from 1/4
 // where that ends with the reciprocal.
 fn depth_of_distance(distance: f32, sight: vec3f) -> f32 {
-    let reference = passage(sight, u32(frame.motion.w), frame.reference_speed, frame.motion.z);
+    let reference = passage(sight, REFERENCE_GEOMETRY, frame.reference_speed, frame.motion.y);
     let to_centre = dot(frame.reference_middle.xyz, reference.direction);
     let reach = 0.5 / frame.reference_middle.w;
     let near = (to_centre - reach) * reference.ground_per_rest;

@@ -130,6 +130,7 @@ fn surface(body: Body, ray: Ray) -> Surface {
     let place = nearest + n * search.s;
     return Surface(
         clearance,
+        body.radius,
         torus_normal(nearest + n * deepest.s, body),
         dot(body.place, n) + search.s,
         place,

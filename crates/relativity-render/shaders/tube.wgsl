@@ -44,5 +44,5 @@ fn surface(body: Body, ray: Ray) -> Surface {
         let from_axis = place - axis * clamp(dot(place, axis), -extent, extent);
         normal = from_axis / max(sqrt(dot(from_axis, from_axis)), 1e-30);
     }
-    return Surface(body.radius - miss, outward, beyond, place, normal);
+    return Surface(body.radius - miss, body.radius, outward, beyond, place, normal);
 }

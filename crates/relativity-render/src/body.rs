@@ -1,7 +1,6 @@
 //! What a scene is made of: solid shapes at rest in the frame of their group.
 
-use crate::light::DAYLIGHT_KELVIN;
-use crate::spectrum::Band;
+use crate::pattern::Pattern;
 
 /// A solid shape in the rest frame. Lengths in the scene's unit; `[x, y, z]`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,6 +32,24 @@ pub enum Shape {
         /// Radius of the tube, above 0.
         tube_radius: f64,
     },
+    /// A box: three pairs of flat faces at right angles.
+    Box {
+        /// Centre.
+        center: [f64; 3],
+        /// Half its lengths along its own axes, above 0.
+        half: [f64; 3],
+        /// Unit quaternion `[x, y, z, w]` that turns its own axes into those of the rest frame.
+        turn: [f64; 4],
+    },
+    /// A cylinder with flat ends.
+    Cylinder {
+        /// Centre of one flat end.
+        from: [f64; 3],
+        /// Centre of the other, elsewhere.
+        to: [f64; 3],
+        /// Radius, above 0.
+        radius: f64,
+    },
 }
 
 impl Shape {
@@ -46,12 +63,13 @@ impl Shape {
             Self::Ring { center, axis, radius, tube_radius } => {
                 Self::Ring { center: moved(center), axis, radius, tube_radius }
             }
+            Self::Box { center, half, turn } => Self::Box { center: moved(center), half, turn },
+            Self::Cylinder { from, to, radius } => {
+                Self::Cylinder { from: moved(from), to: moved(to), radius }
+            }
         }
     }
 }
-
-/// Below this nothing glows visibly, K (J. W. Draper, 1847).
-const DRAPER_KELVIN: f64 = 798.0;
 
 /// What light a body sends, alike in all directions in its rest frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -71,17 +89,6 @@ impl Emission {
             Self::White => None,
         }
     }
-
-    /// The band in which it is received at `doppler_factor`: white light in that where a black body of its temperature
-    /// glows, visibly above the Draper point of 798 K.
-    #[must_use]
-    pub fn band(self, doppler_factor: f64) -> Band {
-        match self {
-            Self::Wavelength(nm) => Band::of(nm / doppler_factor),
-            Self::White if DAYLIGHT_KELVIN * doppler_factor < DRAPER_KELVIN => Band::Infrared,
-            Self::White => Band::Visible,
-        }
-    }
 }
 
 /// A shape, and the light it sends.
@@ -93,25 +100,37 @@ pub struct Body {
     pub emission: Emission,
     /// Brightness beside other bodies, above 0 and at most 1.
     pub brightness: f64,
+    /// What it carries.
+    pub pattern: Pattern,
 }
 
 impl Body {
     /// A plain body of this `shape` and `rest_wavelength_nm`, above 0.
     #[must_use]
     pub const fn new(shape: Shape, rest_wavelength_nm: f64) -> Self {
-        Self { shape, emission: Emission::Wavelength(rest_wavelength_nm), brightness: 1.0 }
+        Self::of_light(shape, Emission::Wavelength(rest_wavelength_nm))
     }
 
     /// A plain white body of this `shape`.
     #[must_use]
     pub const fn white(shape: Shape) -> Self {
-        Self { shape, emission: Emission::White, brightness: 1.0 }
+        Self::of_light(shape, Emission::White)
+    }
+
+    const fn of_light(shape: Shape, emission: Emission) -> Self {
+        Self { shape, emission, brightness: 1.0, pattern: Pattern::Plain }
     }
 
     /// The body with another `brightness`, above 0 and at most 1.
     #[must_use]
     pub const fn with_brightness(self, brightness: f64) -> Self {
         Self { brightness, ..self }
+    }
+
+    /// The body with this `pattern`.
+    #[must_use]
+    pub const fn with_pattern(self, pattern: Pattern) -> Self {
+        Self { pattern, ..self }
     }
 
     /// The body moved by `offset`.

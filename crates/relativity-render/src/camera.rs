@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use relativity_core::Aperture;
-use relativity_core::math::{atan2, hypot, sin_cos, tan};
+use relativity_core::math::{asin, atan2, hypot, sin_cos, tan};
 
 /// Where a camera looks: the direction of its optical axis. Its horizon stays level.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -99,6 +99,22 @@ impl Camera {
         LinesOfSight::new(self).through(pixel)
     }
 
+    /// The gaze with which something along `direction` (any length above 0) appears at `pixel`, the horizon staying
+    /// level; the nearest there is where that would tilt further than [`MAX_ELEVATION`].
+    #[must_use]
+    pub fn gaze_with(&self, direction: DVec3, [u, v]: [f64; 2]) -> Gaze {
+        let [width, height] = self.size.map(f64::from);
+        // Right, up and forward of that pixel's line of sight.
+        let (right, up, forward) = (u - 0.5 * width, 0.5 * height - v, self.focal_length_px());
+        let (steepness, reach) = (atan2(up, forward), hypot(up, forward));
+        let Gaze { azimuth, elevation } = Gaze::along(direction.to_array());
+        // The height of the line of sight above the horizon is reach sin(elevation of the gaze + steepness).
+        let height = sin_cos(elevation).0 * hypot(reach, right) / reach;
+        let tilt = asin(height.clamp(-1.0, 1.0)) - steepness;
+        let elevation = tilt.clamp(-MAX_ELEVATION, MAX_ELEVATION);
+        Gaze { azimuth: azimuth + atan2(right, reach * sin_cos(elevation + steepness).1), elevation }
+    }
+
     /// Where in the picture (pixels) something along `direction` (any length above 0) appears; `None`
     /// behind the camera. May lie outside the picture.
     #[must_use]
@@ -137,6 +153,14 @@ impl LinesOfSight {
     pub fn through(&self, [u, v]: [f64; 2]) -> DVec3 {
         (self.to_top_left + self.right * u - self.up * v).normalize()
     }
+
+    /// By how much that turns from there to the pixel on the right, and to the one below.
+    pub(crate) fn turns(&self, [u, v]: [f64; 2]) -> [DVec3; 2] {
+        let unnormalised = self.to_top_left + self.right * u - self.up * v;
+        let length = unnormalised.length();
+        let sight = unnormalised / length;
+        [self.right, -self.up].map(|across| (across - sight * sight.dot(across)) / length)
+    }
 }
 
 #[cfg(test)]
@@ -161,6 +185,23 @@ mod tests {
         let [u, v] = camera.pixel(DVec3::new(0.0, 1.0, 0.5)).expect("in front");
         assert!((u - 100.0).abs() < 1e-9 && v.abs() < 1e-9);
         assert!(camera.pixel(DVec3::NEG_Y).is_none());
+    }
+
+    #[test]
+    fn a_gaze_holds_a_direction_at_a_pixel() {
+        for azimuth in [-3.0, 0.1, 1.5] {
+            for elevation in [-1.0, 0.0, 0.6] {
+                let gaze = Gaze { azimuth, elevation };
+                let from = Camera { gaze, ..camera() };
+                for pixel in [[100.0, 50.0], [3.0, 90.0], [180.0, 20.0]] {
+                    let direction = from.line_of_sight(pixel);
+                    let to = Camera { horizontal_fov: 1.0, ..from };
+                    let to = Camera { gaze: to.gaze_with(direction, pixel), ..to };
+                    let [u, v] = to.pixel(direction).expect("in front");
+                    assert!((u - pixel[0]).abs() < 1e-9 && (v - pixel[1]).abs() < 1e-9, "{gaze:?} {pixel:?}");
+                }
+            }
+        }
     }
 
     #[test]

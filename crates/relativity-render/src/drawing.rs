@@ -69,6 +69,8 @@ pub struct Trait<T> {
     pub template: T,
     /// Whether they are thinner than a pixel, and faded for that.
     pub is_thin: bool,
+    /// Whether any of them carries a pattern.
+    pub is_patterned: bool,
 }
 
 impl Shot<'_> {
@@ -99,10 +101,10 @@ impl<I: bytemuck::NoUninit, T> Batches<I, T> {
     {
         self.instances.clear();
         self.in_order.clear();
-        for (Trait { group, kind, template, is_thin }, run) in runs {
+        for (Trait { group, kind, template, is_thin, is_patterned }, run) in runs {
             let start = self.instances.len() as u32;
             self.instances.extend(run);
-            let output = Output::new(&shot.views[group], shot.appearance, is_thin);
+            let output = Output::new(&shot.views[group], shot.appearance, is_thin, is_patterned);
             let key = Key::new(kind, shot.views, group, output);
             self.pipelines.prepare(gpu, key);
             let instances = start..self.instances.len() as u32;

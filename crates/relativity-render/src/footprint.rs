@@ -10,7 +10,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::camera::Axes;
-use crate::capsule::Capsule;
+use crate::capsule::{Block, Capsule};
 use crate::group_view::GroupView;
 use crate::view::Geometry;
 
@@ -24,6 +24,8 @@ const CLEAR_OF_APERTURE: f64 = 1.001;
 /// this many pixels. Halves of a bulge are a quarter of it each.
 const LOOSE_RADII: f64 = 2.0;
 const LOOSE_PX: f64 = 4.0;
+/// The same of a block, whose bulge may be this share of its shorter side in the picture.
+const LOOSE_SHARE: f64 = 0.25;
 
 /// Where it can appear.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,7 +47,45 @@ pub struct Rectangle {
     pub is_loose: bool,
 }
 
-/// Maps capsules to footprints for one view of a group; all is reflected so that the group moves along +x.
+/// What contains a body, or a piece of one, and can be halved.
+pub trait Bound: Sized {
+    /// Where it can appear; `None` if that cannot be said of it as a whole.
+    fn footprint(&self, projection: &Projection) -> Option<Footprint>;
+    /// Its two halves.
+    fn halves(&self) -> [Self; 2];
+    /// Whether halves would be no smaller.
+    fn is_point(&self) -> bool;
+}
+
+impl Bound for Capsule {
+    fn footprint(&self, projection: &Projection) -> Option<Footprint> {
+        projection.footprint(self)
+    }
+
+    fn halves(&self) -> [Self; 2] {
+        self.halves()
+    }
+
+    fn is_point(&self) -> bool {
+        self.from == self.to
+    }
+}
+
+impl Bound for Block {
+    fn footprint(&self, projection: &Projection) -> Option<Footprint> {
+        projection.footprint_of_block(self)
+    }
+
+    fn halves(&self) -> [Self; 2] {
+        self.halves()
+    }
+
+    fn is_point(&self) -> bool {
+        false
+    }
+}
+
+/// Maps capsules and blocks to footprints for one view of a group; all is reflected so that the group moves along +x.
 #[derive(Debug, Clone, Copy)]
 pub struct Projection {
     axes: Axes,
@@ -55,6 +95,8 @@ pub struct Projection {
     beta: f64,
     gamma: f64,
     inverse_gamma_squared: f64,
+    /// Ground distance per rest-frame distance is at least this.
+    least_scale: f64,
 }
 
 impl Projection {
@@ -70,6 +112,7 @@ impl Projection {
             beta: speed.beta(),
             gamma: speed.gamma(),
             inverse_gamma_squared: speed.inverse_gamma_squared(),
+            least_scale: least_scale(view),
         }
     }
 
@@ -92,6 +135,54 @@ impl Projection {
         Some(self.rectangle(&balls, capsule.radius))
     }
 
+    /// Where `block` can appear; `None` from inside it.
+    ///
+    /// C(p) = gamma (`p_x` - beta |p|) along x and p across it; |p| is convex: over the block it lies below what is
+    /// interpolated between the corners, by the bulge at most. So the image lies in the hull of the images of the corners
+    /// and of these moved by gamma beta times that along x, of which only what is in front of the camera can be seen.
+    fn footprint_of_block(&self, block: &Block) -> Option<Footprint> {
+        let distance = block.distance();
+        if distance == 0.0 {
+            return None;
+        }
+        let corners = block.corners();
+        let bulge = self.bulge_of_block(block, &corners, distance);
+        let mut hull = [DVec3::ZERO; 16];
+        for (i, corner) in corners.into_iter().enumerate() {
+            // As of a ball without a radius.
+            let seen = self.apparent_centre(corner, 0.0).unwrap_or(corner);
+            (hull[i], hull[i + 8]) = (seen, seen + DVec3::X * bulge);
+        }
+        // All that can be in the picture is deeper than this.
+        let slope = 0.5 * self.size / self.focal_length_px;
+        let nearest = 0.99 * distance * self.least_scale;
+        let near = nearest / (1.0 + slope.length_squared()).sqrt();
+        let points = if bulge == 0.0 { &hull[..8] } else { &hull };
+        let images = Images::new(self, points, near);
+        let radius_px = self.radius_px(block.radius, &hull);
+        Some(images.rectangle(self, block, bulge, nearest, radius_px))
+    }
+
+    /// How far the image of a block departs along x from what is interpolated between those of its corners, at most.
+    ///
+    /// Along an axis the second derivative of |p| is the squared sine of the angle from there over |p|.
+    fn bulge_of_block(&self, block: &Block, corners: &[DVec3; 8], distance: f64) -> f64 {
+        if !self.geometry.has_doppler_effect() || self.beta == 0.0 {
+            return 0.0;
+        }
+        let gap = block.half_axes.iter().map(|half| {
+            let off_axis =
+                corners.iter().map(|corner| corner.cross(*half).length_squared()).fold(0.0, f64::max);
+            0.5 * half.length_squared().min(off_axis / (distance * distance)) / distance
+        });
+        self.gamma * self.beta * gap.sum::<f64>()
+    }
+
+    fn radius_px(&self, radius: f64, hull: &[DVec3]) -> f64 {
+        let furthest = hull.iter().map(|place| place.length()).fold(0.0, f64::max);
+        radius * self.focal_length_px / furthest
+    }
+
     /// Four balls (of the capsule's radius) in whose convex hull its image lies.
     fn hull(&self, capsule: &Capsule) -> Option<[DVec3; 4]> {
         let first = self.apparent_centre(capsule.from, capsule.radius)?;
@@ -102,7 +193,7 @@ impl Projection {
 
     /// The centre of the ground ball that looks as the rest-frame ball around `c` does. `None` if the
     /// aperture is inside it, or its outline is wider than a half space.
-    fn apparent_centre(&self, c: DVec3, radius: f64) -> Option<DVec3> {
+    pub fn apparent_centre(&self, c: DVec3, radius: f64) -> Option<DVec3> {
         let outside_squared = c.length_squared() - radius * radius;
         if outside_squared <= 0.0 {
             return None;
@@ -137,7 +228,7 @@ impl Projection {
     ///
     /// Only the part -gamma beta h(t) of C is curved. Between the ends, h^2 and the square of the chord L(t) of h
     /// differ by t (1 - t) (|span|^2 - slope^2), so L - h is that over L + h, with nothing left to cancel.
-    fn bulge(&self, capsule: &Capsule) -> Option<DVec3> {
+    pub fn bulge(&self, capsule: &Capsule) -> Option<DVec3> {
         let Capsule { from, to, radius } = *capsule;
         let span = to - from;
         let a = span.length_squared();
@@ -184,24 +275,12 @@ impl Projection {
         let across = along.perp();
         let (along_low, along_high) = self.extent(balls, along, radius);
         let (across_low, across_high) = self.extent(balls, across, radius);
-        let to_clip = 2.0 * self.focal_length_px / self.size;
-        let margin = MARGIN_PX / self.focal_length_px;
-        let middle = (along * (along_low + along_high) + across * (across_low + across_high)) * 0.5;
-        let half_axes = [
-            along * (0.5 * (along_high - along_low) + margin) * to_clip,
-            across * (0.5 * (across_high - across_low) + margin) * to_clip,
-        ];
-        let middle = middle * to_clip;
-        let reach = half_axes[0].abs() + half_axes[1].abs();
-        if (middle.abs() - reach).max_element() > 1.0 {
-            return Footprint::Hidden;
-        }
-        let furthest = balls.iter().map(|ball| ball.length()).fold(0.0, f64::max);
-        let radius_px = radius * self.focal_length_px / furthest;
+        let radius_px = self.radius_px(radius, balls);
         let distance = balls[0].length().min(balls[1].length());
         let bulge = (balls[2].x - balls[0].x).abs();
         let is_loose = bulge > LOOSE_RADII * radius + LOOSE_PX * distance / self.focal_length_px;
-        Footprint::Inside(Rectangle { middle, half_axes, radius_px, is_loose })
+        let [low, high] = [DVec2::new(along_low, across_low), DVec2::new(along_high, across_high)];
+        Extent { along, low, high }.footprint(self, radius_px, is_loose)
     }
 
     /// Least and greatest u/f of the balls' outlines, u being the picture coordinate along `direction`.
@@ -225,6 +304,116 @@ impl Projection {
             let root = discriminant.max(0.0).sqrt();
             (low.min((b - root) / a), high.max((b + root) / a))
         })
+    }
+}
+
+/// The least that ground distances are of those in the rest frame, along any line of sight of `view`.
+fn least_scale(view: &GroupView) -> f64 {
+    let speed = &view.velocity.speed;
+    match view.geometry {
+        Geometry::Rest => 1.0,
+        Geometry::Contracted => 1.0 / speed.gamma(),
+        Geometry::Seen | Geometry::Published => 1.0 / speed.head_on_doppler_factor(),
+    }
+}
+
+/// The images of places of which the hull is wanted, focal lengths from the middle of the picture.
+struct Images {
+    /// 16, or where a line from before the near plane to behind it crosses that.
+    places: [DVec2; 80],
+    count: usize,
+    /// Whether some are cut off by the near plane.
+    is_cut: bool,
+}
+
+impl Images {
+    /// Of what of the hull of `points` is deeper than `near`.
+    fn new(projection: &Projection, points: &[DVec3], near: f64) -> Self {
+        let Axes { right, up, forward } = projection.axes;
+        let mut images = Self { places: [DVec2::ZERO; 80], count: 0, is_cut: false };
+        let mut add = |place: DVec3, depth: f64| {
+            images.places[images.count] = DVec2::new(place.dot(right), place.dot(up)) / depth;
+            images.count += 1;
+        };
+        let depth = |place: &DVec3| place.dot(forward);
+        let (front, behind) = (|place: &&DVec3| depth(place) > near, |place: &&DVec3| depth(place) <= near);
+        for place in points.iter().filter(front) {
+            add(*place, depth(place));
+            for other in points.iter().filter(behind) {
+                let share = (depth(place) - near) / (depth(place) - depth(other));
+                add(place.lerp(*other, share), near);
+            }
+        }
+        images.is_cut = points.iter().any(|place| behind(&place));
+        images
+    }
+
+    fn rectangle(
+        &self,
+        projection: &Projection,
+        block: &Block,
+        bulge: f64,
+        nearest: f64,
+        radius_px: f64,
+    ) -> Footprint {
+        let places = &self.places[..self.count];
+        if places.is_empty() {
+            return Footprint::Hidden;
+        }
+        let Axes { right, up, .. } = projection.axes;
+        let upright = Extent::new(places, DVec2::X);
+        let along_axes =
+            block.half_axes.map(|axis| DVec2::new(axis.dot(right), axis.dot(up)).try_normalize());
+        let turned = along_axes.into_iter().flatten().map(|along| Extent::new(places, along));
+        let tightest = turned.fold(upright, |best, next| if next.area() < best.area() { next } else { best });
+        // What is cut off may reach far out of the picture: there f32 would lose it.
+        let limit = 1.0 + 0.5 * projection.size / projection.focal_length_px;
+        let extent = if self.is_cut { upright.within(limit) } else { tightest };
+        let sides = extent.high - extent.low;
+        let bulge_px = bulge * projection.focal_length_px / nearest;
+        let is_loose =
+            bulge_px > LOOSE_PX + LOOSE_SHARE * sides.min_element().abs() * projection.focal_length_px;
+        extent.footprint(projection, radius_px, is_loose)
+    }
+}
+
+/// How far images reach along a direction of the picture, and across it.
+#[derive(Debug, Clone, Copy)]
+struct Extent {
+    along: DVec2,
+    low: DVec2,
+    high: DVec2,
+}
+
+impl Extent {
+    fn new(places: &[DVec2], along: DVec2) -> Self {
+        let own = places.iter().map(|place| DVec2::new(place.dot(along), place.dot(along.perp())));
+        let nothing = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+        let (low, high) = own.fold(nothing, |(low, high), place| (low.min(place), high.max(place)));
+        Self { along, low, high }
+    }
+
+    fn area(&self) -> f64 {
+        (self.high - self.low).element_product()
+    }
+
+    /// Of an upright one, what is not farther than `limit` from the middle of the picture.
+    fn within(self, limit: DVec2) -> Self {
+        Self { low: self.low.max(-limit), high: self.high.min(limit), ..self }
+    }
+
+    fn footprint(&self, projection: &Projection, radius_px: f64, is_loose: bool) -> Footprint {
+        let to_clip = 2.0 * projection.focal_length_px / projection.size;
+        let margin = MARGIN_PX / projection.focal_length_px;
+        let across = self.along.perp();
+        let [middle, half] = [0.5 * (self.low + self.high), 0.5 * (self.high - self.low) + margin];
+        let middle = (self.along * middle.x + across * middle.y) * to_clip;
+        let half_axes = [self.along * half.x * to_clip, across * half.y * to_clip];
+        let reach = half_axes[0].abs() + half_axes[1].abs();
+        if half.min_element() < 0.0 || (middle.abs() - reach).max_element() > 1.0 {
+            return Footprint::Hidden;
+        }
+        Footprint::Inside(Rectangle { middle, half_axes, radius_px, is_loose })
     }
 }
 

@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 
 use crate::backdrop::{Backdrop, Floor};
 use crate::camera::{Axes, Camera};
-use crate::group_view::GroupView;
+use crate::group_view::{GroupView, reference_of_depths};
 use crate::prepared_body::{Extent, packed};
 use crate::scene::{PreparedGroup, PreparedScene};
 use crate::velocity::Velocity;
@@ -27,8 +27,7 @@ pub struct Frame {
     pub pole: [f32; 4],
     /// Of the group against the camera: beta, 1 - beta, 1/gamma, gamma.
     pub speed: [f32; 4],
-    /// -1 if the group moves towards -x, else 1; 1 if it is the reference of depths, else 0; then, of that reference,
-    /// the same sign and the `GEOMETRY`.
+    /// -1 if the group moves towards -x, else 1; the same of the reference of depths.
     pub motion: [f32; 4],
     /// `speed` of the reference.
     pub reference_speed: [f32; 4],
@@ -56,24 +55,17 @@ pub struct Frame {
 impl Frame {
     /// One for each group of `scene`, which its `views` show.
     ///
-    /// The fastest group (of equally fast ones the first) is the reference, among whose bodies the depths of all others
-    /// are told; why, and what that costs these, is said at `depth` in `shaders/rest_ray.wgsl`.
     pub fn of_groups(scene: &PreparedScene, views: &[GroupView], appearance: &Appearance) -> Vec<Self> {
         let frame = |(view, group): (_, &PreparedGroup)| Self::new(view, appearance, &group.extent);
         let mut frames: Vec<_> = views.iter().zip(scene.groups()).map(frame).collect();
-        let gamma = |group: usize| views[group].velocity.speed.gamma();
-        let faster = |fastest, group| if gamma(group) > gamma(fastest) { group } else { fastest };
-        let fastest = (0..views.len()).fold(0, faster);
-        let reference = frames[fastest];
-        let others = frames.iter_mut().enumerate().filter(|(group, _)| *group != fastest);
-        others.for_each(|(_, frame)| frame.refer_to(&reference));
+        let reference = frames[reference_of_depths(views)];
+        frames.iter_mut().for_each(|frame| frame.refer_to(&reference));
         frames
     }
 
     /// Has depths told among the bodies of the group of `reference`.
     fn refer_to(&mut self, reference: &Self) {
-        let [_, _, reflection, geometry] = reference.motion;
-        self.motion = [self.motion[0], 0.0, reflection, geometry];
+        self.motion[1] = reference.motion[0];
         self.reference_speed = reference.speed;
         self.reference_middle = reference.middle;
     }
@@ -105,7 +97,7 @@ impl Frame {
             down: vector(-up * per_px),
             pole: [coarse.x, coarse.y, fine.x, fine.y],
             speed,
-            motion: [reflection, 1.0, reflection, view.geometry.number() as f32],
+            motion: [reflection, reflection, 0.0, 0.0],
             reference_speed: speed,
             reference_middle: middle,
             middle,

@@ -127,6 +127,25 @@ impl GroupView {
         }
     }
 
+    /// How far what is seen along `ray` moves in the rest frame where the line of sight turns by `turn`, but for what is
+    /// along the ray: per ground distance, since at the greatest speeds only that is a moderate number.
+    pub(crate) fn shift(&self, ray: &RestRay, turn: DVec3) -> DVec3 {
+        let speed = &self.velocity.speed;
+        match self.geometry {
+            Geometry::Seen | Geometry::Published => {
+                // The differential of aberration, conformal with scale D.
+                let along = self.velocity.direction() * speed.beta() * speed.gamma() * turn.x;
+                DVec3::new(
+                    ray.doppler_factor * turn.x,
+                    turn.y - along * ray.direction.y,
+                    turn.z - along * ray.direction.z,
+                )
+            }
+            Geometry::Contracted => DVec3::new(speed.gamma() * turn.x, turn.y, turn.z),
+            Geometry::Rest => turn,
+        }
+    }
+
     /// From the aperture to where the group's point at `rest` appears; `None` outside the domain of the core.
     ///
     /// The core is asked in coordinates whose origin is the camera's event, which serves a camera that rides along,
@@ -175,6 +194,14 @@ impl View {
     pub fn apparent_position(&self, rest: DVec3) -> Option<DVec3> {
         self.of_group(Motion::Scene).apparent_position(rest)
     }
+}
+
+/// The fastest of the groups that `views` show (of equally fast ones the first): the reference, among whose bodies the
+/// depths of all others are told; why, and what that costs these, is said at `depth` in `shaders/rest_ray.wgsl`.
+pub(crate) fn reference_of_depths(views: &[GroupView]) -> usize {
+    let gamma = |group: usize| views[group].velocity.speed.gamma();
+    let faster = |fastest, group| if gamma(group) > gamma(fastest) { group } else { fastest };
+    (0..views.len()).fold(0, faster)
 }
 
 fn position(aperture: Aperture) -> DVec3 {

@@ -3,11 +3,12 @@
 //! Every test first moves the ray's start to the point nearest to the body's centre: what is left has the
 //! size of the body. Only entries count: an aperture inside a body does not see that body's inner surface.
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 use crate::body::Shape;
 use crate::polynomial::first_descent;
 use crate::ray::Ray;
+use crate::turn::turn_of;
 
 /// Where a ray enters a body. Rest frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,9 +32,29 @@ pub struct Solid {
 /// A shape about the origin.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Form {
-    Ball { radius: f64 },
-    Capsule { axis: DVec3, half_length: f64, radius: f64 },
-    Torus { axis: DVec3, radius: f64, tube_radius: f64 },
+    Ball {
+        radius: f64,
+    },
+    Capsule {
+        axis: DVec3,
+        half_length: f64,
+        radius: f64,
+    },
+    Torus {
+        axis: DVec3,
+        radius: f64,
+        tube_radius: f64,
+    },
+    /// The columns of `axes` are its own axes.
+    Block {
+        axes: DMat3,
+        half: DVec3,
+    },
+    Cylinder {
+        axis: DVec3,
+        half_length: f64,
+        radius: f64,
+    },
 }
 
 impl Solid {
@@ -60,6 +81,23 @@ impl Solid {
                 bounding_radius: radius + tube_radius,
                 form: Form::Torus { axis: axis.into(), radius, tube_radius },
             },
+            Shape::Box { center, half, .. } => {
+                let half = DVec3::from(half);
+                Self {
+                    center: center.into(),
+                    bounding_radius: half.length(),
+                    form: Form::Block { axes: DMat3::from_quat(turn_of(shape)), half },
+                }
+            }
+            Shape::Cylinder { from, to, radius } => {
+                let (from, to) = (DVec3::from(from), DVec3::from(to));
+                let half_length = 0.5 * (to - from).length();
+                Self {
+                    center: 0.5 * (from + to),
+                    bounding_radius: half_length.hypot(radius),
+                    form: Form::Cylinder { axis: (to - from).normalize(), half_length, radius },
+                }
+            }
         }
     }
 
@@ -76,6 +114,11 @@ impl Solid {
     /// Outward unit normal at a `position` on the surface.
     pub(crate) fn normal(&self, position: DVec3) -> DVec3 {
         self.form.normal(position - self.center)
+    }
+
+    /// Half the least width it is seen with along the unit vector `direction` from afar.
+    pub(crate) fn half_width(&self, direction: DVec3) -> f64 {
+        self.form.half_width(direction)
     }
 
     /// Radius of a ball about the centre that holds it.
@@ -101,6 +144,8 @@ impl Solid {
             Form::Ball { radius } => local.ball_entry(radius),
             Form::Capsule { axis, half_length, radius } => local.capsule_entry(axis, half_length, radius),
             Form::Torus { axis, radius, tube_radius } => local.torus_entry(axis, radius, tube_radius),
+            Form::Block { axes, half } => local.block_entry(axes, half),
+            Form::Cylinder { axis, half_length, radius } => local.cylinder_entry(axis, half_length, radius),
         }?;
         let position = start + direction * t;
         Some(Entry {
@@ -129,11 +174,54 @@ impl Form {
             Self::Torus { axis, radius, .. } => {
                 (position - axis * axis.dot(position)).normalize_or(axis.any_orthonormal_vector()) * radius
             }
+            // Flat ones have none.
+            Self::Block { .. } | Self::Cylinder { .. } => position,
         }
     }
 
     fn normal(&self, position: DVec3) -> DVec3 {
-        (position - self.nearest_skeleton_point(position)).normalize()
+        match *self {
+            Self::Block { axes, half } => {
+                let own = axes.transpose() * position;
+                let face = (own.abs() - half).max_position();
+                axes.col(face) * own[face].signum()
+            }
+            Self::Cylinder { axis, half_length, radius } => {
+                let along = axis.dot(position);
+                let off_axis = position - axis * along;
+                if along.abs() - half_length > off_axis.length() - radius {
+                    axis * along.signum()
+                } else {
+                    off_axis.normalize()
+                }
+            }
+            Self::Ball { .. } | Self::Capsule { .. } | Self::Torus { .. } => {
+                (position - self.nearest_skeleton_point(position)).normalize()
+            }
+        }
+    }
+
+    /// Half its least width, seen along the unit vector `direction` from afar.
+    fn half_width(&self, direction: DVec3) -> f64 {
+        match *self {
+            Self::Ball { radius } | Self::Capsule { radius, .. } => radius,
+            Self::Torus { tube_radius, .. } => tube_radius,
+            Self::Block { axes, half } => {
+                // What is seen is a hexagon, with sides along the images of the axes.
+                let steep = (axes.transpose() * direction).abs();
+                let across = |i: usize, j: usize| {
+                    (half[i] * steep[j] + half[j] * steep[i]) / steep[i].hypot(steep[j]).max(1e-30)
+                };
+                let widths = [across(0, 1), across(1, 2), across(2, 0)];
+                // Seen along an axis, that one has no image.
+                widths.into_iter().filter(|&width| width > 0.0).fold(f64::INFINITY, f64::min)
+            }
+            Self::Cylinder { axis, half_length, radius } => {
+                let cosine = axis.dot(direction).abs();
+                let sine = axis.cross(direction).length();
+                radius.min(half_length * sine + radius * cosine)
+            }
+        }
     }
 }
 
@@ -172,6 +260,42 @@ impl LocalRay {
         let t = -(start.cross(axis).dot(across) + discriminant.sqrt()) / sine_squared;
         let along = axis.dot(start) + along_slope * t;
         if along.abs() <= half_length { self.in_front(t) } else { cap(half_length.copysign(along)) }
+    }
+
+    fn block_entry(&self, axes: DMat3, half: DVec3) -> Option<f64> {
+        let (start, direction) = (axes.transpose() * self.start, axes.transpose() * self.direction);
+        let (mut first, mut last) = (f64::NEG_INFINITY, f64::INFINITY);
+        for i in 0..3 {
+            let [enters, leaves] = between_planes(start[i], direction[i], half[i])?;
+            (first, last) = (first.max(enters), last.min(leaves));
+        }
+        if first <= last { self.in_front(first) } else { None }
+    }
+
+    fn cylinder_entry(&self, axis: DVec3, half_length: f64, radius: f64) -> Option<f64> {
+        let Self { start, direction, .. } = *self;
+        let [enters, leaves] = between_planes(axis.dot(start), axis.dot(direction), half_length)?;
+        let across = direction.cross(axis);
+        let sine_squared = across.length_squared();
+        let (first, last) = if sine_squared == 0.0 {
+            if start.cross(axis).length() > radius {
+                return None;
+            }
+            (enters, leaves)
+        } else {
+            // As of a capsule.
+            let offset = start.dot(across);
+            let discriminant = radius * radius * sine_squared - offset * offset;
+            if discriminant < 0.0 {
+                return None;
+            }
+            let [middle, half_chord] = [-start.cross(axis).dot(across), discriminant.sqrt()];
+            (
+                enters.max((middle - half_chord) / sine_squared),
+                leaves.min((middle + half_chord) / sine_squared),
+            )
+        };
+        if first <= last { self.in_front(first) } else { None }
     }
 
     fn torus_entry(&self, axis: DVec3, radius: f64, tube_radius: f64) -> Option<f64> {
@@ -213,6 +337,16 @@ impl LocalRay {
         let slope = from_skeleton.dot(self.direction) / distance;
         if excess.abs() < 0.25 * slope * slope * tube_radius { t - excess / slope } else { t }
     }
+}
+
+/// Where a ray at `start`, as seen along an axis, enters and leaves the space between the planes at -`half` and `half`;
+/// everywhere if it runs in there for good.
+fn between_planes(start: f64, slope: f64, half: f64) -> Option<[f64; 2]> {
+    if slope == 0.0 {
+        return (start.abs() <= half).then_some([f64::NEG_INFINITY, f64::INFINITY]);
+    }
+    let towards = 1f64.copysign(slope);
+    Some([-half, half].map(|plane| (plane - towards * start) / slope.abs()))
 }
 
 /// Entry into a ball at the origin, by the discriminant r^2 - |start x direction|^2.

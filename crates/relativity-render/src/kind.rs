@@ -3,9 +3,9 @@
 use crate::body::Shape;
 use crate::shaders::source;
 
-/// One line for each kind: its name, and its files in `shaders/` for the ray test and for the corners.
+/// One line for each kind: its name, and its files in `shaders/` for the ray test, for the corners and for patterns.
 macro_rules! kinds {
-    ($($(#[$doc:meta])* $kind:ident: $test:literal, $corners:literal;)+) => {
+    ($($(#[$doc:meta])* $kind:ident: $test:literal, $corners:literal, $pattern:literal;)+) => {
         /// A kind of shape.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
         pub enum Kind {
@@ -19,14 +19,18 @@ macro_rules! kinds {
             /// The exact renderer's shader.
             pub const fn impostor(self) -> &'static str {
                 match self {
-                    $(Self::$kind => source!("frame", "rest_ray", "colour", "body", "impostor", $test),)+
+                    $(Self::$kind => source!(
+                        "frame", "rest_ray", "colour", "body", "pattern", "impostor", $test, $pattern
+                    ),)+
                 }
             }
 
             /// The mesh renderer's shader.
             pub const fn mesh(self) -> &'static str {
                 match self {
-                    $(Self::$kind => source!("frame", "rest_ray", "colour", "body", $test, "mesh", $corners),)+
+                    $(Self::$kind => source!(
+                        "frame", "rest_ray", "colour", "body", "pattern", $test, "mesh", $corners, $pattern
+                    ),)+
                 }
             }
         }
@@ -35,9 +39,13 @@ macro_rules! kinds {
 
 kinds! {
     /// A tube with rounded ends; a ball is one without a length.
-    Tube: "tube", "mesh_tube";
+    Tube: "tube", "mesh_tube", "pattern_tube";
     /// A torus.
-    Ring: "ring", "mesh_ring";
+    Ring: "ring", "mesh_ring", "pattern_ring";
+    /// A box.
+    Box: "box", "mesh_box", "pattern_box";
+    /// A cylinder with flat ends.
+    Cylinder: "cylinder", "mesh_cylinder", "pattern_cylinder";
 }
 
 impl Kind {
@@ -46,6 +54,8 @@ impl Kind {
         match shape {
             Shape::Sphere { .. } | Shape::Tube { .. } => Self::Tube,
             Shape::Ring { .. } => Self::Ring,
+            Shape::Box { .. } => Self::Box,
+            Shape::Cylinder { .. } => Self::Cylinder,
         }
     }
 }

@@ -70,7 +70,9 @@ mod light;
 mod mesh;
 #[doc(hidden)]
 pub mod mirrors;
+pub mod outline;
 mod palette;
+pub mod pattern;
 pub mod picture;
 mod pipelines;
 pub mod planck;
@@ -99,6 +101,8 @@ pub use camera::{Camera, Gaze};
 pub use gpu::{Gpu, GpuError};
 pub use group_view::{GroupView, RestRay};
 pub use light::received_intensity;
+pub use outline::{Framing, Outline};
+pub use pattern::Pattern;
 pub use picture::Picture;
 pub use reference::{Hit, HitImage};
 pub use renderers::{Method, Renderers};

@@ -61,12 +61,12 @@ pub const BLOCKS: [Mirror; 1] = [mirror!(
 /// The structs of vertices and instances.
 pub const VERTICES: [VertexMirror; 3] = [
     VertexMirror {
-        mirror: mirror!(Piece: place, second_axis_index_brightness, place_radius, form, turn, light),
+        mirror: mirror!(Piece: place, second_axis_index_brightness, place_radius, form, turn, light, pattern),
         layout: Piece::LAYOUT,
     },
     VertexMirror { mirror: mirror!(Corner: profile, turn), layout: Corner::LAYOUT },
     VertexMirror {
-        mirror: mirror!(Instance: place_radius, form, turn, light, cover_brightness_index),
+        mirror: mirror!(Instance: place_radius, form, turn, light, cover_brightness_index, pattern),
         layout: Instance::LAYOUT,
     },
 ];
@@ -87,8 +87,12 @@ pub fn shaders() -> Vec<Shader> {
 }
 
 fn of_bodies(kind: Kind, name: &str, technique: &Technique) -> Shader {
-    let output = Output::Picture { is_thin: false, effects: Effects::new(true, &Appearance::default()) };
-    let key = Key { kind, geometry: Geometry::Seen, has_others: false, output };
+    let output = Output::Picture {
+        is_thin: false,
+        is_patterned: true,
+        effects: Effects::new(true, &Appearance::default()),
+    };
+    let key = Key { kind, geometry: Geometry::Seen, among_others: None, output };
     Shader {
         name: format!("{name} of a {kind:?}"),
         source: (technique.source)(kind),

@@ -4,13 +4,12 @@ use std::collections::HashMap;
 
 use crate::effects::{Constant, Effects, number};
 use crate::gpu::Gpu;
-use crate::group_view::GroupView;
+use crate::group_view::{GroupView, reference_of_depths};
 use crate::kind::Kind;
-use crate::palette;
-use crate::shade;
 use crate::target::{DEPTH_FORMAT, MEASURES_FORMAT, SAMPLES, linear_target};
 use crate::tone;
 use crate::view::{Appearance, Geometry};
+use crate::{palette, pattern, shade};
 
 /// What a pipeline draws, with every effect decided.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -19,17 +18,26 @@ pub struct Key {
     pub kind: Kind,
     /// As it shows them.
     pub geometry: Geometry,
-    /// Whether there are other groups, among which depths must be told.
-    pub has_others: bool,
+    /// How depths are told among those of other groups, if there are any.
+    pub among_others: Option<AmongOthers>,
     /// What is wanted of them.
     pub output: Output,
+}
+
+/// Where a group stands among others.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct AmongOthers {
+    /// Whether it is the reference of depths.
+    pub is_reference: bool,
+    /// What shows that.
+    pub reference: Geometry,
 }
 
 /// What a pipeline writes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Output {
     /// Colours; bodies thinner than a pixel are blended by how much of it they cover.
-    Picture { is_thin: bool, effects: Effects },
+    Picture { is_thin: bool, is_patterned: bool, effects: Effects },
     /// What the centre of each pixel shows, in numbers.
     Hits,
 }
@@ -37,16 +45,20 @@ pub enum Output {
 impl Key {
     /// For bodies of this `kind` in the group of this number among those that `views` show.
     pub fn new(kind: Kind, views: &[GroupView], group: usize, output: Output) -> Self {
-        Self { kind, geometry: views[group].geometry, has_others: views.len() > 1, output }
+        let among_others = (views.len() > 1).then(|| {
+            let reference = reference_of_depths(views);
+            AmongOthers { is_reference: reference == group, reference: views[reference].geometry }
+        });
+        Self { kind, geometry: views[group].geometry, among_others, output }
     }
 }
 
 impl Output {
     /// Of what `view` shows: a picture that looks as `appearance` says, or numbers.
-    pub fn new(view: &GroupView, appearance: Option<&Appearance>, is_thin: bool) -> Self {
+    pub fn new(view: &GroupView, appearance: Option<&Appearance>, is_thin: bool, is_patterned: bool) -> Self {
         appearance.map_or(Self::Hits, |appearance| {
             let effects = Effects::new(view.geometry.has_doppler_effect(), appearance);
-            Self::Picture { is_thin, effects }
+            Self::Picture { is_thin, is_patterned, effects }
         })
     }
 }
@@ -82,19 +94,24 @@ impl Technique {
 
     /// All constants of the shaders.
     pub fn constants(&self, key: Key) -> Vec<Constant> {
-        let effects = match key.output {
-            Output::Picture { effects, .. } => effects,
-            Output::Hits => Effects::NONE,
+        let (effects, is_patterned) = match key.output {
+            Output::Picture { effects, is_patterned, .. } => (effects, is_patterned),
+            Output::Hits => (Effects::NONE, false),
         };
+        let alone = AmongOthers { is_reference: true, reference: key.geometry };
+        let others = key.among_others.unwrap_or(alone);
         let mut constants = vec![
             (self.constant)(key),
             ("GEOMETRY", key.geometry.number()),
-            ("HAS_OTHERS", number(key.has_others)),
+            ("HAS_OTHERS", number(key.among_others.is_some())),
+            ("IS_REFERENCE", number(others.is_reference)),
+            ("REFERENCE_GEOMETRY", others.reference.number()),
         ];
         constants.extend(effects.constants());
         constants.extend(shade::constants());
         constants.extend(tone::constants());
         constants.extend(palette::constants());
+        constants.extend(pattern::constants(is_patterned));
         constants
     }
 }

@@ -7,9 +7,10 @@ use std::ops::Range;
 use glam::DVec3;
 
 use crate::body::{Body, Emission, Shape};
-use crate::capsule::{Capsule, add_capsules};
+use crate::capsule::{Block, Capsule, add_capsules, block};
 use crate::intersect::{Solid, bounding_box};
 use crate::kind::Kind;
+use crate::pattern::{Form, Marking};
 use crate::surface::Surface;
 use crate::turn::turn_of;
 
@@ -36,9 +37,11 @@ pub struct PreparedBody {
     pub brightness: f64,
     /// Which shaders draw it.
     pub(crate) kind: Kind,
-    /// From the middle of its group: its centre, or one end of a tube; and its radius.
+    /// From the middle of its group: its centre, or one end of a tube; and its radius, of bodies with flat
+    /// faces half their least length.
     pub(crate) place_radius: [f32; 4],
-    /// The other end of a tube, or a ring's unit axis and the radius of its middle circle.
+    /// The other end of a tube; a ring's unit axis and the radius of its middle circle; half the lengths of a box or a
+    /// cylinder along its own axes.
     pub(crate) form: [f32; 4],
     /// Unit quaternion from its own axes to those of the rest frame.
     pub(crate) turn: [f32; 4],
@@ -46,11 +49,18 @@ pub struct PreparedBody {
     pub(crate) surface: Surface,
     /// Whether its surface may coincide with another's.
     pub(crate) joint: Joint,
-    /// Which of the scene's capsules contain it.
+    /// The block that contains it, if it has one.
+    pub(crate) block: Option<Block>,
+    /// Which of the scene's capsules contain it otherwise.
     pub(crate) capsules: Range<usize>,
+    /// Its pattern; `None` for a plain one.
+    pub(crate) marking: Option<Marking>,
+    /// Whether it is drawn by a pipeline that knows patterns.
+    pub(crate) is_patterned: bool,
 }
 
-/// Whether a body has a rounded end, or all of a ring, in common with another: there the first of them is seen.
+/// Whether a body may have a rounded end, or all of a body that is no tube, in common with another: there the first of
+/// them is seen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) struct Joint {
     /// As it is.
@@ -86,7 +96,17 @@ impl PreparedBody {
             Shape::Ring { center, axis, radius, tube_radius } => {
                 (from_middle(center, tube_radius), packed(axis.into(), radius))
             }
+            Shape::Box { center, half, .. } => {
+                let half = DVec3::from(half);
+                (from_middle(center, half.min_element()), packed(half, 0.0))
+            }
+            Shape::Cylinder { from, to, radius } => {
+                let (from, to) = (DVec3::from(from), DVec3::from(to));
+                let half = DVec3::new(radius, radius, 0.5 * (to - from).length());
+                (from_middle((0.5 * (from + to)).to_array(), half.min_element()), packed(half, 0.0))
+            }
         };
+        let turn = turn_of(&body.shape);
         let first = capsules.len();
         add_capsules(&body.shape, capsules);
         Self {
@@ -97,10 +117,13 @@ impl PreparedBody {
             kind: Kind::of(&body.shape),
             place_radius,
             form,
-            turn: turn_of(&body.shape).as_quat().to_array(),
+            turn: turn.as_quat().to_array(),
             surface: Surface::new(&body.shape),
             joint: Joint::default(),
+            block: block(&body.shape),
             capsules: first..capsules.len(),
+            marking: Marking::new(body.pattern, Form::new(&body.shape), turn),
+            is_patterned: false,
         }
     }
 
@@ -109,13 +132,18 @@ impl PreparedBody {
         self.number as f32
     }
 
-    /// The centres of the ends of a tube, or of a ring, as bits.
+    /// Its pattern for the shaders: 0 for none, and else what it is, and its steps along and around.
+    pub(crate) fn pattern(&self) -> [f32; 3] {
+        self.marking.map_or([0.0; 3], |marking| marking.packed())
+    }
+
+    /// The centres of the ends of a tube, or of another body, as bits.
     fn ends(&self) -> impl Iterator<Item = [u32; 3]> + use<> {
         let place = |[x, y, z, _]: [f32; 4]| [x, y, z].map(f32::to_bits);
         let first = place(self.place_radius);
         let second = match self.kind {
             Kind::Tube => Some(place(self.form)).filter(|second| *second != first),
-            Kind::Ring => None,
+            Kind::Ring | Kind::Box | Kind::Cylinder => None,
         };
         [Some(first), second].into_iter().flatten()
     }
@@ -129,6 +157,16 @@ pub(crate) fn find_joints(bodies: &mut [PreparedBody], solids: &[Solid]) {
     let widened = shared_ends(bodies, |body| centre(body).to_array().map(f64::to_bits));
     for ((body, as_it_is), widened) in bodies.iter_mut().zip(as_they_are).zip(widened) {
         body.joint = Joint { as_it_is, widened };
+    }
+}
+
+/// Decides which of `bodies`, those of one group, are drawn by pipelines that know patterns: those that carry one, and
+/// with them those that share an end with others, since all of these must be drawn in their order.
+pub(crate) fn find_patterned(bodies: &mut [PreparedBody]) {
+    let has_patterns = bodies.iter().any(|body| body.marking.is_some());
+    for body in bodies {
+        let is_joined = body.joint.as_it_is || body.joint.widened;
+        body.is_patterned = body.marking.is_some() || has_patterns && is_joined;
     }
 }
 

@@ -3,8 +3,8 @@
 
 use relativity_core::threads::prelude::*;
 
+use crate::pattern::Covered;
 use crate::picture::{Picture, encoded};
-use crate::prepared_body::PreparedBody;
 use crate::rectify::Rectification;
 use crate::reference::{Hit, HitImage, sample_grid};
 use crate::scene::PreparedScene;
@@ -28,7 +28,7 @@ impl Rectification {
     ///
     /// Wavelengths are multiplied by the D of this rectification's speed and intensities divided by D^n, as
     /// `appearance` has it: at the true speed each body has its colour at rest, at any other the rest of the
-    /// Doppler effect stays. `hits` are of `scene`.
+    /// Doppler effect stays. Patterns are where the hits are, and `hits` are of `scene`.
     #[must_use]
     pub fn picture_of_hits(
         &self,
@@ -44,7 +44,7 @@ impl Rectification {
             let index = row as usize * hits.size[0] as usize + column as usize;
             let Some(hit) = hits.hits.get(index).copied().flatten() else { return blank.background };
             let doppler_factor = self.doppler_factor([column + 0.5, row + 0.5]);
-            corrected_colour(&hit, &scene.bodies()[hit.body], appearance, doppler_factor)
+            corrected_colour(scene, &hit, appearance, doppler_factor)
         };
         let pixel = |index: u32| {
             let places = sample_grid([index % width, index / width], SAMPLES);
@@ -60,13 +60,14 @@ impl Rectification {
 
 /// What is left of the Doppler effect of `hit` when one with `doppler_factor` is undone.
 fn corrected_colour(
+    scene: &PreparedScene,
     hit: &Hit,
-    body: &PreparedBody,
     appearance: &Appearance,
     doppler_factor: f64,
 ) -> [f64; 3] {
     let left = hit.doppler_factor / doppler_factor;
-    surface_colour(appearance, body, hit.rest_normal, left)
+    let colour = surface_colour(appearance, &scene.bodies()[hit.body], hit.rest_normal, left);
+    colour.map(|part| part * scene.mark(hit, Covered::NOTHING))
 }
 
 #[cfg(test)]
@@ -104,6 +105,7 @@ mod tests {
             road: None,
             sky: false,
             light: false,
+            ..Appearance::default()
         }
     }
 

@@ -12,6 +12,7 @@ use crate::camera::LinesOfSight;
 use crate::cone::Cone;
 use crate::group_view::GroupView;
 use crate::intersect::Entry;
+use crate::pattern::Covered;
 use crate::picture::{Picture, encoded};
 use crate::prepared_body::PreparedBody;
 use crate::ray::Ray;
@@ -159,12 +160,37 @@ impl PreparedScene {
             let sum = sample_grid(pixel, samples).fold([0.0; 3], |sum: [f64; 3], place| {
                 let line_of_sight = lines_of_sight.through(place);
                 let hit = self.first_hit_among(bodies, view, &group_views, line_of_sight);
-                let colour = self.colour(appearance, &backdrop, line_of_sight, hit);
+                let mark = |hit: &Hit| {
+                    let turns = lines_of_sight.turns(place).map(|turn| turn / f64::from(samples));
+                    self.mark(hit, self.covered(hit, &group_views, line_of_sight, turns))
+                };
+                let colour = self.colour(appearance, &backdrop, line_of_sight, hit, mark);
                 std::array::from_fn(|i| sum[i] + colour[i])
             });
             encoded(sum.map(|part| part / f64::from(samples * samples)))
         });
         Picture { size: view.camera.size, rgba }
+    }
+
+    /// The mark of the pattern at `hit`, on average over what is `covered`: the factor of its light.
+    pub(crate) fn mark(&self, hit: &Hit, covered: Covered) -> f64 {
+        let body = &self.bodies()[hit.body];
+        let place = hit.material_position() - self.solid(hit.body).center();
+        body.marking.map_or(1.0, |marking| marking.mark(place, hit.rest_normal, covered))
+    }
+
+    /// What a sample covers of the surface at `hit`, where `line_of_sight` turns so to those beside and below it.
+    fn covered(
+        &self,
+        hit: &Hit,
+        group_views: &[GroupView],
+        line_of_sight: DVec3,
+        turns: [DVec3; 2],
+    ) -> Covered {
+        let group_view = &group_views[self.group_of(hit.body)];
+        let ray = group_view.rest_ray(line_of_sight);
+        let shifts = turns.map(|turn| group_view.shift(&ray, turn) * hit.distance);
+        Covered::new(ray.direction, hit.rest_normal, shifts)
     }
 
     /// Linear sRGB of what is seen along `line_of_sight`, in [0, 1] where it is a body.
@@ -174,13 +200,16 @@ impl PreparedScene {
         backdrop: &Backdrop,
         line_of_sight: DVec3,
         hit: Option<Hit>,
+        mark: impl Fn(&Hit) -> f64,
     ) -> [f64; 3] {
         let ground_distance = backdrop.ground_distance(line_of_sight);
         match (hit, ground_distance) {
             (Some(hit), ground) if ground.is_none_or(|distance| hit.distance <= distance) => {
                 let body = &self.bodies()[hit.body];
                 let Hit { rest_normal, doppler_factor, .. } = hit;
-                surface_colour(appearance, body, rest_normal, doppler_factor)
+                let colour = surface_colour(appearance, body, rest_normal, doppler_factor);
+                let mark = if body.marking.is_some() { mark(&hit) } else { 1.0 };
+                colour.map(|part| part * mark)
             }
             (_, Some(distance)) => backdrop.ground(line_of_sight, distance),
             (_, None) => backdrop.sky(line_of_sight),

@@ -1,13 +1,14 @@
 //! A scene ready to be drawn: bodies placed and boxed once, whatever speed, time, eye, gaze and colour are.
 
 use std::ops::Range;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::body::Body;
 use crate::capsule::Capsule;
 use crate::group_view::GroupView;
 use crate::intersect::Solid;
-use crate::prepared_body::{Extent, PreparedBody, find_joints};
+use crate::outline::Outline;
+use crate::prepared_body::{Extent, PreparedBody, find_joints, find_patterned};
 use crate::velocity::Motion;
 use crate::view::View;
 
@@ -54,6 +55,10 @@ struct Prepared {
     /// The numbers of all bodies.
     numbers: Vec<u32>,
     capsules: Vec<Capsule>,
+    /// A ball around each body.
+    balls: Vec<Capsule>,
+    /// The last outline that was asked for, and of which views: within a frame everything asks for the same.
+    last_outline: Mutex<Option<(Vec<View>, Arc<Outline>)>>,
 }
 
 /// A group, and the box around it.
@@ -81,13 +86,27 @@ impl PreparedScene {
                 bodies.push(PreparedBody::new(first + i, number, body, &extent, &mut capsules));
             }
             find_joints(&mut bodies[first..], &solids[first..]);
+            find_patterned(&mut bodies[first..]);
             prepared.push(PreparedGroup { motion, bodies: first..bodies.len(), extent });
         }
         if prepared.is_empty() {
             prepared.push(PreparedGroup { motion: Motion::Scene, bodies: 0..0, extent: Extent::new(&[]) });
         }
+        let ball = |body: &PreparedBody| match &body.block {
+            Some(block) => block.ball_around(),
+            None => Capsule::ball_around(&capsules[body.capsules.clone()]),
+        };
+        let balls = bodies.iter().map(ball).collect();
         let numbers = (0..bodies.len() as u32).collect();
-        Self(Arc::new(Prepared { groups: prepared, bodies, solids, numbers, capsules }))
+        Self(Arc::new(Prepared {
+            groups: prepared,
+            bodies,
+            solids,
+            numbers,
+            capsules,
+            balls,
+            last_outline: Mutex::default(),
+        }))
     }
 
     /// Prepares one group of `bodies`, which move at the scene's speed.
@@ -118,9 +137,14 @@ impl PreparedScene {
         &self.0.numbers
     }
 
-    /// Capsules that contain `body`, one of these.
+    /// Capsules that contain `body`, one of these, unless it has a block.
     pub(crate) fn capsules(&self, body: &PreparedBody) -> &[Capsule] {
         &self.0.capsules[body.capsules.clone()]
+    }
+
+    /// The ball around `body`, one of these.
+    pub(crate) fn ball_around(&self, body: &PreparedBody) -> &Capsule {
+        &self.0.balls[body.number]
     }
 
     /// The number of the group that the body of this number is in.
@@ -133,6 +157,31 @@ impl PreparedScene {
     #[must_use]
     pub fn motion_of(&self, body: usize) -> Motion {
         self.0.groups[self.group_of(body)].motion
+    }
+
+    /// What the scene is about: the groups that move at the scene's speed; of a scene without such, those that move
+    /// at all; else all of them.
+    pub fn subject(&self) -> impl Iterator<Item = &PreparedGroup> {
+        let moves = |group: &PreparedGroup| match group.motion {
+            Motion::Scene => 2,
+            Motion::Own(velocity) => u8::from(!velocity.is_rest()),
+        };
+        let most = self.0.groups.iter().map(moves).max();
+        self.0.groups.iter().filter(move |group| Some(moves(group)) == most)
+    }
+
+    /// The outline of its [`Self::subject`] in these `views` together. The last one is kept.
+    #[must_use]
+    pub fn outline(&self, views: &[View]) -> Arc<Outline> {
+        let mut last = self.0.last_outline.lock().unwrap_or_else(PoisonError::into_inner);
+        match &*last {
+            Some((of, outline)) if of == views => Arc::clone(outline),
+            _ => {
+                let outline = Arc::new(Outline::new(self, views));
+                *last = Some((views.to_vec(), Arc::clone(&outline)));
+                outline
+            }
+        }
     }
 
     /// How `view` sees each group.

@@ -15,6 +15,9 @@ const COLOURS: [(f64, &str); 7] = [
     (VISIBLE_NM[1], "red"),
 ];
 
+/// Above this temperature what glows is seen to, K (the Draper point: J. W. Draper, 1847).
+const DRAPER_KELVIN: f64 = 798.0;
+
 /// Part of the spectrum.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Band {
@@ -41,6 +44,12 @@ impl Band {
         } else {
             Self::Visible
         }
+    }
+
+    /// The band that tells what eyes see of a body that glows at this temperature, K: however hot it is, they see it.
+    #[must_use]
+    pub fn of_glow(kelvin: f64) -> Self {
+        if kelvin < DRAPER_KELVIN { Self::Infrared } else { Self::Visible }
     }
 
     /// What it is called.
@@ -74,11 +83,10 @@ pub fn name(wavelength_nm: f64) -> &'static str {
 mod tests {
     use super::*;
     use crate::colour::linear_srgb;
-    use crate::view::Colour;
 
     #[test]
     fn bands_end_where_colours_do() {
-        let is_black = |wavelength| linear_srgb(wavelength, Colour::Visible) == [0.0; 3];
+        let is_black = |wavelength| linear_srgb(wavelength) == [0.0; 3];
         let [first, last] = VISIBLE_NM;
         assert!(is_black(first) && is_black(last) && !is_black(first + 1.0) && !is_black(last - 1.0));
         assert_eq!(
@@ -90,7 +98,7 @@ mod tests {
     #[test]
     fn names_agree_with_the_largest_component_of_the_colour() {
         let largest = |wavelength| {
-            let rgb = linear_srgb(wavelength, Colour::Visible);
+            let rgb = linear_srgb(wavelength);
             (0..3).max_by(|&a, &b| rgb[a].total_cmp(&rgb[b])).expect("three")
         };
         for (name_there, component, wavelengths) in

@@ -13,6 +13,10 @@ pub enum Surface {
     Tube(TubeSurface),
     /// Of a torus.
     Ring(RingSurface),
+    /// Of a box.
+    Box(BoxSurface),
+    /// Of a cylinder with flat ends.
+    Cylinder(CylinderSurface),
 }
 
 /// Of a tube with rounded ends; of a ball if it has no length.
@@ -34,6 +38,23 @@ pub struct RingSurface {
     tube_radius: f64,
 }
 
+/// Of a box.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BoxSurface {
+    center: DVec3,
+    turn: DQuat,
+    half: DVec3,
+}
+
+/// Of a cylinder with flat ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CylinderSurface {
+    center: DVec3,
+    turn: DQuat,
+    half_length: f64,
+    radius: f64,
+}
+
 impl Surface {
     /// Of `shape`.
     pub fn new(shape: &Shape) -> Self {
@@ -49,6 +70,14 @@ impl Surface {
             }
             Shape::Ring { center, radius, tube_radius, .. } => {
                 Self::Ring(RingSurface { center: center.into(), turn, radius, tube_radius })
+            }
+            Shape::Box { center, half, .. } => {
+                Self::Box(BoxSurface { center: center.into(), turn, half: half.into() })
+            }
+            Shape::Cylinder { from, to, radius } => {
+                let (from, to) = (DVec3::from(from), DVec3::from(to));
+                let half_length = 0.5 * (to - from).length();
+                Self::Cylinder(CylinderSurface { center: 0.5 * (from + to), turn, half_length, radius })
             }
         }
     }
@@ -83,5 +112,20 @@ impl RingSurface {
         let (sine, cosine) = math::sin_cos(angle);
         let off_axis = outward(turn) * (self.radius + self.tube_radius * cosine);
         self.center + self.turn * (off_axis + DVec3::Z * (self.tube_radius * sine))
+    }
+}
+
+impl BoxSurface {
+    /// At a place on the cube from -1 to 1.
+    pub fn at(&self, place: DVec3) -> DVec3 {
+        self.center + self.turn * (place * self.half)
+    }
+}
+
+impl CylinderSurface {
+    /// `t` half lengths along the axis from the middle, and `share` of the radius off it.
+    pub fn at(&self, t: f64, share: f64, angle: f64) -> DVec3 {
+        let off_axis = outward(angle) * (share * self.radius);
+        self.center + self.turn * (off_axis + DVec3::Z * (t * self.half_length))
     }
 }

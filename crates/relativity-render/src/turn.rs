@@ -6,13 +6,17 @@ use crate::body::Shape;
 
 /// The turn from the own axes of `shape` to the axes of the rest frame.
 ///
-/// The own z axis of a tube (from `from` to `to`) and of a ring is its axis, reached by the shortest turn, which fixes
-/// the other two; from -z it is half a turn about x. A ball has the axes of the rest frame.
+/// The own z axis of a tube and of a cylinder (from `from` to `to`) and of a ring is its axis, reached by the shortest
+/// turn, which fixes the other two; to -z it is half a turn about x. A ball has the axes of the rest frame; a box says
+/// how it is turned.
 pub fn turn_of(shape: &Shape) -> DQuat {
     match *shape {
         Shape::Sphere { .. } => DQuat::IDENTITY,
-        Shape::Tube { from, to, .. } => turn_to(DVec3::from(to) - DVec3::from(from)),
+        Shape::Tube { from, to, .. } | Shape::Cylinder { from, to, .. } => {
+            turn_to(DVec3::from(to) - DVec3::from(from))
+        }
         Shape::Ring { axis, .. } => turn_to(axis.into()),
+        Shape::Box { turn, .. } => DQuat::from_array(turn),
     }
 }
 

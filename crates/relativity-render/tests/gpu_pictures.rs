@@ -9,14 +9,15 @@ use std::process::ExitCode;
 use gpu_support::scenes::{still_life, time_seen_at, view_following};
 use relativity_core::Speed;
 use relativity_render::{
-    Appearance, Colour, Emission, Geometry, HitImage, Method, Picture, PreparedScene, Renderers, Shading,
-    View,
+    Appearance, Body, Colour, Emission, Geometry, HitImage, Method, Pattern, Picture, PreparedScene,
+    Renderers, Shading, Shape, View,
 };
 use support::documented;
 
 fn main() -> ExitCode {
     gpu_support::run(&[
         ("pictures_are_the_references", pictures_are_the_references),
+        ("patterns_are_the_references", patterns_are_the_references),
         ("edges_are_the_references_on_average", edges_are_the_references_on_average),
         ("every_speed_gives_a_picture", every_speed_gives_a_picture),
     ])
@@ -65,19 +66,60 @@ fn pictures_are_the_references(renderers: &mut Renderers) {
     bodies[1].brightness = 0.4;
     bodies[3].emission = Emission::White;
     let reference = PreparedScene::moving(&bodies);
+    agree_with_the_reference(renderers, &reference, &appearances());
+}
+
+/// Every pattern, coarse and finer than pixels.
+fn patterns_are_the_references(renderers: &mut Renderers) {
+    let emission = Appearance { shading: Shading::Emission, sky: false, ..Appearance::default() };
+    let appearances = [emission, Appearance { intensity_exponent: None, doppler_shift: false, ..emission }];
+    for pattern in PATTERNS {
+        let marked = patterned_life().into_iter().map(|body| body.with_pattern(pattern));
+        let scene = PreparedScene::moving(&marked.collect::<Vec<_>>());
+        agree_with_the_reference(renderers, &scene, &appearances);
+    }
+}
+
+const PATTERNS: [Pattern; 7] = [
+    Pattern::Faces,
+    Pattern::Graticule { step_degrees: 30.0 },
+    Pattern::Graticule { step_degrees: 5.0 },
+    Pattern::Chequer { step: 0.1 },
+    Pattern::Chequer { step: 0.01 },
+    Pattern::Stripes { step: 0.1 },
+    Pattern::Stripes { step: 0.004 },
+];
+
+/// Bodies of every shape, large enough to show a pattern.
+fn patterned_life() -> Vec<Body> {
+    let shapes = [
+        Shape::Sphere { center: [-0.1, 3.1, 0.9], radius: 0.35 },
+        Shape::Tube { from: [-1.2, 3.0, 0.2], to: [0.3, 3.3, 0.3], radius: 0.12 },
+        Shape::Ring { center: [-0.9, 3.2, 0.9], axis: [0.36, 0.48, 0.8], radius: 0.3, tube_radius: 0.1 },
+        Shape::Box { center: [0.1, 2.9, 0.1], half: [0.2, 0.25, 0.15], turn: [0.2, 0.4, 0.4, 0.8] },
+        Shape::Cylinder { from: [-1.0, 2.9, 0.5], to: [-0.6, 3.0, 0.5], radius: 0.2 },
+    ];
+    shapes.into_iter().map(|shape| Body::new(shape, 600.0)).collect()
+}
+
+/// Whether both renderers' pictures of `scene` are the reference's, as far as is promised.
+fn agree_with_the_reference(
+    renderers: &mut Renderers,
+    reference: &PreparedScene,
+    appearances: &[Appearance],
+) {
     let exact_levels = documented(RENDERERS, "away from outlines colours are within ");
     let bound_px = documented(RENDERERS, "`tests/gpu_pictures.rs`: within ");
     let mesh_levels = documented(RENDERERS, "colours away from outlines are within ");
     for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
         let view = View { geometry, ..fast() };
         let hits = reference.hit_image(&view);
-        for appearance in appearances() {
-            let truth = reference.picture(&view, &appearance, 1).rgba;
+        for appearance in appearances {
+            let truth = reference.picture(&view, appearance, 1).rgba;
             // A mesh's normals are interpolated between corners.
             for (method, levels) in [(Method::Exact, exact_levels), (Method::Mesh { bound_px }, mesh_levels)]
             {
-                let drawn =
-                    renderers.picture(method, &reference, &view, &appearance, 1).expect("device works");
+                let drawn = renderers.picture(method, reference, &view, appearance, 1).expect("device works");
                 let off = levels_off(&drawn.rgba, &truth, |i| is_inside(&hits, i));
                 assert!(f64::from(off) <= levels, "{method}, {geometry:?}, {appearance:?}: {off} levels off");
             }

@@ -3,7 +3,7 @@
 
 mod support;
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 use relativity_core::{Aperture, Model, Speed, aberration};
 use relativity_render::{
     Body, Camera, Gaze, Geometry, Group, Hit, Motion, PreparedScene, Shape, Velocity, View,
@@ -23,8 +23,18 @@ fn bodies(group: usize) -> Vec<Body> {
         let [a, b, c, d, e, f, g] = spread(5 * group as u32 + i + 3);
         let middle = DVec3::new(0.0, 3.0 + 0.4 * group as f64, 1.0);
         let (center, turned) = (middle + 1.3 * centred([a, b, c]), centred([d, e, f]));
-        let shape = match i % 3 {
+        let shape = match i {
             0 => Shape::Sphere { center: center.to_array(), radius: 0.2 + 0.2 * g },
+            3 => Shape::Box {
+                center: center.to_array(),
+                half: [0.2 + 0.2 * g, 0.1 + 0.1 * a, 0.3],
+                turn: DQuat::from_rotation_arc(DVec3::X, turned.normalize()).to_array(),
+            },
+            4 => Shape::Cylinder {
+                from: (center - 0.3 * turned).to_array(),
+                to: (center + 0.3 * turned).to_array(),
+                radius: 0.1 + 0.2 * g,
+            },
             1 => Shape::Tube {
                 from: (center - turned).to_array(),
                 to: (center + turned).to_array(),
@@ -193,6 +203,13 @@ fn motion_towards_minus_x_is_motion_towards_plus_x_in_a_mirror() {
             }
             Shape::Ring { center, axis, radius, tube_radius } => {
                 Shape::Ring { center: mirrored(center), axis: mirrored(axis), radius, tube_radius }
+            }
+            Shape::Box { center, half, turn: [x, y, z, w] } => {
+                // A mirror turns the other way about axes along it.
+                Shape::Box { center: mirrored(center), half, turn: [x, -y, -z, w] }
+            }
+            Shape::Cylinder { from, to, radius } => {
+                Shape::Cylinder { from: mirrored(from), to: mirrored(to), radius }
             }
         };
         Body { shape, ..*body }

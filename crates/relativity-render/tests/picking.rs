@@ -15,8 +15,8 @@ fn a_ray_allocates_nothing_per_body() {
     let [few, many] = [64, 640].map(|count| {
         let scene = PreparedScene::moving(&crowd(count));
         allocation_counter::measure(|| {
-            let hits = (0..32)
-                .map(|i| f64::from(10 * i) + 0.5)
+            let hits = (0..64)
+                .map(|i| f64::from(5 * i) + 0.5)
                 .filter(|&u| scene.first_hit(&view, view.camera.line_of_sight([u, 120.5])).is_some());
             assert!(hits.count() > 3);
         })

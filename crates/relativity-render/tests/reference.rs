@@ -4,7 +4,7 @@
 mod joints;
 mod support;
 
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DQuat, DVec3};
 use joints::{joints, shared_pixels};
 use relativity_core::{Aperture, MAX_GAMMA, SourcePoint, Speed, sighting};
 use relativity_render::{Body, Camera, Gaze, Geometry, Hit, HitImage, Motion, PreparedScene, Shape, View};
@@ -29,8 +29,18 @@ fn bodies() -> Vec<Body> {
         let [a, b, c, d, e, f, g] = spread(i + 7);
         let center = (DVec3::new(0.0, 3.0, 1.0) + 1.2 * centred([a, b, c])).to_array();
         let turned = centred([d, e, f]);
-        let shape = match i % 3 {
+        let shape = match i % 5 {
             0 => Shape::Sphere { center, radius: 0.15 + 0.3 * g },
+            3 => Shape::Box {
+                center,
+                half: [0.1 + 0.3 * g, 0.1 + 0.1 * a, 0.2],
+                turn: DQuat::from_rotation_arc(DVec3::X, turned.normalize()).to_array(),
+            },
+            4 => Shape::Cylinder {
+                from: center,
+                to: (DVec3::from(center) + 0.5 * turned).to_array(),
+                radius: 0.1 + 0.2 * g,
+            },
             1 => Shape::Tube {
                 from: center,
                 to: (DVec3::from(center) + turned).to_array(),

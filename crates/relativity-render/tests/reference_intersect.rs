@@ -2,7 +2,7 @@
 
 mod support;
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 use relativity_render::Shape;
 use relativity_render::intersect::Solid;
 use relativity_render::ray::Ray;
@@ -13,8 +13,18 @@ fn shape(i: u32) -> Shape {
     let [a, b, c, d, e, f, g, h] = spread(i);
     let center = centred([a, b, c]);
     let thin = 10f64.powf(-3.0 * g);
-    match i % 3 {
+    match i % 5 {
         0 => Shape::Sphere { center: center.into(), radius: thin },
+        3 => Shape::Box {
+            center: center.into(),
+            half: [0.2 + a, 0.2 + h, (0.2 + d) * thin],
+            turn: DQuat::from_rotation_arc(DVec3::X, centred([d, e, f]).normalize()).to_array(),
+        },
+        4 => Shape::Cylinder {
+            from: center.into(),
+            to: (center + (centred([d, e, f]) - center) * if h < 0.5 { thin } else { 1.0 }).into(),
+            radius: 0.5 * if h < 0.5 { 1.0 } else { thin },
+        },
         1 => Shape::Tube { from: center.into(), to: centred([d, e, f]).into(), radius: 0.5 * thin },
         _ => Shape::Ring {
             center: center.into(),
@@ -55,6 +65,24 @@ fn surface_point(shape: &Shape, [u, v]: [f64; 2]) -> (DVec3, DVec3) {
             let angle = std::f64::consts::TAU * v;
             let normal = outwards * angle.cos() + DVec3::from(axis) * angle.sin();
             (DVec3::from(center) + outwards * radius, normal, tube_radius)
+        }
+        Shape::Box { center, half, turn } => {
+            let axes = glam::DMat3::from_quat(DQuat::from_array(turn));
+            let face = (6.0 * u) as usize;
+            let side = if face % 2 == 0 { 1.0 } else { -1.0 };
+            let mut place = DVec3::new(2.0 * v - 1.0, 12.0 * u.fract() % 2.0 - 1.0, 1.0 - 2.0 * v);
+            place[face / 2] = 0.0;
+            let normal = axes.col(face / 2) * side;
+            (DVec3::from(center) + axes * (place * DVec3::from(half)), normal, half[face / 2])
+        }
+        Shape::Cylinder { from, to, radius } => {
+            let (from, to) = (DVec3::from(from), DVec3::from(to));
+            let axis = (to - from).normalize();
+            if u < 0.3 {
+                (from + turn(axis, v) * (radius * u / 0.3), -axis, 0.0)
+            } else {
+                (from.lerp(to, v), turn(axis, u), radius)
+            }
         }
     };
     (skeleton + normal * radius, normal)
@@ -156,6 +184,8 @@ fn an_aperture_inside_a_body_does_not_see_its_inner_surface() {
     let inside = [
         (Shape::Sphere { center: [0.0; 3], radius: 1.0 }, DVec3::ZERO),
         (Shape::Tube { from: [-1.0, 0.0, 0.0], to: [1.0, 0.0, 0.0], radius: 0.5 }, DVec3::X),
+        (Shape::Box { center: [0.0; 3], half: [1.0, 2.0, 3.0], turn: [0.0, 0.0, 0.0, 1.0] }, DVec3::Y),
+        (Shape::Cylinder { from: [-1.0, 0.0, 0.0], to: [1.0, 0.0, 0.0], radius: 0.5 }, DVec3::ZERO),
     ];
     for (shape, origin) in inside {
         assert_eq!(Solid::new(&shape).entry(&Ray::new(origin, DVec3::X)), None);
@@ -164,6 +194,20 @@ fn an_aperture_inside_a_body_does_not_see_its_inner_surface() {
     let ring = Shape::Ring { center: [0.0; 3], axis: [0.0, 0.0, 1.0], radius: 1.0, tube_radius: 0.25 };
     let entry = Solid::new(&ring).entry(&Ray::new(DVec3::X, DVec3::NEG_X)).expect("the far side");
     assert!((entry.distance - 1.75).abs() < 1e-12);
+}
+
+#[test]
+fn rays_in_the_planes_of_faces_and_along_axes_are_told_from_those_beside() {
+    let cube = Shape::Box { center: [0.0; 3], half: [1.0; 3], turn: [0.0, 0.0, 0.0, 1.0] };
+    let rod = Shape::Cylinder { from: [-1.0, 0.0, 0.0], to: [1.0, 0.0, 0.0], radius: 1.0 };
+    for (shape, off) in [(cube, DVec3::Z), (cube, DVec3::new(0.0, 1.0, 1.0)), (rod, DVec3::Z)] {
+        for scale in [0.0, 1.0 - 1e-12, 1.0, 1.0 + 1e-12, 2.0] {
+            let ray = Ray::new(DVec3::NEG_X * 5.0 + off * scale, DVec3::X);
+            let entry = Solid::new(&shape).entry(&ray);
+            assert_eq!(entry.is_some(), scale <= 1.0, "{shape:?} at {scale}");
+            assert!(entry.is_none_or(|entry| (entry.distance - 4.0).abs() < 1e-14));
+        }
+    }
 }
 
 #[test]

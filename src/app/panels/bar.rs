@@ -53,13 +53,14 @@ fn caption(ui: &mut Ui, state: &State) {
     let format = TextFormat::simple(TextStyle::Small.resolve(ui.style()), ui.visuals().weak_text_color());
     let mut job = LayoutJob::single_section(preset.caption.clone(), format);
     job.wrap = TextWrapping { max_width: ui.available_width(), max_rows: 2, ..TextWrapping::default() };
-    ui.label(job).on_hover_text(&preset.caption);
+    let galley = ui.painter().layout_job(job);
+    ui.label(galley).on_hover_text(&preset.caption);
 }
 
 fn scene(ui: &mut Ui, state: &State, asks: &mut Asks) {
     ComboBox::from_id_salt("scene")
         .selected_text(&state.session.scene.name)
-        .width(170.0)
+        .width(140.0)
         .show_ui(ui, |ui| {
             for (preset, scene) in PRESETS.into_iter().filter_map(|name| Some((name, Scene::preset(name)?))) {
                 let shown = scene.name == state.session.scene.name;

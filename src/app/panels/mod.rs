@@ -7,6 +7,8 @@ pub mod corrected;
 pub mod help;
 pub mod plots;
 pub mod readout;
+pub mod sentence;
+pub mod spectrum;
 pub mod timeline;
 pub mod views;
 

@@ -2,20 +2,21 @@
 //! them.
 
 use eframe::egui::{
-    self, Color32, CursorIcon, Painter, Pos2, Rect, Response, Sense, Stroke, StrokeKind, TextStyle,
+    self, Align2, Color32, CursorIcon, Painter, Pos2, Rect, Response, Sense, Stroke, StrokeKind, TextStyle,
     TextureId, Ui, Visuals, pos2, vec2,
 };
 use relativity_core::math;
 use relativity_render::{Colour, Geometry, Method, PreparedScene, View};
 
 use super::Asks;
-use crate::app::command::{Command, Pick};
+use crate::app::command::{Command, Pick, Zoom};
 use crate::app::eyes::Shown;
 use crate::app::observer::Eye;
 use crate::app::points::Point;
 use crate::app::state::State;
-use crate::app::theme;
 use crate::app::widgets::pane_title;
+use crate::app::{beyond, theme};
+use crate::caption;
 use crate::figures;
 
 /// Zoom per point of scrolling.
@@ -63,7 +64,7 @@ pub fn interact(ui: &mut Ui, state: &State, pane: EyePane, asks: &mut Asks) {
     let name = format!("{} view", pane.eye.name());
     response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, &name));
     if response.double_clicked() {
-        asks.push(Command::ResetLook);
+        asks.push(Command::Frame);
     } else if let (true, Some(place)) = (response.clicked(), response.interact_pointer_pos()) {
         let add = ui.input(|input| input.modifiers.shift);
         asks.push(Command::Pick(Pick { eye: pane.eye, pixel: pane.pixel(place), size: pane.size, add }));
@@ -74,7 +75,13 @@ pub fn interact(ui: &mut Ui, state: &State, pane: EyePane, asks: &mut Asks) {
         let pinch = f64::from(ui.input(egui::InputState::zoom_delta));
         let factor = math::exp(-scroll * ZOOM_PER_SCROLL) / pinch;
         if factor != 1.0 && factor.is_finite() {
-            asks.push(Command::Zoom(factor));
+            let place = response.hover_pos().unwrap_or(pane.rect.center());
+            asks.push(Command::Zoom(Zoom {
+                eye: pane.eye,
+                pixel: pane.pixel(place),
+                size: pane.size,
+                factor,
+            }));
         }
     }
 }
@@ -104,7 +111,9 @@ pub fn paint(ui: &Ui, state: &State, pane: EyePane, picture: Option<Shown>, heat
     }
     let inside = painter.with_clip_rect(pane.rect);
     markers(&inside, state, pane, visuals);
-    notes(ui, &inside, pane, &note(state, pane.eye, picture, heat_map.is_some()));
+    beyond::paint(ui, &inside, pane.rect, &state.beyond(pane.eye, pane.size));
+    write(ui, &inside, pane, Align2::LEFT_BOTTOM, note(state, pane.eye, picture, heat_map.is_some()));
+    write(ui, &inside, pane, Align2::LEFT_TOP, unseen(ui, state, pane).unwrap_or_default());
     painter.rect_stroke(pane.rect, 0.0, Stroke::new(1.5, colour), StrokeKind::Outside);
 }
 
@@ -129,15 +138,20 @@ fn note(state: &State, eye: Eye, picture: Option<Shown>, with_heat_map: bool) ->
     [geometry, model, colour, method, heat_map].into_iter().flatten().collect::<Vec<_>>().join("  ·  ")
 }
 
-/// Writes `text` into the corner of the picture.
-fn notes(ui: &Ui, painter: &Painter, pane: EyePane, text: &str) {
+/// Why something in the picture is dark that shines.
+fn unseen(ui: &Ui, state: &State, pane: EyePane) -> Option<String> {
+    let appearance = state.appearance(!ui.visuals().dark_mode);
+    caption::notice(&state.session.prepared.received_shares(&state.view(pane.eye, pane.size), &appearance))
+}
+
+/// Writes `text` into a corner of the picture.
+fn write(ui: &Ui, painter: &Painter, pane: EyePane, corner: Align2, text: String) {
     let font = TextStyle::Small.resolve(ui.style());
-    let galley = painter.layout_no_wrap(text.to_owned(), font, Color32::WHITE);
-    let place = pane.rect.left_bottom() + vec2(8.0, -8.0 - galley.size().y);
+    let galley = painter.layout(text, font, Color32::WHITE, (pane.rect.width() - 24.0).max(1.0));
+    let place = corner.align_size_within_rect(galley.size(), pane.rect.shrink(8.0));
     if galley.size().x > 0.0 {
-        let back = Rect::from_min_size(place, galley.size()).expand2(vec2(5.0, 2.0));
-        painter.rect_filled(back, 3.0, Color32::from_black_alpha(150));
-        painter.galley(place, galley, Color32::WHITE);
+        painter.rect_filled(place.expand2(vec2(5.0, 2.0)), 3.0, Color32::from_black_alpha(150));
+        painter.galley(place.min, galley, Color32::WHITE);
     }
 }
 

@@ -1,6 +1,7 @@
 //! What panels are made of: rows of controls that look alike (a name, a widget, an explanation on hover), buttons,
 //! numbers and titles.
 
+pub mod apart;
 pub mod icons;
 
 use eframe::egui::{

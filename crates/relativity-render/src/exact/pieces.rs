@@ -9,12 +9,12 @@ use std::slice::Iter;
 use bytemuck::{Pod, Zeroable};
 use glam::DVec2;
 
-use crate::capsule::Capsule;
 use crate::drawing::{Shot, Trait};
-use crate::footprint::{Footprint, Projection, Rectangle};
+use crate::footprint::{Bound, Footprint, Projection, Rectangle};
 use crate::group_view::GroupView;
 use crate::kind::Kind;
 use crate::prepared_body::PreparedBody;
+use crate::scene::PreparedScene;
 
 /// How often a piece is halved before its bound is taken as it is: 32 rectangles follow the most bent of tubes, and
 /// a looser bound only costs time.
@@ -44,13 +44,14 @@ pub struct Piece {
     pub form: [f32; 4],
     pub turn: [f32; 4],
     pub light: [f32; 4],
+    pub pattern: [f32; 3],
 }
 
-/// The pieces of a view, solid before thin, group by group and kind by kind, else in the order of the bodies: where
+/// The pieces of a view, solid before thin, group by group, kind by kind, plain before patterned, else in the order of the bodies: where
 /// surfaces of two coincide, the first that is drawn stays. Kept from view to view, for its memory.
 #[derive(Debug, Default)]
 pub struct Pieces {
-    lists: BTreeMap<(bool, usize, Kind), Vec<Piece>>,
+    lists: BTreeMap<(bool, usize, Kind, bool), Vec<Piece>>,
     rectangles: Vec<Rectangle>,
 }
 
@@ -63,7 +64,7 @@ impl Pieces {
             let projection = Projection::new(view);
             for body in &shot.scene.bodies()[group.bodies.clone()] {
                 match bounds {
-                    Bounds::Tight => self.bound(&projection, view, shot.scene.capsules(body)),
+                    Bounds::Tight => self.bound(&projection, view, shot.scene, body),
                     Bounds::None => self.bound_nowhere(),
                 }
                 self.add(body, shot, thin_px);
@@ -74,8 +75,8 @@ impl Pieces {
     /// Those that are drawn by one draw, in order.
     pub fn runs(&self) -> impl Iterator<Item = (Trait<()>, Iter<'_, Piece>)> {
         let filled = self.lists.iter().filter(|(_, list)| !list.is_empty());
-        filled.map(|(&(is_thin, group, kind), list)| {
-            (Trait { group, kind, template: (), is_thin }, list.iter())
+        filled.map(|(&(is_thin, group, kind, is_patterned), list)| {
+            (Trait { group, kind, template: (), is_thin, is_patterned }, list.iter())
         })
     }
 
@@ -83,14 +84,24 @@ impl Pieces {
     fn add(&mut self, body: &PreparedBody, shot: &Shot<'_>, thin_px: f64) {
         let template = Piece::new(body, shot);
         for rectangle in &self.rectangles {
-            let list = (rectangle.radius_px < thin_px, body.group, body.kind);
+            let list = (rectangle.radius_px < thin_px, body.group, body.kind, body.is_patterned);
             self.lists.entry(list).or_default().push(template.placed(rectangle));
         }
     }
 
-    fn bound(&mut self, projection: &Projection, view: &GroupView, capsules: &[Capsule]) {
+    fn bound(
+        &mut self,
+        projection: &Projection,
+        view: &GroupView,
+        scene: &PreparedScene,
+        body: &PreparedBody,
+    ) {
         self.rectangles.clear();
-        for capsule in capsules {
+        if let Some(block) = body.block {
+            let block = block.reflected_from_camera(view);
+            add_rectangles(projection, &block, MAX_HALVINGS, &mut self.rectangles);
+        }
+        for capsule in scene.capsules(body) {
             let capsule = capsule.reflected_from_camera(view);
             add_rectangles(projection, &capsule, MAX_HALVINGS, &mut self.rectangles);
         }
@@ -113,14 +124,14 @@ const EVERYWHERE: Rectangle = Rectangle {
     is_loose: false,
 };
 
-fn add_rectangles(projection: &Projection, capsule: &Capsule, halvings: u32, out: &mut Vec<Rectangle>) {
-    let is_whole = halvings == 0 || capsule.from == capsule.to;
-    match projection.footprint(capsule) {
+fn add_rectangles<B: Bound>(projection: &Projection, bound: &B, halvings: u32, out: &mut Vec<Rectangle>) {
+    let is_whole = halvings == 0 || bound.is_point();
+    match bound.footprint(projection) {
         Some(Footprint::Hidden) => {}
         Some(Footprint::Inside(rectangle)) if is_whole || !rectangle.is_loose => out.push(rectangle),
         None if is_whole => out.push(EVERYWHERE),
         Some(Footprint::Inside(_)) | None => {
-            for half in capsule.halves() {
+            for half in bound.halves() {
                 add_rectangles(projection, &half, halvings - 1, out);
             }
         }
@@ -133,7 +144,8 @@ impl Piece {
         array_stride: size_of::<Self>() as u64,
         step_mode: wgpu::VertexStepMode::Instance,
         attributes: &wgpu::vertex_attr_array![
-            0 => Float32x4, 1 => Float32x4, 2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4
+            0 => Float32x4, 1 => Float32x4, 2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4,
+            6 => Float32x3
         ],
     };
 
@@ -146,6 +158,7 @@ impl Piece {
             form: body.form,
             turn: body.turn,
             light: shot.light(body),
+            pattern: body.pattern(),
         }
     }
 

@@ -14,11 +14,12 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use glam::{DVec2, DVec3};
+use relativity_core::math;
 
 use super::template::Division;
 use crate::camera::Axes;
 use crate::group_view::GroupView;
-use crate::surface::{Surface, TubeSurface};
+use crate::surface::{BoxSurface, CylinderSurface, Surface, TubeSurface};
 
 /// The most segments a direction is divided into: bodies that touch the picture plane would need any number.
 const MAX_SEGMENTS: f64 = 512.0;
@@ -53,6 +54,18 @@ pub fn division(surface: &Surface, view: &GroupView, bound_px: f64) -> Division 
             let tube = curvature.greatest(|t, angle, h| ring.at(PI * t, angle + h));
             Division::Ring { around: segments(TAU * around, 8), tube: segments(TAU * tube, 6) }
         }
+        Surface::Box(surface) => {
+            let along = [0, 1, 2].map(|axis| segments(2.0 * curvature.of_edges(surface, axis), 1));
+            Division::Box { along }
+        }
+        Surface::Cylinder(cylinder) => {
+            let [around, end, side] = curvature.of_cylinder(cylinder);
+            Division::Cylinder {
+                around: segments(TAU * around, 8),
+                end: segments(end, 1),
+                side: segments(2.0 * side, 1),
+            }
+        }
     }
 }
 
@@ -82,6 +95,29 @@ impl Curvature<'_> {
         let meridians = [0.0, FRAC_PI_2]
             .map(|turn| self.greatest(|t, angle, h| tube.meridian(t.signum(), turn, angle + h)));
         meridians.into_iter().fold(around, f64::max)
+    }
+
+    /// Of lines on a box's faces along one of its own axes.
+    fn of_edges(&self, surface: &BoxSurface, axis: usize) -> f64 {
+        let along = DVec3::AXES[axis];
+        let [first, second] = [DVec3::AXES[(axis + 1) % 3], DVec3::AXES[(axis + 2) % 3]];
+        // In the middle of the faces, and along the edges between them.
+        let lines = |aside: f64| {
+            self.greatest(|t, angle, h| {
+                let (sine, cosine) = math::sin_cos(angle);
+                let line = first * (cosine - aside * sine) + second * (sine + aside * cosine);
+                surface.at(line + along * (t + h))
+            })
+        };
+        lines(0.0).max(lines(1.0))
+    }
+
+    /// Of circles around a cylinder, of its ends' radii, and of its sides.
+    fn of_cylinder(&self, cylinder: &CylinderSurface) -> [f64; 3] {
+        let around = self.greatest(|t, angle, h| cylinder.at(t, 1.0, angle + h));
+        let end = |side: f64| self.greatest(|t, angle, h| cylinder.at(side, 0.5 * (t + 1.0) + h, angle));
+        let side = self.greatest(|t, angle, h| cylinder.at(t + h, 1.0, angle));
+        [around, end(-1.0).max(end(1.0)), side]
     }
 
     /// The most segments per unit that any place of `surface` (a place along in [-1, 1], an angle, and the

@@ -9,6 +9,7 @@ use super::template::Division;
 use crate::drawing::{Shot, Trait};
 use crate::footprint::Projection;
 use crate::group_view::GroupView;
+use crate::intersect::Solid;
 use crate::prepared_body::{Joint, PreparedBody};
 use crate::view::Geometry;
 
@@ -21,6 +22,7 @@ pub struct Instance {
     pub turn: [f32; 4],
     pub light: [f32; 4],
     pub cover_brightness_index: [f32; 3],
+    pub pattern: [f32; 3],
 }
 
 /// A body as it is drawn.
@@ -31,6 +33,7 @@ struct Part {
     /// The number of its group.
     group: usize,
     joint: Joint,
+    is_patterned: bool,
 }
 
 /// The parts of a view. Kept from view to view, for their memory.
@@ -60,12 +63,13 @@ impl Parts {
             Part {
                 division: division(&body.surface, view, bound_px),
                 instance: if appearance.is_some() {
-                    instance.widened(scene.solid(body.number).center(), view)
+                    instance.widened(scene.solid(body.number), view)
                 } else {
                     instance
                 },
                 group: body.group,
                 joint: body.joint,
+                is_patterned: body.is_patterned,
             }
         };
         scene
@@ -88,22 +92,23 @@ impl Parts {
 impl Part {
     /// What it has in common with those that are drawn with it.
     fn common(&self) -> Trait<Division> {
-        let Self { division, group, .. } = *self;
+        let Self { division, group, is_patterned, .. } = *self;
         Trait {
             group,
             kind: division.kind(),
             template: division,
             is_thin: self.instance.cover_brightness_index[0] < 1.0,
+            is_patterned,
         }
     }
 
     /// Its place in the order: faded ones last; group by group; in the bodies' order where surfaces may coincide, so
     /// that the first of them stays, and else those of one division together, which saves a draw for each.
-    fn rank(&self) -> (bool, usize, Option<Division>, u32) {
+    fn rank(&self) -> (bool, usize, Option<(bool, Division)>, u32) {
         let Trait { is_thin, .. } = self.common();
         let is_joined = if is_thin { self.joint.widened } else { self.joint.as_it_is };
         let [_, _, index] = self.instance.cover_brightness_index;
-        (is_thin, self.group, (!is_joined).then_some(self.division), index as u32)
+        (is_thin, self.group, (!is_joined).then_some((self.is_patterned, self.division)), index as u32)
     }
 }
 
@@ -113,7 +118,8 @@ impl Instance {
         array_stride: size_of::<Self>() as u64,
         step_mode: wgpu::VertexStepMode::Instance,
         attributes: &wgpu::vertex_attr_array![
-            2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4, 6 => Float32x3
+            2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4, 6 => Float32x3,
+            7 => Float32x3
         ],
     };
 
@@ -124,19 +130,22 @@ impl Instance {
             turn: body.turn,
             light: shot.light(body),
             cover_brightness_index: [1.0, body.brightness as f32, body.index()],
+            pattern: body.pattern(),
         }
     }
 
     /// Drawn at least a pixel wide: thinner, it is faded instead of broken up.
-    fn widened(self, center: DVec3, view: &GroupView) -> Self {
+    fn widened(self, solid: &Solid, view: &GroupView) -> Self {
+        let center = solid.center();
         let distance = view.apparent_position(center).map_or(f64::INFINITY, DVec3::length);
-        let [x, y, z, radius] = self.place_radius;
+        let [x, y, z, _] = self.place_radius;
+        let half_width = solid.half_width((center - view.origin).normalize_or(DVec3::Y)) as f32;
         let half_pixel = (0.5 * distance / view.camera.focal_length_px()) as f32;
-        if radius >= half_pixel {
+        if half_width >= half_pixel {
             return self;
         }
         let [_, brightness, index] = self.cover_brightness_index;
-        let cover_brightness_index = [radius / half_pixel, brightness, index];
+        let cover_brightness_index = [half_width / half_pixel, brightness, index];
         Self { place_radius: [x, y, z, half_pixel], cover_brightness_index, ..self }
     }
 }

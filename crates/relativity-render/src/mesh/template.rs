@@ -14,6 +14,10 @@ pub enum Division {
     Tube { around: u32, end: u32, side: u32 },
     /// A ring: segments around the axis, and around the tube.
     Ring { around: u32, tube: u32 },
+    /// A box: segments along each of its own axes.
+    Box { along: [u32; 3] },
+    /// A cylinder: segments around, from the middle of each end to its rim, and along the side.
+    Cylinder { around: u32, end: u32, side: u32 },
 }
 
 /// Mirror of the shaders' `Corner`.
@@ -46,6 +50,8 @@ impl Division {
         match self {
             Self::Tube { .. } => Kind::Tube,
             Self::Ring { .. } => Kind::Ring,
+            Self::Box { .. } => Kind::Box,
+            Self::Cylinder { .. } => Kind::Cylinder,
         }
     }
 
@@ -60,6 +66,8 @@ impl Division {
                 });
                 grid(&profile.collect::<Vec<_>>(), around)
             }
+            Self::Box { along } => box_template(along),
+            Self::Cylinder { around, end, side } => grid(&cylinder_profile(end, side), around),
         }
     }
 }
@@ -75,6 +83,47 @@ fn tube_profile(end: u32, side: u32) -> Vec<[f32; 4]> {
     // A ball has no sides: its ends share their last circle.
     let far = (0..=end).rev().map(|i| cap(i, 1.0)).skip(usize::from(side == 0));
     near.chain(along).chain(far).collect()
+}
+
+/// From the middle of one end to that of the other.
+fn cylinder_profile(end: u32, side: u32) -> Vec<[f32; 4]> {
+    let share = |i: u32, count: u32| (f64::from(i) / f64::from(count)) as f32;
+    let near = (0..=end).map(|i| [-1.0, share(i, end), -1.0, 0.0]);
+    let along = (0..=side).map(|i| [2.0 * share(i, side) - 1.0, 1.0, 0.0, 1.0]);
+    let far = (0..=end).rev().map(|i| [1.0, share(i, end), 1.0, 0.0]);
+    near.chain(along).chain(far).collect()
+}
+
+/// The six faces of the cube from -1 to 1, each a grid.
+fn box_template(along: [u32; 3]) -> Template {
+    let mut template = Template { corners: Vec::new(), triangles: Vec::new() };
+    for axis in 0..3 {
+        for side in [-1.0, 1.0] {
+            add_face(&mut template, along, axis, side);
+        }
+    }
+    template
+}
+
+/// The face across an axis, on one `side`.
+fn add_face(template: &mut Template, along: [u32; 3], axis: usize, side: f32) {
+    // As seen from outside, the second axis is a quarter turn from the first.
+    let (first, second) = ((axis + 1) % 3, (axis + 2) % 3);
+    let (u, v) = if side > 0.0 { (first, second) } else { (second, first) };
+    let start = template.corners.len() as u32;
+    let share = |i: u32, axis: usize| (2.0 * f64::from(i) / f64::from(along[axis]) - 1.0) as f32;
+    for j in 0..=along[v] {
+        for i in 0..=along[u] {
+            let mut profile = [0.0, 0.0, 0.0, axis as f32];
+            (profile[axis], profile[u], profile[v]) = (side, share(i, u), share(j, v));
+            template.corners.push(Corner { profile, turn: [0.0; 2] });
+        }
+    }
+    let row = along[u] + 1;
+    let lows = (0..along[v]).flat_map(|j| (0..along[u]).map(move |i| start + j * row + i));
+    template
+        .triangles
+        .extend(lows.flat_map(|low| [low, low + 1, low + row, low + row, low + 1, low + row + 1]));
 }
 
 /// `profile` turned around the axis.

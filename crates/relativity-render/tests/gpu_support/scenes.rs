@@ -1,6 +1,6 @@
 //! Scenes and views for the renderers to agree on.
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 use relativity_core::{Aperture, MAX_GAMMA, SourcePoint, Speed, sighting};
 use relativity_render::{Body, Camera, Gaze, Geometry, Shape, View};
 
@@ -8,6 +8,11 @@ use crate::support::{centred, spread};
 
 /// A few bodies of every shape, thin and thick, that do not touch; about 1.5 long.
 pub fn still_life() -> Vec<Body> {
+    [round_still_life(), flat_still_life()].concat()
+}
+
+/// Those of it without flat faces.
+pub fn round_still_life() -> Vec<Body> {
     let ring = |center, axis: [f64; 3], radius, tube_radius| Shape::Ring {
         center,
         axis: DVec3::from(axis).normalize().to_array(),
@@ -27,6 +32,24 @@ pub fn still_life() -> Vec<Body> {
     ])
 }
 
+/// Boxes and cylinders: cubes, plates and rods.
+fn flat_still_life() -> Vec<Body> {
+    let turned = |center, half, axis: [f64; 3], angle| {
+        let turn = DQuat::from_axis_angle(DVec3::from(axis).normalize(), angle).to_array();
+        Shape::Box { center, half, turn }
+    };
+    bodies(vec![
+        turned([0.0, 2.8, 1.15], [0.12; 3], [0.3, 0.5, 1.0], 0.7),
+        turned([0.15, 3.4, 0.7], [0.1, 0.15, 0.05], [0.0, 0.0, 1.0], 0.0),
+        turned([-0.5, 3.5, 0.0], [0.6, 0.3, 0.003], [0.0, 0.2, 1.0], 0.1),
+        turned([-0.9, 2.5, 0.65], [0.004, 0.005, 0.3], [1.0, 0.2, 0.0], 0.5),
+        Shape::Cylinder { from: [-0.75, 2.7, 0.7], to: [-0.55, 2.8, 0.85], radius: 0.07 },
+        Shape::Cylinder { from: [-0.1, 2.5, 0.65], to: [-0.1, 2.502, 0.66], radius: 0.1 },
+        Shape::Cylinder { from: [-0.7, 3.6, 1.0], to: [0.2, 3.6, 1.4], radius: 0.015 },
+        Shape::Cylinder { from: [0.55, 3.0, 0.2], to: [0.55, 3.0, 1.0], radius: 0.04 },
+    ])
+}
+
 /// `count` bodies of every shape strewn around the aperture, some of them around it or behind it.
 pub fn crowd(count: u32) -> Vec<Body> {
     let shape = |i| {
@@ -34,8 +57,18 @@ pub fn crowd(count: u32) -> Vec<Body> {
         let center = centred([x, y, z]) * DVec3::new(6.0, 3.0, 3.0);
         let direction = centred([u, v, w]).normalize();
         let size = 0.02 + 0.5 * size * size;
-        match i % 3 {
+        match i % 5 {
             0 => Shape::Sphere { center: center.to_array(), radius: 0.5 * size },
+            3 => Shape::Box {
+                center: center.to_array(),
+                half: [2.0 * size, (0.1 + u) * size, 0.5 * v * size + 1e-3],
+                turn: DQuat::from_rotation_arc(DVec3::X, direction).to_array(),
+            },
+            4 => Shape::Cylinder {
+                from: (center - direction * 2.0 * u * size).to_array(),
+                to: (center + direction * (2.0 * u * size + 1e-3)).to_array(),
+                radius: (0.1 + w) * size,
+            },
             1 => Shape::Tube {
                 from: (center - direction * 3.0 * size).to_array(),
                 to: (center + direction * 3.0 * size).to_array(),

@@ -3,7 +3,7 @@
 #![allow(dead_code, reason = "each program that includes this module uses its own part")]
 #![allow(clippy::allow_attributes, reason = "an expectation would fail in the programs that use every part")]
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 use relativity_render::Shape;
 
 /// The figure that follows `before` in the comments of `source`: what is written is what tests hold it to.
@@ -44,6 +44,17 @@ pub fn signed_distance(shape: &Shape, p: DVec3) -> f64 {
         Shape::Ring { center, axis, radius, tube_radius } => {
             let (p, axis) = (p - DVec3::from(center), DVec3::from(axis));
             (p.cross(axis).length() - radius).hypot(p.dot(axis)) - tube_radius
+        }
+        Shape::Box { center, half, turn } => {
+            let own = DQuat::from_array(turn).conjugate() * (p - DVec3::from(center));
+            let out = own.abs() - DVec3::from(half);
+            out.max(DVec3::ZERO).length() + out.max_element().min(0.0)
+        }
+        Shape::Cylinder { from, to, radius } => {
+            let (from, to) = (DVec3::from(from), DVec3::from(to));
+            let (axis, p) = ((to - from).normalize(), p - 0.5 * (from + to));
+            let [off, along] = [p.cross(axis).length() - radius, p.dot(axis).abs() - 0.5 * from.distance(to)];
+            off.max(0.0).hypot(along.max(0.0)) + off.max(along).min(0.0)
         }
     }
 }

@@ -10,8 +10,9 @@ use super::Asks;
 use crate::app::command::Command;
 use crate::app::state::State;
 use crate::app::widgets::{NumberRow, choice, row, section};
+use crate::flags::FieldOfView;
 use crate::flags::choices::{GazeChoice, RendererChoice};
-use crate::settings::{BOUND_PX, FOV_DEGREES, MAX_LENGTH, Motion, Quality, Window};
+use crate::settings::{BOUND_PX, FOV_DEGREES, Look, MAX_LENGTH, Motion, Quality, USUAL_FOV, Window};
 
 /// Shows the controls.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
@@ -84,17 +85,10 @@ fn look(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let mut look = state.settings.look;
     geometry_row(ui, &mut look.geometry);
     right_eye_row(ui, &mut look.geometry);
-    gaze_row(ui, state, &mut look.gaze, asks);
+    gaze_row(ui, state, &mut look);
+    field_of_view_rows(ui, state, &mut look, asks);
     corrected_row(ui, state.settings.window, asks);
-    let fov = NumberRow {
-        name: "Field of view",
-        tip: "Angle from the left to the right edge of each view.   Scroll over a view to zoom.",
-        slider: 10.0..=120.0,
-        typed: FOV_DEGREES,
-        decimals: 1,
-        suffix: "°",
-    };
-    fov.show(ui, &mut look.fov);
+    words_row(ui, state.settings.window, asks);
     quality(ui, state.settings.quality, asks);
     if look != state.settings.look {
         asks.push(Command::Look(look));
@@ -184,24 +178,97 @@ fn corrected_row(ui: &mut Ui, mut window: Window, asks: &mut Asks) {
     });
 }
 
-fn gaze_row(ui: &mut Ui, state: &State, gaze: &mut GazeChoice, asks: &mut Asks) {
+fn words_row(ui: &mut Ui, before: Window, asks: &mut Asks) {
+    let mut window = before;
+    row(ui, "Below them", "What stands below the views.", |ui| {
+        let spectrum = "Which wavelengths arrive of the selected point, among all that there are.";
+        ui.checkbox(&mut window.spectrum, "spectrum").on_hover_text(spectrum);
+        ui.checkbox(&mut window.sentence, "sentence").on_hover_text("The moment in words.");
+    });
+    if window != before {
+        asks.push(Command::Window(window));
+    }
+}
+
+fn gaze_row(ui: &mut Ui, state: &State, look: &mut Look) {
     let tip = "Where both eyes look, in parallel.   Drag in a view to look around.";
-    let fixed = state.fixed_gaze();
+    let mut mode = GazeMode::of(look.gaze);
     row(ui, "Gaze", tip, |ui| {
-        choice(
-            ui,
-            gaze,
-            &[
-                (
-                    GazeChoice::Track,
-                    "Follows",
-                    "At the selected point: the mean of its two apparent directions, as in the paper.",
-                ),
-                (fixed, "Stays", "In one direction, however the scene moves."),
-            ],
-        );
-        if ui.button("Reset").on_hover_text("Follow the selected point, at the usual field of view.\nDouble-click in a view does the same.").clicked() {
-            asks.push(Command::ResetLook);
+        if choice(ui, &mut mode, &GAZES) {
+            *look = mode.chosen(state);
+        }
+    });
+}
+
+/// What a gaze does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum GazeMode {
+    Whole,
+    Point,
+    Ahead,
+    Stays,
+}
+
+const GAZES: [(GazeMode, &str, &str); 4] = [
+    (GazeMode::Whole, "Scene", "At the whole scene: the middle of all that moves with the scene.   Key: F"),
+    (
+        GazeMode::Point,
+        "Point",
+        "At the selected point: the mean of its two apparent directions, as in the paper.",
+    ),
+    (GazeMode::Ahead, "Ahead", "Straight ahead along y, as somebody stands who waits for it to pass."),
+    (GazeMode::Stays, "Stays", "In the present direction, however the scene moves."),
+];
+
+impl GazeMode {
+    const fn of(gaze: GazeChoice) -> Self {
+        match gaze {
+            GazeChoice::Whole => Self::Whole,
+            GazeChoice::Point => Self::Point,
+            GazeChoice::Ahead => Self::Ahead,
+            GazeChoice::Fixed(_) => Self::Stays,
+        }
+    }
+
+    /// The look of who chooses it.
+    fn chosen(self, state: &State) -> Look {
+        let look = state.settings.look;
+        match self {
+            Self::Whole => Look { gaze: GazeChoice::Whole, ..look },
+            Self::Point => Look { gaze: GazeChoice::Point, ..look },
+            Self::Ahead => Look { gaze: GazeChoice::Ahead, ..look },
+            // The present field of view stays too.
+            Self::Stays => state.look(),
+        }
+    }
+}
+
+fn field_of_view_rows(ui: &mut Ui, state: &State, look: &mut Look, asks: &mut Asks) {
+    let row_of_number = NumberRow {
+        name: "Field of view",
+        tip: "Angle from the left to the right edge of each view.   Scroll over a view to zoom there.",
+        slider: 10.0..=*FOV_DEGREES.end(),
+        typed: FOV_DEGREES,
+        decimals: 1,
+        suffix: "°",
+    };
+    // Hidden views compute nothing, not even what would fit them.
+    let shown = if state.settings.window.views { state.look().set_fov() } else { look.set_fov() };
+    let mut fov = shown.unwrap_or(USUAL_FOV);
+    if row_of_number.show(ui, &mut fov) {
+        look.fov = FieldOfView(Some(fov));
+    }
+    row(ui, "", "", |ui| {
+        let mut is_auto = look.fov.0.is_none();
+        let tip = "Fits the field of view to all that moves with the scene, from 42° to 150°. \
+            Where the gaze is another: 60°, ahead 110°.";
+        if ui.checkbox(&mut is_auto, "auto").on_hover_text(tip).changed() {
+            look.fov = FieldOfView(Some(fov).filter(|_| !is_auto));
+        }
+        let tip = "Holds the whole scene in the views, with an automatic field of view.   Key: F\n\
+            Double-click in a view does the same.";
+        if ui.button("Frame").on_hover_text(tip).clicked() {
+            asks.push(Command::Frame);
         }
     });
 }

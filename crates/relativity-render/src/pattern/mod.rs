@@ -1,0 +1,179 @@
+//! Patterns on bodies: they show how a body is turned, and are rulers on it.
+//!
+//! A pattern multiplies the light of a body by a factor in (0, 1], its mark. That follows from where on the body a ray
+//! meets it, in the body's own axes, and so is the same in every frame. Marks are averaged over what a pixel covers of
+//! the surface, so that lines thinner than a pixel fade instead of breaking up. `shaders/pattern.wgsl` repeats this with
+//! the same constants.
+
+mod chart;
+mod coverage;
+mod die;
+
+use std::f64::consts::FRAC_PI_2;
+
+use glam::{DQuat, DVec3};
+
+use crate::effects::{Constant, number};
+use chart::Chart;
+pub(crate) use chart::Form;
+pub(crate) use coverage::Covered;
+use coverage::{line, wave};
+
+/// A pattern on a body. The own z axis of a tube (from `from` to `to`), of a cylinder and of a ring is its axis; a ball
+/// has the axes of the rest frame, a box its own.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Pattern {
+    /// None.
+    #[default]
+    Plain,
+    /// The faces of a die on a box: 1 at the end of its x axis, 2 of y, 3 of z; opposite faces sum to 7. Plain on all
+    /// others.
+    Faces,
+    /// Meridians around the axis, and parallels across it. On the side of a tube or cylinder parallels follow from its
+    /// beginning at as long an arc, on its ends and on a ring's tube as well. Those at multiples of 90
+    /// degrees are twice as wide.
+    /// Plain on a box.
+    Graticule {
+        /// From one line to the next, degrees, a divisor of 90.
+        step_degrees: f64,
+    },
+    /// Squares, light and dark in turn. On a box they count from its lowest corner; along a tube or cylinder from its
+    /// beginning, and around it there are as many as come closest to `step`, an even number, as around a ball or ring
+    /// (where they are equal parts of both circles).
+    Chequer {
+        /// Side of a square, above 0.
+        step: f64,
+    },
+    /// Bands across the z axis, light and dark in turn: from the beginning of a tube or cylinder, or a ball's middle.
+    /// On a box they lie across its x axis, from its low end; on a ring along its middle circle, from its own x axis.
+    Stripes {
+        /// Width of a band, above 0.
+        step: f64,
+    },
+}
+
+/// Share of the light that is left where a pattern is dark.
+const DARK: f64 = 0.2;
+/// Half the width of a graticule's line, in steps.
+const LINE: f64 = 0.035;
+/// How far below the surface stripes and squares are looked up, in steps: an end lies where one of them does.
+const NUDGE: f64 = 1e-3;
+
+/// The shaders' constants.
+pub(crate) fn constants(has_patterns: bool) -> [Constant; 10] {
+    [
+        ("PATTERNS", number(has_patterns)),
+        ("DARK", DARK),
+        ("LINE", LINE),
+        ("PIP_RADIUS", die::PIP_RADIUS),
+        ("PIP_PLACE", die::PIP_PLACE),
+        ("RIM", die::RIM),
+        ("LEAST_COVERED", coverage::COVERED[0]),
+        ("MOST_COVERED", coverage::COVERED[1]),
+        ("NUDGE", NUDGE),
+        ("GRAZING", coverage::GRAZING),
+    ]
+}
+
+/// A pattern prepared for one body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Marking {
+    ruling: Ruling,
+    form: Form,
+    /// From the body's own axes to those of the rest frame.
+    turn: DQuat,
+    /// From one line or square to the next: along the axis, a length; around it, radians.
+    along_step: f64,
+    around_step: f64,
+}
+
+/// What is drawn, as the shaders count it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Ruling {
+    Faces = 1,
+    Graticule = 2,
+    Chequer = 3,
+    Stripes = 4,
+}
+
+impl Marking {
+    /// Of `pattern` on this `form`, turned so; `None` where that leaves a body plain.
+    pub fn new(pattern: Pattern, form: Form, turn: DQuat) -> Option<Self> {
+        let (ruling, [along_step, around_step]) = match (pattern, form) {
+            (Pattern::Plain, _) => return None,
+            (Pattern::Faces, Form::Box { .. }) => (Ruling::Faces, [1.0; 2]),
+            (Pattern::Faces, _) | (Pattern::Graticule { .. }, Form::Box { .. }) => return None,
+            (Pattern::Graticule { step_degrees }, form) => {
+                let angle = step_degrees.to_radians();
+                (Ruling::Graticule, [angle * form.radius(), angle])
+            }
+            (Pattern::Chequer { step }, form) => (Ruling::Chequer, form.squares(step)),
+            (Pattern::Stripes { step }, _) => (Ruling::Stripes, [step, 1.0]),
+        };
+        Some(Self { ruling, form, turn, along_step, around_step })
+    }
+
+    /// For the shaders: its number among rulings, and its steps.
+    pub fn packed(&self) -> [f32; 3] {
+        [self.ruling as u8 as f32, self.along_step as f32, self.around_step as f32]
+    }
+
+    /// Share of the light, in (0, 1], that is left at `place` (from the body's middle) with this `normal`, both in the
+    /// rest frame, on average over what is `covered`.
+    pub fn mark(&self, place: DVec3, normal: DVec3, covered: Covered) -> f64 {
+        let to_own = self.turn.conjugate();
+        let [place, normal] = [place, normal].map(|v| to_own * v);
+        1.0 - (1.0 - DARK) * self.darkness(place, normal, covered.turned(to_own))
+    }
+
+    /// Share of what is `covered` that is dark; in the body's own axes.
+    fn darkness(&self, place: DVec3, normal: DVec3, covered: Covered) -> f64 {
+        if let Form::Box { half } = self.form {
+            return self.darkness_of_box(half, place, normal, covered);
+        }
+        let chart = self.form.chart(place, normal);
+        let Chart { along, around, off_axis, .. } = chart;
+        let [along_step, around_step] = [self.along_step, self.around_step];
+        let along_covered = covered.of(chart.along_gradient) / along_step;
+        let around_covered = covered.of(chart.around_gradient) / around_step;
+        match self.ruling {
+            Ruling::Faces => 0.0,
+            Ruling::Graticule => {
+                let quarter = FRAC_PI_2 / around_step;
+                let parallels = line(along / along_step, LINE, quarter, along_covered);
+                let width = LINE * along_step / (off_axis * around_step).max(1e-30);
+                parallels.max(line(around / around_step, width, quarter, around_covered))
+            }
+            Ruling::Chequer => {
+                let along = wave(along / along_step, along_covered);
+                0.5 - 0.5 * along * wave(around / around_step, around_covered)
+            }
+            Ruling::Stripes => {
+                let (level, gradient) = match self.form {
+                    Form::Ring { radius, .. } => (radius * around, chart.around_gradient * radius),
+                    _ => self.level(place, normal, self.form.half_length(), DVec3::Z),
+                };
+                0.5 - 0.5 * wave(level / along_step, covered.of(gradient) / along_step)
+            }
+        }
+    }
+
+    /// How far along `axis` the `place` lies from the low end, just below the surface; and the gradient of that.
+    fn level(&self, place: DVec3, normal: DVec3, half_length: f64, axis: DVec3) -> (f64, DVec3) {
+        let below = place - normal * (NUDGE * self.along_step);
+        (below.dot(axis) + half_length, axis)
+    }
+
+    fn darkness_of_box(&self, half: DVec3, place: DVec3, normal: DVec3, covered: Covered) -> f64 {
+        let wave_along = |axis: DVec3| {
+            let (level, gradient) = self.level(place, normal, half.dot(axis), axis);
+            wave(level / self.along_step, covered.of(gradient) / self.along_step)
+        };
+        match self.ruling {
+            Ruling::Faces => die::face(half, place, normal, covered),
+            Ruling::Graticule => 0.0,
+            Ruling::Chequer => 0.5 - 0.5 * wave_along(DVec3::X) * wave_along(DVec3::Y) * wave_along(DVec3::Z),
+            Ruling::Stripes => 0.5 - 0.5 * wave_along(DVec3::X),
+        }
+    }
+}

@@ -1,0 +1,181 @@
+//! What lies beyond the edge of a view: an arrow points there, with a name and how far one has to turn.
+
+use eframe::egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, TextStyle, Ui, Vec2, Visuals, vec2};
+use glam::DVec3;
+use relativity_render::{Camera, Motion};
+
+use super::observer::Eye;
+use super::state::State;
+use super::theme;
+
+/// Something out of a view.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Beyond {
+    /// What it is called.
+    pub name: String,
+    /// From the middle of the view, degrees, 0 to 180.
+    pub degrees: f64,
+    /// Unit vector in the picture, right and down.
+    pub towards: Vec2,
+    /// Its number, if it is a followed point.
+    pub point: Option<usize>,
+}
+
+impl Beyond {
+    /// What lies along `direction` (any length above 0).
+    fn new(name: String, camera: &Camera, direction: DVec3, point: Option<usize>) -> Self {
+        let axes = camera.gaze.axes();
+        let [right, up] = [axes.right, axes.up].map(|axis| direction.dot(axis));
+        // What is right behind is as near on either side.
+        let towards = DVec3::new(right, -up, 0.0).try_normalize().unwrap_or(DVec3::X);
+        let degrees = direction.angle_between(axes.forward).to_degrees();
+        Self { name, degrees, towards: vec2(towards.x as f32, towards.y as f32), point }
+    }
+
+    /// In words.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let whole = self.degrees.round();
+        format!("{} {whole} degree{}", self.name, if whole == 1.0 { "" } else { "s" })
+    }
+}
+
+impl State {
+    /// What is out of the view of `eye`, `size` in pixels: all that moves with the scene, or else the selected point.
+    #[must_use]
+    pub fn beyond(&self, eye: Eye, size: [u32; 2]) -> Vec<Beyond> {
+        let camera = self.view(eye, size).camera;
+        let scene = self.subject_beyond(&camera);
+        let point = self.session.points.selected();
+        let is_told = scene.is_some() && point.track.motion == Motion::Scene;
+        let point = self
+            .direction(point, eye)
+            .filter(|&direction| !is_told && !shows(&camera, direction))
+            .map(|direction| {
+                let name = point.name(&self.session.scene);
+                Beyond::new(name, &camera, direction, Some(point.number))
+            });
+        scene.into_iter().chain(point).collect()
+    }
+
+    fn subject_beyond(&self, camera: &Camera) -> Option<Beyond> {
+        let outline = self.outline();
+        let framing = outline.framing().filter(|_| outline.is_out_of(camera))?;
+        let first = self.session.prepared.subject().next()?.bodies.start;
+        let group = self.session.prepared.group_of(first);
+        let name = self.session.scene.groups.get(group)?.name.clone();
+        Some(Beyond::new(name, camera, framing.gaze.axes().forward, None))
+    }
+}
+
+/// Whether the camera's picture shows what lies along `direction`.
+fn shows(camera: &Camera, direction: DVec3) -> bool {
+    let is_inside = |(place, side): (f64, u32)| (0.0..=f64::from(side)).contains(&place);
+    camera.pixel(direction).is_some_and(|pixel| pixel.into_iter().zip(camera.size).all(is_inside))
+}
+
+/// Length of an arrow, and its distance from the view's edge, points.
+const ARROW: f32 = 11.0;
+const INSET: f32 = 7.0;
+
+/// Draws an arrow at the edge of `rect`, where a view is, for each of `all`.
+pub fn paint(ui: &Ui, painter: &Painter, rect: Rect, all: &[Beyond]) {
+    for beyond in all {
+        let towards = beyond.towards;
+        let tip = edge_of(rect.shrink(INSET), towards);
+        let (back, aside) = (tip - towards * ARROW, towards.rot90() * (0.6 * ARROW));
+        let colour =
+            beyond.point.map_or(Color32::WHITE, |number| theme::point_colour(number, &Visuals::dark()));
+        let arrow = vec![tip, back + aside, back - aside];
+        painter.add(Shape::convex_polygon(arrow, colour, Stroke::new(1.5, Color32::from_black_alpha(200))));
+        label(ui, painter, rect, beyond, tip);
+    }
+}
+
+fn label(ui: &Ui, painter: &Painter, rect: Rect, beyond: &Beyond, tip: Pos2) {
+    let font = TextStyle::Small.resolve(ui.style());
+    let galley = painter.layout_no_wrap(beyond.text(), font, Color32::WHITE);
+    let half = 0.5 * galley.size() + vec2(5.0, 2.0);
+    // Straight inwards from the edge that the arrow is at.
+    let is_aside = (tip.x - rect.center().x).abs() > 0.5 * rect.width() - INSET - 1.0;
+    let inwards =
+        if is_aside { vec2(beyond.towards.x, 0.0) } else { vec2(0.0, beyond.towards.y) }.normalized();
+    let centre = tip - inwards * (ARROW + 5.0 + (half * inwards).length());
+    let room = rect.shrink2(half + Vec2::splat(2.0));
+    let back = Rect::from_center_size(centre.clamp(room.min, room.max.max(room.min)), 2.0 * half);
+    painter.rect_filled(back, 3.0, Color32::from_black_alpha(170));
+    painter.galley(back.min + vec2(5.0, 2.0), galley, Color32::WHITE);
+}
+
+/// Where the way from the middle of `rect` `towards` somewhere leaves it.
+fn edge_of(rect: Rect, towards: Vec2) -> Pos2 {
+    let half = 0.5 * rect.size();
+    let reach = |half: f32, part: f32| if part == 0.0 { f32::INFINITY } else { half / part.abs() };
+    rect.center() + towards * reach(half.x, towards.x).min(reach(half.y, towards.y))
+}
+
+#[cfg(test)]
+mod tests {
+    use eframe::egui::pos2;
+
+    use super::*;
+    use crate::flags::FieldOfView;
+    use crate::flags::choices::GazeChoice;
+    use crate::settings::Settings;
+
+    const SIZE: [u32; 2] = [480, 360];
+
+    /// The cyclist at this T, seen with this gaze, 40 degrees wide.
+    fn looking(gaze: [f64; 2], time: f64) -> State {
+        let mut settings = Settings { scene: "cyclist".to_owned(), time: Some(time), ..Settings::default() };
+        settings.look.gaze = GazeChoice::Fixed(gaze);
+        settings.look.fov = FieldOfView(Some(40.0));
+        State::open(settings).expect("a preset")
+    }
+
+    #[test]
+    fn what_the_start_shows_needs_no_arrow() {
+        let state = State::open(Settings::default()).expect("the start");
+        assert_eq!(Eye::BOTH.map(|eye| state.beyond(eye, SIZE)), [vec![], vec![]]);
+    }
+
+    #[test]
+    fn an_arrow_points_to_the_rider_and_tells_how_far_to_turn() {
+        for turned in [40.0, -70.0, 150.0] {
+            let mut state = looking([90.0, 0.0], 1.1);
+            let whole = {
+                state.settings.look.gaze = GazeChoice::Whole;
+                state.gaze()
+            };
+            let azimuth = whole.azimuth.to_degrees() + turned;
+            state.settings.look.gaze = GazeChoice::Fixed([azimuth, whole.elevation.to_degrees()]);
+            let [beyond] = state.beyond(Eye::Left, SIZE).try_into().expect("one arrow");
+            // On the circle of that elevation, haversine of the angle.
+            let half = (0.5 * turned.to_radians()).sin().abs() * whole.elevation.cos();
+            assert!((beyond.degrees - (2.0 * half.asin()).to_degrees()).abs() < 1e-9, "{beyond:?}");
+            // Turned to the left it lies to the right.
+            assert_eq!(beyond.towards.x > 0.0, turned > 0.0, "{beyond:?}");
+            let words = format!("Gamow's cyclist {} degrees", beyond.degrees.round());
+            assert_eq!((beyond.text(), beyond.point), (words, None));
+        }
+    }
+
+    #[test]
+    fn a_selected_point_that_is_cut_off_has_an_arrow_of_its_own() {
+        let mut state = looking([90.0, 0.0], 1.1);
+        state.settings.look.gaze = GazeChoice::Whole;
+        state.settings.look.fov = FieldOfView(Some(8.0));
+        let [beyond] = state.beyond(Eye::Left, SIZE).try_into().expect("one arrow");
+        assert_eq!(beyond.point, Some(1));
+        assert!(beyond.text().starts_with("point 1 (front tyre) "), "{}", beyond.text());
+    }
+
+    #[test]
+    fn arrows_stand_at_the_edge() {
+        let rect = Rect::from_min_max(pos2(10.0, 20.0), pos2(110.0, 80.0));
+        assert_eq!(edge_of(rect, vec2(1.0, 0.0)), pos2(110.0, 50.0));
+        assert_eq!(edge_of(rect, vec2(0.0, -1.0)), pos2(60.0, 20.0));
+        let aslant = edge_of(rect, vec2(-0.6, 0.8));
+        assert!((aslant - pos2(37.5, 80.0)).length() < 1e-4, "{aslant:?}");
+    }
+}

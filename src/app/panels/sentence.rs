@@ -1,0 +1,24 @@
+//! The moment in a sentence, below the views.
+
+use eframe::egui::{self, Align2, FontId, Ui, accesskit::Role, text::LayoutJob};
+
+use crate::app::state::State;
+
+/// Sizes of the writing, points: the first at which the sentence fits is taken, else the last.
+const SIZES: [f32; 6] = [14.0, 13.0, 12.0, 11.0, 10.0, 9.0];
+
+/// Writes it into all of the room there is.
+pub fn show(ui: &mut Ui, state: &State) {
+    let (rect, sentence) = (ui.max_rect(), state.moment().sentence());
+    let colour = ui.visuals().strong_text_color();
+    let laid_out = |size: f32| {
+        let job = LayoutJob::simple(sentence.clone(), FontId::proportional(size), colour, rect.width());
+        ui.painter().layout_job(job)
+    };
+    let fitting = SIZES.into_iter().map(laid_out).find(|galley| galley.size().y <= rect.height());
+    let galley = fitting.unwrap_or_else(|| laid_out(SIZES[SIZES.len() - 1]));
+    let place = Align2::LEFT_CENTER.anchor_size(rect.left_center(), galley.size());
+    ui.painter().galley(place.min, galley, colour);
+    let response = ui.interact(rect, ui.scope_id().with("sentence"), egui::Sense::hover());
+    response.widget_info(|| egui::WidgetInfo::labeled(Role::Label, true, &sentence));
+}

@@ -1,0 +1,229 @@
+//! The wavelengths that arrive of the selected point, on a scale of all that are near the visible.
+
+use eframe::egui::{
+    self, Align2, Color32, CornerRadius, FontId, Mesh, Painter, Pos2, Rect, Sense, Shape, Stroke, StrokeKind,
+    Ui, Visuals, accesskit::Role, pos2, vec2,
+};
+use relativity_core::math;
+use relativity_render::colour;
+use relativity_render::spectrum::VISIBLE_NM;
+
+use crate::app::observer::Eye;
+use crate::app::state::State;
+use crate::app::theme;
+use crate::app::widgets::apart::{Span, apart};
+use crate::caption::{Moment, Source, in_words};
+
+/// Shortest and longest wavelength of the scale, nm.
+const RANGE_NM: [f64; 2] = [100.0, 3000.0];
+/// Height of the numbers above the strip of colours, points.
+const NUMBERS_HEIGHT: f32 = 16.0;
+/// Space below the strip.
+const BELOW: f32 = 3.0;
+/// Least space between two numbers.
+const BETWEEN: f32 = 12.0;
+/// Points between colours that are worked out.
+const STEP: f32 = 2.0;
+/// Least space between a mark and a name on the strip.
+const NAME_MARGIN: f32 = 4.0;
+/// Size of the writing.
+const FONT: FontId = FontId::proportional(12.0);
+const SMALL_FONT: FontId = FontId::proportional(11.0);
+
+/// Shows it.
+pub fn show(ui: &mut Ui, state: &State) {
+    let moment = state.moment();
+    let rect = ui.max_rect();
+    let strip = Rect::from_min_max(rect.min + vec2(0.0, NUMBERS_HEIGHT), rect.max - vec2(0.0, BELOW));
+    let painter = ui.painter().clone();
+    let marks = marks(&moment, state.settings.motion.d == 0.0, ui.visuals());
+    paint_colours(&painter, strip, ui.visuals());
+    paint_names(&painter, strip, &marks, ui.visuals());
+    paint_marks(ui, strip, &marks);
+    if marks.is_empty() {
+        let font_colour = ui.visuals().text_color();
+        let text = moment.light().unwrap_or_default();
+        painter.text(
+            pos2(rect.min.x, rect.min.y + NUMBERS_HEIGHT / 2.0),
+            Align2::LEFT_CENTER,
+            text,
+            FONT,
+            font_colour,
+        );
+    }
+    let name = format!("Wavelengths that arrive: {}", description(&marks, &moment));
+    let response = ui.interact(strip, ui.scope_id().with("spectrum"), Sense::hover());
+    response.widget_info(|| egui::WidgetInfo::labeled(Role::Image, true, &name));
+    response.on_hover_text(
+        "Which wavelengths arrive of the selected point now, and the one that it shines in at rest, on a \
+        logarithmic scale.\nλ received = λ at rest / D",
+    );
+}
+
+/// Where a wavelength lies on a scale from `left` to `right`; beyond its ends where it lies beyond.
+fn place(strip: Rect, wavelength_nm: f64) -> f32 {
+    let [first, last] = RANGE_NM.map(math::log10);
+    let fraction = (math::log10(wavelength_nm) - first) / (last - first);
+    strip.min.x + strip.width() * fraction.clamp(-1.0, 2.0) as f32
+}
+
+/// The wavelength at `x` of the scale.
+fn wavelength_at(strip: Rect, x: f32) -> f64 {
+    let [first, last] = RANGE_NM.map(math::log10);
+    math::powf(10.0, first + (last - first) * f64::from((x - strip.min.x) / strip.width()))
+}
+
+/// A wavelength on the scale.
+struct Mark {
+    /// What it is the wavelength of.
+    name: &'static str,
+    wavelength_nm: f64,
+    /// Written above the scale.
+    text: String,
+    colour: Color32,
+    is_at_rest: bool,
+}
+
+impl Mark {
+    /// Where it stands: at an end of the strip where it lies beyond.
+    fn x(&self, strip: Rect) -> f32 {
+        place(strip, self.wavelength_nm).clamp(strip.min.x, strip.max.x)
+    }
+}
+
+/// The marks of `moment`: at rest, and what arrives at each eye, or at both in one place.
+fn marks(moment: &Moment, are_eyes_together: bool, visuals: &Visuals) -> Vec<Mark> {
+    let Source::Line(at_rest) = moment.source else { return Vec::new() };
+    let mark = |name, text: &str, wavelength_nm: f64, colour| Mark {
+        name,
+        wavelength_nm,
+        text: format!("{text} {}", in_words(&[wavelength_nm])),
+        colour,
+        is_at_rest: false,
+    };
+    let rest = mark("at rest", "at rest", at_rest, visuals.text_color());
+    let mut marks = vec![Mark { is_at_rest: true, ..rest }];
+    let received = moment.wavelengths_nm();
+    if let ([Some(both), _], true) = (received, are_eyes_together) {
+        marks.push(mark("both eyes", "L = R", both, visuals.strong_text_color()));
+        return marks;
+    }
+    for (eye, letter) in Eye::BOTH.into_iter().zip(["L", "R"]) {
+        let wavelength = received[eye.index()];
+        marks.extend(wavelength.map(|nm| mark(eye.name(), letter, nm, theme::eye_colour(eye, visuals))));
+    }
+    marks
+}
+
+/// The scale for those who do not see it.
+fn description(marks: &[Mark], moment: &Moment) -> String {
+    let texts: Vec<_> =
+        marks.iter().map(|mark| format!("{} {}", mark.name, in_words(&[mark.wavelength_nm]))).collect();
+    if texts.is_empty() { moment.light().unwrap_or_default() } else { texts.join(", ") }
+}
+
+/// The colours of the scale.
+fn paint_colours(painter: &Painter, strip: Rect, visuals: &Visuals) {
+    let columns = (strip.width() / STEP).ceil().max(1.0) as u32;
+    let mut mesh = Mesh::default();
+    for column in 0..=columns {
+        let x = strip.min.x + strip.width() * column as f32 / columns as f32;
+        let colour = scale_colour(wavelength_at(strip, x), visuals);
+        mesh.colored_vertex(pos2(x, strip.min.y), colour);
+        mesh.colored_vertex(pos2(x, strip.max.y), colour);
+        if column > 0 {
+            let last = 2 * column + 1;
+            mesh.add_triangle(last - 3, last - 2, last - 1);
+            mesh.add_triangle(last - 2, last - 1, last);
+        }
+    }
+    painter.add(Shape::mesh(mesh));
+    let stroke = visuals.widgets.noninteractive.bg_stroke;
+    painter.rect_stroke(strip, CornerRadius::ZERO, stroke, StrokeKind::Outside);
+}
+
+/// The ends of the scale, and what has no colour, by name; left out where a mark stands.
+fn paint_names(painter: &Painter, strip: Rect, marks: &[Mark], visuals: &Visuals) {
+    let [violet, red] = VISIBLE_NM.map(|end| place(strip, end));
+    let names = [
+        (strip.min.x + 5.0, Align2::LEFT_CENTER, "100 nm"),
+        (violet - 8.0, Align2::RIGHT_CENTER, "ultraviolet"),
+        (red + 8.0, Align2::LEFT_CENTER, "infrared"),
+        (strip.max.x - 5.0, Align2::RIGHT_CENTER, "3 µm"),
+    ];
+    for (x, align, text) in names {
+        let galley = painter.layout_no_wrap(text.to_owned(), SMALL_FONT, visuals.text_color());
+        let rect = align.anchor_size(pos2(x, strip.center().y), galley.size());
+        let room = rect.x_range().expand(NAME_MARGIN);
+        if !marks.iter().any(|mark| room.contains(mark.x(strip))) {
+            painter.galley(rect.min, galley, visuals.text_color());
+        }
+    }
+}
+
+/// The colour of a wavelength over that of its part of the scale, which shows where it has none.
+fn scale_colour(wavelength_nm: f64, visuals: &Visuals) -> Color32 {
+    let [ultraviolet, infrared] = if visuals.dark_mode {
+        [[0x26, 0x1E, 0x3A], [0x3A, 0x1E, 0x1E]]
+    } else {
+        [[0xDD, 0xD6, 0xEC], [0xF0, 0xDC, 0xD8]]
+    };
+    let behind: [u8; 3] =
+        if wavelength_nm < VISIBLE_NM[0].midpoint(VISIBLE_NM[1]) { ultraviolet } else { infrared };
+    let linear = colour::linear_srgb(wavelength_nm);
+    let seen = linear.into_iter().fold(0.0, f64::max).min(1.0);
+    let [r, g, b] = [0, 1, 2].map(|i| {
+        let behind = colour::srgb_decoded(f64::from(behind[i]) / 255.0);
+        let mixed = (behind * (1.0 - seen) + linear[i]).clamp(0.0, 1.0);
+        (255.0 * colour::srgb_encoded(mixed)).round() as u8
+    });
+    Color32::from_rgb(r, g, b)
+}
+
+/// Ticks on the strip, and above them the numbers, none of which covers another.
+fn paint_marks(ui: &Ui, strip: Rect, marks: &[Mark]) {
+    let painter = ui.painter();
+    let galleys: Vec<_> =
+        marks.iter().map(|mark| painter.layout_no_wrap(mark.text.clone(), FONT, mark.colour)).collect();
+    let spans: Vec<Span> = marks
+        .iter()
+        .zip(&galleys)
+        .map(|(mark, galley)| Span { middle: place(strip, mark.wavelength_nm), width: galley.size().x })
+        .collect();
+    let lefts = apart(&spans, strip.x_range(), BETWEEN);
+    for ((mark, galley), left) in marks.iter().zip(galleys).zip(lefts) {
+        let corner =
+            pos2(left, strip.min.y - NUMBERS_HEIGHT + (NUMBERS_HEIGHT - galley.size().y) / 2.0 - 1.0);
+        painter.galley(corner, galley, mark.colour);
+        paint_tick(ui, strip, mark);
+    }
+}
+
+/// The tick of `mark`, an arrow where it lies beyond an end of the strip.
+fn paint_tick(ui: &Ui, strip: Rect, mark: &Mark) {
+    let painter = ui.painter();
+    let halo = theme::halo_colour(ui.visuals());
+    let (wanted, x) = (place(strip, mark.wavelength_nm), mark.x(strip));
+    if wanted == x {
+        let (beyond, width) = if mark.is_at_rest { (0.0, 1.5) } else { (2.0, 2.5) };
+        let line = strip.y_range().expand(beyond);
+        painter.vline(x, line, Stroke::new(width + 2.5, halo));
+        painter.vline(x, line, Stroke::new(width, mark.colour));
+    } else {
+        // The right eye's below the left's, which may lie beyond the same end.
+        let part = if mark.name == Eye::Right.name() { 0.75 } else { 0.25 };
+        let tip = pos2(x, strip.min.y + part * strip.height());
+        paint_arrow(painter, tip, (wanted - x).signum(), mark.colour);
+    }
+    let at = Rect::from_center_size(pos2(x, strip.center().y), vec2(4.0, strip.height()));
+    let response = ui.interact(at, ui.scope_id().with(mark.name), Sense::hover());
+    let name = format!("Wavelength, {}: {:.1} nm", mark.name, mark.wavelength_nm);
+    response.widget_info(|| egui::WidgetInfo::labeled(Role::Label, true, &name));
+}
+
+/// An arrow at the end of a scale that points out of it: to the left (-1) or right (1).
+fn paint_arrow(painter: &Painter, tip: Pos2, direction: f32, colour: Color32) {
+    let back = tip.x - direction * 10.0;
+    let corners = vec![tip, pos2(back, tip.y - 4.0), pos2(back, tip.y + 4.0)];
+    painter.add(Shape::convex_polygon(corners, colour, Stroke::NONE));
+}

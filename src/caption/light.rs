@@ -1,0 +1,104 @@
+//! Light in words: its wavelengths and their colours, or how it is shifted where it has many.
+
+use relativity_core::doppler::received_wavelength;
+use relativity_render::spectrum::{self, Band};
+use relativity_render::{Colour, Emission};
+
+use super::numbers::told_apart;
+use crate::settings::Light;
+
+/// From this wavelength on, nm, micrometres are easier to read.
+const MICROMETRES_FROM: f64 = 10_000.0;
+/// Decimals of a Doppler factor.
+const DOPPLER_DECIMALS: u8 = 2;
+
+/// The light of a point where it is at rest, as a picture takes it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Source {
+    /// Of one wavelength, nm.
+    Line(f64),
+    /// Of a body that glows at this temperature, K.
+    Glow(f64),
+    /// Of many wavelengths.
+    Broad,
+}
+
+impl Source {
+    /// That of a body with this `emission`, as `light` has it.
+    #[must_use]
+    pub fn new(emission: Emission, light: &Light) -> Self {
+        match (light.colour, emission) {
+            (Colour::OneWavelength | Colour::False, Emission::Wavelength(nm)) => Self::Line(nm),
+            (Colour::Glowing, _) => Self::Glow(light.temperature),
+            _ => Self::Broad,
+        }
+    }
+
+    /// What is received of it with these `doppler_factors`, of the left and the right eye or of one; none where they are
+    /// no numbers.
+    pub(super) fn described(self, doppler_factors: &[f64]) -> Option<String> {
+        let are_numbers = doppler_factors.iter().all(|factor| factor.is_finite() && *factor > 0.0);
+        let times = |value: f64| doppler_factors.iter().map(|factor| value * factor).collect::<Vec<_>>();
+        let received = |nm| doppler_factors.iter().map(|factor| received_wavelength(nm, *factor)).collect();
+        (are_numbers && !doppler_factors.is_empty()).then(|| match self {
+            Self::Line(nm) => line(received(nm)),
+            Self::Glow(kelvin) => glow(kelvin, &times(kelvin)),
+            Self::Broad => shift(doppler_factors),
+        })
+    }
+}
+
+/// `wavelengths` with unit, `606 and 567 nm`.
+#[must_use]
+pub fn in_words(wavelengths_nm: &[f64]) -> String {
+    let [shortest, longest] =
+        [f64::min, f64::max].map(|of| wavelengths_nm.iter().copied().reduce(of).unwrap_or(0.0));
+    let (unit, scale) = if longest >= MICROMETRES_FROM { ("µm", 1e-3) } else { ("nm", 1.0) };
+    let decimals = match scale * shortest {
+        100.0.. => 0,
+        10.0.. => 1,
+        1.0.. => 2,
+        _ => 3,
+    };
+    let scaled: Vec<f64> = wavelengths_nm.iter().map(|wavelength| scale * wavelength).collect();
+    format!("{} {unit}", told_apart(&scaled, decimals).join(" and "))
+}
+
+/// `606 and 567 nm, orange and yellow`.
+fn line(wavelengths_nm: Vec<f64>) -> String {
+    let mut names: Vec<_> = wavelengths_nm.iter().map(|wavelength| spectrum::name(*wavelength)).collect();
+    names.dedup();
+    let unseen = unseen(wavelengths_nm.iter().map(|wavelength| Band::of(*wavelength)));
+    format!("{}, {}{unseen}", in_words(&wavelengths_nm), names.join(" and "))
+}
+
+/// `a glow of 1273 K, received as of 1476 and 1578 K`.
+fn glow(kelvin: f64, received: &[f64]) -> String {
+    let unseen = unseen(received.iter().map(|kelvin| Band::of_glow(*kelvin)));
+    let [kelvin, received] = [&[kelvin], received].map(|values| told_apart(values, 0).join(" and "));
+    format!("a glow of {kelvin} K, received as of {received} K{unseen}")
+}
+
+/// Which eye sees nothing of what arrives in these bands at the left and the right eye, or at both.
+fn unseen(bands: impl Iterator<Item = Band>) -> &'static str {
+    match bands.map(|band| band == Band::Visible).collect::<Vec<_>>()[..] {
+        [false] | [false, false] => ": eyes see nothing",
+        [false, true] => ": the left eye sees nothing",
+        [true, false] => ": the right eye sees nothing",
+        _ => "",
+    }
+}
+
+/// `many wavelengths, all divided by D = 1.16 and 1.24: bluer than at rest`.
+fn shift(doppler_factors: &[f64]) -> String {
+    let texts = told_apart(doppler_factors, DOPPLER_DECIMALS);
+    let word = |factor: &f64| if *factor > 1.0 { "bluer" } else { "redder" };
+    let mut words: Vec<_> = doppler_factors.iter().filter(|factor| **factor != 1.0).map(word).collect();
+    words.dedup();
+    let than = if words.is_empty() {
+        "as at rest".to_owned()
+    } else {
+        format!("{} than at rest", words.join(" and "))
+    };
+    format!("its wavelengths divided by D = {}, {than}", texts.join(" and "))
+}

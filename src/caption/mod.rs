@@ -1,0 +1,197 @@
+//! The moment in words: what arrives of one point at one T, as a sentence, as marks on a wavelength scale, and as the
+//! reason why a part of a picture is dark.
+//!
+//! Two rules hold for every sentence. What no eye receives is not said to be seen: a contracted picture is *measured*.
+//! And three times are kept apart by name: T, when light arrives; t, when it left.
+
+mod light;
+mod numbers;
+#[cfg(test)]
+mod tests;
+mod unseen;
+
+use relativity_core::Sighting;
+use relativity_core::doppler::received_wavelength;
+use relativity_render::{Colour, Emission, Geometry, View};
+
+pub use self::light::{Source, in_words};
+use self::numbers::{decimal, told_apart};
+pub use self::unseen::notice;
+use crate::scene::Track;
+use crate::settings::{Light, Settings};
+
+/// Decimals of a time or a place, at least.
+const DECIMALS: u8 = 2;
+
+/// What is shown of one point at one T.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Moment {
+    /// What the point is called, with its article.
+    pub name: String,
+    /// Its light at rest.
+    pub source: Source,
+    /// T.
+    pub time: f64,
+    /// What is said of its colour where that is not drawn as it is received.
+    drawn: &'static str,
+    shown: Shown,
+}
+
+/// What the geometry shows of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Shown {
+    /// What arrives at each eye; at both in one place the same.
+    Received([Sighting; 2], Eyes),
+    /// What arrives at the left eye; the right eye's picture is the published model's.
+    Published(Sighting),
+    /// Where it is at T: this x from between the eyes.
+    Contracted(f64),
+    /// What arrives at cameras that ride along: Doppler factors.
+    RidingAlong([f64; 2]),
+    /// Nothing: it is outside the domain of the core.
+    Unknown,
+}
+
+/// Whether the eyes are in one place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Eyes {
+    Apart,
+    Together,
+}
+
+impl Moment {
+    /// What is shown of the point at `track`, called `name`, at `time` with these `settings`.
+    #[must_use]
+    pub fn new(settings: &Settings, track: &Track, name: String, emission: Emission, time: f64) -> Self {
+        let shown = Shown::new(settings, track, time).unwrap_or(Shown::Unknown);
+        Self {
+            name,
+            source: Source::new(emission, &settings.light),
+            time,
+            drawn: drawn(&settings.light),
+            shown,
+        }
+    }
+
+    /// Doppler factors of the light that arrives at the left and the right eye, or at cameras in their places, in the
+    /// picture that is shown; none where it shows no light that arrives.
+    #[must_use]
+    pub fn doppler_factors(&self) -> [Option<f64>; 2] {
+        match self.shown {
+            Shown::Received([left, right], _) => [left, right].map(|seen| Some(seen.doppler_factor)),
+            Shown::Published(left) => [Some(left.doppler_factor), None],
+            Shown::RidingAlong(factors) => factors.map(Some),
+            Shown::Contracted(_) | Shown::Unknown => [None; 2],
+        }
+    }
+
+    /// Wavelengths of that light, nm; none for light of many.
+    #[must_use]
+    pub fn wavelengths_nm(&self) -> [Option<f64>; 2] {
+        let Source::Line(at_rest) = self.source else { return [None; 2] };
+        let received = |factor| Some(received_wavelength(at_rest, factor)).filter(|nm| nm.is_finite());
+        self.doppler_factors().map(|factor| factor.and_then(received))
+    }
+
+    /// That light in words; `None` where no light is shown that arrives.
+    #[must_use]
+    pub fn light(&self) -> Option<String> {
+        self.source.described(&self.doppler_factors().into_iter().flatten().collect::<Vec<_>>())
+    }
+
+    /// The moment in a sentence or two.
+    #[must_use]
+    pub fn sentence(&self) -> String {
+        let (name, now) = (&self.name, decimal(self.time, DECIMALS));
+        match self.shown {
+            Shown::Received(seen, eyes) => {
+                let left = self.departure(&seen, eyes);
+                self.with_light(&format!("Light arriving now (T = {now}) left {name} {left}"))
+            }
+            Shown::Published(seen) => {
+                let left = decimal(seen.retarded_time, DECIMALS);
+                let start =
+                    format!("Light arriving now (T = {now}) left {name} at t = {left} for the left eye");
+                let model = "The right view is the paper's model: the left eye's picture at T − ΔT.";
+                format!("{} {model}", self.with_light(&start))
+            }
+            Shown::Contracted(x) => format!(
+                "{} is drawn where it is now (t = {now}, x = {}), as measured on the ground: nobody sees this.",
+                capitalised(name),
+                decimal(x, DECIMALS)
+            ),
+            Shown::RidingAlong(_) => {
+                let start =
+                    format!("Cameras riding along, as they pass the eyes (T = {now}), receive from {name}");
+                self.with_light(&start)
+            }
+            Shown::Unknown => format!("Of {name} nothing can be worked out at T = {now}."),
+        }
+    }
+
+    /// When the light left that arrives at the eyes.
+    fn departure(&self, seen: &[Sighting; 2], eyes: Eyes) -> String {
+        let times = told_apart(&seen.map(|seen| seen.retarded_time), DECIMALS);
+        match (&times[..], eyes) {
+            ([left, right], Eyes::Apart) => format!("at t = {left} for the left eye, {right} for the right"),
+            (_, Eyes::Apart) => format!("at t = {} for both eyes", times[0]),
+            (_, Eyes::Together) => format!("at t = {}", times[0]),
+        }
+    }
+
+    /// `start`, and which light that is.
+    fn with_light(&self, start: &str) -> String {
+        match self.light() {
+            Some(light) => format!("{start}: {light}.{}", self.drawn),
+            None => format!("{start}."),
+        }
+    }
+}
+
+/// What is said of colours where `light` does not draw them as they are received.
+const fn drawn(light: &Light) -> &'static str {
+    match light.colour {
+        Colour::False => " The colours drawn are false ones, which tell D.",
+        _ if light.doppler_shift => "",
+        _ => " Its colour is drawn as at rest.",
+    }
+}
+
+impl Shown {
+    /// What `settings` show of the point at `track` at `time`; `None` outside the domain of the core.
+    fn new(settings: &Settings, track: &Track, time: f64) -> Option<Self> {
+        let velocity = settings.velocity(track.motion);
+        let is_moving = velocity.beta() != 0.0;
+        let seen = || settings.disparity(track, time).ok();
+        match settings.look.geometry {
+            Geometry::Rest if settings.speed().beta() != 0.0 => Self::riding_along(settings, track, time),
+            Geometry::Contracted if is_moving => {
+                let x = settings.source(track).x0 + velocity.speed.beta() * time;
+                Some(Self::Contracted(if velocity.is_backward { -x } else { x }))
+            }
+            Geometry::Published if is_moving => Some(Self::Published(seen()?.primary)),
+            // Where nothing moves all geometries are alike.
+            _ => {
+                let eyes = if settings.motion.d == 0.0 { Eyes::Together } else { Eyes::Apart };
+                seen().map(|both| Self::Received([both.primary, both.secondary], eyes))
+            }
+        }
+    }
+
+    /// What arrives at cameras that ride along, in the places of the eyes.
+    fn riding_along(settings: &Settings, track: &Track, time: f64) -> Option<Self> {
+        let doppler_factor = |view: View| {
+            let seen = view.of_group(track.motion);
+            let line_of_sight = seen.apparent_position(track.rest.into())?.try_normalize()?;
+            Some(seen.rest_ray(line_of_sight).doppler_factor)
+        };
+        let [left, right] = settings.views_ahead(time).map(doppler_factor);
+        Some(Self::RidingAlong([left?, right?]))
+    }
+}
+
+/// `text`, to begin a sentence.
+fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}

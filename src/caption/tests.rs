@@ -1,0 +1,163 @@
+//! What the sentences say, against numbers of the core.
+
+use relativity_core::{Aperture, SourcePoint, Speed, sighting};
+use relativity_render::{Colour, Emission, Geometry, Motion, Velocity};
+
+use super::Moment;
+use crate::flags::{SpeedParameter, SpeedSetting};
+use crate::scene::Track;
+use crate::settings::Settings;
+
+const POINT: Track = Track { rest: [0.0, 3.0, 2.0], motion: Motion::Scene };
+
+fn settings(beta: f64, d: f64) -> Settings {
+    let mut settings = Settings::default();
+    settings.motion.speed = SpeedSetting::new(SpeedParameter::Beta, beta).expect("a speed");
+    settings.motion.d = d;
+    settings
+}
+
+fn moment(settings: &Settings, time: f64) -> Moment {
+    Moment::new(settings, &POINT, "the front tyre".to_owned(), Emission::Wavelength(700.0), time)
+}
+
+/// What the core says: t and wavelength of each eye.
+fn core(beta: f64, d: f64, time: f64) -> [[f64; 2]; 2] {
+    let speed = Speed::from_beta(beta).expect("a speed");
+    let source = SourcePoint::from_rest(POINT.rest, &speed);
+    Aperture::pair(d).map(|eye| {
+        let seen = sighting(&speed, source, eye, time).expect("in the domain");
+        [seen.retarded_time, 700.0 / seen.doppler_factor]
+    })
+}
+
+#[test]
+fn the_sentence_tells_times_wavelengths_and_colours_of_both_eyes() {
+    let [[left, left_nm], [right, right_nm]] = core(0.9, 0.1, 1.1);
+    let expected = format!(
+        "Light arriving now (T = 1.10) left the front tyre at t = {left:.2} for the left eye, {right:.2} for the right: \
+         {left_nm:.0} and {right_nm:.0} nm, orange and yellow."
+    );
+    assert_eq!(
+        moment(&settings(0.9, 0.1), 1.1).sentence(),
+        expected.replace("= -", "= −").replace(", -", ", −")
+    );
+}
+
+#[test]
+fn what_eyes_do_not_see_is_said() {
+    let early = moment(&settings(0.9, 0.1), -1.0).sentence();
+    assert!(early.ends_with("nm, ultraviolet: eyes see nothing."), "{early}");
+    let late = moment(&settings(0.9, 0.1), 12.0).sentence();
+    assert!(late.ends_with("nm, infrared: eyes see nothing."), "{late}");
+}
+
+#[test]
+fn eyes_in_one_place_have_one_sentence() {
+    let sentence = moment(&settings(0.9, 0.0), 1.1).sentence();
+    assert!(!sentence.contains("eye") && sentence.matches("nm").count() == 1, "{sentence}");
+}
+
+#[test]
+fn eyes_that_hardly_differ_are_told_apart_by_more_decimals() {
+    let sentence = moment(&settings(0.9, 1e-3), 1.1).sentence();
+    let [[left, _], [right, _]] =
+        core(0.9, 1e-3, 1.1).map(|eye| eye.map(|value| (value * 1e3).round() / 1e3));
+    assert!(left != right, "{left} {right}");
+    assert!(
+        sentence.contains(&format!("{left:.3} for the left eye, −{:.3}", -right).replace('-', "−")),
+        "{sentence}"
+    );
+}
+
+#[test]
+fn at_rest_light_arrives_as_it_left() {
+    for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest, Geometry::Published] {
+        let mut settings = settings(0.0, 0.1);
+        settings.look.geometry = geometry;
+        let sentence = moment(&settings, 1.1).sentence();
+        assert!(
+            sentence.starts_with("Light arriving now (T = 1.10) left the front tyre at t = −2.5"),
+            "{sentence}"
+        );
+        assert!(sentence.ends_with(": 700 nm, red."), "{sentence}");
+    }
+}
+
+#[test]
+fn what_is_measured_is_not_said_to_be_seen() {
+    let mut settings = settings(0.6, 0.1);
+    settings.look.geometry = Geometry::Contracted;
+    let sentence = moment(&settings, 2.5).sentence();
+    assert_eq!(
+        sentence,
+        "The front tyre is drawn where it is now (t = 2.50, x = 1.50), as measured on the ground: nobody sees this."
+    );
+    assert_eq!(moment(&settings, 2.5).doppler_factors(), [None; 2]);
+}
+
+#[test]
+fn who_rides_along_receives_no_shift_from_what_rides_along() {
+    let mut settings = settings(0.6, 0.1);
+    settings.look.geometry = Geometry::Rest;
+    let riding = moment(&settings, 2.5);
+    assert_eq!(riding.doppler_factors(), [Some(1.0); 2]);
+    assert!(riding.sentence().ends_with("from the front tyre: 700 nm, red."), "{}", riding.sentence());
+    // A lamp post that comes towards them.
+    let post = Track { rest: [500.0, 3.0, 2.0], motion: Motion::Own(Velocity::REST) };
+    let post = Moment::new(&settings, &post, "the lamp post".to_owned(), Emission::Wavelength(700.0), 0.0);
+    // D = sqrt((1 + 0.6)/(1 - 0.6)) = 2 head-on.
+    assert!(post.wavelengths_nm().iter().all(|nm| (nm.expect("received") - 350.0).abs() < 0.1), "{post:?}");
+}
+
+#[test]
+fn the_published_model_says_so() {
+    let mut settings = settings(0.9, 0.1);
+    settings.look.geometry = Geometry::Published;
+    let sentence = moment(&settings, 1.1).sentence();
+    assert!(sentence.contains("for the left eye: ") && sentence.contains("the paper's model"), "{sentence}");
+}
+
+#[test]
+fn light_of_many_wavelengths_is_told_by_its_shift() {
+    let name = || "the house".to_owned();
+    let broad = Moment::new(&settings(0.9, 0.1), &POINT, name(), Emission::White, 12.0);
+    assert!(broad.sentence().ends_with("redder than at rest."), "{}", broad.sentence());
+    assert_eq!(broad.wavelengths_nm(), [None; 2]);
+}
+
+#[test]
+fn what_glows_is_told_by_its_temperatures() {
+    let mut settings = settings(0.9, 0.1);
+    (settings.light.colour, settings.light.temperature) = (Colour::Glowing, 1000.0);
+    let [[_, left], [_, right]] = core(0.9, 0.1, 1.1);
+    let sentence = moment(&settings, 1.1).sentence();
+    let expected = format!(": a glow of 1000 K, received as of {:.0} and {:.0} K.", 7e5 / left, 7e5 / right);
+    assert!(sentence.ends_with(&expected), "{sentence} {expected}");
+    let late = moment(&settings, 12.0).sentence();
+    assert!(late.ends_with("K: eyes see nothing."), "{late}");
+    settings.light.colour = Colour::False;
+    assert!(moment(&settings, 1.1).sentence().ends_with("false ones, which tell D."));
+}
+
+#[test]
+fn extremes_are_told_in_numbers() {
+    let mut all = Vec::new();
+    for gamma in [1.0, 1.0 + 1e-9, 2.0, 1e5, 1e12, 1e30] {
+        for d in [0.0, 1e-9, 0.1, 1e6] {
+            for time in [-1e12, -3.0, 0.0, 4.0, 1e12] {
+                for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest, Geometry::Published] {
+                    let mut settings = settings(0.0, d);
+                    settings.motion.speed = SpeedSetting::new(SpeedParameter::Gamma, gamma).expect("a speed");
+                    settings.look.geometry = geometry;
+                    settings.motion.depth_shift = -3.0;
+                    settings.motion.height_shift = -2.0;
+                    all.push(moment(&settings, time).sentence());
+                }
+            }
+        }
+    }
+    let is_broken =
+        |sentence: &&String| sentence.replace("infrared", "").contains("inf") || sentence.contains("NaN");
+    assert_eq!(all.iter().find(is_broken), None);
+}

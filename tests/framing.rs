@@ -1,0 +1,180 @@
+//! No default view crops what it is about: points all over the surfaces of what moves with the scene, each by its own
+//! light cone, lie inside the picture.
+
+use std::f64::consts::TAU;
+
+use gamow::app::state::State;
+use gamow::flags::{SpeedParameter, SpeedSetting};
+use gamow::scene::{PRESETS, Scene};
+use gamow::settings::{Settings, Subject};
+use glam::DVec3;
+use relativity_core::{Aperture, Speed};
+use relativity_render::{Camera, Gaze, Geometry, Motion, PreparedScene, View};
+
+const BETAS: [f64; 6] = [0.0, 0.3, 0.6, 0.9, 0.99, 0.9999];
+const SIZES: [[u32; 2]; 3] = [[480, 540], [960, 720], [300, 700]];
+/// Times of the loop.
+const TIMES: u32 = 40;
+/// Part of the picture that stays free on each side at least.
+const LEAST_MARGIN: f64 = 0.05;
+
+/// The presets as the window opens them at this beta.
+fn states(beta: f64) -> impl Iterator<Item = State> {
+    PRESETS.into_iter().map(move |name| {
+        let mut settings = Settings { scene: name.to_owned(), ..Settings::default() };
+        settings.motion.speed = SpeedSetting::new(SpeedParameter::Beta, beta).expect("a speed");
+        State::open(settings).expect("a preset")
+    })
+}
+
+/// Moments of the range over which a state is played, evenly spread.
+fn times(state: &State) -> impl Iterator<Item = f64> + use<> {
+    let [from, to] = state.time_range();
+    (0..TIMES).map(move |i| from + (to - from) * f64::from(i) / f64::from(TIMES - 1))
+}
+
+/// Points on the surfaces of the bodies that move with the scene, as cameras all around see them at rest.
+fn surface(scene: &Scene) -> Vec<DVec3> {
+    let moving = scene.groups.iter().filter(|group| group.motion == Motion::Scene);
+    let bodies: Vec<_> = moving.flat_map(|group| &scene.bodies[group.bodies()]).copied().collect();
+    let scene = PreparedScene::moving(&bodies);
+    let extent = scene.groups()[0].extent;
+    let directions = (0..8).map(|i| (TAU * f64::from(i) / 8.0, 0.0)).chain([(0.3, 1.5), (0.3, -1.5)]);
+    let tilted = (0..4).flat_map(|i| [0.7, -0.7].map(|tilt| (TAU * f64::from(i) / 4.0, tilt)));
+    let cameras = directions.chain(tilted).map(|(azimuth, elevation)| {
+        let gaze = Gaze { azimuth, elevation };
+        let place = extent.middle - gaze.axes().forward * (20.0 * extent.reach);
+        let aperture = Aperture { x: place.x, y: place.y, z: place.z };
+        Camera { aperture, gaze, horizontal_fov: 0.101, size: [60, 60] }
+    });
+    let hits = cameras.flat_map(|camera| {
+        let (speed, geometry) = (Speed::REST, Geometry::Seen);
+        scene.hit_image(&View { camera, speed, observation_time: 0.0, geometry }).hits
+    });
+    hits.flatten().map(|hit| hit.rest_position).collect()
+}
+
+/// Directions from an eye to what it is shown of `points`.
+fn directions(view: &View, points: &[DVec3]) -> Vec<DVec3> {
+    points.iter().filter_map(|&point| view.apparent_position(point)).collect()
+}
+
+/// The smallest part of the picture between an edge and a place where something is seen along `directions`; below 0
+/// where it is cropped.
+fn margin(camera: &Camera, directions: &[DVec3]) -> f64 {
+    let [width, height] = camera.size.map(f64::from);
+    let place = |&direction: &DVec3| {
+        let Some([u, v]) = camera.pixel(direction) else { return f64::NEG_INFINITY };
+        (u / width).min(1.0 - u / width).min(v / height).min(1.0 - v / height)
+    };
+    directions.iter().map(place).fold(f64::INFINITY, f64::min)
+}
+
+/// What both eyes are shown at `time`.
+fn views(state: &State, time: f64, size: [u32; 2]) -> [View; 2] {
+    let subject = Subject { scene: &state.session.prepared, tracked: state.session.scene.track(None) };
+    state.settings.views(subject, time, size)
+}
+
+/// That no picture of `state` in this `geometry`, over the loop and all sizes, crops what moves.
+fn assert_whole(state: &State, geometry: Geometry) {
+    let mut state = state.clone();
+    state.settings.look.geometry = geometry;
+    let points = surface(&state.session.scene);
+    assert!(points.len() > 500, "{}: {} points", state.settings.scene, points.len());
+    for time in times(&state) {
+        let seen = views(&state, time, SIZES[0]).map(|view| directions(&view, &points));
+        for size in SIZES {
+            let cameras = views(&state, time, size).map(|view| view.camera);
+            let least = margin(&cameras[0], &seen[0]).min(margin(&cameras[1], &seen[1]));
+            let beta = state.speed().beta();
+            let scene = &state.settings.scene;
+            assert!(least > LEAST_MARGIN, "{scene}, {geometry:?}, beta {beta}, T {time}, {size:?}: {least}");
+        }
+    }
+}
+
+#[test]
+fn no_default_view_crops_what_moves() {
+    for beta in BETAS {
+        states(beta).for_each(|state| assert_whole(&state, Geometry::Seen));
+    }
+}
+
+#[test]
+fn no_other_geometry_crops_it_either() {
+    for beta in [0.3, 0.9, 0.99] {
+        for state in states(beta) {
+            for geometry in [Geometry::Contracted, Geometry::Rest, Geometry::Published] {
+                assert_whole(&state, geometry);
+            }
+        }
+    }
+}
+
+/// The angle by which the gaze turns, and that by which the field of view changes, from `a` to `b`, degrees.
+fn change([a, b]: [&View; 2]) -> [f64; 2] {
+    let axis = |view: &View| view.camera.gaze.axes().forward;
+    let fov = |view: &View| view.camera.horizontal_fov;
+    [axis(a).angle_between(axis(b)), (fov(b) - fov(a)).abs()].map(f64::to_degrees)
+}
+
+/// The greatest changes from each of `count` moments of the loop to the next.
+fn greatest_changes(state: &State, count: u32) -> [f64; 2] {
+    let [from, to] = state.time_range();
+    let time = |i: u32| from + (to - from) * f64::from(i) / f64::from(count);
+    let shown: Vec<View> = (0..=count).map(|i| views(state, time(i), SIZES[1])[0]).collect();
+    let changes = shown.windows(2).map(|pair| change([&pair[0], &pair[1]]));
+    changes.fold([0.0, 0.0], |[turn, zoom], [a, b]| [turn.max(a), zoom.max(b)])
+}
+
+#[test]
+fn gaze_and_field_run_smoothly_while_time_does() {
+    for beta in [0.3, 0.9, 0.9999] {
+        for state in states(beta) {
+            let [coarse, fine] = [2000, 8000].map(|count| greatest_changes(&state, count));
+            for (coarse, fine) in coarse.into_iter().zip(fine) {
+                let scene = &state.settings.scene;
+                // A quarter of the step makes about a quarter of the change; a jump would stay as large.
+                assert!(fine < 0.5 * coarse + 0.02, "{scene} at {beta}: {coarse} to {fine} degrees");
+            }
+        }
+    }
+}
+
+#[test]
+fn while_the_start_is_played_no_frame_turns_by_more_than_four_degrees() {
+    let state = State::open(Settings::default()).expect("the start");
+    let [from, to] = state.time_range();
+    let frames = 60.0 * (to - from) / state.settings.playback.rate;
+    let [turn, zoom] = greatest_changes(&state, frames as u32);
+    assert!(turn < 4.0 && zoom < 4.0, "{turn}, {zoom} degrees a frame");
+}
+
+#[test]
+fn temporary_timing() {
+    for name in ["cyclist", "street", "lattice"] {
+        let scene = Scene::preset(name).expect("x");
+        let many = name == "lattice";
+        let mut bodies: Vec<_> = scene.bodies.clone();
+        if many {
+            while bodies.len() < 6400 {
+                let b = bodies[bodies.len() % 27].moved([0.0, 0.1, 0.01]);
+                bodies.push(b);
+            }
+        }
+        let prepared = if many { PreparedScene::moving(&bodies) } else { scene.prepared() };
+        let state = State::open(Settings { scene: name.to_owned(), ..Settings::default() }).expect("x");
+        let [from, to] = state.time_range();
+        let subject = Subject { scene: &prepared, tracked: state.session.scene.track(None) };
+        let start = std::time::Instant::now();
+        for i in 0..100 {
+            std::hint::black_box(state.settings.views(
+                subject,
+                from + (to - from) * f64::from(i) / 100.0,
+                SIZES[0],
+            ));
+        }
+        println!("{name} {} bodies: {} us", bodies.len(), start.elapsed().as_micros() / 100);
+    }
+}
