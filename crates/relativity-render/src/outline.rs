@@ -7,6 +7,8 @@
 //! outline is exact for balls; what is added for other bodies is below a ten-thousandth of their distance. In the
 //! contracted geometry a ball is flattened, and the outline is that of the ball around it.
 
+use std::cell::OnceCell;
+
 use glam::DVec3;
 use relativity_core::math::{atan, sin_cos, tan};
 
@@ -75,6 +77,18 @@ struct Seen<'a> {
     ball: Option<Ball>,
     capsules: &'a [Capsule],
     block: Option<Block>,
+    /// What its pieces look like, once that was asked for.
+    images: OnceCell<Vec<Option<Image>>>,
+}
+
+/// What a tube looks like.
+#[derive(Debug, Clone, Copy)]
+struct Image {
+    piece: Capsule,
+    /// The centres of the balls that its ends look like.
+    ends: [DVec3; 2],
+    /// How far it departs at most from the straight tube between them.
+    bulge: DVec3,
 }
 
 impl Seen<'_> {
@@ -128,9 +142,7 @@ impl Outline {
 fn framed(sights: &[Sight], towards: DVec3) -> Option<Framing> {
     let reach = |gaze: &Gaze| reach(sights, &gaze.axes());
     let mut gaze = Gaze { elevation: 0.0, ..Gaze::along(towards.try_normalize()?.to_array()) };
-    // First level, so that azimuths are exact however wide it is.
-    gaze.azimuth -= middle(reach(&gaze)[0]);
-    gaze.elevation = tilted(middle(reach(&gaze)[1]));
+    // Level at first, so that azimuths are exact however wide it is.
     for _ in 0..TURNS {
         let [across, up] = reach(&gaze).map(middle);
         gaze.azimuth -= across / sin_cos(gaze.elevation).1.max(0.1);
@@ -176,7 +188,7 @@ impl<'a> Sight<'a> {
             let around = scene.ball_around(body);
             let center = projection.apparent_centre(view.reflected_from_camera(around.from), around.radius);
             let ball = center.map(|center| Ball { center, radius: around.radius });
-            Seen { ball, capsules: scene.capsules(body), block: body.block }
+            Seen { ball, capsules: scene.capsules(body), block: body.block, images: OnceCell::new() }
         };
         let bodies = scene.bodies()[group.bodies.clone()].iter().map(seen).collect();
         Self { view, projection, bodies }
@@ -196,17 +208,19 @@ impl<'a> Sight<'a> {
         // A sample comes first: few of the others reach further then.
         for number in (0..self.bodies.len()).step_by(SAMPLED).chain(0..self.bodies.len()) {
             let body = &self.bodies[number];
-            if !body.ball.is_some_and(|ball| found.holds(&ball, axes)) {
-                for piece in body.pieces() {
-                    self.widen_by(&piece.reflected_from_camera(&self.view), HALVINGS, axes, found);
-                }
+            if body.ball.is_some_and(|ball| found.holds(&ball, axes)) {
+                continue;
+            }
+            let images = || body.pieces().map(|piece| self.image(&piece.reflected_from_camera(&self.view)));
+            for image in body.images.get_or_init(|| images().collect()) {
+                self.widen_by(image.as_ref(), HALVINGS, axes, found);
             }
         }
     }
 
-    /// Widens `found` so that it holds the `piece`.
-    fn widen_by(&self, piece: &Capsule, halvings: u32, axes: &Axes, found: &mut Reach) {
-        let Some((ends, bulge)) = self.image(piece) else {
+    /// Widens `found` so that it holds a piece with this image.
+    fn widen_by(&self, image: Option<&Image>, halvings: u32, axes: &Axes, found: &mut Reach) {
+        let Some(&Image { piece, ends, bulge }) = image else {
             *found = Reach::EVERYWHERE;
             return;
         };
@@ -221,15 +235,16 @@ impl<'a> Sight<'a> {
             beyond.map(|ball| found.widen(&ball, axes));
             return;
         }
-        piece.halves().iter().for_each(|half| self.widen_by(half, halvings - 1, axes, found));
+        for half in piece.halves() {
+            self.widen_by(self.image(&half).as_ref(), halvings - 1, axes, found);
+        }
     }
 
-    /// The centres of the balls that its ends look like, and how far it departs at most from the straight tube between
-    /// them. `None` where that cannot be said.
-    fn image(&self, piece: &Capsule) -> Option<([DVec3; 2], DVec3)> {
+    /// What a piece, from the camera's event, looks like; `None` where that cannot be said.
+    fn image(&self, piece: &Capsule) -> Option<Image> {
         let first = self.projection.apparent_centre(piece.from, piece.radius)?;
         let last = self.projection.apparent_centre(piece.to, piece.radius)?;
-        Some(([first, last], self.projection.bulge(piece)?))
+        Some(Image { piece: *piece, ends: [first, last], bulge: self.projection.bulge(piece)? })
     }
 }
 
