@@ -108,6 +108,54 @@ fn every_renderer_that_can_be_measured_is_held_against_the_reference() {
 }
 
 #[test]
+fn boxes_and_cylinders_are_drawn_as_exactly_as_round_bodies() {
+    let folder = tempfile::tempdir().expect("there is a place for temporary files");
+    let file = folder.path().join("solids.toml");
+    fs::write(&file, SOLIDS).expect("it can be written");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_gamow"));
+    command.env_remove("RUST_LOG").args(["accuracy", "--quick", "--size=240x180", "--scene"]).arg(&file);
+    let report = json(&mut command);
+    if report["setting"]["device"].is_null() {
+        return;
+    }
+    let exact = &entry(&report, "renderers", "method", "exact f32")["worst_view"];
+    assert!(number(&exact["wrong_share"]) < 0.001, "{exact}");
+    assert!(number(&exact["silhouettes_px"]["p99"]) < 0.05, "{exact}");
+    assert!(number(&exact["doppler_relative"]["worst"]) < 1e-5, "{exact}");
+    let mesh = &entry(&report, "renderers", "method", "mesh 0.5 px")["worst_view"];
+    assert!(number(&mesh["silhouettes_px"]["worst"]) < 0.5, "{mesh}");
+}
+
+const SOLIDS: &str = r#"
+name = "Solids"
+
+[[object]]
+shape = "box"
+center = [0, 3, 0]
+size = [1, 1, 1]
+angle = 25
+
+[[object]]
+shape = "box"
+center = [-1.2, 3.5, 0]
+size = [0.6, 0.05, 1.2]
+axis = [1, 1, 0]
+angle = 40
+
+[[object]]
+shape = "cylinder"
+from = [0.9, 3.5, -0.8]
+to = [1.2, 3.2, 0.7]
+radius = 0.3
+
+[[object]]
+shape = "cylinder"
+from = [-0.6, 2.2, -0.5]
+to = [-0.6, 2.25, -0.45]
+radius = 0.3
+"#;
+
+#[test]
 #[cfg(target_os = "linux")]
 fn without_an_adapter_it_measures_what_it_can_and_says_what_is_missing() {
     let report = json(without_adapter(&mut command(&[])));

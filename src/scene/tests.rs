@@ -329,6 +329,58 @@ fn a_pattern_must_fit_its_shape_and_close_around_it() {
 }
 
 #[test]
+fn a_box_has_full_lengths_and_may_be_turned() {
+    let half_and_x = |rest: &str| {
+        let text = format!("name = \"x\"\n[[object]]\nshape = \"box\"\ncenter = [1, 2, 3]\n{rest}");
+        let scene = Scene::parse(&text, "x").unwrap_or_else(|error| panic!("{error}"));
+        let Shape::Box { center, half, turn } = scene.bodies[0].shape else { panic!("a box") };
+        assert_eq!(center, [1.0, 2.0, 3.0]);
+        (half, glam::DQuat::from_array(turn) * glam::DVec3::X)
+    };
+    let size = "size = [2, 4, 6]";
+    assert_eq!(half_and_x(size), ([1.0, 2.0, 3.0], glam::DVec3::X));
+    // Counter-clockwise as seen from above, or from where the axis points.
+    let turned = |rest: &str| half_and_x(&format!("{size}\n{rest}")).1;
+    assert!(turned("angle = 90").distance(glam::DVec3::Y) < 1e-15);
+    assert!(turned("angle = 90\naxis = [0, 3, 0]").distance(glam::DVec3::NEG_Z) < 1e-15);
+}
+
+#[test]
+fn what_is_wrong_with_a_box_or_a_cylinder_is_said() {
+    let cuboid = |rest: &str| object_error(&format!("shape = \"box\"\ncenter = [0, 3, 2]\n{rest}"));
+    assert_eq!(cuboid("angle = 5"), "balls.toml:2: a box needs `size`");
+    assert_eq!(cuboid("size = 2"), "balls.toml:5: size = 2 must be three sizes [x, y, z]");
+    assert_eq!(cuboid("size = [1, 0, 1]"), "balls.toml:5: size = 0 must be above 0");
+    assert_eq!(
+        cuboid("size = [1, 1, 1]\naxis = [0, 0, 1]"),
+        "balls.toml:6: axis = [0, 0, 1] needs `angle`, by how many degrees the box is turned about it"
+    );
+    assert_eq!(
+        cuboid("size = [1, 1, 1]\naxis = [0, 0, 0]\nangle = 5"),
+        "balls.toml:6: axis = [0, 0, 0] must have a direction, such as [0, 1, 0]"
+    );
+    assert_eq!(
+        object_error("shape = \"cylinder\"\nfrom = [0, 3, 2]\nto = [0, 3, 2]\nradius = 1"),
+        "balls.toml:5: to = [0, 3, 2] must differ from `from`, the middle of the other end"
+    );
+}
+
+#[test]
+fn flat_faces_are_tracked_in_their_middle_and_corners_where_they_stand_out() {
+    let tracked = |object: &str| {
+        let text = format!("name = \"x\"\n[[object]]\n{object}");
+        Scene::parse(&text, "x").unwrap_or_else(|error| panic!("{error}")).tracked
+    };
+    let cuboid = "shape = \"box\"\ncenter = [0, 3, 0]\nsize = [2, 2, 2]\n";
+    assert_eq!(tracked(cuboid), [1.0, 3.0, 0.0]);
+    let [x, y, z] = tracked(&format!("{cuboid}angle = 45"));
+    assert!((x - 2f64.sqrt()).abs() < 1e-15 && (y - 3.0).abs() < 1e-15 && z == 0.0, "{x}, {y}, {z}");
+    let cylinder = "shape = \"cylinder\"\nradius = 0.5\nfrom = [0, 3, 0]\n";
+    assert_eq!(tracked(&format!("{cylinder}to = [2, 3, 0]")), [2.0, 3.0, 0.0]);
+    assert_eq!(tracked(&format!("{cylinder}to = [0, 5, 0]")), [0.5, 4.0, 0.0]);
+}
+
+#[test]
 fn a_size_must_be_positive_and_drawable() {
     let sphere = |size: &str| object_error(&format!("shape = \"sphere\"\ncenter = [0, 3, 2]\n{size}"));
     assert_eq!(sphere("radius = -1"), "balls.toml:5: radius = -1 must be above 0");

@@ -37,6 +37,17 @@ impl Capsule {
         Self { from: center, to: center, radius }
     }
 
+    /// A ball around some, of which there is at least one.
+    pub fn ball_around(all: &[Self]) -> Self {
+        let ends = || all.iter().flat_map(|capsule| [capsule.from, capsule.to]);
+        let (low, high) = ends()
+            .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), end| (low.min(end), high.max(end)));
+        let center = 0.5 * (low + high);
+        let reach =
+            |capsule: &Self| capsule.from.distance(center).max(capsule.to.distance(center)) + capsule.radius;
+        Self::ball(center, all.iter().map(reach).fold(0.0, f64::max))
+    }
+
     /// From the camera's event, reflected so that the group moves along +x.
     pub fn reflected_from_camera(&self, view: &GroupView) -> Self {
         let [from, to] = [self.from, self.to].map(|end| view.reflected_from_camera(end));
@@ -76,6 +87,21 @@ impl Block {
             let side = |bit: usize| if i & bit == 0 { -1.0 } else { 1.0 };
             self.center + x * side(1) + y * side(2) + z * side(4)
         })
+    }
+
+    /// Its edges, tubes without a radius.
+    pub fn edges(&self) -> impl Iterator<Item = Capsule> + use<> {
+        let corners = self.corners();
+        let edge = move |from: usize, bit: usize| {
+            (from & bit == 0).then(|| Capsule { from: corners[from], to: corners[from | bit], radius: 0.0 })
+        };
+        (0..8).flat_map(move |from| [1, 2, 4].map(|bit| edge(from, bit)).into_iter().flatten())
+    }
+
+    /// The ball around it.
+    pub fn ball_around(&self) -> Capsule {
+        let radius = self.half_axes.iter().map(|axis| axis.length_squared()).sum::<f64>().sqrt();
+        Capsule::ball(self.center, radius)
     }
 
     /// How far from the origin it is; 0 around it.

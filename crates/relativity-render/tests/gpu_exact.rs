@@ -32,6 +32,7 @@ fn main() -> ExitCode {
         ("where_surfaces_coincide_the_first_body_is_seen", where_surfaces_coincide_the_first_body_is_seen),
         ("bounds_never_clip", bounds_never_clip),
         ("spheres_keep_a_circular_outline", spheres_keep_a_circular_outline),
+        ("a_cube_far_abeam_looks_turned", a_cube_far_abeam_looks_turned),
     ])
 }
 
@@ -270,6 +271,36 @@ fn spheres_keep_a_circular_outline(renderers: &mut Renderers) {
             let residual = circle_residual(&outline) * view.camera.focal_length_px();
             // A place between two pixels is known to half a pixel.
             assert!(residual < 0.75, "beta {} along {along}: {residual} px", speed.beta());
+        }
+    }
+}
+
+/// Terrell: where the line of sight is at right angles to the motion, a small cube looks turned by arcsin beta. At 0.8 c
+/// its front is sqrt(1 - beta^2) = 0.6 of its edge wide, and its rear, which no picture at rest would show, beta = 0.8.
+fn a_cube_far_abeam_looks_turned(renderers: &mut Renderers) {
+    let (center, speed) = ([0.0, 1000.0, 0.0], Speed::from_beta(0.8).expect("below 1"));
+    let cube = Shape::Box { center, half: [0.5; 3], turn: [0.0, 0.0, 0.0, 1.0] };
+    let scene = PreparedScene::moving(&[Body::new(cube, 600.0)]);
+    let edge_px = 100.0;
+    let focal_length_px = edge_px * center[1];
+    let fov_degrees = 2.0 * f64::atan2(160.0, focal_length_px).to_degrees();
+    let view = view_following(center, speed, time_seen_at(center, &speed, 0.0), fov_degrees);
+    for method in [Method::Reference, Method::Exact, Method::Mesh { bound_px: 0.1 }] {
+        let image = renderers.hits(method, &scene, &view).expect("device works");
+        let row: Vec<_> = image.hits[120 * 320..121 * 320].to_vec();
+        for (normal, along, expected) in [(DVec3::NEG_Y, DVec3::X, 0.6), (DVec3::NEG_X, DVec3::NEG_Y, 0.8)] {
+            let face = row.iter().enumerate().filter_map(|(u, hit)| {
+                let hit = hit.filter(|hit| hit.rest_normal.distance(normal) < 0.1)?;
+                Some((u as f64, hit.rest_position.dot(along)))
+            });
+            let face: Vec<_> = face.collect();
+            let [(first_px, first), .., (last_px, last)] = face[..] else {
+                panic!("{method} hides {normal}")
+            };
+            let pixels = face.len() as f64 / edge_px;
+            assert!((pixels - expected).abs() <= 0.01, "{method}, {normal}: {pixels} edges in pixels");
+            let width = (last_px - first_px) / (last - first) / edge_px;
+            assert!((width / expected - 1.0).abs() < 0.01, "{method}, {normal}: {width} edges wide");
         }
     }
 }

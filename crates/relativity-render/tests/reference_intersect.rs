@@ -184,6 +184,8 @@ fn an_aperture_inside_a_body_does_not_see_its_inner_surface() {
     let inside = [
         (Shape::Sphere { center: [0.0; 3], radius: 1.0 }, DVec3::ZERO),
         (Shape::Tube { from: [-1.0, 0.0, 0.0], to: [1.0, 0.0, 0.0], radius: 0.5 }, DVec3::X),
+        (Shape::Box { center: [0.0; 3], half: [1.0, 2.0, 3.0], turn: [0.0, 0.0, 0.0, 1.0] }, DVec3::Y),
+        (Shape::Cylinder { from: [-1.0, 0.0, 0.0], to: [1.0, 0.0, 0.0], radius: 0.5 }, DVec3::ZERO),
     ];
     for (shape, origin) in inside {
         assert_eq!(Solid::new(&shape).entry(&Ray::new(origin, DVec3::X)), None);
@@ -192,6 +194,20 @@ fn an_aperture_inside_a_body_does_not_see_its_inner_surface() {
     let ring = Shape::Ring { center: [0.0; 3], axis: [0.0, 0.0, 1.0], radius: 1.0, tube_radius: 0.25 };
     let entry = Solid::new(&ring).entry(&Ray::new(DVec3::X, DVec3::NEG_X)).expect("the far side");
     assert!((entry.distance - 1.75).abs() < 1e-12);
+}
+
+#[test]
+fn rays_in_the_planes_of_faces_and_along_axes_are_told_from_those_beside() {
+    let cube = Shape::Box { center: [0.0; 3], half: [1.0; 3], turn: [0.0, 0.0, 0.0, 1.0] };
+    let rod = Shape::Cylinder { from: [-1.0, 0.0, 0.0], to: [1.0, 0.0, 0.0], radius: 1.0 };
+    for (shape, off) in [(cube, DVec3::Z), (cube, DVec3::new(0.0, 1.0, 1.0)), (rod, DVec3::Z)] {
+        for scale in [0.0, 1.0 - 1e-12, 1.0, 1.0 + 1e-12, 2.0] {
+            let ray = Ray::new(DVec3::NEG_X * 5.0 + off * scale, DVec3::X);
+            let entry = Solid::new(&shape).entry(&ray);
+            assert_eq!(entry.is_some(), scale <= 1.0, "{shape:?} at {scale}");
+            assert!(entry.is_none_or(|entry| (entry.distance - 4.0).abs() < 1e-14));
+        }
+    }
 }
 
 #[test]
