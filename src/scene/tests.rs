@@ -445,7 +445,7 @@ fn a_tube_must_have_a_length() {
 fn shapes_and_scenes_are_known_by_name() {
     assert_eq!(
         object_error("shape = \"cube\""),
-        "balls.toml:3: shape = \"cube\" must be \"sphere\", \"tube\" or \"ring\""
+        "balls.toml:3: shape = \"cube\" must be \"sphere\", \"tube\", \"ring\", \"box\" or \"cylinder\""
     );
     assert_eq!(
         error("name = \"x\"\n[[include]]\nscene = \"cyclists\""),
@@ -491,5 +491,5 @@ fn the_example_in_the_description_of_the_format_loads() {
     let (_, rest) = description.split_once("```toml\n").expect("it has an example");
     let (example, _) = rest.split_once("```").expect("which ends");
     let scene = Scene::parse(example, "README.md").unwrap_or_else(|error| panic!("{error}"));
-    assert_eq!((scene.bodies.len(), scene.ground_z), (3, Some(-2.5)));
+    assert_eq!((scene.bodies.len(), scene.ground_z), (5, Some(-2.5)));
 }

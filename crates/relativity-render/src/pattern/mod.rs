@@ -100,9 +100,10 @@ impl Marking {
     /// Of `pattern` on this `form`, turned so; `None` where that leaves a body plain.
     pub fn new(pattern: Pattern, form: Form, turn: DQuat) -> Option<Self> {
         let (ruling, [along_step, around_step]) = match (pattern, form) {
-            (Pattern::Plain, _) => return None,
             (Pattern::Faces, Form::Box { .. }) => (Ruling::Faces, [1.0; 2]),
-            (Pattern::Faces, _) | (Pattern::Graticule { .. }, Form::Box { .. }) => return None,
+            (Pattern::Plain | Pattern::Faces, _) | (Pattern::Graticule { .. }, Form::Box { .. }) => {
+                return None;
+            }
             (Pattern::Graticule { step_degrees }, form) => {
                 let angle = step_degrees.to_radians();
                 (Ruling::Graticule, [angle * form.radius(), angle])
@@ -115,7 +116,7 @@ impl Marking {
 
     /// For the shaders: its number among rulings, and its steps.
     pub fn packed(&self) -> [f32; 3] {
-        [self.ruling as u8 as f32, self.along_step as f32, self.around_step as f32]
+        [f32::from(self.ruling as u8), self.along_step as f32, self.around_step as f32]
     }
 
     /// Share of the light, in (0, 1], that is left at `place` (from the body's middle) with this `normal`, both in the
