@@ -106,6 +106,7 @@ mod tests {
             shading: Shading::Emission,
             ground_z: None,
             road: None,
+            fronts: None,
             sky: false,
             light: false,
         }
