@@ -1,6 +1,7 @@
 //! Rays against shapes with flat faces: boxes and cylinders, each what several pairs of planes or a tube have in common.
 
 use glam::{DMat3, DVec3};
+use relativity_core::math;
 
 use super::LocalRay;
 
@@ -46,8 +47,9 @@ impl LocalRay {
 pub(super) fn block_half_width(axes: DMat3, half: DVec3, direction: DVec3) -> f64 {
     // What is seen is a hexagon, with sides along the images of the axes.
     let steep = (axes.transpose() * direction).abs();
-    let across =
-        |i: usize, j: usize| (half[i] * steep[j] + half[j] * steep[i]) / steep[i].hypot(steep[j]).max(1e-30);
+    let across = |i: usize, j: usize| {
+        (half[i] * steep[j] + half[j] * steep[i]) / math::hypot(steep[i], steep[j]).max(1e-30)
+    };
     let widths = [across(0, 1), across(1, 2), across(2, 0)];
     // Seen along an axis, that one has no image.
     widths.into_iter().filter(|&width| width > 0.0).fold(f64::INFINITY, f64::min)

@@ -6,6 +6,7 @@
 mod flat;
 
 use glam::{DMat3, DVec3};
+use relativity_core::math;
 
 use crate::body::Shape;
 use crate::polynomial::first_descent;
@@ -96,7 +97,7 @@ impl Solid {
                 let half_length = 0.5 * (to - from).length();
                 Self {
                     center: 0.5 * (from + to),
-                    bounding_radius: half_length.hypot(radius),
+                    bounding_radius: math::hypot(half_length, radius),
                     form: Form::Cylinder { axis: (to - from).normalize(), half_length, radius },
                 }
             }
