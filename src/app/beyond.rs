@@ -96,8 +96,11 @@ fn label(ui: &Ui, painter: &Painter, rect: Rect, beyond: &Beyond, tip: Pos2) {
     let font = TextStyle::Small.resolve(ui.style());
     let galley = painter.layout_no_wrap(beyond.text(), font, Color32::WHITE);
     let half = 0.5 * galley.size() + vec2(5.0, 2.0);
-    let inwards = ARROW + 5.0 + (half * beyond.towards).abs().dot(Vec2::splat(1.0));
-    let centre = tip - beyond.towards * inwards;
+    // Straight inwards from the edge that the arrow is at.
+    let is_aside = (tip.x - rect.center().x).abs() > 0.5 * rect.width() - INSET - 1.0;
+    let inwards =
+        if is_aside { vec2(beyond.towards.x, 0.0) } else { vec2(0.0, beyond.towards.y) }.normalized();
+    let centre = tip - inwards * (ARROW + 5.0 + (half * inwards).length());
     let room = rect.shrink2(half + Vec2::splat(2.0));
     let back = Rect::from_center_size(centre.clamp(room.min, room.max.max(room.min)), 2.0 * half);
     painter.rect_filled(back, 3.0, Color32::from_black_alpha(170));
@@ -109,4 +112,70 @@ fn edge_of(rect: Rect, towards: Vec2) -> Pos2 {
     let half = 0.5 * rect.size();
     let reach = |half: f32, part: f32| if part == 0.0 { f32::INFINITY } else { half / part.abs() };
     rect.center() + towards * reach(half.x, towards.x).min(reach(half.y, towards.y))
+}
+
+#[cfg(test)]
+mod tests {
+    use eframe::egui::pos2;
+
+    use super::*;
+    use crate::flags::FieldOfView;
+    use crate::flags::choices::GazeChoice;
+    use crate::settings::Settings;
+
+    const SIZE: [u32; 2] = [480, 360];
+
+    /// The cyclist at this T, seen with this gaze, 40 degrees wide.
+    fn looking(gaze: [f64; 2], time: f64) -> State {
+        let mut settings = Settings { scene: "cyclist".to_owned(), time: Some(time), ..Settings::default() };
+        settings.look.gaze = GazeChoice::Fixed(gaze);
+        settings.look.fov = FieldOfView(Some(40.0));
+        State::open(settings).expect("a preset")
+    }
+
+    #[test]
+    fn what_the_start_shows_needs_no_arrow() {
+        let state = State::open(Settings::default()).expect("the start");
+        assert_eq!(Eye::BOTH.map(|eye| state.beyond(eye, SIZE)), [vec![], vec![]]);
+    }
+
+    #[test]
+    fn an_arrow_points_to_the_rider_and_tells_how_far_to_turn() {
+        for turned in [40.0, -70.0, 150.0] {
+            let mut state = looking([90.0, 0.0], 1.1);
+            let whole = {
+                state.settings.look.gaze = GazeChoice::Whole;
+                state.gaze()
+            };
+            let azimuth = whole.azimuth.to_degrees() + turned;
+            state.settings.look.gaze = GazeChoice::Fixed([azimuth, whole.elevation.to_degrees()]);
+            let [beyond] = state.beyond(Eye::Left, SIZE).try_into().expect("one arrow");
+            // On the circle of that elevation, haversine of the angle.
+            let half = (0.5 * turned.to_radians()).sin().abs() * whole.elevation.cos();
+            assert!((beyond.degrees - (2.0 * half.asin()).to_degrees()).abs() < 1e-9, "{beyond:?}");
+            // Turned to the left it lies to the right.
+            assert_eq!(beyond.towards.x > 0.0, turned > 0.0, "{beyond:?}");
+            let words = format!("Gamow's cyclist {} degrees", beyond.degrees.round());
+            assert_eq!((beyond.text(), beyond.point), (words, None));
+        }
+    }
+
+    #[test]
+    fn a_selected_point_that_is_cut_off_has_an_arrow_of_its_own() {
+        let mut state = looking([90.0, 0.0], 1.1);
+        state.settings.look.gaze = GazeChoice::Whole;
+        state.settings.look.fov = FieldOfView(Some(8.0));
+        let [beyond] = state.beyond(Eye::Left, SIZE).try_into().expect("one arrow");
+        assert_eq!(beyond.point, Some(1));
+        assert!(beyond.text().starts_with("point 1 (front tyre) "), "{}", beyond.text());
+    }
+
+    #[test]
+    fn arrows_stand_at_the_edge() {
+        let rect = Rect::from_min_max(pos2(10.0, 20.0), pos2(110.0, 80.0));
+        assert_eq!(edge_of(rect, vec2(1.0, 0.0)), pos2(110.0, 50.0));
+        assert_eq!(edge_of(rect, vec2(0.0, -1.0)), pos2(60.0, 20.0));
+        let aslant = edge_of(rect, vec2(-0.6, 0.8));
+        assert!((aslant - pos2(37.5, 80.0)).length() < 1e-4, "{aslant:?}");
+    }
 }

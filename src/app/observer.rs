@@ -98,8 +98,7 @@ impl State {
     pub fn moment(&self) -> Moment {
         let point = self.session.points.selected();
         let name = point.noun(&self.session.scene);
-        let rest_wavelength = self.rest_wavelength_nm(point);
-        Moment::new(&self.settings, &point.track, name, rest_wavelength, self.session.time)
+        Moment::new(&self.settings, &point.track, name, self.emission(point), self.session.time)
     }
 
     /// The exact disparity of `point` now.

@@ -1,7 +1,7 @@
 //! What the window shows: settings that are remembered, and the session they are applied to.
 
 use relativity_core::Speed;
-use relativity_render::{Appearance, PreparedScene};
+use relativity_render::{Appearance, Emission, PreparedScene};
 
 use super::clock;
 use super::points::{Point, Points};
@@ -99,13 +99,18 @@ impl State {
         self.settings.playback.range.0.unwrap_or_else(fitted)
     }
 
-    /// Wavelength at rest of the light of `point`, nm: of the body it was picked on, else of the first; white light has
-    /// none.
+    /// The light of `point`: of the body it was picked on, else of the one that the scene's own point is on, else of the
+    /// first.
+    #[must_use]
+    pub fn emission(&self, point: &Point) -> Emission {
+        let body = point.body.or_else(|| self.session.scene.tracked_body()).unwrap_or(0);
+        self.session.prepared.bodies().get(body).map_or(Emission::White, |body| body.emission)
+    }
+
+    /// Wavelength of that light at rest, nm; white light has none.
     #[must_use]
     pub fn rest_wavelength_nm(&self, point: &Point) -> Option<f64> {
-        let bodies = self.session.prepared.bodies();
-        let body = point.body.and_then(|body| bodies.get(body)).or(bodies.first())?;
-        body.emission.wavelength_nm()
+        self.emission(point).wavelength_nm()
     }
 
     /// What becomes of its light, in a light window or a dark one.

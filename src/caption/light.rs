@@ -2,25 +2,50 @@
 
 use relativity_core::doppler::received_wavelength;
 use relativity_render::spectrum::{self, Band};
+use relativity_render::{Colour, Emission};
 
 use super::numbers::told_apart;
+use crate::settings::Light;
 
 /// From this wavelength on, nm, micrometres are easier to read.
 const MICROMETRES_FROM: f64 = 10_000.0;
 /// Decimals of a Doppler factor.
 const DOPPLER_DECIMALS: u8 = 2;
 
-/// What is received with these `doppler_factors`, of the left and the right eye or of one, of light with this
-/// wavelength at rest or with many; none where they are no numbers.
-pub fn described(rest_wavelength_nm: Option<f64>, doppler_factors: &[f64]) -> Option<String> {
-    let are_numbers = doppler_factors.iter().all(|factor| factor.is_finite() && *factor > 0.0);
-    are_numbers.then(|| match rest_wavelength_nm {
-        Some(wavelength) => {
-            let received = |factor: &f64| received_wavelength(wavelength, *factor);
-            line(&doppler_factors.iter().map(received).collect::<Vec<_>>())
+/// The light of a point where it is at rest, as a picture takes it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Source {
+    /// Of one wavelength, nm.
+    Line(f64),
+    /// Of a body that glows at this temperature, K.
+    Glow(f64),
+    /// Of many wavelengths.
+    Broad,
+}
+
+impl Source {
+    /// That of a body with this `emission`, as `light` has it.
+    #[must_use]
+    pub fn new(emission: Emission, light: &Light) -> Self {
+        match (light.colour, emission) {
+            (Colour::OneWavelength | Colour::False, Emission::Wavelength(nm)) => Self::Line(nm),
+            (Colour::Glowing, _) => Self::Glow(light.temperature),
+            _ => Self::Broad,
         }
-        None => shift(doppler_factors),
-    })
+    }
+
+    /// What is received of it with these `doppler_factors`, of the left and the right eye or of one; none where they are
+    /// no numbers.
+    pub(super) fn described(self, doppler_factors: &[f64]) -> Option<String> {
+        let are_numbers = doppler_factors.iter().all(|factor| factor.is_finite() && *factor > 0.0);
+        let times = |value: f64| doppler_factors.iter().map(|factor| value * factor).collect::<Vec<_>>();
+        let received = |nm| doppler_factors.iter().map(|factor| received_wavelength(nm, *factor)).collect();
+        (are_numbers && !doppler_factors.is_empty()).then(|| match self {
+            Self::Line(nm) => line(received(nm)),
+            Self::Glow(kelvin) => glow(kelvin, &times(kelvin)),
+            Self::Broad => shift(doppler_factors),
+        })
+    }
 }
 
 /// `wavelengths` with unit, `606 and 567 nm`.
@@ -40,17 +65,28 @@ pub fn in_words(wavelengths_nm: &[f64]) -> String {
 }
 
 /// `606 and 567 nm, orange and yellow`.
-fn line(wavelengths_nm: &[f64]) -> String {
+fn line(wavelengths_nm: Vec<f64>) -> String {
     let mut names: Vec<_> = wavelengths_nm.iter().map(|wavelength| spectrum::name(*wavelength)).collect();
     names.dedup();
-    let are_seen = wavelengths_nm.iter().map(|wavelength| Band::of(*wavelength) == Band::Visible);
-    let unseen = match are_seen.collect::<Vec<_>>()[..] {
+    let unseen = unseen(wavelengths_nm.iter().map(|wavelength| Band::of(*wavelength)));
+    format!("{}, {}{unseen}", in_words(&wavelengths_nm), names.join(" and "))
+}
+
+/// `a glow of 1273 K, received as of 1476 and 1578 K`.
+fn glow(kelvin: f64, received: &[f64]) -> String {
+    let unseen = unseen(received.iter().map(|kelvin| Band::of_glow(*kelvin)));
+    let [kelvin, received] = [&[kelvin], received].map(|values| told_apart(values, 0).join(" and "));
+    format!("a glow of {kelvin} K, received as of {received} K{unseen}")
+}
+
+/// Which eye sees nothing of what arrives in these bands at the left and the right eye, or at both.
+fn unseen(bands: impl Iterator<Item = Band>) -> &'static str {
+    match bands.map(|band| band == Band::Visible).collect::<Vec<_>>()[..] {
         [false] | [false, false] => ": eyes see nothing",
         [false, true] => ": the left eye sees nothing",
         [true, false] => ": the right eye sees nothing",
         _ => "",
-    };
-    format!("{}, {}{unseen}", in_words(wavelengths_nm), names.join(" and "))
+    }
 }
 
 /// `many wavelengths, all divided by D = 1.16 and 1.24: bluer than at rest`.

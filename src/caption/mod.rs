@@ -12,13 +12,13 @@ mod unseen;
 
 use relativity_core::Sighting;
 use relativity_core::doppler::received_wavelength;
-use relativity_render::{Geometry, View};
+use relativity_render::{Colour, Emission, Geometry, View};
 
-pub use self::light::in_words;
+pub use self::light::{Source, in_words};
 use self::numbers::{decimal, told_apart};
 pub use self::unseen::notice;
 use crate::scene::Track;
-use crate::settings::Settings;
+use crate::settings::{Light, Settings};
 
 /// Decimals of a time or a place, at least.
 const DECIMALS: u8 = 2;
@@ -28,12 +28,12 @@ const DECIMALS: u8 = 2;
 pub struct Moment {
     /// What the point is called, with its article.
     pub name: String,
-    /// Wavelength of its light at rest, nm; none where there are many.
-    pub rest_wavelength_nm: Option<f64>,
+    /// Its light at rest.
+    pub source: Source,
     /// T.
     pub time: f64,
-    /// Whether its light is drawn as shifted by the Doppler effect.
-    pub is_shift_drawn: bool,
+    /// What is said of its colour where that is not drawn as it is received.
+    drawn: &'static str,
     shown: Shown,
 }
 
@@ -62,15 +62,15 @@ enum Eyes {
 impl Moment {
     /// What is shown of the point at `track`, called `name`, at `time` with these `settings`.
     #[must_use]
-    pub fn new(
-        settings: &Settings,
-        track: &Track,
-        name: String,
-        rest_wavelength_nm: Option<f64>,
-        time: f64,
-    ) -> Self {
+    pub fn new(settings: &Settings, track: &Track, name: String, emission: Emission, time: f64) -> Self {
         let shown = Shown::new(settings, track, time).unwrap_or(Shown::Unknown);
-        Self { name, rest_wavelength_nm, time, is_shift_drawn: settings.light.doppler_shift, shown }
+        Self {
+            name,
+            source: Source::new(emission, &settings.light),
+            time,
+            drawn: drawn(&settings.light),
+            shown,
+        }
     }
 
     /// Doppler factors of the light that arrives at the left and the right eye, or at cameras in their places, in the
@@ -88,8 +88,15 @@ impl Moment {
     /// Wavelengths of that light, nm; none for light of many.
     #[must_use]
     pub fn wavelengths_nm(&self) -> [Option<f64>; 2] {
-        let received = |(rest, factor)| Some(received_wavelength(rest, factor)).filter(|nm| nm.is_finite());
-        self.doppler_factors().map(|factor| self.rest_wavelength_nm.zip(factor).and_then(received))
+        let Source::Line(at_rest) = self.source else { return [None; 2] };
+        let received = |factor| Some(received_wavelength(at_rest, factor)).filter(|nm| nm.is_finite());
+        self.doppler_factors().map(|factor| factor.and_then(received))
+    }
+
+    /// That light in words; `None` where no light is shown that arrives.
+    #[must_use]
+    pub fn light(&self) -> Option<String> {
+        self.source.described(&self.doppler_factors().into_iter().flatten().collect::<Vec<_>>())
     }
 
     /// The moment in a sentence or two.
@@ -99,28 +106,24 @@ impl Moment {
         match self.shown {
             Shown::Received(seen, eyes) => {
                 let left = self.departure(&seen, eyes);
-                self.with_colour(
-                    &format!("Light arriving now (T = {now}) left {name} {left}"),
-                    seen.map(doppler),
-                )
+                self.with_light(&format!("Light arriving now (T = {now}) left {name} {left}"))
             }
             Shown::Published(seen) => {
                 let left = decimal(seen.retarded_time, DECIMALS);
                 let start =
                     format!("Light arriving now (T = {now}) left {name} at t = {left} for the left eye");
                 let model = "The right view is the paper's model: the left eye's picture at T − ΔT.";
-                format!("{} {model}", self.with_colour(&start, [doppler(seen)]))
+                format!("{} {model}", self.with_light(&start))
             }
             Shown::Contracted(x) => format!(
                 "{} is drawn where it is now (t = {now}, x = {}), as measured on the ground: nobody sees this.",
                 capitalised(name),
                 decimal(x, DECIMALS)
             ),
-            Shown::RidingAlong(factors) => {
-                let start = format!(
-                    "At cameras riding along, as they pass the eyes (T = {now}), arrives from {name}"
-                );
-                self.with_colour(&start, factors)
+            Shown::RidingAlong(_) => {
+                let start =
+                    format!("Cameras riding along, as they pass the eyes (T = {now}), receive from {name}");
+                self.with_light(&start)
             }
             Shown::Unknown => format!("Of {name} nothing can be worked out at T = {now}."),
         }
@@ -137,12 +140,20 @@ impl Moment {
     }
 
     /// `start`, and which light that is.
-    fn with_colour<const N: usize>(&self, start: &str, doppler_factors: [f64; N]) -> String {
-        let drawn = if self.is_shift_drawn { "" } else { " Its colour is drawn as at rest." };
-        match light::described(self.rest_wavelength_nm, &doppler_factors) {
-            Some(light) => format!("{start}: {light}.{drawn}"),
+    fn with_light(&self, start: &str) -> String {
+        match self.light() {
+            Some(light) => format!("{start}: {light}.{}", self.drawn),
             None => format!("{start}."),
         }
+    }
+}
+
+/// What is said of colours where `light` does not draw them as they are received.
+const fn drawn(light: &Light) -> &'static str {
+    match light.colour {
+        Colour::False => " The colours drawn are false ones, which tell D.",
+        _ if light.doppler_shift => "",
+        _ => " Its colour is drawn as at rest.",
     }
 }
 
@@ -177,10 +188,6 @@ impl Shown {
         let [left, right] = settings.views_ahead(time).map(doppler_factor);
         Some(Self::RidingAlong([left?, right?]))
     }
-}
-
-fn doppler(seen: Sighting) -> f64 {
-    seen.doppler_factor
 }
 
 /// `text`, to begin a sentence.

@@ -1,7 +1,7 @@
 //! What the sentences say, against numbers of the core.
 
 use relativity_core::{Aperture, SourcePoint, Speed, sighting};
-use relativity_render::{Geometry, Motion, Velocity};
+use relativity_render::{Colour, Emission, Geometry, Motion, Velocity};
 
 use super::Moment;
 use crate::flags::{SpeedParameter, SpeedSetting};
@@ -18,7 +18,7 @@ fn settings(beta: f64, d: f64) -> Settings {
 }
 
 fn moment(settings: &Settings, time: f64) -> Moment {
-    Moment::new(settings, &POINT, "the front tyre".to_owned(), Some(700.0), time)
+    Moment::new(settings, &POINT, "the front tyre".to_owned(), Emission::Wavelength(700.0), time)
 }
 
 /// What the core says: t and wavelength of each eye.
@@ -105,7 +105,7 @@ fn who_rides_along_receives_no_shift_from_what_rides_along() {
     assert!(riding.sentence().ends_with("from the front tyre: 700 nm, red."), "{}", riding.sentence());
     // A lamp post that comes towards them.
     let post = Track { rest: [500.0, 3.0, 2.0], motion: Motion::Own(Velocity::REST) };
-    let post = Moment::new(&settings, &post, "the lamp post".to_owned(), Some(700.0), 0.0);
+    let post = Moment::new(&settings, &post, "the lamp post".to_owned(), Emission::Wavelength(700.0), 0.0);
     // D = sqrt((1 + 0.6)/(1 - 0.6)) = 2 head-on.
     assert!(post.wavelengths_nm().iter().all(|nm| (nm.expect("received") - 350.0).abs() < 0.1), "{post:?}");
 }
@@ -121,9 +121,23 @@ fn the_published_model_says_so() {
 #[test]
 fn light_of_many_wavelengths_is_told_by_its_shift() {
     let name = || "the house".to_owned();
-    let broad = Moment::new(&settings(0.9, 0.1), &POINT, name(), None, 12.0);
+    let broad = Moment::new(&settings(0.9, 0.1), &POINT, name(), Emission::White, 12.0);
     assert!(broad.sentence().ends_with("redder than at rest."), "{}", broad.sentence());
     assert_eq!(broad.wavelengths_nm(), [None; 2]);
+}
+
+#[test]
+fn what_glows_is_told_by_its_temperatures() {
+    let mut settings = settings(0.9, 0.1);
+    (settings.light.colour, settings.light.temperature) = (Colour::Glowing, 1000.0);
+    let [[_, left], [_, right]] = core(0.9, 0.1, 1.1);
+    let sentence = moment(&settings, 1.1).sentence();
+    let expected = format!(": a glow of 1000 K, received as of {:.0} and {:.0} K.", 7e5 / left, 7e5 / right);
+    assert!(sentence.ends_with(&expected), "{sentence} {expected}");
+    let late = moment(&settings, 12.0).sentence();
+    assert!(late.ends_with("K: eyes see nothing."), "{late}");
+    settings.light.colour = Colour::False;
+    assert!(moment(&settings, 1.1).sentence().ends_with("false ones, which tell D."));
 }
 
 #[test]

@@ -1,13 +1,18 @@
 //! The scenes that are compiled in.
 
 /// Names of the presets; the first is the default.
-pub const PRESETS: [&str; 4] = ["street", "cyclist", "two-balls", "lattice"];
+pub const PRESETS: [&str; 8] =
+    ["street", "cyclist", "cube", "globe", "train", "rods", "lattice", "two-balls"];
 
 /// The scene file of a preset.
 pub(super) fn text(name: &str) -> Option<&'static str> {
     Some(match name {
         "cyclist" => include_str!("../../assets/scenes/cyclist.toml"),
         "street" => include_str!("../../assets/scenes/street.toml"),
+        "cube" => include_str!("../../assets/scenes/cube.toml"),
+        "globe" => include_str!("../../assets/scenes/globe.toml"),
+        "train" => include_str!("../../assets/scenes/train.toml"),
+        "rods" => include_str!("../../assets/scenes/rods.toml"),
         "two-balls" => include_str!("../../assets/scenes/two-balls.toml"),
         "lattice" => include_str!("../../assets/scenes/lattice.toml"),
         _ => return None,

@@ -1,6 +1,6 @@
 //! Scene files, right and wrong.
 
-use relativity_render::{Body, Emission, Motion, Shape, Velocity};
+use relativity_render::{Body, Emission, Motion, Pattern, Shape, Velocity};
 
 use super::{PRESETS, Scene, SceneError};
 
@@ -129,14 +129,13 @@ fn an_object_is_repeated_a_step_further_each_time() {
 }
 
 #[test]
-fn a_road_has_a_near_and_a_far_kerb() {
-    let road = |kerbs: &str| format!("road = {kerbs}\n{EXAMPLE}");
-    assert_eq!(Scene::parse(&road("[2, 9.5]"), "x").expect("right").road, Some([2.0, 9.5]));
+fn a_street_has_kerbs_and_fronts_one_behind_the_other() {
+    let street = |parts: &str| format!("street = {parts}\n{EXAMPLE}");
+    assert_eq!(Scene::parse(&street("[2, 9, 13]"), "x").expect("right").street, Some([2.0, 9.0, 13.0]));
     assert_eq!(
-        error(&road("[2, 2]")),
-        "balls.toml:1: road = [2, 2] must be the y of the near kerb and then that of the far one"
+        error(&street("[2, 2, 13]")),
+        "balls.toml:1: street = [2, 2, 13] must be the y of the near kerb, then of the far one, then of the house fronts"
     );
-    assert_eq!(error(&road("[2]")), "balls.toml:1: road = [2] must be two numbers");
 }
 
 #[test]
@@ -197,8 +196,8 @@ fn presets_are_found_by_name_only() {
     assert_eq!(Scene::preset("cyclist.toml"), None);
     assert_eq!(
         Scene::open("cycle").expect_err("no such scene").to_string(),
-        "no scene is called `cycle`: there are street, cyclist, two-balls, lattice; for a file, give a name \
-         ending in .toml"
+        "no scene is called `cycle`: there are street, cyclist, cube, globe, train, rods, lattice, two-balls; \
+         for a file, give a name ending in .toml"
     );
 }
 
@@ -219,15 +218,15 @@ fn a_syntax_error_names_line_and_column() {
 fn an_unknown_key_is_told_the_keys_there_are() {
     assert_eq!(
         error("name = \"x\"\n\ngroud_z = 1\n"),
-        "balls.toml:3: unknown key `groud_z`: a scene has name, tracked, ground_z, road, include, object, group"
+        "balls.toml:3: unknown key `groud_z`: a scene has name, tracked, ground_z, street, include, object, group"
     );
     assert_eq!(
         object_error("shape = \"sphere\"\ncenter = [0, 3, 2]\nradus = 1"),
-        "balls.toml:5: unknown key `radus`: a sphere has shape, center, radius, name, wavelength_nm, light, brightness, repeat, step"
+        "balls.toml:5: unknown key `radus`: a sphere has shape, center, radius, name, wavelength_nm, light, brightness, pattern, spacing, repeat, step"
     );
     assert_eq!(
         object_error("shape = \"tube\"\ncenter = [0, 3, 2]"),
-        "balls.toml:4: unknown key `center`: a tube has shape, from, to, radius, name, wavelength_nm, light, brightness, repeat, step"
+        "balls.toml:4: unknown key `center`: a tube has shape, from, to, radius, name, wavelength_nm, light, brightness, pattern, spacing, repeat, step"
     );
     assert_eq!(
         error("name = \"x\"\n[[include]]\nscene = \"cyclist\"\nmove = [0, 0, 1]"),
@@ -278,6 +277,53 @@ fn a_coordinate_must_be_finite_and_within_reach() {
     assert_eq!(
         error("name = \"x\"\nground_z = nan"),
         "balls.toml:2: ground_z = nan must lie between -1e6 and 1e6"
+    );
+}
+
+#[test]
+fn an_object_may_carry_a_pattern_with_a_spacing() {
+    let pattern = |shape: &str, pattern: &str| {
+        let text = format!("name = \"x\"\n[[object]]\ncenter = [0, 3, 2]\n{shape}\n{pattern}");
+        Scene::parse(&text, "x").unwrap_or_else(|error| panic!("{error}")).bodies[0].pattern
+    };
+    let (ball, cuboid) = ("shape = \"sphere\"\nradius = 1", "shape = \"box\"\nsize = [1, 1, 1]");
+    assert_eq!(pattern(ball, ""), Pattern::Plain);
+    assert_eq!(pattern(ball, "pattern = \"graticule\""), Pattern::Graticule { step_degrees: 15.0 });
+    assert_eq!(
+        pattern(ball, "pattern = \"graticule\"\nspacing = 22.5"),
+        Pattern::Graticule { step_degrees: 22.5 }
+    );
+    assert_eq!(pattern(ball, "pattern = \"chequer\""), Pattern::Chequer { step: 0.25 });
+    assert_eq!(pattern(cuboid, "pattern = \"stripes\"\nspacing = 0.1"), Pattern::Stripes { step: 0.1 });
+    assert_eq!(pattern(cuboid, "pattern = \"faces\""), Pattern::Faces);
+}
+
+#[test]
+fn a_pattern_must_fit_its_shape_and_close_around_it() {
+    let ball =
+        |rest: &str| object_error(&format!("shape = \"sphere\"\ncenter = [0, 3, 2]\nradius = 1\n{rest}"));
+    let cuboid =
+        |rest: &str| object_error(&format!("shape = \"box\"\ncenter = [0, 3, 2]\nsize = [1, 1, 1]\n{rest}"));
+    assert_eq!(
+        ball("pattern = \"faces\""),
+        "balls.toml:6: pattern = \"faces\" must be on a box: only that has faces"
+    );
+    assert_eq!(
+        ball("pattern = \"dots\""),
+        "balls.toml:6: pattern = \"dots\" must be \"faces\", \"graticule\", \"chequer\" or \"stripes\""
+    );
+    assert_eq!(
+        ball("pattern = \"graticule\"\nspacing = 7"),
+        "balls.toml:7: spacing = 7 must be a divisor of 90: degrees from line to line, such as 10, 15 or 30"
+    );
+    assert_eq!(ball("spacing = 1"), "balls.toml:6: spacing = 1 must be left out where there is no `pattern`");
+    assert_eq!(
+        cuboid("pattern = \"faces\"\nspacing = 1"),
+        "balls.toml:7: spacing = 1 must be left out where pattern = \"faces\", which has none"
+    );
+    assert_eq!(
+        cuboid("pattern = \"graticule\""),
+        "balls.toml:6: pattern = \"graticule\" must be \"faces\", \"chequer\" or \"stripes\" on a box, which is not round"
     );
 }
 
@@ -398,11 +444,11 @@ fn a_tube_must_have_a_length() {
 fn shapes_and_scenes_are_known_by_name() {
     assert_eq!(
         object_error("shape = \"cube\""),
-        "balls.toml:3: shape = \"cube\" must be \"sphere\", \"tube\" or \"ring\""
+        "balls.toml:3: shape = \"cube\" must be \"sphere\", \"tube\", \"ring\", \"box\" or \"cylinder\""
     );
     assert_eq!(
         error("name = \"x\"\n[[include]]\nscene = \"cyclists\""),
-        "balls.toml:3: scene = \"cyclists\" must be one of street, cyclist, two-balls, lattice"
+        "balls.toml:3: scene = \"cyclists\" must be one of street, cyclist, cube, globe, train, rods, lattice, two-balls"
     );
 }
 
@@ -444,5 +490,5 @@ fn the_example_in_the_description_of_the_format_loads() {
     let (_, rest) = description.split_once("```toml\n").expect("it has an example");
     let (example, _) = rest.split_once("```").expect("which ends");
     let scene = Scene::parse(example, "README.md").unwrap_or_else(|error| panic!("{error}"));
-    assert_eq!((scene.bodies.len(), scene.ground_z), (3, Some(-2.5)));
+    assert_eq!((scene.bodies.len(), scene.ground_z), (5, Some(-2.5)));
 }

@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use relativity_render::Colour;
 use relativity_render::colour::linear_srgb;
 use relativity_render::picture::encoded;
 use serde_json::Value;
@@ -20,7 +19,7 @@ wavelength_nm = 550
 ";
 /// The colour of the ball's light, 550 nm, as it is typed.
 fn green() -> String {
-    let [r, g, b, _] = encoded(linear_srgb(550.0, Colour::Visible));
+    let [r, g, b, _] = encoded(linear_srgb(550.0));
     format!("{r:02x}{g:02x}{b:02x}")
 }
 

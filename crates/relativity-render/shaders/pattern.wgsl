@@ -99,7 +99,8 @@ fn darkness_of_chart(chart: Chart, pattern: vec3f, covered: Covered) -> f32 {
         return 0.5 - 0.5 * wave(along, along_covered) * wave(around, around_covered);
     }
     let width = LINE * pattern.y / max(chart.off_axis * pattern.z, 1e-30);
-    return max(line(along, LINE, along_covered), line(around, width, around_covered));
+    let quarter = 1.5707963268 / pattern.z;
+    return max(line(along, LINE, quarter, along_covered), line(around, width, quarter, around_covered));
 }
 
 struct Arc {
@@ -126,9 +127,10 @@ fn angle_to(y: f32, x: f32) -> f32 {
     return select(angle, -angle, y < 0.0);
 }
 
-fn line(x: f32, half_width: f32, covered: f32) -> f32 {
+fn line(x: f32, half_width: f32, quarter: f32, covered: f32) -> f32 {
     let nearest = round(x);
-    let half = min(select(half_width, 2.0 * half_width, nearest == 0.0), 0.5);
+    let from_quarter = abs(nearest - quarter * round(nearest / quarter));
+    let half = min(select(half_width, 2.0 * half_width, from_quarter < 0.5), 0.5);
     let width = clamp(covered, LEAST_COVERED, MOST_COVERED);
     let low = line_before(x - nearest - 0.5 * width, half);
     return (line_before(x - nearest + 0.5 * width, half) - low) / width;

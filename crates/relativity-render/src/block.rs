@@ -3,6 +3,7 @@
 use glam::{DMat3, DVec3};
 
 use crate::body::Shape;
+use crate::capsule::Capsule;
 use crate::group_view::GroupView;
 use crate::turn::turn_of;
 
@@ -43,6 +44,21 @@ impl Block {
             let side = |bit: usize| if i & bit == 0 { -1.0 } else { 1.0 };
             self.center + x * side(1) + y * side(2) + z * side(4)
         })
+    }
+
+    /// Its edges, tubes without a radius.
+    pub fn edges(&self) -> impl Iterator<Item = Capsule> + use<> {
+        let corners = self.corners();
+        let edge = move |from: usize, bit: usize| {
+            (from & bit == 0).then(|| Capsule { from: corners[from], to: corners[from | bit], radius: 0.0 })
+        };
+        (0..8).flat_map(move |from| [1, 2, 4].map(|bit| edge(from, bit)).into_iter().flatten())
+    }
+
+    /// The ball around it.
+    pub fn ball_around(&self) -> Capsule {
+        let radius = self.half_axes.iter().map(|axis| axis.length_squared()).sum::<f64>().sqrt();
+        Capsule::ball(self.center, radius)
     }
 
     /// How far from the origin it is; 0 around it.

@@ -1,8 +1,6 @@
 //! What a scene is made of: solid shapes at rest in the frame of their group.
 
-use crate::light::DAYLIGHT_KELVIN;
 use crate::pattern::Pattern;
-use crate::spectrum::Band;
 
 /// A solid shape in the rest frame. Lengths in the scene's unit; `[x, y, z]`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -73,9 +71,6 @@ impl Shape {
     }
 }
 
-/// Below this nothing glows visibly, K (J. W. Draper, 1847).
-const DRAPER_KELVIN: f64 = 798.0;
-
 /// What light a body sends, alike in all directions in its rest frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Emission {
@@ -92,17 +87,6 @@ impl Emission {
         match self {
             Self::Wavelength(nm) => Some(nm),
             Self::White => None,
-        }
-    }
-
-    /// The band in which it is received at `doppler_factor`: white light in that where a black body of its temperature
-    /// glows, visibly above the Draper point of 798 K.
-    #[must_use]
-    pub fn band(self, doppler_factor: f64) -> Band {
-        match self {
-            Self::Wavelength(nm) => Band::of(nm / doppler_factor),
-            Self::White if DAYLIGHT_KELVIN * doppler_factor < DRAPER_KELVIN => Band::Infrared,
-            Self::White => Band::Visible,
         }
     }
 }

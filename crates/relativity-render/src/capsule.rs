@@ -26,6 +26,17 @@ impl Capsule {
         Self { from: center, to: center, radius }
     }
 
+    /// A ball around some, of which there is at least one.
+    pub fn ball_around(all: &[Self]) -> Self {
+        let ends = || all.iter().flat_map(|capsule| [capsule.from, capsule.to]);
+        let (low, high) = ends()
+            .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), end| (low.min(end), high.max(end)));
+        let center = 0.5 * (low + high);
+        let reach =
+            |capsule: &Self| capsule.from.distance(center).max(capsule.to.distance(center)) + capsule.radius;
+        Self::ball(center, all.iter().map(reach).fold(0.0, f64::max))
+    }
+
     /// From the camera's event, reflected so that the group moves along +x.
     pub fn reflected_from_camera(&self, view: &GroupView) -> Self {
         let [from, to] = [self.from, self.to].map(|end| view.reflected_from_camera(end));

@@ -90,6 +90,7 @@ pub mod scene;
 mod shade;
 mod shaders;
 pub mod spectrum;
+mod street;
 mod surface;
 mod target;
 mod tiles;

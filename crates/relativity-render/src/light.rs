@@ -11,6 +11,7 @@ use crate::colour::{dark_glow, dark_line, false_colour, linear_srgb, luminance};
 use crate::effects::{Effects, Spectrum};
 use crate::palette;
 use crate::planck::{band, black_body};
+use crate::spectrum::Band;
 use crate::tone::toned;
 use crate::view::{Appearance, Colour};
 
@@ -54,6 +55,18 @@ impl Light {
             (Colour::OneWavelength, Emission::Wavelength(nm)) => Self::Line(nm),
             (Colour::OneWavelength, Emission::White) => Self::Glow(DAYLIGHT_KELVIN),
             (Colour::White, emission) => Self::Daylight(emission.wavelength_nm()),
+        }
+    }
+
+    /// The band in which it is received at `doppler_factor`, as `appearance` takes that.
+    pub fn band(self, appearance: &Appearance, doppler_factor: f64) -> Band {
+        let shift = if appearance.doppler_shift { doppler_factor } else { 1.0 };
+        match self {
+            Self::Line(nm) => Band::of(nm / shift),
+            Self::Glow(kelvin) => Band::of_glow(kelvin * shift),
+            Self::Daylight(_) => Band::of_glow(DAYLIGHT_KELVIN * shift),
+            // False colours leave nothing dark.
+            Self::Map => Band::Visible,
         }
     }
 

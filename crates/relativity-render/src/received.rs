@@ -5,8 +5,9 @@ use glam::DVec3;
 
 use crate::capsule::Capsule;
 use crate::group_view::GroupView;
-use crate::scene::PreparedScene;
-use crate::view::View;
+use crate::light::Light;
+use crate::scene::{PreparedGroup, PreparedScene};
+use crate::view::{Appearance, View};
 
 /// Where along a capsule its light is looked at, in parts of its length.
 const PLACES: [f64; 3] = [1.0 / 6.0, 0.5, 5.0 / 6.0];
@@ -17,13 +18,13 @@ pub type Shares = [f64; 3];
 
 impl PreparedScene {
     /// The shares of each group in the picture of `view`: about, since neither what hides what nor an outline is
-    /// worked out. Without a `doppler_shift` light keeps its wavelength.
+    /// worked out. False colours leave nothing dark.
     ///
     /// # Examples
     ///
     /// ```
     /// use relativity_core::{Aperture, Speed};
-    /// use relativity_render::{Body, Camera, Gaze, Geometry, PreparedScene, Shape, View};
+    /// use relativity_render::{Appearance, Body, Camera, Gaze, Geometry, PreparedScene, Shape, View};
     ///
     /// // A red ball far to the left comes at 0.9 c: its light arrives at 700 nm / 4.36.
     /// let ball = Body::new(Shape::Sphere { center: [-50.0, 1.0, 0.0], radius: 0.5 }, 700.0);
@@ -32,19 +33,21 @@ impl PreparedScene {
     /// let camera = Camera { aperture: Aperture::default(), gaze, horizontal_fov: 1.0, size: [640, 480] };
     /// let speed = Speed::from_beta(0.9)?;
     /// let view = View { camera, speed, observation_time: 0.0, geometry: Geometry::Seen };
-    /// assert_eq!(scene.received_shares(&view, true), [[1.0, 0.0, 0.0]]);
+    /// assert_eq!(scene.received_shares(&view, &Appearance::default()), [[1.0, 0.0, 0.0]]);
     /// # Ok::<(), relativity_core::SpeedError>(())
     /// ```
     #[must_use]
-    pub fn received_shares(&self, view: &View, doppler_shift: bool) -> Vec<Shares> {
-        let shares = |(group, seen): (&crate::scene::PreparedGroup, GroupView)| {
+    pub fn received_shares(&self, view: &View, appearance: &Appearance) -> Vec<Shares> {
+        let shares = |(group, seen): (&PreparedGroup, GroupView)| {
             let mut shares = Shares::default();
             for body in &self.bodies()[group.bodies.clone()] {
-                for Light { weight, doppler_factor } in
-                    self.capsules(body).iter().flat_map(|c| lights(c, &seen))
-                {
-                    let shift = if doppler_shift { doppler_factor } else { 1.0 };
-                    shares[body.emission.band(shift) as usize] += weight;
+                let light = Light::new(body.emission, appearance);
+                let capsules = match body.block {
+                    Some(_) => std::slice::from_ref(self.ball_around(body)),
+                    None => self.capsules(body),
+                };
+                for Sample { weight, doppler_factor } in capsules.iter().flat_map(|c| samples(c, &seen)) {
+                    shares[light.band(appearance, doppler_factor) as usize] += weight;
                 }
             }
             normalised(shares)
@@ -54,14 +57,14 @@ impl PreparedScene {
 }
 
 /// What arrives from a place.
-struct Light {
+struct Sample {
     /// About how large it is in the picture, 0 outside.
     weight: f64,
     doppler_factor: f64,
 }
 
 /// The light from the places of `capsule`.
-fn lights<'a>(capsule: &'a Capsule, seen: &'a GroupView) -> impl Iterator<Item = Light> + 'a {
+fn samples<'a>(capsule: &'a Capsule, seen: &'a GroupView) -> impl Iterator<Item = Sample> + 'a {
     let length = capsule.from.distance(capsule.to) / PLACES.len() as f64;
     let area = capsule.radius * (length + capsule.radius);
     PLACES.into_iter().filter_map(move |place| {
@@ -71,7 +74,7 @@ fn lights<'a>(capsule: &'a Capsule, seen: &'a GroupView) -> impl Iterator<Item =
         // Aberration makes what is blueshifted smaller: solid angles by D^2.
         let angle = area / (place.distance_squared(seen.origin) + area) / (doppler_factor * doppler_factor);
         let weight = if is_in_picture(seen, line_of_sight) { angle } else { 0.0 };
-        weight.is_finite().then_some(Light { weight, doppler_factor })
+        weight.is_finite().then_some(Sample { weight, doppler_factor })
     })
 }
 

@@ -55,6 +55,8 @@ struct Prepared {
     /// The numbers of all bodies.
     numbers: Vec<u32>,
     capsules: Vec<Capsule>,
+    /// A ball around each body.
+    balls: Vec<Capsule>,
     /// The last outline that was asked for, and of which views: within a frame everything asks for the same.
     last_outline: Mutex<Option<(Vec<View>, Arc<Outline>)>>,
 }
@@ -90,6 +92,11 @@ impl PreparedScene {
         if prepared.is_empty() {
             prepared.push(PreparedGroup { motion: Motion::Scene, bodies: 0..0, extent: Extent::new(&[]) });
         }
+        let ball = |body: &PreparedBody| match &body.block {
+            Some(block) => block.ball_around(),
+            None => Capsule::ball_around(&capsules[body.capsules.clone()]),
+        };
+        let balls = bodies.iter().map(ball).collect();
         let numbers = (0..bodies.len() as u32).collect();
         Self(Arc::new(Prepared {
             groups: prepared,
@@ -97,6 +104,7 @@ impl PreparedScene {
             solids,
             numbers,
             capsules,
+            balls,
             last_outline: Mutex::default(),
         }))
     }
@@ -129,9 +137,14 @@ impl PreparedScene {
         &self.0.numbers
     }
 
-    /// Capsules that contain `body`, one of these.
+    /// Capsules that contain `body`, one of these, unless it has a block.
     pub(crate) fn capsules(&self, body: &PreparedBody) -> &[Capsule] {
         &self.0.capsules[body.capsules.clone()]
+    }
+
+    /// The ball around `body`, one of these.
+    pub(crate) fn ball_around(&self, body: &PreparedBody) -> &Capsule {
+        &self.0.balls[body.number]
     }
 
     /// The number of the group that the body of this number is in.

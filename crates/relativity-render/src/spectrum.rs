@@ -15,6 +15,9 @@ const COLOURS: [(f64, &str); 7] = [
     (VISIBLE_NM[1], "red"),
 ];
 
+/// Above this temperature what glows is seen to, K (the Draper point: J. W. Draper, 1847).
+const DRAPER_KELVIN: f64 = 798.0;
+
 /// Part of the spectrum.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Band {
@@ -41,6 +44,12 @@ impl Band {
         } else {
             Self::Visible
         }
+    }
+
+    /// The band that tells what eyes see of a body that glows at this temperature, K: however hot it is, they see it.
+    #[must_use]
+    pub fn of_glow(kelvin: f64) -> Self {
+        if kelvin < DRAPER_KELVIN { Self::Infrared } else { Self::Visible }
     }
 
     /// What it is called.

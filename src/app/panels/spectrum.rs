@@ -12,7 +12,7 @@ use crate::app::observer::Eye;
 use crate::app::state::State;
 use crate::app::theme;
 use crate::app::widgets::apart::{Span, apart};
-use crate::caption::{Moment, in_words};
+use crate::caption::{Moment, Source, in_words};
 
 /// Shortest and longest wavelength of the scale, nm.
 const RANGE_NM: [f64; 2] = [100.0, 3000.0];
@@ -25,7 +25,7 @@ const BETWEEN: f32 = 12.0;
 /// Points between colours that are worked out.
 const STEP: f32 = 2.0;
 /// Least space between a mark and a name on the strip.
-const NAME_MARGIN: f32 = 4.0;
+const NAME_MARGIN: f32 = 6.0;
 /// Size of the writing.
 const FONT: FontId = FontId::proportional(12.0);
 const SMALL_FONT: FontId = FontId::proportional(11.0);
@@ -42,7 +42,7 @@ pub fn show(ui: &mut Ui, state: &State) {
     paint_marks(ui, strip, &marks);
     if marks.is_empty() {
         let font_colour = ui.visuals().text_color();
-        let text = many_wavelengths(&moment);
+        let text = moment.light().unwrap_or_default();
         painter.text(
             pos2(rect.min.x, rect.min.y + NUMBERS_HEIGHT / 2.0),
             Align2::LEFT_CENTER,
@@ -93,7 +93,7 @@ impl Mark {
 
 /// The marks of `moment`: at rest, and what arrives at each eye, or at both in one place.
 fn marks(moment: &Moment, are_eyes_together: bool, visuals: &Visuals) -> Vec<Mark> {
-    let Some(at_rest) = moment.rest_wavelength_nm else { return Vec::new() };
+    let Source::Line(at_rest) = moment.source else { return Vec::new() };
     let mark = |name, text: &str, wavelength_nm: f64, colour| Mark {
         name,
         wavelength_nm,
@@ -115,18 +115,11 @@ fn marks(moment: &Moment, are_eyes_together: bool, visuals: &Visuals) -> Vec<Mar
     marks
 }
 
-/// What stands there of light that has no place on the scale.
-fn many_wavelengths(moment: &Moment) -> String {
-    let factors = moment.doppler_factors().into_iter().flatten();
-    let factors: Vec<_> = factors.map(|factor| format!("{factor:.2}")).collect();
-    format!("light of many wavelengths, each divided by D = {}", factors.join(" and "))
-}
-
 /// The scale for those who do not see it.
 fn description(marks: &[Mark], moment: &Moment) -> String {
     let texts: Vec<_> =
         marks.iter().map(|mark| format!("{} {}", mark.name, in_words(&[mark.wavelength_nm]))).collect();
-    if texts.is_empty() { many_wavelengths(moment) } else { texts.join(", ") }
+    if texts.is_empty() { moment.light().unwrap_or_default() } else { texts.join(", ") }
 }
 
 /// The colours of the scale.

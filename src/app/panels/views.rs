@@ -18,7 +18,6 @@ use crate::app::widgets::pane_title;
 use crate::app::{beyond, theme};
 use crate::caption;
 use crate::figures;
-use crate::settings::Light;
 
 /// Zoom per point of scrolling.
 const ZOOM_PER_SCROLL: f64 = 0.002;
@@ -114,7 +113,7 @@ pub fn paint(ui: &Ui, state: &State, pane: EyePane, picture: Option<Shown>, heat
     markers(&inside, state, pane, visuals);
     beyond::paint(ui, &inside, pane.rect, &state.beyond(pane.eye, pane.size));
     write(ui, &inside, pane, Align2::LEFT_BOTTOM, note(state, pane.eye, picture, heat_map.is_some()));
-    write(ui, &inside, pane, Align2::LEFT_TOP, unseen(state, pane).unwrap_or_default());
+    write(ui, &inside, pane, Align2::LEFT_TOP, unseen(ui, state, pane).unwrap_or_default());
     painter.rect_stroke(pane.rect, 0.0, Stroke::new(1.5, colour), StrokeKind::Outside);
 }
 
@@ -140,13 +139,9 @@ fn note(state: &State, eye: Eye, picture: Option<Shown>, with_heat_map: bool) ->
 }
 
 /// Why something in the picture is dark that shines.
-fn unseen(state: &State, pane: EyePane) -> Option<String> {
-    let Light { colour, doppler_shift, .. } = state.settings.light;
-    let view = state.view(pane.eye, pane.size);
-    // Other light than of one wavelength leaves nothing quite dark.
-    let shares = (colour == Colour::OneWavelength)
-        .then(|| state.session.prepared.received_shares(&view, doppler_shift));
-    caption::notice(&shares?)
+fn unseen(ui: &Ui, state: &State, pane: EyePane) -> Option<String> {
+    let appearance = state.appearance(!ui.visuals().dark_mode);
+    caption::notice(&state.session.prepared.received_shares(&state.view(pane.eye, pane.size), &appearance))
 }
 
 /// Writes `text` into a corner of the picture.

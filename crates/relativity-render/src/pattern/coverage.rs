@@ -54,10 +54,12 @@ pub fn rim(distance: f64, width: f64, covered: f64) -> f64 {
     ((high.min(width) - low.max(0.0)) / covered).max(0.0)
 }
 
-/// Share of what is `covered` around `x` that lies within `half_width` of a whole number, or twice that of 0.
-pub fn line(x: f64, half_width: f64, covered: f64) -> f64 {
+/// Share of what is `covered` around `x` that lies within `half_width` of a whole number, or twice that of every
+/// `quarter`-th.
+pub fn line(x: f64, half_width: f64, quarter: f64, covered: f64) -> f64 {
     let nearest = x.round();
-    let half_width = (if nearest == 0.0 { 2.0 * half_width } else { half_width }).min(0.5);
+    let from_quarter = (nearest - quarter * (nearest / quarter).round()).abs();
+    let half_width = (if from_quarter < 0.5 { 2.0 * half_width } else { half_width }).min(0.5);
     let before = |x: f64| 2.0 * half_width * x.round() + (x - x.round()).clamp(-half_width, half_width);
     average(before, x - nearest, covered)
 }
@@ -72,4 +74,43 @@ pub fn wave(x: f64, covered: f64) -> f64 {
 fn average(integral: impl Fn(f64) -> f64, x: f64, covered: f64) -> f64 {
     let covered = covered.clamp(COVERED[0], COVERED[1]);
     (integral(x + 0.5 * covered) - integral(x - 0.5 * covered)) / covered
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The average of `value` from `x - covered/2` to `x + covered/2`, by many samples.
+    fn sampled(value: impl Fn(f64) -> f64, x: f64, covered: f64) -> f64 {
+        const SAMPLES: u32 = 20_000;
+        let at = |i| x + covered * ((f64::from(i) + 0.5) / f64::from(SAMPLES) - 0.5);
+        (0..SAMPLES).map(|i| value(at(i))).sum::<f64>() / f64::from(SAMPLES)
+    }
+
+    #[test]
+    fn lines_and_waves_are_averaged_over_what_is_covered() {
+        let half_width = 0.1;
+        let is_line = |x: f64| f64::from(u8::from((x - x.round()).abs() < half_width));
+        let sign = |x: f64| if x.rem_euclid(2.0) < 1.0 { 1.0 } else { -1.0 };
+        for covered in [0.01, 0.3, 0.9, 2.5, 7.3] {
+            for i in 0..40 {
+                let x = 5.0 + 0.17 * f64::from(i);
+                let (found, expected) = (line(x, half_width, 100.0, covered), sampled(is_line, x, covered));
+                assert!((found - expected).abs() < 1e-3, "{covered} around {x}: {found} for {expected}");
+                let (found, expected) = (wave(x, covered), sampled(sign, x, covered));
+                assert!((found - expected).abs() < 1e-3, "{covered} around {x}: {found} for {expected}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_surface_seen_aslant_covers_more_of_it() {
+        let normal = DVec3::new(0.6, -0.8, 0.0);
+        let covered = Covered::new(DVec3::Y, normal, [DVec3::X, DVec3::Z]);
+        // Along the surface, within the plane of ray and normal, a pixel is 1/cos wide.
+        let along = DVec3::new(0.8, 0.6, 0.0);
+        assert!((covered.of(along) - 1.0 / 0.8).abs() < 1e-15);
+        assert!((covered.of(DVec3::Z) - 1.0).abs() < 1e-15);
+        assert!(covered.of(normal) < 1e-15);
+    }
 }

@@ -9,6 +9,8 @@ mod chart;
 mod coverage;
 mod die;
 
+use std::f64::consts::FRAC_PI_2;
+
 use glam::{DQuat, DVec3};
 
 use crate::effects::{Constant, number};
@@ -28,7 +30,8 @@ pub enum Pattern {
     /// others.
     Faces,
     /// Meridians around the axis, and parallels across it. On the side of a tube or cylinder parallels follow from its
-    /// beginning at as long an arc, on its ends and on a ring's tube as well. The first of each is twice as wide.
+    /// beginning at as long an arc, on its ends and on a ring's tube as well. Those at multiples of 90
+    /// degrees are twice as wide.
     /// Plain on a box.
     Graticule {
         /// From one line to the next, degrees, a divisor of 90.
@@ -97,9 +100,10 @@ impl Marking {
     /// Of `pattern` on this `form`, turned so; `None` where that leaves a body plain.
     pub fn new(pattern: Pattern, form: Form, turn: DQuat) -> Option<Self> {
         let (ruling, [along_step, around_step]) = match (pattern, form) {
-            (Pattern::Plain, _) => return None,
             (Pattern::Faces, Form::Box { .. }) => (Ruling::Faces, [1.0; 2]),
-            (Pattern::Faces, _) | (Pattern::Graticule { .. }, Form::Box { .. }) => return None,
+            (Pattern::Plain | Pattern::Faces, _) | (Pattern::Graticule { .. }, Form::Box { .. }) => {
+                return None;
+            }
             (Pattern::Graticule { step_degrees }, form) => {
                 let angle = step_degrees.to_radians();
                 (Ruling::Graticule, [angle * form.radius(), angle])
@@ -112,7 +116,7 @@ impl Marking {
 
     /// For the shaders: its number among rulings, and its steps.
     pub fn packed(&self) -> [f32; 3] {
-        [self.ruling as u8 as f32, self.along_step as f32, self.around_step as f32]
+        [f32::from(self.ruling as u8), self.along_step as f32, self.around_step as f32]
     }
 
     /// Share of the light, in (0, 1], that is left at `place` (from the body's middle) with this `normal`, both in the
@@ -136,9 +140,10 @@ impl Marking {
         match self.ruling {
             Ruling::Faces => 0.0,
             Ruling::Graticule => {
-                let parallels = line(along / along_step, LINE, along_covered);
+                let quarter = FRAC_PI_2 / around_step;
+                let parallels = line(along / along_step, LINE, quarter, along_covered);
                 let width = LINE * along_step / (off_axis * around_step).max(1e-30);
-                parallels.max(line(around / around_step, width, around_covered))
+                parallels.max(line(around / around_step, width, quarter, around_covered))
             }
             Ruling::Chequer => {
                 let along = wave(along / along_step, along_covered);
