@@ -12,8 +12,9 @@ use std::cell::OnceCell;
 use glam::DVec3;
 use relativity_core::math::{atan, sin_cos, tan};
 
+use crate::block::Block;
 use crate::camera::{Axes, Camera, Gaze, MAX_ELEVATION};
-use crate::capsule::{Block, Capsule};
+use crate::capsule::Capsule;
 use crate::footprint::Projection;
 use crate::group_view::GroupView;
 use crate::prepared_body::PreparedBody;
