@@ -39,7 +39,7 @@ impl Source {
     pub(super) fn described(self, doppler_factors: &[f64]) -> Option<String> {
         let are_numbers = doppler_factors.iter().all(|factor| factor.is_finite() && *factor > 0.0);
         let times = |value: f64| doppler_factors.iter().map(|factor| value * factor).collect::<Vec<_>>();
-        let divided = |nm| doppler_factors.iter().map(|factor| received_wavelength(nm, *factor));
+        let divided = |nm| doppler_factors.iter().map(move |factor| received_wavelength(nm, *factor));
         (are_numbers && !doppler_factors.is_empty()).then(|| match self {
             Self::Line(nm) => line(&divided(nm).collect::<Vec<_>>()),
             Self::Glow(kelvin) => glow(kelvin, &times(kelvin)),
