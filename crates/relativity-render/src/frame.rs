@@ -66,7 +66,9 @@ impl Frame {
         let frame = |(view, group): (_, &PreparedGroup)| Self::new(view, appearance, &group.extent);
         let mut frames: Vec<_> = views.iter().zip(scene.groups()).map(frame).collect();
         let reference = frames[reference_of_depths(views)];
-        frames.iter_mut().for_each(|frame| frame.refer_to(&reference));
+        for frame in &mut frames {
+            frame.refer_to(&reference);
+        }
         frames
     }
 
