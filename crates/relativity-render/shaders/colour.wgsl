@@ -28,7 +28,7 @@ override MAP_MIDDLE: f32;
 override MAP_PER_OCTAVE: f32;
 
 // The tables' rows. What eyes do not see of a light stands in the row after it.
-const LINE = 0;
+const ONE_LINE = 0;
 const GLOW = 2;
 const BAND = 4;
 const MAP = 5;
@@ -69,7 +69,7 @@ fn shown(light: vec3f, row: i32, place: f32) -> vec3f {
 // `light`: of one place in a table that place at rest, how far it moves per octave of the shift (back for light of one
 // wavelength, forth for a black body), the exponent n of D^n, and log2 of the exposure.
 fn of_one_place(light: vec4f, octaves: f32, shift: f32) -> vec3f {
-    let row = select(GLOW, LINE, light.y < 0.0);
+    let row = select(GLOW, ONE_LINE, light.y < 0.0);
     let place = light.x + light.y * shift;
     let entry = looked_up(row, place);
     return shown(entry.rgb * power_of_two(entry.a + light.z * octaves + light.w), row, place);

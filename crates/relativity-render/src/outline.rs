@@ -12,8 +12,9 @@ use std::cell::OnceCell;
 use glam::DVec3;
 use relativity_core::math::{atan, sin_cos, tan};
 
+use crate::block::Block;
 use crate::camera::{Axes, Camera, Gaze, MAX_ELEVATION};
-use crate::capsule::{Block, Capsule};
+use crate::capsule::Capsule;
 use crate::footprint::Projection;
 use crate::group_view::GroupView;
 use crate::prepared_body::PreparedBody;
@@ -225,14 +226,18 @@ impl<'a> Sight<'a> {
             return;
         };
         let ball = |center| Ball { center, radius: piece.radius };
-        ends.map(|end| found.widen(&ball(end), axes));
+        for end in ends {
+            found.widen(&ball(end), axes);
+        }
         let beyond = ends.map(|end| ball(end + bulge));
         if beyond.iter().all(|ball| found.holds(ball, axes)) {
             return;
         }
         let slight = SLIGHT_BULGE * SLIGHT_BULGE * ends[0].length_squared().min(ends[1].length_squared());
         if halvings == 0 || bulge.length_squared() <= slight {
-            beyond.map(|ball| found.widen(&ball, axes));
+            for ball in &beyond {
+                found.widen(ball, axes);
+            }
             return;
         }
         for half in piece.halves() {

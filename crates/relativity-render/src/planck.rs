@@ -20,8 +20,8 @@ const PER_OCTAVE: f64 = 64.0;
 const LOG2_KELVIN: [f64; 2] = [4.0, 24.0];
 /// log2 of the middles of bands in the table, nm: beyond, nothing of a band can be seen.
 const LOG2_BAND_NM: [f64; 2] = [6.0, 12.0];
-/// Width of a band: standard deviation of the logarithm of the wavelength, 45 nm about green.
-const BAND_WIDTH: f64 = 0.08;
+/// Width of a band: standard deviation of the logarithm of the wavelength, 66 nm about green.
+const BAND_WIDTH: f64 = 0.12;
 
 /// Light of a broad spectrum.
 #[derive(Debug, Clone, Copy, PartialEq)]

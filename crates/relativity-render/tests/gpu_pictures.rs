@@ -9,8 +9,8 @@ use std::process::ExitCode;
 use gpu_support::scenes::{still_life, time_seen_at, view_following};
 use relativity_core::Speed;
 use relativity_render::{
-    Appearance, Body, Colour, Geometry, HitImage, Method, Pattern, Picture, PreparedScene, Renderers,
-    Shading, Shape, View,
+    Appearance, Body, Colour, Emission, Geometry, HitImage, Method, Pattern, Picture, PreparedScene,
+    Renderers, Shading, Shape, View,
 };
 use support::documented;
 
@@ -45,9 +45,13 @@ fn appearances() -> Vec<Appearance> {
         plain,
         Appearance { shading: Shading::Form, ground_z: Some(-0.5), ..plain },
         Appearance { ground_z: Some(0.5), sky: true, light: true, ..plain },
-        Appearance { ground_z: Some(-0.5), road: Some([1.0, 3.5]), ..plain },
+        Appearance { ground_z: Some(-0.5), road: Some([1.0, 3.5]), fronts: Some(6.0), ..plain },
         Appearance { ground_z: Some(-2.5), road: Some([-0.2, 7.0]), light: true, ..plain },
-        Appearance { doppler_shift: true, colour: Colour::False, exposure_ev: -1.0, ..plain },
+        Appearance { doppler_shift: true, exposure_ev: -1.0, ..plain },
+        Appearance { doppler_shift: true, colour: Colour::False, ..plain },
+        Appearance { doppler_shift: true, colour: Colour::Glowing, exposure_ev: 5.0, ..plain },
+        Appearance { doppler_shift: true, colour: Colour::White, exposure_ev: 2.0, ..plain },
+        Appearance { doppler_shift: true, invisible: false, ..plain },
         Appearance { intensity_exponent: Some(2.0), exposure_ev: 1.0, ..plain },
         Appearance { intensity_exponent: Some(3.0), ..plain },
         Appearance { intensity_exponent: Some(4.0), ..plain },
@@ -58,7 +62,10 @@ fn appearances() -> Vec<Appearance> {
 const RENDERERS: &str = include_str!("../src/renderers.rs");
 
 fn pictures_are_the_references(renderers: &mut Renderers) {
-    let reference = PreparedScene::moving(&still_life());
+    let mut bodies = still_life();
+    bodies[1].brightness = 0.4;
+    bodies[3].emission = Emission::White;
+    let reference = PreparedScene::moving(&bodies);
     agree_with_the_reference(renderers, &reference, &appearances());
 }
 

@@ -5,10 +5,11 @@
 
 mod support;
 
-use relativity_render::Colour::{False, Visible};
 use relativity_render::colour::{
-    colour_matching, hue_preserving_clip, linear_srgb, luminance, srgb_decoded, srgb_encoded,
+    colour_matching, dark_glow, dark_line, false_colour, hue_preserving_clip, linear_srgb, luminance,
+    srgb_decoded, srgb_encoded,
 };
+use relativity_render::tone::{KNEE, shoulder, toned, untoned};
 
 use support::documented;
 
@@ -90,8 +91,8 @@ fn turn(from: f64, to: f64) -> f64 {
 fn a_spectral_colour_has_the_hue_of_its_wavelength_and_no_more_saturated_one_has() {
     for wavelength in nm(1600, 2840, 1).map(|quarter| quarter / 4.0) {
         let spectral = hue_in_ipt(colour_matching(wavelength).expect("inside the table"));
-        let full = linear_srgb(wavelength.clamp(420.0, 710.0), Visible);
-        let rgb = linear_srgb(wavelength, Visible);
+        let full = linear_srgb(wavelength.clamp(420.0, 710.0));
+        let rgb = linear_srgb(wavelength);
         let largest = rgb.into_iter().fold(0.0, f64::max);
         let smallest = rgb.into_iter().fold(f64::INFINITY, f64::min);
         assert!(smallest.abs() < 1e-9, "{wavelength} nm: {rgb:?}");
@@ -103,11 +104,10 @@ fn a_spectral_colour_has_the_hue_of_its_wavelength_and_no_more_saturated_one_has
 
 #[test]
 fn the_red_of_long_waves_is_red_and_hues_follow_the_wavelength() {
-    let bytes = |nm| linear_srgb(nm, Visible).map(|part| (255.0 * srgb_encoded(part)).round() as u8);
+    let bytes = |nm| linear_srgb(nm).map(|part| (255.0 * srgb_encoded(part)).round() as u8);
     assert_eq!(bytes(700.0), [0xff, 0x00, 0x1e]);
     assert_eq!(bytes(620.0), [0xff, 0x3c, 0x00]);
-    let hues: Vec<_> =
-        nm(420, 700, 1).map(|nm| hue_in_ipt(xyz_from_srgb(linear_srgb(nm, Visible)))).collect();
+    let hues: Vec<_> = nm(420, 700, 1).map(|nm| hue_in_ipt(xyz_from_srgb(linear_srgb(nm)))).collect();
     for (step, pair) in hues.windows(2).enumerate() {
         let turn = turn(pair[0], pair[1]);
         assert!((-20.0..0.0).contains(&turn), "{turn} degrees after {} nm", 420 + step);
@@ -117,30 +117,68 @@ fn the_red_of_long_waves_is_red_and_hues_follow_the_wavelength() {
 #[test]
 fn visible_light_fades_smoothly_to_black_at_both_ends() {
     for dark in [1e-3, 1.0, 200.0, 359.0, 380.0, 780.0, 900.0, 1e9] {
-        assert_eq!(linear_srgb(dark, Visible), [0.0; 3], "{dark} nm");
+        assert_eq!(linear_srgb(dark), [0.0; 3], "{dark} nm");
     }
-    let red = linear_srgb(700.0, Visible);
+    let red = linear_srgb(700.0);
     assert!(red[0] == 1.0 && red[1] < 1e-12 && red[2] < 0.1, "the paper's red is full red: {red:?}");
     for wavelength in nm(1440, 3200, 1).map(|quarter| quarter / 4.0) {
-        let [here, next] = [wavelength, wavelength + 0.25].map(|nm| linear_srgb(nm, Visible));
+        let [here, next] = [wavelength, wavelength + 0.25].map(|nm| linear_srgb(nm));
         let step = (0..3).map(|i| (here[i] - next[i]).abs()).fold(0.0, f64::max);
         assert!(step < 0.03, "a jump of {step} at {wavelength} nm");
     }
 }
 
 #[test]
-fn false_colour_equals_the_visible_one_and_brightens_outwards() {
-    for wavelength in nm(420, 710, 1) {
-        assert_eq!(linear_srgb(wavelength, False), linear_srgb(wavelength, Visible));
+fn what_is_not_seen_keeps_a_few_per_cent_and_fades_out_where_light_fades_in() {
+    let [ultraviolet, infrared] = [200.0, 2000.0].map(dark_line);
+    assert_eq!([dark_line(1e-3), dark_line(1e9)], [ultraviolet, infrared]);
+    for dark in [ultraviolet, infrared] {
+        assert!((0.02..0.06).contains(&luminance(dark)), "{dark:?}");
     }
-    let brightens = |wavelengths: Vec<f64>| {
-        let shown: Vec<_> = wavelengths.iter().map(|&nm| luminance(linear_srgb(nm, False))).collect();
-        assert!(shown.windows(2).all(|pair| pair[1] > pair[0]));
-    };
-    brightens((0..100).map(|i| 420.0 * 10f64.powf(f64::from(-i) / 100.0)).collect());
-    brightens((0..100).map(|i| 710.0 * 10f64.powf(f64::from(i) / 100.0)).collect());
-    let [ultraviolet, infrared] = [1e-6, 1e12].map(|nm| linear_srgb(nm, False));
-    assert!(ultraviolet[2] > ultraviolet[0] && infrared[0] > infrared[2]);
+    assert!(ultraviolet[2] > 1.5 * ultraviolet[0] && infrared[0] > 3.0 * infrared[2]);
+    for wavelength in nm(420, 710, 1) {
+        assert_eq!(dark_line(wavelength), [0.0; 3], "{wavelength} nm");
+    }
+    for wavelength in nm(360, 800, 1) {
+        let [here, next] = [wavelength, wavelength + 1.0].map(dark_line);
+        let step = (0..3).map(|i| (here[i] - next[i]).abs()).fold(0.0, f64::max);
+        assert!(step < 0.006, "a jump of {step} at {wavelength} nm");
+    }
+    assert_eq!(dark_glow(f64::log2(900.0)), infrared);
+    assert_eq!(dark_glow(f64::log2(4000.0)), [0.0; 3]);
+}
+
+#[test]
+fn false_colours_are_grey_at_rest_and_tell_all_doppler_factors_apart() {
+    let [red, green, blue] = false_colour(0.0);
+    assert!((red - green).abs() < 0.05 && (green - blue).abs() < 0.05);
+    let blueness = |octaves| false_colour(octaves)[2] - false_colour(octaves)[0];
+    let steps: Vec<_> = (-80..=80).map(|step| blueness(f64::from(step) / 10.0)).collect();
+    assert!(steps.windows(2).all(|pair| pair[1] > pair[0]));
+    assert!(blueness(-1000.0) < -0.5 && blueness(1000.0) > 0.7);
+}
+
+#[test]
+fn the_shoulder_rises_everywhere_without_a_kink_and_cuts_nothing_off() {
+    assert_eq!([0.0, 0.3, KNEE].map(shoulder), [0.0, 0.3, KNEE]);
+    let steps: Vec<_> = (0..4000).map(|i| shoulder(f64::from(i) / 400.0)).collect();
+    assert!(steps.windows(2).all(|pair| pair[1] > pair[0]));
+    let bends = steps.windows(3).map(|three| (three[2] - 2.0 * three[1] + three[0]).abs());
+    assert!(bends.fold(0.0, f64::max) < 2e-5, "slopes have no jump");
+    assert!(shoulder(30.0) < 1.0 && shoulder(f64::MAX) <= 1.0);
+    // The brightest that is shown by less than the last of 255 levels.
+    assert!((255.0 * srgb_encoded(shoulder(30.0))).round() < 255.0);
+}
+
+#[test]
+fn the_shoulder_keeps_hue_and_saturation_and_can_be_undone() {
+    let [red, green, blue] = toned([4.0, 1.0, 0.0]);
+    assert!((red / green - 4.0).abs() < 1e-12 && blue == 0.0 && red < 1.0);
+    assert_eq!(toned([0.5, 0.1, 0.0]), [0.5, 0.1, 0.0]);
+    for linear in [[4.0, 1.0, 0.0], [0.5, 0.1, 0.0], [20.0, 19.0, 3.0]] {
+        let back = untoned(toned(linear));
+        assert!((0..3).all(|i| (back[i] - linear[i]).abs() < 1e-9 * linear[0]), "{back:?}");
+    }
 }
 
 #[test]
@@ -164,15 +202,10 @@ fn the_srgb_curve_has_the_standard_values() {
 fn colours_end_where_the_documentation_says() {
     let source = include_str!("../src/colour.rs");
     let nm = |before| documented(source, before);
-    let [violet, red] = ["is black outside ", "is black outside 380 nm to "].map(nm);
-    assert_eq!([violet, red].map(|nm| linear_srgb(nm, Visible)), [[0.0; 3]; 2]);
-    assert!([violet + 1.0, red - 1.0].iter().all(|&nm| luminance(linear_srgb(nm, Visible)) > 0.0));
-    let [first, last] = ["equals it from ", "equals it from 420 nm to "].map(nm);
-    assert!([first, last].iter().all(|&nm| linear_srgb(nm, False) == linear_srgb(nm, Visible)));
-    assert!([first - 1.0, last + 1.0].iter().all(|&nm| linear_srgb(nm, False) != linear_srgb(nm, Visible)));
-    let [cool, warm] = ["cool tone, reached at ", "warm grey, reached at "].map(nm);
-    assert_eq!(linear_srgb(cool, False), linear_srgb(1e-3, False));
-    assert_eq!(linear_srgb(warm, False), linear_srgb(1e9, False));
-    assert!(linear_srgb(1.01 * cool, False) != linear_srgb(cool, False));
-    assert!(linear_srgb(0.99 * warm, False) != linear_srgb(warm, False));
+    let [violet, red] = ["as can be; black outside ", "as can be; black outside 380 nm to "].map(nm);
+    assert_eq!([violet, red].map(linear_srgb), [[0.0; 3]; 2]);
+    assert!([violet + 1.0, red - 1.0].iter().all(|&nm| luminance(linear_srgb(nm)) > 0.0));
+    let [first, last] = ["none from ", "none from 420 nm to "].map(nm);
+    assert!([first, last].iter().all(|&nm| dark_line(nm) == [0.0; 3]));
+    assert!([first - 1.0, last + 1.0].iter().all(|&nm| luminance(dark_line(nm)) > 0.0));
 }
