@@ -226,14 +226,18 @@ impl<'a> Sight<'a> {
             return;
         };
         let ball = |center| Ball { center, radius: piece.radius };
-        ends.into_iter().for_each(|end| found.widen(&ball(end), axes));
+        for end in ends {
+            found.widen(&ball(end), axes);
+        }
         let beyond = ends.map(|end| ball(end + bulge));
         if beyond.iter().all(|ball| found.holds(ball, axes)) {
             return;
         }
         let slight = SLIGHT_BULGE * SLIGHT_BULGE * ends[0].length_squared().min(ends[1].length_squared());
         if halvings == 0 || bulge.length_squared() <= slight {
-            beyond.iter().for_each(|ball| found.widen(ball, axes));
+            for ball in &beyond {
+                found.widen(ball, axes);
+            }
             return;
         }
         for half in piece.halves() {
