@@ -5,7 +5,7 @@
 
 use std::sync::LazyLock;
 
-use relativity_core::math::{exp, exp2, ln, log2};
+use relativity_core::math::{exp, exp_m1, exp2, ln, log2};
 
 use crate::colour::{colour_matching, luminance, mix, srgb_from_xyz};
 use crate::ipt;
@@ -94,7 +94,7 @@ fn glowing(log2_kelvin: f64) -> Broad {
     Broad::of(|nm| {
         let x = SECOND_RADIATION_NM_K / (nm * kelvin);
         // ln(nm^-5/(e^x - 1)), where e^x would overflow as well as where it is near 1.
-        let ln_denominator = if x > 30.0 { x } else { ln(x.exp_m1()) };
+        let ln_denominator = if x > 30.0 { x } else { ln(exp_m1(x)) };
         -5.0 * ln(nm) - ln_denominator
     })
 }
