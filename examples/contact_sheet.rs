@@ -45,6 +45,7 @@ fn row(renderers: &mut Renderers, settings: &Settings, light: bool) -> anyhow::R
         let mut state = State::open(settings)?;
         for time in times(&state) {
             state.session.time = time;
+            state.session.picture_size = SIZE;
             let (view, appearance) = (state.view(Eye::Left, SIZE), state.appearance(light));
             let method = state.settings.quality.method();
             row.push(renderers.picture(method, &state.session.prepared, &view, &appearance, 2)?);

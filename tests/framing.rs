@@ -150,31 +150,3 @@ fn while_the_start_is_played_no_frame_turns_by_more_than_four_degrees() {
     let [turn, zoom] = greatest_changes(&state, frames as u32);
     assert!(turn < 4.0 && zoom < 4.0, "{turn}, {zoom} degrees a frame");
 }
-
-#[test]
-fn temporary_timing() {
-    for name in ["cyclist", "street", "lattice"] {
-        let scene = Scene::preset(name).expect("x");
-        let many = name == "lattice";
-        let mut bodies: Vec<_> = scene.bodies.clone();
-        if many {
-            while bodies.len() < 6400 {
-                let b = bodies[bodies.len() % 27].moved([0.0, 0.1, 0.01]);
-                bodies.push(b);
-            }
-        }
-        let prepared = if many { PreparedScene::moving(&bodies) } else { scene.prepared() };
-        let state = State::open(Settings { scene: name.to_owned(), ..Settings::default() }).expect("x");
-        let [from, to] = state.time_range();
-        let subject = Subject { scene: &prepared, tracked: state.session.scene.track(None) };
-        let start = std::time::Instant::now();
-        for i in 0..100 {
-            std::hint::black_box(state.settings.views(
-                subject,
-                from + (to - from) * f64::from(i) / 100.0,
-                SIZES[0],
-            ));
-        }
-        println!("{name} {} bodies: {} us", bodies.len(), start.elapsed().as_micros() / 100);
-    }
-}

@@ -3,7 +3,7 @@
 
 use gamow::flags::{Exposure, IntensityExponent};
 use gamow::scene::Scene;
-use gamow::settings::Settings;
+use gamow::settings::{Settings, Subject};
 use relativity_render::{Colour, PreparedScene, View};
 
 const SIZE: [u32; 2] = [160, 120];
@@ -43,8 +43,8 @@ fn all_levels(exponent: f64) -> Vec<(f64, u8)> {
     let scene = Scene::preset("cyclist").expect("a preset");
     let prepared = scene.prepared();
     let levels = |time| {
-        let tracked = scene.track(None);
-        let [mut view, _] = settings.views(&tracked, time, SIZE);
+        let subject = Subject { scene: &prepared, tracked: scene.track(None) };
+        let [mut view, _] = settings.views(subject, time, SIZE);
         view.camera.horizontal_fov = 1.0;
         coloured_levels(&settings, &prepared, &scene, &view)
     };

@@ -231,7 +231,7 @@ mod tests {
 
     #[test]
     fn a_temperature_may_be_in_degrees_celsius() {
-        assert_eq!([temperature("1273.15"), temperature("1000C")], [Ok(1273.15); 2]);
+        assert_eq!((temperature("1273.15"), temperature("1000C")), (Ok(1273.15), Ok(1273.15)));
         assert_eq!(temperature("0"), Err("must be between 300 and 1e5".to_owned()));
     }
 

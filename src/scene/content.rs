@@ -24,8 +24,9 @@ pub struct Scene {
     pub tracked: [f64; 3],
     /// Height of the resting ground, if there is one.
     pub ground_z: Option<f64>,
-    /// The road on it, along x, in place of a grid: y of its near and of its far kerb.
-    pub road: Option<[f64; 2]>,
+    /// The street on it, along x, in place of a grid: y of the near and of the far kerb of its road, and of the house
+    /// fronts beyond.
+    pub street: Option<[f64; 3]>,
 }
 
 /// Bodies that move alike.

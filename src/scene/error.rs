@@ -98,8 +98,8 @@ pub enum Problem {
     /// A speed that is none.
     #[error("beta = {0} must lie between -1 and 1 (0 rests on the ground, below 0 moves towards -x)")]
     NoSpeed(String),
-    /// A road between kerbs that do not lie one behind the other.
-    #[error("road = {0} must be the y of the near kerb and then that of the far one")]
+    /// A street whose parts do not lie one behind the other.
+    #[error("street = {0} must be the y of the near kerb, then of the far one, then of the house fronts")]
     NoWidth(String),
     /// A ring whose tube leaves no hole.
     #[error("tube_radius = {tube_radius} must be below radius = {radius}")]

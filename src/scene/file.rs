@@ -23,10 +23,10 @@ const OF_EVERY_OBJECT: [&str; 8] =
 pub(super) fn scene(text: &str) -> Result<Scene, Located> {
     let document = DeTable::parse(text).map_err(|error| Located::syntax(text, &error))?;
     let top = Table { text, entries: document.get_ref(), span: 0..0, owner: "a scene" };
-    top.check_keys(&["name", "tracked", "ground_z", "road", "include", "object", "group"])?;
+    top.check_keys(&["name", "tracked", "ground_z", "street", "include", "object", "group"])?;
     let name = top.needed_string("name")?.to_owned();
     let ground_z = top.coordinate("ground_z")?;
-    let road = road(&top)?;
+    let street = street(&top)?;
     let tracked = top.point("tracked")?;
     let (objects, groups) = groups(&top, &name)?;
     let names = objects.iter().enumerate().map(|(number, object)| object.name_as(number)).collect();
@@ -35,16 +35,16 @@ pub(super) fn scene(text: &str) -> Result<Scene, Located> {
     let Some(forward_most) = forward_most_point(own) else {
         return Err(Located { span: top.span, problem: Problem::Empty });
     };
-    Ok(Scene { name, bodies, names, groups, tracked: tracked.unwrap_or(forward_most), ground_z, road })
+    Ok(Scene { name, bodies, names, groups, tracked: tracked.unwrap_or(forward_most), ground_z, street })
 }
 
-/// The kerbs of the road on the ground, the near one first.
-fn road(top: &Table) -> Result<Option<[f64; 2]>, Located> {
-    let Some([near, far]) = top.pair("road")? else { return Ok(None) };
-    if near >= far {
-        return Err(top.problem_at("road", Problem::NoWidth));
+/// The kerbs of the road on the ground and the house fronts beyond, from the nearest on.
+fn street(top: &Table) -> Result<Option<[f64; 3]>, Located> {
+    let street = top.point("street")?;
+    if street.is_some_and(|street| !street.is_sorted_by(|nearer, farther| nearer < farther)) {
+        return Err(top.problem_at("street", Problem::NoWidth));
     }
-    Ok(Some([near, far]))
+    Ok(street)
 }
 
 /// A body, and what its file calls it.

@@ -10,7 +10,7 @@ impl Scene {
     /// for others.
     ///
     /// The FNV-1a hash (G. Fowler, L. C. Noll, K.-P. Vo) of, in this order: the name, the tracked point, the height of
-    /// the ground, its road if there is one, and of each group its name, its own beta, and its bodies; of a body its shape
+    /// the ground, its street if there is one, and of each group its name, its own beta, and its bodies; of a body its shape
     /// by the name in a scene file, the numbers of that in the order of the scene format (of a box half its size, and its
     /// turn as a quaternion), its wavelength and, if it is below 1, its brightness after that word, and if it has one its
     /// pattern by name, with its spacing. Names end in a zero byte; numbers go in bit by bit, big end first, those that
@@ -21,7 +21,7 @@ impl Scene {
         hash.name(&self.name);
         hash.numbers(&self.tracked);
         hash.numbers(&[self.ground_z.unwrap_or(f64::INFINITY)]);
-        self.road.iter().for_each(|road| hash.numbers(road));
+        self.street.iter().for_each(|street| hash.numbers(street));
         for group in &self.groups {
             hash.group(group);
             self.bodies[group.bodies()].iter().for_each(|body| hash.body(body));
@@ -150,7 +150,7 @@ mod tests {
         others[8].bodies[0].brightness = 0.5;
         others[5].groups[0].count -= 1;
         others[6].groups[0].motion = Motion::Own(Velocity::REST);
-        others[9].road = Some([2.0, 9.0]);
+        others[9].street = Some([2.0, 9.0, 13.0]);
         others[10].bodies[0].pattern = Pattern::Stripes { step: 0.5 };
         others[11].bodies[0].pattern = Pattern::Stripes { step: 0.6 };
         let mut fingerprints: Vec<_> = others.iter().map(Scene::fingerprint).collect();

@@ -53,11 +53,6 @@ impl<'a> Table<'a> {
         self.value(key).map(|value| self.point_of(key, value)).transpose()
     }
 
-    /// Two coordinates, if the key is there.
-    pub fn pair(&self, key: &'static str) -> Result<Option<[f64; 2]>, Located> {
-        self.value(key).map(|value| self.coordinates_of(key, value, "two numbers")).transpose()
-    }
-
     /// How many, if the key is there.
     pub fn count(&self, key: &'static str) -> Result<Option<usize>, Located> {
         let Some(value) = self.value(key) else { return Ok(None) };

@@ -129,14 +129,13 @@ fn an_object_is_repeated_a_step_further_each_time() {
 }
 
 #[test]
-fn a_road_has_a_near_and_a_far_kerb() {
-    let road = |kerbs: &str| format!("road = {kerbs}\n{EXAMPLE}");
-    assert_eq!(Scene::parse(&road("[2, 9.5]"), "x").expect("right").road, Some([2.0, 9.5]));
+fn a_street_has_kerbs_and_fronts_one_behind_the_other() {
+    let street = |parts: &str| format!("street = {parts}\n{EXAMPLE}");
+    assert_eq!(Scene::parse(&street("[2, 9, 13]"), "x").expect("right").street, Some([2.0, 9.0, 13.0]));
     assert_eq!(
-        error(&road("[2, 2]")),
-        "balls.toml:1: road = [2, 2] must be the y of the near kerb and then that of the far one"
+        error(&street("[2, 2, 13]")),
+        "balls.toml:1: street = [2, 2, 13] must be the y of the near kerb, then of the far one, then of the house fronts"
     );
-    assert_eq!(error(&road("[2]")), "balls.toml:1: road = [2] must be two numbers");
 }
 
 #[test]
@@ -219,7 +218,7 @@ fn a_syntax_error_names_line_and_column() {
 fn an_unknown_key_is_told_the_keys_there_are() {
     assert_eq!(
         error("name = \"x\"\n\ngroud_z = 1\n"),
-        "balls.toml:3: unknown key `groud_z`: a scene has name, tracked, ground_z, road, include, object, group"
+        "balls.toml:3: unknown key `groud_z`: a scene has name, tracked, ground_z, street, include, object, group"
     );
     assert_eq!(
         object_error("shape = \"sphere\"\ncenter = [0, 3, 2]\nradus = 1"),
@@ -445,7 +444,7 @@ fn a_tube_must_have_a_length() {
 fn shapes_and_scenes_are_known_by_name() {
     assert_eq!(
         object_error("shape = \"cube\""),
-        "balls.toml:3: shape = \"cube\" must be \"sphere\", \"tube\" or \"ring\""
+        "balls.toml:3: shape = \"cube\" must be \"sphere\", \"tube\", \"ring\", \"box\" or \"cylinder\""
     );
     assert_eq!(
         error("name = \"x\"\n[[include]]\nscene = \"cyclists\""),
@@ -491,5 +490,5 @@ fn the_example_in_the_description_of_the_format_loads() {
     let (_, rest) = description.split_once("```toml\n").expect("it has an example");
     let (example, _) = rest.split_once("```").expect("which ends");
     let scene = Scene::parse(example, "README.md").unwrap_or_else(|error| panic!("{error}"));
-    assert_eq!((scene.bodies.len(), scene.ground_z), (3, Some(-2.5)));
+    assert_eq!((scene.bodies.len(), scene.ground_z), (5, Some(-2.5)));
 }

@@ -144,7 +144,7 @@ mod tests {
 
     use super::*;
     use crate::flags::choices::{GazeChoice, RendererChoice};
-    use crate::flags::{FieldOfView, IntensityExponent, SpeedParameter, TimeRange};
+    use crate::flags::{Exposure, FieldOfView, IntensityExponent, SpeedParameter, TimeRange};
     use crate::settings::{PlotTab, Theme};
 
     /// As the window saved it.
@@ -179,7 +179,10 @@ mod tests {
         assert_eq!((motion.d, motion.depth_shift, motion.height_shift), (0.25, -1.5, 0.5));
         assert_eq!((look.geometry, look.fov), (Geometry::Contracted, FieldOfView(Some(45.0))));
         assert_eq!(look.gaze, GazeChoice::Fixed([90.0, (-0.5f64).to_degrees()]));
-        assert_eq!((light.colour, light.shading, light.exposure), (Colour::False, Shading::Emission, 1.5));
+        assert_eq!(
+            (light.colour, light.shading, light.exposure),
+            (Colour::False, Shading::Emission, Exposure(Some(1.5)))
+        );
         assert_eq!(light.intensity_exponent, IntensityExponent(Some(4.0)));
         assert_eq!((light.doppler_shift, light.sky, light.ground), (false, false, true));
         assert_eq!((quality.renderer, quality.bound_px, plots.heat_map), (RendererChoice::Mesh, 2.0, true));

@@ -169,7 +169,8 @@ impl Settings {
             invisible: light.invisible,
             shading: light.shading,
             ground_z: scene.ground_z.filter(|_| light.ground),
-            road: scene.road,
+            road: scene.street.map(|[near, far, _]| [near, far]),
+            fronts: scene.street.map(|[_, _, fronts]| fronts).filter(|_| light.surroundings),
             sky: light.sky,
             light: match light.light {
                 Daylight::Theme => light_window,

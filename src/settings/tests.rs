@@ -6,14 +6,17 @@ use std::path::Path;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use relativity_core::{Curves, Model};
-use relativity_render::{Colour, Geometry, HitImage, Picture as Pixels, PreparedScene, Shading};
+use relativity_render::{Appearance, Colour, Geometry, HitImage, Picture as Pixels, PreparedScene, Shading};
 
 use super::*;
 use crate::files::exr::{self, Measurements};
 use crate::files::png;
 use crate::files::provenance::Provenance;
 use crate::flags::choices::{GazeChoice, Layout, RendererChoice, Size};
-use crate::flags::{FieldOfView, IntensityExponent, MAX_TIME, SpeedParameter, SpeedSetting, TimeRange};
+use crate::flags::{
+    EXPOSURE_EV, Exposure, FieldOfView, IntensityExponent, MAX_TIME, SpeedParameter, SpeedSetting,
+    TEMPERATURE_K, TimeRange,
+};
 
 /// Any number within `range`, of any magnitude.
 fn number(range: RangeInclusive<f64>) -> impl Strategy<Value = f64> {
@@ -57,30 +60,32 @@ fn look() -> impl Strategy<Value = Look> {
 
 fn light() -> impl Strategy<Value = Light> {
     let exponent = prop_oneof![Just(None), any_number().prop_map(Some)].prop_map(IntensityExponent);
-    let switches = any::<[bool; 4]>();
-    (choice::<Colour>(), exponent, number(EXPOSURE_EV), choice::<Shading>(), choice::<Daylight>(), switches)
-        .prop_map(
-            |(
+    let exposure = proptest::option::of(number(EXPOSURE_EV)).prop_map(Exposure);
+    let numbers = (number(TEMPERATURE_K), exponent, exposure);
+    let switches = any::<[bool; 5]>();
+    (choice::<Colour>(), numbers, choice::<Shading>(), choice::<Daylight>(), switches).prop_map(
+        |(
+            colour,
+            (temperature, intensity_exponent, exposure),
+            shading,
+            light,
+            [doppler_shift, invisible, surroundings, ground, sky],
+        )| {
+            Light {
                 colour,
+                temperature,
+                doppler_shift,
                 intensity_exponent,
                 exposure,
+                invisible,
                 shading,
+                surroundings,
+                ground,
+                sky,
                 light,
-                [doppler_shift, surroundings, ground, sky],
-            )| {
-                Light {
-                    colour,
-                    doppler_shift,
-                    intensity_exponent,
-                    exposure,
-                    shading,
-                    surroundings,
-                    ground,
-                    sky,
-                    light,
-                }
-            },
-        )
+            }
+        },
+    )
 }
 
 fn range() -> impl Strategy<Value = TimeRange> {

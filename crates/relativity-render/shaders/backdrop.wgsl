@@ -5,6 +5,9 @@
 // Whether there is a ground, and a road on it.
 override GROUND: bool;
 override ROAD: bool;
+// Whether there are house fronts beyond the road.
+override FRONTS: bool;
+override LEAST_TOWARDS_FRONTS: f32;
 override KERB_WIDTH: f32;
 override LANE_HALF_WIDTH: f32;
 override DASH_LENGTH: f32;
@@ -31,28 +34,15 @@ fn line_cover(off_line: vec2f, half_width: f32, pixel: vec2f) -> vec2f {
     return cover * (half_width / half);
 }
 
-// How the place where a line of sight meets the ground moves, if the line turns towards `across`.
+// How the line of sight turns from one pixel to the next towards `across`.
+fn turn_towards(sight: vec4f, across: vec3f) -> vec3f {
+    return (across - sight.xyz * dot(sight.xyz, across)) * sight.w;
+}
+
+// How the place where a line of sight meets the ground moves then.
 fn shift(sight: vec4f, across: vec3f, distance: f32) -> vec2f {
-    let turn = (across - sight.xyz * dot(sight.xyz, across)) * sight.w;
+    let turn = turn_towards(sight, across);
     return (turn.xy - sight.xy * (turn.z / sight.z)) * distance;
-}
-
-fn band_cover(coordinate: f32, lowest: f32, highest: f32, pixel: f32) -> f32 {
-    let half = max(0.5 * pixel, 1e-6);
-    let covered = min(coordinate + half, highest) - max(coordinate - half, lowest);
-    return clamp(covered / (2.0 * half), 0.0, 1.0);
-}
-
-// The length of all dashes between 0 and each x.
-fn dashes(x: vec2f) -> vec2f {
-    let before = floor(x / DASH_PERIOD);
-    return before * DASH_LENGTH + min(x - before * DASH_PERIOD, vec2f(DASH_LENGTH));
-}
-
-fn dashes_cover(x: f32, pixel: f32) -> f32 {
-    let half = max(0.5 * pixel, 1e-6);
-    let ends = dashes(vec2f(x - half, x + half));
-    return (ends.y - ends.x) / (2.0 * half);
 }
 
 fn marks_cover(foot: vec2f, pixel: vec2f) -> f32 {
@@ -61,7 +51,7 @@ fn marks_cover(foot: vec2f, pixel: vec2f) -> f32 {
     let middle = 0.5 * (near + far);
     let kerbs = band_cover(foot.y, near - KERB_WIDTH, near, pixel.y) + band_cover(foot.y, far, far + KERB_WIDTH, pixel.y);
     let lane = band_cover(foot.y, middle - LANE_HALF_WIDTH, middle + LANE_HALF_WIDTH, pixel.y);
-    return kerbs + lane * dashes_cover(foot.x, pixel.x);
+    return kerbs + lane * repeated_cover(foot.x, DASH_LENGTH, DASH_PERIOD, pixel.x);
 }
 
 fn ground_colour(sky: vec3f, sight: vec4f, distance: f32) -> vec3f {
@@ -83,14 +73,33 @@ fn ground_colour(sky: vec3f, sight: vec4f, distance: f32) -> vec3f {
     return mix(sky, painted, 1.0 / (1.0 + HAZE * distance * distance));
 }
 
+// How the place where it meets house fronts moves.
+fn shift_on_fronts(sight: vec4f, across: vec3f, distance: f32) -> vec2f {
+    let turn = turn_towards(sight, across);
+    return (turn.xz - sight.xz * (turn.y / sight.y)) * distance;
+}
+
+fn with_fronts(without: vec3f, sky: vec3f, sight: vec4f) -> vec3f {
+    let distance = frame.road.z / sight.y;
+    let place = vec2f(frame.ground.x, -frame.ground.z) + sight.xz * distance;
+    let right = shift_on_fronts(sight, frame.right.xyz, distance);
+    let down = shift_on_fronts(sight, frame.down.xyz, distance);
+    let seen = front(place, sqrt(right * right + down * down));
+    return mix(without, mix(sky, seen.rgb, 1.0 / (1.0 + HAZE * distance * distance)), seen.a);
+}
+
 fn behind(pixel: vec2f) -> vec3f {
     let sight = line_of_sight(pixel);
     let nearness = 1.0 - min(SKY_RISE * abs(sight.z), 1.0);
     let sky = mix(frame.backdrop[1].rgb, frame.backdrop[0].rgb, nearness * nearness);
+    var colour = sky;
     if GROUND && sight.z < -1e-6 {
-        return ground_colour(sky, sight, frame.ground.z / sight.z);
+        colour = ground_colour(sky, sight, frame.ground.z / sight.z);
     }
-    return sky;
+    if FRONTS && sight.y > LEAST_TOWARDS_FRONTS {
+        colour = with_fronts(colour, sky, sight);
+    }
+    return colour;
 }
 
 // The sRGB curve, fitted in square roots: within 0.1 of 255 levels, and cheaper than a power.

@@ -28,10 +28,14 @@ struct Frame {
     // Camera x and y, height of the ground above the camera (far below if there is none), and
     // the published model's aperture separation.
     ground: vec4f,
-    // xy: y of the near and the far kerb of a road, equal where there is none.
+    // xy: y of the near and the far kerb of a road, equal where there is none; z: y of house fronts from the camera.
     road: vec4f,
-    // Linear sRGB: horizon, zenith, ground, its grid's lines, the paint on it, a road.
-    backdrop: array<vec4f, 6>,
+    // Of houses in turn, and of all together: height, and shade of the walls.
+    houses: array<vec4f, 4>,
+    // What is let into the walls: from where, how long, lowest, highest.
+    openings: array<vec4f, 4>,
+    // Linear sRGB: horizon, zenith, ground, its grid's lines, the paint on it, a road; walls, frames, glass, doors, shops.
+    backdrop: array<vec4f, 11>,
     // Products with an apparent position give its clip coordinates x, y and w.
     clip_right: vec4f,
     clip_up: vec4f,

@@ -6,7 +6,7 @@
 // Whether any body of this draw carries a pattern.
 override PATTERNS: bool;
 override DARK: f32;
-override LINE: f32;
+override LINE_REACH: f32;
 override PIP_RADIUS: f32;
 override PIP_PLACE: f32;
 override RIM: f32;
@@ -98,9 +98,9 @@ fn darkness_of_chart(chart: Chart, pattern: vec3f, covered: Covered) -> f32 {
     if pattern.x == CHEQUER {
         return 0.5 - 0.5 * wave(along, along_covered) * wave(around, around_covered);
     }
-    let width = LINE * pattern.y / max(chart.off_axis * pattern.z, 1e-30);
+    let width = LINE_REACH * pattern.y / max(chart.off_axis * pattern.z, 1e-30);
     let quarter = 1.5707963268 / pattern.z;
-    return max(line(along, LINE, quarter, along_covered), line(around, width, quarter, around_covered));
+    return max(line(along, LINE_REACH, quarter, along_covered), line(around, width, quarter, around_covered));
 }
 
 struct Arc {

@@ -1,14 +1,15 @@
-//! What lies behind the bodies: a sky, and on the ground a road or a grid, at rest with the aperture.
+//! What lies behind the bodies: a sky, on the ground a road or a grid, and house fronts, at rest with the aperture.
 //!
 //! Never shifted, dimmed or exposed: it gives motion something to be seen against.
 //! `shaders/backdrop.wgsl` draws the same, with the same constants.
 
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec3Swizzles as _};
 use relativity_core::math;
 
 use crate::camera::{Axes, Camera};
 use crate::colour::mix;
 use crate::effects::{Constant, number};
+use crate::street::{self, Front, Paints};
 use crate::view::Appearance;
 
 /// Half the width of the grid's lines, one per unit of length along x and along y.
@@ -28,6 +29,8 @@ const DASH: [f64; 2] = [3.0, 8.0];
 /// half of it 50 units away: so the plane ends in the sky and not in a line, and the flicker of far lines with it.
 const GRID_HAZE: f64 = 0.0025;
 const ROAD_HAZE: f64 = 0.0004;
+/// Lines of sight with a lesser y meet no house fronts.
+const LEAST_TOWARDS_FRONTS: f64 = 1e-4;
 /// The sky is the zenith's colour above the height z of a line of sight of 1/`SKY_RISE`, 46 degrees: a picture
 /// that looks straight ahead shows all of the gradient.
 const SKY_RISE: f64 = 1.4;
@@ -45,6 +48,7 @@ struct Palette {
     pavement: [f64; 3],
     joint: [f64; 3],
     paint: [f64; 3],
+    fronts: Paints,
 }
 
 // Dusk, not night: what is shifted out of the visible is black, and must stand out.
@@ -59,6 +63,13 @@ const DARK: Palette = Palette {
     pavement: [0.085, 0.092, 0.104],
     joint: [0.052, 0.057, 0.066],
     paint: [0.330, 0.345, 0.365],
+    fronts: Paints {
+        wall: [0.150, 0.152, 0.160],
+        frame: [0.205, 0.205, 0.205],
+        glass: [0.030, 0.036, 0.048],
+        door: [0.030, 0.028, 0.028],
+        shop: [0.300, 0.240, 0.150],
+    },
 };
 
 const LIGHT: Palette = Palette {
@@ -72,6 +83,13 @@ const LIGHT: Palette = Palette {
     pavement: [0.560, 0.555, 0.540],
     joint: [0.400, 0.400, 0.395],
     paint: [0.900, 0.900, 0.880],
+    fronts: Paints {
+        wall: [0.660, 0.635, 0.590],
+        frame: [0.820, 0.810, 0.790],
+        glass: [0.170, 0.200, 0.240],
+        door: [0.150, 0.140, 0.135],
+        shop: [0.240, 0.275, 0.320],
+    },
 };
 
 /// What is to be seen below the horizon.
@@ -83,18 +101,25 @@ pub(crate) enum Floor {
     Grid,
     /// A road between pavements.
     Road,
+    /// That, and house fronts beyond it.
+    Street,
 }
 
 impl Floor {
     /// All of them, by their number.
-    pub const ALL: [Self; 3] = [Self::Open, Self::Grid, Self::Road];
+    pub const ALL: [Self; 4] = [Self::Open, Self::Grid, Self::Road, Self::Street];
+
+    const fn has_road(self) -> bool {
+        matches!(self, Self::Road | Self::Street)
+    }
 }
 
 /// The shader's constants for a floor.
-pub(crate) fn constants(floor: Floor) -> [Constant; 12] {
-    [
+pub(crate) fn constants(floor: Floor) -> Vec<Constant> {
+    let of_backdrop = [
         ("GROUND", number(floor != Floor::Open)),
-        ("ROAD", number(floor == Floor::Road)),
+        ("ROAD", number(floor.has_road())),
+        ("FRONTS", number(floor == Floor::Street)),
         ("KERB_WIDTH", KERB_WIDTH),
         ("LANE_HALF_WIDTH", LANE_HALF_WIDTH),
         ("DASH_LENGTH", DASH[0]),
@@ -103,9 +128,11 @@ pub(crate) fn constants(floor: Floor) -> [Constant; 12] {
         ("AXIS_HALF_WIDTH", AXIS_HALF_WIDTH),
         ("GRID_FADE_START", GRID_FADE[0]),
         ("GRID_FADE_RATE", GRID_FADE[1]),
-        ("HAZE", if floor == Floor::Road { ROAD_HAZE } else { GRID_HAZE }),
+        ("LEAST_TOWARDS_FRONTS", LEAST_TOWARDS_FRONTS),
+        ("HAZE", if floor.has_road() { ROAD_HAZE } else { GRID_HAZE }),
         ("SKY_RISE", SKY_RISE),
-    ]
+    ];
+    of_backdrop.into_iter().chain(street::CONSTANTS).collect()
 }
 
 /// The backdrop of one camera's picture.
@@ -116,6 +143,8 @@ pub struct Backdrop {
     /// Height of the ground from the aperture, below 0: ground above the eye would hide everything.
     ground: Option<f64>,
     road: Option<[f64; 2]>,
+    /// y of the house fronts from the aperture, above 0.
+    fronts: Option<f64>,
     axes: Axes,
     focal_length_px: f64,
 }
@@ -130,24 +159,60 @@ impl Backdrop {
             aperture: DVec2::new(aperture.x, aperture.y),
             ground: appearance.ground_z.map(|z| z - aperture.z).filter(|z| *z < 0.0),
             road: appearance.road,
+            fronts: appearance.fronts.map(|y| y - aperture.y).filter(|y| *y > 0.0),
             axes: camera.gaze.axes(),
             focal_length_px: camera.focal_length_px(),
         }
     }
 
-    /// Linear sRGB of the horizon, the zenith, the ground, its grid's lines, the paint on it, and a road.
-    pub(crate) fn colours(&self) -> [[f64; 3]; 6] {
+    /// Linear sRGB of the horizon, the zenith, the ground, its grid's lines, the paint on it, a road; and of house fronts.
+    pub(crate) fn colours(&self) -> [[f64; 3]; 11] {
         let Palette { horizon, zenith, earth, grid_line, axis_line, asphalt, .. } = self.palette;
         let [earth, lines, paint] = match self.road {
             Some(_) => [self.palette.pavement, self.palette.joint, self.palette.paint],
             None => [earth, grid_line, axis_line],
         };
-        [horizon, zenith, earth, lines, paint, asphalt]
+        let Paints { wall, frame, glass, door, shop } = self.palette.fronts;
+        [horizon, zenith, earth, lines, paint, asphalt, wall, frame, glass, door, shop]
     }
 
-    /// Where the near and the far kerb of a road lie, y; equal where there is none.
-    pub(crate) fn kerbs(&self) -> [f64; 2] {
-        self.road.unwrap_or_default()
+    /// y of the near and the far kerb of a road, equal where there is none, and of house fronts from the aperture, 0
+    /// where there are none.
+    pub(crate) fn street(&self) -> [f64; 3] {
+        let [near, far] = self.road.unwrap_or_default();
+        [near, far, self.fronts.unwrap_or_default()]
+    }
+
+    /// Linear sRGB of what lies behind the bodies along `line_of_sight` (unit vector).
+    pub(crate) fn behind(&self, line_of_sight: DVec3) -> [f64; 3] {
+        let below = self.ground_distance(line_of_sight).map(|distance| self.ground(line_of_sight, distance));
+        let without = below.unwrap_or_else(|| self.sky(line_of_sight));
+        let (Some(fronts), Some(ground), Some(_)) = (self.fronts, self.ground, self.road) else {
+            return without;
+        };
+        if line_of_sight.y <= LEAST_TOWARDS_FRONTS {
+            return without;
+        }
+        let distance = fronts / line_of_sight.y;
+        let place = DVec2::new(self.aperture.x, -ground) + line_of_sight.xz() * distance;
+        let shift = |turn: DVec3| (turn.xz() - line_of_sight.xz() * (turn.y / line_of_sight.y)) * distance;
+        let Front { colour, cover } = self.palette.fronts.front(place, self.pixel(line_of_sight, shift));
+        mix(without, self.hazy(colour, line_of_sight, distance), cover)
+    }
+
+    /// Width and height, on a surface, of the pixel with this line of sight, which `shift` tells for a turn of the line.
+    fn pixel(&self, n: DVec3, shift: impl Fn(DVec3) -> DVec2) -> DVec2 {
+        // The line of sight turns by this from one pixel to the next along `across`.
+        let turn =
+            |across: DVec3| (across - n * n.dot(across)) * (n.dot(self.axes.forward) / self.focal_length_px);
+        let [right, down] = [self.axes.right, -self.axes.up].map(|across| shift(turn(across)));
+        DVec2::new(math::hypot(right.x, down.x), math::hypot(right.y, down.y))
+    }
+
+    /// What is seen of `colour` along `line_of_sight` from `distance`.
+    fn hazy(&self, colour: [f64; 3], line_of_sight: DVec3, distance: f64) -> [f64; 3] {
+        let haze = if self.road.is_some() { ROAD_HAZE } else { GRID_HAZE };
+        mix(self.sky(line_of_sight), colour, 1.0 / (1.0 + haze * distance * distance))
     }
 
     /// Height of the ground from the aperture, below 0; `None` if there is none to be seen.
@@ -172,13 +237,9 @@ impl Backdrop {
     pub(crate) fn ground(&self, line_of_sight: DVec3, distance: f64) -> [f64; 3] {
         let n = line_of_sight;
         let foot = self.aperture + n.truncate() * distance;
-        // The line of sight turns by this from one pixel to the next along `across`.
-        let turn =
-            |across: DVec3| (across - n * n.dot(across)) * (n.dot(self.axes.forward) / self.focal_length_px);
         let shift = |turn: DVec3| (turn.truncate() - n.truncate() * (turn.z / n.z)) * distance;
-        let [right, down] = [self.axes.right, -self.axes.up].map(|across| shift(turn(across)));
-        let pixel = DVec2::new(math::hypot(right.x, down.x), math::hypot(right.y, down.y));
-        let [_, _, earth, lines, paint, asphalt] = self.colours();
+        let pixel = self.pixel(n, shift);
+        let [_, _, earth, lines, paint, asphalt, ..] = self.colours();
         let grid = grid_cover(foot.x, pixel.x).max(grid_cover(foot.y, pixel.y));
         let gridded = mix(earth, lines, grid);
         let painted = match self.road {
@@ -188,8 +249,7 @@ impl Backdrop {
             }
             None => mix(gridded, paint, axis_cover(foot.x, pixel.x).max(axis_cover(foot.y, pixel.y))),
         };
-        let haze = if self.road.is_some() { ROAD_HAZE } else { GRID_HAZE };
-        mix(self.sky(n), painted, 1.0 / (1.0 + haze * distance * distance))
+        self.hazy(painted, n, distance)
     }
 }
 
@@ -210,7 +270,7 @@ fn grid_cover(coordinate: f64, pixel: f64) -> f64 {
 }
 
 /// Share of a pixel, `pixel` wide on the ground, that what lies between two places covers.
-fn band_cover(coordinate: f64, [from, to]: [f64; 2], pixel: f64) -> f64 {
+pub(crate) fn band_cover(coordinate: f64, [from, to]: [f64; 2], pixel: f64) -> f64 {
     let half = (0.5 * pixel).max(1e-6);
     let covered = (coordinate + half).min(to) - (coordinate - half).max(from);
     (covered / (2.0 * half)).clamp(0.0, 1.0)
@@ -222,18 +282,17 @@ fn marks_cover(foot: DVec2, [near, far]: [f64; 2], pixel: DVec2) -> f64 {
     let kerbs = band_cover(foot.y, [near - KERB_WIDTH, near], pixel.y)
         + band_cover(foot.y, [far, far + KERB_WIDTH], pixel.y);
     let lane = band_cover(foot.y, [middle - LANE_HALF_WIDTH, middle + LANE_HALF_WIDTH], pixel.y);
-    kerbs + lane * dashes_cover(foot.x, pixel.x)
+    kerbs + lane * repeated_cover(foot.x, DASH[0], DASH[1], pixel.x)
 }
 
-/// Share of a pixel that dashes along x cover.
-fn dashes_cover(x: f64, pixel: f64) -> f64 {
+/// Share of a pixel that pieces of this `length` cover, which begin at 0 and at every multiple of `period`.
+pub(crate) fn repeated_cover(coordinate: f64, length: f64, period: f64, pixel: f64) -> f64 {
     let half = (0.5 * pixel).max(1e-6);
-    // The length of all dashes between 0 and x.
-    let length = |x: f64| {
-        let before = (x / DASH[1]).floor();
-        before * DASH[0] + (x - before * DASH[1]).min(DASH[0])
-    };
-    (length(x + half) - length(x - half)) / (2.0 * half)
+    let [from, to] = [coordinate - half, coordinate + half];
+    let [before_from, before_to] = [from, to].map(|end| (end / period).floor());
+    let within = |end: f64, before: f64| (end - before * period).min(length);
+    let covered = (before_to - before_from) * length + (within(to, before_to) - within(from, before_from));
+    covered / (2.0 * half)
 }
 
 /// Share of a pixel that the line at 0 covers.

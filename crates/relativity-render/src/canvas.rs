@@ -23,7 +23,7 @@ pub struct Canvas {
     /// The tables of colours.
     tables: wgpu::TextureView,
     /// The last pass, by the number of the floor.
-    last_pass: [wgpu::RenderPipeline; 3],
+    last_pass: [wgpu::RenderPipeline; 4],
 }
 
 /// What a pass over the bodies wrote: RGBA32 floats, see the shaders' `Hit`.

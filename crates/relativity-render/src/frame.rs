@@ -8,6 +8,7 @@ use crate::camera::{Axes, Camera};
 use crate::group_view::{GroupView, reference_of_depths};
 use crate::prepared_body::{Extent, packed};
 use crate::scene::{PreparedGroup, PreparedScene};
+use crate::street::{HOUSES, OPENINGS};
 use crate::velocity::Velocity;
 use crate::view::Appearance;
 
@@ -40,10 +41,16 @@ pub struct Frame {
     /// Camera x and y, height of the ground above the camera (`f32::MIN` for none), and the published model's aperture
     /// separation.
     pub ground: [f32; 4],
-    /// y of the near and the far kerb of a road, equal where there is none; 0; 0.
+    /// y of the near and the far kerb of a road, equal where there is none; y of house fronts from the camera, 0 where
+    /// there are none; 0.
     pub road: [f32; 4],
-    /// Linear sRGB of the horizon, the zenith, the ground, its grid's lines, the paint on it, and a road.
-    pub backdrop: [[f32; 4]; 6],
+    /// Height of houses, and shade of their walls.
+    pub houses: [[f32; 4]; 4],
+    /// What is let into these: from where, how long, and between which heights.
+    pub openings: [[f32; 4]; 4],
+    /// Linear sRGB of the horizon, the zenith, the ground, its grid's lines, the paint on it, a road; walls, frames, glass,
+    /// doors, shops.
+    pub backdrop: [[f32; 4]; 11],
     /// Its product with an apparent position is the clip coordinate x.
     pub clip_right: [f32; 4],
     /// y.
@@ -59,7 +66,9 @@ impl Frame {
         let frame = |(view, group): (_, &PreparedGroup)| Self::new(view, appearance, &group.extent);
         let mut frames: Vec<_> = views.iter().zip(scene.groups()).map(frame).collect();
         let reference = frames[reference_of_depths(views)];
-        frames.iter_mut().for_each(|frame| frame.refer_to(&reference));
+        for frame in &mut frames {
+            frame.refer_to(&reference);
+        }
         frames
     }
 
@@ -80,7 +89,7 @@ impl Frame {
         let (pole, base) = pole(camera, -view.velocity.direction());
         let aperture = camera.aperture;
         let backdrop = Backdrop::new(camera, appearance);
-        let kerbs = backdrop.kerbs();
+        let [near_kerb, far_kerb, fronts] = backdrop.street();
         let ground = backdrop.ground_height().unwrap_or(f64::from(f32::MIN));
         let coarse = pole.as_vec2();
         let fine = (pole - coarse.as_dvec2()).as_vec2();
@@ -103,7 +112,9 @@ impl Frame {
             middle,
             middle_fine: vector(from_camera - DVec3::new(x.into(), y.into(), z.into())),
             ground: [aperture.x, aperture.y, ground, view.published_separation()].map(|v| v as f32),
-            road: [kerbs[0], kerbs[1], 0.0, 0.0].map(|v| v as f32),
+            road: [near_kerb, far_kerb, fronts, 0.0].map(|v| v as f32),
+            houses: HOUSES.map(|[height, shade]| [height as f32, shade as f32, 0.0, 0.0]),
+            openings: OPENINGS.map(|opening| opening.map(|v| v as f32)),
             backdrop: backdrop.colours().map(|colour| vector(colour.into())),
             clip_right: vector(right * (to_clip / width)),
             clip_up: vector(up * (to_clip / height)),
@@ -116,6 +127,7 @@ impl Frame {
         match (self.ground[2] > f32::MIN, self.road[0] < self.road[1]) {
             (false, _) => Floor::Open,
             (true, false) => Floor::Grid,
+            (true, true) if self.road[2] > 0.0 => Floor::Street,
             (true, true) => Floor::Road,
         }
     }

@@ -7,7 +7,8 @@
 //!
 //! # Scope
 //!
-//! Bodies are balls, tubes and rings that glow, each at one wavelength, alike in all directions in its rest frame.
+//! Bodies are balls, tubes, rings, boxes and cylinders that glow, each at one wavelength, alike in all directions in
+//! its rest frame.
 //! They are opaque and do not light each other; the shading is a choice of looks, fixed to the rest frame. Motion is
 //! uniform and along x: nothing accelerates, turns or deforms. The camera is a pinhole that rests on the ground or
 //! rides along. The published binocular model, which has no lines of sight, is drawn by triangles alone.
@@ -47,6 +48,7 @@
 #![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_types))]
 
 pub mod backdrop;
+mod block;
 pub mod body;
 mod buffers;
 pub mod camera;
@@ -88,6 +90,7 @@ pub mod scene;
 mod shade;
 mod shaders;
 pub mod spectrum;
+mod street;
 mod surface;
 mod target;
 mod tiles;

@@ -54,7 +54,7 @@ macro_rules! mirror {
 
 /// The uniform blocks.
 pub const BLOCKS: [Mirror; 1] = [mirror!(
-    Frame: base, right, down, pole, speed, motion, reference_speed, reference_middle, middle, middle_fine, ground, road, backdrop,
+    Frame: base, right, down, pole, speed, motion, reference_speed, reference_middle, middle, middle_fine, ground, road, houses, openings, backdrop,
     clip_right, clip_up, forward
 )];
 
@@ -77,7 +77,7 @@ pub fn shaders() -> Vec<Shader> {
     let backdrop = Shader {
         name: "backdrop".to_owned(),
         source: shaders::BACKDROP,
-        constants: backdrop::constants(backdrop::Floor::Road).to_vec(),
+        constants: backdrop::constants(backdrop::Floor::Street),
     };
     let bodies = Kind::ALL.iter().flat_map(|&kind| {
         [("impostor", exact::TECHNIQUE), ("mesh", mesh::TECHNIQUE)]

@@ -7,11 +7,14 @@
 //! outline is exact for balls; what is added for other bodies is below a ten-thousandth of their distance. In the
 //! contracted geometry a ball is flattened, and the outline is that of the ball around it.
 
+use std::cell::OnceCell;
+
 use glam::DVec3;
 use relativity_core::math::{atan, sin_cos, tan};
 
+use crate::block::Block;
 use crate::camera::{Axes, Camera, Gaze, MAX_ELEVATION};
-use crate::capsule::{Block, Capsule};
+use crate::capsule::Capsule;
 use crate::footprint::Projection;
 use crate::group_view::GroupView;
 use crate::prepared_body::PreparedBody;
@@ -30,6 +33,8 @@ const DEGREE: f64 = std::f64::consts::PI / 180.0;
 const SLIGHT_BULGE: f64 = 1e-4;
 /// How often a piece is halved at most.
 const HALVINGS: u32 = 12;
+/// Every which body is looked at before all.
+const SAMPLED: usize = 23;
 /// How often the gaze is turned to the middle of what it frames.
 const TURNS: u32 = 2;
 
@@ -73,6 +78,18 @@ struct Seen<'a> {
     ball: Option<Ball>,
     capsules: &'a [Capsule],
     block: Option<Block>,
+    /// What its pieces look like, once that was asked for.
+    images: OnceCell<Vec<Option<Image>>>,
+}
+
+/// What a tube looks like.
+#[derive(Debug, Clone, Copy)]
+struct Image {
+    piece: Capsule,
+    /// The centres of the balls that its ends look like.
+    ends: [DVec3; 2],
+    /// How far it departs at most from the straight tube between them.
+    bulge: DVec3,
 }
 
 impl Seen<'_> {
@@ -126,9 +143,7 @@ impl Outline {
 fn framed(sights: &[Sight], towards: DVec3) -> Option<Framing> {
     let reach = |gaze: &Gaze| reach(sights, &gaze.axes());
     let mut gaze = Gaze { elevation: 0.0, ..Gaze::along(towards.try_normalize()?.to_array()) };
-    // First level, so that azimuths are exact however wide it is.
-    gaze.azimuth -= middle(reach(&gaze)[0]);
-    gaze.elevation = tilted(middle(reach(&gaze)[1]));
+    // Level at first, so that azimuths are exact however wide it is.
     for _ in 0..TURNS {
         let [across, up] = reach(&gaze).map(middle);
         gaze.azimuth -= across / sin_cos(gaze.elevation).1.max(0.1);
@@ -151,7 +166,7 @@ fn reach(sights: &[Sight], axes: &Axes) -> [Range; 2] {
     for sight in sights {
         sight.widen(axes, &mut found);
     }
-    [found.across, found.up].map(|range| range.map(|tangent| 2.0 * atan(tangent)))
+    [found.across, found.up].map(|wedge| wedge.angles())
 }
 
 /// The views whose rays show what `view` shows. In the published model the right eye sees of each point what the left
@@ -174,7 +189,7 @@ impl<'a> Sight<'a> {
             let around = scene.ball_around(body);
             let center = projection.apparent_centre(view.reflected_from_camera(around.from), around.radius);
             let ball = center.map(|center| Ball { center, radius: around.radius });
-            Seen { ball, capsules: scene.capsules(body), block: body.block }
+            Seen { ball, capsules: scene.capsules(body), block: body.block, images: OnceCell::new() }
         };
         let bodies = scene.bodies()[group.bodies.clone()].iter().map(seen).collect();
         Self { view, projection, bodies }
@@ -191,95 +206,122 @@ impl<'a> Sight<'a> {
         let reflected = |v| self.view.velocity.reflected(v);
         let axes =
             &Axes { right: reflected(axes.right), up: reflected(axes.up), forward: reflected(axes.forward) };
-        let whole = |body: &Seen| body.ball.map_or(Reach::EVERYWHERE, |ball| Reach::of(&ball, axes));
-        let wholes: Vec<_> = self.bodies.iter().map(whole).collect();
-        // Those that may reach furthest come first: few of the others need a closer look then.
-        for number in furthest(&wholes).into_iter().chain(0..wholes.len()) {
-            if !found.holds(&wholes[number]) {
-                for capsule in self.bodies[number].pieces() {
-                    self.widen_by(&capsule.reflected_from_camera(&self.view), HALVINGS, axes, found);
-                }
+        // A sample comes first: few of the others reach further then.
+        for number in (0..self.bodies.len()).step_by(SAMPLED).chain(0..self.bodies.len()) {
+            let body = &self.bodies[number];
+            if body.ball.is_some_and(|ball| found.holds(&ball, axes)) {
+                continue;
+            }
+            let images = || body.pieces().map(|piece| self.image(&piece.reflected_from_camera(&self.view)));
+            for image in body.images.get_or_init(|| images().collect()) {
+                self.widen_by(image.as_ref(), HALVINGS, axes, found);
             }
         }
     }
 
-    /// Widens `found` so that it holds the `piece`.
-    fn widen_by(&self, piece: &Capsule, halvings: u32, axes: &Axes, found: &mut Reach) {
-        let Some((ends, bulge)) = self.image(piece) else {
+    /// Widens `found` so that it holds a piece with this image.
+    fn widen_by(&self, image: Option<&Image>, halvings: u32, axes: &Axes, found: &mut Reach) {
+        let Some(&Image { piece, ends, bulge }) = image else {
             *found = Reach::EVERYWHERE;
             return;
         };
-        let reach = |offset: DVec3| {
-            let [first, last] =
-                ends.map(|end| Reach::of(&Ball { center: end + offset, radius: piece.radius }, axes));
-            first.joined(&last)
-        };
-        *found = found.joined(&reach(DVec3::ZERO));
-        if bulge == DVec3::ZERO {
-            return;
+        let ball = |center| Ball { center, radius: piece.radius };
+        for end in ends {
+            found.widen(&ball(end), axes);
         }
-        let all = reach(bulge);
-        if found.holds(&all) {
+        let beyond = ends.map(|end| ball(end + bulge));
+        if beyond.iter().all(|ball| found.holds(ball, axes)) {
             return;
         }
         let slight = SLIGHT_BULGE * SLIGHT_BULGE * ends[0].length_squared().min(ends[1].length_squared());
         if halvings == 0 || bulge.length_squared() <= slight {
-            *found = found.joined(&all);
+            for ball in &beyond {
+                found.widen(ball, axes);
+            }
             return;
         }
-        piece.halves().iter().for_each(|half| self.widen_by(half, halvings - 1, axes, found));
+        for half in piece.halves() {
+            self.widen_by(self.image(&half).as_ref(), halvings - 1, axes, found);
+        }
     }
 
-    /// The centres of the balls that its ends look like, and how far it departs at most from the straight tube between
-    /// them. `None` where that cannot be said.
-    fn image(&self, piece: &Capsule) -> Option<([DVec3; 2], DVec3)> {
+    /// What a piece, from the camera's event, looks like; `None` where that cannot be said.
+    fn image(&self, piece: &Capsule) -> Option<Image> {
         let first = self.projection.apparent_centre(piece.from, piece.radius)?;
         let last = self.projection.apparent_centre(piece.to, piece.radius)?;
-        Some(([first, last], self.projection.bulge(piece)?))
+        Some(Image { piece: *piece, ends: [first, last], bulge: self.projection.bulge(piece)? })
     }
-}
-
-/// The numbers of those that reach furthest to each side.
-fn furthest(all: &[Reach]) -> Vec<usize> {
-    let sides: [fn(&Reach) -> f64; 4] = [|r| -r.across[0], |r| r.across[1], |r| -r.up[0], |r| r.up[1]];
-    let by =
-        |side: &fn(&Reach) -> f64| (0..all.len()).max_by(|&a, &b| side(&all[a]).total_cmp(&side(&all[b])));
-    sides.iter().filter_map(by).collect()
 }
 
 /// Least and greatest.
 type Range = [f64; 2];
 
-/// Between which planes through the picture's upright, and between which through its level line something lies, as
-/// tangents of half their angles from the optical axis.
+/// Between which planes through the picture's upright, and between which through its level line, something lies.
 #[derive(Debug, Clone, Copy)]
 struct Reach {
-    across: Range,
-    up: Range,
+    across: Wedge,
+    up: Wedge,
 }
 
 impl Reach {
-    const NOWHERE: Self = Self::both([f64::INFINITY, f64::NEG_INFINITY]);
-    const EVERYWHERE: Self = Self::both([f64::NEG_INFINITY, f64::INFINITY]);
+    const NOWHERE: Self = Self { across: Wedge::NOWHERE, up: Wedge::NOWHERE };
+    const EVERYWHERE: Self = Self { across: Wedge::EVERYWHERE, up: Wedge::EVERYWHERE };
 
-    const fn both(range: Range) -> Self {
-        Self { across: range, up: range }
-    }
-
-    fn of(ball: &Ball, axes: &Axes) -> Self {
+    fn holds(&self, ball: &Ball, axes: &Axes) -> bool {
         let depth = ball.center.dot(axes.forward);
-        let range = |side: DVec3| tangents(ball.center.dot(side), depth, ball.radius);
-        Self { across: range(axes.right), up: range(axes.up) }
+        self.across.holds(ball.center.dot(axes.right), depth, ball.radius)
+            && self.up.holds(ball.center.dot(axes.up), depth, ball.radius)
     }
 
-    fn joined(&self, other: &Self) -> Self {
-        let joined = |[a, b]: Range, [c, d]: Range| [a.min(c), b.max(d)];
-        Self { across: joined(self.across, other.across), up: joined(self.up, other.up) }
+    fn widen(&mut self, ball: &Ball, axes: &Axes) {
+        let depth = ball.center.dot(axes.forward);
+        self.across.widen(ball.center.dot(axes.right), depth, ball.radius);
+        self.up.widen(ball.center.dot(axes.up), depth, ball.radius);
+    }
+}
+
+/// Between two planes through a line, of angles below pi from the optical axis.
+#[derive(Debug, Clone, Copy)]
+struct Wedge {
+    /// Tangents of half the angles.
+    tangents: Range,
+    /// Sine and cosine of each angle.
+    sides: [[f64; 2]; 2],
+}
+
+impl Wedge {
+    const NOWHERE: Self =
+        Self { tangents: [f64::INFINITY, f64::NEG_INFINITY], sides: [[0.0, f64::NEG_INFINITY]; 2] };
+    const EVERYWHERE: Self = Self {
+        tangents: [f64::NEG_INFINITY, f64::INFINITY],
+        sides: [[f64::NEG_INFINITY, 0.0], [f64::INFINITY, 0.0]],
+    };
+
+    /// Whether a ball this far `aside` and this deep is surely inside: as far from both planes as its radius.
+    fn holds(&self, aside: f64, depth: f64, radius: f64) -> bool {
+        let [[low_sine, low_cosine], [high_sine, high_cosine]] = self.sides;
+        aside * low_cosine - depth * low_sine >= radius && depth * high_sine - aside * high_cosine >= radius
     }
 
-    fn holds(&self, other: &Self) -> bool {
-        let holds = |[a, b]: Range, [c, d]: Range| a <= c && d <= b;
-        holds(self.across, other.across) && holds(self.up, other.up)
+    fn widen(&mut self, aside: f64, depth: f64, radius: f64) {
+        if self.holds(aside, depth, radius) {
+            return;
+        }
+        let [low, high] = tangents(aside, depth, radius);
+        self.tangents = [self.tangents[0].min(low), self.tangents[1].max(high)];
+        self.sides = self.tangents.map(|tangent| {
+            let squared = tangent * tangent;
+            if squared.is_finite() {
+                [2.0 * tangent / (1.0 + squared), (1.0 - squared) / (1.0 + squared)]
+            } else {
+                [0.0, -1.0]
+            }
+        });
+    }
+
+    /// The angles.
+    fn angles(&self) -> Range {
+        self.tangents.map(|tangent| 2.0 * atan(tangent))
     }
 }
 

@@ -6,8 +6,9 @@ use std::ops::Range;
 
 use glam::DVec3;
 
+use crate::block::{Block, block};
 use crate::body::{Body, Emission, Shape};
-use crate::capsule::{Block, Capsule, add_capsules, block};
+use crate::capsule::{Capsule, add_capsules};
 use crate::intersect::{Solid, bounding_box};
 use crate::kind::Kind;
 use crate::pattern::{Form, Marking};

@@ -103,6 +103,7 @@ mod tests {
             shading: Shading::Emission,
             ground_z: None,
             road: None,
+            fronts: None,
             sky: false,
             light: false,
             ..Appearance::default()

@@ -211,8 +211,7 @@ impl PreparedScene {
                 let mark = if body.marking.is_some() { mark(&hit) } else { 1.0 };
                 colour.map(|part| part * mark)
             }
-            (_, Some(distance)) => backdrop.ground(line_of_sight, distance),
-            (_, None) => backdrop.sky(line_of_sight),
+            _ => backdrop.behind(line_of_sight),
         }
     }
 

@@ -9,4 +9,4 @@ macro_rules! source {
 pub(crate) use source;
 
 /// The last pass.
-pub const BACKDROP: &str = source!("frame", "backdrop");
+pub const BACKDROP: &str = source!("frame", "street", "backdrop");

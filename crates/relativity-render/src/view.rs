@@ -142,6 +142,8 @@ pub struct Appearance {
     pub ground_z: Option<f64>,
     /// Where a road along x lies on the ground: y of its near and of its far kerb. `None` draws a grid.
     pub road: Option<[f64; 2]>,
+    /// y of a row of house fronts beyond that road; `None` leaves them out. They lie behind all bodies.
+    pub fronts: Option<f64>,
     /// Whether the sky behind is a gradient (else plain).
     pub sky: bool,
     /// Whether sky and ground suit a light window (else a dark one).
@@ -166,6 +168,7 @@ impl Default for Appearance {
             shading: Shading::default(),
             ground_z: None,
             road: None,
+            fronts: None,
             sky: true,
             light: false,
         }

@@ -45,7 +45,7 @@ fn appearances() -> Vec<Appearance> {
         plain,
         Appearance { shading: Shading::Form, ground_z: Some(-0.5), ..plain },
         Appearance { ground_z: Some(0.5), sky: true, light: true, ..plain },
-        Appearance { ground_z: Some(-0.5), road: Some([1.0, 3.5]), ..plain },
+        Appearance { ground_z: Some(-0.5), road: Some([1.0, 3.5]), fronts: Some(6.0), ..plain },
         Appearance { ground_z: Some(-2.5), road: Some([-0.2, 7.0]), light: true, ..plain },
         Appearance { doppler_shift: true, exposure_ev: -1.0, ..plain },
         Appearance { doppler_shift: true, colour: Colour::False, ..plain },

@@ -11,8 +11,10 @@ const SIZES: [f32; 6] = [14.0, 13.0, 12.0, 11.0, 10.0, 9.0];
 pub fn show(ui: &mut Ui, state: &State) {
     let (rect, sentence) = (ui.max_rect(), state.moment().sentence());
     let colour = ui.visuals().strong_text_color();
+    // A number is not parted from its unit, nor from what it is the value of.
+    let tied = sentence.replace(" nm", "\u{a0}nm").replace(" = ", "\u{a0}=\u{a0}");
     let laid_out = |size: f32| {
-        let job = LayoutJob::simple(sentence.clone(), FontId::proportional(size), colour, rect.width());
+        let job = LayoutJob::simple(tied.clone(), FontId::proportional(size), colour, rect.width());
         ui.painter().layout_job(job)
     };
     let fitting = SIZES.into_iter().map(laid_out).find(|galley| galley.size().y <= rect.height());

@@ -25,7 +25,7 @@ const BETWEEN: f32 = 12.0;
 /// Points between colours that are worked out.
 const STEP: f32 = 2.0;
 /// Least space between a mark and a name on the strip.
-const NAME_MARGIN: f32 = 4.0;
+const NAME_MARGIN: f32 = 6.0;
 /// Size of the writing.
 const FONT: FontId = FontId::proportional(12.0);
 const SMALL_FONT: FontId = FontId::proportional(11.0);

@@ -45,7 +45,7 @@ pub fn report(
     let mut measurement = Measurement {
         renderers: Renderers::new(gpu),
         scene: scene.prepared(),
-        appearance: Appearance { ground_z: scene.ground_z, road: scene.road, ..Appearance::default() },
+        appearance: Appearance { ground_z: scene.ground_z, ..Appearance::default() },
         views: views(scene, size, quick)?,
         tracked: scene.tracked,
         effort: if quick { QUICK_EFFORT } else { Effort::REPORT },

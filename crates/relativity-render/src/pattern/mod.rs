@@ -55,7 +55,7 @@ pub enum Pattern {
 /// Share of the light that is left where a pattern is dark.
 const DARK: f64 = 0.2;
 /// Half the width of a graticule's line, in steps.
-const LINE: f64 = 0.035;
+const LINE_REACH: f64 = 0.035;
 /// How far below the surface stripes and squares are looked up, in steps: an end lies where one of them does.
 const NUDGE: f64 = 1e-3;
 
@@ -64,7 +64,7 @@ pub(crate) fn constants(has_patterns: bool) -> [Constant; 10] {
     [
         ("PATTERNS", number(has_patterns)),
         ("DARK", DARK),
-        ("LINE", LINE),
+        ("LINE_REACH", LINE_REACH),
         ("PIP_RADIUS", die::PIP_RADIUS),
         ("PIP_PLACE", die::PIP_PLACE),
         ("RIM", die::RIM),
@@ -100,9 +100,10 @@ impl Marking {
     /// Of `pattern` on this `form`, turned so; `None` where that leaves a body plain.
     pub fn new(pattern: Pattern, form: Form, turn: DQuat) -> Option<Self> {
         let (ruling, [along_step, around_step]) = match (pattern, form) {
-            (Pattern::Plain, _) => return None,
             (Pattern::Faces, Form::Box { .. }) => (Ruling::Faces, [1.0; 2]),
-            (Pattern::Faces, _) | (Pattern::Graticule { .. }, Form::Box { .. }) => return None,
+            (Pattern::Plain | Pattern::Faces, _) | (Pattern::Graticule { .. }, Form::Box { .. }) => {
+                return None;
+            }
             (Pattern::Graticule { step_degrees }, form) => {
                 let angle = step_degrees.to_radians();
                 (Ruling::Graticule, [angle * form.radius(), angle])
@@ -115,7 +116,7 @@ impl Marking {
 
     /// For the shaders: its number among rulings, and its steps.
     pub fn packed(&self) -> [f32; 3] {
-        [self.ruling as u8 as f32, self.along_step as f32, self.around_step as f32]
+        [f32::from(self.ruling as u8), self.along_step as f32, self.around_step as f32]
     }
 
     /// Share of the light, in (0, 1], that is left at `place` (from the body's middle) with this `normal`, both in the
@@ -140,8 +141,8 @@ impl Marking {
             Ruling::Faces => 0.0,
             Ruling::Graticule => {
                 let quarter = FRAC_PI_2 / around_step;
-                let parallels = line(along / along_step, LINE, quarter, along_covered);
-                let width = LINE * along_step / (off_axis * around_step).max(1e-30);
+                let parallels = line(along / along_step, LINE_REACH, quarter, along_covered);
+                let width = LINE_REACH * along_step / (off_axis * around_step).max(1e-30);
                 parallels.max(line(around / around_step, width, quarter, around_covered))
             }
             Ruling::Chequer => {

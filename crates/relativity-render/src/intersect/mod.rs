@@ -3,7 +3,10 @@
 //! Every test first moves the ray's start to the point nearest to the body's centre: what is left has the
 //! size of the body. Only entries count: an aperture inside a body does not see that body's inner surface.
 
+mod flat;
+
 use glam::{DMat3, DVec3};
+use relativity_core::math;
 
 use crate::body::Shape;
 use crate::polynomial::first_descent;
@@ -94,7 +97,7 @@ impl Solid {
                 let half_length = 0.5 * (to - from).length();
                 Self {
                     center: 0.5 * (from + to),
-                    bounding_radius: half_length.hypot(radius),
+                    bounding_radius: math::hypot(half_length, radius),
                     form: Form::Cylinder { axis: (to - from).normalize(), half_length, radius },
                 }
             }
@@ -206,16 +209,7 @@ impl Form {
         match *self {
             Self::Ball { radius } | Self::Capsule { radius, .. } => radius,
             Self::Torus { tube_radius, .. } => tube_radius,
-            Self::Block { axes, half } => {
-                // What is seen is a hexagon, with sides along the images of the axes.
-                let steep = (axes.transpose() * direction).abs();
-                let across = |i: usize, j: usize| {
-                    (half[i] * steep[j] + half[j] * steep[i]) / steep[i].hypot(steep[j]).max(1e-30)
-                };
-                let widths = [across(0, 1), across(1, 2), across(2, 0)];
-                // Seen along an axis, that one has no image.
-                widths.into_iter().filter(|&width| width > 0.0).fold(f64::INFINITY, f64::min)
-            }
+            Self::Block { axes, half } => flat::block_half_width(axes, half, direction),
             Self::Cylinder { axis, half_length, radius } => {
                 let cosine = axis.dot(direction).abs();
                 let sine = axis.cross(direction).length();
@@ -262,42 +256,6 @@ impl LocalRay {
         if along.abs() <= half_length { self.in_front(t) } else { cap(half_length.copysign(along)) }
     }
 
-    fn block_entry(&self, axes: DMat3, half: DVec3) -> Option<f64> {
-        let (start, direction) = (axes.transpose() * self.start, axes.transpose() * self.direction);
-        let (mut first, mut last) = (f64::NEG_INFINITY, f64::INFINITY);
-        for i in 0..3 {
-            let [enters, leaves] = between_planes(start[i], direction[i], half[i])?;
-            (first, last) = (first.max(enters), last.min(leaves));
-        }
-        if first <= last { self.in_front(first) } else { None }
-    }
-
-    fn cylinder_entry(&self, axis: DVec3, half_length: f64, radius: f64) -> Option<f64> {
-        let Self { start, direction, .. } = *self;
-        let [enters, leaves] = between_planes(axis.dot(start), axis.dot(direction), half_length)?;
-        let across = direction.cross(axis);
-        let sine_squared = across.length_squared();
-        let (first, last) = if sine_squared == 0.0 {
-            if start.cross(axis).length() > radius {
-                return None;
-            }
-            (enters, leaves)
-        } else {
-            // As of a capsule.
-            let offset = start.dot(across);
-            let discriminant = radius * radius * sine_squared - offset * offset;
-            if discriminant < 0.0 {
-                return None;
-            }
-            let [middle, half_chord] = [-start.cross(axis).dot(across), discriminant.sqrt()];
-            (
-                enters.max((middle - half_chord) / sine_squared),
-                leaves.min((middle + half_chord) / sine_squared),
-            )
-        };
-        if first <= last { self.in_front(first) } else { None }
-    }
-
     fn torus_entry(&self, axis: DVec3, radius: f64, tube_radius: f64) -> Option<f64> {
         let Self { start, direction, .. } = *self;
         let interval = self.torus_interval(axis, radius, tube_radius)?;
@@ -337,16 +295,6 @@ impl LocalRay {
         let slope = from_skeleton.dot(self.direction) / distance;
         if excess.abs() < 0.25 * slope * slope * tube_radius { t - excess / slope } else { t }
     }
-}
-
-/// Where a ray at `start`, as seen along an axis, enters and leaves the space between the planes at -`half` and `half`;
-/// everywhere if it runs in there for good.
-fn between_planes(start: f64, slope: f64, half: f64) -> Option<[f64; 2]> {
-    if slope == 0.0 {
-        return (start.abs() <= half).then_some([f64::NEG_INFINITY, f64::INFINITY]);
-    }
-    let towards = 1f64.copysign(slope);
-    Some([-half, half].map(|plane| (plane - towards * start) / slope.abs()))
 }
 
 /// Entry into a ball at the origin, by the discriminant r^2 - |start x direction|^2.

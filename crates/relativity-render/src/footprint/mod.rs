@@ -7,10 +7,13 @@
 //! along the curve C(t), which departs from its chord along x only. A cone projects to a conic, whose
 //! extent along any direction of the picture is the root of a quadratic.
 
+mod block;
+
 use glam::{DVec2, DVec3};
 
+use crate::block::Block;
 use crate::camera::Axes;
-use crate::capsule::{Block, Capsule};
+use crate::capsule::Capsule;
 use crate::group_view::GroupView;
 use crate::view::Geometry;
 
@@ -24,8 +27,6 @@ const CLEAR_OF_APERTURE: f64 = 1.001;
 /// this many pixels. Halves of a bulge are a quarter of it each.
 const LOOSE_RADII: f64 = 2.0;
 const LOOSE_PX: f64 = 4.0;
-/// The same of a block, whose bulge may be this share of its shorter side in the picture.
-const LOOSE_SHARE: f64 = 0.25;
 
 /// Where it can appear.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -112,7 +113,7 @@ impl Projection {
             beta: speed.beta(),
             gamma: speed.gamma(),
             inverse_gamma_squared: speed.inverse_gamma_squared(),
-            least_scale: least_scale(view),
+            least_scale: block::least_scale(view),
         }
     }
 
@@ -133,49 +134,6 @@ impl Projection {
             return Some(Footprint::Hidden);
         }
         Some(self.rectangle(&balls, capsule.radius))
-    }
-
-    /// Where `block` can appear; `None` from inside it.
-    ///
-    /// C(p) = gamma (`p_x` - beta |p|) along x and p across it; |p| is convex: over the block it lies below what is
-    /// interpolated between the corners, by the bulge at most. So the image lies in the hull of the images of the corners
-    /// and of these moved by gamma beta times that along x, of which only what is in front of the camera can be seen.
-    fn footprint_of_block(&self, block: &Block) -> Option<Footprint> {
-        let distance = block.distance();
-        if distance == 0.0 {
-            return None;
-        }
-        let corners = block.corners();
-        let bulge = self.bulge_of_block(block, &corners, distance);
-        let mut hull = [DVec3::ZERO; 16];
-        for (i, corner) in corners.into_iter().enumerate() {
-            // As of a ball without a radius.
-            let seen = self.apparent_centre(corner, 0.0).unwrap_or(corner);
-            (hull[i], hull[i + 8]) = (seen, seen + DVec3::X * bulge);
-        }
-        // All that can be in the picture is deeper than this.
-        let slope = 0.5 * self.size / self.focal_length_px;
-        let nearest = 0.99 * distance * self.least_scale;
-        let near = nearest / (1.0 + slope.length_squared()).sqrt();
-        let points = if bulge == 0.0 { &hull[..8] } else { &hull };
-        let images = Images::new(self, points, near);
-        let radius_px = self.radius_px(block.radius, &hull);
-        Some(images.rectangle(self, block, bulge, nearest, radius_px))
-    }
-
-    /// How far the image of a block departs along x from what is interpolated between those of its corners, at most.
-    ///
-    /// Along an axis the second derivative of |p| is the squared sine of the angle from there over |p|.
-    fn bulge_of_block(&self, block: &Block, corners: &[DVec3; 8], distance: f64) -> f64 {
-        if !self.geometry.has_doppler_effect() || self.beta == 0.0 {
-            return 0.0;
-        }
-        let gap = block.half_axes.iter().map(|half| {
-            let off_axis =
-                corners.iter().map(|corner| corner.cross(*half).length_squared()).fold(0.0, f64::max);
-            0.5 * half.length_squared().min(off_axis / (distance * distance)) / distance
-        });
-        self.gamma * self.beta * gap.sum::<f64>()
     }
 
     fn radius_px(&self, radius: f64, hull: &[DVec3]) -> f64 {
@@ -304,76 +262,6 @@ impl Projection {
             let root = discriminant.max(0.0).sqrt();
             (low.min((b - root) / a), high.max((b + root) / a))
         })
-    }
-}
-
-/// The least that ground distances are of those in the rest frame, along any line of sight of `view`.
-fn least_scale(view: &GroupView) -> f64 {
-    let speed = &view.velocity.speed;
-    match view.geometry {
-        Geometry::Rest => 1.0,
-        Geometry::Contracted => 1.0 / speed.gamma(),
-        Geometry::Seen | Geometry::Published => 1.0 / speed.head_on_doppler_factor(),
-    }
-}
-
-/// The images of places of which the hull is wanted, focal lengths from the middle of the picture.
-struct Images {
-    /// 16, or where a line from before the near plane to behind it crosses that.
-    places: [DVec2; 80],
-    count: usize,
-    /// Whether some are cut off by the near plane.
-    is_cut: bool,
-}
-
-impl Images {
-    /// Of what of the hull of `points` is deeper than `near`.
-    fn new(projection: &Projection, points: &[DVec3], near: f64) -> Self {
-        let Axes { right, up, forward } = projection.axes;
-        let mut images = Self { places: [DVec2::ZERO; 80], count: 0, is_cut: false };
-        let mut add = |place: DVec3, depth: f64| {
-            images.places[images.count] = DVec2::new(place.dot(right), place.dot(up)) / depth;
-            images.count += 1;
-        };
-        let depth = |place: &DVec3| place.dot(forward);
-        let (front, behind) = (|place: &&DVec3| depth(place) > near, |place: &&DVec3| depth(place) <= near);
-        for place in points.iter().filter(front) {
-            add(*place, depth(place));
-            for other in points.iter().filter(behind) {
-                let share = (depth(place) - near) / (depth(place) - depth(other));
-                add(place.lerp(*other, share), near);
-            }
-        }
-        images.is_cut = points.iter().any(|place| behind(&place));
-        images
-    }
-
-    fn rectangle(
-        &self,
-        projection: &Projection,
-        block: &Block,
-        bulge: f64,
-        nearest: f64,
-        radius_px: f64,
-    ) -> Footprint {
-        let places = &self.places[..self.count];
-        if places.is_empty() {
-            return Footprint::Hidden;
-        }
-        let Axes { right, up, .. } = projection.axes;
-        let upright = Extent::new(places, DVec2::X);
-        let along_axes =
-            block.half_axes.map(|axis| DVec2::new(axis.dot(right), axis.dot(up)).try_normalize());
-        let turned = along_axes.into_iter().flatten().map(|along| Extent::new(places, along));
-        let tightest = turned.fold(upright, |best, next| if next.area() < best.area() { next } else { best });
-        // What is cut off may reach far out of the picture: there f32 would lose it.
-        let limit = 1.0 + 0.5 * projection.size / projection.focal_length_px;
-        let extent = if self.is_cut { upright.within(limit) } else { tightest };
-        let sides = extent.high - extent.low;
-        let bulge_px = bulge * projection.focal_length_px / nearest;
-        let is_loose =
-            bulge_px > LOOSE_PX + LOOSE_SHARE * sides.min_element().abs() * projection.focal_length_px;
-        extent.footprint(projection, radius_px, is_loose)
     }
 }
 

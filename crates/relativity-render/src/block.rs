@@ -1,0 +1,91 @@
+//! Blocks that contain a shape with flat faces: what its bounds in a picture are worked out from.
+
+use glam::{DMat3, DVec3};
+
+use crate::body::Shape;
+use crate::capsule::Capsule;
+use crate::group_view::GroupView;
+use crate::turn::turn_of;
+
+/// A box in the rest frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Block {
+    /// Centre.
+    pub center: DVec3,
+    /// From there to the middles of three faces, at right angles.
+    pub half_axes: [DVec3; 3],
+    /// The least radius of the shape in it.
+    pub radius: f64,
+}
+
+impl Block {
+    /// From the camera's event, reflected so that the group moves along +x.
+    pub fn reflected_from_camera(&self, view: &GroupView) -> Self {
+        Self {
+            center: view.reflected_from_camera(self.center),
+            half_axes: self.half_axes.map(|axis| view.velocity.reflected(axis)),
+            ..*self
+        }
+    }
+
+    /// Its two halves, across its longest axis.
+    pub fn halves(&self) -> [Self; 2] {
+        let squares = DVec3::from(self.half_axes.map(DVec3::length_squared));
+        let mut half = *self;
+        half.half_axes[squares.max_position()] *= 0.5;
+        let step = half.half_axes[squares.max_position()];
+        [-step, step].map(|step| Self { center: self.center + step, ..half })
+    }
+
+    /// Its corners.
+    pub fn corners(&self) -> [DVec3; 8] {
+        let [x, y, z] = self.half_axes;
+        std::array::from_fn(|i| {
+            let side = |bit: usize| if i & bit == 0 { -1.0 } else { 1.0 };
+            self.center + x * side(1) + y * side(2) + z * side(4)
+        })
+    }
+
+    /// Its edges, tubes without a radius.
+    pub fn edges(&self) -> impl Iterator<Item = Capsule> + use<> {
+        let corners = self.corners();
+        let edge = move |from: usize, bit: usize| {
+            (from & bit == 0).then(|| Capsule { from: corners[from], to: corners[from | bit], radius: 0.0 })
+        };
+        (0..8).flat_map(move |from| [1, 2, 4].map(|bit| edge(from, bit)).into_iter().flatten())
+    }
+
+    /// The ball around it.
+    pub fn ball_around(&self) -> Capsule {
+        let radius = self.half_axes.iter().map(|axis| axis.length_squared()).sum::<f64>().sqrt();
+        Capsule::ball(self.center, radius)
+    }
+
+    /// How far from the origin it is; 0 around it.
+    pub fn distance(&self) -> f64 {
+        let nearest = self.half_axes.iter().fold(self.center, |from_origin, axis| {
+            let along = -self.center.dot(*axis) / axis.length_squared();
+            from_origin + *axis * along.clamp(-1.0, 1.0)
+        });
+        nearest.length()
+    }
+}
+
+/// The block that contains `shape`, if its bounds are better worked out from that than from capsules.
+pub fn block(shape: &Shape) -> Option<Block> {
+    let axes = |half: DVec3| {
+        let turn = DMat3::from_quat(turn_of(shape));
+        [turn.x_axis * half.x, turn.y_axis * half.y, turn.z_axis * half.z]
+    };
+    let block = |center, half: DVec3| Block { center, half_axes: axes(half), radius: half.min_element() };
+    match *shape {
+        Shape::Box { center, half, .. } => Some(block(center.into(), half.into())),
+        Shape::Cylinder { from, to, radius } => {
+            let (from, to) = (DVec3::from(from), DVec3::from(to));
+            let half_length = 0.5 * (to - from).length();
+            // Of a longer one the ends of a capsule are less than the corners of a block.
+            (half_length < radius).then(|| block(0.5 * (from + to), DVec3::new(radius, radius, half_length)))
+        }
+        Shape::Sphere { .. } | Shape::Tube { .. } | Shape::Ring { .. } => None,
+    }
+}
