@@ -28,10 +28,10 @@ override MAP_MIDDLE: f32;
 override MAP_PER_OCTAVE: f32;
 
 // The tables' rows. What eyes do not see of a light stands in the row after it.
-const ONE_LINE = 0;
-const GLOW = 2;
-const BAND = 4;
-const MAP = 5;
+const LINE_ROW = 0;
+const GLOW_ROW = 2;
+const BAND_ROW = 4;
+const MAP_ROW = 5;
 
 fn looked_up(row: i32, place: f32) -> vec4f {
     let last = i32(textureDimensions(tables).x) - 1;
@@ -69,7 +69,7 @@ fn shown(light: vec3f, row: i32, place: f32) -> vec3f {
 // `light`: of one place in a table that place at rest, how far it moves per octave of the shift (back for light of one
 // wavelength, forth for a black body), the exponent n of D^n, and log2 of the exposure.
 fn of_one_place(light: vec4f, octaves: f32, shift: f32) -> vec3f {
-    let row = select(GLOW, ONE_LINE, light.y < 0.0);
+    let row = select(GLOW_ROW, LINE_ROW, light.y < 0.0);
     let place = light.x + light.y * shift;
     let entry = looked_up(row, place);
     return shown(entry.rgb * power_of_two(entry.a + light.z * octaves + light.w), row, place);
@@ -79,12 +79,12 @@ fn of_one_place(light: vec4f, octaves: f32, shift: f32) -> vec3f {
 // exponent with which the band becomes brighter.
 fn of_daylight(light: vec4f, octaves: f32, shift: f32) -> vec3f {
     let place = DAYLIGHT_PLACE + GLOW_PER_OCTAVE * shift;
-    let white = looked_up(GLOW, place);
-    let own = looked_up(BAND, light.x - BAND_PER_OCTAVE * shift);
+    let white = looked_up(GLOW_ROW, place);
+    let own = looked_up(BAND_ROW, light.x - BAND_PER_OCTAVE * shift);
     let exponent = select(light.w, 0.0, DOPPLER_SHIFT);
     let sum = white.rgb * power_of_two(white.a + exponent * octaves + light.z)
         + own.rgb * power_of_two(own.a + light.w * octaves + light.y);
-    return shown(sum, GLOW, place);
+    return shown(sum, GLOW_ROW, place);
 }
 
 fn colour_of(light: vec4f, doppler: f32) -> vec3f {
@@ -94,7 +94,7 @@ fn colour_of(light: vec4f, doppler: f32) -> vec3f {
         case 0u: { return light.rgb; }
         case 1u: { return of_one_place(light, octaves, shift); }
         case 2u: { return of_daylight(light, octaves, shift); }
-        default: { return looked_up(MAP, MAP_MIDDLE + MAP_PER_OCTAVE * octaves).rgb; }
+        default: { return looked_up(MAP_ROW, MAP_MIDDLE + MAP_PER_OCTAVE * octaves).rgb; }
     }
 }
 

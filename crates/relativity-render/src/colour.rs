@@ -40,26 +40,27 @@ fn row(line: &str) -> [f64; 3] {
     std::array::from_fn(|_| values.next().expect("a row holds three functions"))
 }
 
+/// Colours at full brightness per nm, of which the nearest is taken: between two on either side of a corner of sRGB, such
+/// as blue at 454 nm, the straight line has other hues.
+const HUES_PER_NM: u32 = 16;
 /// The colours of the table's wavelengths at full brightness.
-static HUES: LazyLock<Vec<[f64; 3]>> =
-    LazyLock::new(|| CIE_1931.iter().map(|&xyz| ipt::purest_srgb(ipt::hue(xyz))).collect());
+static HUES: LazyLock<Vec<[f64; 3]>> = LazyLock::new(|| {
+    let steps = (CIE_1931.len() as u32 - 1) * HUES_PER_NM;
+    let nm = |step| FIRST_NM + f64::from(step) / f64::from(HUES_PER_NM);
+    (0..=steps).filter_map(|step| Some(ipt::purest_srgb(ipt::hue(colour_matching(nm(step))?)))).collect()
+});
 
 /// The CIE 1931 colour-matching functions (x, y, z) at `wavelength_nm`, linear between the table's
 /// rows; `None` outside 360 nm to 830 nm.
 #[must_use]
 pub fn colour_matching(wavelength_nm: f64) -> Option<[f64; 3]> {
-    interpolated(&CIE_1931, wavelength_nm)
-}
-
-/// In a table with a row for every nm; `None` where it ends.
-fn interpolated(table: &[[f64; 3]], wavelength_nm: f64) -> Option<[f64; 3]> {
     let position = wavelength_nm - FIRST_NM;
-    let last = table.len() - 1;
+    let last = CIE_1931.len() - 1;
     if !(0.0..=last as f64).contains(&position) {
         return None;
     }
     let index = (position as usize).min(last - 1);
-    Some(mix(table[index], table[index + 1], position - index as f64))
+    Some(mix(CIE_1931[index], CIE_1931[index + 1], position - index as f64))
 }
 
 /// Linear sRGB (each component in [0, 1]) of light of `wavelength_nm` (above 0), as bright as can be; black outside
@@ -126,9 +127,8 @@ pub(crate) fn mix(a: [f64; 3], b: [f64; 3], t: f64) -> [f64; 3] {
 
 /// The hue of a wavelength at full brightness; black where the table ends.
 fn spectral_hue(wavelength_nm: f64) -> [f64; 3] {
-    let Some(rgb) = interpolated(&HUES, wavelength_nm) else { return [0.0; 3] };
-    let largest = rgb.into_iter().fold(0.0, f64::max);
-    rgb.map(|part| part / largest)
+    let place = ((wavelength_nm - FIRST_NM) * f64::from(HUES_PER_NM)).round();
+    if place < 0.0 { [0.0; 3] } else { HUES.get(place as usize).copied().unwrap_or_default() }
 }
 
 /// Share of the full colour left at the ends of the visible range, 0 to 1.

@@ -8,7 +8,7 @@ use crate::light::DAYLIGHT_KELVIN;
 use crate::planck::{Broad, band, black_body};
 
 /// Entries of a table.
-pub const ENTRIES: u32 = 1024;
+pub const ENTRIES: u32 = 2048;
 /// Tables: the light of one wavelength over log2 of that, nm, and what eyes do not see of it; of black bodies over log2
 /// of the temperature, K, and what eyes do not see of it; of bands over log2 of their middle, nm; and the false colours
 /// over log2 D.

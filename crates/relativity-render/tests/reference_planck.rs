@@ -1,4 +1,5 @@
-//! Black bodies against sums done here: Planck's law over the table of the CIE, with no logarithm and no lookup.
+//! Black bodies against sums done here: Planck's law over what eyes see of the CIE's table, with no logarithm and no
+//! lookup.
 
 use relativity_render::colour::luminance;
 use relativity_render::planck::{Broad, band, black_body};
@@ -10,22 +11,19 @@ const C2: f64 = 1.438_776_877e7;
 
 /// Wavelength, nm, and the colour-matching functions there.
 fn rows() -> impl Iterator<Item = [f64; 4]> {
-    TABLE.lines().skip(1).map(|line| {
+    let row = |line: &str| {
         let mut numbers = line.split(',').map(|number| number.parse().expect("a number"));
         std::array::from_fn(|_| numbers.next().expect("four of them"))
-    })
+    };
+    TABLE.lines().skip(1).map(row).filter(|[nm, ..]: &[f64; 4]| (380.0..=780.0).contains(nm))
 }
 
-/// X, Y, Z of a black body of `kelvin`, by the trapezoidal rule.
+/// X, Y, Z of a black body of `kelvin`: sums over every nm, as CIE 015 has them.
 fn xyz(kelvin: f64) -> [f64; 3] {
-    let rows: Vec<_> = rows().collect();
-    let mut sum = [0.0; 3];
-    for (i, [nm, x, y, z]) in rows.iter().enumerate() {
-        let weight = if i == 0 || i + 1 == rows.len() { 0.5 } else { 1.0 };
-        let radiance = weight * nm.powi(-5) / (C2 / (nm * kelvin)).exp_m1();
-        sum = [sum[0] + radiance * x, sum[1] + radiance * y, sum[2] + radiance * z];
-    }
-    sum
+    rows().fold([0.0; 3], |sum, [nm, x, y, z]| {
+        let radiance = nm.powi(-5) / (C2 / (nm * kelvin)).exp_m1();
+        [sum[0] + radiance * x, sum[1] + radiance * y, sum[2] + radiance * z]
+    })
 }
 
 fn luminance_of(kelvin: f64) -> f64 {
@@ -48,7 +46,7 @@ fn the_lattice_of_1000_degrees_at_nine_tenths_of_c() {
     let ratio = |doppler| received_intensity(Emission::White, &appearance, doppler);
     let summed = |doppler: f64| xyz(1273.15 * doppler)[1] / xyz(1273.15)[1];
     assert!((ratio(head_on) / 3.5e6 - 1.0).abs() < 0.02, "{}", ratio(head_on));
-    assert!((ratio(1.0 / head_on) / 2.4e-24 - 1.0).abs() < 0.02, "{}", ratio(1.0 / head_on));
+    assert!((ratio(1.0 / head_on) / 2.4e-25 - 1.0).abs() < 0.02, "{}", ratio(1.0 / head_on));
     for doppler in [head_on, 1.0 / head_on, 0.6, 1.7] {
         assert!((ratio(doppler) / summed(doppler) - 1.0).abs() < 5e-3, "D = {doppler}");
     }
@@ -75,12 +73,12 @@ fn colder_and_hotter_than_the_table_the_asymptotes_go_on() {
     let step =
         |colder: f64, hotter: f64| black_body(hotter).log2_luminance() - black_body(colder).log2_luminance();
     // Rayleigh and Jeans: as T.
-    for octave in [22.0, 24.0, 30.0, 200.0] {
+    for octave in [23.0, 24.0, 30.0, 200.0] {
         assert!((step(octave, octave + 1.0) - 1.0).abs() < 2e-3, "2^{octave} K");
     }
-    // Wien: at the red end of the table ln L falls by hc/(k lambda T) for each halving of T.
+    // Wien: at the red end of what is seen ln L falls by hc/(k lambda T) for each halving of T.
     for octave in [1.0, 3.0] {
-        let expected = C2 / (830.0 * f64::exp2(octave + 1.0)) / std::f64::consts::LN_2;
+        let expected = C2 / (780.0 * f64::exp2(octave + 1.0)) / std::f64::consts::LN_2;
         assert!((step(octave, octave + 1.0) / expected - 1.0).abs() < 0.02, "2^{octave} K");
     }
     for octave in [-1000.0, 0.0, 4.0, 23.9, 1000.0] {
