@@ -31,7 +31,7 @@ override MAP_PER_OCTAVE: f32;
 const ONE_LINE = 0;
 const GLOW = 2;
 const BAND = 4;
-const MAP = 5;
+const MAP_ROW = 5;
 
 fn looked_up(row: i32, place: f32) -> vec4f {
     let last = i32(textureDimensions(tables).x) - 1;
@@ -94,7 +94,7 @@ fn colour_of(light: vec4f, doppler: f32) -> vec3f {
         case 0u: { return light.rgb; }
         case 1u: { return of_one_place(light, octaves, shift); }
         case 2u: { return of_daylight(light, octaves, shift); }
-        default: { return looked_up(MAP, MAP_MIDDLE + MAP_PER_OCTAVE * octaves).rgb; }
+        default: { return looked_up(MAP_ROW, MAP_MIDDLE + MAP_PER_OCTAVE * octaves).rgb; }
     }
 }
 
