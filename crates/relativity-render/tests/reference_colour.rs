@@ -127,7 +127,7 @@ fn visible_light_fades_smoothly_to_black_at_both_ends() {
     let red = linear_srgb(700.0);
     assert!(red[0] == 1.0 && red[1] < 1e-12 && red[2] < 0.1, "the paper's red is full red: {red:?}");
     for wavelength in nm(1440, 1720, 1).chain(nm(2800, 3200, 1)).map(|quarter| quarter / 4.0) {
-        let [here, next] = [wavelength, wavelength + 0.25].map(|nm| linear_srgb(nm));
+        let [here, next] = [wavelength, wavelength + 0.25].map(linear_srgb);
         let step = (0..3).map(|i| (here[i] - next[i]).abs()).fold(0.0, f64::max);
         assert!(step < 0.03, "a jump of {step} at {wavelength} nm");
     }
