@@ -45,7 +45,7 @@ fn surface(scene: &Scene) -> Vec<DVec3> {
         let gaze = Gaze { azimuth, elevation };
         let place = extent.middle - gaze.axes().forward * (20.0 * extent.reach);
         let aperture = Aperture { x: place.x, y: place.y, z: place.z };
-        Camera { aperture, gaze, horizontal_fov: 0.101, size: [60, 60] }
+        Camera { aperture, gaze, horizontal_fov: 0.101, size: [40, 40] }
     });
     let hits = cameras.flat_map(|camera| {
         let (speed, geometry) = (Speed::REST, Geometry::Seen);
@@ -81,7 +81,7 @@ fn assert_whole(state: &State, geometry: Geometry) {
     let mut state = state.clone();
     state.settings.look.geometry = geometry;
     let points = surface(&state.session.scene);
-    assert!(points.len() > 500, "{}: {} points", state.settings.scene, points.len());
+    assert!(points.len() > 200, "{}: {} points", state.settings.scene, points.len());
     for time in times(&state) {
         let seen = views(&state, time, SIZES[0]).map(|view| directions(&view, &points));
         for size in SIZES {
@@ -103,7 +103,7 @@ fn no_default_view_crops_what_moves() {
 
 #[test]
 fn no_other_geometry_crops_it_either() {
-    for beta in [0.3, 0.9, 0.99] {
+    for beta in [0.3, 0.9, 0.9999] {
         for state in states(beta) {
             for geometry in [Geometry::Contracted, Geometry::Rest, Geometry::Published] {
                 assert_whole(&state, geometry);
@@ -132,7 +132,7 @@ fn greatest_changes(state: &State, count: u32) -> [f64; 2] {
 fn gaze_and_field_run_smoothly_while_time_does() {
     for beta in [0.3, 0.9, 0.9999] {
         for state in states(beta) {
-            let [coarse, fine] = [2000, 8000].map(|count| greatest_changes(&state, count));
+            let [coarse, fine] = [1000, 4000].map(|count| greatest_changes(&state, count));
             for (coarse, fine) in coarse.into_iter().zip(fine) {
                 let scene = &state.settings.scene;
                 // A quarter of the step makes about a quarter of the change; a jump would stay as large.

@@ -39,9 +39,9 @@ impl Source {
     pub(super) fn described(self, doppler_factors: &[f64]) -> Option<String> {
         let are_numbers = doppler_factors.iter().all(|factor| factor.is_finite() && *factor > 0.0);
         let times = |value: f64| doppler_factors.iter().map(|factor| value * factor).collect::<Vec<_>>();
-        let received = |nm| doppler_factors.iter().map(|factor| received_wavelength(nm, *factor)).collect();
+        let divided = |nm| doppler_factors.iter().map(move |factor| received_wavelength(nm, *factor));
         (are_numbers && !doppler_factors.is_empty()).then(|| match self {
-            Self::Line(nm) => line(received(nm)),
+            Self::Line(nm) => line(&divided(nm).collect::<Vec<_>>()),
             Self::Glow(kelvin) => glow(kelvin, &times(kelvin)),
             Self::Broad => shift(doppler_factors),
         })
@@ -65,11 +65,11 @@ pub fn in_words(wavelengths_nm: &[f64]) -> String {
 }
 
 /// `606 and 567 nm, orange and yellow`.
-fn line(wavelengths_nm: Vec<f64>) -> String {
+fn line(wavelengths_nm: &[f64]) -> String {
     let mut names: Vec<_> = wavelengths_nm.iter().map(|wavelength| spectrum::name(*wavelength)).collect();
     names.dedup();
     let unseen = unseen(wavelengths_nm.iter().map(|wavelength| Band::of(*wavelength)));
-    format!("{}, {}{unseen}", in_words(&wavelengths_nm), names.join(" and "))
+    format!("{}, {}{unseen}", in_words(wavelengths_nm), names.join(" and "))
 }
 
 /// `a glow of 1273 K, received as of 1476 and 1578 K`.

@@ -105,7 +105,7 @@ impl Moment {
         let (name, now) = (&self.name, decimal(self.time, DECIMALS));
         match self.shown {
             Shown::Received(seen, eyes) => {
-                let left = self.departure(&seen, eyes);
+                let left = departure(&seen, eyes);
                 self.with_light(&format!("Light arriving now (T = {now}) left {name} {left}"))
             }
             Shown::Published(seen) => {
@@ -129,22 +129,22 @@ impl Moment {
         }
     }
 
-    /// When the light left that arrives at the eyes.
-    fn departure(&self, seen: &[Sighting; 2], eyes: Eyes) -> String {
-        let times = told_apart(&seen.map(|seen| seen.retarded_time), DECIMALS);
-        match (&times[..], eyes) {
-            ([left, right], Eyes::Apart) => format!("at t = {left} for the left eye, {right} for the right"),
-            (_, Eyes::Apart) => format!("at t = {} for both eyes", times[0]),
-            (_, Eyes::Together) => format!("at t = {}", times[0]),
-        }
-    }
-
     /// `start`, and which light that is.
     fn with_light(&self, start: &str) -> String {
         match self.light() {
             Some(light) => format!("{start}: {light}.{}", self.drawn),
             None => format!("{start}."),
         }
+    }
+}
+
+/// When the light left that arrives at the eyes.
+fn departure(seen: &[Sighting; 2], eyes: Eyes) -> String {
+    let times = told_apart(&seen.map(|seen| seen.retarded_time), DECIMALS);
+    match (&times[..], eyes) {
+        ([left, right], Eyes::Apart) => format!("at t = {left} for the left eye, {right} for the right"),
+        (_, Eyes::Apart) => format!("at t = {} for both eyes", times[0]),
+        (_, Eyes::Together) => format!("at t = {}", times[0]),
     }
 }
 

@@ -25,7 +25,7 @@ macro_rules! files {
 }
 
 /// The names of all, and their files; the first is the start.
-const FILES: [(&str, &str); 8] = files![
+const FILES: [(&str, &str); 12] = files![
     "street",
     "overhead",
     "approaching",
@@ -34,6 +34,10 @@ const FILES: [(&str, &str); 8] = files![
     "abreast-0.6",
     "disparity-curve",
     "gamow-1938",
+    "die",
+    "globe",
+    "train",
+    "lattice",
 ];
 
 static ALL: LazyLock<Vec<Preset>> = LazyLock::new(|| {

@@ -279,7 +279,7 @@ fn the_gazes_are_chosen_by_name() {
     for (name, gaze, fov) in [
         ("Point", GazeChoice::Point, 60.0),
         ("Ahead", GazeChoice::Ahead, 110.0),
-        ("Scene", GazeChoice::Whole, fitted.0.expect("a number")),
+        ("Whole", GazeChoice::Whole, fitted.0.expect("a number")),
     ] {
         window.get_by_label(name).click();
         window.run();

@@ -35,6 +35,8 @@ functions! {
     hypot(x, y);
     /// e^x.
     exp(x);
+    /// e^x - 1, without cancellation near 0.
+    exp_m1(x);
     /// 2^x.
     exp2(x);
     /// The natural logarithm of x; NaN below 0.

@@ -5,7 +5,7 @@
 
 use std::sync::LazyLock;
 
-use relativity_core::math::{exp, exp2, ln, log2};
+use relativity_core::math::{exp, exp_m1, exp2, ln, log2};
 
 use crate::colour::{colour_matching, luminance, mix, srgb_from_xyz};
 use crate::ipt;
@@ -93,8 +93,8 @@ fn glowing(log2_kelvin: f64) -> Broad {
     let kelvin = exp2(log2_kelvin);
     Broad::of(|nm| {
         let x = SECOND_RADIATION_NM_K / (nm * kelvin);
-        // ln(nm^-5/(e^x - 1)), also where e^x would overflow; x is at least 1e-3.
-        let ln_denominator = if x > 40.0 { x } else { ln(exp(x) - 1.0) };
+        // ln(nm^-5/(e^x - 1)), where e^x would overflow as well as where it is near 1.
+        let ln_denominator = if x > 30.0 { x } else { ln(exp_m1(x)) };
         -5.0 * ln(nm) - ln_denominator
     })
 }

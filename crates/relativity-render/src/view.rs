@@ -122,7 +122,7 @@ pub enum Shading {
 }
 
 /// How it is drawn. Each effect that is off costs nothing.
-#[expect(clippy::struct_excessive_bools, reason = "switches, none of which depends on another")]
+#[expect(clippy::struct_excessive_bools, reason = "they are independent switches")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Appearance {
     /// What light bodies send.

@@ -69,7 +69,7 @@ fn surface_point(shape: &Shape, [u, v]: [f64; 2]) -> (DVec3, DVec3) {
         Shape::Box { center, half, turn } => {
             let axes = glam::DMat3::from_quat(DQuat::from_array(turn));
             let face = (6.0 * u) as usize;
-            let side = if face % 2 == 0 { 1.0 } else { -1.0 };
+            let side = if face.is_multiple_of(2) { 1.0 } else { -1.0 };
             let mut place = DVec3::new(2.0 * v - 1.0, 12.0 * u.fract() % 2.0 - 1.0, 1.0 - 2.0 * v);
             place[face / 2] = 0.0;
             let normal = axes.col(face / 2) * side;

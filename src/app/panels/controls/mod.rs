@@ -210,7 +210,7 @@ enum GazeMode {
 }
 
 const GAZES: [(GazeMode, &str, &str); 4] = [
-    (GazeMode::Whole, "Scene", "At the whole scene: the middle of all that moves with the scene.   Key: F"),
+    (GazeMode::Whole, "Whole", "At the whole scene: the middle of all that moves with the scene.   Key: F"),
     (
         GazeMode::Point,
         "Point",
