@@ -81,7 +81,7 @@ fn the_middle_of_a_globe_abeam_at_0_8_c_lies_53_1_degrees_from_what_faces_the_ey
     let covered: Vec<_> = columns.filter(|(u, v)| hits.hits[(v * SIDE + u) as usize].is_some()).collect();
     let middle = |of: fn(&(u32, u32)) -> u32| {
         let (low, high) = (covered.iter().map(of).min(), covered.iter().map(of).max());
-        (low.expect("a globe") + high.expect("a globe")) / 2
+        u32::midpoint(low.expect("a globe"), high.expect("a globe"))
     };
     let (u, v) = (middle(|at| at.0), middle(|at| at.1));
     let hit = hits.hits[(v * SIDE + u) as usize].expect("its middle is seen");
