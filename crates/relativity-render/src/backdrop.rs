@@ -8,6 +8,7 @@ use relativity_core::math;
 
 use crate::camera::{Axes, Camera};
 use crate::colour::mix;
+use crate::cover::{band_cover, line_cover, repeated_cover};
 use crate::effects::{Constant, number};
 use crate::street::{self, Front, Paints};
 use crate::view::Appearance;
@@ -262,18 +263,11 @@ fn palette(appearance: &Appearance) -> Palette {
     Palette { horizon: palette.plain, zenith: palette.plain, ..palette }
 }
 
-/// Share of a pixel, `pixel` wide on the ground, that the lines at whole numbers cover. A line thinner than a
-/// pixel is faded rather than broken up; a grid finer than pixels is left out.
+/// Share of a pixel, `pixel` wide on the ground, that the lines at whole numbers cover; a grid finer than
+/// pixels is left out.
 fn grid_cover(coordinate: f64, pixel: f64) -> f64 {
     let off_line = (coordinate - coordinate.round()).abs();
     line_cover(off_line, LINE_HALF_WIDTH, pixel) * (GRID_FADE[0] - GRID_FADE[1] * pixel).clamp(0.0, 1.0)
-}
-
-/// Share of a pixel, `pixel` wide on the ground, that what lies between two places covers.
-pub(crate) fn band_cover(coordinate: f64, [from, to]: [f64; 2], pixel: f64) -> f64 {
-    let half = (0.5 * pixel).max(1e-6);
-    let covered = (coordinate + half).min(to) - (coordinate - half).max(from);
-    (covered / (2.0 * half)).clamp(0.0, 1.0)
 }
 
 /// Share of a pixel that the kerbs of a road and the dashes in its middle cover.
@@ -285,22 +279,7 @@ fn marks_cover(foot: DVec2, [near, far]: [f64; 2], pixel: DVec2) -> f64 {
     kerbs + lane * repeated_cover(foot.x, DASH[0], DASH[1], pixel.x)
 }
 
-/// Share of a pixel that pieces of this `length` cover, which begin at 0 and at every multiple of `period`.
-pub(crate) fn repeated_cover(coordinate: f64, length: f64, period: f64, pixel: f64) -> f64 {
-    let half = (0.5 * pixel).max(1e-6);
-    let [from, to] = [coordinate - half, coordinate + half];
-    let [before_from, before_to] = [from, to].map(|end| (end / period).floor());
-    let within = |end: f64, before: f64| (end - before * period).min(length);
-    let covered = (before_to - before_from) * length + (within(to, before_to) - within(from, before_from));
-    covered / (2.0 * half)
-}
-
 /// Share of a pixel that the line at 0 covers.
 fn axis_cover(coordinate: f64, pixel: f64) -> f64 {
     line_cover(coordinate.abs(), AXIS_HALF_WIDTH, pixel)
-}
-
-fn line_cover(off_line: f64, half_width: f64, pixel: f64) -> f64 {
-    let half = half_width.max(0.5 * pixel);
-    ((half - off_line) / pixel.max(1e-6) + 0.5).clamp(0.0, 1.0) * (half_width / half)
 }

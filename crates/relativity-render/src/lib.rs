@@ -56,6 +56,7 @@ mod canvas;
 mod capsule;
 pub mod colour;
 mod cone;
+mod cover;
 mod drawing;
 mod effects;
 mod exact;

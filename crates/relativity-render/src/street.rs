@@ -5,8 +5,8 @@
 
 use glam::DVec2;
 
-use crate::backdrop::{band_cover, repeated_cover};
 use crate::colour::mix;
+use crate::cover::{band_cover, repeated_cover};
 
 /// Width of a house.
 const HOUSE_WIDTH: f64 = 8.0;
