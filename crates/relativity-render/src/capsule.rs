@@ -5,7 +5,6 @@ use std::f64::consts::{PI, TAU};
 use glam::DVec3;
 use relativity_core::math::{cos, sin};
 
-use crate::block::block;
 use crate::body::Shape;
 use crate::group_view::GroupView;
 
@@ -50,11 +49,8 @@ impl Capsule {
     }
 }
 
-/// Adds capsules to `out` that contain `shape`, unless it has a [`block`].
+/// Adds capsules to `out` that contain `shape`; none for a box.
 pub fn add_capsules(shape: &Shape, out: &mut Vec<Capsule>) {
-    if block(shape).is_some() {
-        return;
-    }
     match *shape {
         Shape::Sphere { center, radius } => out.push(Capsule::ball(center.into(), radius)),
         Shape::Tube { from, to, radius } | Shape::Cylinder { from, to, radius } => {

@@ -109,7 +109,10 @@ impl PreparedBody {
         };
         let turn = turn_of(&body.shape);
         let first = capsules.len();
-        add_capsules(&body.shape, capsules);
+        let block = block(&body.shape);
+        if block.is_none() {
+            add_capsules(&body.shape, capsules);
+        }
         Self {
             number,
             group,
@@ -121,7 +124,7 @@ impl PreparedBody {
             turn: turn.as_quat().to_array(),
             surface: Surface::new(&body.shape),
             joint: Joint::default(),
-            block: block(&body.shape),
+            block,
             capsules: first..capsules.len(),
             marking: Marking::new(body.pattern, Form::new(&body.shape), turn),
             is_patterned: false,
