@@ -13,44 +13,12 @@ use std::f64::consts::FRAC_PI_2;
 
 use glam::{DQuat, DVec3};
 
+use crate::body::Pattern;
 use crate::effects::{Constant, number};
 use chart::Chart;
 pub(crate) use chart::Form;
 pub(crate) use coverage::Covered;
 use coverage::{line, wave};
-
-/// A pattern on a body. The own z axis of a tube (from `from` to `to`), of a cylinder and of a ring is its axis; a ball
-/// has the axes of the rest frame, a box its own.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub enum Pattern {
-    /// None.
-    #[default]
-    Plain,
-    /// The faces of a die on a box: 1 at the end of its x axis, 2 of y, 3 of z; opposite faces sum to 7. Plain on all
-    /// others.
-    Faces,
-    /// Meridians around the axis, and parallels across it. On the side of a tube or cylinder parallels follow from its
-    /// beginning at as long an arc, on its ends and on a ring's tube as well. Those at multiples of 90
-    /// degrees are twice as wide.
-    /// Plain on a box.
-    Graticule {
-        /// From one line to the next, degrees, a divisor of 90.
-        step_degrees: f64,
-    },
-    /// Squares, light and dark in turn. On a box they count from its lowest corner; along a tube or cylinder from its
-    /// beginning, and around it there are as many as come closest to `step`, an even number, as around a ball or ring
-    /// (where they are equal parts of both circles).
-    Chequer {
-        /// Side of a square, above 0.
-        step: f64,
-    },
-    /// Bands across the z axis, light and dark in turn: from the beginning of a tube or cylinder, or a ball's middle.
-    /// On a box they lie across its x axis, from its low end; on a ring along its middle circle, from its own x axis.
-    Stripes {
-        /// Width of a band, above 0.
-        step: f64,
-    },
-}
 
 /// Share of the light that is left where a pattern is dark.
 const DARK: f64 = 0.2;
