@@ -149,12 +149,3 @@ pub(crate) fn srgb_from_xyz([x, y, z]: [f64; 3]) -> [f64; 3] {
         0.055_643_4 * x - 0.204_025_9 * y + 1.057_225_2 * z,
     ]
 }
-
-/// CIE XYZ of a linear sRGB colour.
-pub(crate) fn xyz_from_srgb([red, green, blue]: [f64; 3]) -> [f64; 3] {
-    [
-        0.412_456_4 * red + 0.357_576_1 * green + 0.180_437_5 * blue,
-        0.212_672_9 * red + 0.715_152_2 * green + 0.072_175_0 * blue,
-        0.019_333_9 * red + 0.119_192_0 * green + 0.950_304_1 * blue,
-    ]
-}

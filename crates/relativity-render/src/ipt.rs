@@ -10,8 +10,6 @@ use std::f64::consts::{PI, TAU};
 
 use relativity_core::math::{atan2, powf};
 
-use crate::colour::xyz_from_srgb;
-
 /// To the responses of the three kinds of cones, 1 each for white (D65).
 const CONES_FROM_XYZ: [[f64; 3]; 3] =
     [[0.4002, 0.7075, -0.0807], [-0.2280, 1.1500, 0.0612], [0.0, 0.0, 0.9184]];
@@ -53,6 +51,15 @@ pub fn purest_srgb(hue: f64) -> [f64; 3] {
 
 fn srgb_hue(linear: [f64; 3]) -> f64 {
     hue(xyz_from_srgb(linear))
+}
+
+/// CIE XYZ of a linear sRGB colour.
+fn xyz_from_srgb([red, green, blue]: [f64; 3]) -> [f64; 3] {
+    [
+        0.412_456_4 * red + 0.357_576_1 * green + 0.180_437_5 * blue,
+        0.212_672_9 * red + 0.715_152_2 * green + 0.072_175_0 * blue,
+        0.019_333_9 * red + 0.119_192_0 * green + 0.950_304_1 * blue,
+    ]
 }
 
 fn between(start: [f64; 3], end: [f64; 3], t: f64) -> [f64; 3] {
