@@ -5,7 +5,7 @@
 //! Monochromatic light lies outside sRGB. It is shown by the most saturated colour of sRGB that has its hue (in IPT,
 //! see `ipt.rs`), whose largest component is 1. So the wavelength decides the hue alone, while brightness comes from
 //! D^n and the exposure: through the luminous efficiency 700 nm would be all but black beside 550 nm, and the paper's
-//! red cyclist with it. Towards the ends of the visible range the colour fades, to exactly black at 380 nm and 780 nm.
+//! red cyclist with it. Towards the ends of the visible range the colour fades, to exactly black at `VISIBLE_NM`.
 //!
 //! References: CIE 015:2018, *Colorimetry*; CIE 018:2019 (the table, its source and licence: `assets/README.md`); IEC
 //! 61966-2-1:1999 (sRGB).
@@ -15,12 +15,13 @@ use std::sync::LazyLock;
 use relativity_core::math::{atan, log2, powf};
 
 use crate::ipt;
+use crate::spectrum::VISIBLE_NM;
 
 /// Visible light fades in from black at the first of these to full at the second, nm.
-const VIOLET_END_NM: [f64; 2] = [380.0, 420.0];
+const VIOLET_END_NM: [f64; 2] = [VISIBLE_NM[0], 420.0];
 /// Visible light fades from full at the first of these to black at the second, nm. The paper's 700 nm
 /// is full red.
-const RED_END_NM: [f64; 2] = [710.0, 780.0];
+const RED_END_NM: [f64; 2] = [710.0, VISIBLE_NM[1]];
 /// What is received as ultraviolet and as infrared, kept very dark, linear sRGB: violet-black and red-black. Paler than
 /// any light of one wavelength, so that nobody takes them for that.
 const DARK: [[f64; 3]; 2] = [[0.070, 0.030, 0.140], [0.120, 0.022, 0.016]];
@@ -64,14 +65,14 @@ pub fn colour_matching(wavelength_nm: f64) -> Option<[f64; 3]> {
 }
 
 /// Linear sRGB (each component in [0, 1]) of light of `wavelength_nm` (above 0), as bright as can be; black outside
-/// 380 nm to 780 nm.
+/// [`VISIBLE_NM`].
 #[must_use]
 pub fn linear_srgb(wavelength_nm: f64) -> [f64; 3] {
     spectral_hue(wavelength_nm).map(|part| part * visibility(wavelength_nm))
 }
 
-/// Linear sRGB of what eyes do not see of light of `wavelength_nm`: all of it below 380 nm, violet-black, and above
-/// 780 nm, red-black; none from 420 nm to 710 nm.
+/// Linear sRGB of what eyes do not see of light of `wavelength_nm`: all of it below [`VISIBLE_NM`], violet-black, and
+/// above, red-black; none from 420 nm to 710 nm.
 #[must_use]
 pub fn dark_line(wavelength_nm: f64) -> [f64; 3] {
     let is_long = wavelength_nm > 0.5 * (VIOLET_END_NM[1] + RED_END_NM[0]);
