@@ -4,7 +4,8 @@
 use relativity_core::math::{exp2, log2};
 
 use crate::body::Emission;
-use crate::light::{DAYLIGHT_KELVIN, log2_glow};
+use crate::light::log2_glow;
+use crate::planck::DAYLIGHT_KELVIN;
 use crate::velocity::Velocity;
 use crate::view::{Appearance, Colour, Geometry};
 

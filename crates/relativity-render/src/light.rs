@@ -10,13 +10,11 @@ use crate::body::Emission;
 use crate::colour::{dark_glow, dark_line, false_colour, linear_srgb, luminance};
 use crate::effects::{Effects, Spectrum};
 use crate::palette;
-use crate::planck::{band, black_body};
+use crate::planck::{DAYLIGHT_KELVIN, band, black_body};
 use crate::spectrum::Band;
 use crate::tone::toned;
 use crate::view::{Appearance, Colour};
 
-/// Temperature of daylight (CIE D65), K.
-pub const DAYLIGHT_KELVIN: f64 = 6504.0;
 /// What a tinted body reflects of daylight at every wavelength; the rest it reflects only about its own.
 const WHITE_SHARE: f64 = 0.25;
 /// Exponent of the radiance per wavelength, by which a band rises where it is received: `I_lambda lambda^5` is the same

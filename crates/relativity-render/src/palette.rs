@@ -4,8 +4,7 @@ use relativity_core::math::{exp2, log2};
 
 use crate::colour::{dark_glow, dark_line, false_colour, linear_srgb};
 use crate::effects::Constant;
-use crate::light::DAYLIGHT_KELVIN;
-use crate::planck::{Broad, band, black_body};
+use crate::planck::{Broad, DAYLIGHT_KELVIN, band, black_body};
 
 /// Entries of a table.
 pub const ENTRIES: u32 = 2048;

@@ -1,7 +1,7 @@
 //! The colour and the luminance of broad spectra: of what glows, by Planck's law, and of a band of wavelengths.
 //!
-//! Sums over the CIE table, in steps of 1 nm from 380 nm to 780 nm, made once in f64 and looked up over a logarithm. References: M. Planck, *Ann. Phys.* 309,
-//! 553 (1901); CIE 015:2018.
+//! Sums over the visible part of the CIE table, in steps of 1 nm, made once in f64 and looked up over a logarithm.
+//! References: M. Planck, *Ann. Phys.* 309, 553 (1901); CIE 015:2018.
 
 use std::sync::LazyLock;
 
@@ -11,6 +11,8 @@ use crate::colour::{colour_matching, luminance, mix, srgb_from_xyz};
 use crate::ipt;
 use crate::spectrum::VISIBLE_NM;
 
+/// Temperature of daylight (CIE D65), K.
+pub const DAYLIGHT_KELVIN: f64 = 6504.0;
 /// hc/k, nm K: the second radiation constant (CODATA 2018, exact).
 const SECOND_RADIATION_NM_K: f64 = 1.438_776_877e7;
 /// Wavelengths of the sums, nm: those that eyes see.
