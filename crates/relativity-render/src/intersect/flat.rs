@@ -3,44 +3,44 @@
 use glam::{DMat3, DVec3};
 use relativity_core::math;
 
-use super::LocalRay;
+/// Entry of a ray at `start` into a box about the origin, of which the columns of `axes` are the axes.
+pub(super) fn block_entry(start: DVec3, direction: DVec3, axes: DMat3, half: DVec3) -> Option<f64> {
+    let (start, direction) = (axes.transpose() * start, axes.transpose() * direction);
+    let (mut first, mut last) = (f64::NEG_INFINITY, f64::INFINITY);
+    for i in 0..3 {
+        let [enters, leaves] = between_planes(start[i], direction[i], half[i])?;
+        (first, last) = (first.max(enters), last.min(leaves));
+    }
+    (first <= last).then_some(first)
+}
 
-impl LocalRay {
-    pub(super) fn block_entry(&self, axes: DMat3, half: DVec3) -> Option<f64> {
-        let (start, direction) = (axes.transpose() * self.start, axes.transpose() * self.direction);
-        let (mut first, mut last) = (f64::NEG_INFINITY, f64::INFINITY);
-        for i in 0..3 {
-            let [enters, leaves] = between_planes(start[i], direction[i], half[i])?;
-            (first, last) = (first.max(enters), last.min(leaves));
+/// Entry of a ray at `start` into a cylinder about the origin.
+pub(super) fn cylinder_entry(
+    start: DVec3,
+    direction: DVec3,
+    axis: DVec3,
+    half_length: f64,
+    radius: f64,
+) -> Option<f64> {
+    let [enters, leaves] = between_planes(axis.dot(start), axis.dot(direction), half_length)?;
+    let across = direction.cross(axis);
+    let sine_squared = across.length_squared();
+    let (first, last) = if sine_squared == 0.0 {
+        if start.cross(axis).length() > radius {
+            return None;
         }
-        if first <= last { self.in_front(first) } else { None }
-    }
-
-    pub(super) fn cylinder_entry(&self, axis: DVec3, half_length: f64, radius: f64) -> Option<f64> {
-        let Self { start, direction, .. } = *self;
-        let [enters, leaves] = between_planes(axis.dot(start), axis.dot(direction), half_length)?;
-        let across = direction.cross(axis);
-        let sine_squared = across.length_squared();
-        let (first, last) = if sine_squared == 0.0 {
-            if start.cross(axis).length() > radius {
-                return None;
-            }
-            (enters, leaves)
-        } else {
-            // As of a capsule.
-            let offset = start.dot(across);
-            let discriminant = radius * radius * sine_squared - offset * offset;
-            if discriminant < 0.0 {
-                return None;
-            }
-            let [middle, half_chord] = [-start.cross(axis).dot(across), discriminant.sqrt()];
-            (
-                enters.max((middle - half_chord) / sine_squared),
-                leaves.min((middle + half_chord) / sine_squared),
-            )
-        };
-        if first <= last { self.in_front(first) } else { None }
-    }
+        (enters, leaves)
+    } else {
+        // As of a capsule.
+        let offset = start.dot(across);
+        let discriminant = radius * radius * sine_squared - offset * offset;
+        if discriminant < 0.0 {
+            return None;
+        }
+        let [middle, half_chord] = [-start.cross(axis).dot(across), discriminant.sqrt()];
+        (enters.max((middle - half_chord) / sine_squared), leaves.min((middle + half_chord) / sine_squared))
+    };
+    (first <= last).then_some(first)
 }
 
 /// Half the least width of a box, seen along the unit vector `direction` from afar.

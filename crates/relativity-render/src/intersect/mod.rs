@@ -256,6 +256,14 @@ impl LocalRay {
         if along.abs() <= half_length { self.in_front(t) } else { cap(half_length.copysign(along)) }
     }
 
+    fn block_entry(&self, axes: DMat3, half: DVec3) -> Option<f64> {
+        self.in_front(flat::block_entry(self.start, self.direction, axes, half)?)
+    }
+
+    fn cylinder_entry(&self, axis: DVec3, half_length: f64, radius: f64) -> Option<f64> {
+        self.in_front(flat::cylinder_entry(self.start, self.direction, axis, half_length, radius)?)
+    }
+
     fn torus_entry(&self, axis: DVec3, radius: f64, tube_radius: f64) -> Option<f64> {
         let Self { start, direction, .. } = *self;
         let interval = self.torus_interval(axis, radius, tube_radius)?;
