@@ -2,11 +2,9 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Extent, Footprint, LOOSE_PX, Projection};
+use super::projection::{Extent, Footprint, LOOSE_PX, Projection};
 use crate::block::Block;
 use crate::camera::Axes;
-use crate::group_view::GroupView;
-use crate::view::Geometry;
 
 /// What a bulge may be of the shorter side of a block in the picture before halves are worth their own rectangles.
 const LOOSE_SHARE: f64 = 0.25;
@@ -53,16 +51,6 @@ impl Projection {
             0.5 * half.length_squared().min(off_axis / (distance * distance)) / distance
         });
         self.gamma * self.beta * gap.sum::<f64>()
-    }
-}
-
-/// The least that ground distances are of those in the rest frame, along any line of sight of `view`.
-pub fn least_scale(view: &GroupView) -> f64 {
-    let speed = &view.velocity.speed;
-    match view.geometry {
-        Geometry::Rest => 1.0,
-        Geometry::Contracted => 1.0 / speed.gamma(),
-        Geometry::Seen | Geometry::Published => 1.0 / speed.head_on_doppler_factor(),
     }
 }
 
