@@ -90,6 +90,7 @@ pub mod renderers;
 pub mod scene;
 mod shade;
 mod shaders;
+mod sight;
 pub mod spectrum;
 mod street;
 mod surface;

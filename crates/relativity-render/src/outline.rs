@@ -1,25 +1,10 @@
 //! The outline of what a scene is about, as one or several apertures see it, and the gaze and field of view that hold
-//! all of it.
-//!
-//! A ball at rest in the moving frame looks as a ball of the same radius at another place on the ground looks at rest,
-//! since aberration maps cones of directions to cones (Penrose 1959); a tube looks as one swept along a curve, which is
-//! halved until it is as good as straight, but only where it may reach further than what is known already. So the
-//! outline is exact for balls; what is added for other bodies is below a ten-thousandth of their distance. In the
-//! contracted geometry a ball is flattened, and the outline is that of the ball around it.
-
-use std::cell::OnceCell;
+//! all of it: `sight.rs` works it out.
 
 use glam::DVec3;
-use relativity_core::math::{atan, sin_cos, tan};
+use relativity_core::math::{atan, tan};
 
-use crate::block::Block;
-use crate::camera::{Axes, Camera, Gaze, MAX_ELEVATION};
-use crate::capsule::Capsule;
-use crate::footprint::Projection;
-use crate::group_view::GroupView;
-use crate::prepared_body::PreparedBody;
-use crate::scene::{PreparedGroup, PreparedScene};
-use crate::view::{Geometry, View};
+use crate::camera::{Camera, Gaze};
 
 /// The part of the picture that is left free on each side of what is framed.
 const MARGIN: f64 = 0.1;
@@ -29,23 +14,14 @@ const NARROWEST: f64 = 42.0 * DEGREE;
 const WIDEST: f64 = 150.0 * DEGREE;
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
-/// Bulge of a piece, in parts of its distance, that is not worth halving it.
-const SLIGHT_BULGE: f64 = 1e-4;
-/// How often a piece is halved at most.
-const HALVINGS: u32 = 12;
-/// Every which body is looked at before all.
-const SAMPLED: usize = 23;
-/// How often the gaze is turned to the middle of what it frames.
-const TURNS: u32 = 2;
-
-/// What a scene is about ([`PreparedScene::subject`]), from one or several parallel apertures.
+/// What a scene is about ([`PreparedScene::subject`](crate::PreparedScene::subject)), from one or several parallel apertures.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outline {
     /// Balls at rest on the ground, each from its aperture, that look like balls around its bodies.
-    balls: Vec<Ball>,
+    pub(crate) balls: Vec<Ball>,
     /// Whether an aperture is inside one of these, or as good as inside.
-    surrounds: bool,
-    framing: Option<Framing>,
+    pub(crate) surrounds: bool,
+    pub(crate) framing: Option<Framing>,
 }
 
 /// The gaze that has an outline in the middle of the picture, both ways.
@@ -55,66 +31,17 @@ pub struct Framing {
     pub gaze: Gaze,
     /// How far the outline reaches from there, radians: across and up, as angles between planes through the picture's
     /// upright and level lines.
-    reach: [f64; 2],
+    pub(crate) reach: [f64; 2],
 }
 
 /// A ball, from the aperture.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Ball {
-    center: DVec3,
-    radius: f64,
-}
-
-/// One group, as one view sees it; all is reflected so that the group moves along +x.
-struct Sight<'a> {
-    view: GroupView,
-    projection: Projection,
-    bodies: Vec<Seen<'a>>,
-}
-
-/// A body.
-struct Seen<'a> {
-    /// What the ball around it looks like; `None` from inside.
-    ball: Option<Ball>,
-    capsules: &'a [Capsule],
-    block: Option<Block>,
-    /// What its pieces look like, once that was asked for.
-    images: OnceCell<Vec<Option<Image>>>,
-}
-
-/// What a tube looks like.
-#[derive(Debug, Clone, Copy)]
-struct Image {
-    piece: Capsule,
-    /// The centres of the balls that its ends look like.
-    ends: [DVec3; 2],
-    /// How far it departs at most from the straight tube between them.
-    bulge: DVec3,
-}
-
-impl Seen<'_> {
-    /// Tubes that reach as far as it does. Of a block its edges do, wherever they are seen.
-    fn pieces(&self) -> impl Iterator<Item = Capsule> {
-        let edges = self.block.iter().flat_map(Block::edges);
-        self.capsules.iter().copied().chain(edges)
-    }
+pub(crate) struct Ball {
+    pub center: DVec3,
+    pub radius: f64,
 }
 
 impl Outline {
-    /// That of `scene` in all `views` together, whatever their gazes and fields.
-    pub(crate) fn new(scene: &PreparedScene, views: &[View]) -> Self {
-        let groups = || scene.subject().collect::<Vec<_>>();
-        let sights = views.iter().flat_map(as_seen).flat_map(|view| {
-            groups().into_iter().map(move |group| Sight::new(scene, group, view.of_group(group.motion)))
-        });
-        let sights: Vec<_> = sights.collect();
-        let balls = |sight: &Sight| sight.balls().collect::<Vec<_>>();
-        let balls: Vec<_> = sights.iter().flat_map(balls).collect();
-        let surrounds = sights.iter().flat_map(|sight| &sight.bodies).any(|body| body.ball.is_none());
-        let sum = balls.iter().map(|ball| ball.center.normalize_or_zero()).sum();
-        Self { balls, surrounds, framing: framed(&sights, sum) }
-    }
-
     /// How to hold all of it in a picture; `None` where there is nothing.
     #[must_use]
     pub const fn framing(&self) -> Option<Framing> {
@@ -137,206 +64,6 @@ impl Outline {
         };
         !self.surrounds && !self.balls.iter().any(is_in)
     }
-}
-
-/// How to hold all that is seen; `towards` is somewhere in the midst of it.
-fn framed(sights: &[Sight], towards: DVec3) -> Option<Framing> {
-    let reach = |gaze: &Gaze| reach(sights, &gaze.axes());
-    let mut gaze = Gaze { elevation: 0.0, ..Gaze::along(towards.try_normalize()?.to_array()) };
-    // Level at first, so that azimuths are exact however wide it is.
-    for _ in 0..TURNS {
-        let [across, up] = reach(&gaze).map(middle);
-        gaze.azimuth -= across / sin_cos(gaze.elevation).1.max(0.1);
-        gaze.elevation = tilted(gaze.elevation + up);
-    }
-    Some(Framing { gaze, reach: reach(&gaze).map(|[low, high]| (-low).max(high)) })
-}
-
-fn middle([low, high]: Range) -> f64 {
-    0.5 * (low + high)
-}
-
-fn tilted(elevation: f64) -> f64 {
-    elevation.clamp(-MAX_ELEVATION, MAX_ELEVATION)
-}
-
-/// Between which angles from the optical axis, across and up, all that is seen lies.
-fn reach(sights: &[Sight], axes: &Axes) -> [Range; 2] {
-    let mut found = Reach::NOWHERE;
-    for sight in sights {
-        sight.widen(axes, &mut found);
-    }
-    [found.across, found.up].map(|wedge| wedge.angles())
-}
-
-/// The views whose rays show what `view` shows. In the published model the right eye sees of each point what the left
-/// eye saw at most the eyes' separation earlier or later; in between a body moves along a straight line.
-fn as_seen(view: &View) -> impl Iterator<Item = View> + use<> {
-    let delay = 2.0 * view.camera.aperture.x;
-    let (geometry, delays) = match view.geometry {
-        Geometry::Published => (Geometry::Seen, [Some(-delay), Some(delay)]),
-        geometry => (geometry, [Some(0.0), None]),
-    };
-    let view = *view;
-    let at = move |delay| View { geometry, observation_time: view.observation_time + delay, ..view };
-    delays.into_iter().flatten().map(at)
-}
-
-impl<'a> Sight<'a> {
-    fn new(scene: &'a PreparedScene, group: &PreparedGroup, view: GroupView) -> Self {
-        let projection = Projection::new(&view);
-        let seen = |body: &PreparedBody| {
-            let around = scene.ball_around(body);
-            let center = projection.apparent_centre(view.reflected_from_camera(around.from), around.radius);
-            let ball = center.map(|center| Ball { center, radius: around.radius });
-            Seen { ball, capsules: scene.capsules(body), block: body.block, images: OnceCell::new() }
-        };
-        let bodies = scene.bodies()[group.bodies.clone()].iter().map(seen).collect();
-        Self { view, projection, bodies }
-    }
-
-    /// The balls that look like those around the bodies, on the ground.
-    fn balls(&self) -> impl Iterator<Item = Ball> {
-        let balls = self.bodies.iter().filter_map(|body| body.ball);
-        balls.map(|ball| Ball { center: self.view.velocity.reflected(ball.center), ..ball })
-    }
-
-    /// Widens `found` so that it holds every body.
-    fn widen(&self, axes: &Axes, found: &mut Reach) {
-        let reflected = |v| self.view.velocity.reflected(v);
-        let axes =
-            &Axes { right: reflected(axes.right), up: reflected(axes.up), forward: reflected(axes.forward) };
-        // A sample comes first: few of the others reach further then.
-        for number in (0..self.bodies.len()).step_by(SAMPLED).chain(0..self.bodies.len()) {
-            let body = &self.bodies[number];
-            if body.ball.is_some_and(|ball| found.holds(&ball, axes)) {
-                continue;
-            }
-            let images = || body.pieces().map(|piece| self.image(&piece.reflected_from_camera(&self.view)));
-            for image in body.images.get_or_init(|| images().collect()) {
-                self.widen_by(image.as_ref(), HALVINGS, axes, found);
-            }
-        }
-    }
-
-    /// Widens `found` so that it holds a piece with this image.
-    fn widen_by(&self, image: Option<&Image>, halvings: u32, axes: &Axes, found: &mut Reach) {
-        let Some(&Image { piece, ends, bulge }) = image else {
-            *found = Reach::EVERYWHERE;
-            return;
-        };
-        let ball = |center| Ball { center, radius: piece.radius };
-        for end in ends {
-            found.widen(&ball(end), axes);
-        }
-        let beyond = ends.map(|end| ball(end + bulge));
-        if beyond.iter().all(|ball| found.holds(ball, axes)) {
-            return;
-        }
-        let slight = SLIGHT_BULGE * SLIGHT_BULGE * ends[0].length_squared().min(ends[1].length_squared());
-        if halvings == 0 || bulge.length_squared() <= slight {
-            for ball in &beyond {
-                found.widen(ball, axes);
-            }
-            return;
-        }
-        for half in piece.halves() {
-            self.widen_by(self.image(&half).as_ref(), halvings - 1, axes, found);
-        }
-    }
-
-    /// What a piece, from the camera's event, looks like; `None` where that cannot be said.
-    fn image(&self, piece: &Capsule) -> Option<Image> {
-        let first = self.projection.apparent_centre(piece.from, piece.radius)?;
-        let last = self.projection.apparent_centre(piece.to, piece.radius)?;
-        Some(Image { piece: *piece, ends: [first, last], bulge: self.projection.bulge(piece)? })
-    }
-}
-
-/// Least and greatest.
-type Range = [f64; 2];
-
-/// Between which planes through the picture's upright, and between which through its level line, something lies.
-#[derive(Debug, Clone, Copy)]
-struct Reach {
-    across: Wedge,
-    up: Wedge,
-}
-
-impl Reach {
-    const NOWHERE: Self = Self { across: Wedge::NOWHERE, up: Wedge::NOWHERE };
-    const EVERYWHERE: Self = Self { across: Wedge::EVERYWHERE, up: Wedge::EVERYWHERE };
-
-    fn holds(&self, ball: &Ball, axes: &Axes) -> bool {
-        let depth = ball.center.dot(axes.forward);
-        self.across.holds(ball.center.dot(axes.right), depth, ball.radius)
-            && self.up.holds(ball.center.dot(axes.up), depth, ball.radius)
-    }
-
-    fn widen(&mut self, ball: &Ball, axes: &Axes) {
-        let depth = ball.center.dot(axes.forward);
-        self.across.widen(ball.center.dot(axes.right), depth, ball.radius);
-        self.up.widen(ball.center.dot(axes.up), depth, ball.radius);
-    }
-}
-
-/// Between two planes through a line, of angles below pi from the optical axis.
-#[derive(Debug, Clone, Copy)]
-struct Wedge {
-    /// Tangents of half the angles.
-    tangents: Range,
-    /// Sine and cosine of each angle.
-    sides: [[f64; 2]; 2],
-}
-
-impl Wedge {
-    const NOWHERE: Self =
-        Self { tangents: [f64::INFINITY, f64::NEG_INFINITY], sides: [[0.0, f64::NEG_INFINITY]; 2] };
-    const EVERYWHERE: Self = Self {
-        tangents: [f64::NEG_INFINITY, f64::INFINITY],
-        sides: [[f64::NEG_INFINITY, 0.0], [f64::INFINITY, 0.0]],
-    };
-
-    /// Whether a ball this far `aside` and this deep is surely inside: as far from both planes as its radius.
-    fn holds(&self, aside: f64, depth: f64, radius: f64) -> bool {
-        let [[low_sine, low_cosine], [high_sine, high_cosine]] = self.sides;
-        aside * low_cosine - depth * low_sine >= radius && depth * high_sine - aside * high_cosine >= radius
-    }
-
-    fn widen(&mut self, aside: f64, depth: f64, radius: f64) {
-        if self.holds(aside, depth, radius) {
-            return;
-        }
-        let [low, high] = tangents(aside, depth, radius);
-        self.tangents = [self.tangents[0].min(low), self.tangents[1].max(high)];
-        self.sides = self.tangents.map(|tangent| {
-            let squared = tangent * tangent;
-            if squared.is_finite() {
-                [2.0 * tangent / (1.0 + squared), (1.0 - squared) / (1.0 + squared)]
-            } else {
-                [0.0, -1.0]
-            }
-        });
-    }
-
-    /// The angles.
-    fn angles(&self) -> Range {
-        self.tangents.map(|tangent| 2.0 * atan(tangent))
-    }
-}
-
-/// Of half the angles at which a ball this far `aside` and this deep begins and ends.
-fn tangents(aside: f64, depth: f64, radius: f64) -> Range {
-    let squared = aside * aside + depth * depth;
-    let outside_squared = squared - radius * radius;
-    if outside_squared <= 0.0 {
-        return [f64::NEG_INFINITY, f64::INFINITY];
-    }
-    // The tangents from the aperture lie asin(radius/distance) to both sides of the centre.
-    let tangent = outside_squared.sqrt();
-    let ahead = squared + depth * tangent;
-    let end = |radius: f64| (aside * tangent + depth * radius) / (ahead - aside * radius);
-    [end(-radius), end(radius)]
 }
 
 impl Framing {

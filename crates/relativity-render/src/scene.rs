@@ -1,7 +1,7 @@
 //! A scene ready to be drawn: bodies placed and boxed once, whatever speed, time, eye, gaze and colour are.
 
 use std::ops::Range;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex};
 
 use crate::body::Body;
 use crate::capsule::Capsule;
@@ -170,18 +170,9 @@ impl PreparedScene {
         self.0.groups.iter().filter(move |group| Some(moves(group)) == most)
     }
 
-    /// The outline of its [`Self::subject`] in these `views` together. The last one is kept.
-    #[must_use]
-    pub fn outline(&self, views: &[View]) -> Arc<Outline> {
-        let mut last = self.0.last_outline.lock().unwrap_or_else(PoisonError::into_inner);
-        match &*last {
-            Some((of, outline)) if of == views => Arc::clone(outline),
-            _ => {
-                let outline = Arc::new(Outline::new(self, views));
-                *last = Some((views.to_vec(), Arc::clone(&outline)));
-                outline
-            }
-        }
+    /// The last outline that was asked for, and of which views.
+    pub(crate) fn last_outline(&self) -> &Mutex<Option<(Vec<View>, Arc<Outline>)>> {
+        &self.0.last_outline
     }
 
     /// How `view` sees each group.
