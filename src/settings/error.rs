@@ -4,8 +4,6 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use std::error::Error as _;
 use thiserror::Error;
 
-use super::presets::Preset;
-
 /// Settings that cannot be had.
 #[derive(Debug, Error)]
 pub enum SettingsError {
@@ -18,8 +16,13 @@ pub enum SettingsError {
         reason: String,
     },
     /// Neither a preset nor a path.
-    #[error("no preset is called `{0}`: there are {list}; for a file, give its name with its ending", list = presets())]
-    UnknownPreset(String),
+    #[error("no preset is called `{name}`: there are {known}; for a file, give its name with its ending")]
+    UnknownPreset {
+        /// What was given.
+        name: String,
+        /// The names of all presets.
+        known: String,
+    },
     /// A setting that does not exist, or has a value that it cannot have.
     #[error("{place}: {problem}")]
     Content {
@@ -28,11 +31,6 @@ pub enum SettingsError {
         /// What is wrong there.
         problem: String,
     },
-}
-
-/// The names of all presets.
-fn presets() -> String {
-    Preset::all().iter().map(|preset| preset.name).collect::<Vec<_>>().join(", ")
 }
 
 /// What is wrong with a setting.

@@ -53,6 +53,11 @@ impl Preset {
         &ALL
     }
 
+    /// The names of all, in a line.
+    pub(super) fn names() -> String {
+        Self::all().iter().map(|preset| preset.name).collect::<Vec<_>>().join(", ")
+    }
+
     /// The one of that name.
     #[must_use]
     pub fn named(name: &str) -> Option<&'static Self> {

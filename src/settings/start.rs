@@ -43,7 +43,7 @@ fn named(preset_or_path: &str) -> Result<Settings, SettingsError> {
     match Preset::named(preset_or_path) {
         Some(preset) => Ok(preset.settings.clone()),
         None if looks_like_a_name(preset_or_path) => {
-            Err(SettingsError::UnknownPreset(preset_or_path.to_owned()))
+            Err(SettingsError::UnknownPreset { name: preset_or_path.to_owned(), known: Preset::names() })
         }
         None => Settings::default().with_file(Path::new(preset_or_path)),
     }
@@ -54,7 +54,7 @@ impl Args for StartArgs {
         let state = Arg::new(STATE).long(STATE).value_name("PRESET|FILE").help(format!(
             "Start from a preset ({}), from the settings in a file (.toml), or from those with which a picture was made \
              (.png, .exr)",
-            Preset::all().iter().map(|preset| preset.name).collect::<Vec<_>>().join(", "),
+            Preset::names(),
         ));
         let command = Settings::augment_args_for_update(command.arg(state)).next_help_heading(None::<&str>);
         Settings::default().entries().into_iter().fold(command, |command, entry| {
