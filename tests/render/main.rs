@@ -24,11 +24,17 @@ fn folder() -> TempDir {
 
 /// `gamow render` with the words of `flags` in `folder`, of the cyclist, small and by the reference renderer.
 fn command(folder: &Path, flags: &str) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_gamow"));
-    command.current_dir(folder).env_remove("RUST_LOG").arg("render").args(flags.split_whitespace());
+    let mut command = command_of_any_scene(folder, flags);
     if !flags.contains("--scene") && !flags.contains("--state") {
         command.arg("--scene=cyclist");
     }
+    command
+}
+
+/// The same of the usual scene, unless `flags` or later ones name another.
+fn command_of_any_scene(folder: &Path, flags: &str) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_gamow"));
+    command.current_dir(folder).env_remove("RUST_LOG").arg("render").args(flags.split_whitespace());
     if !flags.contains("--size") {
         command.arg(format!("--size={WIDTH}x{HEIGHT}"));
     }

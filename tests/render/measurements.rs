@@ -69,7 +69,7 @@ fn assert_on_light_cone(
             near("distance", expected.distance);
             near("emission_time", expected.retarded_time);
             near("doppler", expected.doppler_factor);
-            near("intensity", expected.intensity(2.0));
+            near("intensity", expected.intensity(4.0));
             let rest_nm = scene.bodies[body].emission.wavelength_nm().expect("none is white");
             let wavelength_nm = rest_nm / expected.doppler_factor;
             assert!((value("wavelength_nm") / wavelength_nm - 1.0).abs() < 2e-6);

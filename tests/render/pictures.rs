@@ -3,7 +3,7 @@
 use std::fs;
 use std::process::Command;
 
-use super::{HEIGHT, Png, WIDTH, command, folder, picture, render};
+use super::{HEIGHT, Png, WIDTH, command_of_any_scene, folder, picture, render};
 
 #[test]
 #[cfg(unix)]
@@ -16,7 +16,7 @@ fn a_picture_holds_the_command_that_makes_it_again() {
     .expect("the folder is writable");
     let flags = "--gamma 2.5 --d 0.3 --time 2.25 --fov 71.5 --gaze 100,-3.5 --layout anaglyph --colour false \
                  --intensity-exponent 3 --exposure -0.5 --shading emission --sky off --samples 2 --out first.png";
-    let mut first = command(folder.path(), flags);
+    let mut first = command_of_any_scene(folder.path(), flags);
     assert!(first.args(["--scene", "it's mine.toml"]).status().expect("the program starts").success());
     let first = Png::read(&folder.path().join("first.png"));
     let parameters = &first.texts["Parameters"];
@@ -32,8 +32,8 @@ fn a_picture_holds_the_command_that_makes_it_again() {
 }
 
 #[test]
-fn without_flags_it_is_the_stereo_frame_of_the_paper() {
-    let frame = picture("--labels off");
+fn the_overhead_preset_is_the_stereo_frame_of_the_paper() {
+    let frame = picture("--state overhead --labels off");
     assert_eq!(frame.size, [2 * WIDTH, HEIGHT]);
     let parameters = &frame.texts["Parameters"];
     for part in [
@@ -43,6 +43,8 @@ fn without_flags_it_is_the_stereo_frame_of_the_paper() {
         // T at which the tracked point is seen at X = -R, R^2 = 13 + d^2/4: -R/0.9 + sqrt(2) R.
         "--time=1.09295",
         "--gaze=140.2",
+        "--fov=60",
+        "--intensity-exponent=2",
         "--layout=side-by-side",
     ] {
         assert!(parameters.contains(part), "{part} in {parameters}");

@@ -25,7 +25,8 @@ fn corrected_and_true(
     time: f64,
     extension: &str,
 ) -> [std::path::PathBuf; 2] {
-    let size = "--size 320x240 --fov 60 --ground off --sky off --shading emission";
+    // One exposure for both, since each picture would find its own.
+    let size = "--size 320x240 --fov 60 --ground off --sky off --shading emission --exposure 0";
     let layout = if extension == "png" { "--layout left" } else { "" };
     render(folder, &format!("{scene} --beta {beta} --time {time} {size} {layout} --out seen.{extension}"));
     run_gamow(folder, &format!("rectify seen.{extension} --beta {beta} --out corrected.{extension}"));

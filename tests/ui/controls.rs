@@ -171,7 +171,7 @@ impl eframe::Storage for Storage {
 fn settings_survive() {
     let mut window = window(cyclist(0.9));
     type_into(&mut window, "Gamma, typed", "1e12");
-    for choice in ["False", "Published", "Angles", "Contracted", "Stays", "D⁴", "Theme"] {
+    for choice in ["D³ photons", "False", "Published", "Angles", "Contracted", "Stays", "Theme"] {
         window.get_by_label(choice).click();
         window.run();
     }

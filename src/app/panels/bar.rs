@@ -10,6 +10,9 @@ use crate::app::widgets::icons::{self, Icon};
 use crate::scene::{PRESETS, Scene};
 use crate::settings::{Preset, Theme};
 
+/// Room for a menu's entries before they scroll, points.
+const MENU_HEIGHT: f32 = 420.0;
+
 /// Shows the bar.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     ui.horizontal_centered(|ui| {
@@ -32,8 +35,9 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
 fn presets(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let shown = state.session.preset;
     ComboBox::from_id_salt("presets")
-        .selected_text(shown.map_or("Presets", |preset| &preset.title))
-        .width(170.0)
+        .selected_text("Presets")
+        .width(80.0)
+        .height(MENU_HEIGHT)
         .show_ui(ui, |ui| {
             for preset in Preset::all() {
                 let choice = ui.selectable_label(shown == Some(preset), &preset.title);
@@ -61,6 +65,7 @@ fn scene(ui: &mut Ui, state: &State, asks: &mut Asks) {
     ComboBox::from_id_salt("scene")
         .selected_text(&state.session.scene.name)
         .width(140.0)
+        .height(MENU_HEIGHT)
         .show_ui(ui, |ui| {
             for (preset, scene) in PRESETS.into_iter().filter_map(|name| Some((name, Scene::preset(name)?))) {
                 let shown = scene.name == state.session.scene.name;
