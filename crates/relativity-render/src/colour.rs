@@ -65,7 +65,7 @@ pub fn colour_matching(wavelength_nm: f64) -> Option<[f64; 3]> {
 }
 
 /// Linear sRGB (each component in [0, 1]) of light of `wavelength_nm` (above 0), as bright as can be; black outside
-/// [`VISIBLE_NM`].
+/// 380 nm to 780 nm.
 #[must_use]
 pub fn linear_srgb(wavelength_nm: f64) -> [f64; 3] {
     spectral_hue(wavelength_nm).map(|part| part * visibility(wavelength_nm))

@@ -12,8 +12,8 @@ use crate::view::{Appearance, View};
 /// Where along a capsule its light is looked at, in parts of its length.
 const PLACES: [f64; 3] = [1.0 / 6.0, 0.5, 5.0 / 6.0];
 
-/// Parts of a group's picture by the band of [`Band::ALL`] in which they are received. They add up to 1, or are all 0
-/// where nothing of it is in the picture.
+/// Parts of a group's picture by the band of [`Band::ALL`](crate::spectrum::Band::ALL) in which they are received. They
+/// add up to 1, or are all 0 where nothing of it is in the picture.
 pub type Shares = [f64; 3];
 
 impl PreparedScene {
