@@ -25,8 +25,9 @@ fn corrected_and_true(
     time: f64,
     extension: &str,
 ) -> [std::path::PathBuf; 2] {
-    // One exposure for both, since each picture would find its own.
-    let size = "--size 320x240 --fov 60 --ground off --sky off --shading emission --exposure 0";
+    // One exposure for both, since each picture would find its own; and the paper's intensity, of which a picture in
+    // bytes holds all.
+    let size = "--size 320x240 --fov 60 --ground off --sky off --shading emission --exposure 0 --intensity-exponent 2";
     let layout = if extension == "png" { "--layout left" } else { "" };
     render(folder, &format!("{scene} --beta {beta} --time {time} {size} {layout} --out seen.{extension}"));
     run_gamow(folder, &format!("rectify seen.{extension} --beta {beta} --out corrected.{extension}"));
