@@ -35,8 +35,7 @@ const LEAST_TOWARDS_FRONTS: f64 = 1e-4;
 /// that looks straight ahead shows all of the gradient.
 const SKY_RISE: f64 = 1.4;
 
-/// Columns and rows of tiles that a picture is drawn in. In the start view one in ten shows both the road and
-/// the fronts.
+/// Columns and rows of the tiles that a picture is drawn in.
 pub(crate) const TILES: [u32; 2] = [12, 24];
 
 /// Linear sRGB colours of a backdrop.
