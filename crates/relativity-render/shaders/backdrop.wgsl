@@ -2,11 +2,13 @@
 //
 // Repeats `backdrop.rs`, which says what each line is for and gives these.
 
-// Whether there is a ground, and a road on it.
+// Whether this draws where the ground can be seen, with a road on it, and where house fronts can: of what lies behind,
+// each tile of the picture is drawn by one pipeline, with no more than what it shows.
 override GROUND: bool;
 override ROAD: bool;
-// Whether there are house fronts beyond the road.
 override FRONTS: bool;
+override TILE_COLUMNS: u32;
+override TILE_ROWS: u32;
 override LEAST_TOWARDS_FRONTS: f32;
 override KERB_WIDTH: f32;
 override LANE_HALF_WIDTH: f32;
@@ -22,10 +24,54 @@ override SKY_RISE: f32;
 // Linear light, premultiplied by coverage.
 @group(1) @binding(0) var bodies: texture_2d<f32>;
 
+// A tile of the picture; without a size where another pipeline draws it.
 @vertex
-fn screen(@builtin(vertex_index) vertex: u32) -> @builtin(position) vec4f {
-    let corner = vec2f(f32(vertex & 1u), f32(vertex >> 1u)) * 4.0 - 1.0;
-    return vec4f(corner, 0.5, 1.0);
+fn tile(@builtin(vertex_index) vertex: u32, @builtin(instance_index) index: u32) -> @builtin(position) vec4f {
+    let number = vec2u(index % TILE_COLUMNS, index / TILE_COLUMNS);
+    let place = tile_corner(number + select(vec2u(0u), vec2u(1u), shows(number)) * vec2u(vertex & 1u, vertex >> 1u));
+    return vec4f(place, 0.5, 1.0);
+}
+
+// In clip coordinates.
+fn tile_corner(number: vec2u) -> vec2f {
+    return vec2f(number) / vec2f(f32(TILE_COLUMNS), f32(TILE_ROWS)) * 2.0 - 1.0;
+}
+
+// Whether this pipeline draws the tile.
+fn shows(number: vec2u) -> bool {
+    let low = tile_corner(number);
+    let high = tile_corner(number + 1u);
+    let corners = array(
+        line_near(low, vec2f(-1.0, 1.0)),
+        line_near(vec2f(high.x, low.y), vec2f(1.0, 1.0)),
+        line_near(vec2f(low.x, high.y), vec2f(-1.0, -1.0)),
+        line_near(high, vec2f(1.0, -1.0)),
+    );
+    // Of planes through the aperture: how far the corners are in front of the fronts' plane, above their foot, and below
+    // the highest and the lowest of the roofs. A tile is on one side of a plane if all of its corners are.
+    let ground = frame.ground.z;
+    let towards = vec4f(corners[0].y, corners[1].y, corners[2].y, corners[3].y);
+    let rise = vec4f(corners[0].z, corners[1].z, corners[2].z, corners[3].z);
+    let height = rise * frame.road.z;
+    let above = height - ground * towards;
+    let is_beside = all(towards <= vec4f(0.0)) || all(above < vec4f(0.0))
+        || all(above > frame.houses[0].x * towards);
+    let has_fronts = frame.road.z > 0.0 && !is_beside;
+    let is_covered = has_fronts && all(towards > vec4f(0.01)) && all(above > vec4f(0.0))
+        && all(above < frame.houses[1].x * towards);
+    let has_ground = ground > NO_GROUND && any(rise < vec4f(0.0)) && !is_covered;
+    return has_ground == GROUND && has_fronts == FRONTS;
+}
+
+// Heights below this stand for no ground.
+const NO_GROUND = -1e38;
+
+// The line of sight (unnormalised) two pixels to the right and down, or against that, of a place in clip coordinates.
+fn line_near(place: vec2f, outwards: vec2f) -> vec3f {
+    let right = frame.clip_right.xyz / dot(frame.clip_right.xyz, frame.clip_right.xyz);
+    let up = frame.clip_up.xyz / dot(frame.clip_up.xyz, frame.clip_up.xyz);
+    return frame.forward.xyz + right * place.x + up * place.y
+        + 2.0 * (frame.right.xyz * outwards.x + frame.down.xyz * outwards.y);
 }
 
 fn line_cover(off_line: vec2f, half_width: f32, pixel: vec2f) -> vec2f {

@@ -36,6 +36,9 @@ const LEAST_TOWARDS_FRONTS: f64 = 1e-4;
 /// that looks straight ahead shows all of the gradient.
 const SKY_RISE: f64 = 1.4;
 
+/// Columns and rows of the tiles that a picture is drawn in.
+pub(crate) const TILES: [u32; 2] = [12, 24];
+
 /// Linear sRGB colours of a backdrop.
 #[derive(Debug, Clone, Copy)]
 struct Palette {
@@ -106,21 +109,54 @@ pub(crate) enum Floor {
     Street,
 }
 
-impl Floor {
-    /// All of them, by their number.
-    pub const ALL: [Self; 4] = [Self::Open, Self::Grid, Self::Road, Self::Street];
+/// What some tiles of a picture show behind the bodies, and no others: each is drawn with no more than that.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Part {
+    /// The sky alone.
+    Sky,
+    /// The grid, and the sky it ends in.
+    Grid,
+    /// The road, likewise.
+    Road,
+    /// House fronts, and the sky above them.
+    Fronts,
+    /// Fronts and the road before them.
+    Street,
+}
 
-    const fn has_road(self) -> bool {
-        matches!(self, Self::Road | Self::Street)
+impl Floor {
+    /// The parts of a picture with this floor.
+    pub const fn parts(self) -> &'static [Part] {
+        match self {
+            Self::Open => &[Part::Sky],
+            Self::Grid => &[Part::Sky, Part::Grid],
+            Self::Road => &[Part::Sky, Part::Road],
+            Self::Street => &[Part::Sky, Part::Road, Part::Fronts, Part::Street],
+        }
     }
 }
 
-/// The shader's constants for a floor.
-pub(crate) fn constants(floor: Floor) -> Vec<Constant> {
+impl Part {
+    /// All of them, by their number.
+    pub const ALL: [Self; 5] = [Self::Sky, Self::Grid, Self::Road, Self::Fronts, Self::Street];
+
+    const fn has_ground(self) -> bool {
+        matches!(self, Self::Grid | Self::Road | Self::Street)
+    }
+
+    const fn has_fronts(self) -> bool {
+        matches!(self, Self::Fronts | Self::Street)
+    }
+}
+
+/// The shader's constants for a part.
+pub(crate) fn constants(part: Part) -> Vec<Constant> {
     let of_backdrop = [
-        ("GROUND", number(floor != Floor::Open)),
-        ("ROAD", number(floor.has_road())),
-        ("FRONTS", number(floor == Floor::Street)),
+        ("GROUND", number(part.has_ground())),
+        ("ROAD", number(part != Part::Grid)),
+        ("FRONTS", number(part.has_fronts())),
+        ("TILE_COLUMNS", f64::from(TILES[0])),
+        ("TILE_ROWS", f64::from(TILES[1])),
         ("KERB_WIDTH", KERB_WIDTH),
         ("LANE_HALF_WIDTH", LANE_HALF_WIDTH),
         ("DASH_LENGTH", DASH[0]),
@@ -130,7 +166,7 @@ pub(crate) fn constants(floor: Floor) -> Vec<Constant> {
         ("GRID_FADE_START", GRID_FADE[0]),
         ("GRID_FADE_RATE", GRID_FADE[1]),
         ("LEAST_TOWARDS_FRONTS", LEAST_TOWARDS_FRONTS),
-        ("HAZE", if floor.has_road() { ROAD_HAZE } else { GRID_HAZE }),
+        ("HAZE", if part == Part::Grid { GRID_HAZE } else { ROAD_HAZE }),
         ("SKY_RISE", SKY_RISE),
     ];
     of_backdrop.into_iter().chain(street::CONSTANTS).collect()

@@ -3,7 +3,7 @@
 //! Bodies are drawn with four samples per pixel over nothing, in linear light; the last pass puts them over sky
 //! and ground and applies the sRGB curve.
 
-use crate::backdrop::{self, Floor};
+use crate::backdrop::{self, Part, TILES};
 use crate::buffers::{fill_frame_buffer, frame_bindings, frame_buffer, vertex_buffer};
 use crate::drawing::{Drawing, Shot};
 use crate::effects::Constant;
@@ -22,8 +22,8 @@ pub struct Canvas {
     layer_layout: wgpu::BindGroupLayout,
     /// The tables of colours.
     tables: wgpu::TextureView,
-    /// The last pass, by the number of the floor.
-    last_pass: [wgpu::RenderPipeline; 4],
+    /// The last pass, by the number of the part that it draws.
+    last_pass: [wgpu::RenderPipeline; 5],
 }
 
 /// What a pass over the bodies wrote: RGBA32 floats, see the shaders' `Hit`.
@@ -39,8 +39,7 @@ impl Canvas {
         let layer_layout = bind_group_layout(device, &[texture_entry(0)]);
         let module = gpu.shader("backdrop", BACKDROP);
         let layout = pipeline_layout(device, &[Some(&frame_layout), Some(&layer_layout)]);
-        let last_pass =
-            Floor::ALL.map(|floor| last_pass(device, &module, &layout, &backdrop::constants(floor)));
+        let last_pass = Part::ALL.map(|part| last_pass(device, &module, &layout, &backdrop::constants(part)));
         let tables = tables(gpu);
         Self { frame_layout, layer_layout, tables, last_pass }
     }
@@ -79,10 +78,12 @@ impl Canvas {
         {
             let picture = attachment(target.view(), wgpu::StoreOp::Store);
             let mut pass = begin_pass(&mut encoder, "last", &[Some(picture)], None);
-            pass.set_pipeline(&self.last_pass[floor as usize]);
             pass.set_bind_group(0, &frames[0], &[]);
             pass.set_bind_group(1, &self.layer_bind_group(gpu, &target.bodies), &[]);
-            pass.draw(0..3, 0..1);
+            for part in floor.parts() {
+                pass.set_pipeline(&self.last_pass[*part as usize]);
+                pass.draw(0..4, 0..TILES[0] * TILES[1]);
+            }
         }
         gpu.queue.submit([encoder.finish()]);
     }
@@ -191,22 +192,26 @@ fn last_pass(
     layout: &wgpu::PipelineLayout,
     constants: &[Constant],
 ) -> wgpu::RenderPipeline {
+    let compilation_options = wgpu::PipelineCompilationOptions { constants, ..Default::default() };
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some("last pass"),
         layout: Some(layout),
         vertex: wgpu::VertexState {
             module,
-            entry_point: Some("screen"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            entry_point: Some("tile"),
+            compilation_options: compilation_options.clone(),
             buffers: &[],
         },
-        primitive: wgpu::PrimitiveState::default(),
+        primitive: wgpu::PrimitiveState {
+            topology: wgpu::PrimitiveTopology::TriangleStrip,
+            ..wgpu::PrimitiveState::default()
+        },
         depth_stencil: None,
         multisample: wgpu::MultisampleState::default(),
         fragment: Some(wgpu::FragmentState {
             module,
             entry_point: Some("composite"),
-            compilation_options: wgpu::PipelineCompilationOptions { constants, ..Default::default() },
+            compilation_options,
             targets: &[Some(ENCODED_FORMAT.into())],
         }),
         multiview_mask: None,

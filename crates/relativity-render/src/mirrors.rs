@@ -77,7 +77,7 @@ pub fn shaders() -> Vec<Shader> {
     let backdrop = Shader {
         name: "backdrop".to_owned(),
         source: shaders::BACKDROP,
-        constants: backdrop::constants(backdrop::Floor::Street),
+        constants: backdrop::constants(backdrop::Part::Street),
     };
     let bodies = Kind::ALL.iter().flat_map(|&kind| {
         [("impostor", exact::TECHNIQUE), ("mesh", mesh::TECHNIQUE)]

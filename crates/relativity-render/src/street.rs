@@ -10,7 +10,8 @@ use crate::cover::{band_cover, repeated_cover};
 
 /// Width of a house.
 const HOUSE_WIDTH: f64 = 8.0;
-/// Houses take turns at these heights and shades of their walls; the means of both, for where they are finer than pixels.
+/// Houses take turns at these heights (the highest first, then the lowest) and shades of their walls; the means of both,
+/// for where they are finer than pixels.
 pub(crate) const HOUSES: [[f64; 2]; 4] = [[10.8, 0.78], [9.7, 1.0], [10.3, 0.6], [10.27, 0.79]];
 /// What is let into the walls: where it begins along a house, how long it is, and between which heights it lies. The
 /// windows of the first and of the second floor, twice in a house; the door, and the window of the shop.
