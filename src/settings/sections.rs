@@ -60,7 +60,7 @@ pub struct Look {
     /// azimuth (from +x towards +y; 90 is straight ahead) and elevation in degrees.
     #[arg(long, value_name = "whole|point|ahead|AZ,EL", allow_hyphen_values = true)]
     pub gaze: GazeChoice,
-    /// Horizontal field of view of each eye, degrees; `auto` shows the whole scene with a margin (42 to 150), is 110
+    /// Horizontal field of view of each eye, degrees; `auto` shows the whole scene with a margin (usually 42 to 150), is 110
     /// straight ahead and else 60.
     #[arg(long, value_name = "auto|DEG", allow_hyphen_values = true)]
     pub fov: FieldOfView,

@@ -43,7 +43,7 @@ fn the_overhead_preset_is_the_stereo_frame_of_the_paper() {
         // T at which the tracked point is seen at X = -R, R^2 = 13 + d^2/4: -R/0.9 + sqrt(2) R.
         "--time=1.09295",
         "--gaze=140.2",
-        "--fov=60",
+        "--fov=84",
         "--intensity-exponent=2",
         "--layout=side-by-side",
     ] {

@@ -10,6 +10,10 @@ use crate::camera::{Camera, Gaze};
 const MARGIN: f64 = 0.1;
 /// Narrowest horizontal field of view that frames, radians: something small or far is shown with what is around it.
 const NARROWEST: f64 = 42.0 * DEGREE;
+/// Unless that would leave it less than this part of the picture: then the view is narrower.
+const SMALLEST_SHARE: f64 = 0.1;
+/// Narrowest field of view of all, radians: what is still further off is a speck.
+const NARROWEST_OF_ALL: f64 = 2.0 * DEGREE;
 /// Widest horizontal field of view that frames, radians. What reaches further is cropped.
 const WIDEST: f64 = 150.0 * DEGREE;
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
@@ -68,13 +72,15 @@ impl Outline {
 
 impl Framing {
     /// Horizontal field of view that holds the outline with a margin, radians, in a picture of this `size` (width and
-    /// height): 42 to 150 degrees.
+    /// height): 42 to 150 degrees, or down to 2 where the outline would fill less than a tenth of the picture.
     #[must_use]
     pub fn horizontal_fov(&self, size: [u32; 2]) -> f64 {
         let [width, height] = size.map(f64::from);
         let [across, up] =
             self.reach.map(|reach| if reach < 0.5 * WIDEST { tan(reach) } else { f64::INFINITY });
-        let half_width = across.max(up * width / height) / (1.0 - 2.0 * MARGIN);
-        (2.0 * atan(half_width)).clamp(NARROWEST, WIDEST)
+        let outline = across.max(up * width / height);
+        let fov = |share: f64| 2.0 * atan(outline / share);
+        let narrowest = fov(SMALLEST_SHARE).clamp(NARROWEST_OF_ALL, NARROWEST);
+        fov(1.0 - 2.0 * MARGIN).clamp(narrowest, WIDEST)
     }
 }

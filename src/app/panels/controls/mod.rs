@@ -260,7 +260,7 @@ fn field_of_view_rows(ui: &mut Ui, state: &State, look: &mut Look, asks: &mut As
     }
     row(ui, "", "", |ui| {
         let mut is_auto = look.fov.0.is_none();
-        let tip = "Fits the field of view to all that moves with the scene, from 42° to 150°. \
+        let tip = "Fits the field of view to all that moves with the scene, from 42° to 150° (narrower where it is far away). \
             Where the gaze is another: 60°, ahead 110°.";
         if ui.checkbox(&mut is_auto, "auto").on_hover_text(tip).changed() {
             look.fov = FieldOfView(Some(fov).filter(|_| !is_auto));
