@@ -48,13 +48,12 @@ impl State {
         let scene = self.subject_beyond(&camera);
         let point = self.session.points.selected();
         let is_told = scene.is_some() && point.track.motion == Motion::Scene;
-        let point = self
-            .direction(point, eye)
-            .filter(|&direction| !is_told && !shows(&camera, direction))
-            .map(|direction| {
+        let point = self.direction(point, eye).filter(|&direction| !is_told && !camera.shows(direction)).map(
+            |direction| {
                 let name = point.name(&self.session.scene);
                 Beyond::new(name, &camera, direction, Some(point.number))
-            });
+            },
+        );
         scene.into_iter().chain(point).collect()
     }
 
@@ -66,12 +65,6 @@ impl State {
         let name = self.session.scene.groups.get(group)?.name.clone();
         Some(Beyond::new(name, camera, framing.gaze.axes().forward, None))
     }
-}
-
-/// Whether the camera's picture shows what lies along `direction`.
-fn shows(camera: &Camera, direction: DVec3) -> bool {
-    let is_inside = |(place, side): (f64, u32)| (0.0..=f64::from(side)).contains(&place);
-    camera.pixel(direction).is_some_and(|pixel| pixel.into_iter().zip(camera.size).all(is_inside))
 }
 
 /// Length of an arrow, and its distance from the view's edge, points.

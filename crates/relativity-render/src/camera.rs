@@ -128,6 +128,13 @@ impl Camera {
         let scale = self.focal_length_px() / depth;
         Some([0.5 * width + direction.dot(right) * scale, 0.5 * height - direction.dot(up) * scale])
     }
+
+    /// Whether what lies along `direction` (any length above 0) is in the picture, its edges included.
+    #[must_use]
+    pub fn shows(&self, direction: DVec3) -> bool {
+        let is_inside = |(place, side): (f64, u32)| (0.0..=f64::from(side)).contains(&place);
+        self.pixel(direction).is_some_and(|pixel| pixel.into_iter().zip(self.size).all(is_inside))
+    }
 }
 
 /// The lines of sight of one camera, for many pixels: its angles are turned into vectors once.

@@ -1,8 +1,6 @@
 //! How much of each group is received in which band: so that a picture can say why something in it is dark, from the
 //! places of the bodies alone.
 
-use glam::DVec3;
-
 use crate::capsule::Capsule;
 use crate::group_view::GroupView;
 use crate::light::Light;
@@ -73,17 +71,9 @@ fn samples<'a>(capsule: &'a Capsule, seen: &'a GroupView) -> impl Iterator<Item 
         let doppler_factor = seen.rest_ray(line_of_sight).doppler_factor;
         // Aberration makes what is blueshifted smaller: solid angles by D^2.
         let angle = area / (place.distance_squared(seen.origin) + area) / (doppler_factor * doppler_factor);
-        let weight = if is_in_picture(seen, line_of_sight) { angle } else { 0.0 };
+        let weight = if seen.camera.shows(line_of_sight) { angle } else { 0.0 };
         weight.is_finite().then_some(Sample { weight, doppler_factor })
     })
-}
-
-fn is_in_picture(seen: &GroupView, line_of_sight: DVec3) -> bool {
-    let inside = |[u, v]: [f64; 2]| {
-        let [width, height] = seen.camera.size.map(f64::from);
-        (0.0..=width).contains(&u) && (0.0..=height).contains(&v)
-    };
-    seen.camera.pixel(line_of_sight).is_some_and(inside)
 }
 
 /// `shares` scaled to a sum of 1, if they have one.
