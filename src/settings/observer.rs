@@ -159,13 +159,19 @@ impl Settings {
     /// What becomes of the light of `scene`, in a light window or a dark one.
     #[must_use]
     pub fn appearance(&self, scene: &Scene, light_window: bool) -> Appearance {
+        let exposure_ev = self.light.exposure.0.unwrap_or_else(|| self.automatic_ev(scene));
+        Appearance { exposure_ev, ..self.unexposed(scene, light_window) }
+    }
+
+    /// The same without exposure.
+    fn unexposed(&self, scene: &Scene, light_window: bool) -> Appearance {
         let light = &self.light;
         Appearance {
             colour: light.colour,
             temperature_k: light.temperature,
             doppler_shift: light.doppler_shift,
             intensity_exponent: light.intensity_exponent.0,
-            exposure_ev: light.exposure.0.unwrap_or_else(|| self.automatic_ev(scene)),
+            exposure_ev: 0.0,
             invisible: light.invisible,
             shading: light.shading,
             ground_z: scene.ground_z.filter(|_| light.ground),
@@ -183,12 +189,11 @@ impl Settings {
     /// The exposure that is found for `scene`, factors of 2.
     #[must_use]
     pub fn automatic_ev(&self, scene: &Scene) -> f64 {
-        let fixed = Self { light: Light { exposure: Exposure(Some(0.0)), ..self.light }, ..self.clone() };
         let lights = scene.groups.iter().flat_map(|group| {
             let velocity = self.velocity(group.motion);
             scene.bodies[group.bodies()].iter().map(move |body| (velocity, body.emission))
         });
-        automatic_ev(lights, self.look.geometry, &fixed.appearance(scene, false))
+        automatic_ev(lights, self.look.geometry, &self.unexposed(scene, false))
     }
 
     /// These settings with the exposure that `scene` gets by them.
