@@ -234,13 +234,8 @@ fn sphere(object: &Table) -> Result<Shape, Located> {
 }
 
 fn tube(object: &Table) -> Result<Shape, Located> {
-    check_keys(object, &["from", "to", "radius"])?;
-    let from = object.needed_point("from")?;
-    let to = object.needed_point("to")?;
-    if coincide(from, to) {
-        return Err(object.problem_at("to", Problem::NoLength));
-    }
-    Ok(Shape::Tube { from, to, radius: object.needed_size("radius")? })
+    let (from, to, radius) = ends_and_radius(object, Problem::NoLength)?;
+    Ok(Shape::Tube { from, to, radius })
 }
 
 fn ring(object: &Table) -> Result<Shape, Located> {
@@ -273,11 +268,20 @@ fn cuboid(object: &Table) -> Result<Shape, Located> {
 }
 
 fn cylinder(object: &Table) -> Result<Shape, Located> {
+    let (from, to, radius) = ends_and_radius(object, Problem::NoHeight)?;
+    Ok(Shape::Cylinder { from, to, radius })
+}
+
+/// The ends of an axis and a radius; `no_axis` is what is wrong with ends in one place.
+fn ends_and_radius(
+    object: &Table,
+    no_axis: fn(String) -> Problem,
+) -> Result<([f64; 3], [f64; 3], f64), Located> {
     check_keys(object, &["from", "to", "radius"])?;
     let from = object.needed_point("from")?;
     let to = object.needed_point("to")?;
     if coincide(from, to) {
-        return Err(object.problem_at("to", Problem::NoHeight));
+        return Err(object.problem_at("to", no_axis));
     }
-    Ok(Shape::Cylinder { from, to, radius: object.needed_size("radius")? })
+    Ok((from, to, object.needed_size("radius")?))
 }
