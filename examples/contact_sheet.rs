@@ -57,9 +57,7 @@ fn row(renderers: &mut Renderers, settings: &Settings, light: bool) -> anyhow::R
 /// When the selected point comes, is abreast, and goes.
 fn times(state: &State) -> [f64; 3] {
     let [from, to] = state.time_range();
-    let source = state.settings.source(&state.session.points.selected().track);
-    let beta = state.speed().beta();
-    let abreast = if beta > 0.0 { source.y.hypot(source.z) - source.x0 / beta } else { 0.0 };
+    let abreast = state.equidistance_time(state.session.points.selected()).unwrap_or_default();
     [from + 0.15 * (to - from), abreast, to - 0.15 * (to - from)]
 }
 

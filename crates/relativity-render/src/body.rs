@@ -152,12 +152,6 @@ impl Body {
         Self { shape, emission, brightness: 1.0, pattern: Pattern::Plain }
     }
 
-    /// The body with another `brightness`, above 0 and at most 1.
-    #[must_use]
-    pub const fn with_brightness(self, brightness: f64) -> Self {
-        Self { brightness, ..self }
-    }
-
     /// The body with this `pattern`.
     #[must_use]
     pub const fn with_pattern(self, pattern: Pattern) -> Self {
