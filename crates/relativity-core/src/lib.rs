@@ -87,6 +87,7 @@ pub mod passage;
 pub mod published;
 mod real;
 pub mod speed;
+pub mod stereo;
 pub mod threads;
 
 pub use apparent::{Aperture, Sighting, SourcePoint, sighting};
@@ -102,3 +103,4 @@ pub use model::Model;
 pub use passage::{equidistance_time, observation_time_when_seen_at};
 pub use published::{PublishedVariant, printed_apparent_x, published_disparity};
 pub use speed::{MAX_GAMMA, Speed, SpeedError};
+pub use stereo::{Stereo, StereoError, stereo};

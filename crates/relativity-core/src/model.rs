@@ -6,6 +6,7 @@ use crate::disparity::{Disparity, disparity};
 use crate::domain::DomainError;
 use crate::published::{self, PublishedVariant, published_disparity};
 use crate::speed::Speed;
+use crate::stereo::{Stereo, StereoError, stereo};
 
 /// A binocular model.
 ///
@@ -80,6 +81,28 @@ impl Model {
             Self::Published(variant) => {
                 published_disparity(speed, point, separation, observation_time, variant)
             }
+        }
+    }
+
+    /// Where `point` is taken to be in this model by the paper's pair of apertures, `separation` apart.
+    ///
+    /// # Accuracy
+    ///
+    /// As [`stereo()`], which it is.
+    ///
+    /// # Errors
+    ///
+    /// A coordinate or time outside the domain; a published model, in which lines of sight do not meet.
+    pub fn stereo(
+        self,
+        speed: &Speed,
+        point: SourcePoint,
+        separation: f64,
+        observation_time: f64,
+    ) -> Result<Stereo, StereoError> {
+        match self {
+            Self::Exact => Ok(stereo(speed, point, separation, observation_time)?),
+            Self::Published(_) => Err(StereoError::Published(self)),
         }
     }
 

@@ -11,12 +11,13 @@ mod tally;
 use arithmetic::{Big, UNIT_F64, error_units};
 use draw::program_speed;
 use model::Parameter;
+use rand::RngExt as _;
 use rand_chacha::ChaCha8Rng;
 use relativity_core::aberration::{doppler_factor, ground_from_rest, rest_from_ground};
 use relativity_core::doppler::{intensity_factor, received_wavelength};
 use relativity_core::{
     Aperture, MAX_ERROR_UNITS, PublishedVariant, SourcePoint, Speed, disparity, equidistance_time,
-    observation_time_when_seen_at, printed_apparent_x, published_disparity, sighting,
+    observation_time_when_seen_at, printed_apparent_x, published_disparity, sighting, stereo,
 };
 use tally::{Case, Tally};
 
@@ -156,6 +157,33 @@ fn disparities_of_apertures_anywhere_keep_their_digits() {
     })
     .assert_within(MAX_ERROR_UNITS)
     .assert_as_documented(include_str!("../../src/disparity.rs"), &["general dphi", "general dtheta"]);
+}
+
+/// Those of [`pair_inputs`], and also apertures that coincide, and points that pass through an aperture.
+fn stereo_inputs(rng: &mut ChaCha8Rng) -> (Parameter, Speed, Vec<f64>) {
+    let (parameter, speed, mut inputs) = pair_inputs(rng);
+    match rng.random_range(0..6) {
+        0 => inputs[5] = 0.0,
+        1 => {
+            (inputs[2], inputs[3]) = (0.0, 0.0);
+            inputs[4] = draw::time_inside(rng, speed.beta(), inputs[1], inputs[5]);
+        }
+        _ => {}
+    }
+    (parameter, speed, inputs)
+}
+
+#[test]
+fn stereo_positions_keep_their_digits_however_close_the_apertures() {
+    let names = ["stereo gain", "stereo x", "stereo y", "stereo z"];
+    Tally::new(names, cases(), |rng| {
+        let (parameter, speed, inputs) = stereo_inputs(rng);
+        let fused = stereo(&speed, point_at(&inputs[1..]), inputs[5], inputs[4]).expect("inside the domain");
+        let [x, y, z] = fused.position;
+        case(parameter, inputs, |inputs| model::stereo(parameter, inputs), [fused.gain, x, y, z])
+    })
+    .assert_within(MAX_ERROR_UNITS)
+    .assert_as_documented(include_str!("../../src/stereo.rs"), &names);
 }
 
 #[test]

@@ -120,6 +120,21 @@ pub fn pair_views(parameter: Parameter, inputs: &[Big]) -> [Big; 5] {
     [left.x, left.t, left.doppler, dphi, dtheta]
 }
 
+/// Gain and position from the crossing of two lines of sight.
+///
+/// The lines from (-+d/2, 0, 0) along (X, y, z) of each eye meet where both are at lambda = d/(`X_l` - `X_r`). At d = 0
+/// that is the limit, of which the gain is gamma D. `inputs` as for [`pair_disparity`].
+pub fn stereo(parameter: Parameter, inputs: &[Big]) -> [Big; 4] {
+    let half = &inputs[5] / big(2.0);
+    let speed = speed(parameter, &inputs[0]);
+    let view = |s0: Big| View::new(&speed, [s0, inputs[2].clone(), inputs[3].clone()], &inputs[4]);
+    let (left, right) = (view(&inputs[1] + &half), view(&inputs[1] - &half));
+    let gain =
+        if inputs[5] == Big::ZERO { &speed.1 * &left.doppler } else { (&left.x - &right.x) / &inputs[5] };
+    let [x, y, z] = [&left.x / &gain - half, left.y / &gain, left.z / &gain];
+    [gain, x, y, z]
+}
+
 fn angle_differences(left: &View, right: &View) -> [Big; 2] {
     let dphi = left.phi() - right.phi();
     let pi = atan2(&big(0.0), &big(-1.0));
