@@ -17,6 +17,7 @@ use crate::flags::{
     EXPOSURE_EV, Exposure, FieldOfView, IntensityExponent, MAX_TIME, SpeedParameter, SpeedSetting,
     TEMPERATURE_K, TimeRange,
 };
+use crate::units::Units;
 
 /// Any number within `range`, of any magnitude.
 fn number(range: RangeInclusive<f64>) -> impl Strategy<Value = f64> {
@@ -109,8 +110,8 @@ fn fit() -> impl Strategy<Value = FitSetup> {
 }
 
 fn window() -> impl Strategy<Value = Window> {
-    (any::<[bool; 7]>(), choice::<Theme>()).prop_map(
-        |([views, corrected, spectrum, sentence, plots, controls, readout], theme)| Window {
+    (any::<[bool; 8]>(), choice::<Units>(), choice::<Theme>()).prop_map(
+        |([views, corrected, spectrum, sentence, plots, controls, readout, dials], units, theme)| Window {
             views,
             corrected,
             spectrum,
@@ -118,6 +119,8 @@ fn window() -> impl Strategy<Value = Window> {
             plots,
             controls,
             readout,
+            dials,
+            units,
             theme,
         },
     )
