@@ -5,9 +5,15 @@
 //! have their origin where the eyes' has it at t = 0.
 
 mod chart;
+mod clip;
 mod fit;
 mod instant;
+mod lines;
+mod outline;
+mod view;
 
 pub use chart::{Chart, Viewpoint};
 pub use fit::{Extent, plan_and_side};
 pub use instant::{Instant, Picture, Places};
+pub use lines::{Line, Lines, Vertex};
+pub use view::View;
