@@ -4,10 +4,16 @@
 //! Coordinates are from between the eyes: x along the motion, y away from the eyes, z up; those of the bicycle's frame
 //! have their origin where the eyes' has it at t = 0.
 
+mod chart;
 mod diagram;
 mod event;
+mod fit;
+mod instant;
 mod light;
 
+pub use chart::{Chart, Viewpoint};
 pub use diagram::{Cone, Diagram, home};
 pub use event::{Event, Line};
+pub use fit::{Extent, plan_and_side};
+pub use instant::{Instant, Picture, Places};
 pub use light::{Front, Ray, Worldline, fronts, rays};
