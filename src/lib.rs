@@ -19,3 +19,4 @@ mod plot;
 pub mod scene;
 pub mod settings;
 pub mod studio;
+pub mod units;

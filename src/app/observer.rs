@@ -114,6 +114,14 @@ impl State {
         equidistance_time(&self.velocity(point).speed, source, self.settings.motion.d).ok().flatten()
     }
 
+    /// When `point` is measured beside the eyes: at x = 0, where it is seen only later. `None` at rest.
+    #[must_use]
+    pub fn abreast_time(&self, point: &Point) -> Option<f64> {
+        let beta = self.velocity(point).speed.beta();
+        let time = 0.0 - self.settings.source(&point.track).x0 / beta;
+        (beta != 0.0 && time.is_finite()).then_some(time)
+    }
+
     /// Whether `eye` sees what the published model has the right eye see, measured from the left aperture.
     #[must_use]
     pub fn sees_as_published(&self, eye: Eye) -> bool {

@@ -9,6 +9,7 @@ use crate::map::Viewpoint;
 use crate::passage;
 use crate::scene::{Scene, SceneError, Track};
 use crate::settings::{Preset, Settings};
+use crate::units::Measures;
 
 /// Everything the panels read. Only [`super::command`] changes it.
 #[derive(Debug, Clone, PartialEq)]
@@ -95,6 +96,12 @@ impl State {
     #[must_use]
     pub fn speed(&self) -> Speed {
         self.settings.speed()
+    }
+
+    /// The units that lengths and times are shown and typed in.
+    #[must_use]
+    pub fn measures(&self) -> Measures {
+        self.settings.window.units.of(&self.session.scene)
     }
 
     /// First and last T of the scrubber and the plots.

@@ -13,6 +13,7 @@ use crate::flags::{
     Exposure, FieldOfView, IntensityExponent, OnOff, SpeedParameter, SpeedSetting, TimeRange, switch,
     temperature, whole_number, within,
 };
+use crate::units::Units;
 
 /// Largest separation, distance and height.
 pub const MAX_LENGTH: f64 = 1e6;
@@ -409,6 +410,12 @@ pub struct Window {
     /// The numbers below the controls.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub readout: OnOff,
+    /// At each followed point in the views, a clock that shows the body's own time as the eye sees it.
+    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    pub dials: OnOff,
+    /// Units of the lengths and times that it shows and takes. Files and flags have the scene's own always.
+    #[arg(long, value_enum)]
+    pub units: Units,
     /// Colours of the window.
     #[arg(long, value_enum)]
     pub theme: Theme,
@@ -425,6 +432,8 @@ impl Default for Window {
             plots: true,
             controls: true,
             readout: true,
+            dials: true,
+            units: Units::Natural,
             theme: Theme::Dark,
         }
     }

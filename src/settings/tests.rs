@@ -17,6 +17,7 @@ use crate::flags::{
     EXPOSURE_EV, Exposure, FieldOfView, IntensityExponent, MAX_TIME, SpeedParameter, SpeedSetting,
     TEMPERATURE_K, TimeRange,
 };
+use crate::units::Units;
 
 /// Any number within `range`, of any magnitude.
 fn number(range: RangeInclusive<f64>) -> impl Strategy<Value = f64> {
@@ -109,17 +110,21 @@ fn fit() -> impl Strategy<Value = FitSetup> {
 }
 
 fn window() -> impl Strategy<Value = Window> {
-    (any::<[bool; 7]>(), choice::<Presence>(), choice::<Theme>()).prop_map(
-        |([views, corrected, spectrum, sentence, plots, controls, readout], map, theme)| Window {
-            views,
-            corrected,
-            spectrum,
-            sentence,
-            map,
-            plots,
-            controls,
-            readout,
-            theme,
+    (any::<[bool; 8]>(), choice::<Presence>(), choice::<Units>(), choice::<Theme>()).prop_map(
+        |([views, corrected, spectrum, sentence, plots, controls, readout, dials], map, units, theme)| {
+            Window {
+                views,
+                corrected,
+                spectrum,
+                sentence,
+                map,
+                plots,
+                controls,
+                readout,
+                dials,
+                units,
+                theme,
+            }
         },
     )
 }

@@ -17,7 +17,7 @@ const ROOMS: [&[&str]; 9] = [
     &["accuracy", "estimate", "studio"],
     &["caption", "map"],
     &["settings"],
-    &["scene", "columns.rs", "passage.rs", "flags", "files", "plot"],
+    &["scene", "columns.rs", "passage.rs", "flags", "files", "plot", "units.rs"],
     &["eye_colours.rs", "figures.rs"],
     &["platform"],
 ];
