@@ -1,9 +1,9 @@
 //! The binocular models: the ways in which two apertures' views of one point are computed.
 
-use crate::apparent::{Aperture, SourcePoint};
+use crate::apparent::{Aperture, SourcePoint, sighting};
 use crate::cone_pair::ConePair;
 use crate::disparity::{Disparity, disparity};
-use crate::domain::DomainError;
+use crate::domain::{DomainError, check};
 use crate::one_cone::{self, one_cone_disparity};
 use crate::published::{self, PublishedVariant, published_disparity};
 use crate::speed::Speed;
@@ -94,7 +94,7 @@ impl Model {
     ///
     /// # Accuracy
     ///
-    /// As [`stereo()`], which it is.
+    /// As [`stereo()`], which it is; with one cone as [`sighting`].
     ///
     /// # Errors
     ///
@@ -108,6 +108,12 @@ impl Model {
     ) -> Result<Stereo, StereoError> {
         match self {
             Self::Exact => Ok(stereo(speed, point, separation, observation_time)?),
+            // Both look at one event, which they take to be where it is.
+            Self::OneCone => {
+                check("d", separation)?;
+                let position = sighting(speed, point, Aperture::default(), observation_time)?.position;
+                Ok(Stereo { gain: 1.0, position })
+            }
             Self::Published(_) => Err(StereoError::Published(self)),
         }
     }
@@ -149,7 +155,9 @@ impl clap::ValueEnum for Model {
     fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
         let help = match self {
             Self::Exact => "Each eye solves its own light cone",
-            Self::OneCone => "As if both eyes received the same events: those that the middle between them receives",
+            Self::OneCone => {
+                "As if both eyes received the same events: those that the middle between them receives"
+            }
             Self::Published(PublishedVariant::AppendixA) => {
                 "The paper's binocular model as its Appendix A prints it"
             }

@@ -7,8 +7,8 @@ use relativity_core::batch::{
 };
 use relativity_core::{
     Aperture, Disparity, MAX_COORDINATE, MAX_GAMMA, PublishedVariant, Sighting, SourcePoint, Speed,
-    SpeedError, disparities, disparity, equidistance_time, one_cone_disparity,
-    printed_apparent_x, published_disparity, sighting,
+    SpeedError, disparities, disparity, equidistance_time, one_cone_disparity, printed_apparent_x,
+    published_disparity, sighting,
 };
 
 fn speeds() -> Vec<Speed> {
