@@ -147,7 +147,8 @@ impl Velocity {
     }
 
     /// This velocity as a camera sees it that moves at `camera`: rapidities subtract.
-    pub(crate) fn seen_from(self, camera: Self) -> Self {
+    #[must_use]
+    pub fn seen_from(self, camera: Self) -> Self {
         if camera.is_rest() {
             return self;
         }

@@ -64,7 +64,7 @@ pub fn program_speed(parameter: Parameter, value: f64) -> Speed {
 }
 
 /// `value` times 1 + delta, delta from `smallest` to 1.
-fn near(rng: &mut ChaCha8Rng, value: f64, smallest: f64) -> f64 {
+pub fn near(rng: &mut ChaCha8Rng, value: f64, smallest: f64) -> f64 {
     let delta = log_uniform(rng, smallest.log10(), 0.0);
     value * (1.0 + signed(rng, delta))
 }

@@ -17,7 +17,8 @@ use relativity_core::aberration::{doppler_factor, ground_from_rest, rest_from_gr
 use relativity_core::doppler::{intensity_factor, received_wavelength};
 use relativity_core::{
     Aperture, MAX_ERROR_UNITS, PublishedVariant, SourcePoint, Speed, disparity, equidistance_time,
-    observation_time_when_seen_at, printed_apparent_x, published_disparity, sighting, stereo,
+    observation_time_when_seen_at, one_cone_disparity, printed_apparent_x, published_disparity, sighting,
+    stereo,
 };
 use tally::{Case, Tally};
 
@@ -141,6 +142,28 @@ fn disparities_of_the_papers_pair_keep_their_digits_however_close_the_apertures(
     })
     .assert_within(MAX_ERROR_UNITS)
     .assert_as_documented(include_str!("../../src/disparity.rs"), &["dphi", "dtheta"]);
+}
+
+#[test]
+fn one_light_cone_for_both_keeps_its_digits_however_close_the_apertures() {
+    let names = ["X_l", "X_r", "t", "D", "dphi", "dtheta"];
+    Tally::new(names, cases(), |rng| {
+        let (parameter, speed, mut inputs) = pair_inputs(rng);
+        // Often the middle sees the point beside an aperture, or between both.
+        if rng.random() {
+            let middle = sighting(&speed, point_at(&inputs[1..]), Aperture::default(), inputs[4]);
+            let x = middle.expect("inside the domain").position[0];
+            inputs[5] = draw::near(rng, 2.0 * x.abs(), 1e-17);
+        }
+        let both = one_cone_disparity(&speed, point_at(&inputs[1..]), inputs[5], inputs[4])
+            .expect("inside the domain");
+        let [left, right] = [both.primary, both.secondary];
+        let [x_left, x_right] = [left, right].map(|seen| seen.position[0]);
+        let computed = [x_left, x_right, left.retarded_time, right.doppler_factor, both.dphi, both.dtheta];
+        case(parameter, inputs, |inputs| model::one_cone(parameter, inputs), computed)
+    })
+    .assert_within(MAX_ERROR_UNITS)
+    .assert_as_documented(include_str!("../../src/one_cone.rs"), &names);
 }
 
 #[test]

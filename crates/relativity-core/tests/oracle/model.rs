@@ -32,6 +32,7 @@ pub fn accessors(parameter: Parameter, value: &Big) -> [Big; 7] {
 }
 
 /// One aperture's view, from the definition of the light cone.
+#[derive(Clone)]
 pub struct View {
     pub x: Big,
     pub y: Big,
@@ -133,6 +134,19 @@ pub fn stereo(parameter: Parameter, inputs: &[Big]) -> [Big; 4] {
         if inputs[5] == Big::ZERO { &speed.1 * &left.doppler } else { (&left.x - &right.x) / &inputs[5] };
     let [x, y, z] = [&left.x / &gain - half, left.y / &gain, left.z / &gain];
     [gain, x, y, z]
+}
+
+/// X from each eye, t, D, dphi and dtheta where both receive what the middle between them does; `inputs` as for
+/// [`pair_disparity`].
+pub fn one_cone(parameter: Parameter, inputs: &[Big]) -> [Big; 6] {
+    let half = &inputs[5] / big(2.0);
+    let place = std::array::from_fn(|i| inputs[i + 1].clone());
+    let middle = View::new(&speed(parameter, &inputs[0]), place, &inputs[4]);
+    // The event from an aperture: its distance plays no part in the angles.
+    let from = |x: Big| View { x, y: middle.y.clone(), z: middle.z.clone(), ..middle.clone() };
+    let (left, right) = (from(&middle.x + &half), from(&middle.x - &half));
+    let [dphi, dtheta] = angle_differences(&left, &right);
+    [left.x, right.x, middle.t, middle.doppler, dphi, dtheta]
 }
 
 fn angle_differences(left: &View, right: &View) -> [Big; 2] {
