@@ -188,6 +188,18 @@ fn one_light_cone_leaves_the_width_scales_depth_by_d_and_shears() {
 }
 
 #[test]
+fn with_one_light_cone_two_eyes_take_a_point_to_be_where_the_middle_sees_it() {
+    for (speed, rest, time) in cases() {
+        let point = source(&speed, rest);
+        let fused = Model::OneCone.stereo(&speed, point, 0.7, time).expect("inside the domain");
+        let both = Model::OneCone.disparity(&speed, point, 0.7, time).expect("inside the domain");
+        let [left, right] = [both.primary, both.secondary].map(|seen| Vector::from(seen.position));
+        assert_close(fused.gain, (left.x - right.x) / 0.7, 1e-14, "gain");
+        assert_eq!(Vector::from(fused.position), seen(&speed, rest, time));
+    }
+}
+
+#[test]
 fn a_baseline_across_the_line_of_sight_gives_the_true_seen_distance() {
     for (speed, rest, time) in cases() {
         let seen = seen(&speed, rest, time);
