@@ -101,7 +101,7 @@ pub use fit::{
     Simulation, fit, fit_from,
 };
 pub use model::Model;
-pub use one_cone::{one_cone_disparity, one_cone_stereo};
+pub use one_cone::one_cone_disparity;
 pub use passage::{equidistance_time, observation_time_when_seen_at};
 pub use published::{PublishedVariant, printed_apparent_x, published_disparity};
 pub use speed::{MAX_GAMMA, Speed, SpeedError};

@@ -4,7 +4,7 @@ use crate::apparent::{Aperture, SourcePoint, sighting};
 use crate::cone_pair::ConePair;
 use crate::disparity::{Disparity, disparity};
 use crate::domain::{DomainError, check};
-use crate::one_cone::{self, one_cone_disparity, one_cone_stereo};
+use crate::one_cone::{self, one_cone_disparity};
 use crate::published::{self, PublishedVariant, published_disparity};
 use crate::speed::Speed;
 use crate::stereo::{Stereo, StereoError, stereo};
@@ -108,7 +108,6 @@ impl Model {
     ) -> Result<Stereo, StereoError> {
         match self {
             Self::Exact => Ok(stereo(speed, point, separation, observation_time)?),
-            Self::OneCone => Ok(one_cone_stereo(speed, point, separation, observation_time)?),
             // Both look at one event, which they take to be where it is.
             Self::OneCone => {
                 check("d", separation)?;

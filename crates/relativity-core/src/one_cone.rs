@@ -4,12 +4,11 @@
 //! Not what two apertures see ([`crate::disparity()`] is), but what is left of it without the difference of their light
 //! cones: both see the point in one place, from two sides.
 
-use crate::apparent::{Aperture, LightCone, Sighting, SourcePoint, check_inputs, sighting};
+use crate::apparent::{Aperture, LightCone, Sighting, SourcePoint, check_inputs};
 use crate::cone_pair::ConePair;
 use crate::disparity::Disparity;
 use crate::domain::{DomainError, check};
 use crate::speed::Speed;
-use crate::stereo::Stereo;
 
 /// Disparity of `point` for the paper's pair of apertures, if both received what the middle between them receives at
 /// `observation_time`.
@@ -62,23 +61,6 @@ pub fn one_cone_disparity(
         ..middle
     };
     Ok(Disparity { primary: sighting(cones.left), secondary: sighting(cones.right), dphi, dtheta })
-}
-
-/// Where the paper's pair of apertures takes `point` to be, if both received what the middle between them receives: where
-/// the middle sees it, with a gain of 1. Both see that place, from two sides.
-///
-/// # Accuracy, errors
-///
-/// As [`crate::sighting`].
-pub fn one_cone_stereo(
-    speed: &Speed,
-    point: SourcePoint,
-    separation: f64,
-    observation_time: f64,
-) -> Result<Stereo, DomainError> {
-    check("d", separation)?;
-    let seen = sighting(speed, point, Aperture::default(), observation_time)?;
-    Ok(Stereo { gain: 1.0, position: seen.position })
 }
 
 /// Both apertures' views of the place that the middle between them sees: the light cones of a point at rest there.
