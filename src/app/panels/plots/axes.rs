@@ -6,6 +6,7 @@ use relativity_core::math;
 
 use crate::app::curves::Quantity;
 use crate::figures;
+use crate::units::Unit;
 
 /// Room for the numbers beside a plot.
 pub(super) const Y_AXIS_WIDTH: f32 = 48.0;
@@ -26,10 +27,12 @@ pub(super) fn still_plot<'a>(ui: &Ui, id: impl egui::AsIdSalt, size: egui::Vec2)
         .grid_color(ui.visuals().weak_text_color().gamma_multiply(0.25))
 }
 
-/// A still plot over T, in which a drag can move T.
-pub(super) fn plot_over_time<'a>(ui: &Ui, id: impl egui::AsIdSalt, size: egui::Vec2) -> Plot<'a> {
+/// A still plot over T, shown in `unit`, in which a drag can move T.
+pub(super) fn plot_over_time<'a>(ui: &Ui, id: impl egui::AsIdSalt, unit: Unit, size: egui::Vec2) -> Plot<'a> {
     still_plot(ui, id, size)
         .grid_spacing(24.0..=220.0)
+        .x_grid_spacer(move |input| time_grid(unit, input))
+        .x_axis_formatter(move |mark, _| time_tick(unit, mark))
         .link_cursor(Id::unique("cursor over T"), [true, false])
 }
 
@@ -94,14 +97,33 @@ pub(super) fn tick(quantity: Quantity, value: f64, step: f64) -> String {
     figures::fixed(rounded, decimals)
 }
 
-/// Names the axis and T0, and frames the plot.
-pub(super) fn annotate(ui: &Ui, response: &PlotResponse<()>, equidistant: Option<f64>) {
+/// Where the lines of T are, which is shown in `unit`: at round numbers of that.
+fn time_grid(unit: Unit, input: GridInput) -> Vec<GridMark> {
+    let (from, to) = input.bounds;
+    let shown = GridInput {
+        bounds: (unit.shown(from), unit.shown(to)),
+        base_step_size: unit.shown(input.base_step_size),
+    };
+    let in_scene = |mark: GridMark| GridMark {
+        value: unit.in_scene(mark.value),
+        step_size: unit.in_scene(mark.step_size),
+    };
+    egui_plot::log_grid_spacer(10)(shown).into_iter().map(in_scene).collect()
+}
+
+/// The text at a line of T, which is shown in `unit`.
+fn time_tick(unit: Unit, mark: GridMark) -> String {
+    tick(Quantity::Phi, unit.shown(mark.value), unit.shown(mark.step_size))
+}
+
+/// Names the axis, whose T is shown in `unit`, and T0, and frames the plot.
+pub(super) fn annotate(ui: &Ui, response: &PlotResponse<()>, unit: Unit, equidistant: Option<f64>) {
     let frame = *response.transform.frame();
     let painter = ui.painter().with_clip_rect(frame);
     let small = TextStyle::Small.resolve(ui.style());
     let inset = vec2(7.0, 4.0);
     let weak = ui.visuals().weak_text_color();
-    painter.text(frame.max - inset, Align2::RIGHT_BOTTOM, "T", small.clone(), weak);
+    painter.text(frame.max - inset, Align2::RIGHT_BOTTOM, unit.label("T"), small.clone(), weak);
     if let Some(time) = equidistant {
         let x = response.transform.position_from_point_x(time);
         let place = egui::pos2(x + 3.0, frame.max.y - 3.0);
