@@ -77,7 +77,7 @@ fn sighting_inputs(rng: &mut ChaCha8Rng) -> (Parameter, Speed, Vec<f64>) {
 
 #[test]
 fn sightings_are_as_accurate_as_their_inputs() {
-    let names = ["X", "t", "R", "D", "D^2", "D^3", "D^4", "wavelength", "phi", "theta"];
+    let names = ["X", "t", "tau", "R", "D", "D^2", "D^3", "D^4", "wavelength", "phi", "theta"];
     let tally = Tally::new(names, cases(), |rng| {
         let (parameter, speed, mut inputs) = sighting_inputs(rng);
         let seen = sighting(&speed, point_at(&inputs[1..]), aperture_at(&inputs[4..]), inputs[7])
@@ -86,6 +86,7 @@ fn sightings_are_as_accurate_as_their_inputs() {
         let computed = [
             seen.position[0],
             seen.retarded_time,
+            seen.own_time,
             seen.distance,
             seen.doppler_factor,
             seen.intensity(2.0),
@@ -98,7 +99,10 @@ fn sightings_are_as_accurate_as_their_inputs() {
         case(parameter, inputs, |inputs| model::sighting(parameter, inputs), computed)
     });
     tally.assert_within(MAX_ERROR_UNITS);
-    tally.assert_as_documented(include_str!("../../src/apparent.rs"), &["X", "t", "R", "D", "phi", "theta"]);
+    tally.assert_as_documented(
+        include_str!("../../src/apparent.rs"),
+        &["X", "t", "tau", "R", "D", "phi", "theta"],
+    );
     tally.assert_as_documented(include_str!("../../src/doppler.rs"), &["D^2", "D^3", "D^4", "wavelength"]);
 }
 
@@ -183,13 +187,20 @@ fn the_times_at_which_a_point_is_seen_at_a_place_are_accurate() {
     .assert_as_documented(include_str!("../../src/passage.rs"), &["T"]);
 }
 
-fn assert_published_is_accurate(variant: PublishedVariant, sign: f64, names: [&'static str; 5]) {
+fn assert_published_is_accurate(variant: PublishedVariant, sign: f64, names: [&'static str; 6]) {
     Tally::new(names, cases(), |rng| {
         let (parameter, speed, inputs) = pair_inputs(rng);
         let both = published_disparity(&speed, point_at(&inputs[1..]), inputs[5], inputs[4], variant)
             .expect("inside the domain");
         let seen = both.secondary;
-        let computed = [both.dphi, both.dtheta, seen.position[0], seen.retarded_time, seen.doppler_factor];
+        let computed = [
+            both.dphi,
+            both.dtheta,
+            seen.position[0],
+            seen.retarded_time,
+            seen.own_time,
+            seen.doppler_factor,
+        ];
         case(parameter, inputs, |inputs| model::published(parameter, sign, inputs), computed)
     })
     .assert_within(MAX_ERROR_UNITS)
@@ -198,8 +209,14 @@ fn assert_published_is_accurate(variant: PublishedVariant, sign: f64, names: [&'
 
 #[test]
 fn appendix_a_is_evaluated_accurately() {
-    let names =
-        ["Appendix A dphi", "Appendix A dtheta", "Appendix A X_S", "Appendix A t_S", "Appendix A D_S"];
+    let names = [
+        "Appendix A dphi",
+        "Appendix A dtheta",
+        "Appendix A X_S",
+        "Appendix A t_S",
+        "Appendix A tau_S",
+        "Appendix A D_S",
+    ];
     assert_published_is_accurate(PublishedVariant::AppendixA, -1.0, names);
 }
 
@@ -226,7 +243,7 @@ fn appendix_a_keeps_its_digits_between_the_two_zeros_of_its_elevation_disparity(
 
 #[test]
 fn the_texts_sign_is_evaluated_accurately() {
-    let names = ["text dphi", "text dtheta", "text X_S", "text t_S", "text D_S"];
+    let names = ["text dphi", "text dtheta", "text X_S", "text t_S", "text tau_S", "text D_S"];
     assert_published_is_accurate(PublishedVariant::TextSign, 1.0, names);
 }
 

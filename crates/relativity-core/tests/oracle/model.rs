@@ -55,6 +55,11 @@ impl View {
         Self { x, y, z, r, t, doppler }
     }
 
+    /// gamma (t - beta x) of the event of emission, the point being at `x0` at t = 0.
+    pub fn own_time(&self, (beta, gamma): &(Big, Big), x0: &Big) -> Big {
+        gamma * (&self.t - beta * (x0 + beta * &self.t))
+    }
+
     pub fn phi(&self) -> Big {
         atan2(&self.y, &self.x)
     }
@@ -64,16 +69,19 @@ impl View {
     }
 }
 
-/// X, t, R, D, D^3, D^4, the received wavelength of `wavelength`, phi, theta.
+/// X, t, tau, R, D, D^2, D^3, D^4, the received wavelength of `wavelength`, phi, theta.
 ///
 /// `inputs`: speed parameter, x0, y, z, aperture x, y, z, T, wavelength.
-pub fn sighting(parameter: Parameter, inputs: &[Big]) -> [Big; 10] {
-    let view = View::new(&speed(parameter, &inputs[0]), difference(&inputs[1..4], &inputs[4..7]), &inputs[7]);
+pub fn sighting(parameter: Parameter, inputs: &[Big]) -> [Big; 11] {
+    let speed = speed(parameter, &inputs[0]);
+    let view = View::new(&speed, difference(&inputs[1..4], &inputs[4..7]), &inputs[7]);
+    let own_time = view.own_time(&speed, &inputs[1]);
     let squared = square(&view.doppler);
     let (phi, theta) = (view.phi(), view.theta());
     [
         view.x,
         view.t,
+        own_time,
         view.r,
         view.doppler.clone(),
         squared.clone(),
@@ -143,9 +151,9 @@ pub fn equidistance_time(parameter: Parameter, inputs: &[Big]) -> [Big; 1] {
     observation_time_when_seen_at(parameter, &[inputs, &[big(0.0)]].concat())
 }
 
-/// dphi, dtheta, `X_S`, `t_S`, `D_S` of the published model, by Appendix A's sequence of formulas, the delay
-/// entering with `sign`. `inputs`: speed parameter, x0, y, z, T, d.
-pub fn published(parameter: Parameter, sign: f64, inputs: &[Big]) -> [Big; 5] {
+/// dphi, dtheta, `X_S`, `t_S`, `tau_S`, `D_S` of the published model, by Appendix A's sequence of formulas, the
+/// delay entering with `sign`. `inputs`: speed parameter, x0, y, z, T, d.
+pub fn published(parameter: Parameter, sign: f64, inputs: &[Big]) -> [Big; 6] {
     let speed = speed(parameter, &inputs[0]);
     let half = &inputs[5] / big(2.0);
     let [x0, y, z, time] = [&inputs[1], &inputs[2], &inputs[3], &inputs[4]];
@@ -156,7 +164,8 @@ pub fn published(parameter: Parameter, sign: f64, inputs: &[Big]) -> [Big; 5] {
     let delay = distance(&event - &half) - distance(&event + &half);
     let right = view(&(time + big(sign) * delay));
     let [dphi, dtheta] = angle_differences(&left, &right);
-    [dphi, dtheta, right.x, right.t, right.doppler]
+    let own_time = right.own_time(&speed, x0);
+    [dphi, dtheta, right.x, right.t, own_time, right.doppler]
 }
 
 /// Eq. (1) as printed. `inputs`: speed parameter, x0, y, z, aperture x, y, z, T.
