@@ -12,7 +12,6 @@ use crate::flags::FieldOfView;
 use crate::flags::choices::{FileKind, GazeChoice};
 use crate::passage::time_within;
 use crate::platform::files;
-use crate::scene::Track;
 use crate::settings::{
     Daylight, FOV_DEGREES, FitSetup, Light, Look, Motion, Playback, Plots, Preset, Quality, Settings,
     SettingsError, Window, looks_like_settings,
@@ -218,17 +217,11 @@ impl State {
                 Some("With the right eye as published, click in the left eye's view.".to_owned());
             return;
         }
-        let view = self.view(pick.eye, pick.size);
-        let line_of_sight = view.camera.line_of_sight(pick.pixel);
-        let Some(hit) = self.session.prepared.first_hit(&view, line_of_sight) else {
-            return;
-        };
-        let motion = self.session.prepared.motion_of(hit.body);
-        let track = Track { rest: hit.material_position().to_array(), motion };
+        let Some((track, body)) = self.point_at(pick.eye, pick.pixel, pick.size) else { return };
         if pick.add {
-            self.session.points.add(track, hit.body);
+            self.session.points.add(track, body);
         } else {
-            self.session.points.replace_selected(track, hit.body);
+            self.session.points.replace_selected(track, body);
         }
     }
 

@@ -100,7 +100,7 @@ fn playback(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let rate = widgets::measure(&mut playback.rate, unit, RATE)
         .speed(unit.shown(0.01))
         .max_decimals(unit.decimals(3).into())
-        .suffix(format!("{} / s", unit.suffix()));
+        .suffix(" / s"); // behind the unit
     ui.add(rate)
         .on_hover_text("How much of T passes in a second of your clock")
         .accessible_name("Playback rate");
@@ -126,6 +126,8 @@ fn scrubber(ui: &mut Ui, state: &State, asks: &mut Asks) {
 const NAMES_HEIGHT: f32 = 15.0;
 /// Least space between two of them.
 const BETWEEN: f32 = 14.0;
+/// A smaller part of the range of T is 0.
+const ROUNDING: f64 = 1e-12;
 
 /// A time to go to: when the selected point is abreast, in one sense of the word or the other.
 struct Mark {
@@ -139,7 +141,11 @@ impl Mark {
     /// Those of the selected point; none at rest.
     fn all(state: &State, visuals: &Visuals) -> Vec<Self> {
         let point = state.session.points.selected();
-        let mark = |name, tip, colour, time: Option<f64>| Some(Self { name, tip, time: time?, colour });
+        // Places in scene files are sums: what is left over of them is no time.
+        let [from, to] = state.time_range();
+        let rounded = |time: f64| if time.abs() < ROUNDING * (to - from) { 0.0 } else { time };
+        let mark =
+            |name, tip, colour, time: Option<f64>| Some(Self { name, tip, time: rounded(time?), colour });
         let presently = state.abreast_time(point);
         let seen = state.equidistance_time(point);
         let marks = [

@@ -19,7 +19,7 @@ use crate::units::Unit;
 /// Width of the names in front of the widgets.
 const NAME_WIDTH: f32 = 88.0;
 /// Width of the numbers behind the sliders.
-const NUMBER_WIDTH: f32 = 62.0;
+const NUMBER_WIDTH: f32 = 68.0;
 
 /// A titled group of rows that can be folded away.
 pub fn section(ui: &mut Ui, title: &str, rows: impl FnOnce(&mut Ui)) {
@@ -72,7 +72,8 @@ impl NumberRow<'_> {
     /// Shows `value`, which is in units of the scene as what it spans is, in `unit`; true if it changed.
     pub fn show_in(&self, ui: &mut Ui, unit: Unit, value: &mut f64) -> bool {
         let [slider, typed] = [&self.slider, &self.typed].map(|span| shown_span(unit, span));
-        let row = NumberRow { slider, typed, suffix: &unit.suffix(), ..self.clone() };
+        let decimals = if unit == Unit::OWN { self.decimals } else { unit.decimals(3).into() };
+        let row = NumberRow { slider, typed, decimals, suffix: &unit.suffix(), ..self.clone() };
         let mut shown = unit.shown(*value);
         let changed = row.show(ui, &mut shown);
         if changed {

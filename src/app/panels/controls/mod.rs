@@ -8,6 +8,7 @@ use relativity_render::Geometry;
 
 use super::Asks;
 use crate::app::command::Command;
+use crate::app::dial;
 use crate::app::state::State;
 use crate::app::widgets::{NumberRow, choice, row, section};
 use crate::flags::FieldOfView;
@@ -89,7 +90,7 @@ fn look(ui: &mut Ui, state: &State, asks: &mut Asks) {
     gaze_row(ui, state, &mut look);
     field_of_view_rows(ui, state, &mut look, asks);
     corrected_row(ui, state.settings.window, asks);
-    words_row(ui, state.settings.window, asks);
+    words_row(ui, state.settings.window, state.measures().time, asks);
     quality(ui, state.settings.quality, asks);
     if look != state.settings.look {
         asks.push(Command::Look(look));
@@ -179,12 +180,15 @@ fn corrected_row(ui: &mut Ui, mut window: Window, asks: &mut Asks) {
     });
 }
 
-fn words_row(ui: &mut Ui, before: Window, asks: &mut Asks) {
+fn words_row(ui: &mut Ui, before: Window, unit: Unit, asks: &mut Asks) {
     let mut window = before;
     row(ui, "Below them", "What stands below the views.", |ui| {
         let spectrum = "Which wavelengths arrive of the selected point, among all that there are.";
         ui.checkbox(&mut window.spectrum, "spectrum").on_hover_text(spectrum);
         ui.checkbox(&mut window.sentence, "sentence").on_hover_text("The moment in words.");
+    });
+    row(ui, "In them", "What is drawn into the views.", |ui| {
+        ui.checkbox(&mut window.dials, "clocks").on_hover_text(dial::tip(unit));
     });
     if window != before {
         asks.push(Command::Window(window));

@@ -29,7 +29,7 @@ pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
         row(ui, |ui| samples(ui, &mut setup));
         row(ui, |ui| range(ui, state, &mut setup));
         let area = ScrollArea::vertical().id_salt("fit table").auto_shrink(false);
-        area.show(ui, |ui| table::show(ui, fitting));
+        area.show(ui, |ui| table::show(ui, fitting, state.measures().length));
     });
     if let Some(plots) = plots {
         part(ui, "fit plots", plots, |ui| {
