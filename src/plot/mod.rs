@@ -9,6 +9,7 @@ use std::fmt::Write as _;
 
 use relativity_core::math;
 
+pub use self::scale::round_step;
 use self::scale::{decades, linear_ticks, powers_of_ten, span, widened};
 
 /// Black.

@@ -57,7 +57,8 @@ fn ticks([low, high]: [f64; 2]) -> Vec<f64> {
     (first..=last).map(|n| n as f64 * step).collect()
 }
 
-fn round_step(step: f64) -> f64 {
+/// The least of 1, 2 or 5 times a power of ten that is no less than `step`, which is above 0.
+pub fn round_step(step: f64) -> f64 {
     let power = math::powf(10.0, math::log10(step).floor());
     let leading = step / power;
     power * [1.0, 2.0, 5.0, 10.0].into_iter().find(|&nice| nice >= leading).unwrap_or(10.0)
