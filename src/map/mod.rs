@@ -6,8 +6,11 @@
 
 mod chart;
 mod clip;
+mod diagram;
+mod event;
 mod fit;
 mod instant;
+mod light;
 mod lines;
 mod nearest;
 mod outline;
@@ -16,8 +19,11 @@ mod sight;
 mod ticks;
 
 pub use chart::{Chart, Viewpoint};
+pub use diagram::{Cone, Diagram, home};
+pub use event::{Event, StraightLine};
 pub use fit::{Extent, plan_and_side};
 pub use instant::{Instant, Picture, Places};
+pub use light::{Front, Ray, Worldline, fronts, rays};
 pub use lines::{Line, Lines, Vertex};
 pub use nearest::Nearest;
 pub use projection::Projection;
