@@ -12,7 +12,7 @@ mod instant;
 mod light;
 
 pub use chart::{Chart, Viewpoint};
-pub use diagram::{Cone, Diagram, home};
+pub use diagram::{Cone, Diagram, chart, home};
 pub use event::{Event, Line};
 pub use fit::{Extent, plan_and_side};
 pub use instant::{Instant, Picture, Places};
