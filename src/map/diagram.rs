@@ -6,7 +6,7 @@
 use relativity_core::{DomainError, SourcePoint, math};
 use relativity_render::Velocity;
 
-use super::event::{Event, Line};
+use super::event::{Event, StraightLine};
 use super::light::{Ray, Worldline, rays};
 use super::{Chart, Viewpoint};
 use crate::passage;
@@ -60,8 +60,8 @@ impl Cone {
 
     /// Light that runs along x and reaches the eye from the left, and from the right.
     #[must_use]
-    pub fn asymptotes(&self) -> [Line; 2] {
-        [1.0, -1.0].map(|x| Line { through: self.apex, step: Event { x, t: 1.0 } })
+    pub fn asymptotes(&self) -> [StraightLine; 2] {
+        [1.0, -1.0].map(|x| StraightLine { through: self.apex, step: Event { x, t: 1.0 } })
     }
 }
 
@@ -118,26 +118,26 @@ impl Diagram {
 
     /// The point's worldline.
     #[must_use]
-    pub fn worldline(&self) -> Line {
-        Line { through: self.measured(), step: self.point.step() }
+    pub fn worldline(&self) -> StraightLine {
+        StraightLine { through: self.measured(), step: self.point.step() }
     }
 
     /// The worldlines of the eyes.
     #[must_use]
-    pub fn eyes(&self) -> [Line; 2] {
+    pub fn eyes(&self) -> [StraightLine; 2] {
         let step = Event { x: 0.0, t: 1.0 }.in_frame(self.frame);
-        self.rays.map(|ray| Line { through: ray.received, step })
+        self.rays.map(|ray| StraightLine { through: ray.received, step })
     }
 
     /// All that is now on the ground's clocks, and all that is on those of the scene's frame.
     #[must_use]
-    pub fn nows(&self) -> [Line; 2] {
+    pub fn nows(&self) -> [StraightLine; 2] {
         let back = Velocity { is_backward: !self.scene.is_backward, ..self.scene };
         let along_x = Event { x: 1.0, t: 0.0 };
         let on_ground = [along_x, along_x.in_frame(back)];
         let in_scene = [along_x.in_frame(self.scene), along_x];
         let steps = if self.frame == self.scene { in_scene } else { on_ground };
-        steps.map(|step| Line { through: self.present, step })
+        steps.map(|step| StraightLine { through: self.present, step })
     }
 
     /// The past light cones of the eyes at T.
@@ -406,7 +406,7 @@ mod tests {
     #[test]
     fn a_line_is_cut_at_the_sides_and_nothing_is_left_of_one_that_passes_by() {
         let [low, high] = [Event { x: -1.0, t: 0.0 }, Event { x: 1.0, t: 4.0 }];
-        let line = |x, t| Line { through: Event { x: 0.0, t: 2.0 }, step: Event { x, t } };
+        let line = |x, t| StraightLine { through: Event { x: 0.0, t: 2.0 }, step: Event { x, t } };
         assert_eq!(
             line(0.0, 2.0).within(low, high),
             Some([Event { x: 0.0, t: 0.0 }, Event { x: 0.0, t: 4.0 }])
@@ -415,7 +415,7 @@ mod tests {
             line(1.0, 1.0).within(low, high),
             Some([Event { x: -1.0, t: 1.0 }, Event { x: 1.0, t: 3.0 }])
         );
-        let beside = Line { through: Event { x: 3.0, t: 0.0 }, step: Event { x: 0.0, t: 1.0 } };
+        let beside = StraightLine { through: Event { x: 3.0, t: 0.0 }, step: Event { x: 0.0, t: 1.0 } };
         assert_eq!(beside.within(low, high), None);
     }
 

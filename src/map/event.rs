@@ -36,14 +36,14 @@ impl Event {
 
 /// A straight line of spacetime: a worldline, or all that is at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Line {
+pub struct StraightLine {
     /// An event on it.
     pub through: Event,
     /// A step along it.
     pub step: Event,
 }
 
-impl Line {
+impl StraightLine {
     /// From how many to how many steps it lies in the rectangle from `low` to `high`; `None` if it passes that by.
     #[must_use]
     pub fn part_within(&self, low: Event, high: Event) -> Option<[f64; 2]> {

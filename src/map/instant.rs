@@ -56,6 +56,12 @@ impl<'a> Instant<'a> {
         self.settings.map.frame
     }
 
+    /// How what moves so moves against the ground.
+    #[must_use]
+    pub const fn velocity(&self, motion: Motion) -> Velocity {
+        self.settings.velocity(motion)
+    }
+
     /// Where the left and the right eye are.
     #[must_use]
     pub fn eyes(&self) -> [DVec3; 2] {

@@ -4,7 +4,7 @@
 use relativity_core::DomainError;
 use relativity_render::Velocity;
 
-use super::event::{Event, Line};
+use super::event::{Event, StraightLine};
 use crate::scene::Track;
 use crate::settings::Settings;
 
@@ -31,9 +31,9 @@ impl Worldline {
 
     /// It as the ground has it: from t = 0 on, a step for each unit of time.
     #[must_use]
-    pub fn on_ground(&self) -> Line {
+    pub fn on_ground(&self) -> StraightLine {
         let through = Event { x: self.rest[0] / self.velocity.speed.gamma(), t: 0.0 };
-        Line { through, step: Event { x: self.velocity.beta(), t: 1.0 } }
+        StraightLine { through, step: Event { x: self.velocity.beta(), t: 1.0 } }
     }
 
     /// Its event at the ground's time `t`.

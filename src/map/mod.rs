@@ -5,15 +5,21 @@
 //! have their origin where the eyes' has it at t = 0.
 
 mod chart;
+mod clip;
 mod diagram;
 mod event;
 mod fit;
 mod instant;
 mod light;
+mod lines;
+mod outline;
+mod view;
 
 pub use chart::{Chart, Viewpoint};
 pub use diagram::{Cone, Diagram, chart, home};
-pub use event::{Event, Line};
+pub use event::{Event, StraightLine};
 pub use fit::{Extent, plan_and_side};
 pub use instant::{Instant, Picture, Places};
 pub use light::{Front, Ray, Worldline, fronts, rays};
+pub use lines::{Line, Lines, Vertex};
+pub use view::View;

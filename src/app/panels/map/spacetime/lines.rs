@@ -6,7 +6,7 @@ use super::Sheet;
 use crate::app::observer::Eye;
 use crate::app::panels::map::labels::Labels;
 use crate::app::theme;
-use crate::map::{Event, Line};
+use crate::map::{Event, StraightLine};
 use crate::settings::Frame;
 
 /// Dashes of what is at one time of the frame that is not drawn, and of the light's shadow, points.
@@ -25,12 +25,12 @@ pub fn paint(sheet: &Sheet<'_>, labels: &mut Labels) {
 }
 
 /// What of a line is shown, on screen.
-fn shown(sheet: &Sheet<'_>, line: Line) -> Option<[Pos2; 2]> {
+fn shown(sheet: &Sheet<'_>, line: StraightLine) -> Option<[Pos2; 2]> {
     let [low, high] = sheet.corners();
     line.within(low, high).map(|ends| ends.map(|event| sheet.place(event)))
 }
 
-fn draw(sheet: &Sheet<'_>, labels: &mut Labels, line: Line, stroke: Stroke) {
+fn draw(sheet: &Sheet<'_>, labels: &mut Labels, line: StraightLine, stroke: Stroke) {
     if let Some(ends) = shown(sheet, line) {
         sheet.painter.line_segment(ends, stroke);
         labels.avoid(&ends);
@@ -134,7 +134,7 @@ fn rays(sheet: &Sheet<'_>, labels: &mut Labels) {
     for (eye, ray) in Eye::BOTH.into_iter().zip(sheet.diagram.rays) {
         let colour = theme::eye_colour(eye, sheet.ui.visuals());
         let step = Event { x: ray.received.x - ray.left.x, t: ray.received.t - ray.left.t };
-        let line = Line { through: ray.left, step };
+        let line = StraightLine { through: ray.left, step };
         let [low, high] = sheet.corners();
         let part = line.part_within(low, high).map(|[from, to]| [from.max(0.0), to.min(1.0)]);
         if let Some(part) = part.filter(|[from, to]| from < to) {

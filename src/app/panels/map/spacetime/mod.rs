@@ -15,7 +15,7 @@ use super::labels::Labels;
 use crate::app::command::Command;
 use crate::app::panels::Asks;
 use crate::app::state::State;
-use crate::map::{Chart, Diagram, Event, Line, chart, home};
+use crate::map::{Chart, Diagram, Event, StraightLine, chart, home};
 use crate::settings::Frame;
 
 /// Its name for assistive technology.
@@ -54,7 +54,7 @@ impl Sheet<'_> {
     }
 
     /// The step of `line` at which it comes nearest to `place`, and how far that is off in points.
-    fn nearest(&self, line: Line, place: Pos2) -> (f64, f32) {
+    fn nearest(&self, line: StraightLine, place: Pos2) -> (f64, f32) {
         let [x, t] = self.chart.world([place.x, place.y].map(f64::from));
         let Event { x: dx, t: dt } = line.step;
         let steps = ((x - line.through.x) * dx + (t - line.through.t) * dt) / (dx * dx + dt * dt);
