@@ -13,6 +13,7 @@ use crate::flags::choices::{FileKind, GazeChoice};
 use crate::map::Viewpoint;
 use crate::passage::time_within;
 use crate::platform::files;
+use crate::scene::Track;
 use crate::settings::{
     Daylight, FOV_DEGREES, FitSetup, Frame, Light, Look, Map, Motion, Playback, Plots, Presence, Preset,
     Quality, Settings, SettingsError, Window, looks_like_settings,
