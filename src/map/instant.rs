@@ -56,10 +56,10 @@ impl<'a> Instant<'a> {
         self.settings.map.frame
     }
 
-    /// How what moves so moves against the ground.
+    /// Whether what moves so belongs to the street: it has no speed, whatever the scene's is.
     #[must_use]
-    pub const fn velocity(&self, motion: Motion) -> Velocity {
-        self.settings.velocity(motion)
+    pub fn rests(&self, motion: Motion) -> bool {
+        motion == Motion::Own(Velocity::REST)
     }
 
     /// Where the left and the right eye are.
