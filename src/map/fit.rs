@@ -6,7 +6,7 @@ use relativity_render::{Motion, Shape, Velocity};
 
 use super::{Chart, Viewpoint};
 use crate::scene::Scene;
-use crate::settings::Settings;
+use crate::settings::{Frame, Settings};
 
 /// A box of the world: lowest and highest x, y, z.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,6 +14,8 @@ pub struct Extent(pub [[f64; 2]; 3]);
 
 /// How far it is seen to pass on either side, in its distance.
 const PASSAGE: f64 = 2.0;
+/// At most so much wider is the map in the bicycle's frame.
+const WIDEST: f64 = 2.0;
 /// What is left free behind the eyes, above and beyond what moves, units.
 const MARGIN: f64 = 1.0;
 /// Space between the plan and the view from the side, points.
@@ -28,13 +30,25 @@ impl Extent {
         let z = z.map(|z| z + settings.motion.height_shift);
         let ground = scene.ground_z.map_or(z[0], |ground| ground + settings.motion.height_shift);
         let distance = math::hypot(0.5 * (y[0] + y[1]), 0.5 * (z[0] + z[1]));
-        let reach = PASSAGE * distance.max(MARGIN) + 0.5 * (x[1] - x[0]);
+        let reach = (PASSAGE * distance.max(MARGIN) + 0.5 * (x[1] - x[0])) * widening(settings);
         let middle = 0.5 * (x[0] + x[1]);
         Self([
             [middle - reach, middle + reach],
             [y[0].min(0.0) - MARGIN, y[1].max(0.0) + MARGIN],
             [z[0].min(0.0).min(ground) - 0.5 * MARGIN, z[1].max(0.0) + MARGIN],
         ])
+    }
+}
+
+/// How much wider the map is that has to hold eyes which ride past: from T = 0 on they are gamma beta T away. In steps,
+/// and at most so much that the bicycle stays large enough to be seen.
+fn widening(settings: &Settings) -> f64 {
+    match settings.map.frame {
+        Frame::Ground => 1.0,
+        Frame::Bicycle => {
+            let steps = 2.0 * math::log2(settings.speed().gamma());
+            math::powf(2.0, 0.5 * steps.ceil()).min(WIDEST)
+        }
     }
 }
 

@@ -56,10 +56,10 @@ impl<'a> Instant<'a> {
         self.settings.map.frame
     }
 
-    /// How what moves so moves against the ground.
+    /// Whether what moves so belongs to the street: it has no speed, whatever the scene's is.
     #[must_use]
-    pub const fn velocity(&self, motion: Motion) -> Velocity {
-        self.settings.velocity(motion)
+    pub fn rests(&self, motion: Motion) -> bool {
+        motion == Motion::Own(Velocity::REST)
     }
 
     /// Where the left and the right eye are.
@@ -73,10 +73,7 @@ impl<'a> Instant<'a> {
     #[must_use]
     pub fn places(&self, motion: Motion) -> Places {
         let Settings { motion: set, .. } = self.settings;
-        let frame = match self.frame() {
-            Frame::Ground => Velocity::REST,
-            Frame::Bicycle => Velocity::forward(self.settings.speed()),
-        };
+        let frame = self.settings.frame();
         Places {
             shift: DVec3::new(0.0, set.depth_shift, set.height_shift),
             eyes: self.settings.apertures().map(position),

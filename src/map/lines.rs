@@ -3,13 +3,13 @@
 use std::ops::Range;
 
 use glam::DVec3;
-use relativity_render::{Shape, Velocity};
+use relativity_render::Shape;
 
 use super::fit::ball_around;
 use super::instant::{Instant, Picture, Places};
 use super::outline::{Path, Stroke, outline};
-use super::{Chart, View};
-use crate::scene::Scene;
+use super::{Chart, Projection};
+use crate::scene::{Scene, SceneGroup};
 use crate::settings::Frame;
 
 /// How far a line may be from the curve it stands for, points.
@@ -35,16 +35,24 @@ pub struct Vertex {
 pub struct Line {
     /// The number of the body.
     pub body: usize,
-    /// The number of its group.
-    pub group: usize,
+    /// Whether it rests on the ground.
+    pub rests: bool,
     /// Which of its pictures.
     pub picture: Picture,
     /// Half its thickness; 0 of an edge.
     pub radius: f64,
-    /// The only view that it is drawn in, if not in both.
-    pub only: Option<View>,
+    /// The only projection that it is drawn in, if not in both.
+    pub only: Option<Projection>,
     /// Its points among [`Lines::vertices`].
     vertices: Range<usize>,
+}
+
+impl Line {
+    /// Whether it is drawn in `projection`.
+    #[must_use]
+    pub fn is_in(&self, projection: Projection) -> bool {
+        self.only.is_none_or(|only| only == projection)
+    }
 }
 
 /// All outlines.
@@ -60,34 +68,25 @@ impl Lines {
     #[must_use]
     pub fn new(instant: &Instant, scene: &Scene, charts: &[Chart; 2]) -> Self {
         let mut lines = Self::default();
-        let (street, riders): (Vec<_>, Vec<_>) = (0..scene.groups.len())
-            .partition(|&group| instant.velocity(scene.groups[group].motion) == Velocity::REST);
+        let (street, riders): (Vec<_>, Vec<_>) =
+            scene.groups.iter().partition(|group| instant.rests(group.motion));
         for group in street {
-            lines.add_group(instant, scene, group, Picture::Measured, charts);
+            lines.add_group(&Sampler::new(instant, group, Picture::Measured, charts), scene, group);
         }
         for &picture in pictures(instant.frame()) {
-            for &group in &riders {
-                lines.add_group(instant, scene, group, picture, charts);
+            for group in &riders {
+                lines.add_group(&Sampler::new(instant, group, picture, charts), scene, group);
             }
         }
         lines
     }
 
-    /// Adds the outlines of a group's bodies.
-    fn add_group(
-        &mut self,
-        instant: &Instant,
-        scene: &Scene,
-        number: usize,
-        picture: Picture,
-        charts: &[Chart; 2],
-    ) {
-        let group = &scene.groups[number];
-        let sampler = Sampler { places: instant.places(group.motion), picture, charts };
+    /// Adds the outlines of a group's bodies: not of those too small to be seen, nor of more than can be told apart.
+    fn add_group(&mut self, sampler: &Sampler, scene: &Scene, group: &SceneGroup) {
         for body in group.bodies().step_by(group.count.div_ceil(MOST_BODIES).max(1)) {
             let shape = &scene.bodies[body].shape;
-            if 2.0 * ball_around(shape).1 * charts[0].scale >= SMALLEST {
-                self.add(&sampler, [number, body], shape);
+            if 2.0 * ball_around(shape).1 * sampler.charts[0].scale >= SMALLEST {
+                self.add(sampler, body, shape);
             }
         }
     }
@@ -98,7 +97,7 @@ impl Lines {
         &self.vertices[line.vertices.clone()]
     }
 
-    fn add(&mut self, sampler: &Sampler, [group, body]: [usize; 2], shape: &Shape) {
+    fn add(&mut self, sampler: &Sampler, body: usize, shape: &Shape) {
         let mut strokes = Vec::with_capacity(12);
         outline(shape, &mut strokes);
         for Stroke { path, radius, only } in strokes {
@@ -106,7 +105,8 @@ impl Lines {
             sampler.sample(&path, &mut self.vertices);
             let vertices = first..self.vertices.len();
             if vertices.len() > 1 {
-                self.all.push(Line { body, group, picture: sampler.picture, radius, only, vertices });
+                let Sampler { picture, rests, .. } = *sampler;
+                self.all.push(Line { body, rests, picture, radius, only, vertices });
             }
         }
     }
@@ -125,10 +125,16 @@ const fn pictures(frame: Frame) -> &'static [Picture] {
 struct Sampler<'a> {
     places: Places,
     picture: Picture,
+    rests: bool,
     charts: &'a [Chart; 2],
 }
 
-impl Sampler<'_> {
+impl<'a> Sampler<'a> {
+    fn new(instant: &Instant, group: &SceneGroup, picture: Picture, charts: &'a [Chart; 2]) -> Self {
+        let rests = instant.rests(group.motion);
+        Self { places: instant.places(group.motion), picture, rests, charts }
+    }
+
     /// Adds the points of `path` to `vertices`: none if it has a part that is nowhere.
     fn sample(&self, path: &Path, vertices: &mut Vec<Vertex>) {
         let first = vertices.len();
@@ -171,8 +177,8 @@ impl Sampler<'_> {
 
     /// Whether what is between `ends`, as far as `off` from the straight line, comes into a chart.
     fn is_near(&self, ends: [Vertex; 2], off: f64) -> bool {
-        View::BOTH.into_iter().zip(self.charts).any(|(view, chart)| {
-            let [a, b] = ends.map(|end| view.flat(end.place));
+        Projection::BOTH.into_iter().zip(self.charts).any(|(projection, chart)| {
+            let [a, b] = ends.map(|end| projection.flat(end.place));
             chart.range().into_iter().enumerate().all(|(axis, [low, high])| {
                 a[axis].min(b[axis]) - off <= high && a[axis].max(b[axis]) + off >= low
             })

@@ -4,7 +4,7 @@ use glam::{DQuat, DVec3};
 use relativity_core::math;
 use relativity_render::Shape;
 
-use super::View;
+use super::Projection;
 
 /// A line or a circle at rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,8 +42,8 @@ pub(super) struct Stroke {
     pub path: Path,
     /// Half its thickness; 0 of an edge.
     pub radius: f64,
-    /// The only view that it is drawn in, if not in both.
-    pub only: Option<View>,
+    /// The only projection that it is drawn in, if not in both.
+    pub only: Option<Projection>,
 }
 
 impl Stroke {
@@ -74,11 +74,11 @@ pub(super) fn outline(shape: &Shape, strokes: &mut Vec<Stroke>) {
     }
 }
 
-/// The circle that a ball shows to each view.
+/// The circle that a ball shows to each projection.
 fn great_circles(center: DVec3, radius: f64) -> [Stroke; 2] {
-    View::BOTH.map(|view| {
-        let path = circle(center, view.line_of_sight(), radius);
-        Stroke { only: Some(view), ..Stroke::edge(path) }
+    Projection::BOTH.map(|projection| {
+        let path = circle(center, projection.line_of_sight(), radius);
+        Stroke { only: Some(projection), ..Stroke::edge(path) }
     })
 }
 

@@ -4,14 +4,14 @@ use glam::DVec3;
 
 /// One of the two charts of the space face.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum View {
+pub enum Projection {
     /// From above: x to the right, y up.
     Plan,
     /// From the side, from where the eyes are: x to the right, z up.
     Side,
 }
 
-impl View {
+impl Projection {
     /// Both, from the top.
     pub const BOTH: [Self; 2] = [Self::Plan, Self::Side];
 
