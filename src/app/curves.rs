@@ -6,6 +6,7 @@ use relativity_core::math;
 use relativity_core::{Aperture, Model, PublishedVariant, SourcePoint, Speed, equidistance_time};
 use relativity_render::Velocity;
 
+use crate::app::observer::Eye;
 use crate::passage::time_within;
 
 /// A quantity that is plotted against T.
@@ -21,6 +22,34 @@ pub enum Quantity {
     Theta,
     /// Decimal logarithm of D of the left and the right eye.
     LogDoppler,
+    /// Decimal logarithm of the stereo gain.
+    LogGain,
+    /// Distances of the point, each as a [`DistanceKind`].
+    Distance,
+}
+
+impl Quantity {
+    /// Whether what is plotted is a logarithm.
+    #[must_use]
+    pub const fn is_logarithm(self) -> bool {
+        matches!(self, Self::LogDoppler | Self::LogGain)
+    }
+}
+
+/// A distance of a point at one T.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DistanceKind {
+    /// From the middle between the eyes to where both take it to be: |p|.
+    Stereo,
+    /// From an eye to where it sees the point: R.
+    Seen(Eye),
+    /// From the middle between the eyes to where the point is at T.
+    Measured,
+}
+
+impl DistanceKind {
+    /// All of them, in the order of the curves.
+    pub const ALL: [Self; 4] = [Self::Stereo, Self::Seen(Eye::Left), Self::Seen(Eye::Right), Self::Measured];
 }
 
 /// What a point's curves depend on.
@@ -36,6 +65,8 @@ pub struct CurvesKey {
     pub range: [f64; 2],
     /// Whether the published model is wanted too.
     pub published: bool,
+    /// Whether what two eyes make of it is wanted too.
+    pub stereo: bool,
 }
 
 /// Every curve of one point.
@@ -44,10 +75,13 @@ pub struct Curves {
     key: CurvesKey,
     exact: [Vec<PlotPoint>; EXACT],
     published: [Vec<PlotPoint>; 2],
+    stereo: [Vec<PlotPoint>; STEREO],
 }
 
 /// Delta-phi, Delta-theta, then phi, theta and log D of the left and of the right eye.
 const EXACT: usize = 8;
+/// Log gain, then the distances.
+const STEREO: usize = 1 + DistanceKind::ALL.len();
 
 /// Largest distance of a drawn chord from the curve, as a fraction of the curve's height: a third of a
 /// pixel in a plot 600 pixels high.
@@ -69,12 +103,14 @@ impl Curves {
         let source = key.velocity.reflected_source(key.rest);
         let anchors = bends(&key.velocity.speed, source, key.separation);
         let exact = channels(&sampled(key.range, &anchors, |time| exact_values(&key, time)));
-        let published = if key.published {
-            channels(&sampled(key.range, &anchors, |time| published_values(&key, time)))
-        } else {
-            [Vec::new(), Vec::new()]
-        };
-        Self { key, exact, published }
+        let mut curves = Self { key, exact, published: Default::default(), stereo: Default::default() };
+        if key.published {
+            curves.published = channels(&sampled(key.range, &anchors, |time| published_values(&key, time)));
+        }
+        if key.stereo {
+            curves.stereo = channels(&sampled(key.range, &anchors, |time| stereo_values(&key, time)));
+        }
+        curves
     }
 
     /// What they were made for.
@@ -83,7 +119,7 @@ impl Curves {
         &self.key
     }
 
-    /// The exact curve or, for a quantity of each eye, the pair.
+    /// The exact curve or, for a quantity of each eye, the pair; of distances each kind. Empty for what is not wanted.
     #[must_use]
     pub fn exact(&self, quantity: Quantity) -> &[Vec<PlotPoint>] {
         match quantity {
@@ -92,6 +128,8 @@ impl Curves {
             Quantity::Phi => &self.exact[2..4],
             Quantity::Theta => &self.exact[4..6],
             Quantity::LogDoppler => &self.exact[6..8],
+            Quantity::LogGain => &self.stereo[..1],
+            Quantity::Distance => &self.stereo[1..],
         }
     }
 
@@ -101,7 +139,7 @@ impl Curves {
         match quantity {
             Quantity::DeltaPhi => &self.published[0],
             Quantity::DeltaTheta => &self.published[1],
-            Quantity::Phi | Quantity::Theta | Quantity::LogDoppler => &[],
+            _ => &[],
         }
     }
 }
@@ -126,6 +164,37 @@ fn published_values(key: &CurvesKey, time: f64) -> Option<[f64; 2]> {
     let model = Model::Published(PublishedVariant::AppendixA);
     let both = key.velocity.disparity(model, key.rest, key.separation, time).ok()?;
     let values = [both.dphi, both.dtheta];
+    values.iter().all(|value| value.is_finite()).then_some(values)
+}
+
+/// What two eyes make of a point at one T.
+#[derive(Debug, Clone, Copy)]
+pub struct StereoView {
+    /// The stereo gain.
+    pub gain: f64,
+    /// Of every [`DistanceKind`].
+    pub distances: [f64; DistanceKind::ALL.len()],
+}
+
+/// What two eyes make at `time` of the point of `key`; `None` outside the domain of the core.
+#[must_use]
+pub fn stereo_view(key: &CurvesKey, time: f64) -> Option<StereoView> {
+    let fused = key.velocity.stereo(Model::Exact, key.rest, key.separation, time).ok()?;
+    let both = key.velocity.disparity(Model::Exact, key.rest, key.separation, time).ok()?;
+    let source = key.velocity.reflected_source(key.rest);
+    let measured = [source.x0 + key.velocity.speed.beta() * time, source.y, source.z];
+    let distances = [
+        fused.distance(),
+        both.primary.distance,
+        both.secondary.distance,
+        measured.map(|along| along * along).iter().sum::<f64>().sqrt(),
+    ];
+    Some(StereoView { gain: fused.gain, distances })
+}
+
+fn stereo_values(key: &CurvesKey, time: f64) -> Option<[f64; STEREO]> {
+    let StereoView { gain, distances: [stereo, left, right, measured] } = stereo_view(key, time)?;
+    let values = [math::log10(gain), stereo, left, right, measured];
     values.iter().all(|value| value.is_finite()).then_some(values)
 }
 
@@ -248,7 +317,7 @@ mod tests {
         let velocity = Velocity::from_beta(beta).expect("in range");
         let [x0, y, z] = point;
         let rest = [x0 * velocity.speed.gamma(), y, z];
-        CurvesKey { velocity, rest, separation: 0.3, range: [-2.0, 5.0], published: true }
+        CurvesKey { velocity, rest, separation: 0.3, range: [-2.0, 5.0], published: true, stereo: true }
     }
 
     /// Linear interpolation in a drawn curve.
@@ -288,7 +357,7 @@ mod tests {
         for beta in [0.0, 0.5, 0.999_999_999_999_999_9] {
             for point in [[0.0, 0.0, 0.0], [0.15, 0.0, 0.0], [0.0, 0.0, 1.0], [1e6, 1e-9, 0.0]] {
                 let curves = Curves::new(key(beta, point));
-                let all = curves.exact.iter().chain(&curves.published).flatten();
+                let all = curves.exact.iter().chain(&curves.published).chain(&curves.stereo).flatten();
                 assert!(all.clone().all(|point| point.x.is_finite() && point.y.is_finite()));
                 assert!(all.count() < 10_000, "beta = {beta}, {point:?}");
             }

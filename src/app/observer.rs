@@ -12,7 +12,7 @@ use super::points::Point;
 use super::state::State;
 use crate::caption::Moment;
 use crate::scene::Track;
-use crate::settings::{Look, Settings, Subject};
+use crate::settings::{Look, PlotTab, Settings, Subject};
 
 /// One of the two eyes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -158,6 +158,7 @@ impl State {
             separation: self.settings.motion.d,
             range: self.time_range(),
             published: self.settings.plots.published,
+            stereo: self.settings.plots.plot == PlotTab::Stereo,
         }
     }
 

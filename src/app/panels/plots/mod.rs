@@ -5,6 +5,7 @@ mod accuracy;
 mod axes;
 mod fit;
 mod split;
+mod stereo;
 
 use std::ops::RangeInclusive;
 
@@ -14,7 +15,9 @@ use egui_plot::{HoverPosition, Line, LineStyle, PlotPoint, PlotResponse, PlotUi,
 use relativity_core::math;
 use relativity_core::{Disparity, Sighting};
 
-use self::axes::{Y_AXIS_WIDTH, annotate, bounds, grid, label, plot_over_time, tick, time_at_pointer, unit};
+use self::axes::{
+    Y_AXIS_WIDTH, annotate, bounds, grid, label, plot_over_time, shown_in, tick, time_at_pointer,
+};
 use crate::app::command::Command;
 use crate::app::curves::{Curves, Quantity};
 use crate::app::examination::Examination;
@@ -54,6 +57,7 @@ pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {
         PlotTab::Disparity => &[Quantity::DeltaPhi, Quantity::DeltaTheta],
         PlotTab::Angles => &[Quantity::Phi, Quantity::Theta],
         PlotTab::Doppler => &[Quantity::LogDoppler],
+        PlotTab::Stereo => &[Quantity::LogGain, Quantity::Distance],
         PlotTab::Fit => return fit::show(ui, state, plotted.fitting, asks),
         PlotTab::Accuracy => return accuracy::show(ui, state, plotted.examination, asks),
     };
@@ -76,6 +80,7 @@ fn tabs(ui: &mut Ui, state: &State, asks: &mut Asks) {
             PlotTab::Disparity => ("Disparity", "Δφ and Δθ: how differently the eyes see each point"),
             PlotTab::Angles => ("Angles", "φ and θ of the selected point, each eye"),
             PlotTab::Doppler => ("Doppler", "D of the selected point, each eye"),
+            PlotTab::Stereo => ("Stereo", "How far off two eyes take the selected point to be, and how deep"),
             PlotTab::Fit => ("Fit", "Speed and distance of the selected point, from noisy Δφ and Δθ alone"),
             PlotTab::Accuracy => ("Accuracy", "What each way to draw the views costs, and how far it is off"),
         };
@@ -127,8 +132,10 @@ struct Trace<'a> {
     name: String,
     points: &'a [PlotPoint],
     colour: Color32,
-    dashed: bool,
+    style: LineStyle,
     wide: bool,
+    /// Whether a dot shows where it is at T.
+    dot: bool,
 }
 
 fn titled_plot(ui: &mut Ui, state: &State, curves: &[Curves], quantity: Quantity, asks: &mut Asks) {
@@ -136,6 +143,9 @@ fn titled_plot(ui: &mut Ui, state: &State, curves: &[Curves], quantity: Quantity
     ui.horizontal(|ui| {
         ui.add_space(Y_AXIS_WIDTH);
         ui.label(RichText::new(label(quantity)).strong());
+        if matches!(quantity, Quantity::LogGain | Quantity::Distance) {
+            return stereo::values_now(ui, state, quantity);
+        }
         values_now(ui, state, quantity);
     });
     plot(ui, ui.available_size(), state, curves, quantity, asks);
@@ -144,8 +154,9 @@ fn titled_plot(ui: &mut Ui, state: &State, curves: &[Curves], quantity: Quantity
 /// What the selected point's curves are at T: the disparity, or what each eye sees, in its colour.
 fn values_now(ui: &mut Ui, state: &State, quantity: Quantity) {
     let point = state.session.points.selected();
+    let suffix = shown_in(quantity, Unit::OWN).suffix();
     let difference = |value: fn(&Disparity) -> f64| {
-        figures::fixed_or_none(state.disparity(point).as_ref().map(value), 5) + unit(quantity)
+        figures::fixed_or_none(state.disparity(point).as_ref().map(value), 5) + &suffix
     };
     let of_eye: fn(&Sighting) -> f64 = match quantity {
         Quantity::DeltaPhi => {
@@ -158,11 +169,11 @@ fn values_now(ui: &mut Ui, state: &State, quantity: Quantity) {
         }
         Quantity::Phi => Sighting::phi,
         Quantity::Theta => Sighting::theta,
-        Quantity::LogDoppler => |seen| seen.doppler_factor,
+        _ => |seen| seen.doppler_factor,
     };
     for eye in Eye::BOTH {
         let value = figures::fixed_or_none(state.sighting(point, eye).as_ref().map(of_eye), 5);
-        let text = format!("{} {value}{}", eye.name(), unit(quantity));
+        let text = format!("{} {value}{suffix}", eye.name());
         ui.label(RichText::new(text).color(theme::eye_colour(eye, ui.visuals())));
     }
 }
@@ -181,11 +192,13 @@ fn plot(
     let equidistant = state.equidistance_time(state.session.points.selected());
     let visuals = ui.visuals().clone();
     let now = state.session.time;
-    let unit = state.measures().time;
+    let (unit, shown) = (state.measures().time, shown_in(quantity, state.measures().length));
     let response = plot_over_time(ui, ("plot", label(quantity)), unit, size)
-        .y_grid_spacer(move |input| grid(quantity, input))
-        .y_axis_formatter(move |mark, _: &RangeInclusive<f64>| tick(quantity, mark.value, mark.step_size))
-        .label_formatter(move |hover| hover_text(quantity, unit, hover))
+        .y_grid_spacer(move |input| grid(quantity, shown, input))
+        .y_axis_formatter(move |mark, _: &RangeInclusive<f64>| {
+            tick(quantity, shown.shown(mark.value), shown.shown(mark.step_size))
+        })
+        .label_formatter(move |hover| hover_text(quantity, [unit, shown], hover))
         .show(ui, |plot| {
             plot.set_plot_bounds(bounds);
             if let Some(time) = equidistant {
@@ -213,6 +226,9 @@ fn plot(
 /// What is drawn of `quantity`: of every point for a disparity, of each eye of the selected one else.
 fn traces<'a>(ui: &Ui, state: &State, curves: &'a [Curves], quantity: Quantity) -> Vec<Trace<'a>> {
     let selected = state.session.points.selected_index();
+    if matches!(quantity, Quantity::LogGain | Quantity::Distance) {
+        return curves.get(selected).map(|curves| stereo::traces(ui, curves, quantity)).unwrap_or_default();
+    }
     if !matches!(quantity, Quantity::DeltaPhi | Quantity::DeltaTheta) {
         let Some(curves) = curves.get(selected) else { return Vec::new() };
         let eyes = Eye::BOTH.into_iter().zip(curves.exact(quantity));
@@ -221,8 +237,9 @@ fn traces<'a>(ui: &Ui, state: &State, curves: &'a [Curves], quantity: Quantity) 
                 name: eye.name().to_owned(),
                 points,
                 colour: theme::eye_colour(eye, ui.visuals()),
-                dashed: false,
+                style: LineStyle::Solid,
                 wide: true,
+                dot: true,
             })
             .collect();
     }
@@ -232,14 +249,22 @@ fn traces<'a>(ui: &Ui, state: &State, curves: &'a [Curves], quantity: Quantity) 
         let wide = index == selected;
         let published = curves.published(quantity);
         let name = format!("{}, published", point.name(&state.session.scene));
-        traces.push(Trace { name, points: published, colour, dashed: true, wide });
+        traces.push(Trace {
+            name,
+            points: published,
+            colour,
+            style: LineStyle::dashed_dense(),
+            wide,
+            dot: false,
+        });
         let exact = &curves.exact(quantity)[0];
         traces.push(Trace {
             name: point.name(&state.session.scene),
             points: exact,
             colour,
-            dashed: false,
+            style: LineStyle::Solid,
             wide,
+            dot: true,
         });
     }
     traces
@@ -247,11 +272,10 @@ fn traces<'a>(ui: &Ui, state: &State, curves: &'a [Curves], quantity: Quantity) 
 
 fn draw<'a>(plot: &mut PlotUi<'a>, trace: Trace<'a>, now: f64) {
     let width = if trace.wide { 2.0 } else { 1.2 };
-    let style = if trace.dashed { LineStyle::dashed_dense() } else { LineStyle::Solid };
     // Bands would draw steep parts of a densely sampled curve thinner than the rest.
     let line = Line::new(trace.name, trace.points).allow_band(false);
-    plot.line(line.color(trace.colour).width(width).style(style));
-    if let (false, Some(value)) = (trace.dashed, value_at(trace.points, now)) {
+    plot.line(line.color(trace.colour).width(width).style(trace.style));
+    if let (true, Some(value)) = (trace.dot, value_at(trace.points, now)) {
         let dot = Points::new("now", vec![[now, value]]).color(trace.colour).radius(4.0);
         plot.points(dot.allow_hover(false));
     }
@@ -264,14 +288,14 @@ fn value_at(points: &[PlotPoint], time: f64) -> Option<f64> {
     Some(if b.x > a.x { a.y + (b.y - a.y) * (time - a.x) / (b.x - a.x) } else { b.y })
 }
 
-fn hover_text(quantity: Quantity, time_unit: Unit, hover: &HoverPosition<'_>) -> Option<String> {
+fn hover_text(quantity: Quantity, [time, shown]: [Unit; 2], hover: &HoverPosition<'_>) -> Option<String> {
     let HoverPosition::NearDataPoint { plot_name, position, .. } = hover else { return None };
     let value = match quantity {
-        Quantity::LogDoppler => figures::fixed(math::powf(10.0, position.y), 4),
-        _ => figures::fixed(position.y, 5),
+        _ if quantity.is_logarithm() => figures::fixed(math::powf(10.0, position.y), 4),
+        Quantity::Distance => shown.text(position.y, 3),
+        _ => shown.text(position.y, 5),
     };
-    let time = time_unit.text(position.x, 3);
-    Some(format!("{plot_name}\nT = {time}\n{} = {value}{}", label(quantity), unit(quantity)))
+    Some(format!("{plot_name}\nT = {}\n{} = {value}", time.text(position.x, 3), label(quantity)))
 }
 
 /// Names the plot for assistive technology: what it shows, of what.
