@@ -22,6 +22,8 @@ pub struct Scene {
     /// The point that is selected and followed at first: the forward-most one (largest x) unless the
     /// file chooses another.
     pub tracked: [f64; 3],
+    /// How many metres its unit of length is, if it says so.
+    pub metres: Option<f64>,
     /// Height of the resting ground, if there is one.
     pub ground_z: Option<f64>,
     /// The street on it, along x, in place of a grid: y of the near and of the far kerb of its road, and of the house

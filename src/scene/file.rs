@@ -23,9 +23,9 @@ const OF_EVERY_OBJECT: [&str; 8] =
 pub(super) fn scene(text: &str) -> Result<Scene, Located> {
     let document = DeTable::parse(text).map_err(|error| Located::syntax(text, &error))?;
     let top = Table { text, entries: document.get_ref(), span: 0..0, owner: "a scene" };
-    top.check_keys(&["name", "tracked", "ground_z", "street", "include", "object", "group"])?;
+    top.check_keys(&["name", "metres", "tracked", "ground_z", "street", "include", "object", "group"])?;
     let name = top.needed_string("name")?.to_owned();
-    let ground_z = top.coordinate("ground_z")?;
+    let (metres, ground_z) = (top.size("metres")?, top.coordinate("ground_z")?);
     let street = street(&top)?;
     let tracked = top.point("tracked")?;
     let (objects, groups) = groups(&top, &name)?;
@@ -35,7 +35,8 @@ pub(super) fn scene(text: &str) -> Result<Scene, Located> {
     let Some(forward_most) = forward_most_point(own) else {
         return Err(Located { span: top.span, problem: Problem::Empty });
     };
-    Ok(Scene { name, bodies, names, groups, tracked: tracked.unwrap_or(forward_most), ground_z, street })
+    let tracked = tracked.unwrap_or(forward_most);
+    Ok(Scene { name, bodies, names, groups, tracked, metres, ground_z, street })
 }
 
 /// The kerbs of the road on the ground and the house fronts beyond, from the nearest on.

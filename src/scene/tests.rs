@@ -218,7 +218,7 @@ fn a_syntax_error_names_line_and_column() {
 fn an_unknown_key_is_told_the_keys_there_are() {
     assert_eq!(
         error("name = \"x\"\n\ngroud_z = 1\n"),
-        "balls.toml:3: unknown key `groud_z`: a scene has name, tracked, ground_z, street, include, object, group"
+        "balls.toml:3: unknown key `groud_z`: a scene has name, metres, tracked, ground_z, street, include, object, group"
     );
     assert_eq!(
         object_error("shape = \"sphere\"\ncenter = [0, 3, 2]\nradus = 1"),
@@ -278,6 +278,24 @@ fn a_coordinate_must_be_finite_and_within_reach() {
         error("name = \"x\"\nground_z = nan"),
         "balls.toml:2: ground_z = nan must lie between -1e6 and 1e6"
     );
+}
+
+#[test]
+fn a_scene_may_say_how_long_its_unit_is() {
+    let ball = "[[object]]\nshape = \"sphere\"\ncenter = [0, 3, 2]\nradius = 1";
+    let metres = |line: &str| Scene::parse(&format!("name = \"x\"\n{line}\n{ball}"), "balls.toml");
+    assert_eq!(metres("metres = 0.65").map(|scene| scene.metres).ok(), Some(Some(0.65)));
+    assert_eq!(metres("").map(|scene| scene.metres).ok(), Some(None));
+    for (line, problem) in [
+        ("metres = 0", "must be above 0"),
+        ("metres = -1", "must be above 0"),
+        ("metres = nan", "must lie between 1e-6 and 1e6"),
+        ("metres = inf", "must lie between 1e-6 and 1e6"),
+        ("metres = 1e7", "must lie between 1e-6 and 1e6"),
+        ("metres = \"0.65\"", "must be a number"),
+    ] {
+        assert_eq!(error(&format!("name = \"x\"\n{line}")), format!("balls.toml:2: {line} {problem}"));
+    }
 }
 
 #[test]

@@ -13,6 +13,7 @@ use crate::flags::{
     Exposure, FieldOfView, IntensityExponent, OnOff, SpeedParameter, SpeedSetting, TimeRange, switch,
     temperature, whole_number, within,
 };
+use crate::units::Units;
 
 /// Largest separation, distance and height.
 pub const MAX_LENGTH: f64 = 1e6;
@@ -319,6 +320,54 @@ fn seed(text: &str) -> Result<u64, String> {
     whole_number(text, 0..=MAX_SEED)
 }
 
+/// What the map draws.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Face {
+    /// Places at the present T: a plan, and a view from the side.
+    #[default]
+    Space,
+    /// x against t.
+    Spacetime,
+}
+
+/// The frame in which the map is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Frame {
+    /// That of the street and of the eyes.
+    #[default]
+    Ground,
+    /// That of what moves at the scene's speed.
+    Bicycle,
+}
+
+/// What the map shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Args)]
+#[serde(rename_all = "kebab-case")]
+#[command(next_help_heading = "Map")]
+pub struct Map {
+    /// What the map draws.
+    #[arg(long, value_enum)]
+    pub face: Face,
+    /// The frame in which it is drawn.
+    #[arg(long, value_enum)]
+    pub frame: Frame,
+}
+
+/// Whether a part of the window is shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Presence {
+    /// Where there is room.
+    #[default]
+    Auto,
+    /// Always.
+    On,
+    /// Never.
+    Off,
+}
+
 /// Colours of the window.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -349,6 +398,9 @@ pub struct Window {
     /// Below the views, the moment in a sentence.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub sentence: OnOff,
+    /// The map: what happens, beside what is seen. Hidden, it computes nothing.
+    #[arg(long, value_enum)]
+    pub map: Presence,
     /// The plots.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub plots: OnOff,
@@ -358,6 +410,12 @@ pub struct Window {
     /// The numbers below the controls.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub readout: OnOff,
+    /// At each followed point in the views, a clock that shows the body's own time as the eye sees it.
+    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    pub dials: OnOff,
+    /// Units of the lengths and times that it shows and takes. Files and flags have the scene's own always.
+    #[arg(long, value_enum)]
+    pub units: Units,
     /// Colours of the window.
     #[arg(long, value_enum)]
     pub theme: Theme,
@@ -370,9 +428,12 @@ impl Default for Window {
             corrected: false,
             spectrum: true,
             sentence: true,
+            map: Presence::Auto,
             plots: true,
             controls: true,
             readout: true,
+            dials: true,
+            units: Units::Natural,
             theme: Theme::Dark,
         }
     }

@@ -1,6 +1,6 @@
 //! Exact disparities: how differently two apertures see one point, each through its own light cone.
 
-use crate::apparent::{Aperture, LightCone, Sighting, SourcePoint, check_inputs};
+use crate::apparent::{Aperture, Sighting, SourcePoint, check_inputs, sighting_inside_domain};
 use crate::cone_pair::ConePair;
 use crate::domain::DomainError;
 use crate::speed::Speed;
@@ -58,12 +58,8 @@ pub fn disparity(
     check_inputs(point, secondary, observation_time)?;
     let (dphi, dtheta) =
         ConePair::new(&speed.coefficients(), point, primary, secondary, observation_time).angle_differences();
-    Ok(Disparity {
-        primary: LightCone::new(speed, point, primary, observation_time).sighting(observation_time),
-        secondary: LightCone::new(speed, point, secondary, observation_time).sighting(observation_time),
-        dphi,
-        dtheta,
-    })
+    let seen_by = |aperture| sighting_inside_domain(speed, point, aperture, observation_time);
+    Ok(Disparity { primary: seen_by(primary), secondary: seen_by(secondary), dphi, dtheta })
 }
 
 /// Disparities of `point` between the primary, first aperture of a slice and each of them (itself included); none of

@@ -88,6 +88,7 @@ pub mod passage;
 pub mod published;
 mod real;
 pub mod speed;
+pub mod stereo;
 pub mod threads;
 
 pub use apparent::{Aperture, Sighting, SourcePoint, sighting};
@@ -104,3 +105,4 @@ pub use one_cone::one_cone_disparity;
 pub use passage::{equidistance_time, observation_time_when_seen_at};
 pub use published::{PublishedVariant, printed_apparent_x, published_disparity};
 pub use speed::{MAX_GAMMA, Speed, SpeedError};
+pub use stereo::{Stereo, StereoError, stereo};

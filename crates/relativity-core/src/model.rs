@@ -1,12 +1,13 @@
 //! The binocular models: the ways in which two apertures' views of one point are computed.
 
-use crate::apparent::{Aperture, SourcePoint};
+use crate::apparent::{Aperture, SourcePoint, sighting};
 use crate::cone_pair::ConePair;
 use crate::disparity::{Disparity, disparity};
-use crate::domain::DomainError;
+use crate::domain::{DomainError, check};
 use crate::one_cone::{self, one_cone_disparity};
 use crate::published::{self, PublishedVariant, published_disparity};
 use crate::speed::Speed;
+use crate::stereo::{Stereo, StereoError, stereo};
 
 /// A binocular model.
 ///
@@ -89,6 +90,34 @@ impl Model {
         }
     }
 
+    /// Where `point` is taken to be in this model by the paper's pair of apertures, `separation` apart.
+    ///
+    /// # Accuracy
+    ///
+    /// As [`stereo()`], which it is; with one cone as [`sighting`].
+    ///
+    /// # Errors
+    ///
+    /// A coordinate or time outside the domain; a published model, in which lines of sight do not meet.
+    pub fn stereo(
+        self,
+        speed: &Speed,
+        point: SourcePoint,
+        separation: f64,
+        observation_time: f64,
+    ) -> Result<Stereo, StereoError> {
+        match self {
+            Self::Exact => Ok(stereo(speed, point, separation, observation_time)?),
+            // Both look at one event, which they take to be where it is.
+            Self::OneCone => {
+                check("d", separation)?;
+                let position = sighting(speed, point, Aperture::default(), observation_time)?.position;
+                Ok(Stereo { gain: 1.0, position })
+            }
+            Self::Published(_) => Err(StereoError::Published(self)),
+        }
+    }
+
     /// Both light cones, and by how much the second one's observation time is later. The published model
     /// takes pairs of apertures on a line along x.
     #[inline]
@@ -126,7 +155,9 @@ impl clap::ValueEnum for Model {
     fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
         let help = match self {
             Self::Exact => "Each eye solves its own light cone",
-            Self::OneCone => "As if both eyes received the same events: those that the middle between them receives",
+            Self::OneCone => {
+                "As if both eyes received the same events: those that the middle between them receives"
+            }
             Self::Published(PublishedVariant::AppendixA) => {
                 "The paper's binocular model as its Appendix A prints it"
             }

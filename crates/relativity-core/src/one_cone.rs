@@ -51,7 +51,8 @@ pub fn one_cone_disparity(
     check_inputs(point, Aperture::default(), observation_time)?;
     check("d", separation)?;
     let pair = Aperture::pair(separation);
-    let middle = middle_cone(speed, point, pair, observation_time).sighting(observation_time);
+    let middle =
+        middle_cone(speed, point, pair, observation_time).sighting(speed, point.x0, 0.0, observation_time);
     let cones = cone_pair(speed, point, pair, observation_time);
     let (dphi, dtheta) = cones.angle_differences();
     let sighting = |cone: LightCone<f64>| Sighting {

@@ -32,7 +32,8 @@ impl PublishedVariant {
 /// Disparity of `point` in the published model, for the paper's pair of apertures.
 ///
 /// The secondary sighting is the left aperture's at the shifted time, measured from the left
-/// aperture, as published. A point not on x(0) = 0 is brought there by a shift of both times.
+/// aperture, as published, its own time that of the event seen then. A point not on x(0) = 0 is brought there by a
+/// shift of both times.
 ///
 /// # Accuracy
 ///
@@ -72,19 +73,16 @@ pub fn published_disparity(
     let (pair, shift) = cone_pair(speed, point, separation, observation_time, variant);
     let ConePair { left, right, .. } = pair;
     let (dphi, dtheta) = pair.angle_differences();
-    let primary = left.sighting(observation_time);
+    let primary = left.sighting(speed, point.x0, -separation / 2.0, observation_time);
     let retarded_time = match variant {
         PublishedVariant::TextSign if left.solution.x > 0.0 => {
             receding_text_time(speed, point.x0, separation, &primary, &right)
         }
         _ => later_time(&left, &right, primary.retarded_time, observation_time + shift, shift),
     };
-    Ok(Disparity {
-        primary,
-        secondary: Sighting { retarded_time, ..right.sighting(observation_time + shift) },
-        dphi,
-        dtheta,
-    })
+    let own_time = retarded_time / speed.gamma() - speed.beta() * speed.gamma() * point.x0;
+    let shifted = right.sighting(speed, point.x0, -separation / 2.0, observation_time + shift);
+    Ok(Disparity { primary, secondary: Sighting { retarded_time, own_time, ..shifted }, dphi, dtheta })
 }
 
 /// Both light cones of the published model, and by how much the second is later.

@@ -7,8 +7,8 @@ use relativity_core::batch::{
 };
 use relativity_core::{
     Aperture, Disparity, MAX_COORDINATE, MAX_GAMMA, PublishedVariant, Sighting, SourcePoint, Speed,
-    SpeedError, disparities, disparity, equidistance_time, one_cone_disparity,
-    printed_apparent_x, published_disparity, sighting,
+    SpeedError, disparities, disparity, equidistance_time, one_cone_disparity, printed_apparent_x,
+    published_disparity, sighting,
 };
 
 fn speeds() -> Vec<Speed> {
@@ -34,9 +34,9 @@ fn corners<const N: usize>(stride: usize) -> impl Iterator<Item = [f64; N]> {
 }
 
 fn assert_sighting(seen: &Sighting, context: &str) {
-    let Sighting { position, distance, retarded_time, doppler_factor } = *seen;
+    let Sighting { position, distance, retarded_time, own_time, doppler_factor } = *seen;
     let angles = [seen.phi(), seen.theta()];
-    let all = position.into_iter().chain(angles).chain([distance, retarded_time, doppler_factor]);
+    let all = position.into_iter().chain(angles).chain([distance, retarded_time, own_time, doppler_factor]);
     assert!(all.into_iter().all(f64::is_finite), "{seen:?} for {context}");
     assert!(distance >= 0.0 && doppler_factor > 0.0, "{seen:?} for {context}");
     assert!(seen.intensity(2.0).is_finite() && seen.intensity(4.0).is_finite());

@@ -10,8 +10,8 @@ use rand_chacha::ChaCha8Rng;
 use relativity_core::fit::NOISE_FREE_ERROR;
 use relativity_core::{
     Aperture, Curves, Fit, FitError, FitOptions, Model, Observations, Parameter, Passage, PublishedVariant,
-    Reading, Sample, SourcePoint, Speed, bootstrap, disparity, fit, fit_from,
-    one_cone_disparity, published_disparity,
+    Reading, Sample, SourcePoint, Speed, bootstrap, disparity, fit, fit_from, one_cone_disparity,
+    published_disparity,
 };
 use tally::Tally;
 

@@ -91,7 +91,7 @@ fn f32_sightings_are_as_accurate_as_f32_inputs() {
             .expect("inside the domain");
         let inputs = [&[value], &at[..], &[time]].concat();
         let model = |inputs: &[_]| {
-            let [x, t, _, d, ..] =
+            let [x, t, _, _, d, ..] =
                 model::sighting(parameter, &[inputs, &[crate::arithmetic::big(1.0)]].concat());
             [x, t, d]
         };

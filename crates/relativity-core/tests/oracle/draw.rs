@@ -99,6 +99,13 @@ pub fn separation(rng: &mut ChaCha8Rng, scale: f64) -> f64 {
     }
 }
 
+/// A time for a point at `x0` that passes through a pair of apertures `d` apart: within an aperture, or close to it.
+pub fn time_inside(rng: &mut ChaCha8Rng, beta: f64, x0: f64, d: f64) -> f64 {
+    let aperture = signed(rng, d / 2.0);
+    let time = near(rng, (aperture - x0) / beta, 1e-17);
+    if time.abs() <= 1e10 { time } else { 0.0 }
+}
+
 /// A direction, uniform or close to the axis; a unit vector as far as rounding allows.
 pub fn direction(rng: &mut ChaCha8Rng, critical: f64) -> [f64; 3] {
     let cosine: f64 = match rng.random_range(0..3) {

@@ -18,6 +18,7 @@ use relativity_core::doppler::{intensity_factor, received_wavelength};
 use relativity_core::{
     Aperture, MAX_ERROR_UNITS, PublishedVariant, SourcePoint, Speed, disparity, equidistance_time,
     observation_time_when_seen_at, one_cone_disparity, printed_apparent_x, published_disparity, sighting,
+    stereo,
 };
 use tally::{Case, Tally};
 
@@ -78,7 +79,7 @@ fn sighting_inputs(rng: &mut ChaCha8Rng) -> (Parameter, Speed, Vec<f64>) {
 
 #[test]
 fn sightings_are_as_accurate_as_their_inputs() {
-    let names = ["X", "t", "R", "D", "D^2", "D^3", "D^4", "wavelength", "phi", "theta"];
+    let names = ["X", "t", "tau", "R", "D", "D^2", "D^3", "D^4", "wavelength", "phi", "theta"];
     let tally = Tally::new(names, cases(), |rng| {
         let (parameter, speed, mut inputs) = sighting_inputs(rng);
         let seen = sighting(&speed, point_at(&inputs[1..]), aperture_at(&inputs[4..]), inputs[7])
@@ -87,6 +88,7 @@ fn sightings_are_as_accurate_as_their_inputs() {
         let computed = [
             seen.position[0],
             seen.retarded_time,
+            seen.own_time,
             seen.distance,
             seen.doppler_factor,
             seen.intensity(2.0),
@@ -99,7 +101,10 @@ fn sightings_are_as_accurate_as_their_inputs() {
         case(parameter, inputs, |inputs| model::sighting(parameter, inputs), computed)
     });
     tally.assert_within(MAX_ERROR_UNITS);
-    tally.assert_as_documented(include_str!("../../src/apparent.rs"), &["X", "t", "R", "D", "phi", "theta"]);
+    tally.assert_as_documented(
+        include_str!("../../src/apparent.rs"),
+        &["X", "t", "tau", "R", "D", "phi", "theta"],
+    );
     tally.assert_as_documented(include_str!("../../src/doppler.rs"), &["D^2", "D^3", "D^4", "wavelength"]);
 }
 
@@ -178,6 +183,33 @@ fn disparities_of_apertures_anywhere_keep_their_digits() {
     .assert_as_documented(include_str!("../../src/disparity.rs"), &["general dphi", "general dtheta"]);
 }
 
+/// Those of [`pair_inputs`], and also apertures that coincide, and points that pass through an aperture.
+fn stereo_inputs(rng: &mut ChaCha8Rng) -> (Parameter, Speed, Vec<f64>) {
+    let (parameter, speed, mut inputs) = pair_inputs(rng);
+    match rng.random_range(0..6) {
+        0 => inputs[5] = 0.0,
+        1 => {
+            (inputs[2], inputs[3]) = (0.0, 0.0);
+            inputs[4] = draw::time_inside(rng, speed.beta(), inputs[1], inputs[5]);
+        }
+        _ => {}
+    }
+    (parameter, speed, inputs)
+}
+
+#[test]
+fn stereo_positions_keep_their_digits_however_close_the_apertures() {
+    let names = ["stereo gain", "stereo x", "stereo y", "stereo z"];
+    Tally::new(names, cases(), |rng| {
+        let (parameter, speed, inputs) = stereo_inputs(rng);
+        let fused = stereo(&speed, point_at(&inputs[1..]), inputs[5], inputs[4]).expect("inside the domain");
+        let [x, y, z] = fused.position;
+        case(parameter, inputs, |inputs| model::stereo(parameter, inputs), [fused.gain, x, y, z])
+    })
+    .assert_within(MAX_ERROR_UNITS)
+    .assert_as_documented(include_str!("../../src/stereo.rs"), &names);
+}
+
 #[test]
 fn equidistance_times_are_accurate() {
     Tally::new(["T0"], cases(), |rng| {
@@ -207,13 +239,20 @@ fn the_times_at_which_a_point_is_seen_at_a_place_are_accurate() {
     .assert_as_documented(include_str!("../../src/passage.rs"), &["T"]);
 }
 
-fn assert_published_is_accurate(variant: PublishedVariant, sign: f64, names: [&'static str; 5]) {
+fn assert_published_is_accurate(variant: PublishedVariant, sign: f64, names: [&'static str; 6]) {
     Tally::new(names, cases(), |rng| {
         let (parameter, speed, inputs) = pair_inputs(rng);
         let both = published_disparity(&speed, point_at(&inputs[1..]), inputs[5], inputs[4], variant)
             .expect("inside the domain");
         let seen = both.secondary;
-        let computed = [both.dphi, both.dtheta, seen.position[0], seen.retarded_time, seen.doppler_factor];
+        let computed = [
+            both.dphi,
+            both.dtheta,
+            seen.position[0],
+            seen.retarded_time,
+            seen.own_time,
+            seen.doppler_factor,
+        ];
         case(parameter, inputs, |inputs| model::published(parameter, sign, inputs), computed)
     })
     .assert_within(MAX_ERROR_UNITS)
@@ -222,8 +261,14 @@ fn assert_published_is_accurate(variant: PublishedVariant, sign: f64, names: [&'
 
 #[test]
 fn appendix_a_is_evaluated_accurately() {
-    let names =
-        ["Appendix A dphi", "Appendix A dtheta", "Appendix A X_S", "Appendix A t_S", "Appendix A D_S"];
+    let names = [
+        "Appendix A dphi",
+        "Appendix A dtheta",
+        "Appendix A X_S",
+        "Appendix A t_S",
+        "Appendix A tau_S",
+        "Appendix A D_S",
+    ];
     assert_published_is_accurate(PublishedVariant::AppendixA, -1.0, names);
 }
 
@@ -250,7 +295,7 @@ fn appendix_a_keeps_its_digits_between_the_two_zeros_of_its_elevation_disparity(
 
 #[test]
 fn the_texts_sign_is_evaluated_accurately() {
-    let names = ["text dphi", "text dtheta", "text X_S", "text t_S", "text D_S"];
+    let names = ["text dphi", "text dtheta", "text X_S", "text t_S", "text tau_S", "text D_S"];
     assert_published_is_accurate(PublishedVariant::TextSign, 1.0, names);
 }
 

@@ -56,6 +56,11 @@ impl View {
         Self { x, y, z, r, t, doppler }
     }
 
+    /// gamma (t - beta x) of the event of emission, the point being at `x0` at t = 0.
+    pub fn own_time(&self, (beta, gamma): &(Big, Big), x0: &Big) -> Big {
+        gamma * (&self.t - beta * (x0 + beta * &self.t))
+    }
+
     pub fn phi(&self) -> Big {
         atan2(&self.y, &self.x)
     }
@@ -65,16 +70,19 @@ impl View {
     }
 }
 
-/// X, t, R, D, D^3, D^4, the received wavelength of `wavelength`, phi, theta.
+/// X, t, tau, R, D, D^2, D^3, D^4, the received wavelength of `wavelength`, phi, theta.
 ///
 /// `inputs`: speed parameter, x0, y, z, aperture x, y, z, T, wavelength.
-pub fn sighting(parameter: Parameter, inputs: &[Big]) -> [Big; 10] {
-    let view = View::new(&speed(parameter, &inputs[0]), difference(&inputs[1..4], &inputs[4..7]), &inputs[7]);
+pub fn sighting(parameter: Parameter, inputs: &[Big]) -> [Big; 11] {
+    let speed = speed(parameter, &inputs[0]);
+    let view = View::new(&speed, difference(&inputs[1..4], &inputs[4..7]), &inputs[7]);
+    let own_time = view.own_time(&speed, &inputs[1]);
     let squared = square(&view.doppler);
     let (phi, theta) = (view.phi(), view.theta());
     [
         view.x,
         view.t,
+        own_time,
         view.r,
         view.doppler.clone(),
         squared.clone(),
@@ -111,6 +119,21 @@ pub fn pair_views(parameter: Parameter, inputs: &[Big]) -> [Big; 5] {
     let (left, right) = (view(&inputs[1] + &half), view(&inputs[1] - &half));
     let [dphi, dtheta] = angle_differences(&left, &right);
     [left.x, left.t, left.doppler, dphi, dtheta]
+}
+
+/// Gain and position from the crossing of two lines of sight.
+///
+/// The lines from (-+d/2, 0, 0) along (X, y, z) of each eye meet where both are at lambda = d/(`X_l` - `X_r`). At d = 0
+/// that is the limit, of which the gain is gamma D. `inputs` as for [`pair_disparity`].
+pub fn stereo(parameter: Parameter, inputs: &[Big]) -> [Big; 4] {
+    let half = &inputs[5] / big(2.0);
+    let speed = speed(parameter, &inputs[0]);
+    let view = |s0: Big| View::new(&speed, [s0, inputs[2].clone(), inputs[3].clone()], &inputs[4]);
+    let (left, right) = (view(&inputs[1] + &half), view(&inputs[1] - &half));
+    let gain =
+        if inputs[5] == Big::ZERO { &speed.1 * &left.doppler } else { (&left.x - &right.x) / &inputs[5] };
+    let [x, y, z] = [&left.x / &gain - half, left.y / &gain, left.z / &gain];
+    [gain, x, y, z]
 }
 
 /// X from each eye, t, D, dphi and dtheta where both receive what the middle between them does; `inputs` as for
@@ -157,9 +180,9 @@ pub fn equidistance_time(parameter: Parameter, inputs: &[Big]) -> [Big; 1] {
     observation_time_when_seen_at(parameter, &[inputs, &[big(0.0)]].concat())
 }
 
-/// dphi, dtheta, `X_S`, `t_S`, `D_S` of the published model, by Appendix A's sequence of formulas, the delay
-/// entering with `sign`. `inputs`: speed parameter, x0, y, z, T, d.
-pub fn published(parameter: Parameter, sign: f64, inputs: &[Big]) -> [Big; 5] {
+/// dphi, dtheta, `X_S`, `t_S`, `tau_S`, `D_S` of the published model, by Appendix A's sequence of formulas, the
+/// delay entering with `sign`. `inputs`: speed parameter, x0, y, z, T, d.
+pub fn published(parameter: Parameter, sign: f64, inputs: &[Big]) -> [Big; 6] {
     let speed = speed(parameter, &inputs[0]);
     let half = &inputs[5] / big(2.0);
     let [x0, y, z, time] = [&inputs[1], &inputs[2], &inputs[3], &inputs[4]];
@@ -170,7 +193,8 @@ pub fn published(parameter: Parameter, sign: f64, inputs: &[Big]) -> [Big; 5] {
     let delay = distance(&event - &half) - distance(&event + &half);
     let right = view(&(time + big(sign) * delay));
     let [dphi, dtheta] = angle_differences(&left, &right);
-    [dphi, dtheta, right.x, right.t, right.doppler]
+    let own_time = right.own_time(&speed, x0);
+    [dphi, dtheta, right.x, right.t, own_time, right.doppler]
 }
 
 /// Eq. (1) as printed. `inputs`: speed parameter, x0, y, z, aperture x, y, z, T.
