@@ -12,6 +12,7 @@ mod eye_colours;
 mod figures;
 pub mod files;
 pub mod flags;
+pub mod map;
 mod passage;
 pub mod platform;
 mod plot;

@@ -10,11 +10,13 @@ use super::observer::Eye;
 use super::state::{Session, State};
 use crate::flags::FieldOfView;
 use crate::flags::choices::{FileKind, GazeChoice};
+use crate::map::Viewpoint;
 use crate::passage::time_within;
 use crate::platform::files;
+use crate::scene::Track;
 use crate::settings::{
-    Daylight, FOV_DEGREES, FitSetup, Light, Look, Motion, Playback, Plots, Preset, Quality, Settings,
-    SettingsError, Window, looks_like_settings,
+    Daylight, FOV_DEGREES, FitSetup, Frame, Light, Look, Map, Motion, Playback, Plots, Presence, Preset,
+    Quality, Settings, SettingsError, Window, looks_like_settings,
 };
 
 /// Something the user asked for.
@@ -32,6 +34,10 @@ pub enum Command {
     Playback(Playback),
     /// New choice of curves.
     Plots(Plots),
+    /// Another face or frame of the map.
+    Map(Map),
+    /// Look at another part of the map.
+    MapView(Viewpoint),
     /// New samples, or another way to fit them.
     Fit(FitSetup),
     /// New layout or theme.
@@ -61,6 +67,8 @@ pub enum Command {
     Frame,
     /// Select the point of the scene at a pixel of an eye's picture.
     Pick(Pick),
+    /// Select a point of the scene.
+    Select(Select),
     /// Select a followed point.
     SelectPoint(usize),
     /// No longer follow a point.
@@ -71,6 +79,10 @@ pub enum Command {
     State(&'static Preset),
     /// Show what is in a file: a scene, settings, or a picture with which settings it was made.
     Open(PathBuf),
+    /// Show or hide the map.
+    ToggleMap,
+    /// Draw the map in the other frame.
+    ToggleFrame,
     /// Show or hide the help.
     ToggleHelp,
     /// Close what can be closed.
@@ -103,6 +115,17 @@ pub struct Pick {
     pub add: bool,
 }
 
+/// A point of the scene.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Select {
+    /// Where it rests, and how that moves.
+    pub track: Track,
+    /// The number of the body it is on.
+    pub body: usize,
+    /// Whether to follow it beside the others.
+    pub add: bool,
+}
+
 impl State {
     /// Does what was asked.
     pub fn apply(&mut self, command: Command) {
@@ -113,6 +136,8 @@ impl State {
             Command::Quality(quality) => self.settings.quality = quality,
             Command::Playback(playback) => self.settings.playback = playback,
             Command::Plots(plots) => self.settings.plots = plots,
+            Command::Map(map) => self.set_map(map),
+            Command::MapView(viewpoint) => self.session.map_view = viewpoint,
             Command::Fit(fit) => self.settings.fit = fit,
             Command::Window(window) => self.set_window(window),
             Command::Time(time) => self.session.time = clock::bounded(time),
@@ -132,6 +157,7 @@ impl State {
                 self.settings.look.fov = FieldOfView(None);
             }
             Command::Pick(pick) => self.pick(pick),
+            Command::Select(Select { track, body, add }) => self.session.points.choose(track, body, add),
             Command::SelectPoint(index) => self.session.points.select(index),
             Command::RemovePoint(index) => self.session.points.remove(index),
             Command::Preset(name) => self.show(self.with_scene(name.to_owned())),
@@ -142,6 +168,17 @@ impl State {
                 Ok(settings) => self.show(settings),
                 Err(error) => self.session.notice = Some(error.to_string()),
             },
+            Command::ToggleMap => {
+                let is_shown = self.session.shows_map;
+                self.settings.window.map = if is_shown { Presence::Off } else { Presence::On };
+            }
+            Command::ToggleFrame => {
+                let frame = match self.settings.map.frame {
+                    Frame::Ground => Frame::Bicycle,
+                    Frame::Bicycle => Frame::Ground,
+                };
+                self.set_map(Map { frame, ..self.settings.map });
+            }
             Command::ToggleHelp => self.session.help = !self.session.help,
             Command::Close => {
                 self.session.help = false;
@@ -166,6 +203,14 @@ impl State {
             self.settings.light.light = Daylight::Theme;
         }
         self.settings.window = window;
+    }
+
+    /// Another map is looked at as a whole first.
+    fn set_map(&mut self, map: Map) {
+        if map != self.settings.map {
+            self.session.map_view = Viewpoint::default();
+        }
+        self.settings.map = map;
     }
 
     fn step(&mut self, steps: i32) {
@@ -217,11 +262,8 @@ impl State {
                 Some("With the right eye as published, click in the left eye's view.".to_owned());
             return;
         }
-        let Some((track, body)) = self.point_at(pick.eye, pick.pixel, pick.size) else { return };
-        if pick.add {
-            self.session.points.add(track, body);
-        } else {
-            self.session.points.replace_selected(track, body);
+        if let Some((track, body)) = self.point_at(pick.eye, pick.pixel, pick.size) {
+            self.session.points.choose(track, body, pick.add);
         }
     }
 
@@ -247,8 +289,9 @@ impl State {
         match Self::open(settings) {
             Ok(state) => {
                 let playing = self.session.playing && !starts_at_a_time;
-                let picture_size = self.session.picture_size;
-                *self = Self { session: Session { playing, picture_size, ..state.session }, ..state };
+                let Session { picture_size, shows_map, .. } = self.session;
+                *self =
+                    Self { session: Session { playing, picture_size, shows_map, ..state.session }, ..state };
             }
             Err(error) => self.session.notice = Some(error.to_string()),
         }

@@ -1,11 +1,11 @@
 //! Where the parts of the window lie. A pure function of its size, so that the parts can be run in the
 //! order in which they depend on each other: controls first, then what follows them in the same frame.
 
-use eframe::egui::{Rect, pos2, vec2};
+use eframe::egui::{Rect, Vec2, pos2, vec2};
 
 use super::observer::Eye;
 use super::theme::{GAP, TITLE_HEIGHT};
-use crate::settings::Window;
+use crate::settings::{Presence, Window};
 
 /// What can stand in a pane. One more is a variant and a line in [`Self::shown`], its switch among the settings of the
 /// [`Window`], a file in `panels`, and an arm where panes are painted.
@@ -55,6 +55,8 @@ pub struct Layout {
     pub sentence: Option<Rect>,
     /// Play, pause, scrubber.
     pub timeline: Rect,
+    /// The map: beside the plots, or in their place, or in that of the views.
+    pub map: Option<Rect>,
     /// Curves over T.
     pub plots: Option<Rect>,
 }
@@ -80,6 +82,12 @@ const PLOTS_SHARE: f32 = 0.38;
 /// Height that the fit with its table and residuals needs. The other tabs get as much, so that the tabs stay in
 /// their place, but none more than half.
 const PLOTS_HEIGHT: f32 = 310.0;
+/// The smallest strip below the views that the map shares with the plots, and the smallest that it takes unasked where
+/// there are none.
+const SHARED_STRIP: Vec2 = vec2(900.0, 280.0);
+const SMALLEST_MAP: Vec2 = vec2(440.0, 240.0);
+/// How much of a shared strip the map takes.
+const MAP_SHARE: f32 = 0.42;
 
 impl Layout {
     /// Whether `content` has a pane.
@@ -98,26 +106,68 @@ impl Layout {
         let without_words = (centre.height() - TIMELINE_HEIGHT).max(0.0);
         let words = words_heights(centre.width(), without_words, window);
         let free = without_words - words.iter().sum::<f32>();
-        let plots_height = (free * PLOTS_SHARE).max(PLOTS_HEIGHT.min(0.5 * free));
-        let views_height = match (window.views, window.plots) {
-            (true, true) if free >= 2.0 * LOWEST => free - plots_height,
+        let strip_height = (free * PLOTS_SHARE).max(PLOTS_HEIGHT.min(0.5 * free));
+        let below = Below::of(vec2(centre.width(), strip_height), window);
+        let map_above = !window.views && window.map != Presence::Off;
+        let upper_height = match (window.views || map_above, below) {
+            (true, Below::Nothing) => free,
+            (true, _) if free >= 2.0 * LOWEST => free - strip_height,
             (true, _) => free,
             (false, _) => 0.0,
         };
-        let (views, rest) = split_top(centre, views_height);
+        let (upper, rest) = split_top(centre, upper_height);
         let (spectrum, rest) = split_top(rest, words[0]);
         let (sentence, rest) = split_top(rest, words[1]);
-        let (timeline, plots) = split_top(rest, TIMELINE_HEIGHT);
+        let (timeline, lower) = split_top(rest, TIMELINE_HEIGHT);
+        let [map, plots] = below.parts(lower);
         let shown = |rect: Rect| (rect.height() > 0.0).then(|| rect.shrink2(vec2(GAP / 2.0, 0.0)));
+        let views = large_enough(upper).filter(|_| window.views);
         Self {
             bar,
             controls,
             readout,
-            panes: large_enough(views).map_or_else(Vec::new, |views| panes(views, window)),
+            panes: views.map_or_else(Vec::new, |views| panes(views, window)),
             spectrum: shown(spectrum),
             sentence: shown(sentence),
             timeline,
-            plots: large_enough(plots).filter(|_| window.plots),
+            map: if map_above { Some(upper) } else { map }.and_then(large_enough),
+            plots: plots.and_then(large_enough),
+        }
+    }
+}
+
+/// What stands below the timeline.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Below {
+    Nothing,
+    Plots,
+    Map,
+    Both,
+}
+
+impl Below {
+    /// What stands in a strip of this `size`.
+    fn of(size: Vec2, window: Window) -> Self {
+        let has_room = |least: Vec2| size.x >= least.x && size.y >= least.y;
+        let map = window.views && window.map != Presence::Off;
+        let is_asked_for = window.map == Presence::On;
+        match (map, window.plots) {
+            (true, true) if has_room(SHARED_STRIP) => Self::Both,
+            (true, true) if is_asked_for => Self::Map,
+            (true, false) if is_asked_for || has_room(SMALLEST_MAP) => Self::Map,
+            (_, true) => Self::Plots,
+            (_, false) => Self::Nothing,
+        }
+    }
+
+    /// Where in `strip` the map and the plots are.
+    fn parts(self, strip: Rect) -> [Option<Rect>; 2] {
+        let (left, right) = split_left(strip, MAP_SHARE * strip.width());
+        match self {
+            Self::Nothing => [None, None],
+            Self::Plots => [None, Some(strip)],
+            Self::Map => [Some(strip), None],
+            Self::Both => [Some(left), Some(right)],
         }
     }
 }
@@ -164,6 +214,11 @@ fn split_top(rect: Rect, height: f32) -> (Rect, Rect) {
     (Rect::from_min_max(rect.min, pos2(rect.max.x, y)), Rect::from_min_max(pos2(rect.min.x, y), rect.max))
 }
 
+fn split_left(rect: Rect, width: f32) -> (Rect, Rect) {
+    let x = rect.min.x + width;
+    (Rect::from_min_max(rect.min, pos2(x, rect.max.y)), Rect::from_min_max(pos2(x, rect.min.y), rect.max))
+}
+
 fn split_right(rect: Rect, width: f32) -> (Rect, Option<Rect>) {
     let x = rect.max.x - width;
     (
@@ -199,7 +254,14 @@ mod tests {
             let window = Rect::from_min_size(pos2(0.0, 0.0), vec2(size[0], size[1]));
             let parts: Vec<Rect> = [Some(layout.bar), Some(layout.timeline)]
                 .into_iter()
-                .chain([layout.controls, layout.readout, layout.plots, layout.spectrum, layout.sentence])
+                .chain([
+                    layout.controls,
+                    layout.readout,
+                    layout.map,
+                    layout.plots,
+                    layout.spectrum,
+                    layout.sentence,
+                ])
                 .chain(layout.panes.iter().map(|pane| Some(pane.rect)))
                 .flatten()
                 .collect();

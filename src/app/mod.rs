@@ -265,6 +265,7 @@ impl App {
         ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
         let layout = Layout::of(area, self.state.settings.window);
         self.measure_pictures(ui, &layout.panes);
+        self.state.session.shows_map = layout.map.is_some();
         let inset = |rect: Rect| rect.shrink2(egui::vec2(theme::GAP, theme::GAP / 2.0));
         self.panel(ui, "bar", inset(layout.bar), panels::bar::show);
         if let Some(rect) = layout.controls {
@@ -273,6 +274,9 @@ impl App {
         self.panel(ui, "timeline", inset(layout.timeline), panels::timeline::show);
         for &pane in &layout.panes {
             self.interact(ui, pane);
+        }
+        if let Some(rect) = layout.map {
+            self.panel(ui, "map", rect, panels::map::show);
         }
         self.update_fit(&ctx, layout.plots.is_some());
         self.update_examination(ui, &layout.panes, layout.plots.is_some());

@@ -78,6 +78,15 @@ impl Points {
         self.all[self.selected] = Point { number, track, body: Some(body) };
     }
 
+    /// Selects the point at `track` on `body`: beside the others if it is to be added, else in place of the selected one.
+    pub fn choose(&mut self, track: Track, body: usize, add: bool) {
+        if add {
+            self.add(track, body);
+        } else {
+            self.replace_selected(track, body);
+        }
+    }
+
     /// Adds and selects the point at `track` on `body`; once there are [`MAX_POINTS`] the selected one
     /// is replaced instead.
     pub fn add(&mut self, track: Track, body: usize) {

@@ -19,7 +19,7 @@ pub struct Shortcut {
 type Binding = (Key, fn(Modifiers) -> Command);
 
 /// All of them.
-pub const SHORTCUTS: [Shortcut; 10] = [
+pub const SHORTCUTS: [Shortcut; 12] = [
     Shortcut { keys: "Space", action: "play, pause", commands: &[(Key::Space, |_| Command::TogglePlaying)] },
     Shortcut {
         keys: "← →",
@@ -61,6 +61,12 @@ pub const SHORTCUTS: [Shortcut; 10] = [
         keys: "F",
         action: "frame: the whole scene in the views",
         commands: &[(Key::F, |_| Command::Frame)],
+    },
+    Shortcut { keys: "M", action: "show or hide the map", commands: &[(Key::M, |_| Command::ToggleMap)] },
+    Shortcut {
+        keys: "G",
+        action: "draw the map in the ground's or the bicycle's frame",
+        commands: &[(Key::G, |_| Command::ToggleFrame)],
     },
     Shortcut {
         keys: "?  F1",

@@ -5,6 +5,7 @@ use relativity_render::{Appearance, Emission, PreparedScene};
 
 use super::clock;
 use super::points::{Point, Points};
+use crate::map::Viewpoint;
 use crate::passage;
 use crate::scene::{Scene, SceneError, Track};
 use crate::settings::{Preset, Settings};
@@ -38,6 +39,10 @@ pub struct Session {
     pub preset: Option<&'static Preset>,
     /// Width and height of an eye's picture, which a field of view is fitted to, pixels.
     pub picture_size: [u32; 2],
+    /// Whether the map is shown.
+    pub shows_map: bool,
+    /// How the user looks at the map.
+    pub map_view: Viewpoint,
     /// A message about the last thing that could not be done.
     pub notice: Option<String>,
 }
@@ -58,6 +63,8 @@ impl State {
             help: false,
             preset,
             picture_size: settings.picture.size.0,
+            shows_map: false,
+            map_view: Viewpoint::default(),
             notice: None,
             scene,
         };

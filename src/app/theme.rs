@@ -42,6 +42,18 @@ pub fn point_colour(number: usize, visuals: &Visuals) -> Color32 {
     either(visuals.dark_mode, COLOURS[(number + MAX_POINTS - 1) % MAX_POINTS])
 }
 
+/// Where two eyes take something to be, on this background.
+#[must_use]
+pub fn stereo_colour(visuals: &Visuals) -> Color32 {
+    either(visuals.dark_mode, [[0xF0, 0x62, 0xB8], [0xB8, 0x1E, 0x7A]])
+}
+
+/// What is measured at one time, on this background.
+#[must_use]
+pub fn measured_colour(visuals: &Visuals) -> Color32 {
+    visuals.strong_text_color()
+}
+
 /// What sets a marker off from any picture.
 #[must_use]
 pub fn halo_colour(visuals: &Visuals) -> Color32 {

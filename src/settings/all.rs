@@ -3,7 +3,7 @@
 use clap::Args;
 use serde::Serialize;
 
-use super::sections::{FitSetup, Light, Look, Motion, Picture, Playback, Plots, Quality, Window};
+use super::sections::{FitSetup, Light, Look, Map, Motion, Picture, Playback, Plots, Quality, Window};
 use crate::flags::{coordinates, finite_number};
 use crate::scene::PRESETS;
 
@@ -38,6 +38,9 @@ pub struct Settings {
     /// How time runs.
     #[command(flatten)]
     pub playback: Playback,
+    /// What the map shows.
+    #[command(flatten)]
+    pub map: Map,
     /// What the plots show.
     #[command(flatten)]
     pub plots: Plots,
@@ -62,6 +65,7 @@ impl Default for Settings {
             quality: Quality::default(),
             picture: Picture::default(),
             playback: Playback::default(),
+            map: Map::default(),
             plots: Plots::default(),
             fit: FitSetup::default(),
             window: Window::default(),

@@ -24,7 +24,8 @@ pub use legacy::Legacy;
 pub use observer::Subject;
 pub use presets::Preset;
 pub use sections::{
-    BOUND_PX, Daylight, FIT_SAMPLES, FOV_DEGREES, FitSetup, Light, Look, MAX_LENGTH, MAX_SEED, Motion,
-    NOISE_PERCENT, Picture, Playback, PlotTab, Plots, Quality, RATE, Theme, USUAL_FOV, Window,
+    BOUND_PX, Daylight, FIT_SAMPLES, FOV_DEGREES, Face, FitSetup, Frame, Light, Look, MAX_LENGTH, MAX_SEED,
+    Map, Motion, NOISE_PERCENT, Picture, Playback, PlotTab, Plots, Presence, Quality, RATE, Theme, USUAL_FOV,
+    Window,
 };
 pub use start::StartArgs;

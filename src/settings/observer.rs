@@ -4,12 +4,12 @@
 use std::sync::Arc;
 
 use glam::DVec3;
-use relativity_core::{Aperture, Disparity, DomainError, Model, SourcePoint, Speed};
+use relativity_core::{Aperture, Disparity, DomainError, Model, SourcePoint, Speed, Stereo, StereoError};
 use relativity_render::exposure::automatic_ev;
 use relativity_render::{Appearance, Camera, Gaze, Geometry, Motion, Outline, PreparedScene, Velocity, View};
 
 use super::all::Settings;
-use super::sections::{Daylight, Light, Look, Theme, USUAL_FOV};
+use super::sections::{Daylight, Frame, Light, Look, Theme, USUAL_FOV};
 use crate::flags::choices::GazeChoice;
 use crate::flags::{Exposure, FieldOfView};
 use crate::passage;
@@ -63,6 +63,15 @@ impl Settings {
         }
     }
 
+    /// The velocity of the frame that the map is drawn in.
+    #[must_use]
+    pub const fn frame(&self) -> Velocity {
+        match self.map.frame {
+            Frame::Ground => Velocity::REST,
+            Frame::Bicycle => Velocity::forward(self.speed()),
+        }
+    }
+
     /// The worldline of `point` from the point between the eyes, reflected to move along +x.
     #[must_use]
     pub fn source(&self, point: &Track) -> SourcePoint {
@@ -76,6 +85,15 @@ impl Settings {
     pub fn disparity(&self, point: &Track, observation_time: f64) -> Result<Disparity, DomainError> {
         let place = self.rest_place(point.rest);
         self.velocity(point.motion).disparity(Model::Exact, place, self.motion.d, observation_time)
+    }
+
+    /// Where the eyes take `point` to be at `observation_time`, each with a light cone of its own.
+    ///
+    /// # Errors
+    /// A time outside the domain of the core.
+    pub fn stereo(&self, point: &Track, observation_time: f64) -> Result<Stereo, StereoError> {
+        let place = self.rest_place(point.rest);
+        self.velocity(point.motion).stereo(Model::Exact, place, self.motion.d, observation_time)
     }
 
     /// The T of a picture for which none is given: when `point` is seen 45 degrees before it is abreast.

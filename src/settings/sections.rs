@@ -320,6 +320,54 @@ fn seed(text: &str) -> Result<u64, String> {
     whole_number(text, 0..=MAX_SEED)
 }
 
+/// What the map draws.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Face {
+    /// Places at the present T: a plan, and a view from the side.
+    #[default]
+    Space,
+    /// x against t.
+    Spacetime,
+}
+
+/// The frame in which the map is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Frame {
+    /// That of the street and of the eyes.
+    #[default]
+    Ground,
+    /// That of what moves at the scene's speed.
+    Bicycle,
+}
+
+/// What the map shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Args)]
+#[serde(rename_all = "kebab-case")]
+#[command(next_help_heading = "Map")]
+pub struct Map {
+    /// What the map draws.
+    #[arg(long, value_enum)]
+    pub face: Face,
+    /// The frame in which it is drawn.
+    #[arg(long, value_enum)]
+    pub frame: Frame,
+}
+
+/// Whether a part of the window is shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Presence {
+    /// Where there is room.
+    #[default]
+    Auto,
+    /// Always.
+    On,
+    /// Never.
+    Off,
+}
+
 /// Colours of the window.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -350,6 +398,9 @@ pub struct Window {
     /// Below the views, the moment in a sentence.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub sentence: OnOff,
+    /// The map: what happens, beside what is seen. Hidden, it computes nothing.
+    #[arg(long, value_enum)]
+    pub map: Presence,
     /// The plots.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub plots: OnOff,
@@ -377,6 +428,7 @@ impl Default for Window {
             corrected: false,
             spectrum: true,
             sentence: true,
+            map: Presence::Auto,
             plots: true,
             controls: true,
             readout: true,

@@ -110,18 +110,21 @@ fn fit() -> impl Strategy<Value = FitSetup> {
 }
 
 fn window() -> impl Strategy<Value = Window> {
-    (any::<[bool; 8]>(), choice::<Units>(), choice::<Theme>()).prop_map(
-        |([views, corrected, spectrum, sentence, plots, controls, readout, dials], units, theme)| Window {
-            views,
-            corrected,
-            spectrum,
-            sentence,
-            plots,
-            controls,
-            readout,
-            dials,
-            units,
-            theme,
+    (any::<[bool; 8]>(), choice::<Presence>(), choice::<Units>(), choice::<Theme>()).prop_map(
+        |([views, corrected, spectrum, sentence, plots, controls, readout, dials], map, units, theme)| {
+            Window {
+                views,
+                corrected,
+                spectrum,
+                sentence,
+                map,
+                plots,
+                controls,
+                readout,
+                dials,
+                units,
+                theme,
+            }
         },
     )
 }
@@ -135,7 +138,7 @@ fn quality_and_picture() -> impl Strategy<Value = (Quality, Picture)> {
     (quality, picture)
 }
 
-fn playback_and_plots() -> impl Strategy<Value = (Playback, Plots)> {
+fn playback_map_and_plots() -> impl Strategy<Value = (Playback, Map, Plots)> {
     let playback = (number(RATE), any::<bool>(), range()).prop_map(|(rate, looping, range)| Playback {
         rate,
         looping,
@@ -146,7 +149,8 @@ fn playback_and_plots() -> impl Strategy<Value = (Playback, Plots)> {
         published,
         heat_map,
     });
-    (playback, plots)
+    let map = (choice::<Face>(), choice::<Frame>()).prop_map(|(face, frame)| Map { face, frame });
+    (playback, map, plots)
 }
 
 fn settings() -> impl Strategy<Value = Settings> {
@@ -155,24 +159,35 @@ fn settings() -> impl Strategy<Value = Settings> {
         proptest::option::of(any_number()),
         proptest::option::of([any_number(), any_number(), any_number()]),
     );
-    (top, motion(), look(), light(), quality_and_picture(), playback_and_plots(), fit(), window()).prop_map(
-        |((scene, time, point), motion, look, light, (quality, picture), (playback, plots), fit, window)| {
-            Settings {
-                scene,
-                time,
-                point,
+    (top, motion(), look(), light(), quality_and_picture(), playback_map_and_plots(), fit(), window())
+        .prop_map(
+            |(
+                (scene, time, point),
                 motion,
                 look,
                 light,
-                quality,
-                picture,
-                playback,
-                plots,
+                (quality, picture),
+                (playback, map, plots),
                 fit,
                 window,
-            }
-        },
-    )
+            )| {
+                Settings {
+                    scene,
+                    time,
+                    point,
+                    motion,
+                    look,
+                    light,
+                    quality,
+                    picture,
+                    playback,
+                    map,
+                    plots,
+                    fit,
+                    window,
+                }
+            },
+        )
 }
 
 /// The settings that a file by `gamow render` records.

@@ -135,6 +135,18 @@ impl<F: Float> ConePair<F> {
         smaller_terms(plain, (self.cross_with_x(x, z, y) * (with_x / sum), z.cross(y) * (with_y / sum)))
     }
 
+    /// `(X_l - X_r)/d` of apertures d apart along x; none for a point inside both.
+    pub fn gain(&self) -> Option<F> {
+        let (left, right) = (&self.left.solution, &self.right.solution);
+        let sum_q = left.q + right.q;
+        (sum_q > F::zero()).then(|| (left.r + right.r) / sum_q)
+    }
+
+    /// The mean of both X; 0 for a point inside both apertures.
+    pub fn mean_x(&self) -> F {
+        if self.gain().is_some() { half(self.apparent_xs().sum) } else { F::zero() }
+    }
+
     /// With q^2 = S^2 + rho^2/gamma^2, X = gamma^2 (S - beta q); so the difference of the two X is
     /// `(dS (R_l + R_r) - beta d(rho^2))/(q_l + q_r)`, in which small separations do not cancel.
     fn apparent_xs(&self) -> ApparentXs<F> {

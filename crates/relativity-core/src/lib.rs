@@ -83,10 +83,12 @@ pub mod doppler;
 pub mod fit;
 pub mod math;
 mod model;
+pub mod one_cone;
 pub mod passage;
 pub mod published;
 mod real;
 pub mod speed;
+pub mod stereo;
 pub mod threads;
 
 pub use apparent::{Aperture, Sighting, SourcePoint, sighting};
@@ -99,6 +101,8 @@ pub use fit::{
     Simulation, fit, fit_from,
 };
 pub use model::Model;
+pub use one_cone::one_cone_disparity;
 pub use passage::{equidistance_time, observation_time_when_seen_at};
 pub use published::{PublishedVariant, printed_apparent_x, published_disparity};
 pub use speed::{MAX_GAMMA, Speed, SpeedError};
+pub use stereo::{Stereo, StereoError, stereo};

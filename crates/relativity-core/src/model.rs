@@ -1,11 +1,13 @@
 //! The binocular models: the ways in which two apertures' views of one point are computed.
 
-use crate::apparent::{Aperture, SourcePoint};
+use crate::apparent::{Aperture, SourcePoint, sighting};
 use crate::cone_pair::ConePair;
 use crate::disparity::{Disparity, disparity};
-use crate::domain::DomainError;
+use crate::domain::{DomainError, check};
+use crate::one_cone::{self, one_cone_disparity};
 use crate::published::{self, PublishedVariant, published_disparity};
 use crate::speed::Speed;
+use crate::stereo::{Stereo, StereoError, stereo};
 
 /// A binocular model.
 ///
@@ -20,14 +22,17 @@ pub enum Model {
     /// Each aperture solves its own light cone.
     #[default]
     Exact,
+    /// Both apertures receive the events that the middle between them receives.
+    OneCone,
     /// The paper's model, which leaves out parallax.
     Published(PublishedVariant),
 }
 
 impl Model {
     /// Every model.
-    pub const ALL: [Self; 3] = [
+    pub const ALL: [Self; 4] = [
         Self::Exact,
+        Self::OneCone,
         Self::Published(PublishedVariant::AppendixA),
         Self::Published(PublishedVariant::TextSign),
     ];
@@ -37,6 +42,7 @@ impl Model {
     pub const fn name(self) -> &'static str {
         match self {
             Self::Exact => "exact",
+            Self::OneCone => "one-cone",
             Self::Published(PublishedVariant::AppendixA) => "published",
             Self::Published(PublishedVariant::TextSign) => "published-text",
         }
@@ -46,7 +52,7 @@ impl Model {
     ///
     /// # Accuracy
     ///
-    /// As [`disparity()`] and [`published_disparity`], which it is.
+    /// As [`disparity()`], [`one_cone_disparity`] and [`published_disparity`], which it is.
     ///
     /// # Errors
     ///
@@ -60,7 +66,7 @@ impl Model {
     /// let speed = Speed::from_beta(0.9)?;
     /// let point = SourcePoint { x0: 0.0, y: 0.5, z: 0.5 };
     /// // What parallax makes of the paper's section 3, at T0: the published model leaves it out.
-    /// let [exact, appendix_a, _] = Model::ALL.map(|model| model.disparity(&speed, point, 0.3, 0.522_5_f64.sqrt()));
+    /// let [exact, _, appendix_a, _] = Model::ALL.map(|model| model.disparity(&speed, point, 0.3, 0.522_5_f64.sqrt()));
     /// assert!((exact?.dphi + 0.582_9).abs() < 1e-4);
     /// assert!(appendix_a?.dphi.abs() < 1e-15);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -77,9 +83,38 @@ impl Model {
                 let [left, right] = Aperture::pair(separation);
                 disparity(speed, point, left, right, observation_time)
             }
+            Self::OneCone => one_cone_disparity(speed, point, separation, observation_time),
             Self::Published(variant) => {
                 published_disparity(speed, point, separation, observation_time, variant)
             }
+        }
+    }
+
+    /// Where `point` is taken to be in this model by the paper's pair of apertures, `separation` apart.
+    ///
+    /// # Accuracy
+    ///
+    /// As [`stereo()`], which it is; with one cone as [`sighting`].
+    ///
+    /// # Errors
+    ///
+    /// A coordinate or time outside the domain; a published model, in which lines of sight do not meet.
+    pub fn stereo(
+        self,
+        speed: &Speed,
+        point: SourcePoint,
+        separation: f64,
+        observation_time: f64,
+    ) -> Result<Stereo, StereoError> {
+        match self {
+            Self::Exact => Ok(stereo(speed, point, separation, observation_time)?),
+            // Both look at one event, which they take to be where it is.
+            Self::OneCone => {
+                check("d", separation)?;
+                let position = sighting(speed, point, Aperture::default(), observation_time)?.position;
+                Ok(Stereo { gain: 1.0, position })
+            }
+            Self::Published(_) => Err(StereoError::Published(self)),
         }
     }
 
@@ -90,14 +125,16 @@ impl Model {
         self,
         speed: &Speed,
         point: SourcePoint,
-        [primary, secondary]: [Aperture; 2],
+        pair: [Aperture; 2],
         observation_time: f64,
     ) -> (ConePair<f64>, f64) {
+        let [primary, secondary] = pair;
         match self {
             Self::Exact => {
                 let coefficients = speed.coefficients();
                 (ConePair::new(&coefficients, point, primary, secondary, observation_time), 0.0)
             }
+            Self::OneCone => (one_cone::cone_pair(speed, point, pair, observation_time), 0.0),
             Self::Published(variant) => {
                 // The paper puts the origin midway between both apertures.
                 let middle = 0.5 * (primary.x + secondary.x);
@@ -118,6 +155,9 @@ impl clap::ValueEnum for Model {
     fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
         let help = match self {
             Self::Exact => "Each eye solves its own light cone",
+            Self::OneCone => {
+                "As if both eyes received the same events: those that the middle between them receives"
+            }
             Self::Published(PublishedVariant::AppendixA) => {
                 "The paper's binocular model as its Appendix A prints it"
             }
@@ -139,6 +179,7 @@ mod saved {
     pub enum Model {
         #[serde(alias = "Exact")]
         Exact,
+        OneCone,
         #[serde(alias = "Published")]
         Published,
         PublishedText,
@@ -148,6 +189,7 @@ mod saved {
         fn from(saved: Model) -> Self {
             match saved {
                 Model::Exact => Self::Exact,
+                Model::OneCone => Self::OneCone,
                 Model::Published => Self::Published(PublishedVariant::AppendixA),
                 Model::PublishedText => Self::Published(PublishedVariant::TextSign),
             }
@@ -158,6 +200,7 @@ mod saved {
         fn from(model: super::Model) -> Self {
             match model {
                 super::Model::Exact => Self::Exact,
+                super::Model::OneCone => Self::OneCone,
                 super::Model::Published(PublishedVariant::AppendixA) => Self::Published,
                 super::Model::Published(PublishedVariant::TextSign) => Self::PublishedText,
             }

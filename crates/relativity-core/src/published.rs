@@ -32,7 +32,8 @@ impl PublishedVariant {
 /// Disparity of `point` in the published model, for the paper's pair of apertures.
 ///
 /// The secondary sighting is the left aperture's at the shifted time, measured from the left
-/// aperture, as published; its emission has that event's own time. A point not on x(0) = 0 is brought there by a shift of both times.
+/// aperture, as published, its own time that of the event seen then. A point not on x(0) = 0 is brought there by a
+/// shift of both times.
 ///
 /// # Accuracy
 ///

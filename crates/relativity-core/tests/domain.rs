@@ -7,7 +7,8 @@ use relativity_core::batch::{
 };
 use relativity_core::{
     Aperture, Disparity, MAX_COORDINATE, MAX_GAMMA, PublishedVariant, Sighting, SourcePoint, Speed,
-    SpeedError, disparities, disparity, equidistance_time, printed_apparent_x, published_disparity, sighting,
+    SpeedError, disparities, disparity, equidistance_time, one_cone_disparity, printed_apparent_x,
+    published_disparity, sighting,
 };
 
 fn speeds() -> Vec<Speed> {
@@ -74,6 +75,8 @@ fn every_disparity_in_the_domain_is_finite() {
                 let both = published_disparity(&speed, point, a, time, variant).expect("inside the domain");
                 assert_disparity(&both, &context);
             }
+            let both = one_cone_disparity(&speed, point, a, time).expect("inside the domain");
+            assert_disparity(&both, &context);
             let t0 = equidistance_time(&speed, point, a).expect("inside the domain");
             assert!(t0.is_none_or(f64::is_finite), "{context}");
         }

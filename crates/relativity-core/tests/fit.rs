@@ -10,11 +10,12 @@ use rand_chacha::ChaCha8Rng;
 use relativity_core::fit::NOISE_FREE_ERROR;
 use relativity_core::{
     Aperture, Curves, Fit, FitError, FitOptions, Model, Observations, Parameter, Passage, PublishedVariant,
-    Reading, Sample, SourcePoint, Speed, bootstrap, disparity, fit, fit_from, published_disparity,
+    Reading, Sample, SourcePoint, Speed, bootstrap, disparity, fit, fit_from, one_cone_disparity,
+    published_disparity,
 };
 use tally::Tally;
 
-const MODELS: [Model; 3] = Model::ALL;
+const MODELS: [Model; 4] = Model::ALL;
 const CURVES: [Curves; 3] = [Curves::Azimuth, Curves::Polar, Curves::Both];
 const PASSAGES: [Passage; 2] = [Passage::Known(0.0), Passage::Fitted];
 
@@ -53,6 +54,7 @@ fn simulated_curves_are_the_disparities() {
         for sample in case.samples(model, 0) {
             let seen = match model {
                 Model::Exact => disparity(&speed, point, left, right, sample.time),
+                Model::OneCone => one_cone_disparity(&speed, point, 0.3, sample.time),
                 Model::Published(variant) => published_disparity(&speed, point, 0.3, sample.time, variant),
             };
             let seen = seen.expect("inside the domain");

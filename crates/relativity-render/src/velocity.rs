@@ -2,7 +2,8 @@
 
 use glam::DVec3;
 use relativity_core::{
-    Disparity, DomainError, MAX_GAMMA, Model, Sighting, SourcePoint, Speed, SpeedError, aberration,
+    Disparity, DomainError, MAX_GAMMA, Model, Sighting, SourcePoint, Speed, SpeedError, Stereo, StereoError,
+    aberration,
 };
 
 /// A velocity along x.
@@ -128,8 +129,26 @@ impl Velocity {
         Ok(Disparity { primary, secondary, dphi: -there.dphi, dtheta: there.dtheta })
     }
 
+    /// Where in this `model` the paper's pair of apertures, `separation` apart, takes the point to be that is at `rest` in
+    /// the frame that moves so.
+    ///
+    /// # Errors
+    ///
+    /// A coordinate or time outside the domain of the core; a published model, which has no such place.
+    pub fn stereo(
+        &self,
+        model: Model,
+        rest: [f64; 3],
+        separation: f64,
+        observation_time: f64,
+    ) -> Result<Stereo, StereoError> {
+        let there = model.stereo(&self.speed, self.reflected_source(rest), separation, observation_time)?;
+        Ok(Stereo { position: self.reflected(there.position.into()).to_array(), ..there })
+    }
+
     /// This velocity as a camera sees it that moves at `camera`: rapidities subtract.
-    pub(crate) fn seen_from(self, camera: Self) -> Self {
+    #[must_use]
+    pub fn seen_from(self, camera: Self) -> Self {
         if camera.is_rest() {
             return self;
         }

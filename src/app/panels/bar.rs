@@ -136,6 +136,14 @@ fn parts(ui: &mut Ui, state: &State, asks: &mut Asks) {
     ui.separator();
     ui.toggle_value(&mut window.controls, "Controls").on_hover_text("Show the controls and the readout");
     ui.toggle_value(&mut window.plots, "Plots").on_hover_text("Show the plots");
+    let mut shows_map = state.session.shows_map;
+    if ui
+        .toggle_value(&mut shows_map, "Map")
+        .on_hover_text("Show what happens, beside what is seen.   Key: M")
+        .changed()
+    {
+        asks.push(Command::ToggleMap);
+    }
     ui.toggle_value(&mut window.views, "Views").on_hover_text("Show what the eyes see");
     if window != state.settings.window {
         asks.push(Command::Window(window));

@@ -7,13 +7,15 @@ use crate::app::command::Command;
 use crate::app::shortcuts::SHORTCUTS;
 use crate::app::state::State;
 
-const MOUSE: [(&str, &str); 6] = [
+const MOUSE: [(&str, &str); 8] = [
     ("Click in a view", "follow that point"),
     ("Shift-click", "compare one more point"),
     ("Drag in a view", "look around"),
     ("Scroll over a view", "zoom"),
     ("Double-click in a view", "follow the point again"),
     ("Click or drag in a plot", "go to that T"),
+    ("Click in the map", "follow that point"),
+    ("Drag, scroll, double-click in the map", "move, zoom, fit it"),
 ];
 
 /// Shows the help, if it is asked for.

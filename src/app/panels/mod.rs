@@ -5,6 +5,7 @@ pub mod bar;
 pub mod controls;
 pub mod corrected;
 pub mod help;
+pub mod map;
 pub mod plots;
 pub mod readout;
 pub mod sentence;

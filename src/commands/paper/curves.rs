@@ -16,6 +16,7 @@ pub const fn title(model: Model) -> &'static str {
         APPENDIX_A => "published (Appendix A)",
         TEXT_SIGN => "published, text's sign",
         Model::Exact => "exact",
+        Model::OneCone => "one light cone",
     }
 }
 

@@ -37,7 +37,7 @@ pub struct RenderArgs {
 fn without_the_windows(flag: Arg) -> Arg {
     let is_the_windows = flag
         .get_help_heading()
-        .is_some_and(|section| ["Playback", "Plots", "Fit", "Window"].contains(&section));
+        .is_some_and(|section| ["Playback", "Map", "Plots", "Fit", "Window"].contains(&section));
     flag.hide(is_the_windows)
 }
 

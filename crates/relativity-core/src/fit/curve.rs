@@ -12,6 +12,7 @@
 use crate::apparent::{Aperture, LightCone, SourcePoint};
 use crate::cone_pair::ConePair;
 use crate::model::Model;
+use crate::one_cone;
 use crate::speed::Speed;
 
 /// Partial derivatives with respect to beta, y, z and t0.
@@ -68,21 +69,23 @@ impl Trial {
         let ConePair { left, right, .. } = &cones;
         let beta = self.speed.beta();
         let ds = [time - self.passage_time, 0.0, 0.0, -beta];
-        let dx = x_gradient(beta, left, ds);
-        let ds_right = match model {
-            Model::Exact => ds,
+        let [dx_left, dx_right] = match model {
+            Model::Exact => [left, right].map(|cone| x_gradient(beta, cone, ds)),
+            Model::OneCone => [x_gradient(beta, &self.middle_cone(pair, time), ds); 2],
             Model::Published(variant) => {
+                let dx = x_gradient(beta, left, ds);
                 let to_secondary = left.solution.x - (pair[1].x - pair[0].x);
                 let ddelay = delay_gradient(left, to_secondary, dx);
                 let sign = variant.delay_sign();
-                std::array::from_fn(|i| {
+                let ds_right = std::array::from_fn(|i| {
                     let dbeta = if i == 0 { shift } else { 0.0 };
                     ds[i] + dbeta + beta * (sign * ddelay[i])
-                })
+                });
+                [dx, x_gradient(beta, right, ds_right)]
             }
         };
-        let [dphi_left, dtheta_left] = angle_gradients(left, dx);
-        let [dphi_right, dtheta_right] = angle_gradients(right, x_gradient(beta, right, ds_right));
+        let [dphi_left, dtheta_left] = angle_gradients(left, dx_left);
+        let [dphi_right, dtheta_right] = angle_gradients(right, dx_right);
         Slopes {
             angles: cones.wanted_angle_differences(wanted).into(),
             gradients: [
@@ -94,8 +97,16 @@ impl Trial {
 
     #[inline]
     fn cone_pair(&self, model: Model, pair: &[Aperture; 2], time: f64) -> (ConePair<f64>, f64) {
-        let point = SourcePoint { x0: self.passage_x, y: self.y, z: self.z };
-        model.cone_pair(&self.speed, point, *pair, time - self.passage_time)
+        model.cone_pair(&self.speed, self.point(), *pair, time - self.passage_time)
+    }
+
+    /// The light cone of the middle between the apertures.
+    fn middle_cone(&self, pair: &[Aperture; 2], time: f64) -> LightCone<f64> {
+        one_cone::middle_cone(&self.speed, self.point(), *pair, time - self.passage_time)
+    }
+
+    const fn point(&self) -> SourcePoint {
+        SourcePoint { x0: self.passage_x, y: self.y, z: self.z }
     }
 }
 
@@ -162,10 +173,12 @@ mod tests {
     fn gradients_are_the_slopes_of_the_curves() {
         let oblique = [Aperture { x: 0.3, y: -0.2, z: 0.1 }, Aperture { x: -0.1, y: 0.15, z: -0.3 }];
         let along_x = [Aperture { x: 0.4, y: 0.1, z: 0.2 }, Aperture { x: 0.9, y: 0.1, z: 0.2 }];
-        let [_, appendix_a, text_sign] = Model::ALL;
+        let [exact, one_cone, appendix_a, text_sign] = Model::ALL;
         let cases = [
-            (Model::Exact, Aperture::pair(0.1)),
-            (Model::Exact, oblique),
+            (exact, Aperture::pair(0.1)),
+            (exact, oblique),
+            (one_cone, Aperture::pair(0.1)),
+            (one_cone, oblique),
             (appendix_a, Aperture::pair(0.3)),
             (appendix_a, along_x),
             (text_sign, Aperture::pair(0.3)),

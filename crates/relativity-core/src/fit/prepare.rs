@@ -178,7 +178,7 @@ fn check_sigmas(observations: &Observations, curve: usize) -> Result<bool, FitEr
 }
 
 fn check_pairs(observations: &Observations, model: Model) -> Result<(), FitError> {
-    if model == Model::Exact {
+    if !matches!(model, Model::Published(_)) {
         return Ok(());
     }
     for (pair, [primary, secondary]) in observations.pairs().iter().enumerate() {

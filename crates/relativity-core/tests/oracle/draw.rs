@@ -64,7 +64,7 @@ pub fn program_speed(parameter: Parameter, value: f64) -> Speed {
 }
 
 /// `value` times 1 + delta, delta from `smallest` to 1.
-fn near(rng: &mut ChaCha8Rng, value: f64, smallest: f64) -> f64 {
+pub fn near(rng: &mut ChaCha8Rng, value: f64, smallest: f64) -> f64 {
     let delta = log_uniform(rng, smallest.log10(), 0.0);
     value * (1.0 + signed(rng, delta))
 }
@@ -97,6 +97,13 @@ pub fn separation(rng: &mut ChaCha8Rng, scale: f64) -> f64 {
     } else {
         scale * log_uniform(rng, -12.0, 0.0)
     }
+}
+
+/// A time for a point at `x0` that passes through a pair of apertures `d` apart: within an aperture, or close to it.
+pub fn time_inside(rng: &mut ChaCha8Rng, beta: f64, x0: f64, d: f64) -> f64 {
+    let aperture = signed(rng, d / 2.0);
+    let time = near(rng, (aperture - x0) / beta, 1e-17);
+    if time.abs() <= 1e10 { time } else { 0.0 }
 }
 
 /// A direction, uniform or close to the axis; a unit vector as far as rounding allows.

@@ -11,12 +11,14 @@ mod tally;
 use arithmetic::{Big, UNIT_F64, error_units};
 use draw::program_speed;
 use model::Parameter;
+use rand::RngExt as _;
 use rand_chacha::ChaCha8Rng;
 use relativity_core::aberration::{doppler_factor, ground_from_rest, rest_from_ground};
 use relativity_core::doppler::{intensity_factor, received_wavelength};
 use relativity_core::{
     Aperture, MAX_ERROR_UNITS, PublishedVariant, SourcePoint, Speed, disparity, equidistance_time,
-    observation_time_when_seen_at, printed_apparent_x, published_disparity, sighting,
+    observation_time_when_seen_at, one_cone_disparity, printed_apparent_x, published_disparity, sighting,
+    stereo,
 };
 use tally::{Case, Tally};
 
@@ -143,6 +145,28 @@ fn disparities_of_the_papers_pair_keep_their_digits_however_close_the_apertures(
 }
 
 #[test]
+fn one_light_cone_for_both_keeps_its_digits_however_close_the_apertures() {
+    let names = ["X_l", "X_r", "t", "D", "dphi", "dtheta"];
+    Tally::new(names, cases(), |rng| {
+        let (parameter, speed, mut inputs) = pair_inputs(rng);
+        // Often the middle sees the point beside an aperture, or between both.
+        if rng.random() {
+            let middle = sighting(&speed, point_at(&inputs[1..]), Aperture::default(), inputs[4]);
+            let x = middle.expect("inside the domain").position[0];
+            inputs[5] = draw::near(rng, 2.0 * x.abs(), 1e-17);
+        }
+        let both = one_cone_disparity(&speed, point_at(&inputs[1..]), inputs[5], inputs[4])
+            .expect("inside the domain");
+        let [left, right] = [both.primary, both.secondary];
+        let [x_left, x_right] = [left, right].map(|seen| seen.position[0]);
+        let computed = [x_left, x_right, left.retarded_time, right.doppler_factor, both.dphi, both.dtheta];
+        case(parameter, inputs, |inputs| model::one_cone(parameter, inputs), computed)
+    })
+    .assert_within(MAX_ERROR_UNITS)
+    .assert_as_documented(include_str!("../../src/one_cone.rs"), &names);
+}
+
+#[test]
 fn disparities_of_apertures_anywhere_keep_their_digits() {
     Tally::new(["general dphi", "general dtheta"], cases(), |rng| {
         let (parameter, speed, sighting) = sighting_inputs(rng);
@@ -156,6 +180,33 @@ fn disparities_of_apertures_anywhere_keep_their_digits() {
     })
     .assert_within(MAX_ERROR_UNITS)
     .assert_as_documented(include_str!("../../src/disparity.rs"), &["general dphi", "general dtheta"]);
+}
+
+/// Those of [`pair_inputs`], and also apertures that coincide, and points that pass through an aperture.
+fn stereo_inputs(rng: &mut ChaCha8Rng) -> (Parameter, Speed, Vec<f64>) {
+    let (parameter, speed, mut inputs) = pair_inputs(rng);
+    match rng.random_range(0..6) {
+        0 => inputs[5] = 0.0,
+        1 => {
+            (inputs[2], inputs[3]) = (0.0, 0.0);
+            inputs[4] = draw::time_inside(rng, speed.beta(), inputs[1], inputs[5]);
+        }
+        _ => {}
+    }
+    (parameter, speed, inputs)
+}
+
+#[test]
+fn stereo_positions_keep_their_digits_however_close_the_apertures() {
+    let names = ["stereo gain", "stereo x", "stereo y", "stereo z"];
+    Tally::new(names, cases(), |rng| {
+        let (parameter, speed, inputs) = stereo_inputs(rng);
+        let fused = stereo(&speed, point_at(&inputs[1..]), inputs[5], inputs[4]).expect("inside the domain");
+        let [x, y, z] = fused.position;
+        case(parameter, inputs, |inputs| model::stereo(parameter, inputs), [fused.gain, x, y, z])
+    })
+    .assert_within(MAX_ERROR_UNITS)
+    .assert_as_documented(include_str!("../../src/stereo.rs"), &names);
 }
 
 #[test]

@@ -32,6 +32,7 @@ pub fn accessors(parameter: Parameter, value: &Big) -> [Big; 7] {
 }
 
 /// One aperture's view, from the definition of the light cone.
+#[derive(Clone)]
 pub struct View {
     pub x: Big,
     pub y: Big,
@@ -118,6 +119,34 @@ pub fn pair_views(parameter: Parameter, inputs: &[Big]) -> [Big; 5] {
     let (left, right) = (view(&inputs[1] + &half), view(&inputs[1] - &half));
     let [dphi, dtheta] = angle_differences(&left, &right);
     [left.x, left.t, left.doppler, dphi, dtheta]
+}
+
+/// Gain and position from the crossing of two lines of sight.
+///
+/// The lines from (-+d/2, 0, 0) along (X, y, z) of each eye meet where both are at lambda = d/(`X_l` - `X_r`). At d = 0
+/// that is the limit, of which the gain is gamma D. `inputs` as for [`pair_disparity`].
+pub fn stereo(parameter: Parameter, inputs: &[Big]) -> [Big; 4] {
+    let half = &inputs[5] / big(2.0);
+    let speed = speed(parameter, &inputs[0]);
+    let view = |s0: Big| View::new(&speed, [s0, inputs[2].clone(), inputs[3].clone()], &inputs[4]);
+    let (left, right) = (view(&inputs[1] + &half), view(&inputs[1] - &half));
+    let gain =
+        if inputs[5] == Big::ZERO { &speed.1 * &left.doppler } else { (&left.x - &right.x) / &inputs[5] };
+    let [x, y, z] = [&left.x / &gain - half, left.y / &gain, left.z / &gain];
+    [gain, x, y, z]
+}
+
+/// X from each eye, t, D, dphi and dtheta where both receive what the middle between them does; `inputs` as for
+/// [`pair_disparity`].
+pub fn one_cone(parameter: Parameter, inputs: &[Big]) -> [Big; 6] {
+    let half = &inputs[5] / big(2.0);
+    let place = std::array::from_fn(|i| inputs[i + 1].clone());
+    let middle = View::new(&speed(parameter, &inputs[0]), place, &inputs[4]);
+    // The event from an aperture: its distance plays no part in the angles.
+    let from = |x: Big| View { x, y: middle.y.clone(), z: middle.z.clone(), ..middle.clone() };
+    let (left, right) = (from(&middle.x + &half), from(&middle.x - &half));
+    let [dphi, dtheta] = angle_differences(&left, &right);
+    [left.x, right.x, middle.t, middle.doppler, dphi, dtheta]
 }
 
 fn angle_differences(left: &View, right: &View) -> [Big; 2] {

@@ -1,0 +1,58 @@
+//! The map: what happens, beside what is seen. A strip to choose its face and its frame, and below it that face, a file
+//! each.
+
+mod axes;
+mod canvas;
+mod labels;
+mod space;
+mod spacetime;
+
+use eframe::egui::{Rect, Ui, UiBuilder, vec2};
+
+use super::Asks;
+use crate::app::command::Command;
+use crate::app::state::State;
+use crate::app::widgets::choice;
+use crate::settings::{Face, Frame};
+
+/// Height of the strip.
+const STRIP_HEIGHT: f32 = 26.0;
+
+/// Shows it.
+pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    let rect = ui.max_rect();
+    let height = STRIP_HEIGHT.min(rect.height());
+    let above = Rect::from_min_size(rect.min, vec2(rect.width(), height));
+    ui.scope_builder(UiBuilder::new().max_rect(above), |ui| strip(ui, state, asks));
+    let below = Rect::from_min_max(above.left_bottom(), rect.max);
+    match state.settings.map.face {
+        Face::Space => space::show(ui, state, below, asks),
+        Face::Spacetime => spacetime::show(ui, state, below, asks),
+    }
+}
+
+const FACES: [(Face, &str, &str); 2] = [
+    (Face::Space, "Space", "Where everything is, from above and from the side."),
+    (Face::Spacetime, "Spacetime", "When everything happens: x against t, light at 45 degrees."),
+];
+
+const FRAMES: [(Frame, &str, &str); 2] = [
+    (Frame::Ground, "Ground's frame", "As the street measures it, where eyes and houses rest.   Key: G"),
+    (
+        Frame::Bicycle,
+        "Bicycle's frame",
+        "As who rides along measures it: eyes and street ride past.   Key: G",
+    ),
+];
+
+fn strip(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    let mut map = state.settings.map;
+    ui.horizontal_centered(|ui| {
+        choice(ui, &mut map.face, &FACES);
+        ui.separator();
+        choice(ui, &mut map.frame, &FRAMES);
+    });
+    if map != state.settings.map {
+        asks.push(Command::Map(map));
+    }
+}

@@ -1,0 +1,57 @@
+//! Which colour is which picture.
+
+use std::sync::Arc;
+
+use eframe::egui::{Color32, FontId, Galley, Rect, Ui, pos2, vec2};
+
+use super::colour;
+use crate::app::state::State;
+use crate::map::Picture;
+use crate::settings::Frame;
+
+/// Its height, and the size of its writing.
+const HEIGHT: f32 = 18.0;
+const FONT: FontId = FontId::proportional(12.5);
+/// Side of a square of colour, and the space after it and after each entry.
+const SQUARE: f32 = 9.0;
+const AFTER: f32 = 5.0;
+const BETWEEN: f32 = 14.0;
+
+/// Each picture in words, and in fewer.
+const WORDS: [(Picture, [&str; 2]); 4] = [
+    (Picture::Measured, ["measured now", "now"]),
+    (Picture::Seen(0), ["left eye sees", "left eye"]),
+    (Picture::Seen(1), ["right eye sees", "right eye"]),
+    (Picture::Stereo, ["both take it to be", "both"]),
+];
+const ON_BOARD: [(Picture, [&str; 2]); 1] =
+    [(Picture::Measured, ["measured now: at rest, at its full length", "measured now"])];
+
+/// Shows it at the top of `rect`; what is left below it.
+pub(super) fn show(ui: &Ui, state: &State, rect: Rect) -> Rect {
+    let entries: &[_] = match state.settings.map.frame {
+        Frame::Ground => &WORDS,
+        Frame::Bicycle => &ON_BOARD,
+    };
+    let laid_out = |which: usize| -> Vec<(Color32, Arc<Galley>)> {
+        let entry = |(picture, words): &(Picture, [&str; 2])| {
+            let text = ui.painter().layout_no_wrap(words[which].to_owned(), FONT, ui.visuals().text_color());
+            (colour(*picture, ui.visuals()), text)
+        };
+        entries.iter().map(entry).collect()
+    };
+    let width = |laid_out: &[(Color32, Arc<Galley>)]| {
+        laid_out.iter().map(|(_, text)| text.size().x + SQUARE + AFTER + BETWEEN).sum::<f32>() - BETWEEN
+    };
+    let long = laid_out(0);
+    let shown = if width(&long) <= rect.width() { long } else { laid_out(1) };
+    let mut left = pos2(rect.min.x, rect.min.y + HEIGHT / 2.0);
+    for (colour, text) in shown {
+        let square = Rect::from_center_size(left + vec2(SQUARE / 2.0, 0.0), vec2(SQUARE, SQUARE));
+        ui.painter().rect_filled(square, 2.0, colour);
+        let place = left + vec2(SQUARE + AFTER, -text.size().y / 2.0);
+        left.x = place.x + text.size().x + BETWEEN;
+        ui.painter().galley(place, text, ui.visuals().text_color());
+    }
+    Rect::from_min_max(pos2(rect.min.x, (rect.min.y + HEIGHT + 2.0).min(rect.max.y)), rect.max)
+}

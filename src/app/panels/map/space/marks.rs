@@ -1,0 +1,50 @@
+//! The eyes, and the followed points in each of their pictures.
+
+use eframe::egui::{Align2, FontId, Painter, Stroke, Ui, vec2};
+
+use super::{Sheet, canvas};
+use crate::app::observer::Eye;
+use crate::app::state::State;
+use crate::app::theme;
+use crate::map::{Instant, Picture, Projection};
+
+const FONT: FontId = FontId::proportional(12.5);
+const EYE_RADIUS: f32 = 4.0;
+/// That of the selected point, and of the others.
+const POINT_RADII: [f32; 2] = [4.0, 3.0];
+
+/// Draws and names them.
+pub(super) fn show(ui: &Ui, painter: &Painter, state: &State, instant: &Instant, sheet: &Sheet) {
+    eyes(ui, painter, instant, sheet);
+    for (index, point) in state.session.points.all().iter().enumerate() {
+        let is_selected = index == state.session.points.selected_index();
+        let radius = POINT_RADII[usize::from(!is_selected)];
+        let colour = theme::point_colour(point.number, ui.visuals());
+        for picture in Picture::ALL {
+            let Some(at) = instant.place(&point.track, picture) else { continue };
+            let place = canvas::place(&sheet.chart, sheet.projection.flat(at));
+            painter.circle_filled(place, radius + 1.5, theme::halo_colour(ui.visuals()));
+            painter.circle(place, radius, colour, Stroke::new(1.5, super::colour(picture, ui.visuals())));
+            let name = point.name(&state.session.scene);
+            canvas::name_place(
+                ui,
+                sheet.room(),
+                place,
+                &format!("{}: {name}, {}", sheet.name(), picture.words()),
+            );
+        }
+    }
+}
+
+fn eyes(ui: &Ui, painter: &Painter, instant: &Instant, sheet: &Sheet) {
+    let sides = [(Align2::RIGHT_CENTER, -1.0), (Align2::LEFT_CENTER, 1.0)];
+    for ((eye, at), (anchor, side)) in Eye::BOTH.into_iter().zip(instant.eyes()).zip(sides) {
+        let place = canvas::place(&sheet.chart, sheet.projection.flat(at));
+        let colour = theme::eye_colour(eye, ui.visuals());
+        painter.circle_filled(place, EYE_RADIUS, colour);
+        if sheet.projection == Projection::Plan {
+            painter.text(place + vec2(side * 9.0, 0.0), anchor, eye.name(), FONT, colour);
+        }
+        canvas::name_place(ui, sheet.room(), place, &format!("{}: {}", sheet.name(), eye.name()));
+    }
+}

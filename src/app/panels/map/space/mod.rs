@@ -1,0 +1,68 @@
+//! Space: the plan above, and below it the view from the side, as of now.
+
+mod backdrop;
+mod legend;
+mod marks;
+mod pictures;
+mod pointer;
+
+use eframe::egui::{Color32, Rect, Ui, Visuals};
+
+use super::canvas;
+use crate::app::observer::Eye;
+use crate::app::panels::Asks;
+use crate::app::state::State;
+use crate::app::theme;
+use crate::map::{Chart, Extent, Instant, Lines, Picture, Projection, plan_and_side};
+
+/// A chart of the face.
+#[derive(Debug, Clone, Copy)]
+struct Sheet {
+    projection: Projection,
+    chart: Chart,
+}
+
+impl Sheet {
+    const fn name(&self) -> &'static str {
+        match self.projection {
+            Projection::Plan => "Map, from above",
+            Projection::Side => "Map, from the side",
+        }
+    }
+
+    fn room(&self) -> Rect {
+        canvas::rect(&self.chart)
+    }
+}
+
+/// Shows it in `rect`.
+pub fn show(ui: &mut Ui, state: &State, rect: Rect, asks: &mut Asks) {
+    let rect = legend::show(ui, state, rect);
+    let charts = charts(state, rect);
+    let instant = Instant::new(&state.settings, state.session.time);
+    let lines = Lines::new(&instant, &state.session.scene, &charts);
+    for (projection, chart) in Projection::BOTH.into_iter().zip(charts) {
+        let sheet = Sheet { projection, chart };
+        let response = canvas::look_around(ui, state, sheet.name(), &chart, projection.axes(), asks);
+        let painter = ui.painter().with_clip_rect(sheet.room().intersect(ui.clip_rect()));
+        backdrop::paint(ui, &painter, state, &instant, &sheet);
+        pictures::paint(ui, &painter, &lines, &sheet);
+        marks::show(ui, &painter, state, &instant, &sheet);
+        pointer::read(ui, &painter, &response, state, &lines, &sheet, asks);
+    }
+}
+
+fn charts(state: &State, rect: Rect) -> [Chart; 2] {
+    let extent = Extent::of_space(&state.settings, &state.session.scene);
+    let area = [rect.min.x, rect.min.y, rect.width(), rect.height()].map(f64::from);
+    plan_and_side(area, &extent, &state.session.map_view)
+}
+
+/// The colour of a picture.
+fn colour(picture: Picture, visuals: &Visuals) -> Color32 {
+    match picture {
+        Picture::Measured => theme::measured_colour(visuals),
+        Picture::Seen(eye) => theme::eye_colour(Eye::BOTH[eye], visuals),
+        Picture::Stereo => theme::stereo_colour(visuals),
+    }
+}

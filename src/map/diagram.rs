@@ -1,0 +1,433 @@
+//! The spacetime face: x against t, with c = 1, of the selected point and both eyes.
+//!
+//! The point passes beside the eyes, not through them. So what is drawn of an eye's past light cone is its cut by the
+//! point's own plane, in which y and z are the point's: a hyperbola, whose asymptotes are light that runs along x.
+
+use relativity_core::{DomainError, SourcePoint, math};
+use relativity_render::Velocity;
+
+use super::event::{Event, StraightLine};
+use super::light::{Ray, Worldline, rays};
+use super::{Chart, Viewpoint};
+use crate::passage;
+use crate::scene::Track;
+use crate::settings::Settings;
+
+/// The past light cone of an eye, cut by the plane in which the point moves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cone {
+    /// The event of reception.
+    pub apex: Event,
+    /// How far from the eyes' line the point passes.
+    pub distance: f64,
+}
+
+impl Cone {
+    /// Pieces of a drawn curve: enough for one of a few hundred pixels.
+    const PIECES: i32 = 64;
+
+    /// The latest t at `x` from which light still reaches the eye.
+    #[must_use]
+    pub fn time(&self, x: f64) -> f64 {
+        self.apex.t - math::hypot(x - self.apex.x, self.distance)
+    }
+
+    /// From where to where it is later than `t`; `None` where that is nowhere.
+    #[must_use]
+    pub fn later_than(&self, t: f64) -> Option<[f64; 2]> {
+        let ago = self.apex.t - t;
+        let reach = ((ago - self.distance) * (ago + self.distance)).sqrt();
+        (ago > self.distance).then(|| [self.apex.x - reach, self.apex.x + reach])
+    }
+
+    /// The curve from `low` to `high`: events that lie close together where it bends.
+    #[must_use]
+    pub fn curve(&self, [low, high]: [f64; 2]) -> Vec<Event> {
+        let [low, high] = [low - self.apex.x, high - self.apex.x];
+        // x - a = rho sinh u, R = rho cosh u; where rho is nothing beside the reach, two straight lines.
+        let bend = self.distance.max(1e-3 * low.abs().max(high.abs()));
+        if !(bend > 0.0 && bend.is_finite()) {
+            return Vec::new();
+        }
+        let [first, last] = [low, high].map(|end| math::asinh(end / bend));
+        let place = |piece| {
+            let u = first + (last - first) * f64::from(piece) / f64::from(Self::PIECES);
+            let x = self.apex.x + bend * math::sinh(u);
+            Event { x, t: self.time(x) }
+        };
+        (0..=Self::PIECES).map(place).collect()
+    }
+
+    /// Light that runs along x and reaches the eye from the left, and from the right.
+    #[must_use]
+    pub fn asymptotes(&self) -> [StraightLine; 2] {
+        [1.0, -1.0].map(|x| StraightLine { through: self.apex, step: Event { x, t: 1.0 } })
+    }
+}
+
+/// What the spacetime face shows of a point at T.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Diagram {
+    /// The frame it is drawn in, by its velocity on the ground.
+    pub frame: Velocity,
+    /// The velocity of the scene: of the frame that it rests in.
+    pub scene: Velocity,
+    /// How the point moves.
+    pub point: Worldline,
+    /// The light that the eyes receive at T.
+    pub rays: [Ray; 2],
+    /// The middle between the eyes at T.
+    pub present: Event,
+    /// T.
+    pub time: f64,
+}
+
+impl Diagram {
+    /// That of `point` when the eyes receive light at `time`, in the frame that moves at `frame`.
+    ///
+    /// # Errors
+    ///
+    /// A time outside the domain of the core.
+    pub fn new(settings: &Settings, point: &Track, time: f64, frame: Velocity) -> Result<Self, DomainError> {
+        Ok(Self {
+            frame,
+            scene: Velocity::forward(settings.speed()),
+            point: Worldline::new(settings, point, frame),
+            rays: rays(settings, point, time, frame)?,
+            present: Event { x: 0.0, t: time }.in_frame(frame),
+            time,
+        })
+    }
+
+    /// The point at T on the ground's clocks: where it is measured then.
+    #[must_use]
+    pub fn measured(&self) -> Event {
+        self.point.at(self.time)
+    }
+
+    /// The ground's time at which the point is, when on the clocks of the scene's frame it is as late there as it is
+    /// between the eyes at T.
+    #[must_use]
+    pub fn scene_now(&self) -> f64 {
+        // All of that frame's now has the t' of (0, T); on the worldline t' is linear in t.
+        let there = |event: Event| event.in_frame(self.scene).t;
+        let on_ground = self.point.on_ground();
+        let (zero, step) = (there(on_ground.through), there(on_ground.step));
+        (there(Event { x: 0.0, t: self.time }) - zero) / step
+    }
+
+    /// The point's worldline.
+    #[must_use]
+    pub fn worldline(&self) -> StraightLine {
+        StraightLine { through: self.measured(), step: self.point.step() }
+    }
+
+    /// The worldlines of the eyes.
+    #[must_use]
+    pub fn eyes(&self) -> [StraightLine; 2] {
+        let step = Event { x: 0.0, t: 1.0 }.in_frame(self.frame);
+        self.rays.map(|ray| StraightLine { through: ray.received, step })
+    }
+
+    /// All that is now on the ground's clocks, and all that is on those of the scene's frame.
+    #[must_use]
+    pub fn nows(&self) -> [StraightLine; 2] {
+        let back = Velocity { is_backward: !self.scene.is_backward, ..self.scene };
+        let along_x = Event { x: 1.0, t: 0.0 };
+        let on_ground = [along_x, along_x.in_frame(back)];
+        let in_scene = [along_x.in_frame(self.scene), along_x];
+        let steps = if self.frame == self.scene { in_scene } else { on_ground };
+        steps.map(|step| StraightLine { through: self.present, step })
+    }
+
+    /// The past light cones of the eyes at T.
+    #[must_use]
+    pub fn cones(&self) -> [Cone; 2] {
+        let [y, z] = self.point.across();
+        self.rays.map(|ray| Cone { apex: ray.received, distance: math::hypot(y, z) })
+    }
+
+    /// When light that leaves the point at the ground's time `t` is received between the eyes.
+    #[must_use]
+    pub fn received(&self, t: f64) -> f64 {
+        let [y, z] = self.point.across();
+        t + math::hypot(self.point.on_ground().at(t).x, math::hypot(y, z))
+    }
+}
+
+/// From where to where the point is seen to pass in what is shown at first, in distances at which it does.
+const SHOWN_PASSAGE: [f64; 2] = [-1.2, 0.2];
+/// What is shown of slow passages, before and after the point is seen abreast, in these distances.
+const LONGEST_SHOWN: f64 = 2.0;
+/// The smallest distance that is made room for.
+const NEAREST: f64 = 0.05;
+
+/// Lowest and highest x and t to show of `point` at `time`: the passage, in the frame that moves at `frame`. It stays
+/// as it is while T is part of that; else it follows the eyes.
+///
+/// # Errors
+///
+/// A time outside the domain of the core.
+pub fn home(
+    settings: &Settings,
+    point: &Track,
+    time: f64,
+    frame: Velocity,
+) -> Result<[Event; 2], DomainError> {
+    let [first, last] = shown_times(settings, point)?;
+    let mut low = Event { x: f64::INFINITY, t: f64::INFINITY };
+    let mut high = Event { x: f64::NEG_INFINITY, t: f64::NEG_INFINITY };
+    for shown in [first, last] {
+        let diagram = Diagram::new(settings, point, shown, frame)?;
+        let here = if frame == diagram.scene { diagram.present } else { diagram.measured() };
+        let ends = diagram.rays.iter().flat_map(|ray| [ray.left, ray.received]);
+        for event in ends.chain([here]) {
+            low = Event { x: low.x.min(event.x), t: low.t.min(event.t) };
+            high = Event { x: high.x.max(event.x), t: high.t.max(event.t) };
+        }
+    }
+    let onward = Event { x: 0.0, t: time - time.clamp(first, last) }.in_frame(frame);
+    Ok([low.plus(onward), high.plus(onward)])
+}
+
+/// Points left free for what stands at the left, at the right, above and below.
+const MARGINS: [f64; 4] = [44.0, 16.0, 22.0, 26.0];
+
+/// The chart in a rectangle (left, top, width, height, points) that holds all from `low` to `high`, as the user looks at
+/// it. One scale serves both axes, so that light runs at 45 degrees.
+#[must_use]
+pub fn chart([left, top, width, height]: [f64; 4], [low, high]: [Event; 2], viewpoint: &Viewpoint) -> Chart {
+    let [before, behind, above, below] = MARGINS;
+    let free = [(width - before - behind).max(0.4 * width), (height - above - below).max(0.4 * height)];
+    let fitted = (free[0] / (high.x - low.x)).min(free[1] / (high.t - low.t));
+    let aside = [0.5 * (before - behind) / fitted, 0.5 * (below - above) / fitted];
+    let center = [0.5 * (low.x + high.x), 0.5 * (low.t + high.t)];
+    Chart {
+        middle: [left + 0.5 * width, top + 0.5 * height],
+        half: [0.5 * width, 0.5 * height],
+        center: [0, 1].map(|axis| center[axis] - aside[axis] + viewpoint.shift[axis]),
+        scale: fitted * viewpoint.zoom,
+    }
+}
+
+/// First and last T of the passage that is shown at first.
+fn shown_times(settings: &Settings, point: &Track) -> Result<[f64; 2], DomainError> {
+    let speed = settings.velocity(point.motion).speed;
+    let source = settings.source(point);
+    let distance = math::hypot(source.y, source.z).max(NEAREST);
+    let passing = SourcePoint { y: distance, z: 0.0, ..source };
+    let seen = |ratio| passage::time_seen_at(ratio, &speed, passing, 0.0);
+    let abreast = seen(0.0)?.unwrap_or_default();
+    let longest = LONGEST_SHOWN * distance;
+    let first = seen(SHOWN_PASSAGE[0])?.map_or(abreast - longest, |first| first.max(abreast - longest));
+    let last = seen(SHOWN_PASSAGE[1])?.map_or(abreast + longest, |last| last.min(abreast + longest));
+    Ok([first, last])
+}
+
+#[cfg(test)]
+mod tests {
+    use relativity_render::Motion;
+
+    use super::*;
+    use crate::flags::{SpeedParameter, SpeedSetting};
+    use crate::map::fronts;
+
+    /// Points that move with the scene, rest on the ground, come the other way, and pass slower.
+    fn tracks() -> Vec<Track> {
+        let own = |beta| Motion::Own(Velocity::from_beta(beta).expect("in range"));
+        let motions = [Motion::Scene, Motion::Own(Velocity::REST), own(-0.8), own(0.5)];
+        motions.map(|motion| Track { rest: [-0.7, 3.0, 2.0], motion }).to_vec()
+    }
+
+    fn settings(parameter: SpeedParameter, value: f64) -> Settings {
+        let mut settings = Settings::default();
+        settings.motion.speed = SpeedSetting::new(parameter, value).expect("a speed");
+        settings
+    }
+
+    /// All that is shown at a few T of all kinds of points at a few speeds, on the ground and in the scene's frame.
+    fn diagrams() -> Vec<[Diagram; 2]> {
+        let mut all = Vec::new();
+        for beta in [0.0, 0.01, 0.6, 0.9, 0.99] {
+            let settings = settings(SpeedParameter::Beta, beta);
+            for track in tracks() {
+                for time in [-6.0, 1.1, 3.6, 20.0] {
+                    let frames = [Velocity::REST, Velocity::forward(settings.speed())];
+                    all.push(
+                        frames.map(|frame| {
+                            Diagram::new(&settings, &track, time, frame).expect("in the domain")
+                        }),
+                    );
+                }
+            }
+        }
+        all
+    }
+
+    /// How large its numbers are.
+    fn scale(diagram: &Diagram) -> f64 {
+        let [left, right] = diagram.rays;
+        let events = [diagram.measured(), left.left, left.received, right.left, right.received];
+        events
+            .iter()
+            .map(|event| event.x.abs().max(event.t.abs()))
+            .fold(diagram.cones()[0].distance, f64::max)
+    }
+
+    #[track_caller]
+    fn assert_same(a: Event, b: Event, scale: f64) {
+        assert!((a.x - b.x).abs() < 1e-12 * scale && (a.t - b.t).abs() < 1e-12 * scale, "{a:?} {b:?}");
+    }
+
+    #[test]
+    fn light_leaves_the_worldline_where_it_meets_the_cone_and_takes_no_interval_in_both_frames() {
+        for diagram in diagrams().iter().flatten() {
+            let scale = scale(diagram);
+            for (ray, cone) in diagram.rays.iter().zip(diagram.cones()) {
+                assert_same(diagram.point.at(ray.happened), ray.left, scale);
+                assert!((cone.time(ray.left.x) - ray.left.t).abs() < 1e-12 * scale, "{diagram:?}");
+                let [x, t] = [ray.received.x - ray.left.x, ray.received.t - ray.left.t];
+                let interval = t * t - x * x - 13.0;
+                assert!(t > 0.0 && interval.abs() < 1e-12 * scale * scale, "{interval} {diagram:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_diagram_of_the_other_frame_is_this_one_transformed() {
+        for [ground, scene] in diagrams() {
+            let (scale, frame) = (scale(&ground).max(scale(&scene)), scene.frame);
+            let there = |event: Event| event.in_frame(frame);
+            for (here, seen) in ground.rays.iter().zip(scene.rays) {
+                assert_same(there(here.left), seen.left, scale);
+                assert_same(there(here.received), seen.received, scale);
+                assert_eq!((here.happened, here.own_time), (seen.happened, seen.own_time));
+            }
+            assert_same(there(ground.measured()), scene.measured(), scale);
+            let now = ground.scene_now();
+            assert!((now - scene.scene_now()).abs() <= 1e-12 * now.abs());
+            assert_same(there(ground.point.at(now)), scene.point.at(now), scale);
+            for (here, there_drawn) in ground.nows().iter().zip(scene.nows()) {
+                assert_same(there(here.step), there_drawn.step, 1.0);
+            }
+            for (here, there_drawn) in ground.eyes().iter().zip(scene.eyes()) {
+                assert_same(there(here.step), there_drawn.step, 1.0);
+            }
+        }
+    }
+
+    #[test]
+    fn each_now_passes_the_point_where_its_clocks_show_the_time_of_the_present() {
+        for [ground, scene] in diagrams() {
+            assert_eq!(ground.measured().t, ground.present.t);
+            let now = scene.point.at(scene.scene_now());
+            assert!((now.t - scene.present.t).abs() < 1e-12 * scale(&scene), "{scene:?}");
+        }
+    }
+
+    #[test]
+    fn a_front_that_left_for_an_eye_reaches_it_in_plan_and_from_the_side() {
+        for diagram in diagrams().iter().flatten() {
+            let scale = scale(diagram);
+            for ray in diagram.rays {
+                let along = ray.received.x - ray.left.x;
+                let [y, z] = diagram.point.across();
+                for (in_plane, across) in [(y, z), (z, y)] {
+                    let radius = ray.front().radius_in_plane(across).expect("it has come so far");
+                    assert!((radius - along.hypot(in_plane)).abs() < 1e-12 * scale * scale, "{diagram:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn fronts_grow_with_time_and_arrive_as_often_as_the_doppler_factor_says() {
+        let settings = settings(SpeedParameter::Beta, 0.9);
+        let track = tracks()[0];
+        let at = |time| Diagram::new(&settings, &track, time, Velocity::REST).expect("in the domain");
+        let diagram = at(2.0);
+        let [earlier, later] = [2.0, 2.25].map(|now| fronts(&diagram.point, now, 0.5).collect::<Vec<_>>());
+        for front in &earlier {
+            assert!((0.0..6.0 * diagram.point.gamma()).contains(&front.radius), "{front:?}");
+            let grown = later.iter().find(|later| later.own_time == front.own_time).expect("it goes on");
+            assert!((grown.radius - front.radius - 0.25).abs() < 1e-12);
+        }
+        let period = 1e-6;
+        let own = 0.5 * (diagram.rays[0].own_time + diagram.rays[1].own_time);
+        let arrival = |own: f64| diagram.received(diagram.point.time(own));
+        let rate = period / (arrival(own + period) - arrival(own));
+        let both = settings.disparity(&track, arrival(own)).expect("in the domain");
+        let expected = 0.5 * (both.primary.doppler_factor + both.secondary.doppler_factor);
+        assert!((rate / expected - 1.0).abs() < 1e-3, "{rate} {expected}");
+    }
+
+    #[test]
+    fn nothing_that_is_shown_is_beyond_all_numbers_at_the_greatest_speeds() {
+        for gamma in [1e9, 1e30] {
+            let settings = settings(SpeedParameter::Gamma, gamma);
+            for track in tracks() {
+                for (time, frame) in [-1e6, 0.0, 4.0]
+                    .into_iter()
+                    .flat_map(|time| [Velocity::REST, Velocity::forward(settings.speed())].map(|f| (time, f)))
+                {
+                    let diagram = Diagram::new(&settings, &track, time, frame).expect("in the domain");
+                    let [low, high] = home(&settings, &track, time, frame).expect("in the domain");
+                    let lines = diagram.nows().into_iter().chain(diagram.eyes()).chain([diagram.worldline()]);
+                    let drawn = lines.filter_map(|line| line.within(low, high)).flatten();
+                    let curves = diagram.cones().into_iter().flat_map(|cone| cone.curve([low.x, high.x]));
+                    for event in drawn.chain(curves).chain([low, high]) {
+                        assert!(event.x.is_finite() && event.t.is_finite(), "{gamma} {diagram:?}");
+                    }
+                    assert!(low.x < high.x && low.t < high.t, "{gamma} {track:?} {low:?} {high:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_shown_at_first_holds_still_while_the_point_passes_and_then_follows() {
+        let settings = settings(SpeedParameter::Beta, 0.9);
+        let track = Track { rest: [0.0, 3.0, 2.0], motion: Motion::Scene };
+        let home = |time| home(&settings, &track, time, Velocity::REST).expect("in the domain");
+        let [low, high] = home(3.6);
+        assert_eq!(home(1.1), [low, high]);
+        assert!((high.t - low.t - (high.x - low.x)).abs() < 5.0, "about square: {low:?} {high:?}");
+        for time in [1.1, 3.6, 4.3] {
+            let diagram = Diagram::new(&settings, &track, time, Velocity::REST).expect("in the domain");
+            for event in diagram.rays.iter().flat_map(|ray| [ray.left, ray.received]) {
+                assert!((low.x..=high.x).contains(&event.x) && (low.t..=high.t).contains(&event.t));
+            }
+        }
+        let later = home(100.0);
+        assert_eq!([later[0].x, later[1].x], [low.x, high.x]);
+        assert!(later[1].t == 100.0 && later[1].t - later[0].t - (high.t - low.t) < 1e-12);
+    }
+
+    #[test]
+    fn a_line_is_cut_at_the_sides_and_nothing_is_left_of_one_that_passes_by() {
+        let [low, high] = [Event { x: -1.0, t: 0.0 }, Event { x: 1.0, t: 4.0 }];
+        let line = |x, t| StraightLine { through: Event { x: 0.0, t: 2.0 }, step: Event { x, t } };
+        assert_eq!(
+            line(0.0, 2.0).within(low, high),
+            Some([Event { x: 0.0, t: 0.0 }, Event { x: 0.0, t: 4.0 }])
+        );
+        assert_eq!(
+            line(1.0, 1.0).within(low, high),
+            Some([Event { x: -1.0, t: 1.0 }, Event { x: 1.0, t: 3.0 }])
+        );
+        let beside = StraightLine { through: Event { x: 3.0, t: 0.0 }, step: Event { x: 0.0, t: 1.0 } };
+        assert_eq!(beside.within(low, high), None);
+    }
+
+    #[test]
+    fn a_drawn_cone_bends_as_a_hyperbola_and_ends_at_the_sides() {
+        let cone = Cone { apex: Event { x: 1.0, t: 5.0 }, distance: 2.0 };
+        let curve = cone.curve([-9.0, 6.0]);
+        assert!((curve[0].x + 9.0).abs() < 1e-12 && (curve[curve.len() - 1].x - 6.0).abs() < 1e-12);
+        for pair in curve.windows(2) {
+            let middle = 0.5 * (pair[0].x + pair[1].x);
+            let off = cone.time(middle) - 0.5 * (pair[0].t + pair[1].t);
+            assert!(pair[0].x < pair[1].x && (0.0..2e-3).contains(&off), "{off}");
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! What of the world a map holds unless the user looks elsewhere. It depends on the scene and on how far from the eyes
+//! it passes, not on T, and on the speed in steps at most: nothing jumps while time runs.
+
+use relativity_core::math;
+use relativity_render::{Motion, Shape, Velocity};
+
+use super::{Chart, Viewpoint};
+use crate::scene::Scene;
+use crate::settings::{Frame, Settings};
+
+/// A box of the world: lowest and highest x, y, z.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Extent(pub [[f64; 2]; 3]);
+
+/// How far it is seen to pass on either side, in its distance.
+const PASSAGE: f64 = 2.0;
+/// At most so much wider is the map in the bicycle's frame.
+const WIDEST: f64 = 2.0;
+/// What is left free behind the eyes, above and beyond what moves, units.
+const MARGIN: f64 = 1.0;
+/// Space between the plan and the view from the side, points.
+const BETWEEN: f64 = 10.0;
+
+impl Extent {
+    /// What the space face holds: both eyes, and what moves, as it passes them.
+    #[must_use]
+    pub fn of_space(settings: &Settings, scene: &Scene) -> Self {
+        let [x, y, z] = subject_box(scene);
+        let y = y.map(|y| y + settings.motion.depth_shift);
+        let z = z.map(|z| z + settings.motion.height_shift);
+        let ground = scene.ground_z.map_or(z[0], |ground| ground + settings.motion.height_shift);
+        let distance = math::hypot(0.5 * (y[0] + y[1]), 0.5 * (z[0] + z[1]));
+        let reach = (PASSAGE * distance.max(MARGIN) + 0.5 * (x[1] - x[0])) * widening(settings);
+        let middle = 0.5 * (x[0] + x[1]);
+        Self([
+            [middle - reach, middle + reach],
+            [y[0].min(0.0) - MARGIN, y[1].max(0.0) + MARGIN],
+            [z[0].min(0.0).min(ground) - 0.5 * MARGIN, z[1].max(0.0) + MARGIN],
+        ])
+    }
+}
+
+/// How much wider the map is that has to hold eyes which ride past: from T = 0 on they are gamma beta T away. In steps,
+/// and at most so much that the bicycle stays large enough to be seen.
+fn widening(settings: &Settings) -> f64 {
+    match settings.map.frame {
+        Frame::Ground => 1.0,
+        Frame::Bicycle => {
+            let steps = 2.0 * math::log2(settings.speed().gamma());
+            math::powf(2.0, 0.5 * steps.ceil()).min(WIDEST)
+        }
+    }
+}
+
+/// The box around what the scene is about, at rest.
+fn subject_box(scene: &Scene) -> [[f64; 2]; 3] {
+    let moves = |motion: Motion| motion != Motion::Own(Velocity::REST);
+    let subject = scene.groups.iter().filter(|group| moves(group.motion));
+    let bodies = subject.flat_map(|group| &scene.bodies[group.bodies()]);
+    let empty = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
+    let around = bodies.fold(empty, |around, body| joined(around, ball_around(&body.shape)));
+    if around[0][0] <= around[0][1] { around } else { [[-1.0, 1.0]; 3] }
+}
+
+fn joined(around: [[f64; 2]; 3], (center, radius): ([f64; 3], f64)) -> [[f64; 2]; 3] {
+    [0, 1, 2]
+        .map(|axis| [around[axis][0].min(center[axis] - radius), around[axis][1].max(center[axis] + radius)])
+}
+
+/// A ball that holds `shape`.
+pub(super) fn ball_around(shape: &Shape) -> ([f64; 3], f64) {
+    let middle = |a: [f64; 3], b: [f64; 3]| [0, 1, 2].map(|axis| 0.5 * (a[axis] + b[axis]));
+    let length = |v: [f64; 3]| math::hypot(math::hypot(v[0], v[1]), v[2]);
+    let half = |a: [f64; 3], b: [f64; 3]| 0.5 * length([0, 1, 2].map(|axis| b[axis] - a[axis]));
+    match *shape {
+        Shape::Sphere { center, radius } => (center, radius),
+        Shape::Tube { from, to, radius } | Shape::Cylinder { from, to, radius } => {
+            (middle(from, to), half(from, to) + radius)
+        }
+        Shape::Ring { center, radius, tube_radius, .. } => (center, radius + tube_radius),
+        Shape::Box { center, half, .. } => (center, length(half)),
+    }
+}
+
+/// The plan (x, y) above and the view from the side (x, z) below, in a rectangle (left, top, width, height, points) that
+/// holds `extent` as the user looks at it. They have one scale and share x.
+#[must_use]
+pub fn plan_and_side(
+    [left, top, width, height]: [f64; 4],
+    extent: &Extent,
+    viewpoint: &Viewpoint,
+) -> [Chart; 2] {
+    let size = extent.0.map(|[low, high]| high - low);
+    let middle = extent.0.map(|[low, high]| 0.5 * (low + high));
+    let height = (height - BETWEEN).max(2.0);
+    let fitted = (width.max(1.0) / size[0]).min(height / (size[1] + size[2]));
+    let scale = fitted * viewpoint.zoom;
+    let center = [0, 1, 2].map(|axis| middle[axis] + viewpoint.shift[axis]);
+    let plan_height = height * size[1] / (size[1] + size[2]);
+    let chart = |top: f64, height: f64, up: usize| Chart {
+        middle: [left + 0.5 * width, top + 0.5 * height],
+        half: [0.5 * width, 0.5 * height],
+        center: [center[0], center[up]],
+        scale,
+    };
+    [chart(top, plan_height, 1), chart(top + plan_height + BETWEEN, height - plan_height, 2)]
+}

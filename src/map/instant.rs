@@ -1,0 +1,136 @@
+//! The present T of an observer, as the map asks for it: where points are, and where they are seen.
+
+use glam::DVec3;
+use relativity_core::Aperture;
+use relativity_render::{Geometry, GroupView, Motion, Velocity, View};
+
+use crate::scene::Track;
+use crate::settings::{Frame, Settings};
+
+/// One of the pictures of a body on the map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Picture {
+    /// Where all of it is at one time of the frame that is drawn.
+    Measured,
+    /// Where the left (0) or the right (1) eye sees it.
+    Seen(usize),
+    /// Where two eyes take it to be: where their lines of sight cross.
+    Stereo,
+}
+
+impl Picture {
+    /// All of them, in the order in which they are drawn.
+    pub const ALL: [Self; 4] = [Self::Measured, Self::Seen(0), Self::Seen(1), Self::Stereo];
+
+    /// What it shows, after the name of a body.
+    #[must_use]
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::Measured => "measured now",
+            Self::Seen(0) => "as the left eye sees it",
+            Self::Seen(_) => "as the right eye sees it",
+            Self::Stereo => "where two eyes take it to be",
+        }
+    }
+}
+
+/// The present T, in the frame in which the map is drawn.
+#[derive(Debug, Clone)]
+pub struct Instant<'a> {
+    settings: &'a Settings,
+    time: f64,
+    seen: [View; 2],
+}
+
+impl<'a> Instant<'a> {
+    /// T = `time` of `settings`.
+    #[must_use]
+    pub fn new(settings: &'a Settings, time: f64) -> Self {
+        let seen = settings.views_ahead(time).map(|view| View { geometry: Geometry::Seen, ..view });
+        Self { settings, time, seen }
+    }
+
+    /// The frame that is drawn.
+    #[must_use]
+    pub const fn frame(&self) -> Frame {
+        self.settings.map.frame
+    }
+
+    /// Whether what moves so belongs to the street: it has no speed, whatever the scene's is.
+    #[must_use]
+    pub fn rests(&self, motion: Motion) -> bool {
+        motion == Motion::Own(Velocity::REST)
+    }
+
+    /// Where the left and the right eye are.
+    #[must_use]
+    pub fn eyes(&self) -> [DVec3; 2] {
+        let street = self.places(Motion::Own(Velocity::REST));
+        self.settings.apertures().map(|eye| street.measured(position(eye)))
+    }
+
+    /// Where the pictures of what moves so are.
+    #[must_use]
+    pub fn places(&self, motion: Motion) -> Places {
+        let Settings { motion: set, .. } = self.settings;
+        let frame = self.settings.frame();
+        Places {
+            shift: DVec3::new(0.0, set.depth_shift, set.height_shift),
+            eyes: self.settings.apertures().map(position),
+            seen: self.seen.map(|view| view.of_group(motion)),
+            relative: self.settings.velocity(motion).seen_from(frame),
+            time: frame.speed.gamma() * self.time,
+            frame: self.frame(),
+        }
+    }
+
+    /// Where `picture` has the point; `None` where there is none, or outside the domain of the core.
+    #[must_use]
+    pub fn place(&self, point: &Track, picture: Picture) -> Option<DVec3> {
+        self.places(point.motion).place(picture, point.rest.into())
+    }
+}
+
+/// Where the pictures of a group's points are.
+#[derive(Debug, Clone, Copy)]
+pub struct Places {
+    /// From the scene's coordinates to those from between the eyes.
+    shift: DVec3,
+    /// In the scene's coordinates.
+    eyes: [DVec3; 2],
+    seen: [GroupView; 2],
+    /// Against the frame that is drawn.
+    relative: Velocity,
+    /// The present by the clocks of that frame.
+    time: f64,
+    frame: Frame,
+}
+
+impl Places {
+    /// Where `picture` has the point at `rest`, in the scene's coordinates; `None` where there is none, or outside the
+    /// domain of the core.
+    #[must_use]
+    pub fn place(&self, picture: Picture, rest: DVec3) -> Option<DVec3> {
+        let place = match (picture, self.frame) {
+            (Picture::Measured, _) => self.measured(rest),
+            (Picture::Seen(eye), Frame::Ground) => {
+                self.eyes[eye] + self.seen[eye].apparent_position(rest)? + self.shift
+            }
+            // Its light left it where it rests.
+            (Picture::Seen(_), Frame::Bicycle) if self.relative == Velocity::REST => rest + self.shift,
+            _ => return None,
+        };
+        place.is_finite().then_some(place)
+    }
+
+    /// Where the point at `rest` is now.
+    #[must_use]
+    pub fn measured(&self, rest: DVec3) -> DVec3 {
+        let x = rest.x / self.relative.speed.gamma() + self.relative.beta() * self.time;
+        DVec3 { x, ..rest } + self.shift
+    }
+}
+
+fn position(eye: Aperture) -> DVec3 {
+    DVec3::new(eye.x, eye.y, eye.z)
+}

@@ -1,0 +1,169 @@
+//! Light that leaves the selected point: the events at which it left for each eye, the ray from there, and its wave
+//! fronts.
+
+use relativity_core::DomainError;
+use relativity_render::Velocity;
+
+use super::event::{Event, StraightLine};
+use crate::scene::Track;
+use crate::settings::Settings;
+
+/// How a point moves, in the frame of a map.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Worldline {
+    /// The velocity of the point on the ground.
+    velocity: Velocity,
+    /// The frame of the map, by its velocity on the ground.
+    frame: Velocity,
+    /// Where the point rests in its own frame, from the point between the eyes.
+    rest: [f64; 3],
+    /// Whether that is the frame of the map, too.
+    rests: bool,
+}
+
+impl Worldline {
+    /// That of `point` in the frame that moves at `frame`.
+    #[must_use]
+    pub fn new(settings: &Settings, point: &Track, frame: Velocity) -> Self {
+        let velocity = settings.velocity(point.motion);
+        Self { velocity, frame, rest: settings.rest_place(point.rest), rests: velocity == frame }
+    }
+
+    /// It as the ground has it: from t = 0 on, a step for each unit of time.
+    #[must_use]
+    pub fn on_ground(&self) -> StraightLine {
+        let through = Event { x: self.rest[0] / self.velocity.speed.gamma(), t: 0.0 };
+        StraightLine { through, step: Event { x: self.velocity.beta(), t: 1.0 } }
+    }
+
+    /// Its event at the ground's time `t`.
+    #[must_use]
+    pub fn at(&self, t: f64) -> Event {
+        if self.rests {
+            return Event { x: self.rest[0], t: self.own_time(t) };
+        }
+        self.on_ground().at(t).in_frame(self.frame)
+    }
+
+    /// What a clock at the point shows at the ground's time `t`, all clocks of its frame being set alike there.
+    #[must_use]
+    pub fn own_time(&self, t: f64) -> f64 {
+        t / self.velocity.speed.gamma() - self.velocity.beta() * self.rest[0]
+    }
+
+    /// The ground's time at which that clock shows `own`.
+    #[must_use]
+    pub fn time(&self, own: f64) -> f64 {
+        self.velocity.speed.gamma() * (own + self.velocity.beta() * self.rest[0])
+    }
+
+    /// What that clock shows at the time `t` of the map's frame.
+    #[must_use]
+    pub fn own_time_at(&self, t: f64) -> f64 {
+        let (zero, step) = (self.at(0.0), self.step());
+        self.own_time((t - zero.t) / step.t)
+    }
+
+    /// The step that it makes in a unit of the ground's time.
+    #[must_use]
+    pub fn step(&self) -> Event {
+        if self.rests {
+            return Event { x: 0.0, t: 1.0 / self.velocity.speed.gamma() };
+        }
+        self.on_ground().step.in_frame(self.frame)
+    }
+
+    /// How much slower its own clock runs than those of the ground.
+    #[must_use]
+    pub const fn gamma(&self) -> f64 {
+        self.velocity.speed.gamma()
+    }
+
+    /// y and z of the point from the eyes.
+    #[must_use]
+    pub const fn across(&self) -> [f64; 2] {
+        [self.rest[1], self.rest[2]]
+    }
+}
+
+/// Light that reaches an eye at T.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ray {
+    /// Where and when it left the point.
+    pub left: Event,
+    /// Where and when the eye receives it.
+    pub received: Event,
+    /// When it left, on the ground's clocks.
+    pub happened: f64,
+    /// What the point's own clock showed then.
+    pub own_time: f64,
+}
+
+/// The rays to the left and to the right eye that arrive at `time`, the ground's, as the frame that moves at `frame`
+/// has them.
+///
+/// # Errors
+///
+/// A time outside the domain of the core.
+pub fn rays(settings: &Settings, point: &Track, time: f64, frame: Velocity) -> Result<[Ray; 2], DomainError> {
+    let worldline = Worldline::new(settings, point, frame);
+    let both = settings.disparity(point, time)?;
+    let [left, right] = settings.apertures();
+    Ok([(both.primary, left), (both.secondary, right)].map(|(seen, eye)| {
+        // Where and when it rests is known better than by its place on the ground.
+        let left = if worldline.rests {
+            Event { x: worldline.rest[0], t: seen.own_time }
+        } else {
+            Event { x: eye.x + seen.position[0], t: seen.retarded_time }.in_frame(frame)
+        };
+        let received = Event { x: eye.x, t: time }.in_frame(frame);
+        Ray { left, received, happened: seen.retarded_time, own_time: seen.own_time }
+    }))
+}
+
+/// Light that left the point at one event, now: a sphere about the place of that.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Front {
+    /// Where along x and when it left.
+    pub left: Event,
+    /// What the point's own clock showed then.
+    pub own_time: f64,
+    /// How far it has come.
+    pub radius: f64,
+}
+
+impl Front {
+    /// Radius of the circle in which it meets a plane that passes the point at this `distance`; `None` until it does.
+    ///
+    /// In the plane of the eyes this circle reaches an eye exactly when the eye receives the light.
+    #[must_use]
+    pub fn radius_in_plane(&self, distance: f64) -> Option<f64> {
+        let square = (self.radius - distance) * (self.radius + distance);
+        (self.radius > 0.0 && square >= 0.0).then(|| square.sqrt())
+    }
+}
+
+impl Ray {
+    /// The front that it belongs to, as it reaches the eye.
+    #[must_use]
+    pub fn front(&self) -> Front {
+        Front { left: self.left, own_time: self.own_time, radius: self.received.t - self.left.t }
+    }
+}
+
+/// How many fronts there are at most.
+const MOST_FRONTS: i32 = 10;
+
+/// The fronts of light that left the point at each multiple of `period` of its own clock, as they are at `now` in the
+/// frame of the worldline, the last ones first; one `period` after the other, so that none that is shown before is left
+/// out later on but the oldest.
+pub fn fronts(worldline: &Worldline, now: f64, period: f64) -> impl Iterator<Item = Front> {
+    let present = worldline.own_time_at(now);
+    let last = (present / period).floor();
+    let number = if period > 0.0 && last.is_finite() { MOST_FRONTS } else { 0 };
+    (0..number).map(move |back| {
+        let own_time = (last - f64::from(back)) * period;
+        let left = worldline.at(worldline.time(own_time));
+        Front { left, own_time, radius: now - left.t }
+    })
+}

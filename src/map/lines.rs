@@ -1,0 +1,187 @@
+//! The outlines of a scene's bodies as the map draws them: bent as they are seen, in as many pieces as it takes.
+
+use std::ops::Range;
+
+use glam::DVec3;
+use relativity_render::Shape;
+
+use super::fit::ball_around;
+use super::instant::{Instant, Picture, Places};
+use super::outline::{Path, Stroke, outline};
+use super::{Chart, Projection};
+use crate::scene::{Scene, SceneGroup};
+use crate::settings::Frame;
+
+/// How far a line may be from the curve it stands for, points.
+const TOLERANCE: f64 = 0.25;
+/// A part of a line is halved so often at most.
+const DEEPEST: u32 = 12;
+/// Bodies smaller than this are left out, points.
+const SMALLEST: f64 = 1.0;
+/// Most bodies that are drawn of a group: of more, some that are evenly spread.
+const MOST_BODIES: usize = 500;
+
+/// A point of an outline.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Vertex {
+    /// Where it rests, in the scene's coordinates.
+    pub rest: DVec3,
+    /// Where it is on the map.
+    pub place: DVec3,
+}
+
+/// A part of the outline of a body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Line {
+    /// The number of the body.
+    pub body: usize,
+    /// Whether it rests on the ground.
+    pub rests: bool,
+    /// Which of its pictures.
+    pub picture: Picture,
+    /// Half its thickness; 0 of an edge.
+    pub radius: f64,
+    /// The only projection that it is drawn in, if not in both.
+    pub only: Option<Projection>,
+    /// Its points among [`Lines::vertices`].
+    vertices: Range<usize>,
+}
+
+impl Line {
+    /// Whether it is drawn in `projection`.
+    #[must_use]
+    pub fn is_in(&self, projection: Projection) -> bool {
+        self.only.is_none_or(|only| only == projection)
+    }
+}
+
+/// All outlines.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Lines {
+    /// In the order in which they are drawn.
+    pub all: Vec<Line>,
+    vertices: Vec<Vertex>,
+}
+
+impl Lines {
+    /// The outlines of `scene` at `instant` for these charts, the plan and the view from the side.
+    #[must_use]
+    pub fn new(instant: &Instant, scene: &Scene, charts: &[Chart; 2]) -> Self {
+        let mut lines = Self::default();
+        let (street, riders): (Vec<_>, Vec<_>) =
+            scene.groups.iter().partition(|group| instant.rests(group.motion));
+        for group in street {
+            lines.add_group(&Sampler::new(instant, group, Picture::Measured, charts), scene, group);
+        }
+        for &picture in pictures(instant.frame()) {
+            for group in &riders {
+                lines.add_group(&Sampler::new(instant, group, picture, charts), scene, group);
+            }
+        }
+        lines
+    }
+
+    /// Adds the outlines of a group's bodies: not of those too small to be seen, nor of more than can be told apart.
+    fn add_group(&mut self, sampler: &Sampler, scene: &Scene, group: &SceneGroup) {
+        for body in group.bodies().step_by(group.count.div_ceil(MOST_BODIES).max(1)) {
+            let shape = &scene.bodies[body].shape;
+            if 2.0 * ball_around(shape).1 * sampler.charts[0].scale >= SMALLEST {
+                self.add(sampler, body, shape);
+            }
+        }
+    }
+
+    /// The points of `line`, one of these.
+    #[must_use]
+    pub fn vertices(&self, line: &Line) -> &[Vertex] {
+        &self.vertices[line.vertices.clone()]
+    }
+
+    fn add(&mut self, sampler: &Sampler, body: usize, shape: &Shape) {
+        let mut strokes = Vec::with_capacity(12);
+        outline(shape, &mut strokes);
+        for Stroke { path, radius, only } in strokes {
+            let first = self.vertices.len();
+            sampler.sample(&path, &mut self.vertices);
+            let vertices = first..self.vertices.len();
+            if vertices.len() > 1 {
+                let Sampler { picture, rests, .. } = *sampler;
+                self.all.push(Line { body, rests, picture, radius, only, vertices });
+            }
+        }
+    }
+}
+
+/// The pictures of a body in `frame`, in the order in which they are drawn. On board of the bicycle nothing is seen
+/// elsewhere: the light left where it rests.
+const fn pictures(frame: Frame) -> &'static [Picture] {
+    match frame {
+        Frame::Ground => &[Picture::Stereo, Picture::Seen(1), Picture::Seen(0), Picture::Measured],
+        Frame::Bicycle => &[Picture::Measured],
+    }
+}
+
+/// Divides paths into pieces that are straight on the map.
+struct Sampler<'a> {
+    places: Places,
+    picture: Picture,
+    rests: bool,
+    charts: &'a [Chart; 2],
+}
+
+impl<'a> Sampler<'a> {
+    fn new(instant: &Instant, group: &SceneGroup, picture: Picture, charts: &'a [Chart; 2]) -> Self {
+        let rests = instant.rests(group.motion);
+        Self { places: instant.places(group.motion), picture, rests, charts }
+    }
+
+    /// Adds the points of `path` to `vertices`: none if it has a part that is nowhere.
+    fn sample(&self, path: &Path, vertices: &mut Vec<Vertex>) {
+        let first = vertices.len();
+        let parts = path.parts();
+        let at = |i: u32| f64::from(i) / f64::from(parts);
+        let Some(mut last) = self.vertex(path, 0.0) else { return };
+        vertices.push(last);
+        for i in 1..=parts {
+            let Some(next) = self.vertex(path, at(i)) else { return vertices.truncate(first) };
+            self.divide(path, [at(i - 1), at(i)], [last, next], DEEPEST, vertices);
+            vertices.push(next);
+            last = next;
+        }
+    }
+
+    fn vertex(&self, path: &Path, s: f64) -> Option<Vertex> {
+        let rest = path.at(s);
+        Some(Vertex { rest, place: self.places.place(self.picture, rest)? })
+    }
+
+    /// Adds the points between the `ends` of a part of `path`.
+    fn divide(
+        &self,
+        path: &Path,
+        [from, to]: [f64; 2],
+        ends: [Vertex; 2],
+        deepest: u32,
+        out: &mut Vec<Vertex>,
+    ) {
+        let middle = 0.5 * (from + to);
+        let Some(vertex) = self.vertex(path, middle) else { return };
+        let off = (vertex.place - 0.5 * (ends[0].place + ends[1].place)).length();
+        if deepest == 0 || off * self.charts[0].scale <= TOLERANCE || !self.is_near(ends, off) {
+            return;
+        }
+        self.divide(path, [from, middle], [ends[0], vertex], deepest - 1, out);
+        out.push(vertex);
+        self.divide(path, [middle, to], [vertex, ends[1]], deepest - 1, out);
+    }
+
+    /// Whether what is between `ends`, as far as `off` from the straight line, comes into a chart.
+    fn is_near(&self, ends: [Vertex; 2], off: f64) -> bool {
+        Projection::BOTH.into_iter().zip(self.charts).any(|(projection, chart)| {
+            let [a, b] = ends.map(|end| projection.flat(end.place));
+            chart.range().into_iter().enumerate().all(|(axis, [low, high])| {
+                a[axis].min(b[axis]) - off <= high && a[axis].max(b[axis]) + off >= low
+            })
+        })
+    }
+}

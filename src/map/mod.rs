@@ -1,0 +1,31 @@
+//! What the map draws, as lines and marks in scene units: where things are at the observer's present T, beside where
+//! they are seen. It knows nothing of the window, and asks the same functions as the views.
+//!
+//! Coordinates are from between the eyes: x along the motion, y away from the eyes, z up; those of the bicycle's frame
+//! have their origin where the eyes' has it at t = 0.
+
+mod chart;
+mod clip;
+mod diagram;
+mod event;
+mod fit;
+mod instant;
+mod light;
+mod lines;
+mod nearest;
+mod outline;
+mod projection;
+mod sight;
+mod ticks;
+
+pub use chart::{Chart, Viewpoint};
+pub use diagram::{Cone, Diagram, chart, home};
+pub use event::{Event, StraightLine};
+pub use fit::{Extent, plan_and_side};
+pub use instant::{Instant, Picture, Places};
+pub use light::{Front, Ray, Worldline, fronts, rays};
+pub use lines::{Line, Lines, Vertex};
+pub use nearest::Nearest;
+pub use projection::Projection;
+pub use sight::field_of_view;
+pub use ticks::ticks;

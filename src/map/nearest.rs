@@ -1,0 +1,62 @@
+//! What is under the pointer.
+
+use glam::DVec3;
+
+use super::lines::{Line, Lines, Vertex};
+use super::{Chart, Projection};
+
+/// A point of a body's outline that is near the pointer.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Nearest<'a> {
+    /// The outline.
+    pub line: &'a Line,
+    /// Where on it: in the middle of its thickness.
+    pub vertex: Vertex,
+    /// Where the body's surface is, in front of that on the side of the eyes; at rest, in the scene's coordinates.
+    pub surface: DVec3,
+}
+
+impl Lines {
+    /// The point of the outlines nearest to `pointer`, a place on screen, unless it is further than `reach` points from
+    /// all of them; of equally near ones that drawn last.
+    #[must_use]
+    pub fn nearest(
+        &self,
+        (projection, chart): (Projection, &Chart),
+        pointer: [f64; 2],
+        reach: f64,
+    ) -> Option<Nearest<'_>> {
+        let mut least = reach;
+        let mut nearest = None;
+        for line in self.all.iter().filter(|line| line.is_in(projection)) {
+            for pair in self.vertices(line).windows(2) {
+                let [from, to] = [pair[0], pair[1]].map(|end| chart.screen(projection.flat(end.place)));
+                let (part, distance) = along(from, to, pointer);
+                let distance = (distance - line.radius * chart.scale).max(0.0);
+                if distance <= least {
+                    least = distance;
+                    nearest = Some((line, [pair[0], pair[1]], part));
+                }
+            }
+        }
+        nearest.map(|(line, ends, part)| Nearest::new(line, ends, part))
+    }
+}
+
+impl<'a> Nearest<'a> {
+    fn new(line: &'a Line, [from, to]: [Vertex; 2], part: f64) -> Self {
+        let vertex = Vertex { rest: from.rest.lerp(to.rest, part), place: from.place.lerp(to.place, part) };
+        let along = (to.rest - from.rest).try_normalize();
+        let outwards = along.and_then(|along| DVec3::NEG_Y.reject_from_normalized(along).try_normalize());
+        let surface = vertex.rest + line.radius * outwards.unwrap_or(DVec3::Z);
+        Self { line, vertex, surface }
+    }
+}
+
+/// Which part of the way from `from` to `to` is nearest to `place`, and how far that is.
+fn along(from: [f64; 2], to: [f64; 2], place: [f64; 2]) -> (f64, f64) {
+    let [way, here] = [to, place].map(|end| glam::DVec2::from(end) - glam::DVec2::from(from));
+    let length = way.length_squared();
+    let part = if length > 0.0 { (here.dot(way) / length).clamp(0.0, 1.0) } else { 0.0 };
+    (part, (here - part * way).length())
+}

@@ -1,0 +1,41 @@
+//! From where the map looks at the world.
+
+use glam::DVec3;
+
+/// One of the two charts of the space face.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Projection {
+    /// From above: x to the right, y up.
+    Plan,
+    /// From the side, from where the eyes are: x to the right, z up.
+    Side,
+}
+
+impl Projection {
+    /// Both, from the top.
+    pub const BOTH: [Self; 2] = [Self::Plan, Self::Side];
+
+    /// Which coordinates of the world run right and up (x is 0).
+    #[must_use]
+    pub const fn axes(self) -> [usize; 2] {
+        match self {
+            Self::Plan => [0, 1],
+            Self::Side => [0, 2],
+        }
+    }
+
+    /// The coordinates of a place to the right and up.
+    #[must_use]
+    pub fn flat(self, place: DVec3) -> [f64; 2] {
+        self.axes().map(|axis| place[axis])
+    }
+
+    /// The direction that it looks along.
+    #[must_use]
+    pub const fn line_of_sight(self) -> DVec3 {
+        match self {
+            Self::Plan => DVec3::NEG_Z,
+            Self::Side => DVec3::Y,
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! What is in the field of view of an eye, on the map.
+
+use glam::DVec3;
+use relativity_render::Camera;
+
+use super::Projection;
+
+/// The directions of both edges of what `camera` shows, in `projection`: unit vectors right and up, the left edge first.
+/// `None` where it looks so steeply out of the plane that there is no edge.
+#[must_use]
+pub fn field_of_view(camera: &Camera, projection: Projection) -> Option<[[f64; 2]; 2]> {
+    let [width, height] = camera.size.map(f64::from);
+    let corners = [[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]];
+    let middle = flat(camera.gaze.axes().forward, projection)?;
+    let corners = corners.map(|corner| flat(camera.line_of_sight(corner), projection));
+    let mut edges = [middle; 2];
+    for corner in corners {
+        let corner = corner.filter(|&corner| dot(corner, middle) > 0.0)?;
+        // The outermost on either side.
+        if cross(edges[0], corner) > 0.0 {
+            edges[0] = corner;
+        }
+        if cross(edges[1], corner) < 0.0 {
+            edges[1] = corner;
+        }
+    }
+    Some(edges)
+}
+
+/// The direction of `v` in `projection`, unless it looks along that.
+fn flat(v: DVec3, projection: Projection) -> Option<[f64; 2]> {
+    let [right, up] = projection.flat(v);
+    let length = relativity_core::math::hypot(right, up);
+    (length > 0.1).then(|| [right / length, up / length])
+}
+
+fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use relativity_core::Aperture;
+    use relativity_render::Gaze;
+
+    #[test]
+    fn a_level_gaze_has_its_field_of_view_in_the_plan() {
+        let camera = Camera {
+            aperture: Aperture::default(),
+            gaze: Gaze { azimuth: 2.0, elevation: 0.0 },
+            horizontal_fov: 0.8,
+            size: [400, 4],
+        };
+        let edges = field_of_view(&camera, Projection::Plan).expect("it looks along the plane");
+        for (edge, azimuth) in edges.into_iter().zip([2.4f64, 1.6]) {
+            let off = (edge[0] - azimuth.cos()).hypot(edge[1] - azimuth.sin());
+            assert!(off < 1e-12, "{edges:?}");
+        }
+        let ahead = Camera { gaze: Gaze::STRAIGHT_AHEAD, ..camera };
+        assert_eq!(field_of_view(&ahead, Projection::Side), None);
+    }
+}
