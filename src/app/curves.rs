@@ -1,9 +1,13 @@
 //! Curves of a point over T, sampled densely where they bend, and kept until something they depend on
 //! changes.
 
+use std::ops::Range;
+
 use egui_plot::PlotPoint;
 use relativity_core::math;
-use relativity_core::{Aperture, Model, PublishedVariant, SourcePoint, Speed, equidistance_time};
+use relativity_core::{
+    Aperture, Model, PublishedVariant, SourcePoint, Speed, equidistance_time, observation_time_when_seen_at,
+};
 use relativity_render::Velocity;
 
 use crate::passage::time_within;
@@ -23,6 +27,19 @@ pub enum Quantity {
     LogDoppler,
 }
 
+impl Quantity {
+    /// Where its curves are among all of a model.
+    const fn channels(self) -> Range<usize> {
+        match self {
+            Self::DeltaPhi => 0..1,
+            Self::DeltaTheta => 1..2,
+            Self::Phi => 2..4,
+            Self::Theta => 4..6,
+            Self::LogDoppler => 6..8,
+        }
+    }
+}
+
 /// What a point's curves depend on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CurvesKey {
@@ -34,6 +51,8 @@ pub struct CurvesKey {
     pub separation: f64,
     /// First and last T.
     pub range: [f64; 2],
+    /// The model of what the views show. Where that is not the exact one, its curves are there beside.
+    pub model: Model,
     /// Whether the published model is wanted too.
     pub published: bool,
 }
@@ -42,12 +61,13 @@ pub struct CurvesKey {
 #[derive(Debug, Clone)]
 pub struct Curves {
     key: CurvesKey,
-    exact: [Vec<PlotPoint>; EXACT],
+    shown: [Vec<PlotPoint>; ALL],
+    exact: Option<[Vec<PlotPoint>; ALL]>,
     published: [Vec<PlotPoint>; 2],
 }
 
 /// Delta-phi, Delta-theta, then phi, theta and log D of the left and of the right eye.
-const EXACT: usize = 8;
+const ALL: usize = 8;
 
 /// Largest distance of a drawn chord from the curve, as a fraction of the curve's height: a third of a
 /// pixel in a plot 600 pixels high.
@@ -68,13 +88,15 @@ impl Curves {
     pub fn new(key: CurvesKey) -> Self {
         let source = key.velocity.reflected_source(key.rest);
         let anchors = bends(&key.velocity.speed, source, key.separation);
-        let exact = channels(&sampled(key.range, &anchors, |time| exact_values(&key, time)));
+        let of = |model| channels(&sampled(key.range, &anchors, |time| values(&key, model, time)));
+        let shown = of(key.model);
+        let exact = (key.model != Model::Exact).then(|| of(Model::Exact));
         let published = if key.published {
             channels(&sampled(key.range, &anchors, |time| published_values(&key, time)))
         } else {
             [Vec::new(), Vec::new()]
         };
-        Self { key, exact, published }
+        Self { key, shown, exact, published }
     }
 
     /// What they were made for.
@@ -83,16 +105,16 @@ impl Curves {
         &self.key
     }
 
-    /// The exact curve or, for a quantity of each eye, the pair.
+    /// The curve in the model of what the views show or, for a quantity of each eye, the pair.
+    #[must_use]
+    pub fn shown(&self, quantity: Quantity) -> &[Vec<PlotPoint>] {
+        &self.shown[quantity.channels()]
+    }
+
+    /// The same in the exact model, where that is another.
     #[must_use]
     pub fn exact(&self, quantity: Quantity) -> &[Vec<PlotPoint>] {
-        match quantity {
-            Quantity::DeltaPhi => &self.exact[0..1],
-            Quantity::DeltaTheta => &self.exact[1..2],
-            Quantity::Phi => &self.exact[2..4],
-            Quantity::Theta => &self.exact[4..6],
-            Quantity::LogDoppler => &self.exact[6..8],
-        }
+        self.exact.as_ref().map_or(&[], |exact| &exact[quantity.channels()])
     }
 
     /// The published model's curve; empty for what that model does not change or if it is not wanted.
@@ -106,8 +128,8 @@ impl Curves {
     }
 }
 
-fn exact_values(key: &CurvesKey, time: f64) -> Option<[f64; EXACT]> {
-    let both = key.velocity.disparity(Model::Exact, key.rest, key.separation, time).ok()?;
+fn values(key: &CurvesKey, model: Model, time: f64) -> Option<[f64; ALL]> {
+    let both = key.velocity.disparity(model, key.rest, key.separation, time).ok()?;
     let (l, r) = (both.primary, both.secondary);
     let values = [
         both.dphi,
@@ -129,11 +151,20 @@ fn published_values(key: &CurvesKey, time: f64) -> Option<[f64; 2]> {
     values.iter().all(|value| value.is_finite()).then_some(values)
 }
 
-/// The times around which curves bend: T0, and when the point is objectively abreast of each eye.
+/// The times around which curves bend: T0, when the point is objectively abreast of each eye, and when it is seen there
+/// from between them.
 pub(super) fn bends(speed: &Speed, source: SourcePoint, separation: f64) -> Vec<f64> {
     let equidistant = equidistance_time(speed, source, separation).ok().flatten();
     let abreast = Aperture::pair(separation).map(|aperture| (aperture.x - source.x0) / speed.beta());
-    equidistant.into_iter().chain(abreast).filter(|time| time.is_finite()).collect()
+    let seen =
+        |aperture: Aperture| observation_time_when_seen_at(speed, source, 0.0, aperture.x).ok().flatten();
+    let seen = Aperture::pair(separation).map(seen);
+    equidistant
+        .into_iter()
+        .chain(abreast)
+        .chain(seen.into_iter().flatten())
+        .filter(|time| time.is_finite())
+        .collect()
 }
 
 /// Values at one T.
@@ -248,7 +279,8 @@ mod tests {
         let velocity = Velocity::from_beta(beta).expect("in range");
         let [x0, y, z] = point;
         let rest = [x0 * velocity.speed.gamma(), y, z];
-        CurvesKey { velocity, rest, separation: 0.3, range: [-2.0, 5.0], published: true }
+        let model = Model::OneCone;
+        CurvesKey { velocity, rest, separation: 0.3, range: [-2.0, 5.0], model, published: true }
     }
 
     /// Linear interpolation in a drawn curve.
@@ -268,18 +300,22 @@ mod tests {
         ] {
             let key = key(beta, point);
             let curves = Curves::new(key);
-            let curve = &curves.exact(Quantity::DeltaPhi)[0];
-            let height = curve.iter().map(|p| p.y).fold(0.0f64, |a, b| a.max(b.abs()));
-            for i in 0..5000 {
-                let time = -2.0 + 7.0 * (f64::from(i) + 0.37) / 5000.0;
-                let exact = exact_values(&key, time).expect("in the domain")[0];
-                assert!(
-                    (drawn(curve, time) - exact).abs() <= height / 600.0,
-                    "beta = {beta}, T = {time}: {} for {exact}",
-                    drawn(curve, time)
-                );
+            for (model, curves) in
+                [(Model::OneCone, &curves.shown), (Model::Exact, curves.exact.as_ref().expect("another"))]
+            {
+                let curve = &curves[0];
+                let height = curve.iter().map(|p| p.y).fold(0.0f64, |a, b| a.max(b.abs()));
+                for i in 0..5000 {
+                    let time = -2.0 + 7.0 * (f64::from(i) + 0.37) / 5000.0;
+                    let exact = values(&key, model, time).expect("in the domain")[0];
+                    assert!(
+                        (drawn(curve, time) - exact).abs() <= height / 600.0,
+                        "{model:?}, beta = {beta}, T = {time}: {} for {exact}",
+                        drawn(curve, time)
+                    );
+                }
+                assert!(curve.len() < 4000, "{} samples", curve.len());
             }
-            assert!(curve.len() < 4000, "{} samples", curve.len());
         }
     }
 
@@ -288,9 +324,10 @@ mod tests {
         for beta in [0.0, 0.5, 0.999_999_999_999_999_9] {
             for point in [[0.0, 0.0, 0.0], [0.15, 0.0, 0.0], [0.0, 0.0, 1.0], [1e6, 1e-9, 0.0]] {
                 let curves = Curves::new(key(beta, point));
-                let all = curves.exact.iter().chain(&curves.published).flatten();
+                let models = curves.shown.iter().chain(curves.exact.iter().flatten());
+                let all = models.chain(&curves.published).flatten();
                 assert!(all.clone().all(|point| point.x.is_finite() && point.y.is_finite()));
-                assert!(all.count() < 10_000, "beta = {beta}, {point:?}");
+                assert!(all.count() < 20_000, "beta = {beta}, {point:?}");
             }
         }
     }

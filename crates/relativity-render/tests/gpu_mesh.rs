@@ -13,7 +13,8 @@ use gpu_support::scenes::{still_life, time_seen_at, view_following};
 use joints::joints;
 use relativity_core::{Aperture, MAX_GAMMA, Model, PublishedVariant, SourcePoint, Speed, sighting};
 use relativity_render::{
-    Body, Camera, Gaze, Geometry, Group, Hit, HitImage, Method, Motion, PreparedScene, Renderers, Shape, Velocity, View,
+    Body, Camera, Gaze, Geometry, Group, Hit, HitImage, Method, Motion, PreparedScene, Renderers, Shape,
+    Velocity, View,
 };
 
 fn main() -> ExitCode {

@@ -100,7 +100,11 @@ fn aperture(view: &View) -> DVec3 {
 
 /// Whose light cone a view shows: the aperture's, or that of the middle between two.
 fn receiver(view: &View) -> DVec3 {
-    if view.geometry == Geometry::OneCone { aperture(view) * DVec3::new(0.0, 1.0, 1.0) } else { aperture(view) }
+    if view.geometry == Geometry::OneCone {
+        aperture(view) * DVec3::new(0.0, 1.0, 1.0)
+    } else {
+        aperture(view)
+    }
 }
 
 /// The rest coordinates of a place on the ground at a time: bodies are contracted and move, nothing else.

@@ -12,7 +12,7 @@ use clap::ValueEnum as _;
 use eframe::egui::{self, Color32, RichText, Ui, vec2};
 use egui_plot::{HoverPosition, Line, LineStyle, PlotPoint, PlotResponse, PlotUi, Points, VLine};
 use relativity_core::math;
-use relativity_core::{Disparity, Sighting};
+use relativity_core::{Disparity, Model, Sighting};
 
 use self::axes::{Y_AXIS_WIDTH, annotate, bounds, grid, label, plot_over_time, tick, time_at_pointer, unit};
 use crate::app::command::Command;
@@ -127,7 +127,7 @@ struct Trace<'a> {
     name: String,
     points: &'a [PlotPoint],
     colour: Color32,
-    dashed: bool,
+    line: LineStyle,
     wide: bool,
 }
 
@@ -137,6 +137,11 @@ fn titled_plot(ui: &mut Ui, state: &State, curves: &[Curves], quantity: Quantity
         ui.add_space(Y_AXIS_WIDTH);
         ui.label(RichText::new(label(quantity)).strong());
         values_now(ui, state, quantity);
+        if state.settings.model() == Model::OneCone {
+            let tip = "Solid: as if both eyes received the same events. Dotted: each through its own light cone, exactly.\n\
+                What lies between the two comes from there being two light cones.";
+            ui.label(RichText::new(format!("{ONE_CONE}; dotted: two")).weak()).on_hover_text(tip);
+        }
     });
     plot(ui, ui.available_size(), state, curves, quantity, asks);
 }
@@ -210,48 +215,65 @@ fn plot(
     }
 }
 
+/// What curves are called that are not the exact ones, and these beside them.
+const ONE_CONE: &str = "one light cone";
+const TWO_CONES: &str = "two light cones (exact)";
+
 /// What is drawn of `quantity`: of every point for a disparity, of each eye of the selected one else.
 fn traces<'a>(ui: &Ui, state: &State, curves: &'a [Curves], quantity: Quantity) -> Vec<Trace<'a>> {
     let selected = state.session.points.selected_index();
     if !matches!(quantity, Quantity::DeltaPhi | Quantity::DeltaTheta) {
         let Some(curves) = curves.get(selected) else { return Vec::new() };
-        let eyes = Eye::BOTH.into_iter().zip(curves.exact(quantity));
-        return eyes
-            .map(|(eye, points)| Trace {
-                name: eye.name().to_owned(),
-                points,
-                colour: theme::eye_colour(eye, ui.visuals()),
-                dashed: false,
-                wide: true,
+        let of_eyes = |curves: &'a [Vec<PlotPoint>], exact_beside| {
+            Eye::BOTH.into_iter().zip(curves).map(move |(eye, points)| {
+                let colour = theme::eye_colour(eye, ui.visuals());
+                Trace::of_model(eye.name().to_owned(), points, colour, state, exact_beside)
             })
-            .collect();
+        };
+        return of_eyes(curves.exact(quantity), true).chain(of_eyes(curves.shown(quantity), false)).collect();
     }
     let mut traces = Vec::new();
     for (index, (point, curves)) in state.session.points.all().iter().zip(curves).enumerate() {
         let colour = theme::point_colour(point.number, ui.visuals());
         let wide = index == selected;
         let published = curves.published(quantity);
-        let name = format!("{}, published", point.name(&state.session.scene));
-        traces.push(Trace { name, points: published, colour, dashed: true, wide });
-        let exact = &curves.exact(quantity)[0];
-        traces.push(Trace {
-            name: point.name(&state.session.scene),
-            points: exact,
-            colour,
-            dashed: false,
-            wide,
-        });
+        let name = || point.name(&state.session.scene);
+        let line = LineStyle::dashed_dense();
+        traces.push(Trace { name: format!("{}, published", name()), points: published, colour, line, wide });
+        let exact = curves.exact(quantity).iter().map(|points| (points, true));
+        for (points, exact_beside) in exact.chain(curves.shown(quantity).iter().map(|points| (points, false)))
+        {
+            let trace = Trace::of_model(name(), points, colour, state, exact_beside);
+            traces.push(Trace { wide: trace.wide && wide, ..trace });
+        }
     }
     traces
 }
 
+impl<'a> Trace<'a> {
+    /// A curve in the model of what the views show, or where that is another, the exact one beside it.
+    fn of_model(
+        name: String,
+        points: &'a [PlotPoint],
+        colour: Color32,
+        state: &State,
+        is_exact_beside: bool,
+    ) -> Self {
+        let (name, line) = match (state.settings.model(), is_exact_beside) {
+            (_, true) => (format!("{name}, {TWO_CONES}"), LineStyle::dotted_dense()),
+            (Model::OneCone, false) => (format!("{name}, {ONE_CONE}"), LineStyle::Solid),
+            _ => (name, LineStyle::Solid),
+        };
+        Self { name, points, colour, line, wide: !is_exact_beside }
+    }
+}
+
 fn draw<'a>(plot: &mut PlotUi<'a>, trace: Trace<'a>, now: f64) {
     let width = if trace.wide { 2.0 } else { 1.2 };
-    let style = if trace.dashed { LineStyle::dashed_dense() } else { LineStyle::Solid };
     // Bands would draw steep parts of a densely sampled curve thinner than the rest.
     let line = Line::new(trace.name, trace.points).allow_band(false);
-    plot.line(line.color(trace.colour).width(width).style(style));
-    if let (false, Some(value)) = (trace.dashed, value_at(trace.points, now)) {
+    plot.line(line.color(trace.colour).width(width).style(trace.line));
+    if let (LineStyle::Solid, Some(value)) = (trace.line, value_at(trace.points, now)) {
         let dot = Points::new("now", vec![[now, value]]).color(trace.colour).radius(4.0);
         plot.points(dot.allow_hover(false));
     }
