@@ -197,13 +197,13 @@ mod tests {
         let view = Rect::from_min_max(pos2(0.0, 0.0), pos2(300.0, 200.0));
         for marker in [[150.0, 100.0], [3.0, 3.0], [297.0, 3.0], [3.0, 197.0], [297.0, 197.0]].map(Pos2::from)
         {
-            let centre = centre(marker, view);
+            let (centre, radius) = face(marker, view);
             assert!(
-                view.contains_rect(Rect::from_center_size(centre, Vec2::splat(2.0 * RADIUS))),
+                view.contains_rect(Rect::from_center_size(centre, Vec2::splat(2.0 * radius))),
                 "{marker}"
             );
             // 6 is the radius of the marker of the selected point.
-            assert!(centre.distance(marker) > RADIUS + 6.0 + 3.0, "{marker}");
+            assert!(centre.distance(marker) > radius + 6.0 + 3.0, "{marker}");
         }
     }
 }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use glam::DVec3;
-use relativity_core::{Disparity, Parameter, Sighting, SourcePoint, Speed, equidistance_time};
+use relativity_core::{Disparity, Parameter, Sighting, SourcePoint, Speed, Stereo, equidistance_time};
 use relativity_render::{Gaze, Geometry, Outline, Velocity, View};
 
 use super::curves::CurvesKey;
@@ -107,6 +107,12 @@ impl State {
     #[must_use]
     pub fn disparity(&self, point: &Point) -> Option<Disparity> {
         self.settings.disparity(&point.track, self.session.time).ok()
+    }
+
+    /// Where two eyes take `point` to be now, and how much deeper they see it than one that rests.
+    #[must_use]
+    pub fn stereo(&self, point: &Point) -> Option<Stereo> {
+        self.settings.stereo(&point.track, self.session.time).ok()
     }
 
     /// T0 of `point`: when both eyes see it at the same distance. `None` at rest.

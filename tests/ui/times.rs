@@ -67,6 +67,14 @@ fn an_event_has_its_numbers_in_three_units() {
                 assert!((value - expected).abs() < 6e-5, "{units:?}, {name}, {row}: {value} for {expected}");
             }
         }
+        let [left, right] = [0, 1].map(|eye| seen(0.9, 1.1, eye).position[0]);
+        // Lines from (-d/2, 0) along (X left, y) and from (d/2, 0) along (X right, y), d = 0.1.
+        let gain = (left - right) / 0.1;
+        let stereo = [("gain", gain), ("x", (-0.05 + left / gain) * length), ("y", 3.0 / gain * length)];
+        for (row, expected) in stereo {
+            let value = shown(&window, &format!("Stereo {row}"));
+            assert!((value - expected).abs() < 6e-4, "{units:?}, stereo {row}: {value} for {expected}");
+        }
         let suffix = ["", " ns", " s"][units as usize];
         let label = label_starting_with(&window, "Left eye, happened t");
         assert!(label.ends_with(suffix), "{label}");
