@@ -13,6 +13,7 @@ mod quality;
 mod start;
 mod support;
 mod time;
+mod times;
 mod words;
 
 use std::process::ExitCode;
@@ -35,6 +36,7 @@ fn main() -> ExitCode {
         quality::TESTS,
         start::TESTS,
         time::TESTS,
+        times::TESTS,
         words::TESTS,
     ]
     .concat();

@@ -13,7 +13,7 @@ use clap::ValueEnum as _;
 use eframe::egui::{self, Color32, RichText, Ui, vec2};
 use egui_plot::{HoverPosition, Line, LineStyle, PlotPoint, PlotResponse, PlotUi, Points, VLine};
 use relativity_core::math;
-use relativity_core::{Disparity, Sighting};
+use relativity_core::{Disparity, Model, Sighting};
 
 use self::axes::{
     Y_AXIS_WIDTH, annotate, bounds, grid, label, plot_over_time, shown_in, tick, time_at_pointer,
@@ -144,9 +144,15 @@ fn titled_plot(ui: &mut Ui, state: &State, curves: &[Curves], quantity: Quantity
         ui.add_space(Y_AXIS_WIDTH);
         ui.label(RichText::new(label(quantity)).strong());
         if matches!(quantity, Quantity::LogGain | Quantity::Distance) {
-            return stereo::values_now(ui, state, quantity);
+            stereo::values_now(ui, state, quantity);
+        } else {
+            values_now(ui, state, quantity);
         }
-        values_now(ui, state, quantity);
+        if quantity != Quantity::Distance && state.settings.model() == Model::OneCone {
+            let tip = "Solid: as if both eyes received the same events. Dotted: each through its own light cone, exactly.\n\
+                What lies between the two comes from there being two light cones.";
+            ui.label(RichText::new(format!("{ONE_CONE}; dotted: two")).weak()).on_hover_text(tip);
+        }
     });
     plot(ui, ui.available_size(), state, curves, quantity, asks);
 }
@@ -223,51 +229,67 @@ fn plot(
     }
 }
 
+/// What curves are called that are not the exact ones, and these beside them.
+const ONE_CONE: &str = "one light cone";
+const TWO_CONES: &str = "two light cones (exact)";
+
 /// What is drawn of `quantity`: of every point for a disparity, of each eye of the selected one else.
 fn traces<'a>(ui: &Ui, state: &State, curves: &'a [Curves], quantity: Quantity) -> Vec<Trace<'a>> {
     let selected = state.session.points.selected_index();
     if matches!(quantity, Quantity::LogGain | Quantity::Distance) {
-        return curves.get(selected).map(|curves| stereo::traces(ui, curves, quantity)).unwrap_or_default();
+        let Some(curves) = curves.get(selected) else { return Vec::new() };
+        return stereo::traces(ui, state, curves, quantity);
     }
     if !matches!(quantity, Quantity::DeltaPhi | Quantity::DeltaTheta) {
         let Some(curves) = curves.get(selected) else { return Vec::new() };
-        let eyes = Eye::BOTH.into_iter().zip(curves.exact(quantity));
-        return eyes
-            .map(|(eye, points)| Trace {
-                name: eye.name().to_owned(),
-                points,
-                colour: theme::eye_colour(eye, ui.visuals()),
-                style: LineStyle::Solid,
-                wide: true,
-                dot: true,
+        let of_eyes = |curves: &'a [Vec<PlotPoint>], exact_beside| {
+            Eye::BOTH.into_iter().zip(curves).map(move |(eye, points)| {
+                let colour = theme::eye_colour(eye, ui.visuals());
+                Trace::of_model(eye.name().to_owned(), points, colour, state, exact_beside)
             })
-            .collect();
+        };
+        return of_eyes(curves.exact(quantity), true).chain(of_eyes(curves.shown(quantity), false)).collect();
     }
     let mut traces = Vec::new();
     for (index, (point, curves)) in state.session.points.all().iter().zip(curves).enumerate() {
         let colour = theme::point_colour(point.number, ui.visuals());
         let wide = index == selected;
         let published = curves.published(quantity);
-        let name = format!("{}, published", point.name(&state.session.scene));
+        let name = || point.name(&state.session.scene);
         traces.push(Trace {
-            name,
+            name: format!("{}, published", name()),
             points: published,
             colour,
             style: LineStyle::dashed_dense(),
             wide,
             dot: false,
         });
-        let exact = &curves.exact(quantity)[0];
-        traces.push(Trace {
-            name: point.name(&state.session.scene),
-            points: exact,
-            colour,
-            style: LineStyle::Solid,
-            wide,
-            dot: true,
-        });
+        let exact = curves.exact(quantity).iter().map(|points| (points, true));
+        for (points, exact_beside) in exact.chain(curves.shown(quantity).iter().map(|points| (points, false)))
+        {
+            let trace = Trace::of_model(name(), points, colour, state, exact_beside);
+            traces.push(Trace { wide: trace.wide && wide, ..trace });
+        }
     }
     traces
+}
+
+impl<'a> Trace<'a> {
+    /// A curve in the model of what the views show, or where that is another, the exact one beside it.
+    fn of_model(
+        name: String,
+        points: &'a [PlotPoint],
+        colour: Color32,
+        state: &State,
+        is_exact_beside: bool,
+    ) -> Self {
+        let (name, style) = match (state.settings.model(), is_exact_beside) {
+            (_, true) => (format!("{name}, {TWO_CONES}"), LineStyle::dotted_dense()),
+            (Model::OneCone, false) => (format!("{name}, {ONE_CONE}"), LineStyle::Solid),
+            _ => (name, LineStyle::Solid),
+        };
+        Self { name, points, colour, style, wide: !is_exact_beside, dot: !is_exact_beside }
+    }
 }
 
 fn draw<'a>(plot: &mut PlotUi<'a>, trace: Trace<'a>, now: f64) {
