@@ -24,7 +24,7 @@ pub use event::{Event, StraightLine};
 pub use fit::{Extent, plan_and_side};
 pub use instant::{Instant, Picture, Places};
 pub use light::{Front, Ray, Worldline, fronts, rays};
-pub use lines::{Line, Lines, Vertex};
+pub use lines::{Ball, Line, Lines, Vertex};
 pub use nearest::Nearest;
 pub use projection::Projection;
 pub use sight::field_of_view;
