@@ -16,6 +16,8 @@ mod nearest;
 mod outline;
 mod projection;
 mod sight;
+#[cfg(test)]
+mod tests;
 mod ticks;
 
 pub use chart::{Chart, Viewpoint};
