@@ -53,7 +53,7 @@ impl Units {
     #[must_use]
     pub fn of(self, scene: &Scene) -> Measures {
         let Some(metres) = scene.metres.filter(|_| self != Self::Natural) else {
-            return Measures { units: Self::Natural, length: Unit::OWN, time: Unit::OWN };
+            return Measures::OWN;
         };
         let seconds_in_town = metres / (TOWN_KM_PER_HOUR / 3.6);
         let time = match self {
@@ -65,6 +65,9 @@ impl Units {
 }
 
 impl Measures {
+    /// The scene's own.
+    pub const OWN: Self = Self { units: Units::Natural, length: Unit::OWN, time: Unit::OWN };
+
     /// `speed` in the units of everyday life, where c is a speed of everyday life too.
     #[must_use]
     pub fn speed(&self, speed: &Speed) -> Option<String> {
@@ -175,8 +178,7 @@ mod tests {
     fn a_scene_of_no_known_size_has_its_own_units_only() {
         let scene = Scene { metres: None, ..cyclist() };
         for units in [Units::Natural, Units::Metric, Units::Town] {
-            let own = Measures { units: Units::Natural, length: Unit::OWN, time: Unit::OWN };
-            assert_eq!(units.of(&scene), own);
+            assert_eq!(units.of(&scene), Measures::OWN);
         }
         assert_eq!(Unit::OWN.text(-1.5, 2), "−1.50");
         assert_eq!((Unit::OWN.label("T"), Unit::OWN.suffix()), ("T".to_owned(), String::new()));

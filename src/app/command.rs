@@ -262,14 +262,9 @@ impl State {
                 Some("With the right eye as published, click in the left eye's view.".to_owned());
             return;
         }
-        let view = self.view(pick.eye, pick.size);
-        let line_of_sight = view.camera.line_of_sight(pick.pixel);
-        let Some(hit) = self.session.prepared.first_hit(&view, line_of_sight) else {
-            return;
-        };
-        let motion = self.session.prepared.motion_of(hit.body);
-        let track = Track { rest: hit.material_position().to_array(), motion };
-        self.session.points.choose(track, hit.body, pick.add);
+        if let Some((track, body)) = self.point_at(pick.eye, pick.pixel, pick.size) {
+            self.session.points.choose(track, body, pick.add);
+        }
     }
 
     /// These settings with another scene, a preset or a file.

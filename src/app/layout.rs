@@ -62,7 +62,7 @@ pub struct Layout {
 }
 
 const BAR_HEIGHT: f32 = 38.0;
-const TIMELINE_HEIGHT: f32 = 66.0;
+const TIMELINE_HEIGHT: f32 = 76.0;
 /// Height of the wavelength scale with the numbers on it.
 const SPECTRUM_HEIGHT: f32 = 36.0;
 /// Heights of the sentence in a line and in two, and from which width on it needs but one.

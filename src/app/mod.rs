@@ -11,6 +11,7 @@ pub mod clock;
 pub mod command;
 pub mod corrected;
 pub mod curves;
+pub mod dial;
 pub mod examination;
 mod eyes;
 pub mod fitting;
@@ -29,6 +30,7 @@ mod speed_slider;
 pub mod state;
 mod stillness;
 mod theme;
+pub mod under;
 mod widgets;
 mod worker;
 

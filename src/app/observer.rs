@@ -11,6 +11,7 @@ use super::fitting::{FitKey, FitOutcome};
 use super::points::Point;
 use super::state::State;
 use crate::caption::Moment;
+use crate::scene::Track;
 use crate::settings::{Look, Settings, Subject};
 
 /// One of the two eyes.
@@ -98,7 +99,8 @@ impl State {
     pub fn moment(&self) -> Moment {
         let point = self.session.points.selected();
         let name = point.noun(&self.session.scene);
-        Moment::new(&self.settings, &point.track, name, self.emission(point), self.session.time)
+        let moment = Moment::new(&self.settings, &point.track, name, self.emission(point), self.session.time);
+        moment.told_in(self.measures())
     }
 
     /// The exact disparity of `point` now.
@@ -132,6 +134,19 @@ impl State {
     #[must_use]
     pub fn direction(&self, point: &Point, eye: Eye) -> Option<DVec3> {
         self.settings.directions(&point.track, self.session.time)[eye.index()]
+    }
+
+    /// The point of the scene at a `pixel` of the picture of `eye`, which has this `size`, and the body it is on; none
+    /// where nothing is, and in the published right eye's picture, into which no ray leads back.
+    #[must_use]
+    pub fn point_at(&self, eye: Eye, pixel: [f64; 2], size: [u32; 2]) -> Option<(Track, usize)> {
+        if self.sees_as_published(eye) {
+            return None;
+        }
+        let view = self.view(eye, size);
+        let hit = self.session.prepared.first_hit(&view, view.camera.line_of_sight(pixel))?;
+        let motion = self.session.prepared.motion_of(hit.body);
+        Some((Track { rest: hit.material_position().to_array(), motion }, hit.body))
     }
 
     /// What the curves of `point` depend on.

@@ -60,6 +60,9 @@ pub fn halo_colour(visuals: &Visuals) -> Color32 {
     if visuals.dark_mode { Color32::from_black_alpha(170) } else { Color32::from_white_alpha(210) }
 }
 
+/// What is said on the dark tags of pictures, in either theme.
+pub const TAG_TEXT: Color32 = Color32::from_gray(205);
+
 /// The line at the present T.
 #[must_use]
 pub fn now_colour(visuals: &Visuals) -> Color32 {

@@ -2,12 +2,14 @@
 //! reason why a part of a picture is dark.
 //!
 //! Two rules hold for every sentence. What no eye receives is not said to be seen: a contracted picture is *measured*.
-//! And three times are kept apart by name: T, when light arrives; t, when it left.
+//! And three times are kept apart by name ([`times`]): T, when light is received; t, when what is seen happened; τ, what
+//! its own clock showed then.
 
 mod light;
 mod numbers;
 #[cfg(test)]
 mod tests;
+pub mod times;
 mod unseen;
 
 use relativity_core::Sighting;
@@ -19,6 +21,7 @@ use self::numbers::{decimal, told_apart};
 pub use self::unseen::notice;
 use crate::scene::Track;
 use crate::settings::{Light, Settings};
+use crate::units::{Measures, Unit};
 
 /// Decimals of a time or a place, at least.
 const DECIMALS: u8 = 2;
@@ -32,6 +35,8 @@ pub struct Moment {
     pub source: Source,
     /// T.
     pub time: f64,
+    /// What its lengths and times are told in.
+    measures: Measures,
     /// What is said of its colour where that is not drawn as it is received.
     drawn: &'static str,
     shown: Shown,
@@ -41,7 +46,7 @@ pub struct Moment {
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Shown {
     /// What arrives at each eye; at both in one place the same.
-    Received([Sighting; 2], Eyes),
+    Received([Sighting; 2], Eyes, Clock),
     /// What arrives at the left eye; the right eye's picture is the published model's.
     Published(Sighting),
     /// Where it is at T: this x from between the eyes.
@@ -52,6 +57,13 @@ enum Shown {
     Unknown,
 }
 
+/// Whether the point's clock goes as those on the ground do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Clock {
+    OfItsOwn,
+    OfTheGround,
+}
+
 /// Whether the eyes are in one place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Eyes {
@@ -60,7 +72,8 @@ enum Eyes {
 }
 
 impl Moment {
-    /// What is shown of the point at `track`, called `name`, at `time` with these `settings`.
+    /// What is shown of the point at `track`, called `name`, at `time` with these `settings`. Its sentence has the
+    /// scene's own units.
     #[must_use]
     pub fn new(settings: &Settings, track: &Track, name: String, emission: Emission, time: f64) -> Self {
         let shown = Shown::new(settings, track, time).unwrap_or(Shown::Unknown);
@@ -68,9 +81,16 @@ impl Moment {
             name,
             source: Source::new(emission, &settings.light),
             time,
+            measures: Measures::OWN,
             drawn: drawn(&settings.light),
             shown,
         }
+    }
+
+    /// It, told in these units.
+    #[must_use]
+    pub fn told_in(self, measures: Measures) -> Self {
+        Self { measures, ..self }
     }
 
     /// Doppler factors of the light that arrives at the left and the right eye, or at cameras in their places, in the
@@ -78,7 +98,7 @@ impl Moment {
     #[must_use]
     pub fn doppler_factors(&self) -> [Option<f64>; 2] {
         match self.shown {
-            Shown::Received([left, right], _) => [left, right].map(|seen| Some(seen.doppler_factor)),
+            Shown::Received([left, right], ..) => [left, right].map(|seen| Some(seen.doppler_factor)),
             Shown::Published(left) => [Some(left.doppler_factor), None],
             Shown::RidingAlong(factors) => factors.map(Some),
             Shown::Contracted(_) | Shown::Unknown => [None; 2],
@@ -102,23 +122,25 @@ impl Moment {
     /// The moment in a sentence or two.
     #[must_use]
     pub fn sentence(&self) -> String {
-        let (name, now) = (&self.name, decimal(self.time, DECIMALS));
+        let Measures { length, time: unit, .. } = self.measures;
+        let (name, now) = (&self.name, told(unit, self.time));
         match self.shown {
-            Shown::Received(seen, eyes) => {
-                let left = departure(&seen, eyes);
-                self.with_light(&format!("Light arriving now (T = {now}) left {name} {left}"))
+            Shown::Received(seen, eyes, clock) => {
+                let left = departure(&seen, eyes, unit);
+                let shown = if clock == Clock::OfItsOwn { own_clock(&seen, unit) } else { String::new() };
+                self.with_light(&format!("Light received now (T = {now}) left {name} {left}{shown}"))
             }
             Shown::Published(seen) => {
-                let left = decimal(seen.retarded_time, DECIMALS);
+                let left = told(unit, seen.retarded_time);
                 let start =
-                    format!("Light arriving now (T = {now}) left {name} at t = {left} for the left eye");
+                    format!("Light received now (T = {now}) left {name} at t = {left} for the left eye");
                 let model = "The right view is the paper's model: the left eye's picture at T − ΔT.";
                 format!("{} {model}", self.with_light(&start))
             }
             Shown::Contracted(x) => format!(
                 "{} is drawn where it is now (t = {now}, x = {}), as measured on the ground: nobody sees this.",
                 capitalised(name),
-                decimal(x, DECIMALS)
+                told(length, x)
             ),
             Shown::RidingAlong(_) => {
                 let start =
@@ -138,14 +160,35 @@ impl Moment {
     }
 }
 
-/// When the light left that arrives at the eyes.
-fn departure(seen: &[Sighting; 2], eyes: Eyes) -> String {
-    let times = told_apart(&seen.map(|seen| seen.retarded_time), DECIMALS);
+/// `value`, which is in units of the scene, in this unit.
+fn told(unit: Unit, value: f64) -> String {
+    decimal(unit.shown(value), unit.decimals(DECIMALS)) + &tied(unit)
+}
+
+/// What stands behind a number: its unit, which is not parted from it.
+fn tied(unit: Unit) -> String {
+    unit.suffix().replace(' ', "\u{a0}")
+}
+
+/// What differs of `values` in this unit, or the one text that they share.
+fn told_of_both(unit: Unit, values: [f64; 2]) -> Vec<String> {
+    let texts = told_apart(&values.map(|value| unit.shown(value)), unit.decimals(DECIMALS));
+    texts.into_iter().map(|text| text + &tied(unit)).collect()
+}
+
+/// When the light left that is received by the eyes.
+fn departure(seen: &[Sighting; 2], eyes: Eyes, unit: Unit) -> String {
+    let times = told_of_both(unit, seen.map(|seen| seen.retarded_time));
     match (&times[..], eyes) {
         ([left, right], Eyes::Apart) => format!("at t = {left} for the left eye, {right} for the right"),
         (_, Eyes::Apart) => format!("at t = {} for both eyes", times[0]),
         (_, Eyes::Together) => format!("at t = {}", times[0]),
     }
+}
+
+/// What its own clock showed then.
+fn own_clock(seen: &[Sighting; 2], unit: Unit) -> String {
+    format!(", by its own clock at τ = {}", told_of_both(unit, seen.map(|seen| seen.own_time)).join(" and "))
 }
 
 /// What is said of colours where `light` does not draw them as they are received.
@@ -173,7 +216,8 @@ impl Shown {
             // Where nothing moves all geometries are alike.
             _ => {
                 let eyes = if settings.motion.d == 0.0 { Eyes::Together } else { Eyes::Apart };
-                seen().map(|both| Self::Received([both.primary, both.secondary], eyes))
+                let clock = if is_moving { Clock::OfItsOwn } else { Clock::OfTheGround };
+                seen().map(|both| Self::Received([both.primary, both.secondary], eyes, clock))
             }
         }
     }

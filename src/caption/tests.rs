@@ -5,8 +5,9 @@ use relativity_render::{Colour, Emission, Geometry, Motion, Velocity};
 
 use super::Moment;
 use crate::flags::{SpeedParameter, SpeedSetting};
-use crate::scene::Track;
+use crate::scene::{Scene, Track};
 use crate::settings::Settings;
+use crate::units::Units;
 
 const POINT: Track = Track { rest: [0.0, 3.0, 2.0], motion: Motion::Scene };
 
@@ -21,27 +22,53 @@ fn moment(settings: &Settings, time: f64) -> Moment {
     Moment::new(settings, &POINT, "the front tyre".to_owned(), Emission::Wavelength(700.0), time)
 }
 
-/// What the core says: t and wavelength of each eye.
-fn core(beta: f64, d: f64, time: f64) -> [[f64; 2]; 2] {
+/// What the core says: t and wavelength of each eye, and what a clock shows at the event: that of its own frame, as
+/// Lorentz has it.
+fn core(beta: f64, d: f64, time: f64) -> [[f64; 3]; 2] {
     let speed = Speed::from_beta(beta).expect("a speed");
     let source = SourcePoint::from_rest(POINT.rest, &speed);
     Aperture::pair(d).map(|eye| {
         let seen = sighting(&speed, source, eye, time).expect("in the domain");
-        [seen.retarded_time, 700.0 / seen.doppler_factor]
+        let (t, x) = (seen.retarded_time, source.x0 + beta * seen.retarded_time);
+        [t, 700.0 / seen.doppler_factor, (t - beta * x) / (1.0 - beta * beta).sqrt()]
     })
 }
 
 #[test]
 fn the_sentence_tells_times_wavelengths_and_colours_of_both_eyes() {
-    let [[left, left_nm], [right, right_nm]] = core(0.9, 0.1, 1.1);
+    let [[left, left_nm, left_own], [right, right_nm, right_own]] = core(0.9, 0.1, 1.1);
     let expected = format!(
-        "Light arriving now (T = 1.10) left the front tyre at t = {left:.2} for the left eye, {right:.2} for the right: \
-         {left_nm:.0} and {right_nm:.0} nm, orange and yellow."
+        "Light received now (T = 1.10) left the front tyre at t = {left:.2} for the left eye, {right:.2} for the right, \
+         by its own clock at τ = {left_own:.2} and {right_own:.2}: {left_nm:.0} and {right_nm:.0} nm, orange and yellow."
     );
     assert_eq!(
         moment(&settings(0.9, 0.1), 1.1).sentence(),
-        expected.replace("= -", "= −").replace(", -", ", −")
+        expected.replace("= -", "= −").replace(", -", ", −").replace("and -", "and −")
     );
+}
+
+#[test]
+fn a_sentence_has_the_units_of_the_window() {
+    let scene = Scene::preset("cyclist").expect("a preset");
+    let told = |units: Units| moment(&settings(0.9, 0.1), 1.1).told_in(units.of(&scene)).sentence();
+    // 0.65 m take light 2.168166621 ns, and 0.078 s at 30 km/h.
+    let [metric, town] = [Units::Metric, Units::Town].map(told).map(|text| text.replace('\u{a0}', " "));
+    let [[t, ..], _] = core(0.9, 0.1, 1.1);
+    for (sentence, factor, decimals, unit) in [(metric, 2.168_166_621, 2, "ns"), (town, 0.078, 3, "s")] {
+        let time = |value: f64| format!("= {:.decimals$} {unit}", value * factor).replace('-', "−");
+        for time in [time(1.1), time(t)] {
+            assert!(sentence.contains(&time), "{time} in {sentence}");
+        }
+    }
+    assert_eq!(told(Units::Natural), moment(&settings(0.9, 0.1), 1.1).sentence());
+}
+
+#[test]
+fn what_rests_has_no_clock_but_those_on_the_ground() {
+    let post = Track { rest: [5.0, 3.0, 2.0], motion: Motion::Own(Velocity::REST) };
+    let name = "the lamp post".to_owned();
+    let post = Moment::new(&settings(0.9, 0.1), &post, name, Emission::Wavelength(700.0), 1.1);
+    assert!(!post.sentence().contains("own clock"), "{}", post.sentence());
 }
 
 #[test]
@@ -61,7 +88,7 @@ fn eyes_in_one_place_have_one_sentence() {
 #[test]
 fn eyes_that_hardly_differ_are_told_apart_by_more_decimals() {
     let sentence = moment(&settings(0.9, 1e-3), 1.1).sentence();
-    let [[left, _], [right, _]] =
+    let [[left, ..], [right, ..]] =
         core(0.9, 1e-3, 1.1).map(|eye| eye.map(|value| (value * 1e3).round() / 1e3));
     assert!(left != right, "{left} {right}");
     assert!(
@@ -77,7 +104,7 @@ fn at_rest_light_arrives_as_it_left() {
         settings.look.geometry = geometry;
         let sentence = moment(&settings, 1.1).sentence();
         assert!(
-            sentence.starts_with("Light arriving now (T = 1.10) left the front tyre at t = −2.5"),
+            sentence.starts_with("Light received now (T = 1.10) left the front tyre at t = −2.5"),
             "{sentence}"
         );
         assert!(sentence.ends_with(": 700 nm, red."), "{sentence}");
@@ -130,7 +157,7 @@ fn light_of_many_wavelengths_is_told_by_its_shift() {
 fn what_glows_is_told_by_its_temperatures() {
     let mut settings = settings(0.9, 0.1);
     (settings.light.colour, settings.light.temperature) = (Colour::Glowing, 1000.0);
-    let [[_, left], [_, right]] = core(0.9, 0.1, 1.1);
+    let [[_, left, _], [_, right, _]] = core(0.9, 0.1, 1.1);
     let sentence = moment(&settings, 1.1).sentence();
     let expected = format!(": a glow of 1000 K, received as of {:.0} and {:.0} K.", 7e5 / left, 7e5 / right);
     assert!(sentence.ends_with(&expected), "{sentence} {expected}");

@@ -8,6 +8,7 @@ use relativity_render::Velocity;
 
 use super::event::{Event, StraightLine};
 use super::light::{Ray, Worldline, rays};
+use super::{Chart, Viewpoint};
 use crate::passage;
 use crate::scene::Track;
 use crate::settings::Settings;
@@ -29,6 +30,14 @@ impl Cone {
     #[must_use]
     pub fn time(&self, x: f64) -> f64 {
         self.apex.t - math::hypot(x - self.apex.x, self.distance)
+    }
+
+    /// From where to where it is later than `t`; `None` where that is nowhere.
+    #[must_use]
+    pub fn later_than(&self, t: f64) -> Option<[f64; 2]> {
+        let ago = self.apex.t - t;
+        let reach = ((ago - self.distance) * (ago + self.distance)).sqrt();
+        (ago > self.distance).then(|| [self.apex.x - reach, self.apex.x + reach])
     }
 
     /// The curve from `low` to `high`: events that lie close together where it bends.
@@ -146,9 +155,8 @@ impl Diagram {
     }
 }
 
-/// From how far before the eyes to how far behind them the point is followed by what is shown at first, in distances at
-/// which it passes.
-const SHOWN_PASSAGE: f64 = 1.2;
+/// From where to where the point is seen to pass in what is shown at first, in distances at which it does.
+const SHOWN_PASSAGE: [f64; 2] = [-1.2, 0.2];
 /// What is shown of slow passages, before and after the point is seen abreast, in these distances.
 const LONGEST_SHOWN: f64 = 2.0;
 /// The smallest distance that is made room for.
@@ -182,6 +190,26 @@ pub fn home(
     Ok([low.plus(onward), high.plus(onward)])
 }
 
+/// Points left free for what stands at the left, at the right, above and below.
+const MARGINS: [f64; 4] = [44.0, 16.0, 22.0, 26.0];
+
+/// The chart in a rectangle (left, top, width, height, points) that holds all from `low` to `high`, as the user looks at
+/// it. One scale serves both axes, so that light runs at 45 degrees.
+#[must_use]
+pub fn chart([left, top, width, height]: [f64; 4], [low, high]: [Event; 2], viewpoint: &Viewpoint) -> Chart {
+    let [before, behind, above, below] = MARGINS;
+    let free = [(width - before - behind).max(0.4 * width), (height - above - below).max(0.4 * height)];
+    let fitted = (free[0] / (high.x - low.x)).min(free[1] / (high.t - low.t));
+    let aside = [0.5 * (before - behind) / fitted, 0.5 * (below - above) / fitted];
+    let center = [0.5 * (low.x + high.x), 0.5 * (low.t + high.t)];
+    Chart {
+        middle: [left + 0.5 * width, top + 0.5 * height],
+        half: [0.5 * width, 0.5 * height],
+        center: [0, 1].map(|axis| center[axis] - aside[axis] + viewpoint.shift[axis]),
+        scale: fitted * viewpoint.zoom,
+    }
+}
+
 /// First and last T of the passage that is shown at first.
 fn shown_times(settings: &Settings, point: &Track) -> Result<[f64; 2], DomainError> {
     let speed = settings.velocity(point.motion).speed;
@@ -191,8 +219,8 @@ fn shown_times(settings: &Settings, point: &Track) -> Result<[f64; 2], DomainErr
     let seen = |ratio| passage::time_seen_at(ratio, &speed, passing, 0.0);
     let abreast = seen(0.0)?.unwrap_or_default();
     let longest = LONGEST_SHOWN * distance;
-    let first = seen(-SHOWN_PASSAGE)?.map_or(abreast - longest, |first| first.max(abreast - longest));
-    let last = seen(SHOWN_PASSAGE)?.map_or(abreast + longest, |last| last.min(abreast + longest));
+    let first = seen(SHOWN_PASSAGE[0])?.map_or(abreast - longest, |first| first.max(abreast - longest));
+    let last = seen(SHOWN_PASSAGE[1])?.map_or(abreast + longest, |last| last.min(abreast + longest));
     Ok([first, last])
 }
 
@@ -364,7 +392,7 @@ mod tests {
         let [low, high] = home(3.6);
         assert_eq!(home(1.1), [low, high]);
         assert!((high.t - low.t - (high.x - low.x)).abs() < 5.0, "about square: {low:?} {high:?}");
-        for time in [1.1, 3.6, 8.0] {
+        for time in [1.1, 3.6, 4.3] {
             let diagram = Diagram::new(&settings, &track, time, Velocity::REST).expect("in the domain");
             for event in diagram.rays.iter().flat_map(|ray| [ray.left, ray.received]) {
                 assert!((low.x..=high.x).contains(&event.x) && (low.t..=high.t).contains(&event.t));

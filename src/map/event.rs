@@ -44,9 +44,9 @@ pub struct StraightLine {
 }
 
 impl StraightLine {
-    /// The two ends of what of it lies in the rectangle from `low` to `high`; `None` if it passes that by.
+    /// From how many to how many steps it lies in the rectangle from `low` to `high`; `None` if it passes that by.
     #[must_use]
-    pub fn within(&self, low: Event, high: Event) -> Option<[Event; 2]> {
+    pub fn part_within(&self, low: Event, high: Event) -> Option<[f64; 2]> {
         let sides =
             [(self.through.x, self.step.x, low.x, high.x), (self.through.t, self.step.t, low.t, high.t)];
         let mut part = [f64::NEG_INFINITY, f64::INFINITY];
@@ -60,7 +60,13 @@ impl StraightLine {
             let [a, b] = [(low - from) / step, (high - from) / step];
             part = [part[0].max(a.min(b)), part[1].min(a.max(b))];
         }
-        (part[0] < part[1]).then(|| part.map(|steps| self.at(steps)))
+        (part[0] < part[1]).then_some(part)
+    }
+
+    /// The two ends of that part.
+    #[must_use]
+    pub fn within(&self, low: Event, high: Event) -> Option<[Event; 2]> {
+        self.part_within(low, high).map(|part| part.map(|steps| self.at(steps)))
     }
 
     /// So many `steps` from [`Self::through`].

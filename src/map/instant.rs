@@ -73,10 +73,7 @@ impl<'a> Instant<'a> {
     #[must_use]
     pub fn places(&self, motion: Motion) -> Places {
         let Settings { motion: set, .. } = self.settings;
-        let frame = match self.frame() {
-            Frame::Ground => Velocity::REST,
-            Frame::Bicycle => Velocity::forward(self.settings.speed()),
-        };
+        let frame = self.settings.frame();
         Places {
             shift: DVec3::new(0.0, set.depth_shift, set.height_shift),
             eyes: self.settings.apertures().map(position),

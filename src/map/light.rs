@@ -110,15 +110,14 @@ pub fn rays(settings: &Settings, point: &Track, time: f64, frame: Velocity) -> R
     let both = settings.disparity(point, time)?;
     let [left, right] = settings.apertures();
     Ok([(both.primary, left), (both.secondary, right)].map(|(seen, eye)| {
-        let happened = seen.retarded_time;
-        // On the ground its place has more digits than the worldline at its time.
+        // Where and when it rests is known better than by its place on the ground.
         let left = if worldline.rests {
-            worldline.at(happened)
+            Event { x: worldline.rest[0], t: seen.own_time }
         } else {
-            Event { x: eye.x + seen.position[0], t: happened }.in_frame(frame)
+            Event { x: eye.x + seen.position[0], t: seen.retarded_time }.in_frame(frame)
         };
         let received = Event { x: eye.x, t: time }.in_frame(frame);
-        Ray { left, received, happened, own_time: worldline.own_time(happened) }
+        Ray { left, received, happened: seen.retarded_time, own_time: seen.own_time }
     }))
 }
 

@@ -21,7 +21,7 @@ mod tests;
 mod ticks;
 
 pub use chart::{Chart, Viewpoint};
-pub use diagram::{Cone, Diagram, home};
+pub use diagram::{Cone, Diagram, chart, home};
 pub use event::{Event, StraightLine};
 pub use fit::{Extent, plan_and_side};
 pub use instant::{Instant, Picture, Places};

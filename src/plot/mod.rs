@@ -10,6 +10,7 @@ use std::fmt::Write as _;
 use relativity_core::math;
 
 use self::scale::{decades, linear_ticks, powers_of_ten, span, widened};
+pub use self::scale::{multiples, round_step, tick_label};
 
 /// Black.
 pub const BLACK: &str = "#000000";

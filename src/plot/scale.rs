@@ -51,20 +51,25 @@ pub fn linear_ticks(range: [f64; 2]) -> Vec<(f64, String)> {
 
 /// Round values inside `range`: multiples of 1, 2 or 5 times a power of ten.
 fn ticks([low, high]: [f64; 2]) -> Vec<f64> {
-    let step = round_step((high - low) / TICKS);
-    let first = (low / step).ceil() as i64;
-    let last = (high / step).floor() as i64;
-    (first..=last).map(|n| n as f64 * step).collect()
+    multiples(round_step((high - low) / TICKS), [low, high]).collect()
 }
 
-fn round_step(step: f64) -> f64 {
+/// The multiples of `step` inside a range.
+pub fn multiples(step: f64, [low, high]: [f64; 2]) -> impl Iterator<Item = f64> {
+    let first = (low / step).ceil() as i64;
+    let last = (high / step).floor() as i64;
+    (first..=last).map(move |n| n as f64 * step)
+}
+
+/// The least of 1, 2 and 5 times a power of ten that is not below `step`.
+pub fn round_step(step: f64) -> f64 {
     let power = math::powf(10.0, math::log10(step).floor());
     let leading = step / power;
     power * [1.0, 2.0, 5.0, 10.0].into_iter().find(|&nice| nice >= leading).unwrap_or(10.0)
 }
 
 /// At most six significant digits: what is left of them is rounding.
-fn tick_label(value: f64) -> String {
+pub fn tick_label(value: f64) -> String {
     let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
     rounded.to_string().replace('-', "\u{2212}")
 }

@@ -9,7 +9,7 @@ use relativity_render::exposure::automatic_ev;
 use relativity_render::{Appearance, Camera, Gaze, Geometry, Motion, Outline, PreparedScene, Velocity, View};
 
 use super::all::Settings;
-use super::sections::{Daylight, Light, Look, Theme, USUAL_FOV};
+use super::sections::{Daylight, Frame, Light, Look, Theme, USUAL_FOV};
 use crate::flags::choices::GazeChoice;
 use crate::flags::{Exposure, FieldOfView};
 use crate::passage;
@@ -60,6 +60,15 @@ impl Settings {
         match motion {
             Motion::Scene => Velocity::forward(self.speed()),
             Motion::Own(velocity) => velocity,
+        }
+    }
+
+    /// The velocity of the frame that the map is drawn in.
+    #[must_use]
+    pub const fn frame(&self) -> Velocity {
+        match self.map.frame {
+            Frame::Ground => Velocity::REST,
+            Frame::Bicycle => Velocity::forward(self.speed()),
         }
     }
 

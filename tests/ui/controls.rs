@@ -87,7 +87,7 @@ fn the_readout_is_what_the_core_computes() {
             let rows = [
                 ("Doppler factor D", expected.doppler_factor, 6e-5),
                 ("Received wavelength", 700.0 / expected.doppler_factor, 0.06),
-                ("Retarded time t", expected.retarded_time, 6e-5),
+                ("happened t", expected.retarded_time, 6e-5),
                 ("Apparent X", expected.position[0], 6e-5),
                 ("Azimuth φ", expected.phi(), 6e-6),
                 ("Elevation θ", expected.theta(), 6e-6),

@@ -32,7 +32,7 @@ fn scrubbing_moves_the_time() {
     drag(&mut window, scrubber.left_center() + [30.0, 0.0].into(), scrubber.center());
     let [from, to] = window.state().state().time_range();
     assert!((time(&window) - 0.5 * (from + to)).abs() < 0.01 * (to - from));
-    let shown = shown(&window, "Right eye, Retarded time t");
+    let shown = shown(&window, "Right eye, happened t");
     assert!((shown - seen(0.9, time(&window), 1).retarded_time).abs() < 6e-5);
     type_into(&mut window, "T, typed", "2.25");
     assert_eq!(time(&window), 2.25);
@@ -40,7 +40,7 @@ fn scrubbing_moves_the_time() {
 
 fn at_t0_the_elevations_agree() {
     let mut window = window(cyclist(0.9));
-    window.get_by_label("Go to T₀").click();
+    window.get_by_label("Go to seen abreast").click();
     window.run();
     // sqrt(0.05^2 + 3^2 + 2^2), and halfway between the eyes X = 0, where D = 1/gamma.
     assert!((time(&window) - 13.0025f64.sqrt()).abs() < 1e-12);
@@ -163,9 +163,12 @@ fn playing_runs_by_the_clock() {
 fn a_scene_at_rest_has_no_t0() {
     let mut window = window(cyclist(0.0));
     let before = time(&window);
-    window.get_by_label("Go to T₀").click();
+    window.get_by_label("Go to seen abreast").click();
     window.run();
     assert_eq!(time(&window), before);
-    assert!(window.query_by_label_contains("T₀ –").is_some() || window.query_by_label("Go to T₀").is_some());
+    assert!(
+        window.query_by_label_contains("T₀ –").is_some()
+            || window.query_by_label("Go to seen abreast").is_some()
+    );
     assert!((shown(&window, "Left eye, Doppler") - 1.0).abs() < 1e-12);
 }

@@ -24,7 +24,7 @@ pub const TESTS: &[Test] = &[
 /// Wavelength at rest of the cyclist, nm.
 const REST_NM: f64 = 700.0;
 /// How all sentences begin that tell what arrives.
-const ARRIVING: &str = "Light arriving now";
+const ARRIVING: &str = "Light received now";
 
 fn the_sentence_has_the_numbers_of_the_core() {
     let mut window = window(cyclist(0.9));
@@ -35,7 +35,7 @@ fn the_sentence_has_the_numbers_of_the_core() {
         let [left, right] = [0, 1].map(|eye| seen(0.9, time, eye));
         let time = |t: f64| format!("{t:.2}").replace('-', "−");
         let times = format!(
-            "at t = {} for the left eye, {} for the right: ",
+            "at t = {} for the left eye, {} for the right, ",
             time(left.retarded_time),
             time(right.retarded_time)
         );

@@ -1,7 +1,7 @@
 //! The bar at the top: the scene, and which parts of the window are shown.
 
 use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
-use eframe::egui::{Align, ComboBox, Layout, RichText, TextStyle, Ui, vec2};
+use eframe::egui::{Align, Button, ComboBox, Layout, RichText, TextStyle, Ui, vec2};
 
 use super::Asks;
 use crate::app::command::Command;
@@ -9,6 +9,7 @@ use crate::app::state::State;
 use crate::app::widgets::icons::{self, Icon};
 use crate::scene::{PRESETS, Scene};
 use crate::settings::{Preset, Theme};
+use crate::units::Units;
 
 /// Room for a menu's entries before they scroll, points.
 const MENU_HEIGHT: f32 = 420.0;
@@ -19,6 +20,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         ui.label(RichText::new("Gamow").heading().strong());
         scene(ui, state, asks);
         presets(ui, state, asks);
+        units(ui, state, asks);
         if let Some(notice) = &state.session.notice {
             ui.colored_label(ui.visuals().error_fg_color, notice);
         }
@@ -78,6 +80,51 @@ fn scene(ui: &mut Ui, state: &State, asks: &mut Asks) {
         .on_hover_text("What rides past. A scene file dropped onto the window opens too.")
         .accessible_name("Scene");
 }
+
+/// In which units the whole window shows lengths and times.
+fn units(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    let mut window = state.settings.window;
+    let shown = state.measures().units;
+    let has_metres = state.session.scene.metres.is_some();
+    ComboBox::from_id_salt("units")
+        .selected_text(UNITS[shown as usize].1)
+        .width(92.0)
+        .show_ui(ui, |ui| {
+            for (choice, name, tip) in UNITS {
+                let is_there = has_metres || choice == Units::Natural;
+                let button = Button::selectable(shown == choice, name);
+                let response = ui.add_enabled(is_there, button);
+                if response.on_hover_text(tip).on_disabled_hover_text(NO_METRES).clicked() {
+                    window.units = choice;
+                }
+            }
+            if !has_metres {
+                ui.label(RichText::new(NO_METRES).weak().small());
+            }
+        })
+        .response
+        .on_hover_text(UNITS_TIP)
+        .accessible_name("Units");
+    if window != state.settings.window {
+        asks.push(Command::Window(window));
+    }
+}
+
+const UNITS: [(Units, &str, &str); 3] = [
+    (Units::Natural, "c = 1", "Lengths and times in the scene's own unit: light takes 1 for 1."),
+    (Units::Metric, "m, ns", "Metres and nanoseconds: light takes 3.34 ns for a metre."),
+    (
+        Units::Town,
+        "c = 30 km/h",
+        "Metres and seconds in Gamow's town, where light takes 0.12 s for a metre. Nothing looks different: \
+        all that counts is v/c.",
+    ),
+];
+
+const UNITS_TIP: &str = "In which units the window shows and takes lengths and times. Files, CSV, flags and what a \
+    picture records stay in the scene's own, in which c = 1.";
+
+const NO_METRES: &str = "This scene does not say how many metres its unit is.";
 
 fn parts(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let mut window = state.settings.window;

@@ -1,6 +1,6 @@
 //! The numbers: what each eye receives of the selected point now, and how the two differ.
 
-use eframe::egui::{self, Align, Color32, Grid, Layout, RichText, Sense, Ui, vec2};
+use eframe::egui::{self, Align, Color32, Grid, Layout, RichText, ScrollArea, Sense, Ui, vec2};
 use relativity_core::{Sighting, doppler::received_wavelength};
 use relativity_render::{Velocity, colour};
 
@@ -10,7 +10,9 @@ use crate::app::observer::Eye;
 use crate::app::state::State;
 use crate::app::theme;
 use crate::app::widgets::{dot, named_text};
+use crate::caption::times::{HAPPENED, OWN_CLOCK, RECEIVED, TimeName};
 use crate::figures;
+use crate::units::{Measures, Unit};
 
 /// Shows the readout.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
@@ -27,12 +29,18 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
             ui.label(RichText::new(format!("β {sign}{}", figures::beta(&speed))).weak());
         });
     });
-    let sightings = Eye::BOTH.map(|eye| state.sighting(point, eye));
     differences(ui, state);
     if !state.settings.window.readout {
         return;
     }
     ui.separator();
+    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| table(ui, state));
+}
+
+/// What each eye receives.
+fn table(ui: &mut Ui, state: &State) {
+    let point = state.session.points.selected();
+    let sightings = Eye::BOTH.map(|eye| state.sighting(point, eye));
     let rest_wavelength = state.rest_wavelength_nm(point);
     Grid::new("readout").num_columns(3).spacing([10.0, 3.0]).min_col_width(70.0).min_row_height(18.0).show(
         ui,
@@ -44,7 +52,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
             ui.end_row();
             wavelengths(ui, sightings, rest_wavelength);
             for quantity in &QUANTITIES {
-                quantity.row(ui, sightings);
+                quantity.row(ui, state, sightings);
             }
         },
     );
@@ -62,73 +70,81 @@ fn fold(ui: &mut Ui, state: &State, asks: &mut Asks) {
     }
 }
 
+/// A row of the table.
 struct Quantity {
     symbol: &'static str,
+    /// For assistive technology.
     name: &'static str,
     tip: &'static str,
     decimals: u8,
-    value: fn(&Sighting) -> f64,
+    unit: fn(&Measures) -> Unit,
+    /// From what an eye sees, and T.
+    value: fn(&Sighting, f64) -> f64,
 }
 
-const QUANTITIES: [Quantity; 7] = [
+impl Quantity {
+    const fn time(TimeName { name, tip }: TimeName, value: fn(&Sighting, f64) -> f64) -> Self {
+        Self { symbol: name, name, tip, decimals: 4, unit: |measures| measures.time, value }
+    }
+
+    const fn length(
+        symbol: &'static str,
+        name: &'static str,
+        tip: &'static str,
+        value: fn(&Sighting, f64) -> f64,
+    ) -> Self {
+        Self { symbol, name, tip, decimals: 4, unit: |measures| measures.length, value }
+    }
+
+    const fn angle(
+        symbol: &'static str,
+        name: &'static str,
+        tip: &'static str,
+        value: fn(&Sighting, f64) -> f64,
+    ) -> Self {
+        Self { symbol, name, tip, decimals: 5, unit: |_| Unit { factor: 1.0, name: "rad" }, value }
+    }
+}
+
+const QUANTITIES: [Quantity; 9] = [
     Quantity {
         symbol: "Doppler D",
         name: "Doppler factor D",
-        tip: "Received over rest frequency; above 1 is bluer.\nD = 1/(γ(1 + β X/R))",
+        tip: "Received over rest frequency; above 1 is bluer. So fast is its clock seen to run.\nD = 1/(γ(1 + β X/R))",
         decimals: 4,
-        value: |seen| seen.doppler_factor,
+        unit: |_| Unit::OWN,
+        value: |seen, _| seen.doppler_factor,
     },
-    Quantity {
-        symbol: "emitted t",
-        name: "Retarded time t",
-        tip: "When the light that arrives at T was emitted.\nt = T − R",
-        decimals: 4,
-        value: |seen| seen.retarded_time,
-    },
-    Quantity {
-        symbol: "seen at X",
-        name: "Apparent X",
-        tip: "Apparent position along the motion, from this eye.",
-        decimals: 4,
-        value: |seen| seen.position[0],
-    },
-    Quantity {
-        symbol: "Y",
-        name: "Apparent Y",
-        tip: "Apparent position in depth.",
-        decimals: 4,
-        value: |seen| seen.position[1],
-    },
-    Quantity {
-        symbol: "Z",
-        name: "Apparent Z",
-        tip: "Apparent height.",
-        decimals: 4,
-        value: |seen| seen.position[2],
-    },
-    Quantity {
-        symbol: "φ / rad",
-        name: "Azimuth φ",
-        tip: "Azimuth from +x towards +y.\nφ = atan2(Y, X)",
-        decimals: 5,
-        value: Sighting::phi,
-    },
-    Quantity {
-        symbol: "θ / rad",
-        name: "Elevation θ",
-        tip: "Elevation from the x-y plane.\nθ = atan2(Z, √(X² + Y²))",
-        decimals: 5,
-        value: Sighting::theta,
-    },
+    Quantity::time(RECEIVED, |_, time| time),
+    Quantity::time(HAPPENED, |seen, _| seen.retarded_time),
+    Quantity::time(OWN_CLOCK, |seen, _| seen.own_time),
+    Quantity::length(
+        "seen at X",
+        "Apparent X",
+        "Apparent position along the motion, from this eye.",
+        |seen, _| seen.position[0],
+    ),
+    Quantity::length("Y", "Apparent Y", "Apparent position in depth.", |seen, _| seen.position[1]),
+    Quantity::length("Z", "Apparent Z", "Apparent height.", |seen, _| seen.position[2]),
+    Quantity::angle("φ", "Azimuth φ", "Azimuth from +x towards +y.\nφ = atan2(Y, X)", |seen, _| {
+        seen.phi()
+    }),
+    Quantity::angle(
+        "θ",
+        "Elevation θ",
+        "Elevation from the x-y plane.\nθ = atan2(Z, √(X² + Y²))",
+        |seen, _| seen.theta(),
+    ),
 ];
 
 impl Quantity {
-    fn row(&self, ui: &mut Ui, sightings: [Option<Sighting>; 2]) {
-        ui.label(RichText::new(self.symbol).weak()).on_hover_text(self.tip);
+    fn row(&self, ui: &mut Ui, state: &State, sightings: [Option<Sighting>; 2]) {
+        let unit = (self.unit)(&state.measures());
+        ui.label(RichText::new(unit.label(self.symbol)).weak()).on_hover_text(self.tip);
         for (eye, seen) in Eye::BOTH.into_iter().zip(sightings) {
-            let text = figures::fixed_or_none(seen.as_ref().map(self.value), self.decimals);
-            let name = format!("{}, {}: {text}", eye.name(), self.name);
-            named_text(ui, RichText::new(text), name).on_hover_text(self.tip);
+            let value = seen.as_ref().map_or(f64::NAN, |seen| (self.value)(seen, state.session.time));
+            let name = format!("{}, {}: {}", eye.name(), self.name, unit.text(value, self.decimals));
+            named_text(ui, unit.number(value, self.decimals), name).on_hover_text(self.tip);
         }
         ui.end_row();
     }

@@ -1,7 +1,11 @@
 //! Play, pause, step and scrub through the observation time.
 
+use std::sync::Arc;
+
+use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    self, Align, Align2, Checkbox, DragValue, Layout, RichText, Slider, SliderClamping, Stroke, TextStyle, Ui,
+    self, Align, Align2, Checkbox, Color32, CursorIcon, Galley, Layout, Rect, Response, Sense, Slider,
+    SliderClamping, Stroke, TextStyle, Ui, Visuals, WidgetInfo, pos2, vec2,
 };
 
 use super::Asks;
@@ -9,10 +13,11 @@ use crate::app::command::Command;
 use crate::app::state::State;
 use crate::app::theme;
 use crate::app::widgets;
+use crate::app::widgets::apart::{Span, apart};
 use crate::app::widgets::icons::{self, Icon};
-use crate::figures;
 use crate::flags::{MAX_TIME, TimeRange};
 use crate::settings::RATE;
+use crate::units::Unit;
 
 const TIME_TIP: &str = "Observation time T: when the light is received.   Keys: ← →, Home, End";
 
@@ -54,25 +59,16 @@ fn time(ui: &mut Ui, state: &State, asks: &mut Asks) {
     ui.label("T").on_hover_text(TIME_TIP);
     let mut time = state.session.time;
     let [from, to] = state.time_range();
-    let number = DragValue::new(&mut time)
-        .range(-MAX_TIME..=MAX_TIME)
-        .speed((to - from) / 1000.0)
-        .min_decimals(3)
-        // While it runs, digits that nobody can read would only flicker.
-        .max_decimals(if state.session.playing { 3 } else { 6 })
-        .update_while_editing(false);
-    let response = ui.add_sized([76.0, ui.spacing().interact_size.y], number);
+    let unit = state.measures().time;
+    // While it runs, digits that nobody can read would only flicker.
+    let most = if state.session.playing { 3 } else { 6 };
+    let number = widgets::measure(&mut time, unit, -MAX_TIME..=MAX_TIME)
+        .speed(unit.shown((to - from) / 1000.0))
+        .min_decimals(unit.decimals(3).into())
+        .max_decimals(unit.decimals(most).into());
+    let width = if unit.name.is_empty() { 76.0 } else { 100.0 };
+    let response = ui.add_sized([width, ui.spacing().interact_size.y], number);
     if response.on_hover_text(TIME_TIP).accessible_name("T, typed").changed() {
-        asks.push(Command::Time(time));
-    }
-    let equidistant = state.equidistance_time(state.session.points.selected());
-    let text = format!("T₀ {}", figures::fixed_or_none(equidistant, 3));
-    let button = egui::Button::new(RichText::new(text).weak()).frame(false);
-    let tip = "T₀ = √((d/2)² + y² + z²) − x₀/β: when both eyes see the selected point at the same distance. \
-        Click to go there. A scene at rest has none.";
-    let response =
-        ui.add_enabled(equidistant.is_some(), button).on_hover_text(tip).on_disabled_hover_text(tip);
-    if let (true, Some(time)) = (response.accessible_name("Go to T₀").clicked(), equidistant) {
         asks.push(Command::Time(time));
     }
 }
@@ -87,8 +83,8 @@ fn playback(ui: &mut Ui, state: &State, asks: &mut Asks) {
     if ui.add(Checkbox::new(&mut fitted, "fit")).on_hover_text(tip).accessible_name("Fit range").changed() {
         playback.range = TimeRange((!fitted).then_some([from, to]));
     }
-    let shown = [from, to];
-    let end = |value| widgets::end_of_range(value, shown, 2);
+    let (shown, unit) = ([from, to], state.measures().time);
+    let end = |value| widgets::end_of_range(value, unit, shown, 2);
     let last = ui.add(end(&mut to)).on_hover_text("Last T").accessible_name("Last T").changed();
     ui.label("to");
     let first = ui.add(end(&mut from)).on_hover_text("First T").accessible_name("First T").changed();
@@ -101,8 +97,13 @@ fn playback(ui: &mut Ui, state: &State, asks: &mut Asks) {
     if repeat.on_hover_text("Start again at the end").clicked() {
         playback.looping = !playback.looping;
     }
-    let rate = DragValue::new(&mut playback.rate).range(RATE).speed(0.01).max_decimals(3).suffix(" / s");
-    ui.add(rate).on_hover_text("Units of T per second of your clock").accessible_name("Playback rate");
+    let rate = widgets::measure(&mut playback.rate, unit, RATE)
+        .speed(unit.shown(0.01))
+        .max_decimals(unit.decimals(3).into())
+        .suffix(" / s"); // behind the unit
+    ui.add(rate)
+        .on_hover_text("How much of T passes in a second of your clock")
+        .accessible_name("Playback rate");
     if playback != before {
         asks.push(Command::Playback(playback));
     }
@@ -118,20 +119,106 @@ fn scrubber(ui: &mut Ui, state: &State, asks: &mut Asks) {
     if response.changed() {
         asks.push(Command::Time(time));
     }
-    if let Some(equidistant) = state.equidistance_time(state.session.points.selected()) {
-        mark_equidistance(ui, response.rect, (equidistant - from) / (to - from));
+    marks(ui, state, response.rect, asks);
+}
+
+/// Height of the names of the marks below the scrubber.
+const NAMES_HEIGHT: f32 = 15.0;
+/// Least space between two of them.
+const BETWEEN: f32 = 14.0;
+/// A smaller part of the range of T is 0.
+const ROUNDING: f64 = 1e-12;
+
+/// A time to go to: when the selected point is abreast, in one sense of the word or the other.
+struct Mark {
+    name: &'static str,
+    tip: &'static str,
+    time: f64,
+    colour: Color32,
+}
+
+impl Mark {
+    /// Those of the selected point; none at rest.
+    fn all(state: &State, visuals: &Visuals) -> Vec<Self> {
+        let point = state.session.points.selected();
+        // Places in scene files are sums: what is left over of them is no time.
+        let [from, to] = state.time_range();
+        let rounded = |time: f64| if time.abs() < ROUNDING * (to - from) { 0.0 } else { time };
+        let mark =
+            |name, tip, colour, time: Option<f64>| Some(Self { name, tip, time: rounded(time?), colour });
+        let presently = state.abreast_time(point);
+        let seen = state.equidistance_time(point);
+        let marks = [
+            mark("presently abreast", PRESENTLY_TIP, visuals.text_color(), presently),
+            mark("seen abreast", SEEN_TIP, theme::equidistance_colour(visuals), seen),
+        ];
+        marks.into_iter().flatten().collect()
+    }
+
+    /// What stands below the scrubber, where the mark is at this `fraction` of its way.
+    fn text(&self, unit: Unit, fraction: f64) -> String {
+        let time = unit.text(self.time, 2);
+        match fraction {
+            ..0.0 => format!("← {} {time}", self.name),
+            0.0..=1.0 => format!("{} {time}", self.name),
+            _ => format!("{} {time} →", self.name),
+        }
     }
 }
 
-/// A tick where the slider has T0.
-fn mark_equidistance(ui: &Ui, slider: egui::Rect, fraction: f64) {
-    if !(0.0..=1.0).contains(&fraction) {
-        return;
-    }
-    let x = widgets::handle_x(slider, fraction);
-    let colour = theme::equidistance_colour(ui.visuals());
-    let painter = ui.painter();
-    painter.vline(x, slider.shrink2(egui::vec2(0.0, 2.0)).y_range(), Stroke::new(1.5, colour));
+const PRESENTLY_TIP: &str = "T = −x₀/β: the selected point is measured beside the eyes now, at x = 0. Nobody sees it \
+    there yet, since the light of this moment is still on its way.\nClick to go there.";
+
+const SEEN_TIP: &str = "T₀ = √((d/2)² + y² + z²) − x₀/β: the selected point is seen beside the eyes, equally far from \
+    both, with D = 1/γ and as short as 1/γ. The light left it when it was presently abreast; by now it is measured \
+    further on.\nClick to go there.";
+
+/// Ticks on the scrubber, and below it their names, to click, none of which covers another.
+fn marks(ui: &mut Ui, state: &State, slider: Rect, asks: &mut Asks) {
+    let (marks, unit, [from, to]) =
+        (Mark::all(state, ui.visuals()), state.measures().time, state.time_range());
     let font = TextStyle::Small.resolve(ui.style());
-    painter.text(egui::pos2(x + 3.0, slider.max.y + 1.0), Align2::LEFT_BOTTOM, "T₀", font, colour);
+    let fraction = |mark: &Mark| (mark.time - from) / (to - from);
+    let galleys: Vec<_> = marks
+        .iter()
+        .map(|mark| ui.painter().layout_no_wrap(mark.text(unit, fraction(mark)), font.clone(), mark.colour))
+        .collect();
+    let spans: Vec<Span> = marks
+        .iter()
+        .zip(&galleys)
+        .map(|(mark, galley)| Span {
+            middle: widgets::handle_x(slider, fraction(mark)),
+            width: galley.size().x,
+        })
+        .collect();
+    let lefts = apart(&spans, slider.x_range(), BETWEEN);
+    for (((mark, galley), span), left) in marks.iter().zip(galleys).zip(spans).zip(lefts) {
+        let place = Rect::from_min_size(pos2(left, slider.max.y - 1.0), vec2(span.width, NAMES_HEIGHT));
+        if (0.0..=1.0).contains(&fraction(mark)) {
+            tick(ui, slider, span.middle, place, mark.colour);
+        }
+        if name(ui, mark, place, galley).clicked() {
+            asks.push(Command::Time(mark.time));
+        }
+    }
+}
+
+/// A tick where the slider has a mark at `x`, and a line from there to its `name`.
+fn tick(ui: &Ui, slider: Rect, x: f32, name: Rect, colour: Color32) {
+    let painter = ui.painter();
+    painter.vline(x, slider.shrink2(vec2(0.0, 2.0)).y_range(), Stroke::new(1.5, colour));
+    let end = pos2(x.clamp(name.min.x + 4.0, name.max.x - 4.0), name.min.y + 3.0);
+    painter.line_segment([pos2(x, slider.max.y - 2.0), end], Stroke::new(1.0, colour));
+}
+
+/// The name of `mark`, laid out as `galley`, to click.
+fn name(ui: &Ui, mark: &Mark, place: Rect, galley: Arc<Galley>) -> Response {
+    let id = ui.scope_id().with(mark.name);
+    let response = ui.interact(place, id, Sense::click()).on_hover_cursor(CursorIcon::PointingHand);
+    let colour = if response.hovered() { ui.visuals().strong_text_color() } else { mark.colour };
+    let corner = Align2::LEFT_BOTTOM.anchor_size(place.left_bottom(), galley.size()).min;
+    ui.painter().galley_with_override_text_color(corner, galley, colour);
+    let name = format!("Go to {}", mark.name);
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
+    response.on_hover_text(mark.tip)
 }

@@ -3,19 +3,20 @@
 
 use eframe::egui::{
     self, Align2, Color32, CursorIcon, Painter, Pos2, Rect, Response, Sense, Stroke, StrokeKind, TextStyle,
-    TextureId, Ui, Visuals, pos2, vec2,
+    TextureId, Ui, pos2, vec2,
 };
 use relativity_core::math;
 use relativity_render::{Colour, Geometry, Method, PreparedScene, View};
 
 use super::Asks;
 use crate::app::command::{Command, Pick, Zoom};
+use crate::app::dial::{self, Drawn};
 use crate::app::eyes::Shown;
 use crate::app::observer::Eye;
 use crate::app::points::Point;
 use crate::app::state::State;
 use crate::app::widgets::pane_title;
-use crate::app::{beyond, theme};
+use crate::app::{beyond, theme, under};
 use crate::caption;
 use crate::figures;
 
@@ -110,17 +111,23 @@ pub fn paint(ui: &Ui, state: &State, pane: EyePane, picture: Option<Shown>, heat
         painter.image(texture, pane.rect, uv, Color32::WHITE);
     }
     let inside = painter.with_clip_rect(pane.rect);
-    markers(&inside, state, pane, visuals);
+    markers(ui, &inside, state, pane);
     beyond::paint(ui, &inside, pane.rect, &state.beyond(pane.eye, pane.size));
     write(ui, &inside, pane, Align2::LEFT_BOTTOM, note(state, pane.eye, picture, heat_map.is_some()));
     write(ui, &inside, pane, Align2::LEFT_TOP, unseen(ui, state, pane).unwrap_or_default());
     painter.rect_stroke(pane.rect, 0.0, Stroke::new(1.5, colour), StrokeKind::Outside);
+    let pointer = under::pointer(ui, state, pane.rect);
+    let under = pointer.and_then(|place| Some((place, state.under(pane.eye, pane.pixel(place), pane.size)?)));
+    if let Some((place, under)) = under {
+        under::show(ui, pane.rect, place, &under);
+    }
 }
 
 /// What the picture is, where that is not what an eye would see, drawn exactly.
 fn note(state: &State, eye: Eye, picture: Option<Shown>, with_heat_map: bool) -> String {
     let geometry = match state.settings.look.geometry {
         Geometry::Seen | Geometry::Published => None,
+        Geometry::OneCone => Some("one light cone for both eyes".to_owned()),
         Geometry::Contracted => Some("contracted only".to_owned()),
         Geometry::Rest => Some("at rest".to_owned()),
     };
@@ -155,15 +162,27 @@ fn write(ui: &Ui, painter: &Painter, pane: EyePane, corner: Align2, text: String
     }
 }
 
-fn markers(painter: &Painter, state: &State, pane: EyePane, visuals: &Visuals) {
+fn markers(ui: &Ui, painter: &Painter, state: &State, pane: EyePane) {
     let view = state.view(pane.eye, pane.size);
-    let scene = &state.session.prepared;
+    let (scene, visuals) = (&state.session.prepared, ui.visuals());
     for (index, point) in state.session.points.all().iter().enumerate() {
         let Some(marker) = Marker::of(state, point, &view, scene, pane.eye) else { continue };
         let radius = if index == state.session.points.selected_index() { 6.0 } else { 4.5 };
-        let colour = theme::point_colour(point.number, visuals);
-        marker.paint(painter, pane.place(marker.pixel), radius, colour, theme::halo_colour(visuals));
+        let (place, colour) = (pane.place(marker.pixel), theme::point_colour(point.number, visuals));
+        if pane.rect.contains(place) {
+            clock(ui, state, pane, point, place);
+        }
+        marker.paint(painter, place, radius, colour, theme::halo_colour(visuals));
     }
+}
+
+/// The clock at `point`, which is marked at this `place`.
+fn clock(ui: &Ui, state: &State, pane: EyePane, point: &Point, place: Pos2) {
+    let Some(dial) = state.dial(point, pane.eye) else { return };
+    let colour = theme::point_colour(point.number, ui.visuals());
+    let drawn = Drawn { marker: place, view: pane.rect, colour };
+    let name = format!("Clock of point {}, {}", point.number, pane.eye.name());
+    dial::show(ui, dial, drawn, &name).on_hover_text(dial::tip(state.measures().time));
 }
 
 /// Where an eye sees a followed point.

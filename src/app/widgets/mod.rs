@@ -4,6 +4,8 @@
 pub mod apart;
 pub mod icons;
 
+use std::ops::RangeInclusive;
+
 use eframe::egui::{
     self, Align, Align2, Color32, DragValue, Id, Layout, Rect, Response, RichText, Sense, Slider,
     SliderClamping, TextEdit, TextStyle, Ui, pos2, vec2,
@@ -12,11 +14,12 @@ use eframe::egui::{
 use crate::app::theme;
 use crate::figures;
 use crate::flags::MAX_TIME;
+use crate::units::Unit;
 
 /// Width of the names in front of the widgets.
 const NAME_WIDTH: f32 = 88.0;
 /// Width of the numbers behind the sliders.
-const NUMBER_WIDTH: f32 = 62.0;
+const NUMBER_WIDTH: f32 = 68.0;
 
 /// A titled group of rows that can be folded away.
 pub fn section(ui: &mut Ui, title: &str, rows: impl FnOnce(&mut Ui)) {
@@ -47,9 +50,9 @@ pub struct NumberRow<'a> {
     /// What it does.
     pub tip: &'a str,
     /// What the slider spans.
-    pub slider: std::ops::RangeInclusive<f64>,
+    pub slider: RangeInclusive<f64>,
     /// What may be typed.
-    pub typed: std::ops::RangeInclusive<f64>,
+    pub typed: RangeInclusive<f64>,
     /// Digits behind the point at most.
     pub decimals: usize,
     /// Unit behind the number.
@@ -63,6 +66,19 @@ impl NumberRow<'_> {
         row(ui, self.name, self.tip, |ui| {
             changed = self.slider(ui, value) | self.number(ui, value);
         });
+        changed
+    }
+
+    /// Shows `value`, which is in units of the scene as what it spans is, in `unit`; true if it changed.
+    pub fn show_in(&self, ui: &mut Ui, unit: Unit, value: &mut f64) -> bool {
+        let [slider, typed] = [&self.slider, &self.typed].map(|span| shown_span(unit, span));
+        let decimals = if unit == Unit::OWN { self.decimals } else { unit.decimals(3).into() };
+        let row = NumberRow { slider, typed, decimals, suffix: &unit.suffix(), ..self.clone() };
+        let mut shown = unit.shown(*value);
+        let changed = row.show(ui, &mut shown);
+        if changed {
+            *value = unit.in_scene(shown).clamp(*self.typed.start(), *self.typed.end());
+        }
         changed
     }
 
@@ -119,13 +135,28 @@ pub fn exact_number(
     (response.lost_focus() && text != shown).then(|| figures::parsed(&text))
 }
 
-/// The first or the last T of a range, to drag or type, where the plots show `from` to `to`.
-pub fn end_of_range(time: &mut f64, [from, to]: [f64; 2], decimals: usize) -> DragValue<'_> {
-    DragValue::new(time)
-        .range(-MAX_TIME..=MAX_TIME)
-        .speed((to - from) / 400.0)
-        .max_decimals(decimals)
-        .update_while_editing(false)
+/// What `unit` shows of a `span` in units of the scene.
+fn shown_span(unit: Unit, span: &RangeInclusive<f64>) -> RangeInclusive<f64> {
+    unit.shown(*span.start())..=unit.shown(*span.end())
+}
+
+/// A number to drag or type in `unit`; it and its `span` are in units of the scene.
+pub fn measure(value: &mut f64, unit: Unit, span: RangeInclusive<f64>) -> DragValue<'_> {
+    let shown = shown_span(unit, &span);
+    let number = DragValue::from_get_set(move |typed| {
+        if let Some(typed) = typed {
+            *value = unit.in_scene(typed).clamp(*span.start(), *span.end());
+        }
+        unit.shown(*value)
+    });
+    number.range(shown).suffix(unit.suffix()).update_while_editing(false)
+}
+
+/// The first or the last T of a range, to drag or type in `unit`, where the plots show `from` to `to`.
+pub fn end_of_range(time: &mut f64, unit: Unit, [from, to]: [f64; 2], decimals: u8) -> DragValue<'_> {
+    measure(time, unit, -MAX_TIME..=MAX_TIME)
+        .speed(unit.shown((to - from) / 400.0))
+        .max_decimals(unit.decimals(decimals).into())
 }
 
 /// Where the middle of the handle of a slider in `rect` is, at `fraction` of its way.

@@ -8,11 +8,13 @@ use relativity_render::Geometry;
 
 use super::Asks;
 use crate::app::command::Command;
+use crate::app::dial;
 use crate::app::state::State;
 use crate::app::widgets::{NumberRow, choice, row, section};
 use crate::flags::FieldOfView;
 use crate::flags::choices::{GazeChoice, RendererChoice};
 use crate::settings::{BOUND_PX, FOV_DEGREES, Look, MAX_LENGTH, Motion, Quality, USUAL_FOV, Window};
+use crate::units::Unit;
 
 /// Shows the controls.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
@@ -26,30 +28,30 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
 
 fn motion(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let mut motion = state.settings.motion;
-    if let Some(speed) = speed::show(ui, motion.speed) {
+    let measures = state.measures();
+    if let Some(speed) = speed::show(ui, motion.speed, &measures) {
         motion.speed = speed;
     }
-    separation_row(ui, &mut motion);
-    path_rows(ui, state.session.scene.tracked, &mut motion);
+    separation_row(ui, measures.length, &mut motion);
+    path_rows(ui, measures.length, state.session.scene.tracked, &mut motion);
     if motion != state.settings.motion {
         asks.push(Command::Motion(motion));
     }
 }
 
-fn separation_row(ui: &mut Ui, motion: &mut Motion) {
+fn separation_row(ui: &mut Ui, unit: Unit, motion: &mut Motion) {
     let row = NumberRow {
         name: "Eyes apart d",
-        tip: "Separation of the eyes' apertures, which rest at x = −d/2 (left) and x = +d/2 (right). \
-            In units of length.",
+        tip: "Separation of the eyes' apertures, which rest at x = −d/2 (left) and x = +d/2 (right).",
         slider: 0.0..=2.0,
         typed: 0.0..=MAX_LENGTH,
         decimals: 6,
         suffix: "",
     };
-    row.show(ui, &mut motion.d);
+    row.show_in(ui, unit, &mut motion.d);
 }
 
-fn path_rows(ui: &mut Ui, [_, scene_depth, scene_height]: [f64; 3], motion: &mut Motion) {
+fn path_rows(ui: &mut Ui, unit: Unit, [_, scene_depth, scene_height]: [f64; 3], motion: &mut Motion) {
     let distance = NumberRow {
         name: "Distance y",
         tip: "How far in front of the eyes the path runs: y of the scene's tracked point. \
@@ -67,11 +69,11 @@ fn path_rows(ui: &mut Ui, [_, scene_depth, scene_height]: [f64; 3], motion: &mut
         ..distance.clone()
     };
     let mut depth = scene_depth + motion.depth_shift;
-    if distance.show(ui, &mut depth) {
+    if distance.show_in(ui, unit, &mut depth) {
         motion.depth_shift = shift(depth - scene_depth);
     }
     let mut altitude = scene_height + motion.height_shift;
-    if height.show(ui, &mut altitude) {
+    if height.show_in(ui, unit, &mut altitude) {
         motion.height_shift = shift(altitude - scene_height);
     }
 }
@@ -88,7 +90,7 @@ fn look(ui: &mut Ui, state: &State, asks: &mut Asks) {
     gaze_row(ui, state, &mut look);
     field_of_view_rows(ui, state, &mut look, asks);
     corrected_row(ui, state.settings.window, asks);
-    words_row(ui, state.settings.window, asks);
+    words_row(ui, state.settings.window, state.measures().time, asks);
     quality(ui, state.settings.quality, asks);
     if look != state.settings.look {
         asks.push(Command::Look(look));
@@ -178,12 +180,15 @@ fn corrected_row(ui: &mut Ui, mut window: Window, asks: &mut Asks) {
     });
 }
 
-fn words_row(ui: &mut Ui, before: Window, asks: &mut Asks) {
+fn words_row(ui: &mut Ui, before: Window, unit: Unit, asks: &mut Asks) {
     let mut window = before;
     row(ui, "Below them", "What stands below the views.", |ui| {
         let spectrum = "Which wavelengths arrive of the selected point, among all that there are.";
         ui.checkbox(&mut window.spectrum, "spectrum").on_hover_text(spectrum);
         ui.checkbox(&mut window.sentence, "sentence").on_hover_text("The moment in words.");
+    });
+    row(ui, "In them", "What is drawn into the views.", |ui| {
+        ui.checkbox(&mut window.dials, "clocks").on_hover_text(dial::tip(unit));
     });
     if window != before {
         asks.push(Command::Window(window));

@@ -5,17 +5,22 @@ use eframe::egui::{self, Align, Align2, FontId, Layout, Rect, RichText, Sense, S
 use crate::app::widgets;
 use crate::figures;
 use crate::flags::{SpeedParameter, SpeedSetting};
+use crate::units::Measures;
 
 const TIP: &str = "Speed of the scene in units of c.\nβ = v/c,   γ = 1/√(1 − β²),   η = artanh β\n\
     The slider is finer towards 1.   Keys: ↑ ↓";
 
-/// Shows it; a speed if the user gave one.
-pub fn show(ui: &mut Ui, current: SpeedSetting) -> Option<SpeedSetting> {
+/// Shows it, in these units too where they have one for speeds; a speed if the user gave one.
+pub fn show(ui: &mut Ui, current: SpeedSetting, measures: &Measures) -> Option<SpeedSetting> {
     ui.horizontal(|ui| {
         ui.label("Speed").on_hover_text(TIP);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let text = format!("β = {}", figures::beta(&current.speed()));
             ui.label(RichText::new(text).heading().strong()).on_hover_text(TIP);
+            if let Some(speed) = measures.speed(&current.speed()) {
+                ui.label(speed)
+                    .on_hover_text("In a town where light is as fast as 30 km/h, as Gamow has it.");
+            }
         });
     });
     let slid = slider(ui, current);

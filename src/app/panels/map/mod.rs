@@ -1,7 +1,9 @@
 //! The map: what happens, beside what is seen. A strip to choose its face and its frame, and below it that face, a file
 //! each.
 
+mod axes;
 mod canvas;
+mod labels;
 mod space;
 mod spacetime;
 

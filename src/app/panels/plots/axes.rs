@@ -6,9 +6,15 @@ use relativity_core::math;
 
 use crate::app::curves::Quantity;
 use crate::figures;
+use crate::plot::round_step;
+use crate::units::Unit;
 
 /// Room for the numbers beside a plot.
 pub(super) const Y_AXIS_WIDTH: f32 = 48.0;
+/// Least space from number to number along T, points.
+const NUMBER_SPACING: f32 = 85.0;
+/// How many lines there are for each number along T.
+const FINE_LINES: i64 = 5;
 
 /// A plot that neither scrolls nor zooms.
 pub(super) fn still_plot<'a>(ui: &Ui, id: impl egui::AsIdSalt, size: egui::Vec2) -> Plot<'a> {
@@ -26,10 +32,13 @@ pub(super) fn still_plot<'a>(ui: &Ui, id: impl egui::AsIdSalt, size: egui::Vec2)
         .grid_color(ui.visuals().weak_text_color().gamma_multiply(0.25))
 }
 
-/// A still plot over T, in which a drag can move T.
-pub(super) fn plot_over_time<'a>(ui: &Ui, id: impl egui::AsIdSalt, size: egui::Vec2) -> Plot<'a> {
+/// A still plot over T, shown in `unit`, in which a drag can move T.
+pub(super) fn plot_over_time<'a>(ui: &Ui, id: impl egui::AsIdSalt, unit: Unit, size: egui::Vec2) -> Plot<'a> {
+    let width = size.x - Y_AXIS_WIDTH;
     still_plot(ui, id, size)
         .grid_spacing(24.0..=220.0)
+        .x_grid_spacer(move |input| time_grid(unit, width, input))
+        .x_axis_formatter(move |mark, _| time_tick(unit, mark))
         .link_cursor(Id::unique("cursor over T"), [true, false])
 }
 
@@ -94,14 +103,36 @@ pub(super) fn tick(quantity: Quantity, value: f64, step: f64) -> String {
     figures::fixed(rounded, decimals)
 }
 
-/// Names the axis and T0, and frames the plot.
-pub(super) fn annotate(ui: &Ui, response: &PlotResponse<()>, equidistant: Option<f64>) {
+/// Where the lines of T are in a plot of this `width`: at round numbers of the `unit` it is shown in, with finer lines
+/// between those that have their numbers.
+fn time_grid(unit: Unit, width: f32, input: GridInput) -> Vec<GridMark> {
+    let (from, to) = (unit.shown(input.bounds.0), unit.shown(input.bounds.1));
+    let step = round_step((to - from) * f64::from(NUMBER_SPACING / width.max(1.0)));
+    let fine = step / FINE_LINES as f64;
+    if fine.is_nan() || fine <= 0.0 {
+        return Vec::new(); // a range that rounding leaves nothing of
+    }
+    let numbers = (from / fine).ceil() as i64..=(to / fine).floor() as i64;
+    let mark = |number: i64| GridMark {
+        value: unit.in_scene(number as f64 * fine),
+        step_size: unit.in_scene(if number % FINE_LINES == 0 { step } else { fine }),
+    };
+    numbers.map(mark).collect()
+}
+
+/// The text at a line of T, which is shown in `unit`.
+fn time_tick(unit: Unit, mark: GridMark) -> String {
+    tick(Quantity::Phi, unit.shown(mark.value), unit.shown(mark.step_size))
+}
+
+/// Names the axis, whose T is shown in `unit`, and T0, and frames the plot.
+pub(super) fn annotate(ui: &Ui, response: &PlotResponse<()>, unit: Unit, equidistant: Option<f64>) {
     let frame = *response.transform.frame();
     let painter = ui.painter().with_clip_rect(frame);
     let small = TextStyle::Small.resolve(ui.style());
     let inset = vec2(7.0, 4.0);
     let weak = ui.visuals().weak_text_color();
-    painter.text(frame.max - inset, Align2::RIGHT_BOTTOM, "T", small.clone(), weak);
+    painter.text(frame.max - inset, Align2::RIGHT_BOTTOM, unit.label("T"), small.clone(), weak);
     if let Some(time) = equidistant {
         let x = response.transform.position_from_point_x(time);
         let place = egui::pos2(x + 3.0, frame.max.y - 3.0);

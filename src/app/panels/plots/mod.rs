@@ -27,6 +27,7 @@ use crate::app::widgets::dot;
 use crate::app::widgets::icons::{self, Icon};
 use crate::figures;
 use crate::settings::PlotTab;
+use crate::units::Unit;
 
 /// Narrower plots have the followed points in a row of their own, below the tabs.
 const NARROWEST_ROW: f32 = 660.0;
@@ -114,8 +115,12 @@ fn points(ui: &mut Ui, state: &State, asks: &mut Asks) {
         let colour = theme::point_colour(point.number, ui.visuals());
         dot(ui, colour);
         let chosen = all.len() > 1 && index == points.selected_index();
-        let [x, y, z] = state.settings.rest_place(point.track.rest).map(|value| figures::fixed(value, 3));
-        let tip = format!("At rest at ({x}, {y}, {z}).\nClick in a view to move it, shift-click to add one.");
+        let unit = state.measures().length;
+        let [x, y, z] = state.settings.rest_place(point.track.rest).map(|value| unit.number(value, 3));
+        let tip = format!(
+            "At rest at ({x}, {y}, {z}){}.\nClick in a view to move it, shift-click to add one.",
+            unit.suffix()
+        );
         if ui.selectable_label(chosen, point.name(&state.session.scene)).on_hover_text(tip).clicked() {
             asks.push(Command::SelectPoint(index));
         }
@@ -189,11 +194,11 @@ fn plot(
     let equidistant = state.equidistance_time(state.session.points.selected());
     let visuals = ui.visuals().clone();
     let now = state.session.time;
-    let response = plot_over_time(ui, ("plot", label(quantity)), size)
+    let unit = state.measures().time;
+    let response = plot_over_time(ui, ("plot", label(quantity)), unit, size)
         .y_grid_spacer(move |input| grid(quantity, input))
         .y_axis_formatter(move |mark, _: &RangeInclusive<f64>| tick(quantity, mark.value, mark.step_size))
-        .x_axis_formatter(|mark, _| tick(Quantity::Phi, mark.value, mark.step_size))
-        .label_formatter(move |hover| hover_text(quantity, hover))
+        .label_formatter(move |hover| hover_text(quantity, unit, hover))
         .show(ui, |plot| {
             plot.set_plot_bounds(bounds);
             if let Some(time) = equidistant {
@@ -211,7 +216,7 @@ fn plot(
                 draw(plot, trace, now);
             }
         });
-    annotate(ui, &response, equidistant);
+    annotate(ui, &response, unit, equidistant);
     describe(&response, state, quantity);
     if let Some(time) = time_at_pointer(&response) {
         asks.push(Command::Time(time));
@@ -272,13 +277,13 @@ fn value_at(points: &[PlotPoint], time: f64) -> Option<f64> {
     Some(if b.x > a.x { a.y + (b.y - a.y) * (time - a.x) / (b.x - a.x) } else { b.y })
 }
 
-fn hover_text(quantity: Quantity, hover: &HoverPosition<'_>) -> Option<String> {
+fn hover_text(quantity: Quantity, time_unit: Unit, hover: &HoverPosition<'_>) -> Option<String> {
     let HoverPosition::NearDataPoint { plot_name, position, .. } = hover else { return None };
     let value = match quantity {
         Quantity::LogDoppler => figures::fixed(math::powf(10.0, position.y), 4),
         _ => figures::fixed(position.y, 5),
     };
-    let time = figures::fixed(position.x, 3);
+    let time = time_unit.text(position.x, 3);
     Some(format!("{plot_name}\nT = {time}\n{} = {value}{}", label(quantity), unit(quantity)))
 }
 

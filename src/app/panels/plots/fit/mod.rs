@@ -30,7 +30,7 @@ pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
         row(ui, |ui| samples(ui, &mut setup));
         row(ui, |ui| range(ui, state, &mut setup));
         let area = ScrollArea::vertical().id_salt("fit table").auto_shrink(false);
-        area.show(ui, |ui| table::show(ui, fitting));
+        area.show(ui, |ui| table::show(ui, fitting, state.measures().length));
     });
     if let Some(plots) = plots {
         part(ui, "fit plots", plots, |ui| {
@@ -94,7 +94,8 @@ fn samples(ui: &mut Ui, setup: &mut FitSetup) {
 fn range(ui: &mut Ui, state: &State, setup: &mut FitSetup) {
     let plotted = state.time_range();
     let [mut from, mut to] = setup.fit_range.0.unwrap_or(plotted);
-    let field = |value| end_of_range(value, plotted, 3);
+    let unit = state.measures().time;
+    let field = |value| end_of_range(value, unit, plotted, 3);
     let tip = "Over which T the samples are taken.";
     ui.label(RichText::new("T").weak());
     let first = ui.add(field(&mut from)).on_hover_text(tip).accessible_name("Samples from T");

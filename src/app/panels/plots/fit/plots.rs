@@ -101,21 +101,21 @@ impl Part {
         contents: impl FnOnce(&mut PlotUi<'a>) + 'a,
     ) {
         let now = VLine::new("T", state.session.time).color(theme::now_colour(ui.visuals())).width(1.0);
-        let plot: Plot<'a> = plot_over_time(ui, self.name.as_str(), self.size)
+        let unit = state.measures().time;
+        let plot: Plot<'a> = plot_over_time(ui, self.name.as_str(), unit, self.size)
             .show_axes([self.with_times, true])
             .grid_spacing(GRID_SPACING)
             .y_axis_min_width(Y_AXIS_WIDTH)
             .y_grid_spacer(self.grid)
             .y_axis_formatter(|mark, _: &RangeInclusive<f64>| {
                 tick(Quantity::DeltaPhi, mark.value, mark.step_size)
-            })
-            .x_axis_formatter(|mark, _| tick(Quantity::DeltaPhi, mark.value, mark.step_size));
+            });
         let response = plot.show(ui, move |plot| {
             plot.set_plot_bounds(bounds);
             plot.vline(now.allow_hover(false));
             contents(plot);
         });
-        annotate(ui, &response, None);
+        annotate(ui, &response, unit, None);
         let info = || egui::WidgetInfo::labeled(egui::accesskit::Role::GraphicsObject, true, &self.name);
         response.response.widget_info(info);
         if let Some(time) = time_at_pointer(&response) {

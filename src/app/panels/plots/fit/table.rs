@@ -7,14 +7,15 @@ use crate::app::fitting::{FitOutcome, Fitted, Fitting};
 use crate::app::widgets::named_text;
 use crate::estimate::{Estimate, decimals};
 use crate::figures;
+use crate::units::Unit;
 
 /// Estimates further off than this many standard errors are not chance.
 const CHANCE: f64 = 3.0;
 /// Below this share of a parameter its uncertainty is rounding, and no measure of anything.
 const ROUNDING: f64 = 1e-10;
 
-/// Shows the newest outcome, faintly if it is outdated.
-pub fn show(ui: &mut Ui, fitting: &Fitting) {
+/// Shows the newest outcome, its lengths in this unit, faintly if it is outdated.
+pub fn show(ui: &mut Ui, fitting: &Fitting, length: Unit) {
     ui.spacing_mut().item_spacing.y = 4.0;
     let Some(outcome) = fitting.shown() else {
         ui.label(RichText::new("Fitting …").weak());
@@ -25,7 +26,7 @@ pub fn show(ui: &mut Ui, fitting: &Fitting) {
     }
     match &outcome.fitted {
         Ok(fitted) => {
-            table(ui, fitted);
+            table(ui, fitted, length);
             ui.label(RichText::new(verdict(fitted)).strong());
             notes(ui, outcome, fitted);
         }
@@ -35,14 +36,14 @@ pub fn show(ui: &mut Ui, fitting: &Fitting) {
         }
     }
     if let Some(bias) = &outcome.bias {
-        ui.label(bias_note(bias)).on_hover_text(
+        ui.label(bias_note(bias, length)).on_hover_text(
             "The same fit to samples without noise, minus the truth.\n\
             The published model measures both angles from the left eye; what the eyes see has parallax.",
         );
     }
 }
 
-fn table(ui: &mut Ui, fitted: &Fitted) {
+fn table(ui: &mut Ui, fitted: &Fitted, length: Unit) {
     Grid::new("fit").num_columns(6).spacing([6.0, 3.0]).min_col_width(12.0).show(ui, |ui| {
         let heads = [
             ("", "Parameter"),
@@ -57,17 +58,29 @@ fn table(ui: &mut Ui, fitted: &Fitted) {
         }
         ui.end_row();
         for (parameter, estimate, truth) in &fitted.estimates {
-            row(ui, *parameter, estimate, *truth);
+            let unit = if *parameter == Parameter::Beta { Unit::OWN } else { length };
+            row(ui, *parameter, unit, &shown(estimate, unit), unit.shown(*truth));
         }
     });
 }
 
-fn row(ui: &mut Ui, parameter: Parameter, estimate: &Estimate, truth: f64) {
+/// `estimate` in this unit.
+fn shown(estimate: &Estimate, unit: Unit) -> Estimate {
+    Estimate {
+        value: unit.shown(estimate.value),
+        uncertainty: unit.shown(estimate.uncertainty),
+        ci95: estimate.ci95.map(|end| unit.shown(end)),
+        uncertainty_linear: unit.shown(estimate.uncertainty_linear),
+    }
+}
+
+/// An estimate and the truth, both in this unit.
+fn row(ui: &mut Ui, parameter: Parameter, unit: Unit, estimate: &Estimate, truth: f64) {
     let (symbol, tip) = named(parameter);
     let Estimate { value, uncertainty, ci95: [low, high], .. } = *estimate;
     let places = decimals(uncertainty) as u8;
     let number = |value| figures::fixed(value, places);
-    ui.label(symbol).on_hover_text(tip);
+    ui.label(unit.label(symbol)).on_hover_text(tip);
     let value_text = RichText::new(number(value)).strong();
     named_text(ui, value_text, format!("Fitted {symbol}: {}", number(value)));
     named_text(ui, number(uncertainty), format!("Uncertainty of {symbol}: {}", number(uncertainty)));
@@ -142,13 +155,14 @@ fn notes(ui: &mut Ui, outcome: &FitOutcome, fitted: &Fitted) {
     }
 }
 
-fn bias_note(bias: &Result<[f64; 3], String>) -> String {
+fn bias_note(bias: &Result<[f64; 3], String>, length: Unit) -> String {
+    let by = |value: f64| signed(length.shown(value), length.decimals(2)) + &length.suffix();
     match bias {
         Ok([beta, y, z]) => format!(
             "Leaving out parallax biases it, even without noise: β by {}, y by {}, z by {}.",
             signed(*beta, 3),
-            signed(*y, 2),
-            signed(*z, 2)
+            by(*y),
+            by(*z)
         ),
         Err(problem) => format!("It leaves out parallax. Even without noise: {problem}."),
     }

@@ -1,0 +1,206 @@
+//! The optical clock: a dial beside each followed point, whose hand turns with the own time of what the eye sees there. So
+//! it is seen to run D times as fast as a clock on the ground: fast as it comes, slow as it goes.
+
+use std::f32::consts::TAU;
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Color32, Pos2, Rect, Response, Sense, Stroke, Ui, Vec2, WidgetInfo, vec2};
+use relativity_render::Geometry;
+
+use super::observer::Eye;
+use super::points::Point;
+use super::state::State;
+use crate::plot::round_step;
+use crate::units::Unit;
+
+/// A turn of the hand takes about this long, units of the scene: it can be followed with the eyes as it comes.
+const PERIOD: f64 = 2.0;
+/// Radius of the face, points, and how far its middle is from the marker's.
+const RADIUS: f32 = 9.5;
+const AWAY: f32 = 18.0;
+/// What stays free between the dial and the edge of the view.
+const MARGIN: f32 = 2.0;
+
+/// A clock as an eye sees it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Dial {
+    /// Where the hand is: turns clockwise from the top, from 0 to below 1.
+    pub turn: f64,
+    /// The own time that a turn of it takes, units of the scene.
+    pub period: f64,
+}
+
+/// How long a turn takes: a round number of this `unit`. In units of the scene.
+#[must_use]
+pub fn period(unit: Unit) -> f64 {
+    unit.in_scene(round_step(unit.shown(PERIOD)))
+}
+
+/// What a dial shows whose times are in this `unit`.
+#[must_use]
+pub fn tip(unit: Unit) -> String {
+    format!(
+        "The clock at this point as the eye sees it: its own clock τ. A turn of the hand is {}. It is seen to run at D: \
+        fast as it comes, slow as it goes.",
+        unit.text(period(unit), 0)
+    )
+}
+
+impl State {
+    /// The clock at `point` as `eye` sees it; none where no light is shown that it receives.
+    #[must_use]
+    pub fn dial(&self, point: &Point, eye: Eye) -> Option<Dial> {
+        let is_on = self.settings.window.dials && self.shows_what_is_received(eye);
+        let seen = self.sighting(point, eye).filter(|seen| is_on && seen.own_time.is_finite())?;
+        let period = period(self.measures().time);
+        Some(Dial { turn: (seen.own_time / period).rem_euclid(1.0), period })
+    }
+
+    /// Whether the picture of `eye` is made of the light that it receives at T.
+    #[must_use]
+    pub fn shows_what_is_received(&self, eye: Eye) -> bool {
+        let is_worked_out = matches!(self.settings.look.geometry, Geometry::Contracted | Geometry::Rest);
+        !is_worked_out && !self.sees_as_published(eye)
+    }
+}
+
+/// How a dial is drawn.
+#[derive(Debug, Clone, Copy)]
+pub struct Drawn {
+    /// Where the marker is that it stands beside.
+    pub marker: Pos2,
+    /// The view that it stands in.
+    pub view: Rect,
+    /// Of its rim.
+    pub colour: Color32,
+}
+
+/// Draws `dial`, and names it for those who hover or do not see it.
+pub fn show(ui: &Ui, dial: Dial, drawn: Drawn, name: &str) -> Response {
+    let centre = centre(drawn.marker, drawn.view);
+    let (painter, visuals) = (ui.painter().with_clip_rect(drawn.view), ui.visuals());
+    let outwards = (centre - drawn.marker).normalized();
+    let [near, far] = [drawn.marker + 7.0 * outwards, centre - RADIUS * outwards];
+    painter.line_segment([near, far], Stroke::new(1.5, drawn.colour));
+    let face =
+        if visuals.dark_mode { Color32::from_black_alpha(215) } else { Color32::from_white_alpha(235) };
+    painter.circle(centre, RADIUS, face, Stroke::new(1.5, drawn.colour));
+    for quarter in 0..4 {
+        let direction = towards(f64::from(quarter) / 4.0);
+        let ends = [0.72, 0.92].map(|part| centre + part * RADIUS * direction);
+        painter.line_segment(ends, Stroke::new(1.0, visuals.weak_text_color()));
+    }
+    let hand = Stroke::new(2.0, visuals.strong_text_color());
+    painter.line_segment([centre, centre + 0.8 * RADIUS * towards(dial.turn)], hand);
+    let rect = Rect::from_center_size(centre, Vec2::splat(2.0 * RADIUS));
+    let response = ui.interact(rect.intersect(drawn.view), ui.scope_id().with(name), Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, format!("{name}: {:.4}", dial.turn)));
+    response
+}
+
+/// From the middle to where the hand points after this part of a turn.
+fn towards(turn: f64) -> Vec2 {
+    Vec2::angled((turn as f32 - 0.25) * TAU)
+}
+
+/// Where the middle of the dial is beside a `marker`: above it to the right, else where there is room in the `view`.
+fn centre(marker: Pos2, view: Rect) -> Pos2 {
+    let room = view.shrink(RADIUS + MARGIN);
+    let x = if marker.x + AWAY > room.max.x { -AWAY } else { AWAY };
+    let y = if marker.y - AWAY < room.min.y { AWAY } else { -AWAY };
+    marker + vec2(x, y)
+}
+
+#[cfg(test)]
+mod tests {
+    use eframe::egui::pos2;
+
+    use super::*;
+    use crate::settings::Settings;
+    use crate::units::Units;
+
+    fn cyclist(time: f64, units: Units) -> State {
+        let mut settings = Settings { scene: "cyclist".to_owned(), time: Some(time), ..Settings::default() };
+        settings.window.units = units;
+        State::open(settings).expect("a preset")
+    }
+
+    fn dial(state: &State, eye: Eye) -> Dial {
+        state.dial(state.session.points.selected(), eye).expect("it is seen")
+    }
+
+    /// What a clock at (0, 3, 2) of what moves at 0.9 shows as light leaves it that arrives at (a, 0, 0) at T: in its own
+    /// frame, where it rests, that arrives later by its distance from there.
+    fn own_time(a: f64, time: f64) -> f64 {
+        let gamma = 1.0 / 0.19_f64.sqrt();
+        let [received, x] = [gamma * (time - 0.9 * a), gamma * (a - 0.9 * time)];
+        received - (x * x + 13.0).sqrt()
+    }
+
+    #[test]
+    fn the_hand_is_at_the_own_time_of_what_is_seen() {
+        for (units, period) in
+            [(Units::Natural, 2.0), (Units::Metric, 5.0 / 2.168_166_621), (Units::Town, 0.2 / 0.078)]
+        {
+            for time in [-20.0, -1.3, 0.0, 3.7, 55.5] {
+                for (eye, a) in Eye::BOTH.into_iter().zip([-0.05, 0.05]) {
+                    let Dial { turn, period: shown } = dial(&cyclist(time, units), eye);
+                    assert!((shown - period).abs() < 1e-9, "{units:?}: {shown} for {period}");
+                    let expected = (own_time(a, time) / period).rem_euclid(1.0);
+                    let off = (turn - expected + 0.5).rem_euclid(1.0) - 0.5;
+                    assert!(off.abs() < 1e-8, "{units:?}, T = {time}: {turn} for {expected}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_hand_is_seen_to_run_at_d() {
+        const STEP: f64 = 1e-4;
+        for time in [-20.0, -1.3, 0.0, 3.7, 55.5] {
+            for eye in Eye::BOTH {
+                let turn = |time| {
+                    let dial = dial(&cyclist(time, Units::Natural), eye);
+                    dial.turn * dial.period
+                };
+                let turned = (turn(time + STEP) - turn(time - STEP) + 1.0).rem_euclid(2.0) - 1.0;
+                let state = cyclist(time, Units::Natural);
+                let seen = state.sighting(state.session.points.selected(), eye).expect("it is seen");
+                let rate = turned / (2.0 * STEP);
+                assert!((rate / seen.doppler_factor - 1.0).abs() < 1e-6, "T = {time}: {rate}");
+            }
+        }
+    }
+
+    #[test]
+    fn only_what_is_received_has_a_clock() {
+        for (geometry, shown) in [
+            (Geometry::Seen, [true, true]),
+            (Geometry::Published, [true, false]),
+            (Geometry::Contracted, [false, false]),
+            (Geometry::Rest, [false, false]),
+        ] {
+            let mut state = cyclist(1.0, Units::Natural);
+            state.settings.look.geometry = geometry;
+            let dials = Eye::BOTH.map(|eye| state.dial(state.session.points.selected(), eye).is_some());
+            assert_eq!(dials, shown, "{geometry:?}");
+            state.settings.window.dials = false;
+            assert_eq!(state.dial(state.session.points.selected(), Eye::Left), None);
+        }
+    }
+
+    #[test]
+    fn a_dial_stays_in_the_view_and_off_its_marker() {
+        let view = Rect::from_min_max(pos2(0.0, 0.0), pos2(300.0, 200.0));
+        for marker in [[150.0, 100.0], [3.0, 3.0], [297.0, 3.0], [3.0, 197.0], [297.0, 197.0]].map(Pos2::from)
+        {
+            let centre = centre(marker, view);
+            assert!(
+                view.contains_rect(Rect::from_center_size(centre, Vec2::splat(2.0 * RADIUS))),
+                "{marker}"
+            );
+            // 6 is the radius of the marker of the selected point.
+            assert!(centre.distance(marker) > RADIUS + 6.0 + 3.0, "{marker}");
+        }
+    }
+}

@@ -1,0 +1,60 @@
+//! Axes: lines at round numbers, the numbers at the edges, and what they are of.
+
+use eframe::egui::{Align2, Painter, Pos2, Stroke, TextStyle, Ui, pos2, vec2};
+
+use super::canvas;
+use super::labels::Labels;
+use crate::map::Chart;
+use crate::plot::{multiples, round_step, tick_label};
+use crate::units::Unit;
+
+/// Least distance between two lines, points.
+const SPACING: f64 = 52.0;
+
+/// What is along an axis.
+#[derive(Debug, Clone, Copy)]
+pub struct Axis<'a> {
+    /// The symbol.
+    pub symbol: &'a str,
+    /// In which unit.
+    pub unit: Unit,
+}
+
+/// Draws those of `chart`: the first along the lower edge, the second along the left one. No label will cover them.
+pub fn paint(ui: &Ui, painter: &Painter, chart: &Chart, [across, up]: [Axis<'_>; 2], labels: &mut Labels) {
+    let room = canvas::rect(chart);
+    let line = Stroke::new(1.0, ui.visuals().weak_text_color().gamma_multiply(0.16));
+    let zero = Stroke::new(1.0, ui.visuals().weak_text_color().gamma_multiply(0.4));
+    let name = |axis: Axis<'_>| axis.unit.label(axis.symbol);
+    write(ui, painter, room.max - vec2(4.0, 2.0), Align2::RIGHT_BOTTOM, &name(across), labels);
+    write(ui, painter, room.min + vec2(4.0, 2.0), Align2::LEFT_TOP, &name(up), labels);
+    let [xs, ys] = chart.range();
+    let [center_x, center_y] = chart.center;
+    for (value, text) in ticks(xs, across.unit, chart.scale) {
+        let x = canvas::place(chart, [value, center_y]).x;
+        painter.vline(x, room.y_range(), if value == 0.0 { zero } else { line });
+        write(ui, painter, pos2(x, room.max.y - 2.0), Align2::CENTER_BOTTOM, &text, labels);
+    }
+    for (value, text) in ticks(ys, up.unit, chart.scale) {
+        let y = canvas::place(chart, [center_x, value]).y;
+        painter.hline(room.x_range(), y, if value == 0.0 { zero } else { line });
+        write(ui, painter, pos2(room.min.x + 4.0, y), Align2::LEFT_CENTER, &text, labels);
+    }
+}
+
+/// Round numbers in a range of the world, and how they are written.
+fn ticks([low, high]: [f64; 2], unit: Unit, scale: f64) -> Vec<(f64, String)> {
+    let step = round_step(unit.shown(SPACING / scale));
+    let shown = multiples(step, [unit.shown(low), unit.shown(high)]);
+    shown.map(|shown| (unit.in_scene(shown), tick_label(shown))).collect()
+}
+
+fn write(ui: &Ui, painter: &Painter, place: Pos2, align: Align2, text: &str, labels: &mut Labels) {
+    let colour = ui.visuals().weak_text_color();
+    let galley = painter.layout_no_wrap(text.to_owned(), TextStyle::Small.resolve(ui.style()), colour);
+    let rect = align.anchor_size(place, galley.size());
+    if labels.is_free(rect) {
+        painter.galley(rect.min, galley, colour);
+        labels.keep_free(rect);
+    }
+}

@@ -1,0 +1,205 @@
+//! What is drawn as lines: worldlines, past light cones, light, and what is at one time.
+
+use eframe::egui::{Color32, Pos2, Shape, Stroke, TextStyle};
+
+use super::Sheet;
+use crate::app::observer::Eye;
+use crate::app::panels::map::labels::Labels;
+use crate::app::theme;
+use crate::map::{Event, StraightLine};
+use crate::settings::Frame;
+
+/// Dashes of what is at one time of the frame that is not drawn, and of the light's shadow, points.
+const DASH: f32 = 6.0;
+const SPACE: f32 = 4.0;
+/// Eyes that are further apart than this have names of their own, points.
+const EYES_APART: f32 = 60.0;
+
+/// Draws them all.
+pub fn paint(sheet: &Sheet<'_>, labels: &mut Labels) {
+    nows(sheet, labels);
+    cones(sheet, labels);
+    eyes(sheet, labels);
+    worldline(sheet, labels);
+    rays(sheet, labels);
+}
+
+/// What of a line is shown, on screen.
+fn shown(sheet: &Sheet<'_>, line: StraightLine) -> Option<[Pos2; 2]> {
+    let [low, high] = sheet.corners();
+    line.within(low, high).map(|ends| ends.map(|event| sheet.place(event)))
+}
+
+fn draw(sheet: &Sheet<'_>, labels: &mut Labels, line: StraightLine, stroke: Stroke) {
+    if let Some(ends) = shown(sheet, line) {
+        sheet.painter.line_segment(ends, stroke);
+        labels.avoid(&ends);
+    }
+}
+
+fn dashed(sheet: &Sheet<'_>, labels: &mut Labels, ends: [Pos2; 2], stroke: Stroke) {
+    sheet.painter.extend(Shape::dashed_line(&ends, stroke, DASH, SPACE));
+    labels.avoid(&ends);
+}
+
+/// All that is at one time: of the frame that is drawn, whole; of the other one, dashed.
+fn nows(sheet: &Sheet<'_>, labels: &mut Labels) {
+    let [ground, scene] = sheet.diagram.nows();
+    let colours = now_colours(sheet);
+    let is_ground = sheet.state.settings.map.frame == Frame::Ground;
+    for (line, colour, is_own) in [(ground, colours[0], is_ground), (scene, colours[1], !is_ground)] {
+        let stroke = Stroke::new(1.2, colour);
+        if is_own {
+            draw(sheet, labels, line, stroke);
+        } else if let Some(ends) = shown(sheet, line) {
+            dashed(sheet, labels, ends, stroke);
+        }
+    }
+}
+
+/// The colours of what is at one time on the ground, and in the scene's frame.
+pub fn now_colours(sheet: &Sheet<'_>) -> [Color32; 2] {
+    let measured = theme::measured_colour(sheet.ui.visuals());
+    [measured.gamma_multiply(0.55), point_colour(sheet).gamma_multiply(0.8)]
+}
+
+fn point_colour(sheet: &Sheet<'_>) -> Color32 {
+    theme::point_colour(sheet.state.session.points.selected().number, sheet.ui.visuals())
+}
+
+/// The past light cones in the plane of the point, and light that runs along x.
+fn cones(sheet: &Sheet<'_>, labels: &mut Labels) {
+    let [low, high] = sheet.corners();
+    paint_past(sheet);
+    for (eye, cone) in Eye::BOTH.into_iter().zip(sheet.diagram.cones()) {
+        let colour = theme::eye_colour(eye, sheet.ui.visuals());
+        for line in cone.asymptotes() {
+            let past = Event { x: -1e-9 * line.step.x, t: -1e-9 };
+            let part = line.part_within(low, high).filter(|part| part[0] < 0.0);
+            if let Some([first, last]) = part {
+                let ends = [first, last.min(0.0)].map(|steps| sheet.place(line.at(steps).plus(past)));
+                sheet.painter.line_segment(ends, Stroke::new(1.0, colour.gamma_multiply(0.3)));
+            }
+        }
+        let curve: Vec<Pos2> =
+            cone.curve([low.x, high.x]).into_iter().map(|event| sheet.place(event)).collect();
+        labels.avoid(&curve);
+        sheet.painter.line(curve, Stroke::new(1.5, colour));
+    }
+}
+
+/// Tints all from where light has arrived by now.
+fn paint_past(sheet: &Sheet<'_>) {
+    let [low, high] = sheet.corners();
+    let cone = sheet.diagram.cones()[0];
+    let Some([left, right]) = cone.later_than(low.t) else { return };
+    let [left, right] = [left.clamp(low.x, high.x), right.clamp(low.x, high.x)];
+    let curve = cone.curve([left, right]).into_iter().map(|event| sheet.place(event));
+    let corners = [right, left].map(|x| sheet.place(Event { x, t: low.t }));
+    let tint = sheet.ui.visuals().text_color().gamma_multiply(0.05);
+    sheet.painter.add(Shape::convex_polygon(curve.chain(corners).collect(), tint, Stroke::NONE));
+}
+
+fn eyes(sheet: &Sheet<'_>, labels: &mut Labels) {
+    for (eye, line) in Eye::BOTH.into_iter().zip(sheet.diagram.eyes()) {
+        draw(sheet, labels, line, Stroke::new(1.5, theme::eye_colour(eye, sheet.ui.visuals())));
+    }
+}
+
+/// The point's worldline: boldest as far as light from it has arrived, and faint where it is yet to be.
+fn worldline(sheet: &Sheet<'_>, labels: &mut Labels) {
+    let [low, high] = sheet.corners();
+    let line = sheet.diagram.worldline();
+    let Some([first, last]) = line.part_within(low, high) else { return };
+    let received = sheet.diagram.rays.map(|ray| ray.happened - sheet.diagram.time);
+    let received = received[0].min(received[1]);
+    let colour = point_colour(sheet);
+    let parts = [
+        (first, received, Stroke::new(3.0, colour)),
+        (received, 0.0, Stroke::new(2.0, colour)),
+        (0.0, last, Stroke::new(1.5, colour.gamma_multiply(0.45))),
+    ];
+    for (from, to, stroke) in parts {
+        let (from, to) = (from.max(first), to.min(last));
+        if from < to {
+            let ends = [from, to].map(|steps| sheet.place(line.at(steps)));
+            sheet.painter.line_segment(ends, stroke);
+            labels.avoid(&ends);
+        }
+    }
+}
+
+/// The light that arrives at T: dashed, for it also crosses the distance that is not drawn.
+fn rays(sheet: &Sheet<'_>, labels: &mut Labels) {
+    for (eye, ray) in Eye::BOTH.into_iter().zip(sheet.diagram.rays) {
+        let colour = theme::eye_colour(eye, sheet.ui.visuals());
+        let step = Event { x: ray.received.x - ray.left.x, t: ray.received.t - ray.left.t };
+        let line = StraightLine { through: ray.left, step };
+        let [low, high] = sheet.corners();
+        let part = line.part_within(low, high).map(|[from, to]| [from.max(0.0), to.min(1.0)]);
+        if let Some(part) = part.filter(|[from, to]| from < to) {
+            dashed(sheet, labels, part.map(|steps| sheet.place(line.at(steps))), Stroke::new(1.2, colour));
+        }
+    }
+}
+
+/// Where a worldline is named, of the part that is shown.
+fn upper([first, last]: [Pos2; 2]) -> Pos2 {
+    first.lerp(last, 0.93)
+}
+
+/// Names what is not clear by its marks.
+pub fn name(sheet: &Sheet<'_>, labels: &mut Labels) {
+    let font = TextStyle::Small.resolve(sheet.ui.style());
+    let mut write = |place: Pos2, text: &str, colour: Color32| {
+        labels.write(&sheet.painter, (place, 1.0), text, font.clone(), colour);
+    };
+    if let Some(ends) = shown(sheet, sheet.diagram.worldline()) {
+        let point = sheet.state.session.points.selected();
+        let name = point.noun(&sheet.state.session.scene);
+        write(upper(ends), name.trim_start_matches("the "), point_colour(sheet));
+    }
+    name_eyes(sheet, &mut write);
+    let names = ["now, ground", "now, bicycle"];
+    for ((line, name), colour) in sheet.diagram.nows().into_iter().zip(names).zip(now_colours(sheet)) {
+        if let Some([left, right]) = shown(sheet, line) {
+            write(left.lerp(right, 0.9), name, colour);
+        }
+    }
+    name_light(sheet, &mut write);
+}
+
+/// The eyes by one name where they are close together.
+fn name_eyes(sheet: &Sheet<'_>, write: &mut impl FnMut(Pos2, &str, Color32)) {
+    let visuals = sheet.ui.visuals();
+    let tops = sheet.diagram.eyes().map(|eye| shown(sheet, eye).map(upper));
+    match tops {
+        [Some(left), Some(right)] if left.distance(right) < EYES_APART => {
+            write(left, "eyes", visuals.text_color());
+        }
+        _ => {
+            for (eye, top) in Eye::BOTH.into_iter().zip(tops) {
+                if let Some(top) = top {
+                    write(top, &eye.name().to_lowercase(), theme::eye_colour(eye, visuals));
+                }
+            }
+        }
+    }
+}
+
+/// The cone, and the light that runs along x, low in the chart.
+fn name_light(sheet: &Sheet<'_>, write: &mut impl FnMut(Pos2, &str, Color32)) {
+    let colour = sheet.ui.visuals().weak_text_color();
+    let [low, high] = sheet.corners();
+    let [_, cone] = sheet.diagram.cones();
+    let at = |part: f64| low.t + part * (high.t - low.t);
+    if let Some([left, right]) = cone.later_than(at(0.12)) {
+        let x = if right < high.x { right } else { left };
+        write(sheet.place(Event { x, t: at(0.12) }), "past light cone", colour);
+    }
+    let [_, outwards] = cone.asymptotes();
+    let steps = at(0.3) - outwards.through.t;
+    if steps < 0.0 {
+        write(sheet.place(outwards.at(steps)), "light along x: 45°", colour);
+    }
+}

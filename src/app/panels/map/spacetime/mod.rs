@@ -1,0 +1,179 @@
+//! Spacetime: x against t, in which light runs at 45 degrees. Dragging the present along the eyes' worldline goes to
+//! another T, and so does a click on a worldline.
+
+mod lines;
+mod marks;
+mod words;
+
+use eframe::egui::{
+    Align2, CursorIcon, Painter, Pos2, Rect, Response, Sense, TextStyle, Ui, Vec2, accesskit::Role, vec2,
+};
+
+use super::axes::{self, Axis};
+use super::canvas;
+use super::labels::Labels;
+use crate::app::command::Command;
+use crate::app::panels::Asks;
+use crate::app::state::State;
+use crate::map::{Chart, Diagram, Event, StraightLine, chart, home};
+use crate::settings::Frame;
+
+/// Its name for assistive technology.
+const NAME: &str = "Map, x against t";
+/// How near the pointer has to be to a line, points.
+const NEAR: f32 = 7.0;
+/// From the corner to the title, beside the name of the axis, points.
+const TITLE: Vec2 = vec2(44.0, 3.0);
+/// Radius of the handle at the present, points.
+const HANDLE: f32 = 8.0;
+
+/// The diagram, and where it is drawn.
+struct Sheet<'a> {
+    ui: &'a Ui,
+    painter: Painter,
+    chart: Chart,
+    state: &'a State,
+    diagram: Diagram,
+}
+
+impl Sheet<'_> {
+    /// Where an event is on screen.
+    fn place(&self, event: Event) -> Pos2 {
+        canvas::place(&self.chart, [event.x, event.t])
+    }
+
+    /// The lowest and the highest x and t that are shown.
+    fn corners(&self) -> [Event; 2] {
+        let [[left, right], [first, last]] = self.chart.range();
+        [Event { x: left, t: first }, Event { x: right, t: last }]
+    }
+
+    /// The room it is drawn in.
+    fn room(&self) -> Rect {
+        canvas::rect(&self.chart)
+    }
+
+    /// The step of `line` at which it comes nearest to `place`, and how far that is off in points.
+    fn nearest(&self, line: StraightLine, place: Pos2) -> (f64, f32) {
+        let [x, t] = self.chart.world([place.x, place.y].map(f64::from));
+        let Event { x: dx, t: dt } = line.step;
+        let steps = ((x - line.through.x) * dx + (t - line.through.t) * dt) / (dx * dx + dt * dt);
+        (steps, self.place(line.at(steps)).distance(place))
+    }
+}
+
+/// Shows it in `rect`.
+pub fn show(ui: &mut Ui, state: &State, rect: Rect, asks: &mut Asks) {
+    let (settings, time) = (&state.settings, state.session.time);
+    let (track, frame) = (state.session.points.selected().track, settings.frame());
+    let background = ui.visuals().extreme_bg_color;
+    ui.painter().rect_filled(rect, 0.0, background);
+    // Outside the domain of the core there is nothing to draw.
+    let Ok(diagram) = Diagram::new(settings, &track, time, frame) else { return };
+    let Ok(home) = home(settings, &track, time, frame) else { return };
+    let area = [rect.min.x, rect.min.y, rect.width(), rect.height()].map(f64::from);
+    let chart = chart(area, home, &state.session.map_view);
+    let response = canvas::look_around(ui, state, NAME, &chart, [0, 1], asks);
+    let painter = ui.painter().with_clip_rect(rect.intersect(ui.clip_rect()));
+    let sheet = Sheet { ui, painter, chart, state, diagram };
+    let mut labels = Labels::new(rect, background);
+    title(&sheet, &mut labels);
+    axes::paint(ui, &sheet.painter, &sheet.chart, axes_of(state), &mut labels);
+    lines::paint(&sheet, &mut labels);
+    let marks = marks::of(&sheet);
+    marks::paint(&sheet, &marks, &mut labels);
+    lines::name(&sheet, &mut labels);
+    point_at(&sheet, &response, &marks, asks);
+    handle(&sheet, asks);
+}
+
+/// What is along x and along t.
+fn axes_of(state: &State) -> [Axis<'static>; 2] {
+    let measures = state.measures();
+    let [x, t] = match state.settings.map.frame {
+        Frame::Ground => ["x", "t"],
+        Frame::Bicycle => ["x′", "t′"],
+    };
+    [Axis { symbol: x, unit: measures.length }, Axis { symbol: t, unit: measures.time }]
+}
+
+/// In whose frame it is drawn.
+fn title(sheet: &Sheet<'_>, labels: &mut Labels) {
+    let text = match sheet.state.settings.map.frame {
+        Frame::Ground => "on the ground's clocks and rulers",
+        Frame::Bicycle => "on the bicycle's clocks and rulers",
+    };
+    let visuals = sheet.ui.visuals();
+    let font = TextStyle::Small.resolve(sheet.ui.style());
+    let galley = sheet.painter.layout_no_wrap(text.to_owned(), font, visuals.text_color());
+    let rect = Align2::LEFT_TOP.anchor_size(sheet.room().min + TITLE, galley.size());
+    if labels.is_free(rect) {
+        sheet.painter.galley(rect.min, galley, visuals.text_color());
+        labels.keep_free(rect);
+    }
+}
+
+/// Tells what is under the pointer, and goes where a worldline is clicked.
+fn point_at(sheet: &Sheet<'_>, response: &Response, marks: &[marks::Mark], asks: &mut Asks) {
+    for mark in marks {
+        canvas::name_place(sheet.ui, sheet.room(), mark.place, &format!("{NAME}: {}", mark.name));
+    }
+    let Some(pointer) = response.hover_pos() else { return };
+    let near = |mark: &&marks::Mark| mark.place.distance(pointer) < NEAR;
+    let nearer =
+        |a: &&marks::Mark, b: &&marks::Mark| a.place.distance(pointer).total_cmp(&b.place.distance(pointer));
+    let aimed = aimed_at(sheet, pointer);
+    let text = match marks.iter().filter(near).min_by(nearer) {
+        Some(mark) => Some(mark.words.clone()),
+        None => aimed.as_ref().map(|aimed| aimed.words.clone()),
+    };
+    if let (true, Some(aimed)) = (response.clicked(), aimed) {
+        asks.push(Command::Time(aimed.time));
+    }
+    if let Some(text) = text {
+        response.clone().on_hover_cursor(CursorIcon::PointingHand).on_hover_text_at_pointer(text);
+    }
+}
+
+/// An event of a worldline under the pointer.
+struct Aimed {
+    /// What happens there.
+    words: String,
+    /// The T at which an eye receives light from there, or is there itself.
+    time: f64,
+}
+
+fn aimed_at(sheet: &Sheet<'_>, pointer: Pos2) -> Option<Aimed> {
+    let (steps, off) = sheet.nearest(sheet.diagram.worldline(), pointer);
+    if off < NEAR {
+        let happened = sheet.diagram.time + steps;
+        let words = words::of_point(sheet, happened);
+        return Some(Aimed { words, time: sheet.diagram.received(happened) });
+    }
+    let eyes = sheet.diagram.eyes().map(|eye| sheet.nearest(eye, pointer));
+    let (steps, off) = if eyes[0].1 < eyes[1].1 { eyes[0] } else { eyes[1] };
+    let time = sheet.diagram.time + steps;
+    (off < NEAR).then(|| Aimed { words: words::of_eyes(sheet, time), time })
+}
+
+/// The present, which can be dragged along the eyes' worldline.
+fn handle(sheet: &Sheet<'_>, asks: &mut Asks) {
+    let present = sheet.place(sheet.diagram.present);
+    if !sheet.room().contains(present) {
+        return;
+    }
+    let rect = Rect::from_center_size(present, Vec2::splat(2.0 * HANDLE));
+    let id = sheet.ui.scope_id().with("present");
+    let response = sheet.ui.interact(rect, id, Sense::click_and_drag()).on_hover_cursor(CursorIcon::Grab);
+    response.widget_info(|| {
+        eframe::egui::WidgetInfo::labeled(Role::Slider, true, format!("{NAME}: the present T"))
+    });
+    marks::paint_handle(sheet, present, response.hovered() || response.dragged());
+    let moved = response.drag_delta();
+    if response.dragged() && moved != Vec2::ZERO {
+        let [x, t] = [f64::from(moved.x), -f64::from(moved.y)].map(|points| points / sheet.chart.scale);
+        let Event { x: dx, t: dt } = sheet.diagram.eyes()[0].step;
+        asks.push(Command::Time(sheet.diagram.time + (x * dx + t * dt) / (dx * dx + dt * dt)));
+    }
+    response.on_hover_text(words::of_eyes(sheet, sheet.diagram.time));
+}

@@ -1,0 +1,66 @@
+//! What is said of an event: where it is, and its three times.
+
+use super::Sheet;
+use crate::app::observer::Eye;
+use crate::map::{Event, Ray};
+use crate::settings::Frame;
+
+/// Decimals of a length or a time in the scene's unit.
+const DECIMALS: u8 = 3;
+
+/// Of the point at the ground's time `happened`.
+pub fn of_point(sheet: &Sheet<'_>, happened: f64) -> String {
+    let diagram = &sheet.diagram;
+    let event = diagram.point.at(happened);
+    let times = times(sheet, diagram.received(happened), happened, diagram.point.own_time(happened));
+    let point = sheet.state.session.points.selected().noun(&sheet.state.session.scene);
+    format!(
+        "{}\n{}\n{times}\nClick to see it: T = {}",
+        capital(&point),
+        place(sheet, event),
+        time(sheet, diagram.received(happened))
+    )
+}
+
+/// Of the light that `eye` receives, where it left.
+pub fn of_ray(sheet: &Sheet<'_>, eye: Eye, ray: &Ray) -> String {
+    let times = times(sheet, sheet.diagram.time, ray.happened, ray.own_time);
+    let name = eye.name().to_lowercase();
+    format!("What the {name} sees now happened here\n{}\n{times}", place(sheet, ray.left))
+}
+
+/// Of the eyes at T = `received`.
+pub fn of_eyes(sheet: &Sheet<'_>, received: f64) -> String {
+    let event = Event { x: 0.0, t: received }.in_frame(sheet.diagram.frame);
+    format!(
+        "Both eyes receive light\n{}\nreceived T = {}\nDrag along the line, or click on it, to go to another T.",
+        place(sheet, event),
+        time(sheet, received)
+    )
+}
+
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters
+        .next()
+        .map_or_else(String::new, |first| first.to_uppercase().collect::<String>() + letters.as_str())
+}
+
+fn times(sheet: &Sheet<'_>, received: f64, happened: f64, own: f64) -> String {
+    let [received, happened, own] = [received, happened, own].map(|value| time(sheet, value));
+    format!("received T = {received}\nhappened t = {happened}\nown clock τ = {own}")
+}
+
+fn time(sheet: &Sheet<'_>, value: f64) -> String {
+    sheet.state.measures().time.text(value, DECIMALS)
+}
+
+/// x and t of the frame that is drawn.
+fn place(sheet: &Sheet<'_>, event: Event) -> String {
+    let x = sheet.state.measures().length.text(event.x, DECIMALS);
+    let t = time(sheet, event.t);
+    match sheet.state.settings.map.frame {
+        Frame::Ground => format!("x = {x}, t = {t}"),
+        Frame::Bicycle => format!("x′ = {x}, t′ = {t}"),
+    }
+}

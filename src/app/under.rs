@@ -1,0 +1,120 @@
+//! What is under the pointer in a view, in words: its name, where it is seen, its three times, and D.
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::text::{LayoutJob, TextFormat};
+use eframe::egui::{Color32, Pos2, Rect, Sense, TextStyle, Ui, Vec2, WidgetInfo, pos2, vec2};
+use relativity_core::Sighting;
+use relativity_render::Geometry;
+
+use super::observer::Eye;
+use super::state::State;
+use super::{clock, theme};
+use crate::caption::times::{HAPPENED, OWN_CLOCK, RECEIVED};
+use crate::figures;
+use crate::scene::Track;
+
+/// From the pointer to the tag, and around its words; points.
+const AWAY: Vec2 = vec2(16.0, 14.0);
+const MARGIN: Vec2 = vec2(7.0, 5.0);
+
+/// What is under the pointer.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Under {
+    /// The body.
+    pub name: String,
+    /// What is said of the point of it: a line each.
+    pub lines: Vec<String>,
+}
+
+impl State {
+    /// What is shown at a `pixel` of the picture of `eye`, which has this `size`; none where nothing is, and where no ray
+    /// leads to it.
+    #[must_use]
+    pub fn under(&self, eye: Eye, pixel: [f64; 2], size: [u32; 2]) -> Option<Under> {
+        let (track, body) = self.point_at(eye, pixel, size)?;
+        Some(Under { name: self.session.scene.name_of(body).to_owned(), lines: self.said_of(&track, eye)? })
+    }
+
+    /// What is said of the point at `track` in the picture of `eye`.
+    fn said_of(&self, track: &Track, eye: Eye) -> Option<Vec<String>> {
+        Some(match self.settings.look.geometry {
+            Geometry::Rest => {
+                vec![format!("at rest at {}", self.place(self.settings.rest_place(track.rest)))]
+            }
+            Geometry::Contracted => vec![format!("measured now at {}", self.place(self.measured(track)))],
+            _ => {
+                let both = self.settings.disparity(track, self.session.time).ok()?;
+                self.received(&[both.primary, both.secondary][eye.index()])
+            }
+        })
+    }
+
+    /// What is said of light that an eye receives.
+    fn received(&self, seen: &Sighting) -> Vec<String> {
+        let unit = self.measures().time;
+        let times =
+            [(RECEIVED, self.session.time), (HAPPENED, seen.retarded_time), (OWN_CLOCK, seen.own_time)];
+        let at = format!("seen at {}", self.place(seen.position));
+        let times = times.map(|(time, value)| format!("{} = {}", time.name, unit.text(value, 2)));
+        let doppler = format!("D = {}", figures::fixed(seen.doppler_factor, 3));
+        [at].into_iter().chain(times).chain([doppler]).collect()
+    }
+
+    /// Where the point at `track` is measured to be at T, from between the eyes.
+    fn measured(&self, track: &Track) -> [f64; 3] {
+        let (source, velocity) = (self.settings.source(track), self.settings.velocity(track.motion));
+        let x = source.x0 + velocity.speed.beta() * self.session.time;
+        [if velocity.is_backward { -x } else { x }, source.y, source.z]
+    }
+
+    /// A place in words.
+    fn place(&self, place: [f64; 3]) -> String {
+        let unit = self.measures().length;
+        let [x, y, z] = place.map(|value| unit.number(value, 2));
+        format!("({x}, {y}, {z}){}", unit.suffix())
+    }
+
+    /// Whether T runs so slowly that numbers can be read: a step of the scrubber takes a second or more.
+    #[must_use]
+    pub fn is_legible(&self) -> bool {
+        !self.session.playing || self.settings.playback.rate <= clock::step_size(self.time_range())
+    }
+}
+
+/// Where the pointer is in the view at `rect`, as long as what is under it is to be told: not while it drags, nor while T
+/// runs fast.
+#[must_use]
+pub fn pointer(ui: &Ui, state: &State, rect: Rect) -> Option<Pos2> {
+    let is_free = !ui.input(|input| input.pointer.any_down()) && state.is_legible();
+    ui.ctx().pointer_hover_pos().filter(|_| is_free && ui.rect_contains_pointer(rect))
+}
+
+/// Writes what is `under` a `pointer` beside it, inside `view`.
+pub fn show(ui: &Ui, view: Rect, pointer: Pos2, under: &Under) {
+    let font = TextStyle::Small.resolve(ui.style());
+    let format = |colour| TextFormat::simple(font.clone(), colour);
+    let mut job = LayoutJob::default();
+    job.append(&under.name, 0.0, format(Color32::WHITE));
+    for line in &under.lines {
+        job.append(&format!("\n{line}"), 0.0, format(theme::TAG_TEXT));
+    }
+    let galley = ui.painter().layout_job(job);
+    let rect = beside(pointer, galley.size() + 2.0 * MARGIN, view);
+    let painter = ui.painter().with_clip_rect(view);
+    painter.rect_filled(rect, 4.0, Color32::from_black_alpha(190));
+    painter.galley(rect.min + MARGIN, galley, Color32::WHITE);
+    let response = ui.interact(rect.intersect(view), ui.scope_id().with("under the pointer"), Sense::hover());
+    let name = format!("Under the pointer: {}; {}", under.name, under.lines.join("; "));
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &name));
+}
+
+/// Where a tag of this `size` stands: below the pointer to the right, else where there is room in the `view`.
+fn beside(pointer: Pos2, size: Vec2, view: Rect) -> Rect {
+    let along = |at: f32, away: f32, size: f32, [from, to]: [f32; 2]| {
+        let start = if at + away + size > to { at - away - size } else { at + away };
+        start.min(to - size).max(from)
+    };
+    let x = along(pointer.x, AWAY.x, size.x, [view.min.x, view.max.x]);
+    let y = along(pointer.y, AWAY.y, size.y, [view.min.y, view.max.y]);
+    Rect::from_min_size(pos2(x, y), size)
+}

@@ -1,0 +1,33 @@
+//! The three times of what is seen, by the names they have everywhere in the window. Both eyes belong to one frame, the
+//! ground's; they receive different events at one T.
+
+/// A time by its name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct TimeName {
+    /// Its name, with its symbol.
+    pub name: &'static str,
+    /// What it is.
+    pub tip: &'static str,
+}
+
+/// When light arrives.
+pub const RECEIVED: TimeName = TimeName {
+    name: "received T",
+    tip: "When the light arrives at the eyes, on the ground's clocks: the present of whoever looks.",
+};
+
+/// When it left.
+pub const HAPPENED: TimeName = TimeName {
+    name: "happened t",
+    tip: "When what is seen happened: when the light left, on the ground's clocks. R is how far it came.\nt = T − R",
+};
+
+/// What the body's clock showed then.
+pub const OWN_CLOCK: TimeName = TimeName {
+    name: "own clock τ",
+    tip: "What the clock at that point of the body showed when the light left it. All clocks of the body agree in its own \
+        frame, and show 0 as its origin passes the eyes. An eye sees it run D times as fast as its own.\nτ = γ(t − βx)",
+};
+
+/// All three, in the order in which they are shown.
+pub const TIMES: [TimeName; 3] = [RECEIVED, HAPPENED, OWN_CLOCK];
