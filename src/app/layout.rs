@@ -278,7 +278,7 @@ mod tests {
         assert!(with_plots.map.is_some() && with_plots.plots.is_some());
         let alone = of([800.0, 600.0], Window { plots: false, controls: false, ..no_views });
         let map = alone.map.expect("shown");
-        assert!(map.width() >= 780.0 && map.height() >= 480.0, "{map:?}");
+        assert!(map.width() >= 780.0 && map.height() >= 470.0, "{map:?}");
     }
 
     #[test]
