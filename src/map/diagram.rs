@@ -346,17 +346,18 @@ mod tests {
         let track = tracks()[0];
         let at = |time| Diagram::new(&settings, &track, time, Velocity::REST).expect("in the domain");
         let diagram = at(2.0);
-        let [earlier, later] = [2.0, 2.25].map(|now| fronts(&diagram.point, now, 0.5).collect::<Vec<_>>());
+        let [earlier, later] = [2.0, 2.25].map(|now| fronts(&diagram.point, now, 0.75).collect::<Vec<_>>());
         for front in &earlier {
-            assert!((0.0..6.0 * diagram.point.gamma()).contains(&front.radius), "{front:?}");
-            let grown = later.iter().find(|later| later.own_time == front.own_time).expect("it goes on");
+            assert!((0.0..7.5).contains(&front.radius), "{front:?}");
+            assert_same(front.left, diagram.point.at(front.happened), 10.0);
+            let grown = later.iter().find(|later| later.left == front.left).expect("it goes on");
             assert!((grown.radius - front.radius - 0.25).abs() < 1e-12);
         }
-        let period = 1e-6;
-        let own = 0.5 * (diagram.rays[0].own_time + diagram.rays[1].own_time);
-        let arrival = |own: f64| diagram.received(diagram.point.time(own));
-        let rate = period / (arrival(own + period) - arrival(own));
-        let both = settings.disparity(&track, arrival(own)).expect("in the domain");
+        let [happened, soon] = [-4.0, -4.0 + 1e-6];
+        let own = |happened| diagram.point.own_time(happened);
+        let arrival = |happened| diagram.received(happened);
+        let rate = (own(soon) - own(happened)) / (arrival(soon) - arrival(happened));
+        let both = settings.disparity(&track, arrival(happened)).expect("in the domain");
         let expected = 0.5 * (both.primary.doppler_factor + both.secondary.doppler_factor);
         assert!((rate / expected - 1.0).abs() < 1e-3, "{rate} {expected}");
     }
