@@ -157,7 +157,7 @@ fn light_of_many_wavelengths_is_told_by_its_shift() {
 fn what_glows_is_told_by_its_temperatures() {
     let mut settings = settings(0.9, 0.1);
     (settings.light.colour, settings.light.temperature) = (Colour::Glowing, 1000.0);
-    let [[_, left], [_, right]] = core(0.9, 0.1, 1.1);
+    let [[_, left, _], [_, right, _]] = core(0.9, 0.1, 1.1);
     let sentence = moment(&settings, 1.1).sentence();
     let expected = format!(": a glow of 1000 K, received as of {:.0} and {:.0} K.", 7e5 / left, 7e5 / right);
     assert!(sentence.ends_with(&expected), "{sentence} {expected}");

@@ -1,7 +1,7 @@
 // Triangles whose corners go through the apparent position: where the light cone of the aperture meets the
 // worldline of each corner.
 
-// As GEOMETRY; 3 is the published model's right eye.
+// As GEOMETRY; 3 is the published model's right eye, 4 one light cone for both eyes.
 override MAP: u32;
 
 struct Corner {
@@ -85,10 +85,15 @@ fn mapped_along_x(c: vec3f) -> Sighting {
         case 0u: { return sighting(c); }
         case 1u: { return Sighting(vec3f(c.x * frame.speed.z, c.yz), 1.0); }
         case 2u: { return Sighting(c, 1.0); }
-        default: {
+        case 3u: {
             // The left eye's sighting at T - Delta T, as Appendix A prints it.
             let shift = frame.speed.x * frame.speed.w * delay(sighting(c).position);
             return sighting(c - vec3f(shift, 0.0, 0.0));
+        }
+        default: {
+            // What the middle between the eyes receives, from where the camera is.
+            let seen = sighting(c);
+            return Sighting(seen.position - vec3f(frame.motion.z, 0.0, 0.0), seen.doppler);
         }
     }
 }
@@ -148,6 +153,9 @@ fn measure(fragment: Fragment) -> Measure {
         }
         return Measure(depth, fragment.doppler, ray, fragment.place, normal, distance);
     }
+    if MAP == 4u {
+        return measure_in_one_cone(fragment, ray, normal);
+    }
     let hit = surface(body_of(fragment), ray);
     let distance = (ray.to_centre + hit.beyond) * ray.ground_per_rest;
     let depth = depth(ray, hit.beyond);
@@ -155,6 +163,48 @@ fn measure(fragment: Fragment) -> Measure {
         return Measure(depth, ray.doppler, ray, hit.place, hit.normal, distance);
     }
     return Measure(depth, ray.doppler, ray, fragment.place, normal, distance);
+}
+
+// The same where both eyes have one light cone, from the ray that touches the curve of events where the fragment appears.
+// Depths are told along the ray's limit at great distances, which all fragments of a pixel share.
+fn measure_in_one_cone(fragment: Fragment, straight: Ray, normal: vec3f) -> Measure {
+    let body = body_of(fragment);
+    let ray = touching_ray(straight, length(fragment.apparent));
+    let hit = surface(body, ray);
+    let distance = (ray.to_centre + hit.beyond) * ray.ground_per_rest;
+    var depth = 0.5 - dot(middle(body) + hit.place, straight.direction) * frame.middle.w;
+    if HAS_OTHERS {
+        depth = depth_of_distance(distance, ray.sight);
+    }
+    if hit.clearance > 0.0 {
+        return Measure(depth, ray.doppler, ray, hit.place, hit.normal, distance);
+    }
+    return Measure(depth, ray.doppler, ray, fragment.place, normal, distance);
+}
+
+// As `GroupView::rest_ray_at`, from the `straight` ray through the middle's event.
+fn touching_ray(straight: Ray, distance: f32) -> Ray {
+    let sign = frame.motion.x;
+    let n = reflected(straight.sight, sign);
+    let place = n * distance + vec3f(frame.motion.z, 0.0, 0.0);
+    let along = place / max(length(place), 1e-30);
+    let cosine = dot(n, along);
+    let sine = cross(n, along);
+    let gap = select(1.0 - cosine, dot(sine, sine) / (1.0 + cosine), cosine > 0.0);
+    let received = passage(reflected(along, sign), 0u, frame.speed, sign);
+    // The tangent, times D along the line of sight.
+    let bend = frame.speed.x * (frame.speed.w * straight.doppler) * gap;
+    let tangent = straight.direction - vec3f(sign * bend, 0.0, 0.0);
+    let largest = max(abs(tangent.x), max(abs(tangent.y), abs(tangent.z)));
+    let scaled = tangent / largest;
+    let reciprocal = 1.0 / sqrt(dot(scaled, scaled));
+    let direction = scaled * reciprocal;
+    let origin = vec3f(sign * frame.motion.z / received.doppler, 0.0, 0.0);
+    let centre = frame.middle.xyz;
+    let moment = cross(centre, direction) + cross(frame.middle_fine.xyz, direction) - cross(origin, direction);
+    let to_centre = dot(centre - origin, direction);
+    let ground_per_rest = straight.doppler * (reciprocal / largest);
+    return Ray(straight.sight, straight.scale, direction, ground_per_rest, received.doppler, moment, to_centre);
 }
 
 fn body_of(fragment: Fragment) -> Body {

@@ -93,6 +93,11 @@ impl Camera {
         0.5 * f64::from(self.size[0]) / tan(0.5 * self.horizontal_fov)
     }
 
+    /// From the middle between the two eyes, of which it is one, to this one.
+    pub(crate) fn from_middle(&self) -> DVec3 {
+        DVec3::X * self.aperture.x
+    }
+
     /// Unit vector from the aperture through the point `[u, v]` of the picture, in pixels.
     #[must_use]
     pub fn line_of_sight(&self, pixel: [f64; 2]) -> DVec3 {

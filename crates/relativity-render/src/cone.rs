@@ -47,12 +47,42 @@ impl Cone {
                 let cone = reflected.seen_from_ground(view);
                 Self { axis: view.velocity.reflected(cone.axis), ..cone }
             }
+            Geometry::OneCone => Self::in_one_cone(view, view.velocity.reflected(center), radius),
             // The ball is an ellipsoid on the ground, flattened along x: inside the ball about its centre.
             Geometry::Contracted => {
                 let contracted = DVec3::new(center.x / view.velocity.speed.gamma(), center.y, center.z);
                 Self::around_ball(contracted, radius)
             }
         }
+    }
+
+    /// The same where both eyes have one light cone, from the reflected `center`.
+    ///
+    /// What an eye is shown of a point then it sees at another time, which is off by no more than light takes to it from
+    /// the middle; in between the point appears on a straight line. So the cones of both ends hold it, if convex.
+    fn in_one_cone(view: &GroupView, center: DVec3, radius: f64) -> Self {
+        let speed = &view.velocity.speed;
+        let eye = view.velocity.reflected(view.camera.from_middle()).x;
+        let at = |delay: f64| {
+            let from_eye = center - DVec3::X * (speed.gamma() * (eye - speed.beta() * delay));
+            Self::around_ball(from_eye, radius).seen_from_ground(view)
+        };
+        let cone = at(-eye).joined(&at(eye));
+        Self { axis: view.velocity.reflected(cone.axis), ..cone }
+    }
+
+    /// The least cone around both; the whole sky where that is wider than half of it.
+    fn joined(&self, other: &Self) -> Self {
+        let between = atan2(self.axis.cross(other.axis).length(), self.axis.dot(other.axis));
+        let [wide, narrow] =
+            if self.half_angle >= other.half_angle { [self, other] } else { [other, self] };
+        let half_angle = wide.half_angle.max(0.5 * (between + wide.half_angle + narrow.half_angle));
+        if half_angle >= 0.5 * PI {
+            return Self::WHOLE_SKY;
+        }
+        let (sin, cos) = sin_cos(half_angle - wide.half_angle);
+        let across = (narrow.axis - wide.axis * wide.axis.dot(narrow.axis)).normalize_or_zero();
+        Self { axis: wide.axis * cos + across * sin, half_angle }
     }
 
     /// Whether the cones share a direction, with a little to spare for rounding.

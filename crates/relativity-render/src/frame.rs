@@ -28,7 +28,8 @@ pub struct Frame {
     pub pole: [f32; 4],
     /// Of the group against the camera: beta, 1 - beta, 1/gamma, gamma.
     pub speed: [f32; 4],
-    /// -1 if the group moves towards -x, else 1; the same of the reference of depths.
+    /// -1 if the group moves towards -x, else 1; the same of the reference of depths; how far the camera is along the
+    /// motion from the middle between the eyes, where these have one light cone; 0.
     pub motion: [f32; 4],
     /// `speed` of the reference.
     pub reference_speed: [f32; 4],
@@ -100,13 +101,14 @@ impl Frame {
         let speed =
             [speed.beta(), speed.one_minus_beta(), 1.0 / speed.gamma(), speed.gamma()].map(|v| v as f32);
         let reflection = view.velocity.direction() as f32;
+        let eye = view.velocity.direction() * camera.from_middle().x;
         Self {
             base: vector(base),
             right: vector(right * per_px),
             down: vector(-up * per_px),
             pole: [coarse.x, coarse.y, fine.x, fine.y],
             speed,
-            motion: [reflection, reflection, 0.0, 0.0],
+            motion: [reflection, reflection, eye as f32, 0.0],
             reference_speed: speed,
             reference_middle: middle,
             middle,

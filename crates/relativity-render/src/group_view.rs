@@ -23,6 +23,9 @@ pub struct RestRay {
     pub ground_per_rest: f64,
     /// Doppler factor of light received along the ray.
     pub doppler_factor: f64,
+    /// Unit vector along which the light is received, in the camera's frame: the line of sight, or where both eyes have
+    /// one light cone, that of the middle between them.
+    pub received_along: DVec3,
 }
 
 /// How one view sees one group: as it moves against the camera, from where the camera is in the group's frame.
@@ -37,7 +40,7 @@ pub struct GroupView {
     /// The group's velocity as the camera sees it.
     pub velocity: Velocity,
     /// Where the camera's event is in the group's frame: (gamma (`a_x` - beta T), `a_y`, `a_z`), with the group's
-    /// beta on the ground.
+    /// beta on the ground. Where both eyes have one light cone, that of the middle between them.
     pub origin: DVec3,
     /// When it is there: gamma (T - beta `a_x`).
     pub time: f64,
@@ -59,7 +62,8 @@ impl GroupView {
             (Geometry::Rest, Motion::Own(_)) => Geometry::Seen,
             (geometry, _) => geometry,
         };
-        let aperture = on_ground.reflected(position(view.camera.aperture));
+        let middle = if geometry == Geometry::OneCone { view.camera.from_middle() } else { DVec3::ZERO };
+        let aperture = on_ground.reflected(position(view.camera.aperture) - middle);
         let (beta, gamma, received) =
             (on_ground.speed.beta(), on_ground.speed.gamma(), view.observation_time);
         let origin = DVec3::new(gamma * (aperture.x - beta * received), aperture.y, aperture.z);
@@ -77,7 +81,8 @@ impl GroupView {
         self.velocity.reflected(place - self.origin)
     }
 
-    /// The rest-frame ray of the camera's `line_of_sight` (unit vector).
+    /// The rest-frame ray of the camera's `line_of_sight` (unit vector); of [`Geometry::OneCone`] the limit of
+    /// [`Self::rest_ray_at`] at great distances.
     ///
     /// # Examples
     ///
@@ -107,8 +112,10 @@ impl GroupView {
                 let doppler_factor = velocity.doppler_factor(line_of_sight);
                 let direction = velocity.rest_from_ground(line_of_sight);
                 // s* = s gamma (1 + beta n_x) = s / D.
-                RestRay { origin, time, direction, ground_per_rest: doppler_factor, doppler_factor }
+                let (ground_per_rest, received_along) = (doppler_factor, line_of_sight);
+                RestRay { origin, time, direction, ground_per_rest, doppler_factor, received_along }
             }
+            Geometry::OneCone => self.one_cone_ray(line_of_sight, None),
             Geometry::Contracted => {
                 let n = line_of_sight;
                 let stretched = DVec3::new(speed.gamma() * n.x, n.y, n.z);
@@ -119,12 +126,28 @@ impl GroupView {
                     direction: stretched / rest_per_ground,
                     ground_per_rest: 1.0 / rest_per_ground,
                     doppler_factor: 1.0,
+                    received_along: line_of_sight,
                 }
             }
-            Geometry::Rest => {
-                RestRay { origin, time, direction: line_of_sight, ground_per_rest: 1.0, doppler_factor: 1.0 }
-            }
+            Geometry::Rest => RestRay {
+                origin,
+                time,
+                direction: line_of_sight,
+                ground_per_rest: 1.0,
+                doppler_factor: 1.0,
+                received_along: line_of_sight,
+            },
         }
+    }
+
+    /// The same for what is at `distance` (ground frame, 0 or more). Where both eyes have one light cone the events
+    /// along a line of sight lie on a curve in the rest frame: the ray touches it there.
+    #[must_use]
+    pub fn rest_ray_at(&self, line_of_sight: DVec3, distance: f64) -> RestRay {
+        if self.geometry != Geometry::OneCone {
+            return self.rest_ray(line_of_sight);
+        }
+        self.one_cone_ray(line_of_sight, Some(distance))
     }
 
     /// How far what is seen along `ray` moves in the rest frame where the line of sight turns by `turn`, but for what is
@@ -141,6 +164,7 @@ impl GroupView {
                     turn.z - along * ray.direction.z,
                 )
             }
+            Geometry::OneCone => self.one_cone_shift(ray, turn),
             Geometry::Contracted => DVec3::new(speed.gamma() * turn.x, turn.y, turn.z),
             Geometry::Rest => turn,
         }
@@ -148,7 +172,7 @@ impl GroupView {
 
     /// From the aperture to where the group's point at `rest` appears; `None` outside the domain of the core.
     ///
-    /// The core is asked in coordinates whose origin is the camera's event, which serves a camera that rides along,
+    /// The core is asked in coordinates whose origin is [`Self::origin`], which serves a camera that rides along,
     /// too.
     #[must_use]
     pub fn apparent_position(&self, rest: DVec3) -> Option<DVec3> {
@@ -161,6 +185,10 @@ impl GroupView {
             Geometry::Seen => {
                 let seen = sighting(speed, point, Aperture::default(), 0.0).ok()?;
                 self.velocity.reflected(seen.position.into())
+            }
+            Geometry::OneCone => {
+                let seen = sighting(speed, point, Aperture::default(), 0.0).ok()?;
+                self.velocity.reflected(seen.position.into()) - self.camera.from_middle()
             }
             Geometry::Published => {
                 let separation = self.published_separation();

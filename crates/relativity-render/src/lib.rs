@@ -73,7 +73,8 @@ mod light;
 mod mesh;
 #[doc(hidden)]
 pub mod mirrors;
-pub mod outline;
+mod one_cone;
+mod outline;
 mod palette;
 mod pattern;
 pub mod picture;

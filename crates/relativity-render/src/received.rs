@@ -67,8 +67,9 @@ fn samples<'a>(capsule: &'a Capsule, seen: &'a GroupView) -> impl Iterator<Item 
     let area = capsule.radius * (length + capsule.radius);
     PLACES.into_iter().filter_map(move |place| {
         let place = capsule.from.lerp(capsule.to, place);
-        let line_of_sight = seen.apparent_position(place)?.try_normalize()?;
-        let doppler_factor = seen.rest_ray(line_of_sight).doppler_factor;
+        let apparent = seen.apparent_position(place)?;
+        let line_of_sight = apparent.try_normalize()?;
+        let doppler_factor = seen.rest_ray_at(line_of_sight, apparent.length()).doppler_factor;
         // Aberration makes what is blueshifted smaller: solid angles by D^2.
         let angle = area / (place.distance_squared(seen.origin) + area) / (doppler_factor * doppler_factor);
         let weight = if seen.camera.shows(line_of_sight) { angle } else { 0.0 };

@@ -19,7 +19,7 @@ use crate::ray::Ray;
 use crate::scene::PreparedScene;
 use crate::shade::surface_colour;
 use crate::tiles::{TILE_SIDE, bands};
-use crate::view::{Appearance, View};
+use crate::view::{Appearance, Geometry, View};
 
 /// What one ray meets.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,7 +36,7 @@ pub struct Hit {
     /// Ground time of emission; the observation time itself for
     /// [`Geometry::Contracted`](crate::Geometry::Contracted), whose light is instantaneous.
     pub emission_time: f64,
-    /// Doppler factor, 1 unless the geometry is [`Geometry::Seen`](crate::Geometry::Seen).
+    /// Doppler factor, 1 unless light is received in the geometry.
     pub doppler_factor: f64,
 }
 
@@ -110,6 +110,9 @@ impl PreparedScene {
         group_view: &GroupView,
         line_of_sight: DVec3,
     ) -> Option<Hit> {
+        if group_view.geometry == Geometry::OneCone {
+            return self.first_hit_in_one_cone(group, bodies, view, group_view, line_of_sight);
+        }
         let ray = group_view.rest_ray(line_of_sight);
         let prepared = &self.groups()[group];
         let near = Ray::new(ray.origin, ray.direction).counted_from(prepared.extent.middle);
@@ -188,7 +191,7 @@ impl PreparedScene {
         turns: [DVec3; 2],
     ) -> Covered {
         let group_view = &group_views[self.group_of(hit.body)];
-        let ray = group_view.rest_ray(line_of_sight);
+        let ray = group_view.rest_ray_at(line_of_sight, hit.distance);
         let shifts = turns.map(|turn| group_view.shift(&ray, turn) * hit.distance);
         Covered::new(ray.direction, hit.rest_normal, shifts)
     }

@@ -55,24 +55,22 @@ impl Method {
     pub const DEFAULT_BOUND_PX: f64 = 0.5;
 
     /// What draws `view` where this is asked for: the published model, which is defined point by point, is known to
-    /// the mesh renderer alone.
+    /// the mesh renderer alone; one light cone for both eyes, whose rays are curved, not to the exact one.
     #[must_use]
     pub fn of_view(self, view: &View) -> Self {
         match (view.geometry, self) {
-            (Geometry::Published, Self::Reference | Self::Exact) => {
+            (Geometry::Published, Self::Reference | Self::Exact) | (Geometry::OneCone, Self::Exact) => {
                 Self::Mesh { bound_px: Self::DEFAULT_BOUND_PX }
             }
             _ => self,
         }
     }
 
-    /// What draws on the GPU where this is asked for: the exact renderer stands in for the reference.
+    /// What draws `view` on the GPU where this is asked for: what draws the rest exactly stands in for the reference.
     #[must_use]
-    pub const fn on_gpu(self) -> Self {
-        match self {
-            Self::Reference | Self::Exact => Self::Exact,
-            Self::Mesh { bound_px } => Self::Mesh { bound_px },
-        }
+    pub fn on_gpu(self, view: &View) -> Self {
+        let on_gpu = if self == Self::Reference { Self::Exact } else { self };
+        on_gpu.of_view(view)
     }
 }
 
@@ -130,7 +128,7 @@ impl Renderers {
         appearance: &Appearance,
         target: &mut EyeTarget,
     ) -> Result<(), GpuError> {
-        let (gpu, canvas, drawing) = self.drawing(method.of_view(view))?;
+        let (gpu, canvas, drawing) = self.drawing(method.on_gpu(view))?;
         canvas.paint(gpu, drawing, scene, view, appearance, target);
         Ok(())
     }
@@ -195,7 +193,7 @@ impl Renderers {
     fn drawing(&mut self, method: Method) -> Result<(&Gpu, &Canvas, &mut dyn Drawing), GpuError> {
         let gpu = self.gpu.as_ref().ok_or(GpuError::NoAdapter)?;
         let canvas = &*self.canvas.get_or_insert_with(|| Canvas::new(gpu));
-        let drawing: &mut dyn Drawing = match method.on_gpu() {
+        let drawing: &mut dyn Drawing = match method {
             Method::Reference | Method::Exact => {
                 self.exact.get_or_insert_with(|| ExactRenderer::new(gpu, canvas, self.bounds))
             }

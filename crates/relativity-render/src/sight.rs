@@ -127,11 +127,13 @@ fn reach(sights: &[Sight], axes: &Axes) -> [Range; 2] {
 }
 
 /// The views whose rays show what `view` shows. In the published model the right eye sees of each point what the left
-/// eye saw at most the eyes' separation earlier or later; in between a body moves along a straight line.
+/// eye saw at most the eyes' separation earlier or later; with one light cone each eye what it sees at most half of that
+/// earlier or later. In between a body moves along a straight line.
 fn as_seen(view: &View) -> impl Iterator<Item = View> + use<> {
     let delay = 2.0 * view.camera.aperture.x;
     let (geometry, delays) = match view.geometry {
         Geometry::Published => (Geometry::Seen, [Some(-delay), Some(delay)]),
+        Geometry::OneCone => (Geometry::Seen, [Some(-0.5 * delay), Some(0.5 * delay)]),
         geometry => (geometry, [Some(0.0), None]),
     };
     let view = *view;

@@ -24,13 +24,16 @@ pub enum Geometry {
     ///
     /// A view of it is the right eye's, from the left eye's camera; no ray leads back from there.
     Published,
+    /// One light cone for both eyes: each sees, from where it is, the events that the middle between them receives. Of
+    /// two eyes on a line along x, -x and x, the camera is one. Drawn by the mesh renderer and by the reference.
+    OneCone,
 }
 
 impl Geometry {
     /// The shaders' `GEOMETRY`.
     pub(crate) fn number(self) -> f64 {
         match self {
-            Self::Seen | Self::Published => 0.0,
+            Self::Seen | Self::Published | Self::OneCone => 0.0,
             Self::Contracted => 1.0,
             Self::Rest => 2.0,
         }
@@ -41,12 +44,13 @@ impl Geometry {
         match self {
             Self::Seen | Self::Contracted | Self::Rest => self.number(),
             Self::Published => 3.0,
+            Self::OneCone => 4.0,
         }
     }
 
     /// Whether the Doppler factor is other than 1.
     pub(crate) const fn has_doppler_effect(self) -> bool {
-        matches!(self, Self::Seen | Self::Published)
+        matches!(self, Self::Seen | Self::Published | Self::OneCone)
     }
 
     /// What the left eye of a pair is shown: the published model gives it its own light cone.
@@ -82,6 +86,9 @@ impl View {
         let received = self.observation_time;
         match self.geometry {
             Geometry::Seen | Geometry::Published => received - distance,
+            Geometry::OneCone => {
+                received - (self.camera.from_middle() + line_of_sight * distance).length()
+            }
             Geometry::Contracted => received,
             // The inverse boost of (-s, s n) is -gamma s (1 - beta n_x).
             Geometry::Rest => {

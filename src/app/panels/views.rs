@@ -127,6 +127,7 @@ pub fn paint(ui: &Ui, state: &State, pane: EyePane, picture: Option<Shown>, heat
 fn note(state: &State, eye: Eye, picture: Option<Shown>, with_heat_map: bool) -> String {
     let geometry = match state.settings.look.geometry {
         Geometry::Seen | Geometry::Published => None,
+        Geometry::OneCone => Some("one light cone for both eyes".to_owned()),
         Geometry::Contracted => Some("contracted only".to_owned()),
         Geometry::Rest => Some("at rest".to_owned()),
     };

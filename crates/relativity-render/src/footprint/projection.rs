@@ -111,7 +111,7 @@ impl Projection {
         match self.geometry {
             Geometry::Rest => Some(c),
             Geometry::Contracted => Some(DVec3::new(c.x / self.gamma, c.y, c.z)),
-            Geometry::Seen | Geometry::Published => {
+            Geometry::Seen | Geometry::Published | Geometry::OneCone => {
                 let h = outside_squared.sqrt();
                 let (x, height) = self.boosted(c, h, radius);
                 (height > 0.0).then(|| DVec3::new(x, c.y, c.z))
@@ -223,7 +223,7 @@ fn least_scale(view: &GroupView) -> f64 {
     match view.geometry {
         Geometry::Rest => 1.0,
         Geometry::Contracted => 1.0 / speed.gamma(),
-        Geometry::Seen | Geometry::Published => 1.0 / speed.head_on_doppler_factor(),
+        Geometry::Seen | Geometry::Published | Geometry::OneCone => 1.0 / speed.head_on_doppler_factor(),
     }
 }
 

@@ -54,8 +54,8 @@ impl Parts {
         let is_seen = |body: &PreparedBody| {
             let (view, solid) = (&views[body.group], scene.solid(body.number));
             let middle = view.reflected_from_camera(solid.center());
-            // The published positions are not the view's.
-            view.geometry == Geometry::Published
+            // Neither the published positions nor those of one light cone for both eyes are the camera's.
+            matches!(view.geometry, Geometry::Published | Geometry::OneCone)
                 || !projections[body.group].hides(middle, solid.bounding_radius())
         };
         let part = |body: &PreparedBody| {

@@ -1,0 +1,151 @@
+//! One light cone for both eyes: what the reference traces where each eye sees, from where it is, the events that the
+//! middle between the eyes receives.
+//!
+//! Along the line of sight n from the eye at e, from the middle, the event at distance l has the time T - |e + l n|. In the
+//! rest frame these events lie on a curve, with the tangent (gamma (`n_x` + beta n.u), `n_y`, `n_z`), u being the unit vector
+//! from the middle: straight for great l. A ray is traced along the tangent at the last known distance, and again along
+//! the one where it met the body. That is Newton's iteration: what is off is squared each time.
+
+use glam::DVec3;
+
+use crate::group_view::{GroupView, RestRay};
+use crate::intersect::{Entry, Solid};
+use crate::ray::Ray;
+use crate::reference::Hit;
+use crate::scene::PreparedScene;
+use crate::view::View;
+
+/// Most tangents that are tried. Two or three do but for bodies that are about as near as the eyes are to each other.
+const ROUNDS: u32 = 12;
+/// A tangent serves this far from where it touches, in parts of the distance: it is off by the square.
+const SETTLED: f64 = 1e-7;
+/// Distances closer than this, in parts of themselves, are told apart along the ray instead, where they have more digits.
+const ALIKE: f64 = 1e-9;
+
+impl GroupView {
+    /// The ray that touches, at `distance`, the curve of events along `line_of_sight`; without one, its limit.
+    ///
+    /// Its origin, from the middle's event, is e/D: in l (n.u) - |e + l n| = -e.u nothing is left of l.
+    pub(crate) fn one_cone_ray(&self, line_of_sight: DVec3, distance: Option<f64>) -> RestRay {
+        let Self { velocity, .. } = self;
+        let eye = self.camera.from_middle();
+        let from_middle = distance.map(|distance| eye + line_of_sight * distance);
+        let received_along = from_middle.map_or(line_of_sight, |place| place.normalize_or(line_of_sight));
+        let doppler_factor = velocity.doppler_factor(received_along);
+        let straight = velocity.rest_from_ground(line_of_sight) / velocity.doppler_factor(line_of_sight);
+        let tangent = straight - self.bend(line_of_sight, received_along);
+        let rest_per_ground = tangent.length();
+        // By how much longer light takes to the middle than from where the ray touches to its origin.
+        let lag = match (distance, from_middle) {
+            (Some(distance), Some(place)) => place.length() / doppler_factor - distance * rest_per_ground,
+            _ => velocity.speed.gamma() * (eye.dot(line_of_sight) + velocity.beta() * eye.x),
+        };
+        RestRay {
+            origin: self.origin + eye / doppler_factor,
+            time: self.time - lag,
+            direction: tangent / rest_per_ground,
+            ground_per_rest: 1.0 / rest_per_ground,
+            doppler_factor,
+            received_along,
+        }
+    }
+
+    /// gamma beta (1 - n.u) along the motion, from the sine of the angle between both.
+    fn bend(&self, line_of_sight: DVec3, received_along: DVec3) -> DVec3 {
+        let cosine = line_of_sight.dot(received_along);
+        let sine_squared = line_of_sight.cross(received_along).length_squared();
+        let gap = if cosine > 0.0 { sine_squared / (1.0 + cosine) } else { 1.0 - cosine };
+        let speed = &self.velocity.speed;
+        DVec3::X * (self.velocity.direction() * speed.gamma() * speed.beta() * gap)
+    }
+
+    /// As [`Self::shift`].
+    pub(crate) fn one_cone_shift(&self, ray: &RestRay, turn: DVec3) -> DVec3 {
+        let speed = &self.velocity.speed;
+        let later = self.velocity.beta() * ray.received_along.dot(turn);
+        let moved = DVec3::new(speed.gamma() * (turn.x + later), turn.y, turn.z);
+        let across = moved - ray.direction * moved.dot(ray.direction);
+        if ray.direction.x.abs() < 0.5 {
+            return across;
+        }
+        // At great speeds most of it was along x, and along the ray.
+        let DVec3 { y, z, .. } = across;
+        DVec3 { x: -(y * ray.direction.y + z * ray.direction.z) / ray.direction.x, y, z }
+    }
+}
+
+/// Where a line of sight meets a body.
+struct Meeting {
+    body: usize,
+    entry: Entry,
+    ray: RestRay,
+    /// Ground frame.
+    distance: f64,
+    /// Along the ray's limit at great distances, from the middle of the group.
+    depth: f64,
+}
+
+impl PreparedScene {
+    /// As `first_hit_in`, where both eyes have one light cone.
+    pub(crate) fn first_hit_in_one_cone(
+        &self,
+        group: usize,
+        bodies: &[u32],
+        view: &View,
+        group_view: &GroupView,
+        line_of_sight: DVec3,
+    ) -> Option<Hit> {
+        let prepared = &self.groups()[group];
+        let (middle, tie) = (prepared.extent.middle, prepared.tie());
+        let limit = group_view.rest_ray(line_of_sight);
+        let meetings = bodies.iter().filter_map(|&body| {
+            let body = body as usize;
+            let (entry, ray, distance) = meeting(self.solid(body), group_view, line_of_sight, middle)?;
+            let depth = (entry.position - middle).dot(limit.direction);
+            Some(Meeting { body, entry, ray, distance, depth })
+        });
+        let first = meetings.reduce(|first, next| if next.is_before(&first, tie) { next } else { first })?;
+        let Meeting { body, entry, ray, distance, .. } = first;
+        Some(Hit {
+            body,
+            rest_position: entry.position,
+            rest_normal: entry.normal,
+            distance,
+            emission_time: view.emission_time(line_of_sight, distance),
+            doppler_factor: ray.doppler_factor,
+        })
+    }
+}
+
+impl Meeting {
+    fn is_before(&self, other: &Self, tie: f64) -> bool {
+        let are_alike = (self.distance - other.distance).abs() <= ALIKE * other.distance;
+        if are_alike { self.depth < other.depth - tie } else { self.distance < other.distance }
+    }
+}
+
+/// Where `line_of_sight` enters `solid`, the ray that touches there, and how far it is on the ground. Rays are counted from
+/// near the `middle` of the group.
+fn meeting(
+    solid: &Solid,
+    view: &GroupView,
+    line_of_sight: DVec3,
+    middle: DVec3,
+) -> Option<(Entry, RestRay, f64)> {
+    let mut ray = view.rest_ray(line_of_sight);
+    let mut touched = f64::INFINITY;
+    let mut found = None;
+    for _ in 0..ROUNDS {
+        let near = Ray::new(ray.origin, ray.direction).counted_from(middle);
+        let entry = solid.entry(&near);
+        let along = entry.map_or_else(|| near.nearest_to(solid.center()).1, |entry| entry.distance);
+        let distance = ((near.from_camera + along) * ray.ground_per_rest).max(0.0);
+        found = entry.map(|entry| (entry, ray, distance));
+        if (distance - touched).abs() <= SETTLED * distance {
+            break;
+        }
+        touched = distance;
+        ray = view.rest_ray_at(line_of_sight, distance);
+    }
+    found
+}
