@@ -105,7 +105,8 @@ impl Lines {
             sampler.sample(&path, &mut self.vertices);
             let vertices = first..self.vertices.len();
             if vertices.len() > 1 {
-                let Sampler { picture, rests, .. } = *sampler;
+                let Sampler { picture, rests, places, .. } = *sampler;
+                let radius = radius * places.thickness(picture, path.at(0.5));
                 self.all.push(Line { body, rests, picture, radius, only, vertices });
             }
         }

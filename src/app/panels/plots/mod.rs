@@ -42,7 +42,7 @@ pub struct Plotted<'a> {
 
 /// Shows the plots.
 pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         tabs(ui, state, asks);
         ui.separator();
         match plotted.examination.filter(|_| state.settings.plots.plot == PlotTab::Accuracy) {

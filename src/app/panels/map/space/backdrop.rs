@@ -76,7 +76,7 @@ fn street(ui: &Ui, painter: &Painter, state: &State, sheet: &Sheet) {
             }
         }
         Projection::Side => {
-            for z in scene.ground_z {
+            if let Some(z) = scene.ground_z {
                 line(z + state.settings.motion.height_shift, 2.0);
             }
         }

@@ -1,6 +1,6 @@
 //! The pictures of all bodies, each in its colour.
 
-use eframe::egui::{Painter, Shape, Stroke, Ui, pos2};
+use eframe::egui::{Painter, Rect, Shape, Stroke, Ui, pos2};
 
 use super::{Sheet, colour};
 use crate::map::{Line, Lines, Picture};
@@ -9,6 +9,8 @@ use crate::map::{Line, Lines, Picture};
 const THINNEST: f32 = 1.0;
 /// Faintest of these.
 const FAINTEST: f32 = 0.35;
+/// Balls are filled as long as they are smaller than this, points: the bends of what is seen of larger ones show.
+const LARGEST_FILLED: f32 = 40.0;
 /// How strongly the street is drawn, behind what the map is about.
 const STREET: f32 = 0.45;
 /// How strongly what is seen is drawn: what one eye sees does not hide what the other sees.
@@ -22,7 +24,11 @@ pub(super) fn paint(ui: &Ui, painter: &Painter, lines: &Lines, sheet: &Sheet) {
         let stroke = stroke(ui, line, chart.scale);
         let places = lines.vertices(line).iter().map(|vertex| projection.flat(vertex.place));
         chart.clipped(places, f64::from(stroke.width), |run| {
-            let points = run.iter().map(|&[x, y]| pos2(x as f32, y as f32)).collect();
+            let points: Vec<_> = run.iter().map(|&[x, y]| pos2(x as f32, y as f32)).collect();
+            // A ball, which looks hollow otherwise.
+            if line.only.is_some() && Rect::from_points(&points).size().max_elem() < LARGEST_FILLED {
+                shapes.push(Shape::convex_polygon(points.clone(), stroke.color, Stroke::NONE));
+            }
             shapes.push(Shape::line(points, stroke));
         });
     }
