@@ -60,10 +60,21 @@ impl Worldline {
     /// The step that it makes in a unit of the ground's time.
     #[must_use]
     pub fn step(&self) -> Event {
-        if self.rests {
-            return Event { x: 0.0, t: 1.0 / self.velocity.speed.gamma() };
-        }
-        self.on_ground().step.in_frame(self.frame)
+        self.step_in(self.frame)
+    }
+
+    /// That step in the frame that moves at `frame`: a unit of the ground's time is 1/gamma of its own, which that
+    /// frame's clocks have as gamma of the velocity between the two.
+    pub(super) fn step_in(&self, frame: Velocity) -> Event {
+        let relative = self.velocity.seen_from(frame);
+        let t = relative.speed.gamma() / self.velocity.speed.gamma();
+        Event { x: relative.beta() * t, t }
+    }
+
+    /// Whether the point rests in the frame of the map.
+    #[must_use]
+    pub const fn rests(&self) -> bool {
+        self.rests
     }
 
     /// y and z of the point from the eyes.

@@ -45,7 +45,10 @@ pub fn paint(ui: &Ui, painter: &Painter, chart: &Chart, [across, up]: [Axis<'_>;
 /// Round numbers of the `unit` in a range of the world, and how they are written.
 fn numbers(range: [f64; 2], unit: Unit, scale: f64) -> Vec<(f64, String)> {
     let (shown, decimals) = ticks(range.map(|value| unit.shown(value)), unit.shown(SPACING / scale));
-    shown.into_iter().map(|shown| (unit.in_scene(shown), figures::fixed(shown, decimals))).collect()
+    shown
+        .into_iter()
+        .map(|shown| (unit.in_scene(shown), figures::fixed(shown, decimals).replace(".00e", "e")))
+        .collect()
 }
 
 fn write(ui: &Ui, painter: &Painter, place: Pos2, align: Align2, text: &str, labels: &mut Labels) {
