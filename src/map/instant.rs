@@ -131,12 +131,13 @@ impl Places {
         place.is_finite().then_some(place)
     }
 
-    /// How much thicker `picture` has what is around the point at `rest`. What one eye sees, and what is measured, is as
-    /// thick across the motion as it is.
+    /// What a ball of this `radius` around the point at `rest` becomes: where its radii along x, y and z lead, from the
+    /// place of the point.
     #[must_use]
-    pub fn thickness(&self, picture: Picture, rest: DVec3) -> f64 {
-        let stereo = || self.stereo(rest).map_or(1.0, |stereo| 1.0 / stereo.gain);
-        if picture == Picture::Stereo { stereo() } else { 1.0 }
+    pub fn ball(&self, picture: Picture, rest: DVec3, radius: f64) -> Option<[DVec3; 3]> {
+        let center = self.place(picture, rest)?;
+        let radius_along = |axis: DVec3| Some(self.place(picture, rest + radius * axis)? - center);
+        Some([radius_along(DVec3::X)?, radius_along(DVec3::Y)?, radius_along(DVec3::Z)?])
     }
 
     fn stereo(&self, rest: DVec3) -> Option<Stereo> {
