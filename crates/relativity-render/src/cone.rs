@@ -74,8 +74,7 @@ impl Cone {
     /// The least cone around both; the whole sky where that is wider than half of it.
     fn joined(&self, other: &Self) -> Self {
         let between = atan2(self.axis.cross(other.axis).length(), self.axis.dot(other.axis));
-        let [wide, narrow] =
-            if self.half_angle >= other.half_angle { [self, other] } else { [other, self] };
+        let [wide, narrow] = if self.half_angle >= other.half_angle { [self, other] } else { [other, self] };
         let half_angle = wide.half_angle.max(0.5 * (between + wide.half_angle + narrow.half_angle));
         if half_angle >= 0.5 * PI {
             return Self::WHOLE_SKY;
