@@ -8,6 +8,7 @@ mod controls;
 mod fit;
 mod groups;
 mod layouts;
+mod map;
 mod picking;
 mod quality;
 mod start;
@@ -32,6 +33,7 @@ fn main() -> ExitCode {
         fit::TESTS,
         groups::TESTS,
         layouts::TESTS,
+        map::TESTS,
         picking::TESTS,
         quality::TESTS,
         start::TESTS,

@@ -32,6 +32,9 @@ use crate::figures;
 use crate::settings::PlotTab;
 use crate::units::Unit;
 
+/// Narrower plots have the followed points in a row of their own, below the tabs.
+const NARROWEST_ROW: f32 = 660.0;
+
 /// What there is to plot.
 #[derive(Clone, Copy)]
 pub struct Plotted<'a> {
@@ -45,14 +48,24 @@ pub struct Plotted<'a> {
 
 /// Shows the plots.
 pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {
+    let is_narrow = ui.available_width() < NARROWEST_ROW;
+    let points = |ui: &mut Ui, asks: &mut Asks| match plotted
+        .examination
+        .filter(|_| state.settings.plots.plot == PlotTab::Accuracy)
+    {
+        Some(examination) => accuracy::caption(ui, state, examination, asks),
+        None => points(ui, state, asks),
+    };
     ui.horizontal(|ui| {
         tabs(ui, state, asks);
-        ui.separator();
-        match plotted.examination.filter(|_| state.settings.plots.plot == PlotTab::Accuracy) {
-            Some(examination) => accuracy::caption(ui, state, examination, asks),
-            None => points(ui, state, asks),
+        if !is_narrow {
+            ui.separator();
+            points(ui, asks);
         }
     });
+    if is_narrow {
+        ui.horizontal(|ui| points(ui, asks));
+    }
     let quantities: &[Quantity] = match state.settings.plots.plot {
         PlotTab::Disparity => &[Quantity::DeltaPhi, Quantity::DeltaTheta],
         PlotTab::Angles => &[Quantity::Phi, Quantity::Theta],
