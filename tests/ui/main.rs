@@ -11,6 +11,7 @@ mod layouts;
 mod map;
 mod picking;
 mod quality;
+mod spacetime;
 mod start;
 mod support;
 mod time;
@@ -35,6 +36,7 @@ fn main() -> ExitCode {
         map::TESTS,
         picking::TESTS,
         quality::TESTS,
+        spacetime::TESTS,
         start::TESTS,
         time::TESTS,
         words::TESTS,
