@@ -11,6 +11,7 @@ mod layouts;
 mod map;
 mod picking;
 mod quality;
+mod spacetime;
 mod start;
 mod support;
 mod time;
@@ -36,6 +37,7 @@ fn main() -> ExitCode {
         map::TESTS,
         picking::TESTS,
         quality::TESTS,
+        spacetime::TESTS,
         start::TESTS,
         time::TESTS,
         times::TESTS,
