@@ -56,7 +56,7 @@ impl Request {
 
     /// What draws it on the GPU.
     fn method_on_gpu(&self) -> Method {
-        self.method.of_view(&self.view).on_gpu(&self.view)
+        self.method.on_gpu(&self.view)
     }
 }
 

@@ -78,6 +78,14 @@ impl Settings {
         self.velocity(point.motion).reflected_source(self.rest_place(point.rest))
     }
 
+    /// Where `point` is measured to be at `time`, from the point between the eyes.
+    #[must_use]
+    pub fn measured_place(&self, point: &Track, time: f64) -> [f64; 3] {
+        let (source, velocity) = (self.source(point), self.velocity(point.motion));
+        let x = source.x0 + velocity.speed.beta() * time;
+        [if velocity.is_backward { -x } else { x }, source.y, source.z]
+    }
+
     /// What the eyes see of `point` at `observation_time`, exactly.
     ///
     /// # Errors

@@ -9,7 +9,7 @@ mod split;
 use std::ops::RangeInclusive;
 
 use clap::ValueEnum as _;
-use eframe::egui::{self, Color32, RichText, Ui, vec2};
+use eframe::egui::{self, Color32, RichText, ScrollArea, Ui, vec2};
 use egui_plot::{HoverPosition, Line, LineStyle, PlotPoint, PlotResponse, PlotUi, Points, VLine};
 use relativity_core::math;
 use relativity_core::{Disparity, Sighting};
@@ -42,13 +42,16 @@ pub struct Plotted<'a> {
 
 /// Shows the plots.
 pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {
-    ui.horizontal(|ui| {
-        tabs(ui, state, asks);
-        ui.separator();
-        match plotted.examination.filter(|_| state.settings.plots.plot == PlotTab::Accuracy) {
-            Some(examination) => accuracy::caption(ui, state, examination, asks),
-            None => points(ui, state, asks),
-        }
+    // Where many points are followed the strip is wider than the plots, which it must not widen.
+    ScrollArea::horizontal().id_salt("plot tabs").show(ui, |ui| {
+        ui.horizontal(|ui| {
+            tabs(ui, state, asks);
+            ui.separator();
+            match plotted.examination.filter(|_| state.settings.plots.plot == PlotTab::Accuracy) {
+                Some(examination) => accuracy::caption(ui, state, examination, asks),
+                None => points(ui, state, asks),
+            }
+        });
     });
     let quantities: &[Quantity] = match state.settings.plots.plot {
         PlotTab::Disparity => &[Quantity::DeltaPhi, Quantity::DeltaTheta],
