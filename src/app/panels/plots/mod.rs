@@ -10,7 +10,7 @@ mod stereo;
 use std::ops::RangeInclusive;
 
 use clap::ValueEnum as _;
-use eframe::egui::{self, Color32, RichText, Ui, vec2};
+use eframe::egui::{self, Color32, RichText, ScrollArea, Ui, vec2};
 use egui_plot::{HoverPosition, Line, LineStyle, PlotPoint, PlotResponse, PlotUi, Points, VLine};
 use relativity_core::math;
 use relativity_core::{Disparity, Model, Sighting};
@@ -49,14 +49,12 @@ pub struct Plotted<'a> {
 /// Shows the plots.
 pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {
     let is_narrow = ui.available_width() < NARROWEST_ROW;
-    let points = |ui: &mut Ui, asks: &mut Asks| match plotted
-        .examination
-        .filter(|_| state.settings.plots.plot == PlotTab::Accuracy)
-    {
+    let examination = plotted.examination.filter(|_| state.settings.plots.plot == PlotTab::Accuracy);
+    let points = |ui: &mut Ui, asks: &mut Asks| match examination {
         Some(examination) => accuracy::caption(ui, state, examination, asks),
         None => points(ui, state, asks),
     };
-    ui.horizontal(|ui| {
+    row(ui, "plot tabs", |ui| {
         tabs(ui, state, asks);
         if !is_narrow {
             ui.separator();
@@ -64,7 +62,7 @@ pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {
         }
     });
     if is_narrow {
-        ui.horizontal(|ui| points(ui, asks));
+        row(ui, "points", |ui| points(ui, asks));
     }
     let quantities: &[Quantity] = match state.settings.plots.plot {
         PlotTab::Disparity => &[Quantity::DeltaPhi, Quantity::DeltaTheta],
@@ -84,6 +82,11 @@ pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {
             });
         }
     });
+}
+
+/// What stands in a row, which may be wider than the plots, but must not widen them.
+fn row(ui: &mut Ui, name: &str, contents: impl FnOnce(&mut Ui)) {
+    ScrollArea::horizontal().id_salt(name).show(ui, |ui| ui.horizontal(contents));
 }
 
 fn tabs(ui: &mut Ui, state: &State, asks: &mut Asks) {
