@@ -24,15 +24,15 @@ pub enum Quantity {
     LogDoppler,
     /// Decimal logarithm of the stereo gain.
     LogGain,
-    /// Distances of the point, each as a [`DistanceKind`].
-    Distance,
+    /// Decimal logarithms of the point's distances, of each [`DistanceKind`]: two of them are as far apart as their ratio.
+    LogDistance,
 }
 
 impl Quantity {
     /// Whether what is plotted is a logarithm.
     #[must_use]
     pub const fn is_logarithm(self) -> bool {
-        matches!(self, Self::LogDoppler | Self::LogGain)
+        matches!(self, Self::LogDoppler | Self::LogGain | Self::LogDistance)
     }
 }
 
@@ -80,7 +80,7 @@ pub struct Curves {
 
 /// Delta-phi, Delta-theta, then phi, theta and log D of the left and of the right eye.
 const EXACT: usize = 8;
-/// Log gain, then the distances.
+/// Log gain, then the logs of the distances.
 const STEREO: usize = 1 + DistanceKind::ALL.len();
 
 /// Largest distance of a drawn chord from the curve, as a fraction of the curve's height: a third of a
@@ -129,7 +129,7 @@ impl Curves {
             Quantity::Theta => &self.exact[4..6],
             Quantity::LogDoppler => &self.exact[6..8],
             Quantity::LogGain => &self.stereo[..1],
-            Quantity::Distance => &self.stereo[1..],
+            Quantity::LogDistance => &self.stereo[1..],
         }
     }
 
@@ -194,7 +194,7 @@ pub fn stereo_view(key: &CurvesKey, time: f64) -> Option<StereoView> {
 
 fn stereo_values(key: &CurvesKey, time: f64) -> Option<[f64; STEREO]> {
     let StereoView { gain, distances: [stereo, left, right, measured] } = stereo_view(key, time)?;
-    let values = [math::log10(gain), stereo, left, right, measured];
+    let values = [gain, stereo, left, right, measured].map(math::log10);
     values.iter().all(|value| value.is_finite()).then_some(values)
 }
 

@@ -10,13 +10,15 @@ mod stereo;
 use std::ops::RangeInclusive;
 
 use clap::ValueEnum as _;
-use eframe::egui::{self, Color32, RichText, Ui, vec2};
+use eframe::egui::text::LayoutJob;
+use eframe::egui::{self, Align, Color32, FontSelection, RichText, Ui, vec2};
 use egui_plot::{HoverPosition, Line, LineStyle, PlotPoint, PlotResponse, PlotUi, Points, VLine};
 use relativity_core::math;
 use relativity_core::{Disparity, Sighting};
 
 use self::axes::{
-    Y_AXIS_WIDTH, annotate, bounds, grid, label, plot_over_time, shown_in, tick, time_at_pointer,
+    Y_AXIS_WIDTH, annotate, bounds, grid, heading, label, plot_over_time, shift, shown_in, tick,
+    time_at_pointer,
 };
 use crate::app::command::Command;
 use crate::app::curves::{Curves, Quantity};
@@ -26,7 +28,6 @@ use crate::app::observer::Eye;
 use crate::app::panels::Asks;
 use crate::app::state::State;
 use crate::app::theme;
-use crate::app::widgets::dot;
 use crate::app::widgets::icons::{self, Icon};
 use crate::figures;
 use crate::settings::PlotTab;
@@ -45,7 +46,7 @@ pub struct Plotted<'a> {
 
 /// Shows the plots.
 pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         tabs(ui, state, asks);
         ui.separator();
         match plotted.examination.filter(|_| state.settings.plots.plot == PlotTab::Accuracy) {
@@ -57,19 +58,48 @@ pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {
         PlotTab::Disparity => &[Quantity::DeltaPhi, Quantity::DeltaTheta],
         PlotTab::Angles => &[Quantity::Phi, Quantity::Theta],
         PlotTab::Doppler => &[Quantity::LogDoppler],
-        PlotTab::Stereo => &[Quantity::LogGain, Quantity::Distance],
+        PlotTab::Stereo => &[Quantity::LogGain, Quantity::LogDistance],
         PlotTab::Fit => return fit::show(ui, state, plotted.fitting, asks),
         PlotTab::Accuracy => return accuracy::show(ui, state, plotted.examination, asks),
     };
-    let free = ui.available_size();
-    let width = free.x / quantities.len() as f32 - theme::GAP / 2.0;
-    ui.horizontal(|ui| {
-        for quantity in quantities {
-            let size = vec2(width, free.y).max(vec2(20.0, 20.0));
-            ui.allocate_ui(size, |ui| {
-                ui.vertical(|ui| titled_plot(ui, state, plotted.curves, *quantity, asks));
+    over_time(ui, state, plotted.curves, quantities, asks);
+}
+
+/// Plots over T side by side, each below what it is called and what it is now.
+fn over_time(ui: &mut Ui, state: &State, curves: &[Curves], quantities: &[Quantity], asks: &mut Asks) {
+    // Four distances have more to say than one gain.
+    let share = |quantity| if quantity == Quantity::LogDistance { 2.0 } else { 1.0 };
+    let all: f32 = quantities.iter().map(|&quantity| share(quantity)).sum();
+    let free = ui.available_width();
+    let width = |quantity| (free * share(quantity) / all - theme::GAP / 2.0).max(20.0);
+    ui.spacing_mut().item_spacing.y = 2.0;
+    ui.horizontal_top(|ui| {
+        for &quantity in quantities {
+            ui.allocate_ui(vec2(width(quantity), 0.0), |ui| {
+                ui.set_width(width(quantity));
+                title(ui, state, quantity);
             });
         }
+    });
+    let height = ui.available_height().max(20.0);
+    ui.horizontal(|ui| {
+        for &quantity in quantities {
+            plot(ui, vec2(width(quantity), height), state, curves, quantity, asks);
+        }
+    });
+}
+
+fn title(ui: &mut Ui, state: &State, quantity: Quantity) {
+    ui.horizontal(|ui| {
+        ui.add_space(Y_AXIS_WIDTH);
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing.y = 0.0;
+            ui.label(RichText::new(heading(quantity, state.measures().length)).strong());
+            match quantity {
+                Quantity::LogGain | Quantity::LogDistance => stereo::values_now(ui, state, quantity),
+                _ => values_now(ui, state, quantity),
+            }
+        });
     });
 }
 
@@ -105,19 +135,20 @@ fn points(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let all = points.all();
     for (index, point) in all.iter().enumerate() {
         let colour = theme::point_colour(point.number, ui.visuals());
-        dot(ui, colour);
         let chosen = all.len() > 1 && index == points.selected_index();
+        let name = point.name(&state.session.scene);
         let unit = state.measures().length;
         let [x, y, z] = state.settings.rest_place(point.track.rest).map(|value| unit.number(value, 3));
         let tip = format!(
             "At rest at ({x}, {y}, {z}){}.\nClick in a view to move it, shift-click to add one.",
             unit.suffix()
         );
-        if ui.selectable_label(chosen, point.name(&state.session.scene)).on_hover_text(tip).clicked() {
+        let text = dotted(ui, &name, colour);
+        if ui.selectable_label(chosen, text).on_hover_text(tip).accessible_name(&name).clicked() {
             asks.push(Command::SelectPoint(index));
         }
         if all.len() > 1 {
-            let name = format!("Remove {}", point.name(&state.session.scene));
+            let name = format!("Remove {name}");
             if icons::button(ui, Icon::Remove, &name, vec2(18.0, 18.0), false).on_hover_text(&name).clicked()
             {
                 asks.push(Command::RemovePoint(index));
@@ -125,6 +156,15 @@ fn points(ui: &mut Ui, state: &State, asks: &mut Asks) {
         }
         ui.add_space(6.0);
     }
+}
+
+/// A name after a dot of its `colour`, in one piece wherever the row breaks.
+fn dotted(ui: &Ui, name: &str, colour: Color32) -> LayoutJob {
+    let mut job = LayoutJob::default();
+    for text in [RichText::new("●\u{a0}").color(colour), RichText::new(name)] {
+        text.append_to(&mut job, ui.style(), FontSelection::Default, Align::Center);
+    }
+    job
 }
 
 /// A curve to draw.
@@ -136,19 +176,6 @@ struct Trace<'a> {
     wide: bool,
     /// Whether a dot shows where it is at T.
     dot: bool,
-}
-
-fn titled_plot(ui: &mut Ui, state: &State, curves: &[Curves], quantity: Quantity, asks: &mut Asks) {
-    ui.spacing_mut().item_spacing.y = 2.0;
-    ui.horizontal(|ui| {
-        ui.add_space(Y_AXIS_WIDTH);
-        ui.label(RichText::new(label(quantity)).strong());
-        if matches!(quantity, Quantity::LogGain | Quantity::Distance) {
-            return stereo::values_now(ui, state, quantity);
-        }
-        values_now(ui, state, quantity);
-    });
-    plot(ui, ui.available_size(), state, curves, quantity, asks);
 }
 
 /// What the selected point's curves are at T: the disparity, or what each eye sees, in its colour.
@@ -193,10 +220,11 @@ fn plot(
     let visuals = ui.visuals().clone();
     let now = state.session.time;
     let (unit, shown) = (state.measures().time, shown_in(quantity, state.measures().length));
+    let shift = shift(quantity, shown);
     let response = plot_over_time(ui, ("plot", label(quantity)), unit, size)
-        .y_grid_spacer(move |input| grid(quantity, shown, input))
+        .y_grid_spacer(move |input| grid(quantity, shift, size.y, input))
         .y_axis_formatter(move |mark, _: &RangeInclusive<f64>| {
-            tick(quantity, shown.shown(mark.value), shown.shown(mark.step_size))
+            tick(quantity, mark.value + shift, mark.step_size)
         })
         .label_formatter(move |hover| hover_text(quantity, [unit, shown], hover))
         .show(ui, |plot| {
@@ -226,7 +254,7 @@ fn plot(
 /// What is drawn of `quantity`: of every point for a disparity, of each eye of the selected one else.
 fn traces<'a>(ui: &Ui, state: &State, curves: &'a [Curves], quantity: Quantity) -> Vec<Trace<'a>> {
     let selected = state.session.points.selected_index();
-    if matches!(quantity, Quantity::LogGain | Quantity::Distance) {
+    if matches!(quantity, Quantity::LogGain | Quantity::LogDistance) {
         return curves.get(selected).map(|curves| stereo::traces(ui, curves, quantity)).unwrap_or_default();
     }
     if !matches!(quantity, Quantity::DeltaPhi | Quantity::DeltaTheta) {
@@ -291,8 +319,8 @@ fn value_at(points: &[PlotPoint], time: f64) -> Option<f64> {
 fn hover_text(quantity: Quantity, [time, shown]: [Unit; 2], hover: &HoverPosition<'_>) -> Option<String> {
     let HoverPosition::NearDataPoint { plot_name, position, .. } = hover else { return None };
     let value = match quantity {
+        Quantity::LogDistance => shown.text(math::powf(10.0, position.y), 3),
         _ if quantity.is_logarithm() => figures::fixed(math::powf(10.0, position.y), 4),
-        Quantity::Distance => shown.text(position.y, 3),
         _ => shown.text(position.y, 5),
     };
     Some(format!("{plot_name}\nT = {}\n{} = {value}", time.text(position.x, 3), label(quantity)))

@@ -1,7 +1,8 @@
 //! The tab "Stereo": how far off two eyes take the selected point to be, beside how far each sees it and where it is
 //! measured.
 
-use eframe::egui::{Color32, RichText, Sense, Stroke, Ui, Visuals, pos2, vec2};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Color32, RichText, Sense, Stroke, TextStyle, Ui, Visuals, WidgetInfo, pos2, vec2};
 use egui_plot::LineStyle;
 
 use super::Trace;
@@ -10,6 +11,9 @@ use crate::app::observer::Eye;
 use crate::app::state::State;
 use crate::app::theme;
 use crate::figures;
+
+/// Length of a piece of line in the caption, points.
+const SAMPLE: f32 = 16.0;
 
 /// What is drawn of the selected point.
 pub(super) fn traces<'a>(ui: &Ui, curves: &'a Curves, quantity: Quantity) -> Vec<Trace<'a>> {
@@ -44,10 +48,8 @@ pub(super) fn values_now(ui: &mut Ui, state: &State, quantity: Quantity) {
     let unit = state.measures().length;
     for (index, kind) in DistanceKind::ALL.into_iter().enumerate() {
         let [name, tip] = words(kind);
-        let value = unit.number(view.map_or(f64::NAN, |view| view.distances[index]), 3);
-        sample(ui, kind);
-        let text = RichText::new(format!("{name} {value}")).color(colour(kind, ui.visuals()));
-        ui.label(text).on_hover_text(tip);
+        let value = unit.number(view.map_or(f64::NAN, |view| view.distances[index]), 2);
+        entry(ui, kind, &format!("{name} {value}"), tip);
     }
 }
 
@@ -73,15 +75,20 @@ fn style(kind: DistanceKind) -> LineStyle {
     if matches!(kind, DistanceKind::Seen(_)) { LineStyle::dashed_dense() } else { LineStyle::Solid }
 }
 
-/// A short piece of the line that stands for `kind`.
-fn sample(ui: &mut Ui, kind: DistanceKind) {
-    let (rect, _) = ui.allocate_exact_size(vec2(16.0, 10.0), Sense::hover());
-    let width = if kind == DistanceKind::Measured { 1.2 } else { 2.0 };
-    let stroke = Stroke::new(width, colour(kind, ui.visuals()));
+/// A piece of the line that stands for `kind`, and `text` in its colour: in one piece wherever the row breaks.
+fn entry(ui: &mut Ui, kind: DistanceKind, text: &str, tip: &str) {
+    let colour = colour(kind, ui.visuals());
+    let font = TextStyle::Body.resolve(ui.style());
+    let galley = ui.painter().layout_no_wrap(text.to_owned(), font, colour);
+    let (rect, response) = ui.allocate_exact_size(galley.size() + vec2(SAMPLE + 4.0, 0.0), Sense::hover());
+    ui.painter().galley(pos2(rect.max.x - galley.size().x, rect.min.y), galley, colour);
+    let stroke = Stroke::new(if kind == DistanceKind::Measured { 1.2 } else { 2.0 }, colour);
     let pieces: &[[f32; 2]] =
-        if matches!(kind, DistanceKind::Seen(_)) { &[[0.0, 6.0], [10.0, 16.0]] } else { &[[0.0, 16.0]] };
-    for [from, to] in pieces {
-        let [from, to] = [from, to].map(|x| pos2(rect.min.x + x, rect.center().y));
-        ui.painter().line_segment([from, to], stroke);
+        if matches!(kind, DistanceKind::Seen(_)) { &[[0.0, 0.4], [0.6, 1.0]] } else { &[[0.0, 1.0]] };
+    for piece in pieces {
+        let ends = piece.map(|share| pos2(rect.min.x + share * SAMPLE, rect.center().y));
+        ui.painter().line_segment(ends, stroke);
     }
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, format!("{tip}: {text}")));
+    response.on_hover_text(tip);
 }
