@@ -8,11 +8,14 @@ mod controls;
 mod fit;
 mod groups;
 mod layouts;
+mod map;
 mod picking;
 mod quality;
+mod spacetime;
 mod start;
 mod support;
 mod time;
+mod times;
 mod words;
 
 use std::process::ExitCode;
@@ -31,10 +34,13 @@ fn main() -> ExitCode {
         fit::TESTS,
         groups::TESTS,
         layouts::TESTS,
+        map::TESTS,
         picking::TESTS,
         quality::TESTS,
+        spacetime::TESTS,
         start::TESTS,
         time::TESTS,
+        times::TESTS,
         words::TESTS,
     ]
     .concat();

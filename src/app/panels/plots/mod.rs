@@ -10,11 +10,10 @@ mod stereo;
 use std::ops::RangeInclusive;
 
 use clap::ValueEnum as _;
-use eframe::egui::text::LayoutJob;
-use eframe::egui::{self, Align, Color32, FontSelection, RichText, Ui, vec2};
+use eframe::egui::{self, Color32, RichText, ScrollArea, Ui, vec2};
 use egui_plot::{HoverPosition, Line, LineStyle, PlotPoint, PlotResponse, PlotUi, Points, VLine};
 use relativity_core::math;
-use relativity_core::{Disparity, Sighting};
+use relativity_core::{Disparity, Model, Sighting};
 
 use self::axes::{
     Y_AXIS_WIDTH, annotate, bounds, grid, heading, label, plot_over_time, shift, shown_in, tick,
@@ -28,10 +27,14 @@ use crate::app::observer::Eye;
 use crate::app::panels::Asks;
 use crate::app::state::State;
 use crate::app::theme;
+use crate::app::widgets::dot;
 use crate::app::widgets::icons::{self, Icon};
 use crate::figures;
 use crate::settings::PlotTab;
 use crate::units::Unit;
+
+/// Narrower plots have the followed points in a row of their own, below the tabs.
+const NARROWEST_ROW: f32 = 660.0;
 
 /// What there is to plot.
 #[derive(Clone, Copy)]
@@ -46,14 +49,22 @@ pub struct Plotted<'a> {
 
 /// Shows the plots.
 pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {
-    ui.horizontal_wrapped(|ui| {
+    let is_narrow = ui.available_width() < NARROWEST_ROW;
+    let examination = plotted.examination.filter(|_| state.settings.plots.plot == PlotTab::Accuracy);
+    let points = |ui: &mut Ui, asks: &mut Asks| match examination {
+        Some(examination) => accuracy::caption(ui, state, examination, asks),
+        None => points(ui, state, asks),
+    };
+    row(ui, "plot tabs", |ui| {
         tabs(ui, state, asks);
-        ui.separator();
-        match plotted.examination.filter(|_| state.settings.plots.plot == PlotTab::Accuracy) {
-            Some(examination) => accuracy::caption(ui, state, examination, asks),
-            None => points(ui, state, asks),
+        if !is_narrow {
+            ui.separator();
+            points(ui, asks);
         }
     });
+    if is_narrow {
+        row(ui, "points", |ui| points(ui, asks));
+    }
     let quantities: &[Quantity] = match state.settings.plots.plot {
         PlotTab::Disparity => &[Quantity::DeltaPhi, Quantity::DeltaTheta],
         PlotTab::Angles => &[Quantity::Phi, Quantity::Theta],
@@ -99,8 +110,18 @@ fn title(ui: &mut Ui, state: &State, quantity: Quantity) {
                 Quantity::LogGain | Quantity::LogDistance => stereo::values_now(ui, state, quantity),
                 _ => values_now(ui, state, quantity),
             }
+            if quantity != Quantity::LogDistance && state.settings.model() == Model::OneCone {
+                let tip = "Solid: as if both eyes received the same events. Dotted: each through its own light cone, exactly.\n\
+                    What lies between the two comes from there being two light cones.";
+                ui.label(RichText::new(format!("{ONE_CONE}; dotted: two")).weak()).on_hover_text(tip);
+            }
         });
     });
+}
+
+/// What stands in a row, which may be wider than the plots, but must not widen them.
+fn row(ui: &mut Ui, name: &str, contents: impl FnOnce(&mut Ui)) {
+    ScrollArea::horizontal().id_salt(name).show(ui, |ui| ui.horizontal(contents));
 }
 
 fn tabs(ui: &mut Ui, state: &State, asks: &mut Asks) {
@@ -135,20 +156,19 @@ fn points(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let all = points.all();
     for (index, point) in all.iter().enumerate() {
         let colour = theme::point_colour(point.number, ui.visuals());
+        dot(ui, colour);
         let chosen = all.len() > 1 && index == points.selected_index();
-        let name = point.name(&state.session.scene);
         let unit = state.measures().length;
         let [x, y, z] = state.settings.rest_place(point.track.rest).map(|value| unit.number(value, 3));
         let tip = format!(
             "At rest at ({x}, {y}, {z}){}.\nClick in a view to move it, shift-click to add one.",
             unit.suffix()
         );
-        let text = dotted(ui, &name, colour);
-        if ui.selectable_label(chosen, text).on_hover_text(tip).accessible_name(&name).clicked() {
+        if ui.selectable_label(chosen, point.name(&state.session.scene)).on_hover_text(tip).clicked() {
             asks.push(Command::SelectPoint(index));
         }
         if all.len() > 1 {
-            let name = format!("Remove {name}");
+            let name = format!("Remove {}", point.name(&state.session.scene));
             if icons::button(ui, Icon::Remove, &name, vec2(18.0, 18.0), false).on_hover_text(&name).clicked()
             {
                 asks.push(Command::RemovePoint(index));
@@ -156,15 +176,6 @@ fn points(ui: &mut Ui, state: &State, asks: &mut Asks) {
         }
         ui.add_space(6.0);
     }
-}
-
-/// A name after a dot of its `colour`, in one piece wherever the row breaks.
-fn dotted(ui: &Ui, name: &str, colour: Color32) -> LayoutJob {
-    let mut job = LayoutJob::default();
-    for text in [RichText::new("●\u{a0}").color(colour), RichText::new(name)] {
-        text.append_to(&mut job, ui.style(), FontSelection::Default, Align::Center);
-    }
-    job
 }
 
 /// A curve to draw.
@@ -251,51 +262,67 @@ fn plot(
     }
 }
 
+/// What curves are called that are not the exact ones, and these beside them.
+const ONE_CONE: &str = "one light cone";
+const TWO_CONES: &str = "two light cones (exact)";
+
 /// What is drawn of `quantity`: of every point for a disparity, of each eye of the selected one else.
 fn traces<'a>(ui: &Ui, state: &State, curves: &'a [Curves], quantity: Quantity) -> Vec<Trace<'a>> {
     let selected = state.session.points.selected_index();
     if matches!(quantity, Quantity::LogGain | Quantity::LogDistance) {
-        return curves.get(selected).map(|curves| stereo::traces(ui, curves, quantity)).unwrap_or_default();
+        let Some(curves) = curves.get(selected) else { return Vec::new() };
+        return stereo::traces(ui, state, curves, quantity);
     }
     if !matches!(quantity, Quantity::DeltaPhi | Quantity::DeltaTheta) {
         let Some(curves) = curves.get(selected) else { return Vec::new() };
-        let eyes = Eye::BOTH.into_iter().zip(curves.exact(quantity));
-        return eyes
-            .map(|(eye, points)| Trace {
-                name: eye.name().to_owned(),
-                points,
-                colour: theme::eye_colour(eye, ui.visuals()),
-                style: LineStyle::Solid,
-                wide: true,
-                dot: true,
+        let of_eyes = |curves: &'a [Vec<PlotPoint>], exact_beside| {
+            Eye::BOTH.into_iter().zip(curves).map(move |(eye, points)| {
+                let colour = theme::eye_colour(eye, ui.visuals());
+                Trace::of_model(eye.name().to_owned(), points, colour, state, exact_beside)
             })
-            .collect();
+        };
+        return of_eyes(curves.exact(quantity), true).chain(of_eyes(curves.shown(quantity), false)).collect();
     }
     let mut traces = Vec::new();
     for (index, (point, curves)) in state.session.points.all().iter().zip(curves).enumerate() {
         let colour = theme::point_colour(point.number, ui.visuals());
         let wide = index == selected;
         let published = curves.published(quantity);
-        let name = format!("{}, published", point.name(&state.session.scene));
+        let name = || point.name(&state.session.scene);
         traces.push(Trace {
-            name,
+            name: format!("{}, published", name()),
             points: published,
             colour,
             style: LineStyle::dashed_dense(),
             wide,
             dot: false,
         });
-        let exact = &curves.exact(quantity)[0];
-        traces.push(Trace {
-            name: point.name(&state.session.scene),
-            points: exact,
-            colour,
-            style: LineStyle::Solid,
-            wide,
-            dot: true,
-        });
+        let exact = curves.exact(quantity).iter().map(|points| (points, true));
+        for (points, exact_beside) in exact.chain(curves.shown(quantity).iter().map(|points| (points, false)))
+        {
+            let trace = Trace::of_model(name(), points, colour, state, exact_beside);
+            traces.push(Trace { wide: trace.wide && wide, ..trace });
+        }
     }
     traces
+}
+
+impl<'a> Trace<'a> {
+    /// A curve in the model of what the views show, or where that is another, the exact one beside it.
+    fn of_model(
+        name: String,
+        points: &'a [PlotPoint],
+        colour: Color32,
+        state: &State,
+        is_exact_beside: bool,
+    ) -> Self {
+        let (name, style) = match (state.settings.model(), is_exact_beside) {
+            (_, true) => (format!("{name}, {TWO_CONES}"), LineStyle::dotted_dense()),
+            (Model::OneCone, false) => (format!("{name}, {ONE_CONE}"), LineStyle::Solid),
+            _ => (name, LineStyle::Solid),
+        };
+        Self { name, points, colour, style, wide: !is_exact_beside, dot: !is_exact_beside }
+    }
 }
 
 fn draw<'a>(plot: &mut PlotUi<'a>, trace: Trace<'a>, now: f64) {

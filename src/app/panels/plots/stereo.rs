@@ -16,13 +16,17 @@ use crate::figures;
 const SAMPLE: f32 = 16.0;
 
 /// What is drawn of the selected point.
-pub(super) fn traces<'a>(ui: &Ui, curves: &'a Curves, quantity: Quantity) -> Vec<Trace<'a>> {
+pub(super) fn traces<'a>(ui: &Ui, state: &State, curves: &'a Curves, quantity: Quantity) -> Vec<Trace<'a>> {
     let visuals = ui.visuals();
-    let points = curves.exact(quantity);
     if quantity == Quantity::LogGain {
-        let (name, colour) = ("Stereo gain".to_owned(), theme::stereo_colour(visuals));
-        let trace = |points| Trace { name, points, colour, style: LineStyle::Solid, wide: true, dot: true };
-        return points.first().map(|points| trace(points)).into_iter().collect();
+        let colour = theme::stereo_colour(visuals);
+        let trace = |exact_beside| {
+            move |points: &'a Vec<_>| {
+                Trace::of_model("Stereo gain".to_owned(), points, colour, state, exact_beside)
+            }
+        };
+        let [exact, shown] = [curves.exact(quantity), curves.shown(quantity)].map(<[_]>::iter);
+        return exact.map(trace(true)).chain(shown.map(trace(false))).collect();
     }
     let trace = |(kind, points): (DistanceKind, &'a Vec<_>)| Trace {
         name: words(kind)[1].to_owned(),
@@ -33,13 +37,13 @@ pub(super) fn traces<'a>(ui: &Ui, curves: &'a Curves, quantity: Quantity) -> Vec
         dot: true,
     };
     // Two eyes on top.
-    DistanceKind::ALL.into_iter().zip(points).rev().map(trace).collect()
+    DistanceKind::ALL.into_iter().zip(curves.shown(quantity)).rev().map(trace).collect()
 }
 
 /// What the curves are at T, each with how its line looks.
 pub(super) fn values_now(ui: &mut Ui, state: &State, quantity: Quantity) {
     let key = state.curve_key(state.session.points.selected());
-    let view = stereo_view(&key, state.session.time);
+    let view = stereo_view(&key, key.model, state.session.time);
     if quantity == Quantity::LogGain {
         let gain = figures::fixed_or_none(view.map(|StereoView { gain, .. }| gain), 4);
         ui.label(RichText::new(gain).color(theme::stereo_colour(ui.visuals())));
