@@ -10,6 +10,7 @@ use crate::app::curves::{Curves, DistanceKind, Quantity, StereoView, stereo_view
 use crate::app::observer::Eye;
 use crate::app::state::State;
 use crate::app::theme;
+use crate::app::widgets::named_text;
 use crate::figures;
 
 /// Length of a piece of line in the caption, points.
@@ -46,14 +47,14 @@ pub(super) fn values_now(ui: &mut Ui, state: &State, quantity: Quantity) {
     let view = stereo_view(&key, key.model, state.session.time);
     if quantity == Quantity::LogGain {
         let gain = figures::fixed_or_none(view.map(|StereoView { gain, .. }| gain), 4);
-        ui.label(RichText::new(gain).color(theme::stereo_colour(ui.visuals())));
+        let text = RichText::new(&gain).color(theme::stereo_colour(ui.visuals()));
+        named_text(ui, text, format!("Stereo gain at T: {gain}"));
         return;
     }
     let unit = state.measures().length;
     for (index, kind) in DistanceKind::ALL.into_iter().enumerate() {
-        let [name, tip] = words(kind);
         let value = unit.number(view.map_or(f64::NAN, |view| view.distances[index]), 2);
-        entry(ui, kind, &format!("{name} {value}"), tip);
+        entry(ui, kind, &value);
     }
 }
 
@@ -79,11 +80,11 @@ fn style(kind: DistanceKind) -> LineStyle {
     if matches!(kind, DistanceKind::Seen(_)) { LineStyle::dashed_dense() } else { LineStyle::Solid }
 }
 
-/// A piece of the line that stands for `kind`, and `text` in its colour: in one piece wherever the row breaks.
-fn entry(ui: &mut Ui, kind: DistanceKind, text: &str, tip: &str) {
-    let colour = colour(kind, ui.visuals());
+/// A piece of the line that stands for `kind`, its name and its `value`: in one piece wherever the row breaks.
+fn entry(ui: &mut Ui, kind: DistanceKind, value: &str) {
+    let ([name, tip], colour) = (words(kind), colour(kind, ui.visuals()));
     let font = TextStyle::Body.resolve(ui.style());
-    let galley = ui.painter().layout_no_wrap(text.to_owned(), font, colour);
+    let galley = ui.painter().layout_no_wrap(format!("{name} {value}"), font, colour);
     let (rect, response) = ui.allocate_exact_size(galley.size() + vec2(SAMPLE + 4.0, 0.0), Sense::hover());
     ui.painter().galley(pos2(rect.max.x - galley.size().x, rect.min.y), galley, colour);
     let stroke = Stroke::new(if kind == DistanceKind::Measured { 1.2 } else { 2.0 }, colour);
@@ -93,6 +94,6 @@ fn entry(ui: &mut Ui, kind: DistanceKind, text: &str, tip: &str) {
         let ends = piece.map(|share| pos2(rect.min.x + share * SAMPLE, rect.center().y));
         ui.painter().line_segment(ends, stroke);
     }
-    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, format!("{tip}: {text}")));
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, format!("{tip}: {value}")));
     response.on_hover_text(tip);
 }
