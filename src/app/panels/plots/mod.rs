@@ -140,7 +140,8 @@ fn titled_plot(ui: &mut Ui, state: &State, curves: &[Curves], quantity: Quantity
         if state.settings.model() == Model::OneCone {
             let tip = "Solid: as if both eyes received the same events. Dotted: each through its own light cone, exactly.\n\
                 What lies between the two comes from there being two light cones.";
-            ui.label(RichText::new(format!("{ONE_CONE}; dotted: two")).weak()).on_hover_text(tip);
+            let legend = egui::Label::new(RichText::new(format!("{ONE_CONE}; dotted: two")).weak());
+            ui.add(legend.truncate()).on_hover_text(tip);
         }
     });
     plot(ui, ui.available_size(), state, curves, quantity, asks);
