@@ -1,8 +1,6 @@
 //! Curves of a point over T, sampled densely where they bend, and kept until something they depend on
 //! changes.
 
-use std::ops::Range;
-
 use egui_plot::PlotPoint;
 use relativity_core::math;
 use relativity_core::{
@@ -10,6 +8,7 @@ use relativity_core::{
 };
 use relativity_render::Velocity;
 
+use crate::app::observer::Eye;
 use crate::passage::time_within;
 
 /// A quantity that is plotted against T.
@@ -25,19 +24,34 @@ pub enum Quantity {
     Theta,
     /// Decimal logarithm of D of the left and the right eye.
     LogDoppler,
+    /// Decimal logarithm of the stereo gain.
+    LogGain,
+    /// Distances of the point, each as a [`DistanceKind`].
+    Distance,
 }
 
 impl Quantity {
-    /// Where its curves are among all of a model.
-    const fn channels(self) -> Range<usize> {
-        match self {
-            Self::DeltaPhi => 0..1,
-            Self::DeltaTheta => 1..2,
-            Self::Phi => 2..4,
-            Self::Theta => 4..6,
-            Self::LogDoppler => 6..8,
-        }
+    /// Whether what is plotted is a logarithm.
+    #[must_use]
+    pub const fn is_logarithm(self) -> bool {
+        matches!(self, Self::LogDoppler | Self::LogGain)
     }
+}
+
+/// A distance of a point at one T.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DistanceKind {
+    /// From the middle between the eyes to where both take it to be: |p|.
+    Stereo,
+    /// From an eye to where it sees the point: R.
+    Seen(Eye),
+    /// From the middle between the eyes to where the point is at T.
+    Measured,
+}
+
+impl DistanceKind {
+    /// All of them, in the order of the curves.
+    pub const ALL: [Self; 4] = [Self::Stereo, Self::Seen(Eye::Left), Self::Seen(Eye::Right), Self::Measured];
 }
 
 /// What a point's curves depend on.
@@ -55,19 +69,30 @@ pub struct CurvesKey {
     pub model: Model,
     /// Whether the published model is wanted too.
     pub published: bool,
+    /// Whether what two eyes make of it is wanted too.
+    pub stereo: bool,
 }
 
 /// Every curve of one point.
 #[derive(Debug, Clone)]
 pub struct Curves {
     key: CurvesKey,
-    shown: [Vec<PlotPoint>; ALL],
-    exact: Option<[Vec<PlotPoint>; ALL]>,
+    shown: OfModel,
+    exact: Option<OfModel>,
     published: [Vec<PlotPoint>; 2],
 }
 
+/// Those of one binocular model.
+#[derive(Debug, Clone)]
+struct OfModel {
+    eyes: [Vec<PlotPoint>; EYES],
+    stereo: [Vec<PlotPoint>; STEREO],
+}
+
 /// Delta-phi, Delta-theta, then phi, theta and log D of the left and of the right eye.
-const ALL: usize = 8;
+const EYES: usize = 8;
+/// Log gain, then the distances.
+const STEREO: usize = 1 + DistanceKind::ALL.len();
 
 /// Largest distance of a drawn chord from the curve, as a fraction of the curve's height: a third of a
 /// pixel in a plot 600 pixels high.
@@ -82,13 +107,37 @@ const FIRST_INTERVALS: u32 = 64;
 /// as steps.
 const RUNGS: i32 = 40;
 
+impl OfModel {
+    fn new(key: &CurvesKey, model: Model, anchors: &[f64]) -> Self {
+        let eyes = channels(&sampled(key.range, anchors, |time| values(key, model, time)));
+        let stereo = if key.stereo {
+            channels(&sampled(key.range, anchors, |time| stereo_values(key, model, time)))
+        } else {
+            Default::default()
+        };
+        Self { eyes, stereo }
+    }
+
+    fn of(&self, quantity: Quantity) -> &[Vec<PlotPoint>] {
+        match quantity {
+            Quantity::DeltaPhi => &self.eyes[0..1],
+            Quantity::DeltaTheta => &self.eyes[1..2],
+            Quantity::Phi => &self.eyes[2..4],
+            Quantity::Theta => &self.eyes[4..6],
+            Quantity::LogDoppler => &self.eyes[6..8],
+            Quantity::LogGain => &self.stereo[..1],
+            Quantity::Distance => &self.stereo[1..],
+        }
+    }
+}
+
 impl Curves {
     /// The curves for `key`.
     #[must_use]
     pub fn new(key: CurvesKey) -> Self {
         let source = key.velocity.reflected_source(key.rest);
         let anchors = bends(&key.velocity.speed, source, key.separation);
-        let of = |model| channels(&sampled(key.range, &anchors, |time| values(&key, model, time)));
+        let of = |model| OfModel::new(&key, model, &anchors);
         let shown = of(key.model);
         let exact = (key.model != Model::Exact).then(|| of(Model::Exact));
         let published = if key.published {
@@ -105,16 +154,17 @@ impl Curves {
         &self.key
     }
 
-    /// The curve in the model of what the views show or, for a quantity of each eye, the pair.
+    /// The curve in the model of what the views show or, for a quantity of each eye, the pair; of distances each kind.
+    /// None that is not wanted.
     #[must_use]
     pub fn shown(&self, quantity: Quantity) -> &[Vec<PlotPoint>] {
-        &self.shown[quantity.channels()]
+        self.shown.of(quantity)
     }
 
     /// The same in the exact model, where that is another.
     #[must_use]
     pub fn exact(&self, quantity: Quantity) -> &[Vec<PlotPoint>] {
-        self.exact.as_ref().map_or(&[], |exact| &exact[quantity.channels()])
+        self.exact.as_ref().map_or(&[], |exact| exact.of(quantity))
     }
 
     /// The published model's curve; empty for what that model does not change or if it is not wanted.
@@ -123,12 +173,12 @@ impl Curves {
         match quantity {
             Quantity::DeltaPhi => &self.published[0],
             Quantity::DeltaTheta => &self.published[1],
-            Quantity::Phi | Quantity::Theta | Quantity::LogDoppler => &[],
+            _ => &[],
         }
     }
 }
 
-fn values(key: &CurvesKey, model: Model, time: f64) -> Option<[f64; ALL]> {
+fn values(key: &CurvesKey, model: Model, time: f64) -> Option<[f64; EYES]> {
     let both = key.velocity.disparity(model, key.rest, key.separation, time).ok()?;
     let (l, r) = (both.primary, both.secondary);
     let values = [
@@ -148,6 +198,37 @@ fn published_values(key: &CurvesKey, time: f64) -> Option<[f64; 2]> {
     let model = Model::Published(PublishedVariant::AppendixA);
     let both = key.velocity.disparity(model, key.rest, key.separation, time).ok()?;
     let values = [both.dphi, both.dtheta];
+    values.iter().all(|value| value.is_finite()).then_some(values)
+}
+
+/// What two eyes make of a point at one T.
+#[derive(Debug, Clone, Copy)]
+pub struct StereoView {
+    /// The stereo gain.
+    pub gain: f64,
+    /// Of every [`DistanceKind`].
+    pub distances: [f64; DistanceKind::ALL.len()],
+}
+
+/// What two eyes make in this `model` at `time` of the point of `key`; `None` outside the domain of the core.
+#[must_use]
+pub fn stereo_view(key: &CurvesKey, model: Model, time: f64) -> Option<StereoView> {
+    let fused = key.velocity.stereo(model, key.rest, key.separation, time).ok()?;
+    let both = key.velocity.disparity(model, key.rest, key.separation, time).ok()?;
+    let source = key.velocity.reflected_source(key.rest);
+    let measured = [source.x0 + key.velocity.speed.beta() * time, source.y, source.z];
+    let distances = [
+        fused.distance(),
+        both.primary.distance,
+        both.secondary.distance,
+        measured.map(|along| along * along).iter().sum::<f64>().sqrt(),
+    ];
+    Some(StereoView { gain: fused.gain, distances })
+}
+
+fn stereo_values(key: &CurvesKey, model: Model, time: f64) -> Option<[f64; STEREO]> {
+    let StereoView { gain, distances: [stereo, left, right, measured] } = stereo_view(key, model, time)?;
+    let values = [math::log10(gain), stereo, left, right, measured];
     values.iter().all(|value| value.is_finite()).then_some(values)
 }
 
@@ -280,7 +361,15 @@ mod tests {
         let [x0, y, z] = point;
         let rest = [x0 * velocity.speed.gamma(), y, z];
         let model = Model::OneCone;
-        CurvesKey { velocity, rest, separation: 0.3, range: [-2.0, 5.0], model, published: true }
+        CurvesKey {
+            velocity,
+            rest,
+            separation: 0.3,
+            range: [-2.0, 5.0],
+            model,
+            published: true,
+            stereo: true,
+        }
     }
 
     /// Linear interpolation in a drawn curve.
@@ -303,7 +392,7 @@ mod tests {
             for (model, curves) in
                 [(Model::OneCone, &curves.shown), (Model::Exact, curves.exact.as_ref().expect("another"))]
             {
-                let curve = &curves[0];
+                let curve = &curves.eyes[0];
                 let height = curve.iter().map(|p| p.y).fold(0.0f64, |a, b| a.max(b.abs()));
                 for i in 0..5000 {
                     let time = -2.0 + 7.0 * (f64::from(i) + 0.37) / 5000.0;
@@ -324,7 +413,8 @@ mod tests {
         for beta in [0.0, 0.5, 0.999_999_999_999_999_9] {
             for point in [[0.0, 0.0, 0.0], [0.15, 0.0, 0.0], [0.0, 0.0, 1.0], [1e6, 1e-9, 0.0]] {
                 let curves = Curves::new(key(beta, point));
-                let models = curves.shown.iter().chain(curves.exact.iter().flatten());
+                let models = [Some(&curves.shown), curves.exact.as_ref()].into_iter().flatten();
+                let models = models.flat_map(|of| of.eyes.iter().chain(&of.stereo));
                 let all = models.chain(&curves.published).flatten();
                 assert!(all.clone().all(|point| point.x.is_finite() && point.y.is_finite()));
                 assert!(all.count() < 20_000, "beta = {beta}, {point:?}");

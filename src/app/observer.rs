@@ -12,7 +12,7 @@ use super::points::Point;
 use super::state::State;
 use crate::caption::Moment;
 use crate::scene::Track;
-use crate::settings::{Look, Settings, Subject};
+use crate::settings::{Look, PlotTab, Settings, Subject};
 
 /// One of the two eyes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -165,6 +165,7 @@ impl State {
             range: self.time_range(),
             model: self.settings.model(),
             published: self.settings.plots.published,
+            stereo: self.settings.plots.plot == PlotTab::Stereo,
         }
     }
 

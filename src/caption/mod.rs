@@ -212,14 +212,12 @@ const fn drawn(light: &Light) -> &'static str {
 impl Shown {
     /// What `settings` show of the point at `track` at `time`; `None` outside the domain of the core.
     fn new(settings: &Settings, track: &Track, time: f64) -> Option<Self> {
-        let velocity = settings.velocity(track.motion);
-        let is_moving = velocity.beta() != 0.0;
+        let is_moving = settings.velocity(track.motion).beta() != 0.0;
         let seen = || settings.disparity(track, time).ok();
         match settings.look.geometry {
             Geometry::Rest if settings.speed().beta() != 0.0 => Self::riding_along(settings, track, time),
             Geometry::Contracted if is_moving => {
-                let x = settings.source(track).x0 + velocity.speed.beta() * time;
-                Some(Self::Contracted(if velocity.is_backward { -x } else { x }))
+                Some(Self::Contracted(settings.measured_place(track, time)[0]))
             }
             Geometry::OneCone if is_moving && settings.motion.d != 0.0 => {
                 Some(Self::OneCone(seen()?.primary))

@@ -78,6 +78,14 @@ impl Settings {
         self.velocity(point.motion).reflected_source(self.rest_place(point.rest))
     }
 
+    /// Where `point` is measured to be at `time`, from the point between the eyes.
+    #[must_use]
+    pub fn measured_place(&self, point: &Track, time: f64) -> [f64; 3] {
+        let (source, velocity) = (self.source(point), self.velocity(point.motion));
+        let x = source.x0 + velocity.speed.beta() * time;
+        [if velocity.is_backward { -x } else { x }, source.y, source.z]
+    }
+
     /// The binocular model by which the views are told in numbers: one light cone for both eyes where they show that,
     /// else the exact one. (In the paper's only the right eye's picture is another, and no light.)
     #[must_use]

@@ -188,7 +188,7 @@ fn what_is_under_the_pointer_is_told() {
     let part = [(u as f32 - 2.0) / size[0] as f32, v as f32 / size[1] as f32];
     let time = state.session.time;
     let (text, tag) = told(&mut window, 0, part).expect("the tyre");
-    assert!(text.starts_with("Under the pointer: front tyre; seen at ("), "{text}");
+    assert!(text.starts_with("Under the pointer: front tyre   D = "), "{text}");
     let number = |name: &str| -> f64 {
         let (_, rest) = text.split_once(&format!("{name} = ")).expect("it is told");
         let number = rest.split([' ', ';']).next().expect("a number").replace('−', "-");

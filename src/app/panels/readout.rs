@@ -111,7 +111,7 @@ struct Quantity {
 }
 
 impl Quantity {
-    const fn time(TimeName { name, tip }: TimeName, value: fn(&Sighting, f64) -> f64) -> Self {
+    const fn time(TimeName { name, tip, .. }: TimeName, value: fn(&Sighting, f64) -> f64) -> Self {
         Self { symbol: name, name, tip, decimals: 4, unit: |measures| measures.time, value }
     }
 

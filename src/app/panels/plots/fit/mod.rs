@@ -15,13 +15,14 @@ use crate::app::widgets::{choice, end_of_range};
 use crate::flags::TimeRange;
 use crate::settings::{FIT_SAMPLES, FitSetup, MAX_SEED, NOISE_PERCENT};
 
-/// Width of the table.
+/// Width of the table, and least width of the plots: that of the choice of the model above them.
 const TABLE_WIDTH: f32 = 346.0;
+const LEAST_PLOTS: f32 = 300.0;
 
 /// Shows the tab: the model above the plots, the samples above the table.
 pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
     let mut setup = state.settings.fit;
-    let (table, plots) = table_and_plots(ui.available_rect_before_wrap(), TABLE_WIDTH);
+    let (table, plots) = table_and_plots(ui.available_rect_before_wrap(), TABLE_WIDTH, LEAST_PLOTS);
     part(ui, "fit samples and table", table, |ui| {
         if plots.is_none() {
             row(ui, |ui| model(ui, state, &mut setup));
