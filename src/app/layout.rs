@@ -69,7 +69,7 @@ const SPECTRUM_HEIGHT: f32 = 36.0;
 const SENTENCE_HEIGHTS: [f32; 2] = [22.0, 38.0];
 const NARROWEST_LINE: f32 = 1000.0;
 /// Height of the readout's rows.
-const READOUT_HEIGHT: f32 = 274.0;
+const READOUT_HEIGHT: f32 = 380.0;
 /// Height of its title and the disparities alone.
 const FOLDED_READOUT_HEIGHT: f32 = 62.0;
 const SIDE_WIDTH: f32 = 332.0;

@@ -11,9 +11,11 @@ mod layouts;
 mod map;
 mod picking;
 mod quality;
+mod spacetime;
 mod start;
 mod support;
 mod time;
+mod times;
 mod words;
 
 use std::process::ExitCode;
@@ -35,8 +37,10 @@ fn main() -> ExitCode {
         map::TESTS,
         picking::TESTS,
         quality::TESTS,
+        spacetime::TESTS,
         start::TESTS,
         time::TESTS,
+        times::TESTS,
         words::TESTS,
     ]
     .concat();
