@@ -4,7 +4,7 @@ use std::time::{Duration, Instant as Clock};
 
 use glam::DVec3;
 use relativity_core::{Aperture, SourcePoint, Speed, sighting};
-use relativity_render::Shape;
+use relativity_render::{Geometry, Motion, Shape};
 
 use super::*;
 use crate::flags::{SpeedParameter, SpeedSetting};
@@ -80,9 +80,35 @@ fn two_eyes_take_it_to_be_where_their_lines_of_sight_cross() {
         let [left, right] = Aperture::pair(0.4).map(see);
         let reach = 0.4 / (left[0] - right[0]);
         let expected = DVec3::new(-0.2 + reach * left[0], reach * left[1], reach * left[2]);
-        let places = instant.places(relativity_render::Motion::Scene);
+        let places = instant.places(Motion::Scene);
         let shown = places.place(Picture::Stereo, rest.into()).expect("in the domain");
         assert!(shown.distance(expected) < 1e-12, "{shown} for {expected}");
+    }
+}
+
+#[test]
+fn each_eye_sees_from_where_it_is_whatever_the_views_show() {
+    let exact = settings(0.9, Frame::Ground);
+    for geometry in [Geometry::Contracted, Geometry::Rest, Geometry::Published] {
+        let mut other = exact.clone();
+        other.look.geometry = geometry;
+        let [there, here] = [&exact, &other].map(|settings| {
+            let places = Instant::new(settings, 1.5).places(Motion::Scene);
+            [Picture::Seen(0), Picture::Seen(1)]
+                .map(|picture| places.place(picture, DVec3::new(0.0, 3.0, 2.0)))
+        });
+        assert_eq!(there, here, "{geometry:?}");
+    }
+}
+
+#[test]
+fn with_one_light_cone_both_eyes_see_one_place() {
+    let mut settings = settings(0.9, Frame::Ground);
+    settings.look.geometry = Geometry::OneCone;
+    let places = Instant::new(&settings, 1.5).places(Motion::Scene);
+    let place = |picture| places.place(picture, DVec3::new(-0.3, 3.0, 2.0)).expect("in the domain");
+    for picture in [Picture::Seen(1), Picture::Stereo] {
+        assert!(place(picture).distance(place(Picture::Seen(0))) < 1e-12, "{picture:?}");
     }
 }
 
@@ -110,7 +136,7 @@ fn lines_are_as_smooth_as_they_promise() {
         let settings = settings(beta, Frame::Ground);
         let instant = Instant::new(&settings, 0.5);
         let (lines, charts) = lines(&settings, &cyclist(), 0.5);
-        let places = instant.places(relativity_render::Motion::Scene);
+        let places = instant.places(Motion::Scene);
         for line in &lines.all {
             for pair in lines.vertices(line).windows(2) {
                 // Between two vertices of a straight tube: the body's own chord, where its image bends the most.
@@ -192,4 +218,30 @@ fn thousands_of_bodies_are_thinned_out() {
     let took = start.elapsed();
     assert!((800..5000).contains(&lines.all.len()), "{}", lines.all.len());
     assert!(took < Duration::from_secs(1), "{took:?}");
+}
+
+#[test]
+fn the_outline_of_a_ball_holds_all_of_it() {
+    let shape = Shape::Sphere { center: [-0.5, 3.0, 2.0], radius: 0.2 };
+    let mut scene = cyclist();
+    scene.bodies[0].shape = shape;
+    let settings = settings(0.9, Frame::Ground);
+    let (lines, _) = lines(&settings, &scene, 1.0);
+    let places = Instant::new(&settings, 1.0).places(Motion::Scene);
+    let around = |i: usize| std::f64::consts::TAU * i as f64 / 60.0;
+    let surface = (0..60).flat_map(|i| (0..60).map(move |j| (around(i), around(j)))).map(|(a, b)| {
+        DVec3::new(-0.5, 3.0, 2.0) + 0.2 * DVec3::new(a.cos() * b.cos(), a.sin() * b.cos(), b.sin())
+    });
+    let surface: Vec<DVec3> = surface.collect();
+    for line in lines.all.iter().filter(|line| line.body == 0) {
+        let projection = line.only.expect("each projection has its own");
+        for i in 0..60 {
+            let towards = glam::DVec2::from_angle(around(i));
+            let reach = |place: DVec3| glam::DVec2::from(projection.flat(place)).dot(towards);
+            let drawn = lines.vertices(line).iter().map(|vertex| reach(vertex.place)).fold(-1e9, f64::max);
+            let image = |rest: &DVec3| reach(places.place(line.picture, *rest).expect("in the domain"));
+            let whole = surface.iter().map(image).fold(-1e9, f64::max);
+            assert!((drawn - whole).abs() < 0.02, "{:?} {projection:?}: {drawn} for {whole}", line.picture);
+        }
+    }
 }
