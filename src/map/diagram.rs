@@ -37,7 +37,7 @@ impl Cone {
     pub fn later_than(&self, t: f64) -> Option<[f64; 2]> {
         let ago = self.apex.t - t;
         let reach = ((ago - self.distance) * (ago + self.distance)).sqrt();
-        (ago > self.distance).then(|| [self.apex.x - reach, self.apex.x + reach])
+        (ago > self.distance).then_some([self.apex.x - reach, self.apex.x + reach])
     }
 
     /// The curve from `low` to `high`: events that lie close together where it bends.

@@ -155,7 +155,8 @@ fn arc(middle: Pos2, radius: f32, room: Rect) -> Vec<Pos2> {
     let corners = [room.left_top(), room.right_top(), room.left_bottom(), room.right_bottom()];
     let aside = corners.map(|corner| {
         let there = corner - middle;
-        (towards.x * there.y - towards.y * there.x).atan2(towards.dot(there))
+        let [sine, cosine] = [towards.x * there.y - towards.y * there.x, towards.dot(there)];
+        math::atan2(f64::from(sine), f64::from(cosine)) as f32
     });
     let half =
         if room.contains(middle) { PI } else { aside.into_iter().fold(0.0, |a: f32, b| a.max(b.abs())) };

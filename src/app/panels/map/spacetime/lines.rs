@@ -2,7 +2,7 @@
 
 use eframe::egui::{Color32, Pos2, Shape, Stroke, TextStyle};
 
-use super::Sheet;
+use super::sheet::{NEAR, Sheet};
 use crate::app::observer::Eye;
 use crate::app::panels::map::labels::Labels;
 use crate::app::theme;
@@ -214,11 +214,11 @@ fn name_light(sheet: &Sheet<'_>, write: &mut impl FnMut(Pos2, &str, Color32)) {
 
 /// What is said of the line under the pointer, if it is no worldline.
 pub fn told(sheet: &Sheet<'_>, pointer: Pos2) -> Option<String> {
-    let near = |line: StraightLine| sheet.nearest(line, pointer).1 < super::NEAR;
+    let near = |line: StraightLine| sheet.nearest(line, pointer).1 < NEAR;
     let world = sheet.chart.world([pointer.x, pointer.y].map(f64::from));
     let [cone, _] = sheet.diagram.cones();
     let off = sheet.place(Event { x: world[0], t: cone.time(world[0]) }).y - pointer.y;
-    if off.abs() < super::NEAR {
+    if off.abs() < NEAR {
         let distance = sheet.state.measures().length.text(cone.distance, 2);
         return Some(format!(
             "Past light cone: light that leaves here, {distance} beside the line of the eyes, arrives now.\n\

@@ -1,6 +1,6 @@
 //! What is said of an event: where it is, and its three times.
 
-use super::Sheet;
+use super::sheet::Sheet;
 use crate::app::observer::Eye;
 use crate::map::{Event, Ray};
 use crate::settings::Frame;
