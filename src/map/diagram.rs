@@ -154,15 +154,17 @@ impl Diagram {
     }
 }
 
-/// From where to where the point is seen to pass in what is shown at first, in distances at which it does.
-const SHOWN_PASSAGE: [f64; 2] = [-1.2, 0.2];
-/// What is shown of slow passages, before and after the point is seen abreast, in these distances.
-const LONGEST_SHOWN: f64 = 1.0;
+/// A part of a passage: from where to where the point is seen to pass, in distances at which it does; and, of slow
+/// passages, how long before and after it is seen abreast, in the same.
+type Part = ([f64; 2], f64);
+/// What is shown at first, and at most.
+const AT_FIRST: Part = ([-1.2, 0.2], 1.0);
+const AT_MOST: Part = ([-2.5, 2.2], 3.0);
 /// The smallest distance that is made room for.
 const NEAREST: f64 = 0.05;
 
-/// Lowest and highest x and t to show of `point` at `time`: the passage, in the frame that moves at `frame`. It stays
-/// as it is while T is part of that; else it follows the eyes.
+/// Lowest and highest x and t to show of `point` at `time`, in the frame that moves at `frame`: its passage. That stays as
+/// it is while T is in the middle of it, grows where T is not, and follows the eyes in the end.
 ///
 /// # Errors
 ///
@@ -173,10 +175,12 @@ pub fn home(
     time: f64,
     frame: Velocity,
 ) -> Result<[Event; 2], DomainError> {
-    let [first, last] = shown_times(settings, point)?;
+    let [first, last] = shown_times(settings, point, AT_FIRST)?;
+    let [earliest, latest] = shown_times(settings, point, AT_MOST)?;
+    let shown = time.clamp(earliest.min(first), latest.max(last));
     let mut low = Event { x: f64::INFINITY, t: f64::INFINITY };
     let mut high = Event { x: f64::NEG_INFINITY, t: f64::NEG_INFINITY };
-    for shown in [first, last] {
+    for shown in [first, last, shown] {
         let diagram = Diagram::new(settings, point, shown, frame)?;
         let here = if frame == diagram.scene { diagram.present } else { diagram.measured() };
         let ends = diagram.rays.iter().flat_map(|ray| [ray.left, ray.received]);
@@ -185,7 +189,7 @@ pub fn home(
             high = Event { x: high.x.max(event.x), t: high.t.max(event.t) };
         }
     }
-    let onward = Event { x: 0.0, t: time - time.clamp(first, last) }.in_frame(frame);
+    let onward = Event { x: 0.0, t: time - shown }.in_frame(frame);
     Ok([low.plus(onward), high.plus(onward)])
 }
 
@@ -209,17 +213,21 @@ pub fn chart([left, top, width, height]: [f64; 4], [low, high]: [Event; 2], view
     }
 }
 
-/// First and last T of the passage that is shown at first.
-fn shown_times(settings: &Settings, point: &Track) -> Result<[f64; 2], DomainError> {
+/// First and last T of a part of the passage of `point`.
+fn shown_times(
+    settings: &Settings,
+    point: &Track,
+    ([from, to], longest): Part,
+) -> Result<[f64; 2], DomainError> {
     let speed = settings.velocity(point.motion).speed;
     let source = settings.source(point);
     let distance = math::hypot(source.y, source.z).max(NEAREST);
     let passing = SourcePoint { y: distance, z: 0.0, ..source };
     let seen = |ratio| passage::time_seen_at(ratio, &speed, passing, 0.0);
     let abreast = seen(0.0)?.unwrap_or_default();
-    let longest = LONGEST_SHOWN * distance;
-    let first = seen(SHOWN_PASSAGE[0])?.map_or(abreast - longest, |first| first.max(abreast - longest));
-    let last = seen(SHOWN_PASSAGE[1])?.map_or(abreast + longest, |last| last.min(abreast + longest));
+    let longest = longest * distance;
+    let first = seen(from)?.map_or(abreast - longest, |first| first.max(abreast - longest));
+    let last = seen(to)?.map_or(abreast + longest, |last| last.min(abreast + longest));
     Ok([first, last])
 }
 
@@ -392,7 +400,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_shown_at_first_holds_still_while_the_point_passes_and_then_follows() {
+    fn what_is_shown_at_first_holds_still_while_the_point_passes_grows_and_then_follows() {
         let settings = settings(SpeedParameter::Beta, 0.9);
         let track = Track { rest: [0.0, 3.0, 2.0], motion: Motion::Scene };
         let home = |time| home(&settings, &track, time, Velocity::REST).expect("in the domain");
@@ -405,9 +413,10 @@ mod tests {
                 assert!((low.x..=high.x).contains(&event.x) && (low.t..=high.t).contains(&event.t));
             }
         }
-        let later = home(100.0);
-        assert_eq!([later[0].x, later[1].x], [low.x, high.x]);
-        assert!(later[1].t == 100.0 && later[1].t - later[0].t - (high.t - low.t) < 1e-12);
+        let [wider, _] = home(-0.2);
+        assert!(wider.x < low.x - 3.0 && wider.t < low.t - 3.0, "{wider:?}");
+        let [[before, _], [after, _]] = [60.0, 100.0].map(home);
+        assert!(before.x == after.x && (after.t - before.t - 40.0).abs() < 1e-12);
     }
 
     #[test]
