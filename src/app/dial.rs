@@ -15,9 +15,11 @@ use crate::units::Unit;
 
 /// A turn of the hand takes about this long, units of the scene: it can be followed with the eyes as it comes.
 const PERIOD: f64 = 2.0;
-/// Radius of the face, points, and how far its middle is from the marker's.
-const RADIUS: f32 = 9.5;
-const AWAY: f32 = 18.0;
+/// Least and largest radius of the face, points, and which part of the view's height it is in between.
+const RADII: [f32; 2] = [9.5, 14.0];
+const RADIUS_SHARE: f32 = 0.03;
+/// From the middle of the marker to the nearest of the rim, points.
+const AWAY: f32 = 15.0;
 /// What stays free between the dial and the edge of the view.
 const MARGIN: f32 = 2.0;
 
@@ -77,22 +79,22 @@ pub struct Drawn {
 
 /// Draws `dial`, and names it for those who hover or do not see it.
 pub fn show(ui: &Ui, dial: Dial, drawn: Drawn, name: &str) -> Response {
-    let centre = centre(drawn.marker, drawn.view);
+    let (centre, radius) = face(drawn.marker, drawn.view);
     let (painter, visuals) = (ui.painter().with_clip_rect(drawn.view), ui.visuals());
     let outwards = (centre - drawn.marker).normalized();
-    let [near, far] = [drawn.marker + 7.0 * outwards, centre - RADIUS * outwards];
+    let [near, far] = [drawn.marker + 7.0 * outwards, centre - radius * outwards];
     painter.line_segment([near, far], Stroke::new(1.5, drawn.colour));
-    let face =
+    let behind =
         if visuals.dark_mode { Color32::from_black_alpha(215) } else { Color32::from_white_alpha(235) };
-    painter.circle(centre, RADIUS, face, Stroke::new(1.5, drawn.colour));
+    painter.circle(centre, radius, behind, Stroke::new(1.5, drawn.colour));
     for quarter in 0..4 {
         let direction = towards(f64::from(quarter) / 4.0);
-        let ends = [0.72, 0.92].map(|part| centre + part * RADIUS * direction);
+        let ends = [0.72, 0.92].map(|part| centre + part * radius * direction);
         painter.line_segment(ends, Stroke::new(1.0, visuals.weak_text_color()));
     }
     let hand = Stroke::new(2.0, visuals.strong_text_color());
-    painter.line_segment([centre, centre + 0.8 * RADIUS * towards(dial.turn)], hand);
-    let rect = Rect::from_center_size(centre, Vec2::splat(2.0 * RADIUS));
+    painter.line_segment([centre, centre + 0.8 * radius * towards(dial.turn)], hand);
+    let rect = Rect::from_center_size(centre, Vec2::splat(2.0 * radius));
     let response = ui.interact(rect.intersect(drawn.view), ui.scope_id().with(name), Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, format!("{name}: {:.4}", dial.turn)));
     response
@@ -103,12 +105,13 @@ fn towards(turn: f64) -> Vec2 {
     Vec2::angled((turn as f32 - 0.25) * TAU)
 }
 
-/// Where the middle of the dial is beside a `marker`: above it to the right, else where there is room in the `view`.
-fn centre(marker: Pos2, view: Rect) -> Pos2 {
-    let room = view.shrink(RADIUS + MARGIN);
-    let x = if marker.x + AWAY > room.max.x { -AWAY } else { AWAY };
-    let y = if marker.y - AWAY < room.min.y { AWAY } else { -AWAY };
-    marker + vec2(x, y)
+/// Middle and radius of the face beside a `marker`: above it to the right, else where there is room in the `view`.
+fn face(marker: Pos2, view: Rect) -> (Pos2, f32) {
+    let radius = (RADIUS_SHARE * view.height()).clamp(RADII[0], RADII[1]);
+    let (room, away) = (view.shrink(radius + MARGIN), (AWAY + radius) * std::f32::consts::FRAC_1_SQRT_2);
+    let x = if marker.x + away > room.max.x { -away } else { away };
+    let y = if marker.y - away < room.min.y { away } else { -away };
+    (marker + vec2(x, y), radius)
 }
 
 #[cfg(test)]
@@ -194,13 +197,13 @@ mod tests {
         let view = Rect::from_min_max(pos2(0.0, 0.0), pos2(300.0, 200.0));
         for marker in [[150.0, 100.0], [3.0, 3.0], [297.0, 3.0], [3.0, 197.0], [297.0, 197.0]].map(Pos2::from)
         {
-            let centre = centre(marker, view);
+            let (centre, radius) = face(marker, view);
             assert!(
-                view.contains_rect(Rect::from_center_size(centre, Vec2::splat(2.0 * RADIUS))),
+                view.contains_rect(Rect::from_center_size(centre, Vec2::splat(2.0 * radius))),
                 "{marker}"
             );
             // 6 is the radius of the marker of the selected point.
-            assert!(centre.distance(marker) > RADIUS + 6.0 + 3.0, "{marker}");
+            assert!(centre.distance(marker) > radius + 6.0 + 3.0, "{marker}");
         }
     }
 }

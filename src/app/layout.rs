@@ -69,7 +69,7 @@ const SPECTRUM_HEIGHT: f32 = 36.0;
 const SENTENCE_HEIGHTS: [f32; 2] = [22.0, 38.0];
 const NARROWEST_LINE: f32 = 1000.0;
 /// Height of the readout's rows.
-const READOUT_HEIGHT: f32 = 274.0;
+const READOUT_HEIGHT: f32 = 380.0;
 /// Height of its title and the disparities alone.
 const FOLDED_READOUT_HEIGHT: f32 = 62.0;
 const SIDE_WIDTH: f32 = 332.0;
@@ -278,7 +278,7 @@ mod tests {
         assert!(with_plots.map.is_some() && with_plots.plots.is_some());
         let alone = of([800.0, 600.0], Window { plots: false, controls: false, ..no_views });
         let map = alone.map.expect("shown");
-        assert!(map.width() >= 780.0 && map.height() >= 480.0, "{map:?}");
+        assert!(map.width() >= 780.0 && map.height() >= 470.0, "{map:?}");
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use glam::DVec3;
-use relativity_core::{Disparity, Parameter, Sighting, SourcePoint, Speed, equidistance_time};
+use relativity_core::{Disparity, Parameter, Sighting, SourcePoint, Speed, Stereo, equidistance_time};
 use relativity_render::{Gaze, Geometry, Outline, Velocity, View};
 
 use super::curves::CurvesKey;
@@ -12,7 +12,7 @@ use super::points::Point;
 use super::state::State;
 use crate::caption::Moment;
 use crate::scene::Track;
-use crate::settings::{Look, Settings, Subject};
+use crate::settings::{Look, PlotTab, Settings, Subject};
 
 /// One of the two eyes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -103,10 +103,16 @@ impl State {
         moment.told_in(self.measures())
     }
 
-    /// The exact disparity of `point` now.
+    /// The disparity of `point` now, in the binocular model of what the views show.
     #[must_use]
     pub fn disparity(&self, point: &Point) -> Option<Disparity> {
         self.settings.disparity(&point.track, self.session.time).ok()
+    }
+
+    /// Where two eyes take `point` to be now, and how much deeper they see it than one that rests.
+    #[must_use]
+    pub fn stereo(&self, point: &Point) -> Option<Stereo> {
+        self.settings.stereo(&point.track, self.session.time).ok()
     }
 
     /// T0 of `point`: when both eyes see it at the same distance. `None` at rest.
@@ -157,7 +163,9 @@ impl State {
             rest: self.settings.rest_place(point.track.rest),
             separation: self.settings.motion.d,
             range: self.time_range(),
+            model: self.settings.model(),
             published: self.settings.plots.published,
+            stereo: self.settings.plots.plot == PlotTab::Stereo,
         }
     }
 
@@ -169,6 +177,7 @@ impl State {
             source: self.selected_source(),
             separation: self.settings.motion.d,
             range: self.settings.fit.fit_range.0.unwrap_or_else(|| self.time_range()),
+            model: self.settings.model(),
             setup: self.settings.fit,
         }
     }

@@ -11,7 +11,6 @@ use super::state::State;
 use super::{clock, theme};
 use crate::caption::times::{HAPPENED, OWN_CLOCK, RECEIVED};
 use crate::figures;
-use crate::scene::Track;
 
 /// From the pointer to the tag, and around its words; points.
 const AWAY: Vec2 = vec2(16.0, 14.0);
@@ -22,8 +21,19 @@ const MARGIN: Vec2 = vec2(7.0, 5.0);
 pub struct Under {
     /// The body.
     pub name: String,
+    /// Doppler factor of the light of it that is received, where that is shown.
+    pub doppler_factor: Option<f64>,
     /// What is said of the point of it: a line each.
     pub lines: Vec<String>,
+}
+
+impl Under {
+    /// What it is, and how its light is shifted.
+    #[must_use]
+    pub fn title(&self) -> String {
+        let shift = self.doppler_factor.map(|factor| format!("   D = {}", figures::fixed(factor, 3)));
+        format!("{}{}", self.name, shift.unwrap_or_default())
+    }
 }
 
 impl State {
@@ -32,39 +42,32 @@ impl State {
     #[must_use]
     pub fn under(&self, eye: Eye, pixel: [f64; 2], size: [u32; 2]) -> Option<Under> {
         let (track, body) = self.point_at(eye, pixel, size)?;
-        Some(Under { name: self.session.scene.name_of(body).to_owned(), lines: self.said_of(&track, eye)? })
-    }
-
-    /// What is said of the point at `track` in the picture of `eye`.
-    fn said_of(&self, track: &Track, eye: Eye) -> Option<Vec<String>> {
-        Some(match self.settings.look.geometry {
+        let name = self.session.scene.name_of(body).to_owned();
+        let worked_out = |line| Some(Under { name: name.clone(), doppler_factor: None, lines: vec![line] });
+        match self.settings.look.geometry {
             Geometry::Rest => {
-                vec![format!("at rest at {}", self.place(self.settings.rest_place(track.rest)))]
+                worked_out(format!("at rest at {}", self.place(self.settings.rest_place(track.rest))))
             }
-            Geometry::Contracted => vec![format!("measured now at {}", self.place(self.measured(track)))],
-            _ => {
-                let both = self.settings.disparity(track, self.session.time).ok()?;
-                self.received(&[both.primary, both.secondary][eye.index()])
+            Geometry::Contracted => worked_out(format!(
+                "measured now at {}",
+                self.place(self.settings.measured_place(&track, self.session.time))
+            )),
+            Geometry::Seen | Geometry::Published | Geometry::OneCone => {
+                let both = self.settings.disparity(&track, self.session.time).ok()?;
+                let seen = [both.primary, both.secondary][eye.index()];
+                Some(Under { name, doppler_factor: Some(seen.doppler_factor), lines: self.received(&seen) })
             }
-        })
+        }
     }
 
-    /// What is said of light that an eye receives.
+    /// Where a point is seen that an eye receives light of, and its times.
     fn received(&self, seen: &Sighting) -> Vec<String> {
         let unit = self.measures().time;
         let times =
             [(RECEIVED, self.session.time), (HAPPENED, seen.retarded_time), (OWN_CLOCK, seen.own_time)];
         let at = format!("seen at {}", self.place(seen.position));
         let times = times.map(|(time, value)| format!("{} = {}", time.name, unit.text(value, 2)));
-        let doppler = format!("D = {}", figures::fixed(seen.doppler_factor, 3));
-        [at].into_iter().chain(times).chain([doppler]).collect()
-    }
-
-    /// Where the point at `track` is measured to be at T, from between the eyes.
-    fn measured(&self, track: &Track) -> [f64; 3] {
-        let (source, velocity) = (self.settings.source(track), self.settings.velocity(track.motion));
-        let x = source.x0 + velocity.speed.beta() * self.session.time;
-        [if velocity.is_backward { -x } else { x }, source.y, source.z]
+        [at].into_iter().chain(times).collect()
     }
 
     /// A place in words.
@@ -94,17 +97,17 @@ pub fn show(ui: &Ui, view: Rect, pointer: Pos2, under: &Under) {
     let font = TextStyle::Small.resolve(ui.style());
     let format = |colour| TextFormat::simple(font.clone(), colour);
     let mut job = LayoutJob::default();
-    job.append(&under.name, 0.0, format(Color32::WHITE));
+    job.append(&under.title(), 0.0, format(Color32::WHITE));
     for line in &under.lines {
         job.append(&format!("\n{line}"), 0.0, format(theme::TAG_TEXT));
     }
     let galley = ui.painter().layout_job(job);
     let rect = beside(pointer, galley.size() + 2.0 * MARGIN, view);
     let painter = ui.painter().with_clip_rect(view);
-    painter.rect_filled(rect, 4.0, Color32::from_black_alpha(190));
+    painter.rect_filled(rect, 4.0, Color32::from_black_alpha(170));
     painter.galley(rect.min + MARGIN, galley, Color32::WHITE);
     let response = ui.interact(rect.intersect(view), ui.scope_id().with("under the pointer"), Sense::hover());
-    let name = format!("Under the pointer: {}; {}", under.name, under.lines.join("; "));
+    let name = format!("Under the pointer: {}; {}", under.title(), under.lines.join("; "));
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &name));
 }
 

@@ -6,6 +6,8 @@
 pub struct TimeName {
     /// Its name, with its symbol.
     pub name: &'static str,
+    /// What it is, in short.
+    pub short: &'static str,
     /// What it is.
     pub tip: &'static str,
 }
@@ -13,18 +15,21 @@ pub struct TimeName {
 /// When light arrives.
 pub const RECEIVED: TimeName = TimeName {
     name: "received T",
+    short: "when the light arrives at the eyes",
     tip: "When the light arrives at the eyes, on the ground's clocks: the present of whoever looks.",
 };
 
 /// When it left.
 pub const HAPPENED: TimeName = TimeName {
     name: "happened t",
+    short: "when the light left",
     tip: "When what is seen happened: when the light left, on the ground's clocks. R is how far it came.\nt = T − R",
 };
 
 /// What the body's clock showed then.
 pub const OWN_CLOCK: TimeName = TimeName {
     name: "own clock τ",
+    short: "what the body's clock showed then",
     tip: "What the clock at that point of the body showed when the light left it. All clocks of the body agree in its own \
         frame, and show 0 as its origin passes the eyes. An eye sees it run D times as fast as its own.\nτ = γ(t − βx)",
 };

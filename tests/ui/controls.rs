@@ -2,7 +2,7 @@
 
 use eframe::egui::{Key, pos2};
 use egui_kittest::kittest::Queryable as _;
-use relativity_core::{Speed, equidistance_time};
+use relativity_core::{Sighting, Speed, equidistance_time};
 use relativity_render::{Colour, Geometry, Shading};
 
 use super::Test;
@@ -87,7 +87,9 @@ fn the_readout_is_what_the_core_computes() {
             let rows = [
                 ("Doppler factor D", expected.doppler_factor, 6e-5),
                 ("Received wavelength", 700.0 / expected.doppler_factor, 0.06),
+                ("received T", time, 6e-5),
                 ("happened t", expected.retarded_time, 6e-5),
+                ("own clock τ", own_time(beta, &expected), 6e-5),
                 ("Apparent X", expected.position[0], 6e-5),
                 ("Azimuth φ", expected.phi(), 6e-6),
                 ("Elevation θ", expected.theta(), 6e-6),
@@ -102,6 +104,12 @@ fn the_readout_is_what_the_core_computes() {
         let dtheta = seen(beta, time, 0).theta() - seen(beta, time, 1).theta();
         assert!((shown(&window, "Disparity Δθ") - dtheta).abs() < 6e-6);
     }
+}
+
+/// What a clock at rest at (0, 3, 2) of what moves shows as it sends what is seen: gamma (t - beta x), there gamma
+/// (1 - beta^2) t.
+fn own_time(beta: f64, seen: &Sighting) -> f64 {
+    seen.retarded_time * (1.0 - beta * beta).sqrt()
 }
 
 fn separation_and_path_follow() {

@@ -15,6 +15,7 @@ mod spacetime;
 mod start;
 mod support;
 mod time;
+mod times;
 mod words;
 
 use std::process::ExitCode;
@@ -39,6 +40,7 @@ fn main() -> ExitCode {
         spacetime::TESTS,
         start::TESTS,
         time::TESTS,
+        times::TESTS,
         words::TESTS,
     ]
     .concat();

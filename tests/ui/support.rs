@@ -49,11 +49,11 @@ pub fn seen(beta: f64, time: f64, eye: usize) -> Sighting {
     sighting(&speed, point, Aperture::pair(SEPARATION)[eye], time).expect("in the domain")
 }
 
-/// The number behind the colon of the only label that starts with `name`.
+/// The number behind the colon of the only label that starts with `name`, without its unit.
 pub fn shown(harness: &Harness<'_, App>, name: &str) -> f64 {
     let text = label_starting_with(harness, name);
     let number = text.rsplit(": ").next().expect("a label names its value");
-    let number = number.trim_end_matches(" rad").trim_end_matches(" nm").replace('−', "-");
+    let number = number.split(' ').next().unwrap_or_default().replace('−', "-");
     number.parse().unwrap_or_else(|_| panic!("{text:?} ends in a number"))
 }
 

@@ -1,4 +1,4 @@
-//! The help: what keys and mouse do, from the same table that the keys act by.
+//! The help: what keys and mouse do, from the same table that the keys act by, and what the times are called.
 
 use eframe::egui::{Align2, Context, Grid, RichText, Ui, Window};
 
@@ -6,8 +6,13 @@ use super::Asks;
 use crate::app::command::Command;
 use crate::app::shortcuts::SHORTCUTS;
 use crate::app::state::State;
+use crate::caption::times::TIMES;
 
-const MOUSE: [(&str, &str); 8] = [
+/// Narrower windows than this have one column of it, which scrolls.
+const NARROWEST_IN_COLUMNS: f32 = 960.0;
+
+const MOUSE: [(&str, &str); 9] = [
+    ("Rest on something in a view", "what it is, where and when"),
     ("Click in a view", "follow that point"),
     ("Shift-click", "compare one more point"),
     ("Drag in a view", "look around"),
@@ -16,6 +21,12 @@ const MOUSE: [(&str, &str); 8] = [
     ("Click or drag in a plot", "go to that T"),
     ("Click in the map", "follow that point"),
     ("Drag, scroll, double-click in the map", "move, zoom, fit it"),
+];
+
+/// The two times that the scrubber marks.
+const ABREAST: [(&str, &str); 2] = [
+    ("presently abreast", "measured beside the eyes now"),
+    ("seen abreast", "seen beside the eyes, with D = 1/γ"),
 ];
 
 /// Shows the help, if it is asked for.
@@ -29,15 +40,33 @@ pub fn show(ctx: &Context, state: &State, asks: &mut Asks) {
         .anchor(Align2::CENTER_CENTER, [0.0, 0.0])
         .collapsible(false)
         .resizable(false)
+        .vscroll(true)
         .show(ctx, |ui| {
-            let keys = SHORTCUTS.iter().map(|shortcut| (shortcut.keys, shortcut.action));
-            table(ui, "keys", keys);
-            ui.separator();
-            table(ui, "mouse", MOUSE.into_iter());
+            if ctx.content_rect().width() >= NARROWEST_IN_COLUMNS {
+                ui.horizontal_top(|ui| {
+                    ui.vertical(keys);
+                    ui.separator();
+                    ui.vertical(mouse_and_times);
+                });
+            } else {
+                keys(ui);
+                ui.separator();
+                mouse_and_times(ui);
+            }
         });
     if !open {
         asks.push(Command::Close);
     }
+}
+
+fn keys(ui: &mut Ui) {
+    table(ui, "keys", SHORTCUTS.iter().map(|shortcut| (shortcut.keys, shortcut.action)));
+}
+
+fn mouse_and_times(ui: &mut Ui) {
+    table(ui, "mouse", MOUSE.into_iter());
+    ui.separator();
+    table(ui, "times", TIMES.iter().map(|time| (time.name, time.short)).chain(ABREAST));
 }
 
 fn table(ui: &mut Ui, id: &str, rows: impl Iterator<Item = (&'static str, &'static str)>) {

@@ -42,6 +42,7 @@ fn table(ui: &mut Ui, state: &State) {
     let point = state.session.points.selected();
     let sightings = Eye::BOTH.map(|eye| state.sighting(point, eye));
     let rest_wavelength = state.rest_wavelength_nm(point);
+    ui.spacing_mut().item_spacing.y = 6.0;
     Grid::new("readout").num_columns(3).spacing([10.0, 3.0]).min_col_width(70.0).min_row_height(18.0).show(
         ui,
         |ui| {
@@ -56,7 +57,34 @@ fn table(ui: &mut Ui, state: &State) {
             }
         },
     );
+    stereo(ui, state);
 }
+
+/// What two eyes make of both.
+fn stereo(ui: &mut Ui, state: &State) {
+    const AXES: [&str; 3] = ["x", "y", "z"];
+    let found = state.stereo(state.session.points.selected());
+    let (unit, colour) = (state.measures().length, theme::stereo_colour(ui.visuals()));
+    Grid::new("stereo").num_columns(4).spacing([10.0, 3.0]).min_row_height(18.0).show(ui, |ui| {
+        ui.label(RichText::new("stereo gain").color(colour)).on_hover_text(GAIN_TIP);
+        let gain = figures::fixed_or_none(found.map(|found| found.gain), 4);
+        named_text(ui, gain.as_str(), format!("Stereo gain: {gain}")).on_hover_text(GAIN_TIP);
+        ui.end_row();
+        ui.label(RichText::new(unit.label("stereo at")).color(colour)).on_hover_text(STEREO_TIP);
+        for (axis, name) in AXES.into_iter().enumerate() {
+            let value = found.map_or(f64::NAN, |found| found.position[axis]);
+            let name = format!("Stereo {name}: {}", unit.text(value, 3));
+            named_text(ui, unit.number(value, 3), name).on_hover_text(STEREO_TIP);
+        }
+        ui.end_row();
+    });
+}
+
+const GAIN_TIP: &str = "How many times as far apart as they are the eyes would see the difference between them at a \
+    resting point.\n(X left − X right)/d, near γD";
+
+const STEREO_TIP: &str = "Where the lines of sight of both eyes meet: where who has two eyes takes the point to be. x, \
+    y, z from the middle between the eyes. Two eyes see the contraction, as depth.";
 
 /// The title, which folds the table away.
 fn fold(ui: &mut Ui, state: &State, asks: &mut Asks) {
@@ -83,7 +111,7 @@ struct Quantity {
 }
 
 impl Quantity {
-    const fn time(TimeName { name, tip }: TimeName, value: fn(&Sighting, f64) -> f64) -> Self {
+    const fn time(TimeName { name, tip, .. }: TimeName, value: fn(&Sighting, f64) -> f64) -> Self {
         Self { symbol: name, name, tip, decimals: 4, unit: |measures| measures.time, value }
     }
 

@@ -149,7 +149,7 @@ impl Mark {
         let presently = state.abreast_time(point);
         let seen = state.equidistance_time(point);
         let marks = [
-            mark("presently abreast", PRESENTLY_TIP, visuals.text_color(), presently),
+            mark("presently abreast", PRESENTLY_TIP, theme::measured_colour(visuals), presently),
             mark("seen abreast", SEEN_TIP, theme::equidistance_colour(visuals), seen),
         ];
         marks.into_iter().flatten().collect()

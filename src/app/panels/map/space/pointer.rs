@@ -68,7 +68,7 @@ fn times(state: &State, picture: Picture, track: &Track) -> Option<String> {
     let time = state.measures().time;
     let text = |value: f64| time.text(value, 3);
     let received = state.session.time;
-    let seen = || state.settings.disparity(track, received).ok();
+    let seen = || state.settings.exact_disparity(track, received).ok();
     match (picture, state.settings.map.frame) {
         (Picture::Seen(eye), Frame::Ground) => {
             let both = seen()?;

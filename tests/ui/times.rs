@@ -1,0 +1,242 @@
+//! Three times, in three units: what the window shows and takes, its marks of two times, its clocks, and what is under the
+//! pointer.
+
+use eframe::egui::{Rect, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use gamow::app::App;
+use gamow::app::command::Command;
+use gamow::app::state::State;
+use gamow::flags::TimeRange;
+use gamow::settings::{Playback, Window};
+use gamow::units::Units;
+use relativity_render::Geometry;
+
+use super::Test;
+use super::support::{
+    cyclist, label_starting_with, labels, pane, seen, shown, slider, type_into, window, window_of_size,
+};
+
+pub const TESTS: &[Test] = &[
+    ("an_event_has_its_numbers_in_three_units", an_event_has_its_numbers_in_three_units),
+    ("what_is_typed_is_taken_in_the_unit_that_is_shown", what_is_typed_is_taken_in_its_unit),
+    ("units_are_chosen_in_the_bar_and_only_where_there_are_metres", units_are_chosen_in_the_bar),
+    ("two_marks_tell_presently_from_seen_abreast", two_marks_tell_presently_from_seen),
+    ("marks_of_time_never_cover_each_other", marks_never_cover_each_other),
+    ("what_is_under_the_pointer_is_told", what_is_under_the_pointer_is_told),
+    ("nothing_is_told_of_what_no_ray_leads_to", nothing_is_told_where_no_ray_leads),
+    ("clocks_show_own_time_and_can_be_switched_off", clocks_show_own_time),
+];
+
+/// What a unit of length and of time is in these: 0.65 m, and what light takes for that.
+fn factors(units: Units) -> [f64; 2] {
+    match units {
+        Units::Natural => [1.0, 1.0],
+        Units::Metric => [0.65, 0.65 / 0.299_792_458],
+        Units::Town => [0.65, 0.65 * 3.6 / 30.0],
+    }
+}
+
+const ALL: [Units; 3] = [Units::Natural, Units::Metric, Units::Town];
+
+fn in_units(units: Units) -> State {
+    let mut state = cyclist(0.9);
+    state.settings.window.units = units;
+    state
+}
+
+fn an_event_has_its_numbers_in_three_units() {
+    for units in ALL {
+        let [length, time] = factors(units);
+        let mut window = window(in_units(units));
+        window.state_mut().ask(Command::Time(1.1));
+        window.run();
+        for (eye, name) in ["Left eye", "Right eye"].into_iter().enumerate() {
+            let seen = seen(0.9, 1.1, eye);
+            let rows = [
+                ("received T", 1.1 * time),
+                ("happened t", seen.retarded_time * time),
+                // The clock rests where it passes x = 0 at t = 0.
+                ("own clock τ", seen.retarded_time * 0.19_f64.sqrt() * time),
+                ("Apparent X", seen.position[0] * length),
+                ("Apparent Y", 3.0 * length),
+                ("Doppler factor D", seen.doppler_factor),
+            ];
+            for (row, expected) in rows {
+                let value = shown(&window, &format!("{name}, {row}"));
+                assert!((value - expected).abs() < 6e-5, "{units:?}, {name}, {row}: {value} for {expected}");
+            }
+        }
+        let [left, right] = [0, 1].map(|eye| seen(0.9, 1.1, eye).position[0]);
+        // Lines from (-d/2, 0) along (X left, y) and from (d/2, 0) along (X right, y), d = 0.1.
+        let gain = (left - right) / 0.1;
+        let stereo = [("gain", gain), ("x", (-0.05 + left / gain) * length), ("y", 3.0 / gain * length)];
+        for (row, expected) in stereo {
+            let value = shown(&window, &format!("Stereo {row}"));
+            assert!((value - expected).abs() < 6e-4, "{units:?}, stereo {row}: {value} for {expected}");
+        }
+        let suffix = ["", " ns", " s"][units as usize];
+        let label = label_starting_with(&window, "Left eye, happened t");
+        assert!(label.ends_with(suffix), "{label}");
+    }
+}
+
+fn what_is_typed_is_taken_in_its_unit() {
+    for units in ALL {
+        let [length, time] = factors(units);
+        let mut window = window(in_units(units));
+        type_into(&mut window, "T, typed", "2.25");
+        let set = window.state().state().session.time;
+        assert!((set * time - 2.25).abs() < 1e-12, "{units:?}: T = {set}");
+        type_into(&mut window, "Distance y, typed", "1.3");
+        let set = window.state().state().settings.motion.depth_shift + 3.0;
+        assert!((set * length - 1.3).abs() < 1e-12, "{units:?}: y = {set}");
+        type_into(&mut window, "Playback rate", "0.5");
+        let set = window.state().state().settings.playback.rate;
+        assert!((set * time - 0.5).abs() < 1e-12, "{units:?}: {set} / s");
+    }
+}
+
+fn units_are_chosen_in_the_bar() {
+    let mut window = window(cyclist(0.9));
+    let choose = |window: &mut Harness<'_, App>, name: &str| {
+        window.get_by_label("Units").click();
+        window.run();
+        window.get_by_label(name).click();
+        window.run();
+    };
+    choose(&mut window, "c = 30 km/h");
+    assert_eq!(window.state().state().measures().units, Units::Town);
+    assert!(labels(&window).iter().any(|label| label == "27.0 km/h"));
+    window.state_mut().ask(Command::Preset("two-balls"));
+    window.run();
+    assert_eq!(window.state().state().measures().units, Units::Natural);
+    window.get_by_label("Units").click();
+    window.run();
+    window.get_by_label_contains("does not say how many metres");
+    window.get_by_label("m, ns").click();
+    window.run();
+    assert_eq!(window.state().state().measures().units, Units::Natural);
+    // What was chosen comes back with a scene that can have it.
+    window.state_mut().ask(Command::Preset("street"));
+    window.run();
+    assert_eq!(window.state().state().measures().units, Units::Town);
+}
+
+fn two_marks_tell_presently_from_seen() {
+    // The cyclist moved back by one unit is abreast 1/beta times its contracted length later.
+    let mut state = cyclist(0.9);
+    state.session.points.replace_selected(
+        gamow::scene::Track { rest: [-1.0, 3.0, 2.0], ..state.session.points.selected().track },
+        0,
+    );
+    let mut window = window(state);
+    window.get_by_label("Go to presently abreast").click();
+    window.run();
+    let presently = 0.19_f64.sqrt() / 0.9;
+    let time = window.state().state().session.time;
+    assert!((time - presently).abs() < 1e-12, "{time}");
+    // It is seen far behind, where it is measured beside the eyes.
+    assert!(shown(&window, "Left eye, Apparent X") < -1.0);
+    window.get_by_label("Go to seen abreast").click();
+    window.run();
+    let time = window.state().state().session.time;
+    assert!((time - presently - 13.0025_f64.sqrt()).abs() < 1e-12, "{time}");
+    // What is seen happened when it was presently abreast.
+    assert!((shown(&window, "Left eye, happened t") - presently).abs() < 6e-5);
+    assert!((shown(&window, "Right eye, Apparent X") + 0.05).abs() < 6e-5);
+}
+
+fn marks_never_cover_each_other() {
+    let ranges = [[-5.0, 20.0], [-1e3, 1e3], [0.0, 3.6], [3.0, 4.0], [10.0, 20.0], [-20.0, -10.0]];
+    for size in [[800.0, 600.0], [1024.0, 600.0], [1920.0, 1080.0]] {
+        for range in ranges {
+            let mut state = in_units(Units::Metric);
+            state.settings.playback = Playback { range: TimeRange(Some(range)), ..Playback::default() };
+            let window = window_of_size(state, size, 1.0);
+            let rect = |name: &str| window.get_by_label(name).rect();
+            let (presently, seen) = (rect("Go to presently abreast"), rect("Go to seen abreast"));
+            assert!(presently.max.x < seen.min.x, "{size:?}, {range:?}: {presently:?} {seen:?}");
+            let scrubber = slider(&window, "Observation time T");
+            for mark in [presently, seen] {
+                assert!(scrubber.x_range().expand(0.5).contains(mark.min.x), "{size:?}, {range:?}: {mark:?}");
+                assert!(scrubber.x_range().expand(0.5).contains(mark.max.x), "{size:?}, {range:?}: {mark:?}");
+                assert!(mark.min.y >= scrubber.max.y - 2.0, "{mark:?} {scrubber:?}");
+            }
+        }
+    }
+}
+
+/// What is told of what is under the pointer in the view of an eye, at this part of its width and height.
+fn told(window: &mut Harness<'_, App>, eye: usize, part: [f32; 2]) -> Option<(String, Rect)> {
+    let pane = pane(window, eye);
+    window.hover_at(pane.min + vec2(part[0] * pane.width(), part[1] * pane.height()));
+    window.run_steps(2);
+    let told = labels(window).into_iter().find(|label| label.starts_with("Under the pointer: "))?;
+    let rect = window.get_by_label(&told).rect();
+    Some((told, rect))
+}
+
+fn what_is_under_the_pointer_is_told() {
+    let mut window = window(in_units(Units::Metric));
+    let state = window.state().state();
+    let size = [pane(&window, 0).width() as u32, pane(&window, 0).height() as u32];
+    // Where the left eye sees the tracked point, a little inside of its tyre.
+    let view = state.view(gamow::app::observer::Eye::Left, size);
+    let direction = state.direction(state.session.points.selected(), gamow::app::observer::Eye::Left);
+    let [u, v] = view.camera.pixel(direction.expect("it is seen")).expect("in front");
+    let part = [(u as f32 - 2.0) / size[0] as f32, v as f32 / size[1] as f32];
+    let time = state.session.time;
+    let (text, tag) = told(&mut window, 0, part).expect("the tyre");
+    assert!(text.starts_with("Under the pointer: front tyre   D = "), "{text}");
+    let number = |name: &str| -> f64 {
+        let (_, rest) = text.split_once(&format!("{name} = ")).expect("it is told");
+        let number = rest.split([' ', ';']).next().expect("a number").replace('−', "-");
+        number.parse().expect("a number")
+    };
+    let [_, nanoseconds] = factors(Units::Metric);
+    let seen = seen(0.9, time, 0);
+    assert!((number("received T") - time * nanoseconds).abs() < 6e-3, "{text}");
+    // It is a point nearby on the same tyre.
+    assert!((number("happened t") - seen.retarded_time * nanoseconds).abs() < 0.3, "{text}");
+    assert!((number("D") - seen.doppler_factor).abs() < 0.05, "{text}");
+    assert!(pane(&window, 0).contains_rect(tag), "{tag:?}");
+    let pointer = pane(&window, 0).min + vec2(part[0] * size[0] as f32, part[1] * size[1] as f32);
+    assert!(!tag.contains(pointer));
+}
+
+fn nothing_is_told_where_no_ray_leads() {
+    let mut state = cyclist(0.9);
+    state.settings.look.geometry = Geometry::Published;
+    let mut window = window(state);
+    // The sky, then the middle of the rider in the left eye's view and in the published one.
+    assert_eq!(told(&mut window, 0, [0.02, 0.5]), None);
+    assert!(told(&mut window, 0, [0.5, 0.5]).is_some() || told(&mut window, 0, [0.55, 0.6]).is_some());
+    for part in [[0.5, 0.5], [0.55, 0.6], [0.45, 0.4]] {
+        assert_eq!(told(&mut window, 1, part), None);
+    }
+    // Nor while T runs too fast to read it.
+    window.state_mut().ask(Command::TogglePlaying);
+    window.run_steps(1);
+    for part in [[0.5, 0.5], [0.55, 0.6]] {
+        assert_eq!(told(&mut window, 0, part), None);
+    }
+}
+
+fn clocks_show_own_time() {
+    let mut window = window(cyclist(0.9));
+    for time in [-3.0, 1.1, 12.0] {
+        window.state_mut().ask(Command::Time(time));
+        window.run();
+        for (eye, name) in ["Left eye", "Right eye"].into_iter().enumerate() {
+            let turn = shown(&window, &format!("Clock of point 1, {name}"));
+            // A turn takes 2 on it, and it passes x = 0 at t = 0.
+            let expected = (seen(0.9, time, eye).retarded_time * 0.19_f64.sqrt() / 2.0).rem_euclid(1.0);
+            assert!((turn - expected).abs() < 6e-5, "T = {time}, {name}: {turn} for {expected}");
+        }
+    }
+    let settings = window.state().state().settings.window;
+    window.state_mut().ask(Command::Window(Window { dials: false, ..settings }));
+    window.run();
+    assert!(window.query_by_label_contains("Clock of point").is_none());
+}
