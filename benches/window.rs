@@ -1,5 +1,5 @@
-//! What the views cost: frames of a 1200x760 window while it plays, with the views and without, in one
-//! run. Prints medians and their ratio.
+//! What the views and the map cost: frames of a 1280x800 window while it plays, with and without each, in one run.
+//! Prints medians, ratios, and what the map takes.
 //!
 //! `cargo bench --bench window`
 
@@ -9,25 +9,32 @@ use egui_kittest::Harness;
 use gamow::app::App;
 use gamow::app::state::State;
 use gamow::scene::Scene;
-use gamow::settings::Settings;
+use gamow::settings::{Presence, Settings, Window};
 
-const SIZE: [f32; 2] = [1200.0, 760.0];
+const SIZE: [f32; 2] = [1280.0, 800.0];
 const FRAMES: usize = 60;
 const ROUNDS: usize = 3;
 
 fn main() {
     println!("{}", gpu_description());
-    let mut with_views = window(true);
-    let mut without = window(false);
+    let part = |views, map| Window { views, map, ..Window::default() };
+    compare("views", [part(true, Presence::Off), part(false, Presence::Off)]);
+    compare("map", [part(true, Presence::On), part(true, Presence::Off)]);
+}
+
+/// Prints what a part costs that the first of these windows has and the second has not.
+fn compare(name: &str, windows: [Window; 2]) {
+    let mut windows = windows.map(window);
     let mut times = [Vec::new(), Vec::new()];
     for _ in 0..ROUNDS {
-        frames(&mut with_views, &mut times[0]);
-        frames(&mut without, &mut times[1]);
+        for (window, times) in windows.iter_mut().zip(&mut times) {
+            frames(window, times);
+        }
     }
-    let [with_views, without] = times.map(|mut times| median(&mut times));
-    println!("with views    {:6.1} ms", 1e3 * with_views.as_secs_f64());
-    println!("without       {:6.1} ms", 1e3 * without.as_secs_f64());
-    println!("ratio         {:6.2}", with_views.as_secs_f64() / without.as_secs_f64());
+    let [with, without] = times.map(|mut times| 1e3 * median(&mut times).as_secs_f64());
+    println!("with {name:<9}{with:6.1} ms");
+    println!("without       {without:6.1} ms");
+    println!("ratio         {:6.2}, {:.1} ms more", with / without, with - without);
 }
 
 fn gpu_description() -> String {
@@ -37,9 +44,8 @@ fn gpu_description() -> String {
     }
 }
 
-fn window(views: bool) -> Harness<'static, App> {
-    let mut settings = Settings::default();
-    settings.window.views = views;
+fn window(parts: Window) -> Harness<'static, App> {
+    let settings = Settings { window: parts, ..Settings::default() };
     let mut state = State::new(settings, Scene::default());
     state.session.playing = true;
     let mut window = Harness::builder()

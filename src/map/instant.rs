@@ -5,7 +5,7 @@ use relativity_core::{Aperture, Model, Stereo};
 use relativity_render::{Geometry, GroupView, Motion, Velocity, View};
 
 use crate::scene::Track;
-use crate::settings::{Frame, Settings};
+use crate::settings::{Frame, Look, Settings};
 
 /// One of the pictures of a body on the map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -40,14 +40,19 @@ pub struct Instant<'a> {
     settings: &'a Settings,
     time: f64,
     seen: [View; 2],
+    model: Model,
 }
 
 impl<'a> Instant<'a> {
     /// T = `time` of `settings`.
     #[must_use]
     pub fn new(settings: &'a Settings, time: f64) -> Self {
-        let seen = settings.views_ahead(time).map(|view| View { geometry: Geometry::Seen, ..view });
-        Self { settings, time, seen }
+        // Whatever the views show: what both eyes see, each from where it is.
+        let one_cone = settings.look.geometry == Geometry::OneCone;
+        let geometry = if one_cone { Geometry::OneCone } else { Geometry::Seen };
+        let shown = Settings { look: Look { geometry, ..settings.look }, ..settings.clone() };
+        let model = if one_cone { Model::OneCone } else { Model::Exact };
+        Self { settings, time, seen: shown.views_ahead(time), model }
     }
 
     /// The frame that is drawn.
@@ -78,6 +83,7 @@ impl<'a> Instant<'a> {
             shift: DVec3::new(0.0, set.depth_shift, set.height_shift),
             eyes: self.settings.apertures().map(position),
             separation: set.d,
+            model: self.model,
             seen: self.seen.map(|view| view.of_group(motion)),
             received: self.time,
             velocity: self.settings.velocity(motion),
@@ -102,6 +108,7 @@ pub struct Places {
     /// In the scene's coordinates.
     eyes: [DVec3; 2],
     separation: f64,
+    model: Model,
     seen: [GroupView; 2],
     /// T.
     received: f64,
@@ -142,7 +149,7 @@ impl Places {
 
     fn stereo(&self, rest: DVec3) -> Option<Stereo> {
         let place = (rest + self.shift).to_array();
-        self.velocity.stereo(Model::Exact, place, self.separation, self.received).ok()
+        self.velocity.stereo(self.model, place, self.separation, self.received).ok()
     }
 
     /// Where the point at `rest` is now.

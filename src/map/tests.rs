@@ -4,7 +4,7 @@ use std::time::{Duration, Instant as Clock};
 
 use glam::DVec3;
 use relativity_core::{Aperture, SourcePoint, Speed, sighting};
-use relativity_render::Shape;
+use relativity_render::{Geometry, Motion, Shape};
 
 use super::*;
 use crate::flags::{SpeedParameter, SpeedSetting};
@@ -80,9 +80,35 @@ fn two_eyes_take_it_to_be_where_their_lines_of_sight_cross() {
         let [left, right] = Aperture::pair(0.4).map(see);
         let reach = 0.4 / (left[0] - right[0]);
         let expected = DVec3::new(-0.2 + reach * left[0], reach * left[1], reach * left[2]);
-        let places = instant.places(relativity_render::Motion::Scene);
+        let places = instant.places(Motion::Scene);
         let shown = places.place(Picture::Stereo, rest.into()).expect("in the domain");
         assert!(shown.distance(expected) < 1e-12, "{shown} for {expected}");
+    }
+}
+
+#[test]
+fn each_eye_sees_from_where_it_is_whatever_the_views_show() {
+    let exact = settings(0.9, Frame::Ground);
+    for geometry in [Geometry::Contracted, Geometry::Rest, Geometry::Published] {
+        let mut other = exact.clone();
+        other.look.geometry = geometry;
+        let [there, here] = [&exact, &other].map(|settings| {
+            let places = Instant::new(settings, 1.5).places(Motion::Scene);
+            [Picture::Seen(0), Picture::Seen(1)]
+                .map(|picture| places.place(picture, DVec3::new(0.0, 3.0, 2.0)))
+        });
+        assert_eq!(there, here, "{geometry:?}");
+    }
+}
+
+#[test]
+fn with_one_light_cone_both_eyes_see_one_place() {
+    let mut settings = settings(0.9, Frame::Ground);
+    settings.look.geometry = Geometry::OneCone;
+    let places = Instant::new(&settings, 1.5).places(Motion::Scene);
+    let place = |picture| places.place(picture, DVec3::new(-0.3, 3.0, 2.0)).expect("in the domain");
+    for picture in [Picture::Seen(1), Picture::Stereo] {
+        assert!(place(picture).distance(place(Picture::Seen(0))) < 1e-12, "{picture:?}");
     }
 }
 
@@ -110,7 +136,7 @@ fn lines_are_as_smooth_as_they_promise() {
         let settings = settings(beta, Frame::Ground);
         let instant = Instant::new(&settings, 0.5);
         let (lines, charts) = lines(&settings, &cyclist(), 0.5);
-        let places = instant.places(relativity_render::Motion::Scene);
+        let places = instant.places(Motion::Scene);
         for line in &lines.all {
             for pair in lines.vertices(line).windows(2) {
                 // Between two vertices of a straight tube: the body's own chord, where its image bends the most.

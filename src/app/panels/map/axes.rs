@@ -18,6 +18,8 @@ pub struct Axis<'a> {
     pub symbol: &'a str,
     /// In which unit.
     pub unit: Unit,
+    /// Whether symbol and numbers are written; else there are lines alone.
+    pub is_written: bool,
 }
 
 /// Draws those of `chart`: the first along the lower edge, the second along the left one. No label will cover them.
@@ -26,19 +28,24 @@ pub fn paint(ui: &Ui, painter: &Painter, chart: &Chart, [across, up]: [Axis<'_>;
     let line = Stroke::new(1.0, ui.visuals().weak_text_color().gamma_multiply(0.16));
     let zero = Stroke::new(1.0, ui.visuals().weak_text_color().gamma_multiply(0.4));
     let name = |axis: Axis<'_>| axis.unit.label(axis.symbol);
-    write(ui, painter, room.max - vec2(4.0, 2.0), Align2::RIGHT_BOTTOM, &name(across), labels);
-    write(ui, painter, room.min + vec2(4.0, 2.0), Align2::LEFT_TOP, &name(up), labels);
+    let mut write = |axis: Axis<'_>, place: Pos2, align: Align2, text: &str| {
+        if axis.is_written {
+            write(ui, painter, place, align, text, labels);
+        }
+    };
+    write(across, room.max - vec2(4.0, 2.0), Align2::RIGHT_BOTTOM, &name(across));
+    write(up, room.min + vec2(4.0, 2.0), Align2::LEFT_TOP, &name(up));
     let [xs, ys] = chart.range();
     let [center_x, center_y] = chart.center;
     for (value, text) in numbers(xs, across.unit, chart.scale) {
         let x = canvas::place(chart, [value, center_y]).x;
         painter.vline(x, room.y_range(), if value == 0.0 { zero } else { line });
-        write(ui, painter, pos2(x, room.max.y - 2.0), Align2::CENTER_BOTTOM, &text, labels);
+        write(across, pos2(x, room.max.y - 2.0), Align2::CENTER_BOTTOM, &text);
     }
     for (value, text) in numbers(ys, up.unit, chart.scale) {
         let y = canvas::place(chart, [center_x, value]).y;
         painter.hline(room.x_range(), y, if value == 0.0 { zero } else { line });
-        write(ui, painter, pos2(room.min.x + 4.0, y), Align2::LEFT_CENTER, &text, labels);
+        write(up, pos2(room.min.x + 4.0, y), Align2::LEFT_CENTER, &text);
     }
 }
 

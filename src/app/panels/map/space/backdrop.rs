@@ -1,87 +1,98 @@
 //! What the map is drawn on: a grid, the street, the eyes' fields of view, and the line abreast of the eyes.
 
-use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Shape, Stroke, Ui, pos2, vec2};
+use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Shape, Stroke, Ui, Vec2, pos2, vec2};
 use glam::DVec3;
 
 use super::{Sheet, canvas};
 use crate::app::observer::Eye;
+use crate::app::panels::map::axes::{self, Axis};
+use crate::app::panels::map::labels::Labels;
 use crate::app::state::State;
 use crate::app::theme;
-use crate::map::{Instant, Projection, field_of_view, ticks};
-use crate::settings::Frame;
+use crate::map::{Instant, Projection, field_of_view};
+use crate::settings::{Frame, Motion};
 
-/// Least distance of two lines of the grid, points.
-const LEAST: f32 = 58.0;
-const FONT: FontId = FontId::proportional(10.5);
 /// Size of the words.
 const WORDS: FontId = FontId::proportional(11.5);
+/// From the corner to the title, beside the symbol of the axis, points.
+const TITLE: Vec2 = vec2(44.0, 3.0);
 
 /// Draws it.
-pub(super) fn paint(ui: &Ui, painter: &Painter, state: &State, instant: &Instant, sheet: &Sheet) {
+pub(super) fn paint(
+    ui: &Ui,
+    painter: &Painter,
+    state: &State,
+    instant: &Instant,
+    sheet: &Sheet,
+    labels: &mut Labels,
+) {
     painter.rect_filled(sheet.room(), 0.0, ui.visuals().extreme_bg_color);
     fields_of_view(ui, painter, state, instant, sheet);
-    grid(ui, painter, state, sheet);
-    street(ui, painter, state, sheet);
-    abreast(ui, painter, instant, sheet);
+    axes::paint(ui, painter, &sheet.chart, axes_of(state, sheet.projection), labels);
+    let words = |place, align, text: &str, labels: &mut Labels| {
+        write(painter, place, align, (text, ui.visuals().weak_text_color()), labels);
+    };
     let title = match sheet.projection {
         Projection::Plan => "from above",
         Projection::Side => "from the side",
     };
-    let corner = sheet.room().left_top() + vec2(5.0, 3.0);
-    painter.text(corner, Align2::LEFT_TOP, title, WORDS, ui.visuals().weak_text_color());
+    words(sheet.room().min + TITLE, Align2::LEFT_TOP, title, labels);
+    for (place, name) in street(ui, painter, state, sheet) {
+        words(place, Align2::RIGHT_BOTTOM, name, labels);
+    }
+    abreast(ui, painter, instant, sheet, labels);
 }
 
-/// Lines at round numbers of the units that are shown.
-fn grid(ui: &Ui, painter: &Painter, state: &State, sheet: &Sheet) {
-    let (room, chart, length) = (sheet.room(), sheet.chart, state.measures().length);
-    let colour = ui.visuals().weak_text_color();
-    let line = Stroke::new(1.0, colour.gamma_multiply(0.22));
-    let shown = |range: [f64; 2]| {
-        ticks(range.map(|value| length.shown(value)), f64::from(LEAST) * length.factor / chart.scale)
+/// Writes where nothing else stands.
+fn write(
+    painter: &Painter,
+    place: Pos2,
+    align: Align2,
+    (text, colour): (&str, Color32),
+    labels: &mut Labels,
+) {
+    let galley = painter.layout_no_wrap(text.to_owned(), WORDS, colour);
+    let rect = align.anchor_size(place, galley.size());
+    if labels.is_free(rect) {
+        painter.galley(rect.min, galley, colour);
+        labels.keep_free(rect);
+    }
+}
+
+/// Which axes there are. Both charts share x, whose numbers are below the lower one.
+fn axes_of(state: &State, projection: Projection) -> [Axis<'static>; 2] {
+    let unit = state.measures().length;
+    let across = if state.settings.map.frame == Frame::Ground { "x" } else { "x′" };
+    let up = match projection {
+        Projection::Plan => "y",
+        Projection::Side => "z",
     };
-    let [across, up] = chart.range().map(shown);
-    let screen = |right: f64, up: f64| canvas::place(&chart, [length.in_scene(right), length.in_scene(up)]);
-    for right in across.0 {
-        let x = screen(right, 0.0).x;
-        painter.vline(x, room.y_range(), line);
-        if sheet.projection == Projection::Side && room.max.x - x > 24.0 {
-            let text = crate::figures::fixed(right, across.1);
-            painter.text(pos2(x + 3.0, room.max.y - 1.0), Align2::LEFT_BOTTOM, text, FONT, colour);
-        }
-    }
-    for value in up.0 {
-        painter.hline(room.x_range(), screen(0.0, value).y, line);
-    }
-    if sheet.projection == Projection::Side {
-        let corner = room.right_bottom() - vec2(4.0, 1.0);
-        let symbol = if state.settings.map.frame == Frame::Ground { "x" } else { "x′" };
-        painter.text(corner, Align2::RIGHT_BOTTOM, length.label(symbol), FONT, colour);
-    }
+    [(across, projection == Projection::Side), (up, true)].map(|(symbol, is_written)| Axis {
+        symbol,
+        unit,
+        is_written,
+    })
 }
 
-/// The kerbs and the house fronts from above, the ground from the side.
-fn street(ui: &Ui, painter: &Painter, state: &State, sheet: &Sheet) {
+/// The kerbs and the house fronts from above, the ground from the side; what they are called, and where.
+fn street(ui: &Ui, painter: &Painter, state: &State, sheet: &Sheet) -> Vec<(Pos2, &'static str)> {
+    let Motion { depth_shift, height_shift, .. } = state.settings.motion;
     let scene = &state.session.scene;
-    let colour = ui.visuals().weak_text_color();
-    let line = |up: f64, width: f32| {
-        let y = canvas::place(&sheet.chart, [sheet.chart.center[0], up]).y;
-        painter.hline(sheet.room().x_range(), y, Stroke::new(width, colour.gamma_multiply(0.7)));
-        y
-    };
-    match sheet.projection {
+    let lines: Vec<(f64, &str)> = match sheet.projection {
         Projection::Plan => {
-            for (y, name) in scene.street.into_iter().flatten().zip(["kerb", "kerb", "house fronts"]) {
-                let y = line(y + state.settings.motion.depth_shift, 1.5);
-                let place = pos2(sheet.room().max.x - 5.0, y - 1.0);
-                painter.text(place, Align2::RIGHT_BOTTOM, name, FONT, colour);
-            }
+            let names = ["kerb", "kerb", "house fronts"];
+            scene.street.into_iter().flatten().map(|y| y + depth_shift).zip(names).collect()
         }
-        Projection::Side => {
-            if let Some(z) = scene.ground_z {
-                line(z + state.settings.motion.height_shift, 2.0);
-            }
-        }
-    }
+        Projection::Side => scene.ground_z.map(|z| (z + height_shift, "ground")).into_iter().collect(),
+    };
+    let stroke = Stroke::new(1.5, ui.visuals().weak_text_color().gamma_multiply(0.7));
+    let room = sheet.room();
+    let drawn = |(up, name): (f64, &'static str)| {
+        let y = canvas::place(&sheet.chart, [sheet.chart.center[0], up]).y;
+        painter.hline(room.x_range(), y, stroke);
+        (pos2(room.max.x - 5.0, y - 1.0), name)
+    };
+    lines.into_iter().map(drawn).collect()
 }
 
 /// What each eye has in view. In the frame of who rides past it, that is another angle; it is left out there.
@@ -106,7 +117,7 @@ fn fields_of_view(ui: &Ui, painter: &Painter, state: &State, instant: &Instant, 
 }
 
 /// The line that is beside the eyes: x = 0 on the ground.
-fn abreast(ui: &Ui, painter: &Painter, instant: &Instant, sheet: &Sheet) {
+fn abreast(ui: &Ui, painter: &Painter, instant: &Instant, sheet: &Sheet, labels: &mut Labels) {
     let [left, right] = instant.eyes();
     let x = place(sheet, 0.5 * (left + right)).x;
     let room = sheet.room();
@@ -114,7 +125,7 @@ fn abreast(ui: &Ui, painter: &Painter, instant: &Instant, sheet: &Sheet) {
     dashed(painter, [pos2(x, room.min.y), pos2(x, room.max.y)], colour);
     if sheet.projection == Projection::Plan {
         let text = if instant.frame() == Frame::Ground { "abreast: x = 0" } else { "abreast of the eyes" };
-        painter.text(pos2(x + 4.0, room.min.y + 3.0), Align2::LEFT_TOP, text, WORDS, colour);
+        write(painter, pos2(x + 4.0, room.min.y + 3.0), Align2::LEFT_TOP, (text, colour), labels);
     }
 }
 

@@ -4,6 +4,7 @@ use eframe::egui::{Align2, FontId, Painter, Stroke, Ui, vec2};
 
 use super::{Sheet, canvas};
 use crate::app::observer::Eye;
+use crate::app::panels::map::labels::Labels;
 use crate::app::state::State;
 use crate::app::theme;
 use crate::map::{Instant, Picture, Projection};
@@ -15,14 +16,24 @@ const ABREAST: f64 = 4.0;
 const EYE_RADIUS: f32 = 4.0;
 /// That of the selected point, and of the others.
 const POINT_RADII: [f32; 2] = [4.0, 3.0];
+/// A mark is at most as large as this part of a unit, but for those of a small map.
+const LARGEST: f64 = 0.13;
+const SMALLEST_RADIUS: f32 = 2.5;
 
 /// Draws and names them.
-pub(super) fn show(ui: &Ui, painter: &Painter, state: &State, instant: &Instant, sheet: &Sheet) {
-    eyes(ui, painter, instant, sheet);
-    abreast(ui, painter, state, instant, sheet);
+pub(super) fn show(
+    ui: &Ui,
+    painter: &Painter,
+    state: &State,
+    instant: &Instant,
+    sheet: &Sheet,
+    labels: &mut Labels,
+) {
+    eyes(ui, painter, instant, sheet, labels);
     for (index, point) in state.session.points.all().iter().enumerate() {
         let is_selected = index == state.session.points.selected_index();
-        let radius = POINT_RADII[usize::from(!is_selected)];
+        let largest = ((LARGEST * sheet.chart.scale) as f32).max(SMALLEST_RADIUS);
+        let radius = POINT_RADII[usize::from(!is_selected)].min(largest);
         let colour = theme::point_colour(point.number, ui.visuals());
         for picture in Picture::ALL {
             let Some(at) = instant.place(&point.track, picture) else { continue };
@@ -38,10 +49,11 @@ pub(super) fn show(ui: &Ui, painter: &Painter, state: &State, instant: &Instant,
             );
         }
     }
+    abreast(ui, painter, state, instant, sheet, labels);
 }
 
 /// Says so when the selected point is beside the eyes: measured there now, or seen there.
-fn abreast(ui: &Ui, painter: &Painter, state: &State, instant: &Instant, sheet: &Sheet) {
+fn abreast(ui: &Ui, painter: &Painter, state: &State, instant: &Instant, sheet: &Sheet, labels: &mut Labels) {
     let point = state.session.points.selected();
     if instant.frame() == Frame::Bicycle || state.velocity(point).speed.beta() == 0.0 {
         return;
@@ -55,22 +67,19 @@ fn abreast(ui: &Ui, painter: &Painter, state: &State, instant: &Instant, sheet: 
     for (at, text, colour) in words {
         let Some(at) = at.filter(|at| at.x.abs() * sheet.chart.scale <= ABREAST) else { continue };
         let place = canvas::place(&sheet.chart, sheet.projection.flat(at));
-        let galley = painter.layout_no_wrap(text.to_owned(), FONT, colour);
-        let rect = Align2::LEFT_CENTER.anchor_size(place + vec2(12.0, 0.0), galley.size());
-        painter.rect_filled(rect.expand2(vec2(3.0, 1.0)), 3.0, ui.visuals().extreme_bg_color);
-        painter.galley(rect.min, galley, colour);
+        labels.write(painter, (place, 8.0), text, FONT, colour);
         canvas::name_place(ui, sheet.room(), place, &format!("{}: {text}", sheet.name()));
     }
 }
 
-fn eyes(ui: &Ui, painter: &Painter, instant: &Instant, sheet: &Sheet) {
+fn eyes(ui: &Ui, painter: &Painter, instant: &Instant, sheet: &Sheet, labels: &mut Labels) {
     let sides = [(Align2::RIGHT_CENTER, -1.0), (Align2::LEFT_CENTER, 1.0)];
     for ((eye, at), (anchor, side)) in Eye::BOTH.into_iter().zip(instant.eyes()).zip(sides) {
         let place = canvas::place(&sheet.chart, sheet.projection.flat(at));
         let colour = theme::eye_colour(eye, ui.visuals());
         painter.circle_filled(place, EYE_RADIUS, colour);
         if sheet.projection == Projection::Plan {
-            painter.text(place + vec2(side * 9.0, 0.0), anchor, eye.name(), FONT, colour);
+            labels.keep_free(painter.text(place + vec2(side * 9.0, 0.0), anchor, eye.name(), FONT, colour));
         }
         canvas::name_place(ui, sheet.room(), place, &format!("{}: {}", sheet.name(), eye.name()));
     }

@@ -10,6 +10,7 @@ mod pointer;
 use eframe::egui::{Color32, Rect, Ui, Visuals};
 
 use super::canvas;
+use super::labels::Labels;
 use crate::app::observer::Eye;
 use crate::app::panels::Asks;
 use crate::app::state::State;
@@ -46,10 +47,11 @@ pub fn show(ui: &mut Ui, state: &State, rect: Rect, asks: &mut Asks) {
         let sheet = Sheet { projection, chart };
         let response = canvas::look_around(ui, state, sheet.name(), &chart, projection.axes(), asks);
         let painter = ui.painter().with_clip_rect(sheet.room().intersect(ui.clip_rect()));
-        backdrop::paint(ui, &painter, state, &instant, &sheet);
+        let mut labels = Labels::new(sheet.room(), ui.visuals().extreme_bg_color);
+        backdrop::paint(ui, &painter, state, &instant, &sheet, &mut labels);
         light::paint(ui, &painter, state, &sheet);
         pictures::paint(ui, &painter, &lines, &sheet);
-        marks::show(ui, &painter, state, &instant, &sheet);
+        marks::show(ui, &painter, state, &instant, &sheet, &mut labels);
         pointer::read(ui, &painter, &response, state, &lines, &sheet, asks);
     }
 }

@@ -6,8 +6,8 @@ use super::{Sheet, canvas, colour, light};
 use crate::app::command::{Command, Select};
 use crate::app::panels::Asks;
 use crate::app::state::State;
-use crate::figures;
-use crate::map::{Lines, Nearest, Picture};
+use crate::caption::times::{OWN_CLOCK, TIMES};
+use crate::map::{Lines, Nearest, Picture, Worldline};
 use crate::scene::Track;
 use crate::settings::Frame;
 
@@ -64,28 +64,23 @@ fn text(state: &State, nearest: &Nearest, track: &Track) -> String {
 }
 
 /// When it is there, as far as that is one event.
-fn times(state: &State, picture: Picture, track: &Track) -> Option<String> {
-    let time = state.measures().time;
-    let text = |value: f64| time.text(value, 3);
-    let received = state.session.time;
-    let seen = || state.settings.exact_disparity(track, received).ok();
+fn times(state: &State, picture: Picture, track: &Track) -> Vec<String> {
+    let time = |name: &str, value: f64| format!("{name} = {}", state.measures().time.text(value, 3));
+    let now = state.session.time;
+    let frame = state.settings.frame();
     match (picture, state.settings.map.frame) {
         (Picture::Seen(eye), Frame::Ground) => {
-            let both = seen()?;
-            let seen = if eye == 0 { both.primary } else { both.secondary };
-            Some(format!(
-                "received T = {}\nhappened t = {}\nown clock τ = {}",
-                text(received),
-                text(seen.retarded_time),
-                text(seen.own_time)
-            ))
+            let Ok(both) = state.settings.disparity(track, now) else { return Vec::new() };
+            let seen = [both.primary, both.secondary][eye];
+            let times = [now, seen.retarded_time, seen.own_time];
+            TIMES.iter().zip(times).map(|(name, value)| time(name.name, value)).collect()
         }
-        (Picture::Measured, Frame::Ground) => Some(format!("now, at t = T = {}", text(received))),
-        (Picture::Measured, Frame::Bicycle) => {
-            let now = state.speed().gamma() * received;
-            let number = if now.is_finite() { text(now) } else { figures::NONE.to_owned() };
-            Some(format!("now, at t′ = γT = {number}"))
+        (Picture::Measured, Frame::Ground) => {
+            let own = Worldline::new(&state.settings, track, frame).own_time(now);
+            vec![time("now t", now), time(OWN_CLOCK.name, own)]
         }
-        _ => None,
+        // On board all clocks agree.
+        (Picture::Measured, Frame::Bicycle) => vec![time(OWN_CLOCK.name, frame.speed.gamma() * now)],
+        _ => Vec::new(),
     }
 }

@@ -61,7 +61,7 @@ fn axes_of(state: &State) -> [Axis<'static>; 2] {
         Frame::Ground => ["x", "t"],
         Frame::Bicycle => ["x′", "t′"],
     };
-    [Axis { symbol: x, unit: measures.length }, Axis { symbol: t, unit: measures.time }]
+    [(x, measures.length), (t, measures.time)].map(|(symbol, unit)| Axis { symbol, unit, is_written: true })
 }
 
 /// In whose frame it is drawn, in the corner beside the name of the axis.
