@@ -16,7 +16,7 @@ use crate::settings::Settings;
 /// The past light cone of an eye, cut by the plane in which the point moves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cone {
-    /// The event of reception.
+    /// The event of reception, or that between the eyes where one cone serves both.
     pub apex: Event,
     /// How far from the eyes' line the point passes.
     pub distance: f64,
@@ -143,14 +143,7 @@ impl Diagram {
     #[must_use]
     pub fn cones(&self) -> [Cone; 2] {
         let [y, z] = self.point.across();
-        self.rays.map(|ray| Cone { apex: ray.received, distance: math::hypot(y, z) })
-    }
-
-    /// When light that leaves the point at the ground's time `t` is received between the eyes.
-    #[must_use]
-    pub fn received(&self, t: f64) -> f64 {
-        let [y, z] = self.point.across();
-        t + math::hypot(self.point.on_ground().at(t).x, math::hypot(y, z))
+        self.rays.map(|ray| Cone { apex: ray.apex, distance: math::hypot(y, z) })
     }
 }
 
@@ -301,6 +294,21 @@ mod tests {
     }
 
     #[test]
+    fn one_cone_for_both_eyes_has_its_apex_between_them() {
+        let mut settings = settings(SpeedParameter::Beta, 0.9);
+        settings.look.geometry = relativity_render::Geometry::OneCone;
+        for frame in [Velocity::REST, Velocity::forward(settings.speed())] {
+            let diagram = Diagram::new(&settings, &tracks()[0], 2.0, frame).expect("in the domain");
+            let [left, right] = diagram.rays;
+            assert_same(left.left, right.left, 10.0);
+            for cone in diagram.cones() {
+                assert_eq!(cone.apex, diagram.present);
+                assert!((cone.time(left.left.x) - left.left.t).abs() < 1e-12 * 10.0);
+            }
+        }
+    }
+
+    #[test]
     fn the_diagram_of_the_other_frame_is_this_one_transformed() {
         for [ground, scene] in diagrams() {
             let (scale, frame) = (scale(&ground).max(scale(&scene)), scene.frame);
@@ -362,7 +370,7 @@ mod tests {
         }
         let [happened, soon] = [-4.0, -4.0 + 1e-6];
         let own = |happened| diagram.point.own_time(happened);
-        let arrival = |happened| diagram.received(happened);
+        let arrival = |happened| diagram.point.received(happened);
         let rate = (own(soon) - own(happened)) / (arrival(soon) - arrival(happened));
         let both = settings.exact_disparity(&track, arrival(happened)).expect("in the domain");
         let expected = 0.5 * (both.primary.doppler_factor + both.secondary.doppler_factor);

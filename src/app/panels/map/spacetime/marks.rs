@@ -63,16 +63,16 @@ pub fn of(sheet: &Sheet<'_>) -> Vec<Mark> {
         place: sheet.place(diagram.point.at(happened)),
         name: name.to_owned(),
         label: label.to_owned(),
-        words: words::of_point(sheet, happened),
+        words: words::of_point(sheet, happened, &format!(", {name}")),
         colour,
         is_hollow,
     };
-    let measured = theme::measured_colour(visuals);
-    marks.push(now("measured now", "measured now", diagram.time, false, measured));
     if diagram.scene.beta() != 0.0 {
         let colour = lines::now_colours(sheet)[1];
         marks.push(now("now on the bicycle's clocks", "", diagram.scene_now(), true, colour));
     }
+    let measured = theme::measured_colour(visuals);
+    marks.push(now("measured now", "measured now", diagram.time, false, measured));
     marks
 }
 

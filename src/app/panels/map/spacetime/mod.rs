@@ -124,8 +124,8 @@ fn aimed_at(sheet: &Sheet<'_>, pointer: Pos2) -> Option<Aimed> {
     let (steps, off) = sheet.nearest(sheet.diagram.worldline(), pointer);
     if off < NEAR {
         let happened = sheet.diagram.time + steps;
-        let words = words::of_point(sheet, happened);
-        return Some(Aimed { words, time: sheet.diagram.received(happened) });
+        let words = words::of_point(sheet, happened, "");
+        return Some(Aimed { words, time: sheet.diagram.point.received(happened) });
     }
     let eyes = sheet.diagram.eyes().map(|eye| sheet.nearest(eye, pointer));
     let (steps, off) = if eyes[0].1 < eyes[1].1 { eyes[0] } else { eyes[1] };
