@@ -48,10 +48,9 @@ impl<'a> Instant<'a> {
     #[must_use]
     pub fn new(settings: &'a Settings, time: f64) -> Self {
         // Whatever the views show: what both eyes see, each from where it is.
-        let one_cone = settings.look.geometry == Geometry::OneCone;
-        let geometry = if one_cone { Geometry::OneCone } else { Geometry::Seen };
+        let model = settings.model();
+        let geometry = if model == Model::OneCone { Geometry::OneCone } else { Geometry::Seen };
         let shown = Settings { look: Look { geometry, ..settings.look }, ..settings.clone() };
-        let model = if one_cone { Model::OneCone } else { Model::Exact };
         Self { settings, time, seen: shown.views_ahead(time), model }
     }
 

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use glam::{DVec2, DVec3};
+use glam::{DMat3, DVec2, DVec3};
 use relativity_render::Shape;
 
 use super::fit::ball_around;
@@ -18,6 +18,8 @@ const TOLERANCE: f64 = 0.25;
 const DEEPEST: u32 = 12;
 /// Bodies smaller than this are left out, points.
 const SMALLEST: f64 = 1.0;
+/// Length over which a picture is taken for straight, units.
+const SMALL: f64 = 1e-4;
 /// Most bodies that are drawn of a group: of more, some that are evenly spread.
 const MOST_BODIES: usize = 500;
 
@@ -41,8 +43,10 @@ pub struct Line {
     pub picture: Picture,
     /// What is around it: the radii along x, y and z of a ball as thick as it, at rest and on the map. None of an edge.
     pub ball: Option<Ball>,
-    /// The only projection that it is drawn in, if not in both.
+    /// The only projection that it is drawn in, if not in both: of a ball, whose outline in each is another.
     pub only: Option<Projection>,
+    /// Radius of a ball around the body at rest.
+    pub reach: f64,
     /// Its points among [`Lines::vertices`].
     vertices: Range<usize>,
 }
@@ -112,8 +116,9 @@ impl Lines {
     fn add_group(&mut self, sampler: &Sampler, scene: &Scene, group: &SceneGroup) {
         for body in group.bodies().step_by(group.count.div_ceil(MOST_BODIES).max(1)) {
             let shape = &scene.bodies[body].shape;
-            if 2.0 * ball_around(shape).1 * sampler.charts[0].scale >= SMALLEST {
-                self.add(sampler, body, shape);
+            let reach = ball_around(shape).1;
+            if 2.0 * reach * sampler.charts[0].scale >= SMALLEST {
+                self.add(sampler, body, shape, reach);
             }
         }
     }
@@ -124,9 +129,9 @@ impl Lines {
         &self.vertices[line.vertices.clone()]
     }
 
-    fn add(&mut self, sampler: &Sampler, body: usize, shape: &Shape) {
+    fn add(&mut self, sampler: &Sampler, body: usize, shape: &Shape, reach: f64) {
         let mut strokes = Vec::with_capacity(12);
-        outline(shape, &mut strokes);
+        outline(shape, |place, projection| sampler.line_of_sight(place, projection), &mut strokes);
         for Stroke { path, radius, only } in strokes {
             let first = self.vertices.len();
             sampler.sample(&path, &mut self.vertices);
@@ -135,7 +140,7 @@ impl Lines {
                 let Sampler { picture, rests, places, .. } = *sampler;
                 let radii = places.ball(picture, path.at(0.5), radius);
                 let ball = radii.filter(|_| radius > 0.0).map(|radii| Ball { radius, radii });
-                self.all.push(Line { body, rests, picture, ball, only, vertices });
+                self.all.push(Line { body, rests, picture, ball, only, reach, vertices });
             }
         }
     }
@@ -177,6 +182,14 @@ impl<'a> Sampler<'a> {
             vertices.push(next);
             last = next;
         }
+    }
+
+    /// The direction at `rest` that the map looks along in `projection`, a unit vector at rest.
+    fn line_of_sight(&self, rest: DVec3, projection: Projection) -> DVec3 {
+        let straight = projection.line_of_sight();
+        let map = self.places.ball(self.picture, rest, SMALL).map(|[x, y, z]| DMat3::from_cols(x, y, z));
+        let turned = map.and_then(|map| (map.inverse() * straight).try_normalize());
+        turned.unwrap_or(straight)
     }
 
     fn vertex(&self, path: &Path, s: f64) -> Option<Vertex> {

@@ -56,10 +56,18 @@ impl Stroke {
     }
 }
 
-/// Adds the outline of `shape` to `strokes`.
-pub(super) fn outline(shape: &Shape, strokes: &mut Vec<Stroke>) {
+/// Adds the outline of `shape` to `strokes`; `line_of_sight` tells which direction of the body at a place, at rest, a
+/// projection looks along.
+pub(super) fn outline(
+    shape: &Shape,
+    line_of_sight: impl Fn(DVec3, Projection) -> DVec3,
+    strokes: &mut Vec<Stroke>,
+) {
     match *shape {
-        Shape::Sphere { center, radius } => strokes.extend(great_circles(center.into(), radius)),
+        Shape::Sphere { center, radius } => {
+            let center = center.into();
+            strokes.extend(great_circles(center, radius, |projection| line_of_sight(center, projection)));
+        }
         Shape::Tube { from, to, radius } => {
             strokes.push(Stroke { radius, ..Stroke::line(from.into(), to.into()) });
         }
@@ -74,10 +82,10 @@ pub(super) fn outline(shape: &Shape, strokes: &mut Vec<Stroke>) {
     }
 }
 
-/// The circle that a ball shows to each projection.
-fn great_circles(center: DVec3, radius: f64) -> [Stroke; 2] {
+/// The circle that a ball shows to each projection: across its line of sight.
+fn great_circles(center: DVec3, radius: f64, line_of_sight: impl Fn(Projection) -> DVec3) -> [Stroke; 2] {
     Projection::BOTH.map(|projection| {
-        let path = circle(center, projection.line_of_sight(), radius);
+        let path = circle(center, line_of_sight(projection), radius);
         Stroke { only: Some(projection), ..Stroke::edge(path) }
     })
 }
@@ -143,7 +151,7 @@ mod tests {
             Shape::Cylinder { from: [0.0, 1.0, 2.0], to: [1.0, 3.0, -1.0], radius: 0.4 },
         ] {
             let mut strokes = Vec::new();
-            outline(&shape, &mut strokes);
+            outline(&shape, |_, projection| projection.line_of_sight(), &mut strokes);
             for stroke in strokes {
                 for i in 0..=8 {
                     let off = off_surface(&shape, stroke.path.at(f64::from(i) / 8.0));
@@ -158,7 +166,7 @@ mod tests {
         let shape =
             Shape::Ring { center: [0.0, 3.0, 2.0], axis: [0.0, 1.0, 0.0], radius: 0.5, tube_radius: 0.03 };
         let mut strokes = Vec::new();
-        outline(&shape, &mut strokes);
+        outline(&shape, |_, projection| projection.line_of_sight(), &mut strokes);
         assert_eq!((strokes.len(), strokes[0].radius), (1, 0.03));
         let top =
             (0..1000).map(|i| strokes[0].path.at(f64::from(i) / 1000.0)).fold(0.0, |top, p| p.z.max(top));

@@ -219,3 +219,29 @@ fn thousands_of_bodies_are_thinned_out() {
     assert!((800..5000).contains(&lines.all.len()), "{}", lines.all.len());
     assert!(took < Duration::from_secs(1), "{took:?}");
 }
+
+#[test]
+fn the_outline_of_a_ball_holds_all_of_it() {
+    let shape = Shape::Sphere { center: [-0.5, 3.0, 2.0], radius: 0.2 };
+    let mut scene = cyclist();
+    scene.bodies[0].shape = shape;
+    let settings = settings(0.9, Frame::Ground);
+    let (lines, _) = lines(&settings, &scene, 1.0);
+    let places = Instant::new(&settings, 1.0).places(Motion::Scene);
+    let around = |i: usize| std::f64::consts::TAU * i as f64 / 60.0;
+    let surface = (0..60).flat_map(|i| (0..60).map(move |j| (around(i), around(j)))).map(|(a, b)| {
+        DVec3::new(-0.5, 3.0, 2.0) + 0.2 * DVec3::new(a.cos() * b.cos(), a.sin() * b.cos(), b.sin())
+    });
+    let surface: Vec<DVec3> = surface.collect();
+    for line in lines.all.iter().filter(|line| line.body == 0) {
+        let projection = line.only.expect("each projection has its own");
+        for i in 0..60 {
+            let towards = glam::DVec2::from_angle(around(i));
+            let reach = |place: DVec3| glam::DVec2::from(projection.flat(place)).dot(towards);
+            let drawn = lines.vertices(line).iter().map(|vertex| reach(vertex.place)).fold(-1e9, f64::max);
+            let image = |rest: &DVec3| reach(places.place(line.picture, *rest).expect("in the domain"));
+            let whole = surface.iter().map(image).fold(-1e9, f64::max);
+            assert!((drawn - whole).abs() < 0.02, "{:?} {projection:?}: {drawn} for {whole}", line.picture);
+        }
+    }
+}

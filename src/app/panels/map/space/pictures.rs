@@ -1,6 +1,6 @@
 //! The pictures of all bodies, each in its colour.
 
-use eframe::egui::{Color32, Painter, Rect, Shape, Stroke, Ui, pos2};
+use eframe::egui::{Color32, Painter, Shape, Stroke, Ui, pos2};
 
 use super::{Sheet, colour};
 use crate::map::{Line, Lines, Picture};
@@ -11,8 +11,9 @@ const THINNEST: f32 = 1.0;
 const EDGE: f32 = 1.2;
 /// Faintest of these.
 const FAINTEST: f32 = 0.35;
-/// Balls are filled as long as they are smaller than this, points: the bends of what is seen of larger ones show.
-const LARGEST_FILLED: f32 = 40.0;
+/// Balls are filled as long as they are smaller than this at rest, points: the bends of what is seen of larger ones
+/// show.
+const LARGEST_FILLED: f64 = 60.0;
 /// How strongly the street is drawn, behind what the map is about.
 const STREET: f32 = 0.45;
 /// How strongly what is seen is drawn: what one eye sees does not hide what the other sees.
@@ -29,7 +30,8 @@ pub(super) fn paint(ui: &Ui, painter: &Painter, lines: &Lines, sheet: &Sheet) {
         let places: Vec<_> =
             lines.vertices(line).iter().map(|vertex| sheet.projection.flat(vertex.place)).collect();
         for part in parts(line, &places, sheet) {
-            add(part, line.only.is_some(), colour, sheet, &mut shapes);
+            let fills = line.only.is_some() && 2.0 * line.reach * sheet.chart.scale < LARGEST_FILLED;
+            add(part, fills, colour, sheet, &mut shapes);
         }
     }
     painter.extend(shapes);
@@ -60,7 +62,7 @@ fn parts<'a>(line: &Line, places: &'a [[f64; 2]], sheet: &Sheet) -> Vec<(&'a [[f
 /// Adds a part of a line, and what it encloses where it is a ball's, which looks hollow otherwise.
 fn add(
     (places, width): (&[[f64; 2]], f32),
-    is_ball: bool,
+    fills: bool,
     colour: Color32,
     sheet: &Sheet,
     shapes: &mut Vec<Shape>,
@@ -69,7 +71,7 @@ fn add(
     let stroke = Stroke::new(width.max(THINNEST), colour.gamma_multiply(faint));
     sheet.chart.clipped(places.iter().copied(), f64::from(stroke.width), |run| {
         let points: Vec<_> = run.iter().map(|&[x, y]| pos2(x as f32, y as f32)).collect();
-        if is_ball && Rect::from_points(&points).size().max_elem() < LARGEST_FILLED {
+        if fills {
             shapes.push(Shape::convex_polygon(points.clone(), colour, Stroke::NONE));
         }
         shapes.push(Shape::line(points, stroke));
