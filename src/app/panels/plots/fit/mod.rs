@@ -14,14 +14,18 @@ use crate::app::state::State;
 use crate::app::widgets::{choice, end_of_range};
 use crate::flags::TimeRange;
 use crate::settings::{FIT_SAMPLES, FitSetup, MAX_SEED, NOISE_PERCENT};
+use crate::units::Unit;
 
 /// Width of the table.
 const TABLE_WIDTH: f32 = 346.0;
+/// Width of a unit in it, and of what it adds to numbers.
+const UNIT_WIDTH: f32 = 40.0;
 
 /// Shows the tab: the model above the plots, the samples above the table.
 pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
     let mut setup = state.settings.fit;
-    let (table, plots) = table_and_plots(ui.available_rect_before_wrap(), TABLE_WIDTH);
+    let unit_width = if state.measures().length == Unit::OWN { 0.0 } else { UNIT_WIDTH };
+    let (table, plots) = table_and_plots(ui.available_rect_before_wrap(), TABLE_WIDTH + unit_width);
     part(ui, "fit samples and table", table, |ui| {
         if plots.is_none() {
             row(ui, |ui| model(ui, &mut setup));
