@@ -2,13 +2,15 @@
 
 use clap::Args;
 use relativity_core::doppler::PAPER_INTENSITY_EXPONENT;
-use relativity_core::{Disparity, DomainError, MAX_COORDINATE, Model, SourcePoint, Speed, SpeedError};
+use relativity_core::{
+    Disparity, DomainError, MAX_COORDINATE, Model, SourcePoint, Speed, SpeedError, Stereo, StereoError,
+};
 use thiserror::Error;
 
 use crate::flags::finite_number;
 
-/// The columns, in order. Left and right are the primary and the secondary aperture.
-pub const COLUMNS: [&str; 14] = [
+/// Every column, in order, the last four with `--stereo` only. Left and right are the primary and the secondary aperture.
+const COLUMNS: [&str; 20] = [
     "x_left",
     "x_right",
     "t_left",
@@ -23,11 +25,19 @@ pub const COLUMNS: [&str; 14] = [
     "theta_right",
     "dphi",
     "dtheta",
+    "own_left",
+    "own_right",
+    "stereo_gain",
+    "stereo_x",
+    "stereo_y",
+    "stereo_z",
 ];
+/// How many there are without `--stereo`.
+const USUAL: usize = 16;
 /// Those of angles.
-pub const ANGLES: &[&str] = COLUMNS.split_at(8).1;
+pub const ANGLES: &[&str] = COLUMNS.split_at(14).0.split_at(8).1;
 
-/// The end of a command's help: what [`COLUMNS`] and the models are, and `examples`.
+/// The end of a command's help: what the columns and the models are, and `examples`.
 #[must_use]
 pub fn help_with(examples: &str) -> String {
     format!("{HELP}\n\n{examples}")
@@ -44,6 +54,11 @@ The columns appended, for the left and the right eye (x_left, x_right and so on)
 and the disparities between the two:
   dphi       phi_left - phi_right
   dtheta     theta_left - theta_right
+and for each eye again, on the clock that rides with the point:
+  own        what it shows as that light leaves: gamma (t - beta x), x from between the eyes
+and with --stereo where two eyes take the point to be, which is where their lines of sight meet:
+  stereo_gain  (x_left - x_right)/d: 1 for a point at rest
+  stereo_x     that place, from between the eyes; stereo_y and stereo_z too
 
 The published models evaluate the right eye through the left eye's formula at a shifted time, and measure its \
 angles from the left eye. They reproduce the paper (doi 10.1098/rspa.2019.0703) and leave parallax out.";
@@ -58,6 +73,9 @@ pub struct ModelArgs {
     #[arg(long, value_name = "N", default_value_t = PAPER_INTENSITY_EXPONENT, value_parser = finite_number,
           allow_hyphen_values = true)]
     pub intensity_exponent: f64,
+    /// Append where two eyes take the point to be: stereo_gain, stereo_x, stereo_y, stereo_z.
+    #[arg(long)]
+    pub stereo: bool,
 }
 
 /// One point at one observation time, before a pair of eyes.
@@ -85,6 +103,9 @@ pub enum ObservationError {
     /// The aperture separation is negative or outside the domain.
     #[error("d = {0:?} is out of range: it must be between 0 and 1e60")]
     Separation(f64),
+    /// The model has no stereo position.
+    #[error(transparent)]
+    Stereo(StereoError),
     /// A result that f64 cannot hold: the intensity, for a large exponent.
     #[error(
         "{column} comes out as {value}, which cannot be written; less extreme values or a smaller \
@@ -98,6 +119,15 @@ pub enum ObservationError {
     },
 }
 
+impl From<StereoError> for ObservationError {
+    fn from(error: StereoError) -> Self {
+        match error {
+            StereoError::Domain(error) => Self::Domain(error),
+            StereoError::Published(_) => Self::Stereo(error),
+        }
+    }
+}
+
 impl ObservationError {
     /// The column at fault.
     #[must_use]
@@ -108,21 +138,50 @@ impl ObservationError {
             Self::Speed(SpeedError::Rapidity(_)) => "rapidity",
             Self::Domain(error) => error.name,
             Self::Separation(_) => "d",
+            Self::Stereo(_) => COLUMNS[USUAL],
             Self::NotFinite { column, .. } => column,
         }
     }
 }
 
 impl ModelArgs {
-    /// The values of [`COLUMNS`], all finite.
+    /// The names of the columns.
+    ///
+    /// # Errors
+    ///
+    /// Stereo columns of a model that has none.
+    pub fn columns(&self) -> Result<&'static [&'static str], StereoError> {
+        match (self.stereo, self.model) {
+            (true, Model::Published(_)) => Err(StereoError::Published(self.model)),
+            (true, _) => Ok(&COLUMNS),
+            (false, _) => Ok(&COLUMNS[..USUAL]),
+        }
+    }
+
+    /// The values of the [`columns`](Self::columns), all finite.
     ///
     /// # Errors
     ///
     /// An input outside its domain, or an intensity that overflows. (One that underflows is 0.)
-    pub fn values(&self, observation: &Observation) -> Result<[f64; COLUMNS.len()], ObservationError> {
+    pub fn values(&self, observation: &Observation) -> Result<Vec<f64>, ObservationError> {
+        let mut values = self.sightings(observation)?.to_vec();
+        if self.stereo {
+            let &Observation { ref speed, point, separation, time } = observation;
+            let Stereo { gain, position } = self.model.stereo(speed, point, separation, time)?;
+            values.push(gain);
+            values.extend(position);
+        }
+        match values.iter().position(|value| !value.is_finite()) {
+            Some(index) => Err(ObservationError::NotFinite { column: COLUMNS[index], value: values[index] }),
+            None => Ok(values),
+        }
+    }
+
+    /// The values of the columns that are always there.
+    fn sightings(&self, observation: &Observation) -> Result<[f64; USUAL], ObservationError> {
         let Disparity { primary, secondary, dphi, dtheta } = self.disparity(observation)?;
         let exponent = self.intensity_exponent;
-        let values = [
+        Ok([
             primary.position[0],
             secondary.position[0],
             primary.retarded_time,
@@ -137,11 +196,9 @@ impl ModelArgs {
             secondary.theta(),
             dphi,
             dtheta,
-        ];
-        match values.iter().position(|value| !value.is_finite()) {
-            Some(index) => Err(ObservationError::NotFinite { column: COLUMNS[index], value: values[index] }),
-            None => Ok(values),
-        }
+            primary.own_time,
+            secondary.own_time,
+        ])
     }
 
     fn disparity(&self, observation: &Observation) -> Result<Disparity, ObservationError> {

@@ -105,7 +105,7 @@ fn no_default_view_crops_what_moves() {
 fn no_other_geometry_crops_it_either() {
     for beta in [0.3, 0.9, 0.9999] {
         for state in states(beta) {
-            for geometry in [Geometry::Contracted, Geometry::Rest, Geometry::Published] {
+            for geometry in [Geometry::Contracted, Geometry::Rest, Geometry::Published, Geometry::OneCone] {
                 assert_whole(&state, geometry);
             }
         }

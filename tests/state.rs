@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use clap::Parser;
+use clap::{Parser, ValueEnum as _};
 use gamow::app::args::WindowArgs;
 use gamow::app::command::Command;
 use gamow::app::observer::Eye;
@@ -49,7 +49,7 @@ fn the_window_at_its_start_shows_what_is_rendered_to_the_last_digit() {
     for scene in PRESETS {
         for (parameter, value) in speeds {
             for d in [0.0, 0.1, 2.0, 10.0] {
-                for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest, Geometry::Published] {
+                for &geometry in Geometry::value_variants() {
                     let mut settings = Settings { scene: scene.to_owned(), ..Settings::default() };
                     settings.motion.speed = SpeedSetting::new(parameter, value).expect("a speed");
                     settings.motion.d = d;

@@ -3,9 +3,12 @@
 
 use egui_plot::PlotPoint;
 use relativity_core::math;
-use relativity_core::{Aperture, Model, PublishedVariant, SourcePoint, Speed, equidistance_time};
+use relativity_core::{
+    Aperture, Model, PublishedVariant, SourcePoint, Speed, equidistance_time, observation_time_when_seen_at,
+};
 use relativity_render::Velocity;
 
+use crate::app::observer::Eye;
 use crate::passage::time_within;
 
 /// A quantity that is plotted against T.
@@ -21,6 +24,34 @@ pub enum Quantity {
     Theta,
     /// Decimal logarithm of D of the left and the right eye.
     LogDoppler,
+    /// Decimal logarithm of the stereo gain.
+    LogGain,
+    /// Distances of the point, each as a [`DistanceKind`].
+    Distance,
+}
+
+impl Quantity {
+    /// Whether what is plotted is a logarithm.
+    #[must_use]
+    pub const fn is_logarithm(self) -> bool {
+        matches!(self, Self::LogDoppler | Self::LogGain)
+    }
+}
+
+/// A distance of a point at one T.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DistanceKind {
+    /// From the middle between the eyes to where both take it to be: |p|.
+    Stereo,
+    /// From an eye to where it sees the point: R.
+    Seen(Eye),
+    /// From the middle between the eyes to where the point is at T.
+    Measured,
+}
+
+impl DistanceKind {
+    /// All of them, in the order of the curves.
+    pub const ALL: [Self; 4] = [Self::Stereo, Self::Seen(Eye::Left), Self::Seen(Eye::Right), Self::Measured];
 }
 
 /// What a point's curves depend on.
@@ -34,20 +65,34 @@ pub struct CurvesKey {
     pub separation: f64,
     /// First and last T.
     pub range: [f64; 2],
+    /// The model of what the views show. Where that is not the exact one, its curves are there beside.
+    pub model: Model,
     /// Whether the published model is wanted too.
     pub published: bool,
+    /// Whether what two eyes make of it is wanted too.
+    pub stereo: bool,
 }
 
 /// Every curve of one point.
 #[derive(Debug, Clone)]
 pub struct Curves {
     key: CurvesKey,
-    exact: [Vec<PlotPoint>; EXACT],
+    shown: OfModel,
+    exact: Option<OfModel>,
     published: [Vec<PlotPoint>; 2],
 }
 
+/// Those of one binocular model.
+#[derive(Debug, Clone)]
+struct OfModel {
+    eyes: [Vec<PlotPoint>; EYES],
+    stereo: [Vec<PlotPoint>; STEREO],
+}
+
 /// Delta-phi, Delta-theta, then phi, theta and log D of the left and of the right eye.
-const EXACT: usize = 8;
+const EYES: usize = 8;
+/// Log gain, then the distances.
+const STEREO: usize = 1 + DistanceKind::ALL.len();
 
 /// Largest distance of a drawn chord from the curve, as a fraction of the curve's height: a third of a
 /// pixel in a plot 600 pixels high.
@@ -62,19 +107,45 @@ const FIRST_INTERVALS: u32 = 64;
 /// as steps.
 const RUNGS: i32 = 40;
 
+impl OfModel {
+    fn new(key: &CurvesKey, model: Model, anchors: &[f64]) -> Self {
+        let eyes = channels(&sampled(key.range, anchors, |time| values(key, model, time)));
+        let stereo = if key.stereo {
+            channels(&sampled(key.range, anchors, |time| stereo_values(key, model, time)))
+        } else {
+            Default::default()
+        };
+        Self { eyes, stereo }
+    }
+
+    fn of(&self, quantity: Quantity) -> &[Vec<PlotPoint>] {
+        match quantity {
+            Quantity::DeltaPhi => &self.eyes[0..1],
+            Quantity::DeltaTheta => &self.eyes[1..2],
+            Quantity::Phi => &self.eyes[2..4],
+            Quantity::Theta => &self.eyes[4..6],
+            Quantity::LogDoppler => &self.eyes[6..8],
+            Quantity::LogGain => &self.stereo[..1],
+            Quantity::Distance => &self.stereo[1..],
+        }
+    }
+}
+
 impl Curves {
     /// The curves for `key`.
     #[must_use]
     pub fn new(key: CurvesKey) -> Self {
         let source = key.velocity.reflected_source(key.rest);
         let anchors = bends(&key.velocity.speed, source, key.separation);
-        let exact = channels(&sampled(key.range, &anchors, |time| exact_values(&key, time)));
+        let of = |model| OfModel::new(&key, model, &anchors);
+        let shown = of(key.model);
+        let exact = (key.model != Model::Exact).then(|| of(Model::Exact));
         let published = if key.published {
             channels(&sampled(key.range, &anchors, |time| published_values(&key, time)))
         } else {
             [Vec::new(), Vec::new()]
         };
-        Self { key, exact, published }
+        Self { key, shown, exact, published }
     }
 
     /// What they were made for.
@@ -83,16 +154,17 @@ impl Curves {
         &self.key
     }
 
-    /// The exact curve or, for a quantity of each eye, the pair.
+    /// The curve in the model of what the views show or, for a quantity of each eye, the pair; of distances each kind.
+    /// None that is not wanted.
+    #[must_use]
+    pub fn shown(&self, quantity: Quantity) -> &[Vec<PlotPoint>] {
+        self.shown.of(quantity)
+    }
+
+    /// The same in the exact model, where that is another.
     #[must_use]
     pub fn exact(&self, quantity: Quantity) -> &[Vec<PlotPoint>] {
-        match quantity {
-            Quantity::DeltaPhi => &self.exact[0..1],
-            Quantity::DeltaTheta => &self.exact[1..2],
-            Quantity::Phi => &self.exact[2..4],
-            Quantity::Theta => &self.exact[4..6],
-            Quantity::LogDoppler => &self.exact[6..8],
-        }
+        self.exact.as_ref().map_or(&[], |exact| exact.of(quantity))
     }
 
     /// The published model's curve; empty for what that model does not change or if it is not wanted.
@@ -101,13 +173,13 @@ impl Curves {
         match quantity {
             Quantity::DeltaPhi => &self.published[0],
             Quantity::DeltaTheta => &self.published[1],
-            Quantity::Phi | Quantity::Theta | Quantity::LogDoppler => &[],
+            _ => &[],
         }
     }
 }
 
-fn exact_values(key: &CurvesKey, time: f64) -> Option<[f64; EXACT]> {
-    let both = key.velocity.disparity(Model::Exact, key.rest, key.separation, time).ok()?;
+fn values(key: &CurvesKey, model: Model, time: f64) -> Option<[f64; EYES]> {
+    let both = key.velocity.disparity(model, key.rest, key.separation, time).ok()?;
     let (l, r) = (both.primary, both.secondary);
     let values = [
         both.dphi,
@@ -129,11 +201,51 @@ fn published_values(key: &CurvesKey, time: f64) -> Option<[f64; 2]> {
     values.iter().all(|value| value.is_finite()).then_some(values)
 }
 
-/// The times around which curves bend: T0, and when the point is objectively abreast of each eye.
+/// What two eyes make of a point at one T.
+#[derive(Debug, Clone, Copy)]
+pub struct StereoView {
+    /// The stereo gain.
+    pub gain: f64,
+    /// Of every [`DistanceKind`].
+    pub distances: [f64; DistanceKind::ALL.len()],
+}
+
+/// What two eyes make in this `model` at `time` of the point of `key`; `None` outside the domain of the core.
+#[must_use]
+pub fn stereo_view(key: &CurvesKey, model: Model, time: f64) -> Option<StereoView> {
+    let fused = key.velocity.stereo(model, key.rest, key.separation, time).ok()?;
+    let both = key.velocity.disparity(model, key.rest, key.separation, time).ok()?;
+    let source = key.velocity.reflected_source(key.rest);
+    let measured = [source.x0 + key.velocity.speed.beta() * time, source.y, source.z];
+    let distances = [
+        fused.distance(),
+        both.primary.distance,
+        both.secondary.distance,
+        measured.map(|along| along * along).iter().sum::<f64>().sqrt(),
+    ];
+    Some(StereoView { gain: fused.gain, distances })
+}
+
+fn stereo_values(key: &CurvesKey, model: Model, time: f64) -> Option<[f64; STEREO]> {
+    let StereoView { gain, distances: [stereo, left, right, measured] } = stereo_view(key, model, time)?;
+    let values = [math::log10(gain), stereo, left, right, measured];
+    values.iter().all(|value| value.is_finite()).then_some(values)
+}
+
+/// The times around which curves bend: T0, when the point is objectively abreast of each eye, and when it is seen there
+/// from between them.
 pub(super) fn bends(speed: &Speed, source: SourcePoint, separation: f64) -> Vec<f64> {
     let equidistant = equidistance_time(speed, source, separation).ok().flatten();
     let abreast = Aperture::pair(separation).map(|aperture| (aperture.x - source.x0) / speed.beta());
-    equidistant.into_iter().chain(abreast).filter(|time| time.is_finite()).collect()
+    let seen =
+        |aperture: Aperture| observation_time_when_seen_at(speed, source, 0.0, aperture.x).ok().flatten();
+    let seen = Aperture::pair(separation).map(seen);
+    equidistant
+        .into_iter()
+        .chain(abreast)
+        .chain(seen.into_iter().flatten())
+        .filter(|time| time.is_finite())
+        .collect()
 }
 
 /// Values at one T.
@@ -248,7 +360,16 @@ mod tests {
         let velocity = Velocity::from_beta(beta).expect("in range");
         let [x0, y, z] = point;
         let rest = [x0 * velocity.speed.gamma(), y, z];
-        CurvesKey { velocity, rest, separation: 0.3, range: [-2.0, 5.0], published: true }
+        let model = Model::OneCone;
+        CurvesKey {
+            velocity,
+            rest,
+            separation: 0.3,
+            range: [-2.0, 5.0],
+            model,
+            published: true,
+            stereo: true,
+        }
     }
 
     /// Linear interpolation in a drawn curve.
@@ -268,18 +389,22 @@ mod tests {
         ] {
             let key = key(beta, point);
             let curves = Curves::new(key);
-            let curve = &curves.exact(Quantity::DeltaPhi)[0];
-            let height = curve.iter().map(|p| p.y).fold(0.0f64, |a, b| a.max(b.abs()));
-            for i in 0..5000 {
-                let time = -2.0 + 7.0 * (f64::from(i) + 0.37) / 5000.0;
-                let exact = exact_values(&key, time).expect("in the domain")[0];
-                assert!(
-                    (drawn(curve, time) - exact).abs() <= height / 600.0,
-                    "beta = {beta}, T = {time}: {} for {exact}",
-                    drawn(curve, time)
-                );
+            for (model, curves) in
+                [(Model::OneCone, &curves.shown), (Model::Exact, curves.exact.as_ref().expect("another"))]
+            {
+                let curve = &curves.eyes[0];
+                let height = curve.iter().map(|p| p.y).fold(0.0f64, |a, b| a.max(b.abs()));
+                for i in 0..5000 {
+                    let time = -2.0 + 7.0 * (f64::from(i) + 0.37) / 5000.0;
+                    let exact = values(&key, model, time).expect("in the domain")[0];
+                    assert!(
+                        (drawn(curve, time) - exact).abs() <= height / 600.0,
+                        "{model:?}, beta = {beta}, T = {time}: {} for {exact}",
+                        drawn(curve, time)
+                    );
+                }
+                assert!(curve.len() < 4000, "{} samples", curve.len());
             }
-            assert!(curve.len() < 4000, "{} samples", curve.len());
         }
     }
 
@@ -288,9 +413,11 @@ mod tests {
         for beta in [0.0, 0.5, 0.999_999_999_999_999_9] {
             for point in [[0.0, 0.0, 0.0], [0.15, 0.0, 0.0], [0.0, 0.0, 1.0], [1e6, 1e-9, 0.0]] {
                 let curves = Curves::new(key(beta, point));
-                let all = curves.exact.iter().chain(&curves.published).flatten();
+                let models = [Some(&curves.shown), curves.exact.as_ref()].into_iter().flatten();
+                let models = models.flat_map(|of| of.eyes.iter().chain(&of.stereo));
+                let all = models.chain(&curves.published).flatten();
                 assert!(all.clone().all(|point| point.x.is_finite() && point.y.is_finite()));
-                assert!(all.count() < 10_000, "beta = {beta}, {point:?}");
+                assert!(all.count() < 20_000, "beta = {beta}, {point:?}");
             }
         }
     }

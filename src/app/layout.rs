@@ -247,6 +247,40 @@ mod tests {
         }
     }
 
+    fn of(size: [f32; 2], window: Window) -> Layout {
+        Layout::of(Rect::from_min_size(pos2(0.0, 0.0), size.into()), window)
+    }
+
+    #[test]
+    fn the_map_stands_beside_the_plots_where_there_is_room_and_leaves_the_views_as_large() {
+        for size in [[1280.0, 800.0], [1920.0, 1080.0], [3840.0, 2160.0]] {
+            let with_map = of(size, Window::default());
+            let without = of(size, Window { map: Presence::Off, ..Window::default() });
+            let (map, plots) = (with_map.map.expect("shown"), with_map.plots.expect("shown"));
+            assert!(map.width() >= 380.0 && map.height() >= 270.0 && plots.width() >= 530.0, "{size:?}");
+            assert_eq!((with_map.panes, without.map), (without.panes, None));
+        }
+    }
+
+    #[test]
+    fn a_small_window_has_a_map_in_place_of_the_plots_when_asked() {
+        let size = [1024.0, 600.0];
+        let unasked = of(size, Window::default());
+        assert!(unasked.map.is_none() && unasked.plots.is_some());
+        let asked = of(size, Window { map: Presence::On, ..Window::default() });
+        assert_eq!((asked.map, asked.plots), (unasked.plots, None));
+    }
+
+    #[test]
+    fn without_views_the_map_has_their_place_and_alone_all_of_it() {
+        let no_views = Window { views: false, ..Window::default() };
+        let with_plots = of([800.0, 600.0], no_views);
+        assert!(with_plots.map.is_some() && with_plots.plots.is_some());
+        let alone = of([800.0, 600.0], Window { plots: false, controls: false, ..no_views });
+        let map = alone.map.expect("shown");
+        assert!(map.width() >= 780.0 && map.height() >= 470.0, "{map:?}");
+    }
+
     #[test]
     fn parts_stay_inside_the_window_and_do_not_overlap() {
         for size in [[1.0, 1.0], [100.0, 50.0], [400.0, 300.0], [1024.0, 600.0], [3840.0, 2160.0]] {

@@ -12,7 +12,7 @@ use super::points::Point;
 use super::state::State;
 use crate::caption::Moment;
 use crate::scene::Track;
-use crate::settings::{Look, Settings, Subject};
+use crate::settings::{Look, PlotTab, Settings, Subject};
 
 /// One of the two eyes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -103,7 +103,7 @@ impl State {
         moment.told_in(self.measures())
     }
 
-    /// The exact disparity of `point` now.
+    /// The disparity of `point` now, in the binocular model of what the views show.
     #[must_use]
     pub fn disparity(&self, point: &Point) -> Option<Disparity> {
         self.settings.disparity(&point.track, self.session.time).ok()
@@ -163,7 +163,9 @@ impl State {
             rest: self.settings.rest_place(point.track.rest),
             separation: self.settings.motion.d,
             range: self.time_range(),
+            model: self.settings.model(),
             published: self.settings.plots.published,
+            stereo: self.settings.plots.plot == PlotTab::Stereo,
         }
     }
 
@@ -175,6 +177,7 @@ impl State {
             source: self.selected_source(),
             separation: self.settings.motion.d,
             range: self.settings.fit.fit_range.0.unwrap_or_else(|| self.time_range()),
+            model: self.settings.model(),
             setup: self.settings.fit,
         }
     }

@@ -19,7 +19,7 @@ pub struct Shortcut {
 type Binding = (Key, fn(Modifiers) -> Command);
 
 /// All of them.
-pub const SHORTCUTS: [Shortcut; 12] = [
+pub const SHORTCUTS: [Shortcut; 13] = [
     Shortcut { keys: "Space", action: "play, pause", commands: &[(Key::Space, |_| Command::TogglePlaying)] },
     Shortcut {
         keys: "← →",
@@ -56,6 +56,11 @@ pub const SHORTCUTS: [Shortcut; 12] = [
         keys: "3",
         action: "at rest",
         commands: &[(Key::Num3, |_| Command::Geometry(Geometry::Rest))],
+    },
+    Shortcut {
+        keys: "4",
+        action: "one light cone for both eyes",
+        commands: &[(Key::Num4, |_| Command::Geometry(Geometry::OneCone))],
     },
     Shortcut {
         keys: "F",

@@ -47,6 +47,8 @@ pub struct Moment {
 enum Shown {
     /// What arrives at each eye; at both in one place the same.
     Received([Sighting; 2], Eyes, Clock),
+    /// What arrives at the middle between the eyes, as if both received that.
+    OneCone(Sighting),
     /// What arrives at the left eye; the right eye's picture is the published model's.
     Published(Sighting),
     /// Where it is at T: this x from between the eyes.
@@ -99,6 +101,7 @@ impl Moment {
     pub fn doppler_factors(&self) -> [Option<f64>; 2] {
         match self.shown {
             Shown::Received([left, right], ..) => [left, right].map(|seen| Some(seen.doppler_factor)),
+            Shown::OneCone(seen) => [Some(seen.doppler_factor); 2],
             Shown::Published(left) => [Some(left.doppler_factor), None],
             Shown::RidingAlong(factors) => factors.map(Some),
             Shown::Contracted(_) | Shown::Unknown => [None; 2],
@@ -129,6 +132,12 @@ impl Moment {
                 let left = departure(&seen, eyes, unit);
                 let shown = if clock == Clock::OfItsOwn { own_clock(&seen, unit) } else { String::new() };
                 self.with_light(&format!("Light received now (T = {now}) left {name} {left}{shown}"))
+            }
+            Shown::OneCone(seen) => {
+                let left = departure(&[seen, seen], Eyes::Together, unit) + &own_clock(&[seen, seen], unit);
+                let start =
+                    "As if both eyes received the same events: light received midway between them now";
+                self.with_light(&format!("{start} (T = {now}) left {name} {left}"))
             }
             Shown::Published(seen) => {
                 let left = told(unit, seen.retarded_time);
@@ -209,6 +218,9 @@ impl Shown {
             Geometry::Rest if settings.speed().beta() != 0.0 => Self::riding_along(settings, track, time),
             Geometry::Contracted if is_moving => {
                 Some(Self::Contracted(settings.measured_place(track, time)[0]))
+            }
+            Geometry::OneCone if is_moving && settings.motion.d != 0.0 => {
+                Some(Self::OneCone(seen()?.primary))
             }
             Geometry::Published if is_moving => Some(Self::Published(seen()?.primary)),
             // Where nothing moves all geometries are alike.

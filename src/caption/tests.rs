@@ -1,5 +1,6 @@
 //! What the sentences say, against numbers of the core.
 
+use clap::ValueEnum as _;
 use relativity_core::{Aperture, SourcePoint, Speed, sighting};
 use relativity_render::{Colour, Emission, Geometry, Motion, Velocity};
 
@@ -99,7 +100,7 @@ fn eyes_that_hardly_differ_are_told_apart_by_more_decimals() {
 
 #[test]
 fn at_rest_light_arrives_as_it_left() {
-    for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest, Geometry::Published] {
+    for &geometry in Geometry::value_variants() {
         let mut settings = settings(0.0, 0.1);
         settings.look.geometry = geometry;
         let sentence = moment(&settings, 1.1).sentence();
@@ -138,6 +139,22 @@ fn who_rides_along_receives_no_shift_from_what_rides_along() {
 }
 
 #[test]
+fn one_light_cone_for_both_eyes_is_said_to_be_made_up() {
+    let mut settings = settings(0.9, 0.1);
+    settings.look.geometry = Geometry::OneCone;
+    let moment = moment(&settings, 1.1);
+    let sentence = moment.sentence();
+    assert!(sentence.starts_with("As if both eyes received the same events"), "{sentence}");
+    assert_eq!(sentence.matches("nm").count(), 1, "{sentence}");
+    // What the middle receives.
+    let [[left, ..], [right, ..]] = core(0.9, 0.1, 1.1);
+    let [[middle, wavelength, _], _] = core(0.9, 0.0, 1.1);
+    assert!(left < middle && middle < right || right < middle && middle < left);
+    assert!(sentence.contains(&format!("at t = {middle:.2}").replace('-', "−")), "{sentence}");
+    assert!(moment.wavelengths_nm().iter().flatten().all(|nm| (nm - wavelength).abs() < 1e-9));
+}
+
+#[test]
 fn the_published_model_says_so() {
     let mut settings = settings(0.9, 0.1);
     settings.look.geometry = Geometry::Published;
@@ -173,7 +190,7 @@ fn extremes_are_told_in_numbers() {
     for gamma in [1.0, 1.0 + 1e-9, 2.0, 1e5, 1e12, 1e30] {
         for d in [0.0, 1e-9, 0.1, 1e6] {
             for time in [-1e12, -3.0, 0.0, 4.0, 1e12] {
-                for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest, Geometry::Published] {
+                for &geometry in Geometry::value_variants() {
                     let mut settings = settings(0.0, d);
                     settings.motion.speed = SpeedSetting::new(SpeedParameter::Gamma, gamma).expect("a speed");
                     settings.look.geometry = geometry;

@@ -6,7 +6,7 @@ use clap::Args;
 use csv::ByteRecord;
 use relativity_core::SourcePoint;
 
-use crate::columns::{COLUMNS, ModelArgs, Observation, ObservationError, help_with};
+use crate::columns::{ModelArgs, Observation, ObservationError, help_with};
 use crate::files::csv_out;
 use crate::files::whole::OutArgs;
 use crate::flags::{SpeedArgs, finite_number};
@@ -55,6 +55,7 @@ const EXAMPLES: &str = "\
 Examples:
   gamow curve --samples 5
   gamow curve --beta 0.9 --d 0.3 --y 0.5 --z 0.5 --from -2 --to 5 --model published
+  gamow curve --stereo | cut -d, -f 6,23-26
   gamow curve --gamma 1e6 --x0 -10 --from 0 --to 20 --out curve.csv";
 
 /// Runs `gamow curve`.
@@ -77,14 +78,14 @@ fn write_curve(
     let (parameter, speed) = args.speed.parameter(CYCLIST_BETA);
     let mut output = csv_out::Rows::new(out);
     let mut row = ByteRecord::from(vec![parameter.name(), "d", "y", "z", "x0", "T"]);
-    row.extend(COLUMNS);
+    row.extend(args.model.columns()?);
     output.write(&mut row, &[])?;
     for sample in 0..args.samples {
         let time = time_within([from, to], sample as f64 / (args.samples - 1) as f64);
         let values = args.model.values(&Observation { time, ..first })?;
         row.clear();
         let inputs = [speed, args.d, args.y, args.z, args.x0, time];
-        output.write(&mut row, &[&inputs[..], &values].concat())?;
+        output.write(&mut row, &[&inputs[..], &values[..]].concat())?;
     }
     Ok(output.flush()?)
 }

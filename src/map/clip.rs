@@ -34,6 +34,9 @@ impl Chart {
             let reach = self.half[axis] + margin;
             let [low, high] = [self.middle[axis] - reach, self.middle[axis] + reach];
             let along = b[axis] - a[axis];
+            if !along.is_finite() {
+                return None;
+            }
             if along == 0.0 {
                 if !(low..=high).contains(&a[axis]) {
                     return None;

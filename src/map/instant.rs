@@ -1,7 +1,7 @@
 //! The present T of an observer, as the map asks for it: where points are, and where they are seen.
 
 use glam::DVec3;
-use relativity_core::Aperture;
+use relativity_core::{Aperture, Model, Stereo};
 use relativity_render::{Geometry, GroupView, Motion, Velocity, View};
 
 use crate::scene::Track;
@@ -77,7 +77,10 @@ impl<'a> Instant<'a> {
         Places {
             shift: DVec3::new(0.0, set.depth_shift, set.height_shift),
             eyes: self.settings.apertures().map(position),
+            separation: set.d,
             seen: self.seen.map(|view| view.of_group(motion)),
+            received: self.time,
+            velocity: self.settings.velocity(motion),
             relative: self.settings.velocity(motion).seen_from(frame),
             time: frame.speed.gamma() * self.time,
             frame: self.frame(),
@@ -98,8 +101,12 @@ pub struct Places {
     shift: DVec3,
     /// In the scene's coordinates.
     eyes: [DVec3; 2],
+    separation: f64,
     seen: [GroupView; 2],
-    /// Against the frame that is drawn.
+    /// T.
+    received: f64,
+    /// Against the ground, and against the frame that is drawn.
+    velocity: Velocity,
     relative: Velocity,
     /// The present by the clocks of that frame.
     time: f64,
@@ -116,11 +123,26 @@ impl Places {
             (Picture::Seen(eye), Frame::Ground) => {
                 self.eyes[eye] + self.seen[eye].apparent_position(rest)? + self.shift
             }
+            (Picture::Stereo, Frame::Ground) => self.stereo(rest)?.position.into(),
             // Its light left it where it rests.
             (Picture::Seen(_), Frame::Bicycle) if self.relative == Velocity::REST => rest + self.shift,
             _ => return None,
         };
         place.is_finite().then_some(place)
+    }
+
+    /// What a ball of this `radius` around the point at `rest` becomes: where its radii along x, y and z lead, from the
+    /// place of the point.
+    #[must_use]
+    pub fn ball(&self, picture: Picture, rest: DVec3, radius: f64) -> Option<[DVec3; 3]> {
+        let center = self.place(picture, rest)?;
+        let radius_along = |axis: DVec3| Some(self.place(picture, rest + radius * axis)? - center);
+        Some([radius_along(DVec3::X)?, radius_along(DVec3::Y)?, radius_along(DVec3::Z)?])
+    }
+
+    fn stereo(&self, rest: DVec3) -> Option<Stereo> {
+        let place = (rest + self.shift).to_array();
+        self.velocity.stereo(Model::Exact, place, self.separation, self.received).ok()
     }
 
     /// Where the point at `rest` is now.

@@ -51,32 +51,30 @@ impl Worldline {
         t / self.velocity.speed.gamma() - self.velocity.beta() * self.rest[0]
     }
 
-    /// The ground's time at which that clock shows `own`.
+    /// The ground's time of its event at the time `t` of the map's frame.
     #[must_use]
-    pub fn time(&self, own: f64) -> f64 {
-        self.velocity.speed.gamma() * (own + self.velocity.beta() * self.rest[0])
-    }
-
-    /// What that clock shows at the time `t` of the map's frame.
-    #[must_use]
-    pub fn own_time_at(&self, t: f64) -> f64 {
-        let (zero, step) = (self.at(0.0), self.step());
-        self.own_time((t - zero.t) / step.t)
+    pub fn ground_time(&self, t: f64) -> f64 {
+        (t - self.at(0.0).t) / self.step().t
     }
 
     /// The step that it makes in a unit of the ground's time.
     #[must_use]
     pub fn step(&self) -> Event {
-        if self.rests {
-            return Event { x: 0.0, t: 1.0 / self.velocity.speed.gamma() };
-        }
-        self.on_ground().step.in_frame(self.frame)
+        self.step_in(self.frame)
     }
 
-    /// How much slower its own clock runs than those of the ground.
+    /// That step in the frame that moves at `frame`: a unit of the ground's time is 1/gamma of its own, which that
+    /// frame's clocks have as gamma of the velocity between the two.
+    pub(super) fn step_in(&self, frame: Velocity) -> Event {
+        let relative = self.velocity.seen_from(frame);
+        let t = relative.speed.gamma() / self.velocity.speed.gamma();
+        Event { x: relative.beta() * t, t }
+    }
+
+    /// Whether the point rests in the frame of the map.
     #[must_use]
-    pub const fn gamma(&self) -> f64 {
-        self.velocity.speed.gamma()
+    pub const fn rests(&self) -> bool {
+        self.rests
     }
 
     /// y and z of the point from the eyes.
@@ -107,7 +105,7 @@ pub struct Ray {
 /// A time outside the domain of the core.
 pub fn rays(settings: &Settings, point: &Track, time: f64, frame: Velocity) -> Result<[Ray; 2], DomainError> {
     let worldline = Worldline::new(settings, point, frame);
-    let both = settings.disparity(point, time)?;
+    let both = settings.exact_disparity(point, time)?;
     let [left, right] = settings.apertures();
     Ok([(both.primary, left), (both.secondary, right)].map(|(seen, eye)| {
         // Where and when it rests is known better than by its place on the ground.
@@ -126,6 +124,8 @@ pub fn rays(settings: &Settings, point: &Track, time: f64, frame: Velocity) -> R
 pub struct Front {
     /// Where along x and when it left.
     pub left: Event,
+    /// When that was on the ground's clocks.
+    pub happened: f64,
     /// What the point's own clock showed then.
     pub own_time: f64,
     /// How far it has come.
@@ -147,23 +147,23 @@ impl Ray {
     /// The front that it belongs to, as it reaches the eye.
     #[must_use]
     pub fn front(&self) -> Front {
-        Front { left: self.left, own_time: self.own_time, radius: self.received.t - self.left.t }
+        let Self { left, received, happened, own_time } = *self;
+        Front { left, happened, own_time, radius: received.t - left.t }
     }
 }
 
 /// How many fronts there are at most.
 const MOST_FRONTS: i32 = 10;
 
-/// The fronts of light that left the point at each multiple of `period` of its own clock, as they are at `now` in the
-/// frame of the worldline, the last ones first; one `period` after the other, so that none that is shown before is left
-/// out later on but the oldest.
+/// The fronts of light that left the point at the multiples of `period` of the time of the worldline's frame, as they are
+/// at its time `now`; the last ones first.
 pub fn fronts(worldline: &Worldline, now: f64, period: f64) -> impl Iterator<Item = Front> {
-    let present = worldline.own_time_at(now);
-    let last = (present / period).floor();
-    let number = if period > 0.0 && last.is_finite() { MOST_FRONTS } else { 0 };
+    let last = (now / period).floor();
+    let number = if last.is_finite() { MOST_FRONTS } else { 0 };
     (0..number).map(move |back| {
-        let own_time = (last - f64::from(back)) * period;
-        let left = worldline.at(worldline.time(own_time));
-        Front { left, own_time, radius: now - left.t }
+        let t = (last - f64::from(back)) * period;
+        let happened = worldline.ground_time(t);
+        let left = Event { t, ..worldline.at(happened) };
+        Front { left, happened, own_time: worldline.own_time(happened), radius: now - t }
     })
 }

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use relativity_render::Shape;
 
 use super::fit::ball_around;
@@ -39,15 +39,42 @@ pub struct Line {
     pub rests: bool,
     /// Which of its pictures.
     pub picture: Picture,
-    /// Half its thickness; 0 of an edge.
-    pub radius: f64,
+    /// What is around it: the radii along x, y and z of a ball as thick as it, at rest and on the map. None of an edge.
+    pub ball: Option<Ball>,
     /// The only projection that it is drawn in, if not in both.
     pub only: Option<Projection>,
     /// Its points among [`Lines::vertices`].
     vertices: Range<usize>,
 }
 
+/// A ball, and what it becomes on the map.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ball {
+    /// Its radius at rest.
+    pub radius: f64,
+    /// Where its radii along x, y and z lead on the map, from its middle.
+    pub radii: [DVec3; 3],
+}
+
+impl Ball {
+    /// Half its width in `projection` across the line `from` there `to` there.
+    #[must_use]
+    pub fn half_width(&self, projection: Projection, [from, to]: [[f64; 2]; 2]) -> f64 {
+        let along = DVec2::from(to) - DVec2::from(from);
+        let Some(across) = along.try_normalize().map(DVec2::perp) else { return 0.0 };
+        // Where the tangent across is, of the ellipsoid that the ball becomes.
+        let reach = self.radii.map(|radius| DVec2::from(projection.flat(radius)).dot(across));
+        DVec3::from(reach).length()
+    }
+}
+
 impl Line {
+    /// Half its thickness in `projection` between two of its places there.
+    #[must_use]
+    pub fn half_width(&self, projection: Projection, ends: [[f64; 2]; 2]) -> f64 {
+        self.ball.map_or(0.0, |ball| ball.half_width(projection, ends))
+    }
+
     /// Whether it is drawn in `projection`.
     #[must_use]
     pub fn is_in(&self, projection: Projection) -> bool {
@@ -105,8 +132,10 @@ impl Lines {
             sampler.sample(&path, &mut self.vertices);
             let vertices = first..self.vertices.len();
             if vertices.len() > 1 {
-                let Sampler { picture, rests, .. } = *sampler;
-                self.all.push(Line { body, rests, picture, radius, only, vertices });
+                let Sampler { picture, rests, places, .. } = *sampler;
+                let radii = places.ball(picture, path.at(0.5), radius);
+                let ball = radii.filter(|_| radius > 0.0).map(|radii| Ball { radius, radii });
+                self.all.push(Line { body, rests, picture, ball, only, vertices });
             }
         }
     }

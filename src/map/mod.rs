@@ -16,6 +16,8 @@ mod nearest;
 mod outline;
 mod projection;
 mod sight;
+#[cfg(test)]
+mod tests;
 mod ticks;
 
 pub use chart::{Chart, Viewpoint};
@@ -24,7 +26,7 @@ pub use event::{Event, StraightLine};
 pub use fit::{Extent, plan_and_side};
 pub use instant::{Instant, Picture, Places};
 pub use light::{Front, Ray, Worldline, fronts, rays};
-pub use lines::{Line, Lines, Vertex};
+pub use lines::{Ball, Line, Lines, Vertex};
 pub use nearest::Nearest;
 pub use projection::Projection;
 pub use sight::field_of_view;

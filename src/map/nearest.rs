@@ -30,9 +30,10 @@ impl Lines {
         let mut nearest = None;
         for line in self.all.iter().filter(|line| line.is_in(projection)) {
             for pair in self.vertices(line).windows(2) {
-                let [from, to] = [pair[0], pair[1]].map(|end| chart.screen(projection.flat(end.place)));
+                let ends = [pair[0], pair[1]].map(|end| projection.flat(end.place));
+                let [from, to] = ends.map(|end| chart.screen(end));
                 let (part, distance) = along(from, to, pointer);
-                let distance = (distance - line.radius * chart.scale).max(0.0);
+                let distance = (distance - line.half_width(projection, ends) * chart.scale).max(0.0);
                 if distance <= least {
                     least = distance;
                     nearest = Some((line, [pair[0], pair[1]], part));
@@ -48,7 +49,8 @@ impl<'a> Nearest<'a> {
         let vertex = Vertex { rest: from.rest.lerp(to.rest, part), place: from.place.lerp(to.place, part) };
         let along = (to.rest - from.rest).try_normalize();
         let outwards = along.and_then(|along| DVec3::NEG_Y.reject_from_normalized(along).try_normalize());
-        let surface = vertex.rest + line.radius * outwards.unwrap_or(DVec3::Z);
+        let radius = line.ball.map_or(0.0, |ball| ball.radius);
+        let surface = vertex.rest + radius * outwards.unwrap_or(DVec3::Z);
         Self { line, vertex, surface }
     }
 }

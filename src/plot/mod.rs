@@ -9,8 +9,8 @@ use std::fmt::Write as _;
 
 use relativity_core::math;
 
+pub use self::scale::round_step;
 use self::scale::{decades, linear_ticks, powers_of_ten, span, widened};
-pub use self::scale::{multiples, round_step, tick_label};
 
 /// Black.
 pub const BLACK: &str = "#000000";

@@ -51,14 +51,10 @@ pub fn linear_ticks(range: [f64; 2]) -> Vec<(f64, String)> {
 
 /// Round values inside `range`: multiples of 1, 2 or 5 times a power of ten.
 fn ticks([low, high]: [f64; 2]) -> Vec<f64> {
-    multiples(round_step((high - low) / TICKS), [low, high]).collect()
-}
-
-/// The multiples of `step` inside a range.
-pub fn multiples(step: f64, [low, high]: [f64; 2]) -> impl Iterator<Item = f64> {
+    let step = round_step((high - low) / TICKS);
     let first = (low / step).ceil() as i64;
     let last = (high / step).floor() as i64;
-    (first..=last).map(move |n| n as f64 * step)
+    (first..=last).map(|n| n as f64 * step).collect()
 }
 
 /// The least of 1, 2 and 5 times a power of ten that is not below `step`.
@@ -69,7 +65,7 @@ pub fn round_step(step: f64) -> f64 {
 }
 
 /// At most six significant digits: what is left of them is rounding.
-pub fn tick_label(value: f64) -> String {
+fn tick_label(value: f64) -> String {
     let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
     rounded.to_string().replace('-', "\u{2212}")
 }

@@ -86,22 +86,43 @@ impl Settings {
         [if velocity.is_backward { -x } else { x }, source.y, source.z]
     }
 
-    /// What the eyes see of `point` at `observation_time`, exactly.
+    /// The binocular model by which the views are told in numbers: one light cone for both eyes where they show that,
+    /// else the exact one. (In the paper's only the right eye's picture is another, and no light.)
+    #[must_use]
+    pub const fn model(&self) -> Model {
+        match self.look.geometry {
+            Geometry::OneCone => Model::OneCone,
+            Geometry::Seen | Geometry::Contracted | Geometry::Rest | Geometry::Published => Model::Exact,
+        }
+    }
+
+    /// What the eyes receive of `point` at `observation_time`, by the [`Self::model`] of what the views show.
     ///
     /// # Errors
     /// A time outside the domain of the core.
     pub fn disparity(&self, point: &Track, observation_time: f64) -> Result<Disparity, DomainError> {
-        let place = self.rest_place(point.rest);
-        self.velocity(point.motion).disparity(Model::Exact, place, self.motion.d, observation_time)
+        self.disparity_in(self.model(), point, observation_time)
     }
 
-    /// Where the eyes take `point` to be at `observation_time`, each with a light cone of its own.
+    /// What each eye sees of `point` at `observation_time`, through its own light cone, whatever the views show.
+    ///
+    /// # Errors
+    /// A time outside the domain of the core.
+    pub fn exact_disparity(&self, point: &Track, observation_time: f64) -> Result<Disparity, DomainError> {
+        self.disparity_in(Model::Exact, point, observation_time)
+    }
+
+    fn disparity_in(&self, model: Model, point: &Track, time: f64) -> Result<Disparity, DomainError> {
+        self.velocity(point.motion).disparity(model, self.rest_place(point.rest), self.motion.d, time)
+    }
+
+    /// Where the eyes take `point` to be at `observation_time`, by the [`Self::model`] of what the views show.
     ///
     /// # Errors
     /// A time outside the domain of the core.
     pub fn stereo(&self, point: &Track, observation_time: f64) -> Result<Stereo, StereoError> {
         let place = self.rest_place(point.rest);
-        self.velocity(point.motion).stereo(Model::Exact, place, self.motion.d, observation_time)
+        self.velocity(point.motion).stereo(self.model(), place, self.motion.d, observation_time)
     }
 
     /// The T of a picture for which none is given: when `point` is seen 45 degrees before it is abreast.

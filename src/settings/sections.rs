@@ -241,6 +241,8 @@ pub enum PlotTab {
     Angles,
     /// Doppler factor for each eye.
     Doppler,
+    /// Where two eyes take the point to be.
+    Stereo,
     /// Speed and distance fitted to noisy disparities.
     Fit,
     /// What each way to draw the views costs, and how far it is off.

@@ -23,9 +23,10 @@ impl Painter {
     ///
     /// # Errors
     ///
-    /// A renderer that cannot be had, or that cannot draw the published geometry.
+    /// A renderer that cannot be had, or that cannot draw the geometry.
     pub fn new(settings: &Settings) -> anyhow::Result<Self> {
         let is_published = settings.look.geometry == Geometry::Published;
+        let has_one_cone = settings.look.geometry == Geometry::OneCone;
         let mesh = Method::Mesh { bound_px: settings.quality.bound_px };
         let (method, gpu) = match settings.quality.renderer {
             RendererChoice::Mesh => (mesh, Some(Gpu::headless().context("the mesh renderer")?)),
@@ -35,6 +36,13 @@ impl Painter {
             _ if is_published => anyhow::bail!(
                 "--geometry published is defined point by point: only `--renderer mesh` draws it"
             ),
+            RendererChoice::Exact if has_one_cone => anyhow::bail!(
+                "--geometry one-cone is seen along curved rays: only `--renderer mesh` and `--renderer reference` draw it"
+            ),
+            RendererChoice::Auto if has_one_cone => match automatic() {
+                (Method::Reference, gpu) => (Method::Reference, gpu),
+                (_, gpu) => (mesh, gpu),
+            },
             RendererChoice::Reference => (Method::Reference, None),
             RendererChoice::Exact => (Method::Exact, Some(Gpu::headless().context("the exact renderer")?)),
             RendererChoice::Auto => automatic(),

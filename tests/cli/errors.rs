@@ -39,6 +39,26 @@ fn header_faults_are_named() {
 }
 
 #[test]
+fn a_published_model_has_no_stereo_columns_and_says_so() {
+    let said =
+        "gamow: the model published has no stereo position: it measures both eyes' angles from the left eye";
+    let eval = run(gamow().args(["eval", "--stereo", "--model", "published"]), GOOD.as_bytes());
+    assert!(eval.stdout.is_empty());
+    assert_eq!(eval.complaint(), said);
+    let curve = words("curve --stereo --model published");
+    assert!(curve.stdout.is_empty());
+    assert_eq!(curve.complaint(), said);
+}
+
+#[test]
+fn a_stereo_column_that_is_there_is_taken_only_with_the_flag() {
+    let input = "beta,d,y,z,T,stereo_x\n0.9,0.3,0.5,0.5,0,1\n";
+    eval(input).text();
+    let complaint = run(gamow().args(["eval", "--stereo"]), input.as_bytes()).complaint();
+    assert!(complaint.contains("column stereo_x is there already"), "{complaint}");
+}
+
+#[test]
 fn values_that_are_no_numbers_are_named() {
     let cases = [
         ("", "\"\" is empty; it should be a number"),

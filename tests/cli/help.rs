@@ -66,7 +66,9 @@ fn every_example_in_the_readme_prints_what_is_shown() {
 #[test]
 fn help_names_every_column() {
     let help = words("eval --help").text();
-    for name in ["x", "t", "doppler", "intensity", "phi", "theta", "dphi", "dtheta"] {
+    for name in
+        ["x", "t", "doppler", "intensity", "phi", "theta", "dphi", "dtheta", "own", "stereo_gain", "stereo_x"]
+    {
         assert!(help.lines().any(|line| line.trim_start().starts_with(name)), "{name}");
     }
 }

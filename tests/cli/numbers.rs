@@ -149,8 +149,8 @@ fn beta_gamma_and_rapidity_agree() {
     }
 }
 
-/// One eye's [x, t, doppler, phi, theta], by bisection for the time of emission.
-fn sighting_by_bisection(beta: f64, [x0, y, z]: [f64; 3], aperture: f64, time: f64) -> [f64; 5] {
+/// One eye's [x, t, doppler, phi, theta, own], by bisection for the time of emission.
+fn sighting_by_bisection(beta: f64, [x0, y, z]: [f64; 3], aperture: f64, time: f64) -> [f64; 6] {
     let place = |t: f64| x0 + beta * t - aperture;
     let distance = |t: f64| (place(t).powi(2) + y * y + z * z).sqrt();
     let (mut early, mut late) = (time - 1e4, time);
@@ -160,7 +160,9 @@ fn sighting_by_bisection(beta: f64, [x0, y, z]: [f64; 3], aperture: f64, time: f
     }
     let (x, r) = (place(late), distance(late));
     let doppler = (1.0 - beta * beta).sqrt() / (1.0 + beta * x / r);
-    [x, late, doppler, y.atan2(x), (z / r).asin()]
+    // The Lorentz transformation of the event.
+    let own = (late - beta * (x + aperture)) / (1.0 - beta * beta).sqrt();
+    [x, late, doppler, y.atan2(x), (z / r).asin(), own]
 }
 
 #[test]
@@ -177,7 +179,7 @@ fn every_column_agrees_with_bisection_on_the_light_cone() {
         let table = eval(input).table();
         let left = sighting_by_bisection(beta, point, -d / 2.0, time);
         let right = sighting_by_bisection(beta, point, d / 2.0, time);
-        for (index, name) in ["x", "t", "doppler", "phi", "theta"].into_iter().enumerate() {
+        for (index, name) in ["x", "t", "doppler", "phi", "theta", "own"].into_iter().enumerate() {
             assert_near(table.column(&format!("{name}_left"))[0], left[index], 1e-10);
             assert_near(table.column(&format!("{name}_right"))[0], right[index], 1e-10);
         }
@@ -186,6 +188,64 @@ fn every_column_agrees_with_bisection_on_the_light_cone() {
         assert_near(table.column("dphi")[0], left[3] - right[3], 1e-10);
         assert_near(table.column("dtheta")[0], left[4] - right[4], 1e-10);
     }
+}
+
+#[test]
+fn the_points_own_clock_is_seen_to_run_at_the_doppler_factor() {
+    for model in ["exact", "one-cone"] {
+        for flags in ["--beta 0.9 --x0 2", "--beta 0.5 --d 1", "--beta 0.99 --x0 -1 --z -0.5"] {
+            let flags = format!("--from -2 --to 8 --samples 20001 --model {model} {flags}");
+            let table = words(&format!("curve {flags}")).table();
+            let time = table.column("T");
+            for eye in ["left", "right"] {
+                let [own, doppler] = ["own", "doppler"].map(|name| table.column(&format!("{name}_{eye}")));
+                for i in 1..time.len() - 1 {
+                    let speed = (own[i + 1] - own[i - 1]) / (time[i + 1] - time[i - 1]);
+                    assert_near(speed, doppler[i], 1e-6 * doppler[i].max(1.0));
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn stereo_columns_are_where_both_lines_of_sight_meet() {
+    for flags in ["", "--d 2 --x0 1", "--beta 0.99 --y -0.7", "--beta 0 --from 0 --to 3"] {
+        let table = words(&format!("curve --samples 41 --stereo {flags}")).table();
+        let columns = ["stereo_gain", "stereo_x", "stereo_y", "stereo_z", "x_left", "x_right", "d", "y", "z"];
+        let [gain, x, y, z, left, right, d, depth, height] = columns.map(|name| table.column(name));
+        for i in 0..gain.len() {
+            assert_near(gain[i], (left[i] - right[i]) / d[i], 1e-11 * gain[i]);
+            for (seen, eye) in [(left[i], -d[i] / 2.0), (right[i], d[i] / 2.0)] {
+                // As far along the line of sight in x as in y and z.
+                let along = y[i] / depth[i];
+                assert_near(along * gain[i], 1.0, 1e-14);
+                assert_near(eye + along * seen, x[i], 1e-12 * (1.0 + x[i].abs()));
+                assert_near(along * height[i], z[i], 1e-14 * z[i].abs());
+            }
+        }
+    }
+}
+
+#[test]
+fn stereo_columns_of_eyes_in_one_place_are_the_seen_place_over_gamma_d() {
+    let table = words("curve --beta 0.9 --d 0 --samples 21 --stereo").table();
+    let gamma = 1.0 / 0.19_f64.sqrt();
+    let columns = ["doppler_left", "stereo_gain", "x_left", "stereo_x"].map(|name| table.column(name));
+    let [doppler, gain, seen, x] = columns;
+    for i in 0..gain.len() {
+        assert_near(gain[i], gamma * doppler[i], 1e-13 * gain[i]);
+        assert_near(x[i], seen[i] / (gamma * doppler[i]), 1e-13 * seen[i].abs());
+    }
+}
+
+#[test]
+fn stereo_columns_of_one_light_cone_are_what_the_middle_sees() {
+    let seen = words("curve --d 0 --from -3 --to 9 --samples 21").table();
+    let table = words("curve --d 0.3 --from -3 --to 9 --samples 21 --stereo --model one-cone").table();
+    assert!(table.column("stereo_gain").iter().all(|&gain| gain == 1.0));
+    assert_eq!(table.column("stereo_x"), seen.column("x_left"));
+    assert!(table.column("stereo_y").iter().all(|&y| y == 3.0));
 }
 
 #[test]

@@ -127,7 +127,7 @@ fn extreme(parameter: SpeedParameter, value: f64) -> State {
     state
 }
 
-fn assert_no_broken_numbers(window: &Harness<'_, App>) {
+pub fn assert_no_broken_numbers(window: &Harness<'_, App>) {
     for label in labels(window) {
         let broken = label.contains("NaN") || label.contains("inf");
         assert!(!broken || label.contains("infrared"), "{label:?}");

@@ -8,8 +8,10 @@ mod controls;
 mod fit;
 mod groups;
 mod layouts;
+mod map;
 mod picking;
 mod quality;
+mod spacetime;
 mod start;
 mod support;
 mod time;
@@ -32,8 +34,10 @@ fn main() -> ExitCode {
         fit::TESTS,
         groups::TESTS,
         layouts::TESTS,
+        map::TESTS,
         picking::TESTS,
         quality::TESTS,
+        spacetime::TESTS,
         start::TESTS,
         time::TESTS,
         times::TESTS,

@@ -1,5 +1,6 @@
 //! What stands below the views and in them: the wavelengths that arrive, the moment in a sentence, and why it is dark.
 
+use clap::ValueEnum as _;
 use eframe::egui::{Rect, pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
@@ -105,7 +106,7 @@ fn words_at_the_ends() {
             state.settings.motion.speed = SpeedSetting::new(parameter, value).expect("a speed");
             state.settings.motion.d = d;
             let mut window = window_of_size(state, [800.0, 600.0], 1.0);
-            for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest, Geometry::Published] {
+            for &geometry in Geometry::value_variants() {
                 for time in [-1e12, 0.0, 3.0, 1e12] {
                     window.state_mut().ask(Command::Geometry(geometry));
                     window.state_mut().ask(Command::Time(time));

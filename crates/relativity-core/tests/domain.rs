@@ -8,7 +8,7 @@ use relativity_core::batch::{
 use relativity_core::{
     Aperture, Disparity, MAX_COORDINATE, MAX_GAMMA, PublishedVariant, Sighting, SourcePoint, Speed,
     SpeedError, disparities, disparity, equidistance_time, one_cone_disparity, printed_apparent_x,
-    published_disparity, sighting,
+    published_disparity, sighting, stereo,
 };
 
 fn speeds() -> Vec<Speed> {
@@ -77,6 +77,9 @@ fn every_disparity_in_the_domain_is_finite() {
             }
             let both = one_cone_disparity(&speed, point, a, time).expect("inside the domain");
             assert_disparity(&both, &context);
+            let fused = stereo(&speed, point, a, time).expect("inside the domain");
+            assert!(fused.gain > 0.0 && fused.gain.is_finite(), "{fused:?} for {context}");
+            assert!(fused.distance().is_finite(), "{fused:?} for {context}");
             let t0 = equidistance_time(&speed, point, a).expect("inside the domain");
             assert!(t0.is_none_or(f64::is_finite), "{context}");
         }

@@ -13,7 +13,8 @@ use gpu_support::scenes::{still_life, time_seen_at, view_following};
 use joints::joints;
 use relativity_core::{Aperture, MAX_GAMMA, Model, PublishedVariant, SourcePoint, Speed, sighting};
 use relativity_render::{
-    Body, Geometry, Group, Hit, HitImage, Method, Motion, PreparedScene, Renderers, Shape, Velocity, View,
+    Body, Camera, Gaze, Geometry, Group, Hit, HitImage, Method, Motion, PreparedScene, Renderers, Shape,
+    Velocity, View,
 };
 
 fn main() -> ExitCode {
@@ -23,6 +24,7 @@ fn main() -> ExitCode {
         ("bodies_that_nearly_touch_are_told_apart", bodies_that_nearly_touch_are_told_apart),
         ("where_surfaces_coincide_the_first_body_is_seen", where_surfaces_coincide_the_first_body_is_seen),
         ("hits_appear_where_the_light_cone_says", hits_appear_where_the_light_cone_says),
+        ("with_one_light_cone_pictures_keep_the_bound", with_one_light_cone_pictures_keep_the_bound),
         ("the_published_right_eye_is_the_cores", the_published_right_eye_is_the_cores),
     ])
 }
@@ -181,6 +183,20 @@ fn hits_appear_where_the_light_cone_says(renderers: &mut Renderers) {
                 let off = place.distance(pixel(&image, i));
                 assert!(off < bound_px, "beta {}: {off} px off, bound {bound_px}", view.speed.beta());
             }
+        }
+    }
+}
+
+/// Of eyes close together and of eyes as far apart as the bodies are wide, alone and among other groups.
+fn with_one_light_cone_pictures_keep_the_bound(renderers: &mut Renderers) {
+    let alone = (PreparedScene::moving(&still_life()), still_life());
+    for (scene, bodies) in [alone, groups()] {
+        for (view, x) in views().zip([-0.05, 0.5].into_iter().cycle()) {
+            let camera = Camera { aperture: Aperture { x, ..view.camera.aperture }, ..view.camera };
+            let mut view = View { camera, geometry: Geometry::OneCone, ..view };
+            let followed = view.apparent_position(FOLLOWED.into()).expect("inside the domain");
+            view.camera.gaze = Gaze::along(followed.to_array());
+            keep_bounds(renderers, &[Method::DEFAULT_BOUND_PX], &scene, &bodies, &view);
         }
     }
 }

@@ -29,6 +29,8 @@ pub struct FitKey {
     pub separation: f64,
     /// First and last T of the samples.
     pub range: [f64; 2],
+    /// The model by which the samples are made: that of what the views show.
+    pub model: Model,
     /// Samples and fit.
     pub setup: FitSetup,
 }
@@ -42,8 +44,8 @@ pub struct FitOutcome {
     pub data: [Vec<PlotPoint>; 2],
     /// The fit, or why there is none.
     pub fitted: Result<Fitted, String>,
-    /// What the published model makes of exact curves without noise: fitted minus true beta, y and z, or why
-    /// it fits nothing. `None` for the exact model.
+    /// What the fitted model makes of curves without noise: fitted minus true beta, y and z, or why it fits nothing.
+    /// `None` for the model by which they are made.
     pub bias: Option<Result<[f64; 3], String>>,
     /// How long it took.
     pub elapsed: Duration,
@@ -87,7 +89,7 @@ impl FitOutcome {
             Ok(observed) => (data(&observed), Fitted::new(&key, &observed, stopped)?),
             Err(problem) => ([Vec::new(), Vec::new()], Err(problem)),
         };
-        let bias = (key.setup.model != Model::Exact).then(|| bias(&key));
+        let bias = (key.setup.model != key.model).then(|| bias(&key));
         Some(Self { key, data, fitted, bias, elapsed: start.elapsed() })
     }
 }
@@ -126,7 +128,7 @@ impl FitKey {
     }
 }
 
-/// What both eyes see of the point, exactly, and with noise.
+/// What both eyes see of the point, and with noise.
 fn observations(key: &FitKey, noise_percent: f64) -> Result<Observations, String> {
     if let Some(obstacle) = key.obstacle() {
         return Err(obstacle.to_owned());
@@ -137,7 +139,7 @@ fn observations(key: &FitKey, noise_percent: f64) -> Result<Observations, String
         speed: key.velocity.speed,
         point: key.source,
         separation: key.separation,
-        model: Model::Exact,
+        model: key.model,
         times: (0..=last).map(time).collect(),
         noise: 0.01 * noise_percent,
         seed: key.setup.seed,

@@ -4,7 +4,7 @@ use csv::ByteRecord;
 use relativity_core::SourcePoint;
 use thiserror::Error;
 
-use crate::columns::{COLUMNS, Observation, ObservationError};
+use crate::columns::{Observation, ObservationError};
 use crate::files::csv_in::{self, Names};
 use crate::flags::SpeedParameter;
 
@@ -50,10 +50,10 @@ impl<E: Into<ObservationError>> From<E> for InputError {
 const NEEDED: &str = "d, y, z, T and one of beta, gamma, rapidity";
 
 impl Header {
-    /// Finds the inputs by the names in the first row.
-    pub fn new(row: ByteRecord) -> Result<Self, InputError> {
+    /// Finds the inputs by the names in the first row, to which `appended` will be added.
+    pub fn new(row: ByteRecord, appended: &[&'static str]) -> Result<Self, InputError> {
         let names = Names::new(row)?;
-        for name in COLUMNS {
+        for &name in appended {
             if names.place(name)?.is_some() {
                 return Err(InputError::Taken(name));
             }

@@ -10,7 +10,7 @@ use clap::Args;
 use csv::ByteRecord;
 
 use self::header::{Header, InputError};
-use crate::columns::{COLUMNS, ModelArgs, help_with};
+use crate::columns::{ModelArgs, help_with};
 use crate::files::whole::OutArgs;
 use crate::files::{csv_in, csv_out};
 
@@ -47,14 +47,15 @@ pub fn run(args: &EvalArgs) -> anyhow::Result<()> {
 
 /// Reads rows of `input`, called `name` in errors, and writes each with the columns appended.
 fn evaluate(name: &str, input: impl Read, model: ModelArgs, out: &mut dyn Write) -> anyhow::Result<()> {
+    let columns = model.columns()?;
     let mut input = csv_in::Rows::new(input);
     let mut output = csv_out::Rows::new(out);
     let mut row = ByteRecord::new();
 
     input.read(&mut row).with_context(|| name.to_owned())?;
     let place = |input: &csv_in::Rows<_>, row: &ByteRecord| format!("{name}:{}", input.line(row));
-    let header = Header::new(row.clone()).with_context(|| place(&input, &row))?;
-    row.extend(COLUMNS);
+    let header = Header::new(row.clone(), columns).with_context(|| place(&input, &row))?;
+    row.extend(columns);
     output.write(&mut row, &[])?;
 
     while input.read(&mut row).with_context(|| name.to_owned())? {

@@ -86,7 +86,7 @@ fn shift(distance: f64) -> f64 {
 fn look(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let mut look = state.settings.look;
     geometry_row(ui, &mut look.geometry);
-    right_eye_row(ui, &mut look.geometry);
+    light_cones_row(ui, &mut look.geometry);
     gaze_row(ui, state, &mut look);
     field_of_view_rows(ui, state, &mut look, asks);
     corrected_row(ui, state.settings.window, asks);
@@ -132,12 +132,17 @@ const RENDERERS: [(RendererChoice, &str, &str); 3] = [
 ];
 
 fn geometry_row(ui: &mut Ui, geometry: &mut Geometry) {
-    let mut of_left_eye = geometry.of_left_eye();
+    let mut chosen = if is_as_seen(*geometry) { Geometry::Seen } else { *geometry };
     row(ui, "Geometry", "What the views show.   Keys: 1 2 3", |ui| {
-        if choice(ui, &mut of_left_eye, &GEOMETRIES) {
-            *geometry = of_left_eye;
+        if choice(ui, &mut chosen, &GEOMETRIES) {
+            *geometry = chosen;
         }
     });
+}
+
+/// Whether it is what two eyes see, in some binocular model.
+const fn is_as_seen(geometry: Geometry) -> bool {
+    matches!(geometry, Geometry::Seen | Geometry::OneCone | Geometry::Published)
 }
 
 const GEOMETRIES: [(Geometry, &str, &str); 3] = [
@@ -150,23 +155,30 @@ const GEOMETRIES: [(Geometry, &str, &str); 3] = [
     (Geometry::Rest, "At rest", "What a camera that rides along photographs."),
 ];
 
-fn right_eye_row(ui: &mut Ui, geometry: &mut Geometry) {
-    let tip = "What the right eye's view shows, with the geometry as seen.";
-    let is_seen = geometry.of_left_eye() == Geometry::Seen;
-    let mut of_right_eye = if is_seen { *geometry } else { Geometry::Seen };
-    row(ui, "Right eye", tip, |ui| {
-        if ui.add_enabled_ui(is_seen, |ui| choice(ui, &mut of_right_eye, &RIGHT_EYES)).inner {
-            *geometry = of_right_eye;
+fn light_cones_row(ui: &mut Ui, geometry: &mut Geometry) {
+    let tip = "Which events the two eyes receive, with the geometry as seen.";
+    let is_seen = is_as_seen(*geometry);
+    let mut chosen = if is_seen { *geometry } else { Geometry::Seen };
+    row(ui, "Light cones", tip, |ui| {
+        if ui.add_enabled_ui(is_seen, |ui| choice(ui, &mut chosen, &LIGHT_CONES)).inner {
+            *geometry = chosen;
         }
     });
 }
 
-const RIGHT_EYES: [(Geometry, &str, &str); 2] = [
-    (Geometry::Seen, "Its own", "What it sees through its own light cone: exact."),
+const LIGHT_CONES: [(Geometry, &str, &str); 3] = [
+    (Geometry::Seen, "Two", "Each eye sees through its own light cone: exact."),
+    (
+        Geometry::OneCone,
+        "One",
+        "One light cone for both eyes: as if both eyes received the same events, those that the middle between \
+        them receives.\nWhat then is missing comes from there being two.   Key: 4",
+    ),
     (
         Geometry::Published,
         "As in the paper",
-        "The published model: what the left eye sees of each point at T − ΔT, measured from the left eye.",
+        "The published model: in the right view what the left eye sees of each point at T − ΔT, measured from \
+        the left eye.",
     ),
 ];
 

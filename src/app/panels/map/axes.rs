@@ -4,8 +4,8 @@ use eframe::egui::{Align2, Painter, Pos2, Stroke, TextStyle, Ui, pos2, vec2};
 
 use super::canvas;
 use super::labels::Labels;
-use crate::map::Chart;
-use crate::plot::{multiples, round_step, tick_label};
+use crate::figures;
+use crate::map::{Chart, ticks};
 use crate::units::Unit;
 
 /// Least distance between two lines, points.
@@ -30,23 +30,25 @@ pub fn paint(ui: &Ui, painter: &Painter, chart: &Chart, [across, up]: [Axis<'_>;
     write(ui, painter, room.min + vec2(4.0, 2.0), Align2::LEFT_TOP, &name(up), labels);
     let [xs, ys] = chart.range();
     let [center_x, center_y] = chart.center;
-    for (value, text) in ticks(xs, across.unit, chart.scale) {
+    for (value, text) in numbers(xs, across.unit, chart.scale) {
         let x = canvas::place(chart, [value, center_y]).x;
         painter.vline(x, room.y_range(), if value == 0.0 { zero } else { line });
         write(ui, painter, pos2(x, room.max.y - 2.0), Align2::CENTER_BOTTOM, &text, labels);
     }
-    for (value, text) in ticks(ys, up.unit, chart.scale) {
+    for (value, text) in numbers(ys, up.unit, chart.scale) {
         let y = canvas::place(chart, [center_x, value]).y;
         painter.hline(room.x_range(), y, if value == 0.0 { zero } else { line });
         write(ui, painter, pos2(room.min.x + 4.0, y), Align2::LEFT_CENTER, &text, labels);
     }
 }
 
-/// Round numbers in a range of the world, and how they are written.
-fn ticks([low, high]: [f64; 2], unit: Unit, scale: f64) -> Vec<(f64, String)> {
-    let step = round_step(unit.shown(SPACING / scale));
-    let shown = multiples(step, [unit.shown(low), unit.shown(high)]);
-    shown.map(|shown| (unit.in_scene(shown), tick_label(shown))).collect()
+/// Round numbers of the `unit` in a range of the world, and how they are written.
+fn numbers(range: [f64; 2], unit: Unit, scale: f64) -> Vec<(f64, String)> {
+    let (shown, decimals) = ticks(range.map(|value| unit.shown(value)), unit.shown(SPACING / scale));
+    shown
+        .into_iter()
+        .map(|shown| (unit.in_scene(shown), figures::fixed(shown, decimals).replace(".00e", "e")))
+        .collect()
 }
 
 fn write(ui: &Ui, painter: &Painter, place: Pos2, align: Align2, text: &str, labels: &mut Labels) {

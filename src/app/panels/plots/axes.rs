@@ -65,18 +65,25 @@ pub(super) fn label(quantity: Quantity) -> &'static str {
         Quantity::Phi => "φ",
         Quantity::Theta => "θ",
         Quantity::LogDoppler => "D",
+        Quantity::LogGain => "stereo gain",
+        Quantity::Distance => "distance",
     }
 }
 
-/// Its unit, after a space.
-pub(super) fn unit(quantity: Quantity) -> &'static str {
-    if quantity == Quantity::LogDoppler { "" } else { " rad" }
+/// The unit that `quantity` is shown in, of a window that shows lengths in `length`.
+pub(super) const fn shown_in(quantity: Quantity, length: Unit) -> Unit {
+    match quantity {
+        Quantity::Distance => length,
+        Quantity::LogDoppler | Quantity::LogGain => Unit::OWN,
+        _ => Unit { factor: 1.0, name: "rad" },
+    }
 }
 
-/// Where the grid lines are: at round numbers; for the logarithm of D at round numbers of D itself.
-pub(super) fn grid(quantity: Quantity, input: GridInput) -> Vec<GridMark> {
-    if quantity != Quantity::LogDoppler {
-        return egui_plot::log_grid_spacer(10)(input);
+/// Where the grid lines are: at round numbers of the `unit` it is shown in; for a logarithm at round numbers of what it is
+/// one of.
+pub(super) fn grid(quantity: Quantity, unit: Unit, input: GridInput) -> Vec<GridMark> {
+    if !quantity.is_logarithm() {
+        return even_grid(unit, input);
     }
     let (from, to) = input.bounds;
     let stride = ((to - from) / 8.0).ceil().max(1.0);
@@ -92,9 +99,19 @@ pub(super) fn grid(quantity: Quantity, input: GridInput) -> Vec<GridMark> {
         .collect()
 }
 
+fn even_grid(unit: Unit, GridInput { bounds: (from, to), base_step_size }: GridInput) -> Vec<GridMark> {
+    let shown =
+        GridInput { bounds: (unit.shown(from), unit.shown(to)), base_step_size: unit.shown(base_step_size) };
+    let in_scene = |GridMark { value, step_size }| GridMark {
+        value: unit.in_scene(value),
+        step_size: unit.in_scene(step_size),
+    };
+    egui_plot::log_grid_spacer(10)(shown).into_iter().map(in_scene).collect()
+}
+
 /// The text at a grid line: as many digits as tell it from its neighbours.
 pub(super) fn tick(quantity: Quantity, value: f64, step: f64) -> String {
-    if quantity == Quantity::LogDoppler {
+    if quantity.is_logarithm() {
         return figures::power_of_ten(value);
     }
     let decimals = (-math::log10(step.abs()).floor()).clamp(0.0, 9.0) as u8;

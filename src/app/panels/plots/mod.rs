@@ -5,6 +5,7 @@ mod accuracy;
 mod axes;
 mod fit;
 mod split;
+mod stereo;
 
 use std::ops::RangeInclusive;
 
@@ -12,9 +13,11 @@ use clap::ValueEnum as _;
 use eframe::egui::{self, Color32, RichText, ScrollArea, Ui, vec2};
 use egui_plot::{HoverPosition, Line, LineStyle, PlotPoint, PlotResponse, PlotUi, Points, VLine};
 use relativity_core::math;
-use relativity_core::{Disparity, Sighting};
+use relativity_core::{Disparity, Model, Sighting};
 
-use self::axes::{Y_AXIS_WIDTH, annotate, bounds, grid, label, plot_over_time, tick, time_at_pointer, unit};
+use self::axes::{
+    Y_AXIS_WIDTH, annotate, bounds, grid, label, plot_over_time, shown_in, tick, time_at_pointer,
+};
 use crate::app::command::Command;
 use crate::app::curves::{Curves, Quantity};
 use crate::app::examination::Examination;
@@ -29,6 +32,9 @@ use crate::figures;
 use crate::settings::PlotTab;
 use crate::units::Unit;
 
+/// Narrower plots have the followed points in a row of their own, below the tabs.
+const NARROWEST_ROW: f32 = 660.0;
+
 /// What there is to plot.
 #[derive(Clone, Copy)]
 pub struct Plotted<'a> {
@@ -42,21 +48,27 @@ pub struct Plotted<'a> {
 
 /// Shows the plots.
 pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {
-    // Where many points are followed the strip is wider than the plots, which it must not widen.
-    ScrollArea::horizontal().id_salt("plot tabs").show(ui, |ui| {
-        ui.horizontal(|ui| {
-            tabs(ui, state, asks);
+    let is_narrow = ui.available_width() < NARROWEST_ROW;
+    let examination = plotted.examination.filter(|_| state.settings.plots.plot == PlotTab::Accuracy);
+    let points = |ui: &mut Ui, asks: &mut Asks| match examination {
+        Some(examination) => accuracy::caption(ui, state, examination, asks),
+        None => points(ui, state, asks),
+    };
+    row(ui, "plot tabs", |ui| {
+        tabs(ui, state, asks);
+        if !is_narrow {
             ui.separator();
-            match plotted.examination.filter(|_| state.settings.plots.plot == PlotTab::Accuracy) {
-                Some(examination) => accuracy::caption(ui, state, examination, asks),
-                None => points(ui, state, asks),
-            }
-        });
+            points(ui, asks);
+        }
     });
+    if is_narrow {
+        row(ui, "points", |ui| points(ui, asks));
+    }
     let quantities: &[Quantity] = match state.settings.plots.plot {
         PlotTab::Disparity => &[Quantity::DeltaPhi, Quantity::DeltaTheta],
         PlotTab::Angles => &[Quantity::Phi, Quantity::Theta],
         PlotTab::Doppler => &[Quantity::LogDoppler],
+        PlotTab::Stereo => &[Quantity::LogGain, Quantity::Distance],
         PlotTab::Fit => return fit::show(ui, state, plotted.fitting, asks),
         PlotTab::Accuracy => return accuracy::show(ui, state, plotted.examination, asks),
     };
@@ -72,6 +84,11 @@ pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {
     });
 }
 
+/// What stands in a row, which may be wider than the plots, but must not widen them.
+fn row(ui: &mut Ui, name: &str, contents: impl FnOnce(&mut Ui)) {
+    ScrollArea::horizontal().id_salt(name).show(ui, |ui| ui.horizontal(contents));
+}
+
 fn tabs(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let mut plots = state.settings.plots;
     for &tab in PlotTab::value_variants() {
@@ -79,6 +96,7 @@ fn tabs(ui: &mut Ui, state: &State, asks: &mut Asks) {
             PlotTab::Disparity => ("Disparity", "Δφ and Δθ: how differently the eyes see each point"),
             PlotTab::Angles => ("Angles", "φ and θ of the selected point, each eye"),
             PlotTab::Doppler => ("Doppler", "D of the selected point, each eye"),
+            PlotTab::Stereo => ("Stereo", "How far off two eyes take the selected point to be, and how deep"),
             PlotTab::Fit => ("Fit", "Speed and distance of the selected point, from noisy Δφ and Δθ alone"),
             PlotTab::Accuracy => ("Accuracy", "What each way to draw the views costs, and how far it is off"),
         };
@@ -130,8 +148,10 @@ struct Trace<'a> {
     name: String,
     points: &'a [PlotPoint],
     colour: Color32,
-    dashed: bool,
+    style: LineStyle,
     wide: bool,
+    /// Whether a dot shows where it is at T.
+    dot: bool,
 }
 
 fn titled_plot(ui: &mut Ui, state: &State, curves: &[Curves], quantity: Quantity, asks: &mut Asks) {
@@ -139,7 +159,16 @@ fn titled_plot(ui: &mut Ui, state: &State, curves: &[Curves], quantity: Quantity
     ui.horizontal(|ui| {
         ui.add_space(Y_AXIS_WIDTH);
         ui.label(RichText::new(label(quantity)).strong());
-        values_now(ui, state, quantity);
+        if matches!(quantity, Quantity::LogGain | Quantity::Distance) {
+            stereo::values_now(ui, state, quantity);
+        } else {
+            values_now(ui, state, quantity);
+        }
+        if quantity != Quantity::Distance && state.settings.model() == Model::OneCone {
+            let tip = "Solid: as if both eyes received the same events. Dotted: each through its own light cone, exactly.\n\
+                What lies between the two comes from there being two light cones.";
+            ui.label(RichText::new(format!("{ONE_CONE}; dotted: two")).weak()).on_hover_text(tip);
+        }
     });
     plot(ui, ui.available_size(), state, curves, quantity, asks);
 }
@@ -147,8 +176,9 @@ fn titled_plot(ui: &mut Ui, state: &State, curves: &[Curves], quantity: Quantity
 /// What the selected point's curves are at T: the disparity, or what each eye sees, in its colour.
 fn values_now(ui: &mut Ui, state: &State, quantity: Quantity) {
     let point = state.session.points.selected();
+    let suffix = shown_in(quantity, Unit::OWN).suffix();
     let difference = |value: fn(&Disparity) -> f64| {
-        figures::fixed_or_none(state.disparity(point).as_ref().map(value), 5) + unit(quantity)
+        figures::fixed_or_none(state.disparity(point).as_ref().map(value), 5) + &suffix
     };
     let of_eye: fn(&Sighting) -> f64 = match quantity {
         Quantity::DeltaPhi => {
@@ -161,11 +191,11 @@ fn values_now(ui: &mut Ui, state: &State, quantity: Quantity) {
         }
         Quantity::Phi => Sighting::phi,
         Quantity::Theta => Sighting::theta,
-        Quantity::LogDoppler => |seen| seen.doppler_factor,
+        _ => |seen| seen.doppler_factor,
     };
     for eye in Eye::BOTH {
         let value = figures::fixed_or_none(state.sighting(point, eye).as_ref().map(of_eye), 5);
-        let text = format!("{} {value}{}", eye.name(), unit(quantity));
+        let text = format!("{} {value}{suffix}", eye.name());
         ui.label(RichText::new(text).color(theme::eye_colour(eye, ui.visuals())));
     }
 }
@@ -184,11 +214,13 @@ fn plot(
     let equidistant = state.equidistance_time(state.session.points.selected());
     let visuals = ui.visuals().clone();
     let now = state.session.time;
-    let unit = state.measures().time;
+    let (unit, shown) = (state.measures().time, shown_in(quantity, state.measures().length));
     let response = plot_over_time(ui, ("plot", label(quantity)), unit, size)
-        .y_grid_spacer(move |input| grid(quantity, input))
-        .y_axis_formatter(move |mark, _: &RangeInclusive<f64>| tick(quantity, mark.value, mark.step_size))
-        .label_formatter(move |hover| hover_text(quantity, unit, hover))
+        .y_grid_spacer(move |input| grid(quantity, shown, input))
+        .y_axis_formatter(move |mark, _: &RangeInclusive<f64>| {
+            tick(quantity, shown.shown(mark.value), shown.shown(mark.step_size))
+        })
+        .label_formatter(move |hover| hover_text(quantity, [unit, shown], hover))
         .show(ui, |plot| {
             plot.set_plot_bounds(bounds);
             if let Some(time) = equidistant {
@@ -213,48 +245,75 @@ fn plot(
     }
 }
 
+/// What curves are called that are not the exact ones, and these beside them.
+const ONE_CONE: &str = "one light cone";
+const TWO_CONES: &str = "two light cones (exact)";
+
 /// What is drawn of `quantity`: of every point for a disparity, of each eye of the selected one else.
 fn traces<'a>(ui: &Ui, state: &State, curves: &'a [Curves], quantity: Quantity) -> Vec<Trace<'a>> {
     let selected = state.session.points.selected_index();
+    if matches!(quantity, Quantity::LogGain | Quantity::Distance) {
+        let Some(curves) = curves.get(selected) else { return Vec::new() };
+        return stereo::traces(ui, state, curves, quantity);
+    }
     if !matches!(quantity, Quantity::DeltaPhi | Quantity::DeltaTheta) {
         let Some(curves) = curves.get(selected) else { return Vec::new() };
-        let eyes = Eye::BOTH.into_iter().zip(curves.exact(quantity));
-        return eyes
-            .map(|(eye, points)| Trace {
-                name: eye.name().to_owned(),
-                points,
-                colour: theme::eye_colour(eye, ui.visuals()),
-                dashed: false,
-                wide: true,
+        let of_eyes = |curves: &'a [Vec<PlotPoint>], exact_beside| {
+            Eye::BOTH.into_iter().zip(curves).map(move |(eye, points)| {
+                let colour = theme::eye_colour(eye, ui.visuals());
+                Trace::of_model(eye.name().to_owned(), points, colour, state, exact_beside)
             })
-            .collect();
+        };
+        return of_eyes(curves.exact(quantity), true).chain(of_eyes(curves.shown(quantity), false)).collect();
     }
     let mut traces = Vec::new();
     for (index, (point, curves)) in state.session.points.all().iter().zip(curves).enumerate() {
         let colour = theme::point_colour(point.number, ui.visuals());
         let wide = index == selected;
         let published = curves.published(quantity);
-        let name = format!("{}, published", point.name(&state.session.scene));
-        traces.push(Trace { name, points: published, colour, dashed: true, wide });
-        let exact = &curves.exact(quantity)[0];
+        let name = || point.name(&state.session.scene);
         traces.push(Trace {
-            name: point.name(&state.session.scene),
-            points: exact,
+            name: format!("{}, published", name()),
+            points: published,
             colour,
-            dashed: false,
+            style: LineStyle::dashed_dense(),
             wide,
+            dot: false,
         });
+        let exact = curves.exact(quantity).iter().map(|points| (points, true));
+        for (points, exact_beside) in exact.chain(curves.shown(quantity).iter().map(|points| (points, false)))
+        {
+            let trace = Trace::of_model(name(), points, colour, state, exact_beside);
+            traces.push(Trace { wide: trace.wide && wide, ..trace });
+        }
     }
     traces
 }
 
+impl<'a> Trace<'a> {
+    /// A curve in the model of what the views show, or where that is another, the exact one beside it.
+    fn of_model(
+        name: String,
+        points: &'a [PlotPoint],
+        colour: Color32,
+        state: &State,
+        is_exact_beside: bool,
+    ) -> Self {
+        let (name, style) = match (state.settings.model(), is_exact_beside) {
+            (_, true) => (format!("{name}, {TWO_CONES}"), LineStyle::dotted_dense()),
+            (Model::OneCone, false) => (format!("{name}, {ONE_CONE}"), LineStyle::Solid),
+            _ => (name, LineStyle::Solid),
+        };
+        Self { name, points, colour, style, wide: !is_exact_beside, dot: !is_exact_beside }
+    }
+}
+
 fn draw<'a>(plot: &mut PlotUi<'a>, trace: Trace<'a>, now: f64) {
     let width = if trace.wide { 2.0 } else { 1.2 };
-    let style = if trace.dashed { LineStyle::dashed_dense() } else { LineStyle::Solid };
     // Bands would draw steep parts of a densely sampled curve thinner than the rest.
     let line = Line::new(trace.name, trace.points).allow_band(false);
-    plot.line(line.color(trace.colour).width(width).style(style));
-    if let (false, Some(value)) = (trace.dashed, value_at(trace.points, now)) {
+    plot.line(line.color(trace.colour).width(width).style(trace.style));
+    if let (true, Some(value)) = (trace.dot, value_at(trace.points, now)) {
         let dot = Points::new("now", vec![[now, value]]).color(trace.colour).radius(4.0);
         plot.points(dot.allow_hover(false));
     }
@@ -267,14 +326,14 @@ fn value_at(points: &[PlotPoint], time: f64) -> Option<f64> {
     Some(if b.x > a.x { a.y + (b.y - a.y) * (time - a.x) / (b.x - a.x) } else { b.y })
 }
 
-fn hover_text(quantity: Quantity, time_unit: Unit, hover: &HoverPosition<'_>) -> Option<String> {
+fn hover_text(quantity: Quantity, [time, shown]: [Unit; 2], hover: &HoverPosition<'_>) -> Option<String> {
     let HoverPosition::NearDataPoint { plot_name, position, .. } = hover else { return None };
     let value = match quantity {
-        Quantity::LogDoppler => figures::fixed(math::powf(10.0, position.y), 4),
-        _ => figures::fixed(position.y, 5),
+        _ if quantity.is_logarithm() => figures::fixed(math::powf(10.0, position.y), 4),
+        Quantity::Distance => shown.text(position.y, 3),
+        _ => shown.text(position.y, 5),
     };
-    let time = time_unit.text(position.x, 3);
-    Some(format!("{plot_name}\nT = {time}\n{} = {value}{}", label(quantity), unit(quantity)))
+    Some(format!("{plot_name}\nT = {}\n{} = {value}", time.text(position.x, 3), label(quantity)))
 }
 
 /// Names the plot for assistive technology: what it shows, of what.

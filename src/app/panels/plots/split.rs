@@ -4,14 +4,11 @@ use eframe::egui::{Rect, Ui, UiBuilder, pos2};
 
 use crate::app::theme;
 
-/// Least width of the plots; in a narrower tab there is the table alone.
-const LEAST_PLOT_WIDTH: f32 = 150.0;
-
-/// The table and the plots inside `area`.
-pub fn table_and_plots(area: Rect, table_width: f32) -> (Rect, Option<Rect>) {
+/// The table and the plots inside `area`: in one that leaves the plots less than `least_plots` there is the table alone.
+pub fn table_and_plots(area: Rect, table_width: f32, least_plots: f32) -> (Rect, Option<Rect>) {
     let split = area.max.x - table_width;
     let plots = Rect::from_min_max(area.min, pos2(split - theme::GAP, area.max.y));
-    if plots.width() < LEAST_PLOT_WIDTH {
+    if plots.width() < least_plots {
         return (area, None);
     }
     (Rect::from_min_max(pos2(split, area.min.y), area.max), Some(plots))

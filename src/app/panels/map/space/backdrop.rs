@@ -54,7 +54,8 @@ fn grid(ui: &Ui, painter: &Painter, state: &State, sheet: &Sheet) {
     }
     if sheet.projection == Projection::Side {
         let corner = room.right_bottom() - vec2(4.0, 1.0);
-        painter.text(corner, Align2::RIGHT_BOTTOM, length.label("x"), FONT, colour);
+        let symbol = if state.settings.map.frame == Frame::Ground { "x" } else { "x′" };
+        painter.text(corner, Align2::RIGHT_BOTTOM, length.label(symbol), FONT, colour);
     }
 }
 
@@ -76,7 +77,7 @@ fn street(ui: &Ui, painter: &Painter, state: &State, sheet: &Sheet) {
             }
         }
         Projection::Side => {
-            for z in scene.ground_z {
+            if let Some(z) = scene.ground_z {
                 line(z + state.settings.motion.height_shift, 2.0);
             }
         }
@@ -112,7 +113,8 @@ fn abreast(ui: &Ui, painter: &Painter, instant: &Instant, sheet: &Sheet) {
     let colour = ui.visuals().text_color().gamma_multiply(0.7);
     dashed(painter, [pos2(x, room.min.y), pos2(x, room.max.y)], colour);
     if sheet.projection == Projection::Plan {
-        painter.text(pos2(x + 4.0, room.min.y + 3.0), Align2::LEFT_TOP, "abreast: x = 0", WORDS, colour);
+        let text = if instant.frame() == Frame::Ground { "abreast: x = 0" } else { "abreast of the eyes" };
+        painter.text(pos2(x + 4.0, room.min.y + 3.0), Align2::LEFT_TOP, text, WORDS, colour);
     }
 }
 

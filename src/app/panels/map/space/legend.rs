@@ -11,18 +11,18 @@ use crate::settings::Frame;
 
 /// Its height, and the size of its writing.
 const HEIGHT: f32 = 18.0;
-const FONT: FontId = FontId::proportional(12.5);
+const FONT: FontId = FontId::proportional(12.0);
 /// Side of a square of colour, and the space after it and after each entry.
 const SQUARE: f32 = 9.0;
-const AFTER: f32 = 5.0;
-const BETWEEN: f32 = 14.0;
+const AFTER: f32 = 4.0;
+const BETWEEN: f32 = 10.0;
 
 /// Each picture in words, and in fewer.
 const WORDS: [(Picture, [&str; 2]); 4] = [
     (Picture::Measured, ["measured now", "now"]),
     (Picture::Seen(0), ["left eye sees", "left eye"]),
     (Picture::Seen(1), ["right eye sees", "right eye"]),
-    (Picture::Stereo, ["both take it to be", "both"]),
+    (Picture::Stereo, ["two eyes place it", "two eyes"]),
 ];
 const ON_BOARD: [(Picture, [&str; 2]); 1] =
     [(Picture::Measured, ["measured now: at rest, at its full length", "measured now"])];

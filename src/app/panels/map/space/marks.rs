@@ -7,8 +7,11 @@ use crate::app::observer::Eye;
 use crate::app::state::State;
 use crate::app::theme;
 use crate::map::{Instant, Picture, Projection};
+use crate::settings::Frame;
 
 const FONT: FontId = FontId::proportional(12.5);
+/// How near x = 0 is abreast, points.
+const ABREAST: f64 = 4.0;
 const EYE_RADIUS: f32 = 4.0;
 /// That of the selected point, and of the others.
 const POINT_RADII: [f32; 2] = [4.0, 3.0];
@@ -16,6 +19,7 @@ const POINT_RADII: [f32; 2] = [4.0, 3.0];
 /// Draws and names them.
 pub(super) fn show(ui: &Ui, painter: &Painter, state: &State, instant: &Instant, sheet: &Sheet) {
     eyes(ui, painter, instant, sheet);
+    abreast(ui, painter, state, instant, sheet);
     for (index, point) in state.session.points.all().iter().enumerate() {
         let is_selected = index == state.session.points.selected_index();
         let radius = POINT_RADII[usize::from(!is_selected)];
@@ -33,6 +37,29 @@ pub(super) fn show(ui: &Ui, painter: &Painter, state: &State, instant: &Instant,
                 &format!("{}: {name}, {}", sheet.name(), picture.words()),
             );
         }
+    }
+}
+
+/// Says so when the selected point is beside the eyes: measured there now, or seen there.
+fn abreast(ui: &Ui, painter: &Painter, state: &State, instant: &Instant, sheet: &Sheet) {
+    let point = state.session.points.selected();
+    if instant.frame() == Frame::Bicycle || state.velocity(point).speed.beta() == 0.0 {
+        return;
+    }
+    let place = |picture| instant.place(&point.track, picture);
+    let seen = place(Picture::Seen(0)).zip(place(Picture::Seen(1))).map(|(left, right)| 0.5 * (left + right));
+    let words = [
+        (place(Picture::Measured), "presently abreast", theme::measured_colour(ui.visuals())),
+        (seen, "seen abreast", theme::equidistance_colour(ui.visuals())),
+    ];
+    for (at, text, colour) in words {
+        let Some(at) = at.filter(|at| at.x.abs() * sheet.chart.scale <= ABREAST) else { continue };
+        let place = canvas::place(&sheet.chart, sheet.projection.flat(at));
+        let galley = painter.layout_no_wrap(text.to_owned(), FONT, colour);
+        let rect = Align2::LEFT_CENTER.anchor_size(place + vec2(12.0, 0.0), galley.size());
+        painter.rect_filled(rect.expand2(vec2(3.0, 1.0)), 3.0, ui.visuals().extreme_bg_color);
+        painter.galley(rect.min, galley, colour);
+        canvas::name_place(ui, sheet.room(), place, &format!("{}: {text}", sheet.name()));
     }
 }
 

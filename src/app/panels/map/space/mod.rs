@@ -2,6 +2,7 @@
 
 mod backdrop;
 mod legend;
+mod light;
 mod marks;
 mod pictures;
 mod pointer;
@@ -46,6 +47,7 @@ pub fn show(ui: &mut Ui, state: &State, rect: Rect, asks: &mut Asks) {
         let response = canvas::look_around(ui, state, sheet.name(), &chart, projection.axes(), asks);
         let painter = ui.painter().with_clip_rect(sheet.room().intersect(ui.clip_rect()));
         backdrop::paint(ui, &painter, state, &instant, &sheet);
+        light::paint(ui, &painter, state, &sheet);
         pictures::paint(ui, &painter, &lines, &sheet);
         marks::show(ui, &painter, state, &instant, &sheet);
         pointer::read(ui, &painter, &response, state, &lines, &sheet, asks);

@@ -1,41 +1,86 @@
 //! The pictures of all bodies, each in its colour.
 
-use eframe::egui::{Painter, Shape, Stroke, Ui, pos2};
+use eframe::egui::{Color32, Painter, Rect, Shape, Stroke, Ui, pos2};
 
 use super::{Sheet, colour};
 use crate::map::{Line, Lines, Picture};
 
 /// Thinnest line, points. What is thinner is drawn so, and fainter.
 const THINNEST: f32 = 1.0;
+/// Width of an edge.
+const EDGE: f32 = 1.2;
 /// Faintest of these.
 const FAINTEST: f32 = 0.35;
+/// Balls are filled as long as they are smaller than this, points: the bends of what is seen of larger ones show.
+const LARGEST_FILLED: f32 = 40.0;
 /// How strongly the street is drawn, behind what the map is about.
 const STREET: f32 = 0.45;
 /// How strongly what is seen is drawn: what one eye sees does not hide what the other sees.
 const SEEN: f32 = 0.8;
 
+/// Parts of a line are drawn as one while their widths differ by no more than this, points.
+const SAME_WIDTH: f32 = 0.5;
+
 /// Draws them.
 pub(super) fn paint(ui: &Ui, painter: &Painter, lines: &Lines, sheet: &Sheet) {
-    let Sheet { projection, chart } = *sheet;
     let mut shapes = Vec::with_capacity(lines.all.len());
-    for line in lines.all.iter().filter(|line| line.is_in(projection)) {
-        let stroke = stroke(ui, line, chart.scale);
-        let places = lines.vertices(line).iter().map(|vertex| projection.flat(vertex.place));
-        chart.clipped(places, f64::from(stroke.width), |run| {
-            let points = run.iter().map(|&[x, y]| pos2(x as f32, y as f32)).collect();
-            shapes.push(Shape::line(points, stroke));
-        });
+    for line in lines.all.iter().filter(|line| line.is_in(sheet.projection)) {
+        let colour = line_colour(ui, line);
+        let places: Vec<_> =
+            lines.vertices(line).iter().map(|vertex| sheet.projection.flat(vertex.place)).collect();
+        for part in parts(line, &places, sheet) {
+            add(part, line.only.is_some(), colour, sheet, &mut shapes);
+        }
     }
     painter.extend(shapes);
 }
 
-fn stroke(ui: &Ui, line: &Line, scale: f64) -> Stroke {
-    let width = (2.0 * line.radius * scale) as f32;
-    let faint = if line.radius > 0.0 { (width / THINNEST).clamp(FAINTEST, 1.0) } else { 1.0 };
+/// Parts of a line that are everywhere as wide, and how wide, points.
+fn parts<'a>(line: &Line, places: &'a [[f64; 2]], sheet: &Sheet) -> Vec<(&'a [[f64; 2]], f32)> {
+    if line.ball.is_none() {
+        return vec![(places, EDGE)];
+    }
+    let width = |ends: &[[f64; 2]]| {
+        (2.0 * sheet.chart.scale * line.half_width(sheet.projection, [ends[0], ends[1]])) as f32
+    };
+    let mut parts: Vec<(&[[f64; 2]], f32)> = Vec::new();
+    let mut first = 0;
+    for (i, width) in places.windows(2).map(width).enumerate() {
+        match parts.last_mut() {
+            Some((part, wide)) if (width - *wide).abs() <= SAME_WIDTH => *part = &places[first..i + 2],
+            _ => {
+                first = i;
+                parts.push((&places[i..i + 2], width));
+            }
+        }
+    }
+    parts
+}
+
+/// Adds a part of a line, and what it encloses where it is a ball's, which looks hollow otherwise.
+fn add(
+    (places, width): (&[[f64; 2]], f32),
+    is_ball: bool,
+    colour: Color32,
+    sheet: &Sheet,
+    shapes: &mut Vec<Shape>,
+) {
+    let faint = (width / THINNEST).clamp(FAINTEST, 1.0);
+    let stroke = Stroke::new(width.max(THINNEST), colour.gamma_multiply(faint));
+    sheet.chart.clipped(places.iter().copied(), f64::from(stroke.width), |run| {
+        let points: Vec<_> = run.iter().map(|&[x, y]| pos2(x as f32, y as f32)).collect();
+        if is_ball && Rect::from_points(&points).size().max_elem() < LARGEST_FILLED {
+            shapes.push(Shape::convex_polygon(points.clone(), colour, Stroke::NONE));
+        }
+        shapes.push(Shape::line(points, stroke));
+    });
+}
+
+fn line_colour(ui: &Ui, line: &Line) -> Color32 {
     let (colour, strength) = match line.picture {
         _ if line.rests => (ui.visuals().weak_text_color(), STREET),
         Picture::Measured => (colour(line.picture, ui.visuals()), 1.0),
         picture => (colour(picture, ui.visuals()), SEEN),
     };
-    Stroke::new(width.max(THINNEST), colour.gamma_multiply(faint * strength))
+    colour.gamma_multiply(strength)
 }

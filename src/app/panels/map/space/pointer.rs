@@ -2,7 +2,7 @@
 
 use eframe::egui::{Painter, Pos2, Response, Stroke, Ui};
 
-use super::{Sheet, canvas, colour};
+use super::{Sheet, canvas, colour, light};
 use crate::app::command::{Command, Select};
 use crate::app::panels::Asks;
 use crate::app::state::State;
@@ -25,7 +25,12 @@ pub(super) fn read(
     asks: &mut Asks,
 ) {
     let Some(pointer) = response.hover_pos().or(response.interact_pointer_pos()) else { return };
-    let Some(nearest) = nearest(lines, sheet, pointer) else { return };
+    let Some(nearest) = nearest(lines, sheet, pointer) else {
+        if let Some(text) = light::told(state, sheet, pointer) {
+            response.clone().on_hover_text_at_pointer(text);
+        }
+        return;
+    };
     let place = canvas::place(&sheet.chart, sheet.projection.flat(nearest.vertex.place));
     painter.circle_stroke(place, 6.0, Stroke::new(1.5, colour(nearest.line.picture, ui.visuals())));
     let body = nearest.line.body;
@@ -63,7 +68,7 @@ fn times(state: &State, picture: Picture, track: &Track) -> Option<String> {
     let time = state.measures().time;
     let text = |value: f64| time.text(value, 3);
     let received = state.session.time;
-    let seen = || state.settings.disparity(track, received).ok();
+    let seen = || state.settings.exact_disparity(track, received).ok();
     match (picture, state.settings.map.frame) {
         (Picture::Seen(eye), Frame::Ground) => {
             let both = seen()?;

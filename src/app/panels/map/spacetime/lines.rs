@@ -47,7 +47,8 @@ fn nows(sheet: &Sheet<'_>, labels: &mut Labels) {
     let [ground, scene] = sheet.diagram.nows();
     let colours = now_colours(sheet);
     let is_ground = sheet.state.settings.map.frame == Frame::Ground;
-    for (line, colour, is_own) in [(ground, colours[0], is_ground), (scene, colours[1], !is_ground)] {
+    let both = [(ground, colours[0], is_ground), (scene, colours[1], !is_ground)];
+    for (line, colour, is_own) in both.into_iter().take(number_of_nows(sheet)) {
         let stroke = Stroke::new(1.2, colour);
         if is_own {
             draw(sheet, labels, line, stroke);
@@ -55,6 +56,11 @@ fn nows(sheet: &Sheet<'_>, labels: &mut Labels) {
             dashed(sheet, labels, ends, stroke);
         }
     }
+}
+
+/// One where both frames are the same.
+fn number_of_nows(sheet: &Sheet<'_>) -> usize {
+    if sheet.diagram.scene.beta() == 0.0 { 1 } else { 2 }
 }
 
 /// The colours of what is at one time on the ground, and in the scene's frame.
@@ -160,8 +166,10 @@ pub fn name(sheet: &Sheet<'_>, labels: &mut Labels) {
         write(upper(ends), name.trim_start_matches("the "), point_colour(sheet));
     }
     name_eyes(sheet, &mut write);
-    let names = ["now, ground", "now, bicycle"];
-    for ((line, name), colour) in sheet.diagram.nows().into_iter().zip(names).zip(now_colours(sheet)) {
+    let number = number_of_nows(sheet);
+    let names = if number == 1 { ["now", ""] } else { ["now, ground", "now, bicycle"] };
+    let nows = sheet.diagram.nows().into_iter().take(number);
+    for ((line, name), colour) in nows.zip(names).zip(now_colours(sheet)) {
         if let Some([left, right]) = shown(sheet, line) {
             write(left.lerp(right, 0.9), name, colour);
         }
@@ -202,4 +210,28 @@ fn name_light(sheet: &Sheet<'_>, write: &mut impl FnMut(Pos2, &str, Color32)) {
     if steps < 0.0 {
         write(sheet.place(outwards.at(steps)), "light along x: 45°", colour);
     }
+}
+
+/// What is said of the line under the pointer, if it is no worldline.
+pub fn told(sheet: &Sheet<'_>, pointer: Pos2) -> Option<String> {
+    let near = |line: StraightLine| sheet.nearest(line, pointer).1 < super::NEAR;
+    let world = sheet.chart.world([pointer.x, pointer.y].map(f64::from));
+    let [cone, _] = sheet.diagram.cones();
+    let off = sheet.place(Event { x: world[0], t: cone.time(world[0]) }).y - pointer.y;
+    if off.abs() < super::NEAR {
+        let distance = sheet.state.measures().length.text(cone.distance, 2);
+        return Some(format!(
+            "Past light cone: light that leaves here, {distance} beside the line of the eyes, arrives now.\n\
+             Far away it runs along x, at 45 degrees: one unit of length in one of time. Near the eyes it takes its \
+             time across."
+        ));
+    }
+    if cone.asymptotes().into_iter().any(near) && world[1] < cone.apex.t {
+        return Some("Light that runs along x at 45 degrees, and arrives now.".to_owned());
+    }
+    let [ground, scene] = sheet.diagram.nows();
+    let told =
+        |clocks: &str| format!("All that is now, when the light is received, on the {clocks}'s clocks.");
+    let named = [(scene, "bicycle"), (ground, "ground")].into_iter().find(|(line, _)| near(*line));
+    named.map(|(_, clocks)| told(clocks))
 }

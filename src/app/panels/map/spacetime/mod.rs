@@ -5,8 +5,11 @@ mod lines;
 mod marks;
 mod words;
 
+use std::sync::Arc;
+
 use eframe::egui::{
-    Align2, CursorIcon, Painter, Pos2, Rect, Response, Sense, TextStyle, Ui, Vec2, accesskit::Role, vec2,
+    Align2, CursorIcon, Galley, Painter, Pos2, Rect, Response, Sense, TextStyle, Ui, Vec2, accesskit::Role,
+    vec2,
 };
 
 use super::axes::{self, Axis};
@@ -77,12 +80,14 @@ pub fn show(ui: &mut Ui, state: &State, rect: Rect, asks: &mut Asks) {
     let painter = ui.painter().with_clip_rect(rect.intersect(ui.clip_rect()));
     let sheet = Sheet { ui, painter, chart, state, diagram };
     let mut labels = Labels::new(rect, background);
-    title(&sheet, &mut labels);
+    let title = Title::of(&sheet);
+    labels.keep_free(title.rect);
     axes::paint(ui, &sheet.painter, &sheet.chart, axes_of(state), &mut labels);
     lines::paint(&sheet, &mut labels);
     let marks = marks::of(&sheet);
     marks::paint(&sheet, &marks, &mut labels);
     lines::name(&sheet, &mut labels);
+    title.paint(&sheet);
     point_at(&sheet, &response, &marks, asks);
     handle(&sheet, asks);
 }
@@ -97,19 +102,27 @@ fn axes_of(state: &State) -> [Axis<'static>; 2] {
     [Axis { symbol: x, unit: measures.length }, Axis { symbol: t, unit: measures.time }]
 }
 
-/// In whose frame it is drawn.
-fn title(sheet: &Sheet<'_>, labels: &mut Labels) {
-    let text = match sheet.state.settings.map.frame {
-        Frame::Ground => "on the ground's clocks and rulers",
-        Frame::Bicycle => "on the bicycle's clocks and rulers",
-    };
-    let visuals = sheet.ui.visuals();
-    let font = TextStyle::Small.resolve(sheet.ui.style());
-    let galley = sheet.painter.layout_no_wrap(text.to_owned(), font, visuals.text_color());
-    let rect = Align2::LEFT_TOP.anchor_size(sheet.room().min + TITLE, galley.size());
-    if labels.is_free(rect) {
-        sheet.painter.galley(rect.min, galley, visuals.text_color());
-        labels.keep_free(rect);
+/// In whose frame it is drawn, in the corner beside the name of the axis.
+struct Title {
+    rect: Rect,
+    galley: Arc<Galley>,
+}
+
+impl Title {
+    fn of(sheet: &Sheet<'_>) -> Self {
+        let text = match sheet.state.settings.map.frame {
+            Frame::Ground => "on the ground's clocks and rulers",
+            Frame::Bicycle => "on the bicycle's clocks and rulers",
+        };
+        let font = TextStyle::Small.resolve(sheet.ui.style());
+        let galley = sheet.painter.layout_no_wrap(text.to_owned(), font, sheet.ui.visuals().text_color());
+        Self { rect: Align2::LEFT_TOP.anchor_size(sheet.room().min + TITLE, galley.size()), galley }
+    }
+
+    fn paint(self, sheet: &Sheet<'_>) {
+        let colour = sheet.ui.visuals().extreme_bg_color;
+        sheet.painter.rect_filled(self.rect.expand(2.0), 2.0, colour.gamma_multiply(0.7));
+        sheet.painter.galley(self.rect.min, self.galley, sheet.ui.visuals().text_color());
     }
 }
 
@@ -123,15 +136,17 @@ fn point_at(sheet: &Sheet<'_>, response: &Response, marks: &[marks::Mark], asks:
     let nearer =
         |a: &&marks::Mark, b: &&marks::Mark| a.place.distance(pointer).total_cmp(&b.place.distance(pointer));
     let aimed = aimed_at(sheet, pointer);
-    let text = match marks.iter().filter(near).min_by(nearer) {
-        Some(mark) => Some(mark.words.clone()),
-        None => aimed.as_ref().map(|aimed| aimed.words.clone()),
-    };
-    if let (true, Some(aimed)) = (response.clicked(), aimed) {
-        asks.push(Command::Time(aimed.time));
+    let mark = marks.iter().filter(near).min_by(nearer).map(|mark| mark.words.clone());
+    let text = mark.or_else(|| aimed.as_ref().map(|aimed| aimed.words.clone()));
+    let text = text.or_else(|| lines::told(sheet, pointer));
+    if let Some(aimed) = aimed {
+        response.clone().on_hover_cursor(CursorIcon::PointingHand);
+        if response.clicked() {
+            asks.push(Command::Time(aimed.time));
+        }
     }
     if let Some(text) = text {
-        response.clone().on_hover_cursor(CursorIcon::PointingHand).on_hover_text_at_pointer(text);
+        response.clone().on_hover_text_at_pointer(text);
     }
 }
 

@@ -16,6 +16,7 @@ use crate::figures;
 
 /// Width of the table.
 const TABLE_WIDTH: f32 = 470.0;
+const LEAST_PLOT: f32 = 150.0;
 
 /// Shows the tab.
 pub fn show(ui: &mut Ui, state: &State, examination: Option<&Examination>, asks: &mut Asks) {
@@ -26,7 +27,7 @@ pub fn show(ui: &mut Ui, state: &State, examination: Option<&Examination>, asks:
     }
     let before = state.settings.quality;
     let mut quality = before;
-    let (table, plot) = table_and_plots(ui.available_rect_before_wrap(), TABLE_WIDTH);
+    let (table, plot) = table_and_plots(ui.available_rect_before_wrap(), TABLE_WIDTH, LEAST_PLOT);
     part(ui, "figures", table, |ui| {
         let area = ScrollArea::both().auto_shrink(false);
         area.show(ui, |ui| table::show(ui, examination, &mut quality));

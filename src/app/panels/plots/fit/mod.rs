@@ -16,19 +16,21 @@ use crate::flags::TimeRange;
 use crate::settings::{FIT_SAMPLES, FitSetup, MAX_SEED, NOISE_PERCENT};
 use crate::units::Unit;
 
-/// Width of the table.
+/// Width of the table, and least width of the plots: that of the choice of the model above them.
 const TABLE_WIDTH: f32 = 346.0;
-/// Width of a unit in it, and of what it adds to numbers.
-const UNIT_WIDTH: f32 = 40.0;
+const LEAST_PLOTS: f32 = 300.0;
+/// What a unit adds to the table's width.
+const UNIT_WIDTH: f32 = 26.0;
 
 /// Shows the tab: the model above the plots, the samples above the table.
 pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
     let mut setup = state.settings.fit;
     let unit_width = if state.measures().length == Unit::OWN { 0.0 } else { UNIT_WIDTH };
-    let (table, plots) = table_and_plots(ui.available_rect_before_wrap(), TABLE_WIDTH + unit_width);
+    let (table, plots) =
+        table_and_plots(ui.available_rect_before_wrap(), TABLE_WIDTH + unit_width, LEAST_PLOTS);
     part(ui, "fit samples and table", table, |ui| {
         if plots.is_none() {
-            row(ui, |ui| model(ui, &mut setup));
+            row(ui, |ui| model(ui, state, &mut setup));
         }
         row(ui, |ui| samples(ui, &mut setup));
         row(ui, |ui| range(ui, state, &mut setup));
@@ -37,7 +39,7 @@ pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
     });
     if let Some(plots) = plots {
         part(ui, "fit plots", plots, |ui| {
-            row(ui, |ui| model(ui, &mut setup));
+            row(ui, |ui| model(ui, state, &mut setup));
             plots::show(ui, state, fitting, asks);
         });
     }
@@ -53,7 +55,7 @@ fn row(ui: &mut Ui, widgets: impl FnOnce(&mut Ui)) {
     });
 }
 
-fn model(ui: &mut Ui, setup: &mut FitSetup) {
+fn model(ui: &mut Ui, state: &State, setup: &mut FitSetup) {
     let fitted = [
         (Curves::Azimuth, "Δφ", "Fit Δφ", "Fits the differences in azimuth. They do not tell up from down."),
         (Curves::Polar, "Δθ", "Fit Δθ", "Fits the differences in elevation."),
@@ -64,15 +66,38 @@ fn model(ui: &mut Ui, setup: &mut FitSetup) {
         ui.selectable_value(&mut setup.curves, curves, text).on_hover_text(tip).accessible_name(name);
     }
     ui.label(RichText::new("by").weak());
-    let exact = "Each eye solves its own light cone, as the data were made.";
-    let published = "The paper's binocular model: the right eye is the left one at T − ΔT, without parallax.\n\
-        The data stay what the eyes see, so its fit is biased.";
-    let appendix_a = Model::Published(PublishedVariant::AppendixA);
-    let models = [(Model::Exact, "exact", exact), (appendix_a, "published", published)];
+    let models =
+        MODELS.map(|(model, name, tip)| (model, name, format!("{tip}\n{}", told_of_data(state, model))));
+    let models = models.each_ref().map(|(model, name, tip)| (*model, *name, tip.as_str()));
     choice(ui, &mut setup.model, &models);
     let tip = "Fits x₀, where the point is at t = 0, too: as if the time of passage were unknown.\n\
         Else x₀ is known.";
     ui.checkbox(&mut setup.fit_x0, "x₀").on_hover_text(tip).accessible_name("Fit x₀");
+}
+
+const MODELS: [(Model, &str, &str); 3] = [
+    (Model::Exact, "exact", "Each eye solves its own light cone."),
+    (
+        Model::OneCone,
+        "one cone",
+        "As if both eyes received the same events: those that the middle between them receives.",
+    ),
+    (
+        Model::Published(PublishedVariant::AppendixA),
+        "published",
+        "The paper's binocular model: the right eye is the left one at T − ΔT, without parallax.",
+    ),
+];
+
+/// How the samples of the Fit tab are made, as seen from a `model` that is to fit them.
+fn told_of_data(state: &State, model: Model) -> &'static str {
+    match state.settings.model() {
+        made if made == model => "So the data were made.",
+        Model::OneCone => {
+            "The data are those of one light cone for both eyes, as the views show, so its fit is biased."
+        }
+        _ => "The data stay what the eyes see, so its fit is biased.",
+    }
 }
 
 fn samples(ui: &mut Ui, setup: &mut FitSetup) {

@@ -13,6 +13,7 @@ use crate::app::panels::Asks;
 use crate::app::panels::plots::axes::{annotate, bounds, grid, label, plot_over_time, tick, time_at_pointer};
 use crate::app::state::State;
 use crate::app::theme;
+use crate::units::Unit;
 
 /// How much of the height the residuals take, with the numbers along T.
 const RESIDUALS_SHARE: f32 = 0.44;
@@ -67,7 +68,7 @@ fn pair(ui: &mut Ui, state: &State, fitting: &Fitting, quantity: Quantity, size:
         name: format!("Fit of {name} against T"),
         size: vec2(size.x, height - residuals_height),
         with_times: !has_residuals,
-        grid: |input| grid(Quantity::DeltaPhi, input),
+        grid: |input| grid(Quantity::DeltaPhi, Unit::OWN, input),
     };
     curve.show(ui, state, drawing.curve_bounds(), asks, |plot| drawing.curve(plot));
     if has_residuals {

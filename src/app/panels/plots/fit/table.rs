@@ -1,7 +1,7 @@
 //! What the fit says: each parameter with its uncertainty beside the truth, and a verdict.
 
 use eframe::egui::{Grid, RichText, Ui};
-use relativity_core::{DEFAULT_REPLICATES, Parameter};
+use relativity_core::{DEFAULT_REPLICATES, Model, Parameter};
 
 use crate::app::fitting::{FitOutcome, Fitted, Fitting};
 use crate::app::widgets::named_text;
@@ -36,10 +36,9 @@ pub fn show(ui: &mut Ui, fitting: &Fitting, length: Unit) {
         }
     }
     if let Some(bias) = &outcome.bias {
-        ui.label(bias_note(bias, length)).on_hover_text(
-            "The same fit to samples without noise, minus the truth.\n\
-            The published model measures both angles from the left eye; what the eyes see has parallax.",
-        );
+        let neglect = Neglect::of(outcome.key.setup.model);
+        let tip = format!("The same fit to samples without noise, minus the truth.\n{}", neglect.reason);
+        ui.label(bias_note(&neglect, bias, length)).on_hover_text(tip);
     }
 }
 
@@ -155,16 +154,47 @@ fn notes(ui: &mut Ui, outcome: &FitOutcome, fitted: &Fitted) {
     }
 }
 
-fn bias_note(bias: &Result<[f64; 3], String>, length: Unit) -> String {
+/// What a fit by a model that did not make the data leaves out.
+struct Neglect {
+    doing: &'static str,
+    it_does: &'static str,
+    reason: &'static str,
+}
+
+impl Neglect {
+    const fn of(model: Model) -> Self {
+        match model {
+            Model::Published(_) => Self {
+                doing: "Leaving out parallax",
+                it_does: "It leaves out parallax",
+                reason: "The published model measures both angles from the left eye; what the eyes see has parallax.",
+            },
+            Model::OneCone => Self {
+                doing: "Taking one light cone for both eyes",
+                it_does: "It takes one light cone for both eyes",
+                reason: "Each eye receives events of its own: as far as the curves differ by that, it is taken for distance \
+                    and speed.",
+            },
+            Model::Exact => Self {
+                doing: "Taking two light cones where the views show one",
+                it_does: "It takes two light cones where the views show one",
+                reason: "The samples are those of the views: as if both eyes received the same events.",
+            },
+        }
+    }
+}
+
+fn bias_note(neglect: &Neglect, bias: &Result<[f64; 3], String>, length: Unit) -> String {
     let by = |value: f64| signed(length.shown(value), length.decimals(2)) + &length.suffix();
     match bias {
         Ok([beta, y, z]) => format!(
-            "Leaving out parallax biases it, even without noise: β by {}, y by {}, z by {}.",
+            "{} biases it, even without noise: β by {}, y by {}, z by {}.",
+            neglect.doing,
             signed(*beta, 3),
             by(*y),
             by(*z)
         ),
-        Err(problem) => format!("It leaves out parallax. Even without noise: {problem}."),
+        Err(problem) => format!("{}. Even without noise: {problem}.", neglect.it_does),
     }
 }
 

@@ -1,0 +1,195 @@
+//! How light of the selected point comes to the eyes: the rays that arrive at T, the fronts that they belong to, and
+//! fronts of light that left at regular times, which grow while time runs.
+
+use std::f32::consts::PI;
+
+use eframe::egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, Ui, Vec2};
+use glam::DVec3;
+use relativity_core::math;
+
+use super::{Sheet, canvas};
+use crate::app::observer::Eye;
+use crate::app::state::State;
+use crate::app::theme;
+use crate::map::{Event, Front, Projection, Ray, Worldline, fronts, rays};
+use crate::plot::round_step;
+
+/// Fronts that follow each other while light comes from where the point passes.
+const FRONTS_ON_THE_WAY: f64 = 3.0;
+/// How near the pointer has to be, points.
+const NEAR: f32 = 5.0;
+/// Radius of the largest circle that is drawn, points.
+const LARGEST: f32 = 1e6;
+/// How far a drawn circle may be from a round one, points.
+const TOLERANCE: f32 = 0.1;
+/// Length of the arrow on a ray, points.
+const ARROW: f32 = 8.0;
+
+/// Draws it.
+pub(super) fn paint(ui: &Ui, painter: &Painter, state: &State, sheet: &Sheet) {
+    let Some(light) = Light::of(state, sheet) else { return };
+    let faint = ui.visuals().weak_text_color().gamma_multiply(0.35);
+    for front in light.fronts(state) {
+        light.paint_front(painter, &front, Stroke::new(1.0, faint));
+    }
+    for (eye, ray) in Eye::BOTH.into_iter().zip(light.rays) {
+        let colour = theme::eye_colour(eye, ui.visuals());
+        light.paint_front(painter, &ray.front(), Stroke::new(1.2, colour.gamma_multiply(0.8)));
+        light.paint_ray(painter, &ray, colour);
+    }
+}
+
+/// What is said of the light under the pointer.
+pub(super) fn told(state: &State, sheet: &Sheet, pointer: Pos2) -> Option<String> {
+    let light = Light::of(state, sheet)?;
+    let eyes = || Eye::BOTH.into_iter().zip(light.rays);
+    if let Some((eye, ray)) = eyes().find(|(_, ray)| light.off_ray(ray, pointer) < NEAR) {
+        let what = format!("Light that the {} receives now", eye.name().to_lowercase());
+        return Some(format!("{what}\n{}", times(state, Some(state.session.time), &ray.front())));
+    }
+    if let Some((eye, ray)) = eyes().find(|(_, ray)| light.off_front(&ray.front(), pointer) < NEAR) {
+        let what = format!("The front that reaches the {} now", eye.name().to_lowercase());
+        return Some(format!("{what}\n{}", times(state, Some(state.session.time), &ray.front())));
+    }
+    let front = light.fronts(state).find(|front| light.off_front(front, pointer) < NEAR)?;
+    let every = state.measures().time.text(light.period(state), 3);
+    let what = format!("How far light has come that left here before: a front for every {every}");
+    Some(format!("{what}\n{}", times(state, None, &front)))
+}
+
+/// When it left, and when it is received.
+fn times(state: &State, received: Option<f64>, front: &Front) -> String {
+    let text = |value: f64| state.measures().time.text(value, 3);
+    let received = received.map(|received| format!("received T = {}\n", text(received)));
+    let [happened, own] = [front.happened, front.own_time].map(text);
+    format!("{}happened t = {happened}\nown clock τ = {own}", received.unwrap_or_default())
+}
+
+/// The light of the selected point on a chart.
+struct Light<'a> {
+    sheet: &'a Sheet,
+    worldline: Worldline,
+    rays: [Ray; 2],
+    /// The present by the clocks of the frame that is drawn.
+    now: f64,
+}
+
+impl<'a> Light<'a> {
+    fn of(state: &State, sheet: &'a Sheet) -> Option<Self> {
+        let (settings, time) = (&state.settings, state.session.time);
+        let (track, frame) = (state.session.points.selected().track, settings.frame());
+        Some(Self {
+            sheet,
+            worldline: Worldline::new(settings, &track, frame),
+            rays: rays(settings, &track, time, frame).ok()?,
+            now: Event { x: 0.0, t: time }.in_frame(frame).t,
+        })
+    }
+
+    /// The time from one front to the next, round in the unit that is shown.
+    fn period(&self, state: &State) -> f64 {
+        let unit = state.measures().time;
+        let [y, z] = self.worldline.across();
+        let distance = math::hypot(y, z).max(1.0);
+        unit.in_scene(round_step(unit.shown(distance / FRONTS_ON_THE_WAY)))
+    }
+
+    fn fronts(&self, state: &State) -> impl Iterator<Item = Front> {
+        fronts(&self.worldline, self.now, self.period(state))
+    }
+
+    /// Where an event is whose y and z are these.
+    fn place(&self, event: Event, [y, z]: [f64; 2]) -> Pos2 {
+        canvas::place(&self.sheet.chart, self.sheet.projection.flat(DVec3::new(event.x, y, z)))
+    }
+
+    /// The circle in which a front meets the plane of the eyes, in which it reaches them: its middle, and its radius in
+    /// points; `None` before it has come so far.
+    fn circle(&self, front: &Front) -> Option<(Pos2, f32)> {
+        let [y, z] = self.worldline.across();
+        let from_plane = match self.sheet.projection {
+            Projection::Plan => z,
+            Projection::Side => y,
+        };
+        let radius = front.radius_in_plane(from_plane.abs())?;
+        Some((self.place(front.left, [y, z]), (radius * self.sheet.chart.scale) as f32))
+    }
+
+    fn paint_front(&self, painter: &Painter, front: &Front, stroke: Stroke) {
+        if let Some((middle, radius)) = self.circle(front).filter(|(_, radius)| *radius < LARGEST) {
+            painter.line(arc(middle, radius, self.sheet.room()), stroke);
+        }
+    }
+
+    fn off_front(&self, front: &Front, pointer: Pos2) -> f32 {
+        self.circle(front).map_or(f32::INFINITY, |(middle, radius)| (middle.distance(pointer) - radius).abs())
+    }
+
+    /// From where the light left to where it arrives.
+    fn ends(&self, ray: &Ray) -> [Pos2; 2] {
+        [self.place(ray.left, self.worldline.across()), self.place(ray.received, [0.0; 2])]
+    }
+
+    /// The way of the light, with an arrow in the middle.
+    fn paint_ray(&self, painter: &Painter, ray: &Ray, colour: Color32) {
+        let [from, to] = self.ends(ray);
+        painter.line_segment([from, to], Stroke::new(1.2, colour));
+        let along = (to - from).normalized();
+        let tip = from.lerp(to, 0.5) + 0.5 * ARROW * along;
+        let (back, aside) = (tip - ARROW * along, 0.4 * ARROW * along.rot90());
+        let arrow = vec![tip, back + aside, back - aside];
+        painter.add(Shape::convex_polygon(arrow, colour, Stroke::NONE));
+    }
+
+    fn off_ray(&self, ray: &Ray, pointer: Pos2) -> f32 {
+        let [from, to] = self.ends(ray);
+        let (way, there) = (to - from, pointer - from);
+        let part = (there.dot(way) / way.length_sq()).clamp(0.0, 1.0);
+        (there - part * way).length()
+    }
+}
+
+/// What of a circle may be seen in `room`, in pieces that are straight to a tenth of a point.
+fn arc(middle: Pos2, radius: f32, room: Rect) -> Vec<Pos2> {
+    let towards = room.center() - middle;
+    let corners = [room.left_top(), room.right_top(), room.left_bottom(), room.right_bottom()];
+    let aside = corners.map(|corner| {
+        let there = corner - middle;
+        (towards.x * there.y - towards.y * there.x).atan2(towards.dot(there))
+    });
+    let half =
+        if room.contains(middle) { PI } else { aside.into_iter().fold(0.0, |a: f32, b| a.max(b.abs())) };
+    let piece = 2.0 * (2.0 * TOLERANCE / radius.max(TOLERANCE)).sqrt();
+    let pieces = (2.0 * half / piece).ceil().max(1.0);
+    let at =
+        |i: u32| middle + radius * Vec2::angled(towards.angle() + half * (2.0 * i as f32 / pieces - 1.0));
+    (0..=pieces as u32).map(at).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use eframe::egui::pos2;
+
+    use super::*;
+
+    #[test]
+    fn an_arc_is_round_and_all_of_it_that_is_in_the_room() {
+        let room = Rect::from_min_max(pos2(0.0, 0.0), pos2(400.0, 200.0));
+        for (middle, radius) in
+            [(pos2(100.0, 100.0), 80.0), (pos2(-50.0, 90.0), 300.0), (pos2(-20_000.0, 3000.0), 20_300.0)]
+        {
+            let arc = arc(middle, radius, room);
+            assert!((2..400).contains(&arc.len()), "{}", arc.len());
+            for pair in arc.windows(2) {
+                let between = pair[0].lerp(pair[1], 0.5);
+                assert!((between.distance(middle) - radius).abs() < 0.11, "{between:?}");
+            }
+            // Each place of the circle in the room is near a place of the arc.
+            let all = (0..100_000).map(|i| middle + radius * Vec2::angled(i as f32 * 2.0 * PI / 1e5));
+            let longest = 2.0 * (2.0 * TOLERANCE * radius).sqrt();
+            for place in all.filter(|place| room.contains(*place)) {
+                assert!(arc.iter().any(|there| there.distance(place) < longest), "{place:?}");
+            }
+        }
+    }
+}

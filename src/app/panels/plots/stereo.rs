@@ -1,0 +1,91 @@
+//! The tab "Stereo": how far off two eyes take the selected point to be, beside how far each sees it and where it is
+//! measured.
+
+use eframe::egui::{Color32, RichText, Sense, Stroke, Ui, Visuals, pos2, vec2};
+use egui_plot::LineStyle;
+
+use super::Trace;
+use crate::app::curves::{Curves, DistanceKind, Quantity, StereoView, stereo_view};
+use crate::app::observer::Eye;
+use crate::app::state::State;
+use crate::app::theme;
+use crate::figures;
+
+/// What is drawn of the selected point.
+pub(super) fn traces<'a>(ui: &Ui, state: &State, curves: &'a Curves, quantity: Quantity) -> Vec<Trace<'a>> {
+    let visuals = ui.visuals();
+    if quantity == Quantity::LogGain {
+        let colour = theme::stereo_colour(visuals);
+        let trace = |exact_beside| {
+            move |points: &'a Vec<_>| {
+                Trace::of_model("Stereo gain".to_owned(), points, colour, state, exact_beside)
+            }
+        };
+        let [exact, shown] = [curves.exact(quantity), curves.shown(quantity)].map(<[_]>::iter);
+        return exact.map(trace(true)).chain(shown.map(trace(false))).collect();
+    }
+    let trace = |(kind, points): (DistanceKind, &'a Vec<_>)| Trace {
+        name: words(kind)[1].to_owned(),
+        points,
+        colour: colour(kind, visuals),
+        style: style(kind),
+        wide: kind != DistanceKind::Measured,
+        dot: true,
+    };
+    // Two eyes on top.
+    DistanceKind::ALL.into_iter().zip(curves.shown(quantity)).rev().map(trace).collect()
+}
+
+/// What the curves are at T, each with how its line looks.
+pub(super) fn values_now(ui: &mut Ui, state: &State, quantity: Quantity) {
+    let key = state.curve_key(state.session.points.selected());
+    let view = stereo_view(&key, key.model, state.session.time);
+    if quantity == Quantity::LogGain {
+        let gain = figures::fixed_or_none(view.map(|StereoView { gain, .. }| gain), 4);
+        ui.label(RichText::new(gain).color(theme::stereo_colour(ui.visuals())));
+        return;
+    }
+    let unit = state.measures().length;
+    for (index, kind) in DistanceKind::ALL.into_iter().enumerate() {
+        let [name, tip] = words(kind);
+        let value = unit.number(view.map_or(f64::NAN, |view| view.distances[index]), 3);
+        sample(ui, kind);
+        let text = RichText::new(format!("{name} {value}")).color(colour(kind, ui.visuals()));
+        ui.label(text).on_hover_text(tip);
+    }
+}
+
+/// The name of a distance, short and long.
+const fn words(kind: DistanceKind) -> [&'static str; 2] {
+    match kind {
+        DistanceKind::Stereo => ["two eyes", "Where two eyes take it to be"],
+        DistanceKind::Seen(Eye::Left) => ["left", "Where the left eye sees it"],
+        DistanceKind::Seen(Eye::Right) => ["right", "Where the right eye sees it"],
+        DistanceKind::Measured => ["measured", "Where it is measured now"],
+    }
+}
+
+fn colour(kind: DistanceKind, visuals: &Visuals) -> Color32 {
+    match kind {
+        DistanceKind::Stereo => theme::stereo_colour(visuals),
+        DistanceKind::Seen(eye) => theme::eye_colour(eye, visuals),
+        DistanceKind::Measured => theme::measured_colour(visuals),
+    }
+}
+
+fn style(kind: DistanceKind) -> LineStyle {
+    if matches!(kind, DistanceKind::Seen(_)) { LineStyle::dashed_dense() } else { LineStyle::Solid }
+}
+
+/// A short piece of the line that stands for `kind`.
+fn sample(ui: &mut Ui, kind: DistanceKind) {
+    let (rect, _) = ui.allocate_exact_size(vec2(16.0, 10.0), Sense::hover());
+    let width = if kind == DistanceKind::Measured { 1.2 } else { 2.0 };
+    let stroke = Stroke::new(width, colour(kind, ui.visuals()));
+    let pieces: &[[f32; 2]] =
+        if matches!(kind, DistanceKind::Seen(_)) { &[[0.0, 6.0], [10.0, 16.0]] } else { &[[0.0, 16.0]] };
+    for [from, to] in pieces {
+        let [from, to] = [from, to].map(|x| pos2(rect.min.x + x, rect.center().y));
+        ui.painter().line_segment([from, to], stroke);
+    }
+}

@@ -1,0 +1,228 @@
+//! The map's spacetime face: its marks are where the core says, in both frames; the present that is dragged; what is
+//! said of an event.
+
+use eframe::egui::{Modifiers, Pos2, Rect, pos2, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use gamow::app::App;
+use gamow::app::command::Command;
+use gamow::flags::{SpeedParameter, SpeedSetting};
+use gamow::settings::{Face, Frame, Map, Presence, Theme, Window};
+use relativity_core::Speed;
+
+use super::Test;
+use super::layouts::assert_no_broken_numbers;
+use super::picking::click;
+use super::support::{SEPARATION, TRACKED, cyclist, drag, label_starting_with, labels, seen, window_of_size};
+
+pub const TESTS: &[Test] = &[
+    ("events_of_spacetime_are_where_the_numbers_say_to_half_a_pixel", events_are_where_the_numbers_say),
+    ("light_runs_at_45_degrees_in_every_unit", light_runs_at_45_degrees),
+    ("dragging_the_present_along_the_worldline_of_the_eyes_goes_to_another_time", dragging_the_present),
+    ("a_click_on_the_worldline_goes_to_when_that_event_is_seen", a_click_on_the_worldline),
+    ("an_event_tells_its_three_times_by_their_names", an_event_tells_its_three_times),
+    ("spacetime_that_is_not_shown_is_not_there", spacetime_that_is_not_shown),
+    ("no_speed_time_or_size_breaks_spacetime", nothing_breaks_spacetime),
+];
+
+const NAME: &str = "Map, x against t";
+
+/// A window that shows the cyclist's spacetime in this frame, and nothing else that is large.
+fn spacetime(beta: f64, frame: Frame, size: [f32; 2]) -> Harness<'static, App> {
+    let mut state = cyclist(beta);
+    state.settings.map = Map { face: Face::Spacetime, frame };
+    state.settings.window =
+        Window { views: false, plots: false, controls: false, map: Presence::On, ..Window::default() };
+    window_of_size(state, size, 1.0)
+}
+
+fn mark(window: &Harness<'_, App>, name: &str) -> Pos2 {
+    window.get_by_label(&format!("{NAME}: {name}")).rect().center()
+}
+
+fn go_to(window: &mut Harness<'_, App>, time: f64) {
+    window.state_mut().ask(Command::Time(time));
+    window.run();
+}
+
+fn time(window: &Harness<'_, App>) -> f64 {
+    window.state().state().session.time
+}
+
+fn gamma(beta: f64) -> f64 {
+    Speed::from_beta(beta).expect("a speed").gamma()
+}
+
+/// An event of the ground, as `frame` has it: by the textbook.
+fn transformed(beta: f64, frame: Frame, [x, t]: [f64; 2]) -> [f64; 2] {
+    match frame {
+        Frame::Ground => [x, t],
+        Frame::Bicycle => [gamma(beta) * (x - beta * t), gamma(beta) * (t - beta * x)],
+    }
+}
+
+/// The chart, found by where the present is at two times.
+struct Found {
+    beta: f64,
+    frame: Frame,
+    scale: f64,
+    origin: [f64; 2],
+}
+
+impl Found {
+    fn new(window: &mut Harness<'_, App>, beta: f64, frame: Frame) -> Self {
+        let [first, last] = [1.3, 4.4].map(|time| {
+            go_to(window, time);
+            (mark(window, "the present T"), transformed(beta, frame, [0.0, time]))
+        });
+        let scale = f64::from(first.0.y - last.0.y) / (last.1[1] - first.1[1]);
+        let [x, t] = last.1;
+        let origin = [f64::from(last.0.x) - scale * x, f64::from(last.0.y) + scale * t];
+        Self { beta, frame, scale, origin }
+    }
+
+    /// Where an event of the ground is drawn.
+    fn place(&self, event: [f64; 2]) -> Pos2 {
+        let [x, t] = transformed(self.beta, self.frame, event);
+        pos2((self.origin[0] + self.scale * x) as f32, (self.origin[1] - self.scale * t) as f32)
+    }
+}
+
+fn events_are_where_the_numbers_say() {
+    for size in [[800.0, 600.0], [1280.0, 800.0], [1920.0, 1080.0]] {
+        for beta in [0.3, 0.9, 0.99] {
+            for frame in [Frame::Ground, Frame::Bicycle] {
+                let mut window = spacetime(beta, frame, size);
+                let found = Found::new(&mut window, beta, frame);
+                for time in [1.5, 2.75, 4.0] {
+                    go_to(&mut window, time);
+                    assert_events(&window, &found);
+                }
+            }
+        }
+    }
+}
+
+#[track_caller]
+fn assert_events(window: &Harness<'_, App>, found: &Found) {
+    let (beta, time) = (found.beta, time(window));
+    let near = |name: &str, event: [f64; 2]| {
+        let (shown, expected) = (mark(window, name), found.place(event));
+        assert!(shown.distance(expected) < 0.5, "{name} at {shown:?}, not {expected:?}; T = {time}");
+    };
+    for (eye, name, x) in [(0, "Left eye", -0.5 * SEPARATION), (1, "Right eye", 0.5 * SEPARATION)] {
+        let seen = seen(beta, time, eye);
+        near(&format!("received, {name}"), [x, time]);
+        near(&format!("happened, {name}"), [x + seen.position[0], seen.retarded_time]);
+    }
+    near("measured now", [beta * time, time]);
+    // t - beta x = T on the worldline x = beta t: all that is now on the bicycle's clocks.
+    let now = time * gamma(beta) * gamma(beta);
+    if window.query_by_label(&format!("{NAME}: now on the bicycle's clocks")).is_some() {
+        near("now on the bicycle's clocks", [beta * now, now]);
+    }
+}
+
+fn light_runs_at_45_degrees() {
+    use gamow::units::Units;
+    for units in [Units::Natural, Units::Metric, Units::Town] {
+        let mut window = spacetime(0.9, Frame::Ground, [1280.0, 800.0]);
+        let settings = Window { units, ..window.state().state().settings.window };
+        window.state_mut().ask(Command::Window(settings));
+        window.run();
+        let found = Found::new(&mut window, 0.9, Frame::Ground);
+        let [first, last] = [1.5, 4.0].map(|time| {
+            go_to(&mut window, time);
+            mark(&window, "measured now")
+        });
+        let [across, up] = [last.x - first.x, first.y - last.y].map(f64::from);
+        assert!((across - 0.9 * up).abs() < 0.1 && (up - 2.5 * found.scale).abs() < 0.1, "{across} {up}");
+    }
+}
+
+fn dragging_the_present() {
+    for frame in [Frame::Ground, Frame::Bicycle] {
+        let mut window = spacetime(0.9, frame, [1280.0, 800.0]);
+        let found = Found::new(&mut window, 0.9, frame);
+        go_to(&mut window, 2.0);
+        let from = mark(&window, "the present T");
+        drag(&mut window, from, found.place([0.0, 3.5]));
+        // egui takes the first six points for a click still.
+        assert!((time(&window) - 3.5).abs() < 7.0 / found.scale, "{frame:?}: {}", time(&window));
+        let eye = mark(&window, "the present T");
+        assert!(eye.distance(found.place([0.0, time(&window)])) < 0.5);
+        assert_eq!(window.state().state().session.map_view, gamow::map::Viewpoint::default());
+    }
+}
+
+fn a_click_on_the_worldline() {
+    let mut window = spacetime(0.9, Frame::Ground, [1280.0, 800.0]);
+    let found = Found::new(&mut window, 0.9, Frame::Ground);
+    go_to(&mut window, 2.0);
+    let happened = -1.5;
+    click(&mut window, found.place([0.9 * happened, happened]), Modifiers::NONE);
+    let [_, y, z] = TRACKED;
+    let received = happened + (0.81 * happened * happened + y * y + z * z).sqrt();
+    assert!((time(&window) - received).abs() < 1.0 / found.scale, "{} {received}", time(&window));
+    // On the worldline of the eyes, above the present.
+    click(&mut window, found.place([0.0, 4.0]), Modifiers::NONE);
+    assert!((time(&window) - 4.0).abs() < 1.0 / found.scale, "{}", time(&window));
+}
+
+fn an_event_tells_its_three_times() {
+    let mut window = spacetime(0.9, Frame::Ground, [1280.0, 800.0]);
+    go_to(&mut window, 2.0);
+    let place = mark(&window, "happened, Left eye");
+    window.hover_at(place);
+    window.run_steps(30);
+    let seen = seen(0.9, 2.0, 0);
+    let text = label_starting_with(&window, "What the left eye sees now happened here");
+    let shown = |name: &str| -> f64 {
+        let line = text.lines().find_map(|line| line.strip_prefix(name)).expect("it is told");
+        line.replace('−', "-").parse().expect("a number")
+    };
+    assert!((shown("received T = ") - 2.0).abs() < 1e-9);
+    assert!((shown("happened t = ") - seen.retarded_time).abs() < 6e-4);
+    // The tracked point is at the origin of its frame: its clock shows t/gamma.
+    assert!((shown("own clock τ = ") - seen.retarded_time / gamma(0.9)).abs() < 6e-4);
+}
+
+fn spacetime_that_is_not_shown() {
+    let mut window = spacetime(0.9, Frame::Ground, [1280.0, 800.0]);
+    let is_there = |window: &Harness<'_, App>| labels(window).iter().any(|label| label.starts_with(NAME));
+    assert!(is_there(&window));
+    window.state_mut().ask(Command::Map(Map::default()));
+    window.run();
+    assert!(!is_there(&window));
+    window.state_mut().ask(Command::Map(Map { face: Face::Spacetime, ..Map::default() }));
+    window.state_mut().ask(Command::ToggleMap);
+    window.run();
+    assert!(!is_there(&window));
+}
+
+fn nothing_breaks_spacetime() {
+    for size in [[300.0, 290.0], [1024.0, 600.0]] {
+        for theme in [Theme::Dark, Theme::Light] {
+            let mut window = spacetime(0.9, Frame::Ground, size);
+            let parts = Window { theme, ..window.state().state().settings.window };
+            window.state_mut().ask(Command::Window(parts));
+            for (parameter, value) in
+                [(SpeedParameter::Beta, 0.0), (SpeedParameter::Beta, 1e-9), (SpeedParameter::Gamma, 1e9)]
+            {
+                let mut motion = window.state().state().settings.motion;
+                motion.speed = SpeedSetting::new(parameter, value).expect("a speed");
+                window.state_mut().ask(Command::Motion(motion));
+                for (time, frame) in [(-1e6, Frame::Ground), (0.0, Frame::Bicycle), (3.6, Frame::Bicycle)] {
+                    window.state_mut().ask(Command::Map(Map { face: Face::Spacetime, frame }));
+                    go_to(&mut window, time);
+                    assert_no_broken_numbers(&window);
+                    let room = window.get_by_label(NAME).rect();
+                    let present = mark(&window, "the present T");
+                    assert!(
+                        Rect::from_min_size(room.min, room.size()).expand2(vec2(1.0, 1.0)).contains(present)
+                    );
+                }
+            }
+        }
+    }
+}
