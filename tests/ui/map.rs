@@ -77,7 +77,7 @@ fn marks_are_where_the_numbers_say() {
     for size in SIZES {
         for beta in [0.3, 0.9, 0.99] {
             let mut state = cyclist(beta);
-            state.settings.window.map = Presence::On;
+            state.settings.window = Window { map: Presence::On, views: false, ..state.settings.window };
             let mut window = window_of_size(state, size, 1.0);
             for (chart, up) in [("Map, from above", 1), ("Map, from the side", 2)] {
                 let found = Found::new(&mut window, chart, beta, [-3.0, 5.0]);
@@ -273,6 +273,7 @@ fn nothing_breaks_the_map() {
             let mut state = cyclist(0.5);
             state.settings.motion.speed = SpeedSetting::new(parameter, value).expect("a speed");
             state.settings.motion.d = d;
+            state.settings.window.views = false;
             let mut window = map_window(state);
             for frame in [Frame::Ground, Frame::Bicycle] {
                 window.state_mut().ask(Command::Map(Map { face: Face::Space, frame }));
