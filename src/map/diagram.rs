@@ -16,7 +16,7 @@ use crate::settings::Settings;
 /// The past light cone of an eye, cut by the plane in which the point moves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cone {
-    /// The event of reception.
+    /// The event of reception, or that between the eyes where one cone serves both.
     pub apex: Event,
     /// How far from the eyes' line the point passes.
     pub distance: f64,
@@ -37,7 +37,7 @@ impl Cone {
     pub fn later_than(&self, t: f64) -> Option<[f64; 2]> {
         let ago = self.apex.t - t;
         let reach = ((ago - self.distance) * (ago + self.distance)).sqrt();
-        (ago > self.distance).then(|| [self.apex.x - reach, self.apex.x + reach])
+        (ago > self.distance).then_some([self.apex.x - reach, self.apex.x + reach])
     }
 
     /// The curve from `low` to `high`: events that lie close together where it bends.
@@ -143,26 +143,21 @@ impl Diagram {
     #[must_use]
     pub fn cones(&self) -> [Cone; 2] {
         let [y, z] = self.point.across();
-        self.rays.map(|ray| Cone { apex: ray.received, distance: math::hypot(y, z) })
-    }
-
-    /// When light that leaves the point at the ground's time `t` is received between the eyes.
-    #[must_use]
-    pub fn received(&self, t: f64) -> f64 {
-        let [y, z] = self.point.across();
-        t + math::hypot(self.point.on_ground().at(t).x, math::hypot(y, z))
+        self.rays.map(|ray| Cone { apex: ray.apex, distance: math::hypot(y, z) })
     }
 }
 
-/// From where to where the point is seen to pass in what is shown at first, in distances at which it does.
-const SHOWN_PASSAGE: [f64; 2] = [-1.2, 0.2];
-/// What is shown of slow passages, before and after the point is seen abreast, in these distances.
-const LONGEST_SHOWN: f64 = 1.0;
+/// A part of a passage: from where to where the point is seen to pass, in distances at which it does; and, of slow
+/// passages, how long before and after it is seen abreast, in the same.
+type Part = ([f64; 2], f64);
+/// What is shown at first, and at most.
+const AT_FIRST: Part = ([-1.2, 0.2], 1.0);
+const AT_MOST: Part = ([-2.5, 2.2], 3.0);
 /// The smallest distance that is made room for.
 const NEAREST: f64 = 0.05;
 
-/// Lowest and highest x and t to show of `point` at `time`: the passage, in the frame that moves at `frame`. It stays
-/// as it is while T is part of that; else it follows the eyes.
+/// Lowest and highest x and t to show of `point` at `time`, in the frame that moves at `frame`: its passage. That stays as
+/// it is while T is in the middle of it, grows where T is not, and follows the eyes in the end.
 ///
 /// # Errors
 ///
@@ -173,10 +168,12 @@ pub fn home(
     time: f64,
     frame: Velocity,
 ) -> Result<[Event; 2], DomainError> {
-    let [first, last] = shown_times(settings, point)?;
+    let [first, last] = shown_times(settings, point, AT_FIRST)?;
+    let [earliest, latest] = shown_times(settings, point, AT_MOST)?;
+    let shown = time.clamp(earliest.min(first), latest.max(last));
     let mut low = Event { x: f64::INFINITY, t: f64::INFINITY };
     let mut high = Event { x: f64::NEG_INFINITY, t: f64::NEG_INFINITY };
-    for shown in [first, last] {
+    for shown in [first, last, shown] {
         let diagram = Diagram::new(settings, point, shown, frame)?;
         let here = if frame == diagram.scene { diagram.present } else { diagram.measured() };
         let ends = diagram.rays.iter().flat_map(|ray| [ray.left, ray.received]);
@@ -185,7 +182,7 @@ pub fn home(
             high = Event { x: high.x.max(event.x), t: high.t.max(event.t) };
         }
     }
-    let onward = Event { x: 0.0, t: time - time.clamp(first, last) }.in_frame(frame);
+    let onward = Event { x: 0.0, t: time - shown }.in_frame(frame);
     Ok([low.plus(onward), high.plus(onward)])
 }
 
@@ -209,17 +206,21 @@ pub fn chart([left, top, width, height]: [f64; 4], [low, high]: [Event; 2], view
     }
 }
 
-/// First and last T of the passage that is shown at first.
-fn shown_times(settings: &Settings, point: &Track) -> Result<[f64; 2], DomainError> {
+/// First and last T of a part of the passage of `point`.
+fn shown_times(
+    settings: &Settings,
+    point: &Track,
+    ([from, to], longest): Part,
+) -> Result<[f64; 2], DomainError> {
     let speed = settings.velocity(point.motion).speed;
     let source = settings.source(point);
     let distance = math::hypot(source.y, source.z).max(NEAREST);
     let passing = SourcePoint { y: distance, z: 0.0, ..source };
     let seen = |ratio| passage::time_seen_at(ratio, &speed, passing, 0.0);
     let abreast = seen(0.0)?.unwrap_or_default();
-    let longest = LONGEST_SHOWN * distance;
-    let first = seen(SHOWN_PASSAGE[0])?.map_or(abreast - longest, |first| first.max(abreast - longest));
-    let last = seen(SHOWN_PASSAGE[1])?.map_or(abreast + longest, |last| last.min(abreast + longest));
+    let longest = longest * distance;
+    let first = seen(from)?.map_or(abreast - longest, |first| first.max(abreast - longest));
+    let last = seen(to)?.map_or(abreast + longest, |last| last.min(abreast + longest));
     Ok([first, last])
 }
 
@@ -293,6 +294,21 @@ mod tests {
     }
 
     #[test]
+    fn one_cone_for_both_eyes_has_its_apex_between_them() {
+        let mut settings = settings(SpeedParameter::Beta, 0.9);
+        settings.look.geometry = relativity_render::Geometry::OneCone;
+        for frame in [Velocity::REST, Velocity::forward(settings.speed())] {
+            let diagram = Diagram::new(&settings, &tracks()[0], 2.0, frame).expect("in the domain");
+            let [left, right] = diagram.rays;
+            assert_same(left.left, right.left, 10.0);
+            for cone in diagram.cones() {
+                assert_eq!(cone.apex, diagram.present);
+                assert!((cone.time(left.left.x) - left.left.t).abs() < 1e-12 * 10.0);
+            }
+        }
+    }
+
+    #[test]
     fn the_diagram_of_the_other_frame_is_this_one_transformed() {
         for [ground, scene] in diagrams() {
             let (scale, frame) = (scale(&ground).max(scale(&scene)), scene.frame);
@@ -354,7 +370,7 @@ mod tests {
         }
         let [happened, soon] = [-4.0, -4.0 + 1e-6];
         let own = |happened| diagram.point.own_time(happened);
-        let arrival = |happened| diagram.received(happened);
+        let arrival = |happened| diagram.point.received(happened);
         let rate = (own(soon) - own(happened)) / (arrival(soon) - arrival(happened));
         let both = settings.exact_disparity(&track, arrival(happened)).expect("in the domain");
         let expected = 0.5 * (both.primary.doppler_factor + both.secondary.doppler_factor);
@@ -392,7 +408,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_shown_at_first_holds_still_while_the_point_passes_and_then_follows() {
+    fn what_is_shown_at_first_holds_still_while_the_point_passes_grows_and_then_follows() {
         let settings = settings(SpeedParameter::Beta, 0.9);
         let track = Track { rest: [0.0, 3.0, 2.0], motion: Motion::Scene };
         let home = |time| home(&settings, &track, time, Velocity::REST).expect("in the domain");
@@ -405,9 +421,10 @@ mod tests {
                 assert!((low.x..=high.x).contains(&event.x) && (low.t..=high.t).contains(&event.t));
             }
         }
-        let later = home(100.0);
-        assert_eq!([later[0].x, later[1].x], [low.x, high.x]);
-        assert!(later[1].t == 100.0 && later[1].t - later[0].t - (high.t - low.t) < 1e-12);
+        let [wider, _] = home(-0.2);
+        assert!(wider.x < low.x - 3.0 && wider.t < low.t - 3.0, "{wider:?}");
+        let [[before, _], [after, _]] = [60.0, 100.0].map(home);
+        assert!(before.x == after.x && (after.t - before.t - 40.0).abs() < 1e-12);
     }
 
     #[test]

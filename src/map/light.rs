@@ -1,7 +1,7 @@
 //! Light that leaves the selected point: the events at which it left for each eye, the ray from there, and its wave
 //! fronts.
 
-use relativity_core::DomainError;
+use relativity_core::{DomainError, Model, math};
 use relativity_render::Velocity;
 
 use super::event::{Event, StraightLine};
@@ -57,6 +57,13 @@ impl Worldline {
         (t - self.at(0.0).t) / self.step().t
     }
 
+    /// When light that leaves it at the ground's time `t` is received between the eyes.
+    #[must_use]
+    pub fn received(&self, t: f64) -> f64 {
+        let [y, z] = self.across();
+        t + math::hypot(self.on_ground().at(t).x, math::hypot(y, z))
+    }
+
     /// The step that it makes in a unit of the ground's time.
     #[must_use]
     pub fn step(&self) -> Event {
@@ -91,6 +98,8 @@ pub struct Ray {
     pub left: Event,
     /// Where and when the eye receives it.
     pub received: Event,
+    /// The event in whose past light cone it left: of reception, or where one cone serves both eyes, that between them.
+    pub apex: Event,
     /// When it left, on the ground's clocks.
     pub happened: f64,
     /// What the point's own clock showed then.
@@ -115,7 +124,9 @@ pub fn rays(settings: &Settings, point: &Track, time: f64, frame: Velocity) -> R
             Event { x: eye.x + seen.position[0], t: seen.retarded_time }.in_frame(frame)
         };
         let received = Event { x: eye.x, t: time }.in_frame(frame);
-        Ray { left, received, happened: seen.retarded_time, own_time: seen.own_time }
+        let between = Event { x: 0.0, t: time }.in_frame(frame);
+        let apex = if settings.model() == Model::OneCone { between } else { received };
+        Ray { left, received, apex, happened: seen.retarded_time, own_time: seen.own_time }
     }))
 }
 
@@ -147,8 +158,8 @@ impl Ray {
     /// The front that it belongs to, as it reaches the eye.
     #[must_use]
     pub fn front(&self) -> Front {
-        let Self { left, received, happened, own_time } = *self;
-        Front { left, happened, own_time, radius: received.t - left.t }
+        let Self { left, apex, happened, own_time, .. } = *self;
+        Front { left, happened, own_time, radius: apex.t - left.t }
     }
 }
 

@@ -6,6 +6,7 @@ mod canvas;
 mod labels;
 mod space;
 mod spacetime;
+mod times;
 
 use eframe::egui::{Rect, Ui, UiBuilder, vec2};
 

@@ -9,6 +9,7 @@ use relativity_core::math;
 
 use super::{Sheet, canvas};
 use crate::app::observer::Eye;
+use crate::app::panels::map::times::times;
 use crate::app::state::State;
 use crate::app::theme;
 use crate::map::{Event, Front, Projection, Ray, Worldline, fronts, rays};
@@ -28,13 +29,13 @@ const ARROW: f32 = 8.0;
 /// Draws it.
 pub(super) fn paint(ui: &Ui, painter: &Painter, state: &State, sheet: &Sheet) {
     let Some(light) = Light::of(state, sheet) else { return };
-    let faint = ui.visuals().weak_text_color().gamma_multiply(0.35);
+    let faint = ui.visuals().weak_text_color().gamma_multiply(0.28);
     for front in light.fronts(state) {
         light.paint_front(painter, &front, Stroke::new(1.0, faint));
     }
     for (eye, ray) in Eye::BOTH.into_iter().zip(light.rays) {
         let colour = theme::eye_colour(eye, ui.visuals());
-        light.paint_front(painter, &ray.front(), Stroke::new(1.2, colour.gamma_multiply(0.8)));
+        light.paint_front(painter, &ray.front(), Stroke::new(1.0, colour.gamma_multiply(0.7)));
         light.paint_ray(painter, &ray, colour);
     }
 }
@@ -43,26 +44,22 @@ pub(super) fn paint(ui: &Ui, painter: &Painter, state: &State, sheet: &Sheet) {
 pub(super) fn told(state: &State, sheet: &Sheet, pointer: Pos2) -> Option<String> {
     let light = Light::of(state, sheet)?;
     let eyes = || Eye::BOTH.into_iter().zip(light.rays);
+    let told = |what: &str, received: f64, front: &Front| {
+        format!("{what}\n{}", times(state, [received, front.happened, front.own_time]))
+    };
+    let now = state.session.time;
     if let Some((eye, ray)) = eyes().find(|(_, ray)| light.off_ray(ray, pointer) < NEAR) {
         let what = format!("Light that the {} receives now", eye.name().to_lowercase());
-        return Some(format!("{what}\n{}", times(state, Some(state.session.time), &ray.front())));
+        return Some(told(&what, now, &ray.front()));
     }
     if let Some((eye, ray)) = eyes().find(|(_, ray)| light.off_front(&ray.front(), pointer) < NEAR) {
-        let what = format!("The front that reaches the {} now", eye.name().to_lowercase());
-        return Some(format!("{what}\n{}", times(state, Some(state.session.time), &ray.front())));
+        let what = format!("How far light has come that reaches the {} now", eye.name().to_lowercase());
+        return Some(told(&what, now, &ray.front()));
     }
     let front = light.fronts(state).find(|front| light.off_front(front, pointer) < NEAR)?;
     let every = state.measures().time.text(light.period(state), 3);
-    let what = format!("How far light has come that left here before: a front for every {every}");
-    Some(format!("{what}\n{}", times(state, None, &front)))
-}
-
-/// When it left, and when it is received.
-fn times(state: &State, received: Option<f64>, front: &Front) -> String {
-    let text = |value: f64| state.measures().time.text(value, 3);
-    let received = received.map(|received| format!("received T = {}\n", text(received)));
-    let [happened, own] = [front.happened, front.own_time].map(text);
-    format!("{}happened t = {happened}\nown clock τ = {own}", received.unwrap_or_default())
+    let what = format!("How far light has come that left at one of the times {every} apart");
+    Some(told(&what, light.worldline.received(front.happened), &front))
 }
 
 /// The light of the selected point on a chart.
@@ -155,7 +152,8 @@ fn arc(middle: Pos2, radius: f32, room: Rect) -> Vec<Pos2> {
     let corners = [room.left_top(), room.right_top(), room.left_bottom(), room.right_bottom()];
     let aside = corners.map(|corner| {
         let there = corner - middle;
-        (towards.x * there.y - towards.y * there.x).atan2(towards.dot(there))
+        let [sine, cosine] = [towards.x * there.y - towards.y * there.x, towards.dot(there)];
+        math::atan2(f64::from(sine), f64::from(cosine)) as f32
     });
     let half =
         if room.contains(middle) { PI } else { aside.into_iter().fold(0.0, |a: f32, b| a.max(b.abs())) };

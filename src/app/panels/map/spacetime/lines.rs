@@ -2,11 +2,11 @@
 
 use eframe::egui::{Color32, Pos2, Shape, Stroke, TextStyle};
 
-use super::Sheet;
+use super::sheet::{NEAR, Sheet};
 use crate::app::observer::Eye;
 use crate::app::panels::map::labels::Labels;
 use crate::app::theme;
-use crate::map::{Event, StraightLine};
+use crate::map::{Event, Ray, StraightLine};
 use crate::settings::Frame;
 
 /// Dashes of what is at one time of the frame that is not drawn, and of the light's shadow, points.
@@ -100,10 +100,13 @@ fn paint_past(sheet: &Sheet<'_>) {
     let cone = sheet.diagram.cones()[0];
     let Some([left, right]) = cone.later_than(low.t) else { return };
     let [left, right] = [left.clamp(low.x, high.x), right.clamp(low.x, high.x)];
-    let curve = cone.curve([left, right]).into_iter().map(|event| sheet.place(event));
-    let corners = [right, left].map(|x| sheet.place(Event { x, t: low.t }));
+    let mut outline: Vec<Pos2> =
+        cone.curve([left, right]).into_iter().map(|event| sheet.place(event)).collect();
+    outline.extend([right, left].map(|x| sheet.place(Event { x, t: low.t })));
+    // A fan of triangles is torn where two corners are one.
+    outline.dedup_by(|a, b| a.distance(*b) < 0.5);
     let tint = sheet.ui.visuals().text_color().gamma_multiply(0.05);
-    sheet.painter.add(Shape::convex_polygon(curve.chain(corners).collect(), tint, Stroke::NONE));
+    sheet.painter.add(Shape::convex_polygon(outline, tint, Stroke::NONE));
 }
 
 fn eyes(sheet: &Sheet<'_>, labels: &mut Labels) {
@@ -139,14 +142,20 @@ fn worldline(sheet: &Sheet<'_>, labels: &mut Labels) {
 fn rays(sheet: &Sheet<'_>, labels: &mut Labels) {
     for (eye, ray) in Eye::BOTH.into_iter().zip(sheet.diagram.rays) {
         let colour = theme::eye_colour(eye, sheet.ui.visuals());
-        let step = Event { x: ray.received.x - ray.left.x, t: ray.received.t - ray.left.t };
-        let line = StraightLine { through: ray.left, step };
-        let [low, high] = sheet.corners();
-        let part = line.part_within(low, high).map(|[from, to]| [from.max(0.0), to.min(1.0)]);
-        if let Some(part) = part.filter(|[from, to]| from < to) {
-            dashed(sheet, labels, part.map(|steps| sheet.place(line.at(steps))), Stroke::new(1.2, colour));
+        if let Some(ends) = shown_ray(sheet, &ray) {
+            dashed(sheet, labels, ends, Stroke::new(1.2, colour));
         }
     }
+}
+
+/// What of the way of the light is shown, on screen.
+fn shown_ray(sheet: &Sheet<'_>, ray: &Ray) -> Option<[Pos2; 2]> {
+    let step = Event { x: ray.received.x - ray.left.x, t: ray.received.t - ray.left.t };
+    let line = StraightLine { through: ray.left, step };
+    let [low, high] = sheet.corners();
+    let [from, to] = line.part_within(low, high)?;
+    let (from, to) = (from.max(0.0), to.min(1.0));
+    (from < to).then(|| [from, to].map(|steps| sheet.place(line.at(steps))))
 }
 
 /// Where a worldline is named, of the part that is shown.
@@ -174,7 +183,20 @@ pub fn name(sheet: &Sheet<'_>, labels: &mut Labels) {
             write(left.lerp(right, 0.9), name, colour);
         }
     }
+    name_far_event(sheet, &mut write);
     name_light(sheet, &mut write);
+}
+
+/// When the light left, where that is too far off to be shown.
+fn name_far_event(sheet: &Sheet<'_>, write: &mut impl FnMut(Pos2, &str, Color32)) {
+    let [_, ray] = sheet.diagram.rays;
+    if sheet.room().contains(sheet.place(ray.left)) {
+        return;
+    }
+    if let Some([from, _]) = shown_ray(sheet, &ray) {
+        let time = sheet.state.measures().time.text(ray.happened, 1);
+        write(from, &format!("happened t {time}, further off"), sheet.ui.visuals().text_color());
+    }
 }
 
 /// The eyes by one name where they are close together.
@@ -214,11 +236,11 @@ fn name_light(sheet: &Sheet<'_>, write: &mut impl FnMut(Pos2, &str, Color32)) {
 
 /// What is said of the line under the pointer, if it is no worldline.
 pub fn told(sheet: &Sheet<'_>, pointer: Pos2) -> Option<String> {
-    let near = |line: StraightLine| sheet.nearest(line, pointer).1 < super::NEAR;
+    let near = |line: StraightLine| sheet.nearest(line, pointer).1 < NEAR;
     let world = sheet.chart.world([pointer.x, pointer.y].map(f64::from));
     let [cone, _] = sheet.diagram.cones();
     let off = sheet.place(Event { x: world[0], t: cone.time(world[0]) }).y - pointer.y;
-    if off.abs() < super::NEAR {
+    if off.abs() < NEAR {
         let distance = sheet.state.measures().length.text(cone.distance, 2);
         return Some(format!(
             "Past light cone: light that leaves here, {distance} beside the line of the eyes, arrives now.\n\

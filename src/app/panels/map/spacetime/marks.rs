@@ -2,7 +2,8 @@
 
 use eframe::egui::{Color32, Pos2, Stroke, TextStyle, vec2};
 
-use super::{Sheet, words};
+use super::sheet::{HANDLE, Sheet};
+use super::{lines, words};
 use crate::app::observer::Eye;
 use crate::app::panels::map::labels::Labels;
 use crate::app::theme;
@@ -62,16 +63,16 @@ pub fn of(sheet: &Sheet<'_>) -> Vec<Mark> {
         place: sheet.place(diagram.point.at(happened)),
         name: name.to_owned(),
         label: label.to_owned(),
-        words: words::of_point(sheet, happened),
+        words: words::of_point(sheet, happened, &format!(", {name}")),
         colour,
         is_hollow,
     };
-    let measured = theme::measured_colour(visuals);
-    marks.push(now("measured now", "measured now", diagram.time, false, measured));
     if diagram.scene.beta() != 0.0 {
-        let colour = super::lines::now_colours(sheet)[1];
+        let colour = lines::now_colours(sheet)[1];
         marks.push(now("now on the bicycle's clocks", "", diagram.scene_now(), true, colour));
     }
+    let measured = theme::measured_colour(visuals);
+    marks.push(now("measured now", "measured now", diagram.time, false, measured));
     marks
 }
 
@@ -93,8 +94,8 @@ pub fn paint(sheet: &Sheet<'_>, marks: &[Mark], labels: &mut Labels) {
     let present = sheet.place(sheet.diagram.present);
     if sheet.room().contains(present) {
         let text = format!("received T {}", sheet.state.measures().time.text(sheet.diagram.time, 2));
-        labels.keep_clear_of(present, super::HANDLE);
-        labels.write(&sheet.painter, (present, super::HANDLE), &text, font.clone(), strong);
+        labels.keep_clear_of(present, HANDLE);
+        labels.write(&sheet.painter, (present, HANDLE), &text, font.clone(), strong);
     }
     for mark in shown().filter(|mark| !mark.label.is_empty()) {
         labels.write(&sheet.painter, (mark.place, RADIUS), &mark.label, font.clone(), strong);
@@ -105,10 +106,10 @@ pub fn paint(sheet: &Sheet<'_>, marks: &[Mark], labels: &mut Labels) {
 pub fn paint_handle(sheet: &Sheet<'_>, place: Pos2, is_hot: bool) {
     let colour = theme::now_colour(sheet.ui.visuals());
     let width = if is_hot { 2.5 } else { 1.5 };
-    sheet.painter.circle_stroke(place, super::HANDLE, Stroke::new(width, colour));
+    sheet.painter.circle_stroke(place, HANDLE, Stroke::new(width, colour));
     for up in [-1.0, 1.0] {
-        let tip = place + vec2(0.0, up * (super::HANDLE + 5.0));
-        let back = place + vec2(0.0, up * (super::HANDLE + 1.0));
+        let tip = place + vec2(0.0, up * (HANDLE + 5.0));
+        let back = place + vec2(0.0, up * (HANDLE + 1.0));
         let aside = vec2(3.5, 0.0);
         let points = vec![tip, back + aside, back - aside];
         sheet.painter.add(eframe::egui::Shape::convex_polygon(points, colour, Stroke::NONE));

@@ -3,67 +3,29 @@
 
 mod lines;
 mod marks;
+mod sheet;
 mod words;
 
 use std::sync::Arc;
 
 use eframe::egui::{
-    Align2, CursorIcon, Galley, Painter, Pos2, Rect, Response, Sense, TextStyle, Ui, Vec2, accesskit::Role,
-    vec2,
+    Align2, CursorIcon, Galley, Pos2, Rect, Response, Sense, TextStyle, Ui, Vec2, accesskit::Role, vec2,
 };
 
+use self::sheet::{HANDLE, NEAR, Sheet};
 use super::axes::{self, Axis};
 use super::canvas;
 use super::labels::Labels;
 use crate::app::command::Command;
 use crate::app::panels::Asks;
 use crate::app::state::State;
-use crate::map::{Chart, Diagram, Event, StraightLine, chart, home};
+use crate::map::{Diagram, Event, chart, home};
 use crate::settings::Frame;
 
 /// Its name for assistive technology.
 const NAME: &str = "Map, x against t";
-/// How near the pointer has to be to a line, points.
-const NEAR: f32 = 7.0;
 /// From the corner to the title, beside the name of the axis, points.
 const TITLE: Vec2 = vec2(44.0, 3.0);
-/// Radius of the handle at the present, points.
-const HANDLE: f32 = 8.0;
-
-/// The diagram, and where it is drawn.
-struct Sheet<'a> {
-    ui: &'a Ui,
-    painter: Painter,
-    chart: Chart,
-    state: &'a State,
-    diagram: Diagram,
-}
-
-impl Sheet<'_> {
-    /// Where an event is on screen.
-    fn place(&self, event: Event) -> Pos2 {
-        canvas::place(&self.chart, [event.x, event.t])
-    }
-
-    /// The lowest and the highest x and t that are shown.
-    fn corners(&self) -> [Event; 2] {
-        let [[left, right], [first, last]] = self.chart.range();
-        [Event { x: left, t: first }, Event { x: right, t: last }]
-    }
-
-    /// The room it is drawn in.
-    fn room(&self) -> Rect {
-        canvas::rect(&self.chart)
-    }
-
-    /// The step of `line` at which it comes nearest to `place`, and how far that is off in points.
-    fn nearest(&self, line: StraightLine, place: Pos2) -> (f64, f32) {
-        let [x, t] = self.chart.world([place.x, place.y].map(f64::from));
-        let Event { x: dx, t: dt } = line.step;
-        let steps = ((x - line.through.x) * dx + (t - line.through.t) * dt) / (dx * dx + dt * dt);
-        (steps, self.place(line.at(steps)).distance(place))
-    }
-}
 
 /// Shows it in `rect`.
 pub fn show(ui: &mut Ui, state: &State, rect: Rect, asks: &mut Asks) {
@@ -162,8 +124,8 @@ fn aimed_at(sheet: &Sheet<'_>, pointer: Pos2) -> Option<Aimed> {
     let (steps, off) = sheet.nearest(sheet.diagram.worldline(), pointer);
     if off < NEAR {
         let happened = sheet.diagram.time + steps;
-        let words = words::of_point(sheet, happened);
-        return Some(Aimed { words, time: sheet.diagram.received(happened) });
+        let words = words::of_point(sheet, happened, "");
+        return Some(Aimed { words, time: sheet.diagram.point.received(happened) });
     }
     let eyes = sheet.diagram.eyes().map(|eye| sheet.nearest(eye, pointer));
     let (steps, off) = if eyes[0].1 < eyes[1].1 { eyes[0] } else { eyes[1] };

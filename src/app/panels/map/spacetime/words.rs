@@ -1,30 +1,32 @@
 //! What is said of an event: where it is, and its three times.
 
-use super::Sheet;
+use super::sheet::Sheet;
 use crate::app::observer::Eye;
+use crate::app::panels::map::times::times;
 use crate::map::{Event, Ray};
 use crate::settings::Frame;
 
 /// Decimals of a length or a time in the scene's unit.
 const DECIMALS: u8 = 3;
 
-/// Of the point at the ground's time `happened`.
-pub fn of_point(sheet: &Sheet<'_>, happened: f64) -> String {
+/// Of the point at the ground's time `happened`: `what` that is, after its name.
+pub fn of_point(sheet: &Sheet<'_>, happened: f64, what: &str) -> String {
     let diagram = &sheet.diagram;
     let event = diagram.point.at(happened);
-    let times = times(sheet, diagram.received(happened), happened, diagram.point.own_time(happened));
+    let received = diagram.point.received(happened);
+    let times = times(sheet.state, [received, happened, diagram.point.own_time(happened)]);
     let point = sheet.state.session.points.selected().noun(&sheet.state.session.scene);
     format!(
-        "{}\n{}\n{times}\nClick to see it: T = {}",
+        "{}{what}\n{}\n{times}\nClick to see it: T = {}",
         capital(&point),
         place(sheet, event),
-        time(sheet, diagram.received(happened))
+        time(sheet, received)
     )
 }
 
 /// Of the light that `eye` receives, where it left.
 pub fn of_ray(sheet: &Sheet<'_>, eye: Eye, ray: &Ray) -> String {
-    let times = times(sheet, sheet.diagram.time, ray.happened, ray.own_time);
+    let times = times(sheet.state, [sheet.diagram.time, ray.happened, ray.own_time]);
     let name = eye.name().to_lowercase();
     format!("What the {name} sees now happened here\n{}\n{times}", place(sheet, ray.left))
 }
@@ -44,11 +46,6 @@ fn capital(text: &str) -> String {
     letters
         .next()
         .map_or_else(String::new, |first| first.to_uppercase().collect::<String>() + letters.as_str())
-}
-
-fn times(sheet: &Sheet<'_>, received: f64, happened: f64, own: f64) -> String {
-    let [received, happened, own] = [received, happened, own].map(|value| time(sheet, value));
-    format!("received T = {received}\nhappened t = {happened}\nown clock τ = {own}")
 }
 
 fn time(sheet: &Sheet<'_>, value: f64) -> String {

@@ -1,0 +1,52 @@
+//! What the parts of the face share: the diagram, and where it is drawn.
+
+use eframe::egui::{Painter, Pos2, Rect, Ui};
+
+use crate::app::panels::map::canvas;
+use crate::app::state::State;
+use crate::map::{Chart, Diagram, Event, StraightLine};
+
+/// How near the pointer has to be to a line, points.
+pub const NEAR: f32 = 7.0;
+/// Radius of the handle at the present, points.
+pub const HANDLE: f32 = 8.0;
+
+/// The diagram, and where it is drawn.
+pub struct Sheet<'a> {
+    /// What it is part of.
+    pub ui: &'a Ui,
+    /// Clipped to its room.
+    pub painter: Painter,
+    /// Where events are on screen.
+    pub chart: Chart,
+    /// What is shown.
+    pub state: &'a State,
+    /// The events.
+    pub diagram: Diagram,
+}
+
+impl Sheet<'_> {
+    /// Where an event is on screen.
+    pub fn place(&self, event: Event) -> Pos2 {
+        canvas::place(&self.chart, [event.x, event.t])
+    }
+
+    /// The lowest and the highest x and t that are shown.
+    pub fn corners(&self) -> [Event; 2] {
+        let [[left, right], [first, last]] = self.chart.range();
+        [Event { x: left, t: first }, Event { x: right, t: last }]
+    }
+
+    /// The room it is drawn in.
+    pub fn room(&self) -> Rect {
+        canvas::rect(&self.chart)
+    }
+
+    /// The step of `line` at which it comes nearest to `place`, and how far that is off in points.
+    pub fn nearest(&self, line: StraightLine, place: Pos2) -> (f64, f32) {
+        let [x, t] = self.chart.world([place.x, place.y].map(f64::from));
+        let Event { x: dx, t: dt } = line.step;
+        let steps = ((x - line.through.x) * dx + (t - line.through.t) * dt) / (dx * dx + dt * dt);
+        (steps, self.place(line.at(steps)).distance(place))
+    }
+}
