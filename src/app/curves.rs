@@ -26,15 +26,15 @@ pub enum Quantity {
     LogDoppler,
     /// Decimal logarithm of the stereo gain.
     LogGain,
-    /// Distances of the point, each as a [`DistanceKind`].
-    Distance,
+    /// Decimal logarithms of the point's distances, of each [`DistanceKind`]: two of them are as far apart as their ratio.
+    LogDistance,
 }
 
 impl Quantity {
     /// Whether what is plotted is a logarithm.
     #[must_use]
     pub const fn is_logarithm(self) -> bool {
-        matches!(self, Self::LogDoppler | Self::LogGain)
+        matches!(self, Self::LogDoppler | Self::LogGain | Self::LogDistance)
     }
 }
 
@@ -91,7 +91,7 @@ struct OfModel {
 
 /// Delta-phi, Delta-theta, then phi, theta and log D of the left and of the right eye.
 const EYES: usize = 8;
-/// Log gain, then the distances.
+/// Log gain, then the logs of the distances.
 const STEREO: usize = 1 + DistanceKind::ALL.len();
 
 /// Largest distance of a drawn chord from the curve, as a fraction of the curve's height: a third of a
@@ -126,7 +126,7 @@ impl OfModel {
             Quantity::Theta => &self.eyes[4..6],
             Quantity::LogDoppler => &self.eyes[6..8],
             Quantity::LogGain => &self.stereo[..1],
-            Quantity::Distance => &self.stereo[1..],
+            Quantity::LogDistance => &self.stereo[1..],
         }
     }
 }
@@ -228,7 +228,7 @@ pub fn stereo_view(key: &CurvesKey, model: Model, time: f64) -> Option<StereoVie
 
 fn stereo_values(key: &CurvesKey, model: Model, time: f64) -> Option<[f64; STEREO]> {
     let StereoView { gain, distances: [stereo, left, right, measured] } = stereo_view(key, model, time)?;
-    let values = [math::log10(gain), stereo, left, right, measured];
+    let values = [gain, stereo, left, right, measured].map(math::log10);
     values.iter().all(|value| value.is_finite()).then_some(values)
 }
 

@@ -104,7 +104,7 @@ pub fn show(ui: &Ui, view: Rect, pointer: Pos2, under: &Under) {
     let galley = ui.painter().layout_job(job);
     let rect = beside(pointer, galley.size() + 2.0 * MARGIN, view);
     let painter = ui.painter().with_clip_rect(view);
-    painter.rect_filled(rect, 4.0, Color32::from_black_alpha(170));
+    painter.rect_filled(rect, 4.0, Color32::from_black_alpha(185));
     painter.galley(rect.min + MARGIN, galley, Color32::WHITE);
     let response = ui.interact(rect.intersect(view), ui.scope_id().with("under the pointer"), Sense::hover());
     let name = format!("Under the pointer: {}; {}", under.title(), under.lines.join("; "));

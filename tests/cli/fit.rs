@@ -49,8 +49,8 @@ fn number(value: &Value) -> f64 {
 }
 
 #[test]
-fn noise_free_curves_give_the_object_back_in_either_model() {
-    for model in ["exact", "published"] {
+fn noise_free_curves_give_the_object_back_in_every_model() {
+    for model in ["exact", "one-cone", "published"] {
         let curve = run(gamow().args(["curve", "--model", model]), b"").text();
         let report = fitted(&curve, &format!("--model {model} --json --bootstrap 20"));
         for (name, truth) in [("beta", 0.9), ("y", 3.0), ("z", 2.0)] {

@@ -104,7 +104,7 @@ fn garbage_is_evaluated_or_refused_in_one_line() {
 #[test]
 fn every_edge_of_the_domain_gives_finite_numbers() {
     let mut garbage = Garbage(2020); // the year of the paper
-    for model in ["exact", "published", "published-text"] {
+    for model in ["exact", "one-cone", "published", "published-text"] {
         for (speed, values) in [
             ("beta", &["0", "-0", "5e-324", "1e-14", "0.9", "0.9999999999999999"][..]),
             ("gamma", &["1", "1.0000000000000002", "2", "1e12", "1e30"]),

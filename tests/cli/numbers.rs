@@ -86,6 +86,26 @@ fn exact_model_keeps_its_parallax_negative_and_crosses_zero_elevation_at_equidis
 }
 
 #[test]
+fn with_one_cone_both_eyes_receive_one_event_and_differ_by_its_parallax_alone() {
+    let table = section_3_curve("one-cone");
+    for name in ["t", "doppler", "own"] {
+        let [left, right] = ["left", "right"].map(|eye| table.column(&format!("{name}_{eye}")));
+        assert_eq!(left, right, "{name}");
+    }
+    let columns = ["x_left", "x_right", "dphi", "dtheta"].map(|name| table.column(name));
+    let [left, right, dphi, dtheta] = &columns;
+    let point = |x: f64| (0.5f64.atan2(x), 0.5f64.atan2(x.hypot(0.5)));
+    for i in 0..left.len() {
+        assert!((left[i] - right[i] - 0.3).abs() < 1e-12);
+        let ((left_phi, left_theta), (right_phi, right_theta)) = (point(left[i]), point(right[i]));
+        assert!((dphi[i] - (left_phi - right_phi)).abs() < 1e-12);
+        assert!((dtheta[i] - (left_theta - right_theta)).abs() < 1e-12);
+    }
+    // The most that eyes d apart see of a point at rest beside them, at the distance 0.5: 2 atan(d/2 / 0.5).
+    assert_near(least(dphi), -2.0 * 0.3f64.atan(), printed(4));
+}
+
+#[test]
 fn cyclists_point_is_equidistant_at_its_t0() {
     let table = words("curve --from 3.6 --to 3.61 --samples 101").table();
     let crossings = zeros(&table.column("T"), &table.column("dtheta"));
@@ -287,7 +307,7 @@ fn significant_digits(decimal: &str) -> String {
 
 #[test]
 fn eyes_in_one_place_see_the_same_in_every_model() {
-    for model in ["exact", "published", "published-text"] {
+    for model in ["exact", "one-cone", "published", "published-text"] {
         for speed in ["--beta 0", "--beta 1e-14", "--beta 0.9", "--gamma 1e9"] {
             // T = -5 is among the times: for a slow point minus the time that its light travels.
             let flags =

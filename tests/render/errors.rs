@@ -15,6 +15,7 @@ fn mistakes_are_told_in_one_line() {
         ("--frames 2 --beta 0 --out ride", "--from and --to"),
         ("--geometry published", "--renderer mesh"),
         ("--geometry published --renderer exact", "--renderer mesh"),
+        ("--geometry one-cone --renderer exact", "--renderer mesh"),
         ("--scene cyclsit", "cyclsit"),
         ("--scene missing.toml", "missing.toml"),
         ("--beta 1", "beta = 1"),

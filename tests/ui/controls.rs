@@ -1,8 +1,10 @@
 //! Speed, separation, path, geometry and light.
 
 use eframe::egui::{Key, pos2};
+use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use relativity_core::{Sighting, Speed, equidistance_time};
+use gamow::app::App;
+use relativity_core::{Aperture, Sighting, Speed, equidistance_time, sighting};
 use relativity_render::{Colour, Geometry, Shading};
 
 use super::Test;
@@ -17,6 +19,7 @@ pub const TESTS: &[Test] = &[
     ("a_bad_speed_is_explained_and_the_old_one_kept", a_bad_speed_is_explained),
     ("the_readout_is_what_the_core_computes", the_readout_is_what_the_core_computes),
     ("separation_and_path_follow_their_fields", separation_and_path_follow),
+    ("one_light_cone_for_both_eyes_is_one_click_away", one_light_cone_is_one_click_away),
     ("each_effect_changes_the_picture", each_effect_changes_the_picture),
     ("settings_survive_saving_and_loading", settings_survive),
 ];
@@ -133,6 +136,41 @@ fn separation_and_path_follow() {
     let speed = Speed::from_beta(0.9).expect("a speed");
     let of_core = equidistance_time(&speed, state.selected_source(), separation).expect("in the domain");
     assert_eq!(of_core, Some(time));
+}
+
+fn one_light_cone_is_one_click_away() {
+    let mut state = cyclist(0.9);
+    state.settings.motion.d = 1.0;
+    let mut window = window_of_size(state, [1280.0, 1100.0], 1.0);
+    let picture = |window: &mut Harness<'_, App>| {
+        window.remove_cursor();
+        window.run();
+        window.render().expect("a picture").into_raw()
+    };
+    let two = picture(&mut window);
+    let exact = shown(&window, "Disparity Δφ");
+    window.get_by_label("One").click();
+    window.run();
+    assert_eq!(window.state().state().settings.look.geometry, Geometry::OneCone);
+    assert!(picture(&mut window) != two);
+    label_starting_with(&window, "As if both eyes received the same events");
+    // The light that the middle receives, in one place, from two sides.
+    let state = window.state().state();
+    let middle = sighting(&state.speed(), state.selected_source(), Aperture::default(), state.session.time)
+        .expect("in the domain");
+    for (eye, half) in [("Left eye", 0.5), ("Right eye", -0.5)] {
+        let x = shown(&window, &format!("{eye}, Apparent X"));
+        assert!((x - (middle.position[0] + half)).abs() < 6e-5, "{x}");
+        let doppler = shown(&window, &format!("{eye}, Doppler factor D"));
+        assert!((doppler - middle.doppler_factor).abs() < 6e-5, "{doppler}");
+    }
+    let [x, y, _] = middle.position;
+    let parallax = y.atan2(x + 0.5) - y.atan2(x - 0.5);
+    let dphi = shown(&window, "Disparity Δφ");
+    assert!((dphi - parallax).abs() < 6e-6 && (dphi - exact).abs() > 0.01, "{dphi} for {parallax}, {exact}");
+    window.get_by_label("Two").click();
+    window.run();
+    assert_eq!(window.state().state().settings.look.geometry, Geometry::Seen);
 }
 
 fn each_effect_changes_the_picture() {

@@ -103,7 +103,7 @@ fn extremes_show_numbers_or_dashes() {
     ];
     for (parameter, value) in speeds {
         let mut window = window_of_size(extreme(parameter, value), [1024.0, 600.0], 1.0);
-        for plot in [PlotTab::Disparity, PlotTab::Angles, PlotTab::Doppler] {
+        for plot in [PlotTab::Disparity, PlotTab::Angles, PlotTab::Doppler, PlotTab::Stereo] {
             window.state_mut().ask(Command::Plots(Plots { plot, published: true, ..Plots::default() }));
             for time in [0.0, -1e12, 1e12] {
                 window.state_mut().ask(Command::Time(time));

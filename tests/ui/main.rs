@@ -13,6 +13,7 @@ mod picking;
 mod quality;
 mod spacetime;
 mod start;
+mod stereo;
 mod support;
 mod time;
 mod times;
@@ -39,6 +40,7 @@ fn main() -> ExitCode {
         quality::TESTS,
         spacetime::TESTS,
         start::TESTS,
+        stereo::TESTS,
         time::TESTS,
         times::TESTS,
         words::TESTS,

@@ -118,7 +118,7 @@ fn marker_and_surface_agree() {
     let mut renderers = Renderers::new(Some(gpu));
     let size = [320, 240];
     for gamma in [1.0, 1.005, 2.3, 10.0, 1000.0] {
-        for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
+        for geometry in [Geometry::Seen, Geometry::OneCone, Geometry::Contracted, Geometry::Rest] {
             let mut state = cyclist(0.0);
             let mut motion = state.settings.motion;
             motion.speed = SpeedSetting::new(SpeedParameter::Gamma, gamma).expect("a speed");
@@ -129,7 +129,8 @@ fn marker_and_surface_agree() {
             state.apply(Command::Motion(motion));
             state.apply(Command::Geometry(geometry));
             // Where each geometry has the scene in front of the eyes.
-            state.apply(Command::Time(if geometry == Geometry::Seen { 0.4 } else { 0.0 }));
+            let is_seen = matches!(geometry, Geometry::Seen | Geometry::OneCone);
+            state.apply(Command::Time(if is_seen { 0.4 } else { 0.0 }));
             let mut worst = 0.0f64;
             let mut checked = 0;
             for eye in Eye::BOTH {

@@ -90,9 +90,12 @@ fn keys_do_what_the_help_says() {
     press(&mut window, Key::ArrowDown);
     assert!(window.state().state().speed().beta() < 0.9);
 
-    for (key, geometry) in
-        [(Key::Num2, Geometry::Contracted), (Key::Num3, Geometry::Rest), (Key::Num1, Geometry::Seen)]
-    {
+    for (key, geometry) in [
+        (Key::Num2, Geometry::Contracted),
+        (Key::Num3, Geometry::Rest),
+        (Key::Num4, Geometry::OneCone),
+        (Key::Num1, Geometry::Seen),
+    ] {
         press(&mut window, key);
         assert_eq!(window.state().state().settings.look.geometry, geometry);
     }

@@ -157,6 +157,8 @@ fn marks_never_cover_each_other() {
             let rect = |name: &str| window.get_by_label(name).rect();
             let (presently, seen) = (rect("Go to presently abreast"), rect("Go to seen abreast"));
             assert!(presently.max.x < seen.min.x, "{size:?}, {range:?}: {presently:?} {seen:?}");
+            let row = ["Play", "T, typed", "Playback rate"].map(rect);
+            assert!(row.is_sorted_by(|left, right| left.max.x < right.min.x), "{size:?}, {range:?}: {row:?}");
             let scrubber = slider(&window, "Observation time T");
             for mark in [presently, seen] {
                 assert!(scrubber.x_range().expand(0.5).contains(mark.min.x), "{size:?}, {range:?}: {mark:?}");

@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use relativity_core::aberration::{doppler_factor, ground_from_rest, rest_from_ground};
-use relativity_core::{Aperture, SourcePoint, Speed, disparity, sighting};
+use relativity_core::{Aperture, SourcePoint, Speed, disparity, one_cone_disparity, sighting};
 
 fn speed() -> impl Strategy<Value = Speed> {
     // Rapidity spans rest to gamma = 1e4 evenly in what it does to pictures.
@@ -174,6 +174,28 @@ proptest! {
         let [left, right] = Aperture::pair(separation);
         let both = disparity(&speed, point, left, right, t0).expect("inside the domain");
         prop_assert!(close(both.primary.distance, both.secondary.distance, 1e-13, t0.abs() + 30.0));
+    }
+
+    /// Of eyes close together; what is new in two light cones is the gain less 1 of it.
+    #[test]
+    fn two_light_cones_make_the_gain_times_the_disparities_of_one(
+        rapidity in 0.0..3.0_f64, point in point(), time in -30.0..30.0,
+    ) {
+        let speed = Speed::from_rapidity(rapidity).expect("in range");
+        let middle = sighting(&speed, point, Aperture::default(), time).expect("inside the domain");
+        let off_axis = point.y.hypot(point.z);
+        prop_assume!(off_axis > 0.3 && point.y.abs() > 0.1);
+        let separation = 1e-6 * off_axis;
+        let [left, right] = Aperture::pair(separation);
+        let two = disparity(&speed, point, left, right, time).expect("inside the domain");
+        let one = one_cone_disparity(&speed, point, separation, time).expect("inside the domain");
+        let gain = speed.gamma() * middle.doppler_factor;
+        let scale = gain * separation / middle.position[0].hypot(point.y);
+        prop_assert!(close(two.dphi, gain * one.dphi, 1e-3, scale), "{} {} {gain}", two.dphi, one.dphi);
+        prop_assert!(close(two.dtheta, gain * one.dtheta, 1e-3, scale), "{} {} {gain}", two.dtheta, one.dtheta);
+        // At one event, which its own clock dates.
+        prop_assert_eq!(one.primary.own_time, one.secondary.own_time);
+        prop_assert_eq!(one.primary.retarded_time, middle.retarded_time);
     }
 
     #[test]

@@ -172,9 +172,13 @@ fn measure_in_one_cone(fragment: Fragment, straight: Ray, normal: vec3f) -> Meas
     let ray = touching_ray(straight, length(fragment.apparent));
     let hit = surface(body, ray);
     let distance = (ray.to_centre + hit.beyond) * ray.ground_per_rest;
-    var depth = 0.5 - dot(middle(body) + hit.place, straight.direction) * frame.middle.w;
+    let beyond = dot(middle(body) + hit.place, straight.direction);
+    var depth = 0.5 - beyond * frame.middle.w;
     if HAS_OTHERS {
-        depth = depth_of_distance(distance, ray.sight);
+        depth = depth_in_reference(beyond);
+        if !IS_REFERENCE {
+            depth = depth_of_distance(distance, ray.sight);
+        }
     }
     if hit.clearance > 0.0 {
         return Measure(depth, ray.doppler, ray, hit.place, hit.normal, distance);
@@ -186,10 +190,13 @@ fn measure_in_one_cone(fragment: Fragment, straight: Ray, normal: vec3f) -> Meas
 fn touching_ray(straight: Ray, distance: f32) -> Ray {
     let sign = frame.motion.x;
     let n = reflected(straight.sight, sign);
-    let place = n * distance + vec3f(frame.motion.z, 0.0, 0.0);
-    let along = place / max(length(place), 1e-30);
+    let eye = vec3f(frame.motion.z, 0.0, 0.0);
+    let place = n * distance + eye;
+    let reach = max(length(place), 1e-30);
+    let along = place / reach;
     let cosine = dot(n, along);
-    let sine = cross(n, along);
+    // Not out of a difference of both.
+    let sine = cross(n, eye) / reach;
     let gap = select(1.0 - cosine, dot(sine, sine) / (1.0 + cosine), cosine > 0.0);
     let received = passage(reflected(along, sign), 0u, frame.speed, sign);
     // The tangent, times D along the line of sight.
@@ -199,7 +206,7 @@ fn touching_ray(straight: Ray, distance: f32) -> Ray {
     let scaled = tangent / largest;
     let reciprocal = 1.0 / sqrt(dot(scaled, scaled));
     let direction = scaled * reciprocal;
-    let origin = vec3f(sign * frame.motion.z / received.doppler, 0.0, 0.0);
+    let origin = reflected(eye, sign) / received.doppler;
     let centre = frame.middle.xyz;
     let moment = cross(centre, direction) + cross(frame.middle_fine.xyz, direction) - cross(origin, direction);
     let to_centre = dot(centre - origin, direction);

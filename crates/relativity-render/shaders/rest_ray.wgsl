@@ -117,12 +117,23 @@ fn depth_in_reference(beyond: f32) -> f32 {
     return 0.5 - 0.5 * beyond * frame.reference_middle.w;
 }
 
+// Where one light cone for both eyes puts the line of sight at `distance`, along x from the straight one through the
+// reference's middle event: by e/D, and by what a curve is off its limit.
+fn reference_origin(sight: vec3f, distance: f32, doppler: f32) -> f32 {
+    let eye = frame.motion.w;
+    let along = sight.x * frame.motion.y * eye;
+    let place = vec3f(sight.x * frame.motion.y * distance + eye, sight.yz * distance);
+    let off = eye * eye * dot(sight.yz, sight.yz) / max(length(place) + distance + along, 1e-30);
+    return frame.motion.y * (eye / doppler + frame.reference_speed.w * frame.reference_speed.x * off);
+}
+
 // Depth of what is seen at `distance` (ground frame) along `sight`, among that of the reference group: the nearest by
 // light travel is seen. From 1 at the camera to 3/4 where the reference begins it falls evenly with distance, from 1/4
 // where that ends with the reciprocal.
 fn depth_of_distance(distance: f32, sight: vec3f) -> f32 {
     let reference = passage(sight, REFERENCE_GEOMETRY, frame.reference_speed, frame.motion.y);
-    let to_centre = dot(frame.reference_middle.xyz, reference.direction);
+    let to_centre = dot(frame.reference_middle.xyz, reference.direction)
+        - reference_origin(sight, distance, reference.doppler) * reference.direction.x;
     let reach = 0.5 / frame.reference_middle.w;
     let near = (to_centre - reach) * reference.ground_per_rest;
     let far = (to_centre + reach) * reference.ground_per_rest;

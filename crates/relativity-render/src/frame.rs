@@ -10,7 +10,7 @@ use crate::prepared_body::{Extent, packed};
 use crate::scene::{PreparedGroup, PreparedScene};
 use crate::street::{HOUSES, OPENINGS};
 use crate::velocity::Velocity;
-use crate::view::Appearance;
+use crate::view::{Appearance, Geometry};
 
 /// Mirror of the shaders' `Frame`.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
@@ -29,7 +29,8 @@ pub struct Frame {
     /// Of the group against the camera: beta, 1 - beta, 1/gamma, gamma.
     pub speed: [f32; 4],
     /// -1 if the group moves towards -x, else 1; the same of the reference of depths; how far the camera is along the
-    /// motion from the middle between the eyes, where these have one light cone; 0.
+    /// motion from the middle between the eyes, where these have one light cone, else 0; and along that of the
+    /// reference.
     pub motion: [f32; 4],
     /// `speed` of the reference.
     pub reference_speed: [f32; 4],
@@ -76,6 +77,7 @@ impl Frame {
     /// Has depths told among the bodies of the group of `reference`.
     fn refer_to(&mut self, reference: &Self) {
         self.motion[1] = reference.motion[0];
+        self.motion[3] = reference.motion[2];
         self.reference_speed = reference.speed;
         self.reference_middle = reference.middle;
     }
@@ -101,7 +103,11 @@ impl Frame {
         let speed =
             [speed.beta(), speed.one_minus_beta(), 1.0 / speed.gamma(), speed.gamma()].map(|v| v as f32);
         let reflection = view.velocity.direction() as f32;
-        let eye = view.velocity.direction() * camera.from_middle().x;
+        let eye = if view.geometry == Geometry::OneCone {
+            view.velocity.direction() * camera.from_middle().x
+        } else {
+            0.0
+        };
         Self {
             base: vector(base),
             right: vector(right * per_px),

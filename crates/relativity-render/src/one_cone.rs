@@ -31,9 +31,11 @@ impl GroupView {
         let eye = self.camera.from_middle();
         let from_middle = distance.map(|distance| eye + line_of_sight * distance);
         let received_along = from_middle.map_or(line_of_sight, |place| place.normalize_or(line_of_sight));
+        // n.u from the sine between both, which does not come out of a difference.
+        let sine = from_middle.map_or(0.0, |place| line_of_sight.cross(eye).length() / place.length());
         let doppler_factor = velocity.doppler_factor(received_along);
         let straight = velocity.rest_from_ground(line_of_sight) / velocity.doppler_factor(line_of_sight);
-        let tangent = straight - self.bend(line_of_sight, received_along);
+        let tangent = straight - self.bend(line_of_sight.dot(received_along), sine);
         let rest_per_ground = tangent.length();
         // By how much longer light takes to the middle than from where the ray touches to its origin.
         let lag = match (distance, from_middle) {
@@ -50,11 +52,9 @@ impl GroupView {
         }
     }
 
-    /// gamma beta (1 - n.u) along the motion, from the sine of the angle between both.
-    fn bend(&self, line_of_sight: DVec3, received_along: DVec3) -> DVec3 {
-        let cosine = line_of_sight.dot(received_along);
-        let sine_squared = line_of_sight.cross(received_along).length_squared();
-        let gap = if cosine > 0.0 { sine_squared / (1.0 + cosine) } else { 1.0 - cosine };
+    /// gamma beta (1 - n.u) along the motion, from the cosine and the sine of the angle between both.
+    fn bend(&self, cosine: f64, sine: f64) -> DVec3 {
+        let gap = if cosine > 0.0 { sine * sine / (1.0 + cosine) } else { 1.0 - cosine };
         let speed = &self.velocity.speed;
         DVec3::X * (self.velocity.direction() * speed.gamma() * speed.beta() * gap)
     }
@@ -78,7 +78,6 @@ impl GroupView {
 struct Meeting {
     body: usize,
     entry: Entry,
-    ray: RestRay,
     /// Ground frame.
     distance: f64,
     /// Along the ray's limit at great distances, from the middle of the group.
@@ -100,19 +99,19 @@ impl PreparedScene {
         let limit = group_view.rest_ray(line_of_sight);
         let meetings = bodies.iter().filter_map(|&body| {
             let body = body as usize;
-            let (entry, ray, distance) = meeting(self.solid(body), group_view, line_of_sight, middle)?;
+            let (entry, distance) = meeting(self.solid(body), group_view, line_of_sight, middle)?;
             let depth = (entry.position - middle).dot(limit.direction);
-            Some(Meeting { body, entry, ray, distance, depth })
+            Some(Meeting { body, entry, distance, depth })
         });
         let first = meetings.reduce(|first, next| if next.is_before(&first, tie) { next } else { first })?;
-        let Meeting { body, entry, ray, distance, .. } = first;
+        let Meeting { body, entry, distance, .. } = first;
         Some(Hit {
             body,
             rest_position: entry.position,
             rest_normal: entry.normal,
             distance,
             emission_time: view.emission_time(line_of_sight, distance),
-            doppler_factor: ray.doppler_factor,
+            doppler_factor: group_view.rest_ray_at(line_of_sight, distance).doppler_factor,
         })
     }
 }
@@ -124,14 +123,9 @@ impl Meeting {
     }
 }
 
-/// Where `line_of_sight` enters `solid`, the ray that touches there, and how far it is on the ground. Rays are counted from
-/// near the `middle` of the group.
-fn meeting(
-    solid: &Solid,
-    view: &GroupView,
-    line_of_sight: DVec3,
-    middle: DVec3,
-) -> Option<(Entry, RestRay, f64)> {
+/// Where `line_of_sight` enters `solid`, and how far that is on the ground. Rays are counted from near the `middle` of the
+/// group.
+fn meeting(solid: &Solid, view: &GroupView, line_of_sight: DVec3, middle: DVec3) -> Option<(Entry, f64)> {
     let mut ray = view.rest_ray(line_of_sight);
     let mut touched = f64::INFINITY;
     let mut found = None;
@@ -140,7 +134,7 @@ fn meeting(
         let entry = solid.entry(&near);
         let along = entry.map_or_else(|| near.nearest_to(solid.center()).1, |entry| entry.distance);
         let distance = ((near.from_camera + along) * ray.ground_per_rest).max(0.0);
-        found = entry.map(|entry| (entry, ray, distance));
+        found = entry.map(|entry| (entry, distance));
         if (distance - touched).abs() <= SETTLED * distance {
             break;
         }

@@ -24,8 +24,10 @@ pub enum Geometry {
     ///
     /// A view of it is the right eye's, from the left eye's camera; no ray leads back from there.
     Published,
-    /// One light cone for both eyes: each sees, from where it is, the events that the middle between them receives. Of
-    /// two eyes on a line along x, -x and x, the camera is one. Drawn by the mesh renderer and by the reference.
+    /// One light cone for both eyes: as if both received the same events, those that the middle between them receives.
+    /// Drawn by the mesh renderer and by the reference.
+    ///
+    /// The camera is one eye of two on a line along x, at -x and x; the middle is that of these.
     OneCone,
 }
 

@@ -191,6 +191,39 @@ fn a_resting_group_is_traced_as_it_stands() {
     }
 }
 
+/// What rests is seen the same through one light cone as through two; what moves is not. And a hit lies where it appears,
+/// its light leaving in time to reach the middle.
+#[test]
+fn one_light_cone_changes_only_what_moves() {
+    let scene = scene();
+    let mut shown = [0; BETAS.len()];
+    for x in [-0.4, 0.4] {
+        let mut seen = view(Geometry::Seen, 3.2);
+        seen.camera.aperture = Aperture { x, y: 0.0, z: 0.0 };
+        let one_cone = View { geometry: Geometry::OneCone, ..seen };
+        for n in lines_of_sight(&one_cone) {
+            let Some(hit) = scene.first_hit(&one_cone, n) else { continue };
+            let group = scene.group_of(hit.body);
+            shown[group] += 1;
+            let appears = |view: &View| view.of_group(motion(group)).apparent_position(hit.rest_position);
+            let [there, in_two] = [&one_cone, &seen].map(|view| appears(view).expect("in the domain"));
+            assert!(there.distance(n * hit.distance) < 1e-9 * hit.distance, "{hit:?}");
+            assert_eq!(there.distance(in_two) < 1e-9, BETAS[group] == 0.0, "group {group}: {there} {in_two}");
+            let event = DVec3::X * x + n * hit.distance;
+            assert!((hit.emission_time + event.length() - one_cone.observation_time).abs() < 1e-9);
+            // As its own clock has it: where the ray touches.
+            let gamma = 1.0 / (1.0 - BETAS[group] * BETAS[group]).sqrt();
+            let ray = one_cone.of_group(motion(group)).rest_ray_at(n, hit.distance);
+            let along = (hit.rest_position - ray.origin).dot(ray.direction);
+            let own_time = gamma * (hit.emission_time - BETAS[group] * event.x);
+            if BETAS[group] != 0.0 {
+                assert!((ray.time - along - own_time).abs() < 1e-9, "{hit:?}");
+            }
+        }
+    }
+    assert!(shown.iter().all(|&count| count > 100), "{shown:?} pixels");
+}
+
 #[test]
 fn motion_towards_minus_x_is_motion_towards_plus_x_in_a_mirror() {
     let mirrored = |v: [f64; 3]| [-v[0], v[1], v[2]];
@@ -237,12 +270,14 @@ fn motion_towards_minus_x_is_motion_towards_plus_x_in_a_mirror() {
 
 #[test]
 fn both_eyes_see_a_point_of_any_group_where_their_views_show_it() {
-    for (group, beta) in BETAS.into_iter().enumerate() {
+    let models = [(Geometry::Seen, Model::Exact), (Geometry::OneCone, Model::OneCone)];
+    let cases = BETAS.into_iter().enumerate().flat_map(|case| models.map(|model| (case, model)));
+    for ((group, beta), (geometry, model)) in cases {
         let velocity = Velocity::from_beta(beta).expect("a speed");
         for rest in [[0.2, 3.0, 1.0], [-0.7, 0.8, -0.5]] {
-            let both = velocity.disparity(Model::Exact, rest, 0.3, 2.1).expect("in the domain");
+            let both = velocity.disparity(model, rest, 0.3, 2.1).expect("in the domain");
             let places = Aperture::pair(0.3).map(|aperture| {
-                let view = view(Geometry::Seen, 2.1);
+                let view = view(geometry, 2.1);
                 let camera = Camera { aperture, ..view.camera };
                 View { camera, ..view }.of_group(motion(group)).apparent_position(rest.into()).expect("there")
             });

@@ -11,6 +11,9 @@ use crate::caption::times::TIMES;
 /// Narrower windows than this have one column of it, which scrolls.
 const NARROWEST_IN_COLUMNS: f32 = 960.0;
 
+/// Room for all of it in two columns, points.
+const HEIGHT: f32 = 440.0;
+
 const MOUSE: [(&str, &str); 9] = [
     ("Rest on something in a view", "what it is, where and when"),
     ("Click in a view", "follow that point"),
@@ -41,6 +44,7 @@ pub fn show(ctx: &Context, state: &State, asks: &mut Asks) {
         .collapsible(false)
         .resizable(false)
         .vscroll(true)
+        .default_height(HEIGHT)
         .show(ctx, |ui| {
             if ctx.content_rect().width() >= NARROWEST_IN_COLUMNS {
                 ui.horizontal_top(|ui| {

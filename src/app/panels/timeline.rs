@@ -3,9 +3,10 @@
 use std::sync::Arc;
 
 use eframe::egui::accesskit::Role;
+use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{
-    self, Align, Align2, Checkbox, Color32, CursorIcon, Galley, Layout, Rect, Response, Sense, Slider,
-    SliderClamping, Stroke, TextStyle, Ui, Visuals, WidgetInfo, pos2, vec2,
+    self, Align, Align2, Checkbox, Color32, CursorIcon, Galley, Layout, PopupCloseBehavior, Rect, Response,
+    Sense, Slider, SliderClamping, Stroke, TextStyle, Ui, Vec2, Visuals, WidgetInfo, pos2, vec2,
 };
 
 use super::Asks;
@@ -16,19 +17,24 @@ use crate::app::widgets;
 use crate::app::widgets::apart::{Span, apart};
 use crate::app::widgets::icons::{self, Icon};
 use crate::flags::{MAX_TIME, TimeRange};
-use crate::settings::RATE;
+use crate::settings::{Playback, RATE};
 use crate::units::Unit;
 
 const TIME_TIP: &str = "Observation time T: when the light is received.   Keys: ← →, Home, End";
 
+/// Narrower timelines than this have looping and range in a menu, of this size; points.
+const NARROWEST_WITH_RANGE: f32 = 660.0;
+const RANGE_SIZE: Vec2 = vec2(320.0, 24.0);
+
 /// Shows the timeline.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     ui.spacing_mut().item_spacing.y = 3.0;
+    let is_wide = ui.available_width() >= NARROWEST_WITH_RANGE;
     ui.horizontal(|ui| {
         transport(ui, state, asks);
         ui.separator();
         time(ui, state, asks);
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| playback(ui, state, asks));
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| playback(ui, state, is_wide, asks));
     });
     scrubber(ui, state, asks);
 }
@@ -73,10 +79,45 @@ fn time(ui: &mut Ui, state: &State, asks: &mut Asks) {
     }
 }
 
-/// Rate, looping and range, from the right.
-fn playback(ui: &mut Ui, state: &State, asks: &mut Asks) {
-    let before = state.settings.playback;
-    let mut playback = before;
+/// Rate, looping and range, from the right; where that is not wide enough, looping and range are in a menu.
+fn playback(ui: &mut Ui, state: &State, is_wide: bool, asks: &mut Asks) {
+    let mut playback = state.settings.playback;
+    let unit = state.measures().time;
+    if is_wide {
+        range(ui, state, &mut playback);
+        ui.separator();
+        looping(ui, &mut playback);
+    } else {
+        let stays_open = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+        let in_a_row = Layout::right_to_left(Align::Center);
+        let menu = MenuButton::new("range").config(stays_open).ui(ui, |ui| {
+            ui.allocate_ui_with_layout(RANGE_SIZE, in_a_row, |ui| {
+                range(ui, state, &mut playback);
+                looping(ui, &mut playback);
+            });
+        });
+        menu.0.on_hover_text("First and last T, and whether it starts again");
+    }
+    let rate = widgets::measure(&mut playback.rate, unit, RATE)
+        .speed(unit.shown(0.01))
+        .max_decimals(unit.decimals(3).into())
+        .suffix(" / s"); // behind the unit
+    let rate = ui.add(rate).on_hover_text("How much of T passes in a second of your clock");
+    rate.accessible_name("Playback rate");
+    if playback != state.settings.playback {
+        asks.push(Command::Playback(playback));
+    }
+}
+
+fn looping(ui: &mut Ui, playback: &mut Playback) {
+    let repeat = icons::button(ui, Icon::Loop, "Loop", vec2(28.0, 24.0), playback.looping);
+    if repeat.on_hover_text("Start again at the end").clicked() {
+        playback.looping = !playback.looping;
+    }
+}
+
+/// First and last T, from the right.
+fn range(ui: &mut Ui, state: &State, playback: &mut Playback) {
     let [mut from, mut to] = state.time_range();
     let mut fitted = playback.range.0.is_none();
     let tip = "Fits the range to the selected point: approaching, abreast, receding.";
@@ -92,21 +133,6 @@ fn playback(ui: &mut Ui, state: &State, asks: &mut Asks) {
         playback.range = TimeRange(Some([from.min(to), to.max(from)]));
     }
     ui.label("from");
-    ui.separator();
-    let repeat = icons::button(ui, Icon::Loop, "Loop", egui::vec2(28.0, 24.0), playback.looping);
-    if repeat.on_hover_text("Start again at the end").clicked() {
-        playback.looping = !playback.looping;
-    }
-    let rate = widgets::measure(&mut playback.rate, unit, RATE)
-        .speed(unit.shown(0.01))
-        .max_decimals(unit.decimals(3).into())
-        .suffix(" / s"); // behind the unit
-    ui.add(rate)
-        .on_hover_text("How much of T passes in a second of your clock")
-        .accessible_name("Playback rate");
-    if playback != before {
-        asks.push(Command::Playback(playback));
-    }
 }
 
 fn scrubber(ui: &mut Ui, state: &State, asks: &mut Asks) {

@@ -10,6 +10,7 @@ use eframe::egui::{
     self, Align, Align2, Color32, DragValue, Id, Layout, Rect, Response, RichText, Sense, Slider,
     SliderClamping, TextEdit, TextStyle, Ui, pos2, vec2,
 };
+use relativity_core::math;
 
 use crate::app::theme;
 use crate::figures;
@@ -154,9 +155,11 @@ pub fn measure(value: &mut f64, unit: Unit, span: RangeInclusive<f64>) -> DragVa
 
 /// The first or the last T of a range, to drag or type in `unit`, where the plots show `from` to `to`.
 pub fn end_of_range(time: &mut f64, unit: Unit, [from, to]: [f64; 2], decimals: u8) -> DragValue<'_> {
+    // In a range of a hundred the last of them is of no use, in one of a thousand another.
+    let useless = math::log10((to - from) / 10.0).floor().clamp(0.0, f64::from(decimals)) as u8;
     measure(time, unit, -MAX_TIME..=MAX_TIME)
         .speed(unit.shown((to - from) / 400.0))
-        .max_decimals(unit.decimals(decimals).into())
+        .max_decimals(unit.decimals(decimals - useless).into())
 }
 
 /// Where the middle of the handle of a slider in `rect` is, at `fraction` of its way.

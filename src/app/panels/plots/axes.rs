@@ -13,6 +13,9 @@ use crate::units::Unit;
 pub(super) const Y_AXIS_WIDTH: f32 = 48.0;
 /// Least space from number to number along T, points.
 const NUMBER_SPACING: f32 = 85.0;
+/// Heights of a decade in which six numbers, or three, are a line of text apart; points.
+const SIX_NUMBERS: f64 = 95.0;
+const THREE_NUMBERS: f64 = 45.0;
 /// How many lines there are for each number along T.
 const FINE_LINES: i64 = 5;
 
@@ -66,47 +69,60 @@ pub(super) fn label(quantity: Quantity) -> &'static str {
         Quantity::Theta => "θ",
         Quantity::LogDoppler => "D",
         Quantity::LogGain => "stereo gain",
-        Quantity::Distance => "distance",
+        Quantity::LogDistance => "distance",
+    }
+}
+
+/// What stands above a plot of `quantity`, in a window that shows lengths in `length`: with the unit where several numbers
+/// follow.
+pub(super) fn heading(quantity: Quantity, length: Unit) -> String {
+    match quantity {
+        Quantity::LogDistance => length.label(label(quantity)),
+        _ => label(quantity).to_owned(),
     }
 }
 
 /// The unit that `quantity` is shown in, of a window that shows lengths in `length`.
 pub(super) const fn shown_in(quantity: Quantity, length: Unit) -> Unit {
     match quantity {
-        Quantity::Distance => length,
+        Quantity::LogDistance => length,
         Quantity::LogDoppler | Quantity::LogGain => Unit::OWN,
         _ => Unit { factor: 1.0, name: "rad" },
     }
 }
 
-/// Where the grid lines are: at round numbers of the `unit` it is shown in; for a logarithm at round numbers of what it is
-/// one of.
-pub(super) fn grid(quantity: Quantity, unit: Unit, input: GridInput) -> Vec<GridMark> {
+/// What the logarithm `quantity` has more of where it is one of numbers in `unit`.
+pub(super) fn shift(quantity: Quantity, unit: Unit) -> f64 {
+    if quantity.is_logarithm() { math::log10(unit.factor) } else { 0.0 }
+}
+
+/// Where the grid lines are in a plot of this `height`: at round numbers; for a logarithm at round numbers of what it is
+/// one of, which is shown with this `shift`.
+pub(super) fn grid(quantity: Quantity, shift: f64, height: f32, input: GridInput) -> Vec<GridMark> {
     if !quantity.is_logarithm() {
-        return even_grid(unit, input);
+        return even_grid(input);
     }
-    let (from, to) = input.bounds;
+    let (from, to) = (input.bounds.0 + shift, input.bounds.1 + shift);
     let stride = ((to - from) / 8.0).ceil().max(1.0);
     let first = (from / stride).floor();
     let decades = (0..=9).map(|i| (first + f64::from(i)) * stride);
-    let within: &[f64] = if to - from < 3.0 { &[1.0, 1.5, 2.0, 3.0, 5.0, 7.0] } else { &[1.0] };
+    let within: &[f64] = match f64::from(height) / (to - from) {
+        decade if decade > SIX_NUMBERS => &[1.0, 1.5, 2.0, 3.0, 5.0, 7.0],
+        decade if decade > THREE_NUMBERS => &[1.0, 2.0, 5.0],
+        _ => &[1.0],
+    };
     // A step of half a decade or more leaves room for the number at each.
-    let step_size = if to - from < 3.0 { 0.5 } else { stride };
+    let step_size = if within.len() > 1 { 0.5 } else { stride };
     decades
         .flat_map(|decade| within.iter().map(move |value| decade + math::log10(*value)))
         .filter(|value| (from..=to).contains(value))
-        .map(|value| GridMark { value, step_size })
+        .map(|value| GridMark { value: value - shift, step_size })
         .collect()
 }
 
-fn even_grid(unit: Unit, GridInput { bounds: (from, to), base_step_size }: GridInput) -> Vec<GridMark> {
-    let shown =
-        GridInput { bounds: (unit.shown(from), unit.shown(to)), base_step_size: unit.shown(base_step_size) };
-    let in_scene = |GridMark { value, step_size }| GridMark {
-        value: unit.in_scene(value),
-        step_size: unit.in_scene(step_size),
-    };
-    egui_plot::log_grid_spacer(10)(shown).into_iter().map(in_scene).collect()
+/// Lines at round numbers.
+pub(super) fn even_grid(input: GridInput) -> Vec<GridMark> {
+    egui_plot::log_grid_spacer(10)(input)
 }
 
 /// The text at a grid line: as many digits as tell it from its neighbours.

@@ -16,7 +16,8 @@ use relativity_core::math;
 use relativity_core::{Disparity, Model, Sighting};
 
 use self::axes::{
-    Y_AXIS_WIDTH, annotate, bounds, grid, label, plot_over_time, shown_in, tick, time_at_pointer,
+    Y_AXIS_WIDTH, annotate, bounds, grid, heading, label, plot_over_time, shift, shown_in, tick,
+    time_at_pointer,
 };
 use crate::app::command::Command;
 use crate::app::curves::{Curves, Quantity};
@@ -68,19 +69,53 @@ pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {
         PlotTab::Disparity => &[Quantity::DeltaPhi, Quantity::DeltaTheta],
         PlotTab::Angles => &[Quantity::Phi, Quantity::Theta],
         PlotTab::Doppler => &[Quantity::LogDoppler],
-        PlotTab::Stereo => &[Quantity::LogGain, Quantity::Distance],
+        PlotTab::Stereo => &[Quantity::LogGain, Quantity::LogDistance],
         PlotTab::Fit => return fit::show(ui, state, plotted.fitting, asks),
         PlotTab::Accuracy => return accuracy::show(ui, state, plotted.examination, asks),
     };
-    let free = ui.available_size();
-    let width = free.x / quantities.len() as f32 - theme::GAP / 2.0;
-    ui.horizontal(|ui| {
-        for quantity in quantities {
-            let size = vec2(width, free.y).max(vec2(20.0, 20.0));
-            ui.allocate_ui(size, |ui| {
-                ui.vertical(|ui| titled_plot(ui, state, plotted.curves, *quantity, asks));
+    over_time(ui, state, plotted.curves, quantities, asks);
+}
+
+/// Plots over T side by side, each below what it is called and what it is now.
+fn over_time(ui: &mut Ui, state: &State, curves: &[Curves], quantities: &[Quantity], asks: &mut Asks) {
+    // Four distances have more to say than one gain.
+    let share = |quantity| if quantity == Quantity::LogDistance { 2.0 } else { 1.0 };
+    let all: f32 = quantities.iter().map(|&quantity| share(quantity)).sum();
+    let free = ui.available_width();
+    let width = |quantity| (free * share(quantity) / all - theme::GAP / 2.0).max(20.0);
+    ui.spacing_mut().item_spacing.y = 2.0;
+    ui.horizontal_top(|ui| {
+        for &quantity in quantities {
+            ui.allocate_ui(vec2(width(quantity), 0.0), |ui| {
+                ui.set_width(width(quantity));
+                title(ui, state, quantity);
             });
         }
+    });
+    let height = ui.available_height().max(20.0);
+    ui.horizontal(|ui| {
+        for &quantity in quantities {
+            plot(ui, vec2(width(quantity), height), state, curves, quantity, asks);
+        }
+    });
+}
+
+fn title(ui: &mut Ui, state: &State, quantity: Quantity) {
+    ui.horizontal(|ui| {
+        ui.add_space(Y_AXIS_WIDTH);
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing.y = 0.0;
+            ui.label(RichText::new(heading(quantity, state.measures().length)).strong());
+            match quantity {
+                Quantity::LogGain | Quantity::LogDistance => stereo::values_now(ui, state, quantity),
+                _ => values_now(ui, state, quantity),
+            }
+            if quantity != Quantity::LogDistance && state.settings.model() == Model::OneCone {
+                let tip = "Solid: as if both eyes received the same events. Dotted: each through its own light cone, exactly.\n\
+                    What lies between the two comes from there being two light cones.";
+                ui.label(RichText::new(format!("{ONE_CONE}; dotted: two")).weak()).on_hover_text(tip);
+            }
+        });
     });
 }
 
@@ -154,25 +189,6 @@ struct Trace<'a> {
     dot: bool,
 }
 
-fn titled_plot(ui: &mut Ui, state: &State, curves: &[Curves], quantity: Quantity, asks: &mut Asks) {
-    ui.spacing_mut().item_spacing.y = 2.0;
-    ui.horizontal(|ui| {
-        ui.add_space(Y_AXIS_WIDTH);
-        ui.label(RichText::new(label(quantity)).strong());
-        if matches!(quantity, Quantity::LogGain | Quantity::Distance) {
-            stereo::values_now(ui, state, quantity);
-        } else {
-            values_now(ui, state, quantity);
-        }
-        if quantity != Quantity::Distance && state.settings.model() == Model::OneCone {
-            let tip = "Solid: as if both eyes received the same events. Dotted: each through its own light cone, exactly.\n\
-                What lies between the two comes from there being two light cones.";
-            ui.label(RichText::new(format!("{ONE_CONE}; dotted: two")).weak()).on_hover_text(tip);
-        }
-    });
-    plot(ui, ui.available_size(), state, curves, quantity, asks);
-}
-
 /// What the selected point's curves are at T: the disparity, or what each eye sees, in its colour.
 fn values_now(ui: &mut Ui, state: &State, quantity: Quantity) {
     let point = state.session.points.selected();
@@ -215,10 +231,11 @@ fn plot(
     let visuals = ui.visuals().clone();
     let now = state.session.time;
     let (unit, shown) = (state.measures().time, shown_in(quantity, state.measures().length));
+    let shift = shift(quantity, shown);
     let response = plot_over_time(ui, ("plot", label(quantity)), unit, size)
-        .y_grid_spacer(move |input| grid(quantity, shown, input))
+        .y_grid_spacer(move |input| grid(quantity, shift, size.y, input))
         .y_axis_formatter(move |mark, _: &RangeInclusive<f64>| {
-            tick(quantity, shown.shown(mark.value), shown.shown(mark.step_size))
+            tick(quantity, mark.value + shift, mark.step_size)
         })
         .label_formatter(move |hover| hover_text(quantity, [unit, shown], hover))
         .show(ui, |plot| {
@@ -252,7 +269,7 @@ const TWO_CONES: &str = "two light cones (exact)";
 /// What is drawn of `quantity`: of every point for a disparity, of each eye of the selected one else.
 fn traces<'a>(ui: &Ui, state: &State, curves: &'a [Curves], quantity: Quantity) -> Vec<Trace<'a>> {
     let selected = state.session.points.selected_index();
-    if matches!(quantity, Quantity::LogGain | Quantity::Distance) {
+    if matches!(quantity, Quantity::LogGain | Quantity::LogDistance) {
         let Some(curves) = curves.get(selected) else { return Vec::new() };
         return stereo::traces(ui, state, curves, quantity);
     }
@@ -329,8 +346,8 @@ fn value_at(points: &[PlotPoint], time: f64) -> Option<f64> {
 fn hover_text(quantity: Quantity, [time, shown]: [Unit; 2], hover: &HoverPosition<'_>) -> Option<String> {
     let HoverPosition::NearDataPoint { plot_name, position, .. } = hover else { return None };
     let value = match quantity {
+        Quantity::LogDistance => shown.text(math::powf(10.0, position.y), 3),
         _ if quantity.is_logarithm() => figures::fixed(math::powf(10.0, position.y), 4),
-        Quantity::Distance => shown.text(position.y, 3),
         _ => shown.text(position.y, 5),
     };
     Some(format!("{plot_name}\nT = {}\n{} = {value}", time.text(position.x, 3), label(quantity)))

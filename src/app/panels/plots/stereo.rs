@@ -1,7 +1,8 @@
 //! The tab "Stereo": how far off two eyes take the selected point to be, beside how far each sees it and where it is
 //! measured.
 
-use eframe::egui::{Color32, RichText, Sense, Stroke, Ui, Visuals, pos2, vec2};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Color32, RichText, Sense, Stroke, TextStyle, Ui, Visuals, WidgetInfo, pos2, vec2};
 use egui_plot::LineStyle;
 
 use super::Trace;
@@ -9,7 +10,11 @@ use crate::app::curves::{Curves, DistanceKind, Quantity, StereoView, stereo_view
 use crate::app::observer::Eye;
 use crate::app::state::State;
 use crate::app::theme;
+use crate::app::widgets::named_text;
 use crate::figures;
+
+/// Length of a piece of line in the caption, points.
+const SAMPLE: f32 = 16.0;
 
 /// What is drawn of the selected point.
 pub(super) fn traces<'a>(ui: &Ui, state: &State, curves: &'a Curves, quantity: Quantity) -> Vec<Trace<'a>> {
@@ -42,16 +47,14 @@ pub(super) fn values_now(ui: &mut Ui, state: &State, quantity: Quantity) {
     let view = stereo_view(&key, key.model, state.session.time);
     if quantity == Quantity::LogGain {
         let gain = figures::fixed_or_none(view.map(|StereoView { gain, .. }| gain), 4);
-        ui.label(RichText::new(gain).color(theme::stereo_colour(ui.visuals())));
+        let text = RichText::new(&gain).color(theme::stereo_colour(ui.visuals()));
+        named_text(ui, text, format!("Stereo gain at T: {gain}"));
         return;
     }
     let unit = state.measures().length;
     for (index, kind) in DistanceKind::ALL.into_iter().enumerate() {
-        let [name, tip] = words(kind);
-        let value = unit.number(view.map_or(f64::NAN, |view| view.distances[index]), 3);
-        sample(ui, kind);
-        let text = RichText::new(format!("{name} {value}")).color(colour(kind, ui.visuals()));
-        ui.label(text).on_hover_text(tip);
+        let value = unit.number(view.map_or(f64::NAN, |view| view.distances[index]), 2);
+        entry(ui, kind, &value);
     }
 }
 
@@ -77,15 +80,20 @@ fn style(kind: DistanceKind) -> LineStyle {
     if matches!(kind, DistanceKind::Seen(_)) { LineStyle::dashed_dense() } else { LineStyle::Solid }
 }
 
-/// A short piece of the line that stands for `kind`.
-fn sample(ui: &mut Ui, kind: DistanceKind) {
-    let (rect, _) = ui.allocate_exact_size(vec2(16.0, 10.0), Sense::hover());
-    let width = if kind == DistanceKind::Measured { 1.2 } else { 2.0 };
-    let stroke = Stroke::new(width, colour(kind, ui.visuals()));
+/// A piece of the line that stands for `kind`, its name and its `value`: in one piece wherever the row breaks.
+fn entry(ui: &mut Ui, kind: DistanceKind, value: &str) {
+    let ([name, tip], colour) = (words(kind), colour(kind, ui.visuals()));
+    let font = TextStyle::Body.resolve(ui.style());
+    let galley = ui.painter().layout_no_wrap(format!("{name} {value}"), font, colour);
+    let (rect, response) = ui.allocate_exact_size(galley.size() + vec2(SAMPLE + 4.0, 0.0), Sense::hover());
+    ui.painter().galley(pos2(rect.max.x - galley.size().x, rect.min.y), galley, colour);
+    let stroke = Stroke::new(if kind == DistanceKind::Measured { 1.2 } else { 2.0 }, colour);
     let pieces: &[[f32; 2]] =
-        if matches!(kind, DistanceKind::Seen(_)) { &[[0.0, 6.0], [10.0, 16.0]] } else { &[[0.0, 16.0]] };
-    for [from, to] in pieces {
-        let [from, to] = [from, to].map(|x| pos2(rect.min.x + x, rect.center().y));
-        ui.painter().line_segment([from, to], stroke);
+        if matches!(kind, DistanceKind::Seen(_)) { &[[0.0, 0.4], [0.6, 1.0]] } else { &[[0.0, 1.0]] };
+    for piece in pieces {
+        let ends = piece.map(|share| pos2(rect.min.x + share * SAMPLE, rect.center().y));
+        ui.painter().line_segment(ends, stroke);
     }
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, format!("{tip}: {value}")));
+    response.on_hover_text(tip);
 }

@@ -14,29 +14,39 @@ use crate::app::state::State;
 use crate::app::widgets::{choice, end_of_range};
 use crate::flags::TimeRange;
 use crate::settings::{FIT_SAMPLES, FitSetup, MAX_SEED, NOISE_PERCENT};
+use crate::units::Unit;
 
-/// Width of the table, and least width of the plots: that of the choice of the model above them.
+/// Width of the table, and least width of the plots.
 const TABLE_WIDTH: f32 = 346.0;
-const LEAST_PLOTS: f32 = 300.0;
+const LEAST_PLOTS: f32 = 200.0;
+/// What a unit adds to the table's width.
+const UNIT_WIDTH: f32 = 26.0;
+/// Width from which on the choice of the model and the samples stand in one row.
+const WIDE: f32 = 676.0;
 
-/// Shows the tab: the model above the plots, the samples above the table.
+/// Shows the tab: the model and the samples above the plots and the table.
 pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
     let mut setup = state.settings.fit;
-    let (table, plots) = table_and_plots(ui.available_rect_before_wrap(), TABLE_WIDTH, LEAST_PLOTS);
-    part(ui, "fit samples and table", table, |ui| {
-        if plots.is_none() {
-            row(ui, |ui| model(ui, state, &mut setup));
+    let is_wide = ui.available_width() >= WIDE;
+    row(ui, |ui| {
+        model(ui, state, &mut setup);
+        if is_wide {
+            samples(ui, &mut setup);
         }
+    });
+    if !is_wide {
         row(ui, |ui| samples(ui, &mut setup));
+    }
+    let unit_width = if state.measures().length == Unit::OWN { 0.0 } else { UNIT_WIDTH };
+    let (table, plots) =
+        table_and_plots(ui.available_rect_before_wrap(), TABLE_WIDTH + unit_width, LEAST_PLOTS);
+    part(ui, "fit range and table", table, |ui| {
         row(ui, |ui| range(ui, state, &mut setup));
         let area = ScrollArea::vertical().id_salt("fit table").auto_shrink(false);
         area.show(ui, |ui| table::show(ui, fitting, state.measures().length));
     });
     if let Some(plots) = plots {
-        part(ui, "fit plots", plots, |ui| {
-            row(ui, |ui| model(ui, state, &mut setup));
-            plots::show(ui, state, fitting, asks);
-        });
+        part(ui, "fit plots", plots, |ui| plots::show(ui, state, fitting, asks));
     }
     if setup != state.settings.fit {
         asks.push(Command::Fit(setup));
@@ -68,6 +78,7 @@ fn model(ui: &mut Ui, state: &State, setup: &mut FitSetup) {
     let tip = "Fits x₀, where the point is at t = 0, too: as if the time of passage were unknown.\n\
         Else x₀ is known.";
     ui.checkbox(&mut setup.fit_x0, "x₀").on_hover_text(tip).accessible_name("Fit x₀");
+    ui.add_space(8.0);
 }
 
 const MODELS: [(Model, &str, &str); 3] = [

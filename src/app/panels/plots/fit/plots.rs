@@ -10,10 +10,11 @@ use crate::app::command::Command;
 use crate::app::curves::Quantity;
 use crate::app::fitting::{FitOutcome, FittedCurve, Fitting};
 use crate::app::panels::Asks;
-use crate::app::panels::plots::axes::{annotate, bounds, grid, label, plot_over_time, tick, time_at_pointer};
+use crate::app::panels::plots::axes::{
+    annotate, bounds, even_grid, label, plot_over_time, tick, time_at_pointer,
+};
 use crate::app::state::State;
 use crate::app::theme;
-use crate::units::Unit;
 
 /// How much of the height the residuals take, with the numbers along T.
 const RESIDUALS_SHARE: f32 = 0.44;
@@ -68,7 +69,7 @@ fn pair(ui: &mut Ui, state: &State, fitting: &Fitting, quantity: Quantity, size:
         name: format!("Fit of {name} against T"),
         size: vec2(size.x, height - residuals_height),
         with_times: !has_residuals,
-        grid: |input| grid(Quantity::DeltaPhi, Unit::OWN, input),
+        grid: even_grid,
     };
     curve.show(ui, state, drawing.curve_bounds(), asks, |plot| drawing.curve(plot));
     if has_residuals {

@@ -1,0 +1,96 @@
+//! The plot tab "Stereo": where two eyes take the selected point to be, held against the core.
+
+use egui_kittest::kittest::Queryable as _;
+use gamow::app::command::Command;
+use gamow::settings::PlotTab;
+use gamow::units::Units;
+use relativity_core::{Model, SourcePoint, Speed};
+use relativity_render::Geometry;
+
+use super::Test;
+use super::support::{
+    SEPARATION, TRACKED, cyclist, label_starting_with, labels, seen, shown, window, window_of_size,
+};
+
+pub const TESTS: &[Test] = &[
+    ("the_stereo_tab_gives_the_gain_and_four_distances", gives_the_gain_and_four_distances),
+    ("the_stereo_tab_gives_distances_in_the_chosen_unit", gives_distances_in_the_chosen_unit),
+    ("with_one_light_cone_the_stereo_tab_has_gain_1_and_the_seen_distance", has_gain_1_with_one_cone),
+    ("the_stereo_tab_fits_in_the_smallest_window", fits_in_the_smallest_window),
+];
+
+/// Where two eyes take the tracked point to be, after its label, and the other distances after theirs.
+const DISTANCES: [&str; 4] = [
+    "Where two eyes take it to be: ",
+    "Where the left eye sees it: ",
+    "Where the right eye sees it: ",
+    "Where it is measured now: ",
+];
+
+/// Of the tracked point at 0.9 c.
+fn distances(model: Model, time: f64) -> (f64, [f64; 4]) {
+    let speed = Speed::from_beta(0.9).expect("a speed");
+    let point = SourcePoint::from_rest(TRACKED, &speed);
+    let fused = model.stereo(&speed, point, SEPARATION, time).expect("in the domain");
+    let [left, right] = [0, 1].map(|eye| seen(0.9, time, eye).distance);
+    let [_, y, z] = TRACKED;
+    let measured = ((0.9 * time).powi(2) + y * y + z * z).sqrt();
+    (fused.gain, [fused.distance(), left, right, measured])
+}
+
+fn gives_the_gain_and_four_distances() {
+    let mut window = window(cyclist(0.9));
+    window.get_by_label("Stereo").click();
+    window.run();
+    assert_eq!(window.state().state().settings.plots.plot, PlotTab::Stereo);
+    label_starting_with(&window, "Plot of stereo gain of point 1 (front tyre) against T");
+    label_starting_with(&window, "Plot of distance of point 1 (front tyre) against T");
+    for time in [-2.0, 1.1, 3.6, 7.0] {
+        window.state_mut().ask(Command::Time(time));
+        window.run();
+        let (gain, distances) = distances(Model::Exact, time);
+        assert!((shown(&window, "Stereo gain at T") - gain).abs() < 6e-5, "{time}");
+        for (name, distance) in DISTANCES.into_iter().zip(distances) {
+            assert!((shown(&window, name) - distance).abs() < 6e-3, "{name} {time} {distance}");
+        }
+    }
+}
+
+fn gives_distances_in_the_chosen_unit() {
+    let mut state = cyclist(0.9);
+    state.settings.window.units = Units::Metric;
+    state.settings.plots.plot = PlotTab::Stereo;
+    let mut window = window(state);
+    window.state_mut().ask(Command::Time(1.1));
+    window.run();
+    assert!(labels(&window).contains(&"distance / m".to_owned()));
+    let (_, distances) = distances(Model::Exact, 1.1);
+    for (name, distance) in DISTANCES.into_iter().zip(distances) {
+        assert!((shown(&window, name) - 0.65 * distance).abs() < 6e-3, "{name} {distance}");
+    }
+}
+
+fn has_gain_1_with_one_cone() {
+    let mut state = cyclist(0.9);
+    state.settings.look.geometry = Geometry::OneCone;
+    state.settings.plots.plot = PlotTab::Stereo;
+    let mut window = window(state);
+    window.state_mut().ask(Command::Time(1.1));
+    window.run();
+    let (gain, [distance, ..]) = distances(Model::OneCone, 1.1);
+    assert_eq!((gain, shown(&window, "Stereo gain at T")), (1.0, 1.0));
+    assert!((shown(&window, DISTANCES[0]) - distance).abs() < 6e-3);
+}
+
+fn fits_in_the_smallest_window() {
+    let mut state = cyclist(0.9);
+    state.settings.plots.plot = PlotTab::Stereo;
+    let mut window = window_of_size(state, [1024.0, 600.0], 1.0);
+    window.run();
+    let right = window.get_by_label("Plot of distance of point 1 (front tyre) against T").rect().max.x;
+    for name in DISTANCES {
+        let label = label_starting_with(&window, name);
+        let place = window.get_by_label(&label).rect();
+        assert!(place.max.x <= right + 1.0 && place.max.y <= 600.0, "{label}: {place:?}, plot to {right}");
+    }
+}
