@@ -231,7 +231,8 @@ impl App {
         };
         let picture = self.eyes.as_mut().map(|eyes| eyes.picture(ui.ctx(), pane.eye.index(), &request));
         let examination = self.examination.as_mut().filter(|_| state.settings.plots.heat_map);
-        let heat_map = examination.and_then(|found| found.heat_map(ui.ctx(), pane.eye, request.method));
+        let method = request.method.of_view(&request.view);
+        let heat_map = examination.and_then(|found| found.heat_map(ui.ctx(), pane.eye, method));
         panels::views::paint(ui, state, pane, picture, heat_map.map(Into::into));
     }
 
