@@ -127,7 +127,9 @@ mod tests {
     fn labels_cover_neither_marks_nor_each_other_and_stay_in_the_room() {
         let mut labels = labels();
         let marks: Vec<Pos2> = (0..30).map(|i| pos2(10.0 * i as f32, (37 * i % 200) as f32)).collect();
-        marks.iter().for_each(|mark| labels.keep_clear_of(*mark, 4.0));
+        for mark in &marks {
+            labels.keep_clear_of(*mark, 4.0);
+        }
         let mut taken: Vec<Rect> = Vec::new();
         for mark in &marks {
             let Some(rect) = labels.free_beside(*mark, 4.0, SIZE) else { continue };
