@@ -15,3 +15,9 @@ pub fn times(state: &State, values: [f64; 3]) -> String {
         .map(|(time, value)| format!("{} = {}", time.name, unit.text(value, DECIMALS)));
     told.collect::<Vec<_>>().join("\n")
 }
+
+/// A time in a label: two decimals of the scene's unit, and what is less than those show is 0.
+pub fn labelled(state: &State, value: f64) -> String {
+    let unit = state.measures().time;
+    unit.number(if value.abs() < 0.005 { 0.0 } else { value }, 2)
+}

@@ -6,6 +6,7 @@ use super::sheet::{NEAR, Sheet};
 use crate::app::observer::Eye;
 use crate::app::panels::map::labels::Labels;
 use crate::app::theme;
+use crate::caption::times::HAPPENED;
 use crate::map::{Event, Ray, StraightLine};
 use crate::settings::Frame;
 
@@ -199,7 +200,7 @@ fn name_far_event(sheet: &Sheet<'_>, write: &mut impl FnMut(Pos2, &str, Color32)
     }
     if let Some([from, _]) = shown_ray(sheet, &ray) {
         let time = sheet.state.measures().time.text(ray.happened, 1);
-        write(from, &format!("happened t {time}, further off"), sheet.ui.visuals().text_color());
+        write(from, &format!("{} {time}, further off", HAPPENED.name), sheet.ui.visuals().text_color());
     }
 }
 

@@ -6,7 +6,9 @@ use super::sheet::{HANDLE, Sheet};
 use super::{lines, words};
 use crate::app::observer::Eye;
 use crate::app::panels::map::labels::Labels;
+use crate::app::panels::map::times::labelled;
 use crate::app::theme;
+use crate::caption::times::RECEIVED;
 use crate::map::Ray;
 
 /// Radius of a mark, points.
@@ -94,7 +96,8 @@ pub fn paint(sheet: &Sheet<'_>, marks: &[Mark], labels: &mut Labels) {
     let strong = sheet.ui.visuals().strong_text_color();
     let present = sheet.place(sheet.diagram.present);
     if sheet.room().contains(present) {
-        let text = format!("received T {}", sheet.state.measures().time.text(sheet.diagram.time, 2));
+        let time = labelled(sheet.state, sheet.diagram.time);
+        let text = format!("{} {time}{}", RECEIVED.name, sheet.state.measures().time.suffix());
         labels.keep_clear_of(present, HANDLE);
         labels.write(&sheet.painter, (present, HANDLE), &text, font.clone(), strong);
     }
