@@ -264,7 +264,7 @@ impl App {
 
         let area = ui.max_rect();
         ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
-        let layout = Layout::of(area, self.state.settings.window);
+        let layout = Layout::of(area, self.state.settings.window, self.state.settings.plots.plot);
         self.measure_pictures(ui, &layout.panes);
         self.state.session.shows_map = layout.map.is_some();
         let inset = |rect: Rect| rect.shrink2(egui::vec2(theme::GAP, theme::GAP / 2.0));
