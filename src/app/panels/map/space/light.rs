@@ -7,8 +7,9 @@ use eframe::egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, TextStyle, Ui, V
 use glam::DVec3;
 use relativity_core::math;
 
-use super::{Sheet, canvas};
+use super::sheet::Sheet;
 use crate::app::observer::Eye;
+use crate::app::panels::map::canvas;
 use crate::app::panels::map::labels::Labels;
 use crate::app::panels::map::times::times;
 use crate::app::state::State;
