@@ -53,7 +53,9 @@ pub(super) fn name(ui: &Ui, painter: &Painter, state: &State, sheet: &Sheet, lab
         return;
     };
     let ways = light.rays.map(|ray| light.ends(&ray));
-    ways.iter().for_each(|way| labels.avoid(way));
+    for way in &ways {
+        labels.avoid(way);
+    }
     let unit = state.measures().time;
     let (name, times) = match state.settings.map.frame {
         Frame::Ground => (HAPPENED.name, light.rays.map(|ray| ray.happened)),
