@@ -73,7 +73,7 @@ pub struct ModelArgs {
     #[arg(long, value_name = "N", default_value_t = PAPER_INTENSITY_EXPONENT, value_parser = finite_number,
           allow_hyphen_values = true)]
     pub intensity_exponent: f64,
-    /// Append where two eyes take the point to be: stereo_gain, stereo_x, stereo_y, stereo_z.
+    /// Append where two eyes take the point to be: the stereo gain, and the place.
     #[arg(long)]
     pub stereo: bool,
 }

@@ -121,7 +121,8 @@ impl Examination {
 
     /// Examines `sight` by all methods, the `chosen` one first. What was begun for another sight is given up.
     pub fn update(&mut self, ctx: &Context, sight: &Sight, chosen: Method) {
-        self.methods = methods(self.has_gpu, chosen);
+        let chosen = sight.views.first().map_or(chosen, |(_, view)| chosen.of_view(view));
+        self.methods = methods(self.has_gpu, chosen, sight);
         if self.sight.as_ref() != Some(sight) {
             self.worker.stop();
             self.sight = Some(sight.clone());
@@ -200,8 +201,8 @@ impl Examination {
     }
 }
 
-/// What can be measured.
-fn methods(has_gpu: bool, chosen: Method) -> Vec<Method> {
+/// What can be measured: not what another method stands in for.
+fn methods(has_gpu: bool, chosen: Method, sight: &Sight) -> Vec<Method> {
     if !has_gpu {
         return vec![Method::Reference];
     }
@@ -212,7 +213,8 @@ fn methods(has_gpu: bool, chosen: Method) -> Vec<Method> {
     bounds.sort_by(f64::total_cmp);
     bounds.dedup();
     let meshes = bounds.into_iter().map(|bound_px| Method::Mesh { bound_px });
-    [Method::Exact].into_iter().chain(meshes).chain([Method::Reference]).collect()
+    let draws = |method: &Method| sight.views.iter().all(|(_, view)| method.of_view(view) == *method);
+    [Method::Exact].into_iter().chain(meshes).chain([Method::Reference]).filter(draws).collect()
 }
 
 fn outcome(renderers: &mut Renderers, job: &Job, is_cancelled: &dyn Fn() -> bool) -> Option<Outcome> {

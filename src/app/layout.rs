@@ -5,7 +5,7 @@ use eframe::egui::{Rect, Vec2, pos2, vec2};
 
 use super::observer::Eye;
 use super::theme::{GAP, TITLE_HEIGHT};
-use crate::settings::{Presence, Window};
+use crate::settings::{PlotTab, Presence, Window};
 
 /// What can stand in a pane. One more is a variant and a line in [`Self::shown`], its switch among the settings of the
 /// [`Window`], a file in `panels`, and an arm where panes are painted.
@@ -69,9 +69,9 @@ const SPECTRUM_HEIGHT: f32 = 36.0;
 const SENTENCE_HEIGHTS: [f32; 2] = [22.0, 38.0];
 const NARROWEST_LINE: f32 = 1000.0;
 /// Height of the readout's rows.
-const READOUT_HEIGHT: f32 = 380.0;
-/// Height of its title and the disparities alone.
-const FOLDED_READOUT_HEIGHT: f32 = 62.0;
+const READOUT_HEIGHT: f32 = 316.0;
+/// Height of its title and what two eyes make of the point alone.
+const FOLDED_READOUT_HEIGHT: f32 = 86.0;
 const SIDE_WIDTH: f32 = 332.0;
 /// Narrower windows than this have no room for the controls beside the views.
 const NARROWEST_WITH_CONTROLS: f32 = 560.0;
@@ -86,6 +86,8 @@ const PLOTS_HEIGHT: f32 = 310.0;
 /// there are none.
 const SHARED_STRIP: Vec2 = vec2(900.0, 280.0);
 const SMALLEST_MAP: Vec2 = vec2(440.0, 240.0);
+/// Least width of a tab that has a table beside its plots.
+const TABLE_AND_PLOTS_WIDTH: f32 = 660.0;
 /// How much of a shared strip the map takes.
 const MAP_SHARE: f32 = 0.42;
 
@@ -96,9 +98,9 @@ impl Layout {
         self.panes.iter().any(|pane| pane.content == content)
     }
 
-    /// The layout of a window with this inner `area`.
+    /// The layout of a window with this inner `area`, whose plots are those of `tab`.
     #[must_use]
-    pub fn of(area: Rect, window: Window) -> Self {
+    pub fn of(area: Rect, window: Window, tab: PlotTab) -> Self {
         let (bar, below) = split_top(area, BAR_HEIGHT);
         let with_side = window.controls && area.width() >= NARROWEST_WITH_CONTROLS;
         let (centre, side) = if with_side { split_right(below, SIDE_WIDTH) } else { (below, None) };
@@ -107,7 +109,7 @@ impl Layout {
         let words = words_heights(centre.width(), without_words, window);
         let free = without_words - words.iter().sum::<f32>();
         let strip_height = (free * PLOTS_SHARE).max(PLOTS_HEIGHT.min(0.5 * free));
-        let below = Below::of(vec2(centre.width(), strip_height), window);
+        let below = Below::of(vec2(centre.width(), strip_height), window, tab);
         let map_above = !window.views && window.map != Presence::Off;
         let upper_height = match (window.views || map_above, below) {
             (true, Below::Nothing) => free,
@@ -146,13 +148,16 @@ enum Below {
 }
 
 impl Below {
-    /// What stands in a strip of this `size`.
-    fn of(size: Vec2, window: Window) -> Self {
+    /// What stands in a strip of this `size`. Beside a table and plots there is a map where they have room too, or where
+    /// it is asked for.
+    fn of(size: Vec2, window: Window, tab: PlotTab) -> Self {
         let has_room = |least: Vec2| size.x >= least.x && size.y >= least.y;
+        let has_table = matches!(tab, PlotTab::Fit | PlotTab::Accuracy);
+        let suits = !has_table || (1.0 - MAP_SHARE) * size.x >= TABLE_AND_PLOTS_WIDTH;
         let map = window.views && window.map != Presence::Off;
         let is_asked_for = window.map == Presence::On;
         match (map, window.plots) {
-            (true, true) if has_room(SHARED_STRIP) => Self::Both,
+            (true, true) if has_room(SHARED_STRIP) && (suits || is_asked_for) => Self::Both,
             (true, true) if is_asked_for => Self::Map,
             (true, false) if is_asked_for || has_room(SMALLEST_MAP) => Self::Map,
             (_, true) => Self::Plots,
@@ -232,7 +237,7 @@ mod tests {
     use super::*;
 
     fn layout(width: f32, height: f32) -> Layout {
-        Layout::of(Rect::from_min_size(pos2(0.0, 0.0), vec2(width, height)), Window::default())
+        of([width, height], Window::default())
     }
 
     #[test]
@@ -248,7 +253,7 @@ mod tests {
     }
 
     fn of(size: [f32; 2], window: Window) -> Layout {
-        Layout::of(Rect::from_min_size(pos2(0.0, 0.0), size.into()), window)
+        Layout::of(Rect::from_min_size(pos2(0.0, 0.0), size.into()), window, PlotTab::Disparity)
     }
 
     #[test]
@@ -260,6 +265,13 @@ mod tests {
             assert!(map.width() >= 380.0 && map.height() >= 270.0 && plots.width() >= 530.0, "{size:?}");
             assert_eq!((with_map.panes, without.map), (without.panes, None));
         }
+    }
+
+    #[test]
+    fn the_fit_keeps_its_plots_unless_the_map_is_asked_for() {
+        let area = Rect::from_min_size(pos2(0.0, 0.0), vec2(1280.0, 800.0));
+        let layout = |map| Layout::of(area, Window { map, ..Window::default() }, PlotTab::Fit);
+        assert!(layout(Presence::Auto).map.is_none() && layout(Presence::On).map.is_some());
     }
 
     #[test]

@@ -231,7 +231,8 @@ impl App {
         };
         let picture = self.eyes.as_mut().map(|eyes| eyes.picture(ui.ctx(), pane.eye.index(), &request));
         let examination = self.examination.as_mut().filter(|_| state.settings.plots.heat_map);
-        let heat_map = examination.and_then(|found| found.heat_map(ui.ctx(), pane.eye, request.method));
+        let method = request.method.of_view(&request.view);
+        let heat_map = examination.and_then(|found| found.heat_map(ui.ctx(), pane.eye, method));
         panels::views::paint(ui, state, pane, picture, heat_map.map(Into::into));
     }
 
@@ -263,7 +264,7 @@ impl App {
 
         let area = ui.max_rect();
         ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
-        let layout = Layout::of(area, self.state.settings.window);
+        let layout = Layout::of(area, self.state.settings.window, self.state.settings.plots.plot);
         self.measure_pictures(ui, &layout.panes);
         self.state.session.shows_map = layout.map.is_some();
         let inset = |rect: Rect| rect.shrink2(egui::vec2(theme::GAP, theme::GAP / 2.0));

@@ -14,10 +14,12 @@ pub struct Extent(pub [[f64; 2]; 3]);
 
 /// How far it is seen to pass on either side, in its distance.
 const PASSAGE: f64 = 2.0;
+/// Least distance that it is fitted to, units.
+const NEAREST: f64 = 1.0;
 /// At most so much wider is the map in the bicycle's frame.
-const WIDEST: f64 = 2.0;
+const WIDEST: f64 = 1.5;
 /// What is left free behind the eyes, above and beyond what moves, units.
-const MARGIN: f64 = 1.0;
+const MARGIN: f64 = 0.7;
 /// Space between the plan and the view from the side, points.
 const BETWEEN: f64 = 10.0;
 
@@ -30,7 +32,7 @@ impl Extent {
         let z = z.map(|z| z + settings.motion.height_shift);
         let ground = scene.ground_z.map_or(z[0], |ground| ground + settings.motion.height_shift);
         let distance = math::hypot(0.5 * (y[0] + y[1]), 0.5 * (z[0] + z[1]));
-        let reach = (PASSAGE * distance.max(MARGIN) + 0.5 * (x[1] - x[0])) * widening(settings);
+        let reach = (PASSAGE * distance.max(NEAREST) + 0.5 * (x[1] - x[0])) * widening(settings);
         let middle = 0.5 * (x[0] + x[1]);
         Self([
             [middle - reach, middle + reach],

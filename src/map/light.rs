@@ -107,14 +107,14 @@ pub struct Ray {
 }
 
 /// The rays to the left and to the right eye that arrive at `time`, the ground's, as the frame that moves at `frame`
-/// has them.
+/// has them, by the binocular model of what the views show.
 ///
 /// # Errors
 ///
 /// A time outside the domain of the core.
 pub fn rays(settings: &Settings, point: &Track, time: f64, frame: Velocity) -> Result<[Ray; 2], DomainError> {
     let worldline = Worldline::new(settings, point, frame);
-    let both = settings.exact_disparity(point, time)?;
+    let both = settings.disparity(point, time)?;
     let [left, right] = settings.apertures();
     Ok([(both.primary, left), (both.secondary, right)].map(|(seen, eye)| {
         // Where and when it rests is known better than by its place on the ground.

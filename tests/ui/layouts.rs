@@ -149,7 +149,7 @@ fn every_scene_shows() {
 fn hidden_parts_make_room() {
     let mut window = window(cyclist(0.9));
     let before = window.get_by_label("Left eye view").rect();
-    for part in ["Controls", "Plots"] {
+    for part in ["Controls", "Plots", "Map"] {
         window.get_by_label(part).click();
         window.run();
     }

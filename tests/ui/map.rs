@@ -20,6 +20,7 @@ pub const TESTS: &[Test] = &[
     ("the_bicycle_rests_in_its_own_frame_and_the_eyes_ride_past", the_bicycle_rests_in_its_own_frame),
     ("abreast_is_said_when_it_is_measured_there_and_when_it_is_seen_there", abreast_is_said),
     ("clicking_the_map_selects_the_point_there", clicking_the_map_selects),
+    ("what_is_under_the_pointer_on_the_map_is_told_with_its_times", what_is_under_the_pointer_is_told),
     ("the_map_is_dragged_zoomed_at_the_pointer_and_fitted_again", the_map_is_dragged_and_zoomed),
     ("a_hidden_map_is_not_there_at_all", a_hidden_map_is_not_there),
     ("the_keys_of_the_map_do_what_the_help_says", the_keys_of_the_map),
@@ -77,7 +78,7 @@ fn marks_are_where_the_numbers_say() {
     for size in SIZES {
         for beta in [0.3, 0.9, 0.99] {
             let mut state = cyclist(beta);
-            state.settings.window.map = Presence::On;
+            state.settings.window = Window { map: Presence::On, views: false, ..state.settings.window };
             let mut window = window_of_size(state, size, 1.0);
             for (chart, up) in [("Map, from above", 1), ("Map, from the side", 2)] {
                 let found = Found::new(&mut window, chart, beta, [-3.0, 5.0]);
@@ -166,6 +167,27 @@ fn clicking_the_map_selects() {
 
 fn window_corner(window: &Harness<'_, App>) -> Pos2 {
     window.get_by_label("Map, from above").rect().right_bottom() - vec2(10.0, 6.0)
+}
+
+fn what_is_under_the_pointer_is_told() {
+    let mut window = map_window(cyclist(0.9));
+    go_to(&mut window, 1.5);
+    let told = |window: &mut Harness<'_, App>, picture: &str| {
+        let place = mark(window, &format!("Map, from the side: {}", point(picture)));
+        window.hover_at(place);
+        // Until the pointer has stayed for long enough.
+        window.run_steps(20);
+        labels(window).into_iter().find(|label| label.contains("\nx = ")).expect("it is told")
+    };
+    let text = told(&mut window, "measured now");
+    assert!(text.contains("measured now") && text.contains("now t = 1.500"), "{text}");
+    let text = told(&mut window, "as the left eye sees it");
+    let seen = seen(0.9, 1.5, 0);
+    assert!(text.contains("as the left eye sees it") && text.contains("received T = 1.500"), "{text}");
+    // Of the outline near the point, not of the point itself: as far as its line is thick.
+    let happened = text.split("happened t = ").nth(1).and_then(|rest| rest.lines().next()).expect("a time");
+    let happened: f64 = happened.replace('−', "-").parse().expect("a number");
+    assert!((happened - seen.retarded_time).abs() < 0.2, "{happened} for {}", seen.retarded_time);
 }
 
 fn the_map_is_dragged_and_zoomed() {
@@ -273,6 +295,7 @@ fn nothing_breaks_the_map() {
             let mut state = cyclist(0.5);
             state.settings.motion.speed = SpeedSetting::new(parameter, value).expect("a speed");
             state.settings.motion.d = d;
+            state.settings.window.views = false;
             let mut window = map_window(state);
             for frame in [Frame::Ground, Frame::Bicycle] {
                 window.state_mut().ask(Command::Map(Map { face: Face::Space, frame }));

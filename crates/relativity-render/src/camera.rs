@@ -94,7 +94,7 @@ impl Camera {
     }
 
     /// From the middle between the two eyes, of which it is one, to this one.
-    pub(crate) fn from_middle(&self) -> DVec3 {
+    pub(crate) fn off_middle(&self) -> DVec3 {
         DVec3::X * self.aperture.x
     }
 

@@ -62,7 +62,7 @@ impl GroupView {
             (Geometry::Rest, Motion::Own(_)) => Geometry::Seen,
             (geometry, _) => geometry,
         };
-        let middle = if geometry == Geometry::OneCone { view.camera.from_middle() } else { DVec3::ZERO };
+        let middle = if geometry == Geometry::OneCone { view.camera.off_middle() } else { DVec3::ZERO };
         let aperture = on_ground.reflected(position(view.camera.aperture) - middle);
         let (beta, gamma, received) =
             (on_ground.speed.beta(), on_ground.speed.gamma(), view.observation_time);
@@ -188,7 +188,7 @@ impl GroupView {
             }
             Geometry::OneCone => {
                 let seen = sighting(speed, point, Aperture::default(), 0.0).ok()?;
-                self.velocity.reflected(seen.position.into()) - self.camera.from_middle()
+                self.velocity.reflected(seen.position.into()) - self.camera.off_middle()
             }
             Geometry::Published => {
                 let separation = self.published_separation();

@@ -28,7 +28,7 @@ impl GroupView {
     /// Its origin, from the middle's event, is e/D: in l (n.u) - |e + l n| = -e.u nothing is left of l.
     pub(crate) fn one_cone_ray(&self, line_of_sight: DVec3, distance: Option<f64>) -> RestRay {
         let Self { velocity, .. } = self;
-        let eye = self.camera.from_middle();
+        let eye = self.camera.off_middle();
         let from_middle = distance.map(|distance| eye + line_of_sight * distance);
         let received_along = from_middle.map_or(line_of_sight, |place| place.normalize_or(line_of_sight));
         // n.u from the sine between both, which does not come out of a difference.

@@ -22,7 +22,7 @@ pub enum Method {
     ///
     /// `tests/reference.rs`: against the core's light cone of each point shown, from rest to gamma = 1e30, positions
     /// are off by less than 1e-11 px, distances and Doppler factors by less than 1e-13 of themselves; a tracer that
-    /// walks back along the light, without a boost, sees the same bodies.
+    /// walks back along the light, without a boost, sees the same bodies. So it is with one light cone for both eyes.
     Reference,
     /// A ray test per pixel on the GPU, in f32.
     ///
@@ -43,7 +43,8 @@ pub enum Method {
     ///
     /// `tests/gpu_mesh.rs`, against the reference from rest to gamma = 1e30, for bounds of 0.5 px and 2 px: each pixel
     /// shows what is seen no further off than the bound. `tests/gpu_pictures.rs`: within 0.1 px, colours away from
-    /// outlines are within 6 of 255 levels. Groups are told apart as by the exact renderer.
+    /// outlines are within 6 of 255 levels. Groups are told apart as by the exact renderer. With one light cone for
+    /// both eyes, alone or among groups, the bound is kept, too.
     Mesh {
         /// How far any point may be drawn from where it is seen, pixels, above 0.
         bound_px: f64,

@@ -148,6 +148,7 @@ impl Velocity {
 
     /// This velocity as a camera sees it that moves at `camera`: rapidities subtract.
     #[must_use]
+    #[expect(clippy::missing_panics_doc, reason = "the greatest gamma is a speed")]
     pub fn seen_from(self, camera: Self) -> Self {
         if camera.is_rest() {
             return self;

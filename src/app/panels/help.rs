@@ -21,7 +21,7 @@ const MOUSE: [(&str, &str); 9] = [
     ("Drag in a view", "look around"),
     ("Scroll over a view", "zoom"),
     ("Double-click in a view", "follow the point again"),
-    ("Click or drag in a plot", "go to that T"),
+    ("Click or drag in a plot, on a worldline", "go to that T"),
     ("Click in the map", "follow that point"),
     ("Drag, scroll, double-click in the map", "move, zoom, fit it"),
 ];

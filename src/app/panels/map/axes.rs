@@ -9,7 +9,7 @@ use crate::map::{Chart, ticks};
 use crate::units::Unit;
 
 /// Least distance between two lines, points.
-const SPACING: f64 = 52.0;
+const SPACING: f64 = 42.0;
 
 /// What is along an axis.
 #[derive(Debug, Clone, Copy)]

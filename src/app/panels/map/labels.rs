@@ -6,6 +6,8 @@ use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Vec2, vec2};
 const GAP: f32 = 3.0;
 /// Between places at which a line is noted, points.
 const STEP: f32 = 4.0;
+/// Sides that differ by fewer of these places count as alike, so that a label holds still while things move.
+const ALIKE: usize = 4;
 /// The sides of a mark at which its label may stand: where its middle lies from there.
 const SIDES: [Vec2; 8] = [
     vec2(1.0, 0.0),
@@ -66,7 +68,7 @@ impl Labels {
         let galley = painter.layout_no_wrap(text.to_owned(), font, colour);
         let rects = SIDES.map(|side| beside(place, side, radius + GAP, galley.size()));
         let free = rects.into_iter().filter(|rect| self.is_free(*rect));
-        let Some(rect) = free.min_by_key(|rect| self.covered(*rect)) else { return };
+        let Some(rect) = free.min_by_key(|rect| self.covered(*rect) / ALIKE) else { return };
         painter.rect_filled(rect, 2.0, self.background.gamma_multiply(0.6));
         painter.galley(rect.min, galley, colour);
         self.taken.push(rect);

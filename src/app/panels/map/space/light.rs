@@ -3,22 +3,28 @@
 
 use std::f32::consts::PI;
 
-use eframe::egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, Ui, Vec2};
+use eframe::egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, TextStyle, Ui, Vec2};
 use glam::DVec3;
 use relativity_core::math;
 
 use super::{Sheet, canvas};
 use crate::app::observer::Eye;
+use crate::app::panels::map::labels::Labels;
 use crate::app::panels::map::times::times;
 use crate::app::state::State;
 use crate::app::theme;
+use crate::caption::times::{HAPPENED, OWN_CLOCK};
 use crate::map::{Event, Front, Projection, Ray, Worldline, fronts, rays};
 use crate::plot::round_step;
+use crate::settings::Frame;
 
 /// Fronts that follow each other while light comes from where the point passes.
 const FRONTS_ON_THE_WAY: f64 = 3.0;
 /// How near the pointer has to be, points.
 const NEAR: f32 = 5.0;
+/// The shortest way that has room for what is written beside it, points, and at which part of it that stands.
+const SHORTEST_NAMED: f32 = 80.0;
+const NAMED_AT: f32 = 0.35;
 /// Radius of the largest circle that is drawn, points.
 const LARGEST: f32 = 1e6;
 /// How far a drawn circle may be from a round one, points.
@@ -37,6 +43,29 @@ pub(super) fn paint(ui: &Ui, painter: &Painter, state: &State, sheet: &Sheet) {
         let colour = theme::eye_colour(eye, ui.visuals());
         light.paint_front(painter, &ray.front(), Stroke::new(1.0, colour.gamma_multiply(0.7)));
         light.paint_ray(painter, &ray, colour);
+    }
+}
+
+/// Writes beside the way of the light, in the plan, when it left: by the ground's clocks, or by those of the bicycle.
+pub(super) fn name(ui: &Ui, painter: &Painter, state: &State, sheet: &Sheet, labels: &mut Labels) {
+    let Some(light) = Light::of(state, sheet).filter(|_| sheet.projection == Projection::Plan) else {
+        return;
+    };
+    let ways = light.rays.map(|ray| light.ends(&ray));
+    ways.iter().for_each(|way| labels.avoid(way));
+    let unit = state.measures().time;
+    let (name, times) = match state.settings.map.frame {
+        Frame::Ground => (HAPPENED.name, light.rays.map(|ray| ray.happened)),
+        Frame::Bicycle => (OWN_CLOCK.name, light.rays.map(|ray| ray.own_time)),
+    };
+    let [left, right] = times.map(|time| unit.number(time, 2));
+    let both = if left == right { left } else { format!("{left}, {right}") };
+    let text = format!("{name} {both}{}", unit.suffix());
+    let [[from, to], _] = ways;
+    let middle = from.lerp(to, NAMED_AT);
+    if from.distance(to) > SHORTEST_NAMED && sheet.room().contains(middle) {
+        let font = TextStyle::Small.resolve(ui.style());
+        labels.write(painter, (middle, ARROW), &text, font, ui.visuals().text_color());
     }
 }
 

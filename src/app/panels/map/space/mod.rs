@@ -52,6 +52,7 @@ pub fn show(ui: &mut Ui, state: &State, rect: Rect, asks: &mut Asks) {
         light::paint(ui, &painter, state, &sheet);
         pictures::paint(ui, &painter, &lines, &sheet);
         marks::show(ui, &painter, state, &instant, &sheet, &mut labels);
+        light::name(ui, &painter, state, &sheet, &mut labels);
         pointer::read(ui, &painter, &response, state, &lines, &sheet, asks);
     }
 }

@@ -35,7 +35,7 @@ pub fn of_ray(sheet: &Sheet<'_>, eye: Eye, ray: &Ray) -> String {
 pub fn of_eyes(sheet: &Sheet<'_>, received: f64) -> String {
     let event = Event { x: 0.0, t: received }.in_frame(sheet.diagram.frame);
     format!(
-        "Both eyes receive light\n{}\nreceived T = {}\nDrag along the line, or click on it, to go to another T.",
+        "Both eyes receive light\n{}\nreceived T = {}\nDrag it, or click on the line, to change T.",
         place(sheet, event),
         time(sheet, received)
     )
