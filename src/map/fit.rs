@@ -18,7 +18,7 @@ const PASSAGE: f64 = 2.0;
 const NEAREST: f64 = 1.0;
 /// At most so much wider is the map in the bicycle's frame.
 const WIDEST: f64 = 1.5;
-/// What is left free behind the eyes, above and beyond what moves, units.
+/// What is left free behind the eyes, beyond what moves and below the ground, units; above it half as much.
 const MARGIN: f64 = 0.7;
 /// Space between the plan and the view from the side, points.
 const BETWEEN: f64 = 10.0;
@@ -37,7 +37,7 @@ impl Extent {
         Self([
             [middle - reach, middle + reach],
             [y[0].min(0.0) - MARGIN, y[1].max(0.0) + MARGIN],
-            [z[0].min(0.0).min(ground) - 0.5 * MARGIN, z[1].max(0.0) + MARGIN],
+            [z[0].min(0.0).min(ground) - MARGIN, z[1].max(0.0) + 0.5 * MARGIN],
         ])
     }
 }

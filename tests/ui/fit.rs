@@ -76,7 +76,7 @@ fn text(window: &Harness<'_, App>, words: &str) -> String {
 }
 
 fn the_fit_recovers() {
-    // Beside the map there is room for the table alone.
+    // Beside the map there is room for one of the plots.
     let mut state = cyclist(0.9);
     state.settings.window.map = Presence::Off;
     let mut window = window(state);

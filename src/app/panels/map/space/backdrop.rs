@@ -3,9 +3,10 @@
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Shape, Stroke, Ui, Vec2, pos2, vec2};
 use glam::DVec3;
 
-use super::{Sheet, canvas};
+use super::sheet::Sheet;
 use crate::app::observer::Eye;
 use crate::app::panels::map::axes::{self, Axis};
+use crate::app::panels::map::canvas;
 use crate::app::panels::map::labels::Labels;
 use crate::app::state::State;
 use crate::app::theme;

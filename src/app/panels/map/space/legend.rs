@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use eframe::egui::{Color32, FontId, Galley, Rect, Ui, pos2, vec2};
 
-use super::colour;
+use super::sheet::colour;
 use crate::app::state::State;
 use crate::map::Picture;
 use crate::settings::Frame;

@@ -2,8 +2,9 @@
 
 use eframe::egui::{Align2, FontId, Painter, Stroke, Ui, vec2};
 
-use super::{Sheet, canvas};
+use super::sheet::{Sheet, colour};
 use crate::app::observer::Eye;
+use crate::app::panels::map::canvas;
 use crate::app::panels::map::labels::Labels;
 use crate::app::state::State;
 use crate::app::theme;
@@ -34,12 +35,12 @@ pub(super) fn show(
         let is_selected = index == state.session.points.selected_index();
         let largest = ((LARGEST * sheet.chart.scale) as f32).max(SMALLEST_RADIUS);
         let radius = POINT_RADII[usize::from(!is_selected)].min(largest);
-        let colour = theme::point_colour(point.number, ui.visuals());
+        let fill = theme::point_colour(point.number, ui.visuals());
         for picture in Picture::ALL {
             let Some(at) = instant.place(&point.track, picture) else { continue };
             let place = canvas::place(&sheet.chart, sheet.projection.flat(at));
             painter.circle_filled(place, radius + 1.5, theme::halo_colour(ui.visuals()));
-            painter.circle(place, radius, colour, Stroke::new(1.5, super::colour(picture, ui.visuals())));
+            painter.circle(place, radius, fill, Stroke::new(1.5, colour(picture, ui.visuals())));
             let name = point.name(&state.session.scene);
             canvas::name_place(
                 ui,

@@ -6,36 +6,16 @@ mod light;
 mod marks;
 mod pictures;
 mod pointer;
+mod sheet;
 
-use eframe::egui::{Color32, Rect, Ui, Visuals};
+use eframe::egui::{Rect, Ui};
 
+use self::sheet::Sheet;
 use super::canvas;
 use super::labels::Labels;
-use crate::app::observer::Eye;
 use crate::app::panels::Asks;
 use crate::app::state::State;
-use crate::app::theme;
-use crate::map::{Chart, Extent, Instant, Lines, Picture, Projection, plan_and_side};
-
-/// A chart of the face.
-#[derive(Debug, Clone, Copy)]
-struct Sheet {
-    projection: Projection,
-    chart: Chart,
-}
-
-impl Sheet {
-    const fn name(&self) -> &'static str {
-        match self.projection {
-            Projection::Plan => "Map, from above",
-            Projection::Side => "Map, from the side",
-        }
-    }
-
-    fn room(&self) -> Rect {
-        canvas::rect(&self.chart)
-    }
-}
+use crate::map::{Chart, Extent, Instant, Lines, Projection, plan_and_side};
 
 /// Shows it in `rect`.
 pub fn show(ui: &mut Ui, state: &State, rect: Rect, asks: &mut Asks) {
@@ -53,6 +33,7 @@ pub fn show(ui: &mut Ui, state: &State, rect: Rect, asks: &mut Asks) {
         pictures::paint(ui, &painter, &lines, &sheet);
         marks::show(ui, &painter, state, &instant, &sheet, &mut labels);
         light::name(ui, &painter, state, &sheet, &mut labels);
+        light::name_front(ui, &painter, state, &sheet, &mut labels);
         pointer::read(ui, &painter, &response, state, &lines, &sheet, asks);
     }
 }
@@ -61,13 +42,4 @@ fn charts(state: &State, rect: Rect) -> [Chart; 2] {
     let extent = Extent::of_space(&state.settings, &state.session.scene);
     let area = [rect.min.x, rect.min.y, rect.width(), rect.height()].map(f64::from);
     plan_and_side(area, &extent, &state.session.map_view)
-}
-
-/// The colour of a picture.
-fn colour(picture: Picture, visuals: &Visuals) -> Color32 {
-    match picture {
-        Picture::Measured => theme::measured_colour(visuals),
-        Picture::Seen(eye) => theme::eye_colour(Eye::BOTH[eye], visuals),
-        Picture::Stereo => theme::stereo_colour(visuals),
-    }
 }

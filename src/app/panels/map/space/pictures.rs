@@ -2,7 +2,7 @@
 
 use eframe::egui::{Color32, Painter, Shape, Stroke, Ui, pos2};
 
-use super::{Sheet, colour};
+use super::sheet::{Sheet, colour};
 use crate::map::{Line, Lines, Picture};
 
 /// Thinnest line, points. What is thinner is drawn so, and fainter.

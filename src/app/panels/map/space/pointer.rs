@@ -2,9 +2,11 @@
 
 use eframe::egui::{Painter, Pos2, Response, Stroke, Ui};
 
-use super::{Sheet, canvas, colour, light};
+use super::light;
+use super::sheet::{Sheet, colour};
 use crate::app::command::{Command, Select};
 use crate::app::panels::Asks;
+use crate::app::panels::map::canvas;
 use crate::app::state::State;
 use crate::caption::times::{OWN_CLOCK, TIMES};
 use crate::map::{Lines, Nearest, Picture, Worldline};

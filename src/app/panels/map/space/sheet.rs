@@ -1,0 +1,41 @@
+//! One of the two charts, and the colours on both.
+
+use eframe::egui::{Color32, Rect, Visuals};
+
+use crate::app::observer::Eye;
+use crate::app::panels::map::canvas;
+use crate::app::theme;
+use crate::map::{Chart, Picture, Projection};
+
+/// A chart of the face.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sheet {
+    /// From where it looks.
+    pub projection: Projection,
+    /// Where things are on it.
+    pub chart: Chart,
+}
+
+impl Sheet {
+    /// Its name for assistive technology.
+    pub const fn name(&self) -> &'static str {
+        match self.projection {
+            Projection::Plan => "Map, from above",
+            Projection::Side => "Map, from the side",
+        }
+    }
+
+    /// The room it is drawn in.
+    pub fn room(&self) -> Rect {
+        canvas::rect(&self.chart)
+    }
+}
+
+/// The colour of a picture.
+pub(super) fn colour(picture: Picture, visuals: &Visuals) -> Color32 {
+    match picture {
+        Picture::Measured => theme::measured_colour(visuals),
+        Picture::Seen(eye) => theme::eye_colour(Eye::BOTH[eye], visuals),
+        Picture::Stereo => theme::stereo_colour(visuals),
+    }
+}
