@@ -60,6 +60,9 @@ and with --stereo where two eyes take the point to be, which is where their line
   stereo_gain  (x_left - x_right)/d: 1 for a point at rest
   stereo_x     that place, from between the eyes; stereo_y and stereo_z too
 
+With one cone both eyes receive what the middle between them does: t, doppler and own are that event's, x, phi and theta \
+are from each eye to it.
+
 The published models evaluate the right eye through the left eye's formula at a shifted time, and measure its \
 angles from the left eye. They reproduce the paper (doi 10.1098/rspa.2019.0703) and leave parallax out.";
 

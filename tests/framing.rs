@@ -112,6 +112,29 @@ fn no_other_geometry_crops_it_either() {
     }
 }
 
+/// Eyes a whole unit apart. What narrower pictures would show as well is framed with what is around it.
+#[test]
+fn one_light_cone_is_framed_closely_where_eyes_are_far_apart() {
+    let mut framed = 0;
+    for beta in [0.3, 0.9, 0.99] {
+        let mut state = states(beta).next().expect("there are scenes");
+        state.settings.motion.d = 1.0;
+        assert_whole(&state, Geometry::OneCone);
+        state.settings.look.geometry = Geometry::OneCone;
+        let points = surface(&state.session.scene);
+        for time in times(&state) {
+            let views = views(&state, time, SIZES[0]);
+            let margins = views.iter().map(|view| margin(&view.camera, &directions(view, &points)));
+            let least = margins.fold(f64::INFINITY, f64::min);
+            if views[0].camera.horizontal_fov.to_degrees() > 42.5 {
+                assert!(least < 0.13, "beta {beta}, T {time}: {least} of the picture is free on every side");
+                framed += 1;
+            }
+        }
+    }
+    assert!(framed > 10, "{framed} pictures");
+}
+
 /// The angle by which the gaze turns, and that by which the field of view changes, from `a` to `b`, degrees.
 fn change([a, b]: [&View; 2]) -> [f64; 2] {
     let axis = |view: &View| view.camera.gaze.axes().forward;

@@ -8,7 +8,6 @@ use relativity_core::{
 };
 use relativity_render::Velocity;
 
-use crate::app::observer::Eye;
 use crate::passage::time_within;
 
 /// A quantity that is plotted against T.
@@ -43,15 +42,15 @@ impl Quantity {
 pub enum DistanceKind {
     /// From the middle between the eyes to where both take it to be: |p|.
     Stereo,
-    /// From an eye to where it sees the point: R.
-    Seen(Eye),
+    /// From the left (0) or the right (1) eye to where it sees the point: R.
+    Seen(usize),
     /// From the middle between the eyes to where the point is at T.
     Measured,
 }
 
 impl DistanceKind {
     /// All of them, in the order of the curves.
-    pub const ALL: [Self; 4] = [Self::Stereo, Self::Seen(Eye::Left), Self::Seen(Eye::Right), Self::Measured];
+    pub const ALL: [Self; 4] = [Self::Stereo, Self::Seen(0), Self::Seen(1), Self::Measured];
 }
 
 /// What a point's curves depend on.

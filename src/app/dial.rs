@@ -4,7 +4,7 @@
 use std::f32::consts::TAU;
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Color32, Pos2, Rect, Response, Sense, Stroke, Ui, Vec2, WidgetInfo, vec2};
+use eframe::egui::{Color32, Pos2, Rect, Sense, Stroke, Ui, Vec2, WidgetInfo, vec2};
 use relativity_render::Geometry;
 
 use super::observer::Eye;
@@ -77,8 +77,8 @@ pub struct Drawn {
     pub colour: Color32,
 }
 
-/// Draws `dial`, and names it for those who hover or do not see it.
-pub fn show(ui: &Ui, dial: Dial, drawn: Drawn, name: &str) -> Response {
+/// Draws `dial`, and tells its `name` to who does not see it, the `tip` to who points at it.
+pub fn show(ui: &Ui, dial: Dial, drawn: Drawn, name: &str, tip: String) {
     let (centre, radius) = face(drawn.marker, drawn.view);
     let (painter, visuals) = (ui.painter().with_clip_rect(drawn.view), ui.visuals());
     let outwards = (centre - drawn.marker).normalized();
@@ -97,7 +97,7 @@ pub fn show(ui: &Ui, dial: Dial, drawn: Drawn, name: &str) -> Response {
     let rect = Rect::from_center_size(centre, Vec2::splat(2.0 * radius));
     let response = ui.interact(rect.intersect(drawn.view), ui.scope_id().with(name), Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, format!("{name}: {:.4}", dial.turn)));
-    response
+    response.on_hover_text(tip);
 }
 
 /// From the middle to where the hand points after this part of a turn.
@@ -143,7 +143,7 @@ mod tests {
     #[test]
     fn the_hand_is_at_the_own_time_of_what_is_seen() {
         for (units, period) in
-            [(Units::Natural, 2.0), (Units::Metric, 5.0 / 2.168_166_621), (Units::Town, 0.2 / 0.078)]
+            [(Units::Natural, 2.0), (Units::Metric, 5.0 * 0.299_792_458 / 0.65), (Units::Town, 0.2 / 0.078)]
         {
             for time in [-20.0, -1.3, 0.0, 3.7, 55.5] {
                 for (eye, a) in Eye::BOTH.into_iter().zip([-0.05, 0.05]) {

@@ -69,9 +69,9 @@ const SPECTRUM_HEIGHT: f32 = 36.0;
 const SENTENCE_HEIGHTS: [f32; 2] = [22.0, 38.0];
 const NARROWEST_LINE: f32 = 1000.0;
 /// Height of the readout's rows.
-const READOUT_HEIGHT: f32 = 380.0;
-/// Height of its title and the disparities alone.
-const FOLDED_READOUT_HEIGHT: f32 = 62.0;
+const READOUT_HEIGHT: f32 = 316.0;
+/// Height of its title and what two eyes make of the point alone.
+const FOLDED_READOUT_HEIGHT: f32 = 86.0;
 const SIDE_WIDTH: f32 = 332.0;
 /// Narrower windows than this have no room for the controls beside the views.
 const NARROWEST_WITH_CONTROLS: f32 = 560.0;

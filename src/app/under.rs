@@ -9,7 +9,7 @@ use relativity_render::Geometry;
 use super::observer::Eye;
 use super::state::State;
 use super::{clock, theme};
-use crate::caption::times::{HAPPENED, OWN_CLOCK, RECEIVED};
+use crate::caption::times::told;
 use crate::figures;
 
 /// From the pointer to the tag, and around its words; points.
@@ -62,12 +62,9 @@ impl State {
 
     /// Where a point is seen that an eye receives light of, and its times.
     fn received(&self, seen: &Sighting) -> Vec<String> {
-        let unit = self.measures().time;
-        let times =
-            [(RECEIVED, self.session.time), (HAPPENED, seen.retarded_time), (OWN_CLOCK, seen.own_time)];
         let at = format!("seen at {}", self.place(seen.position));
-        let times = times.map(|(time, value)| format!("{} = {}", time.name, unit.text(value, 2)));
-        [at].into_iter().chain(times).collect()
+        let times = [self.session.time, seen.retarded_time, seen.own_time];
+        [at].into_iter().chain(told(times, self.measures().time, 2)).collect()
     }
 
     /// A place in words.

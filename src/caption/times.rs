@@ -1,6 +1,8 @@
 //! The three times of what is seen, by the names they have everywhere in the window. Both eyes belong to one frame, the
 //! ground's; they receive different events at one T.
 
+use crate::units::Unit;
+
 /// A time by its name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct TimeName {
@@ -36,3 +38,10 @@ pub const OWN_CLOCK: TimeName = TimeName {
 
 /// All three, in the order in which they are shown.
 pub const TIMES: [TimeName; 3] = [RECEIVED, HAPPENED, OWN_CLOCK];
+
+/// When light is received, when it left, and what the own clock showed then, units of the scene, each by its name in this
+/// `unit` with as much as `decimals` are of the scene's.
+#[must_use]
+pub fn told(times: [f64; 3], unit: Unit, decimals: u8) -> [String; 3] {
+    [0, 1, 2].map(|i| format!("{} = {}", TIMES[i].name, unit.text(times[i], decimals)))
+}

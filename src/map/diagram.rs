@@ -294,6 +294,26 @@ mod tests {
     }
 
     #[test]
+    fn light_leaves_where_the_space_face_shows_what_each_eye_sees() {
+        use crate::map::{Instant, Picture};
+        for geometry in [relativity_render::Geometry::Seen, relativity_render::Geometry::OneCone] {
+            let mut settings = settings(SpeedParameter::Beta, 0.9);
+            settings.look.geometry = geometry;
+            for track in tracks() {
+                let rays = rays(&settings, &track, 1.7, Velocity::REST).expect("in the domain");
+                let instant = Instant::new(&settings, 1.7);
+                for (eye, ray) in rays.iter().enumerate() {
+                    let place = instant.place(&track, Picture::Seen(eye)).expect("in the domain");
+                    let off = place - glam::DVec3::new(ray.left.x, place.y, place.z);
+                    assert!(off.length() < 1e-9, "{geometry:?} {track:?}: {off}");
+                    let [y, z] = Worldline::new(&settings, &track, Velocity::REST).across();
+                    assert!((place.y - y).abs() < 1e-12 && (place.z - z).abs() < 1e-12);
+                }
+            }
+        }
+    }
+
+    #[test]
     fn one_cone_for_both_eyes_has_its_apex_between_them() {
         let mut settings = settings(SpeedParameter::Beta, 0.9);
         settings.look.geometry = relativity_render::Geometry::OneCone;

@@ -78,6 +78,12 @@ impl Worldline {
         Event { x: relative.beta() * t, t }
     }
 
+    /// The velocity of the point on the ground.
+    #[must_use]
+    pub const fn velocity(&self) -> Velocity {
+        self.velocity
+    }
+
     /// Whether the point rests in the frame of the map.
     #[must_use]
     pub const fn rests(&self) -> bool {

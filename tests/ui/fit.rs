@@ -15,6 +15,7 @@ use gamow::settings::{FitSetup, PlotTab, Plots, Presence, Theme};
 use relativity_core::{
     Curves, FitOptions, Model, Observations, Parameter, Passage, PublishedVariant, Reading, Sample, fit,
 };
+use relativity_render::Geometry;
 
 use super::Test;
 use super::support::{SEPARATION, cyclist, labels, seen, shown, type_into, window, window_of_size};
@@ -24,6 +25,7 @@ pub const TESTS: &[Test] = &[
     ("each_curve_alone_recovers_them_too", each_curve_alone_recovers),
     ("without_noise_the_fit_is_exact", without_noise_the_fit_is_exact),
     ("the_published_model_is_biased_and_says_so", the_published_model_is_biased),
+    ("one_light_cone_is_biased_unless_the_views_show_it", one_light_cone_is_biased),
     ("what_cannot_be_fitted_is_said_in_words", what_cannot_be_fitted),
     ("intervals_keep_to_what_is_possible", intervals_keep_to_what_is_possible),
     ("the_fit_follows_the_controls", the_fit_follows_the_controls),
@@ -74,7 +76,7 @@ fn text(window: &Harness<'_, App>, words: &str) -> String {
 }
 
 fn the_fit_recovers() {
-    // Beside the map there is room for the table alone.
+    // Beside the map there is room for one of the plots.
     let mut state = cyclist(0.9);
     state.settings.window.map = Presence::Off;
     let mut window = window(state);
@@ -132,6 +134,21 @@ fn the_published_model_is_biased() {
     let note = text(&window, "Leaving out parallax biases it, even without noise: β by ");
     let bias = published_beta_of_exact_curves(window.state().state(), setup) - 0.9;
     assert!(bias > 0.05 && note.contains(&format!("β by +{bias:.3},")), "{note} for {bias}");
+}
+
+fn one_light_cone_is_biased() {
+    let setup = FitSetup { model: Model::OneCone, noise_percent: 0.0, ..FitSetup::default() };
+    let two_cones = window_with_fit(fitted(0.9, setup));
+    let [beta, _] = estimate(&two_cones, "β");
+    assert!((beta - 0.9).abs() > 0.05, "β = {beta}");
+    text(&two_cones, "Taking one light cone for both eyes biases it, even without noise: β by ");
+    // The data are those of the views.
+    let mut state = fitted(0.9, setup);
+    state.settings.look.geometry = Geometry::OneCone;
+    let one_cone = window_with_fit(state);
+    let [beta, _] = estimate(&one_cone, "β");
+    assert!((beta - 0.9).abs() < 1e-9, "β = {beta}");
+    assert!(!labels(&one_cone).iter().any(|label| label.contains("biases it")));
 }
 
 /// Beta that the published model fits to exact curves without noise, by the core.

@@ -21,6 +21,7 @@ pub const TESTS: &[Test] = &[
     ("dragging_the_present_along_the_worldline_of_the_eyes_goes_to_another_time", dragging_the_present),
     ("a_click_on_the_worldline_goes_to_when_that_event_is_seen", a_click_on_the_worldline),
     ("an_event_tells_its_three_times_by_their_names", an_event_tells_its_three_times),
+    ("the_way_of_the_light_on_the_plan_tells_when_it_left", the_way_of_the_light),
     ("spacetime_that_is_not_shown_is_not_there", spacetime_that_is_not_shown),
     ("no_speed_time_or_size_breaks_spacetime", nothing_breaks_spacetime),
 ];
@@ -185,6 +186,22 @@ fn an_event_tells_its_three_times() {
     assert!((shown("happened t = ") - seen.retarded_time).abs() < 6e-4);
     // The tracked point is at the origin of its frame: its clock shows t/gamma.
     assert!((shown("own clock τ = ") - seen.retarded_time / gamma(0.9)).abs() < 6e-4);
+}
+
+fn the_way_of_the_light() {
+    let mut window = spacetime(0.9, Frame::Ground, [1280.0, 800.0]);
+    window.state_mut().ask(Command::Map(Map::default()));
+    go_to(&mut window, 5.0);
+    let place = |name: &str| window.get_by_label(&format!("Map, from above: {name}")).rect().center();
+    let [from, to] = ["point 1 (front tyre), as the left eye sees it", "Left eye"].map(place);
+    let way = from.lerp(to, 0.6);
+    window.hover_at(way);
+    window.run_steps(30);
+    // The ways to both eyes are a few points apart there.
+    let text = label_starting_with(&window, "Light that the ");
+    let happened = text.lines().find_map(|line| line.strip_prefix("happened t = ")).expect("it is told");
+    let eye = usize::from(text.contains("right eye"));
+    assert!((happened.parse::<f64>().expect("a number") - seen(0.9, 5.0, eye).retarded_time).abs() < 6e-4);
 }
 
 fn spacetime_that_is_not_shown() {

@@ -1,5 +1,7 @@
 //! The binocular models: the ways in which two apertures' views of one point are computed.
 
+use thiserror::Error;
+
 use crate::apparent::{Aperture, SourcePoint, sighting};
 use crate::cone_pair::ConePair;
 use crate::disparity::{Disparity, disparity};
@@ -7,7 +9,7 @@ use crate::domain::{DomainError, check};
 use crate::one_cone::{self, one_cone_disparity};
 use crate::published::{self, PublishedVariant, published_disparity};
 use crate::speed::Speed;
-use crate::stereo::{Stereo, StereoError, stereo};
+use crate::stereo::{Stereo, stereo};
 
 /// A binocular model.
 ///
@@ -26,6 +28,17 @@ pub enum Model {
     OneCone,
     /// The paper's model, which leaves out parallax.
     Published(PublishedVariant),
+}
+
+/// Why there is no stereo position.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum StereoError {
+    /// A coordinate or time outside the domain.
+    #[error(transparent)]
+    Domain(#[from] DomainError),
+    /// A published model, whose two directions start from one aperture.
+    #[error("the model {} has no stereo position: it measures both eyes' angles from the left eye", .0.name())]
+    Published(Model),
 }
 
 impl Model {

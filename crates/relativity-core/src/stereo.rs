@@ -4,12 +4,9 @@
 //! the lines from the left one at (-d/2, 0, 0) along (`X_l`, y, z) and from the right one at (d/2, 0, 0) along (`X_r`, y, z)
 //! meet: at lambda = d/(`X_l` - `X_r`) of either. Beside a resting point lambda would be 1.
 
-use thiserror::Error;
-
 use crate::apparent::{Aperture, SourcePoint, check_inputs};
 use crate::cone_pair::ConePair;
 use crate::domain::{DomainError, check};
-use crate::model::Model;
 use crate::speed::Speed;
 
 /// What two eyes make of one point.
@@ -32,17 +29,6 @@ impl Stereo {
     pub fn distance(&self) -> f64 {
         self.position.map(|along| along * along).iter().sum::<f64>().sqrt()
     }
-}
-
-/// Why there is no stereo position.
-#[derive(Debug, Clone, Copy, PartialEq, Error)]
-pub enum StereoError {
-    /// A coordinate or time outside the domain.
-    #[error(transparent)]
-    Domain(#[from] DomainError),
-    /// A published model, whose two directions start from one aperture.
-    #[error("the model {} has no stereo position: it measures both eyes' angles from the left eye", .0.name())]
-    Published(Model),
 }
 
 /// Where the paper's pair of apertures, `separation` apart, takes `point` to be at `observation_time`.

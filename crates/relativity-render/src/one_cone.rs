@@ -6,14 +6,18 @@
 //! from the middle: straight for great l. A ray is traced along the tangent at the last known distance, and again along
 //! the one where it met the body. That is Newton's iteration: what is off is squared each time.
 
-use glam::DVec3;
+use std::f64::consts::PI;
 
+use glam::DVec3;
+use relativity_core::math::{self, atan2};
+
+use crate::cone::Cone;
 use crate::group_view::{GroupView, RestRay};
 use crate::intersect::{Entry, Solid};
 use crate::ray::Ray;
 use crate::reference::Hit;
 use crate::scene::PreparedScene;
-use crate::view::View;
+use crate::view::{Geometry, View};
 
 /// Most tangents that are tried. Two or three do but for bodies that are about as near as the eyes are to each other.
 const ROUNDS: u32 = 12;
@@ -71,6 +75,43 @@ impl GroupView {
         // At great speeds most of it was along x, and along the ray.
         let DVec3 { y, z, .. } = across;
         DVec3 { x: -(y * ray.direction.y + z * ray.direction.z) / ray.direction.x, y, z }
+    }
+}
+
+/// Least and greatest delay by which the eye of `view` itself sees what it is shown of the subject of `scene`: no more than
+/// light takes to it from the middle.
+pub(crate) fn delays(scene: &PreparedScene, view: &View) -> [f64; 2] {
+    let most = view.camera.off_middle().length();
+    let ranges = scene.subject().flat_map(|group| {
+        let group_view = view.of_group(group.motion);
+        scene.bodies()[group.bodies.clone()].iter().map(move |body| {
+            let ball = scene.ball_around(body);
+            group_view.delays(ball.from, ball.radius).unwrap_or([-most, most])
+        })
+    });
+    let wider = |a: [f64; 2], b: [f64; 2]| [a[0].min(b[0]), a[1].max(b[1])];
+    ranges.reduce(wider).map_or([-most, most], |range| range.map(|delay| delay.clamp(-most, most)))
+}
+
+impl GroupView {
+    /// The same for what is in the rest-frame ball at `center`; `None` where it is not much farther than the eye.
+    ///
+    /// An event at P, from the middle, reaches the eye |P - e| - |P| later than the middle, which is -e.u and at most
+    /// e^2/(2 (|P| - |e|)) more. The ball has exactly the directions u of a cone, and |P| is D times as far as in the rest
+    /// frame.
+    fn delays(&self, center: DVec3, radius: f64) -> Option<[f64; 2]> {
+        let eye = self.camera.off_middle().x;
+        let geometry = if self.geometry == Geometry::OneCone { Geometry::Seen } else { self.geometry };
+        let Cone { axis, half_angle } = Cone::of_sight(&Self { geometry, ..*self }, center, radius);
+        let off_axis = atan2(math::hypot(axis.y, axis.z), axis.x);
+        let cosines =
+            [off_axis - half_angle, off_axis + half_angle].map(|angle| math::sin_cos(angle.clamp(0.0, PI)).1);
+        let least_doppler =
+            cosines.map(|x| self.velocity.doppler_factor(DVec3::new(x, (1.0 - x * x).sqrt(), 0.0)));
+        let nearest = (center.distance(self.origin) - radius) * least_doppler[0].min(least_doppler[1]);
+        let later = eye * eye / (2.0 * (nearest - eye.abs()));
+        let [one, other] = cosines.map(|cosine| -eye * cosine);
+        (nearest > 2.0 * eye.abs()).then(|| [one.min(other), one.max(other) + later])
     }
 }
 

@@ -17,6 +17,7 @@ use crate::camera::{Axes, Gaze, MAX_ELEVATION};
 use crate::capsule::Capsule;
 use crate::footprint::Projection;
 use crate::group_view::GroupView;
+use crate::one_cone;
 use crate::outline::{Ball, Framing, Outline};
 use crate::prepared_body::PreparedBody;
 use crate::scene::{PreparedGroup, PreparedScene};
@@ -85,7 +86,7 @@ impl Seen<'_> {
 /// The outline of `scene` in all `views` together, whatever their gazes and fields.
 fn outline(scene: &PreparedScene, views: &[View]) -> Outline {
     let groups = || scene.subject().collect::<Vec<_>>();
-    let sights = views.iter().flat_map(as_seen).flat_map(|view| {
+    let sights = views.iter().flat_map(|view| as_seen(scene, view)).flat_map(|view| {
         groups().into_iter().map(move |group| Sight::new(scene, group, view.of_group(group.motion)))
     });
     let sights: Vec<_> = sights.collect();
@@ -126,14 +127,14 @@ fn reach(sights: &[Sight], axes: &Axes) -> [Range; 2] {
     [found.across, found.up].map(|wedge| wedge.angles())
 }
 
-/// The views whose rays show what `view` shows. In the published model the right eye sees of each point what the left
-/// eye saw at most the eyes' separation earlier or later; with one light cone each eye what it sees at most half of that
+/// The views whose rays show what `view` shows of `scene`. In the published model the right eye sees of each point what
+/// the left eye saw at most the eyes' separation earlier or later; with one light cone each eye what it sees a little
 /// earlier or later. In between a body moves along a straight line.
-fn as_seen(view: &View) -> impl Iterator<Item = View> + use<> {
+fn as_seen(scene: &PreparedScene, view: &View) -> impl Iterator<Item = View> + use<> {
     let delay = 2.0 * view.camera.aperture.x;
     let (geometry, delays) = match view.geometry {
         Geometry::Published => (Geometry::Seen, [Some(-delay), Some(delay)]),
-        Geometry::OneCone => (Geometry::Seen, [Some(-0.5 * delay), Some(0.5 * delay)]),
+        Geometry::OneCone => (Geometry::Seen, one_cone::delays(scene, view).map(Some)),
         geometry => (geometry, [Some(0.0), None]),
     };
     let view = *view;

@@ -30,6 +30,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         });
     });
     differences(ui, state);
+    stereo(ui, state);
     if !state.settings.window.readout {
         return;
     }
@@ -42,7 +43,6 @@ fn table(ui: &mut Ui, state: &State) {
     let point = state.session.points.selected();
     let sightings = Eye::BOTH.map(|eye| state.sighting(point, eye));
     let rest_wavelength = state.rest_wavelength_nm(point);
-    ui.spacing_mut().item_spacing.y = 6.0;
     Grid::new("readout").num_columns(3).spacing([10.0, 3.0]).min_col_width(70.0).min_row_height(18.0).show(
         ui,
         |ui| {
@@ -57,7 +57,6 @@ fn table(ui: &mut Ui, state: &State) {
             }
         },
     );
-    stereo(ui, state);
 }
 
 /// What two eyes make of both.
@@ -65,18 +64,18 @@ fn stereo(ui: &mut Ui, state: &State) {
     const AXES: [&str; 3] = ["x", "y", "z"];
     let found = state.stereo(state.session.points.selected());
     let (unit, colour) = (state.measures().length, theme::stereo_colour(ui.visuals()));
-    Grid::new("stereo").num_columns(4).spacing([10.0, 3.0]).min_row_height(18.0).show(ui, |ui| {
-        ui.label(RichText::new("stereo gain").color(colour)).on_hover_text(GAIN_TIP);
-        let gain = figures::fixed_or_none(found.map(|found| found.gain), 4);
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 6.0;
+        ui.label(RichText::new("gain").color(colour)).on_hover_text(GAIN_TIP);
+        let gain = figures::fixed_or_none(found.map(|found| found.gain), 3);
         named_text(ui, gain.as_str(), format!("Stereo gain: {gain}")).on_hover_text(GAIN_TIP);
-        ui.end_row();
+        ui.add_space(6.0);
         ui.label(RichText::new(unit.label("stereo at")).color(colour)).on_hover_text(STEREO_TIP);
         for (axis, name) in AXES.into_iter().enumerate() {
             let value = found.map_or(f64::NAN, |found| found.position[axis]);
-            let name = format!("Stereo {name}: {}", unit.text(value, 3));
-            named_text(ui, unit.number(value, 3), name).on_hover_text(STEREO_TIP);
+            let name = format!("Stereo {name}: {}", unit.text(value, 2));
+            named_text(ui, unit.number(value, 2), name).on_hover_text(STEREO_TIP);
         }
-        ui.end_row();
     });
 }
 

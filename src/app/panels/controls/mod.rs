@@ -89,8 +89,7 @@ fn look(ui: &mut Ui, state: &State, asks: &mut Asks) {
     light_cones_row(ui, &mut look.geometry);
     gaze_row(ui, state, &mut look);
     field_of_view_rows(ui, state, &mut look, asks);
-    corrected_row(ui, state.settings.window, asks);
-    words_row(ui, state.settings.window, state.measures().time, asks);
+    more_rows(ui, state.settings.window, state.measures().time, asks);
     quality(ui, state.settings.quality, asks);
     if look != state.settings.look {
         asks.push(Command::Look(look));
@@ -182,25 +181,19 @@ const LIGHT_CONES: [(Geometry, &str, &str); 3] = [
     ),
 ];
 
-fn corrected_row(ui: &mut Ui, mut window: Window, asks: &mut Asks) {
-    let tip = "Shows the left eye's picture with the distortion undone, beside the two: by the fitted β \
-        while the Fit tab is shown, else by the one set here.";
-    row(ui, "Third view", tip, |ui| {
-        if ui.checkbox(&mut window.corrected, "corrected").on_hover_text(tip).changed() {
-            asks.push(Command::Window(window));
-        }
-    });
-}
-
-fn words_row(ui: &mut Ui, before: Window, unit: Unit, asks: &mut Asks) {
+/// What is shown besides the eyes' pictures.
+fn more_rows(ui: &mut Ui, before: Window, unit: Unit, asks: &mut Asks) {
     let mut window = before;
+    row(ui, "With them", "What stands beside the views, and what is drawn into them.", |ui| {
+        let corrected = "Shows the left eye's picture with the distortion undone, beside the two: by the fitted β \
+            while the Fit tab is shown, else by the one set here.";
+        ui.checkbox(&mut window.corrected, "corrected").on_hover_text(corrected);
+        ui.checkbox(&mut window.dials, "clocks").on_hover_text(dial::tip(unit));
+    });
     row(ui, "Below them", "What stands below the views.", |ui| {
         let spectrum = "Which wavelengths arrive of the selected point, among all that there are.";
         ui.checkbox(&mut window.spectrum, "spectrum").on_hover_text(spectrum);
         ui.checkbox(&mut window.sentence, "sentence").on_hover_text("The moment in words.");
-    });
-    row(ui, "In them", "What is drawn into the views.", |ui| {
-        ui.checkbox(&mut window.dials, "clocks").on_hover_text(dial::tip(unit));
     });
     if window != before {
         asks.push(Command::Window(window));

@@ -7,7 +7,7 @@ const GAP: f32 = 3.0;
 /// Between places at which a line is noted, points.
 const STEP: f32 = 4.0;
 /// Sides that differ by fewer of these places count as alike, so that a label holds still while things move.
-const ALIKE: usize = 4;
+const ALIKE: usize = 2;
 /// The sides of a mark at which its label may stand: where its middle lies from there.
 const SIDES: [Vec2; 8] = [
     vec2(1.0, 0.0),
@@ -66,12 +66,17 @@ impl Labels {
         colour: Color32,
     ) {
         let galley = painter.layout_no_wrap(text.to_owned(), font, colour);
-        let rects = SIDES.map(|side| beside(place, side, radius + GAP, galley.size()));
-        let free = rects.into_iter().filter(|rect| self.is_free(*rect));
-        let Some(rect) = free.min_by_key(|rect| self.covered(*rect) / ALIKE) else { return };
+        let Some(rect) = self.free_beside(place, radius, galley.size()) else { return };
         painter.rect_filled(rect, 2.0, self.background.gamma_multiply(0.6));
         painter.galley(rect.min, galley, colour);
         self.taken.push(rect);
+    }
+
+    /// Where a label of this `size` covers least beside a mark of this `radius` at `place`; `None` where it has no room.
+    fn free_beside(&self, place: Pos2, radius: f32, size: Vec2) -> Option<Rect> {
+        let rects = SIDES.map(|side| beside(place, side, radius + GAP, size));
+        let free = rects.into_iter().filter(|rect| self.is_free(*rect));
+        free.min_by_key(|rect| self.covered(*rect) / ALIKE)
     }
 
     /// Whether a label may stand in `rect`.
@@ -92,4 +97,54 @@ fn beside(place: Pos2, side: Vec2, distance: f32, size: Vec2) -> Rect {
     let is_diagonal = side.x * side.y != 0.0;
     let distance = if is_diagonal { 0.6 * distance } else { distance };
     Align2::CENTER_CENTER.anchor_size(place + side * (0.5 * size + Vec2::splat(distance)), size)
+}
+
+#[cfg(test)]
+mod tests {
+    use eframe::egui::pos2;
+
+    use super::*;
+
+    const SIZE: Vec2 = vec2(60.0, 14.0);
+
+    fn labels() -> Labels {
+        let room = Rect::from_min_size(pos2(0.0, 0.0), vec2(300.0, 200.0));
+        Labels::new(room, Color32::BLACK)
+    }
+
+    #[test]
+    fn a_label_stands_beside_its_mark_away_from_lines() {
+        let mut labels = labels();
+        let mark = pos2(150.0, 100.0);
+        let first = labels.free_beside(mark, 4.0, SIZE).expect("there is room");
+        assert!(first.min.x > mark.x + 4.0 && first.center().y == mark.y, "{first:?}");
+        labels.avoid(&[mark, pos2(300.0, 100.0)]);
+        let second = labels.free_beside(mark, 4.0, SIZE).expect("there is room");
+        assert!(!second.intersects(first) && second.distance_to_pos(mark) >= 4.0, "{second:?}");
+    }
+
+    #[test]
+    fn labels_cover_neither_marks_nor_each_other_and_stay_in_the_room() {
+        let mut labels = labels();
+        let marks: Vec<Pos2> = (0..30).map(|i| pos2(10.0 * i as f32, (37 * i % 200) as f32)).collect();
+        for mark in &marks {
+            labels.keep_clear_of(*mark, 4.0);
+        }
+        let mut taken: Vec<Rect> = Vec::new();
+        for mark in &marks {
+            let Some(rect) = labels.free_beside(*mark, 4.0, SIZE) else { continue };
+            assert!(labels.room.contains_rect(rect) && taken.iter().all(|other| !other.intersects(rect)));
+            assert!(marks.iter().all(|mark| rect.distance_to_pos(*mark) >= 4.0), "{rect:?}");
+            labels.keep_free(rect);
+            taken.push(rect);
+        }
+        assert!(taken.len() > 10, "{}", taken.len());
+    }
+
+    #[test]
+    fn a_mark_outside_or_nowhere_has_no_label() {
+        for mark in [pos2(-500.0, 10.0), pos2(f32::NAN, 10.0), pos2(f32::INFINITY, 10.0)] {
+            assert_eq!(labels().free_beside(mark, 4.0, SIZE), None);
+        }
+    }
 }

@@ -40,7 +40,7 @@ pub(super) fn plot_over_time<'a>(ui: &Ui, id: impl egui::AsIdSalt, unit: Unit, s
     let width = size.x - Y_AXIS_WIDTH;
     still_plot(ui, id, size)
         .grid_spacing(24.0..=220.0)
-        .x_grid_spacer(move |input| time_grid(unit, width, &input))
+        .x_grid_spacer(move |input| time_grid(unit, width, input.bounds))
         .x_axis_formatter(move |mark, _| time_tick(unit, mark))
         .link_cursor(Id::unique("cursor over T"), [true, false])
 }
@@ -136,10 +136,10 @@ pub(super) fn tick(quantity: Quantity, value: f64, step: f64) -> String {
     figures::fixed(rounded, decimals)
 }
 
-/// Where the lines of T are in a plot of this `width`: at round numbers of the `unit` it is shown in, with finer lines
-/// between those that have their numbers.
-fn time_grid(unit: Unit, width: f32, input: &GridInput) -> Vec<GridMark> {
-    let (from, to) = (unit.shown(input.bounds.0), unit.shown(input.bounds.1));
+/// Where the lines of T are between two times in a plot of this `width`: at round numbers of the `unit` it is shown in,
+/// with finer lines between those that have their numbers.
+fn time_grid(unit: Unit, width: f32, (from, to): (f64, f64)) -> Vec<GridMark> {
+    let [from, to] = [from, to].map(|time| unit.shown(time));
     let step = round_step((to - from) * f64::from(NUMBER_SPACING / width.max(1.0)));
     let fine = step / FINE_LINES as f64;
     if fine.is_nan() || fine <= 0.0 {

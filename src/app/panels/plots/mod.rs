@@ -6,12 +6,13 @@ mod axes;
 mod fit;
 mod split;
 mod stereo;
+mod trace;
 
 use std::ops::RangeInclusive;
 
 use clap::ValueEnum as _;
-use eframe::egui::{self, Color32, RichText, ScrollArea, Ui, vec2};
-use egui_plot::{HoverPosition, Line, LineStyle, PlotPoint, PlotResponse, PlotUi, Points, VLine};
+use eframe::egui::{self, RichText, ScrollArea, Ui, vec2};
+use egui_plot::{HoverPosition, LineStyle, PlotPoint, PlotResponse, VLine};
 use relativity_core::math;
 use relativity_core::{Disparity, Model, Sighting};
 
@@ -19,6 +20,7 @@ use self::axes::{
     Y_AXIS_WIDTH, annotate, bounds, grid, heading, label, plot_over_time, shift, shown_in, tick,
     time_at_pointer,
 };
+use self::trace::{ONE_CONE, Trace};
 use crate::app::command::Command;
 use crate::app::curves::{Curves, Quantity};
 use crate::app::examination::Examination;
@@ -178,17 +180,6 @@ fn points(ui: &mut Ui, state: &State, asks: &mut Asks) {
     }
 }
 
-/// A curve to draw.
-struct Trace<'a> {
-    name: String,
-    points: &'a [PlotPoint],
-    colour: Color32,
-    style: LineStyle,
-    wide: bool,
-    /// Whether a dot shows where it is at T.
-    dot: bool,
-}
-
 /// What the selected point's curves are at T: the disparity, or what each eye sees, in its colour.
 fn values_now(ui: &mut Ui, state: &State, quantity: Quantity) {
     let point = state.session.points.selected();
@@ -252,7 +243,7 @@ fn plot(
             }
             plot.vline(VLine::new("T", now).color(theme::now_colour(&visuals)).width(1.0).allow_hover(false));
             for trace in traces {
-                draw(plot, trace, now);
+                trace.draw(plot, now);
             }
         });
     annotate(ui, &response, unit, equidistant);
@@ -261,10 +252,6 @@ fn plot(
         asks.push(Command::Time(time));
     }
 }
-
-/// What curves are called that are not the exact ones, and these beside them.
-const ONE_CONE: &str = "one light cone";
-const TWO_CONES: &str = "two light cones (exact)";
 
 /// What is drawn of `quantity`: of every point for a disparity, of each eye of the selected one else.
 fn traces<'a>(ui: &Ui, state: &State, curves: &'a [Curves], quantity: Quantity) -> Vec<Trace<'a>> {
@@ -305,42 +292,6 @@ fn traces<'a>(ui: &Ui, state: &State, curves: &'a [Curves], quantity: Quantity) 
         }
     }
     traces
-}
-
-impl<'a> Trace<'a> {
-    /// A curve in the model of what the views show, or where that is another, the exact one beside it.
-    fn of_model(
-        name: String,
-        points: &'a [PlotPoint],
-        colour: Color32,
-        state: &State,
-        is_exact_beside: bool,
-    ) -> Self {
-        let (name, style) = match (state.settings.model(), is_exact_beside) {
-            (_, true) => (format!("{name}, {TWO_CONES}"), LineStyle::dotted_dense()),
-            (Model::OneCone, false) => (format!("{name}, {ONE_CONE}"), LineStyle::Solid),
-            _ => (name, LineStyle::Solid),
-        };
-        Self { name, points, colour, style, wide: !is_exact_beside, dot: !is_exact_beside }
-    }
-}
-
-fn draw<'a>(plot: &mut PlotUi<'a>, trace: Trace<'a>, now: f64) {
-    let width = if trace.wide { 2.0 } else { 1.2 };
-    // Bands would draw steep parts of a densely sampled curve thinner than the rest.
-    let line = Line::new(trace.name, trace.points).allow_band(false);
-    plot.line(line.color(trace.colour).width(width).style(trace.style));
-    if let (true, Some(value)) = (trace.dot, value_at(trace.points, now)) {
-        let dot = Points::new("now", vec![[now, value]]).color(trace.colour).radius(4.0);
-        plot.points(dot.allow_hover(false));
-    }
-}
-
-/// Linear interpolation in a drawn curve, so that the dot lies on it; `None` outside it.
-fn value_at(points: &[PlotPoint], time: f64) -> Option<f64> {
-    let after = points.partition_point(|point| point.x < time);
-    let (b, a) = (points.get(after)?, points.get(after.checked_sub(1)?)?);
-    Some(if b.x > a.x { a.y + (b.y - a.y) * (time - a.x) / (b.x - a.x) } else { b.y })
 }
 
 fn hover_text(quantity: Quantity, [time, shown]: [Unit; 2], hover: &HoverPosition<'_>) -> Option<String> {

@@ -5,7 +5,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Color32, RichText, Sense, Stroke, TextStyle, Ui, Visuals, WidgetInfo, pos2, vec2};
 use egui_plot::LineStyle;
 
-use super::Trace;
+use super::trace::Trace;
 use crate::app::curves::{Curves, DistanceKind, Quantity, StereoView, stereo_view};
 use crate::app::observer::Eye;
 use crate::app::state::State;
@@ -62,8 +62,8 @@ pub(super) fn values_now(ui: &mut Ui, state: &State, quantity: Quantity) {
 const fn words(kind: DistanceKind) -> [&'static str; 2] {
     match kind {
         DistanceKind::Stereo => ["two eyes", "Where two eyes take it to be"],
-        DistanceKind::Seen(Eye::Left) => ["left", "Where the left eye sees it"],
-        DistanceKind::Seen(Eye::Right) => ["right", "Where the right eye sees it"],
+        DistanceKind::Seen(0) => ["left", "Where the left eye sees it"],
+        DistanceKind::Seen(_) => ["right", "Where the right eye sees it"],
         DistanceKind::Measured => ["measured", "Where it is measured now"],
     }
 }
@@ -71,7 +71,7 @@ const fn words(kind: DistanceKind) -> [&'static str; 2] {
 fn colour(kind: DistanceKind, visuals: &Visuals) -> Color32 {
     match kind {
         DistanceKind::Stereo => theme::stereo_colour(visuals),
-        DistanceKind::Seen(eye) => theme::eye_colour(eye, visuals),
+        DistanceKind::Seen(eye) => theme::eye_colour(Eye::BOTH[eye], visuals),
         DistanceKind::Measured => theme::measured_colour(visuals),
     }
 }

@@ -11,7 +11,7 @@ use super::sheet::Sheet;
 use crate::app::observer::Eye;
 use crate::app::panels::map::canvas;
 use crate::app::panels::map::labels::Labels;
-use crate::app::panels::map::times::times;
+use crate::app::panels::map::times::{labelled, times};
 use crate::app::state::State;
 use crate::app::theme;
 use crate::caption::times::{HAPPENED, OWN_CLOCK};
@@ -26,6 +26,9 @@ const NEAR: f32 = 5.0;
 /// The shortest way that has room for what is written beside it, points, and at which part of it that stands.
 const SHORTEST_NAMED: f32 = 80.0;
 const NAMED_AT: f32 = 0.35;
+/// The narrowest plan in which a front is named, points, and where on it: turned from where it is furthest from the eyes.
+const NARROWEST_NAMED: f32 = 500.0;
+const TURNS: [f32; 7] = [0.0, 0.4, -0.4, 0.8, -0.8, 1.2, -1.2];
 /// Radius of the largest circle that is drawn, points.
 const LARGEST: f32 = 1e6;
 /// How far a drawn circle may be from a round one, points.
@@ -53,20 +56,39 @@ pub(super) fn name(ui: &Ui, painter: &Painter, state: &State, sheet: &Sheet, lab
         return;
     };
     let ways = light.rays.map(|ray| light.ends(&ray));
-    ways.iter().for_each(|way| labels.avoid(way));
-    let unit = state.measures().time;
+    for way in &ways {
+        labels.avoid(way);
+    }
     let (name, times) = match state.settings.map.frame {
         Frame::Ground => (HAPPENED.name, light.rays.map(|ray| ray.happened)),
         Frame::Bicycle => (OWN_CLOCK.name, light.rays.map(|ray| ray.own_time)),
     };
-    let [left, right] = times.map(|time| unit.number(time, 2));
+    let [left, right] = times.map(|time| labelled(state, time));
     let both = if left == right { left } else { format!("{left}, {right}") };
-    let text = format!("{name} {both}{}", unit.suffix());
+    let text = format!("{name} {both}{}", state.measures().time.suffix());
     let [[from, to], _] = ways;
     let middle = from.lerp(to, NAMED_AT);
     if from.distance(to) > SHORTEST_NAMED && sheet.room().contains(middle) {
         let font = TextStyle::Small.resolve(ui.style());
         labels.write(painter, (middle, ARROW), &text, font, ui.visuals().text_color());
+    }
+}
+
+/// Says what the circles are, in a plan that has room, on the side of the light's front that is away from the eyes.
+pub(super) fn name_front(ui: &Ui, painter: &Painter, state: &State, sheet: &Sheet, labels: &mut Labels) {
+    let room = sheet.room();
+    let Some(light) = Light::of(state, sheet)
+        .filter(|_| sheet.projection == Projection::Plan && room.width() > NARROWEST_NAMED)
+    else {
+        return;
+    };
+    let [ray, _] = light.rays;
+    let Some((middle, radius)) = light.circle(&ray.front()) else { return };
+    let away = middle - light.ends(&ray)[1];
+    let places = TURNS.map(|turn| middle + radius * Vec2::angled(away.angle() + turn));
+    if let Some(place) = places.into_iter().find(|place| room.shrink(20.0).contains(*place)) {
+        let colour = theme::eye_colour(Eye::Left, ui.visuals());
+        labels.write(painter, (place, 2.0), "wave front", TextStyle::Small.resolve(ui.style()), colour);
     }
 }
 

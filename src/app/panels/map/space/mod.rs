@@ -33,6 +33,7 @@ pub fn show(ui: &mut Ui, state: &State, rect: Rect, asks: &mut Asks) {
         pictures::paint(ui, &painter, &lines, &sheet);
         marks::show(ui, &painter, state, &instant, &sheet, &mut labels);
         light::name(ui, &painter, state, &sheet, &mut labels);
+        light::name_front(ui, &painter, state, &sheet, &mut labels);
         pointer::read(ui, &painter, &response, state, &lines, &sheet, asks);
     }
 }

@@ -6,6 +6,7 @@ use super::sheet::{NEAR, Sheet};
 use crate::app::observer::Eye;
 use crate::app::panels::map::labels::Labels;
 use crate::app::theme;
+use crate::caption::times::HAPPENED;
 use crate::map::{Event, Ray, StraightLine};
 use crate::settings::Frame;
 
@@ -63,10 +64,14 @@ fn number_of_nows(sheet: &Sheet<'_>) -> usize {
     if sheet.diagram.scene.beta() == 0.0 { 1 } else { 2 }
 }
 
-/// The colours of what is at one time on the ground, and in the scene's frame.
+/// The colours of what is at one time on the ground, and in the scene's frame: the latter in the colour of the point where
+/// it rests there.
 pub fn now_colours(sheet: &Sheet<'_>) -> [Color32; 2] {
     let measured = theme::measured_colour(sheet.ui.visuals());
-    [measured.gamma_multiply(0.55), point_colour(sheet).gamma_multiply(0.8)]
+    let moves_with_scene = sheet.diagram.point.velocity() == sheet.diagram.scene;
+    let scene =
+        if moves_with_scene { point_colour(sheet).gamma_multiply(0.8) } else { measured.gamma_multiply(0.4) };
+    [measured.gamma_multiply(0.55), scene]
 }
 
 fn point_colour(sheet: &Sheet<'_>) -> Color32 {
@@ -195,7 +200,7 @@ fn name_far_event(sheet: &Sheet<'_>, write: &mut impl FnMut(Pos2, &str, Color32)
     }
     if let Some([from, _]) = shown_ray(sheet, &ray) {
         let time = sheet.state.measures().time.text(ray.happened, 1);
-        write(from, &format!("happened t {time}, further off"), sheet.ui.visuals().text_color());
+        write(from, &format!("{} {time}, further off", HAPPENED.name), sheet.ui.visuals().text_color());
     }
 }
 

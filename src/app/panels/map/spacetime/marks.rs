@@ -6,7 +6,10 @@ use super::sheet::{HANDLE, Sheet};
 use super::{lines, words};
 use crate::app::observer::Eye;
 use crate::app::panels::map::labels::Labels;
+use crate::app::panels::map::times::labelled;
 use crate::app::theme;
+use crate::caption::times::RECEIVED;
+use crate::map::Ray;
 
 /// Radius of a mark, points.
 const RADIUS: f32 = 4.0;
@@ -30,50 +33,50 @@ pub struct Mark {
 /// All that are in sight or not: of each eye, of the light that it receives, and of the point now.
 pub fn of(sheet: &Sheet<'_>) -> Vec<Mark> {
     let diagram = &sheet.diagram;
-    let visuals = sheet.ui.visuals();
-    let mut marks = Vec::new();
-    let happened = diagram.rays.map(|ray| sheet.place(ray.left));
-    let are_apart = happened[0].distance(happened[1]) > APART;
-    for (eye, ray) in Eye::BOTH.into_iter().zip(diagram.rays) {
-        let colour = theme::eye_colour(eye, visuals);
+    let [left, right] = diagram.rays;
+    let are_apart = sheet.place(left.left).distance(sheet.place(right.left)) > APART;
+    let labels = if are_apart { ["happened (L)", "happened (R)"] } else { ["happened", ""] };
+    let eyes = Eye::BOTH.into_iter().zip(diagram.rays).zip(labels);
+    let mut marks: Vec<Mark> =
+        eyes.flat_map(|((eye, ray), label)| of_light(sheet, eye, &ray, label)).collect();
+    if diagram.scene.beta() != 0.0 {
+        let colour = lines::now_colours(sheet)[1];
         marks.push(Mark {
-            place: sheet.place(ray.received),
-            name: format!("received, {}", eye.name()),
-            label: String::new(),
-            words: words::of_eyes(sheet, diagram.time),
-            colour,
-            is_hollow: false,
-        });
-        let label = match (are_apart, eye) {
-            (true, Eye::Left) => "happened (L)",
-            (true, Eye::Right) => "happened (R)",
-            (false, Eye::Left) => "happened",
-            (false, Eye::Right) => "",
-        };
-        marks.push(Mark {
-            place: sheet.place(ray.left),
-            name: format!("happened, {}", eye.name()),
-            label: label.to_owned(),
-            words: words::of_ray(sheet, eye, &ray),
-            colour,
-            is_hollow: false,
+            is_hollow: true,
+            ..of_point(sheet, diagram.scene_now(), "now on the bicycle's clocks", "", colour)
         });
     }
-    let now = |name: &str, label: &str, happened, is_hollow, colour| Mark {
-        place: sheet.place(diagram.point.at(happened)),
+    let measured = theme::measured_colour(sheet.ui.visuals());
+    marks.push(of_point(sheet, diagram.time, "measured now", "measured now", measured));
+    marks
+}
+
+/// Where `eye` receives light, and where that left.
+fn of_light(sheet: &Sheet<'_>, eye: Eye, ray: &Ray, label: &str) -> [Mark; 2] {
+    let mark = |event, name: &str, label: &str, words| Mark {
+        place: sheet.place(event),
+        name: format!("{name}, {}", eye.name()),
+        label: label.to_owned(),
+        words,
+        colour: theme::eye_colour(eye, sheet.ui.visuals()),
+        is_hollow: false,
+    };
+    [
+        mark(ray.received, "received", "", words::of_eyes(sheet, sheet.diagram.time)),
+        mark(ray.left, "happened", label, words::of_ray(sheet, eye, ray)),
+    ]
+}
+
+/// The point at the ground's time `happened`.
+fn of_point(sheet: &Sheet<'_>, happened: f64, name: &str, label: &str, colour: Color32) -> Mark {
+    Mark {
+        place: sheet.place(sheet.diagram.point.at(happened)),
         name: name.to_owned(),
         label: label.to_owned(),
         words: words::of_point(sheet, happened, &format!(", {name}")),
         colour,
-        is_hollow,
-    };
-    if diagram.scene.beta() != 0.0 {
-        let colour = lines::now_colours(sheet)[1];
-        marks.push(now("now on the bicycle's clocks", "", diagram.scene_now(), true, colour));
+        is_hollow: false,
     }
-    let measured = theme::measured_colour(visuals);
-    marks.push(now("measured now", "measured now", diagram.time, false, measured));
-    marks
 }
 
 /// Draws them with their labels.
@@ -93,7 +96,8 @@ pub fn paint(sheet: &Sheet<'_>, marks: &[Mark], labels: &mut Labels) {
     let strong = sheet.ui.visuals().strong_text_color();
     let present = sheet.place(sheet.diagram.present);
     if sheet.room().contains(present) {
-        let text = format!("received T {}", sheet.state.measures().time.text(sheet.diagram.time, 2));
+        let time = labelled(sheet.state, sheet.diagram.time);
+        let text = format!("{} {time}{}", RECEIVED.name, sheet.state.measures().time.suffix());
         labels.keep_clear_of(present, HANDLE);
         labels.write(&sheet.painter, (present, HANDLE), &text, font.clone(), strong);
     }

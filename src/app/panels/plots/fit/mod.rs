@@ -18,7 +18,7 @@ use crate::units::Unit;
 
 /// Width of the table, and least width of the plots.
 const TABLE_WIDTH: f32 = 346.0;
-const LEAST_PLOTS: f32 = 200.0;
+const LEAST_PLOTS: f32 = 150.0;
 /// What a unit adds to the table's width.
 const UNIT_WIDTH: f32 = 26.0;
 /// Width from which on the choice of the model and the samples stand in one row.

@@ -28,15 +28,20 @@ const NARROWEST_WITH_CAPTION: f32 = 240.0;
 /// An outdated picture is drawn this faintly.
 const FAINT: f32 = 0.35;
 
+/// Narrowest plot of use: where two do not fit the first one stands alone.
+const NARROWEST: f32 = 125.0;
+
 /// Shows the plots of the fitted curves side by side; nothing where there are no samples.
 pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
     if fitting.shown().is_none_or(|outcome| outcome.data.iter().all(Vec::is_empty)) {
         return;
     }
     let used = state.settings.fit.curves.used();
-    let shown = [Quantity::DeltaPhi, Quantity::DeltaTheta].into_iter().zip(used).filter(|(_, used)| *used);
-    let count = used.iter().filter(|used| **used).count() as f32;
     let free = ui.available_size().max(vec2(20.0, 20.0));
+    let room = ((free.x + theme::GAP) / (NARROWEST + theme::GAP)).max(1.0) as usize;
+    let all = [Quantity::DeltaPhi, Quantity::DeltaTheta].into_iter().zip(used);
+    let shown: Vec<_> = all.filter(|(_, used)| *used).take(room).collect();
+    let count = shown.len() as f32;
     let width = (free.x - theme::GAP * (count - 1.0)) / count;
     ui.horizontal_top(|ui| {
         ui.spacing_mut().item_spacing.x = theme::GAP;
