@@ -267,7 +267,7 @@ fn what_is_wrong_in_a_file_is_said_with_its_line() {
         ("[look]\nfov = 180", "state.toml:2: fov = 180: must be between 0 and 180 degrees"),
         (
             "[look]\ngeometry = \"sen\"",
-            "state.toml:2: geometry = sen: must be one of seen, contracted, rest, published",
+            "state.toml:2: geometry = sen: must be one of seen, contracted, rest, published, one-cone",
         ),
         ("[quality]\nbound-px = 0", "state.toml:2: bound-px = 0: must be between 0.01 and 100"),
         ("[quality]\nbound-px = nan", "state.toml:2: bound-px = nan: not a finite number"),
