@@ -286,7 +286,7 @@ fn what_is_wrong_in_a_file_is_said_with_its_line() {
         ),
         (
             "[more]\nd = 1",
-            "state.toml:1: unknown section [more]: there are motion, look, light, quality, picture, playback, plots, fit, window",
+            "state.toml:1: unknown section [more]: there are motion, look, light, quality, picture, playback, map, plots, fit, window",
         ),
         ("[motion]\nd = 1979-05-27", "state.toml:2: d: must be a number, a word or a list of them"),
     ] {
