@@ -267,7 +267,7 @@ fn what_is_wrong_in_a_file_is_said_with_its_line() {
         ("[look]\nfov = 180", "state.toml:2: fov = 180: must be between 0 and 180 degrees"),
         (
             "[look]\ngeometry = \"sen\"",
-            "state.toml:2: geometry = sen: must be one of seen, contracted, rest, published",
+            "state.toml:2: geometry = sen: must be one of seen, contracted, rest, published, one-cone",
         ),
         ("[quality]\nbound-px = 0", "state.toml:2: bound-px = 0: must be between 0.01 and 100"),
         ("[quality]\nbound-px = nan", "state.toml:2: bound-px = nan: not a finite number"),
@@ -286,7 +286,7 @@ fn what_is_wrong_in_a_file_is_said_with_its_line() {
         ),
         (
             "[more]\nd = 1",
-            "state.toml:1: unknown section [more]: there are motion, look, light, quality, picture, playback, plots, fit, window",
+            "state.toml:1: unknown section [more]: there are motion, look, light, quality, picture, playback, map, plots, fit, window",
         ),
         ("[motion]\nd = 1979-05-27", "state.toml:2: d: must be a number, a word or a list of them"),
     ] {
