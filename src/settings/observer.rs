@@ -101,19 +101,8 @@ impl Settings {
     /// # Errors
     /// A time outside the domain of the core.
     pub fn disparity(&self, point: &Track, observation_time: f64) -> Result<Disparity, DomainError> {
-        self.disparity_in(self.model(), point, observation_time)
-    }
-
-    /// What each eye sees of `point` at `observation_time`, through its own light cone, whatever the views show.
-    ///
-    /// # Errors
-    /// A time outside the domain of the core.
-    pub fn exact_disparity(&self, point: &Track, observation_time: f64) -> Result<Disparity, DomainError> {
-        self.disparity_in(Model::Exact, point, observation_time)
-    }
-
-    fn disparity_in(&self, model: Model, point: &Track, time: f64) -> Result<Disparity, DomainError> {
-        self.velocity(point.motion).disparity(model, self.rest_place(point.rest), self.motion.d, time)
+        let place = self.rest_place(point.rest);
+        self.velocity(point.motion).disparity(self.model(), place, self.motion.d, observation_time)
     }
 
     /// Where the eyes take `point` to be at `observation_time`, by the [`Self::model`] of what the views show.

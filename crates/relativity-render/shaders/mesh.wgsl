@@ -169,7 +169,9 @@ fn measure(fragment: Fragment) -> Measure {
 // Depths are told along the ray's limit at great distances, which all fragments of a pixel share.
 fn measure_in_one_cone(fragment: Fragment, straight: Ray, normal: vec3f) -> Measure {
     let body = body_of(fragment);
-    let ray = touching_ray(straight, length(fragment.apparent));
+    // The triangle may be off in depth by more than in the picture.
+    let near = touching_ray(straight, length(fragment.apparent));
+    let ray = touching_ray(straight, (near.to_centre + surface(body, near).beyond) * near.ground_per_rest);
     let hit = surface(body, ray);
     let distance = (ray.to_centre + hit.beyond) * ray.ground_per_rest;
     let beyond = dot(middle(body) + hit.place, straight.direction);
@@ -211,7 +213,15 @@ fn touching_ray(straight: Ray, distance: f32) -> Ray {
     let moment = cross(centre, direction) + cross(frame.middle_fine.xyz, direction) - cross(origin, direction);
     let to_centre = dot(centre - origin, direction);
     let ground_per_rest = straight.doppler * (reciprocal / largest);
-    return Ray(straight.sight, straight.scale, direction, ground_per_rest, received.doppler, moment, to_centre);
+    return Ray(
+        straight.sight,
+        straight.scale,
+        direction,
+        ground_per_rest,
+        received.doppler,
+        moment,
+        to_centre,
+    );
 }
 
 fn body_of(fragment: Fragment) -> Body {

@@ -55,18 +55,32 @@ fn mark(body: Body, pattern: vec3f, place: vec3f, normal: vec3f, ray: Ray, dista
 
 fn covered_by_pixel(ray: Ray, normal: vec3f, distance: f32, body: Body) -> Covered {
     let direction = body_from_rest(ray.direction, body);
-    let right = body_from_rest(shift(ray, frame.right.xyz), body);
-    let down = body_from_rest(shift(ray, frame.down.xyz), body);
+    let right = body_from_rest(shift(ray, frame.right.xyz, distance), body);
+    let down = body_from_rest(shift(ray, frame.down.xyz, distance), body);
     return Covered(
         on_surface(right, direction, normal) * distance,
         on_surface(down, direction, normal) * distance,
     );
 }
 
+// As `GroupView::shift` where both eyes have one light cone.
+fn shift_in_one_cone(ray: Ray, turn: vec3f, distance: f32) -> vec3f {
+    let n = ray.direction;
+    let place = ray.sight * distance + vec3f(frame.motion.x * frame.motion.z, 0.0, 0.0);
+    let later = frame.motion.x * frame.speed.x * dot(place, turn) / max(length(place), 1e-30);
+    let moved = vec3f(frame.speed.w * (turn.x + later), turn.yz);
+    let off = moved - n * dot(moved, n);
+    // At great speeds most of it was along x, and along the ray.
+    return vec3f(select(off.x, -dot(off.yz, n.yz) / n.x, abs(n.x) >= 0.5), off.yz);
+}
+
 // How far what is seen moves in the rest frame from pixel to pixel along `across`, per ground distance, but for what is
 // along the ray.
-fn shift(ray: Ray, across: vec3f) -> vec3f {
+fn shift(ray: Ray, across: vec3f, distance: f32) -> vec3f {
     let turn = (across - ray.sight * dot(ray.sight, across)) * ray.scale;
+    if frame.motion.z != 0.0 {
+        return shift_in_one_cone(ray, turn, distance);
+    }
     if GEOMETRY == 0u {
         let along = frame.motion.x * frame.speed.x * frame.speed.w * turn.x;
         return vec3f(ray.doppler * turn.x, turn.yz - along * ray.direction.yz);

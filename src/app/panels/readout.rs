@@ -1,7 +1,7 @@
 //! The numbers: what each eye receives of the selected point now, and how the two differ.
 
 use eframe::egui::{self, Align, Color32, Grid, Layout, RichText, ScrollArea, Sense, Ui, vec2};
-use relativity_core::{Sighting, doppler::received_wavelength};
+use relativity_core::{Model, Sighting, doppler::received_wavelength};
 use relativity_render::{Velocity, colour};
 
 use super::Asks;
@@ -89,8 +89,15 @@ const STEREO_TIP: &str = "Where the lines of sight of both eyes meet: where who 
 fn fold(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let mut window = state.settings.window;
     let sign = if window.readout { "▾" } else { "▸" };
-    let title = egui::Button::new(RichText::new(format!("{sign} Seen")).strong()).frame(false);
-    let tip = "What each eye receives of the selected point now. Click to fold the table away.";
+    let (name, tip) = match state.settings.model() {
+        Model::OneCone => (
+            "One light cone",
+            "What each eye would receive of the selected point now if both received the same events: those that the \
+            middle between them receives. Click to fold the table away.",
+        ),
+        _ => ("Seen", "What each eye receives of the selected point now. Click to fold the table away."),
+    };
+    let title = egui::Button::new(RichText::new(format!("{sign} {name}")).strong()).frame(false);
     if ui.add(title).on_hover_text(tip).accessible_name("Readout").clicked() {
         window.readout = !window.readout;
         asks.push(Command::Window(window));

@@ -7,6 +7,8 @@ use crate::map::{Line, Lines, Picture};
 
 /// Thinnest line, points. What is thinner is drawn so, and fainter.
 const THINNEST: f32 = 1.0;
+/// What is thinner than this is not drawn: the spokes of a small wheel, which would fill it.
+const LEAST_WIDTH: f32 = 0.25;
 /// Width of an edge.
 const EDGE: f32 = 1.2;
 /// Faintest of these.
@@ -67,6 +69,9 @@ fn add(
     sheet: &Sheet,
     shapes: &mut Vec<Shape>,
 ) {
+    if width < LEAST_WIDTH {
+        return;
+    }
     let faint = (width / THINNEST).clamp(FAINTEST, 1.0);
     let stroke = Stroke::new(width.max(THINNEST), colour.gamma_multiply(faint));
     sheet.chart.clipped(places.iter().copied(), f64::from(stroke.width), |run| {
