@@ -68,8 +68,10 @@ const SPECTRUM_HEIGHT: f32 = 36.0;
 /// Heights of the sentence in a line and in two, and from which width on it needs but one.
 const SENTENCE_HEIGHTS: [f32; 2] = [22.0, 38.0];
 const NARROWEST_LINE: f32 = 1000.0;
-/// Height of the readout's rows.
-const READOUT_HEIGHT: f32 = 316.0;
+/// Height of the readout down to the times and places, and with all of its rows.
+const READOUT_HEIGHTS: [f32; 2] = [274.0, 345.0];
+/// Height of the controls of motion and view, which the readout leaves to them before it grows.
+const CONTROLS_HEIGHT: f32 = 446.0;
 /// Height of its title and what two eyes make of the point alone.
 const FOLDED_READOUT_HEIGHT: f32 = 86.0;
 const SIDE_WIDTH: f32 = 332.0;
@@ -203,7 +205,9 @@ fn panes(area: Rect, window: Window) -> Vec<Pane> {
 
 /// Controls above, the readout below them as far as there is room for both.
 fn side_parts(side: Rect, readout: bool) -> (Option<Rect>, Option<Rect>) {
-    let wanted = if readout { READOUT_HEIGHT } else { FOLDED_READOUT_HEIGHT };
+    let [least, most] = READOUT_HEIGHTS;
+    let whole = (side.height() - CONTROLS_HEIGHT).clamp(least, most);
+    let wanted = if readout { whole } else { FOLDED_READOUT_HEIGHT };
     let readout_height = wanted.min(side.height() / 2.0);
     let (controls, readout) = split_top(side, side.height() - readout_height);
     (Some(controls), large_enough(readout))
