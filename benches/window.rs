@@ -1,5 +1,6 @@
 //! What the views and the map cost: frames of a 1280x800 window while it plays, with and without each, in one run.
-//! Prints medians, ratios, and what the map takes.
+//! Prints medians of whole frames and of what the program itself does of them: all but drawing its triangles and pictures,
+//! which is the GPU's part, or that of its stand-in.
 //!
 //! `cargo bench --bench window`
 
@@ -25,16 +26,20 @@ fn main() {
 /// Prints what a part costs that the first of these windows has and the second has not.
 fn compare(name: &str, windows: [Window; 2]) {
     let mut windows = windows.map(window);
-    let mut times = [Vec::new(), Vec::new()];
+    let mut times = [[Vec::new(), Vec::new()], [Vec::new(), Vec::new()]];
     for _ in 0..ROUNDS {
         for (window, times) in windows.iter_mut().zip(&mut times) {
             frames(window, times);
         }
     }
-    let [with, without] = times.map(|mut times| 1e3 * median(&mut times).as_secs_f64());
-    println!("with {name:<9}{with:6.1} ms");
-    println!("without       {without:6.1} ms");
-    println!("ratio         {:6.2}, {:.1} ms more", with / without, with - without);
+    let [with, without] = times.map(|times| times.map(|mut times| 1e3 * median(&mut times).as_secs_f64()));
+    for (part, [with, without]) in [("frame", [with[0], without[0]]), ("own part", [with[1], without[1]])] {
+        println!(
+            "{name:<6} {part:<9} with {with:6.1} ms, without {without:6.1} ms: {:.2} times, {:.1} ms more",
+            with / without,
+            with - without
+        );
+    }
 }
 
 fn gpu_description() -> String {
@@ -54,17 +59,22 @@ fn window(parts: Window) -> Harness<'static, App> {
         .with_render_cursor(false)
         .wgpu()
         .build_eframe(|cc| App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state));
-    frames(&mut window, &mut Vec::new());
+    frames(&mut window, &mut Default::default());
     window
 }
 
-/// Runs and draws frames, each finished before the next begins.
-fn frames(window: &mut Harness<'_, App>, times: &mut Vec<Duration>) {
+/// Runs and draws frames, each finished before the next begins: how long each took, and the program's own part.
+fn frames(window: &mut Harness<'_, App>, [frames, own]: &mut [Vec<Duration>; 2]) {
     for _ in 0..FRAMES {
         let start = Instant::now();
         window.step();
+        let stepped = start.elapsed();
         window.render().expect("a picture");
-        times.push(start.elapsed());
+        frames.push(start.elapsed());
+        let start = Instant::now();
+        let shapes = window.output().shapes.clone();
+        std::hint::black_box(window.ctx.tessellate(shapes, 1.0));
+        own.push(stepped + start.elapsed());
     }
 }
 

@@ -245,7 +245,9 @@ impl Shown {
 }
 
 /// `text`, to begin a sentence.
-fn capitalised(text: &str) -> String {
+/// `text` with a capital letter.
+#[must_use]
+pub fn capitalised(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }

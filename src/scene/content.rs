@@ -22,6 +22,8 @@ pub struct Scene {
     /// The point that is selected and followed at first: the forward-most one (largest x) unless the
     /// file chooses another.
     pub tracked: [f64; 3],
+    /// What rides past, in a word: its frame is called by that.
+    pub rider: String,
     /// How many metres its unit of length is, if it says so.
     pub metres: Option<f64>,
     /// Height of the resting ground, if there is one.

@@ -19,12 +19,18 @@ const DEFAULT_SPACING: f64 = 0.25;
 const OF_EVERY_OBJECT: [&str; 8] =
     ["name", "wavelength_nm", "light", "brightness", "pattern", "spacing", "repeat", "step"];
 
+/// What rides past where the file has no word for it.
+const RIDER: &str = "rider";
+
 /// The scene that a file's text describes.
 pub(super) fn scene(text: &str) -> Result<Scene, Located> {
     let document = DeTable::parse(text).map_err(|error| Located::syntax(text, &error))?;
     let top = Table { text, entries: document.get_ref(), span: 0..0, owner: "a scene" };
-    top.check_keys(&["name", "metres", "tracked", "ground_z", "street", "include", "object", "group"])?;
+    top.check_keys(&[
+        "name", "rider", "metres", "tracked", "ground_z", "street", "include", "object", "group",
+    ])?;
     let name = top.needed_string("name")?.to_owned();
+    let rider = top.string("rider")?.unwrap_or(RIDER).to_owned();
     let (metres, ground_z) = (top.size("metres")?, top.coordinate("ground_z")?);
     let street = street(&top)?;
     let tracked = top.point("tracked")?;
@@ -36,7 +42,7 @@ pub(super) fn scene(text: &str) -> Result<Scene, Located> {
         return Err(Located { span: top.span, problem: Problem::Empty });
     };
     let tracked = tracked.unwrap_or(forward_most);
-    Ok(Scene { name, bodies, names, groups, tracked, metres, ground_z, street })
+    Ok(Scene { name, rider, bodies, names, groups, tracked, metres, ground_z, street })
 }
 
 /// The kerbs of the road on the ground and the house fronts beyond, from the nearest on.

@@ -70,10 +70,11 @@ fn an_event_has_its_numbers_in_three_units() {
         let [left, right] = [0, 1].map(|eye| seen(0.9, 1.1, eye).position[0]);
         // Lines from (-d/2, 0) along (X left, y) and from (d/2, 0) along (X right, y), d = 0.1.
         let gain = (left - right) / 0.1;
-        let stereo = [("gain", gain), ("x", (-0.05 + left / gain) * length), ("y", 3.0 / gain * length)];
-        for (row, expected) in stereo {
+        let (x, y) = ((-0.05 + left / gain) * length, 3.0 / gain * length);
+        // To as many decimals as are shown.
+        for (row, expected, rounding) in [("gain", gain, 6e-4), ("x", x, 6e-3), ("y", y, 6e-3)] {
             let value = shown(&window, &format!("Stereo {row}"));
-            assert!((value - expected).abs() < 6e-3, "{units:?}, stereo {row}: {value} for {expected}");
+            assert!((value - expected).abs() < rounding, "{units:?}, stereo {row}: {value} for {expected}");
         }
         let suffix = ["", " ns", " s"][units as usize];
         let label = label_starting_with(&window, "Left eye, happened t");

@@ -14,6 +14,7 @@ use super::Asks;
 use crate::app::command::Command;
 use crate::app::state::State;
 use crate::app::widgets::choice;
+use crate::caption::capitalised;
 use crate::settings::{Face, Frame};
 
 /// Height of the strip.
@@ -37,21 +38,17 @@ const FACES: [(Face, &str, &str); 2] = [
     (Face::Spacetime, "Spacetime", "When everything happens: x against t, light at 45 degrees."),
 ];
 
-const FRAMES: [(Frame, &str, &str); 2] = [
-    (Frame::Ground, "Ground's frame", "As the street measures it, where eyes and houses rest.   Key: G"),
-    (
-        Frame::Bicycle,
-        "Bicycle's frame",
-        "As who rides along measures it: eyes and street ride past.   Key: G",
-    ),
-];
-
 fn strip(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let mut map = state.settings.map;
+    let riders = capitalised(&state.session.scene.rider) + "'s frame";
+    let frames = [
+        (Frame::Ground, "Ground's frame", "As the street measures it, where eyes and houses rest.   Key: G"),
+        (Frame::Bicycle, &riders, "As who rides along measures it: eyes and street ride past.   Key: G"),
+    ];
     ui.horizontal_centered(|ui| {
         choice(ui, &mut map.face, &FACES);
         ui.separator();
-        choice(ui, &mut map.frame, &FRAMES);
+        choice(ui, &mut map.frame, &frames);
     });
     if map != state.settings.map {
         asks.push(Command::Map(map));

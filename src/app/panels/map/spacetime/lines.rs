@@ -181,11 +181,15 @@ pub fn name(sheet: &Sheet<'_>, labels: &mut Labels) {
     }
     name_eyes(sheet, &mut write);
     let number = number_of_nows(sheet);
-    let names = if number == 1 { ["now", ""] } else { ["now, ground", "now, bicycle"] };
+    let names = if number == 1 {
+        ["now".to_owned(), String::new()]
+    } else {
+        ["ground", &sheet.state.session.scene.rider].map(|whose| format!("now, {whose}"))
+    };
     let nows = sheet.diagram.nows().into_iter().take(number);
     for ((line, name), colour) in nows.zip(names).zip(now_colours(sheet)) {
         if let Some([left, right]) = shown(sheet, line) {
-            write(left.lerp(right, 0.9), name, colour);
+            write(left.lerp(right, 0.9), &name, colour);
         }
     }
     name_far_event(sheet, &mut write);

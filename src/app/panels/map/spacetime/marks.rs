@@ -41,10 +41,9 @@ pub fn of(sheet: &Sheet<'_>) -> Vec<Mark> {
         eyes.flat_map(|((eye, ray), label)| of_light(sheet, eye, &ray, label)).collect();
     if diagram.scene.beta() != 0.0 {
         let colour = lines::now_colours(sheet)[1];
-        marks.push(Mark {
-            is_hollow: true,
-            ..of_point(sheet, diagram.scene_now(), "now on the bicycle's clocks", "", colour)
-        });
+        let name = format!("now on the {}'s clocks", sheet.state.session.scene.rider);
+        let mark = of_point(sheet, diagram.scene_now(), &name, "", colour);
+        marks.push(Mark { is_hollow: true, ..mark });
     }
     let measured = theme::measured_colour(sheet.ui.visuals());
     marks.push(of_point(sheet, diagram.time, "measured now", "measured now", measured));

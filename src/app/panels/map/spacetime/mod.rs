@@ -72,12 +72,13 @@ struct Title {
 
 impl Title {
     fn of(sheet: &Sheet<'_>) -> Self {
-        let text = match sheet.state.settings.map.frame {
-            Frame::Ground => "on the ground's clocks and rulers",
-            Frame::Bicycle => "on the bicycle's clocks and rulers",
+        let whose = match sheet.state.settings.map.frame {
+            Frame::Ground => "ground",
+            Frame::Bicycle => &sheet.state.session.scene.rider,
         };
+        let text = format!("on the {whose}'s clocks and rulers");
         let font = TextStyle::Small.resolve(sheet.ui.style());
-        let galley = sheet.painter.layout_no_wrap(text.to_owned(), font, sheet.ui.visuals().text_color());
+        let galley = sheet.painter.layout_no_wrap(text, font, sheet.ui.visuals().text_color());
         Self { rect: Align2::LEFT_TOP.anchor_size(sheet.room().min + TITLE, galley.size()), galley }
     }
 

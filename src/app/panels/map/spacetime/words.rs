@@ -3,6 +3,7 @@
 use super::sheet::Sheet;
 use crate::app::observer::Eye;
 use crate::app::panels::map::times::times;
+use crate::caption::capitalised;
 use crate::map::{Event, Ray};
 use crate::settings::Frame;
 
@@ -18,7 +19,7 @@ pub fn of_point(sheet: &Sheet<'_>, happened: f64, what: &str) -> String {
     let point = sheet.state.session.points.selected().noun(&sheet.state.session.scene);
     format!(
         "{}{what}\n{}\n{times}\nClick to see it: T = {}",
-        capital(&point),
+        capitalised(&point),
         place(sheet, event),
         time(sheet, received)
     )
@@ -39,13 +40,6 @@ pub fn of_eyes(sheet: &Sheet<'_>, received: f64) -> String {
         place(sheet, event),
         time(sheet, received)
     )
-}
-
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    letters
-        .next()
-        .map_or_else(String::new, |first| first.to_uppercase().collect::<String>() + letters.as_str())
 }
 
 fn time(sheet: &Sheet<'_>, value: f64) -> String {

@@ -5,6 +5,7 @@ use relativity_core::{DEFAULT_REPLICATES, Model, Parameter};
 
 use crate::app::fitting::{FitOutcome, Fitted, Fitting};
 use crate::app::widgets::named_text;
+use crate::caption::capitalised;
 use crate::estimate::{Estimate, decimals};
 use crate::figures;
 use crate::units::Unit;
@@ -200,6 +201,5 @@ fn bias_note(neglect: &Neglect, bias: &Result<[f64; 3], String>, length: Unit) -
 
 /// An error's words as a sentence.
 fn sentence(words: &str) -> String {
-    let mut letters = words.chars();
-    letters.next().map_or_else(String::new, |first| format!("{}{}.", first.to_uppercase(), letters.as_str()))
+    capitalised(words) + "."
 }
