@@ -42,7 +42,7 @@ pub(super) fn scene(text: &str) -> Result<Scene, Located> {
         return Err(Located { span: top.span, problem: Problem::Empty });
     };
     let tracked = tracked.unwrap_or(forward_most);
-    Ok(Scene { name, rider, bodies, names, groups, tracked, metres, ground_z, street })
+    Ok(Scene { name, bodies, names, groups, tracked, rider, metres, ground_z, street })
 }
 
 /// The kerbs of the road on the ground and the house fronts beyond, from the nearest on.
