@@ -31,10 +31,10 @@ pub struct Hit {
     /// Outward unit normal in the rest frame.
     pub rest_normal: DVec3,
     /// From the aperture to the event of emission in the ground frame (in the rest frame for
-    /// [`Geometry::Rest`](crate::Geometry::Rest)).
+    /// [`Geometry::Rest`]).
     pub distance: f64,
     /// Ground time of emission; the observation time itself for
-    /// [`Geometry::Contracted`](crate::Geometry::Contracted), whose light is instantaneous.
+    /// [`Geometry::Contracted`], whose light is instantaneous.
     pub emission_time: f64,
     /// Doppler factor, 1 unless light is received in the geometry.
     pub doppler_factor: f64,
