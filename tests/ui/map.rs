@@ -172,22 +172,24 @@ fn window_corner(window: &Harness<'_, App>) -> Pos2 {
 fn what_is_under_the_pointer_is_told() {
     let mut window = map_window(cyclist(0.9));
     go_to(&mut window, 1.5);
-    let told = |window: &mut Harness<'_, App>, picture: &str| {
-        let place = mark(window, &format!("Map, from the side: {}", point(picture)));
+    let told = |window: &mut Harness<'_, App>, name: &str| {
+        let place = mark(window, &format!("Map, from the side: {name}"));
         window.hover_at(place);
         // Until the pointer has stayed for long enough.
         window.run_steps(20);
         labels(window).into_iter().find(|label| label.contains("\nx = ")).expect("it is told")
     };
-    let text = told(&mut window, "measured now");
+    let text = told(&mut window, &point("measured now"));
     assert!(text.contains("measured now") && text.contains("now t = 1.500"), "{text}");
-    let text = told(&mut window, "as the left eye sees it");
+    let text = told(&mut window, &point("as the left eye sees it"));
     let seen = seen(0.9, 1.5, 0);
     assert!(text.contains("as the left eye sees it") && text.contains("received T = 1.500"), "{text}");
     // Of the outline near the point, not of the point itself: as far as its line is thick.
     let happened = text.split("happened t = ").nth(1).and_then(|rest| rest.lines().next()).expect("a time");
     let happened: f64 = happened.replace('−', "-").parse().expect("a number");
     assert!((happened - seen.retarded_time).abs() < 0.2, "{happened} for {}", seen.retarded_time);
+    let text = told(&mut window, "Left eye");
+    assert_eq!(text, "Left eye\nx = −0.050,  y = 0.000,  z = 0.000\nreceived T = 1.500");
 }
 
 fn the_map_is_dragged_and_zoomed() {

@@ -1,15 +1,17 @@
 //! What is under the pointer: its name, where it is and when; a click selects it.
 
 use eframe::egui::{Painter, Pos2, Response, Stroke, Ui};
+use glam::DVec3;
 
 use super::light;
 use super::sheet::{Sheet, colour};
 use crate::app::command::{Command, Select};
+use crate::app::observer::Eye;
 use crate::app::panels::Asks;
 use crate::app::panels::map::canvas;
 use crate::app::state::State;
-use crate::caption::times::{OWN_CLOCK, TIMES};
-use crate::map::{Lines, Nearest, Picture, Worldline};
+use crate::caption::times::{OWN_CLOCK, RECEIVED, TIMES};
+use crate::map::{Instant, Lines, Nearest, Picture, Worldline};
 use crate::scene::Track;
 use crate::settings::Frame;
 
@@ -28,7 +30,7 @@ pub(super) fn read(
 ) {
     let Some(pointer) = response.hover_pos().or(response.interact_pointer_pos()) else { return };
     let Some(nearest) = nearest(lines, sheet, pointer) else {
-        if let Some(text) = light::told(state, sheet, pointer) {
+        if let Some(text) = eye_told(state, sheet, pointer).or_else(|| light::told(state, sheet, pointer)) {
             response.clone().on_hover_text_at_pointer(text);
         }
         return;
@@ -50,24 +52,42 @@ fn nearest<'a>(lines: &'a Lines, sheet: &Sheet, pointer: Pos2) -> Option<Nearest
     lines.nearest((sheet.projection, &sheet.chart), pointer, REACH)
 }
 
+/// What is said of the eye at `pointer`: where it is, and when it receives light.
+fn eye_told(state: &State, sheet: &Sheet, pointer: Pos2) -> Option<String> {
+    let now = state.session.time;
+    let eyes = Instant::new(&state.settings, now).eyes();
+    let far = |at: DVec3| canvas::place(&sheet.chart, sheet.projection.flat(at)).distance(pointer);
+    let nearest = Eye::BOTH.into_iter().zip(eyes).min_by(|(_, a), (_, b)| far(*a).total_cmp(&far(*b)));
+    let (eye, at) = nearest.filter(|&(_, at)| f64::from(far(at)) <= REACH)?;
+    let received = told_time(state, RECEIVED.name, now);
+    Some(format!("{}\n{}\n{received}", eye.name(), told_place(state, at)))
+}
+
 /// What it is, where, and when.
 fn text(state: &State, nearest: &Nearest, track: &Track) -> String {
     let line = nearest.line;
     let name = state.session.scene.name_of(line.body);
     let what = if line.rests { "at rest on the ground" } else { line.picture.words() };
-    let length = state.measures().length;
-    let [x, y, z] = nearest.vertex.place.to_array().map(|value| length.number(value, 3));
-    let place = format!("x = {x},  y = {y},  z = {z}{}", length.suffix());
-    [format!("{name}, {what}"), place]
+    [format!("{name}, {what}"), told_place(state, nearest.vertex.place)]
         .into_iter()
         .chain(times(state, line.picture, track))
         .collect::<Vec<_>>()
         .join("\n")
 }
 
+fn told_place(state: &State, place: DVec3) -> String {
+    let length = state.measures().length;
+    let [x, y, z] = place.to_array().map(|value| length.number(value, 3));
+    format!("x = {x},  y = {y},  z = {z}{}", length.suffix())
+}
+
+fn told_time(state: &State, name: &str, value: f64) -> String {
+    format!("{name} = {}", state.measures().time.text(value, 3))
+}
+
 /// When it is there, as far as that is one event.
 fn times(state: &State, picture: Picture, track: &Track) -> Vec<String> {
-    let time = |name: &str, value: f64| format!("{name} = {}", state.measures().time.text(value, 3));
+    let time = |name: &str, value: f64| told_time(state, name, value);
     let now = state.session.time;
     let frame = state.settings.frame();
     match (picture, state.settings.map.frame) {
@@ -83,6 +103,8 @@ fn times(state: &State, picture: Picture, track: &Track) -> Vec<String> {
         }
         // On board all clocks agree.
         (Picture::Measured, Frame::Bicycle) => vec![time(OWN_CLOCK.name, frame.speed.gamma() * now)],
-        _ => Vec::new(),
+        // From two events, each with times of its own.
+        (Picture::Stereo, _) => vec![time(RECEIVED.name, now)],
+        (Picture::Seen(_), Frame::Bicycle) => Vec::new(),
     }
 }
