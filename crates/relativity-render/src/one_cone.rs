@@ -15,8 +15,7 @@ use crate::cone::Cone;
 use crate::group_view::{GroupView, RestRay};
 use crate::intersect::{Entry, Solid};
 use crate::ray::Ray;
-use crate::reference::Hit;
-use crate::scene::PreparedScene;
+use crate::scene::{PreparedGroup, PreparedScene};
 use crate::view::{Geometry, View};
 
 /// Most tangents that are tried. Two or three do but for bodies that are about as near as the eyes are to each other.
@@ -126,16 +125,15 @@ struct Meeting {
 }
 
 impl PreparedScene {
-    /// As `first_hit_in`, where both eyes have one light cone.
-    pub(crate) fn first_hit_in_one_cone(
+    /// Of `bodies` of a group the first that is seen where both eyes have one light cone: its number, where the line of
+    /// sight enters it, how far that is on the ground, and the ray that touches there.
+    pub(crate) fn first_entry_in_one_cone(
         &self,
-        group: usize,
+        prepared: &PreparedGroup,
         bodies: &[u32],
-        view: &View,
         group_view: &GroupView,
         line_of_sight: DVec3,
-    ) -> Option<Hit> {
-        let prepared = &self.groups()[group];
+    ) -> Option<(usize, Entry, f64, RestRay)> {
         let (middle, tie) = (prepared.extent.middle, prepared.tie());
         let limit = group_view.rest_ray(line_of_sight);
         let meetings = bodies.iter().filter_map(|&body| {
@@ -146,14 +144,7 @@ impl PreparedScene {
         });
         let first = meetings.reduce(|first, next| if next.is_before(&first, tie) { next } else { first })?;
         let Meeting { body, entry, distance, .. } = first;
-        Some(Hit {
-            body,
-            rest_position: entry.position,
-            rest_normal: entry.normal,
-            distance,
-            emission_time: view.emission_time(line_of_sight, distance),
-            doppler_factor: group_view.rest_ray_at(line_of_sight, distance).doppler_factor,
-        })
+        Some((body, entry, distance, group_view.rest_ray_at(line_of_sight, distance)))
     }
 }
 

@@ -110,14 +110,16 @@ impl PreparedScene {
         group_view: &GroupView,
         line_of_sight: DVec3,
     ) -> Option<Hit> {
-        if group_view.geometry == Geometry::OneCone {
-            return self.first_hit_in_one_cone(group, bodies, view, group_view, line_of_sight);
-        }
-        let ray = group_view.rest_ray(line_of_sight);
         let prepared = &self.groups()[group];
-        let near = Ray::new(ray.origin, ray.direction).counted_from(prepared.extent.middle);
-        let (body, entry) = self.first_entry(bodies, &near, prepared.tie())?;
-        let distance = (near.from_camera + entry.distance) * ray.ground_per_rest;
+        let (body, entry, distance, ray) = if group_view.geometry == Geometry::OneCone {
+            self.first_entry_in_one_cone(prepared, bodies, group_view, line_of_sight)?
+        } else {
+            let ray = group_view.rest_ray(line_of_sight);
+            let near = Ray::new(ray.origin, ray.direction).counted_from(prepared.extent.middle);
+            let (body, entry) = self.first_entry(bodies, &near, prepared.tie())?;
+            let distance = (near.from_camera + entry.distance) * ray.ground_per_rest;
+            (body, entry, distance, ray)
+        };
         Some(Hit {
             body,
             rest_position: entry.position,
