@@ -27,7 +27,7 @@ pub use fit::{Extent, plan_and_side};
 pub use instant::{Instant, Picture, Places};
 pub use light::{Front, Ray, Worldline, fronts, rays};
 pub use lines::{Ball, Line, Lines, Vertex};
-pub use nearest::Nearest;
+pub use nearest::{Nearest, along};
 pub use projection::Projection;
 pub use sight::field_of_view;
 pub use ticks::ticks;

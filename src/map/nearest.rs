@@ -56,7 +56,8 @@ impl<'a> Nearest<'a> {
 }
 
 /// Which part of the way from `from` to `to` is nearest to `place`, and how far that is.
-fn along(from: [f64; 2], to: [f64; 2], place: [f64; 2]) -> (f64, f64) {
+#[must_use]
+pub fn along(from: [f64; 2], to: [f64; 2], place: [f64; 2]) -> (f64, f64) {
     let [way, here] = [to, place].map(|end| glam::DVec2::from(end) - glam::DVec2::from(from));
     let length = way.length_squared();
     let part = if length > 0.0 { (here.dot(way) / length).clamp(0.0, 1.0) } else { 0.0 };

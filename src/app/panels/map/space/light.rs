@@ -15,7 +15,7 @@ use crate::app::panels::map::times::{labelled, times};
 use crate::app::state::State;
 use crate::app::theme;
 use crate::caption::times::{HAPPENED, OWN_CLOCK};
-use crate::map::{Event, Front, Projection, Ray, Worldline, fronts, rays};
+use crate::map::{Event, Front, Projection, Ray, Worldline, along, fronts, rays};
 use crate::plot::round_step;
 use crate::settings::Frame;
 
@@ -36,86 +36,8 @@ const TOLERANCE: f32 = 0.1;
 /// Length of the arrow on a ray, points.
 const ARROW: f32 = 8.0;
 
-/// Draws it.
-pub(super) fn paint(ui: &Ui, painter: &Painter, state: &State, sheet: &Sheet) {
-    let Some(light) = Light::of(state, sheet) else { return };
-    let faint = ui.visuals().weak_text_color().gamma_multiply(0.28);
-    for front in light.fronts(state) {
-        light.paint_front(painter, &front, Stroke::new(1.0, faint));
-    }
-    for (eye, ray) in Eye::BOTH.into_iter().zip(light.rays) {
-        let colour = theme::eye_colour(eye, ui.visuals());
-        light.paint_front(painter, &ray.front(), Stroke::new(1.0, colour.gamma_multiply(0.7)));
-        light.paint_ray(painter, &ray, colour);
-    }
-}
-
-/// Writes beside the way of the light, in the plan, when it left: by the ground's clocks, or by those of the bicycle.
-pub(super) fn name(ui: &Ui, painter: &Painter, state: &State, sheet: &Sheet, labels: &mut Labels) {
-    let Some(light) = Light::of(state, sheet).filter(|_| sheet.projection == Projection::Plan) else {
-        return;
-    };
-    let ways = light.rays.map(|ray| light.ends(&ray));
-    for way in &ways {
-        labels.avoid(way);
-    }
-    let (name, times) = match state.settings.map.frame {
-        Frame::Ground => (HAPPENED.name, light.rays.map(|ray| ray.happened)),
-        Frame::Bicycle => (OWN_CLOCK.name, light.rays.map(|ray| ray.own_time)),
-    };
-    let [left, right] = times.map(|time| labelled(state, time));
-    let both = if left == right { left } else { format!("{left}, {right}") };
-    let text = format!("{name} {both}{}", state.measures().time.suffix());
-    let [[from, to], _] = ways;
-    let middle = from.lerp(to, NAMED_AT);
-    if from.distance(to) > SHORTEST_NAMED && sheet.room().contains(middle) {
-        let font = TextStyle::Small.resolve(ui.style());
-        labels.write(painter, (middle, ARROW), &text, font, ui.visuals().text_color());
-    }
-}
-
-/// Says what the circles are, in a plan that has room, on the side of the light's front that is away from the eyes.
-pub(super) fn name_front(ui: &Ui, painter: &Painter, state: &State, sheet: &Sheet, labels: &mut Labels) {
-    let room = sheet.room();
-    let Some(light) = Light::of(state, sheet)
-        .filter(|_| sheet.projection == Projection::Plan && room.width() > NARROWEST_NAMED)
-    else {
-        return;
-    };
-    let [ray, _] = light.rays;
-    let Some((middle, radius)) = light.circle(&ray.front()) else { return };
-    let away = middle - light.ends(&ray)[1];
-    let places = TURNS.map(|turn| middle + radius * Vec2::angled(away.angle() + turn));
-    if let Some(place) = places.into_iter().find(|place| room.shrink(20.0).contains(*place)) {
-        let colour = theme::eye_colour(Eye::Left, ui.visuals());
-        labels.write(painter, (place, 2.0), "wave front", TextStyle::Small.resolve(ui.style()), colour);
-    }
-}
-
-/// What is said of the light under the pointer.
-pub(super) fn told(state: &State, sheet: &Sheet, pointer: Pos2) -> Option<String> {
-    let light = Light::of(state, sheet)?;
-    let eyes = || Eye::BOTH.into_iter().zip(light.rays);
-    let told = |what: &str, received: f64, front: &Front| {
-        format!("{what}\n{}", times(state, [received, front.happened, front.own_time]))
-    };
-    let now = state.session.time;
-    if let Some((eye, ray)) = eyes().find(|(_, ray)| light.off_ray(ray, pointer) < NEAR) {
-        let what = format!("Light that the {} receives now", eye.name().to_lowercase());
-        return Some(told(&what, now, &ray.front()));
-    }
-    if let Some((eye, ray)) = eyes().find(|(_, ray)| light.off_front(&ray.front(), pointer) < NEAR) {
-        let what = format!("How far light has come that reaches the {} now", eye.name().to_lowercase());
-        return Some(told(&what, now, &ray.front()));
-    }
-    let front = light.fronts(state).find(|front| light.off_front(front, pointer) < NEAR)?;
-    let every = state.measures().time.text(light.period(state), 3);
-    let what = format!("How far light has come that left at one of the times {every} apart");
-    Some(told(&what, light.worldline.received(front.happened), &front))
-}
-
 /// The light of the selected point on a chart.
-struct Light<'a> {
+pub(super) struct Light<'a> {
     sheet: &'a Sheet,
     worldline: Worldline,
     rays: [Ray; 2],
@@ -124,7 +46,8 @@ struct Light<'a> {
 }
 
 impl<'a> Light<'a> {
-    fn of(state: &State, sheet: &'a Sheet) -> Option<Self> {
+    /// That at the present T; `None` outside the domain of the core.
+    pub(super) fn of(state: &State, sheet: &'a Sheet) -> Option<Self> {
         let (settings, time) = (&state.settings, state.session.time);
         let (track, frame) = (state.session.points.selected().track, settings.frame());
         Some(Self {
@@ -133,6 +56,85 @@ impl<'a> Light<'a> {
             rays: rays(settings, &track, time, frame).ok()?,
             now: Event { x: 0.0, t: time }.in_frame(frame).t,
         })
+    }
+
+    /// Draws it.
+    pub(super) fn paint(&self, ui: &Ui, painter: &Painter, state: &State) {
+        let faint = ui.visuals().weak_text_color().gamma_multiply(0.28);
+        for front in self.fronts(state) {
+            self.paint_front(painter, &front, Stroke::new(1.0, faint));
+        }
+        for (eye, ray) in Eye::BOTH.into_iter().zip(self.rays) {
+            let colour = theme::eye_colour(eye, ui.visuals());
+            self.paint_front(painter, &ray.front(), Stroke::new(1.0, colour.gamma_multiply(0.7)));
+            self.paint_ray(painter, &ray, colour);
+        }
+    }
+
+    /// Names it in the plan.
+    pub(super) fn name(&self, ui: &Ui, painter: &Painter, state: &State, labels: &mut Labels) {
+        if self.sheet.projection == Projection::Plan {
+            self.name_way(ui, painter, state, labels);
+            self.name_front(ui, painter, labels);
+        }
+    }
+
+    /// Writes beside the way of the light when it left: by the ground's clocks, or by those of the bicycle.
+    fn name_way(&self, ui: &Ui, painter: &Painter, state: &State, labels: &mut Labels) {
+        let ways = self.rays.map(|ray| self.ends(&ray));
+        for way in &ways {
+            labels.avoid(way);
+        }
+        let (name, times) = match state.settings.map.frame {
+            Frame::Ground => (HAPPENED.name, self.rays.map(|ray| ray.happened)),
+            Frame::Bicycle => (OWN_CLOCK.name, self.rays.map(|ray| ray.own_time)),
+        };
+        let [left, right] = times.map(|time| labelled(state, time));
+        let both = if left == right { left } else { format!("{left}, {right}") };
+        let text = format!("{name} {both}{}", state.measures().time.suffix());
+        let [[from, to], _] = ways;
+        let middle = from.lerp(to, NAMED_AT);
+        if from.distance(to) > SHORTEST_NAMED && self.sheet.room().contains(middle) {
+            let font = TextStyle::Small.resolve(ui.style());
+            labels.write(painter, (middle, ARROW), &text, font, ui.visuals().text_color());
+        }
+    }
+
+    /// Says what the circles are, where there is room, on the side of the light's front that is away from the eyes.
+    fn name_front(&self, ui: &Ui, painter: &Painter, labels: &mut Labels) {
+        let room = self.sheet.room();
+        let [ray, _] = self.rays;
+        let Some((middle, radius)) = self.circle(&ray.front()).filter(|_| room.width() > NARROWEST_NAMED)
+        else {
+            return;
+        };
+        let away = middle - self.ends(&ray)[1];
+        let places = TURNS.map(|turn| middle + radius * Vec2::angled(away.angle() + turn));
+        if let Some(place) = places.into_iter().find(|place| room.shrink(20.0).contains(*place)) {
+            let colour = theme::eye_colour(Eye::Left, ui.visuals());
+            labels.write(painter, (place, 2.0), "wave front", TextStyle::Small.resolve(ui.style()), colour);
+        }
+    }
+
+    /// What is said of the light under the pointer.
+    pub(super) fn told(&self, state: &State, pointer: Pos2) -> Option<String> {
+        let eyes = || Eye::BOTH.into_iter().zip(self.rays);
+        let told = |what: &str, received: f64, front: &Front| {
+            format!("{what}\n{}", times(state, [received, front.happened, front.own_time]))
+        };
+        let now = state.session.time;
+        if let Some((eye, ray)) = eyes().find(|(_, ray)| self.off_ray(ray, pointer) < NEAR) {
+            let what = format!("Light that the {} receives now", eye.name().to_lowercase());
+            return Some(told(&what, now, &ray.front()));
+        }
+        if let Some((eye, ray)) = eyes().find(|(_, ray)| self.off_front(&ray.front(), pointer) < NEAR) {
+            let what = format!("How far light has come that reaches the {} now", eye.name().to_lowercase());
+            return Some(told(&what, now, &ray.front()));
+        }
+        let front = self.fronts(state).find(|front| self.off_front(front, pointer) < NEAR)?;
+        let every = state.measures().time.text(self.period(state), 3);
+        let what = format!("How far light has come that left at one of the times {every} apart");
+        Some(told(&what, self.worldline.received(front.happened), &front))
     }
 
     /// The time from one front to the next, round in the unit that is shown.
@@ -192,9 +194,8 @@ impl<'a> Light<'a> {
 
     fn off_ray(&self, ray: &Ray, pointer: Pos2) -> f32 {
         let [from, to] = self.ends(ray);
-        let (way, there) = (to - from, pointer - from);
-        let part = (there.dot(way) / way.length_sq()).clamp(0.0, 1.0);
-        (there - part * way).length()
+        let [from, to, pointer] = [from, to, pointer].map(|place| [place.x, place.y].map(f64::from));
+        along(from, to, pointer).1 as f32
     }
 }
 

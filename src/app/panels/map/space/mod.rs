@@ -10,6 +10,7 @@ mod sheet;
 
 use eframe::egui::{Rect, Ui};
 
+use self::light::Light;
 use self::sheet::Sheet;
 use super::canvas;
 use super::labels::Labels;
@@ -29,11 +30,15 @@ pub fn show(ui: &mut Ui, state: &State, rect: Rect, asks: &mut Asks) {
         let painter = ui.painter().with_clip_rect(sheet.room().intersect(ui.clip_rect()));
         let mut labels = Labels::new(sheet.room(), ui.visuals().extreme_bg_color);
         backdrop::paint(ui, &painter, state, &instant, &sheet, &mut labels);
-        light::paint(ui, &painter, state, &sheet);
+        let light = Light::of(state, &sheet);
+        if let Some(light) = &light {
+            light.paint(ui, &painter, state);
+        }
         pictures::paint(ui, &painter, &lines, &sheet);
         marks::show(ui, &painter, state, &instant, &sheet, &mut labels);
-        light::name(ui, &painter, state, &sheet, &mut labels);
-        light::name_front(ui, &painter, state, &sheet, &mut labels);
+        if let Some(light) = &light {
+            light.name(ui, &painter, state, &mut labels);
+        }
         pointer::read(ui, &painter, &response, state, &lines, &sheet, asks);
     }
 }

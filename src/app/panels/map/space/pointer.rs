@@ -3,7 +3,7 @@
 use eframe::egui::{Painter, Pos2, Response, Stroke, Ui};
 use glam::DVec3;
 
-use super::light;
+use super::light::Light;
 use super::sheet::{Sheet, colour};
 use crate::app::command::{Command, Select};
 use crate::app::observer::Eye;
@@ -30,7 +30,9 @@ pub(super) fn read(
 ) {
     let Some(pointer) = response.hover_pos().or(response.interact_pointer_pos()) else { return };
     let Some(nearest) = nearest(lines, sheet, pointer) else {
-        if let Some(text) = eye_told(state, sheet, pointer).or_else(|| light::told(state, sheet, pointer)) {
+        if let Some(text) =
+            eye_told(state, sheet, pointer).or_else(|| Light::of(state, sheet)?.told(state, pointer))
+        {
             response.clone().on_hover_text_at_pointer(text);
         }
         return;
