@@ -139,7 +139,7 @@ impl RectifyArgs {
         let gaze = fixed(self.gaze, "--gaze")?
             .or(recorded.and_then(|settings| settings.look.gaze.fixed()))
             .context("--gaze is needed: the file does not record it")?;
-        let ground = Camera { aperture: Aperture::default(), gaze, horizontal_fov: fov.to_radians(), size };
+        let ground = Camera::new(Aperture::default(), gaze, fov.to_radians(), size);
         let mut rest = Rectification::rest_camera(&ground, &velocity);
         if let Some(fov) = self.out_fov {
             rest.horizontal_fov = fov.to_radians();

@@ -182,7 +182,7 @@ impl Settings {
         let gaze = look.gaze.fixed().unwrap_or(Gaze::STRAIGHT_AHEAD);
         let horizontal_fov = look.set_fov().unwrap_or(USUAL_FOV).to_radians();
         let view = |aperture, geometry| {
-            let camera = Camera { aperture, gaze, horizontal_fov, size };
+            let camera = Camera::new(aperture, gaze, horizontal_fov, size);
             View { camera, speed: self.speed(), observation_time, geometry }
         };
         let [left, right] = self.apertures();

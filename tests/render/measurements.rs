@@ -49,7 +49,7 @@ fn assert_on_light_cone(
     for (eye, aperture) in ["left", "right"].into_iter().zip(Aperture::pair(0.4)) {
         let channel = |name: &str| &channels[&format!("{eye}.{name}")];
         let gaze = Gaze { azimuth, elevation };
-        let camera = Camera { aperture, gaze, horizontal_fov: 80f64.to_radians(), size: [WIDTH, HEIGHT] };
+        let camera = Camera::new(aperture, gaze, 80f64.to_radians(), [WIDTH, HEIGHT]);
         for pixel in 0..channel("id").len() {
             let value = |name: &str| f64::from(channel(name)[pixel]);
             if value("id") < 0.0 {

@@ -63,7 +63,7 @@ fn rectification(seen: &Measurements, truth: &Measurements, beta: f64) -> Rectif
         let look = Settings::of_picture(&file.command(), "it").expect("it was rendered").look;
         let gaze = look.gaze.fixed().expect("it is recorded");
         let horizontal_fov = look.set_fov().expect("it is recorded").to_radians();
-        Camera { aperture: Aperture::default(), gaze, horizontal_fov, size: file.size }
+        Camera::new(Aperture::default(), gaze, horizontal_fov, file.size)
     };
     Rectification::new(camera(seen), camera(truth), Velocity::from_beta(beta).expect("a speed"))
 }

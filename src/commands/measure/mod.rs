@@ -155,7 +155,7 @@ fn measured(path: &Path, target: Target) -> anyhow::Result<Option<[f64; COLUMNS]
     // Where the camera of either eye stands does not matter for angles.
     let fov = settings.look.set_fov().with_context(|| format!("{name}: it does not record --fov"))?;
     let horizontal_fov = fov.to_radians();
-    let camera = Camera { aperture: Aperture::default(), gaze, horizontal_fov, size };
+    let camera = Camera::new(Aperture::default(), gaze, horizontal_fov, size);
     let (left, right) = (Angles::new(&camera, left), Angles::new(&camera, right));
     let sigma = |a: f64, b: f64| ROUNDING * math::hypot(a, b);
     Ok(Some([
