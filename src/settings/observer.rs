@@ -4,12 +4,14 @@
 use std::sync::Arc;
 
 use glam::DVec3;
-use relativity_core::{Aperture, Disparity, DomainError, Model, SourcePoint, Speed, Stereo, StereoError};
+use relativity_core::{
+    Aperture, Baseline, Disparity, DomainError, Model, SourcePoint, Speed, Stereo, StereoError,
+};
 use relativity_render::exposure::automatic_ev;
 use relativity_render::{Appearance, Camera, Gaze, Geometry, Motion, Outline, PreparedScene, Velocity, View};
 
 use super::all::Settings;
-use super::sections::{Daylight, Frame, Light, Look, Theme, USUAL_FOV};
+use super::sections::{self, Daylight, Frame, Light, Look, Theme, USUAL_FOV};
 use crate::flags::choices::GazeChoice;
 use crate::flags::{Exposure, FieldOfView};
 use crate::passage;
@@ -44,8 +46,21 @@ impl Settings {
     /// stand back or lower.
     #[must_use]
     pub fn apertures(&self) -> [Aperture; 2] {
-        let [y, z] = [0.0 - self.motion.depth_shift, 0.0 - self.motion.height_shift];
-        Aperture::pair(self.motion.d).map(|aperture| Aperture { y, z, ..aperture })
+        let sections::Motion { depth_shift, height_shift, .. } = self.motion;
+        self.pair().map(|Aperture { x, y, z }| Aperture { x, y: y - depth_shift, z: z - height_shift })
+    }
+
+    /// From the left to the right eye.
+    #[must_use]
+    pub const fn baseline(&self) -> Baseline {
+        let sections::Motion { d, roll, turn, .. } = self.motion;
+        Baseline { separation: d, roll: roll.to_radians(), turn: turn.to_radians() }
+    }
+
+    /// Where both eyes rest, from the point between them.
+    #[must_use]
+    pub fn pair(&self) -> [Aperture; 2] {
+        self.baseline().apertures()
     }
 
     /// The place `rest` in the scene, from the point between the eyes.

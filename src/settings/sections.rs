@@ -18,7 +18,10 @@ use crate::units::Units;
 /// Largest separation, distance and height.
 pub const MAX_LENGTH: f64 = 1e6;
 
-/// Speed, aperture separation and path.
+/// How far the head can be tilted or turned, degrees.
+pub const HEAD_DEGREES: RangeInclusive<f64> = -180.0..=180.0;
+
+/// Speed, the eyes' places, and path.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Motion")]
@@ -27,9 +30,16 @@ pub struct Motion {
     #[command(flatten)]
     #[serde(flatten)]
     pub speed: SpeedSetting,
-    /// Separation of the eyes, which rest at x = -d/2 and +d/2.
+    /// Separation of the eyes, which rest at x = -d/2 and +d/2 if the head is neither tilted nor turned.
     #[arg(long, value_parser = within(0.0..=MAX_LENGTH), allow_hyphen_values = true)]
     pub d: f64,
+    /// By how much the head tilts, degrees: the right eye is the higher one above 0, straight above the left one at 90.
+    #[arg(long, value_name = "DEG", value_parser = within(HEAD_DEGREES), allow_hyphen_values = true)]
+    pub roll: f64,
+    /// By how much the head turns about the vertical, degrees: to the left above 0; at 90 the right eye is straight beyond
+    /// the left one, along y.
+    #[arg(long, value_name = "DEG", value_parser = within(HEAD_DEGREES), allow_hyphen_values = true)]
+    pub turn: f64,
     /// How much further away than the scene says it passes, along y.
     #[arg(long, value_name = "DY", value_parser = within(-MAX_LENGTH..=MAX_LENGTH), allow_hyphen_values = true)]
     pub depth_shift: f64,
@@ -42,7 +52,7 @@ impl Default for Motion {
     /// The paper's.
     fn default() -> Self {
         let speed = SpeedSetting::new(SpeedParameter::Beta, 0.9).expect("0.9 is a speed");
-        Self { speed, d: 0.1, depth_shift: 0.0, height_shift: 0.0 }
+        Self { speed, d: 0.1, roll: 0.0, turn: 0.0, depth_shift: 0.0, height_shift: 0.0 }
     }
 }
 

@@ -42,10 +42,11 @@ fn motion() -> impl Strategy<Value = Motion> {
         (0.0..69.0).prop_map(|value| (SpeedParameter::Rapidity, value)),
     ];
     let length = || number(-MAX_LENGTH..=MAX_LENGTH);
-    (speed, number(0.0..=MAX_LENGTH), length(), length()).prop_map(
-        |((parameter, value), d, depth_shift, height_shift)| {
+    let angle = || number(HEAD_DEGREES);
+    (speed, number(0.0..=MAX_LENGTH), [angle(), angle()], [length(), length()]).prop_map(
+        |((parameter, value), d, [roll, turn], [depth_shift, height_shift])| {
             let speed = SpeedSetting::new(parameter, value).expect("in range");
-            Motion { speed, d, depth_shift, height_shift }
+            Motion { speed, d, roll, turn, depth_shift, height_shift }
         },
     )
 }
