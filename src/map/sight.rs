@@ -50,12 +50,7 @@ mod tests {
 
     #[test]
     fn a_level_gaze_has_its_field_of_view_in_the_plan() {
-        let camera = Camera {
-            aperture: Aperture::default(),
-            gaze: Gaze { azimuth: 2.0, elevation: 0.0 },
-            horizontal_fov: 0.8,
-            size: [400, 4],
-        };
+        let camera = Camera::new(Aperture::default(), Gaze { azimuth: 2.0, elevation: 0.0 }, 0.8, [400, 4]);
         let edges = field_of_view(&camera, Projection::Plan).expect("it looks along the plane");
         for (edge, azimuth) in edges.into_iter().zip([2.4f64, 1.6]) {
             let off = (edge[0] - azimuth.cos()).hypot(edge[1] - azimuth.sin());

@@ -168,13 +168,13 @@ impl Settings {
         if look.projection != ProjectionChoice::Parallel || !is_followed {
             return look.zero_parallax;
         }
-        let [camera, _] = self.views_with(look, observation_time, [1, 1]).map(|view| view.camera);
-        let axes = camera.axes();
-        let tangent = |direction: DVec3| {
-            let depth = direction.dot(axes.forward);
-            if depth > 0.0 { direction.dot(axes.right) / depth } else { f64::NAN }
-        };
-        let tangents = self.directions(point, observation_time).map(|to| to.map_or(f64::NAN, tangent));
+        let [camera, _] = self.cameras_with(look, [1, 1]);
+        let along_baseline = camera.axes().right.dot(self.baseline());
+        let tangents = self.directions(point, observation_time).map(|direction| {
+            let tangents = direction.and_then(|direction| camera.tangents(direction));
+            // There is no place behind the picture plane.
+            tangents.map_or(f64::NAN, |[aside, _]| aside * along_baseline)
+        });
         ZeroParallax::of_tangents(self.motion.d, tangents)
     }
 
@@ -232,16 +232,19 @@ impl Settings {
         let horizontal_fov = look.set_fov().unwrap_or(USUAL_FOV).to_radians();
         let right = self.baseline();
         let half_shift = 0.5 * look.zero_parallax.shift(self.motion.d);
-        let from_middle = 0.5 * self.motion.d;
-        let camera = |aperture, side: f64| Camera {
-            off_middle: right * (side * from_middle),
-            projection: match look.projection {
-                // What the left eye has further to the right comes together with what the right eye has.
-                ProjectionChoice::Parallel => Projection::Parallel { right, shift: side * half_shift },
-                ProjectionChoice::Gaze => Projection::Gaze,
-                ProjectionChoice::Vr180 => Projection::Vr180 { right },
-            },
-            ..Camera::new(aperture, gaze, horizontal_fov, size)
+        let half_separation = 0.5 * self.motion.d;
+        let projection = |shift| match look.projection {
+            ProjectionChoice::Parallel => Projection::Parallel { right, shift },
+            ProjectionChoice::Gaze => Projection::Gaze,
+            ProjectionChoice::Vr180 => Projection::Vr180 { right },
+        };
+        let camera = |aperture, side: f64| {
+            let off_middle = right * (side * half_separation);
+            let plain = Camera::new(aperture, gaze, horizontal_fov, size);
+            let unshifted = Camera { off_middle, projection: projection(0.0), ..plain };
+            // What the left eye has further to the right comes together with what the right eye has.
+            let shift = side * half_shift * unshifted.axes().right.dot(right);
+            Camera { projection: projection(shift), ..unshifted }
         };
         let [left, right] = self.apertures();
         [camera(left, -1.0), camera(right, 1.0)]
