@@ -8,7 +8,7 @@ use relativity_core::{Curves, Model};
 use relativity_render::{Appearance, Colour, Geometry, Method, Shading};
 use serde::Serialize;
 
-use crate::flags::choices::{GazeChoice, Layout, RendererChoice, Size};
+use crate::flags::choices::{GazeChoice, Layout, ProjectionChoice, RendererChoice, Size, ZeroParallax};
 use crate::flags::{
     Exposure, FieldOfView, IntensityExponent, OnOff, SpeedParameter, SpeedSetting, TimeRange, switch,
     temperature, whole_number, within,
@@ -59,7 +59,7 @@ impl Default for Motion {
 /// Narrowest and widest field of view that can be set in the window, degrees.
 pub const FOV_DEGREES: RangeInclusive<f64> = 2.0..=150.0;
 
-/// Geometry, gaze and field of view.
+/// Geometry, gaze, field of view and projection.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Look")]
@@ -71,10 +71,17 @@ pub struct Look {
     /// azimuth (from +x towards +y; 90 is straight ahead) and elevation in degrees.
     #[arg(long, value_name = "whole|point|ahead|AZ,EL", allow_hyphen_values = true)]
     pub gaze: GazeChoice,
-    /// Horizontal field of view of each eye, degrees; `auto` shows the whole scene with a margin (usually 42 to 150), is 110
+    /// Horizontal field of view of each eye, degrees, as it would be straight ahead; `auto` shows the whole scene with a margin (usually 42 to 150), is 110
     /// straight ahead and else 60.
     #[arg(long, value_name = "auto|DEG", allow_hyphen_values = true)]
     pub fov: FieldOfView,
+    /// How directions become places in a picture. What is measured by them does not change.
+    #[arg(long, value_enum)]
+    pub projection: ProjectionChoice,
+    /// What is in the same place in both pictures of the parallel projection, and so at the depth of the screen: the
+    /// tracked point, what is infinitely far away, or what is this far ahead.
+    #[arg(long, value_name = "point|infinity|DISTANCE", allow_hyphen_values = true)]
+    pub zero_parallax: ZeroParallax,
 }
 
 /// The field of view that is used to show a point or a direction, degrees.
