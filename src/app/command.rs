@@ -169,7 +169,7 @@ impl State {
             Command::RemovePoint(index) => self.session.points.remove(index),
             Command::Preset(name) => self.show(self.with_scene(name.to_owned())),
             Command::State(preset) => {
-                self.show(Settings { window: self.settings.window, ..preset.settings.clone() });
+                self.show(preset.settings.clone().in_place_of(&self.settings));
             }
             Command::Open(path) => match self.settings_in(&path) {
                 Ok(settings) => self.show(settings),
@@ -284,7 +284,7 @@ impl State {
         if is_scene {
             return Ok(self.with_scene(path.to_string_lossy().into_owned()));
         }
-        Settings { window: self.settings.window, ..Settings::default() }.with_file(path)
+        Settings::default().in_place_of(&self.settings).with_file(path)
     }
 
     /// Shows what `settings` say; where their scene cannot be had, a message. T runs on unless they give one.
