@@ -169,7 +169,7 @@ impl Settings {
             return look.zero_parallax;
         }
         let [camera, _] = self.cameras_with(look, [1, 1]);
-        let along_baseline = camera.axes().right.dot(self.baseline());
+        let along_baseline = camera.axes().right.dot(self.baseline()).signum();
         let tangents = self.directions(point, observation_time).map(|direction| {
             let tangents = direction.and_then(|direction| camera.tangents(direction));
             // There is no place behind the picture plane.
@@ -243,7 +243,7 @@ impl Settings {
             let plain = Camera::new(aperture, gaze, horizontal_fov, size);
             let unshifted = Camera { off_middle, projection: projection(0.0), ..plain };
             // What the left eye has further to the right comes together with what the right eye has.
-            let shift = side * half_shift * unshifted.axes().right.dot(right);
+            let shift = side * half_shift * unshifted.axes().right.dot(right).signum();
             Camera { projection: projection(shift), ..unshifted }
         };
         let [left, right] = self.apertures();
