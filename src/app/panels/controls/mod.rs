@@ -1,6 +1,7 @@
 //! The controls of motion, path and view, and the panel that holds them all.
 
 mod light;
+mod screen;
 mod speed;
 
 use eframe::egui::{ScrollArea, Ui};
@@ -23,6 +24,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         section(ui, "Motion", |ui| motion(ui, state, asks));
         section(ui, "View", |ui| look(ui, state, asks));
         section(ui, "Light", |ui| light::show(ui, state, asks));
+        section(ui, "Screen", |ui| screen::show(ui, state, asks));
     });
 }
 
