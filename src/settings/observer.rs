@@ -210,7 +210,8 @@ impl Settings {
         }
         // On a plane along the baseline it is the tangents that have a mean: both directions are cut off equally far from
         // the line through the eyes.
-        let off_baseline = |direction: DVec3| direction.reject_from_normalized(self.baseline_direction()).length();
+        let off_baseline =
+            |direction: DVec3| direction.reject_from_normalized(self.baseline_direction()).length();
         let [left, right] = directions.map(|direction| direction / off_baseline(direction));
         Gaze::towards([left + right; 2])
     }
