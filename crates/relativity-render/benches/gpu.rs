@@ -2,14 +2,15 @@
 //!
 //! `cargo bench -p relativity-render --bench gpu` prints, for 64, 640 and 6,400 bodies that ride past at
 //! beta = 0.9, milliseconds per frame of two eyes of 480 x 540 pixels (median of rounds taken in turns) and
-//! ratios to the exact renderer's.
+//! ratios to the exact renderer's; and what pictures parallel to the baseline cost beside those across the gaze.
 
 use std::time::Instant;
 
+use glam::DVec3;
 use relativity_core::{Aperture, Speed};
 use relativity_render::{
-    Appearance, Body, Camera, EyeTarget, Gaze, Geometry, Gpu, GpuError, Method, PreparedScene, Renderers,
-    Shape, View,
+    Appearance, Body, Camera, EyeTarget, Gaze, Geometry, Gpu, GpuError, Method, PreparedScene, Projection,
+    Renderers, Shape, View,
 };
 
 const ROUNDS: usize = 5;
@@ -24,6 +25,40 @@ fn main() -> Result<(), GpuError> {
     for count in [64, 640, 6400] {
         compare(&gpu, &crowd(count))?;
     }
+    println!("bodies  across the gaze      parallel, the same picture      parallel, sheared");
+    for (count, method) in [(64, Method::Exact), (640, Method::Exact), (640, Method::Mesh { bound_px: 0.5 })]
+    {
+        compare_projections(&gpu, &crowd(count), method)?;
+    }
+    Ok(())
+}
+
+/// Of the picture across the gaze, of the same as one parallel to its rows, and of one that is sheared.
+fn compare_projections(gpu: &Gpu, bodies: &[Body], method: Method) -> Result<(), GpuError> {
+    let mut renderers = Renderers::new(Some(gpu.clone()));
+    let scene = PreparedScene::moving(bodies);
+    let appearance = Appearance { ground_z: Some(-2.5), ..Appearance::default() };
+    let mut targets = [EyeTarget::new(gpu, SIZE), EyeTarget::new(gpu, SIZE)];
+    let same = views()[0].camera.gaze.axes().right;
+    let parallel = |right| Projection::Parallel { right, shift: 0.0 };
+    let projections = [Projection::Gaze, parallel(same), parallel(DVec3::X)];
+    let mut times = [const { Vec::new() }; 3];
+    for round in 0..=4 * ROUNDS {
+        for (projection, times) in projections.into_iter().zip(&mut times) {
+            let start = Instant::now();
+            for (mut view, target) in views().into_iter().zip(&mut targets) {
+                view.camera.projection = projection;
+                renderers.draw(method, &scene, &view, &appearance, target)?;
+            }
+            gpu.wait()?;
+            if round > 0 {
+                times.push(start.elapsed().as_secs_f64() * 1e3);
+            }
+        }
+    }
+    let [across, same, sheared] = times.map(median);
+    let ratio = |time: f64| format!("{time:8.1} ({:5.3} x)", time / across);
+    println!("{:6}  {method}  {across:8.1}  {}  {}", bodies.len(), ratio(same), ratio(sheared));
     Ok(())
 }
 

@@ -237,8 +237,7 @@ struct Picture {
 @fragment
 fn picture(fragment: Fragment) -> Picture {
     let measure = measure(fragment);
-    let normal = fragment.normal / max(length(fragment.normal), 1e-30);
-    var colour = received_colour(fragment.light, measure.doppler, normal)
+    var colour = received_colour(fragment.light, measure.doppler, measure.normal)
         * fragment.cover_brightness_index.y;
     if PATTERNS {
         colour *= mark(

@@ -23,7 +23,8 @@ pub const MAX_SLANT: f64 = 75.0 * PI / 180.0;
 /// A gaze of which less than this is across the baseline does not tell how a picture parallel to that is tilted.
 const LEAST_ACROSS: f64 = 1e-9;
 
-/// A pinhole camera at rest on the ground.
+/// A pinhole camera at rest on the ground. [`Projection`] says where its picture plane lies: across the gaze, unless two
+/// eyes' pictures are to be fused.
 ///
 /// # Examples
 ///
@@ -141,7 +142,7 @@ impl Camera {
     /// How many pixels of the middle of the picture a radian along its rows has.
     #[must_use]
     pub fn px_per_radian(&self) -> f64 {
-        self.focal_length_px() * self.to_centre().length_squared()
+        self.focal_length_px() * self.through_middle().length_squared()
     }
 
     /// Half the width of the picture, focal lengths.
@@ -153,7 +154,7 @@ impl Camera {
     }
 
     /// Towards the middle of the picture: its part along the axis is 1.
-    pub(crate) fn to_centre(&self) -> DVec3 {
+    pub(crate) fn through_middle(&self) -> DVec3 {
         let axes = self.axes();
         axes.forward + axes.right * self.middle(&axes)
     }

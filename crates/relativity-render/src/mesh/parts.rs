@@ -137,10 +137,12 @@ impl Instance {
     /// Drawn at least a pixel wide: thinner, it is faded instead of broken up.
     fn widened(self, solid: &Solid, view: &GroupView) -> Self {
         let center = solid.center();
-        let distance = view.apparent_position(center).map_or(f64::INFINITY, DVec3::length);
+        // Away from the axis of a picture nothing is smaller than on it, as deep.
+        let forward = view.camera.axes().forward;
+        let depth = view.apparent_position(center).map_or(f64::INFINITY, |place| place.dot(forward));
         let [x, y, z, _] = self.place_radius;
         let half_width = solid.half_width((center - view.origin).normalize_or(DVec3::Y)) as f32;
-        let half_pixel = (0.5 * distance / view.camera.focal_length_px()) as f32;
+        let half_pixel = (0.5 * depth / view.camera.focal_length_px()) as f32;
         if half_width >= half_pixel {
             return self;
         }
