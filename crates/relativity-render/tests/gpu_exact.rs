@@ -51,7 +51,7 @@ fn views() -> impl Iterator<Item = View> {
             view_following(FOLLOWED, speed, time, 45.0)
         })
     });
-    across_gaze.chain(parallel_views(&speeds(), FOLLOWED))
+    across_gaze.chain(parallel_views(speeds(), FOLLOWED))
 }
 
 /// What the documentation of the exact renderer promises.
