@@ -9,7 +9,7 @@ use super::clock;
 use super::observer::Eye;
 use super::state::{Session, State};
 use crate::flags::FieldOfView;
-use crate::flags::choices::{FileKind, GazeChoice};
+use crate::flags::choices::{FileKind, GazeChoice, Layout};
 use crate::map::Viewpoint;
 use crate::passage::time_within;
 use crate::platform::files;
@@ -26,6 +26,12 @@ pub enum Command {
     Motion(Motion),
     /// New geometry, gaze or field of view.
     Look(Look),
+    /// Another layout of the eyes' pictures.
+    Layout(Layout),
+    /// Layouts further in the list of them, or back.
+    NextLayout(i32),
+    /// Swap the eyes of the present layout.
+    SwapEyes,
     /// New colours.
     Light(Light),
     /// Another renderer, or another bound of it.
@@ -132,6 +138,14 @@ impl State {
         match command {
             Command::Motion(motion) => self.settings.motion = motion,
             Command::Look(look) => self.settings.look = look,
+            Command::Layout(layout) => self.settings.picture.layout = layout,
+            Command::NextLayout(steps) => {
+                self.settings.picture.layout = self.settings.picture.layout.further(steps);
+            }
+            Command::SwapEyes => {
+                let picture = &mut self.settings.picture;
+                picture.swapped = picture.swapped.toggled(picture.layout);
+            }
             Command::Light(light) => self.set_light(light),
             Command::Quality(quality) => self.settings.quality = quality,
             Command::Playback(playback) => self.settings.playback = playback,
@@ -162,7 +176,8 @@ impl State {
             Command::RemovePoint(index) => self.session.points.remove(index),
             Command::Preset(name) => self.show(self.with_scene(name.to_owned())),
             Command::State(preset) => {
-                self.show(Settings { window: self.settings.window, ..preset.settings.clone() });
+                let Settings { window, picture, .. } = self.settings;
+                self.show(Settings { window, picture, ..preset.settings.clone() });
             }
             Command::Open(path) => match self.settings_in(&path) {
                 Ok(settings) => self.show(settings),
@@ -272,15 +287,16 @@ impl State {
         Settings { scene, ..self.settings.clone() }
     }
 
-    /// The settings that the file at `path` leads to. What it does not say of the window's parts stays as it is; the
-    /// rest is as usual.
+    /// The settings that the file at `path` leads to. What it does not say of the window's parts and of the layout stays as
+    /// it is; the rest is as usual.
     fn settings_in(&self, path: &Path) -> Result<Settings, SettingsError> {
         let is_scene = FileKind::of(path).is_none()
             && !files::read_to_string(path).is_ok_and(|text| looks_like_settings(&text));
         if is_scene {
             return Ok(self.with_scene(path.to_string_lossy().into_owned()));
         }
-        Settings { window: self.settings.window, ..Settings::default() }.with_file(path)
+        let Settings { window, picture, .. } = self.settings;
+        Settings { window, picture, ..Settings::default() }.with_file(path)
     }
 
     /// Shows what `settings` say; where their scene cannot be had, a message. T runs on unless they give one.

@@ -3,40 +3,9 @@
 
 use eframe::egui::{Rect, Vec2, pos2, vec2};
 
-use super::observer::Eye;
-use super::theme::{GAP, TITLE_HEIGHT};
+use super::panes::{Arrangement, Content, Pane};
+use super::theme::GAP;
 use crate::settings::{PlotTab, Presence, Window};
-
-/// What can stand in a pane. One more is a variant and a line in [`Self::shown`], its switch among the settings of the
-/// [`Window`], a file in `panels`, and an arm where panes are painted.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Content {
-    /// What an eye sees.
-    Eye(Eye),
-    /// The left eye's picture, corrected.
-    Corrected,
-}
-
-impl Content {
-    /// What stands side by side in `window`, from the left.
-    fn shown(window: Window) -> impl Iterator<Item = Self> {
-        let all = [
-            (Self::Eye(Eye::Left), true),
-            (Self::Eye(Eye::Right), true),
-            (Self::Corrected, window.corrected),
-        ];
-        all.into_iter().filter_map(|(content, is_shown)| is_shown.then_some(content))
-    }
-}
-
-/// One of the pictures that stand side by side.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pane {
-    /// What stands in it.
-    pub content: Content,
-    /// Where that is; its title stands above.
-    pub rect: Rect,
-}
 
 /// The parts of the window. A part without room (or switched off) has no rectangle.
 #[derive(Debug, Clone, PartialEq)]
@@ -100,9 +69,9 @@ impl Layout {
         self.panes.iter().any(|pane| pane.content == content)
     }
 
-    /// The layout of a window with this inner `area`, whose plots are those of `tab`.
+    /// The layout of a window with this inner `area`, whose views are `arranged` and whose plots are those of `tab`.
     #[must_use]
-    pub fn of(area: Rect, window: Window, tab: PlotTab) -> Self {
+    pub fn of(area: Rect, window: Window, arranged: &Arrangement, tab: PlotTab) -> Self {
         let (bar, below) = split_top(area, BAR_HEIGHT);
         let with_side = window.controls && area.width() >= NARROWEST_WITH_CONTROLS;
         let (centre, side) = if with_side { split_right(below, SIDE_WIDTH) } else { (below, None) };
@@ -130,7 +99,7 @@ impl Layout {
             bar,
             controls,
             readout,
-            panes: views.map_or_else(Vec::new, |views| panes(views, window)),
+            panes: views.map_or_else(Vec::new, |views| arranged.panes(views)),
             spectrum: shown(spectrum),
             sentence: shown(sentence),
             timeline,
@@ -190,19 +159,6 @@ fn words_heights(width: f32, height: f32, window: Window) -> [f32; 2] {
     if height - wanted.iter().sum::<f32>() >= lowest { wanted } else { [0.0; 2] }
 }
 
-/// The panes of `window` side by side in `area`, all of one width.
-fn panes(area: Rect, window: Window) -> Vec<Pane> {
-    let contents: Vec<_> = Content::shown(window).collect();
-    let columns = contents.len() as f32;
-    let width = ((area.width() - GAP * (columns - 1.0)) / columns).max(1.0);
-    let top = (area.min.y + TITLE_HEIGHT).min(area.max.y);
-    let pane = |(column, content)| {
-        let x = area.min.x + column as f32 * (width + GAP);
-        Pane { content, rect: Rect::from_min_max(pos2(x, top), pos2(x + width, area.max.y)) }
-    };
-    contents.into_iter().enumerate().map(pane).collect()
-}
-
 /// Controls above, the readout below them as far as there is room for both.
 fn side_parts(side: Rect, readout: bool) -> (Option<Rect>, Option<Rect>) {
     let [least, most] = READOUT_HEIGHTS;
@@ -239,6 +195,7 @@ fn split_right(rect: Rect, width: f32) -> (Rect, Option<Rect>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::settings::Settings;
 
     fn layout(width: f32, height: f32) -> Layout {
         of([width, height], Window::default())
@@ -256,8 +213,13 @@ mod tests {
         }
     }
 
+    fn layout_of(area: Rect, window: Window, tab: PlotTab) -> Layout {
+        let settings = Settings { window, ..Settings::default() };
+        Layout::of(area, window, &Arrangement::of(&settings, 96.0 / 25.4), tab)
+    }
+
     fn of(size: [f32; 2], window: Window) -> Layout {
-        Layout::of(Rect::from_min_size(pos2(0.0, 0.0), size.into()), window, PlotTab::Disparity)
+        layout_of(Rect::from_min_size(pos2(0.0, 0.0), size.into()), window, PlotTab::Disparity)
     }
 
     #[test]
@@ -274,7 +236,7 @@ mod tests {
     #[test]
     fn the_fit_keeps_its_plots_unless_the_map_is_asked_for() {
         let area = Rect::from_min_size(pos2(0.0, 0.0), vec2(1280.0, 800.0));
-        let layout = |map| Layout::of(area, Window { map, ..Window::default() }, PlotTab::Fit);
+        let layout = |map| layout_of(area, Window { map, ..Window::default() }, PlotTab::Fit);
         assert!(layout(Presence::Auto).map.is_none() && layout(Presence::On).map.is_some());
     }
 

@@ -15,14 +15,17 @@ pub mod dial;
 pub mod examination;
 mod eyes;
 pub mod fitting;
+mod flicker;
 mod graphics;
 mod heat_map;
 mod icon;
 pub mod launch;
 mod layout;
+mod layouts;
 pub mod memory;
 pub mod observer;
 mod panels;
+pub mod panes;
 pub mod points;
 mod screenshot;
 mod shortcuts;
@@ -34,7 +37,7 @@ pub mod under;
 mod widgets;
 mod worker;
 
-use eframe::egui::{self, Rect, Ui, UiBuilder};
+use eframe::egui::{self, Rect, TextureId, Ui, UiBuilder};
 use eframe::egui_wgpu::RenderState;
 
 use command::Command;
@@ -43,11 +46,14 @@ use curves::{Curves, CurvesKey};
 use examination::{Examination, Sight};
 use eyes::EyePictures;
 use fitting::Fitting;
-use layout::{Content, Layout, Pane};
+use layout::Layout;
 use observer::Eye;
-use panels::{Asks, plots::Plotted, views::EyePane};
+use panels::views::Painted;
+use panels::{Asks, plots::Plotted};
+use panes::{Arrangement, Content, EyePane, Pane};
 use state::State;
 
+use crate::flags::choices::Form;
 use crate::settings::{PlotTab, Settings};
 
 /// The whole window.
@@ -173,10 +179,7 @@ impl App {
             return;
         }
         let state = &self.state;
-        let panes = panes.iter().filter_map(|pane| {
-            let Content::Eye(eye) = pane.content else { return None };
-            Some(self.eye_pane(ui, eye, pane.rect))
-        });
+        let panes = panes.iter().flat_map(|pane| self.eye_panes(ui, pane));
         let exact = panes.filter(|pane| !state.sees_as_published(pane.eye));
         let sight = Sight {
             views: exact.map(|pane| (pane.eye, state.view(pane.eye, pane.size))).collect(),
@@ -188,24 +191,28 @@ impl App {
         examination.update(ui.ctx(), &sight, state.settings.quality.method());
     }
 
-    /// The pane of `eye` in `rect`.
-    fn eye_pane(&self, ui: &Ui, eye: Eye, rect: Rect) -> EyePane {
+    /// Where in `pane` eyes' pictures are, in the order of the layout.
+    fn eye_panes(&self, ui: &Ui, pane: &Pane) -> Vec<EyePane> {
         let largest = self.eyes.as_ref().map_or(1, EyePictures::largest_side);
-        EyePane::new(eye, rect, ui.pixels_per_point(), largest)
+        let scale = ui.pixels_per_point();
+        match pane.content {
+            Content::Eye(eye) => vec![EyePane::new(eye, pane.rect, scale, largest)],
+            Content::Both => EyePane::both(&self.state.settings.picture, pane.rect, scale, largest).into(),
+            Content::Corrected => Vec::new(),
+        }
     }
 
-    /// Notes how large the eyes' pictures are: fields of view are fitted to that of the left one.
+    /// Notes how large the eyes' pictures are: fields of view are fitted to that of the first.
     fn measure_pictures(&mut self, ui: &Ui, panes: &[Pane]) {
-        if let Some(pane) = panes.iter().find(|pane| pane.content == Content::Eye(Eye::Left)) {
-            self.state.session.picture_size = self.eye_pane(ui, Eye::Left, pane.rect).size;
+        if let Some(pane) = panes.iter().find_map(|pane| self.eye_panes(ui, pane).first().copied()) {
+            self.state.session.picture_size = pane.size;
         }
     }
 
     /// Reads the mouse in `pane`.
     fn interact(&mut self, ui: &mut Ui, pane: Pane) {
-        if let Content::Eye(eye) = pane.content {
-            let pane = self.eye_pane(ui, eye, pane.rect);
-            self.panel(ui, eye.name(), pane.rect, |ui, state, asks| {
+        for pane in self.eye_panes(ui, &pane).into_iter().filter(EyePane::takes_the_mouse) {
+            self.panel(ui, pane.eye.name(), pane.rect, |ui, state, asks| {
                 panels::views::interact(ui, state, pane, asks);
             });
         }
@@ -213,27 +220,57 @@ impl App {
 
     /// Draws what stands in `pane`.
     fn paint(&mut self, ui: &Ui, pane: Pane) {
-        match pane.content {
-            Content::Eye(eye) => self.paint_eye(ui, self.eye_pane(ui, eye, pane.rect)),
-            Content::Corrected => self.show_corrected(ui, pane.rect),
+        match (pane.content, self.eye_panes(ui, &pane).as_slice()) {
+            (Content::Both, &[first, second]) => self.paint_both(ui, [first, second]),
+            (Content::Corrected, _) => self.show_corrected(ui, pane.rect),
+            (_, panes) => panes.iter().for_each(|&pane| self.paint_eye(ui, pane)),
         }
+    }
+
+    /// What is drawn in `pane`.
+    fn request(&self, ui: &Ui, pane: EyePane) -> eyes::Request {
+        let state = &self.state;
+        eyes::Request {
+            view: state.view(pane.eye, pane.size),
+            appearance: state.appearance(!ui.visuals().dark_mode),
+            scene: state.session.prepared.clone(),
+            method: state.settings.quality.method(),
+        }
+    }
+
+    /// How far the picture of `request` in `pane` is off, where that is to be seen.
+    fn heat_map(&mut self, ui: &Ui, pane: EyePane, request: &eyes::Request) -> Option<TextureId> {
+        let examination = self.examination.as_mut().filter(|_| self.state.settings.plots.heat_map)?;
+        let method = request.method.of_view(&request.view);
+        examination.heat_map(ui.ctx(), pane.eye, method).map(Into::into)
     }
 
     /// Draws `pane`: the up-to-date picture, how far it is off, and the markers.
     fn paint_eye(&mut self, ui: &Ui, pane: EyePane) {
-        let state = &self.state;
-        let quality = state.settings.quality;
-        let request = eyes::Request {
-            view: state.view(pane.eye, pane.size),
-            appearance: state.appearance(!ui.visuals().dark_mode),
-            scene: state.session.prepared.clone(),
-            method: quality.method(),
-        };
+        let request = self.request(ui, pane);
         let picture = self.eyes.as_mut().map(|eyes| eyes.picture(ui.ctx(), pane.eye.index(), &request));
-        let examination = self.examination.as_mut().filter(|_| state.settings.plots.heat_map);
-        let method = request.method.of_view(&request.view);
-        let heat_map = examination.and_then(|found| found.heat_map(ui.ctx(), pane.eye, method));
-        panels::views::paint(ui, state, pane, picture, heat_map.map(Into::into));
+        let heat_map = self.heat_map(ui, pane, &request);
+        panels::views::paint(ui, &self.state, pane, Painted { picture, heat_map });
+    }
+
+    /// Draws the picture that both eyes share, and the markers of both, or of the one whose turn it is.
+    fn paint_both(&mut self, ui: &Ui, panes: [EyePane; 2]) {
+        let Form::Composed(composition) = self.state.settings.picture.layout.form() else {
+            let pane = panes[flicker::turn(ui.ctx())];
+            let request = self.request(ui, pane);
+            let picture = self.eyes.as_mut().map(|eyes| eyes.picture(ui.ctx(), pane.eye.index(), &request));
+            let heat_map = self.heat_map(ui, pane, &request);
+            return panels::views::paint_both(ui, &self.state, &[pane], picture, &[heat_map]);
+        };
+        let composition = panes::on_screen(ui, composition, panes[0].rect);
+        let requests = panes.map(|pane| self.request(ui, pane));
+        let [first, second] = [0, 1].map(|i: usize| (panes[i].eye.index(), &requests[i]));
+        let picture =
+            self.eyes.as_mut().and_then(|eyes| eyes.composed(ui.ctx(), composition, [first, second]));
+        let heat_maps = [0, 1].map(|i: usize| {
+            if panes[i].takes_the_mouse() { self.heat_map(ui, panes[i], &requests[i]) } else { None }
+        });
+        panels::views::paint_both(ui, &self.state, &panes, picture, &heat_maps);
     }
 
     /// Shows the left eye's picture in `rect`, corrected by the fitted speed while there is a fit in view.
@@ -264,7 +301,9 @@ impl App {
 
         let area = ui.max_rect();
         ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
-        let layout = Layout::of(area, self.state.settings.window, self.state.settings.plots.plot);
+        let Settings { window, plots, screen, .. } = &self.state.settings;
+        let arranged = Arrangement::of(&self.state.settings, panes::points_per_mm(&ctx, screen));
+        let layout = Layout::of(area, *window, &arranged, plots.plot);
         self.measure_pictures(ui, &layout.panes);
         self.state.session.shows_map = layout.map.is_some();
         let inset = |rect: Rect| rect.shrink2(egui::vec2(theme::GAP, theme::GAP / 2.0));
@@ -302,6 +341,9 @@ impl App {
             self.panel(ui, "sentence", rect, |ui, state, _| panels::sentence::show(ui, state));
         }
         self.corrected.take_if(|_| !layout.shows(Content::Corrected));
+        if let Some(eyes) = self.eyes.as_mut().filter(|_| !layout.shows(Content::Both)) {
+            eyes.forget_composed();
+        }
         if self.state.session.playing {
             ctx.request_repaint();
         }

@@ -64,10 +64,11 @@ impl Preset {
         ALL.iter().find(|preset| preset.name == name)
     }
 
-    /// The one with these settings, whatever the parts of the window are.
+    /// The one with these settings, whatever the parts of the window are, and however the pictures are shown together.
     #[must_use]
     pub fn of(settings: &Settings) -> Option<&'static Self> {
-        ALL.iter().find(|preset| Settings { window: settings.window, ..preset.settings.clone() } == *settings)
+        let Settings { window, picture, .. } = *settings;
+        ALL.iter().find(|preset| Settings { window, picture, ..preset.settings.clone() } == *settings)
     }
 
     fn read(name: &'static str, text: &str) -> Option<Self> {

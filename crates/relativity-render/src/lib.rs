@@ -55,6 +55,8 @@ pub mod camera;
 mod canvas;
 mod capsule;
 pub mod colour;
+pub mod compose;
+mod composer;
 mod cone;
 mod cover;
 mod drawing;
@@ -104,6 +106,8 @@ pub mod view;
 
 pub use body::{Body, Emission, Pattern, Shape};
 pub use camera::{Camera, Gaze};
+pub use compose::Composition;
+pub use composer::{Composed, Composer};
 pub use gpu::{Gpu, GpuError};
 pub use group_view::{GroupView, RestRay};
 pub use light::received_intensity;
