@@ -176,8 +176,7 @@ impl State {
             Command::RemovePoint(index) => self.session.points.remove(index),
             Command::Preset(name) => self.show(self.with_scene(name.to_owned())),
             Command::State(preset) => {
-                let Settings { window, picture, .. } = self.settings;
-                self.show(Settings { window, picture, ..preset.settings.clone() });
+                self.show(preset.settings.clone().in_place_of(&self.settings));
             }
             Command::Open(path) => match self.settings_in(&path) {
                 Ok(settings) => self.show(settings),
@@ -295,8 +294,7 @@ impl State {
         if is_scene {
             return Ok(self.with_scene(path.to_string_lossy().into_owned()));
         }
-        let Settings { window, picture, .. } = self.settings;
-        Settings { window, picture, ..Settings::default() }.with_file(path)
+        Settings::default().in_place_of(&self.settings).with_file(path)
     }
 
     /// Shows what `settings` say; where their scene cannot be had, a message. T runs on unless they give one.

@@ -64,11 +64,10 @@ impl Preset {
         ALL.iter().find(|preset| preset.name == name)
     }
 
-    /// The one with these settings, whatever the parts of the window are, and however the pictures are shown together.
+    /// The one with these settings, whatever the parts of the window, the screen and the layout are.
     #[must_use]
     pub fn of(settings: &Settings) -> Option<&'static Self> {
-        let Settings { window, picture, .. } = *settings;
-        ALL.iter().find(|preset| Settings { window, picture, ..preset.settings.clone() } == *settings)
+        ALL.iter().find(|preset| preset.settings.clone().in_place_of(settings) == *settings)
     }
 
     fn read(name: &'static str, text: &str) -> Option<Self> {

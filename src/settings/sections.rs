@@ -10,8 +10,8 @@ use serde::Serialize;
 
 use crate::flags::choices::{GazeChoice, Layout, RendererChoice, Size, Swapped};
 use crate::flags::{
-    Exposure, FieldOfView, IntensityExponent, OnOff, SpeedParameter, SpeedSetting, TimeRange, switch,
-    temperature, whole_number, within,
+    Exposure, FieldOfView, IntensityExponent, OnOff, ScreenWidth, Share, SpeedParameter, SpeedSetting,
+    TimeRange, switch, temperature, whole_number, within,
 };
 use crate::units::Units;
 
@@ -223,6 +223,47 @@ impl Default for Picture {
     }
 }
 
+/// Nearest and furthest that one sits from it, cm.
+pub const VIEWING_CM: RangeInclusive<f64> = 5.0..=100_000.0;
+/// Closest and furthest that the middles of two pictures may be, mm.
+pub const PICTURE_MM: RangeInclusive<f64> = 10.0..=200.0;
+
+/// The screen that the pictures are looked at on: what is an angle in the scene is another one there.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Args)]
+#[serde(rename_all = "kebab-case")]
+#[command(next_help_heading = "Screen")]
+pub struct Screen {
+    /// Width of the whole screen, centimetres; `auto` takes 96 pixels for an inch, which is right for few projectors.
+    #[arg(long, value_name = "auto|CM")]
+    pub screen_width: ScreenWidth,
+    /// How far from it one sits, centimetres.
+    #[arg(long, value_name = "CM", value_parser = within(VIEWING_CM))]
+    pub viewing_distance: f64,
+    /// Largest distance between the middles of two pictures that are fused without glasses, millimetres: no more than
+    /// one's pupils are apart.
+    #[arg(long, value_name = "MM", value_parser = within(PICTURE_MM))]
+    pub picture_distance: f64,
+}
+
+impl Default for Screen {
+    /// A desk's.
+    fn default() -> Self {
+        Self { screen_width: ScreenWidth(None), viewing_distance: 60.0, picture_distance: 60.0 }
+    }
+}
+
+/// What `auto` takes a point of the screen to be, cm: there are 96 of them in an inch.
+const CM_PER_POINT: f64 = 2.54 / 96.0;
+
+impl Screen {
+    /// How large a point of a window is on a screen of this width in points, where that is known, cm.
+    #[must_use]
+    pub fn cm_per_point(&self, width_points: Option<f64>) -> f64 {
+        let set = self.screen_width.0.zip(width_points.filter(|points| *points >= 1.0));
+        set.map_or(CM_PER_POINT, |(width, points)| width / points)
+    }
+}
+
 /// Slowest and fastest playback, units of T per second.
 pub const RATE: RangeInclusive<f64> = 0.001..=1e6;
 
@@ -401,8 +442,8 @@ pub enum Theme {
     System,
 }
 
-/// Which parts of the window are shown, and in which colours.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Args)]
+/// Which parts of the window are shown, how large, and in which colours.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Window")]
 pub struct Window {
@@ -430,6 +471,15 @@ pub struct Window {
     /// The numbers below the controls.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub readout: OnOff,
+    /// Width of the controls, as a part of the window's.
+    #[arg(long, value_name = "auto|SHARE")]
+    pub side_share: Share,
+    /// Height of the map and the plots, as a part of what they and the views have together.
+    #[arg(long, value_name = "auto|SHARE")]
+    pub strip_share: Share,
+    /// Width of the map beside the plots, as a part of both.
+    #[arg(long, value_name = "auto|SHARE")]
+    pub map_share: Share,
     /// At each followed point in the views, a clock that shows the body's own time as the eye sees it.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub dials: OnOff,
@@ -452,6 +502,9 @@ impl Default for Window {
             plots: true,
             controls: true,
             readout: true,
+            side_share: Share(None),
+            strip_share: Share(None),
+            map_share: Share(None),
             dials: true,
             units: Units::Natural,
             theme: Theme::Dark,

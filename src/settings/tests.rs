@@ -15,8 +15,8 @@ use crate::files::png;
 use crate::files::provenance::Provenance;
 use crate::flags::choices::{GazeChoice, Layout, RendererChoice, Size, Swapped};
 use crate::flags::{
-    EXPOSURE_EV, Exposure, FieldOfView, IntensityExponent, MAX_TIME, SpeedParameter, SpeedSetting,
-    TEMPERATURE_K, TimeRange,
+    EXPOSURE_EV, Exposure, FieldOfView, IntensityExponent, MAX_TIME, SCREEN_CM, ScreenWidth, Share,
+    SpeedParameter, SpeedSetting, TEMPERATURE_K, TimeRange,
 };
 use crate::units::Units;
 
@@ -111,8 +111,16 @@ fn fit() -> impl Strategy<Value = FitSetup> {
 }
 
 fn window() -> impl Strategy<Value = Window> {
-    (any::<[bool; 8]>(), choice::<Presence>(), choice::<Units>(), choice::<Theme>()).prop_map(
-        |([views, corrected, spectrum, sentence, plots, controls, readout, dials], map, units, theme)| {
+    let share = || proptest::option::of(number(0.0..=1.0)).prop_map(Share);
+    let shares = (share(), share(), share());
+    (any::<[bool; 8]>(), shares, choice::<Presence>(), choice::<Units>(), choice::<Theme>()).prop_map(
+        |(
+            [views, corrected, spectrum, sentence, plots, controls, readout, dials],
+            (side_share, strip_share, map_share),
+            map,
+            units,
+            theme,
+        )| {
             Window {
                 views,
                 corrected,
@@ -122,6 +130,9 @@ fn window() -> impl Strategy<Value = Window> {
                 plots,
                 controls,
                 readout,
+                side_share,
+                strip_share,
+                map_share,
                 dials,
                 units,
                 theme,
@@ -130,7 +141,18 @@ fn window() -> impl Strategy<Value = Window> {
     )
 }
 
-fn quality_and_picture() -> impl Strategy<Value = (Quality, Picture)> {
+fn screen() -> impl Strategy<Value = Screen> {
+    let width = proptest::option::of(number(SCREEN_CM)).prop_map(ScreenWidth);
+    (width, number(VIEWING_CM), number(PICTURE_MM)).prop_map(
+        |(screen_width, viewing_distance, picture_distance)| Screen {
+            screen_width,
+            viewing_distance,
+            picture_distance,
+        },
+    )
+}
+
+fn quality_picture_and_screen() -> impl Strategy<Value = (Quality, Picture, Screen)> {
     let quality = (choice::<RendererChoice>(), number(BOUND_PX))
         .prop_map(|(renderer, bound_px)| Quality { renderer, bound_px });
     let size = (1..=16_384u32, 1..=16_384u32).prop_map(|(width, height)| Size([width, height]));
@@ -140,7 +162,7 @@ fn quality_and_picture() -> impl Strategy<Value = (Quality, Picture)> {
     let picture = (size, choice::<Layout>(), swapped, any::<bool>(), 1..=16u32).prop_map(
         |(size, layout, swapped, labels, samples)| Picture { size, layout, swapped, labels, samples },
     );
-    (quality, picture)
+    (quality, picture, screen())
 }
 
 fn playback_map_and_plots() -> impl Strategy<Value = (Playback, Map, Plots)> {
@@ -164,14 +186,14 @@ fn settings() -> impl Strategy<Value = Settings> {
         proptest::option::of(any_number()),
         proptest::option::of([any_number(), any_number(), any_number()]),
     );
-    (top, motion(), look(), light(), quality_and_picture(), playback_map_and_plots(), fit(), window())
+    (top, motion(), look(), light(), quality_picture_and_screen(), playback_map_and_plots(), fit(), window())
         .prop_map(
             |(
                 (scene, time, point),
                 motion,
                 look,
                 light,
-                (quality, picture),
+                (quality, picture, screen),
                 (playback, map, plots),
                 fit,
                 window,
@@ -185,6 +207,7 @@ fn settings() -> impl Strategy<Value = Settings> {
                     light,
                     quality,
                     picture,
+                    screen,
                     playback,
                     map,
                     plots,
@@ -291,7 +314,7 @@ fn what_is_wrong_in_a_file_is_said_with_its_line() {
         ),
         (
             "[more]\nd = 1",
-            "state.toml:1: unknown section [more]: there are motion, look, light, quality, picture, playback, map, plots, fit, window",
+            "state.toml:1: unknown section [more]: there are motion, look, light, quality, picture, screen, playback, map, plots, fit, window",
         ),
         ("[motion]\nd = 1979-05-27", "state.toml:2: d: must be a number, a word or a list of them"),
     ] {
