@@ -29,7 +29,7 @@ pub enum Command {
     /// Another layout of the eyes' pictures.
     Layout(Layout),
     /// Layouts further in the list of them, or back.
-    NextLayout(i32),
+    NextLayout(isize),
     /// Swap the eyes of the present layout.
     SwapEyes,
     /// New colours.

@@ -47,7 +47,6 @@ use examination::{Examination, Sight};
 use eyes::EyePictures;
 use fitting::Fitting;
 use layout::Layout;
-use observer::Eye;
 use panels::views::Painted;
 use panels::{Asks, plots::Plotted};
 use panes::{Arrangement, Content, EyePane, Pane};

@@ -92,9 +92,9 @@ impl Layout {
 
     /// The layout so many `steps` further in the list of all, or back; after the last comes the first.
     #[must_use]
-    pub fn further(self, steps: i32) -> Self {
+    pub fn further(self, steps: isize) -> Self {
         let all = Self::value_variants();
-        all[(self as i32 + steps).rem_euclid(all.len() as i32) as usize]
+        all[(self as isize + steps).rem_euclid(all.len().cast_signed()).cast_unsigned()]
     }
 
     /// Whether it shows both eyes.
