@@ -211,8 +211,8 @@ impl App {
     /// Reads the mouse in `pane`.
     fn interact(&mut self, ui: &mut Ui, pane: Pane) {
         for pane in self.eye_panes(ui, &pane).into_iter().filter(EyePane::takes_the_mouse) {
-            self.panel(ui, pane.eye.name(), pane.rect, |ui, state, asks| {
-                panels::views::interact(ui, state, pane, asks);
+            self.panel(ui, pane.eye.name(), pane.rect, |ui, _, asks| {
+                panels::views::interact(ui, pane, asks);
             });
         }
     }
