@@ -65,7 +65,7 @@ pub fn name(layout: Layout) -> &'static str {
 pub fn title(picture: &Picture) -> String {
     let swapped = if picture.swapped.has(picture.layout) { ", eyes swapped" } else { "" };
     let is_shared = !matches!(picture.layout, Layout::HalfSideBySide | Layout::HalfOverUnder);
-    let clicks = if is_shared { "  ·  clicks and clocks are the left eye's" } else { "" };
+    let clicks = if is_shared { "  ·  clicks are the left eye's" } else { "" };
     format!("Both eyes: {}{swapped}{clicks}", name(picture.layout))
 }
 

@@ -65,7 +65,7 @@ pub struct RectifyArgs {
 }
 
 /// One of the two eyes.
-#[derive(Debug, Clone, Copy, Default, ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
 enum EyeChoice {
     #[default]
     Left,
@@ -201,9 +201,10 @@ impl RectifyArgs {
         let (parameter, value) = self.speed()?;
         let Camera { gaze, horizontal_fov, .. } = rectification.rest();
         Ok(format!(
-            "gamow rectify --{}={value}{} --out-fov={} --out-gaze={},{}",
+            "gamow rectify --{}={value}{}{} --out-fov={} --out-gaze={},{}",
             parameter.name(),
             if self.backward { " --backward" } else { "" },
+            self.eye.map_or("", |eye| if eye == EyeChoice::Left { " --eye=left" } else { " --eye=right" }),
             horizontal_fov.to_degrees(),
             gaze.azimuth.to_degrees(),
             gaze.elevation.to_degrees()

@@ -184,7 +184,9 @@ pub fn named_text(ui: &mut Ui, text: impl Into<egui::WidgetText>, name: impl Int
 pub fn pane_title(ui: &Ui, rect: Rect, text: &str, colour: Color32) {
     let font = TextStyle::Body.resolve(ui.style());
     let place = pos2(rect.min.x, rect.min.y - theme::TITLE_HEIGHT / 2.0 - 1.0);
-    let painter = ui.painter().with_clip_rect(rect.expand(theme::TITLE_HEIGHT + 2.0));
+    // Beside it stand others.
+    let above = rect.with_min_y(rect.min.y - theme::TITLE_HEIGHT - 2.0);
+    let painter = ui.painter().with_clip_rect(above.expand2(vec2(theme::GAP / 2.0, 0.0)));
     painter.circle_filled(place + vec2(5.0, 0.0), 4.5, colour);
     painter.text(place + vec2(16.0, 0.0), Align2::LEFT_CENTER, text, font, ui.visuals().text_color());
 }

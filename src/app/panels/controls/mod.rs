@@ -109,7 +109,7 @@ fn layout_row(ui: &mut Ui, picture: Picture, asks: &mut Asks) {
     row(ui, "Layout", tip, |ui| {
         ComboBox::from_id_salt("layout")
             .selected_text(layouts::name(picture.layout))
-            .width(130.0)
+            .width(118.0)
             .height(LAYOUTS_HEIGHT)
             .show_ui(ui, |ui| {
                 for (layout, name, tip) in LAYOUTS {
