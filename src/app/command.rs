@@ -6,7 +6,9 @@ use relativity_render::{Camera, Gaze, Geometry};
 
 use super::clock;
 use super::observer::Eye;
+use super::stage::{Part, next_to_show};
 use super::state::{Session, State};
+use crate::comfort::comfortable_separation;
 use crate::flags::FieldOfView;
 use crate::flags::choices::{FileKind, GazeChoice, Layout};
 use crate::map::Viewpoint;
@@ -15,7 +17,7 @@ use crate::platform::files;
 use crate::scene::Track;
 use crate::settings::{
     Daylight, FOV_DEGREES, FitSetup, Frame, Light, Look, Map, Motion, Playback, Plots, Presence, Preset,
-    Quality, Settings, SettingsError, Window, looks_like_settings,
+    Quality, Screen, Settings, SettingsError, Window, looks_like_settings,
 };
 
 /// Something the user asked for.
@@ -47,6 +49,10 @@ pub enum Command {
     Fit(FitSetup),
     /// New layout or theme.
     Window(Window),
+    /// Another screen, or another place before it.
+    Screen(Screen),
+    /// Narrow the separation of the eyes until the views can be fused in comfort.
+    Narrow,
     /// Go to this T.
     Time(f64),
     /// Steps of the scrubber, forwards or back.
@@ -77,6 +83,8 @@ pub enum Command {
     Preset(&'static str),
     /// Show this state, all else as usual but for the parts of the window.
     State(&'static Preset),
+    /// Show what comes so many steps after what is shown.
+    ShowNext(i32),
     /// Show what is in a file: a scene, settings, or a picture with which settings it was made.
     Open(PathBuf),
     /// Show or hide the map.
@@ -85,7 +93,13 @@ pub enum Command {
     ToggleFrame,
     /// Show or hide the help.
     ToggleHelp,
-    /// Close what can be closed.
+    /// Take the whole screen, or leave it.
+    ToggleFullScreen,
+    /// Begin to present, or end it.
+    TogglePresenting,
+    /// Have a part alone in the window, or all others again.
+    ToggleMaximised(Part),
+    /// Close what can be closed, else leave what the window was made.
     Close,
 }
 
@@ -161,6 +175,8 @@ impl State {
             Command::MapView(viewpoint) => self.session.map_view = viewpoint,
             Command::Fit(fit) => self.settings.fit = fit,
             Command::Window(window) => self.set_window(window),
+            Command::Screen(screen) => self.settings.screen = screen,
+            Command::Narrow => self.narrow(),
             Command::Time(time) => self.session.time = clock::bounded(time),
             Command::Step(steps) => self.step(steps),
             Command::TimeInRange(fraction) => {
@@ -185,6 +201,11 @@ impl State {
             Command::State(preset) => {
                 self.show(preset.settings.clone().in_place_of(&self.settings));
             }
+            Command::ShowNext(steps) => {
+                if let Some(preset) = next_to_show(self.session.preset, steps) {
+                    self.apply(Command::State(preset));
+                }
+            }
             Command::Open(path) => match self.settings_in(&path) {
                 Ok(settings) => self.show(settings),
                 Err(error) => self.session.notice = Some(error.to_string()),
@@ -201,9 +222,33 @@ impl State {
                 self.set_map(Map { frame, ..self.settings.map });
             }
             Command::ToggleHelp => self.session.help = !self.session.help,
-            Command::Close => {
-                self.session.help = false;
-                self.session.notice = None;
+            Command::ToggleFullScreen => self.session.stage.full_screen = !self.session.stage.full_screen,
+            Command::TogglePresenting => self.session.stage.toggle_presenting(),
+            Command::ToggleMaximised(part) => self.session.stage.toggle_maximised(part),
+            Command::Close => self.close(),
+        }
+    }
+
+    fn close(&mut self) {
+        let Session { help, notice, stage, .. } = &mut self.session;
+        if *help || notice.is_some() {
+            (*help, *notice) = (false, None);
+        } else {
+            stage.leave();
+        }
+    }
+
+    fn narrow(&mut self) {
+        let wide = self.settings.motion.d;
+        match comfortable_separation(wide, |d| self.comfort(d)) {
+            Some(d) if d < wide => {
+                self.settings.motion.d = d;
+                self.session.narrowed = Some([wide, d]);
+            }
+            Some(_) => {}
+            None => {
+                self.session.notice =
+                    Some("No separation of the eyes makes these views comfortable.".to_owned());
             }
         }
     }
@@ -307,9 +352,10 @@ impl State {
         match Self::open(settings) {
             Ok(state) => {
                 let playing = self.session.playing && !starts_at_a_time;
-                let Session { picture_size, shows_map, .. } = self.session;
-                *self =
-                    Self { session: Session { playing, picture_size, shows_map, ..state.session }, ..state };
+                let Session { picture_size, cm_per_pixel, stage, shows_map, .. } = self.session;
+                let session =
+                    Session { playing, picture_size, cm_per_pixel, stage, shows_map, ..state.session };
+                *self = Self { session, ..state };
             }
             Err(error) => self.session.notice = Some(error.to_string()),
         }

@@ -1,13 +1,13 @@
 //! How the views' area is divided: what stands in which pane, and where in it the eyes' pictures are.
 
-use eframe::egui::{Context, Pos2, Rect, Ui, pos2, vec2};
+use eframe::egui::{Pos2, Rect, Ui, pos2, vec2};
 use relativity_render::Composition;
 use relativity_render::compose::Top;
 
 use super::observer::Eye;
 use super::theme::{GAP, TITLE_HEIGHT};
 use crate::flags::choices::{Form, Layout};
-use crate::settings::{Picture, Screen, Settings};
+use crate::settings::{Picture, Settings};
 
 /// What can stand in a pane. One more is a variant, a file in `panels`, an arm where panes are painted, and what asks for it
 /// among the settings.
@@ -38,15 +38,18 @@ pub struct Arrangement {
     corrected: bool,
     /// For free viewing, how far apart the middles of pictures are at most, points.
     apart: f32,
+    /// How high titles are, points.
+    title: f32,
 }
 
 impl Arrangement {
-    /// That of `settings`, where a millimetre of the screen is so many points long.
+    /// That of `settings`, where a point of the window is so large on the screen (above 0), with titles written
+    /// `scale` times as large as usual.
     #[must_use]
-    pub fn of(settings: &Settings, points_per_mm: f32) -> Self {
+    pub fn of(settings: &Settings, cm_per_point: f64, scale: f32) -> Self {
         let Settings { picture, window, screen, .. } = settings;
-        let apart = screen.picture_distance as f32 * points_per_mm;
-        Self { picture: *picture, corrected: window.corrected, apart }
+        let apart = (0.1 * screen.picture_distance / cm_per_point) as f32;
+        Self { picture: *picture, corrected: window.corrected, apart, title: scale * TITLE_HEIGHT }
     }
 
     /// The panes in `area`.
@@ -58,7 +61,7 @@ impl Arrangement {
         let width = ((area.width() - GAP * (columns - 1.0)) / columns).max(1.0);
         let column = |number: f32, width: f32| {
             let x = area.min.x + number * (width + GAP);
-            below_title(Rect::from_min_max(pos2(x, area.min.y), pos2(x + width, area.max.y)))
+            self.below_title(Rect::from_min_max(pos2(x, area.min.y), pos2(x + width, area.max.y)))
         };
         let [first, second] = self.eyes();
         let mut panes = match form {
@@ -72,9 +75,9 @@ impl Arrangement {
             Form::Above => {
                 let whole = column(0.0, width).with_min_y(area.min.y);
                 let middle = whole.center().y;
-                let (upper, lower) = (whole.with_max_y(middle), below_title(whole.with_min_y(middle)));
+                let (upper, lower) = (whole.with_max_y(middle), self.below_title(whole.with_min_y(middle)));
                 vec![
-                    Pane { content: Content::Eye(first), rect: below_title(upper) },
+                    Pane { content: Content::Eye(first), rect: self.below_title(upper) },
                     Pane { content: Content::Eye(second), rect: lower },
                 ]
             }
@@ -86,6 +89,19 @@ impl Arrangement {
             panes.push(Pane { content: Content::Corrected, rect: column(columns - 1.0, width) });
         }
         panes
+    }
+
+    /// The panes of a screen with this `area`, if the picture needs all of it: a television stretches halves of the screen,
+    /// and what stood beside the picture would be in one of them only.
+    #[must_use]
+    pub fn whole_screen(&self, area: Rect) -> Option<Vec<Pane>> {
+        let halves = [Layout::HalfSideBySide, Layout::HalfOverUnder];
+        let whole = Self { corrected: false, title: 0.0, ..*self };
+        halves.contains(&self.picture.layout).then(|| whole.panes(area))
+    }
+
+    fn below_title(&self, rect: Rect) -> Rect {
+        rect.with_min_y((rect.min.y + self.title).min(rect.max.y))
     }
 
     /// The eyes in the order of the layout; one that is alone twice.
@@ -105,21 +121,6 @@ impl Arrangement {
         let (middle, width) = (0.5 * (left.min.x + right.max.x), (self.apart - gap).max(1.0));
         [middle - 0.5 * gap - width, middle + 0.5 * gap]
             .map(|x| Rect::from_min_max(pos2(x, left.min.y), pos2(x + width, left.max.y)))
-    }
-}
-
-fn below_title(rect: Rect) -> Rect {
-    rect.with_min_y((rect.min.y + TITLE_HEIGHT).min(rect.max.y))
-}
-
-/// How many points a millimetre of the screen is long.
-#[must_use]
-pub fn points_per_mm(ctx: &Context, screen: &Screen) -> f32 {
-    let monitor = ctx.input(|input| input.viewport().monitor_size);
-    match (screen.screen_width.0, monitor) {
-        (Some(centimetres), Some(monitor)) => monitor.x / (10.0 * centimetres as f32),
-        // By convention an inch has 96 points of a screen's own scale.
-        _ => 96.0 / 25.4 / ctx.zoom_factor(),
     }
 }
 
@@ -220,7 +221,7 @@ mod tests {
 
     fn arrangement(layout: Layout, corrected: bool) -> Arrangement {
         let picture = Picture { layout, ..Picture::default() };
-        Arrangement { picture, corrected, apart: 227.0 }
+        Arrangement { picture, corrected, apart: 227.0, title: TITLE_HEIGHT }
     }
 
     #[test]
@@ -258,6 +259,17 @@ mod tests {
         // Narrow columns are near enough.
         let wide = Arrangement { apart: 2000.0, ..arrangement(Layout::FreeViewing, false) };
         assert_eq!(wide.panes(AREA), arrangement(Layout::SideBySide, false).panes(AREA));
+    }
+
+    #[test]
+    fn an_audience_has_halves_on_the_whole_screen() {
+        let screen = Rect::from_min_size(pos2(0.0, 0.0), vec2(1920.0, 1080.0));
+        for &layout in Layout::value_variants() {
+            let is_half = matches!(layout, Layout::HalfSideBySide | Layout::HalfOverUnder);
+            let panes = arrangement(layout, true).whole_screen(screen);
+            let expected = vec![Pane { content: Content::Both, rect: screen }];
+            assert_eq!(panes, is_half.then_some(expected), "{layout:?}");
+        }
     }
 
     #[test]

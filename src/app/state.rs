@@ -5,6 +5,7 @@ use relativity_render::{Appearance, Emission, PreparedScene};
 
 use super::clock;
 use super::points::{Point, Points};
+use super::stage::Stage;
 use crate::flags::choices::ProjectionChoice;
 use crate::map::Viewpoint;
 use crate::passage;
@@ -40,6 +41,12 @@ pub struct Session {
     pub preset: Option<&'static Preset>,
     /// Width and height of an eye's picture, which a field of view is fitted to, pixels.
     pub picture_size: [u32; 2],
+    /// How large a pixel of the screen is, cm.
+    pub cm_per_pixel: f64,
+    /// The separation of the eyes before it was narrowed to be comfortable, and then.
+    pub narrowed: Option<[f64; 2]>,
+    /// What is made of the window for a while.
+    pub stage: Stage,
     /// Whether the map is shown.
     pub shows_map: bool,
     /// How the user looks at the map.
@@ -74,6 +81,9 @@ impl State {
             help: false,
             preset,
             picture_size: settings.picture.size.0,
+            cm_per_pixel: settings.screen.cm_per_point(None),
+            narrowed: None,
+            stage: Stage::default(),
             shows_map: false,
             map_view: Viewpoint::default(),
             notice,

@@ -103,7 +103,7 @@ pub use body::{Body, Emission, Pattern, Shape};
 pub use camera::{Camera, Gaze, Projection};
 pub use compose::Composition;
 pub use composer::{Composed, Composer};
-pub use gpu::{Gpu, GpuError};
+pub use gpu::{Gpu, GpuError, Undrawn};
 pub use group_view::{GroupView, RestRay};
 pub use light::received_intensity;
 pub use outline::{Framing, Outline};

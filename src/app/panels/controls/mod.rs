@@ -2,6 +2,7 @@
 
 mod light;
 mod projection;
+mod screen;
 mod speed;
 
 use eframe::egui::{self, ComboBox, ScrollArea, Ui};
@@ -28,6 +29,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         section(ui, "Motion", |ui| motion(ui, state, asks));
         section(ui, "View", |ui| look(ui, state, asks));
         section(ui, "Light", |ui| light::show(ui, state, asks));
+        section(ui, "Screen", |ui| screen::show(ui, state, asks));
     });
 }
 
