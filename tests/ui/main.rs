@@ -9,6 +9,7 @@ mod fit;
 mod groups;
 mod layouts;
 mod map;
+mod pairs;
 mod picking;
 mod quality;
 mod spacetime;
@@ -36,6 +37,7 @@ fn main() -> ExitCode {
         groups::TESTS,
         layouts::TESTS,
         map::TESTS,
+        pairs::TESTS,
         picking::TESTS,
         quality::TESTS,
         spacetime::TESTS,
