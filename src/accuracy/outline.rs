@@ -226,12 +226,7 @@ mod tests {
     }
 
     fn view() -> View {
-        let camera = Camera {
-            aperture: Aperture::default(),
-            gaze: Gaze::along([0.0, 1.0, 0.0]),
-            horizontal_fov: 1.0,
-            size: [160, 120],
-        };
+        let camera = Camera::new(Aperture::default(), Gaze::along([0.0, 1.0, 0.0]), 1.0, [160, 120]);
         View { camera, speed: Speed::REST, observation_time: 0.0, geometry: Geometry::Seen }
     }
 

@@ -2,7 +2,6 @@
 
 use std::path::{Path, PathBuf};
 
-use relativity_render::camera::MAX_ELEVATION;
 use relativity_render::{Camera, Gaze, Geometry};
 
 use super::clock;
@@ -60,13 +59,8 @@ pub enum Command {
     NudgeSpeed(i32),
     /// Show this geometry.
     Geometry(Geometry),
-    /// Turn the gaze by these angles (radians) and keep it there.
-    Turn {
-        /// Towards larger azimuth.
-        azimuth: f64,
-        /// Upwards.
-        elevation: f64,
-    },
+    /// Turn the gaze so that what is seen at a place is seen at another, and keep it there.
+    Turn(Turn),
     /// Multiply the field of view; what is seen at a place stays there.
     Zoom(Zoom),
     /// Hold the whole scene in the views.
@@ -101,6 +95,19 @@ pub enum Command {
     ToggleMaximised(Part),
     /// Close what can be closed, else leave what the window was made.
     Close,
+}
+
+/// A movement of the pointer that takes the scene along.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Turn {
+    /// In whose picture.
+    pub eye: Eye,
+    /// From where, in pixels from the top left corner.
+    pub from: [f64; 2],
+    /// To where.
+    pub to: [f64; 2],
+    /// Width and height of the picture, pixels.
+    pub size: [u32; 2],
 }
 
 /// A turn of the wheel over a picture.
@@ -166,7 +173,7 @@ impl State {
                 self.settings.motion.speed = self.settings.motion.speed.nudged(steps);
             }
             Command::Geometry(geometry) => self.settings.look.geometry = geometry,
-            Command::Turn { azimuth, elevation } => self.turn(azimuth, elevation),
+            Command::Turn(turn) => self.turn(turn),
             Command::Zoom(zoom) => self.zoom(zoom),
             Command::Frame => {
                 self.settings.look.gaze = GazeChoice::Whole;
@@ -275,12 +282,9 @@ impl State {
         }
     }
 
-    fn turn(&mut self, azimuth: f64, elevation: f64) {
-        let gaze = self.gaze();
-        self.stay_at(Gaze {
-            azimuth: gaze.azimuth + azimuth,
-            elevation: (gaze.elevation + elevation).clamp(-MAX_ELEVATION, MAX_ELEVATION),
-        });
+    fn turn(&mut self, turn: Turn) {
+        let camera = self.view(turn.eye, turn.size).camera;
+        self.stay_at(camera.gaze_with(camera.line_of_sight(turn.from), turn.to));
     }
 
     fn zoom(&mut self, zoom: Zoom) {

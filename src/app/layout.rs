@@ -204,9 +204,9 @@ pub struct Presentation {
 
 /// How much of the height and of the width the words take below presented views, and of their height the speed and the
 /// sentence do.
-const WORDS_SHARE: Vec2 = vec2(0.5, 0.32);
-const SPEED_SHARE: f32 = 0.3;
-const SENTENCE_SHARE: f32 = 0.36;
+const WORDS_SHARE: Vec2 = vec2(0.5, 0.34);
+const SPEED_SHARE: f32 = 0.27;
+const SENTENCE_SHARE: f32 = 0.39;
 
 impl Presentation {
     /// That in a window with this inner `area`, with writing `scale` times as large as usual.

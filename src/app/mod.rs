@@ -218,8 +218,8 @@ impl App {
     fn interact(&mut self, ui: &mut Ui, pane: Pane) {
         if let Content::Eye(eye) = pane.content {
             let pane = self.eye_pane(ui, eye, pane.rect);
-            self.panel(ui, eye.name(), pane.rect, |ui, state, asks| {
-                panels::views::interact(ui, state, pane, asks);
+            self.panel(ui, eye.name(), pane.rect, |ui, _, asks| {
+                panels::views::interact(ui, pane, asks);
             });
         }
     }

@@ -8,7 +8,7 @@ use relativity_core::{Curves, Model};
 use relativity_render::{Appearance, Colour, Geometry, Method, Shading};
 use serde::Serialize;
 
-use crate::flags::choices::{GazeChoice, Layout, RendererChoice, Size};
+use crate::flags::choices::{GazeChoice, Layout, ProjectionChoice, RendererChoice, Size, ZeroParallax};
 use crate::flags::{
     Exposure, FieldOfView, IntensityExponent, OnOff, ScreenWidth, Share, SpeedParameter, SpeedSetting,
     TimeRange, switch, temperature, whole_number, within,
@@ -18,7 +18,10 @@ use crate::units::Units;
 /// Largest separation, distance and height.
 pub const MAX_LENGTH: f64 = 1e6;
 
-/// Speed, aperture separation and path.
+/// How far the head can be tilted or turned, degrees.
+pub const HEAD_DEGREES: RangeInclusive<f64> = -180.0..=180.0;
+
+/// Speed, the eyes' places, and path.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Motion")]
@@ -27,9 +30,16 @@ pub struct Motion {
     #[command(flatten)]
     #[serde(flatten)]
     pub speed: SpeedSetting,
-    /// Separation of the eyes, which rest at x = -d/2 and +d/2.
+    /// Separation of the eyes, which rest at x = -d/2 and +d/2 if the head is neither tilted nor turned.
     #[arg(long, value_parser = within(0.0..=MAX_LENGTH), allow_hyphen_values = true)]
     pub d: f64,
+    /// By how much the head tilts, degrees: the right eye is the higher one above 0, straight above the left one at 90.
+    #[arg(long, value_name = "DEG", value_parser = within(HEAD_DEGREES), allow_hyphen_values = true)]
+    pub roll: f64,
+    /// By how much the head turns about the vertical, degrees: to the left above 0; at 90 the right eye is straight beyond
+    /// the left one, along y.
+    #[arg(long, value_name = "DEG", value_parser = within(HEAD_DEGREES), allow_hyphen_values = true)]
+    pub turn: f64,
     /// How much further away than the scene says it passes, along y.
     #[arg(long, value_name = "DY", value_parser = within(-MAX_LENGTH..=MAX_LENGTH), allow_hyphen_values = true)]
     pub depth_shift: f64,
@@ -42,14 +52,14 @@ impl Default for Motion {
     /// The paper's.
     fn default() -> Self {
         let speed = SpeedSetting::new(SpeedParameter::Beta, 0.9).expect("0.9 is a speed");
-        Self { speed, d: 0.1, depth_shift: 0.0, height_shift: 0.0 }
+        Self { speed, d: 0.1, roll: 0.0, turn: 0.0, depth_shift: 0.0, height_shift: 0.0 }
     }
 }
 
 /// Narrowest and widest field of view that can be set in the window, degrees.
 pub const FOV_DEGREES: RangeInclusive<f64> = 2.0..=150.0;
 
-/// Geometry, gaze and field of view.
+/// Geometry, gaze, field of view and projection.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Look")]
@@ -61,10 +71,17 @@ pub struct Look {
     /// azimuth (from +x towards +y; 90 is straight ahead) and elevation in degrees.
     #[arg(long, value_name = "whole|point|ahead|AZ,EL", allow_hyphen_values = true)]
     pub gaze: GazeChoice,
-    /// Horizontal field of view of each eye, degrees; `auto` shows the whole scene with a margin (usually 42 to 150), is 110
+    /// Horizontal field of view of each eye, degrees, as it would be straight ahead; `auto` shows the whole scene with a margin (usually 42 to 150), is 110
     /// straight ahead and else 60.
     #[arg(long, value_name = "auto|DEG", allow_hyphen_values = true)]
     pub fov: FieldOfView,
+    /// How directions become places in a picture. What is measured by them does not change.
+    #[arg(long, value_enum)]
+    pub projection: ProjectionChoice,
+    /// What is in the same place in both pictures of the parallel projection, and so at the depth of the screen: the
+    /// tracked point, what is infinitely far away, or what is this far ahead.
+    #[arg(long, value_name = "point|infinity|DISTANCE", allow_hyphen_values = true)]
+    pub zero_parallax: ZeroParallax,
 }
 
 /// The field of view that is used to show a point or a direction, degrees.

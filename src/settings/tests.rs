@@ -12,7 +12,7 @@ use super::*;
 use crate::files::exr::{self, Measurements};
 use crate::files::png;
 use crate::files::provenance::Provenance;
-use crate::flags::choices::{GazeChoice, Layout, RendererChoice, Size};
+use crate::flags::choices::{GazeChoice, Layout, ProjectionChoice, RendererChoice, Size, ZeroParallax};
 use crate::flags::{
     EXPOSURE_EV, Exposure, FieldOfView, IntensityExponent, MAX_TIME, SCREEN_CM, ScreenWidth, Share,
     SpeedParameter, SpeedSetting, TEMPERATURE_K, TimeRange,
@@ -42,10 +42,11 @@ fn motion() -> impl Strategy<Value = Motion> {
         (0.0..69.0).prop_map(|value| (SpeedParameter::Rapidity, value)),
     ];
     let length = || number(-MAX_LENGTH..=MAX_LENGTH);
-    (speed, number(0.0..=MAX_LENGTH), length(), length()).prop_map(
-        |((parameter, value), d, depth_shift, height_shift)| {
+    let angle = || number(HEAD_DEGREES);
+    (speed, number(0.0..=MAX_LENGTH), [angle(), angle()], [length(), length()]).prop_map(
+        |((parameter, value), d, [roll, turn], [depth_shift, height_shift])| {
             let speed = SpeedSetting::new(parameter, value).expect("in range");
-            Motion { speed, d, depth_shift, height_shift }
+            Motion { speed, d, roll, turn, depth_shift, height_shift }
         },
     )
 }
@@ -56,7 +57,17 @@ fn look() -> impl Strategy<Value = Look> {
     let followed = proptest::sample::select(vec![GazeChoice::Whole, GazeChoice::Point, GazeChoice::Ahead]);
     let gaze = prop_oneof![followed, fixed];
     let fov = proptest::option::of(1e-9..179.9).prop_map(FieldOfView);
-    (choice::<Geometry>(), gaze, fov).prop_map(|(geometry, gaze, fov)| Look { geometry, gaze, fov })
+    let distance = number(f64::MIN_POSITIVE..=f64::MAX).prop_map(ZeroParallax::Distance);
+    let zero_parallax = prop_oneof![Just(ZeroParallax::Point), Just(ZeroParallax::Infinity), distance];
+    (choice::<Geometry>(), gaze, fov, choice::<ProjectionChoice>(), zero_parallax).prop_map(
+        |(geometry, gaze, fov, projection, zero_parallax)| Look {
+            geometry,
+            gaze,
+            fov,
+            projection,
+            zero_parallax,
+        },
+    )
 }
 
 fn light() -> impl Strategy<Value = Light> {
@@ -338,6 +349,34 @@ fn a_picture_recorded_before_still_opens() {
     assert_eq!(settings.light.intensity_exponent, IntensityExponent(None));
     assert_eq!(settings.look.gaze, GazeChoice::Fixed([100.0, -3.5]));
     assert_eq!((settings.light.light, settings.picture.samples), (Daylight::Off, 2));
+    // Before there was another, the picture plane followed the gaze.
+    assert_eq!(settings.look.projection, ProjectionChoice::Gaze);
+    let settings = Settings::of_picture(command, "old.png").expect("it is right");
+    assert_eq!(settings.look.projection, ProjectionChoice::Gaze);
+    let told = format!("{command} --projection=parallel");
+    let settings = Settings::default().with_command(&told, "new.png").expect("it is right");
+    assert_eq!(settings.look.projection, ProjectionChoice::Parallel);
+}
+
+#[test]
+fn a_zero_parallax_is_a_distance_ahead() {
+    let parsed = |text: &str| text.parse::<ZeroParallax>();
+    assert_eq!(parsed("2.5"), Ok(ZeroParallax::Distance(2.5)));
+    for (text, expected) in [
+        ("0", "must be above 0; write `point`, `infinity`, or a distance"),
+        ("nan", "not a finite number; write `point`, `infinity`, or a distance"),
+        ("far", "not a number; write `point`, `infinity`, or a distance"),
+    ] {
+        assert_eq!(parsed(text), Err(expected.to_owned()));
+    }
+    // Diverging lines of sight, parallel ones, and eyes in one place.
+    for (separation, tangents) in
+        [(0.1, [0.0, 0.1]), (0.1, [0.3, 0.3]), (0.0, [0.2, 0.2]), (0.1, [f64::NAN; 2])]
+    {
+        assert_eq!(ZeroParallax::of_tangents(separation, tangents), ZeroParallax::Infinity);
+    }
+    assert_eq!(ZeroParallax::of_tangents(0.1, [0.02, -0.02]), ZeroParallax::Distance(2.5));
+    assert!((ZeroParallax::Distance(2.5).shift(0.1) - 0.04).abs() < 1e-15);
 }
 
 #[test]

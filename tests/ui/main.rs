@@ -10,6 +10,7 @@ mod groups;
 mod layouts;
 mod map;
 mod picking;
+mod presenting;
 mod quality;
 mod spacetime;
 mod start;
@@ -37,6 +38,7 @@ fn main() -> ExitCode {
         layouts::TESTS,
         map::TESTS,
         picking::TESTS,
+        presenting::TESTS,
         quality::TESTS,
         spacetime::TESTS,
         start::TESTS,

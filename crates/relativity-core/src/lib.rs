@@ -74,6 +74,7 @@ pub const MAX_ERROR_UNITS: f64 = 8.0;
 
 pub mod aberration;
 pub mod apparent;
+pub mod baseline;
 pub mod batch;
 mod batch_error;
 pub mod bootstrap;
@@ -94,6 +95,7 @@ pub mod stereo;
 pub mod threads;
 
 pub use apparent::{Aperture, Sighting, SourcePoint, sighting};
+pub use baseline::Baseline;
 pub use bootstrap::{Bootstrap, DEFAULT_REPLICATES, bootstrap, bootstrap_unless};
 pub use combined::{Combined, combined};
 pub use disparity::{Disparity, disparities, disparity};

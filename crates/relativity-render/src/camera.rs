@@ -25,7 +25,7 @@ pub const MAX_ELEVATION: f64 = 89.5 * std::f64::consts::PI / 180.0;
 /// use relativity_render::{Camera, Gaze};
 ///
 /// let (gaze, horizontal_fov) = (Gaze::STRAIGHT_AHEAD, std::f64::consts::FRAC_PI_2);
-/// let camera = Camera { aperture: Aperture::default(), gaze, horizontal_fov, size: [200, 100] };
+/// let camera = Camera::new(Aperture::default(), gaze, horizontal_fov, [200, 100]);
 /// let [u, v] = camera.pixel([1.0, 2.0, 0.0].into()).expect("in front of the camera");
 /// assert!((u - 150.0).abs() < 1e-9 && (v - 50.0).abs() < 1e-9);
 /// ```
@@ -42,6 +42,33 @@ pub struct Camera {
     pub horizontal_fov: f64,
     /// Width and height, pixels.
     pub size: [u32; 2],
+    /// From the middle between the two eyes, of which the aperture is one, to it.
+    pub off_middle: DVec3,
+    /// Where the picture plane lies.
+    pub projection: Projection,
+}
+
+/// Where the picture plane of a camera lies, and how directions are mapped to it.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Projection {
+    /// Across the gaze, the horizon level.
+    #[default]
+    Gaze,
+    /// Parallel to the baseline of two eyes, from which both pictures can be fused: the rows of the picture run along that,
+    /// and its axis is what of the gaze is across it. The gaze is in the middle of the picture all the same, which is sheared
+    /// for that, along its rows only: what both eyes see at one height above such a plane is in one row of both pictures.
+    Parallel {
+        /// Unit vector along the baseline, from the left eye to the right one.
+        right: DVec3,
+        /// By how many focal lengths the picture's content is moved to the right (this eye's image shift).
+        shift: f64,
+    },
+    /// Half of the sky, 180 degrees square, by its longitude and latitude about the direction across the baseline that is
+    /// nearest to the gaze, level. Drawn by the reference renderer alone.
+    Vr180 {
+        /// Unit vector along the baseline, from the left eye to the right one.
+        right: DVec3,
+    },
 }
 
 /// Unit vectors of a camera: right, up and forward.
@@ -87,15 +114,17 @@ impl Gaze {
 }
 
 impl Camera {
+    /// A camera with its picture plane across the gaze, one of two eyes on a line along x, the middle of which is at x = 0.
+    #[must_use]
+    pub fn new(aperture: Aperture, gaze: Gaze, horizontal_fov: f64, size: [u32; 2]) -> Self {
+        let off_middle = DVec3::X * aperture.x;
+        Self { aperture, gaze, horizontal_fov, size, off_middle, projection: Projection::Gaze }
+    }
+
     /// Distance from the pinhole to the picture plane, in pixels.
     #[must_use]
     pub fn focal_length_px(&self) -> f64 {
         0.5 * f64::from(self.size[0]) / tan(0.5 * self.horizontal_fov)
-    }
-
-    /// From the middle between the two eyes, of which it is one, to this one.
-    pub(crate) fn off_middle(&self) -> DVec3 {
-        DVec3::X * self.aperture.x
     }
 
     /// Unit vector from the aperture through the point `[u, v]` of the picture, in pixels.
@@ -181,12 +210,7 @@ mod tests {
     use std::f64::consts::FRAC_PI_2;
 
     fn camera() -> Camera {
-        Camera {
-            aperture: Aperture::default(),
-            gaze: Gaze { azimuth: FRAC_PI_2, elevation: 0.0 },
-            horizontal_fov: FRAC_PI_2,
-            size: [200, 100],
-        }
+        Camera::new(Aperture::default(), Gaze { azimuth: FRAC_PI_2, elevation: 0.0 }, FRAC_PI_2, [200, 100])
     }
 
     #[test]

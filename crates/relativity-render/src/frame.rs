@@ -104,7 +104,7 @@ impl Frame {
             [speed.beta(), speed.one_minus_beta(), 1.0 / speed.gamma(), speed.gamma()].map(|v| v as f32);
         let reflection = view.velocity.direction() as f32;
         let eye = if view.geometry == Geometry::OneCone {
-            view.velocity.direction() * camera.off_middle().x
+            view.velocity.direction() * camera.off_middle.x
         } else {
             0.0
         };

@@ -38,7 +38,7 @@ const HUE_TOLERANCE: f64 = 0.1;
 /// use relativity_render::{Camera, Gaze, Velocity};
 ///
 /// let (aperture, gaze) = (Aperture::default(), Gaze::STRAIGHT_AHEAD);
-/// let ground = Camera { aperture, gaze, horizontal_fov: 1.0, size: [80, 60] };
+/// let ground = Camera::new(aperture, gaze, 1.0, [80, 60]);
 /// let velocity = Velocity::from_beta(0.6)?;
 /// let rest = Rectification::rest_camera(&ground, &velocity);
 /// // The camera that moves along looks ahead to see the same: cos(azimuth) = beta.
@@ -179,12 +179,7 @@ mod tests {
     use relativity_core::Aperture;
 
     fn camera() -> Camera {
-        Camera {
-            aperture: Aperture::default(),
-            gaze: Gaze { azimuth: 2.2, elevation: 0.3 },
-            horizontal_fov: 1.0,
-            size: [120, 90],
-        }
+        Camera::new(Aperture::default(), Gaze { azimuth: 2.2, elevation: 0.3 }, 1.0, [120, 90])
     }
 
     fn rectification() -> Rectification {

@@ -192,7 +192,8 @@ fn with_one_light_cone_pictures_keep_the_bound(renderers: &mut Renderers) {
     let alone = (PreparedScene::moving(&still_life()), still_life());
     for (scene, bodies) in [alone, groups()] {
         for (view, x) in views().zip([-0.05, 0.5].into_iter().cycle()) {
-            let camera = Camera { aperture: Aperture { x, ..view.camera.aperture }, ..view.camera };
+            let aperture = Aperture { x, ..view.camera.aperture };
+            let camera = Camera { aperture, off_middle: DVec3::X * x, ..view.camera };
             let mut view = View { camera, geometry: Geometry::OneCone, ..view };
             let followed = view.apparent_position(FOLLOWED.into()).expect("inside the domain");
             view.camera.gaze = Gaze::along(followed.to_array());

@@ -94,12 +94,12 @@ pub fn view_following(rest: [f64; 3], speed: Speed, observation_time: f64, fov_d
     let aperture = Aperture::default();
     let seen = sighting(&speed, SourcePoint::from_rest(rest, &speed), aperture, observation_time);
     View {
-        camera: Camera {
+        camera: Camera::new(
             aperture,
-            gaze: Gaze::along(seen.expect("inside the domain").position),
-            horizontal_fov: fov_degrees.to_radians(),
-            size: [320, 240],
-        },
+            Gaze::along(seen.expect("inside the domain").position),
+            fov_degrees.to_radians(),
+            [320, 240],
+        ),
         speed,
         observation_time,
         geometry: Geometry::Seen,

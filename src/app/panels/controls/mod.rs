@@ -1,6 +1,7 @@
 //! The controls of motion, path and view, and the panel that holds them all.
 
 mod light;
+mod projection;
 mod screen;
 mod speed;
 
@@ -91,6 +92,7 @@ fn look(ui: &mut Ui, state: &State, asks: &mut Asks) {
     light_cones_row(ui, &mut look.geometry);
     gaze_row(ui, state, &mut look);
     field_of_view_rows(ui, state, &mut look, asks);
+    projection::show(ui, state, &mut look);
     more_rows(ui, state.settings.window, state.measures().time, asks);
     quality(ui, state.settings.quality, asks);
     if look != state.settings.look {
@@ -250,7 +252,7 @@ impl GazeMode {
             Self::Point => Look { gaze: GazeChoice::Point, ..look },
             Self::Ahead => Look { gaze: GazeChoice::Ahead, ..look },
             // The present field of view stays too.
-            Self::Stays => state.look(),
+            Self::Stays => Look { zero_parallax: look.zero_parallax, ..state.look() },
         }
     }
 }

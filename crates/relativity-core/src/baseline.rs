@@ -1,0 +1,93 @@
+//! Where the two eyes of a head are that is tilted or turned.
+
+use crate::apparent::Aperture;
+use crate::math;
+
+/// From the left to the right aperture of a pair.
+///
+/// # Examples
+///
+/// ```
+/// use relativity_core::{Aperture, Baseline};
+/// use std::f64::consts::FRAC_PI_2;
+///
+/// assert_eq!(Baseline::straight(0.1).apertures(), Aperture::pair(0.1));
+/// // A head laid on its left side: the right eye is above the left one.
+/// let [left, right] = Baseline { roll: FRAC_PI_2, ..Baseline::straight(2.0) }.apertures();
+/// assert_eq!([left, right], [Aperture { z: -1.0, ..left }, Aperture { x: 0.0, y: 0.0, z: 1.0 }]);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Baseline {
+    /// How far the apertures are apart.
+    pub separation: f64,
+    /// By how much the head tilts, radians: the right aperture is the higher one between 0 and pi.
+    pub roll: f64,
+    /// By how much the head turns about the vertical, radians: azimuths increase with it, to the left.
+    pub turn: f64,
+}
+
+impl Baseline {
+    /// The paper's: along x, the direction of motion.
+    #[must_use]
+    pub const fn straight(separation: f64) -> Self {
+        Self { separation, roll: 0.0, turn: 0.0 }
+    }
+
+    /// Its direction, a unit vector: (cos roll cos turn, cos roll sin turn, sin roll). What rounding leaves of 0 at a
+    /// multiple of a quarter turn is 0.
+    #[must_use]
+    pub fn direction(&self) -> [f64; 3] {
+        let ([sin_roll, cos_roll], [sin_turn, cos_turn]) =
+            (sine_and_cosine(self.roll), sine_and_cosine(self.turn));
+        [cos_roll * cos_turn, cos_roll * sin_turn, sin_roll]
+    }
+
+    /// Both apertures, left (primary) and right (secondary), from the middle between them.
+    #[must_use]
+    pub fn apertures(&self) -> [Aperture; 2] {
+        let half = self.separation / 2.0;
+        let [x, y, z] = self.direction().map(|along| half * along);
+        // 0 - 0 is 0, not -0.
+        [Aperture { x: 0.0 - x, y: 0.0 - y, z: 0.0 - z }, Aperture { x: 0.0 + x, y: 0.0 + y, z: 0.0 + z }]
+    }
+}
+
+fn sine_and_cosine(angle: f64) -> [f64; 2] {
+    let (sine, cosine) = math::sin_cos(angle);
+    let is_far_round = angle.abs() > 1.0;
+    [sine, cosine].map(|part| if is_far_round && part.abs() < f64::EPSILON { 0.0 } else { part })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quarter_turns_are_exact() {
+        let direction = |roll: f64, turn: f64| {
+            Baseline { separation: 1.0, roll: roll.to_radians(), turn: turn.to_radians() }.direction()
+        };
+        assert_eq!(direction(90.0, 0.0), [0.0, 0.0, 1.0]);
+        assert_eq!(direction(-90.0, 30.0), [0.0, 0.0, -1.0]);
+        assert_eq!(direction(0.0, 90.0), [0.0, 1.0, 0.0]);
+        assert_eq!(direction(0.0, -90.0), [0.0, -1.0, 0.0]);
+        assert_eq!(direction(0.0, 180.0), [-1.0, 0.0, 0.0]);
+        assert_eq!(direction(180.0, 0.0), [-1.0, 0.0, 0.0]);
+    }
+
+    #[test]
+    fn the_separation_is_its_length_whatever_the_direction() {
+        for roll in [-2.0, -0.3, 0.0, 0.7, 3.0] {
+            for turn in [-3.0, -1.2, 0.0, 0.4, 2.0] {
+                let baseline = Baseline { separation: 0.3, roll, turn };
+                let [left, right] = baseline.apertures();
+                let length = math::hypot(right.x - left.x, math::hypot(right.y - left.y, right.z - left.z));
+                assert!((length - 0.3).abs() < 1e-15, "{baseline:?}");
+                assert!(
+                    (right.z - left.z).signum() == math::sin(roll).signum() || roll == 0.0,
+                    "{baseline:?}"
+                );
+            }
+        }
+    }
+}
