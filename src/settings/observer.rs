@@ -164,17 +164,19 @@ impl Settings {
             GazeChoice::Point => self.gaze_at(&subject.tracked, observation_time),
             other => other.fixed().or(framing.map(|framing| framing.gaze)),
         };
-        let fitted = || framing.map_or(USUAL_FOV, |framing| framing.horizontal_fov(size).to_degrees());
-        let look = Look {
-            gaze: match self.look.gaze {
-                GazeChoice::Fixed(degrees) => GazeChoice::Fixed(degrees),
-                // Inside an aperture, and where nothing is, there is no direction to follow.
-                _ => GazeChoice::fixed_at(gaze.unwrap_or(Gaze::STRAIGHT_AHEAD)),
-            },
-            fov: FieldOfView(Some(self.look.set_fov().unwrap_or_else(fitted))),
-            ..self.look
+        // Inside an aperture, and where nothing is, there is no direction to follow.
+        let fixed_at = |gaze: Option<Gaze>| GazeChoice::fixed_at(gaze.unwrap_or(Gaze::STRAIGHT_AHEAD));
+        let gaze = match self.look.gaze {
+            GazeChoice::Fixed(degrees) => GazeChoice::Fixed(degrees),
+            _ => fixed_at(gaze),
         };
-        Look { zero_parallax: self.zero_parallax(&look, &subject.tracked, observation_time), ..look }
+        let zero_parallax =
+            self.zero_parallax(&Look { gaze, ..self.look }, &subject.tracked, observation_time);
+        let look = Look { gaze, zero_parallax, ..self.look };
+        let framing = framing.map(|framing| framing.shifted(self.shifts(&look)));
+        let fitted = || framing.map_or(USUAL_FOV, |framing| framing.horizontal_fov(size).to_degrees());
+        let fov = FieldOfView(Some(self.look.set_fov().unwrap_or_else(fitted)));
+        Look { gaze: framing.map_or(gaze, |framing| fixed_at(Some(framing.gaze))), fov, ..look }
     }
 
     /// Where the pictures of eyes with this `look`, whose gaze is fixed, have no parallax: a distance instead of `point`.
@@ -184,7 +186,7 @@ impl Settings {
             return look.zero_parallax;
         }
         let [camera, _] = self.cameras_with(look, [1, 1]);
-        let along_baseline = camera.axes().right.dot(self.baseline_direction());
+        let along_baseline = self.rows_along_baseline(look);
         let tangents = self.directions(point, observation_time).map(|direction| {
             let tangents = direction.and_then(|direction| camera.tangents(direction));
             // There is no place behind the picture plane.
@@ -247,23 +249,34 @@ impl Settings {
         let gaze = look.gaze.fixed().unwrap_or(Gaze::STRAIGHT_AHEAD);
         let horizontal_fov = look.set_fov().unwrap_or(USUAL_FOV).to_radians();
         let right = self.baseline_direction();
-        let half_shift = 0.5 * look.zero_parallax.shift(self.motion.d);
         let half_separation = 0.5 * self.motion.d;
-        let projection = |shift| match look.projection {
-            ProjectionChoice::Parallel => Projection::Parallel { right, shift },
-            ProjectionChoice::Gaze => Projection::Gaze,
-            ProjectionChoice::Vr180 => Projection::Vr180 { right },
-        };
-        let camera = |aperture, side: f64| {
-            let off_middle = right * (side * half_separation);
-            let plain = Camera::new(aperture, gaze, horizontal_fov, size);
-            let unshifted = Camera { off_middle, projection: projection(0.0), ..plain };
-            // What the left eye has further to the right comes together with what the right eye has.
-            let shift = side * half_shift * unshifted.axes().right.dot(right);
-            Camera { projection: projection(shift), ..unshifted }
+        let shifts = self.shifts(look);
+        let camera = |eye: usize, aperture, side: f64| Camera {
+            off_middle: right * (side * half_separation),
+            projection: match look.projection {
+                ProjectionChoice::Parallel => Projection::Parallel { right, shift: shifts[eye] },
+                ProjectionChoice::Gaze => Projection::Gaze,
+                ProjectionChoice::Vr180 => Projection::Vr180 { right },
+            },
+            ..Camera::new(aperture, gaze, horizontal_fov, size)
         };
         let [left, right] = self.apertures();
-        [camera(left, -1.0), camera(right, 1.0)]
+        [camera(0, left, -1.0), camera(1, right, 1.0)]
+    }
+
+    /// The image shifts of the left and the right eye's parallel pictures with this `look`: what the left eye has further to
+    /// the right comes together with what the right eye has.
+    fn shifts(&self, look: &Look) -> [f64; 2] {
+        let half = 0.5 * look.zero_parallax.shift(self.motion.d);
+        [-half, half].map(|shift| shift * self.rows_along_baseline(look))
+    }
+
+    /// 1 where the rows of parallel pictures run as the baseline does, -1 where they run against it, behind the head.
+    fn rows_along_baseline(&self, look: &Look) -> f64 {
+        let gaze = look.gaze.fixed().unwrap_or(Gaze::STRAIGHT_AHEAD);
+        let (right, plain) = (self.baseline_direction(), Camera::new(Aperture::default(), gaze, 1.0, [1, 1]));
+        let camera = Camera { projection: Projection::Parallel { right, shift: 0.0 }, ..plain };
+        camera.axes().right.dot(right).signum()
     }
 
     /// The cameras that took the pictures, `size` in pixels, with which these settings were recorded.

@@ -99,7 +99,7 @@ pub mod view;
 
 pub use body::{Body, Emission, Pattern, Shape};
 pub use camera::{Camera, Gaze, Projection};
-pub use gpu::{Gpu, GpuError};
+pub use gpu::{Gpu, GpuError, Undrawn};
 pub use group_view::{GroupView, RestRay};
 pub use light::received_intensity;
 pub use outline::{Framing, Outline};

@@ -11,10 +11,10 @@
 use std::sync::LazyLock;
 
 use relativity_core::doppler::intensity_factor;
-use relativity_core::math::{atan, tan};
+use relativity_core::math::atan;
 use relativity_core::threads::prelude::*;
 
-use crate::camera::{Camera, Gaze, LinesOfSight};
+use crate::camera::{Camera, Gaze, LinesOfSight, Projection};
 use crate::colour::{linear_srgb, mix, srgb_decoded};
 use crate::picture::{Picture, encoded};
 use crate::reference::sample_grid;
@@ -71,14 +71,17 @@ impl Rectification {
         Self { ground, rest, velocity, lines_of_sight: LinesOfSight::new(&rest) }
     }
 
-    /// The moving camera that has what `ground` has in its centre in its own, equally large.
+    /// The moving camera that has what `ground` has in its centre in its own, equally large, its picture across its gaze.
     #[must_use]
     pub fn rest_camera(ground: &Camera, velocity: &Velocity) -> Camera {
-        let centre = ground.gaze.axes().forward;
+        let to_centre = ground.to_centre();
+        // Beside the axis of a sheared picture all is larger: across the shear so many times.
+        let stretch = to_centre.length();
+        let centre = to_centre / stretch;
         let gaze = Gaze::along(velocity.rest_from_ground(centre).to_array());
         // Small angles are D times as large in the rest frame, so the focal length is 1/D times as long.
-        let half_width = tan(0.5 * ground.horizontal_fov) * velocity.doppler_factor(centre);
-        Camera { gaze, horizontal_fov: 2.0 * atan(half_width), ..*ground }
+        let half_width = ground.half_width() * velocity.doppler_factor(centre) / stretch;
+        Camera { gaze, horizontal_fov: 2.0 * atan(half_width), projection: Projection::Gaze, ..*ground }
     }
 
     /// The moving camera.

@@ -18,7 +18,7 @@ use crate::studio::Studio;
 /// time of emission, Doppler factor, ...), and with --frames a folder takes a sequence.
 ///
 /// With --projection vr180 a picture is half of the sky for a headset: both eyes side by side, each square (2048x2048 unless
-/// --size says another), without bar and letters, in a file whose name ends in _180x180_LR.png.
+/// --size says another), without bar and letters, in a file whose name ends in `_180x180_LR.png`.
 #[derive(Debug, Args)]
 #[command(after_long_help = EXAMPLES, mut_args(without_the_windows))]
 pub struct RenderArgs {
