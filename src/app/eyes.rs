@@ -101,6 +101,12 @@ impl EyePictures {
         }
     }
 
+    /// None yet, for another window of the same device.
+    #[must_use]
+    pub fn another(&self) -> Self {
+        Self::new(&self.render_state)
+    }
+
     /// The device they are drawn on.
     #[must_use]
     pub const fn gpu(&self) -> &Gpu {
@@ -132,6 +138,14 @@ impl EyePictures {
             reference.is_awaited = false;
         }
         self.picture_on_gpu(index, request)
+    }
+
+    /// Gives up all pictures, as nobody looks.
+    pub fn forget(&mut self) {
+        for EyePicture { texture, .. } in self.pictures.iter_mut().filter_map(Option::take) {
+            self.render_state.renderer.write().free_texture(&texture);
+        }
+        self.references = [None, None];
     }
 
     fn picture_on_gpu(&mut self, index: usize, request: &Request) -> Shown {

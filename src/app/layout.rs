@@ -226,6 +226,12 @@ impl Presentation {
     }
 }
 
+/// The views alone, in all of `area`.
+#[must_use]
+pub fn views(area: Rect, window: Window) -> Vec<Pane> {
+    large_enough(area).map_or_else(Vec::new, |views| panes(views, window))
+}
+
 /// How much of a `whole` a part has whose share is set, else `usual`: at least the first of `least`, and as long as there
 /// is room leaving the second.
 fn part(share: Share, whole: f32, usual: f32, [least, rest]: [f32; 2]) -> f32 {
