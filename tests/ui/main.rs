@@ -9,6 +9,7 @@ mod fit;
 mod groups;
 mod layouts;
 mod map;
+mod pairs;
 mod picking;
 mod presenting;
 mod quality;
@@ -37,6 +38,7 @@ fn main() -> ExitCode {
         groups::TESTS,
         layouts::TESTS,
         map::TESTS,
+        pairs::TESTS,
         picking::TESTS,
         presenting::TESTS,
         quality::TESTS,
