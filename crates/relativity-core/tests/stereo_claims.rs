@@ -46,7 +46,7 @@ fn doppler_factor(speed: &Speed, rest: Vector, time: f64) -> f64 {
 
 /// What eyes of this separation along the motion make of it.
 fn fused(speed: &Speed, rest: Vector, separation: f64, time: f64) -> Stereo {
-    stereo(speed, source(speed, rest), separation, time).expect("inside the domain")
+    stereo(speed, source(speed, rest), Aperture::pair(separation), time).expect("inside the domain")
 }
 
 /// The middle of the shortest connection of the lines of sight of two eyes, `baseline` from one to the other; how far
@@ -124,7 +124,7 @@ fn the_stereo_gain_is_gamma_d_for_eyes_that_are_close_together() {
 fn a_resting_point_has_gain_1_and_is_taken_to_be_where_it_is() {
     for separation in [0.0, 0.1, 5.0, 1e5] {
         let point = SourcePoint { x0: -3.0, y: 2.0, z: 1.0 };
-        let fused = stereo(&Speed::REST, point, separation, 4.0).expect("inside the domain");
+        let fused = stereo(&Speed::REST, point, Aperture::pair(separation), 4.0).expect("inside the domain");
         assert_eq!(fused.gain, 1.0);
         assert_alike(fused.position.into(), Vector::new(-3.0, 2.0, 1.0), 1e-10, "place");
     }
@@ -191,8 +191,10 @@ fn one_light_cone_leaves_the_width_scales_depth_by_d_and_shears() {
 fn with_one_light_cone_two_eyes_take_a_point_to_be_where_the_middle_sees_it() {
     for (speed, rest, time) in cases() {
         let point = source(&speed, rest);
-        let fused = Model::OneCone.stereo(&speed, point, 0.7, time).expect("inside the domain");
-        let both = Model::OneCone.disparity(&speed, point, 0.7, time).expect("inside the domain");
+        let fused =
+            Model::OneCone.stereo(&speed, point, Aperture::pair(0.7), time).expect("inside the domain");
+        let both =
+            Model::OneCone.disparity(&speed, point, Aperture::pair(0.7), time).expect("inside the domain");
         let [left, right] = [both.primary, both.secondary].map(|seen| Vector::from(seen.position));
         assert_close(fused.gain, (left.x - right.x) / 0.7, 1e-12, "gain");
         assert_eq!(Vector::from(fused.position), seen(&speed, rest, time));
@@ -321,9 +323,10 @@ fn a_published_model_has_no_stereo_position_and_says_so() {
     let speed = Speed::from_beta(0.9).expect("a speed");
     let point = SourcePoint { x0: 0.0, y: 3.0, z: 2.0 };
     let published = Model::Published(PublishedVariant::AppendixA);
-    let error = published.stereo(&speed, point, 0.1, 0.0).expect_err("it has none");
+    let pair = Aperture::pair(0.1);
+    let error = published.stereo(&speed, point, pair, 0.0).expect_err("it has none");
     assert_eq!(error, StereoError::Published(published));
     let said = "the model published has no stereo position: it measures both eyes' angles from the left eye";
     assert_eq!(error.to_string(), said);
-    assert_eq!(Model::Exact.stereo(&speed, point, 0.1, 0.0).ok(), stereo(&speed, point, 0.1, 0.0).ok());
+    assert_eq!(Model::Exact.stereo(&speed, point, pair, 0.0), stereo(&speed, point, pair, 0.0));
 }
