@@ -10,16 +10,13 @@ use serde::Serialize;
 
 use crate::flags::choices::{GazeChoice, Layout, RendererChoice, Size};
 use crate::flags::{
-    Exposure, FieldOfView, IntensityExponent, OnOff, SpeedParameter, SpeedSetting, TimeRange, switch,
-    temperature, whole_number, within,
+    Exposure, FieldOfView, HEAD_DEGREES, IntensityExponent, OnOff, SpeedParameter, SpeedSetting, TimeRange,
+    switch, temperature, whole_number, within,
 };
 use crate::units::Units;
 
 /// Largest separation, distance and height.
 pub const MAX_LENGTH: f64 = 1e6;
-
-/// How far the head can be tilted or turned, degrees.
-pub const HEAD_DEGREES: RangeInclusive<f64> = -180.0..=180.0;
 
 /// Speed, the eyes' places, and path.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Args)]

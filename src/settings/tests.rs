@@ -14,8 +14,8 @@ use crate::files::png;
 use crate::files::provenance::Provenance;
 use crate::flags::choices::{GazeChoice, Layout, RendererChoice, Size};
 use crate::flags::{
-    EXPOSURE_EV, Exposure, FieldOfView, IntensityExponent, MAX_TIME, SpeedParameter, SpeedSetting,
-    TEMPERATURE_K, TimeRange,
+    EXPOSURE_EV, Exposure, FieldOfView, HEAD_DEGREES, IntensityExponent, MAX_TIME, SpeedParameter,
+    SpeedSetting, TEMPERATURE_K, TimeRange,
 };
 use crate::units::Units;
 
