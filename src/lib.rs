@@ -6,6 +6,7 @@ pub mod app;
 pub mod caption;
 pub mod cli;
 pub mod columns;
+pub mod comfort;
 pub mod commands;
 pub mod estimate;
 mod eye_colours;

@@ -45,7 +45,7 @@ fn surface(scene: &Scene) -> Vec<DVec3> {
         let gaze = Gaze { azimuth, elevation };
         let place = extent.middle - gaze.axes().forward * (20.0 * extent.reach);
         let aperture = Aperture { x: place.x, y: place.y, z: place.z };
-        Camera { aperture, gaze, horizontal_fov: 0.101, size: [40, 40] }
+        Camera::new(aperture, gaze, 0.101, [40, 40])
     });
     let hits = cameras.flat_map(|camera| {
         let (speed, geometry) = (Speed::REST, Geometry::Seen);

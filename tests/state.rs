@@ -64,6 +64,56 @@ fn the_window_at_its_start_shows_what_is_rendered_to_the_last_digit() {
     }
 }
 
+/// Whatever is selected: with the zero parallax at the point it is at one place in both pictures, and everything is as
+/// high in one as in the other.
+#[test]
+fn in_parallel_pictures_the_selected_point_is_at_one_place_and_nothing_has_vertical_parallax() {
+    let mut settings = Settings { scene: "cyclist".to_owned(), ..Settings::default() };
+    let mut compared = 0;
+    for beta in [0.0, 0.3, 0.9, 0.99] {
+        settings.motion.speed = SpeedSetting::new(SpeedParameter::Beta, beta).expect("a speed");
+        for (d, gaze) in [(0.0, "whole"), (0.1, "whole"), (0.4, "point"), (0.4, "100,25")] {
+            settings.motion.d = d;
+            settings.look.gaze = gaze.parse().expect("a gaze");
+            for &geometry in Geometry::value_variants() {
+                settings.look.geometry = geometry;
+                let mut state = State::open(settings.clone()).expect("a preset");
+                for time in [-2.0, 0.7, 2.0, 3.6, 5.0] {
+                    state.apply(Command::Time(time));
+                    compared += assert_fusible(&state);
+                }
+            }
+        }
+    }
+    assert!(compared > 300, "{compared} pictures");
+}
+
+/// Whether the selected point is in front of both eyes of `state`; and that it is then at one place, unless its lines of
+/// sight diverge, as in the paper's model.
+fn assert_fusible(state: &State) -> usize {
+    let views = Eye::BOTH.map(|eye| state.view(eye, SIZE));
+    let place = |rest: [f64; 3]| {
+        let point = state.session.points.selected();
+        let track = Track { rest, ..point.track };
+        let [left, right] = state.settings.directions(&track, state.session.time);
+        Some([views[0].camera.pixel(left?)?, views[1].camera.pixel(right?)?])
+    };
+    let is_published = state.settings.look.geometry == Geometry::Published;
+    let rest = state.session.points.selected().track.rest;
+    let Some([left, right]) = place(rest) else { return 0 };
+    let context = (state.settings.look, state.session.time);
+    if state.settings.motion.d > 0.0 && !is_published {
+        assert!((left[0] - right[0]).abs() < 1e-6, "{left:?}, {right:?}: {context:?}");
+    }
+    if !is_published {
+        for rest in [rest, [0.3, 3.2, 1.4], [-1.0, 2.5, 2.5]] {
+            let Some([left, right]) = place(rest) else { continue };
+            assert!((left[1] - right[1]).abs() < 1e-6, "{left:?}, {right:?}: {context:?}");
+        }
+    }
+    1
+}
+
 /// The window's command line.
 #[derive(Debug, Parser)]
 struct Line {

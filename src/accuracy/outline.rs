@@ -6,8 +6,7 @@
 //! straight between the two.
 
 use glam::DVec2;
-use relativity_core::math;
-use relativity_render::{Camera, Gaze, Hit, HitImage, PreparedScene, View};
+use relativity_render::{Camera, Hit, HitImage, PreparedScene, View};
 
 /// Pixels of a strip.
 const STRIP: u32 = 256;
@@ -153,14 +152,7 @@ impl Strip {
     fn new(view: &View, point: &OutlinePoint, magnification: f64) -> Self {
         let axis = usize::from(point.outward.y.abs() > point.outward.x.abs());
         let size = [[STRIP, 1], [1, STRIP]][axis];
-        let focal_length_px = view.camera.focal_length_px() * magnification;
-        let line_of_sight = view.camera.line_of_sight(point.pixel.to_array());
-        let camera = Camera {
-            gaze: Gaze::along(line_of_sight.to_array()),
-            horizontal_fov: 2.0 * math::atan(0.5 * f64::from(size[0]) / focal_length_px),
-            size,
-            ..view.camera
-        };
+        let camera = view.camera.magnified(point.pixel.to_array(), size, magnification);
         let mut strip = Self { view: View { camera, ..*view }, point: *point, axis, reversed: false };
         strip.reversed = strip.outward_px(&view.camera, 0.5 * f64::from(STRIP)) < 0.0;
         strip
@@ -216,7 +208,7 @@ mod tests {
     use std::convert::Infallible;
 
     use relativity_core::{Aperture, Speed};
-    use relativity_render::{Body, Geometry, Shape};
+    use relativity_render::{Body, Gaze, Geometry, Shape};
 
     use super::*;
 
@@ -226,12 +218,7 @@ mod tests {
     }
 
     fn view() -> View {
-        let camera = Camera {
-            aperture: Aperture::default(),
-            gaze: Gaze::along([0.0, 1.0, 0.0]),
-            horizontal_fov: 1.0,
-            size: [160, 120],
-        };
+        let camera = Camera::new(Aperture::default(), Gaze::along([0.0, 1.0, 0.0]), 1.0, [160, 120]);
         View { camera, speed: Speed::REST, observation_time: 0.0, geometry: Geometry::Seen }
     }
 

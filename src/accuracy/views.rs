@@ -63,7 +63,7 @@ pub fn view_at(
     let observation_time = place.observation_time(&speed, point);
     let gaze = Gaze::along(sighting(&speed, point, aperture, observation_time)?.position);
     Ok(View {
-        camera: Camera { aperture, gaze, horizontal_fov, size },
+        camera: Camera::new(aperture, gaze, horizontal_fov, size),
         speed,
         observation_time,
         geometry: Geometry::Seen,

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Arg, Args};
 
+use super::stage::Stage;
 use super::state::State;
 use crate::flags::choices::sides;
 use crate::settings::{Settings, StartArgs};
@@ -18,6 +19,9 @@ pub struct WindowArgs {
     /// Start with T at rest (as it does anyway).
     #[arg(long)]
     paused: bool,
+    /// Start to present: on the whole screen, with large writing, and without controls.
+    #[arg(long)]
+    present: bool,
     /// Inner size of the window.
     #[arg(long, value_parser = size, value_name = "WIDTHxHEIGHT")]
     window_size: Option<[u32; 2]>,
@@ -46,6 +50,9 @@ impl WindowArgs {
     pub fn state(&self, left: Settings) -> anyhow::Result<State> {
         let mut state = State::open(self.start.settings(left)?)?;
         state.session.playing = self.play;
+        if self.present {
+            state.session.stage = Stage::presented();
+        }
         Ok(state)
     }
 

@@ -24,11 +24,15 @@ pub struct Beyond {
 impl Beyond {
     /// What lies along `direction` (any length above 0).
     fn new(name: String, camera: &Camera, direction: DVec3, point: Option<usize>) -> Self {
-        let axes = camera.gaze.axes();
-        let [right, up] = [axes.right, axes.up].map(|axis| direction.dot(axis));
+        let axes = camera.axes();
+        let [width, height] = camera.size.map(f64::from);
+        let middle = camera.line_of_sight([0.5 * width, 0.5 * height]);
+        // From where the middle's line of sight is as far in front of the eye, or behind it, on a plane like the picture.
+        let off = direction - middle * (direction.dot(axes.forward) / middle.dot(axes.forward));
+        let [right, up] = [axes.right, axes.up].map(|axis| off.dot(axis));
         // What is right behind is as near on either side.
         let towards = DVec3::new(right, -up, 0.0).try_normalize().unwrap_or(DVec3::X);
-        let degrees = direction.angle_between(axes.forward).to_degrees();
+        let degrees = direction.angle_between(middle).to_degrees();
         Self { name, degrees, towards: vec2(towards.x as f32, towards.y as f32), point }
     }
 

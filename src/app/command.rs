@@ -2,12 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
-use relativity_render::camera::MAX_ELEVATION;
 use relativity_render::{Camera, Gaze, Geometry};
 
 use super::clock;
 use super::observer::Eye;
+use super::stage::{Part, next_to_show};
 use super::state::{Session, State};
+use crate::comfort::comfortable_separation;
 use crate::flags::FieldOfView;
 use crate::flags::choices::{FileKind, GazeChoice};
 use crate::map::Viewpoint;
@@ -16,7 +17,7 @@ use crate::platform::files;
 use crate::scene::Track;
 use crate::settings::{
     Daylight, FOV_DEGREES, FitSetup, Frame, Light, Look, Map, Motion, Playback, Plots, Presence, Preset,
-    Quality, Settings, SettingsError, Window, looks_like_settings,
+    Quality, Screen, Settings, SettingsError, Window, looks_like_settings,
 };
 
 /// Something the user asked for.
@@ -42,6 +43,10 @@ pub enum Command {
     Fit(FitSetup),
     /// New layout or theme.
     Window(Window),
+    /// Another screen, or another place before it.
+    Screen(Screen),
+    /// Narrow the separation of the eyes until the views can be fused in comfort.
+    Narrow,
     /// Go to this T.
     Time(f64),
     /// Steps of the scrubber, forwards or back.
@@ -54,13 +59,8 @@ pub enum Command {
     NudgeSpeed(i32),
     /// Show this geometry.
     Geometry(Geometry),
-    /// Turn the gaze by these angles (radians) and keep it there.
-    Turn {
-        /// Towards larger azimuth.
-        azimuth: f64,
-        /// Upwards.
-        elevation: f64,
-    },
+    /// Turn the gaze so that what is seen at a place is seen at another, and keep it there.
+    Turn(Turn),
     /// Multiply the field of view; what is seen at a place stays there.
     Zoom(Zoom),
     /// Hold the whole scene in the views.
@@ -77,6 +77,8 @@ pub enum Command {
     Preset(&'static str),
     /// Show this state, all else as usual but for the parts of the window.
     State(&'static Preset),
+    /// Show what comes so many steps after what is shown.
+    ShowNext(i32),
     /// Show what is in a file: a scene, settings, or a picture with which settings it was made.
     Open(PathBuf),
     /// Show or hide the map.
@@ -85,8 +87,27 @@ pub enum Command {
     ToggleFrame,
     /// Show or hide the help.
     ToggleHelp,
-    /// Close what can be closed.
+    /// Take the whole screen, or leave it.
+    ToggleFullScreen,
+    /// Begin to present, or end it.
+    TogglePresenting,
+    /// Have a part alone in the window, or all others again.
+    ToggleMaximised(Part),
+    /// Close what can be closed, else leave what the window was made.
     Close,
+}
+
+/// A movement of the pointer that takes the scene along.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Turn {
+    /// In whose picture.
+    pub eye: Eye,
+    /// From where, in pixels from the top left corner.
+    pub from: [f64; 2],
+    /// To where.
+    pub to: [f64; 2],
+    /// Width and height of the picture, pixels.
+    pub size: [u32; 2],
 }
 
 /// A turn of the wheel over a picture.
@@ -140,6 +161,8 @@ impl State {
             Command::MapView(viewpoint) => self.session.map_view = viewpoint,
             Command::Fit(fit) => self.settings.fit = fit,
             Command::Window(window) => self.set_window(window),
+            Command::Screen(screen) => self.settings.screen = screen,
+            Command::Narrow => self.narrow(),
             Command::Time(time) => self.session.time = clock::bounded(time),
             Command::Step(steps) => self.step(steps),
             Command::TimeInRange(fraction) => {
@@ -150,7 +173,7 @@ impl State {
                 self.settings.motion.speed = self.settings.motion.speed.nudged(steps);
             }
             Command::Geometry(geometry) => self.settings.look.geometry = geometry,
-            Command::Turn { azimuth, elevation } => self.turn(azimuth, elevation),
+            Command::Turn(turn) => self.turn(turn),
             Command::Zoom(zoom) => self.zoom(zoom),
             Command::Frame => {
                 self.settings.look.gaze = GazeChoice::Whole;
@@ -162,7 +185,12 @@ impl State {
             Command::RemovePoint(index) => self.session.points.remove(index),
             Command::Preset(name) => self.show(self.with_scene(name.to_owned())),
             Command::State(preset) => {
-                self.show(Settings { window: self.settings.window, ..preset.settings.clone() });
+                self.show(preset.settings.clone().in_place_of(&self.settings));
+            }
+            Command::ShowNext(steps) => {
+                if let Some(preset) = next_to_show(self.session.preset, steps) {
+                    self.apply(Command::State(preset));
+                }
             }
             Command::Open(path) => match self.settings_in(&path) {
                 Ok(settings) => self.show(settings),
@@ -180,9 +208,33 @@ impl State {
                 self.set_map(Map { frame, ..self.settings.map });
             }
             Command::ToggleHelp => self.session.help = !self.session.help,
-            Command::Close => {
-                self.session.help = false;
-                self.session.notice = None;
+            Command::ToggleFullScreen => self.session.stage.full_screen = !self.session.stage.full_screen,
+            Command::TogglePresenting => self.session.stage.toggle_presenting(),
+            Command::ToggleMaximised(part) => self.session.stage.toggle_maximised(part),
+            Command::Close => self.close(),
+        }
+    }
+
+    fn close(&mut self) {
+        let Session { help, notice, stage, .. } = &mut self.session;
+        if *help || notice.is_some() {
+            (*help, *notice) = (false, None);
+        } else {
+            stage.leave();
+        }
+    }
+
+    fn narrow(&mut self) {
+        let wide = self.settings.motion.d;
+        match comfortable_separation(wide, |d| self.comfort(d)) {
+            Some(d) if d < wide => {
+                self.settings.motion.d = d;
+                self.session.narrowed = Some([wide, d]);
+            }
+            Some(_) => {}
+            None => {
+                self.session.notice =
+                    Some("No separation of the eyes makes these views comfortable.".to_owned());
             }
         }
     }
@@ -230,12 +282,9 @@ impl State {
         }
     }
 
-    fn turn(&mut self, azimuth: f64, elevation: f64) {
-        let gaze = self.gaze();
-        self.stay_at(Gaze {
-            azimuth: gaze.azimuth + azimuth,
-            elevation: (gaze.elevation + elevation).clamp(-MAX_ELEVATION, MAX_ELEVATION),
-        });
+    fn turn(&mut self, turn: Turn) {
+        let camera = self.view(turn.eye, turn.size).camera;
+        self.stay_at(camera.gaze_with(camera.line_of_sight(turn.from), turn.to));
     }
 
     fn zoom(&mut self, zoom: Zoom) {
@@ -280,7 +329,7 @@ impl State {
         if is_scene {
             return Ok(self.with_scene(path.to_string_lossy().into_owned()));
         }
-        Settings { window: self.settings.window, ..Settings::default() }.with_file(path)
+        Settings::default().in_place_of(&self.settings).with_file(path)
     }
 
     /// Shows what `settings` say; where their scene cannot be had, a message. T runs on unless they give one.
@@ -289,9 +338,10 @@ impl State {
         match Self::open(settings) {
             Ok(state) => {
                 let playing = self.session.playing && !starts_at_a_time;
-                let Session { picture_size, shows_map, .. } = self.session;
-                *self =
-                    Self { session: Session { playing, picture_size, shows_map, ..state.session }, ..state };
+                let Session { picture_size, cm_per_pixel, stage, shows_map, .. } = self.session;
+                let session =
+                    Session { playing, picture_size, cm_per_pixel, stage, shows_map, ..state.session };
+                *self = Self { session, ..state };
             }
             Err(error) => self.session.notice = Some(error.to_string()),
         }

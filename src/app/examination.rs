@@ -240,7 +240,7 @@ fn examined(
         found.push(error);
     }
     let map = |((eye, view), error): (&(Eye, View), &ExpectedError)| {
-        (*eye, heat_map::image(&error.difference, view.camera.focal_length_px()))
+        (*eye, heat_map::image(&error.difference, view.camera.px_per_radian()))
     };
     let maps = views.iter().zip(&found).map(map).collect();
     Ok(Some((Figures::of(&found), maps)))

@@ -1,10 +1,13 @@
 //! Where the parts of the window lie. A pure function of its size, so that the parts can be run in the
 //! order in which they depend on each other: controls first, then what follows them in the same frame.
 
-use eframe::egui::{Rect, Vec2, pos2, vec2};
+use eframe::egui::{Pos2, Rect, Vec2, pos2, vec2};
 
+use super::border::{Border, Split};
 use super::observer::Eye;
+use super::stage::Part;
 use super::theme::{GAP, TITLE_HEIGHT};
+use crate::flags::Share;
 use crate::settings::{PlotTab, Presence, Window};
 
 /// What can stand in a pane. One more is a variant and a line in [`Self::shown`], its switch among the settings of the
@@ -59,6 +62,8 @@ pub struct Layout {
     pub map: Option<Rect>,
     /// Curves over T.
     pub plots: Option<Rect>,
+    /// What can be dragged to make one part larger and another smaller.
+    pub borders: Vec<Border>,
 }
 
 const BAR_HEIGHT: f32 = 38.0;
@@ -74,7 +79,9 @@ const READOUT_HEIGHTS: [f32; 2] = [274.0, 345.0];
 const CONTROLS_HEIGHT: f32 = 446.0;
 /// Height of its title and what two eyes make of the point alone.
 const FOLDED_READOUT_HEIGHT: f32 = 86.0;
+/// Width of the controls, of which all is in sight, and the least that a share of theirs leaves to the rest.
 const SIDE_WIDTH: f32 = 332.0;
+const CENTRE_WIDTH: f32 = 280.0;
 /// Narrower windows than this have no room for the controls beside the views.
 const NARROWEST_WITH_CONTROLS: f32 = 560.0;
 /// Lowest plots and views of use.
@@ -90,8 +97,11 @@ const SHARED_STRIP: Vec2 = vec2(900.0, 280.0);
 const SMALLEST_MAP: Vec2 = vec2(440.0, 240.0);
 /// Least width of a tab that has a table beside its plots.
 const TABLE_AND_PLOTS_WIDTH: f32 = 660.0;
-/// How much of a shared strip the map takes.
+/// How much of a shared strip the map takes, and the least width of it and of the plots beside it.
 const MAP_SHARE: f32 = 0.42;
+const NARROWEST_IN_STRIP: f32 = 240.0;
+/// Width of what of a border can be grabbed.
+const BORDER_WIDTH: f32 = 7.0;
 
 impl Layout {
     /// Whether `content` has a pane.
@@ -105,13 +115,17 @@ impl Layout {
     pub fn of(area: Rect, window: Window, tab: PlotTab) -> Self {
         let (bar, below) = split_top(area, BAR_HEIGHT);
         let with_side = window.controls && area.width() >= NARROWEST_WITH_CONTROLS;
-        let (centre, side) = if with_side { split_right(below, SIDE_WIDTH) } else { (below, None) };
+        let side_width = part(window.side_share, area.width(), SIDE_WIDTH, [SIDE_WIDTH, CENTRE_WIDTH]);
+        let (centre, side) = if with_side { split_right(below, side_width) } else { (below, None) };
         let (controls, readout) = side.map_or((None, None), |side| side_parts(side, window.readout));
         let without_words = (centre.height() - TIMELINE_HEIGHT).max(0.0);
         let words = words_heights(centre.width(), without_words, window);
         let free = without_words - words.iter().sum::<f32>();
-        let strip_height = (free * PLOTS_SHARE).max(PLOTS_HEIGHT.min(0.5 * free));
-        let below = Below::of(vec2(centre.width(), strip_height), window, tab);
+        let usual_height = (free * PLOTS_SHARE).max(PLOTS_HEIGHT.min(0.5 * free));
+        let strip_height = part(window.strip_share, free, usual_height, [LOWEST; 2]);
+        // What stands in a strip does not change while its border is dragged, unless it becomes too low for any of it.
+        let room = if strip_height >= 1.5 * LOWEST { strip_height.max(usual_height) } else { strip_height };
+        let below = Below::of(vec2(centre.width(), room), window, tab);
         let map_above = !window.views && window.map != Presence::Off;
         let upper_height = match (window.views || map_above, below) {
             (true, Below::Nothing) => free,
@@ -123,7 +137,15 @@ impl Layout {
         let (spectrum, rest) = split_top(rest, words[0]);
         let (sentence, rest) = split_top(rest, words[1]);
         let (timeline, lower) = split_top(rest, TIMELINE_HEIGHT);
-        let [map, plots] = below.parts(lower);
+        let [map, plots] = below.parts(lower, window.map_share);
+        let borders = [
+            side.map(|side| upright(Split::Side, side.left_top(), side.height(), [area.max.x, area.min.x])),
+            (upper.height() > 0.0 && lower.height() > 0.0)
+                .then(|| level(Split::Strip, lower, [lower.max.y, lower.max.y - free])),
+            map.zip(plots).map(|(_, plots)| {
+                upright(Split::Map, plots.left_top(), plots.height(), [lower.min.x, lower.max.x])
+            }),
+        ];
         let shown = |rect: Rect| (rect.height() > 0.0).then(|| rect.shrink2(vec2(GAP / 2.0, 0.0)));
         let views = large_enough(upper).filter(|_| window.views);
         Self {
@@ -136,7 +158,93 @@ impl Layout {
             timeline,
             map: if map_above { Some(upper) } else { map }.and_then(large_enough),
             plots: plots.and_then(large_enough),
+            borders: borders.into_iter().flatten().collect(),
         }
+    }
+
+    /// This layout of a window with this inner `area`, with nothing but `part` between the bar and the timeline; as it is
+    /// where that has no place.
+    #[must_use]
+    pub fn with_only(self, area: Rect, part: Option<Part>) -> Self {
+        let (bar, below) = split_top(area, BAR_HEIGHT);
+        let (middle, timeline) = split_top(below, below.height() - TIMELINE_HEIGHT);
+        let pane = |number: usize, rect: Rect| {
+            let rect = rect.with_min_y((rect.min.y + TITLE_HEIGHT).min(rect.max.y));
+            self.panes.get(number).map(|pane| Pane { rect, ..*pane })
+        };
+        let alone = |rect: Rect| {
+            let (panes, map, plots) = match part? {
+                Part::Pane(number) => (vec![pane(number, rect)?], None, None),
+                Part::Map => (Vec::new(), self.map.map(|_| rect), None),
+                Part::Plots => (Vec::new(), None, self.plots.map(|_| rect)),
+            };
+            let is_there = !panes.is_empty() || map.is_some() || plots.is_some();
+            is_there.then_some((panes, map, plots))
+        };
+        let Some((panes, map, plots)) = large_enough(middle).and_then(alone) else { return self };
+        let (controls, readout, spectrum, sentence) = (None, None, None, None);
+        Self { bar, controls, readout, panes, spectrum, sentence, timeline, map, plots, borders: Vec::new() }
+    }
+}
+
+/// What is shown to an audience: the views, and below them the speed and what it is all about beside one plot.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Presentation {
+    /// The views.
+    pub panes: Vec<Pane>,
+    /// The speed, large.
+    pub speed: Rect,
+    /// The moment in a sentence.
+    pub sentence: Rect,
+    /// What is shown and why.
+    pub caption: Rect,
+    /// One plot.
+    pub plot: Option<Rect>,
+}
+
+/// How much of the height and of the width the words take below presented views, and of their height the speed and the
+/// sentence do.
+const WORDS_SHARE: Vec2 = vec2(0.5, 0.32);
+const SPEED_SHARE: f32 = 0.3;
+const SENTENCE_SHARE: f32 = 0.36;
+
+impl Presentation {
+    /// That in a window with this inner `area`, with writing `scale` times as large as usual.
+    #[must_use]
+    pub fn of(area: Rect, window: Window, scale: f32) -> Self {
+        let (upper, lower) = split_top(area, (1.0 - WORDS_SHARE.y) * area.height());
+        let (words, plot) = split_left(lower, WORDS_SHARE.x * lower.width());
+        let words = words.shrink((2.0 * GAP).min(0.1 * words.height()));
+        let (speed, rest) = split_top(words, SPEED_SHARE * words.height());
+        let (sentence, caption) = split_top(rest, SENTENCE_SHARE * words.height());
+        let mut panes = large_enough(upper).map_or_else(Vec::new, |views| panes(views, window));
+        for Pane { rect, .. } in &mut panes {
+            // Its title is larger, too.
+            rect.min.y = (rect.min.y + (scale - 1.0) * TITLE_HEIGHT).min(rect.max.y);
+        }
+        Self { panes, speed, sentence, caption, plot: large_enough(plot) }
+    }
+}
+
+/// How much of a `whole` a part has whose share is set, else `usual`: at least the first of `least`, and as long as there
+/// is room leaving the second.
+fn part(share: Share, whole: f32, usual: f32, [least, rest]: [f32; 2]) -> f32 {
+    let Some(share) = share.0 else { return usual };
+    (share as f32 * whole).clamp(least, (whole - rest).max(least))
+}
+
+/// An upright border that begins at `top`; the share is 0 and 1 where x is at the `ends`.
+fn upright(split: Split, top: Pos2, height: f32, ends: [f32; 2]) -> Border {
+    let middle = top + vec2(0.0, 0.5 * height);
+    Border { split, rect: Rect::from_center_size(middle, vec2(BORDER_WIDTH, height)), ends }
+}
+
+/// The border above `lower`; the share is 0 and 1 where y is at the `ends`.
+fn level(split: Split, lower: Rect, ends: [f32; 2]) -> Border {
+    Border {
+        split,
+        rect: Rect::from_center_size(lower.center_top(), vec2(lower.width(), BORDER_WIDTH)),
+        ends,
     }
 }
 
@@ -167,9 +275,10 @@ impl Below {
         }
     }
 
-    /// Where in `strip` the map and the plots are.
-    fn parts(self, strip: Rect) -> [Option<Rect>; 2] {
-        let (left, right) = split_left(strip, MAP_SHARE * strip.width());
+    /// Where in `strip` the map and the plots are, of which the map takes this `share`.
+    fn parts(self, strip: Rect, share: Share) -> [Option<Rect>; 2] {
+        let width = part(share, strip.width(), MAP_SHARE * strip.width(), [NARROWEST_IN_STRIP; 2]);
+        let (left, right) = split_left(strip, width);
         match self {
             Self::Nothing => [None, None],
             Self::Plots => [None, Some(strip)],
@@ -297,30 +406,132 @@ mod tests {
         assert!(map.width() >= 780.0 && map.height() >= 470.0, "{map:?}");
     }
 
+    /// Where the parts are.
+    fn parts(layout: &Layout) -> Vec<Rect> {
+        let singles =
+            [layout.controls, layout.readout, layout.map, layout.plots, layout.spectrum, layout.sentence];
+        let always = [layout.bar, layout.timeline].into_iter();
+        always.chain(singles.into_iter().flatten()).chain(layout.panes.iter().map(|pane| pane.rect)).collect()
+    }
+
+    fn assert_apart(parts: &[Rect], size: [f32; 2]) {
+        let window = Rect::from_min_size(pos2(0.0, 0.0), size.into());
+        for (i, a) in parts.iter().enumerate() {
+            assert!(window.expand(1e-3).contains_rect(*a), "{size:?}: {a:?}");
+            for b in &parts[i + 1..] {
+                let overlap = a.intersect(*b);
+                assert!(overlap.width() <= 1e-3 || overlap.height() <= 1e-3, "{size:?}: {a:?} {b:?}");
+            }
+        }
+    }
+
+    const SIZES: [[f32; 2]; 8] = [
+        [1.0, 1.0],
+        [100.0, 50.0],
+        [400.0, 300.0],
+        [561.0, 321.0],
+        [800.0, 600.0],
+        [1024.0, 600.0],
+        [1920.0, 1080.0],
+        [3840.0, 2160.0],
+    ];
+
     #[test]
     fn parts_stay_inside_the_window_and_do_not_overlap() {
-        for size in [[1.0, 1.0], [100.0, 50.0], [400.0, 300.0], [1024.0, 600.0], [3840.0, 2160.0]] {
-            let layout = layout(size[0], size[1]);
-            let window = Rect::from_min_size(pos2(0.0, 0.0), vec2(size[0], size[1]));
-            let parts: Vec<Rect> = [Some(layout.bar), Some(layout.timeline)]
-                .into_iter()
-                .chain([
-                    layout.controls,
-                    layout.readout,
-                    layout.map,
-                    layout.plots,
-                    layout.spectrum,
-                    layout.sentence,
-                ])
-                .chain(layout.panes.iter().map(|pane| Some(pane.rect)))
-                .flatten()
-                .collect();
-            for (i, a) in parts.iter().enumerate() {
-                assert!(window.contains_rect(*a), "{size:?}: {a:?}");
-                for b in &parts[i + 1..] {
-                    let overlap = a.intersect(*b);
-                    assert!(overlap.width() <= 0.0 || overlap.height() <= 0.0, "{size:?}: {a:?} {b:?}");
+        for size in SIZES {
+            assert_apart(&parts(&layout(size[0], size[1])), size);
+        }
+    }
+
+    #[test]
+    fn no_share_pushes_a_part_out_or_into_another() {
+        let shares = [None, Some(0.0), Some(1e-9), Some(0.1), Some(0.5), Some(0.9), Some(1.0)].map(Share);
+        for size in SIZES {
+            for side_share in shares {
+                for strip_share in shares {
+                    for map_share in shares {
+                        let window = Window {
+                            side_share,
+                            strip_share,
+                            map_share,
+                            map: Presence::On,
+                            ..Window::default()
+                        };
+                        let layout = of(size, window);
+                        assert_apart(&parts(&layout), size);
+                        let usual = of(size, Window { map: Presence::On, ..Window::default() });
+                        assert!(layout.panes.is_empty() == usual.panes.is_empty(), "{size:?}");
+                        for border in &layout.borders {
+                            assert!(border.rect.is_finite(), "{border:?}");
+                        }
+                    }
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn a_border_that_is_dragged_stands_at_the_pointer() {
+        let size = [1600.0, 1000.0];
+        let all = of(size, Window::default()).borders;
+        assert_eq!(
+            all.iter().map(|border| border.split).collect::<Vec<_>>(),
+            [Split::Side, Split::Strip, Split::Map]
+        );
+        for border in all {
+            let there = border.rect.center() + vec2(-40.0, 30.0);
+            let dragged = of(size, border.split.with(Window::default(), border.share_at(there)));
+            let now = dragged.borders.into_iter().find(|now| now.split == border.split).expect("still there");
+            let off = now.rect.center() - there;
+            let off = if border.split.is_upright() { off.x } else { off.y };
+            assert!(off.abs() < 1.0, "{border:?} {now:?}");
+        }
+    }
+
+    #[test]
+    fn one_part_alone_has_all_between_bar_and_timeline() {
+        for size in SIZES {
+            let area = Rect::from_min_size(pos2(0.0, 0.0), size.into());
+            for part in [Part::Pane(0), Part::Pane(1), Part::Map, Part::Plots, Part::Pane(9)] {
+                let usual = of(size, Window { map: Presence::On, ..Window::default() });
+                let alone = usual.clone().with_only(area, Some(part));
+                assert_apart(&parts(&alone), size);
+                if alone == usual {
+                    continue;
+                }
+                let shown = [alone.map, alone.plots]
+                    .into_iter()
+                    .flatten()
+                    .chain(alone.panes.iter().map(|pane| pane.rect));
+                let [shown] = shown.collect::<Vec<_>>()[..] else { panic!("{part:?}") };
+                assert!(
+                    shown.width() > size[0] - 20.0 && shown.height() > size[1] - 160.0,
+                    "{size:?} {part:?}"
+                );
+            }
+        }
+        assert_ne!(
+            layout(800.0, 600.0)
+                .with_only(Rect::from_min_size(Pos2::ZERO, vec2(800.0, 600.0)), Some(Part::Plots)),
+            layout(800.0, 600.0)
+        );
+    }
+
+    #[test]
+    fn an_audience_has_all_parts_apart_and_large() {
+        for size in SIZES {
+            let shown =
+                Presentation::of(Rect::from_min_size(Pos2::ZERO, size.into()), Window::default(), 1.6);
+            let words = [shown.speed, shown.sentence, shown.caption];
+            let all: Vec<Rect> =
+                words.into_iter().chain(shown.plot).chain(shown.panes.iter().map(|pane| pane.rect)).collect();
+            assert_apart(&all, size);
+            if size[0] >= 800.0 {
+                assert!(shown.panes.len() == 2 && shown.plot.is_some());
+                assert!(
+                    words.iter().all(|words| words.width() > 300.0 && words.height() > 40.0),
+                    "{words:?}"
+                );
             }
         }
     }

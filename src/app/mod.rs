@@ -7,6 +7,7 @@
 pub mod args;
 mod background_picture;
 pub mod beyond;
+pub mod border;
 pub mod clock;
 pub mod command;
 pub mod corrected;
@@ -15,7 +16,9 @@ pub mod dial;
 pub mod examination;
 mod eyes;
 pub mod fitting;
+mod full_screen;
 mod graphics;
+mod halo;
 mod heat_map;
 mod icon;
 pub mod launch;
@@ -27,6 +30,7 @@ pub mod points;
 mod screenshot;
 mod shortcuts;
 mod speed_slider;
+pub mod stage;
 pub mod state;
 mod stillness;
 mod theme;
@@ -43,9 +47,11 @@ use curves::{Curves, CurvesKey};
 use examination::{Examination, Sight};
 use eyes::EyePictures;
 use fitting::Fitting;
-use layout::{Content, Layout, Pane};
+use full_screen::FullScreen;
+use layout::{Content, Layout, Pane, Presentation};
 use observer::Eye;
 use panels::{Asks, plots::Plotted, views::EyePane};
+use stage::Part;
 use state::State;
 
 use crate::settings::{PlotTab, Settings};
@@ -58,7 +64,12 @@ pub struct App {
     corrected: Option<Corrected>,
     examination: Option<Examination>,
     eyes: Option<EyePictures>,
+    full_screen: FullScreen,
+    text_scale: f32,
 }
+
+/// How much larger than usual writing is for an audience.
+const PRESENTED_SCALE: f32 = 1.6;
 
 impl App {
     /// The window's content in `state`; without `render_state` there are no views.
@@ -72,6 +83,8 @@ impl App {
             corrected: None,
             examination: None,
             eyes: render_state.map(EyePictures::new),
+            full_screen: FullScreen::default(),
+            text_scale: 1.0,
         }
     }
 
@@ -205,8 +218,8 @@ impl App {
     fn interact(&mut self, ui: &mut Ui, pane: Pane) {
         if let Content::Eye(eye) = pane.content {
             let pane = self.eye_pane(ui, eye, pane.rect);
-            self.panel(ui, eye.name(), pane.rect, |ui, state, asks| {
-                panels::views::interact(ui, state, pane, asks);
+            self.panel(ui, eye.name(), pane.rect, |ui, _, asks| {
+                panels::views::interact(ui, pane, asks);
             });
         }
     }
@@ -261,10 +274,38 @@ impl App {
         asks.extend(dropped_file(&ctx));
         panels::help::show(&ctx, &self.state, &mut asks);
         self.apply(&ctx, asks);
+        self.set_stage(&ctx);
 
         let area = ui.max_rect();
         ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
+        if self.state.session.stage.is_presented() {
+            self.show_presented(ui, area);
+        } else {
+            self.show_parts(ui, area);
+        }
+        if self.state.session.playing {
+            ctx.request_repaint();
+        }
+    }
+
+    /// Has the system and the writing follow what is made of the window, and notes what of its screen counts.
+    fn set_stage(&mut self, ctx: &egui::Context) {
+        let State { settings, session } = &mut self.state;
+        session.stage.full_screen = self.full_screen.update(ctx, session.stage.full_screen);
+        let scale = if session.stage.is_presented() { PRESENTED_SCALE } else { 1.0 };
+        if scale != self.text_scale {
+            self.text_scale = scale;
+            theme::scale_text(ctx, scale);
+        }
+        let width = ctx.input(|input| input.viewport().monitor_size).map(|size| f64::from(size.x));
+        session.cm_per_pixel = settings.screen.cm_per_point(width) / f64::from(ctx.pixels_per_point());
+    }
+
+    /// Shows all the parts that there is room for.
+    fn show_parts(&mut self, ui: &mut Ui, area: Rect) {
+        let ctx = ui.ctx().clone();
         let layout = Layout::of(area, self.state.settings.window, self.state.settings.plots.plot);
+        let layout = layout.with_only(area, self.state.session.stage.maximised);
         self.measure_pictures(ui, &layout.panes);
         self.state.session.shows_map = layout.map.is_some();
         let inset = |rect: Rect| rect.shrink2(egui::vec2(theme::GAP, theme::GAP / 2.0));
@@ -273,6 +314,7 @@ impl App {
             self.panel(ui, "controls", inset(rect), panels::controls::show);
         }
         self.panel(ui, "timeline", inset(layout.timeline), panels::timeline::show);
+        self.titles(ui, &layout);
         for &pane in &layout.panes {
             self.interact(ui, pane);
         }
@@ -301,9 +343,53 @@ impl App {
         if let Some(rect) = layout.sentence {
             self.panel(ui, "sentence", rect, |ui, state, _| panels::sentence::show(ui, state));
         }
+        for &border in &layout.borders {
+            self.panel(ui, "borders", area, |ui, state, asks| panels::borders::show(ui, state, border, asks));
+        }
         self.corrected.take_if(|_| !layout.shows(Content::Corrected));
-        if self.state.session.playing {
-            ctx.request_repaint();
+    }
+
+    /// Shows the views, one plot and the words, large.
+    fn show_presented(&mut self, ui: &mut Ui, area: Rect) {
+        let presentation = Presentation::of(area, self.state.settings.window, self.text_scale);
+        self.measure_pictures(ui, &presentation.panes);
+        self.fitting.rest();
+        self.update_examination(ui, &presentation.panes, false);
+        for &pane in &presentation.panes {
+            self.interact(ui, pane);
+        }
+        if let Some(rect) = presentation.plot {
+            self.update_curves();
+            let curves = std::mem::take(&mut self.curves);
+            self.panel(ui, "plots", rect, |ui, state, asks| {
+                panels::plots::show_one(ui, state, &curves, asks);
+            });
+            self.curves = curves;
+        }
+        for &pane in &presentation.panes {
+            self.paint(ui, pane);
+        }
+        self.panel(ui, "speed", presentation.speed, |ui, state, _| panels::presented::speed(ui, state));
+        self.panel(ui, "sentence", presentation.sentence, |ui, state, _| panels::sentence::show(ui, state));
+        self.panel(ui, "caption", presentation.caption, |ui, state, _| panels::presented::caption(ui, state));
+        halo::paint(ui.ctx());
+    }
+
+    /// Has a part alone in the window whose title is clicked twice, or all others again. What stands in a title is above
+    /// it and takes clicks first.
+    fn titles(&mut self, ui: &mut Ui, layout: &Layout) {
+        let height = theme::TITLE_HEIGHT;
+        let panes = layout.panes.iter().enumerate().map(|(number, pane)| {
+            let number = self.state.session.stage.maximised_pane().unwrap_or(number);
+            let title =
+                Rect::from_min_max(pane.rect.left_top() - egui::vec2(0.0, height), pane.rect.right_top());
+            (Part::Pane(number), title)
+        });
+        let strip = |rect: Rect| rect.with_max_y((rect.min.y + height).min(rect.max.y));
+        let map = layout.map.map(|rect| (Part::Map, strip(rect)));
+        let plots = layout.plots.map(|rect| (Part::Plots, strip(rect)));
+        for (part, title) in panes.chain(map).chain(plots).collect::<Vec<_>>() {
+            self.panel(ui, "titles", title, |ui, _, asks| panels::borders::title(ui, part, asks));
         }
     }
 }

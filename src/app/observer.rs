@@ -11,6 +11,7 @@ use super::fitting::{FitKey, FitOutcome};
 use super::points::Point;
 use super::state::State;
 use crate::caption::Moment;
+use crate::comfort::Comfort;
 use crate::scene::Track;
 use crate::settings::{Look, PlotTab, Settings, Subject};
 
@@ -208,6 +209,16 @@ impl State {
         let mut settings = self.settings.clone();
         settings.look.geometry = Geometry::Seen;
         self.views_of(&settings, size)[Eye::Left.index()]
+    }
+
+    /// How comfortably two eyes so far apart fuse the views on the screen; `None` where they show no body.
+    #[must_use]
+    pub fn comfort(&self, separation: f64) -> Option<Comfort> {
+        let mut settings = self.settings.clone();
+        settings.motion.d = separation;
+        let views = self.views_of(&settings, self.session.picture_size);
+        let distance_px = settings.screen.viewing_distance / self.session.cm_per_pixel;
+        Comfort::of(&self.session.scene, &views, distance_px)
     }
 
     /// The outline of what moves with the scene in both eyes together.

@@ -19,7 +19,7 @@ pub struct Shortcut {
 type Binding = (Key, fn(Modifiers) -> Command);
 
 /// All of them.
-pub const SHORTCUTS: [Shortcut; 13] = [
+pub const SHORTCUTS: [Shortcut; 16] = [
     Shortcut { keys: "Space", action: "play, pause", commands: &[(Key::Space, |_| Command::TogglePlaying)] },
     Shortcut {
         keys: "← →",
@@ -74,11 +74,26 @@ pub const SHORTCUTS: [Shortcut; 13] = [
         commands: &[(Key::G, |_| Command::ToggleFrame)],
     },
     Shortcut {
+        keys: "F11",
+        action: "the whole screen",
+        commands: &[(Key::F11, |_| Command::ToggleFullScreen)],
+    },
+    Shortcut {
+        keys: "P",
+        action: "present: large writing, and no controls",
+        commands: &[(Key::P, |_| Command::TogglePresenting)],
+    },
+    Shortcut {
+        keys: "PageUp  PageDown",
+        action: "the preset before, the next one",
+        commands: &[(Key::PageUp, |_| Command::ShowNext(-1)), (Key::PageDown, |_| Command::ShowNext(1))],
+    },
+    Shortcut {
         keys: "?  F1",
         action: "this help",
         commands: &[(Key::Questionmark, |_| Command::ToggleHelp), (Key::F1, |_| Command::ToggleHelp)],
     },
-    Shortcut { keys: "Esc", action: "close", commands: &[(Key::Escape, |_| Command::Close)] },
+    Shortcut { keys: "Esc", action: "close, leave", commands: &[(Key::Escape, |_| Command::Close)] },
 ];
 
 fn stride(modifiers: Modifiers) -> i32 {

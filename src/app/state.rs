@@ -5,10 +5,12 @@ use relativity_render::{Appearance, Emission, PreparedScene};
 
 use super::clock;
 use super::points::{Point, Points};
+use super::stage::Stage;
+use crate::flags::choices::ProjectionChoice;
 use crate::map::Viewpoint;
 use crate::passage;
 use crate::scene::{Scene, SceneError, Track};
-use crate::settings::{Preset, Settings};
+use crate::settings::{Look, Preset, Settings};
 use crate::units::Measures;
 
 /// Everything the panels read. Only [`super::command`] changes it.
@@ -39,6 +41,12 @@ pub struct Session {
     pub preset: Option<&'static Preset>,
     /// Width and height of an eye's picture, which a field of view is fitted to, pixels.
     pub picture_size: [u32; 2],
+    /// How large a pixel of the screen is, cm.
+    pub cm_per_pixel: f64,
+    /// The separation of the eyes before it was narrowed to be comfortable, and then.
+    pub narrowed: Option<[f64; 2]>,
+    /// What is made of the window for a while.
+    pub stage: Stage,
     /// Whether the map is shown.
     pub shows_map: bool,
     /// How the user looks at the map.
@@ -47,11 +55,21 @@ pub struct Session {
     pub notice: Option<String>,
 }
 
+/// What a headset shows is shown in parallel, and that is said.
+fn without_headset(look: &mut Look) -> Option<String> {
+    (look.projection == ProjectionChoice::Vr180).then(|| {
+        look.projection = ProjectionChoice::Parallel;
+        "Half of the sky is for headsets: `gamow render --projection vr180` draws it. Here the pictures are parallel."
+            .to_owned()
+    })
+}
+
 impl State {
     /// `scene` as `settings` have it. Unless they say otherwise its own point is selected, and T is shortly before
     /// that passes.
     #[must_use]
     pub fn new(mut settings: Settings, scene: Scene) -> Self {
+        let notice = without_headset(&mut settings.look);
         let preset = Preset::of(&settings);
         let tracked = scene.track(settings.point.take());
         let time = settings.time.take().unwrap_or_else(|| settings.time_of_approach(&tracked));
@@ -63,9 +81,12 @@ impl State {
             help: false,
             preset,
             picture_size: settings.picture.size.0,
+            cm_per_pixel: settings.screen.cm_per_point(None),
+            narrowed: None,
+            stage: Stage::default(),
             shows_map: false,
             map_view: Viewpoint::default(),
-            notice: None,
+            notice,
             scene,
         };
         Self { settings, session }

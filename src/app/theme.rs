@@ -8,6 +8,7 @@ use eframe::egui::{
 
 use super::observer::Eye;
 use super::points::MAX_POINTS;
+use crate::comfort::Verdict;
 use crate::eye_colours;
 use crate::settings::Theme;
 
@@ -48,6 +49,17 @@ pub fn stereo_colour(visuals: &Visuals) -> Color32 {
     either(visuals.dark_mode, [[0xF0, 0x62, 0xB8], [0xB8, 0x1E, 0x7A]])
 }
 
+/// Whether a pair can be fused in comfort, on this background.
+#[must_use]
+pub fn verdict_colour(verdict: Verdict, visuals: &Visuals) -> Color32 {
+    let colours = match verdict {
+        Verdict::Comfortable => [[0x1F, 0xD0, 0x9E], [0x00, 0x8A, 0x64]],
+        Verdict::Tiring => [[0xF0, 0xE4, 0x42], [0xB8, 0x9E, 0x00]],
+        Verdict::TooMuch => [[0xFF, 0x6B, 0x5E], [0xC8, 0x2A, 0x1E]],
+    };
+    either(visuals.dark_mode, colours)
+}
+
 /// What is measured at one time, on this background.
 #[must_use]
 pub fn measured_colour(visuals: &Visuals) -> Color32 {
@@ -85,19 +97,35 @@ pub const fn preference(theme: Theme) -> ThemePreference {
     }
 }
 
-/// Sets fonts, spacing and both palettes.
-pub fn install(ctx: &egui::Context) {
-    ctx.set_fonts(fonts());
+/// Size of most writing, points.
+const BODY_SIZE: f32 = 14.0;
+
+/// Makes all writing `scale` times as large as usual.
+pub fn scale_text(ctx: &egui::Context, scale: f32) {
     ctx.all_styles_mut(|style| {
-        let size = |points, family| FontId::new(points, family);
+        let size = |points: f32, family| FontId::new(scale * points, family);
         style.text_styles = [
             (TextStyle::Small, size(11.5, FontFamily::Proportional)),
-            (TextStyle::Body, size(14.0, FontFamily::Proportional)),
-            (TextStyle::Button, size(14.0, FontFamily::Proportional)),
+            (TextStyle::Body, size(BODY_SIZE, FontFamily::Proportional)),
+            (TextStyle::Button, size(BODY_SIZE, FontFamily::Proportional)),
             (TextStyle::Heading, size(16.0, FontFamily::Proportional)),
             (TextStyle::Monospace, size(13.0, FontFamily::Monospace)),
         ]
         .into();
+    });
+}
+
+/// How much larger than usual writing is.
+#[must_use]
+pub fn text_scale(style: &egui::Style) -> f32 {
+    TextStyle::Body.resolve(style).size / BODY_SIZE
+}
+
+/// Sets fonts, spacing and both palettes.
+pub fn install(ctx: &egui::Context) {
+    ctx.set_fonts(fonts());
+    scale_text(ctx, 1.0);
+    ctx.all_styles_mut(|style| {
         style.spacing.item_spacing = egui::vec2(GAP, 6.0);
         style.spacing.button_padding = egui::vec2(7.0, 3.0);
         style.spacing.interact_size.y = 22.0;

@@ -7,14 +7,14 @@ use clap::Args;
 use relativity_core::Aperture;
 use relativity_core::doppler::PAPER_INTENSITY_EXPONENT;
 use relativity_render::rectify::{LightCorrection, Rectification};
-use relativity_render::{Camera, Gaze, Velocity};
+use relativity_render::{Camera, Gaze, Projection, Velocity};
 
-use crate::files::exr::{Channel, Measurements};
+use crate::files::exr::{Channel, EYES, Measurements};
 use crate::files::png::{self, PngFile};
 use crate::files::provenance::Provenance;
 use crate::files::whole::write_whole;
 use crate::flags::choices::{FileKind, GazeChoice};
-use crate::flags::{IntensityExponent, OnOff, SpeedArgs, SpeedParameter, field_of_view, switch};
+use crate::flags::{FieldOfView, IntensityExponent, OnOff, SpeedArgs, SpeedParameter, field_of_view, switch};
 use crate::settings::Settings;
 
 /// Corrects a picture taken from one eye to the frame of the bodies in it.
@@ -86,11 +86,12 @@ impl RectifyArgs {
         let eyes = recorded.as_ref().map_or(1, |settings| settings.picture.layout.eyes().len());
         let name = self.image.display();
         anyhow::ensure!(eyes == 1, "{name}: it shows both eyes; `gamow render --layout left` draws one");
-        let rectification = self.rectification(file.picture.size, recorded.as_ref())?;
+        let eye = recorded.as_ref().map_or(0, |settings| settings.picture.layout.eyes()[0]);
+        let rectification = &self.rectifications(file.picture.size, recorded.as_ref())?[eye];
         let corrected = rectification.picture(&file.picture, self.light(recorded.as_ref()));
         let provenance = Provenance {
             title: format!("{name}, corrected"),
-            parameters: self.parameters(&rectification)?,
+            parameters: self.parameters(rectification)?,
             scene_fingerprint: String::new(),
         };
         write_whole(&self.out, |file| png::write(&corrected, &provenance.texts(), file))
@@ -99,18 +100,19 @@ impl RectifyArgs {
     fn rectify_measurements(&self) -> anyhow::Result<()> {
         let measured = Measurements::read(&self.image)?;
         let recorded = self.recorded(&measured.command());
-        let rectification = self.rectification(measured.size, recorded.as_ref())?;
-        let (sources, light) = (sources(&rectification), self.light(recorded.as_ref()));
-        let corrected = measured.map(rectification.rest().size, |name, values| {
+        let rectifications = self.rectifications(measured.size, recorded.as_ref())?;
+        let (sources, light) = (rectifications.each_ref().map(sources), self.light(recorded.as_ref()));
+        let corrected = measured.map(measured.size, |name, values| {
+            let eye = usize::from(name.starts_with(EYES[1]));
             let channel = Channel::of(name);
             let nothing = channel.map_or(0.0, Channel::nothing);
             let factor = |doppler| channel.map_or(1.0, |channel| channel.factor(doppler, light));
             let value = |source: &Option<Source>| {
                 source.map_or(nothing, |Source { pixel, doppler }| values[pixel] * factor(doppler) as f32)
             };
-            sources.iter().map(value).collect()
+            sources[eye].iter().map(value).collect()
         });
-        let corrected = corrected.with_comments(&self.parameters(&rectification)?);
+        let corrected = corrected.with_comments(&self.parameters(&rectifications[0])?);
         write_whole(&self.out, |file| corrected.write(file))
     }
 
@@ -129,25 +131,40 @@ impl RectifyArgs {
         self.speed.given().context("one of --beta, --gamma, --rapidity is needed")
     }
 
-    fn rectification(&self, size: [u32; 2], recorded: Option<&Settings>) -> anyhow::Result<Rectification> {
+    /// Those of a picture of the left eye and of the right one, to the same camera.
+    fn rectifications(
+        &self,
+        size: [u32; 2],
+        recorded: Option<&Settings>,
+    ) -> anyhow::Result<[Rectification; 2]> {
         let (parameter, value) = self.speed()?;
         let velocity = Velocity { speed: parameter.speed(value)?, is_backward: self.backward };
-        let fov = self
-            .fov
-            .or(recorded.and_then(|settings| settings.look.set_fov()))
-            .context("--fov is needed: the file does not record it")?;
-        let gaze = fixed(self.gaze, "--gaze")?
-            .or(recorded.and_then(|settings| settings.look.gaze.fixed()))
-            .context("--gaze is needed: the file does not record it")?;
-        let ground = Camera { aperture: Aperture::default(), gaze, horizontal_fov: fov.to_radians(), size };
-        let mut rest = Rectification::rest_camera(&ground, &velocity);
+        let grounds = self.grounds(size, recorded)?;
+        // Where both eyes look, whatever the image shift of each.
+        let centred = Camera { projection: Projection::Gaze, ..grounds[0] };
+        let mut rest = Rectification::rest_camera(&centred, &velocity);
         if let Some(fov) = self.out_fov {
             rest.horizontal_fov = fov.to_radians();
         }
         if let Some(gaze) = fixed(self.out_gaze, "--out-gaze")? {
             rest.gaze = gaze;
         }
-        Ok(Rectification::new(ground, rest, velocity))
+        Ok(grounds.map(|ground| Rectification::new(ground, rest, velocity)))
+    }
+
+    /// The cameras on the ground of the left and the right eye: as the file records them, but for what flags say.
+    fn grounds(&self, size: [u32; 2], recorded: Option<&Settings>) -> anyhow::Result<[Camera; 2]> {
+        let gaze = fixed(self.gaze, "--gaze")?;
+        if let Some(settings) = recorded {
+            let mut settings = settings.clone();
+            let look = &mut settings.look;
+            look.gaze = self.gaze.unwrap_or(look.gaze);
+            look.fov = self.fov.map_or(look.fov, |fov| FieldOfView(Some(fov)));
+            return settings.recorded_cameras(size).map_err(not_recorded);
+        }
+        let fov = self.fov.ok_or("--fov").map_err(not_recorded)?;
+        let gaze = gaze.ok_or("--gaze").map_err(not_recorded)?;
+        Ok([Camera::new(Aperture::default(), gaze, fov.to_radians(), size); 2])
     }
 
     /// The command that corrects the picture again, with the camera that took the corrected one.
@@ -163,6 +180,10 @@ impl RectifyArgs {
             gaze.elevation.to_degrees()
         ))
     }
+}
+
+fn not_recorded(flag: &str) -> anyhow::Error {
+    anyhow::anyhow!("{flag} is needed: the file does not record it")
 }
 
 fn fixed(gaze: Option<GazeChoice>, flag: &str) -> anyhow::Result<Option<Gaze>> {

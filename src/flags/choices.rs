@@ -9,7 +9,7 @@ use clap::ValueEnum;
 use relativity_render::Gaze;
 use serde::{Serialize, Serializer};
 
-use super::finite_number;
+use super::{finite_number, positive};
 
 /// What draws.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
@@ -124,6 +124,80 @@ pub enum GazeChoice {
     Ahead,
     /// Fixed: azimuth and elevation, degrees.
     Fixed([f64; 2]),
+}
+
+/// What the picture plane of an eye is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ProjectionChoice {
+    /// Both eyes' picture planes are parallel to the line between the eyes: every point lies as high in one picture as in
+    /// the other, so that eyes can fuse them.
+    #[default]
+    Parallel,
+    /// It stands across the gaze and follows it, as in the paper.
+    Gaze,
+    /// All that lies ahead, 180 x 180 degrees, for headsets. By the reference renderer; field of view and the gaze's
+    /// elevation are not used.
+    Vr180,
+}
+
+/// The distance at which something is in the same place in both eyes' pictures, which an image shift sets.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum ZeroParallax {
+    /// That at which two eyes take the tracked point to be.
+    #[default]
+    Point,
+    /// Without end: the pictures are not shifted.
+    Infinity,
+    /// This one, across the picture plane. Above 0.
+    Distance(f64),
+}
+
+impl ZeroParallax {
+    /// That where the tangents of a point's direction, along the line between two eyes `separation` apart, are these two,
+    /// left and right; it has no end where its directions do not meet in front.
+    #[must_use]
+    pub fn of_tangents(separation: f64, [left, right]: [f64; 2]) -> Self {
+        let distance = separation / (left - right);
+        if distance.is_finite() && distance > 0.0 { Self::Distance(distance) } else { Self::Infinity }
+    }
+
+    /// By how much the tangents in the pictures of two eyes `separation` apart differ at that distance. Nothing where it
+    /// is not known yet.
+    #[must_use]
+    pub fn shift(self, separation: f64) -> f64 {
+        match self {
+            Self::Point | Self::Infinity => 0.0,
+            Self::Distance(distance) => (separation / distance).min(MAX_SHIFT),
+        }
+    }
+}
+
+/// The widest shift of two pictures, as a tangent: it takes anything out of any picture.
+const MAX_SHIFT: f64 = 1e4;
+
+impl FromStr for ZeroParallax {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text {
+            "point" => Ok(Self::Point),
+            "infinity" => Ok(Self::Infinity),
+            _ => positive(text)
+                .map(Self::Distance)
+                .map_err(|reason| format!("{reason}; write `point`, `infinity`, or a distance")),
+        }
+    }
+}
+
+impl Serialize for ZeroParallax {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Point => serializer.serialize_str("point"),
+            Self::Infinity => serializer.serialize_str("infinity"),
+            Self::Distance(distance) => serializer.serialize_f64(*distance),
+        }
+    }
 }
 
 impl GazeChoice {

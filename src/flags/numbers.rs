@@ -74,10 +74,59 @@ impl FromStr for FieldOfView {
 
 impl Serialize for FieldOfView {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self.0 {
-            Some(degrees) => serializer.serialize_f64(degrees),
-            None => serializer.serialize_str("auto"),
-        }
+        number_or_auto(self.0, serializer)
+    }
+}
+
+/// A number, or the word for none.
+fn number_or_auto<S: Serializer>(value: Option<f64>, serializer: S) -> Result<S::Ok, S::Error> {
+    match value {
+        Some(value) => serializer.serialize_f64(value),
+        None => serializer.serialize_str("auto"),
+    }
+}
+
+/// `auto`, or a number inside `range`.
+fn auto_or_within(text: &str, range: RangeInclusive<f64>) -> Result<Option<f64>, String> {
+    if text == "auto" { Ok(None) } else { within(range)(text).map(Some) }
+}
+
+/// The width of a screen, cm, or `auto`.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ScreenWidth(pub Option<f64>);
+
+/// Narrowest and widest screen, cm.
+pub const SCREEN_CM: RangeInclusive<f64> = 1.0..=100_000.0;
+
+impl FromStr for ScreenWidth {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        auto_or_within(text, SCREEN_CM).map(Self)
+    }
+}
+
+impl Serialize for ScreenWidth {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        number_or_auto(self.0, serializer)
+    }
+}
+
+/// A part of a whole, from 0 to 1, or `auto`.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Share(pub Option<f64>);
+
+impl FromStr for Share {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        auto_or_within(text, 0.0..=1.0).map(Self)
+    }
+}
+
+impl Serialize for Share {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        number_or_auto(self.0, serializer)
     }
 }
 
@@ -149,16 +198,13 @@ impl FromStr for Exposure {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        if text == "auto" { Ok(Self(None)) } else { within(EXPOSURE_EV)(text).map(|ev| Self(Some(ev))) }
+        auto_or_within(text, EXPOSURE_EV).map(Self)
     }
 }
 
 impl Serialize for Exposure {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self.0 {
-            Some(ev) => serializer.serialize_f64(ev),
-            None => serializer.serialize_str("auto"),
-        }
+        number_or_auto(self.0, serializer)
     }
 }
 

@@ -10,22 +10,22 @@ use super::Projection;
 #[must_use]
 pub fn field_of_view(camera: &Camera, projection: Projection) -> Option<[[f64; 2]; 2]> {
     let [width, height] = camera.size.map(f64::from);
-    let corners = [[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]];
-    let middle = flat(camera.gaze.axes().forward, projection)?;
-    let corners = corners.map(|corner| flat(camera.line_of_sight(corner), projection));
-    let mut edges = [middle; 2];
-    for corner in corners {
-        let corner = corner.filter(|&corner| dot(corner, middle) > 0.0)?;
-        // The outermost on either side.
-        if cross(edges[0], corner) > 0.0 {
-            edges[0] = corner;
-        }
-        if cross(edges[1], corner) < 0.0 {
-            edges[1] = corner;
-        }
+    let places = [[0.5 * width, 0.5 * height], [0.0, 0.0], [width, 0.0], [width, height], [0.0, height]];
+    let mut sights = [[0.0; 2]; 5];
+    for (sight, place) in sights.iter_mut().zip(places) {
+        *sight = flat(camera.line_of_sight(place), projection)?;
     }
-    Some(edges)
+    // An edge has all the others on its one side. (A sheared picture may reach further than 90 degrees from its middle.)
+    let edge = |side: f64| {
+        let is_outermost = |at: &[f64; 2]| sights.iter().all(|&other| side * cross(*at, other) >= -ALIKE);
+        sights.into_iter().find(is_outermost)
+    };
+    let edges = [edge(-1.0)?, edge(1.0)?];
+    (dot(edges[0], edges[1]) > -1.0 + ALIKE && edges[0] != edges[1]).then_some(edges)
 }
+
+/// How near to each other two edges may seem to be either way, by rounding.
+const ALIKE: f64 = 1e-12;
 
 /// The direction of `v` in `projection`, unless it looks along that.
 fn flat(v: DVec3, projection: Projection) -> Option<[f64; 2]> {
@@ -50,12 +50,7 @@ mod tests {
 
     #[test]
     fn a_level_gaze_has_its_field_of_view_in_the_plan() {
-        let camera = Camera {
-            aperture: Aperture::default(),
-            gaze: Gaze { azimuth: 2.0, elevation: 0.0 },
-            horizontal_fov: 0.8,
-            size: [400, 4],
-        };
+        let camera = Camera::new(Aperture::default(), Gaze { azimuth: 2.0, elevation: 0.0 }, 0.8, [400, 4]);
         let edges = field_of_view(&camera, Projection::Plan).expect("it looks along the plane");
         for (edge, azimuth) in edges.into_iter().zip([2.4f64, 1.6]) {
             let off = (edge[0] - azimuth.cos()).hypot(edge[1] - azimuth.sin());

@@ -3,7 +3,9 @@
 use clap::Args;
 use serde::Serialize;
 
-use super::sections::{FitSetup, Light, Look, Map, Motion, Picture, Playback, Plots, Quality, Window};
+use super::sections::{
+    FitSetup, Light, Look, Map, Motion, Picture, Playback, Plots, Quality, Screen, Window,
+};
 use crate::flags::{coordinates, finite_number};
 use crate::scene::PRESETS;
 
@@ -35,6 +37,9 @@ pub struct Settings {
     /// How a picture is made of it.
     #[command(flatten)]
     pub picture: Picture,
+    /// What it is looked at on.
+    #[command(flatten)]
+    pub screen: Screen,
     /// How time runs.
     #[command(flatten)]
     pub playback: Playback,
@@ -64,11 +69,20 @@ impl Default for Settings {
             light: Light::default(),
             quality: Quality::default(),
             picture: Picture::default(),
+            screen: Screen::default(),
             playback: Playback::default(),
             map: Map::default(),
             plots: Plots::default(),
             fit: FitSetup::default(),
             window: Window::default(),
         }
+    }
+}
+
+impl Settings {
+    /// These settings in the window and on the screen of `other`, which belong to whoever looks and not to what is shown.
+    #[must_use]
+    pub fn in_place_of(self, other: &Self) -> Self {
+        Self { screen: other.screen, window: other.window, ..self }
     }
 }

@@ -7,6 +7,7 @@ use toml::{Table, Value};
 
 use super::all::Settings;
 use super::error::{Problem, SettingsError};
+use crate::flags::choices::ProjectionChoice;
 use crate::flags::words::{quoted, words};
 
 /// All settings as flags.
@@ -97,6 +98,8 @@ impl Settings {
             let problem = "it does not say with which settings gamow made it".to_owned();
             return Err(SettingsError::Content { place: place.to_owned(), problem });
         }
+        // What was recorded before there was another projection does not name it.
+        self.look.projection = ProjectionChoice::Gaze;
         self.set(words(flags)).map_err(|problem| problem.at(place.to_owned()))?;
         Ok(self)
     }

@@ -9,11 +9,13 @@ use relativity_core::{
     equidistance_time,
 };
 use relativity_render::exposure::automatic_ev;
-use relativity_render::{Appearance, Camera, Gaze, Geometry, Motion, Outline, PreparedScene, Velocity, View};
+use relativity_render::{
+    Appearance, Camera, Gaze, Geometry, Motion, Outline, PreparedScene, Projection, Velocity, View,
+};
 
 use super::all::Settings;
 use super::sections::{self, Daylight, Frame, Light, Look, Theme, USUAL_FOV};
-use crate::flags::choices::GazeChoice;
+use crate::flags::choices::{GazeChoice, ProjectionChoice, ZeroParallax};
 use crate::flags::{Exposure, FieldOfView};
 use crate::passage;
 use crate::scene::{Scene, SceneError, Track};
@@ -62,6 +64,12 @@ impl Settings {
     #[must_use]
     pub fn pair(&self) -> [Aperture; 2] {
         self.baseline().apertures()
+    }
+
+    /// Unit vector from the left eye to the right one, where they are in one place too.
+    #[must_use]
+    pub fn baseline_direction(&self) -> DVec3 {
+        self.baseline().direction().into()
     }
 
     /// The place `rest` in the scene, from the point between the eyes.
@@ -168,8 +176,8 @@ impl Settings {
     }
 
     /// How both eyes look at `subject` at `observation_time` in pictures of this `size`, as a gaze that stays there and
-    /// a field of view: in degrees, from which a view's angles are made, so that recorded ones give the same view to the
-    /// last digit.
+    /// a field of view, in degrees, and a distance of zero parallax: the numbers from which a view is made, so that
+    /// recorded ones give the same view to the last digit.
     #[must_use]
     pub fn fixed_look(&self, subject: Subject, observation_time: f64, size: [u32; 2]) -> Look {
         let framing = match self.look.gaze {
@@ -180,16 +188,35 @@ impl Settings {
             GazeChoice::Point => self.gaze_at(&subject.tracked, observation_time),
             other => other.fixed().or(framing.map(|framing| framing.gaze)),
         };
+        // Inside an aperture, and where nothing is, there is no direction to follow.
+        let fixed_at = |gaze: Option<Gaze>| GazeChoice::fixed_at(gaze.unwrap_or(Gaze::STRAIGHT_AHEAD));
+        let gaze = match self.look.gaze {
+            GazeChoice::Fixed(degrees) => GazeChoice::Fixed(degrees),
+            _ => fixed_at(gaze),
+        };
+        let zero_parallax =
+            self.zero_parallax(&Look { gaze, ..self.look }, &subject.tracked, observation_time);
+        let look = Look { gaze, zero_parallax, ..self.look };
+        let framing = framing.map(|framing| framing.shifted(self.shifts(&look)));
         let fitted = || framing.map_or(USUAL_FOV, |framing| framing.horizontal_fov(size).to_degrees());
-        Look {
-            gaze: match self.look.gaze {
-                GazeChoice::Fixed(degrees) => GazeChoice::Fixed(degrees),
-                // Inside an aperture, and where nothing is, there is no direction to follow.
-                _ => GazeChoice::fixed_at(gaze.unwrap_or(Gaze::STRAIGHT_AHEAD)),
-            },
-            fov: FieldOfView(Some(self.look.set_fov().unwrap_or_else(fitted))),
-            ..self.look
+        let fov = FieldOfView(Some(self.look.set_fov().unwrap_or_else(fitted)));
+        Look { gaze: framing.map_or(gaze, |framing| fixed_at(Some(framing.gaze))), fov, ..look }
+    }
+
+    /// Where the pictures of eyes with this `look`, whose gaze is fixed, have no parallax: a distance instead of `point`.
+    fn zero_parallax(&self, look: &Look, point: &Track, observation_time: f64) -> ZeroParallax {
+        let is_followed = look.zero_parallax == ZeroParallax::Point;
+        if look.projection != ProjectionChoice::Parallel || !is_followed {
+            return look.zero_parallax;
         }
+        let [camera, _] = self.cameras_with(look, [1, 1]);
+        let along_baseline = self.rows_along_baseline(look);
+        let tangents = self.directions(point, observation_time).map(|direction| {
+            let tangents = direction.and_then(|direction| camera.tangents(direction));
+            // There is no place behind the picture plane.
+            tangents.map_or(f64::NAN, |[aside, _]| aside * along_baseline)
+        });
+        ZeroParallax::of_tangents(self.motion.d, tangents)
     }
 
     /// The outline of what moves with the `scene` in both eyes together.
@@ -198,10 +225,19 @@ impl Settings {
         scene.outline(&self.views_ahead(observation_time))
     }
 
-    /// The gaze at `point`.
+    /// The gaze at `point`: as far to the left of it in one picture as to the right in the other.
     fn gaze_at(&self, point: &Track, observation_time: f64) -> Option<Gaze> {
         let [left, right] = self.directions(point, observation_time);
-        Gaze::towards([left?, right?])
+        let directions = [left?, right?];
+        if self.look.projection == ProjectionChoice::Gaze {
+            return Gaze::towards(directions);
+        }
+        // On a plane along the baseline it is the tangents that have a mean: both directions are cut off equally far from
+        // the line through the eyes.
+        let off_baseline =
+            |direction: DVec3| direction.reject_from_normalized(self.baseline_direction()).length();
+        let [left, right] = directions.map(|direction| direction / off_baseline(direction));
+        Gaze::towards([left + right; 2])
     }
 
     /// From each eye to where the shown geometry has `point`; `None` outside the domain of the core.
@@ -218,17 +254,71 @@ impl Settings {
 
     /// The views of eyes with this `look`, which follows nothing.
     fn views_with(&self, look: &Look, observation_time: f64, size: [u32; 2]) -> [View; 2] {
+        let geometry = self.geometry();
+        let [left, mut right] = self.cameras_with(look, size);
+        // The published right eye's view is from where the left eye is.
+        if geometry == Geometry::Published {
+            (right.aperture, right.off_middle) = (left.aperture, left.off_middle);
+        }
+        [(left, geometry.of_left_eye()), (right, geometry)].map(|(camera, geometry)| View {
+            camera,
+            speed: self.speed(),
+            observation_time,
+            geometry,
+        })
+    }
+
+    /// The cameras of eyes with this `look`, which follows nothing.
+    fn cameras_with(&self, look: &Look, size: [u32; 2]) -> [Camera; 2] {
         let gaze = look.gaze.fixed().unwrap_or(Gaze::STRAIGHT_AHEAD);
         let horizontal_fov = look.set_fov().unwrap_or(USUAL_FOV).to_radians();
-        let view = |aperture, geometry| {
-            let camera = Camera { aperture, gaze, horizontal_fov, size };
-            View { camera, speed: self.speed(), observation_time, geometry }
+        let right = self.baseline_direction();
+        let half_separation = 0.5 * self.motion.d;
+        let shifts = self.shifts(look);
+        let camera = |eye: usize, aperture, side: f64| Camera {
+            off_middle: right * (side * half_separation),
+            projection: match look.projection {
+                ProjectionChoice::Parallel => Projection::Parallel { right, shift: shifts[eye] },
+                ProjectionChoice::Gaze => Projection::Gaze,
+                ProjectionChoice::Vr180 => Projection::Vr180 { right },
+            },
+            ..Camera::new(aperture, gaze, horizontal_fov, size)
         };
         let [left, right] = self.apertures();
-        let geometry = self.geometry();
-        // The published right eye's view is from the left eye's camera.
-        let right = if geometry == Geometry::Published { left } else { right };
-        [view(left, geometry.of_left_eye()), view(right, geometry)]
+        [camera(0, left, -1.0), camera(1, right, 1.0)]
+    }
+
+    /// The image shifts of the left and the right eye's parallel pictures with this `look`: what the left eye has further to
+    /// the right comes together with what the right eye has.
+    fn shifts(&self, look: &Look) -> [f64; 2] {
+        let half = 0.5 * look.zero_parallax.shift(self.motion.d);
+        [-half, half].map(|shift| shift * self.rows_along_baseline(look))
+    }
+
+    /// 1 where the rows of parallel pictures run as the baseline does, -1 where they run against it, behind the head.
+    fn rows_along_baseline(&self, look: &Look) -> f64 {
+        let gaze = look.gaze.fixed().unwrap_or(Gaze::STRAIGHT_AHEAD);
+        let (right, plain) = (self.baseline_direction(), Camera::new(Aperture::default(), gaze, 1.0, [1, 1]));
+        let camera = Camera { projection: Projection::Parallel { right, shift: 0.0 }, ..plain };
+        camera.axes().right.dot(right).signum()
+    }
+
+    /// The cameras that took the pictures, `size` in pixels, with which these settings were recorded.
+    ///
+    /// # Errors
+    /// The flag that they lack: that of something that follows what is not recorded.
+    pub fn recorded_cameras(&self, size: [u32; 2]) -> Result<[Camera; 2], &'static str> {
+        let look = &self.look;
+        if look.gaze.fixed().is_none() {
+            return Err("--gaze");
+        }
+        if look.set_fov().is_none() {
+            return Err("--fov");
+        }
+        if look.projection == ProjectionChoice::Parallel && look.zero_parallax == ZeroParallax::Point {
+            return Err("--zero-parallax");
+        }
+        Ok(self.cameras_with(look, size))
     }
 
     /// What becomes of the light of `scene`, in a light window or a dark one.
@@ -268,7 +358,7 @@ impl Settings {
             let velocity = self.velocity(group.motion);
             scene.bodies[group.bodies()].iter().map(move |body| (velocity, body.emission))
         });
-        automatic_ev(lights, self.look.geometry, &self.unexposed(scene, false))
+        automatic_ev(lights, self.geometry(), &self.unexposed(scene, false))
     }
 
     /// These settings with the exposure that `scene` gets by them.

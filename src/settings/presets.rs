@@ -64,10 +64,10 @@ impl Preset {
         ALL.iter().find(|preset| preset.name == name)
     }
 
-    /// The one with these settings, whatever the parts of the window are.
+    /// The one with these settings, whatever the parts of the window and the screen are.
     #[must_use]
     pub fn of(settings: &Settings) -> Option<&'static Self> {
-        ALL.iter().find(|preset| Settings { window: settings.window, ..preset.settings.clone() } == *settings)
+        ALL.iter().find(|preset| preset.settings.clone().in_place_of(settings) == *settings)
     }
 
     fn read(name: &'static str, text: &str) -> Option<Self> {

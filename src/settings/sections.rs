@@ -8,10 +8,10 @@ use relativity_core::{Curves, Model};
 use relativity_render::{Appearance, Colour, Geometry, Method, Shading};
 use serde::Serialize;
 
-use crate::flags::choices::{GazeChoice, Layout, RendererChoice, Size};
+use crate::flags::choices::{GazeChoice, Layout, ProjectionChoice, RendererChoice, Size, ZeroParallax};
 use crate::flags::{
-    Exposure, FieldOfView, HEAD_DEGREES, IntensityExponent, OnOff, SpeedParameter, SpeedSetting, TimeRange,
-    switch, temperature, whole_number, within,
+    Exposure, FieldOfView, HEAD_DEGREES, IntensityExponent, OnOff, ScreenWidth, Share, SpeedParameter,
+    SpeedSetting, TimeRange, switch, temperature, whole_number, within,
 };
 use crate::units::Units;
 
@@ -56,7 +56,7 @@ impl Default for Motion {
 /// Narrowest and widest field of view that can be set in the window, degrees.
 pub const FOV_DEGREES: RangeInclusive<f64> = 2.0..=150.0;
 
-/// Geometry, gaze and field of view.
+/// Geometry, gaze, field of view and projection.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Look")]
@@ -68,10 +68,17 @@ pub struct Look {
     /// azimuth (from +x towards +y; 90 is straight ahead) and elevation in degrees.
     #[arg(long, value_name = "whole|point|ahead|AZ,EL", allow_hyphen_values = true)]
     pub gaze: GazeChoice,
-    /// Horizontal field of view of each eye, degrees; `auto` shows the whole scene with a margin (usually 42 to 150), is 110
+    /// Horizontal field of view of each eye, degrees, as it would be straight ahead; `auto` shows the whole scene with a margin (usually 42 to 150), is 110
     /// straight ahead and else 60.
     #[arg(long, value_name = "auto|DEG", allow_hyphen_values = true)]
     pub fov: FieldOfView,
+    /// How directions become places in a picture. What is measured by them does not change.
+    #[arg(long, value_enum)]
+    pub projection: ProjectionChoice,
+    /// What is in the same place in both pictures of the parallel projection, and so at the depth of the screen: the
+    /// tracked point, what is infinitely far away, or what is this far ahead.
+    #[arg(long, value_name = "point|infinity|DISTANCE", allow_hyphen_values = true)]
+    pub zero_parallax: ZeroParallax,
 }
 
 /// The field of view that is used to show a point or a direction, degrees.
@@ -209,6 +216,47 @@ pub struct Picture {
 impl Default for Picture {
     fn default() -> Self {
         Self { size: Size([960, 720]), layout: Layout::SideBySide, labels: true, samples: 3 }
+    }
+}
+
+/// Nearest and furthest that one sits from it, cm.
+pub const VIEWING_CM: RangeInclusive<f64> = 5.0..=100_000.0;
+/// Closest and furthest that the middles of two pictures may be, mm.
+pub const PICTURE_MM: RangeInclusive<f64> = 10.0..=200.0;
+
+/// The screen that the pictures are looked at on: what is an angle in the scene is another one there.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Args)]
+#[serde(rename_all = "kebab-case")]
+#[command(next_help_heading = "Screen")]
+pub struct Screen {
+    /// Width of the whole screen, centimetres; `auto` takes 96 pixels for an inch, which is right for few projectors.
+    #[arg(long, value_name = "auto|CM")]
+    pub screen_width: ScreenWidth,
+    /// How far from it one sits, centimetres.
+    #[arg(long, value_name = "CM", value_parser = within(VIEWING_CM))]
+    pub viewing_distance: f64,
+    /// Largest distance between the middles of two pictures that are fused without glasses, millimetres: no more than
+    /// one's pupils are apart.
+    #[arg(long, value_name = "MM", value_parser = within(PICTURE_MM))]
+    pub picture_distance: f64,
+}
+
+impl Default for Screen {
+    /// A desk's.
+    fn default() -> Self {
+        Self { screen_width: ScreenWidth(None), viewing_distance: 60.0, picture_distance: 60.0 }
+    }
+}
+
+/// What `auto` takes a point of the screen to be, cm: there are 96 of them in an inch.
+const CM_PER_POINT: f64 = 2.54 / 96.0;
+
+impl Screen {
+    /// How large a point of a window is on a screen of this width in points, where that is known, cm.
+    #[must_use]
+    pub fn cm_per_point(&self, width_points: Option<f64>) -> f64 {
+        let set = self.screen_width.0.zip(width_points.filter(|points| *points >= 1.0));
+        set.map_or(CM_PER_POINT, |(width, points)| width / points)
     }
 }
 
@@ -390,8 +438,8 @@ pub enum Theme {
     System,
 }
 
-/// Which parts of the window are shown, and in which colours.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Args)]
+/// Which parts of the window are shown, how large, and in which colours.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Window")]
 pub struct Window {
@@ -419,6 +467,15 @@ pub struct Window {
     /// The numbers below the controls.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub readout: OnOff,
+    /// Width of the controls, as a part of the window's.
+    #[arg(long, value_name = "auto|SHARE")]
+    pub side_share: Share,
+    /// Height of the map and the plots, as a part of what they and the views have together.
+    #[arg(long, value_name = "auto|SHARE")]
+    pub strip_share: Share,
+    /// Width of the map beside the plots, as a part of both.
+    #[arg(long, value_name = "auto|SHARE")]
+    pub map_share: Share,
     /// At each followed point in the views, a clock that shows the body's own time as the eye sees it.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub dials: OnOff,
@@ -441,6 +498,9 @@ impl Default for Window {
             plots: true,
             controls: true,
             readout: true,
+            side_share: Share(None),
+            strip_share: Share(None),
+            map_share: Share(None),
             dials: true,
             units: Units::Natural,
             theme: Theme::Dark,

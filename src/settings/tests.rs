@@ -12,10 +12,10 @@ use super::*;
 use crate::files::exr::{self, Measurements};
 use crate::files::png;
 use crate::files::provenance::Provenance;
-use crate::flags::choices::{GazeChoice, Layout, RendererChoice, Size};
+use crate::flags::choices::{GazeChoice, Layout, ProjectionChoice, RendererChoice, Size, ZeroParallax};
 use crate::flags::{
-    EXPOSURE_EV, Exposure, FieldOfView, HEAD_DEGREES, IntensityExponent, MAX_TIME, SpeedParameter,
-    SpeedSetting, TEMPERATURE_K, TimeRange,
+    EXPOSURE_EV, Exposure, FieldOfView, HEAD_DEGREES, IntensityExponent, MAX_TIME, SCREEN_CM, ScreenWidth,
+    Share, SpeedParameter, SpeedSetting, TEMPERATURE_K, TimeRange,
 };
 use crate::units::Units;
 
@@ -57,7 +57,17 @@ fn look() -> impl Strategy<Value = Look> {
     let followed = proptest::sample::select(vec![GazeChoice::Whole, GazeChoice::Point, GazeChoice::Ahead]);
     let gaze = prop_oneof![followed, fixed];
     let fov = proptest::option::of(1e-9..179.9).prop_map(FieldOfView);
-    (choice::<Geometry>(), gaze, fov).prop_map(|(geometry, gaze, fov)| Look { geometry, gaze, fov })
+    let distance = number(f64::MIN_POSITIVE..=f64::MAX).prop_map(ZeroParallax::Distance);
+    let zero_parallax = prop_oneof![Just(ZeroParallax::Point), Just(ZeroParallax::Infinity), distance];
+    (choice::<Geometry>(), gaze, fov, choice::<ProjectionChoice>(), zero_parallax).prop_map(
+        |(geometry, gaze, fov, projection, zero_parallax)| Look {
+            geometry,
+            gaze,
+            fov,
+            projection,
+            zero_parallax,
+        },
+    )
 }
 
 fn light() -> impl Strategy<Value = Light> {
@@ -111,8 +121,16 @@ fn fit() -> impl Strategy<Value = FitSetup> {
 }
 
 fn window() -> impl Strategy<Value = Window> {
-    (any::<[bool; 8]>(), choice::<Presence>(), choice::<Units>(), choice::<Theme>()).prop_map(
-        |([views, corrected, spectrum, sentence, plots, controls, readout, dials], map, units, theme)| {
+    let share = || proptest::option::of(number(0.0..=1.0)).prop_map(Share);
+    let shares = (share(), share(), share());
+    (any::<[bool; 8]>(), shares, choice::<Presence>(), choice::<Units>(), choice::<Theme>()).prop_map(
+        |(
+            [views, corrected, spectrum, sentence, plots, controls, readout, dials],
+            (side_share, strip_share, map_share),
+            map,
+            units,
+            theme,
+        )| {
             Window {
                 views,
                 corrected,
@@ -122,6 +140,9 @@ fn window() -> impl Strategy<Value = Window> {
                 plots,
                 controls,
                 readout,
+                side_share,
+                strip_share,
+                map_share,
                 dials,
                 units,
                 theme,
@@ -130,13 +151,24 @@ fn window() -> impl Strategy<Value = Window> {
     )
 }
 
-fn quality_and_picture() -> impl Strategy<Value = (Quality, Picture)> {
+fn screen() -> impl Strategy<Value = Screen> {
+    let width = proptest::option::of(number(SCREEN_CM)).prop_map(ScreenWidth);
+    (width, number(VIEWING_CM), number(PICTURE_MM)).prop_map(
+        |(screen_width, viewing_distance, picture_distance)| Screen {
+            screen_width,
+            viewing_distance,
+            picture_distance,
+        },
+    )
+}
+
+fn quality_picture_and_screen() -> impl Strategy<Value = (Quality, Picture, Screen)> {
     let quality = (choice::<RendererChoice>(), number(BOUND_PX))
         .prop_map(|(renderer, bound_px)| Quality { renderer, bound_px });
     let size = (1..=16_384u32, 1..=16_384u32).prop_map(|(width, height)| Size([width, height]));
     let picture = (size, choice::<Layout>(), any::<bool>(), 1..=16u32)
         .prop_map(|(size, layout, labels, samples)| Picture { size, layout, labels, samples });
-    (quality, picture)
+    (quality, picture, screen())
 }
 
 fn playback_map_and_plots() -> impl Strategy<Value = (Playback, Map, Plots)> {
@@ -160,14 +192,14 @@ fn settings() -> impl Strategy<Value = Settings> {
         proptest::option::of(any_number()),
         proptest::option::of([any_number(), any_number(), any_number()]),
     );
-    (top, motion(), look(), light(), quality_and_picture(), playback_map_and_plots(), fit(), window())
+    (top, motion(), look(), light(), quality_picture_and_screen(), playback_map_and_plots(), fit(), window())
         .prop_map(
             |(
                 (scene, time, point),
                 motion,
                 look,
                 light,
-                (quality, picture),
+                (quality, picture, screen),
                 (playback, map, plots),
                 fit,
                 window,
@@ -181,6 +213,7 @@ fn settings() -> impl Strategy<Value = Settings> {
                     light,
                     quality,
                     picture,
+                    screen,
                     playback,
                     map,
                     plots,
@@ -287,7 +320,7 @@ fn what_is_wrong_in_a_file_is_said_with_its_line() {
         ),
         (
             "[more]\nd = 1",
-            "state.toml:1: unknown section [more]: there are motion, look, light, quality, picture, playback, map, plots, fit, window",
+            "state.toml:1: unknown section [more]: there are motion, look, light, quality, picture, screen, playback, map, plots, fit, window",
         ),
         ("[motion]\nd = 1979-05-27", "state.toml:2: d: must be a number, a word or a list of them"),
     ] {
@@ -316,6 +349,34 @@ fn a_picture_recorded_before_still_opens() {
     assert_eq!(settings.light.intensity_exponent, IntensityExponent(None));
     assert_eq!(settings.look.gaze, GazeChoice::Fixed([100.0, -3.5]));
     assert_eq!((settings.light.light, settings.picture.samples), (Daylight::Off, 2));
+    // Before there was another, the picture plane followed the gaze.
+    assert_eq!(settings.look.projection, ProjectionChoice::Gaze);
+    let settings = Settings::of_picture(command, "old.png").expect("it is right");
+    assert_eq!(settings.look.projection, ProjectionChoice::Gaze);
+    let told = format!("{command} --projection=parallel");
+    let settings = Settings::default().with_command(&told, "new.png").expect("it is right");
+    assert_eq!(settings.look.projection, ProjectionChoice::Parallel);
+}
+
+#[test]
+fn a_zero_parallax_is_a_distance_ahead() {
+    let parsed = |text: &str| text.parse::<ZeroParallax>();
+    assert_eq!(parsed("2.5"), Ok(ZeroParallax::Distance(2.5)));
+    for (text, expected) in [
+        ("0", "must be above 0; write `point`, `infinity`, or a distance"),
+        ("nan", "not a finite number; write `point`, `infinity`, or a distance"),
+        ("far", "not a number; write `point`, `infinity`, or a distance"),
+    ] {
+        assert_eq!(parsed(text), Err(expected.to_owned()));
+    }
+    // Diverging lines of sight, parallel ones, and eyes in one place.
+    for (separation, tangents) in
+        [(0.1, [0.0, 0.1]), (0.1, [0.3, 0.3]), (0.0, [0.2, 0.2]), (0.1, [f64::NAN; 2])]
+    {
+        assert_eq!(ZeroParallax::of_tangents(separation, tangents), ZeroParallax::Infinity);
+    }
+    assert_eq!(ZeroParallax::of_tangents(0.1, [0.02, -0.02]), ZeroParallax::Distance(2.5));
+    assert!((ZeroParallax::Distance(2.5).shift(0.1) - 0.04).abs() < 1e-15);
 }
 
 #[test]

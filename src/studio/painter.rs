@@ -5,7 +5,7 @@ use relativity_render::{
     Appearance, Geometry, Gpu, HitImage, Method, Picture, PreparedScene, Renderers, View,
 };
 
-use crate::flags::choices::RendererChoice;
+use crate::flags::choices::{ProjectionChoice, RendererChoice};
 use crate::platform::threads;
 use crate::settings::Settings;
 
@@ -27,6 +27,9 @@ impl Painter {
     pub fn new(settings: &Settings) -> anyhow::Result<Self> {
         let is_published = settings.look.geometry == Geometry::Published;
         let has_one_cone = settings.look.geometry == Geometry::OneCone;
+        if settings.look.projection == ProjectionChoice::Vr180 {
+            return Self::of_vr180(settings);
+        }
         let mesh = Method::Mesh { bound_px: settings.quality.bound_px };
         let (method, gpu) = match settings.quality.renderer {
             RendererChoice::Mesh => (mesh, Some(Gpu::headless().context("the mesh renderer")?)),
@@ -48,6 +51,25 @@ impl Painter {
             RendererChoice::Auto => automatic(),
         };
         Ok(Self { renderers: Renderers::new(gpu), method, samples: settings.picture.samples })
+    }
+
+    /// What draws half of the sky.
+    fn of_vr180(settings: &Settings) -> anyhow::Result<Self> {
+        anyhow::ensure!(
+            settings.look.geometry != Geometry::Published,
+            "--geometry published is drawn by triangles, and --projection vr180 by rays: there is no picture of both"
+        );
+        match settings.quality.renderer {
+            RendererChoice::Reference => {}
+            RendererChoice::Auto => {
+                eprintln!("gamow: drawing with the reference renderer on the CPU, the one that knows vr180");
+            }
+            RendererChoice::Exact | RendererChoice::Mesh => {
+                anyhow::bail!("--projection vr180: only `--renderer reference` draws it")
+            }
+        }
+        let samples = settings.picture.samples;
+        Ok(Self { renderers: Renderers::new(None), method: Method::Reference, samples })
     }
 
     /// The choice that leads to this method again.

@@ -15,7 +15,7 @@ const ROOMS: [&[&str]; 9] = [
     &["cli.rs"],
     &["commands", "app"],
     &["accuracy", "estimate", "studio"],
-    &["caption", "map"],
+    &["caption", "comfort.rs", "map"],
     &["settings"],
     &["scene", "columns.rs", "passage.rs", "flags", "files", "plot", "units.rs"],
     &["eye_colours.rs", "figures.rs"],

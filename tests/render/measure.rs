@@ -81,14 +81,51 @@ fn the_letters_of_a_picture_are_no_marker() {
     assert!(complaint.contains("none of 30 files shows the target"), "{complaint}");
 }
 
+/// What eyes measure does not depend on how their pictures are made: from parallel ones, shifted or not, come the
+/// disparities of the light cone, as from those across the gaze.
+#[test]
+fn every_projection_measures_the_same_disparities() {
+    use relativity_core::{Aperture, SourcePoint, Speed, disparity};
+
+    let speed = Speed::from_beta(0.9).expect("a speed");
+    let source = SourcePoint::from_rest([0.0, 3.0, 2.0], &speed);
+    let [left, right] = Aperture::pair(0.1);
+    for flags in ["--projection gaze", "--projection parallel", "--projection parallel --zero-parallax 1.5"] {
+        let folder = folder();
+        ride(folder.path(), &format!("--exr {flags}"));
+        let text = run_gamow(folder.path(), "measure ride --object 0");
+        let rows = rows(&text);
+        assert!(rows.len() > 25, "{flags}: {} rows", rows.len());
+        for row in rows {
+            let seen = disparity(&speed, source, left, right, row[0]).expect("inside the domain");
+            // The middle of a ball, of some pixels, that is drawn out by its motion.
+            let pixel = 50.0_f64.to_radians() / 160.0;
+            for (measured, exact) in [(row[6], seen.dphi), (row[7], seen.dtheta)] {
+                assert!((measured - exact).abs() < pixel, "{flags}, T {}: {measured} is not {exact}", row[0]);
+            }
+        }
+    }
+}
+
+fn rows(csv: &str) -> Vec<Vec<f64>> {
+    let cells = |line: &str| line.split(',').map(|cell| cell.parse().expect("a number")).collect();
+    csv.lines().skip(1).map(cells).collect()
+}
+
 /// The angles of a mark on the surface are those of the light cone, to a fraction of a pixel.
 #[test]
 fn a_mark_on_a_surface_is_found_to_a_fraction_of_a_pixel() {
+    for flags in ["--projection gaze", "--projection parallel"] {
+        assert_finds_a_mark(flags);
+    }
+}
+
+fn assert_finds_a_mark(flags: &str) {
     use relativity_core::{Aperture, SourcePoint, Speed, disparity};
 
     let folder = folder();
     let mark = [-0.2, 2.6, 2.2];
-    let camera = "--scene two-balls --beta 0.7 --d 0.4 --size 200x150 --fov 60";
+    let camera = format!("--scene two-balls --beta 0.7 --d 0.4 --size 200x150 --fov 60 {flags}");
     for time in ["2.2", "3.1", "4.0"] {
         render(folder.path(), &format!("{camera} --time {time} --out {time}.exr"));
     }
@@ -98,11 +135,7 @@ fn a_mark_on_a_surface_is_found_to_a_fraction_of_a_pixel() {
     let point = [scale * direction[0], 3.0 + scale * direction[1], 2.0 + scale * direction[2]];
     let words = format!("measure 2.2.exr 3.1.exr 4.0.exr --point={},{},{}", point[0], point[1], point[2]);
     let text = run_gamow(folder.path(), &words);
-    let rows: Vec<Vec<f64>> = text
-        .lines()
-        .skip(1)
-        .map(|line| line.split(',').map(|cell| cell.parse().expect("a number")).collect())
-        .collect();
+    let rows = rows(&text);
     assert_eq!(rows.len(), 3, "{text}");
     let speed = Speed::from_beta(0.7).expect("a speed");
     let [left, right] = Aperture::pair(0.4);

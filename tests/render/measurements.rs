@@ -5,6 +5,7 @@ use std::path::Path;
 
 use exr::prelude::{FlatSamples, read_first_flat_layer_from_file};
 use gamow::scene::Scene;
+use glam::DVec3;
 use relativity_core::{Aperture, Sighting, SourcePoint, sighting};
 use relativity_render::{Camera, Gaze, Velocity};
 
@@ -32,24 +33,62 @@ fn seen(velocity: Velocity, [x, y, z]: [f64; 3], aperture: Aperture, time: f64) 
     seen
 }
 
+/// How directions become places in a picture.
+#[derive(Debug, Clone, Copy)]
+enum Pictures {
+    /// Across the gaze.
+    Gaze,
+    /// On a plane along x, with no parallax at this distance.
+    Parallel(f64),
+}
+
+/// Separation of the eyes here.
+const SEPARATION: f64 = 0.4;
+
+impl Pictures {
+    fn flags(self) -> String {
+        match self {
+            Self::Gaze => "--projection gaze".to_owned(),
+            Self::Parallel(distance) => format!("--projection parallel --zero-parallax {distance}"),
+        }
+    }
+
+    /// The pixel of the picture of the left (-1) or right (1) eye at which something along `direction` is.
+    fn pixel(self, side: f64, gaze: Gaze, direction: DVec3) -> [f64; 2] {
+        let camera = Camera::new(Aperture::default(), gaze, 80f64.to_radians(), [WIDTH, HEIGHT]);
+        let Self::Parallel(distance) = self else { return camera.pixel(direction).expect("it is in front") };
+        // Where the lines of sight cross the plane one focal length from the eye that is perpendicular to the part of the
+        // gaze across x: the gaze there is in the middle.
+        let ahead = gaze.axes().forward;
+        let across = ahead.y.hypot(ahead.z);
+        let [y, z] = [ahead.y / across, ahead.z / across];
+        let depth = direction.y * y + direction.z * z;
+        let right = direction.x / depth - ahead.x / across + side * 0.5 * SEPARATION / distance;
+        let up = (direction.z * y - direction.y * z) / depth;
+        let focal_length = 0.5 * f64::from(WIDTH) / 40f64.to_radians().tan();
+        [0.5 * f64::from(WIDTH) + focal_length * right, 0.5 * f64::from(HEIGHT) - focal_length * up]
+    }
+}
+
 /// Holds what each pixel of `hits.exr` in `folder` tells at `time`, with d = 0.4, a field of view of 80 degrees and this
-/// gaze, against the light cone of the point that it shows; how many pixels show each group of the `scene`, whose
+/// gaze in these `pictures`, against the light cone of the point that it shows; how many pixels show each group of the `scene`, whose
 /// `velocities` are these.
 fn assert_on_light_cone(
     folder: &Path,
     scene: &Scene,
     time: f64,
-    gaze: [f64; 2],
+    (pictures, gaze): (Pictures, [f64; 2]),
     velocities: &[Velocity],
 ) -> Vec<usize> {
     let channels = channels(&folder.join("hits.exr"));
     assert_eq!(channels.len(), 20);
     let [azimuth, elevation] = gaze.map(f64::to_radians);
     let mut pixels = vec![0; velocities.len()];
-    for (eye, aperture) in ["left", "right"].into_iter().zip(Aperture::pair(0.4)) {
+    let gaze = Gaze { azimuth, elevation };
+    for ((eye, side), aperture) in
+        [("left", -1.0), ("right", 1.0)].into_iter().zip(Aperture::pair(SEPARATION))
+    {
         let channel = |name: &str| &channels[&format!("{eye}.{name}")];
-        let gaze = Gaze { azimuth, elevation };
-        let camera = Camera { aperture, gaze, horizontal_fov: 80f64.to_radians(), size: [WIDTH, HEIGHT] };
         for pixel in 0..channel("id").len() {
             let value = |name: &str| f64::from(channel(name)[pixel]);
             if value("id") < 0.0 {
@@ -73,7 +112,7 @@ fn assert_on_light_cone(
             let rest_nm = scene.bodies[body].emission.wavelength_nm().expect("none is white");
             let wavelength_nm = rest_nm / expected.doppler_factor;
             assert!((value("wavelength_nm") / wavelength_nm - 1.0).abs() < 2e-6);
-            let [u, v] = camera.pixel(expected.position.into()).expect("it is in front");
+            let [u, v] = pictures.pixel(side, gaze, expected.position.into());
             let [column, row] = [pixel % WIDTH as usize, pixel / WIDTH as usize];
             assert!((u - column as f64 - 0.5).abs() < 1e-3 && (v - row as f64 - 0.5).abs() < 1e-3);
         }
@@ -83,17 +122,19 @@ fn assert_on_light_cone(
 
 #[test]
 fn measurements_agree_with_the_light_cone_of_each_point() {
-    let folder = folder();
-    render(folder.path(), "--time 2 --beta 0.9 --d 0.4 --fov 80 --gaze 120,30 --out hits.exr");
-    let velocity = Velocity::from_beta(0.9).expect("below 1");
-    let pixels = assert_on_light_cone(
-        folder.path(),
-        &Scene::preset("cyclist").expect("a preset"),
-        2.0,
-        [120.0, 30.0],
-        &[velocity],
-    );
-    assert!(pixels[0] > 100, "only {pixels:?} pixels show a body");
+    let cyclist = Scene::preset("cyclist").expect("a preset");
+    for pictures in [Pictures::Gaze, Pictures::Parallel(3.0), Pictures::Parallel(1e9)] {
+        let folder = folder();
+        let flags = pictures.flags();
+        render(
+            folder.path(),
+            &format!("--time 2 --beta 0.9 --d 0.4 --fov 80 --gaze 120,30 {flags} --out hits.exr"),
+        );
+        let velocity = Velocity::from_beta(0.9).expect("below 1");
+        let look = (pictures, [120.0, 30.0]);
+        let pixels = assert_on_light_cone(folder.path(), &cyclist, 2.0, look, &[velocity]);
+        assert!(pixels[0] > 100, "only {pixels:?} pixels show a body");
+    }
 }
 
 /// A ball that passes at the scene's speed, one that rests beside the road, and one that comes the other way.
@@ -103,11 +144,11 @@ const GROUPS: &str = include_str!("../groups.toml");
 fn each_group_of_a_scene_is_measured_by_its_own_speed() {
     let folder = folder();
     std::fs::write(folder.path().join("groups.toml"), GROUPS).expect("the folder is there");
-    let flags = "--scene groups.toml --beta 0.9 --d 0.4 --fov 80 --gaze 90,5 --time 3.5";
+    let flags = "--scene groups.toml --beta 0.9 --d 0.4 --fov 80 --gaze 90,5 --time 3.5 --projection gaze";
     render(folder.path(), &format!("{flags} --out hits.exr"));
     let scene = Scene::parse(GROUPS, "groups.toml").expect("it is right");
     let velocities = [0.9, 0.0, -0.6].map(|beta| Velocity::from_beta(beta).expect("a speed"));
-    let pixels = assert_on_light_cone(folder.path(), &scene, 3.5, [90.0, 5.0], &velocities);
+    let pixels = assert_on_light_cone(folder.path(), &scene, 3.5, (Pictures::Gaze, [90.0, 5.0]), &velocities);
     assert!(pixels.iter().all(|&count| count > 20), "{pixels:?} pixels show the groups");
 
     let channels = channels(&folder.path().join("hits.exr"));

@@ -5,9 +5,8 @@ use std::path::Path;
 use gamow::files::exr::{Channel, Measurements};
 use gamow::files::png::PngFile;
 use gamow::settings::Settings;
-use relativity_core::Aperture;
 use relativity_render::rectify::Rectification;
-use relativity_render::{Camera, Picture, Velocity};
+use relativity_render::{Picture, Velocity};
 
 use super::{complaint_of, folder, render, run_gamow};
 
@@ -42,7 +41,7 @@ fn corrected_and_true(
     render(
         folder,
         &format!(
-            "{scene} --beta {beta} --time {time} {size} {layout} --geometry rest --out true.{extension}"
+            "{scene} --beta {beta} --time {time} {size} {layout} --projection gaze --geometry rest --out true.{extension}"
         ),
     );
     [corrected, folder.join(format!("true.{extension}"))]
@@ -60,10 +59,8 @@ fn channel(file: &Measurements, channel: Channel) -> &[f32] {
 /// The cameras behind a picture and its correction.
 fn rectification(seen: &Measurements, truth: &Measurements, beta: f64) -> Rectification {
     let camera = |file: &Measurements| {
-        let look = Settings::of_picture(&file.command(), "it").expect("it was rendered").look;
-        let gaze = look.gaze.fixed().expect("it is recorded");
-        let horizontal_fov = look.set_fov().expect("it is recorded").to_radians();
-        Camera { aperture: Aperture::default(), gaze, horizontal_fov, size: file.size }
+        let settings = Settings::of_picture(&file.command(), "it").expect("it was rendered");
+        settings.recorded_cameras(file.size).expect("they are recorded")[0]
     };
     Rectification::new(camera(seen), camera(truth), Velocity::from_beta(beta).expect("a speed"))
 }

@@ -44,12 +44,7 @@ fn place(window: &Harness<'_, App>, rest: [f64; 3], eye: usize) -> Pos2 {
     let aperture = Aperture::pair(SEPARATION)[eye];
     let seen = sighting(&speed, point, aperture, state.session.time).expect("in the domain");
     let pane = pane(window, eye);
-    let camera = relativity_render::Camera {
-        aperture,
-        gaze: state.gaze(),
-        horizontal_fov: state.look().set_fov().expect("it is a number").to_radians(),
-        size: [pane.width() as u32, pane.height() as u32],
-    };
+    let camera = state.view(Eye::BOTH[eye], [pane.width() as u32, pane.height() as u32]).camera;
     let [u, v] = camera.pixel(DVec3::from(seen.position)).expect("in front");
     pane.min + vec2(u as f32, v as f32)
 }

@@ -79,12 +79,7 @@ fn median(mut times: Vec<f64>) -> f64 {
 
 fn views() -> [View; 2] {
     Aperture::pair(0.1).map(|aperture| View {
-        camera: Camera {
-            aperture,
-            gaze: Gaze { azimuth: 2.0, elevation: 0.0 },
-            horizontal_fov: 1.0,
-            size: SIZE,
-        },
+        camera: Camera::new(aperture, Gaze { azimuth: 2.0, elevation: 0.0 }, 1.0, SIZE),
         speed: Speed::from_beta(0.9).expect("below 1"),
         observation_time: 6.0,
         geometry: Geometry::Seen,

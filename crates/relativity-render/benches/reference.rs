@@ -72,12 +72,8 @@ fn crowd(count: u32) -> Vec<Body> {
 }
 
 fn view() -> View {
-    let camera = Camera {
-        aperture: Aperture::default(),
-        gaze: Gaze::along([0.0, 4.0, 2.0]),
-        horizontal_fov: 40f64.to_radians(),
-        size: [480, 360],
-    };
+    let camera =
+        Camera::new(Aperture::default(), Gaze::along([0.0, 4.0, 2.0]), 40f64.to_radians(), [480, 360]);
     let speed = Speed::from_beta(0.9).expect("below 1");
     View { camera, speed, observation_time: 4.0, geometry: Geometry::Seen }
 }

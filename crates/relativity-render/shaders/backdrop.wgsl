@@ -68,9 +68,12 @@ const NO_GROUND = -1e38;
 
 // The line of sight (unnormalised) two pixels to the right and down, or against that, of a place in clip coordinates.
 fn line_near(place: vec2f, outwards: vec2f) -> vec3f {
-    let right = frame.clip_right.xyz / dot(frame.clip_right.xyz, frame.clip_right.xyz);
+    // In a sheared picture `clip_right` is not across `forward`, and that is not in the middle.
+    let along = dot(frame.clip_right.xyz, frame.forward.xyz);
+    let across = frame.clip_right.xyz - frame.forward.xyz * along;
+    let right = across / dot(across, across);
     let up = frame.clip_up.xyz / dot(frame.clip_up.xyz, frame.clip_up.xyz);
-    return frame.forward.xyz + right * place.x + up * place.y
+    return frame.forward.xyz + right * (place.x - along) + up * place.y
         + 2.0 * (frame.right.xyz * outwards.x + frame.down.xyz * outwards.y);
 }
 

@@ -6,7 +6,7 @@
 use glam::{DVec2, DVec3, Vec3Swizzles as _};
 use relativity_core::math;
 
-use crate::camera::{Axes, Camera};
+use crate::camera::{Camera, LinesOfSight};
 use crate::colour::mix;
 use crate::cover::{band_cover, line_cover, repeated_cover};
 use crate::effects::{Constant, number};
@@ -182,8 +182,7 @@ pub struct Backdrop {
     road: Option<[f64; 2]>,
     /// y of the house fronts from the aperture, above 0.
     fronts: Option<f64>,
-    axes: Axes,
-    focal_length_px: f64,
+    lines_of_sight: LinesOfSight,
 }
 
 impl Backdrop {
@@ -197,8 +196,7 @@ impl Backdrop {
             ground: appearance.ground_z.map(|z| z - aperture.z).filter(|z| *z < 0.0),
             road: appearance.road,
             fronts: appearance.fronts.map(|y| y - aperture.y).filter(|y| *y > 0.0),
-            axes: camera.gaze.axes(),
-            focal_length_px: camera.focal_length_px(),
+            lines_of_sight: LinesOfSight::new(camera),
         }
     }
 
@@ -239,10 +237,7 @@ impl Backdrop {
 
     /// Width and height, on a surface, of the pixel with this line of sight, which `shift` tells for a turn of the line.
     fn pixel(&self, n: DVec3, shift: impl Fn(DVec3) -> DVec2) -> DVec2 {
-        // The line of sight turns by this from one pixel to the next along `across`.
-        let turn =
-            |across: DVec3| (across - n * n.dot(across)) * (n.dot(self.axes.forward) / self.focal_length_px);
-        let [right, down] = [self.axes.right, -self.axes.up].map(|across| shift(turn(across)));
+        let [right, down] = self.lines_of_sight.turns_of(n).map(shift);
         DVec2::new(math::hypot(right.x, down.x), math::hypot(right.y, down.y))
     }
 

@@ -2,7 +2,8 @@
 
 use glam::DVec3;
 use relativity_core::Aperture;
-use relativity_core::math::{asin, atan2, hypot, sin_cos, tan};
+use relativity_core::math::{asin, atan, atan2, hypot, sin_cos, tan};
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Where a camera looks: the direction of its optical axis. Its horizon stays level.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,7 +15,13 @@ pub struct Gaze {
 }
 
 /// Steepest elevation of a gaze that follows something: at the zenith itself no horizon is level.
-pub const MAX_ELEVATION: f64 = 89.5 * std::f64::consts::PI / 180.0;
+pub const MAX_ELEVATION: f64 = 89.5 * PI / 180.0;
+
+/// How far a gaze can be from the plane across the baseline for a picture parallel to that to have it in the middle, radians:
+/// further on the picture stays, since it would be stretched too much.
+pub const MAX_SLANT: f64 = 75.0 * PI / 180.0;
+/// A gaze of which less than this is across the baseline does not tell how a picture parallel to that is tilted.
+const LEAST_ACROSS: f64 = 1e-9;
 
 /// A pinhole camera at rest on the ground.
 ///
@@ -25,7 +32,7 @@ pub const MAX_ELEVATION: f64 = 89.5 * std::f64::consts::PI / 180.0;
 /// use relativity_render::{Camera, Gaze};
 ///
 /// let (gaze, horizontal_fov) = (Gaze::STRAIGHT_AHEAD, std::f64::consts::FRAC_PI_2);
-/// let camera = Camera { aperture: Aperture::default(), gaze, horizontal_fov, size: [200, 100] };
+/// let camera = Camera::new(Aperture::default(), gaze, horizontal_fov, [200, 100]);
 /// let [u, v] = camera.pixel([1.0, 2.0, 0.0].into()).expect("in front of the camera");
 /// assert!((u - 150.0).abs() < 1e-9 && (v - 50.0).abs() < 1e-9);
 /// ```
@@ -38,10 +45,41 @@ pub struct Camera {
     pub aperture: Aperture,
     /// Optical axis.
     pub gaze: Gaze,
-    /// Angle between the left and the right edge of the picture, radians, in (0, pi).
+    /// Angle between the left and the right edge of the picture if its middle is on its axis, radians, in (0, pi): what sets
+    /// the focal length, so that it stays as the gaze moves.
     pub horizontal_fov: f64,
     /// Width and height, pixels.
     pub size: [u32; 2],
+    /// From the middle between the two eyes, of which the aperture is one, to it.
+    pub off_middle: DVec3,
+    /// Where the picture plane lies.
+    pub projection: Projection,
+}
+
+/// Where the picture plane of a camera lies, and how directions are mapped to it.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Projection {
+    /// Across the gaze, the horizon level.
+    #[default]
+    Gaze,
+    /// Parallel to the baseline of two eyes, so that both pictures can be fused: its rows run along the baseline, and its axis
+    /// is what of the gaze is across that. The picture is sheared along its rows to have the gaze in the middle all the same
+    /// (up to [`MAX_SLANT`]). Whatever is in one row of one picture is in that of the other, if both eyes have this gaze.
+    ///
+    /// The picture is never upside down: its rows run against `right` where that takes it, as for a gaze behind the head.
+    Parallel {
+        /// Unit vector along the baseline, from the left eye to the right one.
+        right: DVec3,
+        /// By how many focal lengths the picture's content is moved to the right, this eye's image shift. What is at depth s
+        /// before the eyes has one place in both pictures where that is (`off_middle` . `right`)/s.
+        shift: f64,
+    },
+    /// Half of the sky: 180 by 180 degrees of longitude and latitude, about the level direction across the baseline that is
+    /// nearest to the gaze. Drawn by the reference renderer alone.
+    Vr180 {
+        /// Unit vector along the baseline, from the left eye to the right one.
+        right: DVec3,
+    },
 }
 
 /// Unit vectors of a camera: right, up and forward.
@@ -87,15 +125,76 @@ impl Gaze {
 }
 
 impl Camera {
-    /// Distance from the pinhole to the picture plane, in pixels.
+    /// A camera with its picture plane across the gaze, one of two eyes on a line along x, the middle of which is at x = 0.
     #[must_use]
-    pub fn focal_length_px(&self) -> f64 {
-        0.5 * f64::from(self.size[0]) / tan(0.5 * self.horizontal_fov)
+    pub fn new(aperture: Aperture, gaze: Gaze, horizontal_fov: f64, size: [u32; 2]) -> Self {
+        let off_middle = DVec3::X * aperture.x;
+        Self { aperture, gaze, horizontal_fov, size, off_middle, projection: Projection::Gaze }
     }
 
-    /// From the middle between the two eyes, of which it is one, to this one.
-    pub(crate) fn off_middle(&self) -> DVec3 {
-        DVec3::X * self.aperture.x
+    /// Distance from the pinhole to the picture plane, in pixels: how many of them a radian about the picture's axis has.
+    #[must_use]
+    pub fn focal_length_px(&self) -> f64 {
+        0.5 * f64::from(self.size[0]) / self.half_width()
+    }
+
+    /// How many pixels of the middle of the picture a radian along its rows has.
+    #[must_use]
+    pub fn px_per_radian(&self) -> f64 {
+        self.focal_length_px() * self.to_centre().length_squared()
+    }
+
+    /// Half the width of the picture, focal lengths.
+    pub(crate) fn half_width(&self) -> f64 {
+        match self.projection {
+            Projection::Gaze | Projection::Parallel { .. } => tan(0.5 * self.horizontal_fov),
+            Projection::Vr180 { .. } => FRAC_PI_2,
+        }
+    }
+
+    /// Towards the middle of the picture: its part along the axis is 1.
+    pub(crate) fn to_centre(&self) -> DVec3 {
+        let axes = self.axes();
+        axes.forward + axes.right * self.middle(&axes)
+    }
+
+    /// The axes of the picture: along its rows, up its columns, and across it.
+    #[must_use]
+    pub fn axes(&self) -> Axes {
+        match self.projection {
+            Projection::Gaze => self.gaze.axes(),
+            Projection::Parallel { right, .. } => Axes::across(right, self.gaze.axes().forward),
+            Projection::Vr180 { right } => {
+                let ahead = Gaze { elevation: 0.0, ..self.gaze }.axes().forward;
+                let level = DVec3::Z.cross(right).try_normalize();
+                Axes::across(right, level.map_or(ahead, |level| level * 1f64.copysign(level.dot(ahead))))
+            }
+        }
+    }
+
+    /// Where along `direction` (any length above 0) something is seen, as tangents to the right of the picture's axis and up,
+    /// the same for all image shifts; `None` behind the camera.
+    #[must_use]
+    pub fn tangents(&self, direction: DVec3) -> Option<[f64; 2]> {
+        let Axes { right, up, forward } = self.axes();
+        let depth = direction.dot(forward);
+        (depth > 0.0).then(|| [direction.dot(right) / depth, direction.dot(up) / depth])
+    }
+
+    /// What tells where in a flat picture a place appears.
+    pub(crate) fn gauge(&self) -> Gauge {
+        let axes = self.axes();
+        let Axes { right, up, forward } = axes;
+        let middle = self.middle(&axes);
+        Gauge { right: right - forward * middle, up, forward, middle }
+    }
+
+    /// The tangent to the right of the picture's axis at which its middle is.
+    fn middle(&self, axes: &Axes) -> f64 {
+        match self.projection {
+            Projection::Parallel { shift, .. } => axes.shear_towards(self.gaze.axes().forward) - shift,
+            Projection::Gaze | Projection::Vr180 { .. } => 0.0,
+        }
     }
 
     /// Unit vector from the aperture through the point `[u, v]` of the picture, in pixels.
@@ -105,9 +204,19 @@ impl Camera {
     }
 
     /// The gaze with which something along `direction` (any length above 0) appears at `pixel`, the horizon staying
-    /// level; the nearest there is where that would tilt further than [`MAX_ELEVATION`].
+    /// level; the nearest there is where that would tilt further than [`MAX_ELEVATION`] or slant further than [`MAX_SLANT`]. A
+    /// picture of half the sky stays as it is.
     #[must_use]
-    pub fn gaze_with(&self, direction: DVec3, [u, v]: [f64; 2]) -> Gaze {
+    pub fn gaze_with(&self, direction: DVec3, pixel: [f64; 2]) -> Gaze {
+        match self.projection {
+            Projection::Gaze => self.level_gaze_with(direction, pixel),
+            Projection::Parallel { right, shift } => self.slanted_gaze_with(direction, pixel, right, shift),
+            Projection::Vr180 { .. } => self.gaze,
+        }
+    }
+
+    /// The same for a picture across the gaze.
+    fn level_gaze_with(&self, direction: DVec3, [u, v]: [f64; 2]) -> Gaze {
         let [width, height] = self.size.map(f64::from);
         // Right, up and forward of that pixel's line of sight.
         let (right, up, forward) = (u - 0.5 * width, 0.5 * height - v, self.focal_length_px());
@@ -120,18 +229,55 @@ impl Camera {
         Gaze { azimuth: azimuth + atan2(right, reach * sin_cos(elevation + steepness).1), elevation }
     }
 
+    /// The same for a picture parallel to `baseline`.
+    fn slanted_gaze_with(&self, direction: DVec3, [u, v]: [f64; 2], baseline: DVec3, shift: f64) -> Gaze {
+        let [width, height] = self.size.map(f64::from);
+        let focal_length = self.focal_length_px();
+        let (aside, rise) = ((u - 0.5 * width) / focal_length, (0.5 * height - v) / focal_length);
+        // Turned about the baseline until it is at that height in the picture.
+        let Axes { right, up, forward } = Axes::across(baseline, direction);
+        let Axes { forward, .. } = Axes::upright(right, forward - up * rise);
+        let depth = direction.dot(forward).max(f64::MIN_POSITIVE);
+        let slant = held(direction.dot(right) / depth + shift - aside);
+        Gaze::along((forward + right * slant).to_array())
+    }
+
     /// Where in the picture (pixels) something along `direction` (any length above 0) appears; `None`
     /// behind the camera. May lie outside the picture.
     #[must_use]
     pub fn pixel(&self, direction: DVec3) -> Option<[f64; 2]> {
-        let Axes { right, up, forward } = self.gaze.axes();
+        let [width, height] = self.size.map(f64::from);
+        if let Projection::Vr180 { .. } = self.projection {
+            let Axes { right, up, forward } = self.axes();
+            let (aside, depth) = (direction.dot(right), direction.dot(forward));
+            let (longitude, latitude) = (atan2(aside, depth), atan2(direction.dot(up), hypot(aside, depth)));
+            return Some([width * (0.5 + longitude / PI), height * (0.5 - latitude / PI)]);
+        }
+        let Gauge { right, up, forward, .. } = self.gauge();
         let depth = direction.dot(forward);
         if depth <= 0.0 {
             return None;
         }
-        let [width, height] = self.size.map(f64::from);
         let scale = self.focal_length_px() / depth;
         Some([0.5 * width + direction.dot(right) * scale, 0.5 * height - direction.dot(up) * scale])
+    }
+
+    /// A camera of which a small picture of this `size` shows what is about `pixel` in this one, so many times as large.
+    #[must_use]
+    pub fn magnified(&self, pixel: [f64; 2], size: [u32; 2], factor: f64) -> Self {
+        let sight = self.line_of_sight(pixel);
+        let half_width = 0.5 * f64::from(size[0]) / (self.focal_length_px() * factor);
+        let projection = match self.projection {
+            // However far it slants.
+            Projection::Parallel { right, .. } => {
+                let axes = Axes::across(right, sight);
+                let shift = axes.shear_towards(sight) - sight.dot(axes.right) / sight.dot(axes.forward);
+                Projection::Parallel { right, shift }
+            }
+            Projection::Gaze | Projection::Vr180 { .. } => Projection::Gaze,
+        };
+        let gaze = Gaze::along(sight.to_array());
+        Self { gaze, horizontal_fov: 2.0 * atan(half_width), size, projection, ..*self }
     }
 
     /// Whether what lies along `direction` (any length above 0) is in the picture, its edges included.
@@ -142,36 +288,140 @@ impl Camera {
     }
 }
 
+impl Axes {
+    /// Those of the picture parallel to `baseline` (a unit vector) with its axis as near to `towards` as can be.
+    pub(crate) fn across(baseline: DVec3, towards: DVec3) -> Self {
+        let right = baseline.normalize_or(DVec3::X);
+        let part = towards - right * towards.dot(right);
+        let is_told = part.length() > LEAST_ACROSS * towards.length();
+        let forward = if is_told { part.normalize() } else { level_across(right).unwrap_or(DVec3::Y) };
+        let up = right.cross(forward);
+        // Upright; of a head on its side neither way is.
+        if up.z < -1e-12 { Self { right: -right, up: -up, forward } } else { Self { right, up, forward } }
+    }
+
+    /// Those of the picture with rows along `right` and its axis along `towards`, across these; at the steepest
+    /// elevation where that would turn it upside down.
+    pub(crate) fn upright(right: DVec3, towards: DVec3) -> Self {
+        let forward = towards.normalize();
+        let Some(level) = level_across(right) else {
+            return Self { right, up: right.cross(forward), forward };
+        };
+        let rise = right.cross(level);
+        let tilt = atan2(forward.dot(rise), forward.dot(level));
+        let (sine, cosine) = sin_cos(tilt.clamp(-MAX_ELEVATION, MAX_ELEVATION));
+        let forward = if tilt.abs() > MAX_ELEVATION { level * cosine + rise * sine } else { forward };
+        Self { right, up: right.cross(forward), forward }
+    }
+
+    /// The tangent to the right of the axis at which the picture has `gaze` in its middle, up to [`MAX_SLANT`].
+    pub(crate) fn shear_towards(&self, gaze: DVec3) -> f64 {
+        let (aside, depth) = (gaze.dot(self.right), gaze.dot(self.forward));
+        held(if depth > LEAST_ACROSS { aside / depth } else { f64::MAX.copysign(aside) })
+    }
+}
+
+/// A tangent, held at that of [`MAX_SLANT`].
+pub(crate) fn held(tangent: f64) -> f64 {
+    let steepest = tan(MAX_SLANT);
+    tangent.clamp(-steepest, steepest)
+}
+
+/// The level direction across `right` with which that is to the right; `None` where `right` is plumb.
+fn level_across(right: DVec3) -> Option<DVec3> {
+    DVec3::Z.cross(right).try_normalize()
+}
+
+/// What tells where in a flat picture places appear: their products with `right` and `up`, over that with `forward`, count
+/// focal lengths from the middle of the picture. Where that is not on the picture's axis, `right` is not across `forward`.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Gauge {
+    pub right: DVec3,
+    pub up: DVec3,
+    pub forward: DVec3,
+    /// The tangent to the right of the axis at which the middle of the picture is.
+    pub middle: f64,
+}
+
+impl Gauge {
+    /// The same for places that are `reflected`.
+    pub fn reflected(&self, reflected: impl Fn(DVec3) -> DVec3) -> Self {
+        let Self { right, up, forward, middle } = *self;
+        Self { right: reflected(right), up: reflected(up), forward: reflected(forward), middle }
+    }
+}
+
 /// The lines of sight of one camera, for many pixels: its angles are turned into vectors once.
 #[derive(Debug, Clone, Copy)]
 pub struct LinesOfSight {
-    to_top_left: DVec3,
-    right: DVec3,
-    up: DVec3,
+    axes: Axes,
+    focal_length_px: f64,
+    map: Map,
+}
+
+/// How places in a picture are mapped to directions.
+#[derive(Debug, Clone, Copy)]
+enum Map {
+    /// On a plane, whose top left corner is there, in pixels.
+    Flat { to_top_left: DVec3 },
+    /// By longitude and latitude, a picture of this size being half of the sky.
+    Round { size: [f64; 2] },
 }
 
 impl LinesOfSight {
     /// Those of `camera`.
     #[must_use]
     pub fn new(camera: &Camera) -> Self {
-        let Axes { right, up, forward } = camera.gaze.axes();
-        let [width, height] = camera.size.map(f64::from);
-        let to_top_left = forward * camera.focal_length_px() - right * (0.5 * width) + up * (0.5 * height);
-        Self { to_top_left, right, up }
+        let axes = camera.axes();
+        let Axes { right, up, forward } = axes;
+        let focal_length_px = camera.focal_length_px();
+        let size = camera.size.map(f64::from);
+        let map = if let Projection::Vr180 { .. } = camera.projection {
+            Map::Round { size }
+        } else {
+            let to_left = 0.5 * size[0] - camera.middle(&axes) * focal_length_px;
+            Map::Flat { to_top_left: forward * focal_length_px - right * to_left + up * (0.5 * size[1]) }
+        };
+        Self { axes, focal_length_px, map }
     }
 
     /// Unit vector from the aperture through the point `[u, v]` of the picture, in pixels.
     #[must_use]
     pub fn through(&self, [u, v]: [f64; 2]) -> DVec3 {
-        (self.to_top_left + self.right * u - self.up * v).normalize()
+        let Axes { right, up, forward } = self.axes;
+        match self.map {
+            Map::Flat { to_top_left } => (to_top_left + right * u - up * v).normalize(),
+            Map::Round { size: [width, height] } => {
+                let (sine, cosine) = sin_cos(PI * (u / width - 0.5));
+                let (height, level) = sin_cos(PI * (0.5 - v / height));
+                (forward * cosine + right * sine) * level + up * height
+            }
+        }
     }
 
     /// By how much that turns from there to the pixel on the right, and to the one below.
     pub(crate) fn turns(&self, [u, v]: [f64; 2]) -> [DVec3; 2] {
-        let unnormalised = self.to_top_left + self.right * u - self.up * v;
+        let Axes { right, up, .. } = self.axes;
+        let Map::Flat { to_top_left } = self.map else { return self.turns_of(self.through([u, v])) };
+        let unnormalised = to_top_left + right * u - up * v;
         let length = unnormalised.length();
         let sight = unnormalised / length;
-        [self.right, -self.up].map(|across| (across - sight * sight.dot(across)) / length)
+        [right, -up].map(|across| (across - sight * sight.dot(across)) / length)
+    }
+
+    /// The same from the pixel with this line of `sight`.
+    pub(crate) fn turns_of(&self, sight: DVec3) -> [DVec3; 2] {
+        let Axes { right, up, forward } = self.axes;
+        let across = |side: DVec3| side - sight * sight.dot(side);
+        match self.map {
+            Map::Flat { .. } => {
+                [right, -up].map(|side| across(side) * (sight.dot(forward) / self.focal_length_px))
+            }
+            Map::Round { size: [width, height] } => {
+                let along_row = right * sight.dot(forward) - forward * sight.dot(right);
+                [along_row * (PI / width), across(-up).normalize_or_zero() * (PI / height)]
+            }
+        }
     }
 }
 
@@ -181,12 +431,7 @@ mod tests {
     use std::f64::consts::FRAC_PI_2;
 
     fn camera() -> Camera {
-        Camera {
-            aperture: Aperture::default(),
-            gaze: Gaze { azimuth: FRAC_PI_2, elevation: 0.0 },
-            horizontal_fov: FRAC_PI_2,
-            size: [200, 100],
-        }
+        Camera::new(Aperture::default(), Gaze { azimuth: FRAC_PI_2, elevation: 0.0 }, FRAC_PI_2, [200, 100])
     }
 
     #[test]

@@ -4,7 +4,7 @@ use bytemuck::{Pod, Zeroable};
 use glam::{DVec2, DVec3};
 
 use crate::backdrop::{Backdrop, Floor};
-use crate::camera::{Axes, Camera};
+use crate::camera::{Camera, Gauge};
 use crate::group_view::{GroupView, reference_of_depths};
 use crate::prepared_body::{Extent, packed};
 use crate::scene::{PreparedGroup, PreparedScene};
@@ -85,11 +85,11 @@ impl Frame {
     /// That of a group which is its own reference.
     fn new(view: &GroupView, appearance: &Appearance, extent: &Extent) -> Self {
         let camera = &view.camera;
-        let Axes { right, up, forward } = camera.gaze.axes();
+        let (axes, gauge) = (camera.axes(), camera.gauge());
         let [width, height] = camera.size.map(f64::from);
         let to_clip = 2.0 * camera.focal_length_px();
         let per_px = 1.0 / camera.focal_length_px();
-        let (pole, base) = pole(camera, -view.velocity.direction());
+        let (pole, base) = pole(camera, &gauge, -view.velocity.direction());
         let aperture = camera.aperture;
         let backdrop = Backdrop::new(camera, appearance);
         let [near_kerb, far_kerb, fronts] = backdrop.street();
@@ -104,14 +104,14 @@ impl Frame {
             [speed.beta(), speed.one_minus_beta(), 1.0 / speed.gamma(), speed.gamma()].map(|v| v as f32);
         let reflection = view.velocity.direction() as f32;
         let eye = if view.geometry == Geometry::OneCone {
-            view.velocity.direction() * camera.off_middle().x
+            view.velocity.direction() * camera.off_middle.x
         } else {
             0.0
         };
         Self {
             base: vector(base),
-            right: vector(right * per_px),
-            down: vector(-up * per_px),
+            right: vector(axes.right * per_px),
+            down: vector(-axes.up * per_px),
             pole: [coarse.x, coarse.y, fine.x, fine.y],
             speed,
             motion: [reflection, reflection, eye as f32, 0.0],
@@ -124,9 +124,9 @@ impl Frame {
             houses: HOUSES.map(|[height, shade]| [height as f32, shade as f32, 0.0, 0.0]),
             openings: OPENINGS.map(|opening| opening.map(|v| v as f32)),
             backdrop: backdrop.colours().map(|colour| vector(colour.into())),
-            clip_right: vector(right * (to_clip / width)),
-            clip_up: vector(up * (to_clip / height)),
-            forward: vector(forward),
+            clip_right: vector(gauge.right * (to_clip / width)),
+            clip_up: vector(gauge.up * (to_clip / height)),
+            forward: vector(gauge.forward),
         }
     }
 
@@ -146,13 +146,13 @@ fn vector(v: DVec3) -> [f32; 4] {
 }
 
 /// The pixel towards the end of the x axis with this sign and its (unnormalised) line of sight, if it is well in
-/// front of the camera; else the middle of the picture and the optical axis.
-fn pole(camera: &Camera, sign: f64) -> (DVec2, DVec3) {
-    let Axes { right, up, forward } = camera.gaze.axes();
+/// front of the camera; else the middle of the picture and what is seen there.
+fn pole(camera: &Camera, gauge: &Gauge, sign: f64) -> (DVec2, DVec3) {
+    let Gauge { right, up, forward, .. } = *gauge;
     let middle = DVec2::from(camera.size.map(f64::from)) * 0.5;
     let depth = sign * forward.x;
     if depth < 0.05 {
-        return (middle, forward);
+        return (middle, camera.to_centre());
     }
     let scale = sign * camera.focal_length_px() / depth;
     let pole = middle + DVec2::new(right.x, -up.x) * scale;

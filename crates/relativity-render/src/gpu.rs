@@ -29,6 +29,9 @@ pub enum GpuError {
         /// The part of the picture that it could draw: width and height, pixels.
         size: [u32; 2],
     },
+    /// A view that the renderer in question does not draw.
+    #[error(transparent)]
+    Undrawn(#[from] Undrawn),
     /// The device did not finish what it was given to draw.
     #[error("the graphics device was lost before it had finished drawing")]
     Lost,
@@ -38,6 +41,20 @@ pub enum GpuError {
     /// A picture's memory was given, but not all of it.
     #[error("the picture could not be read back from the graphics device: {0}")]
     Range(wgpu::MapRangeError),
+}
+
+/// Why a view is not drawn, in one sentence.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+pub enum Undrawn {
+    /// Half of the sky, on a GPU.
+    #[error("a picture of 180 by 180 degrees is drawn by the reference renderer, not on the graphics device")]
+    HalfOfSkyOnGpu,
+    /// Half of the sky in the published model.
+    #[error(
+        "a picture of 180 by 180 degrees is drawn by the reference renderer, which does not know the published model: \
+         that is defined point by point"
+    )]
+    HalfOfSkyPublished,
 }
 
 /// A graphics device and its queue.

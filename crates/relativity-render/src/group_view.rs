@@ -62,7 +62,7 @@ impl GroupView {
             (Geometry::Rest, Motion::Own(_)) => Geometry::Seen,
             (geometry, _) => geometry,
         };
-        let middle = if geometry == Geometry::OneCone { view.camera.off_middle() } else { DVec3::ZERO };
+        let middle = if geometry == Geometry::OneCone { view.camera.off_middle } else { DVec3::ZERO };
         let aperture = on_ground.reflected(position(view.camera.aperture) - middle);
         let (beta, gamma, received) =
             (on_ground.speed.beta(), on_ground.speed.gamma(), view.observation_time);
@@ -91,7 +91,7 @@ impl GroupView {
     /// use relativity_render::{Camera, Gaze, Geometry, Motion, Velocity, View};
     ///
     /// let aperture = Aperture::default();
-    /// let camera = Camera { aperture, gaze: Gaze::STRAIGHT_AHEAD, horizontal_fov: 1.0, size: [8, 8] };
+    /// let camera = Camera::new(aperture, Gaze::STRAIGHT_AHEAD, 1.0, [8, 8]);
     /// let speed = Speed::from_beta(0.6)?;
     /// let view = View { camera, speed, observation_time: 0.0, geometry: Geometry::Seen };
     ///
@@ -188,7 +188,7 @@ impl GroupView {
             }
             Geometry::OneCone => {
                 let seen = sighting(speed, point, Aperture::default(), 0.0).ok()?;
-                self.velocity.reflected(seen.position.into()) - self.camera.off_middle()
+                self.velocity.reflected(seen.position.into()) - self.camera.off_middle
             }
             Geometry::Published => {
                 let separation = self.published_separation();

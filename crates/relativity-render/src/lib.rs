@@ -26,12 +26,7 @@
 //! let shape = Shape::Sphere { center: [0.0, 3.0, 2.0], radius: 0.5 };
 //! let scene = PreparedScene::moving(&[Body::new(shape, 700.0)]);
 //! let mut view = View {
-//!     camera: Camera {
-//!         aperture: Aperture::pair(0.1)[0],
-//!         gaze: Gaze::STRAIGHT_AHEAD,
-//!         horizontal_fov: 0.5,
-//!         size: [64, 48],
-//!     },
+//!     camera: Camera::new(Aperture::pair(0.1)[0], Gaze::STRAIGHT_AHEAD, 0.5, [64, 48]),
 //!     speed: Speed::from_beta(0.9)?,
 //!     observation_time: 1.1,
 //!     geometry: Geometry::Seen,
@@ -103,8 +98,8 @@ pub mod velocity;
 pub mod view;
 
 pub use body::{Body, Emission, Pattern, Shape};
-pub use camera::{Camera, Gaze};
-pub use gpu::{Gpu, GpuError};
+pub use camera::{Camera, Gaze, Projection};
+pub use gpu::{Gpu, GpuError, Undrawn};
 pub use group_view::{GroupView, RestRay};
 pub use light::received_intensity;
 pub use outline::{Framing, Outline};

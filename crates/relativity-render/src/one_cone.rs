@@ -31,7 +31,7 @@ impl GroupView {
     /// Its origin, from the middle's event, is e/D: in l (n.u) - |e + l n| = -e.u nothing is left of l.
     pub(crate) fn one_cone_ray(&self, line_of_sight: DVec3, distance: Option<f64>) -> RestRay {
         let Self { velocity, .. } = self;
-        let eye = self.camera.off_middle();
+        let eye = self.camera.off_middle;
         let from_middle = distance.map(|distance| eye + line_of_sight * distance);
         let received_along = from_middle.map_or(line_of_sight, |place| place.normalize_or(line_of_sight));
         // n.u from the sine between both, which does not come out of a difference.
@@ -80,7 +80,7 @@ impl GroupView {
 /// Least and greatest delay by which the eye of `view` itself sees what it is shown of the subject of `scene`: no more than
 /// light takes to it from the middle.
 pub(crate) fn delays(scene: &PreparedScene, view: &View) -> [f64; 2] {
-    let most = view.camera.off_middle().length();
+    let most = view.camera.off_middle.length();
     let ranges = scene.subject().flat_map(|group| {
         let group_view = view.of_group(group.motion);
         scene.bodies()[group.bodies.clone()].iter().map(move |body| {
@@ -99,7 +99,7 @@ impl GroupView {
     /// e^2/(2 (|P| - |e|)) more. The ball has exactly the directions u of a cone, and |P| is D times as far as in the rest
     /// frame.
     fn delays(&self, center: DVec3, radius: f64) -> Option<[f64; 2]> {
-        let eye = self.camera.off_middle().x;
+        let eye = self.camera.off_middle.x;
         let geometry = if self.geometry == Geometry::OneCone { Geometry::Seen } else { self.geometry };
         let Cone { axis, half_angle } = Cone::of_sight(&Self { geometry, ..*self }, center, radius);
         let off_axis = atan2(math::hypot(axis.y, axis.z), axis.x);

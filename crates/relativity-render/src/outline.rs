@@ -1,10 +1,12 @@
 //! The outline of what a scene is about, as one or several apertures see it, and the gaze and field of view that hold
 //! all of it: `sight.rs` works it out.
 
+use std::f64::consts::FRAC_PI_2;
+
 use glam::DVec3;
 use relativity_core::math::{atan, tan};
 
-use crate::camera::{Camera, Gaze};
+use crate::camera::{Axes, Camera, Gauge, Gaze, Projection, held};
 
 /// The part of the picture that is left free on each side of what is framed.
 const MARGIN: f64 = 0.1;
@@ -17,6 +19,8 @@ const NARROWEST_OF_ALL: f64 = 2.0 * DEGREE;
 /// Widest horizontal field of view that frames, radians. What reaches further is cropped.
 const WIDEST: f64 = 150.0 * DEGREE;
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
+/// A tangent that stands for all that are larger.
+const FAR_OUT: f64 = 1e6;
 
 /// What a scene is about ([`PreparedScene::subject`](crate::PreparedScene::subject)), from one or several parallel apertures.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,9 +37,21 @@ pub struct Outline {
 pub struct Framing {
     /// It.
     pub gaze: Gaze,
-    /// How far the outline reaches from there, radians: across and up, as angles between planes through the picture's
-    /// upright and level lines.
-    pub(crate) reach: [f64; 2],
+    /// How far the outline reaches from there, across and up, focal lengths.
+    reach: [f64; 2],
+    /// How it lies in pictures that are parallel to the baseline.
+    sheared: Option<Sheared>,
+}
+
+/// Least and greatest.
+pub(crate) type Range = [f64; 2];
+
+/// How an outline lies in both eyes' pictures, parallel to the baseline.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Sheared {
+    axes: Axes,
+    /// Between which tangents to the right of their axis it lies, in the left eye's and in the right eye's.
+    across: [Range; 2],
 }
 
 /// A ball, from the aperture.
@@ -46,7 +62,8 @@ pub(crate) struct Ball {
 }
 
 impl Outline {
-    /// How to hold all of it in a picture; `None` where there is nothing.
+    /// How to hold all of it in pictures of the projection that the views it was worked out for have; `None` where there is
+    /// nothing. Pictures parallel to a baseline have no image shift in it: [`Framing::shifted`] gives them one.
     #[must_use]
     pub const fn framing(&self) -> Option<Framing> {
         self.framing
@@ -55,32 +72,71 @@ impl Outline {
     /// Whether nothing of it is in the picture of a `camera` at its apertures, taking each body for the ball around it.
     #[must_use]
     pub fn is_out_of(&self, camera: &Camera) -> bool {
-        let axes = camera.gaze.axes();
-        let half_width = tan(0.5 * camera.horizontal_fov);
+        let Gauge { right, up, forward, .. } = camera.gauge();
+        // A picture of half the sky has no edges but that.
+        let is_flat = !matches!(camera.projection, Projection::Vr180 { .. });
+        let half_width = camera.half_width();
         let half_height = half_width * f64::from(camera.size[1]) / f64::from(camera.size[0]);
         let is_in = |ball: &Ball| {
-            let depth = ball.center.dot(axes.forward);
             let inside = |side: DVec3, half: f64| {
-                // In front of the picture's edge, a plane through the aperture, or by less than the radius behind it.
-                half * depth - ball.center.dot(side).abs() >= -ball.radius * (1.0 + half * half).sqrt()
+                // In front of the picture's edges, planes through the aperture, or by less than the radius behind them.
+                [side, -side].into_iter().all(|side| {
+                    let inwards = forward * half - side;
+                    ball.center.dot(inwards) >= -ball.radius * inwards.length()
+                })
             };
-            depth > -ball.radius && inside(axes.right, half_width) && inside(axes.up, half_height)
+            let is_in_picture = || inside(right, half_width) && inside(up, half_height);
+            ball.center.dot(forward) > -ball.radius && (!is_flat || is_in_picture())
         };
         !self.surrounds && !self.balls.iter().any(is_in)
     }
 }
 
 impl Framing {
+    /// Of what reaches as far as these angles across and up from `gaze`, between planes through the level and upright lines
+    /// of a picture across it.
+    pub(crate) fn level(gaze: Gaze, reach: [f64; 2]) -> Self {
+        let tangent = |reach: f64| if reach < 0.5 * WIDEST { tan(reach) } else { f64::INFINITY };
+        Self { gaze, reach: reach.map(tangent), sheared: None }
+    }
+
+    /// Of what lies within these angles to the right of the axis and up, in the pictures of the left and of the right eye
+    /// that have these `axes`.
+    pub(crate) fn sheared(axes: Axes, eyes: [[Range; 2]; 2]) -> Self {
+        let across = eyes.map(|[across, _]| across.map(tangent));
+        let up = eyes.map(|[_, up]| up.map(|up| tangent(up).abs()));
+        let up = up.as_flattened().iter().copied().fold(0.0, f64::max);
+        let unshifted =
+            Self { gaze: Gaze::STRAIGHT_AHEAD, reach: [0.0, up], sheared: Some(Sheared { axes, across }) };
+        unshifted.shifted([0.0; 2])
+    }
+
+    /// The same for pictures of the left and of the right eye with these image shifts ([`Projection::Parallel`]): the gaze
+    /// turns along the rows alone, so that shifts made for [`Self::gaze`] are those for the new one. What does not slant
+    /// further than [`MAX_SLANT`](crate::camera::MAX_SLANT) is in the middle then, in both pictures taken together.
+    #[must_use]
+    pub fn shifted(&self, shifts: [f64; 2]) -> Self {
+        let Some(Sheared { axes, across: [left, right] }) = self.sheared else { return *self };
+        let low = (left[0] + shifts[0]).min(right[0] + shifts[1]);
+        let high = (left[1] + shifts[0]).max(right[1] + shifts[1]);
+        let slant = held(0.5 * (low + high));
+        let gaze = Gaze::along((axes.forward + axes.right * slant).to_array());
+        Self { gaze, reach: [(high - slant).max(slant - low), self.reach[1]], ..*self }
+    }
+
     /// Horizontal field of view that holds the outline with a margin, radians, in a picture of this `size` (width and
     /// height): 42 to 150 degrees, or down to 2 where the outline would fill less than a tenth of the picture.
     #[must_use]
     pub fn horizontal_fov(&self, size: [u32; 2]) -> f64 {
         let [width, height] = size.map(f64::from);
-        let [across, up] =
-            self.reach.map(|reach| if reach < 0.5 * WIDEST { tan(reach) } else { f64::INFINITY });
+        let [across, up] = self.reach;
         let outline = across.max(up * width / height);
         let fov = |share: f64| 2.0 * atan(outline / share);
         let narrowest = fov(SMALLEST_SHARE).clamp(NARROWEST_OF_ALL, NARROWEST);
         fov(1.0 - 2.0 * MARGIN).clamp(narrowest, WIDEST)
     }
+}
+
+fn tangent(angle: f64) -> f64 {
+    if angle.abs() < FRAC_PI_2 { tan(angle).clamp(-FAR_OUT, FAR_OUT) } else { FAR_OUT.copysign(angle) }
 }

@@ -28,7 +28,7 @@ impl PreparedScene {
     /// let ball = Body::new(Shape::Sphere { center: [-50.0, 1.0, 0.0], radius: 0.5 }, 700.0);
     /// let scene = PreparedScene::moving(&[ball]);
     /// let gaze = Gaze { azimuth: std::f64::consts::PI, elevation: 0.0 };
-    /// let camera = Camera { aperture: Aperture::default(), gaze, horizontal_fov: 1.0, size: [640, 480] };
+    /// let camera = Camera::new(Aperture::default(), gaze, 1.0, [640, 480]);
     /// let speed = Speed::from_beta(0.9)?;
     /// let view = View { camera, speed, observation_time: 0.0, geometry: Geometry::Seen };
     /// assert_eq!(scene.received_shares(&view, &Appearance::default()), [[1.0, 0.0, 0.0]]);

@@ -81,12 +81,12 @@ mod tests {
     const BLANK: Blank = Blank { background: [0.2; 3], outside: [0.4; 3] };
 
     fn view() -> View {
-        let camera = Camera {
-            aperture: Aperture { x: -0.05, y: 0.0, z: 0.0 },
-            gaze: Gaze { azimuth: 2.2, elevation: 0.3 },
-            horizontal_fov: 1.2,
-            size: [160, 120],
-        };
+        let camera = Camera::new(
+            Aperture { x: -0.05, y: 0.0, z: 0.0 },
+            Gaze { azimuth: 2.2, elevation: 0.3 },
+            1.2,
+            [160, 120],
+        );
         let speed = Speed::from_beta(0.9).expect("a speed");
         View { camera, speed, observation_time: 1.1, geometry: Geometry::Seen }
     }

@@ -11,10 +11,10 @@
 use std::sync::LazyLock;
 
 use relativity_core::doppler::intensity_factor;
-use relativity_core::math::{atan, tan};
+use relativity_core::math::atan;
 use relativity_core::threads::prelude::*;
 
-use crate::camera::{Camera, Gaze, LinesOfSight};
+use crate::camera::{Camera, Gaze, LinesOfSight, Projection};
 use crate::colour::{linear_srgb, mix, srgb_decoded};
 use crate::picture::{Picture, encoded};
 use crate::reference::sample_grid;
@@ -38,7 +38,7 @@ const HUE_TOLERANCE: f64 = 0.1;
 /// use relativity_render::{Camera, Gaze, Velocity};
 ///
 /// let (aperture, gaze) = (Aperture::default(), Gaze::STRAIGHT_AHEAD);
-/// let ground = Camera { aperture, gaze, horizontal_fov: 1.0, size: [80, 60] };
+/// let ground = Camera::new(aperture, gaze, 1.0, [80, 60]);
 /// let velocity = Velocity::from_beta(0.6)?;
 /// let rest = Rectification::rest_camera(&ground, &velocity);
 /// // The camera that moves along looks ahead to see the same: cos(azimuth) = beta.
@@ -71,14 +71,17 @@ impl Rectification {
         Self { ground, rest, velocity, lines_of_sight: LinesOfSight::new(&rest) }
     }
 
-    /// The moving camera that has what `ground` has in its centre in its own, equally large.
+    /// The moving camera that has what `ground` has in its centre in its own, equally large, its picture across its gaze.
     #[must_use]
     pub fn rest_camera(ground: &Camera, velocity: &Velocity) -> Camera {
-        let centre = ground.gaze.axes().forward;
+        let to_centre = ground.to_centre();
+        // Beside the axis of a sheared picture all is larger: across the shear so many times.
+        let stretch = to_centre.length();
+        let centre = to_centre / stretch;
         let gaze = Gaze::along(velocity.rest_from_ground(centre).to_array());
         // Small angles are D times as large in the rest frame, so the focal length is 1/D times as long.
-        let half_width = tan(0.5 * ground.horizontal_fov) * velocity.doppler_factor(centre);
-        Camera { gaze, horizontal_fov: 2.0 * atan(half_width), ..*ground }
+        let half_width = ground.half_width() * velocity.doppler_factor(centre) / stretch;
+        Camera { gaze, horizontal_fov: 2.0 * atan(half_width), projection: Projection::Gaze, ..*ground }
     }
 
     /// The moving camera.
@@ -179,12 +182,7 @@ mod tests {
     use relativity_core::Aperture;
 
     fn camera() -> Camera {
-        Camera {
-            aperture: Aperture::default(),
-            gaze: Gaze { azimuth: 2.2, elevation: 0.3 },
-            horizontal_fov: 1.0,
-            size: [120, 90],
-        }
+        Camera::new(Aperture::default(), Gaze { azimuth: 2.2, elevation: 0.3 }, 1.0, [120, 90])
     }
 
     fn rectification() -> Rectification {

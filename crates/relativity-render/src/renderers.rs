@@ -2,10 +2,11 @@
 
 use std::fmt;
 
+use crate::camera::Projection;
 use crate::canvas::Canvas;
 use crate::drawing::Drawing;
 use crate::exact::{Bounds, ExactRenderer};
-use crate::gpu::{Gpu, GpuError};
+use crate::gpu::{Gpu, GpuError, Undrawn};
 use crate::mesh::MeshRenderer;
 use crate::picture::Picture;
 use crate::reference::HitImage;
@@ -56,9 +57,13 @@ impl Method {
     pub const DEFAULT_BOUND_PX: f64 = 0.5;
 
     /// What draws `view` where this is asked for: the published model, which is defined point by point, is known to
-    /// the mesh renderer alone; one light cone for both eyes, whose rays are curved, not to the exact one.
+    /// the mesh renderer alone; one light cone for both eyes, whose rays are curved, not to the exact one; a picture of half
+    /// the sky to the reference alone. Whether anything draws it says [`View::drawn`].
     #[must_use]
     pub fn of_view(self, view: &View) -> Self {
+        if let Projection::Vr180 { .. } = view.camera.projection {
+            return Self::Reference;
+        }
         match (view.geometry, self) {
             (Geometry::Published, Self::Reference | Self::Exact) | (Geometry::OneCone, Self::Exact) => {
                 Self::Mesh { bound_px: Self::DEFAULT_BOUND_PX }
@@ -67,11 +72,35 @@ impl Method {
         }
     }
 
-    /// What draws `view` on the GPU where this is asked for: what draws the rest exactly stands in for the reference.
+    /// What draws `view` on the GPU where this is asked for: what draws the rest exactly stands in for the reference. Of
+    /// half the sky there nothing does: it stays the reference.
     #[must_use]
     pub fn on_gpu(self, view: &View) -> Self {
         let on_gpu = if self == Self::Reference { Self::Exact } else { self };
         on_gpu.of_view(view)
+    }
+}
+
+impl View {
+    /// Whether any renderer draws it.
+    ///
+    /// # Errors
+    ///
+    /// Half of the sky in the published model.
+    pub fn drawn(&self) -> Result<(), Undrawn> {
+        let is_half_of_sky = matches!(self.camera.projection, Projection::Vr180 { .. });
+        if is_half_of_sky && self.geometry == Geometry::Published {
+            return Err(Undrawn::HalfOfSkyPublished);
+        }
+        Ok(())
+    }
+
+    /// Whether a renderer on the GPU does.
+    fn drawn_on_gpu(&self) -> Result<(), Undrawn> {
+        match self.camera.projection {
+            Projection::Vr180 { .. } => Err(Undrawn::HalfOfSkyOnGpu),
+            Projection::Gaze | Projection::Parallel { .. } => Ok(()),
+        }
     }
 }
 
@@ -120,7 +149,7 @@ impl Renderers {
     ///
     /// # Errors
     ///
-    /// No device.
+    /// No device, or a view that nothing draws there.
     pub fn draw(
         &mut self,
         method: Method,
@@ -129,6 +158,7 @@ impl Renderers {
         appearance: &Appearance,
         target: &mut EyeTarget,
     ) -> Result<(), GpuError> {
+        view.drawn_on_gpu()?;
         let (gpu, canvas, drawing) = self.drawing(method.on_gpu(view))?;
         canvas.paint(gpu, drawing, scene, view, appearance, target);
         Ok(())
@@ -138,7 +168,8 @@ impl Renderers {
     ///
     /// # Errors
     ///
-    /// No device where `method` needs one, a size that it cannot draw, or a device that was lost.
+    /// A view that nothing draws, no device where `method` needs one, a size that it cannot draw, or a device that was
+    /// lost.
     pub fn picture(
         &mut self,
         method: Method,
@@ -147,6 +178,7 @@ impl Renderers {
         appearance: &Appearance,
         samples: u32,
     ) -> Result<Picture, GpuError> {
+        view.drawn()?;
         let method = method.of_view(view);
         if method == Method::Reference {
             return Ok(scene.picture(view, appearance, samples));
@@ -181,6 +213,7 @@ impl Renderers {
         whole: &View,
         part: &View,
     ) -> Result<HitImage, GpuError> {
+        part.drawn()?;
         let method = method.of_view(part);
         if method == Method::Reference {
             return Ok(scene.hit_image(part));

@@ -13,12 +13,12 @@ use glam::DVec3;
 use relativity_core::math::{atan, sin_cos};
 
 use crate::block::Block;
-use crate::camera::{Axes, Gaze, MAX_ELEVATION};
+use crate::camera::{Axes, Gaze, MAX_ELEVATION, Projection as PictureProjection};
 use crate::capsule::Capsule;
 use crate::footprint::Projection;
 use crate::group_view::GroupView;
 use crate::one_cone;
-use crate::outline::{Ball, Framing, Outline};
+use crate::outline::{Ball, Framing, Outline, Range};
 use crate::prepared_body::PreparedBody;
 use crate::scene::{PreparedGroup, PreparedScene};
 use crate::view::{Geometry, View};
@@ -50,6 +50,8 @@ impl PreparedScene {
 
 /// One group, as one view sees it; all is reflected so that the group moves along +x.
 struct Sight<'a> {
+    /// The number of the view.
+    eye: usize,
     view: GroupView,
     projection: Projection,
     bodies: Vec<Seen<'a>>,
@@ -86,28 +88,45 @@ impl Seen<'_> {
 /// The outline of `scene` in all `views` together, whatever their gazes and fields.
 fn outline(scene: &PreparedScene, views: &[View]) -> Outline {
     let groups = || scene.subject().collect::<Vec<_>>();
-    let sights = views.iter().flat_map(|view| as_seen(scene, view)).flat_map(|view| {
-        groups().into_iter().map(move |group| Sight::new(scene, group, view.of_group(group.motion)))
+    let as_seen =
+        views.iter().enumerate().flat_map(|(eye, view)| as_seen(scene, view).map(move |view| (eye, view)));
+    let sights = as_seen.flat_map(|(eye, view)| {
+        groups().into_iter().map(move |group| Sight::new(eye, scene, group, view.of_group(group.motion)))
     });
     let sights: Vec<_> = sights.collect();
     let balls = |sight: &Sight| sight.balls().collect::<Vec<_>>();
     let balls: Vec<_> = sights.iter().flat_map(balls).collect();
     let surrounds = sights.iter().flat_map(|sight| &sight.bodies).any(|body| body.ball.is_none());
-    let sum = balls.iter().map(|ball| ball.center.normalize_or_zero()).sum();
-    Outline { balls, surrounds, framing: framed(&sights, sum) }
+    let sum: DVec3 = balls.iter().map(|ball| ball.center.normalize_or_zero()).sum();
+    let framing = sum.try_normalize().map(|towards| match views[0].camera.projection {
+        PictureProjection::Parallel { right, .. } => framed_parallel_to(right, &sights, towards),
+        PictureProjection::Gaze | PictureProjection::Vr180 { .. } => framed(&sights, towards),
+    });
+    Outline { balls, surrounds, framing }
 }
 
-/// How to hold all that is seen; `towards` is somewhere in the midst of it.
-fn framed(sights: &[Sight], towards: DVec3) -> Option<Framing> {
+/// How to hold all that is seen in pictures parallel to the `baseline`; `towards` is somewhere in the midst of it.
+fn framed_parallel_to(baseline: DVec3, sights: &[Sight], towards: DVec3) -> Framing {
+    let axes = Axes::across(baseline, towards);
+    // Angles up are about the baseline, the same from every axis.
+    let (sine, cosine) = sin_cos(middle(reach(sights, &axes)[1]));
+    let axes = Axes::upright(axes.right, axes.forward * cosine + axes.up * sine);
+    let last = sights.last().map_or(0, |sight| sight.eye);
+    let of_eye = |eye| reach(sights.iter().filter(|sight| sight.eye == eye), &axes);
+    Framing::sheared(axes, [of_eye(0), of_eye(last)])
+}
+
+/// How to hold all that is seen in pictures across the gaze; `towards` is somewhere in the midst of it.
+fn framed(sights: &[Sight], towards: DVec3) -> Framing {
     let reach = |gaze: &Gaze| reach(sights, &gaze.axes());
-    let mut gaze = Gaze { elevation: 0.0, ..Gaze::along(towards.try_normalize()?.to_array()) };
+    let mut gaze = Gaze { elevation: 0.0, ..Gaze::along(towards.to_array()) };
     // Level at first, so that azimuths are exact however wide it is.
     for _ in 0..TURNS {
         let [across, up] = reach(&gaze).map(middle);
         gaze.azimuth -= across / sin_cos(gaze.elevation).1.max(0.1);
         gaze.elevation = tilted(gaze.elevation + up);
     }
-    Some(Framing { gaze, reach: reach(&gaze).map(|[low, high]| (-low).max(high)) })
+    Framing::level(gaze, reach(&gaze).map(|[low, high]| (-low).max(high)))
 }
 
 fn middle([low, high]: Range) -> f64 {
@@ -119,7 +138,7 @@ fn tilted(elevation: f64) -> f64 {
 }
 
 /// Between which angles from the optical axis, across and up, all that is seen lies.
-fn reach(sights: &[Sight], axes: &Axes) -> [Range; 2] {
+fn reach<'a>(sights: impl IntoIterator<Item = &'a Sight<'a>>, axes: &Axes) -> [Range; 2] {
     let mut found = Reach::NOWHERE;
     for sight in sights {
         sight.widen(axes, &mut found);
@@ -143,7 +162,7 @@ fn as_seen(scene: &PreparedScene, view: &View) -> impl Iterator<Item = View> + u
 }
 
 impl<'a> Sight<'a> {
-    fn new(scene: &'a PreparedScene, group: &PreparedGroup, view: GroupView) -> Self {
+    fn new(eye: usize, scene: &'a PreparedScene, group: &PreparedGroup, view: GroupView) -> Self {
         let projection = Projection::new(&view);
         let seen = |body: &PreparedBody| {
             let around = scene.ball_around(body);
@@ -152,7 +171,7 @@ impl<'a> Sight<'a> {
             Seen { ball, capsules: scene.capsules(body), block: body.block, images: OnceCell::new() }
         };
         let bodies = scene.bodies()[group.bodies.clone()].iter().map(seen).collect();
-        Self { view, projection, bodies }
+        Self { eye, view, projection, bodies }
     }
 
     /// The balls that look like those around the bodies, on the ground.
@@ -212,9 +231,6 @@ impl<'a> Sight<'a> {
         Some(Image { piece: *piece, ends: [first, last], bulge: self.projection.bulge(piece)? })
     }
 }
-
-/// Least and greatest.
-type Range = [f64; 2];
 
 /// Between which planes through the picture's upright, and between which through its level line, something lies.
 #[derive(Debug, Clone, Copy)]

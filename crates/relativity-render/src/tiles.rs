@@ -5,6 +5,8 @@
 //! ray, measured three to six times slower on crowds of 64 to 6,400 (`benches/reference.rs` compares with
 //! a plain loop).
 
+use std::f64::consts::FRAC_PI_2;
+
 use relativity_core::math::atan2;
 
 use crate::camera::{Camera, LinesOfSight};
@@ -45,9 +47,13 @@ impl Tile {
         let through = |x: f64, y: f64| lines_of_sight.through([left + x * width, top + y * height]);
         let axis = through(0.5, 0.5);
         let corners = [through(0.0, 0.0), through(1.0, 0.0), through(0.0, 1.0), through(1.0, 1.0)];
+        // No line of sight is further from the axis than a corner's: not in a flat picture, nor in one by longitude and
+        // latitude, where along each edge the cosine of that angle rises to one maximum and falls. That holds below a
+        // right angle; in no more than the largest tiles of a picture is it wider.
         let half_angle =
             corners.into_iter().map(|corner| atan2(axis.cross(corner).length(), axis.dot(corner)));
-        Cone { axis, half_angle: half_angle.fold(0.0, f64::max) }
+        let half_angle = half_angle.fold(0.0, f64::max);
+        if half_angle < FRAC_PI_2 { Cone { axis, half_angle } } else { Cone::WHOLE_SKY }
     }
 }
 

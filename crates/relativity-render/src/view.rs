@@ -88,7 +88,7 @@ impl View {
         let received = self.observation_time;
         match self.geometry {
             Geometry::Seen | Geometry::Published => received - distance,
-            Geometry::OneCone => received - (self.camera.off_middle() + line_of_sight * distance).length(),
+            Geometry::OneCone => received - (self.camera.off_middle + line_of_sight * distance).length(),
             Geometry::Contracted => received,
             // The inverse boost of (-s, s n) is -gamma s (1 - beta n_x).
             Geometry::Rest => {

@@ -8,11 +8,14 @@ use std::process::ExitCode;
 use std::sync::LazyLock;
 
 use glam::DVec3;
-use gpu_support::scenes::{crowd, round_still_life, speeds, still_life, time_seen_at, view_following};
+use gpu_support::scenes::{
+    crowd, parallel_views, round_still_life, speeds, still_life, time_seen_at, view_following,
+};
 use joints::{joints, shared_pixels};
 use relativity_core::{SourcePoint, Speed, sighting};
 use relativity_render::{
-    Body, Geometry, Group, HitImage, Method, Motion, PreparedScene, Renderers, Shape, Velocity, View,
+    Body, Geometry, Group, HitImage, Method, Motion, PreparedScene, Projection, Renderers, Shape, Velocity,
+    View,
 };
 use support::{documented, signed_distance};
 
@@ -42,12 +45,13 @@ const FOLLOWED: [f64; 3] = [-0.4, 3.0, 0.7];
 const ALONG: [f64; 5] = [-8.0, -1.0, 0.0, 1.0, 4.0];
 
 fn views() -> impl Iterator<Item = View> {
-    speeds().into_iter().flat_map(|speed| {
+    let across_gaze = speeds().into_iter().flat_map(|speed| {
         ALONG.map(|along| {
             let time = time_seen_at(FOLLOWED, &speed, along);
             view_following(FOLLOWED, speed, time, 45.0)
         })
-    })
+    });
+    across_gaze.chain(parallel_views(&speeds(), FOLLOWED))
 }
 
 /// What the documentation of the exact renderer promises.
@@ -243,8 +247,14 @@ fn bounds_never_clip(renderers: &mut Renderers) {
     let bodies = crowd(150);
     for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
         for speed in speeds() {
-            for (rest, fov) in [([2.0, 1.0, 0.5], 50.0), ([-3.0, 0.5, -1.0], 120.0)] {
-                let view = View { geometry, ..view_following(rest, speed, 0.3, fov) };
+            let cases = [([2.0, 1.0, 0.5], 50.0), ([-3.0, 0.5, -1.0], 120.0)];
+            for ((rest, fov), is_sheared) in cases.into_iter().flat_map(|case| [(case, false), (case, true)])
+            {
+                let mut view = View { geometry, ..view_following(rest, speed, 0.3, fov) };
+                if is_sheared {
+                    view.camera.projection =
+                        Projection::Parallel { right: DVec3::new(0.96, 0.0, 0.28), shift: 0.1 };
+                }
                 let [found, expected] = [&mut *renderers, &mut unbounded].map(|renderers| {
                     renderers
                         .hits(Method::Exact, &PreparedScene::moving(&bodies), &view)

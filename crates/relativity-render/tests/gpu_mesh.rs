@@ -9,7 +9,7 @@ mod support;
 use std::process::ExitCode;
 
 use glam::{DVec2, DVec3};
-use gpu_support::scenes::{still_life, time_seen_at, view_following};
+use gpu_support::scenes::{parallel_views, still_life, time_seen_at, view_following};
 use joints::joints;
 use relativity_core::{Aperture, MAX_GAMMA, Model, PublishedVariant, SourcePoint, Speed, sighting};
 use relativity_render::{
@@ -37,10 +37,13 @@ const DEFAULT: Method = Method::Mesh { bound_px: Method::DEFAULT_BOUND_PX };
 fn views() -> impl Iterator<Item = View> {
     let speeds = [0.0, 0.5, 0.9, 0.99, 0.9999].map(|beta| Speed::from_beta(beta).expect("below 1"));
     let fastest = Speed::from_gamma(MAX_GAMMA).expect("in range");
-    speeds.into_iter().chain([fastest]).flat_map(|speed| {
+    let speeds: Vec<_> = speeds.into_iter().chain([fastest]).collect();
+    let parallel: Vec<_> = parallel_views(&speeds, FOLLOWED).collect();
+    let across_gaze = speeds.into_iter().flat_map(|speed| {
         [-8.0, -1.0, 0.0, 1.0, 4.0]
             .map(|along| view_following(FOLLOWED, speed, time_seen_at(FOLLOWED, &speed, along), 45.0))
-    })
+    });
+    across_gaze.chain(parallel)
 }
 
 fn the_picture_keeps_the_bound(renderers: &mut Renderers) {
@@ -192,7 +195,8 @@ fn with_one_light_cone_pictures_keep_the_bound(renderers: &mut Renderers) {
     let alone = (PreparedScene::moving(&still_life()), still_life());
     for (scene, bodies) in [alone, groups()] {
         for (view, x) in views().zip([-0.05, 0.5].into_iter().cycle()) {
-            let camera = Camera { aperture: Aperture { x, ..view.camera.aperture }, ..view.camera };
+            let aperture = Aperture { x, ..view.camera.aperture };
+            let camera = Camera { aperture, off_middle: DVec3::X * x, ..view.camera };
             let mut view = View { camera, geometry: Geometry::OneCone, ..view };
             let followed = view.apparent_position(FOLLOWED.into()).expect("inside the domain");
             view.camera.gaze = Gaze::along(followed.to_array());

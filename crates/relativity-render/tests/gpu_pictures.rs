@@ -6,7 +6,7 @@ mod support;
 
 use std::process::ExitCode;
 
-use gpu_support::scenes::{still_life, time_seen_at, view_following};
+use gpu_support::scenes::{parallel_views, still_life, time_seen_at, view_following};
 use relativity_core::Speed;
 use relativity_render::{
     Appearance, Body, Colour, Emission, Geometry, HitImage, Method, Pattern, Picture, PreparedScene,
@@ -29,8 +29,12 @@ fn view(speed: Speed) -> View {
     view_following(FOLLOWED, speed, time_seen_at(FOLLOWED, &speed, 0.3), 45.0)
 }
 
+fn fast_speed() -> Speed {
+    Speed::from_beta(0.9).expect("below 1")
+}
+
 fn fast() -> View {
-    view(Speed::from_beta(0.9).expect("below 1"))
+    view(fast_speed())
 }
 
 fn appearances() -> Vec<Appearance> {
@@ -111,10 +115,13 @@ fn agree_with_the_reference(
     let exact_levels = documented(RENDERERS, "away from outlines colours are within ");
     let bound_px = documented(RENDERERS, "`tests/gpu_pictures.rs`: within ");
     let mesh_levels = documented(RENDERERS, "colours away from outlines are within ");
-    for geometry in [Geometry::Seen, Geometry::OneCone, Geometry::Contracted, Geometry::Rest] {
-        let mut view = View { geometry, ..fast() };
+    let geometries = [Geometry::Seen, Geometry::OneCone, Geometry::Contracted, Geometry::Rest];
+    let oblique = [Geometry::Seen, Geometry::OneCone]
+        .map(|geometry| (geometry, parallel_views(&[fast_speed()], FOLLOWED).last()));
+    for (geometry, view) in geometries.map(|geometry| (geometry, Some(fast()))).into_iter().chain(oblique) {
+        let mut view = View { geometry, ..view.expect("there are views") };
         if geometry == Geometry::OneCone {
-            view.camera.aperture.x = 0.3;
+            (view.camera.aperture.x, view.camera.off_middle.x) = (0.3, 0.3);
         }
         let hits = reference.hit_image(&view);
         for appearance in appearances {

@@ -58,12 +58,12 @@ fn scene() -> PreparedScene {
 }
 
 fn view(geometry: Geometry, observation_time: f64) -> View {
-    let camera = Camera {
-        aperture: Aperture { x: 0.05, y: 0.0, z: 0.1 },
-        gaze: Gaze::along([0.2 * (observation_time - 3.0), 3.0, 1.0]),
-        horizontal_fov: 1.9,
-        size: [120, 80],
-    };
+    let camera = Camera::new(
+        Aperture { x: 0.05, y: 0.0, z: 0.1 },
+        Gaze::along([0.2 * (observation_time - 3.0), 3.0, 1.0]),
+        1.9,
+        [120, 80],
+    );
     let speed = Speed::from_beta(BETAS[0]).expect("below 1");
     View { camera, speed, observation_time, geometry }
 }
@@ -253,8 +253,9 @@ fn motion_towards_minus_x_is_motion_towards_plus_x_in_a_mirror() {
         PreparedScene::new([Group { motion, bodies: &bodies }])
     });
     let view = view(Geometry::Seen, 3.0);
+    let aperture = Aperture { x: -0.05, y: 0.0, z: 0.1 };
     let there =
-        View { camera: Camera { aperture: Aperture { x: -0.05, y: 0.0, z: 0.1 }, ..view.camera }, ..view };
+        View { camera: Camera { aperture, off_middle: DVec3::X * aperture.x, ..view.camera }, ..view };
     let mut shown = 0;
     for n in lines_of_sight(&view) {
         let hits =
@@ -278,7 +279,7 @@ fn both_eyes_see_a_point_of_any_group_where_their_views_show_it() {
             let both = velocity.disparity(model, rest, 0.3, 2.1).expect("in the domain");
             let places = Aperture::pair(0.3).map(|aperture| {
                 let view = view(geometry, 2.1);
-                let camera = Camera { aperture, ..view.camera };
+                let camera = Camera { aperture, off_middle: DVec3::X * aperture.x, ..view.camera };
                 View { camera, ..view }.of_group(motion(group)).apparent_position(rest.into()).expect("there")
             });
             for (place, sighting) in places.into_iter().zip([both.primary, both.secondary]) {

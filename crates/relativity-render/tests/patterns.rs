@@ -27,12 +27,7 @@ fn appearance() -> Appearance {
 /// What is seen of what is far away straight ahead, in light that left it there.
 fn abeam(beta: f64) -> View {
     View {
-        camera: Camera {
-            aperture: Aperture::default(),
-            gaze: Gaze::STRAIGHT_AHEAD,
-            horizontal_fov: 2.6 / FAR,
-            size: [SIDE; 2],
-        },
+        camera: Camera::new(Aperture::default(), Gaze::STRAIGHT_AHEAD, 2.6 / FAR, [SIDE; 2]),
         speed: Speed::from_beta(beta).expect("a speed"),
         observation_time: FAR,
         geometry: Geometry::Seen,

@@ -13,12 +13,8 @@ use support::{centred, documented, signed_distance, spread};
 const BETAS: [f64; 5] = [0.0, 0.5, 0.9, 0.99, 0.999];
 
 fn view(beta: f64, observation_time: f64, towards: [f64; 3], fov_degrees: f64) -> View {
-    let camera = Camera {
-        aperture: Aperture::pair(0.1)[1],
-        gaze: Gaze::along(towards),
-        horizontal_fov: fov_degrees.to_radians(),
-        size: [60, 40],
-    };
+    let camera =
+        Camera::new(Aperture::pair(0.1)[1], Gaze::along(towards), fov_degrees.to_radians(), [60, 40]);
     let speed = Speed::from_beta(beta).expect("below 1");
     View { camera, speed, observation_time, geometry: Geometry::Seen }
 }
@@ -242,7 +238,8 @@ fn with_one_light_cone_the_pictures_are_those_of_a_walk_back_along_the_middles_l
     let scene = PreparedScene::moving(&bodies);
     let mut total = [0; 2];
     for (view, x) in views().into_iter().zip([0.05, -0.5, 0.5, -1.5].into_iter().cycle()) {
-        let camera = Camera { aperture: Aperture { x, y: 0.1, z: 0.0 }, ..view.camera };
+        let aperture = Aperture { x, y: 0.1, z: 0.0 };
+        let camera = Camera { aperture, off_middle: DVec3::X * x, ..view.camera };
         let view = View { camera, geometry: Geometry::OneCone, ..view };
         let [covered, different] = compare_with_walk(&scene, &bodies, &view);
         assert!(covered > 30, "only {covered} pixels covered at {view:?}");
@@ -295,7 +292,8 @@ fn hits_lie_where_the_light_cone_shows_them_up_to_the_greatest_gamma() {
     let offset_px = documented(renderers, "positions are off by less than ");
     let share = documented(renderers, "distances and Doppler factors by less than ");
     let with_one_cone = extreme_views().into_iter().zip([0.5, -0.05].into_iter().cycle()).map(|(view, x)| {
-        let camera = Camera { aperture: Aperture { x, ..view.camera.aperture }, ..view.camera };
+        let aperture = Aperture { x, ..view.camera.aperture };
+        let camera = Camera { aperture, off_middle: DVec3::X * x, ..view.camera };
         View { camera, geometry: Geometry::OneCone, ..view }
     });
     for view in extreme_views().into_iter().chain(with_one_cone) {

@@ -2,11 +2,13 @@
 //! commands; none calls another, and all are made of [`super::widgets`].
 
 pub mod bar;
+pub mod borders;
 pub mod controls;
 pub mod corrected;
 pub mod help;
 pub mod map;
 pub mod plots;
+pub mod presented;
 pub mod readout;
 pub mod sentence;
 pub mod spectrum;

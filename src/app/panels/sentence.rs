@@ -3,6 +3,7 @@
 use eframe::egui::{self, Align2, FontId, Ui, accesskit::Role, text::LayoutJob};
 
 use crate::app::state::State;
+use crate::app::theme;
 
 /// Sizes of the writing, points: the first at which the sentence fits is taken, else the last.
 const SIZES: [f32; 6] = [14.0, 13.0, 12.0, 11.0, 10.0, 9.0];
@@ -13,7 +14,9 @@ pub fn show(ui: &mut Ui, state: &State) {
     let colour = ui.visuals().strong_text_color();
     // A number is not parted from its unit, nor from what it is the value of.
     let tied = sentence.replace(" nm", "\u{a0}nm").replace(" = ", "\u{a0}=\u{a0}");
+    let scale = theme::text_scale(ui.style());
     let laid_out = |size: f32| {
+        let size = scale * size;
         let job = LayoutJob::simple(tied.clone(), FontId::proportional(size), colour, rect.width());
         ui.painter().layout_job(job)
     };

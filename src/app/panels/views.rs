@@ -9,7 +9,7 @@ use relativity_core::math;
 use relativity_render::{Colour, Geometry, Method, PreparedScene, View};
 
 use super::Asks;
-use crate::app::command::{Command, Pick, Zoom};
+use crate::app::command::{Command, Pick, Turn, Zoom};
 use crate::app::dial::{self, Drawn};
 use crate::app::eyes::Shown;
 use crate::app::observer::Eye;
@@ -59,7 +59,7 @@ impl EyePane {
 }
 
 /// Reads the mouse in `pane`.
-pub fn interact(ui: &mut Ui, state: &State, pane: EyePane, asks: &mut Asks) {
+pub fn interact(ui: &mut Ui, pane: EyePane, asks: &mut Asks) {
     let id = ui.scope_id().with(("view", pane.eye.index()));
     let response = ui.interact(pane.rect, id, Sense::click_and_drag()).on_hover_cursor(CursorIcon::Crosshair);
     let name = format!("{} view", pane.eye.name());
@@ -70,7 +70,7 @@ pub fn interact(ui: &mut Ui, state: &State, pane: EyePane, asks: &mut Asks) {
         let add = ui.input(|input| input.modifiers.shift);
         asks.push(Command::Pick(Pick { eye: pane.eye, pixel: pane.pixel(place), size: pane.size, add }));
     }
-    turn(&response, state, pane, asks);
+    turn(&response, pane, asks);
     if response.hovered() {
         let scroll = f64::from(ui.input(|input| input.smooth_scroll_delta().y));
         let pinch = f64::from(ui.input(egui::InputState::zoom_delta));
@@ -88,15 +88,13 @@ pub fn interact(ui: &mut Ui, state: &State, pane: EyePane, asks: &mut Asks) {
 }
 
 /// The scene follows the pointer: what is under it when a drag starts stays there.
-fn turn(response: &Response, state: &State, pane: EyePane, asks: &mut Asks) {
+fn turn(response: &Response, pane: EyePane, asks: &mut Asks) {
     let moved = response.drag_delta();
-    if !response.dragged() || moved == egui::Vec2::ZERO {
-        return;
+    let Some(place) = response.interact_pointer_pos().filter(|_| response.dragged()) else { return };
+    if moved != egui::Vec2::ZERO {
+        let [from, to] = [place - moved, place].map(|place| pane.pixel(place));
+        asks.push(Command::Turn(Turn { eye: pane.eye, from, to, size: pane.size }));
     }
-    let focal_length = state.view(pane.eye, pane.size).camera.focal_length_px();
-    let pixels = f64::from(pane.size[0]) / f64::from(pane.rect.width());
-    let angle = |points: f32| f64::from(points) * pixels / focal_length;
-    asks.push(Command::Turn { azimuth: angle(moved.x), elevation: angle(moved.y) });
 }
 
 /// Draws `pane`: its picture and `heat_map` if there is one, the markers on it, title and frame.
@@ -125,7 +123,7 @@ pub fn paint(ui: &Ui, state: &State, pane: EyePane, picture: Option<Shown>, heat
 
 /// What the picture is, where that is not what an eye would see, drawn exactly.
 fn note(state: &State, eye: Eye, picture: Option<Shown>, with_heat_map: bool) -> String {
-    let geometry = match state.settings.look.geometry {
+    let geometry = match state.settings.geometry() {
         Geometry::Seen | Geometry::Published => None,
         Geometry::OneCone => Some("one light cone for both eyes".to_owned()),
         Geometry::Contracted => Some("contracted only".to_owned()),

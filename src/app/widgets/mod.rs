@@ -183,8 +183,10 @@ pub fn named_text(ui: &mut Ui, text: impl Into<egui::WidgetText>, name: impl Int
 /// Names the picture in `rect`.
 pub fn pane_title(ui: &Ui, rect: Rect, text: &str, colour: Color32) {
     let font = TextStyle::Body.resolve(ui.style());
-    let place = pos2(rect.min.x, rect.min.y - theme::TITLE_HEIGHT / 2.0 - 1.0);
-    let painter = ui.painter().with_clip_rect(rect.expand(theme::TITLE_HEIGHT + 2.0));
-    painter.circle_filled(place + vec2(5.0, 0.0), 4.5, colour);
-    painter.text(place + vec2(16.0, 0.0), Align2::LEFT_CENTER, text, font, ui.visuals().text_color());
+    let scale = theme::text_scale(ui.style());
+    let height = scale * theme::TITLE_HEIGHT;
+    let place = pos2(rect.min.x, rect.min.y - height / 2.0 - 1.0);
+    let painter = ui.painter().with_clip_rect(rect.expand(height + 2.0));
+    painter.circle_filled(place + scale * vec2(5.0, 0.0), scale * 4.5, colour);
+    painter.text(place + scale * vec2(16.0, 0.0), Align2::LEFT_CENTER, text, font, ui.visuals().text_color());
 }

@@ -9,7 +9,6 @@ use std::path::{Path, PathBuf};
 use anyhow::Context as _;
 use clap::Args;
 use csv::ByteRecord;
-use relativity_core::Aperture;
 use relativity_core::math;
 use relativity_render::Camera;
 
@@ -157,12 +156,9 @@ fn measured(path: &Path, target: Target) -> anyhow::Result<Option<[f64; COLUMNS]
     };
     let [Some(left), Some(right)] = places else { return Ok(None) };
     let time = settings.time.with_context(|| format!("{name}: it does not record --time"))?;
-    let gaze = settings.look.gaze.fixed().with_context(|| format!("{name}: it does not record --gaze"))?;
-    // Where the camera of either eye stands does not matter for angles.
-    let fov = settings.look.set_fov().with_context(|| format!("{name}: it does not record --fov"))?;
-    let horizontal_fov = fov.to_radians();
-    let camera = Camera { aperture: Aperture::default(), gaze, horizontal_fov, size };
-    let (left, right) = (Angles::new(&camera, left), Angles::new(&camera, right));
+    let cameras = settings.recorded_cameras(size);
+    let [of_left, of_right] = cameras.map_err(|flag| anyhow::anyhow!("{name}: it does not record {flag}"))?;
+    let (left, right) = (Angles::new(&of_left, left), Angles::new(&of_right, right));
     let baseline = settings.baseline();
     let sigma = |a: f64, b: f64| ROUNDING * math::hypot(a, b);
     Ok(Some([

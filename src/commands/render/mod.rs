@@ -1,6 +1,7 @@
 //! `gamow render`: pictures, sequences and measurements of a scene, without a window.
 
 mod sequence;
+mod vr180;
 
 use std::path::PathBuf;
 
@@ -15,6 +16,9 @@ use crate::studio::Studio;
 ///
 /// Without flags: the cyclist at beta = 0.9 on Gamow's street, seen with d = 0.1. A `.png` file is a picture, an `.exr` file holds what every pixel shows (body, distance,
 /// time of emission, Doppler factor, ...), and with --frames a folder takes a sequence.
+///
+/// With --projection vr180 a picture is half of the sky for a headset: both eyes side by side, each square (2048x2048 unless
+/// --size says another), without bar and letters, in a file whose name ends in `_180x180_LR.png`.
 #[derive(Debug, Args)]
 #[command(after_long_help = EXAMPLES, mut_args(without_the_windows))]
 pub struct RenderArgs {
@@ -50,16 +54,22 @@ Examples:
   gamow render --frames 200 --size 640x480 --out ride
   gamow render --renderer reference --out hits.exr
   gamow render --geometry published --time 1.5 --layout overlay --out published.png
+  gamow render --projection vr180 --time 2 --out street.png   (street_180x180_LR.png, for headsets)
   gamow render --renderer mesh --bound-px 0.1 --timings --repeat 20";
 
 /// Runs `gamow render`.
 pub fn run(args: &RenderArgs) -> anyhow::Result<()> {
     let kind = args.file_kind()?;
-    let mut studio = Studio::new(args.start.settings(Settings::default())?)?;
+    let settings = vr180::fitted(args.start.settings(Settings::default())?)?;
+    let mut studio = Studio::new(settings)?;
     let Some(kind) = kind else { return sequence::run(&mut studio, &args.times, &args.out) };
     let frame = studio.frame(None)?;
+    let out = vr180::named(studio.settings(), &args.out);
     for _ in 0..if args.timings { args.repeat } else { 1 } {
-        studio.make_file(&frame, kind, &args.out)?;
+        studio.make_file(&frame, kind, &out)?;
+    }
+    if out != args.out {
+        eprintln!("gamow: the picture is {}, a name that headsets know", out.display());
     }
     if args.timings {
         println!("{}", studio.report());

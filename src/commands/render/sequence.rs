@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use anyhow::Context as _;
 use clap::Args;
 
+use super::vr180;
 use crate::flags::choices::FileKind;
 use crate::flags::finite_number;
 use crate::passage::{passage_times, time_within};
@@ -47,7 +48,7 @@ impl TimeArgs {
 }
 
 /// Draws the frames into `folder` as `frame_00000.png` (or .exr) and so on. Frames that are there already, whole and
-/// with the same parameters, are kept.
+/// with the same parameters, are kept. (Those for headsets have longer names.)
 pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Result<()> {
     let frames = times.frames.unwrap_or(1);
     let range = times.range(studio)?;
@@ -57,7 +58,7 @@ pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Resu
     let mut kept = 0;
     for frame in 0..frames {
         let time = time_within(range, f64::from(frame) / f64::from(frames.max(2) - 1));
-        let path = frame_path(folder, frame, kind);
+        let path = vr180::named(studio.settings(), &frame_path(folder, frame, kind));
         let frame = studio.frame(Some(time))?;
         if frame.is_made(kind, &path) {
             kept += 1;

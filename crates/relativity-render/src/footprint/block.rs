@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::projection::{Extent, Footprint, LOOSE_PX, Projection};
 use crate::block::Block;
-use crate::camera::Axes;
+use crate::camera::Gauge;
 
 /// What a bulge may be of the shorter side of a block in the picture before halves are worth their own rectangles.
 const LOOSE_SHARE: f64 = 0.25;
@@ -29,7 +29,7 @@ impl Projection {
             (hull[i], hull[i + 8]) = (seen, seen + DVec3::X * bulge);
         }
         // All that can be in the picture is deeper than this.
-        let slope = 0.5 * self.size / self.focal_length_px;
+        let slope = 0.5 * self.size / self.focal_length_px + DVec2::new(self.gauge.middle.abs(), 0.0);
         let nearest = 0.99 * distance * self.least_scale;
         let near = nearest / (1.0 + slope.length_squared()).sqrt();
         let points = if bulge == 0.0 { &hull[..8] } else { &hull };
@@ -66,7 +66,7 @@ struct Images {
 impl Images {
     /// Of what of the hull of `points` is deeper than `near`.
     fn new(projection: &Projection, points: &[DVec3], near: f64) -> Self {
-        let Axes { right, up, forward } = projection.axes;
+        let Gauge { right, up, forward, .. } = projection.gauge;
         let mut images = Self { places: [DVec2::ZERO; 80], count: 0, is_cut: false };
         let mut add = |place: DVec3, depth: f64| {
             images.places[images.count] = DVec2::new(place.dot(right), place.dot(up)) / depth;
@@ -97,7 +97,7 @@ impl Images {
         if places.is_empty() {
             return Footprint::Hidden;
         }
-        let Axes { right, up, .. } = projection.axes;
+        let Gauge { right, up, .. } = projection.gauge;
         let upright = Extent::new(places, DVec2::X);
         let along_axes =
             block.half_axes.map(|axis| DVec2::new(axis.dot(right), axis.dot(up)).try_normalize());

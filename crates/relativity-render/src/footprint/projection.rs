@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::camera::Axes;
+use crate::camera::Gauge;
 use crate::capsule::Capsule;
 use crate::group_view::GroupView;
 use crate::view::Geometry;
@@ -41,7 +41,7 @@ pub struct Rectangle {
 /// Maps capsules and blocks to footprints for one view of a group; all is reflected so that the group moves along +x.
 #[derive(Debug, Clone, Copy)]
 pub struct Projection {
-    pub(super) axes: Axes,
+    pub(super) gauge: Gauge,
     pub(super) focal_length_px: f64,
     pub(super) size: DVec2,
     pub(super) geometry: Geometry,
@@ -54,11 +54,9 @@ pub struct Projection {
 
 impl Projection {
     pub fn new(view: &GroupView) -> Self {
-        let reflected = |v| view.velocity.reflected(v);
-        let Axes { right, up, forward } = view.camera.gaze.axes();
         let speed = &view.velocity.speed;
         Self {
-            axes: Axes { right: reflected(right), up: reflected(up), forward: reflected(forward) },
+            gauge: view.camera.gauge().reflected(|v| view.velocity.reflected(v)),
             focal_length_px: view.camera.focal_length_px(),
             size: DVec2::from(view.camera.size.map(f64::from)),
             geometry: view.geometry,
@@ -163,7 +161,7 @@ impl Projection {
     }
 
     fn depth(&self, ball: DVec3, radius: f64) -> Depth {
-        let forward = self.axes.forward;
+        let forward = self.gauge.forward;
         let depth = ball.dot(forward);
         let reach = self.metric(forward, forward, radius).sqrt();
         if depth > CLEAR_OF_APERTURE * reach {
@@ -178,8 +176,8 @@ impl Projection {
     /// The rectangle along the piece's image around the four balls (all in front).
     fn rectangle(&self, balls: &[DVec3; 4], radius: f64) -> Footprint {
         let image = |ball: DVec3| {
-            let depth = ball.dot(self.axes.forward);
-            DVec2::new(ball.dot(self.axes.right), ball.dot(self.axes.up)) / depth
+            let depth = ball.dot(self.gauge.forward);
+            DVec2::new(ball.dot(self.gauge.right), ball.dot(self.gauge.up)) / depth
         };
         let along = (image(balls[1]) - image(balls[0])).try_normalize().unwrap_or(DVec2::X);
         let across = along.perp();
@@ -198,8 +196,8 @@ impl Projection {
     /// The plane through the aperture and the line u = const touches the ball of centre C where
     /// (p.C)^2 = m(p, p), p = e - (u/f) forward; the discriminant is written without cancellation.
     fn extent(&self, balls: &[DVec3; 4], direction: DVec2, radius: f64) -> (f64, f64) {
-        let forward = self.axes.forward;
-        let e = self.axes.right * direction.x + self.axes.up * direction.y;
+        let forward = self.gauge.forward;
+        let e = self.gauge.right * direction.x + self.gauge.up * direction.y;
         let (ee, ef, ff) = (
             self.metric(e, e, radius),
             self.metric(e, forward, radius),

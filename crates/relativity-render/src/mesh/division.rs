@@ -17,7 +17,7 @@ use glam::{DVec2, DVec3};
 use relativity_core::math;
 
 use super::template::Division;
-use crate::camera::Axes;
+use crate::camera::Gauge;
 use crate::group_view::GroupView;
 use crate::surface::{BoxSurface, CylinderSurface, Surface, TubeSurface};
 
@@ -38,7 +38,7 @@ const AROUND: [f64; 4] = [0.0, FRAC_PI_2, PI, 1.5 * PI];
 pub fn division(surface: &Surface, view: &GroupView, bound_px: f64) -> Division {
     let curvature = Curvature {
         view,
-        axes: view.camera.gaze.axes(),
+        gauge: view.camera.gauge(),
         focal_length_px: view.camera.focal_length_px(),
         bound_px: 0.25 * bound_px,
     };
@@ -83,7 +83,7 @@ fn segments(needed: f64, least: u32) -> u32 {
 /// Curvature of images, as segments per unit of a parameter.
 struct Curvature<'a> {
     view: &'a GroupView,
-    axes: Axes,
+    gauge: Gauge,
     focal_length_px: f64,
     bound_px: f64,
 }
@@ -142,13 +142,13 @@ impl Curvature<'_> {
 
     /// How far a change of an apparent position moves its image, px.
     fn image_of_change(&self, at: DVec3, change: DVec3) -> DVec2 {
-        let axes = self.axes;
-        let depth = at.dot(axes.forward);
+        let Gauge { right, up, forward, .. } = self.gauge;
+        let depth = at.dot(forward);
         if depth <= 0.0 {
             return DVec2::ZERO;
         }
-        let image = DVec2::new(at.dot(axes.right), at.dot(axes.up)) / depth;
-        let moved = DVec2::new(change.dot(axes.right), change.dot(axes.up));
-        (moved - image * change.dot(axes.forward)) * (self.focal_length_px / depth)
+        let image = DVec2::new(at.dot(right), at.dot(up)) / depth;
+        let moved = DVec2::new(change.dot(right), change.dot(up));
+        (moved - image * change.dot(forward)) * (self.focal_length_px / depth)
     }
 }

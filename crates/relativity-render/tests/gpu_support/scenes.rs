@@ -2,7 +2,7 @@
 
 use glam::{DQuat, DVec3};
 use relativity_core::{Aperture, MAX_GAMMA, SourcePoint, Speed, sighting};
-use relativity_render::{Body, Camera, Gaze, Geometry, Shape, View};
+use relativity_render::{Body, Camera, Gaze, Geometry, Projection, Shape, View};
 
 use crate::support::{centred, spread};
 
@@ -94,16 +94,30 @@ pub fn view_following(rest: [f64; 3], speed: Speed, observation_time: f64, fov_d
     let aperture = Aperture::default();
     let seen = sighting(&speed, SourcePoint::from_rest(rest, &speed), aperture, observation_time);
     View {
-        camera: Camera {
+        camera: Camera::new(
             aperture,
-            gaze: Gaze::along(seen.expect("inside the domain").position),
-            horizontal_fov: fov_degrees.to_radians(),
-            size: [320, 240],
-        },
+            Gaze::along(seen.expect("inside the domain").position),
+            fov_degrees.to_radians(),
+            [320, 240],
+        ),
         speed,
         observation_time,
         geometry: Geometry::Seen,
     }
+}
+
+/// Views as above with pictures parallel to baselines along the motion, beside it, tilted and upright, in which `rest` is
+/// seen far aside: at most 72 degrees from the picture's axis.
+pub fn parallel_views(speeds: &[Speed], rest: [f64; 3]) -> impl Iterator<Item = View> {
+    let baselines = [DVec3::X, DVec3::X, DVec3::new(0.8, -0.36, 0.48), DVec3::Z];
+    let cases = speeds.iter().flat_map(|&speed| [-3.0, -0.8, 0.4, 2.5].map(|along| (speed, along)));
+    cases.zip((0..).map(move |i| (baselines[i % 4], 0.04 * (i % 3) as f64 - 0.05))).map(
+        move |((speed, along), (right, shift))| {
+            let mut view = view_following(rest, speed, time_seen_at(rest, &speed, along), 45.0);
+            view.camera.projection = Projection::Parallel { right, shift };
+            view
+        },
+    )
 }
 
 /// The speeds that the renderers are held to, slow to fast.

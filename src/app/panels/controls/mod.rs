@@ -1,6 +1,8 @@
 //! The controls of motion, path and view, and the panel that holds them all.
 
 mod light;
+mod projection;
+mod screen;
 mod speed;
 
 use eframe::egui::{RichText, ScrollArea, Ui};
@@ -24,6 +26,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         section(ui, "Motion", |ui| motion(ui, state, asks));
         section(ui, "View", |ui| look(ui, state, asks));
         section(ui, "Light", |ui| light::show(ui, state, asks));
+        section(ui, "Screen", |ui| screen::show(ui, state, asks));
     });
 }
 
@@ -145,6 +148,7 @@ fn look(ui: &mut Ui, state: &State, asks: &mut Asks) {
     light_cones_row(ui, &mut look.geometry, state.settings.baseline().is_along_motion());
     gaze_row(ui, state, &mut look);
     field_of_view_rows(ui, state, &mut look, asks);
+    projection::show(ui, state, &mut look);
     more_rows(ui, state.settings.window, state.measures().time, asks);
     quality(ui, state.settings.quality, asks);
     if look != state.settings.look {
@@ -310,7 +314,7 @@ impl GazeMode {
             Self::Point => Look { gaze: GazeChoice::Point, ..look },
             Self::Ahead => Look { gaze: GazeChoice::Ahead, ..look },
             // The present field of view stays too.
-            Self::Stays => state.look(),
+            Self::Stays => Look { zero_parallax: look.zero_parallax, ..state.look() },
         }
     }
 }

@@ -78,6 +78,17 @@ pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {
     over_time(ui, state, plotted.curves, quantities, asks);
 }
 
+/// Shows the first of the plots of what is chosen, and nothing else; of a tab with a table the first plot of all.
+pub fn show_one(ui: &mut Ui, state: &State, curves: &[Curves], asks: &mut Asks) {
+    let quantity = match state.settings.plots.plot {
+        PlotTab::Disparity | PlotTab::Fit | PlotTab::Accuracy => Quantity::DeltaPhi,
+        PlotTab::Angles => Quantity::Phi,
+        PlotTab::Doppler => Quantity::LogDoppler,
+        PlotTab::Stereo => Quantity::LogGain,
+    };
+    over_time(ui, state, curves, &[quantity], asks);
+}
+
 /// Plots over T side by side, each below what it is called and what it is now.
 fn over_time(ui: &mut Ui, state: &State, curves: &[Curves], quantities: &[Quantity], asks: &mut Asks) {
     // Four distances have more to say than one gain.

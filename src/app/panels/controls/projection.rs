@@ -1,0 +1,99 @@
+//! The controls of how directions become places in the views, and of what then lies in the screen.
+
+use std::ops::RangeInclusive;
+
+use eframe::egui::Ui;
+
+use crate::app::state::State;
+use crate::app::widgets::{NumberRow, choice, row};
+use crate::flags::choices::{ProjectionChoice, ZeroParallax};
+use crate::settings::{Look, MAX_LENGTH};
+
+/// The distance to start from where the pictures are not shifted.
+const USUAL_DEPTH: f64 = 4.0;
+/// Nearest and furthest that can be typed.
+const DEPTH: RangeInclusive<f64> = 1e-3..=MAX_LENGTH;
+
+/// Shows them.
+pub fn show(ui: &mut Ui, state: &State, look: &mut Look) {
+    projection_row(ui, &mut look.projection);
+    zero_parallax_rows(ui, state, look);
+}
+
+fn projection_row(ui: &mut Ui, projection: &mut ProjectionChoice) {
+    let tip = "How directions become places in the views. Nothing that is measured changes by it.";
+    row(ui, "Pictures", tip, |ui| _ = choice(ui, projection, &PROJECTIONS));
+}
+
+const PROJECTIONS: [(ProjectionChoice, &str, &str); 2] = [
+    (
+        ProjectionChoice::Parallel,
+        "Parallel",
+        "Both pictures lie in planes along the line between the eyes: what is seen of a point is as high in one as in \
+        the other, so that two eyes can fuse them. What is far to the side is drawn longer, as on any plane.",
+    ),
+    (
+        ProjectionChoice::Gaze,
+        "Follow the gaze",
+        "Each picture stands across the gaze, as in the paper. To the side a point is then at two heights in the \
+        two, further apart than eyes can fuse.",
+    ),
+];
+
+/// What is at the depth of the screen.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum ScreenDepth {
+    Point,
+    Infinity,
+    Distance,
+}
+
+const SCREEN_DEPTHS: [(ScreenDepth, &str, &str); 3] = [
+    (
+        ScreenDepth::Point,
+        "The point",
+        "The selected point: it is at the same place in both pictures, where two eyes look most easily.",
+    ),
+    (
+        ScreenDepth::Infinity,
+        "Infinity",
+        "What is infinitely far: the pictures are not shifted, and all stands out in front of the screen.",
+    ),
+    (ScreenDepth::Distance, "Distance", "What is this far in front of the eyes."),
+];
+
+fn zero_parallax_rows(ui: &mut Ui, state: &State, look: &mut Look) {
+    let tip = "What appears to lie in the screen, in the same place in both pictures. Each picture is shifted as a \
+        whole for it; nothing that is measured changes.";
+    let before = match look.zero_parallax {
+        ZeroParallax::Point => ScreenDepth::Point,
+        ZeroParallax::Infinity => ScreenDepth::Infinity,
+        ZeroParallax::Distance(_) => ScreenDepth::Distance,
+    };
+    let (mut chosen, is_used) = (before, look.projection == ProjectionChoice::Parallel);
+    row(ui, "At the screen", tip, |ui| {
+        _ = ui.add_enabled_ui(is_used, |ui| choice(ui, &mut chosen, &SCREEN_DEPTHS));
+    });
+    if chosen != before {
+        look.zero_parallax = match chosen {
+            ScreenDepth::Point => ZeroParallax::Point,
+            ScreenDepth::Infinity => ZeroParallax::Infinity,
+            // From where it is now.
+            ScreenDepth::Distance => match state.look().zero_parallax {
+                ZeroParallax::Distance(distance) => ZeroParallax::Distance(distance),
+                ZeroParallax::Point | ZeroParallax::Infinity => ZeroParallax::Distance(USUAL_DEPTH),
+            },
+        };
+    }
+    if let (ZeroParallax::Distance(distance), true) = (&mut look.zero_parallax, is_used) {
+        let row_of_number = NumberRow {
+            name: "Screen at",
+            tip: "How far in front of the eyes what is seen in the screen lies.",
+            slider: 0.5..=20.0,
+            typed: DEPTH,
+            decimals: 4,
+            suffix: "",
+        };
+        row_of_number.show_in(ui, state.measures().length, distance);
+    }
+}

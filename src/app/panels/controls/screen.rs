@@ -1,0 +1,107 @@
+//! The screen: how comfortably two eyes fuse what is on it, and how large and how far away it is.
+
+use eframe::egui::{DragValue, Ui};
+
+use crate::app::command::Command;
+use crate::app::panels::Asks;
+use crate::app::state::State;
+use crate::app::theme;
+use crate::app::widgets::{dot, named_text, row};
+use crate::comfort::{Comfort, Verdict};
+use crate::figures;
+use crate::flags::{SCREEN_CM, ScreenWidth};
+use crate::settings::{Motion, VIEWING_CM};
+
+/// Shows it.
+pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    meter(ui, state);
+    narrow(ui, state, asks);
+    place(ui, state, asks);
+}
+
+const TIP: &str = "The disparities of all bodies in both views, as angles where you sit: from the least to the greatest across, \
+    and the largest up or down.\nUp to 1° across is comfortable; more than 2°, or 20′ up or down, few can fuse.";
+
+/// Computed only while it is in sight.
+fn meter(ui: &mut Ui, state: &State) {
+    row(ui, "Fusing", TIP, |ui| {
+        let is_hidden = !state.settings.window.views || !ui.is_rect_visible(ui.available_rect_before_wrap());
+        let comfort = if is_hidden { None } else { state.comfort(state.settings.motion.d) };
+        let Some(comfort) = comfort else {
+            named_text(ui, figures::NONE, "Fusing: nothing to fuse").on_hover_text(TIP);
+            return;
+        };
+        let verdict = comfort.verdict();
+        dot(ui, theme::verdict_colour(verdict, ui.visuals()));
+        let text = told(comfort);
+        named_text(ui, &text, format!("Fusing: {text}")).on_hover_text(TIP);
+    });
+}
+
+fn told(comfort: Comfort) -> String {
+    let word = match comfort.verdict() {
+        Verdict::Comfortable => "comfortable",
+        Verdict::Tiring => "tiring",
+        Verdict::TooMuch => "too much",
+    };
+    let across = figures::fixed(comfort.range.to_degrees(), 2);
+    let down = figures::fixed(60.0 * comfort.vertical.to_degrees(), 0);
+    format!("{word}: {across}° across, {down}′ up")
+}
+
+fn narrow(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    let tip = "Brings the eyes nearer to each other until the range across is at most 1°, at the present T. It changes what is \
+        measured: all disparities shrink with d.";
+    let motion = state.settings.motion;
+    let narrowed = state.session.narrowed.filter(|[_, d]| *d == motion.d);
+    row(ui, "", "", |ui| {
+        if ui.button("Comfortable").on_hover_text(tip).clicked() {
+            asks.push(Command::Narrow);
+        }
+        if let Some([wide, _]) = narrowed
+            && ui.button("Undo").on_hover_text("Has the eyes as far apart as before.").clicked()
+        {
+            asks.push(Command::Motion(Motion { d: wide, ..motion }));
+        }
+    });
+    if let Some([wide, d]) = narrowed {
+        let unit = state.measures().length;
+        let [wide, d] = [wide, d].map(|d| figures::trimmed(unit.shown(d), unit.decimals(4)) + &unit.suffix());
+        ui.label(format!("d narrowed from {wide} to {d}: measured disparities shrink with it."));
+    }
+}
+
+fn place(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    let mut screen = state.settings.screen;
+    row(
+        ui,
+        "Screen",
+        "How wide the whole screen is, and how far from it you sit: by these the angles are known.",
+        |ui| {
+            let mut is_auto = screen.screen_width.0.is_none();
+            let mut width = screen.screen_width.0.unwrap_or(USUAL_WIDTH_CM);
+            let field =
+                DragValue::new(&mut width).range(SCREEN_CM).speed(1.0).max_decimals(1).suffix(" cm wide");
+            let changed = ui
+                .add_enabled(!is_auto, field)
+                .on_hover_text("Width of the whole screen")
+                .accessible_name("Screen width");
+            let tip = "Takes 96 pixels for an inch, which is right for few projectors.";
+            if ui.checkbox(&mut is_auto, "auto").on_hover_text(tip).changed() || changed.changed() {
+                screen.screen_width = ScreenWidth(Some(width).filter(|_| !is_auto));
+            }
+        },
+    );
+    row(ui, "", "", |ui| {
+        let field = DragValue::new(&mut screen.viewing_distance).range(VIEWING_CM).speed(1.0).max_decimals(1);
+        ui.add(field.suffix(" cm away"))
+            .on_hover_text("How far from the screen you sit")
+            .accessible_name("Viewing distance");
+    });
+    if screen != state.settings.screen {
+        asks.push(Command::Screen(screen));
+    }
+}
+
+/// Width of a screen on a desk, cm: what is changed first where none is set.
+const USUAL_WIDTH_CM: f64 = 53.0;
