@@ -97,6 +97,8 @@ pub enum Command {
     ToggleFullScreen,
     /// Begin to present, or end it.
     TogglePresenting,
+    /// Show the views in a window of their own, too, or no longer.
+    ToggleProjector,
     /// Have a part alone in the window, or all others again.
     ToggleMaximised(Part),
     /// Close what can be closed, else leave what the window was made.
@@ -224,6 +226,7 @@ impl State {
             Command::ToggleHelp => self.session.help = !self.session.help,
             Command::ToggleFullScreen => self.session.stage.full_screen = !self.session.stage.full_screen,
             Command::TogglePresenting => self.session.stage.toggle_presenting(),
+            Command::ToggleProjector => self.session.stage.projector = !self.session.stage.projector,
             Command::ToggleMaximised(part) => self.session.stage.toggle_maximised(part),
             Command::Close => self.close(),
         }

@@ -142,6 +142,12 @@ impl EyePictures {
         }
     }
 
+    /// None yet, for another window of the same device.
+    #[must_use]
+    pub fn another(&self) -> Self {
+        Self::new(&self.render_state)
+    }
+
     /// The device they are drawn on.
     #[must_use]
     pub const fn gpu(&self) -> &Gpu {
@@ -204,6 +210,15 @@ impl EyePictures {
             composed.of = of;
         }
         Some(Shown { texture: composed.texture, method })
+    }
+
+    /// Gives up all pictures, as nobody looks.
+    pub fn forget(&mut self) {
+        self.forget_composed();
+        for EyePicture { texture, .. } in self.pictures.iter_mut().filter_map(Option::take) {
+            self.render_state.renderer.write().free_texture(&texture);
+        }
+        self.references = [None, None];
     }
 
     /// Gives up what was composed, as nobody looks.

@@ -173,9 +173,9 @@ pub struct Presentation {
 
 /// How much of the height and of the width the words take below presented views, and of their height the speed and the
 /// sentence do.
-const WORDS_SHARE: Vec2 = vec2(0.5, 0.32);
-const SPEED_SHARE: f32 = 0.3;
-const SENTENCE_SHARE: f32 = 0.36;
+const WORDS_SHARE: Vec2 = vec2(0.5, 0.34);
+const SPEED_SHARE: f32 = 0.27;
+const SENTENCE_SHARE: f32 = 0.39;
 
 impl Presentation {
     /// That in a window with this inner `area`, whose views are `arranged`.
@@ -193,6 +193,13 @@ impl Presentation {
         let panes = large_enough(upper).map_or_else(Vec::new, |views| arranged.panes(views));
         Self { panes, speed, sentence, caption, plot: large_enough(plot) }
     }
+}
+
+/// The views alone, in all of `area`.
+#[must_use]
+pub fn views(area: Rect, arranged: &Arrangement) -> Vec<Pane> {
+    let shared = arranged.whole_screen(area);
+    shared.or_else(|| Some(arranged.panes(large_enough(area)?))).unwrap_or_default()
 }
 
 /// How much of a `whole` a part has whose share is set, else `usual`: at least the first of `least`, and as long as there

@@ -30,6 +30,7 @@ pub mod observer;
 mod panels;
 pub mod panes;
 pub mod points;
+mod projector;
 mod screenshot;
 mod shortcuts;
 mod speed_slider;
@@ -69,6 +70,8 @@ pub struct App {
     corrected: Option<Corrected>,
     examination: Option<Examination>,
     eyes: Option<EyePictures>,
+    /// Those in the projector's window, once there was one.
+    projected: Option<EyePictures>,
     full_screen: FullScreen,
     text_scale: f32,
 }
@@ -88,6 +91,7 @@ impl App {
             corrected: None,
             examination: None,
             eyes: render_state.map(EyePictures::new),
+            projected: None,
             full_screen: FullScreen::default(),
             text_scale: 1.0,
         }
@@ -319,9 +323,49 @@ impl App {
         } else {
             self.show_parts(ui, area);
         }
+        self.update_projector(&ctx);
         if self.state.session.playing {
             ctx.request_repaint();
         }
+    }
+
+    /// Shows the projector's window while there is one.
+    fn update_projector(&mut self, ctx: &egui::Context) {
+        if !self.state.session.stage.projector {
+            self.projected.iter_mut().for_each(EyePictures::forget);
+            return;
+        }
+        let builder = projector::window();
+        let is_closed = ctx.show_viewport_immediate(projector::id(), builder, |ui, _| {
+            self.show_projected(ui);
+            ui.input(|input| input.viewport().close_requested())
+        });
+        if is_closed {
+            self.apply(ctx, vec![Command::ToggleProjector]);
+        }
+    }
+
+    /// Shows the views, and nothing else, in a window whose `ui` this is; the keys work there, too.
+    fn show_projected(&mut self, ui: &mut Ui) {
+        let asks = shortcuts::asked(ui.ctx());
+        self.apply(ui.ctx(), asks);
+        if self.projected.is_none() {
+            self.projected = self.eyes.as_ref().map(EyePictures::another);
+        }
+        let area = ui.max_rect();
+        ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
+        let panes = layout::views(area, &self.arranged(ui).without_corrected());
+        // What is off is examined in pictures of the other window's size.
+        let (size, examination) = (self.state.session.picture_size, self.examination.take());
+        std::mem::swap(&mut self.eyes, &mut self.projected);
+        self.measure_pictures(ui, &panes);
+        for &pane in &panes {
+            self.interact(ui, pane);
+            self.paint(ui, pane);
+        }
+        self.forget_composed(&panes);
+        std::mem::swap(&mut self.eyes, &mut self.projected);
+        (self.state.session.picture_size, self.examination) = (size, examination);
     }
 
     /// Has the system and the writing follow what is made of the window, and notes what of its screen counts.

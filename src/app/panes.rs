@@ -52,6 +52,12 @@ impl Arrangement {
         Self { picture: *picture, corrected: window.corrected, apart, title: scale * TITLE_HEIGHT }
     }
 
+    /// The same without the corrected picture.
+    #[must_use]
+    pub const fn without_corrected(self) -> Self {
+        Self { corrected: false, ..self }
+    }
+
     /// The panes in `area`.
     #[must_use]
     pub fn panes(&self, area: Rect) -> Vec<Pane> {

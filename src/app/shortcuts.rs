@@ -19,7 +19,7 @@ pub struct Shortcut {
 type Binding = (Key, fn(Modifiers) -> Command);
 
 /// All of them.
-pub const SHORTCUTS: [Shortcut; 18] = [
+pub const SHORTCUTS: [Shortcut; 19] = [
     Shortcut { keys: "Space", action: "play, pause", commands: &[(Key::Space, |_| Command::TogglePlaying)] },
     Shortcut {
         keys: "← →",
@@ -88,6 +88,11 @@ pub const SHORTCUTS: [Shortcut; 18] = [
         keys: "P",
         action: "present: large writing, and no controls",
         commands: &[(Key::P, |_| Command::TogglePresenting)],
+    },
+    Shortcut {
+        keys: "W",
+        action: "the views in a window of their own, for a projector",
+        commands: &[(Key::W, |_| Command::ToggleProjector)],
     },
     Shortcut {
         keys: "PageUp  PageDown",

@@ -12,16 +12,13 @@ use crate::flags::choices::{
     GazeChoice, Layout, ProjectionChoice, RendererChoice, Size, Swapped, ZeroParallax,
 };
 use crate::flags::{
-    Exposure, FieldOfView, IntensityExponent, OnOff, ScreenWidth, Share, SpeedParameter, SpeedSetting,
-    TimeRange, switch, temperature, whole_number, within,
+    Exposure, FieldOfView, HEAD_DEGREES, IntensityExponent, OnOff, ScreenWidth, Share, SpeedParameter,
+    SpeedSetting, TimeRange, switch, temperature, whole_number, within,
 };
 use crate::units::Units;
 
 /// Largest separation, distance and height.
 pub const MAX_LENGTH: f64 = 1e6;
-
-/// How far the head can be tilted or turned, degrees.
-pub const HEAD_DEGREES: RangeInclusive<f64> = -180.0..=180.0;
 
 /// Speed, the eyes' places, and path.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Args)]

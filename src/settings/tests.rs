@@ -17,8 +17,8 @@ use crate::flags::choices::{
     GazeChoice, Layout, ProjectionChoice, RendererChoice, Size, Swapped, ZeroParallax,
 };
 use crate::flags::{
-    EXPOSURE_EV, Exposure, FieldOfView, IntensityExponent, MAX_TIME, SCREEN_CM, ScreenWidth, Share,
-    SpeedParameter, SpeedSetting, TEMPERATURE_K, TimeRange,
+    EXPOSURE_EV, Exposure, FieldOfView, HEAD_DEGREES, IntensityExponent, MAX_TIME, SCREEN_CM, ScreenWidth,
+    Share, SpeedParameter, SpeedSetting, TEMPERATURE_K, TimeRange,
 };
 use crate::units::Units;
 

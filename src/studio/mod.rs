@@ -8,6 +8,7 @@ mod timings;
 
 use std::path::Path;
 
+use relativity_core::{Model, PairError, PublishedVariant};
 use relativity_render::{HitImage, PreparedScene};
 
 use self::painter::Painter;
@@ -75,6 +76,10 @@ impl Studio {
         let settings = Settings { time: time.or(self.settings.time), ..self.settings.clone() };
         let settings = settings.resolved(self.subject()).exposed_for(&self.scene);
         let time = settings.time.unwrap_or_default();
+        if settings.geometry() != settings.look.geometry {
+            let published = Model::Published(PublishedVariant::AppendixA);
+            return Err(PairError::OffTheMotion(published).into());
+        }
         settings.disparity(&self.tracked(), time)?;
         let provenance = self.scene.provenance(settings.command());
         Ok(Frame { settings, time, provenance })

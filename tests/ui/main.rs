@@ -11,6 +11,7 @@ mod layouts;
 mod map;
 mod pairs;
 mod picking;
+mod presenting;
 mod quality;
 mod spacetime;
 mod start;
@@ -39,6 +40,7 @@ fn main() -> ExitCode {
         map::TESTS,
         pairs::TESTS,
         picking::TESTS,
+        presenting::TESTS,
         quality::TESTS,
         spacetime::TESTS,
         start::TESTS,

@@ -4,7 +4,7 @@ use egui_kittest::kittest::Queryable as _;
 use gamow::app::command::Command;
 use gamow::settings::PlotTab;
 use gamow::units::Units;
-use relativity_core::{Model, SourcePoint, Speed};
+use relativity_core::{Aperture, Model, SourcePoint, Speed};
 use relativity_render::Geometry;
 
 use super::Test;
@@ -31,7 +31,7 @@ const DISTANCES: [&str; 4] = [
 fn distances(model: Model, time: f64) -> (f64, [f64; 4]) {
     let speed = Speed::from_beta(0.9).expect("a speed");
     let point = SourcePoint::from_rest(TRACKED, &speed);
-    let fused = model.stereo(&speed, point, SEPARATION, time).expect("in the domain");
+    let fused = model.stereo(&speed, point, Aperture::pair(SEPARATION), time).expect("in the domain");
     let [left, right] = [0, 1].map(|eye| seen(0.9, time, eye).distance);
     let [_, y, z] = TRACKED;
     let measured = ((0.9 * time).powi(2) + y * y + z * z).sqrt();

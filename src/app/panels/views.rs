@@ -151,7 +151,7 @@ fn hover(ui: &Ui, state: &State, pane: EyePane) {
 
 /// What the picture is, where that is not what an eye would see, drawn exactly.
 fn note(state: &State, eye: Eye, picture: Option<Shown>, with_heat_map: bool) -> String {
-    let geometry = match state.settings.look.geometry {
+    let geometry = match state.settings.geometry() {
         Geometry::Seen | Geometry::Published => None,
         Geometry::OneCone => Some("one light cone for both eyes".to_owned()),
         Geometry::Contracted => Some("contracted only".to_owned()),

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use relativity_core::{Disparity, DomainError, Model};
+use relativity_core::{Disparity, Model, PairError};
 use relativity_render::Geometry;
 
 use super::curves::Setup;
@@ -117,7 +117,7 @@ impl Figure {
     }
 
     /// The frame in which the tracked point is seen at `x` from between the eyes.
-    fn frame(&self, number: usize, x: f64) -> Result<Frame, DomainError> {
+    fn frame(&self, number: usize, x: f64) -> Result<Frame, PairError> {
         let settings = self.settings();
         let setup = Setup { beta: settings.speed().beta(), ..Setup::CYCLIST };
         let time = setup.time_when_seen_at(x)?;
