@@ -2,6 +2,7 @@
 
 pub mod choices;
 mod head;
+mod layout;
 mod numbers;
 mod speed;
 pub mod words;

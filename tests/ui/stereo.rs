@@ -113,7 +113,7 @@ fn eyes_above_and_behind_each_other() {
     let fused = Model::Exact.stereo(&speed, point, above.apertures(), time).expect("they meet");
     assert!((shown(&window, "Stereo gain") - fused.gain).abs() < 6e-4);
     assert!((shown(&window, "Stereo x") - fused.position[0]).abs() < 6e-3);
-    let miss = shown(&window, "The lines of sight pass each other at");
+    let miss = shown(&window, "Lines of sight miss by");
     assert!((miss - fused.miss).abs() < 6e-4 && fused.miss > 0.001, "{miss} {}", fused.miss);
     window.get_by_label("Behind").click();
     window.run();
@@ -136,7 +136,9 @@ fn a_turned_head_and_no_separation() {
                 window.state_mut().ask(Command::Look(settings.look));
                 window.state_mut().ask(Command::Plots(settings.plots));
                 window.run();
-                assert!(labels(&window).iter().all(|label| !label.contains("NaN") && !label.contains("inf ")));
+                assert!(
+                    labels(&window).iter().all(|label| !label.contains("NaN") && !label.contains("inf "))
+                );
             }
         }
     }

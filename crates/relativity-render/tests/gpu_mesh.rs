@@ -38,7 +38,7 @@ fn views() -> impl Iterator<Item = View> {
     let speeds = [0.0, 0.5, 0.9, 0.99, 0.9999].map(|beta| Speed::from_beta(beta).expect("below 1"));
     let fastest = Speed::from_gamma(MAX_GAMMA).expect("in range");
     let speeds: Vec<_> = speeds.into_iter().chain([fastest]).collect();
-    let parallel: Vec<_> = parallel_views(&speeds, FOLLOWED).collect();
+    let parallel: Vec<_> = parallel_views(speeds.clone(), FOLLOWED).collect();
     let across_gaze = speeds.into_iter().flat_map(|speed| {
         [-8.0, -1.0, 0.0, 1.0, 4.0]
             .map(|along| view_following(FOLLOWED, speed, time_seen_at(FOLLOWED, &speed, along), 45.0))

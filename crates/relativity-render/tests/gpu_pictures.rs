@@ -117,7 +117,7 @@ fn agree_with_the_reference(
     let mesh_levels = documented(RENDERERS, "colours away from outlines are within ");
     let geometries = [Geometry::Seen, Geometry::OneCone, Geometry::Contracted, Geometry::Rest];
     let oblique = [Geometry::Seen, Geometry::OneCone]
-        .map(|geometry| (geometry, parallel_views(&[fast_speed()], FOLLOWED).last()));
+        .map(|geometry| (geometry, parallel_views([fast_speed()], FOLLOWED).last()));
     for (geometry, view) in geometries.map(|geometry| (geometry, Some(fast()))).into_iter().chain(oblique) {
         let mut view = View { geometry, ..view.expect("there are views") };
         if geometry == Geometry::OneCone {

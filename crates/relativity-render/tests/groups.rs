@@ -288,7 +288,9 @@ fn both_eyes_see_a_point_of_any_group_where_their_views_show_it() {
         let velocity = Velocity::from_beta(beta).expect("a speed");
         let turned = Baseline { separation: 0.3, roll: 0.4, turn: -0.7 }.apertures();
         let rests = [[0.2, 3.0, 1.0], [-0.7, 0.8, -0.5]];
-        for (rest, pair) in rests.into_iter().flat_map(|rest| [Aperture::pair(0.3), turned].map(|pair| (rest, pair))) {
+        for (rest, pair) in
+            rests.into_iter().flat_map(|rest| [Aperture::pair(0.3), turned].map(|pair| (rest, pair)))
+        {
             let both = velocity.disparity(model, rest, pair, 2.1).expect("in the domain");
             let places = pair.map(|aperture| {
                 let view = view(geometry, 2.1);

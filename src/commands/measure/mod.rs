@@ -18,15 +18,16 @@ use crate::files::csv_out;
 use crate::files::exr::{EYES, Measurements};
 use crate::files::png::PngFile;
 use crate::files::whole::OutArgs;
-use crate::flags::choices::{FileKind, Layout, Size};
+use crate::flags::choices::{FileKind, Size};
 use crate::flags::coordinates;
 use crate::platform;
-use crate::settings::Settings;
+use crate::settings::{Picture, Settings};
 use crate::studio::Sheet;
 
 /// Follows a point through a stereo sequence and measures its angles, as CSV.
 ///
-/// Takes the files of `gamow render`, one per observation time: measurements (.exr) or side-by-side pictures (.png). The
+/// Takes the files of `gamow render`, one per observation time: measurements (.exr) or pictures (.png) in a layout that has both
+/// eyes' whole pictures, such as side by side. The
 /// columns are the observation time, the separation of the eyes (with roll and turn, in radians, of a head that is tilted or
 /// turned), the angles from each eye, their differences, and the
 /// standard deviation that the size of a pixel gives them: what `gamow fit` reads.
@@ -138,13 +139,9 @@ fn measured(path: &Path, target: Target) -> anyhow::Result<Option<[f64; COLUMNS]
         Target::Marker(colour) => {
             let file = PngFile::read(path)?;
             let settings = Settings::of_picture(file.command(), &name)?;
-            let is_side_by_side = settings.picture.layout == Layout::SideBySide;
-            anyhow::ensure!(is_side_by_side, "{name}: it is no side-by-side picture");
+            let sheet = sheet(&settings.picture, file.picture().size).with_context(|| name.clone())?;
+            let place = |eye| locate::colour_in(&sheet.picture_of(eye, &file.frames)?, colour);
             let Size(size) = settings.picture.size;
-            let sheet = Sheet::of_file(settings.picture.layout, size, file.picture.size);
-            let sheet =
-                sheet.with_context(|| format!("{name}: it no longer has the size in which it was made"))?;
-            let place = |eye| locate::colour_in(&sheet.picture_of(eye, &file.picture)?, colour);
             ([0, 1].map(place), size, settings)
         }
         Target::Point(_) | Target::Body(_) => {
@@ -175,6 +172,14 @@ fn measured(path: &Path, target: Target) -> anyhow::Result<Option<[f64; COLUMNS]
         sigma(left.phi_per_pixel, right.phi_per_pixel),
         sigma(left.theta_per_pixel, right.theta_per_pixel),
     ]))
+}
+
+/// How a file of this `size` is divided that shows both eyes as `picture` says.
+fn sheet(picture: &Picture, size: [u32; 2]) -> anyhow::Result<Sheet> {
+    let layout = picture.layout;
+    let has_both = layout.loses_nothing() && picture.eyes().len() == 2;
+    anyhow::ensure!(has_both, "its layout, {}, does not have the whole pictures of both eyes", layout.name());
+    Sheet::of_file(picture, picture.size.0, size).context("it no longer has the size in which it was made")
 }
 
 /// Azimuth and elevation of a place in a picture.

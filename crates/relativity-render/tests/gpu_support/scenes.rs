@@ -106,12 +106,12 @@ pub fn view_following(rest: [f64; 3], speed: Speed, observation_time: f64, fov_d
     }
 }
 
-/// Views as above with pictures parallel to baselines along the motion, beside it, tilted and upright, in which `rest` is
+/// Views as above with pictures parallel to baselines along the motion, tilted and upright, in which `rest` is
 /// seen far aside: at most 72 degrees from the picture's axis.
-pub fn parallel_views(speeds: &[Speed], rest: [f64; 3]) -> impl Iterator<Item = View> {
-    let baselines = [DVec3::X, DVec3::X, DVec3::new(0.8, -0.36, 0.48), DVec3::Z];
-    let cases = speeds.iter().flat_map(|&speed| [-3.0, -0.8, 0.4, 2.5].map(|along| (speed, along)));
-    cases.zip((0..).map(move |i| (baselines[i % 4], 0.04 * (i % 3) as f64 - 0.05))).map(
+pub fn parallel_views(speeds: impl IntoIterator<Item = Speed>, rest: [f64; 3]) -> impl Iterator<Item = View> {
+    let baselines = [DVec3::X, DVec3::new(0.8, -0.36, 0.48), DVec3::Z];
+    let cases = speeds.into_iter().flat_map(|speed| [-3.0, -0.8, 0.4, 2.5].map(|along| (speed, along)));
+    cases.zip((0..).map(move |i| (baselines[i % 3], 0.04 * (i % 5) as f64 - 0.05))).map(
         move |((speed, along), (right, shift))| {
             let mut view = view_following(rest, speed, time_seen_at(rest, &speed, along), 45.0);
             view.camera.projection = Projection::Parallel { right, shift };
