@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 
 use serde_json::Value;
 
-use super::{gamow, run};
+use super::{Table, gamow, run, words};
 
 /// Delta-phi and Delta-theta of the paper's tracked point by `gamow curve`, with a deterministic noise of
 /// about 1 % added, as CSV with the given columns.

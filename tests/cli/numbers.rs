@@ -2,7 +2,7 @@
 
 use relativity_core::{Aperture, SourcePoint, Speed, disparity};
 
-use super::{Table, eval, words};
+use super::{Table, eval, gamow, run, words};
 
 /// The pair of points at which the paper's section 3 shows its models: y = z = 0.5, d = 0.3, beta = 0.9.
 fn section_3_curve(model: &str) -> Table {

@@ -99,9 +99,9 @@ fn fits_in_the_smallest_window() {
 
 /// The buttons hold the head; readout and plot say what the core says of such a pair.
 fn eyes_above_and_behind_each_other() {
-    let mut settings = cyclist();
-    settings.plots.plot = PlotTab::Stereo;
-    let mut window = window(settings);
+    let mut state = cyclist(0.9);
+    state.settings.plots.plot = PlotTab::Stereo;
+    let mut window = window(state);
     window.state_mut().ask(Command::Time(-3.0));
     window.get_by_label("Above").click();
     window.run();
@@ -111,8 +111,8 @@ fn eyes_above_and_behind_each_other() {
     let point = SourcePoint::from_rest(TRACKED, &speed);
     let above = Baseline { roll: std::f64::consts::FRAC_PI_2, ..Baseline::straight(SEPARATION) };
     let fused = Model::Exact.stereo(&speed, point, above.apertures(), time).expect("they meet");
-    assert!((shown(&window, "Stereo gain") - fused.gain).abs() < 6e-4);
-    assert!((shown(&window, "Stereo x") - fused.position[0]).abs() < 6e-3);
+    assert!((shown(&window, "Stereo gain:") - fused.gain).abs() < 6e-4);
+    assert!((shown(&window, "Stereo x:") - fused.position[0]).abs() < 6e-3);
     let miss = shown(&window, "Lines of sight miss by");
     assert!((miss - fused.miss).abs() < 6e-4 && fused.miss > 0.001, "{miss} {}", fused.miss);
     window.get_by_label("Behind").click();
@@ -125,11 +125,12 @@ fn eyes_above_and_behind_each_other() {
 
 /// Whatever the tab, the geometry and the map, and with both eyes in one place.
 fn a_turned_head_and_no_separation() {
-    let mut window = window(cyclist());
+    let mut window = window(cyclist(0.9));
+    let usual = window.state().state().settings.clone();
     for (roll, turn) in [(90.0, 0.0), (0.0, 90.0), (180.0, 0.0), (-30.0, 60.0)] {
         for (d, geometry) in [(0.1, Geometry::Seen), (0.0, Geometry::OneCone), (0.1, Geometry::Published)] {
             for plot in [PlotTab::Disparity, PlotTab::Stereo, PlotTab::Angles] {
-                let mut settings = cyclist();
+                let mut settings = usual.clone();
                 (settings.motion.roll, settings.motion.turn, settings.motion.d) = (roll, turn, d);
                 (settings.look.geometry, settings.plots.plot) = (geometry, plot);
                 window.state_mut().ask(Command::Motion(settings.motion));
