@@ -1,16 +1,19 @@
 //! The columns that `eval` and `curve` append, and the models that fill them.
 
+use std::f64::consts::PI;
+
 use clap::Args;
 use relativity_core::doppler::PAPER_INTENSITY_EXPONENT;
 use relativity_core::{
-    Disparity, DomainError, MAX_COORDINATE, Model, SourcePoint, Speed, SpeedError, Stereo, StereoError,
+    Baseline, Disparity, DomainError, MAX_COORDINATE, Model, PairError, SourcePoint, Speed, SpeedError,
+    Stereo, StereoError,
 };
 use thiserror::Error;
 
 use crate::flags::finite_number;
 
-/// Every column, in order, the last four with `--stereo` only. Left and right are the primary and the secondary aperture.
-const COLUMNS: [&str; 20] = [
+/// Every column, in order, the last five with `--stereo` only, and the very last of a head that is tilted or turned. Left and right are the primary and the secondary aperture.
+const COLUMNS: [&str; 21] = [
     "x_left",
     "x_right",
     "t_left",
@@ -31,7 +34,12 @@ const COLUMNS: [&str; 20] = [
     "stereo_x",
     "stereo_y",
     "stereo_z",
+    "stereo_miss",
 ];
+/// The columns of how the head is held, radians.
+pub const ROLL: &str = "roll";
+/// The same of its turn.
+pub const TURN: &str = "turn";
 /// How many there are without `--stereo`.
 const USUAL: usize = 16;
 /// Those of angles.
@@ -59,6 +67,10 @@ and for each eye again, on the clock that rides with the point:
 and with --stereo where two eyes take the point to be, which is where their lines of sight meet:
   stereo_gain  (x_left - x_right)/d: 1 for a point at rest
   stereo_x     that place, from between the eyes; stereo_y and stereo_z too
+A head that is tilted or turned (roll, turn) has its eyes at +-d/2 (cos roll cos turn, cos roll sin turn, sin roll). Their \
+lines of sight pass each other: the place is the middle of their shortest connection, and empty where they do not meet in \
+front; the gain is the parallax across the line of sight, along that of a resting point, over that; and with --stereo
+  stereo_miss  length of that connection
 
 With one cone both eyes receive what the middle between them does: t, doppler and own are that event's, x, phi and theta \
 are from each eye to it.
@@ -88,8 +100,8 @@ pub struct Observation {
     pub speed: Speed,
     /// Where it is at t = 0.
     pub point: SourcePoint,
-    /// Aperture separation d, 0 or more.
-    pub separation: f64,
+    /// The apertures: their separation d, 0 or more, and its direction.
+    pub baseline: Baseline,
     /// Observation time T.
     pub time: f64,
 }
@@ -106,6 +118,17 @@ pub enum ObservationError {
     /// The aperture separation is negative or outside the domain.
     #[error("d = {0:?} is out of range: it must be between 0 and 1e60")]
     Separation(f64),
+    /// An angle of the head that is more than half a turn.
+    #[error("{name} = {value:?} is out of range: it must be between -pi and pi, in radians")]
+    Head {
+        /// The column of the angle.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A pair of eyes that the model does not know.
+    #[error(transparent)]
+    Pair(PairError),
     /// The model has no stereo position.
     #[error(transparent)]
     Stereo(StereoError),
@@ -126,7 +149,16 @@ impl From<StereoError> for ObservationError {
     fn from(error: StereoError) -> Self {
         match error {
             StereoError::Domain(error) => Self::Domain(error),
-            StereoError::Published(_) => Self::Stereo(error),
+            StereoError::Published(_) | StereoError::Apart => Self::Stereo(error),
+        }
+    }
+}
+
+impl From<PairError> for ObservationError {
+    fn from(error: PairError) -> Self {
+        match error {
+            PairError::Domain(error) => Self::Domain(error),
+            PairError::OffTheMotion(_) => Self::Pair(error),
         }
     }
 }
@@ -141,6 +173,8 @@ impl ObservationError {
             Self::Speed(SpeedError::Rapidity(_)) => "rapidity",
             Self::Domain(error) => error.name,
             Self::Separation(_) => "d",
+            Self::Head { name, .. } => name,
+            Self::Pair(_) => ROLL,
             Self::Stereo(_) => COLUMNS[USUAL],
             Self::NotFinite { column, .. } => column,
         }
@@ -148,36 +182,39 @@ impl ObservationError {
 }
 
 impl ModelArgs {
-    /// The names of the columns.
+    /// The names of the columns, of a head that `is_turned` (or tilted) or not.
     ///
     /// # Errors
     ///
     /// Stereo columns of a model that has none.
-    pub fn columns(&self) -> Result<&'static [&'static str], StereoError> {
+    pub fn columns(&self, is_turned: bool) -> Result<&'static [&'static str], StereoError> {
         match (self.stereo, self.model) {
             (true, Model::Published(_)) => Err(StereoError::Published(self.model)),
-            (true, _) => Ok(&COLUMNS),
+            (true, _) => Ok(&COLUMNS[..COLUMNS.len() - usize::from(!is_turned)]),
             (false, _) => Ok(&COLUMNS[..USUAL]),
         }
     }
 
-    /// The values of the [`columns`](Self::columns), all finite.
+    /// The values of the [`columns`](Self::columns), finite; NaN where there is none, since lines of sight do not meet.
     ///
     /// # Errors
     ///
     /// An input outside its domain, or an intensity that overflows. (One that underflows is 0.)
-    pub fn values(&self, observation: &Observation) -> Result<Vec<f64>, ObservationError> {
+    pub fn values(&self, observation: &Observation, is_turned: bool) -> Result<Vec<f64>, ObservationError> {
         let mut values = self.sightings(observation)?.to_vec();
+        if let Some(index) = values.iter().position(|value| !value.is_finite()) {
+            return Err(ObservationError::NotFinite { column: COLUMNS[index], value: values[index] });
+        }
         if self.stereo {
-            let &Observation { ref speed, point, separation, time } = observation;
-            let Stereo { gain, position } = self.model.stereo(speed, point, separation, time)?;
-            values.push(gain);
-            values.extend(position);
+            let &Observation { ref speed, point, baseline, time } = observation;
+            let found = match self.model.stereo(speed, point, baseline.apertures_or_limit(), time) {
+                Ok(Stereo { gain, position: [x, y, z], miss }) => [gain, x, y, z, miss],
+                Err(StereoError::Apart) => [f64::NAN; 5],
+                Err(error) => return Err(error.into()),
+            };
+            values.extend(&found[..found.len() - usize::from(!is_turned)]);
         }
-        match values.iter().position(|value| !value.is_finite()) {
-            Some(index) => Err(ObservationError::NotFinite { column: COLUMNS[index], value: values[index] }),
-            None => Ok(values),
-        }
+        Ok(values)
     }
 
     /// The values of the columns that are always there.
@@ -205,10 +242,16 @@ impl ModelArgs {
     }
 
     fn disparity(&self, observation: &Observation) -> Result<Disparity, ObservationError> {
-        let &Observation { ref speed, point, separation, time } = observation;
+        let &Observation { ref speed, point, baseline, time } = observation;
+        let Baseline { separation, roll, turn } = baseline;
         if !(0.0..=MAX_COORDINATE).contains(&separation) {
             return Err(ObservationError::Separation(separation));
         }
-        Ok(self.model.disparity(speed, point, separation, time)?)
+        for (name, value) in [(ROLL, roll), (TURN, turn)] {
+            if !(-PI..=PI).contains(&value) {
+                return Err(ObservationError::Head { name, value });
+            }
+        }
+        Ok(self.model.disparity(speed, point, baseline.apertures(), time)?)
     }
 }

@@ -169,12 +169,12 @@ mod tests {
 
     const ARCMIN: f64 = PI / 10_800.0;
 
-    /// The cyclist at this beta, in pictures whose plane is parallel to its motion and to the line of sight to the tracked
-    /// point as it passes: so wide that all of it is in them.
+    /// The cyclist at this beta, in pictures whose plane is parallel to its motion, with the tracked point in their middle:
+    /// so wide that all of it is in them.
     fn wide(beta: f64) -> Settings {
         let mut settings = Settings { scene: "cyclist".to_owned(), ..Settings::default() };
         settings.motion.speed = SpeedSetting::new(SpeedParameter::Beta, beta).expect("a speed");
-        settings.look.gaze = GazeChoice::Fixed([90.0, 2f64.atan2(3.0).to_degrees()]);
+        settings.look.gaze = GazeChoice::Point;
         settings.look.fov = FieldOfView(Some(170.0));
         settings
     }

@@ -1,9 +1,9 @@
 //! Where a passing point is shown: places by its distance from the eyes as it passes x = 0.
 
 use relativity_core::math;
-use relativity_core::{DomainError, SourcePoint, Speed, equidistance_time, observation_time_when_seen_at};
+use relativity_core::{Aperture, DomainError, SourcePoint, Speed, observation_time_when_seen_at};
 
-/// The observation time at which `point` is seen at x = `ratio` R, R being its distance from the eyes as it
+/// The observation time at which `point` is seen at x = `ratio` R by the `pair`, R being its distance from the eyes as it
 /// passes x = 0; `None` at rest.
 ///
 /// # Errors
@@ -13,13 +13,14 @@ pub fn time_seen_at(
     ratio: f64,
     speed: &Speed,
     point: SourcePoint,
-    separation: f64,
+    pair: [Aperture; 2],
 ) -> Result<Option<f64>, DomainError> {
     // Light from x = 0 at t = 0 arrives after R.
-    let Some(distance) = equidistance_time(speed, SourcePoint { x0: 0.0, ..point }, separation)? else {
+    let passing = SourcePoint { x0: 0.0, ..point };
+    let Some(distance) = observation_time_when_seen_at(speed, passing, 0.0, pair)? else {
         return Ok(None);
     };
-    observation_time_when_seen_at(speed, point, ratio * distance, separation)
+    observation_time_when_seen_at(speed, point, ratio * distance, pair)
 }
 
 /// The T at a `fraction` of the way from the first to the last of a range: exact at both ends.
@@ -36,9 +37,9 @@ pub fn time_within([from, to]: [f64; 2], fraction: f64) -> f64 {
 pub fn passage_times(
     speed: &Speed,
     point: SourcePoint,
-    separation: f64,
+    pair: [Aperture; 2],
 ) -> Result<Option<[f64; 2]>, DomainError> {
-    let time = |ratio| time_seen_at(ratio, speed, point, separation);
+    let time = |ratio| time_seen_at(ratio, speed, point, pair);
     Ok(time(-2.0)?.zip(time(2.0)?).map(|(first, last)| [first, last]))
 }
 
@@ -48,12 +49,12 @@ pub fn passage_times(
 /// # Errors
 ///
 /// A coordinate outside the domain of the core.
-pub fn time_of_approach(speed: &Speed, point: SourcePoint, separation: f64) -> Result<f64, DomainError> {
+pub fn time_of_approach(speed: &Speed, point: SourcePoint, pair: [Aperture; 2]) -> Result<f64, DomainError> {
     if speed.beta() == 0.0 {
         return Ok(0.0);
     }
     let [from, to] = fitted_range(speed, point);
-    Ok(time_seen_at(-1.0, speed, point, separation)?.map_or(from, |time| time.clamp(from, to)))
+    Ok(time_seen_at(-1.0, speed, point, pair)?.map_or(from, |time| time.clamp(from, to)))
 }
 
 /// Slowest beta that the fitted range makes room for; slower passages are shown in part.
@@ -69,14 +70,17 @@ pub fn fitted_range(speed: &Speed, point: SourcePoint) -> [f64; 2] {
     let nearest = math::hypot(point.y, point.z).max(NEAREST_FITTED_DISTANCE);
     let passing = SourcePoint { y: nearest, z: 0.0, ..point };
     // What is shown lies inside the domain of the core.
-    let abreast = observation_time_when_seen_at(&speed, passing, 0.0, 0.0).ok().flatten().unwrap_or_default();
+    let abreast = observation_time_when_seen_at(&speed, passing, 0.0, Aperture::pair(0.0))
+        .ok()
+        .flatten()
+        .unwrap_or_default();
     [-2.0, 3.0].map(|widths| abreast + widths * nearest / speed.beta())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use relativity_core::{Aperture, sighting};
+    use relativity_core::sighting;
 
     const TRACKED: SourcePoint = SourcePoint { x0: 0.0, y: 3.0, z: 2.0 };
 
@@ -96,7 +100,7 @@ mod tests {
     #[test]
     fn approach_is_seen_at_45_degrees() {
         let speed = Speed::from_beta(0.9).expect("in range");
-        let time = time_of_approach(&speed, TRACKED, 0.0).expect("in the domain");
+        let time = time_of_approach(&speed, TRACKED, Aperture::pair(0.0)).expect("in the domain");
         let seen = sighting(&speed, TRACKED, Aperture::default(), time).expect("in the domain");
         assert!((seen.position[0] + 13f64.sqrt()).abs() < 1e-12);
     }
@@ -108,10 +112,10 @@ mod tests {
                 let (speed, point) =
                     (Speed::from_beta(beta).expect("in range"), SourcePoint { x0, ..TRACKED });
                 let [from, to] = fitted_range(&speed, point);
-                let time = time_of_approach(&speed, point, 10.0).expect("in the domain");
+                let time = time_of_approach(&speed, point, Aperture::pair(10.0)).expect("in the domain");
                 assert!((from..=to).contains(&time), "beta = {beta}, x0 = {x0}: {time}");
             }
         }
-        assert_eq!(time_of_approach(&Speed::REST, TRACKED, 0.1), Ok(0.0));
+        assert_eq!(time_of_approach(&Speed::REST, TRACKED, Aperture::pair(0.1)), Ok(0.0));
     }
 }

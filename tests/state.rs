@@ -181,7 +181,7 @@ fn pictures_and_files_open_in_the_window_and_in_render_alike() {
     render(folder.path(), "--state a.png --out c.exr");
     render(folder.path(), "--state c.exr --out d.png");
     let bytes = |name: &str| std::fs::read(path(name)).expect("it is there");
-    let pixels = |name: &str| PngFile::read(&path(name)).expect("it is there").picture.rgba;
+    let pixels = |name: &str| PngFile::read(&path(name)).expect("it is there").picture().rgba.clone();
     // The scene's path is found beside the file, and recorded as it was found.
     assert!(bytes("b.png") == bytes("d.png"));
 

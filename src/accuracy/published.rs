@@ -3,7 +3,7 @@
 use std::hint::black_box;
 
 use glam::{DVec2, DVec3};
-use relativity_core::{Disparity, DomainError, Model, PublishedVariant, SourcePoint};
+use relativity_core::{Aperture, Disparity, Model, PairError, PublishedVariant, SourcePoint};
 use relativity_render::{Hit, Motion, PreparedScene, View};
 
 use super::difference::{ARCSECONDS, angle};
@@ -36,10 +36,12 @@ pub fn published_error(
     scene: &PreparedScene,
     left: &View,
     separation: f64,
-) -> Result<PublishedError, DomainError> {
+) -> Result<PublishedError, PairError> {
     let points = visible_points(scene, left);
     let of = |model: Model| {
-        timed(&points, |&point| model.disparity(&left.speed, point, separation, left.observation_time))
+        timed(&points, |&point| {
+            model.disparity(&left.speed, point, Aperture::pair(separation), left.observation_time)
+        })
     };
     let (exact, exact_ns) = of(Model::Exact)?;
     let (published, published_ns) = of(Model::Published(PublishedVariant::AppendixA))?;
@@ -71,8 +73,8 @@ fn visible_points(scene: &PreparedScene, view: &View) -> Vec<SourcePoint> {
 /// The model's disparities, and nanoseconds per point.
 fn timed(
     points: &[SourcePoint],
-    model: impl Fn(&SourcePoint) -> Result<Disparity, DomainError>,
-) -> Result<(Vec<Disparity>, f64), DomainError> {
+    model: impl Fn(&SourcePoint) -> Result<Disparity, PairError>,
+) -> Result<(Vec<Disparity>, f64), PairError> {
     let mut fastest = f64::INFINITY;
     let mut disparities = Vec::new();
     for _ in 0..3 {

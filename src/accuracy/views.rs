@@ -41,7 +41,7 @@ impl Place {
             Self::Abreast => 0.0,
             Self::Receding => 3.0,
         };
-        time_seen_at(ratio, speed, point, 0.0).ok().flatten().unwrap_or_default()
+        time_seen_at(ratio, speed, point, Aperture::pair(0.0)).ok().flatten().unwrap_or_default()
     }
 }
 

@@ -35,7 +35,8 @@ pub struct WindowArgs {
 
 /// Leaves out of the help what is about files only.
 fn without_the_files(flag: Arg) -> Arg {
-    let is_of_files = flag.get_help_heading() == Some("Picture");
+    let is_of_views = ["layout", "swapped"].map(Some).contains(&flag.get_long());
+    let is_of_files = flag.get_help_heading() == Some("Picture") && !is_of_views;
     flag.hide(is_of_files)
 }
 

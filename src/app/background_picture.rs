@@ -49,13 +49,6 @@ impl<J: Clone + PartialEq + Send + 'static> BackgroundPicture<J> {
         self.texture.as_ref()
     }
 
-    /// The picture of `job`, if it is done.
-    pub fn of(&mut self, job: &J) -> Option<&TextureHandle> {
-        let is_of_job = self.requested.as_ref() == Some(job);
-        self.newest();
-        self.texture.as_ref().filter(|_| is_of_job && !self.worker.is_pending())
-    }
-
     /// Whether the newest picture is what was asked for.
     #[must_use]
     pub fn is_up_to_date(&self) -> bool {

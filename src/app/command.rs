@@ -10,7 +10,7 @@ use super::stage::{Part, next_to_show};
 use super::state::{Session, State};
 use crate::comfort::comfortable_separation;
 use crate::flags::FieldOfView;
-use crate::flags::choices::{FileKind, GazeChoice};
+use crate::flags::choices::{FileKind, GazeChoice, Layout};
 use crate::map::Viewpoint;
 use crate::passage::time_within;
 use crate::platform::files;
@@ -27,6 +27,12 @@ pub enum Command {
     Motion(Motion),
     /// New geometry, gaze or field of view.
     Look(Look),
+    /// Another layout of the eyes' pictures.
+    Layout(Layout),
+    /// Layouts further in the list of them, or back.
+    NextLayout(isize),
+    /// Swap the eyes of the present layout.
+    SwapEyes,
     /// New colours.
     Light(Light),
     /// Another renderer, or another bound of it.
@@ -91,6 +97,8 @@ pub enum Command {
     ToggleFullScreen,
     /// Begin to present, or end it.
     TogglePresenting,
+    /// Show the views in a window of their own, too, or no longer.
+    ToggleProjector,
     /// Have a part alone in the window, or all others again.
     ToggleMaximised(Part),
     /// Close what can be closed, else leave what the window was made.
@@ -153,6 +161,14 @@ impl State {
         match command {
             Command::Motion(motion) => self.settings.motion = motion,
             Command::Look(look) => self.settings.look = look,
+            Command::Layout(layout) => self.settings.picture.layout = layout,
+            Command::NextLayout(steps) => {
+                self.settings.picture.layout = self.settings.picture.layout.further(steps);
+            }
+            Command::SwapEyes => {
+                let picture = &mut self.settings.picture;
+                picture.swapped = picture.swapped.toggled(picture.layout);
+            }
             Command::Light(light) => self.set_light(light),
             Command::Quality(quality) => self.settings.quality = quality,
             Command::Playback(playback) => self.settings.playback = playback,
@@ -210,6 +226,7 @@ impl State {
             Command::ToggleHelp => self.session.help = !self.session.help,
             Command::ToggleFullScreen => self.session.stage.full_screen = !self.session.stage.full_screen,
             Command::TogglePresenting => self.session.stage.toggle_presenting(),
+            Command::ToggleProjector => self.session.stage.projector = !self.session.stage.projector,
             Command::ToggleMaximised(part) => self.session.stage.toggle_maximised(part),
             Command::Close => self.close(),
         }
@@ -321,8 +338,8 @@ impl State {
         Settings { scene, ..self.settings.clone() }
     }
 
-    /// The settings that the file at `path` leads to. What it does not say of the window's parts stays as it is; the
-    /// rest is as usual.
+    /// The settings that the file at `path` leads to. What it does not say of the window's parts and of the layout stays as
+    /// it is; the rest is as usual.
     fn settings_in(&self, path: &Path) -> Result<Settings, SettingsError> {
         let is_scene = FileKind::of(path).is_none()
             && !files::read_to_string(path).is_ok_and(|text| looks_like_settings(&text));

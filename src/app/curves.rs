@@ -4,7 +4,7 @@
 use egui_plot::PlotPoint;
 use relativity_core::math;
 use relativity_core::{
-    Aperture, Model, PublishedVariant, SourcePoint, Speed, equidistance_time, observation_time_when_seen_at,
+    Aperture, Baseline, Model, PublishedVariant, equidistance_time, observation_time_when_seen_at,
 };
 use relativity_render::Velocity;
 
@@ -49,8 +49,19 @@ pub enum DistanceKind {
 }
 
 impl DistanceKind {
-    /// All of them, in the order of the curves.
+    /// All of them.
     pub const ALL: [Self; 4] = [Self::Stereo, Self::Seen(0), Self::Seen(1), Self::Measured];
+
+    /// What the curve with this number is of: those come first that are there at every T.
+    #[must_use]
+    pub const fn of_curve(number: usize) -> Self {
+        match number {
+            0 => Self::Measured,
+            1 => Self::Seen(1),
+            2 => Self::Seen(0),
+            _ => Self::Stereo,
+        }
+    }
 }
 
 /// What a point's curves depend on.
@@ -60,8 +71,8 @@ pub struct CurvesKey {
     pub velocity: Velocity,
     /// Where it is at rest, from between the eyes.
     pub rest: [f64; 3],
-    /// d.
-    pub separation: f64,
+    /// From the left to the right eye.
+    pub baseline: Baseline,
     /// First and last T.
     pub range: [f64; 2],
     /// The model of what the views show. Where that is not the exact one, its curves are there beside.
@@ -85,13 +96,14 @@ pub struct Curves {
 #[derive(Debug, Clone)]
 struct OfModel {
     eyes: [Vec<PlotPoint>; EYES],
-    stereo: [Vec<PlotPoint>; STEREO],
+    /// Log gain, in pieces.
+    gains: Vec<Vec<PlotPoint>>,
+    /// Logs of the distances, each of the kind that its number says.
+    distances: Vec<Vec<PlotPoint>>,
 }
 
 /// Delta-phi, Delta-theta, then phi, theta and log D of the left and of the right eye.
 const EYES: usize = 8;
-/// Log gain, then the logs of the distances.
-const STEREO: usize = 1 + DistanceKind::ALL.len();
 
 /// Largest distance of a drawn chord from the curve, as a fraction of the curve's height: a third of a
 /// pixel in a plot 600 pixels high.
@@ -109,12 +121,23 @@ const RUNGS: i32 = 40;
 impl OfModel {
     fn new(key: &CurvesKey, model: Model, anchors: &[f64]) -> Self {
         let eyes = channels(&sampled(key.range, anchors, |time| values(key, model, time)));
-        let stereo = if key.stereo {
-            channels(&sampled(key.range, anchors, |time| stereo_values(key, model, time)))
-        } else {
-            Default::default()
-        };
-        Self { eyes, stereo }
+        let (mut gains, mut distances) = (Vec::new(), Vec::new());
+        if key.stereo {
+            distances
+                .extend(channels(&sampled(key.range, anchors, |time| distance_values(key, model, time))));
+            let values = |time| stereo_values(key, model, time);
+            let pieces = if key.baseline.is_along_motion() {
+                vec![key.range]
+            } else {
+                pieces(key.range, anchors, values)
+            };
+            for [gain, distance] in pieces.into_iter().map(|piece| channels(&sampled(piece, anchors, values)))
+            {
+                gains.push(gain);
+                distances.push(distance);
+            }
+        }
+        Self { eyes, gains, distances }
     }
 
     fn of(&self, quantity: Quantity) -> &[Vec<PlotPoint>] {
@@ -124,8 +147,8 @@ impl OfModel {
             Quantity::Phi => &self.eyes[2..4],
             Quantity::Theta => &self.eyes[4..6],
             Quantity::LogDoppler => &self.eyes[6..8],
-            Quantity::LogGain => &self.stereo[..1],
-            Quantity::LogDistance => &self.stereo[1..],
+            Quantity::LogGain => &self.gains,
+            Quantity::LogDistance => &self.distances,
         }
     }
 }
@@ -134,8 +157,7 @@ impl Curves {
     /// The curves for `key`.
     #[must_use]
     pub fn new(key: CurvesKey) -> Self {
-        let source = key.velocity.reflected_source(key.rest);
-        let anchors = bends(&key.velocity.speed, source, key.separation);
+        let anchors = bends(&key.velocity, key.rest, key.baseline.apertures_or_limit());
         let of = |model| OfModel::new(&key, model, &anchors);
         let shown = of(key.model);
         let exact = (key.model != Model::Exact).then(|| of(Model::Exact));
@@ -178,7 +200,7 @@ impl Curves {
 }
 
 fn values(key: &CurvesKey, model: Model, time: f64) -> Option<[f64; EYES]> {
-    let both = key.velocity.disparity(model, key.rest, key.separation, time).ok()?;
+    let both = key.velocity.disparity(model, key.rest, key.baseline.apertures(), time).ok()?;
     let (l, r) = (both.primary, both.secondary);
     let values = [
         both.dphi,
@@ -195,7 +217,7 @@ fn values(key: &CurvesKey, model: Model, time: f64) -> Option<[f64; EYES]> {
 
 fn published_values(key: &CurvesKey, time: f64) -> Option<[f64; 2]> {
     let model = Model::Published(PublishedVariant::AppendixA);
-    let both = key.velocity.disparity(model, key.rest, key.separation, time).ok()?;
+    let both = key.velocity.disparity(model, key.rest, key.baseline.apertures(), time).ok()?;
     let values = [both.dphi, both.dtheta];
     values.iter().all(|value| value.is_finite()).then_some(values)
 }
@@ -203,42 +225,89 @@ fn published_values(key: &CurvesKey, time: f64) -> Option<[f64; 2]> {
 /// What two eyes make of a point at one T.
 #[derive(Debug, Clone, Copy)]
 pub struct StereoView {
-    /// The stereo gain.
-    pub gain: f64,
+    /// The stereo gain; none where the lines of sight do not meet.
+    pub gain: Option<f64>,
     /// Of every [`DistanceKind`].
-    pub distances: [f64; DistanceKind::ALL.len()],
+    pub distances: [Option<f64>; DistanceKind::ALL.len()],
 }
 
-/// What two eyes make in this `model` at `time` of the point of `key`; `None` outside the domain of the core.
+/// What two eyes make in this `model` at `time` of the point of `key`; `None` outside the domain of the
+/// core.
 #[must_use]
 pub fn stereo_view(key: &CurvesKey, model: Model, time: f64) -> Option<StereoView> {
-    let fused = key.velocity.stereo(model, key.rest, key.separation, time).ok()?;
-    let both = key.velocity.disparity(model, key.rest, key.separation, time).ok()?;
+    let fused = key.velocity.stereo(model, key.rest, key.baseline.apertures_or_limit(), time).ok();
+    let both = key.velocity.disparity(model, key.rest, key.baseline.apertures(), time).ok()?;
     let source = key.velocity.reflected_source(key.rest);
     let measured = [source.x0 + key.velocity.speed.beta() * time, source.y, source.z];
     let distances = [
-        fused.distance(),
-        both.primary.distance,
-        both.secondary.distance,
-        measured.map(|along| along * along).iter().sum::<f64>().sqrt(),
+        fused.map(|fused| fused.distance()),
+        Some(both.primary.distance),
+        Some(both.secondary.distance),
+        Some(measured.map(|along| along * along).iter().sum::<f64>().sqrt()),
     ];
-    Some(StereoView { gain: fused.gain, distances })
+    Some(StereoView { gain: fused.map(|fused| fused.gain), distances })
 }
 
-fn stereo_values(key: &CurvesKey, model: Model, time: f64) -> Option<[f64; STEREO]> {
-    let StereoView { gain, distances: [stereo, left, right, measured] } = stereo_view(key, model, time)?;
-    let values = [gain, stereo, left, right, measured].map(math::log10);
-    values.iter().all(|value| value.is_finite()).then_some(values)
+/// Logs of the stereo gain and of the distance at which two eyes take the point to be, where they do.
+fn stereo_values(key: &CurvesKey, model: Model, time: f64) -> Option<[f64; 2]> {
+    let StereoView { gain, distances: [stereo, ..] } = stereo_view(key, model, time)?;
+    logs([gain?, stereo?])
 }
 
-/// The times around which curves bend: T0, when the point is objectively abreast of each eye, and when it is seen there
-/// from between them.
-pub(super) fn bends(speed: &Speed, source: SourcePoint, separation: f64) -> Vec<f64> {
-    let equidistant = equidistance_time(speed, source, separation).ok().flatten();
-    let abreast = Aperture::pair(separation).map(|aperture| (aperture.x - source.x0) / speed.beta());
-    let seen =
-        |aperture: Aperture| observation_time_when_seen_at(speed, source, 0.0, aperture.x).ok().flatten();
-    let seen = Aperture::pair(separation).map(seen);
+/// Logs of the distances that there are at every T, in the order of their curves.
+fn distance_values(key: &CurvesKey, model: Model, time: f64) -> Option<[f64; 3]> {
+    let StereoView { distances: [_, left, right, measured], .. } = stereo_view(key, model, time)?;
+    logs([measured?, right?, left?])
+}
+
+fn logs<const N: usize>(values: [f64; N]) -> Option<[f64; N]> {
+    let logs = values.map(math::log10);
+    logs.iter().all(|log| log.is_finite()).then_some(logs)
+}
+
+/// Halvings of an interval in which lines of sight begin or cease to meet: nearer to that the distance is beyond the plot.
+const GAP_DEPTH: u32 = 6;
+
+/// The parts of `range` in which there are `values`.
+fn pieces<const N: usize>(
+    range: [f64; 2],
+    anchors: &[f64],
+    values: impl Fn(f64) -> Option<[f64; N]>,
+) -> Vec<[f64; 2]> {
+    let is_there = |time| values(time).is_some();
+    // From a time at which there are some towards one at which there are none.
+    let edge = |mut there: f64, mut gone: f64| {
+        for _ in 0..GAP_DEPTH {
+            let middle = there.midpoint(gone);
+            *if is_there(middle) { &mut there } else { &mut gone } = middle;
+        }
+        there
+    };
+    let mut found = Vec::new();
+    let mut before: Option<f64> = None;
+    let mut begun: Option<f64> = None;
+    for time in first_times(range, anchors) {
+        match (is_there(time), begun) {
+            (true, None) => begun = Some(before.map_or(time, |gone| edge(time, gone))),
+            (false, Some(first)) => {
+                found.push([first, edge(before.unwrap_or(first), time)]);
+                begun = None;
+            }
+            _ => {}
+        }
+        before = Some(time);
+    }
+    found.extend(begun.zip(before).map(|(first, last)| [first, last]));
+    found
+}
+
+/// The times around which curves bend: T0, when the point is objectively abreast of each eye, and when that sees it there.
+pub(super) fn bends(velocity: &Velocity, rest: [f64; 3], pair: [Aperture; 2]) -> Vec<f64> {
+    let (speed, source) = (&velocity.speed, velocity.reflected_source(rest));
+    let pair = velocity.reflected_pair(pair);
+    let equidistant = equidistance_time(speed, source, pair).ok().flatten();
+    let abreast = pair.map(|aperture| (aperture.x - source.x0) / speed.beta());
+    let seen = pair.map(|eye| observation_time_when_seen_at(speed, source, 0.0, [eye; 2]).ok().flatten());
     equidistant
         .into_iter()
         .chain(abreast)
@@ -363,7 +432,7 @@ mod tests {
         CurvesKey {
             velocity,
             rest,
-            separation: 0.3,
+            baseline: Baseline::straight(0.3),
             range: [-2.0, 5.0],
             model,
             published: true,
@@ -413,7 +482,7 @@ mod tests {
             for point in [[0.0, 0.0, 0.0], [0.15, 0.0, 0.0], [0.0, 0.0, 1.0], [1e6, 1e-9, 0.0]] {
                 let curves = Curves::new(key(beta, point));
                 let models = [Some(&curves.shown), curves.exact.as_ref()].into_iter().flatten();
-                let models = models.flat_map(|of| of.eyes.iter().chain(&of.stereo));
+                let models = models.flat_map(|of| of.eyes.iter().chain(&of.gains).chain(&of.distances));
                 let all = models.chain(&curves.published).flatten();
                 assert!(all.clone().all(|point| point.x.is_finite() && point.y.is_finite()));
                 assert!(all.count() < 20_000, "beta = {beta}, {point:?}");

@@ -3,11 +3,14 @@
 
 use eframe::egui::{Context, TextureId};
 use eframe::egui_wgpu::RenderState;
-use eframe::wgpu::FilterMode;
-use relativity_render::{Appearance, EyeTarget, Gpu, Method, PreparedScene, Renderers, View};
+use eframe::wgpu::{FilterMode, TextureView};
+use relativity_render::{
+    Appearance, Composed, Composer, Composition, EyeTarget, Gpu, Method, Picture, PreparedScene, Renderers,
+    View,
+};
 
-use super::background_picture::BackgroundPicture;
 use super::stillness::Stillness;
+use super::worker::{Wanted, Worker};
 use crate::accuracy::REFERENCE_SAMPLES;
 
 /// Both eyes' pictures, and what draws them.
@@ -17,12 +20,27 @@ pub struct EyePictures {
     renderers: Renderers,
     pictures: [Option<EyePicture>; 2],
     references: [Option<ReferencePicture>; 2],
+    composer: Option<Composer>,
+    composed: Option<ComposedPicture>,
+    /// How often a picture was drawn.
+    drawings: u64,
 }
 
 struct EyePicture {
     target: EyeTarget,
     texture: TextureId,
-    drawn: Option<Request>,
+    /// What it is of, and what drew that.
+    drawn: Option<(Request, Method)>,
+    /// Which of all drawings it was.
+    number: u64,
+}
+
+/// What is made of both.
+struct ComposedPicture {
+    target: Composed,
+    texture: TextureId,
+    /// How it was composed, and of which drawings.
+    of: Option<(Composition, [u64; 2])>,
 }
 
 /// Everything a picture depends on.
@@ -49,6 +67,11 @@ pub struct Shown {
 }
 
 impl Request {
+    /// Whether a picture of it is one of the `other`, too, by the same method.
+    fn shows_as(&self, other: &Self) -> bool {
+        (self.view, self.appearance) == (other.view, other.appearance) && self.scene == other.scene
+    }
+
     /// Whether it is the reference's to draw.
     fn is_for_reference(&self) -> bool {
         self.method.of_view(&self.view) == Method::Reference
@@ -60,29 +83,44 @@ impl Request {
     }
 }
 
-/// A picture by the reference renderer.
+/// Pictures by the reference renderer, which are made in the background.
 struct ReferencePicture {
-    picture: BackgroundPicture<Request>,
+    worker: Worker<Request, (Request, Picture)>,
     stillness: Stillness<Request>,
+    requested: Option<Request>,
+    /// The newest.
+    done: Option<(Request, Picture)>,
     is_awaited: bool,
 }
 
 impl ReferencePicture {
     fn new(ctx: &Context) -> Self {
-        let picture =
-            |request: &Request| request.scene.picture(&request.view, &request.appearance, REFERENCE_SAMPLES);
-        let picture = BackgroundPicture::new(ctx, "reference", picture);
-        Self { picture, stillness: Stillness::default(), is_awaited: false }
+        let work = |request: Request, _: &Wanted| {
+            let Request { view, appearance, scene, .. } = &request;
+            let picture = scene.picture(view, appearance, REFERENCE_SAMPLES);
+            Some((request, picture))
+        };
+        Self {
+            worker: Worker::new(ctx.clone(), work),
+            stillness: Stillness::default(),
+            requested: None,
+            done: None,
+            is_awaited: false,
+        }
     }
 
     /// The picture, once it is done. It is begun when what is asked for no longer changes.
-    fn texture(&mut self, ctx: &Context, request: &Request) -> Option<TextureId> {
-        let done = self.picture.of(request).map(Into::into);
-        if done.is_none() && self.stillness.is_still(ctx, request) {
-            self.picture.request(request);
+    fn picture(&mut self, ctx: &Context, request: &Request) -> Option<&Picture> {
+        if let Some(done) = self.worker.result() {
+            self.done = Some(done);
         }
-        self.is_awaited = done.is_none();
-        done
+        let is_done = self.done.as_ref().is_some_and(|(of, _)| of == request);
+        if !is_done && self.stillness.is_still(ctx, request) && self.requested.as_ref() != Some(request) {
+            self.worker.request(request.clone());
+            self.requested = Some(request.clone());
+        }
+        self.is_awaited = !is_done;
+        self.done.as_ref().filter(|_| is_done).map(|(_, picture)| picture)
     }
 }
 
@@ -98,7 +136,16 @@ impl EyePictures {
             render_state: render_state.clone(),
             pictures: [None, None],
             references: [None, None],
+            composer: None,
+            composed: None,
+            drawings: 0,
         }
+    }
+
+    /// None yet, for another window of the same device.
+    #[must_use]
+    pub fn another(&self) -> Self {
+        Self::new(&self.render_state)
     }
 
     /// The device they are drawn on.
@@ -121,30 +168,84 @@ impl EyePictures {
 
     /// The picture of the eye with this `index` (0 left, 1 right), drawn if it is not up to date.
     pub fn picture(&mut self, ctx: &Context, index: usize, request: &Request) -> Shown {
-        let reference = &mut self.references[index];
+        let Self { render_state, gpu, renderers, pictures, references, drawings, .. } = self;
+        let picture = fitting(&mut pictures[index], request.view.camera.size, gpu, render_state);
+        let reference = &mut references[index];
         if request.is_for_reference() {
             let reference = reference.get_or_insert_with(|| ReferencePicture::new(ctx));
-            if let Some(texture) = reference.texture(ctx, request) {
-                return Shown { texture, method: Method::Reference };
+            if let Some(made) = reference.picture(ctx, request) {
+                return picture.shown(request, Method::Reference, drawings, |target| {
+                    target.write(gpu, made);
+                    true
+                });
             }
         } else if let Some(reference) = reference {
             // Kept, since ending its thread would take until its picture is done.
             reference.is_awaited = false;
         }
-        self.picture_on_gpu(index, request)
+        let method = request.method_on_gpu();
+        picture.shown(request, method, drawings, |target| {
+            let Request { scene, view, appearance, .. } = request;
+            renderers.draw(method, scene, view, appearance, target).is_ok()
+        })
     }
 
-    fn picture_on_gpu(&mut self, index: usize, request: &Request) -> Shown {
-        let Self { render_state, gpu, renderers, pictures, .. } = self;
-        let method = request.method_on_gpu();
-        let request = Request { method, ..request.clone() };
-        let picture = fitting(&mut pictures[index], request.view.camera.size, gpu, render_state);
-        if picture.drawn.as_ref() != Some(&request) {
-            let Request { scene, view, appearance, .. } = &request;
-            let drawn = renderers.draw(method, scene, view, appearance, &mut picture.target);
-            picture.drawn = drawn.is_ok().then_some(request);
+    /// The picture that is made of those of both eyes, which are drawn first if they are not up to date: each with its
+    /// number, in the order of the layout.
+    pub fn composed(
+        &mut self,
+        ctx: &Context,
+        composition: Composition,
+        requests: [(usize, &Request); 2],
+    ) -> Option<Shown> {
+        let [Shown { method, .. }, _] = requests.map(|(index, request)| self.picture(ctx, index, request));
+        let Self { render_state, gpu, pictures, composer, composed, .. } = self;
+        let [first, second] = requests.map(|(index, _)| pictures[index].as_ref());
+        let (first, second) = (first?, second?);
+        let composed = fitting_composed(composed, composition.size(first.target.size()), gpu, render_state);
+        let of = Some((composition, [first.number, second.number]));
+        if composed.of != of {
+            let composer = composer.get_or_insert_with(|| Composer::new(gpu));
+            composer.compose(gpu, composition, [&first.target, &second.target], &composed.target);
+            composed.of = of;
         }
-        Shown { texture: picture.texture, method }
+        Some(Shown { texture: composed.texture, method })
+    }
+
+    /// Gives up all pictures, as nobody looks.
+    pub fn forget(&mut self) {
+        self.forget_composed();
+        for EyePicture { texture, .. } in self.pictures.iter_mut().filter_map(Option::take) {
+            self.render_state.renderer.write().free_texture(&texture);
+        }
+        self.references = [None, None];
+    }
+
+    /// Gives up what was composed, as nobody looks.
+    pub fn forget_composed(&mut self) {
+        if let Some(ComposedPicture { texture, .. }) = self.composed.take() {
+            self.render_state.renderer.write().free_texture(&texture);
+        }
+    }
+}
+
+impl EyePicture {
+    /// It, after `draw` has drawn what is asked for by `method`, unless that is up to date. `draw` says whether it could.
+    fn shown(
+        &mut self,
+        request: &Request,
+        method: Method,
+        drawings: &mut u64,
+        draw: impl FnOnce(&mut EyeTarget) -> bool,
+    ) -> Shown {
+        let is_up_to_date = self.drawn.as_ref().is_some_and(|(of, by)| *by == method && of.shows_as(request));
+        if !is_up_to_date {
+            let is_drawn = draw(&mut self.target);
+            self.drawn = is_drawn.then(|| (request.clone(), method));
+            *drawings += 1;
+            self.number = *drawings;
+        }
+        Shown { texture: self.texture, method }
     }
 }
 
@@ -158,15 +259,35 @@ fn fitting<'a>(
     let outgrown = slot.take_if(|picture| picture.target.size() != size);
     slot.get_or_insert_with(|| {
         let target = EyeTarget::new(gpu, size);
-        let mut renderer = render_state.renderer.write();
-        let (device, view, filter) = (&render_state.device, target.view(), FilterMode::Linear);
-        let texture = match outgrown {
-            Some(EyePicture { texture, .. }) => {
-                renderer.update_egui_texture_from_wgpu_texture(device, view, filter, texture);
-                texture
-            }
-            None => renderer.register_native_texture(device, view, filter),
-        };
-        EyePicture { target, texture, drawn: None }
+        let texture = registered(render_state, target.view(), outgrown.map(|picture| picture.texture));
+        EyePicture { target, texture, drawn: None, number: 0 }
     })
+}
+
+/// What is composed in `slot`, made anew if it does not have this `size`.
+fn fitting_composed<'a>(
+    slot: &'a mut Option<ComposedPicture>,
+    size: [u32; 2],
+    gpu: &Gpu,
+    render_state: &RenderState,
+) -> &'a mut ComposedPicture {
+    let outgrown = slot.take_if(|composed| composed.target.size() != size);
+    slot.get_or_insert_with(|| {
+        let target = Composed::new(gpu, size);
+        let texture = registered(render_state, target.view(), outgrown.map(|composed| composed.texture));
+        ComposedPicture { target, texture, of: None }
+    })
+}
+
+/// What egui calls the picture in `view`, be it new or in place of the one that it called so `before`.
+fn registered(render_state: &RenderState, view: &TextureView, before: Option<TextureId>) -> TextureId {
+    let mut renderer = render_state.renderer.write();
+    let (device, filter) = (&render_state.device, FilterMode::Linear);
+    match before {
+        Some(texture) => {
+            renderer.update_egui_texture_from_wgpu_texture(device, view, filter, texture);
+            texture
+        }
+        None => renderer.register_native_texture(device, view, filter),
+    }
 }

@@ -4,42 +4,11 @@
 use eframe::egui::{Pos2, Rect, Vec2, pos2, vec2};
 
 use super::border::{Border, Split};
-use super::observer::Eye;
+use super::panes::{Arrangement, Content, Pane};
 use super::stage::Part;
 use super::theme::{GAP, TITLE_HEIGHT};
 use crate::flags::Share;
 use crate::settings::{PlotTab, Presence, Window};
-
-/// What can stand in a pane. One more is a variant and a line in [`Self::shown`], its switch among the settings of the
-/// [`Window`], a file in `panels`, and an arm where panes are painted.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Content {
-    /// What an eye sees.
-    Eye(Eye),
-    /// The left eye's picture, corrected.
-    Corrected,
-}
-
-impl Content {
-    /// What stands side by side in `window`, from the left.
-    fn shown(window: Window) -> impl Iterator<Item = Self> {
-        let all = [
-            (Self::Eye(Eye::Left), true),
-            (Self::Eye(Eye::Right), true),
-            (Self::Corrected, window.corrected),
-        ];
-        all.into_iter().filter_map(|(content, is_shown)| is_shown.then_some(content))
-    }
-}
-
-/// One of the pictures that stand side by side.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pane {
-    /// What stands in it.
-    pub content: Content,
-    /// Where that is; its title stands above.
-    pub rect: Rect,
-}
 
 /// The parts of the window. A part without room (or switched off) has no rectangle.
 #[derive(Debug, Clone, PartialEq)]
@@ -110,9 +79,9 @@ impl Layout {
         self.panes.iter().any(|pane| pane.content == content)
     }
 
-    /// The layout of a window with this inner `area`, whose plots are those of `tab`.
+    /// The layout of a window with this inner `area`, whose views are `arranged` and whose plots are those of `tab`.
     #[must_use]
-    pub fn of(area: Rect, window: Window, tab: PlotTab) -> Self {
+    pub fn of(area: Rect, window: Window, arranged: &Arrangement, tab: PlotTab) -> Self {
         let (bar, below) = split_top(area, BAR_HEIGHT);
         let with_side = window.controls && area.width() >= NARROWEST_WITH_CONTROLS;
         let side_width = part(window.side_share, area.width(), SIDE_WIDTH, [SIDE_WIDTH, CENTRE_WIDTH]);
@@ -152,7 +121,7 @@ impl Layout {
             bar,
             controls,
             readout,
-            panes: views.map_or_else(Vec::new, |views| panes(views, window)),
+            panes: views.map_or_else(Vec::new, |views| arranged.panes(views)),
             spectrum: shown(spectrum),
             sentence: shown(sentence),
             timeline,
@@ -204,26 +173,33 @@ pub struct Presentation {
 
 /// How much of the height and of the width the words take below presented views, and of their height the speed and the
 /// sentence do.
-const WORDS_SHARE: Vec2 = vec2(0.5, 0.32);
-const SPEED_SHARE: f32 = 0.3;
-const SENTENCE_SHARE: f32 = 0.36;
+const WORDS_SHARE: Vec2 = vec2(0.5, 0.34);
+const SPEED_SHARE: f32 = 0.27;
+const SENTENCE_SHARE: f32 = 0.39;
 
 impl Presentation {
-    /// That in a window with this inner `area`, with writing `scale` times as large as usual.
+    /// That in a window with this inner `area`, whose views are `arranged`.
     #[must_use]
-    pub fn of(area: Rect, window: Window, scale: f32) -> Self {
+    pub fn of(area: Rect, arranged: &Arrangement) -> Self {
+        if let Some(panes) = arranged.whole_screen(area) {
+            let [speed, sentence, caption] = [Rect::from_min_size(area.min, Vec2::ZERO); 3];
+            return Self { panes, speed, sentence, caption, plot: None };
+        }
         let (upper, lower) = split_top(area, (1.0 - WORDS_SHARE.y) * area.height());
         let (words, plot) = split_left(lower, WORDS_SHARE.x * lower.width());
         let words = words.shrink((2.0 * GAP).min(0.1 * words.height()));
         let (speed, rest) = split_top(words, SPEED_SHARE * words.height());
         let (sentence, caption) = split_top(rest, SENTENCE_SHARE * words.height());
-        let mut panes = large_enough(upper).map_or_else(Vec::new, |views| panes(views, window));
-        for Pane { rect, .. } in &mut panes {
-            // Its title is larger, too.
-            rect.min.y = (rect.min.y + (scale - 1.0) * TITLE_HEIGHT).min(rect.max.y);
-        }
+        let panes = large_enough(upper).map_or_else(Vec::new, |views| arranged.panes(views));
         Self { panes, speed, sentence, caption, plot: large_enough(plot) }
     }
+}
+
+/// The views alone, in all of `area`.
+#[must_use]
+pub fn views(area: Rect, arranged: &Arrangement) -> Vec<Pane> {
+    let shared = arranged.whole_screen(area);
+    shared.or_else(|| Some(arranged.panes(large_enough(area)?))).unwrap_or_default()
 }
 
 /// How much of a `whole` a part has whose share is set, else `usual`: at least the first of `least`, and as long as there
@@ -299,19 +275,6 @@ fn words_heights(width: f32, height: f32, window: Window) -> [f32; 2] {
     if height - wanted.iter().sum::<f32>() >= lowest { wanted } else { [0.0; 2] }
 }
 
-/// The panes of `window` side by side in `area`, all of one width.
-fn panes(area: Rect, window: Window) -> Vec<Pane> {
-    let contents: Vec<_> = Content::shown(window).collect();
-    let columns = contents.len() as f32;
-    let width = ((area.width() - GAP * (columns - 1.0)) / columns).max(1.0);
-    let top = (area.min.y + TITLE_HEIGHT).min(area.max.y);
-    let pane = |(column, content)| {
-        let x = area.min.x + column as f32 * (width + GAP);
-        Pane { content, rect: Rect::from_min_max(pos2(x, top), pos2(x + width, area.max.y)) }
-    };
-    contents.into_iter().enumerate().map(pane).collect()
-}
-
 /// Controls above, the readout below them as far as there is room for both.
 fn side_parts(side: Rect, readout: bool) -> (Option<Rect>, Option<Rect>) {
     let [least, most] = READOUT_HEIGHTS;
@@ -348,6 +311,7 @@ fn split_right(rect: Rect, width: f32) -> (Rect, Option<Rect>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::settings::Settings;
 
     fn layout(width: f32, height: f32) -> Layout {
         of([width, height], Window::default())
@@ -365,8 +329,13 @@ mod tests {
         }
     }
 
+    fn layout_of(area: Rect, window: Window, tab: PlotTab) -> Layout {
+        let settings = Settings { window, ..Settings::default() };
+        Layout::of(area, window, &Arrangement::of(&settings, 2.54 / 96.0, 1.0), tab)
+    }
+
     fn of(size: [f32; 2], window: Window) -> Layout {
-        Layout::of(Rect::from_min_size(pos2(0.0, 0.0), size.into()), window, PlotTab::Disparity)
+        layout_of(Rect::from_min_size(pos2(0.0, 0.0), size.into()), window, PlotTab::Disparity)
     }
 
     #[test]
@@ -383,7 +352,7 @@ mod tests {
     #[test]
     fn the_fit_keeps_its_plots_unless_the_map_is_asked_for() {
         let area = Rect::from_min_size(pos2(0.0, 0.0), vec2(1280.0, 800.0));
-        let layout = |map| Layout::of(area, Window { map, ..Window::default() }, PlotTab::Fit);
+        let layout = |map| layout_of(area, Window { map, ..Window::default() }, PlotTab::Fit);
         assert!(layout(Presence::Auto).map.is_none() && layout(Presence::On).map.is_some());
     }
 
@@ -520,8 +489,8 @@ mod tests {
     #[test]
     fn an_audience_has_all_parts_apart_and_large() {
         for size in SIZES {
-            let shown =
-                Presentation::of(Rect::from_min_size(Pos2::ZERO, size.into()), Window::default(), 1.6);
+            let arranged = Arrangement::of(&Settings::default(), 2.54 / 96.0, 1.6);
+            let shown = Presentation::of(Rect::from_min_size(Pos2::ZERO, size.into()), &arranged);
             let words = [shown.speed, shown.sentence, shown.caption];
             let all: Vec<Rect> =
                 words.into_iter().chain(shown.plot).chain(shown.panes.iter().map(|pane| pane.rect)).collect();

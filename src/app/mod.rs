@@ -16,6 +16,7 @@ pub mod dial;
 pub mod examination;
 mod eyes;
 pub mod fitting;
+mod flicker;
 mod full_screen;
 mod graphics;
 mod halo;
@@ -23,10 +24,13 @@ mod heat_map;
 mod icon;
 pub mod launch;
 mod layout;
+mod layouts;
 pub mod memory;
 pub mod observer;
 mod panels;
+pub mod panes;
 pub mod points;
+mod projector;
 mod screenshot;
 mod shortcuts;
 mod speed_slider;
@@ -38,7 +42,7 @@ pub mod under;
 mod widgets;
 mod worker;
 
-use eframe::egui::{self, Rect, Ui, UiBuilder};
+use eframe::egui::{self, Rect, TextureId, Ui, UiBuilder};
 use eframe::egui_wgpu::RenderState;
 
 use command::Command;
@@ -48,12 +52,14 @@ use examination::{Examination, Sight};
 use eyes::EyePictures;
 use fitting::Fitting;
 use full_screen::FullScreen;
-use layout::{Content, Layout, Pane, Presentation};
-use observer::Eye;
-use panels::{Asks, plots::Plotted, views::EyePane};
+use layout::{Layout, Presentation};
+use panels::views::Painted;
+use panels::{Asks, plots::Plotted};
+use panes::{Arrangement, Content, EyePane, Pane};
 use stage::Part;
 use state::State;
 
+use crate::flags::choices::Form;
 use crate::settings::{PlotTab, Settings};
 
 /// The whole window.
@@ -64,6 +70,8 @@ pub struct App {
     corrected: Option<Corrected>,
     examination: Option<Examination>,
     eyes: Option<EyePictures>,
+    /// Those in the projector's window, once there was one.
+    projected: Option<EyePictures>,
     full_screen: FullScreen,
     text_scale: f32,
 }
@@ -83,6 +91,7 @@ impl App {
             corrected: None,
             examination: None,
             eyes: render_state.map(EyePictures::new),
+            projected: None,
             full_screen: FullScreen::default(),
             text_scale: 1.0,
         }
@@ -186,10 +195,7 @@ impl App {
             return;
         }
         let state = &self.state;
-        let panes = panes.iter().filter_map(|pane| {
-            let Content::Eye(eye) = pane.content else { return None };
-            Some(self.eye_pane(ui, eye, pane.rect))
-        });
+        let panes = panes.iter().flat_map(|pane| self.eye_panes(ui, pane));
         let exact = panes.filter(|pane| !state.sees_as_published(pane.eye));
         let sight = Sight {
             views: exact.map(|pane| (pane.eye, state.view(pane.eye, pane.size))).collect(),
@@ -201,24 +207,28 @@ impl App {
         examination.update(ui.ctx(), &sight, state.settings.quality.method());
     }
 
-    /// The pane of `eye` in `rect`.
-    fn eye_pane(&self, ui: &Ui, eye: Eye, rect: Rect) -> EyePane {
+    /// Where in `pane` eyes' pictures are, in the order of the layout.
+    fn eye_panes(&self, ui: &Ui, pane: &Pane) -> Vec<EyePane> {
         let largest = self.eyes.as_ref().map_or(1, EyePictures::largest_side);
-        EyePane::new(eye, rect, ui.pixels_per_point(), largest)
+        let scale = ui.pixels_per_point();
+        match pane.content {
+            Content::Eye(eye) => vec![EyePane::new(eye, pane.rect, scale, largest)],
+            Content::Both => EyePane::both(&self.state.settings.picture, pane.rect, scale, largest).into(),
+            Content::Corrected => Vec::new(),
+        }
     }
 
-    /// Notes how large the eyes' pictures are: fields of view are fitted to that of the left one.
+    /// Notes how large the eyes' pictures are: fields of view are fitted to that of the first.
     fn measure_pictures(&mut self, ui: &Ui, panes: &[Pane]) {
-        if let Some(pane) = panes.iter().find(|pane| pane.content == Content::Eye(Eye::Left)) {
-            self.state.session.picture_size = self.eye_pane(ui, Eye::Left, pane.rect).size;
+        if let Some(pane) = panes.iter().find_map(|pane| self.eye_panes(ui, pane).first().copied()) {
+            self.state.session.picture_size = pane.size;
         }
     }
 
     /// Reads the mouse in `pane`.
     fn interact(&mut self, ui: &mut Ui, pane: Pane) {
-        if let Content::Eye(eye) = pane.content {
-            let pane = self.eye_pane(ui, eye, pane.rect);
-            self.panel(ui, eye.name(), pane.rect, |ui, _, asks| {
+        for pane in self.eye_panes(ui, &pane).into_iter().filter(EyePane::takes_the_mouse) {
+            self.panel(ui, pane.eye.name(), pane.rect, |ui, _, asks| {
                 panels::views::interact(ui, pane, asks);
             });
         }
@@ -226,27 +236,57 @@ impl App {
 
     /// Draws what stands in `pane`.
     fn paint(&mut self, ui: &Ui, pane: Pane) {
-        match pane.content {
-            Content::Eye(eye) => self.paint_eye(ui, self.eye_pane(ui, eye, pane.rect)),
-            Content::Corrected => self.show_corrected(ui, pane.rect),
+        match (pane.content, self.eye_panes(ui, &pane).as_slice()) {
+            (Content::Both, &[first, second]) => self.paint_both(ui, [first, second]),
+            (Content::Corrected, _) => self.show_corrected(ui, pane.rect),
+            (_, panes) => panes.iter().for_each(|&pane| self.paint_eye(ui, pane)),
         }
+    }
+
+    /// What is drawn in `pane`.
+    fn request(&self, ui: &Ui, pane: EyePane) -> eyes::Request {
+        let state = &self.state;
+        eyes::Request {
+            view: state.view(pane.eye, pane.size),
+            appearance: state.appearance(!ui.visuals().dark_mode),
+            scene: state.session.prepared.clone(),
+            method: state.settings.quality.method(),
+        }
+    }
+
+    /// How far the picture of `request` in `pane` is off, where that is to be seen.
+    fn heat_map(&mut self, ui: &Ui, pane: EyePane, request: &eyes::Request) -> Option<TextureId> {
+        let examination = self.examination.as_mut().filter(|_| self.state.settings.plots.heat_map)?;
+        let method = request.method.of_view(&request.view);
+        examination.heat_map(ui.ctx(), pane.eye, method).map(Into::into)
     }
 
     /// Draws `pane`: the up-to-date picture, how far it is off, and the markers.
     fn paint_eye(&mut self, ui: &Ui, pane: EyePane) {
-        let state = &self.state;
-        let quality = state.settings.quality;
-        let request = eyes::Request {
-            view: state.view(pane.eye, pane.size),
-            appearance: state.appearance(!ui.visuals().dark_mode),
-            scene: state.session.prepared.clone(),
-            method: quality.method(),
-        };
+        let request = self.request(ui, pane);
         let picture = self.eyes.as_mut().map(|eyes| eyes.picture(ui.ctx(), pane.eye.index(), &request));
-        let examination = self.examination.as_mut().filter(|_| state.settings.plots.heat_map);
-        let method = request.method.of_view(&request.view);
-        let heat_map = examination.and_then(|found| found.heat_map(ui.ctx(), pane.eye, method));
-        panels::views::paint(ui, state, pane, picture, heat_map.map(Into::into));
+        let heat_map = self.heat_map(ui, pane, &request);
+        panels::views::paint(ui, &self.state, pane, Painted { picture, heat_map });
+    }
+
+    /// Draws the picture that both eyes share, and the markers of both, or of the one whose turn it is.
+    fn paint_both(&mut self, ui: &Ui, panes: [EyePane; 2]) {
+        let Form::Composed(composition) = self.state.settings.picture.layout.form() else {
+            let pane = panes[flicker::turn(ui.ctx())];
+            let request = self.request(ui, pane);
+            let picture = self.eyes.as_mut().map(|eyes| eyes.picture(ui.ctx(), pane.eye.index(), &request));
+            let heat_map = self.heat_map(ui, pane, &request);
+            return panels::views::paint_both(ui, &self.state, &[pane], picture, &[heat_map]);
+        };
+        let composition = panes::on_screen(ui, composition, panes[0].rect);
+        let requests = panes.map(|pane| self.request(ui, pane));
+        let [first, second] = [0, 1].map(|i: usize| (panes[i].eye.index(), &requests[i]));
+        let picture =
+            self.eyes.as_mut().and_then(|eyes| eyes.composed(ui.ctx(), composition, [first, second]));
+        let heat_maps = [0, 1].map(|i: usize| {
+            if panes[i].takes_the_mouse() { self.heat_map(ui, panes[i], &requests[i]) } else { None }
+        });
+        panels::views::paint_both(ui, &self.state, &panes, picture, &heat_maps);
     }
 
     /// Shows the left eye's picture in `rect`, corrected by the fitted speed while there is a fit in view.
@@ -283,9 +323,49 @@ impl App {
         } else {
             self.show_parts(ui, area);
         }
+        self.update_projector(&ctx);
         if self.state.session.playing {
             ctx.request_repaint();
         }
+    }
+
+    /// Shows the projector's window while there is one.
+    fn update_projector(&mut self, ctx: &egui::Context) {
+        if !self.state.session.stage.projector {
+            self.projected.iter_mut().for_each(EyePictures::forget);
+            return;
+        }
+        let builder = projector::window();
+        let is_closed = ctx.show_viewport_immediate(projector::id(), builder, |ui, _| {
+            self.show_projected(ui);
+            ui.input(|input| input.viewport().close_requested())
+        });
+        if is_closed {
+            self.apply(ctx, vec![Command::ToggleProjector]);
+        }
+    }
+
+    /// Shows the views, and nothing else, in a window whose `ui` this is; the keys work there, too.
+    fn show_projected(&mut self, ui: &mut Ui) {
+        let asks = shortcuts::asked(ui.ctx());
+        self.apply(ui.ctx(), asks);
+        if self.projected.is_none() {
+            self.projected = self.eyes.as_ref().map(EyePictures::another);
+        }
+        let area = ui.max_rect();
+        ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
+        let panes = layout::views(area, &self.arranged(ui).without_corrected());
+        // What is off is examined in pictures of the other window's size.
+        let (size, examination) = (self.state.session.picture_size, self.examination.take());
+        std::mem::swap(&mut self.eyes, &mut self.projected);
+        self.measure_pictures(ui, &panes);
+        for &pane in &panes {
+            self.interact(ui, pane);
+            self.paint(ui, pane);
+        }
+        self.forget_composed(&panes);
+        std::mem::swap(&mut self.eyes, &mut self.projected);
+        (self.state.session.picture_size, self.examination) = (size, examination);
     }
 
     /// Has the system and the writing follow what is made of the window, and notes what of its screen counts.
@@ -304,7 +384,8 @@ impl App {
     /// Shows all the parts that there is room for.
     fn show_parts(&mut self, ui: &mut Ui, area: Rect) {
         let ctx = ui.ctx().clone();
-        let layout = Layout::of(area, self.state.settings.window, self.state.settings.plots.plot);
+        let Settings { window, plots, .. } = self.state.settings;
+        let layout = Layout::of(area, window, &self.arranged(ui), plots.plot);
         let layout = layout.with_only(area, self.state.session.stage.maximised);
         self.measure_pictures(ui, &layout.panes);
         self.state.session.shows_map = layout.map.is_some();
@@ -347,11 +428,12 @@ impl App {
             self.panel(ui, "borders", area, |ui, state, asks| panels::borders::show(ui, state, border, asks));
         }
         self.corrected.take_if(|_| !layout.shows(Content::Corrected));
+        self.forget_composed(&layout.panes);
     }
 
     /// Shows the views, one plot and the words, large.
     fn show_presented(&mut self, ui: &mut Ui, area: Rect) {
-        let presentation = Presentation::of(area, self.state.settings.window, self.text_scale);
+        let presentation = Presentation::of(area, &self.arranged(ui));
         self.measure_pictures(ui, &presentation.panes);
         self.fitting.rest();
         self.update_examination(ui, &presentation.panes, false);
@@ -369,10 +451,29 @@ impl App {
         for &pane in &presentation.panes {
             self.paint(ui, pane);
         }
+        self.forget_composed(&presentation.panes);
+        halo::paint(ui.ctx());
+        if !presentation.speed.is_positive() {
+            return;
+        }
         self.panel(ui, "speed", presentation.speed, |ui, state, _| panels::presented::speed(ui, state));
         self.panel(ui, "sentence", presentation.sentence, |ui, state, _| panels::sentence::show(ui, state));
         self.panel(ui, "caption", presentation.caption, |ui, state, _| panels::presented::caption(ui, state));
-        halo::paint(ui.ctx());
+    }
+
+    /// What the views' area shows.
+    fn arranged(&self, ui: &Ui) -> Arrangement {
+        let State { settings, session } = &self.state;
+        let cm_per_point = session.cm_per_pixel * f64::from(ui.pixels_per_point());
+        Arrangement::of(settings, cm_per_point, self.text_scale)
+    }
+
+    /// Gives up the one picture of both eyes unless one of the `panes` shows it.
+    fn forget_composed(&mut self, panes: &[Pane]) {
+        let is_shown = panes.iter().any(|pane| pane.content == Content::Both);
+        if let Some(eyes) = self.eyes.as_mut().filter(|_| !is_shown) {
+            eyes.forget_composed();
+        }
     }
 
     /// Has a part alone in the window whose title is clicked twice, or all others again. What stands in a title is above

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use glam::DVec3;
-use relativity_core::{Disparity, Parameter, Sighting, SourcePoint, Speed, Stereo, equidistance_time};
+use relativity_core::{Disparity, Parameter, Sighting, SourcePoint, Speed, Stereo, StereoError};
 use relativity_render::{Gaze, Geometry, Outline, Velocity, View};
 
 use super::curves::CurvesKey;
@@ -111,16 +111,18 @@ impl State {
     }
 
     /// Where two eyes take `point` to be now, and how much deeper they see it than one that rests.
-    #[must_use]
-    pub fn stereo(&self, point: &Point) -> Option<Stereo> {
-        self.settings.stereo(&point.track, self.session.time).ok()
+    ///
+    /// # Errors
+    ///
+    /// Lines of sight that do not meet; a time outside the domain of the core.
+    pub fn stereo(&self, point: &Point) -> Result<Stereo, StereoError> {
+        self.settings.stereo(&point.track, self.session.time)
     }
 
-    /// T0 of `point`: when both eyes see it at the same distance. `None` at rest.
+    /// T0 of `point`: when both eyes see it at the same distance. `None` at rest, and of eyes across the motion.
     #[must_use]
     pub fn equidistance_time(&self, point: &Point) -> Option<f64> {
-        let source = self.settings.source(&point.track);
-        equidistance_time(&self.velocity(point).speed, source, self.settings.motion.d).ok().flatten()
+        self.settings.equidistance_time(&point.track)
     }
 
     /// When `point` is measured beside the eyes: at x = 0, where it is seen only later. `None` at rest.
@@ -134,7 +136,7 @@ impl State {
     /// Whether `eye` sees what the published model has the right eye see, measured from the left aperture.
     #[must_use]
     pub fn sees_as_published(&self, eye: Eye) -> bool {
-        eye == Eye::Right && self.settings.look.geometry == Geometry::Published
+        eye == Eye::Right && self.settings.geometry() == Geometry::Published
     }
 
     /// From the aperture of `eye` to where the shown geometry has `point` now.
@@ -162,7 +164,7 @@ impl State {
         CurvesKey {
             velocity: self.velocity(point),
             rest: self.settings.rest_place(point.track.rest),
-            separation: self.settings.motion.d,
+            baseline: self.settings.baseline(),
             range: self.time_range(),
             model: self.settings.model(),
             published: self.settings.plots.published,
@@ -176,7 +178,7 @@ impl State {
         FitKey {
             velocity: self.selected_velocity(),
             source: self.selected_source(),
-            separation: self.settings.motion.d,
+            pair: self.settings.pair(),
             range: self.settings.fit.fit_range.0.unwrap_or_else(|| self.time_range()),
             model: self.settings.model(),
             setup: self.settings.fit,

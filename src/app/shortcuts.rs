@@ -19,7 +19,7 @@ pub struct Shortcut {
 type Binding = (Key, fn(Modifiers) -> Command);
 
 /// All of them.
-pub const SHORTCUTS: [Shortcut; 16] = [
+pub const SHORTCUTS: [Shortcut; 19] = [
     Shortcut { keys: "Space", action: "play, pause", commands: &[(Key::Space, |_| Command::TogglePlaying)] },
     Shortcut {
         keys: "← →",
@@ -67,6 +67,12 @@ pub const SHORTCUTS: [Shortcut; 16] = [
         action: "frame: the whole scene in the views",
         commands: &[(Key::F, |_| Command::Frame)],
     },
+    Shortcut {
+        keys: "L",
+        action: "next layout of the two pictures (with shift, the one before)",
+        commands: &[(Key::L, |modifiers| Command::NextLayout(if modifiers.shift { -1 } else { 1 }))],
+    },
+    Shortcut { keys: "X", action: "swap the eyes", commands: &[(Key::X, |_| Command::SwapEyes)] },
     Shortcut { keys: "M", action: "show or hide the map", commands: &[(Key::M, |_| Command::ToggleMap)] },
     Shortcut {
         keys: "G",
@@ -82,6 +88,11 @@ pub const SHORTCUTS: [Shortcut; 16] = [
         keys: "P",
         action: "present: large writing, and no controls",
         commands: &[(Key::P, |_| Command::TogglePresenting)],
+    },
+    Shortcut {
+        keys: "W",
+        action: "the views in a window of their own, for a projector",
+        commands: &[(Key::W, |_| Command::ToggleProjector)],
     },
     Shortcut {
         keys: "PageUp  PageDown",

@@ -21,6 +21,8 @@ pub struct Stage {
     pub full_screen: bool,
     /// The part that is alone in it.
     pub maximised: Option<Part>,
+    /// Whether the views have a window of their own besides, for a projector.
+    pub projector: bool,
     /// While it is presented: whether it had the whole screen before.
     before: Option<bool>,
 }
@@ -29,7 +31,7 @@ impl Stage {
     /// One that is presented from the start.
     #[must_use]
     pub const fn presented() -> Self {
-        Self { full_screen: true, maximised: None, before: Some(false) }
+        Self { full_screen: true, maximised: None, projector: false, before: Some(false) }
     }
 
     /// Whether it is shown to an audience: large writing, and no controls.
@@ -93,7 +95,7 @@ mod tests {
     fn presenting_gives_back_what_was_there_before() {
         for full_screen in [false, true] {
             for maximised in [None, Some(Part::Map)] {
-                let before = Stage { full_screen, maximised, before: None };
+                let before = Stage { full_screen, maximised, ..Stage::default() };
                 let mut stage = before;
                 stage.toggle_presenting();
                 assert!(stage.is_presented() && stage.full_screen);

@@ -44,7 +44,7 @@ impl State {
         let (track, body) = self.point_at(eye, pixel, size)?;
         let name = self.session.scene.name_of(body).to_owned();
         let worked_out = |line| Some(Under { name: name.clone(), doppler_factor: None, lines: vec![line] });
-        match self.settings.look.geometry {
+        match self.settings.geometry() {
             Geometry::Rest => {
                 worked_out(format!("at rest at {}", self.place(self.settings.rest_place(track.rest))))
             }

@@ -214,7 +214,7 @@ impl Shown {
     fn new(settings: &Settings, track: &Track, time: f64) -> Option<Self> {
         let is_moving = settings.velocity(track.motion).beta() != 0.0;
         let seen = || settings.disparity(track, time).ok();
-        match settings.look.geometry {
+        match settings.geometry() {
             Geometry::Rest if settings.speed().beta() != 0.0 => Self::riding_along(settings, track, time),
             Geometry::Contracted if is_moving => {
                 Some(Self::Contracted(settings.measured_place(track, time)[0]))

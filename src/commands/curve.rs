@@ -4,12 +4,12 @@ use std::io::Write;
 
 use clap::Args;
 use csv::ByteRecord;
-use relativity_core::SourcePoint;
+use relativity_core::{Baseline, SourcePoint};
 
-use crate::columns::{ModelArgs, Observation, ObservationError, help_with};
+use crate::columns::{ModelArgs, Observation, ObservationError, ROLL, TURN, help_with};
 use crate::files::csv_out;
 use crate::files::whole::OutArgs;
-use crate::flags::{SpeedArgs, finite_number};
+use crate::flags::{HeadArgs, SpeedArgs, finite_number};
 use crate::passage::{passage_times, time_within};
 
 /// Speed of the paper's cyclist.
@@ -17,8 +17,8 @@ const CYCLIST_BETA: f64 = 0.9;
 
 /// What two eyes see of one point over a range of observation times, as CSV.
 ///
-/// Without flags: the tracked point of the paper's cyclist. The first six columns are the inputs, under the names that
-/// `gamow eval` reads.
+/// Without flags: the tracked point of the paper's cyclist. The first columns are the inputs, under the names that
+/// `gamow eval` reads; roll and turn, in radians, are among them where the head is tilted or turned.
 #[derive(Debug, Args)]
 #[command(after_long_help = help_with(EXAMPLES))]
 pub struct CurveArgs {
@@ -27,6 +27,8 @@ pub struct CurveArgs {
     /// Aperture separation.
     #[arg(long, default_value_t = 0.1, value_parser = finite_number, allow_hyphen_values = true)]
     d: f64,
+    #[command(flatten)]
+    head: HeadArgs,
     /// Depth of the point.
     #[arg(long, default_value_t = 3.0, value_parser = finite_number, allow_hyphen_values = true)]
     y: f64,
@@ -56,12 +58,13 @@ Examples:
   gamow curve --samples 5
   gamow curve --beta 0.9 --d 0.3 --y 0.5 --z 0.5 --from -2 --to 5 --model published
   gamow curve --stereo | cut -d, -f 6,23-26
+  gamow curve --stereo --roll 90
   gamow curve --gamma 1e6 --x0 -10 --from 0 --to 20 --out curve.csv";
 
 /// Runs `gamow curve`.
 pub fn run(args: &CurveArgs) -> anyhow::Result<()> {
     let first = args.observation(0.0)?;
-    args.model.values(&first)?; // so that a bad flag leaves no header behind on standard output
+    args.model.values(&first, args.is_turned())?; // so that a bad flag leaves no header behind on standard output
     let [from, to] = args.time_range(&first)?;
     if from >= to {
         anyhow::bail!("--from {from} is not before --to {to}");
@@ -77,15 +80,20 @@ fn write_curve(
 ) -> anyhow::Result<()> {
     let (parameter, speed) = args.speed.parameter(CYCLIST_BETA);
     let mut output = csv_out::Rows::new(out);
-    let mut row = ByteRecord::from(vec![parameter.name(), "d", "y", "z", "x0", "T"]);
-    row.extend(args.model.columns()?);
+    let mut row = ByteRecord::from(vec![parameter.name(), "d"]);
+    let Baseline { roll, turn, .. } = first.baseline;
+    let is_turned = args.is_turned();
+    let head: &[f64] = if is_turned { &[roll, turn] } else { &[] };
+    row.extend(&[ROLL, TURN][..head.len()]);
+    row.extend(["y", "z", "x0", "T"]);
+    row.extend(args.model.columns(is_turned)?);
     output.write(&mut row, &[])?;
     for sample in 0..args.samples {
         let time = time_within([from, to], sample as f64 / (args.samples - 1) as f64);
-        let values = args.model.values(&Observation { time, ..first })?;
+        let values = args.model.values(&Observation { time, ..first }, is_turned)?;
         row.clear();
-        let inputs = [speed, args.d, args.y, args.z, args.x0, time];
-        output.write(&mut row, &[&inputs[..], &values[..]].concat())?;
+        let inputs = [&[speed, args.d], head, &[args.y, args.z, args.x0, time]].concat();
+        output.write(&mut row, &[inputs, values].concat())?;
     }
     Ok(output.flush()?)
 }
@@ -93,7 +101,13 @@ fn write_curve(
 impl CurveArgs {
     fn observation(&self, time: f64) -> anyhow::Result<Observation> {
         let point = SourcePoint { x0: self.x0, y: self.y, z: self.z };
-        Ok(Observation { speed: self.speed.speed(CYCLIST_BETA)?, point, separation: self.d, time })
+        let baseline = self.head.baseline(self.d);
+        Ok(Observation { speed: self.speed.speed(CYCLIST_BETA)?, point, baseline, time })
+    }
+
+    /// Whether the head is not held straight.
+    fn is_turned(&self) -> bool {
+        self.head.radians().into_iter().flatten().any(|angle| angle != 0.0)
     }
 
     /// The observation times to start and end at.
@@ -101,8 +115,10 @@ impl CurveArgs {
         if let (Some(from), Some(to)) = (self.from, self.to) {
             return Ok([from, to]);
         }
-        let (speed, point) = (observation.speed, observation.point);
-        let Some(times) = passage_times(&speed, point, self.d).map_err(ObservationError::from)? else {
+        let &Observation { speed, point, baseline, .. } = observation;
+        let Some(times) =
+            passage_times(&speed, point, baseline.apertures()).map_err(ObservationError::from)?
+        else {
             anyhow::bail!("a point at rest passes at no time; --from and --to are needed");
         };
         Ok([self.from.unwrap_or(times[0]), self.to.unwrap_or(times[1])])

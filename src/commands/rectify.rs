@@ -3,11 +3,11 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::Context as _;
-use clap::Args;
+use clap::{Args, ValueEnum};
 use relativity_core::Aperture;
 use relativity_core::doppler::PAPER_INTENSITY_EXPONENT;
 use relativity_render::rectify::{LightCorrection, Rectification};
-use relativity_render::{Camera, Gaze, Projection, Velocity};
+use relativity_render::{Camera, Gaze, Picture, Projection, Velocity};
 
 use crate::files::exr::{Channel, EYES, Measurements};
 use crate::files::png::{self, PngFile};
@@ -16,6 +16,7 @@ use crate::files::whole::write_whole;
 use crate::flags::choices::{FileKind, GazeChoice};
 use crate::flags::{FieldOfView, IntensityExponent, OnOff, SpeedArgs, SpeedParameter, field_of_view, switch};
 use crate::settings::Settings;
+use crate::studio::Sheet;
 
 /// Corrects a picture taken from one eye to the frame of the bodies in it.
 ///
@@ -42,6 +43,9 @@ pub struct RectifyArgs {
     /// the file records it]
     #[arg(long, value_name = "AZ,EL", allow_hyphen_values = true)]
     gaze: Option<GazeChoice>,
+    /// Which eye's picture is corrected where both are in it [default: left]
+    #[arg(long, value_enum)]
+    eye: Option<EyeChoice>,
     /// Field of view of the corrected picture, degrees [default: so that its centre is as large as before]
     #[arg(long, value_name = "DEG", value_parser = field_of_view)]
     out_fov: Option<f64>,
@@ -58,6 +62,14 @@ pub struct RectifyArgs {
     /// Where to: a file of the same kind, written whole or not at all.
     #[arg(long, value_name = "FILE")]
     out: PathBuf,
+}
+
+/// One of the two eyes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+enum EyeChoice {
+    #[default]
+    Left,
+    Right,
 }
 
 const EXAMPLES: &str = "\
@@ -83,18 +95,35 @@ impl RectifyArgs {
     fn rectify_picture(&self) -> anyhow::Result<()> {
         let file = PngFile::read(&self.image)?;
         let recorded = self.recorded(file.command());
-        let eyes = recorded.as_ref().map_or(1, |settings| settings.picture.layout.eyes().len());
         let name = self.image.display();
-        anyhow::ensure!(eyes == 1, "{name}: it shows both eyes; `gamow render --layout left` draws one");
-        let eye = recorded.as_ref().map_or(0, |settings| settings.picture.layout.eyes()[0]);
-        let rectification = &self.rectifications(file.picture.size, recorded.as_ref())?[eye];
-        let corrected = rectification.picture(&file.picture, self.light(recorded.as_ref()));
+        let (seen, eye) = self.of_an_eye(file, recorded.as_ref()).with_context(|| name.to_string())?;
+        let rectification = &self.rectifications(seen.size, recorded.as_ref())?[eye];
+        let corrected = rectification.picture(&seen, self.light(recorded.as_ref()));
         let provenance = Provenance {
             title: format!("{name}, corrected"),
             parameters: self.parameters(rectification)?,
             scene_fingerprint: String::new(),
         };
         write_whole(&self.out, |file| png::write(&corrected, &provenance.texts(), file))
+    }
+
+    /// What is corrected of `file`: the picture of an eye (0 left, 1 right) in it, and whose it is.
+    fn of_an_eye(&self, mut file: PngFile, recorded: Option<&Settings>) -> anyhow::Result<(Picture, usize)> {
+        let eyes = recorded.map_or(&[0][..], |settings| settings.picture.eyes());
+        let Some(Settings { picture, .. }) = recorded.filter(|_| eyes.len() > 1) else {
+            anyhow::ensure!(self.eye.is_none(), "--eye: there is no choice, it shows one eye");
+            return Ok((file.frames.swap_remove(0), eyes[0]));
+        };
+        anyhow::ensure!(
+            picture.layout.loses_nothing(),
+            "it shows both eyes, and its layout, {}, has the whole picture of neither; `gamow render --layout left` \
+             draws one",
+            picture.layout.name()
+        );
+        let eye = self.eye.unwrap_or_default() as usize;
+        let sheet = Sheet::of_file(picture, picture.size.0, file.picture().size);
+        let seen = sheet.and_then(|sheet| sheet.picture_of(eye, &file.frames));
+        Ok((seen.context("it no longer has the size in which it was made")?, eye))
     }
 
     fn rectify_measurements(&self) -> anyhow::Result<()> {
@@ -172,9 +201,10 @@ impl RectifyArgs {
         let (parameter, value) = self.speed()?;
         let Camera { gaze, horizontal_fov, .. } = rectification.rest();
         Ok(format!(
-            "gamow rectify --{}={value}{} --out-fov={} --out-gaze={},{}",
+            "gamow rectify --{}={value}{}{} --out-fov={} --out-gaze={},{}",
             parameter.name(),
             if self.backward { " --backward" } else { "" },
+            self.eye.map_or("", |eye| if eye == EyeChoice::Left { " --eye=left" } else { " --eye=right" }),
             horizontal_fov.to_degrees(),
             gaze.azimuth.to_degrees(),
             gaze.elevation.to_degrees()

@@ -17,10 +17,14 @@ impl<W: Write> Rows<W> {
         Self { csv: csv::Writer::from_writer(writer), decimals: zmij::Buffer::new() }
     }
 
-    /// Writes the fields of `row`, quoted where they must be, and then `numbers`, which must be finite.
-    /// `row` is left with all of them.
+    /// Writes the fields of `row`, quoted where they must be, and then `numbers`, which must be finite; NaN stands for none,
+    /// which leaves its field empty. `row` is left with all of them.
     pub fn write(&mut self, row: &mut ByteRecord, numbers: &[f64]) -> io::Result<()> {
         for &number in numbers {
+            if number.is_nan() {
+                row.push_field(b"");
+                continue;
+            }
             let decimal = self.decimals.format_finite(number);
             if number.abs() < 1e16 {
                 row.push_field(decimal.strip_suffix(".0").unwrap_or(decimal).as_bytes());

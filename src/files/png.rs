@@ -12,13 +12,26 @@ use crate::platform::files;
 /// Keyword of the text that names the program.
 const SOFTWARE_KEYWORD: &str = "Software";
 
+/// How long a frame of an animated file is shown, seconds as a fraction: two of them alternate three times a second, which
+/// is no more often than flashes may be shown to everybody (W3C, *Web Content Accessibility Guidelines* 2.2, 2.3.1).
+pub const FRAME_SECONDS: [u16; 2] = [1, 6];
+
 /// What a PNG file holds.
 #[derive(Debug, Clone)]
 pub struct PngFile {
-    /// The picture.
-    pub picture: Picture,
+    /// The picture, and, where it is animated, those that follow, all of one size.
+    pub frames: Vec<Picture>,
     /// Keywords and texts, in the order of the file.
     pub texts: Vec<(String, String)>,
+}
+
+/// What a PNG file is to show.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Still {
+    /// One picture, or several of one size, which are shown one after the other without an end.
+    pub frames: Vec<Picture>,
+    /// How many pixels of it make a metre, if that matters.
+    pub pixels_per_metre: Option<u32>,
 }
 
 /// `picture` as a PNG file with `texts`, keywords first, and one that names this program.
@@ -27,17 +40,47 @@ pub struct PngFile {
 ///
 /// Those of `out`.
 pub fn write(picture: &Picture, texts: &[(&str, &str)], out: impl Write) -> anyhow::Result<()> {
-    let [width, height] = picture.size;
+    write_frames(&[picture], None, texts, out)
+}
+
+impl Still {
+    /// It as a PNG file with `texts`, as [`write`].
+    ///
+    /// # Errors
+    ///
+    /// Those of `out`; no frame.
+    pub fn write(&self, texts: &[(&str, &str)], out: impl Write) -> anyhow::Result<()> {
+        write_frames(&self.frames.iter().collect::<Vec<_>>(), self.pixels_per_metre, texts, out)
+    }
+}
+
+fn write_frames(
+    frames: &[&Picture],
+    pixels_per_metre: Option<u32>,
+    texts: &[(&str, &str)],
+    out: impl Write,
+) -> anyhow::Result<()> {
+    let [width, height] = frames.first().context("there is nothing to show")?.size;
     let mut encoder = png::Encoder::new(out, width, height);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+    let dimensions =
+        |per_metre| png::PixelDimensions { xppu: per_metre, yppu: per_metre, unit: png::Unit::Meter };
+    encoder.set_pixel_dims(pixels_per_metre.map(dimensions));
+    if frames.len() > 1 {
+        let [numerator, denominator] = FRAME_SECONDS;
+        encoder.set_animated(u32::try_from(frames.len())?, 0)?;
+        encoder.set_frame_delay(numerator, denominator)?;
+    }
     for &(keyword, text) in [(SOFTWARE_KEYWORD, SOFTWARE)].iter().chain(texts) {
         encoder.add_itxt_chunk(keyword.to_owned(), text.to_owned())?;
     }
-    let rgb: Vec<u8> = picture.rgba.iter().flat_map(|[r, g, b, _]| [*r, *g, *b]).collect();
     let mut writer = encoder.write_header()?;
-    writer.write_image_data(&rgb)?;
+    for frame in frames {
+        let rgb: Vec<u8> = frame.rgba.iter().flat_map(|[r, g, b, _]| [*r, *g, *b]).collect();
+        writer.write_image_data(&rgb)?;
+    }
     Ok(writer.finish()?)
 }
 
@@ -67,16 +110,22 @@ impl PngFile {
         let mut reader = decoder.read_info()?;
         let mut bytes = vec![0; reader.output_buffer_size().context("it is too large")?];
         let frame = reader.next_frame(&mut bytes)?;
+        let mut frames = vec![picture(&frame, &bytes)];
+        let more = reader.info().animation_control().map_or(1, |control| control.num_frames);
+        for _ in 1..more.min(MOST_FRAMES) {
+            let next = reader.next_frame(&mut bytes)?;
+            // Others show what changed, in a part of the picture.
+            let is_whole = [next.width, next.height] == frames[0].size;
+            frames.extend(is_whole.then(|| picture(&next, &bytes)));
+        }
         reader.finish()?;
-        let channels = frame.color_type.samples();
-        let pixels = bytes[..frame.buffer_size()].chunks_exact(channels);
-        let rgba = pixels.map(|pixel| match *pixel {
-            [grey, alpha] => [grey, grey, grey, alpha],
-            [r, g, b, alpha] => [r, g, b, alpha],
-            _ => [0, 0, 0, u8::MAX], // the transformations leave no other kind
-        });
-        let picture = Picture { size: [frame.width, frame.height], rgba: rgba.collect() };
-        Ok(Self { picture, texts: texts(reader.info()) })
+        Ok(Self { frames, texts: texts(reader.info()) })
+    }
+
+    /// The picture; of an animated one, the first.
+    #[must_use]
+    pub fn picture(&self) -> &Picture {
+        &self.frames[0]
     }
 
     /// The command that made it, as it records it; empty if it does not.
@@ -84,6 +133,20 @@ impl PngFile {
     pub fn command(&self) -> &str {
         command_in_texts(&self.texts)
     }
+}
+
+/// Of more than so many frames none is of use here.
+const MOST_FRAMES: u32 = 2;
+
+/// The pixels of a decoded frame.
+fn picture(frame: &png::OutputInfo, bytes: &[u8]) -> Picture {
+    let pixels = bytes[..frame.buffer_size()].chunks_exact(frame.color_type.samples());
+    let rgba = pixels.map(|pixel| match *pixel {
+        [grey, alpha] => [grey, grey, grey, alpha],
+        [r, g, b, alpha] => [r, g, b, alpha],
+        _ => [0, 0, 0, u8::MAX], // the transformations leave no other kind
+    });
+    Picture { size: [frame.width, frame.height], rgba: rgba.collect() }
 }
 
 /// Keywords and texts.

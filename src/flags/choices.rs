@@ -9,6 +9,7 @@ use clap::ValueEnum;
 use relativity_render::Gaze;
 use serde::{Serialize, Serializer};
 
+pub use super::layout::{Form, Layout, Swapped};
 use super::{finite_number, positive};
 
 /// What draws.
@@ -24,25 +25,6 @@ pub enum RendererChoice {
     Mesh,
     /// A ray test per pixel on the CPU, in f64.
     Reference,
-}
-
-/// How the pictures of the two eyes share a file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Layout {
-    /// The left eye's picture on the left, the right eye's on the right (for parallel viewing).
-    #[default]
-    SideBySide,
-    /// The other way round, for crossed eyes.
-    CrossEyed,
-    /// The left eye only.
-    Left,
-    /// The right eye only.
-    Right,
-    /// Brightness of the left eye in red, of the right eye in cyan, for red-cyan glasses.
-    Anaglyph,
-    /// The left eye in blue and the right eye in orange, added.
-    Overlay,
 }
 
 /// What a file can be, by its extension.

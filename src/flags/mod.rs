@@ -1,10 +1,13 @@
 //! Types of flags that several commands and the window share.
 
 pub mod choices;
+mod head;
+mod layout;
 mod numbers;
 mod speed;
 pub mod words;
 
+pub use head::{HEAD_DEGREES, HeadArgs};
 pub use numbers::{
     EXPOSURE_EV, Exposure, FieldOfView, IntensityExponent, MAX_TIME, OnOff, SCREEN_CM, ScreenWidth, Share,
     TEMPERATURE_K, TimeRange, coordinates, field_of_view, finite_number, positive, switch, temperature,

@@ -3,7 +3,7 @@
 //! The point passes beside the eyes, not through them. So what is drawn of an eye's past light cone is its cut by the
 //! point's own plane, in which y and z are the point's: a hyperbola, whose asymptotes are light that runs along x.
 
-use relativity_core::{DomainError, SourcePoint, math};
+use relativity_core::{Aperture, PairError, SourcePoint, math};
 use relativity_render::Velocity;
 
 use super::event::{Event, StraightLine};
@@ -18,7 +18,7 @@ use crate::settings::Settings;
 pub struct Cone {
     /// The event of reception, or that between the eyes where one cone serves both.
     pub apex: Event,
-    /// How far from the eyes' line the point passes.
+    /// How far from the line along x through it the point passes.
     pub distance: f64,
 }
 
@@ -88,7 +88,7 @@ impl Diagram {
     /// # Errors
     ///
     /// A time outside the domain of the core.
-    pub fn new(settings: &Settings, point: &Track, time: f64, frame: Velocity) -> Result<Self, DomainError> {
+    pub fn new(settings: &Settings, point: &Track, time: f64, frame: Velocity) -> Result<Self, PairError> {
         Ok(Self {
             frame,
             scene: Velocity::forward(settings.speed()),
@@ -142,8 +142,7 @@ impl Diagram {
     /// The past light cones of the eyes at T.
     #[must_use]
     pub fn cones(&self) -> [Cone; 2] {
-        let [y, z] = self.point.across();
-        self.rays.map(|ray| Cone { apex: ray.apex, distance: math::hypot(y, z) })
+        self.rays.map(|ray| Cone { apex: ray.apex, distance: ray.aside })
     }
 }
 
@@ -162,12 +161,7 @@ const NEAREST: f64 = 0.05;
 /// # Errors
 ///
 /// A time outside the domain of the core.
-pub fn home(
-    settings: &Settings,
-    point: &Track,
-    time: f64,
-    frame: Velocity,
-) -> Result<[Event; 2], DomainError> {
+pub fn home(settings: &Settings, point: &Track, time: f64, frame: Velocity) -> Result<[Event; 2], PairError> {
     let [first, last] = shown_times(settings, point, AT_FIRST)?;
     let [earliest, latest] = shown_times(settings, point, AT_MOST)?;
     let shown = time.clamp(earliest.min(first), latest.max(last));
@@ -211,12 +205,12 @@ fn shown_times(
     settings: &Settings,
     point: &Track,
     ([from, to], longest): Part,
-) -> Result<[f64; 2], DomainError> {
+) -> Result<[f64; 2], PairError> {
     let speed = settings.velocity(point.motion).speed;
     let source = settings.source(point);
     let distance = math::hypot(source.y, source.z).max(NEAREST);
     let passing = SourcePoint { y: distance, z: 0.0, ..source };
-    let seen = |ratio| passage::time_seen_at(ratio, &speed, passing, 0.0);
+    let seen = |ratio| passage::time_seen_at(ratio, &speed, passing, Aperture::pair(0.0));
     let abreast = seen(0.0)?.unwrap_or_default();
     let longest = longest * distance;
     let first = seen(from)?.map_or(abreast - longest, |first| first.max(abreast - longest));

@@ -81,7 +81,7 @@ impl<'a> Instant<'a> {
         Places {
             shift: DVec3::new(0.0, set.depth_shift, set.height_shift),
             eyes: self.settings.apertures().map(position),
-            separation: set.d,
+            pair: self.settings.baseline().apertures_or_limit(),
             model: self.model,
             seen: self.seen.map(|view| view.of_group(motion)),
             received: self.time,
@@ -106,7 +106,8 @@ pub struct Places {
     shift: DVec3,
     /// In the scene's coordinates.
     eyes: [DVec3; 2],
-    separation: f64,
+    /// The eyes, from the middle between them.
+    pair: [Aperture; 2],
     model: Model,
     seen: [GroupView; 2],
     /// T.
@@ -148,7 +149,7 @@ impl Places {
 
     fn stereo(&self, rest: DVec3) -> Option<Stereo> {
         let place = (rest + self.shift).to_array();
-        self.velocity.stereo(self.model, place, self.separation, self.received).ok()
+        self.velocity.stereo(self.model, place, self.pair, self.received).ok()
     }
 
     /// Where the point at `rest` is now.

@@ -1,7 +1,7 @@
 //! Light that leaves the selected point: the events at which it left for each eye, the ray from there, and its wave
 //! fronts.
 
-use relativity_core::{DomainError, Model, math};
+use relativity_core::{Model, PairError, math};
 use relativity_render::Velocity;
 
 use super::event::{Event, StraightLine};
@@ -106,6 +106,10 @@ pub struct Ray {
     pub received: Event,
     /// The event in whose past light cone it left: of reception, or where one cone serves both eyes, that between them.
     pub apex: Event,
+    /// How far from the line along x through that event the point passes.
+    pub aside: f64,
+    /// y and z of the eye.
+    pub eye: [f64; 2],
     /// When it left, on the ground's clocks.
     pub happened: f64,
     /// What the point's own clock showed then.
@@ -118,10 +122,11 @@ pub struct Ray {
 /// # Errors
 ///
 /// A time outside the domain of the core.
-pub fn rays(settings: &Settings, point: &Track, time: f64, frame: Velocity) -> Result<[Ray; 2], DomainError> {
+pub fn rays(settings: &Settings, point: &Track, time: f64, frame: Velocity) -> Result<[Ray; 2], PairError> {
     let worldline = Worldline::new(settings, point, frame);
     let both = settings.disparity(point, time)?;
-    let [left, right] = settings.apertures();
+    let [left, right] = settings.pair();
+    let one_cone = settings.model() == Model::OneCone;
     Ok([(both.primary, left), (both.secondary, right)].map(|(seen, eye)| {
         // Where and when it rests is known better than by its place on the ground.
         let left = if worldline.rests {
@@ -131,8 +136,17 @@ pub fn rays(settings: &Settings, point: &Track, time: f64, frame: Velocity) -> R
         };
         let received = Event { x: eye.x, t: time }.in_frame(frame);
         let between = Event { x: 0.0, t: time }.in_frame(frame);
-        let apex = if settings.model() == Model::OneCone { between } else { received };
-        Ray { left, received, apex, happened: seen.retarded_time, own_time: seen.own_time }
+        let apex = if one_cone { between } else { received };
+        let [y, z] = if one_cone { worldline.across() } else { [seen.position[1], seen.position[2]] };
+        Ray {
+            left,
+            received,
+            apex,
+            aside: math::hypot(y, z),
+            eye: [eye.y, eye.z],
+            happened: seen.retarded_time,
+            own_time: seen.own_time,
+        }
     }))
 }
 

@@ -80,9 +80,10 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// These settings in the window and on the screen of `other`, which belong to whoever looks and not to what is shown.
+    /// These settings in the window, on the screen and in the layout of `other`, which belong to whoever looks and not to what
+    /// is shown.
     #[must_use]
     pub fn in_place_of(self, other: &Self) -> Self {
-        Self { screen: other.screen, window: other.window, ..self }
+        Self { picture: other.picture, screen: other.screen, window: other.window, ..self }
     }
 }

@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use relativity_core::{
-    Aperture, Baseline, Disparity, DomainError, Model, SourcePoint, Speed, Stereo, StereoError,
+    Aperture, Baseline, Disparity, Model, PairError, SourcePoint, Speed, Stereo, StereoError,
+    equidistance_time,
 };
 use relativity_render::exposure::automatic_ev;
 use relativity_render::{
@@ -109,11 +110,21 @@ impl Settings {
         [if velocity.is_backward { -x } else { x }, source.y, source.z]
     }
 
+    /// The geometry that is shown: the one set, or as seen in place of the published one, which has both eyes along the
+    /// motion, where the head is tilted or turned.
+    #[must_use]
+    pub fn geometry(&self) -> Geometry {
+        match self.look.geometry {
+            Geometry::Published if !self.baseline().is_along_motion() => Geometry::Seen,
+            geometry => geometry,
+        }
+    }
+
     /// The binocular model by which the views are told in numbers: one light cone for both eyes where they show that,
     /// else the exact one. (In the paper's only the right eye's picture is another, and no light.)
     #[must_use]
-    pub const fn model(&self) -> Model {
-        match self.look.geometry {
+    pub fn model(&self) -> Model {
+        match self.geometry() {
             Geometry::OneCone => Model::OneCone,
             Geometry::Seen | Geometry::Contracted | Geometry::Rest | Geometry::Published => Model::Exact,
         }
@@ -123,18 +134,31 @@ impl Settings {
     ///
     /// # Errors
     /// A time outside the domain of the core.
-    pub fn disparity(&self, point: &Track, observation_time: f64) -> Result<Disparity, DomainError> {
+    pub fn disparity(&self, point: &Track, observation_time: f64) -> Result<Disparity, PairError> {
         let place = self.rest_place(point.rest);
-        self.velocity(point.motion).disparity(self.model(), place, self.motion.d, observation_time)
+        self.velocity(point.motion).disparity(self.model(), place, self.pair(), observation_time)
     }
 
     /// Where the eyes take `point` to be at `observation_time`, by the [`Self::model`] of what the views show.
     ///
     /// # Errors
-    /// A time outside the domain of the core.
+    /// A time outside the domain of the core; lines of sight that do not meet.
     pub fn stereo(&self, point: &Track, observation_time: f64) -> Result<Stereo, StereoError> {
         let place = self.rest_place(point.rest);
-        self.velocity(point.motion).stereo(self.model(), place, self.motion.d, observation_time)
+        self.velocity(point.motion).stereo(
+            self.model(),
+            place,
+            self.baseline().apertures_or_limit(),
+            observation_time,
+        )
+    }
+
+    /// T0 of `point`: when both eyes see it at the same distance. `None` at rest, and where that is always or never so.
+    #[must_use]
+    pub fn equidistance_time(&self, point: &Track) -> Option<f64> {
+        let velocity = self.velocity(point.motion);
+        let pair = velocity.reflected_pair(self.baseline().apertures_or_limit());
+        equidistance_time(&velocity.speed, self.source(point), pair).ok().flatten()
     }
 
     /// The T of a picture for which none is given: when `point` is seen 45 degrees before it is abreast.
@@ -142,7 +166,7 @@ impl Settings {
     pub fn time_of_approach(&self, point: &Track) -> f64 {
         let speed = self.velocity(point.motion).speed;
         // Settings lie inside the domain of the core.
-        passage::time_of_approach(&speed, self.source(point), self.motion.d).unwrap_or_default()
+        passage::time_of_approach(&speed, self.source(point), self.pair()).unwrap_or_default()
     }
 
     /// What the left and the right eye are shown at `observation_time`, `size` in pixels, as they look at `subject`.
@@ -230,7 +254,7 @@ impl Settings {
 
     /// The views of eyes with this `look`, which follows nothing.
     fn views_with(&self, look: &Look, observation_time: f64, size: [u32; 2]) -> [View; 2] {
-        let geometry = self.look.geometry;
+        let geometry = self.geometry();
         let [left, mut right] = self.cameras_with(look, size);
         // The published right eye's view is from where the left eye is.
         if geometry == Geometry::Published {
@@ -334,7 +358,7 @@ impl Settings {
             let velocity = self.velocity(group.motion);
             scene.bodies[group.bodies()].iter().map(move |body| (velocity, body.emission))
         });
-        automatic_ev(lights, self.look.geometry, &self.unexposed(scene, false))
+        automatic_ev(lights, self.geometry(), &self.unexposed(scene, false))
     }
 
     /// These settings with the exposure that `scene` gets by them.

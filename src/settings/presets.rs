@@ -64,7 +64,7 @@ impl Preset {
         ALL.iter().find(|preset| preset.name == name)
     }
 
-    /// The one with these settings, whatever the parts of the window and the screen are.
+    /// The one with these settings, whatever the parts of the window, the screen and the layout are.
     #[must_use]
     pub fn of(settings: &Settings) -> Option<&'static Self> {
         ALL.iter().find(|preset| preset.settings.clone().in_place_of(settings) == *settings)

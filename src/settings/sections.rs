@@ -8,18 +8,17 @@ use relativity_core::{Curves, Model};
 use relativity_render::{Appearance, Colour, Geometry, Method, Shading};
 use serde::Serialize;
 
-use crate::flags::choices::{GazeChoice, Layout, ProjectionChoice, RendererChoice, Size, ZeroParallax};
+use crate::flags::choices::{
+    GazeChoice, Layout, ProjectionChoice, RendererChoice, Size, Swapped, ZeroParallax,
+};
 use crate::flags::{
-    Exposure, FieldOfView, IntensityExponent, OnOff, ScreenWidth, Share, SpeedParameter, SpeedSetting,
-    TimeRange, switch, temperature, whole_number, within,
+    Exposure, FieldOfView, HEAD_DEGREES, IntensityExponent, OnOff, ScreenWidth, Share, SpeedParameter,
+    SpeedSetting, TimeRange, switch, temperature, whole_number, within,
 };
 use crate::units::Units;
 
 /// Largest separation, distance and height.
 pub const MAX_LENGTH: f64 = 1e6;
-
-/// How far the head can be tilted or turned, degrees.
-pub const HEAD_DEGREES: RangeInclusive<f64> = -180.0..=180.0;
 
 /// Speed, the eyes' places, and path.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Args)]
@@ -196,7 +195,8 @@ impl Default for Quality {
     }
 }
 
-/// How `gamow render` makes a picture. The window's views are as large as its panes.
+/// How the pictures of the eyes are shown together, and how `gamow render` makes a file of them. The window's views are as
+/// large as its panes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 #[command(next_help_heading = "Picture")]
@@ -204,10 +204,13 @@ pub struct Picture {
     /// Size of one eye's picture, pixels.
     #[arg(long, value_name = "WxH")]
     pub size: Size,
-    /// How the pictures of the two eyes share a file. Those of an .exr file are layers of their own.
+    /// How the pictures of the two eyes are shown together. Those of an .exr file are layers of their own.
     #[arg(long, value_enum)]
     pub layout: Layout,
-    /// Whether side by side they are told apart by a letter above each and a bar between them. Both lie outside the
+    /// The layouts whose eyes are swapped, like `anaglyph,rows`; `none` has all as they are described.
+    #[arg(long, value_name = "none|LAYOUTS")]
+    pub swapped: Swapped,
+    /// Whether beside or above each other they are told apart by a letter above each and a bar between them. Both lie outside the
     /// pictures.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub labels: OnOff,
@@ -216,9 +219,23 @@ pub struct Picture {
     pub samples: u32,
 }
 
+impl Picture {
+    /// The eyes that are shown (0 left, 1 right), in the order of the layout.
+    #[must_use]
+    pub const fn eyes(&self) -> &'static [usize] {
+        self.layout.eyes(self.swapped.has(self.layout))
+    }
+}
+
 impl Default for Picture {
     fn default() -> Self {
-        Self { size: Size([960, 720]), layout: Layout::SideBySide, labels: true, samples: 3 }
+        Self {
+            size: Size([960, 720]),
+            layout: Layout::SideBySide,
+            swapped: Swapped::default(),
+            labels: true,
+            samples: 3,
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 use std::ops::RangeInclusive;
 use std::path::Path;
 
+use clap::ValueEnum as _;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use relativity_core::{Curves, Model};
@@ -12,10 +13,12 @@ use super::*;
 use crate::files::exr::{self, Measurements};
 use crate::files::png;
 use crate::files::provenance::Provenance;
-use crate::flags::choices::{GazeChoice, Layout, ProjectionChoice, RendererChoice, Size, ZeroParallax};
+use crate::flags::choices::{
+    GazeChoice, Layout, ProjectionChoice, RendererChoice, Size, Swapped, ZeroParallax,
+};
 use crate::flags::{
-    EXPOSURE_EV, Exposure, FieldOfView, IntensityExponent, MAX_TIME, SCREEN_CM, ScreenWidth, Share,
-    SpeedParameter, SpeedSetting, TEMPERATURE_K, TimeRange,
+    EXPOSURE_EV, Exposure, FieldOfView, HEAD_DEGREES, IntensityExponent, MAX_TIME, SCREEN_CM, ScreenWidth,
+    Share, SpeedParameter, SpeedSetting, TEMPERATURE_K, TimeRange,
 };
 use crate::units::Units;
 
@@ -166,8 +169,12 @@ fn quality_picture_and_screen() -> impl Strategy<Value = (Quality, Picture, Scre
     let quality = (choice::<RendererChoice>(), number(BOUND_PX))
         .prop_map(|(renderer, bound_px)| Quality { renderer, bound_px });
     let size = (1..=16_384u32, 1..=16_384u32).prop_map(|(width, height)| Size([width, height]));
-    let picture = (size, choice::<Layout>(), any::<bool>(), 1..=16u32)
-        .prop_map(|(size, layout, labels, samples)| Picture { size, layout, labels, samples });
+    let pairs: Vec<_> = Layout::value_variants().iter().copied().filter(|layout| layout.has_both()).collect();
+    let swapped = proptest::sample::subsequence(pairs.clone(), 0..=pairs.len())
+        .prop_map(|layouts| layouts.into_iter().fold(Swapped::default(), Swapped::toggled));
+    let picture = (size, choice::<Layout>(), swapped, any::<bool>(), 1..=16u32).prop_map(
+        |(size, layout, swapped, labels, samples)| Picture { size, layout, swapped, labels, samples },
+    );
     (quality, picture, screen())
 }
 

@@ -8,13 +8,15 @@ mod timings;
 
 use std::path::Path;
 
-use relativity_render::{HitImage, Picture, PreparedScene};
+use relativity_core::{Model, PairError, PublishedVariant};
+use relativity_render::{HitImage, PreparedScene};
 
 use self::painter::Painter;
 use self::sheet::Ink;
 pub use self::sheet::Sheet;
 use self::timings::Timings;
 use crate::files::exr::{Light, Measurements};
+use crate::files::png::Still;
 use crate::files::provenance::Provenance;
 use crate::files::whole::write_whole;
 use crate::files::{exr, png};
@@ -74,6 +76,10 @@ impl Studio {
         let settings = Settings { time: time.or(self.settings.time), ..self.settings.clone() };
         let settings = settings.resolved(self.subject()).exposed_for(&self.scene);
         let time = settings.time.unwrap_or_default();
+        if settings.geometry() != settings.look.geometry {
+            let published = Model::Published(PublishedVariant::AppendixA);
+            return Err(PairError::OffTheMotion(published).into());
+        }
         settings.disparity(&self.tracked(), time)?;
         let provenance = self.scene.provenance(settings.command());
         Ok(Frame { settings, time, provenance })
@@ -88,9 +94,9 @@ impl Studio {
         let provenance = &frame.provenance;
         match kind {
             FileKind::Png => {
-                let picture = self.picture(frame)?;
+                let still = self.still(frame)?;
                 let texts = provenance.texts();
-                self.timings.timed("file", || write_whole(path, |file| png::write(&picture, &texts, file)))
+                self.timings.timed("file", || write_whole(path, |file| still.write(&texts, file)))
             }
             FileKind::Exr => {
                 let hits = self.hits(frame)?;
@@ -104,17 +110,18 @@ impl Studio {
         }
     }
 
-    fn picture(&mut self, frame: &Frame) -> anyhow::Result<Picture> {
+    fn still(&mut self, frame: &Frame) -> anyhow::Result<Still> {
         let Frame { settings, time, .. } = frame;
-        let layout = settings.picture.layout;
-        let views = settings.views(self.subject(), *time, settings.picture.size.0);
+        let picture = &settings.picture;
+        let views = settings.views(self.subject(), *time, picture.size.0);
         let appearance = settings.appearance(&self.scene, false);
         let Self { painter, prepared, timings, .. } = self;
         let eye =
             |&eye: &usize| timings.timed(EYES[eye], || painter.picture(prepared, &views[eye], &appearance));
-        let eyes = layout.eyes().iter().map(eye).collect::<Result<_, _>>()?;
-        let labels = settings.picture.labels.then(|| Ink::beside(appearance.light));
-        Ok(timings.timed("layout", || layout.composed(eyes, labels)))
+        let eyes = picture.eyes().iter().map(eye).collect::<Result<_, _>>()?;
+        let labels = picture.labels.then(|| Ink::beside(appearance.light));
+        let picture_mm = settings.screen.picture_distance;
+        Ok(timings.timed("layout", || layout::still(picture, eyes, labels, picture_mm)))
     }
 
     /// What every pixel of the left and the right eye shows.

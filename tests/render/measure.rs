@@ -72,6 +72,42 @@ fn a_marker_in_pictures_gives_its_speed_and_distance() {
     assert_eq!(measured(), labelled);
 }
 
+/// What loses nothing is measured to the last digit as side by side; what does is refused in a line.
+#[test]
+fn every_layout_that_loses_nothing_measures_the_same() {
+    let folder = folder();
+    let measure = format!("measure ride --marker {} --out ride.csv", green());
+    let ride_in = |layout: &str| {
+        let plain = "--doppler-shift off --intensity-exponent off --shading emission --ground off --sky off";
+        if folder.path().join("ride").exists() {
+            std::fs::remove_dir_all(folder.path().join("ride")).expect("it is there");
+        }
+        ride(folder.path(), &format!("{plain} {layout}"));
+    };
+    let measured = |layout: &str| {
+        ride_in(layout);
+        run_gamow(folder.path(), &measure);
+        std::fs::read_to_string(folder.path().join("ride.csv")).expect("it was written")
+    };
+    let beside = measured("");
+    for layout in [
+        "--layout free-viewing",
+        "--layout cross-eyed",
+        "--layout over-under",
+        "--layout flicker",
+        "--layout flicker --swapped flicker",
+        "--layout over-under --swapped over-under --labels off",
+    ] {
+        assert_eq!(measured(layout), beside, "{layout}");
+    }
+    for layout in ["left", "dubois", "half-over-under"] {
+        ride_in(&format!("--layout {layout}"));
+        let complaint = complaint_of(folder.path(), &measure);
+        let expected = format!("its layout, {layout}, does not have the whole pictures of both eyes");
+        assert!(complaint.contains(&expected) && complaint.lines().count() == 1, "{complaint}");
+    }
+}
+
 #[test]
 fn the_letters_of_a_picture_are_no_marker() {
     let folder = folder();

@@ -73,6 +73,44 @@ fn layouts_show_the_same_two_pictures() {
 }
 
 #[test]
+fn layouts_for_televisions_and_for_the_eyes_alone() {
+    let folder = folder();
+    let file = |layout: &str| {
+        render(folder.path(), &format!("--time 1.5 --labels off --layout {layout} --out picture.png"));
+        fs::read(folder.path().join("picture.png")).expect("it was written")
+    };
+    let shown = |layout: &str| {
+        file(layout);
+        Png::read(&folder.path().join("picture.png"))
+    };
+    let [left, right] = [shown("left"), shown("right")];
+    let above = shown("over-under");
+    let (rows, rows_swapped) = (shown("rows"), shown("rows --swapped rows"));
+    for v in 0..HEIGHT {
+        assert_eq!((above.row(v), above.row(HEIGHT + v)), (left.row(v), right.row(v)));
+        let eyes = if v % 2 == 0 { [&left, &right] } else { [&right, &left] };
+        assert_eq!([rows.row(v), rows_swapped.row(v)], eyes.map(|eye| eye.row(v)));
+    }
+    for layout in ["half-side-by-side", "half-over-under", "dubois"] {
+        assert_eq!(shown(layout).size, [WIDTH, HEIGHT], "{layout}");
+    }
+    // An animated file opens as its first frame.
+    let flicker = file("flicker");
+    assert!(Png::read(&folder.path().join("picture.png")).rgb == left.rgb);
+    let chunk = |file: &[u8], name: &[u8]| file.windows(4).position(|bytes| bytes == name);
+    assert!(chunk(&flicker, b"acTL").is_some() && chunk(&flicker, b"fdAT").is_some());
+    // Pixels per metre: the pictures are as wide as their middles are to be apart, 60 mm or 100.
+    for (flags, expected) in [("", 800), ("--picture-distance 100", 480)] {
+        let file = file(&format!("free-viewing {flags}"));
+        let at = chunk(&file, b"pHYs").expect("it records its size") + 4;
+        let per_metre =
+            file[at..at + 8].chunks(4).map(|bytes| bytes.iter().fold(0, |n, b| 256 * n + u32::from(*b)));
+        assert_eq!(per_metre.collect::<Vec<_>>(), [expected; 2]);
+    }
+    assert!(chunk(&file("side-by-side"), b"pHYs").is_none());
+}
+
+#[test]
 fn labels_stand_outside_of_the_pictures_and_tell_them_apart() {
     let shown = |flags: &str| picture(&format!("--time 1.5 --layout {flags}"));
     let [left, right] = [shown("left"), shown("right")];

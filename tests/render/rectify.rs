@@ -139,11 +139,31 @@ fn assert_wavelengths(corrected: &Measurements, truth: &Measurements) -> usize {
 fn a_picture_becomes_evenly_red() {
     let folder = folder();
     let [corrected, truth] = corrected_and_true(folder.path(), "", 0.6, 1.2, "png")
-        .map(|path| PngFile::read(&path).expect("it was written").picture);
+        .map(|path| PngFile::read(&path).expect("it was written").picture().clone());
     let is_red = |[r, g, b, _]: [u8; 4]| r > 150 && g < 60 && b < 160 && r > b;
     let count = |picture: &Picture| picture.rgba.iter().filter(|&&pixel| is_red(pixel)).count();
     let (corrected, truth) = (count(&corrected), count(&truth));
     assert!(corrected * 10 > truth * 8 && corrected * 10 < truth * 12, "{corrected} of {truth}");
+}
+
+/// The picture of an eye is the same in every layout that loses nothing, and so is what is made of it.
+#[test]
+fn every_layout_that_loses_nothing_is_corrected() {
+    let folder = folder();
+    let corrected = |layout: &str, eye: &str| {
+        render(folder.path(), &format!("--time 1.2 {layout} --out seen.png"));
+        run_gamow(folder.path(), &format!("rectify seen.png --beta 0.9 {eye} --out corrected.png"));
+        PngFile::read(&folder.path().join("corrected.png")).expect("it was written").frames
+    };
+    let [left, right] = ["left", "right"].map(|eye| corrected(&format!("--layout {eye}"), ""));
+    assert!(left != right);
+    for layout in ["side-by-side", "free-viewing", "cross-eyed", "over-under", "flicker"] {
+        for swapped in ["", "--swapped side-by-side,free-viewing,cross-eyed,over-under,flicker"] {
+            let layout = format!("--layout {layout} {swapped}");
+            assert!(corrected(&layout, "") == left, "{layout}");
+            assert!(corrected(&layout, "--eye right") == right, "{layout}");
+        }
+    }
 }
 
 #[test]
@@ -151,10 +171,12 @@ fn what_is_missing_is_named() {
     let folder = folder();
     render(folder.path(), "--out both.png");
     let run = |arguments: &str| complaint_of(folder.path(), &format!("rectify {arguments}"));
-    assert!(run("both.png --beta 0.9 --out x.png").contains("it shows both eyes"));
+    render(folder.path(), "--layout rows --out rows.png");
+    let rows = run("rows.png --beta 0.9 --out x.png");
+    assert!(rows.contains("its layout, rows, has the whole picture of neither"), "{rows}");
     assert!(run("both.png --beta 0.9 --out x.exr").contains("it should be of the same kind"));
     assert!(run("none.png --beta 0.9 --out x.png").contains("none.png"));
-    assert!(run("both.png --out x.png --gaze 90,0 --fov 60").contains("it shows both eyes"));
     render(folder.path(), "--layout left --out left.png");
+    assert!(run("left.png --beta 0.9 --eye right --out x.png").contains("it shows one eye"));
     assert!(run("left.png --out x.png").contains("one of --beta, --gamma, --rapidity is needed"));
 }

@@ -9,7 +9,9 @@ mod fit;
 mod groups;
 mod layouts;
 mod map;
+mod pairs;
 mod picking;
+mod presenting;
 mod quality;
 mod spacetime;
 mod start;
@@ -36,7 +38,9 @@ fn main() -> ExitCode {
         groups::TESTS,
         layouts::TESTS,
         map::TESTS,
+        pairs::TESTS,
         picking::TESTS,
+        presenting::TESTS,
         quality::TESTS,
         spacetime::TESTS,
         start::TESTS,

@@ -32,9 +32,9 @@ pub const TESTS: &[Test] = &[
 
 /// On the side of the front tyre that faces the eyes, at its top: the wheel stands around (-0.525, 3, 2)
 /// with a radius of 0.493 and a tyre of 0.032.
-const ON_THE_TYRE: [f64; 3] = [-0.525, 3.0 - 0.032, 2.0 + 0.493];
+pub const ON_THE_TYRE: [f64; 3] = [-0.525, 3.0 - 0.032, 2.0 + 0.493];
 /// The front tyre is the first body of the scene file.
-const FRONT_TYRE: usize = 0;
+pub const FRONT_TYRE: usize = 0;
 
 /// Where an eye sees a point at rest coordinates `rest`, in its pane.
 fn place(window: &Harness<'_, App>, rest: [f64; 3], eye: usize) -> Pos2 {

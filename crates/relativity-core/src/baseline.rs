@@ -42,6 +42,21 @@ impl Baseline {
         [cos_roll * cos_turn, cos_roll * sin_turn, sin_roll]
     }
 
+    /// Whether it is along x, as published models have it.
+    #[must_use]
+    pub fn is_along_motion(&self) -> bool {
+        let [_, y, z] = self.direction();
+        [y, z] == [0.0; 2]
+    }
+
+    /// The apertures, but those that are in one place a hair apart: what two eyes make of a point has a limit there, which
+    /// depends on the direction. (The pair along x stands for its limit itself.)
+    #[must_use]
+    pub fn apertures_or_limit(&self) -> [Aperture; 2] {
+        let is_limit = self.separation == 0.0 && !self.is_along_motion();
+        Self { separation: if is_limit { HAIR } else { self.separation }, ..*self }.apertures()
+    }
+
     /// Both apertures, left (primary) and right (secondary), from the middle between them.
     #[must_use]
     pub fn apertures(&self) -> [Aperture; 2] {
@@ -51,6 +66,9 @@ impl Baseline {
         [Aperture { x: 0.0 - x, y: 0.0 - y, z: 0.0 - z }, Aperture { x: 0.0 + x, y: 0.0 + y, z: 0.0 + z }]
     }
 }
+
+/// A separation whose square counts as nothing.
+const HAIR: f64 = 1e-12;
 
 fn sine_and_cosine(angle: f64) -> [f64; 2] {
     let (sine, cosine) = math::sin_cos(angle);

@@ -147,6 +147,51 @@ impl<F: Float> ConePair<F> {
         if self.gain().is_some() { half(self.apparent_xs().sum) } else { F::zero() }
     }
 
+    /// Both lines of sight, from apertures between which the point is at `y` and `z`; none for a point inside both apertures.
+    pub fn lines_of_sight(&self, y: F, z: F) -> Option<LinesOfSight<F>> {
+        let Self { left, right, offset, .. } = self;
+        let sum_q = left.solution.q + right.solution.q;
+        if sum_q == F::zero() {
+            return None;
+        }
+        let x = self.apparent_xs();
+        let along = half(offset.s * x.sum) + offset.y * y + offset.z * z;
+        let of_y = (y, Across { left: left.y, right: right.y, offset: offset.y });
+        let of_z = (z, Across { left: left.z, right: right.z, offset: offset.z });
+        Some(LinesOfSight {
+            each: [[x.left, left.y, left.z], [x.right, right.y, right.z]],
+            mean: [half(x.sum), y, z],
+            difference: [x.difference, offset.y, offset.z],
+            normal: [
+                offset.y * z - offset.z * y,
+                self.mean_cross_with_x(&x, &of_z, &of_y),
+                -self.mean_cross_with_x(&x, &of_y, &of_z),
+            ],
+            by_motion: (self.beta + self.beta) * (along / sum_q),
+        })
+    }
+
+    /// [`Self::cross_with_x`] from the means of u and v over both apertures, which come with them: where the point is
+    /// between the apertures the coordinates from each are known less well.
+    fn mean_cross_with_x(
+        &self,
+        x: &ApparentXs<F>,
+        (mean_u, u): &(F, Across<F>),
+        (mean_v, v): &(F, Across<F>),
+    ) -> F {
+        let (left, right) = (&self.left.solution, &self.right.solution);
+        let plain = (u.offset * half(x.sum), -*mean_u * x.difference);
+        let u_q = u.left * right.q + u.right * left.q;
+        if !u.same_sign() || u_q == F::zero() {
+            return plain.0 + plain.1;
+        }
+        let u_r = u.left * right.r + u.right * left.r;
+        let u_v = u.left * v.right + u.right * v.left;
+        let cross_s = u.offset * half(self.sum_s) - *mean_u * self.offset.s;
+        let cross_v = u.offset * *mean_v - *mean_u * v.offset;
+        smaller_terms(plain, (cross_s * (u_r / u_q), -self.beta * cross_v * (u_v / u_q)))
+    }
+
     /// With q^2 = S^2 + rho^2/gamma^2, X = gamma^2 (S - beta q); so the difference of the two X is
     /// `(dS (R_l + R_r) - beta d(rho^2))/(q_l + q_r)`, in which small separations do not cancel.
     fn apparent_xs(&self) -> ApparentXs<F> {
@@ -178,6 +223,24 @@ impl<F: Float> ConePair<F> {
         let (xl, xr) = if xl.abs() < xr.abs() { (xl, xl - difference) } else { (xr + difference, xr) };
         ApparentXs { left: xl, right: xr, difference, sum: xl + xr, is_opposite: false }
     }
+}
+
+/// From two apertures to where they see one point: `P_l` and `P_r`.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct LinesOfSight<F> {
+    /// `P_l` and `P_r`.
+    pub each: [[F; 3]; 2],
+    /// (`P_l` + `P_r`)/2.
+    pub mean: [F; 3],
+    /// `P_l` - `P_r`.
+    pub difference: [F; 3],
+    /// `P_l` x `P_r`, across both.
+    pub normal: [F; 3],
+    /// By how much less the two X differ than the apertures' places do: beta (`R_l` - `R_r`).
+    ///
+    /// That is all that sets them apart from two lines to one resting point. Since `R_l^2` - `R_r^2` is the product of the
+    /// sum of both lines with their difference, `R_l` - `R_r` is that of their sum with the baseline over `q_l` + `q_r`.
+    pub by_motion: F,
 }
 
 /// A coordinate across the motion, from both apertures, and left minus right.

@@ -42,7 +42,7 @@
 //! assert!((seen.doppler_factor - 2.2942).abs() < 1e-4);
 //!
 //! // Both eyes see it equally far, and in the same elevation, at T0 = sqrt(3^2 + 2^2 + 0.05^2).
-//! let t0 = equidistance_time(&speed, point, 0.1)?.ok_or("at rest")?;
+//! let t0 = equidistance_time(&speed, point, [left, right])?.ok_or("at rest")?;
 //! assert!((t0 - 13.0025_f64.sqrt()).abs() < 1e-15);
 //! let both = disparity(&speed, point, left, right, t0)?;
 //! assert!(both.dtheta.abs() < 1e-15 && both.dphi < 0.0);
@@ -104,7 +104,7 @@ pub use fit::{
     Curves, Fit, FitError, FitOptions, NotConverged, Observations, Parameter, Passage, Reading, Sample,
     Simulation, fit, fit_from,
 };
-pub use model::{Model, StereoError};
+pub use model::{Model, PairError, StereoError};
 pub use one_cone::one_cone_disparity;
 pub use passage::{equidistance_time, observation_time_when_seen_at};
 pub use published::{PublishedVariant, printed_apparent_x, published_disparity};

@@ -2,11 +2,11 @@
 
 use thiserror::Error;
 
-use crate::apparent::{Aperture, SourcePoint, sighting};
+use crate::apparent::{Aperture, Sighting, SourcePoint, sighting};
 use crate::cone_pair::ConePair;
 use crate::disparity::{Disparity, disparity};
-use crate::domain::{DomainError, check};
-use crate::one_cone::{self, one_cone_disparity};
+use crate::domain::DomainError;
+use crate::one_cone::{self, middle, one_cone_disparity};
 use crate::published::{self, PublishedVariant, published_disparity};
 use crate::speed::Speed;
 use crate::stereo::{Stereo, stereo};
@@ -30,6 +30,17 @@ pub enum Model {
     Published(PublishedVariant),
 }
 
+/// Why a model does not tell what a pair of apertures sees.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum PairError {
+    /// A coordinate or time outside the domain.
+    #[error(transparent)]
+    Domain(#[from] DomainError),
+    /// A published model, which knows apertures along the motion.
+    #[error("the model {} has both eyes along the motion: the head can be neither tilted nor turned", .0.name())]
+    OffTheMotion(Model),
+}
+
 /// Why there is no stereo position.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum StereoError {
@@ -39,6 +50,9 @@ pub enum StereoError {
     /// A published model, whose two directions start from one aperture.
     #[error("the model {} has no stereo position: it measures both eyes' angles from the left eye", .0.name())]
     Published(Model),
+    /// Lines of sight that are parallel, or diverge.
+    #[error("the lines of sight of both eyes do not meet in front of them")]
+    Apart,
 }
 
 impl Model {
@@ -61,7 +75,7 @@ impl Model {
         }
     }
 
-    /// Disparity of `point` in this model for the paper's pair of apertures, `separation` apart.
+    /// Disparity of `point` in this model for the `pair` of apertures.
     ///
     /// # Accuracy
     ///
@@ -69,17 +83,18 @@ impl Model {
     ///
     /// # Errors
     ///
-    /// A coordinate or time outside the domain.
+    /// A coordinate or time outside the domain; a pair that is not along x, in a published model.
     ///
     /// # Examples
     ///
     /// ```
-    /// use relativity_core::{Model, SourcePoint, Speed};
+    /// use relativity_core::{Aperture, Model, SourcePoint, Speed};
     ///
     /// let speed = Speed::from_beta(0.9)?;
     /// let point = SourcePoint { x0: 0.0, y: 0.5, z: 0.5 };
     /// // What parallax makes of the paper's section 3, at T0: the published model leaves it out.
-    /// let [exact, _, appendix_a, _] = Model::ALL.map(|model| model.disparity(&speed, point, 0.3, 0.522_5_f64.sqrt()));
+    /// let (pair, time) = (Aperture::pair(0.3), 0.522_5_f64.sqrt());
+    /// let [exact, _, appendix_a, _] = Model::ALL.map(|model| model.disparity(&speed, point, pair, time));
     /// assert!((exact?.dphi + 0.582_9).abs() < 1e-4);
     /// assert!(appendix_a?.dphi.abs() < 1e-15);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -88,22 +103,23 @@ impl Model {
         self,
         speed: &Speed,
         point: SourcePoint,
-        separation: f64,
+        pair: [Aperture; 2],
         observation_time: f64,
-    ) -> Result<Disparity, DomainError> {
-        match self {
-            Self::Exact => {
-                let [left, right] = Aperture::pair(separation);
-                disparity(speed, point, left, right, observation_time)
-            }
-            Self::OneCone => one_cone_disparity(speed, point, separation, observation_time),
+    ) -> Result<Disparity, PairError> {
+        let [left, right] = pair;
+        Ok(match self {
+            Self::Exact => disparity(speed, point, left, right, observation_time)?,
+            Self::OneCone => one_cone_disparity(speed, point, pair, observation_time)?,
             Self::Published(variant) => {
-                published_disparity(speed, point, separation, observation_time, variant)
+                if (left.y, left.z) != (right.y, right.z) {
+                    return Err(PairError::OffTheMotion(self));
+                }
+                published_of_pair(speed, point, pair, observation_time, variant)?
             }
-        }
+        })
     }
 
-    /// Where `point` is taken to be in this model by the paper's pair of apertures, `separation` apart.
+    /// Where `point` is taken to be in this model by the `pair` of apertures, from the middle between them.
     ///
     /// # Accuracy
     ///
@@ -111,21 +127,20 @@ impl Model {
     ///
     /// # Errors
     ///
-    /// A coordinate or time outside the domain; a published model, in which lines of sight do not meet.
+    /// A coordinate or time outside the domain; lines of sight that do not meet, as in a published model.
     pub fn stereo(
         self,
         speed: &Speed,
         point: SourcePoint,
-        separation: f64,
+        pair: [Aperture; 2],
         observation_time: f64,
     ) -> Result<Stereo, StereoError> {
         match self {
-            Self::Exact => Ok(stereo(speed, point, separation, observation_time)?),
+            Self::Exact => stereo(speed, point, pair, observation_time),
             // Both look at one event, which they take to be where it is.
             Self::OneCone => {
-                check("d", separation)?;
-                let position = sighting(speed, point, Aperture::default(), observation_time)?.position;
-                Ok(Stereo { gain: 1.0, position })
+                let position = sighting(speed, point, middle(pair), observation_time)?.position;
+                Ok(Stereo { gain: 1.0, position, miss: 0.0 })
             }
             Self::Published(_) => Err(StereoError::Published(self)),
         }
@@ -157,6 +172,24 @@ impl Model {
             }
         }
     }
+}
+
+/// The published model of a pair along x, of which it knows one about the origin.
+fn published_of_pair(
+    speed: &Speed,
+    point: SourcePoint,
+    [left, right]: [Aperture; 2],
+    observation_time: f64,
+    variant: PublishedVariant,
+) -> Result<Disparity, DomainError> {
+    let middle = left.x.midpoint(right.x);
+    let from_middle = SourcePoint { x0: point.x0 - middle, y: point.y - left.y, z: point.z - left.z };
+    let separation = right.x - left.x;
+    let both = published_disparity(speed, from_middle, separation, observation_time, variant)?;
+    // The clock's zero stays with the ground's origin.
+    let own_time =
+        |seen: Sighting| Sighting { own_time: seen.own_time - speed.beta() * speed.gamma() * middle, ..seen };
+    Ok(Disparity { primary: own_time(both.primary), secondary: own_time(both.secondary), ..both })
 }
 
 #[cfg(feature = "clap")]

@@ -7,8 +7,8 @@ use relativity_core::batch::{
 };
 use relativity_core::{
     Aperture, Disparity, MAX_COORDINATE, MAX_GAMMA, PublishedVariant, Sighting, SourcePoint, Speed,
-    SpeedError, disparities, disparity, equidistance_time, one_cone_disparity, printed_apparent_x,
-    published_disparity, sighting, stereo,
+    SpeedError, StereoError, disparities, disparity, equidistance_time, one_cone_disparity,
+    printed_apparent_x, published_disparity, sighting, stereo,
 };
 
 fn speeds() -> Vec<Speed> {
@@ -75,13 +75,24 @@ fn every_disparity_in_the_domain_is_finite() {
                 let both = published_disparity(&speed, point, a, time, variant).expect("inside the domain");
                 assert_disparity(&both, &context);
             }
-            let both = one_cone_disparity(&speed, point, a, time).expect("inside the domain");
+            let both =
+                one_cone_disparity(&speed, point, [primary, secondary], time).expect("inside the domain");
             assert_disparity(&both, &context);
-            let fused = stereo(&speed, point, a, time).expect("inside the domain");
+            let fused = stereo(&speed, point, Aperture::pair(a), time).expect("inside the domain");
             assert!(fused.gain > 0.0 && fused.gain.is_finite(), "{fused:?} for {context}");
-            assert!(fused.distance().is_finite(), "{fused:?} for {context}");
-            let t0 = equidistance_time(&speed, point, a).expect("inside the domain");
-            assert!(t0.is_none_or(f64::is_finite), "{context}");
+            assert!(fused.distance().is_finite() && fused.miss == 0.0, "{fused:?} for {context}");
+            match stereo(&speed, point, [primary, secondary], time) {
+                Ok(fused) => {
+                    assert!(fused.gain > 0.0 && fused.gain.is_finite(), "{fused:?} for {context}");
+                    let lengths = fused.position.into_iter().chain([fused.miss]);
+                    assert!(lengths.into_iter().all(f64::is_finite), "{fused:?} for {context}");
+                }
+                Err(error) => assert_eq!(error, StereoError::Apart, "{context}"),
+            }
+            for pair in [Aperture::pair(a), [primary, secondary]] {
+                let t0 = equidistance_time(&speed, point, pair).expect("inside the domain");
+                assert!(t0.is_none_or(f64::is_finite), "{context}");
+            }
         }
     }
 }
@@ -189,7 +200,12 @@ fn coordinates_out_of_range_are_errors_that_name_the_coordinate() {
             published_disparity(&Speed::REST, point, bad, 0.0, variant).expect_err("outside").name,
             "d"
         );
-        assert_eq!(equidistance_time(&Speed::REST, point, bad).expect_err("outside").name, "d");
+        assert_eq!(
+            equidistance_time(&Speed::REST, point, [Aperture { x: bad, ..Aperture::default() }; 2])
+                .expect_err("outside")
+                .name,
+            "aperture x"
+        );
     }
 }
 
@@ -199,7 +215,7 @@ fn at_rest_everything_is_where_it_is() {
     let seen = sighting(&Speed::REST, point, Aperture::default(), 5.0).expect("inside the domain");
     assert_eq!(seen.position, [1.0, 2.0, 2.0]);
     assert_eq!([seen.distance, seen.retarded_time, seen.doppler_factor], [3.0, 2.0, 1.0]);
-    assert_eq!(equidistance_time(&Speed::REST, point, 0.3), Ok(None));
+    assert_eq!(equidistance_time(&Speed::REST, point, Aperture::pair(0.3)), Ok(None));
 }
 
 #[test]

@@ -54,7 +54,7 @@ fn simulated_curves_are_the_disparities() {
         for sample in case.samples(model, 0) {
             let seen = match model {
                 Model::Exact => disparity(&speed, point, left, right, sample.time),
-                Model::OneCone => one_cone_disparity(&speed, point, 0.3, sample.time),
+                Model::OneCone => one_cone_disparity(&speed, point, [left, right], sample.time),
                 Model::Published(variant) => published_disparity(&speed, point, 0.3, sample.time, variant),
             };
             let seen = seen.expect("inside the domain");

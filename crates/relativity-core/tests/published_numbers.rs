@@ -84,7 +84,9 @@ fn exactly_dphi_never_crosses_zero_and_dtheta_does_at_equidistance() {
 #[test]
 fn equidistance_times_are_the_papers() {
     let t0 = |point, separation| {
-        equidistance_time(&speed(), point, separation).expect("inside the domain").expect("moving")
+        equidistance_time(&speed(), point, Aperture::pair(separation))
+            .expect("inside the domain")
+            .expect("moving")
     };
     assert!((t0(POINT, SEPARATION) - 0.7228).abs() < 5e-5);
     let tracked = SourcePoint { x0: 0.0, y: 3.0, z: 2.0 };
@@ -96,7 +98,8 @@ fn equidistance_times_are_the_papers() {
 fn a_point_is_equally_far_from_both_eyes_at_equidistance() {
     for x0 in [-2.0, 0.0, 0.7] {
         let point = SourcePoint { x0, ..POINT };
-        let t0 = equidistance_time(&speed(), point, SEPARATION).expect("inside").expect("moving");
+        let t0 =
+            equidistance_time(&speed(), point, Aperture::pair(SEPARATION)).expect("inside").expect("moving");
         let [left, right] = Aperture::pair(SEPARATION);
         let both = disparity(&speed(), point, left, right, t0).expect("inside");
         assert!((both.primary.distance - both.secondary.distance).abs() < 1e-14);

@@ -3,7 +3,8 @@
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use relativity_core::aberration::rest_from_ground;
 use relativity_core::{
-    Aperture, Model, PublishedVariant, SourcePoint, Speed, Stereo, StereoError, disparity, sighting, stereo,
+    Aperture, Baseline, Model, PublishedVariant, SourcePoint, Speed, Stereo, StereoError, disparity,
+    sighting, stereo,
 };
 
 type Vector = Vector3<f64>;
@@ -46,7 +47,7 @@ fn doppler_factor(speed: &Speed, rest: Vector, time: f64) -> f64 {
 
 /// What eyes of this separation along the motion make of it.
 fn fused(speed: &Speed, rest: Vector, separation: f64, time: f64) -> Stereo {
-    stereo(speed, source(speed, rest), separation, time).expect("inside the domain")
+    stereo(speed, source(speed, rest), Aperture::pair(separation), time).expect("inside the domain")
 }
 
 /// The middle of the shortest connection of the lines of sight of two eyes, `baseline` from one to the other; how far
@@ -124,7 +125,7 @@ fn the_stereo_gain_is_gamma_d_for_eyes_that_are_close_together() {
 fn a_resting_point_has_gain_1_and_is_taken_to_be_where_it_is() {
     for separation in [0.0, 0.1, 5.0, 1e5] {
         let point = SourcePoint { x0: -3.0, y: 2.0, z: 1.0 };
-        let fused = stereo(&Speed::REST, point, separation, 4.0).expect("inside the domain");
+        let fused = stereo(&Speed::REST, point, Aperture::pair(separation), 4.0).expect("inside the domain");
         assert_eq!(fused.gain, 1.0);
         assert_alike(fused.position.into(), Vector::new(-3.0, 2.0, 1.0), 1e-10, "place");
     }
@@ -191,12 +192,115 @@ fn one_light_cone_leaves_the_width_scales_depth_by_d_and_shears() {
 fn with_one_light_cone_two_eyes_take_a_point_to_be_where_the_middle_sees_it() {
     for (speed, rest, time) in cases() {
         let point = source(&speed, rest);
-        let fused = Model::OneCone.stereo(&speed, point, 0.7, time).expect("inside the domain");
-        let both = Model::OneCone.disparity(&speed, point, 0.7, time).expect("inside the domain");
+        let fused =
+            Model::OneCone.stereo(&speed, point, Aperture::pair(0.7), time).expect("inside the domain");
+        let both =
+            Model::OneCone.disparity(&speed, point, Aperture::pair(0.7), time).expect("inside the domain");
         let [left, right] = [both.primary, both.secondary].map(|seen| Vector::from(seen.position));
         assert_close(fused.gain, (left.x - right.x) / 0.7, 1e-12, "gain");
         assert_eq!(Vector::from(fused.position), seen(&speed, rest, time));
     }
+}
+
+/// What any two eyes make of it.
+fn fused_by(speed: &Speed, rest: Vector, baseline: Vector, time: f64) -> Result<Stereo, StereoError> {
+    let [x, y, z] = (0.5 * baseline).into();
+    let pair = [Aperture { x: -x, y: -y, z: -z }, Aperture { x, y, z }];
+    stereo(speed, source(speed, rest), pair, time)
+}
+
+#[test]
+fn any_two_eyes_take_a_point_to_be_where_their_lines_of_sight_come_closest() {
+    let directions =
+        [[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [0.6, 0.0, 0.8], [0.48, -0.6, 0.64], [-0.8, 0.6, 0.1]];
+    let mut apart = 0;
+    for (speed, rest, time) in cases() {
+        for (direction, separation) in directions.into_iter().flat_map(|d| [0.01, 0.7, 3.0].map(|s| (d, s))) {
+            let baseline = separation * Vector::from(direction);
+            let (place, along) = crossing(&speed, rest, baseline, time);
+            let Ok(fused) = fused_by(&speed, rest, baseline, time) else {
+                assert!(along.iter().any(|&along| along <= 0.0), "{along:?}");
+                apart += 1;
+                continue;
+            };
+            assert!(along.iter().all(|&along| along > 0.0), "{along:?}");
+            // The lines crossed here are differences of sightings, which lose the separation over the distance.
+            assert_alike(fused.position.into(), place, 1e-8 / separation, "place");
+            let each = [-0.5, 0.5].map(|side| {
+                let [x, y, z] = (side * baseline).into();
+                let seen = sighting(&speed, source(&speed, rest), Aperture { x, y, z }, time);
+                (side * baseline, Vector::from(seen.expect("inside the domain").position))
+            });
+            let normal = each[0].1.cross(&each[1].1).normalize();
+            assert!((fused.miss - baseline.dot(&normal).abs()).abs() < 1e-9 / separation, "{fused:?}");
+            let mean = (each[0].1 + each[1].1).normalize();
+            let across = |v: Vector| v - v.dot(&mean) * mean;
+            let (parallax, at_rest) = (across(each[0].1 - each[1].1), across(baseline));
+            let gain = parallax.dot(&at_rest) / at_rest.norm_squared();
+            assert_close(fused.gain, gain, 1e-8 / separation, "gain");
+        }
+    }
+    assert!((1..20).contains(&apart), "{apart} of them do not meet");
+}
+
+#[test]
+fn nothing_changes_where_the_eyes_swap_their_places_or_the_origin_is_elsewhere() {
+    for (speed, rest, time) in cases() {
+        let (point, at) = (source(&speed, rest), Vector::new(0.3, -0.5, 0.2));
+        let [left, right] = Baseline { separation: 0.4, roll: 0.5, turn: -0.3 }.apertures();
+        let moved = |a: Aperture| Aperture { x: a.x + at.x, y: a.y + at.y, z: a.z + at.z };
+        let moved_point = SourcePoint { x0: point.x0 + at.x, y: point.y + at.y, z: point.z + at.z };
+        let Ok(there) = stereo(&speed, point, [left, right], time) else { continue };
+        for (point, pair) in [(point, [right, left]), (moved_point, [moved(left), moved(right)])] {
+            let same = stereo(&speed, point, pair, time).expect("they meet");
+            assert_alike(same.position.into(), there.position.into(), 1e-12, "place");
+            assert_close(same.gain, there.gain, 1e-12, "gain");
+            assert!((same.miss - there.miss).abs() < 1e-13, "{same:?} {there:?}");
+        }
+    }
+}
+
+/// At 0.9 c, 41.99 degrees and 0.5864 by eyes along the motion, 0 and 0.4359 by eyes above each other.
+#[test]
+fn whether_a_rod_abreast_is_turned_depends_on_how_the_head_is_held() {
+    let speed = Speed::from_beta(0.9).expect("a speed");
+    let seen_by = |roll: f64| {
+        let baseline = Baseline { separation: 1e-6, roll: roll.to_radians(), turn: 0.0 };
+        rod_abreast(&speed, |rest| {
+            let fused = stereo(&speed, source(&speed, rest), baseline.apertures(), 10.0);
+            Vector::from(fused.expect("they meet").position)
+        })
+    };
+    let [x, depth] = seen_by(0.0);
+    assert!((depth.atan2(x).to_degrees() - 41.99).abs() < 0.005 && (depth.hypot(x) - 0.5864).abs() < 5e-5);
+    let [x, depth] = seen_by(90.0);
+    assert!(depth.abs() < 1e-6 && (x - 1.0 / speed.gamma()).abs() < 1e-6);
+    // In between it turns as the head does.
+    let turned = [0.0, 30.0, 60.0, 90.0].map(seen_by).map(|[x, depth]| depth.atan2(x));
+    assert!(turned.windows(2).all(|two| two[1] < two[0]), "{turned:?}");
+}
+
+#[test]
+fn one_light_cone_leaves_the_place_to_any_two_eyes() {
+    for (speed, rest, time) in cases() {
+        let pair = Baseline { separation: 0.7, roll: 1.0, turn: 0.4 }.apertures();
+        let fused =
+            Model::OneCone.stereo(&speed, source(&speed, rest), pair, time).expect("inside the domain");
+        assert_alike(fused.position.into(), seen(&speed, rest, time), 1e-14, "place");
+        assert_eq!((fused.gain, fused.miss), (1.0, 0.0));
+    }
+}
+
+#[test]
+fn a_published_model_has_both_eyes_along_the_motion_and_says_so() {
+    let speed = Speed::from_beta(0.9).expect("a speed");
+    let point = SourcePoint { x0: 0.0, y: 3.0, z: 2.0 };
+    let pair = Baseline { separation: 0.1, roll: 0.1, turn: 0.0 }.apertures();
+    let error = Model::Published(PublishedVariant::AppendixA).disparity(&speed, point, pair, 0.0);
+    assert_eq!(
+        error.expect_err("it knows no such pair").to_string(),
+        "the model published has both eyes along the motion: the head can be neither tilted nor turned"
+    );
 }
 
 #[test]
@@ -247,6 +351,8 @@ fn lines_of_sight_of_eyes_one_behind_the_other_can_diverge() {
         let rest = Vector::new(speed.gamma() * x0, event.y, event.z);
         let (_, along) = crossing(&speed, rest, behind, 0.0);
         assert_eq!(along.map(|s| s < 0.0), [diverges; 2], "{n:?}: {along:?}");
+        let fused = fused_by(&speed, rest, behind, 0.0);
+        assert_eq!(fused.err(), diverges.then_some(StereoError::Apart), "{n:?}");
     }
 }
 
@@ -321,9 +427,10 @@ fn a_published_model_has_no_stereo_position_and_says_so() {
     let speed = Speed::from_beta(0.9).expect("a speed");
     let point = SourcePoint { x0: 0.0, y: 3.0, z: 2.0 };
     let published = Model::Published(PublishedVariant::AppendixA);
-    let error = published.stereo(&speed, point, 0.1, 0.0).expect_err("it has none");
+    let pair = Aperture::pair(0.1);
+    let error = published.stereo(&speed, point, pair, 0.0).expect_err("it has none");
     assert_eq!(error, StereoError::Published(published));
     let said = "the model published has no stereo position: it measures both eyes' angles from the left eye";
     assert_eq!(error.to_string(), said);
-    assert_eq!(Model::Exact.stereo(&speed, point, 0.1, 0.0).ok(), stereo(&speed, point, 0.1, 0.0).ok());
+    assert_eq!(Model::Exact.stereo(&speed, point, pair, 0.0), stereo(&speed, point, pair, 0.0));
 }

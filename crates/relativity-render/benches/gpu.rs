@@ -2,15 +2,17 @@
 //!
 //! `cargo bench -p relativity-render --bench gpu` prints, for 64, 640 and 6,400 bodies that ride past at
 //! beta = 0.9, milliseconds per frame of two eyes of 480 x 540 pixels (median of rounds taken in turns) and
-//! ratios to the exact renderer's; and what pictures parallel to the baseline cost beside those across the gaze.
+//! ratios to the exact renderer's; then what it adds to compose the two pictures into one, and what pictures
+//! parallel to the baseline cost beside those across the gaze.
 
 use std::time::Instant;
 
 use glam::DVec3;
 use relativity_core::{Aperture, Speed};
+use relativity_render::compose::Top;
 use relativity_render::{
-    Appearance, Body, Camera, EyeTarget, Gaze, Geometry, Gpu, GpuError, Method, PreparedScene, Projection,
-    Renderers, Shape, View,
+    Appearance, Body, Camera, Composed, Composer, Composition, EyeTarget, Gaze, Geometry, Gpu, GpuError,
+    Method, PreparedScene, Projection, Renderers, Shape, View,
 };
 
 const ROUNDS: usize = 5;
@@ -24,6 +26,16 @@ fn main() -> Result<(), GpuError> {
     println!("bodies  no bodies  exact  brute force        mesh 0.5 px       mesh 0.05 px");
     for count in [64, 640, 6400] {
         compare(&gpu, &crowd(count))?;
+    }
+    for composition in [
+        Composition::Anaglyph,
+        Composition::Dubois,
+        Composition::Overlay([[0x56, 0xB4, 0xE9], [0xE6, 0x9F, 0x00]]),
+        Composition::Rows { top: Top::First },
+        Composition::HalfSideBySide,
+        Composition::HalfOverUnder,
+    ] {
+        compose(&gpu, composition, &crowd(64))?;
     }
     println!("bodies  across the gaze      parallel, the same picture      parallel, sheared");
     for (count, method) in [(64, Method::Exact), (640, Method::Exact), (640, Method::Mesh { bound_px: 0.5 })]
@@ -59,6 +71,34 @@ fn compare_projections(gpu: &Gpu, bodies: &[Body], method: Method) -> Result<(),
     let [across, same, sheared] = times.map(median);
     let ratio = |time: f64| format!("{time:8.1} ({:5.3} x)", time / across);
     println!("{:6}  {method}  {across:8.1}  {}  {}", bodies.len(), ratio(same), ratio(sheared));
+    Ok(())
+}
+
+/// Prints what a frame of two eyes costs with and without a composition of them.
+fn compose(gpu: &Gpu, composition: Composition, bodies: &[Body]) -> Result<(), GpuError> {
+    let (mut renderers, composer) = (Renderers::new(Some(gpu.clone())), Composer::new(gpu));
+    let scene = PreparedScene::moving(bodies);
+    let appearance = Appearance { ground_z: Some(-2.5), ..Appearance::default() };
+    let mut targets = [EyeTarget::new(gpu, SIZE), EyeTarget::new(gpu, SIZE)];
+    let composed = Composed::new(gpu, composition.size(SIZE));
+    let mut times = [const { Vec::new() }; 2];
+    for round in 0..=4 * ROUNDS {
+        for (is_composed, times) in [false, true].into_iter().zip(&mut times) {
+            let start = Instant::now();
+            for (view, target) in views().iter().zip(&mut targets) {
+                renderers.draw(Method::Exact, &scene, view, &appearance, target)?;
+            }
+            if is_composed {
+                composer.compose(gpu, composition, targets.each_ref(), &composed);
+            }
+            gpu.wait()?;
+            if round > 0 {
+                times.push(start.elapsed().as_secs_f64() * 1e3);
+            }
+        }
+    }
+    let [without, with] = times.map(median);
+    println!("{composition:?}: with {with:.1}, without {without:.1} ms ({:.2} x)", with / without);
     Ok(())
 }
 

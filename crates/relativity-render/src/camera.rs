@@ -17,11 +17,13 @@ pub struct Gaze {
 /// Steepest elevation of a gaze that follows something: at the zenith itself no horizon is level.
 pub const MAX_ELEVATION: f64 = 89.5 * PI / 180.0;
 
-/// How far a gaze can be from the plane across the baseline for a picture parallel to that to have it in the middle, radians:
-/// further on the picture stays, since it would be stretched too much.
+/// How far a gaze can be from the plane across the baseline for a picture to stay parallel to that, radians: further on it
+/// would be stretched too much, and turns with the gaze.
 pub const MAX_SLANT: f64 = 75.0 * PI / 180.0;
 /// A gaze of which less than this is across the baseline does not tell how a picture parallel to that is tilted.
 const LEAST_ACROSS: f64 = 1e-9;
+/// Nor does one that is turned further aside than this, radians.
+const MOST_SLANT: f64 = FRAC_PI_2 - 1e-6;
 
 /// A pinhole camera at rest on the ground. [`Projection`] says where its picture plane lies: across the gaze, unless two
 /// eyes' pictures are to be fused.
@@ -64,8 +66,11 @@ pub enum Projection {
     #[default]
     Gaze,
     /// Parallel to the baseline of two eyes, so that both pictures can be fused: its rows run along the baseline, and its axis
-    /// is what of the gaze is across that. The picture is sheared along its rows to have the gaze in the middle all the same
-    /// (up to [`MAX_SLANT`]). Whatever is in one row of one picture is in that of the other, if both eyes have this gaze.
+    /// is what of the gaze is across that. The picture is sheared along its rows to have the gaze in the middle all the same.
+    /// Whatever is in one row of one picture is in that of the other, if both eyes have this gaze.
+    ///
+    /// A gaze that slants further than [`MAX_SLANT`] turns the pictures of both eyes, which stay parallel to each other,
+    /// about their columns by as much as it does so. What is there is far away, and in nearly one row of both.
     ///
     /// The picture is never upside down: its rows run against `right` where that takes it, as for a gaze behind the head.
     Parallel {
@@ -164,7 +169,7 @@ impl Camera {
     pub fn axes(&self) -> Axes {
         match self.projection {
             Projection::Gaze => self.gaze.axes(),
-            Projection::Parallel { right, .. } => Axes::across(right, self.gaze.axes().forward),
+            Projection::Parallel { right, .. } => Axes::beside(right, self.gaze.axes().forward),
             Projection::Vr180 { right } => {
                 let ahead = Gaze { elevation: 0.0, ..self.gaze }.axes().forward;
                 let level = DVec3::Z.cross(right).try_normalize();
@@ -205,8 +210,8 @@ impl Camera {
     }
 
     /// The gaze with which something along `direction` (any length above 0) appears at `pixel`, the horizon staying
-    /// level; the nearest there is where that would tilt further than [`MAX_ELEVATION`] or slant further than [`MAX_SLANT`]. A
-    /// picture of half the sky stays as it is.
+    /// level; the nearest there is where that would tilt further than [`MAX_ELEVATION`]. A picture of half the sky stays as it
+    /// is.
     #[must_use]
     pub fn gaze_with(&self, direction: DVec3, pixel: [f64; 2]) -> Gaze {
         match self.projection {
@@ -236,11 +241,15 @@ impl Camera {
         let focal_length = self.focal_length_px();
         let (aside, rise) = ((u - 0.5 * width) / focal_length, (0.5 * height - v) / focal_length);
         // Turned about the baseline until it is at that height in the picture.
-        let Axes { right, up, forward } = Axes::across(baseline, direction);
-        let Axes { forward, .. } = Axes::upright(right, forward - up * rise);
-        let depth = direction.dot(forward).max(f64::MIN_POSITIVE);
-        let slant = held(direction.dot(right) / depth + shift - aside);
-        Gaze::along((forward + right * slant).to_array())
+        let across = Axes::across(baseline, direction);
+        let Axes { right, up, forward } = across;
+        let ahead = Axes::upright(right, forward - up * rise).forward;
+        let depth = direction.dot(ahead).max(f64::MIN_POSITIVE);
+        let slant = direction.dot(right) / depth + shift - aside;
+        if held(slant) == slant {
+            return Gaze::along((ahead + right * slant).to_array());
+        }
+        across.turned_gaze_with(direction, [held(slant) + aside - shift, rise])
     }
 
     /// Where in the picture (pixels) something along `direction` (any length above 0) appears; `None`
@@ -271,7 +280,7 @@ impl Camera {
         let projection = match self.projection {
             // However far it slants.
             Projection::Parallel { right, .. } => {
-                let axes = Axes::across(right, sight);
+                let axes = Axes::beside(right, sight);
                 let shift = axes.shear_towards(sight) - sight.dot(axes.right) / sight.dot(axes.forward);
                 Projection::Parallel { right, shift }
             }
@@ -313,6 +322,38 @@ impl Axes {
         let (sine, cosine) = sin_cos(tilt.clamp(-MAX_ELEVATION, MAX_ELEVATION));
         let forward = if tilt.abs() > MAX_ELEVATION { level * cosine + rise * sine } else { forward };
         Self { right, up: right.cross(forward), forward }
+    }
+
+    /// Those of the picture beside `baseline` with `gaze` in its middle: parallel to it, up to [`MAX_SLANT`].
+    pub(crate) fn beside(baseline: DVec3, gaze: DVec3) -> Self {
+        let across = Self::across(baseline, gaze);
+        let slant = atan2(gaze.dot(across.right), gaze.dot(across.forward));
+        across.turned(slant - slant.clamp(-MAX_SLANT, MAX_SLANT))
+    }
+
+    /// These, turned to the right about `up` by an angle.
+    pub(crate) fn turned(&self, angle: f64) -> Self {
+        let Self { right, up, forward } = *self;
+        let (sine, cosine) = sin_cos(angle);
+        Self { right: right * cosine - forward * sine, up, forward: forward * cosine + right * sine }
+    }
+
+    /// The gaze further aside than [`MAX_SLANT`] with which something along `direction`, which these are across the baseline
+    /// for, is at these tangents to the right of the turned picture's axis and up.
+    fn turned_gaze_with(&self, direction: DVec3, [aside, rise]: [f64; 2]) -> Gaze {
+        let off_axis = atan(aside);
+        let (along, off_baseline) = (direction.dot(self.right), direction.dot(self.forward));
+        // Its height over its distance along the plane through the rows, and that over its whole distance.
+        let steepness = rise * sin_cos(off_axis).1;
+        let height = steepness * hypot(along, off_baseline) / hypot(1.0, steepness);
+        let tilt = asin((height / off_baseline.max(f64::MIN_POSITIVE)).clamp(-1.0, 1.0));
+        let (sine, cosine) = sin_cos(tilt);
+        let Self { right, forward, .. } = Self::upright(self.right, self.forward * cosine - self.up * sine);
+        let slanted = atan2(along, direction.dot(forward)) - off_axis;
+        let (least, most) = if aside > 0.0 { (MAX_SLANT, MOST_SLANT) } else { (-MOST_SLANT, -MAX_SLANT) };
+        let slant = slanted + MAX_SLANT.copysign(aside);
+        let (sine, cosine) = sin_cos(slant.clamp(least, most));
+        Gaze::along((forward * cosine + right * sine).to_array())
     }
 
     /// The tangent to the right of the axis at which the picture has `gaze` in its middle, up to [`MAX_SLANT`].

@@ -35,7 +35,7 @@ pub struct Measures {
 impl Canvas {
     pub fn new(gpu: &Gpu) -> Self {
         let device = &gpu.device;
-        let frame_layout = bind_group_layout(device, &[frame_entry(), texture_entry(1)]);
+        let frame_layout = bind_group_layout(device, &[uniform_entry(), texture_entry(1)]);
         let layer_layout = bind_group_layout(device, &[texture_entry(0)]);
         let module = gpu.shader("backdrop", BACKDROP);
         let layout = pipeline_layout(device, &[Some(&frame_layout), Some(&layer_layout)]);
@@ -158,7 +158,7 @@ impl Canvas {
     }
 }
 
-fn begin_pass<'a>(
+pub fn begin_pass<'a>(
     encoder: &'a mut wgpu::CommandEncoder,
     label: &str,
     color_attachments: &[Option<wgpu::RenderPassColorAttachment<'_>>],
@@ -177,7 +177,7 @@ fn begin_pass<'a>(
     })
 }
 
-fn attachment(view: &wgpu::TextureView, store: wgpu::StoreOp) -> wgpu::RenderPassColorAttachment<'_> {
+pub fn attachment(view: &wgpu::TextureView, store: wgpu::StoreOp) -> wgpu::RenderPassColorAttachment<'_> {
     wgpu::RenderPassColorAttachment {
         view,
         depth_slice: None,
@@ -233,7 +233,7 @@ fn tables(gpu: &Gpu) -> wgpu::TextureView {
     texture.create_view(&wgpu::TextureViewDescriptor::default())
 }
 
-fn bind_group(
+pub fn bind_group(
     gpu: &Gpu,
     layout: &wgpu::BindGroupLayout,
     entries: &[wgpu::BindGroupEntry<'_>],
@@ -241,11 +241,14 @@ fn bind_group(
     gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries })
 }
 
-fn bind_group_layout(device: &wgpu::Device, entries: &[wgpu::BindGroupLayoutEntry]) -> wgpu::BindGroupLayout {
+pub fn bind_group_layout(
+    device: &wgpu::Device,
+    entries: &[wgpu::BindGroupLayoutEntry],
+) -> wgpu::BindGroupLayout {
     device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: None, entries })
 }
 
-fn pipeline_layout(
+pub fn pipeline_layout(
     device: &wgpu::Device,
     bind_group_layouts: &[Option<&wgpu::BindGroupLayout>],
 ) -> wgpu::PipelineLayout {
@@ -256,7 +259,7 @@ fn pipeline_layout(
     })
 }
 
-fn frame_entry() -> wgpu::BindGroupLayoutEntry {
+pub fn uniform_entry() -> wgpu::BindGroupLayoutEntry {
     wgpu::BindGroupLayoutEntry {
         binding: 0,
         visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
@@ -269,7 +272,7 @@ fn frame_entry() -> wgpu::BindGroupLayoutEntry {
     }
 }
 
-fn texture_entry(binding: u32) -> wgpu::BindGroupLayoutEntry {
+pub fn texture_entry(binding: u32) -> wgpu::BindGroupLayoutEntry {
     wgpu::BindGroupLayoutEntry {
         binding,
         visibility: wgpu::ShaderStages::FRAGMENT,

@@ -50,6 +50,8 @@ pub mod camera;
 mod canvas;
 mod capsule;
 pub mod colour;
+pub mod compose;
+mod composer;
 mod cone;
 mod cover;
 mod drawing;
@@ -99,6 +101,8 @@ pub mod view;
 
 pub use body::{Body, Emission, Pattern, Shape};
 pub use camera::{Camera, Gaze, Projection};
+pub use compose::Composition;
+pub use composer::{Composed, Composer};
 pub use gpu::{Gpu, GpuError, Undrawn};
 pub use group_view::{GroupView, RestRay};
 pub use light::received_intensity;

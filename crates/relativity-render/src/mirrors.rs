@@ -2,6 +2,7 @@
 
 use std::mem::offset_of;
 
+use crate::compose::{self, Composing};
 use crate::effects::{Constant, Effects};
 use crate::exact::Piece;
 use crate::frame::Frame;
@@ -53,10 +54,13 @@ macro_rules! mirror {
 }
 
 /// The uniform blocks.
-pub const BLOCKS: [Mirror; 1] = [mirror!(
-    Frame: base, right, down, pole, speed, motion, eye, reference_eye, reference_speed, reference_middle, middle, middle_fine, ground, road, houses, openings, backdrop,
-    clip_right, clip_up, forward
-)];
+pub const BLOCKS: [Mirror; 2] = [
+    mirror!(
+        Frame: base, right, down, pole, speed, motion, eye, reference_eye, reference_speed, reference_middle, middle, middle_fine, ground, road, houses, openings, backdrop,
+        clip_right, clip_up, forward
+    ),
+    mirror!(Composing: first, second, form),
+];
 
 /// The structs of vertices and instances.
 pub const VERTICES: [VertexMirror; 3] = [
@@ -79,11 +83,16 @@ pub fn shaders() -> Vec<Shader> {
         source: shaders::BACKDROP,
         constants: backdrop::constants(backdrop::Part::Street),
     };
+    let compose = Shader {
+        name: "compose".to_owned(),
+        source: shaders::COMPOSE,
+        constants: compose::constants().to_vec(),
+    };
     let bodies = Kind::ALL.iter().flat_map(|&kind| {
         [("impostor", exact::TECHNIQUE), ("mesh", mesh::TECHNIQUE)]
             .map(|(name, technique)| of_bodies(kind, name, &technique))
     });
-    bodies.chain([backdrop]).collect()
+    bodies.chain([backdrop, compose]).collect()
 }
 
 fn of_bodies(kind: Kind, name: &str, technique: &Technique) -> Shader {

@@ -4,7 +4,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use glam::DVec3;
-use relativity_core::math::{atan, tan};
+use relativity_core::math::{atan, sin_cos, tan};
 
 use crate::camera::{Axes, Camera, Gauge, Gaze, Projection, held};
 
@@ -49,9 +49,13 @@ pub(crate) type Range = [f64; 2];
 /// How an outline lies in both eyes' pictures, parallel to the baseline.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Sheared {
+    /// Those of pictures parallel to the baseline.
     axes: Axes,
-    /// Between which tangents to the right of their axis it lies, in the left eye's and in the right eye's.
+    /// Between which angles to the right of their axis it lies, for the left eye and for the right one.
     across: [Range; 2],
+    /// How far it reaches up or down, as a tangent, in pictures turned by this angle to the right from there.
+    up: f64,
+    turn: f64,
 }
 
 /// A ball, from the aperture.
@@ -100,28 +104,31 @@ impl Framing {
         Self { gaze, reach: reach.map(tangent), sheared: None }
     }
 
-    /// Of what lies within these angles to the right of the axis and up, in the pictures of the left and of the right eye
-    /// that have these `axes`.
-    pub(crate) fn sheared(axes: Axes, eyes: [[Range; 2]; 2]) -> Self {
-        let across = eyes.map(|[across, _]| across.map(tangent));
-        let up = eyes.map(|[_, up]| up.map(|up| tangent(up).abs()));
-        let up = up.as_flattened().iter().copied().fold(0.0, f64::max);
-        let unshifted =
-            Self { gaze: Gaze::STRAIGHT_AHEAD, reach: [0.0, up], sheared: Some(Sheared { axes, across }) };
-        unshifted.shifted([0.0; 2])
+    /// Of what lies between these angles to the right of the forward axis of `axes`, which are parallel to the baseline, for
+    /// the left and for the right eye. How far up and down it lies from the axes of a picture tells `up`.
+    pub(crate) fn sheared(axes: Axes, across: [Range; 2], up: impl Fn(&Axes) -> Range) -> Self {
+        let turn = turn(across, [0.0; 2]);
+        let up = up(&axes.turned(turn)).map(|up| tangent(up).abs());
+        let sheared = Some(Sheared { axes, across, up: up[0].max(up[1]), turn });
+        Self { gaze: Gaze::STRAIGHT_AHEAD, reach: [0.0; 2], sheared }.shifted([0.0; 2])
     }
 
     /// The same for pictures of the left and of the right eye with these image shifts ([`Projection::Parallel`]): the gaze
-    /// turns along the rows alone, so that shifts made for [`Self::gaze`] are those for the new one. What does not slant
-    /// further than [`MAX_SLANT`](crate::camera::MAX_SLANT) is in the middle then, in both pictures taken together.
+    /// turns along the rows alone, so that shifts made for [`Self::gaze`] are those for the new one, as good as (where that
+    /// turns the pictures). What both pictures show of it is in the middle of them together.
     #[must_use]
     pub fn shifted(&self, shifts: [f64; 2]) -> Self {
-        let Some(Sheared { axes, across: [left, right] }) = self.sheared else { return *self };
-        let low = (left[0] + shifts[0]).min(right[0] + shifts[1]);
-        let high = (left[1] + shifts[0]).max(right[1] + shifts[1]);
+        let Some(Sheared { axes, across, up, turn: known }) = self.sheared else { return *self };
+        let turn = turn(across, shifts);
+        let axes = axes.turned(turn);
+        let [low, high] = shown(across, shifts, turn);
         let slant = held(0.5 * (low + high));
         let gaze = Gaze::along((axes.forward + axes.right * slant).to_array());
-        Self { gaze, reach: [(high - slant).max(slant - low), self.reach[1]], ..*self }
+        // A height is over the distance along the axis, which turned by so much.
+        let nearer =
+            |angle: &f64| (sin_cos(angle - known).1 / sin_cos(angle - turn).1.max(1.0 / FAR_OUT)).max(0.0);
+        let nearest = across.as_flattened().iter().map(nearer).fold(0.0, f64::max);
+        Self { gaze, reach: [(high - slant).max(slant - low), up * nearest], ..*self }
     }
 
     /// Horizontal field of view that holds the outline with a margin, radians, in a picture of this `size` (width and
@@ -136,6 +143,33 @@ impl Framing {
         fov(1.0 - 2.0 * MARGIN).clamp(narrowest, WIDEST)
     }
 }
+
+/// Between which tangents what lies between the angles `across` is, in the shifted pictures of both eyes taken together,
+/// turned by an angle to the right.
+fn shown(across: [Range; 2], shifts: [f64; 2], turn: f64) -> Range {
+    let [left, right] = across.map(|range| range.map(|angle| tangent(angle - turn)));
+    [(left[0] + shifts[0]).min(right[0] + shifts[1]), (left[1] + shifts[0]).max(right[1] + shifts[1])]
+}
+
+/// By which angle to the right pictures turn for the middle of that not to slant too far.
+fn turn(across: [Range; 2], shifts: [f64; 2]) -> f64 {
+    let slant = |turn: f64| shown(across, shifts, turn).into_iter().sum::<f64>() * 0.5;
+    let held_at = held(slant(0.0));
+    if held_at == slant(0.0) {
+        return 0.0;
+    }
+    // Turned by a right angle nothing is on that side.
+    let [mut low, mut high] = [0.0, FRAC_PI_2.copysign(held_at)];
+    for _ in 0..BISECTIONS {
+        let middle = 0.5 * (low + high);
+        let is_too_little = (slant(middle) - held_at) * held_at > 0.0;
+        *(if is_too_little { &mut low } else { &mut high }) = middle;
+    }
+    0.5 * (low + high)
+}
+
+/// How often a range is halved to find an angle in it to the last digit.
+const BISECTIONS: u32 = 56;
 
 fn tangent(angle: f64) -> f64 {
     if angle.abs() < FRAC_PI_2 { tan(angle).clamp(-FAR_OUT, FAR_OUT) } else { FAR_OUT.copysign(angle) }

@@ -9,4 +9,6 @@ macro_rules! source {
 pub(crate) use source;
 
 /// The last pass.
-pub const BACKDROP: &str = source!("frame", "street", "backdrop");
+pub const BACKDROP: &str = source!("frame", "street", "srgb", "backdrop");
+/// Composes two eyes' pictures.
+pub const COMPOSE: &str = source!("srgb", "compose");

@@ -112,8 +112,8 @@ fn framed_parallel_to(baseline: DVec3, sights: &[Sight], towards: DVec3) -> Fram
     let (sine, cosine) = sin_cos(middle(reach(sights, &axes)[1]));
     let axes = Axes::upright(axes.right, axes.forward * cosine + axes.up * sine);
     let last = sights.last().map_or(0, |sight| sight.eye);
-    let of_eye = |eye| reach(sights.iter().filter(|sight| sight.eye == eye), &axes);
-    Framing::sheared(axes, [of_eye(0), of_eye(last)])
+    let of_eye = |eye| reach(sights.iter().filter(|sight| sight.eye == eye), &axes)[0];
+    Framing::sheared(axes, [of_eye(0), of_eye(last)], |turned| reach(sights, turned)[1])
 }
 
 /// How to hold all that is seen in pictures across the gaze; `towards` is somewhere in the midst of it.

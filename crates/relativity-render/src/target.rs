@@ -2,6 +2,7 @@
 
 use crate::buffers::{frame_buffer, vertex_buffer};
 use crate::gpu::{Gpu, GpuError};
+use crate::picture::Picture;
 
 /// Samples per pixel of a picture.
 pub(crate) const SAMPLES: u32 = 4;
@@ -47,8 +48,8 @@ impl EyeTarget {
             let usage = Usage::RENDER_ATTACHMENT | usage;
             texture(gpu, label, size, samples, format, usage)
         };
-        let readable = Usage::TEXTURE_BINDING | Usage::COPY_SRC;
-        let picture = layer("picture", 1, ENCODED_FORMAT, readable);
+        let exchanged = Usage::TEXTURE_BINDING | Usage::COPY_SRC | Usage::COPY_DST;
+        let picture = layer("picture", 1, ENCODED_FORMAT, exchanged);
         Self {
             size,
             view: picture.create_view(&whole),
@@ -71,6 +72,17 @@ impl EyeTarget {
     #[must_use]
     pub fn view(&self) -> &wgpu::TextureView {
         &self.view
+    }
+
+    /// Shows `picture`, which was made elsewhere and has its size.
+    pub fn write(&self, gpu: &Gpu, picture: &Picture) {
+        let layout = wgpu::TexelCopyBufferLayout {
+            offset: 0,
+            bytes_per_row: Some(4 * self.size[0]),
+            rows_per_image: None,
+        };
+        let (bytes, size) = (picture.rgba.as_flattened(), self.picture.size());
+        gpu.queue.write_texture(self.picture.as_image_copy(), bytes, layout, size);
     }
 
     /// The picture as RGBA bytes, sRGB-encoded, rows from the top.

@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 use relativity_core::{
-    Disparity, DomainError, MAX_GAMMA, Model, Sighting, SourcePoint, Speed, SpeedError, Stereo, StereoError,
-    aberration,
+    Aperture, Disparity, MAX_GAMMA, Model, PairError, Sighting, SourcePoint, Speed, SpeedError, Stereo,
+    StereoError, aberration,
 };
 
 /// A velocity along x.
@@ -102,25 +102,30 @@ impl Velocity {
         SourcePoint::from_rest(self.reflected(rest.into()).to_array(), &self.speed)
     }
 
-    /// What the paper's pair of apertures, `separation` apart, sees in this `model` of the point at `rest` in the frame
-    /// that moves so.
+    /// The `pair` of apertures before which a [`Self::reflected_source`] moves.
+    #[must_use]
+    pub fn reflected_pair(&self, pair: [Aperture; 2]) -> [Aperture; 2] {
+        pair.map(|aperture| Aperture { x: self.direction() * aperture.x, ..aperture })
+    }
+
+    /// What the `pair` of apertures (left, right) sees in this `model` of the point at `rest` in the frame that moves so.
     ///
     /// # Errors
     ///
-    /// A coordinate or time outside the domain of the core.
+    /// A coordinate or time outside the domain of the core; a pair that the model does not know.
     pub fn disparity(
         &self,
         model: Model,
         rest: [f64; 3],
-        separation: f64,
+        pair: [Aperture; 2],
         observation_time: f64,
-    ) -> Result<Disparity, DomainError> {
-        let point = self.reflected_source(rest);
+    ) -> Result<Disparity, PairError> {
+        let (point, pair) = (self.reflected_source(rest), self.reflected_pair(pair));
+        let there = model.disparity(&self.speed, point, pair, observation_time)?;
         if !self.is_backward {
-            return model.disparity(&self.speed, point, separation, observation_time);
+            return Ok(there);
         }
-        // In the mirror the left aperture is the right-hand one, and azimuths count from the other side.
-        let there = model.disparity(&self.speed, point, -separation, observation_time)?;
+        // In the mirror azimuths count from the other side.
         let sighting = |seen: Sighting| {
             let [x, y, z] = seen.position;
             Sighting { position: [-x, y, z], ..seen }
@@ -129,20 +134,21 @@ impl Velocity {
         Ok(Disparity { primary, secondary, dphi: -there.dphi, dtheta: there.dtheta })
     }
 
-    /// Where in this `model` the paper's pair of apertures, `separation` apart, takes the point to be that is at `rest` in
-    /// the frame that moves so.
+    /// Where in this `model` the `pair` of apertures (left, right) takes the point to be that is at `rest` in the frame that
+    /// moves so, from the middle between them.
     ///
     /// # Errors
     ///
-    /// A coordinate or time outside the domain of the core; a published model, which has no such place.
+    /// A coordinate or time outside the domain of the core; lines of sight that do not meet; a published model.
     pub fn stereo(
         &self,
         model: Model,
         rest: [f64; 3],
-        separation: f64,
+        pair: [Aperture; 2],
         observation_time: f64,
     ) -> Result<Stereo, StereoError> {
-        let there = model.stereo(&self.speed, self.reflected_source(rest), separation, observation_time)?;
+        let (point, pair) = (self.reflected_source(rest), self.reflected_pair(pair));
+        let there = model.stereo(&self.speed, point, pair, observation_time)?;
         Ok(Stereo { position: self.reflected(there.position.into()).to_array(), ..there })
     }
 

@@ -235,7 +235,12 @@ fn the_published_right_eye_is_the_cores(renderers: &mut Renderers) {
 /// Where the core's published model has the right eye see what was hit.
 fn published_right(velocity: Velocity, hit: &Hit, separation: f64, view: &View) -> DVec3 {
     let model = Model::Published(PublishedVariant::AppendixA);
-    let both = velocity.disparity(model, hit.rest_position.to_array(), separation, view.observation_time);
+    let both = velocity.disparity(
+        model,
+        hit.rest_position.to_array(),
+        Aperture::pair(separation),
+        view.observation_time,
+    );
     both.expect("inside the domain").secondary.position.into()
 }
 

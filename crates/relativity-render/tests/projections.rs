@@ -38,7 +38,14 @@ fn camera(i: u32, off_middle: DVec3, right: DVec3, shift: f64) -> Camera {
     Camera { off_middle, projection: Projection::Parallel { right, shift }, ..camera }
 }
 
-/// What both eyes see lies in one row of both pictures, at any speed and time, wherever it is and wherever they look.
+/// How far a gaze is from the plane across `baseline`.
+fn slant(gaze: Gaze, baseline: DVec3) -> f64 {
+    FRAC_PI_2
+        - gaze.axes().forward.angle_between(baseline).min(PI - gaze.axes().forward.angle_between(baseline))
+}
+
+/// What both eyes see lies in one row of both pictures, at any speed and time, wherever it is and wherever they look but
+/// along the line between them.
 #[test]
 fn a_straight_pair_has_no_vertical_parallax() {
     let (mut worst, mut shown) = (0.0f64, 0);
@@ -56,6 +63,9 @@ fn a_straight_pair_has_no_vertical_parallax() {
             let seen = sighting(&speed, point, Aperture { x, y: 0.0, z: 0.0 }, time).expect("in the domain");
             (camera, seen.position)
         });
+        if slant(eyes[0].0.gaze, DVec3::X) > MAX_SLANT {
+            continue;
+        }
         let [Some(left), Some(right)] = eyes.map(|(camera, seen)| camera.pixel(seen.into())) else {
             continue;
         };
@@ -82,12 +92,41 @@ fn expected(camera: &Camera, [x, y, z]: [f64; 3]) -> [f64; 2] {
     let Gaze { azimuth, elevation } = camera.gaze;
     let gaze = [elevation.cos() * azimuth.cos(), elevation.cos() * azimuth.sin(), elevation.sin()];
     let [across_y, across_z] = [gaze[1], gaze[2]].map(|part| part / gaze[1].hypot(gaze[2]));
-    let slant = (gaze[0] / gaze[1].hypot(gaze[2])).clamp(-MAX_SLANT.tan(), MAX_SLANT.tan());
+    let slant = gaze[0] / gaze[1].hypot(gaze[2]);
     let depth = y * across_y + z * across_z;
     let rise = z * across_y - y * across_z;
     let [width, height] = camera.size.map(f64::from);
     let focal_length = 0.5 * width / (0.5 * camera.horizontal_fov).tan();
     [0.5 * width + focal_length * (x / depth - slant + shift), 0.5 * height - focal_length * rise / depth]
+}
+
+/// A gaze further aside turns both pictures along, steadily, so that it stays in their middle. What is there is in nearly one
+/// row: heights are seen from distances that differ by what the turn makes of the baseline, and are far larger than that.
+#[test]
+fn far_aside_pictures_turn_with_the_gaze() {
+    let d = 0.2;
+    for i in 0..2000 {
+        let [[side, by, elevation, ..], [x, z, distance, ..], _] = random(i);
+        let turn = between(0.0, 14.9, by).to_radians();
+        let slanted = (MAX_SLANT + turn).copysign(side - 0.5);
+        let tilt = between(-1.0, 1.0, elevation);
+        let towards = DVec3::new(slanted.sin(), slanted.cos() * tilt.cos(), slanted.cos() * tilt.sin());
+        let gaze = Gaze::along(towards.to_array());
+        let cameras = [-0.5 * d, 0.5 * d].map(|x| {
+            let camera = Camera::new(Aperture { x, y: 0.0, z: 0.0 }, gaze, 1.2, [640, 480]);
+            Camera { projection: Projection::Parallel { right: DVec3::X, shift: 0.0 }, ..camera }
+        });
+        let [u, v] = cameras[0].pixel(towards).expect("in front");
+        assert!((u - 320.0).abs() < 1e-7 && (v - 240.0).abs() < 1e-7, "{gaze:?}: {u}, {v}");
+        let axes = cameras[0].axes();
+        assert!((axes.right.angle_between(DVec3::X) - turn).abs() < 1e-7, "{gaze:?}: {axes:?}");
+        // Something in the picture.
+        let sight = cameras[0].line_of_sight([640.0 * x, 480.0 * z]) * between(3.0, 50.0, distance);
+        let [left, right] = [sight, sight - DVec3::X * d];
+        let rows = [cameras[0].pixel(left), cameras[1].pixel(right)].map(|place| place.expect("in front")[1]);
+        let nearer = d * turn.sin() / left.dot(axes.forward).min(right.dot(axes.forward));
+        assert!((rows[0] - rows[1]).abs() <= 240.0 * nearer + 1e-9, "{rows:?}: {gaze:?}, {sight}");
+    }
 }
 
 /// What lies at depth s has one place in both pictures where the shifts are -+ d/(2 s); without shifts what is far does.
@@ -143,16 +182,13 @@ fn pixel_and_line_of_sight_are_inverse() {
 
 #[test]
 fn a_gaze_is_in_the_middle_and_holds_a_direction_at_a_pixel() {
-    let mut held = 0;
     for projection in projections().filter(|projection| !matches!(projection, Projection::Vr180 { .. })) {
         let shift = if let Projection::Parallel { shift, .. } = projection { shift } else { 0.0 };
-        for (azimuth, elevation) in [(1.2, 0.0), (1.9, 0.6), (2.1, -0.5)] {
+        for (azimuth, elevation) in
+            [(1.2, 0.0), (1.9, 0.6), (2.1, -0.5), (0.1, 0.05), (3.0, -0.1), (0.05, -0.2)]
+        {
             let gaze = Gaze { azimuth, elevation };
             let from = Camera { projection, ..Camera::new(Aperture::default(), gaze, 0.8, [640, 480]) };
-            if from.axes().forward.angle_between(gaze.axes().forward) > MAX_SLANT {
-                continue;
-            }
-            held += 1;
             let [u, v] = from.pixel(gaze.axes().forward).expect("in front");
             let middle = 320.0 + shift * from.focal_length_px();
             assert!((u - middle).abs() < 1e-9 && (v - 240.0).abs() < 1e-9, "{from:?}: {u}, {v}");
@@ -168,7 +204,6 @@ fn a_gaze_is_in_the_middle_and_holds_a_direction_at_a_pixel() {
             }
         }
     }
-    assert!(held > 14, "{held}");
 }
 
 /// Rows and columns at right angles, the picture upright, and its axis as near to the gaze as it can be.
@@ -183,9 +218,9 @@ fn no_picture_is_upside_down() {
             assert!(axes.up.z > -1e-9, "{camera:?}: {axes:?}");
             assert!((axes.right.cross(axes.forward) - axes.up).length() < 1e-12, "{axes:?}");
             if let Projection::Parallel { right, .. } = projection {
-                assert!(
-                    (axes.right.dot(right).abs() - 1.0).abs() < 1e-12 && axes.forward.dot(right).abs() < 1e-9
-                );
+                let turned = (slant(gaze, right) - MAX_SLANT).max(0.0);
+                let right = right * 1f64.copysign(axes.right.dot(right));
+                assert!((axes.right.angle_between(right) - turned).abs() < 1e-6, "{axes:?}");
                 assert!(axes.forward.dot(gaze.axes().forward) > 0.0);
             }
         }

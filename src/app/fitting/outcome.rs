@@ -6,8 +6,8 @@ use std::time::Duration;
 use egui_plot::PlotPoint;
 use relativity_core::bootstrap::percentiles_95;
 use relativity_core::{
-    Bootstrap, Curves, DEFAULT_REPLICATES, Fit, FitOptions, Model, Observations, Parameter, Passage,
-    Simulation, SourcePoint, Speed, bootstrap_unless, fit,
+    Aperture, Bootstrap, Curves, DEFAULT_REPLICATES, Fit, FitOptions, Model, Observations, Parameter,
+    Passage, Simulation, SourcePoint, Speed, bootstrap_unless, fit,
 };
 use relativity_render::Velocity;
 
@@ -25,8 +25,8 @@ pub struct FitKey {
     pub velocity: Velocity,
     /// True worldline.
     pub source: SourcePoint,
-    /// d.
-    pub separation: f64,
+    /// The eyes, from the middle between them.
+    pub pair: [Aperture; 2],
     /// First and last T of the samples.
     pub range: [f64; 2],
     /// The model by which the samples are made: that of what the views show.
@@ -112,9 +112,15 @@ impl FitKey {
         }
     }
 
+    /// The times around which curves bend.
+    fn bends(&self) -> Vec<f64> {
+        let SourcePoint { x0, y, z } = self.source;
+        bends(&self.velocity, [self.velocity.speed.gamma() * x0, y, z], self.pair)
+    }
+
     /// Why there is nothing to fit, whatever the noise.
     fn obstacle(&self) -> Option<&'static str> {
-        if self.separation == 0.0 {
+        if self.pair[0] == self.pair[1] {
             Some("both eyes are in one place (d = 0) and see the same")
         } else if self.velocity.speed.beta() == 0.0 {
             Some("at rest (β = 0) no disparity changes with T")
@@ -138,7 +144,7 @@ fn observations(key: &FitKey, noise_percent: f64) -> Result<Observations, String
     let simulation = Simulation {
         speed: key.velocity.speed,
         point: key.source,
-        separation: key.separation,
+        pair: key.pair,
         model: key.model,
         times: (0..=last).map(time).collect(),
         noise: 0.01 * noise_percent,
@@ -210,7 +216,7 @@ fn curves(
     replicates: Option<&Bootstrap>,
 ) -> [Option<FittedCurve>; 2] {
     let at = |time| best.angles(0, time).filter(|angles| angles.iter().all(|angle| angle.is_finite()));
-    let lines = sampled(key.range, &bends(&key.velocity.speed, key.source, key.separation), at);
+    let lines = sampled(key.range, &key.bends(), at);
     let bands = replicates.map(|replicates| bands(key, &lines, replicates)).unwrap_or_default();
     let (data, used) = (data(observed), key.setup.curves.used());
     [0, 1].map(|curve| {
@@ -249,7 +255,7 @@ fn band_at(key: &FitKey, line: &Sample<2>, replicates: &Bootstrap) -> [[f64; 2];
 /// Delta-phi and Delta-theta, in the model of the fit, of a point given by beta, y, z and x0.
 fn angles(key: &FitKey, [beta, y, z, x0]: [f64; 4], time: f64) -> Option<[f64; 2]> {
     let (speed, point) = (Speed::from_beta(beta).ok()?, SourcePoint { x0, y, z });
-    let both = key.setup.model.disparity(&speed, point, key.separation, time).ok()?;
+    let both = key.setup.model.disparity(&speed, point, key.pair, time).ok()?;
     let angles = [both.dphi, both.dtheta];
     angles.iter().all(|angle| angle.is_finite()).then_some(angles)
 }

@@ -1,7 +1,7 @@
 //! The numbers: what each eye receives of the selected point now, and how the two differ.
 
 use eframe::egui::{self, Align, Color32, Grid, Layout, RichText, ScrollArea, Sense, Ui, vec2};
-use relativity_core::{Model, Sighting, doppler::received_wavelength};
+use relativity_core::{Model, Sighting, StereoError, doppler::received_wavelength};
 use relativity_render::{Velocity, colour};
 
 use super::Asks;
@@ -64,7 +64,13 @@ fn stereo(ui: &mut Ui, state: &State) {
     const AXES: [&str; 3] = ["x", "y", "z"];
     let found = state.stereo(state.session.points.selected());
     let (unit, colour) = (state.measures().length, theme::stereo_colour(ui.visuals()));
-    ui.horizontal(|ui| {
+    if let Err(StereoError::Apart) = found {
+        let text = RichText::new(APART).color(colour);
+        named_text(ui, text, APART.to_owned()).on_hover_text(APART_TIP);
+        return;
+    }
+    let found = found.ok();
+    ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 6.0;
         ui.label(RichText::new("gain").color(colour)).on_hover_text(GAIN_TIP);
         let gain = figures::fixed_or_none(found.map(|found| found.gain), 3);
@@ -76,11 +82,25 @@ fn stereo(ui: &mut Ui, state: &State) {
             let name = format!("Stereo {name}: {}", unit.text(value, 2));
             named_text(ui, unit.number(value, 2), name).on_hover_text(STEREO_TIP);
         }
+        if !state.settings.baseline().is_along_motion() {
+            let text = unit.text(found.map_or(f64::NAN, |found| found.miss), 3);
+            ui.label(RichText::new("lines of sight miss by").color(colour)).on_hover_text(MISS_TIP);
+            named_text(ui, text.as_str(), format!("Lines of sight miss by: {text}")).on_hover_text(MISS_TIP);
+        }
     });
 }
 
+const APART: &str = "The two lines of sight diverge: nowhere do they meet in front of the eyes.";
+
+const APART_TIP: &str = "The eyes receive two events of the point, between which it moved. The two lines of sight to them need \
+    not come together anywhere.";
+
+const MISS_TIP: &str = "With the head tilted or turned the two lines of sight pass each other. Where the point is taken to \
+    be is the middle of their shortest connection; this is how long it is.";
+
 const GAIN_TIP: &str = "How many times as far apart as they are the eyes would see the difference between them at a \
-    resting point.\n(X left − X right)/d, near γD";
+    resting point.\n(X left − X right)/d, near γD; with the head tilted or turned the part of the parallax along that of a \
+    resting point, over that.";
 
 const STEREO_TIP: &str = "Where the lines of sight of both eyes meet: where who has two eyes takes the point to be. x, \
     y, z from the middle between the eyes. Two eyes see the contraction, as depth.";

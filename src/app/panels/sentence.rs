@@ -16,11 +16,12 @@ pub fn show(ui: &mut Ui, state: &State) {
     let tied = sentence.replace(" nm", "\u{a0}nm").replace(" = ", "\u{a0}=\u{a0}");
     let scale = theme::text_scale(ui.style());
     let laid_out = |size: f32| {
-        let size = scale * size;
         let job = LayoutJob::simple(tied.clone(), FontId::proportional(size), colour, rect.width());
         ui.painter().layout_job(job)
     };
-    let fitting = SIZES.into_iter().map(laid_out).find(|galley| galley.size().y <= rect.height());
+    // Large writing that does not fit becomes smaller, down to the usual.
+    let sizes = SIZES.into_iter().map(|size| scale * size).chain(SIZES);
+    let fitting = sizes.map(laid_out).find(|galley| galley.size().y <= rect.height());
     let galley = fitting.unwrap_or_else(|| laid_out(SIZES[SIZES.len() - 1]));
     let place = Align2::LEFT_CENTER.anchor_size(rect.left_center(), galley.size());
     ui.painter().galley(place.min, galley, colour);

@@ -176,7 +176,11 @@ impl Mark {
         let seen = state.equidistance_time(point);
         let marks = [
             mark("presently abreast", PRESENTLY_TIP, theme::measured_colour(visuals), presently),
-            mark("seen abreast", SEEN_TIP, theme::equidistance_colour(visuals), seen),
+            if state.settings.baseline().is_along_motion() {
+                mark("seen abreast", SEEN_TIP, theme::equidistance_colour(visuals), seen)
+            } else {
+                mark("seen equally far", EQUIDISTANT_TIP, theme::equidistance_colour(visuals), seen)
+            },
         ];
         marks.into_iter().flatten().collect()
     }
@@ -194,6 +198,9 @@ impl Mark {
 
 const PRESENTLY_TIP: &str = "T = −x₀/β: the selected point is measured beside the eyes now, at x = 0. Nobody sees it \
     there yet, since the light of this moment is still on its way.\nClick to go there.";
+
+const EQUIDISTANT_TIP: &str = "When both eyes see it equally far (T₀): the one time at which they receive one and the same event, so \
+    that their lines of sight meet where it was.";
 
 const SEEN_TIP: &str = "T₀ = √((d/2)² + y² + z²) − x₀/β: the selected point is seen beside the eyes, equally far from \
     both, with D = 1/γ and as short as 1/γ. The light left it when it was presently abreast; by now it is measured \

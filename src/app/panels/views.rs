@@ -13,56 +13,32 @@ use crate::app::command::{Command, Pick, Turn, Zoom};
 use crate::app::dial::{self, Drawn};
 use crate::app::eyes::Shown;
 use crate::app::observer::Eye;
+use crate::app::panes::EyePane;
 use crate::app::points::Point;
 use crate::app::state::State;
 use crate::app::widgets::pane_title;
-use crate::app::{beyond, theme, under};
+use crate::app::{beyond, layouts, theme, under};
 use crate::caption;
 use crate::figures;
+use crate::flags::choices::Form;
 
 /// Zoom per point of scrolling.
 const ZOOM_PER_SCROLL: f64 = 0.002;
 
-/// Where an eye's picture is on screen, and how many pixels it has.
+/// What is painted in an eye's pane.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct EyePane {
-    /// Whose.
-    pub eye: Eye,
-    /// In points; its edges lie on pixel edges, so that the picture is shown pixel for pixel.
-    pub rect: Rect,
-    /// Width and height in pixels, at least 1.
-    pub size: [u32; 2],
-}
-
-impl EyePane {
-    /// The pane of `eye` in `rect`, its picture being at most `largest` pixels wide or high.
-    #[must_use]
-    pub fn new(eye: Eye, rect: Rect, pixels_per_point: f32, largest: u32) -> Self {
-        let snapped = |p: Pos2| (p.to_vec2() * pixels_per_point).round();
-        let (min, max) = (snapped(rect.min), snapped(rect.max));
-        let size = [max.x - min.x, max.y - min.y].map(|side| (side as u32).clamp(1, largest));
-        let rect = Rect::from_min_max((min / pixels_per_point).to_pos2(), (max / pixels_per_point).to_pos2());
-        Self { eye, rect, size }
-    }
-
-    fn pixel(&self, place: Pos2) -> [f64; 2] {
-        let inside = (place - self.rect.min) / self.rect.size();
-        [f64::from(inside.x) * f64::from(self.size[0]), f64::from(inside.y) * f64::from(self.size[1])]
-    }
-
-    /// Where a pixel of the picture is on screen.
-    #[must_use]
-    pub fn place(&self, [u, v]: [f64; 2]) -> Pos2 {
-        let fraction = vec2((u / f64::from(self.size[0])) as f32, (v / f64::from(self.size[1])) as f32);
-        self.rect.min + fraction * self.rect.size()
-    }
+pub struct Painted {
+    /// The picture.
+    pub picture: Option<Shown>,
+    /// How far it is off, if that is to be seen.
+    pub heat_map: Option<TextureId>,
 }
 
 /// Reads the mouse in `pane`.
 pub fn interact(ui: &mut Ui, pane: EyePane, asks: &mut Asks) {
     let id = ui.scope_id().with(("view", pane.eye.index()));
     let response = ui.interact(pane.rect, id, Sense::click_and_drag()).on_hover_cursor(CursorIcon::Crosshair);
-    let name = format!("{} view", pane.eye.name());
+    let name = pane.name();
     response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, &name));
     if response.double_clicked() {
         asks.push(Command::Frame);
@@ -97,23 +73,80 @@ fn turn(response: &Response, pane: EyePane, asks: &mut Asks) {
     }
 }
 
-/// Draws `pane`: its picture and `heat_map` if there is one, the markers on it, title and frame.
-pub fn paint(ui: &Ui, state: &State, pane: EyePane, picture: Option<Shown>, heat_map: Option<TextureId>) {
-    let visuals = ui.visuals();
-    let colour = theme::eye_colour(pane.eye, visuals);
-    let painter = ui.painter();
+/// Draws `pane`: what is `painted` there, the markers on it, title and frame.
+pub fn paint(ui: &Ui, state: &State, pane: EyePane, painted: Painted) {
+    let Painted { picture, heat_map } = painted;
+    let colour = theme::eye_colour(pane.eye, ui.visuals());
     pane_title(ui, pane.rect, pane.eye.name(), colour);
-    painter.rect_filled(pane.rect, 0.0, visuals.extreme_bg_color);
+    ui.painter().rect_filled(pane.rect, 0.0, ui.visuals().extreme_bg_color);
     for texture in picture.map(|picture| picture.texture).into_iter().chain(heat_map) {
-        let uv = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-        painter.image(texture, pane.rect, uv, Color32::WHITE);
+        image(ui, pane.rect, texture);
     }
-    let inside = painter.with_clip_rect(pane.rect);
-    markers(ui, &inside, state, pane);
+    let inside = ui.painter().with_clip_rect(pane.rect);
+    for coat in [Coat::Halo, Coat::Ring] {
+        markers(ui, &inside, state, pane, coat);
+    }
+    words(ui, state, pane, note(state, pane.eye, picture, heat_map.is_some()));
+    ui.painter().rect_stroke(pane.rect, 0.0, Stroke::new(1.5, colour), StrokeKind::Outside);
+    hover(ui, state, pane);
+}
+
+/// Draws the one `picture` of both eyes, whose `panes` are in it in the order of the layout, or of the one whose turn it is;
+/// over each its heat map, if there is one.
+pub fn paint_both(
+    ui: &Ui,
+    state: &State,
+    panes: &[EyePane],
+    picture: Option<Shown>,
+    heat_maps: &[Option<TextureId>],
+) {
+    let colour = ui.visuals().text_color();
+    let rect = panes.iter().map(|pane| pane.rect).reduce(Rect::union).unwrap_or(Rect::NOTHING);
+    pane_title(ui, rect, &layouts::title(&state.settings.picture), colour);
+    ui.painter().rect_filled(rect, 0.0, ui.visuals().extreme_bg_color);
+    if let Some(Shown { texture, .. }) = picture {
+        image(ui, rect, texture);
+    }
+    for (pane, heat_map) in panes.iter().zip(heat_maps) {
+        if let Some(texture) = *heat_map {
+            image(ui, pane.rect, texture);
+        }
+    }
+    // All halos first: markers that the eyes see in one place would hide each other.
+    for coat in [Coat::Halo, Coat::Ring] {
+        for &pane in panes {
+            markers(ui, &ui.painter().with_clip_rect(pane.rect), state, pane, coat);
+        }
+    }
+    for (&pane, heat_map) in panes.iter().zip(heat_maps) {
+        if pane.takes_the_mouse() || panes.len() == 1 {
+            words(ui, state, pane, note(state, pane.eye, picture, heat_map.is_some()));
+        }
+    }
+    ui.painter().rect_stroke(rect, 0.0, Stroke::new(1.5, colour), StrokeKind::Outside);
+    // Where both are in one place, the left eye tells what is under the pointer, as it takes the clicks.
+    let told = |pane: &EyePane| if pane.is_shared { EyePane { eye: Eye::Left, ..*pane } } else { *pane };
+    let pointed = panes.iter().find(|pane| under::pointer(ui, state, pane.rect).is_some());
+    if let Some(pane) = pointed.map(told) {
+        hover(ui, state, pane);
+    }
+}
+
+fn image(ui: &Ui, rect: Rect, texture: TextureId) {
+    let uv = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+    ui.painter().image(texture, rect, uv, Color32::WHITE);
+}
+
+/// Says in the picture of `pane` what is beyond it, what it is, and why a part of it is dark.
+fn words(ui: &Ui, state: &State, pane: EyePane, note: String) {
+    let inside = ui.painter().with_clip_rect(pane.rect);
     beyond::paint(ui, &inside, pane.rect, &state.beyond(pane.eye, pane.size));
-    write(ui, &inside, pane, Align2::LEFT_BOTTOM, note(state, pane.eye, picture, heat_map.is_some()));
+    write(ui, &inside, pane, Align2::LEFT_BOTTOM, note);
     write(ui, &inside, pane, Align2::LEFT_TOP, unseen(ui, state, pane).unwrap_or_default());
-    painter.rect_stroke(pane.rect, 0.0, Stroke::new(1.5, colour), StrokeKind::Outside);
+}
+
+/// Tells what is under the pointer in `pane`.
+fn hover(ui: &Ui, state: &State, pane: EyePane) {
     let pointer = under::pointer(ui, state, pane.rect);
     let under = pointer.and_then(|place| Some((place, state.under(pane.eye, pane.pixel(place), pane.size)?)));
     if let Some((place, under)) = under {
@@ -123,7 +156,7 @@ pub fn paint(ui: &Ui, state: &State, pane: EyePane, picture: Option<Shown>, heat
 
 /// What the picture is, where that is not what an eye would see, drawn exactly.
 fn note(state: &State, eye: Eye, picture: Option<Shown>, with_heat_map: bool) -> String {
-    let geometry = match state.settings.look.geometry {
+    let geometry = match state.settings.geometry() {
         Geometry::Seen | Geometry::Published => None,
         Geometry::OneCone => Some("one light cone for both eyes".to_owned()),
         Geometry::Contracted => Some("contracted only".to_owned()),
@@ -160,18 +193,40 @@ fn write(ui: &Ui, painter: &Painter, pane: EyePane, corner: Align2, text: String
     }
 }
 
-fn markers(ui: &Ui, painter: &Painter, state: &State, pane: EyePane) {
+/// What of markers is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Coat {
+    /// What sets them off from the picture.
+    Halo,
+    /// They themselves, and the clocks.
+    Ring,
+}
+
+fn markers(ui: &Ui, painter: &Painter, state: &State, pane: EyePane, coat: Coat) {
     let view = state.view(pane.eye, pane.size);
     let (scene, visuals) = (&state.session.prepared, ui.visuals());
     for (index, point) in state.session.points.all().iter().enumerate() {
         let Some(marker) = Marker::of(state, point, &view, scene, pane.eye) else { continue };
         let radius = if index == state.session.points.selected_index() { 6.0 } else { 4.5 };
-        let (place, colour) = (pane.place(marker.pixel), theme::point_colour(point.number, visuals));
-        if pane.rect.contains(place) {
+        let place = pane.place(marker.pixel);
+        if coat == Coat::Halo {
+            Marker::paint_halo(painter, place, radius, layouts::halo_colour(state, visuals));
+            continue;
+        }
+        // Two clocks in one place could not be read.
+        if pane.rect.contains(place) && (pane.takes_the_mouse() || is_in_turn(state)) {
             clock(ui, state, pane, point, place);
         }
-        marker.paint(painter, place, radius, colour, theme::halo_colour(visuals));
+        let own = theme::point_colour(point.number, visuals);
+        let [ring, dot] =
+            if pane.is_shared { layouts::marker_colours(state, pane.eye, own, visuals) } else { [own; 2] };
+        marker.paint(painter, place, radius, [ring, dot]);
     }
+}
+
+/// Whether the eyes are shown one after the other.
+fn is_in_turn(state: &State) -> bool {
+    state.settings.picture.layout.form() == Form::InTurn
 }
 
 /// The clock at `point`, which is marked at this `place`.
@@ -205,12 +260,15 @@ impl Marker {
         pixel.iter().all(|value| value.is_finite()).then_some(Self { pixel, hidden })
     }
 
+    fn paint_halo(painter: &Painter, place: Pos2, radius: f32, colour: Color32) {
+        painter.circle_stroke(place, radius, Stroke::new(4.0, colour));
+    }
+
     /// A ring, filled in the middle where the point is in sight and hollow where it is hidden.
-    fn paint(&self, painter: &Painter, place: Pos2, radius: f32, colour: Color32, halo: Color32) {
-        painter.circle_stroke(place, radius, Stroke::new(4.0, halo));
-        painter.circle_stroke(place, radius, Stroke::new(2.0, colour));
+    fn paint(&self, painter: &Painter, place: Pos2, radius: f32, [ring, dot]: [Color32; 2]) {
+        painter.circle_stroke(place, radius, Stroke::new(2.0, ring));
         if !self.hidden {
-            painter.circle_filled(place, 2.0, colour);
+            painter.circle_filled(place, 2.0, dot);
         }
     }
 }

@@ -186,7 +186,9 @@ pub fn pane_title(ui: &Ui, rect: Rect, text: &str, colour: Color32) {
     let scale = theme::text_scale(ui.style());
     let height = scale * theme::TITLE_HEIGHT;
     let place = pos2(rect.min.x, rect.min.y - height / 2.0 - 1.0);
-    let painter = ui.painter().with_clip_rect(rect.expand(height + 2.0));
+    // Beside it stand others.
+    let above = rect.with_min_y(rect.min.y - height - 2.0);
+    let painter = ui.painter().with_clip_rect(above.expand2(vec2(theme::GAP / 2.0, 0.0)));
     painter.circle_filled(place + scale * vec2(5.0, 0.0), scale * 4.5, colour);
     painter.text(place + scale * vec2(16.0, 0.0), Align2::LEFT_CENTER, text, font, ui.visuals().text_color());
 }

@@ -1,10 +1,10 @@
 //! Where the inputs are in the rows of `gamow eval`, and the observation that a row describes.
 
 use csv::ByteRecord;
-use relativity_core::SourcePoint;
+use relativity_core::{Baseline, SourcePoint, StereoError};
 use thiserror::Error;
 
-use crate::columns::{Observation, ObservationError};
+use crate::columns::{Observation, ObservationError, ROLL, TURN};
 use crate::files::csv_in::{self, Names};
 use crate::flags::SpeedParameter;
 
@@ -14,6 +14,8 @@ pub struct Header {
     speed_parameter: SpeedParameter,
     speed: usize,
     d: usize,
+    /// Of roll and turn.
+    head: [Option<usize>; 2],
     y: usize,
     z: usize,
     time: usize,
@@ -50,9 +52,15 @@ impl<E: Into<ObservationError>> From<E> for InputError {
 const NEEDED: &str = "d, y, z, T and one of beta, gamma, rapidity";
 
 impl Header {
-    /// Finds the inputs by the names in the first row, to which `appended` will be added.
-    pub fn new(row: ByteRecord, appended: &[&'static str]) -> Result<Self, InputError> {
+    /// Finds the inputs by the names in the first row, to which will be added what is `appended` to a head that is turned, or
+    /// is not.
+    pub fn new(
+        row: ByteRecord,
+        appended: impl Fn(bool) -> Result<&'static [&'static str], StereoError>,
+    ) -> Result<Self, InputError> {
         let names = Names::new(row)?;
+        let head = head_places(&names)?;
+        let appended = appended(is_turned(head))?;
         for &name in appended {
             if names.place(name)?.is_some() {
                 return Err(InputError::Taken(name));
@@ -63,6 +71,7 @@ impl Header {
             speed_parameter,
             speed,
             d: names.needed_place("d", NEEDED)?,
+            head,
             y: names.needed_place("y", NEEDED)?,
             z: names.needed_place("z", NEEDED)?,
             time: names.needed_place("T", NEEDED)?,
@@ -78,8 +87,23 @@ impl Header {
         let speed = self.speed_parameter.speed(number(self.speed)?)?;
         let x0 = self.x0.map_or(Ok(0.0), number)?;
         let point = SourcePoint { x0, y: number(self.y)?, z: number(self.z)? };
-        Ok(Observation { speed, point, separation: number(self.d)?, time: number(self.time)? })
+        let [roll, turn] = self.head.map(|place| place.map_or(Ok(0.0), number));
+        let baseline = Baseline { separation: number(self.d)?, roll: roll?, turn: turn? };
+        Ok(Observation { speed, point, baseline, time: number(self.time)? })
     }
+
+    /// Whether there are columns of a head that is tilted or turned.
+    pub fn is_turned(&self) -> bool {
+        is_turned(self.head)
+    }
+}
+
+fn head_places(names: &Names) -> Result<[Option<usize>; 2], csv_in::HeaderError> {
+    Ok([names.place(ROLL)?, names.place(TURN)?])
+}
+
+fn is_turned(head: [Option<usize>; 2]) -> bool {
+    head.iter().any(Option::is_some)
 }
 
 fn speed_place(names: &Names) -> Result<(SpeedParameter, usize), InputError> {

@@ -17,8 +17,8 @@ use crate::files::{csv_in, csv_out};
 /// What two eyes see of the point in each row of a CSV file.
 ///
 /// The header names the columns, in any order: exactly one of beta, gamma, rapidity; d (aperture separation); y and z
-/// (the point's depth and height); T (when the light arrives); optionally x0 (the point's x at t = 0, else 0). All other
-/// columns pass through.
+/// (the point's depth and height); T (when the light arrives); optionally x0 (the point's x at t = 0, else 0), and roll and
+/// turn (by how much the head is tilted and turned, in radians, else 0). All other columns pass through.
 ///
 /// A bad row ends the run with one line that names file, line and column, and exit status 2. With --out no file is then
 /// written; standard output has the rows before it.
@@ -47,15 +47,16 @@ pub fn run(args: &EvalArgs) -> anyhow::Result<()> {
 
 /// Reads rows of `input`, called `name` in errors, and writes each with the columns appended.
 fn evaluate(name: &str, input: impl Read, model: ModelArgs, out: &mut dyn Write) -> anyhow::Result<()> {
-    let columns = model.columns()?;
+    model.columns(false)?; // what has no such columns is no matter of a row
     let mut input = csv_in::Rows::new(input);
     let mut output = csv_out::Rows::new(out);
     let mut row = ByteRecord::new();
 
     input.read(&mut row).with_context(|| name.to_owned())?;
     let place = |input: &csv_in::Rows<_>, row: &ByteRecord| format!("{name}:{}", input.line(row));
-    let header = Header::new(row.clone(), columns).with_context(|| place(&input, &row))?;
-    row.extend(columns);
+    let header = Header::new(row.clone(), |is_turned| model.columns(is_turned))
+        .with_context(|| place(&input, &row))?;
+    row.extend(model.columns(header.is_turned())?);
     output.write(&mut row, &[])?;
 
     while input.read(&mut row).with_context(|| name.to_owned())? {
@@ -63,7 +64,7 @@ fn evaluate(name: &str, input: impl Read, model: ModelArgs, out: &mut dyn Write)
             .check_closed(&row)
             .map_err(InputError::from)
             .and_then(|()| header.observation(&row))
-            .and_then(|observation| Ok(model.values(&observation)?))
+            .and_then(|observation| Ok(model.values(&observation, header.is_turned())?))
             .with_context(|| place(&input, &row))?;
         output.write(&mut row, &values)?;
         if input.is_drained() {

@@ -4,8 +4,9 @@ use std::io::Read;
 
 use anyhow::Context as _;
 use csv::ByteRecord;
-use relativity_core::{Aperture, FitError, Observations, Reading, Sample};
+use relativity_core::{Baseline, FitError, Observations, Reading, Sample};
 
+use crate::columns::{ROLL, TURN};
 use crate::files::csv_in::{HeaderError, Names, RowError, Rows};
 
 const NEEDED: &str = "T, dphi or dtheta, and d unless --d gives it";
@@ -22,12 +23,16 @@ pub struct Data {
 /// Where the inputs are in each row.
 struct Header {
     time: usize,
-    separation: Separation,
+    separation: Source,
+    /// Of roll and turn.
+    head: [Source; 2],
     curves: [Option<Curve>; 2],
     names: Names,
 }
 
-enum Separation {
+/// Where a number comes from that says where the eyes are.
+#[derive(Clone, Copy)]
+enum Source {
     Given(f64),
     Column(usize),
 }
@@ -39,21 +44,27 @@ struct Curve {
 }
 
 impl Data {
-    /// Reads `input`, called `name` in errors. `separation` is that of all samples, or else the column d.
-    pub fn read(name: &str, input: impl Read, separation: Option<f64>) -> anyhow::Result<Self> {
+    /// Reads `input`, called `name` in errors. `separation`, and `roll` and `turn`, are those of all
+    /// samples, or else the columns d, roll and turn; of the last two 0 where there are none.
+    pub fn read(
+        name: &str,
+        input: impl Read,
+        separation: Option<f64>,
+        head: [Option<f64>; 2],
+    ) -> anyhow::Result<Self> {
         let mut input = Rows::new(input);
         let mut row = ByteRecord::new();
         input.read(&mut row).with_context(|| name.to_owned())?;
         let place = |line: u64| format!("{name}:{line}");
-        let header = Header::new(row.clone(), separation).with_context(|| place(input.line(&row)))?;
-        let (mut separations, mut samples, mut lines) = (Vec::new(), Vec::new(), Vec::new());
+        let header = Header::new(row.clone(), separation, head).with_context(|| place(input.line(&row)))?;
+        let (mut baselines, mut samples, mut lines) = (Vec::new(), Vec::new(), Vec::new());
         while input.read(&mut row).with_context(|| name.to_owned())? {
             let line = input.line(&row);
-            let sample = input.check_closed(&row).and_then(|()| header.sample(&row, &mut separations));
+            let sample = input.check_closed(&row).and_then(|()| header.sample(&row, &mut baselines));
             samples.push(sample.with_context(|| place(line))?);
             lines.push(line);
         }
-        let pairs = separations.into_iter().map(Aperture::pair).collect();
+        let pairs = baselines.iter().map(Baseline::apertures).collect();
         let observations = Observations::new(pairs, samples).map_err(|error| match error {
             FitError::Sample { index, quantity, value } => {
                 anyhow::anyhow!("{name}:{}: column {quantity}: {value} is not usable", lines[index])
@@ -65,13 +76,18 @@ impl Data {
 }
 
 impl Header {
-    fn new(row: ByteRecord, separation: Option<f64>) -> Result<Self, HeaderError> {
+    fn new(row: ByteRecord, separation: Option<f64>, head: [Option<f64>; 2]) -> Result<Self, HeaderError> {
         let names = Names::new(row)?;
         let time = names.needed_place("T", NEEDED)?;
         let separation = match separation {
-            Some(separation) => Separation::Given(separation),
-            None => Separation::Column(names.needed_place("d", NEEDED)?),
+            Some(separation) => Source::Given(separation),
+            None => Source::Column(names.needed_place("d", NEEDED)?),
         };
+        let angle = |given: Option<f64>, name| match given {
+            Some(angle) => Ok(Source::Given(angle)),
+            None => Ok(names.place(name)?.map_or(Source::Given(0.0), Source::Column)),
+        };
+        let head = [angle(head[0], ROLL)?, angle(head[1], TURN)?];
         let curve = |value, sigma| {
             let value = names.place(value)?;
             let sigma = names.place(sigma)?;
@@ -81,20 +97,23 @@ impl Header {
         if curves.iter().all(Option::is_none) {
             return Err(names.missing("dphi or dtheta", NEEDED));
         }
-        Ok(Self { time, separation, curves, names })
+        Ok(Self { time, separation, head, curves, names })
     }
 
-    /// The sample that `row` describes; its pair is a place in `separations`.
-    fn sample(&self, row: &ByteRecord, separations: &mut Vec<f64>) -> Result<Sample, RowError> {
+    /// The sample that `row` describes; its pair is a place in `baselines`.
+    fn sample(&self, row: &ByteRecord, baselines: &mut Vec<Baseline>) -> Result<Sample, RowError> {
         self.names.check_length(row)?;
-        let separation = match self.separation {
-            Separation::Given(separation) => separation,
-            Separation::Column(place) => self.names.number(row, place)?,
+        let number = |source| match source {
+            Source::Given(number) => Ok(number),
+            Source::Column(place) => self.names.number(row, place),
         };
-        let known = separations.iter().position(|&other| other == separation);
+        let [roll, turn] = self.head;
+        let baseline =
+            Baseline { separation: number(self.separation)?, roll: number(roll)?, turn: number(turn)? };
+        let known = baselines.iter().position(|&other| other == baseline);
         let pair = known.unwrap_or_else(|| {
-            separations.push(separation);
-            separations.len() - 1
+            baselines.push(baseline);
+            baselines.len() - 1
         });
         let [dphi, dtheta] = self.curves.map(|curve| self.reading(row, curve));
         Ok(Sample { time: self.names.number(row, self.time)?, pair, dphi: dphi?, dtheta: dtheta? })

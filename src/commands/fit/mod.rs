@@ -12,13 +12,13 @@ use self::data::Data;
 use crate::estimate::FitReport;
 use crate::files::csv_in;
 use crate::files::whole::ReportArgs;
-use crate::flags::finite_number;
+use crate::flags::{HeadArgs, finite_number};
 
 /// Fits speed and distance of a point to the disparities that two eyes measured.
 ///
 /// The header names the columns, in any order: T (when the light arrives); dphi, dtheta or both (left minus right,
 /// radians); optionally `sigma_dphi` and `sigma_dtheta` (their standard deviations); d (aperture separation) unless --d gives
-/// it. Other columns are ignored. A disparity that was not measured is left empty.
+/// it; roll and turn (radians) where the head was tilted or turned, unless --roll and --turn (degrees) say so. Other columns are ignored. A disparity that was not measured is left empty.
 ///
 /// What the data cannot tell is said in one line, with exit status 2.
 #[derive(Debug, Args)]
@@ -29,6 +29,9 @@ pub struct FitArgs {
     /// Aperture separation; without it, the file's column d.
     #[arg(long, value_parser = finite_number, allow_hyphen_values = true)]
     d: Option<f64>,
+    /// How the head was held; without them, the file's columns roll and turn (in radians), else straight.
+    #[command(flatten)]
+    head: HeadArgs,
     /// How the two eyes' views are modelled.
     #[arg(long, value_enum, default_value_t)]
     model: Model,
@@ -73,7 +76,7 @@ fn replicates(text: &str) -> Result<usize, String> {
 /// Runs `gamow fit`.
 pub fn run(args: &FitArgs) -> anyhow::Result<()> {
     let (name, input) = csv_in::open(args.file.as_deref())?;
-    let data = Data::read(&name, input, args.d)?;
+    let data = Data::read(&name, input, args.d, args.head.radians())?;
     let curves = match (args.curves, data.has) {
         (Some(curves), _) => curves,
         (None, [true, false]) => Curves::Azimuth,

@@ -13,21 +13,23 @@ use relativity_core::math;
 use relativity_render::Camera;
 
 use self::locate::Target;
-use crate::columns::ANGLES;
+use crate::columns::{ANGLES, ROLL, TURN};
 use crate::files::csv_out;
 use crate::files::exr::{EYES, Measurements};
 use crate::files::png::PngFile;
 use crate::files::whole::OutArgs;
-use crate::flags::choices::{FileKind, Layout, Size};
+use crate::flags::choices::{FileKind, Size};
 use crate::flags::coordinates;
 use crate::platform;
-use crate::settings::Settings;
+use crate::settings::{Picture, Settings};
 use crate::studio::Sheet;
 
 /// Follows a point through a stereo sequence and measures its angles, as CSV.
 ///
-/// Takes the files of `gamow render`, one per observation time: measurements (.exr) or side-by-side pictures (.png). The
-/// columns are the observation time, the separation of the eyes, the angles from each eye, their differences, and the
+/// Takes the files of `gamow render`, one per observation time: measurements (.exr) or pictures (.png) in a layout that has both
+/// eyes' whole pictures, such as side by side. The
+/// columns are the observation time, the separation of the eyes (with roll and turn, in radians, of a head that is tilted or
+/// turned), the angles from each eye, their differences, and the
 /// standard deviation that the size of a pixel gives them: what `gamow fit` reads.
 #[derive(Debug, Args)]
 #[command(after_long_help = EXAMPLES)]
@@ -62,8 +64,10 @@ Examples:
   gamow measure ride --point=-0.032,2.968,2 --out ride.csv
   gamow fit ride.csv --fit-x0";
 
-/// How many columns there are: T, d, the angles, and the standard deviations of their differences.
-const COLUMNS: usize = 2 + ANGLES.len() + 2;
+/// How many columns there are: T, d, roll, turn, the angles, and the standard deviations of their differences.
+const COLUMNS: usize = 4 + ANGLES.len() + 2;
+/// Those of roll and turn, which are left out where the head is held straight.
+const HEAD: std::ops::Range<usize> = 2..4;
 
 /// Standard deviation of what is rounded to whole units.
 const ROUNDING: f64 = 0.288_675_134_594_812_9;
@@ -83,10 +87,13 @@ pub fn run(args: &MeasureArgs) -> anyhow::Result<()> {
     }
     args.out.write(|out| {
         let mut csv = csv_out::Rows::new(out);
-        let names = [&["T", "d"], ANGLES, &["sigma_dphi", "sigma_dtheta"]].concat();
-        csv.write(&mut ByteRecord::from(names), &[])?;
+        let names = [&["T", "d", ROLL, TURN], ANGLES, &["sigma_dphi", "sigma_dtheta"]].concat();
+        let is_turned = rows.iter().any(|row| row[HEAD] != [0.0; 2]);
+        let is_written = |column: usize| is_turned || !HEAD.contains(&column);
+        csv.write(&mut (0..COLUMNS).filter(|&i| is_written(i)).map(|i| names[i]).collect(), &[])?;
         for row in &rows {
-            csv.write(&mut ByteRecord::new(), row)?;
+            let numbers: Vec<f64> = (0..COLUMNS).filter(|&i| is_written(i)).map(|i| row[i]).collect();
+            csv.write(&mut ByteRecord::new(), &numbers)?;
         }
         Ok(csv.flush()?)
     })
@@ -132,13 +139,9 @@ fn measured(path: &Path, target: Target) -> anyhow::Result<Option<[f64; COLUMNS]
         Target::Marker(colour) => {
             let file = PngFile::read(path)?;
             let settings = Settings::of_picture(file.command(), &name)?;
-            let is_side_by_side = settings.picture.layout == Layout::SideBySide;
-            anyhow::ensure!(is_side_by_side, "{name}: it is no side-by-side picture");
+            let sheet = sheet(&settings.picture, file.picture().size).with_context(|| name.clone())?;
+            let place = |eye| locate::colour_in(&sheet.picture_of(eye, &file.frames)?, colour);
             let Size(size) = settings.picture.size;
-            let sheet = Sheet::of_file(settings.picture.layout, size, file.picture.size);
-            let sheet =
-                sheet.with_context(|| format!("{name}: it no longer has the size in which it was made"))?;
-            let place = |eye| locate::colour_in(&sheet.picture_of(eye, &file.picture)?, colour);
             ([0, 1].map(place), size, settings)
         }
         Target::Point(_) | Target::Body(_) => {
@@ -153,10 +156,13 @@ fn measured(path: &Path, target: Target) -> anyhow::Result<Option<[f64; COLUMNS]
     let cameras = settings.recorded_cameras(size);
     let [of_left, of_right] = cameras.map_err(|flag| anyhow::anyhow!("{name}: it does not record {flag}"))?;
     let (left, right) = (Angles::new(&of_left, left), Angles::new(&of_right, right));
+    let baseline = settings.baseline();
     let sigma = |a: f64, b: f64| ROUNDING * math::hypot(a, b);
     Ok(Some([
         time,
-        settings.motion.d,
+        baseline.separation,
+        baseline.roll,
+        baseline.turn,
         left.phi,
         right.phi,
         left.theta,
@@ -166,6 +172,14 @@ fn measured(path: &Path, target: Target) -> anyhow::Result<Option<[f64; COLUMNS]
         sigma(left.phi_per_pixel, right.phi_per_pixel),
         sigma(left.theta_per_pixel, right.theta_per_pixel),
     ]))
+}
+
+/// How a file of this `size` is divided that shows both eyes as `picture` says.
+fn sheet(picture: &Picture, size: [u32; 2]) -> anyhow::Result<Sheet> {
+    let layout = picture.layout;
+    let has_both = layout.loses_nothing() && picture.eyes().len() == 2;
+    anyhow::ensure!(has_both, "its layout, {}, does not have the whole pictures of both eyes", layout.name());
+    Sheet::of_file(picture, picture.size.0, size).context("it no longer has the size in which it was made")
 }
 
 /// Azimuth and elevation of a place in a picture.

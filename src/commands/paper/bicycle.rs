@@ -6,7 +6,7 @@
 use relativity_core::math;
 use std::f64::consts::TAU;
 
-use relativity_core::{Aperture, DomainError, Model, SourcePoint, observation_time_when_seen_at, sighting};
+use relativity_core::{Aperture, Model, PairError, SourcePoint, observation_time_when_seen_at, sighting};
 
 use super::curves::Setup;
 
@@ -53,13 +53,13 @@ fn straight(from: [f64; 2], to: [f64; 2]) -> Stroke {
 }
 
 /// The observation time at which the eye at the origin sees the bicycle's crank at `x`.
-pub fn time_when_seen_at(setup: &Setup, x: f64) -> Result<f64, DomainError> {
-    let time = observation_time_when_seen_at(&setup.speed(), source(setup, CRANK), x, 0.0)?;
+pub fn time_when_seen_at(setup: &Setup, x: f64) -> Result<f64, PairError> {
+    let time = observation_time_when_seen_at(&setup.speed(), source(setup, CRANK), x, Aperture::pair(0.0))?;
     Ok(time.expect("the paper's bicycles ride"))
 }
 
 /// Where a point at `rest` appears to a single eye at the origin.
-pub fn seen_by_one(setup: &Setup, rest: [f64; 2], time: f64) -> Result<[f64; 2], DomainError> {
+pub fn seen_by_one(setup: &Setup, rest: [f64; 2], time: f64) -> Result<[f64; 2], PairError> {
     let seen = sighting(&setup.speed(), source(setup, rest), Aperture::default(), time)?;
     Ok([seen.position[0], seen.position[1]])
 }
@@ -70,7 +70,7 @@ pub fn seen_by_two(
     model: Model,
     rest: [f64; 2],
     time: f64,
-) -> Result<[[f64; 2]; 2], DomainError> {
+) -> Result<[[f64; 2]; 2], PairError> {
     let seen = setup.seen_at(model, source(setup, rest), time)?;
     let half = 0.5 * setup.separation;
     // The published model measures both from the left eye.

@@ -1,7 +1,7 @@
 //! The paper's curves: angles and their differences against time, in each model.
 
 use relativity_core::{
-    Disparity, DomainError, Model, PublishedVariant, SourcePoint, Speed, equidistance_time,
+    Aperture, Disparity, Model, PairError, PublishedVariant, SourcePoint, Speed, equidistance_time,
     observation_time_when_seen_at,
 };
 
@@ -44,25 +44,25 @@ impl Setup {
     }
 
     /// T0 of the tracked point.
-    pub fn equidistance_time(&self) -> Result<f64, DomainError> {
-        let time = equidistance_time(&self.speed(), self.point(), self.separation)?;
+    pub fn equidistance_time(&self) -> Result<f64, PairError> {
+        let time = equidistance_time(&self.speed(), self.point(), Aperture::pair(self.separation))?;
         Ok(time.expect("the paper's speeds are above 0"))
     }
 
     /// When the tracked point is seen at `x` from the origin; 0 at rest.
-    pub fn time_when_seen_at(&self, x: f64) -> Result<f64, DomainError> {
-        let time = observation_time_when_seen_at(&self.speed(), self.point(), x, 0.0)?;
+    pub fn time_when_seen_at(&self, x: f64) -> Result<f64, PairError> {
+        let time = observation_time_when_seen_at(&self.speed(), self.point(), x, Aperture::pair(0.0))?;
         Ok(time.unwrap_or_default())
     }
 
     /// What both eyes see of the tracked point.
-    pub fn seen(&self, model: Model, time: f64) -> Result<Disparity, DomainError> {
+    pub fn seen(&self, model: Model, time: f64) -> Result<Disparity, PairError> {
         self.seen_at(model, self.point(), time)
     }
 
     /// What both eyes see of another point of the same body.
-    pub fn seen_at(&self, model: Model, point: SourcePoint, time: f64) -> Result<Disparity, DomainError> {
-        model.disparity(&self.speed(), point, self.separation, time)
+    pub fn seen_at(&self, model: Model, point: SourcePoint, time: f64) -> Result<Disparity, PairError> {
+        model.disparity(&self.speed(), point, Aperture::pair(self.separation), time)
     }
 
     /// A quantity of what is seen against time, at `count` times.
@@ -72,7 +72,7 @@ impl Setup {
         [from, to]: [f64; 2],
         count: usize,
         quantity: impl Fn(&Disparity) -> f64,
-    ) -> Result<Vec<[f64; 2]>, DomainError> {
+    ) -> Result<Vec<[f64; 2]>, PairError> {
         let time = |index: usize| from + (to - from) * index as f64 / (count - 1) as f64;
         (0..count).map(|index| Ok([time(index), quantity(&self.seen(model, time(index))?)])).collect()
     }

@@ -196,7 +196,7 @@ fn write_bicycle_for_two_eyes(folder: &Path) -> anyhow::Result<()> {
 
 fn mapped(
     strokes: &[bicycle::Stroke],
-    seen: impl Fn(&[f64; 2]) -> Result<[f64; 2], relativity_core::DomainError>,
-) -> Result<Vec<bicycle::Stroke>, relativity_core::DomainError> {
+    seen: impl Fn(&[f64; 2]) -> Result<[f64; 2], relativity_core::PairError>,
+) -> Result<Vec<bicycle::Stroke>, relativity_core::PairError> {
     strokes.iter().map(|stroke| stroke.iter().map(&seen).collect()).collect()
 }

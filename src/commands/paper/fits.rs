@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use relativity_core::{
-    Curves, FitError, FitOptions, Model, Observations, Simulation, SourcePoint, bootstrap, fit,
+    Aperture, Curves, FitError, FitOptions, Model, Observations, Simulation, SourcePoint, bootstrap, fit,
 };
 
 use super::curves::{APPENDIX_A, Setup, title};
@@ -59,10 +59,11 @@ pub fn bias_of_published() -> anyhow::Result<[Bias; 3]> {
 fn simulation(model: Model, noise: f64) -> anyhow::Result<Simulation> {
     let Setup { y, z, separation, .. } = Setup::CYCLIST;
     let (speed, point) = (Setup::CYCLIST.speed(), SourcePoint { x0: 0.0, y, z });
-    let [from, to] = passage_times(&speed, point, separation)?.unwrap_or_default();
+    let pair = Aperture::pair(separation);
+    let [from, to] = passage_times(&speed, point, pair)?.unwrap_or_default();
     let time = |index: usize| from + (to - from) * index as f64 / (SAMPLES - 1) as f64;
     let times = (0..SAMPLES).map(time).collect();
-    Ok(Simulation { speed, point, separation, model, times, noise, seed: SEED })
+    Ok(Simulation { speed, point, pair, model, times, noise, seed: SEED })
 }
 
 fn model_fits(model: Model) -> anyhow::Result<ModelFits> {

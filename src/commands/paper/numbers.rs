@@ -1,6 +1,6 @@
 //! The numbers of the paper's section 3 and 4(a), beside those of each model.
 
-use relativity_core::{Aperture, Disparity, DomainError, Model, SourcePoint, sighting};
+use relativity_core::{Aperture, Disparity, Model, PairError, SourcePoint, sighting};
 
 use super::curves::{APPENDIX_A, Extent, Setup, TEXT_SIGN, extent};
 
@@ -29,7 +29,7 @@ pub struct Row {
 pub const MODELS: [Model; 3] = [APPENDIX_A, TEXT_SIGN, Model::Exact];
 
 /// All rows.
-pub fn rows() -> Result<Vec<Row>, DomainError> {
+pub fn rows() -> Result<Vec<Row>, PairError> {
     let mut rows = difference_rows()?;
     rows.extend(motion_rows()?);
     Ok(rows)
@@ -39,9 +39,9 @@ const fn row(quantity: &'static str, paper: &'static str, ours: Vec<String>, rem
     Row { quantity, paper, ours, remark }
 }
 
-fn difference_rows() -> Result<Vec<Row>, DomainError> {
+fn difference_rows() -> Result<Vec<Row>, PairError> {
     let setup = Setup::SECTION_3;
-    let extents = |quantity: fn(&Disparity) -> f64| -> Result<Vec<Extent>, DomainError> {
+    let extents = |quantity: fn(&Disparity) -> f64| -> Result<Vec<Extent>, PairError> {
         MODELS.iter().map(|&model| Ok(extent(&setup.curve(model, TIMES, SAMPLES, quantity)?))).collect()
     };
     let (phi, theta) = (extents(|seen| seen.dphi)?, extents(|seen| seen.dtheta)?);
@@ -88,10 +88,9 @@ fn zeros(extent: &Extent) -> String {
 }
 
 /// What one aperture sees, the same in every model.
-fn motion_rows() -> Result<Vec<Row>, DomainError> {
+fn motion_rows() -> Result<Vec<Row>, PairError> {
     let setup = Setup::CYCLIST;
-    let doppler =
-        |x: f64| -> Result<f64, DomainError> { Ok(700.0 / seen_at(&setup, x, 0.0)?.doppler_factor) };
+    let doppler = |x: f64| -> Result<f64, PairError> { Ok(700.0 / seen_at(&setup, x, 0.0)?.doppler_factor) };
     let [before, after] = [apparent_length(&setup, -FAR)?, apparent_length(&setup, FAR)?];
     let [approaching, receding] = [apparent_speed(&setup, -FAR)?, apparent_speed(&setup, FAR)?];
     Ok(vec![
@@ -136,23 +135,25 @@ fn motion_rows() -> Result<Vec<Row>, DomainError> {
 
 /// What an eye at the origin sees of the tracked point or one `xr` further forward in the rest frame, when
 /// it sees the tracked point at `x`.
-fn seen_at(setup: &Setup, x: f64, xr: f64) -> Result<relativity_core::Sighting, DomainError> {
+fn seen_at(setup: &Setup, x: f64, xr: f64) -> Result<relativity_core::Sighting, PairError> {
     let time = setup.time_when_seen_at(x)?;
     let point = SourcePoint::from_rest([xr, setup.y, setup.z], &setup.speed());
-    sighting(&setup.speed(), point, Aperture::default(), time)
+    Ok(sighting(&setup.speed(), point, Aperture::default(), time)?)
 }
 
-fn apparent_length(setup: &Setup, x: f64) -> Result<f64, DomainError> {
+fn apparent_length(setup: &Setup, x: f64) -> Result<f64, PairError> {
     let length = ROD * x.abs();
     let [rear, front] = [seen_at(setup, x, 0.0)?, seen_at(setup, x, length)?];
     Ok((front.position[0] - rear.position[0]) / length)
 }
 
-fn apparent_speed(setup: &Setup, x: f64) -> Result<f64, DomainError> {
+fn apparent_speed(setup: &Setup, x: f64) -> Result<f64, PairError> {
     let point = SourcePoint { x0: 0.0, y: setup.y, z: setup.z };
     let time = setup.time_when_seen_at(x)?;
     let later = time + ROD * x.abs();
-    let at = |time| Ok(sighting(&setup.speed(), point, Aperture::default(), time)?.position[0]);
+    let at = |time| -> Result<f64, PairError> {
+        Ok(sighting(&setup.speed(), point, Aperture::default(), time)?.position[0])
+    };
     Ok((at(later)? - at(time)?) / (later - time))
 }
 

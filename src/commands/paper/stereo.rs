@@ -3,14 +3,14 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use relativity_core::{Disparity, DomainError, Model};
+use relativity_core::{Disparity, Model, PairError};
 use relativity_render::Geometry;
 
 use super::curves::Setup;
 use super::figures;
-use crate::flags::choices::{FileKind, Layout, RendererChoice, Size};
+use crate::flags::choices::{FileKind, RendererChoice, Size};
 use crate::flags::{SpeedParameter, SpeedSetting};
-use crate::settings::{Daylight, Preset, Settings};
+use crate::settings::{Daylight, Picture, Preset, Settings};
 use crate::studio::{Sheet, Studio};
 
 /// A row of frames, as one figure of the paper shows them.
@@ -117,7 +117,7 @@ impl Figure {
     }
 
     /// The frame in which the tracked point is seen at `x` from between the eyes.
-    fn frame(&self, number: usize, x: f64) -> Result<Frame, DomainError> {
+    fn frame(&self, number: usize, x: f64) -> Result<Frame, PairError> {
         let settings = self.settings();
         let setup = Setup { beta: settings.speed().beta(), ..Setup::CYCLIST };
         let time = setup.time_when_seen_at(x)?;
@@ -143,7 +143,7 @@ impl Figure {
 
 /// The frames below each other, with their times.
 fn svg(frames: &[Frame]) -> String {
-    let [width, frame_height] = Sheet::new(Layout::SideBySide, [WIDTH, HEIGHT], true).size;
+    let [width, frame_height] = Sheet::new(&Picture::default(), [WIDTH, HEIGHT], true).size;
     let row = frame_height + CAPTION_HEIGHT;
     let height = row * frames.len() as u32;
     let mut svg = format!(

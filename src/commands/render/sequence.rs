@@ -40,7 +40,7 @@ impl TimeArgs {
         let passage = passage_times(
             &settings.velocity(studio.tracked().motion).speed,
             settings.source(&studio.tracked()),
-            settings.motion.d,
+            settings.pair(),
         )?;
         let passage = passage.context("a scene at rest passes at no time; --from and --to are needed")?;
         Ok([self.from.unwrap_or(passage[0]), self.to.unwrap_or(passage[1])])

@@ -177,7 +177,7 @@ fn check_sigmas(observations: &Observations, curve: usize) -> Result<bool, FitEr
     Ok(of > 0 && with == of)
 }
 
-fn check_pairs(observations: &Observations, model: Model) -> Result<(), FitError> {
+pub(super) fn check_pairs(observations: &Observations, model: Model) -> Result<(), FitError> {
     if !matches!(model, Model::Published(_)) {
         return Ok(());
     }

@@ -4,14 +4,15 @@ use rand::SeedableRng as _;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution as _, StandardNormal};
 
-use crate::apparent::SourcePoint;
+use crate::apparent::{Aperture, SourcePoint};
 use crate::fit::curve::Trial;
 use crate::fit::error::FitError;
 use crate::fit::observations::{Observations, Reading, Sample};
+use crate::fit::prepare::check_pairs;
 use crate::model::Model;
 use crate::speed::Speed;
 
-/// A known object, and how it is observed by the paper's pair of apertures.
+/// A known object, and how it is observed by a pair of apertures.
 ///
 /// # Examples
 ///
@@ -21,14 +22,14 @@ use crate::speed::Speed;
 /// let simulation = Simulation {
 ///     speed: Speed::from_beta(0.9)?,
 ///     point: SourcePoint { x0: 0.0, y: 3.0, z: 2.0 },
-///     separation: 0.1,
+///     pair: Aperture::pair(0.1),
 ///     model: Model::Exact,
 ///     times: vec![0.0, 4.0],
 ///     noise: 0.0,
 ///     seed: 1,
 /// };
 /// let observed = simulation.observations()?;
-/// let [left, right] = Aperture::pair(0.1);
+/// let [left, right] = simulation.pair;
 /// let seen = disparity(&simulation.speed, simulation.point, left, right, 4.0)?;
 /// let reading = observed.samples()[1].dphi.ok_or("no reading")?;
 /// assert!((reading.value - seen.dphi).abs() < 1e-15);
@@ -40,8 +41,8 @@ pub struct Simulation {
     pub speed: Speed,
     /// The object.
     pub point: SourcePoint,
-    /// Aperture separation.
-    pub separation: f64,
+    /// The apertures, primary and secondary.
+    pub pair: [Aperture; 2],
     /// The binocular model that the curves follow.
     pub model: Model,
     /// Observation times.
@@ -57,13 +58,13 @@ impl Simulation {
     ///
     /// # Errors
     ///
-    /// [`FitError::Domain`], [`FitError::Sample`] or [`FitError::Pair`] if a number is out of range.
+    /// [`FitError::Domain`], [`FitError::Sample`] or [`FitError::Pair`] if a number is out of range, or the model does not
+    /// know such a pair.
     pub fn observations(&self) -> Result<Observations, FitError> {
-        let &Self { speed, point, separation, model, ref times, noise, seed } = self;
-        let clean = Observations::of_pair(separation, Vec::new())?;
+        let &Self { speed, point, pair, model, ref times, noise, seed } = self;
+        check_pairs(&Observations::new(vec![pair], Vec::new())?, model)?;
         let object = Trial { speed, y: point.y, z: point.z, passage_time: 0.0, passage_x: point.x0 };
-        let curves: Vec<[f64; 2]> =
-            times.iter().map(|&time| object.angles(model, &clean.pairs()[0], time)).collect();
+        let curves: Vec<[f64; 2]> = times.iter().map(|&time| object.angles(model, &pair, time)).collect();
         let sigmas = [0, 1].map(|curve| noise * range(curves.iter().map(|angles| angles[curve])));
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         let mut reading = |angles: [f64; 2], curve: usize| {
@@ -76,7 +77,7 @@ impl Simulation {
             dphi: reading(angles, 0),
             dtheta: reading(angles, 1),
         });
-        Observations::of_pair(separation, samples.collect())
+        Observations::new(vec![pair], samples.collect())
     }
 }
 

@@ -4,7 +4,7 @@
 #![allow(clippy::allow_attributes, reason = "an expectation would fail in the programs that use every part")]
 
 use rand::{Rng, RngExt as _};
-use relativity_core::{Model, Observations, Sample, Simulation, SourcePoint, Speed};
+use relativity_core::{Aperture, Model, Observations, Sample, Simulation, SourcePoint, Speed};
 
 /// An object and how it is observed.
 #[derive(Debug, Clone, Copy)]
@@ -59,7 +59,7 @@ impl Case {
         let simulation = Simulation {
             speed: Speed::from_beta(self.beta).expect("a speed"),
             point: SourcePoint { x0: self.x0, y: self.y, z: self.z },
-            separation: self.separation,
+            pair: Aperture::pair(self.separation),
             model,
             times: self.times(),
             noise: self.noise,

@@ -119,3 +119,18 @@ pub fn direction(rng: &mut ChaCha8Rng, critical: f64) -> [f64; 3] {
     let x = if cosine.abs() == 1.0 { cosine * (1.0 - sine * sine).sqrt() } else { cosine };
     [x, sine * cos, sine * sin]
 }
+
+/// From one aperture to another, `d` or less away: in any direction but along the motion, which has cases of its own; across
+/// it, or close to a direction along or across it.
+pub fn baseline(rng: &mut ChaCha8Rng, d: f64) -> [f64; 3] {
+    let part = |rng: &mut ChaCha8Rng| {
+        let size = match rng.random_range(0..8) {
+            0 => 0.0,
+            1 => log_uniform(rng, -12.0, 0.0),
+            _ => rng.random_range(0.1..1.0),
+        };
+        signed(rng, d * size)
+    };
+    let [x, y, z] = [part(rng), part(rng), part(rng)];
+    if [y, z] == [0.0; 2] { [x, d, 0.0] } else { [x, y, z] }
+}

@@ -16,7 +16,7 @@ use rand_chacha::ChaCha8Rng;
 use relativity_core::aberration::{doppler_factor, ground_from_rest, rest_from_ground};
 use relativity_core::doppler::{intensity_factor, received_wavelength};
 use relativity_core::{
-    Aperture, MAX_ERROR_UNITS, PublishedVariant, SourcePoint, Speed, disparity, equidistance_time,
+    Aperture, MAX_ERROR_UNITS, PublishedVariant, SourcePoint, Speed, Stereo, disparity, equidistance_time,
     observation_time_when_seen_at, one_cone_disparity, printed_apparent_x, published_disparity, sighting,
     stereo,
 };
@@ -156,7 +156,7 @@ fn one_light_cone_for_both_keeps_its_digits_however_close_the_apertures() {
             let is_within = inputs[2].hypot(inputs[3]) < 1e-3 * x;
             inputs[5] = draw::near(rng, 2.0 * x, if is_within { 1e-9 } else { 1e-17 });
         }
-        let both = one_cone_disparity(&speed, point_at(&inputs[1..]), inputs[5], inputs[4])
+        let both = one_cone_disparity(&speed, point_at(&inputs[1..]), Aperture::pair(inputs[5]), inputs[4])
             .expect("inside the domain");
         let [left, right] = [both.primary, both.secondary];
         let [x_left, x_right] = [left, right].map(|seen| seen.position[0]);
@@ -202,7 +202,8 @@ fn stereo_positions_keep_their_digits_however_close_the_apertures() {
     let names = ["stereo gain", "stereo x", "stereo y", "stereo z"];
     Tally::new(names, cases(), |rng| {
         let (parameter, speed, inputs) = stereo_inputs(rng);
-        let fused = stereo(&speed, point_at(&inputs[1..]), inputs[5], inputs[4]).expect("inside the domain");
+        let fused = stereo(&speed, point_at(&inputs[1..]), Aperture::pair(inputs[5]), inputs[4])
+            .expect("inside the domain");
         let [x, y, z] = fused.position;
         case(parameter, inputs, |inputs| model::stereo(parameter, inputs), [fused.gain, x, y, z])
     })
@@ -210,12 +211,60 @@ fn stereo_positions_keep_their_digits_however_close_the_apertures() {
     .assert_as_documented(include_str!("../../src/stereo.rs"), &names);
 }
 
+/// Speed parameter, x0, y, z, T, and from one aperture to the other; the apertures.
+fn baseline_inputs(rng: &mut ChaCha8Rng) -> (Parameter, Speed, Vec<f64>, [Aperture; 2]) {
+    let (parameter, speed, mut inputs) = pair_inputs(rng);
+    let baseline = draw::baseline(rng, inputs[5]);
+    inputs.truncate(5);
+    inputs.extend(baseline);
+    let [x, y, z] = baseline.map(|along| along / 2.0);
+    let pair = [Aperture { x: -x, y: -y, z: -z }, Aperture { x, y, z }];
+    (parameter, speed, inputs, pair)
+}
+
+/// From as far to the left of the left aperture as the right one is to its right: a place near them is known to the rounding
+/// of theirs.
+#[test]
+fn stereo_positions_of_apertures_in_any_direction_keep_their_digits() {
+    let names = ["any gain", "any x", "any y", "any z", "miss"];
+    Tally::new(names, cases(), |rng| {
+        loop {
+            let (parameter, speed, inputs, pair) = baseline_inputs(rng);
+            let fused = stereo(&speed, point_at(&inputs[1..]), pair, inputs[4]);
+            let apertures = pair.map(|Aperture { x, y, z }| [x, y, z]);
+            let inputs = [&inputs[..5], apertures.as_flattened()].concat();
+            let model = |inputs: &[_]| model::stereo_of_pair(parameter, inputs);
+            // What does not meet is drawn again.
+            let Ok(Stereo { gain, position: [x, y, z], miss }) = fused else { continue };
+            let Aperture { x: dx, y: dy, z: dz } = pair[1];
+            return case(parameter, inputs, model, [gain, x + 3.0 * dx, y + 3.0 * dy, z + 3.0 * dz, miss]);
+        }
+    })
+    .assert_within(MAX_ERROR_UNITS)
+    .assert_as_documented(include_str!("../../src/stereo.rs"), &names);
+}
+
+#[test]
+fn equidistance_times_of_apertures_in_any_direction_are_accurate() {
+    Tally::new(["any T0"], cases(), |rng| {
+        loop {
+            let (parameter, speed, mut inputs, pair) = baseline_inputs(rng);
+            inputs.remove(4);
+            let t0 = equidistance_time(&speed, point_at(&inputs[1..]), pair).expect("inside the domain");
+            let model = |inputs: &[_]| model::equidistance_time_of_pair(parameter, inputs);
+            let Some(t0) = t0 else { continue };
+            return case(parameter, inputs, model, [t0]);
+        }
+    })
+    .assert_within(MAX_ERROR_UNITS);
+}
+
 #[test]
 fn equidistance_times_are_accurate() {
     Tally::new(["T0"], cases(), |rng| {
         let (parameter, speed, mut inputs) = pair_inputs(rng);
         inputs.remove(4);
-        let t0 = equidistance_time(&speed, point_at(&inputs[1..]), inputs[4])
+        let t0 = equidistance_time(&speed, point_at(&inputs[1..]), Aperture::pair(inputs[4]))
             .expect("inside the domain")
             .expect("moving");
         case(parameter, inputs, |inputs| model::equidistance_time(parameter, inputs), [t0])
@@ -230,9 +279,14 @@ fn the_times_at_which_a_point_is_seen_at_a_place_are_accurate() {
         let (parameter, speed, mut inputs) = pair_inputs(rng);
         inputs[4] = draw::length(rng);
         inputs.swap(4, 5);
-        let time = observation_time_when_seen_at(&speed, point_at(&inputs[1..]), inputs[5], inputs[4])
-            .expect("inside the domain")
-            .expect("moving");
+        let time = observation_time_when_seen_at(
+            &speed,
+            point_at(&inputs[1..]),
+            inputs[5],
+            Aperture::pair(inputs[4]),
+        )
+        .expect("inside the domain")
+        .expect("moving");
         case(parameter, inputs, |inputs| model::observation_time_when_seen_at(parameter, inputs), [time])
     })
     .assert_within(MAX_ERROR_UNITS)

@@ -136,6 +136,46 @@ pub fn stereo(parameter: Parameter, inputs: &[Big]) -> [Big; 4] {
     [gain, x, y, z]
 }
 
+/// Gain, middle of the shortest connection of two lines of sight, and its length, for any two apertures; the place from as far to
+/// the left of the left one as the right one is to its right.
+///
+/// The connection runs from one line, at a multiple of it, to the other: b = l `P_l` - r `P_r` - c n with n across both,
+/// solved by Cramer's rule. The gain is the part of the parallax, across the mean line of sight, that is along a resting
+/// point's, over that. `inputs`: speed parameter, x0, y, z, T, left x, y, z, right x, y, z.
+pub fn stereo_of_pair(parameter: Parameter, inputs: &[Big]) -> [Big; 5] {
+    let speed = speed(parameter, &inputs[0]);
+    let baseline = difference(&inputs[8..11], &inputs[5..8]);
+    let view = |aperture: &[Big]| {
+        let View { x, y, z, .. } = View::new(&speed, difference(&inputs[1..4], aperture), &inputs[4]);
+        [x, y, z]
+    };
+    let (left, right) = (view(&inputs[5..8]), view(&inputs[8..11]));
+    let normal = cross(&left, &right);
+    let volume = dot(&normal, &normal);
+    let fraction = |other: &[Big; 3]| dot(&cross(&baseline, other), &normal) / &volume;
+    let (l, r) = (fraction(&right), fraction(&left));
+    let [x, y, z] =
+        std::array::from_fn(|i| (&l * &left[i] + &r * &right[i] + big(3.0) * &baseline[i]) / big(2.0));
+    let miss = dot(&baseline, &normal) / sqrt(&volume);
+    let miss = if miss < big(0.0) { -miss } else { miss };
+    let mean: [Big; 3] = std::array::from_fn(|i| &left[i] + &right[i]);
+    let across = |v: &[Big; 3]| -> [Big; 3] {
+        let along = dot(v, &mean) / dot(&mean, &mean);
+        std::array::from_fn(|i| &v[i] - &along * &mean[i])
+    };
+    let (seen, at_rest) = (across(&difference(&left, &right)), across(&baseline));
+    let gain = dot(&seen, &at_rest) / dot(&at_rest, &at_rest);
+    [gain, x, y, z, miss]
+}
+
+fn dot(a: &[Big; 3], b: &[Big; 3]) -> Big {
+    &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
+}
+
+fn cross(a: &[Big; 3], b: &[Big; 3]) -> [Big; 3] {
+    [&a[1] * &b[2] - &a[2] * &b[1], &a[2] * &b[0] - &a[0] * &b[2], &a[0] * &b[1] - &a[1] * &b[0]]
+}
+
 /// X from each eye, t, D, dphi and dtheta where both receive what the middle between them does; `inputs` as for
 /// [`pair_disparity`].
 pub fn one_cone(parameter: Parameter, inputs: &[Big]) -> [Big; 6] {
@@ -178,6 +218,17 @@ pub fn observation_time_when_seen_at(parameter: Parameter, inputs: &[Big]) -> [B
 /// `inputs`: speed parameter, x0, y, z, d.
 pub fn equidistance_time(parameter: Parameter, inputs: &[Big]) -> [Big; 1] {
     observation_time_when_seen_at(parameter, &[inputs, &[big(0.0)]].concat())
+}
+
+/// The time at which light of an event as far from apertures at -b/2 and +b/2 arrives at both.
+///
+/// `inputs`: speed parameter, x0, y, z, b.
+pub fn equidistance_time_of_pair(parameter: Parameter, inputs: &[Big]) -> [Big; 1] {
+    let (beta, _) = speed(parameter, &inputs[0]);
+    let [x0, y, z, bx, by, bz] = [1, 2, 3, 4, 5, 6].map(|i| &inputs[i]);
+    let x = -(by * y + bz * z) / bx;
+    let part = |place: &Big, along: &Big| square(&(place - along / big(2.0)));
+    [(&x - x0) / beta + sqrt(&(part(&x, bx) + part(y, by) + part(z, bz)))]
 }
 
 /// dphi, dtheta, `X_S`, `t_S`, `tau_S`, `D_S` of the published model, by Appendix A's sequence of formulas, the

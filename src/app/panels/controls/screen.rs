@@ -98,10 +98,19 @@ fn place(ui: &mut Ui, state: &State, asks: &mut Asks) {
             .on_hover_text("How far from the screen you sit")
             .accessible_name("Viewing distance");
     });
+    row(ui, "Projector", PROJECTOR_TIP, |ui| {
+        let mut is_open = state.session.stage.projector;
+        if ui.checkbox(&mut is_open, "views in a second window").on_hover_text(PROJECTOR_TIP).changed() {
+            asks.push(Command::ToggleProjector);
+        }
+    });
     if screen != state.settings.screen {
         asks.push(Command::Screen(screen));
     }
 }
+
+const PROJECTOR_TIP: &str = "Shows the views in a window of their own, for a projector, while the controls stay here. Keys and mouse \
+    work there, too.   Key: W";
 
 /// Width of a screen on a desk, cm: what is changed first where none is set.
 const USUAL_WIDTH_CM: f64 = 53.0;

@@ -38,7 +38,12 @@ pub(super) fn traces<'a>(ui: &Ui, state: &State, curves: &'a Curves, quantity: Q
         dot: true,
     };
     // Two eyes on top.
-    DistanceKind::ALL.into_iter().zip(curves.shown(quantity)).rev().map(trace).collect()
+    curves
+        .shown(quantity)
+        .iter()
+        .enumerate()
+        .map(|(number, points)| trace((DistanceKind::of_curve(number), points)))
+        .collect()
 }
 
 /// What the curves are at T, each with how its line looks.
@@ -46,14 +51,14 @@ pub(super) fn values_now(ui: &mut Ui, state: &State, quantity: Quantity) {
     let key = state.curve_key(state.session.points.selected());
     let view = stereo_view(&key, key.model, state.session.time);
     if quantity == Quantity::LogGain {
-        let gain = figures::fixed_or_none(view.map(|StereoView { gain, .. }| gain), 4);
+        let gain = figures::fixed_or_none(view.and_then(|StereoView { gain, .. }| gain), 4);
         let text = RichText::new(&gain).color(theme::stereo_colour(ui.visuals()));
         named_text(ui, text, format!("Stereo gain at T: {gain}"));
         return;
     }
     let unit = state.measures().length;
     for (index, kind) in DistanceKind::ALL.into_iter().enumerate() {
-        let value = unit.number(view.map_or(f64::NAN, |view| view.distances[index]), 2);
+        let value = unit.number(view.and_then(|view| view.distances[index]).unwrap_or(f64::NAN), 2);
         entry(ui, kind, &value);
     }
 }

@@ -178,7 +178,7 @@ impl<'a> Light<'a> {
 
     /// From where the light left to where it arrives.
     fn ends(&self, ray: &Ray) -> [Pos2; 2] {
-        [self.place(ray.left, self.worldline.across()), self.place(ray.received, [0.0; 2])]
+        [self.place(ray.left, self.worldline.across()), self.place(ray.received, ray.eye)]
     }
 
     /// The way of the light, with an arrow in the middle.

@@ -1,0 +1,179 @@
+//! How the pictures of the two eyes are shown together: one list for the window and for files.
+
+use std::str::FromStr;
+
+use clap::ValueEnum;
+use relativity_render::Composition;
+use relativity_render::compose::Top;
+use serde::{Serialize, Serializer};
+
+use crate::eye_colours;
+
+/// How the pictures of the two eyes are shown together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Layout {
+    /// The left eye's picture on the left, the right eye's on the right.
+    #[default]
+    SideBySide,
+    /// The same for eyes that look in parallel without a viewer: no further apart than --picture-distance. A file records
+    /// how large it has to be shown for that.
+    FreeViewing,
+    /// The other way round, for crossed eyes.
+    CrossEyed,
+    /// The left eye only.
+    Left,
+    /// The right eye only.
+    Right,
+    /// Brightness of the left eye in red, of the right eye in cyan, for red-cyan glasses.
+    Anaglyph,
+    /// In colour for red-cyan glasses, by Dubois' least squares.
+    Dubois,
+    /// The left eye in blue and the right eye in orange, added.
+    Overlay,
+    /// The left eye's picture above the right eye's.
+    OverUnder,
+    /// Side by side, each at half its width, as 3-D televisions take it.
+    HalfSideBySide,
+    /// One above the other, each at half its height, as 3-D televisions take it.
+    HalfOverUnder,
+    /// Rows of the left and the right eye's picture in turn, for screens whose rows are polarised in turn.
+    Rows,
+    /// One after the other, three times a second; a file is animated.
+    Flicker,
+}
+
+/// How the pictures share what they are shown on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Form {
+    /// One eye's alone (0 left, 1 right).
+    One(usize),
+    /// Beside each other.
+    Beside,
+    /// One above the other.
+    Above,
+    /// Pixel by pixel.
+    Composed(Composition),
+    /// One after the other.
+    InTurn,
+}
+
+impl Layout {
+    /// How the pictures share what they are shown on.
+    #[must_use]
+    pub const fn form(self) -> Form {
+        match self {
+            Self::SideBySide | Self::FreeViewing | Self::CrossEyed => Form::Beside,
+            Self::Left => Form::One(0),
+            Self::Right => Form::One(1),
+            Self::Anaglyph => Form::Composed(Composition::Anaglyph),
+            Self::Dubois => Form::Composed(Composition::Dubois),
+            Self::Overlay => Form::Composed(Composition::Overlay(eye_colours::ON_DARK)),
+            Self::OverUnder => Form::Above,
+            Self::HalfSideBySide => Form::Composed(Composition::HalfSideBySide),
+            Self::HalfOverUnder => Form::Composed(Composition::HalfOverUnder),
+            Self::Rows => Form::Composed(Composition::Rows { top: Top::First }),
+            Self::Flicker => Form::InTurn,
+        }
+    }
+
+    /// The eyes it shows (0 left, 1 right): the first is on the left, above, in red, in the topmost row, or before the
+    /// other. `is_swapped` changes them.
+    #[must_use]
+    pub const fn eyes(self, is_swapped: bool) -> &'static [usize] {
+        match (self, is_swapped) {
+            (Self::Left, _) => &[0],
+            (Self::Right, _) => &[1],
+            (Self::CrossEyed, false) => &[1, 0],
+            (Self::CrossEyed, true) | (_, false) => &[0, 1],
+            (_, true) => &[1, 0],
+        }
+    }
+
+    /// The layout so many `steps` further in the list of all, or back; after the last comes the first.
+    #[must_use]
+    pub fn further(self, steps: isize) -> Self {
+        let all = Self::value_variants();
+        all[(self as isize + steps).rem_euclid(all.len().cast_signed()).cast_unsigned()]
+    }
+
+    /// Whether it shows both eyes.
+    #[must_use]
+    pub const fn has_both(self) -> bool {
+        !matches!(self.form(), Form::One(_))
+    }
+
+    /// Whether both pictures can be had from it again, or that of the only eye.
+    #[must_use]
+    pub const fn loses_nothing(self) -> bool {
+        !matches!(self.form(), Form::Composed(_))
+    }
+
+    /// What it is called in files and flags.
+    #[must_use]
+    pub fn name(self) -> String {
+        self.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default()
+    }
+
+    /// Its place in a set.
+    const fn bit(self) -> u16 {
+        1 << self as u16
+    }
+}
+
+/// The layouts whose eyes are swapped.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Swapped(u16);
+
+/// What none of them is called.
+const NONE: &str = "none";
+
+impl Swapped {
+    /// Whether the eyes of `layout` are.
+    #[must_use]
+    pub const fn has(self, layout: Layout) -> bool {
+        self.0 & layout.bit() != 0
+    }
+
+    /// The same but for `layout`, whose eyes are swapped back, or swapped. One eye alone is not swapped.
+    #[must_use]
+    pub fn toggled(self, layout: Layout) -> Self {
+        if layout.has_both() { Self(self.0 ^ layout.bit()) } else { self }
+    }
+
+    /// All of them, in their order.
+    pub fn layouts(self) -> impl Iterator<Item = Layout> {
+        Layout::value_variants().iter().copied().filter(move |&layout| self.has(layout))
+    }
+}
+
+impl FromStr for Swapped {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let mut swapped = Self::default();
+        for name in text.split(',').map(str::trim).filter(|name| ![NONE, ""].contains(name)) {
+            let layout = Layout::from_str(name, false).map_err(|_| {
+                let known = Layout::value_variants().iter().map(|layout| layout.name());
+                format!(
+                    "write `none`, or names like anaglyph,rows: there are {}",
+                    known.collect::<Vec<_>>().join(", ")
+                )
+            })?;
+            if !layout.has_both() {
+                return Err(format!("{name} shows one eye, so that there is nothing to swap"));
+            }
+            swapped.0 |= layout.bit();
+        }
+        Ok(swapped)
+    }
+}
+
+impl Serialize for Swapped {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        if *self == Self::default() {
+            return serializer.serialize_str(NONE);
+        }
+        serializer.collect_seq(self.layouts())
+    }
+}
