@@ -117,7 +117,7 @@ mod tests {
 
     use super::*;
     use crate::flags::FieldOfView;
-    use crate::flags::choices::GazeChoice;
+    use crate::flags::choices::{GazeChoice, ProjectionChoice};
     use crate::settings::Settings;
 
     const SIZE: [u32; 2] = [480, 360];
@@ -140,6 +140,8 @@ mod tests {
     fn an_arrow_points_to_the_rider_and_tells_how_far_to_turn() {
         for turned in [40.0, -70.0, 150.0] {
             let mut state = looking([90.0, 0.0], 1.1);
+            // Across the gaze, so that an angle about the vertical is one from the middle.
+            state.settings.look.projection = ProjectionChoice::Gaze;
             let whole = {
                 state.settings.look.gaze = GazeChoice::Whole;
                 state.gaze()

@@ -2,11 +2,11 @@
 //! own from the speed that the fit found.
 
 use eframe::egui::Context;
-use relativity_core::Speed;
+use relativity_core::{Speed, math};
 use relativity_render::backdrop::Backdrop;
 use relativity_render::rectified_hits::Blank;
 use relativity_render::rectify::Rectification;
-use relativity_render::{Appearance, Camera, Picture, PreparedScene, Velocity, View};
+use relativity_render::{Appearance, Camera, Picture, PreparedScene, Projection, Velocity, View};
 
 use super::background_picture::BackgroundPicture;
 
@@ -47,13 +47,21 @@ fn picture(job: &Job) -> Picture {
     let camera = Camera { size: size.map(|side| FINENESS * side), ..job.view.camera };
     let view = View { camera, ..job.view };
     let velocity = Velocity::forward(job.speed);
-    let rest = Camera { size, ..Rectification::rest_camera(&camera, &velocity) };
+    let rest = Camera { size, ..Rectification::rest_camera(&across_gaze(&camera), &velocity) };
     let rectification = Rectification::new(view.camera, rest, velocity);
     let hits = job.scene.hit_image(&view);
     let plain = Appearance { sky: false, ground_z: None, ..job.appearance };
     let background = Backdrop::new(&view.camera, &plain).sky(view.camera.gaze.axes().forward);
     let blank = Blank { background, outside: background.map(|part| OUTSIDE * part) };
     rectification.picture_of_hits(&hits, &job.scene, &job.appearance, blank)
+}
+
+/// The camera that has what `camera` has in its middle in its own, as high there, and its picture across the gaze.
+fn across_gaze(camera: &Camera) -> Camera {
+    // A sheared picture is further from the eye in its middle than on its axis.
+    let further = (camera.px_per_radian() / camera.focal_length_px()).sqrt();
+    let half_width = math::tan(0.5 * camera.horizontal_fov) / further;
+    Camera { projection: Projection::Gaze, horizontal_fov: 2.0 * math::atan(half_width), ..*camera }
 }
 
 /// `size`, scaled down to what is made in time.

@@ -200,7 +200,10 @@ impl Settings {
         let framing = framing.map(|framing| framing.shifted(self.shifts(&look)));
         let fitted = || framing.map_or(USUAL_FOV, |framing| framing.horizontal_fov(size).to_degrees());
         let fov = FieldOfView(Some(self.look.set_fov().unwrap_or_else(fitted)));
-        Look { gaze: framing.map_or(gaze, |framing| fixed_at(Some(framing.gaze))), fov, ..look }
+        let look = Look { gaze: framing.map_or(gaze, |framing| fixed_at(Some(framing.gaze))), fov, ..look };
+        // Where pictures turn with the gaze, the shift has turned a little, too.
+        let unshifted = Look { zero_parallax: self.look.zero_parallax, ..look };
+        Look { zero_parallax: self.zero_parallax(&unshifted, &subject.tracked, observation_time), ..look }
     }
 
     /// Where the pictures of eyes with this `look`, whose gaze is fixed, have no parallax: a distance instead of `point`.

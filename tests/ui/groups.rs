@@ -113,11 +113,14 @@ fn markers_lie_on_their_points() {
             for eye in Eye::BOTH {
                 let pixels = pixels(&state, eye, size, body);
                 assert!(pixels.len() > 50, "body {body}, T = {time}: {} pixels", pixels.len());
+                // A picture is shifted by what is selected.
+                let camera = state.view(eye, size).camera;
                 for &pixel in pixels.iter().step_by(pixels.len() / 40) {
+                    let mut state = state.clone();
                     state.apply(Command::Pick(Pick { eye, pixel, size, add: false }));
                     let point = state.session.points.selected();
                     let direction = state.direction(point, eye).expect("in the domain");
-                    let [u, v] = state.view(eye, size).camera.pixel(direction).expect("in front");
+                    let [u, v] = camera.pixel(direction).expect("in front");
                     let off = (u - pixel[0]).hypot(v - pixel[1]);
                     assert!(point.body == Some(body) && off < 1e-6, "body {body}, T = {time}: {off} px off");
                 }

@@ -6,7 +6,7 @@ use egui_kittest::kittest::Queryable as _;
 use gamow::app::App;
 use gamow::app::command::{Command, Pick};
 use gamow::app::observer::Eye;
-use gamow::flags::choices::GazeChoice;
+use gamow::flags::choices::{GazeChoice, ZeroParallax};
 use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::settings::Look;
 use glam::DVec3;
@@ -261,7 +261,10 @@ fn scrolling_zooms_at_the_pointer() {
 }
 
 fn a_pick_leaves_the_whole_scene_where_it_is() {
-    let mut window = window(cyclist(0.9));
+    let mut state = cyclist(0.9);
+    // Else what is picked is shifted onto the screen.
+    state.settings.look.zero_parallax = ZeroParallax::Infinity;
+    let mut window = window(state);
     let before = window.state().state().look();
     let tyre = place(&window, ON_THE_TYRE, 0);
     click(&mut window, tyre, Modifiers::NONE);
@@ -285,7 +288,8 @@ fn the_gazes_are_chosen_by_name() {
     let shown = window.state().state().look();
     window.get_by_label("Stays").click();
     window.run();
-    assert_eq!(window.state().state().settings.look, shown);
+    let expected = Look { zero_parallax: ZeroParallax::Point, ..shown };
+    assert_eq!(window.state().state().settings.look, expected);
 }
 
 fn the_followed_point_stays_in_the_middle() {
