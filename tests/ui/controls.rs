@@ -134,7 +134,8 @@ fn separation_and_path_follow() {
     assert!((apparent - depth).abs() < 6e-5);
 
     let speed = Speed::from_beta(0.9).expect("a speed");
-    let of_core = equidistance_time(&speed, state.selected_source(), Aperture::pair(separation)).expect("in the domain");
+    let of_core = equidistance_time(&speed, state.selected_source(), Aperture::pair(separation))
+        .expect("in the domain");
     assert_eq!(of_core, Some(time));
 }
 
