@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 
 use serde_json::Value;
 
-use super::{gamow, run};
+use super::{Table, gamow, run, words};
 
 /// Delta-phi and Delta-theta of the paper's tracked point by `gamow curve`, with a deterministic noise of
 /// about 1 % added, as CSV with the given columns.
@@ -60,6 +60,30 @@ fn noise_free_curves_give_the_object_back_in_every_model() {
                 assert!((value - truth).abs() < 1e-9, "{model} {name} {value}");
             }
         }
+    }
+}
+
+#[test]
+fn a_turned_head_gives_the_object_back_by_columns_and_by_flags() {
+    for head in ["--roll 90", "--turn -40", "--roll 30 --turn 90"] {
+        let curve = words(&format!("curve {head}")).text();
+        assert!(curve.starts_with("beta,d,roll,turn,y,z,x0,T,x_left"), "{}", &curve[..60]);
+        // Without the columns, by flags.
+        let bare: String = {
+            let table = Table::parsed(&curve);
+            let [times, dphi, dtheta] = ["T", "dphi", "dtheta"].map(|name| table.column(name));
+            let row = |i: usize| format!("{},{},{}\n", times[i], dphi[i], dtheta[i]);
+            "T,dphi,dtheta\n".to_owned() + &(0..times.len()).map(row).collect::<String>()
+        };
+        for (csv, arguments) in [(&curve, String::new()), (&bare, format!("--d 0.1 {head}"))] {
+            let report = fitted(csv, &format!("{arguments} --json --bootstrap 0"));
+            for (name, truth) in [("beta", 0.9), ("y", 3.0), ("z", 2.0)] {
+                let value = number(&report["parameters"][name]["value"]);
+                assert!((value - truth).abs() < 1e-8, "{head} {arguments} {name} {value}");
+            }
+        }
+        let complaint = complaint(&curve, "--model published");
+        assert!(complaint.contains("the published model needs both on a line along x"), "{complaint}");
     }
 }
 

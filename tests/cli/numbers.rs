@@ -2,7 +2,7 @@
 
 use relativity_core::{Aperture, SourcePoint, Speed, disparity};
 
-use super::{Table, eval, words};
+use super::{Table, eval, gamow, run, words};
 
 /// The pair of points at which the paper's section 3 shows its models: y = z = 0.5, d = 0.3, beta = 0.9.
 fn section_3_curve(model: &str) -> Table {
@@ -245,6 +245,37 @@ fn stereo_columns_are_where_both_lines_of_sight_meet() {
             }
         }
     }
+}
+
+#[test]
+fn a_tilted_head_has_columns_of_its_own_which_eval_reads() {
+    let straight = words("curve --samples 5 --stereo").text();
+    assert_eq!(words("curve --samples 5 --stereo --roll 0 --turn=0").text(), straight);
+    let curve = words("curve --samples 5 --stereo --roll 90").text();
+    let table = Table::parsed(&curve);
+    let half_turn = std::f64::consts::FRAC_PI_2;
+    assert!(table.column("roll").iter().all(|&roll| roll == half_turn));
+    let (speed, point) = (Speed::from_beta(0.9).expect("a speed"), SourcePoint { x0: 0.0, y: 3.0, z: 2.0 });
+    let [low, high] = [-0.05, 0.05].map(|z| Aperture { x: 0.0, y: 0.0, z });
+    for (index, time) in table.column("T").into_iter().enumerate() {
+        let both = disparity(&speed, point, low, high, time).expect("it is in the domain");
+        assert_eq!(table.column("dtheta")[index].to_bits(), both.dtheta.to_bits());
+        assert_eq!(table.column("dphi")[index].to_bits(), both.dphi.to_bits());
+    }
+    let inputs: String =
+        curve.lines().map(|line| line.split(',').take(8).collect::<Vec<_>>().join(",") + "\n").collect();
+    let again = run(gamow().args(["eval", "--stereo"]), inputs.as_bytes()).text();
+    assert_eq!(again, curve);
+}
+
+#[test]
+fn where_lines_of_sight_diverge_the_stereo_columns_are_empty() {
+    let text = words("curve --stereo --turn 90 --from -4 --to -3 --samples 3").text();
+    for line in text.lines().skip(1) {
+        assert!(line.ends_with(",,,,,"), "{line}");
+        assert!(line.split(',').take(24).all(|field| !field.is_empty()), "{line}");
+    }
+    assert!(!text.contains("NaN"));
 }
 
 #[test]

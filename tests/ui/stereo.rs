@@ -4,7 +4,7 @@ use egui_kittest::kittest::Queryable as _;
 use gamow::app::command::Command;
 use gamow::settings::PlotTab;
 use gamow::units::Units;
-use relativity_core::{Aperture, Model, SourcePoint, Speed};
+use relativity_core::{Aperture, Baseline, Model, SourcePoint, Speed};
 use relativity_render::Geometry;
 
 use super::Test;
@@ -17,6 +17,8 @@ pub const TESTS: &[Test] = &[
     ("the_stereo_tab_gives_distances_in_the_chosen_unit", gives_distances_in_the_chosen_unit),
     ("with_one_light_cone_the_stereo_tab_has_gain_1_and_the_seen_distance", has_gain_1_with_one_cone),
     ("the_stereo_tab_fits_in_the_smallest_window", fits_in_the_smallest_window),
+    ("eyes_above_each_other_and_behind_each_other_are_told_what_they_see", eyes_above_and_behind_each_other),
+    ("a_turned_head_and_no_separation_leave_the_window_whole", a_turned_head_and_no_separation),
 ];
 
 /// Where two eyes take the tracked point to be, after its label, and the other distances after theirs.
@@ -92,5 +94,53 @@ fn fits_in_the_smallest_window() {
         let label = label_starting_with(&window, name);
         let place = window.get_by_label(&label).rect();
         assert!(place.max.x <= right + 1.0 && place.max.y <= 600.0, "{label}: {place:?}, plot to {right}");
+    }
+}
+
+/// The buttons hold the head; readout and plot say what the core says of such a pair.
+fn eyes_above_and_behind_each_other() {
+    let mut state = cyclist(0.9);
+    state.settings.plots.plot = PlotTab::Stereo;
+    let mut window = window(state);
+    window.state_mut().ask(Command::Time(-3.0));
+    window.get_by_label("Above").click();
+    window.run();
+    let motion = window.state().state().settings.motion;
+    assert_eq!([motion.roll, motion.turn], [90.0, 0.0]);
+    let (speed, time) = (Speed::from_beta(0.9).expect("a speed"), -3.0);
+    let point = SourcePoint::from_rest(TRACKED, &speed);
+    let above = Baseline { roll: std::f64::consts::FRAC_PI_2, ..Baseline::straight(SEPARATION) };
+    let fused = Model::Exact.stereo(&speed, point, above.apertures(), time).expect("they meet");
+    assert!((shown(&window, "Stereo gain:") - fused.gain).abs() < 6e-4);
+    assert!((shown(&window, "Stereo x:") - fused.position[0]).abs() < 6e-3);
+    let miss = shown(&window, "Lines of sight miss by");
+    assert!((miss - fused.miss).abs() < 6e-4 && fused.miss > 0.001, "{miss} {}", fused.miss);
+    window.get_by_label("Behind").click();
+    window.run();
+    let behind = Baseline { turn: std::f64::consts::FRAC_PI_2, ..Baseline::straight(SEPARATION) };
+    assert!(Model::Exact.stereo(&speed, point, behind.apertures(), time).is_err());
+    let said = label_starting_with(&window, "The two lines of sight diverge");
+    assert!(said.ends_with("in front of the eyes."), "{said}");
+}
+
+/// Whatever the tab, the geometry and the map, and with both eyes in one place.
+fn a_turned_head_and_no_separation() {
+    let mut window = window(cyclist(0.9));
+    let usual = window.state().state().settings.clone();
+    for (roll, turn) in [(90.0, 0.0), (0.0, 90.0), (180.0, 0.0), (-30.0, 60.0)] {
+        for (d, geometry) in [(0.1, Geometry::Seen), (0.0, Geometry::OneCone), (0.1, Geometry::Published)] {
+            for plot in [PlotTab::Disparity, PlotTab::Stereo, PlotTab::Angles] {
+                let mut settings = usual.clone();
+                (settings.motion.roll, settings.motion.turn, settings.motion.d) = (roll, turn, d);
+                (settings.look.geometry, settings.plots.plot) = (geometry, plot);
+                window.state_mut().ask(Command::Motion(settings.motion));
+                window.state_mut().ask(Command::Look(settings.look));
+                window.state_mut().ask(Command::Plots(settings.plots));
+                window.run();
+                assert!(
+                    labels(&window).iter().all(|label| !label.contains("NaN") && !label.contains("inf "))
+                );
+            }
+        }
     }
 }

@@ -201,7 +201,9 @@ fn coordinates_out_of_range_are_errors_that_name_the_coordinate() {
             "d"
         );
         assert_eq!(
-            equidistance_time(&Speed::REST, point, Aperture::pair(bad)).expect_err("outside").name,
+            equidistance_time(&Speed::REST, point, [Aperture { x: bad, ..Aperture::default() }; 2])
+                .expect_err("outside")
+                .name,
             "aperture x"
         );
     }

@@ -276,7 +276,7 @@ fn whether_a_rod_abreast_is_turned_depends_on_how_the_head_is_held() {
     let [x, depth] = seen_by(90.0);
     assert!(depth.abs() < 1e-6 && (x - 1.0 / speed.gamma()).abs() < 1e-6);
     // In between it turns as the head does.
-    let turned = [0.0, 30.0, 60.0, 90.0].map(|roll| seen_by(roll)).map(|[x, depth]| depth.atan2(x));
+    let turned = [0.0, 30.0, 60.0, 90.0].map(seen_by).map(|[x, depth]| depth.atan2(x));
     assert!(turned.windows(2).all(|two| two[1] < two[0]), "{turned:?}");
 }
 

@@ -4,7 +4,7 @@
 mod support;
 
 use glam::{DQuat, DVec3};
-use relativity_core::{Aperture, Model, Speed, aberration};
+use relativity_core::{Aperture, Baseline, Model, Speed, Stereo, StereoError, aberration};
 use relativity_render::{
     Body, Camera, Gaze, Geometry, Group, Hit, Motion, PreparedScene, Shape, Velocity, View,
 };
@@ -197,9 +197,10 @@ fn a_resting_group_is_traced_as_it_stands() {
 fn one_light_cone_changes_only_what_moves() {
     let scene = scene();
     let mut shown = [0; BETAS.len()];
-    for x in [-0.4, 0.4] {
+    for off_middle in [[-0.4, 0.0, 0.0], [0.4, 0.0, 0.0], [0.1, -0.3, 0.2]].map(DVec3::from) {
         let mut seen = view(Geometry::Seen, 3.2);
-        seen.camera.aperture = Aperture { x, y: 0.0, z: 0.0 };
+        let [x, y, z] = off_middle.to_array();
+        (seen.camera.aperture, seen.camera.off_middle) = (Aperture { x, y, z }, off_middle);
         let one_cone = View { geometry: Geometry::OneCone, ..seen };
         for n in lines_of_sight(&one_cone) {
             let Some(hit) = scene.first_hit(&one_cone, n) else { continue };
@@ -209,7 +210,7 @@ fn one_light_cone_changes_only_what_moves() {
             let [there, in_two] = [&one_cone, &seen].map(|view| appears(view).expect("in the domain"));
             assert!(there.distance(n * hit.distance) < 1e-9 * hit.distance, "{hit:?}");
             assert_eq!(there.distance(in_two) < 1e-9, BETAS[group] == 0.0, "group {group}: {there} {in_two}");
-            let event = DVec3::X * x + n * hit.distance;
+            let event = off_middle + n * hit.distance;
             assert!((hit.emission_time + event.length() - one_cone.observation_time).abs() < 1e-9);
             // As its own clock has it: where the ray touches.
             let gamma = 1.0 / (1.0 - BETAS[group] * BETAS[group]).sqrt();
@@ -269,17 +270,33 @@ fn motion_towards_minus_x_is_motion_towards_plus_x_in_a_mirror() {
     assert!(seen_from_both.into_iter().eq(alone), "the cones of directions leave nothing out");
 }
 
+/// Holds where two eyes take a point to be against the lines of sight to where each sees it.
+fn assert_meets(fused: Result<Stereo, StereoError>, pair: [Aperture; 2], [left, right]: [DVec3; 2]) {
+    let baseline = DVec3::new(pair[1].x - pair[0].x, pair[1].y - pair[0].y, pair[1].z - pair[0].z);
+    let normal = left.cross(right);
+    let [l, r] = [right, left].map(|other| baseline.cross(other).dot(normal) / normal.length_squared());
+    let Ok(fused) = fused else { return assert!(l <= 0.0 || r <= 0.0) };
+    let middle = 0.5 * (l * left + r * right);
+    assert!(middle.distance(fused.position.into()) < 1e-10 * middle.length(), "{middle} {fused:?}");
+    assert!((baseline.dot(normal.normalize()).abs() - fused.miss).abs() < 1e-10, "{fused:?}");
+}
+
 #[test]
 fn both_eyes_see_a_point_of_any_group_where_their_views_show_it() {
     let models = [(Geometry::Seen, Model::Exact), (Geometry::OneCone, Model::OneCone)];
     let cases = BETAS.into_iter().enumerate().flat_map(|case| models.map(|model| (case, model)));
     for ((group, beta), (geometry, model)) in cases {
         let velocity = Velocity::from_beta(beta).expect("a speed");
-        for rest in [[0.2, 3.0, 1.0], [-0.7, 0.8, -0.5]] {
-            let both = velocity.disparity(model, rest, 0.3, 2.1).expect("in the domain");
-            let places = Aperture::pair(0.3).map(|aperture| {
+        let turned = Baseline { separation: 0.3, roll: 0.4, turn: -0.7 }.apertures();
+        let rests = [[0.2, 3.0, 1.0], [-0.7, 0.8, -0.5]];
+        for (rest, pair) in
+            rests.into_iter().flat_map(|rest| [Aperture::pair(0.3), turned].map(|pair| (rest, pair)))
+        {
+            let both = velocity.disparity(model, rest, pair, 2.1).expect("in the domain");
+            let places = pair.map(|aperture| {
                 let view = view(geometry, 2.1);
-                let camera = Camera { aperture, off_middle: DVec3::X * aperture.x, ..view.camera };
+                let off_middle = DVec3::new(aperture.x, aperture.y, aperture.z);
+                let camera = Camera { aperture, off_middle, ..view.camera };
                 View { camera, ..view }.of_group(motion(group)).apparent_position(rest.into()).expect("there")
             });
             for (place, sighting) in places.into_iter().zip([both.primary, both.secondary]) {
@@ -289,6 +306,7 @@ fn both_eyes_see_a_point_of_any_group_where_their_views_show_it() {
             assert!((both.dphi - (left - right)).abs() < 1e-12, "{} {}", both.dphi, left - right);
             let [left, right] = places.map(|place| place.z.atan2(place.x.hypot(place.y)));
             assert!((both.dtheta - (left - right)).abs() < 1e-12);
+            assert_meets(velocity.stereo(model, rest, pair, 2.1), pair, places);
         }
     }
 }

@@ -85,8 +85,7 @@ fn stereo(ui: &mut Ui, state: &State) {
         if !state.settings.baseline().is_along_motion() {
             let text = unit.text(found.map_or(f64::NAN, |found| found.miss), 3);
             ui.label(RichText::new("lines of sight miss by").color(colour)).on_hover_text(MISS_TIP);
-            named_text(ui, text.as_str(), format!("The lines of sight pass each other at {text}"))
-                .on_hover_text(MISS_TIP);
+            named_text(ui, text.as_str(), format!("Lines of sight miss by: {text}")).on_hover_text(MISS_TIP);
         }
     });
 }
