@@ -42,7 +42,7 @@ pub mod under;
 mod widgets;
 mod worker;
 
-use eframe::egui::{self, Rect, TextureId, Ui, UiBuilder};
+use eframe::egui::{self, Rect, TextureId, Ui, UiBuilder, ViewportClass};
 use eframe::egui_wgpu::RenderState;
 
 use command::Command;
@@ -336,7 +336,10 @@ impl App {
             return;
         }
         let builder = projector::window();
-        let is_closed = ctx.show_viewport_immediate(projector::id(), builder, |ui, _| {
+        let is_closed = ctx.show_viewport_immediate(projector::id(), builder, |ui, class| {
+            if class == ViewportClass::Immediate {
+                self.read_projector_keys(ui.ctx());
+            }
             self.show_projected(ui);
             ui.input(|input| input.viewport().close_requested())
         });
@@ -345,10 +348,14 @@ impl App {
         }
     }
 
-    /// Shows the views, and nothing else, in a window whose `ui` this is; the keys work there, too.
+    /// Has the keys work in a window of its own, too.
+    fn read_projector_keys(&mut self, ctx: &egui::Context) {
+        let asks = shortcuts::asked(ctx).into_iter().filter(|command| !projector::takes(ctx, command));
+        self.apply(ctx, asks.collect());
+    }
+
+    /// Shows the views, and nothing else, in a window whose `ui` this is.
     fn show_projected(&mut self, ui: &mut Ui) {
-        let asks = shortcuts::asked(ui.ctx());
-        self.apply(ui.ctx(), asks);
         if self.projected.is_none() {
             self.projected = self.eyes.as_ref().map(EyePictures::another);
         }
@@ -366,6 +373,7 @@ impl App {
         self.forget_composed(&panes);
         std::mem::swap(&mut self.eyes, &mut self.projected);
         (self.state.session.picture_size, self.examination) = (size, examination);
+        halo::paint(ui.ctx());
     }
 
     /// Has the system and the writing follow what is made of the window, and notes what of its screen counts.
@@ -376,6 +384,8 @@ impl App {
         if scale != self.text_scale {
             self.text_scale = scale;
             theme::scale_text(ctx, scale);
+            // What is shown of this frame is written as it was before.
+            ctx.request_repaint();
         }
         let width = ctx.input(|input| input.viewport().monitor_size).map(|size| f64::from(size.x));
         session.cm_per_pixel = settings.screen.cm_per_point(width) / f64::from(ctx.pixels_per_point());

@@ -18,6 +18,7 @@ pub const TESTS: &[Test] = &[
     ("borders_are_dragged_and_a_double_click_has_them_as_usual", borders_are_dragged),
     ("a_double_click_on_a_title_has_a_part_alone", a_part_alone),
     ("the_comfortable_button_narrows_d_and_says_so", the_comfortable_button),
+    ("the_projectors_window_shows_the_views_and_goes_again", the_projectors_window),
     ("the_meter_knows_the_distance_and_costs_nothing_unseen", the_meter_knows_the_distance),
 ];
 
@@ -194,4 +195,20 @@ fn the_meter_knows_the_distance() {
     window.get_by_label("Views").click();
     window.run();
     assert_eq!(meter(&window), "Fusing: nothing to fuse");
+}
+
+fn the_projectors_window() {
+    // Without a system that has windows, it stands in this one.
+    let mut window = window(cyclist(0.9));
+    let views = |window: &Harness<'_, App>| window.query_all_by_label("Left eye view").count();
+    for _ in 0..3 {
+        assert_eq!(views(&window), 1);
+        window.key_press(Key::W);
+        window.run();
+        assert_eq!(views(&window), 2);
+        window.render().expect("a picture");
+        window.key_press(Key::W);
+        window.run();
+    }
+    assert_eq!(views(&window), 1);
 }

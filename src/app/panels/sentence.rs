@@ -8,6 +8,9 @@ use crate::app::theme;
 /// Sizes of the writing, points: the first at which the sentence fits is taken, else the last.
 const SIZES: [f32; 6] = [14.0, 13.0, 12.0, 11.0, 10.0, 9.0];
 
+/// How much larger than other large writing it may be.
+const LARGEST: f32 = 1.5;
+
 /// Writes it into all of the room there is.
 pub fn show(ui: &mut Ui, state: &State) {
     let (rect, sentence) = (ui.max_rect(), state.moment().sentence());
@@ -19,8 +22,10 @@ pub fn show(ui: &mut Ui, state: &State) {
         let job = LayoutJob::simple(tied.clone(), FontId::proportional(size), colour, rect.width());
         ui.painter().layout_job(job)
     };
-    // Large writing that does not fit becomes smaller, down to the usual.
-    let sizes = SIZES.into_iter().map(|size| scale * size).chain(SIZES);
+    // For an audience it is as large as it fits, down to the usual.
+    let largest = if scale > 1.0 { LARGEST } else { 1.0 };
+    let sizes =
+        [largest, 1.0].into_iter().flat_map(|part| SIZES.map(|size| part * scale * size)).chain(SIZES);
     let fitting = sizes.map(laid_out).find(|galley| galley.size().y <= rect.height());
     let galley = fitting.unwrap_or_else(|| laid_out(SIZES[SIZES.len() - 1]));
     let place = Align2::LEFT_CENTER.anchor_size(rect.left_center(), galley.size());

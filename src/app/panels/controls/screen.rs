@@ -98,9 +98,13 @@ fn place(ui: &mut Ui, state: &State, asks: &mut Asks) {
             .on_hover_text("How far from the screen you sit")
             .accessible_name("Viewing distance");
     });
-    row(ui, "Projector", PROJECTOR_TIP, |ui| {
+    row(ui, "Audience", "What is shown to one.", |ui| {
+        let tip = "Views, one plot and words, large, on the whole screen. Esc leaves.   Key: P";
+        if ui.button("Present").on_hover_text(tip).clicked() {
+            asks.push(Command::TogglePresenting);
+        }
         let mut is_open = state.session.stage.projector;
-        if ui.checkbox(&mut is_open, "views in a second window").on_hover_text(PROJECTOR_TIP).changed() {
+        if ui.checkbox(&mut is_open, "second window").on_hover_text(PROJECTOR_TIP).changed() {
             asks.push(Command::ToggleProjector);
         }
     });
