@@ -4,6 +4,7 @@
 use std::f64::consts::TAU;
 
 use gamow::app::state::State;
+use gamow::flags::choices::ProjectionChoice;
 use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::scene::{PRESETS, Scene};
 use gamow::settings::{Settings, Subject};
@@ -119,6 +120,9 @@ fn one_light_cone_is_framed_closely_where_eyes_are_far_apart() {
     for beta in [0.3, 0.9, 0.99] {
         let mut state = states(beta).next().expect("there are scenes");
         state.settings.motion.d = 1.0;
+        assert_whole(&state, Geometry::OneCone);
+        // On a plane along the line between the eyes what lies apart in depth is far apart.
+        state.settings.look.projection = ProjectionChoice::Gaze;
         assert_whole(&state, Geometry::OneCone);
         state.settings.look.geometry = Geometry::OneCone;
         let points = surface(&state.session.scene);

@@ -5,7 +5,7 @@ use eframe::egui::{Color32, Visuals};
 use super::observer::Eye;
 use super::state::State;
 use super::theme;
-use crate::flags::choices::{Form, Layout};
+use crate::flags::choices::Layout;
 use crate::settings::Picture;
 
 /// All layouts: what each is called, and what it is for.
@@ -69,19 +69,27 @@ pub fn title(picture: &Picture) -> String {
     format!("Both eyes: {}{swapped}{clicks}", name(picture.layout))
 }
 
-/// The colour of what is of `eye` in a picture that both share: behind red-cyan glasses each eye sees its own.
+/// The colours of the ring and the dot that mark where `eye` sees a point, whose `own` colour is given, in a picture that both
+/// share: the eye's, and the point's. Behind red-cyan glasses each eye sees its own marker alone, also where both are in one
+/// place, as their light is added.
 #[must_use]
-pub fn eye_colour(state: &State, eye: Eye, visuals: &Visuals) -> Color32 {
-    const RED_CYAN: [Color32; 2] = [Color32::from_rgb(255, 0, 0), Color32::from_rgb(0, 255, 255)];
+pub fn marker_colours(state: &State, eye: Eye, own: Color32, visuals: &Visuals) -> [Color32; 2] {
+    const RED_CYAN: [Color32; 2] =
+        [Color32::from_rgba_premultiplied(255, 0, 0, 0), Color32::from_rgba_premultiplied(0, 255, 255, 0)];
     let picture = &state.settings.picture;
     let is_first = picture.eyes().first() == Some(&eye.index());
-    match (picture.layout, picture.layout.form()) {
-        (Layout::Anaglyph | Layout::Dubois, _) => RED_CYAN[usize::from(!is_first)],
-        (Layout::Overlay, Form::Composed(_)) => {
-            theme::eye_colour(Eye::BOTH[usize::from(!is_first)], &Visuals::dark())
-        }
-        _ => theme::eye_colour(eye, visuals),
+    match picture.layout {
+        Layout::Anaglyph | Layout::Dubois => [RED_CYAN[usize::from(!is_first)]; 2],
+        Layout::Overlay => [theme::eye_colour(Eye::BOTH[usize::from(!is_first)], &Visuals::dark()), own],
+        _ => [theme::eye_colour(eye, visuals), own],
     }
+}
+
+/// What sets a marker off: light is added to what is dark.
+#[must_use]
+pub fn halo_colour(state: &State, visuals: &Visuals) -> Color32 {
+    let is_added = matches!(state.settings.picture.layout, Layout::Anaglyph | Layout::Dubois);
+    if is_added { Color32::from_black_alpha(210) } else { theme::halo_colour(visuals) }
 }
 
 #[cfg(test)]

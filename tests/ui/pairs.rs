@@ -66,9 +66,14 @@ fn place_of_tyre(window: &Harness<'_, App>, layout: Layout, eye: usize) -> Optio
 }
 
 fn clicking_in_every_layout() {
+    let mut window = window(cyclist(0.9));
     for &layout in Layout::value_variants() {
         for eye in [0, 1] {
-            let mut window = shown(layout);
+            // The scene's own point is selected again.
+            for command in [Command::Layout(layout), Command::Preset("cyclist")] {
+                window.state_mut().ask(command);
+            }
+            window.run_steps(3);
             let is_shared = window.query_by_label("Both eyes' view").is_some();
             let Some(place) = place_of_tyre(&window, layout, eye).filter(|_| eye == 0 || !is_shared) else {
                 continue;
@@ -84,8 +89,21 @@ fn clicking_in_every_layout() {
             // A pixel of a squeezed picture is two wide: it is clicked to within half of that.
             let off = DVec3::from(point.track.rest).distance(DVec3::from(ON_THE_TYRE));
             assert!(off < 2e-3, "{layout:?}, eye {eye}: {off} from where it was clicked");
+            assert_is_marked(&window, eye, place);
         }
     }
+}
+
+/// The clock of the selected point stands beside its marker, which is at `place`.
+fn assert_is_marked(window: &Harness<'_, App>, eye: usize, place: Pos2) {
+    let name = format!("Clock of point 1, {}", ["Left eye", "Right eye"][eye]);
+    let clock = labels(window).into_iter().find(|label| label.starts_with(&name));
+    let is_in_turn = window.state().state().settings.picture.layout == Layout::Flicker;
+    let Some(clock) = clock else { return assert!(is_in_turn, "{name} is not shown") };
+    let rect = window.get_by_label(&clock).rect();
+    // 15 points from the middle of the marker to its rim.
+    let away = rect.center().distance(place) - 0.5 * rect.width();
+    assert!((away - 15.0).abs() < 1.0, "{clock} at {rect:?} for {place:?}");
 }
 
 /// A click, and frames until it is done.
@@ -226,13 +244,13 @@ fn dragging_in_a_squeezed_picture() {
 }
 
 fn tiny_windows() {
-    for &layout in Layout::value_variants() {
-        for size in [[64.0, 64.0], [480.0, 320.0], [90.0, 900.0]] {
-            let mut state = cyclist(0.9);
-            state.settings.picture.layout = layout;
-            state.settings.window.corrected = size[0] > 100.0;
-            let mut window = window_of_size(state, size, 1.5);
-            window.run_steps(3);
+    for size in [[64.0, 64.0], [90.0, 900.0]] {
+        let mut state = cyclist(0.9);
+        state.settings.window.corrected = true;
+        let mut window = window_of_size(state, size, 1.5);
+        for &layout in Layout::value_variants() {
+            window.state_mut().ask(Command::Layout(layout));
+            window.run_steps(2);
             window.render().expect("a picture");
         }
     }

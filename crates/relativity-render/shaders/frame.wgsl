@@ -15,9 +15,12 @@ struct Frame {
     // Of the group against the camera: beta, 1 - beta, 1/gamma, gamma.
     speed: vec4f,
     // 1, or -1 if the group moves towards -x: all is reflected then, to move along +x, and back; the same for the
-    // reference of depths; how far the camera is along the motion from the middle between the eyes, where these have one
-    // light cone, else 0; and along that of the reference.
+    // reference of depths.
     motion: vec4f,
+    // xyz: where the camera is from the middle between the eyes, where these have one light cone, else 0; reflected as the
+    // group is; w: 1 if that is not 0. And the same, reflected as the reference is.
+    eye: vec4f,
+    reference_eye: vec4f,
     // `speed` and `middle` of the reference.
     reference_speed: vec4f,
     reference_middle: vec4f,

@@ -93,7 +93,7 @@ fn mapped_along_x(c: vec3f) -> Sighting {
         default: {
             // What the middle between the eyes receives, from where the camera is.
             let seen = sighting(c);
-            return Sighting(seen.position - vec3f(frame.motion.z, 0.0, 0.0), seen.doppler);
+            return Sighting(seen.position - frame.eye.xyz, seen.doppler);
         }
     }
 }
@@ -192,7 +192,7 @@ fn measure_in_one_cone(fragment: Fragment, straight: Ray, normal: vec3f) -> Meas
 fn touching_ray(straight: Ray, distance: f32) -> Ray {
     let sign = frame.motion.x;
     let n = reflected(straight.sight, sign);
-    let eye = vec3f(frame.motion.z, 0.0, 0.0);
+    let eye = frame.eye.xyz;
     let place = n * distance + eye;
     let reach = max(length(place), 1e-30);
     let along = place / reach;
@@ -208,7 +208,8 @@ fn touching_ray(straight: Ray, distance: f32) -> Ray {
     let scaled = tangent / largest;
     let reciprocal = 1.0 / sqrt(dot(scaled, scaled));
     let direction = scaled * reciprocal;
-    let origin = reflected(eye, sign) / received.doppler;
+    let later = frame.speed.w * frame.speed.x * dot(eye.yz, along.yz);
+    let origin = reflected(vec3f(eye.x / received.doppler + later, eye.yz), sign);
     let centre = frame.middle.xyz;
     let moment = cross(centre, direction) + cross(frame.middle_fine.xyz, direction) - cross(origin, direction);
     let to_centre = dot(centre - origin, direction);

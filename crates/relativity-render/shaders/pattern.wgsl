@@ -66,7 +66,7 @@ fn covered_by_pixel(ray: Ray, normal: vec3f, distance: f32, body: Body) -> Cover
 // As `GroupView::shift` where both eyes have one light cone.
 fn shift_in_one_cone(ray: Ray, turn: vec3f, distance: f32) -> vec3f {
     let n = ray.direction;
-    let place = ray.sight * distance + vec3f(frame.motion.x * frame.motion.z, 0.0, 0.0);
+    let place = ray.sight * distance + reflected(frame.eye.xyz, frame.motion.x);
     let later = frame.motion.x * frame.speed.x * dot(place, turn) / max(length(place), 1e-30);
     let moved = vec3f(frame.speed.w * (turn.x + later), turn.yz);
     let off = moved - n * dot(moved, n);
@@ -78,7 +78,7 @@ fn shift_in_one_cone(ray: Ray, turn: vec3f, distance: f32) -> vec3f {
 // along the ray.
 fn shift(ray: Ray, across: vec3f, distance: f32) -> vec3f {
     let turn = (across - ray.sight * dot(ray.sight, across)) * ray.scale;
-    if frame.motion.z != 0.0 {
+    if frame.eye.w != 0.0 {
         return shift_in_one_cone(ray, turn, distance);
     }
     if GEOMETRY == 0u {

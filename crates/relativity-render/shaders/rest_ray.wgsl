@@ -117,14 +117,15 @@ fn depth_in_reference(beyond: f32) -> f32 {
     return 0.5 - 0.5 * beyond * frame.reference_middle.w;
 }
 
-// Where one light cone for both eyes puts the line of sight at `distance`, along x from the straight one through the
-// reference's middle event: by e/D, and by what a curve is off its limit.
-fn reference_origin(sight: vec3f, distance: f32, doppler: f32) -> f32 {
-    let eye = frame.motion.w;
-    let along = sight.x * frame.motion.y * eye;
-    let place = vec3f(sight.x * frame.motion.y * distance + eye, sight.yz * distance);
-    let off = eye * eye * dot(sight.yz, sight.yz) / max(length(place) + distance + along, 1e-30);
-    return frame.motion.y * (eye / doppler + frame.reference_speed.w * frame.reference_speed.x * off);
+// Where one light cone for both eyes puts the line of sight at `distance`, from the straight one through the reference's
+// middle event: the limit's origin, as `GroupView::one_cone_ray` has it, and by what a curve is off its limit.
+fn reference_origin(sight: vec3f, distance: f32, doppler: f32) -> vec3f {
+    let eye = frame.reference_eye.xyz;
+    let n = reflected(sight, frame.motion.y);
+    let sine = cross(n, eye);
+    let off = dot(sine, sine) / max(length(n * distance + eye) + distance + dot(n, eye), 1e-30);
+    let later = frame.reference_speed.w * frame.reference_speed.x * (dot(n.yz, eye.yz) + off);
+    return reflected(vec3f(eye.x / doppler + later, eye.yz), frame.motion.y);
 }
 
 // Depth of what is seen at `distance` (ground frame) along `sight`, among that of the reference group: the nearest by
@@ -132,8 +133,8 @@ fn reference_origin(sight: vec3f, distance: f32, doppler: f32) -> f32 {
 // where that ends with the reciprocal.
 fn depth_of_distance(distance: f32, sight: vec3f) -> f32 {
     let reference = passage(sight, REFERENCE_GEOMETRY, frame.reference_speed, frame.motion.y);
-    let to_centre = dot(frame.reference_middle.xyz, reference.direction)
-        - reference_origin(sight, distance, reference.doppler) * reference.direction.x;
+    let origin = reference_origin(sight, distance, reference.doppler);
+    let to_centre = dot(frame.reference_middle.xyz, reference.direction) - dot(origin, reference.direction);
     let reach = 0.5 / frame.reference_middle.w;
     let near = (to_centre - reach) * reference.ground_per_rest;
     let far = (to_centre + reach) * reference.ground_per_rest;

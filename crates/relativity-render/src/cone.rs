@@ -62,12 +62,13 @@ impl Cone {
     /// the middle; in between the point appears on a straight line. So the cones of both ends hold it, if convex.
     fn in_one_cone(view: &GroupView, center: DVec3, radius: f64) -> Self {
         let speed = &view.velocity.speed;
-        let eye = view.velocity.reflected(view.camera.off_middle).x;
+        let eye = view.velocity.reflected(view.camera.off_middle);
+        let reach = eye.length();
         let at = |delay: f64| {
-            let from_eye = center - DVec3::X * (speed.gamma() * (eye - speed.beta() * delay));
-            Self::around_ball(from_eye, radius).seen_from_ground(view)
+            let eye = DVec3 { x: speed.gamma() * (eye.x - speed.beta() * delay), ..eye };
+            Self::around_ball(center - eye, radius).seen_from_ground(view)
         };
-        let cone = at(-eye).joined(&at(eye));
+        let cone = at(-reach).joined(&at(reach));
         Self { axis: view.velocity.reflected(cone.axis), ..cone }
     }
 

@@ -28,10 +28,13 @@ pub struct Frame {
     pub pole: [f32; 4],
     /// Of the group against the camera: beta, 1 - beta, 1/gamma, gamma.
     pub speed: [f32; 4],
-    /// -1 if the group moves towards -x, else 1; the same of the reference of depths; how far the camera is along the
-    /// motion from the middle between the eyes, where these have one light cone, else 0; and along that of the
-    /// reference.
+    /// -1 if the group moves towards -x, else 1; the same of the reference of depths.
     pub motion: [f32; 4],
+    /// Where the camera is from the middle between the eyes, where these have one light cone, else 0; reflected so that
+    /// the group moves along +x; and 1 if it is not in the middle.
+    pub eye: [f32; 4],
+    /// `eye` of the reference.
+    pub reference_eye: [f32; 4],
     /// `speed` of the reference.
     pub reference_speed: [f32; 4],
     /// `middle` of the reference.
@@ -77,7 +80,7 @@ impl Frame {
     /// Has depths told among the bodies of the group of `reference`.
     fn refer_to(&mut self, reference: &Self) {
         self.motion[1] = reference.motion[0];
-        self.motion[3] = reference.motion[2];
+        self.reference_eye = reference.eye;
         self.reference_speed = reference.speed;
         self.reference_middle = reference.middle;
     }
@@ -103,18 +106,18 @@ impl Frame {
         let speed =
             [speed.beta(), speed.one_minus_beta(), 1.0 / speed.gamma(), speed.gamma()].map(|v| v as f32);
         let reflection = view.velocity.direction() as f32;
-        let eye = if view.geometry == Geometry::OneCone {
-            view.velocity.direction() * camera.off_middle.x
-        } else {
-            0.0
-        };
+        let is_one_cone = view.geometry == Geometry::OneCone;
+        let eye = if is_one_cone { view.velocity.reflected(camera.off_middle) } else { DVec3::ZERO };
+        let eye = packed(eye, if eye == DVec3::ZERO { 0.0 } else { 1.0 });
         Self {
             base: vector(base),
             right: vector(axes.right * per_px),
             down: vector(-axes.up * per_px),
             pole: [coarse.x, coarse.y, fine.x, fine.y],
             speed,
-            motion: [reflection, reflection, eye as f32, 0.0],
+            motion: [reflection, reflection, 0.0, 0.0],
+            eye,
+            reference_eye: eye,
             reference_speed: speed,
             reference_middle: middle,
             middle,

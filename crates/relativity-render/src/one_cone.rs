@@ -28,7 +28,8 @@ const ALIKE: f64 = 1e-9;
 impl GroupView {
     /// The ray that touches, at `distance`, the curve of events along `line_of_sight`; without one, its limit.
     ///
-    /// Its origin, from the middle's event, is e/D: in l (n.u) - |e + l n| = -e.u nothing is left of l.
+    /// Its origin, from the middle's event, is (gamma (`e_x` + beta e.u), `e_y`, `e_z`): in l (n.u) - |e + l n| = -e.u
+    /// nothing is left of l.
     pub(crate) fn one_cone_ray(&self, line_of_sight: DVec3, distance: Option<f64>) -> RestRay {
         let Self { velocity, .. } = self;
         let eye = self.camera.off_middle;
@@ -46,13 +47,21 @@ impl GroupView {
             _ => velocity.speed.gamma() * (eye.dot(line_of_sight) + velocity.beta() * eye.x),
         };
         RestRay {
-            origin: self.origin + eye / doppler_factor,
+            origin: self.origin + self.origin_from_middle(eye, received_along, doppler_factor),
             time: self.time - lag,
             direction: tangent / rest_per_ground,
             ground_per_rest: 1.0 / rest_per_ground,
             doppler_factor,
             received_along,
         }
+    }
+
+    /// gamma (`e_x` + beta e.u) is `e_x`/D + gamma beta (`e_y u_y` + `e_z u_z`).
+    fn origin_from_middle(&self, eye: DVec3, received_along: DVec3, doppler_factor: f64) -> DVec3 {
+        let aside = eye.y * received_along.y + eye.z * received_along.z;
+        let speed = &self.velocity.speed;
+        let later = self.velocity.direction() * speed.gamma() * speed.beta() * aside;
+        DVec3 { x: eye.x / doppler_factor + later, ..eye }
     }
 
     /// gamma beta (1 - n.u) along the motion, from the cosine and the sine of the angle between both.
@@ -99,18 +108,21 @@ impl GroupView {
     /// e^2/(2 (|P| - |e|)) more. The ball has exactly the directions u of a cone, and |P| is D times as far as in the rest
     /// frame.
     fn delays(&self, center: DVec3, radius: f64) -> Option<[f64; 2]> {
-        let eye = self.camera.off_middle.x;
+        let eye = self.camera.off_middle;
+        let reach = eye.length();
         let geometry = if self.geometry == Geometry::OneCone { Geometry::Seen } else { self.geometry };
         let Cone { axis, half_angle } = Cone::of_sight(&Self { geometry, ..*self }, center, radius);
-        let off_axis = atan2(math::hypot(axis.y, axis.z), axis.x);
-        let cosines =
-            [off_axis - half_angle, off_axis + half_angle].map(|angle| math::sin_cos(angle.clamp(0.0, PI)).1);
+        // The greatest and the least cosine of the angles from a direction.
+        let cosines = |direction: DVec3| {
+            let between = atan2(axis.cross(direction).length(), axis.dot(direction));
+            [between - half_angle, between + half_angle].map(|angle| math::sin_cos(angle.clamp(0.0, PI)).1)
+        };
         let least_doppler =
-            cosines.map(|x| self.velocity.doppler_factor(DVec3::new(x, (1.0 - x * x).sqrt(), 0.0)));
+            cosines(DVec3::X).map(|x| self.velocity.doppler_factor(DVec3::new(x, (1.0 - x * x).sqrt(), 0.0)));
         let nearest = (center.distance(self.origin) - radius) * least_doppler[0].min(least_doppler[1]);
-        let later = eye * eye / (2.0 * (nearest - eye.abs()));
-        let [one, other] = cosines.map(|cosine| -eye * cosine);
-        (nearest > 2.0 * eye.abs()).then(|| [one.min(other), one.max(other) + later])
+        let later = reach * reach / (2.0 * (nearest - reach));
+        let [one, other] = cosines(eye).map(|cosine| -reach * cosine);
+        (nearest > 2.0 * reach).then(|| [one.min(other), one.max(other) + later])
     }
 }
 

@@ -27,7 +27,7 @@ pub enum Geometry {
     /// One light cone for both eyes: as if both received the same events, those that the middle between them receives.
     /// Drawn by the mesh renderer and by the reference.
     ///
-    /// The camera is one eye of two on a line along x, at -x and x; the middle is that of these.
+    /// The middle is where the camera has it: its own place less [`Camera::off_middle`].
     OneCone,
 }
 

@@ -194,9 +194,10 @@ fn hits_appear_where_the_light_cone_says(renderers: &mut Renderers) {
 fn with_one_light_cone_pictures_keep_the_bound(renderers: &mut Renderers) {
     let alone = (PreparedScene::moving(&still_life()), still_life());
     for (scene, bodies) in [alone, groups()] {
-        for (view, x) in views().zip([-0.05, 0.5].into_iter().cycle()) {
-            let aperture = Aperture { x, ..view.camera.aperture };
-            let camera = Camera { aperture, off_middle: DVec3::X * x, ..view.camera };
+        let eyes = [[-0.05, 0.0, 0.0], [0.5, 0.0, 0.0], [0.2, -0.3, 0.4]].map(DVec3::from);
+        for (view, off_middle) in views().zip(eyes.into_iter().cycle()) {
+            let [x, y, z] = off_middle.to_array();
+            let camera = Camera { aperture: Aperture { x, y, z }, off_middle, ..view.camera };
             let mut view = View { camera, geometry: Geometry::OneCone, ..view };
             let followed = view.apparent_position(FOLLOWED.into()).expect("inside the domain");
             view.camera.gaze = Gaze::along(followed.to_array());

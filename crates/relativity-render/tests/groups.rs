@@ -197,9 +197,10 @@ fn a_resting_group_is_traced_as_it_stands() {
 fn one_light_cone_changes_only_what_moves() {
     let scene = scene();
     let mut shown = [0; BETAS.len()];
-    for x in [-0.4, 0.4] {
+    for off_middle in [[-0.4, 0.0, 0.0], [0.4, 0.0, 0.0], [0.1, -0.3, 0.2]].map(DVec3::from) {
         let mut seen = view(Geometry::Seen, 3.2);
-        seen.camera.aperture = Aperture { x, y: 0.0, z: 0.0 };
+        let [x, y, z] = off_middle.to_array();
+        (seen.camera.aperture, seen.camera.off_middle) = (Aperture { x, y, z }, off_middle);
         let one_cone = View { geometry: Geometry::OneCone, ..seen };
         for n in lines_of_sight(&one_cone) {
             let Some(hit) = scene.first_hit(&one_cone, n) else { continue };
@@ -209,7 +210,7 @@ fn one_light_cone_changes_only_what_moves() {
             let [there, in_two] = [&one_cone, &seen].map(|view| appears(view).expect("in the domain"));
             assert!(there.distance(n * hit.distance) < 1e-9 * hit.distance, "{hit:?}");
             assert_eq!(there.distance(in_two) < 1e-9, BETAS[group] == 0.0, "group {group}: {there} {in_two}");
-            let event = DVec3::X * x + n * hit.distance;
+            let event = off_middle + n * hit.distance;
             assert!((hit.emission_time + event.length() - one_cone.observation_time).abs() < 1e-9);
             // As its own clock has it: where the ray touches.
             let gamma = 1.0 / (1.0 - BETAS[group] * BETAS[group]).sqrt();

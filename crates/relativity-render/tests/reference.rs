@@ -96,11 +96,8 @@ fn aperture(view: &View) -> DVec3 {
 
 /// Whose light cone a view shows: the aperture's, or that of the middle between two.
 fn receiver(view: &View) -> DVec3 {
-    if view.geometry == Geometry::OneCone {
-        aperture(view) * DVec3::new(0.0, 1.0, 1.0)
-    } else {
-        aperture(view)
-    }
+    let off_middle = if view.geometry == Geometry::OneCone { view.camera.off_middle } else { DVec3::ZERO };
+    aperture(view) - off_middle
 }
 
 /// The rest coordinates of a place on the ground at a time: bodies are contracted and move, nothing else.
@@ -231,15 +228,18 @@ fn the_pictures_are_those_of_a_walk_back_along_the_light() {
     assert!(different * 1000 <= covered);
 }
 
-/// Eyes as far apart as the bodies are wide, too, and with a body between them.
+/// Eyes as far apart as the bodies are wide, too, and with a body between them, in any direction from each other.
 #[test]
 fn with_one_light_cone_the_pictures_are_those_of_a_walk_back_along_the_middles_light() {
     let bodies = bodies();
     let scene = PreparedScene::moving(&bodies);
     let mut total = [0; 2];
-    for (view, x) in views().into_iter().zip([0.05, -0.5, 0.5, -1.5].into_iter().cycle()) {
-        let aperture = Aperture { x, y: 0.1, z: 0.0 };
-        let camera = Camera { aperture, off_middle: DVec3::X * x, ..view.camera };
+    let along = [0.05, -0.5, 0.5, -1.5].map(|x| DVec3::X * x);
+    let turned = [[0.03, -0.04, 0.0], [0.0, 0.0, -0.5], [-0.3, 0.2, 0.4], [0.0, -1.0, 0.3]].map(DVec3::from);
+    let cases = views().into_iter().zip(along.into_iter().cycle());
+    for (view, off_middle) in cases.chain(views().into_iter().zip(turned.into_iter().cycle())) {
+        let [x, y, z] = (off_middle + DVec3::Y * 0.1).to_array();
+        let camera = Camera { aperture: Aperture { x, y, z }, off_middle, ..view.camera };
         let view = View { camera, geometry: Geometry::OneCone, ..view };
         let [covered, different] = compare_with_walk(&scene, &bodies, &view);
         assert!(covered > 30, "only {covered} pixels covered at {view:?}");
@@ -291,11 +291,13 @@ fn hits_lie_where_the_light_cone_shows_them_up_to_the_greatest_gamma() {
     let renderers = include_str!("../src/renderers.rs");
     let offset_px = documented(renderers, "positions are off by less than ");
     let share = documented(renderers, "distances and Doppler factors by less than ");
-    let with_one_cone = extreme_views().into_iter().zip([0.5, -0.05].into_iter().cycle()).map(|(view, x)| {
-        let aperture = Aperture { x, ..view.camera.aperture };
-        let camera = Camera { aperture, off_middle: DVec3::X * x, ..view.camera };
-        View { camera, geometry: Geometry::OneCone, ..view }
-    });
+    let eyes = [[0.5, 0.0, 0.0], [0.0, -0.03, 0.04], [-0.05, 0.0, 0.0]].map(DVec3::from);
+    let with_one_cone =
+        extreme_views().into_iter().zip(eyes.into_iter().cycle()).map(|(view, off_middle)| {
+            let [x, y, z] = off_middle.to_array();
+            let camera = Camera { aperture: Aperture { x, y, z }, off_middle, ..view.camera };
+            View { camera, geometry: Geometry::OneCone, ..view }
+        });
     for view in extreme_views().into_iter().chain(with_one_cone) {
         let worst = worst_against_light_cone(&scene, &view);
         println!(

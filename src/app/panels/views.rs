@@ -83,7 +83,9 @@ pub fn paint(ui: &Ui, state: &State, pane: EyePane, painted: Painted) {
         image(ui, pane.rect, texture);
     }
     let inside = ui.painter().with_clip_rect(pane.rect);
-    markers(ui, &inside, state, pane);
+    for coat in [Coat::Halo, Coat::Ring] {
+        markers(ui, &inside, state, pane, coat);
+    }
     words(ui, state, pane, note(state, pane.eye, picture, heat_map.is_some()));
     ui.painter().rect_stroke(pane.rect, 0.0, Stroke::new(1.5, colour), StrokeKind::Outside);
     hover(ui, state, pane);
@@ -110,8 +112,11 @@ pub fn paint_both(
             image(ui, pane.rect, texture);
         }
     }
-    for &pane in panes {
-        markers(ui, &ui.painter().with_clip_rect(pane.rect), state, pane);
+    // All halos first: markers that the eyes see in one place would hide each other.
+    for coat in [Coat::Halo, Coat::Ring] {
+        for &pane in panes {
+            markers(ui, &ui.painter().with_clip_rect(pane.rect), state, pane, coat);
+        }
     }
     for (&pane, heat_map) in panes.iter().zip(heat_maps) {
         if pane.takes_the_mouse() || panes.len() == 1 {
@@ -188,20 +193,34 @@ fn write(ui: &Ui, painter: &Painter, pane: EyePane, corner: Align2, text: String
     }
 }
 
-fn markers(ui: &Ui, painter: &Painter, state: &State, pane: EyePane) {
+/// What of markers is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Coat {
+    /// What sets them off from the picture.
+    Halo,
+    /// They themselves, and the clocks.
+    Ring,
+}
+
+fn markers(ui: &Ui, painter: &Painter, state: &State, pane: EyePane, coat: Coat) {
     let view = state.view(pane.eye, pane.size);
     let (scene, visuals) = (&state.session.prepared, ui.visuals());
     for (index, point) in state.session.points.all().iter().enumerate() {
         let Some(marker) = Marker::of(state, point, &view, scene, pane.eye) else { continue };
         let radius = if index == state.session.points.selected_index() { 6.0 } else { 4.5 };
         let place = pane.place(marker.pixel);
+        if coat == Coat::Halo {
+            Marker::paint_halo(painter, place, radius, layouts::halo_colour(state, visuals));
+            continue;
+        }
         // Two clocks in one place could not be read.
         if pane.rect.contains(place) && (pane.takes_the_mouse() || is_in_turn(state)) {
             clock(ui, state, pane, point, place);
         }
-        let dot = theme::point_colour(point.number, visuals);
-        let ring = if pane.is_shared { layouts::eye_colour(state, pane.eye, visuals) } else { dot };
-        marker.paint(painter, place, radius, [ring, dot], theme::halo_colour(visuals));
+        let own = theme::point_colour(point.number, visuals);
+        let [ring, dot] =
+            if pane.is_shared { layouts::marker_colours(state, pane.eye, own, visuals) } else { [own; 2] };
+        marker.paint(painter, place, radius, [ring, dot]);
     }
 }
 
@@ -241,9 +260,12 @@ impl Marker {
         pixel.iter().all(|value| value.is_finite()).then_some(Self { pixel, hidden })
     }
 
+    fn paint_halo(painter: &Painter, place: Pos2, radius: f32, colour: Color32) {
+        painter.circle_stroke(place, radius, Stroke::new(4.0, colour));
+    }
+
     /// A ring, filled in the middle where the point is in sight and hollow where it is hidden.
-    fn paint(&self, painter: &Painter, place: Pos2, radius: f32, [ring, dot]: [Color32; 2], halo: Color32) {
-        painter.circle_stroke(place, radius, Stroke::new(4.0, halo));
+    fn paint(&self, painter: &Painter, place: Pos2, radius: f32, [ring, dot]: [Color32; 2]) {
         painter.circle_stroke(place, radius, Stroke::new(2.0, ring));
         if !self.hidden {
             painter.circle_filled(place, 2.0, dot);
