@@ -319,7 +319,7 @@ fn what_is_wrong_in_a_file_is_said_with_its_line() {
         ),
         (
             "[motion]\nbetta = 0.5",
-            "state.toml:2: unknown setting `betta`: motion has beta, gamma, rapidity, d, depth-shift, height-shift",
+            "state.toml:2: unknown setting `betta`: motion has beta, gamma, rapidity, d, roll, turn, depth-shift, height-shift",
         ),
         (
             "\nbeta = 0.5",
