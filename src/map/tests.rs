@@ -4,11 +4,11 @@ use std::time::{Duration, Instant as Clock};
 
 use glam::DVec3;
 use relativity_core::{Aperture, SourcePoint, Speed, sighting};
-use relativity_render::{Geometry, Motion, Shape};
+use relativity_render::{Geometry, Motion, Shape, Velocity};
 
 use super::*;
 use crate::flags::{SpeedParameter, SpeedSetting};
-use crate::scene::Scene;
+use crate::scene::{Scene, Track};
 use crate::settings::{Frame, Map, Settings};
 
 const AREA: [f64; 4] = [0.0, 0.0, 900.0, 600.0];
@@ -244,4 +244,27 @@ fn the_outline_of_a_ball_holds_all_of_it() {
             assert!((drawn - whole).abs() < 0.02, "{:?} {projection:?}: {drawn} for {whole}", line.picture);
         }
     }
+}
+
+#[test]
+fn a_tilted_and_turned_head_has_its_eyes_and_its_light_where_they_are() {
+    let mut settings = settings(0.9, Frame::Ground);
+    (settings.motion.roll, settings.motion.turn) = (30.0, -60.0);
+    let instant = Instant::new(&settings, 1.5);
+    let (sin, cos) = (0.5, 0.75f64.sqrt());
+    let half = 0.2 * DVec3::new(cos * 0.5, -cos * cos, sin);
+    let eyes = instant.eyes();
+    assert!(eyes[0].distance(-half) < 1e-12 && eyes[1].distance(half) < 1e-12, "{eyes:?}");
+    let track = Track { rest: [-0.7, 3.0, 2.0], motion: Motion::Scene };
+    let diagram = Diagram::new(&settings, &track, 1.5, Velocity::REST).expect("in the domain");
+    for ((eye, ray), cone) in eyes.into_iter().zip(diagram.rays).zip(diagram.cones()) {
+        assert!((ray.received.x - eye.x).abs() < 1e-12);
+        assert!((DVec3::new(eye.x, ray.eye[0], ray.eye[1]) - eye).length() < 1e-12);
+        let way = DVec3::new(ray.left.x, 3.0, 2.0).distance(eye);
+        assert!((1.5 - ray.left.t - way).abs() < 1e-12, "light takes its time");
+        assert!((cone.time(ray.left.x) - ray.left.t).abs() < 1e-12, "it is on the eye's cone");
+    }
+    let fused = instant.place(&track, Picture::Stereo).expect("they meet");
+    let stereo = settings.stereo(&track, 1.5).expect("they meet");
+    assert_eq!(fused, DVec3::from(stereo.position));
 }

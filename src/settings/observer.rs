@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use relativity_core::{
-    Aperture, Baseline, Disparity, Model, PairError, SourcePoint, Speed, Stereo, StereoError,
-    equidistance_time,
+    Aperture, Baseline, Disparity, Model, PairError, PublishedVariant, SourcePoint, Speed, Stereo,
+    StereoError, equidistance_time,
 };
 use relativity_render::exposure::automatic_ev;
 use relativity_render::{
@@ -118,6 +118,15 @@ impl Settings {
             Geometry::Published if !self.baseline().is_along_motion() => Geometry::Seen,
             geometry => geometry,
         }
+    }
+
+    /// Whether the geometry that is set can be shown.
+    ///
+    /// # Errors
+    /// The published one with the head tilted or turned.
+    pub fn check_geometry(&self) -> Result<(), PairError> {
+        let published = Model::Published(PublishedVariant::AppendixA);
+        if self.geometry() == self.look.geometry { Ok(()) } else { Err(PairError::OffTheMotion(published)) }
     }
 
     /// The binocular model by which the views are told in numbers: one light cone for both eyes where they show that,

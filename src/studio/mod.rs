@@ -8,7 +8,6 @@ mod timings;
 
 use std::path::Path;
 
-use relativity_core::{Model, PairError, PublishedVariant};
 use relativity_render::{HitImage, PreparedScene};
 
 use self::painter::Painter;
@@ -41,8 +40,9 @@ impl Studio {
     ///
     /// # Errors
     ///
-    /// A scene or a renderer that cannot be had.
+    /// A scene or a renderer that cannot be had, or the published geometry of a head that is tilted or turned.
     pub fn new(mut settings: Settings) -> anyhow::Result<Self> {
+        settings.check_geometry()?;
         let scene = settings.opened_scene()?;
         let mut timings = Timings::default();
         let painter = timings.timed("set up", || Painter::new(&settings))?;
@@ -76,10 +76,6 @@ impl Studio {
         let settings = Settings { time: time.or(self.settings.time), ..self.settings.clone() };
         let settings = settings.resolved(self.subject()).exposed_for(&self.scene);
         let time = settings.time.unwrap_or_default();
-        if settings.geometry() != settings.look.geometry {
-            let published = Model::Published(PublishedVariant::AppendixA);
-            return Err(PairError::OffTheMotion(published).into());
-        }
         settings.disparity(&self.tracked(), time)?;
         let provenance = self.scene.provenance(settings.command());
         Ok(Frame { settings, time, provenance })

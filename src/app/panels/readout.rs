@@ -90,7 +90,7 @@ fn stereo(ui: &mut Ui, state: &State) {
     });
 }
 
-const APART: &str = "The two lines of sight diverge: nowhere do they meet in front of the eyes.";
+const APART: &str = "The lines of sight diverge: they meet nowhere in front.";
 
 const APART_TIP: &str = "The eyes receive two events of the point, between which it moved. The two lines of sight to them need \
     not come together anywhere.";
