@@ -19,7 +19,7 @@ pub const MAX_ELEVATION: f64 = 89.5 * PI / 180.0;
 
 /// How far a gaze can be from the plane across the baseline for a picture to stay parallel to that, radians: further on it
 /// would be stretched too much, and turns with the gaze.
-pub const MAX_SLANT: f64 = 75.0 * PI / 180.0;
+pub const MAX_SLANT: f64 = 65.0 * PI / 180.0;
 /// A gaze of which less than this is across the baseline does not tell how a picture parallel to that is tilted.
 const LEAST_ACROSS: f64 = 1e-9;
 /// Nor does one that is turned further aside than this, radians.
