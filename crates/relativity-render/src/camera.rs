@@ -146,7 +146,7 @@ impl Camera {
     /// How many pixels of the middle of the picture a radian along its rows has.
     #[must_use]
     pub fn px_per_radian(&self) -> f64 {
-        self.focal_length_px() * self.to_centre().length_squared()
+        self.focal_length_px() * self.centre().length_squared()
     }
 
     /// Half the width of the picture, focal lengths.
@@ -158,7 +158,7 @@ impl Camera {
     }
 
     /// Towards the middle of the picture: its part along the axis is 1.
-    pub(crate) fn to_centre(&self) -> DVec3 {
+    pub(crate) fn centre(&self) -> DVec3 {
         let axes = self.axes();
         axes.forward + axes.right * self.middle(&axes)
     }

@@ -155,7 +155,7 @@ fn pole(camera: &Camera, gauge: &Gauge, sign: f64) -> (DVec2, DVec3) {
     let middle = DVec2::from(camera.size.map(f64::from)) * 0.5;
     let depth = sign * forward.x;
     if depth < 0.05 {
-        return (middle, camera.to_centre());
+        return (middle, camera.centre());
     }
     let scale = sign * camera.focal_length_px() / depth;
     let pole = middle + DVec2::new(right.x, -up.x) * scale;

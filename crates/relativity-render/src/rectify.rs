@@ -74,7 +74,7 @@ impl Rectification {
     /// The moving camera that has what `ground` has in its centre in its own, equally large, its picture across its gaze.
     #[must_use]
     pub fn rest_camera(ground: &Camera, velocity: &Velocity) -> Camera {
-        let to_centre = ground.to_centre();
+        let to_centre = ground.centre();
         // Beside the axis of a sheared picture all is larger: across the shear so many times.
         let stretch = to_centre.length();
         let centre = to_centre / stretch;
