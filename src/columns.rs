@@ -189,7 +189,7 @@ impl ModelArgs {
     /// Stereo columns of a model that has none.
     pub fn columns(&self, is_turned: bool) -> Result<&'static [&'static str], StereoError> {
         match (self.stereo, self.model) {
-            (true, Model::Published(_)) => Err(StereoError::Published(self.model)),
+            (true, Model::Published(_)) => Err(StereoError::Published(self.model.name())),
             (true, _) => Ok(&COLUMNS[..COLUMNS.len() - usize::from(!is_turned)]),
             (false, _) => Ok(&COLUMNS[..USUAL]),
         }

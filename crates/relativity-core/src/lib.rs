@@ -104,9 +104,9 @@ pub use fit::{
     Curves, Fit, FitError, FitOptions, NotConverged, Observations, Parameter, Passage, Reading, Sample,
     Simulation, fit, fit_from,
 };
-pub use model::{Model, PairError, StereoError};
+pub use model::{Model, PairError};
 pub use one_cone::one_cone_disparity;
 pub use passage::{equidistance_time, observation_time_when_seen_at};
 pub use published::{PublishedVariant, printed_apparent_x, published_disparity};
 pub use speed::{MAX_GAMMA, Speed, SpeedError};
-pub use stereo::{Stereo, stereo};
+pub use stereo::{Stereo, StereoError, stereo};

@@ -9,7 +9,7 @@ use crate::domain::DomainError;
 use crate::one_cone::{self, middle, one_cone_disparity};
 use crate::published::{self, PublishedVariant, published_disparity};
 use crate::speed::Speed;
-use crate::stereo::{Stereo, stereo};
+use crate::stereo::{Stereo, StereoError, stereo};
 
 /// A binocular model.
 ///
@@ -39,20 +39,6 @@ pub enum PairError {
     /// A published model, which knows apertures along the motion.
     #[error("the model {} has both eyes along the motion: the head can be neither tilted nor turned", .0.name())]
     OffTheMotion(Model),
-}
-
-/// Why there is no stereo position.
-#[derive(Debug, Clone, Copy, PartialEq, Error)]
-pub enum StereoError {
-    /// A coordinate or time outside the domain.
-    #[error(transparent)]
-    Domain(#[from] DomainError),
-    /// A published model, whose two directions start from one aperture.
-    #[error("the model {} has no stereo position: it measures both eyes' angles from the left eye", .0.name())]
-    Published(Model),
-    /// Lines of sight that are parallel, or diverge.
-    #[error("the lines of sight of both eyes do not meet in front of them")]
-    Apart,
 }
 
 impl Model {
@@ -142,7 +128,7 @@ impl Model {
                 let position = sighting(speed, point, middle(pair), observation_time)?.position;
                 Ok(Stereo { gain: 1.0, position, miss: 0.0 })
             }
-            Self::Published(_) => Err(StereoError::Published(self)),
+            Self::Published(_) => Err(StereoError::Published(self.name())),
         }
     }
 

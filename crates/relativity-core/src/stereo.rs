@@ -9,12 +9,27 @@
 //! n = `P_l` x `P_r` = (b - w `e_x`) x P and is |w `n_x`|/|n| long. It leaves the lines at the fractions
 //! (b x P).n/n^2 +- w (`n_y` `b_z` - `n_z` `b_y`)/(2 n^2) of their lengths.
 
+use thiserror::Error;
+
 use crate::apparent::{Aperture, SourcePoint, check_inputs};
 use crate::cone_pair::{ConePair, LinesOfSight, Offset};
 use crate::domain::DomainError;
-use crate::model::StereoError;
 use crate::one_cone::middle;
 use crate::speed::Speed;
+
+/// Why there is no stereo position.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum StereoError {
+    /// A coordinate or time outside the domain.
+    #[error(transparent)]
+    Domain(#[from] DomainError),
+    /// A published model, of this name, whose two directions start from one aperture.
+    #[error("the model {0} has no stereo position: it measures both eyes' angles from the left eye")]
+    Published(&'static str),
+    /// Lines of sight that are parallel, or diverge.
+    #[error("the lines of sight of both eyes do not meet in front of them")]
+    Apart,
+}
 
 /// What two eyes make of one point.
 ///

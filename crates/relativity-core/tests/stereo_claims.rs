@@ -429,7 +429,7 @@ fn a_published_model_has_no_stereo_position_and_says_so() {
     let published = Model::Published(PublishedVariant::AppendixA);
     let pair = Aperture::pair(0.1);
     let error = published.stereo(&speed, point, pair, 0.0).expect_err("it has none");
-    assert_eq!(error, StereoError::Published(published));
+    assert_eq!(error, StereoError::Published(published.name()));
     let said = "the model published has no stereo position: it measures both eyes' angles from the left eye";
     assert_eq!(error.to_string(), said);
     assert_eq!(Model::Exact.stereo(&speed, point, pair, 0.0), stereo(&speed, point, pair, 0.0));
