@@ -10,6 +10,7 @@ use gamow::app::App;
 use gamow::app::command::Command;
 use gamow::app::corrected::Corrected;
 use gamow::app::state::State;
+use gamow::flags::choices::ProjectionChoice;
 use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::settings::{FitSetup, PlotTab, Plots, Presence, Theme};
 use relativity_core::{
@@ -299,6 +300,8 @@ fn red_share(window: &mut Harness<'_, App>, by: &str) -> f64 {
 
 fn the_corrected_picture_is_red_if_the_fit_is_right() {
     let mut state = fitted(0.9, FitSetup::default());
+    // In a parallel picture it is smaller.
+    state.settings.look.projection = ProjectionChoice::Gaze;
     state.settings.window.corrected = true;
     state.settings.window.theme = Theme::Light;
     let mut window = window_with_fit(state);

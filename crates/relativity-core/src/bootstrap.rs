@@ -114,7 +114,7 @@ fn quantile(values: &[f64], share: f64) -> f64 {
 /// # Examples
 ///
 /// ```
-/// use relativity_core::{FitOptions, Parameter, bootstrap, fit};
+/// use relativity_core::{Aperture, FitOptions, Parameter, bootstrap, fit};
 /// # use relativity_core::{Model, Simulation, SourcePoint, Speed};
 /// # let truth = Simulation {
 /// #     speed: Speed::from_beta(0.9)?,

@@ -29,7 +29,7 @@ pub struct Combined {
 /// # Examples
 ///
 /// ```
-/// use relativity_core::{Curves, FitOptions, Parameter, bootstrap, combined, fit};
+/// use relativity_core::{Aperture, Curves, FitOptions, Parameter, bootstrap, combined, fit};
 /// # use relativity_core::{Model, Simulation, SourcePoint, Speed};
 /// # let truth = Simulation {
 /// #     speed: Speed::from_beta(0.9)?,

@@ -128,7 +128,7 @@ impl Fit {
 /// # Examples
 ///
 /// ```
-/// use relativity_core::{FitOptions, Model, Parameter, Simulation, SourcePoint, Speed, fit};
+/// use relativity_core::{Aperture, FitOptions, Model, Parameter, Simulation, SourcePoint, Speed, fit};
 ///
 /// let truth = Simulation {
 ///     speed: Speed::from_beta(0.9)?,

@@ -1,0 +1,114 @@
+//! The controls of what makes two eyes' pictures a pair: how they are shown together, which way the eyes are from each
+//! other, and what an audience can fuse.
+
+use eframe::egui::{self, ComboBox, Ui};
+
+use super::{projection, screen};
+use crate::app::command::Command;
+use crate::app::layouts::{self, LAYOUTS};
+use crate::app::panels::Asks;
+use crate::app::state::State;
+use crate::app::widgets::{NumberRow, choice, row};
+use crate::flags::HEAD_DEGREES;
+use crate::settings::{Motion, Picture};
+
+/// Room for the list of layouts before it scrolls, points.
+const LAYOUTS_HEIGHT: f32 = 340.0;
+
+/// Shows them.
+pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    let (mut motion, mut look) = (state.settings.motion, state.settings.look);
+    layout_row(ui, state.settings.picture, asks);
+    head_rows(ui, &mut motion);
+    projection::show(ui, state, &mut look);
+    screen::show(ui, state, asks);
+    if motion != state.settings.motion {
+        asks.push(Command::Motion(motion));
+    }
+    if look != state.settings.look {
+        asks.push(Command::Look(look));
+    }
+}
+
+/// How the eyes' pictures are shown together.
+fn layout_row(ui: &mut Ui, picture: Picture, asks: &mut Asks) {
+    let tip = "How the pictures of the two eyes are shown together.   Key: L";
+    row(ui, "Layout", tip, |ui| {
+        ComboBox::from_id_salt("layout")
+            .selected_text(layouts::name(picture.layout))
+            .width(118.0)
+            .height(LAYOUTS_HEIGHT)
+            .show_ui(ui, |ui| {
+                for (layout, name, tip) in LAYOUTS {
+                    let choice = ui.selectable_label(layout == picture.layout, name);
+                    if choice.on_hover_text(tip).clicked() {
+                        asks.push(Command::Layout(layout));
+                    }
+                }
+            })
+            .response
+            .on_hover_text(tip)
+            .accessible_name("Layout of the pictures");
+        let mut is_swapped = picture.swapped.has(picture.layout);
+        let swap = egui::Checkbox::new(&mut is_swapped, "swap eyes");
+        let response = ui.add_enabled(picture.layout.has_both(), swap);
+        let tip = "Exchanges the two pictures in this layout, which is remembered for each.   Key: X";
+        if response.on_hover_text(tip).on_disabled_hover_text("It shows one eye.").changed() {
+            asks.push(Command::SwapEyes);
+        }
+    });
+}
+
+/// Which way the eyes are from each other: a choice of three, and how far the head is tilted and turned.
+fn head_rows(ui: &mut Ui, motion: &mut Motion) {
+    row(
+        ui,
+        "Eyes",
+        "Which way the right eye is from the left one. Is a body really turned? One eye cannot tell, and two \
+        eyes each in their own way.",
+        |ui| {
+            let mut held = [motion.roll, motion.turn];
+            if choice(ui, &mut held, &HELD) {
+                [motion.roll, motion.turn] = held;
+            }
+        },
+    );
+    let tilted = NumberRow {
+        name: "Head tilted",
+        tip: "By how much the head tilts: the right eye is the higher one above 0°, straight above the left one at 90°.\n\
+            Eyes above each other see a rod abreast contracted, and not turned; eyes along the motion see it turned.",
+        slider: -90.0..=90.0,
+        typed: HEAD_DEGREES,
+        decimals: 2,
+        suffix: "°",
+    };
+    let turned = NumberRow {
+        name: "Head turned",
+        tip: "By how much the head turns, to the left above 0°: at 90° the right eye is straight beyond the left one.\n\
+            Lines of sight then need not meet.",
+        ..tilted.clone()
+    };
+    tilted.show(ui, &mut motion.roll);
+    turned.show(ui, &mut motion.turn);
+}
+
+/// Tilt and turn of eyes that are along and across the motion.
+const HELD: [([f64; 2], &str, &str); 3] = [
+    (
+        [0.0, 0.0],
+        "Along",
+        "Beside each other, along the motion: the paper's. Two eyes see a rod abreast turned by arctan β and \
+        shortened to √(1 − β⁴).",
+    ),
+    (
+        [90.0, 0.0],
+        "Above",
+        "The right eye above the left one: two eyes see a rod abreast not turned, contracted to 1/γ.",
+    ),
+    (
+        [0.0, 90.0],
+        "Behind",
+        "The right eye beyond the left one, across the motion and along the line of sight of what is \
+        abreast. Lines of sight need not meet.",
+    ),
+];
