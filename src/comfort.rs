@@ -1,6 +1,6 @@
 //! How comfortably two eyes fuse a pair of pictures: the disparities on the screen, as angles at the viewer.
 //!
-//! Of the places of all bodies ([`places`]) those count that lie in both pictures. The difference of where one is in the
+//! Of the places of all bodies (`places`) those count that lie in both pictures. The difference of where one is in the
 //! left and in the right picture is `u_left - u_right` across and `v_left - v_right` down; seen from a distance L a
 //! difference p is the angle `2 atan(p / 2L)`. The horizontal range is that of the greatest difference across less the
 //! least, so that shifting a picture does not change it; the vertical disparity is that of the largest difference down.

@@ -44,7 +44,7 @@ pub fn write(picture: &Picture, texts: &[(&str, &str)], out: impl Write) -> anyh
 }
 
 impl Still {
-    /// It as a PNG file with `texts`, as [`write`].
+    /// It as a PNG file with `texts`, as [`write()`].
     ///
     /// # Errors
     ///
