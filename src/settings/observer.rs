@@ -20,6 +20,10 @@ use crate::flags::{Exposure, FieldOfView};
 use crate::passage;
 use crate::scene::{Scene, SceneError, Track};
 
+/// How far one eye can be ahead of the other, in parts of their separation, for pictures parallel to the line between them:
+/// further on, what is abreast would be seen along that line.
+const MOST_AHEAD: f64 = 0.87;
+
 /// What gazes turn to.
 #[derive(Debug, Clone, Copy)]
 pub struct Subject<'a> {
@@ -241,7 +245,7 @@ impl Settings {
     fn gaze_at(&self, point: &Track, observation_time: f64) -> Option<Gaze> {
         let [left, right] = self.directions(point, observation_time);
         let directions = [left?, right?];
-        if self.look.projection == ProjectionChoice::Gaze {
+        if self.projection() == ProjectionChoice::Gaze {
             return Gaze::towards(directions);
         }
         // On a plane along the baseline it is the tangents that have a mean: both directions are cut off equally far from
@@ -280,6 +284,16 @@ impl Settings {
         })
     }
 
+    /// Where the pictures' planes lie: none suits both eyes where one is behind the other.
+    #[must_use]
+    pub fn projection(&self) -> ProjectionChoice {
+        let [_, ahead, _] = self.baseline().direction();
+        match self.look.projection {
+            ProjectionChoice::Parallel if ahead.abs() > MOST_AHEAD => ProjectionChoice::Gaze,
+            projection => projection,
+        }
+    }
+
     /// The cameras of eyes with this `look`, which follows nothing.
     fn cameras_with(&self, look: &Look, size: [u32; 2]) -> [Camera; 2] {
         let gaze = look.gaze.fixed().unwrap_or(Gaze::STRAIGHT_AHEAD);
@@ -289,7 +303,7 @@ impl Settings {
         let shifts = self.shifts(look);
         let camera = |eye: usize, aperture, side: f64| Camera {
             off_middle: right * (side * half_separation),
-            projection: match look.projection {
+            projection: match self.projection() {
                 ProjectionChoice::Parallel => Projection::Parallel { right, shift: shifts[eye] },
                 ProjectionChoice::Gaze => Projection::Gaze,
                 ProjectionChoice::Vr180 => Projection::Vr180 { right },

@@ -410,3 +410,19 @@ fn settings_are_told_from_scenes() {
     assert!(!looks_like_settings(include_str!("../../assets/scenes/cyclist.toml")));
     assert!(!looks_like_settings("name = = 3"));
 }
+
+/// Pictures beside the line between the eyes would show what is abreast from the side.
+#[test]
+fn eyes_one_behind_the_other_have_pictures_that_follow_the_gaze() {
+    let projection = |roll: f64, turn: f64| {
+        let mut settings = Settings::default();
+        (settings.motion.roll, settings.motion.turn) = (roll, turn);
+        settings.projection()
+    };
+    for (roll, turn) in [(0.0, 0.0), (90.0, 0.0), (0.0, 60.0), (0.0, -60.0), (0.0, 180.0), (45.0, 90.0)] {
+        assert_eq!(projection(roll, turn), ProjectionChoice::Parallel, "{roll} {turn}");
+    }
+    for (roll, turn) in [(0.0, 61.0), (0.0, 90.0), (0.0, -90.0), (10.0, 100.0)] {
+        assert_eq!(projection(roll, turn), ProjectionChoice::Gaze, "{roll} {turn}");
+    }
+}
