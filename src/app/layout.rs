@@ -45,7 +45,7 @@ const NARROWEST_LINE: f32 = 1000.0;
 /// Height of the readout down to the times and places, and with all of its rows.
 const READOUT_HEIGHTS: [f32; 2] = [274.0, 345.0];
 /// Height of the controls of motion and view, which the readout leaves to them before it grows.
-const CONTROLS_HEIGHT: f32 = 446.0;
+const CONTROLS_HEIGHT: f32 = 472.0;
 /// Height of its title and what two eyes make of the point alone.
 const FOLDED_READOUT_HEIGHT: f32 = 86.0;
 /// Width of the controls, of which all is in sight, and the least that a share of theirs leaves to the rest.

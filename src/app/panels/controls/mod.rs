@@ -6,18 +6,22 @@ mod screen;
 mod speed;
 mod two_eyes;
 
-use eframe::egui::{RichText, ScrollArea, Ui};
+use eframe::egui::{self, ComboBox, RichText, ScrollArea, Ui};
 use relativity_render::Geometry;
 
 use super::Asks;
 use crate::app::command::Command;
 use crate::app::dial;
+use crate::app::layouts::{self, LAYOUTS};
 use crate::app::state::State;
 use crate::app::widgets::{NumberRow, choice, row, section};
 use crate::flags::FieldOfView;
 use crate::flags::choices::{GazeChoice, RendererChoice};
-use crate::settings::{BOUND_PX, FOV_DEGREES, Look, MAX_LENGTH, Motion, Quality, USUAL_FOV, Window};
+use crate::settings::{BOUND_PX, FOV_DEGREES, Look, MAX_LENGTH, Motion, Picture, Quality, USUAL_FOV, Window};
 use crate::units::Unit;
+
+/// Room for the list of layouts before it scrolls, points.
+const LAYOUTS_HEIGHT: f32 = 340.0;
 
 /// Shows the controls.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
@@ -89,6 +93,7 @@ fn shift(distance: f64) -> f64 {
 
 fn look(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let mut look = state.settings.look;
+    layout_row(ui, state.settings.picture, asks);
     geometry_row(ui, &mut look.geometry);
     light_cones_row(ui, &mut look.geometry, state.settings.baseline().is_along_motion());
     gaze_row(ui, state, &mut look);
@@ -98,6 +103,35 @@ fn look(ui: &mut Ui, state: &State, asks: &mut Asks) {
     if look != state.settings.look {
         asks.push(Command::Look(look));
     }
+}
+
+/// How the eyes' pictures are shown together.
+fn layout_row(ui: &mut Ui, picture: Picture, asks: &mut Asks) {
+    let tip = "How the pictures of the two eyes are shown together.   Key: L";
+    row(ui, "Layout", tip, |ui| {
+        ComboBox::from_id_salt("layout")
+            .selected_text(layouts::name(picture.layout))
+            .width(118.0)
+            .height(LAYOUTS_HEIGHT)
+            .show_ui(ui, |ui| {
+                for (layout, name, tip) in LAYOUTS {
+                    let choice = ui.selectable_label(layout == picture.layout, name);
+                    if choice.on_hover_text(tip).clicked() {
+                        asks.push(Command::Layout(layout));
+                    }
+                }
+            })
+            .response
+            .on_hover_text(tip)
+            .accessible_name("Layout of the pictures");
+        let mut is_swapped = picture.swapped.has(picture.layout);
+        let swap = egui::Checkbox::new(&mut is_swapped, "swap eyes");
+        let response = ui.add_enabled(picture.layout.has_both(), swap);
+        let tip = "Exchanges the two pictures in this layout, which is remembered for each.   Key: X";
+        if response.on_hover_text(tip).on_disabled_hover_text("It shows one eye.").changed() {
+            asks.push(Command::SwapEyes);
+        }
+    });
 }
 
 fn quality(ui: &mut Ui, set: Quality, asks: &mut Asks) {

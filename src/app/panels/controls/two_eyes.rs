@@ -1,24 +1,19 @@
-//! The controls of what makes two eyes' pictures a pair: how they are shown together, which way the eyes are from each
-//! other, and what an audience can fuse.
+//! The controls of what makes two eyes' pictures a pair: which way the eyes are from each other, where the
+//! pictures lie, and what an audience can fuse.
 
-use eframe::egui::{self, ComboBox, Ui};
+use eframe::egui::Ui;
 
 use super::{projection, screen};
 use crate::app::command::Command;
-use crate::app::layouts::{self, LAYOUTS};
 use crate::app::panels::Asks;
 use crate::app::state::State;
 use crate::app::widgets::{NumberRow, choice, row};
 use crate::flags::HEAD_DEGREES;
-use crate::settings::{Motion, Picture};
-
-/// Room for the list of layouts before it scrolls, points.
-const LAYOUTS_HEIGHT: f32 = 340.0;
+use crate::settings::Motion;
 
 /// Shows them.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let (mut motion, mut look) = (state.settings.motion, state.settings.look);
-    layout_row(ui, state.settings.picture, asks);
     head_rows(ui, &mut motion);
     projection::show(ui, state, &mut look);
     screen::show(ui, state, asks);
@@ -28,35 +23,6 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     if look != state.settings.look {
         asks.push(Command::Look(look));
     }
-}
-
-/// How the eyes' pictures are shown together.
-fn layout_row(ui: &mut Ui, picture: Picture, asks: &mut Asks) {
-    let tip = "How the pictures of the two eyes are shown together.   Key: L";
-    row(ui, "Layout", tip, |ui| {
-        ComboBox::from_id_salt("layout")
-            .selected_text(layouts::name(picture.layout))
-            .width(118.0)
-            .height(LAYOUTS_HEIGHT)
-            .show_ui(ui, |ui| {
-                for (layout, name, tip) in LAYOUTS {
-                    let choice = ui.selectable_label(layout == picture.layout, name);
-                    if choice.on_hover_text(tip).clicked() {
-                        asks.push(Command::Layout(layout));
-                    }
-                }
-            })
-            .response
-            .on_hover_text(tip)
-            .accessible_name("Layout of the pictures");
-        let mut is_swapped = picture.swapped.has(picture.layout);
-        let swap = egui::Checkbox::new(&mut is_swapped, "swap eyes");
-        let response = ui.add_enabled(picture.layout.has_both(), swap);
-        let tip = "Exchanges the two pictures in this layout, which is remembered for each.   Key: X";
-        if response.on_hover_text(tip).on_disabled_hover_text("It shows one eye.").changed() {
-            asks.push(Command::SwapEyes);
-        }
-    });
 }
 
 /// Which way the eyes are from each other: a choice of three, and how far the head is tilted and turned.
