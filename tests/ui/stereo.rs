@@ -103,7 +103,7 @@ fn eyes_above_and_behind_each_other() {
     state.settings.plots.plot = PlotTab::Stereo;
     // Nearly level with the eyes.
     state.settings.motion.height_shift = -1.8;
-    let mut window = window(state);
+    let mut window = window_of_size(state, [1280.0, 1300.0], 1.0);
     window.state_mut().ask(Command::Time(0.5));
     window.get_by_label("Above").click();
     window.run();
