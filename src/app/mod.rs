@@ -39,27 +39,26 @@ pub mod state;
 mod stillness;
 mod theme;
 pub mod under;
+mod views;
 mod widgets;
 mod worker;
 
-use eframe::egui::{self, Rect, TextureId, Ui, UiBuilder, ViewportClass};
+use eframe::egui::{self, Rect, Ui, UiBuilder};
 use eframe::egui_wgpu::RenderState;
 
 use command::Command;
 use corrected::Corrected;
 use curves::{Curves, CurvesKey};
-use examination::{Examination, Sight};
+use examination::Examination;
 use eyes::EyePictures;
 use fitting::Fitting;
 use full_screen::FullScreen;
 use layout::{Layout, Presentation};
-use panels::views::Painted;
 use panels::{Asks, plots::Plotted};
-use panes::{Arrangement, Content, EyePane, Pane};
+use panes::{Arrangement, Content};
 use stage::Part;
 use state::State;
 
-use crate::flags::choices::Form;
 use crate::settings::{PlotTab, Settings};
 
 /// The whole window.
@@ -188,124 +187,6 @@ impl App {
         }
     }
 
-    /// Examines the pictures in `panes` while their figures are in view.
-    fn update_examination(&mut self, ui: &Ui, panes: &[Pane], plots_are_shown: bool) {
-        if !plots_are_shown || self.state.settings.plots.plot != PlotTab::Accuracy {
-            self.examination.iter_mut().for_each(Examination::rest);
-            return;
-        }
-        let state = &self.state;
-        let panes = panes.iter().flat_map(|pane| self.eye_panes(ui, pane));
-        let exact = panes.filter(|pane| !state.sees_as_published(pane.eye));
-        let sight = Sight {
-            views: exact.map(|pane| (pane.eye, state.view(pane.eye, pane.size))).collect(),
-            appearance: state.appearance(!ui.visuals().dark_mode),
-            scene: state.session.prepared.clone(),
-        };
-        let gpu = self.eyes.as_ref().map(|eyes| eyes.gpu().clone());
-        let examination = self.examination.get_or_insert_with(|| Examination::new(ui.ctx(), gpu));
-        examination.update(ui.ctx(), &sight, state.settings.quality.method());
-    }
-
-    /// Where in `pane` eyes' pictures are, in the order of the layout.
-    fn eye_panes(&self, ui: &Ui, pane: &Pane) -> Vec<EyePane> {
-        let largest = self.eyes.as_ref().map_or(1, EyePictures::largest_side);
-        let scale = ui.pixels_per_point();
-        match pane.content {
-            Content::Eye(eye) => vec![EyePane::new(eye, pane.rect, scale, largest)],
-            Content::Both => EyePane::both(&self.state.settings.picture, pane.rect, scale, largest).into(),
-            Content::Corrected => Vec::new(),
-        }
-    }
-
-    /// Notes how large the eyes' pictures are: fields of view are fitted to that of the first.
-    fn measure_pictures(&mut self, ui: &Ui, panes: &[Pane]) {
-        if let Some(pane) = panes.iter().find_map(|pane| self.eye_panes(ui, pane).first().copied()) {
-            self.state.session.picture_size = pane.size;
-        }
-    }
-
-    /// Reads the mouse in `pane`.
-    fn interact(&mut self, ui: &mut Ui, pane: Pane) {
-        for pane in self.eye_panes(ui, &pane).into_iter().filter(EyePane::takes_the_mouse) {
-            self.panel(ui, pane.eye.name(), pane.rect, |ui, _, asks| {
-                panels::views::interact(ui, pane, asks);
-            });
-        }
-    }
-
-    /// Draws what stands in `pane`.
-    fn paint(&mut self, ui: &Ui, pane: Pane) {
-        match (pane.content, self.eye_panes(ui, &pane).as_slice()) {
-            (Content::Both, &[first, second]) => self.paint_both(ui, [first, second]),
-            (Content::Corrected, _) => self.show_corrected(ui, pane.rect),
-            (_, panes) => panes.iter().for_each(|&pane| self.paint_eye(ui, pane)),
-        }
-    }
-
-    /// What is drawn in `pane`.
-    fn request(&self, ui: &Ui, pane: EyePane) -> eyes::Request {
-        let state = &self.state;
-        eyes::Request {
-            view: state.view(pane.eye, pane.size),
-            appearance: state.appearance(!ui.visuals().dark_mode),
-            scene: state.session.prepared.clone(),
-            method: state.settings.quality.method(),
-        }
-    }
-
-    /// How far the picture of `request` in `pane` is off, where that is to be seen.
-    fn heat_map(&mut self, ui: &Ui, pane: EyePane, request: &eyes::Request) -> Option<TextureId> {
-        let examination = self.examination.as_mut().filter(|_| self.state.settings.plots.heat_map)?;
-        let method = request.method.of_view(&request.view);
-        examination.heat_map(ui.ctx(), pane.eye, method).map(Into::into)
-    }
-
-    /// Draws `pane`: the up-to-date picture, how far it is off, and the markers.
-    fn paint_eye(&mut self, ui: &Ui, pane: EyePane) {
-        let request = self.request(ui, pane);
-        let picture = self.eyes.as_mut().map(|eyes| eyes.picture(ui.ctx(), pane.eye.index(), &request));
-        let heat_map = self.heat_map(ui, pane, &request);
-        panels::views::paint(ui, &self.state, pane, Painted { picture, heat_map });
-    }
-
-    /// Draws the picture that both eyes share, and the markers of both, or of the one whose turn it is.
-    fn paint_both(&mut self, ui: &Ui, panes: [EyePane; 2]) {
-        let Form::Composed(composition) = self.state.settings.picture.layout.form() else {
-            let pane = panes[flicker::turn(ui.ctx())];
-            let request = self.request(ui, pane);
-            let picture = self.eyes.as_mut().map(|eyes| eyes.picture(ui.ctx(), pane.eye.index(), &request));
-            let heat_map = self.heat_map(ui, pane, &request);
-            return panels::views::paint_both(ui, &self.state, &[pane], picture, &[heat_map]);
-        };
-        let composition = panes::on_screen(ui, composition, panes[0].rect);
-        let requests = panes.map(|pane| self.request(ui, pane));
-        let [first, second] = [0, 1].map(|i: usize| (panes[i].eye.index(), &requests[i]));
-        let picture =
-            self.eyes.as_mut().and_then(|eyes| eyes.composed(ui.ctx(), composition, [first, second]));
-        let heat_maps = [0, 1].map(|i: usize| {
-            if panes[i].takes_the_mouse() { self.heat_map(ui, panes[i], &requests[i]) } else { None }
-        });
-        panels::views::paint_both(ui, &self.state, &panes, picture, &heat_maps);
-    }
-
-    /// Shows the left eye's picture in `rect`, corrected by the fitted speed while there is a fit in view.
-    fn show_corrected(&mut self, ui: &Ui, rect: Rect) {
-        let Settings { plots, window, .. } = self.state.settings;
-        let fit = self.fitting.shown().filter(|_| window.plots && plots.plot == PlotTab::Fit);
-        let correction = self.state.correction(fit);
-        let size = (rect.size() * ui.pixels_per_point()).round();
-        let job = corrected::Job {
-            view: self.state.view_to_correct([size.x, size.y].map(|side| side.max(1.0) as u32)),
-            speed: correction.speed,
-            appearance: self.state.appearance(!ui.visuals().dark_mode),
-            scene: self.state.session.prepared.clone(),
-        };
-        let corrected = self.corrected.get_or_insert_with(|| Corrected::of_left_eye(ui.ctx()));
-        corrected.request(&job);
-        panels::corrected::show(ui, rect, &correction, corrected.newest());
-    }
-
     /// Shows everything: first what changes the state, then what follows it.
     pub fn show(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
@@ -327,53 +208,6 @@ impl App {
         if self.state.session.playing {
             ctx.request_repaint();
         }
-    }
-
-    /// Shows the projector's window while there is one.
-    fn update_projector(&mut self, ctx: &egui::Context) {
-        if !self.state.session.stage.projector {
-            self.projected.iter_mut().for_each(EyePictures::forget);
-            return;
-        }
-        let builder = projector::window();
-        let is_closed = ctx.show_viewport_immediate(projector::id(), builder, |ui, class| {
-            if class == ViewportClass::Immediate {
-                self.read_projector_keys(ui.ctx());
-            }
-            self.show_projected(ui);
-            ui.input(|input| input.viewport().close_requested())
-        });
-        if is_closed {
-            self.apply(ctx, vec![Command::ToggleProjector]);
-        }
-    }
-
-    /// Has the keys work in a window of its own, too.
-    fn read_projector_keys(&mut self, ctx: &egui::Context) {
-        let asks = shortcuts::asked(ctx).into_iter().filter(|command| !projector::takes(ctx, command));
-        self.apply(ctx, asks.collect());
-    }
-
-    /// Shows the views, and nothing else, in a window whose `ui` this is.
-    fn show_projected(&mut self, ui: &mut Ui) {
-        if self.projected.is_none() {
-            self.projected = self.eyes.as_ref().map(EyePictures::another);
-        }
-        let area = ui.max_rect();
-        ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
-        let panes = layout::views(area, &self.arranged(ui).without_corrected());
-        // What is off is examined in pictures of the other window's size.
-        let (size, examination) = (self.state.session.picture_size, self.examination.take());
-        std::mem::swap(&mut self.eyes, &mut self.projected);
-        self.measure_pictures(ui, &panes);
-        for &pane in &panes {
-            self.interact(ui, pane);
-            self.paint(ui, pane);
-        }
-        self.forget_composed(&panes);
-        std::mem::swap(&mut self.eyes, &mut self.projected);
-        (self.state.session.picture_size, self.examination) = (size, examination);
-        halo::paint(ui.ctx());
     }
 
     /// Has the system and the writing follow what is made of the window, and notes what of its screen counts.
@@ -476,14 +310,6 @@ impl App {
         let State { settings, session } = &self.state;
         let cm_per_point = session.cm_per_pixel * f64::from(ui.pixels_per_point());
         Arrangement::of(settings, cm_per_point, self.text_scale)
-    }
-
-    /// Gives up the one picture of both eyes unless one of the `panes` shows it.
-    fn forget_composed(&mut self, panes: &[Pane]) {
-        let is_shown = panes.iter().any(|pane| pane.content == Content::Both);
-        if let Some(eyes) = self.eyes.as_mut().filter(|_| !is_shown) {
-            eyes.forget_composed();
-        }
     }
 
     /// Has a part alone in the window whose title is clicked twice, or all others again. What stands in a title is above
