@@ -172,8 +172,8 @@ impl Camera {
             Projection::Parallel { right, .. } => Axes::beside(right, self.gaze.axes().forward),
             Projection::Vr180 { right } => {
                 let ahead = Gaze { elevation: 0.0, ..self.gaze }.axes().forward;
-                let level = DVec3::Z.cross(right).try_normalize();
-                Axes::across(right, level.map_or(ahead, |level| level * 1f64.copysign(level.dot(ahead))))
+                let level = level_across(right).map(|level| level * 1f64.copysign(level.dot(ahead)));
+                Axes::across(right, level.unwrap_or(ahead))
             }
         }
     }
