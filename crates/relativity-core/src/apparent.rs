@@ -22,6 +22,11 @@ pub struct SourcePoint {
 }
 
 impl SourcePoint {
+    /// The same point, its places told from `aperture`.
+    pub(crate) fn told_from(self, aperture: Aperture) -> Self {
+        Self { x0: self.x0 - aperture.x, y: self.y - aperture.y, z: self.z - aperture.z }
+    }
+
     /// The point at rest coordinates `rest`: x0 is contracted by gamma.
     ///
     /// # Examples

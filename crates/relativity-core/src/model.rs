@@ -151,9 +151,7 @@ impl Model {
             Self::OneCone => (one_cone::cone_pair(speed, point, pair, observation_time), 0.0),
             Self::Published(variant) => {
                 // The paper puts the origin midway between both apertures.
-                let middle = 0.5 * (primary.x + secondary.x);
-                let point =
-                    SourcePoint { x0: point.x0 - middle, y: point.y - primary.y, z: point.z - primary.z };
+                let point = point.told_from(middle(pair));
                 published::cone_pair(speed, point, secondary.x - primary.x, observation_time, variant)
             }
         }
@@ -168,13 +166,12 @@ fn published_of_pair(
     observation_time: f64,
     variant: PublishedVariant,
 ) -> Result<Disparity, DomainError> {
-    let middle = left.x.midpoint(right.x);
-    let from_middle = SourcePoint { x0: point.x0 - middle, y: point.y - left.y, z: point.z - left.z };
+    let middle = middle([left, right]);
     let separation = right.x - left.x;
-    let both = published_disparity(speed, from_middle, separation, observation_time, variant)?;
+    let both = published_disparity(speed, point.told_from(middle), separation, observation_time, variant)?;
     // The clock's zero stays with the ground's origin.
-    let own_time =
-        |seen: Sighting| Sighting { own_time: seen.own_time - speed.beta() * speed.gamma() * middle, ..seen };
+    let shift = speed.beta() * speed.gamma() * middle.x;
+    let own_time = |seen: Sighting| Sighting { own_time: seen.own_time - shift, ..seen };
     Ok(Disparity { primary: own_time(both.primary), secondary: own_time(both.secondary), ..both })
 }
 

@@ -56,7 +56,7 @@ pub fn observation_time_when_seen_at(
 
 /// The same of inputs that have been checked, for a point that moves.
 fn time_when_seen_at(speed: &Speed, point: SourcePoint, x: f64, pair: [Aperture; 2]) -> Option<f64> {
-    let (point, half) = (from_middle(point, pair), baseline(pair).map(|along| along / 2.0));
+    let (point, half) = (point.told_from(middle(pair)), baseline(pair).map(|along| along / 2.0));
     let half_squared = half[0] * half[0] + half[1] * half[1] + half[2] * half[2];
     let nearest = (half_squared + point.y * point.y + point.z * point.z).sqrt();
     let (beta, distance) = (speed.beta(), diagonal(x.abs(), nearest));
@@ -68,12 +68,6 @@ fn time_when_seen_at(speed: &Speed, point: SourcePoint, x: f64, pair: [Aperture;
         (x - point.x0) / beta + distance
     };
     time.is_finite().then_some(time)
-}
-
-/// `point` from the middle between both apertures.
-fn from_middle(point: SourcePoint, pair: [Aperture; 2]) -> SourcePoint {
-    let Aperture { x, y, z } = middle(pair);
-    SourcePoint { x0: point.x0 - x, y: point.y - y, z: point.z - z }
 }
 
 /// From the first to the second aperture.
@@ -119,7 +113,7 @@ pub fn equidistance_time(
     }
     check_inputs(point, pair[0], 0.0)?;
     check_inputs(point, pair[1], 0.0)?;
-    let SourcePoint { y, z, .. } = from_middle(point, pair);
+    let SourcePoint { y, z, .. } = point.told_from(middle(pair));
     let x = -(by * y + bz * z) / bx;
     let exists = speed.beta() != 0.0 && x.abs() <= MAX_COORDINATE;
     Ok(if exists { time_when_seen_at(speed, point, x, pair) } else { None })
