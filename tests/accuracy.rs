@@ -97,9 +97,9 @@ fn every_renderer_that_can_be_measured_is_held_against_the_reference() {
         assert_eq!(entries(&report, "missing").len(), 1);
         return;
     }
-    let exact = &entry(&report, "renderers", "method", "exact f32")["worst_view"];
-    assert!(number(&exact["silhouettes_px"]["p99"]) < 0.05, "{exact}");
-    assert!(number(&exact["doppler_relative"]["p99"]) < 1e-5, "{exact}");
+    let rays = &entry(&report, "renderers", "method", "rays f32")["worst_view"];
+    assert!(number(&rays["silhouettes_px"]["p99"]) < 0.05, "{rays}");
+    assert!(number(&rays["doppler_relative"]["p99"]) < 1e-5, "{rays}");
     for bound_px in [0.1, 0.5, 2.0] {
         let mesh = &entry(&report, "renderers", "method", &format!("mesh {bound_px} px"))["worst_view"];
         let displaced = number(&mesh["silhouettes_px"]["worst"]);
@@ -118,10 +118,10 @@ fn boxes_and_cylinders_are_drawn_as_exactly_as_round_bodies() {
     if report["setting"]["device"].is_null() {
         return;
     }
-    let exact = &entry(&report, "renderers", "method", "exact f32")["worst_view"];
-    assert!(number(&exact["wrong_share"]) < 0.001, "{exact}");
-    assert!(number(&exact["silhouettes_px"]["p99"]) < 0.05, "{exact}");
-    assert!(number(&exact["doppler_relative"]["worst"]) < 1e-5, "{exact}");
+    let rays = &entry(&report, "renderers", "method", "rays f32")["worst_view"];
+    assert!(number(&rays["wrong_share"]) < 0.001, "{rays}");
+    assert!(number(&rays["silhouettes_px"]["p99"]) < 0.05, "{rays}");
+    assert!(number(&rays["doppler_relative"]["worst"]) < 1e-5, "{rays}");
     let mesh = &entry(&report, "renderers", "method", "mesh 0.5 px")["worst_view"];
     assert!(number(&mesh["silhouettes_px"]["worst"]) < 0.5, "{mesh}");
 }
@@ -161,10 +161,10 @@ fn without_an_adapter_it_measures_what_it_can_and_says_what_is_missing() {
     let report = json(without_adapter(&mut command(&[])));
     assert!(report["setting"]["device"].is_null());
     assert_eq!(entries(&report, "renderers").len(), 1);
-    assert!(report["missing"][0].as_str().is_some_and(|missing| missing.contains("exact")));
+    assert!(report["missing"][0].as_str().is_some_and(|missing| missing.contains("rays")));
     assert_eq!(report["effects"]["method"], "reference f64");
     let table = output(without_adapter(&mut command(&[])));
-    assert!(table.contains("not measured: exact"), "{table}");
+    assert!(table.contains("not measured: rays"), "{table}");
 }
 
 #[test]

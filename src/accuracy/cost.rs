@@ -17,7 +17,7 @@ pub const MESH_BOUNDS_PX: [f64; 3] = [0.1, Method::DEFAULT_BOUND_PX, 2.0];
 #[must_use]
 pub fn methods(renderers: &Renderers) -> Vec<Method> {
     let meshes = MESH_BOUNDS_PX.map(|bound_px| Method::Mesh { bound_px });
-    let on_gpu = renderers.gpu().into_iter().flat_map(|_| [Method::Exact].into_iter().chain(meshes));
+    let on_gpu = renderers.gpu().into_iter().flat_map(|_| [Method::Rays].into_iter().chain(meshes));
     std::iter::once(Method::Reference).chain(on_gpu).collect()
 }
 

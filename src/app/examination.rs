@@ -93,7 +93,7 @@ impl Row<'_> {
     #[must_use]
     pub fn name(&self) -> String {
         match self.method {
-            Method::Exact => "exact".to_owned(),
+            Method::Rays => "rays".to_owned(),
             Method::Mesh { bound_px } => format!("mesh {} px", figures::trimmed(bound_px, 3)),
             Method::Reference => "reference".to_owned(),
         }
@@ -175,7 +175,7 @@ impl Examination {
         self.sight.as_ref().is_none_or(|sight| sight.views.is_empty())
     }
 
-    /// All methods: exact, meshes from fine to coarse, reference.
+    /// All methods: rays, meshes from fine to coarse, reference.
     pub fn rows(&self) -> impl Iterator<Item = Row<'_>> {
         self.methods.iter().map(|&method| {
             let outcome = self.outcome(method);
@@ -214,7 +214,7 @@ fn methods(has_gpu: bool, chosen: Method, sight: &Sight) -> Vec<Method> {
     bounds.dedup();
     let meshes = bounds.into_iter().map(|bound_px| Method::Mesh { bound_px });
     let draws = |method: &Method| sight.views.iter().all(|(_, view)| method.of_view(view) == *method);
-    [Method::Exact].into_iter().chain(meshes).chain([Method::Reference]).filter(draws).collect()
+    [Method::Rays].into_iter().chain(meshes).chain([Method::Reference]).filter(draws).collect()
 }
 
 fn outcome(renderers: &mut Renderers, job: &Job, is_cancelled: &dyn Fn() -> bool) -> Option<Outcome> {

@@ -61,8 +61,8 @@ pub struct Request {
 pub struct Shown {
     /// The picture.
     pub texture: TextureId,
-    /// What drew it. The exact renderer stands in for the reference until that is done; the published model is
-    /// only known to the mesh renderer, and one light cone for both eyes not to the exact one.
+    /// What drew it. The rays stand in for the reference until that is done; the published model is
+    /// only known to the mesh renderer, and one light cone for both eyes not to the rays.
     pub method: Method,
 }
 

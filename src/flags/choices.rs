@@ -16,11 +16,12 @@ use super::{finite_number, positive};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum RendererChoice {
-    /// Exact where there is a graphics adapter, else reference; mesh for the published geometry.
+    /// Rays where there is a graphics adapter, else reference; mesh for the published geometry.
     #[default]
     Auto,
     /// A ray test per pixel on the GPU, in f32.
-    Exact,
+    #[value(alias = "exact")]
+    Rays,
     /// Triangles on the GPU.
     Mesh,
     /// A ray test per pixel on the CPU, in f64.

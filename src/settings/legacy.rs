@@ -98,7 +98,7 @@ impl Legacy {
         Some(format!("--gaze={},{}", degrees("azimuth")?, degrees("elevation")?))
     }
 
-    /// The exact renderer was what is automatic now.
+    /// The rays were what is automatic now.
     fn renderer(&self) -> Option<String> {
         let renderer = self.at(&["quality", "renderer"])?.text()?;
         (renderer != "exact").then(|| format!("--renderer={renderer}"))

@@ -10,7 +10,7 @@ impl Quality {
     #[must_use]
     pub const fn method(&self) -> Method {
         match self.renderer {
-            RendererChoice::Auto | RendererChoice::Exact => Method::Exact,
+            RendererChoice::Auto | RendererChoice::Rays => Method::Rays,
             RendererChoice::Mesh => Method::Mesh { bound_px: self.bound_px },
             RendererChoice::Reference => Method::Reference,
         }
@@ -20,7 +20,7 @@ impl Quality {
     #[must_use]
     pub const fn with_method(self, method: Method) -> Self {
         match method {
-            Method::Exact => Self { renderer: RendererChoice::Auto, ..self },
+            Method::Rays => Self { renderer: RendererChoice::Auto, ..self },
             Method::Mesh { bound_px } => Self { renderer: RendererChoice::Mesh, bound_px },
             Method::Reference => Self { renderer: RendererChoice::Reference, ..self },
         }

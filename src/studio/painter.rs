@@ -39,7 +39,7 @@ impl Painter {
             _ if is_published => anyhow::bail!(
                 "--geometry published is defined point by point: only `--renderer mesh` draws it"
             ),
-            RendererChoice::Exact if has_one_cone => anyhow::bail!(
+            RendererChoice::Rays if has_one_cone => anyhow::bail!(
                 "--geometry one-cone is seen along curved rays: only `--renderer mesh` and `--renderer reference` draw it"
             ),
             RendererChoice::Auto if has_one_cone => match automatic() {
@@ -47,7 +47,7 @@ impl Painter {
                 (_, gpu) => (mesh, gpu),
             },
             RendererChoice::Reference => (Method::Reference, None),
-            RendererChoice::Exact => (Method::Exact, Some(Gpu::headless().context("the exact renderer")?)),
+            RendererChoice::Rays => (Method::Rays, Some(Gpu::headless().context("the renderer rays")?)),
             RendererChoice::Auto => automatic(),
         };
         Ok(Self { renderers: Renderers::new(gpu), method, samples: settings.picture.samples })
@@ -64,7 +64,7 @@ impl Painter {
             RendererChoice::Auto => {
                 eprintln!("gamow: drawing with the reference renderer on the CPU, the one that knows vr180");
             }
-            RendererChoice::Exact | RendererChoice::Mesh => {
+            RendererChoice::Rays | RendererChoice::Mesh => {
                 anyhow::bail!("--projection vr180: only `--renderer reference` draws it")
             }
         }
@@ -77,7 +77,7 @@ impl Painter {
     pub const fn choice(&self) -> RendererChoice {
         match self.method {
             Method::Reference => RendererChoice::Reference,
-            Method::Exact => RendererChoice::Exact,
+            Method::Rays => RendererChoice::Rays,
             Method::Mesh { .. } => RendererChoice::Mesh,
         }
     }
@@ -114,16 +114,16 @@ impl Painter {
                 let (threads, samples) = (threads::count(), self.samples);
                 format!("reference, f64 on {threads} threads, {samples}x{samples} rays per pixel")
             }
-            Method::Exact => format!("exact, f32 on {device}"),
+            Method::Rays => format!("rays, f32 on {device}"),
             Method::Mesh { bound_px } => format!("mesh within {bound_px} px, f32 on {device}"),
         }
     }
 }
 
-/// Exact where there is a graphics adapter, else the reference.
+/// Rays where there is a graphics adapter, else the reference.
 fn automatic() -> (Method, Option<Gpu>) {
     match Gpu::headless() {
-        Ok(gpu) => (Method::Exact, Some(gpu)),
+        Ok(gpu) => (Method::Rays, Some(gpu)),
         Err(error) => {
             eprintln!("gamow: drawing with the reference renderer on the CPU: {error}");
             (Method::Reference, None)

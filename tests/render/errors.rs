@@ -14,8 +14,8 @@ fn mistakes_are_told_in_one_line() {
         ("--frames 2 --out picture.png", "folder"),
         ("--frames 2 --beta 0 --out ride", "--from and --to"),
         ("--geometry published", "--renderer mesh"),
-        ("--geometry published --renderer exact", "--renderer mesh"),
-        ("--geometry one-cone --renderer exact", "--renderer mesh"),
+        ("--geometry published --renderer rays", "--renderer mesh"),
+        ("--geometry one-cone --renderer rays", "--renderer mesh"),
         ("--scene cyclsit", "cyclsit"),
         ("--scene missing.toml", "missing.toml"),
         ("--beta 1", "beta = 1"),
@@ -66,6 +66,6 @@ fn without_an_adapter_it_draws_by_reference_and_says_so() {
     assert!(parameters.contains("--renderer=reference"), "{parameters}");
 
     let mut command = Command::new(env!("CARGO_BIN_EXE_gamow"));
-    let demanded = command.args(flags).arg("--renderer=exact").env("WGPU_BACKEND", "dx12").output();
+    let demanded = command.args(flags).arg("--renderer=rays").env("WGPU_BACKEND", "dx12").output();
     assert_eq!(demanded.expect("the program starts").status.code(), Some(2));
 }

@@ -131,7 +131,7 @@ fn marker_and_surface_agree() {
             for eye in Eye::BOTH {
                 let view = state.view(eye, size);
                 let image =
-                    renderers.hits(Method::Exact, &state.session.prepared, &view).expect("the device works");
+                    renderers.hits(Method::Rays, &state.session.prepared, &view).expect("the device works");
                 let hits: Vec<_> = image.hits.iter().enumerate().filter(|(_, hit)| hit.is_some()).collect();
                 for (index, hit) in hits.iter().step_by((hits.len() / 40).max(1)) {
                     let Some(hit) = hit else { continue };
@@ -162,7 +162,7 @@ fn marker_and_surface_agree() {
 fn the_published_right_eye() {
     let mut window = window(cyclist(0.9));
     let exact = window.render().expect("a picture");
-    window.get_by_label("As in the paper").click();
+    window.get_by_label("Published").click();
     window.remove_cursor();
     window.run();
     let published = window.render().expect("a picture");

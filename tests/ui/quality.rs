@@ -92,12 +92,12 @@ fn the_reference_draws_the_views() {
     );
     let repaint = window.output().viewport_output[&ViewportId::ROOT].repaint_delay;
     assert_eq!(repaint, Duration::MAX, "a window at rest uses no processor");
-    // While something moves, the exact renderer stands in.
+    // While something moves, the rays stand in.
     window.state_mut().ask(Command::Time(2.0));
     window.step();
     assert!(!window.state().is_settled());
     let stand_in = share_in_pane(&mut window, any);
-    window.get_by_label("Exact").click();
+    window.get_by_label("Rays").click();
     window.run();
     assert_eq!(stand_in, share_in_pane(&mut window, any));
 }
@@ -117,20 +117,20 @@ fn the_accuracy_tab_measures() {
     window.get_by_label("Accuracy").click();
     window.run_steps(2);
     settle(&mut window);
-    for renderer in ["exact", "mesh 0.1 px", "mesh 0.5 px", "mesh 2 px", "reference"] {
+    for renderer in ["rays", "mesh 0.1 px", "mesh 0.5 px", "mesh 2 px", "reference"] {
         assert!(figure(&window, renderer, "ms") > 0.0, "{renderer}");
     }
-    for (renderer, bound) in [("exact", 0.05), ("mesh 0.1 px", 0.1), ("mesh 0.5 px", 0.5), ("mesh 2 px", 2.0)]
+    for (renderer, bound) in [("rays", 0.05), ("mesh 0.1 px", 0.1), ("mesh 0.5 px", 0.5), ("mesh 2 px", 2.0)]
     {
         assert!(figure(&window, renderer, "outlines / px") <= bound, "{renderer}");
     }
     let direction = |renderer| figure(&window, renderer, "direction / ″");
-    assert!(direction("reference") < 1e-6 && direction("exact") < 1.0);
+    assert!(direction("reference") < 1e-6 && direction("rays") < 1.0);
     assert!(
-        direction("exact") < direction("mesh 0.1 px") && direction("mesh 0.1 px") < direction("mesh 2 px")
+        direction("rays") < direction("mesh 0.1 px") && direction("mesh 0.1 px") < direction("mesh 2 px")
     );
-    assert!(figure(&window, "exact", "D") < 1e-5);
-    assert!(figure(&window, "exact", "other body") < 0.1);
+    assert!(figure(&window, "rays", "D") < 1e-5);
+    assert!(figure(&window, "rays", "other body") < 0.1);
     assert_eq!(figure(&window, "reference", "other body"), 0.0);
     let repaint = window.output().viewport_output[&ViewportId::ROOT].repaint_delay;
     assert_eq!(repaint, Duration::MAX, "a window at rest uses no processor");
@@ -218,7 +218,7 @@ fn the_heat_map_marks_errors() {
     window.run();
     assert!(share_in_pane(&mut window, red) > 1e-4);
     assert!(share_in_pane(&mut window, darker) > 0.5, "what surrounds the scene is dimmed");
-    window.get_by_label("exact").click();
+    window.get_by_label("rays").click();
     window.run();
     assert!(share_in_pane(&mut window, red) < 1e-4);
     window.get_by_label("Plots").click();

@@ -1,8 +1,8 @@
-//! What the exact renderer costs, against a loop over all bodies per pixel and against triangles.
+//! What the rays cost, against a loop over all bodies per pixel and against triangles.
 //!
 //! `cargo bench -p relativity-render --bench gpu` prints, for 64, 640 and 6,400 bodies that ride past at
 //! beta = 0.9, milliseconds per frame of two eyes of 480 x 540 pixels (median of rounds taken in turns) and
-//! ratios to the exact renderer's; then what it adds to compose the two pictures into one, and what pictures
+//! ratios to the rays'; then what it adds to compose the two pictures into one, and what pictures
 //! parallel to the baseline cost beside those across the gaze.
 
 use std::time::Instant;
@@ -23,7 +23,7 @@ const MOST_FOR_BRUTE_FORCE: usize = 64;
 fn main() -> Result<(), GpuError> {
     let gpu = Gpu::headless()?;
     println!("{}, 2 x {} x {}, ms per frame", gpu.description(), SIZE[0], SIZE[1]);
-    println!("bodies  no bodies  exact  brute force        mesh 0.5 px       mesh 0.05 px");
+    println!("bodies  no bodies   rays  brute force        mesh 0.5 px       mesh 0.05 px");
     for count in [64, 640, 6400] {
         compare(&gpu, &crowd(count))?;
     }
@@ -38,8 +38,7 @@ fn main() -> Result<(), GpuError> {
         compose(&gpu, composition, &crowd(64))?;
     }
     println!("bodies  across the gaze      parallel, the same picture      parallel, sheared");
-    for (count, method) in [(64, Method::Exact), (640, Method::Exact), (640, Method::Mesh { bound_px: 0.5 })]
-    {
+    for (count, method) in [(64, Method::Rays), (640, Method::Rays), (640, Method::Mesh { bound_px: 0.5 })] {
         compare_projections(&gpu, &crowd(count), method)?;
     }
     Ok(())
@@ -86,7 +85,7 @@ fn compose(gpu: &Gpu, composition: Composition, bodies: &[Body]) -> Result<(), G
         for (is_composed, times) in [false, true].into_iter().zip(&mut times) {
             let start = Instant::now();
             for (view, target) in views().iter().zip(&mut targets) {
-                renderers.draw(Method::Exact, &scene, view, &appearance, target)?;
+                renderers.draw(Method::Rays, &scene, view, &appearance, target)?;
             }
             if is_composed {
                 composer.compose(gpu, composition, targets.each_ref(), &composed);
@@ -122,22 +121,22 @@ fn compare(gpu: &Gpu, bodies: &[Body]) -> Result<(), GpuError> {
             }
             Ok::<_, GpuError>(())
         };
-        timed(&mut times[0], &mut renderers, Method::Exact, &empty)?;
-        timed(&mut times[1], &mut renderers, Method::Exact, &scene)?;
+        timed(&mut times[0], &mut renderers, Method::Rays, &empty)?;
+        timed(&mut times[1], &mut renderers, Method::Rays, &scene)?;
         if bodies.len() <= MOST_FOR_BRUTE_FORCE {
-            timed(&mut times[2], &mut brute, Method::Exact, &scene)?;
+            timed(&mut times[2], &mut brute, Method::Rays, &scene)?;
         }
         for (bound_px, times) in [0.5, 0.05].into_iter().zip(&mut times[3..]) {
             timed(times, &mut renderers, Method::Mesh { bound_px }, &scene)?;
         }
     }
-    let [none, exact, brute, coarse, fine] = times.map(median);
+    let [none, rays, brute, coarse, fine] = times.map(median);
     let ratio = |time: f64| {
-        let text = if time.is_nan() { "-".to_owned() } else { format!("{time:.1} ({:5.2} x)", time / exact) };
+        let text = if time.is_nan() { "-".to_owned() } else { format!("{time:.1} ({:5.2} x)", time / rays) };
         format!("{text:>18}")
     };
     println!(
-        "{:6}  {none:9.1}  {exact:5.1}  {}  {}  {}",
+        "{:6}  {none:9.1}  {rays:5.1}  {}  {}  {}",
         bodies.len(),
         ratio(brute),
         ratio(coarse),

@@ -101,7 +101,7 @@ fn nearest_to(anchor: vec3f, ray: Ray) -> vec3f {
 // are told by ground distance, and placed where the reference would show a body of its own at that distance. f32
 // holds their distances to about 1e-7: two of their surfaces that are nearer to each other than this part of the way
 // to the camera in their own rest frame may come out in either order. For slow groups that is nothing; what it is for
-// a second fast one says `Method::Exact`, and `tests/gpu_exact.rs` measures it.
+// a second fast one says `Method::Rays`, and `tests/gpu_rays.rs` measures it.
 fn depth(ray: Ray, beyond: f32) -> f32 {
     if !HAS_OTHERS {
         return 0.5 - beyond * frame.middle.w;

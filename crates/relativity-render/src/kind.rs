@@ -16,7 +16,7 @@ macro_rules! kinds {
             /// Every kind.
             pub const ALL: &[Self] = &[$(Self::$kind),+];
 
-            /// The exact renderer's shader.
+            /// The rays' shader.
             pub const fn impostor(self) -> &'static str {
                 match self {
                     $(Self::$kind => source!(

@@ -4,13 +4,13 @@ use std::mem::offset_of;
 
 use crate::compose::{self, Composing};
 use crate::effects::{Constant, Effects};
-use crate::exact::Piece;
 use crate::frame::Frame;
 use crate::kind::Kind;
 use crate::mesh::{Corner, Instance};
 use crate::pipelines::{Key, Output, Technique};
+use crate::rays::Piece;
 use crate::view::{Appearance, Geometry};
-use crate::{backdrop, exact, mesh, shaders};
+use crate::{backdrop, mesh, rays, shaders};
 
 /// A shader and what Rust gives it.
 #[derive(Debug)]
@@ -89,7 +89,7 @@ pub fn shaders() -> Vec<Shader> {
         constants: compose::constants().to_vec(),
     };
     let bodies = Kind::ALL.iter().flat_map(|&kind| {
-        [("impostor", exact::TECHNIQUE), ("mesh", mesh::TECHNIQUE)]
+        [("impostor", rays::TECHNIQUE), ("mesh", mesh::TECHNIQUE)]
             .map(|(name, technique)| of_bodies(kind, name, &technique))
     });
     bodies.chain([backdrop, compose]).collect()

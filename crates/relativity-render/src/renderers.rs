@@ -5,10 +5,10 @@ use std::fmt;
 use crate::camera::Projection;
 use crate::canvas::Canvas;
 use crate::drawing::Drawing;
-use crate::exact::{Bounds, ExactRenderer};
 use crate::gpu::{Gpu, GpuError, Undrawn};
 use crate::mesh::MeshRenderer;
 use crate::picture::Picture;
+use crate::rays::{Bounds, RayRenderer};
 use crate::reference::HitImage;
 use crate::scene::PreparedScene;
 use crate::target::EyeTarget;
@@ -29,7 +29,7 @@ pub enum Method {
     ///
     /// # Accuracy
     ///
-    /// `tests/gpu_exact.rs`, against the reference from rest to gamma = 1e30: the body differs at fewer than 0.1 % of
+    /// `tests/gpu_rays.rs`, against the reference from rest to gamma = 1e30: the body differs at fewer than 0.1 % of
     /// covered pixels, all of them within 0.05 px of an outline; D is within 1e-5; hits lie within 2e-6 of the surfaces
     /// of bodies about 1 large. Where tubes share a rounded end, the first of them is seen. `tests/gpu_pictures.rs`:
     /// away from outlines colours are within 2 of 255 levels.
@@ -37,14 +37,14 @@ pub enum Method {
     /// Of groups that fly apart all but the fastest lose digits as the camera recedes in their frames. Where two do so
     /// 3 units away, bodies a tenth of a unit apart are still told apart up to gamma = 1e5; at 1e6 the slower group (of
     /// equally fast ones the second) shows one body for another at up to 3 % of its pixels, the fastest at none.
-    Exact,
+    Rays,
     /// Triangles on the GPU that keep a bound on the picture.
     ///
     /// # Accuracy
     ///
     /// `tests/gpu_mesh.rs`, against the reference from rest to gamma = 1e30, for bounds of 0.5 px and 2 px: each pixel
     /// shows what is seen no further off than the bound. `tests/gpu_pictures.rs`: within 0.1 px, colours away from
-    /// outlines are within 6 of 255 levels. Groups are told apart as by the exact renderer. With one light cone for
+    /// outlines are within 6 of 255 levels. Groups are told apart as by the rays. With one light cone for
     /// both eyes, alone or among groups, the bound is kept, too.
     Mesh {
         /// How far any point may be drawn from where it is seen, pixels, above 0.
@@ -57,7 +57,7 @@ impl Method {
     pub const DEFAULT_BOUND_PX: f64 = 0.5;
 
     /// What draws `view` where this is asked for: the published model, which is defined point by point, is known to
-    /// the mesh renderer alone; one light cone for both eyes, whose rays are curved, not to the exact one; a picture of half
+    /// the mesh renderer alone; one light cone for both eyes, whose rays are curved, not to the rays; a picture of half
     /// the sky to the reference alone. Whether anything draws it says [`View::drawn`].
     #[must_use]
     pub fn of_view(self, view: &View) -> Self {
@@ -65,7 +65,7 @@ impl Method {
             return Self::Reference;
         }
         match (view.geometry, self) {
-            (Geometry::Published, Self::Reference | Self::Exact) | (Geometry::OneCone, Self::Exact) => {
+            (Geometry::Published, Self::Reference | Self::Rays) | (Geometry::OneCone, Self::Rays) => {
                 Self::Mesh { bound_px: Self::DEFAULT_BOUND_PX }
             }
             _ => self,
@@ -76,7 +76,7 @@ impl Method {
     /// half the sky there nothing does: it stays the reference.
     #[must_use]
     pub fn on_gpu(self, view: &View) -> Self {
-        let on_gpu = if self == Self::Reference { Self::Exact } else { self };
+        let on_gpu = if self == Self::Reference { Self::Rays } else { self };
         on_gpu.of_view(view)
     }
 }
@@ -108,7 +108,7 @@ impl fmt::Display for Method {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Reference => f.write_str("reference f64"),
-            Self::Exact => f.write_str("exact f32"),
+            Self::Rays => f.write_str("rays f32"),
             Self::Mesh { bound_px } => write!(f, "mesh {bound_px} px"),
         }
     }
@@ -120,7 +120,7 @@ pub struct Renderers {
     gpu: Option<Gpu>,
     bounds: Bounds,
     canvas: Option<Canvas>,
-    exact: Option<ExactRenderer>,
+    rays: Option<RayRenderer>,
     mesh: Option<MeshRenderer>,
     target: Option<EyeTarget>,
 }
@@ -129,10 +129,10 @@ impl Renderers {
     /// Renderers on `gpu`; without one, only the reference.
     #[must_use]
     pub const fn new(gpu: Option<Gpu>) -> Self {
-        Self { gpu, bounds: Bounds::Tight, canvas: None, exact: None, mesh: None, target: None }
+        Self { gpu, bounds: Bounds::Tight, canvas: None, rays: None, mesh: None, target: None }
     }
 
-    /// Renderers of which the exact one tests every body at every pixel: the same pictures, and what its bounds are
+    /// Renderers of which the rays test every body at every pixel: the same pictures, and what its bounds are
     /// worth.
     #[must_use]
     pub fn brute_force(gpu: Gpu) -> Self {
@@ -228,8 +228,8 @@ impl Renderers {
         let gpu = self.gpu.as_ref().ok_or(GpuError::NoAdapter)?;
         let canvas = &*self.canvas.get_or_insert_with(|| Canvas::new(gpu));
         let drawing: &mut dyn Drawing = match method {
-            Method::Reference | Method::Exact => {
-                self.exact.get_or_insert_with(|| ExactRenderer::new(gpu, canvas, self.bounds))
+            Method::Reference | Method::Rays => {
+                self.rays.get_or_insert_with(|| RayRenderer::new(gpu, canvas, self.bounds))
             }
             Method::Mesh { bound_px } => {
                 self.mesh.get_or_insert_with(|| MeshRenderer::new(gpu, canvas)).within(bound_px)

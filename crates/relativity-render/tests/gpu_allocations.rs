@@ -12,13 +12,13 @@ use relativity_render::{Appearance, EyeTarget, Method, PreparedScene, Renderers}
 
 fn main() -> ExitCode {
     gpu_support::run(&[
-        ("exact_frames_allocate_nothing_per_body", exact_frames_allocate_nothing_per_body),
+        ("frames_of_rays_allocate_nothing_per_body", frames_of_rays_allocate_nothing_per_body),
         ("mesh_frames_allocate_nothing_per_body", mesh_frames_allocate_nothing_per_body),
     ])
 }
 
-fn exact_frames_allocate_nothing_per_body(renderers: &mut Renderers) {
-    allocate_nothing_per_body(renderers, Method::Exact);
+fn frames_of_rays_allocate_nothing_per_body(renderers: &mut Renderers) {
+    allocate_nothing_per_body(renderers, Method::Rays);
 }
 
 fn mesh_frames_allocate_nothing_per_body(renderers: &mut Renderers) {

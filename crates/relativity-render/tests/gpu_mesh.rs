@@ -1,6 +1,6 @@
 //! The mesh renderer keeps its bound, against the f64 reference and the core's published model.
 
-#[expect(dead_code, reason = "shared with the exact renderer's tests")]
+#[expect(dead_code, reason = "shared with the rays' tests")]
 mod gpu_support;
 #[expect(dead_code, reason = "shared with the other renderers' tests")]
 mod joints;

@@ -121,7 +121,12 @@ fn range(ui: &mut Ui, state: &State, playback: &mut Playback) {
     let [mut from, mut to] = state.time_range();
     let mut fitted = playback.range.0.is_none();
     let tip = "Fits the range to the selected point: approaching, abreast, receding.";
-    if ui.add(Checkbox::new(&mut fitted, "fit")).on_hover_text(tip).accessible_name("Fit range").changed() {
+    if ui
+        .add(Checkbox::new(&mut fitted, "auto"))
+        .on_hover_text(tip)
+        .accessible_name("Automatic range")
+        .changed()
+    {
         playback.range = TimeRange((!fitted).then_some([from, to]));
     }
     let (shown, unit) = ([from, to], state.measures().time);

@@ -166,9 +166,9 @@ fn note(state: &State, eye: Eye, picture: Option<Shown>, with_heat_map: bool) ->
     let colour = (state.settings.light.colour == Colour::False).then(|| "false colour".to_owned());
     let chosen = state.settings.quality.method();
     let method =
-        picture.map(|picture| picture.method).filter(|&drawn| drawn != Method::Exact || drawn != chosen);
+        picture.map(|picture| picture.method).filter(|&drawn| drawn != Method::Rays || drawn != chosen);
     let method = method.map(|drawn| match drawn {
-        Method::Exact => "exact, until the reference is done".to_owned(),
+        Method::Rays => "rays, until the reference is done".to_owned(),
         Method::Mesh { bound_px } => format!("mesh within {} px", figures::trimmed(bound_px, 3)),
         Method::Reference => "reference".to_owned(),
     });

@@ -31,7 +31,7 @@ const EFFECTS: [Effect; 7] = [
     }),
 ];
 
-/// Times `view` of `scene` with everything on and with effects left out, by the exact renderer if there is a GPU.
+/// Times `view` of `scene` with everything on and with effects left out, by rays if there is a GPU.
 pub fn report(
     renderers: &mut Renderers,
     scene: &PreparedScene,
@@ -40,8 +40,8 @@ pub fn report(
     appearance: &Appearance,
     rounds: u32,
 ) -> anyhow::Result<EffectsReport> {
-    let has_exact = methods(renderers).contains(&Method::Exact);
-    let method = if has_exact { Method::Exact } else { Method::Reference };
+    let has_rays = methods(renderers).contains(&Method::Rays);
+    let method = if has_rays { Method::Rays } else { Method::Reference };
     let mut pictures = vec![(*view, *appearance)];
     for (_, leave_out) in EFFECTS {
         let (mut view, mut appearance) = (*view, *appearance);

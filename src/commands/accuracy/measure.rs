@@ -41,7 +41,7 @@ pub fn report(
     quick: bool,
 ) -> anyhow::Result<AccuracyReport> {
     let mut missing = Vec::new();
-    let gpu = Gpu::headless().map_err(|error| missing.push(format!("exact and mesh: {error}"))).ok();
+    let gpu = Gpu::headless().map_err(|error| missing.push(format!("rays and mesh: {error}"))).ok();
     let mut measurement = Measurement {
         renderers: Renderers::new(gpu),
         scene: scene.prepared(),

@@ -2,10 +2,10 @@
 //!
 //! Each body is an instance of a grid over its unit shape, divided as finely as the bound asks for
 //! (`division`). Corners lie exactly where the light cone says; between them pictures are off by no more
-//! than the bound. Unlike the exact renderer it can draw any map of points, and so the published
+//! than the bound. Unlike the rays it can draw any map of points, and so the published
 //! binocular model, which is defined point by point and has no lines of sight.
 //!
-//! Which of two bodies is nearer is decided by the pixel's ray where there is one, as in the exact renderer:
+//! Which of two bodies is nearer is decided by the pixel's ray where there is one, as by the rays:
 //! bodies that nearly touch are nearer to each other than triangles are to their surfaces.
 
 mod division;

@@ -28,7 +28,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         ui.spacing_mut().item_spacing.y = 3.0;
         section(ui, "Motion", |ui| motion(ui, state, asks));
-        section(ui, "View", |ui| look(ui, state, asks));
+        section(ui, "Look", |ui| look(ui, state, asks));
         section(ui, "Two eyes", |ui| two_eyes::show(ui, state, asks));
         section(ui, "Light", |ui| light::show(ui, state, asks));
     });
@@ -135,8 +135,8 @@ fn layout_row(ui: &mut Ui, picture: Picture, asks: &mut Asks) {
 }
 
 fn quality(ui: &mut Ui, set: Quality, asks: &mut Asks) {
-    // The window has a GPU, so that what is automatic is exact.
-    let renderer = if set.renderer == RendererChoice::Exact { RendererChoice::Auto } else { set.renderer };
+    // The window has a GPU, so that what is automatic is the rays.
+    let renderer = if set.renderer == RendererChoice::Rays { RendererChoice::Auto } else { set.renderer };
     let before = Quality { renderer, ..set };
     let mut quality = before;
     let tip = "What draws the views.   The Accuracy tab shows what each costs, and how far it is off.";
@@ -158,13 +158,13 @@ fn quality(ui: &mut Ui, set: Quality, asks: &mut Asks) {
 }
 
 const RENDERERS: [(RendererChoice, &str, &str); 3] = [
-    (RendererChoice::Auto, "Exact", "A ray test per pixel on the GPU, in 32-bit floats."),
+    (RendererChoice::Auto, "Rays", "A ray test per pixel on the GPU, in 32-bit floats."),
     (RendererChoice::Mesh, "Mesh", "Triangles on the GPU, as many as keep the bound."),
     (
         RendererChoice::Reference,
         "Reference",
         "A ray test per pixel on the CPU, in 64-bit floats: the truth that the others are held against.\n\
-        Made in the background when nothing moves; meanwhile the exact renderer draws.",
+        Made in the background when nothing moves; meanwhile the rays draw.",
     ),
 ];
 
@@ -219,7 +219,7 @@ const LIGHT_CONES: [(Geometry, &str, &str); 3] = [
     ),
     (
         Geometry::Published,
-        "As in the paper",
+        "Published",
         "The published model: in the right view what the left eye sees of each point at T − ΔT, measured from \
         the left eye.",
     ),

@@ -1,4 +1,4 @@
-//! The exact renderer: a ray test per pixel, in the rest frame, on the GPU.
+//! The rays: a test per pixel, in the rest frame, on the GPU.
 //!
 //! Each piece of a body is drawn as a rectangle that surely contains its image (`footprint`); the
 //! fragment stage boosts the pixel's line of sight into the rest frame, where rays are straight, and
@@ -17,7 +17,7 @@ pub use pieces::{Bounds, Piece};
 
 /// Draws exactly what an aperture sees.
 #[derive(Debug)]
-pub struct ExactRenderer {
+pub struct RayRenderer {
     bounds: Bounds,
     pieces: Pieces,
     batches: Batches<Piece, ()>,
@@ -42,7 +42,7 @@ pub const TECHNIQUE: Technique = Technique {
     },
 };
 
-impl ExactRenderer {
+impl RayRenderer {
     /// A renderer on `gpu` that looks for bodies within `bounds`; pipelines are made when first needed.
     pub fn new(gpu: &Gpu, canvas: &Canvas, bounds: Bounds) -> Self {
         let picture = if gpu.has_sample_masks() { TECHNIQUE.picture } else { "picture_sample" };
@@ -51,7 +51,7 @@ impl ExactRenderer {
     }
 }
 
-impl Drawing for ExactRenderer {
+impl Drawing for RayRenderer {
     fn load(&mut self, gpu: &Gpu, vertices: &mut wgpu::Buffer, shot: &Shot<'_>) {
         self.pieces.refill(shot, self.bounds);
         self.batches.refill(gpu, vertices, shot, self.pieces.runs());

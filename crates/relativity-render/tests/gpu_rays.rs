@@ -1,4 +1,4 @@
-//! The exact renderer against the f64 reference and against the light-cone formula of the core.
+//! The rays against the f64 reference and against the light-cone formula of the core.
 
 mod gpu_support;
 mod joints;
@@ -57,7 +57,7 @@ fn views_across_gaze() -> impl Iterator<Item = View> {
     })
 }
 
-/// What the documentation of the exact renderer promises.
+/// What the documentation of the rays promises.
 struct Promise {
     wrong_percent: f64,
     outline_px: f64,
@@ -111,7 +111,7 @@ fn beyond_it_only_the_fastest_group_keeps_its_digits(renderers: &mut Renderers) 
     let mut confused_anywhere = 0;
     for along in [-0.1, 0.0, 0.1] {
         let view = view_following(FOLLOWED, speed, time_seen_at(FOLLOWED, &speed, along), 60.0);
-        let image = renderers.hits(Method::Exact, &scene, &view).expect("device works");
+        let image = renderers.hits(Method::Rays, &scene, &view).expect("device works");
         let ([mut shown, mut confused], truth) = ([0; 2], scene.hit_image(&view));
         for (i, (hit, true_hit)) in image.hits.iter().zip(&truth.hits).enumerate() {
             let body = hit.map(|hit| hit.body);
@@ -149,7 +149,7 @@ fn groups_agree_with_the_reference(renderers: &mut Renderers) {
 }
 
 fn agrees(renderers: &mut Renderers, reference: &PreparedScene, bodies: &[Body], view: &View) {
-    let image = renderers.hits(Method::Exact, reference, view).expect("device works");
+    let image = renderers.hits(Method::Rays, reference, view).expect("device works");
     let truth = reference.hit_image(view);
     let context = format!("{:?} gamma {} T {}", view.geometry, view.speed.gamma(), view.observation_time);
     let mut wrong = 0;
@@ -209,9 +209,8 @@ fn around([u, v]: [f64; 2]) -> [[f64; 2]; 16] {
 
 fn hits_appear_where_the_light_cone_says(renderers: &mut Renderers) {
     for view in views() {
-        let image = renderers
-            .hits(Method::Exact, &PreparedScene::moving(&still_life()), &view)
-            .expect("device works");
+        let image =
+            renderers.hits(Method::Rays, &PreparedScene::moving(&still_life()), &view).expect("device works");
         for (i, hit) in image.hits.iter().enumerate().filter_map(|(i, hit)| Some((i, (*hit)?))) {
             let point = SourcePoint::from_rest(hit.rest_position.to_array(), &view.speed);
             let seen = sighting(&view.speed, point, view.camera.aperture, view.observation_time);
@@ -232,7 +231,7 @@ fn where_surfaces_coincide_the_first_body_is_seen(renderers: &mut Renderers) {
     for _ in 0..2 {
         for view in views_across_gaze() {
             let image =
-                renderers.hits(Method::Exact, &PreparedScene::moving(&bodies), &view).expect("device works");
+                renderers.hits(Method::Rays, &PreparedScene::moving(&bodies), &view).expect("device works");
             let [shared, not_first] = shared_pixels(&image, &bodies, &view);
             assert!(
                 not_first * 1000 <= shared.max(1000),
@@ -260,7 +259,7 @@ fn bounds_never_clip(renderers: &mut Renderers) {
                 }
                 let [found, expected] = [&mut *renderers, &mut unbounded].map(|renderers| {
                     renderers
-                        .hits(Method::Exact, &PreparedScene::moving(&bodies), &view)
+                        .hits(Method::Rays, &PreparedScene::moving(&bodies), &view)
                         .expect("device works")
                 });
                 let differing = found.hits.iter().zip(&expected.hits).filter(|(a, b)| a != b).count();
@@ -278,7 +277,7 @@ fn spheres_keep_a_circular_outline(renderers: &mut Renderers) {
         for along in [-1.5, 0.0, 1.5] {
             let view = view_following(center, speed, time_seen_at(center, &speed, along), 40.0);
             let image =
-                renderers.hits(Method::Exact, &PreparedScene::moving(&[body]), &view).expect("device works");
+                renderers.hits(Method::Rays, &PreparedScene::moving(&[body]), &view).expect("device works");
             let outline = outline(&image, &view);
             assert!(outline.len() > 20, "too small to judge");
             let residual = circle_residual(&outline) * view.camera.focal_length_px();
@@ -298,7 +297,7 @@ fn a_cube_far_abeam_looks_turned(renderers: &mut Renderers) {
     let focal_length_px = edge_px * center[1];
     let fov_degrees = 2.0 * f64::atan2(160.0, focal_length_px).to_degrees();
     let view = view_following(center, speed, time_seen_at(center, &speed, 0.0), fov_degrees);
-    for method in [Method::Reference, Method::Exact, Method::Mesh { bound_px: 0.1 }] {
+    for method in [Method::Reference, Method::Rays, Method::Mesh { bound_px: 0.1 }] {
         let image = renderers.hits(method, &scene, &view).expect("device works");
         let row: Vec<_> = image.hits[120 * 320..121 * 320].to_vec();
         for (normal, along, expected) in [(DVec3::NEG_Y, DVec3::X, 0.6), (DVec3::NEG_X, DVec3::NEG_Y, 0.8)] {
