@@ -220,7 +220,7 @@ fn a_file_that_cannot_be_opened_leaves_all_as_it_was_and_says_why() {
         let before = state.clone();
         state.apply(Command::Open(file.clone()));
         let notice = state.session.notice.take().expect("it says why");
-        assert!(notice.contains(told), "{notice}");
+        assert!(notice.text.contains(told), "{notice:?}");
         assert_eq!(state, before);
     }
 }

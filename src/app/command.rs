@@ -4,7 +4,9 @@ use std::path::{Path, PathBuf};
 
 use relativity_render::{Camera, Gaze, Geometry};
 
+use super::chooser::Purpose;
 use super::clock;
+use super::notice::Notice;
 use super::observer::Eye;
 use super::stage::{Part, next_to_show};
 use super::state::{Session, State};
@@ -87,6 +89,8 @@ pub enum Command {
     ShowNext(i32),
     /// Show what is in a file: a scene, settings, or a picture with which settings it was made.
     Open(PathBuf),
+    /// Ask which file to open or to write.
+    Choose(Purpose),
     /// Show or hide the map.
     ToggleMap,
     /// Draw the map in the other frame.
@@ -210,8 +214,9 @@ impl State {
             }
             Command::Open(path) => match self.settings_in(&path) {
                 Ok(settings) => self.show(settings),
-                Err(error) => self.session.notice = Some(error.to_string()),
+                Err(error) => self.session.notice = Some(Notice::error(error)),
             },
+            Command::Choose(purpose) => self.session.chooser = Some(purpose),
             Command::ToggleMap => {
                 let is_shown = self.session.shows_map;
                 self.settings.window.map = if is_shown { Presence::Off } else { Presence::On };
@@ -233,9 +238,9 @@ impl State {
     }
 
     fn close(&mut self) {
-        let Session { help, notice, stage, .. } = &mut self.session;
-        if *help || notice.is_some() {
-            (*help, *notice) = (false, None);
+        let Session { help, notice, chooser, stage, .. } = &mut self.session;
+        if *help || notice.is_some() || chooser.is_some() {
+            (*help, *notice, *chooser) = (false, None, None);
         } else {
             stage.leave();
         }
@@ -251,7 +256,7 @@ impl State {
             Some(_) => {}
             None => {
                 self.session.notice =
-                    Some("No separation of the eyes makes these views comfortable.".to_owned());
+                    Some(Notice::error("No separation of the eyes makes these views comfortable."));
             }
         }
     }
@@ -325,7 +330,7 @@ impl State {
         if self.sees_as_published(pick.eye) {
             // The published right eye is defined point by point: no ray leads back.
             self.session.notice =
-                Some("With the right eye as published, click in the left eye's view.".to_owned());
+                Some(Notice::error("With the right eye as published, click in the left eye's view."));
             return;
         }
         if let Some((track, body)) = self.point_at(pick.eye, pick.pixel, pick.size) {
@@ -360,7 +365,7 @@ impl State {
                     Session { playing, picture_size, cm_per_pixel, stage, shows_map, ..state.session };
                 *self = Self { session, ..state };
             }
-            Err(error) => self.session.notice = Some(error.to_string()),
+            Err(error) => self.session.notice = Some(Notice::error(error)),
         }
     }
 }

@@ -6,6 +6,7 @@ use eframe::egui::ViewportBuilder;
 use eframe::{CreationContext, NativeOptions};
 
 use super::args::WindowArgs;
+use super::notice::Notice;
 use super::state::State;
 use super::{App, graphics, icon, memory, screenshot};
 use crate::settings::Settings;
@@ -76,7 +77,7 @@ fn state_from(args: &WindowArgs, left: Settings) -> anyhow::Result<State> {
     let usual = Settings { scene: Settings::default().scene, ..left.clone() };
     args.state(left).or_else(|error| {
         let mut state = args.state(usual)?;
-        state.session.notice = Some(error.to_string());
+        state.session.notice = Some(Notice::error(error));
         Ok(state)
     })
 }

@@ -4,10 +4,12 @@
 //! lives in `eyes`. Panels read the state and ask for [`command::Command`]s; [`App`] applies them in
 //! between, so that what follows a control follows it in the same frame.
 
+mod actions;
 pub mod args;
 mod background_picture;
 pub mod beyond;
 pub mod border;
+pub mod chooser;
 pub mod clock;
 pub mod command;
 pub mod corrected;
@@ -26,13 +28,13 @@ pub mod launch;
 mod layout;
 mod layouts;
 pub mod memory;
+pub mod notice;
 pub mod observer;
 mod panels;
 pub mod panes;
 pub mod points;
 mod projector;
 mod screenshot;
-mod shortcuts;
 mod speed_slider;
 pub mod stage;
 pub mod state;
@@ -191,7 +193,7 @@ impl App {
     pub fn show(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
         ctx.set_theme(theme::preference(self.state.settings.window.theme));
-        let mut asks = shortcuts::asked(&ctx);
+        let mut asks = actions::asked(&ctx);
         asks.extend(dropped_file(&ctx));
         panels::help::show(&ctx, &self.state, &mut asks);
         self.apply(&ctx, asks);

@@ -4,7 +4,7 @@ use eframe::egui::{Context, Ui, ViewportBuilder, ViewportClass, ViewportCommand,
 
 use super::command::Command;
 use super::eyes::EyePictures;
-use super::{App, halo, layout, shortcuts};
+use super::{App, actions, halo, layout};
 
 /// What it is called among windows.
 fn id() -> ViewportId {
@@ -54,7 +54,7 @@ impl App {
 
     /// Has the keys work in a window of its own, too.
     fn read_projector_keys(&mut self, ctx: &Context) {
-        let asks = shortcuts::asked(ctx).into_iter().filter(|command| !takes(ctx, command));
+        let asks = actions::asked(ctx).into_iter().filter(|command| !takes(ctx, command));
         self.apply(ctx, asks.collect());
     }
 

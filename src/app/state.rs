@@ -3,7 +3,9 @@
 use relativity_core::Speed;
 use relativity_render::{Appearance, Emission, PreparedScene};
 
+use super::chooser::Purpose;
 use super::clock;
+use super::notice::Notice;
 use super::points::{Point, Points};
 use super::stage::Stage;
 use crate::flags::choices::ProjectionChoice;
@@ -51,16 +53,17 @@ pub struct Session {
     pub shows_map: bool,
     /// How the user looks at the map.
     pub map_view: Viewpoint,
-    /// A message about the last thing that could not be done.
-    pub notice: Option<String>,
+    /// What is said about the last thing that was done, or could not be.
+    pub notice: Option<Notice>,
+    /// What a file is being chosen for.
+    pub chooser: Option<Purpose>,
 }
 
 /// What a headset shows is shown in parallel, and that is said.
-fn without_headset(look: &mut Look) -> Option<String> {
+fn without_headset(look: &mut Look) -> Option<Notice> {
     (look.projection == ProjectionChoice::Vr180).then(|| {
         look.projection = ProjectionChoice::Parallel;
-        "Half of the sky is for headsets: `gamow render --projection vr180` draws it. Here the pictures are parallel."
-            .to_owned()
+        Notice::error("Half of the sky is for headsets: `gamow render --projection vr180` draws it. Here the pictures are parallel.")
     })
 }
 
@@ -87,6 +90,7 @@ impl State {
             shows_map: false,
             map_view: Viewpoint::default(),
             notice,
+            chooser: None,
             scene,
         };
         Self { settings, session }

@@ -103,7 +103,7 @@ fn keys_do_what_the_help_says() {
     assert!(window.query_by_label("Keys and mouse").is_none());
     press(&mut window, Key::F1);
     window.get_by_label("Keys and mouse");
-    window.get_by_label("play, pause");
+    window.get_by_label("play or pause");
     press(&mut window, Key::Escape);
     assert!(window.query_by_label("Keys and mouse").is_none());
     press(&mut window, Key::Questionmark);

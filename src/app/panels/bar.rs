@@ -22,7 +22,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         presets(ui, state, asks);
         units(ui, state, asks);
         if let Some(notice) = &state.session.notice {
-            ui.colored_label(ui.visuals().error_fg_color, notice);
+            ui.colored_label(ui.visuals().error_fg_color, &notice.text);
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if ui.button("Help").on_hover_text("Keys and mouse.   Keys: ? or F1").clicked() {

@@ -3,8 +3,8 @@
 use eframe::egui::{Align2, Context, Grid, RichText, Ui, Window};
 
 use super::Asks;
+use crate::app::actions::ACTIONS;
 use crate::app::command::Command;
-use crate::app::shortcuts::SHORTCUTS;
 use crate::app::state::State;
 use crate::caption::times::TIMES;
 
@@ -64,7 +64,7 @@ pub fn show(ctx: &Context, state: &State, asks: &mut Asks) {
 }
 
 fn keys(ui: &mut Ui) {
-    table(ui, "keys", SHORTCUTS.iter().map(|shortcut| (shortcut.keys, shortcut.action)));
+    table(ui, "keys", ACTIONS.iter().map(|action| (action.keys_text(), action.name)));
 }
 
 fn mouse_and_times(ui: &mut Ui) {
@@ -73,7 +73,7 @@ fn mouse_and_times(ui: &mut Ui) {
     table(ui, "times", TIMES.iter().map(|time| (time.name, time.short)).chain(ABREAST));
 }
 
-fn table(ui: &mut Ui, id: &str, rows: impl Iterator<Item = (&'static str, &'static str)>) {
+fn table(ui: &mut Ui, id: &str, rows: impl Iterator<Item = (impl Into<String>, &'static str)>) {
     Grid::new(id).num_columns(2).spacing([24.0, 6.0]).min_col_width(150.0).show(ui, |ui| {
         for (cause, effect) in rows {
             ui.label(RichText::new(cause).strong());

@@ -28,7 +28,7 @@ pub fn speed(ui: &Ui, state: &State) {
 /// Shows what the preset shows and why; or what could not be done.
 pub fn caption(ui: &Ui, state: &State) {
     let (text, colour) = match (&state.session.notice, state.session.preset) {
-        (Some(notice), _) => (notice.clone(), ui.visuals().error_fg_color),
+        (Some(notice), _) => (notice.text.clone(), ui.visuals().error_fg_color),
         (None, Some(preset)) => (format!("{}. {}", preset.title, preset.caption), ui.visuals().text_color()),
         (None, None) => return,
     };

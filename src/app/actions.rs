@@ -1,0 +1,106 @@
+//! What the keys and the command palette do: one table, from which they act and from which the help is written.
+
+use eframe::egui::{Context, Event, Key, KeyboardShortcut, Modifiers};
+use relativity_render::Geometry;
+
+use super::command::Command;
+
+/// Something that can be asked for by name or by key.
+#[derive(Debug)]
+pub struct Action {
+    /// What it does.
+    pub name: &'static str,
+    /// The keys that do it, if any.
+    pub keys: &'static [KeyboardShortcut],
+    /// What it asks for.
+    pub command: Command,
+}
+
+const fn key(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::NONE, key)
+}
+
+const fn with_shift(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::SHIFT, key)
+}
+
+const fn action(name: &'static str, keys: &'static [KeyboardShortcut], command: Command) -> Action {
+    Action { name, keys, command }
+}
+
+/// All of them, in the order of the help.
+pub static ACTIONS: &[Action] = &[
+    action("play or pause", &[key(Key::Space)], Command::TogglePlaying),
+    action("a step forwards in time", &[key(Key::ArrowRight)], Command::Step(1)),
+    action("a step back in time", &[key(Key::ArrowLeft)], Command::Step(-1)),
+    action("ten steps forwards in time", &[with_shift(Key::ArrowRight)], Command::Step(10)),
+    action("ten steps back in time", &[with_shift(Key::ArrowLeft)], Command::Step(-10)),
+    action("to the start", &[key(Key::Home)], Command::TimeInRange(0.0)),
+    action("to the end", &[key(Key::End)], Command::TimeInRange(1.0)),
+    action("faster", &[key(Key::ArrowUp)], Command::NudgeSpeed(1)),
+    action("slower", &[key(Key::ArrowDown)], Command::NudgeSpeed(-1)),
+    action("much faster", &[with_shift(Key::ArrowUp)], Command::NudgeSpeed(10)),
+    action("much slower", &[with_shift(Key::ArrowDown)], Command::NudgeSpeed(-10)),
+    action("as seen", &[key(Key::Num1)], Command::Geometry(Geometry::Seen)),
+    action("contracted only", &[key(Key::Num2)], Command::Geometry(Geometry::Contracted)),
+    action("at rest", &[key(Key::Num3)], Command::Geometry(Geometry::Rest)),
+    action("one light cone for both eyes", &[key(Key::Num4)], Command::Geometry(Geometry::OneCone)),
+    action("frame: the whole scene in the views", &[key(Key::F)], Command::Frame),
+    action("next layout of the two pictures", &[key(Key::L)], Command::NextLayout(1)),
+    action("the layout before", &[with_shift(Key::L)], Command::NextLayout(-1)),
+    action("swap the eyes", &[key(Key::X)], Command::SwapEyes),
+    action("show or hide the map", &[key(Key::M)], Command::ToggleMap),
+    action("draw the map in the ground's or the bicycle's frame", &[key(Key::G)], Command::ToggleFrame),
+    action("the whole screen", &[key(Key::F11)], Command::ToggleFullScreen),
+    action("present: large writing, and no controls", &[key(Key::P)], Command::TogglePresenting),
+    action("the views in a window of their own, for a projector", &[key(Key::W)], Command::ToggleProjector),
+    action("the preset before", &[key(Key::PageUp)], Command::ShowNext(-1)),
+    action("the next preset", &[key(Key::PageDown)], Command::ShowNext(1)),
+    action("this help", &[key(Key::Questionmark), key(Key::F1)], Command::ToggleHelp),
+    action("close, leave", &[key(Key::Escape)], Command::Close),
+];
+
+impl Action {
+    /// Its keys as they are written on a keyboard; empty if it has none.
+    #[must_use]
+    pub fn keys_text(&self) -> String {
+        self.keys.iter().copied().map(keys_text).collect::<Vec<_>>().join(", ")
+    }
+}
+
+/// A key as it is written on a keyboard, after those held with it.
+fn keys_text(keys: KeyboardShortcut) -> String {
+    let name = match keys.logical_key {
+        Key::ArrowLeft => "←",
+        Key::ArrowRight => "→",
+        Key::ArrowUp => "↑",
+        Key::ArrowDown => "↓",
+        key => key.symbol_or_name(),
+    };
+    let held = [(keys.modifiers.command, "Ctrl+"), (keys.modifiers.shift, "Shift+")];
+    let held: String = held.into_iter().filter(|(is_held, _)| *is_held).map(|(_, name)| name).collect();
+    format!("{held}{name}")
+}
+
+/// What the keys pressed since the last frame ask for; nothing while a widget has the keyboard.
+pub fn asked(ctx: &Context) -> Vec<Command> {
+    if ctx.egui_wants_keyboard_input() {
+        return Vec::new();
+    }
+    ctx.input(|input| input.events.iter().filter_map(command).collect())
+}
+
+fn command(event: &Event) -> Option<Command> {
+    let Event::Key { key, pressed: true, modifiers, .. } = event else { return None };
+    let all = || ACTIONS.iter().flat_map(|action| action.keys.iter().map(move |keys| (keys, action)));
+    let bound = |shift: bool| {
+        all().find(|(keys, _)| {
+            let held = keys.modifiers;
+            keys.logical_key == *key
+                && (held.command, held.alt, held.shift) == (modifiers.command, modifiers.alt, shift)
+        })
+    };
+    // Some keyboards need shift for a key that others have by itself.
+    let found = bound(modifiers.shift).or_else(|| bound(false));
+    found.map(|(_, action)| action.command.clone())
+}
