@@ -59,15 +59,18 @@ impl ReportArgs {
     ///
     /// As [`OutArgs::write`].
     pub fn write(&self, report: &(impl fmt::Display + Serialize)) -> anyhow::Result<()> {
-        self.out.write(|out| {
-            if self.json {
-                serde_json::to_writer_pretty(&mut *out, report)?;
-                Ok(writeln!(out)?)
-            } else {
-                Ok(write!(out, "{report}")?)
-            }
-        })
+        self.out.write(|out| if self.json { write_json(report, out) } else { Ok(write!(out, "{report}")?) })
     }
+}
+
+/// Writes `report` as JSON.
+///
+/// # Errors
+///
+/// Those of `out`.
+pub fn write_json(report: &impl Serialize, mut out: impl Write) -> anyhow::Result<()> {
+    serde_json::to_writer_pretty(&mut out, report)?;
+    Ok(writeln!(out)?)
 }
 
 /// Hands `write` a temporary file beside `path`, which takes the place of `path` once all is written. An interrupt

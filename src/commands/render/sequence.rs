@@ -1,6 +1,6 @@
 //! Sequences of frames in a folder, which can be broken off and taken up again.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use anyhow::Context as _;
 use clap::Args;
@@ -11,6 +11,7 @@ use crate::flags::finite_number;
 use crate::passage::{passage_times, time_within};
 use crate::platform::{files, progress};
 use crate::studio::Studio;
+use crate::studio::film::frame_path;
 
 /// Flags of a sequence.
 #[derive(Debug, Clone, Args)]
@@ -70,8 +71,4 @@ pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Resu
     progress.finish_and_clear();
     eprintln!("{} frames drawn and {kept} kept in {}", frames - kept, folder.display());
     Ok(())
-}
-
-fn frame_path(folder: &Path, frame: u32, kind: FileKind) -> PathBuf {
-    folder.join(format!("frame_{frame:05}.{}", kind.extension()))
 }
