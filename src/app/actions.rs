@@ -1,9 +1,12 @@
 //! What the keys and the command palette do: one table, from which they act and from which the help is written.
 
+use eframe::egui::text_selection::LabelSelectionState;
 use eframe::egui::{Context, Event, Key, KeyboardShortcut, Modifiers};
 use relativity_render::Geometry;
 
+use super::chooser::{Product, Purpose};
 use super::command::Command;
+use super::saving::Copied;
 
 /// Something that can be asked for by name or by key.
 #[derive(Debug)]
@@ -22,6 +25,18 @@ const fn key(key: Key) -> KeyboardShortcut {
 
 const fn with_shift(key: Key) -> KeyboardShortcut {
     KeyboardShortcut::new(Modifiers::SHIFT, key)
+}
+
+const fn with_ctrl(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::COMMAND, key)
+}
+
+const fn with_ctrl_shift(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), key)
+}
+
+const fn save(product: Product) -> Command {
+    Command::Choose(Purpose::Save(product))
 }
 
 const fn action(name: &'static str, keys: &'static [KeyboardShortcut], command: Command) -> Action {
@@ -56,6 +71,18 @@ pub static ACTIONS: &[Action] = &[
     action("the views in a window of their own, for a projector", &[key(Key::W)], Command::ToggleProjector),
     action("the preset before", &[key(Key::PageUp)], Command::ShowNext(-1)),
     action("the next preset", &[key(Key::PageDown)], Command::ShowNext(1)),
+    action("open a file", &[with_ctrl(Key::O)], Command::Choose(Purpose::Open)),
+    action("fit own data", &[], Command::Choose(Purpose::OpenData)),
+    action("fit simulated data", &[], Command::Simulate),
+    action("save the picture", &[with_ctrl(Key::S)], save(Product::Picture)),
+    action("save the state", &[with_ctrl_shift(Key::S)], save(Product::State)),
+    action("save a film", &[], save(Product::Film)),
+    action("save the fit", &[], save(Product::Fit)),
+    action("copy the command of this window", &[with_ctrl(Key::C)], Command::Copy(Copied::Command)),
+    action("copy the picture", &[], Command::Copy(Copied::Picture)),
+    action("copy the command of the picture", &[], Command::Copy(Copied::RenderCommand)),
+    action("copy the command of the curves", &[], Command::Copy(Copied::CurveCommand)),
+    action("copy the values at T", &[], Command::Copy(Copied::Values)),
     action("this help", &[key(Key::Questionmark), key(Key::F1)], Command::ToggleHelp),
     action("close, leave", &[key(Key::Escape)], Command::Close),
 ];
@@ -87,11 +114,18 @@ pub fn asked(ctx: &Context) -> Vec<Command> {
     if ctx.egui_wants_keyboard_input() {
         return Vec::new();
     }
-    ctx.input(|input| input.events.iter().filter_map(command).collect())
+    let is_copying_text = ctx.plugin::<LabelSelectionState>().lock().has_selection();
+    let is_meant = |event: &&Event| !(is_copying_text && **event == Event::Copy);
+    ctx.input(|input| input.events.iter().filter(is_meant).filter_map(command).collect())
 }
 
 fn command(event: &Event) -> Option<Command> {
-    let Event::Key { key, pressed: true, modifiers, .. } = event else { return None };
+    let (key, modifiers) = match event {
+        Event::Key { key, pressed: true, modifiers, .. } => (key, modifiers),
+        // The system's own name for Ctrl+C.
+        Event::Copy => (&Key::C, &Modifiers::COMMAND),
+        _ => return None,
+    };
     let all = || ACTIONS.iter().flat_map(|action| action.keys.iter().map(move |keys| (keys, action)));
     let bound = |shift: bool| {
         all().find(|(keys, _)| {

@@ -1,12 +1,16 @@
 //! What the window shows: settings that are remembered, and the session they are applied to.
 
+use std::sync::Arc;
+
 use relativity_core::Speed;
 use relativity_render::{Appearance, Emission, PreparedScene};
 
 use super::chooser::Purpose;
 use super::clock;
+use super::fitting::DataFile;
 use super::notice::Notice;
 use super::points::{Point, Points};
+use super::saving::Order;
 use super::stage::Stage;
 use crate::flags::choices::ProjectionChoice;
 use crate::map::Viewpoint;
@@ -57,6 +61,10 @@ pub struct Session {
     pub notice: Option<Notice>,
     /// What a file is being chosen for.
     pub chooser: Option<Purpose>,
+    /// The measured disparities that are fitted in place of simulated ones.
+    pub data: Option<Arc<DataFile>>,
+    /// What was asked for that more than the state is needed for.
+    pub orders: Vec<Order>,
 }
 
 /// What a headset shows is shown in parallel, and that is said.
@@ -91,6 +99,8 @@ impl State {
             map_view: Viewpoint::default(),
             notice,
             chooser: None,
+            data: None,
+            orders: Vec::new(),
             scene,
         };
         Self { settings, session }

@@ -9,10 +9,12 @@ mod fit;
 mod groups;
 mod layouts;
 mod map;
+mod own_data;
 mod pairs;
 mod picking;
 mod presenting;
 mod quality;
+mod saving;
 mod spacetime;
 mod start;
 mod stereo;
@@ -38,10 +40,12 @@ fn main() -> ExitCode {
         groups::TESTS,
         layouts::TESTS,
         map::TESTS,
+        own_data::TESTS,
         pairs::TESTS,
         picking::TESTS,
         presenting::TESTS,
         quality::TESTS,
+        saving::TESTS,
         spacetime::TESTS,
         start::TESTS,
         stereo::TESTS,

@@ -18,6 +18,7 @@ const MENU_HEIGHT: f32 = 420.0;
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     ui.horizontal_centered(|ui| {
         ui.label(RichText::new("Gamow").heading().strong());
+        super::file_menu::show(ui, state, asks);
         scene(ui, state, asks);
         presets(ui, state, asks);
         units(ui, state, asks);
