@@ -76,6 +76,8 @@ pub static ACTIONS: &[Action] = &[
     action("fit simulated data", &[], Command::Simulate),
     action("save the picture", &[with_ctrl(Key::S)], save(Product::Picture)),
     action("save the state", &[with_ctrl_shift(Key::S)], save(Product::State)),
+    action("save the plots as a drawing", &[], save(Product::PlotsSvg)),
+    action("save the plots as a table", &[], save(Product::PlotsCsv)),
     action("save a film", &[], save(Product::Film)),
     action("save the fit", &[], save(Product::Fit)),
     action("copy the command of this window", &[with_ctrl(Key::C)], Command::Copy(Copied::Command)),

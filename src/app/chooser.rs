@@ -30,6 +30,10 @@ pub enum Purpose {
 pub enum Product {
     /// The views, as a picture that records its state.
     Picture,
+    /// The shown plots, as SVG.
+    PlotsSvg,
+    /// What the shown plots are made of, as CSV.
+    PlotsCsv,
     /// The state, as TOML.
     State,
     /// T running through its range once.
@@ -44,6 +48,7 @@ impl Product {
     pub const fn name(self) -> &'static str {
         match self {
             Self::Picture => "picture",
+            Self::PlotsSvg | Self::PlotsCsv => "plots",
             Self::State => "state",
             Self::Film => "film",
             Self::Fit => "fit",
@@ -61,6 +66,8 @@ impl Product {
     pub const fn endings(self) -> &'static [&'static str] {
         match self {
             Self::Picture => &["png"],
+            Self::PlotsSvg => &["svg"],
+            Self::PlotsCsv => &["csv"],
             Self::State => &["toml"],
             Self::Film => &["gif", "png"],
             Self::Fit => &["json"],
@@ -71,6 +78,7 @@ impl Product {
     fn file_name(self, scene: &str) -> String {
         let what = match self {
             Self::Picture => "",
+            Self::PlotsSvg | Self::PlotsCsv => "-plots",
             Self::State => "-state",
             Self::Film => "-film",
             Self::Fit => "-fit",
@@ -105,6 +113,8 @@ impl Purpose {
             Self::Open => "Open a scene, a state, a picture or data",
             Self::OpenData => "Fit own data",
             Self::Save(Product::Picture) => "Save the picture",
+            Self::Save(Product::PlotsSvg) => "Save the plots as SVG",
+            Self::Save(Product::PlotsCsv) => "Save the plots as CSV",
             Self::Save(Product::State) => "Save the state",
             Self::Save(Product::Film) => "Save a film",
             Self::Save(Product::Fit) => "Save the fit",

@@ -20,6 +20,7 @@ pub const TESTS: &[Test] = &[
     ("own_data_are_fitted_and_shown", own_data_are_fitted_and_shown),
     ("the_saved_fit_is_that_of_the_command_line", the_saved_fit_is_that_of_the_command_line),
     ("a_dropped_csv_file_is_data", a_dropped_csv_file_is_data),
+    ("the_plotted_samples_are_saved_and_fitted_again", the_plotted_samples_are_saved_and_fitted_again),
     ("what_is_wrong_in_own_data_is_located", what_is_wrong_in_own_data_is_located),
     ("what_own_data_do_not_tell_is_told", what_own_data_do_not_tell_is_told),
     ("the_papers_own_fit_is_repeated", the_papers_own_fit_is_repeated),
@@ -142,6 +143,32 @@ fn the_saved_fit_is_that_of_the_command_line() {
         let expected = gamow(&[&["fit", file], arguments].concat());
         assert_eq!(std::fs::read_to_string(&json).expect("it is there"), expected);
         std::fs::remove_file(&json).expect("removed");
+    }
+}
+
+fn the_plotted_samples_are_saved_and_fitted_again() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [csv, svg, of_samples, of_file] =
+        ["fit.csv", "fit.svg", "samples.json", "file.json"].map(|name| folder.path().join(name));
+    let mut window = fit_window(FitSetup { fit_samples: 60, ..FitSetup::default() });
+    wait(&mut window);
+    save(&mut window, "Save plots as CSV…", &csv);
+    save(&mut window, "Save plots as SVG…", &svg);
+    save(&mut window, "Save fit…", &of_samples);
+    let svg = std::fs::read_to_string(svg).expect("text");
+    assert!(svg.contains("sample − fit") && svg.contains("95 % band"));
+    open_data(&mut window, &csv);
+    wait(&mut window);
+    save(&mut window, "Save fit…", &of_file);
+    let text = |path: &Path| std::fs::read_to_string(path).expect("text");
+    assert_eq!(text(&of_samples), text(&of_file));
+    // What is left over is what its rows say.
+    let rows = text(&csv).lines().skip(1).map(|row| row.to_owned()).collect::<Vec<_>>();
+    assert_eq!(rows.len(), 60);
+    for row in rows {
+        let numbers: Vec<f64> = row.split(',').map(|cell| cell.parse().expect("a number")).collect();
+        let [.., dphi, fitted, residual, _, _, _] = numbers[..] else { panic!("{row}") };
+        assert!((dphi - fitted - residual).abs() < 1e-15, "{row}");
     }
 }
 

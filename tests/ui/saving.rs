@@ -35,6 +35,7 @@ pub const TESTS: &[Test] = &[
         the_copied_curve_command_gives_the_plotted_numbers,
     ),
     ("the_copied_values_are_those_of_the_moment", the_copied_values_are_those_of_the_moment),
+    ("saved_plots_hold_the_numbers_of_the_core", saved_plots_hold_the_numbers_of_the_core),
     ("a_file_is_opened_by_its_path", a_file_is_opened_by_its_path),
     ("opening_and_saving_can_be_left", opening_and_saving_can_be_left),
 ];
@@ -366,6 +367,26 @@ fn the_copied_values_are_those_of_the_moment() {
     assert_eq!([value("T"), value("beta"), value("d")], [5.25, 0.8, 0.3]);
     assert_eq!([value("dphi"), value("dtheta")], [both.dphi, both.dtheta]);
     assert_eq!(value("own_left"), both.primary.own_time);
+}
+
+fn saved_plots_hold_the_numbers_of_the_core() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = window(special());
+    let [csv, svg] = ["plots.csv", "plots.svg"].map(|name| folder.path().join(name));
+    assert_eq!(save(&mut window, "Save plots as CSV…", &csv), "Saved plots.csv.");
+    assert_eq!(save(&mut window, "Save plots as SVG…", &svg), "Saved plots.svg.");
+    let svg = std::fs::read_to_string(svg).expect("text");
+    assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"), "{}", &svg[..60]);
+    // (The names of its columns have commas in them.)
+    let (_, rows) = table(&std::fs::read_to_string(csv).expect("text"));
+    assert!(rows.len() > 60, "{}", rows.len());
+    let state = window.state().state();
+    for row in rows {
+        let mut then = state.clone();
+        then.apply(Command::Time(row[0]));
+        let both = then.disparity(state.session.points.selected()).expect("in the domain");
+        assert_eq!(row[1..], [both.dphi, both.dtheta]);
+    }
 }
 
 fn a_file_is_opened_by_its_path() {

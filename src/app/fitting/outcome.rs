@@ -24,7 +24,9 @@ pub struct FitOutcome {
     pub key: FitKey,
     /// First and last T of the samples.
     pub range: [f64; 2],
-    /// The samples of Delta-phi and of Delta-theta.
+    /// The samples, in their order.
+    pub samples: Vec<Measured>,
+    /// Those of Delta-phi and of Delta-theta.
     pub data: [Vec<PlotPoint>; 2],
     /// The fit, or why there is none.
     pub fitted: Result<Fitted, String>,
@@ -40,6 +42,8 @@ pub struct FitOutcome {
 pub struct Fitted {
     /// Each fitted parameter, its best value with uncertainty, and its true value if that is known.
     pub estimates: Vec<(Parameter, Estimate, Option<f64>)>,
+    /// Delta-phi and Delta-theta of the best fit for each sample.
+    pub at_samples: Vec<Option<[f64; 2]>>,
     /// Delta-phi and Delta-theta; `None` if not fitted.
     pub curves: [Option<FittedCurve>; 2],
     /// Root mean square of the residuals, radians.
@@ -71,16 +75,18 @@ impl FitOutcome {
     /// The outcome for `key`; `None` soon after `stopped` becomes true.
     pub fn new(key: FitKey, stopped: &(impl Fn() -> bool + Sync)) -> Option<Self> {
         let start = Instant::now();
-        let (range, data, fitted) = match key.fittable() {
+        let (range, samples, fitted) = match key.fittable() {
             Ok(samples) => {
                 let range = range(&key, &samples.observations);
-                (range, data(&samples.observations), Fitted::new(&key, &samples, range, stopped)?)
+                let fitted = Fitted::new(&key, &samples, range, stopped)?;
+                (range, samples.observations.samples().to_vec(), fitted)
             }
-            Err(problem) => ([0.0, 1.0], [Vec::new(), Vec::new()], Err(problem)),
+            Err(problem) => ([0.0, 1.0], Vec::new(), Err(problem)),
         };
+        let data = data(&samples);
         let simulated = key.simulated().filter(|simulated| simulated.model != key.setup.model);
         let bias = simulated.map(|simulated| bias(&key, simulated));
-        Some(Self { key, range, data, fitted, bias, elapsed: start.elapsed() })
+        Some(Self { key, range, samples, data, fitted, bias, elapsed: start.elapsed() })
     }
 }
 
@@ -94,10 +100,10 @@ fn range(key: &FitKey, observed: &Observations) -> [f64; 2] {
     if first < last { [first, last] } else { [0.0, 1.0] }
 }
 
-fn data(observed: &Observations) -> [Vec<PlotPoint>; 2] {
+fn data(samples: &[Measured]) -> [Vec<PlotPoint>; 2] {
     [0, 1].map(|curve| {
         let point = |sample: &Measured| Some(PlotPoint::new(sample.time, reading(sample, curve)?));
-        observed.samples().iter().filter_map(point).collect()
+        samples.iter().filter_map(point).collect()
     })
 }
 
@@ -145,9 +151,13 @@ impl Fitted {
         if estimates.iter().any(|(_, estimate, _)| !estimate.value.is_finite()) {
             return Some(Err("the best fit is beyond what numbers can hold".to_owned()));
         }
+        let observed = &samples.observations;
+        let at_samples: Vec<_> =
+            observed.samples().iter().map(|sample| fitted_angles(&best, sample.pair, sample.time)).collect();
         Some(Ok(Self {
             estimates,
-            curves: curves(key, &samples.observations, range, &best, replicates.as_ref()),
+            curves: curves(key, (observed, &at_samples), range, &best, replicates.as_ref()),
+            at_samples,
             rms: best.rms,
             reduced_chi_squared: best.reduced_chi_squared,
             readings: best.readings,
@@ -156,31 +166,32 @@ impl Fitted {
     }
 }
 
-/// What there is to draw of the fitted curves.
+/// Delta-phi and Delta-theta of the best fit for a pair of eyes, where they are numbers.
+fn fitted_angles(best: &Fit, pair: usize, time: f64) -> Option<[f64; 2]> {
+    best.angles(pair, time).filter(|angles| angles.iter().all(|angle| angle.is_finite()))
+}
+
+/// What there is to draw of the fitted curves, of samples and what the best fit makes of each.
 fn curves(
     key: &FitKey,
-    observed: &Observations,
+    (observed, at_samples): (&Observations, &[Option<[f64; 2]>]),
     range: [f64; 2],
     best: &Fit,
     replicates: Option<&Bootstrap>,
 ) -> [Option<FittedCurve>; 2] {
-    let of_pair = |pair, time| {
-        best.angles(pair, time).filter(|angles| angles.iter().all(|angle: &f64| angle.is_finite()))
-    };
     let Some(&pair) = observed.pairs().first() else { return [None, None] };
-    let lines = sampled(range, &bends_of(key, pair, best), |time| of_pair(0, time));
+    let lines = sampled(range, &bends_of(key, pair, best), |time| fitted_angles(best, 0, time));
     let eyes = (best.options.model, pair);
     let bands = replicates.map(|replicates| bands(eyes, &lines, replicates)).unwrap_or_default();
     let used = best.options.curves.used();
     [0, 1].map(|curve| {
-        let residual = |sample: &Measured| {
-            let fitted = of_pair(sample.pair, sample.time)?[curve];
-            Some(PlotPoint::new(sample.time, reading(sample, curve)? - fitted))
+        let residual = |(sample, fitted): (&Measured, &Option<[f64; 2]>)| {
+            Some(PlotPoint::new(sample.time, reading(sample, curve)? - (*fitted)?[curve]))
         };
         used[curve].then(|| FittedCurve {
             line: lines.iter().map(|line| PlotPoint::new(line.time, line.values[curve])).collect(),
             band: bands.iter().map(|band| band[curve]).collect(),
-            residuals: observed.samples().iter().filter_map(residual).collect(),
+            residuals: observed.samples().iter().zip(at_samples).filter_map(residual).collect(),
         })
     })
 }

@@ -7,6 +7,7 @@ use super::{Copied, MOST_FRAMES, Order, Saving};
 use crate::app::App;
 use crate::app::chooser::Product;
 use crate::app::notice::Notice;
+use crate::app::panels::plots;
 use crate::files::whole::write_whole;
 use crate::flags::choices::{RendererChoice, Size};
 use crate::platform::files;
@@ -77,6 +78,12 @@ impl App {
             Product::Fit => {
                 let job = Job::Fit(Box::new(self.state.fit_key()), path);
                 self.begin(ui.ctx(), job, name, 1);
+            }
+            Product::PlotsSvg | Product::PlotsCsv => {
+                self.update_curves();
+                let written = if product == Product::PlotsSvg { plots::svg } else { plots::csv };
+                let text = written(&self.state, self.plotted());
+                self.write_text(ui.ctx(), &path, &text);
             }
             Product::State => {
                 let mut shown = self.state.shown();

@@ -1,11 +1,13 @@
 //! The Fit tab: which samples are taken of the selected point, what is fitted to them, and what comes out.
 
+mod export;
 mod plots;
 mod table;
 
 use eframe::egui::{self, ComboBox, DragValue, RichText, ScrollArea, Sense, Ui};
 use relativity_core::{Curves, Model, PublishedVariant};
 
+pub(super) use self::export::{csv, panels};
 use super::split::{part, table_and_plots};
 use crate::app::chooser::{Product, Purpose};
 use crate::app::command::Command;
