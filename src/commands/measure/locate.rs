@@ -110,19 +110,31 @@ impl Surface<'_> {
         DVec3::new(x, y, z)
     }
 
-    /// Change of place from pixel to pixel, by the neighbours `stride` away on the same body; none without one.
+    /// Change of place from pixel to pixel, by the neighbours `stride` away on the same body; none without one. At an
+    /// outline both neighbours are on one side.
     fn change(&self, pixel: usize, position: usize, stride: usize) -> Option<Change> {
         let is_same = |&other: &usize| self.ids.get(other) == Some(&self.ids[pixel]);
-        let before = (position > 0).then(|| pixel - stride).filter(is_same);
-        let is_last = stride == 1 && position + 1 == self.width;
-        let after = (!is_last).then_some(pixel + stride).filter(is_same);
+        let before = |steps: usize| (position >= steps).then(|| pixel - steps * stride).filter(is_same);
+        let is_inside = |steps: usize| stride > 1 || position + steps < self.width;
+        let after = |steps: usize| is_inside(steps).then_some(pixel + steps * stride).filter(is_same);
         let here = self.at(pixel);
-        let [before, after] = [before, after].map(|pixel| pixel.map(|pixel| self.at(pixel)));
-        let (per_pixel, bend) = match (before, after) {
-            (Some(before), Some(after)) => (0.5 * (after - before), Some(after - here - (here - before))),
-            (Some(before), None) => (here - before, None),
-            (None, Some(after)) => (after - here, None),
-            (None, None) => return None,
+        let side = |neighbour: &dyn Fn(usize) -> Option<usize>| {
+            [1, 2].map(|steps| neighbour(steps).map(|pixel| self.at(pixel)))
+        };
+        let one_sided = |near: DVec3, far: Option<DVec3>| {
+            let bend = far.map(|far| far - near - (near - here));
+            (near - here - 0.5 * bend.unwrap_or_default(), bend)
+        };
+        let (per_pixel, bend) = match (side(&before), side(&after)) {
+            ([Some(before), _], [Some(after), _]) => {
+                (0.5 * (after - before), Some(after - here - (here - before)))
+            }
+            ([Some(near), far], [None, _]) => {
+                let (backward, bend) = one_sided(near, far);
+                (-backward, bend)
+            }
+            ([None, _], [Some(near), far]) => one_sided(near, far),
+            ([None, _], [None, _]) => return None,
         };
         Some(Change { per_pixel, bend })
     }
@@ -131,7 +143,7 @@ impl Surface<'_> {
 /// How the place shown changes along a row or a column.
 struct Change {
     per_pixel: DVec3,
-    /// How that changes from pixel to pixel, if both neighbours show the same body.
+    /// How that changes from pixel to pixel, if two neighbours show the same body.
     bend: Option<DVec3>,
 }
 
