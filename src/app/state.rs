@@ -6,6 +6,7 @@ use relativity_render::{Appearance, Emission, PreparedScene};
 use super::chooser::Purpose;
 use super::clock;
 use super::notice::Notice;
+use super::plotting::Plotting;
 use super::points::{Point, Points};
 use super::stage::Stage;
 use crate::flags::choices::ProjectionChoice;
@@ -53,6 +54,8 @@ pub struct Session {
     pub shows_map: bool,
     /// How the user looks at the map.
     pub map_view: Viewpoint,
+    /// What is looked at of the plots, and what is kept in them.
+    pub plotting: Plotting,
     /// What is said about the last thing that was done, or could not be.
     pub notice: Option<Notice>,
     /// What a file is being chosen for.
@@ -89,6 +92,7 @@ impl State {
             stage: Stage::default(),
             shows_map: false,
             map_view: Viewpoint::default(),
+            plotting: Plotting::default(),
             notice,
             chooser: None,
             scene,
