@@ -11,6 +11,7 @@ mod layouts;
 mod map;
 mod pairs;
 mod picking;
+mod plots;
 mod presenting;
 mod quality;
 mod spacetime;
@@ -40,6 +41,7 @@ fn main() -> ExitCode {
         map::TESTS,
         pairs::TESTS,
         picking::TESTS,
+        plots::TESTS,
         presenting::TESTS,
         quality::TESTS,
         spacetime::TESTS,
