@@ -10,6 +10,7 @@ use super::clock;
 use super::fitting::DataFile;
 use super::notice::Notice;
 use super::observer::Eye;
+use super::plotting::PlotCommand;
 use super::saving::{Copied, Order, Saving};
 use super::stage::{Part, next_to_show};
 use super::state::{Session, State};
@@ -46,6 +47,8 @@ pub enum Command {
     Playback(Playback),
     /// New choice of curves.
     Plots(Plots),
+    /// Look at another part of the plots, or mark or keep something in them.
+    Plotting(PlotCommand),
     /// Another face or frame of the map.
     Map(Map),
     /// Look at another part of the map.
@@ -190,6 +193,7 @@ impl State {
             Command::Quality(quality) => self.settings.quality = quality,
             Command::Playback(playback) => self.settings.playback = playback,
             Command::Plots(plots) => self.settings.plots = plots,
+            Command::Plotting(command) => self.apply_to_plots(command),
             Command::Map(map) => self.set_map(map),
             Command::MapView(viewpoint) => self.session.map_view = viewpoint,
             Command::Fit(fit) => self.settings.fit = fit,
@@ -308,8 +312,10 @@ impl State {
         self.settings.light = light;
         if is_rebuilt {
             let Session { playing, preset, .. } = self.session;
+            let plotting = std::mem::take(&mut self.session.plotting);
             self.show(self.shown());
             (self.session.playing, self.session.preset) = (playing, preset);
+            self.session.plotting = plotting;
         }
     }
 

@@ -32,6 +32,7 @@ pub mod notice;
 pub mod observer;
 mod panels;
 pub mod panes;
+pub mod plotting;
 pub mod points;
 mod projector;
 pub mod saving;
@@ -52,7 +53,7 @@ use eframe::egui_wgpu::RenderState;
 use chooser::Chooser;
 use command::Command;
 use corrected::Corrected;
-use curves::{Curves, CurvesKey};
+use curves::Curves;
 use examination::Examination;
 use eyes::EyePictures;
 use fitting::Fitting;
@@ -200,9 +201,9 @@ impl App {
 
     /// Brings the curves up to date; those that still hold are kept.
     fn update_curves(&mut self) {
-        let keys: Vec<CurvesKey> =
-            self.state.session.points.all().iter().map(|point| self.state.curve_key(point)).collect();
-        self.curves = keys
+        self.curves = self
+            .state
+            .plotted_keys()
             .into_iter()
             .map(|key| match self.curves.iter().position(|curves| *curves.key() == key) {
                 Some(kept) => self.curves.swap_remove(kept),

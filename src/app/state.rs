@@ -9,6 +9,7 @@ use super::chooser::Purpose;
 use super::clock;
 use super::fitting::DataFile;
 use super::notice::Notice;
+use super::plotting::Plotting;
 use super::points::{Point, Points};
 use super::saving::Order;
 use super::stage::Stage;
@@ -57,6 +58,8 @@ pub struct Session {
     pub shows_map: bool,
     /// How the user looks at the map.
     pub map_view: Viewpoint,
+    /// What is looked at of the plots, and what is kept in them.
+    pub plotting: Plotting,
     /// What is said about the last thing that was done, or could not be.
     pub notice: Option<Notice>,
     /// What a file is being chosen for.
@@ -97,6 +100,7 @@ impl State {
             stage: Stage::default(),
             shows_map: false,
             map_view: Viewpoint::default(),
+            plotting: Plotting::default(),
             notice,
             chooser: None,
             data: None,
