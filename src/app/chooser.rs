@@ -201,6 +201,15 @@ impl Chooser {
         self.dialog.is_some()
     }
 
+    /// Where the name of the file begins in its path, and where its ending does; characters.
+    #[must_use]
+    pub fn stem(&self) -> [usize; 2] {
+        let letters = |text: &str| text.chars().count();
+        let name = self.path.rfind('/').map_or(0, |slash| slash + 1);
+        let ending = self.path[name..].rfind('.').map_or(self.path.len(), |dot| name + dot);
+        [letters(&self.path[..name]), letters(&self.path[..ending])]
+    }
+
     /// Forgets what was said of what was typed before.
     pub fn edited(&mut self) {
         (self.remark, self.replaced) = (None, None);
@@ -209,6 +218,7 @@ impl Chooser {
     /// What to do with what is typed; `None`, and a remark or a question, if that cannot be done yet. The file at
     /// `may_replace` may be there already.
     pub fn confirmed(&mut self, may_replace: Option<&Path>) -> Option<Command> {
+        self.edited();
         match self.command(may_replace) {
             Ok(command) => command,
             Err(remark) => {

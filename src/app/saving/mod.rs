@@ -55,6 +55,9 @@ pub const MOST_FRAMES: u32 = 5000;
 /// What is made sooner than this is not announced.
 const GRACE: Duration = Duration::from_millis(300);
 
+/// How often it is told how far it has come: each time costs a frame of the window.
+const TOLD: Duration = Duration::from_millis(250);
+
 /// What is being made.
 #[derive(Default)]
 pub struct Saver {
@@ -87,7 +90,7 @@ impl Saver {
         let work = move |job: Job, wanted: &Wanted| {
             let goes_on = |number| {
                 drawn.store(number, Ordering::Relaxed);
-                repaint.request_repaint();
+                repaint.request_repaint_after(TOLD);
                 wanted.holds()
             };
             job.made(goes_on)
