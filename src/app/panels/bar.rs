@@ -1,5 +1,7 @@
 //! The bar at the top: the scene, and which parts of the window are shown.
 
+mod file_menu;
+
 use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
 use eframe::egui::{Align, Button, ComboBox, Layout, RichText, TextStyle, Ui, vec2};
 
@@ -18,7 +20,7 @@ const MENU_HEIGHT: f32 = 420.0;
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     ui.horizontal_centered(|ui| {
         ui.label(RichText::new("Gamow").heading().strong());
-        super::file_menu::show(ui, state, asks);
+        file_menu::show(ui, state, asks);
         scene(ui, state, asks);
         presets(ui, state, asks);
         units(ui, state, asks);

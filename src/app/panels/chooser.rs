@@ -4,7 +4,8 @@ use eframe::egui::text::{CCursor, CCursorRange};
 use eframe::egui::{Align2, Context, Key, RichText, TextEdit, Ui, Window};
 
 use super::Asks;
-use crate::app::chooser::{Chooser, Product, Purpose};
+use crate::app::chooser::{Product, Purpose};
+use crate::app::choosing::Chooser;
 use crate::app::command::Command;
 use crate::app::state::State;
 use crate::studio::film::FRAMES_PER_SECOND;
