@@ -3,6 +3,7 @@
 use eframe::egui::{Context, Event, Key, KeyboardShortcut, Modifiers};
 use relativity_render::Geometry;
 
+use super::chooser::Purpose;
 use super::command::Command;
 
 /// Something that can be asked for by name or by key.
@@ -24,12 +25,24 @@ const fn with_shift(key: Key) -> KeyboardShortcut {
     KeyboardShortcut::new(Modifiers::SHIFT, key)
 }
 
+const fn with_control(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::COMMAND, key)
+}
+
+const fn with_control_and_shift(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers { shift: true, ..Modifiers::COMMAND }, key)
+}
+
 const fn action(name: &'static str, keys: &'static [KeyboardShortcut], command: Command) -> Action {
     Action { name, keys, command }
 }
 
 /// All of them, in the order of the help.
 pub static ACTIONS: &[Action] = &[
+    action("undo the last step", &[with_control(Key::Z)], Command::Undo),
+    action("redo what was undone", &[with_control_and_shift(Key::Z), with_control(Key::Y)], Command::Redo),
+    action("all as usual", &[], Command::Reset),
+    action("open a file", &[with_control(Key::O)], Command::Choose(Purpose::Open)),
     action("play or pause", &[key(Key::Space)], Command::TogglePlaying),
     action("a step forwards in time", &[key(Key::ArrowRight)], Command::Step(1)),
     action("a step back in time", &[key(Key::ArrowLeft)], Command::Step(-1)),
@@ -82,16 +95,22 @@ fn keys_text(keys: KeyboardShortcut) -> String {
     format!("{held}{name}")
 }
 
-/// What the keys pressed since the last frame ask for; nothing while a widget has the keyboard.
+/// What the keys pressed since the last frame ask for; nothing while text is typed, and while a widget has the keyboard only what
+/// needs Ctrl.
 pub fn asked(ctx: &Context) -> Vec<Command> {
-    if ctx.egui_wants_keyboard_input() {
+    if ctx.text_edit_focused() {
         return Vec::new();
     }
-    ctx.input(|input| input.events.iter().filter_map(command).collect())
+    // Whatever has the keyboard, unless text is typed: what needs Ctrl is for the window.
+    let is_taken = ctx.egui_wants_keyboard_input();
+    ctx.input(|input| input.events.iter().filter_map(|event| command(event, is_taken)).collect())
 }
 
-fn command(event: &Event) -> Option<Command> {
+fn command(event: &Event, only_with_control: bool) -> Option<Command> {
     let Event::Key { key, pressed: true, modifiers, .. } = event else { return None };
+    if only_with_control && !modifiers.command {
+        return None;
+    }
     let all = || ACTIONS.iter().flat_map(|action| action.keys.iter().map(move |keys| (keys, action)));
     let bound = |shift: bool| {
         all().find(|(keys, _)| {

@@ -10,6 +10,7 @@ use super::notice::Notice;
 use super::observer::Eye;
 use super::stage::{Part, next_to_show};
 use super::state::{Session, State};
+use super::usual::Section;
 use crate::comfort::comfortable_separation;
 use crate::flags::FieldOfView;
 use crate::flags::choices::{FileKind, GazeChoice, Layout};
@@ -73,6 +74,8 @@ pub enum Command {
     Zoom(Zoom),
     /// Hold the whole scene in the views.
     Frame,
+    /// The same, asked for by a double click, whose first click picked a point: that is taken back.
+    FollowAgain,
     /// Select the point of the scene at a pixel of an eye's picture.
     Pick(Pick),
     /// Select a point of the scene.
@@ -91,6 +94,14 @@ pub enum Command {
     Open(PathBuf),
     /// Ask which file to open or to write.
     Choose(Purpose),
+    /// Have all as it was before the last step.
+    Undo,
+    /// Make the step again that was undone.
+    Redo,
+    /// Have all as usual but for the parts of the window, its units and the screen.
+    Reset,
+    /// Have the settings of a section as usual.
+    ResetSection(Section),
     /// Show or hide the map.
     ToggleMap,
     /// Draw the map in the other frame.
@@ -161,7 +172,7 @@ pub struct Select {
 
 impl State {
     /// Does what was asked.
-    pub fn apply(&mut self, command: Command) {
+    pub(super) fn perform(&mut self, command: Command) {
         match command {
             Command::Motion(motion) => self.settings.motion = motion,
             Command::Look(look) => self.settings.look = look,
@@ -195,15 +206,16 @@ impl State {
             Command::Geometry(geometry) => self.settings.look.geometry = geometry,
             Command::Turn(turn) => self.turn(turn),
             Command::Zoom(zoom) => self.zoom(zoom),
-            Command::Frame => {
-                self.settings.look.gaze = GazeChoice::Whole;
-                self.settings.look.fov = FieldOfView(None);
+            Command::Frame => self.frame(),
+            Command::FollowAgain => {
+                self.take_pick_back();
+                self.frame();
             }
             Command::Pick(pick) => self.pick(pick),
             Command::Select(Select { track, body, add }) => self.session.points.choose(track, body, add),
             Command::SelectPoint(index) => self.session.points.select(index),
             Command::RemovePoint(index) => self.session.points.remove(index),
-            Command::Preset(name) => self.show(self.with_scene(name.to_owned())),
+            Command::Preset(name) => self.show(self.settings.clone().with_scene(name.to_owned())),
             Command::State(preset) => {
                 self.show(preset.settings.clone().in_place_of(&self.settings));
             }
@@ -217,6 +229,10 @@ impl State {
                 Err(error) => self.session.notice = Some(Notice::error(error)),
             },
             Command::Choose(purpose) => self.session.chooser = Some(purpose),
+            // Travelling through the steps makes none.
+            Command::Undo | Command::Redo => self.apply(command),
+            Command::Reset => self.show(self.as_usual()),
+            Command::ResetSection(section) => self.reset(section),
             Command::ToggleMap => {
                 let is_shown = self.session.shows_map;
                 self.settings.window.map = if is_shown { Presence::Off } else { Presence::On };
@@ -235,6 +251,11 @@ impl State {
             Command::ToggleMaximised(part) => self.session.stage.toggle_maximised(part),
             Command::Close => self.close(),
         }
+    }
+
+    fn frame(&mut self) {
+        self.settings.look.gaze = GazeChoice::Whole;
+        self.settings.look.fov = FieldOfView(None);
     }
 
     fn close(&mut self) {
@@ -262,12 +283,8 @@ impl State {
     }
 
     fn set_light(&mut self, light: Light) {
-        let is_rebuilt = light.surroundings != self.settings.light.surroundings;
-        self.settings.light = light;
-        if is_rebuilt {
-            let Session { playing, preset, .. } = self.session;
-            self.show(self.shown());
-            (self.session.playing, self.session.preset) = (playing, preset);
+        if let Err(error) = self.set(Settings { light, ..self.settings.clone() }) {
+            self.session.notice = Some(Notice::error(error));
         }
     }
 
@@ -338,18 +355,13 @@ impl State {
         }
     }
 
-    /// These settings with another scene, a preset or a file.
-    fn with_scene(&self, scene: String) -> Settings {
-        Settings { scene, ..self.settings.clone() }
-    }
-
     /// The settings that the file at `path` leads to. What it does not say of the window's parts and of the layout stays as
     /// it is; the rest is as usual.
     fn settings_in(&self, path: &Path) -> Result<Settings, SettingsError> {
         let is_scene = FileKind::of(path).is_none()
             && !files::read_to_string(path).is_ok_and(|text| looks_like_settings(&text));
         if is_scene {
-            return Ok(self.with_scene(path.to_string_lossy().into_owned()));
+            return Ok(self.settings.clone().with_scene(path.to_string_lossy().into_owned()));
         }
         Settings::default().in_place_of(&self.settings).with_file(path)
     }
@@ -361,8 +373,16 @@ impl State {
             Ok(state) => {
                 let playing = self.session.playing && !starts_at_a_time;
                 let Session { picture_size, cm_per_pixel, stage, shows_map, .. } = self.session;
-                let session =
-                    Session { playing, picture_size, cm_per_pixel, stage, shows_map, ..state.session };
+                let history = std::mem::take(&mut self.session.history);
+                let session = Session {
+                    playing,
+                    picture_size,
+                    cm_per_pixel,
+                    stage,
+                    shows_map,
+                    history,
+                    ..state.session
+                };
                 *self = Self { session, ..state };
             }
             Err(error) => self.session.notice = Some(Notice::error(error)),

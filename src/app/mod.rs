@@ -23,6 +23,7 @@ mod full_screen;
 mod graphics;
 mod halo;
 mod heat_map;
+pub mod history;
 mod icon;
 pub mod launch;
 mod layout;
@@ -41,6 +42,7 @@ pub mod state;
 mod stillness;
 mod theme;
 pub mod under;
+pub mod usual;
 mod views;
 mod widgets;
 mod worker;
@@ -158,6 +160,7 @@ impl App {
     }
 
     fn apply(&mut self, ctx: &egui::Context, asks: Asks) {
+        ctx.input(|input| self.state.session.history.hear(input));
         if !asks.is_empty() {
             // Panels that were shown before this one show the change in the next frame.
             ctx.request_repaint();

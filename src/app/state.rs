@@ -5,6 +5,7 @@ use relativity_render::{Appearance, Emission, PreparedScene};
 
 use super::chooser::Purpose;
 use super::clock;
+use super::history::History;
 use super::notice::Notice;
 use super::points::{Point, Points};
 use super::stage::Stage;
@@ -57,6 +58,8 @@ pub struct Session {
     pub notice: Option<Notice>,
     /// What a file is being chosen for.
     pub chooser: Option<Purpose>,
+    /// The way back.
+    pub history: History,
 }
 
 /// What a headset shows is shown in parallel, and that is said.
@@ -74,13 +77,16 @@ impl State {
     pub fn new(mut settings: Settings, scene: Scene) -> Self {
         let notice = without_headset(&mut settings.look);
         let preset = Preset::of(&settings);
+        let own = scene.track(None);
         let tracked = scene.track(settings.point.take());
+        let points = Points::tracked(own);
+        let points = if tracked == own { points } else { points.with_given(tracked) };
         let time = settings.time.take().unwrap_or_else(|| settings.time_of_approach(&tracked));
         let session = Session {
             prepared: scene.prepared(),
             time: clock::bounded(time),
             playing: false,
-            points: Points::tracked(tracked),
+            points,
             help: false,
             preset,
             picture_size: settings.picture.size.0,
@@ -91,6 +97,7 @@ impl State {
             map_view: Viewpoint::default(),
             notice,
             chooser: None,
+            history: History::default(),
             scene,
         };
         Self { settings, session }
@@ -103,6 +110,26 @@ impl State {
     pub fn open(settings: Settings) -> Result<Self, SceneError> {
         let scene = settings.opened_scene()?;
         Ok(Self::new(settings, scene))
+    }
+
+    /// Has these settings, which name a scene that can be had: T stays, and so do the points that are still there.
+    ///
+    /// # Errors
+    /// A scene that cannot be had; then nothing changes.
+    pub fn set(&mut self, settings: Settings) -> Result<(), SceneError> {
+        let is_same = settings.scene == self.settings.scene;
+        if !is_same || settings.light.surroundings != self.settings.light.surroundings {
+            self.show_scene(settings.opened_scene()?);
+        }
+        self.settings = settings;
+        Ok(())
+    }
+
+    /// Shows `scene` in place of another version of it, with the points that are still there.
+    pub(super) fn show_scene(&mut self, scene: Scene) {
+        self.session.prepared = scene.prepared();
+        self.session.points = self.session.points.carried(&self.session.scene, &scene);
+        self.session.scene = scene;
     }
 
     /// All that is shown, as settings: what is remembered, and the session's T and selected point.

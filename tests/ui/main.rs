@@ -19,6 +19,7 @@ mod stereo;
 mod support;
 mod time;
 mod times;
+mod way_back;
 mod words;
 
 use std::process::ExitCode;
@@ -47,6 +48,7 @@ fn main() -> ExitCode {
         stereo::TESTS,
         time::TESTS,
         times::TESTS,
+        way_back::TESTS,
         words::TESTS,
     ]
     .concat();

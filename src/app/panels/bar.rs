@@ -21,6 +21,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         scene(ui, state, asks);
         presets(ui, state, asks);
         units(ui, state, asks);
+        way_back(ui, state, asks);
         if let Some(notice) = &state.session.notice {
             ui.colored_label(ui.visuals().error_fg_color, &notice.text);
         }
@@ -108,6 +109,29 @@ fn units(ui: &mut Ui, state: &State, asks: &mut Asks) {
     if window != state.settings.window {
         asks.push(Command::Window(window));
     }
+}
+
+/// Steps back and forwards, and all as usual.
+fn way_back(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    let history = &state.session.history;
+    let reset = format!(
+        "Has all as usual, {}: speed, eyes, path, look, light, plots and points. The parts of the window, its units and \
+        colours, and the screen stay. Undo brings back what was.",
+        state.usual_is()
+    );
+    let buttons = [
+        (Icon::Undo, "Undo", "Undoes the last step.   Keys: Ctrl+Z", history.can_undo(), Command::Undo),
+        (Icon::Redo, "Redo", "Redoes it.   Keys: Ctrl+Shift+Z, Ctrl+Y", history.can_redo(), Command::Redo),
+        (Icon::Reset, "Reset", &reset, !state.is_usual(), Command::Reset),
+    ];
+    let apart = std::mem::replace(&mut ui.spacing_mut().item_spacing.x, 3.0);
+    for (icon, name, tip, is_there, command) in buttons {
+        let button = ui.add_enabled_ui(is_there, |ui| icons::button(ui, icon, name, vec2(26.0, 22.0), false));
+        if button.inner.on_hover_text(tip).on_disabled_hover_text(tip).clicked() {
+            asks.push(command);
+        }
+    }
+    ui.spacing_mut().item_spacing.x = apart;
 }
 
 const UNITS: [(Units, &str, &str); 3] = [

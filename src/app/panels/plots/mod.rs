@@ -180,7 +180,7 @@ fn points(ui: &mut Ui, state: &State, asks: &mut Asks) {
         if ui.selectable_label(chosen, point.name(&state.session.scene)).on_hover_text(tip).clicked() {
             asks.push(Command::SelectPoint(index));
         }
-        if all.len() > 1 {
+        if points.is_removable(index) {
             let name = format!("Remove {}", point.name(&state.session.scene));
             if icons::button(ui, Icon::Remove, &name, vec2(18.0, 18.0), false).on_hover_text(&name).clicked()
             {

@@ -11,7 +11,7 @@ use crate::app::command::Command;
 use crate::app::fitting::Fitting;
 use crate::app::panels::Asks;
 use crate::app::state::State;
-use crate::app::widgets::{choice, end_of_range};
+use crate::app::widgets::{choice, end_of_range, number};
 use crate::flags::TimeRange;
 use crate::settings::{FIT_SAMPLES, FitSetup, MAX_SEED, NOISE_PERCENT};
 use crate::units::Unit;
@@ -107,10 +107,10 @@ fn told_of_data(state: &State, model: Model) -> &'static str {
 }
 
 fn samples(ui: &mut Ui, setup: &mut FitSetup) {
-    let number = DragValue::new(&mut setup.fit_samples).range(FIT_SAMPLES).speed(2.0);
+    let count = number(&mut setup.fit_samples).range(FIT_SAMPLES).speed(2.0);
     let tip = "Number of samples of each curve, evenly spread over T.";
-    named(ui, "samples", "Number of samples", tip, number);
-    let noise = DragValue::new(&mut setup.noise_percent)
+    named(ui, "samples", "Number of samples", tip, count);
+    let noise = number(&mut setup.noise_percent)
         .range(NOISE_PERCENT)
         .speed(0.02)
         .max_decimals(3)
@@ -119,7 +119,7 @@ fn samples(ui: &mut Ui, setup: &mut FitSetup) {
     let tip =
         "Standard deviation of the normal noise on each sample.\nσ = noise × (highest − lowest of the curve)";
     named(ui, "noise", "Noise", tip, noise);
-    let seed = DragValue::new(&mut setup.seed).range(0..=MAX_SEED).speed(0.1).update_while_editing(false);
+    let seed = number(&mut setup.seed).range(0..=MAX_SEED).speed(0.1).update_while_editing(false);
     let tip = "Seed of the noise and of the bootstrap: the same seed gives the same numbers.\n\
         Drag it to see other noise of the same strength.";
     named(ui, "seed", "Seed", tip, seed);
