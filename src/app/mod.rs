@@ -124,6 +124,29 @@ impl App {
         self.examination.as_ref()
     }
 
+    /// What the shown tab of plots shows, as SVG.
+    #[must_use]
+    pub fn plots_svg(&mut self) -> String {
+        self.update_curves();
+        panels::plots::svg(&self.state, self.plotted())
+    }
+
+    /// What the shown tab of plots shows, as CSV.
+    #[must_use]
+    pub fn plots_csv(&mut self) -> String {
+        self.update_curves();
+        panels::plots::csv(&self.state, self.plotted())
+    }
+
+    /// What there is to plot.
+    const fn plotted(&self) -> Plotted<'_> {
+        Plotted {
+            curves: self.curves.as_slice(),
+            fitting: &self.fitting,
+            examination: self.examination.as_ref(),
+        }
+    }
+
     /// Whether everything is as it stays while nothing changes: no work in the background is left.
     #[must_use]
     pub fn is_settled(&self) -> bool {
