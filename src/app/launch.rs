@@ -9,6 +9,7 @@ use super::args::WindowArgs;
 use super::notice::Notice;
 use super::state::State;
 use super::{App, graphics, icon, memory, screenshot};
+use crate::files::whole::ensure_ending;
 use crate::settings::Settings;
 
 /// Name under which settings are saved.
@@ -24,6 +25,7 @@ const WHAT_TO_DO: &str = "On Debian and Ubuntu install `libx11-6 libxcursor1 lib
 /// A bad flag or scene, no display, no graphics adapter, or a missing system library.
 pub fn launch(args: &WindowArgs) -> anyhow::Result<()> {
     if let Some(path) = &args.screenshot {
+        ensure_ending("--screenshot", path, "png")?;
         let state = args.state(Settings::default())?;
         let provenance = state.session.scene.provenance(state.shown().window_command());
         return screenshot::save(state, args.window_size_or_default(), &provenance.texts(), path);
