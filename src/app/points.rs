@@ -14,18 +14,16 @@ pub struct Point {
 }
 
 impl Point {
-    /// What it is called in lists and plots.
+    /// What it is on, in words.
     #[must_use]
-    pub fn name(&self, scene: &Scene) -> String {
-        let what = self.body.or(scene.tracked_body()).map_or("tracked", |body| scene.name_of(body));
-        format!("point {} ({what})", self.number)
+    pub fn what<'a>(&self, scene: &'a Scene) -> &'a str {
+        self.body.or(scene.tracked_body()).map_or("tracked point", |body| scene.name_of(body))
     }
 
     /// What it is called in a sentence.
     #[must_use]
     pub fn noun(&self, scene: &Scene) -> String {
-        let what = self.body.or(scene.tracked_body()).map_or("tracked point", |body| scene.name_of(body));
-        format!("the {what}")
+        format!("the {}", self.what(scene))
     }
 }
 

@@ -8,6 +8,7 @@ mod controls;
 mod fit;
 mod groups;
 mod layouts;
+mod manners;
 mod map;
 mod pairs;
 mod picking;
@@ -37,6 +38,7 @@ fn main() -> ExitCode {
         fit::TESTS,
         groups::TESTS,
         layouts::TESTS,
+        manners::TESTS,
         map::TESTS,
         pairs::TESTS,
         picking::TESTS,

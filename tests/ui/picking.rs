@@ -77,8 +77,8 @@ fn clicking_the_wheel(beta: f64) {
         assert_eq!(point.body, Some(FRONT_TYRE));
         let off = DVec3::from(point.track.rest).distance(DVec3::from(ON_THE_TYRE));
         assert!(off < 1e-3, "{off} from where it was clicked");
-        label_starting_with(&window, "Plot of Δφ of point 1 (front tyre) against T");
-        label_starting_with(&window, "Plot of Δθ of point 1 (front tyre) against T");
+        label_starting_with(&window, "Plot of Δφ of front tyre against T");
+        label_starting_with(&window, "Plot of Δθ of front tyre against T");
     }
 }
 
@@ -89,13 +89,13 @@ fn shift_clicking_compares_points() {
     let points = window.state().state().session.points.clone();
     assert_eq!(points.all().len(), 2);
     assert_eq!((points.selected().number, points.selected().body), (2, Some(FRONT_TYRE)));
-    window.get_by_label("point 1 (front tyre)").click();
+    window.get_by_label("front tyre (1)").click();
     window.run();
     assert_eq!(window.state().state().session.points.selected().number, 1);
-    window.get_by_label("Remove point 1 (front tyre)").click();
+    window.get_by_label("Remove front tyre (1)").click();
     window.run();
     assert_eq!(window.state().state().session.points.all().len(), 1);
-    label_starting_with(&window, "Plot of Δφ of point 2 (front tyre)");
+    label_starting_with(&window, "Plot of Δφ of front tyre");
 }
 
 fn a_click_beside_everything() {

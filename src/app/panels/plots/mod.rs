@@ -177,11 +177,11 @@ fn points(ui: &mut Ui, state: &State, asks: &mut Asks) {
             "At rest at ({x}, {y}, {z}){}.\nClick in a view to move it, shift-click to add one.",
             unit.suffix()
         );
-        if ui.selectable_label(chosen, point.name(&state.session.scene)).on_hover_text(tip).clicked() {
+        if ui.selectable_label(chosen, state.name_of(point)).on_hover_text(tip).clicked() {
             asks.push(Command::SelectPoint(index));
         }
         if all.len() > 1 {
-            let name = format!("Remove {}", point.name(&state.session.scene));
+            let name = format!("Remove {}", state.name_of(point));
             if icons::button(ui, Icon::Remove, &name, vec2(18.0, 18.0), false).on_hover_text(&name).clicked()
             {
                 asks.push(Command::RemovePoint(index));
@@ -286,7 +286,7 @@ fn traces<'a>(ui: &Ui, state: &State, curves: &'a [Curves], quantity: Quantity) 
         let colour = theme::point_colour(point.number, ui.visuals());
         let wide = index == selected;
         let published = curves.published(quantity);
-        let name = || point.name(&state.session.scene);
+        let name = || state.name_of(point);
         traces.push(Trace {
             name: format!("{}, published", name()),
             points: published,
@@ -317,7 +317,7 @@ fn hover_text(quantity: Quantity, [time, shown]: [Unit; 2], hover: &HoverPositio
 
 /// Names the plot for assistive technology: what it shows, of what.
 fn describe(response: &PlotResponse<()>, state: &State, quantity: Quantity) {
-    let point = state.session.points.selected().name(&state.session.scene);
+    let point = state.name_of(state.session.points.selected());
     let name = format!("Plot of {} of {point} against T", label(quantity));
     response
         .response
