@@ -86,10 +86,8 @@ mod tests {
     use super::*;
 
     /// Words with which no sentence ends.
-    const UNFINISHED: [&str; 15] = [
-        "a", "an", "and", "as", "by", "for", "from", "if", "in", "of", "or", "out", "the", "to",
-        "with",
-    ];
+    const UNFINISHED: [&str; 15] =
+        ["a", "an", "and", "as", "by", "for", "from", "if", "in", "of", "or", "out", "the", "to", "with"];
 
     fn assert_finished(place: &str, text: &str) {
         // What says a default, and what follows, comes after the sentence.

@@ -1,6 +1,7 @@
 //! Opens the window, or says in one sentence why it cannot be opened and what to do instead.
 
 use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
+use std::path::Path;
 
 use eframe::egui::ViewportBuilder;
 use eframe::{CreationContext, NativeOptions};
@@ -77,9 +78,10 @@ fn open(args: &WindowArgs) -> anyhow::Result<()> {
 /// The state to start in. Where the scene that was left is no more, the usual one is shown, and why.
 fn state_from(args: &WindowArgs, left: Settings) -> anyhow::Result<State> {
     let usual = Settings { scene: Settings::default().scene, ..left.clone() };
+    let scene = left.scene.clone();
     args.state(left).or_else(|error| {
         let mut state = args.state(usual)?;
-        state.session.notice = Some(Notice::error(error));
+        state.session.notice = Some(Notice::error(error).about(Path::new(&scene)));
         Ok(state)
     })
 }

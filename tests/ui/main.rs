@@ -8,6 +8,7 @@ mod controls;
 mod fit;
 mod groups;
 mod layouts;
+mod manners;
 mod map;
 mod pairs;
 mod picking;
@@ -38,6 +39,7 @@ fn main() -> ExitCode {
         fit::TESTS,
         groups::TESTS,
         layouts::TESTS,
+        manners::TESTS,
         map::TESTS,
         pairs::TESTS,
         picking::TESTS,

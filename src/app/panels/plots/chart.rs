@@ -222,7 +222,7 @@ fn of_points<'a>(state: &State, curves: &'a [Curves], curve: Curve) -> Vec<Trace
     let mut traces = Vec::new();
     for (index, (point, curves)) in all {
         let is_selected = index == points.selected_index();
-        let (name, hue) = (point.name(&state.session.scene), Hue::Point(point.number));
+        let (name, hue) = (state.name_of(point), Hue::Point(point.number));
         for model in models(state) {
             let trace = of_model(&name, hue, curves, model, curve);
             traces.push(Trace { wide: trace.wide && is_selected, ..trace });

@@ -50,7 +50,7 @@ fn panel(state: &State, chart: &Chart<'_>) -> Panel {
         pieces: trace.pieces.iter().map(|piece| piece.iter().map(in_chart).collect()).collect(),
     });
     let labels = [time_label(chart.time_unit), axis_label(chart.quantity, chart.unit)];
-    let point = state.session.points.selected().name(&state.session.scene);
+    let point = state.name_of(state.session.points.selected());
     let title = if matches!(chart.quantity, Quantity::DeltaPhi | Quantity::DeltaTheta) { "" } else { &point };
     let shown = |time| chart.time_unit.shown(time);
     let now = (shown(chart.now), "T".to_owned());

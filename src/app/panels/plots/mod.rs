@@ -165,11 +165,11 @@ fn points(ui: &mut Ui, state: &State, asks: &mut Asks) {
             "At rest at ({x}, {y}, {z}){}.\nClick in a view to move it, shift-click to add one.",
             unit.suffix()
         );
-        if ui.selectable_label(chosen, point.name(&state.session.scene)).on_hover_text(tip).clicked() {
+        if ui.selectable_label(chosen, state.name_of(point)).on_hover_text(tip).clicked() {
             asks.push(Command::SelectPoint(index));
         }
         if points.is_removable(index) {
-            let name = format!("Remove {}", point.name(&state.session.scene));
+            let name = format!("Remove {}", state.name_of(point));
             if icons::button(ui, Icon::Remove, &name, vec2(18.0, 18.0), false).on_hover_text(&name).clicked()
             {
                 asks.push(Command::RemovePoint(index));
@@ -246,7 +246,7 @@ fn plot(
 
 /// Names the plot for assistive technology: what it shows, of what.
 fn describe(response: &PlotResponse<()>, state: &State, quantity: Quantity) {
-    let point = state.session.points.selected().name(&state.session.scene);
+    let point = state.name_of(state.session.points.selected());
     let name = format!("Plot of {} of {point} against T", label(quantity));
     response
         .response
