@@ -74,7 +74,7 @@ pub enum Command {
     Zoom(Zoom),
     /// Hold the whole scene in the views.
     Frame,
-    /// The same, asked for by a double click, whose first click picked a point: that is taken back.
+    /// The same, asked for by a double click, whose first click may have picked a point: [`super::history`] takes that back.
     FollowAgain,
     /// Select the point of the scene at a pixel of an eye's picture.
     Pick(Pick),
@@ -206,10 +206,9 @@ impl State {
             Command::Geometry(geometry) => self.settings.look.geometry = geometry,
             Command::Turn(turn) => self.turn(turn),
             Command::Zoom(zoom) => self.zoom(zoom),
-            Command::Frame => self.frame(),
-            Command::FollowAgain => {
-                self.take_pick_back();
-                self.frame();
+            Command::Frame | Command::FollowAgain => {
+                self.settings.look.gaze = GazeChoice::Whole;
+                self.settings.look.fov = FieldOfView(None);
             }
             Command::Pick(pick) => self.pick(pick),
             Command::Select(Select { track, body, add }) => self.session.points.choose(track, body, add),
@@ -251,11 +250,6 @@ impl State {
             Command::ToggleMaximised(part) => self.session.stage.toggle_maximised(part),
             Command::Close => self.close(),
         }
-    }
-
-    fn frame(&mut self) {
-        self.settings.look.gaze = GazeChoice::Whole;
-        self.settings.look.fov = FieldOfView(None);
     }
 
     fn close(&mut self) {

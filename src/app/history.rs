@@ -124,6 +124,9 @@ impl State {
             Command::Undo => self.travel(|history| (&mut history.past, &mut history.future)),
             Command::Redo => self.travel(|history| (&mut history.future, &mut history.past)),
             command => {
+                if command == Command::FollowAgain {
+                    self.take_pick_back();
+                }
                 let (mut kept, run) = (self.kept(), self.session.history.run_of(&command));
                 let (time, is_pick) = (self.session.time, matches!(command, Command::Pick(_)));
                 self.perform(command);
@@ -135,10 +138,13 @@ impl State {
         }
     }
 
-    /// Takes the pick back that was the last thing done, if it was: the first click of a double click is one.
-    pub(super) fn take_pick_back(&mut self) {
-        if let Some(kept) = self.session.history.past.last().filter(|_| self.session.history.was_pick) {
-            self.session.points = kept.points.clone();
+    /// Takes the pick back that was the last thing done, if it was, as if it had never been.
+    fn take_pick_back(&mut self) {
+        let history = &mut self.session.history;
+        if std::mem::take(&mut history.was_pick)
+            && let Some(kept) = history.past.pop()
+        {
+            self.session.points = kept.points;
         }
     }
 
