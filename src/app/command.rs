@@ -74,7 +74,7 @@ pub enum Command {
     Zoom(Zoom),
     /// Hold the whole scene in the views.
     Frame,
-    /// The same, asked for by a double click, whose first click may have picked a point: [`super::history`] takes that back.
+    /// The same, asked for by a double click, whose first click may have picked a point: [`super::steps`] takes that back.
     FollowAgain,
     /// Select the point of the scene at a pixel of an eye's picture.
     Pick(Pick),
@@ -195,7 +195,7 @@ impl State {
             Command::Screen(screen) => self.settings.screen = screen,
             Command::Narrow => self.narrow(),
             Command::Time(time) => self.session.time = clock::bounded(time),
-            Command::Step(steps) => self.step(steps),
+            Command::Step(steps) => self.step_in_time(steps),
             Command::TimeInRange(fraction) => {
                 self.session.time = clock::bounded(time_within(self.time_range(), fraction));
             }
@@ -220,7 +220,7 @@ impl State {
             }
             Command::ShowNext(steps) => {
                 if let Some(preset) = next_to_show(self.session.preset, steps) {
-                    self.apply(Command::State(preset));
+                    self.perform(Command::State(preset));
                 }
             }
             Command::Open(path) => match self.settings_in(&path) {
@@ -228,8 +228,8 @@ impl State {
                 Err(error) => self.session.notice = Some(Notice::error(error)),
             },
             Command::Choose(purpose) => self.session.chooser = Some(purpose),
-            // Travelling through the steps makes none.
-            Command::Undo | Command::Redo => self.apply(command),
+            // Not done here, but by going through the steps.
+            Command::Undo | Command::Redo => {}
             Command::Reset => self.show(self.as_usual()),
             Command::ResetSection(section) => self.reset(section),
             Command::ToggleMap => {
@@ -298,7 +298,7 @@ impl State {
         self.settings.map = map;
     }
 
-    fn step(&mut self, steps: i32) {
+    fn step_in_time(&mut self, steps: i32) {
         let size = clock::step_size(self.time_range());
         // Onto the multiples of the step, so that stepping gives round times.
         let next = (self.session.time / size).round() + f64::from(steps);

@@ -107,7 +107,7 @@ impl State {
     /// The disparity of `point` now, in the binocular model of what the views show.
     #[must_use]
     pub fn disparity(&self, point: &Point) -> Option<Disparity> {
-        self.settings.disparity(&point.track, self.session.time).ok()
+        self.settings.shown_disparity(&point.track, self.session.time).ok()
     }
 
     /// Where two eyes take `point` to be now, and how much deeper they see it than one that rests.
@@ -161,14 +161,16 @@ impl State {
     /// What the curves of `point` depend on.
     #[must_use]
     pub fn curve_key(&self, point: &Point) -> CurvesKey {
+        let stereo = self.settings.plots.plot == PlotTab::Stereo;
         CurvesKey {
             velocity: self.velocity(point),
             rest: self.settings.rest_place(point.track.rest),
             baseline: self.settings.baseline(),
             range: self.time_range(),
-            model: self.settings.model(),
+            // The paper's lines of sight meet nowhere.
+            model: if stereo { self.settings.model() } else { self.settings.shown_model() },
             published: self.settings.plots.published,
-            stereo: self.settings.plots.plot == PlotTab::Stereo,
+            stereo,
         }
     }
 

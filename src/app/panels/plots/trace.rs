@@ -30,10 +30,11 @@ impl<'a> Trace<'a> {
         state: &State,
         is_exact_beside: bool,
     ) -> Self {
-        let (name, style) = match (state.settings.model(), is_exact_beside) {
+        let (name, style) = match (state.settings.shown_model(), is_exact_beside) {
             (_, true) => (format!("{name}, {TWO_CONES}"), LineStyle::dotted_dense()),
             (Model::OneCone, false) => (format!("{name}, {ONE_CONE}"), LineStyle::Solid),
-            _ => (name, LineStyle::Solid),
+            (Model::Published(_), false) => (format!("{name}, published"), LineStyle::Solid),
+            (Model::Exact, false) => (name, LineStyle::Solid),
         };
         Self { name, points, colour, style, wide: !is_exact_beside, dot: !is_exact_beside }
     }
