@@ -78,7 +78,7 @@ pub enum Command {
     Magnify(f64),
     /// Hold the whole scene in the views.
     Frame,
-    /// The same, asked for by a double click, whose first click picked a point: that is taken back.
+    /// The same, asked for by a double click, whose first click may have picked a point: [`super::steps`] takes that back.
     FollowAgain,
     /// Select the point of the scene at a pixel of an eye's picture.
     Pick(Pick),
@@ -206,7 +206,7 @@ impl State {
             Command::Screen(screen) => self.settings.screen = screen,
             Command::Narrow => self.narrow(),
             Command::Time(time) => self.session.time = clock::bounded(time),
-            Command::Step(steps) => self.step(steps),
+            Command::Step(steps) => self.step_in_time(steps),
             Command::TimeInRange(fraction) => {
                 self.session.time = clock::bounded(time_within(self.time_range(), fraction));
             }
@@ -217,10 +217,9 @@ impl State {
             Command::Geometry(geometry) => self.settings.look.geometry = geometry,
             Command::Turn(turn) => self.turn(turn),
             Command::Zoom(zoom) => self.zoom(zoom),
-            Command::Frame => self.frame(),
-            Command::FollowAgain => {
-                self.take_pick_back();
-                self.frame();
+            Command::Frame | Command::FollowAgain => {
+                self.settings.look.gaze = GazeChoice::Whole;
+                self.settings.look.fov = FieldOfView(None);
             }
             Command::LookAside(aside) => self.look_aside(aside),
             Command::Magnify(factor) => {
@@ -239,7 +238,7 @@ impl State {
             }
             Command::ShowNext(steps) => {
                 if let Some(preset) = next_to_show(self.session.preset, steps) {
-                    self.apply(Command::State(preset));
+                    self.perform(Command::State(preset));
                 }
             }
             Command::Open(path) => match self.settings_in(&path) {
@@ -247,8 +246,8 @@ impl State {
                 Err(error) => self.session.notice = Some(Notice::error(error).about(&path)),
             },
             Command::Choose(purpose) => self.session.chooser = Some(purpose),
-            // Travelling through the steps makes none.
-            Command::Undo | Command::Redo => self.apply(command),
+            // Not done here, but by going through the steps.
+            Command::Undo | Command::Redo => {}
             Command::Reset => self.show(self.as_usual()),
             Command::ResetSection(section) => self.reset(section),
             Command::ToggleMap => {
@@ -271,11 +270,6 @@ impl State {
             Command::CloseNotice => self.session.notice = None,
             Command::Close => self.close(),
         }
-    }
-
-    fn frame(&mut self) {
-        self.settings.look.gaze = GazeChoice::Whole;
-        self.settings.look.fov = FieldOfView(None);
     }
 
     fn close(&mut self) {
@@ -330,7 +324,7 @@ impl State {
         self.settings.map = map;
     }
 
-    fn step(&mut self, steps: i32) {
+    fn step_in_time(&mut self, steps: i32) {
         let size = clock::step_size(self.time_range());
         // Onto the multiples of the step, so that stepping gives round times.
         let next = (self.session.time / size).round() + f64::from(steps);

@@ -207,10 +207,10 @@ impl Curves {
             if self.key.published { &self.published[number..=number] } else { &[] }
         };
         match (model, &self.exact, curve) {
+            _ if model == self.key.model => self.shown.of(curve),
             (Model::Published(_), _, Curve::DeltaPhi) => published(0),
             (Model::Published(_), _, Curve::DeltaTheta) => published(1),
             (Model::Exact, Some(exact), _) => exact.of(curve),
-            _ if model == self.key.model => self.shown.of(curve),
             _ => &[],
         }
     }

@@ -3,14 +3,9 @@
 //! A step is a change of the settings, of the followed points or of the scene; T and playing are none. All that changes
 //! while a button of the pointer is held is one step, and so is a run of nudges of one kind.
 
-use std::mem::{Discriminant, discriminant};
-
 use eframe::egui::{Event, InputState, Key};
 
-use super::command::Command;
-use super::notice::Notice;
 use super::points::Points;
-use super::state::State;
 use crate::settings::{Preset, Settings};
 
 /// Most steps that can be undone.
@@ -18,28 +13,36 @@ const MAX_STEPS: usize = 200;
 
 /// What the user set, at one time.
 #[derive(Debug, Clone, PartialEq)]
-struct Kept {
-    settings: Settings,
-    points: Points,
-    preset: Option<&'static Preset>,
+pub struct Kept {
+    /// What was set.
+    pub settings: Settings,
+    /// The followed points.
+    pub points: Points,
+    /// The preset that was shown.
+    pub preset: Option<&'static Preset>,
     /// T, where the step that followed moved it too.
-    time: Option<f64>,
+    pub time: Option<f64>,
 }
 
 impl Kept {
     /// Whether the user set nothing in between.
-    fn is_as(&self, other: &Self) -> bool {
+    #[must_use]
+    pub fn is_as(&self, other: &Self) -> bool {
         self.settings == other.settings && self.points == other.points
     }
 }
 
 /// What makes several changes one step.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Run {
+pub enum Run {
     /// They came while the button was held that was pressed at this time, seconds.
     Press(f64),
-    /// They were nudges of one kind.
-    Nudges(Discriminant<Command>),
+    /// They were nudges of the speed.
+    Speed,
+    /// They were turns of the wheel over a view.
+    Zoom,
+    /// They were nudges of a control by the arrow keys.
+    Arrows,
 }
 
 /// The steps that were made, and those that were undone.
@@ -80,19 +83,28 @@ impl History {
         }
         self.is_held = pointer.any_down() || pointer.any_released();
         self.is_nudged = input.events.iter().any(is_arrow);
+        // Another key may have chosen another control.
+        if input
+            .events
+            .iter()
+            .any(|event| matches!(event, Event::Key { pressed: true, .. }) && !is_arrow(event))
+        {
+            self.run = None;
+        }
     }
 
-    /// What `command` goes on with, or begins.
-    fn run_of(&self, command: &Command) -> Option<Run> {
+    /// The run that a change belongs to which came now; `nudge`, if it is one of a kind.
+    #[must_use]
+    pub fn run(&self, nudge: Option<Run>) -> Option<Run> {
         let press = self.press.filter(|_| self.is_held).map(Run::Press);
-        let is_nudge = self.is_nudged || matches!(command, Command::NudgeSpeed(_) | Command::Zoom(_));
-        press.or_else(|| is_nudge.then(|| Run::Nudges(discriminant(command))))
+        press.or(nudge).or_else(|| self.is_nudged.then_some(Run::Arrows))
     }
 
-    /// Notes that something was done in this `run`, before which all was as `kept`, and is now as `now`.
-    fn note(&mut self, run: Option<Run>, kept: Kept, now: &Kept) {
+    /// Notes that something was done in this `run`, a pick or not, before which all was as `kept`, and is now as `now`.
+    pub fn note(&mut self, run: Option<Run>, is_pick: bool, kept: Kept, now: &Kept) {
         let goes_on = run.is_some() && run == self.run;
         self.run = run;
+        self.was_pick = is_pick && !kept.is_as(now);
         if kept.is_as(now) {
             return;
         }
@@ -110,55 +122,40 @@ impl History {
             self.run = None;
         }
     }
+
+    /// What was before the last thing done, if that was a pick, which is forgotten.
+    pub fn taken_pick(&mut self) -> Option<Kept> {
+        if std::mem::take(&mut self.was_pick) { self.past.pop() } else { None }
+    }
+
+    /// What was before the last step, or after the one that was undone last.
+    pub fn next(&mut self, direction: Direction) -> Option<Kept> {
+        (self.run, self.was_pick) = (None, false);
+        match direction {
+            Direction::Back => self.past.pop(),
+            Direction::Forwards => self.future.pop(),
+        }
+    }
+
+    /// Keeps what was `left` by a step in this `direction`.
+    pub fn leave(&mut self, direction: Direction, left: Kept) {
+        match direction {
+            Direction::Back => self.future.push(left),
+            Direction::Forwards => self.past.push(left),
+        }
+    }
+}
+
+/// A way through the steps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Direction {
+    /// Undoing.
+    Back,
+    /// Doing again.
+    Forwards,
 }
 
 fn is_arrow(event: &Event) -> bool {
     let arrows = [Key::ArrowLeft, Key::ArrowRight, Key::ArrowUp, Key::ArrowDown];
     matches!(event, Event::Key { key, pressed: true, .. } if arrows.contains(key))
-}
-
-impl State {
-    /// Does what was asked, so that it can be undone.
-    pub fn apply(&mut self, command: Command) {
-        match command {
-            Command::Undo => self.travel(|history| (&mut history.past, &mut history.future)),
-            Command::Redo => self.travel(|history| (&mut history.future, &mut history.past)),
-            command => {
-                let (mut kept, run) = (self.kept(), self.session.history.run_of(&command));
-                let (time, is_pick) = (self.session.time, matches!(command, Command::Pick(_)));
-                self.perform(command);
-                let now = self.kept();
-                kept.time = Some(time).filter(|time| *time != self.session.time);
-                self.session.history.was_pick = is_pick && !kept.is_as(&now);
-                self.session.history.note(run, kept, &now);
-            }
-        }
-    }
-
-    /// Takes the pick back that was the last thing done, if it was: the first click of a double click is one.
-    pub(super) fn take_pick_back(&mut self) {
-        if let Some(kept) = self.session.history.past.last().filter(|_| self.session.history.was_pick) {
-            self.session.points = kept.points.clone();
-        }
-    }
-
-    fn kept(&self) -> Kept {
-        let preset = self.session.preset;
-        Kept { settings: self.settings.clone(), points: self.session.points.clone(), preset, time: None }
-    }
-
-    /// A step along one of the lists of a history; what is left goes onto the other.
-    fn travel(&mut self, lists: fn(&mut History) -> (&mut Vec<Kept>, &mut Vec<Kept>)) {
-        let history = &mut self.session.history;
-        (history.run, history.was_pick) = (None, false);
-        let Some(kept) = lists(history).0.pop() else { return };
-        let left = Kept { time: kept.time.map(|_| self.session.time), ..self.kept() };
-        if let Err(error) = self.set(kept.settings) {
-            self.session.notice = Some(Notice::error(error));
-            return;
-        }
-        (self.session.points, self.session.preset) = (kept.points, kept.preset);
-        self.session.time = kept.time.unwrap_or(self.session.time);
-        lists(&mut self.session.history).1.push(left);
-    }
 }

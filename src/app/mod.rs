@@ -41,6 +41,7 @@ mod screenshot;
 mod speed_slider;
 pub mod stage;
 pub mod state;
+pub mod steps;
 mod stillness;
 mod theme;
 pub mod under;

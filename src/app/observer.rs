@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use glam::DVec3;
-use relativity_core::{Disparity, Parameter, Sighting, SourcePoint, Speed, Stereo, StereoError};
+use relativity_core::{Disparity, Model, Parameter, Sighting, SourcePoint, Speed, Stereo, StereoError};
 use relativity_render::{Gaze, Geometry, Outline, Velocity, View};
 
 use super::curves::CurvesKey;
@@ -107,7 +107,7 @@ impl State {
     /// The disparity of `point` now, in the binocular model of what the views show.
     #[must_use]
     pub fn disparity(&self, point: &Point) -> Option<Disparity> {
-        self.settings.disparity(&point.track, self.session.time).ok()
+        self.settings.shown_disparity(&point.track, self.session.time).ok()
     }
 
     /// Where two eyes take `point` to be now, and how much deeper they see it than one that rests.
@@ -161,14 +161,17 @@ impl State {
     /// What the curves of `point` depend on.
     #[must_use]
     pub fn curve_key(&self, point: &Point) -> CurvesKey {
+        let stereo = self.settings.plots.plot == PlotTab::Stereo;
+        // The paper's lines of sight meet nowhere.
+        let model = if stereo { self.settings.model() } else { self.settings.shown_model() };
         CurvesKey {
             velocity: self.velocity(point),
             rest: self.settings.rest_place(point.track.rest),
             baseline: self.settings.baseline(),
             range: self.time_range(),
-            model: self.settings.model(),
-            published: self.settings.plots.published,
-            stereo: self.settings.plots.plot == PlotTab::Stereo,
+            model,
+            published: self.settings.plots.published && !matches!(model, Model::Published(_)),
+            stereo,
         }
     }
 

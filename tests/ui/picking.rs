@@ -14,7 +14,7 @@ use relativity_core::{Aperture, SourcePoint, sighting};
 use relativity_render::{Geometry, Gpu, Method, Renderers};
 
 use super::Test;
-use super::support::{SEPARATION, cyclist, drag, label_starting_with, pane, window};
+use super::support::{SEPARATION, cyclist, drag, label_starting_with, pane, shown, window};
 
 pub const TESTS: &[Test] = &[
     ("clicking_the_wheel_at_beta_0_9_plots_that_point", || clicking_the_wheel(0.9)),
@@ -219,9 +219,21 @@ fn the_published_right_eye() {
         state.session.time,
         relativity_core::PublishedVariant::AppendixA,
     );
-    let [x, y, z] = model.expect("in the domain").secondary.position;
-    let shown = state.direction(point, Eye::Right).expect("in the domain");
-    assert!(shown.distance(DVec3::new(x, y, z)) < 1e-12, "{shown} for {x}, {y}, {z}");
+    let published = model.expect("in the domain");
+    let [x, y, z] = published.secondary.position;
+    // The numbers are those of the view, and the table says which model's.
+    window.get_by_label("Right, published");
+    for (name, value, rounding) in [
+        ("Right eye, Received wavelength", 700.0 / published.secondary.doppler_factor, 0.06),
+        ("Left eye, Received wavelength", 700.0 / published.primary.doppler_factor, 0.06),
+        ("Disparity Δφ", published.dphi, 6e-6),
+        ("Right eye, Azimuth φ", published.secondary.phi(), 6e-6),
+    ] {
+        let told = shown(&window, name);
+        assert!((told - value).abs() < rounding, "{name}: {told} for {value}");
+    }
+    let direction = state.direction(point, Eye::Right).expect("in the domain");
+    assert!(direction.distance(DVec3::new(x, y, z)) < 1e-12, "{direction} for {x}, {y}, {z}");
 
     let right = pane(&window, 1).center();
     click(&mut window, right, Modifiers::NONE);

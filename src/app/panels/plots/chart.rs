@@ -155,16 +155,13 @@ pub(super) fn chart<'a>(state: &State, curves: &'a [Curves], quantity: Quantity)
 
 fn traces<'a>(state: &State, curves: &'a [Curves], quantity: Quantity) -> Vec<Trace<'a>> {
     let selected = state.session.points.selected_index();
-    let own = curves.get(selected);
+    let Some(own) = curves.get(selected) else { return Vec::new() };
     let of_eyes = |curve: fn(usize) -> Curve| -> Vec<Trace<'a>> {
-        let eyes = |model| move |eye: Eye| (eye, model);
-        let (exact, shown) = (eyes(Model::Exact), eyes(state.settings.model()));
-        let beside = Eye::BOTH.into_iter().map(exact).filter(|_| state.settings.model() != Model::Exact);
-        let all = beside.chain(Eye::BOTH.into_iter().map(shown));
-        all.filter_map(|(eye, model)| {
+        let all = models(own).flat_map(|model| Eye::BOTH.map(|eye| (eye, model)));
+        all.map(|(eye, model)| {
             let dash = if eye == Eye::Left { Dash::Solid } else { Dash::RIGHT };
-            let trace = of_model(eye.name(), Hue::Eye(eye), own?, model, curve(eye.index()));
-            Some(if trace.dash == Dash::Solid { Trace { dash, ..trace } } else { trace })
+            let trace = of_model(eye.name(), Hue::Eye(eye), own, model, curve(eye.index()));
+            if trace.dash == Dash::Solid { Trace { dash, ..trace } } else { trace }
         })
         .collect()
     };
@@ -174,18 +171,16 @@ fn traces<'a>(state: &State, curves: &'a [Curves], quantity: Quantity) -> Vec<Tr
         Quantity::Phi => of_eyes(Curve::Phi),
         Quantity::Theta => of_eyes(Curve::Theta),
         Quantity::LogDoppler => of_eyes(Curve::LogDoppler),
-        Quantity::LogGain => own.map_or(Vec::new(), |own| {
-            models(state)
-                .map(|model| of_model("Stereo gain", Hue::Stereo, own, model, Curve::LogGain))
-                .collect()
-        }),
-        Quantity::LogDistance => own.map_or(Vec::new(), |own| distances(state, own)),
+        Quantity::LogGain => models(own)
+            .map(|model| of_model("Stereo gain", Hue::Stereo, own, model, Curve::LogGain))
+            .collect(),
+        Quantity::LogDistance => distances(own),
     }
 }
 
 /// The exact model where that is not what the views show, and then what they do.
-fn models(state: &State) -> impl Iterator<Item = Model> {
-    let shown = state.settings.model();
+fn models(curves: &Curves) -> impl Iterator<Item = Model> + use<> {
+    let shown = curves.key().model;
     [Model::Exact].into_iter().filter(move |&exact| exact != shown).chain([shown])
 }
 
@@ -199,7 +194,8 @@ fn of_model<'a>(name: &str, hue: Hue, curves: &'a Curves, model: Model, curve: C
     let (name, dash) = match (key.model, model) {
         (Model::Exact, _) => (name.to_owned(), Dash::Solid),
         (_, Model::Exact) => (format!("{name}, {TWO_CONES}"), Dash::Dotted),
-        _ => (format!("{name}, {ONE_CONE}"), Dash::Solid),
+        (_, Model::OneCone) => (format!("{name}, {ONE_CONE}"), Dash::Solid),
+        (_, Model::Published(_)) => (format!("{name}, published"), Dash::Solid),
     };
     let shown = key.model == model;
     Trace {
@@ -223,7 +219,7 @@ fn of_points<'a>(state: &State, curves: &'a [Curves], curve: Curve) -> Vec<Trace
     for (index, (point, curves)) in all {
         let is_selected = index == points.selected_index();
         let (name, hue) = (state.name_of(point), Hue::Point(point.number));
-        for model in models(state) {
+        for model in models(curves) {
             let trace = of_model(&name, hue, curves, model, curve);
             traces.push(Trace { wide: trace.wide && is_selected, ..trace });
         }
@@ -262,8 +258,8 @@ pub(super) const fn distance_look(kind: DistanceKind) -> (Hue, Dash, bool) {
 }
 
 /// Those of the selected point: two eyes on top.
-fn distances<'a>(state: &State, curves: &'a Curves) -> Vec<Trace<'a>> {
-    let model = state.settings.model();
+fn distances(curves: &Curves) -> Vec<Trace<'_>> {
+    let model = curves.key().model;
     let kinds = [DistanceKind::Measured, DistanceKind::Seen(1), DistanceKind::Seen(0), DistanceKind::Stereo];
     kinds
         .into_iter()
