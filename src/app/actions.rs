@@ -6,6 +6,7 @@ use relativity_render::Geometry;
 use super::chooser::Purpose;
 use super::command::Command;
 use super::focus;
+use super::plotting::PlotCommand;
 
 /// Something that can be asked for by name or by key.
 #[derive(Debug)]
@@ -77,6 +78,18 @@ pub static ACTIONS: &[Action] = &[
     action("swap the eyes", &[key(Key::X)], Command::SwapEyes),
     action("show or hide the map", &[key(Key::M)], Command::ToggleMap),
     action("draw the map in the ground's or the bicycle's frame", &[key(Key::G)], Command::ToggleFrame),
+    action(
+        "a cursor in the plots at T: the first, the second, none",
+        &[key(Key::C)],
+        Command::Plotting(PlotCommand::Cursor(None)),
+    ),
+    action(
+        "pin the curves of the selected point in the plots",
+        &[key(Key::K)],
+        Command::Plotting(PlotCommand::Pin),
+    ),
+    action("unpin all curves", &[with_shift(Key::K)], Command::Plotting(PlotCommand::Unpin)),
+    action("the whole of every plot", &[], Command::Plotting(PlotCommand::Whole)),
     action("the whole screen", &[key(Key::F11)], Command::ToggleFullScreen),
     action("present: large writing, and no controls", &[key(Key::P)], Command::TogglePresenting),
     action("the views in a window of their own, for a projector", &[key(Key::W)], Command::ToggleProjector),

@@ -8,6 +8,7 @@ use super::chooser::Purpose;
 use super::clock;
 use super::notice::Notice;
 use super::observer::Eye;
+use super::plotting::PlotCommand;
 use super::stage::{Part, next_to_show};
 use super::state::{Session, State};
 use super::usual::Section;
@@ -44,6 +45,8 @@ pub enum Command {
     Playback(Playback),
     /// New choice of curves.
     Plots(Plots),
+    /// Look at another part of the plots, or mark or keep something in them.
+    Plotting(PlotCommand),
     /// Another face or frame of the map.
     Map(Map),
     /// Look at another part of the map.
@@ -199,6 +202,7 @@ impl State {
             Command::Quality(quality) => self.settings.quality = quality,
             Command::Playback(playback) => self.settings.playback = playback,
             Command::Plots(plots) => self.settings.plots = plots,
+            Command::Plotting(command) => self.apply_to_plots(command),
             Command::Map(map) => self.set_map(map),
             Command::MapView(viewpoint) => self.session.map_view = viewpoint,
             Command::Fit(fit) => self.settings.fit = fit,

@@ -35,6 +35,7 @@ pub mod notice;
 pub mod observer;
 mod panels;
 pub mod panes;
+pub mod plotting;
 pub mod points;
 mod projector;
 mod screenshot;
@@ -55,7 +56,7 @@ use eframe::egui_wgpu::RenderState;
 
 use command::Command;
 use corrected::Corrected;
-use curves::{Curves, CurvesKey};
+use curves::Curves;
 use examination::Examination;
 use eyes::EyePictures;
 use fitting::Fitting;
@@ -198,9 +199,9 @@ impl App {
 
     /// Brings the curves up to date; those that still hold are kept.
     fn update_curves(&mut self) {
-        let keys: Vec<CurvesKey> =
-            self.state.session.points.all().iter().map(|point| self.state.curve_key(point)).collect();
-        self.curves = keys
+        self.curves = self
+            .state
+            .plotted_keys()
             .into_iter()
             .map(|key| match self.curves.iter().position(|curves| *curves.key() == key) {
                 Some(kept) => self.curves.swap_remove(kept),

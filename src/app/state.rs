@@ -8,6 +8,7 @@ use super::clock;
 use super::command::Pick;
 use super::history::History;
 use super::notice::Notice;
+use super::plotting::Plotting;
 use super::points::{Point, Points};
 use super::stage::Stage;
 use crate::flags::choices::ProjectionChoice;
@@ -59,6 +60,8 @@ pub struct Session {
     pub shows_map: bool,
     /// How the user looks at the map.
     pub map_view: Viewpoint,
+    /// What is looked at of the plots, and what is kept in them.
+    pub plotting: Plotting,
     /// What is said about the last thing that was done, or could not be.
     pub notice: Option<Notice>,
     /// What a file is being chosen for.
@@ -102,6 +105,7 @@ impl State {
             stage: Stage::default(),
             shows_map: false,
             map_view: Viewpoint::default(),
+            plotting: Plotting::default(),
             notice,
             chooser: None,
             history: History::default(),

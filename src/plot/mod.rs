@@ -12,7 +12,8 @@ use std::fmt::Write as _;
 use relativity_core::math;
 
 pub use self::axis::{
-    Axis, Tick, at_least, extent, round_step, ticks_along, widened, with_factor, with_margin,
+    Axis, MOST_TICKS, Tick, at_least, extent, round_step, ticks_along, widened, with_factor, with_margin,
+    zoom_step,
 };
 
 /// Black.

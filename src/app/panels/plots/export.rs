@@ -4,9 +4,10 @@ use csv::ByteRecord;
 use eframe::egui::{Color32, Visuals};
 
 use super::axes::{axis_label, time_label};
-use super::chart::{Chart, Dash, chart, quantities};
+use super::chart::{Chart, Dash, chart};
 use super::{Plotted, accuracy};
 use crate::app::curves::Quantity;
+use crate::app::plotting::quantities;
 use crate::app::state::State;
 use crate::files::csv_out::Rows;
 use crate::plot::{self, Line, Panel, Stroke};
@@ -32,8 +33,13 @@ pub fn csv(state: &State, plotted: Plotted<'_>) -> String {
     table(&charts)
 }
 
+/// A drawing is higher than any number of ticks takes.
+const HEIGHT: f32 = 300.0;
+
 fn charts<'a>(state: &'a State, plotted: Plotted<'a>) -> impl Iterator<Item = Chart<'a>> {
-    quantities(state.settings.plots.plot).iter().map(move |&quantity| chart(state, plotted.curves, quantity))
+    quantities(state.settings.plots.plot)
+        .iter()
+        .map(move |&quantity| chart(state, plotted.curves, quantity, HEIGHT))
 }
 
 fn panel(state: &State, chart: &Chart<'_>) -> Panel {
@@ -41,7 +47,7 @@ fn panel(state: &State, chart: &Chart<'_>) -> Panel {
     let in_chart = |point: &egui_plot::PlotPoint| [chart.time_unit.shown(point.x), chart.shown(point.y)];
     let lines = chart.traces.iter().map(|trace| Line {
         name: trace.name.clone(),
-        colour: css(trace.hue.colour(&visuals)).into(),
+        colour: css(trace.colour(&visuals)).into(),
         stroke: match trace.dash {
             Dash::Solid => Stroke::Solid,
             Dash::Dashed(length) => Stroke::Dashes(length),
@@ -54,11 +60,13 @@ fn panel(state: &State, chart: &Chart<'_>) -> Panel {
     let title = if matches!(chart.quantity, Quantity::DeltaPhi | Quantity::DeltaTheta) { "" } else { &point };
     let shown = |time| chart.time_unit.shown(time);
     let now = (shown(chart.now), "T".to_owned());
+    let cursors =
+        ["A", "B"].into_iter().zip(&chart.cursors).map(|(name, time)| (shown(*time), name.to_owned()));
     let seen = chart.equidistant.map(|(time, words)| (shown(time), format!("T₀, {words}")));
-    let values = chart.value_range().map(|value| chart.ruler(0.0).counted(value));
+    let values = chart.value_range().map(|value| chart.ruler().counted(value));
     Panel {
         ranges: [Some(chart.range.map(shown)), Some(values)],
-        marks: seen.into_iter().chain([now]).collect(),
+        marks: seen.into_iter().chain(cursors).chain([now]).collect(),
         logarithmic: [false, chart.quantity.is_logarithm()],
         ..Panel::new(title, labels, lines.collect())
     }

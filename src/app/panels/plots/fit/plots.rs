@@ -120,7 +120,7 @@ impl Part {
             plot.vline(now.allow_hover(false));
             contents(plot);
         });
-        annotate(ui, &response, unit, None);
+        let _ = annotate(ui, &response, unit, None, |_| 0.0);
         let info = || egui::WidgetInfo::labeled(egui::accesskit::Role::GraphicsObject, true, &self.name);
         response.response.widget_info(info);
         if let Some(time) = time_at_pointer(&response) {
