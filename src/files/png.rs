@@ -149,10 +149,13 @@ fn picture(frame: &png::OutputInfo, bytes: &[u8]) -> Picture {
     Picture { size: [frame.width, frame.height], rgba: rgba.collect() }
 }
 
-/// Keywords and texts.
+/// Keywords and texts: those in UTF-8, and in Latin-1 as other programs write them, be they compressed or not.
 fn texts(info: &png::Info<'_>) -> Vec<(String, String)> {
-    let text = |chunk: &png::text_metadata::ITXtChunk| Some((chunk.keyword.clone(), chunk.get_text().ok()?));
-    info.utf8_text.iter().filter_map(text).collect()
+    let utf8 = info.utf8_text.iter().map(|chunk| (&chunk.keyword, chunk.get_text()));
+    let plain = info.uncompressed_latin1_text.iter().map(|chunk| (&chunk.keyword, Ok(chunk.text.clone())));
+    let compressed = info.compressed_latin1_text.iter().map(|chunk| (&chunk.keyword, chunk.get_text()));
+    let all = utf8.chain(plain).chain(compressed);
+    all.filter_map(|(keyword, text)| Some((keyword.clone(), text.ok()?))).collect()
 }
 
 /// The command that made the PNG file at `path`, as it records it; empty if it does not.

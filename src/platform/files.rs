@@ -58,6 +58,11 @@ pub fn is_special(path: &Path) -> bool {
     path.metadata().is_ok_and(|found| !found.is_file())
 }
 
+/// Length of the file at `path`, bytes.
+pub fn size(path: &Path) -> io::Result<u64> {
+    Ok(path.metadata()?.len())
+}
+
 /// `path` without links in it.
 pub fn canonical(path: &Path) -> io::Result<PathBuf> {
     path.canonicalize()
