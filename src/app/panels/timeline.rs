@@ -24,12 +24,12 @@ const TIME_TIP: &str = "Observation time T: when the light is received.   Keys: 
 
 /// Widths of the transport's buttons with T's name and the gaps around them, of what stands around the numbers of the rate
 /// and of the range, of the menu's button, and of a number without its digits and of one of these; points.
-const TRANSPORT: f32 = 222.0;
-const AROUND_RATE: f32 = 24.0;
-const AROUND_RANGE: f32 = 200.0;
-const MENU: f32 = 78.0;
-const AROUND_DIGITS: f32 = 22.0;
-const DIGIT: f32 = 8.0;
+const TRANSPORT: f32 = 206.0;
+const AROUND_RATE: f32 = 10.0;
+const AROUND_RANGE: f32 = 196.0;
+const MENU: f32 = 62.0;
+const AROUND_DIGITS: f32 = 16.0;
+const DIGIT: f32 = 7.2;
 
 /// What of the playback has room in the timeline; the rest is in a menu.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

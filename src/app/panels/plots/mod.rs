@@ -11,7 +11,7 @@ mod trace;
 use std::ops::RangeInclusive;
 
 use clap::ValueEnum as _;
-use eframe::egui::{self, RichText, ScrollArea, Ui, vec2};
+use eframe::egui::{self, Color32, RichText, TextStyle, Ui, vec2};
 use egui_plot::{HoverPosition, LineStyle, PlotPoint, PlotResponse, VLine};
 use relativity_core::math;
 use relativity_core::{Disparity, Model, Sighting};
@@ -35,9 +35,6 @@ use crate::figures;
 use crate::settings::PlotTab;
 use crate::units::Unit;
 
-/// Narrower plots have the followed points in a row of their own, below the tabs.
-const NARROWEST_ROW: f32 = 660.0;
-
 /// What there is to plot.
 #[derive(Clone, Copy)]
 pub struct Plotted<'a> {
@@ -51,22 +48,15 @@ pub struct Plotted<'a> {
 
 /// Shows the plots.
 pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {
-    let is_narrow = ui.available_width() < NARROWEST_ROW;
     let examination = plotted.examination.filter(|_| state.settings.plots.plot == PlotTab::Accuracy);
-    let points = |ui: &mut Ui, asks: &mut Asks| match examination {
-        Some(examination) => accuracy::caption(ui, state, examination, asks),
-        None => points(ui, state, asks),
-    };
-    row(ui, "plot tabs", |ui| {
+    ui.horizontal_wrapped(|ui| {
         tabs(ui, state, asks);
-        if !is_narrow {
-            ui.separator();
-            points(ui, asks);
+        ui.separator();
+        match examination {
+            Some(examination) => accuracy::caption(ui, state, examination, asks),
+            None => points(ui, state, asks),
         }
     });
-    if is_narrow {
-        row(ui, "points", |ui| points(ui, asks));
-    }
     let quantities: &[Quantity] = match state.settings.plots.plot {
         PlotTab::Disparity => &[Quantity::DeltaPhi, Quantity::DeltaTheta],
         PlotTab::Angles => &[Quantity::Phi, Quantity::Theta],
@@ -132,11 +122,6 @@ fn title(ui: &mut Ui, state: &State, quantity: Quantity) {
     });
 }
 
-/// What stands in a row, which may be wider than the plots, but must not widen them.
-fn row(ui: &mut Ui, name: &str, contents: impl FnOnce(&mut Ui)) {
-    ScrollArea::horizontal().id_salt(name).show(ui, |ui| ui.horizontal(contents));
-}
-
 fn tabs(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let mut plots = state.settings.plots;
     for &tab in PlotTab::value_variants() {
@@ -169,6 +154,10 @@ fn points(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let all = points.all();
     for (index, point) in all.iter().enumerate() {
         let colour = theme::point_colour(point.number, ui.visuals());
+        let name = state.name_of(point);
+        if ui.available_size_before_wrap().x < entry_width(ui, &name) {
+            ui.end_row();
+        }
         dot(ui, colour);
         let chosen = all.len() > 1 && index == points.selected_index();
         let unit = state.measures().length;
@@ -177,11 +166,11 @@ fn points(ui: &mut Ui, state: &State, asks: &mut Asks) {
             "At rest at ({x}, {y}, {z}){}.\nClick in a view to move it, shift-click to add one.",
             unit.suffix()
         );
-        if ui.selectable_label(chosen, state.name_of(point)).on_hover_text(tip).clicked() {
+        if ui.selectable_label(chosen, &name).on_hover_text(tip).clicked() {
             asks.push(Command::SelectPoint(index));
         }
         if all.len() > 1 {
-            let name = format!("Remove {}", state.name_of(point));
+            let name = format!("Remove {name}");
             if icons::button(ui, Icon::Remove, &name, vec2(18.0, 18.0), false).on_hover_text(&name).clicked()
             {
                 asks.push(Command::RemovePoint(index));
@@ -189,6 +178,13 @@ fn points(ui: &mut Ui, state: &State, asks: &mut Asks) {
         }
         ui.add_space(6.0);
     }
+}
+
+/// Room for a point of this `name` in the list of them, with its dot and its cross.
+fn entry_width(ui: &Ui, name: &str) -> f32 {
+    const AROUND: f32 = 50.0;
+    let font = TextStyle::Button.resolve(ui.style());
+    AROUND + ui.painter().layout_no_wrap(name.to_owned(), font, Color32::WHITE).size().x
 }
 
 /// What the selected point's curves are at T: the disparity, or what each eye sees, in its colour.
