@@ -368,7 +368,10 @@ impl State {
             return;
         }
         match self.point_at(pick.eye, pick.pixel, pick.size) {
-            Some((track, body)) => self.session.points.choose(track, body, pick.add),
+            Some((track, body)) => {
+                self.session.points.choose(track, body, pick.add);
+                self.session.hint = false;
+            }
             None => self.session.missed = Some(pick),
         }
     }
@@ -408,9 +411,9 @@ impl State {
         match Self::open(settings) {
             Ok(state) => {
                 let playing = self.session.playing && !starts_at_a_time;
-                let Session { picture_size, cm_per_pixel, stage, shows_map, .. } = self.session;
+                let Session { picture_size, cm_per_pixel, stage, shows_map, hint, .. } = self.session;
                 let session =
-                    Session { playing, picture_size, cm_per_pixel, stage, shows_map, ..state.session };
+                    Session { playing, picture_size, cm_per_pixel, stage, shows_map, hint, ..state.session };
                 *self = Self { session, ..state };
             }
             Err(error) => self.session.notice = Some(Notice::error(error).about(&scene)),

@@ -122,7 +122,7 @@ fn time(ui: &mut Ui, state: &State, asks: &mut Asks) {
         .min_decimals(unit.decimals(3).into())
         .max_decimals(unit.decimals(most).into());
     let response = ui.add_sized([time_width(state), ui.spacing().interact_size.y], number);
-    if response.on_hover_text(TIME_TIP).accessible_name("T, typed").changed() {
+    if widgets::explained(response, TIME_TIP).accessible_name("T, typed").changed() {
         asks.push(Command::Time(time));
     }
 }
@@ -204,7 +204,7 @@ fn scrubber(ui: &mut Ui, state: &State, asks: &mut Asks) {
     ui.spacing_mut().slider_width = ui.available_width();
     // T may lie outside the range; only a drag brings it inside.
     let slider = Slider::new(&mut time, from..=to).show_value(false).clamping(SliderClamping::Never);
-    let response = ui.add(slider).on_hover_text(TIME_TIP).accessible_name("Observation time T");
+    let response = widgets::explained(ui.add(slider), TIME_TIP).accessible_name("Observation time T");
     if response.changed() {
         asks.push(Command::Time(time));
     }
