@@ -383,7 +383,10 @@ impl State {
             return;
         }
         match self.point_at(pick.eye, pick.pixel, pick.size) {
-            Some((track, body)) => self.session.points.choose(track, body, pick.add),
+            Some((track, body)) => {
+                self.session.points.choose(track, body, pick.add);
+                self.session.hint = false;
+            }
             None => self.session.missed = Some(pick),
         }
     }
@@ -418,7 +421,7 @@ impl State {
         match Self::open(settings) {
             Ok(state) => {
                 let playing = self.session.playing && !starts_at_a_time;
-                let Session { picture_size, cm_per_pixel, stage, shows_map, .. } = self.session;
+                let Session { picture_size, cm_per_pixel, stage, shows_map, hint, .. } = self.session;
                 let history = std::mem::take(&mut self.session.history);
                 let session = Session {
                     playing,
@@ -426,6 +429,7 @@ impl State {
                     cm_per_pixel,
                     stage,
                     shows_map,
+                    hint,
                     history,
                     ..state.session
                 };

@@ -26,3 +26,16 @@ pub fn remembered(storage: &dyn Storage) -> Settings {
 pub fn remember(storage: &mut dyn Storage, settings: &Settings) {
     storage.set_string(KEY, settings.to_toml());
 }
+
+/// Where it is kept that the user once followed a point by a click.
+const CLICKED: &str = "clicked";
+
+/// Whether nobody has yet followed a point by a click.
+pub fn is_of_a_newcomer(storage: &dyn Storage) -> bool {
+    storage.get_string(CLICKED).is_none()
+}
+
+/// Keeps that somebody has.
+pub fn remember_a_click(storage: &mut dyn Storage) {
+    storage.set_string(CLICKED, "yes".to_owned());
+}

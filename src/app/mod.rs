@@ -386,6 +386,9 @@ impl eframe::App for App {
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
         memory::remember(storage, &self.state.settings);
+        if !self.state.session.hint {
+            memory::remember_a_click(storage);
+        }
     }
 }
 

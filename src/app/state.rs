@@ -46,6 +46,8 @@ pub struct Session {
     pub palette: bool,
     /// Where a click into a view hit nothing, until something else is done.
     pub missed: Option<Pick>,
+    /// Whether the views say what a click does: until the first.
+    pub hint: bool,
     /// The preset that is shown, until another scene or state is.
     pub preset: Option<&'static Preset>,
     /// Width and height of an eye's picture, which a field of view is fitted to, pixels.
@@ -98,6 +100,7 @@ impl State {
             help: false,
             palette: false,
             missed: None,
+            hint: false,
             preset,
             picture_size: settings.picture.size.0,
             cm_per_pixel: settings.screen.cm_per_point(None),

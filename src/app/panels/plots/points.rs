@@ -1,6 +1,6 @@
 //! The row above the plots: the followed points, and what can be kept and marked in the plots.
 
-use eframe::egui::{Ui, vec2};
+use eframe::egui::{Color32, TextStyle, Ui, vec2};
 
 use crate::app::command::Command;
 use crate::app::panels::Asks;
@@ -17,6 +17,10 @@ pub(super) fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let all = points.all();
     for (index, point) in all.iter().enumerate() {
         let colour = theme::point_colour(point.number, ui.visuals());
+        let name = state.name_of(point);
+        if ui.available_size_before_wrap().x < entry_width(ui, &name) {
+            ui.end_row();
+        }
         dot(ui, colour);
         let chosen = all.len() > 1 && index == points.selected_index();
         let unit = state.measures().length;
@@ -25,11 +29,11 @@ pub(super) fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
             "At rest at ({x}, {y}, {z}){}.\nClick in a view to move it, shift-click to add one.",
             unit.suffix()
         );
-        if ui.selectable_label(chosen, state.name_of(point)).on_hover_text(tip).clicked() {
+        if ui.selectable_label(chosen, &name).on_hover_text(tip).clicked() {
             asks.push(Command::SelectPoint(index));
         }
         if points.is_removable(index) {
-            let name = format!("Remove {}", state.name_of(point));
+            let name = format!("Remove {name}");
             if icons::button(ui, Icon::Remove, &name, vec2(18.0, 18.0), false).on_hover_text(&name).clicked()
             {
                 asks.push(Command::RemovePoint(index));
@@ -40,6 +44,13 @@ pub(super) fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     if !plotting::quantities(state.settings.plots.plot).is_empty() {
         buttons(ui, state, asks);
     }
+}
+
+/// Room for a point of this `name` in the list of them, with its dot and its cross.
+fn entry_width(ui: &Ui, name: &str) -> f32 {
+    const AROUND: f32 = 50.0;
+    let font = TextStyle::Button.resolve(ui.style());
+    AROUND + ui.painter().layout_no_wrap(name.to_owned(), font, Color32::WHITE).size().x
 }
 
 /// What keeps and marks something in the plots.
