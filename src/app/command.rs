@@ -1,14 +1,17 @@
 //! Everything that can be done in the window, and the one place where it is done.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use relativity_render::{Camera, Gaze, Geometry};
 
 use super::chooser::Purpose;
 use super::clock;
+use super::fitting::DataFile;
 use super::notice::Notice;
 use super::observer::Eye;
 use super::plotting::PlotCommand;
+use super::saving::{Copied, Order, Saving};
 use super::stage::{Part, next_to_show};
 use super::state::{Session, State};
 use super::usual::Section;
@@ -20,8 +23,8 @@ use crate::passage::time_within;
 use crate::platform::files;
 use crate::scene::Track;
 use crate::settings::{
-    Daylight, FOV_DEGREES, FitSetup, Frame, Light, Look, Map, Motion, Playback, Plots, Presence, Preset,
-    Quality, Screen, Settings, SettingsError, Window, looks_like_settings,
+    Daylight, FOV_DEGREES, FitSetup, Frame, Light, Look, Map, Motion, Playback, PlotTab, Plots, Presence,
+    Preset, Quality, Screen, Settings, SettingsError, Window, looks_like_settings,
 };
 
 /// Something the user asked for.
@@ -111,6 +114,16 @@ pub enum Command {
     Reset,
     /// Have the settings of a section as usual.
     ResetSection(Section),
+    /// Fit the measured disparities in a file.
+    OpenData(PathBuf),
+    /// Fit simulated disparities again.
+    Simulate,
+    /// Write a file.
+    Save(Saving),
+    /// Copy something.
+    Copy(Copied),
+    /// Give up what is being saved.
+    StopSaving,
     /// Show or hide the map.
     ToggleMap,
     /// Draw the map in the other frame.
@@ -245,15 +258,20 @@ impl State {
                     self.perform(Command::State(preset));
                 }
             }
-            Command::Open(path) => match self.settings_in(&path) {
-                Ok(settings) => self.show(settings),
-                Err(error) => self.session.notice = Some(Notice::error(error).about(&path)),
-            },
-            Command::Choose(purpose) => self.session.chooser = Some(purpose),
             // Not done here, but by going through the steps.
             Command::Undo | Command::Redo => {}
             Command::Reset => self.show(self.as_usual()),
             Command::ResetSection(section) => self.reset(section),
+            Command::Open(path) => self.open_file(&path),
+            Command::Choose(purpose) => self.session.chooser = Some(purpose),
+            Command::OpenData(path) => self.open_data(&path),
+            Command::Simulate => self.session.data = None,
+            Command::Save(saving) => {
+                self.session.chooser = None;
+                self.session.orders.push(Order::Save(saving));
+            }
+            Command::Copy(copied) => self.session.orders.push(Order::Copy(copied)),
+            Command::StopSaving => self.session.orders.push(Order::Stop),
             Command::ToggleMap => {
                 let is_shown = self.session.shows_map;
                 self.settings.window.map = if is_shown { Presence::Off } else { Presence::On };
@@ -288,6 +306,30 @@ impl State {
             *help = false;
         } else {
             stage.leave();
+        }
+    }
+
+    fn open_file(&mut self, path: &Path) {
+        if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv")) {
+            return self.open_data(path);
+        }
+        self.session.chooser = None;
+        match self.settings_in(path) {
+            Ok(settings) => self.show(settings),
+            Err(error) => self.session.notice = Some(Notice::error(error).about(path)),
+        }
+    }
+
+    /// Fits what is in the file at `path`, in view.
+    fn open_data(&mut self, path: &Path) {
+        self.session.chooser = None;
+        match DataFile::open(path, self.settings.baseline()) {
+            Ok(file) => {
+                self.session.data = Some(Arc::new(file));
+                self.settings.plots.plot = PlotTab::Fit;
+                self.settings.window.plots = true;
+            }
+            Err(error) => self.session.notice = Some(Notice::error(format!("{error:#}")).about(path)),
         }
     }
 
@@ -423,6 +465,7 @@ impl State {
                 let playing = self.session.playing && !starts_at_a_time;
                 let Session { picture_size, cm_per_pixel, stage, shows_map, hint, .. } = self.session;
                 let history = std::mem::take(&mut self.session.history);
+                let (data, orders) = (self.session.data.take(), std::mem::take(&mut self.session.orders));
                 let session = Session {
                     playing,
                     picture_size,
@@ -431,6 +474,8 @@ impl State {
                     shows_map,
                     hint,
                     history,
+                    data,
+                    orders,
                     ..state.session
                 };
                 *self = Self { session, ..state };

@@ -38,6 +38,7 @@ pub mod panes;
 pub mod plotting;
 pub mod points;
 mod projector;
+pub mod saving;
 mod screenshot;
 mod speed_slider;
 pub mod stage;
@@ -54,6 +55,7 @@ mod worker;
 use eframe::egui::{self, Rect, Ui, UiBuilder};
 use eframe::egui_wgpu::RenderState;
 
+use chooser::Chooser;
 use command::Command;
 use corrected::Corrected;
 use curves::Curves;
@@ -64,6 +66,7 @@ use full_screen::FullScreen;
 use layout::{Layout, Presentation};
 use panels::{Asks, plots::Plotted};
 use panes::{Arrangement, Content};
+use saving::Saver;
 use stage::Part;
 use state::State;
 
@@ -81,6 +84,8 @@ pub struct App {
     projected: Option<EyePictures>,
     full_screen: FullScreen,
     text_scale: f32,
+    chooser: Chooser,
+    saver: Saver,
 }
 
 /// How much larger than usual writing is for an audience.
@@ -101,6 +106,8 @@ impl App {
             projected: None,
             full_screen: FullScreen::default(),
             text_scale: 1.0,
+            chooser: Chooser::default(),
+            saver: Saver::default(),
         }
     }
 
@@ -155,6 +162,7 @@ impl App {
     #[must_use]
     pub fn is_settled(&self) -> bool {
         !self.fitting.is_pending()
+            && !self.saver.is_busy()
             && self.corrected.as_ref().is_none_or(Corrected::is_up_to_date)
             && !self.examination.as_ref().is_some_and(Examination::is_pending)
             && self.eyes.as_ref().is_none_or(EyePictures::is_settled)
@@ -227,6 +235,9 @@ impl App {
         asks.extend(dropped_file(&ctx));
         panels::palette::show(&ctx, &self.state, &mut asks);
         panels::help::show(&ctx, &self.state, &mut asks);
+        self.chooser.update(&self.state, &mut asks);
+        panels::chooser::show(&ctx, &self.state, &mut self.chooser, &mut asks);
+        panels::saving::show(&ctx, &self.saver, &mut asks);
         self.apply(&ctx, asks);
         self.set_stage(&ctx);
 
@@ -239,6 +250,7 @@ impl App {
         }
         focus::paint(&ctx);
         self.update_projector(&ctx);
+        self.fulfil_orders(ui);
         if self.state.session.playing {
             ctx.request_repaint();
         }

@@ -1,15 +1,19 @@
 //! What the window shows: settings that are remembered, and the session they are applied to.
 
+use std::sync::Arc;
+
 use relativity_core::Speed;
 use relativity_render::{Appearance, Emission, PreparedScene};
 
 use super::chooser::Purpose;
 use super::clock;
 use super::command::Pick;
+use super::fitting::DataFile;
 use super::history::History;
 use super::notice::Notice;
 use super::plotting::Plotting;
 use super::points::{Point, Points};
+use super::saving::Order;
 use super::stage::Stage;
 use crate::flags::choices::ProjectionChoice;
 use crate::map::Viewpoint;
@@ -70,6 +74,10 @@ pub struct Session {
     pub chooser: Option<Purpose>,
     /// The way back.
     pub history: History,
+    /// The measured disparities that are fitted in place of simulated ones.
+    pub data: Option<Arc<DataFile>>,
+    /// What was asked for that more than the state is needed for.
+    pub orders: Vec<Order>,
 }
 
 /// What a headset shows is shown in parallel, and that is said.
@@ -112,6 +120,8 @@ impl State {
             notice,
             chooser: None,
             history: History::default(),
+            data: None,
+            orders: Vec::new(),
             scene,
         };
         Self { settings, session }

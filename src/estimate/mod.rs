@@ -1,4 +1,6 @@
-//! What `gamow fit` says: one structure, written as JSON or as a table.
+//! What `gamow fit` says: one structure, written as JSON or as a table; and what it fits, [`data`].
+
+pub mod data;
 
 mod sigmas;
 

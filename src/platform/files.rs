@@ -52,6 +52,12 @@ pub fn is_file(path: &Path) -> bool {
     path.is_file()
 }
 
+/// Whether there is anything at `path`.
+#[must_use]
+pub fn is_there(path: &Path) -> bool {
+    path.exists()
+}
+
 /// Whether there is something at `path` that is no regular file, such as a device or a named pipe.
 #[must_use]
 pub fn is_special(path: &Path) -> bool {

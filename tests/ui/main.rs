@@ -10,10 +10,12 @@ mod groups;
 mod layouts;
 mod manners;
 mod map;
+mod own_data;
 mod pairs;
 mod picking;
 mod presenting;
 mod quality;
+mod saving;
 mod spacetime;
 mod start;
 mod stereo;
@@ -41,10 +43,12 @@ fn main() -> ExitCode {
         layouts::TESTS,
         manners::TESTS,
         map::TESTS,
+        own_data::TESTS,
         pairs::TESTS,
         picking::TESTS,
         presenting::TESTS,
         quality::TESTS,
+        saving::TESTS,
         spacetime::TESTS,
         start::TESTS,
         stereo::TESTS,

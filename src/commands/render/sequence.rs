@@ -1,6 +1,6 @@
 //! Sequences of frames in a folder, which can be broken off and taken up again.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use anyhow::Context as _;
 use clap::Args;
@@ -12,6 +12,7 @@ use crate::flags::finite_number;
 use crate::passage::{passage_times, time_within};
 use crate::platform::{files, progress};
 use crate::studio::Studio;
+use crate::studio::film::frame_path;
 
 /// Flags of a sequence.
 #[derive(Debug, Clone, Args)]
@@ -90,8 +91,4 @@ fn probes(frames: u32) -> Vec<u32> {
     let mut probes = vec![0, frames / 4, frames / 2];
     probes.dedup();
     probes
-}
-
-fn frame_path(folder: &Path, frame: u32, kind: FileKind) -> PathBuf {
-    folder.join(format!("frame_{frame:05}.{}", kind.extension()))
 }

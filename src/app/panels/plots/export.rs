@@ -5,7 +5,7 @@ use eframe::egui::{Color32, Visuals};
 
 use super::axes::{axis_label, time_label};
 use super::chart::{Chart, Dash, chart};
-use super::{Plotted, accuracy};
+use super::{Plotted, accuracy, fit};
 use crate::app::curves::Quantity;
 use crate::app::plotting::quantities;
 use crate::app::state::State;
@@ -17,20 +17,24 @@ use crate::settings::PlotTab;
 /// the colours of a light window, and T and T0. The Accuracy tab is a table: see [`csv`].
 #[must_use]
 pub fn svg(state: &State, plotted: Plotted<'_>) -> String {
-    let panels: Vec<Panel> = charts(state, plotted).map(|chart| panel(state, &chart)).collect();
+    let panels: Vec<Panel> = match state.settings.plots.plot {
+        PlotTab::Fit => fit::panels(state, plotted.fitting),
+        _ => charts(state, plotted).map(|chart| panel(state, &chart)).collect(),
+    };
     plot::svg(&panels)
 }
 
 /// What the shown tab plots, as CSV in the units that the plots show, which the names of the columns say: T, and a column for
 /// each curve. A row stands at every T at which any of the curves is sampled, densely where they bend; every value there is
-/// computed, none interpolated. A cell is empty where a curve is not. Of the Accuracy tab it is the table.
+/// computed, none interpolated. A cell is empty where a curve is not. Of the Accuracy tab it is the table, of the Fit tab the
+/// samples.
 #[must_use]
 pub fn csv(state: &State, plotted: Plotted<'_>) -> String {
-    if state.settings.plots.plot == PlotTab::Accuracy {
-        return plotted.examination.map_or_else(String::new, accuracy::csv);
+    match state.settings.plots.plot {
+        PlotTab::Accuracy => plotted.examination.map_or_else(String::new, accuracy::csv),
+        PlotTab::Fit => fit::csv(state, plotted.fitting),
+        _ => table(&charts(state, plotted).collect::<Vec<_>>()),
     }
-    let charts: Vec<Chart<'_>> = charts(state, plotted).collect();
-    table(&charts)
 }
 
 /// A drawing is higher than any number of ticks takes.
