@@ -1,6 +1,6 @@
 //! Everything that can be done in the window, and the one place where it is done.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use relativity_render::{Camera, Gaze, Geometry};
 
@@ -13,14 +13,13 @@ use super::state::{Session, State};
 use super::usual::Section;
 use crate::comfort::comfortable_separation;
 use crate::flags::FieldOfView;
-use crate::flags::choices::{FileKind, GazeChoice, Layout};
+use crate::flags::choices::{GazeChoice, Layout};
 use crate::map::Viewpoint;
 use crate::passage::time_within;
-use crate::platform::files;
 use crate::scene::Track;
 use crate::settings::{
     Daylight, FOV_DEGREES, FitSetup, Frame, Light, Look, Map, Motion, Playback, Plots, Presence, Preset,
-    Quality, Screen, Settings, SettingsError, Window, looks_like_settings,
+    Quality, Screen, Settings, Window,
 };
 
 /// Something the user asked for.
@@ -92,6 +91,8 @@ pub enum Command {
     ShowNext(i32),
     /// Show what is in a file: a scene, settings, or a picture with which settings it was made.
     Open(PathBuf),
+    /// Show what a file that is shown says by now.
+    Reload(PathBuf),
     /// Ask which file to open or to write.
     Choose(Purpose),
     /// Have all as it was before the last step.
@@ -223,10 +224,8 @@ impl State {
                     self.perform(Command::State(preset));
                 }
             }
-            Command::Open(path) => match self.settings_in(&path) {
-                Ok(settings) => self.show(settings),
-                Err(error) => self.session.notice = Some(Notice::error(error)),
-            },
+            Command::Open(path) => self.open_file(path),
+            Command::Reload(path) => self.reload(&path),
             Command::Choose(purpose) => self.session.chooser = Some(purpose),
             // Not done here, but by going through the steps.
             Command::Undo | Command::Redo => {}
@@ -349,25 +348,15 @@ impl State {
         }
     }
 
-    /// The settings that the file at `path` leads to. What it does not say of the window's parts and of the layout stays as
-    /// it is; the rest is as usual.
-    fn settings_in(&self, path: &Path) -> Result<Settings, SettingsError> {
-        let is_scene = FileKind::of(path).is_none()
-            && !files::read_to_string(path).is_ok_and(|text| looks_like_settings(&text));
-        if is_scene {
-            return Ok(self.settings.clone().with_scene(path.to_string_lossy().into_owned()));
-        }
-        Settings::default().in_place_of(&self.settings).with_file(path)
-    }
-
     /// Shows what `settings` say; where their scene cannot be had, a message. T runs on unless they give one.
-    fn show(&mut self, settings: Settings) {
+    pub(super) fn show(&mut self, settings: Settings) {
         let starts_at_a_time = settings.time.is_some();
         match Self::open(settings) {
             Ok(state) => {
                 let playing = self.session.playing && !starts_at_a_time;
                 let Session { picture_size, cm_per_pixel, stage, shows_map, .. } = self.session;
                 let history = std::mem::take(&mut self.session.history);
+                let recent = std::mem::take(&mut self.session.recent);
                 let session = Session {
                     playing,
                     picture_size,
@@ -375,6 +364,7 @@ impl State {
                     stage,
                     shows_map,
                     history,
+                    recent,
                     ..state.session
                 };
                 *self = Self { session, ..state };

@@ -69,7 +69,8 @@ fn open(args: &WindowArgs) -> anyhow::Result<()> {
     let args = args.clone();
     let create = move |cc: &CreationContext<'_>| {
         let left = cc.storage.map(memory::remembered).unwrap_or_default();
-        let state = state_from(&args, left)?;
+        let mut state = state_from(&args, left)?;
+        state.session.recent.extend(cc.storage.map(memory::recent).unwrap_or_default());
         if args.window_size().is_some() {
             // Where windows are shown before they can be maximised, eframe has a remembered one so once more.
             cc.egui_ctx.send_viewport_cmd(ViewportCommand::Fullscreen(false));

@@ -31,10 +31,12 @@ mod layouts;
 pub mod memory;
 pub mod notice;
 pub mod observer;
+mod opening;
 mod panels;
 pub mod panes;
 pub mod points;
 mod projector;
+pub mod recent;
 mod screenshot;
 mod speed_slider;
 pub mod stage;
@@ -45,8 +47,11 @@ mod theme;
 pub mod under;
 pub mod usual;
 mod views;
+mod watch;
 mod widgets;
 mod worker;
+
+use std::path::PathBuf;
 
 use eframe::egui::{self, Rect, Ui, UiBuilder};
 use eframe::egui_wgpu::RenderState;
@@ -63,6 +68,7 @@ use panels::{Asks, plots::Plotted};
 use panes::{Arrangement, Content};
 use stage::Part;
 use state::State;
+use watch::Watch;
 
 use crate::settings::{PlotTab, Settings};
 
@@ -78,6 +84,7 @@ pub struct App {
     projected: Option<EyePictures>,
     full_screen: FullScreen,
     text_scale: f32,
+    watch: Option<Watch>,
 }
 
 /// How much larger than usual writing is for an audience.
@@ -98,6 +105,7 @@ impl App {
             projected: None,
             full_screen: FullScreen::default(),
             text_scale: 1.0,
+            watch: None,
         }
     }
 
@@ -171,6 +179,15 @@ impl App {
         }
     }
 
+    /// Those of the files that are shown which have changed on disk.
+    fn changed_files(&mut self, ctx: &egui::Context) -> Vec<PathBuf> {
+        let shown = self.state.shown_files();
+        if self.watch.as_ref().is_none_or(|watch| watch.paths() != shown) {
+            self.watch = (!shown.is_empty()).then(|| Watch::new(ctx.clone(), shown));
+        }
+        self.watch.as_ref().map(Watch::changed).unwrap_or_default()
+    }
+
     /// Brings the curves up to date; those that still hold are kept.
     fn update_curves(&mut self) {
         let keys: Vec<CurvesKey> =
@@ -200,6 +217,7 @@ impl App {
         let mut asks = actions::asked(&ctx);
         asks.extend(dropped_file(&ctx));
         panels::help::show(&ctx, &self.state, &mut asks);
+        asks.extend(self.changed_files(&ctx).into_iter().map(Command::Reload));
         self.apply(&ctx, asks);
         self.set_stage(&ctx);
 
@@ -347,7 +365,7 @@ impl eframe::App for App {
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
-        memory::remember(storage, &self.state.settings);
+        memory::remember(storage, &self.state);
     }
 }
 

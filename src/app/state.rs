@@ -1,5 +1,7 @@
 //! What the window shows: settings that are remembered, and the session they are applied to.
 
+use std::path::{Path, PathBuf};
+
 use relativity_core::Speed;
 use relativity_render::{Appearance, Emission, PreparedScene};
 
@@ -8,6 +10,7 @@ use super::clock;
 use super::history::History;
 use super::notice::Notice;
 use super::points::{Point, Points};
+use super::recent::Recent;
 use super::stage::Stage;
 use crate::flags::choices::ProjectionChoice;
 use crate::map::Viewpoint;
@@ -60,6 +63,10 @@ pub struct Session {
     pub chooser: Option<Purpose>,
     /// The way back.
     pub history: History,
+    /// The files that were opened.
+    pub recent: Recent,
+    /// The file with settings that is shown, if it is one.
+    pub opened: Option<PathBuf>,
 }
 
 /// What a headset shows is shown in parallel, and that is said.
@@ -98,6 +105,8 @@ impl State {
             notice,
             chooser: None,
             history: History::default(),
+            recent: Recent::default(),
+            opened: None,
             scene,
         };
         Self { settings, session }
@@ -130,6 +139,12 @@ impl State {
         self.session.prepared = scene.prepared();
         self.session.points = self.session.points.carried(&self.session.scene, &scene);
         self.session.scene = scene;
+    }
+
+    /// The file of the scene, if it is in one.
+    #[must_use]
+    pub fn scene_file(&self) -> Option<&Path> {
+        Scene::preset(&self.settings.scene).is_none().then(|| Path::new(&self.settings.scene))
     }
 
     /// All that is shown, as settings: what is remembered, and the session's T and selected point.

@@ -11,6 +11,8 @@ impl State {
         match command {
             Command::Undo => self.travel(Direction::Back),
             Command::Redo => self.travel(Direction::Forwards),
+            // A scene that is written anew is no setting: who writes it has a way back of their own.
+            Command::Reload(path) if self.scene_file() == Some(&path) => self.perform(Command::Reload(path)),
             command => self.step(command),
         }
     }
@@ -41,8 +43,11 @@ impl State {
             self.session.notice = Some(Notice::error(error));
             return;
         }
-        (self.session.points, self.session.preset) = (kept.points, kept.preset);
-        self.session.time = kept.time.unwrap_or(self.session.time);
+        self.session.points = kept.points.of(&self.session.scene);
+        self.session.preset = kept.preset;
+        if let Some(time) = kept.time {
+            (self.session.time, self.session.opened) = (time, None);
+        }
         self.session.history.leave(direction, left);
     }
 }

@@ -200,7 +200,7 @@ fn each_effect_changes_the_picture() {
 
 /// What eframe saves to, in memory.
 #[derive(Default)]
-struct Storage(std::collections::HashMap<String, String>);
+pub struct Storage(std::collections::HashMap<String, String>);
 
 impl eframe::Storage for Storage {
     fn get_string(&self, key: &str) -> Option<String> {
@@ -225,6 +225,6 @@ fn settings_survive() {
     let mut storage = Storage::default();
     eframe::App::save(window.state_mut(), &mut storage);
     let loaded = gamow::app::memory::remembered(&storage);
-    assert_eq!(loaded, window.state().state().settings);
+    assert_eq!(loaded, window.state().state().shown());
     assert_ne!(loaded, cyclist(0.9).settings);
 }
