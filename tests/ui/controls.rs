@@ -1,5 +1,6 @@
 //! Speed, separation, path, geometry and light.
 
+use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
@@ -219,7 +220,7 @@ fn settings_survive() {
     let mut window = window(cyclist(0.9));
     type_into(&mut window, "Gamma, typed", "1e12");
     for choice in ["D³ photons", "False", "Published", "Angles", "Contracted", "Stays", "Theme"] {
-        window.get_by_label(choice).click();
+        window.get_by_role_and_label(Role::Button, choice).click();
         window.run();
     }
     let mut storage = Storage::default();
