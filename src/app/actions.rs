@@ -5,6 +5,7 @@ use relativity_render::Geometry;
 
 use super::chooser::Purpose;
 use super::command::Command;
+use super::focus;
 
 /// Something that can be asked for by name or by key.
 #[derive(Debug)]
@@ -37,6 +38,10 @@ const fn action(name: &'static str, keys: &'static [KeyboardShortcut], command: 
     Action { name, keys, command }
 }
 
+/// What a key multiplies the field of view by, and by how many widths of a view one looks aside.
+pub const ZOOM_STEP: f64 = 0.9;
+pub const LOOK_STEP: f64 = 0.05;
+
 /// All of them, in the order of the help.
 pub static ACTIONS: &[Action] = &[
     action("undo the last step", &[with_control(Key::Z)], Command::Undo),
@@ -59,6 +64,14 @@ pub static ACTIONS: &[Action] = &[
     action("at rest", &[key(Key::Num3)], Command::Geometry(Geometry::Rest)),
     action("one light cone for both eyes", &[key(Key::Num4)], Command::Geometry(Geometry::OneCone)),
     action("frame: the whole scene in the views", &[key(Key::F)], Command::Frame),
+    action("follow the next body", &[key(Key::N)], Command::FollowNext(1)),
+    action("follow the body before", &[with_shift(Key::N)], Command::FollowNext(-1)),
+    action("zoom in", &[key(Key::Plus), key(Key::Equals)], Command::Magnify(ZOOM_STEP)),
+    action("zoom out", &[key(Key::Minus)], Command::Magnify(1.0 / ZOOM_STEP)),
+    action("look to the left", &[], Command::LookAside([-LOOK_STEP, 0.0])),
+    action("look to the right", &[], Command::LookAside([LOOK_STEP, 0.0])),
+    action("look up", &[], Command::LookAside([0.0, LOOK_STEP])),
+    action("look down", &[], Command::LookAside([0.0, -LOOK_STEP])),
     action("next layout of the two pictures", &[key(Key::L)], Command::NextLayout(1)),
     action("the layout before", &[with_shift(Key::L)], Command::NextLayout(-1)),
     action("swap the eyes", &[key(Key::X)], Command::SwapEyes),
@@ -69,6 +82,7 @@ pub static ACTIONS: &[Action] = &[
     action("the views in a window of their own, for a projector", &[key(Key::W)], Command::ToggleProjector),
     action("the preset before", &[key(Key::PageUp)], Command::ShowNext(-1)),
     action("the next preset", &[key(Key::PageDown)], Command::ShowNext(1)),
+    action("find what to do by its name", &[with_control(Key::P)], Command::TogglePalette),
     action("this help", &[key(Key::Questionmark), key(Key::F1)], Command::ToggleHelp),
     action("close, leave", &[key(Key::Escape)], Command::Close),
 ];
@@ -95,31 +109,24 @@ fn keys_text(keys: KeyboardShortcut) -> String {
     format!("{held}{name}")
 }
 
-/// What the keys pressed since the last frame ask for; nothing while text is typed, and while a widget has the keyboard only what
-/// needs Ctrl.
+/// What the keys pressed since the last frame ask for, but for those that the widget with the keyboard takes.
 pub fn asked(ctx: &Context) -> Vec<Command> {
-    if ctx.text_edit_focused() {
-        return Vec::new();
-    }
-    // Whatever has the keyboard, unless text is typed: what needs Ctrl is for the window.
-    let is_taken = ctx.egui_wants_keyboard_input();
-    ctx.input(|input| input.events.iter().filter_map(|event| command(event, is_taken)).collect())
+    let pressed: Vec<_> = ctx.input(|input| input.events.iter().filter_map(bound).collect());
+    pressed.into_iter().filter(|(keys, _)| !focus::takes(ctx, keys)).map(|(_, command)| command).collect()
 }
 
-fn command(event: &Event, only_with_control: bool) -> Option<Command> {
+/// The keys of an action that `event` presses, and what that asks for.
+fn bound(event: &Event) -> Option<(KeyboardShortcut, Command)> {
     let Event::Key { key, pressed: true, modifiers, .. } = event else { return None };
-    if only_with_control && !modifiers.command {
-        return None;
-    }
-    let all = || ACTIONS.iter().flat_map(|action| action.keys.iter().map(move |keys| (keys, action)));
-    let bound = |shift: bool| {
-        all().find(|(keys, _)| {
+    let all = ACTIONS.iter().flat_map(|action| action.keys.iter().map(move |keys| (*keys, action)));
+    let found = |shift: bool| {
+        all.clone().find(|(keys, _)| {
             let held = keys.modifiers;
             keys.logical_key == *key
                 && (held.command, held.alt, held.shift) == (modifiers.command, modifiers.alt, shift)
         })
     };
     // Some keyboards need shift for a key that others have by itself.
-    let found = bound(modifiers.shift).or_else(|| bound(false));
-    found.map(|(_, action)| action.command.clone())
+    let found = found(modifiers.shift).or_else(|| found(false));
+    found.map(|(keys, action)| (keys, action.command.clone()))
 }

@@ -29,8 +29,8 @@ pub struct WindowArgs {
     /// Inner size of the window.
     #[arg(long, value_parser = size, value_name = "WIDTHxHEIGHT")]
     window_size: Option<[u32; 2]>,
-    /// Draw the window once, save it as a PNG file and exit. Needs no display. Saved settings are left
-    /// alone, and out.
+    /// Draw the window once, save it as a PNG file and exit. Needs no display. What was left in the window is neither used
+    /// nor changed.
     #[arg(long, value_name = "FILE.png")]
     pub screenshot: Option<PathBuf>,
     #[command(flatten)]

@@ -71,6 +71,10 @@ pub enum Command {
     Turn(Turn),
     /// Multiply the field of view; what is seen at a place stays there.
     Zoom(Zoom),
+    /// Look aside: to the right and up, in widths of a view.
+    LookAside([f64; 2]),
+    /// Multiply the field of view; what is seen in the middle stays there.
+    Magnify(f64),
     /// Hold the whole scene in the views.
     Frame,
     /// The same, asked for by a double click, whose first click may have picked a point: [`super::steps`] takes that back.
@@ -79,6 +83,8 @@ pub enum Command {
     Pick(Pick),
     /// Select a point of the scene.
     Select(Select),
+    /// Follow the body so many further in the list of them, or back.
+    FollowNext(isize),
     /// Select a followed point.
     SelectPoint(usize),
     /// No longer follow a point.
@@ -107,6 +113,8 @@ pub enum Command {
     ToggleMap,
     /// Draw the map in the other frame.
     ToggleFrame,
+    /// Show or hide the command palette.
+    TogglePalette,
     /// Show or hide the help.
     ToggleHelp,
     /// Take the whole screen, or leave it.
@@ -117,7 +125,9 @@ pub enum Command {
     ToggleProjector,
     /// Have a part alone in the window, or all others again.
     ToggleMaximised(Part),
-    /// Close what can be closed, else leave what the window was made.
+    /// Close the message.
+    CloseNotice,
+    /// Close what is on top, else leave what the window was made.
     Close,
 }
 
@@ -174,6 +184,7 @@ pub struct Select {
 impl State {
     /// Does what was asked.
     pub(super) fn perform(&mut self, command: Command) {
+        self.session.missed = None;
         match command {
             Command::Motion(motion) => self.settings.motion = motion,
             Command::Look(look) => self.settings.look = look,
@@ -211,8 +222,15 @@ impl State {
                 self.settings.look.gaze = GazeChoice::Whole;
                 self.settings.look.fov = FieldOfView(None);
             }
+            Command::LookAside(aside) => self.look_aside(aside),
+            Command::Magnify(factor) => {
+                let size = self.session.picture_size;
+                let pixel = size.map(|side| 0.5 * f64::from(side));
+                self.zoom(Zoom { eye: Eye::Left, pixel, size, factor });
+            }
             Command::Pick(pick) => self.pick(pick),
             Command::Select(Select { track, body, add }) => self.session.points.choose(track, body, add),
+            Command::FollowNext(steps) => self.follow_next(steps),
             Command::SelectPoint(index) => self.session.points.select(index),
             Command::RemovePoint(index) => self.session.points.remove(index),
             Command::Preset(name) => self.show(self.settings.clone().with_scene(name.to_owned())),
@@ -242,19 +260,27 @@ impl State {
                 };
                 self.set_map(Map { frame, ..self.settings.map });
             }
+            Command::TogglePalette => self.session.palette = !self.session.palette,
             Command::ToggleHelp => self.session.help = !self.session.help,
             Command::ToggleFullScreen => self.session.stage.full_screen = !self.session.stage.full_screen,
             Command::TogglePresenting => self.session.stage.toggle_presenting(),
             Command::ToggleProjector => self.session.stage.projector = !self.session.stage.projector,
             Command::ToggleMaximised(part) => self.session.stage.toggle_maximised(part),
+            Command::CloseNotice => self.session.notice = None,
             Command::Close => self.close(),
         }
     }
 
     fn close(&mut self) {
-        let Session { help, notice, chooser, stage, .. } = &mut self.session;
-        if *help || notice.is_some() || chooser.is_some() {
-            (*help, *notice, *chooser) = (false, None, None);
+        let Session { help, notice, chooser, palette, stage, .. } = &mut self.session;
+        if *palette {
+            *palette = false;
+        } else if chooser.is_some() {
+            *chooser = None;
+        } else if notice.is_some() {
+            *notice = None;
+        } else if *help {
+            *help = false;
         } else {
             stage.leave();
         }
@@ -319,6 +345,14 @@ impl State {
         self.stay_at(camera.gaze_with(camera.line_of_sight(turn.from), turn.to));
     }
 
+    fn look_aside(&mut self, [across, up]: [f64; 2]) {
+        let size = self.session.picture_size;
+        let [width, height] = size.map(f64::from);
+        let from = [0.5 * width, 0.5 * height];
+        let to = [from[0] - across * width, from[1] + up * width];
+        self.turn(Turn { eye: Eye::Left, from, to, size });
+    }
+
     fn zoom(&mut self, zoom: Zoom) {
         let camera = self.view(zoom.eye, zoom.size).camera;
         let direction = camera.line_of_sight(zoom.pixel);
@@ -343,14 +377,28 @@ impl State {
                 Some(Notice::error("With the right eye as published, click in the left eye's view."));
             return;
         }
-        if let Some((track, body)) = self.point_at(pick.eye, pick.pixel, pick.size) {
-            self.session.points.choose(track, body, pick.add);
+        match self.point_at(pick.eye, pick.pixel, pick.size) {
+            Some((track, body)) => self.session.points.choose(track, body, pick.add),
+            None => self.session.missed = Some(pick),
+        }
+    }
+
+    fn follow_next(&mut self, steps: isize) {
+        let scene = &self.session.scene;
+        let body = self.session.points.selected().body.or_else(|| scene.tracked_body());
+        let next = body.unwrap_or(0).wrapping_add_signed(steps);
+        // Before the first comes the last.
+        let count = scene.bodies.len();
+        let next = if next >= count { if steps > 0 { 0 } else { count - 1 } } else { next };
+        if let Some(track) = scene.track_on(next) {
+            self.session.points.choose(track, next, false);
         }
     }
 
     /// Shows what `settings` say; where their scene cannot be had, a message. T runs on unless they give one.
     pub(super) fn show(&mut self, settings: Settings) {
         let starts_at_a_time = settings.time.is_some();
+        let scene = PathBuf::from(&settings.scene);
         match Self::open(settings) {
             Ok(state) => {
                 let playing = self.session.playing && !starts_at_a_time;
@@ -369,7 +417,7 @@ impl State {
                 };
                 *self = Self { session, ..state };
             }
-            Err(error) => self.session.notice = Some(Notice::error(error)),
+            Err(error) => self.session.notice = Some(Notice::error(error).about(&scene)),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Opens the window, or says in one sentence why it cannot be opened and what to do instead.
 
 use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
+use std::path::Path;
 
 use eframe::egui::{ViewportBuilder, ViewportCommand};
 use eframe::{CreationContext, NativeOptions, WindowBuilderHook};
@@ -9,6 +10,7 @@ use super::args::WindowArgs;
 use super::notice::Notice;
 use super::state::State;
 use super::{App, graphics, icon, memory, screenshot};
+use crate::files::whole::ensure_ending;
 use crate::settings::Settings;
 
 /// Name under which settings are saved.
@@ -24,6 +26,7 @@ const WHAT_TO_DO: &str = "On Debian and Ubuntu install `libx11-6 libxcursor1 lib
 /// A bad flag or scene, no display, no graphics adapter, or a missing system library.
 pub fn launch(args: &WindowArgs) -> anyhow::Result<()> {
     if let Some(path) = &args.screenshot {
+        ensure_ending("--screenshot", path, "png")?;
         let state = args.state(Settings::default())?;
         let provenance = state.session.scene.provenance(state.shown().window_command());
         return screenshot::save(state, args.window_size_or_default(), &provenance.texts(), path);
@@ -89,9 +92,10 @@ fn of_size(viewport: ViewportBuilder, size: [u32; 2]) -> ViewportBuilder {
 /// The state to start in. Where the scene that was left is no more, the usual one is shown, and why.
 fn state_from(args: &WindowArgs, left: Settings) -> anyhow::Result<State> {
     let usual = left.clone().with_scene(Settings::default().scene);
+    let scene = left.scene.clone();
     args.state(left).or_else(|error| {
         let mut state = args.state(usual)?;
-        state.session.notice = Some(Notice::error(error));
+        state.session.notice = Some(Notice::error(error).about(Path::new(&scene)));
         Ok(state)
     })
 }

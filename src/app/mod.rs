@@ -19,10 +19,12 @@ pub mod examination;
 mod eyes;
 pub mod fitting;
 mod flicker;
+mod focus;
 mod full_screen;
 mod graphics;
 mod halo;
 mod heat_map;
+pub mod highlight;
 pub mod history;
 mod icon;
 pub mod launch;
@@ -133,6 +135,29 @@ impl App {
         self.examination.as_ref()
     }
 
+    /// What the shown tab of plots shows, as SVG.
+    #[must_use]
+    pub fn plots_svg(&mut self) -> String {
+        self.update_curves();
+        panels::plots::svg(&self.state, self.plotted())
+    }
+
+    /// What the shown tab of plots shows, as CSV.
+    #[must_use]
+    pub fn plots_csv(&mut self) -> String {
+        self.update_curves();
+        panels::plots::csv(&self.state, self.plotted())
+    }
+
+    /// What there is to plot.
+    const fn plotted(&self) -> Plotted<'_> {
+        Plotted {
+            curves: self.curves.as_slice(),
+            fitting: &self.fitting,
+            examination: self.examination.as_ref(),
+        }
+    }
+
     /// Whether everything is as it stays while nothing changes: no work in the background is left.
     #[must_use]
     pub fn is_settled(&self) -> bool {
@@ -216,6 +241,7 @@ impl App {
         ctx.set_theme(theme::preference(self.state.settings.window.theme));
         let mut asks = actions::asked(&ctx);
         asks.extend(dropped_file(&ctx));
+        panels::palette::show(&ctx, &self.state, &mut asks);
         panels::help::show(&ctx, &self.state, &mut asks);
         asks.extend(self.changed_files(&ctx).into_iter().map(Command::Reload));
         self.apply(&ctx, asks);
@@ -228,6 +254,7 @@ impl App {
         } else {
             self.show_parts(ui, area);
         }
+        focus::paint(&ctx);
         self.update_projector(&ctx);
         if self.state.session.playing {
             ctx.request_repaint();
@@ -295,6 +322,7 @@ impl App {
         for &border in &layout.borders {
             self.panel(ui, "borders", area, |ui, state, asks| panels::borders::show(ui, state, border, asks));
         }
+        self.message(&ctx, layout.message_room(area), area);
         self.corrected.take_if(|_| !layout.shows(Content::Corrected));
         self.forget_composed(&layout.panes);
     }
@@ -320,6 +348,8 @@ impl App {
             self.paint(ui, pane);
         }
         self.forget_composed(&presentation.panes);
+        let views = presentation.panes.iter().map(|pane| pane.rect).reduce(Rect::union);
+        self.message(ui.ctx(), views.unwrap_or(area), area);
         halo::paint(ui.ctx());
         if !presentation.speed.is_positive() {
             return;
@@ -327,6 +357,13 @@ impl App {
         self.panel(ui, "speed", presentation.speed, |ui, state, _| panels::presented::speed(ui, state));
         self.panel(ui, "sentence", presentation.sentence, |ui, state, _| panels::sentence::show(ui, state));
         self.panel(ui, "caption", presentation.caption, |ui, state, _| panels::presented::caption(ui, state));
+    }
+
+    /// Shows the message, if there is one, at the top of `room`.
+    fn message(&mut self, ctx: &egui::Context, room: Rect, area: Rect) {
+        let mut asks = Asks::new();
+        panels::message::show(ctx, &self.state, room, area, &mut asks);
+        self.apply(ctx, asks);
     }
 
     /// What the views' area shows.

@@ -23,7 +23,7 @@ impl State {
         self.session.notice = None;
         match self.settings_in(&path) {
             Ok(settings) => self.show(settings),
-            Err(error) => self.session.notice = Some(Notice::error(error)),
+            Err(error) => self.session.notice = Some(Notice::error(error).about(&path)),
         }
         if self.session.notice.as_ref().is_none_or(|notice| !notice.is_error) {
             self.session.recent.add(&path);
@@ -42,12 +42,12 @@ impl State {
                     self.show_scene(scene);
                     self.session.notice = None;
                 }
-                Err(error) => self.session.notice = Some(Notice::error(error)),
+                Err(error) => self.session.notice = Some(Notice::error(error).about(path)),
             }
         } else if self.session.opened.as_deref() == Some(path) {
             match self.settings_in(path) {
                 Ok(settings) => self.show_again(settings, path),
-                Err(error) => self.session.notice = Some(Notice::error(error)),
+                Err(error) => self.session.notice = Some(Notice::error(error).about(path)),
             }
         }
     }

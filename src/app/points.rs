@@ -14,27 +14,18 @@ pub struct Point {
 }
 
 impl Point {
-    /// What it is called in lists and plots.
+    /// What it is on, in words.
     #[must_use]
-    pub fn name(&self, scene: &Scene) -> String {
-        match self.what(scene) {
-            Some(what) => format!("point {} ({what})", self.number),
-            None if self.is_tracked() => format!("point {} (tracked)", self.number),
-            None => format!("point {}", self.number),
-        }
+    pub fn what<'a>(&self, scene: &'a Scene) -> &'a str {
+        let nameless = if self.is_tracked() { "tracked point" } else { "point" };
+        let body = self.body.or_else(|| scene.tracked_body().filter(|_| self.is_tracked()));
+        body.map_or(nameless, |body| scene.name_of(body))
     }
 
     /// What it is called in a sentence.
     #[must_use]
     pub fn noun(&self, scene: &Scene) -> String {
-        let nameless = if self.is_tracked() { "tracked point" } else { "point" };
-        format!("the {}", self.what(scene).unwrap_or(nameless))
-    }
-
-    /// The body it is on, in words.
-    fn what<'a>(&self, scene: &'a Scene) -> Option<&'a str> {
-        let body = self.body.or_else(|| scene.tracked_body().filter(|_| self.is_tracked()))?;
-        Some(scene.name_of(body))
+        format!("the {}", self.what(scene))
     }
 
     /// Whether it is the scene's own.

@@ -7,6 +7,7 @@ use relativity_render::{Appearance, Emission, PreparedScene};
 
 use super::chooser::Purpose;
 use super::clock;
+use super::command::Pick;
 use super::history::History;
 use super::notice::Notice;
 use super::points::{Point, Points};
@@ -43,6 +44,10 @@ pub struct Session {
     pub points: Points,
     /// Whether the help is shown.
     pub help: bool,
+    /// Whether the command palette is shown.
+    pub palette: bool,
+    /// Where a click into a view hit nothing, until something else is done.
+    pub missed: Option<Pick>,
     /// The preset that is shown, until another scene or state is.
     pub preset: Option<&'static Preset>,
     /// Width and height of an eye's picture, which a field of view is fitted to, pixels.
@@ -95,6 +100,8 @@ impl State {
             playing: false,
             points,
             help: false,
+            palette: false,
+            missed: None,
             preset,
             picture_size: settings.picture.size.0,
             cm_per_pixel: settings.screen.cm_per_point(None),
@@ -156,6 +163,17 @@ impl State {
             time: Some(self.session.time),
             point: (motion == own.motion && rest != own.rest).then_some(rest),
             ..self.settings.clone()
+        }
+    }
+
+    /// What `point` is called in lists and plots: by what it is on, with its number where another is on that too.
+    #[must_use]
+    pub fn name_of(&self, point: &Point) -> String {
+        let what = point.what(&self.session.scene);
+        let is_on_it = |other: &&Point| other.what(&self.session.scene) == what;
+        match self.session.points.all().iter().filter(is_on_it).count() {
+            0 | 1 => what.to_owned(),
+            _ => format!("{what} ({})", point.number),
         }
     }
 

@@ -1,5 +1,7 @@
 //! Doing what was asked as a step that can be undone, and undoing it.
 
+use std::path::PathBuf;
+
 use super::command::Command;
 use super::history::{Direction, Kept, Run};
 use super::notice::Notice;
@@ -38,9 +40,10 @@ impl State {
 
     fn travel(&mut self, direction: Direction) {
         let Some(kept) = self.session.history.next(direction) else { return };
+        let scene = PathBuf::from(&kept.settings.scene);
         let left = Kept { time: kept.time.map(|_| self.session.time), ..self.kept() };
         if let Err(error) = self.set(kept.settings) {
-            self.session.notice = Some(Notice::error(error));
+            self.session.notice = Some(Notice::error(error).about(&scene));
             return;
         }
         self.session.points = kept.points.of(&self.session.scene);
@@ -56,7 +59,7 @@ impl State {
 const fn nudge(command: &Command) -> Option<Run> {
     match command {
         Command::NudgeSpeed(_) => Some(Run::Speed),
-        Command::Zoom(_) => Some(Run::Zoom),
+        Command::Zoom(_) | Command::Magnify(_) => Some(Run::Zoom),
         _ => None,
     }
 }

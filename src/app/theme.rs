@@ -4,6 +4,7 @@
 use eframe::egui::{
     self, Color32, FontDefinitions, FontFamily, FontId, Stroke, TextStyle, ThemePreference, Visuals,
     epaint::CornerRadius,
+    style::{ScrollFadeStyle, ScrollStyle},
 };
 
 use super::observer::Eye;
@@ -60,10 +61,22 @@ pub fn verdict_colour(verdict: Verdict, visuals: &Visuals) -> Color32 {
     either(visuals.dark_mode, colours)
 }
 
+/// What tells a message that something failed from one that something was done, on this background.
+#[must_use]
+pub fn notice_colour(is_error: bool, visuals: &Visuals) -> Color32 {
+    verdict_colour(if is_error { Verdict::TooMuch } else { Verdict::Comfortable }, visuals)
+}
+
 /// What is measured at one time, on this background.
 #[must_use]
 pub fn measured_colour(visuals: &Visuals) -> Color32 {
     visuals.strong_text_color()
+}
+
+/// The ring around what the keyboard is at.
+#[must_use]
+pub fn focus_stroke(visuals: &Visuals) -> Stroke {
+    Stroke::new(2.0, either(visuals.dark_mode, [[0x8A, 0xC7, 0xFF], [0x1B, 0x5F, 0xA8]]))
 }
 
 /// What sets a marker off from any picture.
@@ -131,6 +144,9 @@ pub fn install(ctx: &egui::Context) {
         style.spacing.interact_size.y = 22.0;
         style.spacing.slider_rail_height = 4.0;
         style.spacing.tooltip_width = 320.0;
+        // Bars have room of their own, and what continues fades away at the edge.
+        style.spacing.scroll = ScrollStyle { floating_allocated_width: 9.0, ..ScrollStyle::thin() };
+        style.spacing.scroll.fade = ScrollFadeStyle { strength: 0.9, size: 26.0 };
         style.visuals.slider_trailing_fill = true;
         style.visuals.widgets.noninteractive.corner_radius = CornerRadius::same(5);
         for widget in [

@@ -71,6 +71,14 @@ impl Scene {
         Track { rest: point.unwrap_or(self.tracked), motion: self.groups[0].motion }
     }
 
+    /// The forward-most point of the body of this number, if there is such a body.
+    #[must_use]
+    pub fn track_on(&self, body: usize) -> Option<Track> {
+        let group = self.groups.iter().find(|group| group.bodies().contains(&body))?;
+        let rest = forward_most_on(&self.bodies.get(body)?.shape).into();
+        Some(Track { rest, motion: group.motion })
+    }
+
     /// It without what rests on the ground: the groups that do not move, but for its first.
     #[must_use]
     pub fn without_surroundings(self) -> Self {

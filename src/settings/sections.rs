@@ -252,7 +252,7 @@ pub struct Screen {
     /// Width of the whole screen, centimetres; `auto` takes 96 pixels for an inch, which is right for few projectors.
     #[arg(long, value_name = "auto|CM")]
     pub screen_width: ScreenWidth,
-    /// How far from it one sits, centimetres.
+    /// How far one sits from the screen, centimetres.
     #[arg(long, value_name = "CM", value_parser = within(VIEWING_CM))]
     pub viewing_distance: f64,
     /// Largest distance between the middles of two pictures that are fused without glasses, millimetres: no more than
@@ -367,7 +367,7 @@ pub struct FitSetup {
     /// Which curves are fitted.
     #[arg(long, value_enum)]
     pub curves: Curves,
-    /// With which binocular model.
+    /// The binocular model that is fitted.
     #[arg(long, value_enum)]
     pub model: Model,
     /// Whether the time of passage is unknown and x0 fitted too.
@@ -427,7 +427,7 @@ pub struct Map {
     /// What the map draws.
     #[arg(long, value_enum)]
     pub face: Face,
-    /// The frame in which it is drawn.
+    /// The frame in which the map is drawn.
     #[arg(long, value_enum)]
     pub frame: Frame,
 }
@@ -469,10 +469,10 @@ pub struct Window {
     /// The left eye's picture corrected to the rest frame, beside the two. Hidden, it costs nothing.
     #[arg(long, value_parser = switch, value_name = "ON|OFF", num_args = 0..=1, default_missing_value = "on")]
     pub corrected: OnOff,
-    /// Below the views, which wavelengths arrive of the selected point.
+    /// A strip below the views that shows which wavelengths arrive of the selected point.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub spectrum: OnOff,
-    /// Below the views, the moment in a sentence.
+    /// A sentence below the views that tells the moment.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub sentence: OnOff,
     /// The map: what happens, beside what is seen. Hidden, it computes nothing.
@@ -499,7 +499,7 @@ pub struct Window {
     /// At each followed point in the views, a clock that shows the body's own time as the eye sees it.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub dials: OnOff,
-    /// Units of the lengths and times that it shows and takes. Files and flags have the scene's own always.
+    /// Units of the lengths and times that the window shows and takes. Files and flags have the scene's own always.
     #[arg(long, value_enum)]
     pub units: Units,
     /// Colours of the window.

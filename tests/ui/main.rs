@@ -9,6 +9,7 @@ mod files;
 mod fit;
 mod groups;
 mod layouts;
+mod manners;
 mod map;
 mod pairs;
 mod picking;
@@ -40,6 +41,7 @@ fn main() -> ExitCode {
         fit::TESTS,
         groups::TESTS,
         layouts::TESTS,
+        manners::TESTS,
         map::TESTS,
         pairs::TESTS,
         picking::TESTS,

@@ -79,10 +79,10 @@ fn clicking_the_wheel(beta: f64) {
         assert_eq!(point.body, Some(FRONT_TYRE));
         let off = DVec3::from(point.track.rest).distance(DVec3::from(ON_THE_TYRE));
         assert!(off < 1e-3, "{off} from where it was clicked");
-        label_starting_with(&window, "Plot of Δφ of point 2 (front tyre) against T");
-        label_starting_with(&window, "Plot of Δθ of point 2 (front tyre) against T");
+        label_starting_with(&window, "Plot of Δφ of front tyre (2) against T");
+        label_starting_with(&window, "Plot of Δθ of front tyre (2) against T");
         // The scene's own point is one of the list all the same, and another click moves the one that was picked.
-        window.get_by_label("point 1 (front tyre)");
+        window.get_by_label("front tyre (1)");
         click(&mut window, place + vec2(3.0, 0.0), Modifiers::NONE);
         let points = &window.state().state().session.points;
         assert_eq!((points.all().len(), points.selected().number), (2, 2));
@@ -124,14 +124,14 @@ fn shift_clicking_compares_points() {
     let points = window.state().state().session.points.clone();
     assert_eq!(points.all().len(), 2);
     assert_eq!((points.selected().number, points.selected().body), (2, Some(FRONT_TYRE)));
-    window.get_by_label("point 1 (front tyre)").click();
+    window.get_by_label("front tyre (1)").click();
     window.run();
     assert_eq!(window.state().state().session.points.selected().number, 1);
-    assert!(window.query_by_label("Remove point 1 (front tyre)").is_none());
-    window.get_by_label("Remove point 2 (front tyre)").click();
+    assert!(window.query_by_label("Remove front tyre (1)").is_none());
+    window.get_by_label("Remove front tyre (2)").click();
     window.run();
     assert_eq!(window.state().state().session.points.all().len(), 1);
-    label_starting_with(&window, "Plot of Δφ of point 1 (front tyre)");
+    label_starting_with(&window, "Plot of Δφ of front tyre");
 }
 
 fn a_click_beside_everything() {

@@ -31,9 +31,7 @@ fn an_audience_has_views_a_plot_and_words() {
     let before = settings_window(&window);
     window.key_press(Key::P);
     window.run();
-    for name in
-        ["Left eye view", "Right eye view", "β = 0.900", "Plot of Δφ of point 1 (front tyre) against T"]
-    {
+    for name in ["Left eye view", "Right eye view", "β = 0.900", "Plot of Δφ of front tyre against T"] {
         window.get_by_label(name);
     }
     label_starting_with(&window, "Light received now");
@@ -136,7 +134,7 @@ fn a_part_alone() {
         ("Title of view 1", "Left eye view"),
         ("Title of view 2", "Right eye view"),
         ("Title of the map", "Map, from above"),
-        ("Title of the plots", "Plot of Δφ of point 1 (front tyre) against T"),
+        ("Title of the plots", "Plot of Δφ of front tyre against T"),
     ];
     for (title, part) in parts {
         let before = window.get_by_label(part).rect();

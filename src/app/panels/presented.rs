@@ -25,14 +25,10 @@ pub fn speed(ui: &Ui, state: &State) {
     write(ui, &text, SPEED_SIZES, ui.visuals().strong_text_color());
 }
 
-/// Shows what the preset shows and why; or what could not be done.
+/// Shows what the preset shows and why.
 pub fn caption(ui: &Ui, state: &State) {
-    let (text, colour) = match (&state.session.notice, state.session.preset) {
-        (Some(notice), _) => (notice.text.clone(), ui.visuals().error_fg_color),
-        (None, Some(preset)) => (format!("{}. {}", preset.title, preset.caption), ui.visuals().text_color()),
-        (None, None) => return,
-    };
-    write(ui, &text, CAPTION_SIZES, colour);
+    let Some(preset) = state.session.preset else { return };
+    write(ui, &format!("{}. {}", preset.title, preset.caption), CAPTION_SIZES, ui.visuals().text_color());
 }
 
 /// Writes `text` into all the room there is, as large as it fits.

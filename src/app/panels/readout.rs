@@ -22,7 +22,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         fold(ui, state, asks);
         let colour = theme::point_colour(point.number, ui.visuals());
         dot(ui, colour);
-        ui.label(point.name(&state.session.scene));
+        ui.label(state.name_of(point));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let Velocity { speed, is_backward } = state.velocity(point);
             let sign = if is_backward { "−" } else { "" };

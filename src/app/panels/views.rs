@@ -2,13 +2,14 @@
 //! them.
 
 use eframe::egui::{
-    self, Align2, Color32, CursorIcon, Painter, Pos2, Rect, Response, Sense, Stroke, StrokeKind, TextStyle,
-    TextureId, Ui, pos2, vec2,
+    self, Align2, Color32, CursorIcon, Event, EventFilter, Key, Painter, Pos2, Rect, Response, Sense, Stroke,
+    StrokeKind, TextStyle, TextureId, Ui, pos2, vec2,
 };
 use relativity_core::math;
 use relativity_render::{Colour, Geometry, Method, PreparedScene, View};
 
 use super::Asks;
+use crate::app::actions::LOOK_STEP;
 use crate::app::command::{Command, Pick, Turn, Zoom};
 use crate::app::dial::{self, Drawn};
 use crate::app::eyes::Shown;
@@ -17,7 +18,7 @@ use crate::app::panes::EyePane;
 use crate::app::points::Point;
 use crate::app::state::State;
 use crate::app::widgets::pane_title;
-use crate::app::{beyond, layouts, theme, under};
+use crate::app::{beyond, highlight, layouts, theme, under};
 use crate::caption;
 use crate::figures;
 use crate::flags::choices::Form;
@@ -48,6 +49,9 @@ pub fn interact(ui: &mut Ui, pane: EyePane, asks: &mut Asks) {
         let add = ui.input(|input| input.modifiers.shift);
         asks.push(Command::Pick(Pick { eye: pane.eye, pixel: pane.pixel(place), size: pane.size, add }));
     }
+    if response.has_focus() {
+        keys(ui, &response, asks);
+    }
     turn(&response, pane, asks);
     if response.hovered() {
         let scroll = f64::from(ui.input(|input| input.smooth_scroll_delta().y));
@@ -62,6 +66,29 @@ pub fn interact(ui: &mut Ui, pane: EyePane, asks: &mut Asks) {
                 factor,
             }));
         }
+    }
+}
+
+/// What the keys do in the view that has the keyboard.
+fn keys(ui: &Ui, response: &Response, asks: &mut Asks) {
+    let arrows = EventFilter { horizontal_arrows: true, vertical_arrows: true, ..EventFilter::default() };
+    ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, arrows));
+    let pressed = |event: &Event| match event {
+        Event::Key { key, pressed: true, modifiers, .. } => command_of(*key, modifiers.shift),
+        _ => None,
+    };
+    asks.extend(ui.input(|input| input.events.iter().filter_map(pressed).collect::<Vec<_>>()));
+}
+
+fn command_of(key: Key, with_shift: bool) -> Option<Command> {
+    match key {
+        Key::ArrowLeft => Some(Command::LookAside([-LOOK_STEP, 0.0])),
+        Key::ArrowRight => Some(Command::LookAside([LOOK_STEP, 0.0])),
+        Key::ArrowUp => Some(Command::LookAside([0.0, LOOK_STEP])),
+        Key::ArrowDown => Some(Command::LookAside([0.0, -LOOK_STEP])),
+        Key::Enter => Some(Command::FollowNext(if with_shift { -1 } else { 1 })),
+        Key::Space => Some(Command::TogglePlaying),
+        _ => None,
     }
 }
 
@@ -91,6 +118,7 @@ pub fn paint(ui: &Ui, state: &State, pane: EyePane, painted: Painted) {
     words(ui, state, pane, note(state, pane.eye, picture, heat_map.is_some()));
     ui.painter().rect_stroke(pane.rect, 0.0, Stroke::new(1.5, colour), StrokeKind::Outside);
     hover(ui, state, pane);
+    missed(ui, state, pane);
 }
 
 /// Draws the one `picture` of both eyes, whose `panes` are in it in the order of the layout, or of the one whose turn it is;
@@ -123,6 +151,7 @@ pub fn paint_both(
     for (&pane, heat_map) in panes.iter().zip(heat_maps) {
         if pane.takes_the_mouse() || panes.len() == 1 {
             words(ui, state, pane, note(state, pane.eye, picture, heat_map.is_some()));
+            missed(ui, state, pane);
         }
     }
     ui.painter().rect_stroke(rect, 0.0, Stroke::new(1.5, colour), StrokeKind::Outside);
@@ -152,7 +181,16 @@ fn hover(ui: &Ui, state: &State, pane: EyePane) {
     let pointer = under::pointer(ui, state, pane.rect);
     let under = pointer.and_then(|place| Some((place, state.under(pane.eye, pane.pixel(place), pane.size)?)));
     if let Some((place, under)) = under {
+        let outline = state.outline_of(under.body, pane.eye, pane.pixel(place), pane.size);
+        highlight::paint(&ui.painter().with_clip_rect(pane.rect), pane, &outline);
         under::show(ui, pane.rect, place, &under);
+    }
+}
+
+/// Says where a click into `pane` hit nothing.
+fn missed(ui: &Ui, state: &State, pane: EyePane) {
+    if let Some(missed) = state.session.missed.filter(|missed| missed.eye == pane.eye) {
+        under::show_nothing(ui, pane.rect, pane.place(missed.pixel));
     }
 }
 

@@ -35,6 +35,10 @@ pub enum Icon {
     Redo,
     /// A circular arrow the other way round.
     Reset,
+    /// A tick in a circle.
+    Done,
+    /// An exclamation mark in a triangle.
+    Failed,
 }
 
 /// A button of this `size` with an `icon`; `name` is for assistive technology.
@@ -75,6 +79,11 @@ fn drawn(ui: &Ui, response: Response, icon: Icon, name: &str, selected: bool) ->
     response
 }
 
+/// Draws an `icon` by itself.
+pub fn sign(painter: &Painter, icon: Icon, centre: Pos2, radius: f32, colour: Color32) {
+    paint(painter, icon, centre, radius, colour, Color32::TRANSPARENT);
+}
+
 fn paint(painter: &Painter, icon: Icon, centre: Pos2, radius: f32, colour: Color32, background: Color32) {
     let at = |x: f32, y: f32| centre + radius * vec2(x, y);
     let triangle = |from: f32, to: f32| {
@@ -111,6 +120,17 @@ fn paint(painter: &Painter, icon: Icon, centre: Pos2, radius: f32, colour: Color
             let stroke = Stroke::new(1.3, colour);
             painter.line_segment([at(-0.9, -0.9), at(0.9, 0.9)], stroke);
             painter.line_segment([at(-0.9, 0.9), at(0.9, -0.9)], stroke);
+        }
+        Icon::Done => {
+            let stroke = Stroke::new(1.6, colour);
+            painter.circle_stroke(centre, 1.1 * radius, stroke);
+            painter.add(Shape::line(vec![at(-0.5, 0.0), at(-0.1, 0.45), at(0.55, -0.4)], stroke));
+        }
+        Icon::Failed => {
+            let stroke = Stroke::new(1.6, colour);
+            painter.add(Shape::closed_line(vec![at(0.0, -1.1), at(1.15, 0.95), at(-1.15, 0.95)], stroke));
+            painter.line_segment([at(0.0, -0.45), at(0.0, 0.3)], stroke);
+            painter.circle_filled(at(0.0, 0.62), 1.1, colour);
         }
     }
 }

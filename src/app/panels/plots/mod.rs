@@ -3,24 +3,21 @@
 
 mod accuracy;
 mod axes;
+mod chart;
+mod export;
 mod fit;
 mod split;
 mod stereo;
 mod trace;
 
-use std::ops::RangeInclusive;
-
 use clap::ValueEnum as _;
 use eframe::egui::{self, RichText, ScrollArea, Ui, vec2};
-use egui_plot::{HoverPosition, LineStyle, PlotPoint, PlotResponse, VLine};
-use relativity_core::math;
+use egui_plot::{LineStyle, PlotBounds, PlotResponse, VLine};
 use relativity_core::{Disparity, Model, Sighting};
 
-use self::axes::{
-    Y_AXIS_WIDTH, annotate, bounds, grid, heading, label, plot_over_time, shift, shown_in, tick,
-    time_at_pointer,
-};
-use self::trace::{ONE_CONE, Trace};
+use self::axes::{Y_AXIS_WIDTH, annotate, axis_label, label, plot_over_time, shown_in, time_at_pointer};
+use self::chart::{ONE_CONE, chart, quantities};
+pub use self::export::{csv, svg};
 use crate::app::command::Command;
 use crate::app::curves::{Curves, Quantity};
 use crate::app::examination::Examination;
@@ -67,25 +64,16 @@ pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {
     if is_narrow {
         row(ui, "points", |ui| points(ui, asks));
     }
-    let quantities: &[Quantity] = match state.settings.plots.plot {
-        PlotTab::Disparity => &[Quantity::DeltaPhi, Quantity::DeltaTheta],
-        PlotTab::Angles => &[Quantity::Phi, Quantity::Theta],
-        PlotTab::Doppler => &[Quantity::LogDoppler],
-        PlotTab::Stereo => &[Quantity::LogGain, Quantity::LogDistance],
-        PlotTab::Fit => return fit::show(ui, state, plotted.fitting, asks),
-        PlotTab::Accuracy => return accuracy::show(ui, state, plotted.examination, asks),
-    };
-    over_time(ui, state, plotted.curves, quantities, asks);
+    match state.settings.plots.plot {
+        PlotTab::Fit => fit::show(ui, state, plotted.fitting, asks),
+        PlotTab::Accuracy => accuracy::show(ui, state, plotted.examination, asks),
+        tab => over_time(ui, state, plotted.curves, quantities(tab), asks),
+    }
 }
 
 /// Shows the first of the plots of what is chosen, and nothing else; of a tab with a table the first plot of all.
 pub fn show_one(ui: &mut Ui, state: &State, curves: &[Curves], asks: &mut Asks) {
-    let quantity = match state.settings.plots.plot {
-        PlotTab::Disparity | PlotTab::Fit | PlotTab::Accuracy => Quantity::DeltaPhi,
-        PlotTab::Angles => Quantity::Phi,
-        PlotTab::Doppler => Quantity::LogDoppler,
-        PlotTab::Stereo => Quantity::LogGain,
-    };
+    let quantity = quantities(state.settings.plots.plot).first().copied().unwrap_or(Quantity::DeltaPhi);
     over_time(ui, state, curves, &[quantity], asks);
 }
 
@@ -118,7 +106,7 @@ fn title(ui: &mut Ui, state: &State, quantity: Quantity) {
         ui.add_space(Y_AXIS_WIDTH);
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
-            ui.label(RichText::new(heading(quantity, state.measures().length)).strong());
+            ui.label(RichText::new(axis_label(quantity, shown_in(quantity, state.measures().length))).strong());
             match quantity {
                 Quantity::LogGain | Quantity::LogDistance => stereo::values_now(ui, state, quantity),
                 _ => values_now(ui, state, quantity),
@@ -177,11 +165,11 @@ fn points(ui: &mut Ui, state: &State, asks: &mut Asks) {
             "At rest at ({x}, {y}, {z}){}.\nClick in a view to move it, shift-click to add one.",
             unit.suffix()
         );
-        if ui.selectable_label(chosen, point.name(&state.session.scene)).on_hover_text(tip).clicked() {
+        if ui.selectable_label(chosen, state.name_of(point)).on_hover_text(tip).clicked() {
             asks.push(Command::SelectPoint(index));
         }
         if points.is_removable(index) {
-            let name = format!("Remove {}", point.name(&state.session.scene));
+            let name = format!("Remove {}", state.name_of(point));
             if icons::button(ui, Icon::Remove, &name, vec2(18.0, 18.0), false).on_hover_text(&name).clicked()
             {
                 asks.push(Command::RemovePoint(index));
@@ -226,98 +214,39 @@ fn plot(
     quantity: Quantity,
     asks: &mut Asks,
 ) {
-    let traces = traces(ui, state, curves, quantity);
-    let values = traces.iter().flat_map(|trace| trace.points).map(|point| point.y);
-    let bounds = bounds(values, state.time_range());
-    let equidistant = state.equidistance_time(state.session.points.selected());
+    let chart = chart(state, curves, quantity);
+    let ([from, to], [low, high]) = (chart.range, chart.value_range());
+    let bounds = PlotBounds::from_min_max([from, low], [to, high]);
     let visuals = ui.visuals().clone();
-    let now = state.session.time;
-    let (unit, shown) = (state.measures().time, shown_in(quantity, state.measures().length));
-    let shift = shift(quantity, shown);
-    let response = plot_over_time(ui, ("plot", label(quantity)), unit, size)
-        .y_grid_spacer(move |input| grid(quantity, shift, size.y, input))
-        .y_axis_formatter(move |mark, _: &RangeInclusive<f64>| {
-            tick(quantity, mark.value + shift, mark.step_size)
-        })
-        .label_formatter(move |hover| hover_text(quantity, [unit, shown], hover))
-        .show(ui, |plot| {
-            plot.set_plot_bounds(bounds);
-            if let Some(time) = equidistant {
-                let colour = theme::equidistance_colour(&visuals);
-                plot.vline(
-                    VLine::new("T₀", time)
-                        .color(colour)
-                        .width(1.0)
-                        .style(LineStyle::dashed_dense())
-                        .allow_hover(false),
-                );
-            }
-            plot.vline(VLine::new("T", now).color(theme::now_colour(&visuals)).width(1.0).allow_hover(false));
-            for trace in traces {
-                trace.draw(plot, now);
-            }
-        });
-    annotate(ui, &response, unit, equidistant);
+    let plot = plot_over_time(ui, ("plot", label(quantity)), chart.time_unit, size);
+    let (now, equidistant, traces) = (chart.now, chart.equidistant, &chart.traces);
+    let response = chart.ruler(size.y).beside(plot).show(ui, |plot| {
+        plot.set_plot_bounds(bounds);
+        if let Some((time, _)) = equidistant {
+            let colour = theme::equidistance_colour(&visuals);
+            plot.vline(
+                VLine::new("T₀", time)
+                    .color(colour)
+                    .width(1.0)
+                    .style(LineStyle::dashed_dense())
+                    .allow_hover(false),
+            );
+        }
+        plot.vline(VLine::new("T", now).color(theme::now_colour(&visuals)).width(1.0).allow_hover(false));
+        for trace in traces {
+            trace.draw(plot, &visuals, now);
+        }
+    });
+    annotate(ui, &response, chart.time_unit, equidistant);
     describe(&response, state, quantity);
     if let Some(time) = time_at_pointer(&response) {
         asks.push(Command::Time(time));
     }
 }
 
-/// What is drawn of `quantity`: of every point for a disparity, of each eye of the selected one else.
-fn traces<'a>(ui: &Ui, state: &State, curves: &'a [Curves], quantity: Quantity) -> Vec<Trace<'a>> {
-    let selected = state.session.points.selected_index();
-    if matches!(quantity, Quantity::LogGain | Quantity::LogDistance) {
-        let Some(curves) = curves.get(selected) else { return Vec::new() };
-        return stereo::traces(ui, state, curves, quantity);
-    }
-    if !matches!(quantity, Quantity::DeltaPhi | Quantity::DeltaTheta) {
-        let Some(curves) = curves.get(selected) else { return Vec::new() };
-        let of_eyes = |curves: &'a [Vec<PlotPoint>], exact_beside| {
-            Eye::BOTH.into_iter().zip(curves).map(move |(eye, points)| {
-                let colour = theme::eye_colour(eye, ui.visuals());
-                Trace::of_model(eye.name().to_owned(), points, colour, state, exact_beside)
-            })
-        };
-        return of_eyes(curves.exact(quantity), true).chain(of_eyes(curves.shown(quantity), false)).collect();
-    }
-    let mut traces = Vec::new();
-    for (index, (point, curves)) in state.session.points.all().iter().zip(curves).enumerate() {
-        let colour = theme::point_colour(point.number, ui.visuals());
-        let wide = index == selected;
-        let published = curves.published(quantity);
-        let name = || point.name(&state.session.scene);
-        traces.push(Trace {
-            name: format!("{}, published", name()),
-            points: published,
-            colour,
-            style: LineStyle::dashed_dense(),
-            wide,
-            dot: false,
-        });
-        let exact = curves.exact(quantity).iter().map(|points| (points, true));
-        for (points, exact_beside) in exact.chain(curves.shown(quantity).iter().map(|points| (points, false)))
-        {
-            let trace = Trace::of_model(name(), points, colour, state, exact_beside);
-            traces.push(Trace { wide: trace.wide && wide, ..trace });
-        }
-    }
-    traces
-}
-
-fn hover_text(quantity: Quantity, [time, shown]: [Unit; 2], hover: &HoverPosition<'_>) -> Option<String> {
-    let HoverPosition::NearDataPoint { plot_name, position, .. } = hover else { return None };
-    let value = match quantity {
-        Quantity::LogDistance => shown.text(math::powf(10.0, position.y), 3),
-        _ if quantity.is_logarithm() => figures::fixed(math::powf(10.0, position.y), 4),
-        _ => shown.text(position.y, 5),
-    };
-    Some(format!("{plot_name}\nT = {}\n{} = {value}", time.text(position.x, 3), label(quantity)))
-}
-
 /// Names the plot for assistive technology: what it shows, of what.
 fn describe(response: &PlotResponse<()>, state: &State, quantity: Quantity) {
-    let point = state.session.points.selected().name(&state.session.scene);
+    let point = state.name_of(state.session.points.selected());
     let name = format!("Plot of {} of {point} against T", label(quantity));
     response
         .response

@@ -2,12 +2,10 @@
 //! measured.
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Color32, RichText, Sense, Stroke, TextStyle, Ui, Visuals, WidgetInfo, pos2, vec2};
-use egui_plot::LineStyle;
+use eframe::egui::{RichText, Sense, Stroke, TextStyle, Ui, WidgetInfo, pos2, vec2};
 
-use super::trace::Trace;
-use crate::app::curves::{Curves, DistanceKind, Quantity, StereoView, stereo_view};
-use crate::app::observer::Eye;
+use super::chart::{distance_look, distance_words};
+use crate::app::curves::{DistanceKind, Quantity, StereoView, stereo_view};
 use crate::app::state::State;
 use crate::app::theme;
 use crate::app::widgets::named_text;
@@ -15,36 +13,6 @@ use crate::figures;
 
 /// Length of a piece of line in the caption, points.
 const SAMPLE: f32 = 16.0;
-
-/// What is drawn of the selected point.
-pub(super) fn traces<'a>(ui: &Ui, state: &State, curves: &'a Curves, quantity: Quantity) -> Vec<Trace<'a>> {
-    let visuals = ui.visuals();
-    if quantity == Quantity::LogGain {
-        let colour = theme::stereo_colour(visuals);
-        let trace = |exact_beside| {
-            move |points: &'a Vec<_>| {
-                Trace::of_model("Stereo gain".to_owned(), points, colour, state, exact_beside)
-            }
-        };
-        let [exact, shown] = [curves.exact(quantity), curves.shown(quantity)].map(<[_]>::iter);
-        return exact.map(trace(true)).chain(shown.map(trace(false))).collect();
-    }
-    let trace = |(kind, points): (DistanceKind, &'a Vec<_>)| Trace {
-        name: words(kind)[1].to_owned(),
-        points,
-        colour: colour(kind, visuals),
-        style: style(kind),
-        wide: kind != DistanceKind::Measured,
-        dot: true,
-    };
-    // Two eyes on top.
-    curves
-        .shown(quantity)
-        .iter()
-        .enumerate()
-        .map(|(number, points)| trace((DistanceKind::of_curve(number), points)))
-        .collect()
-}
 
 /// What the curves are at T, each with how its line looks.
 pub(super) fn values_now(ui: &mut Ui, state: &State, quantity: Quantity) {
@@ -63,31 +31,10 @@ pub(super) fn values_now(ui: &mut Ui, state: &State, quantity: Quantity) {
     }
 }
 
-/// The name of a distance, short and long.
-const fn words(kind: DistanceKind) -> [&'static str; 2] {
-    match kind {
-        DistanceKind::Stereo => ["two eyes", "Where two eyes take it to be"],
-        DistanceKind::Seen(0) => ["left", "Where the left eye sees it"],
-        DistanceKind::Seen(_) => ["right", "Where the right eye sees it"],
-        DistanceKind::Measured => ["measured", "Where it is measured now"],
-    }
-}
-
-fn colour(kind: DistanceKind, visuals: &Visuals) -> Color32 {
-    match kind {
-        DistanceKind::Stereo => theme::stereo_colour(visuals),
-        DistanceKind::Seen(eye) => theme::eye_colour(Eye::BOTH[eye], visuals),
-        DistanceKind::Measured => theme::measured_colour(visuals),
-    }
-}
-
-fn style(kind: DistanceKind) -> LineStyle {
-    if matches!(kind, DistanceKind::Seen(_)) { LineStyle::dashed_dense() } else { LineStyle::Solid }
-}
-
 /// A piece of the line that stands for `kind`, its name and its `value`: in one piece wherever the row breaks.
 fn entry(ui: &mut Ui, kind: DistanceKind, value: &str) {
-    let ([name, tip], colour) = (words(kind), colour(kind, ui.visuals()));
+    let ([name, tip], (hue, ..)) = (distance_words(kind), distance_look(kind));
+    let colour = hue.colour(ui.visuals());
     let font = TextStyle::Body.resolve(ui.style());
     let galley = ui.painter().layout_no_wrap(format!("{name} {value}"), font, colour);
     let (rect, response) = ui.allocate_exact_size(galley.size() + vec2(SAMPLE + 4.0, 0.0), Sense::hover());

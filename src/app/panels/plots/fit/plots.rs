@@ -114,9 +114,7 @@ impl Part {
             .grid_spacing(GRID_SPACING)
             .y_axis_min_width(Y_AXIS_WIDTH)
             .y_grid_spacer(self.grid)
-            .y_axis_formatter(|mark, _: &RangeInclusive<f64>| {
-                tick(Quantity::DeltaPhi, mark.value, mark.step_size)
-            });
+            .y_axis_formatter(|mark, _: &RangeInclusive<f64>| tick(mark.value, mark.step_size));
         let response = plot.show(ui, move |plot| {
             plot.set_plot_bounds(bounds);
             plot.vline(now.allow_hover(false));
