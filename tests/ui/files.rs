@@ -127,7 +127,8 @@ fn a_scene_is_read_again() {
 
     file(folder.path(), "balls.toml", "name = = 3");
     wait_until(&mut window, "the error is told", |state| state.session.notice.is_some());
-    assert!(labels(&window).iter().any(|label| label.contains("balls.toml:1")));
+    window.run();
+    assert!(labels(&window).iter().any(|label| label.contains("balls.toml:1")), "{:?}", labels(&window));
     assert_eq!(scene_name(&window), "One ball");
     file(folder.path(), "balls.toml", BALLS);
     wait_until(&mut window, "it is mended", |state| state.session.notice.is_none());
