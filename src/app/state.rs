@@ -193,7 +193,9 @@ impl State {
     #[must_use]
     pub fn time_range(&self) -> [f64; 2] {
         let fitted = || {
-            passage::fitted_range(&self.selected_velocity().speed, self.selected_source()).map(clock::bounded)
+            let velocity = self.selected_velocity();
+            let pair = velocity.reflected_pair(self.settings.pair());
+            passage::fitted_range(&velocity.speed, self.selected_source(), pair).map(clock::bounded)
         };
         self.settings.playback.range.0.unwrap_or_else(fitted)
     }

@@ -106,19 +106,33 @@ fn title(ui: &mut Ui, state: &State, quantity: Quantity) {
         ui.add_space(Y_AXIS_WIDTH);
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
-            ui.label(RichText::new(axis_label(quantity, shown_in(quantity, state.measures().length))).strong());
+            ui.label(
+                RichText::new(axis_label(quantity, shown_in(quantity, state.measures().length))).strong(),
+            );
             match quantity {
                 Quantity::LogGain | Quantity::LogDistance => stereo::values_now(ui, state, quantity),
                 _ => values_now(ui, state, quantity),
             }
-            if quantity != Quantity::LogDistance && state.settings.model() == Model::OneCone {
-                let tip = "Solid: as if both eyes received the same events. Dotted: each through its own light cone, exactly.\n\
-                    What lies between the two comes from there being two light cones.";
-                ui.label(RichText::new(format!("{ONE_CONE}; dotted: two")).weak()).on_hover_text(tip);
+            let beside = match state.settings.shown_model() {
+                _ if quantity == Quantity::LogDistance => None,
+                Model::OneCone => Some((format!("{ONE_CONE}; dotted: two"), ONE_CONE_TIP)),
+                Model::Published(_) if quantity != Quantity::LogGain => {
+                    Some(("published; dotted: exact".to_owned(), PUBLISHED_TIP))
+                }
+                Model::Published(_) | Model::Exact => None,
+            };
+            if let Some((text, tip)) = beside {
+                ui.label(RichText::new(text).weak()).on_hover_text(tip);
             }
         });
     });
 }
+
+const ONE_CONE_TIP: &str = "Solid: as if both eyes received the same events. Dotted: each through its own light cone, exactly.\n\
+    What lies between the two comes from there being two light cones.";
+
+const PUBLISHED_TIP: &str =
+    "Solid: what the views show, the paper's model. Dotted: each eye through its own light cone, exactly.";
 
 /// What stands in a row, which may be wider than the plots, but must not widen them.
 fn row(ui: &mut Ui, name: &str, contents: impl FnOnce(&mut Ui)) {
