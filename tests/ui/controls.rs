@@ -5,6 +5,8 @@ use eframe::egui::{Key, pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use gamow::app::App;
+use gamow::app::command::Command;
+use gamow::settings::{PlotTab, Plots};
 use relativity_core::{Aperture, Sighting, Speed, equidistance_time, sighting};
 use relativity_render::{Colour, Geometry, Shading};
 
@@ -17,6 +19,7 @@ pub const TESTS: &[Test] = &[
     ("dragging_beta_changes_the_readout_in_the_same_frame", dragging_beta_changes_the_readout),
     ("marks_below_the_slider_set_the_speed_they_name", marks_set_the_speed),
     ("typed_gamma_and_rapidity_are_kept_exactly", typed_gamma_is_kept_exactly),
+    ("a_decimal_comma_may_be_typed_wherever_a_number_is", a_decimal_comma_is_typed),
     ("a_bad_speed_is_explained_and_the_old_one_kept", a_bad_speed_is_explained),
     ("the_readout_is_what_the_core_computes", the_readout_is_what_the_core_computes),
     ("separation_and_path_follow_their_fields", separation_and_path_follow),
@@ -64,6 +67,21 @@ fn typed_gamma_is_kept_exactly() {
     assert_eq!(window.state().state().speed(), Speed::from_rapidity(2.5).expect("a speed"));
     type_into(&mut window, "Beta, typed", "0.123456789012345");
     assert_eq!(window.state().state().speed().beta(), 0.123_456_789_012_345);
+}
+
+fn a_decimal_comma_is_typed() {
+    let mut window = window(cyclist(0.9));
+    type_into(&mut window, "Beta, typed", "0,75");
+    type_into(&mut window, "T, typed", "2,25");
+    type_into(&mut window, "Eyes apart d, typed", "0,5");
+    type_into(&mut window, "Distance y, typed", "4,5");
+    let state = window.state().state();
+    assert_eq!((state.speed().beta(), state.session.time, state.settings.motion.d), (0.75, 2.25, 0.5));
+    assert_eq!(state.settings.motion.depth_shift, 1.5);
+    window.state_mut().ask(Command::Plots(Plots { plot: PlotTab::Fit, ..Plots::default() }));
+    window.run();
+    type_into(&mut window, "Noise", "2,5");
+    assert_eq!(window.state().state().settings.fit.noise_percent, 2.5);
 }
 
 fn a_bad_speed_is_explained() {
