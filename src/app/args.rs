@@ -1,6 +1,6 @@
 //! The flags with which the window starts in a given state.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Arg, Args};
 
@@ -58,6 +58,10 @@ impl WindowArgs {
         let mut state =
             State::open(self.start.settings(if is_kept { left } else { Settings::default() })?)?;
         state.session.playing = self.play;
+        state.session.opened = self.start.file().map(Path::to_owned);
+        for file in state.shown_files().iter().rev() {
+            state.session.recent.add(file);
+        }
         if self.present {
             state.session.stage = Stage::presented();
         }

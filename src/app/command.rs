@@ -1,13 +1,11 @@
 //! Everything that can be done in the window, and the one place where it is done.
 
-use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::path::PathBuf;
 
 use relativity_render::{Camera, Gaze, Geometry};
 
 use super::chooser::Purpose;
 use super::clock;
-use super::fitting::DataFile;
 use super::notice::Notice;
 use super::observer::Eye;
 use super::plotting::PlotCommand;
@@ -17,14 +15,13 @@ use super::state::{Session, State};
 use super::usual::Section;
 use crate::comfort::comfortable_separation;
 use crate::flags::FieldOfView;
-use crate::flags::choices::{FileKind, GazeChoice, Layout};
+use crate::flags::choices::{GazeChoice, Layout};
 use crate::map::Viewpoint;
 use crate::passage::time_within;
-use crate::platform::files;
 use crate::scene::Track;
 use crate::settings::{
-    Daylight, FOV_DEGREES, FitSetup, Frame, Light, Look, Map, Motion, Playback, PlotTab, Plots, Presence,
-    Preset, Quality, Screen, Settings, SettingsError, Window, looks_like_settings,
+    Daylight, FOV_DEGREES, FitSetup, Frame, Light, Look, Map, Motion, Playback, Plots, Presence, Preset,
+    Quality, Screen, Settings, Window,
 };
 
 /// Something the user asked for.
@@ -104,6 +101,8 @@ pub enum Command {
     ShowNext(i32),
     /// Show what is in a file: a scene, settings, or a picture with which settings it was made.
     Open(PathBuf),
+    /// Show what a file that is shown says by now.
+    Reload(PathBuf),
     /// Ask which file to open or to write.
     Choose(Purpose),
     /// Have all as it was before the last step.
@@ -258,12 +257,13 @@ impl State {
                     self.perform(Command::State(preset));
                 }
             }
+            Command::Open(path) => self.open_file(path),
+            Command::Reload(path) => self.reload(&path),
+            Command::Choose(purpose) => self.session.chooser = Some(purpose),
             // Not done here, but by going through the steps.
             Command::Undo | Command::Redo => {}
             Command::Reset => self.show(self.as_usual()),
             Command::ResetSection(section) => self.reset(section),
-            Command::Open(path) => self.open_file(&path),
-            Command::Choose(purpose) => self.session.chooser = Some(purpose),
             Command::OpenData(path) => self.open_data(&path),
             Command::Simulate => self.session.data = None,
             Command::Save(saving) => {
@@ -306,30 +306,6 @@ impl State {
             *help = false;
         } else {
             stage.leave();
-        }
-    }
-
-    fn open_file(&mut self, path: &Path) {
-        if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv")) {
-            return self.open_data(path);
-        }
-        self.session.chooser = None;
-        match self.settings_in(path) {
-            Ok(settings) => self.show(settings),
-            Err(error) => self.session.notice = Some(Notice::error(error).about(path)),
-        }
-    }
-
-    /// Fits what is in the file at `path`, in view.
-    fn open_data(&mut self, path: &Path) {
-        self.session.chooser = None;
-        match DataFile::open(path, self.settings.baseline()) {
-            Ok(file) => {
-                self.session.data = Some(Arc::new(file));
-                self.settings.plots.plot = PlotTab::Fit;
-                self.settings.window.plots = true;
-            }
-            Err(error) => self.session.notice = Some(Notice::error(format!("{error:#}")).about(path)),
         }
     }
 
@@ -445,19 +421,8 @@ impl State {
         }
     }
 
-    /// The settings that the file at `path` leads to. What it does not say of the window's parts and of the layout stays as
-    /// it is; the rest is as usual.
-    fn settings_in(&self, path: &Path) -> Result<Settings, SettingsError> {
-        let is_scene = FileKind::of(path).is_none()
-            && !files::read_to_string(path).is_ok_and(|text| looks_like_settings(&text));
-        if is_scene {
-            return Ok(self.settings.clone().with_scene(path.to_string_lossy().into_owned()));
-        }
-        Settings::default().in_place_of(&self.settings).with_file(path)
-    }
-
     /// Shows what `settings` say; where their scene cannot be had, a message. T runs on unless they give one.
-    fn show(&mut self, settings: Settings) {
+    pub(super) fn show(&mut self, settings: Settings) {
         let starts_at_a_time = settings.time.is_some();
         let scene = PathBuf::from(&settings.scene);
         match Self::open(settings) {
@@ -466,6 +431,7 @@ impl State {
                 let Session { picture_size, cm_per_pixel, stage, shows_map, hint, .. } = self.session;
                 let history = std::mem::take(&mut self.session.history);
                 let (data, orders) = (self.session.data.take(), std::mem::take(&mut self.session.orders));
+                let recent = std::mem::take(&mut self.session.recent);
                 let session = Session {
                     playing,
                     picture_size,
@@ -476,6 +442,7 @@ impl State {
                     history,
                     data,
                     orders,
+                    recent,
                     ..state.session
                 };
                 *self = Self { session, ..state };

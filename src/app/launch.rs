@@ -72,12 +72,13 @@ fn open(args: &WindowArgs) -> anyhow::Result<()> {
     let args = args.clone();
     let create = move |cc: &CreationContext<'_>| {
         let left = cc.storage.map(memory::remembered).unwrap_or_default();
+        let mut state = state_from(&args, left)?;
+        state.session.recent.extend(cc.storage.map(memory::recent).unwrap_or_default());
         if args.window_size().is_some() {
             // Where windows are shown before they can be maximised, eframe has a remembered one so once more.
             cc.egui_ctx.send_viewport_cmd(ViewportCommand::Fullscreen(false));
             cc.egui_ctx.send_viewport_cmd(ViewportCommand::Maximized(false));
         }
-        let mut state = state_from(&args, left)?;
         state.session.hint = cc.storage.is_none_or(memory::is_of_a_newcomer);
         Ok(Box::new(App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state)) as Box<dyn eframe::App>)
     };

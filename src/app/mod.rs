@@ -33,11 +33,13 @@ mod layouts;
 pub mod memory;
 pub mod notice;
 pub mod observer;
+mod opening;
 mod panels;
 pub mod panes;
 pub mod plotting;
 pub mod points;
 mod projector;
+pub mod recent;
 pub mod saving;
 mod screenshot;
 mod speed_slider;
@@ -49,8 +51,11 @@ mod theme;
 pub mod under;
 pub mod usual;
 mod views;
+mod watch;
 mod widgets;
 mod worker;
+
+use std::path::PathBuf;
 
 use eframe::egui::{self, Rect, Ui, UiBuilder};
 use eframe::egui_wgpu::RenderState;
@@ -69,6 +74,7 @@ use panes::{Arrangement, Content};
 use saving::Saver;
 use stage::Part;
 use state::State;
+use watch::Watch;
 
 use crate::settings::{PlotTab, Settings};
 
@@ -86,6 +92,7 @@ pub struct App {
     text_scale: f32,
     chooser: Chooser,
     saver: Saver,
+    watch: Option<Watch>,
 }
 
 /// How much larger than usual writing is for an audience.
@@ -108,6 +115,7 @@ impl App {
             text_scale: 1.0,
             chooser: Chooser::default(),
             saver: Saver::default(),
+            watch: None,
         }
     }
 
@@ -205,6 +213,15 @@ impl App {
         }
     }
 
+    /// Those of the files that are shown which have changed on disk.
+    fn changed_files(&mut self, ctx: &egui::Context) -> Vec<PathBuf> {
+        let shown = self.state.shown_files();
+        if self.watch.as_ref().is_none_or(|watch| watch.paths() != shown) {
+            self.watch = (!shown.is_empty()).then(|| Watch::new(ctx.clone(), shown));
+        }
+        self.watch.as_ref().map(Watch::changed).unwrap_or_default()
+    }
+
     /// Brings the curves up to date; those that still hold are kept.
     fn update_curves(&mut self) {
         self.curves = self
@@ -238,6 +255,7 @@ impl App {
         self.chooser.update(&self.state, &mut asks);
         panels::chooser::show(&ctx, &self.state, &mut self.chooser, &mut asks);
         panels::saving::show(&ctx, &self.saver, &mut asks);
+        asks.extend(self.changed_files(&ctx).into_iter().map(Command::Reload));
         self.apply(&ctx, asks);
         self.set_stage(&ctx);
 
@@ -397,10 +415,10 @@ impl eframe::App for App {
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
-        memory::remember(storage, &self.state.settings);
         if !self.state.session.hint {
             memory::remember_a_click(storage);
         }
+        memory::remember(storage, &self.state);
     }
 }
 

@@ -122,13 +122,28 @@ impl Points {
         }
     }
 
+    /// Those that are there in `scene`, which may have been read again since they were chosen.
+    #[must_use]
+    pub fn of(mut self, scene: &Scene) -> Self {
+        self.all[TRACKED].track = scene.track(None);
+        for index in (TRACKED + 1..self.all.len()).rev() {
+            if self.all[index].body.is_some_and(|body| body >= scene.bodies.len()) {
+                self.remove(index);
+            }
+        }
+        self
+    }
+
     /// Those that are still there in `new`, another version of the scene `old`: on a body of the same name that moves alike.
     #[must_use]
     pub fn carried(&self, old: &Scene, new: &Scene) -> Self {
         let mut carried = Self { last_number: self.last_number, ..Self::tracked(new.track(None)) };
         for (index, point) in self.all.iter().enumerate().skip(TRACKED + 1) {
-            let Some(body) = point.body.and_then(|body| new.counterpart(old, body)) else { continue };
-            carried.all.push(Point { body: Some(body), ..*point });
+            let body = point.body.map(|body| new.counterpart(old, body));
+            if body == Some(None) {
+                continue;
+            }
+            carried.all.push(Point { body: body.flatten(), ..*point });
             if index == self.selected {
                 carried.selected = carried.all.len() - 1;
             }

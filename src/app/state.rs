@@ -1,5 +1,6 @@
 //! What the window shows: settings that are remembered, and the session they are applied to.
 
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use relativity_core::Speed;
@@ -13,6 +14,7 @@ use super::history::History;
 use super::notice::Notice;
 use super::plotting::Plotting;
 use super::points::{Point, Points};
+use super::recent::Recent;
 use super::saving::Order;
 use super::stage::Stage;
 use crate::flags::choices::ProjectionChoice;
@@ -78,6 +80,10 @@ pub struct Session {
     pub data: Option<Arc<DataFile>>,
     /// What was asked for that more than the state is needed for.
     pub orders: Vec<Order>,
+    /// The files that were opened.
+    pub recent: Recent,
+    /// The file with settings that is shown, if it is one.
+    pub opened: Option<PathBuf>,
 }
 
 /// What a headset shows is shown in parallel, and that is said.
@@ -122,6 +128,8 @@ impl State {
             history: History::default(),
             data: None,
             orders: Vec::new(),
+            recent: Recent::default(),
+            opened: None,
             scene,
         };
         Self { settings, session }
@@ -154,6 +162,12 @@ impl State {
         self.session.prepared = scene.prepared();
         self.session.points = self.session.points.carried(&self.session.scene, &scene);
         self.session.scene = scene;
+    }
+
+    /// The file of the scene, if it is in one.
+    #[must_use]
+    pub fn scene_file(&self) -> Option<&Path> {
+        Scene::preset(&self.settings.scene).is_none().then(|| Path::new(&self.settings.scene))
     }
 
     /// All that is shown, as settings: what is remembered, and the session's T and selected point.
@@ -195,7 +209,9 @@ impl State {
     #[must_use]
     pub fn time_range(&self) -> [f64; 2] {
         let fitted = || {
-            passage::fitted_range(&self.selected_velocity().speed, self.selected_source()).map(clock::bounded)
+            let velocity = self.selected_velocity();
+            let pair = velocity.reflected_pair(self.settings.pair());
+            passage::fitted_range(&velocity.speed, self.selected_source(), pair).map(clock::bounded)
         };
         self.settings.playback.range.0.unwrap_or_else(fitted)
     }

@@ -1,5 +1,7 @@
 //! Doing what was asked as a step that can be undone, and undoing it.
 
+use std::path::PathBuf;
+
 use super::command::Command;
 use super::history::{Direction, Kept, Run};
 use super::notice::Notice;
@@ -11,6 +13,8 @@ impl State {
         match command {
             Command::Undo => self.travel(Direction::Back),
             Command::Redo => self.travel(Direction::Forwards),
+            // A scene that is written anew is no setting: who writes it has a way back of their own.
+            Command::Reload(path) if self.scene_file() == Some(&path) => self.perform(Command::Reload(path)),
             command => self.step(command),
         }
     }
@@ -36,13 +40,17 @@ impl State {
 
     fn travel(&mut self, direction: Direction) {
         let Some(kept) = self.session.history.next(direction) else { return };
+        let scene = PathBuf::from(&kept.settings.scene);
         let left = Kept { time: kept.time.map(|_| self.session.time), ..self.kept() };
         if let Err(error) = self.set(kept.settings) {
-            self.session.notice = Some(Notice::error(error));
+            self.session.notice = Some(Notice::error(error).about(&scene));
             return;
         }
-        (self.session.points, self.session.preset) = (kept.points, kept.preset);
-        self.session.time = kept.time.unwrap_or(self.session.time);
+        self.session.points = kept.points.of(&self.session.scene);
+        self.session.preset = kept.preset;
+        if let Some(time) = kept.time {
+            (self.session.time, self.session.opened) = (time, None);
+        }
         self.session.history.leave(direction, left);
     }
 }
@@ -51,7 +59,7 @@ impl State {
 const fn nudge(command: &Command) -> Option<Run> {
     match command {
         Command::NudgeSpeed(_) => Some(Run::Speed),
-        Command::Zoom(_) => Some(Run::Zoom),
+        Command::Zoom(_) | Command::Magnify(_) => Some(Run::Zoom),
         _ => None,
     }
 }

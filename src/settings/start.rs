@@ -7,6 +7,7 @@ use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
 use super::all::Settings;
 use super::error::{Problem, SettingsError};
 use super::presets::Preset;
+use crate::flags::choices::FileKind;
 use crate::scene::looks_like_a_name;
 
 /// A flag for each setting, and one for a preset or a file of them.
@@ -24,6 +25,13 @@ impl StartArgs {
     #[must_use]
     pub fn name_what_is_shown(&self) -> bool {
         self.state.is_some() || self.scene().is_some()
+    }
+
+    /// The file of settings in TOML that they start from, if it is one.
+    #[must_use]
+    pub fn file(&self) -> Option<&Path> {
+        let path = Path::new(self.state.as_ref().filter(|state| Preset::named(state).is_none())?);
+        FileKind::of(path).is_none().then_some(path)
     }
 
     /// The scene that a flag gives.

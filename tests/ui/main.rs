@@ -5,6 +5,7 @@
 //! with `GAMOW_REQUIRE_GPU=1` that is a failure.
 
 mod controls;
+mod files;
 mod fit;
 mod groups;
 mod layouts;
@@ -38,6 +39,7 @@ fn main() -> ExitCode {
     let missing = !required && relativity_render::Gpu::headless().is_err();
     let all = [
         controls::TESTS,
+        files::TESTS,
         fit::TESTS,
         groups::TESTS,
         layouts::TESTS,

@@ -1,5 +1,6 @@
 //! Clicking points of the cyclist, their markers, and looking around.
 
+use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, PointerButton, Pos2, Rect, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
@@ -197,7 +198,7 @@ fn marker_and_surface_agree() {
 fn the_published_right_eye() {
     let mut window = window(cyclist(0.9));
     let exact = window.render().expect("a picture");
-    window.get_by_label("Published").click();
+    window.get_by_role_and_label(Role::Button, "Published").click();
     window.remove_cursor();
     window.run();
     let published = window.render().expect("a picture");

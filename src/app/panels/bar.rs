@@ -5,7 +5,9 @@ use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
 use eframe::egui::{Align, Button, ComboBox, Layout, PopupCloseBehavior, RichText, TextStyle, Ui, vec2};
 
 use super::Asks;
+use crate::app::chooser::Purpose;
 use crate::app::command::Command;
+use crate::app::recent::file_name;
 use crate::app::state::State;
 use crate::app::widgets::icons::{self, Icon};
 use crate::scene::{PRESETS, Scene};
@@ -97,10 +99,29 @@ fn scene(ui: &mut Ui, state: &State, asks: &mut Asks) {
                     asks.push(Command::Preset(preset));
                 }
             }
+            files(ui, state, asks);
         })
         .response
-        .on_hover_text("What rides past. A scene file dropped onto the window opens too.")
+        .on_hover_text(
+            "What rides past, and the files that were opened. A file dropped onto the window opens too.",
+        )
         .accessible_name("Scene");
+}
+
+/// The files that were opened, and the way to another.
+fn files(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    ui.separator();
+    let shown = state.shown_files();
+    for path in state.session.recent.all() {
+        let choice = ui.selectable_label(shown.contains(path), file_name(path));
+        if choice.on_hover_text(path.display().to_string()).clicked() {
+            asks.push(Command::Open(path.clone()));
+        }
+    }
+    let tip = "Opens a scene, settings, or a picture with which settings it was made.   Keys: Ctrl+O";
+    if ui.button("Open…").on_hover_text(tip).clicked() {
+        asks.push(Command::Choose(Purpose::Open));
+    }
 }
 
 /// In which units the whole window shows lengths and times.
