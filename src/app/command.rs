@@ -367,7 +367,8 @@ impl State {
                 Some(Notice::error("With the right eye as published, click in the left eye's view."));
             return;
         }
-        match self.point_at(pick.eye, pick.pixel, pick.size) {
+        let meant = self.meant(pick.eye, pick.pixel, pick.size);
+        match meant.and_then(|pixel| self.point_at(pick.eye, pixel, pick.size)) {
             Some((track, body)) => {
                 self.session.points.choose(track, body, pick.add);
                 self.session.hint = false;

@@ -5,7 +5,7 @@ use eframe::egui::{Key, Modifiers, OutputCommand, Rect, Shape, Vec2, pos2, vec2}
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use gamow::app::App;
-use gamow::app::command::Command;
+use gamow::app::command::{Command, Pick};
 use gamow::flags::choices::GazeChoice;
 use gamow::settings::PlotTab;
 
@@ -20,6 +20,7 @@ pub const TESTS: &[Test] = &[
     ("no_control_leaves_the_window_or_covers_another", no_control_covers_another),
     ("the_smallest_window_has_plots_and_views_of_use", the_smallest_window),
     ("a_click_beside_everything_says_so", a_click_beside_everything_says_so),
+    ("a_click_near_something_means_it", a_click_near_something_means_it),
     ("what_is_under_the_pointer_is_outlined", what_is_under_the_pointer_is_outlined),
     ("points_are_numbered_only_where_two_have_one_name", points_are_numbered),
     ("the_palette_finds_what_to_do_by_its_words", the_palette_finds),
@@ -430,4 +431,22 @@ fn a_newcomer_is_told_to_click() {
         }
     }
     assert_eq!(count(&window), 0);
+}
+
+/// Beside the tyre's outer edge nothing is, and the tyre is meant.
+fn a_click_near_something_means_it() {
+    let state = cyclist(0.9);
+    let size = [466, 276];
+    let eye = gamow::app::observer::Eye::Left;
+    let is_free = |pixel: [f64; 2]| state.point_at(eye, pixel, size).is_none();
+    let row = (0..466).map(|u| [f64::from(u) + 0.5, 190.5]);
+    let first = row.clone().find(|&pixel| !is_free(pixel)).expect("something is in this row");
+    for (off, is_meant) in [(3.0, true), (6.0, true), (40.0, false)] {
+        let beside = [first[0] - off, first[1]];
+        assert!(is_free(beside));
+        let mut picked = state.clone();
+        picked.apply(Command::Pick(Pick { eye, pixel: beside, size, add: false }));
+        assert_eq!(picked.session.points != state.session.points, is_meant, "{off}");
+        assert_eq!(picked.session.missed.is_none(), is_meant, "{off}");
+    }
 }

@@ -17,7 +17,7 @@ use crate::settings::{FIT_SAMPLES, FitSetup, MAX_SEED, NOISE_PERCENT};
 use crate::units::Unit;
 
 /// Width of the table, and least width of the plots.
-const TABLE_WIDTH: f32 = 346.0;
+const TABLE_WIDTH: f32 = 356.0;
 const LEAST_PLOTS: f32 = 150.0;
 /// What a unit adds to the table's width.
 const UNIT_WIDTH: f32 = 26.0;
