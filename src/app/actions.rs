@@ -103,7 +103,7 @@ fn keys_text(keys: KeyboardShortcut) -> String {
 /// What the keys pressed since the last frame ask for, but for those that the widget with the keyboard takes.
 pub fn asked(ctx: &Context) -> Vec<Command> {
     let pressed: Vec<_> = ctx.input(|input| input.events.iter().filter_map(bound).collect());
-    pressed.into_iter().filter(|(keys, _)| !focus::takes(ctx, keys)).map(|(_, command)| command).collect()
+    pressed.into_iter().filter(|(keys, _)| !focus::takes(ctx, *keys)).map(|(_, command)| command).collect()
 }
 
 /// The keys of an action that `event` presses, and what that asks for.

@@ -8,6 +8,7 @@ use super::chooser::Purpose;
 use super::clock;
 use super::notice::Notice;
 use super::observer::Eye;
+use super::overlay::Overlay;
 use super::stage::{Part, next_to_show};
 use super::state::{Session, State};
 use crate::comfort::comfortable_separation;
@@ -246,8 +247,8 @@ impl State {
                 };
                 self.set_map(Map { frame, ..self.settings.map });
             }
-            Command::TogglePalette => self.session.palette = !self.session.palette,
-            Command::ToggleHelp => self.session.help = !self.session.help,
+            Command::TogglePalette => self.toggle(Overlay::Palette),
+            Command::ToggleHelp => self.toggle(Overlay::Help),
             Command::ToggleFullScreen => self.session.stage.full_screen = !self.session.stage.full_screen,
             Command::TogglePresenting => self.session.stage.toggle_presenting(),
             Command::ToggleProjector => self.session.stage.projector = !self.session.stage.projector,
@@ -257,16 +258,20 @@ impl State {
         }
     }
 
+    fn toggle(&mut self, overlay: Overlay) {
+        self.session.overlay = Some(overlay).filter(|_| self.session.overlay != Some(overlay));
+    }
+
     fn close(&mut self) {
-        let Session { help, notice, chooser, palette, stage, .. } = &mut self.session;
-        if *palette {
-            *palette = false;
+        let Session { overlay, notice, chooser, stage, .. } = &mut self.session;
+        if *overlay == Some(Overlay::Palette) {
+            *overlay = None;
         } else if chooser.is_some() {
             *chooser = None;
         } else if notice.is_some() {
             *notice = None;
-        } else if *help {
-            *help = false;
+        } else if overlay.is_some() {
+            *overlay = None;
         } else {
             stage.leave();
         }
@@ -414,7 +419,7 @@ impl State {
                 let playing = self.session.playing && !starts_at_a_time;
                 let Session { picture_size, cm_per_pixel, stage, shows_map, hint, .. } = self.session;
                 let session =
-                    Session { playing, picture_size, cm_per_pixel, stage, shows_map, hint, ..state.session };
+                    Session { playing, hint, picture_size, cm_per_pixel, stage, shows_map, ..state.session };
                 *self = Self { session, ..state };
             }
             Err(error) => self.session.notice = Some(Notice::error(error).about(&scene)),

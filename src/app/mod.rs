@@ -32,6 +32,7 @@ mod layouts;
 pub mod memory;
 pub mod notice;
 pub mod observer;
+pub mod overlay;
 mod panels;
 pub mod panes;
 pub mod points;

@@ -7,6 +7,7 @@ use super::chooser::Purpose;
 use super::clock;
 use super::command::Pick;
 use super::notice::Notice;
+use super::overlay::Overlay;
 use super::points::{Point, Points};
 use super::stage::Stage;
 use crate::flags::choices::ProjectionChoice;
@@ -38,10 +39,8 @@ pub struct Session {
     pub playing: bool,
     /// The followed points.
     pub points: Points,
-    /// Whether the help is shown.
-    pub help: bool,
-    /// Whether the command palette is shown.
-    pub palette: bool,
+    /// What stands over the window.
+    pub overlay: Option<Overlay>,
     /// Where a click into a view hit nothing, until something else is done.
     pub missed: Option<Pick>,
     /// Whether the views say what a click does: until the first.
@@ -88,8 +87,7 @@ impl State {
             time: clock::bounded(time),
             playing: false,
             points: Points::tracked(tracked),
-            help: false,
-            palette: false,
+            overlay: None,
             missed: None,
             hint: false,
             preset,
