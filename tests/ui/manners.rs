@@ -31,6 +31,8 @@ pub const TESTS: &[Test] = &[
     ("no_tooltip_covers_what_was_dragged", no_tooltip_covers_what_was_dragged),
     ("no_writing_in_the_window_is_smaller_than_eleven_points", no_writing_is_small),
     ("a_newcomer_is_told_to_click_until_the_first_click", a_newcomer_is_told_to_click),
+    ("the_tabulator_reaches_every_control_and_both_views_visibly", the_tabulator_reaches_everything),
+    ("scroll_bars_have_room_of_their_own", scroll_bars_have_room),
     ("the_help_fits_into_the_smallest_window", the_help_fits),
 ];
 
@@ -445,5 +447,60 @@ fn a_click_near_something_means_it() {
         picked.apply(Command::Pick(Pick { eye, pixel: beside, size, add: false }));
         assert_eq!(picked.session.points != state.session.points, is_meant, "{off}");
         assert_eq!(picked.session.missed.is_none(), is_meant, "{off}");
+    }
+}
+
+fn the_tabulator_reaches_everything() {
+    let mut window = window(cyclist(0.9));
+    let bare = window.render().expect("a picture");
+    let mut reached = std::collections::BTreeSet::new();
+    for count in 0..160 {
+        window.key_press(Key::Tab);
+        window.run_steps(2);
+        let Some((name, rect)) = focused(&window) else { continue };
+        if count < 6 {
+            let ringed = window.render().expect("a picture");
+            let around = rect.expand(2.0);
+            let top = around.min.y.round() as u32;
+            let columns = around.min.x.max(0.0) as u32..(around.max.x as u32).min(1279);
+            let changed = columns.clone().filter(|&x| {
+                (top.saturating_sub(1)..top + 3).any(|y| bare.get_pixel(x, y) != ringed.get_pixel(x, y))
+            });
+            assert!(2 * changed.count() > columns.len(), "{name} at {rect:?}");
+        }
+        reached.insert(name);
+    }
+    for name in [
+        "Scene",
+        "Presets",
+        "Units",
+        "Theme",
+        "Help",
+        "Speed β",
+        "Play",
+        "T, typed",
+        "Left eye view",
+        "Right eye view",
+        "Whole",
+        "Readout",
+    ] {
+        assert!(reached.contains(name), "{name} is not among {reached:?}");
+    }
+}
+
+/// What has the keyboard, and where.
+fn focused(window: &Harness<'_, App>) -> Option<(String, Rect)> {
+    let node = window.root().children_recursive().find(|node| node.accesskit_node().is_focused())?;
+    Some((node.accesskit_node().label().unwrap_or_default(), node.rect()))
+}
+
+fn scroll_bars_have_room() {
+    for size in SIZES {
+        let window = window_of_size(cyclist(0.9), size, 1.0);
+        for name in ["Eyes apart d, typed", "Height z, typed", "Speed β"] {
+            let end = window.get_by_label(name).rect().max.x;
+            // The bar is 9 points wide, at the edge of what stands 8 from that of the window.
+            assert!(end <= size[0] - 17.0, "{size:?} {name} ends at {end}");
+        }
     }
 }
