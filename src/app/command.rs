@@ -8,6 +8,7 @@ use super::chooser::Purpose;
 use super::clock;
 use super::notice::Notice;
 use super::observer::Eye;
+use super::overlay::Overlay;
 use super::plotting::PlotCommand;
 use super::saving::{Copied, Order, Saving};
 use super::stage::{Part, next_to_show};
@@ -283,8 +284,8 @@ impl State {
                 };
                 self.set_map(Map { frame, ..self.settings.map });
             }
-            Command::TogglePalette => self.session.palette = !self.session.palette,
-            Command::ToggleHelp => self.session.help = !self.session.help,
+            Command::TogglePalette => self.toggle(Overlay::Palette),
+            Command::ToggleHelp => self.toggle(Overlay::Help),
             Command::ToggleFullScreen => self.session.stage.full_screen = !self.session.stage.full_screen,
             Command::TogglePresenting => self.session.stage.toggle_presenting(),
             Command::ToggleProjector => self.session.stage.projector = !self.session.stage.projector,
@@ -294,16 +295,20 @@ impl State {
         }
     }
 
+    fn toggle(&mut self, overlay: Overlay) {
+        self.session.overlay = Some(overlay).filter(|_| self.session.overlay != Some(overlay));
+    }
+
     fn close(&mut self) {
-        let Session { help, notice, chooser, palette, stage, .. } = &mut self.session;
-        if *palette {
-            *palette = false;
+        let Session { overlay, notice, chooser, stage, .. } = &mut self.session;
+        if *overlay == Some(Overlay::Palette) {
+            *overlay = None;
         } else if chooser.is_some() {
             *chooser = None;
         } else if notice.is_some() {
             *notice = None;
-        } else if *help {
-            *help = false;
+        } else if overlay.is_some() {
+            *overlay = None;
         } else {
             stage.leave();
         }
@@ -400,7 +405,8 @@ impl State {
                 Some(Notice::error("With the right eye as published, click in the left eye's view."));
             return;
         }
-        match self.point_at(pick.eye, pick.pixel, pick.size) {
+        let meant = self.meant(pick.eye, pick.pixel, pick.size);
+        match meant.and_then(|pixel| self.point_at(pick.eye, pixel, pick.size)) {
             Some((track, body)) => {
                 self.session.points.choose(track, body, pick.add);
                 self.session.hint = false;

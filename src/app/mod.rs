@@ -34,6 +34,7 @@ pub mod memory;
 pub mod notice;
 pub mod observer;
 mod opening;
+pub mod overlay;
 mod panels;
 pub mod panes;
 pub mod plotting;

@@ -12,6 +12,7 @@ use super::command::Pick;
 use super::fitting::DataFile;
 use super::history::History;
 use super::notice::Notice;
+use super::overlay::Overlay;
 use super::plotting::Plotting;
 use super::points::{Point, Points};
 use super::recent::Recent;
@@ -46,10 +47,8 @@ pub struct Session {
     pub playing: bool,
     /// The followed points.
     pub points: Points,
-    /// Whether the help is shown.
-    pub help: bool,
-    /// Whether the command palette is shown.
-    pub palette: bool,
+    /// What stands over the window.
+    pub overlay: Option<Overlay>,
     /// Where a click into a view hit nothing, until something else is done.
     pub missed: Option<Pick>,
     /// Whether the views say what a click does: until the first.
@@ -111,8 +110,7 @@ impl State {
             time: clock::bounded(time),
             playing: false,
             points,
-            help: false,
-            palette: false,
+            overlay: None,
             missed: None,
             hint: false,
             preset,

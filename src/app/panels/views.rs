@@ -186,7 +186,7 @@ fn hover(ui: &Ui, state: &State, pane: EyePane) {
     let pointer = under::pointer(ui, state, pane.rect);
     let under = pointer.and_then(|place| Some((place, state.under(pane.eye, pane.pixel(place), pane.size)?)));
     if let Some((place, under)) = under {
-        let outline = state.outline_of(under.body, pane.eye, pane.pixel(place), pane.size);
+        let outline = state.outline_of(under.body, pane.eye, under.pixel, pane.size);
         highlight::paint(&ui.painter().with_clip_rect(pane.rect), pane, &outline);
         under::show(ui, pane.rect, place, &under);
     }
