@@ -152,10 +152,7 @@ impl OfModel {
         if let Some(channel) = eyes_channel(curve) {
             return &self.eyes[channel..=channel];
         }
-        let kind = match curve {
-            Curve::LogDistance(kind) => kind,
-            _ => return &self.gains,
-        };
+        let Curve::LogDistance(kind) = curve else { return &self.gains };
         let from = match kind {
             DistanceKind::Measured => 0,
             DistanceKind::Seen(eye) => 2 - eye,
@@ -207,10 +204,10 @@ impl Curves {
             if self.key.published { &self.published[number..=number] } else { &[] }
         };
         match (model, &self.exact, curve) {
+            _ if model == self.key.model => self.shown.of(curve),
             (Model::Published(_), _, Curve::DeltaPhi) => published(0),
             (Model::Published(_), _, Curve::DeltaTheta) => published(1),
             (Model::Exact, Some(exact), _) => exact.of(curve),
-            _ if model == self.key.model => self.shown.of(curve),
             _ => &[],
         }
     }

@@ -20,10 +20,13 @@ pub mod examination;
 mod eyes;
 pub mod fitting;
 mod flicker;
+mod focus;
 mod full_screen;
 mod graphics;
 mod halo;
 mod heat_map;
+pub mod highlight;
+pub mod history;
 mod icon;
 pub mod launch;
 mod layout;
@@ -31,23 +34,31 @@ mod layouts;
 pub mod memory;
 pub mod notice;
 pub mod observer;
+mod opening;
 pub mod orders;
+pub mod overlay;
 mod panels;
 pub mod panes;
 pub mod plotting;
 pub mod points;
 mod projector;
+pub mod recent;
 mod saving;
 mod screenshot;
 mod speed_slider;
 pub mod stage;
 pub mod state;
+pub mod steps;
 mod stillness;
 mod theme;
 pub mod under;
+pub mod usual;
 mod views;
+mod watch;
 mod widgets;
 mod worker;
+
+use std::path::PathBuf;
 
 use eframe::egui::{self, Rect, Ui, UiBuilder};
 use eframe::egui_wgpu::RenderState;
@@ -66,6 +77,7 @@ use panes::{Arrangement, Content};
 use saving::Saver;
 use stage::Part;
 use state::State;
+use watch::Watch;
 
 use crate::settings::{PlotTab, Settings};
 
@@ -83,6 +95,7 @@ pub struct App {
     text_scale: f32,
     chooser: Chooser,
     saver: Saver,
+    watch: Option<Watch>,
 }
 
 /// How much larger than usual writing is for an audience.
@@ -105,6 +118,7 @@ impl App {
             text_scale: 1.0,
             chooser: Chooser::default(),
             saver: Saver::default(),
+            watch: None,
         }
     }
 
@@ -192,6 +206,7 @@ impl App {
     }
 
     fn apply(&mut self, ctx: &egui::Context, asks: Asks) {
+        ctx.input(|input| self.state.session.history.hear(input));
         if !asks.is_empty() {
             // Panels that were shown before this one show the change in the next frame.
             ctx.request_repaint();
@@ -199,6 +214,15 @@ impl App {
         for command in asks {
             self.ask(command);
         }
+    }
+
+    /// Those of the files that are shown which have changed on disk.
+    fn changed_files(&mut self, ctx: &egui::Context) -> Vec<PathBuf> {
+        let shown = self.state.shown_files();
+        if self.watch.as_ref().is_none_or(|watch| watch.paths() != shown) {
+            self.watch = (!shown.is_empty()).then(|| Watch::new(ctx.clone(), shown));
+        }
+        self.watch.as_ref().map(Watch::changed).unwrap_or_default()
     }
 
     /// Brings the curves up to date; those that still hold are kept.
@@ -229,10 +253,12 @@ impl App {
         ctx.set_theme(theme::preference(self.state.settings.window.theme));
         let mut asks = actions::asked(&ctx);
         asks.extend(dropped_file(&ctx));
+        panels::palette::show(&ctx, &self.state, &mut asks);
         panels::help::show(&ctx, &self.state, &mut asks);
         self.chooser.update(&self.state, &mut asks);
         panels::chooser::show(&ctx, &self.state, &mut self.chooser, &mut asks);
         panels::saving::show(&ctx, &self.saver, &mut asks);
+        asks.extend(self.changed_files(&ctx).into_iter().map(Command::Reload));
         self.apply(&ctx, asks);
         self.set_stage(&ctx);
 
@@ -243,6 +269,7 @@ impl App {
         } else {
             self.show_parts(ui, area);
         }
+        focus::paint(&ctx);
         self.update_projector(&ctx);
         self.fulfil_orders(ui);
         if self.state.session.playing {
@@ -311,6 +338,7 @@ impl App {
         for &border in &layout.borders {
             self.panel(ui, "borders", area, |ui, state, asks| panels::borders::show(ui, state, border, asks));
         }
+        self.message(&ctx, layout.message_room(area), area);
         self.corrected.take_if(|_| !layout.shows(Content::Corrected));
         self.forget_composed(&layout.panes);
     }
@@ -336,6 +364,8 @@ impl App {
             self.paint(ui, pane);
         }
         self.forget_composed(&presentation.panes);
+        let views = presentation.panes.iter().map(|pane| pane.rect).reduce(Rect::union);
+        self.message(ui.ctx(), views.unwrap_or(area), area);
         halo::paint(ui.ctx());
         if !presentation.speed.is_positive() {
             return;
@@ -343,6 +373,13 @@ impl App {
         self.panel(ui, "speed", presentation.speed, |ui, state, _| panels::presented::speed(ui, state));
         self.panel(ui, "sentence", presentation.sentence, |ui, state, _| panels::sentence::show(ui, state));
         self.panel(ui, "caption", presentation.caption, |ui, state, _| panels::presented::caption(ui, state));
+    }
+
+    /// Shows the message, if there is one, at the top of `room`.
+    fn message(&mut self, ctx: &egui::Context, room: Rect, area: Rect) {
+        let mut asks = Asks::new();
+        panels::message::show(ctx, &self.state, room, area, &mut asks);
+        self.apply(ctx, asks);
     }
 
     /// What the views' area shows.
@@ -381,7 +418,10 @@ impl eframe::App for App {
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
-        memory::remember(storage, &self.state.settings);
+        if !self.state.session.hint {
+            memory::remember_a_click(storage);
+        }
+        memory::remember(storage, &self.state);
     }
 }
 

@@ -63,16 +63,6 @@ impl ReportArgs {
     }
 }
 
-/// Writes `report` as JSON.
-///
-/// # Errors
-///
-/// Those of `out`.
-pub fn write_json(report: &impl Serialize, mut out: impl Write) -> anyhow::Result<()> {
-    serde_json::to_writer_pretty(&mut out, report)?;
-    Ok(writeln!(out)?)
-}
-
 /// Refuses a `path`, given by `flag`, whose name does not end in `.ending`, and says which one would be right: its name is
 /// to tell what a file holds. Devices are called as they are.
 ///
@@ -88,6 +78,16 @@ pub fn ensure_ending(flag: &str, path: &Path, ending: &str) -> anyhow::Result<()
         path.with_extension(ending).display()
     );
     Ok(())
+}
+
+/// Writes `report` as JSON.
+///
+/// # Errors
+///
+/// Those of `out`.
+pub fn write_json(report: &impl Serialize, mut out: impl Write) -> anyhow::Result<()> {
+    serde_json::to_writer_pretty(&mut out, report)?;
+    Ok(writeln!(out)?)
 }
 
 /// Hands `write` a temporary file beside `path`, which takes the place of `path` once all is written. An interrupt

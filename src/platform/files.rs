@@ -1,6 +1,7 @@
 //! The file system.
-#![expect(clippy::disallowed_methods, reason = "this is where files are reached")]
+#![expect(clippy::disallowed_methods, clippy::disallowed_types, reason = "this is where files are reached")]
 
+use std::error::Error;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -69,6 +70,16 @@ pub fn size(path: &Path) -> io::Result<u64> {
     Ok(path.metadata()?.len())
 }
 
+/// What tells that a file has changed: when it was written, and how long it is.
+pub type Stamp = (std::time::SystemTime, u64);
+
+/// The stamp of the file at `path`; none if it cannot be had.
+#[must_use]
+pub fn stamp(path: &Path) -> Option<Stamp> {
+    let found = path.metadata().ok()?;
+    Some((found.modified().ok()?, found.len()))
+}
+
 /// `path` without links in it.
 pub fn canonical(path: &Path) -> io::Result<PathBuf> {
     path.canonicalize()
@@ -89,5 +100,11 @@ pub fn temporary_in(folder: &Path) -> io::Result<NamedTempFile> {
         use std::os::unix::fs::PermissionsExt as _;
         builder.permissions(std::fs::Permissions::from_mode(0o666)); // less the umask
     }
-    builder.tempfile_in(folder)
+    builder.tempfile_in(folder).map_err(without_path)
+}
+
+/// What is wrong, without the name of a temporary file: nobody asked for that.
+fn without_path(error: io::Error) -> io::Error {
+    let cause = error.get_ref().and_then(Error::source).and_then(|cause| cause.downcast_ref::<io::Error>());
+    cause.and_then(io::Error::raw_os_error).map_or(error, io::Error::from_raw_os_error)
 }

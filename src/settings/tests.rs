@@ -297,6 +297,7 @@ fn complaint(text: &str) -> String {
 fn what_is_wrong_in_a_file_is_said_with_its_line() {
     for (text, expected) in [
         ("[motion]\n\nd = -1", "state.toml:3: d = -1: must be between 0 and 1e6"),
+        ("[motion]\nd = [1, 2]", "state.toml:2: d = 1, 2: not a number"),
         ("[motion]\nd = nan", "state.toml:2: d = nan: not a finite number"),
         ("time = -inf", "state.toml:1: time = -inf: not a finite number"),
         ("[motion]\nbeta = 1.0", "state.toml:2: beta = 1 is out of range: it must be at least 0 and below 1"),

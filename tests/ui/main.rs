@@ -5,9 +5,11 @@
 //! with `GAMOW_REQUIRE_GPU=1` that is a failure.
 
 mod controls;
+mod files;
 mod fit;
 mod groups;
 mod layouts;
+mod manners;
 mod map;
 mod own_data;
 mod pairs;
@@ -22,6 +24,7 @@ mod stereo;
 mod support;
 mod time;
 mod times;
+mod way_back;
 mod words;
 
 use std::process::ExitCode;
@@ -37,9 +40,11 @@ fn main() -> ExitCode {
     let missing = !required && relativity_render::Gpu::headless().is_err();
     let all = [
         controls::TESTS,
+        files::TESTS,
         fit::TESTS,
         groups::TESTS,
         layouts::TESTS,
+        manners::TESTS,
         map::TESTS,
         own_data::TESTS,
         pairs::TESTS,
@@ -53,6 +58,7 @@ fn main() -> ExitCode {
         stereo::TESTS,
         time::TESTS,
         times::TESTS,
+        way_back::TESTS,
         words::TESTS,
     ]
     .concat();

@@ -207,8 +207,7 @@ fn what_is_wrong_in_own_data_is_located() {
         std::fs::write(&path, text).expect("written");
         window.state_mut().ask(Command::Open(path.clone()));
         let text = message(&mut window);
-        assert_eq!(text, format!("{}{expected}", path.display()));
-        assert_eq!(text.matches("measured.csv").count(), 1);
+        assert_eq!(text, format!("measured.csv{expected}"));
         assert!(window.state().state().session.data.is_none());
     }
     // What can be read but not fitted is said in the tab.

@@ -1,5 +1,6 @@
 //! The plots against T: words and units, zoom, cursors, pinned curves, what is told at the pointer, and the same as files.
 
+use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Rect, TouchPhase, Vec2, pos2, vec2,
 };
@@ -37,7 +38,7 @@ pub const TESTS: &[Test] = &[
     ("several_points_have_a_legend_that_fits", several_points_have_a_legend),
 ];
 
-const DPHI: &str = "Plot of Δφ of point 1 (front tyre) against T";
+const DPHI: &str = "Plot of Δφ of front tyre against T";
 
 fn at_speed(state: &mut State, beta: f64) {
     let mut motion = state.settings.motion;
@@ -59,12 +60,12 @@ fn showing(plot: PlotTab, beta: f64) -> Harness<'static, App> {
 }
 
 /// The head of a CSV, and its rows; none where a cell is empty.
-fn table(csv: &str) -> (Vec<String>, Vec<Vec<Option<f64>>>) {
-    let mut lines = csv.lines();
-    let head =
-        lines.next().expect("a head").split(',').map(|name| name.trim_matches('"').to_owned()).collect();
+fn table(text: &str) -> (Vec<String>, Vec<Vec<Option<f64>>>) {
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let head = reader.headers().expect("a head").iter().map(str::to_owned).collect();
     let number = |cell: &str| (!cell.is_empty()).then(|| cell.parse().expect("a number"));
-    (head, lines.map(|line| line.split(',').map(number).collect()).collect())
+    let rows = reader.records().map(|row| row.expect("a row").iter().map(number).collect());
+    (head, rows.collect())
 }
 
 fn says_what_it_is_of() {
@@ -88,17 +89,17 @@ fn says_what_it_is_of() {
 
 fn files_hold_what_the_core_says() {
     let mut window = showing(PlotTab::Disparity, 0.9);
-    window.get_by_label("Published").click();
+    window.get_by_role_and_label(Role::CheckBox, "Published").click();
     window.run();
     let (head, rows) = table(&window.state_mut().plots_csv());
     assert_eq!(
         head,
         [
             "T / units",
-            "Δφ, left − right / rad: point 1 (front tyre)",
-            "Δφ, left − right / rad: point 1 (front tyre), published",
-            "Δθ, left − right / rad: point 1 (front tyre)",
-            "Δθ, left − right / rad: point 1 (front tyre), published",
+            "Δφ / rad: front tyre",
+            "Δφ / rad: front tyre, published",
+            "Δθ / rad: front tyre",
+            "Δθ / rad: front tyre, published",
         ]
     );
     assert!(rows.len() > 100 && rows.windows(2).all(|pair| pair[0][0] < pair[1][0]));
@@ -146,20 +147,26 @@ fn files_have_the_shown_units() {
 }
 
 fn files_are_whole_at_the_extremes() {
-    for (beta, d) in [(0.0, 0.1), (0.9, 0.0), (0.999_999_999_999, 0.1), (1e-9, 1000.0)] {
-        for geometry in [Geometry::Seen, Geometry::OneCone] {
-            for plot in [PlotTab::Disparity, PlotTab::Angles, PlotTab::Doppler, PlotTab::Stereo] {
-                let mut state = cyclist(beta);
-                (state.settings.motion.d, state.settings.plots.plot) = (d, plot);
-                state.settings.look.geometry = geometry;
-                state.settings.plots.published = true;
-                state.apply(Command::Plotting(PlotCommand::Pin));
-                state.apply(Command::Plotting(PlotCommand::Cursor(None)));
-                let mut window = window(state);
-                let texts = [window.state_mut().plots_svg(), window.state_mut().plots_csv()];
-                for text in texts.into_iter().chain(labels(&window)) {
-                    assert!(!text.contains("NaN") && !text.contains("inf"), "{beta} {d} {plot:?}: {text}");
-                }
+    for (beta, d, geometry) in [
+        (0.0, 0.1, Geometry::Seen),
+        (0.9, 0.0, Geometry::OneCone),
+        (0.999_999_999_999, 0.1, Geometry::OneCone),
+        (1e-9, 1000.0, Geometry::Seen),
+    ] {
+        let mut state = cyclist(beta);
+        state.settings.motion.d = d;
+        state.settings.look.geometry = geometry;
+        state.apply(Command::Plotting(PlotCommand::Pin));
+        state.apply(Command::Plotting(PlotCommand::Cursor(None)));
+        let mut window = window(state);
+        for plot in [PlotTab::Disparity, PlotTab::Angles, PlotTab::Doppler, PlotTab::Stereo] {
+            let plots = Plots { plot, published: true, ..Plots::default() };
+            window.state_mut().ask(Command::Plots(plots));
+            window.run();
+            let texts = [window.state_mut().plots_svg(), window.state_mut().plots_csv()];
+            for text in texts.into_iter().chain(labels(&window)) {
+                let mut words = text.split(|letter: char| !letter.is_alphabetic());
+                assert!(words.all(|word| word != "NaN" && word != "inf"), "{beta} {d} {plot:?}: {text}");
             }
         }
     }
@@ -273,7 +280,7 @@ fn a_right_drag_moves() {
     let moved = zoom(&window).expect("a part").times;
     assert!(moved[0] > before[0] && ((moved[1] - moved[0]) / (before[1] - before[0]) - 1.0).abs() < 1e-9);
     assert_eq!(window.state().state().session.time, time);
-    window.get_by_label("Whole").click();
+    window.get_by_label("Whole plots").click();
     window.run();
     assert_eq!(zoom(&window), None);
     drag(&mut window, place, place + vec2(30.0, 0.0));
@@ -287,7 +294,7 @@ fn tells_values_at_the_pointer() {
         // Near the top, where no curve is.
         window.hover_at(pos2(frame.min.x + share * frame.width(), frame.min.y + 30.0));
         window.run();
-        let (time, told) = (pointed_time(&window), value_told(&window, "point 1 (front tyre): Δφ = "));
+        let (time, told) = (pointed_time(&window), value_told(&window, "front tyre: Δφ = "));
         // T is told as precisely as there are pixels.
         let off = [-0.05, 0.0, 0.05].map(|off| disparity(Model::Exact, 0.9, time + off).dphi);
         let [low, high] =
@@ -367,8 +374,8 @@ fn pinned_curves_stay() {
         assert!(legend.contains(name), "{legend}");
     }
     let (head, rows) = table(&window.state_mut().plots_csv());
-    let names = ["β 0.9", "β 0.7", "point 1 (front tyre), β 0.5"];
-    assert_eq!(head[1..4], names.map(|name| format!("Δφ, left − right / rad: {name}")));
+    let names = ["β 0.9", "β 0.7", "front tyre, β 0.5"];
+    assert_eq!(head[1..4], names.map(|name| format!("Δφ / rad: {name}")));
     for row in rows.iter().step_by(20) {
         let time = row[0].expect("T");
         for (column, beta) in [(1, 0.9), (2, 0.7), (3, 0.5)] {
@@ -405,7 +412,7 @@ fn as_many_pins_as_dashes() {
 fn the_published_value_is_told() {
     let mut window = showing(PlotTab::Disparity, 0.9);
     assert!(!labels(&window).iter().any(|label| label.starts_with("Published Δφ")));
-    window.get_by_label("Published").click();
+    window.get_by_role_and_label(Role::CheckBox, "Published").click();
     window.run();
     let time = window.state().state().session.time;
     for (name, model) in [("Exact", Model::Exact), ("Published", PUBLISHED)] {
@@ -423,15 +430,17 @@ fn several_points_have_a_legend() {
         let mut point = state.session.points.selected().track;
         for (i, body) in [2, 5].into_iter().enumerate() {
             point.rest[0] += 0.5 + i as f64;
-            state.session.points.add(point, body);
+            state.session.points.choose(point, body, true);
         }
+        let names: Vec<String> =
+            state.session.points.all().iter().map(|point| state.name_of(point)).collect();
         let window = window_of_size(state, size, 1.0);
         let legend = label_starting_with(&window, "Legend of Δφ: ");
-        for name in ["point 1", "point 2", "point 3"] {
-            assert!(legend.contains(name), "{size:?}: {legend}");
+        for name in &names {
+            assert!(legend.contains(name.as_str()), "{size:?}: {legend}");
         }
         let place = window.get_by_label(&legend).rect();
-        let plot = window.get_by_label_contains("Plot of Δφ of point 3").rect();
+        let plot = window.get_by_label_contains(&format!("Plot of Δφ of {}", names[2])).rect();
         assert!(plot.contains_rect(place), "{size:?}: {place:?} in {plot:?}");
     }
 }

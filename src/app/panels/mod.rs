@@ -8,6 +8,8 @@ pub mod controls;
 pub mod corrected;
 pub mod help;
 pub mod map;
+pub mod message;
+pub mod palette;
 pub mod plots;
 pub mod presented;
 pub mod readout;

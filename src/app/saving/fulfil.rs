@@ -8,7 +8,6 @@ use crate::app::App;
 use crate::app::chooser::Product;
 use crate::app::notice::Notice;
 use crate::app::orders::{Copied, Order, Saving};
-use crate::app::panels::plots;
 use crate::files::whole::write_whole;
 use crate::flags::choices::{RendererChoice, Size};
 use crate::platform::files;
@@ -32,16 +31,17 @@ impl App {
         let ctx = ui.ctx();
         match self.saver.made() {
             None => {}
-            Some(Made::File(text)) => self.tell(ctx, Notice::done(text)),
-            Some(Made::Film(text, command)) => {
-                self.tell(ctx, Notice::done(format!("{text} Copied, for an MP4 of it: {command}")));
+            Some(Made::File(path, text)) => self.tell(ctx, Notice::done(text).about(&path)),
+            Some(Made::Film(path, text, command)) => {
+                let text = format!("{text} Copied, for an MP4 of it: {command}");
+                self.tell(ctx, Notice::done(text).about(&path));
                 ctx.copy_text(command);
             }
             Some(Made::Picture(image)) => {
                 self.tell(ctx, Notice::done("Copied the picture."));
                 ctx.copy_image(image);
             }
-            Some(Made::Nothing(problem)) => self.tell(ctx, Notice::error(problem)),
+            Some(Made::Nothing(path, problem)) => self.tell(ctx, Notice::error(problem).about(&path)),
         }
     }
 
@@ -81,9 +81,8 @@ impl App {
                 self.begin(ui.ctx(), job, name, 1);
             }
             Product::PlotsSvg | Product::PlotsCsv => {
-                self.update_curves();
-                let written = if product == Product::PlotsSvg { plots::svg } else { plots::csv };
-                let text = written(&self.state, self.plotted());
+                let is_drawing = product == Product::PlotsSvg;
+                let text = if is_drawing { self.plots_svg() } else { self.plots_csv() };
                 self.write_text(ui.ctx(), &path, &text);
             }
             Product::State => {
@@ -104,7 +103,7 @@ impl App {
             Ok(()) => Notice::done(format!("Saved {}.", name_of(path))),
             Err(error) => Notice::error(format!("{error:#}")),
         };
-        self.tell(ctx, notice);
+        self.tell(ctx, notice.about(path));
     }
 
     /// What the views show, to be drawn with pictures of this `size` for each eye.

@@ -39,14 +39,14 @@ pub enum Job {
 
 /// What became of it.
 pub enum Made {
-    /// A file, and what is said of it.
-    File(String),
-    /// A film, what is said of it, and a command that makes more of it.
-    Film(String, String),
+    /// A file there, and what is said of it.
+    File(PathBuf, String),
+    /// A film there, what is said of it, and a command that makes more of it.
+    Film(PathBuf, String, String),
     /// A picture to be copied.
     Picture(ColorImage),
-    /// Nothing, and why.
-    Nothing(String),
+    /// No file there, and why.
+    Nothing(PathBuf, String),
 }
 
 /// The name of the file at `path`, without its folder.
@@ -63,10 +63,19 @@ impl Drawn {
 impl Job {
     /// Does it; before each picture `goes_on` is asked with its number. `None` if it was stopped.
     pub fn made(self, goes_on: impl FnMut(u32) -> bool) -> Option<Made> {
+        let path = self.path().to_owned();
         match self.try_made(goes_on) {
             Err(error) if error.is::<Stopped>() => None,
-            Err(error) => Some(Made::Nothing(format!("{error:#}"))),
+            Err(error) => Some(Made::Nothing(path, format!("{error:#}"))),
             Ok(made) => Some(made),
+        }
+    }
+
+    /// Where its file goes; nowhere if it has none.
+    fn path(&self) -> &Path {
+        match self {
+            Self::Picture(_, path) | Self::Film(.., path) | Self::Fit(_, path) => path,
+            Self::Clipboard(_) => Path::new(""),
         }
     }
 
@@ -76,7 +85,8 @@ impl Job {
                 let mut studio = drawn.studio()?;
                 let frame = studio.frame(None)?;
                 studio.make_file(&frame, FileKind::Png, &path)?;
-                Ok(Made::File(format!("Saved {}.", name_of(&path))))
+                let text = format!("Saved {}.", name_of(&path));
+                Ok(Made::File(path, text))
             }
             Self::Clipboard(drawn) => {
                 let mut studio = drawn.studio()?;
@@ -90,7 +100,8 @@ impl Job {
                 drawn.studio()?.make_film(&times, kind, &path, goes_on)?;
                 let seconds = times.len() as f64 / f64::from(FRAMES_PER_SECOND);
                 let text = format!("Saved {}: {} frames, {seconds:.1} s.", name_of(&path), times.len());
-                Ok(Made::Film(text, kind.mp4_command(&path)))
+                let command = kind.mp4_command(&path);
+                Ok(Made::Film(path, text, command))
             }
             Self::Fit(key, path) => {
                 let Fittable { observations, options } = key.fittable().map_err(anyhow::Error::msg)?;
@@ -101,7 +112,8 @@ impl Job {
                     Err(problem) => (report(0)?, format!(" Without a bootstrap: {problem}.")),
                 };
                 write_whole(&path, |file| write_json(&report, file))?;
-                Ok(Made::File(format!("Saved {}.{remark}", name_of(&path))))
+                let text = format!("Saved {}.{remark}", name_of(&path));
+                Ok(Made::File(path, text))
             }
         }
     }

@@ -178,7 +178,15 @@ const fn words(quantity: Quantity) -> &'static str {
 
 /// What stands at an axis of `quantity` that is shown in `unit`: ratios have none.
 pub(super) fn axis_label(quantity: Quantity, unit: Unit) -> String {
-    let words = words(quantity);
+    with_unit(quantity, words(quantity), unit)
+}
+
+/// What stands before the name of a curve of `quantity` that is shown in `unit`, in short.
+pub(super) fn column_label(quantity: Quantity, unit: Unit) -> String {
+    with_unit(quantity, label(quantity), unit)
+}
+
+fn with_unit(quantity: Quantity, words: &str, unit: Unit) -> String {
     match quantity {
         Quantity::LogDoppler | Quantity::LogGain => words.to_owned(),
         _ => in_unit(words, unit),
@@ -191,7 +199,7 @@ pub(super) fn time_label(unit: Unit) -> String {
 }
 
 /// The scene's own unit has a name here, as all axes have units.
-fn in_unit(words: &str, unit: Unit) -> String {
+pub(super) fn in_unit(words: &str, unit: Unit) -> String {
     if unit.name.is_empty() { format!("{words} / units") } else { unit.label(words) }
 }
 

@@ -17,7 +17,7 @@ mod title;
 mod traces;
 
 use clap::ValueEnum as _;
-use eframe::egui::{self, ScrollArea, Ui, vec2};
+use eframe::egui::{self, Ui, vec2};
 use egui_plot::{LineStyle, PlotBounds, PlotResponse, PlotUi, VLine};
 
 use self::axes::{annotate, label, plot_over_time};
@@ -32,9 +32,6 @@ use crate::app::panels::Asks;
 use crate::app::state::State;
 use crate::app::theme;
 use crate::settings::PlotTab;
-
-/// Narrower plots have the followed points in a row of their own, below the tabs.
-const NARROWEST_ROW: f32 = 660.0;
 
 /// Height of a plot's title and of the numbers along T, points.
 const ABOVE_AND_BELOW: f32 = 60.0;
@@ -52,22 +49,15 @@ pub struct Plotted<'a> {
 
 /// Shows the plots.
 pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {
-    let is_narrow = ui.available_width() < NARROWEST_ROW;
     let examination = plotted.examination.filter(|_| state.settings.plots.plot == PlotTab::Accuracy);
-    let points = |ui: &mut Ui, asks: &mut Asks| match examination {
-        Some(examination) => accuracy::caption(ui, state, examination, asks),
-        None => points::show(ui, state, asks),
-    };
-    row(ui, "plot tabs", |ui| {
+    ui.horizontal_wrapped(|ui| {
         tabs(ui, state, asks);
-        if !is_narrow {
-            ui.separator();
-            points(ui, asks);
+        ui.separator();
+        match examination {
+            Some(examination) => accuracy::caption(ui, state, examination, asks),
+            None => points::show(ui, state, asks),
         }
     });
-    if is_narrow {
-        row(ui, "points", |ui| points(ui, asks));
-    }
     match state.settings.plots.plot {
         PlotTab::Fit => fit::show(ui, state, plotted.fitting, asks),
         PlotTab::Accuracy => accuracy::show(ui, state, plotted.examination, asks),
@@ -105,11 +95,6 @@ fn over_time(ui: &mut Ui, state: &State, curves: &[Curves], asks: &mut Asks) {
             plot(ui, vec2(width(chart), height), state, chart, asks);
         }
     });
-}
-
-/// What stands in a row, which may be wider than the plots, but must not widen them.
-fn row(ui: &mut Ui, name: &str, contents: impl FnOnce(&mut Ui)) {
-    ScrollArea::horizontal().id_salt(name).show(ui, |ui| ui.horizontal(contents));
 }
 
 fn tabs(ui: &mut Ui, state: &State, asks: &mut Asks) {
@@ -175,7 +160,7 @@ fn lines(plot: &mut PlotUi<'_>, chart: &Chart<'_>, visuals: &egui::Visuals) {
 
 /// Names the plot for assistive technology: what it shows, of what.
 fn describe(response: &PlotResponse<()>, state: &State, quantity: Quantity) {
-    let point = state.session.points.selected().name(&state.session.scene);
+    let point = state.name_of(state.session.points.selected());
     let name = format!("Plot of {} of {point} against T", label(quantity));
     response
         .response

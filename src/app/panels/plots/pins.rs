@@ -24,7 +24,7 @@ impl Traits {
         // As many digits as there are: no zeros behind the point.
         let beta = if beta.contains('e') { &beta } else { beta.trim_end_matches('0').trim_end_matches('.') };
         Self {
-            point: point.name(&state.session.scene),
+            point: state.name_of(point),
             speed: format!("β {beta}"),
             others: [
                 number("x", x),
@@ -83,5 +83,5 @@ pub(super) fn name_beside(state: &State, point: &Point) -> String {
     let is_compared =
         !state.session.plotting.pins().is_empty() && point.number == state.session.points.selected().number;
     let all = if is_compared { compared(state) } else { Vec::new() };
-    all.last().map_or_else(|| point.name(&state.session.scene), |own| own.that_differ(&all, true))
+    all.last().map_or_else(|| state.name_of(point), |own| own.that_differ(&all, true))
 }

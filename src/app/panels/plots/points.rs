@@ -1,6 +1,6 @@
 //! The row above the plots: the followed points, and what can be kept and marked in the plots.
 
-use eframe::egui::{Ui, vec2};
+use eframe::egui::{Color32, TextStyle, Ui, vec2};
 
 use crate::app::command::Command;
 use crate::app::panels::Asks;
@@ -17,6 +17,12 @@ pub(super) fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let all = points.all();
     for (index, point) in all.iter().enumerate() {
         let colour = theme::point_colour(point.number, ui.visuals());
+        let name = state.name_of(point);
+        if ui.available_size_before_wrap().x < entry_width(ui, &name) {
+            ui.end_row();
+        }
+        // As high a row as that of the tabs.
+        ui.allocate_space(vec2(0.0, ui.spacing().interact_size.y));
         dot(ui, colour);
         let chosen = all.len() > 1 && index == points.selected_index();
         let unit = state.measures().length;
@@ -25,11 +31,11 @@ pub(super) fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
             "At rest at ({x}, {y}, {z}){}.\nClick in a view to move it, shift-click to add one.",
             unit.suffix()
         );
-        if ui.selectable_label(chosen, point.name(&state.session.scene)).on_hover_text(tip).clicked() {
+        if ui.selectable_label(chosen, &name).on_hover_text(tip).clicked() {
             asks.push(Command::SelectPoint(index));
         }
-        if all.len() > 1 {
-            let name = format!("Remove {}", point.name(&state.session.scene));
+        if points.is_removable(index) {
+            let name = format!("Remove {name}");
             if icons::button(ui, Icon::Remove, &name, vec2(18.0, 18.0), false).on_hover_text(&name).clicked()
             {
                 asks.push(Command::RemovePoint(index));
@@ -40,6 +46,13 @@ pub(super) fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     if !plotting::quantities(state.settings.plots.plot).is_empty() {
         buttons(ui, state, asks);
     }
+}
+
+/// Room for a point of this `name` in the list of them, with its dot and its cross.
+fn entry_width(ui: &Ui, name: &str) -> f32 {
+    const AROUND: f32 = 50.0;
+    let font = TextStyle::Button.resolve(ui.style());
+    AROUND + ui.painter().layout_no_wrap(name.to_owned(), font, Color32::WHITE).size().x
 }
 
 /// What keeps and marks something in the plots.
@@ -64,6 +77,6 @@ fn buttons(ui: &mut Ui, state: &State, asks: &mut Asks) {
     if plotting.is_zoomed() {
         let tip = "Shows the whole of every plot again: so does a double click in one. Scroll in a plot to see a part of it, \
             drag it with the right button to see another.";
-        button(ui, "Whole", tip, PlotCommand::Whole);
+        button(ui, "Whole plots", tip, PlotCommand::Whole);
     }
 }

@@ -28,14 +28,26 @@ pub(super) fn show(ui: &mut Ui, state: &State, chart: &Chart<'_>) {
             let heading = with_factor(&axis_label(chart.quantity, chart.unit), exponent);
             ui.label(RichText::new(heading).strong()).on_hover_text(tip(chart.quantity));
             values_now(ui, state, chart, exponent);
-            if chart.quantity != Quantity::LogDistance && state.settings.model() == Model::OneCone {
-                let tip = "Solid: as if both eyes received the same events. Dotted: each through its own light cone, exactly.\n\
-                    What lies between the two comes from there being two light cones.";
-                ui.label(RichText::new(format!("{ONE_CONE}; dotted: two")).weak()).on_hover_text(tip);
+            let beside = match state.settings.shown_model() {
+                _ if chart.quantity == Quantity::LogDistance => None,
+                Model::OneCone => Some((format!("{ONE_CONE}; dotted: two"), ONE_CONE_TIP)),
+                Model::Published(_) if chart.quantity != Quantity::LogGain => {
+                    Some(("published; dotted: exact".to_owned(), PUBLISHED_TIP))
+                }
+                Model::Published(_) | Model::Exact => None,
+            };
+            if let Some((text, tip)) = beside {
+                ui.label(RichText::new(text).weak()).on_hover_text(tip);
             }
         });
     });
 }
+
+const ONE_CONE_TIP: &str = "Solid: as if both eyes received the same events. Dotted: each through its own light cone, exactly.\n\
+    What lies between the two comes from there being two light cones.";
+
+const PUBLISHED_TIP: &str =
+    "Solid: what the views show, the paper's model. Dotted: each eye through its own light cone, exactly.";
 
 /// A quantity in a sentence.
 const fn tip(quantity: Quantity) -> &'static str {

@@ -14,18 +14,16 @@ pub(super) fn traces<'a>(state: &State, curves: &'a [Curves], quantity: Quantity
     let found = |key: CurvesKey| curves.iter().find(|curves| *curves.key() == key);
     let own = |point: &Point| found(state.plotted_key(point, quantity));
     let selected = own(state.session.points.selected());
-    let of_selected = |traces: fn(&State, &'a Curves) -> Vec<Trace<'a>>| {
-        selected.map_or(Vec::new(), |curves| traces(state, curves))
-    };
+    let of_selected = |traces: fn(&'a Curves) -> Vec<Trace<'a>>| selected.map_or(Vec::new(), traces);
     let present = match quantity {
         Quantity::DeltaPhi => of_points(state, own, Curve::DeltaPhi),
         Quantity::DeltaTheta => of_points(state, own, Curve::DeltaTheta),
-        Quantity::Phi => of_selected(|state, own| of_eyes(state, own, Curve::Phi)),
-        Quantity::Theta => of_selected(|state, own| of_eyes(state, own, Curve::Theta)),
-        Quantity::LogDoppler => of_selected(|state, own| of_eyes(state, own, Curve::LogDoppler)),
-        Quantity::LogGain => of_selected(|state, own| {
-            let of = |model| of_model("Stereo gain", Hue::Stereo, own, model, Curve::LogGain);
-            models(state).map(of).collect()
+        Quantity::Phi => of_selected(|own| of_eyes(own, Curve::Phi)),
+        Quantity::Theta => of_selected(|own| of_eyes(own, Curve::Theta)),
+        Quantity::LogDoppler => of_selected(|own| of_eyes(own, Curve::LogDoppler)),
+        Quantity::LogGain => of_selected(|own| {
+            let of = |model| of_model("two eyes", Hue::Stereo, own, model, Curve::LogGain);
+            models(own).map(of).collect()
         }),
         Quantity::LogDistance => of_selected(distances),
     };
@@ -37,8 +35,8 @@ pub(super) fn traces<'a>(state: &State, curves: &'a [Curves], quantity: Quantity
 }
 
 /// A quantity that each eye has: the right one's dashes let the left one's line be seen where they coincide.
-fn of_eyes<'a>(state: &State, own: &'a Curves, curve: fn(usize) -> Curve) -> Vec<Trace<'a>> {
-    let traces = models(state).flat_map(|model| {
+fn of_eyes(own: &Curves, curve: fn(usize) -> Curve) -> Vec<Trace<'_>> {
+    let traces = models(own).flat_map(|model| {
         Eye::BOTH.map(|eye| {
             let trace = of_model(eye.name(), Hue::Eye(eye), own, model, curve(eye.index()));
             let is_over = eye == Eye::Right && trace.dash == Dash::Solid;
@@ -77,7 +75,7 @@ fn of_pin<'a>(
         Quantity::Phi => of_eyes(Curve::Phi),
         Quantity::Theta => of_eyes(Curve::Theta),
         Quantity::LogDoppler => of_eyes(Curve::LogDoppler),
-        Quantity::LogGain => vec![trace(&format!("Stereo gain, {name}"), Hue::Stereo, Curve::LogGain)],
+        Quantity::LogGain => vec![trace(&format!("two eyes, {name}"), Hue::Stereo, Curve::LogGain)],
         Quantity::LogDistance => {
             let kind = DistanceKind::Stereo;
             vec![trace(
@@ -90,8 +88,8 @@ fn of_pin<'a>(
 }
 
 /// The exact model where that is not what the views show, and then what they do.
-fn models(state: &State) -> impl Iterator<Item = Model> {
-    let shown = state.settings.model();
+fn models(curves: &Curves) -> impl Iterator<Item = Model> + use<> {
+    let shown = curves.key().model;
     [Model::Exact].into_iter().filter(move |&exact| exact != shown).chain([shown])
 }
 
@@ -105,7 +103,8 @@ fn of_model<'a>(name: &str, hue: Hue, curves: &'a Curves, model: Model, curve: C
     let (name, dash) = match (key.model, model) {
         (Model::Exact, _) => (name.to_owned(), Dash::Solid),
         (_, Model::Exact) => (format!("{name}, {TWO_CONES}"), Dash::Dotted),
-        _ => (format!("{name}, {ONE_CONE}"), Dash::Solid),
+        (_, Model::OneCone) => (format!("{name}, {ONE_CONE}"), Dash::Solid),
+        (_, Model::Published(_)) => (format!("{name}, published"), Dash::Solid),
     };
     let shown = key.model == model;
     Trace {
@@ -135,7 +134,7 @@ fn of_points<'a>(
         let Some(curves) = curves(point) else { continue };
         let is_selected = index == points.selected_index();
         let (name, hue) = (pins::name_beside(state, point), Hue::Point(point.number));
-        for model in models(state) {
+        for model in models(curves) {
             let trace = of_model(&name, hue, curves, model, curve);
             traces.push(Trace { wide: trace.wide && is_selected, ..trace });
         }
@@ -176,8 +175,8 @@ pub(super) const fn distance_look(kind: DistanceKind) -> (Hue, Dash, bool) {
 }
 
 /// Those of the selected point: two eyes on top.
-fn distances<'a>(state: &State, curves: &'a Curves) -> Vec<Trace<'a>> {
-    let model = state.settings.model();
+fn distances(curves: &Curves) -> Vec<Trace<'_>> {
+    let model = curves.key().model;
     let kinds = [DistanceKind::Measured, DistanceKind::Seen(0), DistanceKind::Seen(1), DistanceKind::Stereo];
     kinds
         .into_iter()

@@ -14,16 +14,14 @@ use crate::app::command::Command;
 use crate::app::fitting::Fitting;
 use crate::app::panels::Asks;
 use crate::app::state::State;
-use crate::app::widgets::{choice, end_of_range};
+use crate::app::widgets::{choice, end_of_range, number};
 use crate::flags::TimeRange;
 use crate::settings::{DataFrom, FIT_SAMPLES, FitSetup, MAX_SEED, NOISE_PERCENT};
 use crate::units::Unit;
 
 /// Width of the table, and least width of the plots.
-const TABLE_WIDTH: f32 = 346.0;
+const TABLE_WIDTH: f32 = 356.0;
 const LEAST_PLOTS: f32 = 150.0;
-/// Width of the name of a file of data.
-const FILE_WIDTH: f32 = 100.0;
 /// What a unit adds to the table's width.
 const UNIT_WIDTH: f32 = 26.0;
 /// Width from which on the choice of the model and the samples stand in one row.
@@ -47,9 +45,10 @@ pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
         table_and_plots(ui.available_rect_before_wrap(), TABLE_WIDTH + unit_width, LEAST_PLOTS);
     part(ui, "fit range and table", table, |ui| {
         row(ui, |ui| data(ui, state, &mut setup, asks));
-        if state.session.data.is_none() {
-            row(ui, |ui| range(ui, state, &mut setup));
-        }
+        row(ui, |ui| match &state.session.data {
+            Some(file) => named_file(ui, &file.name),
+            None => range(ui, state, &mut setup),
+        });
         let area = ScrollArea::vertical().id_salt("fit table").auto_shrink(false);
         area.show(ui, |ui| table::show(ui, fitting, state.measures().length));
     });
@@ -71,11 +70,7 @@ fn row(ui: &mut Ui, widgets: impl FnOnce(&mut Ui)) {
 /// Where the samples are from, and where the fit goes to.
 fn data(ui: &mut Ui, state: &State, setup: &mut FitSetup, asks: &mut Asks) {
     ui.label(RichText::new("data").weak());
-    if let Some(file) = &state.session.data {
-        let name = egui::Label::new(RichText::new(&file.name).strong()).truncate().sense(Sense::hover());
-        ui.add_sized([FILE_WIDTH, ui.spacing().interact_size.y], name)
-            .on_hover_text("What was measured is in this file.")
-            .accessible_name(format!("Data from {}", file.name));
+    if state.session.data.is_some() {
         if ui.button("Simulated").on_hover_text("Simulates samples of the selected point again.").clicked() {
             asks.push(Command::Simulate);
         }
@@ -102,6 +97,13 @@ fn data(ui: &mut Ui, state: &State, setup: &mut FitSetup, asks: &mut Asks) {
     if ui.button("Save…").on_hover_text(tip).clicked() {
         asks.push(Command::Choose(Purpose::Save(Product::Fit)));
     }
+}
+
+/// The file that the samples are from.
+fn named_file(ui: &mut Ui, name: &str) {
+    ui.label(RichText::new("measured, in").weak());
+    let label = egui::Label::new(RichText::new(name).strong()).truncate().sense(Sense::hover());
+    ui.add(label).accessible_name(format!("Data from {name}"));
 }
 
 const DATA_FROM: [(DataFrom, &str, &str); 4] = [
@@ -171,17 +173,17 @@ fn samples(ui: &mut Ui, state: &State, setup: &mut FitSetup) {
     if state.session.data.is_none() {
         simulated(ui, setup);
     }
-    let seed = DragValue::new(&mut setup.seed).range(0..=MAX_SEED).speed(0.1).update_while_editing(false);
+    let seed = number(&mut setup.seed).range(0..=MAX_SEED).speed(0.1).update_while_editing(false);
     let tip = "Seed of the noise and of the bootstrap: the same seed gives the same numbers.\n\
         Drag it to see other noise of the same strength.";
     named(ui, "seed", "Seed", tip, seed);
 }
 
 fn simulated(ui: &mut Ui, setup: &mut FitSetup) {
-    let number = DragValue::new(&mut setup.fit_samples).range(FIT_SAMPLES).speed(2.0);
+    let count = number(&mut setup.fit_samples).range(FIT_SAMPLES).speed(2.0);
     let tip = "Number of samples of each curve, evenly spread over T.";
-    named(ui, "samples", "Number of samples", tip, number);
-    let noise = DragValue::new(&mut setup.noise_percent)
+    named(ui, "samples", "Number of samples", tip, count);
+    let noise = number(&mut setup.noise_percent)
         .range(NOISE_PERCENT)
         .speed(0.02)
         .max_decimals(3)
