@@ -40,6 +40,7 @@ pub mod overlay;
 mod panels;
 pub mod panes;
 pub mod plotting;
+pub mod pointer;
 pub mod points;
 mod projector;
 pub mod recent;

@@ -437,7 +437,7 @@ fn several_points_have_a_legend() {
         let window = window_of_size(state, size, 1.0);
         let legend = label_starting_with(&window, "Legend of Δφ: ");
         for name in &names {
-            assert!(legend.contains(name.as_str()), "{size:?}: {legend}");
+            assert!(legend.contains(name), "{size:?}: {legend}");
         }
         let place = window.get_by_label(&legend).rect();
         let plot = window.get_by_label_contains(&format!("Plot of Δφ of {}", names[2])).rect();
