@@ -59,7 +59,7 @@ impl Studio {
     /// The point that is tracked.
     #[must_use]
     pub fn tracked(&self) -> Track {
-        self.scene.track(self.settings.point)
+        self.settings.track(&self.scene)
     }
 
     /// What the eyes look at.
