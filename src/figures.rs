@@ -85,6 +85,21 @@ pub fn significant(value: f64, digits: usize) -> String {
     format!("{value:.decimals$}")
 }
 
+/// So many bytes, with that many significant `digits`, in the largest unit that leaves a number above 1.
+#[must_use]
+pub fn bytes(count: u64, digits: i32) -> String {
+    let (mut value, mut unit) = (count as f64, "bytes");
+    for larger in ["kB", "MB", "GB", "TB"] {
+        if value >= 1000.0 {
+            (value, unit) = (value / 1000.0, larger);
+        }
+    }
+    let step = 10.0_f64.powi(math::log10(value.max(1.0)).floor() as i32 + 1 - digits);
+    let step = if unit == "bytes" { step.max(1.0) } else { step };
+    let decimals = if step < 1.0 { math::log10(1.0 / step).round() as usize } else { 0 };
+    format!("{:.decimals$} {unit}", (value / step).round() * step)
+}
+
 /// 10 to the power of `exponent`, as a number as short as it gets.
 #[must_use]
 pub fn power_of_ten(exponent: f64) -> String {
@@ -118,6 +133,13 @@ pub fn with_point(number: &str) -> Cow<'_, str> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn bytes_are_in_the_unit_that_suits() {
+        let texts = [0, 7, 999, 12_345, 123_456, 5_000_000_000].map(|count| bytes(count, 2));
+        assert_eq!(texts, ["0 bytes", "7 bytes", "1000 bytes", "12 kB", "120 kB", "5.0 GB"]);
+        assert_eq!(bytes(1_234_567, 3), "1.23 MB");
+    }
 
     #[test]
     fn beta_shows_its_nines() {

@@ -8,6 +8,8 @@ use super::chooser::Purpose;
 use super::clock;
 use super::notice::Notice;
 use super::observer::Eye;
+use super::plotting::PlotCommand;
+use super::saving::{Copied, Order, Saving};
 use super::stage::{Part, next_to_show};
 use super::state::{Session, State};
 use super::usual::Section;
@@ -43,6 +45,8 @@ pub enum Command {
     Playback(Playback),
     /// New choice of curves.
     Plots(Plots),
+    /// Look at another part of the plots, or mark or keep something in them.
+    Plotting(PlotCommand),
     /// Another face or frame of the map.
     Map(Map),
     /// Look at another part of the map.
@@ -109,6 +113,16 @@ pub enum Command {
     Reset,
     /// Have the settings of a section as usual.
     ResetSection(Section),
+    /// Fit the measured disparities in a file.
+    OpenData(PathBuf),
+    /// Fit simulated disparities again.
+    Simulate,
+    /// Write a file.
+    Save(Saving),
+    /// Copy something.
+    Copy(Copied),
+    /// Give up what is being saved.
+    StopSaving,
     /// Show or hide the map.
     ToggleMap,
     /// Draw the map in the other frame.
@@ -200,6 +214,7 @@ impl State {
             Command::Quality(quality) => self.settings.quality = quality,
             Command::Playback(playback) => self.settings.playback = playback,
             Command::Plots(plots) => self.settings.plots = plots,
+            Command::Plotting(command) => self.apply_to_plots(command),
             Command::Map(map) => self.set_map(map),
             Command::MapView(viewpoint) => self.session.map_view = viewpoint,
             Command::Fit(fit) => self.settings.fit = fit,
@@ -249,6 +264,14 @@ impl State {
             Command::Undo | Command::Redo => {}
             Command::Reset => self.show(self.as_usual()),
             Command::ResetSection(section) => self.reset(section),
+            Command::OpenData(path) => self.open_data(&path),
+            Command::Simulate => self.session.data = None,
+            Command::Save(saving) => {
+                self.session.chooser = None;
+                self.session.orders.push(Order::Save(saving));
+            }
+            Command::Copy(copied) => self.session.orders.push(Order::Copy(copied)),
+            Command::StopSaving => self.session.orders.push(Order::Stop),
             Command::ToggleMap => {
                 let is_shown = self.session.shows_map;
                 self.settings.window.map = if is_shown { Presence::Off } else { Presence::On };
@@ -378,7 +401,10 @@ impl State {
             return;
         }
         match self.point_at(pick.eye, pick.pixel, pick.size) {
-            Some((track, body)) => self.session.points.choose(track, body, pick.add),
+            Some((track, body)) => {
+                self.session.points.choose(track, body, pick.add);
+                self.session.hint = false;
+            }
             None => self.session.missed = Some(pick),
         }
     }
@@ -402,8 +428,9 @@ impl State {
         match Self::open(settings) {
             Ok(state) => {
                 let playing = self.session.playing && !starts_at_a_time;
-                let Session { picture_size, cm_per_pixel, stage, shows_map, .. } = self.session;
+                let Session { picture_size, cm_per_pixel, stage, shows_map, hint, .. } = self.session;
                 let history = std::mem::take(&mut self.session.history);
+                let (data, orders) = (self.session.data.take(), std::mem::take(&mut self.session.orders));
                 let recent = std::mem::take(&mut self.session.recent);
                 let session = Session {
                     playing,
@@ -411,7 +438,10 @@ impl State {
                     cm_per_pixel,
                     stage,
                     shows_map,
+                    hint,
                     history,
+                    data,
+                    orders,
                     recent,
                     ..state.session
                 };

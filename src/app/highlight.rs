@@ -1,9 +1,9 @@
 //! The outline of the body under the pointer, which tells it from its neighbours. It is found by rays at that body alone,
 //! spread from the pointer as far as they hit it, so that it costs nothing where there is none.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
-use eframe::egui::{Color32, Painter, Stroke};
+use eframe::egui::{Color32, Painter, Pos2, Shape, Stroke};
 use relativity_render::{Group, PreparedScene, View};
 
 use super::observer::Eye;
@@ -12,15 +12,18 @@ use super::state::State;
 
 /// Pixels from ray to ray, and how many may hit: the first that is enough is taken, so that thin bodies are traced finely
 /// and large ones cheaply.
-const GRIDS: [(i32, usize); 2] = [(1, 1500), (4, 6000)];
+const GRIDS: [(i32, usize); 3] = [(1, 4000), (2, 4000), (4, 6000)];
 
-/// A straight piece of an outline: pixels of the picture.
-type Edge = [[f64; 2]; 2];
+/// How often the steps of an outline from pixel to pixel are smoothed.
+const SMOOTHED: usize = 2;
+
+/// A closed line: pixels of the picture.
+type Loop = Vec<[f64; 2]>;
 
 impl State {
     /// The outline of `body` around a `pixel` of the picture of `eye`, which has this `size`; nothing where it is too large.
     #[must_use]
-    pub fn outline_of(&self, body: usize, eye: Eye, pixel: [f64; 2], size: [u32; 2]) -> Vec<Edge> {
+    pub fn outline_of(&self, body: usize, eye: Eye, pixel: [f64; 2], size: [u32; 2]) -> Vec<Loop> {
         if self.sees_as_published(eye) {
             return Vec::new();
         }
@@ -34,8 +37,8 @@ impl State {
     }
 }
 
-/// The edges between rays that hit and rays that miss, among those connected with `pixel`; none if more than `most` hit.
-fn traced(scene: &PreparedScene, view: &View, pixel: [f64; 2], step: i32, most: usize) -> Option<Vec<Edge>> {
+/// The lines between rays that hit and rays that miss, among those connected with `pixel`; none if more than `most` hit.
+fn traced(scene: &PreparedScene, view: &View, pixel: [f64; 2], step: i32, most: usize) -> Option<Vec<Loop>> {
     let [width, height] = view.camera.size.map(|side| (side / step.unsigned_abs()) as i32);
     let place = |at: i32| f64::from(at * step);
     let is_hit = |[u, v]: [i32; 2]| {
@@ -45,42 +48,87 @@ fn traced(scene: &PreparedScene, view: &View, pixel: [f64; 2], step: i32, most: 
     let start = pixel.map(|at| (at / f64::from(step)).floor() as i32);
     let mut hits = BTreeSet::from([start]);
     let mut missed = BTreeSet::new();
-    let mut edges = Vec::new();
     let mut open = vec![start];
     while let Some([u, v]) = open.pop() {
-        let neighbours = [
-            ([u - 1, v], [[u, v], [u, v + 1]]),
-            ([u + 1, v], [[u + 1, v], [u + 1, v + 1]]),
-            ([u, v - 1], [[u, v], [u + 1, v]]),
-            ([u, v + 1], [[u, v + 1], [u + 1, v + 1]]),
-        ];
-        for (next, edge) in neighbours {
-            if hits.contains(&next) {
+        // Thin slanted bodies are connected by corners.
+        for next in [-1, 0, 1].into_iter().flat_map(|down| [-1, 0, 1].map(|across| [u + across, v + down])) {
+            if hits.contains(&next) || missed.contains(&next) {
                 continue;
             }
             let is_inside = (0..width).contains(&next[0]) && (0..height).contains(&next[1]);
-            if is_inside && !missed.contains(&next) && is_hit(next) {
+            if is_inside && is_hit(next) {
                 hits.insert(next);
                 open.push(next);
             } else {
                 missed.insert(next);
-                edges.push(edge.map(|corner| corner.map(place)));
             }
         }
         if hits.len() > most {
             return None;
         }
     }
-    Some(edges)
+    Some(
+        loops(&hits)
+            .into_iter()
+            .map(|corners| corners.into_iter().map(|at| at.map(place)).collect())
+            .collect(),
+    )
 }
 
-/// Draws the outline `edges` in `pane`.
-pub fn paint(painter: &Painter, pane: EyePane, edges: &[Edge]) {
-    for stroke in [Stroke::new(3.0, Color32::from_black_alpha(120)), Stroke::new(1.3, Color32::WHITE)] {
-        for edge in edges {
-            painter.line_segment(edge.map(|corner| pane.place(corner)), stroke);
+/// The corners of cells along which `cells` end, loop by loop.
+fn loops(cells: &BTreeSet<[i32; 2]>) -> Vec<Vec<[i32; 2]>> {
+    // Clockwise around each cell, so that the edges that are left join.
+    let edges = cells.iter().flat_map(|&[u, v]| {
+        let sides = [
+            ([u, v - 1], [[u, v], [u + 1, v]]),
+            ([u + 1, v], [[u + 1, v], [u + 1, v + 1]]),
+            ([u, v + 1], [[u + 1, v + 1], [u, v + 1]]),
+            ([u - 1, v], [[u, v + 1], [u, v]]),
+        ];
+        sides.into_iter().filter(|(next, _)| !cells.contains(next)).map(|(_, edge)| edge)
+    });
+    let mut onwards: BTreeMap<[i32; 2], Vec<[i32; 2]>> = BTreeMap::new();
+    for [from, to] in edges {
+        onwards.entry(from).or_default().push(to);
+    }
+    let mut loops = Vec::new();
+    while let Some(&start) = onwards.keys().next() {
+        let mut corners = vec![start];
+        while let Some(next) = corners.last().and_then(|last| take(&mut onwards, *last)) {
+            corners.push(next);
+        }
+        corners.pop();
+        loops.push(corners);
+    }
+    loops
+}
+
+/// The end of an edge that begins at `corner`, which is then gone.
+fn take(onwards: &mut BTreeMap<[i32; 2], Vec<[i32; 2]>>, corner: [i32; 2]) -> Option<[i32; 2]> {
+    let ends = onwards.get_mut(&corner)?;
+    let end = ends.pop();
+    if ends.is_empty() {
+        onwards.remove(&corner);
+    }
+    end
+}
+
+/// Draws the outline `loops` in `pane`.
+pub fn paint(painter: &Painter, pane: EyePane, loops: &[Loop]) {
+    for corners in loops {
+        let places = corners.iter().map(|corner| pane.place(*corner)).collect();
+        let smooth = (0..SMOOTHED).fold(places, |places: Vec<Pos2>, _| smoothed(&places));
+        for stroke in [Stroke::new(3.5, Color32::from_black_alpha(130)), Stroke::new(1.5, Color32::WHITE)] {
+            painter.add(Shape::closed_line(smooth.clone(), stroke));
         }
     }
+}
+
+/// Each of the `places` on a loop a little nearer to its neighbours.
+fn smoothed(places: &[Pos2]) -> Vec<Pos2> {
+    let count = places.len();
+    let near = |at: usize, next: usize| places[(at + next) % count].to_vec2();
+    (0..count).map(|at| ((near(at, count - 1) + 2.0 * near(at, 0) + near(at, 1)) / 4.0).to_pos2()).collect()
 }
 
 #[cfg(test)]
@@ -103,9 +151,14 @@ mod tests {
                 motion: state.session.prepared.motion_of(body),
                 bodies: &state.session.scene.bodies[body..=body],
             }]);
-            let edges = state.outline_of(body, eye, pixel, size);
-            assert!(edges.len() > 100, "{} edges", edges.len());
-            for [from, to] in edges {
+            let outline = state.outline_of(body, eye, pixel, size);
+            assert_eq!(outline.len(), 2, "a tyre has an outer and an inner edge");
+            let onwards = |corners: &Loop| {
+                corners.iter().copied().cycle().skip(1).take(corners.len()).collect::<Vec<_>>()
+            };
+            for (from, to) in
+                outline.iter().flat_map(|corners| corners.clone().into_iter().zip(onwards(corners)))
+            {
                 let middle = [0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])];
                 let across = if from[0] == to[0] { [0.5, 0.0] } else { [0.0, 0.5] };
                 let hits = [1.0, -1.0].map(|side| {

@@ -79,6 +79,7 @@ fn open(args: &WindowArgs) -> anyhow::Result<()> {
             cc.egui_ctx.send_viewport_cmd(ViewportCommand::Fullscreen(false));
             cc.egui_ctx.send_viewport_cmd(ViewportCommand::Maximized(false));
         }
+        state.session.hint = cc.storage.is_none_or(memory::is_of_a_newcomer);
         Ok(Box::new(App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state)) as Box<dyn eframe::App>)
     };
     run_guarded(|| eframe::run_native(APP_ID, options, Box::new(create)))
@@ -91,8 +92,8 @@ fn of_size(viewport: ViewportBuilder, size: [u32; 2]) -> ViewportBuilder {
 
 /// The state to start in. Where the scene that was left is no more, the usual one is shown, and why.
 fn state_from(args: &WindowArgs, left: Settings) -> anyhow::Result<State> {
-    let usual = left.clone().with_scene(Settings::default().scene);
     let scene = left.scene.clone();
+    let usual = left.clone().with_scene(Settings::default().scene);
     args.state(left).or_else(|error| {
         let mut state = args.state(usual)?;
         state.session.notice = Some(Notice::error(error).about(Path::new(&scene)));

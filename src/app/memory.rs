@@ -42,3 +42,16 @@ pub fn remember(storage: &mut dyn Storage, state: &State) {
     storage.set_string(KEY, settings.to_toml());
     storage.set_string(RECENT, state.session.recent.to_text());
 }
+
+/// Where it is kept that the user once followed a point by a click.
+const CLICKED: &str = "clicked";
+
+/// Whether nobody has yet followed a point by a click.
+pub fn is_of_a_newcomer(storage: &dyn Storage) -> bool {
+    storage.get_string(CLICKED).is_none()
+}
+
+/// Keeps that somebody has.
+pub fn remember_a_click(storage: &mut dyn Storage) {
+    storage.set_string(CLICKED, "yes".to_owned());
+}

@@ -36,9 +36,11 @@ pub mod observer;
 mod opening;
 mod panels;
 pub mod panes;
+pub mod plotting;
 pub mod points;
 mod projector;
 pub mod recent;
+pub mod saving;
 mod screenshot;
 mod speed_slider;
 pub mod stage;
@@ -58,9 +60,10 @@ use std::path::PathBuf;
 use eframe::egui::{self, Rect, Ui, UiBuilder};
 use eframe::egui_wgpu::RenderState;
 
+use chooser::Chooser;
 use command::Command;
 use corrected::Corrected;
-use curves::{Curves, CurvesKey};
+use curves::Curves;
 use examination::Examination;
 use eyes::EyePictures;
 use fitting::Fitting;
@@ -68,6 +71,7 @@ use full_screen::FullScreen;
 use layout::{Layout, Presentation};
 use panels::{Asks, plots::Plotted};
 use panes::{Arrangement, Content};
+use saving::Saver;
 use stage::Part;
 use state::State;
 use watch::Watch;
@@ -86,6 +90,8 @@ pub struct App {
     projected: Option<EyePictures>,
     full_screen: FullScreen,
     text_scale: f32,
+    chooser: Chooser,
+    saver: Saver,
     watch: Option<Watch>,
 }
 
@@ -107,6 +113,8 @@ impl App {
             projected: None,
             full_screen: FullScreen::default(),
             text_scale: 1.0,
+            chooser: Chooser::default(),
+            saver: Saver::default(),
             watch: None,
         }
     }
@@ -162,6 +170,7 @@ impl App {
     #[must_use]
     pub fn is_settled(&self) -> bool {
         !self.fitting.is_pending()
+            && !self.saver.is_busy()
             && self.corrected.as_ref().is_none_or(Corrected::is_up_to_date)
             && !self.examination.as_ref().is_some_and(Examination::is_pending)
             && self.eyes.as_ref().is_none_or(EyePictures::is_settled)
@@ -215,9 +224,9 @@ impl App {
 
     /// Brings the curves up to date; those that still hold are kept.
     fn update_curves(&mut self) {
-        let keys: Vec<CurvesKey> =
-            self.state.session.points.all().iter().map(|point| self.state.curve_key(point)).collect();
-        self.curves = keys
+        self.curves = self
+            .state
+            .plotted_keys()
             .into_iter()
             .map(|key| match self.curves.iter().position(|curves| *curves.key() == key) {
                 Some(kept) => self.curves.swap_remove(kept),
@@ -243,6 +252,9 @@ impl App {
         asks.extend(dropped_file(&ctx));
         panels::palette::show(&ctx, &self.state, &mut asks);
         panels::help::show(&ctx, &self.state, &mut asks);
+        self.chooser.update(&self.state, &mut asks);
+        panels::chooser::show(&ctx, &self.state, &mut self.chooser, &mut asks);
+        panels::saving::show(&ctx, &self.saver, &mut asks);
         asks.extend(self.changed_files(&ctx).into_iter().map(Command::Reload));
         self.apply(&ctx, asks);
         self.set_stage(&ctx);
@@ -256,6 +268,7 @@ impl App {
         }
         focus::paint(&ctx);
         self.update_projector(&ctx);
+        self.fulfil_orders(ui);
         if self.state.session.playing {
             ctx.request_repaint();
         }
@@ -402,6 +415,9 @@ impl eframe::App for App {
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
+        if !self.state.session.hint {
+            memory::remember_a_click(storage);
+        }
         memory::remember(storage, &self.state);
     }
 }

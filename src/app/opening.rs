@@ -1,12 +1,14 @@
 //! Files that are shown: opened, and read again when they change.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
+use super::fitting::DataFile;
 use super::notice::Notice;
 use super::state::State;
 use crate::flags::choices::FileKind;
 use crate::platform::files;
-use crate::settings::{Settings, SettingsError, looks_like_settings};
+use crate::settings::{PlotTab, Settings, SettingsError, looks_like_settings};
 
 impl State {
     /// The files that are shown, which are read again when they change: that of the scene, and that of the settings.
@@ -19,6 +21,10 @@ impl State {
     /// Shows what is in the file at `path`, which stays in the list of scenes; one that is no longer there is dropped
     /// from it.
     pub(super) fn open_file(&mut self, path: PathBuf) {
+        if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv")) {
+            return self.open_data(&path);
+        }
+        self.session.chooser = None;
         let is_scene = is_scene(&path);
         self.session.notice = None;
         match self.settings_in(&path) {
@@ -30,6 +36,19 @@ impl State {
             self.session.opened = (!is_scene && FileKind::of(&path).is_none()).then_some(path);
         } else if !files::is_file(&path) {
             self.session.recent.remove(&path);
+        }
+    }
+
+    /// Fits the measured disparities in the file at `path`, in view.
+    pub(super) fn open_data(&mut self, path: &Path) {
+        self.session.chooser = None;
+        match DataFile::open(path, self.settings.baseline()) {
+            Ok(file) => {
+                self.session.data = Some(Arc::new(file));
+                self.settings.plots.plot = PlotTab::Fit;
+                self.settings.window.plots = true;
+            }
+            Err(error) => self.session.notice = Some(Notice::error(format!("{error:#}")).about(path)),
         }
     }
 

@@ -1,6 +1,7 @@
 //! What the window shows: settings that are remembered, and the session they are applied to.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use relativity_core::Speed;
 use relativity_render::{Appearance, Emission, PreparedScene};
@@ -8,10 +9,13 @@ use relativity_render::{Appearance, Emission, PreparedScene};
 use super::chooser::Purpose;
 use super::clock;
 use super::command::Pick;
+use super::fitting::DataFile;
 use super::history::History;
 use super::notice::Notice;
+use super::plotting::Plotting;
 use super::points::{Point, Points};
 use super::recent::Recent;
+use super::saving::Order;
 use super::stage::Stage;
 use crate::flags::choices::ProjectionChoice;
 use crate::map::Viewpoint;
@@ -48,6 +52,8 @@ pub struct Session {
     pub palette: bool,
     /// Where a click into a view hit nothing, until something else is done.
     pub missed: Option<Pick>,
+    /// Whether the views say what a click does: until the first.
+    pub hint: bool,
     /// The preset that is shown, until another scene or state is.
     pub preset: Option<&'static Preset>,
     /// Width and height of an eye's picture, which a field of view is fitted to, pixels.
@@ -62,12 +68,18 @@ pub struct Session {
     pub shows_map: bool,
     /// How the user looks at the map.
     pub map_view: Viewpoint,
+    /// What is looked at of the plots, and what is kept in them.
+    pub plotting: Plotting,
     /// What is said about the last thing that was done, or could not be.
     pub notice: Option<Notice>,
     /// What a file is being chosen for.
     pub chooser: Option<Purpose>,
     /// The way back.
     pub history: History,
+    /// The measured disparities that are fitted in place of simulated ones.
+    pub data: Option<Arc<DataFile>>,
+    /// What was asked for that more than the state is needed for.
+    pub orders: Vec<Order>,
     /// The files that were opened.
     pub recent: Recent,
     /// The file with settings that is shown, if it is one.
@@ -102,6 +114,7 @@ impl State {
             help: false,
             palette: false,
             missed: None,
+            hint: false,
             preset,
             picture_size: settings.picture.size.0,
             cm_per_pixel: settings.screen.cm_per_point(None),
@@ -109,9 +122,12 @@ impl State {
             stage: Stage::default(),
             shows_map: false,
             map_view: Viewpoint::default(),
+            plotting: Plotting::default(),
             notice,
             chooser: None,
             history: History::default(),
+            data: None,
+            orders: Vec::new(),
             recent: Recent::default(),
             opened: None,
             scene,

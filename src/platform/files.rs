@@ -52,10 +52,21 @@ pub fn is_file(path: &Path) -> bool {
     path.is_file()
 }
 
+/// Whether there is anything at `path`.
+#[must_use]
+pub fn is_there(path: &Path) -> bool {
+    path.exists()
+}
+
 /// Whether there is something at `path` that is no regular file, such as a device or a named pipe.
 #[must_use]
 pub fn is_special(path: &Path) -> bool {
     path.metadata().is_ok_and(|found| !found.is_file())
+}
+
+/// Length of the file at `path`, bytes.
+pub fn size(path: &Path) -> io::Result<u64> {
+    Ok(path.metadata()?.len())
 }
 
 /// What tells that a file has changed: when it was written, and how long it is.

@@ -2,10 +2,12 @@
 
 use relativity_core::math;
 
-use super::grid::{Grid, power_of_ten, scaled};
+use super::grid::{Grid, count, power_of_ten, scaled};
 
 /// Fewest and most ticks.
-const TICKS: [usize; 2] = [4, 7];
+const TICKS: [usize; 2] = [4, MOST_TICKS];
+/// Most ticks of an axis.
+pub const MOST_TICKS: usize = 7;
 /// An axis is at least this wide, as a part of the values on it: what is narrower is rounding.
 const NARROWEST: f64 = 1e-9;
 /// How much a gap of the axis' whole length without a tick counts, in ticks too many or too few.
@@ -69,7 +71,7 @@ impl Axis {
     /// ticks, and with about as many as are `wanted`.
     #[must_use]
     pub fn fitted(logarithmic: bool, range: [f64; 2], wanted: usize) -> Self {
-        let range = widened(logarithmic, range);
+        let range = widened(logarithmic, range, TICKS[1]);
         Self::within(logarithmic, range, wanted)
     }
 
@@ -80,7 +82,7 @@ impl Axis {
         let grids = grids(logarithmic, range);
         let [fewest, most] = TICKS;
         let misfit = |grid: &Grid| {
-            let count = grid.numbers(range).1;
+            let count = count(&grid.numbers(range));
             let amiss = count.clamp(fewest, most).abs_diff(count);
             let score = count.abs_diff(wanted) as f64 + GAP_WEIGHT * widest_gap(grid, range);
             (amiss, score)
@@ -91,10 +93,8 @@ impl Axis {
     }
 
     fn on(grid: &Grid, range: [f64; 2]) -> Self {
-        let (first, count) = grid.numbers(range);
-        let numbers = first..first + count as i64;
-        let largest = numbers.clone().filter_map(|number| grid.place(number));
-        let largest = largest.fold(0.0f64, |most, place| most.max(place.abs()));
+        let numbers = grid.numbers(range);
+        let largest = range[0].abs().max(range[1].abs());
         let exponent = if let Grid::Steps { .. } = grid { common_exponent(largest) } else { 0 };
         let tick = |number| {
             let place = grid.place(number)?.clamp(range[0], range[1]);
@@ -108,16 +108,16 @@ fn grids(logarithmic: bool, range: [f64; 2]) -> Vec<Grid> {
     if logarithmic { Grid::logarithmic(range) } else { Grid::linear(range) }
 }
 
-/// `range` as little wider as it takes to have four to seven ticks.
+/// `range` as little wider as it takes to have four ticks or more, but no more than so many (4 to 7).
 #[must_use]
-pub fn widened(logarithmic: bool, range: [f64; 2]) -> [f64; 2] {
+pub fn widened(logarithmic: bool, range: [f64; 2], most: usize) -> [f64; 2] {
     let range = sound(range);
-    let [fewest, most] = TICKS;
+    let fewest = TICKS[0];
     let grids = grids(logarithmic, range);
-    if grids.iter().any(|grid| (fewest..=most).contains(&grid.numbers(range).1)) {
+    if grids.iter().any(|grid| (fewest..=most).contains(&count(&grid.numbers(range)))) {
         return range;
     }
-    let coarse = grids.into_iter().filter(|grid| grid.numbers(range).1 < fewest);
+    let coarse = grids.into_iter().filter(|grid| count(&grid.numbers(range)) < fewest);
     let wider = coarse.map(|grid| grid.widened(range, fewest));
     wider.min_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0]))).unwrap_or(range)
 }
@@ -142,8 +142,7 @@ fn sound([low, high]: [f64; 2]) -> [f64; 2] {
 
 /// The widest part of the axis without a tick, as a share of it.
 fn widest_gap(grid: &Grid, [low, high]: [f64; 2]) -> f64 {
-    let (first, count) = grid.numbers([low, high]);
-    let places = (first..first + count as i64).filter_map(|number| grid.place(number));
+    let places = grid.numbers([low, high]).filter_map(|number| grid.place(number));
     let (mut widest, mut last) = (0.0f64, low);
     for place in places.chain([high]) {
         widest = widest.max(place - last);
@@ -231,6 +230,20 @@ pub fn with_factor(label: &str, exponent: i32) -> String {
     }
 }
 
+/// Widths, of each power of ten, that leave room for four to seven steps of 1, 2 or 5 wherever they begin.
+const ZOOM_WIDTHS: [f64; 6] = [1.0, 1.3, 2.2, 3.2, 4.4, 6.4];
+
+/// The next narrower or wider of the widths that a linear axis is zoomed to.
+#[must_use]
+pub fn zoom_step(width: f64, inwards: bool) -> f64 {
+    let power = math::log10(width).floor() as i32;
+    let widths = (power - 1..=power + 1).flat_map(|power| ZOOM_WIDTHS.map(|digits| scaled(digits, power)));
+    // What differs by less is the same width.
+    let mut widths = widths.filter(|&next| if inwards { next < 0.95 * width } else { next > 1.05 * width });
+    let next = if inwards { widths.next_back() } else { widths.next() };
+    next.unwrap_or(width)
+}
+
 /// The least of 1, 2 and 5 times a power of ten that is not below `step`.
 #[must_use]
 pub fn round_step(step: f64) -> f64 {
@@ -292,6 +305,23 @@ mod tests {
                     assert!((said - tick.place).abs() < 1e-6 * step, "{tick:?} {axis:?}");
                 }
             }
+        }
+    }
+
+    #[test]
+    fn a_zoomed_axis_has_four_to_seven_ticks_wherever_it_begins() {
+        for inwards in [true, false] {
+            let mut width = 0.037;
+            for _ in 0..20 {
+                width = zoom_step(width, inwards);
+                for i in 0..100 {
+                    let low = f64::from(i - 30) * 0.013 * width;
+                    let axis = Axis::within(false, [low, low + width], 5);
+                    assert!((4..=7).contains(&axis.ticks.len()), "{low} {axis:?}");
+                    assert!(((axis.range[1] - axis.range[0]) / width - 1.0).abs() < 1e-9);
+                }
+            }
+            assert!(if inwards { width < 4e-5 } else { width > 40.0 }, "{width}");
         }
     }
 

@@ -111,15 +111,10 @@ fn range() -> impl Strategy<Value = TimeRange> {
 
 fn fit() -> impl Strategy<Value = FitSetup> {
     let noise = number(NOISE_PERCENT);
-    (FIT_SAMPLES, range(), noise, 0..=MAX_SEED, choice::<Curves>(), choice::<Model>(), any::<bool>())
-        .prop_map(|(fit_samples, fit_range, noise_percent, seed, curves, model, fit_x0)| FitSetup {
-            fit_samples,
-            fit_range,
-            noise_percent,
-            seed,
-            curves,
-            model,
-            fit_x0,
+    let from = choice::<DataFrom>();
+    (FIT_SAMPLES, from, range(), noise, 0..=MAX_SEED, choice::<Curves>(), choice::<Model>(), any::<bool>())
+        .prop_map(|(fit_samples, data_from, fit_range, noise_percent, seed, curves, model, fit_x0)| {
+            FitSetup { fit_samples, data_from, fit_range, noise_percent, seed, curves, model, fit_x0 }
         })
 }
 

@@ -11,10 +11,13 @@ mod groups;
 mod layouts;
 mod manners;
 mod map;
+mod own_data;
 mod pairs;
 mod picking;
+mod plots;
 mod presenting;
 mod quality;
+mod saving;
 mod spacetime;
 mod start;
 mod stereo;
@@ -43,10 +46,13 @@ fn main() -> ExitCode {
         layouts::TESTS,
         manners::TESTS,
         map::TESTS,
+        own_data::TESTS,
         pairs::TESTS,
         picking::TESTS,
+        plots::TESTS,
         presenting::TESTS,
         quality::TESTS,
+        saving::TESTS,
         spacetime::TESTS,
         start::TESTS,
         stereo::TESTS,

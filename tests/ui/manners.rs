@@ -1,6 +1,7 @@
 //! Messages, keys, names and small windows: nothing leaves the window, nothing covers what is worked with.
 
-use eframe::egui::{Key, Modifiers, OutputCommand, Rect, Vec2, pos2, vec2};
+use clap::ValueEnum as _;
+use eframe::egui::{Key, Modifiers, OutputCommand, Rect, Shape, Vec2, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use gamow::app::App;
@@ -10,7 +11,7 @@ use gamow::settings::PlotTab;
 
 use super::Test;
 use super::picking::{FRONT_TYRE, click};
-use super::support::{cyclist, label_starting_with, labels, pane, window, window_of_size};
+use super::support::{cyclist, label_starting_with, labels, pane, slider, window, window_of_size};
 
 pub const TESTS: &[Test] = &[
     ("a_message_of_any_length_stays_over_the_views", a_message_of_any_length),
@@ -26,6 +27,9 @@ pub const TESTS: &[Test] = &[
     ("keys_look_around_in_a_focused_view", keys_look_around),
     ("keys_go_from_body_to_body", keys_go_from_body_to_body),
     ("keys_work_while_a_button_has_the_keyboard", keys_work_beside_a_button),
+    ("no_tooltip_covers_what_was_dragged", no_tooltip_covers_what_was_dragged),
+    ("no_writing_in_the_window_is_smaller_than_eleven_points", no_writing_is_small),
+    ("a_newcomer_is_told_to_click_until_the_first_click", a_newcomer_is_told_to_click),
     ("the_help_fits_into_the_smallest_window", the_help_fits),
 ];
 
@@ -38,13 +42,13 @@ fn with_message(size: [f32; 2], text: &str) -> Harness<'static, App> {
     window_of_size(state, size, 1.0)
 }
 
-fn rects_of_everything(window: &Harness<'_, App>) -> Vec<(String, Rect)> {
+/// Where the controls called so are.
+fn places(window: &Harness<'_, App>, names: &[&str]) -> Vec<(String, Rect)> {
     let nodes = window.root().children_recursive();
     nodes
         .filter_map(|node| {
-            let rect = node.rect();
-            let name = node.accesskit_node().label()?;
-            rect.is_positive().then_some((name, rect))
+            let name = node.accesskit_node().label().filter(|name| names.contains(&name.as_str()))?;
+            Some((name, node.rect()))
         })
         .collect()
 }
@@ -145,10 +149,7 @@ fn no_control_covers_another() {
             }
             let window = window_of_size(state, size, 1.0);
             let whole = Rect::from_min_size(pos2(0.0, 0.0), Vec2::from(size));
-            let all: Vec<_> = rects_of_everything(&window)
-                .into_iter()
-                .filter(|(name, _)| CONTROLS.contains(&name.as_str()))
-                .collect();
+            let all = places(&window, &CONTROLS);
             assert!(all.len() >= 14, "{size:?} {scene}: {all:?}");
             for (number, (name, rect)) in all.iter().enumerate() {
                 assert!(whole.contains_rect(*rect), "{size:?} {scene}: {name} at {rect:?}");
@@ -198,15 +199,12 @@ fn what_is_under_the_pointer_is_outlined() {
         let place = pane.left_center() + vec2(pane.width() * step as f32 / 200.0, 0.2 * pane.height());
         window.hover_at(place);
         window.run_ok();
-        labels(&window)
-            .into_iter()
-            .find(|label| label.starts_with("Under the pointer: "))
-            .map(|told| (place, told))
+        labels(&window).into_iter().find(|label| label.starts_with("Under the pointer: ")).map(|_| place)
     });
-    let (place, _) = found.expect("something is there");
+    let place = found.expect("something is there");
     let outlined = window.render().expect("a picture");
-    // Left of and above the pointer there is no tag.
-    let around = Rect::from_min_max(pane.min, place + vec2(-2.0, -2.0));
+    // Above the pointer there is no tag.
+    let around = pane.shrink(3.0).with_max_y(place.y - 2.0);
     let differing = (around.min.y as u32..around.max.y as u32)
         .flat_map(|y| (around.min.x as u32..around.max.x as u32).map(move |x| (x, y)))
         .filter(|&(x, y)| bare.get_pixel(x, y) != outlined.get_pixel(x, y))
@@ -276,10 +274,12 @@ fn keys_look_around() {
     let (before, fov) = (window.state().state().gaze(), window.state().state().look().set_fov());
     let time = window.state().state().session.time;
     window.key_press(Key::ArrowRight);
+    window.run_ok();
+    let aside = window.state().state().gaze();
+    assert!(aside.azimuth < before.azimuth, "{before:?} {aside:?}");
     window.key_press(Key::ArrowUp);
     window.run_ok();
-    let after = window.state().state().gaze();
-    assert!(after.azimuth < before.azimuth && after.elevation > before.elevation, "{before:?} {after:?}");
+    assert!(window.state().state().gaze().elevation > aside.elevation);
     assert!(matches!(window.state().state().settings.look.gaze, GazeChoice::Fixed(_)));
     assert_eq!(window.state().state().session.time, time, "arrows do not step while a view takes them");
     window.key_press(Key::Plus);
@@ -340,4 +340,94 @@ fn the_help_fits() {
     window.run_ok();
     assert!(window.query_by_label("Words").is_none());
     assert_eq!(window.state().state().settings.plots.plot, PlotTab::Disparity);
+}
+
+fn no_tooltip_covers_what_was_dragged() {
+    let mut window = window(cyclist(0.9));
+    let is_told =
+        |window: &Harness<'_, App>| labels(window).iter().any(|label| label.contains("finer towards 1"));
+    let speed = slider(&window, "Speed β");
+    let [from, to] = [0.4, 0.6].map(|part| speed.left_center() + vec2(part * speed.width(), 0.0));
+    let button = |pos, pressed| eframe::egui::Event::PointerButton {
+        pos,
+        button: eframe::egui::PointerButton::Primary,
+        pressed,
+        modifiers: Modifiers::NONE,
+    };
+    window.hover_at(from);
+    window.step();
+    window.event(button(from, true));
+    window.step();
+    window.hover_at(to);
+    window.step();
+    window.event(button(to, false));
+    window.step();
+    // Hands are not quite still.
+    window.hover_at(to + vec2(1.0, 0.0));
+    window.run_steps(30);
+    assert!(window.state().state().speed().beta() != 0.9 && !is_told(&window));
+    window.hover_at(pane(&window, 0).center());
+    window.run_steps(30);
+    window.hover_at(to);
+    window.run_steps(30);
+    assert!(is_told(&window));
+}
+
+/// The sizes of all that is written in the last frame.
+fn written(shape: &Shape, sizes: &mut Vec<(f32, String)>) {
+    match shape {
+        Shape::Vec(shapes) => shapes.iter().for_each(|shape| written(shape, sizes)),
+        Shape::Text(text) => {
+            let job = &text.galley.job;
+            sizes.extend(job.sections.iter().map(|section| (section.format.font_id.size, job.text.clone())));
+        }
+        _ => {}
+    }
+}
+
+fn no_writing_is_small() {
+    for size in [[800.0, 600.0], [1280.0, 800.0]] {
+        for present in [false, true] {
+            let mut window = window_of_size(cyclist(0.9), size, 1.0);
+            window.state_mut().ask(Command::State(&gamow::settings::Preset::all()[0]));
+            if present {
+                window.state_mut().ask(Command::TogglePresenting);
+            }
+            window.run_ok();
+            for &plot in PlotTab::value_variants() {
+                let plots = gamow::settings::Plots { plot, ..window.state().state().settings.plots };
+                window.state_mut().ask(Command::Plots(plots));
+                window.run_ok();
+                let mut sizes = Vec::new();
+                for clipped in &window.output().shapes {
+                    written(&clipped.shape, &mut sizes);
+                }
+                assert!(sizes.len() > 5, "{size:?} {plot:?}");
+                let small = sizes.iter().find(|(size, _)| *size < 11.0);
+                assert_eq!(small, None, "{size:?} {plot:?}");
+            }
+        }
+    }
+}
+
+fn a_newcomer_is_told_to_click() {
+    let hint = "Click a point to follow it.";
+    let mut state = cyclist(0.9);
+    state.session.hint = true;
+    let mut window = window(state);
+    let count = |window: &Harness<'_, App>| labels(window).iter().filter(|label| *label == hint).count();
+    assert_eq!(count(&window), 2);
+    window.state_mut().ask(Command::Preset("street"));
+    window.run_ok();
+    assert_eq!(count(&window), 2, "another scene is as new");
+    let pane = pane(&window, 0);
+    let on =
+        (0..60).map(|step| pane.left_center() + vec2(pane.width() * step as f32 / 60.0, 0.2 * pane.height()));
+    for place in on {
+        click(&mut window, place, Modifiers::NONE);
+        if !window.state().state().session.hint {
+            break;
+        }
+    }
+    assert_eq!(count(&window), 0);
 }

@@ -103,6 +103,8 @@ fn keys_do_what_the_help_says() {
     assert!(window.query_by_label("What is this?").is_none());
     press(&mut window, Key::F1);
     window.get_by_label("What is this?");
+    window.get_by_label("Keys").click();
+    window.run();
     window.get_by_label("play or pause");
     press(&mut window, Key::Escape);
     assert!(window.query_by_label("What is this?").is_none());

@@ -31,6 +31,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         if width >= NARROWEST_WITH_NAME {
             ui.label(RichText::new("Gamow").heading().strong());
         }
+        super::file_menu::show(ui, state, asks);
         scene(ui, state, asks);
         presets(ui, state, asks);
         if width >= NARROWEST_WITH_ALL {

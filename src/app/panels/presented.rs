@@ -10,7 +10,7 @@ use crate::figures;
 
 /// Largest and smallest sizes of the speed and of the caption at the usual scale of writing, points.
 const SPEED_SIZES: [f32; 2] = [44.0, 12.0];
-const CAPTION_SIZES: [f32; 2] = [17.0, 7.0];
+const CAPTION_SIZES: [f32; 2] = [17.0, 7.0]; // 11.2 for an audience
 /// From one size that is tried to the next.
 const STEP: f32 = 0.92;
 

@@ -24,12 +24,12 @@ const TIME_TIP: &str = "Observation time T: when the light is received.   Keys: 
 
 /// Widths of the transport's buttons with T's name and the gaps around them, of what stands around the numbers of the rate
 /// and of the range, of the menu's button, and of a number without its digits and of one of these; points.
-const TRANSPORT: f32 = 222.0;
-const AROUND_RATE: f32 = 24.0;
-const AROUND_RANGE: f32 = 200.0;
-const MENU: f32 = 78.0;
-const AROUND_DIGITS: f32 = 22.0;
-const DIGIT: f32 = 8.0;
+const TRANSPORT: f32 = 206.0;
+const AROUND_RATE: f32 = 10.0;
+const AROUND_RANGE: f32 = 196.0;
+const MENU: f32 = 62.0;
+const AROUND_DIGITS: f32 = 16.0;
+const DIGIT: f32 = 7.2;
 
 /// What of the playback has room in the timeline; the rest is in a menu.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -122,7 +122,7 @@ fn time(ui: &mut Ui, state: &State, asks: &mut Asks) {
         .min_decimals(unit.decimals(3).into())
         .max_decimals(unit.decimals(most).into());
     let response = ui.add_sized([time_width(state), ui.spacing().interact_size.y], number);
-    if response.on_hover_text(TIME_TIP).accessible_name("T, typed").changed() {
+    if widgets::explained(response, TIME_TIP).accessible_name("T, typed").changed() {
         asks.push(Command::Time(time));
     }
 }
@@ -204,7 +204,7 @@ fn scrubber(ui: &mut Ui, state: &State, asks: &mut Asks) {
     ui.spacing_mut().slider_width = ui.available_width();
     // T may lie outside the range; only a drag brings it inside.
     let slider = Slider::new(&mut time, from..=to).show_value(false).clamping(SliderClamping::Never);
-    let response = ui.add(slider).on_hover_text(TIME_TIP).accessible_name("Observation time T");
+    let response = widgets::explained(ui.add(slider), TIME_TIP).accessible_name("Observation time T");
     if response.changed() {
         asks.push(Command::Time(time));
     }

@@ -172,8 +172,13 @@ fn image(ui: &Ui, rect: Rect, texture: TextureId) {
 fn words(ui: &Ui, state: &State, pane: EyePane, note: String) {
     let inside = ui.painter().with_clip_rect(pane.rect);
     beyond::paint(ui, &inside, pane.rect, &state.beyond(pane.eye, pane.size));
-    write(ui, &inside, pane, Align2::LEFT_BOTTOM, note);
-    write(ui, &inside, pane, Align2::LEFT_TOP, unseen(ui, state, pane).unwrap_or_default());
+    let _ = write(ui, &inside, pane, Align2::LEFT_BOTTOM, note);
+    let _ = write(ui, &inside, pane, Align2::LEFT_TOP, unseen(ui, state, pane).unwrap_or_default());
+    if state.session.hint && pane.takes_the_mouse() {
+        let place = write(ui, &inside, pane, Align2::CENTER_BOTTOM, HINT.to_owned());
+        let response = ui.interact(place, ui.scope_id().with(("hint", pane.eye.index())), Sense::hover());
+        response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Label, true, HINT));
+    }
 }
 
 /// Tells what is under the pointer in `pane`.
@@ -222,8 +227,11 @@ fn unseen(ui: &Ui, state: &State, pane: EyePane) -> Option<String> {
     caption::notice(&state.session.prepared.received_shares(&state.view(pane.eye, pane.size), &appearance))
 }
 
-/// Writes `text` into a corner of the picture.
-fn write(ui: &Ui, painter: &Painter, pane: EyePane, corner: Align2, text: String) {
+/// What a newcomer is told in the views.
+const HINT: &str = "Click a point to follow it.";
+
+/// Writes `text` into a corner of the picture; where that is.
+fn write(ui: &Ui, painter: &Painter, pane: EyePane, corner: Align2, text: String) -> Rect {
     let font = TextStyle::Small.resolve(ui.style());
     let galley = painter.layout(text, font, Color32::WHITE, (pane.rect.width() - 24.0).max(1.0));
     let place = corner.align_size_within_rect(galley.size(), pane.rect.shrink(8.0));
@@ -231,6 +239,7 @@ fn write(ui: &Ui, painter: &Painter, pane: EyePane, corner: Align2, text: String
         painter.rect_filled(place.expand2(vec2(5.0, 2.0)), 3.0, Color32::from_black_alpha(150));
         painter.galley(place.min, galley, Color32::WHITE);
     }
+    place
 }
 
 /// What of markers is drawn.

@@ -155,7 +155,7 @@ impl NumberRow<'_> {
         // A typed value may lie beyond the slider's ends and stays as typed.
         let slider =
             Slider::new(value, self.slider.clone()).show_value(false).clamping(SliderClamping::Never);
-        ui.add(slider).accessible_name(self.name)
+        explained(ui.add(slider), self.tip).accessible_name(self.name)
     }
 
     fn number(&self, ui: &mut Ui, value: &mut f64) -> bool {
@@ -167,8 +167,26 @@ impl NumberRow<'_> {
             .suffix(self.suffix);
         let size = [NUMBER_WIDTH, ui.spacing().interact_size.y];
         let name = format!("{}, typed", self.name);
-        ui.add_sized(size, number).on_hover_text(self.tip).accessible_name(name).changed()
+        explained(ui.add_sized(size, number), self.tip).accessible_name(name).changed()
     }
+}
+
+/// Explains what `response` is of, but not while it is dragged nor as long as the pointer rests where it was left: the
+/// explanation would cover what the drag changes.
+pub fn explained(response: Response, tip: impl Into<egui::WidgetText>) -> Response {
+    let id = Id::unique("dragged last");
+    let last = response.ctx.data(|data| data.get_temp::<Id>(id));
+    if response.dragged() {
+        response.ctx.data_mut(|data| data.insert_temp(id, response.id));
+        return response;
+    }
+    if last != Some(response.id) {
+        return response.on_hover_text(tip);
+    }
+    if !response.hovered() {
+        response.ctx.data_mut(|data| data.remove::<Id>(id));
+    }
+    response
 }
 
 /// Buttons side by side, one of them chosen; each with its own tip. True if another was chosen.

@@ -41,7 +41,7 @@ fn slider(ui: &mut Ui, current: SpeedSetting, usual: SpeedSetting) -> Option<Spe
     let mut position = current.slider_position();
     ui.spacing_mut().slider_width = ui.available_width();
     let slider = Slider::new(&mut position, 0.0..=1.0).show_value(false).smart_aim(false);
-    let response = ui.add(slider).on_hover_text(TIP).accessible_name("Speed β");
+    let response = widgets::explained(ui.add(slider), TIP).accessible_name("Speed β");
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(figures::beta(&current.speed())));
     let marked = marks(ui, response.rect);
     if widgets::is_double_clicked(ui, &response) {

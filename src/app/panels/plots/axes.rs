@@ -1,20 +1,24 @@
 //! What the plots over T have in common: frames, ticks, what the axes are called, pointing at a T.
 
-use eframe::egui::{self, Align2, Id, Sense, Stroke, TextStyle, Ui, pos2, vec2};
+use eframe::egui::{self, Align2, Id, Rect, Sense, Stroke, TextStyle, Ui, pos2, vec2};
 use egui_plot::{GridInput, GridMark, Plot, PlotBounds, PlotResponse};
 use relativity_core::math;
 
 use crate::app::curves::Quantity;
 use crate::figures;
-use crate::plot::{Axis, at_least, extent, ticks_along, widened, with_factor, with_margin};
+use crate::plot::{
+    Axis, MOST_TICKS, at_least, extent, ticks_along, widened, with_factor, with_margin, zoom_step,
+};
 use crate::units::Unit;
 
 /// Room for the numbers beside a plot.
 pub(super) const Y_AXIS_WIDTH: f32 = 48.0;
 /// Room that a number takes along T, and between two above each other, points.
 const NUMBER_ROOM: [f32; 2] = [58.0, 26.0];
+/// Least room between two numbers above each other.
+const LEAST_NUMBER_ROOM: f32 = 16.0;
 /// A plot less wide has no room for words at its axis.
-const NARROWEST_WITH_WORDS: f32 = 220.0;
+const NARROWEST_WITH_WORDS: f32 = 170.0;
 /// Least height of an axis as a part of the largest value, and most of what that asks for, radians.
 const LEAST_SHARE: f64 = 0.05;
 const LEAST_ANGLE: f64 = 0.01;
@@ -45,6 +49,8 @@ pub(super) fn plot_over_time<'a>(ui: &Ui, id: impl egui::AsIdSalt, unit: Unit, s
         .x_grid_spacer(move |input| ruler.grid(&input))
         .x_axis_formatter(move |mark, range| ruler.text(mark, [*range.start(), *range.end()]))
         .link_cursor(Id::unique("cursor over T"), [true, false])
+        .show_y(false)
+        .label_formatter(|_| None)
 }
 
 /// What the ticks of an axis are at.
@@ -53,19 +59,23 @@ pub(super) struct Ruler {
     logarithmic: bool,
     unit: Unit,
     wanted: usize,
+    /// As many as there is room for at most.
+    most: usize,
 }
 
 impl Ruler {
     /// Of T, shown in `unit`, along a plot of this width, its numbers included.
     pub fn of_time(unit: Unit, width: f32) -> Self {
         let room = f64::from(width - Y_AXIS_WIDTH);
-        Self { logarithmic: false, unit, wanted: ticks_along(room, NUMBER_ROOM[0].into()) }
+        let wanted = ticks_along(room, NUMBER_ROOM[0].into());
+        Self { logarithmic: false, unit, wanted, most: MOST_TICKS }
     }
 
     /// Of values of `quantity`, shown in `unit`, in a plot of this height.
     pub fn of_values(quantity: Quantity, unit: Unit, height: f32) -> Self {
-        let wanted = ticks_along(height.into(), NUMBER_ROOM[1].into());
-        Self { logarithmic: quantity.is_logarithm(), unit, wanted }
+        let [wanted, most] =
+            [NUMBER_ROOM[1], LEAST_NUMBER_ROOM].map(|room| ticks_along(height.into(), room.into()));
+        Self { logarithmic: quantity.is_logarithm(), unit, wanted, most }
     }
 
     /// A plotted value as the axis counts it.
@@ -77,9 +87,20 @@ impl Ruler {
         if self.logarithmic { counted - math::log10(self.unit.factor) } else { self.unit.in_scene(counted) }
     }
 
-    /// A plotted range as little wider as it takes to have four to seven ticks.
+    /// A plotted range a step further in or out, in which a plotted value stays `about` where it is. The steps go through
+    /// widths that have four to seven ticks wherever they begin.
+    pub fn zoomed(self, range: [f64; 2], about: f64, inwards: bool) -> [f64; 2] {
+        let [from, to] = range.map(|end| self.counted(end));
+        let about = self.counted(about);
+        let share = ((about - from) / (to - from)).clamp(0.0, 1.0);
+        let width = zoom_step(to - from, inwards);
+        let from = about - share * width;
+        [from, from + width].map(|end| self.plotted(end))
+    }
+
+    /// A plotted range as little wider as it takes to have four ticks, but no more than there is room for.
     pub fn widened(self, range: [f64; 2]) -> [f64; 2] {
-        widened(self.logarithmic, range.map(|end| self.counted(end))).map(|end| self.plotted(end))
+        widened(self.logarithmic, range.map(|end| self.counted(end)), self.most).map(|end| self.plotted(end))
     }
 
     /// The axis over a plotted range.
@@ -110,21 +131,21 @@ impl Ruler {
 }
 
 /// From where to where an axis of `quantity` goes that shows all of these plotted `values`: with a margin, and so wide that
-/// what hardly changes is a line in the middle.
-pub(super) fn value_range(quantity: Quantity, values: impl Iterator<Item = f64>) -> [f64; 2] {
+/// what hardly changes is a line in the middle. Values up to `rounding` are what that leaves of 0.
+pub(super) fn value_range(quantity: Quantity, values: impl Iterator<Item = f64>, rounding: f64) -> [f64; 2] {
     let [low, high] = extent(values).unwrap_or_default();
     let least = if quantity.is_logarithm() {
         math::log10(1.0 + LEAST_SHARE)
     } else {
         let largest = low.abs().max(high.abs());
-        if largest > 0.0 { (LEAST_SHARE * largest).min(LEAST_ANGLE) } else { LEAST_ANGLE }
+        if largest > rounding { (LEAST_SHARE * largest).min(LEAST_ANGLE) } else { LEAST_ANGLE }
     };
     at_least(with_margin([low, high], MARGIN), least)
 }
 
 /// All `values` (angles) in the range of T, with a margin; never of no height.
 pub(super) fn bounds(values: impl Iterator<Item = f64>, [from, to]: [f64; 2]) -> PlotBounds {
-    let [lowest, highest] = value_range(Quantity::DeltaPhi, values);
+    let [lowest, highest] = value_range(Quantity::DeltaPhi, values, 0.0);
     let width = (to - from).max(1e-9);
     PlotBounds::from_min_max([from, lowest], [from + width, highest])
 }
@@ -157,7 +178,15 @@ const fn words(quantity: Quantity) -> &'static str {
 
 /// What stands at an axis of `quantity` that is shown in `unit`: ratios have none.
 pub(super) fn axis_label(quantity: Quantity, unit: Unit) -> String {
-    let words = words(quantity);
+    with_unit(quantity, words(quantity), unit)
+}
+
+/// What stands before the name of a curve of `quantity` that is shown in `unit`, in short.
+pub(super) fn column_label(quantity: Quantity, unit: Unit) -> String {
+    with_unit(quantity, label(quantity), unit)
+}
+
+fn with_unit(quantity: Quantity, words: &str, unit: Unit) -> String {
     match quantity {
         Quantity::LogDoppler | Quantity::LogGain => words.to_owned(),
         _ => in_unit(words, unit),
@@ -170,7 +199,7 @@ pub(super) fn time_label(unit: Unit) -> String {
 }
 
 /// The scene's own unit has a name here, as all axes have units.
-fn in_unit(words: &str, unit: Unit) -> String {
+pub(super) fn in_unit(words: &str, unit: Unit) -> String {
     if unit.name.is_empty() { format!("{words} / units") } else { unit.label(words) }
 }
 
@@ -196,36 +225,58 @@ pub(super) fn tick(value: f64, step: f64) -> String {
     figures::fixed(rounded, decimals)
 }
 
-/// Names the axis, whose T is shown in `unit`, and T0, and frames the plot.
+/// Names the axis, whose T is shown in `unit`, in the corner where that costs least, and T0, and frames the plot. Returns
+/// where it wrote that.
 pub(super) fn annotate(
     ui: &Ui,
     response: &PlotResponse<()>,
     unit: Unit,
     equidistant: Option<(f64, &'static str)>,
-) {
+    cost: impl Fn(Rect) -> f32,
+) -> Vec<Rect> {
     let frame = *response.transform.frame();
     let painter = ui.painter().with_clip_rect(frame);
-    let small = TextStyle::Small.resolve(ui.style());
-    let inset = vec2(7.0, 4.0);
-    let weak = ui.visuals().weak_text_color();
-    let exponent = {
-        let bounds = response.transform.bounds();
-        let ruler = Ruler::of_time(unit, frame.width() + Y_AXIS_WIDTH);
-        ruler.axis([bounds.min()[0], bounds.max()[0]]).exponent
-    };
-    let words = if frame.width() < NARROWEST_WITH_WORDS { in_unit("T", unit) } else { time_label(unit) };
-    let words = with_factor(&words, exponent);
-    painter.text(frame.max - inset, Align2::RIGHT_BOTTOM, words, small.clone(), weak);
+    let (small, weak) = (TextStyle::Small.resolve(ui.style()), ui.visuals().weak_text_color());
+    let laid = |text: String| painter.layout_no_wrap(text, small.clone(), weak);
+    let is_wide = frame.width() >= NARROWEST_WITH_WORDS;
+    let mut written = Vec::new();
     if let Some((time, words)) = equidistant {
         let x = response.transform.position_from_point_x(time);
-        let name =
-            if frame.width() < NARROWEST_WITH_WORDS { "T₀".to_owned() } else { format!("T₀, {words}") };
-        let galley = painter.layout_no_wrap(name, small, weak);
+        let galley = laid(if is_wide { format!("T₀, {words}") } else { "T₀".to_owned() });
         // On the side of its line where there is room.
         let left = if x + 3.0 + galley.size().x < frame.max.x { x + 3.0 } else { x - 3.0 - galley.size().x };
-        painter.galley(pos2(left, frame.min.y + 2.0), galley, weak);
+        let place = Rect::from_min_size(pos2(left, frame.min.y + 2.0), galley.size());
+        painter.galley(place.min, galley, weak);
+        written.push(place);
     }
+    let bounds = response.transform.bounds();
+    let ruler = Ruler::of_time(unit, frame.width() + Y_AXIS_WIDTH);
+    let exponent = ruler.axis([bounds.min()[0], bounds.max()[0]]).exponent;
+    let words = if is_wide { time_label(unit) } else { in_unit("T", unit) };
+    let galley = laid(with_factor(&words, exponent));
+    let corners = [Align2::RIGHT_BOTTOM, Align2::LEFT_BOTTOM, Align2::RIGHT_TOP, Align2::LEFT_TOP];
+    let inside = frame.shrink2(vec2(7.0, 3.0));
+    let spots = corners.map(|corner| corner.align_size_within_rect(galley.size(), inside));
+    let is_free = |spot: &Rect| !written.iter().any(|taken: &Rect| taken.intersects(*spot));
+    let free = spots.into_iter().filter(is_free);
+    let place = free.min_by(|a, b| cost(*a).total_cmp(&cost(*b))).unwrap_or(spots[0]);
+    painter.galley(place.min, galley, weak);
+    written.push(place);
     self::frame(ui, response);
+    written
+}
+
+/// Names the cursors, whose lines are at these T, at their feet. Returns where it wrote that.
+pub(super) fn name_cursors(ui: &Ui, response: &PlotResponse<()>, cursors: &[f64]) -> Vec<Rect> {
+    let frame = *response.transform.frame();
+    let painter = ui.painter().with_clip_rect(frame);
+    let name = |(name, &time): (&str, &f64)| {
+        let x = response.transform.position_from_point_x(time);
+        let place = pos2(x + 2.0, frame.max.y - 2.0);
+        let font = TextStyle::Small.resolve(ui.style());
+        painter.text(place, Align2::LEFT_BOTTOM, name, font, ui.visuals().text_color())
+    };
+    ["A", "B"].into_iter().zip(cursors).map(name).collect()
 }
 
 /// Frames the plot.

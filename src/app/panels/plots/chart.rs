@@ -5,11 +5,12 @@ use egui_plot::PlotPoint;
 use relativity_core::{Model, math};
 
 use super::axes::{Ruler, shown_in, value_range};
-use crate::app::curves::{self, Curve, Curves, CurvesKey, DistanceKind, PUBLISHED, Quantity};
+use super::traces::traces;
+use crate::app::curves::{self, Curve, Curves, CurvesKey, Quantity};
 use crate::app::observer::Eye;
+use crate::app::plotting::MAX_PINS;
 use crate::app::state::State;
 use crate::app::theme;
-use crate::settings::PlotTab;
 use crate::units::Unit;
 
 /// A plot against T.
@@ -22,12 +23,20 @@ pub(super) struct Chart<'a> {
     pub time_unit: Unit,
     /// First and last T, in the scene's unit.
     pub range: [f64; 2],
+    /// Lowest and highest value, as plotted, if a part is looked at.
+    pub zoomed: Option<[f64; 2]>,
     /// The curves, those on top last.
     pub traces: Vec<Trace<'a>>,
     /// T0, and what that is in words.
     pub equidistant: Option<(f64, &'static str)>,
     /// T.
     pub now: f64,
+    /// T of the cursors.
+    pub cursors: Vec<f64>,
+    /// Values up to this are what rounding leaves of 0.
+    pub rounding: f64,
+    /// About how high it is drawn, points.
+    pub height: f32,
 }
 
 /// A curve of a chart.
@@ -42,6 +51,8 @@ pub(super) struct Trace<'a> {
     pub dash: Dash,
     /// Whether it is drawn strongly.
     pub wide: bool,
+    /// Whether it is drawn faintly, as it was pinned.
+    pub pale: bool,
     /// Whether a dot shows where it is at T.
     pub dot: bool,
     /// What it is computed from.
@@ -86,17 +97,35 @@ impl Dash {
     pub const RIGHT: Self = Self::Dashed(7);
     /// Of the published model.
     pub const PUBLISHED: Self = Self::Dashed(4);
+    /// Of what is pinned.
+    pub const PINNED: [Self; MAX_PINS] = [Self::Dashed(12), Self::Dotted, Self::Dashed(6), Self::Dashed(24)];
 }
 
 impl Hue {
     /// The colour on such a background.
-    pub fn colour(self, visuals: &Visuals) -> Color32 {
+    fn colour(self, visuals: &Visuals) -> Color32 {
         match self {
             Self::Point(number) => theme::point_colour(number, visuals),
             Self::Eye(eye) => theme::eye_colour(eye, visuals),
             Self::Stereo => theme::stereo_colour(visuals),
             Self::Measured => theme::measured_colour(visuals),
         }
+    }
+}
+
+/// How much of its colour a pinned curve has.
+const PALE: f32 = 0.7;
+
+impl Trace<'_> {
+    /// Whether it is of the point with this number, or of no point among several.
+    pub fn is_of(&self, number: usize) -> bool {
+        !matches!(self.hue, Hue::Point(of) if of != number)
+    }
+
+    /// Its colour on such a background.
+    pub fn colour(&self, visuals: &Visuals) -> Color32 {
+        let colour = self.hue.colour(visuals);
+        if self.pale { visuals.panel_fill.lerp_to_gamma(colour, PALE) } else { colour }
     }
 }
 
@@ -108,37 +137,35 @@ impl Source {
 }
 
 impl Chart<'_> {
-    /// What its values are measured with in a plot of this height.
-    pub fn ruler(&self, height: f32) -> Ruler {
-        Ruler::of_values(self.quantity, self.unit, height)
+    /// What its values are measured with.
+    pub fn ruler(&self) -> Ruler {
+        Ruler::of_values(self.quantity, self.unit, self.height)
+    }
+
+    /// What T is measured with in a plot of this width.
+    pub fn time_ruler(&self, width: f32) -> Ruler {
+        Ruler::of_time(self.time_unit, width)
     }
 
     /// Lowest and highest value, as plotted.
     pub fn value_range(&self) -> [f64; 2] {
+        if let Some(zoomed) = self.zoomed {
+            return zoomed;
+        }
         let values = self.traces.iter().flat_map(|trace| trace.pieces).flatten().map(|point| point.y);
-        self.ruler(0.0).widened(value_range(self.quantity, values))
+        self.ruler().widened(value_range(self.quantity, values, self.rounding))
     }
 
     /// A value as plotted, in the chart's unit: of a logarithm the number that it is one of.
     pub fn shown(&self, plotted: f64) -> f64 {
-        self.unit.shown(if self.quantity.is_logarithm() { math::powf(10.0, plotted) } else { plotted })
+        let value = if self.quantity.is_logarithm() { math::powf(10.0, plotted) } else { plotted };
+        self.unit.shown(if value.abs() <= self.rounding { 0.0 } else { value })
     }
 }
 
-/// What the plots of a tab show; nothing of those that do not plot against T.
-pub(super) const fn quantities(tab: PlotTab) -> &'static [Quantity] {
-    match tab {
-        PlotTab::Disparity => &[Quantity::DeltaPhi, Quantity::DeltaTheta],
-        PlotTab::Angles => &[Quantity::Phi, Quantity::Theta],
-        PlotTab::Doppler => &[Quantity::LogDoppler],
-        PlotTab::Stereo => &[Quantity::LogGain, Quantity::LogDistance],
-        PlotTab::Fit | PlotTab::Accuracy => &[],
-    }
-}
-
-/// The chart of `quantity`: of every point for a disparity, of each eye of the selected one else. `curves` are those of the
-/// followed points, in order.
-pub(super) fn chart<'a>(state: &State, curves: &'a [Curves], quantity: Quantity) -> Chart<'a> {
+/// The chart of `quantity`: of every point for a disparity, of each eye of the selected one else; and of what is pinned.
+/// `curves` are those that [`State::plotted_keys`] asks for; it is drawn about so high (points).
+pub(super) fn chart<'a>(state: &State, curves: &'a [Curves], quantity: Quantity, height: f32) -> Chart<'a> {
     let measures = state.measures();
     let along = state.settings.baseline().is_along_motion();
     let words = if along { "seen abreast" } else { "seen equally far" };
@@ -146,138 +173,28 @@ pub(super) fn chart<'a>(state: &State, curves: &'a [Curves], quantity: Quantity)
         quantity,
         unit: shown_in(quantity, measures.length),
         time_unit: measures.time,
-        range: state.time_range(),
+        range: state.plotted_times(quantity),
+        zoomed: state.session.plotting.zoom(quantity).map(|zoom| zoom.values),
         traces: traces(state, curves, quantity),
         equidistant: state.equidistance_time(state.session.points.selected()).map(|time| (time, words)),
         now: state.session.time,
+        cursors: state.session.plotting.cursors().to_vec(),
+        rounding: rounding(&state.curve_key(state.session.points.selected()), quantity),
+        height,
     }
 }
 
-fn traces<'a>(state: &State, curves: &'a [Curves], quantity: Quantity) -> Vec<Trace<'a>> {
-    let selected = state.session.points.selected_index();
-    let own = curves.get(selected);
-    let of_eyes = |curve: fn(usize) -> Curve| -> Vec<Trace<'a>> {
-        let Some(own) = own else { return Vec::new() };
-        let all = models(own).flat_map(|model| Eye::BOTH.map(|eye| (eye, model)));
-        all.map(|(eye, model)| {
-            let dash = if eye == Eye::Left { Dash::Solid } else { Dash::RIGHT };
-            let trace = of_model(eye.name(), Hue::Eye(eye), own, model, curve(eye.index()));
-            if trace.dash == Dash::Solid { Trace { dash, ..trace } } else { trace }
-        })
-        .collect()
-    };
+/// What rounding may leave of 0 of `quantity`, as plotted: of a difference in direction a part of what the separation of the
+/// eyes spans at the point.
+fn rounding(key: &CurvesKey, quantity: Quantity) -> f64 {
+    const SHARE: f64 = 1e-14;
+    let distance = key.rest.map(|along| along * along).iter().sum::<f64>().sqrt();
+    let separation = key.baseline.separation;
     match quantity {
-        Quantity::DeltaPhi => of_points(state, curves, Curve::DeltaPhi),
-        Quantity::DeltaTheta => of_points(state, curves, Curve::DeltaTheta),
-        Quantity::Phi => of_eyes(Curve::Phi),
-        Quantity::Theta => of_eyes(Curve::Theta),
-        Quantity::LogDoppler => of_eyes(Curve::LogDoppler),
-        Quantity::LogGain => own.map_or(Vec::new(), |own| {
-            models(own)
-                .map(|model| of_model("Stereo gain", Hue::Stereo, own, model, Curve::LogGain))
-                .collect()
-        }),
-        Quantity::LogDistance => own.map_or(Vec::new(), |own| distances(state, own)),
-    }
-}
-
-/// The exact model where that is not what the views show, and then what they do.
-fn models(curves: &Curves) -> impl Iterator<Item = Model> + use<> {
-    let shown = curves.key().model;
-    [Model::Exact].into_iter().filter(move |&exact| exact != shown).chain([shown])
-}
-
-/// What curves are called that are not the exact ones, and these beside them.
-pub(super) const ONE_CONE: &str = "one light cone";
-const TWO_CONES: &str = "two light cones (exact)";
-
-/// A curve by the model of what the views show or, where that is another, the exact one beside it.
-fn of_model<'a>(name: &str, hue: Hue, curves: &'a Curves, model: Model, curve: Curve) -> Trace<'a> {
-    let key = *curves.key();
-    let (name, dash) = match (key.model, model) {
-        (Model::Exact, _) => (name.to_owned(), Dash::Solid),
-        (_, Model::Exact) => (format!("{name}, {TWO_CONES}"), Dash::Dotted),
-        (Model::Published(_), _) => (format!("{name}, published"), Dash::Solid),
-        (Model::OneCone, _) => (format!("{name}, {ONE_CONE}"), Dash::Solid),
-    };
-    let shown = key.model == model;
-    Trace {
-        name,
-        pieces: curves.pieces(curve, model),
-        hue,
-        dash,
-        wide: shown,
-        dot: shown,
-        source: Source { key, model, curve },
-    }
-}
-
-/// A disparity of every followed point: the selected one below the others, which are thinner, and the published model's
-/// on top.
-fn of_points<'a>(state: &State, curves: &'a [Curves], curve: Curve) -> Vec<Trace<'a>> {
-    let points = &state.session.points;
-    let mut all: Vec<_> = points.all().iter().zip(curves).enumerate().collect();
-    all.sort_by_key(|(index, _)| *index != points.selected_index());
-    let mut traces = Vec::new();
-    for (index, (point, curves)) in all {
-        let is_selected = index == points.selected_index();
-        let (name, hue) = (state.name_of(point), Hue::Point(point.number));
-        for model in models(curves) {
-            let trace = of_model(&name, hue, curves, model, curve);
-            traces.push(Trace { wide: trace.wide && is_selected, ..trace });
+        Quantity::DeltaPhi | Quantity::DeltaTheta if separation > 0.0 => {
+            SHARE * separation / distance.max(separation)
         }
-        if curves.key().published && curves.key().model != PUBLISHED {
-            traces.push(Trace {
-                name: format!("{name}, published"),
-                pieces: curves.pieces(curve, PUBLISHED),
-                hue,
-                dash: Dash::PUBLISHED,
-                wide: is_selected,
-                dot: true,
-                source: Source { key: *curves.key(), model: PUBLISHED, curve },
-            });
-        }
+        Quantity::Phi | Quantity::Theta => SHARE,
+        _ => 0.0,
     }
-    traces
-}
-
-/// The name of a distance, short and long.
-pub(super) const fn distance_words(kind: DistanceKind) -> [&'static str; 2] {
-    match kind {
-        DistanceKind::Stereo => ["two eyes", "Where two eyes take it to be"],
-        DistanceKind::Seen(0) => ["left", "Where the left eye sees it"],
-        DistanceKind::Seen(_) => ["right", "Where the right eye sees it"],
-        DistanceKind::Measured => ["measured", "Where it is measured now"],
-    }
-}
-
-/// How the line of a distance looks.
-pub(super) const fn distance_look(kind: DistanceKind) -> (Hue, Dash, bool) {
-    match kind {
-        DistanceKind::Stereo => (Hue::Stereo, Dash::Solid, true),
-        DistanceKind::Seen(eye) => (Hue::Eye(Eye::BOTH[eye]), Dash::Dashed(5), true),
-        DistanceKind::Measured => (Hue::Measured, Dash::Solid, false),
-    }
-}
-
-/// Those of the selected point: two eyes on top.
-fn distances<'a>(state: &State, curves: &'a Curves) -> Vec<Trace<'a>> {
-    let model = state.settings.model();
-    let kinds = [DistanceKind::Measured, DistanceKind::Seen(1), DistanceKind::Seen(0), DistanceKind::Stereo];
-    kinds
-        .into_iter()
-        .map(|kind| {
-            let (hue, dash, wide) = distance_look(kind);
-            let curve = Curve::LogDistance(kind);
-            Trace {
-                name: distance_words(kind)[1].to_owned(),
-                pieces: curves.pieces(curve, model),
-                hue,
-                dash,
-                wide,
-                dot: true,
-                source: Source { key: *curves.key(), model, curve },
-            }
-        })
-        .collect()
 }

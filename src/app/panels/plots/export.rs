@@ -3,10 +3,11 @@
 use csv::ByteRecord;
 use eframe::egui::{Color32, Visuals};
 
-use super::axes::{axis_label, time_label};
-use super::chart::{Chart, Dash, chart, quantities};
-use super::{Plotted, accuracy};
+use super::axes::{axis_label, column_label, in_unit, time_label};
+use super::chart::{Chart, Dash, chart};
+use super::{Plotted, accuracy, fit};
 use crate::app::curves::Quantity;
+use crate::app::plotting::quantities;
 use crate::app::state::State;
 use crate::files::csv_out::Rows;
 use crate::plot::{self, Line, Panel, Stroke};
@@ -16,24 +17,33 @@ use crate::settings::PlotTab;
 /// the colours of a light window, and T and T0. The Accuracy tab is a table: see [`csv`].
 #[must_use]
 pub fn svg(state: &State, plotted: Plotted<'_>) -> String {
-    let panels: Vec<Panel> = charts(state, plotted).map(|chart| panel(state, &chart)).collect();
+    let panels: Vec<Panel> = match state.settings.plots.plot {
+        PlotTab::Fit => fit::panels(state, plotted.fitting),
+        _ => charts(state, plotted).map(|chart| panel(state, &chart)).collect(),
+    };
     plot::svg(&panels)
 }
 
 /// What the shown tab plots, as CSV in the units that the plots show, which the names of the columns say: T, and a column for
 /// each curve. A row stands at every T at which any of the curves is sampled, densely where they bend; every value there is
-/// computed, none interpolated. A cell is empty where a curve is not. Of the Accuracy tab it is the table.
+/// computed, none interpolated. A cell is empty where a curve is not. Of the Accuracy tab it is the table, of the Fit tab the
+/// samples.
 #[must_use]
 pub fn csv(state: &State, plotted: Plotted<'_>) -> String {
-    if state.settings.plots.plot == PlotTab::Accuracy {
-        return plotted.examination.map_or_else(String::new, accuracy::csv);
+    match state.settings.plots.plot {
+        PlotTab::Accuracy => plotted.examination.map_or_else(String::new, accuracy::csv),
+        PlotTab::Fit => fit::csv(state, plotted.fitting),
+        _ => table(&charts(state, plotted).collect::<Vec<_>>()),
     }
-    let charts: Vec<Chart<'_>> = charts(state, plotted).collect();
-    table(&charts)
 }
 
+/// A drawing is higher than any number of ticks takes.
+const HEIGHT: f32 = 300.0;
+
 fn charts<'a>(state: &'a State, plotted: Plotted<'a>) -> impl Iterator<Item = Chart<'a>> {
-    quantities(state.settings.plots.plot).iter().map(move |&quantity| chart(state, plotted.curves, quantity))
+    quantities(state.settings.plots.plot)
+        .iter()
+        .map(move |&quantity| chart(state, plotted.curves, quantity, HEIGHT))
 }
 
 fn panel(state: &State, chart: &Chart<'_>) -> Panel {
@@ -41,7 +51,7 @@ fn panel(state: &State, chart: &Chart<'_>) -> Panel {
     let in_chart = |point: &egui_plot::PlotPoint| [chart.time_unit.shown(point.x), chart.shown(point.y)];
     let lines = chart.traces.iter().map(|trace| Line {
         name: trace.name.clone(),
-        colour: css(trace.hue.colour(&visuals)).into(),
+        colour: css(trace.colour(&visuals)).into(),
         stroke: match trace.dash {
             Dash::Solid => Stroke::Solid,
             Dash::Dashed(length) => Stroke::Dashes(length),
@@ -54,11 +64,13 @@ fn panel(state: &State, chart: &Chart<'_>) -> Panel {
     let title = if matches!(chart.quantity, Quantity::DeltaPhi | Quantity::DeltaTheta) { "" } else { &point };
     let shown = |time| chart.time_unit.shown(time);
     let now = (shown(chart.now), "T".to_owned());
+    let cursors =
+        ["A", "B"].into_iter().zip(&chart.cursors).map(|(name, time)| (shown(*time), name.to_owned()));
     let seen = chart.equidistant.map(|(time, words)| (shown(time), format!("T₀, {words}")));
-    let values = chart.value_range().map(|value| chart.ruler(0.0).counted(value));
+    let values = chart.value_range().map(|value| chart.ruler().counted(value));
     Panel {
         ranges: [Some(chart.range.map(shown)), Some(values)],
-        marks: seen.into_iter().chain([now]).collect(),
+        marks: seen.into_iter().chain(cursors).chain([now]).collect(),
         logarithmic: [false, chart.quantity.is_logarithm()],
         ..Panel::new(title, labels, lines.collect())
     }
@@ -76,10 +88,12 @@ fn table(charts: &[Chart<'_>]) -> String {
     times.dedup();
     let Some(first) = charts.first() else { return String::new() };
     let mut head = ByteRecord::new();
-    head.push_field(time_label(first.time_unit).as_bytes());
+    head.push_field(in_unit("T", first.time_unit).as_bytes());
     for chart in charts {
         for trace in &chart.traces {
-            head.push_field(format!("{}: {}", axis_label(chart.quantity, chart.unit), trace.name).as_bytes());
+            head.push_field(
+                format!("{}: {}", column_label(chart.quantity, chart.unit), trace.name).as_bytes(),
+            );
         }
     }
     let mut rows = Rows::new(Vec::new());

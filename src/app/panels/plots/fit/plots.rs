@@ -120,7 +120,7 @@ impl Part {
             plot.vline(now.allow_hover(false));
             contents(plot);
         });
-        annotate(ui, &response, unit, None);
+        let _ = annotate(ui, &response, unit, None, |_| 0.0);
         let info = || egui::WidgetInfo::labeled(egui::accesskit::Role::GraphicsObject, true, &self.name);
         response.response.widget_info(info);
         if let Some(time) = time_at_pointer(&response) {
@@ -156,7 +156,7 @@ impl<'a> Drawing<'a> {
         let faintness = if fitting.is_outdated() { FAINT } else { 1.0 };
         let colour = theme::point_colour(state.session.points.selected().number, visuals);
         Self {
-            range: outcome.map_or([0.0, 1.0], |outcome| outcome.key.range),
+            range: outcome.map_or([0.0, 1.0], |outcome| outcome.range),
             data: outcome.map_or(&[], |outcome: &FitOutcome| &outcome.data[curve]),
             fitted,
             data_colour: visuals.weak_text_color().gamma_multiply(faintness),
