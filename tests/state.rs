@@ -4,7 +4,7 @@ use std::path::Path;
 
 use clap::{Parser, ValueEnum as _};
 use gamow::app::args::WindowArgs;
-use gamow::app::command::Command;
+use gamow::app::command::{Command, Select};
 use gamow::app::observer::Eye;
 use gamow::app::state::State;
 use gamow::cli::Cli;
@@ -27,7 +27,7 @@ fn in_window(settings: Settings) -> [View; 2] {
 /// What `gamow render` draws of them, by the command that it records.
 fn in_picture(settings: &Settings) -> [View; 2] {
     let scene = Scene::open(&settings.scene).expect("the scene is there");
-    let (prepared, tracked) = (scene.prepared(), scene.track(settings.point));
+    let (prepared, tracked) = (scene.prepared(), settings.track(&scene));
     let command = settings.resolved(Subject { scene: &prepared, tracked }).command();
     let recorded = Settings::default().with_command(&command, "picture.png").expect("it can be read");
     let time = recorded.time.expect("it is recorded");
@@ -173,7 +173,11 @@ fn flags_that_name_a_scene_start_from_what_is_usual() {
     left.window.plots = false;
     for flags in [&["--scene", "street", "--beta", "0.9"][..], &["--scene=cyclist"], &["--state", "overhead"]]
     {
-        assert_eq!(started(flags, left.clone()), started(flags, Settings::default()), "{flags:?}");
+        let shown = |left: Settings| {
+            let state = started(flags, left);
+            (state.shown(), state.session.preset)
+        };
+        assert_eq!(shown(left.clone()), shown(Settings::default()), "{flags:?}");
     }
     // As it was left, but for what belongs to the other scene.
     let kept = started(&["--scene", "street", "--keep-settings"], left.clone()).settings;
@@ -187,6 +191,33 @@ fn flags_that_name_a_scene_start_from_what_is_usual() {
     assert_eq!(state, Settings { time: None, ..overhead });
     // Whatever else is given, all is as it was left.
     assert_eq!(started(&["--beta", "0.5"], left.clone()).settings.motion.d, 0.5);
+}
+
+/// Also one on what rests, and beside the scene's own.
+#[test]
+fn all_followed_points_are_part_of_what_is_shown() {
+    let mut state = State::open(Settings::default()).expect("a preset");
+    let names = state.session.scene.names.clone();
+    let body = |name: &str| names.iter().position(|own| own == name).expect("there is one");
+    let (tyre, last) = (body("rear tyre"), names.len() - 1);
+    for (number, body) in [tyre, last, body("front tyre")].into_iter().enumerate() {
+        let rest = [0.1 * number as f64, 4.0, -1.5];
+        let track = state.session.scene.track_at(rest, body).expect("there is one");
+        state.apply(Command::Select(Select { track, body, add: true }));
+    }
+    for selected in 0..4 {
+        state.apply(Command::SelectPoint(selected));
+        let shown = state.shown();
+        let again = State::open(shown.clone()).expect("a preset");
+        assert_eq!(again.session.points, state.session.points);
+        // `gamow render` looks at the same one.
+        assert_eq!(shown.track(&state.session.scene), state.session.points.selected().track);
+        let read = Settings::default().with_toml(&shown.to_toml(), "x.toml").expect("it is right");
+        assert_eq!(read, shown);
+    }
+    // Of a body that is not there nothing is followed.
+    let settings = Settings { points: "0,3,2@100000".parse().ok(), ..Settings::default() };
+    assert_eq!(State::open(settings).expect("a preset").session.points.all().len(), 1);
 }
 
 fn render(folder: &Path, flags: &str) {

@@ -75,7 +75,7 @@ impl State {
     /// unless it says which.
     fn show_again(&mut self, settings: Settings, path: &Path) {
         let (points, scene) = (self.session.points.clone(), self.session.scene.clone());
-        let gives_a_point = settings.point.is_some();
+        let gives_a_point = settings.point.is_some() || settings.points.is_some();
         let playing = self.session.playing;
         self.session.notice = None;
         self.show(Settings { time: settings.time.or(Some(self.session.time)), ..settings });

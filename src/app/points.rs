@@ -1,5 +1,6 @@
 //! The points of the scene that are followed: where they are at rest, and what they are called.
 
+use crate::flags::{Followed, FollowedPoint};
 use crate::scene::{Scene, Track};
 
 /// A followed point.
@@ -57,12 +58,35 @@ impl Points {
         Self { all: vec![Point { number: FIRST, track, body: None }], selected: TRACKED, last_number: FIRST }
     }
 
-    /// Beside the scene's own tracked point one that is given by its place, selected.
+    /// With these beside it, those that are there in `scene`.
     #[must_use]
-    pub fn with_given(self, track: Track) -> Self {
-        let number = self.last_number + 1;
-        let all: Vec<_> = self.all.into_iter().chain([Point { number, track, body: None }]).collect();
-        Self { selected: all.len() - 1, all, last_number: number }
+    pub fn with_followed(mut self, scene: &Scene, followed: Option<Followed>) -> Self {
+        for FollowedPoint { place, body } in followed.into_iter().flat_map(|followed| followed.0) {
+            if let Some(track) = scene.track_at(place, body) {
+                self.choose(track, body, true);
+            }
+        }
+        self
+    }
+
+    /// With the one at `track` selected; if it is not there, beside the others.
+    #[must_use]
+    pub fn with_selected(mut self, track: Track) -> Self {
+        self.selected = self.all.iter().position(|point| point.track == track).unwrap_or_else(|| {
+            self.last_number += 1;
+            self.all.truncate(MAX_POINTS - 1);
+            self.all.push(Point { number: self.last_number, track, body: None });
+            self.all.len() - 1
+        });
+        self
+    }
+
+    /// Those beside the scene's own, as settings; of one that is given by its place no body is known.
+    #[must_use]
+    pub fn followed(&self) -> Option<Followed> {
+        let on_body = |point: &Point| Some(FollowedPoint { place: point.track.rest, body: point.body? });
+        let followed: Vec<_> = self.all.iter().filter_map(on_body).collect();
+        (!followed.is_empty()).then_some(Followed(followed))
     }
 
     /// All of them: the scene's own tracked point, then the others in the order they were added.

@@ -76,6 +76,6 @@ mod tests {
         assert_eq!(Recent::of_text(&recent.to_text()), recent);
         recent.remove(Path::new("/nowhere/9.toml"));
         assert_eq!(recent.all()[0], Path::new("/nowhere/11.toml"));
-        assert_eq!(Recent::of_text("").all(), [PathBuf::new(); 0]);
+        assert!(Recent::of_text("").all().is_empty());
     }
 }

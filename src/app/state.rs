@@ -21,7 +21,7 @@ use super::stage::Stage;
 use crate::flags::choices::ProjectionChoice;
 use crate::map::Viewpoint;
 use crate::passage;
-use crate::scene::{Scene, SceneError, Track};
+use crate::scene::{Scene, SceneError};
 use crate::settings::{Look, Preset, Settings};
 use crate::units::Measures;
 
@@ -100,10 +100,10 @@ impl State {
     pub fn new(mut settings: Settings, scene: Scene) -> Self {
         let notice = without_headset(&mut settings.look);
         let preset = Preset::of(&settings);
-        let own = scene.track(None);
-        let tracked = scene.track(settings.point.take());
-        let points = Points::tracked(own);
-        let points = if tracked == own { points } else { points.with_given(tracked) };
+        let tracked = settings.track(&scene);
+        let points = Points::tracked(scene.track(None));
+        let points = points.with_followed(&scene, settings.points.take()).with_selected(tracked);
+        settings.point = None;
         let time = settings.time.take().unwrap_or_else(|| settings.time_of_approach(&tracked));
         let session = Session {
             prepared: scene.prepared(),
@@ -168,14 +168,14 @@ impl State {
         Scene::preset(&self.settings.scene).is_none().then(|| Path::new(&self.settings.scene))
     }
 
-    /// All that is shown, as settings: what is remembered, and the session's T and selected point.
+    /// All that is shown, as settings: what is remembered, and the session's T and points.
     #[must_use]
     pub fn shown(&self) -> Settings {
-        let Track { rest, motion } = self.session.points.selected().track;
-        let own = self.session.scene.track(None);
+        let points = &self.session.points;
         Settings {
             time: Some(self.session.time),
-            point: (motion == own.motion && rest != own.rest).then_some(rest),
+            point: (points.selected_index() != 0).then_some(points.selected().track.rest),
+            points: points.followed(),
             ..self.settings.clone()
         }
     }

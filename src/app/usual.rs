@@ -82,7 +82,7 @@ impl State {
     /// Whether there is anything to have as usual.
     #[must_use]
     pub fn is_usual(&self) -> bool {
-        let as_usual = Settings { time: None, point: None, ..self.as_usual() };
+        let as_usual = Settings { time: None, point: None, points: None, ..self.as_usual() };
         let has_own_point = self.session.points == Points::tracked(self.session.scene.track(None));
         as_usual == self.settings && has_own_point
     }

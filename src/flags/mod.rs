@@ -1,12 +1,14 @@
 //! Types of flags that several commands and the window share.
 
 pub mod choices;
+mod followed;
 mod head;
 mod layout;
 mod numbers;
 mod speed;
 pub mod words;
 
+pub use followed::{Followed, FollowedPoint};
 pub use head::{HEAD_DEGREES, HeadArgs};
 pub use numbers::{
     EXPOSURE_EV, Exposure, FieldOfView, IntensityExponent, MAX_TIME, OnOff, SCREEN_CM, ScreenWidth, Share,

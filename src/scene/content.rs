@@ -74,9 +74,18 @@ impl Scene {
     /// The forward-most point of the body of this number, if there is such a body.
     #[must_use]
     pub fn track_on(&self, body: usize) -> Option<Track> {
-        let group = self.groups.iter().find(|group| group.bodies().contains(&body))?;
-        let rest = forward_most_on(&self.bodies.get(body)?.shape).into();
-        Some(Track { rest, motion: group.motion })
+        self.track_at(forward_most_on(&self.bodies.get(body)?.shape).into(), body)
+    }
+
+    /// The point that rests at this place of the body of this number, if there is one.
+    #[must_use]
+    pub fn track_at(&self, rest: [f64; 3], body: usize) -> Option<Track> {
+        Some(Track { rest, motion: self.motion_of(body)? })
+    }
+
+    /// How the body of this number moves, if there is one.
+    fn motion_of(&self, body: usize) -> Option<Motion> {
+        self.groups.iter().find(|group| group.bodies().contains(&body)).map(|group| group.motion)
     }
 
     /// It without what rests on the ground: the groups that do not move, but for its first.
@@ -106,11 +115,8 @@ impl Scene {
     /// alike. Of several the one of the same shape.
     #[must_use]
     pub fn counterpart(&self, old: &Self, body: usize) -> Option<usize> {
-        let motion_in = |scene: &Self, body: usize| {
-            scene.groups.iter().find(|group| group.bodies().contains(&body)).map(|group| group.motion)
-        };
-        let (name, motion) = (old.names.get(body)?, motion_in(old, body)?);
-        let is_alike = |&new: &usize| self.names[new] == *name && motion_in(self, new) == Some(motion);
+        let (name, motion) = (old.names.get(body)?, old.motion_of(body)?);
+        let is_alike = |&new: &usize| self.names[new] == *name && self.motion_of(new) == Some(motion);
         let alike = || (0..self.bodies.len()).filter(is_alike);
         alike().find(|&new| self.bodies[new].shape == old.bodies[body].shape).or_else(|| alike().next())
     }

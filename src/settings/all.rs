@@ -6,7 +6,7 @@ use serde::Serialize;
 use super::sections::{
     FitSetup, Light, Look, Map, Motion, Picture, Playback, Plots, Quality, Screen, Window,
 };
-use crate::flags::{coordinates, finite_number};
+use crate::flags::{Followed, coordinates, finite_number};
 use crate::scene::PRESETS;
 
 /// Everything that is set.
@@ -22,6 +22,10 @@ pub struct Settings {
     /// The point that is tracked, at rest [default: the scene's own]
     #[arg(long, value_name = "X,Y,Z", value_parser = coordinates, allow_hyphen_values = true)]
     pub point: Option<[f64; 3]>,
+    /// The points that are followed beside the scene's own, each on a body of this number: its place at rest, and that
+    /// [default: none]
+    #[arg(long, value_name = "X,Y,Z@BODY;...", allow_hyphen_values = true)]
+    pub points: Option<Followed>,
     /// How the scene moves, and between which eyes.
     #[command(flatten)]
     pub motion: Motion,
@@ -64,6 +68,7 @@ impl Default for Settings {
             scene: PRESETS[0].to_owned(),
             time: None,
             point: None,
+            points: None,
             motion: Motion::default(),
             look: Look::default(),
             light: Light::default(),
@@ -93,7 +98,7 @@ impl Settings {
         let look = Look { geometry: self.look.geometry, projection: self.look.projection, ..usual.look };
         let playback = Playback { range: usual.playback.range, ..self.playback };
         let fit = FitSetup { fit_range: usual.fit.fit_range, ..self.fit };
-        Self { scene, time: None, point: None, motion, look, playback, fit, ..self }
+        Self { scene, time: None, point: None, points: None, motion, look, playback, fit, ..self }
     }
 
     /// These settings in the window, on the screen and in the layout of `other`, which belong to whoever looks and not to what

@@ -43,6 +43,16 @@ impl Settings {
         Ok(if self.light.surroundings { scene } else { scene.without_surroundings() })
     }
 
+    /// The point of `scene` that is tracked. One that is among the followed points moves with its body.
+    #[must_use]
+    pub fn track(&self, scene: &Scene) -> Track {
+        let followed = self.points.iter().flat_map(|points| &points.0);
+        let found = self.point.and_then(|place| followed.clone().find(|point| point.place == place));
+        found
+            .and_then(|point| scene.track_at(point.place, point.body))
+            .unwrap_or_else(|| scene.track(self.point))
+    }
+
     /// The speed of the scene.
     #[must_use]
     pub const fn speed(&self) -> Speed {

@@ -17,8 +17,8 @@ use crate::flags::choices::{
     GazeChoice, Layout, ProjectionChoice, RendererChoice, Size, Swapped, ZeroParallax,
 };
 use crate::flags::{
-    EXPOSURE_EV, Exposure, FieldOfView, HEAD_DEGREES, IntensityExponent, MAX_TIME, SCREEN_CM, ScreenWidth,
-    Share, SpeedParameter, SpeedSetting, TEMPERATURE_K, TimeRange,
+    EXPOSURE_EV, Exposure, FieldOfView, Followed, FollowedPoint, HEAD_DEGREES, IntensityExponent, MAX_TIME,
+    SCREEN_CM, ScreenWidth, Share, SpeedParameter, SpeedSetting, TEMPERATURE_K, TimeRange,
 };
 use crate::units::Units;
 
@@ -189,15 +189,18 @@ fn playback_map_and_plots() -> impl Strategy<Value = (Playback, Map, Plots)> {
 }
 
 fn settings() -> impl Strategy<Value = Settings> {
+    let followed = ([any_number(), any_number(), any_number()], any::<usize>())
+        .prop_map(|(place, body)| FollowedPoint { place, body });
     let top = (
         ".{0,20}",
         proptest::option::of(any_number()),
         proptest::option::of([any_number(), any_number(), any_number()]),
+        proptest::option::of(proptest::collection::vec(followed, 1..4).prop_map(Followed)),
     );
     (top, motion(), look(), light(), quality_picture_and_screen(), playback_map_and_plots(), fit(), window())
         .prop_map(
             |(
-                (scene, time, point),
+                (scene, time, point, points),
                 motion,
                 look,
                 light,
@@ -210,6 +213,7 @@ fn settings() -> impl Strategy<Value = Settings> {
                     scene,
                     time,
                     point,
+                    points,
                     motion,
                     look,
                     light,
@@ -271,7 +275,9 @@ fn a_thousand_states_survive_every_file_and_flags() {
 
 #[test]
 fn every_setting_is_a_flag_under_the_heading_of_its_section() {
-    let entries = Settings { time: Some(1.0), point: Some([0.0; 3]), ..Settings::default() }.entries();
+    let points = Some(Followed(vec![FollowedPoint { place: [0.0; 3], body: 0 }]));
+    let settings = Settings { time: Some(1.0), point: Some([0.0; 3]), points, ..Settings::default() };
+    let entries = settings.entries();
     let known: Vec<_> = entries::names().filter(|(_, name)| !["gamma", "rapidity"].contains(name)).collect();
     let found: Vec<_> = entries.iter().map(|entry| (entry.section.clone(), entry.key.as_str())).collect();
     assert_eq!(found, known);
@@ -319,7 +325,7 @@ fn what_is_wrong_in_a_file_is_said_with_its_line() {
         ),
         (
             "\nbeta = 0.5",
-            "state.toml:2: unknown setting `beta`: before the first section has scene, time, point",
+            "state.toml:2: unknown setting `beta`: before the first section has scene, time, point, points",
         ),
         (
             "[more]\nd = 1",

@@ -46,7 +46,7 @@ impl Studio {
     pub fn new(settings: Settings) -> anyhow::Result<Self> {
         settings.check_geometry()?;
         let scene = settings.opened_scene()?;
-        let tracked = scene.track(settings.point);
+        let tracked = settings.track(&scene);
         Self::of_scene(settings, scene, tracked)
     }
 

@@ -1,6 +1,6 @@
 //! What is copied as text: commands that give the same picture or the same numbers, and the numbers.
 
-use relativity_core::{Speed, SpeedError};
+use relativity_core::{Model, Speed, SpeedError};
 use relativity_render::Motion;
 
 use crate::app::state::State;
@@ -25,18 +25,6 @@ fn told_speed(speed: Speed) -> Result<SpeedSetting, SpeedError> {
 }
 
 impl State {
-    /// All that is shown, as settings that another program can be given. Where the selected point is none that settings can
-    /// name, what follows it stays where it is.
-    #[must_use]
-    pub fn told(&self) -> Settings {
-        let shown = self.shown();
-        let named = self.session.scene.track(shown.point);
-        if self.session.points.selected().track == named {
-            return shown;
-        }
-        Settings { look: self.look(), ..shown }
-    }
-
     /// How the selected point is seen at T by `gamow curve` and `gamow eval`: the speed as it was given, and the rest.
     fn told_point(&self) -> Result<(SpeedSetting, Observation), String> {
         let velocity = self.selected_velocity();
@@ -59,7 +47,9 @@ impl State {
 
     fn told_model(&self) -> ModelArgs {
         let intensity_exponent = self.settings.light.intensity_exponent.0.unwrap_or_default();
-        ModelArgs { model: self.settings.model(), intensity_exponent, stereo: true }
+        let model = self.settings.shown_model();
+        // The paper's lines of sight meet nowhere.
+        ModelArgs { model, intensity_exponent, stereo: !matches!(model, Model::Published(_)) }
     }
 
     /// The `gamow curve` command that gives the numbers of the selected point's curves over the range of T.
@@ -69,7 +59,8 @@ impl State {
     /// Why there is none.
     pub fn curve_command(&self) -> Result<String, String> {
         let (speed, observation) = self.told_point()?;
-        let ModelArgs { model, intensity_exponent, .. } = self.told_model();
+        let ModelArgs { model, intensity_exponent, stereo } = self.told_model();
+        let stereo = if stereo { " --stereo" } else { "" };
         let Settings { motion, .. } = self.settings;
         let [from, to] = self.time_range();
         let point = observation.point;
@@ -87,7 +78,7 @@ impl State {
             ("intensity-exponent", intensity_exponent),
         ];
         let flags = numbers.map(|(name, value)| format!(" --{name}={}", quoted(&value.to_string()))).concat();
-        Ok(format!("gamow curve{flags} --model={} --stereo --samples={SAMPLES}", model.name()))
+        Ok(format!("gamow curve{flags} --model={}{stereo} --samples={SAMPLES}", model.name()))
     }
 
     /// What `gamow eval --stereo` tells of the selected point at T: the names and the numbers, a line each, between tabs.

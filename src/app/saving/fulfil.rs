@@ -118,7 +118,7 @@ impl App {
 
     /// The settings with which `gamow render` makes the picture that the views show, this `size` for each eye.
     fn settings_of_picture(&self, ui: &Ui, size: [u32; 2]) -> Settings {
-        let mut settings = self.state.told();
+        let mut settings = self.state.shown();
         settings.picture.size = Size(size);
         settings.look.geometry = settings.geometry();
         if settings.light.light == Daylight::Theme {
@@ -140,7 +140,7 @@ impl App {
                 let job = Job::Clipboard(self.drawn(ui, self.state.session.picture_size));
                 return self.begin(ctx, job, "the picture".to_owned(), 1);
             }
-            Copied::Command => Ok(self.state.told().window_command()),
+            Copied::Command => Ok(self.state.shown().window_command()),
             Copied::RenderCommand => {
                 Ok(self.settings_of_picture(ui, self.state.session.picture_size).command())
             }
