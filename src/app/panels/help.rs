@@ -14,7 +14,7 @@ const NARROWEST_IN_COLUMNS: f32 = 960.0;
 /// Room for all of it in two columns, points.
 const HEIGHT: f32 = 440.0;
 
-const MOUSE: [(&str, &str); 9] = [
+const MOUSE: [(&str, &str); 12] = [
     ("Rest on something in a view", "what it is, where and when"),
     ("Click in a view", "follow that point"),
     ("Shift-click", "compare one more point"),
@@ -22,6 +22,9 @@ const MOUSE: [(&str, &str); 9] = [
     ("Scroll over a view", "zoom"),
     ("Double-click in a view", "follow the point again"),
     ("Click or drag in a plot, on a worldline", "go to that T"),
+    ("Scroll, right-drag, double-click in a plot", "zoom, move, all of it"),
+    ("Shift-click in a plot", "a cursor: two tell the difference"),
+    ("Rest in a plot", "what the curves are there"),
     ("Click in the map", "follow that point"),
     ("Drag, scroll, double-click in the map", "move, zoom, fit it"),
 ];
