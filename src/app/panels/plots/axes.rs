@@ -16,8 +16,8 @@ pub(super) const Y_AXIS_WIDTH: f32 = 48.0;
 const NUMBER_ROOM: [f32; 2] = [58.0, 26.0];
 /// Least room between two numbers above each other.
 const LEAST_NUMBER_ROOM: f32 = 16.0;
-/// A plot less wide has no room for words at its axis.
-const NARROWEST_WITH_WORDS: f32 = 170.0;
+/// A plot less wide or less high has no room for words at its axis.
+const LEAST_WITH_WORDS: [f32; 2] = [170.0, 110.0];
 /// Least height of an axis as a part of the largest value, and most of what that asks for, radians.
 const LEAST_SHARE: f64 = 0.05;
 const LEAST_ANGLE: f64 = 0.01;
@@ -261,7 +261,7 @@ pub(super) fn annotate(
     let painter = ui.painter().with_clip_rect(frame);
     let (small, weak) = (TextStyle::Small.resolve(ui.style()), ui.visuals().weak_text_color());
     let laid = |text: String| painter.layout_no_wrap(text, small.clone(), weak);
-    let is_wide = frame.width() >= NARROWEST_WITH_WORDS;
+    let is_wide = frame.width() >= LEAST_WITH_WORDS[0] && frame.height() >= LEAST_WITH_WORDS[1];
     let mut written = Vec::new();
     if let Some((time, words)) = equidistant {
         let x = response.transform.position_from_point_x(time);
@@ -289,15 +289,27 @@ pub(super) fn annotate(
     written
 }
 
-/// Names the cursors, whose lines are at these T, at their feet. Returns where it wrote that.
-pub(super) fn name_cursors(ui: &Ui, response: &PlotResponse<()>, cursors: &[f64]) -> Vec<Rect> {
+/// Names the cursors, whose lines are at these T, where nothing is `written`; and says where.
+pub(super) fn name_cursors(
+    ui: &Ui,
+    response: &PlotResponse<()>,
+    cursors: &[f64],
+    written: &[Rect],
+) -> Vec<Rect> {
     let frame = *response.transform.frame();
     let painter = ui.painter().with_clip_rect(frame);
     let name = |(name, &time): (&str, &f64)| {
         let x = response.transform.position_from_point_x(time);
-        let place = pos2(x + 2.0, frame.max.y - 2.0);
         let font = TextStyle::Small.resolve(ui.style());
-        painter.text(place, Align2::LEFT_BOTTOM, name, font, ui.visuals().text_color())
+        let galley = painter.layout_no_wrap(name.to_owned(), font, ui.visuals().text_color());
+        let spots = [0.97, 0.85, 0.75, 0.65].map(|share| {
+            Align2::LEFT_BOTTOM
+                .anchor_size(pos2(x + 2.0, frame.min.y + share * frame.height()), galley.size())
+        });
+        let is_free = |spot: &Rect| !written.iter().any(|taken| taken.intersects(*spot));
+        let place = spots.into_iter().find(is_free).unwrap_or(spots[0]);
+        painter.galley(place.min, galley, ui.visuals().text_color());
+        place
     };
     ["A", "B"].into_iter().zip(cursors).map(name).collect()
 }
