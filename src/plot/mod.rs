@@ -3,12 +3,14 @@
 //! Colours are those of M. Okabe and K. Ito, *Color universal design* (2008), which colour-blind eyes tell
 //! apart; lines differ by dashes too.
 
+mod labels;
 mod scale;
 
 use std::fmt::Write as _;
 
 use relativity_core::math;
 
+use self::labels::{Label, Labels};
 pub use self::scale::round_step;
 use self::scale::{decades, linear_ticks, powers_of_ten, span, widened};
 
@@ -21,6 +23,7 @@ pub const VERMILION: &str = "#D55E00";
 /// As many more as there may be marks in a panel.
 pub const COLOURS: [&str; 7] = [BLUE, VERMILION, "#009E73", "#CC79A7", "#E69F00", "#56B4E9", BLACK];
 
+/// Height of a panel unless it has another, pixels.
 const HEIGHT: f64 = 380.0;
 const MARGIN: Margin = Margin { left: 72.0, right: 16.0, top: 44.0, bottom: 52.0 };
 /// Room for a row of the legend.
@@ -86,6 +89,8 @@ pub struct Panel {
     pub labels: [&'static str; 2],
     /// The lines.
     pub lines: Vec<Line>,
+    /// What the horizontal axis shows at least, besides the lines; in order that panels can be compared.
+    pub at_least: Option<[f64; 2]>,
     /// A value on the horizontal axis to mark, and its name.
     pub mark: Option<(f64, &'static str)>,
     /// Whether a unit is as long on both axes.
@@ -94,13 +99,26 @@ pub struct Panel {
     pub logarithmic: bool,
     /// Width, pixels.
     pub width: f64,
+    /// Height, pixels.
+    pub height: f64,
 }
 
 impl Panel {
-    /// Linear axes with scales of their own, 480 pixels wide.
+    /// Linear axes with scales of their own, 480 by 380 pixels.
     pub fn new(title: impl Into<String>, labels: [&'static str; 2], lines: Vec<Line>) -> Self {
         let title = title.into();
-        Self { title, labels, lines, mark: None, equal_scales: false, logarithmic: false, width: 480.0 }
+        let (width, height) = (480.0, HEIGHT);
+        Self {
+            title,
+            labels,
+            lines,
+            at_least: None,
+            mark: None,
+            equal_scales: false,
+            logarithmic: false,
+            width,
+            height,
+        }
     }
 
     /// The lines that are named in the legend.
@@ -113,9 +131,10 @@ impl Panel {
 #[must_use]
 pub fn svg(panels: &[Panel]) -> String {
     let width: f64 = panels.iter().map(|panel| panel.width).sum();
+    let height = row_height(panels);
     let mut svg = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{HEIGHT}\" \
-         viewBox=\"0 0 {width} {HEIGHT}\" font-family=\"sans-serif\" font-size=\"13\">\n\
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+         viewBox=\"0 0 {width} {height}\" font-family=\"sans-serif\" font-size=\"13\">\n\
          <rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
     );
     let mut left = 0.0;
@@ -125,6 +144,29 @@ pub fn svg(panels: &[Panel]) -> String {
     }
     svg.push_str("</svg>\n");
     svg
+}
+
+/// Rows of panels below each other.
+#[must_use]
+pub fn svg_of_rows(rows: &[Vec<Panel>]) -> String {
+    let width = |row: &Vec<Panel>| row.iter().map(|panel| panel.width).sum();
+    let width: f64 = rows.iter().map(width).fold(0.0, f64::max);
+    let height: f64 = rows.iter().map(|row| row_height(row)).sum();
+    let mut all = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+         viewBox=\"0 0 {width} {height}\">\n"
+    );
+    let mut top = 0.0;
+    for row in rows {
+        all.push_str(&svg(row).replacen("<svg ", &format!("<svg y=\"{top}\" "), 1));
+        top += row_height(row);
+    }
+    all.push_str("</svg>\n");
+    all
+}
+
+fn row_height(panels: &[Panel]) -> f64 {
+    panels.iter().map(|panel| panel.height).fold(0.0, f64::max)
 }
 
 /// Where a panel's coordinates lie in the picture.
@@ -143,11 +185,14 @@ impl<'a> Axes<'a> {
             left + MARGIN.left,
             left + panel.width - MARGIN.right,
             MARGIN.top + legend,
-            HEIGHT - MARGIN.bottom,
+            panel.height - MARGIN.bottom,
         ];
         let points = || panel.lines.iter().flat_map(|line| &line.pieces).flatten();
         let [mut x, mut y] = [
-            span(points().map(|point| point[0]), if panel.equal_scales { 0.02 } else { 0.0 }),
+            span(
+                points().map(|point| point[0]).chain(panel.at_least.into_iter().flatten()),
+                if panel.equal_scales { 0.02 } else { 0.0 },
+            ),
             span(points().map(|point| point[1]), 0.06),
         ];
         if panel.logarithmic {
@@ -170,8 +215,9 @@ impl<'a> Axes<'a> {
 
     fn draw(&self, svg: &mut String) {
         self.draw_axes(svg);
+        let mut labels = Labels::new(self.frame);
         for line in &self.panel.lines {
-            self.draw_line(line, svg);
+            self.draw_line(line, &mut labels, svg);
         }
         let left = self.frame[0];
         for (row, line) in self.panel.legend().enumerate() {
@@ -183,24 +229,17 @@ impl<'a> Axes<'a> {
         }
     }
 
-    fn draw_line(&self, line: &Line, svg: &mut String) {
+    fn draw_line(&self, line: &Line, labels: &mut Labels, svg: &mut String) {
         for piece in &line.pieces {
             let places: Vec<_> = piece.iter().map(|&point| self.place(point)).collect();
             draw_piece(line, &places, svg);
             if line.stroke == Stroke::Mark {
-                self.draw_name(line, places[0], svg);
+                let Label { anchor, x, y } = labels.place(places[0], &line.name);
+                let name = escaped(&line.name);
+                let _ =
+                    writeln!(svg, "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\">{name}</text>");
             }
         }
-    }
-
-    /// The name of a mark, on the side where there is more room.
-    fn draw_name(&self, line: &Line, [x, y]: [f64; 2], svg: &mut String) {
-        let [left, right, ..] = self.frame;
-        // Above or below, so that names from both sides can meet.
-        let (anchor, x, y) =
-            if 2.0 * x < left + right { ("start", x + 9.0, y - 5.0) } else { ("end", x - 9.0, y + 15.0) };
-        let name = escaped(&line.name);
-        let _ = writeln!(svg, "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\">{name}</text>");
     }
 
     /// Values to mark on an axis over `range`, and how they are written.
@@ -285,10 +324,12 @@ mod tests {
             title: "a < b".to_owned(),
             labels: ["T", "angle"],
             lines: vec![Line::solid("line", BLUE, points)],
+            at_least: None,
             mark: None,
             equal_scales: false,
             logarithmic: false,
             width: 500.0,
+            height: 300.0,
         };
         let svg = svg(&[panel]);
         let line = svg.rsplit("points=\"").nth(1).expect("the line comes before its entry in the legend");

@@ -13,10 +13,15 @@ pub fn span(values: impl Iterator<Item = f64> + Clone, margin: f64) -> [f64; 2] 
     if high > low { [low - room, high + room] } else { [low - 1.0, low + 1.0] }
 }
 
-/// Exponents of the powers of ten around `values`.
+/// Share of a logarithmic axis that stays free at each end, so that nothing is drawn on the frame.
+const FREE: f64 = 0.05;
+
+/// Exponents of the powers of ten around `values`, and as much more as leaves both ends free.
 pub fn decades(values: impl Iterator<Item = f64> + Clone) -> [f64; 2] {
     let [low, high] = span(values.map(math::log10), 0.0);
-    [low.floor(), high.ceil().max(low.floor() + 1.0)]
+    let [from, to] = [low.floor(), high.ceil().max(low.floor() + 1.0)];
+    let free = FREE * (to - from);
+    [from.min(low - free), to.max(high + free)]
 }
 
 /// About [`TICKS`] powers of ten whose exponents lie in `range`.
@@ -86,7 +91,8 @@ mod tests {
 
     #[test]
     fn logarithmic_axes_go_from_power_to_power() {
-        assert_eq!(decades([3e-4, 0.02, 10.0].into_iter()), [-4.0, 1.0]);
+        assert_eq!(decades([3e-4, 0.02, 5.0].into_iter()), [-4.0, 1.0]);
+        assert_eq!(decades([1e-4, 0.02, 10.0].into_iter()), [-4.25, 1.25]);
         assert_eq!(
             labels(powers_of_ten([-10.0, 2.0])),
             ["10⁻¹⁰", "10⁻⁸", "10⁻⁶", "10⁻⁴", "10⁻²", "10⁰", "10²"]

@@ -118,7 +118,7 @@ fn for_points(formulas: &[FormulaReport]) -> String {
     let worst =
         |formula: &&FormulaReport| formula.line_of_sight_arcseconds.map_or(0.0, |spread| spread.worst);
     let largest_gamma =
-        |formula: &FormulaReport| formula.views.iter().map(|row| row.view.gamma).fold(1.0, f64::max);
+        |formula: &FormulaReport| formula.views.iter().map(|row| row.view.gamma.round()).fold(1.0, f64::max);
     let mut good: Vec<_> =
         formulas.iter().filter(|formula| worst(formula) <= STEREO_ACUITY_ARCSECONDS).collect();
     good.sort_by(|a, b| a.point_ns.total_cmp(&b.point_ns));
