@@ -1,6 +1,7 @@
 //! `gamow paper`: all figures are there, and the report holds the known numbers.
 
 use std::fs;
+use std::path::Path;
 
 use super::{Table, gamow, run};
 
@@ -76,14 +77,12 @@ fn the_paper_is_reproduced_whole() {
         assert!(!page.contains(outside), "the page refers to a file");
     }
     assert!(!page.contains("<img"));
+    assert_the_bicycle_can_be_worked_out_again(&out);
 }
 
 /// The numbers behind the figure are those of `gamow eval` for the T in their headers, to the last digit.
-#[test]
-fn the_bicycle_for_two_eyes_can_be_worked_out_again() {
-    let folder = tempfile::tempdir().expect("a folder");
-    run(gamow().args(["paper", "--out"]).arg(folder.path()), b"").text();
-    let csv = fs::read_to_string(folder.path().join("bicycle-2d-two-eyes.csv")).expect("it is there");
+fn assert_the_bicycle_can_be_worked_out_again(out: &Path) {
+    let csv = fs::read_to_string(out.join("bicycle-2d-two-eyes.csv")).expect("it is there");
     let table = Table::parsed(&csv);
     let (rest_x, rest_y) = (table.column("rest_x"), table.column("rest_y"));
     let gamma = 1.0 / (0.1_f64 * 1.9).sqrt();

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use gamow::files::png::{self, PngFile};
 use relativity_render::colour::linear_srgb;
 use relativity_render::picture::encoded;
 use serde_json::Value;
@@ -12,6 +13,7 @@ use super::{complaint_of, folder, gamow_output, render, run_gamow};
 const BALL: &str = "\
 name = \"A ball\"
 [[object]]
+name = \"Green\"
 shape = \"sphere\"
 center = [0.0, 3.0, 2.0]
 radius = 0.12
@@ -49,6 +51,11 @@ fn measurements_of_a_body_give_its_speed_and_distance() {
     ride(folder.path(), "--exr");
     run_gamow(folder.path(), "measure ride --object 0 --out ride.csv");
     assert_recovers(folder.path());
+    // By its name in the scene, too.
+    let by_number = run_gamow(folder.path(), "measure ride --object 0");
+    assert_eq!(run_gamow(folder.path(), "measure ride --object green"), by_number);
+    let complaint = complaint_of(folder.path(), "measure ride --object red");
+    assert!(complaint.contains("the scene A ball has nothing called `red`: it has Green\n"), "{complaint}");
     assert!(
         complaint_of(folder.path(), "measure ride --object 7").contains("none of 30 files shows the target")
     );
@@ -226,8 +233,6 @@ fn errors_of_disparities_are_as_large_as_their_sigmas_say() {
 
 /// The file at `path` as another program leaves it: without texts.
 fn forget(path: &Path) {
-    use gamow::files::png::{self, PngFile};
-
     let picture = PngFile::read(path).expect("it was rendered").picture().clone();
     png::write(&picture, &[], std::fs::File::create(path).expect("it is there")).expect("it is written");
 }
@@ -273,8 +278,6 @@ fn photographs_that_record_nothing_are_measured_by_flags() {
 /// Other programs keep the texts of a picture in chunks of their own.
 #[test]
 fn ordinary_text_chunks_are_read() {
-    use gamow::files::png::PngFile;
-
     let folder = folder();
     std::fs::write(folder.path().join("ball.toml"), BALL).expect("the folder is there");
     render(folder.path(), &format!("{PHOTOGRAPHS} --scene ball.toml --time 4 --out ball.png"));
@@ -285,8 +288,8 @@ fn ordinary_text_chunks_are_read() {
     let picture = file.picture();
     for is_compressed in [false, true] {
         let out = std::fs::File::create(&path).expect("it is there");
-        let mut encoder = png::Encoder::new(out, picture.size[0], picture.size[1]);
-        encoder.set_color(png::ColorType::Rgba);
+        let mut encoder = ::png::Encoder::new(out, picture.size[0], picture.size[1]);
+        encoder.set_color(::png::ColorType::Rgba);
         let (keyword, text) = ("Parameters".to_owned(), file.command().to_owned());
         let added = if is_compressed {
             encoder.add_ztxt_chunk(keyword, text)
@@ -327,7 +330,6 @@ fn a_colour_that_is_not_one_point_is_remarked_on() {
     );
     assert!(line.contains("the eyes may be swapped") && line.lines().count() == 1, "{line}");
     // One camera looks higher than it is said to: as pictures of one that is held askew.
-    use gamow::files::png::{self, PngFile};
     let path = folder.path().join("one/frame_00001.png");
     let file = PngFile::read(&path).expect("it was rendered");
     let mut askew = file.picture().clone();

@@ -188,16 +188,16 @@ mod tests {
         Circumstances { beta: 0.0, gamma, place: Place::Abreast }
     }
 
-    fn all(error: f64) -> Option<Spread> {
-        Some(Spread { median: error, p99: error, worst: error, count: 1 })
+    const fn all(error: f64) -> Spread {
+        Spread { median: error, p99: error, worst: error, count: 1 }
     }
 
     /// A renderer with the same errors in one view.
     fn renderer(method: &str, frame_ms: f64, outlines_px: f64, arcseconds: f64) -> RendererReport {
         let errors = PictureErrors {
-            outlines_px: all(outlines_px),
-            line_of_sight_arcseconds: all(arcseconds),
-            doppler_relative: all(1e-7),
+            outlines_px: Some(all(outlines_px)),
+            line_of_sight_arcseconds: Some(all(arcseconds)),
+            doppler_relative: Some(all(1e-7)),
             wrong_share: 0.0,
             wrong_pixels_off_outlines: 0,
         };
@@ -241,7 +241,7 @@ mod tests {
              worst view. mesh is cheaper but fails, first at gamma = 2.0000 (abreast): outlines 1.50 px."
         );
         let mut coarse = made_up();
-        coarse[1].views[0].errors.doppler_relative = all(1e-4);
+        coarse[1].views[0].errors.doppler_relative = Some(all(1e-4));
         let sentence = for_pictures(&NEEDS[1], &coarse);
         assert!(sentence.contains("0.1 %): reference, 30.00 ms per eye"), "{sentence}");
         assert!(sentence.contains("rays is cheaper but fails, first at gamma = 2.0000 (abreast): D 1e-4"));
@@ -254,7 +254,7 @@ mod tests {
             on_bounds(&renderers).as_deref(),
             Some("Every mesh keeps its bound on outlines in every view.")
         );
-        renderers[2].worst_view.outlines_px = all(2.25);
+        renderers[2].worst_view.outlines_px = Some(all(2.25));
         let sentence = on_bounds(&renderers).expect("there is a mesh");
         assert_eq!(sentence, "Not every mesh keeps its bound on outlines in every view: mesh (2.25 px).");
     }
@@ -266,12 +266,12 @@ mod tests {
             formula: name.to_owned(),
             is_reference: false,
             point_ns,
-            line_of_sight_arcseconds: all(arcseconds),
+            line_of_sight_arcseconds: Some(all(arcseconds)),
             doppler_relative: None,
             views: vec![FormulaRow {
                 view: at(gamma),
                 point_ns,
-                line_of_sight_arcseconds: all(arcseconds),
+                line_of_sight_arcseconds: Some(all(arcseconds)),
                 doppler_relative: None,
             }],
         };
@@ -292,8 +292,8 @@ mod tests {
         let published = |arcseconds: f64| {
             let row = |error: f64| PublishedRow {
                 view: at(2.0),
-                line_of_sight_arcseconds: all(error),
-                pixels: all(error / 450.0),
+                line_of_sight_arcseconds: Some(all(error)),
+                pixels: Some(all(error / 450.0)),
             };
             PublishedReport { published_ns: 10.0, exact_ns: 5.0, views: vec![row(1.0), row(arcseconds)] }
         };

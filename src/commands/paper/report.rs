@@ -139,7 +139,7 @@ impl PaperReport<'_> {
         )?;
         match &self.bias[0].1 {
             Ok([beta, y, _]) => {
-                writeln!(f, "finds beta = {beta:.4} and y = {y:.1} from delta-phi; the truth is 0.9 and 3.")?
+                writeln!(f, "finds beta = {beta:.4} and y = {y:.1} from delta-phi; the truth is 0.9 and 3.")?;
             }
             Err(error) => writeln!(f, "finds nothing: {error}.")?,
         }
