@@ -157,7 +157,9 @@ impl FitReport {
         };
         let model = options.model.name();
         let fit = CurvesFit::new(&joint);
-        Ok(Self { model, converged: true, sigmas: sigmas::remark(&fit), fit, bootstrap, fits })
+        let free = fit.readings.saturating_sub(fit.parameters.iter().count());
+        let sigmas = fit.reduced_chi_squared.and_then(|reduced| sigmas::remark(reduced, free));
+        Ok(Self { model, converged: true, sigmas, fit, bootstrap, fits })
     }
 }
 
