@@ -5,6 +5,7 @@
 
 mod axis;
 mod grid;
+mod labels;
 
 use std::borrow::Cow;
 use std::fmt::Write as _;
@@ -15,6 +16,8 @@ pub use self::axis::{
     Axis, MOST_TICKS, Tick, at_least, extent, round_step, ticks_along, widened, with_factor, with_margin,
     zoom_step,
 };
+
+use self::labels::{Label, Labels};
 
 /// Black.
 pub const BLACK: &str = "#000000";
@@ -102,6 +105,8 @@ pub struct Panel {
     pub labels: [String; 2],
     /// The lines.
     pub lines: Vec<Line>,
+    /// What the horizontal axis shows at least, besides the lines; in order that panels can be compared.
+    pub at_least: Option<[f64; 2]>,
     /// Values on the horizontal axis to mark, and their names.
     pub marks: Vec<(f64, String)>,
     /// Whether a unit is as long on both axes.
@@ -112,33 +117,44 @@ pub struct Panel {
     pub ranges: [Option<[f64; 2]>; 2],
     /// Width, pixels.
     pub width: f64,
+    /// Height, pixels.
+    pub height: f64,
 }
 
+/// Share of a logarithmic axis that stays free at each end, so that nothing is drawn on the frame.
+const FREE: f64 = 0.05;
+
 impl Panel {
-    /// Linear axes with scales of their own, 480 pixels wide.
+    /// Linear axes with scales of their own, 480 by 380 pixels.
     pub fn new(title: impl Into<String>, labels: [impl Into<String>; 2], lines: Vec<Line>) -> Self {
         Self {
             title: title.into(),
             labels: labels.map(Into::into),
             lines,
+            at_least: None,
             marks: Vec::new(),
             equal_scales: false,
             logarithmic: [false; 2],
             ranges: [None; 2],
             width: 480.0,
+            height: HEIGHT,
         }
     }
 
     /// What the lines take of an axis (logarithms of a logarithmic one), with such a share of it more at both ends; whole
     /// decades where both axes are logarithmic.
     fn needed(&self, axis: usize, room: f64) -> [f64; 2] {
-        let values = self.lines.iter().flat_map(|line| &line.pieces).flatten().map(|point| point[axis]);
+        let besides = self.at_least.filter(|_| axis == 0).into_iter().flatten();
+        let points = self.lines.iter().flat_map(|line| &line.pieces).flatten();
+        let values = points.map(|point| point[axis]).chain(besides);
         if !self.logarithmic[axis] {
             return with_margin(extent(values).unwrap_or_default(), room);
         }
         let [low, high] = extent(values.map(math::log10)).unwrap_or_default();
         if self.logarithmic == [true; 2] {
-            return [low.floor(), high.ceil().max(low.floor() + 1.0)];
+            let [from, to] = [low.floor(), high.ceil().max(low.floor() + 1.0)];
+            let free = FREE * (to - from);
+            return [from.min(low - free), to.max(high + free)];
         }
         with_margin([low, high], room)
     }
@@ -153,9 +169,10 @@ impl Panel {
 #[must_use]
 pub fn svg(panels: &[Panel]) -> String {
     let width: f64 = panels.iter().map(|panel| panel.width).sum();
+    let height = row_height(panels);
     let mut svg = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{HEIGHT}\" \
-         viewBox=\"0 0 {width} {HEIGHT}\" font-family=\"sans-serif\" font-size=\"13\">\n\
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+         viewBox=\"0 0 {width} {height}\" font-family=\"sans-serif\" font-size=\"13\">\n\
          <rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
     );
     let mut left = 0.0;
@@ -165,6 +182,29 @@ pub fn svg(panels: &[Panel]) -> String {
     }
     svg.push_str("</svg>\n");
     svg
+}
+
+/// Rows of panels below each other.
+#[must_use]
+pub fn svg_of_rows(rows: &[Vec<Panel>]) -> String {
+    let width = |row: &Vec<Panel>| row.iter().map(|panel| panel.width).sum();
+    let width: f64 = rows.iter().map(width).fold(0.0, f64::max);
+    let height: f64 = rows.iter().map(|row| row_height(row)).sum();
+    let mut all = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+         viewBox=\"0 0 {width} {height}\">\n"
+    );
+    let mut top = 0.0;
+    for row in rows {
+        all.push_str(&svg(row).replacen("<svg ", &format!("<svg y=\"{top}\" "), 1));
+        top += row_height(row);
+    }
+    all.push_str("</svg>\n");
+    all
+}
+
+fn row_height(panels: &[Panel]) -> f64 {
+    panels.iter().map(|panel| panel.height).fold(0.0, f64::max)
 }
 
 /// Where a panel's coordinates lie in the picture.
@@ -187,7 +227,7 @@ impl<'a> Axes<'a> {
             left + MARGIN.left,
             left + panel.width - MARGIN.right,
             MARGIN.top + legend,
-            HEIGHT - MARGIN.bottom,
+            panel.height - MARGIN.bottom,
         ];
         let size = [frame[1] - frame[0], frame[3] - frame[2]];
         let room = if panel.equal_scales { [0.02, ROOM[1]] } else { ROOM };
@@ -231,8 +271,9 @@ impl<'a> Axes<'a> {
                  <g clip-path=\"url(#frame{left})\">"
             );
         }
+        let mut labels = Labels::new(self.frame);
         for line in &self.panel.lines {
-            self.draw_line(line, svg);
+            self.draw_line(line, &mut labels, svg);
         }
         if is_clipped {
             svg.push_str("</g>\n");
@@ -246,24 +287,17 @@ impl<'a> Axes<'a> {
         }
     }
 
-    fn draw_line(&self, line: &Line, svg: &mut String) {
+    fn draw_line(&self, line: &Line, labels: &mut Labels, svg: &mut String) {
         for piece in &line.pieces {
             let places: Vec<_> = piece.iter().map(|&point| self.place(point)).collect();
             draw_piece(line, &places, svg);
             if line.stroke == Stroke::Mark {
-                self.draw_name(line, places[0], svg);
+                let Label { anchor, x, y } = labels.place(places[0], &line.name);
+                let name = escaped(&line.name);
+                let _ =
+                    writeln!(svg, "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\">{name}</text>");
             }
         }
-    }
-
-    /// The name of a mark, on the side where there is more room.
-    fn draw_name(&self, line: &Line, [x, y]: [f64; 2], svg: &mut String) {
-        let [left, right, ..] = self.frame;
-        // Above or below, so that names from both sides can meet.
-        let (anchor, x, y) =
-            if 2.0 * x < left + right { ("start", x + 9.0, y - 5.0) } else { ("end", x - 9.0, y + 15.0) };
-        let name = escaped(&line.name);
-        let _ = writeln!(svg, "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\">{name}</text>");
     }
 
     fn draw_axes(&self, svg: &mut String) {

@@ -1,5 +1,7 @@
 //! Where in a picture the target is.
 
+use std::collections::BTreeSet;
+
 use glam::DVec3;
 use relativity_core::math;
 use relativity_render::Picture;
@@ -7,6 +9,7 @@ use relativity_render::Picture;
 use super::place::{Mask, Place, ROUNDING};
 use crate::files::exr::{Channel, Measurements};
 use crate::flags::choices::FileKind;
+use crate::settings::Settings;
 
 /// Largest difference of a component of a colour that still counts as the same.
 const COLOUR_TOLERANCE: u8 = 24;
@@ -17,16 +20,16 @@ const SQUARE_RMS: f64 = 0.111_803_398_874_989_48;
 
 /// What is looked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Target {
+pub enum Target<'a> {
     /// The mark at a place on a body's surface.
     Point([f64; 3]),
-    /// The middle of a body.
-    Body(u32),
+    /// The middle of a body, by its number or by what the scene calls it.
+    Body(&'a str),
     /// The middle of all pixels of a colour.
     Marker([u8; 3]),
 }
 
-impl Target {
+impl Target<'_> {
     /// The kind of file that shows it.
     pub const fn file_kind(self) -> FileKind {
         match self {
@@ -50,7 +53,16 @@ pub fn colour_in(picture: &Picture, colour: [u8; 3]) -> Mask {
 }
 
 /// Where `target` is in the layer of `eye`.
-pub fn in_layer(file: &Measurements, eye: &str, target: Target) -> anyhow::Result<Option<Place>> {
+///
+/// # Errors
+///
+/// A channel that is not there; a scene that cannot be had, or that has no such body.
+pub fn in_layer(
+    file: &Measurements,
+    eye: &str,
+    target: Target<'_>,
+    settings: &Settings,
+) -> anyhow::Result<Option<Place>> {
     let channel = |channel| file.channel(eye, channel);
     let width = file.size[0] as usize;
     let ids = channel(Channel::Id)?;
@@ -59,11 +71,37 @@ pub fn in_layer(file: &Measurements, eye: &str, target: Target) -> anyhow::Resul
             let rest = [channel(Channel::RestX)?, channel(Channel::RestY)?, channel(Channel::RestZ)?];
             Ok(Surface { width, ids, rest }.place(point.into()))
         }
-        Target::Body(body) => {
-            Ok(Mask { shows: ids.iter().map(|id| *id == body as f32).collect(), width }.middle())
+        Target::Body(name) => {
+            let bodies = bodies(name, settings)?;
+            let is_one = |id: &f32| bodies.iter().any(|body| *id == *body as f32);
+            Ok(Mask { shows: ids.iter().map(is_one).collect(), width }.middle())
         }
         Target::Marker(_) => Ok(None),
     }
+}
+
+/// The number that `name` is, or those of the bodies that the scene of `settings` calls so.
+fn bodies(name: &str, settings: &Settings) -> anyhow::Result<Vec<usize>> {
+    if let Ok(number) = name.parse() {
+        return Ok(vec![number]);
+    }
+    let scene = settings.opened_scene()?;
+    let is_called_so = |body: &usize| scene.name_of(*body).eq_ignore_ascii_case(name);
+    let bodies: Vec<_> = (0..scene.bodies.len()).filter(is_called_so).collect();
+    anyhow::ensure!(
+        !bodies.is_empty(),
+        "the scene {} has nothing called `{name}`: it has {}",
+        scene.name,
+        scene
+            .names
+            .iter()
+            .map(String::as_str)
+            .collect::<BTreeSet<_>>()
+            .into_iter()
+            .collect::<Vec<_>>()
+            .join(", ")
+    );
+    Ok(bodies)
 }
 
 /// Which place of which body each pixel shows.

@@ -80,9 +80,9 @@ struct TargetArgs {
     /// In .exr files: the mark on a body's surface at these rest-frame coordinates.
     #[arg(long, value_name = "X,Y,Z", value_parser = coordinates, allow_hyphen_values = true)]
     point: Option<[f64; 3]>,
-    /// In .exr files: the middle of the body with this number.
-    #[arg(long, value_name = "NUMBER")]
-    object: Option<u32>,
+    /// In .exr files: the middle of the body that the scene calls so, or that has this number.
+    #[arg(long, value_name = "NAME|NUMBER")]
+    object: Option<String>,
     /// In .png files: the middle of all pixels of this colour.
     #[arg(long, value_name = "RRGGBB", value_parser = locate::colour)]
     marker: Option<[u8; 3]>,
@@ -93,7 +93,8 @@ Examples:
   gamow render --frames 60 --exr --size 1440x1080 --out ride
   gamow measure ride --point=-0.032,2.968,2 --out ride.csv
   gamow fit ride.csv --fit-x0
-  gamow measure photos --marker ff2000 --times 0,5.9 --d 0.1 --fov 50 --gaze 90,0 --layout side-by-side";
+  gamow measure ride --object 'front tyre'
+  gamow measure photos --marker ff2000 --times 0,6 --d 0.1 --fov 50 --gaze 90,0 --layout over-under";
 
 /// How many columns there are: T, d, roll, turn, the angles, and the standard deviations of their differences.
 const COLUMNS: usize = 4 + ANGLES.len() + 2;
@@ -133,8 +134,8 @@ pub fn run(args: &MeasureArgs) -> anyhow::Result<()> {
 }
 
 impl TargetArgs {
-    fn target(&self) -> Target {
-        match (self.point, self.object, self.marker) {
+    fn target(&self) -> Target<'_> {
+        match (self.point, &self.object, self.marker) {
             (Some(point), _, _) => Target::Point(point),
             (_, Some(body), _) => Target::Body(body),
             (_, _, marker) => Target::Marker(marker.unwrap_or_default()), // clap wants one of them
@@ -143,7 +144,7 @@ impl TargetArgs {
 }
 
 /// The files among `inputs` and in its folders that can show `target`.
-fn files(inputs: &[PathBuf], target: Target) -> anyhow::Result<Vec<PathBuf>> {
+fn files(inputs: &[PathBuf], target: Target<'_>) -> anyhow::Result<Vec<PathBuf>> {
     let kind = target.file_kind();
     let mut files = Vec::new();
     for input in inputs {
@@ -214,7 +215,7 @@ impl TakenArgs {
 fn measured(
     path: &Path,
     name: &str,
-    target: Target,
+    target: Target<'_>,
     taken: &TakenArgs,
     time: Option<f64>,
 ) -> anyhow::Result<Option<([f64; COLUMNS], Vec<Remark>)>> {
@@ -237,10 +238,12 @@ fn measured(
         Target::Point(_) | Target::Body(_) => {
             let file = Measurements::read(path)?;
             let recorded = Settings::recorded_in(&file.command(), name)?;
-            let settings = taken.settings(recorded, file.size, true, time);
-            let [left, right] =
-                EYES.map(|eye| locate::in_layer(&file, eye, target).with_context(|| name.to_owned()));
-            ([left?, right?], file.size, settings.with_context(|| name.to_owned())?)
+            let settings =
+                taken.settings(recorded, file.size, true, time).with_context(|| name.to_owned())?;
+            let place =
+                |eye| locate::in_layer(&file, eye, target, &settings).with_context(|| name.to_owned());
+            let [left, right] = EYES.map(place);
+            ([left?, right?], file.size, settings)
         }
     };
     let [Some(left), Some(right)] = places else { return Ok(None) };

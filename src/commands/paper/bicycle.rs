@@ -64,7 +64,14 @@ pub fn seen_by_one(setup: &Setup, rest: [f64; 2], time: f64) -> Result<[f64; 2],
     Ok([seen.position[0], seen.position[1]])
 }
 
-/// Where a point at `rest` appears to the left and to the right eye, from the point midway between them.
+/// Where the left and the right eye are from the point midway between them, for what [`seen_by_two`] gives of each: the
+/// published model measures both from the left eye.
+pub fn measured_from(setup: &Setup, model: Model) -> [f64; 2] {
+    let half = 0.5 * setup.separation;
+    [-half, if model == Model::Exact { half } else { -half }]
+}
+
+/// Where a point at `rest` appears to the left and to the right eye, x from the eye, as `gamow eval` writes it.
 pub fn seen_by_two(
     setup: &Setup,
     model: Model,
@@ -72,11 +79,7 @@ pub fn seen_by_two(
     time: f64,
 ) -> Result<[[f64; 2]; 2], PairError> {
     let seen = setup.seen_at(model, source(setup, rest), time)?;
-    let half = 0.5 * setup.separation;
-    // The published model measures both from the left eye.
-    let right_from = if model == Model::Exact { half } else { -half };
-    let place = |position: [f64; 3], from: f64| [position[0] + from, position[1]];
-    Ok([place(seen.primary.position, -half), place(seen.secondary.position, right_from)])
+    Ok([seen.primary.position, seen.secondary.position].map(|[x, y, _]| [x, y]))
 }
 
 fn source(setup: &Setup, [x, y]: [f64; 2]) -> SourcePoint {

@@ -10,7 +10,7 @@ use super::bicycle;
 use super::curves::{APPENDIX_A, Setup, title};
 use crate::files::csv_out;
 use crate::files::whole::write_whole;
-use crate::plot::{BLACK, BLUE, Line, Panel, Stroke, VERMILION, svg};
+use crate::plot::{BLACK, BLUE, Line, Panel, Stroke, VERMILION, svg, svg_of_rows};
 
 /// Observation times of the curves, which hold all their features; and how many.
 const TIMES: [f64; 2] = [-2.0, 5.0];
@@ -19,6 +19,19 @@ const SAMPLES: usize = 701;
 const SPEEDS: [(f64, &str); 3] = [(0.9, BLACK), (0.7, VERMILION), (0.5, BLUE)];
 /// Where the crank of the two-dimensional bicycle is seen.
 const PLACES: [f64; 3] = [-7.0, 0.0, 3.0];
+
+/// The figures of curves and of the bicycle: names of their files, and what they show.
+pub const CURVES: [(&str, &str); 9] = [
+    ("phi", "Azimuth seen by each eye, y = z = 0.5, d = 0.3, beta = 0.9"),
+    ("phi-difference", "Delta-phi at beta = 0.9, 0.7, 0.5"),
+    ("theta", "Elevation seen by each eye"),
+    ("theta-difference", "Delta-theta at beta = 0.9, 0.7, 0.5"),
+    ("bicycle-2d", "The two-dimensional bicycle"),
+    ("bicycle-2d-one-eye", "As one eye sees it, beta = 0.9"),
+    ("bicycle-2d-two-eyes", "As the left eye, the right eye, and both see it, beta = 0.9, d = 0.3"),
+    ("fit-phi", "Delta-phi of the tracked point and its fit"),
+    ("fit-theta", "Delta-theta of the tracked point and its fit"),
+];
 
 /// A column of a CSV file.
 pub type Column = (String, Vec<f64>);
@@ -157,7 +170,7 @@ fn write_bicycle_for_one_eye(folder: &Path) -> anyhow::Result<()> {
         let seen = |&rest: &[f64; 2]| bicycle::seen_by_one(&setup, rest, time);
         let pieces = mapped(&strokes, seen)?;
         let xs = pieces.iter().flatten().map(|point| point[0]).collect();
-        columns.push((format!("x_at_T_{time:.3}"), xs));
+        columns.push((format!("x_at_T_{time}"), xs));
         lines.push(Line::in_pieces(format!("T = {time:.2}"), colour, pieces));
     }
     lines.push(eye_dots(&[0.0]));
@@ -165,33 +178,44 @@ fn write_bicycle_for_one_eye(folder: &Path) -> anyhow::Result<()> {
     write(folder, "bicycle-2d-one-eye", &[bicycle_panel(title, lines, 1200.0)], &columns)
 }
 
+/// Below each other what the left eye sees, the right one, and both; in each model.
 fn write_bicycle_for_two_eyes(folder: &Path) -> anyhow::Result<()> {
+    const EYES: [(&str, &str, &str); 2] = [("left", "left eye", BLUE), ("right", "right eye", VERMILION)];
     let setup = Setup::SECTION_3;
     let strokes = bicycle::strokes();
     let mut columns = bicycle_columns(&strokes);
-    let mut panels = Vec::new();
+    let mut rows = vec![Vec::new(), Vec::new(), Vec::new()];
     for model in [APPENDIX_A, Model::Exact] {
-        let mut left = Vec::new();
-        let mut right = Vec::new();
+        let mut pieces = [Vec::new(), Vec::new()];
+        let offsets = bicycle::measured_from(&setup, model);
         for place in PLACES {
             let time = bicycle::time_when_seen_at(&setup, place)?;
-            for (eye, pieces) in [&mut left, &mut right].into_iter().enumerate() {
+            for (eye, pieces) in pieces.iter_mut().enumerate() {
                 let seen = |&rest: &[f64; 2]| Ok(bicycle::seen_by_two(&setup, model, rest, time)?[eye]);
                 let seen = mapped(&strokes, seen)?;
                 let xs = seen.iter().flatten().map(|point| point[0]).collect();
-                columns.push((format!("x_{}_{}_at_T_{time:.3}", ["left", "right"][eye], model.name()), xs));
-                pieces.extend(seen);
+                columns.push((format!("x_{}_{}_at_T_{time}", EYES[eye].0, model.name()), xs));
+                let moved = |stroke: bicycle::Stroke| stroke.into_iter().map(|[x, y]| [x + offsets[eye], y]);
+                pieces.extend(seen.into_iter().map(|stroke| moved(stroke).collect::<bicycle::Stroke>()));
             }
         }
+        let xs = || pieces.iter().flatten().flatten().map(|point| point[0]);
+        let at_least = Some([xs().fold(f64::INFINITY, f64::min), xs().fold(f64::NEG_INFINITY, f64::max)]);
         let half = 0.5 * setup.separation;
-        let lines = vec![
-            Line::in_pieces("left eye", BLUE, left),
-            Line::in_pieces("right eye", VERMILION, right),
-            eye_dots(&[-half, half]),
+        let line = |eye: usize| Line::in_pieces(EYES[eye].1, EYES[eye].2, pieces[eye].clone());
+        let shown = [
+            (EYES[0].1, vec![line(0), eye_dots(&[-half])]),
+            (EYES[1].1, vec![line(1), eye_dots(&[half])]),
+            ("both eyes", vec![line(0), line(1), eye_dots(&[-half, half])]),
         ];
-        panels.push(bicycle_panel(format!("beta = 0.9, d = 0.3, {}", title(model)), lines, 900.0));
+        for (row, (name, lines)) in rows.iter_mut().zip(shown) {
+            let title = format!("{name}, {}: beta = 0.9, d = 0.3", title(model));
+            row.push(Panel { height: 260.0, at_least, ..bicycle_panel(title, lines, 720.0) });
+        }
     }
-    write(folder, "bicycle-2d-two-eyes", &panels, &columns)
+    let name = "bicycle-2d-two-eyes";
+    write_text(folder, &format!("{name}.svg"), &svg_of_rows(&rows))?;
+    write_csv(folder, name, &columns)
 }
 
 fn mapped(

@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use relativity_core::{
-    Aperture, Curves, FitError, FitOptions, Model, Observations, Simulation, SourcePoint, bootstrap, fit,
+    Aperture, Curves, FitError, FitOptions, Model, Observations, Parameter, Simulation, SourcePoint,
+    bootstrap, fit,
 };
 
 use super::curves::{APPENDIX_A, Setup, title};
@@ -17,21 +18,41 @@ const SAMPLES: usize = 240;
 const NOISE: f64 = 0.02;
 const REPLICATES: usize = 1000;
 const SEED: u64 = 1;
-/// The paper's uncertainty of beta from delta-phi.
-const PAPER_BETA_ERROR: f64 = 0.005;
+/// Observation times about T0, and noise, that give uncertainties like the paper's from delta-phi.
+const WINDOW: [f64; 2] = [-1.25, 0.75];
+const WINDOW_NOISE: f64 = 0.016;
 
 /// The fits in one model.
 #[derive(Debug)]
 pub struct ModelFits {
-    /// The model of both data and fit.
-    pub model: Model,
     /// Fits of curves without noise.
     pub clean: FitReport,
     /// Fits of curves with noise.
     pub noisy: FitReport,
-    /// The noise (a share of the curve's range) at which the uncertainty of beta from delta-phi would be
-    /// the paper's.
-    pub noise_of_paper: f64,
+}
+
+/// Standard errors of beta, y and z from delta-phi in the published model.
+#[derive(Debug)]
+pub struct Errors {
+    /// With noise of 2 % of the range, over the whole passage.
+    pub passage: [f64; 3],
+    /// With noise of 1.6 % of the range, from T0 - 1.25 to T0 + 0.75.
+    pub window: [f64; 3],
+}
+
+/// How the uncertainties depend on when the samples were taken.
+pub fn errors_of_published() -> anyhow::Result<Errors> {
+    let t0 = Setup::CYCLIST.equidistance_time()?;
+    let errors = |simulation: &Simulation| -> anyhow::Result<[f64; 3]> {
+        let options = FitOptions { model: APPENDIX_A, curves: Curves::Azimuth, ..FitOptions::default() };
+        let replicates = bootstrap(&fit(&simulation.observations()?, &options)?, REPLICATES, SEED)?;
+        Ok([Parameter::Beta, Parameter::Y, Parameter::Z]
+            .map(|parameter| replicates.standard_error(parameter)))
+    };
+    Ok(Errors {
+        passage: errors(&simulation(APPENDIX_A, NOISE)?)?,
+        window: errors(&simulation_at(APPENDIX_A, WINDOW_NOISE, WINDOW.map(|after| t0 + after)))?,
+    })
 }
 
 /// Fits in the published and in the exact model, with their figures in `folder`.
@@ -58,27 +79,26 @@ pub fn bias_of_published() -> anyhow::Result<[Bias; 3]> {
 
 fn simulation(model: Model, noise: f64) -> anyhow::Result<Simulation> {
     let Setup { y, z, separation, .. } = Setup::CYCLIST;
+    let point = SourcePoint { x0: 0.0, y, z };
+    let range = passage_times(&Setup::CYCLIST.speed(), point, Aperture::pair(separation))?;
+    Ok(simulation_at(model, noise, range.unwrap_or_default()))
+}
+
+fn simulation_at(model: Model, noise: f64, [from, to]: [f64; 2]) -> Simulation {
+    let Setup { y, z, separation, .. } = Setup::CYCLIST;
     let (speed, point) = (Setup::CYCLIST.speed(), SourcePoint { x0: 0.0, y, z });
-    let pair = Aperture::pair(separation);
-    let [from, to] = passage_times(&speed, point, pair)?.unwrap_or_default();
     let time = |index: usize| from + (to - from) * index as f64 / (SAMPLES - 1) as f64;
     let times = (0..SAMPLES).map(time).collect();
-    Ok(Simulation { speed, point, pair, model, times, noise, seed: SEED })
+    Simulation { speed, point, pair: Aperture::pair(separation), model, times, noise, seed: SEED }
 }
 
 fn model_fits(model: Model) -> anyhow::Result<ModelFits> {
     let report = |observations: &Observations| {
         FitReport::new(observations, &FitOptions { model, ..FitOptions::default() }, REPLICATES, SEED)
     };
-    let noisy = simulation(model, NOISE)?.observations()?;
-    let options = FitOptions { model, curves: Curves::Azimuth, ..FitOptions::default() };
-    let azimuth = bootstrap(&fit(&noisy, &options)?, REPLICATES, SEED)?;
-    let beta_error = azimuth.standard_error(relativity_core::Parameter::Beta);
     Ok(ModelFits {
-        model,
         clean: report(&simulation(model, 0.0)?.observations()?)?,
-        noisy: report(&noisy)?,
-        noise_of_paper: NOISE * PAPER_BETA_ERROR / beta_error,
+        noisy: report(&simulation(model, NOISE)?.observations()?)?,
     })
 }
 

@@ -7,9 +7,11 @@ mod bicycle;
 mod curves;
 mod figures;
 mod fits;
+mod html;
 mod numbers;
 mod report;
 mod stereo;
+mod values;
 
 use std::path::PathBuf;
 
@@ -18,10 +20,11 @@ use clap::Args;
 
 use crate::platform::files;
 
-/// Reproduces the paper: its figures as SVG, CSV and PNG, and report.md with its numbers beside ours.
+/// Reproduces the paper: its figures as SVG, CSV and PNG, and a report with its numbers beside ours.
 ///
 /// Every number that the paper states stands beside that of its own model (Appendix A) and of the exact model, with its
-/// errata explained. What cannot be reproduced is said.
+/// errata explained. What cannot be reproduced is said. The report is report.html, one page that holds its figures, and
+/// the same as report.md.
 #[derive(Debug, Args)]
 pub struct PaperArgs {
     /// Folder to write to; it is made if it is not there.
@@ -39,10 +42,14 @@ pub fn run(args: &PaperArgs) -> anyhow::Result<()> {
     let report = report::PaperReport {
         numbers: numbers::rows()?,
         fits,
+        errors: fits::errors_of_published()?,
         bias: fits::bias_of_published()?,
         frames: stereo::FIGURES.iter().zip(frames).collect(),
     };
-    figures::write_text(folder, "report.md", &report.to_string())?;
-    println!("{}", folder.join("report.md").display());
+    let text = report.to_string();
+    let page = html::page(&text, |figure| Ok(files::read_to_string(&folder.join(figure))?))?;
+    figures::write_text(folder, "report.md", &text)?;
+    figures::write_text(folder, "report.html", &page)?;
+    println!("{}", folder.join("report.html").display());
     Ok(())
 }

@@ -7,6 +7,11 @@ use super::curves::{APPENDIX_A, Extent, Setup, TEXT_SIGN, extent};
 /// Observation times that hold all extremes and zeros.
 const TIMES: [f64; 2] = [-20.0, 40.0];
 const SAMPLES: usize = 60_001;
+/// Speed at which what becomes of the zeros as beta tends to 1 is settled to four digits.
+const FAST: f64 = 0.999_999;
+/// Observation times that hold both zeros then.
+const ZERO_TIMES: [f64; 2] = [0.3, 1.0];
+const ZERO_SAMPLES: usize = 7_001;
 /// So far away, in units of the distance of closest approach, that ratios have their limits.
 const FAR: f64 = 1e6;
 /// Shortest length that counts as short against its distance.
@@ -68,9 +73,25 @@ fn difference_rows() -> Result<Vec<Row>, PairError> {
             "zeros of delta-theta, T",
             "two, the later at 0.72",
             each(&theta, zeros),
-            "exactly there is one, at T0, where both eyes see the point equally far",
+            "exactly there is one, at T0, where both eyes see the point equally far (E3)",
+        ),
+        row(
+            "time between these zeros as beta tends to 1",
+            "tends to 0",
+            vec![gap(APPENDIX_A)?, gap(TEXT_SIGN)?, "one zero".to_owned()],
+            "E7: in the published model about d/(2 beta)",
         ),
     ])
+}
+
+/// Time between the two zeros of delta-theta, almost at the speed of light.
+fn gap(model: Model) -> Result<String, PairError> {
+    let setup = Setup { beta: FAST, ..Setup::SECTION_3 };
+    let curve = setup.curve(model, ZERO_TIMES, ZERO_SAMPLES, |seen| seen.dtheta)?;
+    Ok(match extent(&curve).zeros.as_slice() {
+        [first, .., last] => format!("{:.4}", last - first),
+        _ => "one zero".to_owned(),
+    })
 }
 
 fn least(extent: &Extent) -> String {
@@ -128,7 +149,7 @@ fn motion_rows() -> Result<Vec<Row>, PairError> {
             "received wavelength of 700 nm, receding",
             "about 1000 nm",
             vec![format!("{:.0} nm at x = 0, {:.0} nm far past", doppler(0.0)?, doppler(FAR)?)],
-            "at beta = 0.9 about 1000 nm come from parts still seen ahead of the eyes",
+            "E9: about 1000 nm come from parts still seen ahead of the eyes",
         ),
     ])
 }

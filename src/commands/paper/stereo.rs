@@ -8,8 +8,10 @@ use relativity_render::Geometry;
 
 use super::curves::Setup;
 use super::figures;
+use super::html::data_uri;
 use crate::flags::choices::{FileKind, RendererChoice, Size};
 use crate::flags::{SpeedParameter, SpeedSetting};
+use crate::platform::files;
 use crate::settings::{Daylight, Picture, Preset, Settings};
 use crate::studio::{Sheet, Studio};
 
@@ -99,7 +101,7 @@ impl Figure {
             let mut studio = Studio::new(frame.settings.clone())?;
             studio.make_file(&studio.frame(None)?, FileKind::Png, &folder.join(&frame.file))?;
         }
-        figures::write_text(folder, &format!("{}.svg", self.name), &svg(&frames))?;
+        figures::write_text(folder, &format!("{}.svg", self.name), &svg(folder, &frames)?)?;
         let column = |name: &str, value: fn(&Frame) -> f64| {
             (name.to_owned(), frames.iter().map(value).collect::<Vec<f64>>())
         };
@@ -141,26 +143,27 @@ impl Figure {
     }
 }
 
-/// The frames below each other, with their times.
-fn svg(frames: &[Frame]) -> String {
+/// The frames below each other, with their times; their pictures in `folder` are embedded.
+fn svg(folder: &Path, frames: &[Frame]) -> anyhow::Result<String> {
     let [width, frame_height] = Sheet::new(&Picture::default(), [WIDTH, HEIGHT], true).size;
     let row = frame_height + CAPTION_HEIGHT;
     let height = row * frames.len() as u32;
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
-         font-family=\"sans-serif\" font-size=\"14\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
+         viewBox=\"0 0 {width} {height}\" font-family=\"sans-serif\" font-size=\"14\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
     );
     for (index, frame) in (0..).zip(frames) {
         let (top, text) = (row * index + CAPTION_HEIGHT, row * index + 18);
         let [left, right] = [&frame.seen.primary, &frame.seen.secondary]
             .map(|sighting| REST_WAVELENGTH_NM / sighting.doppler_factor);
+        let picture = data_uri("image/png", &files::read(&folder.join(&frame.file))?);
         let _ = writeln!(
             svg,
             "<text x=\"8\" y=\"{text}\">T = {:.3}; the tracked point at {left:.0} nm (left eye) and {right:.0} nm (right eye)</text>\n\
-             <image x=\"0\" y=\"{top}\" width=\"{width}\" height=\"{frame_height}\" href=\"{}\"/>",
-            frame.time, frame.file
+             <image x=\"0\" y=\"{top}\" width=\"{width}\" height=\"{frame_height}\" href=\"{picture}\"/>",
+            frame.time
         );
     }
     svg.push_str("</svg>\n");
-    svg
+    Ok(svg)
 }
