@@ -4,6 +4,7 @@ use clap::{Parser, Subcommand};
 
 use crate::app::{self, args::WindowArgs};
 use crate::commands;
+use crate::platform::environment;
 
 /// Interactive stereo viewer of special relativity: what each eye sees, exactly.
 ///
@@ -45,6 +46,9 @@ enum Command {
 
 /// Runs what the command line asks for.
 pub fn run(cli: Cli) -> anyhow::Result<()> {
+    if cli.draws_without_a_window() {
+        environment::settle_without_session();
+    }
     match cli.command {
         None => app::launch::launch(&cli.window),
         Some(Command::Eval(args)) => commands::eval::run(&args),
@@ -55,5 +59,72 @@ pub fn run(cli: Cli) -> anyhow::Result<()> {
         Some(Command::Rectify(args)) => commands::rectify::run(&args),
         Some(Command::Render(args)) => commands::render::run(&args),
         Some(Command::Accuracy(args)) => commands::accuracy::run(&args),
+    }
+}
+
+impl Cli {
+    /// Whether a graphics device may be asked for though no window is to appear.
+    const fn draws_without_a_window(&self) -> bool {
+        match self.command {
+            None => self.window.screenshot.is_some(),
+            Some(Command::Paper(_) | Command::Render(_) | Command::Accuracy(_)) => true,
+            Some(
+                Command::Eval(_)
+                | Command::Curve(_)
+                | Command::Fit(_)
+                | Command::Measure(_)
+                | Command::Rectify(_),
+            ) => false,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::{Arg, Command, CommandFactory as _};
+
+    use super::*;
+
+    /// Words with which no sentence ends.
+    const UNFINISHED: [&str; 15] =
+        ["a", "an", "and", "as", "by", "for", "from", "if", "in", "of", "or", "out", "the", "to", "with"];
+
+    fn assert_finished(place: &str, text: &str) {
+        // What says a default, and what follows, comes after the sentence.
+        let sentence = text.split(" [default").next().unwrap_or_default().trim_end_matches('.');
+        let last = sentence.rsplit([' ', ',']).next().unwrap_or_default();
+        assert!(!UNFINISHED.contains(&last), "{place}: {text}");
+        assert!(
+            sentence.starts_with(char::is_alphabetic) && !sentence.ends_with([',', ':', ';']),
+            "{place}: {text}"
+        );
+        assert_eq!(sentence.matches('(').count(), sentence.matches(')').count(), "{place}: {text}");
+        assert_eq!(sentence.matches('`').count() % 2, 0, "{place}: {text}");
+    }
+
+    fn assert_flags_finished(command: &Command) {
+        let about = [command.get_about(), command.get_long_about()];
+        about.into_iter().flatten().for_each(|text| assert_finished(command.get_name(), &text.to_string()));
+        for flag in command.get_arguments() {
+            let place = format!("{} {}", command.get_name(), flag.get_id());
+            let texts = [flag.get_help(), flag.get_long_help()];
+            texts.into_iter().flatten().for_each(|text| assert_finished(&place, &text.to_string()));
+            assert!(flag.get_help().is_some() || is_claps(flag), "{place} has no help");
+            for value in flag.get_possible_values() {
+                value.get_help().into_iter().for_each(|text| assert_finished(&place, &text.to_string()));
+            }
+        }
+        command.get_subcommands().for_each(assert_flags_finished);
+    }
+
+    fn is_claps(flag: &Arg) -> bool {
+        ["help", "version", "subcommand"].contains(&flag.get_id().as_str())
+    }
+
+    #[test]
+    fn no_help_ends_in_mid_sentence() {
+        let mut command = Cli::command();
+        command.build();
+        assert_flags_finished(&command);
     }
 }

@@ -1,5 +1,7 @@
 //! How numbers are written on screen: fixed decimals, a true minus sign, and enough nines.
 
+use std::borrow::Cow;
+
 use relativity_core::Speed;
 use relativity_core::math;
 
@@ -83,6 +85,21 @@ pub fn significant(value: f64, digits: usize) -> String {
     format!("{value:.decimals$}")
 }
 
+/// So many bytes, with that many significant `digits`, in the largest unit that leaves a number above 1.
+#[must_use]
+pub fn bytes(count: u64, digits: i32) -> String {
+    let (mut value, mut unit) = (count as f64, "bytes");
+    for larger in ["kB", "MB", "GB", "TB"] {
+        if value >= 1000.0 {
+            (value, unit) = (value / 1000.0, larger);
+        }
+    }
+    let step = 10.0_f64.powi(math::log10(value.max(1.0)).floor() as i32 + 1 - digits);
+    let step = if unit == "bytes" { step.max(1.0) } else { step };
+    let decimals = if step < 1.0 { math::log10(1.0 / step).round() as usize } else { 0 };
+    format!("{:.decimals$} {unit}", (value / step).round() * step)
+}
+
 /// 10 to the power of `exponent`, as a number as short as it gets.
 #[must_use]
 pub fn power_of_ten(exponent: f64) -> String {
@@ -93,18 +110,36 @@ pub fn power_of_ten(exponent: f64) -> String {
     format!("{value:.0e}").replace('-', "−")
 }
 
-/// The number a user typed: surrounding space, groups of digits and a true minus sign are all right.
+/// The number a user typed: surrounding space, groups of digits, a true minus sign and a decimal comma are all right.
 pub fn parsed(text: &str) -> Result<f64, String> {
     let plain: String = text.chars().filter(|c| !c.is_whitespace()).collect::<String>().replace('−', "-");
+    let plain = with_point(&plain);
     match plain.parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
         _ => Err(format!("“{}” is not a number", text.trim())),
     }
 }
 
+/// A number with a decimal point in place of a decimal comma. What has a point already, or more commas, is left as it is.
+#[must_use]
+pub fn with_point(number: &str) -> Cow<'_, str> {
+    if number.matches(',').count() == 1 && !number.contains('.') {
+        Cow::Owned(number.replace(',', "."))
+    } else {
+        Cow::Borrowed(number)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn bytes_are_in_the_unit_that_suits() {
+        let texts = [0, 7, 999, 12_345, 123_456, 5_000_000_000].map(|count| bytes(count, 2));
+        assert_eq!(texts, ["0 bytes", "7 bytes", "1000 bytes", "12 kB", "120 kB", "5.0 GB"]);
+        assert_eq!(bytes(1_234_567, 3), "1.23 MB");
+    }
 
     #[test]
     fn beta_shows_its_nines() {
@@ -132,5 +167,13 @@ mod tests {
         assert_eq!(parsed("−2"), Ok(-2.0));
         assert_eq!(parsed("fast"), Err("“fast” is not a number".to_owned()));
         assert!(parsed("inf").is_err());
+    }
+
+    #[test]
+    fn a_decimal_comma_is_a_decimal_point() {
+        assert_eq!((parsed("0,9"), parsed("−1,5e-3")), (Ok(0.9), Ok(-1.5e-3)));
+        for text in ["1,234,567", "1,234.5", ",", "0,9,"] {
+            assert!(parsed(text).is_err(), "{text}");
+        }
     }
 }

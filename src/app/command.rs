@@ -1,6 +1,6 @@
 //! Everything that can be done in the window, and the one place where it is done.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use relativity_render::{Camera, Gaze, Geometry};
 
@@ -9,18 +9,20 @@ use super::clock;
 use super::notice::Notice;
 use super::observer::Eye;
 use super::overlay::Overlay;
+use super::plotting::PlotCommand;
+use super::saving::{Copied, Order, Saving};
 use super::stage::{Part, next_to_show};
 use super::state::{Session, State};
+use super::usual::Section;
 use crate::comfort::comfortable_separation;
 use crate::flags::FieldOfView;
-use crate::flags::choices::{FileKind, GazeChoice, Layout};
+use crate::flags::choices::{GazeChoice, Layout};
 use crate::map::Viewpoint;
 use crate::passage::time_within;
-use crate::platform::files;
 use crate::scene::Track;
 use crate::settings::{
     Daylight, FOV_DEGREES, FitSetup, Frame, Light, Look, Map, Motion, Playback, Plots, Presence, Preset,
-    Quality, Screen, Settings, SettingsError, Window, looks_like_settings,
+    Quality, Screen, Settings, Window,
 };
 
 /// Something the user asked for.
@@ -44,6 +46,8 @@ pub enum Command {
     Playback(Playback),
     /// New choice of curves.
     Plots(Plots),
+    /// Look at another part of the plots, or mark or keep something in them.
+    Plotting(PlotCommand),
     /// Another face or frame of the map.
     Map(Map),
     /// Look at another part of the map.
@@ -78,6 +82,8 @@ pub enum Command {
     Magnify(f64),
     /// Hold the whole scene in the views.
     Frame,
+    /// The same, asked for by a double click, whose first click may have picked a point: [`super::steps`] takes that back.
+    FollowAgain,
     /// Select the point of the scene at a pixel of an eye's picture.
     Pick(Pick),
     /// Select a point of the scene.
@@ -96,8 +102,28 @@ pub enum Command {
     ShowNext(i32),
     /// Show what is in a file: a scene, settings, or a picture with which settings it was made.
     Open(PathBuf),
+    /// Show what a file that is shown says by now.
+    Reload(PathBuf),
     /// Ask which file to open or to write.
     Choose(Purpose),
+    /// Have all as it was before the last step.
+    Undo,
+    /// Make the step again that was undone.
+    Redo,
+    /// Have all as usual but for the parts of the window, its units and the screen.
+    Reset,
+    /// Have the settings of a section as usual.
+    ResetSection(Section),
+    /// Fit the measured disparities in a file.
+    OpenData(PathBuf),
+    /// Fit simulated disparities again.
+    Simulate,
+    /// Write a file.
+    Save(Saving),
+    /// Copy something.
+    Copy(Copied),
+    /// Give up what is being saved.
+    StopSaving,
     /// Show or hide the map.
     ToggleMap,
     /// Draw the map in the other frame.
@@ -172,7 +198,7 @@ pub struct Select {
 
 impl State {
     /// Does what was asked.
-    pub fn apply(&mut self, command: Command) {
+    pub(super) fn perform(&mut self, command: Command) {
         self.session.missed = None;
         match command {
             Command::Motion(motion) => self.settings.motion = motion,
@@ -189,6 +215,7 @@ impl State {
             Command::Quality(quality) => self.settings.quality = quality,
             Command::Playback(playback) => self.settings.playback = playback,
             Command::Plots(plots) => self.settings.plots = plots,
+            Command::Plotting(command) => self.apply_to_plots(command),
             Command::Map(map) => self.set_map(map),
             Command::MapView(viewpoint) => self.session.map_view = viewpoint,
             Command::Fit(fit) => self.settings.fit = fit,
@@ -196,7 +223,7 @@ impl State {
             Command::Screen(screen) => self.settings.screen = screen,
             Command::Narrow => self.narrow(),
             Command::Time(time) => self.session.time = clock::bounded(time),
-            Command::Step(steps) => self.step(steps),
+            Command::Step(steps) => self.step_in_time(steps),
             Command::TimeInRange(fraction) => {
                 self.session.time = clock::bounded(time_within(self.time_range(), fraction));
             }
@@ -207,35 +234,45 @@ impl State {
             Command::Geometry(geometry) => self.settings.look.geometry = geometry,
             Command::Turn(turn) => self.turn(turn),
             Command::Zoom(zoom) => self.zoom(zoom),
+            Command::Frame | Command::FollowAgain => {
+                self.settings.look.gaze = GazeChoice::Whole;
+                self.settings.look.fov = FieldOfView(None);
+            }
             Command::LookAside(aside) => self.look_aside(aside),
             Command::Magnify(factor) => {
                 let size = self.session.picture_size;
                 let pixel = size.map(|side| 0.5 * f64::from(side));
                 self.zoom(Zoom { eye: Eye::Left, pixel, size, factor });
             }
-            Command::Frame => {
-                self.settings.look.gaze = GazeChoice::Whole;
-                self.settings.look.fov = FieldOfView(None);
-            }
             Command::Pick(pick) => self.pick(pick),
             Command::Select(Select { track, body, add }) => self.session.points.choose(track, body, add),
             Command::FollowNext(steps) => self.follow_next(steps),
             Command::SelectPoint(index) => self.session.points.select(index),
             Command::RemovePoint(index) => self.session.points.remove(index),
-            Command::Preset(name) => self.show(self.with_scene(name.to_owned())),
+            Command::Preset(name) => self.show(self.settings.clone().with_scene(name.to_owned())),
             Command::State(preset) => {
                 self.show(preset.settings.clone().in_place_of(&self.settings));
             }
             Command::ShowNext(steps) => {
                 if let Some(preset) = next_to_show(self.session.preset, steps) {
-                    self.apply(Command::State(preset));
+                    self.perform(Command::State(preset));
                 }
             }
-            Command::Open(path) => match self.settings_in(&path) {
-                Ok(settings) => self.show(settings),
-                Err(error) => self.session.notice = Some(Notice::error(error).about(&path)),
-            },
+            Command::Open(path) => self.open_file(path),
+            Command::Reload(path) => self.reload(&path),
             Command::Choose(purpose) => self.session.chooser = Some(purpose),
+            // Not done here, but by going through the steps.
+            Command::Undo | Command::Redo => {}
+            Command::Reset => self.show(self.as_usual()),
+            Command::ResetSection(section) => self.reset(section),
+            Command::OpenData(path) => self.open_data(&path),
+            Command::Simulate => self.session.data = None,
+            Command::Save(saving) => {
+                self.session.chooser = None;
+                self.session.orders.push(Order::Save(saving));
+            }
+            Command::Copy(copied) => self.session.orders.push(Order::Copy(copied)),
+            Command::StopSaving => self.session.orders.push(Order::Stop),
             Command::ToggleMap => {
                 let is_shown = self.session.shows_map;
                 self.settings.window.map = if is_shown { Presence::Off } else { Presence::On };
@@ -293,12 +330,8 @@ impl State {
     }
 
     fn set_light(&mut self, light: Light) {
-        let is_rebuilt = light.surroundings != self.settings.light.surroundings;
-        self.settings.light = light;
-        if is_rebuilt {
-            let Session { playing, preset, .. } = self.session;
-            self.show(self.shown());
-            (self.session.playing, self.session.preset) = (playing, preset);
+        if let Err(error) = self.set(Settings { light, ..self.settings.clone() }) {
+            self.session.notice = Some(Notice::error(error));
         }
     }
 
@@ -318,7 +351,7 @@ impl State {
         self.settings.map = map;
     }
 
-    fn step(&mut self, steps: i32) {
+    fn step_in_time(&mut self, steps: i32) {
         let size = clock::step_size(self.time_range());
         // Onto the multiples of the step, so that stepping gives round times.
         let next = (self.session.time / size).round() + f64::from(steps);
@@ -394,32 +427,30 @@ impl State {
         }
     }
 
-    /// These settings with another scene, a preset or a file.
-    fn with_scene(&self, scene: String) -> Settings {
-        Settings { scene, ..self.settings.clone() }
-    }
-
-    /// The settings that the file at `path` leads to. What it does not say of the window's parts and of the layout stays as
-    /// it is; the rest is as usual.
-    fn settings_in(&self, path: &Path) -> Result<Settings, SettingsError> {
-        let is_scene = FileKind::of(path).is_none()
-            && !files::read_to_string(path).is_ok_and(|text| looks_like_settings(&text));
-        if is_scene {
-            return Ok(self.with_scene(path.to_string_lossy().into_owned()));
-        }
-        Settings::default().in_place_of(&self.settings).with_file(path)
-    }
-
     /// Shows what `settings` say; where their scene cannot be had, a message. T runs on unless they give one.
-    fn show(&mut self, settings: Settings) {
+    pub(super) fn show(&mut self, settings: Settings) {
         let starts_at_a_time = settings.time.is_some();
         let scene = PathBuf::from(&settings.scene);
         match Self::open(settings) {
             Ok(state) => {
                 let playing = self.session.playing && !starts_at_a_time;
                 let Session { picture_size, cm_per_pixel, stage, shows_map, hint, .. } = self.session;
-                let session =
-                    Session { playing, hint, picture_size, cm_per_pixel, stage, shows_map, ..state.session };
+                let history = std::mem::take(&mut self.session.history);
+                let (data, orders) = (self.session.data.take(), std::mem::take(&mut self.session.orders));
+                let recent = std::mem::take(&mut self.session.recent);
+                let session = Session {
+                    playing,
+                    hint,
+                    picture_size,
+                    cm_per_pixel,
+                    stage,
+                    shows_map,
+                    history,
+                    data,
+                    orders,
+                    recent,
+                    ..state.session
+                };
                 *self = Self { session, ..state };
             }
             Err(error) => self.session.notice = Some(Notice::error(error).about(&scene)),

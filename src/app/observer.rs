@@ -3,11 +3,11 @@
 use std::sync::Arc;
 
 use glam::DVec3;
-use relativity_core::{Disparity, Parameter, Sighting, SourcePoint, Speed, Stereo, StereoError};
+use relativity_core::{Disparity, Model, Parameter, Sighting, SourcePoint, Speed, Stereo, StereoError};
 use relativity_render::{Gaze, Geometry, Outline, Velocity, View};
 
 use super::curves::CurvesKey;
-use super::fitting::{FitKey, FitOutcome};
+use super::fitting::{FitKey, FitOutcome, Samples, Simulated};
 use super::points::Point;
 use super::state::State;
 use crate::caption::Moment;
@@ -123,7 +123,7 @@ impl State {
     /// The disparity of `point` now, in the binocular model of what the views show.
     #[must_use]
     pub fn disparity(&self, point: &Point) -> Option<Disparity> {
-        self.settings.disparity(&point.track, self.session.time).ok()
+        self.settings.shown_disparity(&point.track, self.session.time).ok()
     }
 
     /// Where two eyes take `point` to be now, and how much deeper they see it than one that rests.
@@ -197,28 +197,41 @@ impl State {
     /// What the curves of `point` depend on.
     #[must_use]
     pub fn curve_key(&self, point: &Point) -> CurvesKey {
+        let stereo = self.settings.plots.plot == PlotTab::Stereo;
+        // The paper's lines of sight meet nowhere.
+        let model = if stereo { self.settings.model() } else { self.settings.shown_model() };
         CurvesKey {
             velocity: self.velocity(point),
             rest: self.settings.rest_place(point.track.rest),
             baseline: self.settings.baseline(),
             range: self.time_range(),
-            model: self.settings.model(),
-            published: self.settings.plots.published,
-            stereo: self.settings.plots.plot == PlotTab::Stereo,
+            model,
+            published: self.settings.plots.published && !matches!(model, Model::Published(_)),
+            stereo,
         }
     }
 
-    /// What the fit of the selected point depends on.
+    /// What the fit depends on: of the own data if there are any, else of the selected point.
     #[must_use]
     pub fn fit_key(&self) -> FitKey {
-        FitKey {
-            velocity: self.selected_velocity(),
-            source: self.selected_source(),
-            pair: self.settings.pair(),
-            range: self.settings.fit.fit_range.0.unwrap_or_else(|| self.time_range()),
-            model: self.settings.model(),
-            setup: self.settings.fit,
-        }
+        let setup = self.settings.fit;
+        let samples = match &self.session.data {
+            Some(file) => Samples::Measured(file.clone(), self.settings.baseline()),
+            None => Samples::Simulated(Simulated {
+                velocity: self.selected_velocity(),
+                source: self.selected_source(),
+                pair: self.settings.pair(),
+                range: setup.fit_range.0.unwrap_or_else(|| self.time_range()),
+                model: self.simulated_model(),
+            }),
+        };
+        FitKey { samples, setup }
+    }
+
+    /// The model by which samples are simulated.
+    #[must_use]
+    pub fn simulated_model(&self) -> Model {
+        self.settings.fit.data_from.model().unwrap_or_else(|| self.settings.model())
     }
 
     /// How both eyes look now: a gaze that stays there, in parallel, and a field of view that is a number.
@@ -273,7 +286,9 @@ impl State {
         settings.views(self.subject(), self.session.time, size)
     }
 
-    fn subject(&self) -> Subject<'_> {
+    /// What gazes turn to.
+    #[must_use]
+    pub fn subject(&self) -> Subject<'_> {
         Subject { scene: &self.session.prepared, tracked: self.session.points.selected().track }
     }
 }

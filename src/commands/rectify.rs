@@ -4,18 +4,17 @@ use std::path::{Path, PathBuf};
 
 use anyhow::Context as _;
 use clap::{Args, ValueEnum};
-use relativity_core::Aperture;
 use relativity_core::doppler::PAPER_INTENSITY_EXPONENT;
 use relativity_render::rectify::{LightCorrection, Rectification};
-use relativity_render::{Camera, Gaze, Picture, Projection, Velocity};
+use relativity_render::{Camera, Picture, Projection, Velocity};
 
 use crate::files::exr::{Channel, EYES, Measurements};
 use crate::files::png::{self, PngFile};
 use crate::files::provenance::Provenance;
 use crate::files::whole::write_whole;
-use crate::flags::choices::{FileKind, GazeChoice};
-use crate::flags::{FieldOfView, IntensityExponent, OnOff, SpeedArgs, SpeedParameter, field_of_view, switch};
-use crate::settings::Settings;
+use crate::flags::choices::{FileKind, GazeChoice, Layout};
+use crate::flags::{IntensityExponent, OnOff, SpeedArgs, SpeedParameter, field_of_view, switch};
+use crate::settings::{CameraArgs, Settings};
 use crate::studio::Sheet;
 
 /// Corrects a picture taken from one eye to the frame of the bodies in it.
@@ -36,13 +35,6 @@ pub struct RectifyArgs {
     /// The bodies move towards -x.
     #[arg(long)]
     backward: bool,
-    /// Horizontal field of view of the picture, degrees [default: as the file records it]
-    #[arg(long, value_name = "DEG", value_parser = field_of_view)]
-    fov: Option<f64>,
-    /// Where the camera looked: azimuth (from +x towards +y; 90 is straight ahead) and elevation in degrees [default: as
-    /// the file records it]
-    #[arg(long, value_name = "AZ,EL", allow_hyphen_values = true)]
-    gaze: Option<GazeChoice>,
     /// Which eye's picture is corrected where both are in it [default: left]
     #[arg(long, value_enum)]
     eye: Option<EyeChoice>,
@@ -62,6 +54,8 @@ pub struct RectifyArgs {
     /// Where to: a file of the same kind, written whole or not at all.
     #[arg(long, value_name = "FILE")]
     out: PathBuf,
+    #[command(flatten, next_help_heading = "Of photographs, and of what a file does not record")]
+    camera: CameraArgs,
 }
 
 /// One of the two eyes.
@@ -96,8 +90,9 @@ impl RectifyArgs {
         let file = PngFile::read(&self.image)?;
         let recorded = self.recorded(file.command());
         let name = self.image.display();
-        let (seen, eye) = self.of_an_eye(file, recorded.as_ref()).with_context(|| name.to_string())?;
-        let rectification = &self.rectifications(seen.size, recorded.as_ref())?[eye];
+        let settings = self.settings(recorded.clone(), file.picture().size)?;
+        let (seen, eye) = self.of_an_eye(file, &settings).with_context(|| name.to_string())?;
+        let rectification = &self.rectifications(seen.size, &settings)?[eye];
         let corrected = rectification.picture(&seen, self.light(recorded.as_ref()));
         let provenance = Provenance {
             title: format!("{name}, corrected"),
@@ -108,12 +103,12 @@ impl RectifyArgs {
     }
 
     /// What is corrected of `file`: the picture of an eye (0 left, 1 right) in it, and whose it is.
-    fn of_an_eye(&self, mut file: PngFile, recorded: Option<&Settings>) -> anyhow::Result<(Picture, usize)> {
-        let eyes = recorded.map_or(&[0][..], |settings| settings.picture.eyes());
-        let Some(Settings { picture, .. }) = recorded.filter(|_| eyes.len() > 1) else {
+    fn of_an_eye(&self, mut file: PngFile, settings: &Settings) -> anyhow::Result<(Picture, usize)> {
+        let picture = &settings.picture;
+        if let [eye] = *picture.eyes() {
             anyhow::ensure!(self.eye.is_none(), "--eye: there is no choice, it shows one eye");
-            return Ok((file.frames.swap_remove(0), eyes[0]));
-        };
+            return Ok((file.frames.swap_remove(0), eye));
+        }
         anyhow::ensure!(
             picture.layout.loses_nothing(),
             "it shows both eyes, and its layout, {}, has the whole picture of neither; `gamow render --layout left` \
@@ -129,7 +124,8 @@ impl RectifyArgs {
     fn rectify_measurements(&self) -> anyhow::Result<()> {
         let measured = Measurements::read(&self.image)?;
         let recorded = self.recorded(&measured.command());
-        let rectifications = self.rectifications(measured.size, recorded.as_ref())?;
+        let settings = self.settings(recorded.clone(), measured.size)?;
+        let rectifications = self.rectifications(measured.size, &settings)?;
         let (sources, light) = (rectifications.each_ref().map(sources), self.light(recorded.as_ref()));
         let corrected = measured.map(measured.size, |name, values| {
             let eye = usize::from(name.starts_with(EYES[1]));
@@ -161,39 +157,32 @@ impl RectifyArgs {
     }
 
     /// Those of a picture of the left eye and of the right one, to the same camera.
-    fn rectifications(
-        &self,
-        size: [u32; 2],
-        recorded: Option<&Settings>,
-    ) -> anyhow::Result<[Rectification; 2]> {
+    fn rectifications(&self, size: [u32; 2], settings: &Settings) -> anyhow::Result<[Rectification; 2]> {
         let (parameter, value) = self.speed()?;
         let velocity = Velocity { speed: parameter.speed(value)?, is_backward: self.backward };
-        let grounds = self.grounds(size, recorded)?;
+        let grounds = settings.recorded_cameras(size).map_err(|flag| self.not_recorded(flag))?;
         // Where both eyes look, whatever the image shift of each.
         let centred = Camera { projection: Projection::Gaze, ..grounds[0] };
         let mut rest = Rectification::rest_camera(&centred, &velocity);
         if let Some(fov) = self.out_fov {
             rest.horizontal_fov = fov.to_radians();
         }
-        if let Some(gaze) = fixed(self.out_gaze, "--out-gaze")? {
-            rest.gaze = gaze;
+        if let Some(choice) = self.out_gaze {
+            let problem = "--out-gaze: a picture has one gaze; write azimuth and elevation like 90,0";
+            rest.gaze = choice.fixed().context(problem)?;
         }
         Ok(grounds.map(|ground| Rectification::new(ground, rest, velocity)))
     }
 
-    /// The cameras on the ground of the left and the right eye: as the file records them, but for what flags say.
-    fn grounds(&self, size: [u32; 2], recorded: Option<&Settings>) -> anyhow::Result<[Camera; 2]> {
-        let gaze = fixed(self.gaze, "--gaze")?;
-        if let Some(settings) = recorded {
-            let mut settings = settings.clone();
-            let look = &mut settings.look;
-            look.gaze = self.gaze.unwrap_or(look.gaze);
-            look.fov = self.fov.map_or(look.fov, |fov| FieldOfView(Some(fov)));
-            return settings.recorded_cameras(size).map_err(not_recorded);
-        }
-        let fov = self.fov.ok_or("--fov").map_err(not_recorded)?;
-        let gaze = gaze.ok_or("--gaze").map_err(not_recorded)?;
-        Ok([Camera::new(Aperture::default(), gaze, fov.to_radians(), size); 2])
+    /// The settings with which the picture was taken, one eye's unless it is said to be more.
+    fn settings(&self, recorded: Option<Settings>, size: [u32; 2]) -> anyhow::Result<Settings> {
+        let (settings, missing) = self.camera.settings(recorded, size, Some(Layout::Left));
+        anyhow::ensure!(missing.is_empty(), self.not_recorded(&missing.join(", ")));
+        Ok(settings)
+    }
+
+    fn not_recorded(&self, flags: &str) -> anyhow::Error {
+        anyhow::anyhow!("{}: it does not record {flags}, which is needed then", self.image.display())
     }
 
     /// The command that corrects the picture again, with the camera that took the corrected one.
@@ -209,20 +198,6 @@ impl RectifyArgs {
             gaze.azimuth.to_degrees(),
             gaze.elevation.to_degrees()
         ))
-    }
-}
-
-fn not_recorded(flag: &str) -> anyhow::Error {
-    anyhow::anyhow!("{flag} is needed: the file does not record it")
-}
-
-fn fixed(gaze: Option<GazeChoice>, flag: &str) -> anyhow::Result<Option<Gaze>> {
-    match gaze {
-        None => Ok(None),
-        Some(choice) => {
-            let problem = || format!("{flag}: a picture has one gaze; write azimuth and elevation like 90,0");
-            Ok(Some(choice.fixed().with_context(problem)?))
-        }
     }
 }
 

@@ -1,4 +1,8 @@
-//! What `gamow fit` says: one structure, written as JSON or as a table.
+//! What `gamow fit` says: one structure, written as JSON or as a table; and what it fits, [`data`].
+
+pub mod data;
+
+mod sigmas;
 
 use std::fmt;
 
@@ -18,6 +22,9 @@ pub struct FitReport {
     /// The fit of all that was asked for.
     #[serde(flatten)]
     pub fit: CurvesFit,
+    /// What the scatter says of the sigmas, if it is another than they say.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sigmas: Option<String>,
     /// The bootstrap behind the uncertainties.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bootstrap: Option<BootstrapSummary>,
@@ -151,7 +158,8 @@ impl FitReport {
             Curves::Both => Fits::new(attempt(Curves::Azimuth), attempt(Curves::Polar)),
         };
         let model = options.model.name();
-        Ok(Self { model, converged: true, fit: CurvesFit::new(&joint), bootstrap, fits })
+        let fit = CurvesFit::new(&joint);
+        Ok(Self { model, converged: true, sigmas: sigmas::remark(&fit), fit, bootstrap, fits })
     }
 }
 
@@ -239,6 +247,9 @@ impl fmt::Display for FitReport {
                 writeln!(f, "bootstrap  {replicates} replicates, seed {seed}, {failed} failed")?;
             }
             None => writeln!(f, "bootstrap  none")?,
+        }
+        if let Some(remark) = &self.sigmas {
+            writeln!(f, "sigmas     {remark}")?;
         }
         write!(f, "{}", self.fit)?;
         for (name, attempt) in [("dphi", &self.fits.dphi), ("dtheta", &self.fits.dtheta)] {

@@ -59,15 +59,35 @@ impl ReportArgs {
     ///
     /// As [`OutArgs::write`].
     pub fn write(&self, report: &(impl fmt::Display + Serialize)) -> anyhow::Result<()> {
-        self.out.write(|out| {
-            if self.json {
-                serde_json::to_writer_pretty(&mut *out, report)?;
-                Ok(writeln!(out)?)
-            } else {
-                Ok(write!(out, "{report}")?)
-            }
-        })
+        self.out.write(|out| if self.json { write_json(report, out) } else { Ok(write!(out, "{report}")?) })
     }
+}
+
+/// Refuses a `path`, given by `flag`, whose name does not end in `.ending`, and says which one would be right: its name is
+/// to tell what a file holds. Devices are called as they are.
+///
+/// # Errors
+///
+/// Another ending.
+pub fn ensure_ending(flag: &str, path: &Path, ending: &str) -> anyhow::Result<()> {
+    let is_right = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(ending));
+    anyhow::ensure!(
+        is_right || files::is_special(path),
+        "{flag} {}: it writes .{ending} files only; {} would be right",
+        path.display(),
+        path.with_extension(ending).display()
+    );
+    Ok(())
+}
+
+/// Writes `report` as JSON.
+///
+/// # Errors
+///
+/// Those of `out`.
+pub fn write_json(report: &impl Serialize, mut out: impl Write) -> anyhow::Result<()> {
+    serde_json::to_writer_pretty(&mut out, report)?;
+    Ok(writeln!(out)?)
 }
 
 /// Hands `write` a temporary file beside `path`, which takes the place of `path` once all is written. An interrupt

@@ -117,10 +117,10 @@ pub enum ProjectionChoice {
     /// the other, so that eyes can fuse them.
     #[default]
     Parallel,
-    /// It stands across the gaze and follows it, as in the paper.
+    /// The picture planes stand across the gaze and follow it, as in the paper.
     Gaze,
-    /// All that lies ahead, 180 x 180 degrees, for headsets. By the reference renderer; field of view and the gaze's
-    /// elevation are not used.
+    /// All that lies ahead, 180 x 180 degrees, for headsets. Drawn by the reference renderer; the field of view and
+    /// the gaze's elevation are not used.
     Vr180,
 }
 

@@ -22,10 +22,16 @@ pub struct HeadArgs {
 }
 
 impl HeadArgs {
-    /// Roll and turn, radians, where they are given.
+    /// Roll and turn, degrees, where they are given.
+    #[must_use]
+    pub const fn degrees(&self) -> [Option<f64>; 2] {
+        [self.roll, self.turn]
+    }
+
+    /// The same in radians.
     #[must_use]
     pub fn radians(&self) -> [Option<f64>; 2] {
-        [self.roll, self.turn].map(|angle| angle.map(f64::to_radians))
+        self.degrees().map(|angle| angle.map(f64::to_radians))
     }
 
     /// The eyes of this `separation`.

@@ -1,7 +1,8 @@
 //! What the system provides, each in one place, so that what a platform lacks is decided there: the clock, files,
-//! threads, interrupts, and a terminal.
+//! threads, interrupts, the environment, and a terminal.
 
 pub mod clock;
+pub mod environment;
 pub mod files;
 pub mod interrupt;
 pub mod progress;

@@ -102,6 +102,19 @@ impl Scene {
         &self.names[body]
     }
 
+    /// The number of what is in this version of the scene what `body` is in the version `old`: of the same name, and moving
+    /// alike. Of several the one of the same shape.
+    #[must_use]
+    pub fn counterpart(&self, old: &Self, body: usize) -> Option<usize> {
+        let motion_in = |scene: &Self, body: usize| {
+            scene.groups.iter().find(|group| group.bodies().contains(&body)).map(|group| group.motion)
+        };
+        let (name, motion) = (old.names.get(body)?, motion_in(old, body)?);
+        let is_alike = |&new: &usize| self.names[new] == *name && motion_in(self, new) == Some(motion);
+        let alike = || (0..self.bodies.len()).filter(is_alike);
+        alike().find(|&new| self.bodies[new].shape == old.bodies[body].shape).or_else(|| alike().next())
+    }
+
     /// The number of the body that the scene's own tracked point is the forward-most point of, if it is one's.
     #[must_use]
     pub fn tracked_body(&self) -> Option<usize> {

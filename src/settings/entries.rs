@@ -92,6 +92,14 @@ impl Settings {
         Self::default().with_command_of(&[RENDER], command, place)
     }
 
+    /// The same, but nothing where `command` is none of `gamow render`'s: where a file records none.
+    ///
+    /// # Errors
+    /// A flag that does not exist, or a value that it cannot have.
+    pub fn recorded_in(command: &str, place: &str) -> Result<Option<Self>, SettingsError> {
+        command.starts_with(RENDER).then(|| Self::of_picture(command, place)).transpose()
+    }
+
     fn with_command_of(mut self, known: &[&str], command: &str, place: &str) -> Result<Self, SettingsError> {
         let flags = known.iter().find_map(|known| command.strip_prefix(known)).unwrap_or_default();
         if !flags.trim_start().starts_with("--") {

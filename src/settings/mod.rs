@@ -11,6 +11,7 @@ mod file;
 mod legacy;
 mod method;
 mod observer;
+mod photograph;
 mod presets;
 mod sections;
 mod start;
@@ -22,10 +23,11 @@ pub use error::SettingsError;
 pub use file::looks_like_settings;
 pub use legacy::Legacy;
 pub use observer::Subject;
+pub use photograph::CameraArgs;
 pub use presets::Preset;
 pub use sections::{
-    BOUND_PX, Daylight, FIT_SAMPLES, FOV_DEGREES, Face, FitSetup, Frame, Light, Look, MAX_LENGTH, MAX_SEED,
-    Map, Motion, NOISE_PERCENT, PICTURE_MM, Picture, Playback, PlotTab, Plots, Presence, Quality, RATE,
-    Screen, Theme, USUAL_FOV, VIEWING_CM, Window,
+    BOUND_PX, DataFrom, Daylight, FIT_SAMPLES, FOV_DEGREES, Face, FitSetup, Frame, Light, Look, MAX_LENGTH,
+    MAX_SEED, Map, Motion, NOISE_PERCENT, PICTURE_MM, Picture, Playback, PlotTab, Plots, Presence, Quality,
+    RATE, Screen, Theme, USUAL_FOV, VIEWING_CM, Window,
 };
 pub use start::StartArgs;

@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 use clap::{Args, ValueEnum};
 use relativity_core::doppler::BOLOMETRIC_INTENSITY_EXPONENT;
-use relativity_core::{Curves, Model};
+use relativity_core::{Curves, Model, PublishedVariant};
 use relativity_render::{Appearance, Colour, Geometry, Method, Shading};
 use serde::Serialize;
 
@@ -252,7 +252,7 @@ pub struct Screen {
     /// Width of the whole screen, centimetres; `auto` takes 96 pixels for an inch, which is right for few projectors.
     #[arg(long, value_name = "auto|CM")]
     pub screen_width: ScreenWidth,
-    /// How far from it one sits, centimetres.
+    /// How far one sits from the screen, centimetres.
     #[arg(long, value_name = "CM", value_parser = within(VIEWING_CM))]
     pub viewing_distance: f64,
     /// Largest distance between the middles of two pictures that are fused without glasses, millimetres: no more than
@@ -355,6 +355,9 @@ pub struct FitSetup {
     /// Number of samples, evenly spread over the range.
     #[arg(long, value_name = "N", value_parser = samples)]
     pub fit_samples: usize,
+    /// By which model they are made: that of what the views show, or another.
+    #[arg(long, value_enum)]
+    pub data_from: DataFrom,
     /// First and last T of the samples; `auto` is as plotted.
     #[arg(long, value_name = "auto|FROM,TO", allow_hyphen_values = true)]
     pub fit_range: TimeRange,
@@ -367,7 +370,7 @@ pub struct FitSetup {
     /// Which curves are fitted.
     #[arg(long, value_enum)]
     pub curves: Curves,
-    /// With which binocular model.
+    /// The binocular model that is fitted.
     #[arg(long, value_enum)]
     pub model: Model,
     /// Whether the time of passage is unknown and x0 fitted too.
@@ -379,12 +382,41 @@ impl Default for FitSetup {
     fn default() -> Self {
         Self {
             fit_samples: 240,
+            data_from: DataFrom::Views,
             fit_range: TimeRange(None),
             noise_percent: 1.0,
             seed: 1,
             curves: Curves::Both,
             model: Model::Exact,
             fit_x0: false,
+        }
+    }
+}
+
+/// By which binocular model simulated samples are made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum DataFrom {
+    /// By that of what the views show: exact, or one cone.
+    #[default]
+    Views,
+    /// Each eye solves its own light cone.
+    Exact,
+    /// Both eyes receive the events that the middle between them receives.
+    OneCone,
+    /// The paper's model, which leaves out parallax.
+    Published,
+}
+
+impl DataFrom {
+    /// The model, unless that of the views decides.
+    #[must_use]
+    pub const fn model(self) -> Option<Model> {
+        match self {
+            Self::Views => None,
+            Self::Exact => Some(Model::Exact),
+            Self::OneCone => Some(Model::OneCone),
+            Self::Published => Some(Model::Published(PublishedVariant::AppendixA)),
         }
     }
 }
@@ -427,7 +459,7 @@ pub struct Map {
     /// What the map draws.
     #[arg(long, value_enum)]
     pub face: Face,
-    /// The frame in which it is drawn.
+    /// The frame in which the map is drawn.
     #[arg(long, value_enum)]
     pub frame: Frame,
 }
@@ -469,10 +501,10 @@ pub struct Window {
     /// The left eye's picture corrected to the rest frame, beside the two. Hidden, it costs nothing.
     #[arg(long, value_parser = switch, value_name = "ON|OFF", num_args = 0..=1, default_missing_value = "on")]
     pub corrected: OnOff,
-    /// Below the views, which wavelengths arrive of the selected point.
+    /// A strip below the views that shows which wavelengths arrive of the selected point.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub spectrum: OnOff,
-    /// Below the views, the moment in a sentence.
+    /// A sentence below the views that tells the moment.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub sentence: OnOff,
     /// The map: what happens, beside what is seen. Hidden, it computes nothing.
@@ -499,7 +531,7 @@ pub struct Window {
     /// At each followed point in the views, a clock that shows the body's own time as the eye sees it.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub dials: OnOff,
-    /// Units of the lengths and times that it shows and takes. Files and flags have the scene's own always.
+    /// Units of the lengths and times that the window shows and takes. Files and flags have the scene's own always.
     #[arg(long, value_enum)]
     pub units: Units,
     /// Colours of the window.

@@ -239,3 +239,18 @@ fn flags_that_make_no_sense_are_refused() {
         assert!(outcome.stderr.starts_with("error: ") && outcome.stderr.lines().count() < 10, "{arguments}");
     }
 }
+
+#[test]
+fn a_file_is_called_what_it_is() {
+    let cases = [
+        ("--screenshot x.jpg", "gamow: --screenshot x.jpg: it writes .png files only; x.png would be right"),
+        ("--screenshot a/x", "gamow: --screenshot a/x: it writes .png files only; a/x.png would be right"),
+        (
+            "accuracy --plot cost.pdf",
+            "gamow: --plot cost.pdf: it writes .svg files only; cost.svg would be right",
+        ),
+    ];
+    for (arguments, expected) in cases {
+        assert_eq!(words(arguments).complaint(), expected);
+    }
+}

@@ -172,3 +172,42 @@ fn readings_that_were_not_made_are_left_out() {
     assert_eq!(report["readings"], 481);
     assert_eq!(report["fits"]["dtheta"]["readings"], 240);
 }
+
+/// Sigmas that are not those of the scatter are said to be: too large, too small, and not at all where they fit.
+#[test]
+fn sigmas_that_the_scatter_contradicts_are_named() {
+    let csv = noisy_curve(&["T", "d", "dphi", "dtheta"], "exact");
+    let with_sigma = |sigma: &str| {
+        let mut lines = csv.lines();
+        let header = lines.next().expect("a header").to_owned() + ",sigma_dphi,sigma_dtheta";
+        lines.fold(header, |text, line| text + "\n" + line + "," + sigma + "," + sigma)
+    };
+    let remark = |csv: &str| fitted(csv, "--json --bootstrap 0")["sigmas"].clone();
+    assert!(remark(&csv).is_null() && remark(&with_sigma("2e-4")).is_null());
+    let upper = remark(&with_sigma("1.2e-3"));
+    let upper = upper.as_str().expect("a sentence");
+    assert!(
+        upper.starts_with("the readings scatter 0.1") && upper.contains("they are upper bounds"),
+        "{upper}"
+    );
+    let table = run(gamow().args(["fit", "--bootstrap", "0"]), with_sigma("1.2e-3").as_bytes()).text();
+    assert!(table.contains(&format!("sigmas     {upper}\n")), "{table}");
+    let lower = remark(&with_sigma("5e-5"));
+    assert!(lower.as_str().is_some_and(|text| text.contains("they are too small")), "{lower}");
+}
+
+/// Why a search ended is told in words of this program.
+#[test]
+fn why_there_is_no_fit_is_told_in_plain_words() {
+    let wild: String = (0..12).fold("T,d,dphi\n".to_owned(), |text, i| {
+        let value = if i % 2 == 0 { 1.0 } else { -1.0 };
+        text + &format!("{i},0.1,{value}\n")
+    });
+    let huge = "T,d,dphi\n0,0.1,1e40\n1,0.1,-1e40\n2,0.1,1e40\n3,0.1,2e40\n4,0.1,0\n";
+    for (csv, flags) in [(wild.as_str(), ""), (wild.as_str(), "--fit-x0"), (huge, ""), (huge, "--fit-x0")] {
+        let line = complaint(csv, flags);
+        let foreign = ["LostPatience", "NoImprovement", "Numerical", "User(", "Orthogonal", "Converged {"];
+        assert!(!foreign.iter().any(|word| line.contains(word)), "{line}");
+        assert!(line.starts_with("gamow: standard input"), "{line}");
+    }
+}

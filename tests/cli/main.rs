@@ -10,6 +10,7 @@ mod garbage;
 mod help;
 mod numbers;
 mod paper;
+mod quiet;
 mod streams;
 
 /// What a run left behind.

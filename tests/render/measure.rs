@@ -6,7 +6,7 @@ use relativity_render::colour::linear_srgb;
 use relativity_render::picture::encoded;
 use serde_json::Value;
 
-use super::{complaint_of, folder, render, run_gamow};
+use super::{complaint_of, folder, gamow_output, render, run_gamow};
 
 /// A ball where the paper's tracked point is. (At small sizes a ball is easier to find than a spot on a tyre.)
 const BALL: &str = "\
@@ -183,4 +183,162 @@ fn assert_finds_a_mark(flags: &str) {
             assert!((measured - exact).abs() < 0.15 * pixel, "{measured} is not {exact}");
         }
     }
+}
+
+/// Of every disparity measured in `ride.csv`, the error over its sigma, squared: the mean of dphi and of dtheta.
+fn chi_squared_per_sample(csv: &str) -> [f64; 2] {
+    use relativity_core::{Aperture, SourcePoint, Speed, disparity};
+
+    let speed = Speed::from_beta(0.9).expect("a speed");
+    let source = SourcePoint::from_rest([0.0, 3.0, 2.0], &speed);
+    let [left, right] = Aperture::pair(0.1);
+    let rows = rows(csv);
+    let mut sums = [0.0; 2];
+    for row in &rows {
+        let seen = disparity(&speed, source, left, right, row[0]).expect("inside the domain");
+        for (sum, (measured, exact, sigma)) in
+            sums.iter_mut().zip([(row[6], seen.dphi, row[8]), (row[7], seen.dtheta, row[9])])
+        {
+            *sum += ((measured - exact) / sigma).powi(2);
+        }
+    }
+    sums.map(|sum| sum / rows.len() as f64)
+}
+
+/// Both eyes have a point equally high, so that their errors of height are alike, and differences of elevation better than
+/// their sigmas.
+#[test]
+fn errors_of_disparities_are_as_large_as_their_sigmas_say() {
+    let folder = folder();
+    ride(folder.path(), "--exr");
+    let of_body = run_gamow(folder.path(), "measure ride --object 0");
+    std::fs::remove_dir_all(folder.path().join("ride")).expect("it is there");
+    ride(
+        folder.path(),
+        "--doppler-shift off --intensity-exponent off --shading emission --ground off --sky off",
+    );
+    let of_colour = run_gamow(folder.path(), &format!("measure ride --marker {}", green()));
+    for csv in [of_body, of_colour] {
+        let [dphi, dtheta] = chi_squared_per_sample(&csv);
+        assert!((0.4..1.7).contains(&dphi) && dtheta < 1.7, "{dphi} {dtheta}");
+    }
+}
+
+/// The file at `path` as another program leaves it: without texts.
+fn forget(path: &Path) {
+    use gamow::files::png::{self, PngFile};
+
+    let picture = PngFile::read(path).expect("it was rendered").picture().clone();
+    png::write(&picture, &[], std::fs::File::create(path).expect("it is there")).expect("it is written");
+}
+
+/// As a photographer has them: no texts, no letters, cameras that keep their direction.
+const PHOTOGRAPHS: &str = "--beta 0.9 --d 0.1 --size 160x120 --gaze 90,33 --fov 80 --projection gaze --labels off \
+     --doppler-shift off --intensity-exponent off --shading emission --ground off --sky off";
+
+#[test]
+fn photographs_that_record_nothing_are_measured_by_flags() {
+    let folder = folder();
+    std::fs::write(folder.path().join("ball.toml"), BALL).expect("the folder is there");
+    let frames = "--scene ball.toml --frames 5 --from 3 --to 5 --out photos";
+    render(folder.path(), &format!("{PHOTOGRAPHS} {frames}"));
+    let measure = format!("measure photos --marker {}", green());
+    let recorded = run_gamow(folder.path(), &measure);
+    for photo in std::fs::read_dir(folder.path().join("photos")).expect("it is there") {
+        forget(&photo.expect("it is there").path());
+    }
+    let complaint = complaint_of(folder.path(), &measure);
+    assert!(
+        complaint.ends_with(
+            "frame_00000.png: it does not record --layout, --gaze, --fov, --time, --d, which is needed then\n"
+        ),
+        "{complaint}"
+    );
+    let flags = "--gaze 90,33 --fov 80 --layout side-by-side --d 0.1";
+    let complaint = complaint_of(folder.path(), &format!("{measure} {flags}"));
+    assert!(complaint.contains("it does not record --time, which"), "{complaint}");
+    let complaint = complaint_of(folder.path(), &format!("{measure} {flags} --times 1,2,3"));
+    assert!(
+        complaint.contains("--times: 3 for 5 files: give one for each, or the first and the last"),
+        "{complaint}"
+    );
+    for times in ["3,5", "3,3.5,4,4.5,5"] {
+        assert_eq!(run_gamow(folder.path(), &format!("{measure} {flags} --times {times}")), recorded);
+    }
+    // What is known by flags can be said of a file that records something else, too.
+    let csv = run_gamow(folder.path(), &format!("{measure} {flags} --times 3,5 --roll 10"));
+    assert!(csv.starts_with("T,d,roll,turn,"), "{csv}");
+}
+
+/// Other programs keep the texts of a picture in chunks of their own.
+#[test]
+fn ordinary_text_chunks_are_read() {
+    use gamow::files::png::PngFile;
+
+    let folder = folder();
+    std::fs::write(folder.path().join("ball.toml"), BALL).expect("the folder is there");
+    render(folder.path(), &format!("{PHOTOGRAPHS} --scene ball.toml --time 4 --out ball.png"));
+    let measure = format!("measure ball.png --marker {}", green());
+    let recorded = run_gamow(folder.path(), &measure);
+    let path = folder.path().join("ball.png");
+    let file = PngFile::read(&path).expect("it was rendered");
+    let picture = file.picture();
+    for is_compressed in [false, true] {
+        let out = std::fs::File::create(&path).expect("it is there");
+        let mut encoder = png::Encoder::new(out, picture.size[0], picture.size[1]);
+        encoder.set_color(png::ColorType::Rgba);
+        let (keyword, text) = ("Parameters".to_owned(), file.command().to_owned());
+        let added = if is_compressed {
+            encoder.add_ztxt_chunk(keyword, text)
+        } else {
+            encoder.add_text_chunk(keyword, text)
+        };
+        added.expect("it is plain text");
+        let mut writer = encoder.write_header().expect("it is written");
+        writer.write_image_data(picture.rgba.as_flattened()).expect("it is written");
+        writer.finish().expect("it is written");
+        assert_eq!(run_gamow(folder.path(), &measure), recorded);
+    }
+}
+
+/// A colour that is not one point is remarked on in one line that names file and eye, and measured all the same.
+#[test]
+fn a_colour_that_is_not_one_point_is_remarked_on() {
+    let folder = folder();
+    let second = BALL.replace("name = \"A ball\"", "").replace("[0.0, 3.0, 2.0]", "[0.9, 3.0, 2.0]");
+    std::fs::write(folder.path().join("two.toml"), format!("{BALL}{second}")).expect("the folder is there");
+    std::fs::write(folder.path().join("ball.toml"), BALL).expect("the folder is there");
+    let remark = |flags: &str| {
+        let output = gamow_output(folder.path(), &format!("measure {flags} --marker {}", green()));
+        assert!(output.status.success());
+        String::from_utf8(output.stderr).expect("it is text")
+    };
+    render(folder.path(), &format!("{PHOTOGRAPHS} --scene ball.toml --frames 3 --from 3 --to 5 --out one"));
+    assert_eq!(remark("one"), "");
+    render(folder.path(), &format!("{PHOTOGRAPHS} --scene two.toml --frames 3 --from 3 --to 5 --out two"));
+    let line = remark("two");
+    let expected = "two/frame_00000.png: the left eye has the colour in 2 separate places, and the middle of all is measured (so";
+    assert!(line.starts_with(expected) && line.lines().count() == 1, "{line}");
+    // The eyes the wrong way round.
+    let line = remark("one/frame_00001.png --layout cross-eyed");
+    assert!(
+        line.starts_with("one/frame_00001.png: the colour is in places that cannot be one point"),
+        "{line}"
+    );
+    assert!(line.contains("the eyes may be swapped") && line.lines().count() == 1, "{line}");
+    // One camera looks higher than it is said to: as pictures of one that is held askew.
+    use gamow::files::png::{self, PngFile};
+    let path = folder.path().join("one/frame_00001.png");
+    let file = PngFile::read(&path).expect("it was rendered");
+    let mut askew = file.picture().clone();
+    let width = askew.size[0] as usize;
+    for row in (8..askew.size[1] as usize).rev() {
+        let [from, to] = [row - 8, row].map(|row| row * width + width / 2..(row + 1) * width);
+        askew.rgba.copy_within(from, to.start);
+    }
+    let texts: Vec<_> = file.texts.iter().map(|(keyword, text)| (keyword.as_str(), text.as_str())).collect();
+    png::write(&askew, &texts, std::fs::File::create(&path).expect("it is there")).expect("it is written");
+    let line = remark("one/frame_00001.png");
+    assert!(line.contains("the left and the right eye's lines of sight miss each other by"), "{line}");
+    assert_eq!(line.lines().count(), 1, "{line}");
 }

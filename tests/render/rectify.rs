@@ -180,3 +180,28 @@ fn what_is_missing_is_named() {
     assert!(run("left.png --beta 0.9 --eye right --out x.png").contains("it shows one eye"));
     assert!(run("left.png --out x.png").contains("one of --beta, --gamma, --rapidity is needed"));
 }
+
+/// A photograph of both eyes, of which flags say what it does not record.
+#[test]
+fn a_photograph_is_corrected_by_flags() {
+    let folder = folder();
+    let camera = "--fov 100 --gaze 120,25 --projection gaze";
+    render(folder.path(), &format!("--time 1.2 {camera} --labels off --out seen.png"));
+    let correct = |flags: &str| {
+        run_gamow(
+            folder.path(),
+            &format!("rectify seen.png --beta 0.9 --intensity-exponent 4 {flags} --out corrected.png"),
+        );
+        PngFile::read(&folder.path().join("corrected.png")).expect("it was written").frames
+    };
+    let recorded = ["left", "right"].map(|eye| correct(&format!("--eye {eye}")));
+    let seen = folder.path().join("seen.png");
+    let picture = PngFile::read(&seen).expect("it was rendered").picture().clone();
+    let out = std::fs::File::create(&seen).expect("it is there");
+    gamow::files::png::write(&picture, &[], out).expect("it is written");
+    let complaint = complaint_of(folder.path(), "rectify seen.png --beta 0.9 --fov 70 --out x.png");
+    assert_eq!(complaint, "gamow: seen.png: it does not record --gaze, which is needed then\n");
+    let flags = "--fov 100 --gaze 120,25 --layout side-by-side";
+    assert!(["left", "right"].map(|eye| correct(&format!("{flags} --eye {eye}"))) == recorded);
+    assert!(recorded[0] != recorded[1]);
+}

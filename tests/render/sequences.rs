@@ -27,7 +27,9 @@ fn a_sequence_keeps_the_frames_it_finds_and_mends_the_others() {
     fs::write(frame(folder.path(), 2), &whole[2][..whole[2].len() - 20]).expect("it is writable");
     fs::copy(frame(folder.path(), 0), frame(folder.path(), 3)).expect("it is writable"); // of another time
     let message = String::from_utf8(output(folder.path(), flags).stderr).expect("it is text");
-    assert_eq!(message, "3 frames drawn and 1 kept in ride\n");
+    let lines: Vec<_> = message.lines().collect();
+    assert!(lines[0].starts_with(&format!("4 frames, {WIDTH}x{HEIGHT} per eye: about ")), "{message}");
+    assert!(lines[1].starts_with("3 frames drawn and 1 kept in ride: ") && lines.len() == 2, "{message}");
     for (number, whole) in (0..4).zip(&whole) {
         assert!(fs::read(frame(folder.path(), number)).is_ok_and(|bytes| bytes == *whole), "frame {number}");
     }
@@ -80,4 +82,28 @@ fn a_killed_sequence_leaves_only_whole_frames() {
         }
     }
     assert!((4..1000).contains(&frames), "{frames} frames");
+}
+
+/// How much it will be is told before most of it is made, and how much it is at the end.
+#[test]
+fn a_sequence_of_measurements_tells_its_size_beforehand_and_afterwards() {
+    let folder = folder();
+    let message =
+        String::from_utf8(output(folder.path(), "--frames 16 --exr --out ride").stderr).expect("it is text");
+    let lines: Vec<_> = message.lines().collect();
+    let kilobytes = |line: &str, before: &str| {
+        let (_, rest) = line.split_once(before).expect("the size is told");
+        let (number, _) = rest.split_once(" kB").expect("some kilobytes");
+        number.parse::<f64>().expect("a number")
+    };
+    assert_eq!(lines.len(), 2, "{message}");
+    assert!(lines[0].starts_with(&format!("16 frames, {WIDTH}x{HEIGHT} per eye: about ")), "{message}");
+    assert!(lines[0].ends_with(", estimated from 3 of them"), "{message}");
+    let (estimate, total) = (kilobytes(lines[0], "about "), kilobytes(lines[1], "in ride: "));
+    let bytes: u64 = fs::read_dir(folder.path().join("ride"))
+        .expect("it is there")
+        .map(|entry| entry.and_then(|entry| entry.metadata()).expect("it can be read").len())
+        .sum();
+    assert!((total * 1000.0 / bytes as f64 - 1.0).abs() < 0.01, "{total} {bytes}");
+    assert!((0.5..2.0).contains(&(estimate / total)), "{estimate} {total}");
 }

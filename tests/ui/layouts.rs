@@ -174,10 +174,10 @@ fn the_published_model_adds_curves() {
             .collect::<Vec<_>>()
     };
     let before = picture(&mut window);
-    window.get_by_label("Published").click();
+    window.get_by_role_and_label(Role::CheckBox, "Published").click();
     window.run();
     assert!(picture(&mut window) != before);
-    window.get_by_label("Published").click();
+    window.get_by_role_and_label(Role::CheckBox, "Published").click();
     window.run();
     assert!(picture(&mut window) == before);
 }

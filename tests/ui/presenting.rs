@@ -173,7 +173,7 @@ fn the_comfortable_button() {
     let d = window.state().state().settings.motion.d;
     assert!(d > 0.0 && d < 1.5);
     window.get_by_label(&format!("d narrowed from 1.5 to {d}: measured disparities shrink with it."));
-    window.get_by_label("Undo").click();
+    window.get_by_label("As before").click();
     window.run();
     assert_eq!(window.state().state().settings.motion, wide);
 }

@@ -5,7 +5,9 @@ use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
 use eframe::egui::{Align, Button, ComboBox, Layout, PopupCloseBehavior, RichText, TextStyle, Ui, vec2};
 
 use super::Asks;
+use crate::app::chooser::Purpose;
 use crate::app::command::Command;
+use crate::app::recent::file_name;
 use crate::app::state::State;
 use crate::app::widgets::icons::{self, Icon};
 use crate::scene::{PRESETS, Scene};
@@ -29,11 +31,13 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         if width >= NARROWEST_WITH_NAME {
             ui.label(RichText::new("Gamow").heading().strong());
         }
+        super::file_menu::show(ui, state, asks);
         scene(ui, state, asks);
         presets(ui, state, asks);
         if width >= NARROWEST_WITH_ALL {
             units(ui, state, asks);
         }
+        way_back(ui, state, asks);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if ui.button("Help").on_hover_text("What this is, words, keys, mouse.   Keys: ? or F1").clicked()
             {
@@ -95,10 +99,29 @@ fn scene(ui: &mut Ui, state: &State, asks: &mut Asks) {
                     asks.push(Command::Preset(preset));
                 }
             }
+            files(ui, state, asks);
         })
         .response
-        .on_hover_text("What rides past. A scene file dropped onto the window opens too.")
+        .on_hover_text(
+            "What rides past, and the files that were opened. A file dropped onto the window opens too.",
+        )
         .accessible_name("Scene");
+}
+
+/// The files that were opened, and the way to another.
+fn files(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    ui.separator();
+    let shown = state.shown_files();
+    for path in state.session.recent.all() {
+        let choice = ui.selectable_label(shown.contains(path), file_name(path));
+        if choice.on_hover_text(path.display().to_string()).clicked() {
+            asks.push(Command::Open(path.clone()));
+        }
+    }
+    let tip = "Opens a scene, settings, or a picture with which settings it was made.   Keys: Ctrl+O";
+    if ui.button("Open…").on_hover_text(tip).clicked() {
+        asks.push(Command::Choose(Purpose::Open));
+    }
 }
 
 /// In which units the whole window shows lengths and times.
@@ -125,6 +148,29 @@ fn units_to_choose(ui: &mut Ui, state: &State, asks: &mut Asks) {
     if !has_metres {
         ui.label(RichText::new(NO_METRES).weak().small());
     }
+}
+
+/// Steps back and forwards, and all as usual.
+fn way_back(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    let history = &state.session.history;
+    let reset = format!(
+        "Has all as usual, {}: speed, eyes, path, look, light, plots and points. The parts of the window, its units and \
+        colours, and the screen stay. Undo brings back what was.",
+        state.usual_is()
+    );
+    let buttons = [
+        (Icon::Undo, "Undo", "Undoes the last step.   Keys: Ctrl+Z", history.can_undo(), Command::Undo),
+        (Icon::Redo, "Redo", "Redoes it.   Keys: Ctrl+Shift+Z, Ctrl+Y", history.can_redo(), Command::Redo),
+        (Icon::Reset, "Reset", &reset, !state.is_usual(), Command::Reset),
+    ];
+    let apart = std::mem::replace(&mut ui.spacing_mut().item_spacing.x, 3.0);
+    for (icon, name, tip, is_there, command) in buttons {
+        let button = ui.add_enabled_ui(is_there, |ui| icons::button(ui, icon, name, vec2(26.0, 22.0), false));
+        if button.inner.on_hover_text(tip).on_disabled_hover_text(tip).clicked() {
+            asks.push(command);
+        }
+    }
+    ui.spacing_mut().item_spacing.x = apart;
 }
 
 const UNITS: [(Units, &str, &str); 3] = [

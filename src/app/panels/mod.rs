@@ -3,8 +3,10 @@
 
 pub mod bar;
 pub mod borders;
+pub mod chooser;
 pub mod controls;
 pub mod corrected;
+pub mod file_menu;
 pub mod help;
 pub mod map;
 pub mod message;
@@ -12,6 +14,7 @@ pub mod palette;
 pub mod plots;
 pub mod presented;
 pub mod readout;
+pub mod saving;
 pub mod sentence;
 pub mod spectrum;
 pub mod timeline;

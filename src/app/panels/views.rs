@@ -42,7 +42,9 @@ pub fn interact(ui: &mut Ui, pane: EyePane, asks: &mut Asks) {
     let name = pane.name();
     response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, &name));
     if response.double_clicked() {
-        asks.push(Command::Frame);
+        asks.push(Command::FollowAgain);
+    } else if response.triple_clicked() {
+        // It is a double click that went on.
     } else if let (true, Some(place)) = (response.clicked(), response.interact_pointer_pos()) {
         let add = ui.input(|input| input.modifiers.shift);
         asks.push(Command::Pick(Pick { eye: pane.eye, pixel: pane.pixel(place), size: pane.size, add }));

@@ -12,7 +12,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use crate::files::whole::{ReportArgs, write_whole};
+use crate::files::whole::{ReportArgs, ensure_ending, write_whole};
 use crate::flags::choices::Size;
 use crate::scene::Scene;
 
@@ -43,13 +43,13 @@ pub struct AccuracyArgs {
 
 const HELP: &str = "\
 What is measured:
-  outline        how far outlines are displaced, pixels: at places found on the reference's by bisection,
-                 the method draws a strip across, up to 4096 times magnified
-  line of sight  angle between a pixel's line of sight and that along which the point it shows is really seen, by
-                 the light cone in f64, arcseconds
+  outline        how far outlines are displaced, pixels: at places found on the reference's
+                 by bisection, the method draws a strip across, up to 4096 times magnified
+  line of sight  angle between a pixel's line of sight and that along which the point it
+                 shows is really seen, by the light cone in f64, arcseconds
   D              relative error of the Doppler factor
-  wrong body     pixels that show another body than the reference, per pixel that shows one; where two bodies
-                 share a surface, that of the first is right
+  wrong body     pixels that show another body than the reference, per pixel that shows
+                 one; where two bodies share a surface, that of the first is right
 
 Examples:
   gamow accuracy
@@ -58,6 +58,9 @@ Examples:
 
 /// Runs `gamow accuracy`.
 pub fn run(args: &AccuracyArgs) -> anyhow::Result<()> {
+    if let Some(path) = &args.plot {
+        ensure_ending("--plot", path, "svg")?;
+    }
     let scene = Scene::open(&args.scene)?;
     let report = measure::report(&scene, &args.scene, args.size.0, args.quick)?;
     if let Some(path) = &args.plot {

@@ -81,6 +81,14 @@ pub struct RendererReport {
     pub views: Vec<PictureRow>,
 }
 
+impl RendererReport {
+    /// Whether it is the ray test on the GPU: it is neither the reference nor made of triangles.
+    #[must_use]
+    pub const fn is_rays(&self) -> bool {
+        !self.is_reference && self.bound_px.is_none()
+    }
+}
+
 /// A renderer in one view.
 #[derive(Debug, Clone, Serialize)]
 pub struct PictureRow {

@@ -4,6 +4,7 @@ use glam::DVec3;
 use relativity_core::math;
 use relativity_render::Picture;
 
+use super::place::{Mask, Place, ROUNDING};
 use crate::files::exr::{Channel, Measurements};
 use crate::flags::choices::FileKind;
 
@@ -11,6 +12,8 @@ use crate::flags::choices::FileKind;
 const COLOUR_TOLERANCE: u8 = 24;
 /// How far from a pixel's centre a mark may be for that pixel to show it, in pixels: a corner is 0.7 away.
 const REACH_PX: f64 = 1.0;
+/// Root mean square of u^2, u being anywhere within half a pixel: 1/sqrt(80).
+const SQUARE_RMS: f64 = 0.111_803_398_874_989_48;
 
 /// What is looked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,16 +43,14 @@ pub fn colour(text: &str) -> Result<[u8; 3], String> {
     Ok([r, g, b])
 }
 
-/// The middle of `colour` in `picture`, pixels.
-pub fn colour_in(picture: &Picture, colour: [u8; 3]) -> Option<[f64; 2]> {
-    let width = picture.size[0] as usize;
-    let pixels = picture.rgba.iter().enumerate();
-    let alike = pixels.filter(|(_, rgba)| (0..3).all(|i| rgba[i].abs_diff(colour[i]) <= COLOUR_TOLERANCE));
-    middle(alike.map(|(pixel, _)| [pixel % width, pixel / width]))
+/// The pixels of `picture` that have this `colour`.
+pub fn colour_in(picture: &Picture, colour: [u8; 3]) -> Mask {
+    let is_alike = |rgba: &[u8; 4]| (0..3).all(|i| rgba[i].abs_diff(colour[i]) <= COLOUR_TOLERANCE);
+    Mask { shows: picture.rgba.iter().map(is_alike).collect(), width: picture.size[0] as usize }
 }
 
-/// Where `target` is in the layer of `eye`, in pixels.
-pub fn in_layer(file: &Measurements, eye: &str, target: Target) -> anyhow::Result<Option<[f64; 2]>> {
+/// Where `target` is in the layer of `eye`.
+pub fn in_layer(file: &Measurements, eye: &str, target: Target) -> anyhow::Result<Option<Place>> {
     let channel = |channel| file.channel(eye, channel);
     let width = file.size[0] as usize;
     let ids = channel(Channel::Id)?;
@@ -59,21 +60,10 @@ pub fn in_layer(file: &Measurements, eye: &str, target: Target) -> anyhow::Resul
             Ok(Surface { width, ids, rest }.place(point.into()))
         }
         Target::Body(body) => {
-            let pixels = ids.iter().enumerate().filter(|(_, id)| **id == body as f32);
-            Ok(middle(pixels.map(|(pixel, _)| [pixel % width, pixel / width])))
+            Ok(Mask { shows: ids.iter().map(|id| *id == body as f32).collect(), width }.middle())
         }
         Target::Marker(_) => Ok(None),
     }
-}
-
-/// The middle of `pixels`.
-fn middle(pixels: impl Iterator<Item = [usize; 2]>) -> Option<[f64; 2]> {
-    let (mut sum, mut count) = ([0.0; 2], 0.0);
-    for [column, row] in pixels {
-        sum = [sum[0] + column as f64 + 0.5, sum[1] + row as f64 + 0.5];
-        count += 1.0;
-    }
-    (count > 0.0).then(|| sum.map(|part| part / count))
 }
 
 /// Which place of which body each pixel shows.
@@ -86,18 +76,33 @@ struct Surface<'a> {
 impl Surface<'_> {
     /// Where `point` is seen: at the pixel that shows the nearest place, and from there to a fraction of a
     /// pixel by how the places change from pixel to pixel; `None` if that leads out of the pixel's reach.
-    fn place(&self, point: DVec3) -> Option<[f64; 2]> {
+    ///
+    /// Its standard deviation is what this leaves out, over all offsets in a pixel: how that change itself changes, or,
+    /// where an outline is so near that this is not known, the pixel.
+    fn place(&self, point: DVec3) -> Option<Place> {
         let seen = (0..self.ids.len()).filter(|&pixel| self.ids[pixel] >= 0.0);
         let distance = |&pixel: &usize| self.at(pixel).distance_squared(point);
         let nearest = seen.min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
         let (column, row) = (nearest % self.width, nearest / self.width);
-        let (across, down) = (self.change(nearest, column, 1)?, self.change(nearest, row, self.width)?);
+        let changes = [self.change(nearest, column, 1)?, self.change(nearest, row, self.width)?];
+        let [across, down] = changes.each_ref().map(|change| change.per_pixel);
         let offset = point - self.at(nearest);
         let [u, v] = coordinates(offset, across, down)?;
         let left_over = offset - across * u - down * v;
         let step = across.length().max(down.length());
         let is_shown = math::hypot(u, v) <= REACH_PX && left_over.length() <= REACH_PX * step;
-        is_shown.then_some([column as f64 + 0.5 + u, row as f64 + 0.5 + v])
+        let mut squares = [0.0; 2];
+        for change in changes {
+            let left_out = match change.bend {
+                Some(bend) => coordinates(0.5 * SQUARE_RMS * bend, across, down)?,
+                None => [ROUNDING; 2],
+            };
+            // What f32 rounds off.
+            let grain = point.abs().max_element() * f64::from(f32::EPSILON) * ROUNDING / step;
+            squares = [0, 1].map(|axis: usize| squares[axis] + left_out[axis].powi(2) + grain.powi(2));
+        }
+        let at = [column as f64 + 0.5 + u, row as f64 + 0.5 + v];
+        is_shown.then_some(Place { at, sigma: squares.map(f64::sqrt) })
     }
 
     fn at(&self, pixel: usize) -> DVec3 {
@@ -105,19 +110,41 @@ impl Surface<'_> {
         DVec3::new(x, y, z)
     }
 
-    /// Change of place per pixel, from the neighbours `stride` away on the same body; none without one.
-    fn change(&self, pixel: usize, position: usize, stride: usize) -> Option<DVec3> {
+    /// Change of place from pixel to pixel, by the neighbours `stride` away on the same body; none without one. At an
+    /// outline both neighbours are on one side.
+    fn change(&self, pixel: usize, position: usize, stride: usize) -> Option<Change> {
         let is_same = |&other: &usize| self.ids.get(other) == Some(&self.ids[pixel]);
-        let before = (position > 0).then(|| pixel - stride).filter(is_same);
-        let is_last = stride == 1 && position + 1 == self.width;
-        let after = (!is_last).then_some(pixel + stride).filter(is_same);
-        match (before, after) {
-            (Some(before), Some(after)) => Some(0.5 * (self.at(after) - self.at(before))),
-            (Some(before), None) => Some(self.at(pixel) - self.at(before)),
-            (None, Some(after)) => Some(self.at(after) - self.at(pixel)),
-            (None, None) => None,
-        }
+        let before = |steps: usize| (position >= steps).then(|| pixel - steps * stride).filter(is_same);
+        let is_inside = |steps: usize| stride > 1 || position + steps < self.width;
+        let after = |steps: usize| is_inside(steps).then_some(pixel + steps * stride).filter(is_same);
+        let here = self.at(pixel);
+        let side = |neighbour: &dyn Fn(usize) -> Option<usize>| {
+            [1, 2].map(|steps| neighbour(steps).map(|pixel| self.at(pixel)))
+        };
+        let one_sided = |near: DVec3, far: Option<DVec3>| {
+            let bend = far.map(|far| far - near - (near - here));
+            (near - here - 0.5 * bend.unwrap_or_default(), bend)
+        };
+        let (per_pixel, bend) = match (side(&before), side(&after)) {
+            ([Some(before), _], [Some(after), _]) => {
+                (0.5 * (after - before), Some(after - here - (here - before)))
+            }
+            ([Some(near), far], [None, _]) => {
+                let (backward, bend) = one_sided(near, far);
+                (-backward, bend)
+            }
+            ([None, _], [Some(near), far]) => one_sided(near, far),
+            ([None, _], [None, _]) => return None,
+        };
+        Some(Change { per_pixel, bend })
     }
+}
+
+/// How the place shown changes along a row or a column.
+struct Change {
+    per_pixel: DVec3,
+    /// How that changes from pixel to pixel, if two neighbours show the same body.
+    bend: Option<DVec3>,
 }
 
 /// Least-squares coordinates of `offset` along `a` and `b`; none if these are parallel.

@@ -80,8 +80,8 @@ fn write_angles(
             push_column(&mut columns, &format!("{name}_{eye_name}_{}", model.name()), &curve);
             lines.push(Line::solid(format!("{eye_name} eye"), colour, curve).with(stroke));
         }
-        let mark = Some((setup.equidistance_time()?, "T0"));
-        panels.push(Panel { mark, ..Panel::new(title(model), ["T", label], lines) });
+        let marks = vec![(setup.equidistance_time()?, "T0".to_owned())];
+        panels.push(Panel { marks, ..Panel::new(title(model), ["T", label], lines) });
     }
     write(folder, name, &panels, &columns)
 }
@@ -103,8 +103,8 @@ fn write_differences(
             push_column(&mut columns, &format!("{name}_beta_{beta}_{}", model.name()), &curve);
             lines.push(Line::solid(format!("beta = {beta}"), colour, curve));
         }
-        let mark = Some((Setup::SECTION_3.equidistance_time()?, "T0"));
-        panels.push(Panel { mark, ..Panel::new(title(model), ["T", label], lines) });
+        let marks = vec![(Setup::SECTION_3.equidistance_time()?, "T0".to_owned())];
+        panels.push(Panel { marks, ..Panel::new(title(model), ["T", label], lines) });
     }
     write(folder, name, &panels, &columns)
 }

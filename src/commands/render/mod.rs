@@ -30,7 +30,7 @@ pub struct RenderArgs {
     /// Print how long each stage took.
     #[arg(long, conflicts_with = "frames")]
     timings: bool,
-    /// Do all that --timings measures N times.
+    /// How many times all is done that --timings measures.
     #[arg(long, default_value_t = 5, value_name = "N", requires = "timings", value_parser = clap::value_parser!(u32).range(1..))]
     repeat: u32,
     #[command(flatten)]

@@ -1,16 +1,18 @@
 //! Sequences of frames in a folder, which can be broken off and taken up again.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use anyhow::Context as _;
 use clap::Args;
 
 use super::vr180;
+use crate::figures;
 use crate::flags::choices::FileKind;
 use crate::flags::finite_number;
 use crate::passage::{passage_times, time_within};
 use crate::platform::{files, progress};
 use crate::studio::Studio;
+use crate::studio::film::frame_path;
 
 /// Flags of a sequence.
 #[derive(Debug, Clone, Args)]
@@ -55,8 +57,10 @@ pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Resu
     files::create_folder(folder).with_context(|| folder.display().to_string())?;
     let progress = progress::bar(frames.into(), "frames");
     let kind = if times.exr { FileKind::Exr } else { FileKind::Png };
-    let mut kept = 0;
-    for frame in 0..frames {
+    let (mut kept, mut bytes) = (0, 0);
+    let probes = probes(frames);
+    let others = (0..frames).filter(|frame| !probes.contains(frame));
+    for (made, frame) in (1..).zip(probes.iter().copied().chain(others)) {
         let time = time_within(range, f64::from(frame) / f64::from(frames.max(2) - 1));
         let path = vr180::named(studio.settings(), &frame_path(folder, frame, kind));
         let frame = studio.frame(Some(time))?;
@@ -65,13 +69,26 @@ pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Resu
         } else {
             studio.make_file(&frame, kind, &path)?;
         }
+        bytes += files::size(&path).with_context(|| path.display().to_string())?;
         progress.inc(1);
+        if made == probes.len() && made < frames as usize {
+            let estimate = figures::bytes(bytes * u64::from(frames) / made as u64, 2);
+            let size = studio.settings().picture.size;
+            progress.suspend(|| {
+                eprintln!("{frames} frames, {size} per eye: about {estimate}, estimated from {made} of them");
+            });
+        }
     }
     progress.finish_and_clear();
-    eprintln!("{} frames drawn and {kept} kept in {}", frames - kept, folder.display());
+    let (drawn, total) = (frames - kept, figures::bytes(bytes, 3));
+    eprintln!("{drawn} frames drawn and {kept} kept in {}: {total}", folder.display());
     Ok(())
 }
 
-fn frame_path(folder: &Path, frame: u32, kind: FileKind) -> PathBuf {
-    folder.join(format!("frame_{frame:05}.{}", kind.extension()))
+/// The frames that are made first, to tell from them how large all will be: the first one, one that approaches, and the one
+/// in the middle.
+fn probes(frames: u32) -> Vec<u32> {
+    let mut probes = vec![0, frames / 4, frames / 2];
+    probes.dedup();
+    probes
 }

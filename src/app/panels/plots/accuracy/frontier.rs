@@ -8,9 +8,10 @@ use relativity_core::math;
 use relativity_render::Method;
 
 use crate::app::examination::{Examination, Row};
-use crate::app::panels::plots::axes::{extent, frame, still_plot};
+use crate::app::panels::plots::axes::{frame, still_plot};
 use crate::app::theme;
 use crate::figures;
+use crate::plot::extent;
 use crate::settings::Quality;
 
 /// Errors below this, arcseconds, are drawn as this: none is measured as 0 but by chance.

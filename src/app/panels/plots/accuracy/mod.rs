@@ -4,6 +4,8 @@
 mod frontier;
 mod table;
 
+pub use table::csv;
+
 use eframe::egui::{Checkbox, Label, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
 
 use super::split::{part, table_and_plots};

@@ -1,11 +1,13 @@
 //! The Accuracy tab's table: a row for each way to draw the present views.
 
+use csv::ByteRecord;
 use eframe::egui::{Grid, RichText, Ui};
 
 use crate::accuracy::{RESOLUTION_PX, Spread};
 use crate::app::examination::{Examination, Row};
 use crate::app::widgets::named_text;
 use crate::figures;
+use crate::files::csv_out::Rows;
 use crate::settings::Quality;
 
 const HEADS: [(&str, &str); 6] = [
@@ -86,4 +88,25 @@ fn cell(spread: Option<Spread>, resolution: f64) -> (String, String) {
 /// Two digits of an error.
 fn small(error: f64) -> String {
     figures::significant(error, 2).replace('-', "−")
+}
+
+/// The table as CSV: errors in full, and whether they were measured in the present views.
+pub fn csv(examination: &Examination) -> String {
+    let mut rows = Rows::new(Vec::new());
+    let heads = ["renderer", "time / ms", "outlines (99 %) / px", "direction (99 %) / arcseconds"];
+    let heads =
+        heads.into_iter().chain(["Doppler factor (99 %), relative", "other body, share", "is current"]);
+    // Into memory: writing does not fail.
+    let _ = rows.write(&mut heads.collect(), &[]);
+    for row in examination.rows() {
+        let Some(Ok(figures)) = row.figures else { continue };
+        let p99 = |spread: Option<Spread>| spread.map_or(f64::NAN, |spread| spread.p99);
+        let mut field = ByteRecord::from(vec![row.name()]);
+        let errors = [figures.outlines_px, figures.line_of_sight_arcseconds, figures.doppler].map(p99);
+        let [outlines, directions, dopplers] = errors;
+        let current = if row.is_current { 1.0 } else { 0.0 };
+        let numbers = [figures.frame_ms, outlines, directions, dopplers, figures.wrong_share, current];
+        let _ = rows.write(&mut field, &numbers);
+    }
+    rows.into_text()
 }

@@ -1,0 +1,96 @@
+//! What looks wrong with what was found in a picture, so that it may not be one point: said once for all files.
+
+use std::collections::BTreeMap;
+
+use relativity_core::math;
+use relativity_render::Camera;
+
+use super::place::Place;
+use crate::files::exr::EYES;
+use crate::settings::Settings;
+
+/// How many standard deviations, and pixels besides, two eyes' lines of sight to one point may be off.
+const MOST_SIGMAS: f64 = 5.0;
+const MOST_PX: f64 = 1.0;
+
+/// What looks wrong.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Remark {
+    /// An eye's picture (0 left, 1 right) has the colour in several places.
+    Parts { eye: usize, parts: usize },
+    /// The lines of sight of both eyes pass above each other by so many tenths of a pixel.
+    OffPlane { tenths_px: i64 },
+    /// They meet behind the eyes.
+    Diverging,
+}
+
+impl Remark {
+    /// Those with the same number are said once.
+    const fn kind(&self) -> u8 {
+        match self {
+            Self::Parts { .. } => 0,
+            Self::OffPlane { .. } => 1,
+            Self::Diverging => 2,
+        }
+    }
+
+    fn text(&self) -> String {
+        match self {
+            Self::Parts { eye, parts } => format!(
+                "the {} eye has the colour in {parts} separate places, and the middle of all is measured",
+                EYES[*eye]
+            ),
+            Self::OffPlane { tenths_px } => format!(
+                "the colour is in places that cannot be one point: the left and the right eye's lines of sight miss each \
+                 other by {} px",
+                *tenths_px as f64 / 10.0
+            ),
+            Self::Diverging => "the colour is in places that cannot be one point: the left and the right eye's lines of sight \
+                 diverge; the eyes may be swapped"
+                .to_owned(),
+        }
+    }
+}
+
+/// What the places that both eyes have of one colour tell, if the head is held along the motion: a point is then in one
+/// plane with the eyes, whenever its light left, and in front of them.
+pub fn of_places(settings: &Settings, cameras: &[Camera; 2], places: [Place; 2]) -> Option<Remark> {
+    let baseline = settings.baseline();
+    if !baseline.is_along_motion() || baseline.separation == 0.0 {
+        return None;
+    }
+    let [left, right] = [0, 1].map(|eye: usize| cameras[eye].line_of_sight(places[eye].at));
+    let pixel = cameras[0].horizontal_fov / f64::from(cameras[0].size[0]);
+    let sigma_px = places.iter().flat_map(|place| place.sigma).fold(0.0, math::hypot);
+    let most = MOST_SIGMAS * sigma_px + MOST_PX;
+    let off_plane_px = (left.z * right.y - left.y * right.z) / math::hypot(left.y, left.z) / pixel;
+    if off_plane_px.abs() > most {
+        return Some(Remark::OffPlane { tenths_px: (10.0 * off_plane_px.abs()).round() as i64 });
+    }
+    // The angle from the axis of motion is the smaller one in the left eye.
+    let [of_left, of_right] = [left, right].map(|line| math::atan2(math::hypot(line.y, line.z), line.x));
+    let diverging_px = (of_left - of_right) / pixel;
+    (diverging_px > most).then_some(Remark::Diverging)
+}
+
+/// What was remarked on, in which file first, and in how many.
+#[derive(Debug, Default)]
+pub struct Remarks(BTreeMap<u8, (String, usize)>);
+
+impl Remarks {
+    /// Takes note of what looks wrong in the file `name`.
+    pub fn note(&mut self, name: &str, remarks: &[Remark]) {
+        for remark in remarks {
+            let first = || (format!("{name}: {}", remark.text()), 0);
+            self.0.entry(remark.kind()).or_insert_with(first).1 += 1;
+        }
+    }
+
+    /// A line for each kind.
+    pub fn lines(&self, files: usize) -> impl Iterator<Item = String> {
+        self.0.values().map(move |(text, count)| match count {
+            1 => text.clone(),
+            _ => format!("{text} (so in {count} of {files} files)"),
+        })
+    }
+}

@@ -1,0 +1,27 @@
+//! What a fit says of the sigmas it was given: whether the readings scatter as these say.
+
+use super::CurvesFit;
+use crate::figures::significant;
+
+/// Reduced chi squared below and above which sigmas do not fit the scatter.
+const FITTING: [f64; 2] = [0.5, 2.0];
+/// Standard deviations of chi squared by which it must differ from 1 besides.
+const LEAST_DEVIATION: f64 = 3.0;
+
+/// A sentence if the readings of `fit` scatter clearly less or more than their sigmas say; nothing without sigmas.
+pub fn remark(fit: &CurvesFit) -> Option<String> {
+    let reduced = fit.reduced_chi_squared?;
+    let free = fit.readings.saturating_sub(fit.parameters.iter().count()).max(1) as f64;
+    let [low, high] = FITTING;
+    if (low..=high).contains(&reduced) || (reduced - 1.0).abs() < LEAST_DEVIATION * (2.0 / free).sqrt() {
+        return None;
+    }
+    let times = significant(reduced.sqrt(), 2);
+    let meaning = if reduced < 1.0 {
+        "they are upper bounds, and so are the linear uncertainties; the bootstrap's follow the scatter"
+    } else {
+        "they are too small, or the model is another; the linear uncertainties are too small then, and the bootstrap's follow \
+         the scatter"
+    };
+    Some(format!("the readings scatter {times} times as much as their sigmas say: {meaning}"))
+}

@@ -1,0 +1,47 @@
+//! What the environment tells the graphics libraries.
+
+/// Names the folder in which the programs of a session meet: among others, the sockets of displays are in it.
+const SESSION_FOLDER: &str = "XDG_RUNTIME_DIR";
+/// A path that holds none.
+const NO_FOLDER: &str = "/dev/null";
+
+/// Has graphics libraries find no session where there is none, in place of complaining of it on standard error: one of
+/// theirs looks for a display even where nothing is to be shown. The program starts once more, in this process and with
+/// the same arguments, since an environment cannot be changed safely once there may be threads. Where it cannot be
+/// started, it goes on as it is.
+pub fn settle_without_session() {
+    #[cfg(unix)]
+    if !names_a_folder(std::env::var_os(SESSION_FOLDER).as_deref()) {
+        use std::os::unix::process::CommandExt as _;
+        let mut arguments = std::env::args_os();
+        let Ok(program) = std::env::current_exe() else { return };
+        let mut again = std::process::Command::new(program);
+        if let Some(name) = arguments.next() {
+            again.arg0(name);
+        }
+        // It returns only if it has failed.
+        let _ = again.args(arguments).env(SESSION_FOLDER, NO_FOLDER).exec();
+    }
+}
+
+/// Whether libraries take `value` for the path of a folder: they ask for an absolute one.
+#[cfg(unix)]
+fn names_a_folder(value: Option<&std::ffi::OsStr>) -> bool {
+    value.is_some_and(|value| std::path::Path::new(value).is_absolute())
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use std::ffi::OsStr;
+
+    use super::*;
+
+    #[test]
+    fn what_is_settled_once_stays() {
+        assert!(!names_a_folder(None) && !names_a_folder(Some(OsStr::new(""))));
+        assert!(!names_a_folder(Some(OsStr::new("run"))));
+        assert!(
+            names_a_folder(Some(OsStr::new(NO_FOLDER))) && names_a_folder(Some(OsStr::new("/run/user/0")))
+        );
+    }
+}
