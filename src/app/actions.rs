@@ -7,8 +7,8 @@ use relativity_render::Geometry;
 use super::chooser::{Product, Purpose};
 use super::command::Command;
 use super::focus;
+use super::orders::Copied;
 use super::plotting::PlotCommand;
-use super::saving::Copied;
 
 /// Something that can be asked for by name or by key.
 #[derive(Debug)]

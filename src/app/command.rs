@@ -8,9 +8,10 @@ use super::chooser::Purpose;
 use super::clock;
 use super::notice::Notice;
 use super::observer::Eye;
+use super::orders::{Copied, Order, Saving};
 use super::overlay::Overlay;
 use super::plotting::PlotCommand;
-use super::saving::{Copied, Order, Saving};
+use super::pointer::{Pick, Select, Turn, Zoom};
 use super::stage::{Part, next_to_show};
 use super::state::{Session, State};
 use super::usual::Section;
@@ -19,7 +20,6 @@ use crate::flags::FieldOfView;
 use crate::flags::choices::{GazeChoice, Layout};
 use crate::map::Viewpoint;
 use crate::passage::time_within;
-use crate::scene::Track;
 use crate::settings::{
     Daylight, FOV_DEGREES, FitSetup, Frame, Light, Look, Map, Motion, Playback, Plots, Presence, Preset,
     Quality, Screen, Settings, Window,
@@ -144,56 +144,6 @@ pub enum Command {
     CloseNotice,
     /// Close what is on top, else leave what the window was made.
     Close,
-}
-
-/// A movement of the pointer that takes the scene along.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Turn {
-    /// In whose picture.
-    pub eye: Eye,
-    /// From where, in pixels from the top left corner.
-    pub from: [f64; 2],
-    /// To where.
-    pub to: [f64; 2],
-    /// Width and height of the picture, pixels.
-    pub size: [u32; 2],
-}
-
-/// A turn of the wheel over a picture.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Zoom {
-    /// Whose picture.
-    pub eye: Eye,
-    /// Where, in pixels from the top left corner.
-    pub pixel: [f64; 2],
-    /// Width and height of the picture, pixels.
-    pub size: [u32; 2],
-    /// What the field of view is multiplied by.
-    pub factor: f64,
-}
-
-/// A click into a picture.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pick {
-    /// Whose picture.
-    pub eye: Eye,
-    /// Where, in pixels from the top left corner.
-    pub pixel: [f64; 2],
-    /// Width and height of the picture, pixels.
-    pub size: [u32; 2],
-    /// Whether to follow it beside the others.
-    pub add: bool,
-}
-
-/// A point of the scene.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Select {
-    /// Where it rests, and how that moves.
-    pub track: Track,
-    /// The number of the body it is on.
-    pub body: usize,
-    /// Whether to follow it beside the others.
-    pub add: bool,
 }
 
 impl State {

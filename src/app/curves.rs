@@ -152,10 +152,7 @@ impl OfModel {
         if let Some(channel) = eyes_channel(curve) {
             return &self.eyes[channel..=channel];
         }
-        let kind = match curve {
-            Curve::LogDistance(kind) => kind,
-            _ => return &self.gains,
-        };
+        let Curve::LogDistance(kind) = curve else { return &self.gains };
         let from = match kind {
             DistanceKind::Measured => 0,
             DistanceKind::Seen(eye) => 2 - eye,

@@ -8,15 +8,15 @@ use relativity_render::{Appearance, Emission, PreparedScene};
 
 use super::chooser::Purpose;
 use super::clock;
-use super::command::Pick;
 use super::fitting::DataFile;
 use super::history::History;
 use super::notice::Notice;
+use super::orders::Order;
 use super::overlay::Overlay;
 use super::plotting::Plotting;
+use super::pointer::Pick;
 use super::points::{Point, Points};
 use super::recent::Recent;
-use super::saving::Order;
 use super::stage::Stage;
 use crate::flags::choices::ProjectionChoice;
 use crate::map::Viewpoint;

@@ -2,7 +2,7 @@
 
 use relativity_core::math;
 
-use super::grid::{Grid, power_of_ten, scaled};
+use super::grid::{Grid, count, power_of_ten, scaled};
 
 /// Fewest and most ticks.
 const TICKS: [usize; 2] = [4, MOST_TICKS];
@@ -82,7 +82,7 @@ impl Axis {
         let grids = grids(logarithmic, range);
         let [fewest, most] = TICKS;
         let misfit = |grid: &Grid| {
-            let count = grid.numbers(range).1;
+            let count = count(&grid.numbers(range));
             let amiss = count.clamp(fewest, most).abs_diff(count);
             let score = count.abs_diff(wanted) as f64 + GAP_WEIGHT * widest_gap(grid, range);
             (amiss, score)
@@ -93,8 +93,7 @@ impl Axis {
     }
 
     fn on(grid: &Grid, range: [f64; 2]) -> Self {
-        let (first, count) = grid.numbers(range);
-        let numbers = first..first + count as i64;
+        let numbers = grid.numbers(range);
         let largest = range[0].abs().max(range[1].abs());
         let exponent = if let Grid::Steps { .. } = grid { common_exponent(largest) } else { 0 };
         let tick = |number| {
@@ -115,10 +114,10 @@ pub fn widened(logarithmic: bool, range: [f64; 2], most: usize) -> [f64; 2] {
     let range = sound(range);
     let fewest = TICKS[0];
     let grids = grids(logarithmic, range);
-    if grids.iter().any(|grid| (fewest..=most).contains(&grid.numbers(range).1)) {
+    if grids.iter().any(|grid| (fewest..=most).contains(&count(&grid.numbers(range)))) {
         return range;
     }
-    let coarse = grids.into_iter().filter(|grid| grid.numbers(range).1 < fewest);
+    let coarse = grids.into_iter().filter(|grid| count(&grid.numbers(range)) < fewest);
     let wider = coarse.map(|grid| grid.widened(range, fewest));
     wider.min_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0]))).unwrap_or(range)
 }
@@ -143,8 +142,7 @@ fn sound([low, high]: [f64; 2]) -> [f64; 2] {
 
 /// The widest part of the axis without a tick, as a share of it.
 fn widest_gap(grid: &Grid, [low, high]: [f64; 2]) -> f64 {
-    let (first, count) = grid.numbers([low, high]);
-    let places = (first..first + count as i64).filter_map(|number| grid.place(number));
+    let places = grid.numbers([low, high]).filter_map(|number| grid.place(number));
     let (mut widest, mut last) = (0.0f64, low);
     for place in places.chain([high]) {
         widest = widest.max(place - last);
@@ -242,7 +240,7 @@ pub fn zoom_step(width: f64, inwards: bool) -> f64 {
     let widths = (power - 1..=power + 1).flat_map(|power| ZOOM_WIDTHS.map(|digits| scaled(digits, power)));
     // What differs by less is the same width.
     let mut widths = widths.filter(|&next| if inwards { next < 0.95 * width } else { next > 1.05 * width });
-    let next = if inwards { widths.last() } else { widths.next() };
+    let next = if inwards { widths.next_back() } else { widths.next() };
     next.unwrap_or(width)
 }
 

@@ -1,6 +1,8 @@
 //! Round places along an axis: multiples of 1, 2 or 5 times a power of ten; along a logarithm also 1, 2 and 5 of each decade,
 //! and decades.
 
+use std::ops::Range;
+
 use relativity_core::math;
 
 /// A rule by which places are round.
@@ -21,7 +23,7 @@ const LEADING: [u8; 3] = [1, 2, 5];
 /// Logarithms less wide than this may have places at even steps of the number.
 const NARROW_LOGARITHM: f64 = 1.5;
 /// More places than this on an axis are not counted.
-const MOST: usize = 12;
+const MOST: i64 = 12;
 /// How far beyond the end of an axis, as a part of it, a place still lies on it: rounding.
 const ROUNDING: f64 = 1e-9;
 
@@ -39,6 +41,11 @@ pub fn scaled(digits: f64, exponent: i32) -> f64 {
 fn steps(width: f64) -> impl Iterator<Item = (u8, i32)> {
     let power = math::log10(width / 5.0).floor() as i32;
     (power - 1..=power + 1).flat_map(|power| LEADING.map(|leading| (leading, power)))
+}
+
+/// How many numbers there are.
+pub const fn count(numbers: &Range<i64>) -> usize {
+    (numbers.end - numbers.start) as usize
 }
 
 impl Grid {
@@ -77,7 +84,7 @@ impl Grid {
 
     /// The decade, and the digit in it.
     pub fn digit(digits: &[u8], number: i64) -> (i64, u8) {
-        let count = digits.len() as i64;
+        let count = i64::from(digits.len() as u32);
         (number.div_euclid(count), digits[number.rem_euclid(count) as usize])
     }
 
@@ -91,37 +98,40 @@ impl Grid {
             Self::LogSteps { leading, power } => {
                 whole(math::powf(10.0, low) / scaled(f64::from(leading), power)).max(0)
             }
-            Self::Digits(digits) => low.floor() as i64 * digits.len() as i64 - 1,
+            Self::Digits(digits) => low.floor() as i64 * i64::from(digits.len() as u32) - 1,
         }
     }
 
-    /// The numbers of its places in a range: the first of them and how many.
-    pub fn numbers(&self, [low, high]: [f64; 2]) -> (i64, usize) {
+    /// The numbers of its places in a range.
+    pub fn numbers(&self, [low, high]: [f64; 2]) -> Range<i64> {
         let rounding = ROUNDING * (high - low);
         let mut first = self.below(low);
         while self.place(first).is_none_or(|place| place < low - rounding) {
             first += 1;
         }
         let is_inside = |number: &i64| self.place(*number).is_some_and(|place| place <= high + rounding);
-        (first, (first..).take_while(is_inside).take(MOST).count())
+        let beyond = (first..first + MOST).find(|number| !is_inside(number));
+        first..beyond.unwrap_or(first + MOST)
     }
 
     /// `range` widened to the next places, whichever is nearer, until there are so `many`.
     pub fn widened(&self, range: [f64; 2], many: usize) -> [f64; 2] {
         let [mut low, mut high] = range;
-        let (mut first, mut count) = self.numbers(range);
-        while count < many {
-            let above = self.place(first + count as i64);
+        let Range { start: mut first, mut end } = self.numbers(range);
+        while count(&(first..end)) < many {
+            let above = self.place(end);
             let below = self.place(first - 1);
             match (below, above) {
                 (Some(below), above) if above.is_none_or(|above| low - below < above - high) => {
                     low = low.min(below);
                     first -= 1;
                 }
-                (_, Some(above)) => high = high.max(above),
+                (_, Some(above)) => {
+                    high = high.max(above);
+                    end += 1;
+                }
                 _ => break,
             }
-            count += 1;
         }
         [low, high]
     }

@@ -172,7 +172,7 @@ struct Axes<'a> {
     panel: &'a Panel,
     /// Left, right, top and bottom of the box, pixels.
     frame: [f64; 4],
-    axes: [Axis; 2],
+    both: [Axis; 2],
 }
 
 /// How far from each other ticks are at least, along and across, pixels.
@@ -193,7 +193,7 @@ impl<'a> Axes<'a> {
         let room = if panel.equal_scales { [0.02, ROOM[1]] } else { ROOM };
         let needed = [0, 1].map(|axis| panel.needed(axis, room[axis]));
         let per_pixel = [0, 1].map(|axis| (needed[axis][1] - needed[axis][0]) / size[axis]);
-        let axes = [0, 1].map(|axis| {
+        let both = [0, 1].map(|axis| {
             let wanted = ticks_along(size[axis], TICK_SPACING[axis]);
             if panel.equal_scales {
                 let coarsest = per_pixel[0].max(per_pixel[1]);
@@ -204,7 +204,7 @@ impl<'a> Axes<'a> {
                 None => Axis::fitted(panel.logarithmic[axis], needed[axis], wanted),
             }
         });
-        Self { panel, frame, axes }
+        Self { panel, frame, both }
     }
 
     fn place(&self, point: [f64; 2]) -> [f64; 2] {
@@ -212,7 +212,7 @@ impl<'a> Axes<'a> {
         let [x, y] = [0, 1]
             .map(|axis| if self.panel.logarithmic[axis] { math::log10(point[axis]) } else { point[axis] });
         let along = |value: f64, axis: usize| {
-            let [low, high] = self.axes[axis].range;
+            let [low, high] = self.both[axis].range;
             (value - low) / (high - low)
         };
         [left + along(x, 0) * (right - left), bottom - along(y, 1) * (bottom - top)]
@@ -268,7 +268,7 @@ impl<'a> Axes<'a> {
 
     fn draw_axes(&self, svg: &mut String) {
         let [left, right, top, bottom] = self.frame;
-        let label = |axis: usize| escaped(&with_factor(&self.panel.labels[axis], self.axes[axis].exponent));
+        let label = |axis: usize| escaped(&with_factor(&self.panel.labels[axis], self.both[axis].exponent));
         let (x_label, y_label) = (label(0), label(1));
         let (middle, title) = (0.5 * (left + right), escaped(&self.panel.title));
         let (below, centre, beside) = (bottom + 40.0, 0.5 * (top + bottom), left - 56.0);
@@ -278,7 +278,7 @@ impl<'a> Axes<'a> {
              <text x=\"{middle}\" y=\"{below}\" text-anchor=\"middle\">{x_label}</text>\n\
              <text transform=\"translate({beside} {centre}) rotate(-90)\" text-anchor=\"middle\">{y_label}</text>"
         );
-        let [x_axis, y_axis] = &self.axes;
+        let [x_axis, y_axis] = &self.both;
         let along = |place: f64, axis: &Axis, from: f64, to: f64| {
             from + (place - axis.range[0]) / (axis.range[1] - axis.range[0]) * (to - from)
         };

@@ -14,6 +14,7 @@ mod map;
 mod own_data;
 mod pairs;
 mod picking;
+mod plots;
 mod presenting;
 mod quality;
 mod saving;
@@ -48,6 +49,7 @@ fn main() -> ExitCode {
         own_data::TESTS,
         pairs::TESTS,
         picking::TESTS,
+        plots::TESTS,
         presenting::TESTS,
         quality::TESTS,
         saving::TESTS,

@@ -5,7 +5,8 @@ use eframe::egui::{Key, Modifiers, OutputCommand, Rect, Shape, Vec2, pos2, vec2}
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use gamow::app::App;
-use gamow::app::command::{Command, Pick};
+use gamow::app::command::Command;
+use gamow::app::pointer::Pick;
 use gamow::flags::choices::GazeChoice;
 use gamow::settings::PlotTab;
 
@@ -217,7 +218,7 @@ fn points_are_numbered() {
         |window: &Harness<'_, App>| labels(window).iter().filter(|label| *label == "front tyre").count();
     assert!(readout(&window) > 0);
     let track = window.state().state().session.scene.track_on(FRONT_TYRE).expect("a body");
-    let select = gamow::app::command::Select { track, body: FRONT_TYRE, add: true };
+    let select = gamow::app::pointer::Select { track, body: FRONT_TYRE, add: true };
     window.state_mut().ask(Command::Select(select));
     window.run_ok();
     assert_eq!(readout(&window), 0);

@@ -10,11 +10,12 @@ use relativity_render::{Colour, Geometry, Method, PreparedScene, View};
 
 use super::Asks;
 use crate::app::actions::LOOK_STEP;
-use crate::app::command::{Command, Pick, Turn, Zoom};
+use crate::app::command::Command;
 use crate::app::dial::{self, Drawn};
 use crate::app::eyes::Shown;
 use crate::app::observer::Eye;
 use crate::app::panes::EyePane;
+use crate::app::pointer::{Pick, Turn, Zoom};
 use crate::app::points::Point;
 use crate::app::state::State;
 use crate::app::widgets::pane_title;

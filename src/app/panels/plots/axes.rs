@@ -131,21 +131,21 @@ impl Ruler {
 }
 
 /// From where to where an axis of `quantity` goes that shows all of these plotted `values`: with a margin, and so wide that
-/// what hardly changes is a line in the middle.
-pub(super) fn value_range(quantity: Quantity, values: impl Iterator<Item = f64>) -> [f64; 2] {
+/// what hardly changes is a line in the middle. Values up to `rounding` are what that leaves of 0.
+pub(super) fn value_range(quantity: Quantity, values: impl Iterator<Item = f64>, rounding: f64) -> [f64; 2] {
     let [low, high] = extent(values).unwrap_or_default();
     let least = if quantity.is_logarithm() {
         math::log10(1.0 + LEAST_SHARE)
     } else {
         let largest = low.abs().max(high.abs());
-        if largest > 0.0 { (LEAST_SHARE * largest).min(LEAST_ANGLE) } else { LEAST_ANGLE }
+        if largest > rounding { (LEAST_SHARE * largest).min(LEAST_ANGLE) } else { LEAST_ANGLE }
     };
     at_least(with_margin([low, high], MARGIN), least)
 }
 
 /// All `values` (angles) in the range of T, with a margin; never of no height.
 pub(super) fn bounds(values: impl Iterator<Item = f64>, [from, to]: [f64; 2]) -> PlotBounds {
-    let [lowest, highest] = value_range(Quantity::DeltaPhi, values);
+    let [lowest, highest] = value_range(Quantity::DeltaPhi, values, 0.0);
     let width = (to - from).max(1e-9);
     PlotBounds::from_min_max([from, lowest], [from + width, highest])
 }
@@ -178,7 +178,15 @@ const fn words(quantity: Quantity) -> &'static str {
 
 /// What stands at an axis of `quantity` that is shown in `unit`: ratios have none.
 pub(super) fn axis_label(quantity: Quantity, unit: Unit) -> String {
-    let words = words(quantity);
+    with_unit(quantity, words(quantity), unit)
+}
+
+/// What stands before the name of a curve of `quantity` that is shown in `unit`, in short.
+pub(super) fn column_label(quantity: Quantity, unit: Unit) -> String {
+    with_unit(quantity, label(quantity), unit)
+}
+
+fn with_unit(quantity: Quantity, words: &str, unit: Unit) -> String {
     match quantity {
         Quantity::LogDoppler | Quantity::LogGain => words.to_owned(),
         _ => in_unit(words, unit),
@@ -191,7 +199,7 @@ pub(super) fn time_label(unit: Unit) -> String {
 }
 
 /// The scene's own unit has a name here, as all axes have units.
-fn in_unit(words: &str, unit: Unit) -> String {
+pub(super) fn in_unit(words: &str, unit: Unit) -> String {
     if unit.name.is_empty() { format!("{words} / units") } else { unit.label(words) }
 }
 
@@ -258,16 +266,17 @@ pub(super) fn annotate(
     written
 }
 
-/// Names the cursors, whose lines are at these T, at their feet.
-pub(super) fn name_cursors(ui: &Ui, response: &PlotResponse<()>, cursors: &[f64]) {
+/// Names the cursors, whose lines are at these T, at their feet. Returns where it wrote that.
+pub(super) fn name_cursors(ui: &Ui, response: &PlotResponse<()>, cursors: &[f64]) -> Vec<Rect> {
     let frame = *response.transform.frame();
     let painter = ui.painter().with_clip_rect(frame);
-    for (name, &time) in ["A", "B"].into_iter().zip(cursors) {
+    let name = |(name, &time): (&str, &f64)| {
         let x = response.transform.position_from_point_x(time);
         let place = pos2(x + 2.0, frame.max.y - 2.0);
         let font = TextStyle::Small.resolve(ui.style());
-        painter.text(place, Align2::LEFT_BOTTOM, name, font, ui.visuals().text_color());
-    }
+        painter.text(place, Align2::LEFT_BOTTOM, name, font, ui.visuals().text_color())
+    };
+    ["A", "B"].into_iter().zip(cursors).map(name).collect()
 }
 
 /// Frames the plot.

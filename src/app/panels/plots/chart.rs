@@ -33,6 +33,8 @@ pub(super) struct Chart<'a> {
     pub now: f64,
     /// T of the cursors.
     pub cursors: Vec<f64>,
+    /// Values up to this are what rounding leaves of 0.
+    pub rounding: f64,
     /// About how high it is drawn, points.
     pub height: f32,
 }
@@ -151,12 +153,13 @@ impl Chart<'_> {
             return zoomed;
         }
         let values = self.traces.iter().flat_map(|trace| trace.pieces).flatten().map(|point| point.y);
-        self.ruler().widened(value_range(self.quantity, values))
+        self.ruler().widened(value_range(self.quantity, values, self.rounding))
     }
 
     /// A value as plotted, in the chart's unit: of a logarithm the number that it is one of.
     pub fn shown(&self, plotted: f64) -> f64 {
-        self.unit.shown(if self.quantity.is_logarithm() { math::powf(10.0, plotted) } else { plotted })
+        let value = if self.quantity.is_logarithm() { math::powf(10.0, plotted) } else { plotted };
+        self.unit.shown(if value.abs() <= self.rounding { 0.0 } else { value })
     }
 }
 
@@ -176,6 +179,22 @@ pub(super) fn chart<'a>(state: &State, curves: &'a [Curves], quantity: Quantity,
         equidistant: state.equidistance_time(state.session.points.selected()).map(|time| (time, words)),
         now: state.session.time,
         cursors: state.session.plotting.cursors().to_vec(),
+        rounding: rounding(&state.curve_key(state.session.points.selected()), quantity),
         height,
+    }
+}
+
+/// What rounding may leave of 0 of `quantity`, as plotted: of a difference in direction a part of what the separation of the
+/// eyes spans at the point.
+fn rounding(key: &CurvesKey, quantity: Quantity) -> f64 {
+    const SHARE: f64 = 1e-14;
+    let distance = key.rest.map(|along| along * along).iter().sum::<f64>().sqrt();
+    let separation = key.baseline.separation;
+    match quantity {
+        Quantity::DeltaPhi | Quantity::DeltaTheta if separation > 0.0 => {
+            SHARE * separation / distance.max(separation)
+        }
+        Quantity::Phi | Quantity::Theta => SHARE,
+        _ => 0.0,
     }
 }

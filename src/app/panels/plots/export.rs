@@ -3,7 +3,7 @@
 use csv::ByteRecord;
 use eframe::egui::{Color32, Visuals};
 
-use super::axes::{axis_label, time_label};
+use super::axes::{axis_label, column_label, in_unit, time_label};
 use super::chart::{Chart, Dash, chart};
 use super::{Plotted, accuracy, fit};
 use crate::app::curves::Quantity;
@@ -88,10 +88,12 @@ fn table(charts: &[Chart<'_>]) -> String {
     times.dedup();
     let Some(first) = charts.first() else { return String::new() };
     let mut head = ByteRecord::new();
-    head.push_field(time_label(first.time_unit).as_bytes());
+    head.push_field(in_unit("T", first.time_unit).as_bytes());
     for chart in charts {
         for trace in &chart.traces {
-            head.push_field(format!("{}: {}", axis_label(chart.quantity, chart.unit), trace.name).as_bytes());
+            head.push_field(
+                format!("{}: {}", column_label(chart.quantity, chart.unit), trace.name).as_bytes(),
+            );
         }
     }
     let mut rows = Rows::new(Vec::new());

@@ -3,6 +3,7 @@
 
 use eframe::egui::{self, Event, Id, MouseWheelUnit, PointerButton, Ui};
 use egui_plot::PlotResponse;
+use relativity_core::math;
 
 use super::axes::time_at_pointer;
 use super::chart::Chart;
@@ -61,7 +62,7 @@ fn steps(ui: &Ui, id: Id) -> i32 {
             Event::MouseWheel { unit: MouseWheelUnit::Point, delta, .. } => delta.y,
             Event::MouseWheel { delta, .. } => delta.y.signum() * NOTCH * f32::from(u8::from(delta.y != 0.0)),
             // To spread two fingers by a third is a step, too.
-            Event::Zoom(factor) => factor.ln() * 3.0 * NOTCH,
+            Event::Zoom(factor) => math::ln(f64::from(*factor)) as f32 * 3.0 * NOTCH,
             _ => 0.0,
         };
         input.events.iter().map(points).sum()

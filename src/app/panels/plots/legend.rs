@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Color32, Galley, Id, Painter, Pos2, Rect, Sense, Stroke, TextStyle, Ui, Vec2, WidgetInfo, pos2, vec2,
+    Color32, Galley, Id, Painter, Pos2, Rect, Sense, Stroke, TextStyle, Ui, Vec2, Visuals, WidgetInfo, pos2,
+    vec2,
 };
 use egui_plot::PlotResponse;
 
@@ -31,35 +32,78 @@ struct Row {
     colour: Color32,
 }
 
+/// How much of it there is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Detail {
+    Full,
+    /// Points without what they are on.
+    Short,
+    /// What is read at the cursors below each other.
+    Stacked,
+    /// That of the selected point alone.
+    Selected,
+}
+
 /// What stands in the legend of `chart`: nothing of a single curve, and of what the title names.
-fn rows(ui: &Ui, chart: &Chart<'_>, is_short: bool) -> Vec<Row> {
+fn rows(ui: &Ui, chart: &Chart<'_>, detail: Detail) -> Vec<Row> {
     let visuals = ui.visuals();
-    let is_of_points = matches!(chart.quantity, Quantity::DeltaPhi | Quantity::DeltaTheta);
-    let is_published = |trace: &Trace<'_>| trace.source.model == PUBLISHED;
-    // The title names the eyes and the distances, and one point needs no name.
-    let several = chart.traces.iter().filter(|trace| is_of_points && !is_published(trace)).count() > 1;
-    let reads = !chart.cursors.is_empty();
-    let is_named = |trace: &&Trace<'_>| reads || trace.pale || (several && !is_published(trace));
-    let traces = chart.traces.iter().filter(is_named);
-    let name = |trace: &Trace<'_>| {
-        let name = trace.name.as_str();
-        let short = name.split_once(" (").and_then(|(first, rest)| Some((first, rest.split_once(')')?.1)));
-        short.filter(|_| is_short).map_or_else(|| name.to_owned(), |(first, rest)| format!("{first}{rest}"))
+    let plain = |text: &str| Row { line: None, text: text.to_owned(), colour: visuals.text_color() };
+    let Some(cursors) = chart.cursors_text() else { return names(chart, detail, visuals) };
+    let is_selected = |trace: &&Trace<'_>| {
+        detail != Detail::Selected || (trace.wide && !trace.pale && trace.source.model != PUBLISHED)
     };
+    let read = chart.traces.iter().filter(is_selected).flat_map(|trace| {
+        let text = chart.at_cursors(trace).unwrap_or_default();
+        let colour = trace.colour(visuals);
+        let name = named(&trace.name, detail);
+        let head = |text: String| Row { line: Some(line(trace)), text, colour };
+        match detail {
+            Detail::Full | Detail::Short => vec![head(format!("{name}  {text}"))],
+            Detail::Stacked | Detail::Selected => {
+                let parts = text.split(", ").map(|part| Row { colour, ..plain(part) });
+                [head(name)].into_iter().chain(parts).collect()
+            }
+        }
+    });
+    let heads: Vec<Row> = match detail {
+        Detail::Full | Detail::Short => vec![plain(&cursors)],
+        Detail::Stacked => cursors.split(", ").map(plain).collect(),
+        Detail::Selected => cursors.split(", ").last().map(plain).into_iter().collect(),
+    };
+    heads.into_iter().chain(read).collect()
+}
+
+/// The names of the curves that the title does not name: one point needs none.
+fn names(chart: &Chart<'_>, detail: Detail, visuals: &Visuals) -> Vec<Row> {
+    let is_published = |trace: &&Trace<'_>| trace.source.model == PUBLISHED;
+    let is_of_points = matches!(chart.quantity, Quantity::DeltaPhi | Quantity::DeltaTheta);
+    let several = is_of_points && chart.traces.iter().filter(|trace| !is_published(trace)).count() > 1;
+    let named = chart.traces.iter().filter(|trace| trace.pale || (several && !is_published(trace)));
     let row = |trace: &Trace<'_>| Row {
-        line: Some((trace.dash, if trace.wide { 2.0 } else { 1.2 })),
-        text: name(trace) + &chart.at_cursors(trace).map_or_else(String::new, |text| format!("  {text}")),
+        line: Some(line(trace)),
+        text: self::named(&trace.name, detail),
         colour: trace.colour(visuals),
     };
-    let rows: Vec<Row> = traces.clone().map(row).collect();
-    let published = chart.traces.iter().find(|trace| several && !reads && is_published(trace));
-    let published = published.map(|trace| Row {
+    let published = chart.traces.iter().filter(|_| several).find(is_published).map(|trace| Row {
         line: Some((trace.dash, 1.2)),
         text: "published".to_owned(),
         colour: visuals.text_color(),
     });
-    let head = chart.cursors_text().map(|text| Row { line: None, text, colour: visuals.text_color() });
-    head.into_iter().chain(rows).chain(published).collect()
+    named.map(row).chain(published).collect()
+}
+
+/// How the piece of line is drawn.
+const fn line(trace: &Trace<'_>) -> (Dash, f32) {
+    (trace.dash, if trace.wide { 2.0 } else { 1.2 })
+}
+
+/// A name, in short without what is in brackets.
+fn named(name: &str, detail: Detail) -> String {
+    let short = name.split_once(" (").and_then(|(first, rest)| Some((first, rest.split_once(')')?.1)));
+    match short.filter(|_| detail != Detail::Full) {
+        Some((first, rest)) => format!("{first}{rest}"),
+        None => name.to_owned(),
+    }
 }
 
 /// Rows laid out in so many columns.
@@ -150,9 +194,20 @@ pub(super) fn show(ui: &Ui, response: &PlotResponse<()>, chart: &Chart<'_>, draw
 
 /// The first that is low enough, else the first that fits at all, from the most telling to the shortest.
 fn block(ui: &Ui, chart: &Chart<'_>, room: Vec2) -> Option<Block> {
-    let ways = [(false, 1), (false, 2), (true, 1), (true, 2), (true, 3)];
+    let ways = [
+        (Detail::Full, 1),
+        (Detail::Full, 2),
+        (Detail::Short, 1),
+        (Detail::Short, 2),
+        (Detail::Short, 3),
+        (Detail::Stacked, 1),
+        (Detail::Stacked, 2),
+        (Detail::Selected, 1),
+        (Detail::Selected, 2),
+    ];
     let blocks = || {
-        let blocks = ways.into_iter().map(|(short, columns)| Block::new(ui, rows(ui, chart, short), columns));
+        let blocks =
+            ways.into_iter().map(|(detail, columns)| Block::new(ui, rows(ui, chart, detail), columns));
         blocks.filter(|block| !block.rows.is_empty() && block.size().x < room.x && block.size().y < room.y)
     };
     blocks().find(|block| block.size().y < LOW * room.y).or_else(|| blocks().next())

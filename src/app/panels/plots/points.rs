@@ -77,6 +77,6 @@ fn buttons(ui: &mut Ui, state: &State, asks: &mut Asks) {
     if plotting.is_zoomed() {
         let tip = "Shows the whole of every plot again: so does a double click in one. Scroll in a plot to see a part of it, \
             drag it with the right button to see another.";
-        button(ui, "Whole", tip, PlotCommand::Whole);
+        button(ui, "Whole plots", tip, PlotCommand::Whole);
     }
 }

@@ -22,7 +22,7 @@ pub(super) fn traces<'a>(state: &State, curves: &'a [Curves], quantity: Quantity
         Quantity::Theta => of_selected(|own| of_eyes(own, Curve::Theta)),
         Quantity::LogDoppler => of_selected(|own| of_eyes(own, Curve::LogDoppler)),
         Quantity::LogGain => of_selected(|own| {
-            let of = |model| of_model("Stereo gain", Hue::Stereo, own, model, Curve::LogGain);
+            let of = |model| of_model("two eyes", Hue::Stereo, own, model, Curve::LogGain);
             models(own).map(of).collect()
         }),
         Quantity::LogDistance => of_selected(distances),
@@ -75,7 +75,7 @@ fn of_pin<'a>(
         Quantity::Phi => of_eyes(Curve::Phi),
         Quantity::Theta => of_eyes(Curve::Theta),
         Quantity::LogDoppler => of_eyes(Curve::LogDoppler),
-        Quantity::LogGain => vec![trace(&format!("Stereo gain, {name}"), Hue::Stereo, Curve::LogGain)],
+        Quantity::LogGain => vec![trace(&format!("two eyes, {name}"), Hue::Stereo, Curve::LogGain)],
         Quantity::LogDistance => {
             let kind = DistanceKind::Stereo;
             vec![trace(

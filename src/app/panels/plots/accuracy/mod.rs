@@ -1,6 +1,7 @@
 //! The Accuracy tab: what each way to draw the present views costs, and how far it is off. Clicking one in the table
 //! or in the plot chooses it.
 
+mod conclusion;
 mod frontier;
 mod table;
 
@@ -26,6 +27,9 @@ pub fn show(ui: &mut Ui, state: &State, examination: Option<&Examination>, asks:
     if examination.is_blind() {
         ui.label("There is nothing to measure: the views are hidden.");
         return;
+    }
+    if let Some(sentence) = conclusion::sentence(examination) {
+        ui.label(sentence);
     }
     let before = state.settings.quality;
     let mut quality = before;

@@ -2,9 +2,10 @@
 
 use csv::ByteRecord;
 use eframe::egui::{Grid, RichText, Ui};
+use relativity_render::Method;
 
 use crate::accuracy::{RESOLUTION_PX, Spread};
-use crate::app::examination::{Examination, Row};
+use crate::app::examination::{Examination, Row, method_name};
 use crate::app::widgets::named_text;
 use crate::figures;
 use crate::files::csv_out::Rows;
@@ -33,17 +34,22 @@ pub fn show(ui: &mut Ui, examination: &Examination, quality: &mut Quality) {
         }
         ui.end_row();
         for row in examination.rows() {
-            table_row(ui, &row, quality);
+            table_row(ui, &row, examination.better_than(&row), quality);
             ui.end_row();
         }
     });
 }
 
-fn table_row(ui: &mut Ui, row: &Row<'_>, quality: &mut Quality) {
+fn table_row(ui: &mut Ui, row: &Row<'_>, better: Option<Method>, quality: &mut Quality) {
     let name = row.name();
     let is_chosen = quality.method() == row.method;
-    let label = ui.selectable_label(is_chosen, &name);
-    if label.on_hover_text(format!("Draw the views by {name}.")).clicked() {
+    let text = RichText::new(&name);
+    let text = if better.is_some() && !is_chosen { text.weak() } else { text };
+    let label = ui.selectable_label(is_chosen, text);
+    let lost = better.map_or_else(String::new, |better| {
+        format!(" It costs more than {} and is further off.", method_name(better))
+    });
+    if label.on_hover_text(format!("Draw the views by {name}.{lost}")).clicked() {
         *quality = quality.with_method(row.method);
     }
     let figures = match row.figures {
@@ -62,7 +68,7 @@ fn table_row(ui: &mut Ui, row: &Row<'_>, quality: &mut Quality) {
     let cells = [(ms, String::new()), outlines, directions, dopplers, (format!("{wrong} %"), String::new())];
     for ((text, tip), (head, _)) in cells.into_iter().zip(&HEADS[1..]) {
         let shown = RichText::new(&text);
-        let shown = if row.is_current { shown } else { shown.weak() };
+        let shown = if row.is_current && better.is_none() { shown } else { shown.weak() };
         let label = named_text(ui, shown, format!("{name}, {head}: {text}"));
         if !tip.is_empty() {
             label.on_hover_text(tip);
