@@ -12,6 +12,7 @@ use crate::settings::{Settings, StartArgs};
 /// Flags of the window. A setting that is not given is as it was left or, with a scene or a state given, as usual.
 #[derive(Debug, Clone, Args)]
 #[command(mut_args(without_the_files))]
+#[expect(clippy::struct_excessive_bools, reason = "each is a flag")]
 pub struct WindowArgs {
     /// Start with T running.
     #[arg(long, conflicts_with = "paused")]
