@@ -59,10 +59,12 @@ const NARROWEST_WITH_CONTROLS: f32 = 560.0;
 const LOWEST: f32 = 90.0;
 /// Lower plots and views do without words between them.
 const LOWEST_BESIDE_WORDS: f32 = 210.0;
+/// Height of a view that is high enough, in widths.
+const VIEW_ASPECT: f32 = 0.75;
 /// How much of the height the plots take from the views.
 const PLOTS_SHARE: f32 = 0.38;
 /// Height that the fit with its table and residuals needs. The other tabs get as much, so that the tabs stay in
-/// their place, but none more than half.
+/// their place, but none more than half, unless the views leave more.
 const PLOTS_HEIGHT: f32 = 310.0;
 /// The smallest strip below the views that the map shares with the plots, and the smallest that it takes unasked where
 /// there are none.
@@ -101,7 +103,8 @@ impl Layout {
         let without_words = (centre.height() - TIMELINE_HEIGHT).max(0.0);
         let words = words_heights(centre.width(), without_words, window);
         let free = without_words - words.iter().sum::<f32>();
-        let usual_height = (free * PLOTS_SHARE).max(PLOTS_HEIGHT.min(0.5 * free));
+        let left_over = free - height_of_views(arranged, vec2(centre.width(), free));
+        let usual_height = (free * PLOTS_SHARE).max(PLOTS_HEIGHT.min(left_over.max(0.5 * free)));
         let strip_height = part(window.strip_share, free, usual_height, [LOWEST; 2]);
         // What stands in a strip does not change while its border is dragged, unless it becomes too low for any of it.
         let room = if strip_height >= 1.5 * LOWEST { strip_height.max(usual_height) } else { strip_height };
@@ -235,6 +238,13 @@ fn level(split: Split, lower: Rect, ends: [f32; 2]) -> Border {
     }
 }
 
+/// How high views `arranged` in an area of this `size` need to be: higher ones would show more of the sky only.
+fn height_of_views(arranged: &Arrangement, size: Vec2) -> f32 {
+    let panes = arranged.panes(Rect::from_min_size(Pos2::ZERO, size));
+    let bottoms = panes.iter().map(|pane| pane.rect.min.y + VIEW_ASPECT * pane.rect.width());
+    bottoms.fold(0.0, f32::max) + GAP
+}
+
 /// What stands below the timeline.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Below {
@@ -332,11 +342,13 @@ mod tests {
     fn the_smallest_supported_window_holds_every_part_but_the_words() {
         let layout = layout(800.0, 600.0);
         assert_eq!(layout.panes.len(), 2);
-        let panes = layout.panes.iter().map(|pane| Some(pane.rect));
         assert!(layout.spectrum.is_none() && layout.sentence.is_none());
-        for part in [layout.controls, layout.readout, layout.plots].into_iter().chain(panes) {
+        for pane in &layout.panes {
+            assert!(pane.rect.width() >= 225.0 && pane.rect.height() >= 165.0, "{pane:?}");
+        }
+        for (part, least) in [(layout.controls, 300.0), (layout.readout, 200.0), (layout.plots, 270.0)] {
             let part = part.expect("shown");
-            assert!(part.width() >= 225.0 && part.height() >= 200.0, "{part:?}");
+            assert!(part.width() >= 320.0 && part.height() >= least, "{part:?}");
         }
         let taller = of([1024.0, 700.0], Window::default());
         assert!(taller.spectrum.is_some() && taller.sentence.is_some());
