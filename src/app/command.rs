@@ -434,11 +434,11 @@ impl State {
                 let recent = std::mem::take(&mut self.session.recent);
                 let session = Session {
                     playing,
+                    hint,
                     picture_size,
                     cm_per_pixel,
                     stage,
                     shows_map,
-                    hint,
                     history,
                     data,
                     orders,
