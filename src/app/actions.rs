@@ -7,8 +7,8 @@ use relativity_render::Geometry;
 use super::chooser::{Product, Purpose};
 use super::command::Command;
 use super::focus;
+use super::orders::Copied;
 use super::plotting::PlotCommand;
-use super::saving::Copied;
 
 /// Something that can be asked for by name or by key.
 #[derive(Debug)]
@@ -146,7 +146,7 @@ pub fn asked(ctx: &Context) -> Vec<Command> {
     let is_copying_text = ctx.plugin::<LabelSelectionState>().lock().has_selection();
     let is_meant = |event: &&Event| !(is_copying_text && **event == Event::Copy);
     let pressed: Vec<_> = ctx.input(|input| input.events.iter().filter(is_meant).filter_map(bound).collect());
-    pressed.into_iter().filter(|(keys, _)| !focus::takes(ctx, keys)).map(|(_, command)| command).collect()
+    pressed.into_iter().filter(|(keys, _)| !focus::takes(ctx, *keys)).map(|(_, command)| command).collect()
 }
 
 /// The keys of an action that `event` presses, and what that asks for.

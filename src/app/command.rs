@@ -8,8 +8,10 @@ use super::chooser::Purpose;
 use super::clock;
 use super::notice::Notice;
 use super::observer::Eye;
+use super::orders::{Copied, Order, Saving};
+use super::overlay::Overlay;
 use super::plotting::PlotCommand;
-use super::saving::{Copied, Order, Saving};
+use super::pointer::{Pick, Select, Turn, Zoom};
 use super::stage::{Part, next_to_show};
 use super::state::{Session, State};
 use super::usual::Section;
@@ -18,7 +20,6 @@ use crate::flags::FieldOfView;
 use crate::flags::choices::{GazeChoice, Layout};
 use crate::map::Viewpoint;
 use crate::passage::time_within;
-use crate::scene::Track;
 use crate::settings::{
     Daylight, FOV_DEGREES, FitSetup, Frame, Light, Look, Map, Motion, Playback, Plots, Presence, Preset,
     Quality, Screen, Settings, Window,
@@ -145,56 +146,6 @@ pub enum Command {
     Close,
 }
 
-/// A movement of the pointer that takes the scene along.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Turn {
-    /// In whose picture.
-    pub eye: Eye,
-    /// From where, in pixels from the top left corner.
-    pub from: [f64; 2],
-    /// To where.
-    pub to: [f64; 2],
-    /// Width and height of the picture, pixels.
-    pub size: [u32; 2],
-}
-
-/// A turn of the wheel over a picture.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Zoom {
-    /// Whose picture.
-    pub eye: Eye,
-    /// Where, in pixels from the top left corner.
-    pub pixel: [f64; 2],
-    /// Width and height of the picture, pixels.
-    pub size: [u32; 2],
-    /// What the field of view is multiplied by.
-    pub factor: f64,
-}
-
-/// A click into a picture.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pick {
-    /// Whose picture.
-    pub eye: Eye,
-    /// Where, in pixels from the top left corner.
-    pub pixel: [f64; 2],
-    /// Width and height of the picture, pixels.
-    pub size: [u32; 2],
-    /// Whether to follow it beside the others.
-    pub add: bool,
-}
-
-/// A point of the scene.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Select {
-    /// Where it rests, and how that moves.
-    pub track: Track,
-    /// The number of the body it is on.
-    pub body: usize,
-    /// Whether to follow it beside the others.
-    pub add: bool,
-}
-
 impl State {
     /// Does what was asked.
     pub(super) fn perform(&mut self, command: Command) {
@@ -283,8 +234,8 @@ impl State {
                 };
                 self.set_map(Map { frame, ..self.settings.map });
             }
-            Command::TogglePalette => self.session.palette = !self.session.palette,
-            Command::ToggleHelp => self.session.help = !self.session.help,
+            Command::TogglePalette => self.toggle(Overlay::Palette),
+            Command::ToggleHelp => self.toggle(Overlay::Help),
             Command::ToggleFullScreen => self.session.stage.full_screen = !self.session.stage.full_screen,
             Command::TogglePresenting => self.session.stage.toggle_presenting(),
             Command::ToggleProjector => self.session.stage.projector = !self.session.stage.projector,
@@ -294,16 +245,20 @@ impl State {
         }
     }
 
+    fn toggle(&mut self, overlay: Overlay) {
+        self.session.overlay = Some(overlay).filter(|_| self.session.overlay != Some(overlay));
+    }
+
     fn close(&mut self) {
-        let Session { help, notice, chooser, palette, stage, .. } = &mut self.session;
-        if *palette {
-            *palette = false;
+        let Session { overlay, notice, chooser, stage, .. } = &mut self.session;
+        if *overlay == Some(Overlay::Palette) {
+            *overlay = None;
         } else if chooser.is_some() {
             *chooser = None;
         } else if notice.is_some() {
             *notice = None;
-        } else if *help {
-            *help = false;
+        } else if overlay.is_some() {
+            *overlay = None;
         } else {
             stage.leave();
         }
@@ -400,7 +355,8 @@ impl State {
                 Some(Notice::error("With the right eye as published, click in the left eye's view."));
             return;
         }
-        match self.point_at(pick.eye, pick.pixel, pick.size) {
+        let meant = self.meant(pick.eye, pick.pixel, pick.size);
+        match meant.and_then(|pixel| self.point_at(pick.eye, pixel, pick.size)) {
             Some((track, body)) => {
                 self.session.points.choose(track, body, pick.add);
                 self.session.hint = false;

@@ -39,7 +39,7 @@ impl State {
 
 /// The lines between rays that hit and rays that miss, among those connected with `pixel`; none if more than `most` hit.
 fn traced(scene: &PreparedScene, view: &View, pixel: [f64; 2], step: i32, most: usize) -> Option<Vec<Loop>> {
-    let [width, height] = view.camera.size.map(|side| (side / step.unsigned_abs()) as i32);
+    let [width, height] = view.camera.size.map(|side| (side / step.unsigned_abs()).cast_signed());
     let place = |at: i32| f64::from(at * step);
     let is_hit = |[u, v]: [i32; 2]| {
         let middle = [place(u) + 0.5 * f64::from(step), place(v) + 0.5 * f64::from(step)];
@@ -118,7 +118,7 @@ pub fn paint(painter: &Painter, pane: EyePane, loops: &[Loop]) {
     for corners in loops {
         let places = corners.iter().map(|corner| pane.place(*corner)).collect();
         let smooth = (0..SMOOTHED).fold(places, |places: Vec<Pos2>, _| smoothed(&places));
-        for stroke in [Stroke::new(3.5, Color32::from_black_alpha(130)), Stroke::new(1.5, Color32::WHITE)] {
+        for stroke in [Stroke::new(3.0, Color32::from_black_alpha(110)), Stroke::new(1.2, Color32::WHITE)] {
             painter.add(Shape::closed_line(smooth.clone(), stroke));
         }
     }

@@ -56,6 +56,22 @@ pub struct Correction {
     pub is_fitted: bool,
 }
 
+/// How far from the pointer something may be that is meant all the same, pixels, and in which directions it is looked for.
+const REACHES: [f64; 4] = [2.0, 4.0, 7.0, 10.0];
+const DIRECTIONS: [[f64; 2]; 8] = {
+    let slant = std::f64::consts::FRAC_1_SQRT_2;
+    [
+        [1.0, 0.0],
+        [slant, slant],
+        [0.0, 1.0],
+        [-slant, slant],
+        [-1.0, 0.0],
+        [-slant, -slant],
+        [0.0, -1.0],
+        [slant, -slant],
+    ]
+};
+
 impl State {
     /// The speed found by `fit`, or the scene's own without one.
     #[must_use]
@@ -156,6 +172,26 @@ impl State {
         let hit = self.session.prepared.first_hit(&view, view.camera.line_of_sight(pixel))?;
         let motion = self.session.prepared.motion_of(hit.body);
         Some((Track { rest: hit.material_position().to_array(), motion }, hit.body))
+    }
+
+    /// The pixel of the picture of `eye`, which has this `size`, that somebody means who points at `pixel`: it, or if nothing
+    /// is there the nearest of those around it where something is, since spokes are thin.
+    #[must_use]
+    pub fn meant(&self, eye: Eye, pixel: [f64; 2], size: [u32; 2]) -> Option<[f64; 2]> {
+        if self.sees_as_published(eye) {
+            return None;
+        }
+        let view = self.view(eye, size);
+        let hits = |pixel: &[f64; 2]| {
+            self.session.prepared.first_hit(&view, view.camera.line_of_sight(*pixel)).is_some()
+        };
+        let around = REACHES.into_iter().flat_map(|reach| {
+            DIRECTIONS.map(|[across, down]| [pixel[0] + reach * across, pixel[1] + reach * down])
+        });
+        let is_inside = |[u, v]: &[f64; 2]| {
+            (0.0..f64::from(size[0])).contains(u) && (0.0..f64::from(size[1])).contains(v)
+        };
+        std::iter::once(pixel).chain(around.filter(is_inside)).find(hits)
     }
 
     /// What the curves of `point` depend on.

@@ -8,14 +8,15 @@ use relativity_render::{Appearance, Emission, PreparedScene};
 
 use super::chooser::Purpose;
 use super::clock;
-use super::command::Pick;
 use super::fitting::DataFile;
 use super::history::History;
 use super::notice::Notice;
+use super::orders::Order;
+use super::overlay::Overlay;
 use super::plotting::Plotting;
+use super::pointer::Pick;
 use super::points::{Point, Points};
 use super::recent::Recent;
-use super::saving::Order;
 use super::stage::Stage;
 use crate::flags::choices::ProjectionChoice;
 use crate::map::Viewpoint;
@@ -46,10 +47,8 @@ pub struct Session {
     pub playing: bool,
     /// The followed points.
     pub points: Points,
-    /// Whether the help is shown.
-    pub help: bool,
-    /// Whether the command palette is shown.
-    pub palette: bool,
+    /// What stands over the window.
+    pub overlay: Option<Overlay>,
     /// Where a click into a view hit nothing, until something else is done.
     pub missed: Option<Pick>,
     /// Whether the views say what a click does: until the first.
@@ -111,8 +110,7 @@ impl State {
             time: clock::bounded(time),
             playing: false,
             points,
-            help: false,
-            palette: false,
+            overlay: None,
             missed: None,
             hint: false,
             preset,

@@ -21,6 +21,8 @@ const MARGIN: Vec2 = vec2(7.0, 5.0);
 pub struct Under {
     /// Number of the body.
     pub body: usize,
+    /// Where it is in the picture, at the pointer or very near.
+    pub pixel: [f64; 2],
     /// What it is called.
     pub name: String,
     /// Doppler factor of the light of it that is received, where that is shown.
@@ -39,14 +41,15 @@ impl Under {
 }
 
 impl State {
-    /// What is shown at a `pixel` of the picture of `eye`, which has this `size`; none where nothing is, and where no ray
+    /// What is shown at a `pixel` of the picture of `eye`, which has this `size`, or very near; none where nothing is, and where no ray
     /// leads to it.
     #[must_use]
     pub fn under(&self, eye: Eye, pixel: [f64; 2], size: [u32; 2]) -> Option<Under> {
+        let pixel = self.meant(eye, pixel, size)?;
         let (track, body) = self.point_at(eye, pixel, size)?;
         let name = self.session.scene.name_of(body).to_owned();
         let worked_out =
-            |line| Some(Under { body, name: name.clone(), doppler_factor: None, lines: vec![line] });
+            |line| Some(Under { body, pixel, name: name.clone(), doppler_factor: None, lines: vec![line] });
         match self.settings.geometry() {
             Geometry::Rest => {
                 worked_out(format!("at rest at {}", self.place(self.settings.rest_place(track.rest))))
@@ -59,7 +62,7 @@ impl State {
                 let both = self.settings.disparity(&track, self.session.time).ok()?;
                 let seen = [both.primary, both.secondary][eye.index()];
                 let lines = self.received(&seen);
-                Some(Under { body, name, doppler_factor: Some(seen.doppler_factor), lines })
+                Some(Under { body, pixel, name, doppler_factor: Some(seen.doppler_factor), lines })
             }
         }
     }

@@ -2,7 +2,7 @@
 
 pub mod data;
 
-mod sigmas;
+pub mod sigmas;
 
 use std::fmt;
 
@@ -159,7 +159,8 @@ impl FitReport {
         };
         let model = options.model.name();
         let fit = CurvesFit::new(&joint);
-        Ok(Self { model, converged: true, sigmas: sigmas::remark(&fit), fit, bootstrap, fits })
+        let sigmas = sigmas::remark(fit.reduced_chi_squared, fit.readings, fit.parameters.iter().count());
+        Ok(Self { model, converged: true, sigmas, fit, bootstrap, fits })
     }
 }
 

@@ -1,6 +1,5 @@
 //! What a fit says of the sigmas it was given: whether the readings scatter as these say.
 
-use super::CurvesFit;
 use crate::figures::significant;
 
 /// Reduced chi squared below and above which sigmas do not fit the scatter.
@@ -8,10 +7,12 @@ const FITTING: [f64; 2] = [0.5, 2.0];
 /// Standard deviations of chi squared by which it must differ from 1 besides.
 const LEAST_DEVIATION: f64 = 3.0;
 
-/// A sentence if the readings of `fit` scatter clearly less or more than their sigmas say; nothing without sigmas.
-pub fn remark(fit: &CurvesFit) -> Option<String> {
-    let reduced = fit.reduced_chi_squared?;
-    let free = fit.readings.saturating_sub(fit.parameters.iter().count()).max(1) as f64;
+/// A sentence if so many `readings` scatter clearly less or more than their sigmas say, around a fit of this many
+/// `parameters` with this reduced chi squared; nothing without sigmas.
+#[must_use]
+pub fn remark(reduced: Option<f64>, readings: usize, parameters: usize) -> Option<String> {
+    let reduced = reduced?;
+    let free = readings.saturating_sub(parameters).max(1) as f64;
     let [low, high] = FITTING;
     if (low..=high).contains(&reduced) || (reduced - 1.0).abs() < LEAST_DEVIATION * (2.0 / free).sqrt() {
         return None;

@@ -211,7 +211,7 @@ fn each_effect_changes_the_picture() {
     assert_eq!(light.colour, Colour::False);
     assert_eq!((light.doppler_shift, light.intensity_exponent.0, light.sky), (false, None, false));
     assert_eq!((light.shading, state.settings.look.geometry), (Shading::Emission, Geometry::Rest));
-    label_starting_with(&window, "Plot of Δφ of point 1");
+    label_starting_with(&window, "Plot of Δφ of front tyre");
     window.key_press(Key::Num1);
     window.run();
     assert_eq!(window.state().state().settings.look.geometry, Geometry::Seen);

@@ -6,6 +6,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use gamow::app::App;
 use gamow::app::command::Command;
+use gamow::app::pointer::Pick;
 use gamow::flags::choices::GazeChoice;
 use gamow::settings::PlotTab;
 
@@ -20,6 +21,7 @@ pub const TESTS: &[Test] = &[
     ("no_control_leaves_the_window_or_covers_another", no_control_covers_another),
     ("the_smallest_window_has_plots_and_views_of_use", the_smallest_window),
     ("a_click_beside_everything_says_so", a_click_beside_everything_says_so),
+    ("a_click_near_something_means_it", a_click_near_something_means_it),
     ("what_is_under_the_pointer_is_outlined", what_is_under_the_pointer_is_outlined),
     ("points_are_numbered_only_where_two_have_one_name", points_are_numbered),
     ("the_palette_finds_what_to_do_by_its_words", the_palette_finds),
@@ -30,6 +32,8 @@ pub const TESTS: &[Test] = &[
     ("no_tooltip_covers_what_was_dragged", no_tooltip_covers_what_was_dragged),
     ("no_writing_in_the_window_is_smaller_than_eleven_points", no_writing_is_small),
     ("a_newcomer_is_told_to_click_until_the_first_click", a_newcomer_is_told_to_click),
+    ("the_tabulator_reaches_every_control_and_both_views_visibly", the_tabulator_reaches_everything),
+    ("scroll_bars_have_room_of_their_own", scroll_bars_have_room),
     ("the_help_fits_into_the_smallest_window", the_help_fits),
 ];
 
@@ -69,16 +73,12 @@ fn a_message_of_any_length() {
                     let rect = window.get_by_label(button).rect();
                     assert!(whole.contains_rect(rect), "{size:?} {button}: {rect:?}");
                 }
-                if !present {
-                    for (button, without) in [("Help", &cyclist(0.9)), ("Units", &cyclist(0.9))] {
-                        let alone = window_of_size(without.clone(), size, 1.0);
-                        let there = alone.query_by_label(button).map(|node| node.rect());
-                        assert_eq!(window.query_by_label(button).map(|node| node.rect()), there, "{button}");
-                    }
-                }
+                let before = window.query_by_label("Help").map(|node| node.rect());
                 window.get_by_label("Close message").click();
                 window.run_ok();
                 assert!(window.query_by_label("Close message").is_none());
+                let after = window.query_by_label("Help").map(|node| node.rect());
+                assert_eq!((before, before.is_none()), (after, present), "it takes no room from the bar");
             }
         }
     }
@@ -218,7 +218,7 @@ fn points_are_numbered() {
         |window: &Harness<'_, App>| labels(window).iter().filter(|label| *label == "front tyre").count();
     assert!(readout(&window) > 0);
     let track = window.state().state().session.scene.track_on(FRONT_TYRE).expect("a body");
-    let select = gamow::app::command::Select { track, body: FRONT_TYRE, add: true };
+    let select = gamow::app::pointer::Select { track, body: FRONT_TYRE, add: true };
     window.state_mut().ask(Command::Select(select));
     window.run_ok();
     assert_eq!(readout(&window), 0);
@@ -314,7 +314,8 @@ fn keys_work_beside_a_button() {
     let time = window.state().state().session.time;
     window.key_press(Key::Space);
     window.run_ok();
-    assert!(window.state().state().session.help, "space presses the button");
+    let help = Some(gamow::app::overlay::Overlay::Help);
+    assert_eq!(window.state().state().session.overlay, help, "space presses the button");
     assert!(!window.state().state().session.playing && window.state().state().session.time == time);
 }
 
@@ -430,4 +431,77 @@ fn a_newcomer_is_told_to_click() {
         }
     }
     assert_eq!(count(&window), 0);
+}
+
+/// Beside the tyre's outer edge nothing is, and the tyre is meant.
+fn a_click_near_something_means_it() {
+    let state = cyclist(0.9);
+    let size = [466, 276];
+    let eye = gamow::app::observer::Eye::Left;
+    let is_free = |pixel: [f64; 2]| state.point_at(eye, pixel, size).is_none();
+    let row = (0..466).map(|u| [f64::from(u) + 0.5, 190.5]);
+    let first = row.clone().find(|&pixel| !is_free(pixel)).expect("something is in this row");
+    for (off, is_meant) in [(3.0, true), (6.0, true), (40.0, false)] {
+        let beside = [first[0] - off, first[1]];
+        assert!(is_free(beside));
+        let mut picked = state.clone();
+        picked.apply(Command::Pick(Pick { eye, pixel: beside, size, add: false }));
+        assert_eq!(picked.session.points != state.session.points, is_meant, "{off}");
+        assert_eq!(picked.session.missed.is_none(), is_meant, "{off}");
+    }
+}
+
+fn the_tabulator_reaches_everything() {
+    let mut window = window(cyclist(0.9));
+    let bare = window.render().expect("a picture");
+    let mut reached = std::collections::BTreeSet::new();
+    for count in 0..160 {
+        window.key_press(Key::Tab);
+        window.run_steps(2);
+        let Some((name, rect)) = focused(&window) else { continue };
+        if count < 6 {
+            let ringed = window.render().expect("a picture");
+            let around = rect.expand(2.0);
+            let top = around.min.y.round() as u32;
+            let columns = around.min.x.max(0.0) as u32..(around.max.x as u32).min(1279);
+            let changed = columns.clone().filter(|&x| {
+                (top.saturating_sub(1)..top + 3).any(|y| bare.get_pixel(x, y) != ringed.get_pixel(x, y))
+            });
+            assert!(2 * changed.count() > columns.len(), "{name} at {rect:?}");
+        }
+        reached.insert(name);
+    }
+    for name in [
+        "Scene",
+        "Presets",
+        "Units",
+        "Theme",
+        "Help",
+        "Speed β",
+        "Play",
+        "T, typed",
+        "Left eye view",
+        "Right eye view",
+        "Whole",
+        "Readout",
+    ] {
+        assert!(reached.contains(name), "{name} is not among {reached:?}");
+    }
+}
+
+/// What has the keyboard, and where.
+fn focused(window: &Harness<'_, App>) -> Option<(String, Rect)> {
+    let node = window.root().children_recursive().find(|node| node.accesskit_node().is_focused())?;
+    Some((node.accesskit_node().label().unwrap_or_default(), node.rect()))
+}
+
+fn scroll_bars_have_room() {
+    for size in SIZES {
+        let window = window_of_size(cyclist(0.9), size, 1.0);
+        for name in ["Eyes apart d, typed", "Height z, typed", "Speed β"] {
+            let end = window.get_by_label(name).rect().max.x;
+            // The bar is 9 points wide, at the edge of what stands 8 from that of the window.
+            assert!(end <= size[0] - 17.0, "{size:?} {name} ends at {end}");
+        }
+    }
 }

@@ -38,7 +38,7 @@ pub const TESTS: &[Test] = &[
     ("several_points_have_a_legend_that_fits", several_points_have_a_legend),
 ];
 
-const DPHI: &str = "Plot of Δφ of point 1 (front tyre) against T";
+const DPHI: &str = "Plot of Δφ of front tyre against T";
 
 fn at_speed(state: &mut State, beta: f64) {
     let mut motion = state.settings.motion;
@@ -96,10 +96,10 @@ fn files_hold_what_the_core_says() {
         head,
         [
             "T / units",
-            "Δφ / rad: point 1 (front tyre)",
-            "Δφ / rad: point 1 (front tyre), published",
-            "Δθ / rad: point 1 (front tyre)",
-            "Δθ / rad: point 1 (front tyre), published",
+            "Δφ / rad: front tyre",
+            "Δφ / rad: front tyre, published",
+            "Δθ / rad: front tyre",
+            "Δθ / rad: front tyre, published",
         ]
     );
     assert!(rows.len() > 100 && rows.windows(2).all(|pair| pair[0][0] < pair[1][0]));
@@ -294,7 +294,7 @@ fn tells_values_at_the_pointer() {
         // Near the top, where no curve is.
         window.hover_at(pos2(frame.min.x + share * frame.width(), frame.min.y + 30.0));
         window.run();
-        let (time, told) = (pointed_time(&window), value_told(&window, "point 1 (front tyre): Δφ = "));
+        let (time, told) = (pointed_time(&window), value_told(&window, "front tyre: Δφ = "));
         // T is told as precisely as there are pixels.
         let off = [-0.05, 0.0, 0.05].map(|off| disparity(Model::Exact, 0.9, time + off).dphi);
         let [low, high] =
@@ -374,7 +374,7 @@ fn pinned_curves_stay() {
         assert!(legend.contains(name), "{legend}");
     }
     let (head, rows) = table(&window.state_mut().plots_csv());
-    let names = ["β 0.9", "β 0.7", "point 1 (front tyre), β 0.5"];
+    let names = ["β 0.9", "β 0.7", "front tyre, β 0.5"];
     assert_eq!(head[1..4], names.map(|name| format!("Δφ / rad: {name}")));
     for row in rows.iter().step_by(20) {
         let time = row[0].expect("T");
@@ -432,13 +432,15 @@ fn several_points_have_a_legend() {
             point.rest[0] += 0.5 + i as f64;
             state.session.points.choose(point, body, true);
         }
+        let names: Vec<String> =
+            state.session.points.all().iter().map(|point| state.name_of(point)).collect();
         let window = window_of_size(state, size, 1.0);
         let legend = label_starting_with(&window, "Legend of Δφ: ");
-        for name in ["point 1", "point 2", "point 3"] {
+        for name in &names {
             assert!(legend.contains(name), "{size:?}: {legend}");
         }
         let place = window.get_by_label(&legend).rect();
-        let plot = window.get_by_label_contains("Plot of Δφ of point 3").rect();
+        let plot = window.get_by_label_contains(&format!("Plot of Δφ of {}", names[2])).rect();
         assert!(plot.contains_rect(place), "{size:?}: {place:?} in {plot:?}");
     }
 }

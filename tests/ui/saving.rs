@@ -35,6 +35,8 @@ pub const TESTS: &[Test] = &[
         the_copied_curve_command_gives_the_plotted_numbers,
     ),
     ("the_copied_values_are_those_of_the_moment", the_copied_values_are_those_of_the_moment),
+    ("the_copied_picture_is_that_of_the_views", the_copied_picture_is_that_of_the_views),
+    ("what_is_typed_first_is_the_name", what_is_typed_first_is_the_name),
     ("saved_plots_hold_the_numbers_of_the_core", saved_plots_hold_the_numbers_of_the_core),
     ("a_file_is_opened_by_its_path", a_file_is_opened_by_its_path),
     ("opening_and_saving_can_be_left", opening_and_saving_can_be_left),
@@ -367,6 +369,44 @@ fn the_copied_values_are_those_of_the_moment() {
     assert_eq!([value("T"), value("beta"), value("d")], [5.25, 0.8, 0.3]);
     assert_eq!([value("dphi"), value("dtheta")], [both.dphi, both.dtheta]);
     assert_eq!(value("own_left"), both.primary.own_time);
+}
+
+fn the_copied_picture_is_that_of_the_views() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("ride.png");
+    let mut window = window(special());
+    save(&mut window, "Save picture…", &path);
+    let saved = PngFile::read(&path).expect("a picture").frames.remove(0);
+    window.get_by_label("File").click();
+    window.run_ok();
+    window.get_by_label("Copy picture").click();
+    let start = Instant::now();
+    let copied = loop {
+        window.step();
+        let commands = &window.output().platform_output.commands;
+        let image = commands.iter().find_map(|command| match command {
+            OutputCommand::CopyImage(image) => Some(image.clone()),
+            _ => None,
+        });
+        if let Some(image) = image {
+            break image;
+        }
+        assert!(start.elapsed() < Duration::from_mins(1), "nothing was copied");
+        std::thread::sleep(Duration::from_millis(5));
+    };
+    assert_eq!(copied.size, saved.size.map(|side| side as usize));
+    let pixels: Vec<[u8; 4]> = copied.pixels.iter().map(|pixel| pixel.to_array()).collect();
+    assert!(pixels == saved.rgba);
+}
+
+fn what_is_typed_first_is_the_name() {
+    let mut window = window(special());
+    choose(&mut window, "Save state…");
+    window.get_by_label("Path").type_text("ride");
+    window.run_ok();
+    let path = labels(&window).into_iter().find(|label| label.ends_with("ride.toml"));
+    let folder = std::env::current_dir().expect("a folder");
+    assert_eq!(path.map(PathBuf::from), Some(folder.join("ride.toml")));
 }
 
 fn saved_plots_hold_the_numbers_of_the_core() {

@@ -1,5 +1,7 @@
 //! The bar at the top: the scene, and which parts of the window are shown.
 
+mod file_menu;
+
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
 use eframe::egui::{Align, Button, ComboBox, Layout, PopupCloseBehavior, RichText, TextStyle, Ui, vec2};
@@ -31,7 +33,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         if width >= NARROWEST_WITH_NAME {
             ui.label(RichText::new("Gamow").heading().strong());
         }
-        super::file_menu::show(ui, state, asks);
+        file_menu::show(ui, state, asks);
         scene(ui, state, asks);
         presets(ui, state, asks);
         if width >= NARROWEST_WITH_ALL {

@@ -1,9 +1,11 @@
 //! The small window that asks which file to open or to write.
 
+use eframe::egui::text::{CCursor, CCursorRange};
 use eframe::egui::{Align2, Context, Key, RichText, TextEdit, Ui, Window};
 
 use super::Asks;
-use crate::app::chooser::{Chooser, Product, Purpose};
+use crate::app::chooser::{Product, Purpose};
+use crate::app::choosing::Chooser;
 use crate::app::command::Command;
 use crate::app::state::State;
 use crate::studio::film::FRAMES_PER_SECOND;
@@ -42,10 +44,15 @@ pub fn show(ctx: &Context, state: &State, chooser: &mut Chooser, asks: &mut Asks
 
 /// The path that is typed; whether Enter was pressed in it.
 fn path(ui: &mut Ui, chooser: &mut Chooser) -> bool {
-    let field = TextEdit::singleline(&mut chooser.path).desired_width(f32::INFINITY);
-    let response = ui.add(field).accessible_name("Path");
+    let [from, to] = chooser.stem();
+    let mut output = TextEdit::singleline(&mut chooser.path).desired_width(f32::INFINITY).show(ui);
+    let response = output.response.response.clone().accessible_name("Path");
     if std::mem::take(&mut chooser.wants_focus) {
         response.request_focus();
+        // What is typed takes the place of the name, not of the folder or the ending.
+        let name = CCursorRange::two(CCursor::new(from), CCursor::new(to));
+        output.state.cursor.set_char_range(Some(name));
+        output.state.store(ui.ctx(), response.id);
     }
     if response.changed() {
         chooser.edited();

@@ -6,7 +6,6 @@ pub mod borders;
 pub mod chooser;
 pub mod controls;
 pub mod corrected;
-pub mod file_menu;
 pub mod help;
 pub mod map;
 pub mod message;

@@ -7,7 +7,9 @@ use eframe::egui::{
 
 use super::Asks;
 use crate::app::actions::ACTIONS;
-use crate::app::command::{Command, Select};
+use crate::app::command::Command;
+use crate::app::overlay::Overlay;
+use crate::app::pointer::Select;
 use crate::app::state::State;
 use crate::settings::Preset;
 
@@ -36,7 +38,7 @@ struct Search {
 /// Shows the palette, if it is asked for.
 pub fn show(ctx: &Context, state: &State, asks: &mut Asks) {
     let id = Id::unique("palette");
-    if !state.session.palette {
+    if state.session.overlay != Some(Overlay::Palette) {
         return ctx.data_mut(|data| data.remove::<Search>(id));
     }
     let before = ctx.data(|data| data.get_temp::<Search>(id));
@@ -69,7 +71,10 @@ pub fn show(ctx: &Context, state: &State, asks: &mut Asks) {
         });
     });
     ctx.data_mut(|data| data.insert_temp(id, search));
-    if !is_new && shown.response.clicked_elsewhere() {
+    if is_new {
+        // The first time it is only measured.
+        ctx.request_repaint();
+    } else if shown.response.clicked_elsewhere() {
         asks.push(Command::TogglePalette);
     }
     if let Some(entry) = asked {

@@ -297,6 +297,7 @@ fn differences(ui: &mut Ui, state: &State) {
         ("Δθ", of(|both| both.dtheta), "Elevation, left minus right.\nΔθ = θ left − θ right"),
     ];
     ui.horizontal(|ui| {
+        ui.label(RichText::new("disparity").weak()).on_hover_text("How differently the eyes see the point.");
         for (symbol, [value, exact], tip) in parts {
             ui.label(RichText::new(symbol).weak()).on_hover_text(tip);
             let text = figures::fixed_or_none(value, 5);

@@ -72,7 +72,7 @@ fn playback_widths(state: &State) -> [f32; 2] {
 fn time_width(state: &State) -> f32 {
     let unit = state.measures().time;
     let usual = if unit.name.is_empty() { 76.0 } else { 100.0 };
-    numbers_width(&unit.text(state.session.time, unit.decimals(3).into())).max(usual)
+    numbers_width(&unit.text(state.session.time, unit.decimals(3))).max(usual)
 }
 
 /// Shows the timeline.

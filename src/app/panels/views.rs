@@ -10,11 +10,12 @@ use relativity_render::{Colour, Geometry, Method, PreparedScene, View};
 
 use super::Asks;
 use crate::app::actions::LOOK_STEP;
-use crate::app::command::{Command, Pick, Turn, Zoom};
+use crate::app::command::Command;
 use crate::app::dial::{self, Drawn};
 use crate::app::eyes::Shown;
 use crate::app::observer::Eye;
 use crate::app::panes::EyePane;
+use crate::app::pointer::{Pick, Turn, Zoom};
 use crate::app::points::Point;
 use crate::app::state::State;
 use crate::app::widgets::pane_title;
@@ -186,7 +187,7 @@ fn hover(ui: &Ui, state: &State, pane: EyePane) {
     let pointer = under::pointer(ui, state, pane.rect);
     let under = pointer.and_then(|place| Some((place, state.under(pane.eye, pane.pixel(place), pane.size)?)));
     if let Some((place, under)) = under {
-        let outline = state.outline_of(under.body, pane.eye, pane.pixel(place), pane.size);
+        let outline = state.outline_of(under.body, pane.eye, under.pixel, pane.size);
         highlight::paint(&ui.painter().with_clip_rect(pane.rect), pane, &outline);
         under::show(ui, pane.rect, place, &under);
     }

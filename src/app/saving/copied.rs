@@ -1,4 +1,4 @@
-//! What can be copied as text: commands that give the same picture or the same numbers, and the numbers.
+//! What is copied as text: commands that give the same picture or the same numbers, and the numbers.
 
 use relativity_core::{Model, Speed, SpeedError};
 use relativity_render::Motion;
@@ -9,21 +9,6 @@ use crate::flags::words::quoted;
 use crate::flags::{SpeedParameter, SpeedSetting};
 use crate::scene::Track;
 use crate::settings::Settings;
-
-/// What can be copied.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Copied {
-    /// The views, as a picture.
-    Picture,
-    /// The command that opens a window that shows the same.
-    Command,
-    /// The command that draws the same picture.
-    RenderCommand,
-    /// The command that gives the numbers of the selected point's curves.
-    CurveCommand,
-    /// What both eyes see of the selected point at T.
-    Values,
-}
 
 /// How many T the copied command of a curve has.
 const SAMPLES: u32 = 201;

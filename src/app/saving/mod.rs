@@ -1,45 +1,20 @@
 //! What leaves the window: files, and what is copied. What takes its time is made by a thread of its own.
 
-pub mod copied;
-mod orders;
+mod copied;
+mod fulfil;
 mod work;
 
-use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::Duration;
 
 use eframe::egui::Context;
 
-pub use self::copied::Copied;
 use self::work::{Job, Made};
-use super::chooser::Product;
 use super::state::State;
 use super::worker::{Wanted, Worker};
 use crate::platform::clock::Instant;
 use crate::studio::film::frame_count;
-
-/// Something that the state cannot do itself: it needs the graphics device, the clipboard or what is plotted.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Order {
-    /// Write a file.
-    Save(Saving),
-    /// Copy something.
-    Copy(Copied),
-    /// Give up what is being made.
-    Stop,
-}
-
-/// A file to be written.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Saving {
-    /// What.
-    pub product: Product,
-    /// Where to; a folder for a film that is a sequence of pictures.
-    pub path: PathBuf,
-    /// Width and height of an eye's picture, pixels, of what is made of pictures.
-    pub size: [u32; 2],
-}
 
 impl State {
     /// How many frames the film has in which T runs through its range once, as fast as it is played.
@@ -54,6 +29,9 @@ pub const MOST_FRAMES: u32 = 5000;
 
 /// What is made sooner than this is not announced.
 const GRACE: Duration = Duration::from_millis(300);
+
+/// How often it is told how far it has come: each time costs a frame of the window.
+const TOLD: Duration = Duration::from_millis(250);
 
 /// What is being made.
 #[derive(Default)]
@@ -87,7 +65,7 @@ impl Saver {
         let work = move |job: Job, wanted: &Wanted| {
             let goes_on = |number| {
                 drawn.store(number, Ordering::Relaxed);
-                repaint.request_repaint();
+                repaint.request_repaint_after(TOLD);
                 wanted.holds()
             };
             job.made(goes_on)

@@ -7,6 +7,7 @@ use eframe::egui::{Align2, Context, Grid, Id, RichText, Ui, Window, vec2};
 use super::Asks;
 use crate::app::actions::ACTIONS;
 use crate::app::command::Command;
+use crate::app::overlay::Overlay;
 use crate::app::state::State;
 use crate::caption::times::TIMES;
 use words::{PAPER, PAPER_ADDRESS, WHAT, WORDS};
@@ -57,7 +58,7 @@ const IN_A_VIEW: [(&str, &str); 4] = [
 
 /// Shows the help, if it is asked for.
 pub fn show(ctx: &Context, state: &State, asks: &mut Asks) {
-    if !state.session.help {
+    if state.session.overlay != Some(Overlay::Help) {
         return;
     }
     let id = Id::unique("help");

@@ -21,6 +21,8 @@ pub(super) fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         if ui.available_size_before_wrap().x < entry_width(ui, &name) {
             ui.end_row();
         }
+        // As high a row as that of the tabs.
+        ui.allocate_space(vec2(0.0, ui.spacing().interact_size.y));
         dot(ui, colour);
         let chosen = all.len() > 1 && index == points.selected_index();
         let unit = state.measures().length;

@@ -7,7 +7,7 @@ mod table;
 
 pub use table::csv;
 
-use eframe::egui::{Checkbox, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
+use eframe::egui::{Checkbox, Label, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
 
 use super::split::{part, table_and_plots};
 use crate::app::command::Command;
@@ -59,7 +59,7 @@ pub fn caption(ui: &mut Ui, state: &State, examination: &Examination, asks: &mut
     let is_pending = examination.is_pending();
     let text =
         if is_pending { "Measuring while nothing moves …" } else { "Measured in the present views." };
-    ui.label(RichText::new(text).weak().small());
+    ui.add(Label::new(RichText::new(text).weak().small()).extend());
 }
 
 /// The colours of the heat map.

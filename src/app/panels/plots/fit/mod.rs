@@ -20,7 +20,7 @@ use crate::settings::{DataFrom, FIT_SAMPLES, FitSetup, MAX_SEED, NOISE_PERCENT};
 use crate::units::Unit;
 
 /// Width of the table, and least width of the plots.
-const TABLE_WIDTH: f32 = 346.0;
+const TABLE_WIDTH: f32 = 356.0;
 const LEAST_PLOTS: f32 = 150.0;
 /// Width of the name of a file of data.
 const FILE_WIDTH: f32 = 100.0;

@@ -6,7 +6,7 @@ use relativity_core::{DEFAULT_REPLICATES, Model, Parameter};
 use crate::app::fitting::{FitOutcome, Fitted, Fitting, Samples};
 use crate::app::widgets::named_text;
 use crate::caption::capitalised;
-use crate::estimate::{Estimate, decimals};
+use crate::estimate::{Estimate, decimals, sigmas};
 use crate::figures;
 use crate::units::Unit;
 
@@ -164,7 +164,12 @@ fn assumptions(outcome: &FitOutcome, fitted: &Fitted) -> Vec<String> {
         told.push(format!("The file has no column d: the eyes are d = {d} apart, as set."));
     }
     match fitted.reduced_chi_squared {
-        Some(chi) => told.push(format!("χ² per degree of freedom: {}", figures::fixed(chi, 2))),
+        Some(chi) => {
+            told.push(format!("χ² per degree of freedom: {}", figures::fixed(chi, 2)));
+            let parameters = fitted.estimates.len();
+            let remark = sigmas::remark(Some(chi), fitted.readings, parameters);
+            told.extend(remark.as_deref().map(sentence));
+        }
         None if file.has_sigmas => {
             told.push("Some readings have no sigma: all of a curve count alike.".to_owned());
         }

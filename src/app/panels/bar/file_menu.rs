@@ -2,11 +2,11 @@
 
 use eframe::egui::{Button, Ui};
 
-use super::Asks;
 use crate::app::actions::{ACTIONS, Action};
 use crate::app::chooser::{Product, Purpose};
 use crate::app::command::Command;
-use crate::app::saving::Copied;
+use crate::app::orders::Copied;
+use crate::app::panels::Asks;
 use crate::app::state::State;
 use crate::settings::{PlotTab, Settings};
 

@@ -2,11 +2,12 @@
 
 use eframe::egui::{Context, Ui};
 
+use super::MOST_FRAMES;
 use super::work::{Drawn, Job, Made, name_of};
-use super::{Copied, MOST_FRAMES, Order, Saving};
 use crate::app::App;
 use crate::app::chooser::Product;
 use crate::app::notice::Notice;
+use crate::app::orders::{Copied, Order, Saving};
 use crate::app::panels::plots;
 use crate::files::whole::write_whole;
 use crate::flags::choices::{RendererChoice, Size};
