@@ -32,6 +32,7 @@ pub mod notice;
 pub mod observer;
 mod panels;
 pub mod panes;
+mod plotted;
 pub mod plotting;
 pub mod points;
 mod projector;
