@@ -39,6 +39,7 @@ pub mod orders;
 pub mod overlay;
 mod panels;
 pub mod panes;
+mod plotted;
 pub mod plotting;
 pub mod pointer;
 pub mod points;

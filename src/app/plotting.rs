@@ -1,10 +1,7 @@
 //! How the user looks at the plots against T: parts they zoom into, two cursors, and curves that are pinned.
 
-use super::clock;
 use super::curves::{CurvesKey, Quantity};
 use super::points::Point;
-use super::state::State;
-use crate::plot::{MOST_TICKS, widened};
 use crate::settings::PlotTab;
 
 /// Most curves that can be pinned: as many as there are dashes to tell them apart.
@@ -70,6 +67,40 @@ impl Plotting {
         &self.pins
     }
 
+    /// Looks at a part of the plot of `quantity`, or at the whole.
+    pub fn look(&mut self, quantity: Quantity, ranges: Option<Ranges>) {
+        self.zooms.retain(|(of, _)| *of != quantity);
+        self.zooms.extend(ranges.map(|ranges| (quantity, ranges)));
+    }
+
+    /// Looks at the whole of every plot.
+    pub fn look_at_all(&mut self) {
+        self.zooms.clear();
+    }
+
+    /// Sets the first cursor at this T; then the second; then removes both.
+    pub fn put_cursor(&mut self, time: f64) {
+        if self.cursors.len() == 2 {
+            self.cursors.clear();
+        } else {
+            self.cursors.push(time);
+        }
+    }
+
+    /// Keeps these curves, in place of the oldest where there are [`MAX_PINS`].
+    pub fn pin(&mut self, pin: Pin) {
+        self.pins.retain(|kept| !is_same(kept, &pin));
+        if self.pins.len() == MAX_PINS {
+            self.pins.remove(0);
+        }
+        self.pins.push(pin);
+    }
+
+    /// Keeps none.
+    pub fn unpin(&mut self) {
+        self.pins.clear();
+    }
+
     /// Whether any plot shows a part only.
     #[must_use]
     pub const fn is_zoomed(&self) -> bool {
@@ -86,90 +117,6 @@ pub const fn quantities(tab: PlotTab) -> &'static [Quantity] {
         PlotTab::Doppler => &[Quantity::LogDoppler],
         PlotTab::Stereo => &[Quantity::LogGain, Quantity::LogDistance],
         PlotTab::Fit | PlotTab::Accuracy => &[],
-    }
-}
-
-impl State {
-    /// Does what was asked of the plots.
-    pub fn apply_to_plots(&mut self, command: PlotCommand) {
-        let pin = Pin {
-            point: *self.session.points.selected(),
-            key: self.curve_key(self.session.points.selected()),
-        };
-        let now = self.session.time;
-        let Plotting { zooms, cursors, pins } = &mut self.session.plotting;
-        match command {
-            PlotCommand::Look(quantity, ranges) => {
-                zooms.retain(|(of, _)| *of != quantity);
-                zooms.extend(ranges.map(|ranges| (quantity, ranges)));
-            }
-            PlotCommand::Whole => zooms.clear(),
-            PlotCommand::Cursor(_) if cursors.len() == 2 => cursors.clear(),
-            PlotCommand::Cursor(time) => cursors.push(clock::bounded(time.unwrap_or(now))),
-            PlotCommand::Pin => {
-                pins.retain(|kept| !is_same(kept, &pin));
-                if pins.len() == MAX_PINS {
-                    pins.remove(0);
-                }
-                pins.push(pin);
-            }
-            PlotCommand::Unpin => pins.clear(),
-        }
-    }
-
-    /// What is plotted, the one plot for an audience included.
-    #[must_use]
-    pub fn plotted_quantities(&self) -> &'static [Quantity] {
-        let all = quantities(self.settings.plots.plot);
-        match (self.session.stage.is_presented(), all) {
-            (false, all) => all,
-            (true, [first, ..]) => std::slice::from_ref(first),
-            (true, []) => &[Quantity::DeltaPhi],
-        }
-    }
-
-    /// First and last T of the plot of `quantity`: those of the scrubber, widened to have round ticks, or of the part that is
-    /// looked at.
-    #[must_use]
-    pub fn plotted_times(&self, quantity: Quantity) -> [f64; 2] {
-        self.session.plotting.zoom(quantity).map_or_else(|| self.whole_times(), |zoom| zoom.times)
-    }
-
-    /// First and last T of a plot of which no part only is looked at.
-    #[must_use]
-    pub fn whole_times(&self) -> [f64; 2] {
-        let unit = self.measures().time;
-        let shown = self.time_range().map(|time| unit.shown(time));
-        widened(false, shown, MOST_TICKS).map(|time| unit.in_scene(time))
-    }
-
-    /// What the curves of `point` in the plot of `quantity` depend on.
-    #[must_use]
-    pub fn plotted_key(&self, point: &Point, quantity: Quantity) -> CurvesKey {
-        CurvesKey { range: self.plotted_times(quantity), ..self.curve_key(point) }
-    }
-
-    /// The same of a pinned one: where that is of the exact model, whatever the views show now.
-    #[must_use]
-    pub fn pinned_key(&self, pin: &Pin, quantity: Quantity) -> CurvesKey {
-        let stereo = self.settings.plots.plot == PlotTab::Stereo;
-        CurvesKey { range: self.plotted_times(quantity), published: false, stereo, ..pin.key }
-    }
-
-    /// What all curves that are plotted depend on, each once.
-    #[must_use]
-    pub fn plotted_keys(&self) -> Vec<CurvesKey> {
-        let mut keys: Vec<CurvesKey> = Vec::new();
-        for &quantity in self.plotted_quantities() {
-            let points = self.session.points.all().iter().map(|point| self.plotted_key(point, quantity));
-            let pins = self.session.plotting.pins.iter().map(|pin| self.pinned_key(pin, quantity));
-            for key in points.chain(pins) {
-                if !keys.contains(&key) {
-                    keys.push(key);
-                }
-            }
-        }
-        keys
     }
 }
 

@@ -4,12 +4,10 @@ use eframe::egui::{Color32, Visuals};
 use egui_plot::PlotPoint;
 use relativity_core::{Model, math};
 
-use super::axes::{Ruler, shown_in, value_range};
-use super::traces::traces;
-use crate::app::curves::{self, Curve, Curves, CurvesKey, Quantity};
+use super::axes::{Ruler, value_range};
+use crate::app::curves::{self, Curve, CurvesKey, Quantity};
 use crate::app::observer::Eye;
 use crate::app::plotting::MAX_PINS;
-use crate::app::state::State;
 use crate::app::theme;
 use crate::units::Unit;
 
@@ -160,41 +158,5 @@ impl Chart<'_> {
     pub fn shown(&self, plotted: f64) -> f64 {
         let value = if self.quantity.is_logarithm() { math::powf(10.0, plotted) } else { plotted };
         self.unit.shown(if value.abs() <= self.rounding { 0.0 } else { value })
-    }
-}
-
-/// The chart of `quantity`: of every point for a disparity, of each eye of the selected one else; and of what is pinned.
-/// `curves` are those that [`State::plotted_keys`] asks for; it is drawn about so high (points).
-pub(super) fn chart<'a>(state: &State, curves: &'a [Curves], quantity: Quantity, height: f32) -> Chart<'a> {
-    let measures = state.measures();
-    let along = state.settings.baseline().is_along_motion();
-    let words = if along { "seen abreast" } else { "seen equally far" };
-    Chart {
-        quantity,
-        unit: shown_in(quantity, measures.length),
-        time_unit: measures.time,
-        range: state.plotted_times(quantity),
-        zoomed: state.session.plotting.zoom(quantity).map(|zoom| zoom.values),
-        traces: traces(state, curves, quantity),
-        equidistant: state.equidistance_time(state.session.points.selected()).map(|time| (time, words)),
-        now: state.session.time,
-        cursors: state.session.plotting.cursors().to_vec(),
-        rounding: rounding(&state.curve_key(state.session.points.selected()), quantity),
-        height,
-    }
-}
-
-/// What rounding may leave of 0 of `quantity`, as plotted: of a difference in direction a part of what the separation of the
-/// eyes spans at the point.
-fn rounding(key: &CurvesKey, quantity: Quantity) -> f64 {
-    const SHARE: f64 = 1e-14;
-    let distance = key.rest.map(|along| along * along).iter().sum::<f64>().sqrt();
-    let separation = key.baseline.separation;
-    match quantity {
-        Quantity::DeltaPhi | Quantity::DeltaTheta if separation > 0.0 => {
-            SHARE * separation / distance.max(separation)
-        }
-        Quantity::Phi | Quantity::Theta => SHARE,
-        _ => 0.0,
     }
 }

@@ -4,8 +4,10 @@ use csv::ByteRecord;
 use eframe::egui::{Color32, Visuals};
 
 use super::axes::{axis_label, column_label, in_unit, time_label};
-use super::chart::{Chart, Dash, chart};
-use super::{Plotted, accuracy, fit};
+use super::chart::{Chart, Dash};
+use super::plotted::Plotted;
+use super::traces::chart;
+use super::{accuracy, fit};
 use crate::app::curves::Quantity;
 use crate::app::plotting::quantities;
 use crate::app::state::State;

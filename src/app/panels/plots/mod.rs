@@ -10,6 +10,7 @@ mod fit;
 mod gestures;
 mod legend;
 mod pins;
+mod plotted;
 mod pointed;
 mod points;
 mod split;
@@ -21,13 +22,13 @@ use eframe::egui::{self, Ui, vec2};
 use egui_plot::{LineStyle, PlotBounds, PlotResponse, PlotUi, VLine};
 
 use self::axes::{annotate, label, plot_over_time};
-use self::chart::{Chart, chart};
+use self::chart::Chart;
 pub use self::export::{csv, svg};
 use self::legend::Drawn;
+pub use self::plotted::Plotted;
+use self::traces::chart;
 use crate::app::command::Command;
 use crate::app::curves::{Curves, Quantity};
-use crate::app::examination::Examination;
-use crate::app::fitting::Fitting;
 use crate::app::panels::Asks;
 use crate::app::state::State;
 use crate::app::theme;
@@ -35,17 +36,6 @@ use crate::settings::PlotTab;
 
 /// Height of a plot's title and of the numbers along T, points.
 const ABOVE_AND_BELOW: f32 = 60.0;
-
-/// What there is to plot.
-#[derive(Clone, Copy)]
-pub struct Plotted<'a> {
-    /// Those that [`State::plotted_keys`] asks for.
-    pub curves: &'a [Curves],
-    /// The fit of the selected one.
-    pub fitting: &'a Fitting,
-    /// What the views cost, and how far they are off.
-    pub examination: Option<&'a Examination>,
-}
 
 /// Shows the plots.
 pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {

@@ -1,16 +1,53 @@
-//! Which curves there are of a quantity.
+//! What is plotted of a quantity, and which curves there are of it.
 
 use relativity_core::Model;
 
-use super::chart::{Dash, Hue, Source, Trace};
+use super::axes::shown_in;
+use super::chart::{Chart, Dash, Hue, Source, Trace};
 use super::pins;
 use crate::app::curves::{Curve, Curves, CurvesKey, DistanceKind, PUBLISHED, Quantity};
 use crate::app::observer::Eye;
 use crate::app::points::Point;
 use crate::app::state::State;
 
+/// The chart of `quantity`: of every point for a disparity, of each eye of the selected one else; and of what is pinned.
+/// `curves` are those that [`State::plotted_keys`] asks for; it is drawn about so high (points).
+pub(super) fn chart<'a>(state: &State, curves: &'a [Curves], quantity: Quantity, height: f32) -> Chart<'a> {
+    let measures = state.measures();
+    let along = state.settings.baseline().is_along_motion();
+    let words = if along { "seen abreast" } else { "seen equally far" };
+    Chart {
+        quantity,
+        unit: shown_in(quantity, measures.length),
+        time_unit: measures.time,
+        range: state.plotted_times(quantity),
+        zoomed: state.session.plotting.zoom(quantity).map(|zoom| zoom.values),
+        traces: traces(state, curves, quantity),
+        equidistant: state.equidistance_time(state.session.points.selected()).map(|time| (time, words)),
+        now: state.session.time,
+        cursors: state.session.plotting.cursors().to_vec(),
+        rounding: rounding(&state.curve_key(state.session.points.selected()), quantity),
+        height,
+    }
+}
+
+/// What rounding may leave of 0 of `quantity`, as plotted: of a difference in direction a part of what the separation of the
+/// eyes spans at the point.
+fn rounding(key: &CurvesKey, quantity: Quantity) -> f64 {
+    const SHARE: f64 = 1e-14;
+    let distance = key.rest.map(|along| along * along).iter().sum::<f64>().sqrt();
+    let separation = key.baseline.separation;
+    match quantity {
+        Quantity::DeltaPhi | Quantity::DeltaTheta if separation > 0.0 => {
+            SHARE * separation / distance.max(separation)
+        }
+        Quantity::Phi | Quantity::Theta => SHARE,
+        _ => 0.0,
+    }
+}
+
 /// Those of `quantity`, the ones on top last.
-pub(super) fn traces<'a>(state: &State, curves: &'a [Curves], quantity: Quantity) -> Vec<Trace<'a>> {
+fn traces<'a>(state: &State, curves: &'a [Curves], quantity: Quantity) -> Vec<Trace<'a>> {
     let found = |key: CurvesKey| curves.iter().find(|curves| *curves.key() == key);
     let own = |point: &Point| found(state.plotted_key(point, quantity));
     let selected = own(state.session.points.selected());

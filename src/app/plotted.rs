@@ -1,0 +1,80 @@
+//! What the plots against T show of the state: which quantities, over which T, and what their curves depend on.
+
+use super::clock;
+use super::curves::{CurvesKey, Quantity};
+use super::plotting::{Pin, PlotCommand, quantities};
+use super::points::Point;
+use super::state::State;
+use crate::plot::{MOST_TICKS, widened};
+use crate::settings::PlotTab;
+
+impl State {
+    /// Does what was asked of the plots.
+    pub fn apply_to_plots(&mut self, command: PlotCommand) {
+        let (point, now) = (*self.session.points.selected(), self.session.time);
+        let pin = Pin { point, key: self.curve_key(&point) };
+        let plotting = &mut self.session.plotting;
+        match command {
+            PlotCommand::Look(quantity, ranges) => plotting.look(quantity, ranges),
+            PlotCommand::Whole => plotting.look_at_all(),
+            PlotCommand::Cursor(time) => plotting.put_cursor(clock::bounded(time.unwrap_or(now))),
+            PlotCommand::Pin => plotting.pin(pin),
+            PlotCommand::Unpin => plotting.unpin(),
+        }
+    }
+
+    /// What is plotted, the one plot for an audience included.
+    #[must_use]
+    pub fn plotted_quantities(&self) -> &'static [Quantity] {
+        let all = quantities(self.settings.plots.plot);
+        match (self.session.stage.is_presented(), all) {
+            (false, all) => all,
+            (true, [first, ..]) => std::slice::from_ref(first),
+            (true, []) => &[Quantity::DeltaPhi],
+        }
+    }
+
+    /// First and last T of the plot of `quantity`: those of the scrubber, widened to have round ticks, or of the part that is
+    /// looked at.
+    #[must_use]
+    pub fn plotted_times(&self, quantity: Quantity) -> [f64; 2] {
+        self.session.plotting.zoom(quantity).map_or_else(|| self.whole_times(), |zoom| zoom.times)
+    }
+
+    /// First and last T of a plot of which no part only is looked at.
+    #[must_use]
+    pub fn whole_times(&self) -> [f64; 2] {
+        let unit = self.measures().time;
+        let shown = self.time_range().map(|time| unit.shown(time));
+        widened(false, shown, MOST_TICKS).map(|time| unit.in_scene(time))
+    }
+
+    /// What the curves of `point` in the plot of `quantity` depend on.
+    #[must_use]
+    pub fn plotted_key(&self, point: &Point, quantity: Quantity) -> CurvesKey {
+        CurvesKey { range: self.plotted_times(quantity), ..self.curve_key(point) }
+    }
+
+    /// The same of a pinned one: where that is of the exact model, whatever the views show now.
+    #[must_use]
+    pub fn pinned_key(&self, pin: &Pin, quantity: Quantity) -> CurvesKey {
+        let stereo = self.settings.plots.plot == PlotTab::Stereo;
+        CurvesKey { range: self.plotted_times(quantity), published: false, stereo, ..pin.key }
+    }
+
+    /// What all curves that are plotted depend on, each once.
+    #[must_use]
+    pub fn plotted_keys(&self) -> Vec<CurvesKey> {
+        let mut keys: Vec<CurvesKey> = Vec::new();
+        for &quantity in self.plotted_quantities() {
+            let points = self.session.points.all().iter().map(|point| self.plotted_key(point, quantity));
+            let pins = self.session.plotting.pins().iter().map(|pin| self.pinned_key(pin, quantity));
+            for key in points.chain(pins) {
+                if !keys.contains(&key) {
+                    keys.push(key);
+                }
+            }
+        }
+        keys
+    }
+}
