@@ -343,9 +343,9 @@ fn two_cursors_tell_the_difference() {
     };
     let [first, second] = [a, b].map(|time| disparity(Model::Exact, 0.9, time).dphi);
     assert!((value("ΔT = ") - (b - a)).abs() < 0.1, "{text}");
-    assert!((value("Δ = ") - (second - first)).abs() < 1e-3 * (second - first).abs(), "{text}");
+    assert!((value("Δ = ") - (second - first)).abs() < 6e-3 * (second - first).abs(), "{text}");
     let slope = (second - first) / (b - a);
-    assert!((value("slope = ") - slope).abs() < 1e-3 * slope.abs(), "{text}");
+    assert!((value("slope = ") - slope).abs() < 6e-3 * slope.abs(), "{text}");
     assert!(window.state_mut().plots_svg().contains(">B<"));
     click(&mut window, 0.5);
     assert!(window.state().state().session.plotting.cursors().is_empty() && legend(&window).is_none());

@@ -20,6 +20,7 @@ use super::support::{cyclist, labels, pane, type_into, window, window_of_size};
 pub const TESTS: &[Test] = &[
     ("the_reference_draws_the_views_if_chosen", the_reference_draws_the_views),
     ("the_accuracy_tab_measures_every_renderer", the_accuracy_tab_measures),
+    ("the_accuracy_tab_begins_with_what_its_figures_come_to", begins_with_a_conclusion),
     ("figures_are_of_the_views_that_are_shown", figures_are_of_the_views),
     ("hidden_figures_are_not_measured", hidden_figures_are_not_measured),
     ("clicking_a_renderer_in_the_table_or_the_plot_chooses_it", clicking_a_renderer_chooses_it),
@@ -110,6 +111,26 @@ fn figure(window: &Harness<'_, App>, renderer: &str, column: &str) -> f64 {
     let text = text.unwrap_or_else(|| panic!("no {start:?} in {all:?}"));
     let text = text.trim_start_matches("< ").trim_end_matches(" %").replace('−', "-");
     text.parse().unwrap_or_else(|_| panic!("{text:?} is a number"))
+}
+
+/// The sentence is of the figures in the table: the cheapest, and what is not worth its time.
+fn begins_with_a_conclusion() {
+    let mut window = small_window(cyclist(0.9));
+    window.get_by_label("Accuracy").click();
+    window.run_steps(2);
+    settle(&mut window);
+    let all = labels(&window);
+    let sentence = all.iter().find(|label| label.contains("cheapest here")).expect("a sentence");
+    let renderers = ["rays", "mesh 0.1 px", "mesh 0.5 px", "mesh 2 px", "reference"];
+    let ms = |renderer: &&str| figure(&window, renderer, "ms");
+    let cheapest = renderers.iter().min_by(|a, b| ms(a).total_cmp(&ms(b))).expect("some");
+    assert!(sentence.to_lowercase().starts_with(&format!("{cheapest}: error ")), "{sentence}");
+    // Rays are the nearest of what the GPU draws: a mesh that costs more gains nothing.
+    let is_worth = renderers[1..4].iter().any(|mesh| ms(mesh) < ms(&"rays"));
+    assert_eq!(sentence.contains("a mesh gains nothing"), !is_worth, "{sentence}");
+    assert!(sentence.contains("the reference has none, in "), "{sentence}");
+    let csv = window.state_mut().plots_csv();
+    assert_eq!(csv.lines().count(), 1 + renderers.len(), "{csv}");
 }
 
 fn the_accuracy_tab_measures() {

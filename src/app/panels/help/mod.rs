@@ -36,7 +36,7 @@ const SECTIONS: [(Section, &str); 5] = [
     (Section::Paper, "Paper"),
 ];
 
-const MOUSE: [(&str, &str); 9] = [
+const MOUSE: [(&str, &str); 12] = [
     ("Rest on something in a view", "what it is, where and when"),
     ("Click in a view", "follow that point"),
     ("Shift-click", "compare one more point"),
@@ -44,6 +44,9 @@ const MOUSE: [(&str, &str); 9] = [
     ("Scroll over a view", "zoom"),
     ("Double-click in a view", "frame the whole scene again"),
     ("Click or drag in a plot, on a worldline", "go to that T"),
+    ("Scroll, right-drag, double-click in a plot", "zoom, move, all of it"),
+    ("Shift-click in a plot", "a cursor: two tell the difference"),
+    ("Rest in a plot", "what the curves are there"),
     ("Click in the map", "follow that point"),
     ("Drag, scroll, double-click in the map", "move, zoom, fit it"),
 ];

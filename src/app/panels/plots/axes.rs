@@ -1,11 +1,10 @@
 //! What the plots over T have in common: frames, ticks, what the axes are called, pointing at a T.
 
-use eframe::egui::{self, Align2, Id, Rect, Sense, Stroke, TextStyle, Ui, pos2, vec2};
+use eframe::egui::{self, Align2, Id, PointerButton, Rect, Sense, Stroke, TextStyle, Ui, pos2, vec2};
 use egui_plot::{GridInput, GridMark, Plot, PlotBounds, PlotResponse};
 use relativity_core::math;
 
 use crate::app::curves::Quantity;
-use crate::figures;
 use crate::plot::{
     Axis, MOST_TICKS, at_least, extent, ticks_along, widened, with_factor, with_margin, zoom_step,
 };
@@ -17,8 +16,8 @@ pub(super) const Y_AXIS_WIDTH: f32 = 48.0;
 const NUMBER_ROOM: [f32; 2] = [58.0, 26.0];
 /// Least room between two numbers above each other.
 const LEAST_NUMBER_ROOM: f32 = 16.0;
-/// A plot less wide has no room for words at its axis.
-const NARROWEST_WITH_WORDS: f32 = 170.0;
+/// A plot less wide or less high has no room for words at its axis.
+const LEAST_WITH_WORDS: [f32; 2] = [170.0, 110.0];
 /// Least height of an axis as a part of the largest value, and most of what that asks for, radians.
 const LEAST_SHARE: f64 = 0.05;
 const LEAST_ANGLE: f64 = 0.01;
@@ -44,10 +43,8 @@ pub(super) fn still_plot<'a>(ui: &Ui, id: impl egui::AsIdSalt, size: egui::Vec2)
 /// A still plot over T, shown in `unit`.
 pub(super) fn plot_over_time<'a>(ui: &Ui, id: impl egui::AsIdSalt, unit: Unit, size: egui::Vec2) -> Plot<'a> {
     let ruler = Ruler::of_time(unit, size.x);
-    still_plot(ui, id, size)
-        .grid_spacing(1.0..=2.0)
-        .x_grid_spacer(move |input| ruler.grid(&input))
-        .x_axis_formatter(move |mark, range| ruler.text(mark, [*range.start(), *range.end()]))
+    ruler
+        .below(still_plot(ui, id, size))
         .link_cursor(Id::unique("cursor over T"), [true, false])
         .show_y(false)
         .label_formatter(|_| None)
@@ -73,9 +70,28 @@ impl Ruler {
 
     /// Of values of `quantity`, shown in `unit`, in a plot of this height.
     pub fn of_values(quantity: Quantity, unit: Unit, height: f32) -> Self {
+        Self { logarithmic: quantity.is_logarithm(), unit, ..Self::of_height(height) }
+    }
+
+    /// Of powers of ten, whose exponents are plotted, in a plot of this height.
+    pub fn of_powers(height: f32) -> Self {
+        Self { logarithmic: true, ..Self::of_height(height) }
+    }
+
+    /// The same along a plot of this width.
+    pub fn of_powers_along(width: f32) -> Self {
+        Self { logarithmic: true, ..Self::of_time(Unit::OWN, width) }
+    }
+
+    /// Of angles in a plot of this height.
+    pub fn of_angles(height: f32) -> Self {
+        Self::of_values(Quantity::DeltaPhi, Unit::OWN, height)
+    }
+
+    fn of_height(height: f32) -> Self {
         let [wanted, most] =
             [NUMBER_ROOM[1], LEAST_NUMBER_ROOM].map(|room| ticks_along(height.into(), room.into()));
-        Self { logarithmic: quantity.is_logarithm(), unit, wanted, most }
+        Self { logarithmic: false, unit: Unit::OWN, wanted, most }
     }
 
     /// A plotted value as the axis counts it.
@@ -103,6 +119,19 @@ impl Ruler {
         widened(self.logarithmic, range.map(|end| self.counted(end)), self.most).map(|end| self.plotted(end))
     }
 
+    /// The same of the values of `bounds`, whose times are told by another ruler.
+    pub fn widened_bounds(self, times: Self, bounds: &PlotBounds) -> PlotBounds {
+        let [[left, low], [right, high]] = [bounds.min(), bounds.max()];
+        let ([left, right], [low, high]) = (times.widened([left, right]), self.widened([low, high]));
+        PlotBounds::from_min_max([left, low], [right, high])
+    }
+
+    /// What stands at the axis over the values of `bounds`: `what / unit`, with the power of ten that its numbers have in
+    /// common.
+    pub fn label(self, what: &str, bounds: &PlotBounds) -> String {
+        with_factor(what, self.axis(self.widened([bounds.min()[1], bounds.max()[1]])).exponent)
+    }
+
     /// The axis over a plotted range.
     pub fn axis(self, range: [f64; 2]) -> Axis {
         Axis::within(self.logarithmic, range.map(|end| self.counted(end)), self.wanted)
@@ -121,6 +150,13 @@ impl Ruler {
         let ticks = self.axis(range).ticks.into_iter();
         let nearest = ticks.min_by(|a, b| off(a.place).total_cmp(&off(b.place)));
         nearest.map_or_else(String::new, |tick| tick.text)
+    }
+
+    /// `plot` with these ticks below it.
+    pub fn below(self, plot: Plot<'_>) -> Plot<'_> {
+        plot.grid_spacing(1.0..=2.0)
+            .x_grid_spacer(move |input| self.grid(&input))
+            .x_axis_formatter(move |mark, range| self.text(mark, [*range.start(), *range.end()]))
     }
 
     /// `plot` with these ticks beside it.
@@ -212,19 +248,6 @@ pub(super) const fn shown_in(quantity: Quantity, length: Unit) -> Unit {
     }
 }
 
-/// Lines at round numbers.
-pub(super) fn even_grid(input: GridInput) -> Vec<GridMark> {
-    egui_plot::log_grid_spacer(10)(input)
-}
-
-/// The text at a grid line: as many digits as tell it from its neighbours.
-pub(super) fn tick(value: f64, step: f64) -> String {
-    let decimals = (-math::log10(step.abs()).floor()).clamp(0.0, 9.0) as u8;
-    // Rounding, so that a grid line at -1e-17 reads 0.
-    let rounded = (value / step).round() * step + 0.0;
-    figures::fixed(rounded, decimals)
-}
-
 /// Names the axis, whose T is shown in `unit`, in the corner where that costs least, and T0, and frames the plot. Returns
 /// where it wrote that.
 pub(super) fn annotate(
@@ -238,7 +261,7 @@ pub(super) fn annotate(
     let painter = ui.painter().with_clip_rect(frame);
     let (small, weak) = (TextStyle::Small.resolve(ui.style()), ui.visuals().weak_text_color());
     let laid = |text: String| painter.layout_no_wrap(text, small.clone(), weak);
-    let is_wide = frame.width() >= NARROWEST_WITH_WORDS;
+    let is_wide = frame.width() >= LEAST_WITH_WORDS[0] && frame.height() >= LEAST_WITH_WORDS[1];
     let mut written = Vec::new();
     if let Some((time, words)) = equidistant {
         let x = response.transform.position_from_point_x(time);
@@ -266,15 +289,27 @@ pub(super) fn annotate(
     written
 }
 
-/// Names the cursors, whose lines are at these T, at their feet. Returns where it wrote that.
-pub(super) fn name_cursors(ui: &Ui, response: &PlotResponse<()>, cursors: &[f64]) -> Vec<Rect> {
+/// Names the cursors, whose lines are at these T, where nothing is `written`; and says where.
+pub(super) fn name_cursors(
+    ui: &Ui,
+    response: &PlotResponse<()>,
+    cursors: &[f64],
+    written: &[Rect],
+) -> Vec<Rect> {
     let frame = *response.transform.frame();
     let painter = ui.painter().with_clip_rect(frame);
     let name = |(name, &time): (&str, &f64)| {
         let x = response.transform.position_from_point_x(time);
-        let place = pos2(x + 2.0, frame.max.y - 2.0);
         let font = TextStyle::Small.resolve(ui.style());
-        painter.text(place, Align2::LEFT_BOTTOM, name, font, ui.visuals().text_color())
+        let galley = painter.layout_no_wrap(name.to_owned(), font, ui.visuals().text_color());
+        let spots = [0.97, 0.85, 0.75, 0.65].map(|share| {
+            Align2::LEFT_BOTTOM
+                .anchor_size(pos2(x + 2.0, frame.min.y + share * frame.height()), galley.size())
+        });
+        let is_free = |spot: &Rect| !written.iter().any(|taken| taken.intersects(*spot));
+        let place = spots.into_iter().find(is_free).unwrap_or(spots[0]);
+        painter.galley(place.min, galley, ui.visuals().text_color());
+        place
     };
     ["A", "B"].into_iter().zip(cursors).map(name).collect()
 }
@@ -287,7 +322,7 @@ pub(super) fn frame(ui: &Ui, response: &PlotResponse<()>) {
 
 /// The T that is pointed at with the button pressed.
 pub(super) fn time_at_pointer(response: &PlotResponse<()>) -> Option<f64> {
-    let pressed = response.response.dragged() || response.response.clicked();
+    let pressed = response.response.dragged_by(PointerButton::Primary) || response.response.clicked();
     let place = response.response.interact_pointer_pos().filter(|_| pressed)?;
     let time = response.transform.value_from_position(place).x;
     time.is_finite().then_some(time)

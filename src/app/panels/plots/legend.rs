@@ -40,7 +40,7 @@ enum Detail {
     Short,
     /// What is read at the cursors below each other.
     Stacked,
-    /// That of the selected point alone.
+    /// That of the selected point alone, and only names of the others.
     Selected,
 }
 
@@ -49,16 +49,16 @@ fn rows(ui: &Ui, chart: &Chart<'_>, detail: Detail) -> Vec<Row> {
     let visuals = ui.visuals();
     let plain = |text: &str| Row { line: None, text: text.to_owned(), colour: visuals.text_color() };
     let Some(cursors) = chart.cursors_text() else { return names(chart, detail, visuals) };
-    let is_selected = |trace: &&Trace<'_>| {
-        detail != Detail::Selected || (trace.wide && !trace.pale && trace.source.model != PUBLISHED)
-    };
-    let read = chart.traces.iter().filter(is_selected).flat_map(|trace| {
+    let read = chart.traces.iter().flat_map(|trace| {
+        let is_read =
+            detail != Detail::Selected || (trace.wide && !trace.pale && trace.source.model != PUBLISHED);
         let text = chart.at_cursors(trace).unwrap_or_default();
         let colour = trace.colour(visuals);
         let name = named(&trace.name, detail);
         let head = |text: String| Row { line: Some(line(trace)), text, colour };
         match detail {
             Detail::Full | Detail::Short => vec![head(format!("{name}  {text}"))],
+            Detail::Selected if !is_read => vec![head(name)],
             Detail::Stacked | Detail::Selected => {
                 let parts = text.split(", ").map(|part| Row { colour, ..plain(part) });
                 [head(name)].into_iter().chain(parts).collect()

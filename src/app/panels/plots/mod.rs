@@ -135,10 +135,10 @@ fn plot(ui: &mut Ui, size: egui::Vec2, state: &State, chart: &Chart<'_>, asks: &
         }
     });
     let mut drawn = Drawn::new(&response, chart);
-    drawn.written = axes::name_cursors(ui, &response, &chart.cursors);
     let covered = |spot| drawn.covered_by(spot);
-    let written = annotate(ui, &response, chart.time_unit, chart.equidistant, covered);
-    drawn.written.extend(written);
+    drawn.written = annotate(ui, &response, chart.time_unit, chart.equidistant, covered);
+    let names = axes::name_cursors(ui, &response, &chart.cursors, &drawn.written);
+    drawn.written.extend(names);
     legend::show(ui, &response, chart, &drawn);
     describe(&response, state, quantity);
     pointed::show(ui, &response, chart);

@@ -14,6 +14,9 @@ const PIXELS: f64 = 500.0;
 /// Most digits that are said of a number.
 const MOST_DIGITS: f64 = 12.0;
 
+/// How near to a line the pointer is at it, points.
+const NEAR: f32 = 6.0;
+
 /// As many digits of `value` as tell it from the next one so far off.
 fn resolved(value: f64, resolution: f64) -> String {
     let decimals = (-math::log10(resolution)).ceil().clamp(0.0, MOST_DIGITS);
@@ -69,12 +72,12 @@ impl Chart<'_> {
         let per = |unit: Unit| if unit.name.is_empty() { "unit" } else { unit.name };
         let unit = self.unit.suffix();
         let difference = significant(difference);
-        Some(format!("Δ = {difference}{unit}, slope = {slope}{unit} per {}", per(self.time_unit)))
+        Some(format!("Δ = {difference}{unit}, slope = {slope}{unit}/{}", per(self.time_unit)))
     }
 }
 
 fn significant(value: f64) -> String {
-    figures::significant(value, 4).replace('-', "−")
+    figures::significant(value, 3).replace('-', "−")
 }
 
 /// Says beside the pointer which T it is at, and what each curve is there.
@@ -86,11 +89,16 @@ pub(super) fn show(ui: &Ui, response: &PlotResponse<()>, chart: &Chart<'_>) {
         return;
     }
     let time = response.transform.value_from_position(pointer).x;
+    let is_near = |time: f64| (response.transform.position_from_point_x(time) - pointer.x).abs() < NEAR;
     let id = mouse.id.with("pointed");
     let tooltip = Tooltip::always_open(ui.ctx().clone(), mouse.layer_id, id, pointer).gap(14.0);
     tooltip.show(|ui| {
         ui.spacing_mut().item_spacing.y = 1.0;
         ui.label(RichText::new(format!("T = {}", chart.time_text(time))).small());
+        if let Some((time, words)) = chart.equidistant.filter(|(time, _)| is_near(*time)) {
+            let text = format!("T₀ = {}, {words}: equally far from both eyes", chart.time_text(time));
+            ui.label(RichText::new(text).small().strong());
+        }
         // As they stand in the legend, which has those on top last.
         for trace in &chart.traces {
             let value = trace.source.value(time);

@@ -19,12 +19,15 @@ pub fn sentence(examination: &Examination) -> Option<String> {
     let first = format!(
         "{}: error {}, cheapest here ({} ms)",
         capitalised(&cheapest.name()),
-        error(cheapest, cost),
+        if cheapest.method == Method::Reference { "none".to_owned() } else { px(cost.error_px) },
         figures::significant(cost.frame_ms, 2)
     );
     let more = others.iter().map(|(row, other)| {
         let times = figures::significant(other.frame_ms / cost.frame_ms, 2);
-        format!("{}: error {} for {times} times the time", row.name(), error(row, other))
+        if row.method == Method::Reference {
+            return format!("the reference has none, in {times} times the time");
+        }
+        format!("{}: error {}, in {times} times the time", row.name(), px(other.error_px))
     });
     let lost = |is_it: fn(Method) -> bool| {
         measured.iter().any(|(row, _)| is_it(row.method)) && !worth.iter().any(|(row, _)| is_it(row.method))
@@ -42,14 +45,6 @@ pub fn sentence(examination: &Examination) -> Option<String> {
 /// The methods that were measured in the present views.
 fn measured(examination: &Examination) -> Vec<(Row<'_>, &Figures)> {
     examination.rows().filter_map(|row| Some((row, row.measured()?))).collect()
-}
-
-/// How far off it is, in pixels.
-fn error(row: &Row<'_>, figures: &Figures) -> String {
-    if row.method == Method::Reference {
-        return "none".to_owned();
-    }
-    px(figures.error_px)
 }
 
 /// A small error as a part of a pixel: 1/20,000 px.

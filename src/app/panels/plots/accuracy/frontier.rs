@@ -1,16 +1,13 @@
 //! The Accuracy tab's plot: error against cost of each way to draw the present views, both as powers of ten.
 
-use std::ops::RangeInclusive;
-
-use eframe::egui::{self, Align2, Color32, RichText, TextStyle, Ui, Visuals};
-use egui_plot::{GridInput, GridMark, PlotBounds, PlotPoint, PlotResponse, PlotUi, Points, Text};
+use eframe::egui::{self, Align2, Color32, Rect, TextStyle, Ui, Vec2, Visuals, vec2};
+use egui_plot::{PlotBounds, PlotPoint, PlotResponse, PlotUi, Points};
 use relativity_core::math;
 use relativity_render::Method;
 
 use crate::app::examination::{Examination, Row};
-use crate::app::panels::plots::axes::{frame, still_plot};
+use crate::app::panels::plots::axes::{Ruler, frame, still_plot};
 use crate::app::theme;
-use crate::figures;
 use crate::plot::extent;
 use crate::settings::Quality;
 
@@ -46,17 +43,45 @@ impl Mark {
         place.iter().all(|value| value.is_finite()).then_some(mark)
     }
 
-    fn draw(&self, plot: &mut PlotUi<'_>, bounds: &PlotBounds) {
-        let text = &self.name;
-        let points = Points::new(text, vec![self.place]).color(self.colour).radius(self.radius);
+    fn draw(&self, plot: &mut PlotUi<'_>) {
+        let points = Points::new(&self.name, vec![self.place]).color(self.colour).radius(self.radius);
         plot.points(points.allow_hover(false));
-        let [x, y] = self.place;
-        // On the side where there is more room.
-        let is_left = 2.0 * x < bounds.min()[0] + bounds.max()[0];
-        let anchor = if is_left { Align2::LEFT_BOTTOM } else { Align2::RIGHT_BOTTOM };
-        let label = RichText::new(format!("  {text}  ")).small();
-        let label = Text::new(text, PlotPoint::new(x, y), label);
-        plot.text(label.anchor(anchor).color(self.colour).allow_hover(false));
+    }
+}
+
+/// How far a name is from the middle of its mark, points.
+const NAME_GAP: f32 = 8.0;
+
+/// Names the marks, each beside its own where no other name or mark is.
+fn name_marks(ui: &Ui, response: &PlotResponse<()>, marks: &[Mark]) {
+    let frame = *response.transform.frame();
+    let painter = ui.painter().with_clip_rect(frame);
+    let small = TextStyle::Small.resolve(ui.style());
+    let middle = |mark: &Mark| response.transform.position_from_point(&PlotPoint::from(mark.place));
+    let mut taken: Vec<Rect> = marks
+        .iter()
+        .map(|mark| Rect::from_center_size(middle(mark), Vec2::splat(2.0 * mark.radius)))
+        .collect();
+    for mark in marks {
+        let galley = painter.layout_no_wrap(mark.name.clone(), small.clone(), mark.colour);
+        let aside = 0.5 * galley.size() + Vec2::splat(NAME_GAP);
+        let ways = [
+            [1.0, 0.0],
+            [-1.0, 0.0],
+            [0.0, -1.0],
+            [0.0, 1.0],
+            [1.0, -1.0],
+            [1.0, 1.0],
+            [-1.0, -1.0],
+            [-1.0, 1.0],
+        ];
+        let spots =
+            ways.map(|[x, y]| Rect::from_center_size(middle(mark) + vec2(x, y) * aside, galley.size()));
+        let overlaps = |spot: &Rect| taken.iter().filter(|taken| taken.intersects(*spot)).count();
+        let cost = |spot: &Rect| overlaps(spot) + usize::from(!frame.contains_rect(*spot));
+        let Some(spot) = spots.into_iter().min_by_key(cost) else { continue };
+        painter.galley(spot.min, galley, mark.colour);
+        taken.push(spot);
     }
 }
 
@@ -67,18 +92,16 @@ pub fn show(ui: &mut Ui, size: egui::Vec2, examination: &Examination, quality: &
         Mark::of(&row, is_worth, quality.method(), ui.visuals())
     };
     let marks: Vec<Mark> = examination.rows().filter_map(mark).collect();
-    let bounds = bounds(&marks);
-    let response = still_plot(ui, "cost and error", size)
-        .x_grid_spacer(|input| decades(&input, 1.0))
-        .y_grid_spacer(|input| decades(&input, 2.0))
-        .x_axis_formatter(|mark, _: &RangeInclusive<f64>| figures::power_of_ten(mark.value))
-        .y_axis_formatter(|mark, _| figures::power_of_ten(mark.value))
-        .show(ui, |plot| {
-            plot.set_plot_bounds(bounds);
-            for mark in &marks {
-                mark.draw(plot, &bounds);
-            }
-        });
+    let rulers = rulers(size);
+    let bounds = bounds(&marks, rulers);
+    let [costs, errors] = rulers;
+    let response = errors.beside(costs.below(still_plot(ui, "cost and error", size))).show(ui, |plot| {
+        plot.set_plot_bounds(bounds);
+        for mark in &marks {
+            mark.draw(plot);
+        }
+    });
+    name_marks(ui, &response, &marks);
     annotate(ui, &response);
     if let Some(mark) = clicked(&marks, &response) {
         *quality = quality.with_method(mark.method);
@@ -91,7 +114,7 @@ fn annotate(ui: &Ui, response: &PlotResponse<()>) {
     let corners = response.transform.frame().shrink(5.0);
     let (small, weak) = (TextStyle::Small.resolve(ui.style()), ui.visuals().weak_text_color());
     ui.painter().text(corners.left_top(), Align2::LEFT_TOP, "direction / ″ (99 %)", small.clone(), weak);
-    ui.painter().text(corners.right_bottom(), Align2::RIGHT_BOTTOM, "ms", small, weak);
+    ui.painter().text(corners.right_bottom(), Align2::RIGHT_BOTTOM, "time / ms", small, weak);
     let role = egui::accesskit::Role::GraphicsObject;
     response.response.widget_info(|| egui::WidgetInfo::labeled(role, true, "Plot of error against cost"));
 }
@@ -105,19 +128,18 @@ fn clicked<'a>(marks: &'a [Mark], response: &PlotResponse<()>) -> Option<&'a Mar
     (distance(nearest) < REACH).then_some(nearest)
 }
 
+/// Of the costs and of the errors.
+fn rulers(size: egui::Vec2) -> [Ruler; 2] {
+    [Ruler::of_powers_along(size.x), Ruler::of_powers(size.y)]
+}
+
 /// All marks with a margin for their names; never of no size.
-fn bounds(marks: &[Mark]) -> PlotBounds {
+fn bounds(marks: &[Mark], rulers: [Ruler; 2]) -> PlotBounds {
     let range = |axis: usize, margin: f64| {
-        extent(marks.iter().map(|mark| mark.place[axis]))
-            .map_or([-1.0, 1.0], |[lowest, highest]| [lowest - margin.min(1.0), highest + margin])
+        let range = extent(marks.iter().map(|mark| mark.place[axis]))
+            .map_or([-1.0, 1.0], |[lowest, highest]| [lowest - margin.min(1.0), highest + margin]);
+        rulers[axis].widened(range)
     };
     let ([left, right], [bottom, top]) = (range(0, 0.6), range(1, 2.5));
     PlotBounds::from_min_max([left, bottom], [right, top])
-}
-
-/// Grid lines at every so many powers of ten.
-fn decades(input: &GridInput, step_size: f64) -> Vec<GridMark> {
-    let (from, to) = input.bounds;
-    let [first, last] = [(from / step_size).ceil(), (to / step_size).floor()].map(|mark| mark as i32);
-    (first..=last).map(|mark| GridMark { value: f64::from(mark) * step_size, step_size }).collect()
 }

@@ -1,25 +1,18 @@
 //! The samples, the fitted curve with its band, and what the fit leaves over.
 
-use std::ops::RangeInclusive;
-
-use eframe::egui::{self, Align, Color32, Layout, RichText, Ui, Vec2, Visuals, vec2};
-use egui_plot::{FilledArea, GridInput, GridMark, Line, Plot, PlotBounds, PlotPoint, PlotUi, Points, VLine};
-use relativity_core::math;
+use eframe::egui::{self, Align, Align2, Color32, Layout, RichText, TextStyle, Ui, Vec2, Visuals, vec2};
+use egui_plot::{FilledArea, Line, Plot, PlotBounds, PlotPoint, PlotUi, Points, VLine};
 
 use crate::app::command::Command;
 use crate::app::curves::Quantity;
 use crate::app::fitting::{FitOutcome, FittedCurve, Fitting};
 use crate::app::panels::Asks;
-use crate::app::panels::plots::axes::{
-    annotate, bounds, even_grid, label, plot_over_time, tick, time_at_pointer,
-};
+use crate::app::panels::plots::axes::{Ruler, annotate, bounds, label, plot_over_time, time_at_pointer};
 use crate::app::state::State;
 use crate::app::theme;
 
 /// How much of the height the residuals take, with the numbers along T.
 const RESIDUALS_SHARE: f32 = 0.44;
-/// Between lines of the grid, faint to strong, so that even low plots have a scale; points.
-const GRID_SPACING: RangeInclusive<f32> = 13.0..=70.0;
 /// Room for the numbers of both plots: residuals have one digit more.
 const Y_AXIS_WIDTH: f32 = 54.0;
 const TITLE_HEIGHT: f32 = 20.0;
@@ -57,24 +50,27 @@ pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
 /// A curve and its residuals, in `size`.
 fn pair(ui: &mut Ui, state: &State, fitting: &Fitting, quantity: Quantity, size: Vec2, asks: &mut Asks) {
     ui.spacing_mut().item_spacing.y = 2.0;
-    ui.horizontal(|ui| {
-        ui.set_height(TITLE_HEIGHT);
-        ui.add_space(Y_AXIS_WIDTH);
-        ui.label(RichText::new(format!("{} / rad", label(quantity))).strong());
-        if size.x >= NARROWEST_WITH_CAPTION {
-            ui.label(RichText::new("samples, fit, 95 % band").weak().small());
-        }
-    });
     let drawing = Drawing::new(ui.visuals(), state, fitting, quantity);
     let height = (size.y - TITLE_HEIGHT - 4.0).max(20.0);
     let has_residuals = drawing.fitted.is_some();
     let residuals_height = if has_residuals { RESIDUALS_SHARE * height } else { 0.0 };
+    let curve_height = height - residuals_height;
+    let what = format!("{} / rad", label(quantity));
+    ui.horizontal(|ui| {
+        ui.set_height(TITLE_HEIGHT);
+        ui.add_space(Y_AXIS_WIDTH);
+        let heading = Ruler::of_angles(curve_height).label(&what, &drawing.curve_bounds());
+        ui.label(RichText::new(heading).strong());
+        if size.x >= NARROWEST_WITH_CAPTION {
+            ui.label(RichText::new("samples, fit, 95 % band").weak().small());
+        }
+    });
     let name = label(quantity);
     let curve = Part {
         name: format!("Fit of {name} against T"),
-        size: vec2(size.x, height - residuals_height),
+        size: vec2(size.x, curve_height),
         with_times: !has_residuals,
-        grid: even_grid,
+        heading: None,
     };
     curve.show(ui, state, drawing.curve_bounds(), asks, |plot| drawing.curve(plot));
     if has_residuals {
@@ -82,7 +78,7 @@ fn pair(ui: &mut Ui, state: &State, fitting: &Fitting, quantity: Quantity, size:
             name: format!("Residuals of {name} against T"),
             size: vec2(size.x, residuals_height),
             with_times: true,
-            grid: |input| residual_grid(&input),
+            heading: Some("residuals / rad"),
         };
         residuals.show(ui, state, drawing.residual_bounds(), asks, |plot| drawing.residuals(plot));
     }
@@ -94,8 +90,8 @@ struct Part {
     size: Vec2,
     /// Whether T is written along it.
     with_times: bool,
-    /// Where its horizontal lines are.
-    grid: fn(GridInput) -> Vec<GridMark>,
+    /// What it is of, where that stands in it.
+    heading: Option<&'static str>,
 }
 
 impl Part {
@@ -111,31 +107,26 @@ impl Part {
         let unit = state.measures().time;
         let plot: Plot<'a> = plot_over_time(ui, self.name.as_str(), unit, self.size)
             .show_axes([self.with_times, true])
-            .grid_spacing(GRID_SPACING)
-            .y_axis_min_width(Y_AXIS_WIDTH)
-            .y_grid_spacer(self.grid)
-            .y_axis_formatter(|mark, _: &RangeInclusive<f64>| tick(mark.value, mark.step_size));
-        let response = plot.show(ui, move |plot| {
+            .y_axis_min_width(Y_AXIS_WIDTH);
+        let ruler = Ruler::of_angles(self.size.y);
+        let bounds = ruler.widened_bounds(Ruler::of_time(unit, self.size.x), &bounds);
+        let response = ruler.beside(plot).show(ui, move |plot| {
             plot.set_plot_bounds(bounds);
             plot.vline(now.allow_hover(false));
             contents(plot);
         });
         let _ = annotate(ui, &response, unit, None, |_| 0.0);
+        if let Some(heading) = self.heading {
+            let (small, weak) = (TextStyle::Small.resolve(ui.style()), ui.visuals().weak_text_color());
+            let place = response.transform.frame().left_top() + vec2(5.0, 2.0);
+            ui.painter().text(place, Align2::LEFT_TOP, ruler.label(heading, &bounds), small, weak);
+        }
         let info = || egui::WidgetInfo::labeled(egui::accesskit::Role::GraphicsObject, true, &self.name);
         response.response.widget_info(info);
         if let Some(time) = time_at_pointer(&response) {
             asks.push(Command::Time(time));
         }
     }
-}
-
-/// Lines at 0 and, on both sides of it, at the largest round number inside a plot around 0.
-fn residual_grid(input: &GridInput) -> Vec<GridMark> {
-    let most = 0.85 * input.bounds.1;
-    let decade = math::powf(10.0, math::log10(most).floor());
-    let step_size = [5.0, 2.0, 1.0].map(|digit| digit * decade).into_iter().find(|step| *step <= most);
-    let Some(step_size) = step_size else { return Vec::new() };
-    [-step_size, 0.0, step_size].map(|value| GridMark { value, step_size }).to_vec()
 }
 
 /// What is drawn of one curve.
