@@ -1,5 +1,7 @@
 //! How numbers are written on screen: fixed decimals, a true minus sign, and enough nines.
 
+use std::borrow::Cow;
+
 use relativity_core::Speed;
 use relativity_core::math;
 
@@ -108,12 +110,23 @@ pub fn power_of_ten(exponent: f64) -> String {
     format!("{value:.0e}").replace('-', "−")
 }
 
-/// The number a user typed: surrounding space, groups of digits and a true minus sign are all right.
+/// The number a user typed: surrounding space, groups of digits, a true minus sign and a decimal comma are all right.
 pub fn parsed(text: &str) -> Result<f64, String> {
     let plain: String = text.chars().filter(|c| !c.is_whitespace()).collect::<String>().replace('−', "-");
+    let plain = with_point(&plain);
     match plain.parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
         _ => Err(format!("“{}” is not a number", text.trim())),
+    }
+}
+
+/// A number with a decimal point in place of a decimal comma. What has a point already, or more commas, is left as it is.
+#[must_use]
+pub fn with_point(number: &str) -> Cow<'_, str> {
+    if number.matches(',').count() == 1 && !number.contains('.') {
+        Cow::Owned(number.replace(',', "."))
+    } else {
+        Cow::Borrowed(number)
     }
 }
 
@@ -154,5 +167,13 @@ mod tests {
         assert_eq!(parsed("−2"), Ok(-2.0));
         assert_eq!(parsed("fast"), Err("“fast” is not a number".to_owned()));
         assert!(parsed("inf").is_err());
+    }
+
+    #[test]
+    fn a_decimal_comma_is_a_decimal_point() {
+        assert_eq!((parsed("0,9"), parsed("−1,5e-3")), (Ok(0.9), Ok(-1.5e-3)));
+        for text in ["1,234,567", "1,234.5", ",", "0,9,"] {
+            assert!(parsed(text).is_err(), "{text}");
+        }
     }
 }

@@ -8,7 +8,7 @@ use gamow::cli::Cli;
 
 fn main() -> ExitCode {
     // The graphics libraries log as errors what they then get over, or what is reported below.
-    let quiet = env_logger::Env::default().default_filter_or("error,eframe=off,wgpu_hal=off");
+    let quiet = env_logger::Env::default().default_filter_or("error,eframe=off,wgpu_hal=off,rfd=off");
     env_logger::Builder::from_env(quiet).init();
     match gamow::cli::run(Cli::parse()) {
         Ok(()) => ExitCode::SUCCESS,

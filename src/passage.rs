@@ -53,7 +53,7 @@ pub fn time_of_approach(speed: &Speed, point: SourcePoint, pair: [Aperture; 2]) 
     if speed.beta() == 0.0 {
         return Ok(0.0);
     }
-    let [from, to] = fitted_range(speed, point);
+    let [from, to] = fitted_range(speed, point, pair);
     Ok(time_seen_at(-1.0, speed, point, pair)?.map_or(from, |time| time.clamp(from, to)))
 }
 
@@ -62,19 +62,27 @@ const SLOWEST_FITTED_BETA: f64 = 0.2;
 /// Smallest passing distance that the fitted range makes room for.
 const NEAREST_FITTED_DISTANCE: f64 = 0.05;
 
-/// First and last T of a range that shows `point` approaching, abreast and receding.
+/// First and last T of a range that shows `point` approaching, abreast and receding, to the middle between the `pair` and to both
+/// of them.
 #[must_use]
-pub fn fitted_range(speed: &Speed, point: SourcePoint) -> [f64; 2] {
+pub fn fitted_range(speed: &Speed, point: SourcePoint, pair: [Aperture; 2]) -> [f64; 2] {
     let slowest = Speed::from_beta(SLOWEST_FITTED_BETA).expect("it is below 1");
     let speed = if speed.beta() < slowest.beta() { slowest } else { *speed };
-    let nearest = math::hypot(point.y, point.z).max(NEAREST_FITTED_DISTANCE);
-    let passing = SourcePoint { y: nearest, z: 0.0, ..point };
+    let [from, to] = range_of(&speed, point, Aperture::default(), [-2.0, 3.0]);
+    // Eyes near each other are shown enough by that.
+    pair.map(|eye| range_of(&speed, point, eye, [-1.0, 1.0]))
+        .into_iter()
+        .fold([from, to], |[from, to], [first, last]| [first.min(from), last.max(to)])
+}
+
+/// The T at which the `eye` sees `point` abreast, and these numbers of passing distances sooner and later.
+fn range_of(speed: &Speed, point: SourcePoint, eye: Aperture, distances: [f64; 2]) -> [f64; 2] {
+    let nearest = math::hypot(point.y - eye.y, point.z - eye.z).max(NEAREST_FITTED_DISTANCE);
+    let passing = SourcePoint { y: eye.y + nearest, z: eye.z, ..point };
     // What is shown lies inside the domain of the core.
-    let abreast = observation_time_when_seen_at(&speed, passing, 0.0, Aperture::pair(0.0))
-        .ok()
-        .flatten()
-        .unwrap_or_default();
-    [-2.0, 3.0].map(|widths| abreast + widths * nearest / speed.beta())
+    let abreast =
+        observation_time_when_seen_at(speed, passing, 0.0, [eye; 2]).ok().flatten().unwrap_or_default();
+    distances.map(|distances| abreast + distances * nearest / speed.beta())
 }
 
 #[cfg(test)]
@@ -88,12 +96,36 @@ mod tests {
     fn fitted_range_shows_approach_and_recession() {
         for beta in [0.2, 0.6, 0.9, 0.9999] {
             let speed = Speed::from_beta(beta).expect("in range");
-            let [from, to] = fitted_range(&speed, TRACKED);
+            let [from, to] = fitted_range(&speed, TRACKED, Aperture::pair(0.1));
             let x = |time| {
                 sighting(&speed, TRACKED, Aperture::default(), time).expect("in the domain").position[0]
             };
             let distance = 13f64.sqrt();
             assert!(x(from) < -2.0 * distance && x(to) > 0.8 * distance, "beta = {beta}");
+        }
+    }
+
+    /// Eyes wide apart see it pass one long after the other; eyes near each other leave the range as it is.
+    #[test]
+    fn the_fitted_range_shows_the_passage_to_both_eyes() {
+        for beta in [0.2, 0.9, 0.9999] {
+            let speed = Speed::from_beta(beta).expect("in range");
+            let alone = fitted_range(&speed, TRACKED, Aperture::pair(0.0));
+            for d in [1e-3, 0.1, 2.0] {
+                assert_eq!(fitted_range(&speed, TRACKED, Aperture::pair(d)), alone, "beta = {beta}, d = {d}");
+            }
+            for pair in [
+                Aperture::pair(1000.0),
+                Aperture::pair(20.0),
+                [-40.0, 40.0].map(|y| Aperture { x: 0.0, y, z: 0.0 }),
+            ] {
+                let [from, to] = fitted_range(&speed, TRACKED, pair);
+                assert!(from <= alone[0] && to >= alone[1]);
+                for eye in pair {
+                    let x = |time| sighting(&speed, TRACKED, eye, time).expect("in the domain").position[0];
+                    assert!(x(from) < 0.0 && x(to) > 0.0, "beta = {beta}, {eye:?}: {} to {}", x(from), x(to));
+                }
+            }
         }
     }
 
@@ -111,7 +143,7 @@ mod tests {
             for x0 in [-10.0, 0.0, 10.0] {
                 let (speed, point) =
                     (Speed::from_beta(beta).expect("in range"), SourcePoint { x0, ..TRACKED });
-                let [from, to] = fitted_range(&speed, point);
+                let [from, to] = fitted_range(&speed, point, Aperture::pair(10.0));
                 let time = time_of_approach(&speed, point, Aperture::pair(10.0)).expect("in the domain");
                 assert!((from..=to).contains(&time), "beta = {beta}, x0 = {x0}: {time}");
             }

@@ -161,3 +161,19 @@ fn tube_radius(shape: &Shape) -> f64 {
         Shape::Box { .. } | Shape::Cylinder { .. } => unreachable!("{NO_FLAT_FACES}"),
     }
 }
+
+#[test]
+fn every_body_of_a_preset_has_a_name_of_its_own() {
+    for preset in PRESETS {
+        let scene = Scene::preset(preset).expect("it is a preset");
+        let unnamed = |name: &&String| {
+            let shapes = ["sphere ", "tube ", "ring ", "box ", "cylinder "];
+            shapes.into_iter().any(|shape| name.starts_with(shape))
+        };
+        assert_eq!(scene.names.iter().find(unnamed), None, "{preset}");
+        let mut names = scene.names.clone();
+        names.sort();
+        let twice = names.windows(2).find(|pair| pair[0] == pair[1]);
+        assert_eq!(twice, None, "{preset}");
+    }
+}

@@ -9,7 +9,7 @@ use gamow::app::observer::Eye;
 use gamow::app::state::State;
 use gamow::cli::Cli;
 use gamow::files::png::PngFile;
-use gamow::flags::choices::GazeChoice;
+use gamow::flags::choices::{GazeChoice, Layout};
 use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::scene::{PRESETS, Scene, Track};
 use gamow::settings::{Light, Preset, Settings, Subject, Theme};
@@ -161,6 +161,32 @@ fn a_scene_given_by_a_flag_starts_at_a_time_of_its_own() {
     );
     let state = started(&[], left);
     assert_eq!((state.session.time, state.session.points.selected().track.rest), (77.0, [1.0, 2.0, 3.0]));
+}
+
+/// A slide's command line.
+#[test]
+fn flags_that_name_a_scene_start_from_what_is_usual() {
+    let mut left = Settings { scene: "cyclist".to_owned(), time: Some(77.0), ..Settings::default() };
+    (left.motion.depth_shift, left.motion.height_shift, left.motion.d) = (-3.0, -2.0, 0.5);
+    left.light.sky = false;
+    left.picture.layout = Layout::Anaglyph;
+    left.window.plots = false;
+    for flags in [&["--scene", "street", "--beta", "0.9"][..], &["--scene=cyclist"], &["--state", "overhead"]]
+    {
+        assert_eq!(started(flags, left.clone()), started(flags, Settings::default()), "{flags:?}");
+    }
+    // As it was left, but for what belongs to the other scene.
+    let kept = started(&["--scene", "street", "--keep-settings"], left.clone()).settings;
+    assert_eq!((kept.motion.depth_shift, kept.motion.height_shift, kept.motion.d), (0.0, 0.0, 0.5));
+    assert_eq!((kept.light.sky, kept.picture.layout, kept.window.plots), (false, Layout::Anaglyph, false));
+    let same = started(&["--scene", "cyclist", "--keep-settings", "--d", "2"], left.clone());
+    assert_eq!((same.settings.motion.depth_shift, same.settings.motion.d), (-3.0, 2.0));
+    assert_eq!(same.session.time, 77.0);
+    let state = started(&["--state", "overhead", "--keep-settings"], left.clone()).settings;
+    let overhead = Preset::named("overhead").expect("a preset").settings.clone().in_place_of(&left);
+    assert_eq!(state, Settings { time: None, ..overhead });
+    // Whatever else is given, all is as it was left.
+    assert_eq!(started(&["--beta", "0.5"], left.clone()).settings.motion.d, 0.5);
 }
 
 fn render(folder: &Path, flags: &str) {

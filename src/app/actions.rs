@@ -1,9 +1,14 @@
 //! What the keys and the command palette do: one table, from which they act and from which the help is written.
 
+use eframe::egui::text_selection::LabelSelectionState;
 use eframe::egui::{Context, Event, Key, KeyboardShortcut, Modifiers};
 use relativity_render::Geometry;
 
+use super::chooser::{Product, Purpose};
 use super::command::Command;
+use super::focus;
+use super::orders::Copied;
+use super::plotting::PlotCommand;
 
 /// Something that can be asked for by name or by key.
 #[derive(Debug)]
@@ -24,12 +29,32 @@ const fn with_shift(key: Key) -> KeyboardShortcut {
     KeyboardShortcut::new(Modifiers::SHIFT, key)
 }
 
+const fn with_control(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::COMMAND, key)
+}
+
+const fn with_control_and_shift(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), key)
+}
+
+const fn save(product: Product) -> Command {
+    Command::Choose(Purpose::Save(product))
+}
+
 const fn action(name: &'static str, keys: &'static [KeyboardShortcut], command: Command) -> Action {
     Action { name, keys, command }
 }
 
+/// What a key multiplies the field of view by, and by how many widths of a view one looks aside.
+pub const ZOOM_STEP: f64 = 0.9;
+pub const LOOK_STEP: f64 = 0.05;
+
 /// All of them, in the order of the help.
 pub static ACTIONS: &[Action] = &[
+    action("undo the last step", &[with_control(Key::Z)], Command::Undo),
+    action("redo what was undone", &[with_control_and_shift(Key::Z), with_control(Key::Y)], Command::Redo),
+    action("all as usual", &[], Command::Reset),
+    action("open a file", &[with_control(Key::O)], Command::Choose(Purpose::Open)),
     action("play or pause", &[key(Key::Space)], Command::TogglePlaying),
     action("a step forwards in time", &[key(Key::ArrowRight)], Command::Step(1)),
     action("a step back in time", &[key(Key::ArrowLeft)], Command::Step(-1)),
@@ -46,16 +71,50 @@ pub static ACTIONS: &[Action] = &[
     action("at rest", &[key(Key::Num3)], Command::Geometry(Geometry::Rest)),
     action("one light cone for both eyes", &[key(Key::Num4)], Command::Geometry(Geometry::OneCone)),
     action("frame: the whole scene in the views", &[key(Key::F)], Command::Frame),
+    action("follow the next body", &[key(Key::N)], Command::FollowNext(1)),
+    action("follow the body before", &[with_shift(Key::N)], Command::FollowNext(-1)),
+    action("zoom in", &[key(Key::Plus), key(Key::Equals)], Command::Magnify(ZOOM_STEP)),
+    action("zoom out", &[key(Key::Minus)], Command::Magnify(1.0 / ZOOM_STEP)),
+    action("look to the left", &[], Command::LookAside([-LOOK_STEP, 0.0])),
+    action("look to the right", &[], Command::LookAside([LOOK_STEP, 0.0])),
+    action("look up", &[], Command::LookAside([0.0, LOOK_STEP])),
+    action("look down", &[], Command::LookAside([0.0, -LOOK_STEP])),
     action("next layout of the two pictures", &[key(Key::L)], Command::NextLayout(1)),
     action("the layout before", &[with_shift(Key::L)], Command::NextLayout(-1)),
     action("swap the eyes", &[key(Key::X)], Command::SwapEyes),
     action("show or hide the map", &[key(Key::M)], Command::ToggleMap),
     action("draw the map in the ground's or the bicycle's frame", &[key(Key::G)], Command::ToggleFrame),
+    action(
+        "a cursor in the plots at T: the first, the second, none",
+        &[key(Key::C)],
+        Command::Plotting(PlotCommand::Cursor(None)),
+    ),
+    action(
+        "pin the curves of the selected point in the plots",
+        &[key(Key::K)],
+        Command::Plotting(PlotCommand::Pin),
+    ),
+    action("unpin all curves", &[with_shift(Key::K)], Command::Plotting(PlotCommand::Unpin)),
+    action("the whole of every plot", &[], Command::Plotting(PlotCommand::Whole)),
     action("the whole screen", &[key(Key::F11)], Command::ToggleFullScreen),
     action("present: large writing, and no controls", &[key(Key::P)], Command::TogglePresenting),
     action("the views in a window of their own, for a projector", &[key(Key::W)], Command::ToggleProjector),
     action("the preset before", &[key(Key::PageUp)], Command::ShowNext(-1)),
     action("the next preset", &[key(Key::PageDown)], Command::ShowNext(1)),
+    action("find what to do by its name", &[with_control(Key::P)], Command::TogglePalette),
+    action("fit own data", &[], Command::Choose(Purpose::OpenData)),
+    action("fit simulated data", &[], Command::Simulate),
+    action("save the picture", &[with_control(Key::S)], save(Product::Picture)),
+    action("save the state", &[with_control_and_shift(Key::S)], save(Product::State)),
+    action("save the plots as a drawing", &[], save(Product::PlotsSvg)),
+    action("save the plots as a table", &[], save(Product::PlotsCsv)),
+    action("save a film", &[], save(Product::Film)),
+    action("save the fit", &[], save(Product::Fit)),
+    action("copy the command of this window", &[with_control(Key::C)], Command::Copy(Copied::Command)),
+    action("copy the picture", &[], Command::Copy(Copied::Picture)),
+    action("copy the command of the picture", &[], Command::Copy(Copied::RenderCommand)),
+    action("copy the command of the curves", &[], Command::Copy(Copied::CurveCommand)),
+    action("copy the values at T", &[], Command::Copy(Copied::Values)),
     action("this help", &[key(Key::Questionmark), key(Key::F1)], Command::ToggleHelp),
     action("close, leave", &[key(Key::Escape)], Command::Close),
 ];
@@ -82,25 +141,31 @@ fn keys_text(keys: KeyboardShortcut) -> String {
     format!("{held}{name}")
 }
 
-/// What the keys pressed since the last frame ask for; nothing while a widget has the keyboard.
+/// What the keys pressed since the last frame ask for, but for those that the widget with the keyboard takes.
 pub fn asked(ctx: &Context) -> Vec<Command> {
-    if ctx.egui_wants_keyboard_input() {
-        return Vec::new();
-    }
-    ctx.input(|input| input.events.iter().filter_map(command).collect())
+    let is_copying_text = ctx.plugin::<LabelSelectionState>().lock().has_selection();
+    let is_meant = |event: &&Event| !(is_copying_text && **event == Event::Copy);
+    let pressed: Vec<_> = ctx.input(|input| input.events.iter().filter(is_meant).filter_map(bound).collect());
+    pressed.into_iter().filter(|(keys, _)| !focus::takes(ctx, *keys)).map(|(_, command)| command).collect()
 }
 
-fn command(event: &Event) -> Option<Command> {
-    let Event::Key { key, pressed: true, modifiers, .. } = event else { return None };
-    let all = || ACTIONS.iter().flat_map(|action| action.keys.iter().map(move |keys| (keys, action)));
-    let bound = |shift: bool| {
-        all().find(|(keys, _)| {
+/// The keys of an action that `event` presses, and what that asks for.
+fn bound(event: &Event) -> Option<(KeyboardShortcut, Command)> {
+    let (key, modifiers) = match event {
+        Event::Key { key, pressed: true, modifiers, .. } => (key, modifiers),
+        // The system's own name for Ctrl+C.
+        Event::Copy => (&Key::C, &Modifiers::COMMAND),
+        _ => return None,
+    };
+    let all = ACTIONS.iter().flat_map(|action| action.keys.iter().map(move |keys| (*keys, action)));
+    let found = |shift: bool| {
+        all.clone().find(|(keys, _)| {
             let held = keys.modifiers;
             keys.logical_key == *key
                 && (held.command, held.alt, held.shift) == (modifiers.command, modifiers.alt, shift)
         })
     };
     // Some keyboards need shift for a key that others have by itself.
-    let found = bound(modifiers.shift).or_else(|| bound(false));
-    found.map(|(_, action)| action.command.clone())
+    let found = found(modifiers.shift).or_else(|| found(false));
+    found.map(|(keys, action)| (keys, action.command.clone()))
 }

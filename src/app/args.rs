@@ -1,6 +1,6 @@
 //! The flags with which the window starts in a given state.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Arg, Args};
 
@@ -9,7 +9,7 @@ use super::state::State;
 use crate::flags::choices::sides;
 use crate::settings::{Settings, StartArgs};
 
-/// Flags of the window. A setting that is not given is as it was left, or as usual.
+/// Flags of the window. A setting that is not given is as it was left or, with a scene or a state given, as usual.
 #[derive(Debug, Clone, Args)]
 #[command(mut_args(without_the_files))]
 pub struct WindowArgs {
@@ -22,6 +22,10 @@ pub struct WindowArgs {
     /// Start to present: on the whole screen, with large writing, and without controls.
     #[arg(long)]
     present: bool,
+    /// With `--scene` or `--state`, which start from what is usual: have the rest as it was left (with a state, the parts of the
+    /// window, the screen and the layout).
+    #[arg(long)]
+    keep_settings: bool,
     /// Inner size of the window.
     #[arg(long, value_parser = size, value_name = "WIDTHxHEIGHT")]
     window_size: Option<[u32; 2]>,
@@ -44,13 +48,20 @@ fn without_the_files(flag: Arg) -> Arg {
 const DEFAULT_SIZE: [u32; 2] = [1280, 800];
 
 impl WindowArgs {
-    /// The state to start in: settings as they were `left`, with what the flags say in their stead.
+    /// The state to start in: settings as they were `left`, unless the flags name what is shown, with what they say in
+    /// their stead.
     ///
     /// # Errors
     /// A bad flag, file or scene.
     pub fn state(&self, left: Settings) -> anyhow::Result<State> {
-        let mut state = State::open(self.start.settings(left)?)?;
+        let is_kept = self.keep_settings || !self.start.name_what_is_shown();
+        let mut state =
+            State::open(self.start.settings(if is_kept { left } else { Settings::default() })?)?;
         state.session.playing = self.play;
+        state.session.opened = self.start.file().map(Path::to_owned);
+        for file in state.shown_files().iter().rev() {
+            state.session.recent.add(file);
+        }
         if self.present {
             state.session.stage = Stage::presented();
         }

@@ -54,7 +54,7 @@ impl State {
         let is_told = scene.is_some() && point.track.motion == Motion::Scene;
         let point = self.direction(point, eye).filter(|&direction| !is_told && !camera.shows(direction)).map(
             |direction| {
-                let name = point.name(&self.session.scene);
+                let name = self.name_of(point);
                 Beyond::new(name, &camera, direction, Some(point.number))
             },
         );
@@ -166,7 +166,7 @@ mod tests {
         state.settings.look.fov = FieldOfView(Some(8.0));
         let [beyond] = state.beyond(Eye::Left, SIZE).try_into().expect("one arrow");
         assert_eq!(beyond.point, Some(1));
-        assert!(beyond.text().starts_with("point 1 (front tyre) "), "{}", beyond.text());
+        assert!(beyond.text().starts_with("front tyre "), "{}", beyond.text());
     }
 
     #[test]

@@ -1,8 +1,143 @@
-//! Which file to open or to write: asked for in a dialog of the system, or typed.
+//! What a file is chosen for, and what can be in it.
+
+use std::path::{Path, PathBuf};
 
 /// What a file is chosen for.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Purpose {
     /// To show what is in it.
     Open,
+    /// To fit the measured disparities in it.
+    OpenData,
+    /// To write this.
+    Save(Product),
+}
+
+/// What can be written to a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Product {
+    /// The views, as a picture that records its state.
+    Picture,
+    /// The shown plots, as SVG.
+    PlotsSvg,
+    /// What the shown plots are made of, as CSV.
+    PlotsCsv,
+    /// The state, as TOML.
+    State,
+    /// T running through its range once.
+    Film,
+    /// The fit, as JSON.
+    Fit,
+}
+
+impl Product {
+    /// What it is called after "the".
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Picture => "picture",
+            Self::PlotsSvg | Self::PlotsCsv => "plots",
+            Self::State => "state",
+            Self::Film => "film",
+            Self::Fit => "fit",
+        }
+    }
+
+    /// Whether it is made of pictures, which can be of any size.
+    #[must_use]
+    pub const fn has_size(self) -> bool {
+        matches!(self, Self::Picture | Self::Film)
+    }
+
+    /// Whether it can be a folder of files, which has no ending.
+    #[must_use]
+    pub const fn can_be_a_folder(self) -> bool {
+        matches!(self, Self::Film)
+    }
+
+    /// What the names of its files end in, the usual ending first.
+    #[must_use]
+    pub const fn endings(self) -> &'static [&'static str] {
+        match self {
+            Self::Picture => &["png"],
+            Self::PlotsSvg => &["svg"],
+            Self::PlotsCsv => &["csv"],
+            Self::State => &["toml"],
+            Self::Film => &["gif", "png"],
+            Self::Fit => &["json"],
+        }
+    }
+
+    /// What a file of it is called at first, of `scene`.
+    #[must_use]
+    pub fn file_name(self, scene: &str) -> String {
+        let what = match self {
+            Self::Picture => "",
+            Self::PlotsSvg | Self::PlotsCsv => "-plots",
+            Self::State => "-state",
+            Self::Film => "-film",
+            Self::Fit => "-fit",
+        };
+        format!("{scene}{what}.{}", self.endings()[0])
+    }
+
+    /// `path` with the usual ending where it has none.
+    ///
+    /// # Errors
+    ///
+    /// Another ending.
+    pub fn with_ending(self, path: &Path) -> Result<PathBuf, String> {
+        let Some(extension) = path.extension().map(|extension| extension.to_string_lossy().to_lowercase())
+        else {
+            return Ok(if self.can_be_a_folder() {
+                path.to_owned()
+            } else {
+                path.with_extension(self.endings()[0])
+            });
+        };
+        if self.endings().contains(&extension.as_str()) {
+            return Ok(path.to_owned());
+        }
+        Err(match self {
+            Self::Film => {
+                "The name of a film ends in .gif or .png; a folder of pictures has no ending.".to_owned()
+            }
+            _ => format!("The name of such a file ends in .{}.", self.endings()[0]),
+        })
+    }
+}
+
+impl Purpose {
+    /// What the window that asks is called.
+    #[must_use]
+    pub const fn title(self) -> &'static str {
+        match self {
+            Self::Open => "Open a scene, a state, a picture or data",
+            Self::OpenData => "Fit own data",
+            Self::Save(Product::Picture) => "Save the picture",
+            Self::Save(Product::PlotsSvg) => "Save the plots as SVG",
+            Self::Save(Product::PlotsCsv) => "Save the plots as CSV",
+            Self::Save(Product::State) => "Save the state",
+            Self::Save(Product::Film) => "Save a film",
+            Self::Save(Product::Fit) => "Save the fit",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_get_the_ending_of_what_is_in_the_file() {
+        let named = |product: Product, name| product.with_ending(Path::new(name));
+        assert_eq!(named(Product::Picture, "a/ride"), Ok(PathBuf::from("a/ride.png")));
+        assert_eq!(named(Product::Picture, "ride.PNG"), Ok(PathBuf::from("ride.PNG")));
+        assert_eq!(named(Product::Film, "ride"), Ok(PathBuf::from("ride")));
+        assert!(named(Product::Film, "ride.avi").expect_err("no film").contains(".gif or .png"));
+        assert_eq!(
+            named(Product::State, "ride.png"),
+            Err("The name of such a file ends in .toml.".to_owned())
+        );
+    }
 }

@@ -1,6 +1,6 @@
 //! Everything that can be done in the window, and the one place where it is done.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use relativity_render::{Camera, Gaze, Geometry};
 
@@ -8,18 +8,21 @@ use super::chooser::Purpose;
 use super::clock;
 use super::notice::Notice;
 use super::observer::Eye;
+use super::orders::{Copied, Order, Saving};
+use super::overlay::Overlay;
+use super::plotting::PlotCommand;
+use super::pointer::{Pick, Select, Turn, Zoom};
 use super::stage::{Part, next_to_show};
 use super::state::{Session, State};
+use super::usual::Section;
 use crate::comfort::comfortable_separation;
 use crate::flags::FieldOfView;
-use crate::flags::choices::{FileKind, GazeChoice, Layout};
+use crate::flags::choices::{GazeChoice, Layout};
 use crate::map::Viewpoint;
 use crate::passage::time_within;
-use crate::platform::files;
-use crate::scene::Track;
 use crate::settings::{
     Daylight, FOV_DEGREES, FitSetup, Frame, Light, Look, Map, Motion, Playback, Plots, Presence, Preset,
-    Quality, Screen, Settings, SettingsError, Window, looks_like_settings,
+    Quality, Screen, Settings, Window,
 };
 
 /// Something the user asked for.
@@ -43,6 +46,8 @@ pub enum Command {
     Playback(Playback),
     /// New choice of curves.
     Plots(Plots),
+    /// Look at another part of the plots, or mark or keep something in them.
+    Plotting(PlotCommand),
     /// Another face or frame of the map.
     Map(Map),
     /// Look at another part of the map.
@@ -71,12 +76,20 @@ pub enum Command {
     Turn(Turn),
     /// Multiply the field of view; what is seen at a place stays there.
     Zoom(Zoom),
+    /// Look aside: to the right and up, in widths of a view.
+    LookAside([f64; 2]),
+    /// Multiply the field of view; what is seen in the middle stays there.
+    Magnify(f64),
     /// Hold the whole scene in the views.
     Frame,
+    /// The same, asked for by a double click, whose first click may have picked a point: [`super::steps`] takes that back.
+    FollowAgain,
     /// Select the point of the scene at a pixel of an eye's picture.
     Pick(Pick),
     /// Select a point of the scene.
     Select(Select),
+    /// Follow the body so many further in the list of them, or back.
+    FollowNext(isize),
     /// Select a followed point.
     SelectPoint(usize),
     /// No longer follow a point.
@@ -89,12 +102,34 @@ pub enum Command {
     ShowNext(i32),
     /// Show what is in a file: a scene, settings, or a picture with which settings it was made.
     Open(PathBuf),
+    /// Show what a file that is shown says by now.
+    Reload(PathBuf),
     /// Ask which file to open or to write.
     Choose(Purpose),
+    /// Have all as it was before the last step.
+    Undo,
+    /// Make the step again that was undone.
+    Redo,
+    /// Have all as usual but for the parts of the window, its units and the screen.
+    Reset,
+    /// Have the settings of a section as usual.
+    ResetSection(Section),
+    /// Fit the measured disparities in a file.
+    OpenData(PathBuf),
+    /// Fit simulated disparities again.
+    Simulate,
+    /// Write a file.
+    Save(Saving),
+    /// Copy something.
+    Copy(Copied),
+    /// Give up what is being saved.
+    StopSaving,
     /// Show or hide the map.
     ToggleMap,
     /// Draw the map in the other frame.
     ToggleFrame,
+    /// Show or hide the command palette.
+    TogglePalette,
     /// Show or hide the help.
     ToggleHelp,
     /// Take the whole screen, or leave it.
@@ -105,63 +140,16 @@ pub enum Command {
     ToggleProjector,
     /// Have a part alone in the window, or all others again.
     ToggleMaximised(Part),
-    /// Close what can be closed, else leave what the window was made.
+    /// Close the message.
+    CloseNotice,
+    /// Close what is on top, else leave what the window was made.
     Close,
-}
-
-/// A movement of the pointer that takes the scene along.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Turn {
-    /// In whose picture.
-    pub eye: Eye,
-    /// From where, in pixels from the top left corner.
-    pub from: [f64; 2],
-    /// To where.
-    pub to: [f64; 2],
-    /// Width and height of the picture, pixels.
-    pub size: [u32; 2],
-}
-
-/// A turn of the wheel over a picture.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Zoom {
-    /// Whose picture.
-    pub eye: Eye,
-    /// Where, in pixels from the top left corner.
-    pub pixel: [f64; 2],
-    /// Width and height of the picture, pixels.
-    pub size: [u32; 2],
-    /// What the field of view is multiplied by.
-    pub factor: f64,
-}
-
-/// A click into a picture.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pick {
-    /// Whose picture.
-    pub eye: Eye,
-    /// Where, in pixels from the top left corner.
-    pub pixel: [f64; 2],
-    /// Width and height of the picture, pixels.
-    pub size: [u32; 2],
-    /// Whether to follow it beside the others.
-    pub add: bool,
-}
-
-/// A point of the scene.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Select {
-    /// Where it rests, and how that moves.
-    pub track: Track,
-    /// The number of the body it is on.
-    pub body: usize,
-    /// Whether to follow it beside the others.
-    pub add: bool,
 }
 
 impl State {
     /// Does what was asked.
-    pub fn apply(&mut self, command: Command) {
+    pub(super) fn perform(&mut self, command: Command) {
+        self.session.missed = None;
         match command {
             Command::Motion(motion) => self.settings.motion = motion,
             Command::Look(look) => self.settings.look = look,
@@ -177,6 +165,7 @@ impl State {
             Command::Quality(quality) => self.settings.quality = quality,
             Command::Playback(playback) => self.settings.playback = playback,
             Command::Plots(plots) => self.settings.plots = plots,
+            Command::Plotting(command) => self.apply_to_plots(command),
             Command::Map(map) => self.set_map(map),
             Command::MapView(viewpoint) => self.session.map_view = viewpoint,
             Command::Fit(fit) => self.settings.fit = fit,
@@ -184,7 +173,7 @@ impl State {
             Command::Screen(screen) => self.settings.screen = screen,
             Command::Narrow => self.narrow(),
             Command::Time(time) => self.session.time = clock::bounded(time),
-            Command::Step(steps) => self.step(steps),
+            Command::Step(steps) => self.step_in_time(steps),
             Command::TimeInRange(fraction) => {
                 self.session.time = clock::bounded(time_within(self.time_range(), fraction));
             }
@@ -195,28 +184,45 @@ impl State {
             Command::Geometry(geometry) => self.settings.look.geometry = geometry,
             Command::Turn(turn) => self.turn(turn),
             Command::Zoom(zoom) => self.zoom(zoom),
-            Command::Frame => {
+            Command::Frame | Command::FollowAgain => {
                 self.settings.look.gaze = GazeChoice::Whole;
                 self.settings.look.fov = FieldOfView(None);
             }
+            Command::LookAside(aside) => self.look_aside(aside),
+            Command::Magnify(factor) => {
+                let size = self.session.picture_size;
+                let pixel = size.map(|side| 0.5 * f64::from(side));
+                self.zoom(Zoom { eye: Eye::Left, pixel, size, factor });
+            }
             Command::Pick(pick) => self.pick(pick),
             Command::Select(Select { track, body, add }) => self.session.points.choose(track, body, add),
+            Command::FollowNext(steps) => self.follow_next(steps),
             Command::SelectPoint(index) => self.session.points.select(index),
             Command::RemovePoint(index) => self.session.points.remove(index),
-            Command::Preset(name) => self.show(self.with_scene(name.to_owned())),
+            Command::Preset(name) => self.show(self.settings.clone().with_scene(name.to_owned())),
             Command::State(preset) => {
                 self.show(preset.settings.clone().in_place_of(&self.settings));
             }
             Command::ShowNext(steps) => {
                 if let Some(preset) = next_to_show(self.session.preset, steps) {
-                    self.apply(Command::State(preset));
+                    self.perform(Command::State(preset));
                 }
             }
-            Command::Open(path) => match self.settings_in(&path) {
-                Ok(settings) => self.show(settings),
-                Err(error) => self.session.notice = Some(Notice::error(error)),
-            },
+            Command::Open(path) => self.open_file(path),
+            Command::Reload(path) => self.reload(&path),
             Command::Choose(purpose) => self.session.chooser = Some(purpose),
+            // Not done here, but by going through the steps.
+            Command::Undo | Command::Redo => {}
+            Command::Reset => self.show(self.as_usual()),
+            Command::ResetSection(section) => self.reset(section),
+            Command::OpenData(path) => self.open_data(&path),
+            Command::Simulate => self.session.data = None,
+            Command::Save(saving) => {
+                self.session.chooser = None;
+                self.session.orders.push(Order::Save(saving));
+            }
+            Command::Copy(copied) => self.session.orders.push(Order::Copy(copied)),
+            Command::StopSaving => self.session.orders.push(Order::Stop),
             Command::ToggleMap => {
                 let is_shown = self.session.shows_map;
                 self.settings.window.map = if is_shown { Presence::Off } else { Presence::On };
@@ -228,19 +234,31 @@ impl State {
                 };
                 self.set_map(Map { frame, ..self.settings.map });
             }
-            Command::ToggleHelp => self.session.help = !self.session.help,
+            Command::TogglePalette => self.toggle(Overlay::Palette),
+            Command::ToggleHelp => self.toggle(Overlay::Help),
             Command::ToggleFullScreen => self.session.stage.full_screen = !self.session.stage.full_screen,
             Command::TogglePresenting => self.session.stage.toggle_presenting(),
             Command::ToggleProjector => self.session.stage.projector = !self.session.stage.projector,
             Command::ToggleMaximised(part) => self.session.stage.toggle_maximised(part),
+            Command::CloseNotice => self.session.notice = None,
             Command::Close => self.close(),
         }
     }
 
+    fn toggle(&mut self, overlay: Overlay) {
+        self.session.overlay = Some(overlay).filter(|_| self.session.overlay != Some(overlay));
+    }
+
     fn close(&mut self) {
-        let Session { help, notice, chooser, stage, .. } = &mut self.session;
-        if *help || notice.is_some() || chooser.is_some() {
-            (*help, *notice, *chooser) = (false, None, None);
+        let Session { overlay, notice, chooser, stage, .. } = &mut self.session;
+        if *overlay == Some(Overlay::Palette) {
+            *overlay = None;
+        } else if chooser.is_some() {
+            *chooser = None;
+        } else if notice.is_some() {
+            *notice = None;
+        } else if overlay.is_some() {
+            *overlay = None;
         } else {
             stage.leave();
         }
@@ -262,12 +280,8 @@ impl State {
     }
 
     fn set_light(&mut self, light: Light) {
-        let is_rebuilt = light.surroundings != self.settings.light.surroundings;
-        self.settings.light = light;
-        if is_rebuilt {
-            let Session { playing, preset, .. } = self.session;
-            self.show(self.shown());
-            (self.session.playing, self.session.preset) = (playing, preset);
+        if let Err(error) = self.set(Settings { light, ..self.settings.clone() }) {
+            self.session.notice = Some(Notice::error(error));
         }
     }
 
@@ -287,7 +301,7 @@ impl State {
         self.settings.map = map;
     }
 
-    fn step(&mut self, steps: i32) {
+    fn step_in_time(&mut self, steps: i32) {
         let size = clock::step_size(self.time_range());
         // Onto the multiples of the step, so that stepping gives round times.
         let next = (self.session.time / size).round() + f64::from(steps);
@@ -307,6 +321,14 @@ impl State {
     fn turn(&mut self, turn: Turn) {
         let camera = self.view(turn.eye, turn.size).camera;
         self.stay_at(camera.gaze_with(camera.line_of_sight(turn.from), turn.to));
+    }
+
+    fn look_aside(&mut self, [across, up]: [f64; 2]) {
+        let size = self.session.picture_size;
+        let [width, height] = size.map(f64::from);
+        let from = [0.5 * width, 0.5 * height];
+        let to = [from[0] - across * width, from[1] + up * width];
+        self.turn(Turn { eye: Eye::Left, from, to, size });
     }
 
     fn zoom(&mut self, zoom: Zoom) {
@@ -333,39 +355,55 @@ impl State {
                 Some(Notice::error("With the right eye as published, click in the left eye's view."));
             return;
         }
-        if let Some((track, body)) = self.point_at(pick.eye, pick.pixel, pick.size) {
-            self.session.points.choose(track, body, pick.add);
+        let meant = self.meant(pick.eye, pick.pixel, pick.size);
+        match meant.and_then(|pixel| self.point_at(pick.eye, pixel, pick.size)) {
+            Some((track, body)) => {
+                self.session.points.choose(track, body, pick.add);
+                self.session.hint = false;
+            }
+            None => self.session.missed = Some(pick),
         }
     }
 
-    /// These settings with another scene, a preset or a file.
-    fn with_scene(&self, scene: String) -> Settings {
-        Settings { scene, ..self.settings.clone() }
-    }
-
-    /// The settings that the file at `path` leads to. What it does not say of the window's parts and of the layout stays as
-    /// it is; the rest is as usual.
-    fn settings_in(&self, path: &Path) -> Result<Settings, SettingsError> {
-        let is_scene = FileKind::of(path).is_none()
-            && !files::read_to_string(path).is_ok_and(|text| looks_like_settings(&text));
-        if is_scene {
-            return Ok(self.with_scene(path.to_string_lossy().into_owned()));
+    fn follow_next(&mut self, steps: isize) {
+        let scene = &self.session.scene;
+        let body = self.session.points.selected().body.or_else(|| scene.tracked_body());
+        let next = body.unwrap_or(0).wrapping_add_signed(steps);
+        // Before the first comes the last.
+        let count = scene.bodies.len();
+        let next = if next >= count { if steps > 0 { 0 } else { count - 1 } } else { next };
+        if let Some(track) = scene.track_on(next) {
+            self.session.points.choose(track, next, false);
         }
-        Settings::default().in_place_of(&self.settings).with_file(path)
     }
 
     /// Shows what `settings` say; where their scene cannot be had, a message. T runs on unless they give one.
-    fn show(&mut self, settings: Settings) {
+    pub(super) fn show(&mut self, settings: Settings) {
         let starts_at_a_time = settings.time.is_some();
+        let scene = PathBuf::from(&settings.scene);
         match Self::open(settings) {
             Ok(state) => {
                 let playing = self.session.playing && !starts_at_a_time;
-                let Session { picture_size, cm_per_pixel, stage, shows_map, .. } = self.session;
-                let session =
-                    Session { playing, picture_size, cm_per_pixel, stage, shows_map, ..state.session };
+                let Session { picture_size, cm_per_pixel, stage, shows_map, hint, .. } = self.session;
+                let history = std::mem::take(&mut self.session.history);
+                let (data, orders) = (self.session.data.take(), std::mem::take(&mut self.session.orders));
+                let recent = std::mem::take(&mut self.session.recent);
+                let session = Session {
+                    playing,
+                    picture_size,
+                    cm_per_pixel,
+                    stage,
+                    shows_map,
+                    hint,
+                    history,
+                    data,
+                    orders,
+                    recent,
+                    ..state.session
+                };
                 *self = Self { session, ..state };
             }
-            Err(error) => self.session.notice = Some(Notice::error(error)),
+            Err(error) => self.session.notice = Some(Notice::error(error).about(&scene)),
         }
     }
 }

@@ -37,6 +37,25 @@ impl Quantity {
     }
 }
 
+/// One curve of a point: of a quantity and, where that has several, which of them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Curve {
+    /// Delta-phi.
+    DeltaPhi,
+    /// Delta-theta.
+    DeltaTheta,
+    /// phi of the left (0) or the right (1) eye.
+    Phi(usize),
+    /// theta of an eye.
+    Theta(usize),
+    /// Decimal logarithm of D of an eye.
+    LogDoppler(usize),
+    /// Decimal logarithm of the stereo gain.
+    LogGain,
+    /// Decimal logarithm of a distance.
+    LogDistance(DistanceKind),
+}
+
 /// A distance of a point at one T.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DistanceKind {
@@ -51,17 +70,6 @@ pub enum DistanceKind {
 impl DistanceKind {
     /// All of them.
     pub const ALL: [Self; 4] = [Self::Stereo, Self::Seen(0), Self::Seen(1), Self::Measured];
-
-    /// What the curve with this number is of: those come first that are there at every T.
-    #[must_use]
-    pub const fn of_curve(number: usize) -> Self {
-        match number {
-            0 => Self::Measured,
-            1 => Self::Seen(1),
-            2 => Self::Seen(0),
-            _ => Self::Stereo,
-        }
-    }
 }
 
 /// What a point's curves depend on.
@@ -140,16 +148,29 @@ impl OfModel {
         Self { eyes, gains, distances }
     }
 
-    fn of(&self, quantity: Quantity) -> &[Vec<PlotPoint>] {
-        match quantity {
-            Quantity::DeltaPhi => &self.eyes[0..1],
-            Quantity::DeltaTheta => &self.eyes[1..2],
-            Quantity::Phi => &self.eyes[2..4],
-            Quantity::Theta => &self.eyes[4..6],
-            Quantity::LogDoppler => &self.eyes[6..8],
-            Quantity::LogGain => &self.gains,
-            Quantity::LogDistance => &self.distances,
+    fn of(&self, curve: Curve) -> &[Vec<PlotPoint>] {
+        if let Some(channel) = eyes_channel(curve) {
+            return &self.eyes[channel..=channel];
         }
+        let Curve::LogDistance(kind) = curve else { return &self.gains };
+        let from = match kind {
+            DistanceKind::Measured => 0,
+            DistanceKind::Seen(eye) => 2 - eye,
+            DistanceKind::Stereo => return self.distances.get(3..).unwrap_or_default(),
+        };
+        self.distances.get(from..=from).unwrap_or_default()
+    }
+}
+
+/// Where a curve of what each eye sees is among the [`EYES`]; `None` of the others.
+const fn eyes_channel(curve: Curve) -> Option<usize> {
+    match curve {
+        Curve::DeltaPhi => Some(0),
+        Curve::DeltaTheta => Some(1),
+        Curve::Phi(eye) => Some(2 + eye),
+        Curve::Theta(eye) => Some(4 + eye),
+        Curve::LogDoppler(eye) => Some(6 + eye),
+        Curve::LogGain | Curve::LogDistance(_) => None,
     }
 }
 
@@ -175,28 +196,43 @@ impl Curves {
         &self.key
     }
 
-    /// The curve in the model of what the views show or, for a quantity of each eye, the pair; of distances each kind.
-    /// None that is not wanted.
+    /// The pieces of a curve in this `model`: that of the key, or the exact one; of a disparity also the published one. None
+    /// of what is not wanted.
     #[must_use]
-    pub fn shown(&self, quantity: Quantity) -> &[Vec<PlotPoint>] {
-        self.shown.of(quantity)
-    }
-
-    /// The same in the exact model, where that is another.
-    #[must_use]
-    pub fn exact(&self, quantity: Quantity) -> &[Vec<PlotPoint>] {
-        self.exact.as_ref().map_or(&[], |exact| exact.of(quantity))
-    }
-
-    /// The published model's curve; empty for what that model does not change or if it is not wanted.
-    #[must_use]
-    pub fn published(&self, quantity: Quantity) -> &[PlotPoint] {
-        match quantity {
-            Quantity::DeltaPhi => &self.published[0],
-            Quantity::DeltaTheta => &self.published[1],
+    pub fn pieces(&self, curve: Curve, model: Model) -> &[Vec<PlotPoint>] {
+        let published = |number: usize| {
+            if self.key.published { &self.published[number..=number] } else { &[] }
+        };
+        match (model, &self.exact, curve) {
+            _ if model == self.key.model => self.shown.of(curve),
+            (Model::Published(_), _, Curve::DeltaPhi) => published(0),
+            (Model::Published(_), _, Curve::DeltaTheta) => published(1),
+            (Model::Exact, Some(exact), _) => exact.of(curve),
             _ => &[],
         }
     }
+}
+
+/// The published model, of which disparities have a curve.
+pub const PUBLISHED: Model = Model::Published(PublishedVariant::AppendixA);
+
+/// What a `curve` of the point of `key` is at `time` in this `model`, as plotted; `None` outside the domain of the core,
+/// and where there is no such thing.
+#[must_use]
+pub fn value(key: &CurvesKey, model: Model, curve: Curve, time: f64) -> Option<f64> {
+    if let (Model::Published(_), Curve::DeltaPhi | Curve::DeltaTheta) = (model, curve) {
+        return published_values(key, time)
+            .map(|[dphi, dtheta]| if curve == Curve::DeltaPhi { dphi } else { dtheta });
+    }
+    if let Some(channel) = eyes_channel(curve) {
+        return Some(values(key, model, time)?[channel]);
+    }
+    let view = stereo_view(key, model, time)?;
+    let value = match curve {
+        Curve::LogDistance(kind) => view.distances[DistanceKind::ALL.iter().position(|&any| any == kind)?],
+        _ => view.gain,
+    };
+    Some(math::log10(value?)).filter(|log| log.is_finite())
 }
 
 fn values(key: &CurvesKey, model: Model, time: f64) -> Option<[f64; EYES]> {
@@ -216,8 +252,7 @@ fn values(key: &CurvesKey, model: Model, time: f64) -> Option<[f64; EYES]> {
 }
 
 fn published_values(key: &CurvesKey, time: f64) -> Option<[f64; 2]> {
-    let model = Model::Published(PublishedVariant::AppendixA);
-    let both = key.velocity.disparity(model, key.rest, key.baseline.apertures(), time).ok()?;
+    let both = key.velocity.disparity(PUBLISHED, key.rest, key.baseline.apertures(), time).ok()?;
     let values = [both.dphi, both.dtheta];
     values.iter().all(|value| value.is_finite()).then_some(values)
 }

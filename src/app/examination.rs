@@ -8,7 +8,9 @@ use super::heat_map;
 use super::observer::Eye;
 use super::stillness::Stillness;
 use super::worker::{Wanted, Worker};
-use crate::accuracy::{DifferenceFigures, Effort, ExpectedError, MESH_BOUNDS_PX, Spread, expected_error};
+use crate::accuracy::{
+    DifferenceFigures, Effort, ExpectedError, MESH_BOUNDS_PX, RESOLUTION_PX, Spread, expected_error,
+};
 use crate::figures;
 
 /// What is examined: the present views.
@@ -35,6 +37,8 @@ pub struct Figures {
     pub doppler: Option<Spread>,
     /// Share of the covered pixels that show another body.
     pub wrong_share: f64,
+    /// How far off it is in all, pixels: 99 % of the outlines that can be told apart, and of the directions, are nearer.
+    pub error_px: f64,
 }
 
 /// How far each eye's picture is off, pixel by pixel.
@@ -88,15 +92,27 @@ pub struct Row<'a> {
     pub is_current: bool,
 }
 
-impl Row<'_> {
+impl<'a> Row<'a> {
+    /// Its figures, if they were measured in the present views.
+    #[must_use]
+    pub fn measured(&self) -> Option<&'a Figures> {
+        self.figures.filter(|_| self.is_current)?.as_ref().ok()
+    }
+
     /// What the method is called.
     #[must_use]
     pub fn name(&self) -> String {
-        match self.method {
-            Method::Rays => "rays".to_owned(),
-            Method::Mesh { bound_px } => format!("mesh {} px", figures::trimmed(bound_px, 3)),
-            Method::Reference => "reference".to_owned(),
-        }
+        method_name(self.method)
+    }
+}
+
+/// What a method is called.
+#[must_use]
+pub fn method_name(method: Method) -> String {
+    match method {
+        Method::Rays => "rays".to_owned(),
+        Method::Mesh { bound_px } => format!("mesh {} px", figures::trimmed(bound_px, 3)),
+        Method::Reference => "reference".to_owned(),
     }
 }
 
@@ -184,6 +200,19 @@ impl Examination {
         })
     }
 
+    /// The method that costs less than that of `row` and is no further off, or costs no more and is nearer; `None` of
+    /// what is worth its time, and before that is known.
+    #[must_use]
+    pub fn better_than(&self, row: &Row<'_>) -> Option<Method> {
+        let own = row.measured()?;
+        let is_better = |other: &Figures| {
+            other.frame_ms <= own.frame_ms
+                && other.error_px <= own.error_px
+                && (other.frame_ms < own.frame_ms || other.error_px < own.error_px)
+        };
+        self.rows().find_map(|other| is_better(other.measured()?).then_some(other.method))
+    }
+
     /// How far the picture of `eye` by `method` is off, pixel by pixel, once that is known and while somebody looks.
     pub fn heat_map(&mut self, ctx: &Context, eye: Eye, method: Method) -> Option<&TextureHandle> {
         self.sight.as_ref()?;
@@ -243,12 +272,13 @@ fn examined(
         (*eye, heat_map::image(&error.difference, view.camera.px_per_radian()))
     };
     let maps = views.iter().zip(&found).map(map).collect();
-    Ok(Some((Figures::of(&found), maps)))
+    let px_per_radian = views.iter().map(|(_, view)| view.camera.px_per_radian()).fold(0.0, f64::max);
+    Ok(Some((Figures::of(&found, px_per_radian), maps)))
 }
 
 impl Figures {
-    /// Of what was found in the eyes' views.
-    fn of(found: &[ExpectedError]) -> Self {
+    /// Of what was found in the eyes' views, a radian of which is so many pixels.
+    fn of(found: &[ExpectedError], px_per_radian: f64) -> Self {
         let worse = |spread: fn(&ExpectedError) -> Option<Spread>| {
             found.iter().filter_map(spread).reduce(Spread::worse)
         };
@@ -256,10 +286,16 @@ impl Figures {
             found.iter().map(|error| count(&error.difference.figures)).sum()
         };
         let covered = sum(|figures| figures.covered_pixels).max(1);
+        let outlines_px = worse(|error| error.outlines_px);
+        let line_of_sight_arcseconds = worse(|error| error.difference.figures.line_of_sight_arcseconds);
+        let outlines = outlines_px.map_or(0.0, |spread| spread.p99);
+        let directions = line_of_sight_arcseconds.map_or(0.0, |spread| spread.p99);
+        let told_apart = if outlines > RESOLUTION_PX { outlines } else { 0.0 };
         Self {
+            error_px: told_apart.max((directions / 3600.0).to_radians() * px_per_radian),
             frame_ms: found.iter().map(|error| error.frame_ms).sum(),
-            outlines_px: worse(|error| error.outlines_px),
-            line_of_sight_arcseconds: worse(|error| error.difference.figures.line_of_sight_arcseconds),
+            outlines_px,
+            line_of_sight_arcseconds,
             doppler: worse(|error| error.difference.figures.doppler_relative),
             wrong_share: sum(|figures| figures.wrong_pixels) as f64 / covered as f64,
         }

@@ -1,9 +1,10 @@
 //! Opens the window, or says in one sentence why it cannot be opened and what to do instead.
 
 use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
+use std::path::Path;
 
-use eframe::egui::ViewportBuilder;
-use eframe::{CreationContext, NativeOptions};
+use eframe::egui::{ViewportBuilder, ViewportCommand};
+use eframe::{CreationContext, NativeOptions, WindowBuilderHook};
 
 use super::args::WindowArgs;
 use super::notice::Notice;
@@ -60,26 +61,42 @@ fn open(args: &WindowArgs) -> anyhow::Result<()> {
         .with_min_inner_size([480.0, 320.0]);
     let options = NativeOptions {
         viewport,
-        // A size that is asked for is not overruled by a remembered one.
+        // A size that is asked for is no habit: it does not take the place of the remembered one.
         persist_window: args.window_size().is_none(),
+        window_builder: args
+            .window_size()
+            .map(|size| -> WindowBuilderHook { Box::new(move |viewport| of_size(viewport, size)) }),
         wgpu_options: graphics::configuration(),
         ..NativeOptions::default()
     };
     let args = args.clone();
     let create = move |cc: &CreationContext<'_>| {
         let left = cc.storage.map(memory::remembered).unwrap_or_default();
-        let state = state_from(&args, left)?;
+        let mut state = state_from(&args, left)?;
+        state.session.recent.extend(cc.storage.map(memory::recent).unwrap_or_default());
+        if args.window_size().is_some() {
+            // Where windows are shown before they can be maximised, eframe has a remembered one so once more.
+            cc.egui_ctx.send_viewport_cmd(ViewportCommand::Fullscreen(false));
+            cc.egui_ctx.send_viewport_cmd(ViewportCommand::Maximized(false));
+        }
+        state.session.hint = cc.storage.is_none_or(memory::is_of_a_newcomer);
         Ok(Box::new(App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state)) as Box<dyn eframe::App>)
     };
     run_guarded(|| eframe::run_native(APP_ID, options, Box::new(create)))
 }
 
+/// The window that eframe is to make, which has put the remembered size into it, with the size that is asked for instead.
+fn of_size(viewport: ViewportBuilder, size: [u32; 2]) -> ViewportBuilder {
+    viewport.with_inner_size(size.map(|side| side as f32)).with_maximized(false).with_fullscreen(false)
+}
+
 /// The state to start in. Where the scene that was left is no more, the usual one is shown, and why.
 fn state_from(args: &WindowArgs, left: Settings) -> anyhow::Result<State> {
-    let usual = Settings { scene: Settings::default().scene, ..left.clone() };
+    let scene = left.scene.clone();
+    let usual = left.clone().with_scene(Settings::default().scene);
     args.state(left).or_else(|error| {
         let mut state = args.state(usual)?;
-        state.session.notice = Some(Notice::error(error));
+        state.session.notice = Some(Notice::error(error).about(Path::new(&scene)));
         Ok(state)
     })
 }

@@ -44,6 +44,8 @@ const SENTENCE_HEIGHTS: [f32; 2] = [22.0, 38.0];
 const NARROWEST_LINE: f32 = 1000.0;
 /// Height of the readout down to the times and places, and with all of its rows.
 const READOUT_HEIGHTS: [f32; 2] = [274.0, 345.0];
+/// How much of the side the readout takes at most.
+const READOUT_SHARE: f32 = 0.42;
 /// Height of the controls of motion and view, which the readout leaves to them before it grows.
 const CONTROLS_HEIGHT: f32 = 472.0;
 /// Height of its title and what two eyes make of the point alone.
@@ -55,6 +57,8 @@ const CENTRE_WIDTH: f32 = 280.0;
 const NARROWEST_WITH_CONTROLS: f32 = 560.0;
 /// Lowest plots and views of use.
 const LOWEST: f32 = 90.0;
+/// Lower plots and views do without words between them.
+const LOWEST_BESIDE_WORDS: f32 = 210.0;
 /// How much of the height the plots take from the views.
 const PLOTS_SHARE: f32 = 0.38;
 /// Height that the fit with its table and residuals needs. The other tabs get as much, so that the tabs stay in
@@ -77,6 +81,13 @@ impl Layout {
     #[must_use]
     pub fn shows(&self, content: Content) -> bool {
         self.panes.iter().any(|pane| pane.content == content)
+    }
+
+    /// Where a message stands, at the top: over the views, else below the bar of a window with this inner `area`.
+    #[must_use]
+    pub fn message_room(&self, area: Rect) -> Rect {
+        let views = self.panes.iter().map(|pane| pane.rect).reduce(Rect::union);
+        views.unwrap_or(area.with_min_y(self.bar.max.y))
     }
 
     /// The layout of a window with this inner `area`, whose views are `arranged` and whose plots are those of `tab`.
@@ -271,7 +282,7 @@ fn words_heights(width: f32, height: f32, window: Window) -> [f32; 2] {
     let sentence = if width >= NARROWEST_LINE { in_a_line } else { in_two };
     let wanted = [(window.spectrum, SPECTRUM_HEIGHT), (window.sentence, sentence)]
         .map(|(is_on, height)| if is_on && window.views { height } else { 0.0 });
-    let lowest = if window.plots { 2.0 * LOWEST } else { LOWEST };
+    let lowest = if window.plots { 2.0 * LOWEST_BESIDE_WORDS } else { LOWEST };
     if height - wanted.iter().sum::<f32>() >= lowest { wanted } else { [0.0; 2] }
 }
 
@@ -280,7 +291,7 @@ fn side_parts(side: Rect, readout: bool) -> (Option<Rect>, Option<Rect>) {
     let [least, most] = READOUT_HEIGHTS;
     let whole = (side.height() - CONTROLS_HEIGHT).clamp(least, most);
     let wanted = if readout { whole } else { FOLDED_READOUT_HEIGHT };
-    let readout_height = wanted.min(side.height() / 2.0);
+    let readout_height = wanted.min(READOUT_SHARE * side.height());
     let (controls, readout) = split_top(side, side.height() - readout_height);
     (Some(controls), large_enough(readout))
 }
@@ -318,15 +329,17 @@ mod tests {
     }
 
     #[test]
-    fn the_smallest_supported_window_holds_every_part() {
-        let layout = layout(1024.0, 600.0);
+    fn the_smallest_supported_window_holds_every_part_but_the_words() {
+        let layout = layout(800.0, 600.0);
         assert_eq!(layout.panes.len(), 2);
         let panes = layout.panes.iter().map(|pane| Some(pane.rect));
-        assert!(layout.spectrum.is_some() && layout.sentence.is_some());
+        assert!(layout.spectrum.is_none() && layout.sentence.is_none());
         for part in [layout.controls, layout.readout, layout.plots].into_iter().chain(panes) {
             let part = part.expect("shown");
-            assert!(part.width() >= 280.0 && part.height() >= 140.0, "{part:?}");
+            assert!(part.width() >= 225.0 && part.height() >= 200.0, "{part:?}");
         }
+        let taller = of([1024.0, 700.0], Window::default());
+        assert!(taller.spectrum.is_some() && taller.sentence.is_some());
     }
 
     fn layout_of(area: Rect, window: Window, tab: PlotTab) -> Layout {

@@ -2,10 +2,15 @@
 
 use eframe::Storage;
 
+use super::recent::Recent;
+use super::state::State;
+use crate::platform::files;
 use crate::settings::{Legacy, Settings};
 
 /// Where the settings are kept, as the text of a file of settings.
 const KEY: &str = "settings";
+/// Where the files that were opened are kept.
+const RECENT: &str = "recent";
 
 /// The settings as they were left; as usual if there are none that can be read.
 #[must_use]
@@ -22,7 +27,31 @@ pub fn remembered(storage: &dyn Storage) -> Settings {
     })
 }
 
-/// Keeps `settings`.
-pub fn remember(storage: &mut dyn Storage, settings: &Settings) {
+/// The files that were opened.
+#[must_use]
+pub fn recent(storage: &dyn Storage) -> Recent {
+    storage.get_string(RECENT).map(|text| Recent::of_text(&text)).unwrap_or_default()
+}
+
+/// Keeps what is shown, and which files were opened. A scene's file is found again wherever the program starts next.
+pub fn remember(storage: &mut dyn Storage, state: &State) {
+    let mut settings = state.shown();
+    if let Some(path) = state.scene_file().and_then(|path| files::canonical(path).ok()) {
+        settings.scene = path.to_string_lossy().into_owned();
+    }
     storage.set_string(KEY, settings.to_toml());
+    storage.set_string(RECENT, state.session.recent.to_text());
+}
+
+/// Where it is kept that the user once followed a point by a click.
+const CLICKED: &str = "clicked";
+
+/// Whether nobody has yet followed a point by a click.
+pub fn is_of_a_newcomer(storage: &dyn Storage) -> bool {
+    storage.get_string(CLICKED).is_none()
+}
+
+/// Keeps that somebody has.
+pub fn remember_a_click(storage: &mut dyn Storage) {
+    storage.set_string(CLICKED, "yes".to_owned());
 }

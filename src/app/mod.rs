@@ -10,6 +10,7 @@ mod background_picture;
 pub mod beyond;
 pub mod border;
 pub mod chooser;
+mod choosing;
 pub mod clock;
 pub mod command;
 pub mod corrected;
@@ -19,10 +20,13 @@ pub mod examination;
 mod eyes;
 pub mod fitting;
 mod flicker;
+mod focus;
 mod full_screen;
 mod graphics;
 mod halo;
 mod heat_map;
+pub mod highlight;
+pub mod history;
 mod icon;
 pub mod launch;
 mod layout;
@@ -30,27 +34,40 @@ mod layouts;
 pub mod memory;
 pub mod notice;
 pub mod observer;
+mod opening;
+pub mod orders;
+pub mod overlay;
 mod panels;
 pub mod panes;
+pub mod plotting;
+pub mod pointer;
 pub mod points;
 mod projector;
+pub mod recent;
+mod saving;
 mod screenshot;
 mod speed_slider;
 pub mod stage;
 pub mod state;
+pub mod steps;
 mod stillness;
 mod theme;
 pub mod under;
+pub mod usual;
 mod views;
+mod watch;
 mod widgets;
 mod worker;
+
+use std::path::PathBuf;
 
 use eframe::egui::{self, Rect, Ui, UiBuilder};
 use eframe::egui_wgpu::RenderState;
 
+use choosing::Chooser;
 use command::Command;
 use corrected::Corrected;
-use curves::{Curves, CurvesKey};
+use curves::Curves;
 use examination::Examination;
 use eyes::EyePictures;
 use fitting::Fitting;
@@ -58,8 +75,10 @@ use full_screen::FullScreen;
 use layout::{Layout, Presentation};
 use panels::{Asks, plots::Plotted};
 use panes::{Arrangement, Content};
+use saving::Saver;
 use stage::Part;
 use state::State;
+use watch::Watch;
 
 use crate::settings::{PlotTab, Settings};
 
@@ -75,6 +94,9 @@ pub struct App {
     projected: Option<EyePictures>,
     full_screen: FullScreen,
     text_scale: f32,
+    chooser: Chooser,
+    saver: Saver,
+    watch: Option<Watch>,
 }
 
 /// How much larger than usual writing is for an audience.
@@ -95,6 +117,9 @@ impl App {
             projected: None,
             full_screen: FullScreen::default(),
             text_scale: 1.0,
+            chooser: Chooser::default(),
+            saver: Saver::default(),
+            watch: None,
         }
     }
 
@@ -122,10 +147,34 @@ impl App {
         self.examination.as_ref()
     }
 
+    /// What the shown tab of plots shows, as SVG.
+    #[must_use]
+    pub fn plots_svg(&mut self) -> String {
+        self.update_curves();
+        panels::plots::svg(&self.state, self.plotted())
+    }
+
+    /// What the shown tab of plots shows, as CSV.
+    #[must_use]
+    pub fn plots_csv(&mut self) -> String {
+        self.update_curves();
+        panels::plots::csv(&self.state, self.plotted())
+    }
+
+    /// What there is to plot.
+    const fn plotted(&self) -> Plotted<'_> {
+        Plotted {
+            curves: self.curves.as_slice(),
+            fitting: &self.fitting,
+            examination: self.examination.as_ref(),
+        }
+    }
+
     /// Whether everything is as it stays while nothing changes: no work in the background is left.
     #[must_use]
     pub fn is_settled(&self) -> bool {
         !self.fitting.is_pending()
+            && !self.saver.is_busy()
             && self.corrected.as_ref().is_none_or(Corrected::is_up_to_date)
             && !self.examination.as_ref().is_some_and(Examination::is_pending)
             && self.eyes.as_ref().is_none_or(EyePictures::is_settled)
@@ -158,6 +207,7 @@ impl App {
     }
 
     fn apply(&mut self, ctx: &egui::Context, asks: Asks) {
+        ctx.input(|input| self.state.session.history.hear(input));
         if !asks.is_empty() {
             // Panels that were shown before this one show the change in the next frame.
             ctx.request_repaint();
@@ -167,11 +217,20 @@ impl App {
         }
     }
 
+    /// Those of the files that are shown which have changed on disk.
+    fn changed_files(&mut self, ctx: &egui::Context) -> Vec<PathBuf> {
+        let shown = self.state.shown_files();
+        if self.watch.as_ref().is_none_or(|watch| watch.paths() != shown) {
+            self.watch = (!shown.is_empty()).then(|| Watch::new(ctx.clone(), shown));
+        }
+        self.watch.as_ref().map(Watch::changed).unwrap_or_default()
+    }
+
     /// Brings the curves up to date; those that still hold are kept.
     fn update_curves(&mut self) {
-        let keys: Vec<CurvesKey> =
-            self.state.session.points.all().iter().map(|point| self.state.curve_key(point)).collect();
-        self.curves = keys
+        self.curves = self
+            .state
+            .plotted_keys()
             .into_iter()
             .map(|key| match self.curves.iter().position(|curves| *curves.key() == key) {
                 Some(kept) => self.curves.swap_remove(kept),
@@ -195,7 +254,12 @@ impl App {
         ctx.set_theme(theme::preference(self.state.settings.window.theme));
         let mut asks = actions::asked(&ctx);
         asks.extend(dropped_file(&ctx));
+        panels::palette::show(&ctx, &self.state, &mut asks);
         panels::help::show(&ctx, &self.state, &mut asks);
+        self.chooser.update(&self.state, &mut asks);
+        panels::chooser::show(&ctx, &self.state, &mut self.chooser, &mut asks);
+        panels::saving::show(&ctx, &self.saver, &mut asks);
+        asks.extend(self.changed_files(&ctx).into_iter().map(Command::Reload));
         self.apply(&ctx, asks);
         self.set_stage(&ctx);
 
@@ -206,7 +270,9 @@ impl App {
         } else {
             self.show_parts(ui, area);
         }
+        focus::paint(&ctx);
         self.update_projector(&ctx);
+        self.fulfil_orders(ui);
         if self.state.session.playing {
             ctx.request_repaint();
         }
@@ -273,6 +339,7 @@ impl App {
         for &border in &layout.borders {
             self.panel(ui, "borders", area, |ui, state, asks| panels::borders::show(ui, state, border, asks));
         }
+        self.message(&ctx, layout.message_room(area), area);
         self.corrected.take_if(|_| !layout.shows(Content::Corrected));
         self.forget_composed(&layout.panes);
     }
@@ -298,6 +365,8 @@ impl App {
             self.paint(ui, pane);
         }
         self.forget_composed(&presentation.panes);
+        let views = presentation.panes.iter().map(|pane| pane.rect).reduce(Rect::union);
+        self.message(ui.ctx(), views.unwrap_or(area), area);
         halo::paint(ui.ctx());
         if !presentation.speed.is_positive() {
             return;
@@ -305,6 +374,13 @@ impl App {
         self.panel(ui, "speed", presentation.speed, |ui, state, _| panels::presented::speed(ui, state));
         self.panel(ui, "sentence", presentation.sentence, |ui, state, _| panels::sentence::show(ui, state));
         self.panel(ui, "caption", presentation.caption, |ui, state, _| panels::presented::caption(ui, state));
+    }
+
+    /// Shows the message, if there is one, at the top of `room`.
+    fn message(&mut self, ctx: &egui::Context, room: Rect, area: Rect) {
+        let mut asks = Asks::new();
+        panels::message::show(ctx, &self.state, room, area, &mut asks);
+        self.apply(ctx, asks);
     }
 
     /// What the views' area shows.
@@ -343,7 +419,10 @@ impl eframe::App for App {
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
-        memory::remember(storage, &self.state.settings);
+        if !self.state.session.hint {
+            memory::remember_a_click(storage);
+        }
+        memory::remember(storage, &self.state);
     }
 }
 

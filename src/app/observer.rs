@@ -3,11 +3,11 @@
 use std::sync::Arc;
 
 use glam::DVec3;
-use relativity_core::{Disparity, Parameter, Sighting, SourcePoint, Speed, Stereo, StereoError};
+use relativity_core::{Disparity, Model, Parameter, Sighting, SourcePoint, Speed, Stereo, StereoError};
 use relativity_render::{Gaze, Geometry, Outline, Velocity, View};
 
 use super::curves::CurvesKey;
-use super::fitting::{FitKey, FitOutcome};
+use super::fitting::{FitKey, FitOutcome, Samples, Simulated};
 use super::points::Point;
 use super::state::State;
 use crate::caption::Moment;
@@ -55,6 +55,22 @@ pub struct Correction {
     /// Whether it was found by the fit; else it is the scene's own.
     pub is_fitted: bool,
 }
+
+/// How far from the pointer something may be that is meant all the same, pixels, and in which directions it is looked for.
+const REACHES: [f64; 4] = [2.0, 4.0, 7.0, 10.0];
+const DIRECTIONS: [[f64; 2]; 8] = {
+    let slant = std::f64::consts::FRAC_1_SQRT_2;
+    [
+        [1.0, 0.0],
+        [slant, slant],
+        [0.0, 1.0],
+        [-slant, slant],
+        [-1.0, 0.0],
+        [-slant, -slant],
+        [0.0, -1.0],
+        [slant, -slant],
+    ]
+};
 
 impl State {
     /// The speed found by `fit`, or the scene's own without one.
@@ -107,7 +123,7 @@ impl State {
     /// The disparity of `point` now, in the binocular model of what the views show.
     #[must_use]
     pub fn disparity(&self, point: &Point) -> Option<Disparity> {
-        self.settings.disparity(&point.track, self.session.time).ok()
+        self.settings.shown_disparity(&point.track, self.session.time).ok()
     }
 
     /// Where two eyes take `point` to be now, and how much deeper they see it than one that rests.
@@ -158,31 +174,64 @@ impl State {
         Some((Track { rest: hit.material_position().to_array(), motion }, hit.body))
     }
 
+    /// The pixel of the picture of `eye`, which has this `size`, that somebody means who points at `pixel`: it, or if nothing
+    /// is there the nearest of those around it where something is, since spokes are thin.
+    #[must_use]
+    pub fn meant(&self, eye: Eye, pixel: [f64; 2], size: [u32; 2]) -> Option<[f64; 2]> {
+        if self.sees_as_published(eye) {
+            return None;
+        }
+        let view = self.view(eye, size);
+        let hits = |pixel: &[f64; 2]| {
+            self.session.prepared.first_hit(&view, view.camera.line_of_sight(*pixel)).is_some()
+        };
+        let around = REACHES.into_iter().flat_map(|reach| {
+            DIRECTIONS.map(|[across, down]| [pixel[0] + reach * across, pixel[1] + reach * down])
+        });
+        let is_inside = |[u, v]: &[f64; 2]| {
+            (0.0..f64::from(size[0])).contains(u) && (0.0..f64::from(size[1])).contains(v)
+        };
+        std::iter::once(pixel).chain(around.filter(is_inside)).find(hits)
+    }
+
     /// What the curves of `point` depend on.
     #[must_use]
     pub fn curve_key(&self, point: &Point) -> CurvesKey {
+        let stereo = self.settings.plots.plot == PlotTab::Stereo;
+        // The paper's lines of sight meet nowhere.
+        let model = if stereo { self.settings.model() } else { self.settings.shown_model() };
         CurvesKey {
             velocity: self.velocity(point),
             rest: self.settings.rest_place(point.track.rest),
             baseline: self.settings.baseline(),
             range: self.time_range(),
-            model: self.settings.model(),
-            published: self.settings.plots.published,
-            stereo: self.settings.plots.plot == PlotTab::Stereo,
+            model,
+            published: self.settings.plots.published && !matches!(model, Model::Published(_)),
+            stereo,
         }
     }
 
-    /// What the fit of the selected point depends on.
+    /// What the fit depends on: of the own data if there are any, else of the selected point.
     #[must_use]
     pub fn fit_key(&self) -> FitKey {
-        FitKey {
-            velocity: self.selected_velocity(),
-            source: self.selected_source(),
-            pair: self.settings.pair(),
-            range: self.settings.fit.fit_range.0.unwrap_or_else(|| self.time_range()),
-            model: self.settings.model(),
-            setup: self.settings.fit,
-        }
+        let setup = self.settings.fit;
+        let samples = match &self.session.data {
+            Some(file) => Samples::Measured(file.clone(), self.settings.baseline()),
+            None => Samples::Simulated(Simulated {
+                velocity: self.selected_velocity(),
+                source: self.selected_source(),
+                pair: self.settings.pair(),
+                range: setup.fit_range.0.unwrap_or_else(|| self.time_range()),
+                model: self.simulated_model(),
+            }),
+        };
+        FitKey { samples, setup }
+    }
+
+    /// The model by which samples are simulated.
+    #[must_use]
+    pub fn simulated_model(&self) -> Model {
+        self.settings.fit.data_from.model().unwrap_or_else(|| self.settings.model())
     }
 
     /// How both eyes look now: a gaze that stays there, in parallel, and a field of view that is a number.
@@ -237,7 +286,9 @@ impl State {
         settings.views(self.subject(), self.session.time, size)
     }
 
-    fn subject(&self) -> Subject<'_> {
+    /// What gazes turn to.
+    #[must_use]
+    pub fn subject(&self) -> Subject<'_> {
         Subject { scene: &self.session.prepared, tracked: self.session.points.selected().track }
     }
 }

@@ -9,27 +9,32 @@ pub struct Point {
     pub number: usize,
     /// Where it is in the scene.
     pub track: Track,
-    /// The body it was picked on; `None` for the scene's own tracked point.
+    /// The body it was picked on; `None` for the scene's own tracked point, and one that is given by its place.
     pub body: Option<usize>,
 }
 
 impl Point {
-    /// What it is called in lists and plots.
+    /// What it is on, in words.
     #[must_use]
-    pub fn name(&self, scene: &Scene) -> String {
-        let what = self.body.or(scene.tracked_body()).map_or("tracked", |body| scene.name_of(body));
-        format!("point {} ({what})", self.number)
+    pub fn what<'a>(&self, scene: &'a Scene) -> &'a str {
+        let nameless = if self.is_tracked() { "tracked point" } else { "point" };
+        let body = self.body.or_else(|| scene.tracked_body().filter(|_| self.is_tracked()));
+        body.map_or(nameless, |body| scene.name_of(body))
     }
 
     /// What it is called in a sentence.
     #[must_use]
     pub fn noun(&self, scene: &Scene) -> String {
-        let what = self.body.or(scene.tracked_body()).map_or("tracked point", |body| scene.name_of(body));
-        format!("the {what}")
+        format!("the {}", self.what(scene))
+    }
+
+    /// Whether it is the scene's own.
+    const fn is_tracked(&self) -> bool {
+        self.number == FIRST
     }
 }
 
-/// The followed points, one of them selected. Never empty.
+/// The followed points, one of them selected. The first is the scene's own tracked point, which always is one of them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Points {
     all: Vec<Point>,
@@ -40,14 +45,27 @@ pub struct Points {
 /// Most points that can be compared at once: as many as there are colours to tell them apart.
 pub const MAX_POINTS: usize = 5;
 
+/// Place of the scene's own tracked point among all.
+const TRACKED: usize = 0;
+/// Its number.
+const FIRST: usize = 1;
+
 impl Points {
     /// Only the scene's own tracked point.
     #[must_use]
     pub fn tracked(track: Track) -> Self {
-        Self { all: vec![Point { number: 1, track, body: None }], selected: 0, last_number: 1 }
+        Self { all: vec![Point { number: FIRST, track, body: None }], selected: TRACKED, last_number: FIRST }
     }
 
-    /// All of them, in the order they were added.
+    /// Beside the scene's own tracked point one that is given by its place, selected.
+    #[must_use]
+    pub fn with_given(self, track: Track) -> Self {
+        let number = self.last_number + 1;
+        let all: Vec<_> = self.all.into_iter().chain([Point { number, track, body: None }]).collect();
+        Self { selected: all.len() - 1, all, last_number: number }
+    }
+
+    /// All of them: the scene's own tracked point, then the others in the order they were added.
     #[must_use]
     pub fn all(&self) -> &[Point] {
         &self.all
@@ -65,6 +83,12 @@ impl Points {
         &self.all[self.selected]
     }
 
+    /// Whether the one at `index` can be removed: the scene's own tracked point cannot.
+    #[must_use]
+    pub const fn is_removable(&self, index: usize) -> bool {
+        index != TRACKED
+    }
+
     /// Selects the one at `index`, if there is one.
     pub fn select(&mut self, index: usize) {
         if index < self.all.len() {
@@ -72,41 +96,59 @@ impl Points {
         }
     }
 
-    /// Replaces the selected one by the point at `track` on `body`.
-    pub fn replace_selected(&mut self, track: Track, body: usize) {
-        let number = self.selected().number;
-        self.all[self.selected] = Point { number, track, body: Some(body) };
-    }
-
-    /// Selects the point at `track` on `body`: beside the others if it is to be added, else in place of the selected one.
+    /// Selects the point at `track` on `body`: in place of the selected one, or beside the others if it is to be added or if the
+    /// selected one is the scene's own.
     pub fn choose(&mut self, track: Track, body: usize, add: bool) {
-        if add {
-            self.add(track, body);
+        let place = if self.selected == TRACKED { self.all.len() - 1 } else { self.selected };
+        if (add || self.selected == TRACKED) && self.all.len() < MAX_POINTS {
+            self.last_number += 1;
+            self.all.push(Point { number: self.last_number, track, body: Some(body) });
+            self.selected = self.all.len() - 1;
         } else {
-            self.replace_selected(track, body);
+            self.selected = place;
+            let number = self.selected().number;
+            self.all[self.selected] = Point { number, track, body: Some(body) };
         }
     }
 
-    /// Adds and selects the point at `track` on `body`; once there are [`MAX_POINTS`] the selected one
-    /// is replaced instead.
-    pub fn add(&mut self, track: Track, body: usize) {
-        if self.all.len() == MAX_POINTS {
-            return self.replace_selected(track, body);
-        }
-        self.last_number += 1;
-        self.all.push(Point { number: self.last_number, track, body: Some(body) });
-        self.selected = self.all.len() - 1;
-    }
-
-    /// Removes the one at `index`, unless it is the last.
+    /// Removes the one at `index`, if it can be removed.
     pub fn remove(&mut self, index: usize) {
-        if self.all.len() == 1 || index >= self.all.len() {
+        if !self.is_removable(index) || index >= self.all.len() {
             return;
         }
         self.all.remove(index);
-        if self.selected > index || self.selected == self.all.len() {
+        if self.selected >= index {
             self.selected -= 1;
         }
+    }
+
+    /// Those that are there in `scene`, which may have been read again since they were chosen.
+    #[must_use]
+    pub fn of(mut self, scene: &Scene) -> Self {
+        self.all[TRACKED].track = scene.track(None);
+        for index in (TRACKED + 1..self.all.len()).rev() {
+            if self.all[index].body.is_some_and(|body| body >= scene.bodies.len()) {
+                self.remove(index);
+            }
+        }
+        self
+    }
+
+    /// Those that are still there in `new`, another version of the scene `old`: on a body of the same name that moves alike.
+    #[must_use]
+    pub fn carried(&self, old: &Scene, new: &Scene) -> Self {
+        let mut carried = Self { last_number: self.last_number, ..Self::tracked(new.track(None)) };
+        for (index, point) in self.all.iter().enumerate().skip(TRACKED + 1) {
+            let body = point.body.map(|body| new.counterpart(old, body));
+            if body == Some(None) {
+                continue;
+            }
+            carried.all.push(Point { body: body.flatten(), ..*point });
+            if index == self.selected {
+                carried.selected = carried.all.len() - 1;
+            }
+        }
+        carried
     }
 }
 
@@ -121,26 +163,53 @@ mod tests {
     }
 
     #[test]
-    fn one_point_always_stays_selected() {
+    fn the_scene_s_own_point_stays_and_one_is_always_selected() {
         let mut points = Points::tracked(at([0.0, 3.0, 2.0]));
         points.remove(0);
         assert_eq!(points.all().len(), 1);
-        points.add(at([1.0, 3.0, 2.0]), 4);
-        points.add(at([2.0, 3.0, 2.0]), 5);
+        // Beside the scene's own, then in place of the one that was picked.
+        points.choose(at([1.0, 3.0, 2.0]), 4, false);
+        points.choose(at([1.5, 3.0, 2.0]), 6, false);
+        assert_eq!((points.all().len(), points.selected().number, points.selected().body), (2, 2, Some(6)));
+        points.choose(at([2.0, 3.0, 2.0]), 5, true);
         assert_eq!(points.selected().number, 3);
-        points.remove(0);
+        points.remove(1);
         assert_eq!((points.selected().number, points.selected_index()), (3, 1));
         points.remove(1);
-        assert_eq!(points.selected().body, Some(4));
+        assert_eq!((points.selected().body, points.selected_index()), (None, 0));
     }
 
     #[test]
     fn no_more_points_than_colours() {
         let mut points = Points::tracked(at([0.0; 3]));
         for body in 0..10 {
-            points.add(at([0.0; 3]), body);
+            points.choose(at([0.0; 3]), body, true);
         }
         assert_eq!(points.all().len(), MAX_POINTS);
         assert_eq!(points.selected().body, Some(9));
+        // The scene's own gives way to none.
+        points.select(0);
+        points.choose(at([0.0; 3]), 11, false);
+        assert_eq!(
+            (points.all().len(), points.all()[0].body, points.selected().body),
+            (MAX_POINTS, None, Some(11))
+        );
+    }
+
+    #[test]
+    fn points_are_carried_over_to_another_version_of_their_scene() {
+        let street = Scene::preset("street").expect("a preset");
+        let bare = street.clone().without_surroundings();
+        let number = |scene: &Scene, name: &str| scene.names.iter().position(|own| own == name);
+        let tyre = number(&street, "rear tyre").expect("a bicycle has one");
+        let house = (0..street.bodies.len())
+            .find(|&body| bare.counterpart(&street, body).is_none())
+            .expect("a street has houses");
+        let mut points = Points::tracked(street.track(None));
+        points.choose(at([1.0, 3.0, 2.0]), house, true);
+        points.choose(at([-1.0, 3.0, 2.0]), tyre, true);
+        let carried = points.carried(&street, &bare);
+        assert_eq!(carried.all().len(), 2);
+        assert_eq!((carried.selected().body, carried.selected().number), (number(&bare, "rear tyre"), 3));
     }
 }

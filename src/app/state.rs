@@ -1,12 +1,22 @@
 //! What the window shows: settings that are remembered, and the session they are applied to.
 
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
 use relativity_core::Speed;
 use relativity_render::{Appearance, Emission, PreparedScene};
 
 use super::chooser::Purpose;
 use super::clock;
+use super::fitting::DataFile;
+use super::history::History;
 use super::notice::Notice;
+use super::orders::Order;
+use super::overlay::Overlay;
+use super::plotting::Plotting;
+use super::pointer::Pick;
 use super::points::{Point, Points};
+use super::recent::Recent;
 use super::stage::Stage;
 use crate::flags::choices::ProjectionChoice;
 use crate::map::Viewpoint;
@@ -37,8 +47,12 @@ pub struct Session {
     pub playing: bool,
     /// The followed points.
     pub points: Points,
-    /// Whether the help is shown.
-    pub help: bool,
+    /// What stands over the window.
+    pub overlay: Option<Overlay>,
+    /// Where a click into a view hit nothing, until something else is done.
+    pub missed: Option<Pick>,
+    /// Whether the views say what a click does: until the first.
+    pub hint: bool,
     /// The preset that is shown, until another scene or state is.
     pub preset: Option<&'static Preset>,
     /// Width and height of an eye's picture, which a field of view is fitted to, pixels.
@@ -53,10 +67,22 @@ pub struct Session {
     pub shows_map: bool,
     /// How the user looks at the map.
     pub map_view: Viewpoint,
+    /// What is looked at of the plots, and what is kept in them.
+    pub plotting: Plotting,
     /// What is said about the last thing that was done, or could not be.
     pub notice: Option<Notice>,
     /// What a file is being chosen for.
     pub chooser: Option<Purpose>,
+    /// The way back.
+    pub history: History,
+    /// The measured disparities that are fitted in place of simulated ones.
+    pub data: Option<Arc<DataFile>>,
+    /// What was asked for that more than the state is needed for.
+    pub orders: Vec<Order>,
+    /// The files that were opened.
+    pub recent: Recent,
+    /// The file with settings that is shown, if it is one.
+    pub opened: Option<PathBuf>,
 }
 
 /// What a headset shows is shown in parallel, and that is said.
@@ -74,14 +100,19 @@ impl State {
     pub fn new(mut settings: Settings, scene: Scene) -> Self {
         let notice = without_headset(&mut settings.look);
         let preset = Preset::of(&settings);
+        let own = scene.track(None);
         let tracked = scene.track(settings.point.take());
+        let points = Points::tracked(own);
+        let points = if tracked == own { points } else { points.with_given(tracked) };
         let time = settings.time.take().unwrap_or_else(|| settings.time_of_approach(&tracked));
         let session = Session {
             prepared: scene.prepared(),
             time: clock::bounded(time),
             playing: false,
-            points: Points::tracked(tracked),
-            help: false,
+            points,
+            overlay: None,
+            missed: None,
+            hint: false,
             preset,
             picture_size: settings.picture.size.0,
             cm_per_pixel: settings.screen.cm_per_point(None),
@@ -89,8 +120,14 @@ impl State {
             stage: Stage::default(),
             shows_map: false,
             map_view: Viewpoint::default(),
+            plotting: Plotting::default(),
             notice,
             chooser: None,
+            history: History::default(),
+            data: None,
+            orders: Vec::new(),
+            recent: Recent::default(),
+            opened: None,
             scene,
         };
         Self { settings, session }
@@ -105,6 +142,32 @@ impl State {
         Ok(Self::new(settings, scene))
     }
 
+    /// Has these settings, which name a scene that can be had: T stays, and so do the points that are still there.
+    ///
+    /// # Errors
+    /// A scene that cannot be had; then nothing changes.
+    pub fn set(&mut self, settings: Settings) -> Result<(), SceneError> {
+        let is_same = settings.scene == self.settings.scene;
+        if !is_same || settings.light.surroundings != self.settings.light.surroundings {
+            self.show_scene(settings.opened_scene()?);
+        }
+        self.settings = settings;
+        Ok(())
+    }
+
+    /// Shows `scene` in place of another version of it, with the points that are still there.
+    pub(super) fn show_scene(&mut self, scene: Scene) {
+        self.session.prepared = scene.prepared();
+        self.session.points = self.session.points.carried(&self.session.scene, &scene);
+        self.session.scene = scene;
+    }
+
+    /// The file of the scene, if it is in one.
+    #[must_use]
+    pub fn scene_file(&self) -> Option<&Path> {
+        Scene::preset(&self.settings.scene).is_none().then(|| Path::new(&self.settings.scene))
+    }
+
     /// All that is shown, as settings: what is remembered, and the session's T and selected point.
     #[must_use]
     pub fn shown(&self) -> Settings {
@@ -114,6 +177,17 @@ impl State {
             time: Some(self.session.time),
             point: (motion == own.motion && rest != own.rest).then_some(rest),
             ..self.settings.clone()
+        }
+    }
+
+    /// What `point` is called in lists and plots: by what it is on, with its number where another is on that too.
+    #[must_use]
+    pub fn name_of(&self, point: &Point) -> String {
+        let what = point.what(&self.session.scene);
+        let is_on_it = |other: &&Point| other.what(&self.session.scene) == what;
+        match self.session.points.all().iter().filter(is_on_it).count() {
+            0 | 1 => what.to_owned(),
+            _ => format!("{what} ({})", point.number),
         }
     }
 
@@ -133,7 +207,9 @@ impl State {
     #[must_use]
     pub fn time_range(&self) -> [f64; 2] {
         let fitted = || {
-            passage::fitted_range(&self.selected_velocity().speed, self.selected_source()).map(clock::bounded)
+            let velocity = self.selected_velocity();
+            let pair = velocity.reflected_pair(self.settings.pair());
+            passage::fitted_range(&velocity.speed, self.selected_source(), pair).map(clock::bounded)
         };
         self.settings.playback.range.0.unwrap_or_else(fitted)
     }

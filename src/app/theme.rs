@@ -4,6 +4,7 @@
 use eframe::egui::{
     self, Color32, FontDefinitions, FontFamily, FontId, Stroke, TextStyle, ThemePreference, Visuals,
     epaint::CornerRadius,
+    style::{ScrollFadeStyle, ScrollStyle},
 };
 
 use super::observer::Eye;
@@ -34,9 +35,9 @@ pub fn eye_colour(eye: Eye, visuals: &Visuals) -> Color32 {
 #[must_use]
 pub fn point_colour(number: usize, visuals: &Visuals) -> Color32 {
     const COLOURS: [[[u8; 3]; 2]; MAX_POINTS] = [
-        [[0x1F, 0xD0, 0x9E], [0x00, 0x8A, 0x64]],
-        [[0xE7, 0x9B, 0xC8], [0xB3, 0x4E, 0x8A]],
-        [[0xF0, 0xE4, 0x42], [0x8F, 0x7A, 0x00]],
+        [[0x1F, 0xD0, 0x9E], [0x00, 0x7A, 0x58]],
+        [[0xE7, 0x9B, 0xC8], [0xA8, 0x45, 0x7F]],
+        [[0xF0, 0xE4, 0x42], [0x7A, 0x68, 0x00]],
         [[0xC8, 0xC8, 0xC8], [0x55, 0x55, 0x55]],
         [[0xA7, 0x8B, 0xFA], [0x6D, 0x4A, 0xD8]],
     ];
@@ -53,17 +54,29 @@ pub fn stereo_colour(visuals: &Visuals) -> Color32 {
 #[must_use]
 pub fn verdict_colour(verdict: Verdict, visuals: &Visuals) -> Color32 {
     let colours = match verdict {
-        Verdict::Comfortable => [[0x1F, 0xD0, 0x9E], [0x00, 0x8A, 0x64]],
-        Verdict::Tiring => [[0xF0, 0xE4, 0x42], [0xB8, 0x9E, 0x00]],
-        Verdict::TooMuch => [[0xFF, 0x6B, 0x5E], [0xC8, 0x2A, 0x1E]],
+        Verdict::Comfortable => [[0x1F, 0xD0, 0x9E], [0x00, 0x7A, 0x58]],
+        Verdict::Tiring => [[0xF0, 0xE4, 0x42], [0x7A, 0x68, 0x00]],
+        Verdict::TooMuch => [[0xFF, 0x6B, 0x5E], [0xB8, 0x24, 0x18]],
     };
     either(visuals.dark_mode, colours)
+}
+
+/// What tells a message that something failed from one that something was done, on this background.
+#[must_use]
+pub fn notice_colour(is_error: bool, visuals: &Visuals) -> Color32 {
+    verdict_colour(if is_error { Verdict::TooMuch } else { Verdict::Comfortable }, visuals)
 }
 
 /// What is measured at one time, on this background.
 #[must_use]
 pub fn measured_colour(visuals: &Visuals) -> Color32 {
     visuals.strong_text_color()
+}
+
+/// The ring around what the keyboard is at.
+#[must_use]
+pub fn focus_stroke(visuals: &Visuals) -> Stroke {
+    Stroke::new(2.0, either(visuals.dark_mode, [[0x8A, 0xC7, 0xFF], [0x1B, 0x5F, 0xA8]]))
 }
 
 /// What sets a marker off from any picture.
@@ -97,6 +110,8 @@ pub const fn preference(theme: Theme) -> ThemePreference {
     }
 }
 
+/// The smallest writing there is, points.
+pub const SMALLEST_SIZE: f32 = 11.0;
 /// Size of most writing, points.
 const BODY_SIZE: f32 = 14.0;
 
@@ -131,6 +146,9 @@ pub fn install(ctx: &egui::Context) {
         style.spacing.interact_size.y = 22.0;
         style.spacing.slider_rail_height = 4.0;
         style.spacing.tooltip_width = 320.0;
+        // Bars have room of their own, and what continues fades away at the edge.
+        style.spacing.scroll = ScrollStyle { floating_allocated_width: 9.0, ..ScrollStyle::thin() };
+        style.spacing.scroll.fade = ScrollFadeStyle { strength: 0.9, size: 26.0 };
         style.visuals.slider_trailing_fill = true;
         style.visuals.widgets.noninteractive.corner_radius = CornerRadius::same(5);
         for widget in [
@@ -157,6 +175,8 @@ fn fonts() -> FontDefinitions {
 fn palette(visuals: &mut Visuals) {
     let is_dark = visuals.dark_mode;
     let colour = |dark, light| either(is_dark, [dark, light]);
+    visuals.weak_text_color = Some(colour([0x9A, 0xA2, 0xB1], [0x5A, 0x61, 0x6E]));
+    visuals.error_fg_color = colour([0xFF, 0x6B, 0x5E], [0xB8, 0x24, 0x18]);
     visuals.panel_fill = colour([0x16, 0x18, 0x1D], [0xF6, 0xF7, 0xF9]);
     visuals.window_fill = colour([0x1D, 0x20, 0x27], [0xFF, 0xFF, 0xFF]);
     visuals.extreme_bg_color = colour([0x0E, 0x10, 0x14], [0xFF, 0xFF, 0xFF]);
@@ -170,4 +190,77 @@ fn palette(visuals: &mut Visuals) {
     inactive.fg_stroke.color = colour([0xD6, 0xDA, 0xE3], [0x2B, 0x30, 0x3A]);
     visuals.selection.bg_fill = colour([0x2F, 0x5D, 0x8C], [0xB9, 0xD8, 0xF2]);
     visuals.selection.stroke.color = colour([0xFF, 0xFF, 0xFF], [0x08, 0x2F, 0x52]);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Contrast of two opaque colours: Web Content Accessibility Guidelines 2.1, "contrast ratio".
+    fn contrast(one: Color32, other: Color32) -> f64 {
+        let luminance = |colour: Color32| {
+            let [r, g, b] = [colour.r(), colour.g(), colour.b()].map(|channel| {
+                let value = f64::from(channel) / 255.0;
+                if value <= 0.03928 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
+            });
+            0.2126 * r + 0.7152 * g + 0.0722 * b
+        };
+        let (one, other) = (luminance(one), luminance(other));
+        (one.max(other) + 0.05) / (one.min(other) + 0.05)
+    }
+
+    #[test]
+    fn the_contrast_of_black_and_white_is_21() {
+        assert!((contrast(Color32::BLACK, Color32::WHITE) - 21.0).abs() < 1e-9);
+        assert!((contrast(Color32::from_gray(0x77), Color32::WHITE) - 4.48).abs() < 0.01);
+    }
+
+    #[test]
+    fn all_writing_can_be_read_in_both_themes() {
+        let ctx = egui::Context::default();
+        install(&ctx);
+        for theme in [egui::Theme::Dark, egui::Theme::Light] {
+            let style = ctx.style_of(theme);
+            let visuals = &style.visuals;
+            let backgrounds =
+                [visuals.panel_fill, visuals.window_fill, visuals.extreme_bg_color, visuals.faint_bg_color];
+            let verdicts = [Verdict::Comfortable, Verdict::Tiring, Verdict::TooMuch];
+            let mut written = vec![
+                ("text", visuals.text_color()),
+                ("strong text", visuals.strong_text_color()),
+                ("weak text", visuals.weak_text_color()),
+                ("error", visuals.error_fg_color),
+                ("message", notice_colour(true, visuals)),
+                ("good message", notice_colour(false, visuals)),
+                ("stereo", stereo_colour(visuals)),
+            ];
+            written.extend(Eye::BOTH.map(|eye| ("eye", eye_colour(eye, visuals))));
+            written.extend(verdicts.map(|verdict| ("verdict", verdict_colour(verdict, visuals))));
+            written.extend((1..=MAX_POINTS).map(|number| ("point", point_colour(number, visuals))));
+            for (name, colour) in written {
+                for background in backgrounds {
+                    let contrast = contrast(colour, background);
+                    assert!(contrast >= 4.5, "{theme:?} {name} {colour:?} on {background:?}: {contrast:.2}");
+                }
+            }
+            let buttons = [visuals.widgets.inactive.weak_bg_fill, visuals.widgets.inactive.bg_fill];
+            for button in buttons {
+                let contrast = contrast(visuals.widgets.inactive.fg_stroke.color, button);
+                assert!(contrast >= 4.5, "{theme:?} button: {contrast:.2}");
+            }
+            let chosen = contrast(visuals.selection.stroke.color, visuals.selection.bg_fill);
+            assert!(chosen >= 4.5, "{theme:?} what is chosen: {chosen:.2}");
+        }
+    }
+
+    #[test]
+    fn no_writing_is_smaller_than_eleven_points() {
+        let ctx = egui::Context::default();
+        install(&ctx);
+        for theme in [egui::Theme::Dark, egui::Theme::Light] {
+            for (name, font) in &ctx.style_of(theme).text_styles {
+                assert!(font.size >= SMALLEST_SIZE, "{theme:?} {name}: {}", font.size);
+            }
+        }
+    }
 }

@@ -19,7 +19,11 @@ const MARGIN: Vec2 = vec2(7.0, 5.0);
 /// What is under the pointer.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Under {
-    /// The body.
+    /// Number of the body.
+    pub body: usize,
+    /// Where it is in the picture, at the pointer or very near.
+    pub pixel: [f64; 2],
+    /// What it is called.
     pub name: String,
     /// Doppler factor of the light of it that is received, where that is shown.
     pub doppler_factor: Option<f64>,
@@ -37,13 +41,15 @@ impl Under {
 }
 
 impl State {
-    /// What is shown at a `pixel` of the picture of `eye`, which has this `size`; none where nothing is, and where no ray
+    /// What is shown at a `pixel` of the picture of `eye`, which has this `size`, or very near; none where nothing is, and where no ray
     /// leads to it.
     #[must_use]
     pub fn under(&self, eye: Eye, pixel: [f64; 2], size: [u32; 2]) -> Option<Under> {
+        let pixel = self.meant(eye, pixel, size)?;
         let (track, body) = self.point_at(eye, pixel, size)?;
         let name = self.session.scene.name_of(body).to_owned();
-        let worked_out = |line| Some(Under { name: name.clone(), doppler_factor: None, lines: vec![line] });
+        let worked_out =
+            |line| Some(Under { body, pixel, name: name.clone(), doppler_factor: None, lines: vec![line] });
         match self.settings.geometry() {
             Geometry::Rest => {
                 worked_out(format!("at rest at {}", self.place(self.settings.rest_place(track.rest))))
@@ -55,7 +61,8 @@ impl State {
             Geometry::Seen | Geometry::Published | Geometry::OneCone => {
                 let both = self.settings.disparity(&track, self.session.time).ok()?;
                 let seen = [both.primary, both.secondary][eye.index()];
-                Some(Under { name, doppler_factor: Some(seen.doppler_factor), lines: self.received(&seen) })
+                let lines = self.received(&seen);
+                Some(Under { body, pixel, name, doppler_factor: Some(seen.doppler_factor), lines })
             }
         }
     }
@@ -91,21 +98,35 @@ pub fn pointer(ui: &Ui, state: &State, rect: Rect) -> Option<Pos2> {
 
 /// Writes what is `under` a `pointer` beside it, inside `view`.
 pub fn show(ui: &Ui, view: Rect, pointer: Pos2, under: &Under) {
+    let name = format!("Under the pointer: {}; {}", under.title(), under.lines.join("; "));
+    tag(ui, view, pointer, &under.title(), &under.lines, &name);
+}
+
+/// Says at `place` in `view` that nothing is there that could be followed.
+pub fn show_nothing(ui: &Ui, view: Rect, place: Pos2) {
+    tag(ui, view, place, NOTHING, &[], NOTHING);
+}
+
+/// What is said where a click hit nothing.
+const NOTHING: &str = "Nothing here to follow.";
+
+/// Writes `title`, and below it `lines`, beside a `place` in `view`; `name` is for assistive technology.
+fn tag(ui: &Ui, view: Rect, place: Pos2, title: &str, lines: &[String], name: &str) {
     let font = TextStyle::Small.resolve(ui.style());
     let format = |colour| TextFormat::simple(font.clone(), colour);
     let mut job = LayoutJob::default();
-    job.append(&under.title(), 0.0, format(Color32::WHITE));
-    for line in &under.lines {
+    job.append(title, 0.0, format(Color32::WHITE));
+    for line in lines {
         job.append(&format!("\n{line}"), 0.0, format(theme::TAG_TEXT));
     }
     let galley = ui.painter().layout_job(job);
-    let rect = beside(pointer, galley.size() + 2.0 * MARGIN, view);
+    let rect = beside(place, galley.size() + 2.0 * MARGIN, view);
     let painter = ui.painter().with_clip_rect(view);
     painter.rect_filled(rect, 4.0, Color32::from_black_alpha(185));
     painter.galley(rect.min + MARGIN, galley, Color32::WHITE);
-    let response = ui.interact(rect.intersect(view), ui.scope_id().with("under the pointer"), Sense::hover());
-    let name = format!("Under the pointer: {}; {}", under.title(), under.lines.join("; "));
-    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &name));
+    let response =
+        ui.interact(rect.intersect(view), ui.scope_id().with(("tag", lines.is_empty())), Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, name));
 }
 
 /// Where a tag of this `size` stands: below the pointer to the right, else where there is room in the `view`.

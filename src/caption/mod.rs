@@ -49,8 +49,8 @@ enum Shown {
     Received([Sighting; 2], Eyes, Clock),
     /// What arrives at the middle between the eyes, as if both received that.
     OneCone(Sighting),
-    /// What arrives at the left eye; the right eye's picture is the published model's.
-    Published(Sighting),
+    /// What arrives at the left eye, and what the published model has the right eye receive.
+    Published([Sighting; 2]),
     /// Where it is at T: this x from between the eyes.
     Contracted(f64),
     /// What arrives at cameras that ride along: Doppler factors.
@@ -100,9 +100,8 @@ impl Moment {
     #[must_use]
     pub fn doppler_factors(&self) -> [Option<f64>; 2] {
         match self.shown {
-            Shown::Received([left, right], ..) => [left, right].map(|seen| Some(seen.doppler_factor)),
+            Shown::Received(seen, ..) | Shown::Published(seen) => seen.map(|seen| Some(seen.doppler_factor)),
             Shown::OneCone(seen) => [Some(seen.doppler_factor); 2],
-            Shown::Published(left) => [Some(left.doppler_factor), None],
             Shown::RidingAlong(factors) => factors.map(Some),
             Shown::Contracted(_) | Shown::Unknown => [None; 2],
         }
@@ -140,9 +139,11 @@ impl Moment {
                 self.with_light(&format!("{start} (T = {now}) left {name} {left}"))
             }
             Shown::Published(seen) => {
-                let left = told(unit, seen.retarded_time);
-                let start =
-                    format!("Light received now (T = {now}) left {name} at t = {left} for the left eye");
+                let [left, right] = seen.map(|seen| told(unit, seen.retarded_time));
+                let start = format!(
+                    "Light received now (T = {now}) left {name} at t = {left} for the left eye and, as published, at \
+                     t = {right} for the right eye"
+                );
                 let model = "The right view is the paper's model: the left eye's picture at T − ΔT.";
                 format!("{} {model}", self.with_light(&start))
             }
@@ -222,7 +223,10 @@ impl Shown {
             Geometry::OneCone if is_moving && settings.motion.d != 0.0 => {
                 Some(Self::OneCone(seen()?.primary))
             }
-            Geometry::Published if is_moving => Some(Self::Published(seen()?.primary)),
+            Geometry::Published if is_moving => {
+                let both = settings.shown_disparity(track, time).ok()?;
+                Some(Self::Published([both.primary, both.secondary]))
+            }
             // Where nothing moves all geometries are alike.
             _ => {
                 let eyes = if settings.motion.d == 0.0 { Eyes::Together } else { Eyes::Apart };

@@ -1,7 +1,7 @@
 //! What the sentences say, against numbers of the core.
 
 use clap::ValueEnum as _;
-use relativity_core::{Aperture, SourcePoint, Speed, sighting};
+use relativity_core::{Aperture, PublishedVariant, SourcePoint, Speed, published_disparity, sighting};
 use relativity_render::{Colour, Emission, Geometry, Motion, Velocity};
 
 use super::Moment;
@@ -158,8 +158,18 @@ fn one_light_cone_for_both_eyes_is_said_to_be_made_up() {
 fn the_published_model_says_so() {
     let mut settings = settings(0.9, 0.1);
     settings.look.geometry = Geometry::Published;
-    let sentence = moment(&settings, 1.1).sentence();
-    assert!(sentence.contains("for the left eye: ") && sentence.contains("the paper's model"), "{sentence}");
+    let moment = moment(&settings, 1.1);
+    let sentence = moment.sentence();
+    let told = ["for the left eye and, as published, at t = ", "for the right eye: ", "the paper's model"];
+    assert!(told.iter().all(|part| sentence.contains(part)), "{sentence}");
+    let speed = Speed::from_beta(0.9).expect("a speed");
+    let point = SourcePoint { x0: 0.0, y: 3.0, z: 2.0 };
+    let model = published_disparity(&speed, point, 0.1, 1.1, PublishedVariant::AppendixA);
+    let both = model.expect("in the domain");
+    let expected = [both.primary, both.secondary].map(|seen| Some(700.0 / seen.doppler_factor));
+    for (shown, expected) in moment.wavelengths_nm().iter().zip(expected) {
+        assert!((shown.expect("a line") - expected.expect("a number")).abs() < 1e-9);
+    }
 }
 
 #[test]

@@ -1,6 +1,8 @@
-//! What `gamow fit` says: one structure, written as JSON or as a table.
+//! What `gamow fit` says: one structure, written as JSON or as a table; and what it fits, [`data`].
 
-mod sigmas;
+pub mod data;
+
+pub mod sigmas;
 
 use std::fmt;
 
@@ -157,8 +159,7 @@ impl FitReport {
         };
         let model = options.model.name();
         let fit = CurvesFit::new(&joint);
-        let free = fit.readings.saturating_sub(fit.parameters.iter().count());
-        let sigmas = fit.reduced_chi_squared.and_then(|reduced| sigmas::remark(reduced, free));
+        let sigmas = sigmas::remark(fit.reduced_chi_squared, fit.readings, fit.parameters.iter().count());
         Ok(Self { model, converged: true, sigmas, fit, bootstrap, fits })
     }
 }

@@ -7,10 +7,12 @@ const FITTING: [f64; 2] = [0.5, 2.0];
 /// Standard deviations of chi squared by which it must differ from 1 besides.
 const LEAST_DEVIATION: f64 = 3.0;
 
-/// A sentence if readings scatter clearly less or more than their sigmas say, `reduced` being chi squared per degree of
-/// freedom, of which there are so many.
-pub fn remark(reduced: f64, degrees_of_freedom: usize) -> Option<String> {
-    let free = degrees_of_freedom.max(1) as f64;
+/// A sentence if so many `readings` scatter clearly less or more than their sigmas say, around a fit of this many
+/// `parameters` with this reduced chi squared; nothing without sigmas.
+#[must_use]
+pub fn remark(reduced: Option<f64>, readings: usize, parameters: usize) -> Option<String> {
+    let reduced = reduced?;
+    let free = readings.saturating_sub(parameters).max(1) as f64;
     let [low, high] = FITTING;
     if (low..=high).contains(&reduced) || (reduced - 1.0).abs() < LEAST_DEVIATION * (2.0 / free).sqrt() {
         return None;

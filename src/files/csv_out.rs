@@ -41,6 +41,17 @@ impl<W: Write> Rows<W> {
     }
 }
 
+impl Rows<Vec<u8>> {
+    /// All rows as text; what is no UTF-8 in their fields is replaced.
+    #[must_use]
+    pub fn into_text(self) -> String {
+        // Flushing into memory does not fail.
+        let bytes = self.csv.into_inner().unwrap_or_default();
+        String::from_utf8(bytes)
+            .unwrap_or_else(|error| String::from_utf8_lossy(error.as_bytes()).into_owned())
+    }
+}
+
 /// The error inside `error`: csv's own conversion would hide its kind, and with it a broken pipe.
 #[must_use]
 pub fn io_error(error: csv::Error) -> io::Error {

@@ -3,6 +3,7 @@
 pub mod csv_in;
 pub mod csv_out;
 pub mod exr;
+pub mod gif;
 pub mod png;
 pub mod provenance;
 pub mod whole;

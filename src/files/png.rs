@@ -60,28 +60,85 @@ fn write_frames(
     texts: &[(&str, &str)],
     out: impl Write,
 ) -> anyhow::Result<()> {
-    let [width, height] = frames.first().context("there is nothing to show")?.size;
-    let mut encoder = png::Encoder::new(out, width, height);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
-    let dimensions =
-        |per_metre| png::PixelDimensions { xppu: per_metre, yppu: per_metre, unit: png::Unit::Meter };
-    encoder.set_pixel_dims(pixels_per_metre.map(dimensions));
-    if frames.len() > 1 {
-        let [numerator, denominator] = FRAME_SECONDS;
-        encoder.set_animated(u32::try_from(frames.len())?, 0)?;
-        encoder.set_frame_delay(numerator, denominator)?;
-    }
-    for &(keyword, text) in [(SOFTWARE_KEYWORD, SOFTWARE)].iter().chain(texts) {
-        encoder.add_itxt_chunk(keyword.to_owned(), text.to_owned())?;
-    }
-    let mut writer = encoder.write_header()?;
+    let size = frames.first().context("there is nothing to show")?.size;
+    let animation = (frames.len() > 1).then(|| {
+        Ok::<_, anyhow::Error>(Animation { frames: u32::try_from(frames.len())?, seconds: FRAME_SECONDS })
+    });
+    let mut writer = Frames::new(size, animation.transpose()?, pixels_per_metre, texts, out)?;
     for frame in frames {
-        let rgb: Vec<u8> = frame.rgba.iter().flat_map(|[r, g, b, _]| [*r, *g, *b]).collect();
-        writer.write_image_data(&rgb)?;
+        writer.write(frame)?;
     }
-    Ok(writer.finish()?)
+    writer.finish()
+}
+
+/// How the frames of an animated file follow each other, without an end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Animation {
+    /// How many there are, 1 or more.
+    pub frames: u32,
+    /// How long each is shown, seconds as a fraction.
+    pub seconds: [u16; 2],
+}
+
+/// A PNG file that is written frame by frame.
+pub struct Frames<W: Write> {
+    writer: png::Writer<W>,
+}
+
+impl<W: Write> Frames<W> {
+    /// A file of frames of this `size`, pixels, one alone unless there is an `animation`, with `texts`, keywords first, and
+    /// one that names this program.
+    ///
+    /// # Errors
+    ///
+    /// Those of `out`.
+    pub fn new(
+        [width, height]: [u32; 2],
+        animation: Option<Animation>,
+        pixels_per_metre: Option<u32>,
+        texts: &[(&str, &str)],
+        out: W,
+    ) -> anyhow::Result<Self> {
+        let mut encoder = png::Encoder::new(out, width, height);
+        encoder.set_color(png::ColorType::Rgb);
+        encoder.set_depth(png::BitDepth::Eight);
+        encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+        let dimensions =
+            |per_metre| png::PixelDimensions { xppu: per_metre, yppu: per_metre, unit: png::Unit::Meter };
+        encoder.set_pixel_dims(pixels_per_metre.map(dimensions));
+        if let Some(Animation { frames, seconds: [numerator, denominator] }) = animation {
+            encoder.set_animated(frames, 0)?;
+            encoder.set_frame_delay(numerator, denominator)?;
+        }
+        for &(keyword, text) in [(SOFTWARE_KEYWORD, SOFTWARE)].iter().chain(texts) {
+            encoder.add_itxt_chunk(keyword.to_owned(), text.to_owned())?;
+        }
+        Ok(Self { writer: encoder.write_header()? })
+    }
+
+    /// Adds a frame of the file's size.
+    ///
+    /// # Errors
+    ///
+    /// Those of the file; more frames than it was to have.
+    pub fn write(&mut self, frame: &Picture) -> anyhow::Result<()> {
+        Ok(self.writer.write_image_data(&rgb(frame))?)
+    }
+
+    /// Ends the file.
+    ///
+    /// # Errors
+    ///
+    /// Those of the file; fewer frames than it was to have.
+    pub fn finish(self) -> anyhow::Result<()> {
+        Ok(self.writer.finish()?)
+    }
+}
+
+/// The pixels of an opaque picture.
+#[must_use]
+pub(super) fn rgb(picture: &Picture) -> Vec<u8> {
+    picture.rgba.iter().flat_map(|[r, g, b, _]| [*r, *g, *b]).collect()
 }
 
 /// Whether `path` is a whole PNG file that this program made with just these `texts`.

@@ -59,14 +59,7 @@ impl ReportArgs {
     ///
     /// As [`OutArgs::write`].
     pub fn write(&self, report: &(impl fmt::Display + Serialize)) -> anyhow::Result<()> {
-        self.out.write(|out| {
-            if self.json {
-                serde_json::to_writer_pretty(&mut *out, report)?;
-                Ok(writeln!(out)?)
-            } else {
-                Ok(write!(out, "{report}")?)
-            }
-        })
+        self.out.write(|out| if self.json { write_json(report, out) } else { Ok(write!(out, "{report}")?) })
     }
 }
 
@@ -85,6 +78,16 @@ pub fn ensure_ending(flag: &str, path: &Path, ending: &str) -> anyhow::Result<()
         path.with_extension(ending).display()
     );
     Ok(())
+}
+
+/// Writes `report` as JSON.
+///
+/// # Errors
+///
+/// Those of `out`.
+pub fn write_json(report: &impl Serialize, mut out: impl Write) -> anyhow::Result<()> {
+    serde_json::to_writer_pretty(&mut out, report)?;
+    Ok(writeln!(out)?)
 }
 
 /// Hands `write` a temporary file beside `path`, which takes the place of `path` once all is written. An interrupt

@@ -9,9 +9,11 @@ use relativity_core::doppler::{
 };
 use serde::{Serialize, Serializer};
 
-/// Parses a number: f64's own parser also takes `nan` and `inf`, which nobody means.
+use crate::figures;
+
+/// Parses a number, which may have a decimal comma: f64's own parser also takes `nan` and `inf`, which nobody means.
 pub fn finite_number(text: &str) -> Result<f64, String> {
-    match text.trim().parse::<f64>() {
+    match figures::with_point(text.trim()).parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
         Ok(_) => Err("not a finite number".to_owned()),
         Err(_) => Err("not a number".to_owned()),
@@ -279,6 +281,16 @@ mod tests {
     fn a_temperature_may_be_in_degrees_celsius() {
         assert_eq!((temperature("1273.15"), temperature("1000C")), (Ok(1273.15), Ok(1273.15)));
         assert_eq!(temperature("0"), Err("must be between 300 and 1e5".to_owned()));
+    }
+
+    #[test]
+    fn a_number_may_have_a_decimal_comma_and_a_list_is_none() {
+        assert_eq!(["0,9", " -1,5e3", "2.5"].map(finite_number), [Ok(0.9), Ok(-1500.0), Ok(2.5)]);
+        assert_eq!(within(0.0..=1.0)("0,25"), Ok(0.25));
+        for text in ["1, 2", "1,2,3", "1,234.5", ","] {
+            assert!(finite_number(text).is_err(), "{text}");
+        }
+        assert_eq!(coordinates("1,2,3"), Ok([1.0, 2.0, 3.0]));
     }
 
     #[test]

@@ -1,5 +1,5 @@
 //! The file system.
-#![expect(clippy::disallowed_methods, reason = "this is where files are reached")]
+#![expect(clippy::disallowed_methods, clippy::disallowed_types, reason = "this is where files are reached")]
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -57,6 +57,12 @@ pub fn is_file(path: &Path) -> bool {
     path.is_file()
 }
 
+/// Whether there is anything at `path`.
+#[must_use]
+pub fn is_there(path: &Path) -> bool {
+    path.exists()
+}
+
 /// Whether there is something at `path` that is no regular file, such as a device or a named pipe.
 #[must_use]
 pub fn is_special(path: &Path) -> bool {
@@ -66,6 +72,16 @@ pub fn is_special(path: &Path) -> bool {
 /// Length of the file at `path`, bytes.
 pub fn size(path: &Path) -> io::Result<u64> {
     Ok(path.metadata()?.len())
+}
+
+/// What tells that a file has changed: when it was written, and how long it is.
+pub type Stamp = (std::time::SystemTime, u64);
+
+/// The stamp of the file at `path`; none if it cannot be had.
+#[must_use]
+pub fn stamp(path: &Path) -> Option<Stamp> {
+    let found = path.metadata().ok()?;
+    Some((found.modified().ok()?, found.len()))
 }
 
 /// `path` without links in it.

@@ -3,16 +3,20 @@
 //! Colours are those of M. Okabe and K. Ito, *Color universal design* (2008), which colour-blind eyes tell
 //! apart; lines differ by dashes too.
 
+mod axis;
+mod grid;
 mod labels;
-mod scale;
 
+use std::borrow::Cow;
 use std::fmt::Write as _;
 
 use relativity_core::math;
 
+pub use self::axis::{
+    Axis, MOST_TICKS, Tick, at_least, extent, round_step, ticks_along, widened, with_factor, with_margin,
+    zoom_step,
+};
 use self::labels::{Label, Labels};
-pub use self::scale::round_step;
-use self::scale::{decades, linear_ticks, powers_of_ten, span, widened};
 
 /// Black.
 pub const BLACK: &str = "#000000";
@@ -43,6 +47,10 @@ pub enum Stroke {
     Solid,
     /// Dashed.
     Dashed,
+    /// Dashes of this length, pixels.
+    Dashes(u8),
+    /// Dotted.
+    Dotted,
     /// Dots at the points instead of a line.
     Dots,
     /// A disc at the first point with a line to the last. Its name stands beside it, not in the legend.
@@ -55,7 +63,7 @@ pub struct Line {
     /// Entry in the legend.
     pub name: String,
     /// CSS colour.
-    pub colour: &'static str,
+    pub colour: Cow<'static, str>,
     /// How it is drawn.
     pub stroke: Stroke,
     /// The pieces.
@@ -64,13 +72,21 @@ pub struct Line {
 
 impl Line {
     /// A solid line in one piece.
-    pub fn solid(name: impl Into<String>, colour: &'static str, points: Vec<[f64; 2]>) -> Self {
+    pub fn solid(
+        name: impl Into<String>,
+        colour: impl Into<Cow<'static, str>>,
+        points: Vec<[f64; 2]>,
+    ) -> Self {
         Self::in_pieces(name, colour, vec![points])
     }
 
     /// A solid line in these pieces.
-    pub fn in_pieces(name: impl Into<String>, colour: &'static str, pieces: Vec<Vec<[f64; 2]>>) -> Self {
-        Self { name: name.into(), colour, stroke: Stroke::Solid, pieces }
+    pub fn in_pieces(
+        name: impl Into<String>,
+        colour: impl Into<Cow<'static, str>>,
+        pieces: Vec<Vec<[f64; 2]>>,
+    ) -> Self {
+        Self { name: name.into(), colour: colour.into(), stroke: Stroke::Solid, pieces }
     }
 
     /// The same line, drawn with `stroke`.
@@ -86,17 +102,19 @@ pub struct Panel {
     /// Above the axes.
     pub title: String,
     /// Below and beside them.
-    pub labels: [&'static str; 2],
+    pub labels: [String; 2],
     /// The lines.
     pub lines: Vec<Line>,
-    /// What the horizontal axis shows at least, besides the lines; in order that panels can be compared.
-    pub at_least: Option<[f64; 2]>,
-    /// A value on the horizontal axis to mark, and its name.
-    pub mark: Option<(f64, &'static str)>,
+    /// What the horizontal axis shows besides the lines, so that panels can be compared.
+    pub shown_x: Option<[f64; 2]>,
+    /// Values on the horizontal axis to mark, and their names.
+    pub marks: Vec<(f64, String)>,
     /// Whether a unit is as long on both axes.
     pub equal_scales: bool,
-    /// Whether both axes are logarithmic; then all coordinates are above 0, and `equal_scales` has no say.
-    pub logarithmic: bool,
+    /// Which axes are logarithmic: all coordinates along these are above 0, and `equal_scales` has no say.
+    pub logarithmic: [bool; 2],
+    /// Ends of the axes, logarithms of a logarithmic one; else the lines decide.
+    pub ranges: [Option<[f64; 2]>; 2],
     /// Width, pixels.
     pub width: f64,
     /// Height, pixels.
@@ -105,20 +123,36 @@ pub struct Panel {
 
 impl Panel {
     /// Linear axes with scales of their own, 480 by 380 pixels.
-    pub fn new(title: impl Into<String>, labels: [&'static str; 2], lines: Vec<Line>) -> Self {
-        let title = title.into();
-        let (width, height) = (480.0, HEIGHT);
+    pub fn new(title: impl Into<String>, labels: [impl Into<String>; 2], lines: Vec<Line>) -> Self {
         Self {
-            title,
-            labels,
+            title: title.into(),
+            labels: labels.map(Into::into),
             lines,
-            at_least: None,
-            mark: None,
+            shown_x: None,
+            marks: Vec::new(),
             equal_scales: false,
-            logarithmic: false,
-            width,
-            height,
+            logarithmic: [false; 2],
+            ranges: [None; 2],
+            width: 480.0,
+            height: HEIGHT,
         }
+    }
+
+    /// What the lines take of an axis (logarithms of a logarithmic one), with such a share of it more at both ends; whole
+    /// decades where both axes are logarithmic, and so much more that nothing is drawn on the frame.
+    fn needed(&self, axis: usize, room: f64) -> [f64; 2] {
+        let values = self.lines.iter().flat_map(|line| &line.pieces).flatten().map(|point| point[axis]);
+        let values = values.chain(self.shown_x.filter(|_| axis == 0).into_iter().flatten());
+        if !self.logarithmic[axis] {
+            return with_margin(extent(values).unwrap_or_default(), room);
+        }
+        let [low, high] = extent(values.map(math::log10)).unwrap_or_default();
+        if self.logarithmic == [true; 2] {
+            let [from, to] = [low.floor(), high.ceil().max(low.floor() + 1.0)];
+            let free = FREE * (to - from);
+            return [from.min(low - free), to.max(high + free)];
+        }
+        with_margin([low, high], room)
     }
 
     /// The lines that are named in the legend.
@@ -174,9 +208,15 @@ struct Axes<'a> {
     panel: &'a Panel,
     /// Left, right, top and bottom of the box, pixels.
     frame: [f64; 4],
-    x: [f64; 2],
-    y: [f64; 2],
+    both: [Axis; 2],
 }
+
+/// How far from each other ticks are at least, along and across, pixels.
+const TICK_SPACING: [f64; 2] = [75.0, 45.0];
+/// How much more than the lines need there is along an axis and across, as a part of that.
+const ROOM: [f64; 2] = [0.0, 0.06];
+/// Part of two logarithmic axes that stays free at each end.
+const FREE: f64 = 0.05;
 
 impl<'a> Axes<'a> {
     fn new(panel: &'a Panel, left: f64) -> Self {
@@ -187,39 +227,55 @@ impl<'a> Axes<'a> {
             MARGIN.top + legend,
             panel.height - MARGIN.bottom,
         ];
-        let points = || panel.lines.iter().flat_map(|line| &line.pieces).flatten();
-        let [mut x, mut y] = [
-            span(
-                points().map(|point| point[0]).chain(panel.at_least.into_iter().flatten()),
-                if panel.equal_scales { 0.02 } else { 0.0 },
-            ),
-            span(points().map(|point| point[1]), 0.06),
-        ];
-        if panel.logarithmic {
-            [x, y] = [0, 1].map(|axis| decades(points().map(|point| point[axis])));
-        } else if panel.equal_scales {
-            let (width, height) = (frame[1] - frame[0], frame[3] - frame[2]);
-            let per_pixel = ((x[1] - x[0]) / width).max((y[1] - y[0]) / height);
-            x = widened(x, per_pixel * width);
-            y = widened(y, per_pixel * height);
-        }
-        Self { panel, frame, x, y }
+        let size = [frame[1] - frame[0], frame[3] - frame[2]];
+        let room = if panel.equal_scales { [0.02, ROOM[1]] } else { ROOM };
+        let needed = [0, 1].map(|axis| panel.needed(axis, room[axis]));
+        let per_pixel = [0, 1].map(|axis| (needed[axis][1] - needed[axis][0]) / size[axis]);
+        let both = [0, 1].map(|axis| {
+            let wanted = ticks_along(size[axis], TICK_SPACING[axis]);
+            if panel.equal_scales {
+                let coarsest = per_pixel[0].max(per_pixel[1]);
+                return Axis::within(false, at_least(needed[axis], coarsest * size[axis]), wanted);
+            }
+            match panel.ranges[axis] {
+                Some(range) => Axis::within(panel.logarithmic[axis], range, wanted),
+                None => Axis::fitted(panel.logarithmic[axis], needed[axis], wanted),
+            }
+        });
+        Self { panel, frame, both }
     }
 
-    fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+    fn place(&self, point: [f64; 2]) -> [f64; 2] {
         let [left, right, top, bottom] = self.frame;
-        let scaled = |value: f64| if self.panel.logarithmic { math::log10(value) } else { value };
-        let along = |value: f64, [low, high]: [f64; 2]| (scaled(value) - low) / (high - low);
-        [left + along(x, self.x) * (right - left), bottom - along(y, self.y) * (bottom - top)]
+        let [x, y] = [0, 1]
+            .map(|axis| if self.panel.logarithmic[axis] { math::log10(point[axis]) } else { point[axis] });
+        let along = |value: f64, axis: usize| {
+            let [low, high] = self.both[axis].range;
+            (value - low) / (high - low)
+        };
+        [left + along(x, 0) * (right - left), bottom - along(y, 1) * (bottom - top)]
     }
 
     fn draw(&self, svg: &mut String) {
         self.draw_axes(svg);
+        let [left, right, top, bottom] = self.frame;
+        // A range that was asked for may leave out a part of the lines.
+        let is_clipped = self.panel.ranges.iter().any(Option::is_some);
+        if is_clipped {
+            let (width, height) = (right - left, bottom - top);
+            let _ = writeln!(
+                svg,
+                "<clipPath id=\"frame{left}\"><rect x=\"{left}\" y=\"{top}\" width=\"{width:.1}\" height=\"{height:.1}\"/></clipPath>\n\
+                 <g clip-path=\"url(#frame{left})\">"
+            );
+        }
         let mut labels = Labels::new(self.frame);
         for line in &self.panel.lines {
             self.draw_line(line, &mut labels, svg);
         }
-        let left = self.frame[0];
+        if is_clipped {
+            svg.push_str("</g>\n");
+        }
         for (row, line) in self.panel.legend().enumerate() {
             let y = MARGIN.top + LEGEND_ROW * (row as f64 + 0.4);
             let (end, text) = (left + 30.0, left + 36.0);
@@ -242,14 +298,10 @@ impl<'a> Axes<'a> {
         }
     }
 
-    /// Values to mark on an axis over `range`, and how they are written.
-    fn ticks(&self, range: [f64; 2]) -> Vec<(f64, String)> {
-        if self.panel.logarithmic { powers_of_ten(range) } else { linear_ticks(range) }
-    }
-
     fn draw_axes(&self, svg: &mut String) {
         let [left, right, top, bottom] = self.frame;
-        let [x_label, y_label] = self.panel.labels;
+        let label = |axis: usize| escaped(&with_factor(&self.panel.labels[axis], self.both[axis].exponent));
+        let (x_label, y_label) = (label(0), label(1));
         let (middle, title) = (0.5 * (left + right), escaped(&self.panel.title));
         let (below, centre, beside) = (bottom + 40.0, 0.5 * (top + bottom), left - 56.0);
         let _ = writeln!(
@@ -258,29 +310,30 @@ impl<'a> Axes<'a> {
              <text x=\"{middle}\" y=\"{below}\" text-anchor=\"middle\">{x_label}</text>\n\
              <text transform=\"translate({beside} {centre}) rotate(-90)\" text-anchor=\"middle\">{y_label}</text>"
         );
-        for (value, label) in self.ticks(self.x) {
-            let [x, _] = self.place([value, 0.0]);
-            let y = bottom + 17.0;
+        let [x_axis, y_axis] = &self.both;
+        let along = |place: f64, axis: &Axis, from: f64, to: f64| {
+            from + (place - axis.range[0]) / (axis.range[1] - axis.range[0]) * (to - from)
+        };
+        for Tick { place, text } in &x_axis.ticks {
+            let (x, y) = (along(*place, x_axis, left, right), bottom + 17.0);
             let _ = writeln!(
                 svg,
-                "<path d=\"M{x:.1} {top}V{bottom}\" stroke=\"#e3e3e3\"/><text x=\"{x:.1}\" y=\"{y}\" text-anchor=\"middle\">{label}</text>"
+                "<path d=\"M{x:.1} {top}V{bottom}\" stroke=\"#e3e3e3\"/><text x=\"{x:.1}\" y=\"{y}\" text-anchor=\"middle\">{text}</text>"
             );
         }
-        for (value, label) in self.ticks(self.y) {
-            let [_, y] = self.place([0.0, value]);
+        for Tick { place, text } in &y_axis.ticks {
+            let y = along(*place, y_axis, bottom, top);
             let (x, base) = (left - 6.0, y + 4.5);
             let _ = writeln!(
                 svg,
-                "<path d=\"M{left} {y:.1}H{right}\" stroke=\"#e3e3e3\"/><text x=\"{x}\" y=\"{base:.1}\" text-anchor=\"end\">{label}</text>"
+                "<path d=\"M{left} {y:.1}H{right}\" stroke=\"#e3e3e3\"/><text x=\"{x}\" y=\"{base:.1}\" text-anchor=\"end\">{text}</text>"
             );
         }
-        if let Some((value, name)) = self.panel.mark {
-            let [x, _] = self.place([value, 0.0]);
-            let (text, y) = (x + 4.0, bottom - 6.0);
-            let _ = writeln!(
-                svg,
-                "<path d=\"M{x:.1} {top}V{bottom}\" stroke=\"#777\" stroke-dasharray=\"2 3\"/><text x=\"{text:.1}\" y=\"{y}\" fill=\"#555\">{name}</text>"
-            );
+        for (row, (value, name)) in self.panel.marks.iter().enumerate() {
+            let [x, _] = self.place([*value, 1.0]);
+            if (left..=right).contains(&x) {
+                self.draw_mark(x, name, row, svg);
+            }
         }
         let (width, height) = (right - left, bottom - top);
         let _ = writeln!(
@@ -288,10 +341,21 @@ impl<'a> Axes<'a> {
             "<rect x=\"{left}\" y=\"{top}\" width=\"{width:.1}\" height=\"{height:.1}\" fill=\"none\" stroke=\"#444\"/>"
         );
     }
+
+    /// A dotted line at `x` with its `name` beside it, one above the other where there are several, on the side that has room.
+    fn draw_mark(&self, x: f64, name: &str, row: usize, svg: &mut String) {
+        let [left, right, top, bottom] = self.frame;
+        let (text, anchor) = if 2.0 * x < left + right { (x + 4.0, "start") } else { (x - 4.0, "end") };
+        let (y, name) = (bottom - 6.0 - LEGEND_ROW * row as f64, escaped(name));
+        let _ = writeln!(
+            svg,
+            "<path d=\"M{x:.1} {top}V{bottom}\" stroke=\"#777\" stroke-dasharray=\"2 3\"/><text x=\"{text:.1}\" y=\"{y}\" fill=\"#555\" text-anchor=\"{anchor}\">{name}</text>"
+        );
+    }
 }
 
 fn draw_piece(line: &Line, places: &[[f64; 2]], svg: &mut String) {
-    let colour = line.colour;
+    let colour = &line.colour;
     if line.stroke == Stroke::Dots {
         for [x, y] in places {
             let _ = writeln!(svg, "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"1.5\" fill=\"{colour}\"/>");
@@ -301,7 +365,12 @@ fn draw_piece(line: &Line, places: &[[f64; 2]], svg: &mut String) {
     if let (Stroke::Mark, [[x, y], ..]) = (line.stroke, places) {
         let _ = writeln!(svg, "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"5\" fill=\"{colour}\"/>");
     }
-    let dashes = if line.stroke == Stroke::Dashed { " stroke-dasharray=\"7 4\"" } else { "" };
+    let dashes = match line.stroke {
+        Stroke::Dashed => " stroke-dasharray=\"7 4\"".to_owned(),
+        Stroke::Dashes(length) => format!(" stroke-dasharray=\"{length} {:.1}\"", 0.6 * f64::from(length)),
+        Stroke::Dotted => " stroke-dasharray=\"1.6 3\"".to_owned(),
+        Stroke::Solid | Stroke::Dots | Stroke::Mark => String::new(),
+    };
     let _ = write!(svg, "<polyline fill=\"none\" stroke-width=\"1.6\" stroke=\"{colour}\"{dashes} points=\"");
     for [x, y] in places {
         let _ = write!(svg, "{x:.2},{y:.2} ");
@@ -321,15 +390,8 @@ mod tests {
     fn points_inside_the_axes_are_drawn_inside_the_picture() {
         let points = vec![[-3.0, 1e-3], [7.0, 2e-3]];
         let panel = Panel {
-            title: "a < b".to_owned(),
-            labels: ["T", "angle"],
-            lines: vec![Line::solid("line", BLUE, points)],
-            at_least: None,
-            mark: None,
-            equal_scales: false,
-            logarithmic: false,
             width: 500.0,
-            height: 300.0,
+            ..Panel::new("a < b", ["T", "angle"], vec![Line::solid("line", BLUE, points)])
         };
         let svg = svg(&[panel]);
         let line = svg.rsplit("points=\"").nth(1).expect("the line comes before its entry in the legend");

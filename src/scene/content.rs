@@ -71,6 +71,14 @@ impl Scene {
         Track { rest: point.unwrap_or(self.tracked), motion: self.groups[0].motion }
     }
 
+    /// The forward-most point of the body of this number, if there is such a body.
+    #[must_use]
+    pub fn track_on(&self, body: usize) -> Option<Track> {
+        let group = self.groups.iter().find(|group| group.bodies().contains(&body))?;
+        let rest = forward_most_on(&self.bodies.get(body)?.shape).into();
+        Some(Track { rest, motion: group.motion })
+    }
+
     /// It without what rests on the ground: the groups that do not move, but for its first.
     #[must_use]
     pub fn without_surroundings(self) -> Self {
@@ -92,6 +100,19 @@ impl Scene {
     #[must_use]
     pub fn name_of(&self, body: usize) -> &str {
         &self.names[body]
+    }
+
+    /// The number of what is in this version of the scene what `body` is in the version `old`: of the same name, and moving
+    /// alike. Of several the one of the same shape.
+    #[must_use]
+    pub fn counterpart(&self, old: &Self, body: usize) -> Option<usize> {
+        let motion_in = |scene: &Self, body: usize| {
+            scene.groups.iter().find(|group| group.bodies().contains(&body)).map(|group| group.motion)
+        };
+        let (name, motion) = (old.names.get(body)?, motion_in(old, body)?);
+        let is_alike = |&new: &usize| self.names[new] == *name && motion_in(self, new) == Some(motion);
+        let alike = || (0..self.bodies.len()).filter(is_alike);
+        alike().find(|&new| self.bodies[new].shape == old.bodies[body].shape).or_else(|| alike().next())
     }
 
     /// The number of the body that the scene's own tracked point is the forward-most point of, if it is one's.

@@ -80,6 +80,22 @@ impl Default for Settings {
 }
 
 impl Settings {
+    /// These settings with another scene, a preset or a file. What belongs to a scene is as usual: where it passes, where the
+    /// eyes look, T, and what is done over a range of T. Speed, eyes and light stay.
+    #[must_use]
+    pub fn with_scene(self, scene: String) -> Self {
+        let usual = Self::default();
+        let motion = Motion {
+            depth_shift: usual.motion.depth_shift,
+            height_shift: usual.motion.height_shift,
+            ..self.motion
+        };
+        let look = Look { geometry: self.look.geometry, projection: self.look.projection, ..usual.look };
+        let playback = Playback { range: usual.playback.range, ..self.playback };
+        let fit = FitSetup { fit_range: usual.fit.fit_range, ..self.fit };
+        Self { scene, time: None, point: None, motion, look, playback, fit, ..self }
+    }
+
     /// These settings in the window, on the screen and in the layout of `other`, which belong to whoever looks and not to what
     /// is shown.
     #[must_use]

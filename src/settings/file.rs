@@ -169,7 +169,8 @@ fn text_of(value: &DeValue) -> Option<String> {
         DeValue::Boolean(is_on) => if *is_on { "on" } else { "off" }.to_owned(),
         DeValue::Array(items) => {
             let items: Option<Vec<String>> = items.iter().map(|item| text_of(item.get_ref())).collect();
-            items?.join(",")
+            // With a space, by which a list of two is told from a number with a decimal comma.
+            items?.join(", ")
         }
         DeValue::Datetime(_) | DeValue::Table(_) => return None,
     })

@@ -133,8 +133,17 @@ impl Settings {
         if self.geometry() == self.look.geometry { Ok(()) } else { Err(PairError::OffTheMotion(published)) }
     }
 
-    /// The binocular model by which the views are told in numbers: one light cone for both eyes where they show that,
-    /// else the exact one. (In the paper's only the right eye's picture is another, and no light.)
+    /// The binocular model of what the views show.
+    #[must_use]
+    pub fn shown_model(&self) -> Model {
+        match self.geometry() {
+            Geometry::Published => Model::Published(PublishedVariant::AppendixA),
+            _ => self.model(),
+        }
+    }
+
+    /// The binocular model by which it is told what happens: one light cone for both eyes where the views show that,
+    /// else the exact one. (The paper's has a right eye that is nowhere.)
     #[must_use]
     pub fn model(&self) -> Model {
         match self.geometry() {
@@ -143,13 +152,24 @@ impl Settings {
         }
     }
 
-    /// What the eyes receive of `point` at `observation_time`, by the [`Self::model`] of what the views show.
+    /// What the eyes receive of `point` at `observation_time`, by the [`Self::model`].
     ///
     /// # Errors
     /// A time outside the domain of the core.
     pub fn disparity(&self, point: &Track, observation_time: f64) -> Result<Disparity, PairError> {
-        let place = self.rest_place(point.rest);
-        self.velocity(point.motion).disparity(self.model(), place, self.pair(), observation_time)
+        self.disparity_by(self.model(), point, observation_time)
+    }
+
+    /// The same by the [`Self::shown_model`]: what the views show.
+    ///
+    /// # Errors
+    /// A time outside the domain of the core.
+    pub fn shown_disparity(&self, point: &Track, observation_time: f64) -> Result<Disparity, PairError> {
+        self.disparity_by(self.shown_model(), point, observation_time)
+    }
+
+    fn disparity_by(&self, model: Model, point: &Track, time: f64) -> Result<Disparity, PairError> {
+        self.velocity(point.motion).disparity(model, self.rest_place(point.rest), self.pair(), time)
     }
 
     /// Where the eyes take `point` to be at `observation_time`, by the [`Self::model`] of what the views show.

@@ -64,10 +64,14 @@ impl Preset {
         ALL.iter().find(|preset| preset.name == name)
     }
 
-    /// The one with these settings, whatever the parts of the window, the screen and the layout are.
+    /// The one with these settings, whatever the parts of the window, the screen and the layout are. One that gives no T has
+    /// them at any.
     #[must_use]
     pub fn of(settings: &Settings) -> Option<&'static Self> {
-        ALL.iter().find(|preset| preset.settings.clone().in_place_of(settings) == *settings)
+        let with = |settings: &Settings| {
+            ALL.iter().find(|preset| preset.settings.clone().in_place_of(settings) == *settings)
+        };
+        with(settings).or_else(|| with(&Settings { time: None, ..settings.clone() }))
     }
 
     fn read(name: &'static str, text: &str) -> Option<Self> {

@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 use clap::{Args, ValueEnum};
 use relativity_core::doppler::BOLOMETRIC_INTENSITY_EXPONENT;
-use relativity_core::{Curves, Model};
+use relativity_core::{Curves, Model, PublishedVariant};
 use relativity_render::{Appearance, Colour, Geometry, Method, Shading};
 use serde::Serialize;
 
@@ -355,6 +355,9 @@ pub struct FitSetup {
     /// Number of samples, evenly spread over the range.
     #[arg(long, value_name = "N", value_parser = samples)]
     pub fit_samples: usize,
+    /// By which model they are made: that of what the views show, or another.
+    #[arg(long, value_enum)]
+    pub data_from: DataFrom,
     /// First and last T of the samples; `auto` is as plotted.
     #[arg(long, value_name = "auto|FROM,TO", allow_hyphen_values = true)]
     pub fit_range: TimeRange,
@@ -379,12 +382,41 @@ impl Default for FitSetup {
     fn default() -> Self {
         Self {
             fit_samples: 240,
+            data_from: DataFrom::Views,
             fit_range: TimeRange(None),
             noise_percent: 1.0,
             seed: 1,
             curves: Curves::Both,
             model: Model::Exact,
             fit_x0: false,
+        }
+    }
+}
+
+/// By which binocular model simulated samples are made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum DataFrom {
+    /// By that of what the views show: exact, or one cone.
+    #[default]
+    Views,
+    /// Each eye solves its own light cone.
+    Exact,
+    /// Both eyes receive the events that the middle between them receives.
+    OneCone,
+    /// The paper's model, which leaves out parallax.
+    Published,
+}
+
+impl DataFrom {
+    /// The model, unless that of the views decides.
+    #[must_use]
+    pub const fn model(self) -> Option<Model> {
+        match self {
+            Self::Views => None,
+            Self::Exact => Some(Model::Exact),
+            Self::OneCone => Some(Model::OneCone),
+            Self::Published => Some(Model::Published(PublishedVariant::AppendixA)),
         }
     }
 }

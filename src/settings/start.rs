@@ -7,6 +7,7 @@ use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
 use super::all::Settings;
 use super::error::{Problem, SettingsError};
 use super::presets::Preset;
+use crate::flags::choices::FileKind;
 use crate::scene::looks_like_a_name;
 
 /// A flag for each setting, and one for a preset or a file of them.
@@ -17,35 +18,52 @@ pub struct StartArgs {
 }
 
 const STATE: &str = "state";
+const SCENE: &str = "scene";
 
 impl StartArgs {
-    /// `left`, or what the preset or the file says if one is given; and the flags in their stead. A scene that a flag gives starts at
-    /// a T and with a point of its own.
+    /// Whether they say what is shown: a scene, or a state.
+    #[must_use]
+    pub fn name_what_is_shown(&self) -> bool {
+        self.state.is_some() || self.scene().is_some()
+    }
+
+    /// The file of settings in TOML that they start from, if it is one.
+    #[must_use]
+    pub fn file(&self) -> Option<&Path> {
+        let path = Path::new(self.state.as_ref().filter(|state| Preset::named(state).is_none())?);
+        FileKind::of(path).is_none().then_some(path)
+    }
+
+    /// The scene that a flag gives.
+    fn scene(&self) -> Option<&String> {
+        self.given.get_one(SCENE)
+    }
+
+    /// `left`, or what the preset or the file says if one is given; and the flags in their stead. What belongs to a scene
+    /// does not go over to another that a flag gives.
     pub fn settings(&self, left: Settings) -> anyhow::Result<Settings> {
-        let mut settings = match &self.state {
-            Some(state) => named(state)?,
+        let base = match &self.state {
+            Some(state) => named(state, &left)?,
             None => left,
         };
-        let Settings { scene, time, point, .. } = settings.clone();
-        (settings.time, settings.point) = (None, None);
+        let mut settings = match self.scene() {
+            Some(scene) if *scene != base.scene => base.with_scene(scene.clone()),
+            _ => base,
+        };
         let updated = settings.update_from_arg_matches(&self.given);
         updated.map_err(|error| anyhow::anyhow!(Problem::new(&error).text))?;
-        if settings.scene == scene {
-            settings.time = settings.time.or(time);
-            settings.point = settings.point.or(point);
-        }
         Ok(settings)
     }
 }
 
-/// The settings of the preset of this name, or in the file there.
-fn named(preset_or_path: &str) -> Result<Settings, SettingsError> {
+/// The settings of the preset of this name, or in the file there, in the window that was `left`.
+fn named(preset_or_path: &str, left: &Settings) -> Result<Settings, SettingsError> {
     match Preset::named(preset_or_path) {
-        Some(preset) => Ok(preset.settings.clone()),
+        Some(preset) => Ok(preset.settings.clone().in_place_of(left)),
         None if looks_like_a_name(preset_or_path) => {
             Err(SettingsError::UnknownPreset { name: preset_or_path.to_owned(), known: Preset::names() })
         }
-        None => Settings::default().with_file(Path::new(preset_or_path)),
+        None => Settings::default().in_place_of(left).with_file(Path::new(preset_or_path)),
     }
 }
 

@@ -111,15 +111,10 @@ fn range() -> impl Strategy<Value = TimeRange> {
 
 fn fit() -> impl Strategy<Value = FitSetup> {
     let noise = number(NOISE_PERCENT);
-    (FIT_SAMPLES, range(), noise, 0..=MAX_SEED, choice::<Curves>(), choice::<Model>(), any::<bool>())
-        .prop_map(|(fit_samples, fit_range, noise_percent, seed, curves, model, fit_x0)| FitSetup {
-            fit_samples,
-            fit_range,
-            noise_percent,
-            seed,
-            curves,
-            model,
-            fit_x0,
+    let from = choice::<DataFrom>();
+    (FIT_SAMPLES, from, range(), noise, 0..=MAX_SEED, choice::<Curves>(), choice::<Model>(), any::<bool>())
+        .prop_map(|(fit_samples, data_from, fit_range, noise_percent, seed, curves, model, fit_x0)| {
+            FitSetup { fit_samples, data_from, fit_range, noise_percent, seed, curves, model, fit_x0 }
         })
 }
 
@@ -302,6 +297,7 @@ fn complaint(text: &str) -> String {
 fn what_is_wrong_in_a_file_is_said_with_its_line() {
     for (text, expected) in [
         ("[motion]\n\nd = -1", "state.toml:3: d = -1: must be between 0 and 1e6"),
+        ("[motion]\nd = [1, 2]", "state.toml:2: d = 1, 2: not a number"),
         ("[motion]\nd = nan", "state.toml:2: d = nan: not a finite number"),
         ("time = -inf", "state.toml:1: time = -inf: not a finite number"),
         ("[motion]\nbeta = 1.0", "state.toml:2: beta = 1 is out of range: it must be at least 0 and below 1"),

@@ -1,5 +1,6 @@
 //! Where pictures are made for files: a scene, settings and a renderer, and what the files record of them.
 
+pub mod film;
 mod layout;
 mod letters;
 mod painter;
@@ -30,6 +31,7 @@ const EYES: [&str; 2] = ["left eye", "right eye"];
 pub struct Studio {
     scene: Scene,
     prepared: PreparedScene,
+    tracked: Track,
     settings: Settings,
     painter: Painter,
     timings: Timings,
@@ -41,13 +43,23 @@ impl Studio {
     /// # Errors
     ///
     /// A scene or a renderer that cannot be had, or the published geometry of a head that is tilted or turned.
-    pub fn new(mut settings: Settings) -> anyhow::Result<Self> {
+    pub fn new(settings: Settings) -> anyhow::Result<Self> {
         settings.check_geometry()?;
         let scene = settings.opened_scene()?;
+        let tracked = scene.track(settings.point);
+        Self::of_scene(settings, scene, tracked)
+    }
+
+    /// This `scene` as `settings` have it, with this point `tracked`, and the renderer that they choose.
+    ///
+    /// # Errors
+    ///
+    /// A renderer that cannot be had.
+    pub fn of_scene(mut settings: Settings, scene: Scene, tracked: Track) -> anyhow::Result<Self> {
         let mut timings = Timings::default();
         let painter = timings.timed("set up", || Painter::new(&settings))?;
         settings.quality.renderer = painter.choice();
-        Ok(Self { prepared: scene.prepared(), scene, settings, painter, timings })
+        Ok(Self { prepared: scene.prepared(), scene, tracked, settings, painter, timings })
     }
 
     /// What is drawn, and how.
@@ -58,13 +70,13 @@ impl Studio {
 
     /// The point that is tracked.
     #[must_use]
-    pub fn tracked(&self) -> Track {
-        self.scene.track(self.settings.point)
+    pub const fn tracked(&self) -> Track {
+        self.tracked
     }
 
     /// What the eyes look at.
     fn subject(&self) -> Subject<'_> {
-        Subject { scene: &self.prepared, tracked: self.tracked() }
+        Subject { scene: &self.prepared, tracked: self.tracked }
     }
 
     /// The frame at `time`, or at the T that the settings say.
@@ -76,7 +88,7 @@ impl Studio {
         let settings = Settings { time: time.or(self.settings.time), ..self.settings.clone() };
         let settings = settings.resolved(self.subject()).exposed_for(&self.scene);
         let time = settings.time.unwrap_or_default();
-        settings.disparity(&self.tracked(), time)?;
+        settings.disparity(&self.tracked, time)?;
         let provenance = self.scene.provenance(settings.command());
         Ok(Frame { settings, time, provenance })
     }
@@ -106,7 +118,12 @@ impl Studio {
         }
     }
 
-    fn still(&mut self, frame: &Frame) -> anyhow::Result<Still> {
+    /// What the file of `frame` shows.
+    ///
+    /// # Errors
+    ///
+    /// Those of the renderer.
+    pub fn still(&mut self, frame: &Frame) -> anyhow::Result<Still> {
         let Frame { settings, time, .. } = frame;
         let picture = &settings.picture;
         let views = settings.views(self.subject(), *time, picture.size.0);

@@ -107,3 +107,37 @@ fn a_sequence_of_measurements_tells_its_size_beforehand_and_afterwards() {
     assert!((total * 1000.0 / bytes as f64 - 1.0).abs() < 0.01, "{total} {bytes}");
     assert!((0.5..2.0).contains(&(estimate / total)), "{estimate} {total}");
 }
+
+#[test]
+fn frames_become_an_animation_where_the_name_of_a_file_is_given() {
+    let folder = folder();
+    let flags = "--frames 4 --from 1 --to 2.5 --samples 1";
+    for out in ["ride", "ride.gif", "ride.png"] {
+        render(folder.path(), &format!("{flags} --out {out}"));
+    }
+    let png = Png::read(&folder.path().join("ride.png"));
+    assert!(png.texts["Parameters"].contains("--time=1 "), "{:?}", png.texts);
+    assert_eq!(png.rgb, Png::read(&frame(folder.path(), 0)).rgb);
+    let file = fs::File::open(folder.path().join("ride.gif")).expect("it is there");
+    let mut gif = gif::DecodeOptions::new().read_info(file).expect("a GIF");
+    let mut frames = 0;
+    while let Some(frame) = gif.read_next_frame().expect("a whole GIF") {
+        assert_eq!(frame.delay, 4);
+        frames += 1;
+    }
+    assert_eq!(frames, 4);
+    for (arguments, complaint) in [
+        ("--out ride.gif", "--out ride.gif: an animation needs --frames"),
+        (
+            "--frames 2 --out ride.exr",
+            "--out ride.exr: a sequence of measurements needs a folder, not a file",
+        ),
+        (
+            "--frames 2 --exr --out ride.gif",
+            "--exr: an animation shows pictures; measurements of every pixel need a folder",
+        ),
+    ] {
+        let error = String::from_utf8(output(folder.path(), arguments).stderr).expect("it is text");
+        assert_eq!(error, format!("gamow: {complaint}\n"));
+    }
+}

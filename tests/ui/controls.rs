@@ -1,9 +1,12 @@
 //! Speed, separation, path, geometry and light.
 
+use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use gamow::app::App;
+use gamow::app::command::Command;
+use gamow::settings::{PlotTab, Plots};
 use relativity_core::{Aperture, Sighting, Speed, equidistance_time, sighting};
 use relativity_render::{Colour, Geometry, Shading};
 
@@ -16,6 +19,7 @@ pub const TESTS: &[Test] = &[
     ("dragging_beta_changes_the_readout_in_the_same_frame", dragging_beta_changes_the_readout),
     ("marks_below_the_slider_set_the_speed_they_name", marks_set_the_speed),
     ("typed_gamma_and_rapidity_are_kept_exactly", typed_gamma_is_kept_exactly),
+    ("a_decimal_comma_may_be_typed_wherever_a_number_is", a_decimal_comma_is_typed),
     ("a_bad_speed_is_explained_and_the_old_one_kept", a_bad_speed_is_explained),
     ("the_readout_is_what_the_core_computes", the_readout_is_what_the_core_computes),
     ("separation_and_path_follow_their_fields", separation_and_path_follow),
@@ -63,6 +67,21 @@ fn typed_gamma_is_kept_exactly() {
     assert_eq!(window.state().state().speed(), Speed::from_rapidity(2.5).expect("a speed"));
     type_into(&mut window, "Beta, typed", "0.123456789012345");
     assert_eq!(window.state().state().speed().beta(), 0.123_456_789_012_345);
+}
+
+fn a_decimal_comma_is_typed() {
+    let mut window = window(cyclist(0.9));
+    type_into(&mut window, "Beta, typed", "0,75");
+    type_into(&mut window, "T, typed", "2,25");
+    type_into(&mut window, "Eyes apart d, typed", "0,5");
+    type_into(&mut window, "Distance y, typed", "4,5");
+    let state = window.state().state();
+    assert_eq!((state.speed().beta(), state.session.time, state.settings.motion.d), (0.75, 2.25, 0.5));
+    assert_eq!(state.settings.motion.depth_shift, 1.5);
+    window.state_mut().ask(Command::Plots(Plots { plot: PlotTab::Fit, ..Plots::default() }));
+    window.run();
+    type_into(&mut window, "Noise", "2,5");
+    assert_eq!(window.state().state().settings.fit.noise_percent, 2.5);
 }
 
 fn a_bad_speed_is_explained() {
@@ -192,7 +211,7 @@ fn each_effect_changes_the_picture() {
     assert_eq!(light.colour, Colour::False);
     assert_eq!((light.doppler_shift, light.intensity_exponent.0, light.sky), (false, None, false));
     assert_eq!((light.shading, state.settings.look.geometry), (Shading::Emission, Geometry::Rest));
-    label_starting_with(&window, "Plot of Δφ of point 1");
+    label_starting_with(&window, "Plot of Δφ of front tyre");
     window.key_press(Key::Num1);
     window.run();
     assert_eq!(window.state().state().settings.look.geometry, Geometry::Seen);
@@ -200,7 +219,7 @@ fn each_effect_changes_the_picture() {
 
 /// What eframe saves to, in memory.
 #[derive(Default)]
-struct Storage(std::collections::HashMap<String, String>);
+pub struct Storage(std::collections::HashMap<String, String>);
 
 impl eframe::Storage for Storage {
     fn get_string(&self, key: &str) -> Option<String> {
@@ -219,12 +238,12 @@ fn settings_survive() {
     let mut window = window(cyclist(0.9));
     type_into(&mut window, "Gamma, typed", "1e12");
     for choice in ["D³ photons", "False", "Published", "Angles", "Contracted", "Stays", "Theme"] {
-        window.get_by_label(choice).click();
+        window.get_by_role_and_label(Role::Button, choice).click();
         window.run();
     }
     let mut storage = Storage::default();
     eframe::App::save(window.state_mut(), &mut storage);
     let loaded = gamow::app::memory::remembered(&storage);
-    assert_eq!(loaded, window.state().state().settings);
+    assert_eq!(loaded, window.state().state().shown());
     assert_ne!(loaded, cyclist(0.9).settings);
 }

@@ -36,8 +36,8 @@ const ALWAYS_THERE: [&str; 11] = [
     "Left eye view",
     "Right eye view",
     "Disparity",
-    "Plot of Δφ of point 1 (front tyre) against T",
-    "Plot of Δθ of point 1 (front tyre) against T",
+    "Plot of Δφ of front tyre against T",
+    "Plot of Δθ of front tyre against T",
 ];
 
 fn every_part_is_in_the_window() {
@@ -165,7 +165,7 @@ fn the_published_model_adds_curves() {
     let picture = |window: &mut Harness<'_, App>| {
         window.remove_cursor();
         window.run();
-        let plot = window.get_by_label("Plot of Δφ of point 1 (front tyre) against T").rect();
+        let plot = window.get_by_label("Plot of Δφ of front tyre against T").rect();
         let picture = window.render().expect("a picture");
         let (min, size) = (plot.min + vec2(2.0, 2.0), plot.size() - vec2(4.0, 4.0));
         let (width, height) = (size.x as u32, size.y as u32);
@@ -174,10 +174,10 @@ fn the_published_model_adds_curves() {
             .collect::<Vec<_>>()
     };
     let before = picture(&mut window);
-    window.get_by_label("Published").click();
+    window.get_by_role_and_label(Role::CheckBox, "Published").click();
     window.run();
     assert!(picture(&mut window) != before);
-    window.get_by_label("Published").click();
+    window.get_by_role_and_label(Role::CheckBox, "Published").click();
     window.run();
     assert!(picture(&mut window) == before);
 }

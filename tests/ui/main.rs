@@ -5,20 +5,26 @@
 //! with `GAMOW_REQUIRE_GPU=1` that is a failure.
 
 mod controls;
+mod files;
 mod fit;
 mod groups;
 mod layouts;
+mod manners;
 mod map;
+mod own_data;
 mod pairs;
 mod picking;
+mod plots;
 mod presenting;
 mod quality;
+mod saving;
 mod spacetime;
 mod start;
 mod stereo;
 mod support;
 mod time;
 mod times;
+mod way_back;
 mod words;
 
 use std::process::ExitCode;
@@ -34,19 +40,25 @@ fn main() -> ExitCode {
     let missing = !required && relativity_render::Gpu::headless().is_err();
     let all = [
         controls::TESTS,
+        files::TESTS,
         fit::TESTS,
         groups::TESTS,
         layouts::TESTS,
+        manners::TESTS,
         map::TESTS,
+        own_data::TESTS,
         pairs::TESTS,
         picking::TESTS,
+        plots::TESTS,
         presenting::TESTS,
         quality::TESTS,
+        saving::TESTS,
         spacetime::TESTS,
         start::TESTS,
         stereo::TESTS,
         time::TESTS,
         times::TESTS,
+        way_back::TESTS,
         words::TESTS,
     ]
     .concat();

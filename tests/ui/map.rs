@@ -41,7 +41,7 @@ fn mark(window: &Harness<'_, App>, name: &str) -> Pos2 {
 }
 
 fn point(picture: &str) -> String {
-    format!("point 1 (front tyre), {picture}")
+    format!("front tyre, {picture}")
 }
 
 /// Goes to `time`.

@@ -1,11 +1,13 @@
 //! Clicking points of the cyclist, their markers, and looking around.
 
+use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, PointerButton, Pos2, Rect, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use gamow::app::App;
-use gamow::app::command::{Command, Pick};
+use gamow::app::command::Command;
 use gamow::app::observer::Eye;
+use gamow::app::pointer::Pick;
 use gamow::flags::choices::{GazeChoice, ZeroParallax};
 use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::settings::Look;
@@ -14,12 +16,13 @@ use relativity_core::{Aperture, SourcePoint, sighting};
 use relativity_render::{Geometry, Gpu, Method, Renderers};
 
 use super::Test;
-use super::support::{SEPARATION, cyclist, drag, label_starting_with, pane, window};
+use super::support::{SEPARATION, cyclist, drag, label_starting_with, pane, shown, window};
 
 pub const TESTS: &[Test] = &[
     ("clicking_the_wheel_at_beta_0_9_plots_that_point", || clicking_the_wheel(0.9)),
     ("clicking_the_wheel_at_beta_0_1_plots_that_point", || clicking_the_wheel(0.1)),
     ("shift_clicking_compares_points", shift_clicking_compares_points),
+    ("double_clicking_follows_again_and_picks_nothing", double_clicking_follows_again),
     ("a_click_beside_everything_changes_nothing", a_click_beside_everything),
     ("marker_and_drawn_surface_agree_within_half_a_pixel", marker_and_surface_agree),
     ("the_published_right_eye_shows_its_own_picture_and_marker", the_published_right_eye),
@@ -77,9 +80,42 @@ fn clicking_the_wheel(beta: f64) {
         assert_eq!(point.body, Some(FRONT_TYRE));
         let off = DVec3::from(point.track.rest).distance(DVec3::from(ON_THE_TYRE));
         assert!(off < 1e-3, "{off} from where it was clicked");
-        label_starting_with(&window, "Plot of Δφ of point 1 (front tyre) against T");
-        label_starting_with(&window, "Plot of Δθ of point 1 (front tyre) against T");
+        label_starting_with(&window, "Plot of Δφ of front tyre (2) against T");
+        label_starting_with(&window, "Plot of Δθ of front tyre (2) against T");
+        // The scene's own point is one of the list all the same, and another click moves the one that was picked.
+        window.get_by_label("front tyre (1)");
+        click(&mut window, place + vec2(3.0, 0.0), Modifiers::NONE);
+        let points = &window.state().state().session.points;
+        assert_eq!((points.all().len(), points.selected().number), (2, 2));
+        assert_ne!(points.selected().track, point.track);
     }
+}
+
+fn double_clicking_follows_again() {
+    let mut window = window(cyclist(0.9));
+    let before = window.state().state().session.points.clone();
+    let middle = pane(&window, 0).center();
+    drag(&mut window, middle, middle + vec2(60.0, 30.0));
+    let tyre = place(&window, ON_THE_TYRE, 0);
+    window.hover_at(tyre);
+    window.run_ok();
+    for pressed in [true, false, true, false] {
+        window.event(eframe::egui::Event::PointerButton {
+            pos: tyre,
+            button: PointerButton::Primary,
+            pressed,
+            modifiers: Modifiers::NONE,
+        });
+        window.step();
+    }
+    window.run_ok();
+    let state = window.state().state();
+    assert_eq!((&state.session.points, state.settings.look), (&before, Look::default()));
+    // A click of its own picks, however soon another point is double-clicked.
+    window.run_steps(16);
+    let tyre = place(&window, ON_THE_TYRE, 0);
+    click(&mut window, tyre, Modifiers::NONE);
+    assert_eq!(window.state().state().session.points.selected().body, Some(FRONT_TYRE));
 }
 
 fn shift_clicking_compares_points() {
@@ -89,13 +125,14 @@ fn shift_clicking_compares_points() {
     let points = window.state().state().session.points.clone();
     assert_eq!(points.all().len(), 2);
     assert_eq!((points.selected().number, points.selected().body), (2, Some(FRONT_TYRE)));
-    window.get_by_label("point 1 (front tyre)").click();
+    window.get_by_label("front tyre (1)").click();
     window.run();
     assert_eq!(window.state().state().session.points.selected().number, 1);
-    window.get_by_label("Remove point 1 (front tyre)").click();
+    assert!(window.query_by_label("Remove front tyre (1)").is_none());
+    window.get_by_label("Remove front tyre (2)").click();
     window.run();
     assert_eq!(window.state().state().session.points.all().len(), 1);
-    label_starting_with(&window, "Plot of Δφ of point 2 (front tyre)");
+    label_starting_with(&window, "Plot of Δφ of front tyre");
 }
 
 fn a_click_beside_everything() {
@@ -162,7 +199,7 @@ fn marker_and_surface_agree() {
 fn the_published_right_eye() {
     let mut window = window(cyclist(0.9));
     let exact = window.render().expect("a picture");
-    window.get_by_label("Published").click();
+    window.get_by_role_and_label(Role::Button, "Published").click();
     window.remove_cursor();
     window.run();
     let published = window.render().expect("a picture");
@@ -184,9 +221,21 @@ fn the_published_right_eye() {
         state.session.time,
         relativity_core::PublishedVariant::AppendixA,
     );
-    let [x, y, z] = model.expect("in the domain").secondary.position;
-    let shown = state.direction(point, Eye::Right).expect("in the domain");
-    assert!(shown.distance(DVec3::new(x, y, z)) < 1e-12, "{shown} for {x}, {y}, {z}");
+    let published = model.expect("in the domain");
+    let [x, y, z] = published.secondary.position;
+    // The numbers are those of the view, and the table says which model's.
+    window.get_by_label("Right, published");
+    for (name, value, rounding) in [
+        ("Right eye, Received wavelength", 700.0 / published.secondary.doppler_factor, 0.06),
+        ("Left eye, Received wavelength", 700.0 / published.primary.doppler_factor, 0.06),
+        ("Disparity Δφ", published.dphi, 6e-6),
+        ("Right eye, Azimuth φ", published.secondary.phi(), 6e-6),
+    ] {
+        let told = shown(&window, name);
+        assert!((told - value).abs() < rounding, "{name}: {told} for {value}");
+    }
+    let direction = state.direction(point, Eye::Right).expect("in the domain");
+    assert!(direction.distance(DVec3::new(x, y, z)) < 1e-12, "{direction} for {x}, {y}, {z}");
 
     let right = pane(&window, 1).center();
     click(&mut window, right, Modifiers::NONE);

@@ -31,9 +31,7 @@ fn an_audience_has_views_a_plot_and_words() {
     let before = settings_window(&window);
     window.key_press(Key::P);
     window.run();
-    for name in
-        ["Left eye view", "Right eye view", "β = 0.900", "Plot of Δφ of point 1 (front tyre) against T"]
-    {
+    for name in ["Left eye view", "Right eye view", "β = 0.900", "Plot of Δφ of front tyre against T"] {
         window.get_by_label(name);
     }
     label_starting_with(&window, "Light received now");
@@ -136,7 +134,7 @@ fn a_part_alone() {
         ("Title of view 1", "Left eye view"),
         ("Title of view 2", "Right eye view"),
         ("Title of the map", "Map, from above"),
-        ("Title of the plots", "Plot of Δφ of point 1 (front tyre) against T"),
+        ("Title of the plots", "Plot of Δφ of front tyre against T"),
     ];
     for (title, part) in parts {
         let before = window.get_by_label(part).rect();
@@ -175,7 +173,7 @@ fn the_comfortable_button() {
     let d = window.state().state().settings.motion.d;
     assert!(d > 0.0 && d < 1.5);
     window.get_by_label(&format!("d narrowed from 1.5 to {d}: measured disparities shrink with it."));
-    window.get_by_label("Undo").click();
+    window.get_by_label("As before").click();
     window.run();
     assert_eq!(window.state().state().settings.motion, wide);
 }

@@ -193,7 +193,7 @@ fn the_way_of_the_light() {
     window.state_mut().ask(Command::Map(Map::default()));
     go_to(&mut window, 5.0);
     let place = |name: &str| window.get_by_label(&format!("Map, from above: {name}")).rect().center();
-    let [from, to] = ["point 1 (front tyre), as the left eye sees it", "Left eye"].map(place);
+    let [from, to] = ["front tyre, as the left eye sees it", "Left eye"].map(place);
     let way = from.lerp(to, 0.6);
     window.hover_at(way);
     window.run_steps(30);

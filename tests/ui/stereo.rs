@@ -45,8 +45,8 @@ fn gives_the_gain_and_four_distances() {
     window.get_by_label("Stereo").click();
     window.run();
     assert_eq!(window.state().state().settings.plots.plot, PlotTab::Stereo);
-    label_starting_with(&window, "Plot of stereo gain of point 1 (front tyre) against T");
-    label_starting_with(&window, "Plot of distance of point 1 (front tyre) against T");
+    label_starting_with(&window, "Plot of stereo gain of front tyre against T");
+    label_starting_with(&window, "Plot of distance of front tyre against T");
     for time in [-2.0, 1.1, 3.6, 7.0] {
         window.state_mut().ask(Command::Time(time));
         window.run();
@@ -89,7 +89,7 @@ fn fits_in_the_smallest_window() {
     state.settings.plots.plot = PlotTab::Stereo;
     let mut window = window_of_size(state, [1024.0, 600.0], 1.0);
     window.run();
-    let right = window.get_by_label("Plot of distance of point 1 (front tyre) against T").rect().max.x;
+    let right = window.get_by_label("Plot of distance of front tyre against T").rect().max.x;
     for name in DISTANCES {
         let label = label_starting_with(&window, name);
         let place = window.get_by_label(&label).rect();

@@ -127,10 +127,8 @@ fn units_are_chosen_in_the_bar() {
 fn two_marks_tell_presently_from_seen() {
     // The cyclist moved back by one unit is abreast 1/beta times its contracted length later.
     let mut state = cyclist(0.9);
-    state.session.points.replace_selected(
-        gamow::scene::Track { rest: [-1.0, 3.0, 2.0], ..state.session.points.selected().track },
-        0,
-    );
+    let track = gamow::scene::Track { rest: [-1.0, 3.0, 2.0], ..state.session.points.selected().track };
+    state.session.points.choose(track, 0, false);
     let mut window = window(state);
     window.get_by_label("Go to presently abreast").click();
     window.run();

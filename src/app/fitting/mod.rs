@@ -1,12 +1,14 @@
 //! The fit of the selected point, kept up to date by a thread of its own while it is shown.
 
 mod outcome;
+mod samples;
 
 use std::time::Duration;
 
 use eframe::egui::Context;
 
-pub use outcome::{FitKey, FitOutcome, Fitted, FittedCurve};
+pub use outcome::{FitOutcome, Fitted, FittedCurve};
+pub use samples::{DataFile, FitKey, Fittable, Samples, Simulated};
 
 use super::worker::Worker;
 use crate::platform::clock::Instant;
@@ -29,9 +31,9 @@ impl Fitting {
     /// Asks for the fit of `key`, unless that is what is shown or already asked for.
     pub fn update(&mut self, ctx: &Context, key: FitKey) {
         self.receive();
-        if self.requested != Some(key) {
+        if self.requested.as_ref() != Some(&key) {
             let work = |key, wanted: &super::worker::Wanted| FitOutcome::new(key, &|| !wanted.holds());
-            self.worker.get_or_insert_with(|| Worker::new(ctx.clone(), work)).request(key);
+            self.worker.get_or_insert_with(|| Worker::new(ctx.clone(), work)).request(key.clone());
             self.requested = Some(key);
             self.requests += 1;
             self.awaited_since.get_or_insert_with(Instant::now);
@@ -46,7 +48,7 @@ impl Fitting {
 
     fn receive(&mut self) {
         let Some(outcome) = self.worker.as_ref().and_then(Worker::result) else { return };
-        self.awaited_since = (self.requested != Some(outcome.key)).then(Instant::now);
+        self.awaited_since = (self.requested.as_ref() != Some(&outcome.key)).then(Instant::now);
         self.shown = Some(outcome);
     }
 

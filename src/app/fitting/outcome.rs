@@ -1,51 +1,37 @@
-//! A fit for the window: noisy samples of the exact curves, the point that fits them best, its
-//! uncertainty by the bootstrap, and what there is to draw.
+//! A fit for the window: the samples, the point that fits them best, its uncertainty by the bootstrap, and what there is to
+//! draw.
 
 use std::time::Duration;
 
 use egui_plot::PlotPoint;
 use relativity_core::bootstrap::percentiles_95;
 use relativity_core::{
-    Aperture, Bootstrap, Curves, DEFAULT_REPLICATES, Fit, FitOptions, Model, Observations, Parameter,
-    Passage, Simulation, SourcePoint, Speed, bootstrap_unless, fit,
+    Aperture, Bootstrap, DEFAULT_REPLICATES, Fit, FitOptions, Model, Observations, Parameter,
+    Sample as Measured, SourcePoint, Speed, bootstrap_unless, fit,
 };
 use relativity_render::Velocity;
 
+use super::samples::{FitKey, Fittable, Samples, Simulated};
 use crate::app::curves::{Sample, bends, sampled};
 use crate::estimate::{Estimate, estimate};
-use crate::passage::time_within;
 use crate::platform::clock::Instant;
 use crate::platform::threads::prelude::*;
-use crate::settings::FitSetup;
-
-/// Everything that a fit depends on.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FitKey {
-    /// True speed.
-    pub velocity: Velocity,
-    /// True worldline.
-    pub source: SourcePoint,
-    /// The eyes, from the middle between them.
-    pub pair: [Aperture; 2],
-    /// First and last T of the samples.
-    pub range: [f64; 2],
-    /// The model by which the samples are made: that of what the views show.
-    pub model: Model,
-    /// Samples and fit.
-    pub setup: FitSetup,
-}
 
 /// The samples and what became of them.
 #[derive(Debug, Clone)]
 pub struct FitOutcome {
     /// What it was made for.
     pub key: FitKey,
-    /// The samples of Delta-phi and of Delta-theta.
+    /// First and last T of the samples.
+    pub range: [f64; 2],
+    /// The samples, in their order.
+    pub samples: Vec<Measured>,
+    /// Those of Delta-phi and of Delta-theta.
     pub data: [Vec<PlotPoint>; 2],
     /// The fit, or why there is none.
     pub fitted: Result<Fitted, String>,
-    /// What the fitted model makes of curves without noise: fitted minus true beta, y and z, or why it fits nothing.
-    /// `None` for the model by which they are made.
+    /// What the fitted model makes of simulated curves without noise: fitted minus true beta, y and z, or why it fits
+    /// nothing. `None` for the model by which they are made, and of measured ones.
     pub bias: Option<Result<[f64; 3], String>>,
     /// How long it took.
     pub elapsed: Duration,
@@ -54,12 +40,16 @@ pub struct FitOutcome {
 /// A fit.
 #[derive(Debug, Clone)]
 pub struct Fitted {
-    /// Each fitted parameter, its best value with uncertainty, and its true value.
-    pub estimates: Vec<(Parameter, Estimate, f64)>,
+    /// Each fitted parameter, its best value with uncertainty, and its true value if that is known.
+    pub estimates: Vec<(Parameter, Estimate, Option<f64>)>,
+    /// Delta-phi and Delta-theta of the best fit for each sample.
+    pub at_samples: Vec<Option<[f64; 2]>>,
     /// Delta-phi and Delta-theta; `None` if not fitted.
     pub curves: [Option<FittedCurve>; 2],
     /// Root mean square of the residuals, radians.
     pub rms: f64,
+    /// Chi squared per degree of freedom, if there were sigmas.
+    pub reduced_chi_squared: Option<f64>,
     /// Readings fitted.
     pub readings: usize,
     /// Why the uncertainties are by linearisation, not by the bootstrap.
@@ -69,7 +59,7 @@ pub struct Fitted {
 /// A fitted curve.
 #[derive(Debug, Clone)]
 pub struct FittedCurve {
-    /// The curve of the best fit.
+    /// The curve of the best fit; of several pairs of eyes that of the first.
     pub line: Vec<PlotPoint>,
     /// Of the curves of the bootstrap's replicates, the 95 % interval at each point of `line`, minus the best
     /// fit; empty without a bootstrap.
@@ -85,88 +75,49 @@ impl FitOutcome {
     /// The outcome for `key`; `None` soon after `stopped` becomes true.
     pub fn new(key: FitKey, stopped: &(impl Fn() -> bool + Sync)) -> Option<Self> {
         let start = Instant::now();
-        let (data, fitted) = match observations(&key, key.setup.noise_percent) {
-            Ok(observed) => (data(&observed), Fitted::new(&key, &observed, stopped)?),
-            Err(problem) => ([Vec::new(), Vec::new()], Err(problem)),
+        let (range, samples, fitted) = match key.fittable() {
+            Ok(samples) => {
+                let range = range(&key, &samples.observations);
+                let fitted = Fitted::new(&key, &samples, range, stopped)?;
+                (range, samples.observations.samples().to_vec(), fitted)
+            }
+            Err(problem) => ([0.0, 1.0], Vec::new(), Err(problem)),
         };
-        let bias = (key.setup.model != key.model).then(|| bias(&key));
-        Some(Self { key, data, fitted, bias, elapsed: start.elapsed() })
+        let data = data(&samples);
+        let simulated = key.simulated().filter(|simulated| simulated.model != key.setup.model);
+        let bias = simulated.map(|simulated| bias(&key, simulated));
+        Some(Self { key, range, samples, data, fitted, bias, elapsed: start.elapsed() })
     }
 }
 
-impl FitKey {
-    fn options(&self) -> FitOptions {
-        let FitSetup { model, curves, fit_x0, .. } = self.setup;
-        let passage = if fit_x0 { Passage::Fitted } else { Passage::Known(self.source.x0) };
-        FitOptions { model, curves, passage }
+/// First and last T that are plotted.
+fn range(key: &FitKey, observed: &Observations) -> [f64; 2] {
+    if let Samples::Simulated(simulated) = &key.samples {
+        return simulated.range;
     }
-
-    fn true_value(&self, parameter: Parameter) -> f64 {
-        match parameter {
-            Parameter::Beta => self.velocity.speed.beta(),
-            Parameter::Y => self.source.y,
-            // Delta-phi alone does not tell above from below.
-            Parameter::Z if self.setup.curves == Curves::Azimuth => self.source.z.abs(),
-            Parameter::Z => self.source.z,
-            Parameter::X0 => self.source.x0,
-        }
-    }
-
-    /// The times around which curves bend.
-    fn bends(&self) -> Vec<f64> {
-        let SourcePoint { x0, y, z } = self.source;
-        bends(&self.velocity, [self.velocity.speed.gamma() * x0, y, z], self.pair)
-    }
-
-    /// Why there is nothing to fit, whatever the noise.
-    fn obstacle(&self) -> Option<&'static str> {
-        if self.pair[0] == self.pair[1] {
-            Some("both eyes are in one place (d = 0) and see the same")
-        } else if self.velocity.speed.beta() == 0.0 {
-            Some("at rest (β = 0) no disparity changes with T")
-        } else if self.velocity.is_backward {
-            Some("the fit takes what moves towards +x, and the point moves the other way")
-        } else if self.source.y <= 0.0 {
-            Some("the fit looks in front of the eyes, and the point is not there (y ≤ 0)")
-        } else {
-            None
-        }
-    }
+    let times = || observed.samples().iter().map(|sample| sample.time);
+    let [first, last] = [times().fold(f64::INFINITY, f64::min), times().fold(f64::NEG_INFINITY, f64::max)];
+    if first < last { [first, last] } else { [0.0, 1.0] }
 }
 
-/// What both eyes see of the point, and with noise.
-fn observations(key: &FitKey, noise_percent: f64) -> Result<Observations, String> {
-    if let Some(obstacle) = key.obstacle() {
-        return Err(obstacle.to_owned());
-    }
-    let last = key.setup.fit_samples.max(2) - 1;
-    let time = |index: usize| time_within(key.range, index as f64 / last as f64);
-    let simulation = Simulation {
-        speed: key.velocity.speed,
-        point: key.source,
-        pair: key.pair,
-        model: key.model,
-        times: (0..=last).map(time).collect(),
-        noise: 0.01 * noise_percent,
-        seed: key.setup.seed,
-    };
-    simulation.observations().map_err(|error| error.to_string())
-}
-
-fn data(observed: &Observations) -> [Vec<PlotPoint>; 2] {
+fn data(samples: &[Measured]) -> [Vec<PlotPoint>; 2] {
     [0, 1].map(|curve| {
-        let point = |sample: &relativity_core::Sample| {
-            let reading = [sample.dphi, sample.dtheta][curve]?;
-            Some(PlotPoint::new(sample.time, reading.value))
-        };
-        observed.samples().iter().filter_map(point).collect()
+        let point = |sample: &Measured| Some(PlotPoint::new(sample.time, reading(sample, curve)?));
+        samples.iter().filter_map(point).collect()
     })
 }
 
-fn bias(key: &FitKey) -> Result<[f64; 3], String> {
-    let clean = observations(key, 0.0)?;
-    let best = fit(&clean, &key.options()).map_err(|error| error.to_string())?;
-    Ok([Parameter::Beta, Parameter::Y, Parameter::Z].map(|p| best.value(p) - key.true_value(p)))
+fn reading(sample: &Measured, curve: usize) -> Option<f64> {
+    [sample.dphi, sample.dtheta][curve].map(|reading| reading.value)
+}
+
+fn bias(key: &FitKey, simulated: &Simulated) -> Result<[f64; 3], String> {
+    let FitOptions { passage, .. } = key.fittable()?.options;
+    let clean = simulated.observations(&key.setup, 0.0)?;
+    let options = FitOptions { model: key.setup.model, curves: key.setup.curves, passage };
+    let best = fit(&clean, &options).map_err(|error| error.to_string())?;
+    let truth = |parameter| simulated.true_value(parameter, key.setup.curves);
+    Ok([Parameter::Beta, Parameter::Y, Parameter::Z].map(|p| best.value(p) - truth(p)))
 }
 
 impl Fitted {
@@ -179,10 +130,11 @@ impl Fitted {
 
     fn new(
         key: &FitKey,
-        observed: &Observations,
+        samples: &Fittable,
+        range: [f64; 2],
         stopped: &(impl Fn() -> bool + Sync),
     ) -> Option<Result<Self, String>> {
-        let best = match fit(observed, &key.options()) {
+        let best = match fit(&samples.observations, &samples.options) {
             Ok(best) => best,
             Err(error) => return Some(Err(error.to_string())),
         };
@@ -192,47 +144,75 @@ impl Fitted {
                 Err(error) => (None, Some(error.to_string())),
             };
         let estimate = |&parameter: &Parameter| {
-            (parameter, estimate(&best, replicates.as_ref(), parameter), key.true_value(parameter))
+            let truth = key.simulated().map(|point| point.true_value(parameter, samples.options.curves));
+            (parameter, estimate(&best, replicates.as_ref(), parameter), truth)
         };
         let estimates: Vec<_> = best.parameters().iter().map(estimate).collect();
         if estimates.iter().any(|(_, estimate, _)| !estimate.value.is_finite()) {
             return Some(Err("the best fit is beyond what numbers can hold".to_owned()));
         }
+        let observed = &samples.observations;
+        let at_samples: Vec<_> =
+            observed.samples().iter().map(|sample| fitted_angles(&best, sample.pair, sample.time)).collect();
         Some(Ok(Self {
             estimates,
-            curves: curves(key, observed, &best, replicates.as_ref()),
+            curves: curves(key, (observed, &at_samples), range, &best, replicates.as_ref()),
+            at_samples,
             rms: best.rms,
+            reduced_chi_squared: best.reduced_chi_squared,
             readings: best.readings,
             no_bootstrap,
         }))
     }
 }
 
-/// What there is to draw of the fitted curves.
+/// Delta-phi and Delta-theta of the best fit for a pair of eyes, where they are numbers.
+fn fitted_angles(best: &Fit, pair: usize, time: f64) -> Option<[f64; 2]> {
+    best.angles(pair, time).filter(|angles| angles.iter().all(|angle| angle.is_finite()))
+}
+
+/// What there is to draw of the fitted curves, of samples and what the best fit makes of each.
 fn curves(
     key: &FitKey,
-    observed: &Observations,
+    (observed, at_samples): (&Observations, &[Option<[f64; 2]>]),
+    range: [f64; 2],
     best: &Fit,
     replicates: Option<&Bootstrap>,
 ) -> [Option<FittedCurve>; 2] {
-    let at = |time| best.angles(0, time).filter(|angles| angles.iter().all(|angle| angle.is_finite()));
-    let lines = sampled(key.range, &key.bends(), at);
-    let bands = replicates.map(|replicates| bands(key, &lines, replicates)).unwrap_or_default();
-    let (data, used) = (data(observed), key.setup.curves.used());
+    let Some(&pair) = observed.pairs().first() else { return [None, None] };
+    let lines = sampled(range, &bends_of(key, pair, best), |time| fitted_angles(best, 0, time));
+    let eyes = (best.options.model, pair);
+    let bands = replicates.map(|replicates| bands(eyes, &lines, replicates)).unwrap_or_default();
+    let used = best.options.curves.used();
     [0, 1].map(|curve| {
-        let residual = |point: &PlotPoint| Some(PlotPoint::new(point.x, point.y - at(point.x)?[curve]));
+        let residual = |(sample, fitted): (&Measured, &Option<[f64; 2]>)| {
+            Some(PlotPoint::new(sample.time, reading(sample, curve)? - (*fitted)?[curve]))
+        };
         used[curve].then(|| FittedCurve {
             line: lines.iter().map(|line| PlotPoint::new(line.time, line.values[curve])).collect(),
             band: bands.iter().map(|band| band[curve]).collect(),
-            residuals: data[curve].iter().filter_map(residual).collect(),
+            residuals: observed.samples().iter().zip(at_samples).filter_map(residual).collect(),
         })
     })
 }
 
+/// The times around which curves bend: those of the point that was simulated, else of the one that was found.
+fn bends_of(key: &FitKey, pair: [Aperture; 2], best: &Fit) -> Vec<f64> {
+    let [beta, y, z, x0] = best.values;
+    let found = || Some((Velocity::from_beta(beta).ok()?, SourcePoint { x0, y, z }));
+    let point = key.simulated().map(|point| (point.velocity, point.source)).or_else(found);
+    let Some((velocity, SourcePoint { x0, y, z })) = point else { return Vec::new() };
+    bends(&velocity, [velocity.speed.gamma() * x0, y, z], pair)
+}
+
+/// A model, and the eyes that see by it.
+type Seeing = (Model, [Aperture; 2]);
+
 /// For each sample of the best fit's `lines` the replicates' 95 % intervals, relative to the best fit.
-fn bands(key: &FitKey, lines: &[Sample<2>], replicates: &Bootstrap) -> Vec<[[f64; 2]; 2]> {
+fn bands(eyes: Seeing, lines: &[Sample<2>], replicates: &Bootstrap) -> Vec<[[f64; 2]; 2]> {
     let stride = lines.len().div_ceil(BAND_TIMES).max(1);
-    let found: Vec<_> = lines.par_iter().step_by(stride).map(|line| band_at(key, line, replicates)).collect();
+    let found: Vec<_> =
+        lines.par_iter().step_by(stride).map(|line| band_at(eyes, line, replicates)).collect();
     let interpolated = |index: usize| {
         let (before, rest) = (index / stride, index % stride);
         let (a, b) = (&found[before], found.get(before + 1).unwrap_or(&found[before]));
@@ -243,9 +223,9 @@ fn bands(key: &FitKey, lines: &[Sample<2>], replicates: &Bootstrap) -> Vec<[[f64
 }
 
 /// The same at one time; of no width where the replicates have no curve.
-fn band_at(key: &FitKey, line: &Sample<2>, replicates: &Bootstrap) -> [[f64; 2]; 2] {
+fn band_at(eyes: Seeing, line: &Sample<2>, replicates: &Bootstrap) -> [[f64; 2]; 2] {
     let points = replicates.estimates.iter().flatten();
-    let angles: Vec<[f64; 2]> = points.filter_map(|point| angles(key, *point, line.time)).collect();
+    let angles: Vec<[f64; 2]> = points.filter_map(|point| angles(eyes, *point, line.time)).collect();
     if angles.is_empty() {
         return [[0.0; 2]; 2];
     }
@@ -253,9 +233,9 @@ fn band_at(key: &FitKey, line: &Sample<2>, replicates: &Bootstrap) -> [[f64; 2];
 }
 
 /// Delta-phi and Delta-theta, in the model of the fit, of a point given by beta, y, z and x0.
-fn angles(key: &FitKey, [beta, y, z, x0]: [f64; 4], time: f64) -> Option<[f64; 2]> {
+fn angles((model, pair): Seeing, [beta, y, z, x0]: [f64; 4], time: f64) -> Option<[f64; 2]> {
     let (speed, point) = (Speed::from_beta(beta).ok()?, SourcePoint { x0, y, z });
-    let both = key.setup.model.disparity(&speed, point, key.pair, time).ok()?;
+    let both = model.disparity(&speed, point, pair, time).ok()?;
     let angles = [both.dphi, both.dtheta];
     angles.iter().all(|angle| angle.is_finite()).then_some(angles)
 }

@@ -1,34 +1,59 @@
 //! The bar at the top: the scene, and which parts of the window are shown.
 
+mod file_menu;
+
+use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
-use eframe::egui::{Align, Button, ComboBox, Layout, RichText, TextStyle, Ui, vec2};
+use eframe::egui::{Align, Button, ComboBox, Layout, PopupCloseBehavior, RichText, TextStyle, Ui, vec2};
 
 use super::Asks;
+use crate::app::chooser::Purpose;
 use crate::app::command::Command;
+use crate::app::recent::file_name;
 use crate::app::state::State;
 use crate::app::widgets::icons::{self, Icon};
 use crate::scene::{PRESETS, Scene};
-use crate::settings::{Preset, Theme};
+use crate::settings::{Preset, Theme, Window};
 use crate::units::Units;
 
 /// Room for a menu's entries before they scroll, points.
 const MENU_HEIGHT: f32 = 420.0;
 
+/// Narrower bars do without the program's name, have units and theme in a menu, and what is shown, too; points.
+const NARROWEST_WITH_NAME: f32 = 900.0;
+const NARROWEST_WITH_ALL: f32 = 1120.0;
+const NARROWEST_WITH_PARTS: f32 = 700.0;
+/// A narrower caption would say nothing.
+const NARROWEST_CAPTION: f32 = 180.0;
+
 /// Shows the bar.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    let width = ui.available_width();
     ui.horizontal_centered(|ui| {
-        ui.label(RichText::new("Gamow").heading().strong());
+        if width >= NARROWEST_WITH_NAME {
+            ui.label(RichText::new("Gamow").heading().strong());
+        }
+        file_menu::show(ui, state, asks);
         scene(ui, state, asks);
         presets(ui, state, asks);
-        units(ui, state, asks);
-        if let Some(notice) = &state.session.notice {
-            ui.colored_label(ui.visuals().error_fg_color, &notice.text);
+        if width >= NARROWEST_WITH_ALL {
+            units(ui, state, asks);
         }
+        way_back(ui, state, asks);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            if ui.button("Help").on_hover_text("Keys and mouse.   Keys: ? or F1").clicked() {
+            if ui.button("Help").on_hover_text("What this is, words, keys, mouse.   Keys: ? or F1").clicked()
+            {
                 asks.push(Command::ToggleHelp);
             }
-            parts(ui, state, asks);
+            if width >= NARROWEST_WITH_ALL {
+                theme(ui, state, asks);
+                ui.separator();
+            } else {
+                more(ui, state, width < NARROWEST_WITH_PARTS, asks);
+            }
+            if width >= NARROWEST_WITH_PARTS {
+                parts(ui, state, asks);
+            }
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| caption(ui, state));
         });
     });
@@ -55,7 +80,8 @@ fn presets(ui: &mut Ui, state: &State, asks: &mut Asks) {
 
 /// What the preset shows and why, in two lines; all of it on hover.
 fn caption(ui: &mut Ui, state: &State) {
-    let Some(preset) = state.session.preset.filter(|_| state.session.notice.is_none()) else { return };
+    let has_room = ui.available_width() >= NARROWEST_CAPTION;
+    let Some(preset) = state.session.preset.filter(|_| has_room) else { return };
     let format = TextFormat::simple(TextStyle::Small.resolve(ui.style()), ui.visuals().weak_text_color());
     let mut job = LayoutJob::single_section(preset.caption.clone(), format);
     job.wrap = TextWrapping { max_width: ui.available_width(), max_rows: 2, ..TextWrapping::default() };
@@ -75,39 +101,78 @@ fn scene(ui: &mut Ui, state: &State, asks: &mut Asks) {
                     asks.push(Command::Preset(preset));
                 }
             }
+            files(ui, state, asks);
         })
         .response
-        .on_hover_text("What rides past. A scene file dropped onto the window opens too.")
+        .on_hover_text(
+            "What rides past, and the files that were opened. A file dropped onto the window opens too.",
+        )
         .accessible_name("Scene");
+}
+
+/// The files that were opened, and the way to another.
+fn files(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    ui.separator();
+    let shown = state.shown_files();
+    for path in state.session.recent.all() {
+        let choice = ui.selectable_label(shown.contains(path), file_name(path));
+        if choice.on_hover_text(path.display().to_string()).clicked() {
+            asks.push(Command::Open(path.clone()));
+        }
+    }
+    let tip = "Opens a scene, settings, or a picture with which settings it was made.   Keys: Ctrl+O";
+    if ui.button("Open…").on_hover_text(tip).clicked() {
+        asks.push(Command::Choose(Purpose::Open));
+    }
 }
 
 /// In which units the whole window shows lengths and times.
 fn units(ui: &mut Ui, state: &State, asks: &mut Asks) {
-    let mut window = state.settings.window;
-    let shown = state.measures().units;
-    let has_metres = state.session.scene.metres.is_some();
     ComboBox::from_id_salt("units")
-        .selected_text(UNITS[shown as usize].1)
+        .selected_text(UNITS[state.measures().units as usize].1)
         .width(92.0)
-        .show_ui(ui, |ui| {
-            for (choice, name, tip) in UNITS {
-                let is_there = has_metres || choice == Units::Natural;
-                let button = Button::selectable(shown == choice, name);
-                let response = ui.add_enabled(is_there, button);
-                if response.on_hover_text(tip).on_disabled_hover_text(NO_METRES).clicked() {
-                    window.units = choice;
-                }
-            }
-            if !has_metres {
-                ui.label(RichText::new(NO_METRES).weak().small());
-            }
-        })
+        .show_ui(ui, |ui| units_to_choose(ui, state, asks))
         .response
         .on_hover_text(UNITS_TIP)
         .accessible_name("Units");
-    if window != state.settings.window {
-        asks.push(Command::Window(window));
+}
+
+fn units_to_choose(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    let (window, shown) = (state.settings.window, state.measures().units);
+    let has_metres = state.session.scene.metres.is_some();
+    for (choice, name, tip) in UNITS {
+        let is_there = has_metres || choice == Units::Natural;
+        let response = ui.add_enabled(is_there, Button::selectable(shown == choice, name));
+        if response.on_hover_text(tip).on_disabled_hover_text(NO_METRES).clicked() {
+            asks.push(Command::Window(Window { units: choice, ..window }));
+        }
     }
+    if !has_metres {
+        ui.label(RichText::new(NO_METRES).weak().small());
+    }
+}
+
+/// Steps back and forwards, and all as usual.
+fn way_back(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    let history = &state.session.history;
+    let reset = format!(
+        "Has all as usual, {}: speed, eyes, path, look, light, plots and points. The parts of the window, its units and \
+        colours, and the screen stay. Undo brings back what was.",
+        state.usual_is()
+    );
+    let buttons = [
+        (Icon::Undo, "Undo", "Undoes the last step.   Keys: Ctrl+Z", history.can_undo(), Command::Undo),
+        (Icon::Redo, "Redo", "Redoes it.   Keys: Ctrl+Shift+Z, Ctrl+Y", history.can_redo(), Command::Redo),
+        (Icon::Reset, "Reset", &reset, !state.is_usual(), Command::Reset),
+    ];
+    let apart = std::mem::replace(&mut ui.spacing_mut().item_spacing.x, 3.0);
+    for (icon, name, tip, is_there, command) in buttons {
+        let button = ui.add_enabled_ui(is_there, |ui| icons::button(ui, icon, name, vec2(26.0, 22.0), false));
+        if button.inner.on_hover_text(tip).on_disabled_hover_text(tip).clicked() {
+            asks.push(command);
+        }
+    }
+    ui.spacing_mut().item_spacing.x = apart;
 }
 
 const UNITS: [(Units, &str, &str); 3] = [
@@ -126,14 +191,36 @@ const UNITS_TIP: &str = "In which units the window shows and takes lengths and t
 
 const NO_METRES: &str = "This scene does not say how many metres its unit is.";
 
-fn parts(ui: &mut Ui, state: &State, asks: &mut Asks) {
-    let mut window = state.settings.window;
+/// What a narrow bar has no room for: the units, the theme, and `with_parts` what is shown.
+fn more(ui: &mut Ui, state: &State, with_parts: bool, asks: &mut Asks) {
+    let stays_open = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+    let menu = MenuButton::new("More").config(stays_open).ui(ui, |ui| {
+        ui.label(RichText::new("Units").weak()).on_hover_text(UNITS_TIP);
+        units_to_choose(ui, state, asks);
+        ui.separator();
+        ui.horizontal(|ui| {
+            ui.label(RichText::new("Light or dark").weak());
+            theme(ui, state, asks);
+        });
+        if with_parts {
+            ui.separator();
+            parts(ui, state, asks);
+        }
+    });
+    menu.0.on_hover_text("Units, theme");
+}
+
+fn theme(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let dark = ui.visuals().dark_mode;
     let (icon, other) = if dark { (Icon::Light, Theme::Light) } else { (Icon::Dark, Theme::Dark) };
     if icons::button(ui, icon, "Theme", vec2(30.0, 22.0), false).on_hover_text("Light or dark").clicked() {
-        window.theme = other;
+        asks.push(Command::Window(Window { theme: other, ..state.settings.window }));
     }
-    ui.separator();
+}
+
+/// Which parts of the window are shown.
+fn parts(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    let mut window = state.settings.window;
     ui.toggle_value(&mut window.controls, "Controls").on_hover_text("Show the controls and the readout");
     ui.toggle_value(&mut window.plots, "Plots").on_hover_text("Show the plots");
     let mut shows_map = state.session.shows_map;

@@ -3,13 +3,17 @@
 
 pub mod bar;
 pub mod borders;
+pub mod chooser;
 pub mod controls;
 pub mod corrected;
 pub mod help;
 pub mod map;
+pub mod message;
+pub mod palette;
 pub mod plots;
 pub mod presented;
 pub mod readout;
+pub mod saving;
 pub mod sentence;
 pub mod spectrum;
 pub mod timeline;

@@ -10,7 +10,7 @@ use crate::figures;
 
 /// Largest and smallest sizes of the speed and of the caption at the usual scale of writing, points.
 const SPEED_SIZES: [f32; 2] = [44.0, 12.0];
-const CAPTION_SIZES: [f32; 2] = [17.0, 7.0];
+const CAPTION_SIZES: [f32; 2] = [17.0, 7.0]; // 11.2 for an audience
 /// From one size that is tried to the next.
 const STEP: f32 = 0.92;
 
@@ -25,14 +25,10 @@ pub fn speed(ui: &Ui, state: &State) {
     write(ui, &text, SPEED_SIZES, ui.visuals().strong_text_color());
 }
 
-/// Shows what the preset shows and why; or what could not be done.
+/// Shows what the preset shows and why.
 pub fn caption(ui: &Ui, state: &State) {
-    let (text, colour) = match (&state.session.notice, state.session.preset) {
-        (Some(notice), _) => (notice.text.clone(), ui.visuals().error_fg_color),
-        (None, Some(preset)) => (format!("{}. {}", preset.title, preset.caption), ui.visuals().text_color()),
-        (None, None) => return,
-    };
-    write(ui, &text, CAPTION_SIZES, colour);
+    let Some(preset) = state.session.preset else { return };
+    write(ui, &format!("{}. {}", preset.title, preset.caption), CAPTION_SIZES, ui.visuals().text_color());
 }
 
 /// Writes `text` into all the room there is, as large as it fits.

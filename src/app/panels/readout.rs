@@ -1,7 +1,7 @@
 //! The numbers: what each eye receives of the selected point now, and how the two differ.
 
 use eframe::egui::{self, Align, Color32, Grid, Layout, RichText, ScrollArea, Sense, Ui, vec2};
-use relativity_core::{Model, Sighting, StereoError, doppler::received_wavelength};
+use relativity_core::{Disparity, Model, Sighting, StereoError, doppler::received_wavelength};
 use relativity_render::{Velocity, colour};
 
 use super::Asks;
@@ -22,7 +22,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         fold(ui, state, asks);
         let colour = theme::point_colour(point.number, ui.visuals());
         dot(ui, colour);
-        ui.label(point.name(&state.session.scene));
+        ui.label(state.name_of(point));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let Velocity { speed, is_backward } = state.velocity(point);
             let sign = if is_backward { "−" } else { "" };
@@ -41,22 +41,57 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
 /// What each eye receives.
 fn table(ui: &mut Ui, state: &State) {
     let point = state.session.points.selected();
-    let sightings = Eye::BOTH.map(|eye| state.sighting(point, eye));
+    let received = Received {
+        shown: Eye::BOTH.map(|eye| state.sighting(point, eye)),
+        exact: exact_beside(state).map(|exact| exact.secondary),
+    };
     let rest_wavelength = state.rest_wavelength_nm(point);
     Grid::new("readout").num_columns(3).spacing([10.0, 3.0]).min_col_width(70.0).min_row_height(18.0).show(
         ui,
         |ui| {
             ui.label("");
             for eye in Eye::BOTH {
-                ui.label(RichText::new(eye.name()).color(theme::eye_colour(eye, ui.visuals())));
+                let is_published = state.sees_as_published(eye);
+                let name = if is_published { "Right, published" } else { eye.name() };
+                ui.label(RichText::new(name).color(theme::eye_colour(eye, ui.visuals())));
             }
             ui.end_row();
-            wavelengths(ui, sightings, rest_wavelength);
+            wavelengths(ui, &received, rest_wavelength);
             for quantity in &QUANTITIES {
-                quantity.row(ui, state, sightings);
+                quantity.row(ui, state, &received);
             }
         },
     );
+}
+
+/// What both eyes receive of the selected point now.
+struct Received {
+    /// As the views show it.
+    shown: [Option<Sighting>; 2],
+    /// What the right eye receives exactly, where that is not shown.
+    exact: Option<Sighting>,
+}
+
+impl Received {
+    /// `tip`, and for an eye that is not shown exactly what it receives exactly, in the words of `text`.
+    fn tip(&self, eye: Eye, tip: &str, text: impl Fn(&Sighting) -> String) -> String {
+        match &self.exact {
+            Some(exact) if eye == Eye::Right => format!("{tip}\n{}", exactly(&text(exact))),
+            _ => tip.to_owned(),
+        }
+    }
+}
+
+/// The exact value beside a published one.
+fn exactly(value: &str) -> String {
+    format!("Published; exact: {value}")
+}
+
+/// What both eyes receive of the selected point exactly, where the views show the published model.
+fn exact_beside(state: &State) -> Option<Disparity> {
+    let track = state.session.points.selected().track;
+    let is_published = matches!(state.settings.shown_model(), Model::Published(_));
+    is_published.then(|| state.settings.disparity(&track, state.session.time).ok()).flatten()
 }
 
 /// What two eyes make of both.
@@ -72,7 +107,9 @@ fn stereo(ui: &mut Ui, state: &State) {
     let found = found.ok();
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 6.0;
-        ui.label(RichText::new("gain").color(colour)).on_hover_text(GAIN_TIP);
+        let is_published = matches!(state.settings.shown_model(), Model::Published(_));
+        let gain = if is_published { "exact gain" } else { "gain" };
+        ui.label(RichText::new(gain).color(colour)).on_hover_text(GAIN_TIP);
         let gain = figures::fixed_or_none(found.map(|found| found.gain), 3);
         named_text(ui, gain.as_str(), format!("Stereo gain: {gain}")).on_hover_text(GAIN_TIP);
         ui.add_space(6.0);
@@ -109,13 +146,16 @@ const STEREO_TIP: &str = "Where the lines of sight of both eyes meet: where who 
 fn fold(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let mut window = state.settings.window;
     let sign = if window.readout { "▾" } else { "▸" };
-    let (name, tip) = match state.settings.model() {
+    let (name, tip) = match state.settings.shown_model() {
         Model::OneCone => (
             "One light cone",
             "What each eye would receive of the selected point now if both received the same events: those that the \
             middle between them receives. Click to fold the table away.",
         ),
-        _ => ("Seen", "What each eye receives of the selected point now. Click to fold the table away."),
+        Model::Published(_) => ("Published", PUBLISHED_TIP),
+        Model::Exact => {
+            ("Seen", "What each eye receives of the selected point now. Click to fold the table away.")
+        }
     };
     let title = egui::Button::new(RichText::new(format!("{sign} {name}")).strong()).frame(false);
     if ui.add(title).on_hover_text(tip).accessible_name("Readout").clicked() {
@@ -123,6 +163,10 @@ fn fold(ui: &mut Ui, state: &State, asks: &mut Asks) {
         asks.push(Command::Window(window));
     }
 }
+
+const PUBLISHED_TIP: &str = "What the views show of the selected point now: the left eye receives it exactly; in the published model \
+    the right eye has what the left one sees at T − ΔT, measured from the left eye. Point at a number for the exact one. \
+    Click to fold the table away.";
 
 /// A row of the table.
 struct Quantity {
@@ -192,19 +236,21 @@ const QUANTITIES: [Quantity; 9] = [
 ];
 
 impl Quantity {
-    fn row(&self, ui: &mut Ui, state: &State, sightings: [Option<Sighting>; 2]) {
+    fn row(&self, ui: &mut Ui, state: &State, received: &Received) {
         let unit = (self.unit)(&state.measures());
         ui.label(RichText::new(unit.label(self.symbol)).weak()).on_hover_text(self.tip);
-        for (eye, seen) in Eye::BOTH.into_iter().zip(sightings) {
-            let value = seen.as_ref().map_or(f64::NAN, |seen| (self.value)(seen, state.session.time));
+        let value_of = |seen: &Sighting| (self.value)(seen, state.session.time);
+        for (eye, seen) in Eye::BOTH.into_iter().zip(&received.shown) {
+            let value = seen.as_ref().map_or(f64::NAN, value_of);
             let name = format!("{}, {}: {}", eye.name(), self.name, unit.text(value, self.decimals));
-            named_text(ui, unit.number(value, self.decimals), name).on_hover_text(self.tip);
+            let tip = received.tip(eye, self.tip, |exact| unit.text(value_of(exact), self.decimals));
+            named_text(ui, unit.number(value, self.decimals), name).on_hover_text(tip);
         }
         ui.end_row();
     }
 }
 
-fn wavelengths(ui: &mut Ui, sightings: [Option<Sighting>; 2], rest_wavelength: Option<f64>) {
+fn wavelengths(ui: &mut Ui, received: &Received, rest_wavelength: Option<f64>) {
     let tip = rest_wavelength.map_or_else(
         || "White light has every wavelength.".to_owned(),
         |nm| {
@@ -212,15 +258,16 @@ fn wavelengths(ui: &mut Ui, sightings: [Option<Sighting>; 2], rest_wavelength: O
         },
     );
     ui.label(RichText::new("λ / nm").weak()).on_hover_text(&tip);
-    for (eye, seen) in Eye::BOTH.into_iter().zip(sightings) {
-        let received =
-            seen.zip(rest_wavelength).map(|(seen, nm)| received_wavelength(nm, seen.doppler_factor));
-        let text = figures::fixed_or_none(received, 1);
+    let of = |seen: &Sighting| rest_wavelength.map(|nm| received_wavelength(nm, seen.doppler_factor));
+    for (eye, seen) in Eye::BOTH.into_iter().zip(&received.shown) {
+        let wavelength = seen.as_ref().and_then(of);
+        let text = figures::fixed_or_none(wavelength, 1);
+        let tip = received.tip(eye, &tip, |exact| figures::fixed_or_none(of(exact), 1) + " nm");
         let name = format!("{}, Received wavelength: {text} nm", eye.name());
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 5.0;
             named_text(ui, text, name).on_hover_text(&tip);
-            swatch(ui, received);
+            swatch(ui, wavelength);
         });
     }
     ui.end_row();
@@ -243,19 +290,23 @@ fn swatch(ui: &mut Ui, wavelength_nm: Option<f64>) {
 
 /// The disparities, large: what the binocular observer measures.
 fn differences(ui: &mut Ui, state: &State) {
-    let both = state.disparity(state.session.points.selected());
+    let (both, exact) = (state.disparity(state.session.points.selected()), exact_beside(state));
+    let of = |part: fn(&Disparity) -> f64| [both, exact].map(|both| both.as_ref().map(part));
     let parts = [
-        ("Δφ", both.map(|both| both.dphi), "Azimuth, left minus right.\nΔφ = φ left − φ right"),
-        ("Δθ", both.map(|both| both.dtheta), "Elevation, left minus right.\nΔθ = θ left − θ right"),
+        ("Δφ", of(|both| both.dphi), "Azimuth, left minus right.\nΔφ = φ left − φ right"),
+        ("Δθ", of(|both| both.dtheta), "Elevation, left minus right.\nΔθ = θ left − θ right"),
     ];
     ui.horizontal(|ui| {
-        for (symbol, value, tip) in parts {
+        ui.label(RichText::new("disparity").weak()).on_hover_text("How differently the eyes see the point.");
+        for (symbol, [value, exact], tip) in parts {
             ui.label(RichText::new(symbol).weak()).on_hover_text(tip);
             let text = figures::fixed_or_none(value, 5);
             let name = format!("Disparity {symbol}: {text} rad");
             let degrees = value.map_or_else(String::new, figures::degrees);
             let shown = RichText::new(format!("{text} rad")).strong();
-            named_text(ui, shown, name).on_hover_text(format!("{tip} = {degrees}"));
+            let exact = exact.map(|exact| exactly(&format!("{} rad", figures::fixed(exact, 5))));
+            let beside = exact.map_or_else(String::new, |exact| format!("\n{exact}"));
+            named_text(ui, shown, name).on_hover_text(format!("{tip} = {degrees}{beside}"));
             ui.add_space(8.0);
         }
     });

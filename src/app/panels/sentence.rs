@@ -5,8 +5,8 @@ use eframe::egui::{self, Align2, FontId, Ui, accesskit::Role, text::LayoutJob};
 use crate::app::state::State;
 use crate::app::theme;
 
-/// Sizes of the writing, points: the first at which the sentence fits is taken, else the last.
-const SIZES: [f32; 6] = [14.0, 13.0, 12.0, 11.0, 10.0, 9.0];
+/// Sizes of the writing, points: the first at which the sentence fits is taken, else the last, and the end left out.
+const SIZES: [f32; 4] = [14.0, 13.0, 12.0, theme::SMALLEST_SIZE];
 
 /// How much larger than other large writing it may be.
 const LARGEST: f32 = 1.5;
@@ -27,9 +27,19 @@ pub fn show(ui: &mut Ui, state: &State) {
     let sizes =
         [largest, 1.0].into_iter().flat_map(|part| SIZES.map(|size| part * scale * size)).chain(SIZES);
     let fitting = sizes.map(laid_out).find(|galley| galley.size().y <= rect.height());
-    let galley = fitting.unwrap_or_else(|| laid_out(SIZES[SIZES.len() - 1]));
+    let is_whole = fitting.is_some();
+    let galley = fitting.unwrap_or_else(|| {
+        let font = FontId::proportional(theme::SMALLEST_SIZE);
+        let row = ui.fonts_mut(|fonts| fonts.row_height(&font));
+        let mut job = LayoutJob::simple(tied.clone(), font, colour, rect.width());
+        job.wrap.max_rows = ((rect.height() / row) as usize).max(1);
+        ui.painter().layout_job(job)
+    });
     let place = Align2::LEFT_CENTER.anchor_size(rect.left_center(), galley.size());
     ui.painter().galley(place.min, galley, colour);
     let response = ui.interact(rect, ui.scope_id().with("sentence"), egui::Sense::hover());
     response.widget_info(|| egui::WidgetInfo::labeled(Role::Label, true, &sentence));
+    if !is_whole {
+        response.on_hover_text(&sentence);
+    }
 }

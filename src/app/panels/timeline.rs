@@ -6,7 +6,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{
     self, Align, Align2, Checkbox, Color32, CursorIcon, Galley, Layout, PopupCloseBehavior, Rect, Response,
-    Sense, Slider, SliderClamping, Stroke, TextStyle, Ui, Vec2, Visuals, WidgetInfo, pos2, vec2,
+    Sense, Slider, SliderClamping, Stroke, TextStyle, Ui, Visuals, WidgetInfo, pos2, vec2,
 };
 
 use super::Asks;
@@ -22,19 +22,68 @@ use crate::units::Unit;
 
 const TIME_TIP: &str = "Observation time T: when the light is received.   Keys: ← →, Home, End";
 
-/// Narrower timelines than this have looping and range in a menu, of this size; points.
-const NARROWEST_WITH_RANGE: f32 = 660.0;
-const RANGE_SIZE: Vec2 = vec2(320.0, 24.0);
+/// Widths of the transport's buttons with T's name and the gaps around them, of what stands around the numbers of the rate
+/// and of the range, of the menu's button, and of a number without its digits and of one of these; points.
+const TRANSPORT: f32 = 206.0;
+const AROUND_RATE: f32 = 10.0;
+const AROUND_RANGE: f32 = 196.0;
+const MENU: f32 = 62.0;
+const AROUND_DIGITS: f32 = 16.0;
+const DIGIT: f32 = 7.2;
+
+/// What of the playback has room in the timeline; the rest is in a menu.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Shown {
+    /// Rate, looping and range.
+    All,
+    /// The rate.
+    Rate,
+    /// None of it.
+    Nothing,
+}
+
+impl Shown {
+    /// What has room in this `width`.
+    fn within(width: f32, state: &State) -> Self {
+        let [rate, range] = playback_widths(state);
+        let taken = TRANSPORT + time_width(state);
+        match width - taken {
+            free if free >= rate + range => Self::All,
+            free if free >= rate + MENU => Self::Rate,
+            _ => Self::Nothing,
+        }
+    }
+}
+
+/// Width of numbers written so.
+fn numbers_width(text: &str) -> f32 {
+    AROUND_DIGITS + DIGIT * text.chars().count() as f32
+}
+
+/// Widths of the rate, and of looping and range.
+fn playback_widths(state: &State) -> [f32; 2] {
+    let unit = state.measures().time;
+    let rate = numbers_width(&format!("{} / s", unit.text(state.settings.playback.rate, 2)));
+    let ends = state.time_range().map(|end| numbers_width(&unit.text(end, 2)));
+    [rate + AROUND_RATE, ends[0] + ends[1] + AROUND_RANGE]
+}
+
+/// Width of the number of T.
+fn time_width(state: &State) -> f32 {
+    let unit = state.measures().time;
+    let usual = if unit.name.is_empty() { 76.0 } else { 100.0 };
+    numbers_width(&unit.text(state.session.time, unit.decimals(3))).max(usual)
+}
 
 /// Shows the timeline.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     ui.spacing_mut().item_spacing.y = 3.0;
-    let is_wide = ui.available_width() >= NARROWEST_WITH_RANGE;
+    let shown = Shown::within(ui.available_width(), state);
     ui.horizontal(|ui| {
         transport(ui, state, asks);
         ui.separator();
         time(ui, state, asks);
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| playback(ui, state, is_wide, asks));
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| playback(ui, state, shown, asks));
     });
     scrubber(ui, state, asks);
 }
@@ -72,41 +121,50 @@ fn time(ui: &mut Ui, state: &State, asks: &mut Asks) {
         .speed(unit.shown((to - from) / 1000.0))
         .min_decimals(unit.decimals(3).into())
         .max_decimals(unit.decimals(most).into());
-    let width = if unit.name.is_empty() { 76.0 } else { 100.0 };
-    let response = ui.add_sized([width, ui.spacing().interact_size.y], number);
-    if response.on_hover_text(TIME_TIP).accessible_name("T, typed").changed() {
+    let response = ui.add_sized([time_width(state), ui.spacing().interact_size.y], number);
+    if widgets::explained(response, TIME_TIP).accessible_name("T, typed").changed() {
         asks.push(Command::Time(time));
     }
 }
 
-/// Rate, looping and range, from the right; where that is not wide enough, looping and range are in a menu.
-fn playback(ui: &mut Ui, state: &State, is_wide: bool, asks: &mut Asks) {
+/// Rate, looping and range, from the right; what is not `shown` of them is in a menu.
+fn playback(ui: &mut Ui, state: &State, shown: Shown, asks: &mut Asks) {
     let mut playback = state.settings.playback;
-    let unit = state.measures().time;
-    if is_wide {
+    if shown == Shown::All {
         range(ui, state, &mut playback);
         ui.separator();
         looping(ui, &mut playback);
     } else {
         let stays_open = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
         let in_a_row = Layout::right_to_left(Align::Center);
+        let size = vec2(playback_widths(state).into_iter().sum(), ui.spacing().interact_size.y + 2.0);
         let menu = MenuButton::new("range").config(stays_open).ui(ui, |ui| {
-            ui.allocate_ui_with_layout(RANGE_SIZE, in_a_row, |ui| {
+            ui.allocate_ui_with_layout(size, in_a_row, |ui| {
                 range(ui, state, &mut playback);
                 looping(ui, &mut playback);
+                if shown == Shown::Nothing {
+                    rate(ui, state, &mut playback);
+                }
             });
         });
-        menu.0.on_hover_text("First and last T, and whether it starts again");
+        menu.0.on_hover_text("First and last T, and how it runs from one to the other");
     }
+    if shown != Shown::Nothing {
+        rate(ui, state, &mut playback);
+    }
+    if playback != state.settings.playback {
+        asks.push(Command::Playback(playback));
+    }
+}
+
+fn rate(ui: &mut Ui, state: &State, playback: &mut Playback) {
+    let unit = state.measures().time;
     let rate = widgets::measure(&mut playback.rate, unit, RATE)
         .speed(unit.shown(0.01))
         .max_decimals(unit.decimals(3).into())
         .suffix(" / s"); // behind the unit
     let rate = ui.add(rate).on_hover_text("How much of T passes in a second of your clock");
     rate.accessible_name("Playback rate");
-    if playback != state.settings.playback {
-        asks.push(Command::Playback(playback));
-    }
 }
 
 fn looping(ui: &mut Ui, playback: &mut Playback) {
@@ -146,7 +204,7 @@ fn scrubber(ui: &mut Ui, state: &State, asks: &mut Asks) {
     ui.spacing_mut().slider_width = ui.available_width();
     // T may lie outside the range; only a drag brings it inside.
     let slider = Slider::new(&mut time, from..=to).show_value(false).clamping(SliderClamping::Never);
-    let response = ui.add(slider).on_hover_text(TIME_TIP).accessible_name("Observation time T");
+    let response = widgets::explained(ui.add(slider), TIME_TIP).accessible_name("Observation time T");
     if response.changed() {
         asks.push(Command::Time(time));
     }

@@ -2,22 +2,24 @@
 //! them.
 
 use eframe::egui::{
-    self, Align2, Color32, CursorIcon, Painter, Pos2, Rect, Response, Sense, Stroke, StrokeKind, TextStyle,
-    TextureId, Ui, pos2, vec2,
+    self, Align2, Color32, CursorIcon, Event, EventFilter, Key, Painter, Pos2, Rect, Response, Sense, Stroke,
+    StrokeKind, TextStyle, TextureId, Ui, pos2, vec2,
 };
 use relativity_core::math;
 use relativity_render::{Colour, Geometry, Method, PreparedScene, View};
 
 use super::Asks;
-use crate::app::command::{Command, Pick, Turn, Zoom};
+use crate::app::actions::LOOK_STEP;
+use crate::app::command::Command;
 use crate::app::dial::{self, Drawn};
 use crate::app::eyes::Shown;
 use crate::app::observer::Eye;
 use crate::app::panes::EyePane;
+use crate::app::pointer::{Pick, Turn, Zoom};
 use crate::app::points::Point;
 use crate::app::state::State;
 use crate::app::widgets::pane_title;
-use crate::app::{beyond, layouts, theme, under};
+use crate::app::{beyond, highlight, layouts, theme, under};
 use crate::caption;
 use crate::figures;
 use crate::flags::choices::Form;
@@ -41,10 +43,15 @@ pub fn interact(ui: &mut Ui, pane: EyePane, asks: &mut Asks) {
     let name = pane.name();
     response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Image, true, &name));
     if response.double_clicked() {
-        asks.push(Command::Frame);
+        asks.push(Command::FollowAgain);
+    } else if response.triple_clicked() {
+        // It is a double click that went on.
     } else if let (true, Some(place)) = (response.clicked(), response.interact_pointer_pos()) {
         let add = ui.input(|input| input.modifiers.shift);
         asks.push(Command::Pick(Pick { eye: pane.eye, pixel: pane.pixel(place), size: pane.size, add }));
+    }
+    if response.has_focus() {
+        keys(ui, &response, asks);
     }
     turn(&response, pane, asks);
     if response.hovered() {
@@ -60,6 +67,29 @@ pub fn interact(ui: &mut Ui, pane: EyePane, asks: &mut Asks) {
                 factor,
             }));
         }
+    }
+}
+
+/// What the keys do in the view that has the keyboard.
+fn keys(ui: &Ui, response: &Response, asks: &mut Asks) {
+    let arrows = EventFilter { horizontal_arrows: true, vertical_arrows: true, ..EventFilter::default() };
+    ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, arrows));
+    let pressed = |event: &Event| match event {
+        Event::Key { key, pressed: true, modifiers, .. } => command_of(*key, modifiers.shift),
+        _ => None,
+    };
+    asks.extend(ui.input(|input| input.events.iter().filter_map(pressed).collect::<Vec<_>>()));
+}
+
+fn command_of(key: Key, with_shift: bool) -> Option<Command> {
+    match key {
+        Key::ArrowLeft => Some(Command::LookAside([-LOOK_STEP, 0.0])),
+        Key::ArrowRight => Some(Command::LookAside([LOOK_STEP, 0.0])),
+        Key::ArrowUp => Some(Command::LookAside([0.0, LOOK_STEP])),
+        Key::ArrowDown => Some(Command::LookAside([0.0, -LOOK_STEP])),
+        Key::Enter => Some(Command::FollowNext(if with_shift { -1 } else { 1 })),
+        Key::Space => Some(Command::TogglePlaying),
+        _ => None,
     }
 }
 
@@ -89,6 +119,7 @@ pub fn paint(ui: &Ui, state: &State, pane: EyePane, painted: Painted) {
     words(ui, state, pane, note(state, pane.eye, picture, heat_map.is_some()));
     ui.painter().rect_stroke(pane.rect, 0.0, Stroke::new(1.5, colour), StrokeKind::Outside);
     hover(ui, state, pane);
+    missed(ui, state, pane);
 }
 
 /// Draws the one `picture` of both eyes, whose `panes` are in it in the order of the layout, or of the one whose turn it is;
@@ -121,6 +152,7 @@ pub fn paint_both(
     for (&pane, heat_map) in panes.iter().zip(heat_maps) {
         if pane.takes_the_mouse() || panes.len() == 1 {
             words(ui, state, pane, note(state, pane.eye, picture, heat_map.is_some()));
+            missed(ui, state, pane);
         }
     }
     ui.painter().rect_stroke(rect, 0.0, Stroke::new(1.5, colour), StrokeKind::Outside);
@@ -141,8 +173,13 @@ fn image(ui: &Ui, rect: Rect, texture: TextureId) {
 fn words(ui: &Ui, state: &State, pane: EyePane, note: String) {
     let inside = ui.painter().with_clip_rect(pane.rect);
     beyond::paint(ui, &inside, pane.rect, &state.beyond(pane.eye, pane.size));
-    write(ui, &inside, pane, Align2::LEFT_BOTTOM, note);
-    write(ui, &inside, pane, Align2::LEFT_TOP, unseen(ui, state, pane).unwrap_or_default());
+    let _ = write(ui, &inside, pane, Align2::LEFT_BOTTOM, note);
+    let _ = write(ui, &inside, pane, Align2::LEFT_TOP, unseen(ui, state, pane).unwrap_or_default());
+    if state.session.hint && pane.takes_the_mouse() {
+        let place = write(ui, &inside, pane, Align2::CENTER_BOTTOM, HINT.to_owned());
+        let response = ui.interact(place, ui.scope_id().with(("hint", pane.eye.index())), Sense::hover());
+        response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Label, true, HINT));
+    }
 }
 
 /// Tells what is under the pointer in `pane`.
@@ -150,7 +187,16 @@ fn hover(ui: &Ui, state: &State, pane: EyePane) {
     let pointer = under::pointer(ui, state, pane.rect);
     let under = pointer.and_then(|place| Some((place, state.under(pane.eye, pane.pixel(place), pane.size)?)));
     if let Some((place, under)) = under {
+        let outline = state.outline_of(under.body, pane.eye, under.pixel, pane.size);
+        highlight::paint(&ui.painter().with_clip_rect(pane.rect), pane, &outline);
         under::show(ui, pane.rect, place, &under);
+    }
+}
+
+/// Says where a click into `pane` hit nothing.
+fn missed(ui: &Ui, state: &State, pane: EyePane) {
+    if let Some(missed) = state.session.missed.filter(|missed| missed.eye == pane.eye) {
+        under::show_nothing(ui, pane.rect, pane.place(missed.pixel));
     }
 }
 
@@ -182,8 +228,11 @@ fn unseen(ui: &Ui, state: &State, pane: EyePane) -> Option<String> {
     caption::notice(&state.session.prepared.received_shares(&state.view(pane.eye, pane.size), &appearance))
 }
 
-/// Writes `text` into a corner of the picture.
-fn write(ui: &Ui, painter: &Painter, pane: EyePane, corner: Align2, text: String) {
+/// What a newcomer is told in the views.
+const HINT: &str = "Click a point to follow it.";
+
+/// Writes `text` into a corner of the picture; where that is.
+fn write(ui: &Ui, painter: &Painter, pane: EyePane, corner: Align2, text: String) -> Rect {
     let font = TextStyle::Small.resolve(ui.style());
     let galley = painter.layout(text, font, Color32::WHITE, (pane.rect.width() - 24.0).max(1.0));
     let place = corner.align_size_within_rect(galley.size(), pane.rect.shrink(8.0));
@@ -191,6 +240,7 @@ fn write(ui: &Ui, painter: &Painter, pane: EyePane, corner: Align2, text: String
         painter.rect_filled(place.expand2(vec2(5.0, 2.0)), 3.0, Color32::from_black_alpha(150));
         painter.galley(place.min, galley, Color32::WHITE);
     }
+    place
 }
 
 /// What of markers is drawn.

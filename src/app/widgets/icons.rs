@@ -3,7 +3,7 @@
 use std::f32::consts::TAU;
 
 use eframe::egui::{
-    Color32, Painter, Pos2, Response, Sense, Shape, Stroke, StrokeKind, Ui, Vec2, pos2, vec2,
+    Color32, Painter, Pos2, Rect, Response, Sense, Shape, Stroke, StrokeKind, Ui, Vec2, pos2, vec2,
 };
 
 /// A sign, drawn inside a square of side 2 around the origin.
@@ -29,11 +29,32 @@ pub enum Icon {
     Dark,
     /// A cross.
     Remove,
+    /// An arrow that turns back to the left.
+    Undo,
+    /// One that turns to the right.
+    Redo,
+    /// A circular arrow the other way round.
+    Reset,
+    /// A tick in a circle.
+    Done,
+    /// An exclamation mark in a triangle.
+    Failed,
 }
 
 /// A button of this `size` with an `icon`; `name` is for assistive technology.
 pub fn button(ui: &mut Ui, icon: Icon, name: &str, size: Vec2, selected: bool) -> Response {
-    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+    let (_, response) = ui.allocate_exact_size(size, Sense::click());
+    drawn(ui, response, icon, name, selected)
+}
+
+/// The same in `rect`, over what else is there.
+pub fn button_in(ui: &Ui, rect: Rect, icon: Icon, name: &str) -> Response {
+    let response = ui.interact(rect, ui.scope_id().with(("button", name)), Sense::click());
+    drawn(ui, response, icon, name, false)
+}
+
+fn drawn(ui: &Ui, response: Response, icon: Icon, name: &str, selected: bool) -> Response {
+    let (rect, size) = (response.rect, response.rect.size());
     response.widget_info(|| {
         eframe::egui::WidgetInfo::selected(
             eframe::egui::accesskit::Role::Button,
@@ -56,6 +77,11 @@ pub fn button(ui: &mut Ui, icon: Icon, name: &str, size: Vec2, selected: bool) -
     let radius = 0.24 * size.y.min(size.x) * if icon == Icon::Play { 1.15 } else { 1.0 };
     paint(painter, icon, rect.center(), radius, visuals.fg_stroke.color, visuals.weak_bg_fill);
     response
+}
+
+/// Draws an `icon` by itself.
+pub fn sign(painter: &Painter, icon: Icon, centre: Pos2, radius: f32, colour: Color32) {
+    paint(painter, icon, centre, radius, colour, Color32::TRANSPARENT);
 }
 
 fn paint(painter: &Painter, icon: Icon, centre: Pos2, radius: f32, colour: Color32, background: Color32) {
@@ -81,7 +107,10 @@ fn paint(painter: &Painter, icon: Icon, centre: Pos2, radius: f32, colour: Color
             triangle(-1.0, 0.6);
             bar(0.9, 0.35);
         }
-        Icon::Loop => circular_arrow(painter, centre, radius, colour),
+        Icon::Loop => circular_arrow(painter, centre, radius, colour, 1.0),
+        Icon::Reset => circular_arrow(painter, centre, radius, colour, -1.0),
+        Icon::Undo => arrow_back(painter, centre, radius, colour, 1.0),
+        Icon::Redo => arrow_back(painter, centre, radius, colour, -1.0),
         Icon::Light => sun(painter, centre, radius, colour),
         Icon::Dark => {
             painter.circle_filled(centre, radius, colour);
@@ -92,15 +121,43 @@ fn paint(painter: &Painter, icon: Icon, centre: Pos2, radius: f32, colour: Color
             painter.line_segment([at(-0.9, -0.9), at(0.9, 0.9)], stroke);
             painter.line_segment([at(-0.9, 0.9), at(0.9, -0.9)], stroke);
         }
+        Icon::Done => {
+            let stroke = Stroke::new(1.6, colour);
+            painter.circle_stroke(centre, 1.1 * radius, stroke);
+            painter.add(Shape::line(vec![at(-0.5, 0.0), at(-0.1, 0.45), at(0.55, -0.4)], stroke));
+        }
+        Icon::Failed => {
+            let stroke = Stroke::new(1.6, colour);
+            painter.add(Shape::closed_line(vec![at(0.0, -1.1), at(1.15, 0.95), at(-1.15, 0.95)], stroke));
+            painter.line_segment([at(0.0, -0.45), at(0.0, 0.3)], stroke);
+            painter.circle_filled(at(0.0, 0.62), 1.1, colour);
+        }
     }
 }
 
-fn circular_arrow(painter: &Painter, centre: Pos2, radius: f32, colour: Color32) {
-    let at = |turn: f32, r: f32| centre + r * radius * Vec2::angled(turn * TAU);
+/// Clockwise where `side` is 1, the other way round where it is -1.
+fn circular_arrow(painter: &Painter, centre: Pos2, radius: f32, colour: Color32, side: f32) {
+    let at = |turn: f32, r: f32| centre + r * radius * Vec2::angled(turn * TAU) * vec2(side, 1.0);
     let arc: Vec<Pos2> = (0..=24).map(|i| at(0.02 + 0.8 * i as f32 / 24.0, 1.0)).collect();
     painter.add(Shape::line(arc, Stroke::new(1.6, colour)));
     let tip = pos2(at(0.93, 1.05).x, at(0.93, 1.05).y);
     painter.add(Shape::convex_polygon(vec![at(0.80, 0.45), at(0.80, 1.6), tip], colour, Stroke::NONE));
+}
+
+/// To the left where `side` is 1, to the right where it is -1.
+fn arrow_back(painter: &Painter, centre: Pos2, radius: f32, colour: Color32, side: f32) {
+    let at = |x: f32, y: f32| centre + radius * vec2(side * x, y);
+    let turn = (0..=12).map(|i| {
+        let along = Vec2::angled((-0.25 + 0.5 * i as f32 / 12.0) * TAU);
+        at(0.25 + 0.8 * along.x, 0.15 + 0.65 * along.y)
+    });
+    let stem: Vec<Pos2> = [at(-0.6, -0.5)].into_iter().chain(turn).chain([at(-0.5, 0.8)]).collect();
+    painter.add(Shape::line(stem, Stroke::new(1.6, colour)));
+    painter.add(Shape::convex_polygon(
+        vec![at(-0.45, -1.1), at(-0.45, 0.1), at(-1.15, -0.5)],
+        colour,
+        Stroke::NONE,
+    ));
 }
 
 fn sun(painter: &Painter, centre: Pos2, radius: f32, colour: Color32) {

@@ -7,11 +7,12 @@ pub mod icons;
 use std::ops::RangeInclusive;
 
 use eframe::egui::{
-    self, Align, Align2, Color32, DragValue, Id, Layout, Rect, Response, RichText, Sense, Slider,
-    SliderClamping, TextEdit, TextStyle, Ui, pos2, vec2,
+    self, Align, Align2, Color32, DragValue, Id, Layout, PointerButton, Rect, Response, RichText, Sense,
+    Slider, SliderClamping, TextEdit, TextStyle, Ui, Vec2, emath::Numeric, pos2, vec2,
 };
 use relativity_core::math;
 
+use self::icons::Icon;
 use crate::app::theme;
 use crate::figures;
 use crate::flags::MAX_TIME;
@@ -22,25 +23,65 @@ const NAME_WIDTH: f32 = 88.0;
 /// Width of the numbers behind the sliders.
 const NUMBER_WIDTH: f32 = 68.0;
 
-/// A titled group of rows that can be folded away.
-pub fn section(ui: &mut Ui, title: &str, rows: impl FnOnce(&mut Ui)) {
-    egui::CollapsingHeader::new(RichText::new(title).strong()).default_open(true).show_unindented(ui, |ui| {
+/// A titled group of rows that can be folded away, with a button in its title that has them as usual, unless they are:
+/// then `reset` is none, else what the button does. True if it was clicked.
+pub fn section(ui: &mut Ui, title: &str, reset: Option<&str>, rows: impl FnOnce(&mut Ui)) -> bool {
+    let header = egui::CollapsingHeader::new(RichText::new(title).strong()).default_open(true);
+    let shown = header.show_unindented(ui, |ui| {
         ui.add_space(2.0);
         rows(ui);
         ui.add_space(6.0);
     });
+    let title_rect = shown.header_response.rect;
+    let middle = pos2(ui.max_rect().max.x - RESET_SIDE, title_rect.center().y);
+    let rect = Rect::from_center_size(middle, Vec2::splat(RESET_SIDE));
+    reset.is_some_and(|tip| {
+        let name = format!("Reset {title}");
+        icons::button_in(ui, rect, Icon::Reset, &name).on_hover_text(tip).clicked()
+    })
 }
+
+/// Side of the button in the title of a section.
+const RESET_SIDE: f32 = 18.0;
 
 /// `name`, then `widget` in the rest of the row; `tip` explains it.
 pub fn row(ui: &mut Ui, name: &str, tip: &str, widget: impl FnOnce(&mut Ui)) {
-    ui.horizontal(|ui| {
+    named_row(ui, name, tip, widget);
+}
+
+/// The same; where its name is.
+fn named_row(ui: &mut Ui, name: &str, tip: &str, widget: impl FnOnce(&mut Ui)) -> Response {
+    let row = ui.horizontal(|ui| {
         let size = vec2(NAME_WIDTH, ui.spacing().interact_size.y);
-        ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
+        let name = ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
             ui.set_min_width(NAME_WIDTH);
-            ui.label(name).on_hover_text(tip);
+            ui.add(egui::Label::new(name).selectable(false)).on_hover_text(tip)
         });
         widget(ui);
+        name.inner
     });
+    row.inner
+}
+
+/// Whether `response` was clicked twice, whatever else it takes: what a double click on a slider or on its name is.
+#[must_use]
+pub fn is_double_clicked(ui: &Ui, response: &Response) -> bool {
+    response.contains_pointer()
+        && ui.input(|input| input.pointer.button_double_clicked(PointerButton::Primary))
+}
+
+/// What a double click on a slider or on its name does, in its tip.
+pub const DOUBLE_CLICK: &str = "Double-click the slider or its name: as usual.";
+
+/// What was done to a number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Edit {
+    /// Nothing.
+    Kept,
+    /// It has another value.
+    Changed,
+    /// It is to be as usual.
+    Restored,
 }
 
 /// A slider, and behind it the number, which can be typed.
@@ -61,39 +102,64 @@ pub struct NumberRow<'a> {
 }
 
 impl NumberRow<'_> {
-    /// Shows it; true if `value` changed.
-    pub fn show(&self, ui: &mut Ui, value: &mut f64) -> bool {
-        let mut changed = false;
-        row(ui, self.name, self.tip, |ui| {
-            changed = self.slider(ui, value) | self.number(ui, value);
-        });
-        changed
+    /// Shows it; true if `value` changed, or is as `usual` again.
+    pub fn show(&self, ui: &mut Ui, value: &mut f64, usual: f64) -> bool {
+        let edit = self.edit(ui, value);
+        if edit == Edit::Restored {
+            *value = usual;
+        }
+        edit != Edit::Kept
     }
 
-    /// Shows `value`, which is in units of the scene as what it spans is, in `unit`; true if it changed.
-    pub fn show_in(&self, ui: &mut Ui, unit: Unit, value: &mut f64) -> bool {
+    /// The same where `value`, as what it spans, is in units of the scene: shows it in `unit`.
+    pub fn show_in(&self, ui: &mut Ui, unit: Unit, value: &mut f64, usual: f64) -> bool {
+        let edit = self.edit_in(ui, unit, value);
+        if edit == Edit::Restored {
+            *value = usual;
+        }
+        edit != Edit::Kept
+    }
+
+    /// Shows it, for a number that has no usual value: what was done to `value`.
+    pub fn edit(&self, ui: &mut Ui, value: &mut f64) -> Edit {
+        let (mut changed, mut restored) = (false, false);
+        let tip = format!("{}\n{DOUBLE_CLICK}", self.tip);
+        let name = named_row(ui, self.name, &tip, |ui| {
+            let slider = self.slider(ui, value).on_hover_text(&tip);
+            restored = is_double_clicked(ui, &slider);
+            changed = slider.changed() | self.number(ui, value);
+        });
+        match (restored || is_double_clicked(ui, &name), changed) {
+            (true, _) => Edit::Restored,
+            (false, true) => Edit::Changed,
+            (false, false) => Edit::Kept,
+        }
+    }
+
+    /// The same for a number in units of the scene, shown in `unit`.
+    pub fn edit_in(&self, ui: &mut Ui, unit: Unit, value: &mut f64) -> Edit {
         let [slider, typed] = [&self.slider, &self.typed].map(|span| shown_span(unit, span));
         let decimals = if unit == Unit::OWN { self.decimals } else { unit.decimals(3).into() };
         let row = NumberRow { slider, typed, decimals, suffix: &unit.suffix(), ..self.clone() };
         let mut shown = unit.shown(*value);
-        let changed = row.show(ui, &mut shown);
-        if changed {
+        let edit = row.edit(ui, &mut shown);
+        if edit == Edit::Changed {
             *value = unit.in_scene(shown).clamp(*self.typed.start(), *self.typed.end());
         }
-        changed
+        edit
     }
 
-    fn slider(&self, ui: &mut Ui, value: &mut f64) -> bool {
+    fn slider(&self, ui: &mut Ui, value: &mut f64) -> Response {
         let free = ui.available_width() - NUMBER_WIDTH - ui.spacing().item_spacing.x;
         ui.spacing_mut().slider_width = free.max(30.0);
         // A typed value may lie beyond the slider's ends and stays as typed.
         let slider =
             Slider::new(value, self.slider.clone()).show_value(false).clamping(SliderClamping::Never);
-        ui.add(slider).on_hover_text(self.tip).accessible_name(self.name).changed()
+        explained(ui.add(slider), self.tip).accessible_name(self.name)
     }
 
     fn number(&self, ui: &mut Ui, value: &mut f64) -> bool {
-        let number = DragValue::new(value)
+        let number = number(value)
             .range(self.typed.clone())
             .speed((self.slider.end() - self.slider.start()) / 400.0)
             .max_decimals(self.decimals)
@@ -101,8 +167,26 @@ impl NumberRow<'_> {
             .suffix(self.suffix);
         let size = [NUMBER_WIDTH, ui.spacing().interact_size.y];
         let name = format!("{}, typed", self.name);
-        ui.add_sized(size, number).on_hover_text(self.tip).accessible_name(name).changed()
+        explained(ui.add_sized(size, number), self.tip).accessible_name(name).changed()
     }
+}
+
+/// Explains what `response` is of, but not while it is dragged nor as long as the pointer rests where it was left: the
+/// explanation would cover what the drag changes.
+pub fn explained(response: Response, tip: impl Into<egui::WidgetText>) -> Response {
+    let id = Id::unique("dragged last");
+    let last = response.ctx.data(|data| data.get_temp::<Id>(id));
+    if response.dragged() {
+        response.ctx.data_mut(|data| data.insert_temp(id, response.id));
+        return response;
+    }
+    if last != Some(response.id) {
+        return response.on_hover_text(tip);
+    }
+    if !response.hovered() {
+        response.ctx.data_mut(|data| data.remove::<Id>(id));
+    }
+    response
 }
 
 /// Buttons side by side, one of them chosen; each with its own tip. True if another was chosen.
@@ -136,6 +220,16 @@ pub fn exact_number(
     (response.lost_focus() && text != shown).then(|| figures::parsed(&text))
 }
 
+/// A number to drag or type.
+pub fn number<N: Numeric>(value: &mut N) -> DragValue<'_> {
+    DragValue::new(value).custom_parser(typed)
+}
+
+/// A number as it is typed anywhere in the window: with a decimal point or comma.
+fn typed(text: &str) -> Option<f64> {
+    figures::parsed(text).ok()
+}
+
 /// What `unit` shows of a `span` in units of the scene.
 fn shown_span(unit: Unit, span: &RangeInclusive<f64>) -> RangeInclusive<f64> {
     unit.shown(*span.start())..=unit.shown(*span.end())
@@ -150,7 +244,7 @@ pub fn measure(value: &mut f64, unit: Unit, span: RangeInclusive<f64>) -> DragVa
         }
         unit.shown(*value)
     });
-    number.range(shown).suffix(unit.suffix()).update_while_editing(false)
+    number.range(shown).suffix(unit.suffix()).update_while_editing(false).custom_parser(typed)
 }
 
 /// The first or the last T of a range, to drag or type in `unit`, where the plots show `from` to `to`.

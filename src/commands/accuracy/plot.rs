@@ -43,7 +43,7 @@ fn points(report: &AccuracyReport) -> Panel {
 }
 
 fn logarithmic(title: String, labels: [&'static str; 2], lines: Vec<Line>) -> Panel {
-    Panel { logarithmic: true, width: 520.0, ..Panel::new(title, labels, lines) }
+    Panel { logarithmic: [true; 2], width: 520.0, ..Panel::new(title, labels, lines) }
 }
 
 /// Errors below `least` are drawn there, and said to be.

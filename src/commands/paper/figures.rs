@@ -93,8 +93,8 @@ fn write_angles(
             push_column(&mut columns, &format!("{name}_{eye_name}_{}", model.name()), &curve);
             lines.push(Line::solid(format!("{eye_name} eye"), colour, curve).with(stroke));
         }
-        let mark = Some((setup.equidistance_time()?, "T0"));
-        panels.push(Panel { mark, ..Panel::new(title(model), ["T", label], lines) });
+        let marks = vec![(setup.equidistance_time()?, "T0".to_owned())];
+        panels.push(Panel { marks, ..Panel::new(title(model), ["T", label], lines) });
     }
     write(folder, name, &panels, &columns)
 }
@@ -116,8 +116,8 @@ fn write_differences(
             push_column(&mut columns, &format!("{name}_beta_{beta}_{}", model.name()), &curve);
             lines.push(Line::solid(format!("beta = {beta}"), colour, curve));
         }
-        let mark = Some((Setup::SECTION_3.equidistance_time()?, "T0"));
-        panels.push(Panel { mark, ..Panel::new(title(model), ["T", label], lines) });
+        let marks = vec![(Setup::SECTION_3.equidistance_time()?, "T0".to_owned())];
+        panels.push(Panel { marks, ..Panel::new(title(model), ["T", label], lines) });
     }
     write(folder, name, &panels, &columns)
 }
@@ -200,7 +200,7 @@ fn write_bicycle_for_two_eyes(folder: &Path) -> anyhow::Result<()> {
             }
         }
         let xs = || pieces.iter().flatten().flatten().map(|point| point[0]);
-        let at_least = Some([xs().fold(f64::INFINITY, f64::min), xs().fold(f64::NEG_INFINITY, f64::max)]);
+        let shown_x = Some([xs().fold(f64::INFINITY, f64::min), xs().fold(f64::NEG_INFINITY, f64::max)]);
         let half = 0.5 * setup.separation;
         let line = |eye: usize| Line::in_pieces(EYES[eye].1, EYES[eye].2, pieces[eye].clone());
         let shown = [
@@ -210,7 +210,7 @@ fn write_bicycle_for_two_eyes(folder: &Path) -> anyhow::Result<()> {
         ];
         for (row, (name, lines)) in rows.iter_mut().zip(shown) {
             let title = format!("{name}, {}: beta = 0.9, d = 0.3", title(model));
-            row.push(Panel { height: 260.0, at_least, ..bicycle_panel(title, lines, 720.0) });
+            row.push(Panel { height: 260.0, shown_x, ..bicycle_panel(title, lines, 720.0) });
         }
     }
     let name = "bicycle-2d-two-eyes";

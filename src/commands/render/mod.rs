@@ -11,6 +11,7 @@ use self::sequence::TimeArgs;
 use crate::flags::choices::FileKind;
 use crate::settings::{Settings, StartArgs};
 use crate::studio::Studio;
+use crate::studio::film::FilmKind;
 
 /// Draws what both eyes see, without a window, a display or a GPU.
 ///
@@ -22,7 +23,8 @@ use crate::studio::Studio;
 #[derive(Debug, Args)]
 #[command(after_long_help = EXAMPLES, mut_args(without_the_windows))]
 pub struct RenderArgs {
-    /// Where to: FILE.png, FILE.exr, or a folder with --frames. Each file is written whole or not at all.
+    /// Where to: FILE.png or FILE.exr; with --frames a folder, or FILE.gif or FILE.png, an animation of 25 frames a second.
+    /// Each file is written whole or not at all.
     #[arg(long, default_value = "gamow.png", value_name = "FILE|DIR")]
     out: PathBuf,
     #[command(flatten)]
@@ -52,6 +54,7 @@ Examples:
   gamow render --beta 0.6 --gaze 90,0 --fov 100 --layout anaglyph --out anaglyph.png
   gamow render --gamma 100 --time 0 --colour false --out false-colour.png
   gamow render --frames 200 --size 640x480 --out ride
+  gamow render --frames 100 --size 320x240 --renderer rays --out ride.gif
   gamow render --renderer reference --out hits.exr
   gamow render --geometry published --time 1.5 --layout overlay --out published.png
   gamow render --projection vr180 --time 2 --out street.png   (street_180x180_LR.png, for headsets)
@@ -59,10 +62,14 @@ Examples:
 
 /// Runs `gamow render`.
 pub fn run(args: &RenderArgs) -> anyhow::Result<()> {
-    let kind = args.file_kind()?;
+    let output = args.output()?;
     let settings = vr180::fitted(args.start.settings(Settings::default())?)?;
     let mut studio = Studio::new(settings)?;
-    let Some(kind) = kind else { return sequence::run(&mut studio, &args.times, &args.out) };
+    let kind = match output {
+        Output::File(kind) => kind,
+        Output::Sequence => return sequence::run(&mut studio, &args.times, &args.out),
+        Output::Film(kind) => return sequence::run_film(&mut studio, &args.times, kind, &args.out),
+    };
     let frame = studio.frame(None)?;
     let out = vr180::named(studio.settings(), &args.out);
     for _ in 0..if args.timings { args.repeat } else { 1 } {
@@ -77,16 +84,29 @@ pub fn run(args: &RenderArgs) -> anyhow::Result<()> {
     Ok(())
 }
 
+/// What is to be made.
+enum Output {
+    File(FileKind),
+    Sequence,
+    Film(FilmKind),
+}
+
 impl RenderArgs {
-    /// The kind of file to make, `None` for a sequence.
-    fn file_kind(&self) -> anyhow::Result<Option<FileKind>> {
+    fn output(&self) -> anyhow::Result<Output> {
         let out = self.out.display();
-        match (FileKind::of(&self.out), self.times.frames) {
-            (Some(_), Some(_)) => anyhow::bail!("--out {out}: a sequence needs a folder, not a file"),
-            (None, None) => {
+        match (FileKind::of(&self.out), FilmKind::of(&self.out), self.times.frames) {
+            (Some(FileKind::Exr), _, Some(_)) => {
+                anyhow::bail!("--out {out}: a sequence of measurements needs a folder, not a file")
+            }
+            (Some(kind), _, None) => Ok(Output::File(kind)),
+            (None, Some(FilmKind::Gif), None) => {
+                anyhow::bail!("--out {out}: an animation needs --frames")
+            }
+            (_, Some(kind @ (FilmKind::Gif | FilmKind::Png)), Some(_)) => Ok(Output::Film(kind)),
+            (None, _, None) => {
                 anyhow::bail!("--out {out}: a file must end in .png or .exr; a folder needs --frames")
             }
-            (kind, _) => Ok(kind),
+            (_, _, Some(_)) => Ok(Output::Sequence),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Sequences of frames in a folder, which can be broken off and taken up again.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use anyhow::Context as _;
 use clap::Args;
@@ -12,6 +12,7 @@ use crate::flags::finite_number;
 use crate::passage::{passage_times, time_within};
 use crate::platform::{files, progress};
 use crate::studio::Studio;
+use crate::studio::film::{FilmKind, frame_path};
 
 /// Flags of a sequence.
 #[derive(Debug, Clone, Args)]
@@ -48,6 +49,31 @@ impl TimeArgs {
     }
 }
 
+/// Draws the frames as one animated file at `path`, each shown for 1/25 s.
+pub fn run_film(studio: &mut Studio, times: &TimeArgs, kind: FilmKind, path: &Path) -> anyhow::Result<()> {
+    anyhow::ensure!(
+        !times.exr,
+        "--exr: an animation shows pictures; measurements of every pixel need a folder"
+    );
+    let frames = times.frames.unwrap_or(1);
+    let range = times.range(studio)?;
+    let progress = progress::bar(frames.into(), "frames");
+    let times: Vec<f64> = (0..frames).map(|frame| time_of(frame, frames, range)).collect();
+    studio.make_film(&times, kind, path, |frame| {
+        progress.set_position(frame.into());
+        true
+    })?;
+    progress.finish_and_clear();
+    let bytes = files::size(path).with_context(|| path.display().to_string())?;
+    eprintln!("{frames} frames in {}: {}", path.display(), figures::bytes(bytes, 3));
+    Ok(())
+}
+
+/// T of a frame of so many: those of the first and the last are the ends of `range`.
+fn time_of(frame: u32, frames: u32, range: [f64; 2]) -> f64 {
+    time_within(range, f64::from(frame) / f64::from(frames.max(2) - 1))
+}
+
 /// Draws the frames into `folder` as `frame_00000.png` (or .exr) and so on. Frames that are there already, whole and
 /// with the same parameters, are kept. (Those for headsets have longer names.)
 pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Result<()> {
@@ -60,7 +86,7 @@ pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Resu
     let probes = probes(frames);
     let others = (0..frames).filter(|frame| !probes.contains(frame));
     for (made, frame) in (1..).zip(probes.iter().copied().chain(others)) {
-        let time = time_within(range, f64::from(frame) / f64::from(frames.max(2) - 1));
+        let time = time_of(frame, frames, range);
         let path = vr180::named(studio.settings(), &frame_path(folder, frame, kind));
         let frame = studio.frame(Some(time))?;
         if frame.is_made(kind, &path) {
@@ -90,8 +116,4 @@ fn probes(frames: u32) -> Vec<u32> {
     let mut probes = vec![0, frames / 4, frames / 2];
     probes.dedup();
     probes
-}
-
-fn frame_path(folder: &Path, frame: u32, kind: FileKind) -> PathBuf {
-    folder.join(format!("frame_{frame:05}.{}", kind.extension()))
 }

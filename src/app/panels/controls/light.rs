@@ -9,7 +9,7 @@ use relativity_render::{Colour, Shading};
 use crate::app::command::Command;
 use crate::app::panels::Asks;
 use crate::app::state::State;
-use crate::app::widgets::{NumberRow, choice, row};
+use crate::app::widgets::{Edit, NumberRow, choice, row};
 use crate::figures;
 use crate::flags::{EXPOSURE_EV, Exposure, TEMPERATURE_K};
 use crate::settings::Light;
@@ -17,12 +17,12 @@ use crate::settings::Light;
 /// Shows them.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let before = state.settings.light;
-    let mut light = before;
+    let (mut light, usual) = (before, state.usual().light);
     row(ui, "Light", "What light the bodies send, and how it becomes a colour.", |ui| {
         choice(ui, &mut light.colour, &COLOURS);
     });
     if light.colour == Colour::Glowing {
-        temperature().show(ui, &mut light.temperature);
+        temperature().show(ui, &mut light.temperature, usual.temperature);
     }
     row(ui, "Doppler", "Whether motion shifts the wavelength.\nλ received = λ at rest / D", |ui| {
         choice(ui, &mut light.doppler_shift, &SHIFTS);
@@ -34,7 +34,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     row(ui, "Shading", "How form is shown.", |ui| {
         choice(ui, &mut light.shading, &SHADINGS);
     });
-    exposure_rows(ui, state.settings.automatic_ev(&state.session.scene), &mut light.exposure);
+    exposure_rows(ui, state.settings.automatic_ev(&state.session.scene), &mut light.exposure, usual.exposure);
     row(ui, "Background", "What rests with the eyes.", |ui| {
         ui.checkbox(&mut light.sky, "Sky").on_hover_text("A sky behind the scene.");
         ui.checkbox(&mut light.ground, "Ground").on_hover_text("A road or a grid on the ground, at rest.");
@@ -69,7 +69,7 @@ fn intensity_row(ui: &mut Ui, light: &mut Light) {
 }
 
 /// Whether the exposure is automatic, and the number.
-fn exposure_rows(ui: &mut Ui, automatic_ev: f64, exposure: &mut Exposure) {
+fn exposure_rows(ui: &mut Ui, automatic_ev: f64, exposure: &mut Exposure, usual: Exposure) {
     let tip = "Brightness of the picture: light × 2^EV, with a shoulder instead of clipping.";
     row(ui, "Exposure", tip, |ui| {
         let automatic = format!("auto ({} EV)", figures::fixed(automatic_ev, 1));
@@ -83,7 +83,9 @@ fn exposure_rows(ui: &mut Ui, automatic_ev: f64, exposure: &mut Exposure) {
     if let Some(ev) = &mut exposure.0 {
         let row =
             NumberRow { name: "EV", tip, slider: -8.0..=8.0, typed: EXPOSURE_EV, decimals: 2, suffix: " EV" };
-        row.show(ui, ev);
+        if row.edit(ui, ev) == Edit::Restored {
+            *exposure = usual;
+        }
     }
 }
 

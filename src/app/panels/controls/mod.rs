@@ -14,7 +14,8 @@ use crate::app::command::Command;
 use crate::app::dial;
 use crate::app::layouts::{self, LAYOUTS};
 use crate::app::state::State;
-use crate::app::widgets::{NumberRow, choice, row, section};
+use crate::app::usual::Section;
+use crate::app::widgets::{Edit, NumberRow, choice, row, section};
 use crate::flags::FieldOfView;
 use crate::flags::choices::{GazeChoice, RendererChoice};
 use crate::settings::{BOUND_PX, FOV_DEGREES, Look, MAX_LENGTH, Motion, Picture, Quality, USUAL_FOV, Window};
@@ -23,31 +24,45 @@ use crate::units::Unit;
 /// Room for the list of layouts before it scrolls, points.
 const LAYOUTS_HEIGHT: f32 = 340.0;
 
+/// Shows the rows of a section.
+type Rows = fn(&mut Ui, &State, &mut Asks);
+
+const SECTIONS: [(Section, Rows); 4] = [
+    (Section::Motion, motion),
+    (Section::Look, look),
+    (Section::TwoEyes, two_eyes::show),
+    (Section::Light, light::show),
+];
+
 /// Shows the controls.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         ui.spacing_mut().item_spacing.y = 3.0;
-        section(ui, "Motion", |ui| motion(ui, state, asks));
-        section(ui, "Look", |ui| look(ui, state, asks));
-        section(ui, "Two eyes", |ui| two_eyes::show(ui, state, asks));
-        section(ui, "Light", |ui| light::show(ui, state, asks));
+        for (part, rows) in SECTIONS {
+            let tip = format!("Has this section as usual: {}.", state.usual_is());
+            let reset = (!state.is_usual_in(part)).then_some(tip.as_str());
+            if section(ui, part.title(), reset, |ui| rows(ui, state, asks)) {
+                asks.push(Command::ResetSection(part));
+            }
+        }
     });
 }
 
 fn motion(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let mut motion = state.settings.motion;
     let measures = state.measures();
-    if let Some(speed) = speed::show(ui, motion.speed, &measures) {
+    let usual = state.usual().motion;
+    if let Some(speed) = speed::show(ui, motion.speed, usual.speed, &measures) {
         motion.speed = speed;
     }
-    separation_row(ui, measures.length, &mut motion);
-    path_rows(ui, measures.length, state.session.scene.tracked, &mut motion);
+    separation_row(ui, measures.length, &mut motion, usual);
+    path_rows(ui, measures.length, state.session.scene.tracked, &mut motion, usual);
     if motion != state.settings.motion {
         asks.push(Command::Motion(motion));
     }
 }
 
-fn separation_row(ui: &mut Ui, unit: Unit, motion: &mut Motion) {
+fn separation_row(ui: &mut Ui, unit: Unit, motion: &mut Motion, usual: Motion) {
     let row = NumberRow {
         name: "Eyes apart d",
         tip: "Separation of the eyes' apertures. With the head held straight they rest at x = −d/2 (left) and x = +d/2 (right).",
@@ -56,10 +71,16 @@ fn separation_row(ui: &mut Ui, unit: Unit, motion: &mut Motion) {
         decimals: 6,
         suffix: "",
     };
-    row.show_in(ui, unit, &mut motion.d);
+    row.show_in(ui, unit, &mut motion.d, usual.d);
 }
 
-fn path_rows(ui: &mut Ui, unit: Unit, [_, scene_depth, scene_height]: [f64; 3], motion: &mut Motion) {
+fn path_rows(
+    ui: &mut Ui,
+    unit: Unit,
+    [_, scene_depth, scene_height]: [f64; 3],
+    motion: &mut Motion,
+    usual: Motion,
+) {
     let distance = NumberRow {
         name: "Distance y",
         tip: "How far in front of the eyes the path runs: y of the scene's tracked point. \
@@ -77,11 +98,11 @@ fn path_rows(ui: &mut Ui, unit: Unit, [_, scene_depth, scene_height]: [f64; 3], 
         ..distance.clone()
     };
     let mut depth = scene_depth + motion.depth_shift;
-    if distance.show_in(ui, unit, &mut depth) {
+    if distance.show_in(ui, unit, &mut depth, scene_depth + usual.depth_shift) {
         motion.depth_shift = shift(depth - scene_depth);
     }
     let mut altitude = scene_height + motion.height_shift;
-    if height.show_in(ui, unit, &mut altitude) {
+    if height.show_in(ui, unit, &mut altitude, scene_height + usual.height_shift) {
         motion.height_shift = shift(altitude - scene_height);
     }
 }
@@ -99,7 +120,7 @@ fn look(ui: &mut Ui, state: &State, asks: &mut Asks) {
     gaze_row(ui, state, &mut look);
     field_of_view_rows(ui, state, &mut look, asks);
     more_rows(ui, state.settings.window, state.measures().time, asks);
-    quality(ui, state.settings.quality, asks);
+    quality(ui, state.settings.quality, state.usual().quality, asks);
     if look != state.settings.look {
         asks.push(Command::Look(look));
     }
@@ -134,7 +155,7 @@ fn layout_row(ui: &mut Ui, picture: Picture, asks: &mut Asks) {
     });
 }
 
-fn quality(ui: &mut Ui, set: Quality, asks: &mut Asks) {
+fn quality(ui: &mut Ui, set: Quality, usual: Quality, asks: &mut Asks) {
     // The window has a GPU, so that what is automatic is the rays.
     let renderer = if set.renderer == RendererChoice::Rays { RendererChoice::Auto } else { set.renderer };
     let before = Quality { renderer, ..set };
@@ -150,7 +171,7 @@ fn quality(ui: &mut Ui, set: Quality, asks: &mut Asks) {
             decimals: 3,
             suffix: " px",
         };
-        bound.show(ui, &mut quality.bound_px);
+        bound.show(ui, &mut quality.bound_px, usual.bound_px);
     }
     if quality != before {
         asks.push(Command::Quality(quality));
@@ -309,8 +330,10 @@ fn field_of_view_rows(ui: &mut Ui, state: &State, look: &mut Look, asks: &mut As
     // Hidden views compute nothing, not even what would fit them.
     let shown = if state.settings.window.views { state.look().set_fov() } else { look.set_fov() };
     let mut fov = shown.unwrap_or(USUAL_FOV);
-    if row_of_number.show(ui, &mut fov) {
-        look.fov = FieldOfView(Some(fov));
+    match row_of_number.edit(ui, &mut fov) {
+        Edit::Kept => {}
+        Edit::Changed => look.fov = FieldOfView(Some(fov)),
+        Edit::Restored => look.fov = state.usual().look.fov,
     }
     row(ui, "", "", |ui| {
         let mut is_auto = look.fov.0.is_none();

@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use eframe::egui::Ui;
 
 use crate::app::state::State;
-use crate::app::widgets::{NumberRow, choice, row};
+use crate::app::widgets::{Edit, NumberRow, choice, row};
 use crate::flags::choices::{ProjectionChoice, ZeroParallax};
 use crate::settings::{Look, MAX_LENGTH};
 
@@ -97,6 +97,8 @@ fn zero_parallax_rows(ui: &mut Ui, state: &State, look: &mut Look) {
             decimals: 4,
             suffix: "",
         };
-        row_of_number.show_in(ui, state.measures().length, distance);
+        if row_of_number.edit_in(ui, state.measures().length, distance) == Edit::Restored {
+            look.zero_parallax = state.usual().look.zero_parallax;
+        }
     }
 }

@@ -1,12 +1,12 @@
 //! The screen: how comfortably two eyes fuse what is on it, and how large and how far away it is.
 
-use eframe::egui::{DragValue, Ui};
+use eframe::egui::Ui;
 
 use crate::app::command::Command;
 use crate::app::panels::Asks;
 use crate::app::state::State;
 use crate::app::theme;
-use crate::app::widgets::{dot, named_text, row};
+use crate::app::widgets::{dot, named_text, number, row};
 use crate::comfort::{Comfort, Verdict};
 use crate::figures;
 use crate::flags::{SCREEN_CM, ScreenWidth};
@@ -59,7 +59,7 @@ fn narrow(ui: &mut Ui, state: &State, asks: &mut Asks) {
             asks.push(Command::Narrow);
         }
         if let Some([wide, _]) = narrowed
-            && ui.button("Undo").on_hover_text("Has the eyes as far apart as before.").clicked()
+            && ui.button("As before").on_hover_text("Has the eyes as far apart as before.").clicked()
         {
             asks.push(Command::Motion(Motion { d: wide, ..motion }));
         }
@@ -80,8 +80,7 @@ fn place(ui: &mut Ui, state: &State, asks: &mut Asks) {
         |ui| {
             let mut is_auto = screen.screen_width.0.is_none();
             let mut width = screen.screen_width.0.unwrap_or(USUAL_WIDTH_CM);
-            let field =
-                DragValue::new(&mut width).range(SCREEN_CM).speed(1.0).max_decimals(1).suffix(" cm wide");
+            let field = number(&mut width).range(SCREEN_CM).speed(1.0).max_decimals(1).suffix(" cm wide");
             let changed = ui
                 .add_enabled(!is_auto, field)
                 .on_hover_text("Width of the whole screen")
@@ -93,7 +92,7 @@ fn place(ui: &mut Ui, state: &State, asks: &mut Asks) {
         },
     );
     row(ui, "", "", |ui| {
-        let field = DragValue::new(&mut screen.viewing_distance).range(VIEWING_CM).speed(1.0).max_decimals(1);
+        let field = number(&mut screen.viewing_distance).range(VIEWING_CM).speed(1.0).max_decimals(1);
         ui.add(field.suffix(" cm away"))
             .on_hover_text("How far from the screen you sit")
             .accessible_name("Viewing distance");

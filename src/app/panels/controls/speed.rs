@@ -1,6 +1,8 @@
 //! The speed: a slider finer towards 1, speeds to click, and three fields to type it exactly.
 
-use eframe::egui::{self, Align, Align2, FontId, Layout, Rect, RichText, Sense, Slider, TextStyle, Ui, vec2};
+use eframe::egui::{
+    self, Align, Align2, FontId, Label, Layout, Rect, RichText, Sense, Slider, TextStyle, Ui, vec2,
+};
 
 use crate::app::widgets;
 use crate::figures;
@@ -8,12 +10,17 @@ use crate::flags::{SpeedParameter, SpeedSetting};
 use crate::units::Measures;
 
 const TIP: &str = "Speed of the scene in units of c.\nβ = v/c,   γ = 1/√(1 − β²),   η = artanh β\n\
-    The slider is finer towards 1.   Keys: ↑ ↓";
+    The slider is finer towards 1.   Keys: ↑ ↓\nDouble-click the slider or its name: as usual.";
 
-/// Shows it, in these units too where they have one for speeds; a speed if the user gave one.
-pub fn show(ui: &mut Ui, current: SpeedSetting, measures: &Measures) -> Option<SpeedSetting> {
-    ui.horizontal(|ui| {
-        ui.label("Speed").on_hover_text(TIP);
+/// Shows it, in these units too where they have one for speeds; a speed if the user gave one, or the `usual` one.
+pub fn show(
+    ui: &mut Ui,
+    current: SpeedSetting,
+    usual: SpeedSetting,
+    measures: &Measures,
+) -> Option<SpeedSetting> {
+    let title = ui.horizontal(|ui| {
+        let name = ui.add(Label::new("Speed").selectable(false)).on_hover_text(TIP);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let text = format!("β = {}", figures::beta(&current.speed()));
             ui.label(RichText::new(text).heading().strong()).on_hover_text(TIP);
@@ -22,19 +29,24 @@ pub fn show(ui: &mut Ui, current: SpeedSetting, measures: &Measures) -> Option<S
                     .on_hover_text("In a town where light is as fast as 30 km/h, as Gamow has it.");
             }
         });
+        name
     });
-    let slid = slider(ui, current);
+    let restored = widgets::is_double_clicked(ui, &title.inner).then_some(usual);
+    let slid = slider(ui, current, usual);
     let typed = fields(ui, current);
-    typed.or(slid)
+    restored.or(typed).or(slid)
 }
 
-fn slider(ui: &mut Ui, current: SpeedSetting) -> Option<SpeedSetting> {
+fn slider(ui: &mut Ui, current: SpeedSetting, usual: SpeedSetting) -> Option<SpeedSetting> {
     let mut position = current.slider_position();
     ui.spacing_mut().slider_width = ui.available_width();
     let slider = Slider::new(&mut position, 0.0..=1.0).show_value(false).smart_aim(false);
-    let response = ui.add(slider).on_hover_text(TIP).accessible_name("Speed β");
+    let response = widgets::explained(ui.add(slider), TIP).accessible_name("Speed β");
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_value(figures::beta(&current.speed())));
     let marked = marks(ui, response.rect);
+    if widgets::is_double_clicked(ui, &response) {
+        return Some(usual);
+    }
     let slid = response.changed().then(|| SpeedSetting::at_slider_position(position));
     slid.or(marked)
 }

@@ -14,7 +14,7 @@ use crate::settings::Motion;
 /// Shows them.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let (mut motion, mut look) = (state.settings.motion, state.settings.look);
-    head_rows(ui, &mut motion);
+    head_rows(ui, &mut motion, state.usual().motion);
     projection::show(ui, state, &mut look);
     screen::show(ui, state, asks);
     if motion != state.settings.motion {
@@ -26,7 +26,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
 }
 
 /// Which way the eyes are from each other: a choice of three, and how far the head is tilted and turned.
-fn head_rows(ui: &mut Ui, motion: &mut Motion) {
+fn head_rows(ui: &mut Ui, motion: &mut Motion, usual: Motion) {
     row(
         ui,
         "Eyes",
@@ -54,8 +54,8 @@ fn head_rows(ui: &mut Ui, motion: &mut Motion) {
             Lines of sight then need not meet.",
         ..tilted.clone()
     };
-    tilted.show(ui, &mut motion.roll);
-    turned.show(ui, &mut motion.turn);
+    tilted.show(ui, &mut motion.roll, usual.roll);
+    turned.show(ui, &mut motion.turn, usual.turn);
 }
 
 /// Tilt and turn of eyes that are along and across the motion.

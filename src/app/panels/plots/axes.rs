@@ -1,23 +1,29 @@
-//! What the plots over T have in common: frames, grids, numbers at the grid lines, pointing at a T.
+//! What the plots over T have in common: frames, ticks, what the axes are called, pointing at a T.
 
-use eframe::egui::{self, Align2, Id, Sense, Stroke, TextStyle, Ui, vec2};
+use eframe::egui::{self, Align2, Id, Rect, Sense, Stroke, TextStyle, Ui, pos2, vec2};
 use egui_plot::{GridInput, GridMark, Plot, PlotBounds, PlotResponse};
 use relativity_core::math;
 
 use crate::app::curves::Quantity;
 use crate::figures;
-use crate::plot::round_step;
+use crate::plot::{
+    Axis, MOST_TICKS, at_least, extent, ticks_along, widened, with_factor, with_margin, zoom_step,
+};
 use crate::units::Unit;
 
 /// Room for the numbers beside a plot.
 pub(super) const Y_AXIS_WIDTH: f32 = 48.0;
-/// Least space from number to number along T, points.
-const NUMBER_SPACING: f32 = 85.0;
-/// Heights of a decade in which six numbers, or three, are a line of text apart; points.
-const SIX_NUMBERS: f64 = 95.0;
-const THREE_NUMBERS: f64 = 45.0;
-/// How many lines there are for each number along T.
-const FINE_LINES: i64 = 5;
+/// Room that a number takes along T, and between two above each other, points.
+const NUMBER_ROOM: [f32; 2] = [58.0, 26.0];
+/// Least room between two numbers above each other.
+const LEAST_NUMBER_ROOM: f32 = 16.0;
+/// A plot less wide has no room for words at its axis.
+const NARROWEST_WITH_WORDS: f32 = 170.0;
+/// Least height of an axis as a part of the largest value, and most of what that asks for, radians.
+const LEAST_SHARE: f64 = 0.05;
+const LEAST_ANGLE: f64 = 0.01;
+/// What is left above and below the curves, as a part of their height.
+const MARGIN: f64 = 0.08;
 
 /// A plot that neither scrolls nor zooms.
 pub(super) fn still_plot<'a>(ui: &Ui, id: impl egui::AsIdSalt, size: egui::Vec2) -> Plot<'a> {
@@ -35,33 +41,117 @@ pub(super) fn still_plot<'a>(ui: &Ui, id: impl egui::AsIdSalt, size: egui::Vec2)
         .grid_color(ui.visuals().weak_text_color().gamma_multiply(0.25))
 }
 
-/// A still plot over T, shown in `unit`, in which a drag can move T.
+/// A still plot over T, shown in `unit`.
 pub(super) fn plot_over_time<'a>(ui: &Ui, id: impl egui::AsIdSalt, unit: Unit, size: egui::Vec2) -> Plot<'a> {
-    let width = size.x - Y_AXIS_WIDTH;
+    let ruler = Ruler::of_time(unit, size.x);
     still_plot(ui, id, size)
-        .grid_spacing(24.0..=220.0)
-        .x_grid_spacer(move |input| time_grid(unit, width, input.bounds))
-        .x_axis_formatter(move |mark, _| time_tick(unit, mark))
+        .grid_spacing(1.0..=2.0)
+        .x_grid_spacer(move |input| ruler.grid(&input))
+        .x_axis_formatter(move |mark, range| ruler.text(mark, [*range.start(), *range.end()]))
         .link_cursor(Id::unique("cursor over T"), [true, false])
+        .show_y(false)
+        .label_formatter(|_| None)
 }
 
-/// All `values` in the range of T, with a margin; never of no height.
-pub(super) fn bounds(values: impl Iterator<Item = f64> + Clone, [from, to]: [f64; 2]) -> PlotBounds {
-    let [lowest, highest] = extent(values).unwrap_or_default();
-    let margin = (0.08 * (highest - lowest)).max(1e-6 * highest.abs()).max(1e-9);
+/// What the ticks of an axis are at.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Ruler {
+    logarithmic: bool,
+    unit: Unit,
+    wanted: usize,
+    /// As many as there is room for at most.
+    most: usize,
+}
+
+impl Ruler {
+    /// Of T, shown in `unit`, along a plot of this width, its numbers included.
+    pub fn of_time(unit: Unit, width: f32) -> Self {
+        let room = f64::from(width - Y_AXIS_WIDTH);
+        let wanted = ticks_along(room, NUMBER_ROOM[0].into());
+        Self { logarithmic: false, unit, wanted, most: MOST_TICKS }
+    }
+
+    /// Of values of `quantity`, shown in `unit`, in a plot of this height.
+    pub fn of_values(quantity: Quantity, unit: Unit, height: f32) -> Self {
+        let [wanted, most] =
+            [NUMBER_ROOM[1], LEAST_NUMBER_ROOM].map(|room| ticks_along(height.into(), room.into()));
+        Self { logarithmic: quantity.is_logarithm(), unit, wanted, most }
+    }
+
+    /// A plotted value as the axis counts it.
+    pub fn counted(self, plotted: f64) -> f64 {
+        if self.logarithmic { plotted + math::log10(self.unit.factor) } else { self.unit.shown(plotted) }
+    }
+
+    fn plotted(self, counted: f64) -> f64 {
+        if self.logarithmic { counted - math::log10(self.unit.factor) } else { self.unit.in_scene(counted) }
+    }
+
+    /// A plotted range a step further in or out, in which a plotted value stays `about` where it is. The steps go through
+    /// widths that have four to seven ticks wherever they begin.
+    pub fn zoomed(self, range: [f64; 2], about: f64, inwards: bool) -> [f64; 2] {
+        let [from, to] = range.map(|end| self.counted(end));
+        let about = self.counted(about);
+        let share = ((about - from) / (to - from)).clamp(0.0, 1.0);
+        let width = zoom_step(to - from, inwards);
+        let from = about - share * width;
+        [from, from + width].map(|end| self.plotted(end))
+    }
+
+    /// A plotted range as little wider as it takes to have four ticks, but no more than there is room for.
+    pub fn widened(self, range: [f64; 2]) -> [f64; 2] {
+        widened(self.logarithmic, range.map(|end| self.counted(end)), self.most).map(|end| self.plotted(end))
+    }
+
+    /// The axis over a plotted range.
+    pub fn axis(self, range: [f64; 2]) -> Axis {
+        Axis::within(self.logarithmic, range.map(|end| self.counted(end)), self.wanted)
+    }
+
+    fn grid(self, input: &GridInput) -> Vec<GridMark> {
+        let (from, to) = input.bounds;
+        // Every line and number counts as the whole axis: none is drawn faintly or left out.
+        let step_size = to - from;
+        let ticks = self.axis([from, to]).ticks;
+        ticks.into_iter().map(|tick| GridMark { value: self.plotted(tick.place), step_size }).collect()
+    }
+
+    fn text(self, mark: GridMark, range: [f64; 2]) -> String {
+        let off = |place: f64| (self.plotted(place) - mark.value).abs();
+        let ticks = self.axis(range).ticks.into_iter();
+        let nearest = ticks.min_by(|a, b| off(a.place).total_cmp(&off(b.place)));
+        nearest.map_or_else(String::new, |tick| tick.text)
+    }
+
+    /// `plot` with these ticks beside it.
+    pub fn beside(self, plot: Plot<'_>) -> Plot<'_> {
+        plot.y_grid_spacer(move |input| self.grid(&input))
+            .y_axis_formatter(move |mark, range| self.text(mark, [*range.start(), *range.end()]))
+    }
+}
+
+/// From where to where an axis of `quantity` goes that shows all of these plotted `values`: with a margin, and so wide that
+/// what hardly changes is a line in the middle. Values up to `rounding` are what that leaves of 0.
+pub(super) fn value_range(quantity: Quantity, values: impl Iterator<Item = f64>, rounding: f64) -> [f64; 2] {
+    let [low, high] = extent(values).unwrap_or_default();
+    let least = if quantity.is_logarithm() {
+        math::log10(1.0 + LEAST_SHARE)
+    } else {
+        let largest = low.abs().max(high.abs());
+        if largest > rounding { (LEAST_SHARE * largest).min(LEAST_ANGLE) } else { LEAST_ANGLE }
+    };
+    at_least(with_margin([low, high], MARGIN), least)
+}
+
+/// All `values` (angles) in the range of T, with a margin; never of no height.
+pub(super) fn bounds(values: impl Iterator<Item = f64>, [from, to]: [f64; 2]) -> PlotBounds {
+    let [lowest, highest] = value_range(Quantity::DeltaPhi, values, 0.0);
     let width = (to - from).max(1e-9);
-    PlotBounds::from_min_max([from, lowest - margin], [from + width, highest + margin])
+    PlotBounds::from_min_max([from, lowest], [from + width, highest])
 }
 
-/// Lowest and highest of `values`, `None` of none.
-pub(super) fn extent(values: impl Iterator<Item = f64> + Clone) -> Option<[f64; 2]> {
-    let lowest = values.clone().fold(f64::INFINITY, f64::min);
-    let highest = values.fold(f64::NEG_INFINITY, f64::max);
-    (lowest <= highest).then_some([lowest, highest])
-}
-
-/// The symbol of a quantity.
-pub(super) fn label(quantity: Quantity) -> &'static str {
+/// The symbol of a quantity, or its name.
+pub(super) const fn label(quantity: Quantity) -> &'static str {
     match quantity {
         Quantity::DeltaPhi => "Δφ",
         Quantity::DeltaTheta => "Δθ",
@@ -73,13 +163,44 @@ pub(super) fn label(quantity: Quantity) -> &'static str {
     }
 }
 
-/// What stands above a plot of `quantity`, in a window that shows lengths in `length`: with the unit where several numbers
-/// follow.
-pub(super) fn heading(quantity: Quantity, length: Unit) -> String {
+/// A quantity in words.
+const fn words(quantity: Quantity) -> &'static str {
     match quantity {
-        Quantity::LogDistance => length.label(label(quantity)),
-        _ => label(quantity).to_owned(),
+        Quantity::DeltaPhi => "Δφ, left − right",
+        Quantity::DeltaTheta => "Δθ, left − right",
+        Quantity::Phi => "azimuth φ",
+        Quantity::Theta => "elevation θ",
+        Quantity::LogDoppler => "Doppler factor D",
+        Quantity::LogGain => "stereo gain",
+        Quantity::LogDistance => "distance",
     }
+}
+
+/// What stands at an axis of `quantity` that is shown in `unit`: ratios have none.
+pub(super) fn axis_label(quantity: Quantity, unit: Unit) -> String {
+    with_unit(quantity, words(quantity), unit)
+}
+
+/// What stands before the name of a curve of `quantity` that is shown in `unit`, in short.
+pub(super) fn column_label(quantity: Quantity, unit: Unit) -> String {
+    with_unit(quantity, label(quantity), unit)
+}
+
+fn with_unit(quantity: Quantity, words: &str, unit: Unit) -> String {
+    match quantity {
+        Quantity::LogDoppler | Quantity::LogGain => words.to_owned(),
+        _ => in_unit(words, unit),
+    }
+}
+
+/// What stands at an axis of T that is shown in `unit`.
+pub(super) fn time_label(unit: Unit) -> String {
+    in_unit("observer's time T", unit)
+}
+
+/// The scene's own unit has a name here, as all axes have units.
+pub(super) fn in_unit(words: &str, unit: Unit) -> String {
+    if unit.name.is_empty() { format!("{words} / units") } else { unit.label(words) }
 }
 
 /// The unit that `quantity` is shown in, of a window that shows lengths in `length`.
@@ -91,87 +212,71 @@ pub(super) const fn shown_in(quantity: Quantity, length: Unit) -> Unit {
     }
 }
 
-/// What the logarithm `quantity` has more of where it is one of numbers in `unit`.
-pub(super) fn shift(quantity: Quantity, unit: Unit) -> f64 {
-    if quantity.is_logarithm() { math::log10(unit.factor) } else { 0.0 }
-}
-
-/// Where the grid lines are in a plot of this `height`: at round numbers; for a logarithm at round numbers of what it is
-/// one of, which is shown with this `shift`.
-pub(super) fn grid(quantity: Quantity, shift: f64, height: f32, input: GridInput) -> Vec<GridMark> {
-    if !quantity.is_logarithm() {
-        return even_grid(input);
-    }
-    let (from, to) = (input.bounds.0 + shift, input.bounds.1 + shift);
-    let stride = ((to - from) / 8.0).ceil().max(1.0);
-    let first = (from / stride).floor();
-    let decades = (0..=9).map(|i| (first + f64::from(i)) * stride);
-    let within: &[f64] = match f64::from(height) / (to - from) {
-        decade if decade > SIX_NUMBERS => &[1.0, 1.5, 2.0, 3.0, 5.0, 7.0],
-        decade if decade > THREE_NUMBERS => &[1.0, 2.0, 5.0],
-        _ => &[1.0],
-    };
-    // A step of half a decade or more leaves room for the number at each.
-    let step_size = if within.len() > 1 { 0.5 } else { stride };
-    decades
-        .flat_map(|decade| within.iter().map(move |value| decade + math::log10(*value)))
-        .filter(|value| (from..=to).contains(value))
-        .map(|value| GridMark { value: value - shift, step_size })
-        .collect()
-}
-
 /// Lines at round numbers.
 pub(super) fn even_grid(input: GridInput) -> Vec<GridMark> {
     egui_plot::log_grid_spacer(10)(input)
 }
 
 /// The text at a grid line: as many digits as tell it from its neighbours.
-pub(super) fn tick(quantity: Quantity, value: f64, step: f64) -> String {
-    if quantity.is_logarithm() {
-        return figures::power_of_ten(value);
-    }
+pub(super) fn tick(value: f64, step: f64) -> String {
     let decimals = (-math::log10(step.abs()).floor()).clamp(0.0, 9.0) as u8;
     // Rounding, so that a grid line at -1e-17 reads 0.
     let rounded = (value / step).round() * step + 0.0;
     figures::fixed(rounded, decimals)
 }
 
-/// Where the lines of T are between two times in a plot of this `width`: at round numbers of the `unit` it is shown in,
-/// with finer lines between those that have their numbers.
-fn time_grid(unit: Unit, width: f32, (from, to): (f64, f64)) -> Vec<GridMark> {
-    let [from, to] = [from, to].map(|time| unit.shown(time));
-    let step = round_step((to - from) * f64::from(NUMBER_SPACING / width.max(1.0)));
-    let fine = step / FINE_LINES as f64;
-    if fine.is_nan() || fine <= 0.0 {
-        return Vec::new(); // a range that rounding leaves nothing of
-    }
-    let numbers = (from / fine).ceil() as i64..=(to / fine).floor() as i64;
-    let mark = |number: i64| GridMark {
-        value: unit.in_scene(number as f64 * fine),
-        step_size: unit.in_scene(if number % FINE_LINES == 0 { step } else { fine }),
-    };
-    numbers.map(mark).collect()
-}
-
-/// The text at a line of T, which is shown in `unit`.
-fn time_tick(unit: Unit, mark: GridMark) -> String {
-    tick(Quantity::Phi, unit.shown(mark.value), unit.shown(mark.step_size))
-}
-
-/// Names the axis, whose T is shown in `unit`, and T0, and frames the plot.
-pub(super) fn annotate(ui: &Ui, response: &PlotResponse<()>, unit: Unit, equidistant: Option<f64>) {
+/// Names the axis, whose T is shown in `unit`, in the corner where that costs least, and T0, and frames the plot. Returns
+/// where it wrote that.
+pub(super) fn annotate(
+    ui: &Ui,
+    response: &PlotResponse<()>,
+    unit: Unit,
+    equidistant: Option<(f64, &'static str)>,
+    cost: impl Fn(Rect) -> f32,
+) -> Vec<Rect> {
     let frame = *response.transform.frame();
     let painter = ui.painter().with_clip_rect(frame);
-    let small = TextStyle::Small.resolve(ui.style());
-    let inset = vec2(7.0, 4.0);
-    let weak = ui.visuals().weak_text_color();
-    painter.text(frame.max - inset, Align2::RIGHT_BOTTOM, unit.label("T"), small.clone(), weak);
-    if let Some(time) = equidistant {
+    let (small, weak) = (TextStyle::Small.resolve(ui.style()), ui.visuals().weak_text_color());
+    let laid = |text: String| painter.layout_no_wrap(text, small.clone(), weak);
+    let is_wide = frame.width() >= NARROWEST_WITH_WORDS;
+    let mut written = Vec::new();
+    if let Some((time, words)) = equidistant {
         let x = response.transform.position_from_point_x(time);
-        let place = egui::pos2(x + 3.0, frame.max.y - 3.0);
-        painter.text(place, Align2::LEFT_BOTTOM, "T₀", small, weak);
+        let galley = laid(if is_wide { format!("T₀, {words}") } else { "T₀".to_owned() });
+        // On the side of its line where there is room.
+        let left = if x + 3.0 + galley.size().x < frame.max.x { x + 3.0 } else { x - 3.0 - galley.size().x };
+        let place = Rect::from_min_size(pos2(left, frame.min.y + 2.0), galley.size());
+        painter.galley(place.min, galley, weak);
+        written.push(place);
     }
+    let bounds = response.transform.bounds();
+    let ruler = Ruler::of_time(unit, frame.width() + Y_AXIS_WIDTH);
+    let exponent = ruler.axis([bounds.min()[0], bounds.max()[0]]).exponent;
+    let words = if is_wide { time_label(unit) } else { in_unit("T", unit) };
+    let galley = laid(with_factor(&words, exponent));
+    let corners = [Align2::RIGHT_BOTTOM, Align2::LEFT_BOTTOM, Align2::RIGHT_TOP, Align2::LEFT_TOP];
+    let inside = frame.shrink2(vec2(7.0, 3.0));
+    let spots = corners.map(|corner| corner.align_size_within_rect(galley.size(), inside));
+    let is_free = |spot: &Rect| !written.iter().any(|taken: &Rect| taken.intersects(*spot));
+    let free = spots.into_iter().filter(is_free);
+    let place = free.min_by(|a, b| cost(*a).total_cmp(&cost(*b))).unwrap_or(spots[0]);
+    painter.galley(place.min, galley, weak);
+    written.push(place);
     self::frame(ui, response);
+    written
+}
+
+/// Names the cursors, whose lines are at these T, at their feet. Returns where it wrote that.
+pub(super) fn name_cursors(ui: &Ui, response: &PlotResponse<()>, cursors: &[f64]) -> Vec<Rect> {
+    let frame = *response.transform.frame();
+    let painter = ui.painter().with_clip_rect(frame);
+    let name = |(name, &time): (&str, &f64)| {
+        let x = response.transform.position_from_point_x(time);
+        let place = pos2(x + 2.0, frame.max.y - 2.0);
+        let font = TextStyle::Small.resolve(ui.style());
+        painter.text(place, Align2::LEFT_BOTTOM, name, font, ui.visuals().text_color())
+    };
+    ["A", "B"].into_iter().zip(cursors).map(name).collect()
 }
 
 /// Frames the plot.

@@ -41,7 +41,7 @@ pub(super) fn show(
             let place = canvas::place(&sheet.chart, sheet.projection.flat(at));
             painter.circle_filled(place, radius + 1.5, theme::halo_colour(ui.visuals()));
             painter.circle(place, radius, fill, Stroke::new(1.5, colour(picture, ui.visuals())));
-            let name = point.name(&state.session.scene);
+            let name = state.name_of(point);
             canvas::name_place(
                 ui,
                 sheet.room(),

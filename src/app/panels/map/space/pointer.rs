@@ -5,10 +5,11 @@ use glam::DVec3;
 
 use super::light::Light;
 use super::sheet::{Sheet, colour};
-use crate::app::command::{Command, Select};
+use crate::app::command::Command;
 use crate::app::observer::Eye;
 use crate::app::panels::Asks;
 use crate::app::panels::map::canvas;
+use crate::app::pointer::Select;
 use crate::app::state::State;
 use crate::caption::times::{OWN_CLOCK, RECEIVED, TIMES};
 use crate::map::{Instant, Lines, Nearest, Picture, Worldline};

@@ -8,9 +8,10 @@ use relativity_core::math;
 use relativity_render::Method;
 
 use crate::app::examination::{Examination, Row};
-use crate::app::panels::plots::axes::{extent, frame, still_plot};
+use crate::app::panels::plots::axes::{frame, still_plot};
 use crate::app::theme;
 use crate::figures;
+use crate::plot::extent;
 use crate::settings::Quality;
 
 /// Errors below this, arcseconds, are drawn as this: none is measured as 0 but by chance.
@@ -29,7 +30,7 @@ struct Mark {
 }
 
 impl Mark {
-    fn of(row: &Row<'_>, chosen: Method, visuals: &Visuals) -> Option<Self> {
+    fn of(row: &Row<'_>, is_worth: bool, chosen: Method, visuals: &Visuals) -> Option<Self> {
         let figures = row.figures?.as_ref().ok()?;
         let error = figures.line_of_sight_arcseconds?.p99.max(LEAST_ERROR);
         let place = [figures.frame_ms, error].map(math::log10);
@@ -39,7 +40,7 @@ impl Mark {
             method: row.method,
             name: row.name(),
             place,
-            colour: if row.is_current { colour } else { colour.gamma_multiply(0.4) },
+            colour: if row.is_current && is_worth { colour } else { colour.gamma_multiply(0.4) },
             radius: if is_chosen { 5.5 } else { 4.0 },
         };
         place.iter().all(|value| value.is_finite()).then_some(mark)
@@ -61,8 +62,11 @@ impl Mark {
 
 /// Shows it in `size`; clicking a mark chooses that renderer.
 pub fn show(ui: &mut Ui, size: egui::Vec2, examination: &Examination, quality: &mut Quality) {
-    let marks: Vec<Mark> =
-        examination.rows().filter_map(|row| Mark::of(&row, quality.method(), ui.visuals())).collect();
+    let mark = |row: Row<'_>| {
+        let is_worth = examination.better_than(&row).is_none();
+        Mark::of(&row, is_worth, quality.method(), ui.visuals())
+    };
+    let marks: Vec<Mark> = examination.rows().filter_map(mark).collect();
     let bounds = bounds(&marks);
     let response = still_plot(ui, "cost and error", size)
         .x_grid_spacer(|input| decades(&input, 1.0))

@@ -1,10 +1,13 @@
 //! The Accuracy tab: what each way to draw the present views costs, and how far it is off. Clicking one in the table
 //! or in the plot chooses it.
 
+mod conclusion;
 mod frontier;
 mod table;
 
-use eframe::egui::{Checkbox, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
+pub use table::csv;
+
+use eframe::egui::{Checkbox, Label, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
 
 use super::split::{part, table_and_plots};
 use crate::app::command::Command;
@@ -24,6 +27,9 @@ pub fn show(ui: &mut Ui, state: &State, examination: Option<&Examination>, asks:
     if examination.is_blind() {
         ui.label("There is nothing to measure: the views are hidden.");
         return;
+    }
+    if let Some(sentence) = conclusion::sentence(examination) {
+        ui.label(sentence);
     }
     let before = state.settings.quality;
     let mut quality = before;
@@ -53,7 +59,7 @@ pub fn caption(ui: &mut Ui, state: &State, examination: &Examination, asks: &mut
     let is_pending = examination.is_pending();
     let text =
         if is_pending { "Measuring while nothing moves …" } else { "Measured in the present views." };
-    ui.label(RichText::new(text).weak().small());
+    ui.add(Label::new(RichText::new(text).weak().small()).extend());
 }
 
 /// The colours of the heat map.

@@ -1,11 +1,14 @@
 //! The Accuracy tab's table: a row for each way to draw the present views.
 
+use csv::ByteRecord;
 use eframe::egui::{Grid, RichText, Ui};
+use relativity_render::Method;
 
 use crate::accuracy::{RESOLUTION_PX, Spread};
-use crate::app::examination::{Examination, Row};
+use crate::app::examination::{Examination, Row, method_name};
 use crate::app::widgets::named_text;
 use crate::figures;
+use crate::files::csv_out::Rows;
 use crate::settings::Quality;
 
 const HEADS: [(&str, &str); 6] = [
@@ -31,17 +34,22 @@ pub fn show(ui: &mut Ui, examination: &Examination, quality: &mut Quality) {
         }
         ui.end_row();
         for row in examination.rows() {
-            table_row(ui, &row, quality);
+            table_row(ui, &row, examination.better_than(&row), quality);
             ui.end_row();
         }
     });
 }
 
-fn table_row(ui: &mut Ui, row: &Row<'_>, quality: &mut Quality) {
+fn table_row(ui: &mut Ui, row: &Row<'_>, better: Option<Method>, quality: &mut Quality) {
     let name = row.name();
     let is_chosen = quality.method() == row.method;
-    let label = ui.selectable_label(is_chosen, &name);
-    if label.on_hover_text(format!("Draw the views by {name}.")).clicked() {
+    let text = RichText::new(&name);
+    let text = if better.is_some() && !is_chosen { text.weak() } else { text };
+    let label = ui.selectable_label(is_chosen, text);
+    let lost = better.map_or_else(String::new, |better| {
+        format!(" It costs more than {} and is further off.", method_name(better))
+    });
+    if label.on_hover_text(format!("Draw the views by {name}.{lost}")).clicked() {
         *quality = quality.with_method(row.method);
     }
     let figures = match row.figures {
@@ -60,7 +68,7 @@ fn table_row(ui: &mut Ui, row: &Row<'_>, quality: &mut Quality) {
     let cells = [(ms, String::new()), outlines, directions, dopplers, (format!("{wrong} %"), String::new())];
     for ((text, tip), (head, _)) in cells.into_iter().zip(&HEADS[1..]) {
         let shown = RichText::new(&text);
-        let shown = if row.is_current { shown } else { shown.weak() };
+        let shown = if row.is_current && better.is_none() { shown } else { shown.weak() };
         let label = named_text(ui, shown, format!("{name}, {head}: {text}"));
         if !tip.is_empty() {
             label.on_hover_text(tip);
@@ -86,4 +94,25 @@ fn cell(spread: Option<Spread>, resolution: f64) -> (String, String) {
 /// Two digits of an error.
 fn small(error: f64) -> String {
     figures::significant(error, 2).replace('-', "−")
+}
+
+/// The table as CSV: errors in full, and whether they were measured in the present views.
+pub fn csv(examination: &Examination) -> String {
+    let mut rows = Rows::new(Vec::new());
+    let heads = ["renderer", "time / ms", "outlines (99 %) / px", "direction (99 %) / arcseconds"];
+    let heads =
+        heads.into_iter().chain(["Doppler factor (99 %), relative", "other body, share", "is current"]);
+    // Into memory: writing does not fail.
+    let _ = rows.write(&mut heads.collect(), &[]);
+    for row in examination.rows() {
+        let Some(Ok(figures)) = row.figures else { continue };
+        let p99 = |spread: Option<Spread>| spread.map_or(f64::NAN, |spread| spread.p99);
+        let mut field = ByteRecord::from(vec![row.name()]);
+        let errors = [figures.outlines_px, figures.line_of_sight_arcseconds, figures.doppler].map(p99);
+        let [outlines, directions, dopplers] = errors;
+        let current = if row.is_current { 1.0 } else { 0.0 };
+        let numbers = [figures.frame_ms, outlines, directions, dopplers, figures.wrong_share, current];
+        let _ = rows.write(&mut field, &numbers);
+    }
+    rows.into_text()
 }

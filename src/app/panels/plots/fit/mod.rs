@@ -1,24 +1,29 @@
 //! The Fit tab: which samples are taken of the selected point, what is fitted to them, and what comes out.
 
+mod export;
 mod plots;
 mod table;
 
-use eframe::egui::{self, DragValue, RichText, ScrollArea, Ui};
+use eframe::egui::{self, ComboBox, DragValue, RichText, ScrollArea, Sense, Ui};
 use relativity_core::{Curves, Model, PublishedVariant};
 
+pub(super) use self::export::{csv, panels};
 use super::split::{part, table_and_plots};
+use crate::app::chooser::{Product, Purpose};
 use crate::app::command::Command;
 use crate::app::fitting::Fitting;
 use crate::app::panels::Asks;
 use crate::app::state::State;
-use crate::app::widgets::{choice, end_of_range};
+use crate::app::widgets::{choice, end_of_range, number};
 use crate::flags::TimeRange;
-use crate::settings::{FIT_SAMPLES, FitSetup, MAX_SEED, NOISE_PERCENT};
+use crate::settings::{DataFrom, FIT_SAMPLES, FitSetup, MAX_SEED, NOISE_PERCENT};
 use crate::units::Unit;
 
 /// Width of the table, and least width of the plots.
-const TABLE_WIDTH: f32 = 346.0;
+const TABLE_WIDTH: f32 = 356.0;
 const LEAST_PLOTS: f32 = 150.0;
+/// Width of the name of a file of data.
+const FILE_WIDTH: f32 = 100.0;
 /// What a unit adds to the table's width.
 const UNIT_WIDTH: f32 = 26.0;
 /// Width from which on the choice of the model and the samples stand in one row.
@@ -31,17 +36,20 @@ pub fn show(ui: &mut Ui, state: &State, fitting: &Fitting, asks: &mut Asks) {
     row(ui, |ui| {
         model(ui, state, &mut setup);
         if is_wide {
-            samples(ui, &mut setup);
+            samples(ui, state, &mut setup);
         }
     });
     if !is_wide {
-        row(ui, |ui| samples(ui, &mut setup));
+        row(ui, |ui| samples(ui, state, &mut setup));
     }
     let unit_width = if state.measures().length == Unit::OWN { 0.0 } else { UNIT_WIDTH };
     let (table, plots) =
         table_and_plots(ui.available_rect_before_wrap(), TABLE_WIDTH + unit_width, LEAST_PLOTS);
     part(ui, "fit range and table", table, |ui| {
-        row(ui, |ui| range(ui, state, &mut setup));
+        row(ui, |ui| data(ui, state, &mut setup, asks));
+        if state.session.data.is_none() {
+            row(ui, |ui| range(ui, state, &mut setup));
+        }
         let area = ScrollArea::vertical().id_salt("fit table").auto_shrink(false);
         area.show(ui, |ui| table::show(ui, fitting, state.measures().length));
     });
@@ -59,6 +67,57 @@ fn row(ui: &mut Ui, widgets: impl FnOnce(&mut Ui)) {
         widgets(ui);
     });
 }
+
+/// Where the samples are from, and where the fit goes to.
+fn data(ui: &mut Ui, state: &State, setup: &mut FitSetup, asks: &mut Asks) {
+    ui.label(RichText::new("data").weak());
+    if let Some(file) = &state.session.data {
+        let name = egui::Label::new(RichText::new(&file.name).strong()).truncate().sense(Sense::hover());
+        ui.add_sized([FILE_WIDTH, ui.spacing().interact_size.y], name)
+            .on_hover_text("What was measured is in this file.")
+            .accessible_name(format!("Data from {}", file.name));
+        if ui.button("Simulated").on_hover_text("Simulates samples of the selected point again.").clicked() {
+            asks.push(Command::Simulate);
+        }
+    } else {
+        let shown = DATA_FROM.iter().find(|(from, ..)| *from == setup.data_from);
+        ComboBox::from_id_salt("data from")
+            .selected_text(shown.map_or("", |(_, name, _)| name))
+            .width(112.0)
+            .show_ui(ui, |ui| {
+                for (from, name, tip) in DATA_FROM {
+                    ui.selectable_value(&mut setup.data_from, from, name).on_hover_text(tip);
+                }
+            })
+            .response
+            .on_hover_text("By which model the samples are simulated.")
+            .accessible_name("Data from");
+    }
+    let tip = "Fits measured disparities: a CSV file with the columns T, dphi or dtheta or both, optionally sigma_dphi, sigma_dtheta and d.\n\
+        Such a file can be dropped onto the window, too.";
+    if ui.button("Own data…").on_hover_text(tip).clicked() {
+        asks.push(Command::Choose(Purpose::OpenData));
+    }
+    let tip = "Saves the numbers, with their uncertainties, as `gamow fit --json` does.";
+    if ui.button("Save…").on_hover_text(tip).clicked() {
+        asks.push(Command::Choose(Purpose::Save(Product::Fit)));
+    }
+}
+
+const DATA_FROM: [(DataFrom, &str, &str); 4] = [
+    (DataFrom::Views, "as the views show", "The data are what the eyes see in the views."),
+    (DataFrom::Exact, "from exact", "Each eye solves its own light cone."),
+    (
+        DataFrom::OneCone,
+        "from one cone",
+        "Both eyes receive the events that the middle between them receives.",
+    ),
+    (
+        DataFrom::Published,
+        "from published",
+        "The paper's binocular model. Fitted by the same, this is the paper's own fit.",
+    ),
+];
 
 fn model(ui: &mut Ui, state: &State, setup: &mut FitSetup) {
     let fitted = [
@@ -97,20 +156,32 @@ const MODELS: [(Model, &str, &str); 3] = [
 
 /// How the samples of the Fit tab are made, as seen from a `model` that is to fit them.
 fn told_of_data(state: &State, model: Model) -> &'static str {
-    match state.settings.model() {
+    if state.session.data.is_some() {
+        return "";
+    }
+    match state.simulated_model() {
         made if made == model => "So the data were made.",
-        Model::OneCone => {
-            "The data are those of one light cone for both eyes, as the views show, so its fit is biased."
-        }
-        _ => "The data stay what the eyes see, so its fit is biased.",
+        Model::OneCone => "The data are those of one light cone for both eyes, so its fit is biased.",
+        Model::Published(_) => "The data are those of the published model, so its fit is biased.",
+        Model::Exact => "The data stay what the eyes see, so its fit is biased.",
     }
 }
 
-fn samples(ui: &mut Ui, setup: &mut FitSetup) {
-    let number = DragValue::new(&mut setup.fit_samples).range(FIT_SAMPLES).speed(2.0);
+fn samples(ui: &mut Ui, state: &State, setup: &mut FitSetup) {
+    if state.session.data.is_none() {
+        simulated(ui, setup);
+    }
+    let seed = number(&mut setup.seed).range(0..=MAX_SEED).speed(0.1).update_while_editing(false);
+    let tip = "Seed of the noise and of the bootstrap: the same seed gives the same numbers.\n\
+        Drag it to see other noise of the same strength.";
+    named(ui, "seed", "Seed", tip, seed);
+}
+
+fn simulated(ui: &mut Ui, setup: &mut FitSetup) {
+    let count = number(&mut setup.fit_samples).range(FIT_SAMPLES).speed(2.0);
     let tip = "Number of samples of each curve, evenly spread over T.";
-    named(ui, "samples", "Number of samples", tip, number);
-    let noise = DragValue::new(&mut setup.noise_percent)
+    named(ui, "samples", "Number of samples", tip, count);
+    let noise = number(&mut setup.noise_percent)
         .range(NOISE_PERCENT)
         .speed(0.02)
         .max_decimals(3)
@@ -119,10 +190,6 @@ fn samples(ui: &mut Ui, setup: &mut FitSetup) {
     let tip =
         "Standard deviation of the normal noise on each sample.\nσ = noise × (highest − lowest of the curve)";
     named(ui, "noise", "Noise", tip, noise);
-    let seed = DragValue::new(&mut setup.seed).range(0..=MAX_SEED).speed(0.1).update_while_editing(false);
-    let tip = "Seed of the noise and of the bootstrap: the same seed gives the same numbers.\n\
-        Drag it to see other noise of the same strength.";
-    named(ui, "seed", "Seed", tip, seed);
 }
 
 fn range(ui: &mut Ui, state: &State, setup: &mut FitSetup) {

@@ -114,15 +114,13 @@ impl Part {
             .grid_spacing(GRID_SPACING)
             .y_axis_min_width(Y_AXIS_WIDTH)
             .y_grid_spacer(self.grid)
-            .y_axis_formatter(|mark, _: &RangeInclusive<f64>| {
-                tick(Quantity::DeltaPhi, mark.value, mark.step_size)
-            });
+            .y_axis_formatter(|mark, _: &RangeInclusive<f64>| tick(mark.value, mark.step_size));
         let response = plot.show(ui, move |plot| {
             plot.set_plot_bounds(bounds);
             plot.vline(now.allow_hover(false));
             contents(plot);
         });
-        annotate(ui, &response, unit, None);
+        let _ = annotate(ui, &response, unit, None, |_| 0.0);
         let info = || egui::WidgetInfo::labeled(egui::accesskit::Role::GraphicsObject, true, &self.name);
         response.response.widget_info(info);
         if let Some(time) = time_at_pointer(&response) {
@@ -158,7 +156,7 @@ impl<'a> Drawing<'a> {
         let faintness = if fitting.is_outdated() { FAINT } else { 1.0 };
         let colour = theme::point_colour(state.session.points.selected().number, visuals);
         Self {
-            range: outcome.map_or([0.0, 1.0], |outcome| outcome.key.range),
+            range: outcome.map_or([0.0, 1.0], |outcome| outcome.range),
             data: outcome.map_or(&[], |outcome: &FitOutcome| &outcome.data[curve]),
             fitted,
             data_colour: visuals.weak_text_color().gamma_multiply(faintness),

@@ -3,10 +3,10 @@
 use eframe::egui::{Grid, RichText, Ui};
 use relativity_core::{DEFAULT_REPLICATES, Model, Parameter};
 
-use crate::app::fitting::{FitOutcome, Fitted, Fitting};
+use crate::app::fitting::{FitOutcome, Fitted, Fitting, Samples};
 use crate::app::widgets::named_text;
 use crate::caption::capitalised;
-use crate::estimate::{Estimate, decimals};
+use crate::estimate::{Estimate, decimals, sigmas};
 use crate::figures;
 use crate::units::Unit;
 
@@ -28,7 +28,9 @@ pub fn show(ui: &mut Ui, fitting: &Fitting, length: Unit) {
     match &outcome.fitted {
         Ok(fitted) => {
             table(ui, fitted, length);
-            ui.label(RichText::new(verdict(fitted)).strong());
+            if let Some(verdict) = verdict(fitted) {
+                ui.label(RichText::new(verdict).strong());
+            }
             notes(ui, outcome, fitted);
         }
         Err(problem) => {
@@ -37,7 +39,8 @@ pub fn show(ui: &mut Ui, fitting: &Fitting, length: Unit) {
         }
     }
     if let Some(bias) = &outcome.bias {
-        let neglect = Neglect::of(outcome.key.setup.model);
+        let made = outcome.key.simulated().map(|simulated| simulated.model);
+        let neglect = Neglect::of(outcome.key.setup.model, made);
         let tip = format!("The same fit to samples without noise, minus the truth.\n{}", neglect.reason);
         ui.label(bias_note(&neglect, bias, length)).on_hover_text(tip);
     }
@@ -45,21 +48,25 @@ pub fn show(ui: &mut Ui, fitting: &Fitting, length: Unit) {
 
 fn table(ui: &mut Ui, fitted: &Fitted, length: Unit) {
     Grid::new("fit").num_columns(6).spacing([6.0, 3.0]).min_col_width(12.0).show(ui, |ui| {
-        let heads = [
+        let mut heads = vec![
             ("", "Parameter"),
             ("value", "The best fit: least sum of squared residuals."),
             ("±", "Standard error: standard deviation over the bootstrap's replicates, refits of samples drawn with replacement."),
             ("95 %", "Interval that holds 95 % of the replicates: from the 2.5th to the 97.5th percentile."),
-            ("truth", "What the samples were made with."),
-            ("off", "(value − truth) / standard error"),
         ];
+        if fitted.estimates.iter().any(|(.., truth)| truth.is_some()) {
+            heads.extend([
+                ("truth", "What the samples were made with."),
+                ("off", "(value − truth) / standard error"),
+            ]);
+        }
         for (head, tip) in heads {
             ui.label(RichText::new(head).weak()).on_hover_text(tip);
         }
         ui.end_row();
         for (parameter, estimate, truth) in &fitted.estimates {
             let unit = if *parameter == Parameter::Beta { Unit::OWN } else { length };
-            row(ui, *parameter, unit, &shown(estimate, unit), unit.shown(*truth));
+            row(ui, *parameter, unit, &shown(estimate, unit), truth.map(|truth| unit.shown(truth)));
         }
     });
 }
@@ -74,8 +81,8 @@ fn shown(estimate: &Estimate, unit: Unit) -> Estimate {
     }
 }
 
-/// An estimate and the truth, both in this unit.
-fn row(ui: &mut Ui, parameter: Parameter, unit: Unit, estimate: &Estimate, truth: f64) {
+/// An estimate and the truth if that is known, both in this unit.
+fn row(ui: &mut Ui, parameter: Parameter, unit: Unit, estimate: &Estimate, truth: Option<f64>) {
     let (symbol, tip) = named(parameter);
     let Estimate { value, uncertainty, ci95: [low, high], .. } = *estimate;
     let places = decimals(uncertainty) as u8;
@@ -86,10 +93,12 @@ fn row(ui: &mut Ui, parameter: Parameter, unit: Unit, estimate: &Estimate, truth
     named_text(ui, number(uncertainty), format!("Uncertainty of {symbol}: {}", number(uncertainty)));
     let interval = format!("{} … {}", number(low), number(high));
     named_text(ui, interval.as_str(), format!("95 % interval of {symbol}: {interval}"));
-    let truth_text = figures::trimmed(truth, 4);
-    named_text(ui, truth_text.as_str(), format!("True {symbol}: {truth_text}"));
-    let off = off(estimate, truth);
-    named_text(ui, off.as_str(), format!("{symbol} off by {off}"));
+    if let Some(truth) = truth {
+        let truth_text = figures::trimmed(truth, 4);
+        named_text(ui, truth_text.as_str(), format!("True {symbol}: {truth_text}"));
+        let off = off(estimate, truth);
+        named_text(ui, off.as_str(), format!("{symbol} off by {off}"));
+    }
     ui.end_row();
 }
 
@@ -124,19 +133,55 @@ fn signed(value: f64, decimals: u8) -> String {
     format!("{sign}{}", figures::fixed(value, decimals))
 }
 
-fn verdict(fitted: &Fitted) -> String {
-    let uncertain = fitted.estimates.iter().filter(|(_, estimate, truth)| !is_rounding(estimate, *truth));
-    let deviations =
-        uncertain.map(|(parameter, estimate, truth)| (*parameter, deviation(estimate, *truth).abs()));
+/// How the estimates stand to the truth; `None` where that is not known.
+fn verdict(fitted: &Fitted) -> Option<String> {
+    let known = || {
+        let all = fitted.estimates.iter();
+        all.filter_map(|(parameter, estimate, truth)| Some((*parameter, estimate, (*truth)?)))
+    };
+    known().next()?;
+    let deviations = known()
+        .filter(|(_, estimate, truth)| !is_rounding(estimate, *truth))
+        .map(|(parameter, estimate, truth)| (parameter, deviation(estimate, truth).abs()));
     let Some((parameter, worst)) = deviations.max_by(|a, b| a.1.total_cmp(&b.1)) else {
-        let errors = fitted.estimates.iter().map(|(_, estimate, truth)| (estimate.value - truth).abs());
-        return format!("Recovered to {}.", figures::fixed(errors.fold(0.0, f64::max), 9));
+        let errors = known().map(|(_, estimate, truth)| (estimate.value - truth).abs());
+        return Some(format!("Recovered to {}.", figures::fixed(errors.fold(0.0, f64::max), 9)));
     };
     let errors = figures::fixed(worst, 1);
-    if worst <= CHANCE {
-        return format!("Agrees with the truth: at most {errors} σ off.");
+    Some(if worst <= CHANCE {
+        format!("Agrees with the truth: at most {errors} σ off.")
+    } else {
+        format!("Wrong: {} is {errors} σ off.", named(parameter).0)
+    })
+}
+
+/// What is taken for granted of measured samples, a sentence each.
+fn assumptions(outcome: &FitOutcome, fitted: &Fitted) -> Vec<String> {
+    let Samples::Measured(file, baseline) = &outcome.key.samples else { return Vec::new() };
+    let mut told = Vec::new();
+    if !file.has_separation {
+        let d = figures::trimmed(baseline.separation, 4);
+        told.push(format!("The file has no column d: the eyes are d = {d} apart, as set."));
     }
-    format!("Wrong: {} is {errors} σ off.", named(parameter).0)
+    match fitted.reduced_chi_squared {
+        Some(chi) => {
+            told.push(format!("χ² per degree of freedom: {}", figures::fixed(chi, 2)));
+            let parameters = fitted.estimates.len();
+            let remark = sigmas::remark(Some(chi), fitted.readings, parameters);
+            told.extend(remark.as_deref().map(sentence));
+        }
+        None if file.has_sigmas => {
+            told.push("Some readings have no sigma: all of a curve count alike.".to_owned());
+        }
+        None => told.push(
+            "The file has no sigmas: all readings of a curve are taken to scatter alike, as much as the residuals do."
+                .to_owned(),
+        ),
+    }
+    if !outcome.key.setup.fit_x0 {
+        told.push("x₀ = 0 is taken for known: at t = 0 the point is abreast.".to_owned());
+    }
+    told
 }
 
 fn notes(ui: &mut Ui, outcome: &FitOutcome, fitted: &Fitted) {
@@ -150,6 +195,9 @@ fn notes(ui: &mut Ui, outcome: &FitOutcome, fitted: &Fitted) {
     // The time is no part of the picture: the same state is drawn the same.
     let tip = format!("Root mean square of sample minus fit. Fit and bootstrap took {milliseconds} ms.");
     ui.label(RichText::new(text).weak().small()).on_hover_text(tip);
+    for told in assumptions(outcome, fitted) {
+        ui.label(RichText::new(told).weak().small());
+    }
     if let Some(problem) = &fitted.no_bootstrap {
         ui.label(RichText::new(format!("± by linearisation: {problem}.")).small());
     }
@@ -163,23 +211,29 @@ struct Neglect {
 }
 
 impl Neglect {
-    const fn of(model: Model) -> Self {
-        match model {
-            Model::Published(_) => Self {
+    /// That of `fitted`, of data that were `made` by another model.
+    const fn of(fitted: Model, made: Option<Model>) -> Self {
+        match (fitted, made) {
+            (Model::Published(_), _) => Self {
                 doing: "Leaving out parallax",
                 it_does: "It leaves out parallax",
                 reason: "The published model measures both angles from the left eye; what the eyes see has parallax.",
             },
-            Model::OneCone => Self {
+            (Model::OneCone, _) => Self {
                 doing: "Taking one light cone for both eyes",
                 it_does: "It takes one light cone for both eyes",
                 reason: "Each eye receives events of its own: as far as the curves differ by that, it is taken for distance \
                     and speed.",
             },
-            Model::Exact => Self {
-                doing: "Taking two light cones where the views show one",
-                it_does: "It takes two light cones where the views show one",
-                reason: "The samples are those of the views: as if both eyes received the same events.",
+            (Model::Exact, Some(Model::Published(_))) => Self {
+                doing: "Having parallax where the data leave it out",
+                it_does: "It has parallax where the data leave it out",
+                reason: "The samples are those of the published model, which measures both angles from the left eye.",
+            },
+            (Model::Exact, _) => Self {
+                doing: "Taking two light cones where the data have one",
+                it_does: "It takes two light cones where the data have one",
+                reason: "The samples are made as if both eyes received the same events.",
             },
         }
     }

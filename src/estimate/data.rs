@@ -1,10 +1,10 @@
-//! Measured disparities from a CSV file.
+//! Measured disparities from a CSV file, for `gamow fit` and for the window.
 
 use std::io::Read;
 
 use anyhow::Context as _;
 use csv::ByteRecord;
-use relativity_core::{Baseline, FitError, Observations, Reading, Sample};
+use relativity_core::{Baseline, Curves, FitError, Observations, Reading, Sample};
 
 use crate::columns::{ROLL, TURN};
 use crate::files::csv_in::{HeaderError, Names, RowError, Rows};
@@ -18,14 +18,40 @@ pub struct Data {
     pub observations: Observations,
     /// Whether there are columns dphi and dtheta.
     pub has: [bool; 2],
+    /// Whether there is a column with their standard deviations.
+    pub has_sigmas: bool,
+    /// Whether the file says how far apart the eyes are.
+    pub has_separation: bool,
+}
+
+/// Where the eyes are: their separation, and roll and turn of the head, radians.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Eyes {
+    /// What holds whatever the file says.
+    pub given: [Option<f64>; 3],
+    /// What holds where the file has no such column.
+    pub usual: [Option<f64>; 3],
+}
+
+impl Eyes {
+    /// Those of all samples where given, else the columns d, roll and turn; of the last two 0 where there are none.
+    #[must_use]
+    pub const fn given(separation: Option<f64>, [roll, turn]: [Option<f64>; 2]) -> Self {
+        Self { given: [separation, roll, turn], usual: [None, Some(0.0), Some(0.0)] }
+    }
+
+    /// The columns d, roll and turn, and what `baseline` says where there are none.
+    #[must_use]
+    pub const fn unless_told(Baseline { separation, roll, turn }: Baseline) -> Self {
+        Self { given: [None; 3], usual: [Some(separation), Some(roll), Some(turn)] }
+    }
 }
 
 /// Where the inputs are in each row.
 struct Header {
     time: usize,
-    separation: Source,
-    /// Of roll and turn.
-    head: [Source; 2],
+    /// Of d, roll and turn.
+    eyes: [Source; 3],
     curves: [Option<Curve>; 2],
     names: Names,
 }
@@ -44,19 +70,17 @@ struct Curve {
 }
 
 impl Data {
-    /// Reads `input`, called `name` in errors. `separation`, and `roll` and `turn`, are those of all
-    /// samples, or else the columns d, roll and turn; of the last two 0 where there are none.
-    pub fn read(
-        name: &str,
-        input: impl Read,
-        separation: Option<f64>,
-        head: [Option<f64>; 2],
-    ) -> anyhow::Result<Self> {
+    /// Reads `input`, called `name` in errors, of `eyes` there.
+    ///
+    /// # Errors
+    ///
+    /// One line that names the file, the line in it, and what is wrong there.
+    pub fn read(name: &str, input: impl Read, eyes: Eyes) -> anyhow::Result<Self> {
         let mut input = Rows::new(input);
         let mut row = ByteRecord::new();
         input.read(&mut row).with_context(|| name.to_owned())?;
         let place = |line: u64| format!("{name}:{line}");
-        let header = Header::new(row.clone(), separation, head).with_context(|| place(input.line(&row)))?;
+        let header = Header::new(row.clone(), eyes).with_context(|| place(input.line(&row)))?;
         let (mut baselines, mut samples, mut lines) = (Vec::new(), Vec::new(), Vec::new());
         while input.read(&mut row).with_context(|| name.to_owned())? {
             let line = input.line(&row);
@@ -71,23 +95,39 @@ impl Data {
             }
             other => anyhow::Error::from(other).context(name.to_owned()),
         })?;
-        Ok(Self { observations, has: header.curves.map(|curve| curve.is_some()) })
+        Ok(Self {
+            observations,
+            has: header.curves.map(|curve| curve.is_some()),
+            has_sigmas: header.curves.iter().flatten().any(|curve| curve.sigma.is_some()),
+            has_separation: matches!(header.eyes[0], Source::Column(_)),
+        })
+    }
+
+    /// The curves that are fitted if these are asked for; those that there are if none is.
+    #[must_use]
+    pub const fn curves(&self, asked: Option<Curves>) -> Curves {
+        match (asked, self.has) {
+            (Some(curves), _) => curves,
+            (None, [true, false]) => Curves::Azimuth,
+            (None, [false, true]) => Curves::Polar,
+            (None, _) => Curves::Both,
+        }
     }
 }
 
 impl Header {
-    fn new(row: ByteRecord, separation: Option<f64>, head: [Option<f64>; 2]) -> Result<Self, HeaderError> {
+    fn new(row: ByteRecord, eyes: Eyes) -> Result<Self, HeaderError> {
         let names = Names::new(row)?;
         let time = names.needed_place("T", NEEDED)?;
-        let separation = match separation {
-            Some(separation) => Source::Given(separation),
-            None => Source::Column(names.needed_place("d", NEEDED)?),
+        let source = |index: usize, column| {
+            if let Some(number) = eyes.given[index] {
+                return Ok(Source::Given(number));
+            }
+            let place = names.place(column)?.map(Source::Column);
+            let source = place.or(eyes.usual[index].map(Source::Given));
+            source.ok_or_else(|| names.missing(column, NEEDED))
         };
-        let angle = |given: Option<f64>, name| match given {
-            Some(angle) => Ok(Source::Given(angle)),
-            None => Ok(names.place(name)?.map_or(Source::Given(0.0), Source::Column)),
-        };
-        let head = [angle(head[0], ROLL)?, angle(head[1], TURN)?];
+        let eyes = [source(0, "d")?, source(1, ROLL)?, source(2, TURN)?];
         let curve = |value, sigma| {
             let value = names.place(value)?;
             let sigma = names.place(sigma)?;
@@ -97,7 +137,7 @@ impl Header {
         if curves.iter().all(Option::is_none) {
             return Err(names.missing("dphi or dtheta", NEEDED));
         }
-        Ok(Self { time, separation, head, curves, names })
+        Ok(Self { time, eyes, curves, names })
     }
 
     /// The sample that `row` describes; its pair is a place in `baselines`.
@@ -107,9 +147,8 @@ impl Header {
             Source::Given(number) => Ok(number),
             Source::Column(place) => self.names.number(row, place),
         };
-        let [roll, turn] = self.head;
-        let baseline =
-            Baseline { separation: number(self.separation)?, roll: number(roll)?, turn: number(turn)? };
+        let [separation, roll, turn] = self.eyes.map(number);
+        let baseline = Baseline { separation: separation?, roll: roll?, turn: turn? };
         let known = baselines.iter().position(|&other| other == baseline);
         let pair = known.unwrap_or_else(|| {
             baselines.push(baseline);

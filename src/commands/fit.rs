@@ -1,15 +1,13 @@
 //! `gamow fit`: speed and distance of a point from its measured disparities.
 
-mod data;
-
 use std::path::PathBuf;
 
 use anyhow::Context as _;
 use clap::Args;
 use relativity_core::{Curves, DEFAULT_REPLICATES, FitOptions, Model, Passage};
 
-use self::data::Data;
 use crate::estimate::FitReport;
+use crate::estimate::data::{Data, Eyes};
 use crate::files::csv_in;
 use crate::files::whole::ReportArgs;
 use crate::flags::{HeadArgs, finite_number};
@@ -76,13 +74,8 @@ fn replicates(text: &str) -> Result<usize, String> {
 /// Runs `gamow fit`.
 pub fn run(args: &FitArgs) -> anyhow::Result<()> {
     let (name, input) = csv_in::open(args.file.as_deref())?;
-    let data = Data::read(&name, input, args.d, args.head.radians())?;
-    let curves = match (args.curves, data.has) {
-        (Some(curves), _) => curves,
-        (None, [true, false]) => Curves::Azimuth,
-        (None, [false, true]) => Curves::Polar,
-        (None, _) => Curves::Both,
-    };
+    let data = Data::read(&name, input, Eyes::given(args.d, args.head.radians()))?;
+    let curves = data.curves(args.curves);
     let passage = if args.fit_x0 { Passage::Fitted } else { Passage::Known(args.x0) };
     let options = FitOptions { model: args.model, curves, passage };
     let report =

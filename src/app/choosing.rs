@@ -1,0 +1,218 @@
+//! Which file to open or to write: asked for in a dialog of the system, or typed.
+
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{Receiver, TryRecvError, channel};
+use std::time::Duration;
+
+use eframe::egui::Context;
+
+use super::chooser::Purpose;
+use super::command::Command;
+use super::orders::Saving;
+use super::state::State;
+use crate::flags::choices::Size;
+use crate::platform::clock::Instant;
+use crate::platform::{files, threads};
+use crate::studio::film::FilmKind;
+
+/// The file that is being chosen: what is typed, and the dialog of the system.
+#[derive(Default)]
+pub struct Chooser {
+    purpose: Option<Purpose>,
+    /// What is typed for its path.
+    pub path: String,
+    /// What is typed for the size of an eye's picture.
+    pub size: String,
+    /// Whether the keyboard should be given to the path.
+    pub wants_focus: bool,
+    /// What cannot be done with what is typed, or why there is no dialog.
+    pub remark: Option<String>,
+    /// A file that is there already, and would be replaced.
+    pub replaced: Option<PathBuf>,
+    /// Where a file was last chosen.
+    folder: Option<PathBuf>,
+    dialog: Option<Dialog>,
+}
+
+impl Chooser {
+    /// What is chosen for.
+    #[must_use]
+    pub const fn purpose(&self) -> Option<Purpose> {
+        self.purpose
+    }
+
+    /// Begins or ends as `state` has it, and reads what the dialog answers.
+    pub fn update(&mut self, state: &State, asks: &mut Vec<Command>) {
+        if self.purpose != state.session.chooser {
+            self.begin(state);
+        }
+        match self.dialog.as_ref().and_then(Dialog::answer) {
+            None => return,
+            Some(Answer::Path(path)) => {
+                self.path = path.display().to_string();
+                // The dialog has asked whether it may be replaced.
+                asks.extend(self.confirmed(Some(&path)));
+            }
+            Some(Answer::None) => {}
+            Some(Answer::NoDialog) => {
+                self.remark = Some(
+                    "The system has no file dialog to offer (it takes a desktop portal): type the path."
+                        .to_owned(),
+                );
+                self.wants_focus = true;
+            }
+        }
+        self.dialog = None;
+    }
+
+    fn begin(&mut self, state: &State) {
+        let folder = self.folder.take().or_else(|| files::canonical(Path::new(".")).ok()).unwrap_or_default();
+        self.purpose = state.session.chooser;
+        self.path = match self.purpose {
+            Some(Purpose::Save(product)) => {
+                let scene = Path::new(&state.settings.scene).file_stem().unwrap_or_default();
+                folder.join(product.file_name(&scene.to_string_lossy())).display().to_string()
+            }
+            _ => folder.join("").display().to_string(),
+        };
+        self.folder = Some(folder);
+        self.size = Size(state.session.picture_size).to_string();
+        self.wants_focus = true;
+        (self.remark, self.replaced, self.dialog) = (None, None, None);
+    }
+
+    /// Asks the system for a dialog.
+    pub fn browse(&mut self, ctx: &Context) {
+        if let Some(purpose) = self.purpose {
+            self.dialog = Some(Dialog::open(ctx, purpose, Path::new(&self.path)));
+        }
+    }
+
+    /// Whether the system's dialog is open.
+    #[must_use]
+    pub const fn is_browsing(&self) -> bool {
+        self.dialog.is_some()
+    }
+
+    /// Where the name of the file begins in its path, and where its ending does; characters.
+    #[must_use]
+    pub fn stem(&self) -> [usize; 2] {
+        let letters = |text: &str| text.chars().count();
+        let name = self.path.rfind('/').map_or(0, |slash| slash + 1);
+        let ending = self.path[name..].rfind('.').map_or(self.path.len(), |dot| name + dot);
+        [letters(&self.path[..name]), letters(&self.path[..ending])]
+    }
+
+    /// Forgets what was said of what was typed before.
+    pub fn edited(&mut self) {
+        (self.remark, self.replaced) = (None, None);
+    }
+
+    /// What to do with what is typed; `None`, and a remark or a question, if that cannot be done yet. The file at
+    /// `may_replace` may be there already.
+    pub fn confirmed(&mut self, may_replace: Option<&Path>) -> Option<Command> {
+        self.edited();
+        match self.command(may_replace) {
+            Ok(command) => command,
+            Err(remark) => {
+                self.remark = Some(remark);
+                None
+            }
+        }
+    }
+
+    fn command(&mut self, may_replace: Option<&Path>) -> Result<Option<Command>, String> {
+        let path = typed_path(&self.path)?;
+        let Some(purpose) = self.purpose else { return Ok(None) };
+        if let Some(folder) = path.parent().filter(|folder| *folder != Path::new("")) {
+            if !files::is_folder(folder) {
+                return Err(format!("There is no folder {}.", folder.display()));
+            }
+            self.folder = Some(folder.to_owned());
+        }
+        let Purpose::Save(product) = purpose else {
+            if !files::is_there(&path) || files::is_folder(&path) {
+                return Err(format!("There is no file {}.", path.display()));
+            }
+            let is_data = purpose == Purpose::OpenData;
+            return Ok(Some(if is_data { Command::OpenData(path) } else { Command::Open(path) }));
+        };
+        let path = product.with_ending(&path)?;
+        let is_folder = product.can_be_a_folder() && FilmKind::of(&path) == Some(FilmKind::Folder);
+        if files::is_folder(&path) && !is_folder {
+            return Err(format!("{} is a folder.", path.display()));
+        }
+        let size = if product.has_size() { self.size.trim().parse::<Size>()?.0 } else { [1, 1] };
+        if files::is_there(&path) && may_replace != Some(path.as_path()) {
+            self.replaced = Some(path);
+            return Ok(None);
+        }
+        Ok(Some(Command::Save(Saving { product, path, size })))
+    }
+}
+
+/// What is typed as a path, `~/` being the user's own folder.
+fn typed_path(text: &str) -> Result<PathBuf, String> {
+    let text = text.trim();
+    if text.is_empty() {
+        return Err("A path is needed.".to_owned());
+    }
+    let home = || std::env::var_os("HOME").map(PathBuf::from);
+    Ok(match text.strip_prefix("~/").zip(home()) {
+        Some((rest, home)) => home.join(rest),
+        None => PathBuf::from(text),
+    })
+}
+
+/// A dialog of the system. A thread waits for it, as that may take as long as the user likes.
+struct Dialog(Receiver<Answer>);
+
+/// What a dialog was answered with.
+enum Answer {
+    Path(PathBuf),
+    /// It was closed.
+    None,
+    /// There is none.
+    NoDialog,
+}
+
+/// A dialog that is closed sooner than this was never there: nobody is so quick.
+const QUICKEST: Duration = Duration::from_millis(300);
+
+impl Dialog {
+    fn open(ctx: &Context, purpose: Purpose, at: &Path) -> Self {
+        let folder = if files::is_folder(at) { Some(at) } else { at.parent() };
+        let name = at.file_name().unwrap_or_default().to_string_lossy();
+        let mut dialog = rfd::FileDialog::new().set_title(purpose.title());
+        if let Some(folder) = folder {
+            dialog = dialog.set_directory(folder);
+        }
+        if let Purpose::Save(product) = purpose {
+            dialog = dialog.set_file_name(name).add_filter(product.name(), product.endings());
+        }
+        let (answered, answer) = channel();
+        let ctx = ctx.clone();
+        threads::spawn(move || {
+            let start = Instant::now();
+            let path = match purpose {
+                Purpose::Save(_) => dialog.save_file(),
+                Purpose::Open | Purpose::OpenData => dialog.pick_file(),
+            };
+            let is_there = start.elapsed() >= QUICKEST;
+            let none = if is_there { Answer::None } else { Answer::NoDialog };
+            // Nobody may wait for it any more.
+            let _ = answered.send(path.map_or(none, Answer::Path));
+            ctx.request_repaint();
+        });
+        Self(answer)
+    }
+
+    /// What it was answered with, once it was.
+    fn answer(&self) -> Option<Answer> {
+        match self.0.try_recv() {
+            Ok(answer) => Some(answer),
+            Err(TryRecvError::Empty) => None,
+            Err(TryRecvError::Disconnected) => Some(Answer::NoDialog),
+        }
+    }
+}

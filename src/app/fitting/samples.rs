@@ -1,0 +1,183 @@
+//! What is fitted: samples that are simulated of the selected point, or measured ones from a file.
+
+use std::io::Read as _;
+use std::path::Path;
+use std::sync::Arc;
+
+use anyhow::Context as _;
+use relativity_core::{
+    Aperture, Baseline, Curves, FitOptions, Model, Observations, Parameter, Passage, Simulation, SourcePoint,
+};
+use relativity_render::Velocity;
+
+use crate::estimate::data::{Data, Eyes};
+use crate::passage::time_within;
+use crate::platform::files;
+use crate::settings::FitSetup;
+
+/// Everything that a fit depends on.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FitKey {
+    /// The samples.
+    pub samples: Samples,
+    /// How they are made, if they are simulated, and how they are fitted.
+    pub setup: FitSetup,
+}
+
+/// Where samples come from.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Samples {
+    /// From the selected point.
+    Simulated(Simulated),
+    /// From a file, whose eyes are held like this where it does not tell.
+    Measured(Arc<DataFile>, Baseline),
+}
+
+/// The point of which samples are simulated, and how they are taken.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Simulated {
+    /// True speed.
+    pub velocity: Velocity,
+    /// True worldline.
+    pub source: SourcePoint,
+    /// The eyes, from the middle between them.
+    pub pair: [Aperture; 2],
+    /// First and last T of the samples.
+    pub range: [f64; 2],
+    /// The model by which the samples are made.
+    pub model: Model,
+}
+
+/// A file of measured disparities, as it was read.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct DataFile {
+    /// Its whole name, as errors have it.
+    place: String,
+    /// Its name without its folder.
+    pub name: String,
+    bytes: Vec<u8>,
+    /// Whether it has the standard deviations of its readings.
+    pub has_sigmas: bool,
+    /// Whether it tells the separation of the eyes.
+    pub has_separation: bool,
+}
+
+impl DataFile {
+    /// The file at `path`, whose eyes are held like `baseline` where it does not tell.
+    ///
+    /// # Errors
+    ///
+    /// A file that cannot be read, and what is wrong in it, in one line that names the file and the line.
+    pub fn open(path: &Path, baseline: Baseline) -> anyhow::Result<Self> {
+        let place = path.display().to_string();
+        let mut bytes = Vec::new();
+        let read = files::open(path).and_then(|mut file| file.read_to_end(&mut bytes));
+        read.with_context(|| place.clone())?;
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let mut file = Self { place, name, bytes, has_sigmas: false, has_separation: false };
+        let data = file.data(baseline)?;
+        (file.has_sigmas, file.has_separation) = (data.has_sigmas, data.has_separation);
+        Ok(file)
+    }
+
+    fn data(&self, baseline: Baseline) -> anyhow::Result<Data> {
+        Data::read(&self.place, self.bytes.as_slice(), Eyes::unless_told(baseline))
+    }
+}
+
+/// Samples, and how they are fitted.
+#[derive(Debug, Clone)]
+pub struct Fittable {
+    /// The samples.
+    pub observations: Observations,
+    /// How.
+    pub options: FitOptions,
+}
+
+impl FitKey {
+    /// The samples with as much noise as is set.
+    ///
+    /// # Errors
+    ///
+    /// Why there are none.
+    pub fn fittable(&self) -> Result<Fittable, String> {
+        let FitSetup { model, curves, fit_x0, noise_percent, .. } = self.setup;
+        let options = |curves, known: f64| {
+            let passage = if fit_x0 { Passage::Fitted } else { Passage::Known(known) };
+            FitOptions { model, curves, passage }
+        };
+        match &self.samples {
+            Samples::Simulated(simulated) => Ok(Fittable {
+                observations: simulated.observations(&self.setup, noise_percent)?,
+                options: options(curves, simulated.source.x0),
+            }),
+            Samples::Measured(file, baseline) => {
+                let data = file.data(*baseline).map_err(|error| format!("{error:#}"))?;
+                let curves = data.curves(Some(curves).filter(|curves| *curves != Curves::Both));
+                Ok(Fittable { observations: data.observations, options: options(curves, 0.0) })
+            }
+        }
+    }
+
+    /// The point that was simulated, if one was.
+    #[must_use]
+    pub const fn simulated(&self) -> Option<&Simulated> {
+        match &self.samples {
+            Samples::Simulated(simulated) => Some(simulated),
+            Samples::Measured(..) => None,
+        }
+    }
+}
+
+impl Simulated {
+    /// Samples with this much noise.
+    ///
+    /// # Errors
+    ///
+    /// Why there are none.
+    pub fn observations(&self, setup: &FitSetup, noise_percent: f64) -> Result<Observations, String> {
+        if let Some(obstacle) = self.obstacle() {
+            return Err(obstacle.to_owned());
+        }
+        let last = setup.fit_samples.max(2) - 1;
+        let time = |index: usize| time_within(self.range, index as f64 / last as f64);
+        let simulation = Simulation {
+            speed: self.velocity.speed,
+            point: self.source,
+            pair: self.pair,
+            model: self.model,
+            times: (0..=last).map(time).collect(),
+            noise: 0.01 * noise_percent,
+            seed: setup.seed,
+        };
+        simulation.observations().map_err(|error| error.to_string())
+    }
+
+    /// What a fit of these curves should find for `parameter`.
+    #[must_use]
+    pub fn true_value(&self, parameter: Parameter, curves: Curves) -> f64 {
+        match parameter {
+            Parameter::Beta => self.velocity.speed.beta(),
+            Parameter::Y => self.source.y,
+            // Delta-phi alone does not tell above from below.
+            Parameter::Z if curves == Curves::Azimuth => self.source.z.abs(),
+            Parameter::Z => self.source.z,
+            Parameter::X0 => self.source.x0,
+        }
+    }
+
+    /// Why there is nothing to fit, whatever the noise.
+    fn obstacle(&self) -> Option<&'static str> {
+        if self.pair[0] == self.pair[1] {
+            Some("both eyes are in one place (d = 0) and see the same")
+        } else if self.velocity.speed.beta() == 0.0 {
+            Some("at rest (β = 0) no disparity changes with T")
+        } else if self.velocity.is_backward {
+            Some("the fit takes what moves towards +x, and the point moves the other way")
+        } else if self.source.y <= 0.0 {
+            Some("the fit looks in front of the eyes, and the point is not there (y ≤ 0)")
+        } else {
+            None
+        }
+    }
+}

@@ -1,0 +1,10 @@
+//! What stands over the whole window, one at a time.
+
+/// Something that is shown until it is closed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Overlay {
+    /// The help.
+    Help,
+    /// The command palette.
+    Palette,
+}

@@ -1,0 +1,99 @@
+//! The menu of all that enters and leaves the window.
+
+use eframe::egui::{Button, Ui};
+
+use crate::app::actions::{ACTIONS, Action};
+use crate::app::chooser::{Product, Purpose};
+use crate::app::command::Command;
+use crate::app::orders::Copied;
+use crate::app::panels::Asks;
+use crate::app::state::State;
+use crate::settings::{PlotTab, Settings};
+
+/// Width of the menu, points.
+const WIDTH: f32 = 230.0;
+
+/// An entry: what it says, what it does, and in a few words more.
+type Entry = (&'static str, Command, &'static str);
+
+const OPEN: [Entry; 2] = [
+    ("Open…", Command::Choose(Purpose::Open), "A scene, a state, a picture by this program, or data as CSV."),
+    ("Own data…", Command::Choose(Purpose::OpenData), "Fits measured disparities, as CSV."),
+];
+
+const SAVE: [Entry; 6] = [
+    ("Save picture…", save(Product::Picture), "The views as they are, as PNG. It remembers its state."),
+    ("Save plots as SVG…", save(Product::PlotsSvg), "What the shown tab plots, as a drawing."),
+    ("Save plots as CSV…", save(Product::PlotsCsv), "What the shown tab plots, as a table."),
+    ("Save fit…", save(Product::Fit), "What the Fit tab found, as JSON."),
+    (
+        "Save film…",
+        save(Product::Film),
+        "T runs through its range once: a GIF, an animated PNG, or a folder of pictures.",
+    ),
+    ("Save state…", save(Product::State), "All that is set, as TOML."),
+];
+
+const COPY: [Entry; 5] = [
+    ("Copy picture", Command::Copy(Copied::Picture), "The views as they are."),
+    (
+        "Copy values",
+        Command::Copy(Copied::Values),
+        "What both eyes see of the selected point at T, for a spreadsheet.",
+    ),
+    ("Copy command", Command::Copy(Copied::Command), "The `gamow` line that opens a window that shows this."),
+    (
+        "Copy render command",
+        Command::Copy(Copied::RenderCommand),
+        "The `gamow render` line that draws this picture.",
+    ),
+    (
+        "Copy curve command",
+        Command::Copy(Copied::CurveCommand),
+        "The `gamow curve` line that gives the numbers of the selected point's curves.",
+    ),
+];
+
+const fn save(product: Product) -> Command {
+    Command::Choose(Purpose::Save(product))
+}
+
+/// Shows the menu's button.
+pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    let menu = ui.menu_button("File", |ui| {
+        ui.set_min_width(WIDTH);
+        for (number, entries) in [&OPEN[..], &SAVE, &COPY].into_iter().enumerate() {
+            if number > 0 {
+                ui.separator();
+            }
+            for one in entries {
+                entry(ui, state, one, asks);
+            }
+        }
+    });
+    menu.response.on_hover_text("Open, save and copy.");
+}
+
+/// An entry of the menu, with the keys that do the same.
+fn entry(ui: &mut Ui, state: &State, (name, command, tip): &Entry, asks: &mut Asks) {
+    let keys = ACTIONS.iter().find(|action| action.command == *command).map(Action::keys_text);
+    let button = Button::new(*name).shortcut_text(keys.unwrap_or_default());
+    let obstacle = obstacle(&state.settings, command);
+    let response = ui.add_enabled(obstacle.is_none(), button).on_hover_text(*tip);
+    let response = response.on_disabled_hover_text(obstacle.unwrap_or_default());
+    if response.accessible_name(*name).clicked() {
+        asks.push(command.clone());
+    }
+}
+
+/// Why something cannot be saved as things are.
+fn obstacle(settings: &Settings, command: &Command) -> Option<&'static str> {
+    let (is_plotted, tab) = (settings.window.plots, settings.plots.plot);
+    let Command::Choose(Purpose::Save(product)) = command else { return None };
+    match product {
+        Product::PlotsSvg | Product::PlotsCsv if !is_plotted => Some("The plots are hidden."),
+        Product::PlotsSvg if tab == PlotTab::Accuracy => Some("This tab is a table: save it as CSV."),
+        Product::Fit if !is_plotted || tab != PlotTab::Fit => Some("It is made in the Fit tab."),
+        _ => None,
+    }
+}

@@ -1,0 +1,133 @@
+//! The help: what is shown, the words, and what keys and mouse do, from the same table that the keys act by.
+
+mod words;
+
+use eframe::egui::{Align2, Context, Grid, Id, RichText, Ui, Window, vec2};
+
+use super::Asks;
+use crate::app::actions::ACTIONS;
+use crate::app::command::Command;
+use crate::app::overlay::Overlay;
+use crate::app::state::State;
+use crate::caption::times::TIMES;
+use words::{PAPER, PAPER_ADDRESS, WHAT, WORDS};
+
+/// Width and height of what scrolls, and how much of the window is left around it; points.
+const SIZE: [f32; 2] = [600.0, 440.0];
+const AROUND: [f32; 2] = [60.0, 150.0];
+/// Width of the first column of tables.
+const CAUSES: f32 = 170.0;
+
+/// The parts of the help.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Section {
+    What,
+    Words,
+    Keys,
+    Mouse,
+    Paper,
+}
+
+const SECTIONS: [(Section, &str); 5] = [
+    (Section::What, "What is this?"),
+    (Section::Words, "Words"),
+    (Section::Keys, "Keys"),
+    (Section::Mouse, "Mouse"),
+    (Section::Paper, "Paper"),
+];
+
+const MOUSE: [(&str, &str); 9] = [
+    ("Rest on something in a view", "what it is, where and when"),
+    ("Click in a view", "follow that point"),
+    ("Shift-click", "compare one more point"),
+    ("Drag in a view", "look around"),
+    ("Scroll over a view", "zoom"),
+    ("Double-click in a view", "frame the whole scene again"),
+    ("Click or drag in a plot, on a worldline", "go to that T"),
+    ("Click in the map", "follow that point"),
+    ("Drag, scroll, double-click in the map", "move, zoom, fit it"),
+];
+
+/// What keys do in a view that was reached with the tabulator.
+const IN_A_VIEW: [(&str, &str); 4] = [
+    ("Tab, Shift+Tab", "to the next control or view, or the one before"),
+    ("← → ↑ ↓ in a view", "look around"),
+    ("Enter in a view", "follow the next body; with Shift the one before"),
+    ("Space on a control", "press it; arrows move a slider"),
+];
+
+/// Shows the help, if it is asked for.
+pub fn show(ctx: &Context, state: &State, asks: &mut Asks) {
+    if state.session.overlay != Some(Overlay::Help) {
+        return;
+    }
+    let id = Id::unique("help");
+    let mut shown = ctx.data(|data| data.get_temp(id)).unwrap_or(Section::What);
+    let mut open = true;
+    let room = ctx.content_rect().size() - AROUND.into();
+    let size = vec2(SIZE[0].min(room.x), SIZE[1].min(room.y)).max(vec2(1.0, 1.0));
+    Window::new("Help")
+        .open(&mut open)
+        .anchor(Align2::CENTER_CENTER, [0.0, 0.0])
+        .collapsible(false)
+        .resizable(false)
+        .show(ctx, |ui| {
+            ui.set_width(size.x);
+            ui.horizontal_wrapped(|ui| {
+                for (section, name) in SECTIONS {
+                    ui.selectable_value(&mut shown, section, name);
+                }
+            });
+            ui.separator();
+            let area = eframe::egui::ScrollArea::vertical().id_salt(shown as usize).max_height(size.y);
+            area.auto_shrink([false, false]).show(ui, |ui| section(ui, shown));
+        });
+    ctx.data_mut(|data| data.insert_temp(id, shown));
+    if !open {
+        asks.push(Command::ToggleHelp);
+    }
+}
+
+fn section(ui: &mut Ui, section: Section) {
+    match section {
+        Section::What => paragraphs(ui, &WHAT),
+        Section::Words => table(ui, "words", TIMES.iter().map(|time| (time.name, time.short)).chain(WORDS)),
+        Section::Keys => {
+            let with_keys = ACTIONS.iter().filter(|action| !action.keys.is_empty());
+            table(ui, "keys", with_keys.map(|action| (action.keys_text(), action.name)));
+            ui.separator();
+            table(ui, "in a view", IN_A_VIEW.into_iter());
+        }
+        Section::Mouse => table(ui, "mouse", MOUSE.into_iter()),
+        Section::Paper => {
+            paragraphs(ui, &PAPER);
+            ui.hyperlink(PAPER_ADDRESS);
+        }
+    }
+}
+
+fn paragraphs(ui: &mut Ui, texts: &[&str]) {
+    for text in texts {
+        ui.label(*text);
+        ui.add_space(6.0);
+    }
+}
+
+fn table(ui: &mut Ui, id: &str, rows: impl Iterator<Item = (impl Into<String>, &'static str)>) {
+    let width = (ui.available_width() - CAUSES - 16.0).max(1.0);
+    Grid::new(id).num_columns(2).spacing([16.0, 6.0]).show(ui, |ui| {
+        for (cause, effect) in rows {
+            cell(ui, CAUSES, RichText::new(cause).strong());
+            cell(ui, width, RichText::new(effect));
+            ui.end_row();
+        }
+    });
+}
+
+/// `text`, wrapped to a `width`.
+fn cell(ui: &mut Ui, width: f32, text: RichText) {
+    ui.scope(|ui| {
+        ui.set_width(width);
+        ui.label(text);
+    });
+}

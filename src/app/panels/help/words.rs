@@ -1,0 +1,45 @@
+//! What the help says in words: what is shown, what the terms and letters mean, and where it comes from.
+
+/// What one is looking at.
+pub const WHAT: [&str; 5] = [
+    "Gamow shows what two eyes see of something that rides past at nearly the speed of light.",
+    "Light takes time: each eye sees every point where it was when its light left. So what comes looks long and blue, \
+    and what goes short and red.",
+    "At one moment the two eyes receive light that left at different times. How their views differ, the disparities, \
+    tells how far off something is and how fast it rides.",
+    "Drag the speed, click a point in a view to follow it, and read its disparities in the plots and in the readout.",
+    "The map shows what happens meanwhile: where things are measured now, where each eye sees them, and where two eyes \
+    take them to be.",
+];
+
+/// What the terms and letters mean, beside the three times.
+pub const WORDS: [(&str, &str); 14] = [
+    ("β, γ, η", "the speed in parts of that of light, v/c; γ = 1/√(1 − β²); the rapidity η = artanh β"),
+    ("d", "how far apart the eyes are"),
+    ("Doppler factor D", "received over rest frequency: above 1 is bluer. So fast is a clock seen to run"),
+    (
+        "disparity Δφ, Δθ",
+        "how differently the eyes see a point: azimuth φ and elevation θ, left minus right, in radians",
+    ),
+    ("T₀", "the T at which both eyes see the point equally far, so that both receive the same event"),
+    ("presently abreast", "measured beside the eyes now, at x = 0; nobody sees it there yet"),
+    ("seen abreast", "seen beside the eyes, with D = 1/γ and 1/γ as long"),
+    ("light cone", "all events whose light arrives at one place at one time. Each eye has its own"),
+    ("as seen", "each point where it was when its light left"),
+    ("contracted", "where everything is at one time on the ground, shorter by 1/γ: what Gamow drew"),
+    ("at rest", "what a camera that rides along photographs"),
+    ("gain", "how many times as far apart the eyes would have to be to see a resting point as differently"),
+    ("stereo at", "where two eyes take the point to be: where their lines of sight meet"),
+    ("published", "the paper's approximate model of the right eye, beside the exact one"),
+];
+
+/// Where it comes from.
+pub const PAPER: [&str; 2] = [
+    "E. A. Cryer-Jenkins and P. D. Stevenson, Gamow's cyclist: a new look at relativistic measurements for a binocular \
+    observer, Proc. R. Soc. A 476 (2020).",
+    "Gamow implements, corrects and goes beyond it: its right eye is the left one at another time, and leaves out \
+    parallax. Light cones, Published shows that model; `gamow paper` redoes its figures beside ours.",
+];
+
+/// The paper's address.
+pub const PAPER_ADDRESS: &str = "https://doi.org/10.1098/rspa.2019.0703";

@@ -1,0 +1,72 @@
+//! A message, over the views: it takes no room from any part, however long it is, and can be copied and closed.
+
+use eframe::egui::{
+    Align, Area, Context, Frame, Id, Label, Layout, Margin, Order, Rect, RichText, ScrollArea, Sense, Stroke,
+    Ui, pos2, vec2,
+};
+
+use super::Asks;
+use crate::app::command::Command;
+use crate::app::notice::Notice;
+use crate::app::state::State;
+use crate::app::theme;
+use crate::app::widgets::icons::{self, Icon};
+
+/// The widest message and the least height of one, at the usual scale of writing, and what is around its text; points.
+const WIDEST: f32 = 640.0;
+const LOWEST: f32 = 60.0;
+const AROUND: f32 = 10.0;
+
+/// Shows what there is to tell at the top of `room`, inside `window`.
+pub fn show(ctx: &Context, state: &State, room: Rect, window: Rect, asks: &mut Asks) {
+    let Some(notice) = &state.session.notice else { return };
+    let scale = theme::text_scale(&ctx.global_style());
+    let width = (scale * WIDEST).min(room.width() - 2.0 * theme::GAP).max(1.0);
+    let lowest = (scale * LOWEST).min(window.max.y - room.min.y);
+    let height = (room.height().max(lowest) - 2.0 * theme::GAP - 2.0 * AROUND).max(1.0);
+    let place = pos2(room.center().x - 0.5 * width, room.min.y + theme::GAP);
+    let area =
+        Area::new(Id::unique("message")).order(Order::Foreground).fixed_pos(place).constrain_to(window);
+    area.show(ctx, |ui| {
+        let colour = theme::notice_colour(notice.is_error, ui.visuals());
+        let frame = Frame::popup(ui.style()).stroke(Stroke::new(1.5, colour)).inner_margin(Margin::same(8));
+        frame.show(ui, |ui| {
+            ui.set_width((width - 2.0 * AROUND).max(1.0));
+            ui.horizontal_top(|ui| {
+                sign(ui, notice);
+                ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
+                    buttons(ui, notice, asks);
+                    ui.with_layout(Layout::top_down(Align::Min), |ui| text(ui, notice, height));
+                });
+            });
+        });
+    });
+}
+
+/// Whether it is good news, by shape and colour.
+fn sign(ui: &mut Ui, notice: &Notice) {
+    let (rect, _) = ui.allocate_exact_size(vec2(18.0, 22.0), Sense::hover());
+    let icon = if notice.is_error { Icon::Failed } else { Icon::Done };
+    icons::sign(ui.painter(), icon, rect.center(), 7.0, theme::notice_colour(notice.is_error, ui.visuals()));
+}
+
+/// All of it, to select; what has no room in this `height` is scrolled to.
+fn text(ui: &mut Ui, notice: &Notice, height: f32) {
+    ScrollArea::vertical().max_height(height).show(ui, |ui| {
+        let text = RichText::new(&notice.text).color(ui.visuals().strong_text_color());
+        let response = ui.add(Label::new(text).wrap().selectable(true));
+        if let Some(path) = &notice.path {
+            response.on_hover_text(path);
+        }
+    });
+}
+
+fn buttons(ui: &mut Ui, notice: &Notice, asks: &mut Asks) {
+    let close = icons::button(ui, Icon::Remove, "Close message", vec2(22.0, 22.0), false);
+    if close.on_hover_text("Close.   Key: Esc").clicked() {
+        asks.push(Command::CloseNotice);
+    }
+    if ui.button("Copy").on_hover_text("Copies the message").accessible_name("Copy message").clicked() {
+        ui.ctx().copy_text(notice.text.clone());
+    }
+}

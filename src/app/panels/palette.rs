@@ -1,0 +1,179 @@
+//! The command palette: all that can be asked for, found by words of its name.
+
+use eframe::egui::{
+    Align, Align2, Area, Context, Frame, Id, Key, Layout, Margin, Modifiers, Order, Response, RichText,
+    ScrollArea, TextEdit, TextStyle, Ui, vec2,
+};
+
+use super::Asks;
+use crate::app::actions::ACTIONS;
+use crate::app::command::Command;
+use crate::app::overlay::Overlay;
+use crate::app::pointer::Select;
+use crate::app::state::State;
+use crate::settings::Preset;
+
+/// Width, and the greatest height of the list, points.
+const SIZE: [f32; 2] = [480.0, 340.0];
+/// So much of a small window is left free around it.
+const AROUND: f32 = 60.0;
+/// No more than so many are listed: who sees as many types another word.
+const MOST: usize = 200;
+
+/// Something to ask for.
+#[derive(Debug, Clone, PartialEq)]
+struct Entry {
+    name: String,
+    keys: String,
+    command: Command,
+}
+
+/// What is typed, and which of the entries is chosen.
+#[derive(Debug, Clone, Default)]
+struct Search {
+    text: String,
+    chosen: usize,
+}
+
+/// Shows the palette, if it is asked for.
+pub fn show(ctx: &Context, state: &State, asks: &mut Asks) {
+    let id = Id::unique("palette");
+    if state.session.overlay != Some(Overlay::Palette) {
+        return ctx.data_mut(|data| data.remove::<Search>(id));
+    }
+    let before = ctx.data(|data| data.get_temp::<Search>(id));
+    let is_new = before.is_none();
+    let mut search = before.unwrap_or_default();
+    let entries = found(state, &search.text);
+    search.chosen = moved(ctx, search.chosen, entries.len());
+    let is_entered = ctx.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Enter));
+    let mut asked = entries.get(search.chosen).filter(|_| is_entered).cloned();
+    let room = ctx.content_rect();
+    let width = SIZE[0].min(room.width() - 40.0).max(1.0);
+    let area = Area::new(id).order(Order::Foreground).anchor(Align2::CENTER_TOP, vec2(0.0, 0.5 * AROUND));
+    let shown = area.show(ctx, |ui| {
+        Frame::popup(ui.style()).inner_margin(Margin::same(10)).show(ui, |ui| {
+            ui.set_width(width);
+            let field = TextEdit::singleline(&mut search.text).hint_text("What to do, or what to follow");
+            let field = ui.add(field.desired_width(f32::INFINITY)).accessible_name("Command");
+            if is_new {
+                field.request_focus();
+            }
+            if field.changed() {
+                search.chosen = 0;
+            }
+            let height = SIZE[1].min(room.height() - 2.0 * AROUND).max(1.0);
+            ScrollArea::vertical().max_height(height).auto_shrink([false, true]).show(ui, |ui| {
+                if let Some(clicked) = list(ui, &entries, &search) {
+                    asked = Some(clicked);
+                }
+            });
+        });
+    });
+    ctx.data_mut(|data| data.insert_temp(id, search));
+    if is_new {
+        // The first time it is only measured.
+        ctx.request_repaint();
+    } else if shown.response.clicked_elsewhere() {
+        asks.push(Command::TogglePalette);
+    }
+    if let Some(entry) = asked {
+        asks.extend([Command::TogglePalette, entry.command]);
+    }
+}
+
+/// Which of `count` entries is chosen after the arrow keys.
+fn moved(ctx: &Context, chosen: usize, count: usize) -> usize {
+    let pressed = |key| ctx.input_mut(|input| input.count_and_consume_key(Modifiers::NONE, key));
+    let (up, down) = (pressed(Key::ArrowUp), pressed(Key::ArrowDown));
+    (chosen + down).saturating_sub(up).min(count.saturating_sub(1))
+}
+
+/// Lists `entries`; the one that is clicked.
+fn list(ui: &mut Ui, entries: &[Entry], search: &Search) -> Option<Entry> {
+    if entries.is_empty() {
+        ui.label(RichText::new("Nothing is called so.").weak());
+    }
+    let mut clicked = None;
+    for (index, entry) in entries.iter().enumerate() {
+        let is_chosen = index == search.chosen;
+        let response = row(ui, entry, is_chosen);
+        if response.clicked() {
+            clicked = Some(entry.clone());
+        }
+        let has_moved = ui.input(|input| input.events.iter().any(is_a_key));
+        if is_chosen && has_moved {
+            response.scroll_to_me(None);
+        }
+    }
+    clicked
+}
+
+fn is_a_key(event: &eframe::egui::Event) -> bool {
+    matches!(event, eframe::egui::Event::Key { .. })
+}
+
+/// The name of `entry`, and at the right end its keys.
+fn row(ui: &mut Ui, entry: &Entry, is_chosen: bool) -> Response {
+    ui.horizontal(|ui| {
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            ui.label(RichText::new(&entry.keys).text_style(TextStyle::Small).weak());
+            ui.with_layout(Layout::left_to_right(Align::Center).with_main_justify(false), |ui| {
+                ui.selectable_label(is_chosen, &entry.name)
+            })
+            .inner
+        })
+        .inner
+    })
+    .inner
+}
+
+/// All that has every word of `text` in its name, in any order.
+fn found(state: &State, text: &str) -> Vec<Entry> {
+    let text = text.to_lowercase();
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let fits = |entry: &Entry| {
+        let name = entry.name.to_lowercase();
+        words.iter().all(|word| name.contains(word))
+    };
+    let actions = ACTIONS.iter().map(|action| Entry {
+        name: action.name.to_owned(),
+        keys: action.keys_text(),
+        command: action.command.clone(),
+    });
+    let entry = |name: String, command| Entry { name, keys: String::new(), command };
+    let presets =
+        Preset::all().iter().map(|preset| entry(format!("preset: {}", preset.title), Command::State(preset)));
+    let scene = &state.session.scene;
+    let bodies = (0..scene.bodies.len()).filter_map(|body| {
+        let track = scene.track_on(body)?;
+        let command = Command::Select(Select { track, body, add: false });
+        Some(entry(format!("follow: {}", scene.name_of(body)), command))
+    });
+    actions.chain(presets).chain(bodies).filter(fits).take(MOST).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names(text: &str) -> Vec<String> {
+        found(&State::open(crate::settings::Settings::default()).expect("a preset"), text)
+            .into_iter()
+            .map(|entry| entry.name)
+            .collect()
+    }
+
+    #[test]
+    fn all_words_are_found_in_any_order() {
+        assert_eq!(names("rear TYRE"), names("tyre rear"));
+        assert_eq!(names("rear tyre"), ["follow: rear tyre"]);
+        assert!(names("no such thing").is_empty());
+    }
+
+    #[test]
+    fn every_action_is_listed() {
+        let all = names("");
+        assert!(ACTIONS.iter().all(|action| all.iter().any(|name| name == action.name)));
+    }
+}

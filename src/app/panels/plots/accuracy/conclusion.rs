@@ -1,0 +1,91 @@
+//! What the Accuracy tab's figures come to, in a sentence.
+
+use relativity_render::Method;
+
+use crate::app::examination::{Examination, Figures, Row};
+use crate::figures;
+
+/// The sentence; `None` before there is something to compare.
+pub fn sentence(examination: &Examination) -> Option<String> {
+    let measured = measured(examination);
+    if let [(row, _)] = measured.as_slice() {
+        let is_all = !examination.is_pending() && row.method == Method::Reference;
+        return is_all.then(|| "Reference: without a GPU there is nothing to compare it with.".to_owned());
+    }
+    let is_worth = |(row, _): &&(Row<'_>, &Figures)| examination.better_than(row).is_none();
+    let mut worth: Vec<_> = measured.iter().filter(is_worth).collect();
+    worth.sort_by(|(_, a), (_, b)| a.frame_ms.total_cmp(&b.frame_ms));
+    let [(cheapest, cost), others @ ..] = worth.as_slice() else { return None };
+    let first = format!(
+        "{}: error {}, cheapest here ({} ms)",
+        capitalised(&cheapest.name()),
+        error(cheapest, cost),
+        figures::significant(cost.frame_ms, 2)
+    );
+    let more = others.iter().map(|(row, other)| {
+        let times = figures::significant(other.frame_ms / cost.frame_ms, 2);
+        format!("{}: error {} for {times} times the time", row.name(), error(row, other))
+    });
+    let lost = |is_it: fn(Method) -> bool| {
+        measured.iter().any(|(row, _)| is_it(row.method)) && !worth.iter().any(|(row, _)| is_it(row.method))
+    };
+    let nothing = [
+        (lost(|method| matches!(method, Method::Mesh { .. })), "a mesh gains nothing"),
+        (lost(|method| method == Method::Rays), "rays gain nothing"),
+    ];
+    let nothing = nothing.into_iter().filter(|(is_lost, _)| *is_lost).map(|(_, text)| text.to_owned());
+    let parts: Vec<String> = [first].into_iter().chain(nothing).chain(more).collect();
+    let end = if examination.is_pending() { " (so far)." } else { "." };
+    Some(parts.join("; ") + end)
+}
+
+/// The methods that were measured in the present views.
+fn measured(examination: &Examination) -> Vec<(Row<'_>, &Figures)> {
+    examination.rows().filter_map(|row| Some((row, row.measured()?))).collect()
+}
+
+/// How far off it is, in pixels.
+fn error(row: &Row<'_>, figures: &Figures) -> String {
+    if row.method == Method::Reference {
+        return "none".to_owned();
+    }
+    px(figures.error_px)
+}
+
+/// A small error as a part of a pixel: 1/20,000 px.
+fn px(error: f64) -> String {
+    if error <= 0.0 {
+        return "none".to_owned();
+    }
+    if error > 0.05 {
+        return format!("{} px", figures::significant(error, 2));
+    }
+    let parts = 1.0 / error;
+    // One digit says enough of how small it is.
+    let magnitude = 10f64.powi(relativity_core::math::log10(parts).floor() as i32);
+    format!("1/{} px", with_commas((parts / magnitude).round() * magnitude))
+}
+
+fn with_commas(whole: f64) -> String {
+    let digits: Vec<char> = format!("{whole:.0}").chars().collect();
+    let groups: Vec<String> = digits.rchunks(3).rev().map(|group| group.iter().collect()).collect();
+    groups.join(",")
+}
+
+fn capitalised(name: &str) -> String {
+    let mut letters = name.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn small_errors_are_parts_of_a_pixel() {
+        assert_eq!(px(5.2e-5), "1/20,000 px");
+        assert_eq!(px(1e-3), "1/1,000 px");
+        assert_eq!(px(0.25), "0.25 px");
+        assert_eq!(px(2.04), "2.0 px");
+    }
+}

@@ -1,0 +1,200 @@
+//! What a tab of plots against T shows, as plain data: the window draws it, and files hold it.
+
+use eframe::egui::{Color32, Visuals};
+use egui_plot::PlotPoint;
+use relativity_core::{Model, math};
+
+use super::axes::{Ruler, shown_in, value_range};
+use super::traces::traces;
+use crate::app::curves::{self, Curve, Curves, CurvesKey, Quantity};
+use crate::app::observer::Eye;
+use crate::app::plotting::MAX_PINS;
+use crate::app::state::State;
+use crate::app::theme;
+use crate::units::Unit;
+
+/// A plot against T.
+pub(super) struct Chart<'a> {
+    /// What is plotted.
+    pub quantity: Quantity,
+    /// The unit of its values as they are shown.
+    pub unit: Unit,
+    /// The unit of T as it is shown.
+    pub time_unit: Unit,
+    /// First and last T, in the scene's unit.
+    pub range: [f64; 2],
+    /// Lowest and highest value, as plotted, if a part is looked at.
+    pub zoomed: Option<[f64; 2]>,
+    /// The curves, those on top last.
+    pub traces: Vec<Trace<'a>>,
+    /// T0, and what that is in words.
+    pub equidistant: Option<(f64, &'static str)>,
+    /// T.
+    pub now: f64,
+    /// T of the cursors.
+    pub cursors: Vec<f64>,
+    /// Values up to this are what rounding leaves of 0.
+    pub rounding: f64,
+    /// About how high it is drawn, points.
+    pub height: f32,
+}
+
+/// A curve of a chart.
+pub(super) struct Trace<'a> {
+    /// What it is called.
+    pub name: String,
+    /// Its pieces, as plotted: logarithms of a quantity that is one.
+    pub pieces: &'a [Vec<PlotPoint>],
+    /// Whose colour it has.
+    pub hue: Hue,
+    /// How its line is drawn.
+    pub dash: Dash,
+    /// Whether it is drawn strongly.
+    pub wide: bool,
+    /// Whether it is drawn faintly, as it was pinned.
+    pub pale: bool,
+    /// Whether a dot shows where it is at T.
+    pub dot: bool,
+    /// What it is computed from.
+    pub source: Source,
+}
+
+/// What a curve is computed from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Source {
+    /// Of which point, seen how.
+    pub key: CurvesKey,
+    /// By which model.
+    pub model: Model,
+    /// Which curve.
+    pub curve: Curve,
+}
+
+/// Whose colour a curve has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Hue {
+    /// A followed point's, by its number.
+    Point(usize),
+    /// An eye's.
+    Eye(Eye),
+    /// That of where two eyes take something to be.
+    Stereo,
+    /// That of what is measured at one time.
+    Measured,
+}
+
+/// How a line is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Dash {
+    Solid,
+    /// Dashes of this length, points.
+    Dashed(u8),
+    Dotted,
+}
+
+impl Dash {
+    /// Of the right eye, over the left one.
+    pub const RIGHT: Self = Self::Dashed(7);
+    /// Of the published model.
+    pub const PUBLISHED: Self = Self::Dashed(4);
+    /// Of what is pinned.
+    pub const PINNED: [Self; MAX_PINS] = [Self::Dashed(12), Self::Dotted, Self::Dashed(6), Self::Dashed(24)];
+}
+
+impl Hue {
+    /// The colour on such a background.
+    fn colour(self, visuals: &Visuals) -> Color32 {
+        match self {
+            Self::Point(number) => theme::point_colour(number, visuals),
+            Self::Eye(eye) => theme::eye_colour(eye, visuals),
+            Self::Stereo => theme::stereo_colour(visuals),
+            Self::Measured => theme::measured_colour(visuals),
+        }
+    }
+}
+
+/// How much of its colour a pinned curve has.
+const PALE: f32 = 0.7;
+
+impl Trace<'_> {
+    /// Whether it is of the point with this number, or of no point among several.
+    pub fn is_of(&self, number: usize) -> bool {
+        !matches!(self.hue, Hue::Point(of) if of != number)
+    }
+
+    /// Its colour on such a background.
+    pub fn colour(&self, visuals: &Visuals) -> Color32 {
+        let colour = self.hue.colour(visuals);
+        if self.pale { visuals.panel_fill.lerp_to_gamma(colour, PALE) } else { colour }
+    }
+}
+
+impl Source {
+    /// Its value at `time` as plotted, of the core itself.
+    pub fn value(&self, time: f64) -> Option<f64> {
+        curves::value(&self.key, self.model, self.curve, time)
+    }
+}
+
+impl Chart<'_> {
+    /// What its values are measured with.
+    pub fn ruler(&self) -> Ruler {
+        Ruler::of_values(self.quantity, self.unit, self.height)
+    }
+
+    /// What T is measured with in a plot of this width.
+    pub fn time_ruler(&self, width: f32) -> Ruler {
+        Ruler::of_time(self.time_unit, width)
+    }
+
+    /// Lowest and highest value, as plotted.
+    pub fn value_range(&self) -> [f64; 2] {
+        if let Some(zoomed) = self.zoomed {
+            return zoomed;
+        }
+        let values = self.traces.iter().flat_map(|trace| trace.pieces).flatten().map(|point| point.y);
+        self.ruler().widened(value_range(self.quantity, values, self.rounding))
+    }
+
+    /// A value as plotted, in the chart's unit: of a logarithm the number that it is one of.
+    pub fn shown(&self, plotted: f64) -> f64 {
+        let value = if self.quantity.is_logarithm() { math::powf(10.0, plotted) } else { plotted };
+        self.unit.shown(if value.abs() <= self.rounding { 0.0 } else { value })
+    }
+}
+
+/// The chart of `quantity`: of every point for a disparity, of each eye of the selected one else; and of what is pinned.
+/// `curves` are those that [`State::plotted_keys`] asks for; it is drawn about so high (points).
+pub(super) fn chart<'a>(state: &State, curves: &'a [Curves], quantity: Quantity, height: f32) -> Chart<'a> {
+    let measures = state.measures();
+    let along = state.settings.baseline().is_along_motion();
+    let words = if along { "seen abreast" } else { "seen equally far" };
+    Chart {
+        quantity,
+        unit: shown_in(quantity, measures.length),
+        time_unit: measures.time,
+        range: state.plotted_times(quantity),
+        zoomed: state.session.plotting.zoom(quantity).map(|zoom| zoom.values),
+        traces: traces(state, curves, quantity),
+        equidistant: state.equidistance_time(state.session.points.selected()).map(|time| (time, words)),
+        now: state.session.time,
+        cursors: state.session.plotting.cursors().to_vec(),
+        rounding: rounding(&state.curve_key(state.session.points.selected()), quantity),
+        height,
+    }
+}
+
+/// What rounding may leave of 0 of `quantity`, as plotted: of a difference in direction a part of what the separation of the
+/// eyes spans at the point.
+fn rounding(key: &CurvesKey, quantity: Quantity) -> f64 {
+    const SHARE: f64 = 1e-14;
+    let distance = key.rest.map(|along| along * along).iter().sum::<f64>().sqrt();
+    let separation = key.baseline.separation;
+    match quantity {
+        Quantity::DeltaPhi | Quantity::DeltaTheta if separation > 0.0 => {
+            SHARE * separation / distance.max(separation)
+        }
+        Quantity::Phi | Quantity::Theta => SHARE,
+        _ => 0.0,
+    }
+}

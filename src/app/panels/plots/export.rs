@@ -1,0 +1,111 @@
+//! The shown tab of plots as files: a drawing, and a table.
+
+use csv::ByteRecord;
+use eframe::egui::{Color32, Visuals};
+
+use super::axes::{axis_label, column_label, in_unit, time_label};
+use super::chart::{Chart, Dash, chart};
+use super::{Plotted, accuracy, fit};
+use crate::app::curves::Quantity;
+use crate::app::plotting::quantities;
+use crate::app::state::State;
+use crate::files::csv_out::Rows;
+use crate::plot::{self, Line, Panel, Stroke};
+use crate::settings::PlotTab;
+
+/// What the shown tab plots, as SVG, its plots beside each other: the same curves with their names over the same axes, in
+/// the colours of a light window, and T and T0. The Accuracy tab is a table: see [`csv`].
+#[must_use]
+pub fn svg(state: &State, plotted: Plotted<'_>) -> String {
+    let panels: Vec<Panel> = match state.settings.plots.plot {
+        PlotTab::Fit => fit::panels(state, plotted.fitting),
+        _ => charts(state, plotted).map(|chart| panel(state, &chart)).collect(),
+    };
+    plot::svg(&panels)
+}
+
+/// What the shown tab plots, as CSV in the units that the plots show, which the names of the columns say: T, and a column for
+/// each curve. A row stands at every T at which any of the curves is sampled, densely where they bend; every value there is
+/// computed, none interpolated. A cell is empty where a curve is not. Of the Accuracy tab it is the table, of the Fit tab the
+/// samples.
+#[must_use]
+pub fn csv(state: &State, plotted: Plotted<'_>) -> String {
+    match state.settings.plots.plot {
+        PlotTab::Accuracy => plotted.examination.map_or_else(String::new, accuracy::csv),
+        PlotTab::Fit => fit::csv(state, plotted.fitting),
+        _ => table(&charts(state, plotted).collect::<Vec<_>>()),
+    }
+}
+
+/// A drawing is higher than any number of ticks takes.
+const HEIGHT: f32 = 300.0;
+
+fn charts<'a>(state: &'a State, plotted: Plotted<'a>) -> impl Iterator<Item = Chart<'a>> {
+    quantities(state.settings.plots.plot)
+        .iter()
+        .map(move |&quantity| chart(state, plotted.curves, quantity, HEIGHT))
+}
+
+fn panel(state: &State, chart: &Chart<'_>) -> Panel {
+    let visuals = Visuals::light();
+    let in_chart = |point: &egui_plot::PlotPoint| [chart.time_unit.shown(point.x), chart.shown(point.y)];
+    let lines = chart.traces.iter().map(|trace| Line {
+        name: trace.name.clone(),
+        colour: css(trace.colour(&visuals)).into(),
+        stroke: match trace.dash {
+            Dash::Solid => Stroke::Solid,
+            Dash::Dashed(length) => Stroke::Dashes(length),
+            Dash::Dotted => Stroke::Dotted,
+        },
+        pieces: trace.pieces.iter().map(|piece| piece.iter().map(in_chart).collect()).collect(),
+    });
+    let labels = [time_label(chart.time_unit), axis_label(chart.quantity, chart.unit)];
+    let point = state.name_of(state.session.points.selected());
+    let title = if matches!(chart.quantity, Quantity::DeltaPhi | Quantity::DeltaTheta) { "" } else { &point };
+    let shown = |time| chart.time_unit.shown(time);
+    let now = (shown(chart.now), "T".to_owned());
+    let cursors =
+        ["A", "B"].into_iter().zip(&chart.cursors).map(|(name, time)| (shown(*time), name.to_owned()));
+    let seen = chart.equidistant.map(|(time, words)| (shown(time), format!("T₀, {words}")));
+    let values = chart.value_range().map(|value| chart.ruler().counted(value));
+    Panel {
+        ranges: [Some(chart.range.map(shown)), Some(values)],
+        marks: seen.into_iter().chain(cursors).chain([now]).collect(),
+        logarithmic: [false, chart.quantity.is_logarithm()],
+        ..Panel::new(title, labels, lines.collect())
+    }
+}
+
+fn css(colour: Color32) -> String {
+    let [r, g, b, _] = colour.to_srgba_unmultiplied();
+    format!("#{r:02X}{g:02X}{b:02X}")
+}
+
+fn table(charts: &[Chart<'_>]) -> String {
+    let traces = charts.iter().flat_map(|chart| &chart.traces);
+    let mut times: Vec<f64> = traces.flat_map(|trace| trace.pieces).flatten().map(|point| point.x).collect();
+    times.sort_by(f64::total_cmp);
+    times.dedup();
+    let Some(first) = charts.first() else { return String::new() };
+    let mut head = ByteRecord::new();
+    head.push_field(in_unit("T", first.time_unit).as_bytes());
+    for chart in charts {
+        for trace in &chart.traces {
+            head.push_field(
+                format!("{}: {}", column_label(chart.quantity, chart.unit), trace.name).as_bytes(),
+            );
+        }
+    }
+    let mut rows = Rows::new(Vec::new());
+    // Into memory: writing does not fail.
+    let _ = rows.write(&mut head, &[]);
+    for time in times {
+        let values = charts.iter().flat_map(|chart| {
+            let shown = |plotted| chart.shown(plotted);
+            chart.traces.iter().map(move |trace| trace.source.value(time).map_or(f64::NAN, shown))
+        });
+        let numbers: Vec<f64> = [first.time_unit.shown(time)].into_iter().chain(values).collect();
+        let _ = rows.write(&mut ByteRecord::new(), &numbers);
+    }
+    rows.into_text()
+}

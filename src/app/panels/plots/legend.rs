@@ -1,0 +1,265 @@
+//! What the curves of a plot are called: beside a piece of their line, where it covers least of them. With cursors set it
+//! says what the curves are there.
+
+use std::sync::Arc;
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{
+    Color32, Galley, Id, Painter, Pos2, Rect, Sense, Stroke, TextStyle, Ui, Vec2, Visuals, WidgetInfo, pos2,
+    vec2,
+};
+use egui_plot::PlotResponse;
+
+use super::axes::label;
+use super::chart::{Chart, Dash, Trace};
+use crate::app::curves::{PUBLISHED, Quantity};
+
+/// Length of a piece of line, and what is between it and its name; points.
+const SAMPLE: f32 = 18.0;
+const SPACE: f32 = 4.0;
+/// What is left around the names, and between columns of them; points.
+const PADDING: f32 = 4.0;
+/// A legend lower than this part of the plot is low enough.
+const LOW: f32 = 0.45;
+/// How opaque its background is.
+const OPACITY: f32 = 0.8;
+
+/// A line of the legend.
+struct Row {
+    /// Whose line it names, and that line's width; none of what is said of the cursors.
+    line: Option<(Dash, f32)>,
+    text: String,
+    colour: Color32,
+}
+
+/// How much of it there is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Detail {
+    Full,
+    /// Points without what they are on.
+    Short,
+    /// What is read at the cursors below each other.
+    Stacked,
+    /// That of the selected point alone.
+    Selected,
+}
+
+/// What stands in the legend of `chart`: nothing of a single curve, and of what the title names.
+fn rows(ui: &Ui, chart: &Chart<'_>, detail: Detail) -> Vec<Row> {
+    let visuals = ui.visuals();
+    let plain = |text: &str| Row { line: None, text: text.to_owned(), colour: visuals.text_color() };
+    let Some(cursors) = chart.cursors_text() else { return names(chart, detail, visuals) };
+    let is_selected = |trace: &&Trace<'_>| {
+        detail != Detail::Selected || (trace.wide && !trace.pale && trace.source.model != PUBLISHED)
+    };
+    let read = chart.traces.iter().filter(is_selected).flat_map(|trace| {
+        let text = chart.at_cursors(trace).unwrap_or_default();
+        let colour = trace.colour(visuals);
+        let name = named(&trace.name, detail);
+        let head = |text: String| Row { line: Some(line(trace)), text, colour };
+        match detail {
+            Detail::Full | Detail::Short => vec![head(format!("{name}  {text}"))],
+            Detail::Stacked | Detail::Selected => {
+                let parts = text.split(", ").map(|part| Row { colour, ..plain(part) });
+                [head(name)].into_iter().chain(parts).collect()
+            }
+        }
+    });
+    let heads: Vec<Row> = match detail {
+        Detail::Full | Detail::Short => vec![plain(&cursors)],
+        Detail::Stacked => cursors.split(", ").map(plain).collect(),
+        Detail::Selected => cursors.split(", ").last().map(plain).into_iter().collect(),
+    };
+    heads.into_iter().chain(read).collect()
+}
+
+/// The names of the curves that the title does not name: one point needs none.
+fn names(chart: &Chart<'_>, detail: Detail, visuals: &Visuals) -> Vec<Row> {
+    let is_published = |trace: &&Trace<'_>| trace.source.model == PUBLISHED;
+    let is_of_points = matches!(chart.quantity, Quantity::DeltaPhi | Quantity::DeltaTheta);
+    let several = is_of_points && chart.traces.iter().filter(|trace| !is_published(trace)).count() > 1;
+    let named = chart.traces.iter().filter(|trace| trace.pale || (several && !is_published(trace)));
+    let row = |trace: &Trace<'_>| Row {
+        line: Some(line(trace)),
+        text: self::named(&trace.name, detail),
+        colour: trace.colour(visuals),
+    };
+    let published = chart.traces.iter().filter(|_| several).find(is_published).map(|trace| Row {
+        line: Some((trace.dash, 1.2)),
+        text: "published".to_owned(),
+        colour: visuals.text_color(),
+    });
+    named.map(row).chain(published).collect()
+}
+
+/// How the piece of line is drawn.
+const fn line(trace: &Trace<'_>) -> (Dash, f32) {
+    (trace.dash, if trace.wide { 2.0 } else { 1.2 })
+}
+
+/// A name, in short without what is in brackets.
+fn named(name: &str, detail: Detail) -> String {
+    let short = name.split_once(" (").and_then(|(first, rest)| Some((first, rest.split_once(')')?.1)));
+    match short.filter(|_| detail != Detail::Full) {
+        Some((first, rest)) => format!("{first}{rest}"),
+        None => name.to_owned(),
+    }
+}
+
+/// Rows laid out in so many columns.
+struct Block {
+    rows: Vec<(Row, Arc<Galley>)>,
+    columns: usize,
+    cell: Vec2,
+}
+
+impl Block {
+    fn new(ui: &Ui, rows: Vec<Row>, columns: usize) -> Self {
+        let font = TextStyle::Small.resolve(ui.style());
+        let laid = |row: Row| {
+            let galley = ui.painter().layout_no_wrap(row.text.clone(), font.clone(), row.colour);
+            (row, galley)
+        };
+        let rows: Vec<_> = rows.into_iter().map(laid).collect();
+        let width = rows.iter().map(|(_, galley)| galley.size().x).fold(0.0, f32::max);
+        let height = rows.iter().map(|(_, galley)| galley.size().y).fold(0.0, f32::max);
+        Self { rows, columns, cell: vec2(SAMPLE + SPACE + width, height) }
+    }
+
+    fn size(&self) -> Vec2 {
+        let columns = self.columns as f32;
+        let lines = self.rows.len().div_ceil(self.columns) as f32;
+        vec2(columns * self.cell.x + (columns - 1.0) * 2.0 * PADDING, lines * self.cell.y)
+            + Vec2::splat(2.0 * PADDING)
+    }
+
+    fn paint(&self, painter: &Painter, area: Rect, background: Color32) {
+        painter.rect_filled(area, 3.0, background);
+        for (index, (row, galley)) in self.rows.iter().enumerate() {
+            let (line, column) = ((index / self.columns) as f32, (index % self.columns) as f32);
+            let place = area.min
+                + Vec2::splat(PADDING)
+                + vec2(column * (self.cell.x + 2.0 * PADDING), line * self.cell.y);
+            let indent = if let Some((dash, width)) = row.line {
+                let middle = place.y + 0.5 * self.cell.y;
+                sample(painter, pos2(place.x, middle), SAMPLE, dash, Stroke::new(width, row.colour));
+                SAMPLE + SPACE
+            } else {
+                0.0
+            };
+            painter.galley(place + vec2(indent, 0.0), Arc::clone(galley), row.colour);
+        }
+    }
+}
+
+/// Draws a piece of a line so long.
+pub(super) fn sample(painter: &Painter, from: Pos2, length: f32, dash: Dash, stroke: Stroke) {
+    let to = from + vec2(length, 0.0);
+    match dash {
+        Dash::Solid => {
+            painter.line_segment([from, to], stroke);
+        }
+        Dash::Dashed(piece) => {
+            // At least two dashes, whatever their length.
+            let piece = f32::from(piece).min(0.4 * length);
+            painter.extend(eframe::egui::Shape::dashed_line(&[from, to], stroke, piece, 0.5 * piece));
+        }
+        Dash::Dotted => {
+            painter.extend(eframe::egui::Shape::dotted_line(
+                &[from, to],
+                stroke.color,
+                4.0,
+                stroke.width / 2.0,
+            ));
+        }
+    }
+}
+
+/// Draws the legend of `chart` where it covers least of what is `drawn`.
+pub(super) fn show(ui: &Ui, response: &PlotResponse<()>, chart: &Chart<'_>, drawn: &Drawn) {
+    let frame = *response.transform.frame();
+    let Some(block) = block(ui, chart, frame.size()) else { return };
+    let size = block.size();
+    let spots = spots(frame.shrink(3.0), size);
+    let cost = |spot: &Rect| drawn.covered_by(spot.expand(3.0));
+    let Some(place) = spots.into_iter().min_by(|a, b| cost(a).total_cmp(&cost(b))) else { return };
+    let painter = ui.painter().with_clip_rect(frame);
+    block.paint(&painter, place, ui.visuals().panel_fill.gamma_multiply(OPACITY));
+    let words: Vec<&str> = block.rows.iter().map(|(row, _)| row.text.as_str()).collect();
+    let name = format!("Legend of {}: {}", label(chart.quantity), words.join("; "));
+    let id = Id::unique(("legend", label(chart.quantity)));
+    let shown = ui.interact(place, id, Sense::empty());
+    shown.widget_info(|| WidgetInfo::labeled(Role::Label, true, &name));
+}
+
+/// The first that is low enough, else the first that fits at all, from the most telling to the shortest.
+fn block(ui: &Ui, chart: &Chart<'_>, room: Vec2) -> Option<Block> {
+    let ways = [
+        (Detail::Full, 1),
+        (Detail::Full, 2),
+        (Detail::Short, 1),
+        (Detail::Short, 2),
+        (Detail::Short, 3),
+        (Detail::Stacked, 1),
+        (Detail::Stacked, 2),
+        (Detail::Selected, 1),
+        (Detail::Selected, 2),
+    ];
+    let blocks = || {
+        let blocks =
+            ways.into_iter().map(|(detail, columns)| Block::new(ui, rows(ui, chart, detail), columns));
+        blocks.filter(|block| !block.rows.is_empty() && block.size().x < room.x && block.size().y < room.y)
+    };
+    blocks().find(|block| block.size().y < LOW * room.y).or_else(|| blocks().next())
+}
+
+/// Where a legend of this `size` may be: along the edges.
+fn spots(area: Rect, size: Vec2) -> Vec<Rect> {
+    let free = (area.size() - size).max(Vec2::ZERO);
+    let shares =
+        [[1.0, 0.0], [0.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.5, 0.0], [0.5, 1.0], [1.0, 0.5], [0.0, 0.5]];
+    shares.map(|[x, y]| Rect::from_min_size(area.min + vec2(x * free.x, y * free.y), size)).to_vec()
+}
+
+/// What is in a plot already.
+pub(super) struct Drawn {
+    points: Vec<Pos2>,
+    dots: Vec<Pos2>,
+    /// Where something is written.
+    pub written: Vec<Rect>,
+    /// Where the present is.
+    now: f32,
+}
+
+/// In how many places a curve is looked at.
+const PLACES: u32 = 80;
+/// How much more it counts to cover a dot, and something written, than a place of a curve; and the line of the present.
+const DOT: f32 = 12.0;
+const WRITING: f32 = 30.0;
+const NOW: f32 = 0.5;
+
+impl Drawn {
+    /// What `chart` draws.
+    pub fn new(response: &PlotResponse<()>, chart: &Chart<'_>) -> Self {
+        let [from, to] = chart.range;
+        let place = |trace: &Trace<'_>, time: f64| {
+            let value = trace.drawn_at(time)?;
+            Some(response.transform.position_from_point(&[time, value].into()))
+        };
+        let times = |i: u32| from + (to - from) * f64::from(i) / f64::from(PLACES);
+        let traces = chart.traces.iter();
+        let points =
+            traces.clone().flat_map(|trace| (0..=PLACES).filter_map(move |i| place(trace, times(i))));
+        let dots = traces.filter(|trace| trace.dot).filter_map(|trace| place(trace, chart.now));
+        let now = response.transform.position_from_point_x(chart.now);
+        Self { points: points.collect(), dots: dots.collect(), written: Vec::new(), now }
+    }
+
+    /// How bad it is to cover this `spot`.
+    pub fn covered_by(&self, spot: Rect) -> f32 {
+        let inside = |places: &[Pos2]| places.iter().filter(|&&place| spot.contains(place)).count() as f32;
+        let written = self.written.iter().filter(|written| written.intersects(spot)).count() as f32;
+        let crosses_now = f32::from(u8::from(spot.x_range().contains(self.now)));
+        inside(&self.points) + DOT * inside(&self.dots) + WRITING * written + NOW * crosses_now
+    }
+}

@@ -1,0 +1,87 @@
+//! What pinned curves are called, and those of the present beside them: by what differs between them.
+
+use relativity_core::Model;
+
+use crate::app::curves::CurvesKey;
+use crate::app::points::Point;
+use crate::app::state::State;
+use crate::figures;
+
+/// What may tell curves apart, in words.
+struct Traits {
+    point: String,
+    speed: String,
+    /// The rest, in order.
+    others: [String; 7],
+}
+
+impl Traits {
+    fn of(state: &State, point: &Point, key: &CurvesKey) -> Self {
+        let number = |name: &str, value: f64| format!("{name} {}", figures::trimmed(value, 3));
+        let [x, y, z] = key.rest;
+        let baseline = key.baseline;
+        let beta = figures::beta(&key.velocity.speed);
+        // As many digits as there are: no zeros behind the point.
+        let beta = if beta.contains('e') { &beta } else { beta.trim_end_matches('0').trim_end_matches('.') };
+        Self {
+            point: state.name_of(point),
+            speed: format!("β {beta}"),
+            others: [
+                number("x", x),
+                number("y", y),
+                number("z", z),
+                number("d", baseline.separation),
+                number("roll", baseline.roll.to_degrees()) + "°",
+                number("turn", baseline.turn.to_degrees()) + "°",
+                match key.model {
+                    Model::Exact => "two light cones",
+                    Model::OneCone => "one light cone",
+                    Model::Published(_) => "published",
+                }
+                .to_owned(),
+            ],
+        }
+    }
+
+    fn all(&self) -> impl Iterator<Item = &String> {
+        [&self.point, &self.speed].into_iter().chain(&self.others)
+    }
+
+    /// Which of them are not the same in `all`.
+    fn that_differ(&self, all: &[Self], names_point: bool) -> String {
+        let mut words: Vec<&str> = Vec::new();
+        for (index, own) in self.all().enumerate() {
+            let differs = all.iter().any(|other| other.all().nth(index) != Some(own));
+            if differs || (index == 0 && names_point) {
+                words.push(own);
+            }
+        }
+        if words.is_empty() || words == [self.point.as_str()] {
+            words.push(&self.speed);
+        }
+        words.join(", ")
+    }
+}
+
+/// What all pinned curves are, and last those of the selected point.
+fn compared(state: &State) -> Vec<Traits> {
+    let selected = state.session.points.selected();
+    let pins = state.session.plotting.pins().iter().map(|pin| Traits::of(state, &pin.point, &pin.key));
+    pins.chain([Traits::of(state, selected, &state.curve_key(selected))]).collect()
+}
+
+/// The names of the pinned curves, in order.
+pub(super) fn names(state: &State) -> Vec<String> {
+    let all = compared(state);
+    let several = state.session.points.all().len() > 1;
+    let count = state.session.plotting.pins().len();
+    all.iter().take(count).map(|traits| traits.that_differ(&all, several)).collect()
+}
+
+/// What `point` is called in a plot: where curves are pinned the selected one also by what differs from those.
+pub(super) fn name_beside(state: &State, point: &Point) -> String {
+    let is_compared =
+        !state.session.plotting.pins().is_empty() && point.number == state.session.points.selected().number;
+    let all = if is_compared { compared(state) } else { Vec::new() };
+    all.last().map_or_else(|| state.name_of(point), |own| own.that_differ(&all, true))
+}

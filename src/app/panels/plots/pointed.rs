@@ -1,0 +1,102 @@
+//! What the curves of a plot are at the pointer, and at the cursors.
+
+use eframe::egui::{RichText, Tooltip, Ui};
+use egui_plot::PlotResponse;
+use relativity_core::math;
+
+use super::axes::label;
+use super::chart::{Chart, Trace};
+use crate::figures;
+use crate::units::Unit;
+
+/// About how many pixels there are to an axis, where none is given.
+const PIXELS: f64 = 500.0;
+/// Most digits that are said of a number.
+const MOST_DIGITS: f64 = 12.0;
+
+/// As many digits of `value` as tell it from the next one so far off.
+fn resolved(value: f64, resolution: f64) -> String {
+    let decimals = (-math::log10(resolution)).ceil().clamp(0.0, MOST_DIGITS);
+    figures::fixed(value, if decimals.is_finite() { decimals as u8 } else { 3 })
+}
+
+impl Chart<'_> {
+    /// A T with its unit, as precisely as the plot tells it.
+    pub fn time_text(&self, time: f64) -> String {
+        let [from, to] = self.range;
+        let resolution = self.time_unit.shown(to - from) / PIXELS;
+        resolved(self.time_unit.shown(time), resolution) + &self.time_unit.suffix()
+    }
+
+    /// A value, given as plotted, with its unit.
+    pub fn value_text(&self, plotted: f64) -> String {
+        let [low, high] = self.value_range();
+        let resolution = (high - low) / PIXELS;
+        let resolution = if self.quantity.is_logarithm() {
+            // So far off is so much of the number.
+            self.shown(plotted) * (math::powf(10.0, resolution) - 1.0)
+        } else {
+            self.unit.shown(resolution)
+        };
+        resolved(self.shown(plotted), resolution) + &self.unit.suffix()
+    }
+
+    /// Where the cursors are, and how far from each other; `None` without any.
+    pub fn cursors_text(&self) -> Option<String> {
+        match self.cursors.as_slice() {
+            [] => None,
+            [a] => Some(format!("A: T = {}", self.time_text(*a))),
+            [a, b, ..] => Some(format!(
+                "A: T = {}, B: T = {}, ΔT = {}",
+                self.time_text(*a),
+                self.time_text(*b),
+                self.time_text(b - a)
+            )),
+        }
+    }
+
+    /// What a curve is at the cursor, or how much it changes from one to the other and how steeply; `None` without any.
+    pub fn at_cursors(&self, trace: &Trace<'_>) -> Option<String> {
+        let value = |time: f64| trace.source.value(time);
+        let [a, rest @ ..] = self.cursors.as_slice() else { return None };
+        let Some(b) = rest.first() else {
+            return Some(value(*a).map_or_else(|| figures::NONE.to_owned(), |value| self.value_text(value)));
+        };
+        let Some(values) = value(*a).zip(value(*b)) else { return Some(figures::NONE.to_owned()) };
+        let difference = self.shown(values.1) - self.shown(values.0);
+        let time = self.time_unit.shown(b - a);
+        let slope = if time == 0.0 { figures::NONE.to_owned() } else { significant(difference / time) };
+        let per = |unit: Unit| if unit.name.is_empty() { "unit" } else { unit.name };
+        let unit = self.unit.suffix();
+        let difference = significant(difference);
+        Some(format!("Δ = {difference}{unit}, slope = {slope}{unit} per {}", per(self.time_unit)))
+    }
+}
+
+fn significant(value: f64) -> String {
+    figures::significant(value, 4).replace('-', "−")
+}
+
+/// Says beside the pointer which T it is at, and what each curve is there.
+pub(super) fn show(ui: &Ui, response: &PlotResponse<()>, chart: &Chart<'_>) {
+    let mouse = &response.response;
+    let Some(pointer) = mouse.hover_pos().filter(|_| mouse.contains_pointer()) else { return };
+    // It would cover what is dragged.
+    if ui.input(|input| input.pointer.any_down()) || !response.transform.frame().contains(pointer) {
+        return;
+    }
+    let time = response.transform.value_from_position(pointer).x;
+    let id = mouse.id.with("pointed");
+    let tooltip = Tooltip::always_open(ui.ctx().clone(), mouse.layer_id, id, pointer).gap(14.0);
+    tooltip.show(|ui| {
+        ui.spacing_mut().item_spacing.y = 1.0;
+        ui.label(RichText::new(format!("T = {}", chart.time_text(time))).small());
+        // As they stand in the legend, which has those on top last.
+        for trace in &chart.traces {
+            let value = trace.source.value(time);
+            let value = value.map_or_else(|| figures::NONE.to_owned(), |value| chart.value_text(value));
+            let text = format!("{}: {} = {value}", trace.name, label(chart.quantity));
+            ui.label(RichText::new(text).small().color(trace.colour(ui.visuals())));
+        }
+    });
+}

@@ -1,0 +1,82 @@
+//! The row above the plots: the followed points, and what can be kept and marked in the plots.
+
+use eframe::egui::{Color32, TextStyle, Ui, vec2};
+
+use crate::app::command::Command;
+use crate::app::panels::Asks;
+use crate::app::plotting::{self, PlotCommand};
+use crate::app::state::State;
+use crate::app::theme;
+use crate::app::widgets::dot;
+use crate::app::widgets::icons::{self, Icon};
+
+/// The followed points: a click selects one, a cross removes it.
+pub(super) fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    ui.spacing_mut().item_spacing.x = 3.0;
+    let points = &state.session.points;
+    let all = points.all();
+    for (index, point) in all.iter().enumerate() {
+        let colour = theme::point_colour(point.number, ui.visuals());
+        let name = state.name_of(point);
+        if ui.available_size_before_wrap().x < entry_width(ui, &name) {
+            ui.end_row();
+        }
+        // As high a row as that of the tabs.
+        ui.allocate_space(vec2(0.0, ui.spacing().interact_size.y));
+        dot(ui, colour);
+        let chosen = all.len() > 1 && index == points.selected_index();
+        let unit = state.measures().length;
+        let [x, y, z] = state.settings.rest_place(point.track.rest).map(|value| unit.number(value, 3));
+        let tip = format!(
+            "At rest at ({x}, {y}, {z}){}.\nClick in a view to move it, shift-click to add one.",
+            unit.suffix()
+        );
+        if ui.selectable_label(chosen, &name).on_hover_text(tip).clicked() {
+            asks.push(Command::SelectPoint(index));
+        }
+        if points.is_removable(index) {
+            let name = format!("Remove {name}");
+            if icons::button(ui, Icon::Remove, &name, vec2(18.0, 18.0), false).on_hover_text(&name).clicked()
+            {
+                asks.push(Command::RemovePoint(index));
+            }
+        }
+        ui.add_space(6.0);
+    }
+    if !plotting::quantities(state.settings.plots.plot).is_empty() {
+        buttons(ui, state, asks);
+    }
+}
+
+/// Room for a point of this `name` in the list of them, with its dot and its cross.
+fn entry_width(ui: &Ui, name: &str) -> f32 {
+    const AROUND: f32 = 50.0;
+    let font = TextStyle::Button.resolve(ui.style());
+    AROUND + ui.painter().layout_no_wrap(name.to_owned(), font, Color32::WHITE).size().x
+}
+
+/// What keeps and marks something in the plots.
+fn buttons(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    let plotting = &state.session.plotting;
+    let mut button = |ui: &mut Ui, name: &str, tip: &str, command: PlotCommand| {
+        if ui.small_button(name).on_hover_text(tip).clicked() {
+            asks.push(Command::Plotting(command));
+        }
+    };
+    let tip = "Keeps the curves of the selected point as they are now, whatever changes: to compare speeds, say. (K)";
+    button(ui, "Pin", tip, PlotCommand::Pin);
+    if !plotting.pins().is_empty() {
+        button(ui, "Unpin all", "Removes the curves that were kept. (Shift+K)", PlotCommand::Unpin);
+    }
+    let (name, tip) = match plotting.cursors() {
+        [] => ("Cursor A", "Marks T, to read the curves there: so does a shift-click in a plot. (C)"),
+        [_] => ("Cursor B", "Marks T, to see how much the curves change from cursor A, and how steeply. (C)"),
+        _ => ("No cursors", "Removes both cursors. (C)"),
+    };
+    button(ui, name, tip, PlotCommand::Cursor(None));
+    if plotting.is_zoomed() {
+        let tip = "Shows the whole of every plot again: so does a double click in one. Scroll in a plot to see a part of it, \
+            drag it with the right button to see another.";
+        button(ui, "Whole plots", tip, PlotCommand::Whole);
+    }
+}

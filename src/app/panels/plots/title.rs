@@ -1,0 +1,148 @@
+//! What stands above a plot: what it is of, in which unit, and what its curves are at T.
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{RichText, Sense, Stroke, TextStyle, Ui, WidgetInfo, pos2, vec2};
+use relativity_core::Model;
+
+use super::axes::{Y_AXIS_WIDTH, axis_label, label};
+use super::chart::{Chart, Trace};
+use super::legend::sample;
+use super::traces::{ONE_CONE, distance_words};
+use crate::app::curves::{Curve, DistanceKind, PUBLISHED, Quantity};
+use crate::app::observer::Eye;
+use crate::app::state::State;
+use crate::app::widgets::named_text;
+use crate::figures;
+use crate::plot::with_factor;
+
+/// Length of a piece of line, points.
+const SAMPLE: f32 = 18.0;
+
+/// Shows it.
+pub(super) fn show(ui: &mut Ui, state: &State, chart: &Chart<'_>) {
+    ui.horizontal(|ui| {
+        ui.add_space(Y_AXIS_WIDTH);
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing.y = 0.0;
+            let exponent = chart.ruler().axis(chart.value_range()).exponent;
+            let heading = with_factor(&axis_label(chart.quantity, chart.unit), exponent);
+            ui.label(RichText::new(heading).strong()).on_hover_text(tip(chart.quantity));
+            values_now(ui, state, chart, exponent);
+            let beside = match state.settings.shown_model() {
+                _ if chart.quantity == Quantity::LogDistance => None,
+                Model::OneCone => Some((format!("{ONE_CONE}; dotted: two"), ONE_CONE_TIP)),
+                Model::Published(_) if chart.quantity != Quantity::LogGain => {
+                    Some(("published; dotted: exact".to_owned(), PUBLISHED_TIP))
+                }
+                Model::Published(_) | Model::Exact => None,
+            };
+            if let Some((text, tip)) = beside {
+                ui.label(RichText::new(text).weak()).on_hover_text(tip);
+            }
+        });
+    });
+}
+
+const ONE_CONE_TIP: &str = "Solid: as if both eyes received the same events. Dotted: each through its own light cone, exactly.\n\
+    What lies between the two comes from there being two light cones.";
+
+const PUBLISHED_TIP: &str =
+    "Solid: what the views show, the paper's model. Dotted: each eye through its own light cone, exactly.";
+
+/// A quantity in a sentence.
+const fn tip(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::DeltaPhi => {
+            "Azimuth as the left eye sees the point, less that of the right eye, at the observer's time T."
+        }
+        Quantity::DeltaTheta => {
+            "Elevation as the left eye sees the point, less that of the right eye, at the observer's time T."
+        }
+        Quantity::Phi => {
+            "The direction the point is seen in, from the direction of motion towards straight ahead."
+        }
+        Quantity::Theta => "How high above the level of the eyes the point is seen.",
+        Quantity::LogDoppler => "Received over emitted frequency: above 1 is a blueshift.",
+        Quantity::LogGain => {
+            "How many times as far apart as they are the eyes would have to be for a point at rest to look as different to them."
+        }
+        Quantity::LogDistance => {
+            "How far off the selected point is: as seen, as two eyes take it, and as measured."
+        }
+    }
+}
+
+/// What the selected point's curves are at T, each in its colour.
+fn values_now(ui: &mut Ui, state: &State, chart: &Chart<'_>, exponent: i32) {
+    let number = state.session.points.selected().number;
+    let own = |trace: &&Trace<'_>| !trace.pale && trace.is_of(number) && trace.dot;
+    let symbol = label(chart.quantity);
+    let mut traces: Vec<&Trace<'_>> = chart.traces.iter().filter(own).collect();
+    let order = |trace: &Trace<'_>| match trace.source.curve {
+        Curve::LogDistance(kind) => DistanceKind::ALL.iter().position(|&any| any == kind),
+        _ => None,
+    };
+    traces.sort_by_key(|trace| order(trace));
+    let is_told_apart = traces.len() > 1;
+    for trace in traces {
+        let plotted = trace.source.value(chart.now);
+        let decimals = match chart.quantity {
+            Quantity::LogDistance => 2,
+            Quantity::LogGain => 4,
+            _ => 5,
+        };
+        let value =
+            figures::fixed_or_none(plotted.map(|value| chart.shown(value)), chart.unit.decimals(decimals));
+        // The heading has the unit, unless that has a factor.
+        let suffix =
+            if exponent == 0 && chart.quantity != Quantity::DeltaPhi { "" } else { &chart.unit.suffix() };
+        match trace.source.curve {
+            Curve::DeltaPhi | Curve::DeltaTheta if trace.source.model == PUBLISHED => {
+                let text = format!("published {value}{suffix}");
+                let tip = "The same by the paper's approximate binocular model, drawn dashed.";
+                entry(ui, trace, &text, &format!("Published {symbol} at T: {value}{suffix}"), tip);
+            }
+            Curve::DeltaPhi | Curve::DeltaTheta if is_told_apart => {
+                let text = format!("{value}{suffix}");
+                let tip =
+                    "As two eyes see it, each by its own light cone, or by the one that the views show.";
+                entry(ui, trace, &text, &format!("Exact {symbol} at T: {value}{suffix}"), tip);
+            }
+            Curve::DeltaPhi | Curve::DeltaTheta => {
+                ui.label(format!("{value}{}", chart.unit.suffix()));
+            }
+            Curve::LogGain => {
+                let text = RichText::new(&value).color(trace.colour(ui.visuals()));
+                named_text(ui, text, format!("Stereo gain at T: {value}"));
+            }
+            Curve::Phi(eye) | Curve::Theta(eye) | Curve::LogDoppler(eye) => {
+                let name = Eye::BOTH[eye].name();
+                let text = format!("{} {value}{suffix}", if eye == 0 { "left" } else { "right" });
+                entry(
+                    ui,
+                    trace,
+                    &text,
+                    &format!("{symbol} of the {} at T: {value}", name.to_lowercase()),
+                    name,
+                );
+            }
+            Curve::LogDistance(kind) => {
+                let [name, tip] = distance_words(kind);
+                entry(ui, trace, &format!("{name} {value}"), &format!("{tip}: {value}"), tip);
+            }
+        }
+    }
+}
+
+/// A piece of the line of `trace` and `text`, in one piece wherever the row breaks; `name` is for assistive technology.
+fn entry(ui: &mut Ui, trace: &Trace<'_>, text: &str, name: &str, tip: &str) {
+    let colour = trace.colour(ui.visuals());
+    let font = TextStyle::Body.resolve(ui.style());
+    let galley = ui.painter().layout_no_wrap(text.to_owned(), font, colour);
+    let (rect, response) = ui.allocate_exact_size(galley.size() + vec2(SAMPLE + 4.0, 0.0), Sense::hover());
+    ui.painter().galley(pos2(rect.max.x - galley.size().x, rect.min.y), galley, colour);
+    let stroke = Stroke::new(if trace.wide { 2.0 } else { 1.2 }, colour);
+    sample(ui.painter(), rect.left_center(), SAMPLE, trace.dash, stroke);
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, name));
+    response.on_hover_text(tip);
+}

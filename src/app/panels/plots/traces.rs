@@ -1,0 +1,198 @@
+//! Which curves there are of a quantity.
+
+use relativity_core::Model;
+
+use super::chart::{Dash, Hue, Source, Trace};
+use super::pins;
+use crate::app::curves::{Curve, Curves, CurvesKey, DistanceKind, PUBLISHED, Quantity};
+use crate::app::observer::Eye;
+use crate::app::points::Point;
+use crate::app::state::State;
+
+/// Those of `quantity`, the ones on top last.
+pub(super) fn traces<'a>(state: &State, curves: &'a [Curves], quantity: Quantity) -> Vec<Trace<'a>> {
+    let found = |key: CurvesKey| curves.iter().find(|curves| *curves.key() == key);
+    let own = |point: &Point| found(state.plotted_key(point, quantity));
+    let selected = own(state.session.points.selected());
+    let of_selected = |traces: fn(&'a Curves) -> Vec<Trace<'a>>| selected.map_or(Vec::new(), traces);
+    let present = match quantity {
+        Quantity::DeltaPhi => of_points(state, own, Curve::DeltaPhi),
+        Quantity::DeltaTheta => of_points(state, own, Curve::DeltaTheta),
+        Quantity::Phi => of_selected(|own| of_eyes(own, Curve::Phi)),
+        Quantity::Theta => of_selected(|own| of_eyes(own, Curve::Theta)),
+        Quantity::LogDoppler => of_selected(|own| of_eyes(own, Curve::LogDoppler)),
+        Quantity::LogGain => of_selected(|own| {
+            let of = |model| of_model("two eyes", Hue::Stereo, own, model, Curve::LogGain);
+            models(own).map(of).collect()
+        }),
+        Quantity::LogDistance => of_selected(distances),
+    };
+    let pinned = state.session.plotting.pins().iter().zip(pins::names(state)).zip(Dash::PINNED);
+    let pinned = pinned.filter_map(|((pin, name), dash)| {
+        Some(of_pin(found(state.pinned_key(pin, quantity))?, &name, pin.point.number, dash, quantity))
+    });
+    pinned.flatten().chain(present).collect()
+}
+
+/// A quantity that each eye has: the right one's dashes let the left one's line be seen where they coincide.
+fn of_eyes(own: &Curves, curve: fn(usize) -> Curve) -> Vec<Trace<'_>> {
+    let traces = models(own).flat_map(|model| {
+        Eye::BOTH.map(|eye| {
+            let trace = of_model(eye.name(), Hue::Eye(eye), own, model, curve(eye.index()));
+            let is_over = eye == Eye::Right && trace.dash == Dash::Solid;
+            if is_over { Trace { dash: Dash::RIGHT, ..trace } } else { trace }
+        })
+    });
+    traces.collect()
+}
+
+/// What is kept of `quantity` by a pin of this `name`: of the distances that at which two eyes take the point to be.
+fn of_pin<'a>(
+    curves: &'a Curves,
+    name: &str,
+    number: usize,
+    dash: Dash,
+    quantity: Quantity,
+) -> Vec<Trace<'a>> {
+    let trace = |name: &str, hue: Hue, curve: Curve| Trace {
+        name: name.to_owned(),
+        dash,
+        pale: true,
+        wide: true,
+        dot: false,
+        ..of_model(name, hue, curves, curves.key().model, curve)
+    };
+    let of_eyes = |curve: fn(usize) -> Curve| {
+        let of = |eye: Eye| {
+            let name = format!("{}, {name}", eye.name());
+            trace(&name, Hue::Eye(eye), curve(eye.index()))
+        };
+        Eye::BOTH.map(of).into()
+    };
+    match quantity {
+        Quantity::DeltaPhi => vec![trace(name, Hue::Point(number), Curve::DeltaPhi)],
+        Quantity::DeltaTheta => vec![trace(name, Hue::Point(number), Curve::DeltaTheta)],
+        Quantity::Phi => of_eyes(Curve::Phi),
+        Quantity::Theta => of_eyes(Curve::Theta),
+        Quantity::LogDoppler => of_eyes(Curve::LogDoppler),
+        Quantity::LogGain => vec![trace(&format!("two eyes, {name}"), Hue::Stereo, Curve::LogGain)],
+        Quantity::LogDistance => {
+            let kind = DistanceKind::Stereo;
+            vec![trace(
+                &format!("{}, {name}", distance_words(kind)[0]),
+                Hue::Stereo,
+                Curve::LogDistance(kind),
+            )]
+        }
+    }
+}
+
+/// The exact model where that is not what the views show, and then what they do.
+fn models(curves: &Curves) -> impl Iterator<Item = Model> + use<> {
+    let shown = curves.key().model;
+    [Model::Exact].into_iter().filter(move |&exact| exact != shown).chain([shown])
+}
+
+/// What curves are called that are not the exact ones, and these beside them.
+pub(super) const ONE_CONE: &str = "one light cone";
+const TWO_CONES: &str = "two light cones (exact)";
+
+/// A curve by the model of what the views show or, where that is another, the exact one beside it.
+fn of_model<'a>(name: &str, hue: Hue, curves: &'a Curves, model: Model, curve: Curve) -> Trace<'a> {
+    let key = *curves.key();
+    let (name, dash) = match (key.model, model) {
+        (Model::Exact, _) => (name.to_owned(), Dash::Solid),
+        (_, Model::Exact) => (format!("{name}, {TWO_CONES}"), Dash::Dotted),
+        (_, Model::OneCone) => (format!("{name}, {ONE_CONE}"), Dash::Solid),
+        (_, Model::Published(_)) => (format!("{name}, published"), Dash::Solid),
+    };
+    let shown = key.model == model;
+    Trace {
+        name,
+        pieces: curves.pieces(curve, model),
+        hue,
+        dash,
+        wide: shown,
+        pale: false,
+        dot: shown,
+        source: Source { key, model, curve },
+    }
+}
+
+/// A disparity of every followed point: the selected one below the others, which are thinner, and the published model's
+/// on top.
+fn of_points<'a>(
+    state: &State,
+    curves: impl Fn(&Point) -> Option<&'a Curves>,
+    curve: Curve,
+) -> Vec<Trace<'a>> {
+    let points = &state.session.points;
+    let mut all: Vec<_> = points.all().iter().enumerate().collect();
+    all.sort_by_key(|(index, _)| *index != points.selected_index());
+    let mut traces = Vec::new();
+    for (index, point) in all {
+        let Some(curves) = curves(point) else { continue };
+        let is_selected = index == points.selected_index();
+        let (name, hue) = (pins::name_beside(state, point), Hue::Point(point.number));
+        for model in models(curves) {
+            let trace = of_model(&name, hue, curves, model, curve);
+            traces.push(Trace { wide: trace.wide && is_selected, ..trace });
+        }
+        if curves.key().published {
+            traces.push(Trace {
+                name: format!("{name}, published"),
+                pieces: curves.pieces(curve, PUBLISHED),
+                hue,
+                dash: Dash::PUBLISHED,
+                wide: is_selected,
+                pale: false,
+                dot: true,
+                source: Source { key: *curves.key(), model: PUBLISHED, curve },
+            });
+        }
+    }
+    traces
+}
+
+/// The name of a distance, short and long.
+pub(super) const fn distance_words(kind: DistanceKind) -> [&'static str; 2] {
+    match kind {
+        DistanceKind::Stereo => ["two eyes", "Where two eyes take it to be"],
+        DistanceKind::Seen(0) => ["left", "Where the left eye sees it"],
+        DistanceKind::Seen(_) => ["right", "Where the right eye sees it"],
+        DistanceKind::Measured => ["measured", "Where it is measured now"],
+    }
+}
+
+/// How the line of a distance looks.
+pub(super) const fn distance_look(kind: DistanceKind) -> (Hue, Dash, bool) {
+    match kind {
+        DistanceKind::Stereo => (Hue::Stereo, Dash::Solid, true),
+        DistanceKind::Seen(0) => (Hue::Eye(Eye::Left), Dash::Solid, true),
+        DistanceKind::Seen(_) => (Hue::Eye(Eye::Right), Dash::RIGHT, true),
+        DistanceKind::Measured => (Hue::Measured, Dash::Solid, false),
+    }
+}
+
+/// Those of the selected point: two eyes on top.
+fn distances(curves: &Curves) -> Vec<Trace<'_>> {
+    let model = curves.key().model;
+    let kinds = [DistanceKind::Measured, DistanceKind::Seen(0), DistanceKind::Seen(1), DistanceKind::Stereo];
+    kinds
+        .into_iter()
+        .map(|kind| {
+            let (hue, dash, wide) = distance_look(kind);
+            let curve = Curve::LogDistance(kind);
+            Trace {
+                name: distance_words(kind)[1].to_owned(),
+                pieces: curves.pieces(curve, model),
+                hue,
+                dash,
+                wide,
+                pale: false,
+                dot: true,
+                source: Source { key: *curves.key(), model, curve },
+            }
+        })
+        .collect()
+}

@@ -1,0 +1,54 @@
+//! What is done with the pointer in a picture.
+
+use super::observer::Eye;
+use crate::scene::Track;
+
+/// A movement of the pointer that takes the scene along.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Turn {
+    /// In whose picture.
+    pub eye: Eye,
+    /// From where, in pixels from the top left corner.
+    pub from: [f64; 2],
+    /// To where.
+    pub to: [f64; 2],
+    /// Width and height of the picture, pixels.
+    pub size: [u32; 2],
+}
+
+/// A turn of the wheel over a picture.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Zoom {
+    /// Whose picture.
+    pub eye: Eye,
+    /// Where, in pixels from the top left corner.
+    pub pixel: [f64; 2],
+    /// Width and height of the picture, pixels.
+    pub size: [u32; 2],
+    /// What the field of view is multiplied by.
+    pub factor: f64,
+}
+
+/// A click into a picture.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pick {
+    /// Whose picture.
+    pub eye: Eye,
+    /// Where, in pixels from the top left corner.
+    pub pixel: [f64; 2],
+    /// Width and height of the picture, pixels.
+    pub size: [u32; 2],
+    /// Whether to follow it beside the others.
+    pub add: bool,
+}
+
+/// A point of the scene.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Select {
+    /// Where it rests, and how that moves.
+    pub track: Track,
+    /// The number of the body it is on.
+    pub body: usize,
+    /// Whether to follow it beside the others.
+    pub add: bool,
+}

@@ -1,0 +1,123 @@
+//! What is copied as text: commands that give the same picture or the same numbers, and the numbers.
+
+use relativity_core::{Speed, SpeedError};
+use relativity_render::Motion;
+
+use crate::app::state::State;
+use crate::columns::{ModelArgs, Observation, ROLL, TURN};
+use crate::flags::words::quoted;
+use crate::flags::{SpeedParameter, SpeedSetting};
+use crate::scene::Track;
+use crate::settings::Settings;
+
+/// How many T the copied command of a curve has.
+const SAMPLES: u32 = 201;
+
+/// Why there are no numbers of a point by a command.
+const BACKWARD: &str =
+    "`gamow curve` and `gamow eval` take what moves towards +x, and the selected point moves the other way.";
+
+/// `speed` as beta, or as rapidity where beta does not tell all of it.
+fn told_speed(speed: Speed) -> Result<SpeedSetting, SpeedError> {
+    let as_beta = SpeedSetting::new(SpeedParameter::Beta, speed.beta()).ok();
+    let exact = as_beta.filter(|setting| setting.speed() == speed);
+    exact.map_or_else(|| SpeedSetting::new(SpeedParameter::Rapidity, speed.rapidity()), Ok)
+}
+
+impl State {
+    /// All that is shown, as settings that another program can be given. Where the selected point is none that settings can
+    /// name, what follows it stays where it is.
+    #[must_use]
+    pub fn told(&self) -> Settings {
+        let shown = self.shown();
+        let named = self.session.scene.track(shown.point);
+        if self.session.points.selected().track == named {
+            return shown;
+        }
+        Settings { look: self.look(), ..shown }
+    }
+
+    /// How the selected point is seen at T by `gamow curve` and `gamow eval`: the speed as it was given, and the rest.
+    fn told_point(&self) -> Result<(SpeedSetting, Observation), String> {
+        let velocity = self.selected_velocity();
+        if velocity.is_backward {
+            return Err(BACKWARD.to_owned());
+        }
+        let Track { motion, .. } = self.session.points.selected().track;
+        let speed = match motion {
+            Motion::Scene => self.settings.motion.speed,
+            Motion::Own(own) => told_speed(own.speed).map_err(|error| error.to_string())?,
+        };
+        let observation = Observation {
+            speed: speed.speed(),
+            point: self.selected_source(),
+            baseline: self.settings.baseline(),
+            time: self.session.time,
+        };
+        Ok((speed, observation))
+    }
+
+    fn told_model(&self) -> ModelArgs {
+        let intensity_exponent = self.settings.light.intensity_exponent.0.unwrap_or_default();
+        ModelArgs { model: self.settings.model(), intensity_exponent, stereo: true }
+    }
+
+    /// The `gamow curve` command that gives the numbers of the selected point's curves over the range of T.
+    ///
+    /// # Errors
+    ///
+    /// Why there is none.
+    pub fn curve_command(&self) -> Result<String, String> {
+        let (speed, observation) = self.told_point()?;
+        let ModelArgs { model, intensity_exponent, .. } = self.told_model();
+        let Settings { motion, .. } = self.settings;
+        let [from, to] = self.time_range();
+        let point = observation.point;
+        let (parameter, value) = speed.given();
+        let numbers = [
+            (parameter.name(), value),
+            ("d", motion.d),
+            ("roll", motion.roll),
+            ("turn", motion.turn),
+            ("y", point.y),
+            ("z", point.z),
+            ("x0", point.x0),
+            ("from", from),
+            ("to", to),
+            ("intensity-exponent", intensity_exponent),
+        ];
+        let flags = numbers.map(|(name, value)| format!(" --{name}={}", quoted(&value.to_string()))).concat();
+        Ok(format!("gamow curve{flags} --model={} --stereo --samples={SAMPLES}", model.name()))
+    }
+
+    /// What `gamow eval --stereo` tells of the selected point at T: the names and the numbers, a line each, between tabs.
+    ///
+    /// # Errors
+    ///
+    /// Why there are none.
+    pub fn values_as_table(&self) -> Result<String, String> {
+        let (speed, observation) = self.told_point()?;
+        let model = self.told_model();
+        let told = |error: &dyn std::fmt::Display| error.to_string();
+        let columns = model.columns(true).map_err(|error| told(&error))?;
+        let values = model.values(&observation, true).map_err(|error| told(&error))?;
+        let (point, baseline) = (observation.point, observation.baseline);
+        let (parameter, value) = speed.given();
+        let inputs = [
+            (parameter.name(), value),
+            ("d", baseline.separation),
+            (ROLL, baseline.roll),
+            (TURN, baseline.turn),
+            ("y", point.y),
+            ("z", point.z),
+            ("x0", point.x0),
+            ("T", observation.time),
+        ];
+        let all = || inputs.into_iter().chain(columns.iter().copied().zip(values.iter().copied()));
+        let names: Vec<&str> = all().map(|(name, _)| name).collect();
+        // Where lines of sight do not meet there is no number.
+        let number = |value: f64| if value.is_nan() { String::new() } else { value.to_string() };
+        let numbers: Vec<String> = all().map(|(_, value)| number(value)).collect();
+        Ok(format!("{}\n{}\n", names.join("\t"), numbers.join("\t")))
+    }
+}

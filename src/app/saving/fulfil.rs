@@ -1,0 +1,162 @@
+//! Does what the state cannot do itself: writes files, and copies.
+
+use eframe::egui::{Context, Ui};
+
+use super::MOST_FRAMES;
+use super::work::{Drawn, Job, Made, name_of};
+use crate::app::App;
+use crate::app::chooser::Product;
+use crate::app::notice::Notice;
+use crate::app::orders::{Copied, Order, Saving};
+use crate::app::panels::plots;
+use crate::files::whole::write_whole;
+use crate::flags::choices::{RendererChoice, Size};
+use crate::platform::files;
+use crate::settings::{Daylight, Settings};
+use crate::studio::film::{FilmKind, loop_times};
+
+impl App {
+    /// Does what was ordered, and tells what became of what was ordered before.
+    pub(in crate::app) fn fulfil_orders(&mut self, ui: &Ui) {
+        for order in std::mem::take(&mut self.state.session.orders) {
+            match order {
+                Order::Save(saving) => self.save_as(ui, saving),
+                Order::Copy(copied) => self.copy(ui, copied),
+                Order::Stop => {
+                    if self.saver.stop() {
+                        self.tell(ui.ctx(), Notice::done("Stopped: no file was written."));
+                    }
+                }
+            }
+        }
+        let ctx = ui.ctx();
+        match self.saver.made() {
+            None => {}
+            Some(Made::File(text)) => self.tell(ctx, Notice::done(text)),
+            Some(Made::Film(text, command)) => {
+                self.tell(ctx, Notice::done(format!("{text} Copied, for an MP4 of it: {command}")));
+                ctx.copy_text(command);
+            }
+            Some(Made::Picture(image)) => {
+                self.tell(ctx, Notice::done("Copied the picture."));
+                ctx.copy_image(image);
+            }
+            Some(Made::Nothing(problem)) => self.tell(ctx, Notice::error(problem)),
+        }
+    }
+
+    fn tell(&mut self, ctx: &Context, notice: Notice) {
+        self.state.session.notice = Some(notice);
+        ctx.request_repaint();
+    }
+
+    fn begin(&mut self, ctx: &Context, job: Job, name: String, frames: u32) {
+        if self.saver.is_busy() {
+            return self.tell(ctx, Notice::error("Something is still being saved: wait for it, or stop it."));
+        }
+        self.saver.begin(ctx, job, name, frames);
+    }
+
+    fn save_as(&mut self, ui: &Ui, Saving { product, path, size }: Saving) {
+        let name = name_of(&path);
+        match product {
+            Product::Picture => {
+                let job = Job::Picture(self.drawn(ui, size), path);
+                self.begin(ui.ctx(), job, name, 1);
+            }
+            Product::Film => {
+                let frames = self.state.film_frames();
+                let Some(kind) = FilmKind::of(&path).filter(|_| frames <= MOST_FRAMES) else {
+                    let text = format!(
+                        "A film has {MOST_FRAMES} frames at most, and this would have {frames}: play it faster, or shorten the range of T."
+                    );
+                    return self.tell(ui.ctx(), Notice::error(text));
+                };
+                let times = loop_times(self.state.time_range(), frames);
+                let job = Job::Film(self.drawn(ui, size), times, kind, path);
+                self.begin(ui.ctx(), job, name, frames);
+            }
+            Product::Fit => {
+                let job = Job::Fit(Box::new(self.state.fit_key()), path);
+                self.begin(ui.ctx(), job, name, 1);
+            }
+            Product::PlotsSvg | Product::PlotsCsv => {
+                self.update_curves();
+                let written = if product == Product::PlotsSvg { plots::svg } else { plots::csv };
+                let text = written(&self.state, self.plotted());
+                self.write_text(ui.ctx(), &path, &text);
+            }
+            Product::State => {
+                let mut shown = self.state.shown();
+                if let Some(scene) = Some(&shown.scene).filter(|scene| files::is_file(scene.as_ref())) {
+                    // The state may be opened from anywhere.
+                    let whole = files::canonical(scene.as_ref());
+                    shown.scene = whole.map_or(shown.scene, |path| path.to_string_lossy().into_owned());
+                }
+                self.write_text(ui.ctx(), &path, &shown.to_toml());
+            }
+        }
+    }
+
+    fn write_text(&mut self, ctx: &Context, path: &std::path::Path, text: &str) {
+        let written = write_whole(path, |file| Ok(std::io::Write::write_all(file, text.as_bytes())?));
+        let notice = match written {
+            Ok(()) => Notice::done(format!("Saved {}.", name_of(path))),
+            Err(error) => Notice::error(format!("{error:#}")),
+        };
+        self.tell(ctx, notice);
+    }
+
+    /// What the views show, to be drawn with pictures of this `size` for each eye.
+    fn drawn(&self, ui: &Ui, size: [u32; 2]) -> Drawn {
+        let session = &self.state.session;
+        Drawn {
+            settings: self.settings_of_picture(ui, size),
+            scene: session.scene.clone(),
+            tracked: session.points.selected().track,
+        }
+    }
+
+    /// The settings with which `gamow render` makes the picture that the views show, this `size` for each eye.
+    fn settings_of_picture(&self, ui: &Ui, size: [u32; 2]) -> Settings {
+        let mut settings = self.state.told();
+        settings.picture.size = Size(size);
+        settings.look.geometry = settings.geometry();
+        if settings.light.light == Daylight::Theme {
+            settings.light.light = if ui.visuals().dark_mode { Daylight::Off } else { Daylight::On };
+        }
+        // Not every renderer draws every geometry: the window then takes the one that does.
+        let [left, right] = settings.views(self.state.subject(), self.state.session.time, size);
+        let method = settings.quality.method();
+        if [left, right].iter().any(|view| method.of_view(view) != method) {
+            settings.quality.renderer = RendererChoice::Auto;
+        }
+        settings
+    }
+
+    fn copy(&mut self, ui: &Ui, copied: Copied) {
+        let ctx = ui.ctx();
+        let text = match copied {
+            Copied::Picture => {
+                let job = Job::Clipboard(self.drawn(ui, self.state.session.picture_size));
+                return self.begin(ctx, job, "the picture".to_owned(), 1);
+            }
+            Copied::Command => Ok(self.state.told().window_command()),
+            Copied::RenderCommand => {
+                Ok(self.settings_of_picture(ui, self.state.session.picture_size).command())
+            }
+            Copied::CurveCommand => self.state.curve_command(),
+            Copied::Values => self.state.values_as_table(),
+        };
+        match text {
+            Ok(text) => {
+                // What is copied as a line is short enough to be shown.
+                let shown =
+                    if copied == Copied::Values { "the values at T".to_owned() } else { text.clone() };
+                ctx.copy_text(text);
+                self.tell(ctx, Notice::done(format!("Copied: {shown}")));
+            }
+            Err(problem) => self.tell(ctx, Notice::error(problem)),
+        }
+    }
+}

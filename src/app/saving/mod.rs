@@ -1,0 +1,108 @@
+//! What leaves the window: files, and what is copied. What takes its time is made by a thread of its own.
+
+mod copied;
+mod fulfil;
+mod work;
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::time::Duration;
+
+use eframe::egui::Context;
+
+use self::work::{Job, Made};
+use super::state::State;
+use super::worker::{Wanted, Worker};
+use crate::platform::clock::Instant;
+use crate::studio::film::frame_count;
+
+impl State {
+    /// How many frames the film has in which T runs through its range once, as fast as it is played.
+    #[must_use]
+    pub fn film_frames(&self) -> u32 {
+        frame_count(self.time_range(), self.settings.playback.rate)
+    }
+}
+
+/// Most frames of a film.
+pub const MOST_FRAMES: u32 = 5000;
+
+/// What is made sooner than this is not announced.
+const GRACE: Duration = Duration::from_millis(300);
+
+/// How often it is told how far it has come: each time costs a frame of the window.
+const TOLD: Duration = Duration::from_millis(250);
+
+/// What is being made.
+#[derive(Default)]
+pub struct Saver {
+    worker: Option<Worker<Job, Made>>,
+    drawn: Arc<AtomicU32>,
+    underway: Option<Underway>,
+}
+
+struct Underway {
+    name: String,
+    frames: u32,
+    since: Instant,
+}
+
+/// How far something has come.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Progress<'a> {
+    /// What is being made.
+    pub name: &'a str,
+    /// Pictures that are drawn, and all of them.
+    pub drawn: [u32; 2],
+}
+
+impl Saver {
+    /// Has `job` done, which makes so many pictures of what is called `name`.
+    fn begin(&mut self, ctx: &Context, job: Job, name: String, frames: u32) {
+        self.drawn.store(0, Ordering::Relaxed);
+        let drawn = Arc::clone(&self.drawn);
+        let repaint = ctx.clone();
+        let work = move |job: Job, wanted: &Wanted| {
+            let goes_on = |number| {
+                drawn.store(number, Ordering::Relaxed);
+                repaint.request_repaint_after(TOLD);
+                wanted.holds()
+            };
+            job.made(goes_on)
+        };
+        self.worker.get_or_insert_with(|| Worker::new(ctx.clone(), work)).request(job);
+        self.underway = Some(Underway { name, frames, since: Instant::now() });
+    }
+
+    /// What was made, once.
+    fn made(&mut self) -> Option<Made> {
+        let made = self.worker.as_ref()?.result()?;
+        self.underway = None;
+        Some(made)
+    }
+
+    /// Gives up what is being made; whether there was anything.
+    fn stop(&mut self) -> bool {
+        self.worker.iter().for_each(Worker::stop);
+        self.underway.take().is_some()
+    }
+
+    /// Whether something is being made.
+    #[must_use]
+    pub const fn is_busy(&self) -> bool {
+        self.underway.is_some()
+    }
+
+    /// How far it has come, if it takes long enough to be told.
+    #[must_use]
+    pub fn progress(&self, ctx: &Context) -> Option<Progress<'_>> {
+        let underway = self.underway.as_ref()?;
+        let rest = GRACE.saturating_sub(underway.since.elapsed());
+        if !rest.is_zero() {
+            ctx.request_repaint_after(rest);
+            return None;
+        }
+        let drawn = [self.drawn.load(Ordering::Relaxed), underway.frames];
+        Some(Progress { name: &underway.name, drawn })
+    }
+}

@@ -1,0 +1,108 @@
+//! What is made by the thread that saves: pictures, films and fits.
+
+use std::path::{Path, PathBuf};
+
+use eframe::egui::ColorImage;
+use relativity_core::DEFAULT_REPLICATES;
+
+use crate::app::fitting::{FitKey, Fittable};
+use crate::estimate::FitReport;
+use crate::files::whole::{write_json, write_whole};
+use crate::flags::choices::FileKind;
+use crate::scene::{Scene, Track};
+use crate::settings::Settings;
+use crate::studio::Studio;
+use crate::studio::film::{FRAMES_PER_SECOND, FilmKind, Stopped};
+
+/// A scene as it is to be drawn.
+#[derive(Debug, Clone)]
+pub struct Drawn {
+    /// How.
+    pub settings: Settings,
+    /// What.
+    pub scene: Scene,
+    /// What gazes may follow.
+    pub tracked: Track,
+}
+
+/// Something to make.
+pub enum Job {
+    /// A picture, as a file.
+    Picture(Drawn, PathBuf),
+    /// A picture, to be copied.
+    Clipboard(Drawn),
+    /// A film of the frames at these T.
+    Film(Drawn, Vec<f64>, FilmKind, PathBuf),
+    /// The numbers of a fit, as JSON.
+    Fit(Box<FitKey>, PathBuf),
+}
+
+/// What became of it.
+pub enum Made {
+    /// A file, and what is said of it.
+    File(String),
+    /// A film, what is said of it, and a command that makes more of it.
+    Film(String, String),
+    /// A picture to be copied.
+    Picture(ColorImage),
+    /// Nothing, and why.
+    Nothing(String),
+}
+
+/// The name of the file at `path`, without its folder.
+pub fn name_of(path: &Path) -> String {
+    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+impl Drawn {
+    fn studio(self) -> anyhow::Result<Studio> {
+        Studio::of_scene(self.settings, self.scene, self.tracked)
+    }
+}
+
+impl Job {
+    /// Does it; before each picture `goes_on` is asked with its number. `None` if it was stopped.
+    pub fn made(self, goes_on: impl FnMut(u32) -> bool) -> Option<Made> {
+        match self.try_made(goes_on) {
+            Err(error) if error.is::<Stopped>() => None,
+            Err(error) => Some(Made::Nothing(format!("{error:#}"))),
+            Ok(made) => Some(made),
+        }
+    }
+
+    fn try_made(self, goes_on: impl FnMut(u32) -> bool) -> anyhow::Result<Made> {
+        match self {
+            Self::Picture(drawn, path) => {
+                let mut studio = drawn.studio()?;
+                let frame = studio.frame(None)?;
+                studio.make_file(&frame, FileKind::Png, &path)?;
+                Ok(Made::File(format!("Saved {}.", name_of(&path))))
+            }
+            Self::Clipboard(drawn) => {
+                let mut studio = drawn.studio()?;
+                let frame = studio.frame(None)?;
+                let picture = studio.still(&frame)?.frames.swap_remove(0);
+                let size = picture.size.map(|side| side as usize);
+                let pixels = picture.rgba.as_flattened();
+                Ok(Made::Picture(ColorImage::from_rgba_unmultiplied(size, pixels)))
+            }
+            Self::Film(drawn, times, kind, path) => {
+                drawn.studio()?.make_film(&times, kind, &path, goes_on)?;
+                let seconds = times.len() as f64 / f64::from(FRAMES_PER_SECOND);
+                let text = format!("Saved {}: {} frames, {seconds:.1} s.", name_of(&path), times.len());
+                Ok(Made::Film(text, kind.mp4_command(&path)))
+            }
+            Self::Fit(key, path) => {
+                let Fittable { observations, options } = key.fittable().map_err(anyhow::Error::msg)?;
+                let report = |replicates| FitReport::new(&observations, &options, replicates, key.setup.seed);
+                // Where the replicates cannot be fitted, the numbers are those that stand in the tab.
+                let (report, remark) = match report(DEFAULT_REPLICATES) {
+                    Ok(report) => (report, String::new()),
+                    Err(problem) => (report(0)?, format!(" Without a bootstrap: {problem}.")),
+                };
+                write_whole(&path, |file| write_json(&report, file))?;
+                Ok(Made::File(format!("Saved {}.{remark}", name_of(&path))))
+            }
+        }
+    }
+}

@@ -1,0 +1,65 @@
+//! Doing what was asked as a step that can be undone, and undoing it.
+
+use std::path::PathBuf;
+
+use super::command::Command;
+use super::history::{Direction, Kept, Run};
+use super::notice::Notice;
+use super::state::State;
+
+impl State {
+    /// Does what was asked, so that it can be undone.
+    pub fn apply(&mut self, command: Command) {
+        match command {
+            Command::Undo => self.travel(Direction::Back),
+            Command::Redo => self.travel(Direction::Forwards),
+            // A scene that is written anew is no setting: who writes it has a way back of their own.
+            Command::Reload(path) if self.scene_file() == Some(&path) => self.perform(Command::Reload(path)),
+            command => self.step(command),
+        }
+    }
+
+    fn step(&mut self, command: Command) {
+        if command == Command::FollowAgain
+            && let Some(before) = self.session.history.taken_pick()
+        {
+            self.session.points = before.points;
+        }
+        let (kept, is_pick, time) = (self.kept(), matches!(command, Command::Pick(_)), self.session.time);
+        let run = self.session.history.run(nudge(&command));
+        self.perform(command);
+        let kept = Kept { time: Some(time).filter(|time| *time != self.session.time), ..kept };
+        let now = self.kept();
+        self.session.history.note(run, is_pick, kept, &now);
+    }
+
+    fn kept(&self) -> Kept {
+        let preset = self.session.preset;
+        Kept { settings: self.settings.clone(), points: self.session.points.clone(), preset, time: None }
+    }
+
+    fn travel(&mut self, direction: Direction) {
+        let Some(kept) = self.session.history.next(direction) else { return };
+        let scene = PathBuf::from(&kept.settings.scene);
+        let left = Kept { time: kept.time.map(|_| self.session.time), ..self.kept() };
+        if let Err(error) = self.set(kept.settings) {
+            self.session.notice = Some(Notice::error(error).about(&scene));
+            return;
+        }
+        self.session.points = kept.points.of(&self.session.scene);
+        self.session.preset = kept.preset;
+        if let Some(time) = kept.time {
+            (self.session.time, self.session.opened) = (time, None);
+        }
+        self.session.history.leave(direction, left);
+    }
+}
+
+/// The kind of nudge that it is, if it is one.
+const fn nudge(command: &Command) -> Option<Run> {
+    match command {
+        Command::NudgeSpeed(_) => Some(Run::Speed),
+        Command::Zoom(_) | Command::Magnify(_) => Some(Run::Zoom),
+        _ => None,
+    }
+}

@@ -1,0 +1,188 @@
+//! Films: frames at evenly spread observation times, as one animated file or as a folder of pictures.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use anyhow::Context as _;
+use relativity_render::Picture;
+use thiserror::Error;
+
+use super::{Frame, Studio};
+use crate::files::png::Animation;
+use crate::files::whole::write_whole;
+use crate::files::{gif, png};
+use crate::flags::choices::FileKind;
+use crate::flags::words::quoted;
+use crate::passage::time_within;
+use crate::platform::files;
+
+/// Frames a second: as many hundredths of a second each as a GIF can tell.
+pub const FRAMES_PER_SECOND: u16 = 25;
+/// Where the eyes' pictures alternate, each is shown for so many frames: no faster than flashes may be shown to everybody.
+const FRAMES_PER_TURN: usize = 5;
+
+/// What a film can be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FilmKind {
+    /// An animated GIF, of 256 colours a frame.
+    Gif,
+    /// An animated PNG.
+    Png,
+    /// A folder with a picture for each frame.
+    Folder,
+}
+
+/// A film that was given up before its end.
+#[derive(Debug, Error)]
+#[error("the film was stopped")]
+pub struct Stopped;
+
+impl FilmKind {
+    /// What `path` names by its ending; a folder if it has none.
+    #[must_use]
+    pub fn of(path: &Path) -> Option<Self> {
+        let Some(extension) = path.extension() else { return Some(Self::Folder) };
+        match extension.to_str()?.to_ascii_lowercase().as_str() {
+            "gif" => Some(Self::Gif),
+            "png" => Some(Self::Png),
+            _ => None,
+        }
+    }
+
+    /// The command that makes an MP4 of such a film at `path`.
+    #[must_use]
+    pub fn mp4_command(self, path: &Path) -> String {
+        let input = match self {
+            Self::Gif => format!("-i {}", quoted(&path.to_string_lossy())),
+            Self::Png => format!("-f apng -i {}", quoted(&path.to_string_lossy())),
+            Self::Folder => {
+                let frames = path.join("frame_%05d.png");
+                format!("-framerate {FRAMES_PER_SECOND} -i {}", quoted(&frames.to_string_lossy()))
+            }
+        };
+        let out = quoted(&path.with_extension("mp4").to_string_lossy());
+        // The usual encoding takes sides of an even number of pixels.
+        let even = quoted("pad=ceil(iw/2)*2:ceil(ih/2)*2");
+        format!("ffmpeg {input} -vf {even} -c:v libx264 -pix_fmt yuv420p {out}")
+    }
+}
+
+/// How many frames a film has in which T runs through `range` once, at `rate` units a second; 2 or more.
+#[must_use]
+pub fn frame_count([from, to]: [f64; 2], rate: f64) -> u32 {
+    (f64::from(FRAMES_PER_SECOND) * (to - from) / rate).round().clamp(2.0, f64::from(u32::MAX)) as u32
+}
+
+/// The T of each of so many frames of a loop through `range`: after the last comes the first again.
+#[must_use]
+pub fn loop_times(range: [f64; 2], frames: u32) -> Vec<f64> {
+    (0..frames).map(|frame| time_within(range, f64::from(frame) / f64::from(frames))).collect()
+}
+
+/// Where frame `number` of a sequence in `folder` is.
+#[must_use]
+pub fn frame_path(folder: &Path, number: u32, kind: FileKind) -> PathBuf {
+    folder.join(format!("frame_{number:05}.{}", kind.extension()))
+}
+
+/// An animated file that is being written.
+enum Animated<W: Write> {
+    Gif(gif::Frames<W>),
+    Png(png::Frames<W>),
+}
+
+impl<W: Write> Animated<W> {
+    /// One of so many `frames` of this `size`, the `first` of which says how it was made.
+    fn new(kind: FilmKind, size: [u32; 2], frames: usize, first: &Frame, out: W) -> anyhow::Result<Self> {
+        if kind == FilmKind::Gif {
+            return Ok(Self::Gif(gif::Frames::new(size, 100 / FRAMES_PER_SECOND, out)?));
+        }
+        let animation = Animation { frames: u32::try_from(frames)?, seconds: [1, FRAMES_PER_SECOND] };
+        Ok(Self::Png(png::Frames::new(size, Some(animation), None, &first.provenance.texts(), out)?))
+    }
+
+    fn write(&mut self, frame: &Picture) -> anyhow::Result<()> {
+        match self {
+            Self::Gif(film) => film.write(frame),
+            Self::Png(film) => film.write(frame),
+        }
+    }
+
+    fn finish(self) -> anyhow::Result<()> {
+        match self {
+            Self::Gif(film) => film.finish(),
+            Self::Png(film) => film.finish(),
+        }
+    }
+}
+
+impl Studio {
+    /// Makes the film of the frames at these `times` at `path`, an animated file whole or not at all. Before each frame
+    /// `goes_on` is asked with its number.
+    ///
+    /// # Errors
+    ///
+    /// [`Stopped`] once `goes_on` is false; those of the renderer and of the file system.
+    pub fn make_film(
+        &mut self,
+        times: &[f64],
+        kind: FilmKind,
+        path: &Path,
+        mut goes_on: impl FnMut(u32) -> bool,
+    ) -> anyhow::Result<()> {
+        let mut next = |studio: &Self, number: u32, time: f64| {
+            let frame = studio.frame(Some(time))?;
+            anyhow::ensure!(goes_on(number), Stopped);
+            Ok(frame)
+        };
+        if kind == FilmKind::Folder {
+            files::create_folder(path).with_context(|| path.display().to_string())?;
+            for (number, &time) in (0..).zip(times) {
+                let frame = next(self, number, time)?;
+                self.make_file(&frame, FileKind::Png, &frame_path(path, number, FileKind::Png))?;
+            }
+            return Ok(());
+        }
+        let (&first, rest) = times.split_first().context("there is nothing to show")?;
+        write_whole(path, |file| {
+            let frame = next(self, 0, first)?;
+            let picture = self.shown_in_film(&frame, 0)?;
+            let mut film = Animated::new(kind, picture.size, times.len(), &frame, file)?;
+            film.write(&picture)?;
+            for (number, &time) in (1..).zip(rest) {
+                let frame = next(self, number, time)?;
+                film.write(&self.shown_in_film(&frame, number)?)?;
+            }
+            film.finish()
+        })
+    }
+
+    /// What the frame of this number shows: where the eyes take turns, the picture of one of them.
+    fn shown_in_film(&mut self, frame: &Frame, number: u32) -> anyhow::Result<Picture> {
+        let mut still = self.still(frame)?;
+        let turn = (number as usize / FRAMES_PER_TURN) % still.frames.len();
+        Ok(still.frames.swap_remove(turn))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_loop_does_not_show_its_first_moment_twice() {
+        assert_eq!(loop_times([-1.0, 3.0], 4), [-1.0, 0.0, 1.0, 2.0]);
+        assert_eq!(frame_count([0.0, 10.0], 2.0), 125);
+        assert_eq!(frame_count([0.0, 10.0], 1e6), 2);
+    }
+
+    #[test]
+    fn the_command_of_an_mp4_quotes_what_a_shell_would_split() {
+        let command =
+            FilmKind::of(Path::new("my ride.gif")).expect("a film").mp4_command(Path::new("my ride.gif"));
+        let words = crate::flags::words::words(&command);
+        assert_eq!([words[2].as_str(), words[words.len() - 1].as_str()], ["my ride.gif", "my ride.mp4"]);
+        assert_eq!(FilmKind::of(Path::new("ride.avi")), None);
+        assert_eq!(FilmKind::of(Path::new("a/ride")), Some(FilmKind::Folder));
+    }
+}

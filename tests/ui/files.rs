@@ -1,0 +1,177 @@
+//! Files that are opened: the list of them, what is read again, and what is remembered.
+
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, Modifiers, ViewportId};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use gamow::app::App;
+use gamow::app::chooser::Purpose;
+use gamow::app::command::Command;
+use gamow::app::memory;
+use gamow::app::state::State;
+
+use super::Test;
+use super::controls::Storage;
+use super::picking::click;
+use super::support::{cyclist, labels, pane, window};
+
+pub const TESTS: &[Test] = &[
+    ("an_opened_scene_stays_in_the_list_and_a_missing_one_is_dropped", opened_scenes_stay_in_the_list),
+    ("the_list_of_scenes_and_a_key_ask_for_a_file", a_file_is_asked_for),
+    ("a_scene_is_read_again_when_its_file_changes", a_scene_is_read_again),
+    ("a_state_is_read_again_when_its_file_changes", a_state_is_read_again),
+    ("scene_time_point_and_files_are_remembered", what_is_shown_is_remembered),
+];
+
+const BALLS: &str = "name = \"Balls\"\n[[object]]\nname = \"big ball\"\nshape = \"sphere\"\ncenter = [0, 3, 0]\n\
+    radius = 0.9\n[[object]]\nname = \"small ball\"\nshape = \"sphere\"\ncenter = [1.5, 3, 1]\nradius = 0.2\n";
+
+/// A file called `name` in `folder`, which holds `text`.
+fn file(folder: &Path, name: &str, text: &str) -> PathBuf {
+    let path = folder.canonicalize().expect("it is there").join(name);
+    std::fs::write(&path, text).expect("it is writable");
+    path
+}
+
+fn ask(window: &mut Harness<'_, App>, command: Command) {
+    window.state_mut().ask(command);
+    window.run();
+}
+
+fn open_the_list(window: &mut Harness<'_, App>) {
+    window.get_by_role_and_label(Role::ComboBox, "Scene").click();
+    window.run();
+}
+
+fn scene_name<'a>(window: &'a Harness<'_, App>) -> &'a str {
+    &window.state().state().session.scene.name
+}
+
+fn opened_scenes_stay_in_the_list() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let balls = file(folder.path(), "balls.toml", BALLS);
+    let state = file(folder.path(), "fast.toml", "scene = \"globe\"\n[motion]\ngamma = 9\n");
+    let mut window = window(cyclist(0.9));
+    ask(&mut window, Command::Open(balls.clone()));
+    assert_eq!(scene_name(&window), "Balls");
+    ask(&mut window, Command::Open(state));
+    assert_eq!(window.state().state().speed().gamma(), 9.0);
+    for name in ["balls.toml", "fast.toml"] {
+        open_the_list(&mut window);
+        window.get_by_label(name).click();
+        window.run();
+    }
+    assert_eq!(window.state().state().speed().gamma(), 9.0);
+    std::fs::remove_file(&balls).expect("it is there");
+    open_the_list(&mut window);
+    window.get_by_label("balls.toml").click();
+    window.run();
+    let notice = window.state().state().session.notice.clone().expect("it says why not");
+    assert!(notice.is_error && notice.text.contains("cannot read this scene file"), "{}", notice.text);
+    open_the_list(&mut window);
+    assert!(window.query_by_label("balls.toml").is_none());
+    window.get_by_label("fast.toml");
+}
+
+fn a_file_is_asked_for() {
+    let mut window = window(cyclist(0.9));
+    open_the_list(&mut window);
+    window.get_by_label("Open…").click();
+    window.run();
+    assert_eq!(window.state().state().session.chooser, Some(Purpose::Open));
+    ask(&mut window, Command::Close);
+    window.key_press_modifiers(Modifiers::COMMAND, Key::O);
+    window.run();
+    assert_eq!(window.state().state().session.chooser, Some(Purpose::Open));
+}
+
+/// Lets the thread look at the files, and the window hear of it.
+fn wait_until(window: &mut Harness<'_, App>, what: &str, holds: impl Fn(&State) -> bool) {
+    for _ in 0..100 {
+        std::thread::sleep(Duration::from_millis(50));
+        window.step();
+        if holds(window.state().state()) {
+            return;
+        }
+    }
+    panic!("{what}; notice: {:?}", window.state().state().session.notice);
+}
+
+fn a_scene_is_read_again() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let balls = file(folder.path(), "balls.toml", BALLS);
+    let mut window = window(cyclist(0.9));
+    ask(&mut window, Command::Open(balls.clone()));
+    let middle = pane(&window, 0).center();
+    click(&mut window, middle, Modifiers::NONE);
+    ask(&mut window, Command::Time(1.25));
+    let before = window.state().state().clone();
+    assert_eq!(before.session.points.selected().body, Some(0), "the big ball is in the middle");
+    // Watching costs no frames.
+    window.remove_cursor();
+    window.run();
+    window.step();
+    assert_eq!(window.output().viewport_output[&ViewportId::ROOT].repaint_delay, Duration::MAX);
+
+    let without_the_small_one = BALLS.split_inclusive('\n').take(6).collect::<String>();
+    let two = without_the_small_one.replace("Balls", "One ball").replace("0.9", "0.7");
+    file(folder.path(), "balls.toml", &two);
+    wait_until(&mut window, "it is read again", |state| state.session.scene.name == "One ball");
+    let state = window.state().state();
+    assert_eq!((state.session.time, &state.settings), (1.25, &before.settings));
+    assert_eq!(state.session.points.selected(), before.session.points.selected());
+    assert_eq!(state.session.points.all()[0].track.rest, state.session.scene.tracked);
+
+    file(folder.path(), "balls.toml", "name = = 3");
+    wait_until(&mut window, "the error is told", |state| state.session.notice.is_some());
+    window.run();
+    assert!(labels(&window).iter().any(|label| label.contains("balls.toml:1")), "{:?}", labels(&window));
+    assert_eq!(scene_name(&window), "One ball");
+    file(folder.path(), "balls.toml", BALLS);
+    wait_until(&mut window, "it is mended", |state| state.session.notice.is_none());
+    assert_eq!(scene_name(&window), "Balls");
+}
+
+fn a_state_is_read_again() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = file(folder.path(), "state.toml", "scene = \"cyclist\"\n[motion]\nbeta = 0.5\n");
+    let mut window = window(cyclist(0.9));
+    ask(&mut window, Command::Open(path));
+    ask(&mut window, Command::Time(1.25));
+    let middle = pane(&window, 0).center();
+    click(&mut window, middle, Modifiers::NONE);
+    let points = window.state().state().session.points.clone();
+    file(folder.path(), "state.toml", "scene = \"cyclist\"\n[motion]\nbeta = 0.75\n");
+    wait_until(&mut window, "it is read again", |state| state.speed().beta() == 0.75);
+    let state = window.state().state();
+    assert_eq!((state.session.time, &state.session.points), (1.25, &points));
+}
+
+fn what_is_shown_is_remembered() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let balls = file(folder.path(), "balls.toml", BALLS);
+    let mut window = window(cyclist(0.9));
+    ask(&mut window, Command::Open(balls.clone()));
+    let middle = pane(&window, 0).center();
+    click(&mut window, middle, Modifiers::NONE);
+    ask(&mut window, Command::Time(1.25));
+    let mut storage = Storage::default();
+    eframe::App::save(window.state_mut(), &mut storage);
+    let again = State::open(memory::remembered(&storage)).expect("it is there");
+    let left = window.state().state();
+    assert_eq!((&again.settings, &again.session.scene), (&left.settings, &left.session.scene));
+    assert_eq!(again.session.time, 1.25);
+    assert_eq!(again.session.points.selected().track, left.session.points.selected().track);
+    assert_eq!(memory::recent(&storage).all(), [balls]);
+    // The start is the same preset at any T.
+    let mut window =
+        super::support::window(State::open(gamow::settings::Settings::default()).expect("a preset"));
+    ask(&mut window, Command::Time(1.25));
+    eframe::App::save(window.state_mut(), &mut storage);
+    let again = State::open(memory::remembered(&storage)).expect("it is there");
+    assert_eq!(again.session.preset, window.state().state().session.preset);
+    assert!(again.session.preset.is_some());
+}

@@ -1,0 +1,269 @@
+//! Measured disparities in the Fit tab, and simulated ones by each model.
+
+use std::path::{Path, PathBuf};
+use std::process::Command as Program;
+use std::time::{Duration, Instant};
+
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use gamow::app::App;
+use gamow::app::command::Command;
+use gamow::app::state::State;
+use gamow::settings::{FitSetup, Motion, PlotTab, Plots, Presence};
+use relativity_core::{Curves, Model, PublishedVariant};
+
+use super::Test;
+use super::saving::{message, save};
+use super::support::{cyclist, label_starting_with, labels, shown, type_into, window};
+
+pub const TESTS: &[Test] = &[
+    ("own_data_are_fitted_and_shown", own_data_are_fitted_and_shown),
+    ("the_saved_fit_is_that_of_the_command_line", the_saved_fit_is_that_of_the_command_line),
+    ("a_dropped_csv_file_is_data", a_dropped_csv_file_is_data),
+    ("the_plotted_samples_are_saved_and_fitted_again", the_plotted_samples_are_saved_and_fitted_again),
+    ("what_is_wrong_in_own_data_is_located", what_is_wrong_in_own_data_is_located),
+    ("what_own_data_do_not_tell_is_told", what_own_data_do_not_tell_is_told),
+    ("the_papers_own_fit_is_repeated", the_papers_own_fit_is_repeated),
+];
+
+const APPENDIX_A: Model = Model::Published(PublishedVariant::AppendixA);
+
+fn gamow(arguments: &[&str]) -> String {
+    let output = Program::new(env!("CARGO_BIN_EXE_gamow")).args(arguments).output().expect("it starts");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).expect("text")
+}
+
+/// A file in `folder` of what a point at 0.7 c, 4 in front and 1 above, looks like; with a little noise.
+fn measured(folder: &Path, columns: &[&str]) -> PathBuf {
+    let curve = gamow(&["curve", "--beta=0.7", "--d=0.2", "--y=4", "--z=1", "--samples=120"]);
+    let mut lines = curve.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    let names = lines.next().expect("a header");
+    let place = |column: &str| names.iter().position(|name| *name == column);
+    let mut text = columns.join(",") + "\n";
+    for (index, line) in lines.enumerate() {
+        let cell = |column: &&str| match place(column) {
+            Some(place) if column.starts_with("dp") || column.starts_with("dt") => {
+                let value: f64 = line[place].parse().expect("a number");
+                (value + 1e-4 * (37.0 * (index * index) as f64).sin()).to_string()
+            }
+            Some(place) => line[place].to_owned(),
+            None => "0.0001".to_owned(),
+        };
+        text += &(columns.iter().map(cell).collect::<Vec<_>>().join(",") + "\n");
+    }
+    let path = folder.join("measured.csv");
+    std::fs::write(&path, text).expect("written");
+    path
+}
+
+/// A window with room for all of the Fit tab.
+fn fit_window(setup: FitSetup) -> Harness<'static, App> {
+    let mut state = cyclist(0.9);
+    state.settings.window.map = Presence::Off;
+    state.apply(Command::Fit(setup));
+    state.apply(Command::Plots(Plots { plot: PlotTab::Fit, ..Plots::default() }));
+    window(state)
+}
+
+/// Frames until the newest fit is in view.
+fn wait(window: &mut Harness<'_, App>) {
+    let start = Instant::now();
+    window.step();
+    while !window.state().fitting().is_up_to_date() {
+        assert!(start.elapsed() < Duration::from_mins(1), "no fit");
+        std::thread::sleep(Duration::from_millis(5));
+        window.step();
+    }
+    window.run_steps(2);
+}
+
+fn open_data(window: &mut Harness<'_, App>, path: &Path) {
+    window.get_by_label("Own data…").click();
+    window.run_ok();
+    type_into(window, "Path", path.to_str().expect("a plain path"));
+    window.step();
+}
+
+fn own_data_are_fitted_and_shown() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = measured(folder.path(), &["T", "d", "dphi", "dtheta"]);
+    let mut window = fit_window(FitSetup::default());
+    wait(&mut window);
+    open_data(&mut window, &path);
+    wait(&mut window);
+    label_starting_with(&window, "Data from measured.csv");
+    for (symbol, truth) in [("β", 0.7), ("y", 4.0), ("z", 1.0)] {
+        let value = shown(&window, &format!("Fitted {symbol}"));
+        let uncertainty = shown(&window, &format!("Uncertainty of {symbol}"));
+        assert!((value - truth).abs() < 5.0 * uncertainty, "{symbol} = {value} +- {uncertainty}");
+    }
+    // Nobody knows the truth here.
+    assert!(!labels(&window).iter().any(|label| label.starts_with("True ") || label.contains("biases it")));
+    for name in ["Fit of Δφ against T", "Residuals of Δφ against T", "Fit of Δθ against T"] {
+        assert!(window.get_by_label(name).rect().height() > 40.0, "{name}");
+    }
+    let outcome = window.state().fitting().shown().expect("a fit").clone();
+    assert_eq!(outcome.data.map(|data| data.len()), [120, 120]);
+    window.render().expect("a picture");
+    // Another model fits them, too, and badly.
+    window.state_mut().ask(Command::Fit(FitSetup { model: APPENDIX_A, ..FitSetup::default() }));
+    wait(&mut window);
+    assert!((shown(&window, "Fitted β") - 0.7).abs() > 0.01);
+    window.get_by_label("Simulated").click();
+    window.run_ok();
+    wait(&mut window);
+    assert_eq!(shown(&window, "True β"), 0.9);
+}
+
+fn the_saved_fit_is_that_of_the_command_line() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (with_sigmas, json) =
+        (["T", "d", "dphi", "sigma_dphi", "dtheta", "sigma_dtheta"], folder.path().join("fit.json"));
+    for (columns, arguments) in [
+        (&with_sigmas[..], &["--json"][..]),
+        (&["T", "dphi", "dtheta"][..], &["--json", "--d=0.1", "--fit-x0"][..]),
+        // Too many of its replicates have no fit, and the window says so.
+        (&["T", "dtheta"][..], &["--json", "--d=0.1", "--model=published", "--bootstrap=0"][..]),
+    ] {
+        let path = measured(folder.path(), columns);
+        let setup = FitSetup {
+            model: if arguments.contains(&"--model=published") { APPENDIX_A } else { Model::Exact },
+            fit_x0: arguments.contains(&"--fit-x0"),
+            ..FitSetup::default()
+        };
+        let mut window = fit_window(setup);
+        open_data(&mut window, &path);
+        wait(&mut window);
+        let text = save(&mut window, "Save fit…", &json);
+        let is_bootstrapped = !arguments.contains(&"--bootstrap=0");
+        assert!(text.starts_with("Saved fit.json."), "{text}");
+        assert_eq!(text == "Saved fit.json.", is_bootstrapped, "{text}");
+        let file = path.to_str().expect("a plain path");
+        let expected = gamow(&[&["fit", file], arguments].concat());
+        assert_eq!(std::fs::read_to_string(&json).expect("it is there"), expected);
+        std::fs::remove_file(&json).expect("removed");
+    }
+}
+
+fn the_plotted_samples_are_saved_and_fitted_again() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [csv, svg, of_samples, of_file] =
+        ["fit.csv", "fit.svg", "samples.json", "file.json"].map(|name| folder.path().join(name));
+    let mut window = fit_window(FitSetup { fit_samples: 60, ..FitSetup::default() });
+    wait(&mut window);
+    save(&mut window, "Save plots as CSV…", &csv);
+    save(&mut window, "Save plots as SVG…", &svg);
+    save(&mut window, "Save fit…", &of_samples);
+    let svg = std::fs::read_to_string(svg).expect("text");
+    assert!(svg.contains("sample − fit") && svg.contains("95 % band"));
+    open_data(&mut window, &csv);
+    wait(&mut window);
+    save(&mut window, "Save fit…", &of_file);
+    let text = |path: &Path| std::fs::read_to_string(path).expect("text");
+    assert_eq!(text(&of_samples), text(&of_file));
+    // What is left over is what its rows say.
+    let rows = text(&csv).lines().skip(1).map(|row| row.to_owned()).collect::<Vec<_>>();
+    assert_eq!(rows.len(), 60);
+    for row in rows {
+        let numbers: Vec<f64> = row.split(',').map(|cell| cell.parse().expect("a number")).collect();
+        let [.., dphi, fitted, residual, _, _, _] = numbers[..] else { panic!("{row}") };
+        assert!((dphi - fitted - residual).abs() < 1e-15, "{row}");
+    }
+}
+
+fn a_dropped_csv_file_is_data() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = measured(folder.path(), &["T", "d", "dphi", "dtheta"]);
+    let mut window = window(cyclist(0.9));
+    let before = window.state().state().clone();
+    window.state_mut().ask(Command::Open(path));
+    window.run_ok();
+    wait(&mut window);
+    let State { settings, session } = window.state().state();
+    assert_eq!(settings.plots.plot, PlotTab::Fit);
+    assert_eq!(session.scene, before.session.scene);
+    label_starting_with(&window, "Fitted β");
+    // They stay while scenes come and go.
+    window.state_mut().ask(Command::Preset("cube"));
+    window.run_ok();
+    assert!(window.state().state().session.data.is_some());
+}
+
+fn what_is_wrong_in_own_data_is_located() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("measured.csv");
+    let mut window = fit_window(FitSetup::default());
+    for (text, expected) in [
+        (
+            "T,dphi\n0,-0.1\n1,x\n",
+            ":3: column dphi: \"x\" is not a number; it should be one such as 0.9 or 1e-3",
+        ),
+        (
+            "T,phi\n",
+            ":1: column dphi or dtheta is missing; the header should name T, dphi or dtheta, and d unless --d gives it, and it names T, phi",
+        ),
+    ] {
+        std::fs::write(&path, text).expect("written");
+        window.state_mut().ask(Command::Open(path.clone()));
+        let text = message(&mut window);
+        assert_eq!(text, format!("{}{expected}", path.display()));
+        assert_eq!(text.matches("measured.csv").count(), 1);
+        assert!(window.state().state().session.data.is_none());
+    }
+    // What can be read but not fitted is said in the tab.
+    std::fs::write(&path, "T,dphi\n0,-0.1\n1,-0.2\n").expect("written");
+    window.state_mut().ask(Command::Open(path));
+    window.run_ok();
+    wait(&mut window);
+    window.get_by_label("No fit");
+    window.get_by_label("2 samples of dphi are too few: 3 parameters need at least 6.");
+}
+
+fn what_own_data_do_not_tell_is_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = fit_window(FitSetup { curves: Curves::Both, ..FitSetup::default() });
+    let path = measured(folder.path(), &["T", "dphi"]);
+    open_data(&mut window, &path);
+    wait(&mut window);
+    for words in [
+        "The file has no sigmas: all readings of a curve are taken to scatter alike, as much as the residuals do.",
+        "The file has no column d: the eyes are d = 0.1 apart, as set.",
+        "x₀ = 0 is taken for known: at t = 0 the point is abreast.",
+    ] {
+        assert!(labels(&window).iter().any(|label| label == words), "{words}");
+    }
+    // As far apart as the eyes really were, they tell the distance.
+    let motion = Motion { d: 0.2, ..window.state().state().settings.motion };
+    window.state_mut().ask(Command::Motion(motion));
+    wait(&mut window);
+    let (value, uncertainty) = (shown(&window, "Fitted y"), shown(&window, "Uncertainty of y"));
+    assert!((value - 4.0).abs() < 5.0 * uncertainty, "y = {value} +- {uncertainty}");
+    let path = measured(folder.path(), &["T", "d", "dphi", "sigma_dphi"]);
+    window.state_mut().ask(Command::Open(path));
+    wait(&mut window);
+    assert!(labels(&window).iter().any(|label| label.starts_with("χ² per degree of freedom: ")));
+    assert!(!labels(&window).iter().any(|label| label.starts_with("The file has no ")));
+}
+
+fn the_papers_own_fit_is_repeated() {
+    let setup = FitSetup { model: APPENDIX_A, noise_percent: 0.0, ..FitSetup::default() };
+    let mut window = fit_window(setup);
+    wait(&mut window);
+    assert!((shown(&window, "Fitted β") - 0.9).abs() > 0.01);
+    window.get_by_label("Data from").click();
+    window.run_ok();
+    window.get_by_label("from published").click();
+    window.run_ok();
+    wait(&mut window);
+    for (symbol, truth) in [("β", 0.9), ("y", 3.0), ("z", 2.0)] {
+        assert!((shown(&window, &format!("Fitted {symbol}")) - truth).abs() < 1e-9, "{symbol}");
+    }
+    assert!(!labels(&window).iter().any(|label| label.contains("biases it")));
+    // And the exact model has parallax that these data leave out.
+    let setup = window.state().state().settings.fit;
+    window.state_mut().ask(Command::Fit(FitSetup { model: Model::Exact, ..setup }));
+    wait(&mut window);
+    window.get_by_label("No fit");
+    label_starting_with(&window, "It has parallax where the data leave it out. Even without noise: ");
+}

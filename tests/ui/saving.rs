@@ -1,0 +1,466 @@
+//! What leaves the window, by the menu and by keys: each file is read back, each command is run. Dialogs of the system
+//! cannot be driven from here; paths are typed.
+
+use std::path::{Path, PathBuf};
+use std::process::Command as Program;
+use std::time::{Duration, Instant};
+
+use eframe::egui::{Key, Modifiers, OutputCommand};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use gamow::app::App;
+use gamow::app::command::Command;
+use gamow::app::observer::Eye;
+use gamow::app::state::State;
+use gamow::files::png::PngFile;
+use gamow::flags::TimeRange;
+use gamow::flags::choices::{FileKind, Layout};
+use gamow::flags::words::words;
+use gamow::settings::{Motion, Playback, PlotTab, Plots, Settings};
+
+use super::Test;
+use super::support::{cyclist, labels, type_into, window};
+
+pub const TESTS: &[Test] = &[
+    ("a_saved_picture_opens_as_the_state_that_it_shows", a_saved_picture_opens_as_its_state),
+    ("a_saved_picture_has_the_pixels_of_the_views", a_saved_picture_has_the_pixels_of_the_views),
+    ("a_saved_state_opens_as_it_was", a_saved_state_opens_as_it_was),
+    ("a_file_that_is_there_is_replaced_only_when_asked", a_file_that_is_there_is_replaced_only_when_asked),
+    ("what_cannot_be_written_is_said_and_leaves_nothing", what_cannot_be_written_is_said),
+    ("films_have_the_frames_of_the_loop", films_have_the_frames_of_the_loop),
+    ("a_stopped_film_leaves_no_file", a_stopped_film_leaves_no_file),
+    ("the_copied_commands_give_the_same_again", the_copied_commands_give_the_same_again),
+    (
+        "the_copied_curve_command_gives_the_plotted_numbers",
+        the_copied_curve_command_gives_the_plotted_numbers,
+    ),
+    ("the_copied_values_are_those_of_the_moment", the_copied_values_are_those_of_the_moment),
+    ("the_copied_picture_is_that_of_the_views", the_copied_picture_is_that_of_the_views),
+    ("what_is_typed_first_is_the_name", what_is_typed_first_is_the_name),
+    ("saved_plots_hold_the_numbers_of_the_core", saved_plots_hold_the_numbers_of_the_core),
+    ("a_file_is_opened_by_its_path", a_file_is_opened_by_its_path),
+    ("opening_and_saving_can_be_left", opening_and_saving_can_be_left),
+];
+
+/// Chooses `entry` of the menu.
+pub fn choose(window: &mut Harness<'_, App>, entry: &str) {
+    window.get_by_label("File").click();
+    window.run_ok();
+    window.get_by_label(entry).click();
+    window.run_ok();
+}
+
+/// Frames until a message stands there and nothing is left to do; the message.
+pub fn message(window: &mut Harness<'_, App>) -> String {
+    let start = Instant::now();
+    loop {
+        window.step();
+        let app = window.state();
+        if let Some(notice) = app.state().session.notice.as_ref().filter(|_| app.is_settled()) {
+            return notice.text.clone();
+        }
+        assert!(start.elapsed() < Duration::from_mins(2), "no message");
+        std::thread::sleep(Duration::from_millis(5));
+    }
+}
+
+/// Saves what `entry` says at `path`; the message.
+pub fn save(window: &mut Harness<'_, App>, entry: &str, path: &Path) -> String {
+    choose(window, entry);
+    type_into(window, "Path", path.to_str().expect("a plain path"));
+    message(window)
+}
+
+/// The text that was copied in the last frame, if any was.
+fn copied(window: &Harness<'_, App>) -> Option<String> {
+    window.output().platform_output.commands.iter().find_map(|command| match command {
+        OutputCommand::CopyText(text) => Some(text.clone()),
+        _ => None,
+    })
+}
+
+/// Copies what `entry` says.
+fn copy(window: &mut Harness<'_, App>, entry: &str) -> String {
+    window.get_by_label("File").click();
+    window.run_ok();
+    window.get_by_label(entry).click();
+    for _ in 0..8 {
+        window.step();
+        if let Some(text) = copied(window) {
+            return text;
+        }
+    }
+    panic!("nothing was copied");
+}
+
+/// A state that differs from the usual in several ways.
+fn special() -> State {
+    let mut state = cyclist(0.8);
+    state.apply(Command::Motion(Motion { d: 0.3, height_shift: -0.5, ..state.settings.motion }));
+    state.apply(Command::Time(5.25));
+    state
+}
+
+fn names_in(folder: &Path) -> Vec<String> {
+    let mut names: Vec<String> = std::fs::read_dir(folder)
+        .expect("a folder")
+        .map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned())
+        .collect();
+    names.sort();
+    names
+}
+
+fn opened(path: &Path) -> State {
+    let settings = Settings::default().with_file(path).expect("it is a state");
+    State::open(settings).expect("its scene is there")
+}
+
+fn a_saved_picture_opens_as_its_state() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("ride.png");
+    let mut window = window(special());
+    window.key_press_modifiers(Modifiers::COMMAND, Key::S);
+    window.run_ok();
+    type_into(&mut window, "Path", path.to_str().expect("a plain path"));
+    assert_eq!(message(&mut window), "Saved ride.png.");
+    assert_eq!(names_in(folder.path()), ["ride.png"]);
+    let (shown, again) = (window.state().state(), opened(&path));
+    assert_eq!(again.settings.motion, shown.settings.motion);
+    assert_eq!(again.session.time, shown.session.time);
+    assert_eq!(again.session.scene.name, shown.session.scene.name);
+    assert_eq!(again.session.points.selected().track, shown.session.points.selected().track);
+    // What follows something is recorded as where it was.
+    let size = shown.session.picture_size;
+    for eye in Eye::BOTH {
+        assert_eq!(again.view(eye, size), shown.view(eye, size));
+    }
+}
+
+fn a_saved_picture_has_the_pixels_of_the_views() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("left.png");
+    let mut state = special();
+    state.apply(Command::Layout(Layout::Left));
+    let mut window = window(state);
+    let size = window.state().state().session.picture_size;
+    save(&mut window, "Save picture…", &path);
+    assert_eq!(PngFile::read(&path).expect("a picture").picture().size, size);
+    // Another size is typed.
+    choose(&mut window, "Save picture…");
+    window.state_mut().ask(Command::Close);
+    window.run_ok();
+    choose(&mut window, "Save picture…");
+    let field = "Size of a picture";
+    window.get_by_role_and_label(eframe::egui::accesskit::Role::TextInput, field).click();
+    window.run_ok();
+    window.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    window.get_by_role_and_label(eframe::egui::accesskit::Role::TextInput, field).type_text("64x48");
+    window.run_ok();
+    type_into(&mut window, "Path", folder.path().join("small").to_str().expect("a plain path"));
+    assert_eq!(message(&mut window), "Saved small.png.");
+    let small = PngFile::read(&folder.path().join("small.png")).expect("a picture");
+    assert_eq!(small.picture().size, [64, 48]);
+    // `gamow render` makes the same of what it records.
+    let again = folder.path().join("again.png");
+    gamow(&words(small.command())[1..], &["--out", again.to_str().expect("a plain path")]);
+    assert_eq!(PngFile::read(&again).expect("a picture").frames, small.frames);
+}
+
+fn gamow(arguments: &[String], more: &[&str]) -> String {
+    let output =
+        Program::new(env!("CARGO_BIN_EXE_gamow")).args(arguments).args(more).output().expect("it starts");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).expect("text")
+}
+
+fn a_saved_state_opens_as_it_was() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("ride.toml");
+    let mut window = window(special());
+    window.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
+    window.run_ok();
+    type_into(&mut window, "Path", path.to_str().expect("a plain path"));
+    assert_eq!(message(&mut window), "Saved ride.toml.");
+    assert_eq!(opened(&path).shown(), window.state().state().shown());
+}
+
+fn a_file_that_is_there_is_replaced_only_when_asked() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("ride.toml");
+    std::fs::write(&path, "precious").expect("written");
+    let mut window = window(special());
+    choose(&mut window, "Save state…");
+    type_into(&mut window, "Path", path.to_str().expect("a plain path"));
+    window.get_by_label("ride.toml is there already.");
+    assert_eq!(std::fs::read_to_string(&path).expect("text"), "precious");
+    window.get_by_label("Replace it").click();
+    window.run_ok();
+    assert_eq!(message(&mut window), "Saved ride.toml.");
+    assert_eq!(opened(&path).shown(), window.state().state().shown());
+}
+
+fn what_cannot_be_written_is_said() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = window(special());
+    let cases = [
+        (
+            folder.path().join("nowhere/ride.toml"),
+            format!("There is no folder {}.", folder.path().join("nowhere").display()),
+        ),
+        (folder.path().join("ride.png"), "The name of such a file ends in .toml.".to_owned()),
+        (PathBuf::from(" "), "A path is needed.".to_owned()),
+    ];
+    for (path, remark) in cases {
+        choose(&mut window, "Save state…");
+        type_into(&mut window, "Path", path.to_str().expect("a plain path"));
+        window.get_by_label(&remark);
+        window.key_press(Key::Escape);
+        window.run_ok();
+        assert_eq!(window.state().state().session.chooser, None);
+    }
+    assert!(names_in(folder.path()).is_empty());
+}
+
+/// A short loop in small pictures.
+fn short_loop() -> State {
+    let mut state = cyclist(0.9);
+    state.apply(Command::Layout(Layout::Left));
+    state.apply(Command::Playback(Playback {
+        rate: 10.0,
+        range: TimeRange(Some([2.0, 6.0])),
+        ..state.settings.playback
+    }));
+    state
+}
+
+/// Types 48x36 for the size of a picture, in the window that asks for a path.
+fn small(window: &mut Harness<'_, App>) {
+    let field = || eframe::egui::accesskit::Role::TextInput;
+    window.get_by_role_and_label(field(), "Size of a picture").click();
+    window.run_ok();
+    window.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    window.get_by_role_and_label(field(), "Size of a picture").type_text("48x36");
+    window.run_ok();
+}
+
+fn films_have_the_frames_of_the_loop() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = window(short_loop());
+    // 4 units of T at 10 a second, 25 frames a second.
+    for (name, input) in [("ride.gif", "-i "), ("ride.png", "-f apng -i "), ("ride", "-framerate 25 -i ")] {
+        choose(&mut window, "Save film…");
+        assert!(labels(&window).iter().any(|label| label.contains("10 frames, 0.4 s")));
+        small(&mut window);
+        type_into(&mut window, "Path", folder.path().join(name).to_str().expect("a plain path"));
+        let text = message(&mut window);
+        assert!(text.starts_with(&format!("Saved {name}: 10 frames, 0.4 s.")), "{text}");
+        assert!(text.contains(&format!("ffmpeg {input}")), "{text}");
+    }
+    assert_eq!(names_in(folder.path()), ["ride", "ride.gif", "ride.png"]);
+
+    let file = std::fs::File::open(folder.path().join("ride.gif")).expect("it is there");
+    let mut gif = gif::DecodeOptions::new().read_info(file).expect("a GIF");
+    assert_eq!((gif.width(), gif.height()), (48, 36));
+    let mut delays = Vec::new();
+    while let Some(frame) = gif.read_next_frame().expect("a whole GIF") {
+        delays.push(frame.delay);
+    }
+    assert_eq!(delays, [4; 10]);
+
+    let file =
+        std::io::BufReader::new(std::fs::File::open(folder.path().join("ride.png")).expect("it is there"));
+    let reader = png::Decoder::new(file).read_info().expect("a PNG");
+    assert_eq!(reader.info().animation_control().map(|control| control.num_frames), Some(10));
+
+    // The frames are those that T runs through, the last of them one step before the first again.
+    let sequence = folder.path().join("ride");
+    let frames = names_in(&sequence);
+    assert_eq!((frames.len(), frames[9].as_str()), (10, "frame_00009.png"));
+    for (number, frame) in frames.iter().enumerate() {
+        let time = opened(&sequence.join(frame)).session.time;
+        assert!((time - (2.0 + 0.4 * number as f64)).abs() < 1e-12, "{frame}: T = {time}");
+    }
+    let first = PngFile::read(&sequence.join("frame_00000.png")).expect("a picture").frames;
+    let film = PngFile::read(&folder.path().join("ride.png")).expect("a film");
+    assert_eq!(film.picture(), &first[0]);
+    assert_eq!(opened(&folder.path().join("ride.png")).session.time, 2.0);
+}
+
+fn a_stopped_film_leaves_no_file() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut state = short_loop();
+    state.apply(Command::Playback(Playback { rate: 0.05, ..state.settings.playback }));
+    let mut window = window(state);
+    choose(&mut window, "Save film…");
+    type_into(&mut window, "Path", folder.path().join("ride.gif").to_str().expect("a plain path"));
+    let start = Instant::now();
+    while window.query_by_label("Stop").is_none() {
+        assert!(start.elapsed() < Duration::from_mins(1), "nothing is said");
+        std::thread::sleep(Duration::from_millis(20));
+        window.step();
+    }
+    window.get_by_label("Saving ride.gif");
+    window.get_by_label("Stop").click();
+    assert_eq!(message(&mut window), "Stopped: no file was written.");
+    // The thread has ended with the window.
+    drop(window);
+    assert!(names_in(folder.path()).is_empty(), "{:?}", names_in(folder.path()));
+}
+
+fn the_copied_commands_give_the_same_again() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = window(special());
+    let command = copy(&mut window, "Copy command");
+    assert!(command.starts_with("gamow --scene=cyclist "), "{command}");
+    let again = Settings::default().with_command(&command, "the clipboard").expect("a command of ours");
+    assert_eq!(again.motion, window.state().state().settings.motion);
+    assert_eq!(again.time, Some(5.25));
+    // Keys do it, too.
+    window.event(eframe::egui::Event::Copy);
+    window.step();
+    assert_eq!(copied(&window).as_deref(), Some(command.as_str()));
+
+    let render = copy(&mut window, "Copy render command");
+    let [rendered, saved] = ["rendered.png", "saved.png"].map(|name| folder.path().join(name));
+    gamow(&words(&render)[1..], &["--out", rendered.to_str().expect("a plain path")]);
+    save(&mut window, "Save picture…", &saved);
+    let pixels = |path: &Path| PngFile::read(path).expect("a picture").frames;
+    assert!(pixels(&rendered) == pixels(&saved));
+}
+
+/// The rows of a CSV file without text, by the names of its columns.
+fn table(csv: &str) -> (Vec<String>, Vec<Vec<f64>>) {
+    let mut lines = csv.lines();
+    let names = lines.next().expect("a header").split(',').map(str::to_owned).collect();
+    let number = |cell: &str| cell.parse().unwrap_or(f64::NAN);
+    (names, lines.map(|line| line.split(',').map(number).collect()).collect())
+}
+
+fn the_copied_curve_command_gives_the_plotted_numbers() {
+    let mut tilted = special();
+    tilted.apply(Command::Motion(Motion { roll: 30.0, ..tilted.settings.motion }));
+    for state in [special(), tilted] {
+        let mut window = window(state);
+        let command = copy(&mut window, "Copy curve command");
+        let (names, rows) = table(&gamow(&words(&command)[1..], &[]));
+        let column = |name: &str| names.iter().position(|found| found == name).expect("it is there");
+        let state = window.state().state();
+        let point = state.session.points.selected();
+        let [from, to] = state.time_range();
+        assert_eq!([rows[0][column("T")], rows[rows.len() - 1][column("T")]], [from, to]);
+        for row in rows {
+            let mut then = state.clone();
+            then.apply(Command::Time(row[column("T")]));
+            let both = then.disparity(point).expect("in the domain");
+            assert_eq!([row[column("dphi")], row[column("dtheta")]], [both.dphi, both.dtheta]);
+            assert_eq!(row[column("doppler_left")], both.primary.doppler_factor);
+            assert_eq!(row[column("phi_right")], both.secondary.phi());
+        }
+    }
+}
+
+fn the_copied_values_are_those_of_the_moment() {
+    let mut window = window(special());
+    let text = copy(&mut window, "Copy values");
+    let (names, rows) = table(&text.replace('\t', ","));
+    let value = |name: &str| rows[0][names.iter().position(|found| found == name).expect("it is there")];
+    let state = window.state().state();
+    let both = state.disparity(state.session.points.selected()).expect("in the domain");
+    assert_eq!([value("T"), value("beta"), value("d")], [5.25, 0.8, 0.3]);
+    assert_eq!([value("dphi"), value("dtheta")], [both.dphi, both.dtheta]);
+    assert_eq!(value("own_left"), both.primary.own_time);
+}
+
+fn the_copied_picture_is_that_of_the_views() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("ride.png");
+    let mut window = window(special());
+    save(&mut window, "Save picture…", &path);
+    let saved = PngFile::read(&path).expect("a picture").frames.remove(0);
+    window.get_by_label("File").click();
+    window.run_ok();
+    window.get_by_label("Copy picture").click();
+    let start = Instant::now();
+    let copied = loop {
+        window.step();
+        let commands = &window.output().platform_output.commands;
+        let image = commands.iter().find_map(|command| match command {
+            OutputCommand::CopyImage(image) => Some(image.clone()),
+            _ => None,
+        });
+        if let Some(image) = image {
+            break image;
+        }
+        assert!(start.elapsed() < Duration::from_mins(1), "nothing was copied");
+        std::thread::sleep(Duration::from_millis(5));
+    };
+    assert_eq!(copied.size, saved.size.map(|side| side as usize));
+    let pixels: Vec<[u8; 4]> = copied.pixels.iter().map(|pixel| pixel.to_array()).collect();
+    assert!(pixels == saved.rgba);
+}
+
+fn what_is_typed_first_is_the_name() {
+    let mut window = window(special());
+    choose(&mut window, "Save state…");
+    window.get_by_label("Path").type_text("ride");
+    window.run_ok();
+    let path = labels(&window).into_iter().find(|label| label.ends_with("ride.toml"));
+    let folder = std::env::current_dir().expect("a folder");
+    assert_eq!(path.map(PathBuf::from), Some(folder.join("ride.toml")));
+}
+
+fn saved_plots_hold_the_numbers_of_the_core() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = window(special());
+    let [csv, svg] = ["plots.csv", "plots.svg"].map(|name| folder.path().join(name));
+    assert_eq!(save(&mut window, "Save plots as CSV…", &csv), "Saved plots.csv.");
+    assert_eq!(save(&mut window, "Save plots as SVG…", &svg), "Saved plots.svg.");
+    let svg = std::fs::read_to_string(svg).expect("text");
+    assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"), "{}", &svg[..60]);
+    // (The names of its columns have commas in them.)
+    let (_, rows) = table(&std::fs::read_to_string(csv).expect("text"));
+    assert!(rows.len() > 60, "{}", rows.len());
+    let state = window.state().state();
+    for row in rows {
+        let mut then = state.clone();
+        then.apply(Command::Time(row[0]));
+        let both = then.disparity(state.session.points.selected()).expect("in the domain");
+        assert_eq!(row[1..], [both.dphi, both.dtheta]);
+    }
+}
+
+fn a_file_is_opened_by_its_path() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("ride.toml");
+    let mut first = window(special());
+    save(&mut first, "Save state…", &path);
+    let mut window = window(cyclist(0.1));
+    window.key_press_modifiers(Modifiers::COMMAND, Key::O);
+    window.run_ok();
+    type_into(&mut window, "Path", folder.path().join("other.toml").to_str().expect("a plain path"));
+    window.get_by_label(&format!("There is no file {}.", folder.path().join("other.toml").display()));
+    type_into(&mut window, "Path", path.to_str().expect("a plain path"));
+    assert_eq!(window.state().state().settings.motion, first.state().state().settings.motion);
+    assert!(window.query_by_label("Path").is_none());
+    assert_eq!(FileKind::of(&path), None);
+}
+
+fn opening_and_saving_can_be_left() {
+    let mut state = special();
+    state.apply(Command::Plots(Plots { plot: PlotTab::Disparity, ..state.settings.plots }));
+    let mut window = window(state);
+    for entry in ["Open…", "Own data…", "Save picture…", "Save film…", "Save state…"] {
+        choose(&mut window, entry);
+        window.get_by_label("Path");
+        window.get_by_label("Browse…");
+        window.get_by_label("Cancel").click();
+        window.run_ok();
+        assert!(window.query_by_label("Path").is_none(), "{entry}");
+    }
+    // There is no fit to be saved unless one is shown.
+    window.get_by_label("File").click();
+    window.run_ok();
+    window.get_by_label("Save fit…").click();
+    window.run_ok();
+    assert!(window.query_by_label("Path").is_none());
+}

@@ -1,0 +1,276 @@
+//! Undoing, redoing, and having things as usual again.
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, Modifiers, pos2, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use gamow::app::App;
+use gamow::app::command::Command;
+use gamow::app::state::State;
+use gamow::flags::choices::{GazeChoice, Layout};
+use gamow::settings::{Motion, Settings};
+
+use super::Test;
+use super::picking::click;
+use super::support::{cyclist, drag, slider, type_into, window, window_of_size};
+
+pub const TESTS: &[Test] = &[
+    ("a_drag_is_one_step_and_comes_back_by_keys_and_buttons", a_drag_is_one_step),
+    ("a_run_of_nudges_is_one_step", a_run_of_nudges_is_one_step),
+    ("time_and_playing_are_no_steps", time_and_playing_are_no_steps),
+    ("a_pick_and_a_removal_can_be_undone", picks_can_be_undone),
+    ("undoing_another_scene_brings_it_back_with_its_points", undoing_another_scene),
+    ("a_new_step_forgets_what_was_undone", a_new_step_forgets_what_was_undone),
+    ("reset_has_all_as_usual_but_the_window", reset_has_all_as_usual),
+    ("a_section_is_reset_by_a_button_that_is_there_only_then", a_section_is_reset),
+    ("a_double_click_on_a_slider_or_its_name_restores_it", a_double_click_restores),
+    ("usual_is_what_the_shown_preset_says", usual_is_what_the_preset_says),
+    ("shifts_belong_to_their_scene", shifts_belong_to_their_scene),
+];
+
+fn settings<'a>(window: &'a Harness<'_, App>) -> &'a Settings {
+    &window.state().state().settings
+}
+
+fn press(window: &mut Harness<'_, App>, modifiers: Modifiers, key: Key) {
+    window.key_press_modifiers(modifiers, key);
+    window.run_ok();
+}
+
+fn is_enabled(window: &Harness<'_, App>, name: &str) -> bool {
+    !window.get_by_role_and_label(Role::Button, name).accesskit_node().is_disabled()
+}
+
+const WITH_SHIFT: Modifiers = Modifiers { shift: true, ..Modifiers::COMMAND };
+
+fn a_drag_is_one_step() {
+    let mut window = window(cyclist(0.9));
+    assert!(!is_enabled(&window, "Undo") && !is_enabled(&window, "Redo"));
+    let distance = slider(&window, "Distance y");
+    drag(&mut window, distance.left_center() + vec2(20.0, 0.0), distance.center());
+    let dragged = settings(&window).motion;
+    assert!(dragged.depth_shift > 4.0);
+    press(&mut window, Modifiers::COMMAND, Key::Z);
+    assert_eq!(*settings(&window), cyclist(0.9).settings);
+    assert!(!is_enabled(&window, "Undo"), "one step");
+    for (modifiers, key) in [(WITH_SHIFT, Key::Z), (Modifiers::COMMAND, Key::Y)] {
+        press(&mut window, modifiers, key);
+        assert_eq!(settings(&window).motion, dragged);
+        window.get_by_label("Undo").click();
+        window.run();
+        assert_eq!(settings(&window).motion.depth_shift, 0.0);
+    }
+    window.get_by_label("Redo").click();
+    window.run();
+    assert_eq!(settings(&window).motion, dragged);
+    // Two drags are two steps.
+    drag(&mut window, distance.center(), distance.left_center() + vec2(20.0, 0.0));
+    press(&mut window, Modifiers::COMMAND, Key::Z);
+    assert_eq!(settings(&window).motion, dragged);
+}
+
+fn a_run_of_nudges_is_one_step() {
+    let mut window = window(cyclist(0.9));
+    for _ in 0..3 {
+        press(&mut window, Modifiers::NONE, Key::ArrowUp);
+    }
+    press(&mut window, Modifiers::NONE, Key::L);
+    press(&mut window, Modifiers::NONE, Key::L);
+    assert_eq!(settings(&window).picture.layout, Layout::SideBySide.further(2));
+    for steps in [1, 0] {
+        press(&mut window, Modifiers::COMMAND, Key::Z);
+        assert_eq!(settings(&window).picture.layout, Layout::SideBySide.further(steps));
+    }
+    assert!(settings(&window).speed().beta() > 0.9);
+    press(&mut window, Modifiers::COMMAND, Key::Z);
+    assert_eq!(*settings(&window), cyclist(0.9).settings);
+    assert!(!is_enabled(&window, "Undo"));
+}
+
+fn time_and_playing_are_no_steps() {
+    let mut window = window(cyclist(0.9));
+    for key in [Key::ArrowRight, Key::Home, Key::Space, Key::Space] {
+        window.key_press(key);
+        window.run_steps(2);
+    }
+    assert!(!is_enabled(&window, "Undo"));
+    let time = window.state().state().session.time;
+    type_into(&mut window, "Gamma, typed", "3");
+    press(&mut window, Modifiers::COMMAND, Key::Z);
+    assert_eq!(window.state().state().session.time, time);
+}
+
+fn picks_can_be_undone() {
+    let mut window = window(cyclist(0.9));
+    let middle = super::support::pane(&window, 0).center();
+    click(&mut window, middle, Modifiers::SHIFT);
+    let picked = window.state().state().session.points.clone();
+    assert_eq!(picked.all().len(), 2, "the frame is in the middle");
+    window.state_mut().ask(Command::RemovePoint(1));
+    window.run();
+    for expected in [2, 1] {
+        press(&mut window, Modifiers::COMMAND, Key::Z);
+        assert_eq!(window.state().state().session.points.all().len(), expected);
+    }
+    press(&mut window, WITH_SHIFT, Key::Z);
+    assert_eq!(window.state().state().session.points, picked);
+}
+
+fn undoing_another_scene() {
+    let mut window = window(cyclist(0.9));
+    let middle = super::support::pane(&window, 0).center();
+    click(&mut window, middle, Modifiers::NONE);
+    window.state_mut().ask(Command::Time(2.25));
+    let before = window.state().state().clone();
+    window.state_mut().ask(Command::Preset("globe"));
+    window.run();
+    let globe = window.state().state().clone();
+    assert_ne!(globe.session.scene, before.session.scene);
+    press(&mut window, Modifiers::COMMAND, Key::Z);
+    let same = |a: &State, b: &State| {
+        assert_eq!(a.settings, b.settings);
+        assert_eq!((&a.session.scene, &a.session.points), (&b.session.scene, &b.session.points));
+        assert_eq!((a.session.time, a.session.preset), (b.session.time, b.session.preset));
+    };
+    same(window.state().state(), &before);
+    press(&mut window, WITH_SHIFT, Key::Z);
+    same(window.state().state(), &globe);
+}
+
+fn a_new_step_forgets_what_was_undone() {
+    let mut window = window(cyclist(0.9));
+    type_into(&mut window, "Gamma, typed", "3");
+    press(&mut window, Modifiers::COMMAND, Key::Z);
+    assert!(is_enabled(&window, "Redo"));
+    type_into(&mut window, "Gamma, typed", "4");
+    assert!(!is_enabled(&window, "Redo"));
+}
+
+fn reset_has_all_as_usual() {
+    let mut window = window(cyclist(0.9));
+    assert!(!is_enabled(&window, "Reset"));
+    for choice in ["False", "Theme", "Angles"] {
+        window.get_by_label(choice).click();
+        window.run();
+    }
+    type_into(&mut window, "Gamma, typed", "3");
+    let middle = super::support::pane(&window, 0).center();
+    click(&mut window, middle, Modifiers::NONE);
+    let before = window.state().state().clone();
+    window.get_by_label("Reset").click();
+    window.run();
+    let usual = Settings { window: before.settings.window, ..cyclist(0.9).settings };
+    assert_eq!(*settings(&window), usual);
+    assert_ne!(usual.window, Settings::default().window, "the theme is another");
+    assert_eq!(window.state().state().session.points, cyclist(0.9).session.points);
+    assert!(!is_enabled(&window, "Reset"));
+    press(&mut window, Modifiers::COMMAND, Key::Z);
+    let state = window.state().state();
+    assert_eq!((&state.settings, &state.session.points), (&before.settings, &before.session.points));
+}
+
+fn a_section_is_reset() {
+    let mut window = window_of_size(cyclist(0.9), [1280.0, 1600.0], 1.0);
+    for (section, choice) in
+        [("Motion", "Set β to 0.5"), ("Look", "Contracted"), ("Two eyes", "Above"), ("Light", "False")]
+    {
+        let name = format!("Reset {section}");
+        assert!(window.query_by_label(&name).is_none(), "{section} is as usual");
+        window.get_by_label(choice).click();
+        window.run();
+        assert_ne!(*settings(&window), cyclist(0.9).settings);
+        window.get_by_label(&name).click();
+        window.run();
+        assert_eq!(*settings(&window), cyclist(0.9).settings, "{section}");
+        assert!(window.query_by_label(&name).is_none(), "{section} is as usual again");
+    }
+}
+
+fn double_click(window: &mut Harness<'_, App>, place: eframe::egui::Pos2) {
+    // Far enough from the clicks before not to go on with them.
+    window.hover_at(place);
+    window.run_steps(16);
+    for pressed in [true, false, true, false] {
+        window.event(eframe::egui::Event::PointerButton {
+            pos: place,
+            button: eframe::egui::PointerButton::Primary,
+            pressed,
+            modifiers: Modifiers::NONE,
+        });
+        window.step();
+    }
+    window.run_ok();
+}
+
+fn a_double_click_restores() {
+    let mut window = window_of_size(cyclist(0.9), [1280.0, 1600.0], 1.0);
+    for name in ["Eyes apart d", "Distance y", "Height z", "Head tilted", "Head turned"] {
+        let rail = slider(&window, name);
+        let row_name =
+            pos2(window.get_by_role_and_label(Role::Label, name).rect().min.x + 12.0, rail.center().y);
+        for place in [rail.center() + vec2(9.0, 0.0), row_name] {
+            drag(&mut window, rail.center(), rail.center() + vec2(25.0, 0.0));
+            assert_ne!(*settings(&window), cyclist(0.9).settings, "{name}");
+            double_click(&mut window, place);
+            assert_eq!(*settings(&window), cyclist(0.9).settings, "{name} at {place:?}");
+        }
+    }
+    let rail = slider(&window, "Speed β");
+    for place in [rail.center(), window.get_by_role_and_label(Role::Label, "Speed").rect().center()] {
+        window.get_by_label("Set β to 0.5").click();
+        window.run();
+        double_click(&mut window, place);
+        assert_eq!(settings(&window).speed().beta(), 0.9, "{place:?}");
+    }
+    let rail = slider(&window, "Field of view");
+    drag(&mut window, rail.center(), rail.center() + vec2(25.0, 0.0));
+    assert!(settings(&window).look.fov.0.is_some());
+    double_click(&mut window, rail.center());
+    assert_eq!(settings(&window).look.fov.0, None, "automatic again");
+}
+
+fn usual_is_what_the_preset_says() {
+    let mut window = window(cyclist(0.9));
+    let preset = gamow::settings::Preset::named("abreast-0.6").expect("a preset");
+    window.state_mut().ask(Command::State(preset));
+    window.run();
+    assert!(!is_enabled(&window, "Reset"));
+    window.get_by_label("Set β to 0.99").click();
+    window.run();
+    window.get_by_label("Reset Motion").click();
+    window.run();
+    assert_eq!(settings(&window).motion, preset.settings.motion);
+    window.get_by_label("Set β to 0.99").click();
+    window.state_mut().ask(Command::Time(-3.0));
+    window.run();
+    window.get_by_label("Reset").click();
+    window.run();
+    let state = window.state().state();
+    let time = preset.settings.time.expect("it says when");
+    assert_eq!((state.session.preset, state.session.time), (Some(preset), time));
+    assert_eq!(state.settings.motion, preset.settings.motion);
+}
+
+/// As the path runs through the eyes nothing is seen of it; that is of no concern to another scene.
+fn shifts_belong_to_their_scene() {
+    let mut window = window(cyclist(0.9));
+    let motion =
+        Motion { depth_shift: -3.0, height_shift: -2.0, d: 0.2, roll: 10.0, ..cyclist(0.5).settings.motion };
+    window.state_mut().ask(Command::Motion(motion));
+    window.state_mut().ask(Command::Layout(Layout::Anaglyph));
+    window.get_by_label("Stays").click();
+    window.run();
+    // Quit, start again: as it was left.
+    let left = window.state().state().shown();
+    let again = State::open(left.clone()).expect("a preset");
+    assert_eq!(again.settings.motion, motion);
+    // Another scene passes where it says, and the eyes look at it.
+    let mut window = super::support::window(again);
+    window.state_mut().ask(Command::Preset("street"));
+    window.run();
+    let Settings { motion, look, picture, .. } = settings(&window);
+    assert_eq!((motion.depth_shift, motion.height_shift, look.gaze), (0.0, 0.0, GazeChoice::Whole));
+    assert_eq!((motion.d, motion.roll, motion.speed.speed().beta()), (0.2, 10.0, 0.5));
+    assert_eq!(picture.layout, Layout::Anaglyph);
+    assert!(window.state().state().outline().framing().is_some(), "something is in the views");
+}
