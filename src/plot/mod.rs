@@ -16,7 +16,6 @@ pub use self::axis::{
     Axis, MOST_TICKS, Tick, at_least, extent, round_step, ticks_along, widened, with_factor, with_margin,
     zoom_step,
 };
-
 use self::labels::{Label, Labels};
 
 /// Black.
@@ -28,6 +27,7 @@ pub const VERMILION: &str = "#D55E00";
 /// As many more as there may be marks in a panel.
 pub const COLOURS: [&str; 7] = [BLUE, VERMILION, "#009E73", "#CC79A7", "#E69F00", "#56B4E9", BLACK];
 
+/// Height of a panel unless it has another, pixels.
 const HEIGHT: f64 = 380.0;
 const MARGIN: Margin = Margin { left: 72.0, right: 16.0, top: 44.0, bottom: 52.0 };
 /// Room for a row of the legend.
@@ -105,8 +105,8 @@ pub struct Panel {
     pub labels: [String; 2],
     /// The lines.
     pub lines: Vec<Line>,
-    /// What the horizontal axis shows at least, besides the lines; in order that panels can be compared.
-    pub at_least: Option<[f64; 2]>,
+    /// What the horizontal axis shows besides the lines, so that panels can be compared.
+    pub shown_x: Option<[f64; 2]>,
     /// Values on the horizontal axis to mark, and their names.
     pub marks: Vec<(f64, String)>,
     /// Whether a unit is as long on both axes.
@@ -121,9 +121,6 @@ pub struct Panel {
     pub height: f64,
 }
 
-/// Share of a logarithmic axis that stays free at each end, so that nothing is drawn on the frame.
-const FREE: f64 = 0.05;
-
 impl Panel {
     /// Linear axes with scales of their own, 480 by 380 pixels.
     pub fn new(title: impl Into<String>, labels: [impl Into<String>; 2], lines: Vec<Line>) -> Self {
@@ -131,7 +128,7 @@ impl Panel {
             title: title.into(),
             labels: labels.map(Into::into),
             lines,
-            at_least: None,
+            shown_x: None,
             marks: Vec::new(),
             equal_scales: false,
             logarithmic: [false; 2],
@@ -142,11 +139,10 @@ impl Panel {
     }
 
     /// What the lines take of an axis (logarithms of a logarithmic one), with such a share of it more at both ends; whole
-    /// decades where both axes are logarithmic.
+    /// decades where both axes are logarithmic, and so much more that nothing is drawn on the frame.
     fn needed(&self, axis: usize, room: f64) -> [f64; 2] {
-        let besides = self.at_least.filter(|_| axis == 0).into_iter().flatten();
-        let points = self.lines.iter().flat_map(|line| &line.pieces).flatten();
-        let values = points.map(|point| point[axis]).chain(besides);
+        let values = self.lines.iter().flat_map(|line| &line.pieces).flatten().map(|point| point[axis]);
+        let values = values.chain(self.shown_x.filter(|_| axis == 0).into_iter().flatten());
         if !self.logarithmic[axis] {
             return with_margin(extent(values).unwrap_or_default(), room);
         }
@@ -219,6 +215,8 @@ struct Axes<'a> {
 const TICK_SPACING: [f64; 2] = [75.0, 45.0];
 /// How much more than the lines need there is along an axis and across, as a part of that.
 const ROOM: [f64; 2] = [0.0, 0.06];
+/// Part of two logarithmic axes that stays free at each end.
+const FREE: f64 = 0.05;
 
 impl<'a> Axes<'a> {
     fn new(panel: &'a Panel, left: f64) -> Self {

@@ -200,7 +200,7 @@ fn write_bicycle_for_two_eyes(folder: &Path) -> anyhow::Result<()> {
             }
         }
         let xs = || pieces.iter().flatten().flatten().map(|point| point[0]);
-        let at_least = Some([xs().fold(f64::INFINITY, f64::min), xs().fold(f64::NEG_INFINITY, f64::max)]);
+        let shown_x = Some([xs().fold(f64::INFINITY, f64::min), xs().fold(f64::NEG_INFINITY, f64::max)]);
         let half = 0.5 * setup.separation;
         let line = |eye: usize| Line::in_pieces(EYES[eye].1, EYES[eye].2, pieces[eye].clone());
         let shown = [
@@ -210,7 +210,7 @@ fn write_bicycle_for_two_eyes(folder: &Path) -> anyhow::Result<()> {
         ];
         for (row, (name, lines)) in rows.iter_mut().zip(shown) {
             let title = format!("{name}, {}: beta = 0.9, d = 0.3", title(model));
-            row.push(Panel { height: 260.0, at_least, ..bicycle_panel(title, lines, 720.0) });
+            row.push(Panel { height: 260.0, shown_x, ..bicycle_panel(title, lines, 720.0) });
         }
     }
     let name = "bicycle-2d-two-eyes";
