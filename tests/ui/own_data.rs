@@ -163,7 +163,7 @@ fn the_plotted_samples_are_saved_and_fitted_again() {
     let text = |path: &Path| std::fs::read_to_string(path).expect("text");
     assert_eq!(text(&of_samples), text(&of_file));
     // What is left over is what its rows say.
-    let rows = text(&csv).lines().skip(1).map(|row| row.to_owned()).collect::<Vec<_>>();
+    let rows = text(&csv).lines().skip(1).map(ToOwned::to_owned).collect::<Vec<_>>();
     assert_eq!(rows.len(), 60);
     for row in rows {
         let numbers: Vec<f64> = row.split(',').map(|cell| cell.parse().expect("a number")).collect();

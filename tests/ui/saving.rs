@@ -395,7 +395,7 @@ fn the_copied_picture_is_that_of_the_views() {
         std::thread::sleep(Duration::from_millis(5));
     };
     assert_eq!(copied.size, saved.size.map(|side| side as usize));
-    let pixels: Vec<[u8; 4]> = copied.pixels.iter().map(|pixel| pixel.to_array()).collect();
+    let pixels: Vec<[u8; 4]> = copied.pixels.iter().map(eframe::egui::Color32::to_array).collect();
     assert!(pixels == saved.rgba);
 }
 
