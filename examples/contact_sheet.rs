@@ -7,7 +7,7 @@ use std::env;
 use std::fs::File;
 
 use anyhow::Context as _;
-use gamow::app::observer::Eye;
+use gamow::app::eye::Eye;
 use gamow::app::state::State;
 use gamow::files::png;
 use gamow::flags::{SpeedParameter, SpeedSetting};

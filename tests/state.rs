@@ -5,7 +5,7 @@ use std::path::Path;
 use clap::{Parser, ValueEnum as _};
 use gamow::app::args::WindowArgs;
 use gamow::app::command::Command;
-use gamow::app::observer::Eye;
+use gamow::app::eye::Eye;
 use gamow::app::pointer::Select;
 use gamow::app::state::State;
 use gamow::cli::Cli;

@@ -4,7 +4,7 @@ use eframe::egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, TextStyle, Ui, V
 use glam::DVec3;
 use relativity_render::{Camera, Motion};
 
-use super::observer::Eye;
+use super::eye::Eye;
 use super::state::State;
 use super::theme;
 

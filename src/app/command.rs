@@ -6,8 +6,8 @@ use relativity_render::{Camera, Gaze, Geometry};
 
 use super::chooser::Purpose;
 use super::clock;
+use super::eye::Eye;
 use super::notice::Notice;
-use super::observer::Eye;
 use super::orders::{Copied, Order, Saving};
 use super::overlay::Overlay;
 use super::plotting::PlotCommand;

@@ -7,7 +7,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Color32, Pos2, Rect, Sense, Stroke, Ui, Vec2, WidgetInfo, vec2};
 use relativity_render::Geometry;
 
-use super::observer::Eye;
+use super::eye::Eye;
 use super::points::Point;
 use super::state::State;
 use crate::plot::round_step;

@@ -4,8 +4,8 @@
 use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
 use relativity_render::{Appearance, Gpu, GpuError, Method, PreparedScene, Renderers, View};
 
+use super::eye::Eye;
 use super::heat_map;
-use super::observer::Eye;
 use super::stillness::Stillness;
 use super::worker::{Wanted, Worker};
 use crate::accuracy::{

@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use eframe::egui::{Color32, Painter, Pos2, Shape, Stroke};
 use relativity_render::{Group, PreparedScene, View};
 
-use super::observer::Eye;
+use super::eye::Eye;
 use super::panes::EyePane;
 use super::state::State;
 

@@ -2,7 +2,7 @@
 
 use eframe::egui::{Color32, Visuals};
 
-use super::observer::Eye;
+use super::eye::Eye;
 use super::state::State;
 use super::theme;
 use crate::flags::choices::Layout;

@@ -17,6 +17,7 @@ pub mod corrected;
 pub mod curves;
 pub mod dial;
 pub mod examination;
+pub mod eye;
 mod eyes;
 pub mod fitting;
 mod flicker;

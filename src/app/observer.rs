@@ -7,6 +7,7 @@ use relativity_core::{Disparity, Model, Parameter, Sighting, SourcePoint, Speed,
 use relativity_render::{Gaze, Geometry, Outline, Velocity, View};
 
 use super::curves::CurvesKey;
+use super::eye::Eye;
 use super::fitting::{FitKey, FitOutcome, Samples, Simulated};
 use super::points::Point;
 use super::state::State;
@@ -14,38 +15,6 @@ use crate::caption::Moment;
 use crate::comfort::Comfort;
 use crate::scene::Track;
 use crate::settings::{Look, PlotTab, Settings, Subject};
-
-/// One of the two eyes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Eye {
-    /// The primary aperture.
-    Left,
-    /// The secondary aperture.
-    Right,
-}
-
-impl Eye {
-    /// Left, then right, as everywhere on screen.
-    pub const BOTH: [Self; 2] = [Self::Left, Self::Right];
-
-    /// Its place in [`Self::BOTH`].
-    #[must_use]
-    pub const fn index(self) -> usize {
-        match self {
-            Self::Left => 0,
-            Self::Right => 1,
-        }
-    }
-
-    /// What it is called.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Left => "Left eye",
-            Self::Right => "Right eye",
-        }
-    }
-}
 
 /// By which speed a picture is corrected.
 #[derive(Debug, Clone, Copy, PartialEq)]

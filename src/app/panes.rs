@@ -4,7 +4,7 @@ use eframe::egui::{Pos2, Rect, Ui, pos2, vec2};
 use relativity_render::Composition;
 use relativity_render::compose::Top;
 
-use super::observer::Eye;
+use super::eye::Eye;
 use super::theme::{GAP, TITLE_HEIGHT};
 use crate::flags::choices::{Form, Layout};
 use crate::settings::{Picture, Settings};

@@ -1,6 +1,6 @@
 //! What is done with the pointer in a picture.
 
-use super::observer::Eye;
+use super::eye::Eye;
 use crate::scene::Track;
 
 /// A movement of the pointer that takes the scene along.

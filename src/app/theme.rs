@@ -7,7 +7,7 @@ use eframe::egui::{
     style::{ScrollFadeStyle, ScrollStyle},
 };
 
-use super::observer::Eye;
+use super::eye::Eye;
 use super::points::MAX_POINTS;
 use crate::comfort::Verdict;
 use crate::eye_colours;

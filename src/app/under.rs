@@ -6,7 +6,7 @@ use eframe::egui::{Color32, Pos2, Rect, Sense, TextStyle, Ui, Vec2, WidgetInfo, 
 use relativity_core::Sighting;
 use relativity_render::Geometry;
 
-use super::observer::Eye;
+use super::eye::Eye;
 use super::state::State;
 use super::{clock, theme};
 use crate::caption::times::told;

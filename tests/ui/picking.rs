@@ -6,7 +6,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use gamow::app::App;
 use gamow::app::command::Command;
-use gamow::app::observer::Eye;
+use gamow::app::eye::Eye;
 use gamow::app::pointer::Pick;
 use gamow::flags::choices::{GazeChoice, ZeroParallax};
 use gamow::flags::{SpeedParameter, SpeedSetting};

@@ -8,7 +8,7 @@ use egui_kittest::kittest::Queryable as _;
 use gamow::app::App;
 use gamow::app::command::Command;
 use gamow::app::examination::Examination;
-use gamow::app::observer::Eye;
+use gamow::app::eye::Eye;
 use gamow::app::state::State;
 use gamow::flags::choices::RendererChoice;
 use gamow::settings::{PlotTab, Plots};

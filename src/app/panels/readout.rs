@@ -6,7 +6,7 @@ use relativity_render::{Velocity, colour};
 
 use super::Asks;
 use crate::app::command::Command;
-use crate::app::observer::Eye;
+use crate::app::eye::Eye;
 use crate::app::state::State;
 use crate::app::theme;
 use crate::app::widgets::{dot, named_text};

@@ -8,7 +8,7 @@ use relativity_core::math;
 use relativity_render::colour;
 use relativity_render::spectrum::VISIBLE_NM;
 
-use crate::app::observer::Eye;
+use crate::app::eye::Eye;
 use crate::app::state::State;
 use crate::app::theme;
 use crate::app::widgets::apart::{Span, apart};

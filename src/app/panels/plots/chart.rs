@@ -6,7 +6,7 @@ use relativity_core::{Model, math};
 
 use super::axes::{Ruler, value_range};
 use crate::app::curves::{self, Curve, CurvesKey, Quantity};
-use crate::app::observer::Eye;
+use crate::app::eye::Eye;
 use crate::app::plotting::MAX_PINS;
 use crate::app::theme;
 use crate::units::Unit;

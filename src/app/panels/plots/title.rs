@@ -9,7 +9,7 @@ use super::chart::{Chart, Trace};
 use super::legend::sample;
 use super::traces::{ONE_CONE, distance_words};
 use crate::app::curves::{Curve, DistanceKind, PUBLISHED, Quantity};
-use crate::app::observer::Eye;
+use crate::app::eye::Eye;
 use crate::app::state::State;
 use crate::app::widgets::named_text;
 use crate::figures;

@@ -6,7 +6,7 @@ use super::axes::shown_in;
 use super::chart::{Chart, Dash, Hue, Source, Trace};
 use super::pins;
 use crate::app::curves::{Curve, Curves, CurvesKey, DistanceKind, PUBLISHED, Quantity};
-use crate::app::observer::Eye;
+use crate::app::eye::Eye;
 use crate::app::points::Point;
 use crate::app::state::State;
 

@@ -4,7 +4,7 @@ use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Shape, Stroke, Ui, Ve
 use glam::DVec3;
 
 use super::sheet::Sheet;
-use crate::app::observer::Eye;
+use crate::app::eye::Eye;
 use crate::app::panels::map::axes::{self, Axis};
 use crate::app::panels::map::canvas;
 use crate::app::panels::map::labels::Labels;

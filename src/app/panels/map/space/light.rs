@@ -8,7 +8,7 @@ use glam::DVec3;
 use relativity_core::math;
 
 use super::sheet::Sheet;
-use crate::app::observer::Eye;
+use crate::app::eye::Eye;
 use crate::app::panels::map::canvas;
 use crate::app::panels::map::labels::Labels;
 use crate::app::panels::map::times::{labelled, times};

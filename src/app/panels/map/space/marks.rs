@@ -3,7 +3,7 @@
 use eframe::egui::{Align2, FontId, Painter, Stroke, Ui, vec2};
 
 use super::sheet::{Sheet, colour};
-use crate::app::observer::Eye;
+use crate::app::eye::Eye;
 use crate::app::panels::map::canvas;
 use crate::app::panels::map::labels::Labels;
 use crate::app::state::State;

@@ -6,7 +6,7 @@ use glam::DVec3;
 use super::light::Light;
 use super::sheet::{Sheet, colour};
 use crate::app::command::Command;
-use crate::app::observer::Eye;
+use crate::app::eye::Eye;
 use crate::app::panels::Asks;
 use crate::app::panels::map::canvas;
 use crate::app::pointer::Select;

@@ -2,7 +2,7 @@
 
 use eframe::egui::{Color32, Rect, Visuals};
 
-use crate::app::observer::Eye;
+use crate::app::eye::Eye;
 use crate::app::panels::map::canvas;
 use crate::app::theme;
 use crate::map::{Chart, Picture, Projection};

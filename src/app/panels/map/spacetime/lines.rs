@@ -3,7 +3,7 @@
 use eframe::egui::{Color32, Pos2, Shape, Stroke, TextStyle};
 
 use super::sheet::{NEAR, Sheet};
-use crate::app::observer::Eye;
+use crate::app::eye::Eye;
 use crate::app::panels::map::labels::Labels;
 use crate::app::theme;
 use crate::caption::times::HAPPENED;

@@ -4,7 +4,7 @@ use eframe::egui::{Color32, Pos2, Stroke, TextStyle, vec2};
 
 use super::sheet::{HANDLE, Sheet};
 use super::{lines, words};
-use crate::app::observer::Eye;
+use crate::app::eye::Eye;
 use crate::app::panels::map::labels::Labels;
 use crate::app::panels::map::times::labelled;
 use crate::app::theme;

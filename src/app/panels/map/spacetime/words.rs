@@ -1,7 +1,7 @@
 //! What is said of an event: where it is, and its three times.
 
 use super::sheet::Sheet;
-use crate::app::observer::Eye;
+use crate::app::eye::Eye;
 use crate::app::panels::map::times::times;
 use crate::caption::capitalised;
 use crate::map::{Event, Ray};
