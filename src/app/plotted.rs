@@ -55,7 +55,7 @@ impl State {
         CurvesKey { range: self.plotted_times(quantity), ..self.curve_key(point) }
     }
 
-    /// The same of a pinned one: where that is of the exact model, whatever the views show now.
+    /// The same of a pinned one, which keeps its model whatever the views show now.
     #[must_use]
     pub fn pinned_key(&self, pin: &Pin, quantity: Quantity) -> CurvesKey {
         let stereo = self.settings.plots.plot == PlotTab::Stereo;
