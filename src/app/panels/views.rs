@@ -195,7 +195,7 @@ fn hover(ui: &Ui, state: &State, pane: EyePane) {
 
 /// Says where a click into `pane` hit nothing.
 fn missed(ui: &Ui, state: &State, pane: EyePane) {
-    if let Some(missed) = state.session.missed.filter(|missed| missed.eye == pane.eye) {
+    if let Some(missed) = state.session.missed.filter(|missed| missed.eye == pane.eye.index()) {
         under::show_nothing(ui, pane.rect, pane.place(missed.pixel));
     }
 }
