@@ -13,7 +13,7 @@ use super::overlay::Overlay;
 use super::plotting::PlotCommand;
 use super::pointer::{Pick, Select, Turn, Zoom};
 use super::stage::{Part, next_to_show};
-use super::state::{Missed, Session, State};
+use super::state::{Session, State};
 use super::usual::Section;
 use crate::comfort::comfortable_separation;
 use crate::flags::FieldOfView;
@@ -361,7 +361,7 @@ impl State {
                 self.session.points.choose(track, body, pick.add);
                 self.session.hint = false;
             }
-            None => self.session.missed = Some(Missed { eye: pick.eye.index(), pixel: pick.pixel }),
+            None => self.session.missed = Some(pick),
         }
     }
 

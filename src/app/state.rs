@@ -14,6 +14,7 @@ use super::notice::Notice;
 use super::orders::Order;
 use super::overlay::Overlay;
 use super::plotting::Plotting;
+use super::pointer::Pick;
 use super::points::{Point, Points};
 use super::recent::Recent;
 use super::stage::Stage;
@@ -33,15 +34,6 @@ pub struct State {
     pub session: Session,
 }
 
-/// A click that hit nothing.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Missed {
-    /// In whose picture: 0 left, 1 right.
-    pub eye: usize,
-    /// Where, in pixels from the top left corner.
-    pub pixel: [f64; 2],
-}
-
 /// What lasts as long as the window.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Session {
@@ -57,8 +49,8 @@ pub struct Session {
     pub points: Points,
     /// What stands over the window.
     pub overlay: Option<Overlay>,
-    /// Where a click into a view hit nothing, until something else is done.
-    pub missed: Option<Missed>,
+    /// The click into a view that hit nothing, until something else is done.
+    pub missed: Option<Pick>,
     /// Whether the views say what a click does: until the first.
     pub hint: bool,
     /// The preset that is shown, until another scene or state is.

@@ -11,7 +11,8 @@ fn mistakes_are_told_in_one_line() {
     for (flags, told) in [
         ("--out picture.jpg", ".png or .exr"),
         ("--out folder", "--frames"),
-        ("--frames 2 --out picture.png", "folder"),
+        ("--frames 2 --out hits.exr", "folder"),
+        ("--frames 2 --out ride.mp4", ".gif or .png"),
         ("--frames 2 --beta 0 --out ride", "--from and --to"),
         ("--geometry published", "--renderer mesh"),
         ("--geometry published --renderer rays", "--renderer mesh"),

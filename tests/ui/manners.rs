@@ -173,7 +173,7 @@ fn the_smallest_window() {
         for quantity in ["Δφ", "Δθ"] {
             let name = label_starting_with(&window, &format!("Plot of {quantity}"));
             let plot = window.get_by_label(&name).rect();
-            assert!(plot.width() >= 160.0 && plot.height() >= 120.0, "{size:?} {quantity}: {plot:?}");
+            assert!(plot.width() >= 160.0 && plot.height() >= 100.0, "{size:?} {quantity}: {plot:?}");
         }
     }
 }

@@ -98,7 +98,7 @@ fn clicking_in_every_layout() {
 
 /// The clock of the selected point stands beside its marker, which is at `place`.
 fn assert_is_marked(window: &Harness<'_, App>, eye: usize, place: Pos2) {
-    let name = format!("Clock of point 2, {}", ["Left eye", "Right eye"][eye]);
+    let name = format!("Clock of front tyre (2), {}", ["Left eye", "Right eye"][eye]);
     let clock = labels(window).into_iter().find(|label| label.starts_with(&name));
     let is_in_turn = window.state().state().settings.picture.layout == Layout::Flicker;
     let Some(clock) = clock else { return assert!(is_in_turn, "{name} is not shown") };

@@ -177,7 +177,8 @@ fn a_constant_is_a_line_in_the_middle() {
     let svg = window.state_mut().plots_svg();
     let frames: Vec<[f32; 2]> = svg
         .split("<rect x=\"")
-        .filter(|text| text.contains("fill=\"none\""))
+        .filter_map(|text| text.split('>').next())
+        .filter(|frame| frame.contains("fill=\"none\""))
         .map(|text| {
             let number = |name: &str| -> f32 {
                 let rest = text.split(&format!(" {name}=\"")).nth(1).expect("an attribute");

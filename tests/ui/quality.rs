@@ -166,7 +166,7 @@ fn figures_are_of_the_views() {
     let mut window = small_window(examined(0.9));
     settle(&mut window);
     let figures =
-        |window: &Harness<'_, App>| ["direction / ″", "D"].map(|column| figure(window, "exact", column));
+        |window: &Harness<'_, App>| ["direction / ″", "D"].map(|column| figure(window, "rays", column));
     let slow = figures(&window);
     assert_eq!(current(&window), 5);
     type_into(&mut window, "Gamma, typed", "1000");

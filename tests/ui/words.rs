@@ -132,7 +132,12 @@ fn words_are_in_the_window() {
             let mut window = window_of_size(state, size, 1.0);
             window.run();
             let area = Rect::from_min_size(pos2(0.0, 0.0), size.into());
-            for name in [ARRIVING, "Wavelengths that arrive"] {
+            let scale = "Wavelengths that arrive";
+            if size[1] <= 600.0 {
+                // Low windows leave the scale's height to the plots.
+                assert!(!labels(&window).iter().any(|label| label.starts_with(scale)), "{size:?}");
+            }
+            for name in [Some(ARRIVING), Some(scale).filter(|_| size[1] > 600.0)].into_iter().flatten() {
                 let label = label_starting_with(&window, name);
                 let rect = window.get_by_label(&label).rect();
                 assert!(area.contains_rect(rect) && rect.width() > 400.0, "{name} at {rect:?} in {size:?}");

@@ -186,8 +186,8 @@ const UNITS: [(Units, &str, &str); 3] = [
     ),
 ];
 
-const UNITS_TIP: &str = "In which units the window shows and takes lengths and times. Files, CSV, flags and what a \
-    picture records stay in the scene's own, in which c = 1.";
+const UNITS_TIP: &str = "In which units the window shows and takes lengths and times, and saves plots. Data, states, flags \
+    and what a picture records stay in the scene's own, in which c = 1.";
 
 const NO_METRES: &str = "This scene does not say how many metres its unit is.";
 

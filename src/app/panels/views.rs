@@ -195,7 +195,7 @@ fn hover(ui: &Ui, state: &State, pane: EyePane) {
 
 /// Says where a click into `pane` hit nothing.
 fn missed(ui: &Ui, state: &State, pane: EyePane) {
-    if let Some(missed) = state.session.missed.filter(|missed| missed.eye == pane.eye.index()) {
+    if let Some(missed) = state.session.missed.filter(|missed| missed.eye == pane.eye) {
         under::show_nothing(ui, pane.rect, pane.place(missed.pixel));
     }
 }
@@ -284,7 +284,7 @@ fn clock(ui: &Ui, state: &State, pane: EyePane, point: &Point, place: Pos2) {
     let Some(dial) = state.dial(point, pane.eye) else { return };
     let colour = theme::point_colour(point.number, ui.visuals());
     let drawn = Drawn { marker: place, view: pane.rect, colour };
-    let name = format!("Clock of point {}, {}", point.number, pane.eye.name());
+    let name = format!("Clock of {}, {}", state.name_of(point), pane.eye.name());
     dial::show(ui, dial, drawn, &name, dial::tip(state.measures().time));
 }
 

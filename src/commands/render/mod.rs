@@ -3,7 +3,7 @@
 mod sequence;
 mod vr180;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Arg, Args};
 
@@ -106,7 +106,18 @@ impl RenderArgs {
             (None, _, None) => {
                 anyhow::bail!("--out {out}: a file must end in .png or .exr; a folder needs --frames")
             }
+            (_, None, Some(_)) if is_of_another_kind(&self.out) => {
+                anyhow::bail!(
+                    "--out {out}: an animation must end in .gif or .png; of a folder of pictures ffmpeg makes any other"
+                )
+            }
             (_, _, Some(_)) => Ok(Output::Sequence),
         }
     }
+}
+
+/// Whether `path` is called what films or pictures are called that are not made here; any other name is a folder's.
+fn is_of_another_kind(path: &Path) -> bool {
+    const KINDS: [&str; 8] = ["avi", "jpeg", "jpg", "mkv", "mov", "mp4", "tif", "webm"];
+    path.extension().is_some_and(|extension| KINDS.iter().any(|kind| extension.eq_ignore_ascii_case(kind)))
 }

@@ -52,8 +52,8 @@ impl Mark {
 /// How far a name is from the middle of its mark, points.
 const NAME_GAP: f32 = 8.0;
 
-/// Names the marks, each beside its own where no other name or mark is.
-fn name_marks(ui: &Ui, response: &PlotResponse<()>, marks: &[Mark]) {
+/// Names the marks, each beside its own where no other name or mark is, nor the names of the axes.
+fn name_marks(ui: &Ui, response: &PlotResponse<()>, marks: &[Mark], axes: [Rect; 2]) {
     let frame = *response.transform.frame();
     let painter = ui.painter().with_clip_rect(frame);
     let small = TextStyle::Small.resolve(ui.style());
@@ -61,6 +61,7 @@ fn name_marks(ui: &Ui, response: &PlotResponse<()>, marks: &[Mark]) {
     let mut taken: Vec<Rect> = marks
         .iter()
         .map(|mark| Rect::from_center_size(middle(mark), Vec2::splat(2.0 * mark.radius)))
+        .chain(axes)
         .collect();
     for mark in marks {
         let galley = painter.layout_no_wrap(mark.name.clone(), small.clone(), mark.colour);
@@ -101,22 +102,27 @@ pub fn show(ui: &mut Ui, size: egui::Vec2, examination: &Examination, quality: &
             mark.draw(plot);
         }
     });
-    name_marks(ui, &response, &marks);
-    annotate(ui, &response);
+    let names = annotate(ui, &response);
+    name_marks(ui, &response, &marks, names);
     if let Some(mark) = clicked(&marks, &response) {
         *quality = quality.with_method(mark.method);
     }
 }
 
-/// Frames the plot, names its axes, and names it for assistive technology.
-fn annotate(ui: &Ui, response: &PlotResponse<()>) {
+/// Frames the plot, names its axes, and names it for assistive technology. Where the names of the axes stand.
+fn annotate(ui: &Ui, response: &PlotResponse<()>) -> [Rect; 2] {
     frame(ui, response);
     let corners = response.transform.frame().shrink(5.0);
     let (small, weak) = (TextStyle::Small.resolve(ui.style()), ui.visuals().weak_text_color());
-    ui.painter().text(corners.left_top(), Align2::LEFT_TOP, "direction / ″ (99 %)", small.clone(), weak);
-    ui.painter().text(corners.right_bottom(), Align2::RIGHT_BOTTOM, "time / ms", small, weak);
+    let names = [
+        (corners.left_top(), Align2::LEFT_TOP, "direction / ″ (99 %)"),
+        (corners.right_bottom(), Align2::RIGHT_BOTTOM, "time / ms"),
+    ];
+    let names =
+        names.map(|(corner, align, name)| ui.painter().text(corner, align, name, small.clone(), weak));
     let role = egui::accesskit::Role::GraphicsObject;
     response.response.widget_info(|| egui::WidgetInfo::labeled(role, true, "Plot of error against cost"));
+    names
 }
 
 /// The mark that was clicked.
