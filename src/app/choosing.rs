@@ -98,7 +98,7 @@ impl Chooser {
     #[must_use]
     pub fn stem(&self) -> [usize; 2] {
         let letters = |text: &str| text.chars().count();
-        let name = self.path.rfind('/').map_or(0, |slash| slash + 1);
+        let name = self.path.rfind(std::path::is_separator).map_or(0, |slash| slash + 1);
         let ending = self.path[name..].rfind('.').map_or(self.path.len(), |dot| name + dot);
         [letters(&self.path[..name]), letters(&self.path[..ending])]
     }
