@@ -1,8 +1,10 @@
 //! What the environment tells the graphics libraries.
 
 /// Names the folder in which the programs of a session meet: among others, the sockets of displays are in it.
+#[cfg(unix)]
 const SESSION_FOLDER: &str = "XDG_RUNTIME_DIR";
 /// A path that holds none.
+#[cfg(unix)]
 const NO_FOLDER: &str = "/dev/null";
 
 /// Has graphics libraries find no session where there is none, in place of complaining of it on standard error: one of
