@@ -100,14 +100,20 @@ fn wait_until(window: &mut Harness<'_, App>, what: &str, holds: impl Fn(&State) 
     panic!("{what}; notice: {:?}", window.state().state().session.notice);
 }
 
-fn a_scene_is_read_again() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let balls = file(folder.path(), "balls.toml", BALLS);
+/// A window that shows the scene in the file at `balls` at T = 1.25 and follows the ball in the middle.
+fn window_on_a_ball(balls: &Path) -> Harness<'static, App> {
     let mut window = window(cyclist(0.9));
-    ask(&mut window, Command::Open(balls.clone()));
+    ask(&mut window, Command::Open(balls.to_owned()));
     let middle = pane(&window, 0).center();
     click(&mut window, middle, Modifiers::NONE);
     ask(&mut window, Command::Time(1.25));
+    window
+}
+
+fn a_scene_is_read_again() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let balls = file(folder.path(), "balls.toml", BALLS);
+    let mut window = window_on_a_ball(&balls);
     let before = window.state().state().clone();
     assert_eq!(before.session.points.selected().body, Some(0), "the big ball is in the middle");
     // Watching costs no frames.
@@ -153,11 +159,7 @@ fn a_state_is_read_again() {
 fn what_is_shown_is_remembered() {
     let folder = tempfile::tempdir().expect("a folder");
     let balls = file(folder.path(), "balls.toml", BALLS);
-    let mut window = window(cyclist(0.9));
-    ask(&mut window, Command::Open(balls.clone()));
-    let middle = pane(&window, 0).center();
-    click(&mut window, middle, Modifiers::NONE);
-    ask(&mut window, Command::Time(1.25));
+    let mut window = window_on_a_ball(&balls);
     let mut storage = Storage::default();
     eframe::App::save(window.state_mut(), &mut storage);
     let again = State::open(memory::remembered(&storage)).expect("it is there");

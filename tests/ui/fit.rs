@@ -48,7 +48,7 @@ fn fitted(beta: f64, setup: FitSetup) -> State {
 }
 
 /// Frames until the newest fit is in view.
-fn wait(window: &mut Harness<'_, App>) {
+pub fn wait(window: &mut Harness<'_, App>) {
     let start = Instant::now();
     window.step();
     while !window.state().fitting().is_up_to_date() {

@@ -2,7 +2,6 @@
 
 use std::path::{Path, PathBuf};
 use std::process::Command as Program;
-use std::time::{Duration, Instant};
 
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
@@ -13,6 +12,7 @@ use gamow::settings::{FitSetup, Motion, PlotTab, Plots, Presence};
 use relativity_core::{Curves, Model, PublishedVariant};
 
 use super::Test;
+use super::fit::wait;
 use super::saving::{message, save};
 use super::support::{cyclist, label_starting_with, labels, shown, type_into, window};
 
@@ -64,18 +64,6 @@ fn fit_window(setup: FitSetup) -> Harness<'static, App> {
     state.apply(Command::Fit(setup));
     state.apply(Command::Plots(Plots { plot: PlotTab::Fit, ..Plots::default() }));
     window(state)
-}
-
-/// Frames until the newest fit is in view.
-fn wait(window: &mut Harness<'_, App>) {
-    let start = Instant::now();
-    window.step();
-    while !window.state().fitting().is_up_to_date() {
-        assert!(start.elapsed() < Duration::from_mins(1), "no fit");
-        std::thread::sleep(Duration::from_millis(5));
-        window.step();
-    }
-    window.run_steps(2);
 }
 
 fn open_data(window: &mut Harness<'_, App>, path: &Path) {

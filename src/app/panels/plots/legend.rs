@@ -15,8 +15,8 @@ use super::chart::{Chart, Dash, Trace};
 use crate::app::curves::{PUBLISHED, Quantity};
 
 /// Length of a piece of line, and what is between it and its name; points.
-const SAMPLE: f32 = 18.0;
-const SPACE: f32 = 4.0;
+pub(super) const SAMPLE: f32 = 18.0;
+pub(super) const SPACE: f32 = 4.0;
 /// What is left around the names, and between columns of them; points.
 const PADDING: f32 = 4.0;
 /// A legend lower than this part of the plot is low enough.

@@ -6,7 +6,7 @@ use relativity_core::Model;
 
 use super::axes::{Y_AXIS_WIDTH, axis_label, label};
 use super::chart::{Chart, Trace};
-use super::legend::sample;
+use super::legend::{SAMPLE, SPACE, sample};
 use super::traces::{ONE_CONE, distance_words};
 use crate::app::curves::{Curve, DistanceKind, PUBLISHED, Quantity};
 use crate::app::eye::Eye;
@@ -14,9 +14,6 @@ use crate::app::state::State;
 use crate::app::widgets::named_text;
 use crate::figures;
 use crate::plot::with_factor;
-
-/// Length of a piece of line, points.
-const SAMPLE: f32 = 18.0;
 
 /// Shows it.
 pub(super) fn show(ui: &mut Ui, state: &State, chart: &Chart<'_>) {
@@ -139,7 +136,7 @@ fn entry(ui: &mut Ui, trace: &Trace<'_>, text: &str, name: &str, tip: &str) {
     let colour = trace.colour(ui.visuals());
     let font = TextStyle::Body.resolve(ui.style());
     let galley = ui.painter().layout_no_wrap(text.to_owned(), font, colour);
-    let (rect, response) = ui.allocate_exact_size(galley.size() + vec2(SAMPLE + 4.0, 0.0), Sense::hover());
+    let (rect, response) = ui.allocate_exact_size(galley.size() + vec2(SAMPLE + SPACE, 0.0), Sense::hover());
     ui.painter().galley(pos2(rect.max.x - galley.size().x, rect.min.y), galley, colour);
     let stroke = Stroke::new(if trace.wide { 2.0 } else { 1.2 }, colour);
     sample(ui.painter(), rect.left_center(), SAMPLE, trace.dash, stroke);
