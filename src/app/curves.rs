@@ -6,7 +6,7 @@ use relativity_core::math;
 use relativity_core::{
     Aperture, Baseline, Model, PublishedVariant, equidistance_time, observation_time_when_seen_at,
 };
-use relativity_render::Velocity;
+use relativity_render::{MaterialPoint, Velocity};
 
 use crate::passage::time_within;
 
@@ -77,8 +77,8 @@ impl DistanceKind {
 pub struct CurvesKey {
     /// How the point moves.
     pub velocity: Velocity,
-    /// Where it is at rest, from between the eyes.
-    pub rest: [f64; 3],
+    /// Where it is at rest or turns, from between the eyes.
+    pub point: MaterialPoint,
     /// From the left to the right eye.
     pub baseline: Baseline,
     /// First and last T.
@@ -178,7 +178,7 @@ impl Curves {
     /// The curves for `key`.
     #[must_use]
     pub fn new(key: CurvesKey) -> Self {
-        let anchors = bends(&key.velocity, key.rest, key.baseline.apertures_or_limit());
+        let anchors = bends(&key.velocity, key.point, key.baseline.apertures_or_limit());
         let of = |model| OfModel::new(&key, model, &anchors);
         let shown = of(key.model);
         let exact = (key.model != Model::Exact).then(|| of(Model::Exact));
@@ -236,7 +236,7 @@ pub fn value(key: &CurvesKey, model: Model, curve: Curve, time: f64) -> Option<f
 }
 
 fn values(key: &CurvesKey, model: Model, time: f64) -> Option<[f64; EYES]> {
-    let both = key.velocity.disparity(model, key.rest, key.baseline.apertures(), time).ok()?;
+    let both = key.velocity.disparity(model, key.point, key.baseline.apertures(), time).ok()?;
     let (l, r) = (both.primary, both.secondary);
     let values = [
         both.dphi,
@@ -252,7 +252,7 @@ fn values(key: &CurvesKey, model: Model, time: f64) -> Option<[f64; EYES]> {
 }
 
 fn published_values(key: &CurvesKey, time: f64) -> Option<[f64; 2]> {
-    let both = key.velocity.disparity(PUBLISHED, key.rest, key.baseline.apertures(), time).ok()?;
+    let both = key.velocity.disparity(PUBLISHED, key.point, key.baseline.apertures(), time).ok()?;
     let values = [both.dphi, both.dtheta];
     values.iter().all(|value| value.is_finite()).then_some(values)
 }
@@ -270,9 +270,9 @@ pub struct StereoView {
 /// core.
 #[must_use]
 pub fn stereo_view(key: &CurvesKey, model: Model, time: f64) -> Option<StereoView> {
-    let fused = key.velocity.stereo(model, key.rest, key.baseline.apertures_or_limit(), time).ok();
-    let both = key.velocity.disparity(model, key.rest, key.baseline.apertures(), time).ok()?;
-    let source = key.velocity.reflected_source(key.rest);
+    let fused = key.velocity.stereo(model, key.point, key.baseline.apertures_or_limit(), time).ok();
+    let both = key.velocity.disparity(model, key.point, key.baseline.apertures(), time).ok()?;
+    let source = key.velocity.reflected_source(key.point).place();
     let measured = [source.x0 + key.velocity.speed.beta() * time, source.y, source.z];
     let distances = [
         fused.map(|fused| fused.distance()),
@@ -337,8 +337,8 @@ fn pieces<const N: usize>(
 }
 
 /// The times around which curves bend: T0, when the point is objectively abreast of each eye, and when that sees it there.
-pub(super) fn bends(velocity: &Velocity, rest: [f64; 3], pair: [Aperture; 2]) -> Vec<f64> {
-    let (speed, source) = (&velocity.speed, velocity.reflected_source(rest));
+pub(super) fn bends(velocity: &Velocity, point: impl Into<MaterialPoint>, pair: [Aperture; 2]) -> Vec<f64> {
+    let (speed, source) = (&velocity.speed, velocity.reflected_source(point).place());
     let pair = velocity.reflected_pair(pair);
     let equidistant = equidistance_time(speed, source, pair).ok().flatten();
     let abreast = pair.map(|aperture| (aperture.x - source.x0) / speed.beta());
@@ -466,7 +466,7 @@ mod tests {
         let model = Model::OneCone;
         CurvesKey {
             velocity,
-            rest,
+            point: rest.into(),
             baseline: Baseline::straight(0.3),
             range: [-2.0, 5.0],
             model,

@@ -139,8 +139,8 @@ impl State {
         }
         let view = self.view(eye, size);
         let hit = self.session.prepared.first_hit(&view, view.camera.line_of_sight(pixel))?;
-        let motion = self.session.prepared.motion_of(hit.body);
-        Some((Track { rest: hit.material_position().to_array(), motion }, hit.body))
+        let track = self.session.scene.track_at(hit.material_position.to_array(), hit.body)?;
+        Some((track, hit.body))
     }
 
     /// The pixel of the picture of `eye`, which has this `size`, that somebody means who points at `pixel`: it, or if nothing
@@ -171,7 +171,7 @@ impl State {
         let model = if stereo { self.settings.model() } else { self.settings.shown_model() };
         CurvesKey {
             velocity: self.velocity(point),
-            rest: self.settings.rest_place(point.track.rest),
+            point: self.settings.from_between_eyes(&point.track),
             baseline: self.settings.baseline(),
             range: self.time_range(),
             model,

@@ -183,7 +183,7 @@ mod tests {
     use super::*;
 
     const fn at(rest: [f64; 3]) -> Track {
-        Track { rest, motion: Motion::Scene }
+        Track { rest, motion: Motion::Scene, spin: None }
     }
 
     #[test]

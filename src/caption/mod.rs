@@ -240,7 +240,7 @@ impl Shown {
     fn riding_along(settings: &Settings, track: &Track, time: f64) -> Option<Self> {
         let doppler_factor = |view: View| {
             let seen = view.of_group(track.motion);
-            let line_of_sight = seen.apparent_position(track.rest.into())?.try_normalize()?;
+            let line_of_sight = seen.apparent_position(track.point())?.try_normalize()?;
             Some(seen.rest_ray(line_of_sight).doppler_factor)
         };
         let [left, right] = settings.views_ahead(time).map(doppler_factor);

@@ -10,7 +10,7 @@ use crate::scene::{Scene, Track};
 use crate::settings::Settings;
 use crate::units::Units;
 
-const POINT: Track = Track { rest: [0.0, 3.0, 2.0], motion: Motion::Scene };
+const POINT: Track = Track { rest: [0.0, 3.0, 2.0], motion: Motion::Scene, spin: None };
 
 fn settings(beta: f64, d: f64) -> Settings {
     let mut settings = Settings::default();
@@ -66,7 +66,7 @@ fn a_sentence_has_the_units_of_the_window() {
 
 #[test]
 fn what_rests_has_no_clock_but_those_on_the_ground() {
-    let post = Track { rest: [5.0, 3.0, 2.0], motion: Motion::Own(Velocity::REST) };
+    let post = Track { rest: [5.0, 3.0, 2.0], motion: Motion::Own(Velocity::REST), spin: None };
     let name = "the lamp post".to_owned();
     let post = Moment::new(&settings(0.9, 0.1), &post, name, Emission::Wavelength(700.0), 1.1);
     assert!(!post.sentence().contains("own clock"), "{}", post.sentence());
@@ -132,7 +132,7 @@ fn who_rides_along_receives_no_shift_from_what_rides_along() {
     assert_eq!(riding.doppler_factors(), [Some(1.0); 2]);
     assert!(riding.sentence().ends_with("from the front tyre: 700 nm, red."), "{}", riding.sentence());
     // A lamp post that comes towards them.
-    let post = Track { rest: [500.0, 3.0, 2.0], motion: Motion::Own(Velocity::REST) };
+    let post = Track { rest: [500.0, 3.0, 2.0], motion: Motion::Own(Velocity::REST), spin: None };
     let post = Moment::new(&settings, &post, "the lamp post".to_owned(), Emission::Wavelength(700.0), 0.0);
     // D = sqrt((1 + 0.6)/(1 - 0.6)) = 2 head-on.
     assert!(post.wavelengths_nm().iter().all(|nm| (nm.expect("received") - 350.0).abs() < 0.1), "{post:?}");

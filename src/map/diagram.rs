@@ -230,7 +230,7 @@ mod tests {
     fn tracks() -> Vec<Track> {
         let own = |beta| Motion::Own(Velocity::from_beta(beta).expect("in range"));
         let motions = [Motion::Scene, Motion::Own(Velocity::REST), own(-0.8), own(0.5)];
-        motions.map(|motion| Track { rest: [-0.7, 3.0, 2.0], motion }).to_vec()
+        motions.map(|motion| Track { rest: [-0.7, 3.0, 2.0], motion, spin: None }).to_vec()
     }
 
     fn settings(parameter: SpeedParameter, value: f64) -> Settings {
@@ -424,7 +424,7 @@ mod tests {
     #[test]
     fn what_is_shown_at_first_holds_still_while_the_point_passes_grows_and_then_follows() {
         let settings = settings(SpeedParameter::Beta, 0.9);
-        let track = Track { rest: [0.0, 3.0, 2.0], motion: Motion::Scene };
+        let track = Track { rest: [0.0, 3.0, 2.0], motion: Motion::Scene, spin: None };
         let home = |time| home(&settings, &track, time, Velocity::REST).expect("in the domain");
         let [low, high] = home(3.6);
         assert_eq!(home(1.1), [low, high]);

@@ -255,7 +255,7 @@ fn a_tilted_and_turned_head_has_its_eyes_and_its_light_where_they_are() {
     let half = 0.2 * DVec3::new(cos * 0.5, -cos * cos, sin);
     let eyes = instant.eyes();
     assert!(eyes[0].distance(-half) < 1e-12 && eyes[1].distance(half) < 1e-12, "{eyes:?}");
-    let track = Track { rest: [-0.7, 3.0, 2.0], motion: Motion::Scene };
+    let track = Track { rest: [-0.7, 3.0, 2.0], motion: Motion::Scene, spin: None };
     let diagram = Diagram::new(&settings, &track, 1.5, Velocity::REST).expect("in the domain");
     for ((eye, ray), cone) in eyes.into_iter().zip(diagram.rays).zip(diagram.cones()) {
         assert!((ray.received.x - eye.x).abs() < 1e-12);

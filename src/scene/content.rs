@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use relativity_render::{Body, Group, Motion, PreparedScene, Velocity};
+use relativity_render::{Body, Group, MaterialPoint, Motion, PreparedScene, Spin, Velocity};
 
 use super::forward_most::forward_most_on;
 use super::table::coincide;
@@ -57,10 +57,20 @@ impl SceneGroup {
 /// A point of a scene: where it rests in the frame of its group, and how that moves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Track {
-    /// Rest coordinates, as in the scene file.
+    /// Rest coordinates, as in the scene file; of a point that turns, those at t' = 0.
     pub rest: [f64; 3],
     /// How its group moves.
     pub motion: Motion,
+    /// How the body that it is on turns there.
+    pub spin: Option<Spin>,
+}
+
+impl Track {
+    /// The point in the frame of its group.
+    #[must_use]
+    pub fn point(&self) -> MaterialPoint {
+        MaterialPoint { rest: self.rest.into(), spin: self.spin }
+    }
 }
 
 impl Scene {
@@ -68,7 +78,7 @@ impl Scene {
     /// there is one.
     #[must_use]
     pub fn track(&self, point: Option<[f64; 3]>) -> Track {
-        Track { rest: point.unwrap_or(self.tracked), motion: self.groups[0].motion }
+        Track { rest: point.unwrap_or(self.tracked), motion: self.groups[0].motion, spin: None }
     }
 
     /// The forward-most point of the body of this number, if there is such a body.
@@ -80,7 +90,7 @@ impl Scene {
     /// The point that rests at this place of the body of this number, if there is one.
     #[must_use]
     pub fn track_at(&self, rest: [f64; 3], body: usize) -> Option<Track> {
-        Some(Track { rest, motion: self.motion_of(body)? })
+        Some(Track { rest, motion: self.motion_of(body)?, spin: self.bodies[body].spin })
     }
 
     /// How the body of this number moves, if there is one.

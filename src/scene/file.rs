@@ -168,7 +168,7 @@ fn object(mut object: Table) -> Result<Object, Located> {
     };
     let name = object.string("name")?.map(str::to_owned);
     let (emission, brightness) = (emission(&object)?, brightness(&object)?);
-    let body = Body { shape, emission, brightness, pattern: pattern(&object, &shape)? };
+    let body = Body { shape, emission, brightness, pattern: pattern(&object, &shape)?, spin: None };
     Ok(Object { body, name })
 }
 

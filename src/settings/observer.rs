@@ -10,7 +10,8 @@ use relativity_core::{
 };
 use relativity_render::exposure::automatic_ev;
 use relativity_render::{
-    Appearance, Camera, Gaze, Geometry, Motion, Outline, PreparedScene, Projection, Velocity, View,
+    Appearance, Camera, Gaze, Geometry, MaterialPoint, Motion, Outline, PreparedScene, Projection, Velocity,
+    View,
 };
 
 use super::all::Settings;
@@ -92,6 +93,12 @@ impl Settings {
         [x, y + self.motion.depth_shift, z + self.motion.height_shift]
     }
 
+    /// `point` in the frame of its group, from the point between the eyes.
+    #[must_use]
+    pub fn from_between_eyes(&self, point: &Track) -> MaterialPoint {
+        point.point().moved(self.rest_place([0.0; 3]))
+    }
+
     /// The velocity of what moves so.
     #[must_use]
     pub const fn velocity(&self, motion: Motion) -> Velocity {
@@ -113,7 +120,7 @@ impl Settings {
     /// The worldline of `point` from the point between the eyes, reflected to move along +x.
     #[must_use]
     pub fn source(&self, point: &Track) -> SourcePoint {
-        self.velocity(point.motion).reflected_source(self.rest_place(point.rest))
+        self.velocity(point.motion).reflected_source(self.from_between_eyes(point)).place()
     }
 
     /// Where `point` is measured to be at `time`, from the point between the eyes.
@@ -179,7 +186,7 @@ impl Settings {
     }
 
     fn disparity_by(&self, model: Model, point: &Track, time: f64) -> Result<Disparity, PairError> {
-        self.velocity(point.motion).disparity(model, self.rest_place(point.rest), self.pair(), time)
+        self.velocity(point.motion).disparity(model, self.from_between_eyes(point), self.pair(), time)
     }
 
     /// Where the eyes take `point` to be at `observation_time`, by the [`Self::model`] of what the views show.
@@ -187,7 +194,7 @@ impl Settings {
     /// # Errors
     /// A time outside the domain of the core; lines of sight that do not meet.
     pub fn stereo(&self, point: &Track, observation_time: f64) -> Result<Stereo, StereoError> {
-        let place = self.rest_place(point.rest);
+        let place = self.from_between_eyes(point);
         self.velocity(point.motion).stereo(
             self.model(),
             place,
@@ -289,7 +296,7 @@ impl Settings {
     /// From each eye to where the shown geometry has `point`; `None` outside the domain of the core.
     #[must_use]
     pub fn directions(&self, point: &Track, observation_time: f64) -> [Option<DVec3>; 2] {
-        let place = |view: View| view.of_group(point.motion).apparent_position(point.rest.into());
+        let place = |view: View| view.of_group(point.motion).apparent_position(point.point());
         self.views_ahead(observation_time).map(place)
     }
 

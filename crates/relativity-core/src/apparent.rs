@@ -8,6 +8,7 @@ use num_traits::Float;
 use crate::domain::{DomainError, check};
 use crate::doppler::intensity_factor;
 use crate::math;
+use crate::source::Source;
 use crate::speed::{Coefficients, Speed};
 
 /// A moving point, by its objective place at t = 0: its worldline is (x0 + beta t, y, z).
@@ -108,7 +109,7 @@ impl Sighting {
     }
 }
 
-/// What `aperture` sees of `point` at `observation_time`.
+/// What `aperture` sees of `source` at `observation_time`.
 ///
 /// # Accuracy
 ///
@@ -139,12 +140,16 @@ impl Sighting {
 /// ```
 pub fn sighting(
     speed: &Speed,
-    point: SourcePoint,
+    source: impl Into<Source>,
     aperture: Aperture,
     observation_time: f64,
 ) -> Result<Sighting, DomainError> {
-    check_inputs(point, aperture, observation_time)?;
-    Ok(sighting_inside_domain(speed, point, aperture, observation_time))
+    let source = source.into();
+    check_inputs(source.place(), aperture, observation_time)?;
+    Ok(match source {
+        Source::Point(point) => sighting_inside_domain(speed, point, aperture, observation_time),
+        Source::Wheel(point) => point.seen(speed, aperture, observation_time).sighting(speed, aperture),
+    })
 }
 
 /// [`sighting`] of inputs that have been checked.

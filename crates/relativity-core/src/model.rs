@@ -8,8 +8,10 @@ use crate::disparity::{Disparity, disparity};
 use crate::domain::DomainError;
 use crate::one_cone::{self, middle, one_cone_disparity};
 use crate::published::{self, PublishedVariant, published_disparity};
+use crate::source::Source;
 use crate::speed::Speed;
 use crate::stereo::{Stereo, StereoError, stereo};
+use crate::wheel_pair;
 
 /// A binocular model.
 ///
@@ -61,7 +63,7 @@ impl Model {
         }
     }
 
-    /// Disparity of `point` in this model for the `pair` of apertures.
+    /// Disparity of `source` in this model for the `pair` of apertures.
     ///
     /// # Accuracy
     ///
@@ -88,11 +90,15 @@ impl Model {
     pub fn disparity(
         self,
         speed: &Speed,
-        point: SourcePoint,
+        source: impl Into<Source>,
         pair: [Aperture; 2],
         observation_time: f64,
     ) -> Result<Disparity, PairError> {
         let [left, right] = pair;
+        let point = match source.into() {
+            Source::Point(point) => point,
+            Source::Wheel(wheel) => return wheel_pair::disparity(self, speed, wheel, pair, observation_time),
+        };
         Ok(match self {
             Self::Exact => disparity(speed, point, left, right, observation_time)?,
             Self::OneCone => one_cone_disparity(speed, point, pair, observation_time)?,
@@ -105,7 +111,7 @@ impl Model {
         })
     }
 
-    /// Where `point` is taken to be in this model by the `pair` of apertures, from the middle between them.
+    /// Where `source` is taken to be in this model by the `pair` of apertures, from the middle between them.
     ///
     /// # Accuracy
     ///
@@ -117,10 +123,14 @@ impl Model {
     pub fn stereo(
         self,
         speed: &Speed,
-        point: SourcePoint,
+        source: impl Into<Source>,
         pair: [Aperture; 2],
         observation_time: f64,
     ) -> Result<Stereo, StereoError> {
+        let point = match source.into() {
+            Source::Point(point) => point,
+            Source::Wheel(wheel) => return wheel_pair::stereo(self, speed, wheel, pair, observation_time),
+        };
         match self {
             Self::Exact => stereo(speed, point, pair, observation_time),
             // Both look at one event, which they take to be where it is.

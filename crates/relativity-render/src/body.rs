@@ -1,5 +1,7 @@
 //! What a scene is made of: solid shapes at rest in the frame of their group.
 
+use crate::spin::Spin;
+
 /// A solid shape in the rest frame. Lengths in the scene's unit; `[x, y, z]`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Shape {
@@ -133,6 +135,8 @@ pub struct Body {
     pub brightness: f64,
     /// What it carries.
     pub pattern: Pattern,
+    /// How it turns within its group; `None` if it stands still there.
+    pub spin: Option<Spin>,
 }
 
 impl Body {
@@ -149,7 +153,7 @@ impl Body {
     }
 
     const fn of_light(shape: Shape, emission: Emission) -> Self {
-        Self { shape, emission, brightness: 1.0, pattern: Pattern::Plain }
+        Self { shape, emission, brightness: 1.0, pattern: Pattern::Plain, spin: None }
     }
 
     /// The body with this `pattern`.
@@ -158,9 +162,16 @@ impl Body {
         Self { pattern, ..self }
     }
 
+    /// The body, turning so.
+    #[must_use]
+    pub const fn turning(self, spin: Spin) -> Self {
+        Self { spin: Some(spin), ..self }
+    }
+
     /// The body moved by `offset`.
     #[must_use]
     pub fn moved(self, offset: [f64; 3]) -> Self {
-        Self { shape: self.shape.moved(offset), ..self }
+        let spin = self.spin.map(|spin| spin.moved(offset));
+        Self { shape: self.shape.moved(offset), spin, ..self }
     }
 }

@@ -7,6 +7,7 @@ use glam::DVec3;
 use relativity_core::{Aperture, PublishedVariant, SourcePoint, published_disparity, sighting};
 
 use crate::camera::Camera;
+use crate::spin::MaterialPoint;
 use crate::velocity::{Motion, Velocity};
 use crate::view::{Geometry, View};
 
@@ -39,6 +40,8 @@ pub struct GroupView {
     pub geometry: Geometry,
     /// The group's velocity as the camera sees it.
     pub velocity: Velocity,
+    /// The same on the ground, on which its wheels roll.
+    pub on_ground: Velocity,
     /// Where the camera's event is in the group's frame: (gamma (`a_x` - beta T), `a_y`, `a_z`), with the group's
     /// beta on the ground. Where both eyes have one light cone, that of the middle between them.
     pub origin: DVec3,
@@ -71,6 +74,7 @@ impl GroupView {
             camera: view.camera,
             geometry,
             velocity,
+            on_ground,
             origin: on_ground.reflected(origin),
             time: gamma * (received - beta * aperture.x),
         }
@@ -170,12 +174,13 @@ impl GroupView {
         }
     }
 
-    /// From the aperture to where the group's point at `rest` appears; `None` outside the domain of the core.
+    /// From the aperture to where the group's `point` appears; `None` outside the domain of the core.
     ///
     /// The core is asked in coordinates whose origin is [`Self::origin`], which serves a camera that rides along,
     /// too.
     #[must_use]
-    pub fn apparent_position(&self, rest: DVec3) -> Option<DVec3> {
+    pub fn apparent_position(&self, point: impl Into<MaterialPoint>) -> Option<DVec3> {
+        let rest = self.place_when_shown(point);
         let from_camera = rest - self.origin;
         let speed = &self.velocity.speed;
         let point = SourcePoint::from_rest(self.reflected_from_camera(rest).to_array(), speed);
@@ -216,11 +221,11 @@ impl View {
         GroupView::new(self, motion)
     }
 
-    /// From the aperture to where the point at `rest` appears, which moves at the scene's speed; `None` outside the
+    /// From the aperture to where `point` appears, which moves at the scene's speed; `None` outside the
     /// domain of the core.
     #[must_use]
-    pub fn apparent_position(&self, rest: DVec3) -> Option<DVec3> {
-        self.of_group(Motion::Scene).apparent_position(rest)
+    pub fn apparent_position(&self, point: impl Into<MaterialPoint>) -> Option<DVec3> {
+        self.of_group(Motion::Scene).apparent_position(point)
     }
 }
 

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::camera::LinesOfSight;
 use crate::canvas::Measures;
-use crate::reference::{Hit, HitImage};
+use crate::reference::{Hit, HitImage, Turned};
 use crate::scene::PreparedScene;
 use crate::view::View;
 
@@ -12,6 +12,7 @@ impl Measures {
     /// What is seen of `scene` in `view`; what the shader has not written follows in f64.
     pub fn hit_image(&self, scene: &PreparedScene, view: &View) -> HitImage {
         let lines_of_sight = LinesOfSight::new(&view.camera);
+        let group_views = scene.group_views(view);
         let size = view.camera.size;
         let width = size[0] as usize;
         let hit = |(i, (measures, place)): (usize, (&[f32; 4], &[f32; 4]))| {
@@ -23,6 +24,8 @@ impl Measures {
             let [x, y, z, _] = place.map(f64::from);
             let solid = scene.solid(body);
             let rest_position = solid.center() + DVec3::new(x, y, z);
+            let Turned { own_time, turn, material_position, .. } =
+                Turned::new(&scene.bodies()[body], &group_views[scene.group_of(body)], rest_position);
             let pixel = [(i % width) as f64 + 0.5, (i / width) as f64 + 0.5];
             Some(Hit {
                 body,
@@ -30,6 +33,9 @@ impl Measures {
                 rest_normal: solid.normal(rest_position),
                 distance,
                 emission_time: view.emission_time(lines_of_sight.through(pixel), distance),
+                own_time,
+                turn,
+                material_position,
                 doppler_factor,
             })
         };

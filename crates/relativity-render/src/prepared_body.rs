@@ -12,6 +12,7 @@ use crate::capsule::{Capsule, add_capsules};
 use crate::intersect::{Solid, bounding_box};
 use crate::kind::Kind;
 use crate::pattern::{Form, Marking};
+use crate::spin::Spin;
 use crate::surface::Surface;
 use crate::turn::turn_of;
 
@@ -56,6 +57,10 @@ pub struct PreparedBody {
     pub(crate) capsules: Range<usize>,
     /// Its pattern; `None` for a plain one.
     pub(crate) marking: Option<Marking>,
+    /// How it turns within its group.
+    pub(crate) spin: Option<Spin>,
+    /// Whether turning changes where its surface is.
+    pub(crate) is_turned: bool,
     /// Whether it is drawn by a pipeline that knows patterns.
     pub(crate) is_patterned: bool,
 }
@@ -127,6 +132,8 @@ impl PreparedBody {
             block,
             capsules: first..capsules.len(),
             marking: Marking::new(body.pattern, Form::new(&body.shape), turn),
+            spin: body.spin,
+            is_turned: body.spin.is_some_and(|spin| !spin.keeps(&body.shape)),
             is_patterned: false,
         }
     }

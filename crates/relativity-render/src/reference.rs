@@ -4,7 +4,7 @@
 //! `GroupView::rest_ray`), and the nearest entry into a body, by light travel, is what the aperture sees. How accurate
 //! that is says [`Method::Reference`](crate::Method::Reference).
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 use relativity_core::threads::prelude::*;
 
 use crate::backdrop::Backdrop;
@@ -18,6 +18,7 @@ use crate::prepared_body::PreparedBody;
 use crate::ray::Ray;
 use crate::scene::PreparedScene;
 use crate::shade::surface_colour;
+use crate::spin::about_y;
 use crate::tiles::{TILE_SIDE, bands};
 use crate::view::{Appearance, Geometry, View};
 
@@ -36,16 +37,42 @@ pub struct Hit {
     /// Ground time of emission; the observation time itself for
     /// [`Geometry::Contracted`], whose light is instantaneous.
     pub emission_time: f64,
+    /// When the light left, by the clocks of the rest frame.
+    pub own_time: f64,
+    /// By how much the body had turned then since t' = 0, about +y, radians; 0 if it does not turn.
+    pub turn: f64,
+    /// Which of the body's points was hit: where that is at t' = 0, in the body as it was placed. Bodies that stand still
+    /// in their group have it where they were hit.
+    pub material_position: DVec3,
     /// Doppler factor, 1 unless light is received in the geometry.
     pub doppler_factor: f64,
 }
 
 impl Hit {
-    /// Which of the body's points was hit: where that is in the body as it was placed. Bodies that stand still in their
-    /// group have it where they were hit.
-    #[must_use]
-    pub const fn material_position(&self) -> DVec3 {
-        self.rest_position
+    /// Its normal as it is on the body at t' = 0.
+    pub(crate) fn material_normal(&self) -> DVec3 {
+        about_y(self.rest_normal, -self.turn)
+    }
+}
+
+/// What follows from where `body` is hit and when: by how much it had turned, which point it is, and its own Doppler factor.
+pub(crate) struct Turned {
+    pub own_time: f64,
+    pub turn: f64,
+    pub material_position: DVec3,
+    pub own_doppler: f64,
+}
+
+impl Turned {
+    /// Of `body`, hit at `place`, which `group_view` shows.
+    pub fn new(body: &PreparedBody, group_view: &GroupView, place: DVec3) -> Self {
+        let own_time = group_view.time_at(place);
+        let Some(spin) = body.spin else {
+            return Self { own_time, turn: 0.0, material_position: place, own_doppler: 1.0 };
+        };
+        let turn = group_view.turn_at(&spin, place);
+        let own_doppler = group_view.own_doppler(&spin, place);
+        Self { own_time, turn, material_position: spin.turned(place, -turn), own_doppler }
     }
 }
 
@@ -120,13 +147,18 @@ impl PreparedScene {
             let distance = (near.from_camera + entry.distance) * ray.ground_per_rest;
             (body, entry, distance, ray)
         };
+        let Turned { own_time, turn, material_position, own_doppler } =
+            Turned::new(&self.bodies()[body], group_view, entry.position);
         Some(Hit {
             body,
             rest_position: entry.position,
             rest_normal: entry.normal,
             distance,
             emission_time: view.emission_time(line_of_sight, distance),
-            doppler_factor: ray.doppler_factor,
+            own_time,
+            turn,
+            material_position,
+            doppler_factor: ray.doppler_factor * own_doppler,
         })
     }
 
@@ -180,8 +212,10 @@ impl PreparedScene {
     /// The mark of the pattern at `hit`, on average over what is `covered`: the factor of its light.
     pub(crate) fn mark(&self, hit: &Hit, covered: Covered) -> f64 {
         let body = &self.bodies()[hit.body];
-        let place = hit.material_position() - self.solid(hit.body).center();
-        body.marking.map_or(1.0, |marking| marking.mark(place, hit.rest_normal, covered))
+        let place = hit.material_position - self.solid(hit.body).center();
+        let covered =
+            if hit.turn == 0.0 { covered } else { covered.turned(DQuat::from_rotation_y(-hit.turn)) };
+        body.marking.map_or(1.0, |marking| marking.mark(place, hit.material_normal(), covered))
     }
 
     /// What a sample covers of the surface at `hit`, where `line_of_sight` turns so to those beside and below it.

@@ -6,6 +6,8 @@ use relativity_core::{
     StereoError, aberration,
 };
 
+use crate::spin::MaterialPoint;
+
 /// A velocity along x.
 ///
 /// # Examples
@@ -97,8 +99,7 @@ impl Velocity {
     }
 
     /// The worldline of the point at `rest` in the frame that moves so, reflected to move along +x.
-    #[must_use]
-    pub fn reflected_source(&self, rest: [f64; 3]) -> SourcePoint {
+    pub(crate) fn reflected_point(&self, rest: [f64; 3]) -> SourcePoint {
         SourcePoint::from_rest(self.reflected(rest.into()).to_array(), &self.speed)
     }
 
@@ -108,7 +109,7 @@ impl Velocity {
         pair.map(|aperture| Aperture { x: self.direction() * aperture.x, ..aperture })
     }
 
-    /// What the `pair` of apertures (left, right) sees in this `model` of the point at `rest` in the frame that moves so.
+    /// What the `pair` of apertures (left, right) sees in this `model` of `point` in the frame that moves so.
     ///
     /// # Errors
     ///
@@ -116,11 +117,11 @@ impl Velocity {
     pub fn disparity(
         &self,
         model: Model,
-        rest: [f64; 3],
+        point: impl Into<MaterialPoint>,
         pair: [Aperture; 2],
         observation_time: f64,
     ) -> Result<Disparity, PairError> {
-        let (point, pair) = (self.reflected_source(rest), self.reflected_pair(pair));
+        let (point, pair) = (self.reflected_source(point), self.reflected_pair(pair));
         let there = model.disparity(&self.speed, point, pair, observation_time)?;
         if !self.is_backward {
             return Ok(there);
@@ -134,7 +135,7 @@ impl Velocity {
         Ok(Disparity { primary, secondary, dphi: -there.dphi, dtheta: there.dtheta })
     }
 
-    /// Where in this `model` the `pair` of apertures (left, right) takes the point to be that is at `rest` in the frame that
+    /// Where in this `model` the `pair` of apertures (left, right) takes `point` to be in the frame that
     /// moves so, from the middle between them.
     ///
     /// # Errors
@@ -143,11 +144,11 @@ impl Velocity {
     pub fn stereo(
         &self,
         model: Model,
-        rest: [f64; 3],
+        point: impl Into<MaterialPoint>,
         pair: [Aperture; 2],
         observation_time: f64,
     ) -> Result<Stereo, StereoError> {
-        let (point, pair) = (self.reflected_source(rest), self.reflected_pair(pair));
+        let (point, pair) = (self.reflected_source(point), self.reflected_pair(pair));
         let there = model.stereo(&self.speed, point, pair, observation_time)?;
         Ok(Stereo { position: self.reflected(there.position.into()).to_array(), ..there })
     }

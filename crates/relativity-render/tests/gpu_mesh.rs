@@ -199,7 +199,7 @@ fn with_one_light_cone_pictures_keep_the_bound(renderers: &mut Renderers) {
             let [x, y, z] = off_middle.to_array();
             let camera = Camera { aperture: Aperture { x, y, z }, off_middle, ..view.camera };
             let mut view = View { camera, geometry: Geometry::OneCone, ..view };
-            let followed = view.apparent_position(FOLLOWED.into()).expect("inside the domain");
+            let followed = view.apparent_position(FOLLOWED).expect("inside the domain");
             view.camera.gaze = Gaze::along(followed.to_array());
             keep_bounds(renderers, &[Method::DEFAULT_BOUND_PX], &scene, &bodies, &view);
         }

@@ -143,7 +143,7 @@ fn a_hit_has_the_group_s_own_time_and_doppler_factor() {
         let group = scene.group_of(hit.body);
         let beta = BETAS[group];
         let gamma = 1.0 / (1.0 - beta * beta).sqrt();
-        assert_eq!(hit.material_position(), rest_position);
+        assert_eq!(hit.material_position, rest_position);
         // The event of emission, boosted: t' = gamma (t - beta x).
         let event_x = view.camera.aperture.x + distance * n.x;
         let own_time = gamma * (emission_time - beta * event_x);
@@ -297,7 +297,7 @@ fn both_eyes_see_a_point_of_any_group_where_their_views_show_it() {
                 let view = view(geometry, 2.1);
                 let off_middle = DVec3::new(aperture.x, aperture.y, aperture.z);
                 let camera = Camera { aperture, off_middle, ..view.camera };
-                View { camera, ..view }.of_group(motion(group)).apparent_position(rest.into()).expect("there")
+                View { camera, ..view }.of_group(motion(group)).apparent_position(rest).expect("there")
             });
             for (place, sighting) in places.into_iter().zip([both.primary, both.secondary]) {
                 assert!(place.distance(sighting.position.into()) < 1e-12 * place.length());

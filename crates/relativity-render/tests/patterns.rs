@@ -80,7 +80,7 @@ fn the_middle_of_a_globe_abeam_at_0_8_c_lies_53_1_degrees_from_what_faces_the_ey
     };
     let (u, v) = (middle(|at| at.0), middle(|at| at.1));
     let hit = hits.hits[(v * SIDE + u) as usize].expect("its middle is seen");
-    let place = hit.material_position() - DVec3::Y * FAR;
+    let place = hit.material_position - DVec3::Y * FAR;
     let turned = (-place.x).atan2(-place.y).to_degrees();
     // The middle lies within a pixel, which is 1/46 of the radius: 1.2 degrees, and half of that at a pixel's centre.
     assert!((turned - 53.1).abs() <= 0.5 + 0.7 / 53.1f64.to_radians().cos(), "{turned} degrees");

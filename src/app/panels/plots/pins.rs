@@ -18,7 +18,7 @@ struct Traits {
 impl Traits {
     fn of(state: &State, point: &Point, key: &CurvesKey) -> Self {
         let number = |name: &str, value: f64| format!("{name} {}", figures::trimmed(value, 3));
-        let [x, y, z] = key.rest;
+        let [x, y, z] = key.point.rest.to_array();
         let baseline = key.baseline;
         let beta = figures::beta(&key.velocity.speed);
         // As many digits as there are: no zeros behind the point.

@@ -35,7 +35,7 @@ pub(super) fn chart<'a>(state: &State, curves: &'a [Curves], quantity: Quantity,
 /// eyes spans at the point.
 fn rounding(key: &CurvesKey, quantity: Quantity) -> f64 {
     const SHARE: f64 = 1e-14;
-    let distance = key.rest.map(|along| along * along).iter().sum::<f64>().sqrt();
+    let distance = key.point.rest.length();
     let separation = key.baseline.separation;
     match quantity {
         Quantity::DeltaPhi | Quantity::DeltaTheta if separation > 0.0 => {

@@ -1,0 +1,72 @@
+//! When a view shows what is somewhere in a group, and how far wheels have turned by then.
+
+use glam::DVec3;
+use relativity_core::math;
+use relativity_core::wheel::{measured_later, seen_later};
+
+use crate::group_view::GroupView;
+use crate::spin::{MaterialPoint, Spin};
+use crate::view::Geometry;
+
+impl GroupView {
+    /// When this view shows what is at `place` in the group's frame, by the clocks there: as its light left, or for
+    /// [`Geometry::Contracted`] at the observation time on the ground.
+    #[must_use]
+    pub fn time_at(&self, place: DVec3) -> f64 {
+        if self.geometry == Geometry::Contracted {
+            self.time + self.on_ground.beta() * (self.origin.x - place.x)
+        } else {
+            self.time - place.distance(self.origin)
+        }
+    }
+
+    /// By how much later it shows what is at `from` + `step` than what is at `from`, without the difference.
+    pub(crate) fn later(&self, from: DVec3, step: DVec3) -> f64 {
+        if self.geometry == Geometry::Contracted {
+            return -self.on_ground.beta() * step.x;
+        }
+        let v = from - self.origin;
+        let sum = v.length() + (v + step).length();
+        if sum > 0.0 { -(2.0 * v + step).dot(step) / sum } else { 0.0 }
+    }
+
+    /// By which angle what turns so has turned since t' = 0 where it is shown at `place`.
+    #[must_use]
+    pub fn turn_at(&self, spin: &Spin, place: DVec3) -> f64 {
+        let off_axle = spin.off_axle(place);
+        let on_axle = place - off_axle;
+        spin.omega(&self.on_ground) * (self.time_at(on_axle) + self.later(on_axle, off_axle))
+    }
+
+    /// Where `point` is in the group's frame when this view shows it.
+    #[must_use]
+    pub fn place_when_shown(&self, point: impl Into<MaterialPoint>) -> DVec3 {
+        let MaterialPoint { rest, spin } = point.into();
+        let Some(spin) = spin else { return rest };
+        let off_axle = spin.off_axle(rest);
+        let (on_axle, omega) = (rest - off_axle, spin.omega(&self.on_ground));
+        let r = math::hypot(off_axle.x, off_axle.z);
+        let phase = math::atan2(off_axle.z, off_axle.x) - omega * self.time_at(on_axle);
+        let later = if self.geometry == Geometry::Contracted {
+            measured_later(self.on_ground.beta(), r, phase, omega)
+        } else {
+            seen_later((on_axle - self.origin).to_array(), r, phase, omega)
+        };
+        let (sine, cosine) = math::sin_cos(phase - omega * later);
+        on_axle + DVec3::new(r * cosine, 0.0, r * sine)
+    }
+
+    /// What the own motion of what turns so and is seen at `place` multiplies its Doppler factor with:
+    /// sqrt(1 - v^2)/(1 + v.n'), v being its velocity in the group's frame and n' the unit vector from the camera's event
+    /// there. 1 in [`Geometry::Contracted`], which shows no light.
+    #[must_use]
+    pub fn own_doppler(&self, spin: &Spin, place: DVec3) -> f64 {
+        if self.geometry == Geometry::Contracted {
+            return 1.0;
+        }
+        let velocity = DVec3::Y.cross(spin.off_axle(place)) * spin.omega(&self.on_ground);
+        let direction = (place - self.origin).normalize_or_zero();
+        let speed = velocity.length();
+        ((1.0 - speed) * (1.0 + speed)).max(0.0).sqrt() / (1.0 + velocity.dot(direction))
+    }
+}
