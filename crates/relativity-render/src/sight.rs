@@ -91,7 +91,7 @@ fn outline(scene: &PreparedScene, views: &[View]) -> Outline {
     let as_seen =
         views.iter().enumerate().flat_map(|(eye, view)| as_seen(scene, view).map(move |view| (eye, view)));
     let sights = as_seen.flat_map(|(eye, view)| {
-        groups().into_iter().map(move |group| Sight::new(eye, scene, group, view.of_group(group.motion)))
+        groups().into_iter().map(move |group| Sight::new(eye, scene, group, &view.of_group(group.motion)))
     });
     let sights: Vec<_> = sights.collect();
     let balls = |sight: &Sight| sight.balls().collect::<Vec<_>>();
@@ -162,8 +162,8 @@ fn as_seen(scene: &PreparedScene, view: &View) -> impl Iterator<Item = View> + u
 }
 
 impl<'a> Sight<'a> {
-    fn new(eye: usize, scene: &'a PreparedScene, group: &PreparedGroup, view: GroupView) -> Self {
-        let projection = Projection::new(&view);
+    fn new(eye: usize, scene: &'a PreparedScene, group: &PreparedGroup, view: &GroupView) -> Self {
+        let projection = Projection::new(view);
         let seen = |body: &PreparedBody| {
             let around = scene.ball_around(body);
             let center = projection.apparent_centre(view.reflected_from_camera(around.from), around.radius);
@@ -171,7 +171,7 @@ impl<'a> Sight<'a> {
             Seen { ball, capsules: scene.capsules(body), block: body.block, images: OnceCell::new() }
         };
         let bodies = scene.bodies()[group.bodies.clone()].iter().map(seen).collect();
-        Self { eye, view, projection, bodies }
+        Self { eye, view: *view, projection, bodies }
     }
 
     /// The balls that look like those around the bodies, on the ground.
