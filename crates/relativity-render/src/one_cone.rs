@@ -173,7 +173,8 @@ impl PreparedScene {
         let mut found = None;
         for _ in 0..ROUNDS {
             let near = Ray::new(ray.origin, ray.direction).counted_from(middle);
-            let (entry, along) = self.entry_or_passage(body, &near, view);
+            let touches = touched.is_finite().then(|| touched / ray.ground_per_rest - near.from_camera);
+            let (entry, along) = self.entry_or_passage(body, &near, view, touches);
             let distance = ((near.from_camera + along) * ray.ground_per_rest).max(0.0);
             found = entry.map(|entry| (entry, distance));
             if (distance - touched).abs() <= SETTLED * distance {
@@ -185,10 +186,17 @@ impl PreparedScene {
         found
     }
 
-    /// Where `ray` enters the `body` of this number, and how far along the ray that is or else where it passes.
-    fn entry_or_passage(&self, body: usize, ray: &Ray, view: &GroupView) -> (Option<Entry>, f64) {
+    /// Where `ray`, which `touches` the curve of events that far along it, enters the `body` of this number, and how far
+    /// along the ray that is or else where it passes.
+    fn entry_or_passage(
+        &self,
+        body: usize,
+        ray: &Ray,
+        view: &GroupView,
+        touches: Option<f64>,
+    ) -> (Option<Entry>, f64) {
         if let Some(turning) = self.turning(body) {
-            return turning.entry(ray, view);
+            return turning.entry(ray, view, touches);
         }
         let solid = self.solid(body);
         let entry = solid.entry(ray);

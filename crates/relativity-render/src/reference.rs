@@ -167,7 +167,7 @@ impl PreparedScene {
         let entries = bodies.iter().filter_map(|&body| {
             let body = body as usize;
             let entry = match self.turning(body) {
-                Some(turning) => turning.entry(ray, view).0,
+                Some(turning) => turning.entry(ray, view, None).0,
                 None => self.solid(body).entry(ray),
             };
             Some((body, entry?))

@@ -72,16 +72,18 @@ impl TurningSolid {
     }
 
     /// Where `ray` first enters it as `view` shows it, in front of the camera; and how far along the ray that is, or where
-    /// the ray passes near it if it does not enter.
+    /// the ray passes near it if it does not enter. A ray that only `touches` the curve of what is seen has its times from
+    /// there: how far along it that is.
     ///
     /// # Accuracy
     ///
     /// `tests/reference_wheels.rs`: the position lies on the surface within 1e-12 of how far the body reaches from
     /// the axle.
-    pub fn entry(&self, ray: &Ray, view: &GroupView) -> (Option<Entry>, f64) {
+    pub fn entry(&self, ray: &Ray, view: &GroupView, touches: Option<f64>) -> (Option<Entry>, f64) {
         let (start, from_start) = ray.nearest_to(self.sweep.middle);
         let local = LocalRay { start, direction: ray.direction, behind: -ray.from_camera - from_start };
-        let (found, s) = self.passage(&local, view);
+        let turned_at = touches.map_or_else(|| local.behind.max(0.0), |along| along - from_start);
+        let (found, s) = self.passage(&local, view, turned_at);
         let entry = found.map(|normal| Entry {
             distance: from_start + s,
             position: self.sweep.middle + (start + ray.direction * s),
@@ -91,10 +93,10 @@ impl TurningSolid {
     }
 
     /// The normal where a ray from near the sweep's middle enters, if it does, and at which parameter it does or is nearest.
-    fn passage(&self, ray: &LocalRay, view: &GroupView) -> (Option<DVec3>, f64) {
+    fn passage(&self, ray: &LocalRay, view: &GroupView, turned_at: f64) -> (Option<DVec3>, f64) {
         let mut nearest = (f64::INFINITY, ray.behind.max(0.0));
         for part in self.sweep.parts(ray).into_iter().flatten() {
-            let course = Course::new(self, ray, view);
+            let course = Course::new(self, ray, view, turned_at);
             if let Some(s) = course.first_entry(part, &mut nearest) {
                 return (Some(course.normal(s)), s);
             }
@@ -172,9 +174,8 @@ struct Course<'a> {
 }
 
 impl<'a> Course<'a> {
-    fn new(body: &'a TurningSolid, ray: &'a LocalRay, view: &GroupView) -> Self {
+    fn new(body: &'a TurningSolid, ray: &'a LocalRay, view: &GroupView, turned_at: f64) -> Self {
         let TurningSolid { solid, spin, sweep } = body;
-        let turned_at = ray.behind.max(0.0);
         let place = sweep.middle + (ray.start + ray.direction * turned_at);
         let rate = spin.omega(&view.on_ground) * view.rate_along(place, ray.direction);
         let across = math::hypot(ray.direction.x, ray.direction.z);
