@@ -109,7 +109,12 @@ impl Pieces {
         match (body.spin, body.block) {
             (Some(spin), _) if view.turns(body) == Turns::About => {
                 self.shown.clear();
-                view.capsules_when_shown(&spin, scene.around(body), &mut self.shown);
+                match body.block {
+                    Some(block) => {
+                        view.capsules_when_shown(&spin, &[block.ball_around()], &mut self.shown);
+                    }
+                    None => view.capsules_when_shown(&spin, scene.capsules(body), &mut self.shown),
+                }
                 let radius = least_shown(body.placement.place_radius[3].into(), view);
                 for capsule in &self.shown {
                     let first = self.rectangles.len();
