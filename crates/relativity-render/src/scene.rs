@@ -1,6 +1,7 @@
 //! A scene ready to be drawn: bodies placed and boxed once, whatever speed, time, eye, gaze and colour are.
 
 use std::ops::Range;
+use std::slice;
 use std::sync::{Arc, Mutex};
 
 use crate::body::Body;
@@ -163,6 +164,11 @@ impl PreparedScene {
     /// Capsules that contain `body`, one of these, unless it has a block.
     pub(crate) fn capsules(&self, body: &PreparedBody) -> &[Capsule] {
         &self.0.capsules[body.capsules.clone()]
+    }
+
+    /// Capsules that contain `body`, one of these: its own, or for one with a block [`Self::ball_around`] it.
+    pub(crate) fn around(&self, body: &PreparedBody) -> &[Capsule] {
+        if body.block.is_some() { slice::from_ref(self.ball_around(body)) } else { self.capsules(body) }
     }
 
     /// The ball around `body`, one of these, at every angle to which it turns.

@@ -109,12 +109,7 @@ impl Pieces {
         match (body.spin, body.block) {
             (Some(spin), _) if view.turns(body) == Turns::About => {
                 self.shown.clear();
-                match body.block {
-                    Some(block) => {
-                        view.capsules_when_shown(&spin, &[block.ball_around()], &mut self.shown);
-                    }
-                    None => view.capsules_when_shown(&spin, scene.capsules(body), &mut self.shown),
-                }
+                view.capsules_when_shown(&spin, scene.around(body), &mut self.shown);
                 let radius = least_shown(body.placement.place_radius[3].into(), view);
                 for capsule in &self.shown {
                     let first = self.rectangles.len();
