@@ -209,7 +209,7 @@ impl State {
         let fitted = || {
             let velocity = self.selected_velocity();
             let pair = velocity.reflected_pair(self.settings.pair());
-            passage::fitted_range(&velocity.speed, self.selected_source(), pair).map(clock::bounded)
+            passage::fitted_range(&velocity.speed, self.selected_source().place(), pair).map(clock::bounded)
         };
         self.settings.playback.range.0.unwrap_or_else(fitted)
     }

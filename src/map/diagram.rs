@@ -219,7 +219,7 @@ fn shown_times(
     ([from, to], longest): Part,
 ) -> Result<[f64; 2], PairError> {
     let speed = settings.velocity(point.motion).speed;
-    let source = settings.source(point);
+    let source = settings.carrier(point);
     let distance = math::hypot(source.y, source.z).max(NEAREST);
     let passing = SourcePoint { y: distance, z: 0.0, ..source };
     let seen = |ratio| passage::time_seen_at(ratio, &speed, passing, Aperture::pair(0.0));

@@ -5,6 +5,7 @@
 use crate::apparent::{Aperture, SourcePoint, check_inputs};
 use crate::domain::{DomainError, MAX_COORDINATE, check};
 use crate::one_cone::middle;
+use crate::source::Source;
 use crate::speed::Speed;
 
 /// From this many times the nearest distance on a point is far ahead: its distance nearly cancels x.
@@ -75,7 +76,8 @@ fn baseline([primary, secondary]: [Aperture; 2]) -> [f64; 3] {
     [secondary.x - primary.x, secondary.y - primary.y, secondary.z - primary.z]
 }
 
-/// T0: the observation time at which `point` is seen equidistant from both apertures of a `pair`.
+/// T0: the observation time at which `source` is seen equidistant from both apertures of a `pair`: the point itself, of one of
+/// a wheel as [`WheelPoint::place_when_passing`](crate::WheelPoint::place_when_passing).
 ///
 /// Both then receive one event, in the plane halfway between them: at x = -(`b_y` y + `b_z` z)/`b_x` from their middle, b being
 /// from one aperture to the other. For the paper's pair that is at x = 0 (eq. 6 of the paper, shifted by -x0/beta for a point
@@ -104,11 +106,23 @@ fn baseline([primary, secondary]: [Aperture; 2]) -> [f64; 3] {
 /// ```
 pub fn equidistance_time(
     speed: &Speed,
-    point: SourcePoint,
+    source: impl Into<Source>,
     pair: [Aperture; 2],
 ) -> Result<Option<f64>, DomainError> {
     let [bx, by, bz] = baseline(pair);
-    if [by, bz] == [0.0; 2] {
+    let is_along = [by, bz] == [0.0; 2];
+    let point = match source.into() {
+        Source::Point(point) => point,
+        Source::Wheel(wheel) => {
+            for aperture in pair {
+                check_inputs(wheel.hub, aperture, 0.0)?;
+            }
+            let normal = if is_along { [1.0, 0.0, 0.0] } else { [bx, by, bz] };
+            let Some(place) = wheel.place_when_passing(speed, middle(pair), normal) else { return Ok(None) };
+            place
+        }
+    };
+    if is_along {
         return observation_time_when_seen_at(speed, point, 0.0, pair);
     }
     check_inputs(point, pair[0], 0.0)?;

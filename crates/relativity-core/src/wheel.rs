@@ -143,7 +143,7 @@ pub fn measured_later<F: Float>(beta: F, r: F, phase: F, omega: F) -> F {
 }
 
 /// The root in [-r, r] of a function that rises there, from its value and slope.
-fn root<F: Float>(r: F, function: impl Fn(F) -> (F, F)) -> F {
+pub(crate) fn root<F: Float>(r: F, function: impl Fn(F) -> (F, F)) -> F {
     let (mut low, mut high) = (-r, r);
     let mut at = F::zero();
     let two = F::one() + F::one();

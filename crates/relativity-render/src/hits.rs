@@ -6,6 +6,7 @@ use crate::camera::LinesOfSight;
 use crate::canvas::Measures;
 use crate::reference::{Hit, HitImage, Turned};
 use crate::scene::PreparedScene;
+use crate::spin::about_y;
 use crate::view::View;
 
 impl Measures {
@@ -30,7 +31,7 @@ impl Measures {
             Some(Hit {
                 body,
                 rest_position,
-                rest_normal: solid.normal(rest_position),
+                rest_normal: about_y(solid.normal(material_position), turn),
                 distance,
                 emission_time: view.emission_time(lines_of_sight.through(pixel), distance),
                 own_time,

@@ -97,6 +97,7 @@ mod target;
 mod tiles;
 pub mod tone;
 mod turn;
+mod turned_bounds;
 mod turning;
 pub mod velocity;
 pub mod view;

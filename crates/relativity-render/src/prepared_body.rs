@@ -9,7 +9,7 @@ use glam::DVec3;
 use crate::block::{Block, block};
 use crate::body::{Body, Emission, Shape};
 use crate::capsule::{Capsule, add_capsules};
-use crate::intersect::{Solid, bounding_box};
+use crate::intersect::Solid;
 use crate::kind::Kind;
 use crate::pattern::{Form, Marking};
 use crate::spin::Spin;
@@ -76,10 +76,10 @@ pub(crate) struct Joint {
 }
 
 impl Extent {
-    /// Of a group's `solids`.
-    #[must_use]
-    pub fn new(solids: &[Solid]) -> Self {
-        let [low, high] = bounding_box(solids).unwrap_or([DVec3::ZERO, DVec3::ONE]);
+    /// Of a group whose bodies stay within these `boxes`, of each the lowest and highest corner.
+    pub(crate) fn new(boxes: impl IntoIterator<Item = [DVec3; 2]>) -> Self {
+        let around = boxes.into_iter().reduce(|[low, high], [from, to]| [low.min(from), high.max(to)]);
+        let [low, high] = around.unwrap_or([DVec3::ZERO, DVec3::ONE]);
         let middle = 0.5 * (low + high);
         Self { middle, reach: 1.001 * low.distance(middle) }
     }

@@ -11,7 +11,7 @@ use crate::backdrop::Backdrop;
 use crate::camera::LinesOfSight;
 use crate::cone::Cone;
 use crate::group_view::GroupView;
-use crate::intersect::Entry;
+use crate::intersect::{Entry, TurningSolid};
 use crate::pattern::Covered;
 use crate::picture::{Picture, encoded};
 use crate::prepared_body::PreparedBody;
@@ -143,7 +143,7 @@ impl PreparedScene {
         } else {
             let ray = group_view.rest_ray(line_of_sight);
             let near = Ray::new(ray.origin, ray.direction).counted_from(prepared.extent.middle);
-            let (body, entry) = self.first_entry(bodies, &near, prepared.tie())?;
+            let (body, entry) = self.first_entry(bodies, &near, group_view, prepared.tie())?;
             let distance = (near.from_camera + entry.distance) * ray.ground_per_rest;
             (body, entry, distance, ray)
         };
@@ -163,10 +163,14 @@ impl PreparedScene {
     }
 
     /// The nearest entry of `ray` among `bodies`, whose numbers ascend.
-    fn first_entry(&self, bodies: &[u32], ray: &Ray, tie: f64) -> Option<(usize, Entry)> {
+    fn first_entry(&self, bodies: &[u32], ray: &Ray, view: &GroupView, tie: f64) -> Option<(usize, Entry)> {
         let entries = bodies.iter().filter_map(|&body| {
             let body = body as usize;
-            Some((body, self.solid(body).entry(ray)?))
+            let entry = match self.turning(body) {
+                Some(turning) => turning.entry(ray, view, None).0,
+                None => self.solid(body).entry(ray),
+            };
+            Some((body, entry?))
         });
         entries.reduce(|first, next| if next.1.distance < first.1.distance - tie { next } else { first })
     }
@@ -263,7 +267,9 @@ impl PreparedScene {
     ) -> Vec<T> {
         let cone = |body: &PreparedBody| {
             let solid = self.solid(body.number);
-            Cone::of_sight(&group_views[body.group], solid.center(), solid.bounding_radius())
+            let resting = || (solid.center(), solid.bounding_radius());
+            let (center, radius) = self.turning(body.number).map_or_else(resting, TurningSolid::ball_around);
+            Cone::of_sight(&group_views[body.group], center, radius)
         };
         let cones: Vec<_> = self.bodies().iter().map(cone).collect();
         let bands = bands(&view.camera, &cones);

@@ -9,6 +9,7 @@ use std::slice::Iter;
 use bytemuck::{Pod, Zeroable};
 use glam::DVec2;
 
+use crate::capsule::Capsule;
 use crate::drawing::{Shot, Trait};
 use crate::footprint::{Bound, Footprint, Projection, Rectangle};
 use crate::group_view::GroupView;
@@ -53,6 +54,8 @@ pub struct Piece {
 pub struct Pieces {
     lists: BTreeMap<(bool, usize, Kind, bool), Vec<Piece>>,
     rectangles: Vec<Rectangle>,
+    /// What contains the last body that turns.
+    shown: Vec<Capsule>,
 }
 
 impl Pieces {
@@ -97,13 +100,17 @@ impl Pieces {
         body: &PreparedBody,
     ) {
         self.rectangles.clear();
-        if let Some(block) = body.block {
-            let block = block.reflected_from_camera(view);
-            add_rectangles(projection, &block, MAX_HALVINGS, &mut self.rectangles);
-        }
-        for capsule in scene.capsules(body) {
-            let capsule = capsule.reflected_from_camera(view);
-            add_rectangles(projection, &capsule, MAX_HALVINGS, &mut self.rectangles);
+        match (body.spin, body.block) {
+            (Some(spin), _) if body.is_turned => {
+                self.shown.clear();
+                view.capsules_when_shown(&spin, scene.around(body), &mut self.shown);
+                add_capsules(projection, view, &self.shown, &mut self.rectangles);
+            }
+            (_, Some(block)) => {
+                let block = block.reflected_from_camera(view);
+                add_rectangles(projection, &block, MAX_HALVINGS, &mut self.rectangles);
+            }
+            _ => add_capsules(projection, view, scene.capsules(body), &mut self.rectangles),
         }
         if self.rectangles.contains(&EVERYWHERE) {
             self.bound_nowhere();
@@ -123,6 +130,12 @@ const EVERYWHERE: Rectangle = Rectangle {
     radius_px: f64::INFINITY,
     is_loose: false,
 };
+
+fn add_capsules(projection: &Projection, view: &GroupView, capsules: &[Capsule], out: &mut Vec<Rectangle>) {
+    for capsule in capsules {
+        add_rectangles(projection, &capsule.reflected_from_camera(view), MAX_HALVINGS, out);
+    }
+}
 
 fn add_rectangles<B: Bound>(projection: &Projection, bound: &B, halvings: u32, out: &mut Vec<Rectangle>) {
     let is_whole = halvings == 0 || bound.is_point();
