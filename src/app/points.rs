@@ -29,6 +29,14 @@ impl Point {
         format!("the {}", self.what(scene))
     }
 
+    /// It as `scene` has it: on its body, if there is one of that number, with which it may turn.
+    fn in_scene(self, scene: &Scene) -> Option<Self> {
+        let rest = self.track.rest;
+        let track =
+            self.body.map_or_else(|| Some(scene.track(Some(rest))), |body| scene.track_at(rest, body))?;
+        Some(Self { track, ..self })
+    }
+
     /// Whether it is the scene's own.
     const fn is_tracked(&self) -> bool {
         self.number == FIRST
@@ -151,8 +159,9 @@ impl Points {
     pub fn of(mut self, scene: &Scene) -> Self {
         self.all[TRACKED].track = scene.track(None);
         for index in (TRACKED + 1..self.all.len()).rev() {
-            if self.all[index].body.is_some_and(|body| body >= scene.bodies.len()) {
-                self.remove(index);
+            match self.all[index].in_scene(scene) {
+                Some(point) => self.all[index] = point,
+                None => self.remove(index),
             }
         }
         self
@@ -167,9 +176,7 @@ impl Points {
             if body == Some(None) {
                 continue;
             }
-            let body = body.flatten();
-            let track = body.and_then(|body| new.track_at(point.track.rest, body)).unwrap_or(point.track);
-            carried.all.push(Point { body, track, ..*point });
+            carried.all.extend(Point { body: body.flatten(), ..*point }.in_scene(new));
             if index == self.selected {
                 carried.selected = carried.all.len() - 1;
             }

@@ -84,11 +84,12 @@ impl Case {
         let case = Self { body, spin, beta, view, line_of_sight: DVec3::Y };
         // Towards a place on or near it.
         let near = match shape {
-            Shape::Tube { from, to, .. } => DVec3::from(from).lerp(to.into(), m),
+            Shape::Tube { from, to, .. } | Shape::Cylinder { from, to, .. } => {
+                DVec3::from(from).lerp(to.into(), m)
+            }
             Shape::Sphere { center, .. } | Shape::Box { center, .. } | Shape::Ring { center, .. } => {
                 center.into()
             }
-            Shape::Cylinder { from, to, .. } => DVec3::from(from).lerp(to.into(), m),
         };
         let size = match i % 8 {
             1 => 0.2 * radius,
@@ -224,6 +225,71 @@ impl Case {
             }
         }
         inside
+    }
+}
+
+/// A wheel with dished spokes, a valve, and a box, a ball and a ring that turn with it.
+fn wheel(hub: DVec3, radius: f64) -> Vec<Body> {
+    let spin = Spin { hub: hub.to_array(), radius, turning: Turning::Rolling };
+    let place = |rho: f64, angle: f64, y: f64| {
+        let (sine, cosine) = angle.sin_cos();
+        (hub + radius * DVec3::new(rho * cosine, y, rho * sine)).to_array()
+    };
+    let spoke = |i: i32| {
+        let angle = TAU * f64::from(i) / 24.0;
+        let side = if i % 2 == 0 { 0.1 } else { -0.1 };
+        Shape::Tube {
+            from: place(0.06, angle + 8.0 * side, side),
+            to: place(0.93, angle, 0.0),
+            radius: 0.006 * radius,
+        }
+    };
+    let axis = [0.0, 1.0, 0.0];
+    let turn = DQuat::from_rotation_x(0.4).to_array();
+    let others = [
+        Shape::Ring { center: hub.to_array(), axis, radius: 0.96 * radius, tube_radius: 0.04 * radius },
+        Shape::Tube { from: place(0.0, 0.0, -0.1), to: place(0.0, 0.0, 0.1), radius: 0.06 * radius },
+        Shape::Tube { from: place(0.92, 0.1, 0.0), to: place(0.8, 0.1, 0.0), radius: 0.01 * radius },
+        Shape::Box {
+            center: place(0.6, 1.0, 0.05),
+            half: [0.05 * radius, 0.02 * radius, 0.04 * radius],
+            turn,
+        },
+        Shape::Sphere { center: place(0.5, 3.0, 0.0), radius: 0.05 * radius },
+        Shape::Ring { center: place(0.5, 4.0, 0.0), axis, radius: 0.2 * radius, tube_radius: 0.02 * radius },
+    ];
+    let shapes = (0..24).map(spoke).chain(others);
+    shapes.map(|shape| Body::new(shape, 600.0).turning(spin)).collect()
+}
+
+#[test]
+fn a_picture_shows_what_single_rays_meet() {
+    let hub = DVec3::new(0.0, 3.0, 0.8);
+    let scene = PreparedScene::moving(&wheel(hub, 0.5));
+    for (i, beta) in [0.3, 0.9, 0.99].into_iter().enumerate() {
+        for geometry in GEOMETRIES {
+            let speed = Speed::from_beta(beta).expect("below 1");
+            let off_middle = if geometry == Geometry::OneCone { DVec3::X * 0.05 } else { DVec3::ZERO };
+            let aperture = Aperture { x: off_middle.x, y: 0.0, z: 0.0 };
+            let camera = Camera { off_middle, ..Camera::new(aperture, Gaze::STRAIGHT_AHEAD, 1.0, [72, 56]) };
+            let observation_time = [2.0, 3.5, 5.0][i];
+            let mut view = View { camera, speed, observation_time, geometry };
+            let middle = view.apparent_position(hub).expect("inside the domain");
+            view.camera.gaze = Gaze::along(middle.to_array());
+            view.camera.horizontal_fov = 1.4 / middle.length().max(1.0);
+            let image = scene.hit_image(&view);
+            let mut bodies = [0; 30];
+            for (number, hit) in (0..).zip(&image.hits) {
+                let pixel = [f64::from(number % 72) + 0.5, f64::from(number / 72) + 0.5];
+                let alone = scene.first_hit(&view, view.camera.line_of_sight(pixel));
+                assert_eq!(*hit, alone, "{geometry:?} at beta = {beta}, pixel {pixel:?}");
+                if let Some(hit) = hit {
+                    bodies[hit.body] += 1;
+                }
+            }
+            let spokes = bodies[..24].iter().filter(|&&count| count > 0).count();
+            assert!(spokes > 8 && bodies[24] > 40, "{geometry:?} at beta = {beta}: {bodies:?}");
+        }
     }
 }
 

@@ -315,7 +315,8 @@ impl LocalRay {
     /// of the camera; `None` if there is none, or if it lies in the hole. Spares most rays the quartic.
     fn torus_interval(&self, axis: DVec3, radius: f64, tube_radius: f64) -> Option<[f64; 2]> {
         let Self { start, direction, .. } = *self;
-        let size = radius + tube_radius;
+        // Beyond the surface, which the ball touches where the ring is widest.
+        let size = (radius + tube_radius) * (1.0 + 1e-9);
         let half_chord = (size * size - start.length_squared()).max(0.0).sqrt();
         let [along, along_slope] = [start.dot(axis), direction.dot(axis)];
         let thickness = tube_radius * (1.0 + 1e-9);

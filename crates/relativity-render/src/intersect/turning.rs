@@ -20,6 +20,7 @@ use glam::DVec3;
 use relativity_core::math;
 
 use super::{Entry, Form, LocalRay, Solid, flat};
+use crate::body::Shape;
 use crate::group_view::GroupView;
 use crate::ray::Ray;
 use crate::spin::{Spin, about_y};
@@ -62,6 +63,13 @@ impl TurningSolid {
     /// A ball that holds it at every angle: its centre, on the axle, and its radius.
     pub fn ball_around(&self) -> (DVec3, f64) {
         (self.sweep.middle, math::hypot(self.sweep.half_width, self.sweep.outer))
+    }
+
+    /// A ring which it never leaves the hull of, at whatever angle.
+    pub fn ring_around(&self) -> Shape {
+        let Sweep { middle, half_width, outer, .. } = self.sweep;
+        let axis = DVec3::Y.to_array();
+        Shape::Ring { center: middle.to_array(), axis, radius: outer, tube_radius: half_width }
     }
 
     /// The lowest and highest corner of a box that holds it at every angle.
@@ -143,7 +151,7 @@ impl Sweep {
         if across_squared > 0.0 {
             outer = half_chord(self.outer).map(of_chord);
             inner = half_chord(self.inner).map(of_chord);
-        } else if start.x.hypot(start.z) > self.outer {
+        } else if math::hypot(start.x, start.z) > self.outer {
             outer = None;
         }
         let Some([first, last]) = outer else { return [None; 2] };
