@@ -6,8 +6,8 @@ use crate::camera::LinesOfSight;
 use crate::canvas::Measures;
 use crate::reference::{Hit, HitImage, Turned};
 use crate::scene::PreparedScene;
-use crate::turns::Turns;
 use crate::spin::about_y;
+use crate::turns::Turns;
 use crate::view::View;
 
 impl Measures {

@@ -114,7 +114,12 @@ impl Part {
         let Trait { is_thin, .. } = self.common();
         let is_joined = if is_thin { self.joint.widened } else { self.joint.as_it_is };
         let [_, _, index] = self.instance.cover_brightness_index;
-        (is_thin, self.group, (!is_joined).then_some((self.is_patterned, self.turns, self.division)), index as u32)
+        (
+            is_thin,
+            self.group,
+            (!is_joined).then_some((self.is_patterned, self.turns, self.division)),
+            index as u32,
+        )
     }
 }
 
