@@ -95,8 +95,6 @@ pub mod speed;
 pub mod stereo;
 pub mod threads;
 pub mod wheel;
-mod wheel_events;
-mod wheel_pair;
 
 pub use apparent::{Aperture, Sighting, SourcePoint, sighting};
 pub use baseline::Baseline;
