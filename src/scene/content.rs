@@ -75,6 +75,13 @@ impl Track {
     pub fn point(&self) -> MaterialPoint {
         MaterialPoint { rest: self.rest.into(), spin: self.spin }
     }
+
+    /// Where the axle is that it turns about, beside it; itself if it does not turn.
+    #[must_use]
+    pub fn axle(&self) -> [f64; 3] {
+        let [x, y, z] = self.rest;
+        self.spin.map_or([x, y, z], |spin| [spin.hub[0], y, spin.hub[2]])
+    }
 }
 
 impl Scene {

@@ -145,10 +145,13 @@ pub fn sighting(
     observation_time: f64,
 ) -> Result<Sighting, DomainError> {
     let source = source.into();
-    check_inputs(source.place(), aperture, observation_time)?;
+    check_inputs(source, aperture, observation_time)?;
     Ok(match source {
         Source::Point(point) => sighting_inside_domain(speed, point, aperture, observation_time),
-        Source::Wheel(point) => point.seen(speed, aperture, observation_time).sighting(speed, aperture),
+        Source::Wheel(wheel) => {
+            let seen = wheel.seen(speed, aperture, observation_time);
+            wheel.sighting(speed, &seen, observation_time)
+        }
     })
 }
 
@@ -164,10 +167,12 @@ pub(crate) fn sighting_inside_domain(
 }
 
 pub(crate) fn check_inputs(
-    point: SourcePoint,
+    source: impl Into<Source>,
     aperture: Aperture,
     observation_time: f64,
 ) -> Result<(), DomainError> {
+    let source = source.into();
+    let point = source.place();
     check("T", observation_time)?;
     check("x0", point.x0)?;
     check("y", point.y)?;
@@ -175,7 +180,10 @@ pub(crate) fn check_inputs(
     check("aperture x", aperture.x)?;
     check("aperture y", aperture.y)?;
     check("aperture z", aperture.z)?;
-    Ok(())
+    match source {
+        Source::Point(_) => Ok(()),
+        Source::Wheel(wheel) => wheel.check(),
+    }
 }
 
 /// Coordinates in the precision `F`.
@@ -205,22 +213,9 @@ impl LightCone<f64> {
             position: [self.solution.x, self.y, self.z],
             distance: self.solution.r,
             retarded_time: observation_time - self.solution.r,
-            own_time: self.own_time(speed, x0, aperture_x, observation_time),
+            own_time: self.own_time(&speed.coefficients(), x0, aperture_x, observation_time),
             doppler_factor: self.solution.doppler_factor,
         }
-    }
-
-    /// In the rest frame the light arrives at gamma (T - beta a), from gamma q away.
-    ///
-    /// For a point far past the aperture that cancels at high speed. There q = S + (rho/gamma)^2/(q + S) leaves 1 - beta
-    /// as a factor of what has come far, T + a.
-    fn own_time(&self, speed: &Speed, x0: f64, a: f64, time: f64) -> f64 {
-        let (beta, gamma, q) = (speed.beta(), speed.gamma(), self.solution.q);
-        if 2.0 * beta * self.s <= q {
-            return gamma * (time - beta * a - q);
-        }
-        let beyond = (self.y * self.y + self.z * self.z) * speed.inverse_gamma_squared() / (q + self.s);
-        gamma * (speed.one_minus_beta() * (time + a) - x0 - beyond)
     }
 }
 
@@ -232,6 +227,20 @@ impl<F: Float> LightCone<F> {
     )]
     pub fn at(coefficients: &Coefficients<F>, s: F, y: F, z: F) -> Self {
         Self { s, y, z, solution: coefficients.solution(s, y * y + z * z) }
+    }
+
+    /// In the rest frame the light arrives at gamma (T - beta a), from gamma q away.
+    ///
+    /// For a point far past the aperture that cancels at high speed. There q = S + (rho/gamma)^2/(q + S) leaves 1 - beta
+    /// as a factor of what has come far, T + a.
+    pub fn own_time(&self, coefficients: &Coefficients<F>, x0: F, a: F, time: F) -> F {
+        let &Coefficients { beta, gamma, one_minus_beta, inverse_gamma_squared, .. } = coefficients;
+        let (s, q) = (self.s, self.solution.q);
+        if beta * (s + s) <= q {
+            return gamma * (time - beta * a - q);
+        }
+        let beyond = (self.y * self.y + self.z * self.z) * inverse_gamma_squared / (q + s);
+        gamma * (one_minus_beta * (time + a) - x0 - beyond)
     }
 }
 
@@ -265,7 +274,8 @@ impl<F: Float> Coefficients<F> {
         reason = "batches are dispatched to wider registers, which needs inlining"
     )]
     pub fn solution(&self, s: F, rho_squared: F) -> Solution<F> {
-        let Self { beta, gamma, gamma_minus_one, inverse_gamma, inverse_gamma_squared, smallest_q } = *self;
+        let Self { beta, gamma, gamma_minus_one, inverse_gamma, inverse_gamma_squared, smallest_q, .. } =
+            *self;
         let (zero, one) = (F::zero(), F::one());
         let q = (s * s + rho_squared * inverse_gamma_squared).sqrt();
         // q = 0 only inside the aperture; a tiny divisor then makes c = 0 and D = gamma.

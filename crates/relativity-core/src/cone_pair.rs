@@ -167,7 +167,7 @@ impl<F: Float> ConePair<F> {
                 self.mean_cross_with_x(&x, &of_z, &of_y),
                 -self.mean_cross_with_x(&x, &of_y, &of_z),
             ],
-            by_motion: (self.beta + self.beta) * (along / sum_q),
+            excess: [-(self.beta + self.beta) * (along / sum_q), F::zero(), F::zero()],
         })
     }
 
@@ -236,11 +236,12 @@ pub(crate) struct LinesOfSight<F> {
     pub difference: [F; 3],
     /// `P_l` x `P_r`, across both.
     pub normal: [F; 3],
-    /// By how much less the two X differ than the apertures' places do: beta (`R_l` - `R_r`).
+    /// By how much more they differ than the apertures' places do, which is all that sets them apart from two lines to one
+    /// resting point: by how far the source moved between the two emissions.
     ///
-    /// That is all that sets them apart from two lines to one resting point. Since `R_l^2` - `R_r^2` is the product of the
+    /// Of a point that does not turn that is -beta (`R_l` - `R_r`) along x. Since `R_l^2` - `R_r^2` is the product of the
     /// sum of both lines with their difference, `R_l` - `R_r` is that of their sum with the baseline over `q_l` + `q_r`.
-    pub by_motion: F,
+    pub excess: [F; 3],
 }
 
 /// A coordinate across the motion, from both apertures, and left minus right.

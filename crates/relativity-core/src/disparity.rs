@@ -1,8 +1,9 @@
 //! Exact disparities: how differently two apertures see one point, each through its own light cone.
 
-use crate::apparent::{Aperture, Sighting, SourcePoint, check_inputs, sighting_inside_domain};
+use crate::apparent::{Aperture, Sighting, check_inputs, sighting_inside_domain};
 use crate::cone_pair::ConePair;
 use crate::domain::DomainError;
+use crate::source::Source;
 use crate::speed::Speed;
 
 /// Two sightings of one point, and the differences between them.
@@ -18,7 +19,7 @@ pub struct Disparity {
     pub dtheta: f64,
 }
 
-/// Disparity of `point` between two apertures at `observation_time`.
+/// Disparity of `source` between two apertures at `observation_time`.
 ///
 /// # Accuracy
 ///
@@ -49,20 +50,25 @@ pub struct Disparity {
 /// ```
 pub fn disparity(
     speed: &Speed,
-    point: SourcePoint,
+    source: impl Into<Source>,
     primary: Aperture,
     secondary: Aperture,
     observation_time: f64,
 ) -> Result<Disparity, DomainError> {
-    check_inputs(point, primary, observation_time)?;
-    check_inputs(point, secondary, observation_time)?;
+    let source = source.into();
+    check_inputs(source, primary, observation_time)?;
+    check_inputs(source, secondary, observation_time)?;
+    let point = match source {
+        Source::Point(point) => point,
+        Source::Wheel(wheel) => return Ok(wheel.disparity(speed, [primary, secondary], observation_time)),
+    };
     let (dphi, dtheta) =
         ConePair::new(&speed.coefficients(), point, primary, secondary, observation_time).angle_differences();
     let seen_by = |aperture| sighting_inside_domain(speed, point, aperture, observation_time);
     Ok(Disparity { primary: seen_by(primary), secondary: seen_by(secondary), dphi, dtheta })
 }
 
-/// Disparities of `point` between the primary, first aperture of a slice and each of them (itself included); none of
+/// Disparities of `source` between the primary, first aperture of a slice and each of them (itself included); none of
 /// no apertures.
 ///
 /// # Errors
@@ -70,11 +76,12 @@ pub fn disparity(
 /// A coordinate or time outside the domain.
 pub fn disparities(
     speed: &Speed,
-    point: SourcePoint,
+    source: impl Into<Source>,
     apertures: &[Aperture],
     observation_time: f64,
 ) -> Result<Vec<Disparity>, DomainError> {
+    let source = source.into();
     let against_primary =
-        |&secondary: &Aperture| disparity(speed, point, apertures[0], secondary, observation_time);
+        |&secondary: &Aperture| disparity(speed, source, apertures[0], secondary, observation_time);
     apertures.iter().map(against_primary).collect()
 }

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use crate::apparent::{Aperture, Sighting, SourcePoint, sighting};
+use crate::apparent::{Aperture, Sighting, SourcePoint, check_inputs, sighting};
 use crate::cone_pair::ConePair;
 use crate::disparity::{Disparity, disparity};
 use crate::domain::DomainError;
@@ -11,7 +11,6 @@ use crate::published::{self, PublishedVariant, published_disparity};
 use crate::source::Source;
 use crate::speed::Speed;
 use crate::stereo::{Stereo, StereoError, stereo};
-use crate::wheel_pair;
 
 /// A binocular model.
 ///
@@ -94,19 +93,23 @@ impl Model {
         pair: [Aperture; 2],
         observation_time: f64,
     ) -> Result<Disparity, PairError> {
+        let source = source.into();
         let [left, right] = pair;
-        let point = match source.into() {
-            Source::Point(point) => point,
-            Source::Wheel(wheel) => return wheel_pair::disparity(self, speed, wheel, pair, observation_time),
-        };
         Ok(match self {
-            Self::Exact => disparity(speed, point, left, right, observation_time)?,
-            Self::OneCone => one_cone_disparity(speed, point, pair, observation_time)?,
+            Self::Exact => disparity(speed, source, left, right, observation_time)?,
+            Self::OneCone => one_cone_disparity(speed, source, pair, observation_time)?,
             Self::Published(variant) => {
                 if (left.y, left.z) != (right.y, right.z) {
                     return Err(PairError::OffTheMotion(self));
                 }
-                published_of_pair(speed, point, pair, observation_time, variant)?
+                match source {
+                    Source::Point(point) => published_of_pair(speed, point, pair, observation_time, variant)?,
+                    Source::Wheel(wheel) => {
+                        check_inputs(wheel, left, observation_time)?;
+                        check_inputs(wheel, right, observation_time)?;
+                        wheel.published_disparity(speed, pair, observation_time, variant)
+                    }
+                }
             }
         })
     }
@@ -127,15 +130,11 @@ impl Model {
         pair: [Aperture; 2],
         observation_time: f64,
     ) -> Result<Stereo, StereoError> {
-        let point = match source.into() {
-            Source::Point(point) => point,
-            Source::Wheel(wheel) => return wheel_pair::stereo(self, speed, wheel, pair, observation_time),
-        };
         match self {
-            Self::Exact => stereo(speed, point, pair, observation_time),
+            Self::Exact => stereo(speed, source, pair, observation_time),
             // Both look at one event, which they take to be where it is.
             Self::OneCone => {
-                let position = sighting(speed, point, middle(pair), observation_time)?.position;
+                let position = sighting(speed, source, middle(pair), observation_time)?.position;
                 Ok(Stereo { gain: 1.0, position, miss: 0.0 })
             }
             Self::Published(_) => Err(StereoError::Published(self.name())),
@@ -158,7 +157,10 @@ impl Model {
                 let coefficients = speed.coefficients();
                 (ConePair::new(&coefficients, point, primary, secondary, observation_time), 0.0)
             }
-            Self::OneCone => (one_cone::cone_pair(speed, point, pair, observation_time), 0.0),
+            Self::OneCone => {
+                let middle = one_cone::middle_cone(speed, point, pair, observation_time);
+                (one_cone::cone_pair(&middle, pair), 0.0)
+            }
             Self::Published(variant) => {
                 // The paper puts the origin midway between both apertures.
                 let point = point.told_from(middle(pair));

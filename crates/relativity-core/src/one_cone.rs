@@ -8,9 +8,10 @@ use crate::apparent::{Aperture, LightCone, Sighting, SourcePoint, check_inputs};
 use crate::cone_pair::ConePair;
 use crate::disparity::Disparity;
 use crate::domain::DomainError;
+use crate::source::Source;
 use crate::speed::Speed;
 
-/// Disparity of `point` for the `pair` of apertures, if both received what the middle between them receives at
+/// Disparity of `source` for the `pair` of apertures, if both received what the middle between them receives at
 /// `observation_time`.
 ///
 /// Both sightings have the same retarded time and Doppler factor, the middle's; position and distance are from each
@@ -44,16 +45,25 @@ use crate::speed::Speed;
 /// ```
 pub fn one_cone_disparity(
     speed: &Speed,
-    point: SourcePoint,
+    source: impl Into<Source>,
     pair: [Aperture; 2],
     observation_time: f64,
 ) -> Result<Disparity, DomainError> {
+    let source = source.into();
     for aperture in pair {
-        check_inputs(point, aperture, observation_time)?;
+        check_inputs(source, aperture, observation_time)?;
     }
-    let cone = middle_cone(speed, point, pair, observation_time);
-    let middle = cone.sighting(speed, point.x0, middle(pair).x, observation_time);
-    let cones = cone_pair(speed, point, pair, observation_time);
+    let (cone, middle) = match source {
+        Source::Point(point) => {
+            let cone = middle_cone(speed, point, pair, observation_time);
+            (cone, cone.sighting(speed, point.x0, middle(pair).x, observation_time))
+        }
+        Source::Wheel(wheel) => {
+            let seen = wheel.seen(speed, middle(pair), observation_time);
+            (seen.cone, wheel.sighting(speed, &seen, observation_time))
+        }
+    };
+    let cones = cone_pair(&cone, pair);
     let (dphi, dtheta) = cones.angle_differences();
     let sighting = |cone: LightCone<f64>| Sighting {
         position: [cone.s, cone.y, cone.z],
@@ -64,13 +74,7 @@ pub fn one_cone_disparity(
 }
 
 /// Both apertures' views of the place that the middle between them sees: the light cones of a point at rest there.
-pub(crate) fn cone_pair(
-    speed: &Speed,
-    point: SourcePoint,
-    pair: [Aperture; 2],
-    observation_time: f64,
-) -> ConePair<f64> {
-    let middle = middle_cone(speed, point, pair, observation_time);
+pub(crate) fn cone_pair(middle: &LightCone<f64>, pair: [Aperture; 2]) -> ConePair<f64> {
     let seen = SourcePoint { x0: middle.solution.x, y: middle.y, z: middle.z };
     let [left, right] = from_middle(pair);
     ConePair::new(&Speed::REST.coefficients(), seen, left, right, 0.0)

@@ -109,6 +109,11 @@ pub(crate) fn cone_pair(
     (pair, shift)
 }
 
+/// By how much later the second view of a place is, which the first has at the light cone `left`.
+pub(crate) fn shift(speed: &Speed, separation: f64, left: &LightCone<f64>, variant: PublishedVariant) -> f64 {
+    variant.delay_sign() * delay(speed, left.s - separation / 2.0, separation, left).delay
+}
+
 /// When the light was emitted that the right eye sees.
 ///
 /// Both events lie on one worldline, so `t_S` = t + (`X_S` - X)/beta; or it is the shifted time less the

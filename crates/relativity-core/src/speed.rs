@@ -190,6 +190,7 @@ impl Speed {
             beta: to(self.beta),
             gamma: to(self.gamma),
             gamma_minus_one: to(self.gamma_minus_one),
+            one_minus_beta: to(self.one_minus_beta),
             inverse_gamma: to(1.0 / self.gamma),
             inverse_gamma_squared: to(self.inverse_gamma_squared),
             smallest_q: F::min_positive_value().sqrt(),
@@ -203,6 +204,7 @@ pub(crate) struct Coefficients<F> {
     pub beta: F,
     pub gamma: F,
     pub gamma_minus_one: F,
+    pub one_minus_beta: F,
     pub inverse_gamma: F,
     pub inverse_gamma_squared: F,
     /// The smallest length whose square does not underflow.

@@ -4,17 +4,20 @@
 //! the lines from the left one at (-d/2, 0, 0) along (`X_l`, y, z) and from the right one at (d/2, 0, 0) along (`X_r`, y, z)
 //! meet: at lambda = d/(`X_l` - `X_r`) of either. Beside a resting point lambda would be 1.
 //!
-//! Any other pair, b from one to the other, has lines of sight `P_l` and `P_r` that differ by b - w `e_x`, w being
-//! beta (`R_l` - `R_r`), and pass each other. With P their mean, the shortest connection of the two lies along
-//! n = `P_l` x `P_r` = (b - w `e_x`) x P and is |w `n_x`|/|n| long. It leaves the lines at the fractions
-//! (b x P).n/n^2 +- w (`n_y` `b_z` - `n_z` `b_y`)/(2 n^2) of their lengths.
+//! Any other pair, b from one to the other, has lines of sight `P_l` and `P_r` that differ by b + w, w being
+//! -beta (`R_l` - `R_r`) along x, and pass each other. With P their mean, the shortest connection of the two lies along
+//! n = `P_l` x `P_r` = (b + w) x P and is |w.n|/|n| long. It leaves the lines at the fractions
+//! (b x P).n/n^2 +- (w x b).n/(2 n^2) of their lengths.
+//!
+//! A point of a wheel is elsewhere when the other eye sees it, in height too: its w has a part in z.
 
 use thiserror::Error;
 
-use crate::apparent::{Aperture, SourcePoint, check_inputs};
+use crate::apparent::{Aperture, check_inputs};
 use crate::cone_pair::{ConePair, LinesOfSight, Offset};
 use crate::domain::DomainError;
 use crate::one_cone::middle;
+use crate::source::Source;
 use crate::speed::Speed;
 
 /// Why there is no stereo position.
@@ -40,6 +43,7 @@ pub struct Stereo {
     /// How many times as far apart as they are the eyes would see the difference between them at a resting point, above 0:
     /// the part of the parallax across the line of sight in the direction that a resting point's has, over that. (The line
     /// of sight is the mean of both.) Of eyes along x that is all of it, (`X_left` - `X_right`)/d, and near gamma D as d -> 0.
+    /// That quotient it is for eyes along x of a point of a wheel too, whose lines of sight differ in height besides.
     pub gain: f64,
     /// The middle of the shortest connection of both lines of sight, from the middle between the eyes. Of eyes along x it is,
     /// as d -> 0, the apparent position over gamma D.
@@ -57,7 +61,7 @@ impl Stereo {
     }
 }
 
-/// Where the `pair` of apertures takes `point` to be at `observation_time`.
+/// Where the `pair` of apertures takes `source` to be at `observation_time`.
 ///
 /// Each aperture has a light cone of its own. Nothing changes where the apertures swap their places, and two in one place
 /// stand for the limit of those along x.
@@ -98,11 +102,16 @@ impl Stereo {
 /// ```
 pub fn stereo(
     speed: &Speed,
-    point: SourcePoint,
+    source: impl Into<Source>,
     pair: [Aperture; 2],
     observation_time: f64,
 ) -> Result<Stereo, StereoError> {
-    let [left, right] = checked(pair, point, observation_time)?;
+    let source = source.into();
+    let [left, right] = checked(pair, source, observation_time)?;
+    let point = match source {
+        Source::Wheel(wheel) if wheel.rho > 0.0 => return wheel.stereo(speed, pair, observation_time),
+        _ => source.place(),
+    };
     let cones = ConePair::new(&speed.coefficients(), point, left, right, observation_time);
     if cones.offset.y == 0.0 && cones.offset.z == 0.0 {
         let gain = cones.gain().unwrap_or(speed.gamma() * speed.gamma());
@@ -115,36 +124,31 @@ pub fn stereo(
 }
 
 /// The apertures, after a check of all inputs.
-fn checked(
-    pair: [Aperture; 2],
-    point: SourcePoint,
-    observation_time: f64,
-) -> Result<[Aperture; 2], DomainError> {
+fn checked(pair: [Aperture; 2], source: Source, observation_time: f64) -> Result<[Aperture; 2], DomainError> {
     for aperture in pair {
-        check_inputs(point, aperture, observation_time)?;
+        check_inputs(source, aperture, observation_time)?;
     }
     Ok(pair)
 }
 
 /// Where two lines of sight come closest, from apertures that are `offset` apart; none if that is not in front of both.
-fn meeting(lines: &LinesOfSight<f64>, offset: Offset<f64>) -> Option<Stereo> {
-    let LinesOfSight { mean, difference, by_motion, .. } = *lines;
+pub(crate) fn meeting(lines: &LinesOfSight<f64>, offset: Offset<f64>) -> Option<Stereo> {
+    let LinesOfSight { mean, difference, excess, .. } = *lines;
     let baseline = [offset.s, offset.y, offset.z];
     let at_rest = cross(baseline, mean);
     let (normal, length) = direction_and_length(lines.normal)?;
     let (direction_at_rest, length_at_rest) = direction_and_length(at_rest)?;
-    let by_motion_across =
-        |direction: [f64; 3]| by_motion * (direction[1] * mean[2] - direction[2] * mean[1]);
-    let fraction = near_one(-by_motion_across(normal) / length, dot(at_rest, normal) / length);
-    let apart = by_motion * ((normal[1] * offset.z - normal[2] * offset.y) / length);
+    let by_excess = cross(excess, mean);
+    let fraction = near_one(-dot(by_excess, normal) / length, dot(at_rest, normal) / length);
+    let apart = dot(cross(excess, baseline), normal) / length;
     if !(fraction.is_finite() && apart.abs() < 2.0 * fraction) {
         return None;
     }
     let gain = near_one(
-        by_motion_across(direction_at_rest) / length_at_rest,
+        dot(by_excess, direction_at_rest) / length_at_rest,
         dot(direction_at_rest, normal) * (length / length_at_rest),
     );
-    let connection = by_motion * normal[0];
+    let connection = -dot(excess, normal);
     // From where the connection leaves the shorter line of sight: of lines of very different lengths the mean is little but
     // the longer one.
     let [left, right] = lines.each;
@@ -186,6 +190,6 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+pub(crate) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }

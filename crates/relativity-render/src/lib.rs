@@ -99,6 +99,7 @@ pub mod tone;
 mod turn;
 mod turned_bounds;
 mod turning;
+mod turns;
 pub mod velocity;
 pub mod view;
 

@@ -166,7 +166,7 @@ impl PreparedScene {
         &self.0.capsules[body.capsules.clone()]
     }
 
-    /// Capsules that contain `body`, one of these: its own, or for one with a block the ball around it.
+    /// Capsules that contain `body`, one of these: its own, or for one with a block [`Self::ball_around`] it.
     pub(crate) fn around(&self, body: &PreparedBody) -> &[Capsule] {
         if body.block.is_some() { slice::from_ref(self.ball_around(body)) } else { self.capsules(body) }
     }

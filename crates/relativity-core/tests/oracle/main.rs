@@ -7,6 +7,8 @@ mod batch;
 mod draw;
 mod model;
 mod tally;
+mod wheel;
+mod wheel_model;
 
 use arithmetic::{Big, UNIT_F64, error_units};
 use draw::program_speed;

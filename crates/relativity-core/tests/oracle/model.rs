@@ -94,7 +94,7 @@ pub fn sighting(parameter: Parameter, inputs: &[Big]) -> [Big; 11] {
     ]
 }
 
-fn difference(a: &[Big], b: &[Big]) -> [Big; 3] {
+pub fn difference(a: &[Big], b: &[Big]) -> [Big; 3] {
     std::array::from_fn(|i| &a[i] - &b[i])
 }
 
@@ -189,7 +189,7 @@ pub fn one_cone(parameter: Parameter, inputs: &[Big]) -> [Big; 6] {
     [left.x, right.x, middle.t, middle.doppler, dphi, dtheta]
 }
 
-fn angle_differences(left: &View, right: &View) -> [Big; 2] {
+pub fn angle_differences(left: &View, right: &View) -> [Big; 2] {
     let dphi = left.phi() - right.phi();
     let pi = atan2(&big(0.0), &big(-1.0));
     let turn = &pi + &pi;

@@ -4,11 +4,12 @@
 //! Each is told as a point that rests in the moving frame and is at the same event, so that all that is known of such
 //! points holds of it.
 
+use super::root::{measured_later, root};
 use crate::apparent::{Aperture, SourcePoint};
 use crate::math;
 use crate::source::Source;
 use crate::speed::Speed;
-use crate::wheel::{WheelPoint, measured_later, root};
+use crate::wheel::WheelPoint;
 
 impl WheelPoint {
     /// Where it is at this `angle`: the place in the moving frame, as a point that rests there.
@@ -64,7 +65,7 @@ impl WheelPoint {
             return None;
         }
         let phase = self.angle_at(speed, self.hub_clock(speed, hub_passes));
-        let later = root(longest, |later| {
+        let later = root([-longest, longest], |later| {
             let (sine, cosine) = math::sin_cos(phase - omega * later);
             (later + along * cosine + up * sine, 1.0 + omega * (along * sine - up * cosine))
         });

@@ -1,0 +1,162 @@
+//! The light cone of one aperture, solved for a point of a wheel.
+
+use num_traits::Float;
+
+use crate::apparent::{Aperture, LightCone, Sighting, Solution};
+use crate::math;
+use crate::speed::{Coefficients, Speed};
+use crate::wheel::{WheelPoint, seen_later};
+
+/// Most times that the time of emission is made better; once is enough, unless the aperture is in the wheel.
+const CORRECTIONS: u32 = 3;
+
+/// The circle on which a point of a wheel turns, in the precision it is solved in.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Circle<F> {
+    /// rho W.
+    pub r: F,
+    /// At t' = 0.
+    pub angle: F,
+    pub omega: F,
+    /// v = |omega| r.
+    pub speed: F,
+    /// 1 - v, without the subtraction.
+    pub below_light: F,
+    /// beta - v, likewise.
+    pub slip: F,
+}
+
+impl<F: Float> Circle<F> {
+    /// From the hub to the point at `angle`: x and z.
+    pub fn place(&self, angle: F) -> [F; 2] {
+        let (sine, cosine) = math::sin_cos(angle);
+        [self.r * cosine, self.r * sine]
+    }
+
+    /// 1 + u.n', u being the direction in which the point moves at `angle`, and n' that of `from`, where it is from the
+    /// aperture in the rest frame; as a sum of positive terms. 1 in the aperture, where n' is none.
+    pub fn turned_away(&self, angle: F, [x, y, z]: [F; 3]) -> F {
+        let (sine, cosine) = math::sin_cos(angle);
+        let distance = (x * x + y * y + z * z).sqrt();
+        if distance.is_zero() {
+            return F::one();
+        }
+        let along = (x * sine - z * cosine) * self.omega.signum();
+        let outward = x * cosine + z * sine;
+        if along < F::zero() {
+            ((y * y + outward * outward) / (distance - along)) / distance
+        } else {
+            F::one() + along / distance
+        }
+    }
+
+    /// What the point's own motion multiplies the Doppler factor with, `slope` being 1 + v.n'.
+    pub fn own_doppler(&self, slope: F) -> F {
+        (self.below_light * (F::one() + self.speed)).sqrt() / slope
+    }
+}
+
+/// A hub before an aperture.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Hub<F> {
+    /// Objective x at t = 0.
+    pub x0: F,
+    pub aperture_x: F,
+    pub observation_time: F,
+    /// From the aperture: S, y and z.
+    pub from: [F; 3],
+}
+
+/// A point of a wheel as one aperture sees it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Seen<F> {
+    /// The light cone of a point that rests where it is when it is seen.
+    pub cone: LightCone<F>,
+    /// When, by the clocks of the rest frame.
+    pub own_time: F,
+    /// Its angle then.
+    pub angle: F,
+    /// 1 + v.n'.
+    pub slope: F,
+}
+
+impl<F: Float> Seen<F> {
+    /// The time is that of the root from the hub, which is made better until it agrees with what the point's own place says:
+    /// that knows it as well as that of any resting point, also where the hub is far from there for the aperture.
+    pub fn new(coefficients: &Coefficients<F>, circle: &Circle<F>, hub: &Hub<F>) -> Self {
+        let [s, y, z] = hub.from;
+        let gamma = coefficients.gamma;
+        let at_hub = LightCone::at(coefficients, s, y, z);
+        let hub_time = at_hub.own_time(coefficients, hub.x0, hub.aperture_x, hub.observation_time);
+        let phase = circle.angle - circle.omega * hub_time;
+        if circle.r.is_zero() {
+            return Self { cone: at_hub, own_time: hub_time, angle: phase, slope: F::one() };
+        }
+        let at = |time: F| {
+            let angle = circle.angle - circle.omega * time;
+            let [qx, qz] = circle.place(angle);
+            let along = qx * coefficients.inverse_gamma;
+            let cone = LightCone::at(coefficients, s + along, y, z + qz);
+            let away = circle.turned_away(angle, [gamma * cone.s, y, cone.z]);
+            // The time that goes with the rounded angle, to which the equation holds.
+            let own_time = cone.own_time(coefficients, hub.x0 + along, hub.aperture_x, hub.observation_time);
+            Self { cone, own_time, angle, slope: circle.below_light + circle.speed * away }
+        };
+        let later = seen_later([gamma * s, y, z], circle.r, phase, circle.omega);
+        let mut time = hub_time + later;
+        let mut seen = at(time);
+        for _ in 0..CORRECTIONS {
+            let better = time + (seen.own_time - time) / seen.slope;
+            if (better - time).abs() <= F::epsilon() * time.abs() {
+                break;
+            }
+            time = better;
+            seen = at(time);
+        }
+        seen.place_on_worldline(coefficients, circle, hub);
+        seen
+    }
+
+    /// Takes the apparent X from where the point is on the ground, if that is better known than from the light cone: of a
+    /// point near the road it hardly depends on when light leaves it.
+    fn place_on_worldline(&mut self, coefficients: &Coefficients<F>, circle: &Circle<F>, hub: &Hub<F>) {
+        let &Coefficients { beta, gamma, .. } = coefficients;
+        let Solution { q, r, .. } = self.cone.solution;
+        let [qx, _] = circle.place(self.angle);
+        let terms = [gamma * (gamma * hub.x0), gamma * qx, gamma * (beta * self.own_time), -hub.aperture_x];
+        let by_place = terms.iter().fold(F::zero(), |sum, term| sum + term.abs());
+        let by_cone = (hub.x0.abs() + hub.aperture_x.abs() + (beta * hub.observation_time).abs()) * (r / q);
+        if by_place < by_cone {
+            let x = gamma * (gamma * hub.x0 + (qx + beta * self.own_time)) - hub.aperture_x;
+            let LightCone { y, z, .. } = self.cone;
+            self.cone.solution.x = x;
+            self.cone.solution.r = (x * x + y * y + z * z).sqrt();
+        }
+    }
+}
+
+impl WheelPoint {
+    /// What `aperture` sees at `observation_time`.
+    pub(crate) fn seen(&self, speed: &Speed, aperture: Aperture, observation_time: f64) -> Seen<f64> {
+        let from = [
+            (self.hub.x0 - aperture.x) + speed.beta() * observation_time,
+            self.hub.y - aperture.y,
+            self.hub.z - aperture.z,
+        ];
+        let hub = Hub { x0: self.hub.x0, aperture_x: aperture.x, observation_time, from };
+        Seen::new(&speed.coefficients(), &self.circle(speed), &hub)
+    }
+
+    /// All of what it is seen as.
+    pub(crate) fn sighting(&self, speed: &Speed, seen: &Seen<f64>, observation_time: f64) -> Sighting {
+        let LightCone { y, z, ref solution, .. } = seen.cone;
+        let own_doppler = if self.rho == 0.0 { 1.0 } else { self.circle(speed).own_doppler(seen.slope) };
+        Sighting {
+            position: [solution.x, y, z],
+            distance: solution.r,
+            retarded_time: observation_time - solution.r,
+            own_time: seen.own_time,
+            doppler_factor: solution.doppler_factor * own_doppler,
+        }
+    }
+}
