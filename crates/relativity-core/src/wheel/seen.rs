@@ -89,9 +89,6 @@ impl<F: Float> Seen<F> {
         let at_hub = LightCone::at(coefficients, s, y, z);
         let hub_time = at_hub.own_time(coefficients, hub.x0, hub.aperture_x, hub.observation_time);
         let phase = circle.angle - circle.omega * hub_time;
-        if circle.r.is_zero() {
-            return Self { cone: at_hub, own_time: hub_time, angle: phase, slope: F::one() };
-        }
         let at = |time: F| {
             let angle = circle.angle - circle.omega * time;
             let [qx, qz] = circle.place(angle);
@@ -113,21 +110,29 @@ impl<F: Float> Seen<F> {
             time = better;
             seen = at(time);
         }
-        seen.place_on_worldline(coefficients, circle, hub);
+        seen.place_on_worldline(coefficients, circle, hub, time);
         seen
     }
 
-    /// Takes the apparent X from where the point is on the ground, if that is better known than from the light cone: of a
-    /// point near the road it hardly depends on when light leaves it.
-    fn place_on_worldline(&mut self, coefficients: &Coefficients<F>, circle: &Circle<F>, hub: &Hub<F>) {
+    /// Takes the apparent X from where the point is on the ground at `time`, if that is better known than from the light
+    /// cone: near the road it hardly depends on when light leaves it.
+    fn place_on_worldline(
+        &mut self,
+        coefficients: &Coefficients<F>,
+        circle: &Circle<F>,
+        hub: &Hub<F>,
+        time: F,
+    ) {
         let &Coefficients { beta, gamma, .. } = coefficients;
         let Solution { q, r, .. } = self.cone.solution;
-        let [qx, _] = circle.place(self.angle);
-        let terms = [gamma * (gamma * hub.x0), gamma * qx, gamma * (beta * self.own_time), -hub.aperture_x];
-        let by_place = terms.iter().fold(F::zero(), |sum, term| sum + term.abs());
+        let [qx, qz] = circle.place(self.angle);
+        let by_angle = qz * (circle.angle.abs() + (circle.omega * time).abs());
+        let by_place = [gamma * hub.x0, qx, beta * time, by_angle]
+            .iter()
+            .fold(hub.aperture_x.abs(), |sum, term| sum + gamma * term.abs());
         let by_cone = (hub.x0.abs() + hub.aperture_x.abs() + (beta * hub.observation_time).abs()) * (r / q);
         if by_place < by_cone {
-            let x = gamma * (gamma * hub.x0 + (qx + beta * self.own_time)) - hub.aperture_x;
+            let x = gamma * (gamma * hub.x0 + (qx + beta * time)) - hub.aperture_x;
             let LightCone { y, z, .. } = self.cone;
             self.cone.solution.x = x;
             self.cone.solution.r = (x * x + y * y + z * z).sqrt();
@@ -150,7 +155,7 @@ impl WheelPoint {
     /// All of what it is seen as.
     pub(crate) fn sighting(&self, speed: &Speed, seen: &Seen<f64>, observation_time: f64) -> Sighting {
         let LightCone { y, z, ref solution, .. } = seen.cone;
-        let own_doppler = if self.rho == 0.0 { 1.0 } else { self.circle(speed).own_doppler(seen.slope) };
+        let own_doppler = self.circle(speed).own_doppler(seen.slope);
         Sighting {
             position: [solution.x, y, z],
             distance: solution.r,
