@@ -4,8 +4,8 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use relativity_core::wheel::measured_later;
 use relativity_core::{
-    Aperture, Baseline, Disparity, DomainError, Model, PublishedVariant, Sighting, Source, SourcePoint,
-    Speed, Stereo, StereoError, Turning, WheelPoint, disparities, disparity, equidistance_time,
+    Aperture, Baseline, Disparity, DomainError, MAX_ERROR_UNITS, Model, PublishedVariant, Sighting, Source,
+    SourcePoint, Speed, Stereo, StereoError, Turning, WheelPoint, disparities, disparity, equidistance_time,
     one_cone_disparity, sighting, stereo,
 };
 
@@ -90,17 +90,20 @@ fn a_point_on_the_road_keeps_its_colour_at_every_speed() {
         [4.0, 3.0, 0.0],
         [-8.0, 4.0, 1.0],
     ];
-    for beta in BETAS.into_iter().chain((0..100).map(|i| 0.005 + 0.01 * f64::from(i))) {
+    for beta in [0.999, 0.9999].into_iter().chain((0..100).map(|i| 0.005 + 0.01 * f64::from(i))) {
         let speed = speed(beta);
         for [x, y, z] in eyes {
             let time = f64::sqrt(x * x + y * y + z * z);
             let seen = seen(&speed, bottom, Aperture { x, y, z }, time);
             let error = (seen.doppler_factor - 1.0).abs();
-            // By so much D changes with the roundings of T and of the angle: dD/da = gamma n_z, da/dT = gamma omega.
-            let by_angle = speed.gamma() * z / time;
-            let by_inputs = f64::EPSILON * (1.0 + by_angle * (FRAC_PI_2 + speed.gamma() * time / RADIUS));
+            // By so much D changes with the roundings of T, of the place and of the angle at t' = 0: dD/da = gamma n_z,
+            // da/dT = gamma omega, and the place where it is at an angle tells the time 1/(1 + v.n') times as well.
+            let slope = 1.0 / (speed.gamma() * speed.gamma() * (1.0 - beta * x / time));
+            let of_angle = FRAC_PI_2 * (1.0 + beta / slope) + speed.gamma() * 2.0 * time / RADIUS;
+            let of_inputs = 1.0 + speed.gamma() * z / time * of_angle;
+            let by_inputs = MAX_ERROR_UNITS * 0.5 * f64::EPSILON * of_inputs;
             assert!(error <= by_inputs, "{error:e} at {beta}, {by_inputs:e}");
-            assert!(error <= 1e-12 || (z != 0.0 && speed.gamma() > 50.0), "{error:e} at {beta}");
+            assert!(error <= 1e-12 || (z != 0.0 && speed.gamma() > 20.0), "{error:e} at {beta}");
         }
     }
 }

@@ -165,3 +165,33 @@ impl WheelPoint {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::FRAC_PI_2;
+
+    use super::*;
+    use crate::apparent::SourcePoint;
+    use crate::wheel::Turning;
+
+    /// The Doppler factor of the hub's motion and that of the turning: each may be as small as 1/gamma or as large as gamma.
+    #[test]
+    fn both_doppler_factors_of_a_point_on_the_road_multiply_to_one_without_cancelling() {
+        let hub = SourcePoint { x0: 0.0, y: 0.0, z: 1.0 };
+        let (rho, angle, turning) = (1.0, -FRAC_PI_2, Turning::Rolling);
+        let point = WheelPoint { hub, radius: 1.0, rho, angle, turning };
+        for gamma in [1.0, 1.5, 10.0, 1e3, 1e4] {
+            let speed = Speed::from_gamma(gamma).expect("a speed");
+            let circle = point.circle(&speed);
+            for s in [-1e6, -3.0, -1e-3, 0.0, 1e-4, 0.2, 5.0, 1e6] {
+                for [y, z] in [[3.0, -2.0], [-0.1, 0.0], [0.0, -1e-3], [40.0, 7.0]] {
+                    let cone: LightCone<f64> = LightCone::at(&speed.coefficients(), s, y, z);
+                    let away = circle.turned_away(angle, [gamma * s, y, z]);
+                    let own = circle.own_doppler(circle.below_light + circle.speed * away);
+                    let error = (cone.solution.doppler_factor * own - 1.0).abs();
+                    assert!(error < 1e-12, "{error:e} at gamma = {gamma}, {s} {y} {z}");
+                }
+            }
+        }
+    }
+}
