@@ -76,18 +76,17 @@ fn on_the_ground_spokes_crowd_at_the_top() {
     let (scene, spin) = wheel();
     let settings = settings(BETA, Frame::Ground);
     let places = Instant::new(&settings, 0.0).places(scene.groups[0].motion);
-    // Two spokes close together, upright or hanging at t' = 0, when the hub is abreast.
+    // Two points of the rim close together, at the top or at the bottom at t' = 0, when the hub is abreast.
     let angle = |up: f64, a: f64| {
-        let tip = DVec3::from(spin.hub) + DVec3::new(a.sin(), 0.0, up * a.cos());
+        let tip = DVec3::from(spin.hub) + spin.radius * DVec3::new(a.sin(), 0.0, up * a.cos());
         let point = relativity_render::MaterialPoint { rest: tip, spin: Some(spin) };
         let DVec3 { x, z, .. } = places.measured(point) - DVec3::from(spin.hub);
         (gamma() * x).atan2(up * z)
     };
     let gap = |up: f64| angle(up, 1e-5) - angle(up, -1e-5);
-    // Of spokes that reach out to rho = 1/W of the wheel: (1 + beta rho)/(1 - beta rho) with beta rho for beta squared there.
-    let bent = BETA * BETA / spin.radius;
-    let expected = (1.0 + bent) / (1.0 - bent);
-    assert!((gap(-1.0) / gap(1.0) / expected - 1.0).abs() < 1e-6, "{} {expected}", gap(-1.0) / gap(1.0));
+    let density = gap(-1.0) / gap(1.0);
+    let expected = (1.0 + BETA * BETA) / (1.0 - BETA * BETA);
+    assert!((density / expected - 1.0).abs() < 1e-6 && (density - 13.8).abs() < 0.05, "{density} {expected}");
 }
 
 #[test]
