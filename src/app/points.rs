@@ -19,7 +19,7 @@ impl Point {
     #[must_use]
     pub fn what<'a>(&self, scene: &'a Scene) -> &'a str {
         let nameless = if self.is_tracked() { "tracked point" } else { "point" };
-        let body = self.body.or_else(|| scene.tracked_body().filter(|_| self.is_tracked()));
+        let body = self.body.or_else(|| scene.body_at(self.track.rest));
         body.map_or(nameless, |body| scene.name_of(body))
     }
 

@@ -77,7 +77,7 @@ pub fn run(args: &FitArgs) -> anyhow::Result<()> {
     let data = Data::read(&name, input, Eyes::given(args.d, args.head.radians()))?;
     let curves = data.curves(args.curves);
     let passage = if args.fit_x0 { Passage::Fitted } else { Passage::Known(args.x0) };
-    let options = FitOptions { model: args.model, curves, passage };
+    let options = FitOptions { model: args.model, curves, passage, rolling: None };
     let report =
         FitReport::new(&data.observations, &options, args.bootstrap, args.seed).with_context(|| name)?;
     args.report.write(&report)

@@ -161,7 +161,8 @@ fn published_beta_of_exact_curves(state: &State, setup: FitSetup) -> f64 {
         Sample { time, pair: 0, dphi: None, dtheta: Some(Reading { value: left - right, sigma: None }) }
     };
     let observed = Observations::of_pair(SEPARATION, (0..setup.fit_samples).map(sample).collect());
-    let options = FitOptions { model: setup.model, curves: setup.curves, passage: Passage::Known(0.0) };
+    let options =
+        FitOptions { model: setup.model, curves: setup.curves, passage: Passage::Known(0.0), rolling: None };
     fit(&observed.expect("usable samples"), &options).expect("a fit").value(Parameter::Beta)
 }
 

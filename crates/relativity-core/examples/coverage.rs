@@ -59,7 +59,7 @@ fn main() {
                 for index in 0..cases {
                     let case = common::Case::drawn(&mut random);
                     let passage = if fits_x0 { Passage::Fitted } else { Passage::Known(case.x0) };
-                    tally.add(&case, &FitOptions { model, curves, passage }, index as u64);
+                    tally.add(&case, &FitOptions { model, curves, passage, rolling: None }, index as u64);
                 }
                 let x0 = if fits_x0 { "fitted" } else { "known" };
                 println!("{:9} {:6} {x0:6} | {tally}", model.name(), curves.name());

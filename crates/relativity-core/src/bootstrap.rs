@@ -119,6 +119,7 @@ fn quantile(values: &[f64], share: f64) -> f64 {
 /// # let truth = Simulation {
 /// #     speed: Speed::from_beta(0.9)?,
 /// #     point: SourcePoint { x0: 0.0, y: 3.0, z: 2.0 },
+/// #     rolling: None,
 /// #     pair: Aperture::pair(0.1),
 /// #     model: Model::Exact,
 /// #     times: (0..100).map(|i| -1.0 + 0.1 * f64::from(i)).collect(),

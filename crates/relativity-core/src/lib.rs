@@ -103,8 +103,8 @@ pub use combined::{Combined, combined};
 pub use disparity::{Disparity, disparities, disparity};
 pub use domain::{DomainError, MAX_COORDINATE};
 pub use fit::{
-    Curves, Fit, FitError, FitOptions, NotConverged, Observations, Parameter, Passage, Reading, Sample,
-    Simulation, fit, fit_from,
+    Curves, Fit, FitError, FitOptions, NotConverged, Observations, Parameter, Passage, Reading, Rolling,
+    Sample, Simulation, fit, fit_from,
 };
 pub use model::{Model, PairError};
 pub use one_cone::one_cone_disparity;

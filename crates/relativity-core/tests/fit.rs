@@ -32,7 +32,7 @@ fn noise_free_curves_of_the_paper_give_its_object_back() {
         let observations = PAPER.observations(model, 0);
         for curves in CURVES {
             for passage in PASSAGES {
-                let options = FitOptions { model, curves, passage };
+                let options = FitOptions { model, curves, passage, rolling: None };
                 let fit = fit(&observations, &options).expect("a fit");
                 assert_recovers(&fit, PAPER.truth(), NOISE_FREE_ERROR);
                 let replicates = bootstrap(&fit, 20, 1).expect("replicates");

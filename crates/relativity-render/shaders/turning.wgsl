@@ -7,9 +7,10 @@
 // 0 not at all, 1 bodies of revolution about the axle, 2 others.
 override TURNS: u32;
 
-// A ray's course through what turns begins in as many parts as it turns by this angle, at most MOST_PARTS.
-const LONGEST_PART = 0.4;
-const MOST_PARTS = 5.0;
+// What turns by less than this angle (radians) while a ray passes it is met in rounds from the middle; else the ray is
+// followed there first, in this many steps at most.
+const SHORT = 0.4;
+const MOST_STEPS = 48;
 // Most rounds, each along the tangent where the one before met the body, and when one is the last: what is off then is
 // this part of the body's radius.
 const MOST_ROUNDS = 6;
@@ -82,25 +83,72 @@ fn velocity_at(q: vec3f, spin: Spin) -> vec3f {
     return spin.omega * vec3f(q.z, 0.0, -q.x);
 }
 
-// A body with what it may look like when it is shown: `surface` of what turns.
+// Where a ray meets a body as it is shown.
 fn surface_when_shown(body: Body, ray: Ray, spin: Spin) -> Surface {
     if TURNS != 2u {
         return surface(body, ray);
     }
-    let course = course_through(around(body), ray, spin);
-    let parts = clamp(ceil(abs(spin.omega) * (course.y - course.x) / LONGEST_PART), 1.0, MOST_PARTS);
-    let part = (course.y - course.x) / parts;
-    var first = surface_near(body, ray, spin, course.x, course.x + part);
-    for (var i = 1.0; i < parts; i += 1.0) {
-        let start = course.x + i * part;
-        let next = surface_near(body, ray, spin, start, start + part);
-        let is_nearer = next.clearance > 0.0 && next.beyond < first.beyond;
-        let is_deeper = first.clearance <= 0.0 && next.clearance > first.clearance;
-        if is_nearer || is_deeper {
-            first = next;
+    let capsule = around(body);
+    let course = course_through(capsule, ray, spin);
+    let length = course.y - course.x;
+    if abs(spin.omega) * length < SHORT {
+        return surface_near(body, ray, spin, 0.5 * (course.x + course.y), 1.5 * length);
+    }
+    let start = first_within(capsule, ray, spin, course);
+    return surface_near(body, ray, spin, start, 0.5 * SHORT / abs(spin.omega) + capsule.radius);
+}
+
+// Where on this course a ray first comes into `capsule`, which turns, or else comes closest to it.
+//
+// In the frame that turns the ray is a curve a(s) with |a''| <= 2 |omega| + omega^2 rho, rho being its distance from the
+// axle, and its distance from a straight axis bends towards that no faster. So a parabola lies below that distance, and
+// stepping to its first root never passes an entry.
+fn first_within(capsule: Capsule, ray: Ray, spin: Spin, course: vec2f) -> f32 {
+    let n = ray.direction;
+    let nearest = nearest_to(spin.hub, ray);
+    let beginning = capsule.place - spin.hub;
+    let axis = capsule.end - capsule.place;
+    let length_squared = max(dot(axis, axis), 1e-30);
+    var closest = course.x;
+    var least = 1e30;
+    var s = course.x;
+    for (var i = 0; i < MOST_STEPS; i++) {
+        let q = nearest + n * s;
+        let at = co_moving(q, n, spin);
+        let along = clamp(dot(at.place - beginning, axis) / length_squared, 0.0, 1.0);
+        let off_axis = (at.place - beginning) - axis * along;
+        let distance = sqrt(dot(off_axis, off_axis));
+        let outside = distance - capsule.radius;
+        if outside < least {
+            least = outside;
+            closest = s;
+        }
+        if outside <= 0.01 * capsule.radius {
+            break;
+        }
+        let slope = dot(off_axis, at.tangent) / distance;
+        let bend = abs(spin.omega) * (2.0 + abs(spin.omega) * sqrt(dot(q.xz, q.xz)));
+        s += (slope + sqrt(slope * slope + 2.0 * bend * outside)) / bend;
+        if s > course.y {
+            break;
         }
     }
-    return first;
+    return closest;
+}
+
+// What is shown at `q`, from the hub, along a ray in the direction of `n`, in the frame that turns.
+struct CoMoving {
+    // From the hub.
+    place: vec3f,
+    // How fast the place changes along the ray.
+    tangent: vec3f,
+}
+
+fn co_moving(q: vec3f, n: vec3f, spin: Spin) -> CoMoving {
+    let shown = later(q, spin);
+    let turn = sine_cosine(-spin.omega * shown.time);
+    let tangent = n + velocity_at(q, spin) * dot(shown.slowness, n);
+    return CoMoving(about_y(q, turn), about_y(tangent, turn));
 }
 
 // Between which distances from its point nearest to the hub a ray may meet what turns and is inside `capsule`: within a
@@ -123,21 +171,19 @@ fn course_through(capsule: Capsule, ray: Ray, spin: Spin) -> vec2f {
     return clamp(vec2f(first, last), vec2f(closest - half_chord), vec2f(closest + half_chord));
 }
 
-// The same as a round after round finds it, from the middle between `low` and `high` along the ray.
-fn surface_near(body: Body, ray: Ray, spin: Spin, low: f32, high: f32) -> Surface {
+// Where a ray meets a body that turns, as one round after the other finds it, from `start` along the ray, counted from
+// its point nearest to the hub, and no farther from there than `reach`.
+fn surface_near(body: Body, ray: Ray, spin: Spin, start: f32, reach: f32) -> Surface {
     let n = ray.direction;
     let nearest = nearest_to(spin.hub, ray);
     let hub_along = dot(spin.hub, n);
-    var s = 0.5 * (low + high);
+    var s = start;
     var met: Surface;
     for (var i = 0; i < MOST_ROUNDS; i++) {
-        let q = nearest + n * s;
-        let shown = later(q, spin);
-        let turn = sine_cosine(-spin.omega * shown.time);
-        let tangent = n + velocity_at(q, spin) * dot(shown.slowness, n);
-        let rate = max(sqrt(dot(tangent, tangent)), 1e-6);
-        let direction = about_y(tangent / rate, turn);
-        let place = spin.hub + about_y(q, turn);
+        let at = co_moving(nearest + n * s, n, spin);
+        let rate = max(sqrt(dot(at.tangent, at.tangent)), 1e-6);
+        let direction = at.tangent / rate;
+        let place = spin.hub + at.place;
         let along = dot(place, direction);
         let moment = cross(direction, place);
         let to_centre = ray.to_centre + (hub_along + s) - along;
@@ -145,8 +191,7 @@ fn surface_near(body: Body, ray: Ray, spin: Spin, low: f32, high: f32) -> Surfac
             body,
             Ray(ray.sight, ray.scale, direction, ray.ground_per_rest, ray.doppler, moment, to_centre),
         );
-        let step = (met.beyond - along) / rate;
-        let reached = clamp(s + step, low - (high - low), high + (high - low));
+        let reached = clamp(s + (met.beyond - along) / rate, start - reach, start + reach);
         // The curve departs from its tangent by no more than about this.
         let off = abs(spin.omega) * (reached - s) * (reached - s);
         met.clearance -= off;

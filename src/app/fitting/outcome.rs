@@ -113,7 +113,7 @@ fn reading(sample: &Measured, curve: usize) -> Option<f64> {
 fn bias(key: &FitKey, simulated: &Simulated) -> Result<[f64; 3], String> {
     let FitOptions { passage, .. } = key.fittable()?.options;
     let clean = simulated.observations(&key.setup, 0.0)?;
-    let options = FitOptions { model: key.setup.model, curves: key.setup.curves, passage };
+    let options = FitOptions { model: key.setup.model, curves: key.setup.curves, passage, rolling: None };
     let best = fit(&clean, &options).map_err(|error| error.to_string())?;
     let truth = |parameter| simulated.true_value(parameter, key.setup.curves);
     Ok([Parameter::Beta, Parameter::Y, Parameter::Z].map(|p| best.value(p) - truth(p)))

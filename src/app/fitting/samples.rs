@@ -104,7 +104,7 @@ impl FitKey {
         let FitSetup { model, curves, fit_x0, noise_percent, .. } = self.setup;
         let options = |curves, known: f64| {
             let passage = if fit_x0 { Passage::Fitted } else { Passage::Known(known) };
-            FitOptions { model, curves, passage }
+            FitOptions { model, curves, passage, rolling: None }
         };
         match &self.samples {
             Samples::Simulated(simulated) => Ok(Fittable {
@@ -144,6 +144,7 @@ impl Simulated {
         let simulation = Simulation {
             speed: self.velocity.speed,
             point: self.source,
+            rolling: None,
             pair: self.pair,
             model: self.model,
             times: (0..=last).map(time).collect(),

@@ -89,7 +89,8 @@ fn simulation_at(model: Model, noise: f64, [from, to]: [f64; 2]) -> Simulation {
     let (speed, point) = (Setup::CYCLIST.speed(), SourcePoint { x0: 0.0, y, z });
     let time = |index: usize| from + (to - from) * index as f64 / (SAMPLES - 1) as f64;
     let times = (0..SAMPLES).map(time).collect();
-    Simulation { speed, point, pair: Aperture::pair(separation), model, times, noise, seed: SEED }
+    let pair = Aperture::pair(separation);
+    Simulation { speed, point, rolling: None, pair, model, times, noise, seed: SEED }
 }
 
 fn model_fits(model: Model) -> anyhow::Result<ModelFits> {

@@ -102,7 +102,7 @@ fn the_worldline_of_a_point_of_the_rim_rests_on_the_road_and_runs_ahead_at_the_t
     let (scene, _) = wheel();
     let settings = settings(BETA, Frame::Ground);
     // On the road at t = 0.
-    let track = scene.track(None);
+    let track = scene.track(Some([0.0, 4.0, -1.25]));
     let worldline = Worldline::new(&settings, &track, Velocity::REST);
     let speed = |t: f64| (worldline.at(t + 1e-5).x - worldline.at(t - 1e-5).x) / 2e-5;
     assert!(worldline.at(0.0).x.abs() < 1e-12 && speed(0.0).abs() < 1e-8, "{}", speed(0.0));

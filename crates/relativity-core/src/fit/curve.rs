@@ -11,6 +11,7 @@
 
 use crate::apparent::{Aperture, LightCone, SourcePoint};
 use crate::cone_pair::ConePair;
+use crate::fit::rolling::Rolling;
 use crate::model::Model;
 use crate::one_cone;
 use crate::speed::Speed;
@@ -18,8 +19,8 @@ use crate::speed::Speed;
 /// Partial derivatives with respect to beta, y, z and t0.
 pub(crate) type Gradient = [f64; 4];
 
-const D_Y: Gradient = [0.0, 1.0, 0.0, 0.0];
-const D_Z: Gradient = [0.0, 0.0, 1.0, 0.0];
+pub(super) const D_Y: Gradient = [0.0, 1.0, 0.0, 0.0];
+pub(super) const D_Z: Gradient = [0.0, 0.0, 1.0, 0.0];
 
 /// A trial object: a value for each parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,6 +32,8 @@ pub(crate) struct Trial {
     pub passage_time: f64,
     /// Objective x at t0.
     pub passage_x: f64,
+    /// The wheel whose hub it is, and whose point is seen.
+    pub rolling: Option<Rolling>,
 }
 
 /// Delta-phi and Delta-theta, and their gradients.
@@ -60,32 +63,38 @@ impl Trial {
         time: f64,
         wanted: [bool; 2],
     ) -> [f64; 2] {
+        if let Some(rolling) = &self.rolling {
+            return rolling.angles(self, model, pair, time - self.passage_time, wanted);
+        }
         self.cone_pair(model, pair, time).0.wanted_angle_differences(wanted).into()
     }
 
     /// The same with the gradients.
     pub fn slopes(&self, model: Model, pair: &[Aperture; 2], time: f64, wanted: [bool; 2]) -> Slopes {
+        if let Some(rolling) = &self.rolling {
+            return rolling.slopes(self, model, pair, time - self.passage_time, wanted);
+        }
         let (cones, shift) = self.cone_pair(model, pair, time);
         let ConePair { left, right, .. } = &cones;
         let beta = self.speed.beta();
         let ds = [time - self.passage_time, 0.0, 0.0, -beta];
         let [dx_left, dx_right] = match model {
-            Model::Exact => [left, right].map(|cone| x_gradient(beta, cone, ds)),
-            Model::OneCone => [x_gradient(beta, &self.middle_cone(pair, time), ds); 2],
+            Model::Exact => [left, right].map(|cone| x_gradient(beta, cone, ds, D_Z)),
+            Model::OneCone => [x_gradient(beta, &self.middle_cone(pair, time), ds, D_Z); 2],
             Model::Published(variant) => {
-                let dx = x_gradient(beta, left, ds);
+                let dx = x_gradient(beta, left, ds, D_Z);
                 let to_secondary = left.solution.x - (pair[1].x - pair[0].x);
-                let ddelay = delay_gradient(left, to_secondary, dx);
+                let ddelay = delay_gradient(left, to_secondary, dx, D_Z);
                 let sign = variant.delay_sign();
                 let ds_right = std::array::from_fn(|i| {
                     let dbeta = if i == 0 { shift } else { 0.0 };
                     ds[i] + dbeta + beta * (sign * ddelay[i])
                 });
-                [dx, x_gradient(beta, right, ds_right)]
+                [dx, x_gradient(beta, right, ds_right, D_Z)]
             }
         };
-        let [dphi_left, dtheta_left] = angle_gradients(left, dx_left);
-        let [dphi_right, dtheta_right] = angle_gradients(right, dx_right);
+        let [dphi_left, dtheta_left] = angle_gradients(left, dx_left, D_Z);
+        let [dphi_right, dtheta_right] = angle_gradients(right, dx_right, D_Z);
         Slopes {
             angles: cones.wanted_angle_differences(wanted).into(),
             gradients: [
@@ -105,23 +114,28 @@ impl Trial {
         one_cone::middle_cone(&self.speed, self.point(), *pair, time - self.passage_time)
     }
 
-    const fn point(&self) -> SourcePoint {
+    /// Where it is at t0.
+    pub const fn point(&self) -> SourcePoint {
         SourcePoint { x0: self.passage_x, y: self.y, z: self.z }
     }
 }
 
+/// Of the apparent X, from those of S and z.
 #[inline]
-fn x_gradient(beta: f64, cone: &LightCone<f64>, ds: Gradient) -> Gradient {
+pub(super) fn x_gradient(beta: f64, cone: &LightCone<f64>, ds: Gradient, dz: Gradient) -> Gradient {
     let r = cone.solution.r;
     let inverse_q = 1.0 / cone.solution.q;
     let along = r * inverse_q;
     let across = -beta * inverse_q;
-    [along * (ds[0] - r), along * ds[1] + across * cone.y, along * ds[2] + across * cone.z, along * ds[3]]
+    std::array::from_fn(|i| {
+        let dbeta = if i == 0 { r } else { 0.0 };
+        along * (ds[i] - dbeta) + across * (cone.y * D_Y[i] + cone.z * dz[i])
+    })
 }
 
 /// d(atan2(y, X)) and d(atan2(z, h)).
 #[inline]
-fn angle_gradients(cone: &LightCone<f64>, dx: Gradient) -> [Gradient; 2] {
+pub(super) fn angle_gradients(cone: &LightCone<f64>, dx: Gradient, dz: Gradient) -> [Gradient; 2] {
     let LightCone { y, z, solution, .. } = *cone;
     let x = solution.x;
     let h_squared = x * x + y * y;
@@ -130,16 +144,21 @@ fn angle_gradients(cone: &LightCone<f64>, dx: Gradient) -> [Gradient; 2] {
     let inverse_r_squared = 1.0 / (h_squared + z * z);
     let slope = -z * inverse_r_squared / h;
     let dphi = std::array::from_fn(|i| (x * D_Y[i] - y * dx[i]) * inverse_h_squared);
-    let dtheta = std::array::from_fn(|i| h * D_Z[i] * inverse_r_squared + slope * (x * dx[i] + y * D_Y[i]));
+    let dtheta = std::array::from_fn(|i| h * dz[i] * inverse_r_squared + slope * (x * dx[i] + y * D_Y[i]));
     [dphi, dtheta]
 }
 
 /// Gradient of Delta T, by which light from the event that the primary sees takes longer to the secondary.
-fn delay_gradient(primary: &LightCone<f64>, to_secondary: f64, dx: Gradient) -> Gradient {
+pub(super) fn delay_gradient(
+    primary: &LightCone<f64>,
+    to_secondary: f64,
+    dx: Gradient,
+    dz: Gradient,
+) -> Gradient {
     let LightCone { y, z, solution, .. } = *primary;
     let distance = (to_secondary * to_secondary + y * y + z * z).sqrt();
     std::array::from_fn(|i| {
-        let transverse = y * D_Y[i] + z * D_Z[i];
+        let transverse = y * D_Y[i] + z * dz[i];
         (to_secondary * dx[i] + transverse) / distance - (solution.x * dx[i] + transverse) / solution.r
     })
 }
@@ -188,8 +207,11 @@ mod tests {
             for beta in [0.1, 0.6, 0.9, 0.99] {
                 for time in [-3.0, 0.1, 1.2, 2.4, 9.0] {
                     let speed = Speed::from_beta(beta).expect("a speed");
-                    let trial = Trial { speed, y: 1.3, z: -0.8, passage_time: 0.4, passage_x: 0.2 };
-                    check_gradients(&trial, model, &pair, time);
+                    for rolling in [None, Some(Rolling { radius: 0.9, rho: 0.7, angle: 0.6 })] {
+                        let (passage_time, passage_x) = (0.4, 0.2);
+                        let trial = Trial { speed, y: 1.3, z: -0.8, passage_time, passage_x, rolling };
+                        check_gradients(&trial, model, &pair, time);
+                    }
                 }
             }
         }
@@ -198,7 +220,9 @@ mod tests {
     fn check_gradients(trial: &Trial, model: Model, pair: &[Aperture; 2], time: f64) {
         let gradients = trial.slopes(model, pair, time, [true, true]).gradients;
         for (parameter, gradient) in transposed(gradients).into_iter().enumerate() {
-            let h = if parameter == 0 { 2e-3 * trial.speed.one_minus_beta() } else { 1e-3 };
+            // A wheel turns many times while its hub passes.
+            let finer = if trial.rolling.is_some() { 0.2 } else { 1.0 };
+            let h = finer * if parameter == 0 { 2e-3 * trial.speed.one_minus_beta() } else { 1e-3 };
             let slopes = difference(|by| shifted(trial, parameter, by).angles(model, pair, time), h);
             for (slope, gradient) in slopes.into_iter().zip(gradient) {
                 let error = (gradient - slope).abs();

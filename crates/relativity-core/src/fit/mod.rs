@@ -18,6 +18,7 @@ mod options;
 mod prepare;
 mod problem;
 mod regular;
+mod rolling;
 mod simulation;
 mod start;
 mod verdict;
@@ -25,6 +26,7 @@ mod verdict;
 pub use error::{FitError, NotConverged};
 pub use observations::{Observations, Reading, Sample};
 pub use options::{Curves, FitOptions, Parameter, Passage};
+pub use rolling::Rolling;
 pub use simulation::Simulation;
 
 pub(crate) use problem::{Free, NormalEquations, Problem};
@@ -133,6 +135,7 @@ impl Fit {
 /// let truth = Simulation {
 ///     speed: Speed::from_beta(0.9)?,
 ///     point: SourcePoint { x0: 0.0, y: 3.0, z: 2.0 },
+///     rolling: None,
 ///     pair: Aperture::pair(0.1),
 ///     model: Model::Exact,
 ///     times: (0..100).map(|i| -1.0 + 0.1 * f64::from(i)).collect(),

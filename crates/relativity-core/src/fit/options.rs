@@ -1,5 +1,6 @@
 //! What is fitted: which curves, by which model, and which parameters of the object.
 
+use crate::fit::rolling::Rolling;
 use crate::model::Model;
 
 /// Which curves are fitted.
@@ -59,11 +60,13 @@ pub struct FitOptions {
     pub curves: Curves,
     /// x0, known or not.
     pub passage: Passage,
+    /// The wheel on which the point is that was seen; y, z and x0 are then its hub's. `None` for a point that does not turn.
+    pub rolling: Option<Rolling>,
 }
 
 impl Default for FitOptions {
     fn default() -> Self {
-        Self { model: Model::Exact, curves: Curves::Both, passage: Passage::Known(0.0) }
+        Self { model: Model::Exact, curves: Curves::Both, passage: Passage::Known(0.0), rolling: None }
     }
 }
 

@@ -45,8 +45,17 @@ pub(super) fn prepare(observations: &Observations, options: &FitOptions) -> Resu
         Passage::Fitted => 0.0,
     };
     let fits_passage = options.passage == Passage::Fitted;
-    let mut problem =
-        Problem { model: options.model, pairs: observations.pairs().to_vec(), rows, passage_x, fits_passage };
+    if let Some(rolling) = options.rolling {
+        rolling.check()?;
+    }
+    let mut problem = Problem {
+        model: options.model,
+        pairs: observations.pairs().to_vec(),
+        rows,
+        passage_x,
+        fits_passage,
+        rolling: options.rolling,
+    };
     problem.rows.retain(|row| row.weights != [0.0; 2]);
     let has_all_sigmas = (0..2).all(|curve| has_sigmas[curve] || !used[curve]);
     let data = Data { problem, has_all_sigmas, used, has_sigmas, ranges };

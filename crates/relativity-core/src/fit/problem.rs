@@ -9,6 +9,7 @@ use nalgebra::{Dyn, Matrix4, OMatrix, OVector, U4, Vector4};
 
 use crate::apparent::Aperture;
 use crate::fit::curve::{Gradient, Slopes, Trial};
+use crate::fit::rolling::Rolling;
 use crate::math;
 use crate::model::Model;
 use crate::speed::Speed;
@@ -55,6 +56,8 @@ pub(crate) struct Problem {
     pub passage_x: f64,
     /// Whether t0 is fitted; else it is 0.
     pub fits_passage: bool,
+    /// The wheel whose hub the object is.
+    pub rolling: Option<Rolling>,
 }
 
 /// Sums over rows: J^T W J, J^T W r and r^T W r.
@@ -75,7 +78,7 @@ impl Problem {
             return None;
         }
         let speed = Speed::from_rapidity(rapidity).ok()?;
-        Some(Trial { speed, y, z, passage_time, passage_x: self.passage_x })
+        Some(Trial { speed, y, z, passage_time, passage_x: self.passage_x, rolling: self.rolling })
     }
 
     /// Number of fitted parameters.
@@ -88,9 +91,10 @@ impl Problem {
         self.rows.iter().flat_map(Row::curves).count()
     }
 
-    /// Whether only |z| matters: Delta-phi alone, seen by apertures that all lie at z = 0.
+    /// Whether only |z| matters: Delta-phi alone, seen by apertures that all lie at z = 0, of what does not turn.
     pub fn is_even_in_z(&self) -> bool {
-        self.rows.iter().all(|row| row.weights[1] == 0.0)
+        self.rolling.is_none()
+            && self.rows.iter().all(|row| row.weights[1] == 0.0)
             && self.pairs.iter().flatten().all(|aperture| aperture.z == 0.0)
     }
 

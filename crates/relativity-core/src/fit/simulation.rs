@@ -9,6 +9,7 @@ use crate::fit::curve::Trial;
 use crate::fit::error::FitError;
 use crate::fit::observations::{Observations, Reading, Sample};
 use crate::fit::prepare::check_pairs;
+use crate::fit::rolling::Rolling;
 use crate::model::Model;
 use crate::speed::Speed;
 
@@ -22,6 +23,7 @@ use crate::speed::Speed;
 /// let simulation = Simulation {
 ///     speed: Speed::from_beta(0.9)?,
 ///     point: SourcePoint { x0: 0.0, y: 3.0, z: 2.0 },
+///     rolling: None,
 ///     pair: Aperture::pair(0.1),
 ///     model: Model::Exact,
 ///     times: vec![0.0, 4.0],
@@ -39,8 +41,10 @@ use crate::speed::Speed;
 pub struct Simulation {
     /// The object's speed, above 0.
     pub speed: Speed,
-    /// The object.
+    /// The object; of a wheel its hub.
     pub point: SourcePoint,
+    /// The point that is seen on a wheel that rolls.
+    pub rolling: Option<Rolling>,
     /// The apertures, primary and secondary.
     pub pair: [Aperture; 2],
     /// The binocular model that the curves follow.
@@ -61,9 +65,13 @@ impl Simulation {
     /// [`FitError::Domain`], [`FitError::Sample`] or [`FitError::Pair`] if a number is out of range, or the model does not
     /// know such a pair.
     pub fn observations(&self) -> Result<Observations, FitError> {
-        let &Self { speed, point, pair, model, ref times, noise, seed } = self;
+        let &Self { speed, point, rolling, pair, model, ref times, noise, seed } = self;
         check_pairs(&Observations::new(vec![pair], Vec::new())?, model)?;
-        let object = Trial { speed, y: point.y, z: point.z, passage_time: 0.0, passage_x: point.x0 };
+        if let Some(rolling) = rolling {
+            rolling.check()?;
+        }
+        let (passage_time, passage_x) = (0.0, point.x0);
+        let object = Trial { speed, y: point.y, z: point.z, passage_time, passage_x, rolling };
         let curves: Vec<[f64; 2]> = times.iter().map(|&time| object.angles(model, &pair, time)).collect();
         let sigmas = [0, 1].map(|curve| noise * range(curves.iter().map(|angles| angles[curve])));
         let mut random = ChaCha8Rng::seed_from_u64(seed);

@@ -139,7 +139,7 @@ impl Features {
     }
 
     fn shape_at(&self, problem: &Problem, speed: Speed, slope: f64, distance: f64) -> Shape {
-        let trial = Trial { passage_x: 0.0, ..object(problem, speed, slope, distance) };
+        let trial = Trial { passage_x: 0.0, rolling: None, ..object(problem, speed, slope, distance) };
         let seen: [[f64; 2]; PASSAGE.len()] = PASSAGE.map(|x| {
             let time = x / speed.beta() + math::hypot(x, 1.0);
             [time, trial.angles(problem.model, &self.pair, distance * time)[self.curve]]
@@ -166,15 +166,20 @@ impl Features {
         if problem.fits_passage { seen - distance * shape.times[feature] } else { 0.0 }
     }
 
-    /// `trial`, or its mirror image at -z, for which Delta-theta has the other sign; `best` if that fits better.
+    /// `trial`, or its mirror image at -z, for which Delta-theta has the other sign unless it turns; `best` if that fits
+    /// better.
     fn better(&self, problem: &Problem, trial: Trial, best: Option<Candidate>) -> Option<Candidate> {
         let limit = best.map_or(f64::INFINITY, |best| best.cost);
         let mut costs = [0.0; 2];
         for row in &self.rows {
             let [dphi, dtheta] = problem.angles(&trial, row);
-            let azimuthal = (row.weights[0] * (dphi - row.values[0])).powi(2);
-            costs[0] += azimuthal + (row.weights[1] * (dtheta - row.values[1])).powi(2);
-            costs[1] += azimuthal + (row.weights[1] * (-dtheta - row.values[1])).powi(2);
+            let mirrored = match trial.rolling {
+                None => [dphi, -dtheta],
+                Some(_) => problem.angles(&Trial { z: -trial.z, ..trial }, row),
+            };
+            for (cost, angles) in costs.iter_mut().zip([[dphi, dtheta], mirrored]) {
+                *cost += (0..2).map(|i| (row.weights[i] * (angles[i] - row.values[i])).powi(2)).sum::<f64>();
+            }
             if costs[0].min(costs[1]) >= limit {
                 return best;
             }
@@ -189,7 +194,14 @@ impl Features {
 
 fn object(problem: &Problem, speed: Speed, slope: f64, distance: f64) -> Trial {
     let y = distance / math::hypot(slope, 1.0);
-    Trial { speed, y, z: slope * y, passage_time: 0.0, passage_x: problem.passage_x }
+    Trial {
+        speed,
+        y,
+        z: slope * y,
+        passage_time: 0.0,
+        passage_x: problem.passage_x,
+        rolling: problem.rolling,
+    }
 }
 
 /// When the magnitude of a curve of (time, value) first reaches half of `extreme`, between points by

@@ -16,8 +16,9 @@ mod seen;
 
 use num_traits::Float;
 
+pub(crate) use pair::baseline;
 pub use root::{MAX_STEPS, NEWTON_STEPS, measured_later, seen_later};
-use seen::Circle;
+pub(crate) use seen::{Circle, Seen};
 
 use crate::apparent::SourcePoint;
 use crate::domain::{DomainError, MAX_COORDINATE, check, check_in};

@@ -196,7 +196,7 @@ impl WheelPoint {
 }
 
 /// From the first to the second aperture.
-fn baseline([left, right]: [Aperture; 2]) -> [f64; 3] {
+pub(crate) fn baseline([left, right]: [Aperture; 2]) -> [f64; 3] {
     [right.x - left.x, right.y - left.y, right.z - left.z]
 }
 

@@ -4,7 +4,7 @@
 #![allow(clippy::allow_attributes, reason = "an expectation would fail in the programs that use every part")]
 
 use rand::{Rng, RngExt as _};
-use relativity_core::{Aperture, Model, Observations, Sample, Simulation, SourcePoint, Speed};
+use relativity_core::{Aperture, Model, Observations, Rolling, Sample, Simulation, SourcePoint, Speed};
 
 /// An object and how it is observed.
 #[derive(Debug, Clone, Copy)]
@@ -19,11 +19,22 @@ pub struct Case {
     pub noise: f64,
     /// The samples cover the passage from -extent to +extent, in units of the distance.
     pub extent: f64,
+    /// The wheel whose hub the object is.
+    pub rolling: Option<Rolling>,
 }
 
 /// The paper's tracked point.
-pub const PAPER: Case =
-    Case { beta: 0.9, y: 3.0, z: 2.0, x0: 0.0, separation: 0.1, samples: 240, noise: 0.0, extent: 3.0 };
+pub const PAPER: Case = Case {
+    beta: 0.9,
+    y: 3.0,
+    z: 2.0,
+    x0: 0.0,
+    separation: 0.1,
+    samples: 240,
+    noise: 0.0,
+    extent: 3.0,
+    rolling: None,
+};
 
 impl Case {
     /// A case from the domain that the fit is held against: beta 0.1 to 0.99, y and |z| 0.3 to 10,
@@ -40,6 +51,7 @@ impl Case {
             samples: between(120.0, 501.0) as usize,
             noise: between(0.001, 0.02),
             extent: between(1.5, 4.0),
+            rolling: None,
         }
     }
 
@@ -59,6 +71,7 @@ impl Case {
         let simulation = Simulation {
             speed: Speed::from_beta(self.beta).expect("a speed"),
             point: SourcePoint { x0: self.x0, y: self.y, z: self.z },
+            rolling: self.rolling,
             pair: Aperture::pair(self.separation),
             model,
             times: self.times(),

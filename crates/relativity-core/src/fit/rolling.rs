@@ -1,0 +1,166 @@
+//! The curves of a point on a wheel that rolls, with their derivatives.
+//!
+//! The point is seen where one is that rests at C + q, and that tells the time t' of its light, of which the angle
+//! a = angle - omega t' depends in turn. With u for the direction in which a point of the wheel moves, n' that towards it,
+//! and r its distance from the axle,
+//!
+//! ```text
+//! dq = -r u da,    da = d(angle) - t' d(omega) - omega dt',
+//! dt' (1 + omega r u.n') = dt' at a fixed q + r u.n' (d(angle) - t' d(omega))
+//! ```
+
+use crate::apparent::{Aperture, LightCone, SourcePoint};
+use crate::cone_pair::ConePair;
+use crate::domain::DomainError;
+use crate::fit::curve::{D_Y, D_Z, Gradient, Slopes, Trial, angle_gradients, delay_gradient, x_gradient};
+use crate::math;
+use crate::model::Model;
+use crate::one_cone::{self, middle};
+use crate::wheel::{Seen, Turning, WheelPoint, baseline};
+
+/// A point on a wheel of known size that rolls without slipping.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rolling {
+    /// W, the radius on which it rolls, above 0.
+    pub radius: f64,
+    /// How far the point is from the axle, in radii, in [0, 1].
+    pub rho: f64,
+    /// Where it is at t' = 0 by the clocks of the rest frame, which the one shows then that passes the ground's origin at
+    /// t = 0: from +x towards +z, radians.
+    pub angle: f64,
+}
+
+impl Rolling {
+    /// The point of the wheel whose hub is the trial object, t counted from its passage.
+    fn point(&self, trial: &Trial) -> WheelPoint {
+        let Self { radius, rho, angle } = *self;
+        // The clocks at rest with the wheel show gamma t0 less than their own time.
+        let turned = trial.speed.beta() / radius * (trial.speed.gamma() * trial.passage_time);
+        WheelPoint { hub: trial.point(), radius, rho, angle: angle - turned, turning: Turning::Rolling }
+    }
+
+    /// An error for what is outside the domain.
+    pub(crate) fn check(&self) -> Result<(), DomainError> {
+        let hub = SourcePoint { x0: 0.0, y: 0.0, z: 0.0 };
+        let Self { radius, rho, angle } = *self;
+        WheelPoint { hub, radius, rho, angle, turning: Turning::Rolling }.check()
+    }
+
+    /// Delta-phi and Delta-theta, with 0 for what is not `wanted`, of the wheel whose hub is the trial object; `time` counts
+    /// from its passage.
+    pub(crate) fn angles(
+        &self,
+        trial: &Trial,
+        model: Model,
+        pair: &[Aperture; 2],
+        time: f64,
+        wanted: [bool; 2],
+    ) -> [f64; 2] {
+        let (wheel, speed) = (self.point(trial), &trial.speed);
+        let (dphi, dtheta) = match model {
+            Model::Exact => wheel.seen_by_pair(speed, *pair, time, baseline(*pair)).angle_differences(),
+            Model::OneCone => {
+                let seen = wheel.seen(speed, middle(*pair), time);
+                one_cone::cone_pair(&seen.cone, *pair).angle_differences()
+            }
+            Model::Published(variant) => {
+                wheel.seen_as_published(speed, *pair, time, variant).0.angle_differences()
+            }
+        };
+        [if wanted[0] { dphi } else { 0.0 }, if wanted[1] { dtheta } else { 0.0 }]
+    }
+
+    /// The same with the gradients.
+    pub(crate) fn slopes(
+        &self,
+        trial: &Trial,
+        model: Model,
+        pair: &[Aperture; 2],
+        time: f64,
+        wanted: [bool; 2],
+    ) -> Slopes {
+        let (wheel, speed) = (self.point(trial), &trial.speed);
+        let sight = |time: f64, dtime: Gradient| Sight { trial, wheel: &wheel, time, dtime };
+        let dtime = [0.0, 0.0, 0.0, -1.0];
+        let gradients = match model {
+            Model::Exact => {
+                let each = wheel.seen_by_pair(speed, *pair, time, baseline(*pair)).each;
+                each.map(|seen| sight(time, dtime).angle_gradients(&seen))
+            }
+            Model::OneCone => {
+                let seen = wheel.seen(speed, middle(*pair), time);
+                let [dx, dz] = sight(time, dtime).place_gradients(&seen);
+                let ConePair { left, right, .. } = one_cone::cone_pair(&seen.cone, *pair);
+                [left, right].map(|cone| angle_gradients(&cone, dx, dz))
+            }
+            Model::Published(variant) => {
+                let (both, shift) = wheel.seen_as_published(speed, *pair, time, variant);
+                let [first, second] = &both.each;
+                let [dx, dz] = sight(time, dtime).place_gradients(first);
+                let to_secondary = first.cone.solution.x - (pair[1].x - pair[0].x);
+                let ddelay = delay_gradient(&first.cone, to_secondary, dx, dz);
+                let dtime = std::array::from_fn(|i| dtime[i] + variant.delay_sign() * ddelay[i]);
+                let shifted = sight(time + shift, dtime);
+                [angle_gradients(&first.cone, dx, dz), shifted.angle_gradients(second)]
+            }
+        };
+        let [[dphi_left, dtheta_left], [dphi_right, dtheta_right]] = gradients;
+        Slopes {
+            angles: self.angles(trial, model, pair, time, wanted),
+            gradients: [
+                std::array::from_fn(|i| dphi_left[i] - dphi_right[i]),
+                std::array::from_fn(|i| dtheta_left[i] - dtheta_right[i]),
+            ],
+        }
+    }
+}
+
+/// One aperture that looks at one time, which may depend on the parameters.
+struct Sight<'a> {
+    trial: &'a Trial,
+    wheel: &'a WheelPoint,
+    time: f64,
+    dtime: Gradient,
+}
+
+impl Sight<'_> {
+    /// Of phi and theta.
+    fn angle_gradients(&self, seen: &Seen<f64>) -> [Gradient; 2] {
+        let [dx, dz] = self.place_gradients(seen);
+        angle_gradients(&seen.cone, dx, dz)
+    }
+
+    /// Of the apparent X and Z.
+    fn place_gradients(&self, seen: &Seen<f64>) -> [Gradient; 2] {
+        let Self { trial, wheel, time, dtime } = *self;
+        let (beta, gamma) = (trial.speed.beta(), trial.speed.gamma());
+        let LightCone { s, y, z, ref solution } = seen.cone;
+        let (q, r) = (solution.q, wheel.rho * wheel.radius);
+        let omega = wheel.omega(&trial.speed);
+        let (sine, cosine) = math::sin_cos(seen.angle);
+        let along = r * cosine / gamma;
+        let dbeta: Gradient = [1.0, 0.0, 0.0, 0.0];
+        let x0 = trial.passage_x + along;
+        let rho_squared = y * y + z * z;
+        // Of a point that rests there: S, and the time by its own clock.
+        let ds: Gradient =
+            std::array::from_fn(|i| beta * dtime[i] + dbeta[i] * (time - along * beta * gamma * gamma));
+        let dtime_at_rest: Gradient = std::array::from_fn(|i| {
+            let across = (y * D_Y[i] + z * D_Z[i]) * trial.speed.inverse_gamma_squared();
+            let dq = (s * ds[i] + across - rho_squared * beta * dbeta[i]) / q;
+            gamma * (dtime[i] - dq + solution.x * dbeta[i]) - gamma * gamma * gamma * x0 * dbeta[i]
+        });
+        // Of the angle at t' = 0, and of omega.
+        let turning = gamma / wheel.radius;
+        let dangle = [-turning * gamma * gamma * trial.passage_time, 0.0, 0.0, -turning * beta];
+        let domega = 1.0 / wheel.radius;
+        let towards = r * (gamma * s * sine - z * cosine) / (gamma * q);
+        let dturn: Gradient = std::array::from_fn(|i| {
+            let dangle = dangle[i] - seen.own_time * domega * dbeta[i];
+            dangle - omega * (dtime_at_rest[i] + towards * dangle) / seen.slope
+        });
+        let ds = std::array::from_fn(|i| ds[i] - r * sine / gamma * dturn[i]);
+        let dz = std::array::from_fn(|i| D_Z[i] + r * cosine * dturn[i]);
+        [x_gradient(beta, &seen.cone, ds, dz), dz]
+    }
+}
