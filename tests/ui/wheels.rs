@@ -11,12 +11,13 @@ use gamow::app::points::Point;
 use gamow::app::state::State;
 use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::scene::Track;
-use gamow::settings::{PlotTab, Plots, Settings};
+use gamow::settings::{FitSetup, PlotTab, Plots, Settings};
 use glam::DVec3;
 use relativity_core::{Aperture, Model, SourcePoint, Speed, Turning, WheelPoint};
 use relativity_render::Geometry;
 
 use super::Test;
+use super::fit::wait;
 use super::picking::click;
 use super::support::{SEPARATION, label_starting_with, labels, pane, shown, window};
 
@@ -26,6 +27,7 @@ pub const TESTS: &[Test] = &[
     ("curves_of_a_point_of_a_wheel_are_those_of_the_core", curves_are_those_of_the_core),
     ("a_point_of_a_wheel_is_undone_redone_and_kept_in_a_state", a_point_of_a_wheel_is_kept),
     ("a_point_of_a_wheel_has_numbers_at_every_speed", numbers_at_every_speed),
+    ("the_fit_of_a_point_of_a_wheel_finds_its_hub", the_fit_finds_the_hub),
     ("the_pointer_tells_where_on_the_wheel_it_is", the_pointer_tells_where_on_the_wheel),
 ];
 
@@ -281,6 +283,42 @@ fn numbers_at_every_speed() {
             let csv = window.state_mut().plots_csv();
             assert!(!csv.contains("NaN") && !csv.contains("inf"), "{parameter:?} {speed}, {tab:?}");
         }
+    }
+}
+
+fn the_fit_finds_the_hub() {
+    for (beta, noise_percent) in [(0.9, 0.0), (0.6, 1.0)] {
+        let mut state = street(SpeedParameter::Beta, beta);
+        let spoke = state
+            .session
+            .scene
+            .names
+            .iter()
+            .position(|name| name == "front wheel's spoke 3")
+            .expect("a spoke");
+        let track = state.session.scene.track_on(spoke).expect("a body");
+        state.session.points.choose(track, spoke, false);
+        state.apply(Command::Fit(FitSetup { noise_percent, ..FitSetup::default() }));
+        state.apply(Command::Plots(Plots { plot: PlotTab::Fit, ..Plots::default() }));
+        let mut window = window(state);
+        wait(&mut window);
+        // The spoke's end is in the plane of the rim or beside it; the hub it is told of is the axle there.
+        for (symbol, truth) in [("β", beta), ("y", track.rest[1]), ("z", HUB[2])] {
+            let value = shown(&window, &format!("Fitted {symbol}"));
+            let known = 3.5 * shown(&window, &format!("Uncertainty of {symbol}")) + 6e-4;
+            assert!((value - truth).abs() < known, "{symbol} = {value} for {truth}");
+            assert!((shown(&window, &format!("True {symbol}")) - truth).abs() < 6e-5);
+        }
+        let said = labels(&window);
+        let is_told = said.iter().any(|label| label.starts_with("The point is on a wheel that rolls"));
+        assert!(
+            is_told
+                && said
+                    .iter()
+                    .any(|label| label.starts_with("Agrees with the truth")
+                        || label.starts_with("Recovered to")),
+            "{said:?}"
+        );
     }
 }
 
