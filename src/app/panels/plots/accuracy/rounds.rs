@@ -24,8 +24,8 @@ const HEADS: [(&str, &str); 5] = [
 
 /// Shows it, once the reference has told what is exact; nothing where nothing turns.
 pub fn show(ui: &mut Ui, examination: &Examination) {
-    let measured = examination.rows().filter_map(|row| row.measured());
-    let Some(error) = measured.filter_map(|figures| figures.rounds.as_ref()).next() else { return };
+    let mut measured = examination.rows().filter_map(|row| row.measured());
+    let Some(error) = measured.find_map(|figures| figures.rounds.as_ref()) else { return };
     ui.add_space(8.0);
     Grid::new("rounds").num_columns(HEADS.len()).spacing([14.0, 2.0]).show(ui, |ui| {
         for (head, tip) in HEADS {
