@@ -13,7 +13,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::{DQuat, DVec3};
 use relativity_core::math::{atan, log10, powf, sin_cos};
-use relativity_render::{Body, Shape, View};
+use relativity_render::{Body, MaterialPoint, Shape, View};
 
 use crate::scene::Scene;
 
@@ -55,9 +55,11 @@ impl Comfort {
         for group in &scene.groups {
             let seen = views.map(|view| view.of_group(group.motion));
             for body in group.bodies().step_by(stride) {
-                for place in places(&scene.bodies[body]) {
+                let body = &scene.bodies[body];
+                for rest in places(body) {
+                    let point = MaterialPoint { rest, spin: body.spin };
                     let pixel = |eye: usize| {
-                        let [u, v] = views[eye].camera.pixel(seen[eye].apparent_position(place)?)?;
+                        let [u, v] = views[eye].camera.pixel(seen[eye].apparent_position(point)?)?;
                         let [width, height] = views[eye].camera.size.map(f64::from);
                         ((0.0..=width).contains(&u) && (0.0..=height).contains(&v)).then_some([u, v])
                     };

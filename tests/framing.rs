@@ -10,7 +10,7 @@ use gamow::scene::{PRESETS, Scene};
 use gamow::settings::{Settings, Subject};
 use glam::DVec3;
 use relativity_core::{Aperture, Speed};
-use relativity_render::{Camera, Gaze, Geometry, Motion, PreparedScene, View};
+use relativity_render::{Camera, Gaze, Geometry, Hit, MaterialPoint, Motion, PreparedScene, View};
 
 const BETAS: [f64; 6] = [0.0, 0.3, 0.6, 0.9, 0.99, 0.9999];
 const SIZES: [[u32; 2]; 3] = [[480, 540], [960, 720], [300, 700]];
@@ -35,7 +35,7 @@ fn times(state: &State) -> impl Iterator<Item = f64> + use<> {
 }
 
 /// Points on the surfaces of the bodies that move with the scene, as cameras all around see them at rest.
-fn surface(scene: &Scene) -> Vec<DVec3> {
+fn surface(scene: &Scene) -> Vec<MaterialPoint> {
     let moving = scene.groups.iter().filter(|group| group.motion == Motion::Scene);
     let bodies: Vec<_> = moving.flat_map(|group| &scene.bodies[group.bodies()]).copied().collect();
     let scene = PreparedScene::moving(&bodies);
@@ -52,11 +52,12 @@ fn surface(scene: &Scene) -> Vec<DVec3> {
         let (speed, geometry) = (Speed::REST, Geometry::Seen);
         scene.hit_image(&View { camera, speed, observation_time: 0.0, geometry }).hits
     });
-    hits.flatten().map(|hit| hit.rest_position).collect()
+    let point = |hit: Hit| MaterialPoint { rest: hit.material_position, spin: bodies[hit.body].spin };
+    hits.flatten().map(point).collect()
 }
 
 /// Directions from an eye to what it is shown of `points`.
-fn directions(view: &View, points: &[DVec3]) -> Vec<DVec3> {
+fn directions(view: &View, points: &[MaterialPoint]) -> Vec<DVec3> {
     points.iter().filter_map(|&point| view.apparent_position(point)).collect()
 }
 

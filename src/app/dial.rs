@@ -1,5 +1,6 @@
 //! The optical clock: a dial beside each followed point, whose hand turns with the own time of what the eye sees there. So
-//! it is seen to run D times as fast as a clock on the ground: fast as it comes, slow as it goes.
+//! it is seen to run D times as fast as a clock on the ground: fast as it comes, slow as it goes. On a wheel it is a clock that
+//! turns with the point, and goes slower than those that rest in the wheel's frame.
 
 use std::f32::consts::TAU;
 
@@ -40,10 +41,15 @@ pub fn period(unit: Unit) -> f64 {
 
 /// What a dial shows whose times are in this `unit`.
 #[must_use]
-pub fn tip(unit: Unit) -> String {
+pub fn tip(unit: Unit, is_turning: bool) -> String {
+    let what = if is_turning {
+        "a clock that turns with it, and so goes √(1 − v²) times as fast as the own clock τ of what the wheel is on"
+    } else {
+        "its own clock τ"
+    };
     format!(
-        "The clock at this point as the eye sees it: its own clock τ. A turn of the hand is {}. It is seen to run at D: \
-        fast as it comes, slow as it goes.",
+        "The clock at this point as the eye sees it: {what}. A turn of the hand is {}. It is seen to run at D: fast as it \
+        comes, slow as it goes.",
         unit.text(period(unit), 0)
     )
 }
@@ -55,7 +61,9 @@ impl State {
         let is_on = self.settings.window.dials && self.shows_what_is_received(eye);
         let seen = self.sighting(point, eye).filter(|seen| is_on && seen.own_time.is_finite())?;
         let period = period(self.measures().time);
-        Some(Dial { turn: (seen.own_time / period).rem_euclid(1.0), period })
+        let turning = self.on_wheel(&point.track, seen.own_time).map_or(0.0, |wheel| wheel.turning);
+        let own_time = seen.own_time * ((1.0 - turning) * (1.0 + turning)).sqrt();
+        Some(Dial { turn: (own_time / period).rem_euclid(1.0), period })
     }
 
     /// Whether the picture of `eye` is made of the light that it receives at T.
@@ -119,6 +127,7 @@ mod tests {
     use eframe::egui::pos2;
 
     use super::*;
+    use crate::flags::{SpeedParameter, SpeedSetting};
     use crate::settings::Settings;
     use crate::units::Units;
 
@@ -171,6 +180,34 @@ mod tests {
                 let seen = state.sighting(state.session.points.selected(), eye).expect("it is seen");
                 let rate = turned / (2.0 * STEP);
                 assert!((rate / seen.doppler_factor - 1.0).abs() < 1e-6, "T = {time}: {rate}");
+            }
+        }
+    }
+
+    /// Also that of a point of a wheel, whose D has its own motion in it.
+    #[test]
+    fn the_hand_of_a_clock_on_a_rolling_wheel_is_seen_to_run_at_d() {
+        const STEP: f64 = 1e-5;
+        let mut settings = Settings { scene: "street".to_owned(), time: Some(0.0), ..Settings::default() };
+        settings.motion.speed = SpeedSetting::new(SpeedParameter::Beta, 0.8).expect("a speed");
+        let mut state = State::open(settings).expect("a preset");
+        let is_tyre = |name: &String| name == "front tyre";
+        let tyre = state.session.scene.names.iter().position(is_tyre).expect("a bicycle has one");
+        let track = state.session.scene.track_on(tyre).expect("a body");
+        assert!(track.spin.is_some());
+        state.session.points.choose(track, tyre, false);
+        for time in [-8.0, -1.3, 0.0, 3.7, 9.5] {
+            for eye in Eye::BOTH {
+                let mut hand = |time| {
+                    state.session.time = time;
+                    let dial = dial(&state, eye);
+                    dial.turn * dial.period
+                };
+                let turned = (hand(time + STEP) - hand(time - STEP) + 1.0).rem_euclid(2.0) - 1.0;
+                state.session.time = time;
+                let seen = state.sighting(state.session.points.selected(), eye).expect("it is seen");
+                let rate = turned / (2.0 * STEP);
+                assert!((rate / seen.doppler_factor - 1.0).abs() < 1e-5, "T = {time}: {rate}");
             }
         }
     }

@@ -35,6 +35,7 @@ mod layouts;
 pub mod memory;
 pub mod notice;
 pub mod observer;
+pub mod on_wheel;
 mod opening;
 pub mod orders;
 pub mod overlay;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use glam::DVec3;
-use relativity_core::{Disparity, Model, Parameter, Sighting, SourcePoint, Speed, Stereo, StereoError};
+use relativity_core::{Disparity, Model, Parameter, Sighting, Source, Speed, Stereo, StereoError};
 use relativity_render::{Gaze, Geometry, Outline, Velocity, View};
 
 use super::curves::CurvesKey;
@@ -66,7 +66,7 @@ impl State {
 
     /// The worldline of the selected point from between the eyes, reflected to move along +x.
     #[must_use]
-    pub fn selected_source(&self) -> SourcePoint {
+    pub fn selected_source(&self) -> Source {
         self.settings.source(&self.session.points.selected().track)
     }
 
@@ -113,9 +113,7 @@ impl State {
     /// When `point` is measured beside the eyes: at x = 0, where it is seen only later. `None` at rest.
     #[must_use]
     pub fn abreast_time(&self, point: &Point) -> Option<f64> {
-        let beta = self.velocity(point).speed.beta();
-        let time = 0.0 - self.settings.source(&point.track).x0 / beta;
-        (beta != 0.0 && time.is_finite()).then_some(time)
+        self.settings.abreast_time(&point.track)
     }
 
     /// Whether `eye` sees what the published model has the right eye see, measured from the left aperture.
@@ -188,7 +186,7 @@ impl State {
             Some(file) => Samples::Measured(file.clone(), self.settings.baseline()),
             None => Samples::Simulated(Simulated {
                 velocity: self.selected_velocity(),
-                source: self.selected_source(),
+                source: self.selected_source().place(),
                 pair: self.settings.pair(),
                 range: setup.fit_range.0.unwrap_or_else(|| self.time_range()),
                 model: self.simulated_model(),

@@ -19,7 +19,7 @@ impl Point {
     #[must_use]
     pub fn what<'a>(&self, scene: &'a Scene) -> &'a str {
         let nameless = if self.is_tracked() { "tracked point" } else { "point" };
-        let body = self.body.or_else(|| scene.tracked_body().filter(|_| self.is_tracked()));
+        let body = self.body.or_else(|| scene.body_at(self.track.rest));
         body.map_or(nameless, |body| scene.name_of(body))
     }
 
@@ -27,6 +27,14 @@ impl Point {
     #[must_use]
     pub fn noun(&self, scene: &Scene) -> String {
         format!("the {}", self.what(scene))
+    }
+
+    /// It as `scene` has it: on its body, if there is one of that number, with which it may turn.
+    fn in_scene(self, scene: &Scene) -> Option<Self> {
+        let rest = self.track.rest;
+        let track =
+            self.body.map_or_else(|| Some(scene.track(Some(rest))), |body| scene.track_at(rest, body))?;
+        Some(Self { track, ..self })
     }
 
     /// Whether it is the scene's own.
@@ -151,8 +159,9 @@ impl Points {
     pub fn of(mut self, scene: &Scene) -> Self {
         self.all[TRACKED].track = scene.track(None);
         for index in (TRACKED + 1..self.all.len()).rev() {
-            if self.all[index].body.is_some_and(|body| body >= scene.bodies.len()) {
-                self.remove(index);
+            match self.all[index].in_scene(scene) {
+                Some(point) => self.all[index] = point,
+                None => self.remove(index),
             }
         }
         self
@@ -167,7 +176,7 @@ impl Points {
             if body == Some(None) {
                 continue;
             }
-            carried.all.push(Point { body: body.flatten(), ..*point });
+            carried.all.extend(Point { body: body.flatten(), ..*point }.in_scene(new));
             if index == self.selected {
                 carried.selected = carried.all.len() - 1;
             }

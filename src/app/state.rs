@@ -209,16 +209,15 @@ impl State {
         let fitted = || {
             let velocity = self.selected_velocity();
             let pair = velocity.reflected_pair(self.settings.pair());
-            passage::fitted_range(&velocity.speed, self.selected_source(), pair).map(clock::bounded)
+            passage::fitted_range(&velocity.speed, self.selected_source().place(), pair).map(clock::bounded)
         };
         self.settings.playback.range.0.unwrap_or_else(fitted)
     }
 
-    /// The light of `point`: of the body it was picked on, else of the one that the scene's own point is on, else of the
-    /// first.
+    /// The light of `point`: of the body it was picked on, else of the one that it lies on, else of the first.
     #[must_use]
     pub fn emission(&self, point: &Point) -> Emission {
-        let body = point.body.or_else(|| self.session.scene.tracked_body()).unwrap_or(0);
+        let body = point.body.or_else(|| self.session.scene.body_at(point.track.rest)).unwrap_or(0);
         self.session.prepared.bodies().get(body).map_or(Emission::White, |body| body.emission)
     }
 

@@ -48,23 +48,26 @@ impl State {
         let pixel = self.meant(eye, pixel, size)?;
         let (track, body) = self.point_at(eye, pixel, size)?;
         let name = self.session.scene.name_of(body).to_owned();
-        let worked_out =
-            |line| Some(Under { body, pixel, name: name.clone(), doppler_factor: None, lines: vec![line] });
-        match self.settings.geometry() {
+        let view = self.view(eye, size);
+        let (doppler_factor, mut lines) = match self.settings.geometry() {
             Geometry::Rest => {
-                worked_out(format!("at rest at {}", self.place(self.settings.rest_place(track.rest))))
+                let there = view.of_group(track.motion).place_when_shown(track.point());
+                let is = if track.spin.is_some() { "riding along seen" } else { "at rest" };
+                let place = self.place(self.settings.rest_place(there.to_array()));
+                (None, vec![format!("{is} at {place}")])
             }
-            Geometry::Contracted => worked_out(format!(
-                "measured now at {}",
-                self.place(self.settings.measured_place(&track, self.session.time))
-            )),
+            Geometry::Contracted => {
+                let place = self.place(self.settings.measured_place(&track, self.session.time));
+                (None, vec![format!("measured now at {place}")])
+            }
             Geometry::Seen | Geometry::Published | Geometry::OneCone => {
                 let both = self.settings.disparity(&track, self.session.time).ok()?;
                 let seen = [both.primary, both.secondary][eye.index()];
-                let lines = self.received(&seen);
-                Some(Under { body, pixel, name, doppler_factor: Some(seen.doppler_factor), lines })
+                (Some(seen.doppler_factor), self.received(&seen))
             }
-        }
+        };
+        lines.extend(self.told_on_wheel(&track, &view));
+        Some(Under { body, pixel, name, doppler_factor, lines })
     }
 
     /// Where a point is seen that an eye receives light of, and its times.

@@ -48,7 +48,7 @@ enum Shown {
     /// What arrives at each eye; at both in one place the same.
     Received([Sighting; 2], Eyes, Clock),
     /// What arrives at the middle between the eyes, as if both received that.
-    OneCone(Sighting),
+    OneCone(Sighting, Clock),
     /// What arrives at the left eye, and what the published model has the right eye receive.
     Published([Sighting; 2]),
     /// Where it is at T: this x from between the eyes.
@@ -59,11 +59,24 @@ enum Shown {
     Unknown,
 }
 
-/// Whether the point's clock goes as those on the ground do.
+/// Whose clock tells τ: that of the point, unless that goes as those on the ground do, or turns about an axle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Clock {
     OfItsOwn,
+    OfItsAxle,
     OfTheGround,
+}
+
+impl Clock {
+    /// That of the point at `track`.
+    fn of(settings: &Settings, track: &Track) -> Self {
+        let velocity = settings.velocity(track.motion);
+        match track.spin {
+            Some(spin) if spin.omega(&velocity) != 0.0 => Self::OfItsAxle,
+            _ if velocity.beta() == 0.0 => Self::OfTheGround,
+            _ => Self::OfItsOwn,
+        }
+    }
 }
 
 /// Whether the eyes are in one place.
@@ -101,7 +114,7 @@ impl Moment {
     pub fn doppler_factors(&self) -> [Option<f64>; 2] {
         match self.shown {
             Shown::Received(seen, ..) | Shown::Published(seen) => seen.map(|seen| Some(seen.doppler_factor)),
-            Shown::OneCone(seen) => [Some(seen.doppler_factor); 2],
+            Shown::OneCone(seen, _) => [Some(seen.doppler_factor); 2],
             Shown::RidingAlong(factors) => factors.map(Some),
             Shown::Contracted(_) | Shown::Unknown => [None; 2],
         }
@@ -129,11 +142,12 @@ impl Moment {
         match self.shown {
             Shown::Received(seen, eyes, clock) => {
                 let left = departure(&seen, eyes, unit);
-                let shown = if clock == Clock::OfItsOwn { own_clock(&seen, unit) } else { String::new() };
+                let shown = own_time(clock, &seen, unit);
                 self.with_light(&format!("Light received now (T = {now}) left {name} {left}{shown}"))
             }
-            Shown::OneCone(seen) => {
-                let left = departure(&[seen, seen], Eyes::Together, unit) + &own_clock(&[seen, seen], unit);
+            Shown::OneCone(seen, clock) => {
+                let both = [seen, seen];
+                let left = departure(&both, Eyes::Together, unit) + &own_time(clock, &both, unit);
                 let start =
                     "As if both eyes received the same events: light received midway between them now";
                 self.with_light(&format!("{start} (T = {now}) left {name} {left}"))
@@ -196,9 +210,15 @@ fn departure(seen: &[Sighting; 2], eyes: Eyes, unit: Unit) -> String {
     }
 }
 
-/// What its own clock showed then.
-fn own_clock(seen: &[Sighting; 2], unit: Unit) -> String {
-    format!(", by its own clock at τ = {}", told_of_both(unit, seen.map(|seen| seen.own_time)).join(" and "))
+/// What its `clock` showed then: nothing of those on the ground, which have just been told.
+fn own_time(clock: Clock, seen: &[Sighting; 2], unit: Unit) -> String {
+    let whose = match clock {
+        Clock::OfItsOwn => "own",
+        Clock::OfItsAxle => "axle's",
+        Clock::OfTheGround => return String::new(),
+    };
+    let times = told_of_both(unit, seen.map(|seen| seen.own_time)).join(" and ");
+    format!(", by its {whose} clock at τ = {times}")
 }
 
 /// What is said of colours where `light` does not draw them as they are received.
@@ -213,7 +233,8 @@ const fn drawn(light: &Light) -> &'static str {
 impl Shown {
     /// What `settings` show of the point at `track` at `time`; `None` outside the domain of the core.
     fn new(settings: &Settings, track: &Track, time: f64) -> Option<Self> {
-        let is_moving = settings.velocity(track.motion).beta() != 0.0;
+        let clock = Clock::of(settings, track);
+        let is_moving = clock != Clock::OfTheGround;
         let seen = || settings.disparity(track, time).ok();
         match settings.geometry() {
             Geometry::Rest if settings.speed().beta() != 0.0 => Self::riding_along(settings, track, time),
@@ -221,7 +242,7 @@ impl Shown {
                 Some(Self::Contracted(settings.measured_place(track, time)[0]))
             }
             Geometry::OneCone if is_moving && settings.motion.d != 0.0 => {
-                Some(Self::OneCone(seen()?.primary))
+                Some(Self::OneCone(seen()?.primary, clock))
             }
             Geometry::Published if is_moving => {
                 let both = settings.shown_disparity(track, time).ok()?;
@@ -230,7 +251,6 @@ impl Shown {
             // Where nothing moves all geometries are alike.
             _ => {
                 let eyes = if settings.motion.d == 0.0 { Eyes::Together } else { Eyes::Apart };
-                let clock = if is_moving { Clock::OfItsOwn } else { Clock::OfTheGround };
                 seen().map(|both| Self::Received([both.primary, both.secondary], eyes, clock))
             }
         }
@@ -241,7 +261,9 @@ impl Shown {
         let doppler_factor = |view: View| {
             let seen = view.of_group(track.motion);
             let line_of_sight = seen.apparent_position(track.point())?.try_normalize()?;
-            Some(seen.rest_ray(line_of_sight).doppler_factor)
+            let place = seen.place_when_shown(track.point());
+            let own = track.spin.map_or(1.0, |spin| seen.own_doppler(&spin, place));
+            Some(seen.rest_ray(line_of_sight).doppler_factor * own)
         };
         let [left, right] = settings.views_ahead(time).map(doppler_factor);
         Some(Self::RidingAlong([left?, right?]))

@@ -215,3 +215,33 @@ fn extremes_are_told_in_numbers() {
         |sentence: &&String| sentence.replace("infrared", "").contains("inf") || sentence.contains("NaN");
     assert_eq!(all.iter().find(is_broken), None);
 }
+
+#[test]
+fn a_point_of_a_wheel_has_the_time_of_its_axle_and_the_light_of_its_own_motion() {
+    let street = Scene::preset("street").expect("a preset");
+    // The front of the front tyre at t' = 0: its wheel is 0.525 high and 4 away.
+    let rim = street.track(Some([0.0, 4.0, -1.975]));
+    let moment = |settings: &Settings| {
+        Moment::new(settings, &rim, "the front tyre".to_owned(), Emission::Wavelength(700.0), 1.0)
+    };
+    let seen = moment(&settings(0.9, 0.1)).sentence();
+    assert!(seen.contains(", by its axle's clock at τ = "), "{seen}");
+    // A camera that rides along sees it turn about a hub at rest: D = sqrt(1 - v^2)/(1 + v.n).
+    let mut riding = settings(0.9, 0.0);
+    riding.look.geometry = Geometry::Rest;
+    let found = moment(&riding).doppler_factors()[0].expect("light");
+    let gamma = 1.0 / 0.19f64.sqrt();
+    let hub = [-0.525 + 0.9 * gamma, 4.0, -1.975];
+    let (mut own, omega) = (gamma - 4.5, 0.9 / 0.525);
+    let mut place = [0.0; 3];
+    let far = |place: [f64; 3]| place.iter().map(|x| x * x).sum::<f64>().sqrt();
+    for _ in 0..400 {
+        // The eye is at x = -gamma beta T in that frame, when its clocks show gamma T.
+        let (sin, cos) = (omega * own).sin_cos();
+        place = [hub[0] + 0.525 * cos, hub[1], hub[2] - 0.525 * sin];
+        own = gamma - far(place);
+    }
+    let (sin, cos) = (omega * own).sin_cos();
+    let along = -0.9 * (sin * place[0] + cos * place[2]) / far(place);
+    assert!((found / (0.19f64.sqrt() / (1.0 + along)) - 1.0).abs() < 1e-9, "{found}");
+}

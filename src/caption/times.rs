@@ -33,7 +33,8 @@ pub const OWN_CLOCK: TimeName = TimeName {
     name: "own clock τ",
     short: "what the body's clock showed then",
     tip: "What the clock at that point of the body showed when the light left it. All clocks of the body agree in its own \
-        frame, and show 0 as its origin passes the eyes. An eye sees it run D times as fast as its own.\nτ = γ(t − βx)",
+        frame, and show 0 as its origin passes the eyes. An eye sees it run D times as fast as its own.\nτ = γ(t − βx)\n\
+        Of a point that turns with a wheel it is the clock of the axle.",
 };
 
 /// All three, in the order in which they are shown.

@@ -7,7 +7,8 @@ use relativity_core::{Aperture, PairError, SourcePoint, math};
 use relativity_render::Velocity;
 
 use super::event::{Event, StraightLine};
-use super::light::{Ray, Worldline, rays};
+use super::light::{Ray, rays};
+use super::worldline::Worldline;
 use super::{Chart, Viewpoint};
 use crate::passage;
 use crate::scene::Track;
@@ -109,16 +110,25 @@ impl Diagram {
     /// between the eyes at T.
     #[must_use]
     pub fn scene_now(&self) -> f64 {
-        // All of that frame's now has the t' of (0, T); on the worldline t' is linear in t.
-        let there = |event: Event| event.in_frame(self.scene).t;
-        let zero = there(self.point.on_ground().through);
-        (there(Event { x: 0.0, t: self.time }) - zero) / self.point.step_in(self.scene).t
+        // All of that frame's now has the t' of (0, T).
+        let now = Event { x: 0.0, t: self.time }.in_frame(self.scene).t;
+        self.point.ground_time_in(self.scene, now)
     }
 
-    /// The point's worldline.
+    /// The ground's times at which the point's worldline is to be drawn between these corners, later and later; none where it
+    /// passes them by.
+    #[must_use]
+    pub fn times_within(&self, low: Event, high: Event) -> Vec<f64> {
+        let reach = self.point.reach();
+        let wider = |event: Event, by: f64| event.plus(Event { x: by, t: by });
+        let part = self.worldline().part_within(wider(low, -reach), wider(high, reach));
+        part.map_or_else(Vec::new, |part| self.point.times(part.map(|steps| self.time + steps)))
+    }
+
+    /// The point's worldline, or that of the axle that it turns about.
     #[must_use]
     pub fn worldline(&self) -> StraightLine {
-        StraightLine { through: self.measured(), step: self.point.step() }
+        self.point.straight(self.time)
     }
 
     /// The worldlines of the eyes.
@@ -162,6 +172,8 @@ const NEAREST: f64 = 0.05;
 ///
 /// A time outside the domain of the core.
 pub fn home(settings: &Settings, point: &Track, time: f64, frame: Velocity) -> Result<[Event; 2], PairError> {
+    // It holds still while a point of a wheel turns.
+    let point = &Track { rest: point.axle(), spin: None, ..*point };
     let [first, last] = shown_times(settings, point, AT_FIRST)?;
     let [earliest, latest] = shown_times(settings, point, AT_MOST)?;
     let shown = time.clamp(earliest.min(first), latest.max(last));
@@ -207,7 +219,7 @@ fn shown_times(
     ([from, to], longest): Part,
 ) -> Result<[f64; 2], PairError> {
     let speed = settings.velocity(point.motion).speed;
-    let source = settings.source(point);
+    let source = settings.carrier(point);
     let distance = math::hypot(source.y, source.z).max(NEAREST);
     let passing = SourcePoint { y: distance, z: 0.0, ..source };
     let seen = |ratio| passage::time_seen_at(ratio, &speed, passing, Aperture::pair(0.0));
@@ -300,7 +312,8 @@ mod tests {
                     let place = instant.place(&track, Picture::Seen(eye)).expect("in the domain");
                     let off = place - glam::DVec3::new(ray.left.x, place.y, place.z);
                     assert!(off.length() < 1e-9, "{geometry:?} {track:?}: {off}");
-                    let [y, z] = Worldline::new(&settings, &track, Velocity::REST).across();
+                    let glam::DVec3 { y, z, .. } =
+                        Worldline::new(&settings, &track, Velocity::REST).place(0.0);
                     assert!((place.y - y).abs() < 1e-12 && (place.z - z).abs() < 1e-12);
                 }
             }
@@ -360,7 +373,7 @@ mod tests {
             let scale = scale(diagram);
             for ray in diagram.rays {
                 let along = ray.received.x - ray.left.x;
-                let [y, z] = diagram.point.across();
+                let [y, z] = ray.across;
                 for (in_plane, across) in [(y, z), (z, y)] {
                     let radius = ray.front().radius_in_plane(across).expect("it has come so far");
                     assert!((radius - along.hypot(in_plane)).abs() < 1e-12 * scale * scale, "{diagram:?}");

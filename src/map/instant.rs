@@ -2,8 +2,9 @@
 
 use glam::DVec3;
 use relativity_core::{Aperture, Model, Stereo};
-use relativity_render::{Geometry, GroupView, Motion, Velocity, View};
+use relativity_render::{Geometry, GroupView, MaterialPoint, Motion, Velocity, View};
 
+use super::present::Present;
 use crate::scene::Track;
 use crate::settings::{Frame, Look, Settings};
 
@@ -85,9 +86,11 @@ impl<'a> Instant<'a> {
             model: self.model,
             seen: self.seen.map(|view| view.of_group(motion)),
             received: self.time,
-            velocity: self.settings.velocity(motion),
-            relative: self.settings.velocity(motion).seen_from(frame),
-            time: frame.speed.gamma() * self.time,
+            present: Present {
+                on_ground: self.settings.velocity(motion),
+                relative: self.settings.velocity(motion).seen_from(frame),
+                time: frame.speed.gamma() * self.time,
+            },
             frame: self.frame(),
         }
     }
@@ -95,7 +98,7 @@ impl<'a> Instant<'a> {
     /// Where `picture` has the point; `None` where there is none, or outside the domain of the core.
     #[must_use]
     pub fn place(&self, point: &Track, picture: Picture) -> Option<DVec3> {
-        self.places(point.motion).place(picture, point.rest.into())
+        self.places(point.motion).place(picture, point.point())
     }
 }
 
@@ -112,51 +115,56 @@ pub struct Places {
     seen: [GroupView; 2],
     /// T.
     received: f64,
-    /// Against the ground, and against the frame that is drawn.
-    velocity: Velocity,
-    relative: Velocity,
-    /// The present by the clocks of that frame.
-    time: f64,
+    /// The present of the frame that is drawn.
+    present: Present,
     frame: Frame,
 }
 
 impl Places {
-    /// Where `picture` has the point at `rest`, in the scene's coordinates; `None` where there is none, or outside the
-    /// domain of the core.
+    /// Where `picture` has the `point` of the scene; `None` where there is none, or outside the domain of the core.
     #[must_use]
-    pub fn place(&self, picture: Picture, rest: DVec3) -> Option<DVec3> {
+    pub fn place(&self, picture: Picture, point: impl Into<MaterialPoint>) -> Option<DVec3> {
+        let point = point.into();
         let place = match (picture, self.frame) {
-            (Picture::Measured, _) => self.measured(rest),
+            (Picture::Measured, _) => self.measured(point),
             (Picture::Seen(eye), Frame::Ground) => {
-                self.eyes[eye] + self.seen[eye].apparent_position(rest)? + self.shift
+                self.eyes[eye] + self.seen[eye].apparent_position(point)? + self.shift
             }
-            (Picture::Stereo, Frame::Ground) => self.stereo(rest)?.position.into(),
-            // Its light left it where it rests.
-            (Picture::Seen(_), Frame::Bicycle) if self.relative == Velocity::REST => rest + self.shift,
+            (Picture::Stereo, Frame::Ground) => self.stereo(point)?.position.into(),
+            // Its light left it where it was in that frame.
+            (Picture::Seen(eye), Frame::Bicycle) if self.present.relative == Velocity::REST => {
+                self.seen[eye].place_when_shown(point) + self.shift
+            }
             _ => return None,
         };
         place.is_finite().then_some(place)
     }
 
-    /// What a ball of this `radius` around the point at `rest` becomes: where its radii along x, y and z lead, from the
-    /// place of the point.
+    /// What a ball of this `radius` around the `point` becomes: where its radii along x, y and z lead, from the place of the
+    /// point.
     #[must_use]
-    pub fn ball(&self, picture: Picture, rest: DVec3, radius: f64) -> Option<[DVec3; 3]> {
-        let center = self.place(picture, rest)?;
-        let radius_along = |axis: DVec3| Some(self.place(picture, rest + radius * axis)? - center);
+    pub fn ball(&self, picture: Picture, point: impl Into<MaterialPoint>, radius: f64) -> Option<[DVec3; 3]> {
+        let point = point.into();
+        let center = self.place(picture, point)?;
+        let radius_along = |axis: DVec3| {
+            let end = MaterialPoint { rest: point.rest + radius * axis, ..point };
+            Some(self.place(picture, end)? - center)
+        };
         Some([radius_along(DVec3::X)?, radius_along(DVec3::Y)?, radius_along(DVec3::Z)?])
     }
 
-    fn stereo(&self, rest: DVec3) -> Option<Stereo> {
-        let place = (rest + self.shift).to_array();
-        self.velocity.stereo(self.model, place, self.pair, self.received).ok()
+    fn stereo(&self, point: MaterialPoint) -> Option<Stereo> {
+        let point = point.moved(self.shift.to_array());
+        self.present.on_ground.stereo(self.model, point, self.pair, self.received).ok()
     }
 
-    /// Where the point at `rest` is now.
+    /// Where the `point` is now.
     #[must_use]
-    pub fn measured(&self, rest: DVec3) -> DVec3 {
-        let x = rest.x / self.relative.speed.gamma() + self.relative.beta() * self.time;
-        DVec3 { x, ..rest } + self.shift
+    pub fn measured(&self, point: impl Into<MaterialPoint>) -> DVec3 {
+        let Present { relative, time, .. } = self.present;
+        let place = self.present.place(point.into());
+        let x = place.x / relative.speed.gamma() + relative.beta() * time;
+        DVec3 { x, ..place } + self.shift
     }
 }
 

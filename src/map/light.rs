@@ -4,104 +4,18 @@
 use relativity_core::{Model, PairError, math};
 use relativity_render::Velocity;
 
-use super::event::{Event, StraightLine};
+use super::event::Event;
+use super::worldline::Worldline;
 use crate::scene::Track;
 use crate::settings::Settings;
-
-/// How a point moves, in the frame of a map.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Worldline {
-    /// The velocity of the point on the ground.
-    velocity: Velocity,
-    /// The frame of the map, by its velocity on the ground.
-    frame: Velocity,
-    /// Where the point rests in its own frame, from the point between the eyes.
-    rest: [f64; 3],
-    /// Whether that is the frame of the map, too.
-    rests: bool,
-}
-
-impl Worldline {
-    /// That of `point` in the frame that moves at `frame`.
-    #[must_use]
-    pub fn new(settings: &Settings, point: &Track, frame: Velocity) -> Self {
-        let velocity = settings.velocity(point.motion);
-        Self { velocity, frame, rest: settings.rest_place(point.rest), rests: velocity == frame }
-    }
-
-    /// It as the ground has it: from t = 0 on, a step for each unit of time.
-    #[must_use]
-    pub fn on_ground(&self) -> StraightLine {
-        let through = Event { x: self.rest[0] / self.velocity.speed.gamma(), t: 0.0 };
-        StraightLine { through, step: Event { x: self.velocity.beta(), t: 1.0 } }
-    }
-
-    /// Its event at the ground's time `t`.
-    #[must_use]
-    pub fn at(&self, t: f64) -> Event {
-        if self.rests {
-            return Event { x: self.rest[0], t: self.own_time(t) };
-        }
-        self.on_ground().at(t).in_frame(self.frame)
-    }
-
-    /// What a clock at the point shows at the ground's time `t`, all clocks of its frame being set alike there.
-    #[must_use]
-    pub fn own_time(&self, t: f64) -> f64 {
-        t / self.velocity.speed.gamma() - self.velocity.beta() * self.rest[0]
-    }
-
-    /// The ground's time of its event at the time `t` of the map's frame.
-    #[must_use]
-    pub fn ground_time(&self, t: f64) -> f64 {
-        (t - self.at(0.0).t) / self.step().t
-    }
-
-    /// When light that leaves it at the ground's time `t` is received between the eyes.
-    #[must_use]
-    pub fn received(&self, t: f64) -> f64 {
-        let [y, z] = self.across();
-        t + math::hypot(self.on_ground().at(t).x, math::hypot(y, z))
-    }
-
-    /// The step that it makes in a unit of the ground's time.
-    #[must_use]
-    pub fn step(&self) -> Event {
-        self.step_in(self.frame)
-    }
-
-    /// That step in the frame that moves at `frame`: a unit of the ground's time is 1/gamma of its own, which that
-    /// frame's clocks have as gamma of the velocity between the two.
-    pub(super) fn step_in(&self, frame: Velocity) -> Event {
-        let relative = self.velocity.seen_from(frame);
-        let t = relative.speed.gamma() / self.velocity.speed.gamma();
-        Event { x: relative.beta() * t, t }
-    }
-
-    /// The velocity of the point on the ground.
-    #[must_use]
-    pub const fn velocity(&self) -> Velocity {
-        self.velocity
-    }
-
-    /// Whether the point rests in the frame of the map.
-    #[must_use]
-    pub const fn rests(&self) -> bool {
-        self.rests
-    }
-
-    /// y and z of the point from the eyes.
-    #[must_use]
-    pub const fn across(&self) -> [f64; 2] {
-        [self.rest[1], self.rest[2]]
-    }
-}
 
 /// Light that reaches an eye at T.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ray {
     /// Where and when it left the point.
     pub left: Event,
+    /// y and z of the point there.
+    pub across: [f64; 2],
     /// Where and when the eye receives it.
     pub received: Event,
     /// The event in whose past light cone it left: of reception, or where one cone serves both eyes, that between them.
@@ -129,17 +43,20 @@ pub fn rays(settings: &Settings, point: &Track, time: f64, frame: Velocity) -> R
     let one_cone = settings.model() == Model::OneCone;
     Ok([(both.primary, left), (both.secondary, right)].map(|(seen, eye)| {
         // Where and when it rests is known better than by its place on the ground.
-        let left = if worldline.rests {
-            Event { x: worldline.rest[0], t: seen.own_time }
+        let place = worldline.place(seen.retarded_time);
+        let left = if worldline.rests() {
+            Event { x: place.x, t: seen.own_time }
         } else {
             Event { x: eye.x + seen.position[0], t: seen.retarded_time }.in_frame(frame)
         };
         let received = Event { x: eye.x, t: time }.in_frame(frame);
         let between = Event { x: 0.0, t: time }.in_frame(frame);
         let apex = if one_cone { between } else { received };
-        let [y, z] = if one_cone { worldline.across() } else { [seen.position[1], seen.position[2]] };
+        let across = [place.y, place.z];
+        let [y, z] = if one_cone { across } else { [seen.position[1], seen.position[2]] };
         Ray {
             left,
+            across,
             received,
             apex,
             aside: math::hypot(y, z),
@@ -155,6 +72,8 @@ pub fn rays(settings: &Settings, point: &Track, time: f64, frame: Velocity) -> R
 pub struct Front {
     /// Where along x and when it left.
     pub left: Event,
+    /// y and z of the point there.
+    pub across: [f64; 2],
     /// When that was on the ground's clocks.
     pub happened: f64,
     /// What the point's own clock showed then.
@@ -178,8 +97,8 @@ impl Ray {
     /// The front that it belongs to, as it reaches the eye.
     #[must_use]
     pub fn front(&self) -> Front {
-        let Self { left, apex, happened, own_time, .. } = *self;
-        Front { left, happened, own_time, radius: apex.t - left.t }
+        let Self { left, across, apex, happened, own_time, .. } = *self;
+        Front { left, across, happened, own_time, radius: apex.t - left.t }
     }
 }
 
@@ -195,6 +114,13 @@ pub fn fronts(worldline: &Worldline, now: f64, period: f64) -> impl Iterator<Ite
         let t = (last - f64::from(back)) * period;
         let happened = worldline.ground_time(t);
         let left = Event { t, ..worldline.at(happened) };
-        Front { left, happened, own_time: worldline.own_time(happened), radius: now - t }
+        let place = worldline.place(happened);
+        Front {
+            left,
+            across: [place.y, place.z],
+            happened,
+            own_time: worldline.own_time(happened),
+            radius: now - t,
+        }
     })
 }

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use glam::{DMat3, DVec2, DVec3};
-use relativity_render::Shape;
+use relativity_render::{Body, MaterialPoint, Spin};
 
 use super::fit::ball_around;
 use super::instant::{Instant, Picture, Places};
@@ -26,7 +26,7 @@ const MOST_BODIES: usize = 500;
 /// A point of an outline.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Vertex {
-    /// Where it rests, in the scene's coordinates.
+    /// Where it rests, in the scene's coordinates; where it is at t' = 0, if it turns.
     pub rest: DVec3,
     /// Where it is on the map.
     pub place: DVec3,
@@ -115,10 +115,14 @@ impl Lines {
     /// Adds the outlines of a group's bodies: not of those too small to be seen, nor of more than can be told apart.
     fn add_group(&mut self, sampler: &Sampler, scene: &Scene, group: &SceneGroup) {
         for body in group.bodies().step_by(group.count.div_ceil(MOST_BODIES).max(1)) {
-            let shape = &scene.bodies[body].shape;
-            let reach = ball_around(shape).1;
+            let reach = ball_around(&scene.bodies[body].shape).1;
             if 2.0 * reach * sampler.charts[0].scale >= SMALLEST {
-                self.add(sampler, body, shape, reach);
+                self.add(
+                    &Sampler { spin: scene.bodies[body].spin, ..*sampler },
+                    body,
+                    &scene.bodies[body],
+                    reach,
+                );
             }
         }
     }
@@ -129,18 +133,19 @@ impl Lines {
         &self.vertices[line.vertices.clone()]
     }
 
-    fn add(&mut self, sampler: &Sampler, body: usize, shape: &Shape, reach: f64) {
+    fn add(&mut self, sampler: &Sampler, number: usize, body: &Body, reach: f64) {
         let mut strokes = Vec::with_capacity(12);
-        outline(shape, |place, projection| sampler.line_of_sight(place, projection), &mut strokes);
+        outline(&body.shape, |place, projection| sampler.line_of_sight(place, projection), &mut strokes);
         for Stroke { path, radius, only } in strokes {
             let first = self.vertices.len();
             sampler.sample(&path, &mut self.vertices);
             let vertices = first..self.vertices.len();
             if vertices.len() > 1 {
                 let Sampler { picture, rests, places, .. } = *sampler;
-                let radii = places.ball(picture, path.at(0.5), radius);
-                let ball = radii.filter(|_| radius > 0.0).map(|radii| Ball { radius, radii });
-                self.all.push(Line { body, rests, picture, ball, only, reach, vertices });
+                let radii =
+                    (radius > 0.0).then(|| places.ball(picture, sampler.thickest(&path, body), radius));
+                let ball = radii.flatten().map(|radii| Ball { radius, radii });
+                self.all.push(Line { body: number, rests, picture, ball, only, reach, vertices });
             }
         }
     }
@@ -161,18 +166,21 @@ struct Sampler<'a> {
     picture: Picture,
     rests: bool,
     charts: &'a [Chart; 2],
+    /// How the body turns whose outline it is.
+    spin: Option<Spin>,
 }
 
 impl<'a> Sampler<'a> {
     fn new(instant: &Instant, group: &SceneGroup, picture: Picture, charts: &'a [Chart; 2]) -> Self {
         let rests = instant.rests(group.motion);
-        Self { places: instant.places(group.motion), picture, rests, charts }
+        Self { places: instant.places(group.motion), picture, rests, charts, spin: None }
     }
 
     /// Adds the points of `path` to `vertices`: none if it has a part that is nowhere.
     fn sample(&self, path: &Path, vertices: &mut Vec<Vertex>) {
         let first = vertices.len();
-        let parts = path.parts();
+        // What turns may be bent both ways.
+        let parts = path.parts() * if self.spin.is_some() { 2 } else { 1 };
         let at = |i: u32| f64::from(i) / f64::from(parts);
         let Some(mut last) = self.vertex(path, 0.0) else { return };
         vertices.push(last);
@@ -194,7 +202,14 @@ impl<'a> Sampler<'a> {
 
     fn vertex(&self, path: &Path, s: f64) -> Option<Vertex> {
         let rest = path.at(s);
-        Some(Vertex { rest, place: self.places.place(self.picture, rest)? })
+        let point = MaterialPoint { rest, spin: self.spin };
+        Some(Vertex { rest, place: self.places.place(self.picture, point)? })
+    }
+
+    /// Where the thickness of a `path` of `body` is taken from: what turns in itself is as thick as if it did not.
+    fn thickest(&self, path: &Path, body: &Body) -> MaterialPoint {
+        let spin = self.spin.filter(|spin| !spin.keeps(&body.shape));
+        MaterialPoint { rest: path.at(0.5), spin }
     }
 
     /// Adds the points between the `ends` of a part of `path`.

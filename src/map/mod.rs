@@ -14,20 +14,23 @@ mod light;
 mod lines;
 mod nearest;
 mod outline;
+mod present;
 mod projection;
 mod sight;
 #[cfg(test)]
 mod tests;
 mod ticks;
+mod worldline;
 
 pub use chart::{Chart, Viewpoint};
 pub use diagram::{Cone, Diagram, chart, home};
 pub use event::{Event, StraightLine};
 pub use fit::{Extent, plan_and_side};
 pub use instant::{Instant, Picture, Places};
-pub use light::{Front, Ray, Worldline, fronts, rays};
+pub use light::{Front, Ray, fronts, rays};
 pub use lines::{Ball, Line, Lines, Vertex};
 pub use nearest::{Nearest, along};
 pub use projection::Projection;
 pub use sight::field_of_view;
 pub use ticks::ticks;
+pub use worldline::Worldline;

@@ -12,7 +12,8 @@ pub struct Nearest<'a> {
     pub line: &'a Line,
     /// Where on it: in the middle of its thickness.
     pub vertex: Vertex,
-    /// Where the body's surface is, in front of that on the side of the eyes; at rest, in the scene's coordinates.
+    /// Where the body's surface is, in front of that on the side of the eyes; in the scene's coordinates, at rest, or
+    /// at t' = 0 if it turns.
     pub surface: DVec3,
 }
 

@@ -5,7 +5,11 @@ use std::ops::Range;
 use relativity_render::{Body, Group, MaterialPoint, Motion, PreparedScene, Spin, Velocity};
 
 use super::forward_most::forward_most_on;
+use super::near_body::outside;
 use super::table::coincide;
+
+/// How far off the surface of a body a point is still taken to be on it: coordinates may be rounded to three decimals.
+const ON_BODY: f64 = 1e-3;
 
 /// A scene: groups of bodies, each at rest in a frame of its own, and the ground they pass over. Lengths in the scene's
 /// unit, rest-frame coordinates `[x, y, z]` with x along the motion.
@@ -71,14 +75,33 @@ impl Track {
     pub fn point(&self) -> MaterialPoint {
         MaterialPoint { rest: self.rest.into(), spin: self.spin }
     }
+
+    /// Where the axle is that it turns about, beside it; itself if it does not turn.
+    #[must_use]
+    pub fn axle(&self) -> [f64; 3] {
+        let [x, y, z] = self.rest;
+        self.spin.map_or([x, y, z], |spin| [spin.hub[0], y, spin.hub[2]])
+    }
 }
 
 impl Scene {
     /// The scene's own tracked point, which belongs to its first group; another `point` of that group in its place, if
-    /// there is one.
+    /// there is one. It turns with the body that it is on.
     #[must_use]
     pub fn track(&self, point: Option<[f64; 3]>) -> Track {
-        Track { rest: point.unwrap_or(self.tracked), motion: self.groups[0].motion, spin: None }
+        let rest = point.unwrap_or(self.tracked);
+        let on_body = self.body_at(rest).and_then(|body| self.track_at(rest, body));
+        on_body.unwrap_or(Track { rest, motion: self.groups[0].motion, spin: None })
+    }
+
+    /// The number of the body of the first group that the `place` at rest lies on or in, if there is one: of several the one
+    /// whose surface is nearest.
+    #[must_use]
+    pub fn body_at(&self, place: [f64; 3]) -> Option<usize> {
+        let off = |body: &usize| outside(&self.bodies[*body].shape, place.into());
+        let own = self.groups[0].bodies().map(|body| (body, off(&body)));
+        let here = own.filter(|(_, off)| *off <= ON_BODY);
+        here.min_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs())).map(|(body, _)| body)
     }
 
     /// The forward-most point of the body of this number, if there is such a body.
@@ -87,10 +110,14 @@ impl Scene {
         self.track_at(forward_most_on(&self.bodies.get(body)?.shape).into(), body)
     }
 
-    /// The point that rests at this place of the body of this number, if there is one.
+    /// The point that rests at this place of the body of this number, if there is one; or that turns with it, and is there
+    /// at t' = 0.
     #[must_use]
     pub fn track_at(&self, rest: [f64; 3], body: usize) -> Option<Track> {
-        Some(Track { rest, motion: self.motion_of(body)?, spin: self.bodies[body].spin })
+        // What is on the axle stays there.
+        let is_moved = |spin: &Spin| !coincide([rest[0], spin.hub[1], rest[2]], spin.hub);
+        let motion = self.motion_of(body)?;
+        Some(Track { rest, motion, spin: self.bodies[body].spin.filter(is_moved) })
     }
 
     /// How the body of this number moves, if there is one.
@@ -131,11 +158,10 @@ impl Scene {
         alike().find(|&new| self.bodies[new].shape == old.bodies[body].shape).or_else(|| alike().next())
     }
 
-    /// The number of the body that the scene's own tracked point is the forward-most point of, if it is one's.
+    /// The number of the body that the scene's own tracked point is on, if it is on one.
     #[must_use]
     pub fn tracked_body(&self) -> Option<usize> {
-        let own = &self.bodies[self.groups[0].bodies()];
-        own.iter().position(|body| coincide(forward_most_on(&body.shape).into(), self.tracked))
+        self.body_at(self.tracked)
     }
 
     /// It, ready to be drawn.

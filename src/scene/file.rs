@@ -1,40 +1,37 @@
 //! The scene format: what each table of a scene file means.
 
-use glam::DQuat;
-use relativity_render::{Body, Emission, Motion, Pattern, Shape, Velocity};
+use relativity_render::{Body, Motion, Velocity};
 use toml::de::DeTable;
 
 use super::content::{Scene, SceneGroup};
 use super::error::{Located, Problem};
 use super::forward_most::forward_most_point;
+use super::object::{Object, object};
 use super::presets;
-use super::table::{Table, coincide};
-
-/// Red, as in the paper.
-const DEFAULT_WAVELENGTH_NM: f64 = 700.0;
-/// Degrees from line to line of a graticule, and length from line to line of other patterns, unless told.
-const DEFAULT_DEGREES: f64 = 15.0;
-const DEFAULT_SPACING: f64 = 0.25;
-/// The keys of an object of any shape, beside its shape.
-const OF_EVERY_OBJECT: [&str; 8] =
-    ["name", "wavelength_nm", "light", "brightness", "pattern", "spacing", "repeat", "step"];
+use super::table::Table;
+use super::wheel::{Changes, wheel};
 
 /// What rides past where the file has no word for it.
 const RIDER: &str = "rider";
 
 /// The scene that a file's text describes.
 pub(super) fn scene(text: &str) -> Result<Scene, Located> {
+    changed_scene(text, Changes::default())
+}
+
+/// The same with its wheels changed so.
+fn changed_scene(text: &str, changes: Changes) -> Result<Scene, Located> {
     let document = DeTable::parse(text).map_err(|error| Located::syntax(text, &error))?;
     let top = Table { text, entries: document.get_ref(), span: 0..0, owner: "a scene" };
     top.check_keys(&[
-        "name", "rider", "metres", "tracked", "ground_z", "street", "include", "object", "group",
+        "name", "rider", "metres", "tracked", "ground_z", "street", "include", "wheel", "object", "group",
     ])?;
     let name = top.needed_string("name")?.to_owned();
     let rider = top.string("rider")?.unwrap_or(RIDER).to_owned();
     let (metres, ground_z) = (top.size("metres")?, top.coordinate("ground_z")?);
     let street = street(&top)?;
     let tracked = top.point("tracked")?;
-    let (objects, groups) = groups(&top, &name)?;
+    let (objects, groups) = groups(&top, &name, changes)?;
     let names = objects.iter().enumerate().map(|(number, object)| object.name_as(number)).collect();
     let bodies: Vec<Body> = objects.into_iter().map(|object| object.body).collect();
     let own = groups.first().map_or(&[][..], |group| &bodies[group.bodies()]);
@@ -54,43 +51,26 @@ fn street(top: &Table) -> Result<Option<[f64; 3]>, Located> {
     Ok(street)
 }
 
-/// A body, and what its file calls it.
-#[derive(Clone)]
-struct Object {
-    body: Body,
-    name: Option<String>,
-}
-
-impl Object {
-    /// What it is called as the body of this number.
-    fn name_as(&self, number: usize) -> String {
-        let shape = match self.body.shape {
-            Shape::Sphere { .. } => "sphere",
-            Shape::Tube { .. } => "tube",
-            Shape::Ring { .. } => "ring",
-            Shape::Box { .. } => "box",
-            Shape::Cylinder { .. } => "cylinder",
-        };
-        self.name.clone().unwrap_or_else(|| format!("{shape} {number}"))
-    }
-}
-
 /// The preset of that name.
 pub(super) fn preset(name: &str) -> Option<Scene> {
+    changed_preset(name, Changes::default())
+}
+
+fn changed_preset(name: &str, changes: Changes) -> Option<Scene> {
     let text = presets::text(name)?;
-    Some(scene(text).unwrap_or_else(|_| unreachable!("tests read every preset")))
+    Some(changed_scene(text, changes).unwrap_or_else(|_| unreachable!("tests read every preset")))
 }
 
 /// All objects, and the groups they belong to: the scene's own, which moves at its speed, comes first. A group without
 /// objects is left out.
-fn groups(top: &Table, name: &str) -> Result<(Vec<Object>, Vec<SceneGroup>), Located> {
-    let mut all = objects(top)?;
+fn groups(top: &Table, name: &str, changes: Changes) -> Result<(Vec<Object>, Vec<SceneGroup>), Located> {
+    let mut all = objects(top, changes)?;
     let mut groups =
         vec![SceneGroup { name: name.to_owned(), motion: Motion::Scene, first: 0, count: all.len() }];
     for table in top.tables("group", "a group")? {
-        table.check_keys(&["name", "beta", "include", "object"])?;
+        table.check_keys(&["name", "beta", "include", "wheel", "object"])?;
         let (name, motion) = (table.needed_string("name")?.to_owned(), motion(&table)?);
-        let own = objects(&table)?;
+        let own = objects(&table, changes)?;
         groups.push(SceneGroup { name, motion, first: all.len(), count: own.len() });
         all.extend(own);
     }
@@ -105,11 +85,14 @@ fn motion(group: &Table) -> Result<Motion, Located> {
     Ok(Motion::Own(velocity))
 }
 
-/// All objects of a group: the included ones first.
-fn objects(group: &Table) -> Result<Vec<Object>, Located> {
+/// All objects of a group: the included ones first, then its wheels.
+fn objects(group: &Table, changes: Changes) -> Result<Vec<Object>, Located> {
     let mut objects = Vec::new();
     for include in group.tables("include", "an include")? {
-        objects.extend(included(&include)?);
+        objects.extend(included(&include, changes)?);
+    }
+    for table in group.tables("wheel", "a wheel")? {
+        objects.extend(wheel(&table, changes)?);
     }
     for table in group.tables("object", "an object")? {
         objects.extend(repeated(table)?);
@@ -118,10 +101,12 @@ fn objects(group: &Table) -> Result<Vec<Object>, Located> {
 }
 
 /// The objects of a preset, moved; they move as the group does that includes them.
-fn included(include: &Table) -> Result<Vec<Object>, Located> {
-    include.check_keys(&["scene", "offset"])?;
+fn included(include: &Table, changes: Changes) -> Result<Vec<Object>, Located> {
+    include.check_keys(&["scene", "offset", "wheels"])?;
     let name = include.needed_string("scene")?;
-    let Some(preset) = preset(name) else {
+    let own =
+        include.table("wheels", "`wheels` of an include")?.map(|wheels| Changes::of(&wheels)).transpose()?;
+    let Some(preset) = changed_preset(name, changes.or(own.unwrap_or_default())) else {
         return Err(include.problem_at("scene", Problem::UnknownInclude));
     };
     let offset = include.point("offset")?.unwrap_or_default();
@@ -139,156 +124,4 @@ fn repeated(table: Table) -> Result<Vec<Object>, Located> {
         name: first.name.as_ref().map(|name| format!("{name} {}", n + 1)),
     };
     Ok((0..count).map(nth).collect())
-}
-
-/// One object.
-fn object(mut object: Table) -> Result<Object, Located> {
-    let shape = match object.needed_string("shape")? {
-        "sphere" => {
-            object.owner = "a sphere";
-            sphere(&object)?
-        }
-        "tube" => {
-            object.owner = "a tube";
-            tube(&object)?
-        }
-        "ring" => {
-            object.owner = "a ring";
-            ring(&object)?
-        }
-        "box" => {
-            object.owner = "a box";
-            cuboid(&object)?
-        }
-        "cylinder" => {
-            object.owner = "a cylinder";
-            cylinder(&object)?
-        }
-        _ => return Err(object.problem_at("shape", Problem::UnknownShape)),
-    };
-    let name = object.string("name")?.map(str::to_owned);
-    let (emission, brightness) = (emission(&object)?, brightness(&object)?);
-    let body = Body { shape, emission, brightness, pattern: pattern(&object, &shape)?, spin: None };
-    Ok(Object { body, name })
-}
-
-/// Refuses keys other than those of every object and the `known` ones of its shape.
-fn check_keys(object: &Table, known: &[&str]) -> Result<(), Located> {
-    object.check_keys(&[&["shape"], known, &OF_EVERY_OBJECT].concat())
-}
-
-/// The light of an object: of one wavelength unless it says otherwise.
-fn emission(object: &Table) -> Result<Emission, Located> {
-    let wavelength = object.size("wavelength_nm")?;
-    match (object.string("light")?, wavelength) {
-        (None, wavelength) => Ok(Emission::Wavelength(wavelength.unwrap_or(DEFAULT_WAVELENGTH_NM))),
-        (Some("white"), None) => Ok(Emission::White),
-        (Some("white"), Some(_)) => {
-            Err(object.wrong("wavelength_nm", "left out where light = \"white\", which has every wavelength"))
-        }
-        (Some(_), _) => Err(object.wrong("light", "\"white\", or left out for light of one wavelength")),
-    }
-}
-
-/// How bright an object is beside others: as bright as can be unless it says otherwise.
-fn brightness(object: &Table) -> Result<f64, Located> {
-    let Some(brightness) = object.coordinate("brightness")? else { return Ok(1.0) };
-    if brightness > 0.0 && brightness <= 1.0 {
-        return Ok(brightness);
-    }
-    Err(object.wrong("brightness", "above 0 and at most 1"))
-}
-
-/// The pattern of an object of this `shape`: none unless it names one.
-fn pattern(object: &Table, shape: &Shape) -> Result<Pattern, Located> {
-    let is_box = matches!(shape, Shape::Box { .. });
-    let spacing = object.size("spacing")?;
-    let step = || spacing.unwrap_or(DEFAULT_SPACING);
-    Ok(match object.string("pattern")? {
-        None if spacing.is_some() => {
-            return Err(object.wrong("spacing", "left out where there is no `pattern`"));
-        }
-        None => Pattern::Plain,
-        Some("faces") if !is_box => return Err(object.wrong("pattern", "on a box: only that has faces")),
-        Some("faces") if spacing.is_some() => {
-            return Err(object.wrong("spacing", "left out where pattern = \"faces\", which has none"));
-        }
-        Some("faces") => Pattern::Faces,
-        Some("graticule") if is_box => {
-            return Err(
-                object.wrong("pattern", "\"faces\", \"chequer\" or \"stripes\" on a box, which is not round")
-            );
-        }
-        Some("graticule") => {
-            let step_degrees = spacing.unwrap_or(DEFAULT_DEGREES);
-            if 90.0 % step_degrees != 0.0 {
-                return Err(object
-                    .wrong("spacing", "a divisor of 90: degrees from line to line, such as 10, 15 or 30"));
-            }
-            Pattern::Graticule { step_degrees }
-        }
-        Some("chequer") => Pattern::Chequer { step: step() },
-        Some("stripes") => Pattern::Stripes { step: step() },
-        Some(_) => {
-            return Err(object.wrong("pattern", "\"faces\", \"graticule\", \"chequer\" or \"stripes\""));
-        }
-    })
-}
-
-fn sphere(object: &Table) -> Result<Shape, Located> {
-    check_keys(object, &["center", "radius"])?;
-    Ok(Shape::Sphere { center: object.needed_point("center")?, radius: object.needed_size("radius")? })
-}
-
-fn tube(object: &Table) -> Result<Shape, Located> {
-    let (from, to, radius) = ends_and_radius(object, Problem::NoLength)?;
-    Ok(Shape::Tube { from, to, radius })
-}
-
-fn ring(object: &Table) -> Result<Shape, Located> {
-    check_keys(object, &["center", "axis", "radius", "tube_radius"])?;
-    let center = object.needed_point("center")?;
-    let axis = object.needed_direction("axis")?;
-    let radius = object.needed_size("radius")?;
-    let tube_radius = object.needed_size("tube_radius")?;
-    if tube_radius >= radius {
-        let radius = object.quoted_value("radius");
-        return Err(object.problem_at("tube_radius", |tube_radius| Problem::NoHole { tube_radius, radius }));
-    }
-    Ok(Shape::Ring { center, axis, radius, tube_radius })
-}
-
-fn cuboid(object: &Table) -> Result<Shape, Located> {
-    check_keys(object, &["center", "size", "axis", "angle"])?;
-    let center = object.needed_point("center")?;
-    let half = object.needed_sizes("size")?.map(|size| 0.5 * size);
-    let axis = object.direction("axis")?;
-    let turn = match object.coordinate("angle")? {
-        Some(angle) => {
-            let axis = axis.unwrap_or([0.0, 0.0, 1.0]);
-            DQuat::from_axis_angle(axis.into(), angle.to_radians())
-        }
-        None if axis.is_some() => return Err(object.problem_at("axis", Problem::NoAngle)),
-        None => DQuat::IDENTITY,
-    };
-    Ok(Shape::Box { center, half, turn: turn.to_array() })
-}
-
-fn cylinder(object: &Table) -> Result<Shape, Located> {
-    let (from, to, radius) = ends_and_radius(object, Problem::NoHeight)?;
-    Ok(Shape::Cylinder { from, to, radius })
-}
-
-/// The ends of an axis and a radius; `no_axis` is what is wrong with ends in one place.
-fn ends_and_radius(
-    object: &Table,
-    no_axis: fn(String) -> Problem,
-) -> Result<([f64; 3], [f64; 3], f64), Located> {
-    check_keys(object, &["from", "to", "radius"])?;
-    let from = object.needed_point("from")?;
-    let to = object.needed_point("to")?;
-    if coincide(from, to) {
-        return Err(object.problem_at("to", no_axis));
-    }
-    Ok((from, to, object.needed_size("radius")?))
 }

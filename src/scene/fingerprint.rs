@@ -1,6 +1,7 @@
 //! Whether two scenes are the same: a hash of what is in them, however the program calls its parts.
 
-use relativity_render::{Body, Motion, Pattern, Shape};
+use relativity_core::Turning;
+use relativity_render::{Body, Motion, Pattern, Shape, Spin};
 
 use super::content::{Scene, SceneGroup};
 use crate::files::provenance::Provenance;
@@ -13,7 +14,8 @@ impl Scene {
     /// the ground, its street if there is one, and of each group its name, its own beta, and its bodies; of a body its shape
     /// by the name in a scene file, the numbers of that in the order of the scene format (of a box half its size, and its
     /// turn as a quaternion), its wavelength and, if it is below 1, its brightness after that word, and if it has one its
-    /// pattern by name, with its spacing. Names end in a zero byte; numbers go in bit by bit, big end first, those that
+    /// pattern by name, with its spacing; and if it turns after "rolls" or "turns" its axle, the radius on which it rolls
+    /// and, if it does not roll, the speed of its rim. Names end in a zero byte; numbers go in bit by bit, big end first, those that
     /// are not there as infinity.
     #[must_use]
     pub fn fingerprint(&self) -> String {
@@ -109,6 +111,20 @@ impl Hash {
             self.numbers(&[body.brightness]);
         }
         self.pattern(body.pattern);
+        self.spin(body.spin);
+    }
+
+    /// Nothing of a body that does not turn.
+    fn spin(&mut self, spin: Option<Spin>) {
+        let Some(Spin { hub, radius, turning }) = spin else { return };
+        let (name, rim_speed) = match turning {
+            Turning::Rolling => ("rolls", None),
+            Turning::RimSpeed(speed) => ("turns", Some(speed)),
+        };
+        self.name(name);
+        self.numbers(&hub);
+        self.numbers(&[radius]);
+        self.numbers(rim_speed.as_slice());
     }
 
     /// Nothing of a plain body.
@@ -140,7 +156,7 @@ mod tests {
     #[test]
     fn every_part_of_a_scene_shows_in_its_fingerprint() {
         let scene = Scene::preset("cyclist").expect("a preset");
-        let mut others = vec![scene.clone(); 12];
+        let mut others = vec![scene.clone(); 16];
         others[0].name.push('2');
         others[1].tracked[2] += 1e-9;
         others[2].ground_z = None;
@@ -153,10 +169,15 @@ mod tests {
         others[9].street = Some([2.0, 9.0, 13.0]);
         others[10].bodies[0].pattern = Pattern::Stripes { step: 0.5 };
         others[11].bodies[0].pattern = Pattern::Stripes { step: 0.6 };
+        let spin = Spin { hub: [-0.5, 3.0, 2.0], radius: 0.5, turning: Turning::Rolling };
+        others[12].bodies[0].spin = Some(spin);
+        others[13].bodies[0].spin = Some(Spin { radius: 0.6, ..spin });
+        others[14].bodies[0].spin = Some(Spin { turning: Turning::RimSpeed(0.5), ..spin });
+        others[15].bodies[0].spin = Some(spin.moved([0.0, 1e-9, 0.0]));
         let mut fingerprints: Vec<_> = others.iter().map(Scene::fingerprint).collect();
         fingerprints.push(scene.fingerprint());
         fingerprints.sort();
         fingerprints.dedup();
-        assert_eq!(fingerprints.len(), 13);
+        assert_eq!(fingerprints.len(), 17);
     }
 }

@@ -8,10 +8,13 @@ mod error;
 mod file;
 mod fingerprint;
 mod forward_most;
+mod near_body;
+mod object;
 mod presets;
 mod table;
 #[cfg(test)]
 mod tests;
+mod wheel;
 
 use std::path::Path;
 

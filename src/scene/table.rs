@@ -64,6 +64,18 @@ impl<'a> Table<'a> {
         count.map(Some).ok_or_else(|| self.wrong_type(key, value, "a whole number between 1 and 1000"))
     }
 
+    /// How many, which must be there.
+    pub fn needed_count(&self, key: &'static str) -> Result<usize, Located> {
+        self.count(key)?.ok_or_else(|| self.missing(key))
+    }
+
+    /// Whether it is so, if the key is there.
+    pub fn truth(&self, key: &'static str) -> Result<Option<bool>, Located> {
+        let Some(value) = self.value(key) else { return Ok(None) };
+        let truth = value.get_ref().as_bool();
+        truth.map(Some).ok_or_else(|| self.wrong_type(key, value, "true or false"))
+    }
+
     /// A string that must be there.
     pub fn needed_string(&self, key: &'static str) -> Result<&'a str, Located> {
         self.string(key)?.ok_or_else(|| self.missing(key))
@@ -113,6 +125,17 @@ impl<'a> Table<'a> {
         Ok(Some((scaled / scaled.length()).to_array()))
     }
 
+    /// The table at a key, if the key is there.
+    pub fn table(&self, key: &'static str, owner: &'static str) -> Result<Option<Table<'a>>, Located> {
+        let Some(value) = self.value(key) else { return Ok(None) };
+        match value.get_ref() {
+            DeValue::Table(entries) => {
+                Ok(Some(Table { text: self.text, entries, span: value.span(), owner }))
+            }
+            _ => Err(self.wrong_type(key, value, "a table: keys and values, headed by its name in brackets")),
+        }
+    }
+
     /// The tables of an array of tables; none if the key is not there.
     pub fn tables(&self, key: &'static str, owner: &'static str) -> Result<Vec<Table<'a>>, Located> {
         let Some(value) = self.value(key) else { return Ok(Vec::new()) };
@@ -125,6 +148,11 @@ impl<'a> Table<'a> {
             _ => Err(self.wrong_type(key, item, expected)),
         };
         items.iter().map(table).collect()
+    }
+
+    /// Whether the key is there.
+    pub fn has(&self, key: &str) -> bool {
+        self.value(key).is_some()
     }
 
     /// The problem with the value of `key`, which quotes that value.

@@ -1,5 +1,7 @@
 //! Scene files, right and wrong.
 
+mod wheels;
+
 use relativity_render::{Body, Emission, Motion, Pattern, Shape, Velocity};
 
 use super::{PRESETS, Scene, SceneError};
@@ -196,7 +198,7 @@ fn presets_are_found_by_name_only() {
     assert_eq!(Scene::preset("cyclist.toml"), None);
     assert_eq!(
         Scene::open("cycle").expect_err("no such scene").to_string(),
-        "no scene is called `cycle`: there are street, cyclist, cube, globe, train, rods, lattice, two-balls; \
+        "no scene is called `cycle`: there are street, cyclist, cube, globe, train, wheel, rods, lattice, two-balls; \
          for a file, give a name ending in .toml"
     );
 }
@@ -218,7 +220,7 @@ fn a_syntax_error_names_line_and_column() {
 fn an_unknown_key_is_told_the_keys_there_are() {
     assert_eq!(
         error("name = \"x\"\n\ngroud_z = 1\n"),
-        "balls.toml:3: unknown key `groud_z`: a scene has name, rider, metres, tracked, ground_z, street, include, object, group"
+        "balls.toml:3: unknown key `groud_z`: a scene has name, rider, metres, tracked, ground_z, street, include, wheel, object, group"
     );
     assert_eq!(
         object_error("shape = \"sphere\"\ncenter = [0, 3, 2]\nradus = 1"),
@@ -230,7 +232,7 @@ fn an_unknown_key_is_told_the_keys_there_are() {
     );
     assert_eq!(
         error("name = \"x\"\n[[include]]\nscene = \"cyclist\"\nmove = [0, 0, 1]"),
-        "balls.toml:4: unknown key `move`: an include has scene, offset"
+        "balls.toml:4: unknown key `move`: an include has scene, offset, wheels"
     );
 }
 
@@ -466,7 +468,7 @@ fn shapes_and_scenes_are_known_by_name() {
     );
     assert_eq!(
         error("name = \"x\"\n[[include]]\nscene = \"cyclists\""),
-        "balls.toml:3: scene = \"cyclists\" must be one of street, cyclist, cube, globe, train, rods, lattice, two-balls"
+        "balls.toml:3: scene = \"cyclists\" must be one of street, cyclist, cube, globe, train, wheel, rods, lattice, two-balls"
     );
 }
 
@@ -503,10 +505,13 @@ fn a_mangled_file_gives_a_scene_or_one_line() {
 }
 
 #[test]
-fn the_example_in_the_description_of_the_format_loads() {
+fn the_examples_in_the_description_of_the_format_load() {
     let description = include_str!("../../assets/scenes/README.md");
-    let (_, rest) = description.split_once("```toml\n").expect("it has an example");
-    let (example, _) = rest.split_once("```").expect("which ends");
-    let scene = Scene::parse(example, "README.md").unwrap_or_else(|error| panic!("{error}"));
-    assert_eq!((scene.bodies.len(), scene.ground_z), (5, Some(-2.5)));
+    let examples = description.split("```toml\n").skip(1).filter_map(|rest| rest.split_once("```"));
+    let whole = examples.map(|(example, _)| example).filter(|example| example.starts_with("name = "));
+    let scenes: Vec<Scene> = whole
+        .map(|example| Scene::parse(example, "README.md").unwrap_or_else(|error| panic!("{error}")))
+        .collect();
+    let found: Vec<_> = scenes.iter().map(|scene| (scene.bodies.len(), scene.ground_z)).collect();
+    assert_eq!(found, [(5, Some(-2.5)), (18, Some(-2.5))]);
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use relativity_core::{
-    Aperture, Baseline, Disparity, Model, PairError, PublishedVariant, SourcePoint, Speed, Stereo,
+    Aperture, Baseline, Disparity, Model, PairError, PublishedVariant, Source, SourcePoint, Speed, Stereo,
     StereoError, equidistance_time,
 };
 use relativity_render::exposure::automatic_ev;
@@ -119,16 +119,23 @@ impl Settings {
 
     /// The worldline of `point` from the point between the eyes, reflected to move along +x.
     #[must_use]
-    pub fn source(&self, point: &Track) -> SourcePoint {
-        self.velocity(point.motion).reflected_source(self.from_between_eyes(point)).place()
+    pub fn source(&self, point: &Track) -> Source {
+        self.velocity(point.motion).reflected_source(self.from_between_eyes(point))
+    }
+
+    /// That of what `point` rides along with: of the hub that it turns about, or its own.
+    #[must_use]
+    pub fn carrier(&self, point: &Track) -> SourcePoint {
+        self.source(point).place()
     }
 
     /// Where `point` is measured to be at `time`, from the point between the eyes.
     #[must_use]
     pub fn measured_place(&self, point: &Track, time: f64) -> [f64; 3] {
-        let (source, velocity) = (self.source(point), self.velocity(point.motion));
-        let x = source.x0 + velocity.speed.beta() * time;
-        [if velocity.is_backward { -x } else { x }, source.y, source.z]
+        let velocity = self.velocity(point.motion);
+        let SourcePoint { x0, y, z } = self.source(point).place_when_measured(&velocity.speed, time);
+        let x = x0 + velocity.speed.beta() * time;
+        [if velocity.is_backward { -x } else { x }, y, z]
     }
 
     /// The geometry that is shown: the one set, or as seen in place of the published one, which has both eyes along the
@@ -203,7 +210,8 @@ impl Settings {
         )
     }
 
-    /// T0 of `point`: when both eyes see it at the same distance. `None` at rest, and where that is always or never so.
+    /// T0 of `point`, also of one that turns: when both eyes see it at the same distance. `None` at rest, and where that is always
+    /// or never so.
     #[must_use]
     pub fn equidistance_time(&self, point: &Track) -> Option<f64> {
         let velocity = self.velocity(point.motion);
@@ -211,12 +219,19 @@ impl Settings {
         equidistance_time(&velocity.speed, self.source(point), pair).ok().flatten()
     }
 
-    /// The T of a picture for which none is given: when `point` is seen 45 degrees before it is abreast.
+    /// When `point` is measured beside the eyes: at x = 0, where it is seen only later. `None` at rest.
+    #[must_use]
+    pub fn abreast_time(&self, point: &Track) -> Option<f64> {
+        self.source(point).time_at_origin(&self.velocity(point.motion).speed)
+    }
+
+    /// The T of a picture for which none is given: when `point`, or the hub that it turns about, is seen 45 degrees before it is
+    /// abreast.
     #[must_use]
     pub fn time_of_approach(&self, point: &Track) -> f64 {
         let speed = self.velocity(point.motion).speed;
         // Settings lie inside the domain of the core.
-        passage::time_of_approach(&speed, self.source(point), self.pair()).unwrap_or_default()
+        passage::time_of_approach(&speed, self.carrier(point), self.pair()).unwrap_or_default()
     }
 
     /// What the left and the right eye are shown at `observation_time`, `size` in pixels, as they look at `subject`.

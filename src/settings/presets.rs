@@ -25,7 +25,7 @@ macro_rules! files {
 }
 
 /// The names of all, and their files; the first is the start.
-const FILES: [(&str, &str); 12] = files![
+const FILES: [(&str, &str); 13] = files![
     "street",
     "overhead",
     "approaching",
@@ -37,6 +37,7 @@ const FILES: [(&str, &str); 12] = files![
     "die",
     "globe",
     "train",
+    "rolling-wheel",
     "lattice",
 ];
 

@@ -25,6 +25,7 @@ mod support;
 mod time;
 mod times;
 mod way_back;
+mod wheels;
 mod words;
 
 use std::process::ExitCode;
@@ -59,6 +60,7 @@ fn main() -> ExitCode {
         time::TESTS,
         times::TESTS,
         way_back::TESTS,
+        wheels::TESTS,
         words::TESTS,
     ]
     .concat();

@@ -216,7 +216,7 @@ fn the_published_right_eye() {
     let point = state.session.points.selected();
     let model = relativity_core::published_disparity(
         &state.speed(),
-        state.selected_source(),
+        state.selected_source().place(),
         SEPARATION,
         state.session.time,
         relativity_core::PublishedVariant::AppendixA,

@@ -4,11 +4,9 @@
 
 use crate::apparent::{Aperture, SourcePoint, check_inputs};
 use crate::domain::{DomainError, MAX_COORDINATE, check};
-use crate::math;
 use crate::one_cone::middle;
 use crate::source::Source;
 use crate::speed::Speed;
-use crate::wheel::{WheelPoint, root};
 
 /// From this many times the nearest distance on a point is far ahead: its distance nearly cancels x.
 const FAR_AHEAD: f64 = 2.0;
@@ -78,15 +76,13 @@ fn baseline([primary, secondary]: [Aperture; 2]) -> [f64; 3] {
     [secondary.x - primary.x, secondary.y - primary.y, secondary.z - primary.z]
 }
 
-/// T0: the observation time at which `source` is seen equidistant from both apertures of a `pair`.
+/// T0: the observation time at which `source` is seen equidistant from both apertures of a `pair`: the point itself, of one of
+/// a wheel as [`WheelPoint::place_when_passing`](crate::WheelPoint::place_when_passing).
 ///
 /// Both then receive one event, in the plane halfway between them: at x = -(`b_y` y + `b_z` z)/`b_x` from their middle, b being
 /// from one aperture to the other. For the paper's pair that is at x = 0 (eq. 6 of the paper, shifted by -x0/beta for a point
 /// not on x(0) = 0). Of a pair across the motion (`b_x` = 0) a point is as far from both always or never: `None`. Two apertures
 /// in one place stand for the limit of the paper's.
-///
-/// A point of a wheel passes that plane once if it always moves towards one side of it, as those of a wheel do that rolls past
-/// the paper's pair; else `None` is returned, for it may be as far from both several times.
 ///
 /// # Accuracy
 ///
@@ -117,56 +113,23 @@ pub fn equidistance_time(
     for aperture in pair {
         check_inputs(source, aperture, 0.0)?;
     }
+    let [bx, by, bz] = baseline(pair);
+    let is_along = [by, bz] == [0.0; 2];
     let point = match source.simplest() {
         Source::Point(point) => point,
-        Source::Wheel(wheel) => return Ok(equidistance_time_of_wheel(speed, &wheel, pair)),
+        Source::Wheel(wheel) => {
+            let normal = if is_along { [1.0, 0.0, 0.0] } else { [bx, by, bz] };
+            let Some(place) = wheel.place_when_passing(speed, middle(pair), normal) else { return Ok(None) };
+            place
+        }
     };
-    let [bx, by, bz] = baseline(pair);
-    if [by, bz] == [0.0; 2] {
+    if is_along {
         return observation_time_when_seen_at(speed, point, 0.0, pair);
     }
     let SourcePoint { y, z, .. } = point.told_from(middle(pair));
     let x = -(by * y + bz * z) / bx;
     let exists = speed.beta() != 0.0 && x.abs() <= MAX_COORDINATE;
     Ok(if exists { time_when_seen_at(speed, point, x, pair) } else { None })
-}
-
-/// The same of a point of a wheel. Along its worldline b.P, P being from the middle of the pair, is
-/// `b_x` gamma (gamma x0 + `q_x` + beta t') + `b_y` y + `b_z` (z + `q_z`).
-fn equidistance_time_of_wheel(speed: &Speed, wheel: &WheelPoint, pair: [Aperture; 2]) -> Option<f64> {
-    let [bx, by, bz] = match baseline(pair) {
-        [_, 0.0, 0.0] => [1.0, 0.0, 0.0],
-        baseline => baseline,
-    };
-    let (beta, gamma, circle) = (speed.beta(), speed.gamma(), wheel.circle::<f64>(speed));
-    // How fast b.P changes by the motion of the wheel, and at most by its turning.
-    let (along, about) = (gamma * (bx * beta), circle.speed * math::hypot(gamma * bx, bz));
-    let is_once = if [by, bz] == [0.0; 2] { circle.slip >= 0.0 } else { along.abs() >= about };
-    if beta == 0.0 || bx == 0.0 || !is_once {
-        return None;
-    }
-    let hub = wheel.hub.told_from(middle(pair));
-    // When the hub passes the plane, by its clock; the point does within the time that the hub takes for its part of it.
-    let hub_x = -(by * hub.y + bz * hub.z) / bx;
-    let hub_time = ((hub_x - hub.x0) / beta) / gamma - beta * gamma * wheel.hub.x0;
-    let reach = circle.r * math::hypot(gamma * bx, bz) / along.abs();
-    let later = root([-reach, reach], |later| {
-        let angle = circle.angle - circle.omega * (hub_time + later);
-        let (sine, cosine) = math::sin_cos(angle);
-        let value = along * later + circle.r * (gamma * bx * cosine + bz * sine);
-        let slope = along + circle.r * circle.omega * (gamma * bx * sine - bz * cosine);
-        let sign = along.signum();
-        (sign * value / along.abs(), sign * slope / along.abs())
-    });
-    let [_, qz] = circle.place(circle.angle - circle.omega * (hub_time + later));
-    let z = hub.z + qz;
-    let x = -(by * hub.y + bz * z) / bx;
-    // By its place and the clocks of the rest frame, which count from the ground's origin.
-    let emitted = (hub_time + later) / gamma + beta * (x + middle(pair).x);
-    let half = baseline(pair).map(|along| along / 2.0);
-    let squares = [x, hub.y, z].iter().chain(&half).map(|part| part * part).sum::<f64>();
-    let time = emitted + squares.sqrt();
-    (time.abs() <= MAX_COORDINATE).then_some(time)
 }
 
 /// sqrt(a^2 + b^2) of two lengths: the longer one times a factor, which is the same for the same ratio of the two.

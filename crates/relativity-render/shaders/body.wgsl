@@ -1,4 +1,4 @@
-// A body, and where a ray meets it. Each shape has `middle(body)` and `surface(body, ray)`.
+// A body, and where a ray meets it. Each shape has `middle(body)`, `around(body)` and `surface(body, ray)`.
 
 struct Body {
     // From the middle of its group: its centre, or one end of a tube.
@@ -12,12 +12,20 @@ struct Body {
     turn: vec4f,
 }
 
+// A tube with rounded ends.
+struct Capsule {
+    place: vec3f,
+    end: vec3f,
+    radius: f32,
+}
+
 struct Surface {
     // How far inside the outline the ray passes, rest-frame length at the surface; negative outside.
     clearance: f32,
     // Half the least width that the body is seen with.
     half_width: f32,
-    // Unit vector from the body to the ray where they come closest: across the outline.
+    // From the body to the ray where they come closest, across the outline: how fast the clearance falls as the ray moves.
+    // A unit vector where the body stands still.
     outward: vec3f,
     // Rest-frame distance along the ray beyond the middle of its group.
     beyond: f32,

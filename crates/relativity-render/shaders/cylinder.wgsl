@@ -4,6 +4,10 @@ fn middle(body: Body) -> vec3f {
     return body.place;
 }
 
+fn around(body: Body) -> Capsule {
+    return Capsule(body.place, body.place, length(halves(body)));
+}
+
 fn surface(body: Body, ray: Ray) -> Surface {
     let own = own_ray(body, ray);
     let n = own.direction;

@@ -16,6 +16,9 @@ struct Piece {
     @location(5) light: vec4f,
     // As `mark` reads it.
     @location(6) pattern: vec3f,
+    // The `Spin`.
+    @location(7) spin: vec4f,
+    @location(8) rim: vec2f,
 }
 
 struct Fragment {
@@ -26,6 +29,8 @@ struct Fragment {
     @location(3) @interpolate(flat) light: vec4f,
     @location(4) @interpolate(flat) index_brightness: vec2f,
     @location(5) @interpolate(flat) pattern: vec3f,
+    @location(6) @interpolate(flat) spin: vec4f,
+    @location(7) @interpolate(flat) rim: vec2f,
 }
 
 @vertex
@@ -40,6 +45,8 @@ fn rectangle(@builtin(vertex_index) vertex: u32, piece: Piece) -> Fragment {
         piece.light,
         piece.second_axis_index_brightness.zw,
         piece.pattern,
+        piece.spin,
+        piece.rim,
     );
 }
 
@@ -61,7 +68,8 @@ const SAMPLE_V = vec4f(-0.375, -0.125, 0.125, 0.375);
 fn shaded(fragment: Fragment) -> Shaded {
     let ray = rest_ray(fragment.position.xy);
     let body = body_of(fragment);
-    let hit = surface(body, ray);
+    let spin = spin_of(fragment.spin, fragment.rim);
+    let hit = surface_when_shown(body, ray, spin);
     // How fast the ray moves across the outline from pixel to pixel.
     let distance = ray.to_centre + hit.beyond;
     let gradient = -max(distance, 0.0) * movement(ray, hit.outward);
@@ -76,9 +84,12 @@ fn shaded(fragment: Fragment) -> Shaded {
     if distance <= 0.0 || height < frame.ground.z {
         discard;
     }
-    var colour = received_colour(fragment.light, ray.doppler, hit.normal) * fragment.index_brightness.y;
+    let doppler = doppler_of(body, hit.place, hit.normal, ray.sight, ray.doppler, spin);
+    var colour = received_colour(fragment.light, doppler, hit.normal) * fragment.index_brightness.y;
     if PATTERNS {
-        colour *= mark(body, fragment.pattern, hit.place, hit.normal, ray, distance * ray.ground_per_rest);
+        let there = standing(body, hit.place, spin);
+        let ground_distance = distance * ray.ground_per_rest;
+        colour *= mark(there.body, fragment.pattern, there.place, hit.normal, ray, ground_distance);
     }
     let clearances = vec4f(clearance) + gradient.x * SAMPLE_U + gradient.y * SAMPLE_V;
     return Shaded(vec4f(colour * alpha, alpha), depth(ray, hit.beyond), clearances);
@@ -116,7 +127,7 @@ fn picture_sample(fragment: Fragment, @builtin(sample_index) index: u32) -> Samp
 struct Hit {
     // Number of the body, ground distance, Doppler factor, 1 (a hit).
     @location(0) measures: vec4u,
-    // The point, from the body's middle, in the rest frame.
+    // The point, in the rest frame, as `place_of_hit` has it.
     @location(1) place: vec4u,
     @builtin(frag_depth) depth: f32,
 }
@@ -124,14 +135,17 @@ struct Hit {
 @fragment
 fn hits(fragment: Fragment) -> Hit {
     let ray = rest_ray(fragment.position.xy);
-    let hit = surface(body_of(fragment), ray);
+    let body = body_of(fragment);
+    let spin = spin_of(fragment.spin, fragment.rim);
+    let hit = surface_when_shown(body, ray, spin);
     let distance = ray.to_centre + hit.beyond;
     if hit.clearance <= 0.0 || distance <= 0.0 {
         discard;
     }
+    let doppler = doppler_of(body, hit.place, hit.normal, ray.sight, ray.doppler, spin);
     return Hit(
-        bitcast<vec4u>(vec4f(fragment.index_brightness.x, distance * ray.ground_per_rest, ray.doppler, 1.0)),
-        bitcast<vec4u>(vec4f(hit.place, 0.0)),
+        bitcast<vec4u>(vec4f(fragment.index_brightness.x, distance * ray.ground_per_rest, doppler, 1.0)),
+        bitcast<vec4u>(vec4f(place_of_hit(body, hit.place, spin), 0.0)),
         depth(ray, hit.beyond),
     );
 }

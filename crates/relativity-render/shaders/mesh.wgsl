@@ -21,6 +21,9 @@ struct Instance {
     @location(6) cover_brightness_index: vec3f,
     // As `mark` reads it.
     @location(7) pattern: vec3f,
+    // The `Spin`.
+    @location(8) spin: vec4f,
+    @location(9) rim: vec2f,
 }
 
 struct Fragment {
@@ -37,6 +40,8 @@ struct Fragment {
     @location(7) @interpolate(flat) form: vec4f,
     @location(8) @interpolate(flat) turn: vec4f,
     @location(9) @interpolate(flat) pattern: vec3f,
+    @location(10) @interpolate(flat) spin: vec4f,
+    @location(11) @interpolate(flat) rim: vec2f,
 }
 
 struct Sighting {
@@ -122,6 +127,8 @@ fn corner(corner: Corner, instance: Instance) -> Fragment {
         instance.form,
         instance.turn,
         instance.pattern,
+        instance.spin,
+        instance.rim,
     );
 }
 

@@ -73,6 +73,10 @@ fn middle(body: Body) -> vec3f {
     return body.place;
 }
 
+fn around(body: Body) -> Capsule {
+    return Capsule(body.place, body.place, body.form.w + body.radius);
+}
+
 fn surface(body: Body, ray: Ray) -> Surface {
     let n = ray.direction;
     let nearest = nearest_to(body.place, ray);

@@ -4,6 +4,10 @@ fn middle(body: Body) -> vec3f {
     return 0.5 * (body.place + body.form.xyz);
 }
 
+fn around(body: Body) -> Capsule {
+    return Capsule(body.place, body.form.xyz, body.radius);
+}
+
 fn surface(body: Body, ray: Ray) -> Surface {
     let n = ray.direction;
     let anchor = middle(body);

@@ -1,6 +1,8 @@
 //! What a scene is made of: solid shapes at rest in the frame of their group.
 
-use crate::spin::Spin;
+use glam::DQuat;
+
+use crate::spin::{Spin, about_y};
 
 /// A solid shape in the rest frame. Lengths in the scene's unit; `[x, y, z]`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,6 +68,27 @@ impl Shape {
             Self::Box { center, half, turn } => Self::Box { center: moved(center), half, turn },
             Self::Cylinder { from, to, radius } => {
                 Self::Cylinder { from: moved(from), to: moved(to), radius }
+            }
+        }
+    }
+
+    /// The shape turned by `angle` about the axle of `spin`, as [`Spin::turned`].
+    #[must_use]
+    pub(crate) fn turned(self, spin: &Spin, angle: f64) -> Self {
+        let turned = |place: [f64; 3]| spin.turned(place.into(), angle).to_array();
+        match self {
+            Self::Sphere { center, radius } => Self::Sphere { center: turned(center), radius },
+            Self::Tube { from, to, radius } => Self::Tube { from: turned(from), to: turned(to), radius },
+            Self::Ring { center, axis, radius, tube_radius } => {
+                let axis = about_y(axis.into(), angle).to_array();
+                Self::Ring { center: turned(center), axis, radius, tube_radius }
+            }
+            Self::Box { center, half, turn } => {
+                let turn = DQuat::from_rotation_y(angle) * DQuat::from_array(turn);
+                Self::Box { center: turned(center), half, turn: turn.to_array() }
+            }
+            Self::Cylinder { from, to, radius } => {
+                Self::Cylinder { from: turned(from), to: turned(to), radius }
             }
         }
     }

@@ -42,6 +42,18 @@ impl Capsule {
         Self { from, to, ..*self }
     }
 
+    /// Adds balls to `out` that contain it, in its order, at most this long or no longer than wide.
+    pub fn add_balls(&self, longest: f64, out: &mut Vec<Self>) {
+        let length = self.from.distance(self.to);
+        if length > longest && length > 2.0 * self.radius {
+            for half in self.halves() {
+                half.add_balls(longest, out);
+            }
+            return;
+        }
+        out.push(Self::ball(0.5 * (self.from + self.to), self.radius + 0.5 * length));
+    }
+
     /// Its two halves.
     pub fn halves(&self) -> [Self; 2] {
         let middle = 0.5 * (self.from + self.to);

@@ -14,6 +14,7 @@ use crate::light::Light;
 use crate::pipelines::{Key, Output, Pipelines};
 use crate::prepared_body::PreparedBody;
 use crate::scene::PreparedScene;
+use crate::turns::{Shown, Turns};
 use crate::view::Appearance;
 
 /// What is to be drawn.
@@ -71,13 +72,21 @@ pub struct Trait<T> {
     pub is_thin: bool,
     /// Whether any of them carries a pattern.
     pub is_patterned: bool,
+    /// Whether they turn.
+    pub turns: Turns,
 }
 
 impl Shot<'_> {
+    /// `body` as its group's view shows it, for the shaders.
+    pub fn shown(&self, body: &PreparedBody) -> Shown {
+        self.views[body.group].shown(body, self.scene.groups()[body.group].extent.middle)
+    }
+
     /// The light of `body` for the shaders; numbers have none.
     pub fn light(&self, body: &PreparedBody) -> [f32; 4] {
         self.appearance.map_or([0.0; 4], |appearance| {
-            let effects = Effects::new(self.views[body.group].geometry.has_doppler_effect(), appearance);
+            let view = &self.views[body.group];
+            let effects = Effects::new(view.turns(body).has_doppler_effect(view.geometry), appearance);
             Light::new(body.emission, appearance).packed(appearance, effects).map(|part| part as f32)
         })
     }
@@ -101,11 +110,11 @@ impl<I: bytemuck::NoUninit, T> Batches<I, T> {
     {
         self.instances.clear();
         self.in_order.clear();
-        for (Trait { group, kind, template, is_thin, is_patterned }, run) in runs {
+        for (Trait { group, kind, template, is_thin, is_patterned, turns }, run) in runs {
             let start = self.instances.len() as u32;
             self.instances.extend(run);
-            let output = Output::new(&shot.views[group], shot.appearance, is_thin, is_patterned);
-            let key = Key::new(kind, shot.views, group, output);
+            let output = Output::new(&shot.views[group], turns, shot.appearance, is_thin, is_patterned);
+            let key = Key::new(kind, turns, shot.views, group, output);
             self.pipelines.prepare(gpu, key);
             let instances = start..self.instances.len() as u32;
             self.in_order.push(Batch { group, key, template, instances });

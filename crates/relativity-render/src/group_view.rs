@@ -47,6 +47,11 @@ pub struct GroupView {
     pub origin: DVec3,
     /// When it is there: gamma (T - beta `a_x`).
     pub time: f64,
+    /// `time` + x and `time` - x of the origin, reflected so that the group moves along +x on the ground, with the digits
+    /// that these sums lose where the camera is far away in the group's frame.
+    pub(crate) cone_times: [f64; 2],
+    /// T.
+    pub(crate) observation_time: f64,
 }
 
 impl GroupView {
@@ -70,6 +75,7 @@ impl GroupView {
         let (beta, gamma, received) =
             (on_ground.speed.beta(), on_ground.speed.gamma(), view.observation_time);
         let origin = DVec3::new(gamma * (aperture.x - beta * received), aperture.y, aperture.z);
+        let head_on = on_ground.speed.head_on_doppler_factor();
         Self {
             camera: view.camera,
             geometry,
@@ -77,6 +83,8 @@ impl GroupView {
             on_ground,
             origin: on_ground.reflected(origin),
             time: gamma * (received - beta * aperture.x),
+            cone_times: [(received + aperture.x) / head_on, (received - aperture.x) * head_on],
+            observation_time: received,
         }
     }
 

@@ -6,6 +6,8 @@ use crate::camera::LinesOfSight;
 use crate::canvas::Measures;
 use crate::reference::{Hit, HitImage, Turned};
 use crate::scene::PreparedScene;
+use crate::spin::about_y;
+use crate::turns::Turns;
 use crate::view::View;
 
 impl Measures {
@@ -22,15 +24,20 @@ impl Measures {
             }
             let body = index as usize;
             let [x, y, z, _] = place.map(f64::from);
+            let (prepared, group_view) = (&scene.bodies()[body], &group_views[scene.group_of(body)]);
             let solid = scene.solid(body);
-            let rest_position = solid.center() + DVec3::new(x, y, z);
+            let from = match (prepared.spin, group_view.turns(prepared)) {
+                (Some(spin), Turns::About) => DVec3::from(spin.hub),
+                _ => solid.center(),
+            };
+            let rest_position = from + DVec3::new(x, y, z);
             let Turned { own_time, turn, material_position, .. } =
-                Turned::new(&scene.bodies()[body], &group_views[scene.group_of(body)], rest_position);
+                Turned::new(prepared, group_view, rest_position);
             let pixel = [(i % width) as f64 + 0.5, (i / width) as f64 + 0.5];
             Some(Hit {
                 body,
                 rest_position,
-                rest_normal: solid.normal(rest_position),
+                rest_normal: about_y(solid.normal(material_position), turn),
                 distance,
                 emission_time: view.emission_time(lines_of_sight.through(pixel), distance),
                 own_time,

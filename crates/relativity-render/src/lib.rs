@@ -97,7 +97,9 @@ mod target;
 mod tiles;
 pub mod tone;
 mod turn;
+mod turned_bounds;
 mod turning;
+mod turns;
 pub mod velocity;
 pub mod view;
 

@@ -9,6 +9,7 @@ use crate::kind::Kind;
 use crate::mesh::{Corner, Instance};
 use crate::pipelines::{Key, Output, Technique};
 use crate::rays::Piece;
+use crate::turns::Turns;
 use crate::view::{Appearance, Geometry};
 use crate::{backdrop, mesh, rays, shaders};
 
@@ -65,12 +66,12 @@ pub const BLOCKS: [Mirror; 2] = [
 /// The structs of vertices and instances.
 pub const VERTICES: [VertexMirror; 3] = [
     VertexMirror {
-        mirror: mirror!(Piece: place, second_axis_index_brightness, place_radius, form, turn, light, pattern),
+        mirror: mirror!(Piece: place, second_axis_index_brightness, place_radius, form, turn, light, pattern, spin, rim),
         layout: Piece::LAYOUT,
     },
     VertexMirror { mirror: mirror!(Corner: profile, turn), layout: Corner::LAYOUT },
     VertexMirror {
-        mirror: mirror!(Instance: place_radius, form, turn, light, cover_brightness_index, pattern),
+        mirror: mirror!(Instance: place_radius, form, turn, light, cover_brightness_index, pattern, spin, rim),
         layout: Instance::LAYOUT,
     },
 ];
@@ -101,7 +102,7 @@ fn of_bodies(kind: Kind, name: &str, technique: &Technique) -> Shader {
         is_patterned: true,
         effects: Effects::new(true, &Appearance::default()),
     };
-    let key = Key { kind, geometry: Geometry::Seen, among_others: None, output };
+    let key = Key { kind, geometry: Geometry::Seen, among_others: None, turns: Turns::About, output };
     Shader {
         name: format!("{name} of a {kind:?}"),
         source: (technique.source)(kind),

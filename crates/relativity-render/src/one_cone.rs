@@ -13,7 +13,7 @@ use relativity_core::math::{self, atan2};
 
 use crate::cone::Cone;
 use crate::group_view::{GroupView, RestRay};
-use crate::intersect::{Entry, Solid};
+use crate::intersect::Entry;
 use crate::ray::Ray;
 use crate::scene::{PreparedGroup, PreparedScene};
 use crate::view::{Geometry, View};
@@ -150,13 +150,58 @@ impl PreparedScene {
         let limit = group_view.rest_ray(line_of_sight);
         let meetings = bodies.iter().filter_map(|&body| {
             let body = body as usize;
-            let (entry, distance) = meeting(self.solid(body), group_view, line_of_sight, middle)?;
+            let (entry, distance) = self.meeting(body, group_view, line_of_sight, middle)?;
             let depth = (entry.position - middle).dot(limit.direction);
             Some(Meeting { body, entry, distance, depth })
         });
         let first = meetings.reduce(|first, next| if next.is_before(&first, tie) { next } else { first })?;
         let Meeting { body, entry, distance, .. } = first;
         Some((body, entry, distance, group_view.rest_ray_at(line_of_sight, distance)))
+    }
+
+    /// Where `line_of_sight` enters the `body` of this number, and how far that is on the ground. Rays are counted from
+    /// near the `middle` of the group.
+    fn meeting(
+        &self,
+        body: usize,
+        view: &GroupView,
+        line_of_sight: DVec3,
+        middle: DVec3,
+    ) -> Option<(Entry, f64)> {
+        let mut ray = view.rest_ray(line_of_sight);
+        let mut touched = f64::INFINITY;
+        let mut found = None;
+        for _ in 0..ROUNDS {
+            let near = Ray::new(ray.origin, ray.direction).counted_from(middle);
+            let touches = touched.is_finite().then(|| touched / ray.ground_per_rest - near.from_camera);
+            let (entry, along) = self.entry_or_passage(body, &near, view, touches);
+            let distance = ((near.from_camera + along) * ray.ground_per_rest).max(0.0);
+            found = entry.map(|entry| (entry, distance));
+            if (distance - touched).abs() <= SETTLED * distance {
+                break;
+            }
+            touched = distance;
+            ray = view.rest_ray_at(line_of_sight, distance);
+        }
+        found
+    }
+
+    /// Where `ray`, which `touches` the curve of events that far along it, enters the `body` of this number, and how far
+    /// along the ray that is or else where it passes.
+    fn entry_or_passage(
+        &self,
+        body: usize,
+        ray: &Ray,
+        view: &GroupView,
+        touches: Option<f64>,
+    ) -> (Option<Entry>, f64) {
+        if let Some(turning) = self.turning(body) {
+            return turning.entry(ray, view, touches);
+        }
+        let solid = self.solid(body);
+        let entry = solid.entry(ray);
+        let along = entry.map_or_else(|| ray.nearest_to(solid.center()).1, |entry| entry.distance);
+        (entry, along)
     }
 }
 
@@ -165,25 +210,4 @@ impl Meeting {
         let are_alike = (self.distance - other.distance).abs() <= ALIKE * other.distance;
         if are_alike { self.depth < other.depth - tie } else { self.distance < other.distance }
     }
-}
-
-/// Where `line_of_sight` enters `solid`, and how far that is on the ground. Rays are counted from near the `middle` of the
-/// group.
-fn meeting(solid: &Solid, view: &GroupView, line_of_sight: DVec3, middle: DVec3) -> Option<(Entry, f64)> {
-    let mut ray = view.rest_ray(line_of_sight);
-    let mut touched = f64::INFINITY;
-    let mut found = None;
-    for _ in 0..ROUNDS {
-        let near = Ray::new(ray.origin, ray.direction).counted_from(middle);
-        let entry = solid.entry(&near);
-        let along = entry.map_or_else(|| near.nearest_to(solid.center()).1, |entry| entry.distance);
-        let distance = ((near.from_camera + along) * ray.ground_per_rest).max(0.0);
-        found = entry.map(|entry| (entry, distance));
-        if (distance - touched).abs() <= SETTLED * distance {
-            break;
-        }
-        touched = distance;
-        ray = view.rest_ray_at(line_of_sight, distance);
-    }
-    found
 }

@@ -8,6 +8,7 @@ use crate::group_view::{GroupView, reference_of_depths};
 use crate::kind::Kind;
 use crate::target::{DEPTH_FORMAT, MEASURES_FORMAT, SAMPLES, linear_target};
 use crate::tone;
+use crate::turns::Turns;
 use crate::view::{Appearance, Geometry};
 use crate::{palette, pattern, shade};
 
@@ -20,6 +21,8 @@ pub struct Key {
     pub geometry: Geometry,
     /// How depths are told among those of other groups, if there are any.
     pub among_others: Option<AmongOthers>,
+    /// Whether they turn.
+    pub turns: Turns,
     /// What is wanted of them.
     pub output: Output,
 }
@@ -43,21 +46,27 @@ pub enum Output {
 }
 
 impl Key {
-    /// For bodies of this `kind` in the group of this number among those that `views` show.
-    pub fn new(kind: Kind, views: &[GroupView], group: usize, output: Output) -> Self {
+    /// For bodies of this `kind` that turn so, in the group of this number among those that `views` show.
+    pub fn new(kind: Kind, turns: Turns, views: &[GroupView], group: usize, output: Output) -> Self {
         let among_others = (views.len() > 1).then(|| {
             let reference = reference_of_depths(views);
             AmongOthers { is_reference: reference == group, reference: views[reference].geometry }
         });
-        Self { kind, geometry: views[group].geometry, among_others, output }
+        Self { kind, geometry: views[group].geometry, among_others, turns, output }
     }
 }
 
 impl Output {
-    /// Of what `view` shows: a picture that looks as `appearance` says, or numbers.
-    pub fn new(view: &GroupView, appearance: Option<&Appearance>, is_thin: bool, is_patterned: bool) -> Self {
+    /// Of what `view` shows of bodies that turn so: a picture that looks as `appearance` says, or numbers.
+    pub fn new(
+        view: &GroupView,
+        turns: Turns,
+        appearance: Option<&Appearance>,
+        is_thin: bool,
+        is_patterned: bool,
+    ) -> Self {
         appearance.map_or(Self::Hits, |appearance| {
-            let effects = Effects::new(view.geometry.has_doppler_effect(), appearance);
+            let effects = Effects::new(turns.has_doppler_effect(view.geometry), appearance);
             Self::Picture { is_thin, is_patterned, effects }
         })
     }
@@ -102,6 +111,7 @@ impl Technique {
         let others = key.among_others.unwrap_or(alone);
         let mut constants = vec![
             (self.constant)(key),
+            key.turns.constant(),
             ("GEOMETRY", key.geometry.number()),
             ("HAS_OTHERS", number(key.among_others.is_some())),
             ("IS_REFERENCE", number(others.is_reference)),

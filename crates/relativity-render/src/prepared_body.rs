@@ -4,12 +4,12 @@ use std::collections::HashMap;
 use std::hash::Hash;
 use std::ops::Range;
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 
 use crate::block::{Block, block};
 use crate::body::{Body, Emission, Shape};
 use crate::capsule::{Capsule, add_capsules};
-use crate::intersect::{Solid, bounding_box};
+use crate::intersect::Solid;
 use crate::kind::Kind;
 use crate::pattern::{Form, Marking};
 use crate::spin::Spin;
@@ -39,14 +39,11 @@ pub struct PreparedBody {
     pub brightness: f64,
     /// Which shaders draw it.
     pub(crate) kind: Kind,
-    /// From the middle of its group: its centre, or one end of a tube; and its radius, of bodies with flat
-    /// faces half their least length.
-    pub(crate) place_radius: [f32; 4],
-    /// The other end of a tube; a ring's unit axis and the radius of its middle circle; half the lengths of a box or a
-    /// cylinder along its own axes.
-    pub(crate) form: [f32; 4],
-    /// Unit quaternion from its own axes to those of the rest frame.
-    pub(crate) turn: [f32; 4],
+    /// Its shape, placed at t' = 0, and the turn from its own axes to those of the rest frame.
+    pub(crate) shape: Shape,
+    pub(crate) turn: DQuat,
+    /// The same for the shaders.
+    pub(crate) placement: Placement,
     /// What triangles approach.
     pub(crate) surface: Surface,
     /// Whether its surface may coincide with another's.
@@ -65,6 +62,19 @@ pub struct PreparedBody {
     pub(crate) is_patterned: bool,
 }
 
+/// Where a body is, for the shaders.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Placement {
+    /// From the middle of its group: its centre, or one end of a tube; and its radius, of bodies with flat
+    /// faces half their least length.
+    pub place_radius: [f32; 4],
+    /// The other end of a tube; a ring's unit axis and the radius of its middle circle; half the lengths of a box or a
+    /// cylinder along its own axes.
+    pub form: [f32; 4],
+    /// Unit quaternion from its own axes to those of the rest frame.
+    pub turn: [f32; 4],
+}
+
 /// Whether a body may have a rounded end, or all of a body that is no tube, in common with another: there the first of
 /// them is seen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -76,26 +86,20 @@ pub(crate) struct Joint {
 }
 
 impl Extent {
-    /// Of a group's `solids`.
-    #[must_use]
-    pub fn new(solids: &[Solid]) -> Self {
-        let [low, high] = bounding_box(solids).unwrap_or([DVec3::ZERO, DVec3::ONE]);
+    /// Of a group whose bodies stay within these `boxes`, of each the lowest and highest corner.
+    pub(crate) fn new(boxes: impl IntoIterator<Item = [DVec3; 2]>) -> Self {
+        let around = boxes.into_iter().reduce(|[low, high], [from, to]| [low.min(from), high.max(to)]);
+        let [low, high] = around.unwrap_or([DVec3::ZERO, DVec3::ONE]);
         let middle = 0.5 * (low + high);
         Self { middle, reach: 1.001 * low.distance(middle) }
     }
 }
 
-impl PreparedBody {
-    /// The body of this `number`, in the group of that number, which has this `extent`; its capsules join the others.
-    pub(crate) fn new(
-        number: usize,
-        group: usize,
-        body: &Body,
-        extent: &Extent,
-        capsules: &mut Vec<Capsule>,
-    ) -> Self {
-        let from_middle = |place: [f64; 3], w: f64| packed(DVec3::from(place) - extent.middle, w);
-        let (place_radius, form) = match body.shape {
+impl Placement {
+    /// Of `shape`, turned so, in a group with this `middle`.
+    pub fn new(shape: &Shape, turn: DQuat, middle: DVec3) -> Self {
+        let from_middle = |place: [f64; 3], w: f64| packed(DVec3::from(place) - middle, w);
+        let (place_radius, form) = match *shape {
             // A tube whose ends are in one place.
             Shape::Sphere { center, radius } => (from_middle(center, radius), from_middle(center, 0.0)),
             Shape::Tube { from, to, radius } => (from_middle(from, radius), from_middle(to, 0.0)),
@@ -112,6 +116,19 @@ impl PreparedBody {
                 (from_middle((0.5 * (from + to)).to_array(), half.min_element()), packed(half, 0.0))
             }
         };
+        Self { place_radius, form, turn: turn.as_quat().to_array() }
+    }
+}
+
+impl PreparedBody {
+    /// The body of this `number`, in the group of that number, which has this `extent`; its capsules join the others.
+    pub(crate) fn new(
+        number: usize,
+        group: usize,
+        body: &Body,
+        extent: &Extent,
+        capsules: &mut Vec<Capsule>,
+    ) -> Self {
         let turn = turn_of(&body.shape);
         let first = capsules.len();
         let block = block(&body.shape);
@@ -124,9 +141,9 @@ impl PreparedBody {
             emission: body.emission,
             brightness: body.brightness,
             kind: Kind::of(&body.shape),
-            place_radius,
-            form,
-            turn: turn.as_quat().to_array(),
+            shape: body.shape,
+            turn,
+            placement: Placement::new(&body.shape, turn, extent.middle),
             surface: Surface::new(&body.shape),
             joint: Joint::default(),
             block,
@@ -151,9 +168,9 @@ impl PreparedBody {
     /// The centres of the ends of a tube, or of another body, as bits.
     fn ends(&self) -> impl Iterator<Item = [u32; 3]> + use<> {
         let place = |[x, y, z, _]: [f32; 4]| [x, y, z].map(f32::to_bits);
-        let first = place(self.place_radius);
+        let first = place(self.placement.place_radius);
         let second = match self.kind {
-            Kind::Tube => Some(place(self.form)).filter(|second| *second != first),
+            Kind::Tube => Some(place(self.placement.form)).filter(|second| *second != first),
             Kind::Ring | Kind::Box | Kind::Cylinder => None,
         };
         [Some(first), second].into_iter().flatten()
@@ -162,7 +179,7 @@ impl PreparedBody {
 
 /// Finds out which of `bodies`, those of one group, share an end; `solids` are theirs.
 pub(crate) fn find_joints(bodies: &mut [PreparedBody], solids: &[Solid]) {
-    let as_they_are = shared_ends(bodies, |body| body.place_radius[3].to_bits());
+    let as_they_are = shared_ends(bodies, |body| body.placement.place_radius[3].to_bits());
     let first = bodies.first().map_or(0, |body| body.number);
     let centre = |body: &PreparedBody| solids[body.number - first].center();
     let widened = shared_ends(bodies, |body| centre(body).to_array().map(f64::to_bits));

@@ -22,6 +22,9 @@ use crate::spin::about_y;
 use crate::tiles::{TILE_SIDE, bands};
 use crate::view::{Appearance, Geometry, View};
 
+/// How long the balls are that follow what turns, in parts of how far that reaches from its axle.
+const BALLS: f64 = 0.15;
+
 /// What one ray meets.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hit {
@@ -143,7 +146,7 @@ impl PreparedScene {
         } else {
             let ray = group_view.rest_ray(line_of_sight);
             let near = Ray::new(ray.origin, ray.direction).counted_from(prepared.extent.middle);
-            let (body, entry) = self.first_entry(bodies, &near, prepared.tie())?;
+            let (body, entry) = self.first_entry(bodies, &near, group_view, prepared.tie())?;
             let distance = (near.from_camera + entry.distance) * ray.ground_per_rest;
             (body, entry, distance, ray)
         };
@@ -163,10 +166,14 @@ impl PreparedScene {
     }
 
     /// The nearest entry of `ray` among `bodies`, whose numbers ascend.
-    fn first_entry(&self, bodies: &[u32], ray: &Ray, tie: f64) -> Option<(usize, Entry)> {
+    fn first_entry(&self, bodies: &[u32], ray: &Ray, view: &GroupView, tie: f64) -> Option<(usize, Entry)> {
         let entries = bodies.iter().filter_map(|&body| {
             let body = body as usize;
-            Some((body, self.solid(body).entry(ray)?))
+            let entry = match self.turning(body) {
+                Some(turning) => turning.entry(ray, view, None).0,
+                None => self.solid(body).entry(ray),
+            };
+            Some((body, entry?))
         });
         entries.reduce(|first, next| if next.1.distance < first.1.distance - tie { next } else { first })
     }
@@ -254,6 +261,22 @@ impl PreparedScene {
         }
     }
 
+    /// Adds cones to `out` in one of which `view` shows what it shows of `body`.
+    fn add_cones(&self, body: &PreparedBody, view: &GroupView, out: &mut Vec<Cone>) {
+        let (Some(turning), Some(spin)) = (self.turning(body.number), &body.spin) else {
+            let solid = self.solid(body.number);
+            out.push(Cone::of_sight(view, solid.center(), solid.bounding_radius()));
+            return;
+        };
+        let (mut capsules, mut balls) = (Vec::new(), Vec::new());
+        view.capsules_when_shown(spin, self.around(body), &mut capsules);
+        let longest = BALLS * turning.ball_around().1;
+        for capsule in &capsules {
+            capsule.add_balls(longest, &mut balls);
+        }
+        out.extend(balls.iter().map(|ball| Cone::of_sight(view, ball.from, ball.radius)));
+    }
+
     /// One value per pixel of `view`, row by row, from the bodies that can be seen there and the pixel.
     fn pixels<T: Clone + Default + Send>(
         &self,
@@ -261,12 +284,20 @@ impl PreparedScene {
         group_views: &[GroupView],
         value: impl Fn(&[u32], [u32; 2]) -> T + Sync,
     ) -> Vec<T> {
-        let cone = |body: &PreparedBody| {
-            let solid = self.solid(body.number);
-            Cone::of_sight(&group_views[body.group], solid.center(), solid.bounding_radius())
-        };
-        let cones: Vec<_> = self.bodies().iter().map(cone).collect();
-        let bands = bands(&view.camera, &cones);
+        let (mut cones, mut owners) = (Vec::new(), Vec::new());
+        for body in self.bodies() {
+            self.add_cones(body, &group_views[body.group], &mut cones);
+            owners.resize(cones.len(), body.number as u32);
+        }
+        let mut bands = bands(&view.camera, &cones);
+        if owners.len() > self.bodies().len() {
+            for (_, bodies) in bands.iter_mut().flatten() {
+                for cone in bodies.iter_mut() {
+                    *cone = owners[*cone as usize];
+                }
+                bodies.dedup();
+            }
+        }
         let [width, height] = view.camera.size.map(|side| side as usize);
         let mut image = vec![T::default(); width * height];
         let rows = image.par_chunks_mut((width * TILE_SIDE as usize).max(1));

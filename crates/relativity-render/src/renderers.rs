@@ -37,6 +37,10 @@ pub enum Method {
     /// Of groups that fly apart all but the fastest lose digits as the camera recedes in their frames. Where two do so
     /// 3 units away, bodies a tenth of a unit apart are still told apart up to gamma = 1e5; at 1e6 the slower group (of
     /// equally fast ones the second) shows one body for another at up to 3 % of its pixels, the fastest at none.
+    ///
+    /// Of wheels that roll (`tests/gpu_wheels.rs`, up to beta = 0.9999, rays in the wheel's plane among them) no more
+    /// pixels are wrong. Outlines of what turns are within 0.002 px, and its D within 2e-4 of itself times gamma: about where a
+    /// wheel touches the road D falls from 1 within 1/gamma^2 of its radius, and f32 has the place to 1e-7 of it.
     Rays,
     /// Triangles on the GPU that keep a bound on the picture.
     ///

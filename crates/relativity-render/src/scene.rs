@@ -1,12 +1,13 @@
 //! A scene ready to be drawn: bodies placed and boxed once, whatever speed, time, eye, gaze and colour are.
 
 use std::ops::Range;
+use std::slice;
 use std::sync::{Arc, Mutex};
 
 use crate::body::Body;
 use crate::capsule::Capsule;
 use crate::group_view::GroupView;
-use crate::intersect::Solid;
+use crate::intersect::{Solid, TurningSolid};
 use crate::outline::Outline;
 use crate::prepared_body::{Extent, PreparedBody, find_joints, find_patterned};
 use crate::velocity::Motion;
@@ -52,6 +53,8 @@ struct Prepared {
     bodies: Vec<PreparedBody>,
     /// Their shapes for rays, side by side: a ray looks at many, and at nothing else of them.
     solids: Vec<Solid>,
+    /// The same of bodies that turn out of their places; none at all where no body does.
+    turning: Vec<Option<TurningSolid>>,
     /// The numbers of all bodies.
     numbers: Vec<u32>,
     capsules: Vec<Capsule>,
@@ -77,11 +80,19 @@ impl PreparedScene {
     #[must_use]
     pub fn new<'a>(groups: impl IntoIterator<Item = Group<'a>>) -> Self {
         let (mut bodies, mut solids, mut capsules) = (Vec::new(), Vec::new(), Vec::new());
+        let mut turning = Vec::new();
         let mut prepared = Vec::new();
         for (number, Group { motion, bodies: own }) in groups.into_iter().enumerate() {
             let first = bodies.len();
             solids.extend(own.iter().map(|body| Solid::new(&body.shape)));
-            let extent = Extent::new(&solids[first..]);
+            turning.extend(own.iter().zip(&solids[first..]).map(|(body, solid)| {
+                let spin = body.spin.filter(|spin| !spin.keeps(&body.shape))?;
+                Some(TurningSolid::new(*solid, spin))
+            }));
+            let boxes = solids[first..].iter().zip(&turning[first..]);
+            let extent = Extent::new(boxes.map(|(solid, turning): (&Solid, &Option<TurningSolid>)| {
+                turning.as_ref().map_or_else(|| solid.bounds(), TurningSolid::bounds)
+            }));
             for (i, body) in own.iter().enumerate() {
                 bodies.push(PreparedBody::new(first + i, number, body, &extent, &mut capsules));
             }
@@ -90,18 +101,26 @@ impl PreparedScene {
             prepared.push(PreparedGroup { motion, bodies: first..bodies.len(), extent });
         }
         if prepared.is_empty() {
-            prepared.push(PreparedGroup { motion: Motion::Scene, bodies: 0..0, extent: Extent::new(&[]) });
+            prepared.push(PreparedGroup { motion: Motion::Scene, bodies: 0..0, extent: Extent::new([]) });
         }
-        let ball = |body: &PreparedBody| match &body.block {
-            Some(block) => block.ball_around(),
-            None => Capsule::ball_around(&capsules[body.capsules.clone()]),
+        let ball = |body: &PreparedBody| match (&turning[body.number], &body.block) {
+            (Some(turning), _) => {
+                let (center, radius) = turning.ball_around();
+                Capsule::ball(center, radius)
+            }
+            (None, Some(block)) => block.ball_around(),
+            (None, None) => Capsule::ball_around(&capsules[body.capsules.clone()]),
         };
         let balls = bodies.iter().map(ball).collect();
+        if turning.iter().all(Option::is_none) {
+            turning.clear();
+        }
         let numbers = (0..bodies.len() as u32).collect();
         Self(Arc::new(Prepared {
             groups: prepared,
             bodies,
             solids,
+            turning,
             numbers,
             capsules,
             balls,
@@ -132,6 +151,11 @@ impl PreparedScene {
         &self.0.solids[body]
     }
 
+    /// The shape of the body of this number if it turns out of its place.
+    pub(crate) fn turning(&self, body: usize) -> Option<&TurningSolid> {
+        self.0.turning.get(body)?.as_ref()
+    }
+
     /// The numbers of all bodies.
     pub(crate) fn numbers(&self) -> &[u32] {
         &self.0.numbers
@@ -142,7 +166,12 @@ impl PreparedScene {
         &self.0.capsules[body.capsules.clone()]
     }
 
-    /// The ball around `body`, one of these.
+    /// Capsules that contain `body`, one of these: its own, or for one with a block [`Self::ball_around`] it.
+    pub(crate) fn around(&self, body: &PreparedBody) -> &[Capsule] {
+        if body.block.is_some() { slice::from_ref(self.ball_around(body)) } else { self.capsules(body) }
+    }
+
+    /// The ball around `body`, one of these, at every angle to which it turns.
     pub(crate) fn ball_around(&self, body: &PreparedBody) -> &Capsule {
         &self.0.balls[body.number]
     }

@@ -13,8 +13,9 @@ use glam::DVec3;
 use relativity_core::math::{atan, sin_cos};
 
 use crate::block::Block;
+use crate::body::Shape;
 use crate::camera::{Axes, Gaze, MAX_ELEVATION, Projection as PictureProjection};
-use crate::capsule::Capsule;
+use crate::capsule::{Capsule, add_capsules};
 use crate::footprint::Projection;
 use crate::group_view::GroupView;
 use crate::one_cone;
@@ -61,10 +62,17 @@ struct Sight<'a> {
 struct Seen<'a> {
     /// What the ball around it looks like; `None` from inside.
     ball: Option<Ball>,
-    capsules: &'a [Capsule],
-    block: Option<Block>,
+    bounds: Bounds<'a>,
     /// What its pieces look like, once that was asked for.
     images: OnceCell<Vec<Option<Image>>>,
+}
+
+/// What holds a body.
+enum Bounds<'a> {
+    Capsules(&'a [Capsule]),
+    Block(Block),
+    /// The hull of a ring, whatever the time: what is seen stays framed alike while wheels turn.
+    Turning(Shape),
 }
 
 /// What a tube looks like.
@@ -79,9 +87,16 @@ struct Image {
 
 impl Seen<'_> {
     /// Tubes that reach as far as it does. Of a block its edges do, wherever they are seen.
-    fn pieces(&self) -> impl Iterator<Item = Capsule> {
-        let edges = self.block.iter().flat_map(Block::edges);
-        self.capsules.iter().copied().chain(edges)
+    fn pieces(&self) -> Vec<Capsule> {
+        match &self.bounds {
+            Bounds::Capsules(capsules) => capsules.to_vec(),
+            Bounds::Block(block) => block.edges().collect(),
+            Bounds::Turning(ring) => {
+                let mut arcs = Vec::new();
+                add_capsules(ring, &mut arcs);
+                arcs
+            }
+        }
     }
 }
 
@@ -168,7 +183,12 @@ impl<'a> Sight<'a> {
             let around = scene.ball_around(body);
             let center = projection.apparent_centre(view.reflected_from_camera(around.from), around.radius);
             let ball = center.map(|center| Ball { center, radius: around.radius });
-            Seen { ball, capsules: scene.capsules(body), block: body.block, images: OnceCell::new() }
+            let bounds = match (scene.turning(body.number), body.block) {
+                (Some(turning), _) => Bounds::Turning(turning.ring_around()),
+                (None, Some(block)) => Bounds::Block(block),
+                (None, None) => Bounds::Capsules(scene.capsules(body)),
+            };
+            Seen { ball, bounds, images: OnceCell::new() }
         };
         let bodies = scene.bodies()[group.bodies.clone()].iter().map(seen).collect();
         Self { eye, view: *view, projection, bodies }
@@ -191,8 +211,8 @@ impl<'a> Sight<'a> {
             if body.ball.is_some_and(|ball| found.holds(&ball, axes)) {
                 continue;
             }
-            let images = || body.pieces().map(|piece| self.image(&piece.reflected_from_camera(&self.view)));
-            for image in body.images.get_or_init(|| images().collect()) {
+            let image = |piece: &Capsule| self.image(&piece.reflected_from_camera(&self.view));
+            for image in body.images.get_or_init(|| body.pieces().iter().map(image).collect()) {
                 self.widen_by(image.as_ref(), HALVINGS, axes, found);
             }
         }

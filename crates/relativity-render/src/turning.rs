@@ -13,11 +13,20 @@ impl GroupView {
     /// [`Geometry::Contracted`] at the observation time on the ground.
     #[must_use]
     pub fn time_at(&self, place: DVec3) -> f64 {
+        let Self { on_ground, origin, time, .. } = *self;
         if self.geometry == Geometry::Contracted {
-            self.time + self.on_ground.beta() * (self.origin.x - place.x)
-        } else {
-            self.time - place.distance(self.origin)
+            return self.observation_time / on_ground.speed.gamma() - on_ground.beta() * place.x;
         }
+        let from_camera = place - origin;
+        let distance = from_camera.length();
+        if time <= 0.0 {
+            return time - distance;
+        }
+        // (time^2 - distance^2)/(time + distance): what is seen long after it has passed is about as far as that is long.
+        let [plus_x, minus_x] = self.cone_times;
+        let DVec3 { x, .. } = on_ground.reflected(place);
+        let DVec3 { y, z, .. } = from_camera;
+        ((plus_x - x) * (minus_x + x) - y * y - z * z) / (time + distance)
     }
 
     /// By how much later it shows what is at `from` + `step` than what is at `from`, without the difference.
@@ -28,6 +37,17 @@ impl GroupView {
         let v = from - self.origin;
         let sum = v.length() + (v + step).length();
         if sum > 0.0 { -(2.0 * v + step).dot(step) / sum } else { 0.0 }
+    }
+
+    /// By how much later it shows what is further along a ray through `place`, per length along the unit vector
+    /// `direction`.
+    pub(crate) fn rate_along(&self, place: DVec3, direction: DVec3) -> f64 {
+        match self.geometry {
+            Geometry::Seen | Geometry::Published | Geometry::Rest => -1.0,
+            Geometry::Contracted => -self.on_ground.beta() * direction.x,
+            // The ray only touches the curve of what is seen along one line of sight.
+            Geometry::OneCone => -(place - self.origin).normalize_or(direction).dot(direction),
+        }
     }
 
     /// By which angle what turns so has turned since t' = 0 where it is shown at `place`.

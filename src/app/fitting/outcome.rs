@@ -9,10 +9,9 @@ use relativity_core::{
     Aperture, Bootstrap, DEFAULT_REPLICATES, Fit, FitOptions, Model, Observations, Parameter,
     Sample as Measured, SourcePoint, Speed, bootstrap_unless, fit,
 };
-use relativity_render::Velocity;
 
 use super::samples::{FitKey, Fittable, Samples, Simulated};
-use crate::app::curves::{Sample, bends, sampled};
+use crate::app::curves::{Bends, Sample, sampled};
 use crate::estimate::{Estimate, estimate};
 use crate::platform::clock::Instant;
 use crate::platform::threads::prelude::*;
@@ -180,7 +179,7 @@ fn curves(
     replicates: Option<&Bootstrap>,
 ) -> [Option<FittedCurve>; 2] {
     let Some(&pair) = observed.pairs().first() else { return [None, None] };
-    let lines = sampled(range, &bends_of(key, pair, best), |time| fitted_angles(best, 0, time));
+    let lines = sampled(range, &bends_of(key, pair, range, best), |time| fitted_angles(best, 0, time));
     let eyes = (best.options.model, pair);
     let bands = replicates.map(|replicates| bands(eyes, &lines, replicates)).unwrap_or_default();
     let used = best.options.curves.used();
@@ -197,12 +196,11 @@ fn curves(
 }
 
 /// The times around which curves bend: those of the point that was simulated, else of the one that was found.
-fn bends_of(key: &FitKey, pair: [Aperture; 2], best: &Fit) -> Vec<f64> {
+fn bends_of(key: &FitKey, pair: [Aperture; 2], range: [f64; 2], best: &Fit) -> Bends {
     let [beta, y, z, x0] = best.values;
-    let found = || Some((Velocity::from_beta(beta).ok()?, SourcePoint { x0, y, z }));
-    let point = key.simulated().map(|point| (point.velocity, point.source)).or_else(found);
-    let Some((velocity, SourcePoint { x0, y, z })) = point else { return Vec::new() };
-    bends(&velocity, [velocity.speed.gamma() * x0, y, z], pair)
+    let found = || Some((Speed::from_beta(beta).ok()?, SourcePoint { x0, y, z }));
+    let point = key.simulated().map(|point| (point.velocity.speed, point.source)).or_else(found);
+    point.map(|(speed, source)| Bends::new(&speed, source, pair, range)).unwrap_or_default()
 }
 
 /// A model, and the eyes that see by it.

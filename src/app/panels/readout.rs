@@ -7,6 +7,7 @@ use relativity_render::{Velocity, colour};
 use super::Asks;
 use crate::app::command::Command;
 use crate::app::eye::Eye;
+use crate::app::on_wheel::{OnWheel, told_angle};
 use crate::app::state::State;
 use crate::app::theme;
 use crate::app::widgets::{dot, named_text};
@@ -59,6 +60,9 @@ fn table(ui: &mut Ui, state: &State) {
             wavelengths(ui, &received, rest_wavelength);
             for quantity in &QUANTITIES {
                 quantity.row(ui, state, &received);
+            }
+            if point.track.spin.is_some() {
+                TURNING.iter().for_each(|quantity| quantity.row(ui, state, &received));
             }
         },
     );
@@ -234,6 +238,47 @@ const QUANTITIES: [Quantity; 9] = [
         |seen, _| seen.theta(),
     ),
 ];
+
+/// Of a point that turns with a wheel.
+struct OfWheel {
+    symbol: &'static str,
+    name: &'static str,
+    tip: &'static str,
+    text: fn(&OnWheel) -> String,
+}
+
+const TURNING: [OfWheel; 2] = [
+    OfWheel {
+        symbol: "on wheel at",
+        name: "Angle on the wheel",
+        tip: "Where on its wheel the point was as the light left it: from +x (0°) over the top (90°).",
+        text: |wheel| told_angle(wheel.angle),
+    },
+    OfWheel {
+        symbol: "moved at",
+        name: "Speed on the ground",
+        tip: "How fast the point moved on the ground as the light left it, turning and carried along: between 0 at the bottom \
+            and 2β/(1 + β²) at the top of a wheel that rolls. D has this motion in it.",
+        text: |wheel| figures::fixed(wheel.on_ground, 4) + " c",
+    },
+];
+
+impl OfWheel {
+    fn row(&self, ui: &mut Ui, state: &State, received: &Received) {
+        let track = state.session.points.selected().track;
+        ui.label(RichText::new(self.symbol).weak()).on_hover_text(self.tip);
+        let text = |seen: &Sighting| {
+            state.on_wheel(&track, seen.own_time).map_or_else(String::new, |wheel| (self.text)(&wheel))
+        };
+        for (eye, seen) in Eye::BOTH.into_iter().zip(&received.shown) {
+            let shown = seen.as_ref().map_or_else(|| figures::fixed_or_none(None, 0), text);
+            let tip = received.tip(eye, self.tip, text);
+            named_text(ui, shown.as_str(), format!("{}, {}: {shown}", eye.name(), self.name))
+                .on_hover_text(tip);
+        }
+        ui.end_row();
+    }
+}
 
 impl Quantity {
     fn row(&self, ui: &mut Ui, state: &State, received: &Received) {

@@ -237,10 +237,12 @@ impl Mark {
             |name, tip, colour, time: Option<f64>| Some(Self { name, tip, time: rounded(time?), colour });
         let presently = state.abreast_time(point);
         let seen = state.equidistance_time(point);
+        let [presently_tip, seen_tip] =
+            if point.track.spin.is_some() { TURNING_TIPS } else { [PRESENTLY_TIP, SEEN_TIP] };
         let marks = [
-            mark("presently abreast", PRESENTLY_TIP, theme::measured_colour(visuals), presently),
+            mark("presently abreast", presently_tip, theme::measured_colour(visuals), presently),
             if state.settings.baseline().is_along_motion() {
-                mark("seen abreast", SEEN_TIP, theme::equidistance_colour(visuals), seen)
+                mark("seen abreast", seen_tip, theme::equidistance_colour(visuals), seen)
             } else {
                 mark("seen equally far", EQUIDISTANT_TIP, theme::equidistance_colour(visuals), seen)
             },
@@ -268,6 +270,14 @@ const EQUIDISTANT_TIP: &str = "When both eyes see it equally far (T₀): the one
 const SEEN_TIP: &str = "T₀ = √((d/2)² + y² + z²) − x₀/β: the selected point is seen beside the eyes, equally far from \
     both, with D = 1/γ and as short as 1/γ. The light left it when it was presently abreast; by now it is measured \
     further on.\nClick to go there.";
+
+/// Both of a point that turns.
+const TURNING_TIPS: [&str; 2] = [
+    "The selected point itself, not its hub, is measured beside the eyes now, at x = 0. Nobody sees it there yet, since the \
+    light of this moment is still on its way.\nClick to go there.",
+    "T₀: the selected point itself, not its hub, is seen beside the eyes, equally far from both: they receive one and the same \
+    event. The light left it when it was presently abreast.\nClick to go there.",
+];
 
 /// Ticks on the scrubber, and below it their names, to click, none of which covers another.
 fn marks(ui: &mut Ui, state: &State, slider: Rect, asks: &mut Asks) {

@@ -285,7 +285,7 @@ fn clock(ui: &Ui, state: &State, pane: EyePane, point: &Point, place: Pos2) {
     let colour = theme::point_colour(point.number, ui.visuals());
     let drawn = Drawn { marker: place, view: pane.rect, colour };
     let name = format!("Clock of {}, {}", state.name_of(point), pane.eye.name());
-    dial::show(ui, dial, drawn, &name, dial::tip(state.measures().time));
+    dial::show(ui, dial, drawn, &name, dial::tip(state.measures().time, point.track.spin.is_some()));
 }
 
 /// Where an eye sees a followed point.

@@ -38,7 +38,7 @@ impl State {
         };
         let observation = Observation {
             speed: speed.speed(),
-            point: self.selected_source(),
+            point: self.selected_source().place(),
             baseline: self.settings.baseline(),
             time: self.session.time,
         };

@@ -41,7 +41,7 @@ impl TimeArgs {
         let settings = studio.settings();
         let passage = passage_times(
             &settings.velocity(studio.tracked().motion).speed,
-            settings.source(&studio.tracked()),
+            settings.carrier(&studio.tracked()),
             settings.pair(),
         )?;
         let passage = passage.context("a scene at rest passes at no time; --from and --to are needed")?;

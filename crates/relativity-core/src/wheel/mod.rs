@@ -9,6 +9,7 @@
 //!
 //! Derived here; not in the paper.
 
+mod events;
 mod pair;
 mod root;
 mod seen;
@@ -16,7 +17,6 @@ mod seen;
 use num_traits::Float;
 
 pub(crate) use pair::baseline;
-pub(crate) use root::root;
 pub use root::{MAX_STEPS, NEWTON_STEPS, measured_later, seen_later};
 pub(crate) use seen::{Circle, Seen};
 

@@ -43,6 +43,19 @@ pub(super) fn cylinder_entry(
     (first <= last).then_some(first)
 }
 
+/// How far `place` is outside a box about the origin along the axes, below 0 inside; and the unit vector away from the
+/// nearest place on the surface.
+pub(super) fn block_distance(place: DVec3, half: DVec3) -> (f64, DVec3) {
+    let beyond = place.abs() - half;
+    let outside = beyond.max(DVec3::ZERO);
+    if outside == DVec3::ZERO {
+        let face = beyond.max_position();
+        return (beyond[face], DVec3::AXES[face] * 1f64.copysign(place[face]));
+    }
+    let distance = outside.length();
+    (distance, outside / distance * place.signum())
+}
+
 /// Half the least width of a box, seen along the unit vector `direction` from afar.
 pub(super) fn block_half_width(axes: DMat3, half: DVec3, direction: DVec3) -> f64 {
     // What is seen is a hexagon, with sides along the images of the axes.
@@ -57,7 +70,7 @@ pub(super) fn block_half_width(axes: DMat3, half: DVec3, direction: DVec3) -> f6
 
 /// Where a ray at `start`, as seen along an axis, enters and leaves the space between the planes at -`half` and `half`;
 /// everywhere if it runs in there for good.
-fn between_planes(start: f64, slope: f64, half: f64) -> Option<[f64; 2]> {
+pub(super) fn between_planes(start: f64, slope: f64, half: f64) -> Option<[f64; 2]> {
     if slope == 0.0 {
         return (start.abs() <= half).then_some([f64::NEG_INFINITY, f64::INFINITY]);
     }

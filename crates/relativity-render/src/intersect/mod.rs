@@ -4,6 +4,7 @@
 //! size of the body. Only entries count: an aperture inside a body does not see that body's inner surface.
 
 mod flat;
+mod turning;
 
 use glam::{DMat3, DVec3};
 use relativity_core::math;
@@ -12,6 +13,8 @@ use crate::body::Shape;
 use crate::polynomial::first_descent;
 use crate::ray::Ray;
 use crate::turn::turn_of;
+
+pub(crate) use turning::TurningSolid;
 
 /// Where a ray enters a body. Rest frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -129,6 +132,24 @@ impl Solid {
         self.bounding_radius
     }
 
+    /// The lowest and highest corner of a box that holds it.
+    pub(crate) fn bounds(&self) -> [DVec3; 2] {
+        [-1.0, 1.0].map(|side| self.center + side * self.bounding_radius)
+    }
+
+    /// Both ends of a line, and a radius, within which of that line it lies.
+    fn core(&self) -> ([DVec3; 2], f64) {
+        let about = |half: DVec3, radius| ([self.center - half, self.center + half], radius);
+        match self.form {
+            Form::Capsule { axis, half_length, radius } | Form::Cylinder { axis, half_length, radius } => {
+                about(axis * half_length, radius)
+            }
+            Form::Ball { .. } | Form::Torus { .. } | Form::Block { .. } => {
+                about(DVec3::ZERO, self.bounding_radius)
+            }
+        }
+    }
+
     /// Where `ray` first enters, in front of the camera.
     ///
     /// # Accuracy
@@ -159,13 +180,6 @@ impl Solid {
     }
 }
 
-/// The lowest and highest corner of a box around `solids`; `None` if there are none.
-pub(crate) fn bounding_box<'a>(solids: impl IntoIterator<Item = &'a Solid>) -> Option<[DVec3; 2]> {
-    let bounds =
-        solids.into_iter().map(|solid| [-1.0, 1.0].map(|side| solid.center + side * solid.bounding_radius));
-    bounds.reduce(|[low, high], [from, to]| [low.min(from), high.max(to)])
-}
-
 impl Form {
     /// The point of the shape's skeleton (centre, segment or circle) nearest to `position`.
     fn nearest_skeleton_point(&self, position: DVec3) -> DVec3 {
@@ -179,6 +193,31 @@ impl Form {
             }
             // Flat ones have none.
             Self::Block { .. } | Self::Cylinder { .. } => position,
+        }
+    }
+
+    /// How far `position` is outside, below 0 inside; and the unit vector away from the nearest place on the surface.
+    fn distance(&self, position: DVec3) -> (f64, DVec3) {
+        match *self {
+            Self::Ball { radius }
+            | Self::Capsule { radius, .. }
+            | Self::Torus { tube_radius: radius, .. } => {
+                let off = position - self.nearest_skeleton_point(position);
+                (off.length() - radius, off.normalize_or_zero())
+            }
+            Self::Block { axes, half } => {
+                let own = axes.transpose() * position;
+                let (distance, outward) = flat::block_distance(own, half);
+                (distance, axes * outward)
+            }
+            Self::Cylinder { axis, half_length, radius } => {
+                let along = axis.dot(position);
+                let off_axis = position - axis * along;
+                let own = DVec3::new(off_axis.length(), along, 0.0);
+                let (distance, outward) =
+                    flat::block_distance(own, DVec3::new(radius, half_length, f64::INFINITY));
+                (distance, off_axis.normalize_or_zero() * outward.x + axis * outward.y)
+            }
         }
     }
 
@@ -276,7 +315,8 @@ impl LocalRay {
     /// of the camera; `None` if there is none, or if it lies in the hole. Spares most rays the quartic.
     fn torus_interval(&self, axis: DVec3, radius: f64, tube_radius: f64) -> Option<[f64; 2]> {
         let Self { start, direction, .. } = *self;
-        let size = radius + tube_radius;
+        // Beyond the surface, which the ball touches where the ring is widest.
+        let size = (radius + tube_radius) * (1.0 + 1e-9);
         let half_chord = (size * size - start.length_squared()).max(0.0).sqrt();
         let [along, along_slope] = [start.dot(axis), direction.dot(axis)];
         let thickness = tube_radius * (1.0 + 1e-9);

@@ -10,7 +10,8 @@ use crate::drawing::{Shot, Trait};
 use crate::footprint::Projection;
 use crate::group_view::GroupView;
 use crate::intersect::Solid;
-use crate::prepared_body::{Joint, PreparedBody};
+use crate::prepared_body::{Joint, Placement, PreparedBody};
+use crate::turns::{Shown, Turns};
 use crate::view::Geometry;
 
 /// Mirror of the shaders' `Instance`.
@@ -23,6 +24,8 @@ pub struct Instance {
     pub light: [f32; 4],
     pub cover_brightness_index: [f32; 3],
     pub pattern: [f32; 3],
+    pub spin: [f32; 4],
+    pub rim: [f32; 2],
 }
 
 /// A body as it is drawn.
@@ -34,6 +37,7 @@ struct Part {
     group: usize,
     joint: Joint,
     is_patterned: bool,
+    turns: Turns,
 }
 
 /// The parts of a view. Kept from view to view, for their memory.
@@ -70,6 +74,7 @@ impl Parts {
                 group: body.group,
                 joint: body.joint,
                 is_patterned: body.is_patterned,
+                turns: view.turns(body),
             }
         };
         scene
@@ -92,23 +97,29 @@ impl Parts {
 impl Part {
     /// What it has in common with those that are drawn with it.
     fn common(&self) -> Trait<Division> {
-        let Self { division, group, is_patterned, .. } = *self;
+        let Self { division, group, is_patterned, turns, .. } = *self;
         Trait {
             group,
             kind: division.kind(),
             template: division,
             is_thin: self.instance.cover_brightness_index[0] < 1.0,
             is_patterned,
+            turns,
         }
     }
 
     /// Its place in the order: faded ones last; group by group; in the bodies' order where surfaces may coincide, so
     /// that the first of them stays, and else those of one division together, which saves a draw for each.
-    fn rank(&self) -> (bool, usize, Option<(bool, Division)>, u32) {
+    fn rank(&self) -> (bool, usize, Option<(bool, Turns, Division)>, u32) {
         let Trait { is_thin, .. } = self.common();
         let is_joined = if is_thin { self.joint.widened } else { self.joint.as_it_is };
         let [_, _, index] = self.instance.cover_brightness_index;
-        (is_thin, self.group, (!is_joined).then_some((self.is_patterned, self.division)), index as u32)
+        (
+            is_thin,
+            self.group,
+            (!is_joined).then_some((self.is_patterned, self.turns, self.division)),
+            index as u32,
+        )
     }
 }
 
@@ -119,18 +130,21 @@ impl Instance {
         step_mode: wgpu::VertexStepMode::Instance,
         attributes: &wgpu::vertex_attr_array![
             2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4, 6 => Float32x3,
-            7 => Float32x3
+            7 => Float32x3, 8 => Float32x4, 9 => Float32x2
         ],
     };
 
     fn new(body: &PreparedBody, shot: &Shot<'_>) -> Self {
+        let Shown { placement: Placement { place_radius, form, turn }, spin, rim } = shot.shown(body);
         Self {
-            place_radius: body.place_radius,
-            form: body.form,
-            turn: body.turn,
+            place_radius,
+            form,
+            turn,
             light: shot.light(body),
             cover_brightness_index: [1.0, body.brightness as f32, body.index()],
             pattern: body.pattern(),
+            spin,
+            rim,
         }
     }
 

@@ -4,17 +4,20 @@
 //! agree to the bit, and a strict depth test draws each pixel once.
 
 use std::collections::BTreeMap;
-use std::slice::Iter;
+use std::slice::{self, Iter};
 
 use bytemuck::{Pod, Zeroable};
 use glam::DVec2;
 
+use crate::capsule::Capsule;
 use crate::drawing::{Shot, Trait};
 use crate::footprint::{Bound, Footprint, Projection, Rectangle};
 use crate::group_view::GroupView;
 use crate::kind::Kind;
-use crate::prepared_body::PreparedBody;
+use crate::prepared_body::{Placement, PreparedBody};
 use crate::scene::PreparedScene;
+use crate::turns::{Shown, Turns};
+use crate::view::Geometry;
 
 /// How often a piece is halved before its bound is taken as it is: 32 rectangles follow the most bent of tubes, and
 /// a looser bound only costs time.
@@ -45,14 +48,19 @@ pub struct Piece {
     pub turn: [f32; 4],
     pub light: [f32; 4],
     pub pattern: [f32; 3],
+    pub spin: [f32; 4],
+    pub rim: [f32; 2],
 }
 
-/// The pieces of a view, solid before thin, group by group, kind by kind, plain before patterned, else in the order of the bodies: where
+/// The pieces of a view, solid before thin, group by group, kind by kind, plain before patterned, what stands
+/// still before what turns, else in the order of the bodies: where
 /// surfaces of two coincide, the first that is drawn stays. Kept from view to view, for its memory.
 #[derive(Debug, Default)]
 pub struct Pieces {
-    lists: BTreeMap<(bool, usize, Kind, bool), Vec<Piece>>,
+    lists: BTreeMap<(bool, usize, Kind, bool, Turns), Vec<Piece>>,
     rectangles: Vec<Rectangle>,
+    /// What contains the last body that turns.
+    shown: Vec<Capsule>,
 }
 
 impl Pieces {
@@ -75,16 +83,17 @@ impl Pieces {
     /// Those that are drawn by one draw, in order.
     pub fn runs(&self) -> impl Iterator<Item = (Trait<()>, Iter<'_, Piece>)> {
         let filled = self.lists.iter().filter(|(_, list)| !list.is_empty());
-        filled.map(|(&(is_thin, group, kind, is_patterned), list)| {
-            (Trait { group, kind, template: (), is_thin, is_patterned }, list.iter())
+        filled.map(|(&(is_thin, group, kind, is_patterned, turns), list)| {
+            (Trait { group, kind, template: (), is_thin, is_patterned, turns }, list.iter())
         })
     }
 
     /// The pieces of `body` in the rectangles just found.
     fn add(&mut self, body: &PreparedBody, shot: &Shot<'_>, thin_px: f64) {
-        let template = Piece::new(body, shot);
+        let (template, turns) = (Piece::new(body, shot), shot.views[body.group].turns(body));
         for rectangle in &self.rectangles {
-            let list = (rectangle.radius_px < thin_px, body.group, body.kind, body.is_patterned);
+            let is_thin = rectangle.radius_px < thin_px;
+            let list = (is_thin, body.group, body.kind, body.is_patterned, turns);
             self.lists.entry(list).or_default().push(template.placed(rectangle));
         }
     }
@@ -97,13 +106,24 @@ impl Pieces {
         body: &PreparedBody,
     ) {
         self.rectangles.clear();
-        if let Some(block) = body.block {
-            let block = block.reflected_from_camera(view);
-            add_rectangles(projection, &block, MAX_HALVINGS, &mut self.rectangles);
-        }
-        for capsule in scene.capsules(body) {
-            let capsule = capsule.reflected_from_camera(view);
-            add_rectangles(projection, &capsule, MAX_HALVINGS, &mut self.rectangles);
+        match (body.spin, body.block) {
+            (Some(spin), _) if view.turns(body) == Turns::About => {
+                self.shown.clear();
+                view.capsules_when_shown(&spin, scene.around(body), &mut self.shown);
+                let radius = least_shown(body.placement.place_radius[3].into(), view);
+                for capsule in &self.shown {
+                    let first = self.rectangles.len();
+                    add_capsules(projection, view, slice::from_ref(capsule), &mut self.rectangles);
+                    for rectangle in &mut self.rectangles[first..] {
+                        rectangle.radius_px *= radius / capsule.radius;
+                    }
+                }
+            }
+            (_, Some(block)) => {
+                let block = block.reflected_from_camera(view);
+                add_rectangles(projection, &block, MAX_HALVINGS, &mut self.rectangles);
+            }
+            _ => add_capsules(projection, view, scene.capsules(body), &mut self.rectangles),
         }
         if self.rectangles.contains(&EVERYWHERE) {
             self.bound_nowhere();
@@ -123,6 +143,18 @@ const EVERYWHERE: Rectangle = Rectangle {
     radius_px: f64::INFINITY,
     is_loose: false,
 };
+
+/// Half the width that a body of this `radius` which turns is shown with at least: light stretches it, and at one time of
+/// the ground it is sheared by what moves at less than 1.
+fn least_shown(radius: f64, view: &GroupView) -> f64 {
+    if view.geometry == Geometry::Contracted { 0.5 * radius } else { radius }
+}
+
+fn add_capsules(projection: &Projection, view: &GroupView, capsules: &[Capsule], out: &mut Vec<Rectangle>) {
+    for capsule in capsules {
+        add_rectangles(projection, &capsule.reflected_from_camera(view), MAX_HALVINGS, out);
+    }
+}
 
 fn add_rectangles<B: Bound>(projection: &Projection, bound: &B, halvings: u32, out: &mut Vec<Rectangle>) {
     let is_whole = halvings == 0 || bound.is_point();
@@ -145,20 +177,23 @@ impl Piece {
         step_mode: wgpu::VertexStepMode::Instance,
         attributes: &wgpu::vertex_attr_array![
             0 => Float32x4, 1 => Float32x4, 2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4,
-            6 => Float32x3
+            6 => Float32x3, 7 => Float32x4, 8 => Float32x2
         ],
     };
 
     /// Of `body`, without a rectangle.
     fn new(body: &PreparedBody, shot: &Shot<'_>) -> Self {
+        let Shown { placement: Placement { place_radius, form, turn }, spin, rim } = shot.shown(body);
         Self {
             place: [0.0; 4],
             second_axis_index_brightness: [0.0, 0.0, body.index(), body.brightness as f32],
-            place_radius: body.place_radius,
-            form: body.form,
-            turn: body.turn,
+            place_radius,
+            form,
+            turn,
             light: shot.light(body),
             pattern: body.pattern(),
+            spin,
+            rim,
         }
     }
 

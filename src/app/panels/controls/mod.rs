@@ -253,7 +253,7 @@ fn more_rows(ui: &mut Ui, before: Window, unit: Unit, asks: &mut Asks) {
         let corrected = "Shows the left eye's picture with the distortion undone, beside the two: by the fitted β \
             while the Fit tab is shown, else by the one set here.";
         ui.checkbox(&mut window.corrected, "corrected").on_hover_text(corrected);
-        ui.checkbox(&mut window.dials, "clocks").on_hover_text(dial::tip(unit));
+        ui.checkbox(&mut window.dials, "clocks").on_hover_text(dial::tip(unit, false));
     });
     row(ui, "Below them", "What stands below the views.", |ui| {
         let spectrum = "Which wavelengths arrive of the selected point, among all that there are.";

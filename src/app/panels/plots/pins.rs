@@ -12,7 +12,7 @@ struct Traits {
     point: String,
     speed: String,
     /// The rest, in order.
-    others: [String; 7],
+    others: [String; 8],
 }
 
 impl Traits {
@@ -33,6 +33,7 @@ impl Traits {
                 number("d", baseline.separation),
                 number("roll", baseline.roll.to_degrees()) + "°",
                 number("turn", baseline.turn.to_degrees()) + "°",
+                if key.point.spin.is_some() { "turning" } else { "not turning" }.to_owned(),
                 match key.model {
                     Model::Exact => "two light cones",
                     Model::OneCone => "one light cone",

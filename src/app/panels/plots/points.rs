@@ -27,10 +27,12 @@ pub(super) fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         let chosen = all.len() > 1 && index == points.selected_index();
         let unit = state.measures().length;
         let [x, y, z] = state.settings.rest_place(point.track.rest).map(|value| unit.number(value, 3));
-        let tip = format!(
-            "At rest at ({x}, {y}, {z}){}.\nClick in a view to move it, shift-click to add one.",
-            unit.suffix()
-        );
+        let place = format!("({x}, {y}, {z}){}", unit.suffix());
+        let is = match state.on_wheel(&point.track, 0.0) {
+            None => format!("At rest at {place}."),
+            Some(wheel) => format!("Turns with its wheel, {}. At {place} when τ = 0.", wheel.told_share()),
+        };
+        let tip = format!("{is}\nClick in a view to move it, shift-click to add one.");
         if ui.selectable_label(chosen, &name).on_hover_text(tip).clicked() {
             asks.push(Command::SelectPoint(index));
         }

@@ -140,8 +140,7 @@ impl<'a> Light<'a> {
     /// The time from one front to the next, round in the unit that is shown.
     fn period(&self, state: &State) -> f64 {
         let unit = state.measures().time;
-        let [y, z] = self.worldline.across();
-        let distance = math::hypot(y, z).max(1.0);
+        let distance = self.worldline.distance().max(1.0);
         unit.in_scene(round_step(unit.shown(distance / FRONTS_ON_THE_WAY)))
     }
 
@@ -157,7 +156,7 @@ impl<'a> Light<'a> {
     /// The circle in which a front meets the plane of the eyes, in which it reaches them: its middle, and its radius in
     /// points; `None` before it has come so far.
     fn circle(&self, front: &Front) -> Option<(Pos2, f32)> {
-        let [y, z] = self.worldline.across();
+        let [y, z] = front.across;
         let from_plane = match self.sheet.projection {
             Projection::Plan => z,
             Projection::Side => y,
@@ -178,7 +177,7 @@ impl<'a> Light<'a> {
 
     /// From where the light left to where it arrives.
     fn ends(&self, ray: &Ray) -> [Pos2; 2] {
-        [self.place(ray.left, self.worldline.across()), self.place(ray.received, ray.eye)]
+        [self.place(ray.left, ray.across), self.place(ray.received, ray.eye)]
     }
 
     /// The way of the light, with an arrow in the middle.

@@ -41,8 +41,7 @@ pub(super) fn read(
     let place = canvas::place(&sheet.chart, sheet.projection.flat(nearest.vertex.place));
     painter.circle_stroke(place, 6.0, Stroke::new(1.5, colour(nearest.line.picture, ui.visuals())));
     let body = nearest.line.body;
-    let motion = state.session.prepared.motion_of(body);
-    let track = Track { rest: nearest.surface.to_array(), motion, spin: None };
+    let Some(track) = state.session.scene.track_at(nearest.surface.to_array(), body) else { return };
     if response.clicked() {
         let add = ui.input(|input| input.modifiers.shift);
         asks.push(Command::Select(Select { track, body, add }));

@@ -122,25 +122,32 @@ fn eyes(sheet: &Sheet<'_>, labels: &mut Labels) {
 
 /// The point's worldline: boldest as far as light from it has arrived, and faint where it is yet to be.
 fn worldline(sheet: &Sheet<'_>, labels: &mut Labels) {
-    let [low, high] = sheet.corners();
-    let line = sheet.diagram.worldline();
-    let Some([first, last]) = line.part_within(low, high) else { return };
-    let received = sheet.diagram.rays.map(|ray| ray.happened - sheet.diagram.time);
+    let times = sheet.worldline_times();
+    let received = sheet.diagram.rays.map(|ray| ray.happened);
     let received = received[0].min(received[1]);
+    let now = sheet.diagram.time;
     let colour = point_colour(sheet);
     let parts = [
-        (first, received, Stroke::new(3.0, colour)),
-        (received, 0.0, Stroke::new(2.0, colour)),
-        (0.0, last, Stroke::new(1.5, colour.gamma_multiply(0.45))),
+        (f64::NEG_INFINITY, received, Stroke::new(3.0, colour)),
+        (received, now, Stroke::new(2.0, colour)),
+        (now, f64::INFINITY, Stroke::new(1.5, colour.gamma_multiply(0.45))),
     ];
     for (from, to, stroke) in parts {
-        let (from, to) = (from.max(first), to.min(last));
-        if from < to {
-            let ends = [from, to].map(|steps| sheet.place(line.at(steps)));
-            sheet.painter.line_segment(ends, stroke);
-            labels.avoid(&ends);
-        }
+        let places: Vec<Pos2> =
+            part(&times, from, to).map(|time| sheet.place(sheet.diagram.point.at(time))).collect();
+        labels.avoid(&places);
+        sheet.painter.line(places, stroke);
     }
+}
+
+/// Those of the `times` that are between `from` and `to`, and these two, where they are between the first and the last.
+fn part(times: &[f64], from: f64, to: f64) -> impl Iterator<Item = f64> {
+    let ends = times.first().copied().zip(times.last().copied());
+    let ends = ends.map(|(first, last)| (from.max(first), to.min(last))).filter(|(from, to)| from < to);
+    let (from, to) = ends.unwrap_or((f64::INFINITY, f64::INFINITY));
+    let inner = times.iter().copied().filter(move |&time| time > from && time < to);
+    let ends = ends.map(|(from, to)| [from, to]);
+    ends.map(|[from, _]| from).into_iter().chain(inner).chain(ends.map(|[_, to]| to))
 }
 
 /// The light that arrives at T: dashed, for it also crosses the distance that is not drawn.

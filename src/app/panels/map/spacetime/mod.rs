@@ -122,9 +122,7 @@ struct Aimed {
 }
 
 fn aimed_at(sheet: &Sheet<'_>, pointer: Pos2) -> Option<Aimed> {
-    let (steps, off) = sheet.nearest(sheet.diagram.worldline(), pointer);
-    if off < NEAR {
-        let happened = sheet.diagram.time + steps;
+    if let Some((happened, _)) = sheet.nearest_of_worldline(pointer).filter(|(_, off)| *off < NEAR) {
         let words = words::of_point(sheet, happened, "");
         return Some(Aimed { words, time: sheet.diagram.point.received(happened) });
     }

@@ -4,7 +4,7 @@ use eframe::egui::{Painter, Pos2, Rect, Ui};
 
 use crate::app::panels::map::canvas;
 use crate::app::state::State;
-use crate::map::{Chart, Diagram, Event, StraightLine};
+use crate::map::{Chart, Diagram, Event, StraightLine, along};
 
 /// How near the pointer has to be to a line, points.
 pub const NEAR: f32 = 7.0;
@@ -40,6 +40,29 @@ impl Sheet<'_> {
     /// The room it is drawn in.
     pub fn room(&self) -> Rect {
         canvas::rect(&self.chart)
+    }
+
+    /// The ground's times at which the point's worldline is drawn.
+    pub fn worldline_times(&self) -> Vec<f64> {
+        let [low, high] = self.corners();
+        self.diagram.times_within(low, high)
+    }
+
+    /// The ground's time at which the point's worldline comes nearest to `place`, and how far that is off in points.
+    pub fn nearest_of_worldline(&self, place: Pos2) -> Option<(f64, f32)> {
+        let to = [place.x, place.y].map(f64::from);
+        let on_screen = |time: f64| {
+            self.chart.screen({
+                let Event { x, t } = self.diagram.point.at(time);
+                [x, t]
+            })
+        };
+        let times = self.worldline_times();
+        let pieces = times.windows(2).map(|ends| {
+            let (part, off) = along(on_screen(ends[0]), on_screen(ends[1]), to);
+            (ends[0] + part * (ends[1] - ends[0]), off as f32)
+        });
+        pieces.min_by(|(_, a), (_, b)| a.total_cmp(b))
     }
 
     /// The step of `line` at which it comes nearest to `place`, and how far that is off in points.

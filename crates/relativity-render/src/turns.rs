@@ -1,0 +1,99 @@
+//! What the shaders know of how a body turns: the pipelines that this takes, and where one view has it begin.
+
+use glam::{DQuat, DVec3};
+use relativity_core::Turning;
+
+use crate::body::Shape;
+use crate::effects::Constant;
+use crate::group_view::GroupView;
+use crate::prepared_body::{Placement, PreparedBody};
+use crate::spin::Spin;
+use crate::velocity::Velocity;
+use crate::view::Geometry;
+
+/// Whether a body turns within its group, as far as it chooses a pipeline: what stands still is drawn as if nothing could
+/// turn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Turns {
+    /// It stands still.
+    Not,
+    /// It turns, but its surface stays where it is.
+    InPlace,
+    /// Its surface turns.
+    About,
+}
+
+/// A body as one view has the shaders begin with it: as it is when the view shows the middle of its axle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shown {
+    /// Where it is then.
+    pub placement: Placement,
+    /// The middle of its axle, from the middle of its group; and omega, about +y.
+    pub spin: [f32; 4],
+    /// By how much the speed of the rim is below 1, and by how much that of a ring's outermost circle is below the rim's;
+    /// both counted along the motion of its group.
+    pub rim: [f32; 2],
+}
+
+impl Turns {
+    /// Whether a body that turns so has another Doppler factor than 1 in this geometry.
+    pub fn has_doppler_effect(self, geometry: Geometry) -> bool {
+        geometry.has_doppler_effect() || self != Self::Not && geometry == Geometry::Rest
+    }
+
+    /// The shaders' constant.
+    pub fn constant(self) -> Constant {
+        let number = match self {
+            Self::Not => 0.0,
+            Self::InPlace => 1.0,
+            Self::About => 2.0,
+        };
+        ("TURNS", number)
+    }
+}
+
+impl GroupView {
+    /// How `body`, one of the group, turns.
+    pub(crate) fn turns(&self, body: &PreparedBody) -> Turns {
+        match body.spin {
+            Some(spin) if spin.omega(&self.on_ground) != 0.0 => {
+                if body.is_turned {
+                    Turns::About
+                } else {
+                    Turns::InPlace
+                }
+            }
+            _ => Turns::Not,
+        }
+    }
+
+    /// `body`, one of the group, whose middle is `middle`, for the shaders.
+    pub(crate) fn shown(&self, body: &PreparedBody, middle: DVec3) -> Shown {
+        let Some(spin) = body.spin.filter(|_| self.turns(body) != Turns::Not) else {
+            return Shown { placement: body.placement, spin: [0.0; 4], rim: [0.0; 2] };
+        };
+        let hub = DVec3::from(spin.hub);
+        let omega = spin.omega(&self.on_ground);
+        let angle = omega * self.time_at(hub);
+        let turn = DQuat::from_rotation_y(angle) * body.turn;
+        let direction = self.velocity.direction();
+        let outermost = match body.shape {
+            Shape::Ring { radius, tube_radius, .. } => radius + tube_radius,
+            _ => spin.radius,
+        };
+        let lag = direction * omega * (spin.radius - outermost);
+        Shown {
+            placement: Placement::new(&body.shape.turned(&spin, angle), turn, middle),
+            spin: (hub - middle).as_vec3().extend(omega as f32).to_array(),
+            rim: [below_light(&spin, &self.on_ground, direction), lag].map(|v| v as f32),
+        }
+    }
+}
+
+/// 1 less the speed of the rim along `direction`, without the difference where it rolls forwards.
+fn below_light(spin: &Spin, on_ground: &Velocity, direction: f64) -> f64 {
+    match spin.turning {
+        Turning::Rolling if direction == on_ground.direction() => on_ground.speed.one_minus_beta(),
+        turning => 1.0 - direction * turning.rim_speed(on_ground.beta()),
+    }
+}

@@ -1,0 +1,104 @@
+//! Wheels that roll, as the GPU draws them, against the f64 reference.
+
+#[expect(dead_code, reason = "shared with the rays' tests")]
+mod gpu_support;
+mod support;
+mod wheels;
+
+use std::process::ExitCode;
+use std::sync::LazyLock;
+
+use relativity_render::{Geometry, Hit, HitImage, Method, PreparedScene, Renderers, View};
+use support::documented;
+use wheels::{From, scene, view_of_wheel};
+
+fn main() -> ExitCode {
+    gpu_support::run(&[
+        ("the_rays_agree_with_the_reference", the_rays_agree_with_the_reference),
+        ("bounds_never_clip", bounds_never_clip),
+    ])
+}
+
+const BETAS: [f64; 5] = [0.0, 0.5, 0.93, 0.99, 0.9999];
+const GEOMETRIES: [Geometry; 3] = [Geometry::Seen, Geometry::Contracted, Geometry::Rest];
+const ASIDE: [f64; 2] = [-0.05, 0.3];
+
+/// What the documentation of the rays promises of what turns.
+struct Promise {
+    wrong_percent: f64,
+    outline_px: f64,
+    doppler_error: f64,
+}
+
+static PROMISE: LazyLock<Promise> = LazyLock::new(|| Promise {
+    wrong_percent: documented(RENDERERS, "the body differs at fewer than "),
+    outline_px: documented(RENDERERS, "Outlines of what turns are within "),
+    doppler_error: documented(RENDERERS, "and its D within "),
+});
+const RENDERERS: &str = include_str!("../src/renderers.rs");
+
+/// From the side, before and behind, and in the wheel's plane, where rays run along spokes that overtake them.
+fn the_rays_agree_with_the_reference(renderers: &mut Renderers) {
+    let scene = scene();
+    for (beta, geometry) in BETAS.into_iter().flat_map(|beta| GEOMETRIES.map(|geometry| (beta, geometry))) {
+        let (mut shown, mut wrong, mut most_off, mut most_doppler) = (0, 0, 0.0f64, 0.0f64);
+        for (from, aside) in From::ALL.into_iter().flat_map(|from| ASIDE.map(|aside| (from, aside))) {
+            let view = view_of_wheel(from, beta, geometry, aside);
+            let truth = scene.hit_image(&view);
+            let image = renderers.hits(Method::Rays, &scene, &view).expect("device works");
+            let context = format!("{geometry:?} beta {beta} {from:?}");
+            for (i, (hit, true_hit)) in image.hits.iter().zip(&truth.hits).enumerate() {
+                shown += usize::from(true_hit.is_some());
+                if hit.map(|hit| hit.body) != true_hit.map(|hit| hit.body) {
+                    wrong += 1;
+                    let off = outline_distance(&scene, &view, pixel(&image, i), *hit);
+                    let Some(off) = off else { panic!("{context}: {:?} is wrong inside", pixel(&image, i)) };
+                    most_off = most_off.max(off);
+                } else if let (Some(hit), Some(true_hit)) = (hit, true_hit) {
+                    let doppler = (hit.doppler_factor / true_hit.doppler_factor - 1.0).abs();
+                    most_doppler = most_doppler.max(doppler / view.speed.gamma());
+                    let off = hit.material_position.distance(true_hit.material_position);
+                    assert!(off < 1e-3, "{context}: another point of the body, {off} away");
+                }
+            }
+        }
+        println!(
+            "{geometry:?} beta {beta}: {wrong} of {shown} wrong, {most_off} px off; D {most_doppler:.1e} gamma"
+        );
+        assert!(wrong as f64 <= 0.01 * PROMISE.wrong_percent * shown as f64, "{wrong} of {shown} are wrong");
+        assert!(most_off <= PROMISE.outline_px, "outlines are {most_off} px off");
+        assert!(most_doppler < PROMISE.doppler_error, "D is {most_doppler:e} gamma off");
+    }
+}
+
+/// How far from `place` the reference shows what `hit` is on, px, in steps; `None` if it is not near.
+fn outline_distance(scene: &PreparedScene, view: &View, [u, v]: [f64; 2], hit: Option<Hit>) -> Option<f64> {
+    let body = hit.map(|hit| hit.body);
+    [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.35].into_iter().find(|reach| {
+        (0..24).any(|k| {
+            let (sine, cosine) = (std::f64::consts::TAU * f64::from(k) / 24.0).sin_cos();
+            let line = view.camera.line_of_sight([u + reach * cosine, v + reach * sine]);
+            scene.first_hit(view, line).map(|hit| hit.body) == body
+        })
+    })
+}
+
+fn bounds_never_clip(renderers: &mut Renderers) {
+    let mut unbounded = Renderers::brute_force(renderers.gpu().expect("a device").clone());
+    let scene = scene();
+    for (beta, geometry) in BETAS[1..].iter().flat_map(|&beta| GEOMETRIES.map(|geometry| (beta, geometry))) {
+        for from in From::ALL {
+            let view = view_of_wheel(from, beta, geometry, ASIDE[0]).with_size([96, 96]);
+            let [found, expected] = [&mut *renderers, &mut unbounded]
+                .map(|renderers| renderers.hits(Method::Rays, &scene, &view).expect("device works"));
+            let differing = found.hits.iter().zip(&expected.hits).filter(|(a, b)| a != b).count();
+            assert_eq!(differing, 0, "{geometry:?} beta {beta} {from:?}");
+        }
+    }
+}
+
+/// The pixel's centre.
+fn pixel(image: &HitImage, i: usize) -> [f64; 2] {
+    let width = image.size[0] as usize;
+    [(i % width) as f64 + 0.5, (i / width) as f64 + 0.5]
+}

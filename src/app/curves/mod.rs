@@ -1,0 +1,300 @@
+//! Curves of a point over T, sampled densely where they bend, and kept until something they depend on
+//! changes.
+
+mod bends;
+mod sampled;
+#[cfg(test)]
+mod tests;
+
+use egui_plot::PlotPoint;
+use relativity_core::math;
+use relativity_core::{Baseline, Model, PublishedVariant, SourcePoint};
+use relativity_render::{MaterialPoint, Velocity};
+
+pub(super) use bends::Bends;
+use sampled::pieces;
+pub(super) use sampled::{Sample, sampled};
+
+/// A quantity that is plotted against T.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Quantity {
+    /// Delta-phi.
+    DeltaPhi,
+    /// Delta-theta.
+    DeltaTheta,
+    /// phi of the left and the right eye.
+    Phi,
+    /// theta of the left and the right eye.
+    Theta,
+    /// Decimal logarithm of D of the left and the right eye.
+    LogDoppler,
+    /// Decimal logarithm of the stereo gain.
+    LogGain,
+    /// Decimal logarithms of the point's distances, of each [`DistanceKind`]: two of them are as far apart as their ratio.
+    LogDistance,
+}
+
+impl Quantity {
+    /// Whether what is plotted is a logarithm.
+    #[must_use]
+    pub const fn is_logarithm(self) -> bool {
+        matches!(self, Self::LogDoppler | Self::LogGain | Self::LogDistance)
+    }
+}
+
+/// One curve of a point: of a quantity and, where that has several, which of them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Curve {
+    /// Delta-phi.
+    DeltaPhi,
+    /// Delta-theta.
+    DeltaTheta,
+    /// phi of the left (0) or the right (1) eye.
+    Phi(usize),
+    /// theta of an eye.
+    Theta(usize),
+    /// Decimal logarithm of D of an eye.
+    LogDoppler(usize),
+    /// Decimal logarithm of the stereo gain.
+    LogGain,
+    /// Decimal logarithm of a distance.
+    LogDistance(DistanceKind),
+}
+
+/// A distance of a point at one T.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DistanceKind {
+    /// From the middle between the eyes to where both take it to be: |p|.
+    Stereo,
+    /// From the left (0) or the right (1) eye to where it sees the point: R.
+    Seen(usize),
+    /// From the middle between the eyes to where the point is at T.
+    Measured,
+}
+
+impl DistanceKind {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Stereo, Self::Seen(0), Self::Seen(1), Self::Measured];
+}
+
+/// What a point's curves depend on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CurvesKey {
+    /// How the point moves.
+    pub velocity: Velocity,
+    /// Where it is at rest or turns, from between the eyes.
+    pub point: MaterialPoint,
+    /// From the left to the right eye.
+    pub baseline: Baseline,
+    /// First and last T.
+    pub range: [f64; 2],
+    /// The model of what the views show. Where that is not the exact one, its curves are there beside.
+    pub model: Model,
+    /// Whether the published model is wanted too.
+    pub published: bool,
+    /// Whether what two eyes make of it is wanted too.
+    pub stereo: bool,
+}
+
+/// Every curve of one point.
+#[derive(Debug, Clone)]
+pub struct Curves {
+    key: CurvesKey,
+    shown: OfModel,
+    exact: Option<OfModel>,
+    published: [Vec<PlotPoint>; 2],
+}
+
+/// Those of one binocular model.
+#[derive(Debug, Clone)]
+struct OfModel {
+    eyes: [Vec<PlotPoint>; EYES],
+    /// Log gain, in pieces.
+    gains: Vec<Vec<PlotPoint>>,
+    /// Logs of the distances, each of the kind that its number says.
+    distances: Vec<Vec<PlotPoint>>,
+}
+
+/// Delta-phi, Delta-theta, then phi, theta and log D of the left and of the right eye.
+const EYES: usize = 8;
+
+impl OfModel {
+    fn new(key: &CurvesKey, model: Model, bends: &Bends) -> Self {
+        let eyes = channels(&sampled(key.range, bends, |time| values(key, model, time)));
+        let (mut gains, mut distances) = (Vec::new(), Vec::new());
+        if key.stereo {
+            distances.extend(channels(&sampled(key.range, bends, |time| distance_values(key, model, time))));
+            let values = |time| stereo_values(key, model, time);
+            let pieces = if key.baseline.is_along_motion() {
+                vec![key.range]
+            } else {
+                pieces(key.range, bends, values)
+            };
+            for [gain, distance] in pieces.into_iter().map(|piece| channels(&sampled(piece, bends, values))) {
+                gains.push(gain);
+                distances.push(distance);
+            }
+        }
+        Self { eyes, gains, distances }
+    }
+
+    fn of(&self, curve: Curve) -> &[Vec<PlotPoint>] {
+        if let Some(channel) = eyes_channel(curve) {
+            return &self.eyes[channel..=channel];
+        }
+        let Curve::LogDistance(kind) = curve else { return &self.gains };
+        let from = match kind {
+            DistanceKind::Measured => 0,
+            DistanceKind::Seen(eye) => 2 - eye,
+            DistanceKind::Stereo => return self.distances.get(3..).unwrap_or_default(),
+        };
+        self.distances.get(from..=from).unwrap_or_default()
+    }
+}
+
+/// Where a curve of what each eye sees is among the [`EYES`]; `None` of the others.
+const fn eyes_channel(curve: Curve) -> Option<usize> {
+    match curve {
+        Curve::DeltaPhi => Some(0),
+        Curve::DeltaTheta => Some(1),
+        Curve::Phi(eye) => Some(2 + eye),
+        Curve::Theta(eye) => Some(4 + eye),
+        Curve::LogDoppler(eye) => Some(6 + eye),
+        Curve::LogGain | Curve::LogDistance(_) => None,
+    }
+}
+
+impl Curves {
+    /// The curves for `key`.
+    #[must_use]
+    pub fn new(key: CurvesKey) -> Self {
+        let source = key.velocity.reflected_source(key.point);
+        let pair = key.velocity.reflected_pair(key.baseline.apertures_or_limit());
+        let bends = Bends::new(&key.velocity.speed, source, pair, key.range);
+        let of = |model| OfModel::new(&key, model, &bends);
+        let shown = of(key.model);
+        let exact = (key.model != Model::Exact).then(|| of(Model::Exact));
+        let published = if key.published {
+            channels(&sampled(key.range, &bends, |time| published_values(&key, time)))
+        } else {
+            [Vec::new(), Vec::new()]
+        };
+        Self { key, shown, exact, published }
+    }
+
+    /// What they were made for.
+    #[must_use]
+    pub const fn key(&self) -> &CurvesKey {
+        &self.key
+    }
+
+    /// The pieces of a curve in this `model`: that of the key, or the exact one; of a disparity also the published one. None
+    /// of what is not wanted.
+    #[must_use]
+    pub fn pieces(&self, curve: Curve, model: Model) -> &[Vec<PlotPoint>] {
+        let published = |number: usize| {
+            if self.key.published { &self.published[number..=number] } else { &[] }
+        };
+        match (model, &self.exact, curve) {
+            _ if model == self.key.model => self.shown.of(curve),
+            (Model::Published(_), _, Curve::DeltaPhi) => published(0),
+            (Model::Published(_), _, Curve::DeltaTheta) => published(1),
+            (Model::Exact, Some(exact), _) => exact.of(curve),
+            _ => &[],
+        }
+    }
+}
+
+/// The published model, of which disparities have a curve.
+pub const PUBLISHED: Model = Model::Published(PublishedVariant::AppendixA);
+
+/// What a `curve` of the point of `key` is at `time` in this `model`, as plotted; `None` outside the domain of the core,
+/// and where there is no such thing.
+#[must_use]
+pub fn value(key: &CurvesKey, model: Model, curve: Curve, time: f64) -> Option<f64> {
+    if let (Model::Published(_), Curve::DeltaPhi | Curve::DeltaTheta) = (model, curve) {
+        return published_values(key, time)
+            .map(|[dphi, dtheta]| if curve == Curve::DeltaPhi { dphi } else { dtheta });
+    }
+    if let Some(channel) = eyes_channel(curve) {
+        return Some(values(key, model, time)?[channel]);
+    }
+    let view = stereo_view(key, model, time)?;
+    let value = match curve {
+        Curve::LogDistance(kind) => view.distances[DistanceKind::ALL.iter().position(|&any| any == kind)?],
+        _ => view.gain,
+    };
+    Some(math::log10(value?)).filter(|log| log.is_finite())
+}
+
+fn values(key: &CurvesKey, model: Model, time: f64) -> Option<[f64; EYES]> {
+    let both = key.velocity.disparity(model, key.point, key.baseline.apertures(), time).ok()?;
+    let (l, r) = (both.primary, both.secondary);
+    let values = [
+        both.dphi,
+        both.dtheta,
+        l.phi(),
+        r.phi(),
+        l.theta(),
+        r.theta(),
+        math::log10(l.doppler_factor),
+        math::log10(r.doppler_factor),
+    ];
+    values.iter().all(|value| value.is_finite()).then_some(values)
+}
+
+fn published_values(key: &CurvesKey, time: f64) -> Option<[f64; 2]> {
+    let both = key.velocity.disparity(PUBLISHED, key.point, key.baseline.apertures(), time).ok()?;
+    let values = [both.dphi, both.dtheta];
+    values.iter().all(|value| value.is_finite()).then_some(values)
+}
+
+/// What two eyes make of a point at one T.
+#[derive(Debug, Clone, Copy)]
+pub struct StereoView {
+    /// The stereo gain; none where the lines of sight do not meet.
+    pub gain: Option<f64>,
+    /// Of every [`DistanceKind`].
+    pub distances: [Option<f64>; DistanceKind::ALL.len()],
+}
+
+/// What two eyes make in this `model` at `time` of the point of `key`; `None` outside the domain of the
+/// core.
+#[must_use]
+pub fn stereo_view(key: &CurvesKey, model: Model, time: f64) -> Option<StereoView> {
+    let fused = key.velocity.stereo(model, key.point, key.baseline.apertures_or_limit(), time).ok();
+    let both = key.velocity.disparity(model, key.point, key.baseline.apertures(), time).ok()?;
+    let speed = &key.velocity.speed;
+    let SourcePoint { x0, y, z } = key.velocity.reflected_source(key.point).place_when_measured(speed, time);
+    let measured = [x0 + speed.beta() * time, y, z];
+    let distances = [
+        fused.map(|fused| fused.distance()),
+        Some(both.primary.distance),
+        Some(both.secondary.distance),
+        Some(measured.map(|along| along * along).iter().sum::<f64>().sqrt()),
+    ];
+    Some(StereoView { gain: fused.map(|fused| fused.gain), distances })
+}
+
+/// Logs of the stereo gain and of the distance at which two eyes take the point to be, where they do.
+fn stereo_values(key: &CurvesKey, model: Model, time: f64) -> Option<[f64; 2]> {
+    let StereoView { gain, distances: [stereo, ..] } = stereo_view(key, model, time)?;
+    logs([gain?, stereo?])
+}
+
+/// Logs of the distances that there are at every T, in the order of their curves.
+fn distance_values(key: &CurvesKey, model: Model, time: f64) -> Option<[f64; 3]> {
+    let StereoView { distances: [_, left, right, measured], .. } = stereo_view(key, model, time)?;
+    logs([measured?, right?, left?])
+}
+
+fn logs<const N: usize>(values: [f64; N]) -> Option<[f64; N]> {
+    let logs = values.map(math::log10);
+    logs.iter().all(|log| log.is_finite()).then_some(logs)
+}
+
+fn channels<const N: usize>(samples: &[Sample<N>]) -> [Vec<PlotPoint>; N] {
+    std::array::from_fn(|channel| {
+        samples.iter().map(|sample| PlotPoint::new(sample.time, sample.values[channel])).collect()
+    })
+}

@@ -1,0 +1,170 @@
+//! The worldline of a point: straight, or that of a point of a wheel, which winds about the axle's.
+
+use std::f64::consts::TAU;
+
+use glam::DVec3;
+use relativity_core::math;
+use relativity_render::{MaterialPoint, Velocity};
+
+use super::event::{Event, StraightLine};
+use super::present::Present;
+use crate::scene::Track;
+use crate::settings::Settings;
+
+/// Pieces of a drawn turn.
+const PIECES_OF_A_TURN: f64 = 48.0;
+/// Most pieces that are drawn: of more turns than these make up the line is drawn as straight.
+const MOST_PIECES: f64 = 4096.0;
+
+/// How a point moves, in the frame of a map.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Worldline {
+    /// The velocity of the point's group on the ground.
+    velocity: Velocity,
+    /// The frame of the map, by its velocity on the ground.
+    frame: Velocity,
+    /// The point in the frame of its group, from the point between the eyes.
+    point: MaterialPoint,
+    /// What it turns about: where it is itself, if it does not turn.
+    axle: DVec3,
+    /// Whether the frame of its group is that of the map, too.
+    rests: bool,
+}
+
+impl Worldline {
+    /// That of `point` in the frame that moves at `frame`.
+    #[must_use]
+    pub fn new(settings: &Settings, point: &Track, frame: Velocity) -> Self {
+        let velocity = settings.velocity(point.motion);
+        let axle = settings.rest_place(point.axle()).into();
+        let point = settings.from_between_eyes(point);
+        Self { velocity, frame, point, axle, rests: velocity == frame }
+    }
+
+    /// Its event at the ground's time `t`.
+    #[must_use]
+    pub fn at(&self, t: f64) -> Event {
+        let place = self.place(t);
+        if self.rests {
+            return Event { x: place.x, t: self.now(t).own_time(place) };
+        }
+        let from_middle = place.x / self.velocity.speed.gamma();
+        Event { x: from_middle + self.velocity.beta() * t, t }.in_frame(self.frame)
+    }
+
+    /// Where it is in the frame of its group at the ground's time `t`, from the point between the eyes.
+    #[must_use]
+    pub fn place(&self, t: f64) -> DVec3 {
+        self.now(t).place(self.point)
+    }
+
+    /// What a clock at the point shows at the ground's time `t`, all clocks of its group's frame being set alike there.
+    #[must_use]
+    pub fn own_time(&self, t: f64) -> f64 {
+        self.now(t).own_time(self.place(t))
+    }
+
+    /// The ground's time `t`.
+    const fn now(&self, t: f64) -> Present {
+        Present { on_ground: self.velocity, relative: self.velocity, time: t }
+    }
+
+    /// The ground's time of its event at the time `t` of the map's frame.
+    #[must_use]
+    pub fn ground_time(&self, t: f64) -> f64 {
+        self.ground_time_in(self.frame, t)
+    }
+
+    /// The ground's time of its event at the time `t` of the frame that moves at `frame`.
+    pub(super) fn ground_time_in(&self, frame: Velocity, t: f64) -> f64 {
+        if frame == Velocity::REST {
+            return t;
+        }
+        if self.point.spin.is_none() {
+            let zero = self.axle_on_ground().through.in_frame(frame).t;
+            return (t - zero) / self.step_in(frame).t;
+        }
+        let relative = self.velocity.seen_from(frame);
+        let then = Present { on_ground: self.velocity, relative, time: t };
+        let place = then.place(self.point);
+        self.ground_time_of(then.own_time(place), place)
+    }
+
+    /// The ground's time of what is at `place` at this time of the group's own clocks.
+    fn ground_time_of(&self, own_time: f64, place: DVec3) -> f64 {
+        self.velocity.speed.gamma() * (own_time + self.velocity.beta() * place.x)
+    }
+
+    /// When light that leaves it at the ground's time `t` is received between the eyes.
+    #[must_use]
+    pub fn received(&self, t: f64) -> f64 {
+        let place = self.place(t);
+        let x = place.x / self.velocity.speed.gamma() + self.velocity.beta() * t;
+        t + math::hypot(x, math::hypot(place.y, place.z))
+    }
+
+    /// The axle's worldline as the ground has it: from t = 0 on, a step for each unit of time.
+    fn axle_on_ground(&self) -> StraightLine {
+        let through = Event { x: self.axle.x / self.velocity.speed.gamma(), t: 0.0 };
+        StraightLine { through, step: Event { x: self.velocity.beta(), t: 1.0 } }
+    }
+
+    /// The worldline of the axle that it turns about, from the ground's time `time` on, a step for each unit of that; its own, if
+    /// it does not turn.
+    #[must_use]
+    pub fn straight(&self, time: f64) -> StraightLine {
+        let axle = MaterialPoint { rest: self.axle, spin: None };
+        StraightLine { through: Self { point: axle, ..*self }.at(time), step: self.step_in(self.frame) }
+    }
+
+    /// The step that the axle makes in a unit of the ground's time, in the frame that moves at `frame`: that is 1/gamma of its
+    /// own, which the frame's clocks have as gamma of the velocity between the two.
+    fn step_in(&self, frame: Velocity) -> Event {
+        let relative = self.velocity.seen_from(frame);
+        let t = relative.speed.gamma() / self.velocity.speed.gamma();
+        Event { x: relative.beta() * t, t }
+    }
+
+    /// The ground's times at which it is drawn between two of them, those included: as close together as its bends ask for.
+    #[must_use]
+    pub fn times(&self, [first, last]: [f64; 2]) -> Vec<f64> {
+        let Some(spin) = self.point.spin else { return vec![first, last] };
+        // Even steps of its own clock, in which it turns evenly.
+        let [from, to] = [first, last].map(|t| self.own_time(t));
+        let omega = spin.omega(&self.velocity);
+        let pieces = (PIECES_OF_A_TURN * omega.abs() * (to - from) / TAU).ceil();
+        if !(1.0..=MOST_PIECES).contains(&pieces) {
+            return vec![first, last];
+        }
+        let between = |piece: u32| {
+            let own = from + (to - from) * f64::from(piece) / pieces;
+            self.ground_time_of(own, spin.turned(self.point.rest, omega * own))
+        };
+        let inner = (1..pieces as u32).map(between);
+        [first].into_iter().chain(inner).chain([last]).collect()
+    }
+
+    /// The velocity of the point's group on the ground.
+    #[must_use]
+    pub const fn velocity(&self) -> Velocity {
+        self.velocity
+    }
+
+    /// Whether the frame of its group is that of the map.
+    #[must_use]
+    pub const fn rests(&self) -> bool {
+        self.rests
+    }
+
+    /// How far from the line along x through the eyes it passes, or its axle.
+    #[must_use]
+    pub fn distance(&self) -> f64 {
+        math::hypot(self.axle.y, self.axle.z)
+    }
+
+    /// How far it comes from the axle.
+    #[must_use]
+    pub fn reach(&self) -> f64 {
+        math::hypot(self.point.rest.x - self.axle.x, self.point.rest.z - self.axle.z)
+    }
+}

@@ -1,0 +1,189 @@
+//! An object of a scene file: its shape, its light and its pattern.
+
+use glam::DQuat;
+use relativity_render::{Body, Emission, Pattern, Shape};
+
+use super::error::{Located, Problem};
+use super::table::{Table, coincide};
+
+/// Red, as in the paper.
+const DEFAULT_WAVELENGTH_NM: f64 = 700.0;
+/// Degrees from line to line of a graticule, and length from line to line of other patterns, unless told.
+const DEFAULT_DEGREES: f64 = 15.0;
+const DEFAULT_SPACING: f64 = 0.25;
+/// The keys of an object of any shape, beside its shape.
+const OF_EVERY_OBJECT: [&str; 8] =
+    ["name", "wavelength_nm", "light", "brightness", "pattern", "spacing", "repeat", "step"];
+
+/// A body, and what its file calls it.
+#[derive(Clone)]
+pub(super) struct Object {
+    pub body: Body,
+    pub name: Option<String>,
+}
+
+impl Object {
+    /// What it is called as the body of this number.
+    pub fn name_as(&self, number: usize) -> String {
+        let shape = match self.body.shape {
+            Shape::Sphere { .. } => "sphere",
+            Shape::Tube { .. } => "tube",
+            Shape::Ring { .. } => "ring",
+            Shape::Box { .. } => "box",
+            Shape::Cylinder { .. } => "cylinder",
+        };
+        self.name.clone().unwrap_or_else(|| format!("{shape} {number}"))
+    }
+}
+
+/// One object.
+pub(super) fn object(mut object: Table) -> Result<Object, Located> {
+    let shape = match object.needed_string("shape")? {
+        "sphere" => {
+            object.owner = "a sphere";
+            sphere(&object)?
+        }
+        "tube" => {
+            object.owner = "a tube";
+            tube(&object)?
+        }
+        "ring" => {
+            object.owner = "a ring";
+            ring(&object)?
+        }
+        "box" => {
+            object.owner = "a box";
+            cuboid(&object)?
+        }
+        "cylinder" => {
+            object.owner = "a cylinder";
+            cylinder(&object)?
+        }
+        _ => return Err(object.problem_at("shape", Problem::UnknownShape)),
+    };
+    let name = object.string("name")?.map(str::to_owned);
+    let (emission, brightness) = (emission(&object)?, brightness(&object)?);
+    let body = Body { shape, emission, brightness, pattern: pattern(&object, &shape)?, spin: None };
+    Ok(Object { body, name })
+}
+
+/// Refuses keys other than those of every object and the `known` ones of its shape.
+fn check_keys(object: &Table, known: &[&str]) -> Result<(), Located> {
+    object.check_keys(&[&["shape"], known, &OF_EVERY_OBJECT].concat())
+}
+
+/// The light of an object: of one wavelength unless it says otherwise.
+pub(super) fn emission(object: &Table) -> Result<Emission, Located> {
+    let wavelength = object.size("wavelength_nm")?;
+    match (object.string("light")?, wavelength) {
+        (None, wavelength) => Ok(Emission::Wavelength(wavelength.unwrap_or(DEFAULT_WAVELENGTH_NM))),
+        (Some("white"), None) => Ok(Emission::White),
+        (Some("white"), Some(_)) => {
+            Err(object.wrong("wavelength_nm", "left out where light = \"white\", which has every wavelength"))
+        }
+        (Some(_), _) => Err(object.wrong("light", "\"white\", or left out for light of one wavelength")),
+    }
+}
+
+/// How bright an object is beside others: as bright as can be unless it says otherwise.
+pub(super) fn brightness(object: &Table) -> Result<f64, Located> {
+    let Some(brightness) = object.coordinate("brightness")? else { return Ok(1.0) };
+    if brightness > 0.0 && brightness <= 1.0 {
+        return Ok(brightness);
+    }
+    Err(object.wrong("brightness", "above 0 and at most 1"))
+}
+
+/// The pattern of an object of this `shape`: none unless it names one.
+fn pattern(object: &Table, shape: &Shape) -> Result<Pattern, Located> {
+    let is_box = matches!(shape, Shape::Box { .. });
+    let spacing = object.size("spacing")?;
+    let step = || spacing.unwrap_or(DEFAULT_SPACING);
+    Ok(match object.string("pattern")? {
+        None if spacing.is_some() => {
+            return Err(object.wrong("spacing", "left out where there is no `pattern`"));
+        }
+        None => Pattern::Plain,
+        Some("faces") if !is_box => return Err(object.wrong("pattern", "on a box: only that has faces")),
+        Some("faces") if spacing.is_some() => {
+            return Err(object.wrong("spacing", "left out where pattern = \"faces\", which has none"));
+        }
+        Some("faces") => Pattern::Faces,
+        Some("graticule") if is_box => {
+            return Err(
+                object.wrong("pattern", "\"faces\", \"chequer\" or \"stripes\" on a box, which is not round")
+            );
+        }
+        Some("graticule") => {
+            let step_degrees = spacing.unwrap_or(DEFAULT_DEGREES);
+            if 90.0 % step_degrees != 0.0 {
+                return Err(object
+                    .wrong("spacing", "a divisor of 90: degrees from line to line, such as 10, 15 or 30"));
+            }
+            Pattern::Graticule { step_degrees }
+        }
+        Some("chequer") => Pattern::Chequer { step: step() },
+        Some("stripes") => Pattern::Stripes { step: step() },
+        Some(_) => {
+            return Err(object.wrong("pattern", "\"faces\", \"graticule\", \"chequer\" or \"stripes\""));
+        }
+    })
+}
+
+fn sphere(object: &Table) -> Result<Shape, Located> {
+    check_keys(object, &["center", "radius"])?;
+    Ok(Shape::Sphere { center: object.needed_point("center")?, radius: object.needed_size("radius")? })
+}
+
+fn tube(object: &Table) -> Result<Shape, Located> {
+    let (from, to, radius) = ends_and_radius(object, Problem::NoLength)?;
+    Ok(Shape::Tube { from, to, radius })
+}
+
+fn ring(object: &Table) -> Result<Shape, Located> {
+    check_keys(object, &["center", "axis", "radius", "tube_radius"])?;
+    let center = object.needed_point("center")?;
+    let axis = object.needed_direction("axis")?;
+    let radius = object.needed_size("radius")?;
+    let tube_radius = object.needed_size("tube_radius")?;
+    if tube_radius >= radius {
+        let radius = object.quoted_value("radius");
+        return Err(object.problem_at("tube_radius", |tube_radius| Problem::NoHole { tube_radius, radius }));
+    }
+    Ok(Shape::Ring { center, axis, radius, tube_radius })
+}
+
+fn cuboid(object: &Table) -> Result<Shape, Located> {
+    check_keys(object, &["center", "size", "axis", "angle"])?;
+    let center = object.needed_point("center")?;
+    let half = object.needed_sizes("size")?.map(|size| 0.5 * size);
+    let axis = object.direction("axis")?;
+    let turn = match object.coordinate("angle")? {
+        Some(angle) => {
+            let axis = axis.unwrap_or([0.0, 0.0, 1.0]);
+            DQuat::from_axis_angle(axis.into(), angle.to_radians())
+        }
+        None if axis.is_some() => return Err(object.problem_at("axis", Problem::NoAngle)),
+        None => DQuat::IDENTITY,
+    };
+    Ok(Shape::Box { center, half, turn: turn.to_array() })
+}
+
+fn cylinder(object: &Table) -> Result<Shape, Located> {
+    let (from, to, radius) = ends_and_radius(object, Problem::NoHeight)?;
+    Ok(Shape::Cylinder { from, to, radius })
+}
+
+/// The ends of an axis and a radius; `no_axis` is what is wrong with ends in one place.
+fn ends_and_radius(
+    object: &Table,
+    no_axis: fn(String) -> Problem,
+) -> Result<([f64; 3], [f64; 3], f64), Located> {
+    check_keys(object, &["from", "to", "radius"])?;
+    let from = object.needed_point("from")?;
+    let to = object.needed_point("to")?;
+    if coincide(from, to) {
+        return Err(object.problem_at("to", no_axis));
+    }
+    Ok((from, to, object.needed_size("radius")?))
+}
