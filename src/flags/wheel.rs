@@ -1,0 +1,42 @@
+//! A point on a wheel that rolls, as flags have it.
+
+use clap::Args;
+use relativity_core::{Source, SourcePoint, Turning, WheelPoint};
+
+use super::finite_number;
+
+/// Where on a rolling wheel a point is: all or none.
+#[derive(Debug, Clone, Copy, Args)]
+pub struct WheelArgs {
+    /// The point is on a wheel of this radius, that rolls towards +x; --x0, --y and --z are then its hub's.
+    #[arg(long, value_name = "W", value_parser = finite_number, allow_hyphen_values = true,
+          requires_all = ["rho", "angle"])]
+    wheel_radius: Option<f64>,
+    /// How far the point is from the hub, in radii of its wheel, 0 to 1.
+    #[arg(long, value_parser = finite_number, allow_hyphen_values = true, requires = "wheel_radius")]
+    rho: Option<f64>,
+    /// Where the point is at t' = 0 by the clocks that ride with the hub: from +x towards +z, radians.
+    #[arg(long, value_name = "RAD", value_parser = finite_number, allow_hyphen_values = true,
+          requires = "wheel_radius")]
+    angle: Option<f64>,
+}
+
+impl WheelArgs {
+    /// Radius, rho and angle, where they are given.
+    #[must_use]
+    pub fn given(&self) -> Option<[f64; 3]> {
+        Some([self.wheel_radius?, self.rho?, self.angle?])
+    }
+
+    /// The point at `place`, or the one of the wheel whose hub is there.
+    #[must_use]
+    pub fn source(&self, place: SourcePoint) -> Source {
+        self.given().map_or_else(|| place.into(), |wheel| rolling(place, wheel))
+    }
+}
+
+/// The point of a rolling wheel at a radius, a rho and an angle.
+#[must_use]
+pub fn rolling(hub: SourcePoint, [radius, rho, angle]: [f64; 3]) -> Source {
+    WheelPoint { hub, radius, rho, angle, turning: Turning::Rolling }.into()
+}
