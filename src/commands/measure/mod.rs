@@ -97,7 +97,7 @@ Examples:
   gamow measure ride --point=-0.032,2.968,2 --out ride.csv
   gamow fit ride.csv --fit-x0
   gamow measure ride --object 'front tyre'
-  gamow measure ride --point=0,3,2 | gamow fit --wheel-radius 0.525
+  gamow measure ride --point=0,3,2 | gamow fit --wheel-radius 0.525 --rho 1 --angle 0
   gamow measure photos --marker ff2000 --times 0,6 --d 0.1 --fov 50 --gaze 90,0 --layout over-under";
 
 /// How many columns there are: T, d, roll, turn, the angles, and the standard deviations of their differences.
