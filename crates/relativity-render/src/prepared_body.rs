@@ -97,6 +97,7 @@ impl Extent {
 
 impl Placement {
     /// Of `shape`, turned so, in a group with this `middle`.
+    #[must_use]
     pub fn new(shape: &Shape, turn: DQuat, middle: DVec3) -> Self {
         let from_middle = |place: [f64; 3], w: f64| packed(DVec3::from(place) - middle, w);
         let (place_radius, form) = match *shape {
