@@ -6,6 +6,7 @@ mod head;
 mod layout;
 mod numbers;
 mod speed;
+mod wheel;
 pub mod words;
 
 pub use followed::{Followed, FollowedPoint};
@@ -16,3 +17,4 @@ pub use numbers::{
     whole_number, within,
 };
 pub use speed::{SpeedArgs, SpeedParameter, SpeedSetting};
+pub use wheel::WheelArgs;

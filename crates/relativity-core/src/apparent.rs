@@ -146,7 +146,7 @@ pub fn sighting(
 ) -> Result<Sighting, DomainError> {
     let source = source.into();
     check_inputs(source, aperture, observation_time)?;
-    Ok(match source {
+    Ok(match source.simplest() {
         Source::Point(point) => sighting_inside_domain(speed, point, aperture, observation_time),
         Source::Wheel(wheel) => {
             let seen = wheel.seen(speed, aperture, observation_time);

@@ -58,7 +58,7 @@ pub fn disparity(
     let source = source.into();
     check_inputs(source, primary, observation_time)?;
     check_inputs(source, secondary, observation_time)?;
-    let point = match source {
+    let point = match source.simplest() {
         Source::Point(point) => point,
         Source::Wheel(wheel) => return Ok(wheel.disparity(speed, [primary, secondary], observation_time)),
     };

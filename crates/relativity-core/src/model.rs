@@ -102,7 +102,7 @@ impl Model {
                 if (left.y, left.z) != (right.y, right.z) {
                     return Err(PairError::OffTheMotion(self));
                 }
-                match source {
+                match source.simplest() {
                     Source::Point(point) => published_of_pair(speed, point, pair, observation_time, variant)?,
                     Source::Wheel(wheel) => {
                         check_inputs(wheel, left, observation_time)?;

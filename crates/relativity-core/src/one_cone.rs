@@ -53,7 +53,7 @@ pub fn one_cone_disparity(
     for aperture in pair {
         check_inputs(source, aperture, observation_time)?;
     }
-    let (cone, middle) = match source {
+    let (cone, middle) = match source.simplest() {
         Source::Point(point) => {
             let cone = middle_cone(speed, point, pair, observation_time);
             (cone, cone.sighting(speed, point.x0, middle(pair).x, observation_time))

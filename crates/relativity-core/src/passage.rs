@@ -84,6 +84,9 @@ fn baseline([primary, secondary]: [Aperture; 2]) -> [f64; 3] {
 /// not on x(0) = 0). Of a pair across the motion (`b_x` = 0) a point is as far from both always or never: `None`. Two apertures
 /// in one place stand for the limit of the paper's.
 ///
+/// A point of a wheel passes that plane once if it always moves towards one side of it, as those of a wheel do that rolls past
+/// the paper's pair; else `None` is returned, for it may be as far from both several times.
+///
 /// # Accuracy
 ///
 /// As [`observation_time_when_seen_at`]; of pairs of any direction and separation median 0.2, 99 % 1.3, worst 6.1 units.
@@ -109,14 +112,15 @@ pub fn equidistance_time(
     source: impl Into<Source>,
     pair: [Aperture; 2],
 ) -> Result<Option<f64>, DomainError> {
+    let source = source.into();
+    for aperture in pair {
+        check_inputs(source, aperture, 0.0)?;
+    }
     let [bx, by, bz] = baseline(pair);
     let is_along = [by, bz] == [0.0; 2];
-    let point = match source.into() {
+    let point = match source.simplest() {
         Source::Point(point) => point,
         Source::Wheel(wheel) => {
-            for aperture in pair {
-                check_inputs(wheel.hub, aperture, 0.0)?;
-            }
             let normal = if is_along { [1.0, 0.0, 0.0] } else { [bx, by, bz] };
             let Some(place) = wheel.place_when_passing(speed, middle(pair), normal) else { return Ok(None) };
             place
@@ -125,8 +129,6 @@ pub fn equidistance_time(
     if is_along {
         return observation_time_when_seen_at(speed, point, 0.0, pair);
     }
-    check_inputs(point, pair[0], 0.0)?;
-    check_inputs(point, pair[1], 0.0)?;
     let SourcePoint { y, z, .. } = point.told_from(middle(pair));
     let x = -(by * y + bz * z) / bx;
     let exists = speed.beta() != 0.0 && x.abs() <= MAX_COORDINATE;

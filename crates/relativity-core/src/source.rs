@@ -13,6 +13,14 @@ pub enum Source {
 }
 
 impl Source {
+    /// The same source, a point on the axle being one that does not turn.
+    pub(crate) fn simplest(self) -> Self {
+        match self {
+            Self::Wheel(wheel) if wheel.rho == 0.0 => Self::Point(wheel.hub),
+            source => source,
+        }
+    }
+
     /// The point that rests in the moving frame: the source itself, or the hub that it turns about.
     #[must_use]
     pub const fn place(&self) -> SourcePoint {

@@ -108,9 +108,9 @@ pub fn stereo(
 ) -> Result<Stereo, StereoError> {
     let source = source.into();
     let [left, right] = checked(pair, source, observation_time)?;
-    let point = match source {
-        Source::Wheel(wheel) if wheel.rho > 0.0 => return wheel.stereo(speed, pair, observation_time),
-        _ => source.place(),
+    let point = match source.simplest() {
+        Source::Point(point) => point,
+        Source::Wheel(wheel) => return wheel.stereo(speed, pair, observation_time),
     };
     let cones = ConePair::new(&speed.coefficients(), point, left, right, observation_time);
     if cones.offset.y == 0.0 && cones.offset.z == 0.0 {

@@ -55,7 +55,7 @@ pub struct PreparedBody {
     /// Its pattern; `None` for a plain one.
     pub(crate) marking: Option<Marking>,
     /// How it turns within its group.
-    pub(crate) spin: Option<Spin>,
+    pub spin: Option<Spin>,
     /// Whether turning changes where its surface is.
     pub(crate) is_turned: bool,
     /// Whether it is drawn by a pipeline that knows patterns.

@@ -46,6 +46,13 @@ impl Spin {
         DVec3::new(place.x - x, 0.0, place.z - z)
     }
 
+    /// The angle about the axle at which `place` is: radians from +x towards +z.
+    #[must_use]
+    pub fn angle(&self, place: DVec3) -> f64 {
+        let DVec3 { x, z, .. } = self.off_axle(place);
+        math::atan2(z, x)
+    }
+
     /// Where a point of the wheel at `place` is once it has turned by `angle` (radians, about +y, as a wheel does that
     /// rolls towards +x).
     #[must_use]

@@ -24,6 +24,9 @@ use crate::apparent::SourcePoint;
 use crate::domain::{DomainError, MAX_COORDINATE, check, check_in};
 use crate::speed::Speed;
 
+/// The least radius of a wheel.
+pub const MIN_RADIUS: f64 = 1e-60;
+
 /// How fast a wheel turns.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Turning {
@@ -51,7 +54,7 @@ impl Turning {
 pub struct WheelPoint {
     /// The hub: where the axle, along y, crosses the plane in which the point turns.
     pub hub: SourcePoint,
-    /// W, the radius on which it rolls, above 0.
+    /// W, the radius on which it rolls, from [`MIN_RADIUS`] to [`MAX_COORDINATE`].
     pub radius: f64,
     /// How far the point is from the axle, in radii, in [0, 1].
     pub rho: f64,
@@ -97,7 +100,7 @@ impl WheelPoint {
 
     /// An error for what is outside the domain of wheels; the hub is not looked at.
     pub(crate) fn check(&self) -> Result<(), DomainError> {
-        check_in("wheel_radius", self.radius, MAX_COORDINATE.recip()..=MAX_COORDINATE)?;
+        check_in("wheel_radius", self.radius, MIN_RADIUS..=MAX_COORDINATE)?;
         check_in("rho", self.rho, 0.0..=1.0)?;
         check("angle", self.angle)?;
         if let Turning::RimSpeed(rim) = self.turning {

@@ -89,9 +89,6 @@ impl<F: Float> Seen<F> {
         let at_hub = LightCone::at(coefficients, s, y, z);
         let hub_time = at_hub.own_time(coefficients, hub.x0, hub.aperture_x, hub.observation_time);
         let phase = circle.angle - circle.omega * hub_time;
-        if circle.r.is_zero() {
-            return Self { cone: at_hub, own_time: hub_time, angle: phase, slope: F::one() };
-        }
         let at = |time: F| {
             let angle = circle.angle - circle.omega * time;
             let [qx, qz] = circle.place(angle);
@@ -113,21 +110,29 @@ impl<F: Float> Seen<F> {
             time = better;
             seen = at(time);
         }
-        seen.place_on_worldline(coefficients, circle, hub);
+        seen.place_on_worldline(coefficients, circle, hub, time);
         seen
     }
 
-    /// Takes the apparent X from where the point is on the ground, if that is better known than from the light cone: of a
-    /// point near the road it hardly depends on when light leaves it.
-    fn place_on_worldline(&mut self, coefficients: &Coefficients<F>, circle: &Circle<F>, hub: &Hub<F>) {
+    /// Takes the apparent X from where the point is on the ground at `time`, if that is better known than from the light
+    /// cone: near the road it hardly depends on when light leaves it.
+    fn place_on_worldline(
+        &mut self,
+        coefficients: &Coefficients<F>,
+        circle: &Circle<F>,
+        hub: &Hub<F>,
+        time: F,
+    ) {
         let &Coefficients { beta, gamma, .. } = coefficients;
         let Solution { q, r, .. } = self.cone.solution;
-        let [qx, _] = circle.place(self.angle);
-        let terms = [gamma * (gamma * hub.x0), gamma * qx, gamma * (beta * self.own_time), -hub.aperture_x];
-        let by_place = terms.iter().fold(F::zero(), |sum, term| sum + term.abs());
+        let [qx, qz] = circle.place(self.angle);
+        let by_angle = qz * (circle.angle.abs() + (circle.omega * time).abs());
+        let by_place = [gamma * hub.x0, qx, beta * time, by_angle]
+            .iter()
+            .fold(hub.aperture_x.abs(), |sum, term| sum + gamma * term.abs());
         let by_cone = (hub.x0.abs() + hub.aperture_x.abs() + (beta * hub.observation_time).abs()) * (r / q);
         if by_place < by_cone {
-            let x = gamma * (gamma * hub.x0 + (qx + beta * self.own_time)) - hub.aperture_x;
+            let x = gamma * (gamma * hub.x0 + (qx + beta * time)) - hub.aperture_x;
             let LightCone { y, z, .. } = self.cone;
             self.cone.solution.x = x;
             self.cone.solution.r = (x * x + y * y + z * z).sqrt();
@@ -150,13 +155,43 @@ impl WheelPoint {
     /// All of what it is seen as.
     pub(crate) fn sighting(&self, speed: &Speed, seen: &Seen<f64>, observation_time: f64) -> Sighting {
         let LightCone { y, z, ref solution, .. } = seen.cone;
-        let own_doppler = if self.rho == 0.0 { 1.0 } else { self.circle(speed).own_doppler(seen.slope) };
+        let own_doppler = self.circle(speed).own_doppler(seen.slope);
         Sighting {
             position: [solution.x, y, z],
             distance: solution.r,
             retarded_time: observation_time - solution.r,
             own_time: seen.own_time,
             doppler_factor: solution.doppler_factor * own_doppler,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::FRAC_PI_2;
+
+    use super::*;
+    use crate::apparent::SourcePoint;
+    use crate::wheel::Turning;
+
+    /// The Doppler factor of the hub's motion and that of the turning: each may be as small as 1/gamma or as large as gamma.
+    #[test]
+    fn both_doppler_factors_of_a_point_on_the_road_multiply_to_one_without_cancelling() {
+        let hub = SourcePoint { x0: 0.0, y: 0.0, z: 1.0 };
+        let (rho, angle, turning) = (1.0, -FRAC_PI_2, Turning::Rolling);
+        let point = WheelPoint { hub, radius: 1.0, rho, angle, turning };
+        for gamma in [1.0, 1.5, 10.0, 1e3, 1e4] {
+            let speed = Speed::from_gamma(gamma).expect("a speed");
+            let circle = point.circle(&speed);
+            for s in [-1e6, -3.0, -1e-3, 0.0, 1e-4, 0.2, 5.0, 1e6] {
+                for [y, z] in [[3.0, -2.0], [-0.1, 0.0], [0.0, -1e-3], [40.0, 7.0]] {
+                    let cone: LightCone<f64> = LightCone::at(&speed.coefficients(), s, y, z);
+                    let away = circle.turned_away(angle, [gamma * s, y, z]);
+                    let own = circle.own_doppler(circle.below_light + circle.speed * away);
+                    let error = (cone.solution.doppler_factor * own - 1.0).abs();
+                    assert!(error < 1e-12, "{error:e} at gamma = {gamma}, {s} {y} {z}");
+                }
+            }
         }
     }
 }
