@@ -107,7 +107,8 @@ impl Velocity {
             Turning::Rolling => Turning::Rolling,
             Turning::RimSpeed(speed) => Turning::RimSpeed(self.direction() * speed),
         };
-        let rho = math::hypot(off_axle.x, off_axle.z) / spin.radius;
+        // Nothing is farther from the axle, but for rounding.
+        let rho = (math::hypot(off_axle.x, off_axle.z) / spin.radius).min(1.0);
         let angle = math::atan2(off_axle.z, off_axle.x);
         WheelPoint { hub, radius: spin.radius, rho, angle, turning }.into()
     }
