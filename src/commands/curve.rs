@@ -18,7 +18,7 @@ const CYCLIST_BETA: f64 = 0.9;
 /// What two eyes see of one point over a range of observation times, as CSV.
 ///
 /// Without flags: the tracked point of the paper's cyclist. The first columns are the inputs, under the names that
-/// `gamow eval` reads; roll and turn, in radians, are among them where the head is tilted or turned, and wheel_radius, rho and
+/// `gamow eval` reads; roll and turn, in radians, are among them where the head is tilted or turned, and `wheel_radius`, rho and
 /// angle where the point is on a wheel.
 #[derive(Debug, Args)]
 #[command(after_long_help = help_with(EXAMPLES))]

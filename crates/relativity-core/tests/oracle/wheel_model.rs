@@ -73,9 +73,9 @@ impl Wheel {
         for _ in 0..2000 {
             let (value, slope, ..) = at(&own);
             if value < Big::ZERO {
-                high = own.clone()
+                high.clone_from(&own);
             } else {
-                low = own.clone()
+                low.clone_from(&own);
             }
             let newton = &own + value / slope;
             let is_inside = newton >= low && newton <= high;
