@@ -7,7 +7,7 @@ use crate::body::Shape;
 use crate::effects::Constant;
 use crate::group_view::GroupView;
 use crate::prepared_body::{Placement, PreparedBody};
-use crate::spin::Spin;
+use crate::spin::{MaterialPoint, Spin};
 use crate::velocity::Velocity;
 use crate::view::Geometry;
 
@@ -67,11 +67,17 @@ impl GroupView {
         }
     }
 
-    /// How the corners of triangles over `body` turn, which stay where they are on one that turns in its place; but in the
-    /// published model two events show each of them.
-    pub(crate) fn corners_turn(&self, body: &PreparedBody) -> Option<Spin> {
-        let stays = self.turns(body) == Turns::InPlace && self.geometry != Geometry::Published;
-        body.spin.filter(|_| !stays)
+    /// The point of `body`, one of the group, that the corner of a triangle over it is which the shaders put at `place`.
+    /// Over one that turns in its place corners stay where they are; but in the published model two events show each point.
+    pub(crate) fn corner(&self, body: &PreparedBody, place: DVec3) -> MaterialPoint {
+        match (body.spin, self.turns(body)) {
+            (Some(spin), Turns::InPlace) if self.geometry == Geometry::Published => {
+                let rest = spin.turned(place, -self.turn_at(&spin, place));
+                MaterialPoint { rest, spin: Some(spin) }
+            }
+            (spin, Turns::About) => MaterialPoint { rest: place, spin },
+            (_, Turns::Not | Turns::InPlace) => place.into(),
+        }
     }
 
     /// `body`, one of the group, whose middle is `middle`, for the shaders.

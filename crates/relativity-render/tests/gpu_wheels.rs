@@ -101,29 +101,32 @@ fn bounds_never_clip(renderers: &mut Renderers) {
 
 const BOUNDS_PX: [f64; 2] = [0.5, 2.0];
 
-/// Each pixel shows a body that the reference shows no farther off than the bound.
+/// Pixels show a body that the reference shows no farther off than the bound: all but 1 % of them in a view, mostly in the wheel's
+/// plane, where f32 and triangles tell the order of crowded spokes.
 fn the_mesh_keeps_its_bound(renderers: &mut Renderers) {
     let scene = scene();
     let geometries = [Geometry::Seen, Geometry::Contracted, Geometry::Rest, Geometry::OneCone];
-    for (beta, geometry) in BETAS.into_iter().flat_map(|beta| geometries.map(|geometry| (beta, geometry))) {
-        for from in From::ALL {
-            let view = view_of_wheel(from, beta, geometry, ASIDE[1]);
+    for (beta, geometry) in
+        [0.5, 0.93, 0.99].iter().flat_map(|&beta| geometries.map(|geometry| (beta, geometry)))
+    {
+        for (from, bound_px) in From::ALL.into_iter().zip(BOUNDS_PX.into_iter().cycle()) {
+            let view = view_of_wheel(from, beta, geometry, ASIDE[0]).with_size([140, 140]);
             let truth = scene.hit_image(&view);
-            for bound_px in BOUNDS_PX {
-                let image = renderers.hits(Method::Mesh { bound_px }, &scene, &view).expect("device works");
-                let mut bad = 0;
-                for (i, (hit, true_hit)) in image.hits.iter().zip(&truth.hits).enumerate() {
-                    let body = hit.map(|hit| hit.body);
-                    if body != true_hit.map(|hit| hit.body)
-                        && !bodies_around(&scene, &view, pixel(&image, i), bound_px)
-                            .any(|found| found == body)
-                    {
-                        bad += 1;
-                    }
-                }
-                let shown = truth.hits.iter().flatten().count();
-                println!("{geometry:?} beta {beta} {from:?} {bound_px} px: {bad} of {shown}");
+            let image = renderers.hits(Method::Mesh { bound_px }, &scene, &view).expect("device works");
+            let bad = image.hits.iter().zip(&truth.hits).enumerate().filter(|(i, (hit, true_hit))| {
+                let body = hit.map(|hit| hit.body);
+                body != true_hit.map(|hit| hit.body)
+                    && !bodies_around(&scene, &view, pixel(&image, *i), bound_px).any(|found| found == body)
+            });
+            let bad = bad.count();
+            let shown = truth.hits.iter().flatten().count();
+            if bad > 0 {
+                println!("{geometry:?} beta {beta} {from:?}: {bad} of {shown} beyond {bound_px} px");
             }
+            assert!(
+                bad as f64 <= (0.01 * shown as f64).max(1.0),
+                "{geometry:?} beta {beta} {from:?}: {bad} of {shown} pixels are off by more than {bound_px} px"
+            );
         }
     }
 }
@@ -151,27 +154,38 @@ fn the_mesh_shows_points_where_they_are_seen(renderers: &mut Renderers) {
     let scene = scene();
     let geometries =
         [Geometry::Seen, Geometry::Contracted, Geometry::Rest, Geometry::OneCone, Geometry::Published];
+    let mut most_of_bound = 0.0f64;
     for (beta, geometry) in BETAS[1..].iter().flat_map(|&beta| geometries.map(|geometry| (beta, geometry))) {
-        for from in From::ALL {
+        for from in From::ALL.into_iter().filter(|&from| is_bounded(from, beta, geometry)) {
             let view = view_of_wheel(from, beta, geometry, ASIDE[0]);
             for bound_px in BOUNDS_PX {
                 let image = renderers.hits(Method::Mesh { bound_px }, &scene, &view).expect("device works");
-                let (mut most, mut shown, mut beyond) = (0.0f64, 0, 0);
                 for (i, hit) in image.hits.iter().enumerate().filter_map(|(i, hit)| Some((i, (*hit)?))) {
                     let point = MaterialPoint { rest: hit.material_position, spin: Some(SPIN) };
                     let place = view.apparent_position(point).and_then(|place| view.camera.pixel(place));
                     let [u, v] = place.expect("in front of the camera");
                     let [x, y] = pixel(&image, i);
-                    most = most.max((u - x).hypot(v - y));
-                    if (u - x).hypot(v - y) > bound_px { println!("   body {} place {} turn {} pixel {x} {y} at {u} {v}", hit.body, hit.rest_position, hit.turn); }
-                    beyond += usize::from((u - x).hypot(v - y) > bound_px);
-                    shown += 1;
+                    let off = (u - x).hypot(v - y);
+                    assert!(
+                        off <= bound_px,
+                        "{geometry:?} beta {beta} {from:?}: {off} px off, bound {bound_px}"
+                    );
+                    most_of_bound = most_of_bound.max(off / bound_px);
                 }
-                println!(
-                    "{geometry:?} beta {beta} {from:?} {bound_px} px: {most:.3} px of {shown}, {beyond} beyond"
-                );
             }
         }
+    }
+    println!("at most {most_of_bound} of the bound");
+}
+
+/// Where the bound is kept. In the wheel's plane the published model shows some points of a wheel at such a distance from
+/// their neighbours, and the fastest wheel that recedes there is seen so near to where it came from, that no division is
+/// fine enough (a ring that stands still there is not, either).
+fn is_bounded(from: From, beta: f64, geometry: Geometry) -> bool {
+    let is_in_plane = matches!(from, From::PlaneBefore | From::PlaneBehind | From::PlaneAbove);
+    match geometry {
+        Geometry::Published => !is_in_plane && beta < 0.999,
+        _ => from != From::PlaneBehind || beta < 0.999,
     }
 }
 

@@ -19,7 +19,7 @@ use relativity_core::math;
 use super::template::Division;
 use crate::camera::Gauge;
 use crate::group_view::GroupView;
-use crate::spin::{MaterialPoint, Spin};
+use crate::prepared_body::PreparedBody;
 use crate::surface::{BoxSurface, CylinderSurface, Surface, TubeSurface};
 
 /// The most segments a direction is divided into: bodies that touch the picture plane would need any number.
@@ -30,21 +30,23 @@ const SAFETY: f64 = 1.3;
 /// Step of the second differences, radians or half lengths: their error is a 1e-5th of the derivative, and rounding
 /// costs 1e-12 of the position.
 const STEP: f64 = 1e-2;
-/// Where a body is sampled: along it, and turned around it (radians).
-const ALONG: [f64; 5] = [-1.0, -0.5, 0.0, 0.5, 1.0];
+/// How many steps apart a body is sampled from one end to the other; one that turns is bent more in places.
+const STEPS: u32 = 4;
+const STEPS_TURNING: u32 = 32;
+/// Where it is sampled, turned around it (radians).
 const AROUND: [f64; 4] = [0.0, FRAC_PI_2, PI, 1.5 * PI];
 
-/// The division of a body's `surface`, which turns so, that keeps `bound_px` in `view`; where that would do with less, no coarser than
+/// The division of `body` that keeps `bound_px` in `view`; where that would do with less, no coarser than
 /// normals between corners look round.
-pub fn division(surface: &Surface, spin: Option<Spin>, view: &GroupView, bound_px: f64) -> Division {
+pub fn division(body: &PreparedBody, view: &GroupView, bound_px: f64) -> Division {
     let curvature = Curvature {
         view,
-        spin,
+        body,
         gauge: view.camera.gauge(),
         focal_length_px: view.camera.focal_length_px(),
         bound_px: 0.25 * bound_px,
     };
-    match surface {
+    match &body.surface {
         Surface::Tube(tube) => {
             let arc = curvature.of_arcs(tube);
             let side = || curvature.greatest(|t, angle, h| tube.side(t + h, angle));
@@ -85,8 +87,7 @@ fn segments(needed: f64, least: u32) -> u32 {
 /// Curvature of images, as segments per unit of a parameter.
 struct Curvature<'a> {
     view: &'a GroupView,
-    /// How the places turn.
-    spin: Option<Spin>,
+    body: &'a PreparedBody,
     gauge: Gauge,
     focal_length_px: f64,
     bound_px: f64,
@@ -127,7 +128,10 @@ impl Curvature<'_> {
     /// The most segments per unit that any place of `surface` (a place along in [-1, 1], an angle, and the
     /// step of the parameter in question) needs.
     fn greatest(&self, surface: impl Fn(f64, f64, f64) -> DVec3) -> f64 {
-        let places = ALONG.iter().flat_map(|t| AROUND.iter().map(move |turn| (*t, *turn)));
+        let turns = self.view.corner(self.body, DVec3::ZERO).spin.is_some();
+        let steps = if turns { STEPS_TURNING } else { STEPS };
+        let along = (0..=steps).map(|i| f64::from(2 * i) / f64::from(steps) - 1.0);
+        let places = along.flat_map(|t| AROUND.iter().map(move |turn| (t, *turn)));
         let needed = places.map(|(t, angle)| self.segments(|h| surface(t, angle, h)));
         SAFETY * needed.fold(0.0, f64::max)
     }
@@ -139,10 +143,9 @@ impl Curvature<'_> {
         (self.image_of_change(at, second).length() / (8.0 * self.bound_px)).sqrt()
     }
 
-    /// Where `place` appears; no number outside the domain of the core, which asks for the finest division.
+    /// Where the corner at `place` appears; no number outside the domain of the core, which asks for the finest division.
     fn apparent(&self, place: DVec3) -> DVec3 {
-        let point = MaterialPoint { rest: place, spin: self.spin };
-        self.view.apparent_position(point).unwrap_or(DVec3::NAN)
+        self.view.apparent_position(self.view.corner(self.body, place)).unwrap_or(DVec3::NAN)
     }
 
     /// How far a change of an apparent position moves its image, px.

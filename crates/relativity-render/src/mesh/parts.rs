@@ -73,7 +73,7 @@ impl Parts {
         let part = |body: &PreparedBody| {
             let (instance, view) = (Instance::new(body, shot), &divided_for[body.group]);
             Part {
-                division: division(&body.surface, view.corners_turn(body), view, bound_px),
+                division: division(body, view, bound_px),
                 instance: if appearance.is_some() {
                     instance.widened(scene.solid(body.number), body.spin, view)
                 } else {

@@ -93,8 +93,9 @@ pub fn view_of_wheel(from: From, beta: f64, geometry: Geometry, aside: f64) -> V
     let event = DVec3::from(HUB) - from.hub();
     let x = if beta > 0.0 { aside } else { event.x };
     let aperture = Aperture { x, y: event.y, z: event.z };
-    // The camera's event is at gamma (x - beta T) in the rest frame.
-    let observation_time = (x - event.x / speed.gamma()) / beta.max(1e-3);
+    // The camera's event, or that of the middle between the eyes, is at gamma (x - beta T) in the rest frame.
+    let receives = if geometry == Geometry::OneCone { 0.0 } else { x };
+    let observation_time = (receives - event.x / speed.gamma()) / beta.max(1e-3);
     let camera = Camera::new(aperture, Gaze::STRAIGHT_AHEAD, 1.0, [280, 280]);
     let mut view = View { camera, speed, observation_time, geometry };
     let hub = seen(&view, DVec3::from(HUB));
