@@ -1,18 +1,19 @@
 //! The columns that `eval` and `curve` append, and the models that fill them.
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 use clap::Args;
 use relativity_core::doppler::PAPER_INTENSITY_EXPONENT;
 use relativity_core::{
-    Baseline, Disparity, DomainError, MAX_COORDINATE, Model, PairError, SourcePoint, Speed, SpeedError,
-    Stereo, StereoError,
+    Baseline, Disparity, DomainError, MAX_COORDINATE, Model, PairError, Source, Speed, SpeedError, Stereo,
+    StereoError, WheelPoint,
 };
 use thiserror::Error;
 
 use crate::flags::finite_number;
 
-/// Every column, in order, the last five with `--stereo` only, and the very last of a head that is tilted or turned. Left and right are the primary and the secondary aperture.
+/// Every column, in order, the last five with `--stereo` only, and the very last of a head that is tilted or turned or a
+/// point that turns; [`TURNED`] come before those. Left and right are the primary and the secondary aperture.
 const COLUMNS: [&str; 21] = [
     "x_left",
     "x_right",
@@ -40,8 +41,12 @@ const COLUMNS: [&str; 21] = [
 pub const ROLL: &str = "roll";
 /// The same of its turn.
 pub const TURN: &str = "turn";
+/// The columns of where on a wheel a point is.
+pub const WHEEL: [&str; 3] = ["wheel_radius", "rho", "angle"];
 /// How many there are without `--stereo`.
 const USUAL: usize = 16;
+/// The columns of how far a wheel has turned, for its points only.
+const TURNED: [&str; 2] = ["angle_left", "angle_right"];
 /// Those of angles.
 pub const ANGLES: &[&str] = COLUMNS.split_at(14).0.split_at(8).1;
 
@@ -64,6 +69,8 @@ and the disparities between the two:
   dtheta     theta_left - theta_right
 and for each eye again, on the clock that rides with the point:
   own        what it shows as that light leaves: gamma (t - beta x), x from between the eyes
+and of a point on a wheel (wheel_radius, rho, angle; x0, y and z are the hub's, and the wheel rolls towards +x):
+  angle      where on its wheel it is as that light leaves, from +x towards +z, -pi to pi
 and with --stereo where two eyes take the point to be, which is where their lines of sight meet:
   stereo_gain  (x_left - x_right)/d: 1 for a point at rest
   stereo_x     that place, from between the eyes; stereo_y and stereo_z too
@@ -71,6 +78,7 @@ A head that is tilted or turned (roll, turn) has its eyes at +-d/2 (cos roll cos
 lines of sight pass each other: the place is the middle of their shortest connection, and empty where they do not meet in \
 front; the gain is the parallax across the line of sight, along that of a resting point, over that; and with --stereo
   stereo_miss  length of that connection
+Those to a point of a wheel pass each other too, since it is elsewhere for the other eye: it has a stereo_miss as well.
 
 With one cone both eyes receive what the middle between them does: t, doppler and own are that event's, x, phi and theta \
 are from each eye to it.
@@ -93,13 +101,29 @@ pub struct ModelArgs {
     pub stereo: bool,
 }
 
+/// What the input tells of, which decides which columns there are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Given {
+    /// A head that is tilted or turned.
+    pub is_turned: bool,
+    /// Points on wheels.
+    pub on_wheel: bool,
+}
+
+impl Given {
+    /// How many of the columns of `--stereo` there are.
+    const fn stereo(self) -> usize {
+        COLUMNS.len() - USUAL - !(self.is_turned || self.on_wheel) as usize
+    }
+}
+
 /// One point at one observation time, before a pair of eyes.
 #[derive(Debug, Clone, Copy)]
 pub struct Observation {
     /// The point's speed.
     pub speed: Speed,
-    /// Where it is at t = 0.
-    pub point: SourcePoint,
+    /// Where it is at t = 0, or on which wheel.
+    pub source: Source,
     /// The apertures: their separation d, 0 or more, and its direction.
     pub baseline: Baseline,
     /// Observation time T.
@@ -125,6 +149,16 @@ pub enum ObservationError {
         name: &'static str,
         /// Its value.
         value: f64,
+    },
+    /// A place on a wheel that is none.
+    #[error("{name} = {value:?} is out of range: it must be {range}")]
+    Wheel {
+        /// The column of the value.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// What it should be.
+        range: &'static str,
     },
     /// A pair of eyes that the model does not know.
     #[error(transparent)]
@@ -173,7 +207,7 @@ impl ObservationError {
             Self::Speed(SpeedError::Rapidity(_)) => "rapidity",
             Self::Domain(error) => error.name,
             Self::Separation(_) => "d",
-            Self::Head { name, .. } => name,
+            Self::Head { name, .. } | Self::Wheel { name, .. } => name,
             Self::Pair(_) => ROLL,
             Self::Stereo(_) => COLUMNS[USUAL],
             Self::NotFinite { column, .. } => column,
@@ -182,16 +216,18 @@ impl ObservationError {
 }
 
 impl ModelArgs {
-    /// The names of the columns, of a head that `is_turned` (or tilted) or not.
+    /// The names of the columns.
     ///
     /// # Errors
     ///
     /// Stereo columns of a model that has none.
-    pub fn columns(&self, is_turned: bool) -> Result<&'static [&'static str], StereoError> {
+    pub fn columns(&self, given: Given) -> Result<Vec<&'static str>, StereoError> {
+        let (usual, stereo) = COLUMNS.split_at(USUAL);
+        let turned = if given.on_wheel { &TURNED[..] } else { &[] };
         match (self.stereo, self.model) {
             (true, Model::Published(_)) => Err(StereoError::Published(self.model.name())),
-            (true, _) => Ok(&COLUMNS[..COLUMNS.len() - usize::from(!is_turned)]),
-            (false, _) => Ok(&COLUMNS[..USUAL]),
+            (true, _) => Ok([usual, turned, &stereo[..given.stereo()]].concat()),
+            (false, _) => Ok([usual, turned].concat()),
         }
     }
 
@@ -200,28 +236,33 @@ impl ModelArgs {
     /// # Errors
     ///
     /// An input outside its domain, or an intensity that overflows. (One that underflows is 0.)
-    pub fn values(&self, observation: &Observation, is_turned: bool) -> Result<Vec<f64>, ObservationError> {
-        let mut values = self.sightings(observation)?.to_vec();
+    pub fn values(&self, observation: &Observation, given: Given) -> Result<Vec<f64>, ObservationError> {
+        let both = self.disparity(observation)?;
+        let mut values = self.sightings(&both).to_vec();
         if let Some(index) = values.iter().position(|value| !value.is_finite()) {
             return Err(ObservationError::NotFinite { column: COLUMNS[index], value: values[index] });
         }
+        let &Observation { ref speed, source, baseline, time } = observation;
+        if let Source::Wheel(wheel) = source {
+            let own_times = [both.primary, both.secondary].map(|seen| seen.own_time);
+            values.extend(own_times.map(|own_time| within_half_a_turn(wheel.angle_at(speed, own_time))));
+        }
         if self.stereo {
-            let &Observation { ref speed, point, baseline, time } = observation;
-            let found = match self.model.stereo(speed, point, baseline.apertures_or_limit(), time) {
+            let found = match self.model.stereo(speed, source, baseline.apertures_or_limit(), time) {
                 Ok(Stereo { gain, position: [x, y, z], miss }) => [gain, x, y, z, miss],
                 Err(StereoError::Apart) => [f64::NAN; 5],
                 Err(error) => return Err(error.into()),
             };
-            values.extend(&found[..found.len() - usize::from(!is_turned)]);
+            values.extend(&found[..given.stereo()]);
         }
         Ok(values)
     }
 
     /// The values of the columns that are always there.
-    fn sightings(&self, observation: &Observation) -> Result<[f64; USUAL], ObservationError> {
-        let Disparity { primary, secondary, dphi, dtheta } = self.disparity(observation)?;
+    fn sightings(&self, both: &Disparity) -> [f64; USUAL] {
+        let &Disparity { primary, secondary, dphi, dtheta } = both;
         let exponent = self.intensity_exponent;
-        Ok([
+        [
             primary.position[0],
             secondary.position[0],
             primary.retarded_time,
@@ -238,11 +279,11 @@ impl ModelArgs {
             dtheta,
             primary.own_time,
             secondary.own_time,
-        ])
+        ]
     }
 
     fn disparity(&self, observation: &Observation) -> Result<Disparity, ObservationError> {
-        let &Observation { ref speed, point, baseline, time } = observation;
+        let &Observation { ref speed, source, baseline, time } = observation;
         let Baseline { separation, roll, turn } = baseline;
         if !(0.0..=MAX_COORDINATE).contains(&separation) {
             return Err(ObservationError::Separation(separation));
@@ -252,6 +293,26 @@ impl ModelArgs {
                 return Err(ObservationError::Head { name, value });
             }
         }
-        Ok(self.model.disparity(speed, point, baseline.apertures(), time)?)
+        if let Source::Wheel(wheel) = source {
+            check_wheel(&wheel)?;
+        }
+        Ok(self.model.disparity(speed, source, baseline.apertures(), time)?)
     }
+}
+
+fn check_wheel(wheel: &WheelPoint) -> Result<(), ObservationError> {
+    let [radius, rho, _] = WHEEL;
+    let error = |name, value, range| Err(ObservationError::Wheel { name, value, range });
+    match *wheel {
+        WheelPoint { radius: value, .. } if value <= 0.0 => error(radius, value, "above 0"),
+        WheelPoint { rho: value, .. } if !(0.0..=1.0).contains(&value) => {
+            error(rho, value, "between 0 and 1")
+        }
+        _ => Ok(()),
+    }
+}
+
+/// An angle, less the whole turns in it.
+fn within_half_a_turn(angle: f64) -> f64 {
+    (angle - TAU * (angle / TAU).round()).clamp(-PI, PI)
 }

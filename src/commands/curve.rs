@@ -6,10 +6,10 @@ use clap::Args;
 use csv::ByteRecord;
 use relativity_core::{Baseline, SourcePoint};
 
-use crate::columns::{ModelArgs, Observation, ObservationError, ROLL, TURN, help_with};
+use crate::columns::{Given, ModelArgs, Observation, ObservationError, ROLL, TURN, WHEEL, help_with};
 use crate::files::csv_out;
 use crate::files::whole::OutArgs;
-use crate::flags::{HeadArgs, SpeedArgs, finite_number};
+use crate::flags::{HeadArgs, SpeedArgs, WheelArgs, finite_number};
 use crate::passage::{passage_times, time_within};
 
 /// Speed of the paper's cyclist.
@@ -18,7 +18,8 @@ const CYCLIST_BETA: f64 = 0.9;
 /// What two eyes see of one point over a range of observation times, as CSV.
 ///
 /// Without flags: the tracked point of the paper's cyclist. The first columns are the inputs, under the names that
-/// `gamow eval` reads; roll and turn, in radians, are among them where the head is tilted or turned.
+/// `gamow eval` reads; roll and turn, in radians, are among them where the head is tilted or turned, and wheel_radius, rho and
+/// angle where the point is on a wheel.
 #[derive(Debug, Args)]
 #[command(after_long_help = help_with(EXAMPLES))]
 pub struct CurveArgs {
@@ -38,10 +39,12 @@ pub struct CurveArgs {
     /// The point's objective x at t = 0.
     #[arg(long, default_value_t = 0.0, value_parser = finite_number, allow_hyphen_values = true)]
     x0: f64,
-    /// First observation time [default: when the point is seen at x = -2 R, R being its distance at x = 0]
+    #[command(flatten)]
+    wheel: WheelArgs,
+    /// First observation time [default: when the point, or the hub of its wheel, is seen at x = -2 R, R being its distance at x = 0]
     #[arg(long, value_name = "T", value_parser = finite_number, allow_hyphen_values = true)]
     from: Option<f64>,
-    /// Last observation time [default: when the point is seen at x = +2 R]
+    /// Last observation time [default: when it is seen at x = +2 R]
     #[arg(long, value_name = "T", value_parser = finite_number, allow_hyphen_values = true)]
     to: Option<f64>,
     /// How many observation times, at least 2.
@@ -59,12 +62,13 @@ Examples:
   gamow curve --beta 0.9 --d 0.3 --y 0.5 --z 0.5 --from -2 --to 5 --model published
   gamow curve --stereo | cut -d, -f 6,23-26
   gamow curve --stereo --roll 90
+  gamow curve --wheel-radius 0.525 --rho 1 --angle 0 --from -2 --to 8
   gamow curve --gamma 1e6 --x0 -10 --from 0 --to 20 --out curve.csv";
 
 /// Runs `gamow curve`.
 pub fn run(args: &CurveArgs) -> anyhow::Result<()> {
     let first = args.observation(0.0)?;
-    args.model.values(&first, args.is_turned())?; // so that a bad flag leaves no header behind on standard output
+    args.model.values(&first, args.told())?; // so that a bad flag leaves no header behind on standard output
     let [from, to] = args.time_range(&first)?;
     if from >= to {
         anyhow::bail!("--from {from} is not before --to {to}");
@@ -82,17 +86,20 @@ fn write_curve(
     let mut output = csv_out::Rows::new(out);
     let mut row = ByteRecord::from(vec![parameter.name(), "d"]);
     let Baseline { roll, turn, .. } = first.baseline;
-    let is_turned = args.is_turned();
-    let head: &[f64] = if is_turned { &[roll, turn] } else { &[] };
+    let told = args.told();
+    let head: &[f64] = if told.is_turned { &[roll, turn] } else { &[] };
     row.extend(&[ROLL, TURN][..head.len()]);
+    let wheel = args.wheel.given();
+    let wheel = wheel.as_ref().map_or(&[][..], |wheel| wheel);
+    row.extend(&WHEEL[..wheel.len()]);
     row.extend(["y", "z", "x0", "T"]);
-    row.extend(args.model.columns(is_turned)?);
+    row.extend(args.model.columns(told)?);
     output.write(&mut row, &[])?;
     for sample in 0..args.samples {
         let time = time_within([from, to], sample as f64 / (args.samples - 1) as f64);
-        let values = args.model.values(&Observation { time, ..first }, is_turned)?;
+        let values = args.model.values(&Observation { time, ..first }, told)?;
         row.clear();
-        let inputs = [&[speed, args.d], head, &[args.y, args.z, args.x0, time]].concat();
+        let inputs = [&[speed, args.d], head, wheel, &[args.y, args.z, args.x0, time]].concat();
         output.write(&mut row, &[inputs, values].concat())?;
     }
     Ok(output.flush()?)
@@ -100,14 +107,15 @@ fn write_curve(
 
 impl CurveArgs {
     fn observation(&self, time: f64) -> anyhow::Result<Observation> {
-        let point = SourcePoint { x0: self.x0, y: self.y, z: self.z };
+        let source = self.wheel.source(SourcePoint { x0: self.x0, y: self.y, z: self.z });
         let baseline = self.head.baseline(self.d);
-        Ok(Observation { speed: self.speed.speed(CYCLIST_BETA)?, point, baseline, time })
+        Ok(Observation { speed: self.speed.speed(CYCLIST_BETA)?, source, baseline, time })
     }
 
-    /// Whether the head is not held straight.
-    fn is_turned(&self) -> bool {
-        self.head.radians().into_iter().flatten().any(|angle| angle != 0.0)
+    /// Of what the flags tell.
+    fn told(&self) -> Given {
+        let is_turned = self.head.radians().into_iter().flatten().any(|angle| angle != 0.0);
+        Given { is_turned, on_wheel: self.wheel.given().is_some() }
     }
 
     /// The observation times to start and end at.
@@ -115,9 +123,9 @@ impl CurveArgs {
         if let (Some(from), Some(to)) = (self.from, self.to) {
             return Ok([from, to]);
         }
-        let &Observation { speed, point, baseline, .. } = observation;
+        let &Observation { speed, source, baseline, .. } = observation;
         let Some(times) =
-            passage_times(&speed, point, baseline.apertures()).map_err(ObservationError::from)?
+            passage_times(&speed, source.place(), baseline.apertures()).map_err(ObservationError::from)?
         else {
             anyhow::bail!("a point at rest passes at no time; --from and --to are needed");
         };

@@ -26,7 +26,7 @@ pub const EYES: [&str; 2] = ["left", "right"];
 const NO_WAVELENGTH_NM: f64 = 0.0;
 
 /// The angle on a wheel of what turns on none, and of nothing: no angle, which lie in [-pi, pi].
-const NO_ANGLE: f32 = -10.0;
+pub const NO_ANGLE: f32 = -10.0;
 
 /// A measured quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

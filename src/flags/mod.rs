@@ -17,4 +17,4 @@ pub use numbers::{
     whole_number, within,
 };
 pub use speed::{SpeedArgs, SpeedParameter, SpeedSetting};
-pub use wheel::WheelArgs;
+pub use wheel::{WheelArgs, rolling};

@@ -1,32 +1,48 @@
-//! Where on a wheel that rolls a point is, as flags have it.
+//! A point on a wheel that rolls, as flags have it.
 
 use clap::Args;
-use relativity_core::Rolling;
+use relativity_core::{Rolling, Source, SourcePoint, Turning, WheelPoint};
 
-use super::{finite_number, positive, within};
+use super::finite_number;
 
-/// The wheel that a point turns with; y, z and x0 are then its hub's.
+/// Where on a rolling wheel a point is: all or none.
 #[derive(Debug, Clone, Copy, Args)]
 pub struct WheelArgs {
-    /// The point is on a wheel that rolls on this radius: y, z and x0 are its hub's.
-    #[arg(long, value_name = "W", value_parser = positive)]
+    /// The point is on a wheel of this radius, that rolls towards +x; --x0, --y and --z are then its hub's.
+    #[arg(long, value_name = "W", value_parser = finite_number, allow_hyphen_values = true,
+          requires_all = ["rho", "angle"])]
     wheel_radius: Option<f64>,
-    /// How far the point is from the axle, in radii of its wheel.
-    #[arg(long, value_name = "R", default_value_t = 1.0, value_parser = within(0.0..=1.0), requires = "wheel_radius")]
-    rho: f64,
-    /// Its angle on the wheel when the wheel's own clock shows 0: radians from +x towards +z.
-    #[arg(
-        long, value_name = "A", default_value_t = 0.0, value_parser = finite_number, allow_hyphen_values = true,
-        requires = "wheel_radius"
-    )]
-    angle: f64,
+    /// How far the point is from the hub, in radii of its wheel, 0 to 1.
+    #[arg(long, value_parser = finite_number, allow_hyphen_values = true, requires = "wheel_radius")]
+    rho: Option<f64>,
+    /// Where the point is at t' = 0 by the clocks that ride with the hub: from +x towards +z, radians.
+    #[arg(long, value_name = "RAD", value_parser = finite_number, allow_hyphen_values = true,
+          requires = "wheel_radius")]
+    angle: Option<f64>,
 }
 
 impl WheelArgs {
-    /// Where the point is on its wheel; `None` of one that is on none.
+    /// Radius, rho and angle, where they are given.
+    #[must_use]
+    pub fn given(&self) -> Option<[f64; 3]> {
+        Some([self.wheel_radius?, self.rho?, self.angle?])
+    }
+
+    /// The same for a fit.
     #[must_use]
     pub fn rolling(&self) -> Option<Rolling> {
-        let &Self { wheel_radius, rho, angle } = self;
-        wheel_radius.map(|radius| Rolling { radius, rho, angle })
+        self.given().map(|[radius, rho, angle]| Rolling { radius, rho, angle })
     }
+
+    /// The point at `place`, or the one of the wheel whose hub is there.
+    #[must_use]
+    pub fn source(&self, place: SourcePoint) -> Source {
+        self.given().map_or_else(|| place.into(), |wheel| rolling(place, wheel))
+    }
+}
+
+/// The point of a rolling wheel at a radius, a rho and an angle.
+#[must_use]
+pub fn rolling(hub: SourcePoint, [radius, rho, angle]: [f64; 3]) -> Source {
+    WheelPoint { hub, radius, rho, angle, turning: Turning::Rolling }.into()
 }

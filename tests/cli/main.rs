@@ -12,6 +12,7 @@ mod numbers;
 mod paper;
 mod quiet;
 mod streams;
+mod wheels;
 
 /// What a run left behind.
 struct Outcome {

@@ -84,9 +84,6 @@ fn baseline([primary, secondary]: [Aperture; 2]) -> [f64; 3] {
 /// not on x(0) = 0). Of a pair across the motion (`b_x` = 0) a point is as far from both always or never: `None`. Two apertures
 /// in one place stand for the limit of the paper's.
 ///
-/// A point of a wheel passes that plane once if it always moves towards one side of it, as those of a wheel do that rolls past
-/// the paper's pair; else `None` is returned, for it may be as far from both several times.
-///
 /// # Accuracy
 ///
 /// As [`observation_time_when_seen_at`]; of pairs of any direction and separation median 0.2, 99 % 1.3, worst 6.1 units.

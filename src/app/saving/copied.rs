@@ -1,10 +1,10 @@
 //! What is copied as text: commands that give the same picture or the same numbers, and the numbers.
 
-use relativity_core::{Model, Speed, SpeedError};
+use relativity_core::{Model, Source, Speed, SpeedError, Turning, WheelPoint};
 use relativity_render::Motion;
 
 use crate::app::state::State;
-use crate::columns::{ModelArgs, Observation, ROLL, TURN};
+use crate::columns::{Given, ModelArgs, Observation, ROLL, TURN, WHEEL};
 use crate::flags::words::quoted;
 use crate::flags::{SpeedParameter, SpeedSetting};
 use crate::scene::Track;
@@ -16,6 +16,9 @@ const SAMPLES: u32 = 201;
 /// Why there are no numbers of a point by a command.
 const BACKWARD: &str =
     "`gamow curve` and `gamow eval` take what moves towards +x, and the selected point moves the other way.";
+
+/// Why there are none of a point on a wheel that does not roll.
+const SLIPS: &str = "`gamow curve` and `gamow eval` take wheels that roll, and that of the selected point turns at a speed of its own.";
 
 /// `speed` as beta, or as rapidity where beta does not tell all of it.
 fn told_speed(speed: Speed) -> Result<SpeedSetting, SpeedError> {
@@ -38,11 +41,14 @@ impl State {
         };
         let observation = Observation {
             speed: speed.speed(),
-            point: self.selected_source().place(),
+            source: self.selected_source(),
             baseline: self.settings.baseline(),
             time: self.session.time,
         };
-        Ok((speed, observation))
+        match observation.source {
+            Source::Wheel(WheelPoint { turning: Turning::RimSpeed(_), .. }) => Err(SLIPS.to_owned()),
+            _ => Ok((speed, observation)),
+        }
     }
 
     fn told_model(&self) -> ModelArgs {
@@ -63,7 +69,7 @@ impl State {
         let stereo = if stereo { " --stereo" } else { "" };
         let Settings { motion, .. } = self.settings;
         let [from, to] = self.time_range();
-        let point = observation.point;
+        let point = observation.source.place();
         let (parameter, value) = speed.given();
         let numbers = [
             (parameter.name(), value),
@@ -77,7 +83,11 @@ impl State {
             ("to", to),
             ("intensity-exponent", intensity_exponent),
         ];
-        let flags = numbers.map(|(name, value)| format!(" --{name}={}", quoted(&value.to_string()))).concat();
+        let wheel = on_wheel(observation.source);
+        let flag = |(name, value): (&str, f64)| {
+            format!(" --{}={}", name.replace('_', "-"), quoted(&value.to_string()))
+        };
+        let flags: String = numbers.into_iter().chain(wheel).map(flag).collect();
         Ok(format!("gamow curve{flags} --model={}{stereo} --samples={SAMPLES}", model.name()))
     }
 
@@ -90,9 +100,11 @@ impl State {
         let (speed, observation) = self.told_point()?;
         let model = self.told_model();
         let told = |error: &dyn std::fmt::Display| error.to_string();
-        let columns = model.columns(true).map_err(|error| told(&error))?;
-        let values = model.values(&observation, true).map_err(|error| told(&error))?;
-        let (point, baseline) = (observation.point, observation.baseline);
+        let wheel = on_wheel(observation.source);
+        let given = Given { is_turned: true, on_wheel: !wheel.is_empty() };
+        let columns = model.columns(given).map_err(|error| told(&error))?;
+        let values = model.values(&observation, given).map_err(|error| told(&error))?;
+        let (point, baseline) = (observation.source.place(), observation.baseline);
         let (parameter, value) = speed.given();
         let inputs = [
             (parameter.name(), value),
@@ -104,11 +116,22 @@ impl State {
             ("x0", point.x0),
             ("T", observation.time),
         ];
-        let all = || inputs.into_iter().chain(columns.iter().copied().zip(values.iter().copied()));
+        let inputs = || inputs.into_iter().chain(wheel.iter().copied());
+        let all = || inputs().chain(columns.iter().copied().zip(values.iter().copied()));
         let names: Vec<&str> = all().map(|(name, _)| name).collect();
         // Where lines of sight do not meet there is no number.
         let number = |value: f64| if value.is_nan() { String::new() } else { value.to_string() };
         let numbers: Vec<String> = all().map(|(_, value)| number(value)).collect();
         Ok(format!("{}\n{}\n", names.join("\t"), numbers.join("\t")))
+    }
+}
+
+/// Where on its wheel a point is, by the names of the columns; nothing of a point on none.
+fn on_wheel(source: Source) -> Vec<(&'static str, f64)> {
+    match source {
+        Source::Point(_) => Vec::new(),
+        Source::Wheel(WheelPoint { radius, rho, angle, .. }) => {
+            WHEEL.into_iter().zip([radius, rho, angle]).collect()
+        }
     }
 }

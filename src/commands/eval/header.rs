@@ -4,9 +4,9 @@ use csv::ByteRecord;
 use relativity_core::{Baseline, SourcePoint, StereoError};
 use thiserror::Error;
 
-use crate::columns::{Observation, ObservationError, ROLL, TURN};
+use crate::columns::{Given, Observation, ObservationError, ROLL, TURN, WHEEL};
 use crate::files::csv_in::{self, Names};
-use crate::flags::SpeedParameter;
+use crate::flags::{SpeedParameter, rolling};
 
 /// Where the inputs are in each row.
 #[derive(Debug)]
@@ -16,6 +16,8 @@ pub struct Header {
     d: usize,
     /// Of roll and turn.
     head: [Option<usize>; 2],
+    /// Of the radius, rho and angle of a point on a wheel.
+    wheel: Option<[usize; 3]>,
     y: usize,
     z: usize,
     time: usize,
@@ -32,6 +34,14 @@ pub enum InputError {
     /// The speed is given in two ways.
     #[error("columns {0} and {1} both give the speed; there should be one of beta, gamma, rapidity")]
     TwoSpeeds(&'static str, &'static str),
+    /// Where on a wheel a point is is given in part.
+    #[error("column {there} is given, and {missing} is not; wheel_radius, rho and angle go together")]
+    PartOfWheel {
+        /// One that is there.
+        there: &'static str,
+        /// One that is missing.
+        missing: &'static str,
+    },
     /// A column has the name of one that will be appended.
     #[error("column {0} is there already, and would be appended again; it should be dropped or renamed")]
     Taken(&'static str),
@@ -52,16 +62,15 @@ impl<E: Into<ObservationError>> From<E> for InputError {
 const NEEDED: &str = "d, y, z, T and one of beta, gamma, rapidity";
 
 impl Header {
-    /// Finds the inputs by the names in the first row, to which will be added what is `appended` to a head that is turned, or
-    /// is not.
+    /// Finds the inputs by the names in the first row, to which will be added what is `appended` to what they tell of.
     pub fn new(
         row: ByteRecord,
-        appended: impl Fn(bool) -> Result<&'static [&'static str], StereoError>,
+        appended: impl Fn(Given) -> Result<Vec<&'static str>, StereoError>,
     ) -> Result<Self, InputError> {
         let names = Names::new(row)?;
         let head = head_places(&names)?;
-        let appended = appended(is_turned(head))?;
-        for &name in appended {
+        let wheel = wheel_places(&names)?;
+        for name in appended(given(head, wheel))? {
             if names.place(name)?.is_some() {
                 return Err(InputError::Taken(name));
             }
@@ -72,6 +81,7 @@ impl Header {
             speed,
             d: names.needed_place("d", NEEDED)?,
             head,
+            wheel,
             y: names.needed_place("y", NEEDED)?,
             z: names.needed_place("z", NEEDED)?,
             time: names.needed_place("T", NEEDED)?,
@@ -87,14 +97,18 @@ impl Header {
         let speed = self.speed_parameter.speed(number(self.speed)?)?;
         let x0 = self.x0.map_or(Ok(0.0), number)?;
         let point = SourcePoint { x0, y: number(self.y)?, z: number(self.z)? };
+        let source = match self.wheel {
+            None => point.into(),
+            Some([radius, rho, angle]) => rolling(point, [number(radius)?, number(rho)?, number(angle)?]),
+        };
         let [roll, turn] = self.head.map(|place| place.map_or(Ok(0.0), number));
         let baseline = Baseline { separation: number(self.d)?, roll: roll?, turn: turn? };
-        Ok(Observation { speed, point, baseline, time: number(self.time)? })
+        Ok(Observation { speed, source, baseline, time: number(self.time)? })
     }
 
-    /// Whether there are columns of a head that is tilted or turned.
-    pub fn is_turned(&self) -> bool {
-        is_turned(self.head)
+    /// What there are columns of.
+    pub fn given(&self) -> Given {
+        given(self.head, self.wheel)
     }
 }
 
@@ -102,8 +116,25 @@ fn head_places(names: &Names) -> Result<[Option<usize>; 2], csv_in::HeaderError>
     Ok([names.place(ROLL)?, names.place(TURN)?])
 }
 
-fn is_turned(head: [Option<usize>; 2]) -> bool {
-    head.iter().any(Option::is_some)
+/// Those of a point on a wheel: all or none.
+fn wheel_places(names: &Names) -> Result<Option<[usize; 3]>, InputError> {
+    let mut places = [None; 3];
+    for (place, name) in places.iter_mut().zip(WHEEL) {
+        *place = names.place(name)?;
+    }
+    if let [Some(radius), Some(rho), Some(angle)] = places {
+        return Ok(Some([radius, rho, angle]));
+    }
+    let first =
+        |is_there: bool| places.iter().position(|place| place.is_some() == is_there).map(|i| WHEEL[i]);
+    match (first(true), first(false)) {
+        (Some(there), Some(missing)) => Err(InputError::PartOfWheel { there, missing }),
+        _ => Ok(None),
+    }
+}
+
+fn given(head: [Option<usize>; 2], wheel: Option<[usize; 3]>) -> Given {
+    Given { is_turned: head.iter().any(Option::is_some), on_wheel: wheel.is_some() }
 }
 
 fn speed_place(names: &Names) -> Result<(SpeedParameter, usize), InputError> {

@@ -10,15 +10,17 @@ use clap::Args;
 use csv::ByteRecord;
 
 use self::header::{Header, InputError};
-use crate::columns::{ModelArgs, help_with};
+use crate::columns::{Given, ModelArgs, help_with};
 use crate::files::whole::OutArgs;
 use crate::files::{csv_in, csv_out};
 
 /// What two eyes see of the point in each row of a CSV file.
 ///
 /// The header names the columns, in any order: exactly one of beta, gamma, rapidity; d (aperture separation); y and z
-/// (the point's depth and height); T (when the light arrives); optionally x0 (the point's x at t = 0, else 0), and roll and
-/// turn (by how much the head is tilted and turned, in radians, else 0). All other columns pass through.
+/// (the point's depth and height); T (when the light arrives); optionally x0 (the point's x at t = 0, else 0), roll and
+/// turn (by how much the head is tilted and turned, in radians, else 0), and wheel_radius, rho and angle (of a point on a wheel
+/// that rolls, whose hub is at x0, y and z: the radius of the wheel, how far the point is from the hub in radii, and where it is
+/// at t' = 0 by the clocks that ride with the hub, from +x towards +z, in radians). All other columns pass through.
 ///
 /// A bad row ends the run with one line that names file, line and column, and exit status 2. With --out no file is then
 /// written; standard output has the rows before it.
@@ -37,6 +39,7 @@ const EXAMPLES: &str = "\
 Examples:
   printf 'beta,d,y,z,T\\n0.9,0.3,0.5,0.5,0\\n' | gamow eval
   printf 'gamma,d,y,z,T,x0,name\\n1e9,0.1,3,2,4,-1,rider\\n' | gamow eval --intensity-exponent 4
+  printf 'beta,d,y,z,T,wheel_radius,rho,angle\\n0.9,0.1,3,2,4,0.5,1,0\\n' | gamow eval
   gamow curve | cut -d, -f 1-6 | gamow eval --model published --out published.csv";
 
 /// Runs `gamow eval`.
@@ -47,16 +50,17 @@ pub fn run(args: &EvalArgs) -> anyhow::Result<()> {
 
 /// Reads rows of `input`, called `name` in errors, and writes each with the columns appended.
 fn evaluate(name: &str, input: impl Read, model: ModelArgs, out: &mut dyn Write) -> anyhow::Result<()> {
-    model.columns(false)?; // what has no such columns is no matter of a row
+    let plain = Given { is_turned: false, on_wheel: false };
+    model.columns(plain)?; // what has no such columns is no matter of a row
     let mut input = csv_in::Rows::new(input);
     let mut output = csv_out::Rows::new(out);
     let mut row = ByteRecord::new();
 
     input.read(&mut row).with_context(|| name.to_owned())?;
     let place = |input: &csv_in::Rows<_>, row: &ByteRecord| format!("{name}:{}", input.line(row));
-    let header = Header::new(row.clone(), |is_turned| model.columns(is_turned))
-        .with_context(|| place(&input, &row))?;
-    row.extend(model.columns(header.is_turned())?);
+    let header =
+        Header::new(row.clone(), |given| model.columns(given)).with_context(|| place(&input, &row))?;
+    row.extend(model.columns(header.given())?);
     output.write(&mut row, &[])?;
 
     while input.read(&mut row).with_context(|| name.to_owned())? {
@@ -64,7 +68,7 @@ fn evaluate(name: &str, input: impl Read, model: ModelArgs, out: &mut dyn Write)
             .check_closed(&row)
             .map_err(InputError::from)
             .and_then(|()| header.observation(&row))
-            .and_then(|observation| Ok(model.values(&observation, header.is_turned())?))
+            .and_then(|observation| Ok(model.values(&observation, header.given())?))
             .with_context(|| place(&input, &row))?;
         output.write(&mut row, &values)?;
         if input.is_drained() {
