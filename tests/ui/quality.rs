@@ -164,6 +164,7 @@ fn tells_how_far_off_spokes_are() {
     let mut still = small_window(state.clone());
     settle(&mut still);
     assert!(!labels(&still).iter().any(|label| label.starts_with("1 round")));
+    drop(still);
     state.settings.scene = "wheel".to_owned();
     let mut window = small_window(State::open(state.settings).expect("a preset"));
     settle(&mut window);
