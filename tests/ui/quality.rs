@@ -22,6 +22,7 @@ pub const TESTS: &[Test] = &[
     ("the_accuracy_tab_measures_every_renderer", the_accuracy_tab_measures),
     ("the_accuracy_tab_begins_with_what_its_figures_come_to", begins_with_a_conclusion),
     ("figures_are_of_the_views_that_are_shown", figures_are_of_the_views),
+    ("the_accuracy_tab_tells_how_far_off_spokes_are", tells_how_far_off_spokes_are),
     ("hidden_figures_are_not_measured", hidden_figures_are_not_measured),
     ("clicking_a_renderer_in_the_table_or_the_plot_chooses_it", clicking_a_renderer_chooses_it),
     ("the_heat_map_marks_what_the_mesh_gets_wrong", the_heat_map_marks_errors),
@@ -155,6 +156,27 @@ fn the_accuracy_tab_measures() {
     assert_eq!(figure(&window, "reference", "other body"), 0.0);
     let repaint = window.output().viewport_output[&ViewportId::ROOT].repaint_delay;
     assert_eq!(repaint, Duration::MAX, "a window at rest uses no processor");
+}
+
+/// After each round; nothing of that where nothing turns.
+fn tells_how_far_off_spokes_are() {
+    let mut state = examined(0.9);
+    let mut still = small_window(state.clone());
+    settle(&mut still);
+    assert!(!labels(&still).iter().any(|label| label.starts_with("1 round")));
+    drop(still);
+    state.settings.scene = "wheel".to_owned();
+    let mut window = small_window(State::open(state.settings).expect("a preset"));
+    settle(&mut window);
+    let after = ["1 round", "2 rounds", "3 rounds"].map(|rounds| {
+        assert!(figure(&window, rounds, "ns") > 0.0 && figure(&window, rounds, "missed") < 1.0);
+        ["along / radii", "outlines / px"].map(|column| figure(&window, rounds, column))
+    });
+    for (first, second) in [(after[0], after[1]), (after[1], after[2])] {
+        assert!(second[0] < 0.1 * first[0] && second[1] < 0.1 * first[1], "{after:?}");
+    }
+    assert!(after[2][1] < 0.02, "{after:?}");
+    assert!(figure(&window, "exact", "ns") > 0.0);
 }
 
 fn current(window: &Harness<'_, App>) -> usize {

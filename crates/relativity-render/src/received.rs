@@ -1,10 +1,14 @@
 //! How much of each group is received in which band: so that a picture can say why something in it is dark, from the
 //! places of the bodies alone.
 
+use std::slice;
+
 use crate::capsule::Capsule;
 use crate::group_view::GroupView;
 use crate::light::Light;
+use crate::prepared_body::PreparedBody;
 use crate::scene::{PreparedGroup, PreparedScene};
+use crate::spin::MaterialPoint;
 use crate::view::{Appearance, View};
 
 /// Where along a capsule its light is looked at, in parts of its length.
@@ -40,11 +44,10 @@ impl PreparedScene {
             let mut shares = Shares::default();
             for body in &self.bodies()[group.bodies.clone()] {
                 let light = Light::new(body.emission, appearance);
-                let capsules = match body.block {
-                    Some(_) => std::slice::from_ref(self.ball_around(body)),
-                    None => self.capsules(body),
-                };
-                for Sample { weight, doppler_factor } in capsules.iter().flat_map(|c| samples(c, &seen)) {
+                let ball = body.block.map(|block| block.ball_around());
+                let capsules = ball.as_ref().map_or_else(|| self.capsules(body), slice::from_ref);
+                let samples = capsules.iter().flat_map(|capsule| samples(capsule, body, &seen));
+                for Sample { weight, doppler_factor } in samples {
                     shares[light.band(appearance, doppler_factor) as usize] += weight;
                 }
             }
@@ -61,17 +64,24 @@ struct Sample {
     doppler_factor: f64,
 }
 
-/// The light from the places of `capsule`.
-fn samples<'a>(capsule: &'a Capsule, seen: &'a GroupView) -> impl Iterator<Item = Sample> + 'a {
+/// The light from the places of `capsule`, which contains a part of `body`.
+fn samples<'a>(
+    capsule: &'a Capsule,
+    body: &'a PreparedBody,
+    seen: &'a GroupView,
+) -> impl Iterator<Item = Sample> + 'a {
     let length = capsule.from.distance(capsule.to) / PLACES.len() as f64;
     let area = capsule.radius * (length + capsule.radius);
     PLACES.into_iter().filter_map(move |place| {
-        let place = capsule.from.lerp(capsule.to, place);
+        let rest = capsule.from.lerp(capsule.to, place);
+        let spin = body.spin.filter(|_| body.is_turned);
+        let place = seen.place_when_shown(MaterialPoint { rest, spin });
         let apparent = seen.apparent_position(place)?;
         let line_of_sight = apparent.try_normalize()?;
-        let doppler_factor = seen.rest_ray_at(line_of_sight, apparent.length()).doppler_factor;
+        let of_group = seen.rest_ray_at(line_of_sight, apparent.length()).doppler_factor;
+        let doppler_factor = of_group * body.spin.map_or(1.0, |spin| seen.own_doppler(&spin, place));
         // Aberration makes what is blueshifted smaller: solid angles by D^2.
-        let angle = area / (place.distance_squared(seen.origin) + area) / (doppler_factor * doppler_factor);
+        let angle = area / (place.distance_squared(seen.origin) + area) / (of_group * of_group);
         let weight = if seen.camera.shows(line_of_sight) { angle } else { 0.0 };
         weight.is_finite().then_some(Sample { weight, doppler_factor })
     })

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use glam::{DVec2, DVec3};
 use relativity_core::{Aperture, Speed, Turning};
 use relativity_render::{
-    Body, Camera, Gaze, Geometry, Hit, MaterialPoint, Motion, PreparedScene, Shape, Spin, View,
+    Appearance, Body, Camera, Gaze, Geometry, Hit, MaterialPoint, Motion, PreparedScene, Shape, Spin, View,
 };
 
 const HUB: DVec3 = DVec3::new(-0.525, 3.0, 2.0);
@@ -203,5 +203,31 @@ fn spokes_are_straight_where_they_are_seen_along_the_axle() {
         let expected = expected.fold(0.0, f64::max);
         assert!((worst / expected - 1.0).abs() < 0.05, "{worst} px instead of {expected} at beta = {beta}");
         assert!(worst < 0.1, "a spoke is {worst} px off its line at beta = {beta}");
+    }
+}
+
+#[test]
+fn a_tyre_is_received_in_the_bands_in_which_its_pixels_are() {
+    let scene = PreparedScene::moving(&[tyre(HUB)]);
+    let appearance = Appearance::default();
+    for (beta, time) in [(0.5, 1.0), (0.9, 3.6), (0.93, 2.5), (0.93, 5.0)] {
+        let mut view = view(beta, time, Geometry::Seen);
+        let middle = view.apparent_position(HUB).expect("inside the domain");
+        view.camera.gaze = Gaze::along(middle.to_array());
+        let [shares] = scene.received_shares(&view, &appearance)[..] else { panic!("it is one group") };
+        // Ultraviolet, visible, infrared: of 600 nm.
+        let mut counts = [0.0; 3];
+        for hit in scene.hit_image(&view).hits.into_iter().flatten() {
+            let received_nm = 600.0 / hit.doppler_factor;
+            counts[usize::from(received_nm > 380.0) + usize::from(received_nm > 750.0)] += 1.0;
+        }
+        let all: f64 = counts.iter().sum();
+        for (band, share) in shares.into_iter().enumerate() {
+            let expected = counts[band] / all;
+            assert!(
+                (share - expected).abs() < 0.15,
+                "{shares:?}, of pixels {counts:?}, at beta = {beta}, T = {time}"
+            );
+        }
     }
 }
