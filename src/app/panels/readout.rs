@@ -62,7 +62,9 @@ fn table(ui: &mut Ui, state: &State) {
                 quantity.row(ui, state, &received);
             }
             if point.track.spin.is_some() {
-                TURNING.iter().for_each(|quantity| quantity.row(ui, state, &received));
+                for quantity in &TURNING {
+                    quantity.row(ui, state, &received);
+                }
             }
         },
     );
