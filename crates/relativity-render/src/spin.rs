@@ -114,7 +114,8 @@ impl Velocity {
             Turning::Rolling => Turning::Rolling,
             Turning::RimSpeed(speed) => Turning::RimSpeed(self.direction() * speed),
         };
-        let rho = math::hypot(off_axle.x, off_axle.z) / spin.radius;
+        // What is on the rim by rounding is.
+        let rho = (math::hypot(off_axle.x, off_axle.z) / spin.radius).min(1.0);
         let angle = math::atan2(off_axle.z, off_axle.x);
         WheelPoint { hub, radius: spin.radius, rho, angle, turning }.into()
     }

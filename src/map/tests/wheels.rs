@@ -4,7 +4,10 @@ use glam::DVec3;
 use relativity_render::{Spin, Velocity};
 
 use super::{AREA, settings};
-use crate::map::{Diagram, Event, Extent, Instant, Lines, Picture, Viewpoint, Worldline, plan_and_side};
+use crate::flags::{SpeedParameter, SpeedSetting};
+use crate::map::{
+    Diagram, Event, Extent, Instant, Lines, Picture, Viewpoint, Worldline, home, plan_and_side,
+};
 use crate::scene::{Scene, Track};
 use crate::settings::Frame;
 
@@ -172,5 +175,32 @@ fn what_is_pointed_at_on_a_tyre_is_a_point_that_turns_with_it() {
         let shown = instant.place(&track, picture).expect("it is shown");
         // On the side of the eyes, 0.05 before the middle of the tube: what an eye sees there left up to 0.05 later.
         assert!(shown.distance(top.place) < 0.05 * 2.0, "{picture:?}: {shown} {}", top.place);
+    }
+}
+
+#[test]
+fn nothing_of_a_wheel_is_beyond_all_numbers_at_the_greatest_speeds() {
+    let (scene, spin) = wheel();
+    for (gamma, frame) in
+        [1e9, 1e30].into_iter().flat_map(|gamma| [Frame::Ground, Frame::Bicycle].map(|f| (gamma, f)))
+    {
+        let mut settings = settings(0.5, frame);
+        settings.motion.speed = SpeedSetting::new(SpeedParameter::Gamma, gamma).expect("a speed");
+        let track = scene.track(Some([0.0, 4.0, -1.25]));
+        assert_eq!(track.spin, Some(spin));
+        for time in [-1e6, 0.0, 4.0] {
+            let diagram = Diagram::new(&settings, &track, time, settings.frame()).expect("in the domain");
+            let [low, high] = home(&settings, &track, time, settings.frame()).expect("in the domain");
+            let drawn = diagram.times_within(low, high).into_iter().map(|t| diagram.point.at(t));
+            let left = diagram.rays.map(|ray| ray.left);
+            for event in drawn.chain(left).chain([low, high, diagram.point.at(diagram.scene_now())]) {
+                assert!(event.x.is_finite() && event.t.is_finite(), "{gamma} {time} {diagram:?}");
+            }
+            let charts = plan_and_side(AREA, &Extent::of_space(&settings, &scene), &Viewpoint::default());
+            let lines = Lines::new(&Instant::new(&settings, time), &scene, &charts);
+            for vertex in lines.all.iter().flat_map(|line| lines.vertices(line)) {
+                assert!(vertex.place.is_finite() && vertex.rest.is_finite(), "{gamma} {time} {vertex:?}");
+            }
+        }
     }
 }
