@@ -1,7 +1,7 @@
 //! Exact special-relativistic optics for any number of apertures.
 //!
-//! A point moves along +x at a constant speed; apertures at rest on the ground each solve their own
-//! light cone for it. Pure numerics: no I/O, no logging, no graphics.
+//! A point moves along +x at a constant speed, or turns on a wheel that does; apertures at rest on the ground each solve
+//! their own light cone for it. Pure numerics: no I/O, no logging, no graphics.
 //!
 //! # Conventions
 //!
@@ -51,7 +51,8 @@
 //!
 //! # Out of scope
 //!
-//! Acceleration, gravity, rotation of the moving body, apertures of finite size or exposure.
+//! Acceleration and rotation of the moving body but for wheels that turn evenly about an axle along y ([`wheel`]), gravity,
+//! apertures of finite size or exposure.
 //!
 //! # References
 //!

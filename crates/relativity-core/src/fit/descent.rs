@@ -21,6 +21,10 @@ const FOLLOWED: usize = 6;
 /// Descents closer than this in ln(rapidity) and ln(y) are on the way to the same minimum. If all were followed, they
 /// would crowd other ways out: a minimum is lost.
 const NEAR: f64 = 0.25;
+/// Of a wheel: ways that are followed with other numbers of turns, how many turns more and less, and how often from the best.
+const TURNED: usize = 2;
+const TURNS: i32 = 8;
+const ROUNDS: u32 = 4;
 /// ln(rapidity) above which speeds are all near that of light.
 const FAST: f64 = 1.6;
 /// |z|/y below which z = 0 is tried where only |z| matters.
@@ -43,7 +47,27 @@ pub(super) fn best_start(problem: &Problem) -> Option<Free> {
     let coarse = start::thinned(problem);
     let glances = descents(&coarse, start::starts(problem, &coarse), GLANCE);
     let followed = glances.iter().take(FOLLOWED).map(|descent| lifted(problem, descent.free)).collect();
-    descents(problem, followed, START_PATIENCE).first().map(|best| best.free)
+    let mut ways = descents(problem, followed, START_PATIENCE);
+    ways.truncate(TURNED);
+    let found = ways.into_iter().map(|way| otherwise_turned(problem, &coarse, way));
+    found.min_by(|a, b| a.cost.total_cmp(&b.cost)).map(|best| best.free)
+}
+
+/// The lowest of the minima that show the same passage with a wheel that has turned some times more or less before: each is
+/// a way of its own, on which no descent leads to the next. `way` itself of what does not turn.
+fn otherwise_turned(problem: &Problem, coarse: &Problem, mut way: Descent) -> Descent {
+    for _ in 0..ROUNDS {
+        let others = (-TURNS..=TURNS).filter(|&turns| turns != 0);
+        let others: Vec<Free> =
+            others.filter_map(|turns| problem.turned(&way.free, f64::from(turns))).collect();
+        let glances = descents(coarse, others, START_PATIENCE);
+        let promising = glances.iter().take(TURNED).map(|descent| descent.free).collect();
+        match descents(problem, promising, START_PATIENCE).first() {
+            Some(lower) if lower.cost < (1.0 - ROUNDING) * way.cost => way = *lower,
+            _ => break,
+        }
+    }
+    way
 }
 
 /// Where a few steps from a start led.

@@ -3,6 +3,8 @@
 //! beta in (0, 1) is varied as the logarithm of the rapidity and y > 0 as its logarithm, so that no step
 //! leaves the domain; z has a sign and is varied as it is.
 
+use std::f64::consts::TAU;
+
 use levenberg_marquardt::LeastSquaresProblem;
 use nalgebra::storage::Owned;
 use nalgebra::{Dyn, Matrix4, OMatrix, OVector, U4, Vector4};
@@ -79,6 +81,21 @@ impl Problem {
         }
         let speed = Speed::from_rapidity(rapidity).ok()?;
         Some(Trial { speed, y, z, passage_time, passage_x: self.passage_x, rolling: self.rolling })
+    }
+
+    /// The object that passes as that of `free` does, but whose wheel has turned by some `turns` more since t' = 0: as the hub
+    /// passes x = 0 it is at the angle at t' = 0 plus gamma x0/W. `None` if it is not a wheel, or no such object.
+    pub fn turned(&self, free: &Free, turns: f64) -> Option<Free> {
+        let (rolling, trial) = (self.rolling?, self.trial(free)?);
+        let by = TAU * turns * rolling.radius;
+        let mut turned = *free;
+        if self.fits_passage {
+            turned[3] += by / (trial.speed.gamma() * trial.speed.beta());
+        } else {
+            let speed = Speed::from_gamma(trial.speed.gamma() + by / self.passage_x).ok()?;
+            turned[0] = math::ln(speed.rapidity());
+        }
+        turned.iter().all(|value| value.is_finite()).then_some(turned)
     }
 
     /// Number of fitted parameters.

@@ -91,7 +91,8 @@ fn points_of_wheels_are_seen_as_accurately_as_their_inputs() {
         let start = Start::default();
         case(parameter, inputs, |inputs| wheel_model::sighting(parameter, inputs, &start), computed)
     })
-    .assert_within(MAX_ERROR_UNITS);
+    .assert_within(MAX_ERROR_UNITS)
+    .assert_as_documented(include_str!("../../src/wheel/mod.rs"), &names);
 }
 
 #[test]
@@ -107,5 +108,6 @@ fn disparities_of_points_of_wheels_keep_their_digits_however_close_the_apertures
         let model = |inputs: &[_]| wheel_model::disparity(parameter, inputs, &starts);
         case(parameter, inputs, model, [both.dphi, both.dtheta])
     })
-    .assert_within(MAX_ERROR_UNITS);
+    .assert_within(MAX_ERROR_UNITS)
+    .assert_as_documented(include_str!("../../src/wheel/mod.rs"), &["wheel dphi", "wheel dtheta"]);
 }
