@@ -101,6 +101,15 @@ fn special() -> State {
     state
 }
 
+/// A point of the tyre of a wheel that rolls is selected.
+fn on_a_wheel() -> State {
+    let mut state = State::open(Settings::default()).expect("a preset");
+    let tyre = state.session.scene.names.iter().position(|name| name == "front tyre").expect("a tyre");
+    let track = state.session.scene.track_on(tyre).expect("a body");
+    state.session.points.choose(track, tyre, false);
+    state
+}
+
 fn names_in(folder: &Path) -> Vec<String> {
     let mut names: Vec<String> = std::fs::read_dir(folder)
         .expect("a folder")
@@ -339,9 +348,10 @@ fn table(csv: &str) -> (Vec<String>, Vec<Vec<f64>>) {
 fn the_copied_curve_command_gives_the_plotted_numbers() {
     let mut tilted = special();
     tilted.apply(Command::Motion(Motion { roll: 30.0, ..tilted.settings.motion }));
-    for state in [special(), tilted] {
+    for state in [special(), tilted, on_a_wheel()] {
         let mut window = window(state);
         let command = copy(&mut window, "Copy curve command");
+        assert_eq!(command.contains("--wheel-radius"), window.state().state().settings.scene == "street");
         let (names, rows) = table(&gamow(&words(&command)[1..], &[]));
         let column = |name: &str| names.iter().position(|found| found == name).expect("it is there");
         let state = window.state().state();
