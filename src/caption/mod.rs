@@ -72,7 +72,7 @@ impl Clock {
     fn of(settings: &Settings, track: &Track) -> Self {
         let velocity = settings.velocity(track.motion);
         match track.spin {
-            Some(spin) if spin.omega(&velocity) != 0.0 => Self::Axle,
+            Some(spin) if spin.omega(velocity.beta()) != 0.0 => Self::Axle,
             _ if velocity.beta() == 0.0 => Self::Ground,
             _ => Self::Own,
         }

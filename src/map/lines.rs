@@ -208,7 +208,7 @@ impl<'a> Sampler<'a> {
 
     /// Where the thickness of a `path` of `body` is taken from: what turns in itself is as thick as if it did not.
     fn thickest(&self, path: &Path, body: &Body) -> MaterialPoint {
-        let spin = self.spin.filter(|spin| !spin.keeps(&body.shape));
+        let spin = self.spin.and(body.displacing_spin());
         MaterialPoint { rest: path.at(0.5), spin }
     }
 

@@ -22,7 +22,7 @@ impl Present {
         let MaterialPoint { rest, spin } = point;
         let Some(spin) = spin else { return rest };
         let on_axle = DVec3::new(spin.hub[0], rest.y, spin.hub[2]);
-        let (off, omega) = (rest - on_axle, spin.omega(&self.on_ground));
+        let (off, omega) = (rest - on_axle, spin.omega(self.on_ground.beta()));
         let there = self.own_time(on_axle);
         let phase = math::atan2(off.z, off.x) - omega * there;
         let later = measured_later(self.relative.beta(), math::hypot(off.x, off.z), phase, omega);

@@ -131,7 +131,7 @@ impl Worldline {
         let Some(spin) = self.point.spin else { return vec![first, last] };
         // Even steps of its own clock, in which it turns evenly.
         let [from, to] = [first, last].map(|t| self.own_time(t));
-        let omega = spin.omega(&self.velocity);
+        let omega = spin.omega(self.velocity.beta());
         let pieces = (PIECES_OF_A_TURN * omega.abs() * (to - from) / TAU).ceil();
         if !(1.0..=MOST_PIECES).contains(&pieces) {
             return vec![first, last];

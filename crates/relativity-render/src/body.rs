@@ -1,8 +1,8 @@
 //! What a scene is made of: solid shapes at rest in the frame of their group.
 
-use glam::DQuat;
+use glam::{DQuat, DVec3};
 
-use crate::spin::{Spin, about_y};
+use crate::wheel::spin::{Spin, about_y};
 
 /// A solid shape in the rest frame. Lengths in the scene's unit; `[x, y, z]`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,6 +52,22 @@ pub enum Shape {
         /// Radius, above 0.
         radius: f64,
     },
+}
+
+impl Shape {
+    /// Whether it stays as it is while it turns: a body of revolution about the axle of `spin`.
+    #[must_use]
+    pub fn is_round_about(&self, spin: &Spin) -> bool {
+        let is_on_axle = |place: [f64; 3]| spin.off_axle(place.into()) == DVec3::ZERO;
+        match *self {
+            Self::Sphere { center, .. } => is_on_axle(center),
+            Self::Tube { from, to, .. } | Self::Cylinder { from, to, .. } => {
+                is_on_axle(from) && is_on_axle(to)
+            }
+            Self::Ring { center, axis: [x, _, z], .. } => is_on_axle(center) && x == 0.0 && z == 0.0,
+            Self::Box { .. } => false,
+        }
+    }
 }
 
 impl Shape {
@@ -189,6 +205,12 @@ impl Body {
     #[must_use]
     pub const fn turning(self, spin: Spin) -> Self {
         Self { spin: Some(spin), ..self }
+    }
+
+    /// How it turns, if that changes where its surface is.
+    #[must_use]
+    pub fn displacing_spin(&self) -> Option<Spin> {
+        self.spin.filter(|spin| !self.shape.is_round_about(spin))
     }
 
     /// The body moved by `offset`.

@@ -14,8 +14,8 @@ use crate::light::Light;
 use crate::pipelines::{Key, Output, Pipelines};
 use crate::prepared_body::PreparedBody;
 use crate::scene::PreparedScene;
-use crate::turns::{Shown, Turns};
 use crate::view::Appearance;
+use crate::wheel::packed::{Shown, Turns};
 
 /// What is to be drawn.
 #[derive(Debug, Clone, Copy)]

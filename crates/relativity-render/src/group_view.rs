@@ -7,9 +7,9 @@ use glam::DVec3;
 use relativity_core::{Aperture, Model, PublishedVariant, SourcePoint, published_disparity, sighting};
 
 use crate::camera::Camera;
-use crate::spin::MaterialPoint;
 use crate::velocity::{Motion, Velocity};
 use crate::view::{Geometry, View};
+use crate::wheel::spin::MaterialPoint;
 
 /// A ray in the rest frame of a group, where it is straight and the bodies stand still.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -6,9 +6,9 @@ use crate::camera::LinesOfSight;
 use crate::canvas::Measures;
 use crate::reference::{Hit, HitImage, Turned};
 use crate::scene::PreparedScene;
-use crate::spin::about_y;
-use crate::turns::Turns;
 use crate::view::View;
+use crate::wheel::packed::Turns;
+use crate::wheel::spin::about_y;
 
 impl Measures {
     /// What is seen of `scene` in `view`; what the shader has not written follows in f64.

@@ -9,8 +9,8 @@ use crate::kind::Kind;
 use crate::mesh::{Corner, Instance};
 use crate::pipelines::{Key, Output, Technique};
 use crate::rays::Piece;
-use crate::turns::Turns;
 use crate::view::{Appearance, Geometry};
+use crate::wheel::packed::Turns;
 use crate::{backdrop, mesh, rays, shaders};
 
 /// A shader and what Rust gives it.

@@ -8,8 +8,8 @@ use crate::group_view::{GroupView, reference_of_depths};
 use crate::kind::Kind;
 use crate::target::{DEPTH_FORMAT, MEASURES_FORMAT, SAMPLES, linear_target};
 use crate::tone;
-use crate::turns::Turns;
 use crate::view::{Appearance, Geometry};
+use crate::wheel::packed::Turns;
 use crate::{palette, pattern, shade};
 
 /// What a pipeline draws, with every effect decided.

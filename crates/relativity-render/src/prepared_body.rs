@@ -12,9 +12,9 @@ use crate::capsule::{Capsule, add_capsules};
 use crate::intersect::Solid;
 use crate::kind::Kind;
 use crate::pattern::{Form, Marking};
-use crate::spin::Spin;
 use crate::surface::Surface;
 use crate::turn::turn_of;
+use crate::wheel::spin::Spin;
 
 /// Where the bodies of a group are as a whole: they are placed from their middle, so that they keep their places among
 /// each other however far the camera is.
@@ -151,7 +151,7 @@ impl PreparedBody {
             capsules: first..capsules.len(),
             marking: Marking::new(body.pattern, Form::new(&body.shape), turn),
             spin: body.spin,
-            is_turned: body.spin.is_some_and(|spin| !spin.keeps(&body.shape)),
+            is_turned: body.displacing_spin().is_some(),
             is_patterned: false,
         }
     }

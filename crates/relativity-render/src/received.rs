@@ -8,8 +8,8 @@ use crate::group_view::GroupView;
 use crate::light::Light;
 use crate::prepared_body::PreparedBody;
 use crate::scene::{PreparedGroup, PreparedScene};
-use crate::spin::MaterialPoint;
 use crate::view::{Appearance, View};
+use crate::wheel::spin::MaterialPoint;
 
 /// Where along a capsule its light is looked at, in parts of its length.
 const PLACES: [f64; 3] = [1.0 / 6.0, 0.5, 5.0 / 6.0];

@@ -18,9 +18,9 @@ use crate::prepared_body::PreparedBody;
 use crate::ray::Ray;
 use crate::scene::PreparedScene;
 use crate::shade::surface_colour;
-use crate::spin::about_y;
 use crate::tiles::{TILE_SIDE, bands};
 use crate::view::{Appearance, Geometry, View};
+use crate::wheel::spin::about_y;
 
 /// How long the balls are that follow what turns, in parts of how far that reaches from its axle.
 const BALLS: f64 = 0.15;

@@ -7,11 +7,12 @@ use std::sync::{Arc, Mutex};
 use crate::body::Body;
 use crate::capsule::Capsule;
 use crate::group_view::GroupView;
-use crate::intersect::{Solid, TurningSolid};
+use crate::intersect::Solid;
 use crate::outline::Outline;
 use crate::prepared_body::{Extent, PreparedBody, find_joints, find_patterned};
 use crate::velocity::Motion;
 use crate::view::View;
+use crate::wheel::solid::TurningSolid;
 
 /// Bodies that move alike.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -86,7 +87,7 @@ impl PreparedScene {
             let first = bodies.len();
             solids.extend(own.iter().map(|body| Solid::new(&body.shape)));
             turning.extend(own.iter().zip(&solids[first..]).map(|(body, solid)| {
-                let spin = body.spin.filter(|spin| !spin.keeps(&body.shape))?;
+                let spin = body.displacing_spin()?;
                 Some(TurningSolid::new(*solid, spin))
             }));
             let boxes = solids[first..].iter().zip(&turning[first..]);

@@ -2,11 +2,11 @@
 
 use glam::DVec3;
 use relativity_core::{
-    Aperture, Disparity, MAX_GAMMA, Model, PairError, Sighting, SourcePoint, Speed, SpeedError, Stereo,
-    StereoError, aberration,
+    Aperture, Disparity, MAX_GAMMA, Model, PairError, Sighting, Source, SourcePoint, Speed, SpeedError,
+    Stereo, StereoError, Turning, WheelPoint, aberration, math,
 };
 
-use crate::spin::MaterialPoint;
+use crate::wheel::spin::MaterialPoint;
 
 /// A velocity along x.
 ///
@@ -96,6 +96,23 @@ impl Velocity {
     #[must_use]
     pub fn doppler_factor(&self, line_of_sight: DVec3) -> f64 {
         aberration::doppler_factor(self.reflected(line_of_sight).to_array(), &self.speed)
+    }
+
+    /// The worldline of `point`, at rest in the frame that moves so or turning there, reflected to move along +x.
+    #[must_use]
+    pub fn reflected_source(&self, point: impl Into<MaterialPoint>) -> Source {
+        let MaterialPoint { rest, spin } = point.into();
+        let Some(spin) = spin else { return self.reflected_point(rest.to_array()).into() };
+        let off_axle = self.reflected(spin.off_axle(rest));
+        let hub = self.reflected_point((rest - spin.off_axle(rest)).to_array());
+        let turning = match spin.turning {
+            Turning::Rolling => Turning::Rolling,
+            Turning::RimSpeed(speed) => Turning::RimSpeed(self.direction() * speed),
+        };
+        // What is on the rim by rounding is.
+        let rho = (math::hypot(off_axle.x, off_axle.z) / spin.radius).min(1.0);
+        let angle = math::atan2(off_axle.z, off_axle.x);
+        WheelPoint { hub, radius: spin.radius, rho, angle, turning }.into()
     }
 
     /// The worldline of the point at `rest` in the frame that moves so, reflected to move along +x.

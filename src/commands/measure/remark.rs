@@ -70,7 +70,7 @@ pub fn of_target(settings: &Settings, target: Target<'_>) -> anyhow::Result<Opti
             let scene = settings.opened_scene()?;
             let turns = |body: usize| {
                 let body = scene.bodies.get(body)?;
-                body.spin.filter(|spin| !spin.keeps(&body.shape))
+                body.displacing_spin()
             };
             let is_turning = locate::bodies(name, &scene)?.into_iter().any(|body| turns(body).is_some());
             is_turning.then(|| "follow a --point of it, which can be fitted".to_owned())

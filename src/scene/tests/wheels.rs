@@ -122,7 +122,7 @@ fn a_wheel_rolls_or_turns_about_its_hub_as_it_says() {
     let rolling = scene("rolls = true\nvalve = true\ncrossing = 40\nflanges = 0.1");
     for (body, name) in rolling.bodies.iter().zip(&rolling.names) {
         let is_round = ["tyre", "rim", "hub"].contains(&&name[..]);
-        assert_eq!(spin.keeps(&body.shape), is_round, "{name}");
+        assert_eq!(body.shape.is_round_about(&spin), is_round, "{name}");
     }
 }
 

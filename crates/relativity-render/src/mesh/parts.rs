@@ -11,9 +11,9 @@ use crate::footprint::Projection;
 use crate::group_view::GroupView;
 use crate::intersect::Solid;
 use crate::prepared_body::{Joint, Placement, PreparedBody};
-use crate::spin::{MaterialPoint, Spin};
-use crate::turns::{Shown, Turns};
 use crate::view::Geometry;
+use crate::wheel::packed::{Shown, Turns};
+use crate::wheel::spin::{MaterialPoint, Spin};
 
 /// Mirror of the shaders' `Instance`.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]

@@ -16,8 +16,8 @@ use crate::group_view::GroupView;
 use crate::kind::Kind;
 use crate::prepared_body::{Placement, PreparedBody};
 use crate::scene::PreparedScene;
-use crate::turns::{Shown, Turns};
 use crate::view::Geometry;
+use crate::wheel::packed::{Shown, Turns};
 
 /// How often a piece is halved before its bound is taken as it is: 32 rectangles follow the most bent of tubes, and
 /// a looser bound only costs time.

@@ -10,8 +10,8 @@ use relativity_core::math;
 
 use crate::capsule::Capsule;
 use crate::group_view::GroupView;
-use crate::spin::{MaterialPoint, Spin, about_y};
 use crate::view::Geometry;
+use crate::wheel::spin::{MaterialPoint, Spin, about_y};
 
 /// How many pieces an axis has at least.
 const PIECES: u32 = 2;
@@ -99,7 +99,7 @@ impl GroupView {
     fn station(&self, spin: &Spin, capsule: &Capsule, share: f64) -> Station {
         let rest = capsule.from.lerp(capsule.to, share);
         let place = self.place_when_shown(MaterialPoint { rest, spin: Some(*spin) });
-        let omega = spin.omega(&self.on_ground);
+        let omega = spin.omega(self.on_ground.beta());
         let velocity = DVec3::Y.cross(spin.off_axle(place)) * omega;
         let slowness = self.slowness(place);
         let g = 1.0 + velocity.dot(slowness);

@@ -1,11 +1,8 @@
 //! How bodies turn within their group, as parts of a wheel, and the points that they are made of.
 
 use glam::DVec3;
+use relativity_core::Turning;
 use relativity_core::math;
-use relativity_core::{Source, Turning, WheelPoint};
-
-use crate::body::Shape;
-use crate::velocity::Velocity;
 
 /// How a body turns about an axle along y, which rests in the frame of its group.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,10 +31,11 @@ impl Spin {
         Self { hub: (DVec3::from(self.hub) + DVec3::from(offset)).to_array(), ..self }
     }
 
-    /// How fast it turns where its group moves so on the ground: about +y, radians per unit of the rest frame's time.
+    /// How fast it turns where its group moves at this velocity on the ground, `beta` in (-1, 1): about +y, radians per
+    /// unit of the rest frame's time.
     #[must_use]
-    pub fn omega(&self, on_ground: &Velocity) -> f64 {
-        self.turning.rim_speed(on_ground.beta()) / self.radius
+    pub fn omega(&self, beta: f64) -> f64 {
+        self.turning.rim_speed(beta) / self.radius
     }
 
     /// From the axle to `place`, across it.
@@ -59,20 +57,6 @@ impl Spin {
     pub fn turned(&self, place: DVec3, angle: f64) -> DVec3 {
         let off_axle = self.off_axle(place);
         place - off_axle + about_y(off_axle, angle)
-    }
-
-    /// Whether turning leaves `shape` as it is: a body of revolution about the axle.
-    #[must_use]
-    pub fn keeps(&self, shape: &Shape) -> bool {
-        let is_on_axle = |place: [f64; 3]| self.off_axle(place.into()) == DVec3::ZERO;
-        match *shape {
-            Shape::Sphere { center, .. } => is_on_axle(center),
-            Shape::Tube { from, to, .. } | Shape::Cylinder { from, to, .. } => {
-                is_on_axle(from) && is_on_axle(to)
-            }
-            Shape::Ring { center, axis: [x, _, z], .. } => is_on_axle(center) && x == 0.0 && z == 0.0,
-            Shape::Box { .. } => false,
-        }
     }
 }
 
@@ -99,24 +83,5 @@ impl From<DVec3> for MaterialPoint {
 impl From<[f64; 3]> for MaterialPoint {
     fn from(rest: [f64; 3]) -> Self {
         DVec3::from(rest).into()
-    }
-}
-
-impl Velocity {
-    /// The worldline of `point`, at rest in the frame that moves so or turning there, reflected to move along +x.
-    #[must_use]
-    pub fn reflected_source(&self, point: impl Into<MaterialPoint>) -> Source {
-        let MaterialPoint { rest, spin } = point.into();
-        let Some(spin) = spin else { return self.reflected_point(rest.to_array()).into() };
-        let off_axle = self.reflected(spin.off_axle(rest));
-        let hub = self.reflected_point((rest - spin.off_axle(rest)).to_array());
-        let turning = match spin.turning {
-            Turning::Rolling => Turning::Rolling,
-            Turning::RimSpeed(speed) => Turning::RimSpeed(self.direction() * speed),
-        };
-        // What is on the rim by rounding is.
-        let rho = (math::hypot(off_axle.x, off_axle.z) / spin.radius).min(1.0);
-        let angle = math::atan2(off_axle.z, off_axle.x);
-        WheelPoint { hub, radius: spin.radius, rho, angle, turning }.into()
     }
 }

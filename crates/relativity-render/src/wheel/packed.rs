@@ -7,9 +7,9 @@ use crate::body::Shape;
 use crate::effects::Constant;
 use crate::group_view::GroupView;
 use crate::prepared_body::{Placement, PreparedBody};
-use crate::spin::{MaterialPoint, Spin};
 use crate::velocity::Velocity;
 use crate::view::Geometry;
+use crate::wheel::spin::{MaterialPoint, Spin};
 
 /// Whether a body turns within its group, as far as it chooses a pipeline: what stands still is drawn as if nothing could
 /// turn.
@@ -56,7 +56,7 @@ impl GroupView {
     /// How `body`, one of the group, turns.
     pub(crate) fn turns(&self, body: &PreparedBody) -> Turns {
         match body.spin {
-            Some(spin) if spin.omega(&self.on_ground) != 0.0 => {
+            Some(spin) if spin.omega(self.on_ground.beta()) != 0.0 => {
                 if body.is_turned {
                     Turns::About
                 } else {
@@ -86,7 +86,7 @@ impl GroupView {
             return Shown { placement: body.placement, spin: [0.0; 4], rim: [0.0; 2] };
         };
         let hub = DVec3::from(spin.hub);
-        let omega = spin.omega(&self.on_ground);
+        let omega = spin.omega(self.on_ground.beta());
         let angle = omega * self.time_at(hub);
         let turn = DQuat::from_rotation_y(angle) * body.turn;
         let direction = self.velocity.direction();

@@ -19,11 +19,11 @@
 use glam::DVec3;
 use relativity_core::math;
 
-use super::{Entry, Form, LocalRay, Solid, flat};
 use crate::body::Shape;
 use crate::group_view::GroupView;
+use crate::intersect::{Entry, Form, LocalRay, Solid, flat};
 use crate::ray::Ray;
-use crate::spin::{Spin, about_y};
+use crate::wheel::spin::{Spin, about_y};
 
 /// Most steps to an entry. Grazing rays take about fifty.
 const MAX_STEPS: u32 = 1000;
@@ -197,7 +197,7 @@ impl<'a> Course<'a> {
     pub fn new(body: &'a TurningSolid, ray: &'a LocalRay, view: &GroupView, turned_at: f64) -> Self {
         let TurningSolid { solid, spin, sweep } = body;
         let place = sweep.middle + (ray.start + ray.direction * turned_at);
-        let rate = spin.omega(&view.on_ground) * view.rate_along(place, ray.direction);
+        let rate = spin.omega(view.on_ground.beta()) * view.rate_along(place, ray.direction);
         let across = math::hypot(ray.direction.x, ray.direction.z);
         let own_speed = rate.abs() * sweep.outer;
         Self {

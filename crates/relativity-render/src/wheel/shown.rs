@@ -5,8 +5,8 @@ use relativity_core::math;
 use relativity_core::wheel::{measured_later, seen_later};
 
 use crate::group_view::GroupView;
-use crate::spin::{MaterialPoint, Spin};
 use crate::view::Geometry;
+use crate::wheel::spin::{MaterialPoint, Spin};
 
 impl GroupView {
     /// When this view shows what is at `place` in the group's frame, by the clocks there: as its light left, or for
@@ -55,7 +55,7 @@ impl GroupView {
     pub fn turn_at(&self, spin: &Spin, place: DVec3) -> f64 {
         let off_axle = spin.off_axle(place);
         let on_axle = place - off_axle;
-        spin.omega(&self.on_ground) * (self.time_at(on_axle) + self.later(on_axle, off_axle))
+        spin.omega(self.on_ground.beta()) * (self.time_at(on_axle) + self.later(on_axle, off_axle))
     }
 
     /// Where `point` is in the group's frame when this view shows it.
@@ -64,7 +64,7 @@ impl GroupView {
         let MaterialPoint { rest, spin } = point.into();
         let Some(spin) = spin else { return rest };
         let off_axle = spin.off_axle(rest);
-        let (on_axle, omega) = (rest - off_axle, spin.omega(&self.on_ground));
+        let (on_axle, omega) = (rest - off_axle, spin.omega(self.on_ground.beta()));
         let r = math::hypot(off_axle.x, off_axle.z);
         let phase = math::atan2(off_axle.z, off_axle.x) - omega * self.time_at(on_axle);
         let later = if self.geometry == Geometry::Contracted {
@@ -84,7 +84,7 @@ impl GroupView {
         if self.geometry == Geometry::Contracted {
             return 1.0;
         }
-        let velocity = DVec3::Y.cross(spin.off_axle(place)) * spin.omega(&self.on_ground);
+        let velocity = DVec3::Y.cross(spin.off_axle(place)) * spin.omega(self.on_ground.beta());
         let direction = (place - self.origin).normalize_or_zero();
         let speed = velocity.length();
         ((1.0 - speed) * (1.0 + speed)).max(0.0).sqrt() / (1.0 + velocity.dot(direction))
