@@ -5,6 +5,7 @@ use relativity_render::{Appearance, GpuError, HitImage, Method, PreparedScene, R
 use super::cost::frame_ms;
 use super::difference::Difference;
 use super::outline::{OutlinePoint, displacement_px, outline_pixels};
+use super::rounds::RoundsError;
 use super::spread::Spread;
 use crate::platform::threads::prelude::*;
 
@@ -33,6 +34,8 @@ pub struct ExpectedError {
     pub outlines_px: Option<Spread>,
     /// Pixel by pixel, for a heat map, and in figures.
     pub difference: Difference,
+    /// With the reference: what rounds come to where it shows bodies that turn.
+    pub rounds: Option<RoundsError>,
 }
 
 /// Measures `method` in `view` of `scene`; `None` if it `is_cancelled` meanwhile.
@@ -65,9 +68,12 @@ pub fn expected_error(
         let strips = |strip: &View| renderers.hits_in_part(method, scene, view, strip);
         displacements.push(displacement_px(scene, view, &place, strips)?);
     }
+    let is_reference = method == Method::Reference;
+    let rounds =
+        is_reference.then(|| RoundsError::new(scene, view, &reference, effort.outline_places)).flatten();
     let frame_ms = frame_ms(renderers, method, scene, view, appearance, effort.rounds)?;
     let outlines_px = Spread::of(displacements);
-    Ok((!is_cancelled()).then_some(ExpectedError { frame_ms, outlines_px, difference }))
+    Ok((!is_cancelled()).then_some(ExpectedError { frame_ms, outlines_px, difference, rounds }))
 }
 
 fn outline_places(scene: &PreparedScene, view: &View, image: &HitImage, count: usize) -> Vec<OutlinePoint> {

@@ -8,6 +8,7 @@ mod expected;
 mod formulas;
 mod outline;
 mod published;
+mod rounds;
 mod spread;
 mod views;
 
@@ -17,5 +18,6 @@ pub use expected::{Effort, ExpectedError, expected_error};
 pub use formulas::{Formula, formula_error};
 pub use outline::{LARGEST_PX, RESOLUTION_PX};
 pub use published::{PublishedError, published_error};
+pub use rounds::{AfterRounds, RoundsError};
 pub use spread::Spread;
 pub use views::{Place, view_at};

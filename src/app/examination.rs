@@ -9,7 +9,8 @@ use super::heat_map;
 use super::stillness::Stillness;
 use super::worker::{Wanted, Worker};
 use crate::accuracy::{
-    DifferenceFigures, Effort, ExpectedError, MESH_BOUNDS_PX, RESOLUTION_PX, Spread, expected_error,
+    DifferenceFigures, Effort, ExpectedError, MESH_BOUNDS_PX, RESOLUTION_PX, RoundsError, Spread,
+    expected_error,
 };
 use crate::figures;
 
@@ -39,6 +40,8 @@ pub struct Figures {
     pub wrong_share: f64,
     /// How far off it is in all, pixels: 99 % of the outlines that can be told apart, and of the directions, are nearer.
     pub error_px: f64,
+    /// Of the reference: what rounds come to where it shows bodies that turn.
+    pub rounds: Option<RoundsError>,
 }
 
 /// How far each eye's picture is off, pixel by pixel.
@@ -285,6 +288,8 @@ impl Figures {
         let sum = |count: fn(&DifferenceFigures) -> usize| -> usize {
             found.iter().map(|error| count(&error.difference.figures)).sum()
         };
+        let rounds = found.iter().filter_map(|error| error.rounds.clone());
+        let rounds = rounds.reduce(|worst, other| worst.worse(&other));
         let covered = sum(|figures| figures.covered_pixels).max(1);
         let outlines_px = worse(|error| error.outlines_px);
         let line_of_sight_arcseconds = worse(|error| error.difference.figures.line_of_sight_arcseconds);
@@ -297,6 +302,7 @@ impl Figures {
             outlines_px,
             line_of_sight_arcseconds,
             doppler: worse(|error| error.difference.figures.doppler_relative),
+            rounds,
             wrong_share: sum(|figures| figures.wrong_pixels) as f64 / covered as f64,
         }
     }

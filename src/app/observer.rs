@@ -186,7 +186,7 @@ impl State {
             Some(file) => Samples::Measured(file.clone(), self.settings.baseline()),
             None => Samples::Simulated(Simulated {
                 velocity: self.selected_velocity(),
-                source: self.selected_source().place(),
+                source: self.selected_source(),
                 pair: self.settings.pair(),
                 range: setup.fit_range.0.unwrap_or_else(|| self.time_range()),
                 model: self.simulated_model(),

@@ -62,9 +62,9 @@ enum Shown {
 /// Whose clock tells τ: that of the point, unless that goes as those on the ground do, or turns about an axle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Clock {
-    OfItsOwn,
-    OfItsAxle,
-    OfTheGround,
+    Own,
+    Axle,
+    Ground,
 }
 
 impl Clock {
@@ -72,9 +72,9 @@ impl Clock {
     fn of(settings: &Settings, track: &Track) -> Self {
         let velocity = settings.velocity(track.motion);
         match track.spin {
-            Some(spin) if spin.omega(&velocity) != 0.0 => Self::OfItsAxle,
-            _ if velocity.beta() == 0.0 => Self::OfTheGround,
-            _ => Self::OfItsOwn,
+            Some(spin) if spin.omega(&velocity) != 0.0 => Self::Axle,
+            _ if velocity.beta() == 0.0 => Self::Ground,
+            _ => Self::Own,
         }
     }
 }
@@ -213,9 +213,9 @@ fn departure(seen: &[Sighting; 2], eyes: Eyes, unit: Unit) -> String {
 /// What its `clock` showed then: nothing of those on the ground, which have just been told.
 fn own_time(clock: Clock, seen: &[Sighting; 2], unit: Unit) -> String {
     let whose = match clock {
-        Clock::OfItsOwn => "own",
-        Clock::OfItsAxle => "axle's",
-        Clock::OfTheGround => return String::new(),
+        Clock::Own => "own",
+        Clock::Axle => "axle's",
+        Clock::Ground => return String::new(),
     };
     let times = told_of_both(unit, seen.map(|seen| seen.own_time)).join(" and ");
     format!(", by its {whose} clock at τ = {times}")
@@ -234,7 +234,7 @@ impl Shown {
     /// What `settings` show of the point at `track` at `time`; `None` outside the domain of the core.
     fn new(settings: &Settings, track: &Track, time: f64) -> Option<Self> {
         let clock = Clock::of(settings, track);
-        let is_moving = clock != Clock::OfTheGround;
+        let is_moving = clock != Clock::Ground;
         let seen = || settings.disparity(track, time).ok();
         match settings.geometry() {
             Geometry::Rest if settings.speed().beta() != 0.0 => Self::riding_along(settings, track, time),

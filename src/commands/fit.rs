@@ -10,7 +10,7 @@ use crate::estimate::FitReport;
 use crate::estimate::data::{Data, Eyes};
 use crate::files::csv_in;
 use crate::files::whole::ReportArgs;
-use crate::flags::{HeadArgs, finite_number};
+use crate::flags::{HeadArgs, WheelArgs, finite_number};
 
 /// Fits speed and distance of a point to the disparities that two eyes measured.
 ///
@@ -48,6 +48,8 @@ pub struct FitArgs {
     /// Fit x0 too: the time of passage is unknown.
     #[arg(long, conflicts_with = "x0")]
     fit_x0: bool,
+    #[command(flatten, next_help_heading = "Of a point on a wheel that rolls")]
+    wheel: WheelArgs,
     #[command(flatten)]
     report: ReportArgs,
 }
@@ -59,10 +61,14 @@ Uncertainties are standard errors over the bootstrap replicates, and the interva
 the standard error from the covariance at the best fit. With both curves, the joint fit is the best use of the data; \
 the paper's weighted mean of the two fits stands beside it, with their correlation accounted for.
 
+A point of a wheel that rolls is fitted by where on its wheel it is, which has to be known (--wheel-radius, --rho, --angle): y, \
+z and x0 are then the hub's, and dphi alone tells the sign of z, too.
+
 Examples:
   gamow curve | gamow fit
   gamow fit data.csv --d 0.1 --fit-x0
-  gamow fit data.csv --d 0.1 --model published --use dphi --json";
+  gamow fit data.csv --d 0.1 --model published --use dphi --json
+  gamow fit valve.csv --d 0.1 --wheel-radius 0.525 --rho 0.85 --angle 1.2";
 
 fn replicates(text: &str) -> Result<usize, String> {
     match text.parse() {
@@ -77,7 +83,7 @@ pub fn run(args: &FitArgs) -> anyhow::Result<()> {
     let data = Data::read(&name, input, Eyes::given(args.d, args.head.radians()))?;
     let curves = data.curves(args.curves);
     let passage = if args.fit_x0 { Passage::Fitted } else { Passage::Known(args.x0) };
-    let options = FitOptions { model: args.model, curves, passage, rolling: None };
+    let options = FitOptions { model: args.model, curves, passage, rolling: args.wheel.rolling() };
     let report =
         FitReport::new(&data.observations, &options, args.bootstrap, args.seed).with_context(|| name)?;
     args.report.write(&report)

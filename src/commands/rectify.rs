@@ -21,7 +21,8 @@ use crate::studio::Sheet;
 ///
 /// Gives what a camera moving along with them would have taken at the same event: lines of sight turned back by
 /// aberration, wavelengths multiplied by the Doppler factor D, intensities divided by D^n. Works on any PNG picture with
-/// a known field of view, and on the EXR files of `gamow render`.
+/// a known field of view, and on the EXR files of `gamow render`. A wheel that rolls becomes one that turns, with the
+/// Doppler effect of its turning.
 ///
 /// The colours of a PNG picture tell wavelengths by their hue only: the part of a colour that is not grey counts as
 /// monochromatic. What the Doppler effect shifted out of sight stays dark.

@@ -8,7 +8,8 @@ use std::fmt;
 
 use relativity_core::math;
 use relativity_core::{
-    Bootstrap, Combined, Curves, Fit, FitError, FitOptions, Observations, Parameter, bootstrap, combined, fit,
+    Bootstrap, Combined, Curves, Fit, FitError, FitOptions, Observations, Parameter, Rolling, bootstrap,
+    combined, fit,
 };
 use serde::Serialize;
 
@@ -19,6 +20,9 @@ pub struct FitReport {
     pub model: &'static str,
     /// Always true: what did not converge is an error.
     pub converged: bool,
+    /// Where the point is on its wheel, if it is on one: y, z and x0 are its hub's.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub wheel: Option<OnWheel>,
     /// The fit of all that was asked for.
     #[serde(flatten)]
     pub fit: CurvesFit,
@@ -30,6 +34,23 @@ pub struct FitReport {
     pub bootstrap: Option<BootstrapSummary>,
     /// Each curve on its own, and both together in the paper's way.
     pub fits: Fits,
+}
+
+/// Where on a wheel that rolls a point is, which is taken for known.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct OnWheel {
+    /// The radius on which the wheel rolls.
+    pub wheel_radius: f64,
+    /// How far the point is from the axle, in radii.
+    pub rho: f64,
+    /// Its angle when the wheel's own clock shows 0, radians.
+    pub angle: f64,
+}
+
+impl From<Rolling> for OnWheel {
+    fn from(Rolling { radius, rho, angle }: Rolling) -> Self {
+        Self { wheel_radius: radius, rho, angle }
+    }
 }
 
 /// A fit of one set of curves.
@@ -160,7 +181,8 @@ impl FitReport {
         let model = options.model.name();
         let fit = CurvesFit::new(&joint);
         let sigmas = sigmas::remark(fit.reduced_chi_squared, fit.readings, fit.parameters.iter().count());
-        Ok(Self { model, converged: true, sigmas, fit, bootstrap, fits })
+        let wheel = options.rolling.map(OnWheel::from);
+        Ok(Self { model, converged: true, wheel, sigmas, fit, bootstrap, fits })
     }
 }
 
@@ -243,6 +265,10 @@ impl<T> Parameters<T> {
 impl fmt::Display for FitReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "model      {}", self.model)?;
+        if let Some(OnWheel { wheel_radius, rho, angle }) = self.wheel {
+            let known = format!("radius {wheel_radius}, rho {rho}, angle {angle}");
+            writeln!(f, "wheel      {known}, taken for known: y, z and x0 are the hub's")?;
+        }
         match &self.bootstrap {
             Some(BootstrapSummary { replicates, failed, seed }) => {
                 writeln!(f, "bootstrap  {replicates} replicates, seed {seed}, {failed} failed")?;

@@ -25,6 +25,9 @@ pub const EYES: [&str; 2] = ["left", "right"];
 /// The wavelength of light that has none of its own, and of nothing.
 const NO_WAVELENGTH_NM: f64 = 0.0;
 
+/// The angle on a wheel of what turns on none, and of nothing: no angle, which lie in [-pi, pi].
+pub const NO_ANGLE: f32 = -10.0;
+
 /// A measured quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Channel {
@@ -36,13 +39,18 @@ pub enum Channel {
     Distance,
     /// When it left.
     EmissionTime,
+    /// When that was by the clocks of the group that the body moves with.
+    OwnTime,
+    /// Which point of a wheel sent it: its angle about the axle at t' = 0 by those clocks, radians from +x towards +z; -10
+    /// for bodies that turn about no axle.
+    MaterialAngle,
     /// Received over rest frequency.
     Doppler,
     /// Received wavelength, nm; 0 where the light is white.
     WavelengthNm,
     /// Received over rest intensity, before any exposure: D^n of one wavelength, the luminance of what has many.
     Intensity,
-    /// Place on the body in its rest frame, along the motion.
+    /// Where the light left, in the rest frame of the body's group, along the motion.
     RestX,
     /// Its depth.
     RestY,
@@ -78,11 +86,13 @@ const fn corrected(
 
 impl Channel {
     /// All of them.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 12] = [
         Self::Id,
         Self::Group,
         Self::Distance,
         Self::EmissionTime,
+        Self::OwnTime,
+        Self::MaterialAngle,
         Self::Doppler,
         Self::WavelengthNm,
         Self::Intensity,
@@ -98,6 +108,8 @@ impl Channel {
             // Rest lengths along a ray: s* = s/D.
             Self::Distance => corrected("distance", |hit, _| hit.distance, |doppler, _| 1.0 / doppler),
             Self::EmissionTime => same("emission_time", 0.0, |hit, _| hit.emission_time),
+            Self::OwnTime => same("own_time", 0.0, |hit, _| hit.own_time),
+            Self::MaterialAngle => same("material_angle", NO_ANGLE, material_angle),
             Self::Doppler => corrected("doppler", |hit, _| hit.doppler_factor, |doppler, _| 1.0 / doppler),
             Self::WavelengthNm => corrected("wavelength_nm", received_nm, wavelength_correction),
             Self::Intensity => corrected("intensity", received_intensity, intensity_correction),
@@ -143,6 +155,11 @@ pub struct Light<'a> {
     pub scene: &'a PreparedScene,
     /// What becomes of its light.
     pub appearance: Appearance,
+}
+
+fn material_angle(hit: &Hit, light: &Light<'_>) -> f64 {
+    let spin = light.scene.bodies()[hit.body].spin;
+    spin.map_or(f64::from(NO_ANGLE), |spin| spin.angle(hit.material_position))
 }
 
 fn received_nm(hit: &Hit, light: &Light<'_>) -> f64 {

@@ -1,7 +1,7 @@
 //! A point on a wheel that rolls, as flags have it.
 
 use clap::Args;
-use relativity_core::{Source, SourcePoint, Turning, WheelPoint};
+use relativity_core::{Rolling, Source, SourcePoint, Turning, WheelPoint};
 
 use super::finite_number;
 
@@ -26,6 +26,12 @@ impl WheelArgs {
     #[must_use]
     pub fn given(&self) -> Option<[f64; 3]> {
         Some([self.wheel_radius?, self.rho?, self.angle?])
+    }
+
+    /// The same for a fit.
+    #[must_use]
+    pub fn rolling(&self) -> Option<Rolling> {
+        self.given().map(|[radius, rho, angle]| Rolling { radius, rho, angle })
     }
 
     /// The point at `place`, or the one of the wheel whose hub is there.

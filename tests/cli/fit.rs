@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 
+use relativity_core::{Aperture, Model, SourcePoint, Speed, Turning, WheelPoint};
 use serde_json::Value;
 
 use super::{Table, gamow, run, words};
@@ -61,6 +62,50 @@ fn noise_free_curves_give_the_object_back_in_every_model() {
             }
         }
     }
+}
+
+/// The curves of a point on a wheel, one that rolls past as the paper's cyclist does.
+fn of_a_wheel(beta: f64, wheel: WheelPoint) -> String {
+    let speed = Speed::from_beta(beta).expect("in range");
+    let mut csv = "T,dphi,dtheta\n".to_owned();
+    for step in 0..240 {
+        let time = -6.0 + 0.07 * f64::from(step);
+        let both = Model::Exact.disparity(&speed, wheel, Aperture::pair(0.1), time).expect("in the domain");
+        writeln!(csv, "{time},{},{}", both.dphi, both.dtheta).expect("strings grow");
+    }
+    csv
+}
+
+/// y and z are the hub's, with the sign of z by either curve: mirrored, the point would turn the other way. Taken for a fixed one,
+/// it has another speed.
+#[test]
+fn a_point_on_a_rolling_wheel_is_fitted_by_its_wheel() {
+    let hub = SourcePoint { x0: 0.0, y: 3.0, z: -2.0 };
+    for (beta, rho, angle) in [(0.9, 1.0, 0.5), (0.6, 0.85, -2.5)] {
+        let wheel = WheelPoint { hub, radius: 0.525, rho, angle, turning: Turning::Rolling };
+        let csv = of_a_wheel(beta, wheel);
+        let flags = format!("--d 0.1 --wheel-radius 0.525 --rho {rho} --angle={angle}");
+        let report = fitted(&csv, &format!("{flags} --json --bootstrap 20"));
+        for (name, truth) in [("beta", beta), ("y", 3.0), ("z", -2.0)] {
+            for fit in [&report, &report["fits"]["dphi"], &report["fits"]["dtheta"]] {
+                let value = number(&fit["parameters"][name]["value"]);
+                assert!((value - truth).abs() < 1e-7, "{name}: {value} for {truth}");
+            }
+        }
+        assert_eq!(number(&report["wheel"]["wheel_radius"]), 0.525);
+        assert_eq!([number(&report["wheel"]["rho"]), number(&report["wheel"]["angle"])], [rho, angle]);
+        let table =
+            run(gamow().arg("fit").args(format!("{flags} --bootstrap 0").split_whitespace()), csv.as_bytes());
+        let told = format!(
+            "wheel      radius 0.525, rho {rho}, angle {angle}, taken for known: y, z and x0 are the hub's"
+        );
+        assert!(table.text().contains(&told));
+        let fixed = fitted(&csv, "--d 0.1 --json --bootstrap 0");
+        assert!((number(&fixed["parameters"]["beta"]["value"]) - beta).abs() > 1e-3);
+        assert!(number(&fixed["rms"]) > 1e3 * number(&report["rms"]));
+    }
+    let incomplete = run(gamow().args(["fit", "--d", "0.1", "--rho", "0.5"]), b"");
+    assert!(incomplete.status == Some(2) && incomplete.stderr.contains("--wheel-radius"));
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! The whole chain: pictures of a passing ball, its disparities measured in them, and its speed and distance.
 
 use std::path::Path;
+use std::process::Command;
 
 use gamow::files::png::{self, PngFile};
 use relativity_render::colour::linear_srgb;
@@ -343,4 +344,42 @@ fn a_colour_that_is_not_one_point_is_remarked_on() {
     let line = remark("one/frame_00001.png");
     assert!(line.contains("the left and the right eye's lines of sight miss each other by"), "{line}");
     assert_eq!(line.lines().count(), 1, "{line}");
+}
+
+/// A mark on the near side of a rolling wheel's tyre: followed round in measurements, which say what a fit has to know of it.
+#[test]
+fn a_mark_on_a_rolling_wheel_gives_the_speed_and_where_its_hub_passes() {
+    let wheel = "name = \"A wheel\"\ntracked = [0.0, 3.0, 2.0]\n\n[[wheel]]\nhub = [0.0, 3.0, 2.0]\nradius = 0.525\ntyre = 0.1\n\
+        rim = 0.02\naxle = 0.2\nhub_radius = 0.05\nspokes = 3\nspoke_radius = 0.02\nrolls = true\nlight = \"white\"\n";
+    let folder = folder();
+    std::fs::write(folder.path().join("wheel.toml"), wheel).expect("the folder is there");
+    let camera = "--beta 0.8 --d 0.1 --size 320x240 --gaze point --fov 45";
+    render(folder.path(), &format!("--scene wheel.toml --frames 40 {camera} --exr --out ride"));
+    // The middle of the tyre's tube is 0.425 from the hub.
+    let (sine, cosine) = 0.7_f64.sin_cos();
+    let point = format!("{},2.9,{}", 0.425 * cosine, 2.0 + 0.425 * sine);
+    let output = gamow_output(folder.path(), &format!("measure ride --point={point} --out ride.csv"));
+    let said = String::from_utf8(output.stderr).expect("it says words");
+    assert!(output.status.success(), "{said}");
+    let (_, advice) = said.split_once("fit it by `gamow fit ").expect("it is said");
+    let (flags, _) = advice.split_once('`').expect("it ends");
+    assert!(flags.starts_with("--wheel-radius 0.525 --rho 0.80952"), "{flags}");
+    let report: Value =
+        serde_json::from_str(&run_gamow(folder.path(), &format!("fit ride.csv {flags} --json")))
+            .expect("the report is JSON");
+    for (name, truth, largest) in [("beta", 0.8, 0.003), ("y", 2.9, 0.02), ("z", 2.0, 0.02)] {
+        let parameter = &report["parameters"][name];
+        let [value, error] = ["value", "uncertainty"].map(|key| parameter[key].as_f64().expect("a number"));
+        assert!((value - truth).abs() <= 3.5 * error, "{name} = {value} +- {error}");
+        assert!(error < largest, "{name} = {value} +- {error}");
+    }
+    // A whole spoke has no one place on the wheel; the hub turns, and is where it is.
+    let of_body = |name: &str| {
+        let arguments = ["measure", "ride", "--object", name];
+        let run =
+            Command::new(env!("CARGO_BIN_EXE_gamow")).current_dir(folder.path()).args(arguments).output();
+        String::from_utf8(run.expect("the program starts").stderr).expect("it says words")
+    };
+    assert!(of_body("3").contains("follow a --point of it"));
+    assert!(!of_body("hub").contains("turns with a wheel"));
 }

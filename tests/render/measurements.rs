@@ -6,7 +6,7 @@ use std::path::Path;
 use exr::prelude::{FlatSamples, read_first_flat_layer_from_file};
 use gamow::scene::Scene;
 use glam::DVec3;
-use relativity_core::{Aperture, Sighting, SourcePoint, sighting};
+use relativity_core::{Aperture, Sighting, SourcePoint, Speed, WheelPoint, sighting};
 use relativity_render::{Camera, Gaze, Velocity};
 
 use super::{HEIGHT, WIDTH, folder, render, run_gamow};
@@ -81,7 +81,7 @@ fn assert_on_light_cone(
     velocities: &[Velocity],
 ) -> Vec<usize> {
     let channels = channels(&folder.join("hits.exr"));
-    assert_eq!(channels.len(), 20);
+    assert_eq!(channels.len(), 24);
     let [azimuth, elevation] = gaze.map(f64::to_radians);
     let mut pixels = vec![0; velocities.len()];
     let gaze = Gaze { azimuth, elevation };
@@ -107,6 +107,8 @@ fn assert_on_light_cone(
             };
             near("distance", expected.distance);
             near("emission_time", expected.retarded_time);
+            near("own_time", expected.own_time);
+            assert_eq!(value("material_angle"), -10.0);
             near("doppler", expected.doppler_factor);
             near("intensity", expected.intensity(4.0));
             let rest_nm = scene.bodies[body].emission.wavelength_nm().expect("none is white");
@@ -166,5 +168,57 @@ fn each_group_of_a_scene_is_measured_by_its_own_speed() {
     let pixel = 80f64.to_radians() / f64::from(WIDTH);
     assert!((row[2] - left).abs() < 0.5 * pixel && (row[3] - right).abs() < 0.5 * pixel, "{text}");
     run_gamow(folder.path(), "rectify hits.exr --beta 0.6 --backward --out corrected.exr");
-    assert_eq!(self::channels(&folder.path().join("corrected.exr")).len(), 20);
+    assert_eq!(self::channels(&folder.path().join("corrected.exr")).len(), 24);
+}
+
+#[test]
+fn each_point_of_a_rolling_wheel_is_measured_by_its_own_light_cone() {
+    const BETA: f64 = 0.93;
+    let folder = folder();
+    let wheel = Scene::preset("wheel").expect("a preset");
+    let look = "--d 0 --fov 50 --gaze 105,-3 --time 4.2 --projection gaze";
+    render(folder.path(), &format!("--scene wheel --beta {BETA} {look} --out hits.exr"));
+    let channels = channels(&folder.path().join("hits.exr"));
+    let channel = |name: &str| &channels[&format!("left.{name}")];
+    let speed = Speed::from_beta(BETA).expect("below 1");
+    let mut points = 0;
+    for pixel in 0..channel("id").len() {
+        let value = |name: &str| f64::from(channel(name)[pixel]);
+        if value("id") < 0.0 {
+            continue;
+        }
+        let spin = wheel.bodies[value("id") as usize].spin.expect("all of it turns");
+        let [x, _, z] = spin.hub;
+        let rho = (value("rest_x") - x).hypot(value("rest_z") - z) / spin.radius;
+        let hub = SourcePoint { x0: x / speed.gamma(), y: value("rest_y"), z };
+        let angle = value("material_angle");
+        let point = WheelPoint { hub, radius: spin.radius, rho, angle, turning: spin.turning };
+        let expected = sighting(&speed, point, Aperture::default(), 4.2).expect("it is in the domain");
+        let near = |name: &str, expected: f64| {
+            let error = (value(name) - expected).abs();
+            assert!(error <= 2e-5 * expected.abs().max(1.0), "{name}: {}, {expected}", value(name));
+        };
+        near("distance", expected.distance);
+        near("emission_time", expected.retarded_time);
+        near("own_time", expected.own_time);
+        near("doppler", expected.doppler_factor);
+        let gaze = Gaze { azimuth: 105f64.to_radians(), elevation: -3f64.to_radians() };
+        let camera = Camera::new(Aperture::default(), gaze, 50f64.to_radians(), [WIDTH, HEIGHT]);
+        let [u, v] = camera.pixel(expected.position.into()).expect("it is in front");
+        let [column, row] = [pixel % WIDTH as usize, pixel / WIDTH as usize];
+        assert!((u - column as f64 - 0.5).abs() < 1e-3 && (v - row as f64 - 0.5).abs() < 1e-3);
+        points += 1;
+    }
+    assert!(points > 100, "only {points} pixels show the wheel");
+
+    // Corrected, the wheel turns: its own Doppler factor is left, above 1 and below.
+    run_gamow(folder.path(), &format!("rectify hits.exr --beta {BETA} --out corrected.exr"));
+    let channels = self::channels(&folder.path().join("corrected.exr"));
+    let [id, doppler] = ["id", "doppler"].map(|name| &channels[&format!("left.{name}")]);
+    let [mut least, mut most] = [f32::INFINITY, 0.0];
+    for pixel in (0..id.len()).filter(|&pixel| id[pixel] >= 0.0) {
+        (least, most) = (least.min(doppler[pixel]), f32::max(most, doppler[pixel]));
+    }
+    let head_on = ((1.0 + BETA) / (1.0 - BETA)).sqrt() as f32;
+    assert!(least > 1.0 / head_on && least < 0.8 && most < head_on && most > 1.2, "{least} to {most}");
 }

@@ -10,12 +10,14 @@ use gamow::app::eye::Eye;
 use gamow::app::points::Point;
 use gamow::app::state::State;
 use gamow::flags::{SpeedParameter, SpeedSetting};
-use gamow::settings::{PlotTab, Plots, Settings};
+use gamow::scene::Track;
+use gamow::settings::{FitSetup, PlotTab, Plots, Settings};
 use glam::DVec3;
 use relativity_core::{Aperture, Model, SourcePoint, Speed, Turning, WheelPoint};
 use relativity_render::Geometry;
 
 use super::Test;
+use super::fit::wait;
 use super::picking::click;
 use super::support::{SEPARATION, label_starting_with, labels, pane, shown, window};
 
@@ -25,6 +27,7 @@ pub const TESTS: &[Test] = &[
     ("curves_of_a_point_of_a_wheel_are_those_of_the_core", curves_are_those_of_the_core),
     ("a_point_of_a_wheel_is_undone_redone_and_kept_in_a_state", a_point_of_a_wheel_is_kept),
     ("a_point_of_a_wheel_has_numbers_at_every_speed", numbers_at_every_speed),
+    ("the_fit_of_a_point_of_a_wheel_finds_its_hub", the_fit_finds_the_hub),
     ("the_pointer_tells_where_on_the_wheel_it_is", the_pointer_tells_where_on_the_wheel),
 ];
 
@@ -43,12 +46,16 @@ fn size(window: &Harness<'_, App>, eye: usize) -> [u32; 2] {
     [pane.width() as u32, pane.height() as u32]
 }
 
-/// A pixel in which the picture of an eye shows a body whose name has `word` in it, as near the middle of the wheel as there is
-/// one that belongs to the front wheel.
+/// A pixel in which the picture of an eye shows a body of the front wheel whose name has `word` in it.
 fn pixel_of(state: &State, eye: Eye, size: [u32; 2], word: &str) -> [f64; 2] {
     let view = state.view(eye, size);
-    let pixels =
-        (0..size[1]).flat_map(|v| (0..size[0]).map(move |u| [f64::from(u) + 0.5, f64::from(v) + 0.5]));
+    let hub = Track { rest: HUB, spin: None, ..state.session.scene.track(None) };
+    let middle = state.settings.directions(&hub, state.session.time)[eye.index()].expect("in the domain");
+    let [u, v] = view.camera.pixel(middle).expect("in front").map(f64::round);
+    let around = |at: f64| (-60..60).map(move |step| at + 0.5 + f64::from(step));
+    let pixels = around(v).flat_map(|v| around(u).map(move |u| [u, v]));
+    let is_inside =
+        |[u, v]: &[f64; 2]| (0.0..f64::from(size[0])).contains(u) && (0.0..f64::from(size[1])).contains(v);
     let shows = |pixel: &[f64; 2]| {
         let hit = state.session.prepared.first_hit(&view, view.camera.line_of_sight(*pixel));
         hit.is_some_and(|hit| {
@@ -56,7 +63,7 @@ fn pixel_of(state: &State, eye: Eye, size: [u32; 2], word: &str) -> [f64; 2] {
             name.contains(word) && name.contains("front")
         })
     };
-    let all: Vec<_> = pixels.filter(shows).collect();
+    let all: Vec<_> = pixels.filter(is_inside).filter(shows).collect();
     assert!(!all.is_empty(), "no {word} is in sight");
     all[all.len() / 3]
 }
@@ -179,10 +186,12 @@ fn curves_are_those_of_the_core() {
             let csv = window.state_mut().plots_csv();
             let mut lines = csv.lines();
             let head: Vec<&str> = lines.next().expect("a header").split(',').collect();
-            let rows: Vec<Vec<f64>> = lines
-                .map(|line| line.split(',').map(|cell| cell.parse().expect("a number")).collect())
-                .collect();
-            assert!(rows.len() > 200 && rows.iter().flatten().all(|value| value.is_finite()), "{tab:?}");
+            // Where lines of sight do not meet there is no number.
+            let number =
+                |cell: &str| if cell.is_empty() { f64::NAN } else { cell.parse().expect("a number") };
+            let rows: Vec<Vec<f64>> = lines.map(|line| line.split(',').map(number).collect()).collect();
+            let is_whole = |row: &Vec<f64>| row.iter().all(|value| value.is_finite());
+            assert!(rows.len() > 200 && (tab == PlotTab::Stereo || rows.iter().all(is_whole)), "{tab:?}");
             let mut compared = 0;
             for (index, column) in head.iter().enumerate() {
                 let value = |time: f64| {
@@ -193,7 +202,7 @@ fn curves_are_those_of_the_core() {
                         column if column.starts_with("Δθ") && column.ends_with(&name) => seen.dtheta,
                         column if column.starts_with('φ') && column.ends_with("Left eye") => l.phi(),
                         column if column.starts_with('θ') && column.ends_with("Right eye") => r.theta(),
-                        column if column.starts_with("Doppler") && column.ends_with("Right eye") => {
+                        column if column.starts_with("D: ") && column.ends_with("Right eye") => {
                             r.doppler_factor
                         }
                         column if column.ends_with("Where the left eye sees it") => l.distance,
@@ -277,6 +286,42 @@ fn numbers_at_every_speed() {
     }
 }
 
+fn the_fit_finds_the_hub() {
+    for (beta, noise_percent) in [(0.9, 0.0), (0.6, 1.0)] {
+        let mut state = street(SpeedParameter::Beta, beta);
+        let spoke = state
+            .session
+            .scene
+            .names
+            .iter()
+            .position(|name| name == "front wheel's spoke 3")
+            .expect("a spoke");
+        let track = state.session.scene.track_on(spoke).expect("a body");
+        state.session.points.choose(track, spoke, false);
+        state.apply(Command::Fit(FitSetup { noise_percent, ..FitSetup::default() }));
+        state.apply(Command::Plots(Plots { plot: PlotTab::Fit, ..Plots::default() }));
+        let mut window = window(state);
+        wait(&mut window);
+        // The spoke's end is in the plane of the rim or beside it; the hub it is told of is the axle there.
+        for (symbol, truth) in [("β", beta), ("y", track.rest[1]), ("z", HUB[2])] {
+            let value = shown(&window, &format!("Fitted {symbol}"));
+            let known = 3.5 * shown(&window, &format!("Uncertainty of {symbol}")) + 6e-4;
+            assert!((value - truth).abs() < known, "{symbol} = {value} for {truth}");
+            assert!((shown(&window, &format!("True {symbol}")) - truth).abs() < 6e-5);
+        }
+        let said = labels(&window);
+        let is_told = said.iter().any(|label| label.starts_with("The point is on a wheel that rolls"));
+        assert!(
+            is_told
+                && said
+                    .iter()
+                    .any(|label| label.starts_with("Agrees with the truth")
+                        || label.starts_with("Recovered to")),
+            "{said:?}"
+        );
+    }
+}
+
 fn the_pointer_tells_where_on_the_wheel() {
     for (geometry, first) in [
         (Geometry::Seen, "seen at"),
@@ -305,7 +350,7 @@ fn the_pointer_tells_where_on_the_wheel() {
         let view = state.view(Eye::Left, size);
         let wheel = state.on_wheel_in(&track, &view).expect("it turns");
         let hub = state.settings.directions(
-            &gamow::scene::Track { rest: [HUB[0], track.rest[1], HUB[2]], spin: None, ..track },
+            &Track { rest: [HUB[0], track.rest[1], HUB[2]], spin: None, ..track },
             state.session.time,
         )[0];
         let there = state.settings.directions(&track, state.session.time)[0];

@@ -106,9 +106,18 @@ fn mapped_along_x(c: vec3f) -> Sighting {
 @vertex
 fn corner(corner: Corner, instance: Instance) -> Fragment {
     let body = Body(instance.place_radius.xyz, instance.place_radius.w, instance.form, instance.turn);
-    let shape = corner_place(corner, body);
-    let from_centre = middle(body) + shape.place;
-    let seen = mapped(frame.middle.xyz + (frame.middle_fine.xyz + from_centre));
+    let spin = spin_of(instance.spin, instance.rim);
+    let own = corner_place(corner, body);
+    let shape = corner_when_shown(middle(body) + own.place, own.normal, spin);
+    let place = shape.place - middle(body);
+    var seen = mapped(frame.middle.xyz + (frame.middle_fine.xyz + shape.place));
+    if TURNS != 0u && MAP == 3u {
+        let earlier = corner_seen_earlier(shape.place, spin);
+        seen = sighting(reflected(earlier.from_camera, frame.motion.x));
+        seen.position = reflected(seen.position, frame.motion.x);
+        let sight = seen.position / max(length(seen.position), 1e-30);
+        seen.doppler = doppler_of(body, earlier.place - middle(body), shape.normal, sight, seen.doppler, spin);
+    }
     let clip = vec4f(
         dot(seen.position, frame.clip_right.xyz),
         dot(seen.position, frame.clip_up.xyz),
@@ -117,7 +126,7 @@ fn corner(corner: Corner, instance: Instance) -> Fragment {
     );
     return Fragment(
         clip,
-        shape.place,
+        place,
         shape.normal,
         seen.position,
         seen.doppler,
@@ -163,24 +172,31 @@ fn measure(fragment: Fragment) -> Measure {
     if MAP == 4u {
         return measure_in_one_cone(fragment, ray, normal);
     }
-    let hit = surface(body_of(fragment), ray);
+    let body = body_of(fragment);
+    let spin = spin_of(fragment.spin, fragment.rim);
+    let hit = surface_when_shown(body, ray, spin);
     let distance = (ray.to_centre + hit.beyond) * ray.ground_per_rest;
     let depth = depth(ray, hit.beyond);
     if hit.clearance > 0.0 {
-        return Measure(depth, ray.doppler, ray, hit.place, hit.normal, distance);
+        let doppler = doppler_of(body, hit.place, hit.normal, ray.sight, ray.doppler, spin);
+        return Measure(depth, doppler, ray, hit.place, hit.normal, distance);
     }
-    return Measure(depth, ray.doppler, ray, fragment.place, normal, distance);
+    let doppler = doppler_of(body, fragment.place, normal, ray.sight, ray.doppler, spin);
+    return Measure(depth, doppler, ray, fragment.place, normal, distance);
 }
 
 // The same where both eyes have one light cone, from the ray that touches the curve of events where the fragment appears.
 // Depths are told along the ray's limit at great distances, which all fragments of a pixel share.
 fn measure_in_one_cone(fragment: Fragment, straight: Ray, normal: vec3f) -> Measure {
     let body = body_of(fragment);
+    let spin = spin_of(fragment.spin, fragment.rim);
     // The triangle may be off in depth by more than in the picture.
     let near = touching_ray(straight, length(fragment.apparent));
-    let ray = touching_ray(straight, (near.to_centre + surface(body, near).beyond) * near.ground_per_rest);
-    let hit = surface(body, ray);
+    let ray = touching_ray(straight, (near.to_centre + surface_when_shown(body, near, spin).beyond) * near.ground_per_rest);
+    let hit = surface_when_shown(body, ray, spin);
     let distance = (ray.to_centre + hit.beyond) * ray.ground_per_rest;
+    let from_middle = straight.sight * distance + reflected(frame.eye.xyz, frame.motion.x);
+    let sight = from_middle / max(length(from_middle), 1e-30);
     let beyond = dot(middle(body) + hit.place, straight.direction);
     var depth = 0.5 - beyond * frame.middle.w;
     if HAS_OTHERS {
@@ -190,9 +206,11 @@ fn measure_in_one_cone(fragment: Fragment, straight: Ray, normal: vec3f) -> Meas
         }
     }
     if hit.clearance > 0.0 {
-        return Measure(depth, ray.doppler, ray, hit.place, hit.normal, distance);
+        let doppler = doppler_of(body, hit.place, hit.normal, sight, ray.doppler, spin);
+        return Measure(depth, doppler, ray, hit.place, hit.normal, distance);
     }
-    return Measure(depth, ray.doppler, ray, fragment.place, normal, distance);
+    let doppler = doppler_of(body, fragment.place, normal, sight, ray.doppler, spin);
+    return Measure(depth, doppler, ray, fragment.place, normal, distance);
 }
 
 // As `GroupView::rest_ray_at`, from the `straight` ray through the middle's event.
@@ -247,10 +265,12 @@ fn picture(fragment: Fragment) -> Picture {
     var colour = received_colour(fragment.light, measure.doppler, measure.normal)
         * fragment.cover_brightness_index.y;
     if PATTERNS {
+        let spin = spin_of(fragment.spin, fragment.rim);
+        let there = standing(body_of(fragment), measure.place, spin);
         colour *= mark(
-            body_of(fragment),
+            there.body,
             fragment.pattern,
-            measure.place,
+            there.place,
             measure.normal,
             measure.ray,
             measure.distance,
@@ -277,7 +297,10 @@ fn hits(fragment: Fragment) -> Hit {
         bitcast<vec4u>(
             vec4f(fragment.cover_brightness_index.z, length(fragment.apparent), measure.doppler, 1.0),
         ),
-        bitcast<vec4u>(vec4f(fragment.place, 0.0)),
+        bitcast<vec4u>(vec4f(
+            place_of_hit(body_of(fragment), fragment.place, spin_of(fragment.spin, fragment.rim)),
+            0.0,
+        )),
         measure.depth,
     );
 }

@@ -4,7 +4,7 @@
 //! -x, everything is reflected there and back (x to -x), so that each formula is written for motion along +x alone.
 
 use glam::DVec3;
-use relativity_core::{Aperture, PublishedVariant, SourcePoint, published_disparity, sighting};
+use relativity_core::{Aperture, Model, PublishedVariant, SourcePoint, published_disparity, sighting};
 
 use crate::camera::Camera;
 use crate::spin::MaterialPoint;
@@ -188,6 +188,10 @@ impl GroupView {
     /// too.
     #[must_use]
     pub fn apparent_position(&self, point: impl Into<MaterialPoint>) -> Option<DVec3> {
+        let point = point.into();
+        if self.geometry == Geometry::Published && point.spin.is_some() {
+            return self.published_position(point);
+        }
         let rest = self.place_when_shown(point);
         let from_camera = rest - self.origin;
         let speed = &self.velocity.speed;
@@ -212,6 +216,16 @@ impl GroupView {
             }
         };
         position.is_finite().then_some(position)
+    }
+
+    /// Where the published model's right eye sees a point that turns: where the left one does earlier or later.
+    fn published_position(&self, point: MaterialPoint) -> Option<DVec3> {
+        let Aperture { x, y, z } = self.camera.aperture;
+        let pair = [x, -x].map(|x| Aperture { x, y: 0.0, z: 0.0 });
+        let model = Model::Published(PublishedVariant::AppendixA);
+        let both =
+            self.on_ground.disparity(model, point.moved([0.0, -y, -z]), pair, self.observation_time).ok()?;
+        Some(both.secondary.position.into()).filter(|position: &DVec3| position.is_finite())
     }
 
     /// d of the published model: of the pair at -d/2 and d/2 on the x axis whose left aperture is the camera's;

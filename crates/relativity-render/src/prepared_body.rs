@@ -55,7 +55,7 @@ pub struct PreparedBody {
     /// Its pattern; `None` for a plain one.
     pub(crate) marking: Option<Marking>,
     /// How it turns within its group.
-    pub(crate) spin: Option<Spin>,
+    pub spin: Option<Spin>,
     /// Whether turning changes where its surface is.
     pub(crate) is_turned: bool,
     /// Whether it is drawn by a pipeline that knows patterns.
@@ -97,6 +97,7 @@ impl Extent {
 
 impl Placement {
     /// Of `shape`, turned so, in a group with this `middle`.
+    #[must_use]
     pub fn new(shape: &Shape, turn: DQuat, middle: DVec3) -> Self {
         let from_middle = |place: [f64; 3], w: f64| packed(DVec3::from(place) - middle, w);
         let (place_radius, form) = match *shape {

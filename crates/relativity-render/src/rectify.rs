@@ -2,7 +2,8 @@
 //! the same event.
 //!
 //! Both cameras meet at one event and receive the same light. A line of sight turns by aberration, a wavelength
-//! is multiplied by D, and an intensity is divided by D^n. That holds for all light, whatever sent it.
+//! is multiplied by D, and an intensity is divided by D^n. That holds for all light, whatever sent it: a wheel that rolls
+//! becomes one that turns, with the Doppler effect of its turning.
 //!
 //! A pixel's colour tells a wavelength only as far as its hue does: the part of it that is not grey counts as
 //! monochromatic light (see [`crate::colour`]), the grey part as light without a wavelength; what the shoulder of bright

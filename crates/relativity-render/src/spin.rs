@@ -46,6 +46,13 @@ impl Spin {
         DVec3::new(place.x - x, 0.0, place.z - z)
     }
 
+    /// The angle about the axle at which `place` is: radians from +x towards +z.
+    #[must_use]
+    pub fn angle(&self, place: DVec3) -> f64 {
+        let DVec3 { x, z, .. } = self.off_axle(place);
+        math::atan2(z, x)
+    }
+
     /// Where a point of the wheel at `place` is once it has turned by `angle` (radians, about +y, as a wheel does that
     /// rolls towards +x).
     #[must_use]
@@ -107,7 +114,7 @@ impl Velocity {
             Turning::Rolling => Turning::Rolling,
             Turning::RimSpeed(speed) => Turning::RimSpeed(self.direction() * speed),
         };
-        // Nothing is farther from the axle, but for rounding.
+        // What is on the rim by rounding is.
         let rho = (math::hypot(off_axle.x, off_axle.z) / spin.radius).min(1.0);
         let angle = math::atan2(off_axle.z, off_axle.x);
         WheelPoint { hub, radius: spin.radius, rho, angle, turning }.into()

@@ -67,6 +67,13 @@ impl GroupView {
         }
     }
 
+    /// How the corners of triangles over `body` turn, which stay where they are on one that turns in its place; but in the
+    /// published model two events show each of them.
+    pub(crate) fn corners_turn(&self, body: &PreparedBody) -> Option<Spin> {
+        let stays = self.turns(body) == Turns::InPlace && self.geometry != Geometry::Published;
+        body.spin.filter(|_| !stays)
+    }
+
     /// `body`, one of the group, whose middle is `middle`, for the shaders.
     pub(crate) fn shown(&self, body: &PreparedBody, middle: DVec3) -> Shown {
         let Some(spin) = body.spin.filter(|_| self.turns(body) != Turns::Not) else {

@@ -8,14 +8,16 @@ mod wheels;
 use std::process::ExitCode;
 use std::sync::LazyLock;
 
-use relativity_render::{Geometry, Hit, HitImage, Method, PreparedScene, Renderers, View};
+use relativity_render::{Geometry, Hit, HitImage, MaterialPoint, Method, PreparedScene, Renderers, View};
 use support::documented;
-use wheels::{From, scene, view_of_wheel};
+use wheels::{From, SPIN, scene, view_of_wheel};
 
 fn main() -> ExitCode {
     gpu_support::run(&[
         ("the_rays_agree_with_the_reference", the_rays_agree_with_the_reference),
         ("bounds_never_clip", bounds_never_clip),
+        ("the_mesh_keeps_its_bound", the_mesh_keeps_its_bound),
+        ("the_mesh_shows_points_where_they_are_seen", the_mesh_shows_points_where_they_are_seen),
     ])
 }
 
@@ -93,6 +95,82 @@ fn bounds_never_clip(renderers: &mut Renderers) {
                 .map(|renderers| renderers.hits(Method::Rays, &scene, &view).expect("device works"));
             let differing = found.hits.iter().zip(&expected.hits).filter(|(a, b)| a != b).count();
             assert_eq!(differing, 0, "{geometry:?} beta {beta} {from:?}");
+        }
+    }
+}
+
+const BOUNDS_PX: [f64; 2] = [0.5, 2.0];
+
+/// Each pixel shows a body that the reference shows no farther off than the bound.
+fn the_mesh_keeps_its_bound(renderers: &mut Renderers) {
+    let scene = scene();
+    let geometries = [Geometry::Seen, Geometry::Contracted, Geometry::Rest, Geometry::OneCone];
+    for (beta, geometry) in BETAS.into_iter().flat_map(|beta| geometries.map(|geometry| (beta, geometry))) {
+        for from in From::ALL {
+            let view = view_of_wheel(from, beta, geometry, ASIDE[1]);
+            let truth = scene.hit_image(&view);
+            for bound_px in BOUNDS_PX {
+                let image = renderers.hits(Method::Mesh { bound_px }, &scene, &view).expect("device works");
+                let mut bad = 0;
+                for (i, (hit, true_hit)) in image.hits.iter().zip(&truth.hits).enumerate() {
+                    let body = hit.map(|hit| hit.body);
+                    if body != true_hit.map(|hit| hit.body)
+                        && !bodies_around(&scene, &view, pixel(&image, i), bound_px)
+                            .any(|found| found == body)
+                    {
+                        bad += 1;
+                    }
+                }
+                let shown = truth.hits.iter().flatten().count();
+                println!("{geometry:?} beta {beta} {from:?} {bound_px} px: {bad} of {shown}");
+            }
+        }
+    }
+}
+
+/// What the reference shows up to `reach` from there, px.
+fn bodies_around(
+    scene: &PreparedScene,
+    view: &View,
+    [u, v]: [f64; 2],
+    reach: f64,
+) -> impl Iterator<Item = Option<usize>> {
+    (1..=6).flat_map(move |ring| {
+        (0..24).map(move |k| {
+            let (sine, cosine) = (std::f64::consts::TAU * f64::from(k) / 24.0).sin_cos();
+            let off = reach * f64::from(ring) / 6.0;
+            let line = view.camera.line_of_sight([u + off * cosine, v + off * sine]);
+            scene.first_hit(view, line).map(|hit| hit.body)
+        })
+    })
+}
+
+/// In every geometry, the published model and one light cone among them: the material point that a pixel shows is seen
+/// no farther off than the bound, says the core.
+fn the_mesh_shows_points_where_they_are_seen(renderers: &mut Renderers) {
+    let scene = scene();
+    let geometries =
+        [Geometry::Seen, Geometry::Contracted, Geometry::Rest, Geometry::OneCone, Geometry::Published];
+    for (beta, geometry) in BETAS[1..].iter().flat_map(|&beta| geometries.map(|geometry| (beta, geometry))) {
+        for from in From::ALL {
+            let view = view_of_wheel(from, beta, geometry, ASIDE[0]);
+            for bound_px in BOUNDS_PX {
+                let image = renderers.hits(Method::Mesh { bound_px }, &scene, &view).expect("device works");
+                let (mut most, mut shown, mut beyond) = (0.0f64, 0, 0);
+                for (i, hit) in image.hits.iter().enumerate().filter_map(|(i, hit)| Some((i, (*hit)?))) {
+                    let point = MaterialPoint { rest: hit.material_position, spin: Some(SPIN) };
+                    let place = view.apparent_position(point).and_then(|place| view.camera.pixel(place));
+                    let [u, v] = place.expect("in front of the camera");
+                    let [x, y] = pixel(&image, i);
+                    most = most.max((u - x).hypot(v - y));
+                    if (u - x).hypot(v - y) > bound_px { println!("   body {} place {} turn {} pixel {x} {y} at {u} {v}", hit.body, hit.rest_position, hit.turn); }
+                    beyond += usize::from((u - x).hypot(v - y) > bound_px);
+                    shown += 1;
+                }
+                println!(
+                    "{geometry:?} beta {beta} {from:?} {bound_px} px: {most:.3} px of {shown}, {beyond} beyond"
+                );
+            }
         }
     }
 }

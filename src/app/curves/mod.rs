@@ -8,7 +8,7 @@ mod tests;
 
 use egui_plot::PlotPoint;
 use relativity_core::math;
-use relativity_core::{Baseline, Model, PublishedVariant, SourcePoint};
+use relativity_core::{Baseline, Model, PublishedVariant, SourcePoint, Stereo};
 use relativity_render::{MaterialPoint, Velocity};
 
 pub(super) use bends::Bends;
@@ -125,7 +125,8 @@ impl OfModel {
         if key.stereo {
             distances.extend(channels(&sampled(key.range, bends, |time| distance_values(key, model, time))));
             let values = |time| stereo_values(key, model, time);
-            let pieces = if key.baseline.is_along_motion() {
+            // Those of eyes along the motion meet, unless the two events of the point differ in height.
+            let pieces = if key.baseline.is_along_motion() && key.point.spin.is_none() {
                 vec![key.range]
             } else {
                 pieces(key.range, bends, values)
@@ -219,12 +220,13 @@ pub fn value(key: &CurvesKey, model: Model, curve: Curve, time: f64) -> Option<f
     if let Some(channel) = eyes_channel(curve) {
         return Some(values(key, model, time)?[channel]);
     }
-    let view = stereo_view(key, model, time)?;
     let value = match curve {
-        Curve::LogDistance(kind) => view.distances[DistanceKind::ALL.iter().position(|&any| any == kind)?],
-        _ => view.gain,
+        Curve::LogDistance(DistanceKind::Stereo) => fused(key, model, time)?.distance(),
+        Curve::LogDistance(DistanceKind::Seen(eye)) => seen_distances(key, model, time)?[eye],
+        Curve::LogDistance(DistanceKind::Measured) => measured_distance(key, time),
+        _ => fused(key, model, time)?.gain,
     };
-    Some(math::log10(value?)).filter(|log| log.is_finite())
+    Some(math::log10(value)).filter(|log| log.is_finite())
 }
 
 fn values(key: &CurvesKey, model: Model, time: f64) -> Option<[f64; EYES]> {
@@ -249,43 +251,34 @@ fn published_values(key: &CurvesKey, time: f64) -> Option<[f64; 2]> {
     values.iter().all(|value| value.is_finite()).then_some(values)
 }
 
-/// What two eyes make of a point at one T.
-#[derive(Debug, Clone, Copy)]
-pub struct StereoView {
-    /// The stereo gain; none where the lines of sight do not meet.
-    pub gain: Option<f64>,
-    /// Of every [`DistanceKind`].
-    pub distances: [Option<f64>; DistanceKind::ALL.len()],
+/// What two eyes make in this `model` at `time` of the point of `key`; none where the lines of sight do not meet.
+fn fused(key: &CurvesKey, model: Model, time: f64) -> Option<Stereo> {
+    key.velocity.stereo(model, key.point, key.baseline.apertures_or_limit(), time).ok()
 }
 
-/// What two eyes make in this `model` at `time` of the point of `key`; `None` outside the domain of the
-/// core.
-#[must_use]
-pub fn stereo_view(key: &CurvesKey, model: Model, time: f64) -> Option<StereoView> {
-    let fused = key.velocity.stereo(model, key.point, key.baseline.apertures_or_limit(), time).ok();
+/// The distances from each eye to where it sees the point of `key` in this `model` at `time`; `None` outside the domain of the core.
+fn seen_distances(key: &CurvesKey, model: Model, time: f64) -> Option<[f64; 2]> {
     let both = key.velocity.disparity(model, key.point, key.baseline.apertures(), time).ok()?;
+    Some([both.primary.distance, both.secondary.distance])
+}
+
+/// How far the point of `key` is at `time`.
+fn measured_distance(key: &CurvesKey, time: f64) -> f64 {
     let speed = &key.velocity.speed;
     let SourcePoint { x0, y, z } = key.velocity.reflected_source(key.point).place_when_measured(speed, time);
-    let measured = [x0 + speed.beta() * time, y, z];
-    let distances = [
-        fused.map(|fused| fused.distance()),
-        Some(both.primary.distance),
-        Some(both.secondary.distance),
-        Some(measured.map(|along| along * along).iter().sum::<f64>().sqrt()),
-    ];
-    Some(StereoView { gain: fused.map(|fused| fused.gain), distances })
+    [x0 + speed.beta() * time, y, z].map(|along| along * along).iter().sum::<f64>().sqrt()
 }
 
 /// Logs of the stereo gain and of the distance at which two eyes take the point to be, where they do.
 fn stereo_values(key: &CurvesKey, model: Model, time: f64) -> Option<[f64; 2]> {
-    let StereoView { gain, distances: [stereo, ..] } = stereo_view(key, model, time)?;
-    logs([gain?, stereo?])
+    let fused = fused(key, model, time)?;
+    logs([fused.gain, fused.distance()])
 }
 
 /// Logs of the distances that there are at every T, in the order of their curves.
 fn distance_values(key: &CurvesKey, model: Model, time: f64) -> Option<[f64; 3]> {
-    let StereoView { distances: [_, left, right, measured], .. } = stereo_view(key, model, time)?;
-    logs([measured?, right?, left?])
+    let [left, right] = seen_distances(key, model, time)?;
+    logs([measured_distance(key, time), right, left])
 }
 
 fn logs<const N: usize>(values: [f64; N]) -> Option<[f64; N]> {

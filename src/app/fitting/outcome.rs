@@ -6,8 +6,8 @@ use std::time::Duration;
 use egui_plot::PlotPoint;
 use relativity_core::bootstrap::percentiles_95;
 use relativity_core::{
-    Aperture, Bootstrap, DEFAULT_REPLICATES, Fit, FitOptions, Model, Observations, Parameter,
-    Sample as Measured, SourcePoint, Speed, bootstrap_unless, fit,
+    Aperture, Bootstrap, DEFAULT_REPLICATES, Fit, FitOptions, Observations, Parameter, Rolling,
+    Sample as Measured, Source, SourcePoint, Speed, Turning, WheelPoint, bootstrap_unless, fit,
 };
 
 use super::samples::{FitKey, Fittable, Samples, Simulated};
@@ -111,9 +111,8 @@ fn reading(sample: &Measured, curve: usize) -> Option<f64> {
 }
 
 fn bias(key: &FitKey, simulated: &Simulated) -> Result<[f64; 3], String> {
-    let FitOptions { passage, .. } = key.fittable()?.options;
+    let options = key.fittable()?.options;
     let clean = simulated.observations(&key.setup, 0.0)?;
-    let options = FitOptions { model: key.setup.model, curves: key.setup.curves, passage, rolling: None };
     let best = fit(&clean, &options).map_err(|error| error.to_string())?;
     let truth = |parameter| simulated.true_value(parameter, key.setup.curves);
     Ok([Parameter::Beta, Parameter::Y, Parameter::Z].map(|p| best.value(p) - truth(p)))
@@ -180,7 +179,7 @@ fn curves(
 ) -> [Option<FittedCurve>; 2] {
     let Some(&pair) = observed.pairs().first() else { return [None, None] };
     let lines = sampled(range, &bends_of(key, pair, range, best), |time| fitted_angles(best, 0, time));
-    let eyes = (best.options.model, pair);
+    let eyes = (best.options, pair);
     let bands = replicates.map(|replicates| bands(eyes, &lines, replicates)).unwrap_or_default();
     let used = best.options.curves.used();
     [0, 1].map(|curve| {
@@ -197,14 +196,25 @@ fn curves(
 
 /// The times around which curves bend: those of the point that was simulated, else of the one that was found.
 fn bends_of(key: &FitKey, pair: [Aperture; 2], range: [f64; 2], best: &Fit) -> Bends {
-    let [beta, y, z, x0] = best.values;
-    let found = || Some((Speed::from_beta(beta).ok()?, SourcePoint { x0, y, z }));
+    let found = || worldline(best.options.rolling, best.values);
     let point = key.simulated().map(|point| (point.velocity.speed, point.source)).or_else(found);
     point.map(|(speed, source)| Bends::new(&speed, source, pair, range)).unwrap_or_default()
 }
 
-/// A model, and the eyes that see by it.
-type Seeing = (Model, [Aperture; 2]);
+/// The point that these values of beta, y, z and x0 are of, or whose hub's they are.
+fn worldline(rolling: Option<Rolling>, [beta, y, z, x0]: [f64; 4]) -> Option<(Speed, Source)> {
+    let hub = SourcePoint { x0, y, z };
+    let source = match rolling {
+        None => hub.into(),
+        Some(Rolling { radius, rho, angle }) => {
+            WheelPoint { hub, radius, rho, angle, turning: Turning::Rolling }.into()
+        }
+    };
+    Some((Speed::from_beta(beta).ok()?, source))
+}
+
+/// How a fit sees, and the eyes that see so.
+type Seeing = (FitOptions, [Aperture; 2]);
 
 /// For each sample of the best fit's `lines` the replicates' 95 % intervals, relative to the best fit.
 fn bands(eyes: Seeing, lines: &[Sample<2>], replicates: &Bootstrap) -> Vec<[[f64; 2]; 2]> {
@@ -231,9 +241,9 @@ fn band_at(eyes: Seeing, line: &Sample<2>, replicates: &Bootstrap) -> [[f64; 2];
 }
 
 /// Delta-phi and Delta-theta, in the model of the fit, of a point given by beta, y, z and x0.
-fn angles((model, pair): Seeing, [beta, y, z, x0]: [f64; 4], time: f64) -> Option<[f64; 2]> {
-    let (speed, point) = (Speed::from_beta(beta).ok()?, SourcePoint { x0, y, z });
-    let both = model.disparity(&speed, point, pair, time).ok()?;
+fn angles((options, pair): Seeing, values: [f64; 4], time: f64) -> Option<[f64; 2]> {
+    let (speed, source) = worldline(options.rolling, values)?;
+    let both = options.model.disparity(&speed, source, pair, time).ok()?;
     let angles = [both.dphi, both.dtheta];
     angles.iter().all(|angle| angle.is_finite()).then_some(angles)
 }

@@ -6,7 +6,8 @@ use std::sync::Arc;
 
 use anyhow::Context as _;
 use relativity_core::{
-    Aperture, Baseline, Curves, FitOptions, Model, Observations, Parameter, Passage, Simulation, SourcePoint,
+    Aperture, Baseline, Curves, FitOptions, Model, Observations, Parameter, Passage, Rolling, Simulation,
+    Source, Turning, WheelPoint,
 };
 use relativity_render::Velocity;
 
@@ -39,7 +40,7 @@ pub struct Simulated {
     /// True speed.
     pub velocity: Velocity,
     /// True worldline.
-    pub source: SourcePoint,
+    pub source: Source,
     /// The eyes, from the middle between them.
     pub pair: [Aperture; 2],
     /// First and last T of the samples.
@@ -102,19 +103,19 @@ impl FitKey {
     /// Why there are none.
     pub fn fittable(&self) -> Result<Fittable, String> {
         let FitSetup { model, curves, fit_x0, noise_percent, .. } = self.setup;
-        let options = |curves, known: f64| {
+        let options = |curves, known: f64, rolling| {
             let passage = if fit_x0 { Passage::Fitted } else { Passage::Known(known) };
-            FitOptions { model, curves, passage, rolling: None }
+            FitOptions { model, curves, passage, rolling }
         };
         match &self.samples {
             Samples::Simulated(simulated) => Ok(Fittable {
                 observations: simulated.observations(&self.setup, noise_percent)?,
-                options: options(curves, simulated.source.x0),
+                options: options(curves, simulated.source.place().x0, simulated.rolling()),
             }),
             Samples::Measured(file, baseline) => {
                 let data = file.data(*baseline).map_err(|error| format!("{error:#}"))?;
                 let curves = data.curves(Some(curves).filter(|curves| *curves != Curves::Both));
-                Ok(Fittable { observations: data.observations, options: options(curves, 0.0) })
+                Ok(Fittable { observations: data.observations, options: options(curves, 0.0, None) })
             }
         }
     }
@@ -143,8 +144,8 @@ impl Simulated {
         let time = |index: usize| time_within(self.range, index as f64 / last as f64);
         let simulation = Simulation {
             speed: self.velocity.speed,
-            point: self.source,
-            rolling: None,
+            point: self.source.place(),
+            rolling: self.rolling(),
             pair: self.pair,
             model: self.model,
             times: (0..=last).map(time).collect(),
@@ -154,16 +155,28 @@ impl Simulated {
         simulation.observations().map_err(|error| error.to_string())
     }
 
+    /// Where on its wheel the point is, if it is on one that rolls.
+    #[must_use]
+    pub const fn rolling(&self) -> Option<Rolling> {
+        match self.source {
+            Source::Wheel(WheelPoint { radius, rho, angle, turning: Turning::Rolling, .. }) => {
+                Some(Rolling { radius, rho, angle })
+            }
+            Source::Wheel(_) | Source::Point(_) => None,
+        }
+    }
+
     /// What a fit of these curves should find for `parameter`.
     #[must_use]
     pub fn true_value(&self, parameter: Parameter, curves: Curves) -> f64 {
+        let place = self.source.place();
         match parameter {
             Parameter::Beta => self.velocity.speed.beta(),
-            Parameter::Y => self.source.y,
-            // Delta-phi alone does not tell above from below.
-            Parameter::Z if curves == Curves::Azimuth => self.source.z.abs(),
-            Parameter::Z => self.source.z,
-            Parameter::X0 => self.source.x0,
+            Parameter::Y => place.y,
+            // Delta-phi alone does not tell above from below, unless the point turns.
+            Parameter::Z if curves == Curves::Azimuth && self.rolling().is_none() => place.z.abs(),
+            Parameter::Z => place.z,
+            Parameter::X0 => place.x0,
         }
     }
 
@@ -175,7 +188,9 @@ impl Simulated {
             Some("at rest (β = 0) no disparity changes with T")
         } else if self.velocity.is_backward {
             Some("the fit takes what moves towards +x, and the point moves the other way")
-        } else if self.source.y <= 0.0 {
+        } else if matches!(self.source, Source::Wheel(_)) && self.rolling().is_none() {
+            Some("the fit knows wheels that roll, and the one that the point is on turns otherwise")
+        } else if self.source.place().y <= 0.0 {
             Some("the fit looks in front of the eyes, and the point is not there (y ≤ 0)")
         } else {
             None

@@ -62,7 +62,9 @@ fn table(ui: &mut Ui, state: &State) {
                 quantity.row(ui, state, &received);
             }
             if point.track.spin.is_some() {
-                TURNING.iter().for_each(|quantity| quantity.row(ui, state, &received));
+                for quantity in &TURNING {
+                    quantity.row(ui, state, &received);
+                }
             }
         },
     );
@@ -123,7 +125,8 @@ fn stereo(ui: &mut Ui, state: &State) {
             let name = format!("Stereo {name}: {}", unit.text(value, 2));
             named_text(ui, unit.number(value, 2), name).on_hover_text(STEREO_TIP);
         }
-        if !state.settings.baseline().is_along_motion() {
+        let is_turning = state.session.points.selected().track.spin.is_some();
+        if is_turning || !state.settings.baseline().is_along_motion() {
             let text = unit.text(found.map_or(f64::NAN, |found| found.miss), 3);
             ui.label(RichText::new("lines of sight miss by").color(colour)).on_hover_text(MISS_TIP);
             named_text(ui, text.as_str(), format!("Lines of sight miss by: {text}")).on_hover_text(MISS_TIP);
@@ -136,8 +139,8 @@ const APART: &str = "The lines of sight diverge: they meet nowhere in front.";
 const APART_TIP: &str = "The eyes receive two events of the point, between which it moved. The two lines of sight to them need \
     not come together anywhere.";
 
-const MISS_TIP: &str = "With the head tilted or turned the two lines of sight pass each other. Where the point is taken to \
-    be is the middle of their shortest connection; this is how long it is.";
+const MISS_TIP: &str = "With the head tilted or turned, and of a point that turns with a wheel, the two lines of sight pass each \
+    other. Where the point is taken to be is the middle of their shortest connection; this is how long it is.";
 
 const GAIN_TIP: &str = "How many times as far apart as they are the eyes would see the difference between them at a \
     resting point.\n(X left − X right)/d, near γD; with the head tilted or turned the part of the parallax along that of a \

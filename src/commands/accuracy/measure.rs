@@ -122,7 +122,7 @@ impl Measurement {
                 let found =
                     expected_error(renderers, &self.scene, method, view, appearance, effort, &|| false)?;
                 let found = found.context("nothing cancels this")?;
-                rows.push(picture_row(*circumstances, &found));
+                rows.push(picture_row(*circumstances, found));
                 progress.inc(1);
             }
             reports.push(renderer_report(method, rows));
@@ -188,7 +188,7 @@ impl Measurement {
     }
 }
 
-fn picture_row(view: Circumstances, found: &ExpectedError) -> PictureRow {
+fn picture_row(view: Circumstances, found: ExpectedError) -> PictureRow {
     let figures = &found.difference.figures;
     PictureRow {
         view,
@@ -200,6 +200,7 @@ fn picture_row(view: Circumstances, found: &ExpectedError) -> PictureRow {
             wrong_share: figures.wrong_share(),
             wrong_pixels_off_outlines: figures.wrong_pixels_off_outlines,
         },
+        rounds: found.rounds,
     }
 }
 

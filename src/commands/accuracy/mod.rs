@@ -50,6 +50,8 @@ What is measured:
   D              relative error of the Doppler factor
   wrong body     pixels that show another body than the reference, per pixel that shows
                  one; where two bodies share a surface, that of the first is right
+  rounds         where bodies turn: how far rays that find spokes in rounds, as the GPU's
+                 do, are off after 1, 2, 3 and 6, along the ray in radii of the wheel
 
 Examples:
   gamow accuracy

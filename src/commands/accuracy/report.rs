@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::accuracy::{Place, Spread};
+use crate::accuracy::{Place, RoundsError, Spread};
 
 /// All of it.
 #[derive(Debug, Clone, Serialize)]
@@ -100,6 +100,9 @@ pub struct PictureRow {
     /// How far from the truth.
     #[serde(flatten)]
     pub errors: PictureErrors,
+    /// With the reference: what rounds come to where bodies turn.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rounds: Option<RoundsError>,
 }
 
 /// Errors of a picture.

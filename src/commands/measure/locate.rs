@@ -1,5 +1,6 @@
 //! Where in a picture the target is.
 
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 use glam::DVec3;
@@ -7,8 +8,9 @@ use relativity_core::math;
 use relativity_render::Picture;
 
 use super::place::{Mask, Place, ROUNDING};
-use crate::files::exr::{Channel, Measurements};
+use crate::files::exr::{Channel, Measurements, NO_ANGLE};
 use crate::flags::choices::FileKind;
+use crate::scene::Scene;
 use crate::settings::Settings;
 
 /// Largest difference of a component of a colour that still counts as the same.
@@ -21,7 +23,7 @@ const SQUARE_RMS: f64 = 0.111_803_398_874_989_48;
 /// What is looked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Target<'a> {
-    /// The mark at a place on a body's surface.
+    /// The mark at a place on a body's surface; of one that turns with a wheel, at t' = 0.
     Point([f64; 3]),
     /// The middle of a body, by its number or by what the scene calls it.
     Body(&'a str),
@@ -69,10 +71,16 @@ pub fn in_layer(
     match target {
         Target::Point(point) => {
             let rest = [channel(Channel::RestX)?, channel(Channel::RestY)?, channel(Channel::RestZ)?];
+            let rest = match channel(Channel::MaterialAngle) {
+                Ok(angles) if angles.iter().any(|&angle| angle != NO_ANGLE) => {
+                    at_start(&settings.opened_scene()?, ids, rest, angles).map(Cow::Owned)
+                }
+                _ => rest.map(Cow::Borrowed),
+            };
             Ok(Surface { width, ids, rest }.place(point.into()))
         }
         Target::Body(name) => {
-            let bodies = bodies(name, settings)?;
+            let bodies = bodies(name, &settings.opened_scene()?)?;
             let is_one = |id: &f32| bodies.iter().any(|body| *id == *body as f32);
             Ok(Mask { shows: ids.iter().map(is_one).collect(), width }.middle())
         }
@@ -80,12 +88,15 @@ pub fn in_layer(
     }
 }
 
-/// The number that `name` is, or those of the bodies that the scene of `settings` calls so.
-fn bodies(name: &str, settings: &Settings) -> anyhow::Result<Vec<usize>> {
+/// The number that `name` is, or those of the bodies that the `scene` calls so.
+///
+/// # Errors
+///
+/// A name of nothing in it.
+pub fn bodies(name: &str, scene: &Scene) -> anyhow::Result<Vec<usize>> {
     if let Ok(number) = name.parse() {
         return Ok(vec![number]);
     }
-    let scene = settings.opened_scene()?;
     let is_called_so = |body: &usize| scene.name_of(*body).eq_ignore_ascii_case(name);
     let bodies: Vec<_> = (0..scene.bodies.len()).filter(is_called_so).collect();
     anyhow::ensure!(
@@ -104,11 +115,28 @@ fn bodies(name: &str, settings: &Settings) -> anyhow::Result<Vec<usize>> {
     Ok(bodies)
 }
 
+/// The places that pixels show as they are at t' = 0: of what turns with a wheel of `scene` not those at `rest`, where it was
+/// as the light left, but at the `angles` that it had then.
+fn at_start(scene: &Scene, ids: &[f32], rest: [&[f32]; 3], angles: &[f32]) -> [Vec<f32>; 3] {
+    let mut places = rest.map(<[f32]>::to_vec);
+    for (pixel, (&id, &angle)) in ids.iter().zip(angles).enumerate() {
+        let body = (id >= 0.0 && angle != NO_ANGLE).then_some(id as usize);
+        let Some(spin) = body.and_then(|body| scene.bodies.get(body)?.spin) else { continue };
+        let [x, y, z] = rest.map(|channel| f64::from(channel[pixel]));
+        let there = DVec3::new(x, y, z);
+        let start = spin.turned(there, spin.angle(there) - f64::from(angle));
+        for (place, value) in places.iter_mut().zip(start.to_array()) {
+            place[pixel] = value as f32;
+        }
+    }
+    places
+}
+
 /// Which place of which body each pixel shows.
 struct Surface<'a> {
     width: usize,
     ids: &'a [f32],
-    rest: [&'a [f32]; 3],
+    rest: [Cow<'a, [f32]>; 3],
 }
 
 impl Surface<'_> {
@@ -144,7 +172,7 @@ impl Surface<'_> {
     }
 
     fn at(&self, pixel: usize) -> DVec3 {
-        let [x, y, z] = self.rest.map(|channel| f64::from(channel[pixel]));
+        let [x, y, z] = self.rest.each_ref().map(|channel| f64::from(channel[pixel]));
         DVec3::new(x, y, z)
     }
 

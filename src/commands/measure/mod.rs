@@ -42,6 +42,9 @@ use crate::studio::Sheet;
 /// one. Errors against the truth were measured to be 0.7 to 1.4 times as large, and up to 1.8 times of a mark beside an
 /// outline; those of dtheta a third where both eyes have the point equally high. They say nothing of what pixels do not
 /// decide: the middle of a large body is not quite where its centre is seen.
+///
+/// A mark on a wheel is followed round. A fit takes it for a point that does not turn unless it is told where on its wheel
+/// the mark is; of a --point in files of `gamow render` that is said here.
 #[derive(Debug, Args)]
 #[command(after_long_help = EXAMPLES)]
 pub struct MeasureArgs {
@@ -77,7 +80,7 @@ struct TakenArgs {
 #[derive(Debug, Clone, Args)]
 #[group(required = true, multiple = false)]
 struct TargetArgs {
-    /// In .exr files: the mark on a body's surface at these rest-frame coordinates.
+    /// In .exr files: the mark on a body's surface at these rest-frame coordinates; on a wheel that turns, those at t' = 0.
     #[arg(long, value_name = "X,Y,Z", value_parser = coordinates, allow_hyphen_values = true)]
     point: Option<[f64; 3]>,
     /// In .exr files: the middle of the body that the scene calls so, or that has this number.
@@ -94,6 +97,7 @@ Examples:
   gamow measure ride --point=-0.032,2.968,2 --out ride.csv
   gamow fit ride.csv --fit-x0
   gamow measure ride --object 'front tyre'
+  gamow measure ride --point=0,3,2 | gamow fit --wheel-radius 0.525 --rho 1 --angle 0
   gamow measure photos --marker ff2000 --times 0,6 --d 0.1 --fov 50 --gaze 90,0 --layout over-under";
 
 /// How many columns there are: T, d, roll, turn, the angles, and the standard deviations of their differences.
@@ -249,6 +253,7 @@ fn measured(
     let [Some(left), Some(right)] = places else { return Ok(None) };
     let cameras = settings.recorded_cameras(size);
     let cameras = cameras.map_err(|flag| anyhow::anyhow!("{name}: it does not record {flag}"))?;
+    remarks.extend(remark::of_target(&settings, target).with_context(|| name.to_owned())?);
     if let Target::Marker(_) = target {
         remarks.extend(remark::of_places(&settings, &cameras, [left, right]));
     }

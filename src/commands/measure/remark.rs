@@ -3,8 +3,10 @@
 use std::collections::BTreeMap;
 
 use relativity_core::math;
+use relativity_core::{Source, Turning, WheelPoint};
 use relativity_render::Camera;
 
+use super::locate::{self, Target};
 use super::place::Place;
 use crate::files::exr::EYES;
 use crate::settings::Settings;
@@ -22,6 +24,8 @@ pub enum Remark {
     OffPlane { tenths_px: i64 },
     /// They meet behind the eyes.
     Diverging,
+    /// The target turns with a wheel: what is to be done about that.
+    Turning(String),
 }
 
 impl Remark {
@@ -31,6 +35,7 @@ impl Remark {
             Self::Parts { .. } => 0,
             Self::OffPlane { .. } => 1,
             Self::Diverging => 2,
+            Self::Turning(_) => 3,
         }
     }
 
@@ -41,15 +46,49 @@ impl Remark {
                 EYES[*eye]
             ),
             Self::OffPlane { tenths_px } => format!(
-                "the colour is in places that cannot be one point: the left and the right eye's lines of sight miss each \
-                 other by {} px",
+                "the colour is in places that cannot be one point, unless it turns with a wheel: the left and the right \
+                 eye's lines of sight miss each other by {} px",
                 *tenths_px as f64 / 10.0
             ),
             Self::Diverging => "the colour is in places that cannot be one point: the left and the right eye's lines of sight \
                  diverge; the eyes may be swapped"
                 .to_owned(),
+            Self::Turning(advice) => format!("the target turns with a wheel: {advice}"),
         }
     }
+}
+
+/// What a fit has to know of a `target` in the scene of `settings` that turns with a wheel, if it does.
+///
+/// # Errors
+///
+/// A scene that cannot be had.
+pub fn of_target(settings: &Settings, target: Target<'_>) -> anyhow::Result<Option<Remark>> {
+    let advice = match target {
+        Target::Marker(_) => None,
+        Target::Body(name) => {
+            let scene = settings.opened_scene()?;
+            let turns = |body: usize| {
+                let body = scene.bodies.get(body)?;
+                body.spin.filter(|spin| !spin.keeps(&body.shape))
+            };
+            let is_turning = locate::bodies(name, &scene)?.into_iter().any(|body| turns(body).is_some());
+            is_turning.then(|| "follow a --point of it, which can be fitted".to_owned())
+        }
+        Target::Point(point) => {
+            let scene = settings.opened_scene()?;
+            match settings.source(&scene.track(Some(point))) {
+                Source::Point(_) => None,
+                Source::Wheel(WheelPoint { radius, rho, angle, turning: Turning::Rolling, .. }) => {
+                    Some(format!(
+                        "fit it by `gamow fit --wheel-radius {radius} --rho {rho} --angle={angle}`, which gives the hub's y and z"
+                    ))
+                }
+                Source::Wheel(_) => Some("it does not roll, and a fit takes it for a fixed point".to_owned()),
+            }
+        }
+    };
+    Ok(advice.map(Remark::Turning))
 }
 
 /// What the places that both eyes have of one colour tell, if the head is held along the motion: a point is then in one

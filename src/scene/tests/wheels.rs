@@ -246,3 +246,21 @@ fn what_is_wrong_with_a_wheel_is_said() {
         "balls.toml:4: wheels = 3 must be a table: keys and values, headed by its name in brackets"
     );
 }
+
+#[test]
+fn a_mangled_wheel_is_a_scene_or_one_line() {
+    let text =
+        wheel("flanges = 0.1\ncrossing = 60\nrim_radius = 0.42\nrim_speed = 0.5\ntread = 0.1\nvalve = true");
+    for at in 0..text.len() {
+        for replacement in ["", "[", "=", ".", "-", "9", "\n"] {
+            let mangled = format!("{}{replacement}{}", &text[..at], &text[at + 1..]);
+            match Scene::parse(&mangled, "balls.toml") {
+                Ok(scene) => assert!(scene.tracked.iter().all(|x| x.is_finite()), "{mangled}"),
+                Err(error) => {
+                    let line = error.to_string();
+                    assert!(line.starts_with("balls.toml:") && !line.contains('\n'), "{line}");
+                }
+            }
+        }
+    }
+}

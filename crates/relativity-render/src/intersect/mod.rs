@@ -4,6 +4,7 @@
 //! size of the body. Only entries count: an aperture inside a body does not see that body's inner surface.
 
 mod flat;
+mod rounds;
 mod turning;
 
 use glam::{DMat3, DVec3};
@@ -14,6 +15,7 @@ use crate::polynomial::first_descent;
 use crate::ray::Ray;
 use crate::turn::turn_of;
 
+pub use rounds::Search;
 pub(crate) use turning::TurningSolid;
 
 /// Where a ray enters a body. Rest frame.
@@ -259,7 +261,7 @@ impl Form {
 }
 
 /// A ray from a start near the body's centre, which lies at the origin.
-struct LocalRay {
+pub(crate) struct LocalRay {
     start: DVec3,
     direction: DVec3,
     /// Parameter of the camera: what lies before it is behind the camera.

@@ -88,16 +88,28 @@ impl TurningSolid {
     /// `tests/reference_wheels.rs`: the position lies on the surface within 1e-12 of how far the body reaches from
     /// the axle.
     pub fn entry(&self, ray: &Ray, view: &GroupView, touches: Option<f64>) -> (Option<Entry>, f64) {
-        let (start, from_start) = ray.nearest_to(self.sweep.middle);
-        let local = LocalRay { start, direction: ray.direction, behind: -ray.from_camera - from_start };
+        let (local, from_start) = self.local_ray(ray);
         let turned_at = touches.map_or_else(|| local.behind.max(0.0), |along| along - from_start);
         let (found, s) = self.passage(&local, view, turned_at);
         let entry = found.map(|normal| Entry {
             distance: from_start + s,
-            position: self.sweep.middle + (start + ray.direction * s),
+            position: self.sweep.middle + (local.start + ray.direction * s),
             normal,
         });
         (entry, from_start + s)
+    }
+
+    /// `ray` from its point nearest to the sweep's middle, and how far along it that is.
+    pub fn local_ray(&self, ray: &Ray) -> (LocalRay, f64) {
+        let (start, from_start) = ray.nearest_to(self.sweep.middle);
+        (LocalRay { start, direction: ray.direction, behind: -ray.from_camera - from_start }, from_start)
+    }
+
+    /// Between which parameters a ray is among what it sweeps, and in front of the camera.
+    pub fn reach_along(&self, ray: &LocalRay) -> Option<[f64; 2]> {
+        let mut parts = self.sweep.parts(ray).into_iter().flatten();
+        let first = parts.next()?;
+        Some([first[0], parts.next().unwrap_or(first)[1]])
     }
 
     /// The normal where a ray from near the sweep's middle enters, if it does, and at which parameter it does or is nearest.
@@ -165,7 +177,7 @@ impl Sweep {
 }
 
 /// A ray as the curve that it is in the frame that turns with a body.
-struct Course<'a> {
+pub(super) struct Course<'a> {
     body: &'a TurningSolid,
     ray: &'a LocalRay,
     /// Where the body's centre is at t' = 0, from the sweep's middle.
@@ -174,7 +186,7 @@ struct Course<'a> {
     turn: f64,
     turned_at: f64,
     /// k, how much more that is per length along the ray.
-    rate: f64,
+    pub rate: f64,
     /// L: q is no faster.
     speed: f64,
     /// K: q is bent no more.
@@ -182,7 +194,7 @@ struct Course<'a> {
 }
 
 impl<'a> Course<'a> {
-    fn new(body: &'a TurningSolid, ray: &'a LocalRay, view: &GroupView, turned_at: f64) -> Self {
+    pub fn new(body: &'a TurningSolid, ray: &'a LocalRay, view: &GroupView, turned_at: f64) -> Self {
         let TurningSolid { solid, spin, sweep } = body;
         let place = sweep.middle + (ray.start + ray.direction * turned_at);
         let rate = spin.omega(&view.on_ground) * view.rate_along(place, ray.direction);
@@ -205,8 +217,13 @@ impl<'a> Course<'a> {
         self.turn + self.rate * (s - self.turned_at)
     }
 
+    /// What it may enter, as it is at t' = 0.
+    pub fn solid(&self) -> &Solid {
+        &self.body.solid
+    }
+
     /// q at `s`, from the body's centre, and q'.
-    fn at(&self, s: f64) -> [DVec3; 2] {
+    pub fn at(&self, s: f64) -> [DVec3; 2] {
         let turn = self.turn_at(s);
         let place = about_y(self.ray.start + self.ray.direction * s, -turn);
         let own = DVec3::Y.cross(place) * self.rate;

@@ -19,6 +19,7 @@ use relativity_core::math;
 use super::template::Division;
 use crate::camera::Gauge;
 use crate::group_view::GroupView;
+use crate::spin::{MaterialPoint, Spin};
 use crate::surface::{BoxSurface, CylinderSurface, Surface, TubeSurface};
 
 /// The most segments a direction is divided into: bodies that touch the picture plane would need any number.
@@ -33,11 +34,12 @@ const STEP: f64 = 1e-2;
 const ALONG: [f64; 5] = [-1.0, -0.5, 0.0, 0.5, 1.0];
 const AROUND: [f64; 4] = [0.0, FRAC_PI_2, PI, 1.5 * PI];
 
-/// The division of a body's `surface` that keeps `bound_px` in `view`; where that would do with less, no coarser than
+/// The division of a body's `surface`, which turns so, that keeps `bound_px` in `view`; where that would do with less, no coarser than
 /// normals between corners look round.
-pub fn division(surface: &Surface, view: &GroupView, bound_px: f64) -> Division {
+pub fn division(surface: &Surface, spin: Option<Spin>, view: &GroupView, bound_px: f64) -> Division {
     let curvature = Curvature {
         view,
+        spin,
         gauge: view.camera.gauge(),
         focal_length_px: view.camera.focal_length_px(),
         bound_px: 0.25 * bound_px,
@@ -83,6 +85,8 @@ fn segments(needed: f64, least: u32) -> u32 {
 /// Curvature of images, as segments per unit of a parameter.
 struct Curvature<'a> {
     view: &'a GroupView,
+    /// How the places turn.
+    spin: Option<Spin>,
     gauge: Gauge,
     focal_length_px: f64,
     bound_px: f64,
@@ -137,7 +141,8 @@ impl Curvature<'_> {
 
     /// Where `place` appears; no number outside the domain of the core, which asks for the finest division.
     fn apparent(&self, place: DVec3) -> DVec3 {
-        self.view.apparent_position(place).unwrap_or(DVec3::NAN)
+        let point = MaterialPoint { rest: place, spin: self.spin };
+        self.view.apparent_position(point).unwrap_or(DVec3::NAN)
     }
 
     /// How far a change of an apparent position moves its image, px.

@@ -11,6 +11,7 @@ use crate::footprint::Projection;
 use crate::group_view::GroupView;
 use crate::intersect::Solid;
 use crate::prepared_body::{Joint, Placement, PreparedBody};
+use crate::spin::{MaterialPoint, Spin};
 use crate::turns::{Shown, Turns};
 use crate::view::Geometry;
 
@@ -56,18 +57,25 @@ impl Parts {
         let Shot { scene, views, divided_for, appearance } = *shot;
         let projections: Vec<_> = views.iter().map(Projection::new).collect();
         let is_seen = |body: &PreparedBody| {
-            let (view, solid) = (&views[body.group], scene.solid(body.number));
-            let middle = view.reflected_from_camera(solid.center());
+            let view = &views[body.group];
+            let (center, radius) = if body.is_turned {
+                let around = scene.ball_around(body);
+                (around.from, around.radius)
+            } else {
+                let solid = scene.solid(body.number);
+                (solid.center(), solid.bounding_radius())
+            };
+            let middle = view.reflected_from_camera(center);
             // Neither the published positions nor those of one light cone for both eyes are the camera's.
             matches!(view.geometry, Geometry::Published | Geometry::OneCone)
-                || !projections[body.group].hides(middle, solid.bounding_radius())
+                || !projections[body.group].hides(middle, radius)
         };
         let part = |body: &PreparedBody| {
             let (instance, view) = (Instance::new(body, shot), &divided_for[body.group]);
             Part {
-                division: division(&body.surface, view, bound_px),
+                division: division(&body.surface, view.corners_turn(body), view, bound_px),
                 instance: if appearance.is_some() {
-                    instance.widened(scene.solid(body.number), view)
+                    instance.widened(scene.solid(body.number), body.spin, view)
                 } else {
                     instance
                 },
@@ -149,8 +157,8 @@ impl Instance {
     }
 
     /// Drawn at least a pixel wide: thinner, it is faded instead of broken up.
-    fn widened(self, solid: &Solid, view: &GroupView) -> Self {
-        let center = solid.center();
+    fn widened(self, solid: &Solid, spin: Option<Spin>, view: &GroupView) -> Self {
+        let center = view.place_when_shown(MaterialPoint { rest: solid.center(), spin });
         // Away from the axis of a picture nothing is smaller than on it, as deep.
         let forward = view.camera.axes().forward;
         let depth = view.apparent_position(center).map_or(f64::INFINITY, |place| place.dot(forward));

@@ -3,6 +3,7 @@
 
 mod conclusion;
 mod frontier;
+mod rounds;
 mod table;
 
 pub use table::csv;
@@ -36,7 +37,10 @@ pub fn show(ui: &mut Ui, state: &State, examination: Option<&Examination>, asks:
     let (table, plot) = table_and_plots(ui.available_rect_before_wrap(), TABLE_WIDTH, LEAST_PLOT);
     part(ui, "figures", table, |ui| {
         let area = ScrollArea::both().auto_shrink(false);
-        area.show(ui, |ui| table::show(ui, examination, &mut quality));
+        area.show(ui, |ui| {
+            table::show(ui, examination, &mut quality);
+            rounds::show(ui, examination);
+        });
     });
     if let Some(plot) = plot {
         part(ui, "frontier", plot, |ui| frontier::show(ui, plot.size(), examination, &mut quality));

@@ -77,7 +77,7 @@ fn table_row(ui: &mut Ui, row: &Row<'_>, better: Option<Method>, quality: &mut Q
 }
 
 /// A spread's 99 % as written, and the rest of it. Nothing below the `resolution` was told apart.
-fn cell(spread: Option<Spread>, resolution: f64) -> (String, String) {
+pub(super) fn cell(spread: Option<Spread>, resolution: f64) -> (String, String) {
     let Some(Spread { median, p99, worst, count }) = spread else {
         return (figures::NONE.to_owned(), String::new());
     };

@@ -155,9 +155,14 @@ fn verdict(fitted: &Fitted) -> Option<String> {
     })
 }
 
-/// What is taken for granted of measured samples, a sentence each.
+/// What is taken for granted of samples, a sentence each.
 fn assumptions(outcome: &FitOutcome, fitted: &Fitted) -> Vec<String> {
-    let Samples::Measured(file, baseline) = &outcome.key.samples else { return Vec::new() };
+    let (file, baseline) = match &outcome.key.samples {
+        Samples::Simulated(simulated) => {
+            return simulated.rolling().map(|_| ON_A_WHEEL.to_owned()).into_iter().collect();
+        }
+        Samples::Measured(file, baseline) => (file, baseline),
+    };
     let mut told = Vec::new();
     if !file.has_separation {
         let d = figures::trimmed(baseline.separation, 4);
@@ -183,6 +188,9 @@ fn assumptions(outcome: &FitOutcome, fitted: &Fitted) -> Vec<String> {
     }
     told
 }
+
+const ON_A_WHEEL: &str = "The point is on a wheel that rolls: y, z and x₀ are its hub's, and where on the wheel the point is \
+    is taken for known.";
 
 fn notes(ui: &mut Ui, outcome: &FitOutcome, fitted: &Fitted) {
     let milliseconds = figures::fixed(1e3 * outcome.elapsed.as_secs_f64(), 0);
