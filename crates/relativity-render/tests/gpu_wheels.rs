@@ -163,7 +163,12 @@ fn the_mesh_shows_points_where_they_are_seen(renderers: &mut Renderers) {
                     let [u, v] = place.expect("in front of the camera");
                     let [x, y] = pixel(&image, i);
                     most = most.max((u - x).hypot(v - y));
-                    if (u - x).hypot(v - y) > bound_px { println!("   body {} place {} turn {} pixel {x} {y} at {u} {v}", hit.body, hit.rest_position, hit.turn); }
+                    if (u - x).hypot(v - y) > bound_px {
+                        println!(
+                            "   body {} place {} turn {} pixel {x} {y} at {u} {v}",
+                            hit.body, hit.rest_position, hit.turn
+                        );
+                    }
                     beyond += usize::from((u - x).hypot(v - y) > bound_px);
                     shown += 1;
                 }
