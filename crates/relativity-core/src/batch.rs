@@ -6,7 +6,6 @@
 use crate::apparent::{Aperture, LightCone, SourcePoint, rounded};
 pub use crate::batch_error::BatchError;
 use crate::batch_error::{check_common, check_lengths, first_outside};
-pub use crate::batch_wheel::wheel_sightings_over_time;
 use crate::cone_pair::ConePair;
 pub use crate::real::Real;
 use crate::speed::{Coefficients, Speed};

@@ -24,14 +24,15 @@ const CHUNK: usize = 512;
 /// # Examples
 ///
 /// ```
-/// use relativity_core::batch::{SightingColumns, Threads, wheel_sightings_over_time};
+/// use relativity_core::batch::{SightingColumns, Threads};
+/// use relativity_core::batch_wheel::wheel_sightings_over_time;
 /// use relativity_core::{Aperture, SourcePoint, Speed, Turning, WheelPoint};
 ///
 /// // Rolling at 0.6 c: the point that rests on the road at t = 0, 5 away.
 /// let hub = SourcePoint { x0: 0.0, y: 3.0, z: -3.0 };
 /// let angle = -std::f64::consts::FRAC_PI_2;
 /// let point = WheelPoint { hub, radius: 1.0, rho: 1.0, angle, turning: Turning::Rolling };
-/// let (mut x, mut t, mut d) = ([0.0; 2], [0.0; 2], [0.0; 2]);
+/// let (mut x, mut t, mut d) = ([0.0_f64; 2], [0.0_f64; 2], [0.0_f64; 2]);
 /// let out = SightingColumns { apparent_x: &mut x, retarded_time: &mut t, doppler_factor: &mut d };
 /// let speed = Speed::from_beta(0.6)?;
 /// wheel_sightings_over_time(&speed, &point, Aperture::default(), &[5.0, 9.0], out, Threads::One)?;

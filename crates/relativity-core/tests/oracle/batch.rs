@@ -4,8 +4,9 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use relativity_core::batch::{
     DisparityColumns, PointColumns, SightingColumns, Threads, disparities_over_time, sightings_of_points,
-    sightings_over_time, wheel_sightings_over_time,
+    sightings_over_time,
 };
+use relativity_core::batch_wheel::wheel_sightings_over_time;
 use relativity_core::{
     Aperture, MAX_ERROR_UNITS, SourcePoint, Speed, Turning, WheelPoint, disparity, sighting,
 };
