@@ -28,7 +28,7 @@ use num_traits::Float;
 
 pub(crate) use pair::baseline;
 pub use root::{MAX_STEPS, NEWTON_STEPS, measured_later, seen_later};
-pub(crate) use seen::{Circle, Seen};
+pub(crate) use seen::{Circle, Hub, Seen};
 
 use crate::apparent::SourcePoint;
 use crate::domain::{DomainError, MAX_COORDINATE, check, check_in};

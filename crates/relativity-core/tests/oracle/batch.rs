@@ -6,7 +6,10 @@ use relativity_core::batch::{
     DisparityColumns, PointColumns, SightingColumns, Threads, disparities_over_time, sightings_of_points,
     sightings_over_time,
 };
-use relativity_core::{Aperture, MAX_ERROR_UNITS, SourcePoint, Speed, disparity, sighting};
+use relativity_core::batch_wheel::wheel_sightings_over_time;
+use relativity_core::{
+    Aperture, MAX_ERROR_UNITS, SourcePoint, Speed, Turning, WheelPoint, disparity, sighting,
+};
 
 use crate::arithmetic::{UNIT_F32, error_units};
 use crate::draw::{self, program_speed};
@@ -68,6 +71,41 @@ fn f64_columns_over_time_equal_the_scalar_functions() {
             assert_eq!(bits([x[i], t[i], d[i], dphi[i], dtheta[i]]), bits(expected), "T = {}", times[i]);
         }
     }
+}
+
+#[test]
+fn columns_of_wheels_over_time_equal_the_scalar_function() {
+    let hub = SourcePoint { x0: -0.25, y: 3.0, z: 2.0 };
+    let point = WheelPoint { hub, radius: 0.5, rho: 0.75, angle: 0.5, turning: Turning::Rolling };
+    let aperture = Aperture { x: -0.0625, y: 0.25, z: 1.5 };
+    let times: Vec<f64> = (0..2000).map(|i| f64::from(i - 1000) / 64.0).collect();
+    let single: Vec<f32> = times.iter().map(|&time| time as f32).collect();
+    for (beta, threads) in [(0.25, Threads::One), (0.875, Threads::All)] {
+        let speed = Speed::from_beta(beta).expect("a speed");
+        let [mut x, mut t, mut d] = [(); 3].map(|()| vec![f64::NAN; times.len()]);
+        let out = SightingColumns { apparent_x: &mut x, retarded_time: &mut t, doppler_factor: &mut d };
+        wheel_sightings_over_time(&speed, &point, aperture, &times, out, threads).expect("inside the domain");
+        let [mut x32, mut t32, mut d32] = [(); 3].map(|()| vec![f32::NAN; times.len()]);
+        let out = SightingColumns { apparent_x: &mut x32, retarded_time: &mut t32, doppler_factor: &mut d32 };
+        wheel_sightings_over_time(&speed, &point, aperture, &single, out, threads)
+            .expect("inside the domain");
+        for i in 0..times.len() {
+            let seen = sighting(&speed, point, aperture, times[i]).expect("inside the domain");
+            let expected = [seen.position[0], seen.retarded_time, seen.doppler_factor];
+            assert_eq!(bits([x[i], t[i], d[i]]), bits(expected), "T = {}", times[i]);
+            // A rounding of T turns the wheel by omega times as much, and moves what is seen by up to D_max times as much.
+            let size = (16.0 + expected[0].abs()) * speed.head_on_doppler_factor().powi(2) / point.radius;
+            for (single, exact) in [x32[i], t32[i], d32[i]].into_iter().zip(expected) {
+                let error = (f64::from(single) - exact).abs();
+                assert!(error < 8.0 * UNIT_F32 * size, "{error:e} at T = {}", times[i]);
+            }
+        }
+    }
+    let mut none = [0.0; 0];
+    let out =
+        SightingColumns { apparent_x: &mut none, retarded_time: &mut [0.0], doppler_factor: &mut [0.0] };
+    let error = wheel_sightings_over_time(&Speed::REST, &point, aperture, &[0.0], out, Threads::One);
+    assert_eq!(error.expect_err("short").to_string(), "column apparent_x has 0 rows instead of 1");
 }
 
 /// One f32 number, as the f64 that it is.
