@@ -5,7 +5,7 @@ use std::hint::black_box;
 
 use glam::{DVec2, DVec3};
 use relativity_render::camera::LinesOfSight;
-use relativity_render::intersect::Search;
+use relativity_render::rounds::Search;
 use relativity_render::{Geometry, GroupView, HitImage, PreparedScene, View};
 use serde::Serialize;
 

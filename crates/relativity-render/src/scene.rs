@@ -7,9 +7,10 @@ use std::sync::{Arc, Mutex};
 use crate::body::Body;
 use crate::capsule::Capsule;
 use crate::group_view::GroupView;
-use crate::intersect::{Solid, TurningSolid};
+use crate::intersect::Solid;
 use crate::outline::Outline;
 use crate::prepared_body::{Extent, PreparedBody, find_joints, find_patterned};
+use crate::turning_solid::TurningSolid;
 use crate::velocity::Motion;
 use crate::view::View;
 

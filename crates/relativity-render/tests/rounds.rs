@@ -6,13 +6,13 @@ use std::f64::consts::TAU;
 
 use glam::DVec3;
 use relativity_core::{Aperture, Speed, Turning};
-use relativity_render::intersect::Search;
+use relativity_render::rounds::Search;
 use relativity_render::{
     Body, Camera, Gaze, Geometry, MaterialPoint, Motion, PreparedScene, Shape, Spin, View,
 };
 use support::{centred, documented, spread};
 
-const DOCUMENTATION: &str = include_str!("../src/intersect/rounds.rs");
+const DOCUMENTATION: &str = include_str!("../src/rounds.rs");
 const HUB: DVec3 = DVec3::new(0.0, 3.0, 1.0);
 const RADIUS: f64 = 0.5;
 const SPIN: Spin = Spin { hub: HUB.to_array(), radius: RADIUS, turning: Turning::Rolling };

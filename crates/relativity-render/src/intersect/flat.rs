@@ -70,7 +70,7 @@ pub(super) fn block_half_width(axes: DMat3, half: DVec3, direction: DVec3) -> f6
 
 /// Where a ray at `start`, as seen along an axis, enters and leaves the space between the planes at -`half` and `half`;
 /// everywhere if it runs in there for good.
-pub(super) fn between_planes(start: f64, slope: f64, half: f64) -> Option<[f64; 2]> {
+pub(crate) fn between_planes(start: f64, slope: f64, half: f64) -> Option<[f64; 2]> {
     if slope == 0.0 {
         return (start.abs() <= half).then_some([f64::NEG_INFINITY, f64::INFINITY]);
     }

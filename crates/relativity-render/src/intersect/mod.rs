@@ -3,9 +3,7 @@
 //! Every test first moves the ray's start to the point nearest to the body's centre: what is left has the
 //! size of the body. Only entries count: an aperture inside a body does not see that body's inner surface.
 
-mod flat;
-mod rounds;
-mod turning;
+pub(crate) mod flat;
 
 use glam::{DMat3, DVec3};
 use relativity_core::math;
@@ -14,9 +12,6 @@ use crate::body::Shape;
 use crate::polynomial::first_descent;
 use crate::ray::Ray;
 use crate::turn::turn_of;
-
-pub use rounds::Search;
-pub(crate) use turning::TurningSolid;
 
 /// Where a ray enters a body. Rest frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,12 +29,12 @@ pub struct Entry {
 pub struct Solid {
     center: DVec3,
     bounding_radius: f64,
-    form: Form,
+    pub(crate) form: Form,
 }
 
 /// A shape about the origin.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Form {
+pub(crate) enum Form {
     Ball {
         radius: f64,
     },
@@ -140,7 +135,7 @@ impl Solid {
     }
 
     /// Both ends of a line, and a radius, within which of that line it lies.
-    fn core(&self) -> ([DVec3; 2], f64) {
+    pub(crate) fn core(&self) -> ([DVec3; 2], f64) {
         let about = |half: DVec3, radius| ([self.center - half, self.center + half], radius);
         match self.form {
             Form::Capsule { axis, half_length, radius } | Form::Cylinder { axis, half_length, radius } => {
@@ -199,7 +194,7 @@ impl Form {
     }
 
     /// How far `position` is outside, below 0 inside; and the unit vector away from the nearest place on the surface.
-    fn distance(&self, position: DVec3) -> (f64, DVec3) {
+    pub(crate) fn distance(&self, position: DVec3) -> (f64, DVec3) {
         match *self {
             Self::Ball { radius }
             | Self::Capsule { radius, .. }
@@ -223,7 +218,7 @@ impl Form {
         }
     }
 
-    fn normal(&self, position: DVec3) -> DVec3 {
+    pub(crate) fn normal(&self, position: DVec3) -> DVec3 {
         match *self {
             Self::Block { axes, half } => {
                 let own = axes.transpose() * position;
@@ -262,10 +257,10 @@ impl Form {
 
 /// A ray from a start near the body's centre, which lies at the origin.
 pub(crate) struct LocalRay {
-    start: DVec3,
-    direction: DVec3,
+    pub start: DVec3,
+    pub direction: DVec3,
     /// Parameter of the camera: what lies before it is behind the camera.
-    behind: f64,
+    pub behind: f64,
 }
 
 impl LocalRay {

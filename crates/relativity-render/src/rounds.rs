@@ -1,17 +1,17 @@
 //! The first entry of a ray into a body that turns, in rounds, as the rays on the GPU find it (`turning.wgsl`).
 //!
-//! In the frame that turns with the body the ray is a curve (see [`super::turning`]). A round takes its tangent for it,
+//! In the frame that turns with the body the ray is a curve (see [`crate::turning_solid`]). A round takes its tangent for it,
 //! and the next one the tangent where that met the body, or passed it: what is off is about squared each time. Where the
 //! body turns far while the ray is among what it sweeps, that is done in several parts of the ray, from the middle of
 //! each. Nothing says that an entry so found is the first one; how far off they are [`PreparedScene::turned_entry`] tells.
 
 use glam::DVec3;
 
-use super::Solid;
-use super::turning::{Course, TurningSolid};
 use crate::group_view::GroupView;
+use crate::intersect::Solid;
 use crate::ray::Ray;
 use crate::scene::PreparedScene;
+use crate::turning_solid::{Course, TurningSolid};
 
 /// A part of the ray in which the body turns by no more than this, radians.
 const LONGEST_PART: f64 = 0.4;
@@ -84,7 +84,7 @@ impl Course<'_> {
             let [place, slope] = self.at(s);
             let rate = slope.length();
             let tangent = Ray {
-                start: self.solid().center + place,
+                start: self.solid().center() + place,
                 direction: slope / rate,
                 from_camera: f64::INFINITY,
             };

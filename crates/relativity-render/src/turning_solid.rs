@@ -19,9 +19,9 @@
 use glam::DVec3;
 use relativity_core::math;
 
-use super::{Entry, Form, LocalRay, Solid, flat};
 use crate::body::Shape;
 use crate::group_view::GroupView;
+use crate::intersect::{Entry, Form, LocalRay, Solid, flat};
 use crate::ray::Ray;
 use crate::spin::{Spin, about_y};
 
@@ -177,7 +177,7 @@ impl Sweep {
 }
 
 /// A ray as the curve that it is in the frame that turns with a body.
-pub(super) struct Course<'a> {
+pub(crate) struct Course<'a> {
     body: &'a TurningSolid,
     ray: &'a LocalRay,
     /// Where the body's centre is at t' = 0, from the sweep's middle.
@@ -203,7 +203,7 @@ impl<'a> Course<'a> {
         Self {
             body,
             ray,
-            center: solid.center - sweep.middle,
+            center: solid.center() - sweep.middle,
             turn: view.turn_at(spin, place),
             turned_at,
             rate,
