@@ -7,7 +7,8 @@ use relativity_core::{Aperture, Speed, Turning};
 use relativity_render::rectified_hits::Blank;
 use relativity_render::rectify::Rectification;
 use relativity_render::{
-    Appearance, Body, Camera, Gaze, Geometry, Pattern, PreparedScene, Shading, Shape, Spin, Velocity, View,
+    Appearance, Body, Camera, Gaze, Geometry, Motion, Pattern, PreparedScene, Shading, Shape, Spin, Velocity,
+    View,
 };
 
 const HUB: DVec3 = DVec3::new(0.0, 3.0, 0.5);
@@ -37,9 +38,8 @@ fn both(beta: f64, observation_time: f64) -> ([View; 2], Rectification) {
     let mut view = View { camera, speed, observation_time, geometry: Geometry::Seen };
     let middle = view.apparent_position(HUB).expect("inside the domain");
     view.camera.gaze = Gaze::along(middle.to_array());
-    view.camera.horizontal_fov = 1.5
-        * view.of_group(Default::default()).rest_ray(middle.normalize()).ground_per_rest
-        / middle.length();
+    view.camera.horizontal_fov =
+        1.5 * view.of_group(Motion::Scene).rest_ray(middle.normalize()).ground_per_rest / middle.length();
     let velocity = Velocity::forward(speed);
     let rest = Rectification::rest_camera(&view.camera, &velocity);
     let riding = View { camera: rest, geometry: Geometry::Rest, ..view };
