@@ -5,65 +5,12 @@
 
 use num_traits::Float;
 
+use crate::aperture::Aperture;
 use crate::domain::{DomainError, check};
 use crate::doppler::intensity_factor;
 use crate::math;
-use crate::source::Source;
+use crate::source::{Source, SourcePoint};
 use crate::speed::{Coefficients, Speed};
-
-/// A moving point, by its objective place at t = 0: its worldline is (x0 + beta t, y, z).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SourcePoint {
-    /// Objective (contracted) x at t = 0.
-    pub x0: f64,
-    /// Depth.
-    pub y: f64,
-    /// Height.
-    pub z: f64,
-}
-
-impl SourcePoint {
-    /// The same point, its places told from `aperture`.
-    pub(crate) fn told_from(self, aperture: Aperture) -> Self {
-        Self { x0: self.x0 - aperture.x, y: self.y - aperture.y, z: self.z - aperture.z }
-    }
-
-    /// The point at rest coordinates `rest`: x0 is contracted by gamma.
-    ///
-    /// # Examples
-    ///
-    /// ```
-    /// use relativity_core::{SourcePoint, Speed};
-    ///
-    /// let speed = Speed::from_gamma(4.0)?;
-    /// assert_eq!(SourcePoint::from_rest([2.0, 3.0, 1.0], &speed), SourcePoint { x0: 0.5, y: 3.0, z: 1.0 });
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    #[must_use]
-    pub fn from_rest([xr, y, z]: [f64; 3], speed: &Speed) -> Self {
-        Self { x0: xr / speed.gamma(), y, z }
-    }
-}
-
-/// An aperture (an eye, a pinhole) at rest on the ground.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Aperture {
-    /// Place along the direction of motion.
-    pub x: f64,
-    /// Depth.
-    pub y: f64,
-    /// Height.
-    pub z: f64,
-}
-
-impl Aperture {
-    /// The paper's pair, `separation` apart on the x axis: left (primary), right (secondary).
-    #[must_use]
-    pub const fn pair(separation: f64) -> [Self; 2] {
-        let half = separation / 2.0;
-        [Self { x: -half, y: 0.0, z: 0.0 }, Self { x: half, y: 0.0, z: 0.0 }]
-    }
-}
 
 /// What one aperture sees of one point at one observation time.
 ///

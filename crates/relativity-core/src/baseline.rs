@@ -1,6 +1,6 @@
 //! Where the two eyes of a head are that is tilted or turned.
 
-use crate::apparent::Aperture;
+use crate::aperture::Aperture;
 use crate::math;
 
 /// From the left to the right aperture of a pair.

@@ -3,11 +3,13 @@
 //! The same solution as the scalar functions', in f64 or f32, on one thread or on all. Plain loops without
 //! branches, which the compiler vectorises.
 
-use crate::apparent::{Aperture, LightCone, SourcePoint, rounded};
+use crate::aperture::Aperture;
+use crate::apparent::{LightCone, rounded};
 pub use crate::batch_error::BatchError;
 use crate::batch_error::{check_common, check_lengths, first_outside};
 use crate::cone_pair::ConePair;
 pub use crate::real::Real;
+use crate::source::SourcePoint;
 use crate::speed::{Coefficients, Speed};
 use crate::threads::prelude::*;
 

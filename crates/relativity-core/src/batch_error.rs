@@ -2,9 +2,11 @@
 
 use thiserror::Error;
 
-use crate::apparent::{Aperture, SourcePoint, check_inputs};
+use crate::aperture::Aperture;
+use crate::apparent::check_inputs;
 use crate::domain::DomainError;
 use crate::real::Real;
+use crate::source::SourcePoint;
 use crate::speed::Speed;
 
 /// Why a batch was refused. The output columns are then partly written.

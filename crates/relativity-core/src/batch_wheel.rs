@@ -1,11 +1,13 @@
 //! Sightings of points of wheels over slices.
 
-use crate::apparent::{Aperture, check_inputs, rounded};
+use crate::aperture::Aperture;
+use crate::apparent::{check_inputs, rounded};
 use crate::batch::{BatchError, Real, SightingColumns, Threads};
 use crate::batch_error::{check_common, check_lengths, first_outside};
+use crate::source::WheelPoint;
 use crate::speed::{Coefficients, Speed};
 use crate::threads::prelude::*;
-use crate::wheel::{Circle, Hub, Seen, WheelPoint};
+use crate::wheel::{Circle, Hub, Seen};
 
 /// Points per task: each takes a root.
 const CHUNK: usize = 512;

@@ -273,10 +273,11 @@ fn damped(hessian: &Matrix4<f64>, damping: f64) -> Matrix4<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::apparent::{Aperture, SourcePoint};
+    use crate::aperture::Aperture;
     use crate::disparity::disparity;
     use crate::fit::{Curves, FitOptions, Observations, Reading, Sample, fit, fit_from};
     use crate::math;
+    use crate::source::SourcePoint;
     use crate::speed::Speed;
 
     /// A curve with a deterministic ripple for noise.

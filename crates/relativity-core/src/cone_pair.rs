@@ -6,8 +6,10 @@
 
 use num_traits::Float;
 
-use crate::apparent::{Aperture, LightCone, SourcePoint, rounded};
+use crate::aperture::Aperture;
+use crate::apparent::{LightCone, rounded};
 use crate::math;
+use crate::source::SourcePoint;
 use crate::speed::Coefficients;
 
 /// S, y and z of the primary light cone minus those of the secondary, known without subtraction.

@@ -1,6 +1,7 @@
 //! Exact disparities: how differently two apertures see one point, each through its own light cone.
 
-use crate::apparent::{Aperture, Sighting, check_inputs, sighting_inside_domain};
+use crate::aperture::Aperture;
+use crate::apparent::{Sighting, check_inputs, sighting_inside_domain};
 use crate::cone_pair::ConePair;
 use crate::domain::DomainError;
 use crate::source::Source;

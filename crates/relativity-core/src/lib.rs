@@ -74,6 +74,7 @@
 pub const MAX_ERROR_UNITS: f64 = 8.0;
 
 pub mod aberration;
+pub mod aperture;
 pub mod apparent;
 pub mod baseline;
 pub mod batch;
@@ -92,13 +93,14 @@ pub mod one_cone;
 pub mod passage;
 pub mod published;
 mod real;
-mod source;
+pub mod source;
 pub mod speed;
 pub mod stereo;
 pub mod threads;
 pub mod wheel;
 
-pub use apparent::{Aperture, Sighting, SourcePoint, sighting};
+pub use aperture::Aperture;
+pub use apparent::{Sighting, sighting};
 pub use baseline::Baseline;
 pub use bootstrap::{Bootstrap, DEFAULT_REPLICATES, bootstrap, bootstrap_unless};
 pub use combined::{Combined, combined};
@@ -112,7 +114,6 @@ pub use model::{Model, PairError};
 pub use one_cone::one_cone_disparity;
 pub use passage::{equidistance_time, observation_time_when_seen_at};
 pub use published::{PublishedVariant, printed_apparent_x, published_disparity};
-pub use source::Source;
+pub use source::{Source, SourcePoint, Turning, WheelPoint};
 pub use speed::{MAX_GAMMA, Speed, SpeedError};
 pub use stereo::{Stereo, StereoError, stereo};
-pub use wheel::{Turning, WheelPoint};

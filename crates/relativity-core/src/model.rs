@@ -2,13 +2,15 @@
 
 use thiserror::Error;
 
-use crate::apparent::{Aperture, Sighting, SourcePoint, check_inputs, sighting};
+use crate::aperture::Aperture;
+use crate::apparent::{Sighting, check_inputs, sighting};
 use crate::cone_pair::ConePair;
 use crate::disparity::{Disparity, disparity};
 use crate::domain::DomainError;
 use crate::one_cone::{self, middle, one_cone_disparity};
 use crate::published::{self, PublishedVariant, published_disparity};
 use crate::source::Source;
+use crate::source::SourcePoint;
 use crate::speed::Speed;
 use crate::stereo::{Stereo, StereoError, stereo};
 

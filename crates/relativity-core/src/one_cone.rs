@@ -4,11 +4,13 @@
 //! Not what two apertures see ([`crate::disparity()`] is), but what is left of it without the difference of their light
 //! cones: both see the point in one place, from two sides.
 
-use crate::apparent::{Aperture, LightCone, Sighting, SourcePoint, check_inputs};
+use crate::aperture::Aperture;
+use crate::apparent::{LightCone, Sighting, check_inputs};
 use crate::cone_pair::ConePair;
 use crate::disparity::Disparity;
 use crate::domain::DomainError;
 use crate::source::Source;
+use crate::source::SourcePoint;
 use crate::speed::Speed;
 
 /// Disparity of `source` for the `pair` of apertures, if both received what the middle between them receives at

@@ -2,10 +2,12 @@
 //!
 //! Reference: the paper, eq. (6).
 
-use crate::apparent::{Aperture, SourcePoint, check_inputs};
+use crate::aperture::Aperture;
+use crate::apparent::check_inputs;
 use crate::domain::{DomainError, MAX_COORDINATE, check};
 use crate::one_cone::middle;
 use crate::source::Source;
+use crate::source::SourcePoint;
 use crate::speed::Speed;
 
 /// From this many times the nearest distance on a point is far ahead: its distance nearly cancels x.

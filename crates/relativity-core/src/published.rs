@@ -4,10 +4,12 @@
 //! both angles from the left aperture, so that ordinary parallax is left out. It is an approximation
 //! by construction; [`crate::disparity()`] is exact. Reference: the paper, eqs. (1) and (5), Appendix A.
 
-use crate::apparent::{Aperture, LightCone, Sighting, SourcePoint, check_inputs};
+use crate::aperture::Aperture;
+use crate::apparent::{LightCone, Sighting, check_inputs};
 use crate::cone_pair::{ConePair, Offset};
 use crate::disparity::Disparity;
 use crate::domain::{DomainError, check};
+use crate::source::SourcePoint;
 use crate::speed::Speed;
 
 /// The sign of the delay `Delta T` (eq. 5), on which the paper disagrees with itself.

@@ -1,7 +1,108 @@
 //! What is seen: a point that moves uniformly, or one of a wheel.
 
-use crate::apparent::SourcePoint;
-use crate::wheel::WheelPoint;
+use crate::aperture::Aperture;
+use crate::domain::{DomainError, MAX_COORDINATE, check, check_in};
+use crate::speed::Speed;
+
+/// A moving point, by its objective place at t = 0: its worldline is (x0 + beta t, y, z).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SourcePoint {
+    /// Objective (contracted) x at t = 0.
+    pub x0: f64,
+    /// Depth.
+    pub y: f64,
+    /// Height.
+    pub z: f64,
+}
+
+impl SourcePoint {
+    /// The same point, its places told from `aperture`.
+    pub(crate) fn told_from(self, aperture: Aperture) -> Self {
+        Self { x0: self.x0 - aperture.x, y: self.y - aperture.y, z: self.z - aperture.z }
+    }
+
+    /// The point at rest coordinates `rest`: x0 is contracted by gamma.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use relativity_core::{SourcePoint, Speed};
+    ///
+    /// let speed = Speed::from_gamma(4.0)?;
+    /// assert_eq!(SourcePoint::from_rest([2.0, 3.0, 1.0], &speed), SourcePoint { x0: 0.5, y: 3.0, z: 1.0 });
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn from_rest([xr, y, z]: [f64; 3], speed: &Speed) -> Self {
+        Self { x0: xr / speed.gamma(), y, z }
+    }
+}
+
+/// The least radius of a wheel.
+pub const MIN_RADIUS: f64 = 1e-60;
+
+/// How fast a wheel turns.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Turning {
+    /// It rolls without slipping: in its rest frame the ground passes its rim at the speed of the rim.
+    #[default]
+    Rolling,
+    /// Its rim moves at this speed in its rest frame, in (-1, 1), above 0 as a wheel that rolls towards +x.
+    RimSpeed(f64),
+}
+
+impl Turning {
+    /// The speed of the rim in the rest frame of a wheel that moves along x at `beta` in (-1, 1), above 0 as a wheel that
+    /// rolls towards +x.
+    #[must_use]
+    pub const fn rim_speed(self, beta: f64) -> f64 {
+        match self {
+            Self::Rolling => beta,
+            Self::RimSpeed(speed) => speed,
+        }
+    }
+}
+
+/// A material point of a wheel.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WheelPoint {
+    /// The hub: where the axle, along y, crosses the plane in which the point turns.
+    pub hub: SourcePoint,
+    /// W, the radius on which it rolls, from [`MIN_RADIUS`] to [`MAX_COORDINATE`].
+    pub radius: f64,
+    /// How far the point is from the axle, in radii, in [0, 1].
+    pub rho: f64,
+    /// Where it is at t' = 0 by the clocks of the rest frame: from +x towards +z, radians.
+    pub angle: f64,
+    /// How fast the wheel turns.
+    pub turning: Turning,
+}
+
+impl WheelPoint {
+    /// omega, radians per unit of the rest frame's time: how fast its angle falls.
+    #[must_use]
+    pub fn omega(&self, speed: &Speed) -> f64 {
+        self.turning.rim_speed(speed.beta()) / self.radius
+    }
+
+    /// Its angle at `own_time`, by the clocks of the rest frame (those of [`Sighting::own_time`](crate::Sighting)).
+    #[must_use]
+    pub fn angle_at(&self, speed: &Speed, own_time: f64) -> f64 {
+        self.angle - self.omega(speed) * own_time
+    }
+
+    /// An error for what is outside the domain of wheels; the hub is not looked at.
+    pub(crate) fn check(&self) -> Result<(), DomainError> {
+        check_in("wheel_radius", self.radius, MIN_RADIUS..=MAX_COORDINATE)?;
+        check_in("rho", self.rho, 0.0..=1.0)?;
+        check("angle", self.angle)?;
+        if let Turning::RimSpeed(rim) = self.turning {
+            let below_light = 1.0 - f64::EPSILON / 2.0;
+            check_in("rim speed", rim, -below_light..=below_light)?;
+        }
+        Ok(())
+    }
+}
 
 /// A source of light that moves along +x.
 ///

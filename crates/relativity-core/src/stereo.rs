@@ -13,7 +13,8 @@
 
 use thiserror::Error;
 
-use crate::apparent::{Aperture, check_inputs};
+use crate::aperture::Aperture;
+use crate::apparent::check_inputs;
 use crate::cone_pair::{ConePair, LinesOfSight, Offset};
 use crate::domain::DomainError;
 use crate::one_cone::middle;

@@ -9,11 +9,13 @@
 //!
 //! where t0 is the time of passage, at which the object is objectively at x = 0 (or at a known x0).
 
-use crate::apparent::{Aperture, LightCone, SourcePoint};
+use crate::aperture::Aperture;
+use crate::apparent::LightCone;
 use crate::cone_pair::ConePair;
 use crate::fit::rolling::Rolling;
 use crate::model::Model;
 use crate::one_cone;
+use crate::source::SourcePoint;
 use crate::speed::Speed;
 
 /// Partial derivatives with respect to beta, y, z and t0.

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::apparent::Aperture;
+use crate::aperture::Aperture;
 use crate::domain::check;
 use crate::fit::error::FitError;
 

@@ -9,7 +9,7 @@ use levenberg_marquardt::LeastSquaresProblem;
 use nalgebra::storage::Owned;
 use nalgebra::{Dyn, Matrix4, OMatrix, OVector, U4, Vector4};
 
-use crate::apparent::Aperture;
+use crate::aperture::Aperture;
 use crate::fit::curve::{Gradient, Slopes, Trial};
 use crate::fit::rolling::Rolling;
 use crate::math;

@@ -9,14 +9,16 @@
 //! dt' (1 + omega r u.n') = dt' at a fixed q + r u.n' (d(angle) - t' d(omega))
 //! ```
 
-use crate::apparent::{Aperture, LightCone, SourcePoint};
+use crate::aperture::Aperture;
+use crate::apparent::LightCone;
 use crate::cone_pair::ConePair;
 use crate::domain::DomainError;
 use crate::fit::curve::{D_Y, D_Z, Gradient, Slopes, Trial, angle_gradients, delay_gradient, x_gradient};
 use crate::math;
 use crate::model::Model;
 use crate::one_cone::{self, middle};
-use crate::wheel::{Seen, Turning, WheelPoint, baseline};
+use crate::source::{SourcePoint, Turning, WheelPoint};
+use crate::wheel::{Seen, baseline};
 
 /// A point on a wheel of known size that rolls without slipping.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -4,13 +4,14 @@ use rand::SeedableRng as _;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution as _, StandardNormal};
 
-use crate::apparent::{Aperture, SourcePoint};
+use crate::aperture::Aperture;
 use crate::fit::curve::Trial;
 use crate::fit::error::FitError;
 use crate::fit::observations::{Observations, Reading, Sample};
 use crate::fit::prepare::check_pairs;
 use crate::fit::rolling::Rolling;
 use crate::model::Model;
+use crate::source::SourcePoint;
 use crate::speed::Speed;
 
 /// A known object, and how it is observed by a pair of apertures.

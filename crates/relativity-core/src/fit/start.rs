@@ -4,7 +4,7 @@
 //! about the data's; if the time of passage is unknown, each trial is moved in time until it shows a feature
 //! of the data (an extremum, the onset) when they do.
 
-use crate::apparent::Aperture;
+use crate::aperture::Aperture;
 use crate::fit::curve::Trial;
 use crate::fit::problem::{Free, Problem, Row};
 use crate::math;

@@ -5,11 +5,12 @@
 //! points holds of it.
 
 use super::root::{measured_later, root};
-use crate::apparent::{Aperture, SourcePoint};
+use crate::aperture::Aperture;
 use crate::math;
 use crate::source::Source;
+use crate::source::SourcePoint;
+use crate::source::WheelPoint;
 use crate::speed::Speed;
-use crate::wheel::WheelPoint;
 
 impl WheelPoint {
     /// Where it is at this `angle`: the place in the moving frame, as a point that rests there.
@@ -99,7 +100,7 @@ mod tests {
     use std::f64::consts::{FRAC_PI_2, TAU};
 
     use super::*;
-    use crate::wheel::Turning;
+    use crate::source::Turning;
     use crate::{Baseline, equidistance_time, sighting};
 
     fn speed(beta: f64) -> Speed {

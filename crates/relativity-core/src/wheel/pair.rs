@@ -12,14 +12,15 @@
 //! rest frame, P and R are from each aperture to its event on the ground, b is from one aperture to the other, and s by how
 //! much later the second one looks. On the ground the events are gamma (`q_x` + beta Delta) apart in x, and `q_z` in z.
 
-use crate::apparent::{Aperture, LightCone};
+use crate::aperture::Aperture;
+use crate::apparent::LightCone;
 use crate::cone_pair::{ConePair, LinesOfSight, Offset};
 use crate::disparity::Disparity;
 use crate::math;
 use crate::published::{self, PublishedVariant};
+use crate::source::WheelPoint;
 use crate::speed::Speed;
 use crate::stereo::{self, Stereo, StereoError, cross};
-use crate::wheel::WheelPoint;
 use crate::wheel::seen::{Circle, Hub, Seen};
 
 /// A point of a wheel before two apertures.

@@ -2,10 +2,13 @@
 
 use num_traits::Float;
 
-use crate::apparent::{Aperture, LightCone, Sighting, Solution};
+use crate::aperture::Aperture;
+use crate::apparent::{LightCone, Sighting, Solution};
 use crate::math;
+use crate::source::{Turning, WheelPoint};
 use crate::speed::{Coefficients, Speed};
-use crate::wheel::{WheelPoint, seen_later};
+
+use super::root::seen_later;
 
 /// Most times that the time of emission is made better; once is enough, unless the aperture is in the wheel.
 const CORRECTIONS: u32 = 3;
@@ -141,6 +144,27 @@ impl<F: Float> Seen<F> {
 }
 
 impl WheelPoint {
+    /// Its circle, in the precision `F`.
+    pub(crate) fn circle<F: Float>(&self, speed: &Speed) -> Circle<F> {
+        let rim = self.turning.rim_speed(speed.beta());
+        let [below_light, slip] = match self.turning {
+            Turning::Rolling => {
+                let slip = speed.beta() * (1.0 - self.rho);
+                [speed.one_minus_beta() + slip, slip]
+            }
+            Turning::RimSpeed(rim) => [1.0, speed.beta()].map(|limit| (-self.rho).mul_add(rim.abs(), limit)),
+        };
+        let to = |value: f64| F::from(value).unwrap_or_else(F::infinity);
+        Circle {
+            r: to(self.rho * self.radius),
+            angle: to(self.angle),
+            omega: to(rim / self.radius),
+            speed: to(self.rho * rim.abs()),
+            below_light: to(below_light),
+            slip: to(slip),
+        }
+    }
+
     /// What `aperture` sees at `observation_time`.
     pub(crate) fn seen(&self, speed: &Speed, aperture: Aperture, observation_time: f64) -> Seen<f64> {
         let from = [
@@ -171,8 +195,8 @@ mod tests {
     use std::f64::consts::FRAC_PI_2;
 
     use super::*;
-    use crate::apparent::SourcePoint;
-    use crate::wheel::Turning;
+    use crate::source::SourcePoint;
+    use crate::source::Turning;
 
     /// The Doppler factor of the hub's motion and that of the turning: each may be as small as 1/gamma or as large as gamma.
     #[test]
