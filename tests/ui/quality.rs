@@ -165,7 +165,7 @@ fn tells_how_far_off_spokes_are() {
     settle(&mut still);
     assert!(!labels(&still).iter().any(|label| label.starts_with("1 round")));
     drop(still);
-    state.settings.scene = "wheel".to_owned();
+    "wheel".clone_into(&mut state.settings.scene);
     let mut window = small_window(State::open(state.settings).expect("a preset"));
     settle(&mut window);
     let after = ["1 round", "2 rounds", "3 rounds"].map(|rounds| {
