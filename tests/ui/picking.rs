@@ -174,12 +174,12 @@ fn marker_and_surface_agree() {
                     let Some(hit) = hit else { continue };
                     let centre =
                         [(index % size[0] as usize) as f64 + 0.5, (index / size[0] as usize) as f64 + 0.5];
+                    if state.point_at(eye, centre, size).is_none_or(|(_, body)| body != hit.body) {
+                        continue; // An edge runs through this pixel.
+                    }
                     let mut picked = state.clone();
                     picked.apply(Command::Pick(Pick { eye, pixel: centre, size, add: false }));
                     let mut drawn = *picked.session.points.selected();
-                    if drawn.body != Some(hit.body) {
-                        continue; // An edge runs through this pixel.
-                    }
                     for rest in [drawn.track.rest, hit.rest_position.to_array()] {
                         drawn.track.rest = rest;
                         let direction = state.direction(&drawn, eye).expect("in the domain");
