@@ -67,7 +67,7 @@ fn the_rays_agree_with_the_reference(renderers: &mut Renderers) {
         println!(
             "{geometry:?} beta {beta}: {wrong} of {shown} wrong, {most_off} px off; D {most_doppler:.1e} gamma"
         );
-        assert!(wrong as f64 <= 0.01 * PROMISE.wrong_percent * shown as f64, "{wrong} of {shown} are wrong");
+        assert!(f64::from(wrong) <= 0.01 * PROMISE.wrong_percent * shown as f64, "{wrong} of {shown} are wrong");
         assert!(most_off <= PROMISE.outline_px, "outlines are {most_off} px off");
         assert!(most_doppler < PROMISE.doppler_error, "D is {most_doppler:e} gamma off");
     }
