@@ -3,7 +3,8 @@
 //! At one camera event each material point has one place where it is shown, so a straight spoke is shown as a bent tube
 //! that stands still in the rest frame. Where a point moves at v and the places shown at one time lie across the
 //! slowness p (the direction n' of the light, or beta along x where a time of the ground is shown), a step d of the
-//! body is shown as d - v (p.d)/(1 + v.p). That gives the axis its tangents, and a ball around it a reach.
+//! body is shown as d - v (p.d)/(1 + v.p). That gives the axis its tangents. And 1 + v.p changes no faster than the body
+//! turns and the direction of the light does, nor falls below 1 - |v| |p|: that gives a ball around it a reach.
 
 use glam::DVec3;
 use relativity_core::math;
@@ -13,19 +14,16 @@ use crate::group_view::GroupView;
 use crate::view::Geometry;
 use crate::wheel::spin::{MaterialPoint, Spin, about_y};
 
-/// How many pieces an axis has at least.
-const PIECES: u32 = 2;
-/// How often a piece is halved at most.
-const MAX_HALVINGS: u32 = 5;
+/// How often an axis is halved at most.
+const MAX_HALVINGS: u32 = 6;
 /// A piece is halved that departs from its chord by more than the body's radius and this part of its length.
 const LOOSE: f64 = 0.03;
 /// The greatest value of t (1 - t)^2: how far a cubic departs from its chord, in parts of what its tangents do.
 const BULGE: f64 = 4.0 / 27.0;
 /// Bulges are this much larger than those of cubics.
 const BULGE_ROOM: f64 = 1.5;
-/// 1 + v.p may change within a ball by this part of itself; its reach is then this much larger at most.
-const STEADY: f64 = 0.2;
-const REACH_ROOM: f64 = 1.35;
+/// Where 1 + v.p changes by no more than this part of itself, a piece is shown much like a cubic.
+const STEADY: f64 = 0.5;
 
 /// A place on the axis of a body.
 #[derive(Debug, Clone, Copy)]
@@ -36,8 +34,51 @@ struct Station {
     place: DVec3,
     /// How fast that moves with the share.
     tangent: DVec3,
-    /// How far the ball around it is shown at most; infinite where that cannot be said.
-    reach: f64,
+    /// Its distance from the axle.
+    off_axle: f64,
+    /// |omega|.
+    omega: f64,
+    /// |p|, and how near the camera comes to what [`Self::reach`] covers: without end where p does not change.
+    slowness: f64,
+    nearest: f64,
+    /// 1 + v.p.
+    rate: f64,
+}
+
+impl Station {
+    /// How fast what is within `radius` moves at most, and how much 1 + v.p changes per step from there.
+    fn steepness(&self, radius: f64) -> [f64; 2] {
+        let speed = self.omega * (self.off_axle + radius);
+        [speed, self.omega * self.slowness + speed / self.nearest]
+    }
+
+    /// How far the ball of this `radius` around it is shown at most; infinite where that cannot be said.
+    fn reach(&self, radius: f64) -> f64 {
+        let [speed, steepness] = self.steepness(radius);
+        let least = 1.0 - speed * self.slowness;
+        if least <= 0.0 {
+            return f64::INFINITY;
+        }
+        // The time in which what falls from `first` to `least` adds up to the `delay`.
+        let first = (self.rate - steepness * radius).max(least);
+        let bend = (speed * steepness).max(f64::MIN_POSITIVE);
+        let delay = radius * self.slowness;
+        let falling = (first - least) / bend;
+        let fallen = 0.5 * (first + least) * falling;
+        let time = if fallen < delay {
+            falling + (delay - fallen) / least
+        } else {
+            2.0 * delay / (first + (first * first - 2.0 * bend * delay).max(0.0).sqrt())
+        };
+        let reach = radius + speed * time;
+        if reach <= self.nearest { reach } else { f64::INFINITY }
+    }
+
+    /// Whether 1 + v.p is much the same at all that is within `radius`.
+    fn is_steady(&self, radius: f64) -> bool {
+        let [_, steepness] = self.steepness(radius);
+        steepness * self.reach(radius) < STEADY * self.rate
+    }
 }
 
 impl GroupView {
@@ -46,21 +87,16 @@ impl GroupView {
     /// its origin.
     pub(crate) fn capsules_when_shown(&self, spin: &Spin, capsules: &[Capsule], out: &mut Vec<Capsule>) {
         for capsule in capsules {
-            let station = |share| self.station(spin, capsule, share);
-            let mut first = station(0.0);
+            let first = self.station(spin, capsule, 0.0);
             if capsule.from == capsule.to {
-                out.push(bounded(spin, capsule, Capsule::ball(first.place, first.reach)));
+                out.push(bounded(spin, capsule, Capsule::ball(first.place, first.reach(capsule.radius))));
                 continue;
             }
-            for piece in 1..=PIECES {
-                let last = station(f64::from(piece) / f64::from(PIECES));
-                self.add_piece(spin, capsule, [first, last], MAX_HALVINGS, out);
-                first = last;
-            }
+            self.add_piece(spin, capsule, [first, self.station(spin, capsule, 1.0)], MAX_HALVINGS, out);
         }
     }
 
-    /// Adds what contains `capsule` between two stations.
+    /// Adds what contains `capsule` between two stations: one capsule, or those of its halves if they are smaller.
     fn add_piece(
         &self,
         spin: &Spin,
@@ -77,22 +113,31 @@ impl GroupView {
             let is_ahead = tangent.dot(along) > 0.0;
             if is_ahead { tangent.reject_from(along).length() } else { (tangent - chord).length() }
         };
-        let bulge = if chord == DVec3::ZERO {
-            f64::INFINITY
-        } else {
-            BULGE_ROOM * BULGE * (departure(first) + departure(last))
-        };
-        let reach = first.reach.max(last.reach);
-        let is_loose = bulge > capsule.radius + LOOSE * chord.length() || reach == f64::INFINITY;
-        if is_loose && halvings > 0 {
+        let bulge = BULGE_ROOM * BULGE * (departure(first) + departure(last));
+        let [from, to] = [first, last].map(|station| capsule.from.lerp(capsule.to, station.share));
+        let half = 0.5 * from.distance(to);
+        // The tangents at the ends of a whole axis could hide that it is bent to both sides.
+        let is_cubic = halvings < MAX_HALVINGS && [first, last].iter().all(|station| station.is_steady(half));
+        let radius = [first, last].map(|station| {
+            if is_cubic {
+                station.reach(capsule.radius) + bulge
+            } else {
+                station.reach(capsule.radius + half)
+            }
+        });
+        let shown = Capsule { from: first.place, to: last.place, radius: radius[0].max(radius[1]) };
+        let whole = bounded(spin, &Capsule { from, to, ..*capsule }, shown);
+        let before = out.len();
+        if halvings > 0 && !(is_cubic && bulge <= capsule.radius + LOOSE * chord.length()) {
             let middle = self.station(spin, capsule, 0.5 * (first.share + last.share));
             self.add_piece(spin, capsule, [first, middle], halvings - 1, out);
             self.add_piece(spin, capsule, [middle, last], halvings - 1, out);
-            return;
+            if out[before..].iter().map(area).sum::<f64>() < area(&whole) {
+                return;
+            }
+            out.truncate(before);
         }
-        let [from, to] = [first, last].map(|station| capsule.from.lerp(capsule.to, station.share));
-        let piece = Capsule { from, to, ..*capsule };
-        out.push(bounded(spin, &piece, Capsule { from: first.place, to: last.place, radius: reach + bulge }));
+        out.push(whole);
     }
 
     /// The place on the axis of `capsule` at this `share`.
@@ -100,22 +145,23 @@ impl GroupView {
         let rest = capsule.from.lerp(capsule.to, share);
         let place = self.place_when_shown(MaterialPoint { rest, spin: Some(*spin) });
         let omega = spin.omega(self.on_ground.beta());
-        let velocity = DVec3::Y.cross(spin.off_axle(place)) * omega;
+        let off_axle = spin.off_axle(place);
+        let velocity = DVec3::Y.cross(off_axle) * omega;
         let slowness = self.slowness(place);
-        let g = 1.0 + velocity.dot(slowness);
-        let shear = velocity / g;
+        let rate = 1.0 + velocity.dot(slowness);
         let step = about_y(capsule.to - capsule.from, self.turn_at(spin, place));
-        let tangent = step - shear * slowness.dot(step);
-        // The greatest that a unit step is shown: the largest singular value of 1 - shear slowness^T.
-        let trace = 2.0 - 2.0 * shear.dot(slowness) + shear.length_squared() * slowness.length_squared();
-        let determinant = 1.0 - shear.dot(slowness);
-        let spread = (0.25 * trace * trace - determinant * determinant).max(0.0);
-        let reach = (0.5 * trace + spread.sqrt()).sqrt() * capsule.radius;
-        // How fast 1 + v.p changes at most: by turning, and by the direction of the light.
-        let nearest = place.distance(self.origin) - 2.0 * reach;
-        let turning = if self.geometry == Geometry::Contracted { 0.0 } else { velocity.length() / nearest };
-        let is_steady = nearest > 0.0 && (omega.abs() * slowness.length() + turning) * reach < STEADY * g;
-        Station { share, place, tangent, reach: if is_steady { REACH_ROOM * reach } else { f64::INFINITY } }
+        let tangent = step - velocity * (slowness.dot(step) / rate);
+        let is_fixed = self.geometry == Geometry::Contracted;
+        Station {
+            share,
+            place,
+            tangent,
+            off_axle: off_axle.length(),
+            omega: omega.abs(),
+            slowness: slowness.length(),
+            nearest: if is_fixed { f64::INFINITY } else { 0.5 * place.distance(self.origin) },
+            rate,
+        }
     }
 
     /// By how much earlier what is shown happens, per step from `place`.
@@ -128,6 +174,11 @@ impl GroupView {
     }
 }
 
+/// Of the rectangle around its image from the side.
+fn area(capsule: &Capsule) -> f64 {
+    2.0 * capsule.radius * (capsule.from.distance(capsule.to) + 2.0 * capsule.radius)
+}
+
 /// The smaller of `shown` and the ball that `capsule` never leaves, however it turns.
 fn bounded(spin: &Spin, capsule: &Capsule, shown: Capsule) -> Capsule {
     let [from, to] = [capsule.from, capsule.to].map(|end| spin.off_axle(end));
@@ -136,7 +187,7 @@ fn bounded(spin: &Spin, capsule: &Capsule, shown: Capsule) -> Capsule {
     let half_width = 0.5 * (high - low) + capsule.radius;
     let [x, _, z] = spin.hub;
     let ball = Capsule::ball(DVec3::new(x, 0.5 * (low + high), z), math::hypot(off_axle, half_width));
-    if shown.radius + 0.5 * shown.from.distance(shown.to) < ball.radius { shown } else { ball }
+    if area(&shown) < area(&ball) { shown } else { ball }
 }
 
 #[cfg(test)]
@@ -192,13 +243,12 @@ mod tests {
 
     #[test]
     fn what_is_shown_of_a_spoke_lies_in_its_capsules() {
-        let (mut volume, mut count) = (0.0, 0);
+        let mut excess = Vec::new();
         for view in views() {
             for (number, spoke) in (0..).zip(spokes()) {
                 let mut capsules = Vec::new();
                 view.capsules_when_shown(&SPIN, &[spoke], &mut capsules);
-                volume += capsules.iter().map(|capsule| capsule.radius).fold(0.0, f64::max) / spoke.radius;
-                count += 1;
+                excess.push(capsules.iter().map(area).sum::<f64>() / area(&spoke));
                 for i in 100 * number..100 * (number + 1) {
                     let direction = DVec3::new(spread(i, 2.0), spread(i, 3.0), spread(i, 5.0)) * 2.0 - 1.0;
                     let off_axis = direction.normalize() * spoke.radius * spread(i, 7.0).cbrt();
@@ -210,9 +260,9 @@ mod tests {
                 }
             }
         }
-        let mean = volume / f64::from(count);
+        let mean = excess.iter().sum::<f64>() / excess.len() as f64;
 
-        assert!(mean < 10.0, "capsules are {mean} times as thick as spokes");
+        assert!(mean < 10.0, "the images of capsules are {mean} times as large as those of spokes");
     }
 
     fn outside(capsule: &Capsule, place: DVec3) -> f64 {
