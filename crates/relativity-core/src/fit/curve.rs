@@ -114,6 +114,15 @@ impl Trial {
         one_cone::middle_cone(&self.speed, self.point(), *pair, time - self.passage_time)
     }
 
+    /// How far the wheel is seen to have turned at `time`, radians, as the pair sees its hub; 0 of what does not turn.
+    pub fn turn(&self, pair: &[Aperture; 2], time: f64) -> f64 {
+        let Some(rolling) = &self.rolling else { return 0.0 };
+        let (beta, gamma) = (self.speed.beta(), self.speed.gamma());
+        let solution = self.middle_cone(pair, time).solution;
+        let x = one_cone::middle(*pair).x + solution.x;
+        beta / rolling.radius * gamma * (time - solution.r - beta * x)
+    }
+
     /// Where it is at t0.
     pub const fn point(&self) -> SourcePoint {
         SourcePoint { x0: self.passage_x, y: self.y, z: self.z }

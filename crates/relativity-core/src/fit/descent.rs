@@ -5,7 +5,7 @@ use levenberg_marquardt::{LevenbergMarquardt, TerminationReason};
 use crate::fit::curve::Trial;
 use crate::fit::error::{FitError, NotConverged};
 use crate::fit::problem::{At, Free, Problem};
-use crate::fit::start;
+use crate::fit::{start, wheel_start};
 use crate::math;
 use crate::threads::prelude::*;
 
@@ -44,13 +44,23 @@ pub(super) struct Minimum {
 /// Where the best of several starts leads. All get a few steps against some of the data; those that promise
 /// most, and are on different ways, are followed.
 pub(super) fn best_start(problem: &Problem) -> Option<Free> {
-    let coarse = start::thinned(problem);
+    if problem.rolling.is_none() {
+        return ways(problem).first().map(|best| best.free);
+    }
+    let hubs = Problem { rolling: None, ..problem.clone() };
+    let from_hub = wheel_start::best_start(problem, &hubs, &ways(&hubs));
+    let coarse = start::thinned(problem, start::GRID_SAMPLES);
+    let turned = ways(problem).into_iter().take(TURNED).map(|way| otherwise_turned(problem, &coarse, way));
+    let found = from_hub.into_iter().chain(turned);
+    found.min_by(|a, b| a.cost.total_cmp(&b.cost)).map(|best| best.free)
+}
+
+/// Where the best starts of what does not turn lead, the lowest first.
+fn ways(problem: &Problem) -> Vec<Descent> {
+    let coarse = start::thinned(problem, start::GRID_SAMPLES);
     let glances = descents(&coarse, start::starts(problem, &coarse), GLANCE);
     let followed = glances.iter().take(FOLLOWED).map(|descent| lifted(problem, descent.free)).collect();
-    let mut ways = descents(problem, followed, START_PATIENCE);
-    ways.truncate(TURNED);
-    let found = ways.into_iter().map(|way| otherwise_turned(problem, &coarse, way));
-    found.min_by(|a, b| a.cost.total_cmp(&b.cost)).map(|best| best.free)
+    descents(problem, followed, START_PATIENCE)
 }
 
 /// The lowest of the minima that show the same passage with a wheel that has turned some times more or less before: each is
@@ -72,9 +82,9 @@ fn otherwise_turned(problem: &Problem, coarse: &Problem, mut way: Descent) -> De
 
 /// Where a few steps from a start led.
 #[derive(Debug, Clone, Copy)]
-struct Descent {
-    free: Free,
-    cost: f64,
+pub(super) struct Descent {
+    pub free: Free,
+    pub cost: f64,
 }
 
 impl Descent {
@@ -86,14 +96,25 @@ impl Descent {
     }
 }
 
+/// Where a few steps from a start lead.
+pub(super) fn descent(problem: &Problem, start: Free, patience: usize) -> Descent {
+    descended(At { problem, free: start, keeps_speed: false }, patience)
+}
+
+/// The same with the speed of `start`.
+pub(super) fn descent_at_speed(problem: &Problem, start: Free, patience: usize) -> Descent {
+    descended(At { problem, free: start, keeps_speed: true }, patience)
+}
+
+fn descended(start: At<'_>, patience: usize) -> Descent {
+    let (at, report) = LevenbergMarquardt::new().with_patience(patience).minimize(start);
+    Descent { free: at.free, cost: report.objective_function }
+}
+
 /// Where a few steps from each start lead, the lowest first, without those that are near a lower one.
 fn descents(problem: &Problem, starts: Vec<Free>, patience: usize) -> Vec<Descent> {
-    let descend = |free: Free| {
-        let solver = LevenbergMarquardt::new().with_patience(patience);
-        let (at, report) = solver.minimize(At { problem, free });
-        Descent { free: at.free, cost: report.objective_function }
-    };
-    let mut descents: Vec<_> = starts.into_par_iter().map(descend).collect();
+    let mut descents: Vec<_> =
+        starts.into_par_iter().map(|start| descent(problem, start, patience)).collect();
     descents.retain(|descent| descent.cost.is_finite());
     descents.sort_by(|a, b| a.cost.total_cmp(&b.cost));
     let mut distinct: Vec<Descent> = Vec::new();
@@ -139,7 +160,7 @@ pub(super) fn minimum(problem: &Problem, start: Free) -> Result<Minimum, FitErro
 /// The minimum downhill of `start`, to the last digit that the sum of squares holds.
 fn refined(problem: &Problem, start: Free) -> (Result<Minimum, FitError>, Free) {
     let solver = LevenbergMarquardt::new().with_patience(PATIENCE);
-    let (At { free, .. }, report) = solver.minimize(At { problem, free: start });
+    let (At { free, .. }, report) = solver.minimize(At { problem, free: start, keeps_speed: false });
     let minimum = match (report.termination, problem.trial(&free)) {
         (TerminationReason::LostPatience, _) => {
             Err(NotConverged::StillFalling { evaluations: report.number_of_evaluations })

@@ -25,6 +25,7 @@ mod rolling;
 mod simulation;
 mod start;
 mod verdict;
+mod wheel_start;
 
 pub use error::{FitError, NotConverged};
 pub use observations::{Observations, Reading, Sample};

@@ -98,6 +98,11 @@ impl Problem {
         turned.iter().all(|value| value.is_finite()).then_some(turned)
     }
 
+    /// The change of t0 for which the wheel has turned once more as it passes.
+    pub fn passage_of_turn(&self, trial: &Trial) -> f64 {
+        self.rolling.map_or(0.0, |rolling| TAU * rolling.radius / (trial.speed.gamma() * trial.speed.beta()))
+    }
+
     /// Number of fitted parameters.
     pub fn parameters(&self) -> usize {
         3 + usize::from(self.fits_passage)
@@ -187,6 +192,8 @@ impl NormalEquations {
 pub(crate) struct At<'a> {
     pub problem: &'a Problem,
     pub free: Free,
+    /// Whether the speed is kept.
+    pub keeps_speed: bool,
 }
 
 impl LeastSquaresProblem<f64, Dyn, U4> for At<'_> {
@@ -213,7 +220,10 @@ impl LeastSquaresProblem<f64, Dyn, U4> for At<'_> {
 
     fn jacobian(&self) -> Option<OMatrix<f64, Dyn, U4>> {
         let trial = self.problem.trial(&self.free)?;
-        let chain = self.problem.chain(&trial);
+        let mut chain = self.problem.chain(&trial);
+        if self.keeps_speed {
+            chain[0] = 0.0;
+        }
         let mut jacobian = OMatrix::<f64, Dyn, U4>::zeros(self.problem.readings());
         let mut index = 0;
         for row in &self.problem.rows {

@@ -10,7 +10,6 @@
 //! ```
 
 use crate::apparent::{Aperture, LightCone, SourcePoint};
-use crate::cone_pair::ConePair;
 use crate::domain::DomainError;
 use crate::fit::curve::{D_Y, D_Z, Gradient, Slopes, Trial, angle_gradients, delay_gradient, x_gradient};
 use crate::math;
@@ -82,16 +81,18 @@ impl Rolling {
         let (wheel, speed) = (self.point(trial), &trial.speed);
         let sight = |time: f64, dtime: Gradient| Sight { trial, wheel: &wheel, time, dtime };
         let dtime = [0.0, 0.0, 0.0, -1.0];
-        let gradients = match model {
+        let ((dphi, dtheta), gradients) = match model {
             Model::Exact => {
-                let each = wheel.seen_by_pair(speed, *pair, time, baseline(*pair)).each;
-                each.map(|seen| sight(time, dtime).angle_gradients(&seen))
+                let both = wheel.seen_by_pair(speed, *pair, time, baseline(*pair));
+                let gradients = both.each.map(|seen| sight(time, dtime).angle_gradients(&seen));
+                (both.angle_differences(), gradients)
             }
             Model::OneCone => {
                 let seen = wheel.seen(speed, middle(*pair), time);
                 let [dx, dz] = sight(time, dtime).place_gradients(&seen);
-                let ConePair { left, right, .. } = one_cone::cone_pair(&seen.cone, *pair);
-                [left, right].map(|cone| angle_gradients(&cone, dx, dz))
+                let cones = one_cone::cone_pair(&seen.cone, *pair);
+                let gradients = [cones.left, cones.right].map(|cone| angle_gradients(&cone, dx, dz));
+                (cones.angle_differences(), gradients)
             }
             Model::Published(variant) => {
                 let (both, shift) = wheel.seen_as_published(speed, *pair, time, variant);
@@ -101,12 +102,13 @@ impl Rolling {
                 let ddelay = delay_gradient(&first.cone, to_secondary, dx, dz);
                 let dtime = std::array::from_fn(|i| dtime[i] + variant.delay_sign() * ddelay[i]);
                 let shifted = sight(time + shift, dtime);
-                [angle_gradients(&first.cone, dx, dz), shifted.angle_gradients(second)]
+                let gradients = [angle_gradients(&first.cone, dx, dz), shifted.angle_gradients(second)];
+                (both.angle_differences(), gradients)
             }
         };
         let [[dphi_left, dtheta_left], [dphi_right, dtheta_right]] = gradients;
         Slopes {
-            angles: self.angles(trial, model, pair, time, wanted),
+            angles: [if wanted[0] { dphi } else { 0.0 }, if wanted[1] { dtheta } else { 0.0 }],
             gradients: [
                 std::array::from_fn(|i| dphi_left[i] - dphi_right[i]),
                 std::array::from_fn(|i| dtheta_left[i] - dtheta_right[i]),
