@@ -8,7 +8,8 @@
 //! Delta-phi alone, seen by apertures at z = 0, tells only |z|; Delta-theta tells the sign.
 //!
 //! Of a point on a wheel that rolls ([`Rolling`]) the hub is fitted. Its curves have many minima, since the wheel may have
-//! turned some times more or less before it passes: these are tried one by one, which takes several times as long.
+//! turned some times more or less before it passes: the search starts from many speeds about that of the smooth curve, and
+//! from other numbers of turns, which takes many times as long.
 //!
 //! References: the paper, sections 3(b) and 4(c); J. J. More, *The Levenberg-Marquardt algorithm:
 //! implementation and theory* (1978).

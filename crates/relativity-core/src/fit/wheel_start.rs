@@ -20,12 +20,12 @@ const MOST_TURNS: f64 = 10.0;
 /// Most of the largest steps by which the range of speeds is found.
 const WIDE: usize = 20;
 /// Most steps in ln(rapidity) either way, and the largest.
-const SPEEDS: usize = 200;
+const SPEEDS: usize = 120;
 const LARGEST_STEP: f64 = 0.1;
 /// ln(rapidity) of the fastest start: the motion of the wheel is then too slow to see.
 const FASTEST: f64 = 1.6;
 /// A speed is given up where the best hub leaves this many times what the wheel and the noise explain.
-const LEFT_OVER: f64 = 4.0;
+const LEFT_OVER: f64 = 2.0;
 /// Share of the largest disparity above which a reading tells how far the wheel has turned.
 const TELLING: f64 = 0.2;
 /// Ways of what does not turn whose speeds are tried, and evaluations per parameter for the hub at another speed.
