@@ -10,8 +10,8 @@ use rand_chacha::ChaCha8Rng;
 use relativity_core::fit::NOISE_FREE_ERROR;
 use relativity_core::{
     Aperture, Curves, Fit, FitError, FitOptions, Model, Observations, Parameter, Passage, PublishedVariant,
-    Reading, Rolling, Sample, SourcePoint, Speed, Turning, WheelPoint, bootstrap, disparity, fit, fit_from,
-    one_cone_disparity, published_disparity,
+    Reading, Rolling, Sample, Simulation, SourcePoint, Speed, Turning, WheelPoint, bootstrap, disparity, fit,
+    fit_from, one_cone_disparity, published_disparity,
 };
 use tally::Tally;
 
@@ -315,6 +315,29 @@ fn a_point_on_a_rolling_wheel_gives_its_hub_back() {
             let fit = fit(&case.observations(model, 0), &options).expect("a fit");
             assert_recovers(&fit, case.truth(), 1e-8);
         }
+    }
+}
+
+/// Over the passage of the street's wheel, in which it turns through tens of radians.
+#[test]
+fn fast_wheels_give_their_hubs_back_from_the_range_of_the_window() {
+    let rolling = Some(Rolling { radius: 0.525, rho: 1.0, angle: 0.0 });
+    for beta in [0.9, 0.95, 0.99] {
+        let truth = [beta, 4.0, -1.975, -0.2288];
+        let [_, y, z, x0] = truth;
+        let observed = Simulation {
+            speed: Speed::from_beta(beta).expect("a speed"),
+            point: SourcePoint { x0, y, z },
+            rolling,
+            pair: Aperture::pair(0.1),
+            model: Model::Exact,
+            times: (0..240).map(|i| -5.198 + 24.783 / 239.0 * f64::from(i)).collect(),
+            noise: 0.0,
+            seed: 1,
+        };
+        let options = FitOptions { passage: Passage::Known(x0), rolling, ..FitOptions::default() };
+        let fit = fit(&observed.observations().expect("usable samples"), &options).expect("a fit");
+        assert_recovers(&fit, truth, 1e-9);
     }
 }
 

@@ -12,46 +12,12 @@
 use crate::aperture::Aperture;
 use crate::apparent::LightCone;
 use crate::cone_pair::ConePair;
-use crate::fit::rolling::Rolling;
+use crate::fit::gradients::{D_Z, Slopes, angle_gradients, delay_gradient, x_gradient};
+use crate::fit::trial::Trial;
 use crate::model::Model;
 use crate::one_cone;
-use crate::source::SourcePoint;
-use crate::speed::Speed;
-
-/// Partial derivatives with respect to beta, y, z and t0.
-pub(crate) type Gradient = [f64; 4];
-
-pub(super) const D_Y: Gradient = [0.0, 1.0, 0.0, 0.0];
-pub(super) const D_Z: Gradient = [0.0, 0.0, 1.0, 0.0];
-
-/// A trial object: a value for each parameter.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Trial {
-    pub speed: Speed,
-    pub y: f64,
-    pub z: f64,
-    /// t0.
-    pub passage_time: f64,
-    /// Objective x at t0.
-    pub passage_x: f64,
-    /// The wheel whose hub it is, and whose point is seen.
-    pub rolling: Option<Rolling>,
-}
-
-/// Delta-phi and Delta-theta, and their gradients.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Slopes {
-    pub angles: [f64; 2],
-    pub gradients: [Gradient; 2],
-}
 
 impl Trial {
-    /// Its beta, y, z and x0.
-    pub fn reported(&self) -> [f64; 4] {
-        let beta = self.speed.beta();
-        [beta, self.y, self.z, self.passage_x - beta * self.passage_time]
-    }
-
     /// Delta-phi and Delta-theta at `time`.
     pub fn angles(&self, model: Model, pair: &[Aperture; 2], time: f64) -> [f64; 2] {
         self.wanted_angles(model, pair, time, [true, true])
@@ -116,58 +82,23 @@ impl Trial {
         one_cone::middle_cone(&self.speed, self.point(), *pair, time - self.passage_time)
     }
 
-    /// Where it is at t0.
-    pub const fn point(&self) -> SourcePoint {
-        SourcePoint { x0: self.passage_x, y: self.y, z: self.z }
+    /// How far the wheel is seen to have turned at `time`, radians, as the pair sees its hub; 0 of what does not turn.
+    pub fn turn(&self, pair: &[Aperture; 2], time: f64) -> f64 {
+        let Some(rolling) = &self.rolling else { return 0.0 };
+        let (beta, gamma) = (self.speed.beta(), self.speed.gamma());
+        let solution = self.middle_cone(pair, time).solution;
+        let x = one_cone::middle(*pair).x + solution.x;
+        beta / rolling.radius * gamma * (time - solution.r - beta * x)
     }
 }
 
 /// Of the apparent X, from those of S and z.
-#[inline]
-pub(super) fn x_gradient(beta: f64, cone: &LightCone<f64>, ds: Gradient, dz: Gradient) -> Gradient {
-    let r = cone.solution.r;
-    let inverse_q = 1.0 / cone.solution.q;
-    let along = r * inverse_q;
-    let across = -beta * inverse_q;
-    std::array::from_fn(|i| {
-        let dbeta = if i == 0 { r } else { 0.0 };
-        along * (ds[i] - dbeta) + across * (cone.y * D_Y[i] + cone.z * dz[i])
-    })
-}
-
-/// d(atan2(y, X)) and d(atan2(z, h)).
-#[inline]
-pub(super) fn angle_gradients(cone: &LightCone<f64>, dx: Gradient, dz: Gradient) -> [Gradient; 2] {
-    let LightCone { y, z, solution, .. } = *cone;
-    let x = solution.x;
-    let h_squared = x * x + y * y;
-    let h = h_squared.sqrt();
-    let inverse_h_squared = 1.0 / h_squared;
-    let inverse_r_squared = 1.0 / (h_squared + z * z);
-    let slope = -z * inverse_r_squared / h;
-    let dphi = std::array::from_fn(|i| (x * D_Y[i] - y * dx[i]) * inverse_h_squared);
-    let dtheta = std::array::from_fn(|i| h * dz[i] * inverse_r_squared + slope * (x * dx[i] + y * D_Y[i]));
-    [dphi, dtheta]
-}
-
-/// Gradient of Delta T, by which light from the event that the primary sees takes longer to the secondary.
-pub(super) fn delay_gradient(
-    primary: &LightCone<f64>,
-    to_secondary: f64,
-    dx: Gradient,
-    dz: Gradient,
-) -> Gradient {
-    let LightCone { y, z, solution, .. } = *primary;
-    let distance = (to_secondary * to_secondary + y * y + z * z).sqrt();
-    std::array::from_fn(|i| {
-        let transverse = y * D_Y[i] + z * dz[i];
-        (to_secondary * dx[i] + transverse) / distance - (solution.x * dx[i] + transverse) / solution.r
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fit::gradients::Gradient;
+    use crate::fit::trial::Rolling;
+    use crate::speed::Speed;
 
     fn shifted(trial: &Trial, parameter: usize, by: f64) -> Trial {
         let mut shifted = *trial;

@@ -2,10 +2,10 @@
 
 use levenberg_marquardt::{LevenbergMarquardt, TerminationReason};
 
-use crate::fit::curve::Trial;
 use crate::fit::error::{FitError, NotConverged};
 use crate::fit::problem::{At, Free, Problem};
 use crate::fit::start;
+use crate::fit::trial::Trial;
 use crate::math;
 use crate::threads::prelude::*;
 
@@ -14,17 +14,13 @@ use crate::threads::prelude::*;
 /// Evaluations per parameter that every start gets (with 1 a minimum is lost, with 4 no more is found), that those
 /// followed get (3 lose none either), and that the minimum gets: the solver's own number.
 const GLANCE: usize = 2;
-const START_PATIENCE: usize = 6;
+pub(super) const START_PATIENCE: usize = 6;
 const PATIENCE: usize = 100;
 /// Descents that are followed after a glance: with 1 two minima are lost, with 3 none.
 const FOLLOWED: usize = 6;
 /// Descents closer than this in ln(rapidity) and ln(y) are on the way to the same minimum. If all were followed, they
 /// would crowd other ways out: a minimum is lost.
 const NEAR: f64 = 0.25;
-/// Of a wheel: ways that are followed with other numbers of turns, how many turns more and less, and how often from the best.
-const TURNED: usize = 2;
-const TURNS: i32 = 8;
-const ROUNDS: u32 = 4;
 /// ln(rapidity) above which speeds are all near that of light.
 const FAST: f64 = 1.6;
 /// |z|/y below which z = 0 is tried where only |z| matters.
@@ -32,7 +28,7 @@ const NEAR_GROUND: f64 = 1e-2;
 /// |z|/y from which a way up is looked for there: at z = 0 the sum of squares has no slope.
 const LIFT: f64 = 0.1;
 /// Share of a sum of squares by which two may differ by rounding.
-const ROUNDING: f64 = 1e-12;
+pub(super) const ROUNDING: f64 = 1e-12;
 
 /// A minimum of the sum of squares.
 pub(super) struct Minimum {
@@ -41,40 +37,19 @@ pub(super) struct Minimum {
     pub cost: f64,
 }
 
-/// Where the best of several starts leads. All get a few steps against some of the data; those that promise
-/// most, and are on different ways, are followed.
-pub(super) fn best_start(problem: &Problem) -> Option<Free> {
-    let coarse = start::thinned(problem);
+/// Where the best starts of what does not turn lead, the lowest first.
+pub(super) fn ways(problem: &Problem) -> Vec<Descent> {
+    let coarse = start::thinned(problem, start::GRID_SAMPLES);
     let glances = descents(&coarse, start::starts(problem, &coarse), GLANCE);
     let followed = glances.iter().take(FOLLOWED).map(|descent| lifted(problem, descent.free)).collect();
-    let mut ways = descents(problem, followed, START_PATIENCE);
-    ways.truncate(TURNED);
-    let found = ways.into_iter().map(|way| otherwise_turned(problem, &coarse, way));
-    found.min_by(|a, b| a.cost.total_cmp(&b.cost)).map(|best| best.free)
-}
-
-/// The lowest of the minima that show the same passage with a wheel that has turned some times more or less before: each is
-/// a way of its own, on which no descent leads to the next. `way` itself of what does not turn.
-fn otherwise_turned(problem: &Problem, coarse: &Problem, mut way: Descent) -> Descent {
-    for _ in 0..ROUNDS {
-        let others = (-TURNS..=TURNS).filter(|&turns| turns != 0);
-        let others: Vec<Free> =
-            others.filter_map(|turns| problem.turned(&way.free, f64::from(turns))).collect();
-        let glances = descents(coarse, others, START_PATIENCE);
-        let promising = glances.iter().take(TURNED).map(|descent| descent.free).collect();
-        match descents(problem, promising, START_PATIENCE).first() {
-            Some(lower) if lower.cost < (1.0 - ROUNDING) * way.cost => way = *lower,
-            _ => break,
-        }
-    }
-    way
+    descents(problem, followed, START_PATIENCE)
 }
 
 /// Where a few steps from a start led.
 #[derive(Debug, Clone, Copy)]
-struct Descent {
-    free: Free,
-    cost: f64,
+pub(super) struct Descent {
+    pub free: Free,
+    pub cost: f64,
 }
 
 impl Descent {
@@ -86,14 +61,25 @@ impl Descent {
     }
 }
 
+/// Where a few steps from a start lead.
+pub(super) fn descent(problem: &Problem, start: Free, patience: usize) -> Descent {
+    descended(At { problem, free: start, keeps_speed: false }, patience)
+}
+
+/// The same with the speed of `start`.
+pub(super) fn descent_at_speed(problem: &Problem, start: Free, patience: usize) -> Descent {
+    descended(At { problem, free: start, keeps_speed: true }, patience)
+}
+
+fn descended(start: At<'_>, patience: usize) -> Descent {
+    let (at, report) = LevenbergMarquardt::new().with_patience(patience).minimize(start);
+    Descent { free: at.free, cost: report.objective_function }
+}
+
 /// Where a few steps from each start lead, the lowest first, without those that are near a lower one.
-fn descents(problem: &Problem, starts: Vec<Free>, patience: usize) -> Vec<Descent> {
-    let descend = |free: Free| {
-        let solver = LevenbergMarquardt::new().with_patience(patience);
-        let (at, report) = solver.minimize(At { problem, free });
-        Descent { free: at.free, cost: report.objective_function }
-    };
-    let mut descents: Vec<_> = starts.into_par_iter().map(descend).collect();
+pub(super) fn descents(problem: &Problem, starts: Vec<Free>, patience: usize) -> Vec<Descent> {
+    let mut descents: Vec<_> =
+        starts.into_par_iter().map(|start| descent(problem, start, patience)).collect();
     descents.retain(|descent| descent.cost.is_finite());
     descents.sort_by(|a, b| a.cost.total_cmp(&b.cost));
     let mut distinct: Vec<Descent> = Vec::new();
@@ -139,7 +125,7 @@ pub(super) fn minimum(problem: &Problem, start: Free) -> Result<Minimum, FitErro
 /// The minimum downhill of `start`, to the last digit that the sum of squares holds.
 fn refined(problem: &Problem, start: Free) -> (Result<Minimum, FitError>, Free) {
     let solver = LevenbergMarquardt::new().with_patience(PATIENCE);
-    let (At { free, .. }, report) = solver.minimize(At { problem, free: start });
+    let (At { free, .. }, report) = solver.minimize(At { problem, free: start, keeps_speed: false });
     let minimum = match (report.termination, problem.trial(&free)) {
         (TerminationReason::LostPatience, _) => {
             Err(NotConverged::StillFalling { evaluations: report.number_of_evaluations })

@@ -8,7 +8,8 @@
 //! Delta-phi alone, seen by apertures at z = 0, tells only |z|; Delta-theta tells the sign.
 //!
 //! Of a point on a wheel that rolls ([`Rolling`]) the hub is fitted. Its curves have many minima, since the wheel may have
-//! turned some times more or less before it passes: these are tried one by one, which takes several times as long.
+//! turned some times more or less before it passes: the search starts from many speeds about that of the smooth curve, and
+//! from other numbers of turns, which takes many times as long.
 //!
 //! References: the paper, sections 3(b) and 4(c); J. J. More, *The Levenberg-Marquardt algorithm:
 //! implementation and theory* (1978).
@@ -16,21 +17,25 @@
 mod curve;
 mod descent;
 mod error;
+mod gradients;
 mod observations;
 mod options;
 mod prepare;
 mod problem;
 mod regular;
 mod rolling;
+mod search;
 mod simulation;
 mod start;
+mod trial;
 mod verdict;
+mod wheel_start;
 
 pub use error::{FitError, NotConverged};
 pub use observations::{Observations, Reading, Sample};
 pub use options::{Curves, FitOptions, Parameter, Passage};
-pub use rolling::Rolling;
 pub use simulation::Simulation;
+pub use trial::Rolling;
 
 pub(crate) use problem::{Free, NormalEquations, Problem};
 pub(crate) use regular::Regular;
@@ -38,9 +43,9 @@ pub(crate) use regular::Regular;
 use nalgebra::{Matrix4, Vector4};
 
 use crate::math;
-use curve::Trial;
 use descent::Minimum;
 use prepare::Data;
+use trial::Trial;
 
 /// The accuracy of a fit of curves without noise: the largest error of beta, y, z and x0 for the paper's object,
 /// with every choice of model and curves, x0 known or not (`tests/fit.rs`).
@@ -154,7 +159,7 @@ impl Fit {
 /// ```
 pub fn fit(observations: &Observations, options: &FitOptions) -> Result<Fit, FitError> {
     let data = prepare::prepare(observations, options)?;
-    let start = descent::best_start(&data.problem).ok_or(FitError::NotConverged(NotConverged::NoStart))?;
+    let start = search::best_start(&data.problem).ok_or(FitError::NotConverged(NotConverged::NoStart))?;
     fit_downhill(data, options, start)
 }
 

@@ -1,6 +1,6 @@
 //! What is fitted: which curves, by which model, and which parameters of the object.
 
-use crate::fit::rolling::Rolling;
+use crate::fit::trial::Rolling;
 use crate::model::Model;
 
 /// Which curves are fitted.

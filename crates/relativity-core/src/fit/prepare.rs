@@ -1,11 +1,11 @@
 //! From observations to weighed rows, with the verdicts that need no fit.
 
 use crate::domain::check;
-use crate::fit::curve::Trial;
 use crate::fit::error::FitError;
 use crate::fit::observations::{Observations, Reading, Sample};
 use crate::fit::options::{FitOptions, Passage};
 use crate::fit::problem::{Problem, Row};
+use crate::fit::trial::Trial;
 use crate::model::Model;
 
 const NAMES: [&str; 2] = ["dphi", "dtheta"];

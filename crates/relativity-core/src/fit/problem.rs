@@ -10,8 +10,9 @@ use nalgebra::storage::Owned;
 use nalgebra::{Dyn, Matrix4, OMatrix, OVector, U4, Vector4};
 
 use crate::aperture::Aperture;
-use crate::fit::curve::{Gradient, Slopes, Trial};
-use crate::fit::rolling::Rolling;
+use crate::fit::gradients::{Gradient, Slopes};
+use crate::fit::trial::Rolling;
+use crate::fit::trial::Trial;
 use crate::math;
 use crate::model::Model;
 use crate::speed::Speed;
@@ -96,6 +97,11 @@ impl Problem {
             turned[0] = math::ln(speed.rapidity());
         }
         turned.iter().all(|value| value.is_finite()).then_some(turned)
+    }
+
+    /// The change of t0 for which the wheel has turned once more as it passes.
+    pub fn passage_of_turn(&self, trial: &Trial) -> f64 {
+        self.rolling.map_or(0.0, |rolling| TAU * rolling.radius / (trial.speed.gamma() * trial.speed.beta()))
     }
 
     /// Number of fitted parameters.
@@ -187,6 +193,8 @@ impl NormalEquations {
 pub(crate) struct At<'a> {
     pub problem: &'a Problem,
     pub free: Free,
+    /// Whether the speed is kept.
+    pub keeps_speed: bool,
 }
 
 impl LeastSquaresProblem<f64, Dyn, U4> for At<'_> {
@@ -213,7 +221,10 @@ impl LeastSquaresProblem<f64, Dyn, U4> for At<'_> {
 
     fn jacobian(&self) -> Option<OMatrix<f64, Dyn, U4>> {
         let trial = self.problem.trial(&self.free)?;
-        let chain = self.problem.chain(&trial);
+        let mut chain = self.problem.chain(&trial);
+        if self.keeps_speed {
+            chain[0] = 0.0;
+        }
         let mut jacobian = OMatrix::<f64, Dyn, U4>::zeros(self.problem.readings());
         let mut index = 0;
         for row in &self.problem.rows {

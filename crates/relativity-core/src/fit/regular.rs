@@ -4,8 +4,9 @@
 //! least squares crawl. They have one with respect to u = hypot(z, s) - s, which is z^2/(2 s) near z = 0 and |z| far
 //! above, for any length s; and u stops at 0.
 
-use crate::fit::curve::{Gradient, Trial};
+use crate::fit::gradients::Gradient;
 use crate::fit::problem::{Free, NormalEquations, Problem};
+use crate::fit::trial::Trial;
 use crate::math;
 
 /// Least z in units of s at which the derivative by u is formed, from that by z: u is then 5e-13 s, which is nothing,

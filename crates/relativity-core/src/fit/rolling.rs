@@ -11,43 +11,15 @@
 
 use crate::aperture::Aperture;
 use crate::apparent::LightCone;
-use crate::cone_pair::ConePair;
-use crate::domain::DomainError;
-use crate::fit::curve::{D_Y, D_Z, Gradient, Slopes, Trial, angle_gradients, delay_gradient, x_gradient};
+use crate::fit::gradients::{D_Y, D_Z, Gradient, Slopes, angle_gradients, delay_gradient, x_gradient};
+use crate::fit::trial::{Rolling, Trial};
 use crate::math;
 use crate::model::Model;
 use crate::one_cone::{self, middle};
-use crate::source::{SourcePoint, Turning, WheelPoint};
+use crate::source::WheelPoint;
 use crate::wheel::{Seen, baseline};
 
-/// A point on a wheel of known size that rolls without slipping.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Rolling {
-    /// W, the radius on which it rolls, above 0.
-    pub radius: f64,
-    /// How far the point is from the axle, in radii, in [0, 1].
-    pub rho: f64,
-    /// Where it is at t' = 0 by the clocks of the rest frame, which the one shows then that passes the ground's origin at
-    /// t = 0: from +x towards +z, radians.
-    pub angle: f64,
-}
-
 impl Rolling {
-    /// The point of the wheel whose hub is the trial object, t counted from its passage.
-    fn point(&self, trial: &Trial) -> WheelPoint {
-        let Self { radius, rho, angle } = *self;
-        // The clocks at rest with the wheel show gamma t0 less than their own time.
-        let turned = trial.speed.beta() / radius * (trial.speed.gamma() * trial.passage_time);
-        WheelPoint { hub: trial.point(), radius, rho, angle: angle - turned, turning: Turning::Rolling }
-    }
-
-    /// An error for what is outside the domain.
-    pub(crate) fn check(&self) -> Result<(), DomainError> {
-        let hub = SourcePoint { x0: 0.0, y: 0.0, z: 0.0 };
-        let Self { radius, rho, angle } = *self;
-        WheelPoint { hub, radius, rho, angle, turning: Turning::Rolling }.check()
-    }
-
     /// Delta-phi and Delta-theta, with 0 for what is not `wanted`, of the wheel whose hub is the trial object; `time` counts
     /// from its passage.
     pub(crate) fn angles(
@@ -84,16 +56,18 @@ impl Rolling {
         let (wheel, speed) = (self.point(trial), &trial.speed);
         let sight = |time: f64, dtime: Gradient| Sight { trial, wheel: &wheel, time, dtime };
         let dtime = [0.0, 0.0, 0.0, -1.0];
-        let gradients = match model {
+        let ((dphi, dtheta), gradients) = match model {
             Model::Exact => {
-                let each = wheel.seen_by_pair(speed, *pair, time, baseline(*pair)).each;
-                each.map(|seen| sight(time, dtime).angle_gradients(&seen))
+                let both = wheel.seen_by_pair(speed, *pair, time, baseline(*pair));
+                let gradients = both.each.map(|seen| sight(time, dtime).angle_gradients(&seen));
+                (both.angle_differences(), gradients)
             }
             Model::OneCone => {
                 let seen = wheel.seen(speed, middle(*pair), time);
                 let [dx, dz] = sight(time, dtime).place_gradients(&seen);
-                let ConePair { left, right, .. } = one_cone::cone_pair(&seen.cone, *pair);
-                [left, right].map(|cone| angle_gradients(&cone, dx, dz))
+                let cones = one_cone::cone_pair(&seen.cone, *pair);
+                let gradients = [cones.left, cones.right].map(|cone| angle_gradients(&cone, dx, dz));
+                (cones.angle_differences(), gradients)
             }
             Model::Published(variant) => {
                 let (both, shift) = wheel.seen_as_published(speed, *pair, time, variant);
@@ -103,12 +77,13 @@ impl Rolling {
                 let ddelay = delay_gradient(&first.cone, to_secondary, dx, dz);
                 let dtime = std::array::from_fn(|i| dtime[i] + variant.delay_sign() * ddelay[i]);
                 let shifted = sight(time + shift, dtime);
-                [angle_gradients(&first.cone, dx, dz), shifted.angle_gradients(second)]
+                let gradients = [angle_gradients(&first.cone, dx, dz), shifted.angle_gradients(second)];
+                (both.angle_differences(), gradients)
             }
         };
         let [[dphi_left, dtheta_left], [dphi_right, dtheta_right]] = gradients;
         Slopes {
-            angles: self.angles(trial, model, pair, time, wanted),
+            angles: [if wanted[0] { dphi } else { 0.0 }, if wanted[1] { dtheta } else { 0.0 }],
             gradients: [
                 std::array::from_fn(|i| dphi_left[i] - dphi_right[i]),
                 std::array::from_fn(|i| dtheta_left[i] - dtheta_right[i]),

@@ -5,11 +5,11 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution as _, StandardNormal};
 
 use crate::aperture::Aperture;
-use crate::fit::curve::Trial;
 use crate::fit::error::FitError;
 use crate::fit::observations::{Observations, Reading, Sample};
 use crate::fit::prepare::check_pairs;
-use crate::fit::rolling::Rolling;
+use crate::fit::trial::Rolling;
+use crate::fit::trial::Trial;
 use crate::model::Model;
 use crate::source::SourcePoint;
 use crate::speed::Speed;

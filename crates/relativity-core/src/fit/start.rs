@@ -5,15 +5,15 @@
 //! of the data (an extremum, the onset) when they do.
 
 use crate::aperture::Aperture;
-use crate::fit::curve::Trial;
 use crate::fit::problem::{Free, Problem, Row};
+use crate::fit::trial::Trial;
 use crate::math;
 use crate::speed::Speed;
 use crate::threads::prelude::*;
 
 /// Samples that the grid is held against: enough to see the shape. A prime, since alternating pairs or
 /// curves would be in step with most strides.
-const GRID_SAMPLES: usize = 47;
+pub(super) const GRID_SAMPLES: usize = 47;
 /// Rapidities of the grid: beta = 0.05 to 0.9995, evenly in ln(rapidity), the parameter that is fitted.
 const RAPIDITIES: [f64; 14] = [0.05, 0.08, 0.14, 0.25, 0.45, 0.7, 1.0, 1.35, 1.7, 2.05, 2.4, 2.8, 3.4, 4.2];
 /// tan(elevation) = z/y of the grid: low, middle and high.
@@ -41,10 +41,10 @@ struct Candidate {
     cost: f64,
 }
 
-/// `problem` with some of its rows.
-pub(super) fn thinned(problem: &Problem) -> Problem {
+/// `problem` with at most `most` of its rows.
+pub(super) fn thinned(problem: &Problem, most: usize) -> Problem {
     let all = &problem.rows;
-    let count = all.len().min(GRID_SAMPLES);
+    let count = all.len().min(most);
     Problem { rows: (0..count).map(|index| all[index * all.len() / count]).collect(), ..problem.clone() }
 }
 

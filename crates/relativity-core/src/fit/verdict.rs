@@ -2,12 +2,12 @@
 
 use nalgebra::Matrix4;
 
-use crate::fit::curve::Trial;
 use crate::fit::error::FitError;
 use crate::fit::options::Parameter;
 use crate::fit::prepare::Data;
 use crate::fit::problem::{NormalEquations, Problem};
 use crate::fit::regular::Regular;
+use crate::fit::trial::Trial;
 
 /// Least ratio of the variance that each parameter explains to that which is left: about the 99.9 % point
 /// of the F distribution for three parameters and many samples.
