@@ -1,6 +1,6 @@
 //! The first entry of a ray into a body that turns, in rounds, as the rays on the GPU find it (`turning.wgsl`).
 //!
-//! In the frame that turns with the body the ray is a curve (see [`super::solid`]). A round takes its tangent for it,
+//! In the frame that turns with the body the ray is a curve (see `solid.rs`). A round takes its tangent for it,
 //! and the next one the tangent where that met the body, or passed it: what is off is about squared each time. Where the
 //! body turns far while the ray is among what it sweeps, that is done in several parts of the ray, from the middle of
 //! each. Nothing says that an entry so found is the first one; how far off they are [`PreparedScene::turned_entry`] tells.
