@@ -31,7 +31,7 @@
 //!     observation_time: 1.1,
 //!     geometry: Geometry::Seen,
 //! };
-//! let centre = view.apparent_position([0.0, 3.0, 2.0].into()).expect("inside the domain");
+//! let centre = view.apparent_position([0.0, 3.0, 2.0]).expect("inside the domain");
 //! view.camera.gaze = Gaze::along(centre.to_array());
 //!
 //! let hit = scene.first_hit(&view, view.camera.line_of_sight([32.0, 24.0])).expect("a hit");
