@@ -1,7 +1,6 @@
 //! Where points are at one time of a frame: those that rest in the frame of their group, and those that turn there.
 
 use glam::DVec3;
-use relativity_core::math;
 use relativity_core::wheel::measured_later;
 use relativity_render::{MaterialPoint, Velocity};
 
@@ -22,11 +21,10 @@ impl Present {
         let MaterialPoint { rest, spin } = point;
         let Some(spin) = spin else { return rest };
         let on_axle = DVec3::new(spin.hub[0], rest.y, spin.hub[2]);
-        let (off, omega) = (rest - on_axle, spin.omega(self.on_ground.beta()));
-        let there = self.own_time(on_axle);
-        let phase = math::atan2(off.z, off.x) - omega * there;
-        let later = measured_later(self.relative.beta(), math::hypot(off.x, off.z), phase, omega);
-        spin.turned(rest, omega * (there + later))
+        let omega = spin.omega(self.on_ground.beta());
+        spin.place_when(rest, omega, self.own_time(on_axle), |r, phase| {
+            measured_later(self.relative.beta(), r, phase, omega)
+        })
     }
 
     /// What the clocks of the group's frame show then at `place` in it.

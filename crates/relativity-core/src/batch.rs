@@ -47,6 +47,21 @@ pub struct SightingColumns<'a, F> {
     pub doppler_factor: &'a mut [F],
 }
 
+impl<F> SightingColumns<'_, F> {
+    /// An error unless each has `rows`.
+    pub(crate) fn check_lengths(&self, rows: usize) -> Result<(), BatchError> {
+        let Self { apparent_x, retarded_time, doppler_factor } = self;
+        check_lengths(
+            rows,
+            &[
+                ("apparent_x", apparent_x.len()),
+                ("retarded_time", retarded_time.len()),
+                ("doppler_factor", doppler_factor.len()),
+            ],
+        )
+    }
+}
+
 /// Where disparities go.
 #[derive(Debug)]
 pub struct DisparityColumns<'a, F> {
@@ -90,18 +105,10 @@ pub fn sightings_of_points<F: Real>(
     threads: Threads,
 ) -> Result<(), BatchError> {
     let PointColumns { x0, y, z } = points;
-    let SightingColumns { apparent_x, retarded_time, doppler_factor } = out;
     let rows = x0.len();
-    check_lengths(
-        rows,
-        &[
-            ("y", y.len()),
-            ("z", z.len()),
-            ("apparent_x", apparent_x.len()),
-            ("retarded_time", retarded_time.len()),
-            ("doppler_factor", doppler_factor.len()),
-        ],
-    )?;
+    check_lengths(rows, &[("y", y.len()), ("z", z.len())])?;
+    out.check_lengths(rows)?;
+    let SightingColumns { apparent_x, retarded_time, doppler_factor } = out;
     let origin = SourcePoint { x0: 0.0, y: 0.0, z: 0.0 };
     check_common::<F>(speed, origin, &[aperture], observation_time.into())?;
     let view =
@@ -146,15 +153,8 @@ pub fn sightings_over_time<F: Real>(
     out: SightingColumns<'_, F>,
     threads: Threads,
 ) -> Result<(), BatchError> {
+    out.check_lengths(times.len())?;
     let SightingColumns { apparent_x, retarded_time, doppler_factor } = out;
-    check_lengths(
-        times.len(),
-        &[
-            ("apparent_x", apparent_x.len()),
-            ("retarded_time", retarded_time.len()),
-            ("doppler_factor", doppler_factor.len()),
-        ],
-    )?;
     check_common::<F>(speed, point, &[aperture], 0.0)?;
     let view =
         View { coefficients: speed.coefficients(), aperture: rounded([aperture.x, aperture.y, aperture.z]) };

@@ -3,7 +3,7 @@
 use crate::aperture::Aperture;
 use crate::apparent::{check_inputs, rounded};
 use crate::batch::{BatchError, Real, SightingColumns, Threads};
-use crate::batch_error::{check_common, check_lengths, first_outside};
+use crate::batch_error::{check_common, first_outside};
 use crate::source::WheelPoint;
 use crate::speed::{Coefficients, Speed};
 use crate::threads::prelude::*;
@@ -49,15 +49,8 @@ pub fn wheel_sightings_over_time<F: Real>(
     out: SightingColumns<'_, F>,
     threads: Threads,
 ) -> Result<(), BatchError> {
+    out.check_lengths(times.len())?;
     let SightingColumns { apparent_x, retarded_time, doppler_factor } = out;
-    check_lengths(
-        times.len(),
-        &[
-            ("apparent_x", apparent_x.len()),
-            ("retarded_time", retarded_time.len()),
-            ("doppler_factor", doppler_factor.len()),
-        ],
-    )?;
     check_inputs(*point, aperture, 0.0)?;
     check_common::<F>(speed, point.hub, &[aperture], 0.0)?;
     let lengths = [point.radius, 1.0 / point.radius, point.angle];

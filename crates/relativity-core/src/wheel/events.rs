@@ -7,9 +7,7 @@
 use super::root::{measured_later, root};
 use crate::aperture::Aperture;
 use crate::math;
-use crate::source::Source;
-use crate::source::SourcePoint;
-use crate::source::WheelPoint;
+use crate::source::{Source, SourcePoint, WheelPoint};
 use crate::speed::Speed;
 
 impl WheelPoint {

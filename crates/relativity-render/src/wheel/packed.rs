@@ -56,14 +56,10 @@ impl GroupView {
     /// How `body`, one of the group, turns.
     pub(crate) fn turns(&self, body: &PreparedBody) -> Turns {
         match body.spin {
-            Some(spin) if spin.omega(self.on_ground.beta()) != 0.0 => {
-                if body.is_turned {
-                    Turns::About
-                } else {
-                    Turns::InPlace
-                }
-            }
-            _ => Turns::Not,
+            Some(spin) if spin.omega(self.on_ground.beta()) == 0.0 => Turns::Not,
+            Some(_) if body.is_turned => Turns::About,
+            Some(_) => Turns::InPlace,
+            None => Turns::Not,
         }
     }
 

@@ -1,7 +1,6 @@
 //! When a view shows what is somewhere in a group, and how far wheels have turned by then.
 
 use glam::DVec3;
-use relativity_core::math;
 use relativity_core::wheel::{measured_later, seen_later};
 
 use crate::group_view::GroupView;
@@ -65,15 +64,13 @@ impl GroupView {
         let Some(spin) = spin else { return rest };
         let off_axle = spin.off_axle(rest);
         let (on_axle, omega) = (rest - off_axle, spin.omega(self.on_ground.beta()));
-        let r = math::hypot(off_axle.x, off_axle.z);
-        let phase = math::atan2(off_axle.z, off_axle.x) - omega * self.time_at(on_axle);
-        let later = if self.geometry == Geometry::Contracted {
-            measured_later(self.on_ground.beta(), r, phase, omega)
-        } else {
-            seen_later((on_axle - self.origin).to_array(), r, phase, omega)
-        };
-        let (sine, cosine) = math::sin_cos(phase - omega * later);
-        on_axle + DVec3::new(r * cosine, 0.0, r * sine)
+        spin.place_when(rest, omega, self.time_at(on_axle), |r, phase| {
+            if self.geometry == Geometry::Contracted {
+                measured_later(self.on_ground.beta(), r, phase, omega)
+            } else {
+                seen_later((on_axle - self.origin).to_array(), r, phase, omega)
+            }
+        })
     }
 
     /// What the own motion of what turns so and is seen at `place` multiplies its Doppler factor with:

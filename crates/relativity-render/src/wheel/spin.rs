@@ -51,6 +51,23 @@ impl Spin {
         math::atan2(z, x)
     }
 
+    /// Where the point is that is at `rest` at t' = 0, at a time that depends on where it is: from `axle_time`, that of the
+    /// axle abreast of it, on by `later`, which follows from its distance from the axle and its angle at `axle_time`.
+    /// It turns at `omega`, as [`Self::omega`] has it.
+    pub fn place_when(
+        &self,
+        rest: DVec3,
+        omega: f64,
+        axle_time: f64,
+        later: impl FnOnce(f64, f64) -> f64,
+    ) -> DVec3 {
+        let off_axle = self.off_axle(rest);
+        let r = math::hypot(off_axle.x, off_axle.z);
+        let phase = self.angle(rest) - omega * axle_time;
+        let (sine, cosine) = math::sin_cos(phase - omega * later(r, phase));
+        rest - off_axle + DVec3::new(r * cosine, 0.0, r * sine)
+    }
+
     /// Where a point of the wheel at `place` is once it has turned by `angle` (radians, about +y, as a wheel does that
     /// rolls towards +x).
     #[must_use]
