@@ -13,6 +13,7 @@ mod eye_colours;
 mod figures;
 pub mod files;
 pub mod flags;
+pub mod lesson;
 pub mod map;
 mod passage;
 pub mod platform;

@@ -32,6 +32,7 @@ mod icon;
 pub mod launch;
 mod layout;
 mod layouts;
+pub mod lesson;
 pub mod memory;
 pub mod notice;
 pub mod observer;
@@ -76,6 +77,7 @@ use eyes::EyePictures;
 use fitting::Fitting;
 use full_screen::FullScreen;
 use layout::{Layout, Presentation};
+use lesson::Running;
 use panels::{Asks, plots::Plotted};
 use panes::{Arrangement, Content};
 use saving::Saver;
@@ -190,6 +192,7 @@ impl App {
 
     /// Lets T run by a `step` of the wall clock, seconds.
     fn advance(&mut self, step: f64) {
+        self.state.run_lesson(step);
         if self.state.session.playing {
             let playback = self.state.settings.playback;
             let range = self.state.time_range();
@@ -276,7 +279,7 @@ impl App {
         focus::paint(&ctx);
         self.update_projector(&ctx);
         self.fulfil_orders(ui);
-        if self.state.session.playing {
+        if self.state.session.playing || self.state.session.lesson.as_ref().is_some_and(Running::is_running) {
             ctx.request_repaint();
         }
     }
