@@ -1,6 +1,6 @@
 //! The front matter of a lesson: lines `key: value` between two lines of three dashes.
 
-use super::Wrong;
+use super::wrong::Wrong;
 
 /// What it says.
 pub struct Front {

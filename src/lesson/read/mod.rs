@@ -2,11 +2,13 @@
 
 mod front;
 mod parts;
+mod wrong;
 
 use std::path::Path;
 
 use self::front::Front;
 use self::parts::{Block, Part, parts};
+use self::wrong::Wrong;
 use super::error::LessonError;
 use super::plan::{
     Animated, Animation, Choices, Curve, Kind, Lab, Lesson, Number, PointAt, Prediction, Quantity, Reveal,
@@ -29,9 +31,6 @@ const SECONDS: f64 = 4.0;
 const MOST_SECONDS: f64 = 120.0;
 /// By how much a number may be off unless the lesson says, as a part of the truth.
 const WITHIN: f64 = 0.1;
-
-/// What is wrong, and in which line.
-type Wrong = (usize, String);
 
 impl Lesson {
     /// The lesson called `name` that `text` is, which errors call `source_name`.

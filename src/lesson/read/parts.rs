@@ -1,6 +1,6 @@
 //! A Markdown text in parts: what stands below its headings, its blocks between fences, its lists of choices.
 
-use super::Wrong;
+use super::wrong::Wrong;
 use crate::lesson::plan::{Options, Text};
 
 /// What stands below a heading.

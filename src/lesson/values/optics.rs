@@ -2,7 +2,7 @@
 
 use relativity_core::math;
 
-use super::Value;
+use super::here::Value;
 
 /// Them.
 pub const VALUES: &[Value] = &[
