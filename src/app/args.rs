@@ -71,9 +71,6 @@ impl WindowArgs {
             State::open(self.start.settings(if is_kept { left } else { Settings::default() })?)?;
         state.session.playing = self.play;
         state.session.opened = self.start.file().map(Path::to_owned);
-        for file in state.shown_files().iter().rev() {
-            state.session.recent.add(file);
-        }
         if self.present {
             state.session.stage = Stage::presented();
         }
@@ -84,6 +81,9 @@ impl WindowArgs {
             let lesson = state.library().open(name)?;
             state.begin_lesson(&lesson)?;
             state.session.playing = self.play;
+        }
+        for file in state.shown_files().iter().rev() {
+            state.session.recent.add(file);
         }
         Ok(state)
     }

@@ -98,6 +98,15 @@ fn a_lesson_has_what_its_file_says() {
 }
 
 #[test]
+fn a_lesson_is_read_as_other_editors_write_it() {
+    let own = read(LESSON).expect("a lesson");
+    let stars = LESSON.replace("- [", "* [").replace("[x]", "[X]");
+    for text in [format!("\u{feff}{LESSON}"), LESSON.replace('\n', "\r\n"), stars] {
+        assert_eq!(read(&text), Ok(own.clone()));
+    }
+}
+
+#[test]
 fn a_step_differs_from_the_last_one_as_it_was_revealed() {
     let lesson = read(&LESSON.replace("motion.beta = 0.9", "[motion]\nbeta = 0.9")).expect("a lesson");
     let usual = crate::settings::Settings::default();
