@@ -10,8 +10,10 @@ mod error;
 mod library;
 mod plan;
 mod read;
+pub mod sketch;
 pub mod truth;
 pub mod values;
+mod verdict;
 
 pub use answer::{Answer, Outcome, Record};
 pub use course::{Course, Phase, Place};
@@ -21,3 +23,5 @@ pub use plan::{
     Animated, Animation, Choices, Curve, Kind, Lab, Lesson, Number, Options, PointAt, Prediction, Quantity,
     Reveal, Step, Text, Told,
 };
+pub use truth::Sight;
+pub use verdict::{Verdict, difference, verdict};
