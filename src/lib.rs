@@ -14,6 +14,7 @@ mod figures;
 pub mod files;
 pub mod flags;
 pub mod formula;
+pub mod lesson;
 pub mod map;
 mod markup;
 mod passage;

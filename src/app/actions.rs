@@ -8,6 +8,7 @@ use super::chooser::{Product, Purpose};
 use super::command::Command;
 use super::focus;
 use super::orders::Copied;
+use super::overlay::Overlay;
 use super::plotting::PlotCommand;
 
 /// Something that can be asked for by name or by key.
@@ -99,9 +100,10 @@ pub static ACTIONS: &[Action] = &[
     action("the whole screen", &[key(Key::F11)], Command::ToggleFullScreen),
     action("present: large writing, and no controls", &[key(Key::P)], Command::TogglePresenting),
     action("the views in a window of their own, for a projector", &[key(Key::W)], Command::ToggleProjector),
-    action("the preset before", &[key(Key::PageUp)], Command::ShowNext(-1)),
-    action("the next preset", &[key(Key::PageDown)], Command::ShowNext(1)),
-    action("find what to do by its name", &[with_control(Key::P)], Command::TogglePalette),
+    action("back in the lesson, or the preset before", &[key(Key::PageUp)], Command::ShowNext(-1)),
+    action("on in the lesson, or the next preset", &[key(Key::PageDown)], Command::ShowNext(1)),
+    action("the start page: lessons and presets", &[key(Key::S)], Command::Toggle(Overlay::Start)),
+    action("find what to do by its name", &[with_control(Key::P)], Command::Toggle(Overlay::Palette)),
     action("fit own data", &[], Command::Choose(Purpose::OpenData)),
     action("fit simulated data", &[], Command::Simulate),
     action("save the picture", &[with_control(Key::S)], save(Product::Picture)),
@@ -115,7 +117,7 @@ pub static ACTIONS: &[Action] = &[
     action("copy the command of the picture", &[], Command::Copy(Copied::RenderCommand)),
     action("copy the command of the curves", &[], Command::Copy(Copied::CurveCommand)),
     action("copy the values at T", &[], Command::Copy(Copied::Values)),
-    action("this help", &[key(Key::Questionmark), key(Key::F1)], Command::ToggleHelp),
+    action("this help", &[key(Key::Questionmark), key(Key::F1)], Command::Toggle(Overlay::Help)),
     action("close, leave", &[key(Key::Escape)], Command::Close),
 ];
 

@@ -1,12 +1,14 @@
 //! The flags with which the window starts in a given state.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use clap::{Arg, Args};
 
 use super::stage::Stage;
 use super::state::State;
 use crate::flags::choices::sides;
+use crate::lesson::{LessonError, Library};
 use crate::settings::{Settings, StartArgs};
 
 /// Flags of the window. A setting that is not given is as it was left or, with a scene or a state given, as usual.
@@ -27,6 +29,15 @@ pub struct WindowArgs {
     /// window, the screen and the layout).
     #[arg(long)]
     keep_settings: bool,
+    /// Begin this lesson, or preset; a file has its ending, `.md`. `--list` names them all.
+    #[arg(long, value_name = "NAME|FILE", conflicts_with = "state")]
+    lesson: Option<String>,
+    /// A folder with lessons of one's own, beside the program's. One of the same name takes the place of the program's.
+    #[arg(long, value_name = "DIR")]
+    lessons: Option<PathBuf>,
+    /// Name all lessons and presets, and exit.
+    #[arg(long)]
+    pub list: bool,
     /// Inner size of the window.
     #[arg(long, value_parser = size, value_name = "WIDTHxHEIGHT")]
     window_size: Option<[u32; 2]>,
@@ -55,18 +66,40 @@ impl WindowArgs {
     /// # Errors
     /// A bad flag, file or scene.
     pub fn state(&self, left: Settings) -> anyhow::Result<State> {
-        let is_kept = self.keep_settings || !self.start.name_what_is_shown();
+        let is_kept = self.keep_settings || !self.names_what_is_shown();
         let mut state =
             State::open(self.start.settings(if is_kept { left } else { Settings::default() })?)?;
         state.session.playing = self.play;
         state.session.opened = self.start.file().map(Path::to_owned);
-        for file in state.shown_files().iter().rev() {
-            state.session.recent.add(file);
-        }
         if self.present {
             state.session.stage = Stage::presented();
         }
+        if self.lessons.is_some() {
+            state.session.library = Some(Arc::new(self.library()?));
+        }
+        if let Some(name) = &self.lesson {
+            let lesson = state.library().open(name)?;
+            state.begin_lesson(&lesson)?;
+            state.session.playing = self.play;
+        }
+        for file in state.shown_files().iter().rev() {
+            state.session.recent.add(file);
+        }
         Ok(state)
+    }
+
+    /// Whether they say what is shown: a scene, a state or a lesson.
+    #[must_use]
+    pub fn names_what_is_shown(&self) -> bool {
+        self.lesson.is_some() || self.start.name_what_is_shown()
+    }
+
+    /// The lessons that there are.
+    ///
+    /// # Errors
+    /// A folder that cannot be listed, or a lesson in it that cannot be read.
+    pub fn library(&self) -> Result<Library, LessonError> {
+        Library::new(self.lessons.as_deref())
     }
 
     /// Inner size of the window, if one is asked for.

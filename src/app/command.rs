@@ -12,6 +12,7 @@ use super::orders::{Copied, Order, Saving};
 use super::overlay::Overlay;
 use super::plotting::PlotCommand;
 use super::pointer::{Pick, Select, Turn, Zoom};
+use super::running::LessonCommand;
 use super::stage::{Part, next_to_show};
 use super::state::{Session, State};
 use super::usual::Section;
@@ -98,12 +99,14 @@ pub enum Command {
     Preset(&'static str),
     /// Show this state, all else as usual but for the parts of the window.
     State(&'static Preset),
-    /// Show what comes so many steps after what is shown.
+    /// Show what comes so many steps after what is shown; a lesson goes on, or back.
     ShowNext(i32),
     /// Show what is in a file: a scene, settings, or a picture with which settings it was made.
     Open(PathBuf),
     /// Show what a file that is shown says by now.
     Reload(PathBuf),
+    /// Begin a lesson, or do something in the one that is gone through.
+    Lesson(LessonCommand),
     /// Ask which file to open or to write.
     Choose(Purpose),
     /// Have all as it was before the last step.
@@ -128,10 +131,8 @@ pub enum Command {
     ToggleMap,
     /// Draw the map in the other frame.
     ToggleFrame,
-    /// Show or hide the command palette.
-    TogglePalette,
-    /// Show or hide the help.
-    ToggleHelp,
+    /// Show or hide what stands over the window.
+    Toggle(Overlay),
     /// Take the whole screen, or leave it.
     ToggleFullScreen,
     /// Begin to present, or end it.
@@ -146,10 +147,28 @@ pub enum Command {
     Close,
 }
 
+impl Command {
+    /// Whether it sets T or the speed, which may run in a lesson.
+    const fn sets_what_runs(&self) -> bool {
+        matches!(
+            self,
+            Self::Motion(_)
+                | Self::NudgeSpeed(_)
+                | Self::Time(_)
+                | Self::Step(_)
+                | Self::TimeInRange(_)
+                | Self::TogglePlaying
+        )
+    }
+}
+
 impl State {
     /// Does what was asked.
     pub(super) fn perform(&mut self, command: Command) {
         self.session.missed = None;
+        if command.sets_what_runs() {
+            self.stop_run();
+        }
         match command {
             Command::Motion(motion) => self.settings.motion = motion,
             Command::Look(look) => self.settings.look = look,
@@ -203,13 +222,10 @@ impl State {
             Command::State(preset) => {
                 self.show(preset.settings.clone().in_place_of(&self.settings));
             }
-            Command::ShowNext(steps) => {
-                if let Some(preset) = next_to_show(self.session.preset, steps) {
-                    self.perform(Command::State(preset));
-                }
-            }
+            Command::ShowNext(steps) => self.show_next(steps),
             Command::Open(path) => self.open_file(path),
             Command::Reload(path) => self.reload(&path),
+            Command::Lesson(command) => self.apply_to_lesson(command),
             Command::Choose(purpose) => self.session.chooser = Some(purpose),
             // Not done here, but by going through the steps.
             Command::Undo | Command::Redo => {}
@@ -234,14 +250,22 @@ impl State {
                 };
                 self.set_map(Map { frame, ..self.settings.map });
             }
-            Command::TogglePalette => self.toggle(Overlay::Palette),
-            Command::ToggleHelp => self.toggle(Overlay::Help),
+            Command::Toggle(overlay) => self.toggle(overlay),
             Command::ToggleFullScreen => self.session.stage.full_screen = !self.session.stage.full_screen,
             Command::TogglePresenting => self.session.stage.toggle_presenting(),
             Command::ToggleProjector => self.session.stage.projector = !self.session.stage.projector,
             Command::ToggleMaximised(part) => self.session.stage.toggle_maximised(part),
             Command::CloseNotice => self.session.notice = None,
             Command::Close => self.close(),
+        }
+    }
+
+    fn show_next(&mut self, steps: i32) {
+        if self.session.lesson.is_some() {
+            let command = if steps > 0 { LessonCommand::Forward } else { LessonCommand::Back };
+            self.apply_to_lesson(command);
+        } else if let Some(preset) = next_to_show(self.session.preset, steps) {
+            self.perform(Command::State(preset));
         }
     }
 
@@ -349,6 +373,9 @@ impl State {
     }
 
     fn pick(&mut self, pick: Pick) {
+        if self.predicts_by(&pick) {
+            return;
+        }
         if self.sees_as_published(pick.eye) {
             // The published right eye is defined point by point: no ray leads back.
             self.session.notice =
@@ -384,12 +411,15 @@ impl State {
         match Self::open(settings) {
             Ok(state) => {
                 let playing = self.session.playing && !starts_at_a_time;
-                let Session { picture_size, cm_per_pixel, stage, shows_map, hint, .. } = self.session;
+                let Session { picture_size, cm_per_pixel, stage, shows_map, hint, overlay, .. } =
+                    self.session;
                 let history = std::mem::take(&mut self.session.history);
                 let (data, orders) = (self.session.data.take(), std::mem::take(&mut self.session.orders));
                 let recent = std::mem::take(&mut self.session.recent);
+                let (lesson, library) = (self.session.lesson.take(), self.session.library.take());
                 let session = Session {
                     playing,
+                    overlay,
                     hint,
                     picture_size,
                     cm_per_pixel,
@@ -399,6 +429,8 @@ impl State {
                     data,
                     orders,
                     recent,
+                    lesson,
+                    library,
                     ..state.session
                 };
                 *self = Self { session, ..state };

@@ -6,6 +6,7 @@
 use eframe::egui::{Event, InputState, Key};
 
 use super::points::Points;
+use crate::lesson::Place;
 use crate::settings::{Preset, Settings};
 
 /// Most steps that can be undone.
@@ -20,6 +21,8 @@ pub struct Kept {
     pub points: Points,
     /// The preset that was shown.
     pub preset: Option<&'static Preset>,
+    /// The place in the lesson that was gone through.
+    pub place: Option<Place>,
     /// T, where the step that followed moved it too.
     pub time: Option<f64>,
 }

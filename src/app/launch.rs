@@ -8,6 +8,7 @@ use eframe::{CreationContext, NativeOptions, WindowBuilderHook};
 
 use super::args::WindowArgs;
 use super::notice::Notice;
+use super::overlay::Overlay;
 use super::state::State;
 use super::{App, graphics, icon, memory, screenshot};
 use crate::files::whole::ensure_ending;
@@ -80,6 +81,9 @@ fn open(args: &WindowArgs) -> anyhow::Result<()> {
             cc.egui_ctx.send_viewport_cmd(ViewportCommand::Maximized(false));
         }
         state.session.hint = cc.storage.is_none_or(memory::is_of_a_newcomer);
+        if state.session.hint && !args.names_what_is_shown() {
+            state.session.overlay = Some(Overlay::Start);
+        }
         Ok(Box::new(App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state)) as Box<dyn eframe::App>)
     };
     run_guarded(|| eframe::run_native(APP_ID, options, Box::new(create)))

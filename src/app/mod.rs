@@ -32,6 +32,7 @@ mod icon;
 pub mod launch;
 mod layout;
 mod layouts;
+pub mod lesson;
 pub mod memory;
 pub mod notice;
 pub mod observer;
@@ -47,6 +48,7 @@ pub mod pointer;
 pub mod points;
 mod projector;
 pub mod recent;
+pub mod running;
 mod saving;
 mod screenshot;
 mod speed_slider;
@@ -78,6 +80,7 @@ use full_screen::FullScreen;
 use layout::{Layout, Presentation};
 use panels::{Asks, plots::Plotted};
 use panes::{Arrangement, Content};
+use running::Running;
 use saving::Saver;
 use stage::Part;
 use state::State;
@@ -191,6 +194,7 @@ impl App {
 
     /// Lets T run by a `step` of the wall clock, seconds.
     fn advance(&mut self, step: f64) {
+        self.state.run_lesson(step);
         if self.state.session.playing {
             let playback = self.state.settings.playback;
             let range = self.state.time_range();
@@ -277,7 +281,7 @@ impl App {
         focus::paint(&ctx);
         self.update_projector(&ctx);
         self.fulfil_orders(ui);
-        if self.state.session.playing {
+        if self.state.session.playing || self.state.session.lesson.as_ref().is_some_and(Running::is_running) {
             ctx.request_repaint();
         }
     }

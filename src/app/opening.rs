@@ -11,18 +11,22 @@ use crate::platform::files;
 use crate::settings::{PlotTab, Settings, SettingsError, looks_like_settings};
 
 impl State {
-    /// The files that are shown, which are read again when they change: that of the scene, and that of the settings.
+    /// The files that are shown, which are read again when they change: those of the scene, of
+    /// the settings and of the lesson.
     #[must_use]
     pub fn shown_files(&self) -> Vec<PathBuf> {
         let scene = self.scene_file().map(Path::to_owned);
-        self.session.opened.clone().into_iter().chain(scene).collect()
+        let lesson = self.course().and_then(|course| course.lesson().path.clone());
+        self.session.opened.clone().into_iter().chain(scene).chain(lesson).collect()
     }
 
     /// Shows what is in the file at `path`, which stays in the list of scenes; one that is no longer there is dropped
     /// from it.
     pub(super) fn open_file(&mut self, path: PathBuf) {
-        if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv")) {
-            return self.open_data(&path);
+        match path.extension().map(|extension| extension.to_string_lossy().to_lowercase()).as_deref() {
+            Some("csv") => return self.open_data(&path),
+            Some("md") => return self.open_lesson_file(&path),
+            _ => {}
         }
         self.session.chooser = None;
         let is_scene = is_scene(&path);
@@ -68,6 +72,8 @@ impl State {
                 Ok(settings) => self.show_again(settings, path),
                 Err(error) => self.session.notice = Some(Notice::error(error).about(path)),
             }
+        } else {
+            self.reload_lesson(path);
         }
     }
 

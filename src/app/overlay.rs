@@ -7,4 +7,6 @@ pub enum Overlay {
     Help,
     /// The command palette.
     Palette,
+    /// The start page: lessons and presets.
+    Start,
 }

@@ -17,8 +17,10 @@ use super::plotting::Plotting;
 use super::pointer::Pick;
 use super::points::{Point, Points};
 use super::recent::Recent;
+use super::running::Running;
 use super::stage::Stage;
 use crate::flags::choices::ProjectionChoice;
+use crate::lesson::Library;
 use crate::map::Viewpoint;
 use crate::passage;
 use crate::scene::{Scene, SceneError};
@@ -83,6 +85,10 @@ pub struct Session {
     pub recent: Recent,
     /// The file with settings that is shown, if it is one.
     pub opened: Option<PathBuf>,
+    /// The lesson that is gone through.
+    pub lesson: Option<Running>,
+    /// The lessons that there are, where they are not the program's own alone.
+    pub library: Option<Arc<Library>>,
 }
 
 /// What a headset shows is shown in parallel, and that is said.
@@ -128,6 +134,8 @@ impl State {
             orders: Vec::new(),
             recent: Recent::default(),
             opened: None,
+            lesson: None,
+            library: None,
             scene,
         };
         Self { settings, session }

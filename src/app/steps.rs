@@ -6,6 +6,7 @@ use super::command::Command;
 use super::history::{Direction, Kept, Run};
 use super::notice::Notice;
 use super::state::State;
+use crate::lesson::Course;
 
 impl State {
     /// Does what was asked, so that it can be undone.
@@ -35,7 +36,8 @@ impl State {
 
     fn kept(&self) -> Kept {
         let preset = self.session.preset;
-        Kept { settings: self.settings.clone(), points: self.session.points.clone(), preset, time: None }
+        let (settings, points) = (self.settings.clone(), self.session.points.clone());
+        Kept { settings, points, preset, place: self.course().map(Course::place), time: None }
     }
 
     fn travel(&mut self, direction: Direction) {
@@ -48,6 +50,9 @@ impl State {
         }
         self.session.points = kept.points.of(&self.session.scene);
         self.session.preset = kept.preset;
+        if let Some((running, place)) = self.session.lesson.as_mut().zip(kept.place) {
+            running.course.go_to(place);
+        }
         if let Some(time) = kept.time {
             (self.session.time, self.session.opened) = (time, None);
         }

@@ -57,16 +57,19 @@ impl Section {
 }
 
 impl State {
-    /// What is usual here: what the shown preset says, else what a window starts with.
+    /// What is usual here: what the lesson or the shown preset says, else what a window starts with.
     #[must_use]
     pub fn usual(&self) -> Settings {
-        self.session.preset.map_or_else(Settings::default, |preset| preset.settings.clone())
+        let of_preset =
+            || self.session.preset.map_or_else(Settings::default, |preset| preset.settings.clone());
+        self.lesson_settings().unwrap_or_else(of_preset)
     }
 
     /// Where [`Self::usual`] is from, in words.
     #[must_use]
     pub fn usual_is(&self) -> String {
         match self.session.preset {
+            _ if self.session.lesson.is_some() => "as the lesson has it here".to_owned(),
             Some(preset) => format!("as the preset “{}” has it", preset.title),
             None => "as in a new window".to_owned(),
         }

@@ -17,7 +17,8 @@ use relativity_core::doppler::received_wavelength;
 use relativity_render::{Colour, Emission, Geometry, View};
 
 pub use self::light::{Source, in_words};
-use self::numbers::{decimal, told_apart};
+pub use self::numbers::decimal;
+use self::numbers::told_apart;
 pub use self::unseen::notice;
 use crate::scene::Track;
 use crate::settings::{Light, Settings};

@@ -6,6 +6,7 @@ use crate::figures;
 const MORE: u8 = 4;
 
 /// `value` with `decimals`; 0 without a sign.
+#[must_use]
 pub fn decimal(value: f64, decimals: u8) -> String {
     let places = usize::from(decimals);
     let text = format!("{value:.places$}");

@@ -16,6 +16,8 @@ pub struct Preset {
     pub caption: String,
     /// All its settings.
     pub settings: Settings,
+    /// Its file.
+    pub toml: &'static str,
 }
 
 macro_rules! files {
@@ -75,9 +77,9 @@ impl Preset {
         with(settings).or_else(|| with(&Settings { time: None, ..settings.clone() }))
     }
 
-    fn read(name: &'static str, text: &str) -> Option<Self> {
+    fn read(name: &'static str, text: &'static str) -> Option<Self> {
         let Told { title, caption } = Told::in_toml(text)?;
         let settings = Settings::default().with_toml(text, name).ok()?;
-        Some(Self { name, title, caption, settings })
+        Some(Self { name, title, caption, settings, toml: text })
     }
 }

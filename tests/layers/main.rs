@@ -14,6 +14,7 @@ const ROOMS: [&[&str]; 10] = [
     &["main.rs"],
     &["cli.rs"],
     &["commands", "app"],
+    &["lesson"],
     &["accuracy", "estimate", "studio"],
     &["caption", "comfort.rs", "map"],
     &["settings"],

@@ -9,6 +9,7 @@ use eframe::egui::{Align, Button, ComboBox, Layout, PopupCloseBehavior, RichText
 use super::Asks;
 use crate::app::chooser::Purpose;
 use crate::app::command::Command;
+use crate::app::overlay::Overlay;
 use crate::app::recent::file_name;
 use crate::app::state::State;
 use crate::app::widgets::icons::{self, Icon};
@@ -43,7 +44,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if ui.button("Help").on_hover_text("What this is, words, keys, mouse.   Keys: ? or F1").clicked()
             {
-                asks.push(Command::ToggleHelp);
+                asks.push(Command::Toggle(Overlay::Help));
             }
             if width >= NARROWEST_WITH_ALL {
                 theme(ui, state, asks);

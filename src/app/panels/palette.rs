@@ -75,10 +75,10 @@ pub fn show(ctx: &Context, state: &State, asks: &mut Asks) {
         // The first time it is only measured.
         ctx.request_repaint();
     } else if shown.response.clicked_elsewhere() {
-        asks.push(Command::TogglePalette);
+        asks.push(Command::Toggle(Overlay::Palette));
     }
     if let Some(entry) = asked {
-        asks.extend([Command::TogglePalette, entry.command]);
+        asks.extend([Command::Toggle(Overlay::Palette), entry.command]);
     }
 }
 

@@ -87,7 +87,7 @@ pub fn show(ctx: &Context, state: &State, asks: &mut Asks) {
         });
     ctx.data_mut(|data| data.insert_temp(id, shown));
     if !open {
-        asks.push(Command::ToggleHelp);
+        asks.push(Command::Toggle(Overlay::Help));
     }
 }
 

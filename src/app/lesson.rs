@@ -1,0 +1,224 @@
+//! The lesson that is gone through in the window: its states are shown, its reveals run.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use relativity_render::Gaze;
+
+use super::clock;
+use super::notice::Notice;
+use super::pointer::Pick;
+use super::running::{LessonCommand, Run, Running};
+use super::state::State;
+use crate::lesson::{Animated, Answer, Course, Kind, Lesson, LessonError, Library, Phase, Prediction};
+use crate::settings::{Settings, Window};
+
+impl State {
+    /// The lessons that there are.
+    #[must_use]
+    pub fn library(&self) -> Arc<Library> {
+        self.session.library.clone().unwrap_or_else(Library::own)
+    }
+
+    /// The way through the lesson that is gone through.
+    #[must_use]
+    pub fn course(&self) -> Option<&Course> {
+        self.session.lesson.as_ref().map(|running| &running.course)
+    }
+
+    /// Begins `lesson`.
+    ///
+    /// # Errors
+    /// What cannot be worked out or shown of it.
+    pub fn begin_lesson(&mut self, lesson: &Lesson) -> Result<(), LessonError> {
+        let course = Course::new(lesson)?;
+        let before = self.session.lesson.as_ref().map_or(self.settings.window, |running| running.before);
+        self.session.lesson = Some(Running { course, before, run: None });
+        self.session.overlay = None;
+        self.set_up();
+        Ok(())
+    }
+
+    /// Begins the lesson in the file at `path`.
+    pub(super) fn open_lesson_file(&mut self, path: &Path) {
+        self.session.chooser = None;
+        self.session.notice = None;
+        match Lesson::load(path).and_then(|lesson| self.begin_lesson(&lesson)) {
+            Ok(()) => self.session.recent.add(path),
+            Err(error) => self.session.notice = Some(Notice::error(error).about(path)),
+        }
+    }
+
+    /// Shows what the file at `path`, that of the lesson, says by now.
+    pub(super) fn reload_lesson(&mut self, path: &Path) {
+        let Some(running) = &mut self.session.lesson else { return };
+        match Lesson::load(path).and_then(|lesson| running.course.renewed(&lesson)) {
+            Ok(course) => {
+                running.course = course;
+                self.session.notice = None;
+                self.set_up();
+            }
+            Err(error) => self.session.notice = Some(Notice::error(error).about(path)),
+        }
+    }
+
+    /// Does what was asked of the lesson.
+    pub(super) fn apply_to_lesson(&mut self, command: LessonCommand) {
+        if let LessonCommand::Open(name) = command {
+            let opened = self.library().open(&name).and_then(|lesson| self.begin_lesson(&lesson));
+            if let Err(error) = opened {
+                self.session.notice = Some(Notice::error(error));
+            }
+            return;
+        }
+        let Some(running) = &mut self.session.lesson else { return };
+        let was = running.course.place();
+        let course = &mut running.course;
+        match command {
+            LessonCommand::Open(_) => {}
+            LessonCommand::Draft(draft) => course.draft = draft,
+            LessonCommand::Confidence(confidence) => course.confidence = confidence,
+            LessonCommand::Predict => course.predict(),
+            LessonCommand::Skip => course.skip(),
+            LessonCommand::Observe(answer) => course.observe(answer),
+            LessonCommand::Forward if running.run.is_some() => self.finish_run(),
+            LessonCommand::Forward => course.forward(),
+            LessonCommand::Back => course.back(),
+            LessonCommand::GoTo(place) => course.go_to(place),
+            LessonCommand::ToggleClass => course.toggle_class(),
+            LessonCommand::SetUp => self.set_up(),
+            LessonCommand::Close => self.close_lesson(),
+        }
+        let Some(now) = self.course().map(Course::place).filter(|now| *now != was) else { return };
+        let is_same_state = now.step == was.step && (now.phase == Phase::Ask) == (was.phase == Phase::Ask);
+        if is_same_state {
+            self.finish_run();
+        } else if now.step < self.course().map_or(0, |course| course.lesson().steps.len()) {
+            self.set_up();
+        }
+    }
+
+    /// Has the state of the lesson's present place; its reveal runs, where there is one.
+    fn set_up(&mut self) {
+        let Some(running) = &self.session.lesson else { return };
+        let (lesson, place) = (running.course.lesson(), running.course.place());
+        let base = self.lesson_base(running.before);
+        let revealed = running.course.is_revealed();
+        let shown = lesson.settings(place.step, revealed, &base);
+        let animation = running.course.step().and_then(|step| step.reveal.as_ref()?.animation);
+        let animation = animation.filter(|_| place.phase == Phase::Shown);
+        let before = lesson.settings(place.step, false, &base);
+        let (mut settings, before) = match (shown, before) {
+            (Ok(settings), Ok(before)) => (settings, before),
+            (Err(error), _) | (_, Err(error)) => {
+                self.session.notice = Some(Notice::error(error));
+                return;
+            }
+        };
+        let mut run = None;
+        if let Some(animation) = animation {
+            let from = match animation.to {
+                Animated::Time(_) => {
+                    settings.time = before.time;
+                    None
+                }
+                Animated::Speed(_) => {
+                    settings.motion.speed = before.motion.speed;
+                    Some(Animated::Speed(before.motion.speed))
+                }
+            };
+            run = Some((from, animation));
+        }
+        self.show(settings);
+        self.session.playing = false;
+        let time = self.session.time;
+        if let Some(running) = &mut self.session.lesson {
+            running.run = run.map(|(from, animation)| Run {
+                from: from.unwrap_or(Animated::Time(time)),
+                animation,
+                passed: 0.0,
+            });
+        }
+    }
+
+    /// Usual settings, in this window with the parts that it had `before`.
+    fn lesson_base(&self, before: Window) -> Settings {
+        let now = self.settings.window;
+        let window = Window {
+            views: before.views,
+            corrected: before.corrected,
+            spectrum: before.spectrum,
+            sentence: before.sentence,
+            map: before.map,
+            plots: before.plots,
+            controls: before.controls,
+            readout: before.readout,
+            dials: before.dials,
+            ..now
+        };
+        Settings { window, ..Settings::default().in_place_of(&self.settings) }
+    }
+
+    /// The settings of the lesson's present place.
+    #[must_use]
+    pub fn lesson_settings(&self) -> Option<Settings> {
+        let running = self.session.lesson.as_ref()?;
+        let (place, lesson) = (running.course.place(), running.course.lesson());
+        let step = place.step.min(lesson.steps.len().saturating_sub(1));
+        let is_revealed = running.course.is_revealed() || place.step > step;
+        lesson.settings(step, is_revealed, &self.lesson_base(running.before)).ok()
+    }
+
+    fn close_lesson(&mut self) {
+        if let Some(running) = self.session.lesson.take() {
+            self.settings.window = self.lesson_base(running.before).window;
+        }
+    }
+
+    /// Lets what runs run by a `step` of the wall clock, seconds.
+    pub(super) fn run_lesson(&mut self, step: f64) {
+        let Some(run) = self.session.lesson.as_mut().and_then(|running| running.run.as_mut()) else { return };
+        run.passed += step;
+        let (now, is_over) = run.now();
+        self.reach(now);
+        if is_over {
+            self.stop_run();
+        }
+    }
+
+    /// Has what runs at its end.
+    fn finish_run(&mut self) {
+        let run = self.session.lesson.as_mut().and_then(|running| running.run.take());
+        if let Some(run) = run {
+            self.reach(run.animation.to);
+        }
+    }
+
+    /// Ends what runs where it is.
+    pub(super) fn stop_run(&mut self) {
+        if let Some(running) = &mut self.session.lesson {
+            running.run = None;
+        }
+    }
+
+    fn reach(&mut self, now: Animated) {
+        match now {
+            Animated::Time(time) => self.session.time = clock::bounded(time),
+            Animated::Speed(speed) => self.settings.motion.speed = speed,
+        }
+    }
+
+    /// Whether a click into a view answers the lesson; then it does.
+    pub(super) fn predicts_by(&mut self, pick: &Pick) -> bool {
+        let asks =
+            matches!(self.course().and_then(Course::asked), Some(Prediction { kind: Kind::Point(_), .. }));
+        if asks {
+            let direction = self.view(pick.eye, pick.size).camera.line_of_sight(pick.pixel);
+            let answer = Answer::Direction(Gaze::along(direction.into()));
+            if let Some(running) = &mut self.session.lesson {
+                running.course.draft = Some(answer);
+            }
+        }
+        asks
+    }
+}

@@ -1,0 +1,74 @@
+//! What somebody predicted, and what became of it.
+
+use relativity_render::Gaze;
+
+use super::plan::{Kind, Number};
+
+/// A prediction.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Answer {
+    /// The choice of this number.
+    Choice(usize),
+    /// How many hands were raised for each choice.
+    Votes(Vec<u32>),
+    /// A number.
+    Number(f64),
+    /// A direction in which the left eye would look there.
+    Direction(Gaze),
+    /// A curve: T and value of its points, T rising.
+    Curve(Vec<[f64; 2]>),
+}
+
+impl Answer {
+    /// Whether it says anything.
+    #[must_use]
+    pub fn is_told(&self) -> bool {
+        match self {
+            Self::Choice(_) | Self::Direction(_) => true,
+            Self::Votes(votes) => votes.iter().any(|votes| *votes > 0),
+            Self::Number(number) => number.is_finite(),
+            Self::Curve(points) => points.len() >= 2,
+        }
+    }
+
+    /// Whether it is right, where that is known without what is seen.
+    #[must_use]
+    pub fn is_right(&self, kind: &Kind) -> Option<bool> {
+        match (self, kind) {
+            (Self::Choice(choice), Kind::Choice(options)) => Some(*choice == options.right),
+            (Self::Number(number), Kind::Number(asked)) => asked.is_met_by(*number),
+            _ => None,
+        }
+    }
+}
+
+impl Number {
+    /// Whether `number` is near enough to the truth, once that is worked out.
+    #[must_use]
+    pub fn is_met_by(&self, number: f64) -> Option<bool> {
+        Some((number - self.truth?).abs() <= self.within * self.truth?.abs())
+    }
+}
+
+/// How a prediction came to its end.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Outcome {
+    /// Nothing was predicted.
+    Skipped,
+    /// This was.
+    Made {
+        /// What.
+        answer: Answer,
+        /// How sure, from 1 to 5, if that was told.
+        confidence: Option<u8>,
+    },
+}
+
+/// What somebody did in a step.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Record {
+    /// What was predicted, once the reveal was asked for.
+    pub outcome: Option<Outcome>,
+    /// The number of the answer to what was seen.
+    pub observed: Option<usize>,
+}

@@ -1,0 +1,349 @@
+//! Somebody's way through a lesson: predict, see, compare, explain.
+
+use std::sync::Arc;
+
+use super::answer::{Answer, Outcome, Record};
+use super::error::LessonError;
+use super::plan::{Kind, Lesson, Prediction, Step};
+
+/// How far somebody is in a step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Phase {
+    /// Its text is read, and its prediction is made.
+    Ask,
+    /// What was predicted is shown, and compared.
+    Shown,
+    /// It is explained.
+    Explained,
+}
+
+/// A place in a lesson. After its last step comes the sentence to take away.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Place {
+    /// The number of the step.
+    pub step: usize,
+    /// How far in it.
+    pub phase: Phase,
+}
+
+impl Place {
+    /// The beginning.
+    pub const START: Self = Self { step: 0, phase: Phase::Ask };
+}
+
+/// Somebody's way through a lesson.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Course {
+    lesson: Arc<Lesson>,
+    place: Place,
+    records: Vec<Record>,
+    /// What is being entered for the present step.
+    pub draft: Option<Answer>,
+    /// How sure of it, from 1 to 5.
+    pub confidence: Option<u8>,
+    /// Whether hands are counted.
+    is_class: bool,
+}
+
+impl Course {
+    /// The beginning of `lesson`, as it was read.
+    ///
+    /// # Errors
+    /// What cannot be worked out in it.
+    pub fn new(lesson: &Lesson) -> Result<Self, LessonError> {
+        let lesson = Arc::new(lesson.worked_out()?);
+        let records = vec![Record::default(); lesson.steps.len()];
+        Ok(Self { lesson, place: Place::START, records, draft: None, confidence: None, is_class: false })
+    }
+
+    /// The same way through a `lesson` that was written anew: at the present place, if there still is one, with the
+    /// records of the steps that are as they were.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn renewed(&self, lesson: &Lesson) -> Result<Self, LessonError> {
+        let mut renewed = Self { is_class: self.is_class, ..Self::new(lesson)? };
+        let old = self.lesson.steps.iter().zip(&self.records);
+        for ((new, kept), (step, record)) in renewed.lesson.steps.iter().zip(&mut renewed.records).zip(old) {
+            if new.prediction == step.prediction && new.observation == step.observation {
+                *kept = record.clone();
+            }
+        }
+        let last = Place { step: renewed.lesson.steps.len(), phase: Phase::Ask };
+        renewed.place = renewed.reached(self.place.min(last));
+        Ok(renewed)
+    }
+
+    /// The lesson, worked out.
+    #[must_use]
+    pub fn lesson(&self) -> &Lesson {
+        &self.lesson
+    }
+
+    /// Where it is.
+    #[must_use]
+    pub const fn place(&self) -> Place {
+        self.place
+    }
+
+    /// The present step; none at the end.
+    #[must_use]
+    pub fn step(&self) -> Option<&Step> {
+        self.lesson.steps.get(self.place.step)
+    }
+
+    /// What was done in each step.
+    #[must_use]
+    pub fn records(&self) -> &[Record] {
+        &self.records
+    }
+
+    /// What was done in the present step.
+    #[must_use]
+    pub fn record(&self) -> Option<&Record> {
+        self.records.get(self.place.step)
+    }
+
+    /// The prediction that is asked for now: that of the present step, until it is made or skipped.
+    #[must_use]
+    pub fn asked(&self) -> Option<&Prediction> {
+        let is_open = self.place.phase == Phase::Ask && self.record()?.outcome.is_none();
+        self.step()?.prediction.as_ref().filter(|_| is_open)
+    }
+
+    /// Whether hands are counted.
+    #[must_use]
+    pub const fn is_class(&self) -> bool {
+        self.is_class
+    }
+
+    /// Counts hands, or no longer.
+    pub fn toggle_class(&mut self) {
+        (self.is_class, self.draft) = (!self.is_class, None);
+    }
+
+    /// Whether the reveal of the present step has been asked for.
+    #[must_use]
+    pub const fn is_revealed(&self) -> bool {
+        !matches!(self.place.phase, Phase::Ask)
+    }
+
+    /// Takes what is being entered for the prediction of the present step, if it says anything, with how sure it is; and
+    /// goes on to the reveal.
+    pub fn predict(&mut self) {
+        let Some(answer) = self.draft.take().filter(Answer::is_told) else { return };
+        self.settle(Outcome::Made { answer, confidence: self.confidence });
+    }
+
+    /// Goes on to the reveal without a prediction, which is recorded.
+    pub fn skip(&mut self) {
+        self.settle(Outcome::Skipped);
+    }
+
+    fn settle(&mut self, outcome: Outcome) {
+        if self.asked().is_none() {
+            return;
+        }
+        if let Some(record) = self.records.get_mut(self.place.step) {
+            record.outcome = Some(outcome);
+        }
+        self.go_to(Place { phase: Phase::Shown, ..self.place });
+    }
+
+    /// Records what was seen: the answer of this number.
+    pub fn observe(&mut self, answer: usize) {
+        if let Some(record) = self.records.get_mut(self.place.step) {
+            record.observed = Some(answer);
+        }
+    }
+
+    /// The next place: what is predicted is predicted first, or skipped.
+    pub fn forward(&mut self) {
+        match self.asked() {
+            Some(_) if self.draft.as_ref().is_some_and(Answer::is_told) => self.predict(),
+            Some(_) => self.skip(),
+            None => self.go_to(self.next(self.place).unwrap_or(self.place)),
+        }
+    }
+
+    /// The place before.
+    pub fn back(&mut self) {
+        let before = self.before(self.place).unwrap_or(self.place);
+        self.go_to(before);
+    }
+
+    /// Goes to `place`, or to the nearest before it that can be reached: no reveal without its prediction.
+    pub fn go_to(&mut self, place: Place) {
+        let reached = self.reached(place);
+        if reached.step != self.place.step {
+            (self.draft, self.confidence) = (None, None);
+        }
+        self.place = reached;
+    }
+
+    /// `place`, or the nearest before it that can be reached.
+    fn reached(&self, place: Place) -> Place {
+        let mut reached = Place::START;
+        while reached < place {
+            let is_asked = reached.phase == Phase::Ask
+                && self.lesson.steps.get(reached.step).is_some_and(|step| step.prediction.is_some())
+                && self.records[reached.step].outcome.is_none();
+            match self.next(reached).filter(|next| !is_asked && *next <= place) {
+                Some(next) => reached = next,
+                None => break,
+            }
+        }
+        reached
+    }
+
+    /// The phases that a step has.
+    fn phases(step: &Step) -> impl Iterator<Item = Phase> {
+        let is_shown = step.reveal.is_some() || step.observation.is_some();
+        let phases =
+            [(Phase::Ask, true), (Phase::Shown, is_shown), (Phase::Explained, !step.explanation.is_empty())];
+        phases.into_iter().filter(|(_, is_there)| *is_there).map(|(phase, _)| phase)
+    }
+
+    fn next(&self, Place { step, phase }: Place) -> Option<Place> {
+        let present = self.lesson.steps.get(step)?;
+        let later = Self::phases(present).find(|later| *later > phase);
+        let place = later.map_or(Place { step: step + 1, phase: Phase::Ask }, |phase| Place { step, phase });
+        // A state that only shows something has no sentence to end with.
+        let is_there = place.step < self.lesson.steps.len() || !self.lesson.sentence.is_empty();
+        is_there.then_some(place)
+    }
+
+    fn before(&self, Place { step, phase }: Place) -> Option<Place> {
+        let phases = |step: usize| self.lesson.steps.get(step).map(Self::phases).into_iter().flatten();
+        if let Some(phase) = phases(step).take_while(|earlier| *earlier < phase).last() {
+            return Some(Place { step, phase });
+        }
+        let step = step.checked_sub(1)?;
+        Some(Place { step, phase: phases(step).last()? })
+    }
+
+    /// Whether there is a place after this one, and one before it.
+    #[must_use]
+    pub fn can_go(&self) -> [bool; 2] {
+        [self.before(self.place).is_some(), self.asked().is_some() || self.next(self.place).is_some()]
+    }
+
+    /// How many have raised their hands for each of so many choices.
+    #[must_use]
+    pub fn votes(&self, choices: usize) -> Vec<u32> {
+        match &self.draft {
+            Some(Answer::Votes(votes)) if votes.len() == choices => votes.clone(),
+            _ => vec![0; choices],
+        }
+    }
+
+    /// Whether hands are counted for the prediction that is asked for.
+    #[must_use]
+    pub fn counts_hands(&self) -> bool {
+        self.is_class && self.asked().is_some_and(|asked| matches!(asked.kind, Kind::Choice(_)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lesson::Library;
+    use crate::settings::Preset;
+
+    const ASKED: &str = "---\ntitle: Asked\n---\n\nAbout it.\n\n## One\n\nA step without a question.\n\n## Two\n\nLook.\n\n\
+        ### Predict\n\nWhich?\n\n- [ ] this\n- [x] that\n\n### Reveal\n\n```play\ntime = 5\n```\n\n### Explain\n\nSo.\n\n\
+        ## In a sentence\n\nThat.\n";
+
+    fn course(text: &str) -> Course {
+        Course::new(&Lesson::read("asked", text, "asked.md").expect("a lesson"))
+            .expect("it can be worked out")
+    }
+
+    fn at(step: usize, phase: Phase) -> Place {
+        Place { step, phase }
+    }
+
+    #[test]
+    fn nothing_is_revealed_without_a_prediction_or_a_skip() {
+        let mut course = course(ASKED);
+        let end = at(2, Phase::Ask);
+        course.go_to(end);
+        assert_eq!(course.place(), at(1, Phase::Ask));
+        assert!(course.asked().is_some());
+        course.predict();
+        assert_eq!(course.place(), at(1, Phase::Ask), "nothing was entered");
+        course.draft = Some(Answer::Choice(1));
+        course.confidence = Some(4);
+        course.predict();
+        assert_eq!(course.place(), at(1, Phase::Shown));
+        let made = Outcome::Made { answer: Answer::Choice(1), confidence: Some(4) };
+        assert_eq!(course.record().and_then(|record| record.outcome.clone()), Some(made));
+        course.go_to(end);
+        assert_eq!((course.place(), course.step()), (end, None));
+    }
+
+    #[test]
+    fn one_goes_through_every_place_and_back_again() {
+        let mut course = course(ASKED);
+        let mut places = vec![course.place()];
+        while course.can_go()[1] {
+            course.forward();
+            places.push(course.place());
+        }
+        let expected =
+            [(0, Phase::Ask), (1, Phase::Ask), (1, Phase::Shown), (1, Phase::Explained), (2, Phase::Ask)];
+        assert_eq!(places, expected.map(|(step, phase)| at(step, phase)));
+        assert_eq!(course.records()[1].outcome, Some(Outcome::Skipped));
+        for place in places.iter().rev().skip(1) {
+            course.back();
+            assert_eq!(course.place(), *place);
+        }
+        assert!(!course.can_go()[0]);
+        // What was predicted stays.
+        course.go_to(at(1, Phase::Ask));
+        assert!(course.asked().is_none());
+    }
+
+    #[test]
+    fn a_lesson_that_is_written_anew_keeps_what_is_still_asked() {
+        let mut course = course(ASKED);
+        course.go_to(at(1, Phase::Ask));
+        course.draft = Some(Answer::Choice(0));
+        course.predict();
+        let renewed = |text: &str| {
+            course.renewed(&Lesson::read("asked", text, "asked.md").expect("a lesson")).expect("it is right")
+        };
+        let reworded = renewed(&ASKED.replace("Look.", "Look at it."));
+        assert_eq!((reworded.place(), &reworded.records()[1]), (course.place(), &course.records()[1]));
+        let asked_anew = renewed(&ASKED.replace("- [ ] this", "- [ ] these"));
+        assert_eq!((asked_anew.place(), asked_anew.records()[1].outcome.clone()), (at(1, Phase::Ask), None));
+    }
+
+    #[test]
+    fn a_preset_is_a_lesson_of_one_step() {
+        let library = Library::own();
+        for preset in Preset::all() {
+            let lesson = library.open(preset.name).expect("a lesson");
+            assert!(lesson.is_a_preset());
+            let course = Course::new(&lesson).expect("it can be worked out");
+            assert_eq!(course.can_go(), [false, false]);
+            let usual = crate::settings::Settings::default();
+            assert_eq!(lesson.settings(0, false, &usual).expect("settings"), preset.settings);
+        }
+    }
+
+    #[test]
+    fn hands_are_counted_for_choices_alone() {
+        let mut course = course(ASKED);
+        course.toggle_class();
+        assert!(!course.counts_hands());
+        course.forward();
+        assert!(course.counts_hands());
+        assert_eq!(course.votes(2), [0, 0]);
+        course.draft = Some(Answer::Votes(vec![3, 12]));
+        course.forward();
+        assert_eq!(course.votes(2), [0, 0]);
+        let made = Outcome::Made { answer: Answer::Votes(vec![3, 12]), confidence: None };
+        assert_eq!(course.record().and_then(|record| record.outcome.clone()), Some(made));
+    }
+}

@@ -1,0 +1,37 @@
+//! What can be wrong with a lesson, in one line.
+
+use thiserror::Error;
+
+/// A lesson that cannot be had.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum LessonError {
+    /// The file, or the folder, could not be read.
+    #[error("{source_name}: cannot read this lesson: {reason}")]
+    Read {
+        /// The file.
+        source_name: String,
+        /// Why.
+        reason: String,
+    },
+    /// Neither the name of a lesson nor a path.
+    #[error("no lesson is called `{name}`: there are {known}; for a file, give its name with its ending")]
+    Unknown {
+        /// What was given.
+        name: String,
+        /// The names of all.
+        known: String,
+    },
+    /// Something in it that cannot be.
+    #[error("{source_name}:{line}: {problem}")]
+    Content {
+        /// The file.
+        source_name: String,
+        /// The line in it, from 1.
+        line: usize,
+        /// What is wrong there, and what would be right.
+        problem: String,
+    },
+    /// Settings in it that cannot be had; they name file and line.
+    #[error("{0}")]
+    Settings(String),
+}

@@ -1,0 +1,102 @@
+//! All lessons: the program's own, those in a folder that somebody named, and the presets, which are lessons of one step.
+
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, LazyLock};
+
+use super::error::LessonError;
+use super::plan::Lesson;
+use crate::platform::files;
+use crate::scene::looks_like_a_name;
+use crate::settings::Preset;
+
+macro_rules! files {
+    ($($name:literal),* $(,)?) => {
+        [$(($name, include_str!(concat!("../../assets/lessons/", $name, ".md")))),*]
+    };
+}
+
+/// The names of the program's own, and their files, in their order.
+const OWN: [(&str, &str); 12] = files![
+    "rods",
+    "what-gamow-drew",
+    "light-is-late",
+    "turned",
+    "colour",
+    "headlight",
+    "clocks",
+    "two-eyes",
+    "depth",
+    "red-below",
+    "measure-speed",
+    "parallax",
+];
+
+/// The lessons that there are.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Library {
+    lessons: Vec<Arc<Lesson>>,
+}
+
+static OWN_LIBRARY: LazyLock<Arc<Library>> = LazyLock::new(|| {
+    Arc::new(Library::new(None).unwrap_or_else(|error| unreachable!("tests read every lesson: {error}")))
+});
+
+impl Library {
+    /// The program's own.
+    #[must_use]
+    pub fn own() -> Arc<Self> {
+        Arc::clone(&OWN_LIBRARY)
+    }
+
+    /// The program's own, and those in `folder`, if one is named; then the presets.
+    ///
+    /// # Errors
+    /// A folder that cannot be listed, or a lesson in it that cannot be read.
+    pub fn new(folder: Option<&Path>) -> Result<Self, LessonError> {
+        let own = OWN.map(|(name, text)| Lesson::read(name, text, &format!("{name}.md")));
+        let mut lessons = own.into_iter().collect::<Result<Vec<_>, _>>()?;
+        for path in folder.map(files_in).transpose()?.unwrap_or_default() {
+            let lesson = Lesson::load(&path)?;
+            // One of somebody's own takes the place of one of the program's.
+            lessons.retain(|known| known.name != lesson.name);
+            lessons.push(lesson);
+        }
+        lessons.sort_by_key(|lesson| lesson.order);
+        lessons.extend(Preset::all().iter().map(Lesson::of_preset));
+        Ok(Self { lessons: lessons.into_iter().map(Arc::new).collect() })
+    }
+
+    /// All of them: lessons in their order, then presets.
+    #[must_use]
+    pub fn all(&self) -> &[Arc<Lesson>] {
+        &self.lessons
+    }
+
+    /// The one of this name, or in the file there.
+    ///
+    /// # Errors
+    /// No such lesson, or what is wrong in it.
+    pub fn open(&self, name_or_path: &str) -> Result<Arc<Lesson>, LessonError> {
+        if let Some(known) = self.lessons.iter().find(|lesson| lesson.name == name_or_path) {
+            return Ok(Arc::clone(known));
+        }
+        if looks_like_a_name(name_or_path) {
+            let known = self.lessons.iter().map(|lesson| lesson.name.as_str()).collect::<Vec<_>>().join(", ");
+            return Err(LessonError::Unknown { name: name_or_path.to_owned(), known });
+        }
+        Lesson::load(Path::new(name_or_path)).map(Arc::new)
+    }
+}
+
+/// The Markdown files in `folder` but for a README, by name.
+fn files_in(folder: &Path) -> Result<Vec<PathBuf>, LessonError> {
+    let listed = files::list_folder(folder).map_err(|reason| LessonError::Read {
+        source_name: folder.display().to_string(),
+        reason: reason.to_string(),
+    })?;
+    let is_lesson = |path: &PathBuf| {
+        let is_markdown = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("md"));
+        is_markdown && path.file_stem().is_some_and(|name| !name.eq_ignore_ascii_case("readme"))
+    };
+    Ok(listed.into_iter().filter(is_lesson).collect())
+}

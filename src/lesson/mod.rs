@@ -1,0 +1,23 @@
+//! Lessons: predict, see, compare, explain. What a lesson consists of, how it is read from a Markdown file
+//! (`assets/lessons/README.md` describes it), and how somebody goes through it. No window is known here.
+//!
+//! A lesson is read ([`Lesson::read`]), then worked out ([`Lesson::worked_out`]): the values that its texts ask for are put
+//! in their places. A [`Course`] is somebody's way through it.
+
+mod answer;
+mod course;
+mod error;
+mod library;
+mod plan;
+mod read;
+pub mod truth;
+pub mod values;
+
+pub use answer::{Answer, Outcome, Record};
+pub use course::{Course, Phase, Place};
+pub use error::LessonError;
+pub use library::Library;
+pub use plan::{
+    Animated, Animation, Choices, Curve, Kind, Lab, Lesson, Number, Options, PointAt, Prediction, Quantity,
+    Reveal, Step, Text, Told,
+};

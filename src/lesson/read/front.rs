@@ -1,0 +1,64 @@
+//! The front matter of a lesson: lines `key: value` between two lines of three dashes.
+
+use super::wrong::Wrong;
+
+/// What it says.
+pub struct Front {
+    pub title: String,
+    pub order: u32,
+    pub concept: String,
+    pub minutes: u32,
+}
+
+const KEYS: [&str; 4] = ["title", "order", "concept", "minutes"];
+const FENCE: &str = "---";
+/// A lesson that does not say its place comes after those that do.
+const LAST: u32 = 1000;
+
+impl Front {
+    /// That of a lesson's `text`, and how many lines it takes.
+    pub fn of(text: &str) -> Result<(Self, usize), Wrong> {
+        let begin = format!("a lesson begins with a line `{FENCE}`, then `title: …`, and again `{FENCE}`");
+        let mut lines = text.lines().enumerate();
+        if lines.next().is_none_or(|(_, line)| line.trim_end() != FENCE) {
+            return Err((1, begin));
+        }
+        let mut front = Self { title: String::new(), order: LAST, concept: String::new(), minutes: 10 };
+        for (number, line) in lines {
+            let (line, number) = (line.trim(), number + 1);
+            if line == FENCE {
+                return if front.title.is_empty() {
+                    Err((number, "a lesson needs a title: `title: …`".to_owned()))
+                } else {
+                    Ok((front, number))
+                };
+            }
+            if line.is_empty() || line.starts_with('#') {
+                continue;
+            }
+            let Some((key, value)) = line.split_once(':') else {
+                return Err((
+                    number,
+                    format!("`{line}`: must be `key: value`, with one of {}", KEYS.join(", ")),
+                ));
+            };
+            front.set(key.trim(), value.trim().trim_matches('"')).map_err(|problem| (number, problem))?;
+        }
+        Err((1, begin))
+    }
+
+    fn set(&mut self, key: &str, value: &str) -> Result<(), String> {
+        let whole = |value: &str| {
+            let number = value.parse::<u32>().ok().filter(|number| *number < LAST);
+            number.ok_or_else(|| format!("{key} = {value}: must be a whole number below {LAST}"))
+        };
+        match key {
+            "title" => value.clone_into(&mut self.title),
+            "concept" => value.clone_into(&mut self.concept),
+            "order" => self.order = whole(value)?,
+            "minutes" => self.minutes = whole(value)?,
+            _ => return Err(format!("unknown key `{key}`: there are {}", KEYS.join(", "))),
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,331 @@
+//! From a Markdown file to a lesson. What is wrong is named with its line.
+
+mod front;
+mod parts;
+mod wrong;
+
+use std::path::Path;
+
+use self::front::Front;
+use self::parts::{Block, Part, parts};
+use self::wrong::Wrong;
+use super::error::LessonError;
+use super::plan::{
+    Animated, Animation, Choices, Curve, Kind, Lab, Lesson, Number, PointAt, Prediction, Quantity, Reveal,
+    Step, Text, Told,
+};
+use super::values;
+use crate::flags::{SpeedParameter, SpeedSetting};
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
+
+/// The headings that are no steps.
+const SENTENCE: &str = "In a sentence";
+const LAB: &str = "Lab";
+/// The headings below that of a step.
+const PARTS: [&str; 4] = ["Predict", "Reveal", "Observe", "Explain"];
+/// The blocks that are no text.
+const BLOCKS: [&str; 5] = ["state", "play", "number", "point", "curve"];
+/// How long an animation takes, and the longest, seconds.
+const SECONDS: f64 = 4.0;
+const MOST_SECONDS: f64 = 120.0;
+/// By how much a number may be off unless the lesson says, as a part of the truth.
+const WITHIN: f64 = 0.1;
+
+impl Lesson {
+    /// The lesson called `name` that `text` is, which errors call `source_name`.
+    ///
+    /// # Errors
+    /// What is wrong in it, with file and line.
+    pub fn read(name: &str, text: &str, source_name: &str) -> Result<Self, LessonError> {
+        // Some editors begin a file with a mark of its encoding.
+        let text = text.trim_start_matches('\u{feff}');
+        lesson(name, text, source_name).map_err(|(line, problem)| LessonError::Content {
+            source_name: source_name.to_owned(),
+            line,
+            problem,
+        })
+    }
+
+    /// The lesson in the file at `path`.
+    ///
+    /// # Errors
+    /// A file that cannot be read, and what is wrong in it.
+    pub fn load(path: &Path) -> Result<Self, LessonError> {
+        let source_name = path.display().to_string();
+        let text = crate::platform::files::read_to_string(path).map_err(|reason| LessonError::Read {
+            source_name: source_name.clone(),
+            reason: reason.to_string(),
+        })?;
+        let name = path.file_stem().unwrap_or_default().to_string_lossy();
+        Ok(Self { path: Some(path.to_owned()), ..Self::read(&name, &text, &source_name)? })
+    }
+}
+
+fn lesson(name: &str, text: &str, source_name: &str) -> Result<Lesson, Wrong> {
+    let (front, first) = Front::of(text)?;
+    let mut sections = parts(text, first, "## ");
+    let introduction = sections.remove(0);
+    let introduction =
+        introduction.only_text(&BLOCKS, "before the first step (a line that begins with `## `)")?;
+    let (mut steps, mut sentence, mut lab) = (Vec::new(), Text::default(), None);
+    for section in &sections {
+        match section.title.as_str() {
+            SENTENCE => sentence = section.only_text(&BLOCKS, "in the sentence to take away")?,
+            LAB => {
+                let (mut blocks, text) = section.blocks(&["state"], &BLOCKS)?;
+                lab = Some(Lab { text, state: told(&mut blocks) });
+            }
+            _ => steps.push(step(section)?),
+        }
+    }
+    if steps.is_empty() {
+        return Err((1, "a lesson has at least one step: a line that begins with `## `".to_owned()));
+    }
+    let Front { title, order, concept, minutes } = front;
+    let (name, source_name) = (name.to_owned(), source_name.to_owned());
+    Ok(Lesson {
+        name,
+        source_name,
+        path: None,
+        title,
+        order,
+        concept,
+        minutes,
+        introduction,
+        steps,
+        sentence,
+        lab,
+    })
+}
+
+fn step(section: &Part) -> Result<Step, Wrong> {
+    let mut below = parts(&section.text, 0, "### ");
+    for part in &mut below {
+        part.line += section.line;
+    }
+    let said = below.remove(0);
+    let (mut blocks, text) = said.blocks(&["state"], &BLOCKS)?;
+    let mut step = Step {
+        title: section.title.clone(),
+        state: told(&mut blocks),
+        text,
+        prediction: None,
+        reveal: None,
+        observation: None,
+        explanation: Text::default(),
+    };
+    for part in &below {
+        match part.title.as_str() {
+            "Predict" => step.prediction = Some(prediction(part)?),
+            "Reveal" => step.reveal = Some(reveal(part)?),
+            "Observe" => step.observation = Some(choices(part)?),
+            "Explain" => step.explanation = part.only_text(&BLOCKS, "in an explanation")?,
+            other => {
+                let known = PARTS.join(", ");
+                return Err((
+                    part.heading_line(),
+                    format!("unknown part `{other}` of a step: there are {known}"),
+                ));
+            }
+        }
+    }
+    if step.prediction.is_some() && step.reveal.is_none() {
+        let problem =
+            "a step with a prediction needs a reveal: a line `### Reveal` and below it what happens";
+        return Err((section.heading_line(), problem.to_owned()));
+    }
+    Ok(step)
+}
+
+/// The settings that differ, taken out of `blocks`.
+fn told(blocks: &mut Vec<Block>) -> Option<Told> {
+    let Block { text: toml, line, .. } = take(blocks, "state")?;
+    Some(Told { toml, line })
+}
+
+fn take(blocks: &mut Vec<Block>, kind: &str) -> Option<Block> {
+    let found = blocks.iter().position(|block| block.kind == kind)?;
+    Some(blocks.remove(found))
+}
+
+fn prediction(part: &Part) -> Result<Prediction, Wrong> {
+    let (options, part) = part.options()?;
+    let (mut blocks, question) = part.blocks(&["number", "point", "curve"], &BLOCKS)?;
+    let mut kinds = Vec::new();
+    if let Some(options) = options {
+        kinds.push(Kind::Choice(options));
+    }
+    if let Some(block) = take(&mut blocks, "number") {
+        kinds.push(Kind::Number(number(&block)?));
+    }
+    if let Some(block) = take(&mut blocks, "point") {
+        let PointTable { body } = block.table()?;
+        kinds.push(Kind::Point(PointAt { body, line: block.line }));
+    }
+    if let Some(block) = take(&mut blocks, "curve") {
+        kinds.push(Kind::Curve(curve(&block)?));
+    }
+    let (first, others) = (kinds.pop(), kinds);
+    let kind = first.filter(|_| others.is_empty()).ok_or_else(|| {
+        let right = "a prediction is one of: a list of choices (`- [ ] …`, the right one `- [x] …`), or a block \
+                     ```number, ```point or ```curve";
+        (part.heading_line(), right.to_owned())
+    })?;
+    Ok(Prediction { question, kind })
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct NumberTable {
+    truth: String,
+    #[serde(default)]
+    unit: String,
+    decimals: Option<u8>,
+    within: Option<f64>,
+}
+
+fn number(block: &Block) -> Result<Number, Wrong> {
+    let NumberTable { truth, unit, decimals, within } = block.table()?;
+    let line = block.line_of("truth");
+    values::check(&truth).map_err(|problem| (line, problem))?;
+    let within = within.unwrap_or(WITHIN);
+    if !(within > 0.0 && within <= 1.0) {
+        return Err((block.line_of("within"), format!("within = {within}: must be above 0 and at most 1")));
+    }
+    Ok(Number { value: truth, line, unit, decimals: decimals.unwrap_or(2).min(9), within, truth: None })
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct PointTable {
+    body: String,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct CurveTable {
+    of: String,
+    from: f64,
+    to: f64,
+}
+
+fn curve(block: &Block) -> Result<Curve, Wrong> {
+    let CurveTable { of, from, to } = block.table()?;
+    let Some(quantity) = Quantity::named(&of) else {
+        let known = Quantity::ALL.map(Quantity::name).join(", ");
+        return Err((block.line_of("of"), format!("of = {of}: must be one of {known}")));
+    };
+    if !(from.is_finite() && to.is_finite() && from < to) {
+        return Err((
+            block.line_of("from"),
+            format!("from = {from}, to = {to}: must be two numbers that rise"),
+        ));
+    }
+    Ok(Curve { quantity, range: [from, to] })
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct PlayTable {
+    time: Option<f64>,
+    beta: Option<f64>,
+    gamma: Option<f64>,
+    rapidity: Option<f64>,
+    seconds: Option<f64>,
+}
+
+fn reveal(part: &Part) -> Result<Reveal, Wrong> {
+    let (mut blocks, text) = part.blocks(&["state", "play"], &BLOCKS)?;
+    let state = told(&mut blocks);
+    let animation = take(&mut blocks, "play").map(|block| animation(&block)).transpose()?;
+    Ok(Reveal { state, animation, text })
+}
+
+fn animation(block: &Block) -> Result<Animation, Wrong> {
+    let PlayTable { time, beta, gamma, rapidity, seconds } = block.table()?;
+    let seconds = seconds.unwrap_or(SECONDS);
+    if !(seconds > 0.0 && seconds <= MOST_SECONDS) {
+        let problem = format!("seconds = {seconds}: must be above 0 and at most {MOST_SECONDS}");
+        return Err((block.line_of("seconds"), problem));
+    }
+    let speeds = SpeedParameter::ALL.into_iter().zip([beta, gamma, rapidity]);
+    let mut ends = Vec::new();
+    for (parameter, value) in speeds.filter_map(|(parameter, value)| Some((parameter, value?))) {
+        let speed = SpeedSetting::new(parameter, value);
+        ends.push(Animated::Speed(
+            speed.map_err(|error| (block.line_of(parameter.name()), error.to_string()))?,
+        ));
+    }
+    if let Some(time) = time {
+        if !time.is_finite() {
+            return Err((block.line_of("time"), format!("time = {time}: must be a finite number")));
+        }
+        ends.push(Animated::Time(time));
+    }
+    match ends[..] {
+        [to] => Ok(Animation { to, seconds }),
+        _ => Err((block.line, "what plays goes to one of: time, beta, gamma, rapidity".to_owned())),
+    }
+}
+
+fn choices(part: &Part) -> Result<Choices, Wrong> {
+    let (options, part) = part.options()?;
+    let question = part.only_text(&BLOCKS, "in a question about what was seen")?;
+    let problem = "what was seen is asked by a list of choices: `- [ ] …`, the right one `- [x] …`";
+    let options = options.ok_or_else(|| (part.heading_line(), problem.to_owned()))?;
+    Ok(Choices { question, options })
+}
+
+impl Part {
+    /// Its text, in which none of these `blocks` may stand, which is somewhere `place` tells.
+    fn only_text(&self, blocks: &[&str], place: &str) -> Result<Text, Wrong> {
+        let (found, text) = self.blocks(blocks, blocks)?;
+        match found.first() {
+            None => Ok(text),
+            Some(block) => Err((block.line - 1, format!("a block ```{} can not stand {place}", block.kind))),
+        }
+    }
+}
+
+impl Block {
+    /// What it says, as TOML.
+    fn table<T: DeserializeOwned>(&self) -> Result<T, Wrong> {
+        toml::from_str(&self.text).map_err(|error| {
+            let before = error.span().and_then(|span| self.text.get(..span.start)).unwrap_or_default();
+            let message = error.message().lines().collect::<Vec<_>>().join("; ");
+            (self.line + before.matches('\n').count(), message)
+        })
+    }
+
+    /// The line in which it gives `key`; its first, if it does not.
+    fn line_of(&self, key: &str) -> usize {
+        let is_it = |line: &str| {
+            line.trim_start().strip_prefix(key).is_some_and(|rest| rest.trim_start().starts_with('='))
+        };
+        self.line + self.text.lines().position(is_it).unwrap_or(0)
+    }
+}
+
+impl Quantity {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Dphi, Self::Dtheta, Self::Doppler, Self::Phi];
+
+    /// What a lesson calls it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Dphi => "dphi",
+            Self::Dtheta => "dtheta",
+            Self::Doppler => "doppler",
+            Self::Phi => "phi",
+        }
+    }
+
+    fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|quantity| quantity.name() == name)
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,135 @@
+//! A Markdown text in parts: what stands below its headings, its blocks between fences, its lists of choices.
+
+use super::wrong::Wrong;
+use crate::lesson::plan::{Options, Text};
+
+/// What stands below a heading.
+#[derive(Debug)]
+pub struct Part {
+    /// The heading; none of what stands before the first.
+    pub title: String,
+    /// The number of lines before its first.
+    pub line: usize,
+    /// What stands below it.
+    pub text: String,
+}
+
+/// What stands between two fences.
+#[derive(Debug)]
+pub struct Block {
+    /// What the first of them says.
+    pub kind: String,
+    /// Its first line in the file, from 1.
+    pub line: usize,
+    /// Its lines.
+    pub text: String,
+}
+
+const FENCE: &str = "```";
+
+/// The parts of `text` below the headings that begin like `mark`; the first has none, and begins after so many lines.
+pub fn parts(text: &str, first: usize, mark: &str) -> Vec<Part> {
+    let mut all = vec![Part { title: String::new(), line: first, text: String::new() }];
+    let mut is_block = false;
+    for (number, line) in text.lines().enumerate().skip(first) {
+        is_block ^= line.starts_with(FENCE);
+        if let Some(title) = line.strip_prefix(mark).filter(|_| !is_block) {
+            all.push(Part { title: title.trim().to_owned(), line: number + 1, text: String::new() });
+        } else if let Some(part) = all.last_mut() {
+            part.text += line;
+            part.text.push('\n');
+        }
+    }
+    all
+}
+
+impl Part {
+    /// The line of its heading, from 1; the first line of all, if it has none.
+    pub fn heading_line(&self) -> usize {
+        self.line.max(1)
+    }
+
+    /// Its blocks of the kinds that are `allowed` here, one of each at most, of all that are `known`; and the rest of its
+    /// text. Other blocks are text.
+    pub fn blocks(&self, allowed: &[&str], known: &[&str]) -> Result<(Vec<Block>, Text), Wrong> {
+        let (mut blocks, mut rest): (Vec<Block>, Vec<(usize, &str)>) = (Vec::new(), Vec::new());
+        let mut lines = self.text.lines().enumerate().map(|(number, line)| (self.line + number + 1, line));
+        while let Some((number, line)) = lines.next() {
+            let kind = line.strip_prefix(FENCE).map(str::trim).filter(|kind| known.contains(kind));
+            let Some(kind) = kind else {
+                rest.push((number, line));
+                continue;
+            };
+            if !allowed.contains(&kind) {
+                return Err((
+                    number,
+                    format!("a block ```{kind} can not stand here, but ```{}", allowed.join(", ```")),
+                ));
+            }
+            if blocks.iter().any(|block| block.kind == kind) {
+                return Err((number, format!("a second block ```{kind}: there can be one here")));
+            }
+            let mut text = String::new();
+            loop {
+                match lines.next() {
+                    None => return Err((number, format!("the block ```{kind} has no end: a line ```"))),
+                    Some((_, line)) if line.trim_end() == FENCE => break,
+                    Some((_, line)) => text = text + line + "\n",
+                }
+            }
+            blocks.push(Block { kind: kind.to_owned(), line: number + 1, text });
+        }
+        Ok((blocks, text(&rest)))
+    }
+
+    /// Its list of choices, if it has one, and it without that.
+    pub fn options(&self) -> Result<(Option<Options>, Self), Wrong> {
+        let (mut options, mut right, mut rest) = (Vec::new(), Vec::new(), String::new());
+        let mut is_item = false;
+        for (number, line) in self.text.lines().enumerate() {
+            let place = self.line + number + 1;
+            if let Some((item, is_right)) = item(line) {
+                if is_right {
+                    right.push(options.len());
+                }
+                options.push(Text { markdown: item.trim().to_owned(), line: place });
+                is_item = true;
+            } else if let Some(last) = options.last_mut().filter(|_| is_item && line.starts_with("  ")) {
+                last.markdown = std::mem::take(&mut last.markdown) + "\n" + line.trim();
+            } else {
+                is_item = false;
+                rest += line;
+            }
+            // The lines keep their numbers.
+            rest.push('\n');
+        }
+        let rest = Self { title: self.title.clone(), line: self.line, text: rest };
+        if options.is_empty() {
+            return Ok((None, rest));
+        }
+        match right[..] {
+            [right] if options.len() >= 2 => Ok((Some(Options { texts: options, right }), rest)),
+            _ => {
+                let problem = "a list of choices has at least two, of which just one is right: `- [x] …`";
+                Err((self.heading_line(), problem.to_owned()))
+            }
+        }
+    }
+}
+
+/// What a choice says that begins in this line, and whether it is the right one.
+fn item(line: &str) -> Option<(&str, bool)> {
+    let item = line.strip_prefix("- ").or_else(|| line.strip_prefix("* "))?.trim_start();
+    let marks = [("[ ]", false), ("[x]", true), ("[X]", true)];
+    marks.into_iter().find_map(|(mark, is_right)| Some((item.strip_prefix(mark)?, is_right)))
+}
+
+/// These lines without those that are empty at both ends.
+fn text(lines: &[(usize, &str)]) -> Text {
+    let is_told = |(_, line): &(usize, &str)| !line.trim().is_empty();
+    let Some(first) = lines.iter().position(is_told) else { return Text::default() };
+    let last = lines.iter().rposition(is_told).unwrap_or(first);
+    let told = &lines[first..=last];
+    let markdown = told.iter().map(|(_, line)| *line).collect::<Vec<_>>().join("\n");
+    Text { markdown, line: told[0].0 }
+}

@@ -1,0 +1,143 @@
+use super::*;
+
+const LESSON: &str = "\
+---
+title: Rods
+order: 1
+concept: Length contraction
+minutes: 8
+---
+
+About rods: $1/\\gamma = {contraction:.2}$.
+
+## Coming
+
+```state
+scene = \"rods\"
+time = 3
+[motion]
+beta = 0.7
+```
+
+A rod comes.
+
+### Predict
+
+How long does it look?
+
+- [ ] shorter
+- [x] longer,
+  by far
+- [ ] as long
+
+### Reveal
+
+```play
+time = 5
+seconds = 2
+```
+
+### Observe
+
+What did you see?
+
+- [x] longer
+- [ ] shorter
+
+### Explain
+
+Its rear is seen *earlier*.
+
+## How fast
+
+### Predict
+
+```number
+truth = \"contraction\"
+unit = \"times\"
+```
+
+### Reveal
+
+```state
+motion.beta = 0.9
+```
+
+## In a sentence
+
+Light is late.
+
+## Lab
+
+Measure.
+";
+
+fn read(text: &str) -> Result<Lesson, LessonError> {
+    Lesson::read("rods", text, "rods.md")
+}
+
+#[test]
+fn a_lesson_has_what_its_file_says() {
+    let lesson = read(LESSON).expect("a lesson");
+    assert_eq!((lesson.title.as_str(), lesson.order, lesson.minutes), ("Rods", 1, 8));
+    assert_eq!(lesson.introduction.line, 8);
+    let [coming, fast] = &lesson.steps[..] else { panic!("two steps") };
+    assert_eq!(coming.text, Text { markdown: "A rod comes.".to_owned(), line: 19 });
+    let Some(Prediction { question, kind: Kind::Choice(options) }) = &coming.prediction else {
+        panic!("a choice")
+    };
+    assert_eq!((question.markdown.as_str(), question.line), ("How long does it look?", 23));
+    assert_eq!(options.right, 1);
+    assert_eq!(options.texts[1].markdown, "longer,\nby far");
+    let reveal = coming.reveal.as_ref().expect("a reveal");
+    assert_eq!(reveal.animation, Some(Animation { to: Animated::Time(5.0), seconds: 2.0 }));
+    assert_eq!(coming.observation.as_ref().map(|asked| asked.options.right), Some(0));
+    assert!(matches!(&fast.prediction, Some(Prediction { kind: Kind::Number(_), .. })));
+    assert_eq!(lesson.sentence.markdown, "Light is late.");
+    assert!(lesson.lab.is_some());
+}
+
+#[test]
+fn a_lesson_is_read_as_other_editors_write_it() {
+    let own = read(LESSON).expect("a lesson");
+    let stars = LESSON.replace("- [", "* [").replace("[x]", "[X]");
+    for text in [format!("\u{feff}{LESSON}"), LESSON.replace('\n', "\r\n"), stars] {
+        assert_eq!(read(&text), Ok(own.clone()));
+    }
+}
+
+#[test]
+fn a_step_differs_from_the_last_one_as_it_was_revealed() {
+    let lesson = read(&LESSON.replace("motion.beta = 0.9", "[motion]\nbeta = 0.9")).expect("a lesson");
+    let usual = crate::settings::Settings::default();
+    let settings = |step, is_revealed| lesson.settings(step, is_revealed, &usual).expect("settings");
+    assert_eq!((settings(0, false).time, settings(0, true).time), (Some(3.0), Some(5.0)));
+    assert_eq!((settings(1, false).time, settings(1, false).scene.as_str()), (Some(5.0), "rods"));
+    assert_eq!([false, true].map(|shown| settings(1, shown).speed().beta()), [0.7, 0.9]);
+}
+
+#[test]
+fn what_is_wrong_is_named_with_its_line() {
+    let cases = [
+        ("title: Rods\n", "", "rods.md:5: a lesson needs a title"),
+        ("order: 1", "oder: 1", "rods.md:3: unknown key `oder`"),
+        ("minutes: 8", "minutes: soon", "rods.md:5: minutes = soon: must be a whole number"),
+        ("### Explain", "### Because", "rods.md:44: unknown part `Because`"),
+        ("- [x] longer,", "- [ ] longer,", "rods.md:21: a list of choices has at least two"),
+        ("seconds = 2", "second = 2", "rods.md:34: unknown field `second`"),
+        ("time = 5\n", "time = 5\nbeta = 0.5\n", "rods.md:33: what plays goes to one of"),
+        ("\"contraction\"", "\"contractions\"", "rods.md:53: no value is called `contractions`"),
+        ("A rod comes.", "```play\ntime = 1\n```", "rods.md:19: a block ```play can not stand here"),
+        ("### Observe", "### Observed", "rods.md:37: unknown part"),
+    ];
+    for (from, to, expected) in cases {
+        let text = LESSON.replacen(from, to, 1);
+        assert_ne!(text, LESSON, "{from}");
+        let error = read(&text).expect_err(from).to_string();
+        assert!(error.starts_with(expected), "{error}\ninstead of {expected}");
+        assert!(!error.contains('\n'), "{error}");
+    }
+    let wrong = read(&LESSON.replacen("beta = 0.7", "beta = 1.7", 1)).expect("it is read");
+    let error = wrong.settings(0, false, &crate::settings::Settings::default()).expect_err("no speed");
+    assert!(error.to_string().starts_with("rods.md:16: "), "{error}");
+}

@@ -1,0 +1,191 @@
+//! The values that lessons tell: each has a name, and is worked out by the program for the state of a step, so that no
+//! number in a text is typed.
+//!
+//! A text asks for one as `{NAME:.2}` (two decimals), `{NAME of BODY:.2}` or `{NAME at T:.2}`. Without a body it is
+//! that of the selected point, without a T that of the state.
+
+mod here;
+mod optics;
+
+use self::here::{Here, Value};
+use super::error::LessonError;
+use super::plan::{Choices, Kind, Lesson, Prediction, Text};
+use crate::caption::decimal;
+use crate::scene::{Scene, Track};
+use crate::settings::Settings;
+
+/// All of them, in the order of the documentation.
+pub fn all() -> impl Iterator<Item = &'static Value> {
+    [optics::VALUES].into_iter().flatten()
+}
+
+/// A value as a text asks for it.
+#[derive(Debug, PartialEq)]
+struct Asked<'a> {
+    name: &'a str,
+    body: Option<&'a str>,
+    time: Option<f64>,
+}
+
+impl<'a> Asked<'a> {
+    /// What `text` asks for: `NAME`, `NAME of BODY`, `NAME at T`, or both.
+    fn of(text: &'a str) -> Result<Self, String> {
+        let (rest, time) = match text.rsplit_once(" at ") {
+            Some((rest, time)) => {
+                let number = time.trim().parse::<f64>().ok().filter(|time| time.is_finite());
+                (rest, Some(number.ok_or_else(|| format!("at {time}: must be a number"))?))
+            }
+            None => (text, None),
+        };
+        let (name, body) = match rest.split_once(" of ") {
+            Some((name, body)) => (name, Some(body.trim())),
+            None => (rest, None),
+        };
+        Ok(Self { name: name.trim(), body, time })
+    }
+
+    fn value(&self) -> Result<&'static Value, String> {
+        all().find(|value| value.name == self.name).ok_or_else(|| {
+            let known = all().map(|value| value.name).collect::<Vec<_>>().join(", ");
+            format!("no value is called `{}`: there are {known}", self.name)
+        })
+    }
+}
+
+/// Whether `text` asks for a value that there is.
+///
+/// # Errors
+/// What is wrong, and which there are.
+pub fn check(text: &str) -> Result<(), String> {
+    Asked::of(text)?.value().map(|_| ())
+}
+
+/// The value that `text` asks for, in `scene` as `settings` have it.
+///
+/// # Errors
+/// Why there is none.
+pub fn value(text: &str, settings: &Settings, scene: &Scene) -> Result<f64, String> {
+    let asked = Asked::of(text)?;
+    let value = asked.value()?;
+    let own = || {
+        let track = settings.track(scene);
+        Ok((track, scene.body_at(track.rest)))
+    };
+    let (track, body) = asked.body.map_or_else(own, |name| followed(scene, name))?;
+    let time = asked.time.or(settings.time).unwrap_or_else(|| settings.time_of_approach(&track));
+    let here = Here { settings, scene, track, body, time };
+    let worked_out = (value.work_out)(&here).filter(|value| value.is_finite());
+    worked_out.ok_or_else(|| format!("`{text}` does not exist in this state"))
+}
+
+/// The point that is followed on the body called `name`, and the number of that.
+fn followed(scene: &Scene, name: &str) -> Result<(Track, Option<usize>), String> {
+    let body = scene.names.iter().position(|known| known == name);
+    let body = body.ok_or_else(|| format!("{} has no body called `{name}`", scene.name))?;
+    let track = scene.track_on(body).ok_or_else(|| format!("`{name}` has no point to follow"))?;
+    Ok((track, Some(body)))
+}
+
+impl Lesson {
+    /// It with all values in their places, and with the truth of every number that is predicted.
+    ///
+    /// # Errors
+    /// A setting, a scene or a value that cannot be had, with its line.
+    pub fn worked_out(&self) -> Result<Self, LessonError> {
+        let mut lesson = self.clone();
+        let usual = Settings::default();
+        lesson.introduction = self.filled(&self.introduction, &self.state(0, false, &usual)?)?;
+        for (number, step) in lesson.steps.iter_mut().enumerate() {
+            let [before, after] = [self.state(number, false, &usual)?, self.state(number, true, &usual)?];
+            step.text = self.filled(&step.text, &before)?;
+            if let Some(Prediction { question, kind }) = &mut step.prediction {
+                *question = self.filled(question, &before)?;
+                match kind {
+                    Kind::Choice(options) => self.fill_all(&mut options.texts, &before)?,
+                    Kind::Number(number) => {
+                        let truth = value(&number.value, &after.0, &after.1);
+                        number.truth = Some(truth.map_err(|problem| self.wrong(number.line, problem))?);
+                    }
+                    Kind::Point(point) if !after.1.names.contains(&point.body) => {
+                        let problem = format!("{} has no body called `{}`", after.1.name, point.body);
+                        return Err(self.wrong(point.line, problem));
+                    }
+                    Kind::Point(_) | Kind::Curve(_) => {}
+                }
+            }
+            if let Some(reveal) = &mut step.reveal {
+                reveal.text = self.filled(&reveal.text, &after)?;
+            }
+            if let Some(Choices { question, options }) = &mut step.observation {
+                *question = self.filled(question, &after)?;
+                self.fill_all(&mut options.texts, &after)?;
+            }
+            step.explanation = self.filled(&step.explanation, &after)?;
+        }
+        let last = self.state(self.steps.len().saturating_sub(1), true, &usual)?;
+        lesson.sentence = self.filled(&self.sentence, &last)?;
+        if let Some(lab) = &mut lesson.lab {
+            let settings = self.lab_settings(&usual)?;
+            let scene = self.scene(&settings)?;
+            lab.text = self.filled(&lab.text, &(settings, scene))?;
+        }
+        Ok(lesson)
+    }
+
+    fn state(
+        &self,
+        step: usize,
+        is_revealed: bool,
+        base: &Settings,
+    ) -> Result<(Settings, Scene), LessonError> {
+        let settings = self.settings(step, is_revealed, base)?;
+        let scene = self.scene(&settings)?;
+        Ok((settings, scene))
+    }
+
+    fn scene(&self, settings: &Settings) -> Result<Scene, LessonError> {
+        settings
+            .opened_scene()
+            .map_err(|error| LessonError::Settings(format!("{}: {error}", self.source_name)))
+    }
+
+    fn fill_all(&self, texts: &mut [Text], state: &(Settings, Scene)) -> Result<(), LessonError> {
+        for text in texts {
+            *text = self.filled(text, state)?;
+        }
+        Ok(())
+    }
+
+    /// `text` with its values in their places, as they are in this state.
+    fn filled(&self, text: &Text, (settings, scene): &(Settings, Scene)) -> Result<Text, LessonError> {
+        let filled = filled(&text.markdown, |asked| value(asked, settings, scene));
+        let markdown = filled.map_err(|(line, problem)| self.wrong(text.line + line, problem))?;
+        Ok(Text { markdown, line: text.line })
+    }
+}
+
+/// `markdown` with a number in each place `{ASKED:.N}`; what is wrong, and in which of its lines, from 0.
+fn filled(markdown: &str, value: impl Fn(&str) -> Result<f64, String>) -> Result<String, (usize, String)> {
+    let (mut done, mut rest) = (String::new(), markdown);
+    while let Some((begin, asked, decimals, end)) = next_place(rest) {
+        done += &rest[..begin];
+        let line = done.matches('\n').count();
+        done += &decimal(value(asked).map_err(|problem| (line, problem))?, decimals);
+        rest = &rest[end..];
+    }
+    Ok(done + rest)
+}
+
+/// The next place `{ASKED:.N}` in `text`: where it begins, what it asks for, with how many decimals, where it ends. Other
+/// braces are TeX's.
+fn next_place(text: &str) -> Option<(usize, &str, u8, usize)> {
+    text.match_indices('{').find_map(|(begin, _)| {
+        let inside = &text[begin + 1..begin + text[begin..].find('}')?];
+        let (asked, format) = inside.rsplit_once(":.")?;
+        let decimals = format.parse::<u8>().ok().filter(|decimals| *decimals <= 9)?;
+        (!asked.contains('{')).then_some((begin, asked, decimals, begin + inside.len() + 2))
+    })
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,5 @@
+//! The lessons are right: every number and claim in them is held against the core, called directly.
+
+mod first;
+mod second;
+mod support;
