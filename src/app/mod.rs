@@ -87,6 +87,7 @@ use state::State;
 use watch::Watch;
 
 use crate::settings::{PlotTab, Settings};
+pub use widgets::markdown;
 
 /// The whole window.
 pub struct App {
