@@ -25,12 +25,16 @@ const SAMPLES: u32 = 240;
 pub fn page(lesson: &Lesson, with_answers: bool) -> anyhow::Result<String> {
     let mut page = Page::new(&lesson.title, Style::Print);
     page.html(&format!("<h1>{}</h1>\n", escaped(&lesson.title)));
-    let concept = if lesson.concept.is_empty() { String::new() } else { format!("{}. ", lesson.concept) };
-    page.html(&format!("<p class=\"about\">{}{} minutes.</p>\n", escaped(&concept), lesson.minutes));
-    if !with_answers {
-        page.html("<p class=\"about\">Name: ____________________ &emsp; Date: ____________</p>\n");
+    if !lesson.is_a_preset() {
+        let concept = if lesson.concept.is_empty() { String::new() } else { format!("{}. ", lesson.concept) };
+        page.html(&format!("<p>{}{} minutes.</p>\n", escaped(&concept), lesson.minutes));
     }
-    text(&mut page, &lesson.introduction)?;
+    if !with_answers {
+        page.html("<p>Name: ____________________ &emsp; Date: ____________</p>\n");
+    }
+    if !lesson.is_a_preset() {
+        text(&mut page, &lesson.introduction)?;
+    }
     for number in 0..lesson.steps.len() {
         step(&mut page, lesson, number, with_answers)?;
     }
