@@ -115,7 +115,7 @@ fn ask(page: &mut Page, kind: &Kind, settings: &Settings, with_answers: bool) ->
         }
         Kind::Point(_) => page.html("<p>Mark the place with a cross in the left picture.</p>\n"),
         Kind::Curve(curve) => {
-            page.html(&format!("<figure>\n{}</figure>\n", plot(curve, settings, with_answers)?))
+            page.html(&format!("<figure>\n{}</figure>\n", plot(curve, settings, with_answers)?));
         }
     }
     Ok(())
