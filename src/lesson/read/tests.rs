@@ -159,7 +159,7 @@ proptest! {
         let text = lines.join("\n");
         let place = |index: &proptest::sample::Index| {
             let place = index.index(text.len());
-            (place..).find(|place| text.is_char_boundary(*place)).unwrap_or(text.len())
+            (place..=text.len()).find(|place| text.is_char_boundary(*place)).unwrap_or(text.len())
         };
         let (from, to) = (place(&cut).min(place(&kept)), place(&cut).max(place(&kept)));
         for text in [format!("{}{inserted}{}", &text[..from], &text[to..]), format!("{}{inserted}", &text[..to])] {
