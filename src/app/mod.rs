@@ -89,6 +89,7 @@ use state::State;
 use watch::Watch;
 
 use crate::settings::PlotTab;
+pub use widgets::markdown;
 
 /// The whole window.
 pub struct App {

@@ -9,6 +9,7 @@ use eframe::egui::{
 
 use super::eye::Eye;
 use super::points::MAX_POINTS;
+use super::widgets::formula;
 use crate::comfort::Verdict;
 use crate::eye_colours;
 use crate::settings::Theme;
@@ -163,11 +164,12 @@ pub fn install(ctx: &egui::Context) {
     });
 }
 
-/// The usual fonts, with arrows for the proportional one from the monospaced one.
+/// The usual fonts, with arrows for the proportional one from the monospaced one, and those of formulas.
 fn fonts() -> FontDefinitions {
     let mut fonts = FontDefinitions::default();
     let monospace = fonts.families.get(&FontFamily::Monospace).cloned().unwrap_or_default();
     fonts.families.entry(FontFamily::Proportional).or_default().extend(monospace);
+    formula::add_fonts(&mut fonts);
     fonts
 }
 

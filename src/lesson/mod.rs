@@ -8,12 +8,14 @@ mod answer;
 mod course;
 mod error;
 mod library;
+mod picture;
 mod plan;
 mod read;
 pub mod sketch;
 pub mod truth;
 pub mod values;
 mod verdict;
+pub mod worksheet;
 
 pub use answer::{Answer, Outcome, Record};
 pub use course::{Course, Phase, Place};
