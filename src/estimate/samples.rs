@@ -15,6 +15,7 @@ use relativity_render::Velocity;
 use super::data::{Data, Eyes};
 use crate::columns::{ROLL, TURN};
 use crate::files::csv_out::Rows;
+use crate::flags::words::quoted;
 use crate::passage::time_within;
 use crate::platform::files;
 use crate::scene::{Scene, Track};
@@ -152,6 +153,30 @@ pub struct Fittable {
     pub observations: Observations,
     /// How.
     pub options: FitOptions,
+}
+
+impl Fittable {
+    /// The command that fits the same samples in a file.
+    #[must_use]
+    pub fn command(&self, file: &str) -> String {
+        let FitOptions { model, curves, passage, rolling } = self.options;
+        let mut flags = String::new();
+        match passage {
+            Passage::Fitted => flags += " --fit-x0",
+            Passage::Known(0.0) => {}
+            Passage::Known(x0) => flags += &format!(" --x0={x0}"),
+        }
+        if model != Model::default() {
+            flags += &format!(" --model {}", model.name());
+        }
+        if curves != Curves::Both {
+            flags += &format!(" --use {}", curves.name());
+        }
+        if let Some(Rolling { radius, rho, angle }) = rolling {
+            flags += &format!(" --wheel-radius {radius} --rho {rho} --angle={angle}");
+        }
+        format!("gamow fit {}{flags}", quoted(file))
+    }
 }
 
 impl FitKey {
