@@ -78,7 +78,7 @@ pub fn lay_out(
     for piece in pieces {
         match piece {
             Piece::Word(word, look) => cluster.push(setter.word(word, *look)),
-            Piece::Formula(formula, look) => cluster.push(setter.formula(formula, *look)),
+            Piece::Formula(formula, look) => cluster.push(formula_part(ink, room, formula, *look)),
             Piece::Space(look) => {
                 setter.place(&mut cluster);
                 let space = setter.word(" ", *look);
@@ -89,13 +89,15 @@ pub fn lay_out(
                 setter.place(&mut cluster);
                 setter.end_line();
             }
-            Piece::Displayed(formula, look) => {
+            Piece::Displayed(whole, parts, look) => {
                 setter.place(&mut cluster);
                 setter.end_line_if_any();
-                let formula = setter.formula(formula, *look);
-                setter.line.is_displayed = true;
-                setter.line.put(formula);
-                setter.end_line();
+                let fits = EM * ink.font.size * whole.width <= room;
+                for formula in if fits { std::slice::from_ref(whole) } else { parts } {
+                    setter.line.is_displayed = true;
+                    setter.line.put(formula_part(ink, room, formula, *look));
+                    setter.end_line();
+                }
             }
         }
     }
@@ -113,7 +115,7 @@ fn said(pieces: &[Piece]) -> String {
             Piece::Word(word, _) => text.push_str(word),
             Piece::Formula(formula, _) => text.push_str(&formula.words),
             Piece::Space(_) | Piece::Break => text.push(' '),
-            Piece::Displayed(formula, _) => {
+            Piece::Displayed(formula, ..) => {
                 text.push(' ');
                 text.push_str(&formula.words);
                 text.push(' ');
@@ -138,6 +140,13 @@ impl Part {
             Self::Formula { formula, em, .. } => em * formula.width,
         }
     }
+}
+
+/// A formula, smaller if it would not fit into a line.
+fn formula_part(ink: &Ink, room: f32, formula: &Arc<Formula>, look: Look) -> Part {
+    let em = EM * ink.font.size;
+    let fitting = if em * formula.width > room { room / formula.width } else { em };
+    Part::Formula { formula: formula.clone(), look, em: fitting }
 }
 
 #[derive(Debug, Default)]
@@ -170,13 +179,6 @@ impl Setter<'_, '_> {
     fn word(&mut self, text: &str, look: Look) -> Part {
         let width = width(self.fonts, text, self.ink.format(look));
         Part::Word { text: text.to_owned(), look, width }
-    }
-
-    /// A formula, smaller if it would not fit into a line.
-    fn formula(&self, formula: &Arc<Formula>, look: Look) -> Part {
-        let em = EM * self.ink.font.size;
-        let fitting = if em * formula.width > self.room { self.room / formula.width } else { em };
-        Part::Formula { formula: formula.clone(), look, em: fitting }
     }
 
     /// Puts what belongs together into this line if it fits, else into the next.
