@@ -6,7 +6,7 @@ use eframe::egui::{
 use pulldown_cmark::Alignment;
 
 use super::blocks::{Block, Blocks, Kind, Look, Piece};
-use super::paragraph::{Ink, Paragraph, Side, lay_out};
+use super::paragraph::{Ink, Paragraph, Side, lay_out, least_room};
 use crate::app::widgets::formula::Pixels;
 
 /// What a page is written with, and how wide it is.
@@ -196,17 +196,16 @@ impl Writer<'_, '_> {
         let between = 1.4 * self.size();
         let columns = alignments.len();
         let ink = self.setting.ink.clone();
-        let natural: Vec<f32> = (0..columns)
-            .map(|column| {
-                let cells = rows.iter().filter_map(|row| row.get(column));
-                let width = |cell: &Vec<Piece>| {
-                    lay_out(self.fonts, self.pixels, &ink, cell, (f32::INFINITY, Side::Left)).size.x
-                };
-                cells.map(width).fold(0.0, f32::max).ceil() + 1.0
-            })
-            .collect();
+        let (mut natural, mut least) = (vec![0.0_f32; columns], vec![0.0_f32; columns]);
+        for row in rows {
+            for ((natural, least), cell) in natural.iter_mut().zip(&mut least).zip(row) {
+                let line = lay_out(self.fonts, self.pixels, &ink, cell, (f32::INFINITY, Side::Left));
+                *natural = natural.max(line.size.x.ceil() + 1.0);
+                *least = least.max(least_room(self.fonts, &ink, cell).ceil() + 1.0);
+            }
+        }
         let room = self.room(left) - between * columns.saturating_sub(1) as f32;
-        let widths = shared(&natural, room.max(1.0));
+        let widths = column_widths(&natural, &least, room.max(1.0));
         let whole = widths.iter().sum::<f32>() + between * columns.saturating_sub(1) as f32;
         for (index, row) in rows.iter().enumerate() {
             let mut x = 0.0;
@@ -285,6 +284,17 @@ fn strong(pieces: &[Piece]) -> Vec<Piece> {
     pieces
 }
 
+/// Widths of columns that want `natural` and need `least`, together no more than `room`.
+fn column_widths(natural: &[f32], least: &[f32], room: f32) -> Vec<f32> {
+    let spare = room - least.iter().sum::<f32>();
+    if spare < 0.0 {
+        return shared(natural, room);
+    }
+    let wanted: Vec<f32> =
+        natural.iter().zip(least).map(|(natural, least)| (natural - least).max(0.0)).collect();
+    shared(&wanted, spare).iter().zip(least).map(|(more, least)| least + more).collect()
+}
+
 /// Widths of columns that want `natural` and have `room`: those that want no more than their part have it, and the
 /// others share what is left.
 fn shared(natural: &[f32], room: f32) -> Vec<f32> {
@@ -302,4 +312,17 @@ fn shared(natural: &[f32], room: f32) -> Vec<f32> {
 pub fn translated(mut shape: Shape, by: eframe::egui::Vec2) -> Shape {
     shape.translate(by);
     shape
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_share_what_room_there_is() {
+        assert_eq!(column_widths(&[10.0, 90.0], &[5.0, 30.0], 200.0), [10.0, 90.0], "all they want");
+        assert_eq!(column_widths(&[10.0, 90.0], &[5.0, 30.0], 60.0), [10.0, 50.0], "the small one has all");
+        assert_eq!(column_widths(&[90.0, 90.0], &[60.0, 10.0], 80.0), [65.0, 15.0], "words stay whole");
+        assert_eq!(column_widths(&[90.0, 90.0], &[60.0, 60.0], 80.0), [40.0, 40.0], "words are parted");
+    }
 }

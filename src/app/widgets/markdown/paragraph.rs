@@ -107,6 +107,20 @@ pub fn lay_out(
     drawn(fonts, pixels, ink, lines, text, (room, side))
 }
 
+/// The least room in which no word and no formula is parted or shrinks.
+pub fn least_room(fonts: &mut FontsView<'_>, ink: &Ink, pieces: &[Piece]) -> f32 {
+    let (mut widest, mut cluster) = (0.0_f32, 0.0);
+    for piece in pieces {
+        match piece {
+            Piece::Word(word, look) => cluster += width(fonts, word, ink.format(*look)),
+            Piece::Formula(formula, _) => cluster += EM * ink.font.size * formula.width,
+            Piece::Displayed(..) | Piece::Space(_) | Piece::Chance | Piece::Break => cluster = 0.0,
+        }
+        widest = widest.max(cluster);
+    }
+    widest
+}
+
 /// What `pieces` say.
 fn said(pieces: &[Piece]) -> String {
     let mut text = String::new();
