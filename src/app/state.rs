@@ -22,7 +22,6 @@ use super::stage::Stage;
 use crate::flags::choices::ProjectionChoice;
 use crate::lesson::Library;
 use crate::map::Viewpoint;
-use crate::passage;
 use crate::scene::{Scene, SceneError};
 use crate::settings::{Look, Preset, Settings};
 use crate::units::Measures;
@@ -214,12 +213,7 @@ impl State {
     /// First and last T of the scrubber and the plots.
     #[must_use]
     pub fn time_range(&self) -> [f64; 2] {
-        let fitted = || {
-            let velocity = self.selected_velocity();
-            let pair = velocity.reflected_pair(self.settings.pair());
-            passage::fitted_range(&velocity.speed, self.selected_source().place(), pair).map(clock::bounded)
-        };
-        self.settings.playback.range.0.unwrap_or_else(fitted)
+        self.settings.time_range(&self.session.points.selected().track).map(clock::bounded)
     }
 
     /// The light of `point`: of the body it was picked on, else of the one that it lies on, else of the first.

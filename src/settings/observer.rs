@@ -129,6 +129,15 @@ impl Settings {
         self.source(point).place()
     }
 
+    /// First and last T of what is shown over time: those set, else those of the passage of `point`.
+    #[must_use]
+    pub fn time_range(&self, point: &Track) -> [f64; 2] {
+        let velocity = self.velocity(point.motion);
+        let pair = velocity.reflected_pair(self.pair());
+        let fitted = || passage::fitted_range(&velocity.speed, self.carrier(point), pair);
+        self.playback.range.0.unwrap_or_else(fitted)
+    }
+
     /// Where `point` is measured to be at `time`, from the point between the eyes.
     #[must_use]
     pub fn measured_place(&self, point: &Track, time: f64) -> [f64; 3] {
