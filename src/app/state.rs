@@ -8,7 +8,6 @@ use relativity_render::{Appearance, Emission, PreparedScene};
 
 use super::chooser::Purpose;
 use super::clock;
-use super::fitting::DataFile;
 use super::history::History;
 use super::notice::Notice;
 use super::orders::Order;
@@ -19,6 +18,7 @@ use super::points::{Point, Points};
 use super::recent::Recent;
 use super::running::Running;
 use super::stage::Stage;
+use crate::estimate::samples::DataFile;
 use crate::flags::choices::ProjectionChoice;
 use crate::lesson::Library;
 use crate::map::Viewpoint;
@@ -213,7 +213,7 @@ impl State {
     /// First and last T of the scrubber and the plots.
     #[must_use]
     pub fn time_range(&self) -> [f64; 2] {
-        self.settings.time_range(&self.session.points.selected().track).map(clock::bounded)
+        self.settings.time_range(&self.session.points.selected().track)
     }
 
     /// The light of `point`: of the body it was picked on, else of the one that it lies on, else of the first.

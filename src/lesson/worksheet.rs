@@ -2,11 +2,15 @@
 
 use std::fmt::Write as _;
 
+use relativity_core::{DEFAULT_REPLICATES, bootstrap, fit, math};
+
 use super::picture;
 use super::plan::{Animated, Choices, Curve, Kind, Lesson, Options, Prediction, Reveal, Step, Text};
 use crate::caption::decimal;
+use crate::estimate::samples::samples_of;
+use crate::estimate::{Estimate, estimate};
 use crate::figures;
-use crate::files::html::{Page, Style, answer_lines, escaped};
+use crate::files::html::{Page, Style, answer_lines, data_uri, escaped};
 use crate::passage::time_within;
 use crate::plot::{self, BLUE, Line, Panel};
 use crate::settings::Settings;
@@ -15,6 +19,10 @@ use crate::settings::Settings;
 const LINES: [usize; 2] = [4, 2];
 /// Width and height of an empty plot, pixels.
 const PLOT: [f64; 2] = [640.0, 300.0];
+/// Most readings that stand in the table; of more, some.
+const MOST_ROWS: usize = 40;
+/// Decimals of a reading in the table.
+const DIGITS: u8 = 5;
 /// Pieces of a curve in it.
 const SAMPLES: u32 = 240;
 
@@ -46,7 +54,61 @@ pub fn page(lesson: &Lesson, with_answers: bool) -> anyhow::Result<String> {
             page.html(&answer_lines(LINES[1]));
         }
     }
+    if let Some(done) = &lesson.lab {
+        lab(&mut page, lesson, &done.text, with_answers)?;
+    }
     Ok(page.finish())
+}
+
+/// What is measured by hand: its data, as a table and as a file to be taken from the page, and how well they can tell.
+fn lab(page: &mut Page, lesson: &Lesson, task: &Text, with_answers: bool) -> anyhow::Result<()> {
+    let settings = lesson.lab_settings(&Settings::default())?;
+    let taken = samples_of(&settings, &settings.opened_scene()?).map_err(anyhow::Error::msg)?;
+    page.html("<h2>Lab</h2>\n");
+    text(page, task)?;
+    let csv = taken.csv();
+    page.html(&data(lesson, &csv));
+    let found = fit(&taken.fittable.observations, &taken.fittable.options)?;
+    let spread = bootstrap(&found, DEFAULT_REPLICATES, settings.fit.seed)?;
+    let mut expected = String::new();
+    for parameter in found.parameters() {
+        let Estimate { value, uncertainty, .. } = estimate(&found, Some(&spread), *parameter);
+        let decimals = (1.0 - math::log10(uncertainty).floor()).clamp(0.0, 9.0) as u8;
+        let [value, uncertainty] = [value, uncertainty].map(|value| decimal(value, decimals));
+        let truth = decimal(taken.true_value(*parameter), decimals);
+        let name = parameter.name();
+        if with_answers {
+            write!(expected, "<li>{name} = {value} ± {uncertainty}; it is {truth}</li>\n")?;
+        } else {
+            write!(expected, "<li>{name} ± {uncertainty}</li>\n")?;
+        }
+    }
+    let told =
+        "A fit of these readings (<code>gamow fit</code> of the file) tells, with its standard errors:";
+    page.html(&format!("<p>{told}</p>\n<ul>\n{expected}</ul>\n"));
+    if !with_answers {
+        page.html(&answer_lines(LINES[0]));
+    }
+    Ok(())
+}
+
+/// The rows of `csv` as a table in columns side by side, and the file itself.
+fn data(lesson: &Lesson, csv: &str) -> String {
+    let cell =
+        |field: &str| field.parse::<f64>().map_or_else(|_| field.to_owned(), |value| decimal(value, DIGITS));
+    let row = |line: &str, tag: &str| {
+        let cells: String = line.split(',').map(|field| format!("<{tag}>{}</{tag}>", cell(field))).collect();
+        format!("<tr>{cells}</tr>\n")
+    };
+    let mut lines = csv.lines();
+    let head = row(lines.next().unwrap_or_default(), "th");
+    let count = csv.lines().count() - 1;
+    let rows: String = lines.step_by(count.div_ceil(MOST_ROWS)).map(|line| row(line, "td")).collect();
+    let (name, file) = (escaped(&lesson.name), data_uri("text/csv", csv.as_bytes()));
+    format!(
+        "<table>\n{head}{rows}</table>\n<p>All {count} readings as a file: <a download=\"{name}.csv\" href=\"{file}\">{name}.csv</a>. \
+         Angles are in radians, lengths and times in one unit.</p>\n"
+    )
 }
 
 fn text(page: &mut Page, text: &Text) -> anyhow::Result<()> {
@@ -115,7 +177,7 @@ fn ask(page: &mut Page, kind: &Kind, settings: &Settings, with_answers: bool) ->
         }
         Kind::Point(_) => page.html("<p>Mark the place with a cross in the left picture.</p>\n"),
         Kind::Curve(curve) => {
-            page.html(&format!("<figure>\n{}</figure>\n", plot(curve, settings, with_answers)?))
+            page.html(&format!("<figure>\n{}</figure>\n", plot(curve, settings, with_answers)?));
         }
     }
     Ok(())
