@@ -46,11 +46,13 @@ mod plotted;
 pub mod plotting;
 pub mod pointer;
 pub mod points;
+mod predicted;
 mod projector;
 pub mod recent;
 pub mod running;
 mod saving;
 mod screenshot;
+pub mod sketched;
 mod speed_slider;
 pub mod stage;
 pub mod state;
@@ -86,7 +88,7 @@ use stage::Part;
 use state::State;
 use watch::Watch;
 
-use crate::settings::{PlotTab, Settings};
+use crate::settings::PlotTab;
 pub use widgets::markdown;
 
 /// The whole window.
@@ -304,7 +306,7 @@ impl App {
     /// Shows all the parts that there is room for.
     fn show_parts(&mut self, ui: &mut Ui, area: Rect) {
         let ctx = ui.ctx().clone();
-        let Settings { window, plots, .. } = self.state.settings;
+        let (window, plots) = (self.state.shown_window(), self.state.settings.plots);
         let layout = Layout::of(area, window, &self.arranged(ui), plots.plot);
         let layout = layout.with_only(area, self.state.session.stage.maximised);
         self.measure_pictures(ui, &layout.panes);
@@ -322,10 +324,13 @@ impl App {
         if let Some(rect) = layout.map {
             self.panel(ui, "map", rect, panels::map::show);
         }
-        self.update_fit(&ctx, layout.plots.is_some());
-        self.update_examination(ui, &layout.panes, layout.plots.is_some());
+        let plots_are_shown = layout.plots.is_some() && !self.state.shows_sketch();
+        self.update_fit(&ctx, plots_are_shown);
+        self.update_examination(ui, &layout.panes, plots_are_shown);
         if let Some(rect) = layout.plots {
-            self.update_curves();
+            if plots_are_shown {
+                self.update_curves();
+            }
             let (curves, fitting) = (std::mem::take(&mut self.curves), std::mem::take(&mut self.fitting));
             let examination = self.examination.take();
             let plotted = Plotted { curves: &curves, fitting: &fitting, examination: examination.as_ref() };
@@ -362,7 +367,9 @@ impl App {
             self.interact(ui, pane);
         }
         if let Some(rect) = presentation.plot {
-            self.update_curves();
+            if !self.state.shows_sketch() {
+                self.update_curves();
+            }
             let curves = std::mem::take(&mut self.curves);
             self.panel(ui, "plots", rect, |ui, state, asks| {
                 panels::plots::show_one(ui, state, &curves, asks);

@@ -29,6 +29,8 @@ pub enum LessonCommand {
     SetUp,
     /// Count hands, or no longer.
     ToggleClass,
+    /// Show the usual plots beside a curve that was predicted, or the curve again.
+    ShowPlots(bool),
     /// End the lesson.
     Close,
 }
@@ -40,6 +42,8 @@ pub struct Running {
     pub course: Course,
     /// The parts of the window before it began.
     pub(super) before: Window,
+    /// The number of the step whose predicted curve gave its place to the usual plots.
+    pub(super) plots_in: Option<usize>,
     /// What runs.
     pub(super) run: Option<Run>,
 }

@@ -11,8 +11,10 @@ mod library;
 mod picture;
 mod plan;
 mod read;
+pub mod sketch;
 pub mod truth;
 pub mod values;
+mod verdict;
 pub mod worksheet;
 
 pub use answer::{Answer, Outcome, Record};
@@ -23,3 +25,5 @@ pub use plan::{
     Animated, Animation, Choices, Curve, Kind, Lab, Lesson, Number, Options, PointAt, Prediction, Quantity,
     Reveal, Step, Text, Told,
 };
+pub use truth::Sight;
+pub use verdict::{Verdict, difference, verdict};
