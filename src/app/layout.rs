@@ -95,7 +95,7 @@ impl Layout {
     /// The layout of a window with this inner `area`, whose views are `arranged` and whose plots are those of `tab`.
     #[must_use]
     pub fn of(area: Rect, window: Window, arranged: &Arrangement, tab: PlotTab) -> Self {
-        let (bar, below) = split_top(area, BAR_HEIGHT);
+        let (bar, below) = below_bar(area);
         let with_side = window.controls && area.width() >= NARROWEST_WITH_CONTROLS;
         let side_width = part(window.side_share, area.width(), SIDE_WIDTH, [SIDE_WIDTH, CENTRE_WIDTH]);
         let (centre, side) = if with_side { split_right(below, side_width) } else { (below, None) };
@@ -310,6 +310,12 @@ fn side_parts(side: Rect, readout: bool) -> (Option<Rect>, Option<Rect>) {
 fn large_enough(rect: Rect) -> Option<Rect> {
     let shrunk = rect.shrink(GAP / 2.0);
     (shrunk.width() >= 40.0 && shrunk.height() >= 40.0).then_some(shrunk)
+}
+
+/// The bar of a window with this inner `area`, and what is below it.
+#[must_use]
+pub fn below_bar(area: Rect) -> (Rect, Rect) {
+    split_top(area, BAR_HEIGHT)
 }
 
 fn split_top(rect: Rect, height: f32) -> (Rect, Rect) {
