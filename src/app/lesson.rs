@@ -33,7 +33,7 @@ impl State {
     pub fn begin_lesson(&mut self, lesson: &Lesson) -> Result<(), LessonError> {
         let course = Course::new(lesson)?;
         let before = self.session.lesson.as_ref().map_or(self.settings.window, |running| running.before);
-        self.session.lesson = Some(Running { course, before, run: None });
+        self.session.lesson = Some(Running { course, is_folded: false, before, run: None });
         self.session.overlay = None;
         self.set_up();
         Ok(())
@@ -86,6 +86,7 @@ impl State {
             LessonCommand::Back => course.back(),
             LessonCommand::GoTo(place) => course.go_to(place),
             LessonCommand::ToggleClass => course.toggle_class(),
+            LessonCommand::ToggleFolded => running.is_folded = !running.is_folded,
             LessonCommand::SetUp => self.set_up(),
             LessonCommand::Close => self.close_lesson(),
         }

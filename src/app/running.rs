@@ -29,6 +29,8 @@ pub enum LessonCommand {
     SetUp,
     /// Count hands, or no longer.
     ToggleClass,
+    /// Fold its panel to a strip, or have all of it.
+    ToggleFolded,
     /// End the lesson.
     Close,
 }
@@ -38,6 +40,8 @@ pub enum LessonCommand {
 pub struct Running {
     /// How far.
     pub course: Course,
+    /// Whether its panel is folded to a strip.
+    pub is_folded: bool,
     /// The parts of the window before it began.
     pub(super) before: Window,
     /// What runs.

@@ -10,6 +10,7 @@ mod error;
 mod library;
 mod plan;
 mod read;
+mod score;
 pub mod truth;
 pub mod values;
 
@@ -21,3 +22,4 @@ pub use plan::{
     Animated, Animation, Choices, Curve, Kind, Lab, Lesson, Number, Options, PointAt, Prediction, Quantity,
     Reveal, Step, Text, Told,
 };
+pub use score::Score;
