@@ -8,11 +8,13 @@ mod answer;
 mod course;
 mod error;
 mod library;
+mod picture;
 mod plan;
 mod read;
 mod score;
 pub mod truth;
 pub mod values;
+pub mod worksheet;
 
 pub use answer::{Answer, Outcome, Record};
 pub use course::{Course, Phase, Place};

@@ -1,8 +1,11 @@
 //! Markdown with formulas in the window.
 
 mod blocks;
+mod ink;
+mod lines;
 mod page;
 mod paragraph;
+mod table;
 #[cfg(test)]
 mod tests;
 
@@ -15,8 +18,9 @@ use eframe::egui::{
 };
 
 use self::blocks::Blocks;
+use self::ink::Ink;
 use self::page::{Page, Setting, lay_out_page, translated};
-use self::paragraph::Ink;
+
 use crate::app::widgets::formula::Pixels;
 
 /// Draws Markdown in the width there is. Each paragraph and each row of a table is a label for assistive technology,
