@@ -11,6 +11,7 @@ mod library;
 mod picture;
 mod plan;
 mod read;
+mod score;
 pub mod sketch;
 pub mod truth;
 pub mod values;
@@ -25,5 +26,6 @@ pub use plan::{
     Animated, Animation, Choices, Curve, Kind, Lab, Lesson, Number, Options, PointAt, Prediction, Quantity,
     Reveal, Step, Text, Told,
 };
+pub use score::Score;
 pub use truth::Sight;
 pub use verdict::{Verdict, difference, verdict};

@@ -48,6 +48,14 @@ pub fn show(ui: &mut Ui, text: &str) {
     }
 }
 
+/// What that Markdown says, with its formulas in words: a name for what it stands in.
+#[must_use]
+pub fn said(ui: &Ui, text: &str) -> String {
+    let written = written(ui.ctx(), text, &setting(ui));
+    let parts = written.page.parts.iter().map(|part| part.text.as_str());
+    parts.filter(|text| !text.is_empty()).collect::<Vec<_>>().join(" ")
+}
+
 fn show_link(ui: &Ui, rect: Rect, id: Id, address: &str) {
     let response = ui.interact(rect, id, Sense::click());
     response.widget_info(|| WidgetInfo::labeled(Role::Link, ui.is_enabled(), address));
