@@ -13,6 +13,7 @@ mod picture;
 mod plan;
 mod read;
 pub mod report;
+mod score;
 pub mod sketch;
 pub mod truth;
 pub mod values;
@@ -27,5 +28,6 @@ pub use plan::{
     Animated, Animation, Choices, Curve, Kind, Lab, Lesson, Number, Options, PointAt, Prediction, Quantity,
     Reveal, Step, Text, Told,
 };
+pub use score::Score;
 pub use truth::Sight;
 pub use verdict::{Verdict, difference, verdict};
