@@ -90,6 +90,7 @@ use thumbnails::Thumbnails;
 use watch::Watch;
 
 use crate::settings::{PlotTab, Settings};
+pub use widgets::markdown;
 
 /// The whole window.
 pub struct App {

@@ -8,11 +8,12 @@ use relativity_render::{Gaze, Geometry, Outline, Velocity, View};
 
 use super::curves::CurvesKey;
 use super::eye::Eye;
-use super::fitting::{FitKey, FitOutcome, Samples, Simulated};
+use super::fitting::FitOutcome;
 use super::points::Point;
 use super::state::State;
 use crate::caption::Moment;
 use crate::comfort::Comfort;
+use crate::estimate::samples::{FitKey, Samples, Simulated};
 use crate::scene::Track;
 use crate::settings::{Look, PlotTab, Settings, Subject};
 
@@ -184,13 +185,7 @@ impl State {
         let setup = self.settings.fit;
         let samples = match &self.session.data {
             Some(file) => Samples::Measured(file.clone(), self.settings.baseline()),
-            None => Samples::Simulated(Simulated {
-                velocity: self.selected_velocity(),
-                source: self.selected_source(),
-                pair: self.settings.pair(),
-                range: setup.fit_range.0.unwrap_or_else(|| self.time_range()),
-                model: self.simulated_model(),
-            }),
+            None => Samples::Simulated(Simulated::of(&self.settings, &self.session.points.selected().track)),
         };
         FitKey { samples, setup }
     }

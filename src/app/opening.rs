@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::fitting::DataFile;
 use super::notice::Notice;
 use super::state::State;
+use crate::estimate::samples::DataFile;
 use crate::flags::choices::FileKind;
 use crate::platform::files;
 use crate::settings::{PlotTab, Settings, SettingsError, looks_like_settings};

@@ -8,7 +8,6 @@ use relativity_render::{Appearance, Emission, PreparedScene};
 
 use super::chooser::Purpose;
 use super::clock;
-use super::fitting::DataFile;
 use super::history::History;
 use super::notice::Notice;
 use super::orders::Order;
@@ -19,10 +18,10 @@ use super::points::{Point, Points};
 use super::recent::Recent;
 use super::running::Running;
 use super::stage::Stage;
+use crate::estimate::samples::DataFile;
 use crate::flags::choices::ProjectionChoice;
 use crate::lesson::Library;
 use crate::map::Viewpoint;
-use crate::passage;
 use crate::scene::{Scene, SceneError};
 use crate::settings::{Look, Preset, Settings};
 use crate::units::Measures;
@@ -217,12 +216,7 @@ impl State {
     /// First and last T of the scrubber and the plots.
     #[must_use]
     pub fn time_range(&self) -> [f64; 2] {
-        let fitted = || {
-            let velocity = self.selected_velocity();
-            let pair = velocity.reflected_pair(self.settings.pair());
-            passage::fitted_range(&velocity.speed, self.selected_source().place(), pair).map(clock::bounded)
-        };
-        self.settings.playback.range.0.unwrap_or_else(fitted)
+        self.settings.time_range(&self.session.points.selected().track)
     }
 
     /// The light of `point`: of the body it was picked on, else of the one that it lies on, else of the first.

@@ -9,6 +9,7 @@ use eframe::egui::{
 
 use super::eye::Eye;
 use super::points::MAX_POINTS;
+use super::widgets::formula;
 use crate::comfort::Verdict;
 use crate::eye_colours;
 use crate::settings::Theme;
@@ -88,6 +89,12 @@ pub fn halo_colour(visuals: &Visuals) -> Color32 {
 /// What is said on the dark tags of pictures, in either theme.
 pub const TAG_TEXT: Color32 = Color32::from_gray(205);
 
+/// What leads on, and what is open; and what is written on it.
+#[must_use]
+pub fn primary_colours(visuals: &Visuals) -> [Color32; 2] {
+    [either(visuals.dark_mode, [[0x2F, 0x6B, 0xA8], [0x1B, 0x5F, 0xA8]]), Color32::WHITE]
+}
+
 /// The line at the present T.
 #[must_use]
 pub fn now_colour(visuals: &Visuals) -> Color32 {
@@ -163,11 +170,12 @@ pub fn install(ctx: &egui::Context) {
     });
 }
 
-/// The usual fonts, with arrows for the proportional one from the monospaced one.
+/// The usual fonts, with arrows for the proportional one from the monospaced one, and those of formulas.
 fn fonts() -> FontDefinitions {
     let mut fonts = FontDefinitions::default();
     let monospace = fonts.families.get(&FontFamily::Monospace).cloned().unwrap_or_default();
     fonts.families.entry(FontFamily::Proportional).or_default().extend(monospace);
+    formula::add_fonts(&mut fonts);
     fonts
 }
 
@@ -248,6 +256,8 @@ mod tests {
                 let contrast = contrast(visuals.widgets.inactive.fg_stroke.color, button);
                 assert!(contrast >= 4.5, "{theme:?} button: {contrast:.2}");
             }
+            let [ground, ink] = primary_colours(visuals);
+            assert!(contrast(ground, ink) >= 4.5, "{theme:?} what leads on");
             let chosen = contrast(visuals.selection.stroke.color, visuals.selection.bg_fill);
             assert!(chosen >= 4.5, "{theme:?} what is chosen: {chosen:.2}");
         }

@@ -1,7 +1,8 @@
-//! What `gamow fit` says: one structure, written as JSON or as a table; and what it fits, [`data`].
+//! What `gamow fit` says: one structure, written as JSON or as a table; and what it fits, [`data`] from files and
+//! [`samples`] of a point.
 
 pub mod data;
-
+pub mod samples;
 pub mod sigmas;
 
 use std::fmt;

@@ -17,8 +17,8 @@ use ratex_types::path_command::PathCommand;
 
 pub use self::faces::Face;
 
-/// Size of a formula's em in that of the text around it: their small letters are equally high then.
-pub const EM: f32 = 1.2;
+/// Size of a formula's em in that of the text around it: TeX's letters are small beside those of screens.
+pub const EM: f32 = 1.1;
 
 /// How much room a formula has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -8,10 +8,12 @@ mod answer;
 mod course;
 mod error;
 mod library;
+mod picture;
 mod plan;
 mod read;
 pub mod truth;
 pub mod values;
+pub mod worksheet;
 
 pub use answer::{Answer, Outcome, Record};
 pub use course::{Course, Phase, Place};

@@ -17,7 +17,7 @@ use relativity_render::{
 use super::all::Settings;
 use super::sections::{self, Daylight, Frame, Light, Look, Theme, USUAL_FOV};
 use crate::flags::choices::{GazeChoice, ProjectionChoice, ZeroParallax};
-use crate::flags::{Exposure, FieldOfView};
+use crate::flags::{Exposure, FieldOfView, MAX_TIME};
 use crate::passage;
 use crate::scene::{Scene, SceneError, Track};
 
@@ -223,6 +223,19 @@ impl Settings {
     #[must_use]
     pub fn abreast_time(&self, point: &Track) -> Option<f64> {
         self.source(point).time_at_origin(&self.velocity(point.motion).speed)
+    }
+
+    /// First and last T of the scrubber and the plots: those that are set, else as `point`, or the hub that it turns about,
+    /// passes.
+    #[must_use]
+    pub fn time_range(&self, point: &Track) -> [f64; 2] {
+        let fitted = || {
+            let velocity = self.velocity(point.motion);
+            let pair = velocity.reflected_pair(self.pair());
+            let range = passage::fitted_range(&velocity.speed, self.carrier(point), pair);
+            range.map(|time| time.clamp(-MAX_TIME, MAX_TIME))
+        };
+        self.playback.range.0.unwrap_or_else(fitted)
     }
 
     /// The T of a picture for which none is given: when `point`, or the hub that it turns about, is seen 45 degrees before it is

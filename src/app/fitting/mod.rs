@@ -1,16 +1,15 @@
 //! The fit of the selected point, kept up to date by a thread of its own while it is shown.
 
 mod outcome;
-mod samples;
 
 use std::time::Duration;
 
 use eframe::egui::Context;
 
 pub use outcome::{FitOutcome, Fitted, FittedCurve};
-pub use samples::{DataFile, FitKey, Fittable, Samples, Simulated};
 
 use super::worker::Worker;
+use crate::estimate::samples::FitKey;
 use crate::platform::clock::Instant;
 
 /// An outdated outcome is shown as such once the next has been awaited for this long; sooner, it would

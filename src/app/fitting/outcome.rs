@@ -10,8 +10,8 @@ use relativity_core::{
     Sample as Measured, Source, SourcePoint, Speed, Turning, WheelPoint, bootstrap_unless, fit,
 };
 
-use super::samples::{FitKey, Fittable, Samples, Simulated};
 use crate::app::curves::{Bends, Sample, sampled};
+use crate::estimate::samples::{FitKey, Fittable, Samples, Simulated};
 use crate::estimate::{Estimate, estimate};
 use crate::platform::clock::Instant;
 use crate::platform::threads::prelude::*;

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use eframe::egui::ColorImage;
 use relativity_core::DEFAULT_REPLICATES;
 
-use crate::app::fitting::{FitKey, Fittable};
 use crate::estimate::FitReport;
+use crate::estimate::samples::{FitKey, Fittable};
 use crate::files::whole::{write_json, write_whole};
 use crate::flags::choices::FileKind;
 use crate::scene::{Scene, Track};

@@ -2,7 +2,9 @@
 //! numbers and titles.
 
 pub mod apart;
+pub mod formula;
 pub mod icons;
+pub mod markdown;
 
 use std::ops::RangeInclusive;
 

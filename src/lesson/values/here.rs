@@ -2,6 +2,7 @@
 
 use relativity_core::{Disparity, Sighting};
 
+use super::fits::Fit;
 use crate::scene::{Scene, Track};
 use crate::settings::Settings;
 
@@ -27,6 +28,8 @@ pub struct Here<'a> {
     pub body: Option<usize>,
     /// T.
     pub time: f64,
+    /// The fit of the selected point, once it was asked for.
+    pub fit: &'a Fit,
 }
 
 impl Here<'_> {

@@ -4,19 +4,23 @@
 //! A text asks for one as `{NAME:.2}` (two decimals), `{NAME of BODY:.2}` or `{NAME at T:.2}`. Without a body it is
 //! that of the selected point, without a T that of the state.
 
+mod fits;
 mod here;
 mod optics;
+mod pairs;
 
+use self::fits::Fit;
 use self::here::{Here, Value};
 use super::error::LessonError;
 use super::plan::{Choices, Kind, Lesson, Prediction, Text};
 use crate::caption::decimal;
+use crate::formula::markdown::first_fault;
 use crate::scene::{Scene, Track};
 use crate::settings::Settings;
 
 /// All of them, in the order of the documentation.
 pub fn all() -> impl Iterator<Item = &'static Value> {
-    [optics::VALUES].into_iter().flatten()
+    [optics::VALUES, pairs::VALUES, fits::VALUES].into_iter().flatten()
 }
 
 /// A value as a text asks for it.
@@ -65,6 +69,11 @@ pub fn check(text: &str) -> Result<(), String> {
 /// # Errors
 /// Why there is none.
 pub fn value(text: &str, settings: &Settings, scene: &Scene) -> Result<f64, String> {
+    value_with(text, settings, scene, &Fit::new())
+}
+
+/// The same with a `fit` of it, which is made at most once.
+fn value_with(text: &str, settings: &Settings, scene: &Scene, fit: &Fit) -> Result<f64, String> {
     let asked = Asked::of(text)?;
     let value = asked.value()?;
     let own = || {
@@ -73,7 +82,7 @@ pub fn value(text: &str, settings: &Settings, scene: &Scene) -> Result<f64, Stri
     };
     let (track, body) = asked.body.map_or_else(own, |name| followed(scene, name))?;
     let time = asked.time.or(settings.time).unwrap_or_else(|| settings.time_of_approach(&track));
-    let here = Here { settings, scene, track, body, time };
+    let here = Here { settings, scene, track, body, time, fit };
     let worked_out = (value.work_out)(&here).filter(|value| value.is_finite());
     worked_out.ok_or_else(|| format!("`{text}` does not exist in this state"))
 }
@@ -158,8 +167,12 @@ impl Lesson {
 
     /// `text` with its values in their places, as they are in this state.
     fn filled(&self, text: &Text, (settings, scene): &(Settings, Scene)) -> Result<Text, LessonError> {
-        let filled = filled(&text.markdown, |asked| value(asked, settings, scene));
+        let fit = Fit::new();
+        let filled = filled(&text.markdown, |asked| value_with(asked, settings, scene, &fit));
         let markdown = filled.map_err(|(line, problem)| self.wrong(text.line + line, problem))?;
+        if let Some((line, fault)) = first_fault(&markdown) {
+            return Err(self.wrong(text.line + line - 1, fault.to_string()));
+        }
         Ok(Text { markdown, line: text.line })
     }
 }

@@ -1,13 +1,12 @@
 //! The Fit tab as files: the samples, what fits them, and what is left over.
 
 use csv::ByteRecord;
-use relativity_core::Baseline;
 
 use crate::app::curves::Quantity;
-use crate::app::fitting::{FitOutcome, Fitting, Samples};
+use crate::app::fitting::{FitOutcome, Fitting};
 use crate::app::panels::plots::axes::{axis_label, time_label};
 use crate::app::state::State;
-use crate::columns::{ROLL, TURN};
+use crate::estimate::samples::{Samples, eye_columns};
 use crate::files::csv_out::Rows;
 use crate::plot::{BLACK, BLUE, Line, Panel, Stroke};
 use crate::units::Unit;
@@ -20,11 +19,9 @@ const COLUMNS: [[&str; 3]; 2] =
 /// ones, and of both curves the reading, the fit, and what is left over, in radians.
 pub fn csv(state: &State, fitting: &Fitting) -> String {
     let Some(outcome) = fitting.shown() else { return String::new() };
-    let Baseline { separation, roll, turn } = state.settings.baseline();
-    let (names, eyes): (&[&str], &[f64]) = match outcome.key.samples {
-        Samples::Simulated(_) if roll == 0.0 && turn == 0.0 => (&["d"], &[separation]),
-        Samples::Simulated(_) => (&["d", ROLL, TURN], &[separation, roll, turn]),
-        Samples::Measured(..) => (&[], &[]),
+    let (names, eyes) = match outcome.key.samples {
+        Samples::Simulated(_) => eye_columns(state.settings.baseline()),
+        Samples::Measured(..) => (&[] as &[_], Vec::new()),
     };
     let mut rows = Rows::new(Vec::new());
     let names = ["T"].iter().chain(names).chain(COLUMNS.as_flattened());
@@ -38,7 +35,7 @@ pub fn csv(state: &State, fitting: &Fitting) -> String {
             [reading, fitted, reading - fitted]
         };
         let curves = [of_curve(0), of_curve(1)];
-        let numbers = [&[sample.time], eyes, curves.as_flattened()].concat();
+        let numbers = [&[sample.time], eyes.as_slice(), curves.as_flattened()].concat();
         let _ = rows.write(&mut ByteRecord::new(), &numbers);
     }
     rows.into_text()

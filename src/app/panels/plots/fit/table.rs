@@ -3,9 +3,10 @@
 use eframe::egui::{Grid, RichText, Ui};
 use relativity_core::{DEFAULT_REPLICATES, Model, Parameter};
 
-use crate::app::fitting::{FitOutcome, Fitted, Fitting, Samples};
+use crate::app::fitting::{FitOutcome, Fitted, Fitting};
 use crate::app::widgets::named_text;
 use crate::caption::capitalised;
+use crate::estimate::samples::Samples;
 use crate::estimate::{Estimate, decimals, sigmas};
 use crate::figures;
 use crate::units::Unit;

@@ -5,16 +5,20 @@ use std::path::Path;
 use std::sync::Arc;
 
 use anyhow::Context as _;
+use csv::ByteRecord;
 use relativity_core::{
     Aperture, Baseline, Curves, FitOptions, Model, Observations, Parameter, Passage, Rolling, Simulation,
     Source, Turning, WheelPoint,
 };
 use relativity_render::Velocity;
 
-use crate::estimate::data::{Data, Eyes};
+use super::data::{Data, Eyes};
+use crate::columns::{ROLL, TURN};
+use crate::files::csv_out::Rows;
 use crate::passage::time_within;
 use crate::platform::files;
-use crate::settings::FitSetup;
+use crate::scene::{Scene, Track};
+use crate::settings::{FitSetup, Settings};
 
 /// Everything that a fit depends on.
 #[derive(Debug, Clone, PartialEq)]
@@ -47,6 +51,61 @@ pub struct Simulated {
     pub range: [f64; 2],
     /// The model by which the samples are made.
     pub model: Model,
+}
+
+/// What both eyes measure of the selected point of `scene`, as `settings` have it.
+///
+/// # Errors
+///
+/// Why nothing is measured.
+pub fn samples_of(settings: &Settings, scene: &Scene) -> Result<Taken, String> {
+    let simulated = Simulated::of(settings, &settings.track(scene));
+    let fittable = FitKey { samples: Samples::Simulated(simulated), setup: settings.fit }.fittable()?;
+    Ok(Taken { fittable, simulated, baseline: settings.baseline() })
+}
+
+/// Samples of a point, and the truth.
+#[derive(Debug, Clone)]
+pub struct Taken {
+    /// The samples, and how they are fitted.
+    pub fittable: Fittable,
+    /// The point that they are of.
+    pub simulated: Simulated,
+    /// From the left to the right eye.
+    pub baseline: Baseline,
+}
+
+impl Taken {
+    /// What a fit should find for `parameter`.
+    #[must_use]
+    pub fn true_value(&self, parameter: Parameter) -> f64 {
+        self.simulated.true_value(parameter, self.fittable.options.curves)
+    }
+
+    /// A row for each sample, as `gamow fit` reads it: T, the eyes, and the reading of each curve in radians.
+    #[must_use]
+    pub fn csv(&self) -> String {
+        let (names, eyes) = eye_columns(self.baseline);
+        let mut rows = Rows::new(Vec::new());
+        // Into memory: writing does not fail.
+        let _ = rows.write(&mut ["T"].iter().chain(names).chain(&["dphi", "dtheta"]).copied().collect(), &[]);
+        for sample in self.fittable.observations.samples() {
+            let curves = [sample.dphi, sample.dtheta].map(|read| read.map_or(f64::NAN, |read| read.value));
+            let numbers = [&[sample.time], eyes.as_slice(), &curves].concat();
+            let _ = rows.write(&mut ByteRecord::new(), &numbers);
+        }
+        rows.into_text()
+    }
+}
+
+/// The columns of a table that tell where the eyes are, and what stands in each of its rows: roll and turn, in radians, of a
+/// head that is not straight.
+#[must_use]
+pub fn eye_columns(Baseline { separation, roll, turn }: Baseline) -> (&'static [&'static str], Vec<f64>) {
+    if roll == 0.0 && turn == 0.0 {
+        return (&["d"], vec![separation]);
+    }
+    (&["d", ROLL, TURN], vec![separation, roll, turn])
 }
 
 /// A file of measured disparities, as it was read.
@@ -131,6 +190,18 @@ impl FitKey {
 }
 
 impl Simulated {
+    /// Of `point`, as `settings` have it.
+    #[must_use]
+    pub fn of(settings: &Settings, point: &Track) -> Self {
+        Self {
+            velocity: settings.velocity(point.motion),
+            source: settings.source(point),
+            pair: settings.pair(),
+            range: settings.fit.fit_range.0.unwrap_or_else(|| settings.time_range(point)),
+            model: settings.fit.data_from.model().unwrap_or_else(|| settings.model()),
+        }
+    }
+
     /// Samples with this much noise.
     ///
     /// # Errors

@@ -1,0 +1,103 @@
+//! Values of two eyes.
+
+use super::here::{Here, Value};
+
+/// Them.
+pub const VALUES: &[Value] = &[
+    Value {
+        name: "t_left",
+        what: "when what the left eye receives happened, by the ground's clocks",
+        work_out: |here| Some(here.disparity()?.primary.retarded_time),
+    },
+    Value {
+        name: "t_right",
+        what: "when what the right eye receives happened, by the ground's clocks",
+        work_out: |here| Some(here.disparity()?.secondary.retarded_time),
+    },
+    Value {
+        name: "t_apart",
+        what: "by how much what the right eye receives happened later",
+        work_out: |here| {
+            let both = here.disparity()?;
+            Some(both.secondary.retarded_time - both.primary.retarded_time)
+        },
+    },
+    Value {
+        name: "moved",
+        what: "how far it moved on the ground from one of these events to the other",
+        work_out: |here| {
+            let both = here.disparity()?;
+            let speed = here.settings.velocity(here.track.motion).speed;
+            Some(speed.beta() * (both.secondary.retarded_time - both.primary.retarded_time).abs())
+        },
+    },
+    Value { name: "dphi", what: "disparity across, radians", work_out: |here| Some(here.disparity()?.dphi) },
+    Value {
+        name: "dtheta",
+        what: "disparity in elevation, radians",
+        work_out: |here| Some(here.disparity()?.dtheta),
+    },
+    Value {
+        name: "dphi_published",
+        what: "disparity across by the published model, radians",
+        work_out: |here| Some(here.published()?.dphi),
+    },
+    Value {
+        name: "gain",
+        what: "how many times as far apart as they are the eyes would have to be for a point at rest",
+        work_out: |here| Some(here.stereo()?.gain),
+    },
+    Value {
+        name: "stereo_x",
+        what: "where two eyes place it: along the motion",
+        work_out: |here| Some(here.stereo()?.position[0]),
+    },
+    Value {
+        name: "stereo_y",
+        what: "how far ahead of them two eyes place it",
+        work_out: |here| Some(here.stereo()?.position[1]),
+    },
+    Value {
+        name: "stereo_z",
+        what: "how high two eyes place it",
+        work_out: |here| Some(here.stereo()?.position[2]),
+    },
+    Value {
+        name: "stereo_distance",
+        what: "how far away two eyes place it",
+        work_out: |here| Some(here.stereo()?.distance()),
+    },
+    Value {
+        name: "distance",
+        what: "how far away the left eye sees it",
+        work_out: |here| Some(here.left()?.distance),
+    },
+    Value {
+        name: "y",
+        what: "how far ahead of the eyes it passes",
+        work_out: |here| Some(here.settings.carrier(&here.track).y),
+    },
+    Value {
+        name: "z",
+        what: "how high above the eyes it passes",
+        work_out: |here| Some(here.settings.carrier(&here.track).z),
+    },
+    Value { name: "d", what: "how far apart the eyes are", work_out: |here| Some(here.settings.motion.d) },
+    Value {
+        name: "T0",
+        what: "when it is seen abreast: both eyes then see it at one distance",
+        work_out: |here| here.settings.equidistance_time(&here.track),
+    },
+];
+
+impl Here<'_> {
+    fn stereo(&self) -> Option<relativity_core::Stereo> {
+        self.settings.stereo(&self.track, self.time).ok()
+    }
+
+    fn published(&self) -> Option<relativity_core::Disparity> {
+        let published = relativity_core::Model::Published(relativity_core::PublishedVariant::AppendixA);
+        let (point, pair) = (self.settings.source(&self.track), self.settings.pair());
+        published.disparity(&self.settings.velocity(self.track.motion).speed, point, pair, self.time).ok()
+    }
+}
