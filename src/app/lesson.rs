@@ -33,7 +33,7 @@ impl State {
     pub fn begin_lesson(&mut self, lesson: &Lesson) -> Result<(), LessonError> {
         let course = Course::new(lesson)?;
         let before = self.session.lesson.as_ref().map_or(self.settings.window, |running| running.before);
-        self.session.lesson = Some(Running { course, before, run: None });
+        self.session.lesson = Some(Running { course, is_folded: false, before, plots_in: None, run: None });
         self.session.overlay = None;
         if !lesson.is_a_preset() {
             self.session.next_lesson = Some(lesson.name.clone());
@@ -89,6 +89,8 @@ impl State {
             LessonCommand::Back => course.back(),
             LessonCommand::GoTo(place) => course.go_to(place),
             LessonCommand::ToggleClass => course.toggle_class(),
+            LessonCommand::ShowPlots(is_wanted) => running.plots_in = is_wanted.then_some(was.step),
+            LessonCommand::ToggleFolded => running.is_folded = !running.is_folded,
             LessonCommand::SetUp => self.set_up(),
             LessonCommand::Close => self.close_lesson(),
         }

@@ -46,11 +46,13 @@ mod plotted;
 pub mod plotting;
 pub mod pointer;
 pub mod points;
+mod predicted;
 mod projector;
 pub mod recent;
 pub mod running;
 mod saving;
 mod screenshot;
+pub mod sketched;
 mod speed_slider;
 pub mod stage;
 pub mod state;
@@ -78,7 +80,7 @@ use examination::Examination;
 use eyes::EyePictures;
 use fitting::Fitting;
 use full_screen::FullScreen;
-use layout::{Layout, Presentation};
+use layout::{Layout, LessonPart, Presentation};
 use overlay::Overlay;
 use panels::{Asks, plots::Plotted};
 use panes::{Arrangement, Content};
@@ -89,7 +91,7 @@ use state::State;
 use thumbnails::Thumbnails;
 use watch::Watch;
 
-use crate::settings::{PlotTab, Settings};
+use crate::settings::PlotTab;
 pub use widgets::markdown;
 
 /// The whole window.
@@ -346,16 +348,30 @@ impl App {
         self.message(ui.ctx(), page, area);
     }
 
+    /// How much of a lesson is shown.
+    fn lesson_part(&self) -> LessonPart {
+        match &self.state.session.lesson {
+            None => LessonPart::Nothing,
+            Some(Running { is_folded: true, .. }) => LessonPart::Strip,
+            Some(_) => LessonPart::Panel,
+        }
+    }
+
     /// Shows all the parts that there is room for.
     fn show_parts(&mut self, ui: &mut Ui, area: Rect) {
         let ctx = ui.ctx().clone();
-        let Settings { window, plots, .. } = self.state.settings;
-        let layout = Layout::of(area, window, &self.arranged(ui), plots.plot);
+        let (window, plots) = (self.state.shown_window(), self.state.settings.plots);
+        let lesson = self.lesson_part();
+        let layout = Layout::of(area, lesson, window, &self.arranged(ui), plots.plot);
         let layout = layout.with_only(area, self.state.session.stage.maximised);
         self.measure_pictures(ui, &layout.panes);
         self.state.session.shows_map = layout.map.is_some();
         let inset = |rect: Rect| rect.shrink2(INSET);
         self.panel(ui, "bar", inset(layout.bar), panels::bar::show);
+        if let Some(rect) = layout.lesson {
+            let rect = rect.with_max_y(rect.max.y - theme::GAP);
+            self.panel(ui, "lesson", rect.with_min_x(rect.min.x + theme::GAP), panels::lesson::show);
+        }
         if let Some(rect) = layout.controls {
             self.panel(ui, "controls", inset(rect), panels::controls::show);
         }
@@ -367,10 +383,13 @@ impl App {
         if let Some(rect) = layout.map {
             self.panel(ui, "map", rect, panels::map::show);
         }
-        self.update_fit(&ctx, layout.plots.is_some());
-        self.update_examination(ui, &layout.panes, layout.plots.is_some());
+        let plots_are_shown = layout.plots.is_some() && !self.state.shows_sketch();
+        self.update_fit(&ctx, plots_are_shown);
+        self.update_examination(ui, &layout.panes, plots_are_shown);
         if let Some(rect) = layout.plots {
-            self.update_curves();
+            if plots_are_shown {
+                self.update_curves();
+            }
             let (curves, fitting) = (std::mem::take(&mut self.curves), std::mem::take(&mut self.fitting));
             let examination = self.examination.take();
             let plotted = Plotted { curves: &curves, fitting: &fitting, examination: examination.as_ref() };
@@ -399,7 +418,13 @@ impl App {
 
     /// Shows the views, one plot and the words, large.
     fn show_presented(&mut self, ui: &mut Ui, area: Rect) {
-        let presentation = Presentation::of(area, &self.arranged(ui));
+        let presentation = match self.lesson_part() {
+            LessonPart::Nothing => Presentation::of(area, &self.arranged(ui)),
+            LessonPart::Strip | LessonPart::Panel => {
+                let with_plot = self.state.settings.window.plots;
+                Presentation::of_lesson(area, &self.arranged(ui), with_plot)
+            }
+        };
         self.measure_pictures(ui, &presentation.panes);
         self.fitting.rest();
         self.update_examination(ui, &presentation.panes, false);
@@ -407,7 +432,9 @@ impl App {
             self.interact(ui, pane);
         }
         if let Some(rect) = presentation.plot {
-            self.update_curves();
+            if !self.state.shows_sketch() {
+                self.update_curves();
+            }
             let curves = std::mem::take(&mut self.curves);
             self.panel(ui, "plots", rect, |ui, state, asks| {
                 panels::plots::show_one(ui, state, &curves, asks);
@@ -421,6 +448,9 @@ impl App {
         let views = presentation.panes.iter().map(|pane| pane.rect).reduce(Rect::union);
         self.message(ui.ctx(), views.unwrap_or(area), area);
         halo::paint(ui.ctx());
+        if let Some(rect) = presentation.lesson {
+            self.panel(ui, "lesson", rect, panels::lesson::presented::show);
+        }
         if !presentation.speed.is_positive() {
             return;
         }

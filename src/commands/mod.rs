@@ -5,7 +5,6 @@ pub mod curve;
 pub mod eval;
 pub mod fit;
 pub mod lesson;
-pub mod list;
 pub mod measure;
 pub mod paper;
 pub mod rectify;

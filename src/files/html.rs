@@ -58,7 +58,7 @@ code { font-size: 9.5pt; overflow-wrap: anywhere; }
 
 /// What formulas look like on any page.
 const FORMULAS: &str = "\
-.formula { max-width: 100%; }
+.formula { max-width: 100%; overflow: visible; }
 .displayed { display: block; margin: 0.8em 0; text-align: center; break-inside: avoid; }
 ";
 

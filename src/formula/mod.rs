@@ -11,6 +11,7 @@ mod tests;
 mod words;
 
 use ratex_layout::LayoutOptions;
+use ratex_parser::ParseNode;
 use ratex_types::MathStyle;
 use ratex_types::display_item::DisplayItem;
 use ratex_types::path_command::PathCommand;
@@ -84,23 +85,52 @@ impl Formula {
     ///
     /// What `tex` has that is no TeX, or is not among the fonts.
     pub fn new(tex: &str, style: Style) -> Result<Self, FormulaError> {
-        let fault = |reason: String| FormulaError { tex: on_one_line(tex), reason: on_one_line(&reason) };
-        let nodes = ratex_parser::parse(tex).map_err(|error| fault(error.message))?;
+        let nodes = nodes(tex)?;
+        Self::of(&nodes, tex, style).map_err(|reason| FormulaError::new(tex, &reason))
+    }
+
+    /// The formulas between the wide spaces (`\quad`, `\qquad`) in `tex`: what stands below each other where there is no
+    /// room for all beside each other.
+    ///
+    /// # Errors
+    ///
+    /// As [`Formula::new`].
+    pub fn parts(tex: &str, style: Style) -> Result<Vec<Self>, FormulaError> {
+        let nodes = nodes(tex)?;
+        let is_wide = |node: &ParseNode| match node {
+            ParseNode::Kern { dimension, .. } => dimension.unit == "em" && dimension.number >= 1.0,
+            _ => false,
+        };
+        let parts = nodes.split(is_wide).filter(|part| !part.is_empty());
+        let parts: Result<_, _> = parts.map(|part| Self::of(part, tex, style)).collect();
+        parts.map_err(|reason| FormulaError::new(tex, &reason))
+    }
+
+    fn of(nodes: &[ParseNode], tex: &str, style: Style) -> Result<Self, String> {
         let style = match style {
             Style::Inline => MathStyle::Text,
             Style::Displayed => MathStyle::Display,
         };
-        let laid_out = ratex_layout::layout(&nodes, &LayoutOptions { style, ..LayoutOptions::default() });
-        ratex_layout::validate_layout(&laid_out).map_err(fault)?;
+        let laid_out = ratex_layout::layout(nodes, &LayoutOptions { style, ..LayoutOptions::default() });
+        ratex_layout::validate_layout(&laid_out)?;
         let list = ratex_layout::to_display_list(&laid_out);
-        let marks = list.items.iter().map(|item| mark(item, list.height)).collect::<Result<_, _>>();
         Ok(Self {
-            words: words::of(&nodes).unwrap_or_else(|| tex.trim().to_owned()),
+            words: words::of(nodes).unwrap_or_else(|| on_one_line(tex)),
             width: list.width as f32,
             ascent: list.height as f32,
             descent: list.depth as f32,
-            marks: marks.map_err(fault)?,
+            marks: list.items.iter().map(|item| mark(item, list.height)).collect::<Result<_, _>>()?,
         })
+    }
+}
+
+fn nodes(tex: &str) -> Result<Vec<ParseNode>, FormulaError> {
+    ratex_parser::parse(tex).map_err(|error| FormulaError::new(tex, &error.message))
+}
+
+impl FormulaError {
+    fn new(tex: &str, reason: &str) -> Self {
+        Self { tex: on_one_line(tex), reason: on_one_line(reason) }
     }
 }
 

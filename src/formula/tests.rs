@@ -158,6 +158,7 @@ fn formulas_are_said_in_a_line() {
         (r"\sum_i \left(\frac{y_i - f(x_i)}{\sigma_i}\right)^2", "∑_i ((y_i − f(x_i))/(σ_i))²"),
         (r"\tau = \gamma\,(t - \beta x)", "τ = γ (t − βx)"),
         (r"x'' = e^{-x}", "x′′ = e^(−x)"),
+        (r"\begin{aligned} x &= a \\ y &= b \end{aligned}", "x = a; y = b"),
         (r"3\times10^{8}\ \text{m per s}", "3 × 10^8 m per s"),
     ] {
         assert_eq!(inline(tex).words, words, "{tex}");
@@ -181,6 +182,20 @@ fn what_is_no_tex_is_said_in_a_line() {
         assert!(message.to_lowercase().contains(&reason.to_lowercase()), "{tex}: {message}");
         assert!(message.lines().count() == 1, "{message}");
     }
+}
+
+#[test]
+fn formulas_part_at_wide_spaces() {
+    let whole = displayed(r"a = \frac{1}{2},\quad b = c\,d \qquad e");
+    let parts =
+        Formula::parts(r"a = \frac{1}{2},\quad b = c\,d \qquad e", Style::Displayed).expect("it is TeX");
+    let words: Vec<_> = parts.iter().map(|part| part.words.as_str()).collect();
+    assert_eq!(words, ["a = 1/2,", "b = c d", "e"]);
+    let width: f32 = parts.iter().map(|part| part.width).sum();
+    // The spaces are one and two em wide, and a comma has 3/18 em behind it only where something follows.
+    let spaces = whole.width - width;
+    assert!((3.0 - 1e-3..3.0 + 0.2).contains(&spaces), "{spaces}");
+    assert!(Formula::parts(r"\gama \quad x", Style::Displayed).is_err());
 }
 
 #[test]

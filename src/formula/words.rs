@@ -63,6 +63,11 @@ fn of_one(node: &ParseNode) -> Option<String> {
         ParseNode::LeftRight { body, left, right, .. } => {
             format!("{}{}{}", delimiter(left), inside(body)?, delimiter(right))
         }
+        ParseNode::Array { body, .. } => {
+            let rows =
+                body.iter().map(|row| Some(row.iter().map(of_one).collect::<Option<Vec<_>>>()?.join(" ")));
+            rows.collect::<Option<Vec<_>>>()?.join("; ")
+        }
         ParseNode::DelimSizing { delim, .. } | ParseNode::Middle { delim, .. } => delimiter(delim),
         _ => return None,
     })

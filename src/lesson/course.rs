@@ -196,6 +196,13 @@ impl Course {
         reached
     }
 
+    /// Whether one can go to the step of this number; that behind the last is the end.
+    #[must_use]
+    pub fn can_reach(&self, step: usize) -> bool {
+        let place = Place { step, phase: Phase::Ask };
+        self.reached(place) == place
+    }
+
     /// The phases that a step has.
     fn phases(step: &Step) -> impl Iterator<Item = Phase> {
         let is_shown = step.reveal.is_some() || step.observation.is_some();

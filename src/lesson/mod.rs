@@ -11,8 +11,11 @@ mod library;
 mod picture;
 mod plan;
 mod read;
+mod score;
+pub mod sketch;
 pub mod truth;
 pub mod values;
+mod verdict;
 pub mod worksheet;
 
 pub use answer::{Answer, Outcome, Record};
@@ -23,3 +26,6 @@ pub use plan::{
     Animated, Animation, Choices, Curve, Kind, Lab, Lesson, Number, Options, PointAt, Prediction, Quantity,
     Reveal, Step, Text, Told,
 };
+pub use score::Score;
+pub use truth::Sight;
+pub use verdict::{Verdict, difference, verdict};

@@ -83,9 +83,10 @@ fn lab(page: &mut Page, lesson: &Lesson, task: &Text, with_answers: bool) -> any
             write!(expected, "<li>{name} ± {uncertainty}</li>\n")?;
         }
     }
-    let told =
-        "A fit of these readings (<code>gamow fit</code> of the file) tells, with its standard errors:";
-    page.html(&format!("<p>{told}</p>\n<ul>\n{expected}</ul>\n"));
+    let command = escaped(&taken.fittable.command(&format!("{}.csv", lesson.name)));
+    page.html(&format!(
+        "<p>A fit of these readings, <code>{command}</code>, tells, with its standard errors:</p>\n<ul>\n{expected}</ul>\n"
+    ));
     if !with_answers {
         page.html(&answer_lines(LINES[0]));
     }

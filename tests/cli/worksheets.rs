@@ -53,6 +53,15 @@ Because of $\\frac{1}{\\gamma}$.
 ## In a sentence
 
 The end of it.
+
+## Lab
+
+```state
+[fit]
+fit-samples = 12
+```
+
+Find the speed of $v/c = {beta:.1}$.
 ";
 
 struct Folder(tempfile::TempDir);
@@ -105,6 +114,46 @@ fn a_worksheet_asks_and_holds_its_answers_back() {
         [1, 2]
     );
     assert!(sheet.contains("class=\"answer-lines\""));
+}
+
+/// The data that a worksheet carries, as `gamow fit` reads them, tell the speed as well as the worksheet says.
+#[test]
+fn the_lab_of_a_worksheet_has_data_that_can_be_fitted() {
+    let folder = Folder::with_lesson(LESSON);
+    folder.worksheet("sheet.html", &[]).text();
+    let page = read(&folder.path("sheet.html"));
+    let data = page.split("data:text/csv;base64,").nth(1).expect("data").split('"').next().expect("an end");
+    let csv = decoded(data);
+    assert_eq!(csv.lines().count(), 13, "{csv}");
+    let command = page.split("<code>gamow ").nth(1).expect("a command").split('<').next().expect("an end");
+    std::fs::write(folder.path("own.csv"), csv).expect("it is written");
+    let mut fit = gamow();
+    let fit = run(fit.args(command.split(' ')).arg("--json").current_dir(folder.0.path()), b"").text();
+    let fit: serde_json::Value = serde_json::from_str(&fit).expect("it is JSON");
+    let beta = &fit["parameters"]["beta"];
+    let [value, error] = ["value", "uncertainty"].map(|name| beta[name].as_f64().expect("a number"));
+    // The step was revealed at 0.8 c.
+    assert!((value - 0.8).abs() < 5.0 * error, "{value} {error}");
+    let told = page.split("<li>beta ± ").nth(1).expect("an uncertainty").split('<').next().expect("an end");
+    let told: f64 = told.parse().expect("a number");
+    assert!((told / error - 1.0).abs() < 0.5, "{told} {error}");
+}
+
+/// What is written in base 64 (RFC 4648).
+fn decoded(text: &str) -> String {
+    let digit = |c: char| match c {
+        'A'..='Z' => c as u32 - 'A' as u32,
+        'a'..='z' => c as u32 - 'a' as u32 + 26,
+        '0'..='9' => c as u32 - '0' as u32 + 52,
+        '+' => 62,
+        _ => 63,
+    };
+    let digits: Vec<u32> = text.trim_end_matches('=').chars().map(digit).collect();
+    let bytes = digits.chunks(4).flat_map(|four| {
+        let bits = four.iter().fold(0, |bits, digit| bits << 6 | digit) << (6 * (4 - four.len()));
+        bits.to_be_bytes()[1..four.len()].to_vec()
+    });
+    String::from_utf8(bytes.collect()).expect("it is text")
 }
 
 #[test]

@@ -7,6 +7,7 @@ pub mod chooser;
 pub mod controls;
 pub mod corrected;
 pub mod help;
+pub mod lesson;
 pub mod map;
 pub mod message;
 pub mod palette;

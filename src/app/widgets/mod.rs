@@ -2,6 +2,7 @@
 //! numbers and titles.
 
 pub mod apart;
+pub mod fitted;
 pub mod formula;
 pub mod icons;
 pub mod markdown;

@@ -161,8 +161,8 @@ fn of_lesson<'a>(state: &State, number: usize, lesson: &'a Arc<Lesson>) -> Card<
         lesson,
         number: Some(number + 1),
         details: words::details(lesson),
-        text: words::summary(&lesson.introduction.markdown),
-        tip: words::plain(&lesson.introduction.markdown),
+        text: words::plain(&lesson.introduction.markdown, 1),
+        tip: words::plain(&lesson.introduction.markdown, usize::MAX),
         state: open.map(words::place),
         command,
     }

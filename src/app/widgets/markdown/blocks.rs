@@ -35,8 +35,8 @@ pub enum Piece {
     /// Where a line may end without a space.
     Chance,
     Formula(Arc<Formula>, Look),
-    /// A formula on a line of its own.
-    Displayed(Arc<Formula>, Look),
+    /// A formula on a line of its own, or its parts on a line each.
+    Displayed(Arc<Formula>, Vec<Arc<Formula>>, Look),
     /// The end of a line.
     Break,
 }
@@ -191,10 +191,16 @@ const fn number(level: HeadingLevel) -> usize {
 }
 
 fn add_formula(tex: &str, style: Style, look: Look, pieces: &mut Vec<Piece>) {
-    match (Formula::new(tex, style), style) {
-        (Ok(formula), Style::Inline) => pieces.push(Piece::Formula(Arc::new(formula), look)),
-        (Ok(formula), Style::Displayed) => pieces.push(Piece::Displayed(Arc::new(formula), look)),
-        (Err(_), _) => add_words(&format!("${tex}$"), Look { kind: Kind::Wrong, ..look }, pieces),
+    let piece = match style {
+        Style::Inline => Formula::new(tex, style).map(|formula| Piece::Formula(Arc::new(formula), look)),
+        Style::Displayed => Formula::new(tex, style).and_then(|whole| {
+            let parts = Formula::parts(tex, style)?.into_iter().map(Arc::new).collect();
+            Ok(Piece::Displayed(Arc::new(whole), parts, look))
+        }),
+    };
+    match piece {
+        Ok(piece) => pieces.push(piece),
+        Err(_) => add_words(&format!("${tex}$"), Look { kind: Kind::Wrong, ..look }, pieces),
     }
 }
 

@@ -1,8 +1,11 @@
 //! Markdown with formulas in the window.
 
 mod blocks;
+mod ink;
+mod lines;
 mod page;
 mod paragraph;
+mod table;
 #[cfg(test)]
 mod tests;
 
@@ -15,8 +18,9 @@ use eframe::egui::{
 };
 
 use self::blocks::Blocks;
+use self::ink::Ink;
 use self::page::{Page, Setting, lay_out_page, translated};
-use self::paragraph::Ink;
+
 use crate::app::widgets::formula::Pixels;
 
 /// Draws Markdown in the width there is. Each paragraph and each row of a table is a label for assistive technology,
@@ -42,6 +46,14 @@ pub fn show(ui: &mut Ui, text: &str) {
             show_link(ui, rect.translate(corner), id.with((index, number)), address);
         }
     }
+}
+
+/// What that Markdown says, with its formulas in words: a name for what it stands in.
+#[must_use]
+pub fn said(ui: &Ui, text: &str) -> String {
+    let written = written(ui.ctx(), text, &setting(ui));
+    let parts = written.page.parts.iter().map(|part| part.text.as_str());
+    parts.filter(|text| !text.is_empty()).collect::<Vec<_>>().join(" ")
 }
 
 fn show_link(ui: &Ui, rect: Rect, id: Id, address: &str) {

@@ -3,10 +3,10 @@
 use eframe::egui::{
     Color32, FontId, Pos2, Rect, Shape, epaint::CornerRadius, epaint::text::FontsView, pos2, vec2,
 };
-use pulldown_cmark::Alignment;
 
 use super::blocks::{Block, Blocks, Kind, Look, Piece};
-use super::paragraph::{Ink, Paragraph, Side, lay_out};
+use super::ink::Ink;
+use super::paragraph::{Paragraph, Side, lay_out};
 use crate::app::widgets::formula::Pixels;
 
 /// What a page is written with, and how wide it is.
@@ -45,16 +45,18 @@ pub fn lay_out_page(fonts: &mut FontsView<'_>, setting: &Setting, blocks: &Block
     Page { height: writer.y, parts: writer.parts }
 }
 
-struct Writer<'a, 'f> {
-    fonts: &'a mut FontsView<'f>,
-    pixels: Pixels,
-    setting: &'a Setting,
+/// A page that is being written.
+pub struct Writer<'a, 'f> {
+    pub fonts: &'a mut FontsView<'f>,
+    pub pixels: Pixels,
+    pub setting: &'a Setting,
     parts: Vec<Part>,
+    /// Where the next block begins.
     y: f32,
 }
 
 impl Writer<'_, '_> {
-    fn size(&self) -> f32 {
+    pub fn size(&self) -> f32 {
         self.setting.ink.font.size
     }
 
@@ -127,14 +129,14 @@ impl Writer<'_, '_> {
         }
     }
 
-    fn rule(&mut self, left: f32, width: f32) {
+    pub fn rule(&mut self, left: f32, width: f32) {
         let corner = pos2(left, self.y + self.pixels.nearest(0.2 * self.size()));
         let rect = Rect::from_min_size(corner, vec2(width, self.pixels.at_least(0.75)));
         self.push_shape(Shape::rect_filled(rect, CornerRadius::ZERO, self.setting.line));
         self.gap(0.4);
     }
 
-    fn room(&self, left: f32) -> f32 {
+    pub fn room(&self, left: f32) -> f32 {
         (self.setting.width - left).max(1.0)
     }
 
@@ -155,7 +157,7 @@ impl Writer<'_, '_> {
         self.add(laid, left);
     }
 
-    fn add(&mut self, laid: Paragraph, left: f32) {
+    pub fn add(&mut self, laid: Paragraph, left: f32) {
         let at = pos2(left, self.y);
         let by = at.to_vec2();
         self.y += laid.size.y;
@@ -189,61 +191,6 @@ impl Writer<'_, '_> {
                 self.gap(0.3);
                 self.blocks(rest, inner, true);
             }
-        }
-    }
-
-    fn table(&mut self, alignments: &[Alignment], rows: &[Vec<Vec<Piece>>], left: f32) {
-        let between = 1.4 * self.size();
-        let columns = alignments.len();
-        let ink = self.setting.ink.clone();
-        let natural: Vec<f32> = (0..columns)
-            .map(|column| {
-                let cells = rows.iter().filter_map(|row| row.get(column));
-                let width = |cell: &Vec<Piece>| {
-                    lay_out(self.fonts, self.pixels, &ink, cell, (f32::INFINITY, Side::Left)).size.x
-                };
-                cells.map(width).fold(0.0, f32::max).ceil() + 1.0
-            })
-            .collect();
-        let room = self.room(left) - between * columns.saturating_sub(1) as f32;
-        let widths = shared(&natural, room.max(1.0));
-        let whole = widths.iter().sum::<f32>() + between * columns.saturating_sub(1) as f32;
-        for (index, row) in rows.iter().enumerate() {
-            let mut x = 0.0;
-            let mut whole_row = Paragraph {
-                size: vec2(whole, 0.0),
-                baseline: 0.0,
-                shapes: Vec::new(),
-                links: Vec::new(),
-                text: String::new(),
-            };
-            let cells: Vec<Paragraph> = (0..columns)
-                .map(|column| {
-                    let side = match alignments[column] {
-                        Alignment::Center => Side::Middle,
-                        Alignment::Right => Side::Right,
-                        Alignment::Left | Alignment::None => Side::Left,
-                    };
-                    let cell = row.get(column).map_or(&[][..], Vec::as_slice);
-                    lay_out(self.fonts, self.pixels, &ink, cell, (widths[column], side))
-                })
-                .collect();
-            let baseline = cells.iter().map(|cell| cell.baseline).fold(0.0, f32::max);
-            for (cell, width) in cells.into_iter().zip(&widths) {
-                let at = vec2(self.pixels.nearest(x), baseline - cell.baseline);
-                whole_row.size.y = whole_row.size.y.max(at.y + cell.size.y);
-                whole_row.shapes.extend(cell.shapes.into_iter().map(|shape| translated(shape, at)));
-                whole_row.links.extend(cell.links.into_iter().map(|(rect, link)| (rect.translate(at), link)));
-                if !whole_row.text.is_empty() {
-                    whole_row.text.push_str(", ");
-                }
-                whole_row.text.push_str(&cell.text);
-                x += width + between;
-            }
-            if index > 0 {
-                self.rule(left, whole);
-            }
-            self.add(whole_row, left);
         }
     }
 
@@ -283,20 +230,6 @@ fn strong(pieces: &[Piece]) -> Vec<Piece> {
         }
     }
     pieces
-}
-
-/// Widths of columns that want `natural` and have `room`: those that want no more than their part have it, and the
-/// others share what is left.
-fn shared(natural: &[f32], room: f32) -> Vec<f32> {
-    let mut order: Vec<usize> = (0..natural.len()).collect();
-    order.sort_by(|&one, &other| natural[one].total_cmp(&natural[other]));
-    let mut widths = vec![0.0; natural.len()];
-    let mut left = room;
-    for (index, &column) in order.iter().enumerate() {
-        widths[column] = natural[column].min(left / (natural.len() - index) as f32);
-        left -= widths[column];
-    }
-    widths
 }
 
 pub fn translated(mut shape: Shape, by: eframe::egui::Vec2) -> Shape {

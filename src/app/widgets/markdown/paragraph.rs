@@ -1,48 +1,15 @@
 //! Words and formulas in lines, on common baselines.
 
-use std::sync::Arc;
+use eframe::egui::{Rect, Shape, Vec2, epaint::text::FontsView, pos2, vec2};
 
-use eframe::egui::{
-    Color32, FontId, Rect, Shape, TextFormat, Vec2,
-    epaint::text::{FontsView, LayoutJob},
-    pos2, vec2,
-};
-
-use super::blocks::{Kind, Look, Piece};
+use super::blocks::{Look, Piece};
+use super::ink::{Ink, job};
+use super::lines::{Line, Part, joined, lines};
 use crate::app::widgets::formula::{self, Pixels};
-use crate::formula::{EM, Formula};
 
 /// Room between lines, and above and below displayed formulas, in sizes of the text.
 const LEADING: f32 = 0.25;
 const DISPLAYED_GAP: f32 = 0.5;
-
-/// What words are written with.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Ink {
-    pub font: FontId,
-    pub code_font: FontId,
-    pub text: Color32,
-    pub strong: Color32,
-    pub link: Color32,
-    pub wrong: Color32,
-    pub code_background: Color32,
-}
-
-impl Ink {
-    fn format(&self, look: Look) -> TextFormat {
-        let color = match look {
-            Look { kind: Kind::Wrong, .. } => self.wrong,
-            Look { link: Some(_), .. } => self.link,
-            Look { is_strong: true, .. } => self.strong,
-            _ => self.text,
-        };
-        let (font_id, background) = match look.kind {
-            Kind::Words => (self.font.clone(), Color32::TRANSPARENT),
-            Kind::Code | Kind::Wrong => (self.code_font.clone(), self.code_background),
-        };
-        TextFormat { italics: look.is_slanted, background, ..TextFormat::simple(font_id, color) }
-    }
-}
 
 /// Where lines stand in their room.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -73,36 +40,8 @@ pub fn lay_out(
     pieces: &[Piece],
     (room, side): (f32, Side),
 ) -> Paragraph {
-    let mut setter = Setter { fonts, ink, room, lines: Vec::new(), line: Line::default() };
-    let mut cluster = Vec::new();
-    for piece in pieces {
-        match piece {
-            Piece::Word(word, look) => cluster.push(setter.word(word, *look)),
-            Piece::Formula(formula, look) => cluster.push(setter.formula(formula, *look)),
-            Piece::Space(look) => {
-                setter.place(&mut cluster);
-                let space = setter.word(" ", *look);
-                setter.line.spaces.push(space);
-            }
-            Piece::Chance => setter.place(&mut cluster),
-            Piece::Break => {
-                setter.place(&mut cluster);
-                setter.end_line();
-            }
-            Piece::Displayed(formula, look) => {
-                setter.place(&mut cluster);
-                setter.end_line_if_any();
-                let formula = setter.formula(formula, *look);
-                setter.line.is_displayed = true;
-                setter.line.put(formula);
-                setter.end_line();
-            }
-        }
-    }
-    setter.place(&mut cluster);
-    setter.end_line_if_any();
-    let (lines, text) = (setter.lines, said(pieces));
-    drawn(fonts, pixels, ink, lines, text, (room, side))
+    let lines = lines(fonts, ink, pieces, room);
+    drawn(fonts, pixels, ink, lines, said(pieces), (room, side))
 }
 
 /// What `pieces` say.
@@ -113,7 +52,7 @@ fn said(pieces: &[Piece]) -> String {
             Piece::Word(word, _) => text.push_str(word),
             Piece::Formula(formula, _) => text.push_str(&formula.words),
             Piece::Space(_) | Piece::Break => text.push(' '),
-            Piece::Displayed(formula, _) => {
+            Piece::Displayed(formula, ..) => {
                 text.push(' ');
                 text.push_str(&formula.words);
                 text.push(' ');
@@ -122,141 +61,6 @@ fn said(pieces: &[Piece]) -> String {
         }
     }
     text.split_whitespace().collect::<Vec<_>>().join(" ")
-}
-
-/// What stands in a line.
-#[derive(Debug, Clone)]
-enum Part {
-    Word { text: String, look: Look, width: f32 },
-    Formula { formula: Arc<Formula>, look: Look, em: f32 },
-}
-
-impl Part {
-    fn width(&self) -> f32 {
-        match self {
-            Self::Word { width, .. } => *width,
-            Self::Formula { formula, em, .. } => em * formula.width,
-        }
-    }
-}
-
-#[derive(Debug, Default)]
-struct Line {
-    parts: Vec<Part>,
-    /// Spaces that are there only if something follows.
-    spaces: Vec<Part>,
-    width: f32,
-    is_displayed: bool,
-}
-
-impl Line {
-    fn put(&mut self, part: Part) {
-        for space in self.spaces.drain(..).chain([part]) {
-            self.width += space.width();
-            self.parts.push(space);
-        }
-    }
-}
-
-struct Setter<'a, 'f> {
-    fonts: &'a mut FontsView<'f>,
-    ink: &'a Ink,
-    room: f32,
-    lines: Vec<Line>,
-    line: Line,
-}
-
-impl Setter<'_, '_> {
-    fn word(&mut self, text: &str, look: Look) -> Part {
-        let width = width(self.fonts, text, self.ink.format(look));
-        Part::Word { text: text.to_owned(), look, width }
-    }
-
-    /// A formula, smaller if it would not fit into a line.
-    fn formula(&self, formula: &Arc<Formula>, look: Look) -> Part {
-        let em = EM * self.ink.font.size;
-        let fitting = if em * formula.width > self.room { self.room / formula.width } else { em };
-        Part::Formula { formula: formula.clone(), look, em: fitting }
-    }
-
-    /// Puts what belongs together into this line if it fits, else into the next.
-    fn place(&mut self, cluster: &mut Vec<Part>) {
-        let width: f32 = cluster.iter().map(Part::width).sum();
-        let spaces: f32 = self.line.spaces.iter().map(Part::width).sum();
-        if self.line.width + spaces + width <= self.room || cluster.is_empty() {
-            cluster.drain(..).for_each(|part| self.line.put(part));
-            return;
-        }
-        self.end_line_if_any();
-        if width <= self.room {
-            cluster.drain(..).for_each(|part| self.line.put(part));
-            return;
-        }
-        for part in cluster.drain(..) {
-            if self.line.width + part.width() <= self.room {
-                self.line.put(part);
-                continue;
-            }
-            match part {
-                Part::Word { text, look, .. } => self.part(&text, look),
-                Part::Formula { .. } => {
-                    self.end_line_if_any();
-                    self.line.put(part);
-                }
-            }
-        }
-    }
-
-    /// Puts a word that no line can hold into as many as it takes.
-    fn part(&mut self, text: &str, look: Look) {
-        for character in text.chars() {
-            let part = self.word(character.encode_utf8(&mut [0; 4]), look);
-            if self.line.width + part.width() > self.room {
-                self.end_line_if_any();
-            }
-            self.line.put(part);
-        }
-    }
-
-    fn end_line(&mut self) {
-        self.lines.push(std::mem::take(&mut self.line));
-    }
-
-    fn end_line_if_any(&mut self) {
-        self.line.spaces.clear();
-        if !self.line.parts.is_empty() {
-            self.end_line();
-        }
-    }
-}
-
-fn job(text: &str, format: TextFormat) -> LayoutJob {
-    LayoutJob {
-        break_on_newline: false,
-        round_output_to_gui: false,
-        ..LayoutJob::single_section(text.to_owned(), format)
-    }
-}
-
-fn width(fonts: &mut FontsView<'_>, text: &str, format: TextFormat) -> f32 {
-    fonts.layout_job(job(text, format)).intrinsic_size().x
-}
-
-/// The parts of a line, neighbours that look alike as one.
-fn joined(parts: Vec<Part>) -> Vec<Part> {
-    let mut joined: Vec<Part> = Vec::new();
-    for part in parts {
-        match (joined.last_mut(), part) {
-            (Some(Part::Word { text, look, width }), Part::Word { text: next, look: same, width: more })
-                if *look == same =>
-            {
-                text.push_str(&next);
-                *width += more;
-            }
-            (_, part) => joined.push(part),
-        }
-    }
-    joined
 }
 
 fn drawn(

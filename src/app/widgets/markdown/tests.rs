@@ -166,6 +166,15 @@ fn displayed_formulas_stand_in_the_middle_and_shrink_to_fit() {
     };
     assert!((size(150.0) / size(75.0) - 2.0).abs() < 1e-3, "{} {}", size(150.0), size(75.0));
     assert_eq!(size(600.0), size(900.0));
+    // What has wide spaces is parted there before it shrinks.
+    let lines = |width| {
+        let (written, _) = page("$$aaaaaaaa\\quad bbbbbbbb\\quad cccccccc$$", width, 1.0);
+        let mut found = baselines(&written.page);
+        assert!(found.iter().all(|(_, _, size)| *size == found[0].2));
+        found.dedup_by_key(|(_, baseline, _)| *baseline);
+        found.len()
+    };
+    assert_eq!([lines(600.0), lines(150.0)], [1, 3]);
 }
 
 #[test]
