@@ -37,6 +37,7 @@ enum Command {
     Eval(commands::eval::EvalArgs),
     Curve(commands::curve::CurveArgs),
     Fit(commands::fit::FitArgs),
+    Lesson(commands::lesson::LessonArgs),
     Measure(commands::measure::MeasureArgs),
     Paper(commands::paper::PaperArgs),
     Rectify(commands::rectify::RectifyArgs),
@@ -50,10 +51,12 @@ pub fn run(cli: Cli) -> anyhow::Result<()> {
         environment::settle_without_session();
     }
     match cli.command {
+        None if cli.window.list => commands::lesson::list::list(&cli.window.library()?),
         None => app::launch::launch(&cli.window),
         Some(Command::Eval(args)) => commands::eval::run(&args),
         Some(Command::Curve(args)) => commands::curve::run(&args),
         Some(Command::Fit(args)) => commands::fit::run(&args),
+        Some(Command::Lesson(args)) => commands::lesson::run(&args),
         Some(Command::Measure(args)) => commands::measure::run(&args),
         Some(Command::Paper(args)) => commands::paper::run(&args),
         Some(Command::Rectify(args)) => commands::rectify::run(&args),
@@ -72,6 +75,7 @@ impl Cli {
                 Command::Eval(_)
                 | Command::Curve(_)
                 | Command::Fit(_)
+                | Command::Lesson(_)
                 | Command::Measure(_)
                 | Command::Rectify(_),
             ) => false,

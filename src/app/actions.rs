@@ -10,6 +10,7 @@ use super::focus;
 use super::orders::Copied;
 use super::overlay::Overlay;
 use super::plotting::PlotCommand;
+use super::running::LessonCommand;
 
 /// Something that can be asked for by name or by key.
 #[derive(Debug)]
@@ -102,6 +103,10 @@ pub static ACTIONS: &[Action] = &[
     action("the views in a window of their own, for a projector", &[key(Key::W)], Command::ToggleProjector),
     action("back in the lesson, or the preset before", &[key(Key::PageUp)], Command::ShowNext(-1)),
     action("on in the lesson, or the next preset", &[key(Key::PageDown)], Command::ShowNext(1)),
+    action("set up the step of the lesson again", &[], Command::Lesson(LessonCommand::SetUp)),
+    action("count hands in the lesson, or no longer", &[], Command::Lesson(LessonCommand::ToggleClass)),
+    action("fold the lesson, or unfold it", &[], Command::Lesson(LessonCommand::ToggleFolded)),
+    action("close the lesson", &[], Command::Lesson(LessonCommand::Close)),
     action("the start page: lessons and presets", &[key(Key::S)], Command::Toggle(Overlay::Start)),
     action("find what to do by its name", &[with_control(Key::P)], Command::Toggle(Overlay::Palette)),
     action("fit own data", &[], Command::Choose(Purpose::OpenData)),

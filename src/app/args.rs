@@ -71,9 +71,6 @@ impl WindowArgs {
             State::open(self.start.settings(if is_kept { left } else { Settings::default() })?)?;
         state.session.playing = self.play;
         state.session.opened = self.start.file().map(Path::to_owned);
-        for file in state.shown_files().iter().rev() {
-            state.session.recent.add(file);
-        }
         if self.present {
             state.session.stage = Stage::presented();
         }
@@ -85,6 +82,9 @@ impl WindowArgs {
             state.begin_lesson(&lesson)?;
             state.session.playing = self.play;
         }
+        for file in state.shown_files().iter().rev() {
+            state.session.recent.add(file);
+        }
         Ok(state)
     }
 
@@ -92,6 +92,12 @@ impl WindowArgs {
     #[must_use]
     pub fn names_what_is_shown(&self) -> bool {
         self.lesson.is_some() || self.start.name_what_is_shown()
+    }
+
+    /// Whether a newcomer is to find the start page: not where something is named to be shown, or an audience waits.
+    #[must_use]
+    pub fn welcomes(&self) -> bool {
+        !self.names_what_is_shown() && !self.present
     }
 
     /// The lessons that there are.

@@ -15,6 +15,8 @@ use crate::settings::{PlotTab, Presence, Window};
 pub struct Layout {
     /// Scene, theme, help.
     pub bar: Rect,
+    /// The lesson that is gone through, on the left.
+    pub lesson: Option<Rect>,
     /// Speed, path, view, light.
     pub controls: Option<Rect>,
     /// The numbers for each eye.
@@ -35,7 +37,26 @@ pub struct Layout {
     pub borders: Vec<Border>,
 }
 
+/// How much of a lesson is shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum LessonPart {
+    /// There is none.
+    #[default]
+    Nothing,
+    /// Its panel is folded to a strip.
+    Strip,
+    /// All of its panel.
+    Panel,
+}
+
 const BAR_HEIGHT: f32 = 38.0;
+/// Widths of the panel of a lesson and of the strip that it is folded to, and how much of a window the panel takes at
+/// most.
+const LESSON_WIDTH: f32 = 308.0;
+const LESSON_STRIP_WIDTH: f32 = 40.0;
+const LESSON_SHARE: f32 = 0.5;
+/// Narrower windows than this have no room for the panel of a lesson and the controls.
+const NARROWEST_WITH_LESSON_AND_CONTROLS: f32 = 1180.0;
 const TIMELINE_HEIGHT: f32 = 76.0;
 /// Height of the wavelength scale with the numbers on it.
 const SPECTRUM_HEIGHT: f32 = 36.0;
@@ -92,11 +113,15 @@ impl Layout {
         views.unwrap_or(area.with_min_y(self.bar.max.y))
     }
 
-    /// The layout of a window with this inner `area`, whose views are `arranged` and whose plots are those of `tab`.
+    /// The layout of a window with the inner area `whole` and as much of a `lesson`, whose views are `arranged` and whose plots
+    /// are those of `tab`.
     #[must_use]
-    pub fn of(area: Rect, window: Window, arranged: &Arrangement, tab: PlotTab) -> Self {
-        let (bar, below) = split_top(area, BAR_HEIGHT);
-        let with_side = window.controls && area.width() >= NARROWEST_WITH_CONTROLS;
+    pub fn of(whole: Rect, lesson: LessonPart, window: Window, arranged: &Arrangement, tab: PlotTab) -> Self {
+        let (bar, below) = below_bar(whole);
+        let narrowest = lesson.narrowest_with_controls();
+        let with_side = window.controls && whole.width() >= narrowest;
+        let (lesson, below) = lesson.split_off(below);
+        let area = whole.with_min_x(below.min.x);
         let side_width = part(window.side_share, area.width(), SIDE_WIDTH, [SIDE_WIDTH, CENTRE_WIDTH]);
         let (centre, side) = if with_side { split_right(below, side_width) } else { (below, None) };
         let (controls, readout) = side.map_or((None, None), |side| side_parts(side, window.readout));
@@ -133,6 +158,7 @@ impl Layout {
         let views = large_enough(upper).filter(|_| window.views);
         Self {
             bar,
+            lesson,
             controls,
             readout,
             panes: views.map_or_else(Vec::new, |views| arranged.panes(views)),
@@ -150,6 +176,8 @@ impl Layout {
     #[must_use]
     pub fn with_only(self, area: Rect, part: Option<Part>) -> Self {
         let (bar, below) = split_top(area, BAR_HEIGHT);
+        let lesson = self.lesson;
+        let below = below.with_min_x(lesson.map_or(below.min.x, |lesson| lesson.max.x));
         let (middle, timeline) = split_top(below, below.height() - TIMELINE_HEIGHT);
         let pane = |number: usize, rect: Rect| {
             let rect = rect.with_min_y((rect.min.y + TITLE_HEIGHT).min(rect.max.y));
@@ -166,7 +194,28 @@ impl Layout {
         };
         let Some((panes, map, plots)) = large_enough(middle).and_then(alone) else { return self };
         let (controls, readout, spectrum, sentence) = (None, None, None, None);
-        Self { bar, controls, readout, panes, spectrum, sentence, timeline, map, plots, borders: Vec::new() }
+        let borders = Vec::new();
+        Self { bar, lesson, controls, readout, panes, spectrum, sentence, timeline, map, plots, borders }
+    }
+}
+
+impl LessonPart {
+    const fn narrowest_with_controls(self) -> f32 {
+        match self {
+            Self::Nothing | Self::Strip => NARROWEST_WITH_CONTROLS,
+            Self::Panel => NARROWEST_WITH_LESSON_AND_CONTROLS,
+        }
+    }
+
+    /// It on the left of `rect`, and the rest of that.
+    fn split_off(self, rect: Rect) -> (Option<Rect>, Rect) {
+        let width = match self {
+            Self::Nothing => return (None, rect),
+            Self::Strip => LESSON_STRIP_WIDTH,
+            Self::Panel => LESSON_WIDTH,
+        };
+        let (lesson, rest) = split_left(rect, width.min(LESSON_SHARE * rect.width()));
+        (lesson.is_positive().then_some(lesson), rest)
     }
 }
 
@@ -181,6 +230,8 @@ pub struct Presentation {
     pub sentence: Rect,
     /// What is shown and why.
     pub caption: Rect,
+    /// The words of a lesson, in the place of those.
+    pub lesson: Option<Rect>,
     /// One plot.
     pub plot: Option<Rect>,
 }
@@ -191,22 +242,54 @@ const WORDS_SHARE: Vec2 = vec2(0.5, 0.34);
 const SPEED_SHARE: f32 = 0.27;
 const SENTENCE_SHARE: f32 = 0.39;
 
+/// How much of the height the words of a lesson take, and of the width where there is a plot beside them.
+const LESSON_WORDS_SHARE: Vec2 = vec2(0.56, 0.42);
+
 impl Presentation {
     /// That in a window with this inner `area`, whose views are `arranged`.
     #[must_use]
     pub fn of(area: Rect, arranged: &Arrangement) -> Self {
         if let Some(panes) = arranged.whole_screen(area) {
-            let [speed, sentence, caption] = [Rect::from_min_size(area.min, Vec2::ZERO); 3];
-            return Self { panes, speed, sentence, caption, plot: None };
+            return Self { panes, ..Self::empty(area) };
         }
         let (upper, lower) = split_top(area, (1.0 - WORDS_SHARE.y) * area.height());
         let (words, plot) = split_left(lower, WORDS_SHARE.x * lower.width());
-        let words = words.shrink((2.0 * GAP).min(0.1 * words.height()));
+        let words = inside(words);
         let (speed, rest) = split_top(words, SPEED_SHARE * words.height());
         let (sentence, caption) = split_top(rest, SENTENCE_SHARE * words.height());
         let panes = large_enough(upper).map_or_else(Vec::new, |views| arranged.panes(views));
-        Self { panes, speed, sentence, caption, plot: large_enough(plot) }
+        Self { panes, speed, sentence, caption, lesson: None, plot: large_enough(plot) }
     }
+
+    /// That with the words of a lesson, and beside them a plot if it shows plots.
+    #[must_use]
+    pub fn of_lesson(area: Rect, arranged: &Arrangement, with_plot: bool) -> Self {
+        if let Some(panes) = arranged.whole_screen(area) {
+            return Self { panes, ..Self::empty(area) };
+        }
+        let (upper, lower) = split_top(area, (1.0 - LESSON_WORDS_SHARE.y) * area.height());
+        let share = if with_plot { LESSON_WORDS_SHARE.x } else { 1.0 };
+        let (words, plot) = split_left(lower, share * lower.width());
+        let panes = large_enough(upper).map_or_else(Vec::new, |views| arranged.panes(views));
+        Self { panes, lesson: Some(inside(words)), plot: large_enough(plot), ..Self::empty(area) }
+    }
+
+    const fn empty(area: Rect) -> Self {
+        let nothing = Rect::from_min_max(area.min, area.min);
+        Self {
+            panes: Vec::new(),
+            speed: nothing,
+            sentence: nothing,
+            caption: nothing,
+            lesson: None,
+            plot: None,
+        }
+    }
+}
+
+/// What of `words` is written in.
+fn inside(words: Rect) -> Rect {
+    words.shrink((2.0 * GAP).min(0.1 * words.height()))
 }
 
 /// The views alone, in all of `area`.
@@ -312,6 +395,12 @@ fn large_enough(rect: Rect) -> Option<Rect> {
     (shrunk.width() >= 40.0 && shrunk.height() >= 40.0).then_some(shrunk)
 }
 
+/// The bar of a window with this inner `area`, and what is below it.
+#[must_use]
+pub fn below_bar(area: Rect) -> (Rect, Rect) {
+    split_top(area, BAR_HEIGHT)
+}
+
 fn split_top(rect: Rect, height: f32) -> (Rect, Rect) {
     let y = rect.min.y + height.clamp(0.0, rect.height().max(0.0));
     (Rect::from_min_max(rect.min, pos2(rect.max.x, y)), Rect::from_min_max(pos2(rect.min.x, y), rect.max))
@@ -357,7 +446,8 @@ mod tests {
 
     fn layout_of(area: Rect, window: Window, tab: PlotTab) -> Layout {
         let settings = Settings { window, ..Settings::default() };
-        Layout::of(area, window, &Arrangement::of(&settings, 2.54 / 96.0, 1.0), tab)
+        let arranged = Arrangement::of(&settings, 2.54 / 96.0, 1.0);
+        Layout::of(area, LessonPart::Nothing, window, &arranged, tab)
     }
 
     fn of(size: [f32; 2], window: Window) -> Layout {

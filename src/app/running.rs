@@ -29,6 +29,10 @@ pub enum LessonCommand {
     SetUp,
     /// Count hands, or no longer.
     ToggleClass,
+    /// Show the usual plots beside a curve that was predicted, or the curve again.
+    ShowPlots(bool),
+    /// Fold its panel to a strip, or have all of it.
+    ToggleFolded,
     /// End the lesson.
     Close,
 }
@@ -38,8 +42,12 @@ pub enum LessonCommand {
 pub struct Running {
     /// How far.
     pub course: Course,
+    /// Whether its panel is folded to a strip.
+    pub is_folded: bool,
     /// The parts of the window before it began.
     pub(super) before: Window,
+    /// The number of the step whose predicted curve gave its place to the usual plots.
+    pub(super) plots_in: Option<usize>,
     /// What runs.
     pub(super) run: Option<Run>,
 }

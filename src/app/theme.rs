@@ -9,6 +9,7 @@ use eframe::egui::{
 
 use super::eye::Eye;
 use super::points::MAX_POINTS;
+use super::widgets::formula;
 use crate::comfort::Verdict;
 use crate::eye_colours;
 use crate::settings::Theme;
@@ -113,21 +114,24 @@ pub const fn preference(theme: Theme) -> ThemePreference {
 /// The smallest writing there is, points.
 pub const SMALLEST_SIZE: f32 = 11.0;
 /// Size of most writing, points.
-const BODY_SIZE: f32 = 14.0;
+pub const BODY_SIZE: f32 = 14.0;
 
 /// Makes all writing `scale` times as large as usual.
 pub fn scale_text(ctx: &egui::Context, scale: f32) {
-    ctx.all_styles_mut(|style| {
-        let size = |points: f32, family| FontId::new(scale * points, family);
-        style.text_styles = [
-            (TextStyle::Small, size(11.5, FontFamily::Proportional)),
-            (TextStyle::Body, size(BODY_SIZE, FontFamily::Proportional)),
-            (TextStyle::Button, size(BODY_SIZE, FontFamily::Proportional)),
-            (TextStyle::Heading, size(16.0, FontFamily::Proportional)),
-            (TextStyle::Monospace, size(13.0, FontFamily::Monospace)),
-        ]
-        .into();
-    });
+    ctx.all_styles_mut(|style| set_body_size(style, scale * BODY_SIZE));
+}
+
+/// Makes all writing of this `style` as large as suits most writing of this `size`, points.
+pub fn set_body_size(style: &mut egui::Style, size: f32) {
+    let size = |points: f32, family| FontId::new(size / BODY_SIZE * points, family);
+    style.text_styles = [
+        (TextStyle::Small, size(11.5, FontFamily::Proportional)),
+        (TextStyle::Body, size(BODY_SIZE, FontFamily::Proportional)),
+        (TextStyle::Button, size(BODY_SIZE, FontFamily::Proportional)),
+        (TextStyle::Heading, size(16.0, FontFamily::Proportional)),
+        (TextStyle::Monospace, size(13.0, FontFamily::Monospace)),
+    ]
+    .into();
 }
 
 /// How much larger than usual writing is.
@@ -163,11 +167,12 @@ pub fn install(ctx: &egui::Context) {
     });
 }
 
-/// The usual fonts, with arrows for the proportional one from the monospaced one.
+/// The usual fonts, with arrows for the proportional one from the monospaced one, and those of formulas.
 fn fonts() -> FontDefinitions {
     let mut fonts = FontDefinitions::default();
     let monospace = fonts.families.get(&FontFamily::Monospace).cloned().unwrap_or_default();
     fonts.families.entry(FontFamily::Proportional).or_default().extend(monospace);
+    formula::add_fonts(&mut fonts);
     fonts
 }
 

@@ -1,5 +1,6 @@
 //! What is usual: what the shown preset says, or else a window that starts; and the ways back to it.
 
+use super::clock;
 use super::notice::Notice;
 use super::points::Points;
 use super::state::State;
@@ -73,6 +74,23 @@ impl State {
             Some(preset) => format!("as the preset “{}” has it", preset.title),
             None => "as in a new window".to_owned(),
         }
+    }
+
+    /// Whether nothing is otherwise than the lesson has it at its present place.
+    #[must_use]
+    pub fn is_as_in_lesson(&self) -> bool {
+        let Some(mut told) = self.lesson_settings() else { return true };
+        if told.scene != self.settings.scene {
+            return false;
+        }
+        let scene = &self.session.scene;
+        let selected = told.track(scene);
+        let points = Points::tracked(scene.track(None)).with_followed(scene, told.points.take());
+        let time = told.time.take().unwrap_or_else(|| told.time_of_approach(&selected));
+        told.point = None;
+        told == self.settings
+            && points.with_selected(selected) == self.session.points
+            && clock::bounded(time) == self.session.time
     }
 
     /// All as usual, but for the scene, the parts of the window, its units and colours, and the screen.

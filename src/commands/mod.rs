@@ -4,6 +4,7 @@ pub mod accuracy;
 pub mod curve;
 pub mod eval;
 pub mod fit;
+pub mod lesson;
 pub mod measure;
 pub mod paper;
 pub mod rectify;

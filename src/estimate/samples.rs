@@ -15,6 +15,7 @@ use relativity_render::Velocity;
 use super::data::{Data, Eyes};
 use crate::columns::{ROLL, TURN};
 use crate::files::csv_out::Rows;
+use crate::flags::words::quoted;
 use crate::passage::time_within;
 use crate::platform::files;
 use crate::scene::{Scene, Track};
@@ -152,6 +153,26 @@ pub struct Fittable {
     pub observations: Observations,
     /// How.
     pub options: FitOptions,
+}
+
+impl Fittable {
+    /// The command that fits the same samples in a file.
+    #[must_use]
+    pub fn command(&self, file: &str) -> String {
+        let FitOptions { model, curves, passage, rolling } = self.options;
+        let passage = match passage {
+            Passage::Fitted => " --fit-x0".to_owned(),
+            Passage::Known(0.0) => String::new(),
+            Passage::Known(x0) => format!(" --x0={x0}"),
+        };
+        let model =
+            if model == Model::default() { String::new() } else { format!(" --model {}", model.name()) };
+        let used = if curves == Curves::Both { String::new() } else { format!(" --use {}", curves.name()) };
+        let wheel = rolling.map_or_else(String::new, |Rolling { radius, rho, angle }| {
+            format!(" --wheel-radius {radius} --rho {rho} --angle={angle}")
+        });
+        format!("gamow fit {}{passage}{model}{used}{wheel}", quoted(file))
+    }
 }
 
 impl FitKey {

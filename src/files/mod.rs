@@ -1,9 +1,10 @@
-//! Files in and out: CSV, PNG and EXR, what they say of how they were made, and files written whole or not at all.
+//! Files in and out: CSV, PNG, EXR and HTML, what they say of how they were made, and files written whole or not at all.
 
 pub mod csv_in;
 pub mod csv_out;
 pub mod exr;
 pub mod gif;
+pub mod html;
 pub mod png;
 pub mod provenance;
 pub mod whole;

@@ -196,6 +196,13 @@ impl Course {
         reached
     }
 
+    /// Whether one can go to the step of this number; that behind the last is the end.
+    #[must_use]
+    pub fn can_reach(&self, step: usize) -> bool {
+        let place = Place { step, phase: Phase::Ask };
+        self.reached(place) == place
+    }
+
     /// The phases that a step has.
     fn phases(step: &Step) -> impl Iterator<Item = Phase> {
         let is_shown = step.reveal.is_some() || step.observation.is_some();
@@ -241,5 +248,109 @@ impl Course {
     #[must_use]
     pub fn counts_hands(&self) -> bool {
         self.is_class && self.asked().is_some_and(|asked| matches!(asked.kind, Kind::Choice(_)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lesson::Library;
+    use crate::settings::Preset;
+
+    const ASKED: &str = "---\ntitle: Asked\n---\n\nAbout it.\n\n## One\n\nA step without a question.\n\n## Two\n\nLook.\n\n\
+        ### Predict\n\nWhich?\n\n- [ ] this\n- [x] that\n\n### Reveal\n\n```play\ntime = 5\n```\n\n### Explain\n\nSo.\n\n\
+        ## In a sentence\n\nThat.\n";
+
+    fn course(text: &str) -> Course {
+        Course::new(&Lesson::read("asked", text, "asked.md").expect("a lesson"))
+            .expect("it can be worked out")
+    }
+
+    fn at(step: usize, phase: Phase) -> Place {
+        Place { step, phase }
+    }
+
+    #[test]
+    fn nothing_is_revealed_without_a_prediction_or_a_skip() {
+        let mut course = course(ASKED);
+        let end = at(2, Phase::Ask);
+        course.go_to(end);
+        assert_eq!(course.place(), at(1, Phase::Ask));
+        assert!(course.asked().is_some());
+        course.predict();
+        assert_eq!(course.place(), at(1, Phase::Ask), "nothing was entered");
+        course.draft = Some(Answer::Choice(1));
+        course.confidence = Some(4);
+        course.predict();
+        assert_eq!(course.place(), at(1, Phase::Shown));
+        let made = Outcome::Made { answer: Answer::Choice(1), confidence: Some(4) };
+        assert_eq!(course.record().and_then(|record| record.outcome.clone()), Some(made));
+        course.go_to(end);
+        assert_eq!((course.place(), course.step()), (end, None));
+    }
+
+    #[test]
+    fn one_goes_through_every_place_and_back_again() {
+        let mut course = course(ASKED);
+        let mut places = vec![course.place()];
+        while course.can_go()[1] {
+            course.forward();
+            places.push(course.place());
+        }
+        let expected =
+            [(0, Phase::Ask), (1, Phase::Ask), (1, Phase::Shown), (1, Phase::Explained), (2, Phase::Ask)];
+        assert_eq!(places, expected.map(|(step, phase)| at(step, phase)));
+        assert_eq!(course.records()[1].outcome, Some(Outcome::Skipped));
+        for place in places.iter().rev().skip(1) {
+            course.back();
+            assert_eq!(course.place(), *place);
+        }
+        assert!(!course.can_go()[0]);
+        // What was predicted stays.
+        course.go_to(at(1, Phase::Ask));
+        assert!(course.asked().is_none());
+    }
+
+    #[test]
+    fn a_lesson_that_is_written_anew_keeps_what_is_still_asked() {
+        let mut course = course(ASKED);
+        course.go_to(at(1, Phase::Ask));
+        course.draft = Some(Answer::Choice(0));
+        course.predict();
+        let renewed = |text: &str| {
+            course.renewed(&Lesson::read("asked", text, "asked.md").expect("a lesson")).expect("it is right")
+        };
+        let reworded = renewed(&ASKED.replace("Look.", "Look at it."));
+        assert_eq!((reworded.place(), &reworded.records()[1]), (course.place(), &course.records()[1]));
+        let asked_anew = renewed(&ASKED.replace("- [ ] this", "- [ ] these"));
+        assert_eq!((asked_anew.place(), asked_anew.records()[1].outcome.clone()), (at(1, Phase::Ask), None));
+    }
+
+    #[test]
+    fn a_preset_is_a_lesson_of_one_step() {
+        let library = Library::own();
+        for preset in Preset::all() {
+            let lesson = library.open(preset.name).expect("a lesson");
+            assert!(lesson.is_a_preset());
+            let course = Course::new(&lesson).expect("it can be worked out");
+            assert_eq!(course.can_go(), [false, false]);
+            let usual = crate::settings::Settings::default();
+            assert_eq!(lesson.settings(0, false, &usual).expect("settings"), preset.settings);
+        }
+    }
+
+    #[test]
+    fn hands_are_counted_for_choices_alone() {
+        let mut course = course(ASKED);
+        course.toggle_class();
+        assert!(!course.counts_hands());
+        course.forward();
+        assert!(course.counts_hands());
+        assert_eq!(course.votes(2), [0, 0]);
+        course.draft = Some(Answer::Votes(vec![3, 12]));
+        course.forward();
+        assert_eq!(course.votes(2), [0, 0]);
+        let made = Outcome::Made { answer: Answer::Votes(vec![3, 12]), confidence: None };
+        assert_eq!(course.record().and_then(|record| record.outcome.clone()), Some(made));
     }
 }

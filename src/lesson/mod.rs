@@ -8,10 +8,15 @@ mod answer;
 mod course;
 mod error;
 mod library;
+mod picture;
 mod plan;
 mod read;
+mod score;
+pub mod sketch;
 pub mod truth;
 pub mod values;
+mod verdict;
+pub mod worksheet;
 
 pub use answer::{Answer, Outcome, Record};
 pub use course::{Course, Phase, Place};
@@ -21,3 +26,6 @@ pub use plan::{
     Animated, Animation, Choices, Curve, Kind, Lab, Lesson, Number, Options, PointAt, Prediction, Quantity,
     Reveal, Step, Text, Told,
 };
+pub use score::Score;
+pub use truth::Sight;
+pub use verdict::{Verdict, difference, verdict};

@@ -277,7 +277,11 @@ impl Lesson {
         let text = "\n".repeat(line - 1) + toml;
         let read = |settings: Settings| {
             let read = settings.with_toml(&text, &self.source_name);
-            read.map_err(|error| LessonError::Settings(error.to_string()))
+            let mut read = read.map_err(|error| LessonError::Settings(error.to_string()))?;
+            if let Some(path) = &self.path {
+                read.find_scene_beside(path);
+            }
+            Ok(read)
         };
         let scene = read(settings.clone())?.scene;
         let is_another = scene != settings.scene;

@@ -17,6 +17,7 @@ pub use self::axis::{
     zoom_step,
 };
 use self::labels::{Label, Labels};
+use crate::markup::escaped;
 
 /// Black.
 pub const BLACK: &str = "#000000";
@@ -376,10 +377,6 @@ fn draw_piece(line: &Line, places: &[[f64; 2]], svg: &mut String) {
         let _ = write!(svg, "{x:.2},{y:.2} ");
     }
     svg.push_str("\"/>\n");
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;")
 }
 
 #[cfg(test)]

@@ -64,12 +64,17 @@ impl Settings {
             let text = files::read_to_string(path).map_err(|reason| unreadable(reason.to_string()))?;
             self.with_toml(&text, &source_name)?
         };
-        let beside =
-            path.parent().map(|folder| folder.join(&settings.scene)).filter(|scene| files::is_file(scene));
-        if let (None, Some(scene)) = (Scene::preset(&settings.scene), beside) {
-            settings.scene = scene.to_string_lossy().into_owned();
-        }
+        settings.find_scene_beside(path);
         Ok(settings)
+    }
+
+    /// Has a scene that they name by a relative path beside the file at `path`, if there is one.
+    pub fn find_scene_beside(&mut self, path: &Path) {
+        let beside =
+            path.parent().map(|folder| folder.join(&self.scene)).filter(|scene| files::is_file(scene));
+        if let (None, Some(scene)) = (Scene::preset(&self.scene), beside) {
+            self.scene = scene.to_string_lossy().into_owned();
+        }
     }
 }
 

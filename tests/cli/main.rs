@@ -13,6 +13,7 @@ mod paper;
 mod quiet;
 mod streams;
 mod wheels;
+mod worksheets;
 
 /// What a run left behind.
 struct Outcome {

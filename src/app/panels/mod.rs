@@ -7,6 +7,7 @@ pub mod chooser;
 pub mod controls;
 pub mod corrected;
 pub mod help;
+pub mod lesson;
 pub mod map;
 pub mod message;
 pub mod palette;
@@ -16,6 +17,7 @@ pub mod readout;
 pub mod saving;
 pub mod sentence;
 pub mod spectrum;
+pub mod start;
 pub mod timeline;
 pub mod views;
 

@@ -39,6 +39,10 @@ pub enum Icon {
     Done,
     /// An exclamation mark in a triangle.
     Failed,
+    /// A plus.
+    More,
+    /// A minus.
+    Fewer,
 }
 
 /// A button of this `size` with an `icon`; `name` is for assistive technology.
@@ -115,6 +119,13 @@ fn paint(painter: &Painter, icon: Icon, centre: Pos2, radius: f32, colour: Color
         Icon::Dark => {
             painter.circle_filled(centre, radius, colour);
             painter.circle_filled(at(0.45, -0.35), 0.85 * radius, background);
+        }
+        Icon::More | Icon::Fewer => {
+            let stroke = Stroke::new(1.5, colour);
+            painter.line_segment([at(-0.9, 0.0), at(0.9, 0.0)], stroke);
+            if icon == Icon::More {
+                painter.line_segment([at(0.0, -0.9), at(0.0, 0.9)], stroke);
+            }
         }
         Icon::Remove => {
             let stroke = Stroke::new(1.3, colour);

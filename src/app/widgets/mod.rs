@@ -2,7 +2,10 @@
 //! numbers and titles.
 
 pub mod apart;
+pub mod fitted;
+pub mod formula;
 pub mod icons;
+pub mod markdown;
 
 use std::ops::RangeInclusive;
 

@@ -7,7 +7,6 @@ mod bicycle;
 mod curves;
 mod figures;
 mod fits;
-mod html;
 mod numbers;
 mod report;
 mod stereo;
@@ -18,6 +17,7 @@ use std::path::PathBuf;
 use anyhow::Context as _;
 use clap::Args;
 
+use crate::files::html::{Page, Style};
 use crate::platform::files;
 
 /// Reproduces the paper: its figures as SVG, CSV and PNG, and a report with its numbers beside ours.
@@ -47,9 +47,10 @@ pub fn run(args: &PaperArgs) -> anyhow::Result<()> {
         frames: stereo::FIGURES.iter().zip(frames).collect(),
     };
     let text = report.to_string();
-    let page = html::page(&text, |figure| Ok(files::read_to_string(&folder.join(figure))?))?;
+    let mut page = Page::new("Gamow's cyclist, reproduced", Style::Screen);
+    page.markdown(&text, |figure| Ok(files::read_to_string(&folder.join(figure))?))?;
     figures::write_text(folder, "report.md", &text)?;
-    figures::write_text(folder, "report.html", &page)?;
+    figures::write_text(folder, "report.html", &page.finish())?;
     println!("{}", folder.join("report.html").display());
     Ok(())
 }

@@ -8,7 +8,7 @@ use relativity_render::Geometry;
 
 use super::curves::Setup;
 use super::figures;
-use super::html::data_uri;
+use crate::files::html::data_uri;
 use crate::flags::choices::{FileKind, RendererChoice, Size};
 use crate::flags::{SpeedParameter, SpeedSetting};
 use crate::platform::files;

@@ -38,6 +38,8 @@ impl Lesson {
     /// # Errors
     /// What is wrong in it, with file and line.
     pub fn read(name: &str, text: &str, source_name: &str) -> Result<Self, LessonError> {
+        // Some editors begin a file with a mark of its encoding.
+        let text = text.trim_start_matches('\u{feff}');
         lesson(name, text, source_name).map_err(|(line, problem)| LessonError::Content {
             source_name: source_name.to_owned(),
             line,

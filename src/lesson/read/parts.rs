@@ -88,10 +88,8 @@ impl Part {
         let mut is_item = false;
         for (number, line) in self.text.lines().enumerate() {
             let place = self.line + number + 1;
-            let item =
-                ["- [ ] ", "- [x] ", "- [X] "].iter().find_map(|mark| Some((mark, line.strip_prefix(mark)?)));
-            if let Some((mark, item)) = item {
-                if !mark.contains("[ ]") {
+            if let Some((item, is_right)) = item(line) {
+                if is_right {
                     right.push(options.len());
                 }
                 options.push(Text { markdown: item.trim().to_owned(), line: place });
@@ -117,6 +115,13 @@ impl Part {
             }
         }
     }
+}
+
+/// What a choice says that begins in this line, and whether it is the right one.
+fn item(line: &str) -> Option<(&str, bool)> {
+    let item = line.strip_prefix("- ").or_else(|| line.strip_prefix("* "))?.trim_start();
+    let marks = [("[ ]", false), ("[x]", true), ("[X]", true)];
+    marks.into_iter().find_map(|(mark, is_right)| Some((item.strip_prefix(mark)?, is_right)))
 }
 
 /// These lines without those that are empty at both ends.

@@ -1,3 +1,5 @@
+use proptest::prelude::*;
+
 use super::*;
 
 const LESSON: &str = "\
@@ -98,6 +100,15 @@ fn a_lesson_has_what_its_file_says() {
 }
 
 #[test]
+fn a_lesson_is_read_as_other_editors_write_it() {
+    let own = read(LESSON).expect("a lesson");
+    let stars = LESSON.replace("- [", "* [").replace("[x]", "[X]");
+    for text in [format!("\u{feff}{LESSON}"), LESSON.replace('\n', "\r\n"), stars] {
+        assert_eq!(read(&text), Ok(own.clone()));
+    }
+}
+
+#[test]
 fn a_step_differs_from_the_last_one_as_it_was_revealed() {
     let lesson = read(&LESSON.replace("motion.beta = 0.9", "[motion]\nbeta = 0.9")).expect("a lesson");
     let usual = crate::settings::Settings::default();
@@ -131,4 +142,34 @@ fn what_is_wrong_is_named_with_its_line() {
     let wrong = read(&LESSON.replacen("beta = 0.7", "beta = 1.7", 1)).expect("it is read");
     let error = wrong.settings(0, false, &crate::settings::Settings::default()).expect_err("no speed");
     assert!(error.to_string().starts_with("rods.md:16: "), "{error}");
+}
+
+proptest! {
+    /// Whatever an editor leaves there, there is a lesson or a line that says what is wrong.
+    #[test]
+    fn a_broken_lesson_is_told_in_a_line(
+        cut in any::<proptest::sample::Index>(),
+        kept in any::<proptest::sample::Index>(),
+        swapped in any::<[proptest::sample::Index; 2]>(),
+        inserted in "(```|---|## |### Predict|- \\[x\\] |\\$|\\{D:.2\\}|é|\\PC{0,5})",
+    ) {
+        let mut lines: Vec<&str> = LESSON.lines().collect();
+        let [a, b] = swapped.map(|index| index.index(lines.len()));
+        lines.swap(a, b);
+        let text = lines.join("\n");
+        let place = |index: &proptest::sample::Index| {
+            let place = index.index(text.len());
+            (place..=text.len()).find(|place| text.is_char_boundary(*place)).unwrap_or(text.len())
+        };
+        let (from, to) = (place(&cut).min(place(&kept)), place(&cut).max(place(&kept)));
+        for text in [format!("{}{inserted}{}", &text[..from], &text[to..]), format!("{}{inserted}", &text[..to])] {
+            match read(&text).and_then(|lesson| lesson.worked_out()) {
+                Ok(lesson) => prop_assert!(!lesson.steps.is_empty()),
+                Err(error) => {
+                    let told = error.to_string();
+                    prop_assert!(told.starts_with("rods.md:") && !told.contains('\n'), "{}", told);
+                }
+            }
+        }
+    }
 }

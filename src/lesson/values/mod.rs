@@ -16,6 +16,7 @@ use self::here::{Here, Value};
 use super::error::LessonError;
 use super::plan::{Choices, Kind, Lesson, Prediction, Text};
 use crate::caption::decimal;
+use crate::formula::markdown::first_fault;
 use crate::scene::{Scene, Track};
 use crate::settings::Settings;
 
@@ -171,6 +172,9 @@ impl Lesson {
         let fit = Fit::new();
         let filled = filled(&text.markdown, |asked| value_with(asked, settings, scene, &fit));
         let markdown = filled.map_err(|(line, problem)| self.wrong(text.line + line, problem))?;
+        if let Some((line, fault)) = first_fault(&markdown) {
+            return Err(self.wrong(text.line + line - 1, fault.to_string()));
+        }
         Ok(Text { markdown, line: text.line })
     }
 }

@@ -1,0 +1,115 @@
+//! Answers one below the other, each on a card that is chosen by a click.
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{
+    Align, Color32, Frame, Layout, Margin, Response, RichText, Sense, Stroke, TextStyle, Ui, UiBuilder,
+    WidgetInfo, vec2,
+};
+
+use crate::app::theme;
+use crate::app::widgets::icons::{self, Icon};
+use crate::app::widgets::markdown;
+use crate::comfort::Verdict;
+use crate::lesson::Text;
+
+/// Corners of a card, and the space inside its border.
+const CORNER: u8 = 6;
+const INSIDE: Margin = Margin::symmetric(9, 6);
+
+/// What stands before the text of a card.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sign {
+    /// A ring, filled if it is chosen.
+    Ring(bool),
+    /// A tick: it is so.
+    Right,
+    /// Nothing.
+    Nothing,
+}
+
+/// A card that can be chosen.
+pub fn choice(ui: &mut Ui, text: &Text, is_chosen: bool) -> Response {
+    let name = markdown::said(ui, &text.markdown);
+    let builder = UiBuilder::new().id_salt(("choice", text.line, &name)).sense(Sense::click());
+    let response = ui
+        .scope_builder(builder, |ui| {
+            let response = ui.response();
+            let stroke = match (is_chosen, response.hovered() || response.has_focus()) {
+                (true, _) => theme::focus_stroke(ui.visuals()),
+                (false, true) => Stroke::new(1.0, ui.visuals().text_color()),
+                (false, false) => ui.visuals().widgets.noninteractive.bg_stroke,
+            };
+            card(ui, text, Sign::Ring(is_chosen), stroke);
+        })
+        .response;
+    response.widget_info(|| WidgetInfo::selected(Role::RadioButton, ui.is_enabled(), is_chosen, &name));
+    response
+}
+
+/// A card that only tells.
+pub fn told(ui: &mut Ui, text: &Text, is_right: bool) {
+    let (sign, stroke) = if is_right {
+        (Sign::Right, Stroke::new(1.5, right_colour(ui)))
+    } else {
+        (Sign::Ring(true), ui.visuals().widgets.noninteractive.bg_stroke)
+    };
+    card(ui, text, sign, stroke);
+}
+
+/// The colour of what is right.
+pub fn right_colour(ui: &Ui) -> Color32 {
+    theme::verdict_colour(Verdict::Comfortable, ui.visuals())
+}
+
+fn card(ui: &mut Ui, text: &Text, sign: Sign, stroke: Stroke) {
+    let fill = ui.visuals().faint_bg_color;
+    let frame = Frame::new().fill(fill).corner_radius(CORNER).inner_margin(INSIDE).stroke(stroke);
+    frame.show(ui, |ui| {
+        ui.set_width(ui.available_width());
+        text_behind(ui, text, sign);
+    });
+}
+
+/// `text` behind its `sign`.
+pub fn text_behind(ui: &mut Ui, text: &Text, sign: Sign) {
+    let size = TextStyle::Body.resolve(ui.style()).size;
+    ui.with_layout(Layout::left_to_right(Align::Min), |ui| {
+        ui.spacing_mut().item_spacing.x = 0.5 * size;
+        if sign != Sign::Nothing {
+            let (rect, _) = ui.allocate_exact_size(vec2(size, 1.3 * size), Sense::hover());
+            paint(ui, sign, rect.center(), 0.42 * size);
+        }
+        ui.vertical(|ui| markdown::show(ui, &text.markdown));
+    });
+}
+
+fn paint(ui: &Ui, sign: Sign, centre: eframe::egui::Pos2, radius: f32) {
+    let painter = ui.painter();
+    match sign {
+        Sign::Nothing => {}
+        Sign::Right => icons::sign(painter, Icon::Done, centre, 1.1 * radius, right_colour(ui)),
+        Sign::Ring(is_chosen) => {
+            let visuals = ui.visuals();
+            let colour =
+                if is_chosen { theme::focus_stroke(visuals).color } else { visuals.weak_text_color() };
+            painter.circle_stroke(centre, radius, Stroke::new(1.3, colour));
+            if is_chosen {
+                painter.circle_filled(centre, 0.5 * radius, colour);
+            }
+        }
+    }
+}
+
+/// A quiet line above a card.
+pub fn quiet(ui: &mut Ui, text: &str) {
+    ui.label(RichText::new(text).weak());
+}
+
+/// `text`, in the colour of what counts.
+pub fn question(ui: &mut Ui, text: &Text) {
+    ui.scope(|ui| {
+        let strong = ui.visuals().strong_text_color();
+        ui.visuals_mut().override_text_color = Some(strong);
+        markdown::show(ui, &text.markdown);
+    });
+}

@@ -1,0 +1,103 @@
+//! The buttons below the page: one leads on, the others are quiet.
+
+use eframe::egui::{Align, Button, Layout, RichText, Ui, vec2};
+
+use super::ask;
+use crate::app::command::Command;
+use crate::app::overlay::Overlay;
+use crate::app::panels::Asks;
+use crate::app::running::{LessonCommand, Running};
+use crate::app::state::State;
+use crate::lesson::{Answer, Course, Kind};
+
+/// Least width and height of the button that leads on.
+const MAIN_SIZE: [f32; 2] = [92.0, 30.0];
+
+/// Shows them.
+pub fn show(ui: &mut Ui, state: &State, running: &Running, asks: &mut Asks) {
+    let course = &running.course;
+    ui.separator();
+    ui.with_layout(Layout::top_down(Align::Min), |ui| {
+        ui.horizontal(|ui| {
+            let [can_go_back, _] = course.can_go();
+            let back = Button::new("Back").min_size(vec2(0.0, MAIN_SIZE[1])).frame_when_inactive(false);
+            if ui.add_enabled(can_go_back, back).on_hover_text("Key: PageUp").clicked() {
+                ask(asks, LessonCommand::Back);
+            }
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| lead_on(ui, running, asks));
+        });
+        ui.horizontal(|ui| {
+            if course.lesson().steps.iter().any(|step| {
+                let kind = step.prediction.as_ref().map(|prediction| &prediction.kind);
+                matches!(kind, Some(Kind::Choice(_)))
+            }) {
+                count_hands(ui, course, asks);
+            }
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                let can_be_set_up = !running.is_running() && course.step().is_some();
+                if can_be_set_up && !state.is_as_in_lesson() {
+                    set_up_again(ui, asks);
+                }
+            });
+        });
+    });
+}
+
+fn lead_on(ui: &mut Ui, running: &Running, asks: &mut Asks) {
+    let course = &running.course;
+    let [_, can_go_on] = course.can_go();
+    if running.is_running() {
+        if main(ui, "Finish", true).on_hover_text("Shows the end of it at once").clicked() {
+            ask(asks, LessonCommand::Forward);
+        }
+    } else if course.asked().is_some() {
+        let is_told = course.draft.as_ref().is_some_and(Answer::is_told);
+        if main(ui, "Predict", is_told).clicked() {
+            ask(asks, LessonCommand::Predict);
+        }
+        let skip = Button::new("Skip").min_size(vec2(0.0, MAIN_SIZE[1])).frame_when_inactive(false);
+        if ui.add(skip).on_hover_text("Goes on without a prediction").clicked() {
+            ask(asks, LessonCommand::Skip);
+        }
+    } else if can_go_on {
+        if main(ui, "Next", true).on_hover_text("Key: PageDown").clicked() {
+            ask(asks, LessonCommand::Forward);
+        }
+    } else if main(ui, "Close", true).clicked() {
+        ask(asks, LessonCommand::Close);
+    }
+    let is_a_state_alone = course.step().is_some() && !can_go_on;
+    if is_a_state_alone && ui.button("All lessons").clicked() {
+        asks.push(Command::Toggle(Overlay::Start));
+    }
+}
+
+/// The button that leads on.
+fn main(ui: &mut Ui, text: &str, is_enabled: bool) -> eframe::egui::Response {
+    let chosen = ui.visuals().selection;
+    let text = RichText::new(text).color(if is_enabled {
+        chosen.stroke.color
+    } else {
+        ui.visuals().weak_text_color()
+    });
+    let mut button = Button::new(text).min_size(MAIN_SIZE.into());
+    if is_enabled {
+        button = button.fill(chosen.bg_fill);
+    }
+    ui.add_enabled(is_enabled, button)
+}
+
+fn count_hands(ui: &mut Ui, course: &Course, asks: &mut Asks) {
+    let mut is_class = course.is_class();
+    let tip = "For a class: how many raise their hands for each choice";
+    if ui.checkbox(&mut is_class, "Count hands").on_hover_text(tip).changed() {
+        ask(asks, LessonCommand::ToggleClass);
+    }
+}
+
+fn set_up_again(ui: &mut Ui, asks: &mut Asks) {
+    let button = Button::new("Set up again").frame_when_inactive(false);
+    if ui.add(button).on_hover_text("Has everything as the lesson has it here").clicked() {
+        ask(asks, LessonCommand::SetUp);
+    }
+}

@@ -1,0 +1,139 @@
+//! How a prediction is entered: a choice, hands that are counted, a number, a place or a curve; and how sure one is.
+
+use eframe::egui::{Align, Id, Key, Layout, RichText, TextEdit, Ui, vec2};
+
+use super::{ask, cards};
+use crate::app::panels::Asks;
+use crate::app::running::LessonCommand;
+use crate::app::widgets::icons::{self, Icon};
+use crate::app::widgets::markdown;
+use crate::figures;
+use crate::lesson::{Answer, Course, Kind, Number, Options, PointAt, Prediction};
+
+/// Shows the form of `prediction`.
+pub fn show(ui: &mut Ui, course: &Course, prediction: &Prediction, asks: &mut Asks) {
+    match &prediction.kind {
+        Kind::Choice(options) if course.counts_hands() => votes(ui, course, options, asks),
+        Kind::Choice(options) => choices(ui, course, options, asks),
+        Kind::Number(asked) => number(ui, course, asked, asks),
+        Kind::Point(asked) => point(ui, course, asked),
+        Kind::Curve(_) => curve(ui, course),
+    }
+}
+
+fn draft(asks: &mut Asks, answer: Option<Answer>) {
+    ask(asks, LessonCommand::Draft(answer));
+}
+
+/// The choices, one of which can be taken.
+pub fn choices(ui: &mut Ui, course: &Course, options: &Options, asks: &mut Asks) {
+    for (number, text) in options.texts.iter().enumerate() {
+        let is_chosen = course.draft == Some(Answer::Choice(number));
+        if cards::choice(ui, text, is_chosen).clicked() {
+            draft(asks, Some(Answer::Choice(number)));
+        }
+    }
+}
+
+/// The choices, each with how many hands were raised for it.
+pub fn votes(ui: &mut Ui, course: &Course, options: &Options, asks: &mut Asks) {
+    let votes = course.votes(options.texts.len());
+    let side = 1.6 * eframe::egui::TextStyle::Body.resolve(ui.style()).size;
+    for (number, text) in options.texts.iter().enumerate() {
+        ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
+            ui.spacing_mut().item_spacing.x = 2.0;
+            let name = markdown::said(ui, &text.markdown);
+            let changed = |by: i32| {
+                let mut votes = votes.clone();
+                votes[number] = votes[number].saturating_add_signed(by);
+                Some(Answer::Votes(votes))
+            };
+            let size = vec2(side, side);
+            if icons::button(ui, Icon::More, &format!("One more for {name}"), size, false).clicked() {
+                draft(asks, changed(1));
+            }
+            let count = votes[number];
+            let label = ui.add_sized(vec2(1.2 * side, side), eframe::egui::Label::new(count.to_string()));
+            label.accessible_name(format!("Hands for {name}: {count}"));
+            if icons::button(ui, Icon::Fewer, &format!("One fewer for {name}"), size, false).clicked() {
+                draft(asks, changed(-1));
+            }
+            ui.add_space(6.0);
+            ui.with_layout(Layout::top_down(Align::Min), |ui| {
+                ui.add_space(2.0);
+                cards::text_behind(ui, text, cards::Sign::Nothing);
+            });
+        });
+    }
+}
+
+/// The field in which a number is typed. Enter predicts it.
+pub fn number(ui: &mut Ui, course: &Course, asked: &Number, asks: &mut Asks) {
+    ui.horizontal(|ui| {
+        let id = Id::unique(("number predicted", &course.lesson().name, course.place().step));
+        let drafted = match course.draft {
+            Some(Answer::Number(number)) => figures::shortest(number),
+            _ => String::new(),
+        };
+        let is_edited = ui.memory(|memory| memory.has_focus(id));
+        let kept = ui.data(|data| data.get_temp::<String>(id)).filter(|_| is_edited);
+        let mut text = kept.unwrap_or(drafted);
+        let size = eframe::egui::TextStyle::Body.resolve(ui.style()).size;
+        let field = TextEdit::singleline(&mut text).id(id).desired_width(6.5 * size).hint_text("a number");
+        let response = ui.add(field.margin(vec2(8.0, 5.0))).accessible_name("Predicted number");
+        if !asked.unit.is_empty() {
+            ui.label(&asked.unit);
+        }
+        let answer = figures::parsed(&text).ok().map(Answer::Number);
+        if response.changed() && answer != course.draft {
+            draft(asks, answer.clone());
+        }
+        ui.data_mut(|data| data.insert_temp(id, text));
+        let is_entered = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+        if is_entered && answer.is_some_and(|answer| answer.is_told()) {
+            ask(asks, LessonCommand::Predict);
+        }
+    });
+}
+
+fn point(ui: &mut Ui, course: &Course, asked: &PointAt) {
+    let body = &asked.body;
+    if course.draft.is_some() {
+        ui.label("It is marked in the view. Another click moves it.");
+    } else {
+        ui.label(format!("Click in the left eye's view: where will {body} be?"));
+    }
+}
+
+fn curve(ui: &mut Ui, course: &Course) {
+    if course.draft.is_some() {
+        ui.label("It is drawn in the plot. Draw over it to change it.");
+    } else {
+        ui.label("Draw it in the plot, with the pointer held down.");
+    }
+}
+
+/// How sure one is.
+pub fn confidence(ui: &mut Ui, course: &Course, asks: &mut Asks) {
+    if course.is_class() {
+        return;
+    }
+    ui.add_space(super::page::APART);
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 3.0;
+        ui.label(RichText::new("How sure?").weak());
+        ui.add_space(4.0);
+        for level in 1..=5_u8 {
+            let is_chosen = course.confidence == Some(level);
+            let tip = match level {
+                1 => "guessed",
+                5 => "certain",
+                _ => "in between",
+            };
+            let button = ui.selectable_label(is_chosen, format!(" {level} ")).on_hover_text(tip);
+            if button.accessible_name(format!("Sure: {level} of 5")).clicked() {
+                ask(asks, LessonCommand::Confidence(Some(level).filter(|_| !is_chosen)));
+            }
+        }
+    });
+}

@@ -1,0 +1,69 @@
+//! The lesson that is gone through: where one is in it, what is said and asked there, and what comes next.
+
+mod cards;
+mod end;
+mod foot;
+mod form;
+mod head;
+mod observed;
+mod page;
+pub mod presented;
+mod shown;
+
+use eframe::egui::{self, StrokeKind, Ui, UiBuilder, vec2};
+
+use super::Asks;
+use crate::app::command::Command;
+use crate::app::running::{LessonCommand, Running};
+use crate::app::state::State;
+use crate::app::theme;
+use crate::app::widgets::fitted;
+
+/// Sizes of most writing, points: as large as fits.
+const SIZES: [f32; 2] = [theme::BODY_SIZE, 12.0];
+/// Space between the border of the panel and what is in it.
+const AROUND: egui::Vec2 = vec2(14.0, 10.0);
+/// Height of the buttons below the page.
+const FOOT_HEIGHT: f32 = 74.0;
+
+/// Shows the panel, or the strip that it is folded to.
+pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    let Some(running) = &state.session.lesson else { return };
+    let rect = ui.max_rect();
+    let visuals = ui.visuals();
+    let line = visuals.widgets.noninteractive.bg_stroke;
+    ui.painter().rect(rect, 8.0, visuals.window_fill, line, StrokeKind::Inside);
+    if running.is_folded {
+        let inside = rect.shrink2(vec2(4.0, AROUND.y));
+        ui.scope_builder(UiBuilder::new().max_rect(inside), |ui| head::folded(ui, &running.course, asks));
+        return;
+    }
+    let inside = rect.shrink2(AROUND.min(0.1 * rect.size()));
+    ui.scope_builder(UiBuilder::new().max_rect(inside), |ui| {
+        head::show(ui, &running.course, asks);
+        ui.add_space(8.0);
+        let page = ui.available_rect_before_wrap();
+        let foot_height = FOOT_HEIGHT.min(0.5 * page.height()).max(0.0);
+        let page = page.with_max_y(page.max.y - foot_height);
+        let foot = inside.with_min_y(page.max.y);
+        ui.scope_builder(UiBuilder::new().id_salt("page").max_rect(page), |ui| {
+            fitted::show(ui, what_is_shown(running), SIZES, |ui| page::show(ui, running, asks));
+        });
+        ui.scope_builder(UiBuilder::new().id_salt("foot").max_rect(foot), |ui| {
+            foot::show(ui, state, running, asks);
+        });
+    });
+}
+
+/// What the page shows, as far as its height depends on it.
+fn what_is_shown(running: &Running) -> String {
+    let course = &running.course;
+    let (lesson, place, record) = (course.lesson(), course.place(), course.record());
+    let is_running = running.is_running();
+    format!("{} {place:?} {record:?} {} {is_running} {:?}", lesson.name, course.is_class(), course.step())
+}
+
+/// Asks for something in the lesson.
+fn ask(asks: &mut Asks, command: LessonCommand) {
+    asks.push(Command::Lesson(command));
+}

@@ -1,0 +1,31 @@
+//! What was seen, asked after the reveal: one observation in five contradicts what was shown.
+
+use eframe::egui::{RichText, Ui};
+
+use super::{ask, cards};
+use crate::app::panels::Asks;
+use crate::app::running::LessonCommand;
+use crate::lesson::{Choices, Course, Record};
+
+/// Shows the question, and what is to say to its answer.
+pub fn show(ui: &mut Ui, course: &Course, asked: &Choices, asks: &mut Asks) {
+    cards::question(ui, &asked.question);
+    let observed = course.record().and_then(|record: &Record| record.observed);
+    for (number, text) in asked.options.texts.iter().enumerate() {
+        if cards::choice(ui, text, observed == Some(number)).clicked() {
+            ask(asks, LessonCommand::Observe(number));
+        }
+    }
+    match observed {
+        Some(observed) if observed == asked.options.right => {
+            ui.label(RichText::new("That is what was shown.").color(cards::right_colour(ui)));
+        }
+        Some(_) => {
+            ui.label("Something else was shown. That is easily missed: look again.");
+            if ui.button("Look again").on_hover_text("Shows it again from the beginning").clicked() {
+                ask(asks, LessonCommand::SetUp);
+            }
+        }
+        None => {}
+    }
+}

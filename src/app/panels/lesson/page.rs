@@ -1,0 +1,80 @@
+//! What is said and asked at a place in a lesson.
+
+use eframe::egui::{RichText, Ui};
+
+use super::{cards, end, form, observed, shown};
+use crate::app::panels::Asks;
+use crate::app::running::Running;
+use crate::app::widgets::markdown;
+use crate::lesson::{Course, Phase, Step, Text};
+
+/// Space between what belongs together less.
+pub const APART: f32 = 8.0;
+
+/// Shows the page of the present place.
+pub fn show(ui: &mut Ui, running: &Running, asks: &mut Asks) {
+    let course = &running.course;
+    let Some(step) = course.step() else { return end::show(ui, course, asks) };
+    ui.spacing_mut().item_spacing.y = 6.0;
+    if step.title != course.lesson().title {
+        ui.label(RichText::new(&step.title).heading().strong());
+        ui.add_space(2.0);
+    }
+    match course.place().phase {
+        Phase::Ask => asked(ui, course, step, asks),
+        Phase::Shown => revealed(ui, running, step, asks),
+        Phase::Explained => text(ui, &step.explanation),
+    }
+}
+
+fn asked(ui: &mut Ui, course: &Course, step: &Step, asks: &mut Asks) {
+    text(ui, &step.text);
+    let Some(prediction) = &step.prediction else { return };
+    apart(ui, !step.text.is_empty());
+    cards::question(ui, &prediction.question);
+    if course.asked().is_some() {
+        form::show(ui, course, prediction, asks);
+        form::confidence(ui, course, asks);
+    } else {
+        shown::said(ui, course, prediction);
+    }
+}
+
+fn revealed(ui: &mut Ui, running: &Running, step: &Step, asks: &mut Asks) {
+    let has_text = said_to_reveal(ui, step);
+    if running.is_running() {
+        if !has_text {
+            cards::quiet(ui, "Watch.");
+        }
+        return;
+    }
+    if let Some(prediction) = &step.prediction {
+        apart(ui, has_text);
+        cards::question(ui, &prediction.question);
+        shown::compared(ui, &running.course, prediction);
+    }
+    if let Some(observation) = &step.observation {
+        apart(ui, step.prediction.is_some() || has_text);
+        observed::show(ui, &running.course, observation, asks);
+    }
+}
+
+/// Shows what is said to the reveal; whether there is anything.
+pub fn said_to_reveal(ui: &mut Ui, step: &Step) -> bool {
+    let said = step.reveal.as_ref().map(|reveal| &reveal.text).filter(|text| !text.is_empty());
+    said.inspect(|said| text(ui, said)).is_some()
+}
+
+/// Shows `text`, if there is one.
+pub fn text(ui: &mut Ui, text: &Text) {
+    if !text.is_empty() {
+        markdown::show(ui, &text.markdown);
+    }
+}
+
+/// Space between what came before, if anything did, and what follows.
+fn apart(ui: &mut Ui, is_between: bool) {
+    if is_between {
+        ui.add_space(APART);
+    }
+}

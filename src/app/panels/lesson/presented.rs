@@ -1,0 +1,68 @@
+//! What an audience is told in a lesson: the question and its choices, then what is so, then why.
+
+use eframe::egui::{RichText, Ui, UiBuilder};
+
+use super::{cards, end, form, page, shown, what_is_shown};
+use crate::app::panels::Asks;
+use crate::app::running::Running;
+use crate::app::state::State;
+use crate::app::widgets::fitted;
+use crate::figures;
+use crate::lesson::{Kind, Phase, Step};
+
+/// Largest and smallest sizes of most writing, points: as large as fits.
+const SIZES: [f32; 2] = [30.0, 11.0];
+
+/// Shows it.
+pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    let Some(running) = &state.session.lesson else { return };
+    where_it_is(ui, state, running);
+    let rest = ui.available_rect_before_wrap();
+    ui.scope_builder(UiBuilder::new().max_rect(rest), |ui| {
+        fitted::show(ui, what_is_shown(running), SIZES, |ui| {
+            ui.spacing_mut().item_spacing.y = 5.0;
+            match running.course.step() {
+                Some(step) => words(ui, running, step, asks),
+                None => end::sentence(ui, &running.course),
+            }
+        });
+    });
+}
+
+/// The lesson, the step and the speed, in a line.
+fn where_it_is(ui: &mut Ui, state: &State, running: &Running) {
+    let course = &running.course;
+    let (lesson, place) = (course.lesson(), course.place().step);
+    let count = lesson.steps.len();
+    let step = if count > 1 && place < count { format!("{} of {count}", place + 1) } else { String::new() };
+    let beta = format!("β = {}", figures::beta(&state.speed()));
+    let parts = [lesson.title.as_str(), &step, &beta];
+    let told = parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("   ·   ");
+    ui.label(RichText::new(told).size(super::SIZES[0]).weak());
+}
+
+fn words(ui: &mut Ui, running: &Running, step: &Step, asks: &mut Asks) {
+    let course = &running.course;
+    let prediction = step.prediction.as_ref();
+    match (course.place().phase, prediction) {
+        (Phase::Ask, Some(prediction)) => {
+            cards::question(ui, &prediction.question);
+            let is_open = course.asked().is_some();
+            match &prediction.kind {
+                _ if !is_open => shown::said(ui, course, prediction),
+                Kind::Choice(options) if course.counts_hands() => form::votes(ui, course, options, asks),
+                Kind::Choice(options) => form::choices(ui, course, options, asks),
+                Kind::Number(_) | Kind::Point(_) | Kind::Curve(_) => {}
+            }
+        }
+        (Phase::Ask, None) => page::text(ui, &step.text),
+        (Phase::Shown, Some(prediction)) if !running.is_running() => {
+            cards::question(ui, &prediction.question);
+            shown::compared(ui, course, prediction);
+        }
+        (Phase::Shown, _) => {
+            page::said_to_reveal(ui, step);
+        }
+        (Phase::Explained, _) => page::text(ui, &step.explanation),
+    }
+}

@@ -1,0 +1,233 @@
+//! Markdown as paragraphs, lists and tables.
+
+use std::sync::Arc;
+
+use pulldown_cmark::{Alignment, Event, HeadingLevel, Parser, Tag, TagEnd};
+
+use crate::formula::{Formula, Style, markdown};
+
+/// What words are.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Kind {
+    #[default]
+    Words,
+    Code,
+    /// A formula that cannot be drawn, as it is in the text.
+    Wrong,
+}
+
+/// How words look.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Look {
+    pub is_strong: bool,
+    pub is_slanted: bool,
+    pub kind: Kind,
+    /// The number of the link that they are part of, among those of the text.
+    pub link: Option<usize>,
+}
+
+/// A part of a paragraph.
+#[derive(Debug, Clone)]
+pub enum Piece {
+    /// What is not parted, without spaces.
+    Word(String, Look),
+    Space(Look),
+    /// Where a line may end without a space.
+    Chance,
+    Formula(Arc<Formula>, Look),
+    /// A formula on a line of its own, or its parts on a line each.
+    Displayed(Arc<Formula>, Vec<Arc<Formula>>, Look),
+    /// The end of a line.
+    Break,
+}
+
+/// A part of a text.
+#[derive(Debug)]
+pub enum Block {
+    Paragraph(Vec<Piece>),
+    /// A title, from level 1.
+    Title(usize, Vec<Piece>),
+    /// Items, and the number of the first if they are numbered.
+    List(Option<u64>, Vec<Vec<Block>>),
+    /// Rows of cells, the first of titles.
+    Table(Vec<Alignment>, Vec<Vec<Vec<Piece>>>),
+    /// Code, as it is.
+    Code(String),
+    Quote(Vec<Block>),
+    Rule,
+}
+
+/// A text, and the addresses of its links.
+#[derive(Debug, Default)]
+pub struct Blocks {
+    pub blocks: Vec<Block>,
+    pub links: Vec<String>,
+}
+
+impl Blocks {
+    /// The blocks of this Markdown.
+    pub fn of(markdown: &str) -> Self {
+        let mut reader = Reader { events: Parser::new_ext(markdown, markdown::OPTIONS), links: Vec::new() };
+        let blocks = reader.blocks();
+        Self { blocks, links: reader.links }
+    }
+}
+
+struct Reader<'a> {
+    events: Parser<'a>,
+    links: Vec<String>,
+}
+
+impl Reader<'_> {
+    /// The blocks to the end of what holds them.
+    fn blocks(&mut self) -> Vec<Block> {
+        let mut blocks = Vec::new();
+        // Items of a list without blank lines hold their words without a paragraph.
+        let mut loose = Vec::new();
+        while let Some(event) = self.events.next() {
+            let block = match event {
+                Event::End(_) => break,
+                Event::Start(Tag::Paragraph) => Block::Paragraph(self.pieces()),
+                Event::Start(Tag::Heading { level, .. }) => Block::Title(number(level), self.pieces()),
+                Event::Start(Tag::List(first)) => Block::List(first, self.items()),
+                Event::Start(Tag::Table(alignments)) => Block::Table(alignments, self.rows()),
+                Event::Start(Tag::CodeBlock(_) | Tag::HtmlBlock) => Block::Code(self.code()),
+                Event::Start(Tag::BlockQuote(_)) => Block::Quote(self.blocks()),
+                Event::Rule => Block::Rule,
+                event => {
+                    self.add(event, Look::default(), &mut loose);
+                    continue;
+                }
+            };
+            if !loose.is_empty() {
+                blocks.push(Block::Paragraph(std::mem::take(&mut loose)));
+            }
+            blocks.push(block);
+        }
+        if !loose.is_empty() {
+            blocks.push(Block::Paragraph(loose));
+        }
+        blocks
+    }
+
+    fn items(&mut self) -> Vec<Vec<Block>> {
+        let mut items = Vec::new();
+        while let Some(Event::Start(_)) = self.events.next() {
+            items.push(self.blocks());
+        }
+        items
+    }
+
+    fn rows(&mut self) -> Vec<Vec<Vec<Piece>>> {
+        let mut rows: Vec<Vec<Vec<Piece>>> = Vec::new();
+        while let Some(event) = self.events.next() {
+            match event {
+                Event::End(TagEnd::Table) => break,
+                Event::Start(Tag::TableHead | Tag::TableRow) => rows.push(Vec::new()),
+                Event::Start(Tag::TableCell) => {
+                    let look = Look { is_strong: rows.len() == 1, ..Look::default() };
+                    let cell = self.pieces_with(look);
+                    if let Some(row) = rows.last_mut() {
+                        row.push(cell);
+                    }
+                }
+                _ => {}
+            }
+        }
+        rows
+    }
+
+    fn code(&mut self) -> String {
+        let mut code = String::new();
+        for event in self.events.by_ref() {
+            match event {
+                Event::Text(text) | Event::Html(text) => code.push_str(&text),
+                Event::End(_) => break,
+                _ => {}
+            }
+        }
+        code.trim_end().to_owned()
+    }
+
+    /// The pieces to the end of what holds them.
+    fn pieces(&mut self) -> Vec<Piece> {
+        self.pieces_with(Look::default())
+    }
+
+    fn pieces_with(&mut self, look: Look) -> Vec<Piece> {
+        let mut pieces = Vec::new();
+        while let Some(event) = self.events.next() {
+            if matches!(event, Event::End(_)) {
+                break;
+            }
+            self.add(event, look, &mut pieces);
+        }
+        pieces
+    }
+
+    fn add(&mut self, event: Event<'_>, look: Look, pieces: &mut Vec<Piece>) {
+        match event {
+            Event::Text(text) | Event::InlineHtml(text) | Event::Html(text) => add_words(&text, look, pieces),
+            Event::Code(code) => add_words(&code, Look { kind: Kind::Code, ..look }, pieces),
+            Event::InlineMath(tex) => add_formula(&tex, Style::Inline, look, pieces),
+            Event::DisplayMath(tex) => add_formula(&tex, Style::Displayed, look, pieces),
+            Event::SoftBreak => pieces.push(Piece::Space(look)),
+            Event::HardBreak => pieces.push(Piece::Break),
+            Event::Start(Tag::Strong) => pieces.extend(self.pieces_with(Look { is_strong: true, ..look })),
+            Event::Start(Tag::Link { dest_url, .. }) => {
+                self.links.push(dest_url.into_string());
+                let link = Some(self.links.len() - 1);
+                pieces.extend(self.pieces_with(Look { link, ..look }));
+            }
+            // A picture is what it is called.
+            Event::Start(_) => pieces.extend(self.pieces_with(Look { is_slanted: true, ..look })),
+            _ => {}
+        }
+    }
+}
+
+const fn number(level: HeadingLevel) -> usize {
+    level as usize
+}
+
+fn add_formula(tex: &str, style: Style, look: Look, pieces: &mut Vec<Piece>) {
+    let piece = match style {
+        Style::Inline => Formula::new(tex, style).map(|formula| Piece::Formula(Arc::new(formula), look)),
+        Style::Displayed => Formula::new(tex, style).and_then(|whole| {
+            let parts = Formula::parts(tex, style)?.into_iter().map(Arc::new).collect();
+            Ok(Piece::Displayed(Arc::new(whole), parts, look))
+        }),
+    };
+    match piece {
+        Ok(piece) => pieces.push(piece),
+        Err(_) => add_words(&format!("${tex}$"), Look { kind: Kind::Wrong, ..look }, pieces),
+    }
+}
+
+fn add_words(text: &str, look: Look, pieces: &mut Vec<Piece>) {
+    let mut word = String::new();
+    let mut characters = text.chars().peekable();
+    let mut last = ' ';
+    while let Some(character) = characters.next() {
+        if character.is_whitespace() && character != '\u{a0}' {
+            end_word(&mut word, look, pieces);
+            pieces.push(Piece::Space(look));
+        } else {
+            word.push(character);
+            let is_between =
+                last.is_alphabetic() && characters.peek().is_some_and(|next| next.is_alphabetic());
+            if matches!(character, '-' | '–' | '—' | '/') && is_between {
+                end_word(&mut word, look, pieces);
+                pieces.push(Piece::Chance);
+            }
+        }
+        last = character;
+    }
+    end_word(&mut word, look, pieces);
+}
+
+fn end_word(word: &mut String, look: Look, pieces: &mut Vec<Piece>) {
+    if !word.is_empty() {
+        pieces.push(Piece::Word(std::mem::take(word), look));
+    }
+}

@@ -1,0 +1,50 @@
+//! Fonts and colours of words.
+
+use eframe::egui::{
+    Color32, FontId, TextFormat,
+    epaint::text::{FontsView, LayoutJob},
+};
+
+use super::blocks::{Kind, Look};
+
+/// What words are written with.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ink {
+    pub font: FontId,
+    pub code_font: FontId,
+    pub text: Color32,
+    pub strong: Color32,
+    pub link: Color32,
+    pub wrong: Color32,
+    pub code_background: Color32,
+}
+
+impl Ink {
+    pub fn format(&self, look: Look) -> TextFormat {
+        let color = match look {
+            Look { kind: Kind::Wrong, .. } => self.wrong,
+            Look { link: Some(_), .. } => self.link,
+            Look { is_strong: true, .. } => self.strong,
+            _ => self.text,
+        };
+        let (font_id, background) = match look.kind {
+            Kind::Words => (self.font.clone(), Color32::TRANSPARENT),
+            Kind::Code | Kind::Wrong => (self.code_font.clone(), self.code_background),
+        };
+        TextFormat { italics: look.is_slanted, background, ..TextFormat::simple(font_id, color) }
+    }
+}
+
+/// A line of text, to be laid out.
+pub fn job(text: &str, format: TextFormat) -> LayoutJob {
+    LayoutJob {
+        break_on_newline: false,
+        round_output_to_gui: false,
+        ..LayoutJob::single_section(text.to_owned(), format)
+    }
+}
+
+/// How far a line of text advances, points.
+pub fn width(fonts: &mut FontsView<'_>, text: &str, format: TextFormat) -> f32 {
+    fonts.layout_job(job(text, format)).intrinsic_size().x
+}

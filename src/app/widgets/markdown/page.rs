@@ -1,0 +1,238 @@
+//! Blocks below each other.
+
+use eframe::egui::{
+    Color32, FontId, Pos2, Rect, Shape, epaint::CornerRadius, epaint::text::FontsView, pos2, vec2,
+};
+
+use super::blocks::{Block, Blocks, Kind, Look, Piece};
+use super::ink::Ink;
+use super::paragraph::{Paragraph, Side, lay_out};
+use crate::app::widgets::formula::Pixels;
+
+/// What a page is written with, and how wide it is.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Setting {
+    pub width: f32,
+    pub pixels_per_point: f32,
+    pub ink: Ink,
+    pub title_size: f32,
+    pub line: Color32,
+    pub background: Color32,
+}
+
+/// A paragraph, a title or a row of a table on a page.
+#[derive(Debug)]
+pub struct Part {
+    pub rect: Rect,
+    pub shapes: Vec<Shape>,
+    pub links: Vec<(Rect, usize)>,
+    pub text: String,
+    pub is_title: bool,
+}
+
+/// All parts, from the upper left corner of the page.
+#[derive(Debug)]
+pub struct Page {
+    pub height: f32,
+    pub parts: Vec<Part>,
+}
+
+/// `blocks` on a page.
+pub fn lay_out_page(fonts: &mut FontsView<'_>, setting: &Setting, blocks: &Blocks) -> Page {
+    let pixels = Pixels { per_point: setting.pixels_per_point };
+    let mut writer = Writer { fonts, pixels, setting, parts: Vec::new(), y: 0.0 };
+    writer.blocks(&blocks.blocks, 0.0, false);
+    Page { height: writer.y, parts: writer.parts }
+}
+
+/// A page that is being written.
+pub struct Writer<'a, 'f> {
+    pub fonts: &'a mut FontsView<'f>,
+    pub pixels: Pixels,
+    pub setting: &'a Setting,
+    parts: Vec<Part>,
+    /// Where the next block begins.
+    y: f32,
+}
+
+impl Writer<'_, '_> {
+    pub fn size(&self) -> f32 {
+        self.setting.ink.font.size
+    }
+
+    fn gap(&mut self, sizes: f32) {
+        self.y += self.pixels.nearest(sizes * self.size());
+    }
+
+    fn blocks(&mut self, blocks: &[Block], left: f32, is_tight: bool) {
+        for (index, block) in blocks.iter().enumerate() {
+            if index > 0 {
+                self.gap(match block {
+                    Block::Title(..) => 1.0,
+                    _ if is_tight => 0.25,
+                    _ => 0.6,
+                });
+            }
+            self.block(block, left);
+        }
+    }
+
+    fn block(&mut self, block: &Block, left: f32) {
+        match block {
+            Block::Paragraph(pieces) => {
+                let ink = self.setting.ink.clone();
+                self.paragraph(pieces, &ink, left, None);
+            }
+            Block::Title(level, pieces) => {
+                let scale = [1.25, 1.0][(*level).clamp(1, 2) - 1];
+                let size = if *level > 2 { self.size() } else { scale * self.setting.title_size };
+                let ink = &self.setting.ink;
+                let font = FontId::new(size, ink.font.family.clone());
+                let ink = Ink { font, text: ink.strong, ..ink.clone() };
+                let strong = strong(pieces);
+                self.paragraph(&strong, &ink, left, None);
+                if let Some(part) = self.parts.last_mut() {
+                    part.is_title = true;
+                }
+            }
+            Block::List(first, items) => self.list(*first, items, left),
+            Block::Table(alignments, rows) => self.table(alignments, rows, left),
+            Block::Code(code) => self.code(code, left),
+            Block::Quote(blocks) => {
+                let top = self.y;
+                let inner = self.pixels.nearest(left + self.size());
+                self.blocks(blocks, inner, false);
+                let bar = Rect::from_min_max(pos2(left, top), pos2(left + 2.0, self.y));
+                self.push_shape(Shape::rect_filled(bar, CornerRadius::ZERO, self.setting.line));
+            }
+            Block::Rule => {
+                self.rule(left, self.room(left));
+            }
+        }
+    }
+
+    /// Adds to the last part what says nothing.
+    fn push_shape(&mut self, shape: Shape) {
+        let rect = shape.visual_bounding_rect();
+        match self.parts.last_mut() {
+            Some(part) => {
+                part.rect |= rect;
+                part.shapes.push(shape);
+            }
+            None => self.parts.push(Part {
+                rect,
+                shapes: vec![shape],
+                links: Vec::new(),
+                text: String::new(),
+                is_title: false,
+            }),
+        }
+    }
+
+    pub fn rule(&mut self, left: f32, width: f32) {
+        let corner = pos2(left, self.y + self.pixels.nearest(0.2 * self.size()));
+        let rect = Rect::from_min_size(corner, vec2(width, self.pixels.at_least(0.75)));
+        self.push_shape(Shape::rect_filled(rect, CornerRadius::ZERO, self.setting.line));
+        self.gap(0.4);
+    }
+
+    pub fn room(&self, left: f32) -> f32 {
+        (self.setting.width - left).max(1.0)
+    }
+
+    /// Pieces in lines, with what stands before them at the same height: its text and where it ends.
+    fn paragraph(&mut self, pieces: &[Piece], ink: &Ink, left: f32, before: Option<(&str, f32)>) {
+        let room = self.room(left);
+        let mut laid = lay_out(self.fonts, self.pixels, ink, pieces, (room, Side::Left));
+        if let Some((text, end)) = before {
+            let mark = [Piece::Word(text.to_owned(), Look::default())];
+            let mark = lay_out(self.fonts, self.pixels, ink, &mark, (f32::INFINITY, Side::Left));
+            let at = vec2(end - mark.size.x - left, laid.baseline - mark.baseline);
+            let at = vec2(self.pixels.nearest(at.x), at.y);
+            laid.shapes.extend(mark.shapes.into_iter().map(|shape| translated(shape, at)));
+            if text != BULLET {
+                laid.text = format!("{text} {}", laid.text);
+            }
+        }
+        self.add(laid, left);
+    }
+
+    pub fn add(&mut self, laid: Paragraph, left: f32) {
+        let at = pos2(left, self.y);
+        let by = at.to_vec2();
+        self.y += laid.size.y;
+        self.parts.push(Part {
+            rect: Rect::from_min_size(at, laid.size),
+            shapes: laid.shapes.into_iter().map(|shape| translated(shape, by)).collect(),
+            links: laid.links.into_iter().map(|(rect, link)| (rect.translate(by), link)).collect(),
+            text: laid.text,
+            is_title: false,
+        });
+    }
+
+    fn list(&mut self, first: Option<u64>, items: &[Vec<Block>], left: f32) {
+        let end = left + 1.1 * self.size();
+        let inner = self.pixels.nearest(left + 1.6 * self.size());
+        for (index, item) in items.iter().enumerate() {
+            if index > 0 {
+                self.gap(0.3);
+            }
+            let mark = first.map_or_else(|| BULLET.to_owned(), |first| format!("{}.", first + index as u64));
+            let mut rest = item.as_slice();
+            let ink = self.setting.ink.clone();
+            match item.split_first() {
+                Some((Block::Paragraph(pieces), others)) => {
+                    self.paragraph(pieces, &ink, inner, Some((&mark, end)));
+                    rest = others;
+                }
+                _ => self.paragraph(&[], &ink, inner, Some((&mark, end))),
+            }
+            if !rest.is_empty() {
+                self.gap(0.3);
+                self.blocks(rest, inner, true);
+            }
+        }
+    }
+
+    fn code(&mut self, code: &str, left: f32) {
+        let look = Look { kind: Kind::Code, ..Look::default() };
+        let ink = Ink { code_background: Color32::TRANSPARENT, ..self.setting.ink.clone() };
+        let margin = self.pixels.nearest(0.5 * self.size());
+        let pieces: Vec<Piece> = code
+            .lines()
+            .flat_map(|line| [Piece::Word(line.replace(' ', "\u{a0}"), look), Piece::Break])
+            .collect();
+        let room = self.room(left + 2.0 * margin);
+        let mut laid = lay_out(self.fonts, self.pixels, &ink, &pieces, (room, Side::Left));
+        let size = vec2(self.room(left), laid.size.y + 2.0 * margin);
+        let inside = vec2(margin, margin);
+        let paper = Shape::rect_filled(
+            Rect::from_min_size(Pos2::ZERO, size),
+            CornerRadius::same(4),
+            self.setting.background,
+        );
+        let words = laid.shapes.into_iter().map(|shape| translated(shape, inside));
+        laid.shapes = [paper].into_iter().chain(words).collect();
+        laid.size = size;
+        code.clone_into(&mut laid.text);
+        self.add(laid, left);
+    }
+}
+
+const BULLET: &str = "•";
+
+/// `pieces` as a title has them.
+fn strong(pieces: &[Piece]) -> Vec<Piece> {
+    let mut pieces = pieces.to_vec();
+    for piece in &mut pieces {
+        if let Piece::Word(_, look) | Piece::Space(look) | Piece::Formula(_, look) = piece {
+            look.is_strong = true;
+        }
+    }
+    pieces
+}
+
+pub fn translated(mut shape: Shape, by: eframe::egui::Vec2) -> Shape {
+    shape.translate(by);
+    shape
+}

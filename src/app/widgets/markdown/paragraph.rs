@@ -1,0 +1,139 @@
+//! Words and formulas in lines, on common baselines.
+
+use eframe::egui::{Rect, Shape, Vec2, epaint::text::FontsView, pos2, vec2};
+
+use super::blocks::{Look, Piece};
+use super::ink::{Ink, job};
+use super::lines::{Line, Part, joined, lines};
+use crate::app::widgets::formula::{self, Pixels};
+
+/// Room between lines, and above and below displayed formulas, in sizes of the text.
+const LEADING: f32 = 0.25;
+const DISPLAYED_GAP: f32 = 0.5;
+
+/// Where lines stand in their room.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    Left,
+    Middle,
+    Right,
+}
+
+/// Lines, from their upper left corner.
+#[derive(Debug)]
+pub struct Paragraph {
+    pub size: Vec2,
+    /// Height of the first line's baseline below the top.
+    pub baseline: f32,
+    pub shapes: Vec<Shape>,
+    /// Where links are, and their numbers.
+    pub links: Vec<(Rect, usize)>,
+    /// All that it says.
+    pub text: String,
+}
+
+/// `pieces` in lines no wider than `room`.
+pub fn lay_out(
+    fonts: &mut FontsView<'_>,
+    pixels: Pixels,
+    ink: &Ink,
+    pieces: &[Piece],
+    (room, side): (f32, Side),
+) -> Paragraph {
+    let lines = lines(fonts, ink, pieces, room);
+    drawn(fonts, pixels, ink, lines, said(pieces), (room, side))
+}
+
+/// What `pieces` say.
+fn said(pieces: &[Piece]) -> String {
+    let mut text = String::new();
+    for piece in pieces {
+        match piece {
+            Piece::Word(word, _) => text.push_str(word),
+            Piece::Formula(formula, _) => text.push_str(&formula.words),
+            Piece::Space(_) | Piece::Break => text.push(' '),
+            Piece::Displayed(formula, ..) => {
+                text.push(' ');
+                text.push_str(&formula.words);
+                text.push(' ');
+            }
+            Piece::Chance => {}
+        }
+    }
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+fn drawn(
+    fonts: &mut FontsView<'_>,
+    pixels: Pixels,
+    ink: &Ink,
+    lines: Vec<Line>,
+    text: String,
+    (room, side): (f32, Side),
+) -> Paragraph {
+    let row = fonts.row_height(&ink.font);
+    let galley = fonts.layout_job(job("x", ink.format(Look::default())));
+    let glyph = galley.rows.first().and_then(|row| row.glyphs.first());
+    let ascent = pixels.nearest(glyph.map_or(0.8 * row, |glyph| glyph.font_ascent));
+    let descent = pixels.at_least(row - ascent);
+    let size = ink.font.size;
+    let mut paragraph =
+        Paragraph { size: Vec2::ZERO, baseline: ascent, shapes: Vec::new(), links: Vec::new(), text };
+    let mut y = 0.0;
+    let mut is_after_displayed = false;
+    for (index, line) in lines.into_iter().enumerate() {
+        let mut reach = if line.is_displayed { [0.0; 2] } else { [ascent, descent] };
+        for part in &line.parts {
+            if let Part::Formula { formula, em, .. } = part {
+                reach = [reach[0].max(em * formula.ascent), reach[1].max(em * formula.descent)];
+            }
+        }
+        let gap = if line.is_displayed || is_after_displayed { DISPLAYED_GAP } else { LEADING };
+        if index > 0 {
+            y += pixels.nearest(gap * size);
+        }
+        is_after_displayed = line.is_displayed;
+        let baseline = pixels.at_least(y + reach[0]);
+        if index == 0 {
+            paragraph.baseline = baseline;
+        }
+        let left = match (line.is_displayed, side) {
+            (true, _) | (_, Side::Middle) => (room - line.width).max(0.0) / 2.0,
+            (false, Side::Left) => 0.0,
+            (false, Side::Right) => (room - line.width).max(0.0),
+        };
+        let left = if left.is_finite() { left } else { 0.0 };
+        paragraph.size.x = paragraph.size.x.max(left + line.width);
+        let bottom = pixels.at_least(baseline + reach[1]);
+        let mut x = left;
+        for part in joined(line.parts) {
+            let width = part.width();
+            let look = match part {
+                Part::Word { text, look, .. } => {
+                    let format = ink.format(look);
+                    let bolder = if look.is_strong { 0.035 * size } else { 0.0 };
+                    let at = pos2(x, baseline);
+                    paragraph.shapes.extend(formula::text(fonts, pixels, &text, at, format.clone()));
+                    if look.is_strong {
+                        let at = at + vec2(bolder, 0.0);
+                        paragraph.shapes.extend(formula::text(fonts, pixels, &text, at, format));
+                    }
+                    look
+                }
+                Part::Formula { formula, look, em } => {
+                    let colour = ink.format(look).color;
+                    formula::draw(fonts, pixels, &formula, [em, x, baseline], colour, &mut paragraph.shapes);
+                    look
+                }
+            };
+            if let Some(link) = look.link {
+                let rect = Rect::from_min_max(pos2(x, baseline - reach[0]), pos2(x + width, bottom));
+                paragraph.links.push((rect, link));
+            }
+            x += width;
+        }
+        y = bottom;
+    }
+    paragraph.size.y = y;
+    paragraph
+}

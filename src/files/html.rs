@@ -1,0 +1,252 @@
+//! Pages of Markdown that hold all that they show: pictures, formulas and style.
+
+use anyhow::Context as _;
+use pulldown_cmark::{CowStr, Event, Parser, Tag, TagEnd, html};
+
+use crate::formula::{self, Formula, markdown};
+pub use crate::markup::escaped;
+
+/// What a page is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Style {
+    /// To be read on a screen.
+    Screen,
+    /// To be printed on A4 or Letter, and written on.
+    Print,
+}
+
+impl Style {
+    const fn css(self) -> &'static str {
+        match self {
+            Self::Screen => {
+                "\
+body { font: 16px/1.5 sans-serif; color: #222; background: #fff; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; }
+h1, h2, h3 { line-height: 1.2; margin-top: 2em; }
+table { border-collapse: collapse; font-size: 14px; }
+th, td { border: 1px solid #ccc; padding: 0.2em 0.5em; text-align: left; vertical-align: top; }
+th { background: #f2f2f2; }
+figure { margin: 2em 0; }
+figure > svg { max-width: 100%; height: auto; }
+figcaption { color: #444; }
+code { font-size: 12px; overflow-wrap: anywhere; }
+"
+            }
+            Self::Print => {
+                "\
+@page { margin: 18mm; }
+body { font: 11pt/1.45 serif; color: #000; background: #fff; max-width: 174mm; margin: 0 auto; padding: 1rem; }
+@media print { body { padding: 0; } }
+h1, h2, h3 { line-height: 1.2; margin: 1.2em 0 0.5em; break-after: avoid; }
+h1 { font-size: 17pt; margin-top: 0; }
+h2 { font-size: 13pt; }
+h3 { font-size: 11pt; }
+p, li { orphans: 2; widows: 2; }
+table { border-collapse: collapse; break-inside: avoid; }
+th, td { border: 0.5pt solid #000; padding: 0.25em 0.6em; text-align: left; vertical-align: top; }
+figure, .figure, .question { margin: 1em 0; break-inside: avoid; }
+figure > svg, figure > img, .figure > svg, .figure > img { display: block; max-width: 100%; max-height: 110mm; height: auto; }
+figcaption { font-size: 9.5pt; }
+a { color: inherit; }
+code { font-size: 9.5pt; overflow-wrap: anywhere; }
+.answer-lines { break-inside: avoid; margin: 0.3em 0 1em; }
+.answer-lines > div { height: 8.5mm; border-bottom: 0.5pt solid #888; }
+"
+            }
+        }
+    }
+}
+
+/// What formulas look like on any page.
+const FORMULAS: &str = "\
+.formula { max-width: 100%; overflow: visible; }
+.displayed { display: block; margin: 0.8em 0; text-align: center; break-inside: avoid; }
+";
+
+/// A page that is being written.
+#[derive(Debug, Clone)]
+pub struct Page {
+    text: String,
+}
+
+impl Page {
+    /// An empty page with this title, which the window of a browser shows.
+    #[must_use]
+    pub fn new(title: &str, style: Style) -> Self {
+        let (title, css) = (escaped(title), style.css());
+        let text = format!(
+            "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+             <meta name=\"viewport\" content=\"width=device-width\">\n<title>{title}</title>\n\
+             <style>\n{css}{FORMULAS}</style>\n</head>\n<body>\n"
+        );
+        Self { text }
+    }
+
+    /// Adds Markdown, in which each picture is replaced by what `picture` gives for its file, as a figure with its
+    /// caption. Formulas are drawn; HTML is shown as the text that it is.
+    ///
+    /// # Errors
+    ///
+    /// Those of `picture`, and a formula that cannot be drawn.
+    pub fn markdown(
+        &mut self,
+        text: &str,
+        picture: impl Fn(&str) -> anyhow::Result<String>,
+    ) -> anyhow::Result<()> {
+        let mut events = Vec::new();
+        let mut parser = Parser::new_ext(text, markdown::OPTIONS);
+        while let Some(event) = parser.next() {
+            let Event::Start(Tag::Image { dest_url, .. }) = event else {
+                events.push(drawn(event)?);
+                continue;
+            };
+            let caption: Result<Vec<_>, _> =
+                parser.by_ref().take_while(|event| *event != Event::End(TagEnd::Image)).map(drawn).collect();
+            let mut shown = String::new();
+            html::push_html(&mut shown, caption?.into_iter());
+            let picture = picture(&dest_url).with_context(|| dest_url.to_string())?;
+            let figure = format!("<figure>\n{picture}<figcaption>{shown}</figcaption>\n</figure>\n");
+            events.push(Event::Html(CowStr::from(figure)));
+        }
+        html::push_html(&mut self.text, without_paragraphs_around_figures(events).into_iter());
+        Ok(())
+    }
+
+    /// Adds HTML as it is.
+    pub fn html(&mut self, html: &str) {
+        self.text.push_str(html);
+    }
+
+    /// The whole page.
+    #[must_use]
+    pub fn finish(mut self) -> String {
+        self.text.push_str("</body>\n</html>\n");
+        self.text
+    }
+}
+
+/// `event` with its formula drawn; HTML as text.
+fn drawn(event: Event<'_>) -> anyhow::Result<Event<'_>> {
+    Ok(match event {
+        Event::InlineMath(tex) => {
+            Event::InlineHtml(CowStr::from(Formula::new(&tex, formula::Style::Inline)?.svg()))
+        }
+        Event::DisplayMath(tex) => {
+            let svg = Formula::new(&tex, formula::Style::Displayed)?.svg();
+            Event::InlineHtml(CowStr::from(format!("<span class=\"displayed\">{svg}</span>")))
+        }
+        Event::Html(html) | Event::InlineHtml(html) => Event::Text(html),
+        event => event,
+    })
+}
+
+/// Room for an answer: this many ruled lines.
+#[must_use]
+pub fn answer_lines(count: usize) -> String {
+    format!("<div class=\"answer-lines\">{}</div>\n", "<div></div>".repeat(count))
+}
+
+/// A figure is no part of a paragraph: one that stands in a paragraph of its own stands without it.
+fn without_paragraphs_around_figures(events: Vec<Event<'_>>) -> Vec<Event<'_>> {
+    let mut kept: Vec<Event<'_>> = Vec::new();
+    let mut is_alone = false;
+    for event in events {
+        match (&event, kept.last()) {
+            (Event::Html(_), Some(Event::Start(Tag::Paragraph))) => {
+                kept.pop();
+                is_alone = true;
+                kept.push(event);
+            }
+            (Event::End(TagEnd::Paragraph), Some(Event::Html(_))) if is_alone => is_alone = false,
+            _ => kept.push(event),
+        }
+    }
+    kept
+}
+
+/// `bytes` of this kind as an address that holds them (RFC 2397).
+#[must_use]
+pub fn data_uri(kind: &str, bytes: &[u8]) -> String {
+    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut uri = format!("data:{kind};base64,");
+    for three in bytes.chunks(3) {
+        let byte = |index: usize| u32::from(three.get(index).copied().unwrap_or_default());
+        let bits = byte(0) << 16 | byte(1) << 8 | byte(2);
+        for digit in 0..4 {
+            let value = bits >> (18 - 6 * digit) & 63;
+            uri.push(if digit > three.len() { '=' } else { char::from(DIGITS[value as usize]) });
+        }
+    }
+    uri
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The examples of RFC 4648, section 10.
+    #[test]
+    fn bytes_are_written_as_in_the_standard() {
+        for (bytes, text) in
+            [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foobar", "Zm9vYmFy")]
+        {
+            assert_eq!(data_uri("text/plain", bytes.as_bytes()), format!("data:text/plain;base64,{text}"));
+        }
+    }
+
+    fn page(markdown: &str) -> anyhow::Result<String> {
+        let mut page = Page::new("A & B", Style::Print);
+        page.markdown(markdown, |file| Ok(format!("<svg>{file}</svg>\n")))?;
+        page.html(&answer_lines(2));
+        Ok(page.finish())
+    }
+
+    #[test]
+    fn pictures_become_figures_and_tables_stay_tables() {
+        let markdown =
+            "# A\n\n| a | b |\n|---|---|\n| 1 < 2 | `x` |\n\n![the *curve* of T](curve.svg)\n\nText.\n";
+        let page = page(markdown).expect("there is a figure");
+        let expected =
+            "<figure>\n<svg>curve.svg</svg>\n<figcaption>the <em>curve</em> of T</figcaption>\n</figure>";
+        assert!(page.contains(expected), "{page}");
+        assert!(page.contains("<td>1 &lt; 2</td><td><code>x</code></td>") && page.contains("<p>Text.</p>"));
+        assert!(!page.contains("<p><figure>") && !page.contains("</figure>\n</p>"));
+        let gone = Page::new("A", Style::Screen).markdown(markdown, |_| anyhow::bail!("it is gone"));
+        assert!(gone.is_err());
+    }
+
+    #[test]
+    fn formulas_are_drawn_and_named() {
+        let page = page("At $x<1$ it is\n\n$$\\frac{1}{2}$$\n\n![at $T$](a.svg)\n").expect("they are TeX");
+        assert!(page.contains("<p>At <svg class=\"formula\" role=\"img\" aria-label=\"x &lt; 1\""), "{page}");
+        assert!(page.contains("<p><span class=\"displayed\"><svg class=\"formula\""), "{page}");
+        assert!(
+            page.contains("<figcaption>at <svg class=\"formula\" role=\"img\" aria-label=\"T\""),
+            "{page}"
+        );
+        let error = super::tests::page("$\\gama$").expect_err("it is no TeX");
+        assert!(error.to_string().contains("gama"), "{error}");
+    }
+
+    /// Every element is closed by its own end, and nothing is loaded from elsewhere.
+    #[test]
+    fn pages_are_well_formed_and_hold_all_they_show() {
+        let markdown = "# A\n\n- one $x$\n- <img src=\"http://example.org/a.png\">\n\n$$\\sqrt{2}$$\n\n[a](http://b.org)\n";
+        let page = page(markdown).expect("it is Markdown");
+        assert!(page.contains("<title>A &amp; B</title>") && !page.contains("<img"), "{page}");
+        let mut open = Vec::new();
+        for part in page.split('<').skip(1) {
+            let (tag, _) = part.split_once('>').expect("a tag ends");
+            let name = tag.split([' ', '/']).find(|part| !part.is_empty()).expect("it has a name");
+            if tag.starts_with('/') {
+                assert_eq!(open.pop(), Some(name), "{page}");
+            } else if !(tag.ends_with('/') || ["!DOCTYPE", "meta"].contains(&name)) {
+                open.push(name);
+            }
+            let is_loaded =
+                (tag.contains("src=") || tag.contains("url(")) || tag.contains("href=") && name != "a";
+            assert!(!is_loaded, "{tag}");
+        }
+        assert!(open.is_empty(), "{open:?}");
+        assert_eq!(page.matches("<div></div>").count(), 2);
+    }
+}
