@@ -94,6 +94,12 @@ impl WindowArgs {
         self.lesson.is_some() || self.start.name_what_is_shown()
     }
 
+    /// Whether a newcomer is to find the start page: not where something is named to be shown, or an audience waits.
+    #[must_use]
+    pub fn welcomes(&self) -> bool {
+        !self.names_what_is_shown() && !self.present
+    }
+
     /// The lessons that there are.
     ///
     /// # Errors

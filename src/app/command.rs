@@ -160,6 +160,21 @@ impl Command {
                 | Self::TogglePlaying
         )
     }
+
+    /// Whether it has something else shown, which a page over the window would hide.
+    const fn shows_another(&self) -> bool {
+        matches!(
+            self,
+            Self::Preset(_)
+                | Self::State(_)
+                | Self::ShowNext(_)
+                | Self::Open(_)
+                | Self::OpenData(_)
+                | Self::Undo
+                | Self::Redo
+                | Self::Reset
+        )
+    }
 }
 
 impl State {
@@ -168,6 +183,9 @@ impl State {
         self.session.missed = None;
         if command.sets_what_runs() {
             self.stop_run();
+        }
+        if command.shows_another() && self.session.overlay == Some(Overlay::Start) {
+            self.session.overlay = None;
         }
         match command {
             Command::Motion(motion) => self.settings.motion = motion,
@@ -417,6 +435,7 @@ impl State {
                 let (data, orders) = (self.session.data.take(), std::mem::take(&mut self.session.orders));
                 let recent = std::mem::take(&mut self.session.recent);
                 let (lesson, library) = (self.session.lesson.take(), self.session.library.take());
+                let next_lesson = self.session.next_lesson.take();
                 let session = Session {
                     playing,
                     overlay,
@@ -430,6 +449,7 @@ impl State {
                     orders,
                     recent,
                     lesson,
+                    next_lesson,
                     library,
                     ..state.session
                 };

@@ -4,7 +4,7 @@ use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
 use std::path::Path;
 
 use eframe::egui::{ViewportBuilder, ViewportCommand};
-use eframe::{CreationContext, NativeOptions, WindowBuilderHook};
+use eframe::{CreationContext, NativeOptions, Storage, WindowBuilderHook};
 
 use super::args::WindowArgs;
 use super::notice::Notice;
@@ -80,13 +80,21 @@ fn open(args: &WindowArgs) -> anyhow::Result<()> {
             cc.egui_ctx.send_viewport_cmd(ViewportCommand::Fullscreen(false));
             cc.egui_ctx.send_viewport_cmd(ViewportCommand::Maximized(false));
         }
-        state.session.hint = cc.storage.is_none_or(memory::is_of_a_newcomer);
-        if state.session.hint && !args.names_what_is_shown() {
-            state.session.overlay = Some(Overlay::Start);
-        }
+        recall(&mut state, cc.storage, args.welcomes());
         Ok(Box::new(App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state)) as Box<dyn eframe::App>)
     };
     run_guarded(|| eframe::run_native(APP_ID, options, Box::new(create)))
+}
+
+/// Has `state` know what its user has done before; newcomers, who have neither clicked a point nor begun a lesson, begin with
+/// the start page if the window `welcomes` them.
+fn recall(state: &mut State, storage: Option<&dyn Storage>, welcomes: bool) {
+    state.session.hint = storage.is_none_or(memory::lacks_a_click);
+    let begun = state.session.next_lesson.take().or_else(|| storage.and_then(memory::next_lesson));
+    if welcomes && state.session.hint && begun.is_none() {
+        state.session.overlay = Some(Overlay::Start);
+    }
+    state.session.next_lesson = begun;
 }
 
 /// The window that eframe is to make, which has put the remembered size into it, with the size that is asked for instead.

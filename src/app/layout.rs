@@ -117,7 +117,7 @@ impl Layout {
     /// are those of `tab`.
     #[must_use]
     pub fn of(whole: Rect, lesson: LessonPart, window: Window, arranged: &Arrangement, tab: PlotTab) -> Self {
-        let (bar, below) = split_top(whole, BAR_HEIGHT);
+        let (bar, below) = below_bar(whole);
         let narrowest = lesson.narrowest_with_controls();
         let with_side = window.controls && whole.width() >= narrowest;
         let (lesson, below) = lesson.split_off(below);
@@ -393,6 +393,12 @@ fn side_parts(side: Rect, readout: bool) -> (Option<Rect>, Option<Rect>) {
 fn large_enough(rect: Rect) -> Option<Rect> {
     let shrunk = rect.shrink(GAP / 2.0);
     (shrunk.width() >= 40.0 && shrunk.height() >= 40.0).then_some(shrunk)
+}
+
+/// The bar of a window with this inner `area`, and what is below it.
+#[must_use]
+pub fn below_bar(area: Rect) -> (Rect, Rect) {
+    split_top(area, BAR_HEIGHT)
 }
 
 fn split_top(rect: Rect, height: f32) -> (Rect, Rect) {

@@ -33,8 +33,11 @@ impl State {
     pub fn begin_lesson(&mut self, lesson: &Lesson) -> Result<(), LessonError> {
         let course = Course::new(lesson)?;
         let before = self.session.lesson.as_ref().map_or(self.settings.window, |running| running.before);
-        self.session.lesson = Some(Running { course, is_folded: false, before, run: None });
+        self.session.lesson = Some(Running { course, is_folded: false, before, plots_in: None, run: None });
         self.session.overlay = None;
+        if !lesson.is_a_preset() {
+            self.session.next_lesson = Some(lesson.name.clone());
+        }
         self.set_up();
         Ok(())
     }
@@ -86,6 +89,7 @@ impl State {
             LessonCommand::Back => course.back(),
             LessonCommand::GoTo(place) => course.go_to(place),
             LessonCommand::ToggleClass => course.toggle_class(),
+            LessonCommand::ShowPlots(is_wanted) => running.plots_in = is_wanted.then_some(was.step),
             LessonCommand::ToggleFolded => running.is_folded = !running.is_folded,
             LessonCommand::SetUp => self.set_up(),
             LessonCommand::Close => self.close_lesson(),
@@ -96,6 +100,17 @@ impl State {
             self.finish_run();
         } else if now.step < self.course().map_or(0, |course| course.lesson().steps.len()) {
             self.set_up();
+        } else {
+            self.note_end();
+        }
+    }
+
+    /// Notes that the lesson is over: the one after it comes next.
+    fn note_end(&mut self) {
+        let library = self.library();
+        let after = self.course().and_then(|course| library.after(&course.lesson().name));
+        if let Some(after) = after {
+            self.session.next_lesson = Some(after.name.clone());
         }
     }
 

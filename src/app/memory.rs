@@ -41,13 +41,24 @@ pub fn remember(storage: &mut dyn Storage, state: &State) {
     }
     storage.set_string(KEY, settings.to_toml());
     storage.set_string(RECENT, state.session.recent.to_text());
+    if let Some(name) = &state.session.next_lesson {
+        storage.set_string(LESSON, name.clone());
+    }
+}
+
+/// Where the name of the lesson to go on with is kept.
+const LESSON: &str = "lesson";
+
+/// The name of the lesson to go on with, once one was begun.
+pub fn next_lesson(storage: &dyn Storage) -> Option<String> {
+    storage.get_string(LESSON)
 }
 
 /// Where it is kept that the user once followed a point by a click.
 const CLICKED: &str = "clicked";
 
 /// Whether nobody has yet followed a point by a click.
-pub fn is_of_a_newcomer(storage: &dyn Storage) -> bool {
+pub fn lacks_a_click(storage: &dyn Storage) -> bool {
     storage.get_string(CLICKED).is_none()
 }
 

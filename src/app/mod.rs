@@ -46,17 +46,20 @@ mod plotted;
 pub mod plotting;
 pub mod pointer;
 pub mod points;
+mod predicted;
 mod projector;
 pub mod recent;
 pub mod running;
 mod saving;
 mod screenshot;
+pub mod sketched;
 mod speed_slider;
 pub mod stage;
 pub mod state;
 pub mod steps;
 mod stillness;
 mod theme;
+pub mod thumbnails;
 pub mod under;
 pub mod usual;
 mod views;
@@ -78,15 +81,17 @@ use eyes::EyePictures;
 use fitting::Fitting;
 use full_screen::FullScreen;
 use layout::{Layout, LessonPart, Presentation};
+use overlay::Overlay;
 use panels::{Asks, plots::Plotted};
 use panes::{Arrangement, Content};
 use running::Running;
 use saving::Saver;
 use stage::Part;
 use state::State;
+use thumbnails::Thumbnails;
 use watch::Watch;
 
-use crate::settings::{PlotTab, Settings};
+use crate::settings::PlotTab;
 pub use widgets::markdown;
 
 /// The whole window.
@@ -103,11 +108,14 @@ pub struct App {
     text_scale: f32,
     chooser: Chooser,
     saver: Saver,
+    thumbnails: Thumbnails,
     watch: Option<Watch>,
 }
 
 /// How much larger than usual writing is for an audience.
 const PRESENTED_SCALE: f32 = 1.6;
+/// What stays free around the bar, the controls and the readout, points.
+const INSET: egui::Vec2 = egui::vec2(theme::GAP, theme::GAP / 2.0);
 
 impl App {
     /// The window's content in `state`; without `render_state` there are no views.
@@ -126,6 +134,7 @@ impl App {
             text_scale: 1.0,
             chooser: Chooser::default(),
             saver: Saver::default(),
+            thumbnails: Thumbnails::default(),
             watch: None,
         }
     }
@@ -152,6 +161,12 @@ impl App {
     #[must_use]
     pub const fn examination(&self) -> Option<&Examination> {
         self.examination.as_ref()
+    }
+
+    /// The thumbnails of the start page.
+    #[must_use]
+    pub const fn thumbnails(&self) -> &Thumbnails {
+        &self.thumbnails
     }
 
     /// What the shown tab of plots shows, as SVG.
@@ -182,6 +197,7 @@ impl App {
     pub fn is_settled(&self) -> bool {
         !self.fitting.is_pending()
             && !self.saver.is_busy()
+            && self.thumbnails.is_settled()
             && self.corrected.as_ref().is_none_or(Corrected::is_up_to_date)
             && !self.examination.as_ref().is_some_and(Examination::is_pending)
             && self.eyes.as_ref().is_none_or(EyePictures::is_settled)
@@ -261,6 +277,9 @@ impl App {
         let ctx = ui.ctx().clone();
         ctx.set_theme(theme::preference(self.state.settings.window.theme));
         let mut asks = actions::asked(&ctx);
+        if self.shows_start() {
+            asks.retain(panels::start::lets_through);
+        }
         asks.extend(dropped_file(&ctx));
         panels::palette::show(&ctx, &self.state, &mut asks);
         panels::help::show(&ctx, &self.state, &mut asks);
@@ -273,7 +292,10 @@ impl App {
 
         let area = ui.max_rect();
         ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
-        if self.state.session.stage.is_presented() {
+        self.thumbnails.receive(&ctx);
+        if self.shows_start() {
+            self.show_start(ui, area);
+        } else if self.state.session.stage.is_presented() {
             self.show_presented(ui, area);
         } else {
             self.show_parts(ui, area);
@@ -301,6 +323,31 @@ impl App {
         session.cm_per_pixel = settings.screen.cm_per_point(width) / f64::from(ctx.pixels_per_point());
     }
 
+    /// Whether the start page takes the place of the parts.
+    fn shows_start(&self) -> bool {
+        self.state.session.overlay == Some(Overlay::Start)
+    }
+
+    /// Shows the start page, below the bar where there is one.
+    fn show_start(&mut self, ui: &mut Ui, area: Rect) {
+        self.fitting.rest();
+        self.update_examination(ui, &[], false);
+        self.corrected = None;
+        let mut page = area;
+        if !self.state.session.stage.is_presented() {
+            let bar;
+            (bar, page) = layout::below_bar(area);
+            self.panel(ui, "bar", bar.shrink2(INSET), panels::bar::show);
+        }
+        let mut thumbnails = std::mem::take(&mut self.thumbnails);
+        self.panel(ui, "start", page, |ui, state, asks| {
+            panels::start::show(ui, state, &mut thumbnails, asks)
+        });
+        thumbnails.go_on(ui.ctx());
+        self.thumbnails = thumbnails;
+        self.message(ui.ctx(), page, area);
+    }
+
     /// How much of a lesson is shown.
     fn lesson_part(&self) -> LessonPart {
         match &self.state.session.lesson {
@@ -313,13 +360,13 @@ impl App {
     /// Shows all the parts that there is room for.
     fn show_parts(&mut self, ui: &mut Ui, area: Rect) {
         let ctx = ui.ctx().clone();
-        let Settings { window, plots, .. } = self.state.settings;
+        let (window, plots) = (self.state.shown_window(), self.state.settings.plots);
         let lesson = self.lesson_part();
         let layout = Layout::of(area, lesson, window, &self.arranged(ui), plots.plot);
         let layout = layout.with_only(area, self.state.session.stage.maximised);
         self.measure_pictures(ui, &layout.panes);
         self.state.session.shows_map = layout.map.is_some();
-        let inset = |rect: Rect| rect.shrink2(egui::vec2(theme::GAP, theme::GAP / 2.0));
+        let inset = |rect: Rect| rect.shrink2(INSET);
         self.panel(ui, "bar", inset(layout.bar), panels::bar::show);
         if let Some(rect) = layout.lesson {
             let rect = rect.with_max_y(rect.max.y - theme::GAP);
@@ -336,10 +383,13 @@ impl App {
         if let Some(rect) = layout.map {
             self.panel(ui, "map", rect, panels::map::show);
         }
-        self.update_fit(&ctx, layout.plots.is_some());
-        self.update_examination(ui, &layout.panes, layout.plots.is_some());
+        let plots_are_shown = layout.plots.is_some() && !self.state.shows_sketch();
+        self.update_fit(&ctx, plots_are_shown);
+        self.update_examination(ui, &layout.panes, plots_are_shown);
         if let Some(rect) = layout.plots {
-            self.update_curves();
+            if plots_are_shown {
+                self.update_curves();
+            }
             let (curves, fitting) = (std::mem::take(&mut self.curves), std::mem::take(&mut self.fitting));
             let examination = self.examination.take();
             let plotted = Plotted { curves: &curves, fitting: &fitting, examination: examination.as_ref() };
@@ -382,7 +432,9 @@ impl App {
             self.interact(ui, pane);
         }
         if let Some(rect) = presentation.plot {
-            self.update_curves();
+            if !self.state.shows_sketch() {
+                self.update_curves();
+            }
             let curves = std::mem::take(&mut self.curves);
             self.panel(ui, "plots", rect, |ui, state, asks| {
                 panels::plots::show_one(ui, state, &curves, asks);

@@ -29,6 +29,8 @@ pub enum LessonCommand {
     SetUp,
     /// Count hands, or no longer.
     ToggleClass,
+    /// Show the usual plots beside a curve that was predicted, or the curve again.
+    ShowPlots(bool),
     /// Fold its panel to a strip, or have all of it.
     ToggleFolded,
     /// End the lesson.
@@ -44,6 +46,8 @@ pub struct Running {
     pub is_folded: bool,
     /// The parts of the window before it began.
     pub(super) before: Window,
+    /// The number of the step whose predicted curve gave its place to the usual plots.
+    pub(super) plots_in: Option<usize>,
     /// What runs.
     pub(super) run: Option<Run>,
 }

@@ -86,6 +86,8 @@ pub struct Session {
     pub opened: Option<PathBuf>,
     /// The lesson that is gone through.
     pub lesson: Option<Running>,
+    /// The name of the lesson to go on with: the last that was begun, or the one after it once that is over.
+    pub next_lesson: Option<String>,
     /// The lessons that there are, where they are not the program's own alone.
     pub library: Option<Arc<Library>>,
 }
@@ -134,6 +136,7 @@ impl State {
             recent: Recent::default(),
             opened: None,
             lesson: None,
+            next_lesson: None,
             library: None,
             scene,
         };

@@ -160,22 +160,18 @@ impl Fittable {
     #[must_use]
     pub fn command(&self, file: &str) -> String {
         let FitOptions { model, curves, passage, rolling } = self.options;
-        let mut flags = String::new();
-        match passage {
-            Passage::Fitted => flags += " --fit-x0",
-            Passage::Known(0.0) => {}
-            Passage::Known(x0) => flags += &format!(" --x0={x0}"),
-        }
-        if model != Model::default() {
-            flags += &format!(" --model {}", model.name());
-        }
-        if curves != Curves::Both {
-            flags += &format!(" --use {}", curves.name());
-        }
-        if let Some(Rolling { radius, rho, angle }) = rolling {
-            flags += &format!(" --wheel-radius {radius} --rho {rho} --angle={angle}");
-        }
-        format!("gamow fit {}{flags}", quoted(file))
+        let passage = match passage {
+            Passage::Fitted => " --fit-x0".to_owned(),
+            Passage::Known(0.0) => String::new(),
+            Passage::Known(x0) => format!(" --x0={x0}"),
+        };
+        let model =
+            if model == Model::default() { String::new() } else { format!(" --model {}", model.name()) };
+        let used = if curves == Curves::Both { String::new() } else { format!(" --use {}", curves.name()) };
+        let wheel = rolling.map_or_else(String::new, |Rolling { radius, rho, angle }| {
+            format!(" --wheel-radius {radius} --rho {rho} --angle={angle}")
+        });
+        format!("gamow fit {}{passage}{model}{used}{wheel}", quoted(file))
     }
 }
 

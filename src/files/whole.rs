@@ -33,13 +33,20 @@ impl OutArgs {
     pub fn write(&self, write: impl FnOnce(&mut dyn Write) -> anyhow::Result<()>) -> anyhow::Result<()> {
         match &self.out {
             Some(path) if path != Path::new("-") => write_whole(path, |file| write(file)),
-            _ => {
-                let mut stdout = BufWriter::with_capacity(BUFFER_BYTES, io::stdout().lock());
-                write(&mut stdout)?;
-                Ok(stdout.flush()?)
-            }
+            _ => write_out(write),
         }
     }
+}
+
+/// Hands a writer for standard output to `write`.
+///
+/// # Errors
+///
+/// Those of `write`, and of standard output, which keeps what reached it before.
+pub fn write_out(write: impl FnOnce(&mut dyn Write) -> anyhow::Result<()>) -> anyhow::Result<()> {
+    let mut stdout = BufWriter::with_capacity(BUFFER_BYTES, io::stdout().lock());
+    write(&mut stdout)?;
+    Ok(stdout.flush()?)
 }
 
 /// How a command writes its report, and where to.

@@ -72,6 +72,13 @@ impl Library {
         &self.lessons
     }
 
+    /// The lesson after the one of this name; no preset.
+    #[must_use]
+    pub fn after(&self, name: &str) -> Option<&Arc<Lesson>> {
+        let later = self.lessons.iter().skip_while(|lesson| lesson.name != name).nth(1);
+        later.filter(|lesson| !lesson.is_a_preset())
+    }
+
     /// The one of this name, or in the file there.
     ///
     /// # Errors

@@ -12,8 +12,10 @@ mod picture;
 mod plan;
 mod read;
 mod score;
+pub mod sketch;
 pub mod truth;
 pub mod values;
+mod verdict;
 pub mod worksheet;
 
 pub use answer::{Answer, Outcome, Record};
@@ -25,3 +27,5 @@ pub use plan::{
     Reveal, Step, Text, Told,
 };
 pub use score::Score;
+pub use truth::Sight;
+pub use verdict::{Verdict, difference, verdict};

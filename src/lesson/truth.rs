@@ -1,10 +1,104 @@
 //! What is predicted, as it is: curves over T and places in a view.
 
-use relativity_render::Gaze;
+use glam::DVec3;
+use relativity_render::{Gaze, PreparedScene};
 
 use super::plan::Quantity;
 use crate::scene::{Scene, Track};
 use crate::settings::Settings;
+
+/// How far from it a place counts as that of a body, radians.
+pub const NEAR: f64 = 2.0 / 180.0 * std::f64::consts::PI;
+
+/// Equal parts in which a curve is sampled at least, how often they are halved at most, and how far from its chord, as a part
+/// of its height, a curve may be there.
+const PARTS: u32 = 128;
+const HALVINGS: u32 = 6;
+const FLAT: f64 = 1e-3;
+
+/// What is shown of a scene.
+#[derive(Debug, Clone, Copy)]
+pub struct Sight<'a> {
+    /// How it is shown.
+    pub settings: &'a Settings,
+    /// The scene.
+    pub scene: &'a Scene,
+    /// It, ready to be drawn.
+    pub prepared: &'a PreparedScene,
+    /// The selected point.
+    pub track: Track,
+    /// T.
+    pub time: f64,
+}
+
+impl Sight<'_> {
+    /// The direction in which the left eye sees the body of this name.
+    #[must_use]
+    pub fn direction(&self, body: &str) -> Option<Gaze> {
+        direction_at(self.settings, self.scene, body, self.time)
+    }
+
+    /// From each eye to where it sees the point that is followed on the body of this name.
+    #[must_use]
+    pub fn directions(&self, body: &str) -> Option<[Option<DVec3>; 2]> {
+        Some(self.settings.directions(&track_on(self.scene, body)?, self.time))
+    }
+
+    /// Whether what the left eye sees in this direction is the body of this name.
+    #[must_use]
+    pub fn is_on(&self, direction: Gaze, body: &str) -> bool {
+        let [left, _] = self.settings.views_ahead(self.time);
+        let hit = self.prepared.first_hit(&left, direction.axes().forward);
+        hit.is_some_and(|hit| self.scene.name_of(hit.body) == body)
+    }
+
+    /// The curve of `quantity` over `times` (first and last T), in pieces, densely where it bends.
+    #[must_use]
+    pub fn curve(&self, quantity: Quantity, times: [f64; 2]) -> Vec<Vec<[f64; 2]>> {
+        curve(times, |time| quantity.at(self.settings, &self.track, time))
+    }
+}
+
+/// The curve of `value` over T from the first to the last of `times`, in pieces: it ends where there is none.
+fn curve([from, to]: [f64; 2], value: impl Fn(f64) -> Option<f64>) -> Vec<Vec<[f64; 2]>> {
+    let time = |part: u32| from + (to - from) * f64::from(part) / f64::from(PARTS);
+    let coarse: Vec<_> = (0..=PARTS).map(|part| (time(part), value(time(part)))).collect();
+    let values = || coarse.iter().filter_map(|(_, value)| *value);
+    let height = values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min);
+    let mut pieces = vec![Vec::new()];
+    for pair in coarse.windows(2) {
+        let [(from, start), (to, end)] = [pair[0], pair[1]];
+        let Some(((start, end), piece)) = start.zip(end).zip(pieces.last_mut()) else {
+            pieces.push(Vec::new());
+            continue;
+        };
+        if piece.is_empty() {
+            piece.push([from, start]);
+        }
+        refine(&value, [[from, start], [to, end]], FLAT * height, HALVINGS, piece);
+    }
+    pieces.retain(|piece| !piece.is_empty());
+    pieces
+}
+
+/// Adds to `points` those after the first of `ends` up to the second.
+fn refine(
+    value: &impl Fn(f64) -> Option<f64>,
+    [from, to]: [[f64; 2]; 2],
+    flat: f64,
+    halvings: u32,
+    points: &mut Vec<[f64; 2]>,
+) {
+    let time = 0.5 * (from[0] + to[0]);
+    if let Some(middle) = value(time).filter(|_| halvings > 0) {
+        if (middle - 0.5 * (from[1] + to[1])).abs() > flat {
+            refine(value, [from, [time, middle]], flat, halvings - 1, points);
+            refine(value, [[time, middle], to], flat, halvings - 1, points);
+            return;
+        }
+    }
+    points.push(to);
+}
 
 impl Quantity {
     /// It of the point at `track` at `time`; `None` outside the domain of the core. Radians, or a ratio.
@@ -34,9 +128,17 @@ impl Quantity {
 /// The direction in which the left eye sees the body of this name at the settings' T.
 #[must_use]
 pub fn direction(settings: &Settings, scene: &Scene, body: &str) -> Option<Gaze> {
-    let body = scene.names.iter().position(|name| name == body)?;
-    let track = scene.track_on(body)?;
+    let track = track_on(scene, body)?;
     let time = settings.time.unwrap_or_else(|| settings.time_of_approach(&track));
+    direction_at(settings, scene, body, time)
+}
+
+fn track_on(scene: &Scene, body: &str) -> Option<Track> {
+    scene.track_on(scene.names.iter().position(|name| name == body)?)
+}
+
+fn direction_at(settings: &Settings, scene: &Scene, body: &str, time: f64) -> Option<Gaze> {
+    let track = track_on(scene, body)?;
     let [left, _] = settings.directions(&track, time);
     left.map(|direction| Gaze::along(direction.into()))
 }
@@ -53,4 +155,31 @@ pub fn rms(points: &[[f64; 2]], truth: impl Fn(f64) -> Option<f64>) -> Option<f6
     let squares: Vec<f64> =
         points.iter().filter_map(|[time, value]| Some((value - truth(*time)?).powi(2))).collect();
     (!squares.is_empty()).then(|| (squares.iter().sum::<f64>() / squares.len() as f64).sqrt())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_curve_is_within_a_thousandth_of_its_height_wherever_it_is() {
+        let step = |time: f64| Some((20.0 * (time - 0.3)).tanh());
+        let [points] = &curve([-5.0, 5.0], step)[..] else { panic!("one piece") };
+        assert!(points.is_sorted_by(|a, b| a[0] < b[0]) && points[0][0] == -5.0);
+        for pair in points.windows(2) {
+            let [a, b] = [pair[0], pair[1]];
+            for share in [0.25, 0.5, 0.75] {
+                let time = a[0] + share * (b[0] - a[0]);
+                let drawn = a[1] + share * (b[1] - a[1]);
+                assert!((drawn - (20.0 * (time - 0.3)).tanh()).abs() < 3e-3, "{time}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_curve_ends_where_there_is_none() {
+        let pieces = curve([-2.0, 2.0], |time| (time.abs() > 0.5).then_some(time));
+        assert_eq!(pieces.len(), 2);
+        assert!(pieces.iter().flatten().all(|[time, value]| time == value && time.abs() > 0.5));
+    }
 }

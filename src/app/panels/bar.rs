@@ -14,7 +14,7 @@ use crate::app::recent::file_name;
 use crate::app::state::State;
 use crate::app::widgets::icons::{self, Icon};
 use crate::scene::{PRESETS, Scene};
-use crate::settings::{Preset, Theme, Window};
+use crate::settings::{Theme, Window};
 use crate::units::Units;
 
 /// Room for a menu's entries before they scroll, points.
@@ -36,7 +36,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         }
         file_menu::show(ui, state, asks);
         scene(ui, state, asks);
-        presets(ui, state, asks);
+        lessons(ui, state, asks);
         if width >= NARROWEST_WITH_ALL {
             units(ui, state, asks);
         }
@@ -60,23 +60,13 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     });
 }
 
-fn presets(ui: &mut Ui, state: &State, asks: &mut Asks) {
-    let shown = state.session.preset;
-    ComboBox::from_id_salt("presets")
-        .selected_text("Presets")
-        .width(80.0)
-        .height(MENU_HEIGHT)
-        .show_ui(ui, |ui| {
-            for preset in Preset::all() {
-                let choice = ui.selectable_label(shown == Some(preset), &preset.title);
-                if choice.on_hover_text(&preset.caption).clicked() {
-                    asks.push(Command::State(preset));
-                }
-            }
-        })
-        .response
-        .on_hover_text("States to start from, and what each shows.")
-        .accessible_name("Presets");
+/// The way to the start page and back.
+fn lessons(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    let is_open = state.session.overlay == Some(Overlay::Start);
+    let button = ui.add(Button::new("Lessons").selected(is_open));
+    if button.on_hover_text("The start page: lessons, and presets to look at.   Key: S").clicked() {
+        asks.push(Command::Toggle(Overlay::Start));
+    }
 }
 
 /// What the preset shows and why, in two lines; all of it on hover.

@@ -17,6 +17,7 @@ pub mod readout;
 pub mod saving;
 pub mod sentence;
 pub mod spectrum;
+pub mod start;
 pub mod timeline;
 pub mod views;
 

@@ -10,6 +10,7 @@ use crate::app::actions::ACTIONS;
 use crate::app::command::Command;
 use crate::app::overlay::Overlay;
 use crate::app::pointer::Select;
+use crate::app::running::LessonCommand;
 use crate::app::state::State;
 use crate::settings::Preset;
 
@@ -144,13 +145,18 @@ fn found(state: &State, text: &str) -> Vec<Entry> {
     let entry = |name: String, command| Entry { name, keys: String::new(), command };
     let presets =
         Preset::all().iter().map(|preset| entry(format!("preset: {}", preset.title), Command::State(preset)));
+    let library = state.library();
+    let lessons = library.all().iter().filter(|lesson| !lesson.is_a_preset()).map(|lesson| {
+        let open = LessonCommand::Open(lesson.name.clone());
+        entry(format!("lesson: {}", lesson.title), Command::Lesson(open))
+    });
     let scene = &state.session.scene;
     let bodies = (0..scene.bodies.len()).filter_map(|body| {
         let track = scene.track_on(body)?;
         let command = Command::Select(Select { track, body, add: false });
         Some(entry(format!("follow: {}", scene.name_of(body)), command))
     });
-    actions.chain(presets).chain(bodies).filter(fits).take(MOST).collect()
+    actions.chain(lessons).chain(presets).chain(bodies).filter(fits).take(MOST).collect()
 }
 
 #[cfg(test)]

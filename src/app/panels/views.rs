@@ -19,7 +19,7 @@ use crate::app::pointer::{Pick, Turn, Zoom};
 use crate::app::points::Point;
 use crate::app::state::State;
 use crate::app::widgets::pane_title;
-use crate::app::{beyond, highlight, layouts, theme, under};
+use crate::app::{beyond, highlight, layouts, predicted, theme, under};
 use crate::caption;
 use crate::figures;
 use crate::flags::choices::Form;
@@ -116,6 +116,7 @@ pub fn paint(ui: &Ui, state: &State, pane: EyePane, painted: Painted) {
     for coat in [Coat::Halo, Coat::Ring] {
         markers(ui, &inside, state, pane, coat);
     }
+    predicted::paint(ui, &inside, state, pane);
     words(ui, state, pane, note(state, pane.eye, picture, heat_map.is_some()));
     ui.painter().rect_stroke(pane.rect, 0.0, Stroke::new(1.5, colour), StrokeKind::Outside);
     hover(ui, state, pane);
@@ -149,6 +150,9 @@ pub fn paint_both(
             markers(ui, &ui.painter().with_clip_rect(pane.rect), state, pane, coat);
         }
     }
+    for &pane in panes {
+        predicted::paint(ui, &ui.painter().with_clip_rect(pane.rect), state, pane);
+    }
     for (&pane, heat_map) in panes.iter().zip(heat_maps) {
         if pane.takes_the_mouse() || panes.len() == 1 {
             words(ui, state, pane, note(state, pane.eye, picture, heat_map.is_some()));
@@ -175,10 +179,11 @@ fn words(ui: &Ui, state: &State, pane: EyePane, note: String) {
     beyond::paint(ui, &inside, pane.rect, &state.beyond(pane.eye, pane.size));
     let _ = write(ui, &inside, pane, Align2::LEFT_BOTTOM, note);
     let _ = write(ui, &inside, pane, Align2::LEFT_TOP, unseen(ui, state, pane).unwrap_or_default());
-    if state.session.hint && pane.takes_the_mouse() {
-        let place = write(ui, &inside, pane, Align2::CENTER_BOTTOM, HINT.to_owned());
+    let hint = predicted::hint(state).or_else(|| state.session.hint.then(|| HINT.to_owned()));
+    if let Some(hint) = hint.filter(|_| pane.takes_the_mouse()) {
+        let place = write(ui, &inside, pane, Align2::CENTER_BOTTOM, hint.clone());
         let response = ui.interact(place, ui.scope_id().with(("hint", pane.eye.index())), Sense::hover());
-        response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Label, true, HINT));
+        response.widget_info(|| egui::WidgetInfo::labeled(egui::accesskit::Role::Label, true, &hint));
     }
 }
 

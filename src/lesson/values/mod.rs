@@ -4,10 +4,12 @@
 //! A text asks for one as `{NAME:.2}` (two decimals), `{NAME of BODY:.2}` or `{NAME at T:.2}`. Without a body it is
 //! that of the selected point, without a T that of the state.
 
+mod ends;
 mod fits;
 mod here;
 mod optics;
 mod pairs;
+mod rolling;
 
 use self::fits::Fit;
 use self::here::{Here, Value};
@@ -20,7 +22,7 @@ use crate::settings::Settings;
 
 /// All of them, in the order of the documentation.
 pub fn all() -> impl Iterator<Item = &'static Value> {
-    [optics::VALUES, pairs::VALUES, fits::VALUES].into_iter().flatten()
+    [optics::VALUES, pairs::VALUES, ends::VALUES, rolling::VALUES, fits::VALUES].into_iter().flatten()
 }
 
 /// A value as a text asks for it.

@@ -1,5 +1,7 @@
 //! Values of two eyes.
 
+use relativity_core::math;
+
 use super::here::{Here, Value};
 
 /// Them.
@@ -15,11 +17,11 @@ pub const VALUES: &[Value] = &[
         work_out: |here| Some(here.disparity()?.secondary.retarded_time),
     },
     Value {
-        name: "t_apart",
-        what: "by how much what the right eye receives happened later",
+        name: "t_before",
+        what: "by how much what the right eye receives happened earlier",
         work_out: |here| {
             let both = here.disparity()?;
-            Some(both.secondary.retarded_time - both.primary.retarded_time)
+            Some(both.primary.retarded_time - both.secondary.retarded_time)
         },
     },
     Value {
@@ -31,7 +33,31 @@ pub const VALUES: &[Value] = &[
             Some(speed.beta() * (both.secondary.retarded_time - both.primary.retarded_time).abs())
         },
     },
+    Value {
+        name: "T_right",
+        what: "when the right eye receives what the left eye receives at T",
+        work_out: |here| {
+            let (seen, [left, right]) = (here.left()?, here.settings.pair());
+            let from_right = [left.x - right.x, left.y - right.y, left.z - right.z];
+            let [x, y, z] = [0, 1, 2].map(|axis| seen.position[axis] + from_right[axis]);
+            Some(seen.retarded_time + math::hypot(math::hypot(x, y), z))
+        },
+    },
+    Value {
+        name: "tau_now",
+        what: "what its own clock shows when the ground's clocks show T",
+        work_out: |here| {
+            let speed = here.settings.velocity(here.track.motion).speed;
+            let x0 = here.settings.carrier(&here.track).x0;
+            Some((here.time - speed.beta() * (x0 + speed.beta() * here.time)) * speed.gamma())
+        },
+    },
     Value { name: "dphi", what: "disparity across, radians", work_out: |here| Some(here.disparity()?.dphi) },
+    Value {
+        name: "dphi_size",
+        what: "its size, without its sign",
+        work_out: |here| Some(here.disparity()?.dphi.abs()),
+    },
     Value {
         name: "dtheta",
         what: "disparity in elevation, radians",

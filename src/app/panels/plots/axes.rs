@@ -88,7 +88,8 @@ impl Ruler {
         Self::of_values(Quantity::DeltaPhi, Unit::OWN, height)
     }
 
-    fn of_height(height: f32) -> Self {
+    /// Of plain numbers in a plot of this height.
+    pub fn of_height(height: f32) -> Self {
         let [wanted, most] =
             [NUMBER_ROOM[1], LEAST_NUMBER_ROOM].map(|room| ticks_along(height.into(), room.into()));
         Self { logarithmic: false, unit: Unit::OWN, wanted, most }

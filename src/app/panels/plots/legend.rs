@@ -25,11 +25,18 @@ const LOW: f32 = 0.45;
 const OPACITY: f32 = 0.8;
 
 /// A line of the legend.
-struct Row {
+pub(super) struct Row {
     /// Whose line it names, and that line's width; none of what is said of the cursors.
     line: Option<(Dash, f32)>,
     text: String,
     colour: Color32,
+}
+
+impl Row {
+    /// The name of a line.
+    pub fn of_line(dash: Dash, width: f32, name: &str, colour: Color32) -> Self {
+        Self { line: Some((dash, width)), text: name.to_owned(), colour }
+    }
 }
 
 /// How much of it there is.
@@ -177,8 +184,19 @@ pub(super) fn sample(painter: &Painter, from: Pos2, length: f32, dash: Dash, str
 
 /// Draws the legend of `chart` where it covers least of what is `drawn`.
 pub(super) fn show(ui: &Ui, response: &PlotResponse<()>, chart: &Chart<'_>, drawn: &Drawn) {
+    let Some(block) = block(ui, chart, response.transform.frame().size()) else { return };
+    put(ui, response, label(chart.quantity), &block, drawn);
+}
+
+/// The same of these `rows`, the names of the lines in the plot of `what`.
+pub(super) fn show_rows(ui: &Ui, response: &PlotResponse<()>, what: &str, rows: Vec<Row>, drawn: &Drawn) {
+    if !rows.is_empty() {
+        put(ui, response, what, &Block::new(ui, rows, 1), drawn);
+    }
+}
+
+fn put(ui: &Ui, response: &PlotResponse<()>, what: &str, block: &Block, drawn: &Drawn) {
     let frame = *response.transform.frame();
-    let Some(block) = block(ui, chart, frame.size()) else { return };
     let size = block.size();
     let spots = spots(frame.shrink(3.0), size);
     let cost = |spot: &Rect| drawn.covered_by(spot.expand(3.0));
@@ -186,8 +204,8 @@ pub(super) fn show(ui: &Ui, response: &PlotResponse<()>, chart: &Chart<'_>, draw
     let painter = ui.painter().with_clip_rect(frame);
     block.paint(&painter, place, ui.visuals().panel_fill.gamma_multiply(OPACITY));
     let words: Vec<&str> = block.rows.iter().map(|(row, _)| row.text.as_str()).collect();
-    let name = format!("Legend of {}: {}", label(chart.quantity), words.join("; "));
-    let id = Id::unique(("legend", label(chart.quantity)));
+    let name = format!("Legend of {what}: {}", words.join("; "));
+    let id = Id::unique(("legend", what));
     let shown = ui.interact(place, id, Sense::empty());
     shown.widget_info(|| WidgetInfo::labeled(Role::Label, true, &name));
 }
@@ -253,6 +271,13 @@ impl Drawn {
         let dots = traces.filter(|trace| trace.dot).filter_map(|trace| place(trace, chart.now));
         let now = response.transform.position_from_point_x(chart.now);
         Self { points: points.collect(), dots: dots.collect(), written: Vec::new(), now }
+    }
+
+    /// What curves through these `points` (T and value) draw, T being `now`.
+    pub fn of_points(response: &PlotResponse<()>, points: &[[f64; 2]], now: f64) -> Self {
+        let place = |point: &[f64; 2]| response.transform.position_from_point(&(*point).into());
+        let now = response.transform.position_from_point_x(now);
+        Self { points: points.iter().map(place).collect(), dots: Vec::new(), written: Vec::new(), now }
     }
 
     /// How bad it is to cover this `spot`.

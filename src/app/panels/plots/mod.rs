@@ -13,6 +13,7 @@ mod pins;
 mod plotted;
 mod pointed;
 mod points;
+mod sketch;
 mod split;
 mod title;
 mod traces;
@@ -39,6 +40,12 @@ const ABOVE_AND_BELOW: f32 = 60.0;
 
 /// Shows the plots.
 pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {
+    if let Some(sketched) = state.sketched() {
+        ui.horizontal(|ui| sketch::switch(ui, state, asks));
+        if state.shows_sketch() {
+            return sketch::show(ui, state, sketched, asks);
+        }
+    }
     let examination = plotted.examination.filter(|_| state.settings.plots.plot == PlotTab::Accuracy);
     ui.horizontal_wrapped(|ui| {
         tabs(ui, state, asks);
@@ -55,8 +62,12 @@ pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {
     }
 }
 
-/// Shows the first of the plots of what is chosen, and nothing else; of a tab with a table the first plot of all.
+/// Shows the first of the plots of what is chosen, and nothing else; of a tab with a table the first plot of all. A curve
+/// that a lesson has drawn goes before.
 pub fn show_one(ui: &mut Ui, state: &State, curves: &[Curves], asks: &mut Asks) {
+    if let Some(sketched) = state.sketched() {
+        return sketch::show(ui, state, sketched, asks);
+    }
     over_time(ui, state, curves, asks);
 }
 

@@ -1,5 +1,7 @@
 //! `gamow lesson`: what goes with a lesson on paper.
 
+pub mod list;
+
 use std::io::Write as _;
 use std::path::PathBuf;
 

@@ -1,0 +1,174 @@
+//! The plot that a curve is drawn into before it is seen; then both stand in it.
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Align2, Color32, Id, PointerButton, RichText, Sense, TextStyle, Ui, Vec2, WidgetInfo};
+use egui_plot::{Line, PlotBounds, PlotPoints, PlotResponse, Points, VLine};
+
+use super::axes::{Ruler, Y_AXIS_WIDTH, annotate, axis_label, plot_over_time, shown_in};
+use super::chart::Dash;
+use super::legend::{self, Drawn, Row};
+use crate::app::command::Command;
+use crate::app::curves::Quantity;
+use crate::app::eye::Eye;
+use crate::app::panels::Asks;
+use crate::app::running::LessonCommand;
+use crate::app::sketched::Sketched;
+use crate::app::state::State;
+use crate::app::theme;
+use crate::lesson::{self, Answer, difference, sketch};
+use crate::plot::with_factor;
+
+/// What is said in an empty plot.
+const INVITATION: &str = "Draw the curve that you expect: press and drag.";
+/// How the lines are drawn, and what they are called.
+const WIDTH: f32 = 2.0;
+const DRAWN: (Dash, &str) = (Dash::RIGHT, "your curve");
+const TRUE: (Dash, &str) = (Dash::Solid, "true curve");
+
+/// Shows it.
+pub(super) fn show(ui: &mut Ui, state: &State, sketched: Sketched<'_>, asks: &mut Asks) {
+    let quantity = plotted(sketched.curve.quantity);
+    let unit = shown_in(quantity, state.measures().length);
+    ui.spacing_mut().item_spacing.y = 2.0;
+    ui.horizontal_wrapped(|ui| {
+        ui.add_space(Y_AXIS_WIDTH);
+        let ruler = Ruler::of_height(ui.available_height());
+        let heading = with_factor(&axis_label(quantity, unit), ruler.axis(sketched.curve.range).exponent);
+        let of = state.name_of(state.session.points.selected());
+        ui.label(RichText::new(heading).strong());
+        ui.label(RichText::new(format!("of the {of}{}", whose(quantity))).weak());
+        if sketched.is_asked && !sketched.points.is_empty() {
+            let clear = ui.button("Clear").on_hover_text("Begins the curve anew.");
+            if clear.clicked() {
+                asks.push(Command::Lesson(LessonCommand::Draft(None)));
+            }
+        }
+        if sketched.is_revealed {
+            if let Some(text) = difference(&sketched.curve, sketched.points, &state.sight()) {
+                ui.label(text);
+            }
+        }
+    });
+    plot(ui, state, sketched, asks);
+}
+
+/// The small switch between the curve and the usual plots.
+pub(super) fn switch(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    let Some(Sketched { is_asked: false, .. }) = state.sketched() else { return };
+    let now = !state.shows_sketch();
+    let mut plots = now;
+    ui.selectable_value(&mut plots, false, "Your curve").on_hover_text("What you drew, and what it is.");
+    ui.selectable_value(&mut plots, true, "Plots").on_hover_text("All that is plotted.");
+    if plots != now {
+        asks.push(Command::Lesson(LessonCommand::ShowPlots(plots)));
+    }
+}
+
+/// What the plots of a window call it.
+const fn plotted(quantity: lesson::Quantity) -> Quantity {
+    match quantity {
+        lesson::Quantity::Dphi => Quantity::DeltaPhi,
+        lesson::Quantity::Dtheta => Quantity::DeltaTheta,
+        lesson::Quantity::Doppler => Quantity::LogDoppler,
+        lesson::Quantity::Phi => Quantity::Phi,
+    }
+}
+
+/// Whose it is: disparities are of both eyes.
+const fn whose(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::DeltaPhi | Quantity::DeltaTheta => "",
+        _ => ", left eye",
+    }
+}
+
+fn plot(ui: &mut Ui, state: &State, sketched: Sketched<'_>, asks: &mut Asks) {
+    let lesson::Curve { quantity, range: values } = sketched.curve;
+    let (times, time_unit) = (state.whole_times(), state.measures().time);
+    let size = ui.available_size().max(Vec2::splat(20.0));
+    let truth = if sketched.is_revealed { state.sight().curve(quantity, times) } else { Vec::new() };
+    let drawn = sketch::pieces(sketched.points, times);
+    let [drawn_colour, true_colour] = colours(ui, state, quantity);
+    let plot = plot_over_time(ui, "sketch", time_unit, size).sense(Sense::drag());
+    let now = state.session.time;
+    let response = Ruler::of_height(size.y).beside(plot).show(ui, |plot| {
+        plot.set_plot_bounds(PlotBounds::from_min_max([times[0], values[0]], [times[1], values[1]]));
+        let now_line = VLine::new("T", now).width(1.0).allow_hover(false);
+        plot.vline(now_line.color(theme::now_colour(&plot.ctx().global_style().visuals)));
+        let dash = if sketched.is_revealed { DRAWN.0 } else { Dash::Solid };
+        let lines = truth.iter().map(|piece| (piece, TRUE.0, TRUE.1, true_colour));
+        for (piece, dash, name, colour) in
+            lines.chain(drawn.iter().map(|piece| (piece, dash, DRAWN.1, drawn_colour)))
+        {
+            let line = Line::new(name, PlotPoints::from(piece.clone())).allow_hover(false).allow_band(false);
+            plot.line(line.color(colour).width(WIDTH).style(dash.style()));
+        }
+        let value = sketched.is_revealed.then(|| quantity.at(&state.settings, &state.sight().track, now));
+        if let Some(value) = value.flatten() {
+            let dot = Points::new("now", vec![[now, value]]).color(true_colour).radius(4.0);
+            plot.points(dot.allow_hover(false));
+        }
+    });
+    let all: Vec<[f64; 2]> = truth.iter().chain(&drawn).flatten().copied().collect();
+    let mut covered = Drawn::of_points(&response, &all, now);
+    covered.written = annotate(ui, &response, time_unit, None, |spot| covered.covered_by(spot));
+    let is_there = [(&truth, TRUE, true_colour), (&drawn, DRAWN, drawn_colour)];
+    let is_there = is_there.into_iter().filter(|(pieces, ..)| sketched.is_revealed && !pieces.is_empty());
+    let row = |(_, (dash, name), colour): (_, (Dash, &str), _)| Row::of_line(dash, WIDTH, name, colour);
+    legend::show_rows(ui, &response, "the sketch", is_there.map(row).collect(), &covered);
+    describe(ui, &response, state, sketched);
+    if sketched.is_asked {
+        read(ui, &response, sketched, [times, values], asks);
+    }
+}
+
+/// The colour of what is drawn, and that of what it should be, which other plots have too.
+fn colours(ui: &Ui, state: &State, quantity: lesson::Quantity) -> [Color32; 2] {
+    let visuals = ui.visuals();
+    let truth = match quantity {
+        lesson::Quantity::Dphi | lesson::Quantity::Dtheta => {
+            theme::point_colour(state.session.points.selected().number, visuals)
+        }
+        lesson::Quantity::Doppler | lesson::Quantity::Phi => theme::eye_colour(Eye::Left, visuals),
+    };
+    [visuals.text_color(), truth]
+}
+
+/// Names the plot for assistive technology, and says in an empty one what to do.
+fn describe(ui: &Ui, response: &PlotResponse<()>, state: &State, sketched: Sketched<'_>) {
+    let [sign, _] = sketched.curve.quantity.axis();
+    let point = state.name_of(state.session.points.selected());
+    let name = if sketched.is_revealed {
+        format!("Plot of {sign} of {point} against T, and of what was drawn")
+    } else {
+        format!("Plot to draw {sign} of {point} against T into")
+    };
+    response.response.widget_info(|| WidgetInfo::labeled(Role::GraphicsObject, true, &name));
+    if sketched.is_asked && sketched.points.is_empty() {
+        let frame = *response.transform.frame();
+        let (font, colour) = (TextStyle::Body.resolve(ui.style()), ui.visuals().weak_text_color());
+        let galley = ui.painter().layout(INVITATION.to_owned(), font, colour, frame.width());
+        let place = Align2::CENTER_CENTER.align_size_within_rect(galley.size(), frame);
+        ui.painter().galley(place.min, galley, colour);
+        let shown = ui.interact(place, Id::unique("invitation to draw"), Sense::empty());
+        shown.widget_info(|| WidgetInfo::labeled(Role::Label, true, INVITATION));
+    }
+}
+
+/// Asks for what the mouse draws: a straight stroke from where it was to where it is.
+fn read(ui: &Ui, response: &PlotResponse<()>, sketched: Sketched<'_>, area: [[f64; 2]; 2], asks: &mut Asks) {
+    let mouse = &response.response;
+    let is_drawing =
+        mouse.dragged_by(PointerButton::Primary) || mouse.drag_stopped_by(PointerButton::Primary);
+    let Some(to) = mouse.interact_pointer_pos().filter(|_| is_drawing) else { return };
+    let pressed = ui.input(|input| input.pointer.press_origin()).filter(|_| mouse.drag_started());
+    let from = pressed.unwrap_or_else(|| to - ui.input(|input| input.pointer.delta()));
+    let stroke = [from, to].map(|place| {
+        let value = response.transform.value_from_position(place);
+        [value.x, value.y]
+    });
+    let points = sketch::drawn(sketched.points, area, stroke);
+    if points != sketched.points {
+        asks.push(Command::Lesson(LessonCommand::Draft(Some(Answer::Curve(points)))));
+    }
+}

@@ -1,0 +1,220 @@
+//! Cards in rows: a picture of what is shown, and what it is called. A row is as high as its longest text needs.
+
+use std::sync::Arc;
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::epaint::{CornerRadius, RectShape, Shadow};
+use eframe::egui::text::{LayoutJob, TextFormat};
+use eframe::egui::{
+    Color32, CursorIcon, FontId, Galley, Id, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui,
+    WidgetInfo, pos2, vec2,
+};
+
+use super::Asks;
+use crate::app::command::Command;
+use crate::app::theme;
+use crate::app::thumbnails::{Look, Thumbnails};
+use crate::lesson::Lesson;
+
+/// Height of a picture in its widths.
+const ASPECT: f32 = 0.58;
+/// Most pixels of a picture to a point.
+const FINEST: f32 = 2.0;
+/// Space between cards, and around what is written in one; points.
+const BETWEEN: f32 = 14.0;
+const AROUND: f32 = 11.0;
+const RADIUS: u8 = 9;
+
+/// The cards of a section.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Cards {
+    /// Large ones.
+    OfLessons,
+    /// Small ones.
+    OfPresets,
+}
+
+/// A card.
+pub struct Card<'a> {
+    /// What it is of.
+    pub lesson: &'a Arc<Lesson>,
+    /// Its number among the others, if they come in an order.
+    pub number: Option<usize>,
+    /// In small writing below the title; may be empty.
+    pub details: String,
+    /// What it is about; may be empty.
+    pub text: String,
+    /// More of that, told when the pointer rests on it.
+    pub tip: String,
+    /// That it is what is shown at present.
+    pub state: Option<String>,
+    /// What a click on it asks for.
+    pub command: Command,
+}
+
+impl Cards {
+    /// The narrowest of them, points.
+    const fn narrowest(self) -> f32 {
+        match self {
+            Self::OfLessons => 226.0,
+            Self::OfPresets => 150.0,
+        }
+    }
+
+    /// How many stand in a row of this `width`, so that of so many cards the last row lacks as few as can be.
+    fn columns(self, width: f32, scale: f32, count: usize) -> usize {
+        let most = (width + scale * BETWEEN) / (scale * (self.narrowest() + BETWEEN));
+        let most = (most as usize).max(1);
+        count.div_ceil(count.div_ceil(most).max(1)).max(1)
+    }
+
+    /// Shows `cards`.
+    pub fn show(self, ui: &mut Ui, cards: Vec<Card<'_>>, thumbnails: &mut Thumbnails, asks: &mut Asks) {
+        let (width, scale) = (ui.available_width(), theme::text_scale(ui.style()));
+        let columns = self.columns(width, scale, cards.len());
+        let between = scale * BETWEEN;
+        let card_width = (width - between * (columns - 1) as f32) / columns as f32;
+        let pixels = (ui.pixels_per_point() * scale).clamp(1.0, FINEST);
+        let across = 1.4 * self.narrowest();
+        let look = Look {
+            size: [across, across * ASPECT].map(|side| (side * pixels) as u32),
+            in_light_window: !ui.visuals().dark_mode,
+        };
+        for row in cards.chunks(columns) {
+            let written: Vec<_> = row.iter().map(|card| card.written(ui, self, card_width, scale)).collect();
+            let text_height = written.iter().map(|galley| galley.size().y).fold(0.0, f32::max);
+            let height = card_width * ASPECT + text_height + 2.0 * scale * AROUND;
+            let (room, _) = ui.allocate_exact_size(vec2(width, height), Sense::hover());
+            for (number, (card, written)) in row.iter().zip(written).enumerate() {
+                let left = room.min.x + number as f32 * (card_width + between);
+                let rect = Rect::from_min_size(pos2(left, room.min.y), vec2(card_width, height));
+                if card.show(ui, rect, written, look, thumbnails).clicked() {
+                    asks.push(card.command.clone());
+                }
+            }
+            ui.add_space(between - ui.spacing().item_spacing.y);
+        }
+    }
+}
+
+impl Card<'_> {
+    /// What assistive technology calls it.
+    fn name(&self) -> String {
+        match self.number {
+            Some(number) => format!("{number}. {}", self.lesson.title),
+            None => self.lesson.title.clone(),
+        }
+    }
+
+    /// What is written below the picture.
+    fn written(&self, ui: &Ui, cards: Cards, width: f32, scale: f32) -> Arc<Galley> {
+        let (body, small) = (TextStyle::Body.resolve(ui.style()), TextStyle::Small.resolve(ui.style()));
+        let visuals = ui.visuals();
+        let title = match cards {
+            Cards::OfLessons => FontId { size: 1.15 * body.size, ..body.clone() },
+            Cards::OfPresets => FontId { size: 0.96 * body.size, ..body.clone() },
+        };
+        let mut job = LayoutJob {
+            wrap: eframe::egui::text::TextWrapping::wrap_at_width((width - 2.0 * scale * AROUND).max(1.0)),
+            ..LayoutJob::default()
+        };
+        if let Some(number) = self.number {
+            job.append(
+                &format!("{number}   "),
+                0.0,
+                TextFormat::simple(title.clone(), visuals.weak_text_color()),
+            );
+        }
+        job.append(&self.lesson.title, 0.0, TextFormat::simple(title, visuals.strong_text_color()));
+        if !self.details.is_empty() {
+            let format = TextFormat {
+                line_height: Some(1.7 * small.size),
+                ..TextFormat::simple(small, visuals.weak_text_color())
+            };
+            job.append(&format!("\n{}", self.details), 0.0, format);
+        }
+        if !self.text.is_empty() {
+            let font = FontId { size: 0.93 * body.size, ..body };
+            job.append(&format!("\n{}", self.text), 0.0, TextFormat::simple(font, visuals.text_color()));
+        }
+        ui.painter().layout_job(job)
+    }
+
+    fn show(
+        &self,
+        ui: &Ui,
+        rect: Rect,
+        written: Arc<Galley>,
+        look: Look,
+        thumbnails: &mut Thumbnails,
+    ) -> Response {
+        let id: Id = ui.make_persistent_id(("card", &self.lesson.name));
+        let response = ui.interact(rect, id, Sense::click());
+        response.widget_info(|| WidgetInfo::selected(Role::Button, true, self.state.is_some(), self.name()));
+        if response.gained_focus() {
+            ui.scroll_to_rect(rect, None);
+        }
+        let is_in_view = ui.is_rect_visible(rect);
+        let texture = thumbnails.of(self.lesson, look, is_in_view).map(eframe::egui::TextureHandle::id);
+        if is_in_view {
+            self.paint(ui, &response, written, texture);
+        }
+        let response = response.on_hover_cursor(CursorIcon::PointingHand);
+        if self.tip.is_empty() || self.tip == self.text {
+            response
+        } else {
+            response.on_hover_text(&self.tip)
+        }
+    }
+
+    fn paint(
+        &self,
+        ui: &Ui,
+        response: &Response,
+        written: Arc<Galley>,
+        texture: Option<eframe::egui::TextureId>,
+    ) {
+        let (rect, visuals, painter) = (response.rect, ui.visuals(), ui.painter());
+        let scale = theme::text_scale(ui.style());
+        let is_pointed_at = response.hovered() || response.has_focus();
+        let shadow = Shadow {
+            offset: [0, if is_pointed_at { 4 } else { 2 }],
+            blur: if is_pointed_at { 16 } else { 8 },
+            spread: 0,
+            color: Color32::from_black_alpha(if visuals.dark_mode { 90 } else { 28 }),
+        };
+        painter.add(shadow.as_shape(rect, CornerRadius::same(RADIUS)));
+        painter.rect_filled(rect, RADIUS, visuals.window_fill);
+        let picture = rect.with_max_y(rect.min.y + rect.width() * ASPECT);
+        let corners = CornerRadius { nw: RADIUS, ne: RADIUS, sw: 0, se: 0 };
+        match texture {
+            Some(texture) => {
+                let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+                painter.add(RectShape::filled(picture, corners, Color32::WHITE).with_texture(texture, whole));
+            }
+            None => drop(painter.rect_filled(picture, corners, visuals.faint_bg_color)),
+        }
+        let text = pos2(rect.min.x, picture.max.y) + scale * vec2(AROUND, AROUND);
+        painter.galley(text, written, visuals.text_color());
+        let stroke = match (&self.state, is_pointed_at) {
+            (Some(_), _) => Stroke::new(2.0, visuals.selection.bg_fill),
+            (None, true) => Stroke::new(1.5, theme::focus_stroke(visuals).color),
+            (None, false) => visuals.widgets.noninteractive.bg_stroke,
+        };
+        painter.rect_stroke(rect, RADIUS, stroke, StrokeKind::Inside);
+        if let Some(state) = &self.state {
+            tag(ui, picture, state);
+        }
+    }
+}
+
+/// Writes `text` into the corner of `picture`.
+fn tag(ui: &Ui, picture: Rect, text: &str) {
+    let font = TextStyle::Small.resolve(ui.style());
+    let selection = ui.visuals().selection;
+    let galley = ui.painter().layout_no_wrap(text.to_owned(), font, selection.stroke.color);
+    let around = vec2(7.0, 3.0);
+    let rect = Rect::from_min_size(picture.min + vec2(8.0, 8.0), galley.size() + 2.0 * around);
+    ui.painter().rect_filled(rect, 6.0, selection.bg_fill);
+    ui.painter().galley(rect.min + around, galley, selection.stroke.color);
+}

@@ -1,0 +1,187 @@
+//! The start page: what this is, all lessons, and all presets, each with a picture of what it shows.
+
+mod card;
+mod words;
+
+use std::sync::Arc;
+
+use eframe::egui::{
+    Align, Button, Key, Layout, Memory, RichText, ScrollArea, TextStyle, Ui, UiBuilder, Vec2, vec2,
+};
+
+use self::card::{Card, Cards};
+use super::Asks;
+use crate::app::command::Command;
+use crate::app::overlay::Overlay;
+use crate::app::running::LessonCommand;
+use crate::app::state::State;
+use crate::app::theme;
+use crate::app::thumbnails::Thumbnails;
+use crate::lesson::Lesson;
+use crate::settings::Preset;
+
+/// The widest that what is on the page becomes, and what stays free at its sides, points.
+const WIDEST: f32 = 1720.0;
+const SIDES: f32 = 32.0;
+/// How wide lines of the introduction become, points.
+const WIDEST_LINES: f32 = 680.0;
+/// Sizes of the heading, of the headings of sections, and of what is written below the first, in those of most writing.
+const HEADING: f32 = 2.0;
+const SECTION: f32 = 1.4;
+const INTRODUCTION: f32 = 1.1;
+/// How far the arrow keys scroll, points.
+const LINE: f32 = 60.0;
+
+/// Whether `command`, asked for by a key, is done while the page is shown: what changes nothing that is behind it.
+#[must_use]
+pub const fn lets_through(command: &Command) -> bool {
+    matches!(
+        command,
+        Command::Toggle(_)
+            | Command::Close
+            | Command::Choose(_)
+            | Command::ToggleFullScreen
+            | Command::TogglePresenting
+            | Command::ToggleProjector
+    )
+}
+
+/// Shows the page.
+pub fn show(ui: &mut Ui, state: &State, thumbnails: &mut Thumbnails, asks: &mut Asks) {
+    let scale = theme::text_scale(ui.style());
+    let area = ScrollArea::vertical().auto_shrink([false, false]);
+    area.show(ui, |ui| {
+        scroll(ui);
+        let room = ui.available_rect_before_wrap();
+        let width = (room.width() - 2.0 * SIDES).min(scale * WIDEST).max(1.0);
+        let within = room.with_min_x(room.center().x - 0.5 * width).with_max_x(room.center().x + 0.5 * width);
+        ui.scope_builder(UiBuilder::new().max_rect(within), |ui| {
+            ui.spacing_mut().item_spacing.y = scale * 8.0;
+            ui.add_space(scale * 20.0);
+            let library = state.library();
+            let (presets, lessons): (Vec<_>, Vec<_>) =
+                library.all().iter().partition(|lesson| lesson.is_a_preset());
+            introduction(ui, state, &lessons, asks);
+            section(ui, "Lessons", &words::extent(&lessons));
+            let numbered =
+                lessons.iter().enumerate().map(|(number, lesson)| of_lesson(state, number, lesson));
+            Cards::OfLessons.show(ui, numbered.collect(), thumbnails, asks);
+            section(
+                ui,
+                "Presets",
+                "States to look at and to change. Rest the pointer on one to read what it shows.",
+            );
+            Cards::OfPresets.show(
+                ui,
+                presets.iter().filter_map(|lesson| of_preset(state, lesson)).collect(),
+                thumbnails,
+                asks,
+            );
+            ui.add_space(scale * 12.0);
+            ui.label(RichText::new(words::OWN).weak());
+            ui.add_space(scale * 24.0);
+        });
+    });
+}
+
+/// What this is, and the way in.
+fn introduction(ui: &mut Ui, state: &State, lessons: &[&Arc<Lesson>], asks: &mut Asks) {
+    let body = TextStyle::Body.resolve(ui.style()).size;
+    ui.scope(|ui| {
+        let scale = theme::text_scale(ui.style());
+        ui.set_max_width(ui.available_width().min(scale * WIDEST_LINES));
+        ui.label(RichText::new(words::HEADING).size(HEADING * body).strong());
+        ui.label(RichText::new(words::INTRODUCTION).size(INTRODUCTION * body));
+    });
+    ui.add_space(4.0);
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().button_padding = Vec2::new(1.1, 0.6) * body;
+        if let Some((words, command)) = way_in(state, lessons) {
+            let selection = ui.visuals().selection;
+            let words = RichText::new(words).size(INTRODUCTION * body).strong().color(selection.stroke.color);
+            if ui.add(Button::new(words).fill(selection.bg_fill)).clicked() {
+                asks.push(command);
+            }
+        }
+        let around = Button::new(RichText::new("Look around").size(INTRODUCTION * body));
+        let tip = "Closes this page.   Key: Esc. It comes back with S, or Lessons above.";
+        if ui.add(around).on_hover_text(tip).clicked() {
+            asks.push(Command::Toggle(Overlay::Start));
+        }
+    });
+}
+
+/// What leads on: the lesson that is open, else the one that comes next.
+fn way_in(state: &State, lessons: &[&Arc<Lesson>]) -> Option<(String, Command)> {
+    if let Some(course) = state.course() {
+        return Some((format!("Go on: {}", course.lesson().title), Command::Toggle(Overlay::Start)));
+    }
+    let next = lessons.iter().find(|lesson| state.session.next_lesson.as_ref() == Some(&lesson.name));
+    let next = next.or(lessons.first())?;
+    let command = Command::Lesson(LessonCommand::Open(next.name.clone()));
+    Some((format!("Begin: {}", next.title), command))
+}
+
+fn section(ui: &mut Ui, title: &str, remark: &str) {
+    let body = TextStyle::Body.resolve(ui.style()).size;
+    ui.add_space(1.3 * body);
+    ui.with_layout(Layout::left_to_right(Align::Max).with_main_wrap(true), |ui| {
+        ui.label(RichText::new(title).size(SECTION * body).strong());
+        ui.label(RichText::new(remark).weak());
+    });
+}
+
+fn of_lesson<'a>(state: &State, number: usize, lesson: &'a Arc<Lesson>) -> Card<'a> {
+    let open = state.course().filter(|course| course.lesson().name == lesson.name);
+    let command = match open {
+        Some(_) => Command::Toggle(Overlay::Start),
+        None => Command::Lesson(LessonCommand::Open(lesson.name.clone())),
+    };
+    Card {
+        lesson,
+        number: Some(number + 1),
+        details: words::details(lesson),
+        text: words::summary(&lesson.introduction.markdown),
+        tip: words::plain(&lesson.introduction.markdown),
+        state: open.map(words::place),
+        command,
+    }
+}
+
+fn of_preset<'a>(state: &State, lesson: &'a Arc<Lesson>) -> Option<Card<'a>> {
+    let preset = Preset::named(&lesson.name)?;
+    let is_shown = state.session.preset == Some(preset) && state.course().is_none();
+    Some(Card {
+        lesson,
+        number: None,
+        details: String::new(),
+        text: String::new(),
+        tip: preset.caption.clone(),
+        state: is_shown.then(|| "Shown".to_owned()),
+        command: Command::State(preset),
+    })
+}
+
+/// Scrolls by the keys. The arrows go from card to card instead once one has the keyboard.
+fn scroll(ui: &Ui) {
+    let page = 0.9 * ui.clip_rect().height();
+    let is_at_a_card = ui.memory(Memory::focused).is_some();
+    let line = if is_at_a_card { 0.0 } else { LINE };
+    let all = 1e6;
+    let keys = [
+        (Key::ArrowDown, line),
+        (Key::ArrowUp, -line),
+        (Key::PageDown, page),
+        (Key::PageUp, -page),
+        (Key::End, all),
+        (Key::Home, -all),
+    ];
+    let down: f32 = keys
+        .into_iter()
+        .filter(|(key, _)| ui.input(|input| input.key_pressed(*key)))
+        .map(|(_, down)| down)
+        .sum();
+    if down != 0.0 {
+        ui.scroll_with_delta(vec2(0.0, -down));
+    }
+}

@@ -1,0 +1,122 @@
+//! Small pictures of what lessons and presets show: each is drawn once, by the reference renderer in the background, while
+//! somebody looks at them.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
+use relativity_render::Picture;
+
+use super::eye::Eye;
+use super::state::State;
+use super::worker::{Wanted, Worker};
+use crate::accuracy::REFERENCE_SAMPLES;
+use crate::lesson::Lesson;
+use crate::settings::Settings;
+
+/// What a thumbnail depends on beside its lesson.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Look {
+    /// Width and height, pixels.
+    pub size: [u32; 2],
+    /// Whether it stands in a light window.
+    pub in_light_window: bool,
+}
+
+/// A thumbnail to draw.
+#[derive(Debug)]
+struct Job {
+    lesson: Arc<Lesson>,
+    look: Look,
+}
+
+/// One that was drawn; nothing where there is nothing to draw.
+struct Drawn {
+    name: String,
+    look: Look,
+    image: Option<ColorImage>,
+}
+
+/// The thumbnails that were drawn, the one that is drawn now, and the one that comes next.
+#[derive(Default)]
+pub struct Thumbnails {
+    worker: Option<Worker<Job, Drawn>>,
+    kept: HashMap<String, (Look, Option<TextureHandle>)>,
+    /// The first that is missing, and whether it is in view.
+    missing: Option<(Job, bool)>,
+    /// How many were drawn.
+    count: usize,
+}
+
+impl Thumbnails {
+    /// How many were drawn since the window opened.
+    #[must_use]
+    pub const fn count(&self) -> usize {
+        self.count
+    }
+
+    /// Whether none is being drawn.
+    #[must_use]
+    pub fn is_settled(&self) -> bool {
+        !self.worker.as_ref().is_some_and(Worker::is_pending)
+    }
+
+    /// Takes in what was drawn.
+    pub fn receive(&mut self, ctx: &Context) {
+        let Some(Drawn { name, look, image }) = self.worker.as_ref().and_then(Worker::result) else { return };
+        let texture = image.map(|image| ctx.load_texture(&name, image, TextureOptions::LINEAR));
+        self.kept.insert(name, (look, texture));
+        self.count += 1;
+    }
+
+    /// That of `lesson`, once there is one; until it has this `look` it is noted as missing. Those in view come first.
+    pub fn of(&mut self, lesson: &Arc<Lesson>, look: Look, is_in_view: bool) -> Option<&TextureHandle> {
+        let kept = self.kept.get(&lesson.name);
+        let is_missing = kept.is_none_or(|(of, _)| *of != look);
+        if is_missing && self.missing.as_ref().is_none_or(|(_, other)| is_in_view && !other) {
+            self.missing = Some((Job { lesson: Arc::clone(lesson), look }, is_in_view));
+        }
+        kept.and_then(|(_, texture)| texture.as_ref())
+    }
+
+    /// Has the first of those drawn that were noted as missing, unless another is being drawn.
+    pub fn go_on(&mut self, ctx: &Context) {
+        let missing = self.missing.take();
+        let Some((job, _)) = missing.filter(|_| self.is_settled()) else { return };
+        self.worker.get_or_insert_with(|| Worker::new(ctx.clone(), work)).request(job);
+    }
+}
+
+#[expect(clippy::unnecessary_wraps, reason = "work that is never given up")]
+fn work(Job { lesson, look }: Job, _: &Wanted) -> Option<Drawn> {
+    let image = picture(&lesson, look).map(|Picture { size, rgba }| {
+        ColorImage::from_rgba_unmultiplied(size.map(|side| side as usize), rgba.as_flattened())
+    });
+    Some(Drawn { name: lesson.name.clone(), look, image })
+}
+
+/// What the left eye sees in the first step of `lesson`, once that is revealed; nothing where it cannot be shown.
+fn picture(lesson: &Lesson, Look { size, in_light_window }: Look) -> Option<Picture> {
+    let settings = lesson.settings(0, true, &Settings::default()).ok()?;
+    let mut state = State::open(settings).ok()?;
+    state.session.picture_size = size;
+    let (view, appearance) = (state.view(Eye::Left, size), state.appearance(in_light_window));
+    Some(state.session.prepared.picture(&view, &appearance, REFERENCE_SAMPLES))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lesson::Library;
+
+    #[test]
+    fn every_lesson_and_preset_has_a_picture_of_its_own_size() {
+        let look = Look { size: [22, 13], in_light_window: false };
+        for lesson in Library::own().all() {
+            let picture = picture(lesson, look).expect("it can be shown");
+            assert_eq!(picture.size, look.size, "{}", lesson.name);
+            let first = picture.rgba[0];
+            assert!(picture.rgba.iter().any(|pixel| *pixel != first), "{} shows nothing", lesson.name);
+        }
+    }
+}

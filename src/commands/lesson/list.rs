@@ -1,0 +1,39 @@
+//! `gamow --list`: all lessons and presets.
+
+use std::fmt;
+
+use crate::files::whole::write_out;
+use crate::lesson::{Lesson, Library};
+
+/// Writes all of `library`, a line each: its name, how long it takes, the concept that it serves, its title.
+///
+/// # Errors
+///
+/// Those of standard output.
+pub fn list(library: &Library) -> anyhow::Result<()> {
+    write_out(|out| Ok(write!(out, "{}", Table(library))?))
+}
+
+/// Lessons in rows, in columns as wide as they need.
+struct Table<'a>(&'a Library);
+
+impl fmt::Display for Table<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let rows: Vec<_> = self.0.all().iter().map(|lesson| row(lesson)).collect();
+        let [names, minutes, concepts] = [0, 1, 2].map(|column: usize| {
+            rows.iter().map(|row| row[column].chars().count()).max().unwrap_or_default()
+        });
+        rows.iter().try_for_each(|[name, time, concept, title]| {
+            writeln!(f, "{name:names$}  {time:>minutes$}  {concept:concepts$}  {title}")
+        })
+    }
+}
+
+fn row(lesson: &Lesson) -> [String; 4] {
+    let (time, concept) = if lesson.is_a_preset() {
+        (String::new(), "(preset)".to_owned())
+    } else {
+        (format!("{} min", lesson.minutes), lesson.concept.clone())
+    };
+    [lesson.name.clone(), time, concept, lesson.title.clone()]
+}

@@ -1,0 +1,56 @@
+//! Values of a body with two ends, such as a rod: where two eyes place these.
+
+use relativity_core::math;
+use relativity_render::Shape;
+
+use super::here::{Here, Value};
+
+/// Them.
+pub const VALUES: &[Value] = &[
+    Value {
+        name: "stereo_length",
+        what: "how long two eyes take it to be, from end to end",
+        work_out: |here| {
+            let [dx, dy, dz] = here.stereo_span()?;
+            Some(math::hypot(math::hypot(dx, dy), dz))
+        },
+    },
+    Value {
+        name: "stereo_turn",
+        what: "by how much two eyes take it to be turned from the motion, degrees",
+        work_out: |here| {
+            let [dx, dy, _] = here.stereo_span()?;
+            Some(math::atan2(dy.abs(), dx.abs()).to_degrees())
+        },
+    },
+    Value {
+        name: "rest_length",
+        what: "how long it is at rest, from end to end",
+        work_out: |here| {
+            let [from, to] = here.ends()?;
+            let [dx, dy, dz] = [0, 1, 2].map(|axis| to[axis] - from[axis]);
+            Some(math::hypot(math::hypot(dx, dy), dz))
+        },
+    },
+];
+
+impl Here<'_> {
+    /// From where two eyes place one end to where they place the other.
+    fn stereo_span(&self) -> Option<[f64; 3]> {
+        let place = |end| {
+            let end = self.scene.track_at(end, self.body?)?;
+            Some(self.settings.stereo(&end, self.time).ok()?.position)
+        };
+        let [from, to] = self.ends()?.map(place);
+        let (from, to) = (from?, to?);
+        Some([0, 1, 2].map(|axis| to[axis] - from[axis]))
+    }
+
+    /// The middles of both ends, at rest.
+    fn ends(&self) -> Option<[[f64; 3]; 2]> {
+        match self.scene.bodies.get(self.body?)?.shape {
+            Shape::Tube { from, to, .. } | Shape::Cylinder { from, to, .. } => Some([from, to]),
+            Shape::Sphere { .. } | Shape::Ring { .. } | Shape::Box { .. } => None,
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! What somebody said in a step, and what it is: in words, for all who tell it.
+
+use super::answer::{Answer, Outcome, Record};
+use super::plan::{Curve, Kind, Number, Options, Step};
+use super::truth::{NEAR, Sight, angle_between, rms};
+use crate::caption::decimal;
+use crate::figures;
+
+/// What became of a prediction. The texts are Markdown, without a stop at the end.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Verdict {
+    /// Whether it is right; of curves and of counted hands nobody says that.
+    pub right: Option<bool>,
+    /// What was said.
+    pub said: String,
+    /// What it is.
+    pub is: String,
+}
+
+/// What became of the prediction of `step`, of which `record` tells, in what is shown after its reveal; `None` before that
+/// was asked for, and where nothing is predicted.
+#[must_use]
+pub fn verdict(step: &Step, record: &Record, sight: &Sight<'_>) -> Option<Verdict> {
+    let kind = &step.prediction.as_ref()?.kind;
+    let answer = match record.outcome.as_ref()? {
+        Outcome::Skipped => None,
+        Outcome::Made { answer, .. } => Some(answer),
+    };
+    let said = answer.map_or_else(|| "nothing".to_owned(), |answer| said(kind, answer));
+    let right = answer.and_then(|answer| match (kind, answer) {
+        (Kind::Point(point), Answer::Direction(direction)) => {
+            let seen = sight.direction(&point.body)?;
+            Some(angle_between(*direction, seen) <= NEAR || sight.is_on(*direction, &point.body))
+        }
+        _ => answer.is_right(kind),
+    });
+    let is = match kind {
+        Kind::Choice(options) => option(options, options.right),
+        Kind::Number(number) => number.truth.map_or_else(|| figures::NONE.to_owned(), |it| number.text(it)),
+        Kind::Point(point) => match (answer, sight.direction(&point.body)) {
+            (Some(Answer::Direction(direction)), Some(seen)) => {
+                let off = figures::degrees(angle_between(*direction, seen));
+                format!("{off} away: the {} is seen where the ring is", point.body)
+            }
+            (_, Some(_)) => "where the ring is".to_owned(),
+            (_, None) => format!("nowhere: the {} is not seen", point.body),
+        },
+        Kind::Curve(curve) => match answer {
+            Some(Answer::Curve(points)) => {
+                difference(curve, points, sight).unwrap_or_else(|| "not there".to_owned())
+            }
+            _ => "the solid curve".to_owned(),
+        },
+    };
+    Some(Verdict { right, said, is })
+}
+
+fn said(kind: &Kind, answer: &Answer) -> String {
+    match (kind, answer) {
+        (Kind::Choice(options), Answer::Choice(choice)) => option(options, *choice),
+        (Kind::Choice(options), Answer::Votes(votes)) => {
+            let of = |(number, votes)| format!("{votes} × {}", option(options, number));
+            votes.iter().enumerate().map(of).collect::<Vec<_>>().join(", ")
+        }
+        (Kind::Number(asked), Answer::Number(number)) => asked.text(*number),
+        (_, Answer::Direction(_)) => "the place with the cross".to_owned(),
+        (_, Answer::Curve(_)) => "the dashed curve".to_owned(),
+        _ => "nothing".to_owned(),
+    }
+}
+
+fn option(options: &Options, number: usize) -> String {
+    options.texts.get(number).map(|text| text.markdown.clone()).unwrap_or_default()
+}
+
+impl Number {
+    /// `number` with the decimals and the unit that are asked for.
+    #[must_use]
+    pub fn text(&self, number: f64) -> String {
+        let number = decimal(number, self.decimals);
+        if self.unit.is_empty() { number } else { format!("{number} {}", self.unit) }
+    }
+}
+
+/// By how much the drawn `points` differ from what `curve` is of, over which T; `None` where that does not exist.
+#[must_use]
+pub fn difference(curve: &Curve, points: &[[f64; 2]], sight: &Sight<'_>) -> Option<String> {
+    let ([first, ..], [.., last]) = (points, points) else { return None };
+    let off = rms(points, |time| curve.quantity.at(sight.settings, &sight.track, time))?;
+    let [_, unit] = curve.quantity.axis();
+    let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
+    let time = sight.settings.window.units.of(sight.scene).time;
+    let [from, to] = [first, last].map(|[at, _]| time.number(*at, 1));
+    let off = figures::significant(off, 2).replace('-', "−");
+    Some(format!("rms difference {off}{unit} over T = {from} to {to}{}", time.suffix()))
+}
