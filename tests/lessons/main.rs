@@ -3,3 +3,4 @@
 mod first;
 mod second;
 mod support;
+mod third;

@@ -23,7 +23,9 @@ use crate::settings::Settings;
 
 /// All of them, in the order of the documentation.
 pub fn all() -> impl Iterator<Item = &'static Value> {
-    [optics::VALUES, light::VALUES, pairs::VALUES, ends::VALUES, rolling::VALUES, fits::VALUES].into_iter().flatten()
+    [optics::VALUES, light::VALUES, pairs::VALUES, ends::VALUES, rolling::VALUES, fits::VALUES]
+        .into_iter()
+        .flatten()
 }
 
 /// A value as a text asks for it.

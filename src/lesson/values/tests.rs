@@ -30,3 +30,17 @@ fn what_cannot_be_told_is_named_with_its_line() {
     assert!(wrong("{D of tandem:.2}").1.ends_with("has no body called `tandem`"));
     assert!(wrong("{D at noon:.2}").1.contains("must be a number"));
 }
+
+/// The documentation's table has a row for each value, in the same words, and no others.
+#[test]
+fn the_table_of_values_is_complete() {
+    let (_, table) = include_str!("../../../assets/lessons/README.md")
+        .split_once("| value | |\n|---|---|\n")
+        .expect("a table");
+    let written: Vec<&str> = table.lines().take_while(|line| line.starts_with('|')).collect();
+    let rows: Vec<String> = all().map(|value| format!("| `{}` | {} |", value.name, value.what)).collect();
+    assert_eq!(written, rows);
+    let mut names: Vec<_> = all().map(|value| value.name).collect();
+    names.sort_unstable();
+    assert!(names.windows(2).all(|pair| pair[0] != pair[1]), "a name has two values: {names:?}");
+}
