@@ -161,7 +161,7 @@ fn of_lesson<'a>(state: &State, number: usize, lesson: &'a Arc<Lesson>) -> Card<
         lesson,
         number: Some(number + 1),
         details: words::details(lesson),
-        text: words::plain(&lesson.introduction.markdown, 1),
+        text: words::summary(&lesson.introduction.markdown),
         tip: words::plain(&lesson.introduction.markdown, usize::MAX),
         state: open.map(words::place),
         command,

@@ -34,6 +34,15 @@ pub fn place(course: &Course) -> String {
     }
 }
 
+/// How long what a card tells is at least, if there is more to tell, letters.
+const ENOUGH: usize = 40;
+
+/// What `markdown` begins with, in a sentence or so, as [`plain`].
+pub fn summary(markdown: &str) -> String {
+    let enough = |count: &usize| plain(markdown, *count).chars().count() >= ENOUGH;
+    plain(markdown, (1..=2).find(enough).unwrap_or(2))
+}
+
 /// The sentences of `markdown` in one paragraph and without its signs, but for those with formulas and with values that are
 /// still to be worked out; at most so many.
 pub fn plain(markdown: &str, most: usize) -> String {
@@ -47,6 +56,14 @@ pub fn plain(markdown: &str, most: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_short_sentence_is_told_with_the_next() {
+        let long = "Light of the far end left earlier, when that was further away.";
+        assert_eq!(summary(&format!("A wheel rolls. {long} And so on.")), format!("A wheel rolls. {long}"));
+        assert_eq!(summary(&format!("{long} A wheel rolls.")), long);
+        assert_eq!(summary("A wheel rolls."), "A wheel rolls.");
+    }
 
     #[test]
     fn cards_tell_sentences_without_signs_and_formulas() {
