@@ -15,6 +15,7 @@ mod own_data;
 mod pairs;
 mod picking;
 mod plots;
+mod predictions;
 mod presenting;
 mod quality;
 mod saving;
@@ -52,6 +53,7 @@ fn main() -> ExitCode {
         pairs::TESTS,
         picking::TESTS,
         plots::TESTS,
+        predictions::TESTS,
         presenting::TESTS,
         quality::TESTS,
         saving::TESTS,
