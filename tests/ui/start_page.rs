@@ -234,6 +234,7 @@ fn thumbnails_arrive() {
     let count = window.state().thumbnails().count();
     // One of each, and what both eyes see beside the introduction.
     assert_eq!(count, Library::own().all().len() + 2);
+    assert!(window.run_ok().is_some_and(|frames| frames < 4), "nothing is drawn any more");
     let drawn: BTreeSet<_> = pictures(&mut window, &presets).into_iter().collect();
     assert_eq!(drawn.len(), presets.len(), "each preset looks another");
     // They are kept.

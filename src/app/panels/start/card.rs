@@ -68,7 +68,7 @@ impl Cards {
     }
 
     /// Shows `cards`.
-    pub fn show(self, ui: &mut Ui, cards: Vec<Card<'_>>, thumbnails: &mut Thumbnails, asks: &mut Asks) {
+    pub fn show(self, ui: &mut Ui, cards: &[Card<'_>], thumbnails: &mut Thumbnails, asks: &mut Asks) {
         let (width, scale) = (ui.available_width(), theme::text_scale(ui.style()));
         let columns = self.columns(width, scale, cards.len());
         let between = scale * BETWEEN;

@@ -10,6 +10,9 @@ pub const INTRODUCTION: &str = "Gamow shows what each eye sees of a cyclist who 
     and what two eyes make of it. A lesson asks what you expect, shows what is seen, and explains it. Begin with the \
     first, or look around.";
 
+/// What presets are for.
+pub const PRESETS: &str = "States to look at and to change. Rest the pointer on one to read what it shows.";
+
 /// That there can be more.
 pub const OWN: &str = "A lesson is a text file. Write one of your own, and drop it onto the window.";
 
