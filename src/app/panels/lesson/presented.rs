@@ -22,7 +22,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         fitted::show(ui, what_is_shown(running), SIZES, |ui| {
             ui.spacing_mut().item_spacing.y = 5.0;
             match running.course.step() {
-                Some(step) => words(ui, running, step, asks),
+                Some(step) => words(ui, state, running, step, asks),
                 None => end::sentence(ui, &running.course),
             }
         });
@@ -41,7 +41,7 @@ fn where_it_is(ui: &mut Ui, state: &State, running: &Running) {
     ui.label(RichText::new(told).size(super::SIZES[0]).weak());
 }
 
-fn words(ui: &mut Ui, running: &Running, step: &Step, asks: &mut Asks) {
+fn words(ui: &mut Ui, state: &State, running: &Running, step: &Step, asks: &mut Asks) {
     let course = &running.course;
     let prediction = step.prediction.as_ref();
     match (course.place().phase, prediction) {
@@ -58,7 +58,7 @@ fn words(ui: &mut Ui, running: &Running, step: &Step, asks: &mut Asks) {
         (Phase::Ask, None) => page::text(ui, &step.text),
         (Phase::Shown, Some(prediction)) if !running.is_running() => {
             cards::question(ui, &prediction.question);
-            shown::compared(ui, course, prediction);
+            shown::compared(ui, state, course, prediction);
         }
         (Phase::Shown, _) => {
             page::said_to_reveal(ui, step);
