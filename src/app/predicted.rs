@@ -10,7 +10,7 @@ use super::eye::Eye;
 use super::panes::EyePane;
 use super::state::State;
 use crate::figures;
-use crate::lesson::{Answer, Kind, Outcome, PointAt, truth};
+use crate::lesson::{Answer, Course, Kind, Outcome, PointAt, truth};
 
 /// Half the size of the cross, and the radius of the ring, points.
 const CROSS: f32 = 9.0;
@@ -55,7 +55,7 @@ pub(super) fn paint(ui: &Ui, painter: &Painter, state: &State, pane: EyePane) {
     let place = |direction: [f64; 3]| Some(pane.place(camera.pixel(direction.into())?));
     let clicked = clicked(state);
     let cross = clicked.and_then(|gaze| place(gaze.axes().forward.to_array()));
-    let is_revealed = state.course().is_some_and(|course| course.is_revealed());
+    let is_revealed = state.course().is_some_and(Course::is_revealed);
     let sight = state.sight();
     let seen = is_revealed.then(|| sight.directions(body)).flatten();
     let ring = seen.and_then(|seen| place(seen[pane.eye.index()]?.to_array()));
