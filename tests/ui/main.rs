@@ -21,6 +21,7 @@ mod quality;
 mod saving;
 mod spacetime;
 mod start;
+mod start_page;
 mod stereo;
 mod support;
 mod time;
@@ -58,6 +59,7 @@ fn main() -> ExitCode {
         saving::TESTS,
         spacetime::TESTS,
         start::TESTS,
+        start_page::TESTS,
         stereo::TESTS,
         time::TESTS,
         times::TESTS,
