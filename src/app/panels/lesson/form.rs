@@ -101,7 +101,7 @@ fn point(ui: &mut Ui, course: &Course, asked: &PointAt) {
     if course.draft.is_some() {
         ui.label("It is marked in the view. Another click moves it.");
     } else {
-        ui.label(format!("Click in the left eye's view: where will {body} be?"));
+        ui.label(format!("Click in a view: where will the {body} be seen?"));
     }
 }
 

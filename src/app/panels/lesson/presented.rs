@@ -25,7 +25,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         fitted::show(ui, what_is_shown(running), SIZES, |ui| {
             ui.spacing_mut().item_spacing.y = 5.0;
             match running.course.step() {
-                Some(step) => words(ui, running, step, asks),
+                Some(step) => words(ui, state, running, step, asks),
                 None => end::sentence(ui, &running.course),
             }
         });
@@ -45,7 +45,7 @@ fn where_it_is(ui: &mut Ui, state: &State, running: &Running) {
     ui.label(RichText::new(told).size(size).weak());
 }
 
-fn words(ui: &mut Ui, running: &Running, step: &Step, asks: &mut Asks) {
+fn words(ui: &mut Ui, state: &State, running: &Running, step: &Step, asks: &mut Asks) {
     let course = &running.course;
     let prediction = step.prediction.as_ref();
     match (course.place().phase, prediction) {
@@ -62,7 +62,7 @@ fn words(ui: &mut Ui, running: &Running, step: &Step, asks: &mut Asks) {
         (Phase::Ask, None) => page::text(ui, &step.text),
         (Phase::Shown, Some(prediction)) if !running.is_running() => {
             cards::question(ui, &prediction.question);
-            shown::compared(ui, course, prediction);
+            shown::compared(ui, state, course, prediction);
         }
         (Phase::Shown, _) => {
             page::said_to_reveal(ui, step);

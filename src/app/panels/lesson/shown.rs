@@ -3,10 +3,11 @@
 use eframe::egui::{Align, Layout, Rect, RichText, Sense, TextStyle, Ui, vec2};
 
 use super::cards::{self, Sign};
+use crate::app::state::State;
 use crate::app::theme;
 use crate::app::widgets::markdown;
 use crate::figures;
-use crate::lesson::{Answer, Course, Kind, Number, Options, Outcome, Prediction};
+use crate::lesson::{Answer, Course, Kind, Number, Options, Outcome, Prediction, Verdict, verdict};
 
 /// Shows what was said, before it is compared.
 pub fn said(ui: &mut Ui, course: &Course, prediction: &Prediction) {
@@ -25,7 +26,7 @@ pub fn said(ui: &mut Ui, course: &Course, prediction: &Prediction) {
 }
 
 /// Shows what was said and what is so.
-pub fn compared(ui: &mut Ui, course: &Course, prediction: &Prediction) {
+pub fn compared(ui: &mut Ui, state: &State, course: &Course, prediction: &Prediction) {
     match (&prediction.kind, answer(course)) {
         (Kind::Choice(options), Some(Answer::Votes(votes))) => bars(ui, options, votes, Some(options.right)),
         (Kind::Choice(options), Some(Answer::Choice(choice))) if *choice != options.right => {
@@ -45,8 +46,28 @@ pub fn compared(ui: &mut Ui, course: &Course, prediction: &Prediction) {
             };
             number(ui, asked, said);
         }
-        // Places and curves are compared where they were drawn.
-        (Kind::Point(_) | Kind::Curve(_), _) => {}
+        (Kind::Point(_) | Kind::Curve(_), _) => marked(ui, state, course),
+    }
+}
+
+/// What became of a place or a curve, which are compared where they were drawn.
+fn marked(ui: &mut Ui, state: &State, course: &Course) {
+    let step = course.step().zip(course.record());
+    let Some(Verdict { right, is, .. }) =
+        step.and_then(|(step, record)| verdict(step, record, &state.sight()))
+    else {
+        return;
+    };
+    cards::quiet(ui, "It is");
+    markdown::show(ui, &is);
+    match right {
+        Some(true) => {
+            ui.label(RichText::new("That is near enough.").color(cards::right_colour(ui)));
+        }
+        Some(false) => {
+            ui.label("That is too far off.");
+        }
+        None => {}
     }
 }
 
