@@ -5,6 +5,7 @@ use eframe::egui::{RichText, Ui};
 use super::{cards, end, form, observed, shown};
 use crate::app::panels::Asks;
 use crate::app::running::Running;
+use crate::app::state::State;
 use crate::app::widgets::markdown;
 use crate::lesson::{Course, Phase, Step, Text};
 
@@ -12,7 +13,7 @@ use crate::lesson::{Course, Phase, Step, Text};
 pub const APART: f32 = 8.0;
 
 /// Shows the page of the present place.
-pub fn show(ui: &mut Ui, running: &Running, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, state: &State, running: &Running, asks: &mut Asks) {
     let course = &running.course;
     let Some(step) = course.step() else { return end::show(ui, course, asks) };
     ui.spacing_mut().item_spacing.y = 6.0;
@@ -21,26 +22,26 @@ pub fn show(ui: &mut Ui, running: &Running, asks: &mut Asks) {
         ui.add_space(2.0);
     }
     match course.place().phase {
-        Phase::Ask => asked(ui, course, step, asks),
-        Phase::Shown => revealed(ui, running, step, asks),
+        Phase::Ask => asked(ui, state, course, step, asks),
+        Phase::Shown => revealed(ui, state, running, step, asks),
         Phase::Explained => text(ui, &step.explanation),
     }
 }
 
-fn asked(ui: &mut Ui, course: &Course, step: &Step, asks: &mut Asks) {
+fn asked(ui: &mut Ui, state: &State, course: &Course, step: &Step, asks: &mut Asks) {
     text(ui, &step.text);
     let Some(prediction) = &step.prediction else { return };
     apart(ui, !step.text.is_empty());
     cards::question(ui, &prediction.question);
     if course.asked().is_some() {
-        form::show(ui, course, prediction, asks);
+        form::show(ui, state, course, prediction, asks);
         form::confidence(ui, course, asks);
     } else {
-        shown::said(ui, course, prediction);
+        shown::said(ui, state, step, course);
     }
 }
 
-fn revealed(ui: &mut Ui, running: &Running, step: &Step, asks: &mut Asks) {
+fn revealed(ui: &mut Ui, state: &State, running: &Running, step: &Step, asks: &mut Asks) {
     let has_text = said_to_reveal(ui, step);
     if running.is_running() {
         if !has_text {
@@ -51,7 +52,7 @@ fn revealed(ui: &mut Ui, running: &Running, step: &Step, asks: &mut Asks) {
     if let Some(prediction) = &step.prediction {
         apart(ui, has_text);
         cards::question(ui, &prediction.question);
-        shown::compared(ui, &running.course, prediction);
+        shown::compared(ui, state, step, &running.course);
     }
     if let Some(observation) = &step.observation {
         apart(ui, step.prediction.is_some() || has_text);

@@ -25,7 +25,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         fitted::show(ui, what_is_shown(running), SIZES, |ui| {
             ui.spacing_mut().item_spacing.y = 5.0;
             match running.course.step() {
-                Some(step) => words(ui, running, step, asks),
+                Some(step) => words(ui, state, running, step, asks),
                 None => end::sentence(ui, &running.course),
             }
         });
@@ -45,7 +45,7 @@ fn where_it_is(ui: &mut Ui, state: &State, running: &Running) {
     ui.label(RichText::new(told).size(size).weak());
 }
 
-fn words(ui: &mut Ui, running: &Running, step: &Step, asks: &mut Asks) {
+fn words(ui: &mut Ui, state: &State, running: &Running, step: &Step, asks: &mut Asks) {
     let course = &running.course;
     let prediction = step.prediction.as_ref();
     match (course.place().phase, prediction) {
@@ -53,16 +53,17 @@ fn words(ui: &mut Ui, running: &Running, step: &Step, asks: &mut Asks) {
             cards::question(ui, &prediction.question);
             let is_open = course.asked().is_some();
             match &prediction.kind {
-                _ if !is_open => shown::said(ui, course, prediction),
+                _ if !is_open => shown::said(ui, state, step, course),
                 Kind::Choice(options) if course.counts_hands() => form::votes(ui, course, options, asks),
                 Kind::Choice(options) => form::choices(ui, course, options, asks),
-                Kind::Number(_) | Kind::Point(_) | Kind::Curve(_) => {}
+                Kind::Point(_) | Kind::Curve(_) => form::hint(ui, state, course),
+                Kind::Number(_) => {}
             }
         }
         (Phase::Ask, None) => page::text(ui, &step.text),
         (Phase::Shown, Some(prediction)) if !running.is_running() => {
             cards::question(ui, &prediction.question);
-            shown::compared(ui, course, prediction);
+            shown::compared(ui, state, step, course);
         }
         (Phase::Shown, _) => {
             page::said_to_reveal(ui, step);
