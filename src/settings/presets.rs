@@ -27,7 +27,7 @@ macro_rules! files {
 }
 
 /// The names of all, and their files; the first is the start.
-const FILES: [(&str, &str); 13] = files![
+const FILES: [(&str, &str); 19] = files![
     "street",
     "overhead",
     "approaching",
@@ -41,6 +41,12 @@ const FILES: [(&str, &str); 13] = files![
     "train",
     "rolling-wheel",
     "lattice",
+    "vienna-cube",
+    "vienna-sphere",
+    "headlight",
+    "extreme-gamma",
+    "measuring",
+    "missing-parallax",
 ];
 
 static ALL: LazyLock<Vec<Preset>> = LazyLock::new(|| {
