@@ -421,7 +421,7 @@ impl App {
         let presentation = match self.lesson_part() {
             LessonPart::Nothing => Presentation::of(area, &self.arranged(ui)),
             LessonPart::Strip | LessonPart::Panel => {
-                let with_plot = self.state.settings.window.plots;
+                let with_plot = self.state.shown_window().plots;
                 Presentation::of_lesson(area, &self.arranged(ui), with_plot)
             }
         };

@@ -19,7 +19,7 @@ pub fn show(ui: &mut Ui, state: &State, running: &Running, asks: &mut Asks) {
     ui.spacing_mut().item_spacing.y = 6.0;
     if step.title != course.lesson().title {
         ui.label(RichText::new(&step.title).heading().strong());
-        ui.add_space(2.0);
+        ui.add_space(4.0);
     }
     match course.place().phase {
         Phase::Ask => asked(ui, state, course, step, asks),
