@@ -8,9 +8,6 @@ use crate::app::theme;
 use crate::app::widgets::{markdown, named_text};
 use crate::lesson::{Answer, Course, Kind, Options, Outcome, Step, verdict};
 
-/// The longest value that is written large beside its name, characters.
-const LONGEST_VALUE: usize = 18;
-
 /// Shows what was said, before it is compared.
 pub fn said(ui: &mut Ui, state: &State, step: &Step, course: &Course) {
     let told = course.record().and_then(|record| verdict(step, record, &state.sight()));
@@ -21,7 +18,8 @@ pub fn said(ui: &mut Ui, state: &State, step: &Step, course: &Course) {
             cards::quiet(ui, "You said");
             options.texts.get(*choice).into_iter().for_each(|text| cards::told(ui, text, false));
         }
-        _ => told.into_iter().for_each(|told| value(ui, "You said", &told.said)),
+        (Some(Kind::Number(_)), _) => told.into_iter().for_each(|told| value(ui, "You said", &told.said)),
+        _ => told.into_iter().for_each(|told| markdown::show(ui, &format!("You said {}.", told.said))),
     }
 }
 
@@ -44,17 +42,23 @@ pub fn compared(ui: &mut Ui, state: &State, step: &Step, course: &Course) {
         (Some(kind), answer) => {
             let told = course.record().and_then(|record| verdict(step, record, &state.sight()));
             let Some(told) = told else { return };
-            if answer.is_some() {
-                value(ui, "You said", &told.said);
-            }
-            value(ui, "It is", &told.is);
-            let off = match (kind, answer) {
+            match (kind, answer) {
                 (Kind::Number(asked), Some(Answer::Number(said))) => {
-                    asked.truth.map(|truth| asked.text((said - truth).abs()))
+                    value(ui, "You said", &told.said);
+                    value(ui, "It is", &told.is);
+                    let off = asked.truth.map(|truth| asked.text((said - truth).abs()));
+                    near(ui, told.right, off);
                 }
-                _ => None,
-            };
-            near(ui, told.right, off);
+                (Kind::Number(_), _) => value(ui, "It is", &told.is),
+                (Kind::Curve(_), Some(_)) => {
+                    markdown::show(ui, &format!("Your curve is dashed, the true one solid: {}.", told.is));
+                }
+                (Kind::Point(_), Some(_)) => {
+                    markdown::show(ui, &format!("You said {}. It is {}.", told.said, told.is));
+                    near(ui, told.right, None);
+                }
+                _ => markdown::show(ui, &format!("It is {}.", told.is)),
+            }
         }
         (None, _) => {}
     }
@@ -87,14 +91,9 @@ fn answer(course: &Course) -> Option<&Answer> {
     }
 }
 
-/// A `value` behind its `name`: large, if it is short.
+/// A large `value` behind its `name`.
 fn value(ui: &mut Ui, name: &str, value: &str) {
     let size = TextStyle::Body.resolve(ui.style()).size;
-    if value.chars().count() > LONGEST_VALUE {
-        cards::quiet(ui, name);
-        markdown::show(ui, value);
-        return;
-    }
     ui.horizontal(|ui| {
         let room = vec2(5.0 * size, 1.8 * size);
         ui.allocate_ui_with_layout(room, Layout::left_to_right(Align::Center), |ui| {
