@@ -19,25 +19,25 @@ pub fn show(ui: &mut Ui, state: &State, running: &Running, asks: &mut Asks) {
     ui.spacing_mut().item_spacing.y = 6.0;
     if step.title != course.lesson().title {
         ui.label(RichText::new(&step.title).heading().strong());
-        ui.add_space(2.0);
+        ui.add_space(4.0);
     }
     match course.place().phase {
-        Phase::Ask => asked(ui, course, step, asks),
+        Phase::Ask => asked(ui, state, course, step, asks),
         Phase::Shown => revealed(ui, state, running, step, asks),
         Phase::Explained => text(ui, &step.explanation),
     }
 }
 
-fn asked(ui: &mut Ui, course: &Course, step: &Step, asks: &mut Asks) {
+fn asked(ui: &mut Ui, state: &State, course: &Course, step: &Step, asks: &mut Asks) {
     text(ui, &step.text);
     let Some(prediction) = &step.prediction else { return };
     apart(ui, !step.text.is_empty());
     cards::question(ui, &prediction.question);
     if course.asked().is_some() {
-        form::show(ui, course, prediction, asks);
+        form::show(ui, state, course, prediction, asks);
         form::confidence(ui, course, asks);
     } else {
-        shown::said(ui, course, prediction);
+        shown::said(ui, state, step, course);
     }
 }
 
@@ -52,7 +52,7 @@ fn revealed(ui: &mut Ui, state: &State, running: &Running, step: &Step, asks: &m
     if let Some(prediction) = &step.prediction {
         apart(ui, has_text);
         cards::question(ui, &prediction.question);
-        shown::compared(ui, state, &running.course, prediction);
+        shown::compared(ui, state, step, &running.course);
     }
     if let Some(observation) = &step.observation {
         apart(ui, step.prediction.is_some() || has_text);

@@ -53,16 +53,17 @@ fn words(ui: &mut Ui, state: &State, running: &Running, step: &Step, asks: &mut 
             cards::question(ui, &prediction.question);
             let is_open = course.asked().is_some();
             match &prediction.kind {
-                _ if !is_open => shown::said(ui, course, prediction),
+                _ if !is_open => shown::said(ui, state, step, course),
                 Kind::Choice(options) if course.counts_hands() => form::votes(ui, course, options, asks),
                 Kind::Choice(options) => form::choices(ui, course, options, asks),
-                Kind::Number(_) | Kind::Point(_) | Kind::Curve(_) => {}
+                Kind::Point(_) | Kind::Curve(_) => form::hint(ui, state, course),
+                Kind::Number(_) => {}
             }
         }
         (Phase::Ask, None) => page::text(ui, &step.text),
         (Phase::Shown, Some(prediction)) if !running.is_running() => {
             cards::question(ui, &prediction.question);
-            shown::compared(ui, state, course, prediction);
+            shown::compared(ui, state, step, course);
         }
         (Phase::Shown, _) => {
             page::said_to_reveal(ui, step);
