@@ -117,6 +117,7 @@ pub static ACTIONS: &[Action] = &[
     action("save the plots as a table", &[], save(Product::PlotsCsv)),
     action("save a film", &[], save(Product::Film)),
     action("save the fit", &[], save(Product::Fit)),
+    action("save the report of the lesson", &[], save(Product::Report)),
     action("copy the command of this window", &[with_control(Key::C)], Command::Copy(Copied::Command)),
     action("copy the picture", &[], Command::Copy(Copied::Picture)),
     action("copy the command of the picture", &[], Command::Copy(Copied::RenderCommand)),

@@ -28,6 +28,8 @@ pub enum Product {
     Film,
     /// The fit, as JSON.
     Fit,
+    /// What was done in the lesson, as a page.
+    Report,
 }
 
 impl Product {
@@ -40,6 +42,7 @@ impl Product {
             Self::State => "state",
             Self::Film => "film",
             Self::Fit => "fit",
+            Self::Report => "report",
         }
     }
 
@@ -65,20 +68,22 @@ impl Product {
             Self::State => &["toml"],
             Self::Film => &["gif", "png"],
             Self::Fit => &["json"],
+            Self::Report => &["html"],
         }
     }
 
-    /// What a file of it is called at first, of `scene`.
+    /// What a file of it is called at first, of this `subject`: a scene, or a lesson.
     #[must_use]
-    pub fn file_name(self, scene: &str) -> String {
+    pub fn file_name(self, subject: &str) -> String {
         let what = match self {
             Self::Picture => "",
             Self::PlotsSvg | Self::PlotsCsv => "-plots",
             Self::State => "-state",
             Self::Film => "-film",
             Self::Fit => "-fit",
+            Self::Report => "-report",
         };
-        format!("{scene}{what}.{}", self.endings()[0])
+        format!("{subject}{what}.{}", self.endings()[0])
     }
 
     /// `path` with the usual ending where it has none.
@@ -120,6 +125,7 @@ impl Purpose {
             Self::Save(Product::State) => "Save the state",
             Self::Save(Product::Film) => "Save a film",
             Self::Save(Product::Fit) => "Save the fit",
+            Self::Save(Product::Report) => "Save the report of the lesson",
         }
     }
 }

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use eframe::egui::Context;
 
-use super::chooser::Purpose;
+use super::chooser::{Product, Purpose};
 use super::command::Command;
 use super::orders::Saving;
 use super::state::State;
@@ -71,7 +71,12 @@ impl Chooser {
         self.path = match self.purpose {
             Some(Purpose::Save(product)) => {
                 let scene = Path::new(&state.settings.scene).file_stem().unwrap_or_default();
-                folder.join(product.file_name(&scene.to_string_lossy())).display().to_string()
+                let lesson = state.course().filter(|_| product == Product::Report);
+                let subject = lesson.map_or_else(
+                    || scene.to_string_lossy().into_owned(),
+                    |course| course.lesson().name.clone(),
+                );
+                folder.join(product.file_name(&subject)).display().to_string()
             }
             _ => folder.join("").display().to_string(),
         };

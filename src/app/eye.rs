@@ -1,7 +1,7 @@
 //! Which of the two eyes.
 
 /// One of the two eyes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Eye {
     /// The primary aperture.
     Left,

@@ -146,3 +146,60 @@ fn message<'a>(info: &'a PanicHookInfo<'_>) -> &'a str {
 fn missing_library(message: &str) -> Option<&str> {
     message.contains("could not be loaded").then_some(message)
 }
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use super::*;
+    use crate::lesson::Library;
+
+    /// What is kept, in memory.
+    #[derive(Default)]
+    struct Kept(BTreeMap<String, String>);
+
+    impl Storage for Kept {
+        fn get_string(&self, key: &str) -> Option<String> {
+            self.0.get(key).cloned()
+        }
+
+        fn set_string(&mut self, key: &str, value: String) {
+            self.0.insert(key.to_owned(), value);
+        }
+
+        fn remove_string(&mut self, key: &str) {
+            self.0.remove(key);
+        }
+
+        fn flush(&mut self) {}
+    }
+
+    fn started(storage: Option<&dyn Storage>, welcomes: bool) -> State {
+        let mut state = State::open(Settings::default()).expect("a preset");
+        recall(&mut state, storage, welcomes);
+        state
+    }
+
+    #[test]
+    fn newcomers_begin_with_the_start_page() {
+        let overlay = |storage: &Kept, welcomes| started(Some(storage), welcomes).session.overlay;
+        let mut kept = Kept::default();
+        assert_eq!(started(None, true).session.overlay, Some(Overlay::Start));
+        assert_eq!(overlay(&kept, true), Some(Overlay::Start));
+        assert_eq!(overlay(&kept, false), None);
+        // Closing it and the window changes nothing.
+        let closed = started(Some(&kept), true);
+        memory::remember(&mut kept, &closed);
+        assert_eq!(overlay(&kept, true), Some(Overlay::Start));
+        let mut clicked = Kept::default();
+        memory::remember_a_click(&mut clicked);
+        assert_eq!(overlay(&clicked, true), None);
+        let mut state = started(None, true);
+        let lesson = Library::own().open("turned").expect("it is there");
+        state.begin_lesson(&lesson).expect("it can be shown");
+        assert_eq!(state.session.overlay, None);
+        memory::remember(&mut kept, &state);
+        let again = started(Some(&kept), true).session;
+        assert_eq!((again.overlay, again.next_lesson.as_deref()), (None, Some("turned")));
+    }
+}

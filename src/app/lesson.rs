@@ -118,7 +118,7 @@ impl State {
     fn set_up(&mut self) {
         let Some(running) = &self.session.lesson else { return };
         let (lesson, place) = (running.course.lesson(), running.course.place());
-        let base = self.lesson_base(running.before);
+        let base = self.lesson_base();
         let revealed = running.course.is_revealed();
         let shown = lesson.settings(place.step, revealed, &base);
         let animation = running.course.step().and_then(|step| step.reveal.as_ref()?.animation);
@@ -157,9 +157,11 @@ impl State {
         }
     }
 
-    /// Usual settings, in this window with the parts that it had `before`.
-    fn lesson_base(&self, before: Window) -> Settings {
+    /// What the states of the lesson differ from: usual settings, in this window with the parts that it had before.
+    #[must_use]
+    pub fn lesson_base(&self) -> Settings {
         let now = self.settings.window;
+        let before = self.session.lesson.as_ref().map_or(now, |running| running.before);
         let window = Window {
             views: before.views,
             corrected: before.corrected,
@@ -182,13 +184,12 @@ impl State {
         let (place, lesson) = (running.course.place(), running.course.lesson());
         let step = place.step.min(lesson.steps.len().saturating_sub(1));
         let is_revealed = running.course.is_revealed() || place.step > step;
-        lesson.settings(step, is_revealed, &self.lesson_base(running.before)).ok()
+        lesson.settings(step, is_revealed, &self.lesson_base()).ok()
     }
 
     fn close_lesson(&mut self) {
-        if let Some(running) = self.session.lesson.take() {
-            self.settings.window = self.lesson_base(running.before).window;
-        }
+        self.settings.window = self.lesson_base().window;
+        self.session.lesson = None;
     }
 
     /// Lets what runs run by a `step` of the wall clock, seconds.

@@ -89,6 +89,12 @@ pub fn halo_colour(visuals: &Visuals) -> Color32 {
 /// What is said on the dark tags of pictures, in either theme.
 pub const TAG_TEXT: Color32 = Color32::from_gray(205);
 
+/// What leads on, and what is open; and what is written on it.
+#[must_use]
+pub fn primary_colours(visuals: &Visuals) -> [Color32; 2] {
+    [either(visuals.dark_mode, [[0x2F, 0x6B, 0xA8], [0x1B, 0x5F, 0xA8]]), Color32::WHITE]
+}
+
 /// The line at the present T.
 #[must_use]
 pub fn now_colour(visuals: &Visuals) -> Color32 {
@@ -253,6 +259,8 @@ mod tests {
                 let contrast = contrast(visuals.widgets.inactive.fg_stroke.color, button);
                 assert!(contrast >= 4.5, "{theme:?} button: {contrast:.2}");
             }
+            let [ground, ink] = primary_colours(visuals);
+            assert!(contrast(ground, ink) >= 4.5, "{theme:?} what leads on");
             let chosen = contrast(visuals.selection.stroke.color, visuals.selection.bg_fill);
             assert!(chosen >= 4.5, "{theme:?} what is chosen: {chosen:.2}");
         }

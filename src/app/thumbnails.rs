@@ -21,6 +21,8 @@ pub struct Look {
     pub size: [u32; 2],
     /// Whether it stands in a light window.
     pub in_light_window: bool,
+    /// Who sees it.
+    pub eye: Eye,
 }
 
 /// A thumbnail to draw.
@@ -37,11 +39,17 @@ struct Drawn {
     image: Option<ColorImage>,
 }
 
+/// One that is kept. In a window that was made light or dark since, it stays until the other is drawn.
+struct Kept {
+    in_light_window: bool,
+    texture: Option<TextureHandle>,
+}
+
 /// The thumbnails that were drawn, the one that is drawn now, and the one that comes next.
 #[derive(Default)]
 pub struct Thumbnails {
     worker: Option<Worker<Job, Drawn>>,
-    kept: HashMap<String, (Look, Option<TextureHandle>)>,
+    kept: HashMap<(String, Eye, [u32; 2]), Kept>,
     /// The first that is missing, and whether it is in view.
     missing: Option<(Job, bool)>,
     /// How many were drawn.
@@ -65,18 +73,19 @@ impl Thumbnails {
     pub fn receive(&mut self, ctx: &Context) {
         let Some(Drawn { name, look, image }) = self.worker.as_ref().and_then(Worker::result) else { return };
         let texture = image.map(|image| ctx.load_texture(&name, image, TextureOptions::LINEAR));
-        self.kept.insert(name, (look, texture));
+        let Look { size, in_light_window, eye } = look;
+        self.kept.insert((name, eye, size), Kept { in_light_window, texture });
         self.count += 1;
     }
 
     /// That of `lesson`, once there is one; until it has this `look` it is noted as missing. Those in view come first.
     pub fn of(&mut self, lesson: &Arc<Lesson>, look: Look, is_in_view: bool) -> Option<&TextureHandle> {
-        let kept = self.kept.get(&lesson.name);
-        let is_missing = kept.is_none_or(|(of, _)| *of != look);
+        let kept = self.kept.get(&(lesson.name.clone(), look.eye, look.size));
+        let is_missing = kept.is_none_or(|kept| kept.in_light_window != look.in_light_window);
         if is_missing && self.missing.as_ref().is_none_or(|(_, other)| is_in_view && !other) {
             self.missing = Some((Job { lesson: Arc::clone(lesson), look }, is_in_view));
         }
-        kept.and_then(|(_, texture)| texture.as_ref())
+        kept.and_then(|kept| kept.texture.as_ref())
     }
 
     /// Has the first of those drawn that were noted as missing, unless another is being drawn.
@@ -95,12 +104,12 @@ fn work(Job { lesson, look }: Job, _: &Wanted) -> Option<Drawn> {
     Some(Drawn { name: lesson.name.clone(), look, image })
 }
 
-/// What the left eye sees in the first step of `lesson`, once that is revealed; nothing where it cannot be shown.
-fn picture(lesson: &Lesson, Look { size, in_light_window }: Look) -> Option<Picture> {
+/// What is seen in the first step of `lesson`, once that is revealed; nothing where it cannot be shown.
+fn picture(lesson: &Lesson, Look { size, in_light_window, eye }: Look) -> Option<Picture> {
     let settings = lesson.settings(0, true, &Settings::default()).ok()?;
     let mut state = State::open(settings).ok()?;
     state.session.picture_size = size;
-    let (view, appearance) = (state.view(Eye::Left, size), state.appearance(in_light_window));
+    let (view, appearance) = (state.view(eye, size), state.appearance(in_light_window));
     Some(state.session.prepared.picture(&view, &appearance, REFERENCE_SAMPLES))
 }
 
@@ -111,7 +120,7 @@ mod tests {
 
     #[test]
     fn every_lesson_and_preset_has_a_picture_of_its_own_size() {
-        let look = Look { size: [22, 13], in_light_window: false };
+        let look = Look { size: [22, 13], in_light_window: false, eye: Eye::Left };
         for lesson in Library::own().all() {
             let picture = picture(lesson, look).expect("it can be shown");
             assert_eq!(picture.size, look.size, "{}", lesson.name);

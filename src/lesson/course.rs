@@ -128,6 +128,13 @@ impl Course {
         !matches!(self.place.phase, Phase::Ask)
     }
 
+    /// Whether the reveal of the step of this number has been asked for, or the step been left behind.
+    #[must_use]
+    pub fn is_done(&self, number: usize) -> bool {
+        let is_asked_for = self.records.get(number).is_some_and(|record| record.outcome.is_some());
+        is_asked_for || number < self.place.step || (number == self.place.step && self.is_revealed())
+    }
+
     /// Takes what is being entered for the prediction of the present step, if it says anything, with how sure it is; and
     /// goes on to the reveal.
     pub fn predict(&mut self) {

@@ -6,11 +6,13 @@
 
 mod answer;
 mod course;
+mod curve_plot;
 mod error;
 mod library;
 mod picture;
 mod plan;
 mod read;
+pub mod report;
 mod score;
 pub mod sketch;
 pub mod truth;

@@ -51,12 +51,6 @@ impl Sight<'_> {
         let hit = self.prepared.first_hit(&left, direction.axes().forward);
         hit.is_some_and(|hit| self.scene.name_of(hit.body) == body)
     }
-
-    /// The curve of `quantity` over `times` (first and last T), in pieces, densely where it bends.
-    #[must_use]
-    pub fn curve(&self, quantity: Quantity, times: [f64; 2]) -> Vec<Vec<[f64; 2]>> {
-        curve(times, |time| quantity.at(self.settings, &self.track, time))
-    }
 }
 
 /// The curve of `value` over T from the first to the last of `times`, in pieces: it ends where there is none.
@@ -111,6 +105,12 @@ impl Quantity {
             Self::Doppler => seen.primary.doppler_factor,
             Self::Phi => seen.primary.phi(),
         })
+    }
+
+    /// Its curve over `times` (first and last T), in pieces, densely where it bends.
+    #[must_use]
+    pub fn over(self, settings: &Settings, track: &Track, times: [f64; 2]) -> Vec<Vec<[f64; 2]>> {
+        curve(times, |time| self.at(settings, track, time))
     }
 
     /// Its sign and its unit, for an axis.

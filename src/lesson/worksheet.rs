@@ -4,27 +4,23 @@ use std::fmt::Write as _;
 
 use relativity_core::{DEFAULT_REPLICATES, bootstrap, fit, math};
 
-use super::picture;
 use super::plan::{Animated, Choices, Curve, Kind, Lesson, Options, Prediction, Reveal, Step, Text};
+use super::{curve_plot, picture};
 use crate::caption::decimal;
 use crate::estimate::samples::samples_of;
 use crate::estimate::{Estimate, estimate};
 use crate::figures;
 use crate::files::html::{Page, Style, answer_lines, data_uri, escaped};
-use crate::passage::time_within;
-use crate::plot::{self, BLUE, Line, Panel};
+use crate::plot::{BLUE, Line};
 use crate::settings::Settings;
+use crate::units::Unit;
 
 /// Lines for an answer in words, and for a sentence to take away.
 const LINES: [usize; 2] = [4, 2];
-/// Width and height of an empty plot, pixels.
-const PLOT: [f64; 2] = [640.0, 300.0];
 /// Most readings that stand in the table; of more, some.
 const MOST_ROWS: usize = 40;
 /// Decimals of a reading in the table.
 const DIGITS: u8 = 5;
-/// Pieces of a curve in it.
-const SAMPLES: u32 = 240;
 
 /// The worksheet of `lesson`, which is worked out; `with_answers`, for whoever teaches.
 ///
@@ -197,17 +193,6 @@ fn choices(page: &mut Page, options: &Options, with_answers: bool) -> anyhow::Re
 fn plot(curve: &Curve, settings: &Settings, with_answers: bool) -> anyhow::Result<String> {
     let track = settings.track(&settings.opened_scene()?);
     let range = settings.time_range(&track);
-    let value = |time: f64| Some([time, curve.quantity.at(settings, &track, time)?]);
-    let times = (0..=SAMPLES).map(|sample| time_within(range, f64::from(sample) / f64::from(SAMPLES)));
-    let points = if with_answers { times.filter_map(value).collect() } else { Vec::new() };
-    let [sign, unit] = curve.quantity.axis();
-    let label = if unit.is_empty() { sign.to_owned() } else { format!("{sign} ({unit})") };
-    let [width, height] = PLOT;
-    let panel = Panel {
-        ranges: [Some(range), Some(curve.range)],
-        width,
-        height,
-        ..Panel::new("", ["T".to_owned(), label], vec![Line::solid("", BLUE, points)])
-    };
-    Ok(plot::svg(&[panel]))
+    let pieces = if with_answers { curve.quantity.over(settings, &track, range) } else { Vec::new() };
+    Ok(curve_plot::svg(curve, range, Unit::OWN, vec![Line::in_pieces("", BLUE, pieces)]))
 }

@@ -8,6 +8,7 @@ mod errors;
 mod fit;
 mod garbage;
 mod help;
+mod lessons;
 mod numbers;
 mod paper;
 mod quiet;

@@ -15,11 +15,13 @@ mod own_data;
 mod pairs;
 mod picking;
 mod plots;
+mod predictions;
 mod presenting;
 mod quality;
 mod saving;
 mod spacetime;
 mod start;
+mod start_page;
 mod stereo;
 mod support;
 mod time;
@@ -51,11 +53,13 @@ fn main() -> ExitCode {
         pairs::TESTS,
         picking::TESTS,
         plots::TESTS,
+        predictions::TESTS,
         presenting::TESTS,
         quality::TESTS,
         saving::TESTS,
         spacetime::TESTS,
         start::TESTS,
+        start_page::TESTS,
         stereo::TESTS,
         time::TESTS,
         times::TESTS,

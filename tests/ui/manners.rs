@@ -116,7 +116,7 @@ fn a_message_names_its_file() {
 /// Buttons and fields of the bar and the timeline.
 const CONTROLS: [&str; 20] = [
     "Scene",
-    "Presets",
+    "Lessons",
     "Units",
     "Views",
     "Map",
@@ -476,7 +476,7 @@ fn the_tabulator_reaches_everything() {
     }
     for name in [
         "Scene",
-        "Presets",
+        "Lessons",
         "Units",
         "Theme",
         "Help",

@@ -137,7 +137,7 @@ fn chosen_by_name_and_key() {
     assert_eq!(layout(&window), Layout::Dubois);
     window.get_by_label("Both eyes' view");
     // A preset is another state to look at, in the same way.
-    window.get_by_label("Presets").click();
+    window.get_by_label("Lessons").click();
     window.run();
     window.get_by_label("A globe").click();
     window.run();

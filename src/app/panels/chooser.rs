@@ -86,6 +86,10 @@ fn told(ui: &mut Ui, state: &State, product: Product, chooser: &mut Chooser) {
         Product::PlotsSvg => "What the shown tab plots, as a drawing.".to_owned(),
         Product::PlotsCsv => "What the shown tab plots, as a table.".to_owned(),
         Product::State => "All that is set, T and the selected point. It can be opened again.".to_owned(),
+        Product::Report => {
+            "What was predicted and seen in each step of the lesson, as a page for a browser, which can be printed."
+                .to_owned()
+        }
         Product::Fit => "The numbers of the Fit tab, as `gamow fit --json` writes them.".to_owned(),
     };
     ui.label(RichText::new(text).weak());

@@ -178,6 +178,14 @@ mod tests {
     }
 
     #[test]
+    fn every_lesson_is_begun_by_its_title() {
+        let state = State::open(crate::settings::Settings::default()).expect("a preset");
+        let found = found(&state, "lesson: rods");
+        let open = LessonCommand::Open("rods".to_owned());
+        assert_eq!(found.into_iter().map(|entry| entry.command).collect::<Vec<_>>(), [Command::Lesson(open)]);
+    }
+
+    #[test]
     fn every_action_is_listed() {
         let all = names("");
         assert!(ACTIONS.iter().all(|action| all.iter().any(|name| name == action.name)));

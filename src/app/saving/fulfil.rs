@@ -80,6 +80,15 @@ impl App {
                 let job = Job::Fit(Box::new(self.state.fit_key()), path);
                 self.begin(ui.ctx(), job, name, 1);
             }
+            Product::Report => {
+                let Some(course) = self.state.course().cloned() else {
+                    return self.tell(ui.ctx(), Notice::error("No lesson is gone through."));
+                };
+                let base = Box::new(self.state.lesson_base());
+                // The fit that stands in its tab.
+                let fit = self.fitting.shown().map(|_| Box::new(self.state.fit_key()));
+                self.begin(ui.ctx(), Job::Report(Box::new(course), base, fit, path), name, 1);
+            }
             Product::PlotsSvg | Product::PlotsCsv => {
                 let is_drawing = product == Product::PlotsSvg;
                 let text = if is_drawing { self.plots_svg() } else { self.plots_csv() };

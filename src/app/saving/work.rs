@@ -1,5 +1,6 @@
 //! What is made by the thread that saves: pictures, films and fits.
 
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use eframe::egui::ColorImage;
@@ -9,6 +10,7 @@ use crate::estimate::FitReport;
 use crate::estimate::samples::{FitKey, Fittable};
 use crate::files::whole::{write_json, write_whole};
 use crate::flags::choices::FileKind;
+use crate::lesson::{Course, report};
 use crate::scene::{Scene, Track};
 use crate::settings::Settings;
 use crate::studio::Studio;
@@ -35,6 +37,8 @@ pub enum Job {
     Film(Drawn, Vec<f64>, FilmKind, PathBuf),
     /// The numbers of a fit, as JSON.
     Fit(Box<FitKey>, PathBuf),
+    /// What was done in a lesson, whose states differ from these settings; with a fit.
+    Report(Box<Course>, Box<Settings>, Option<Box<FitKey>>, PathBuf),
 }
 
 /// What became of it.
@@ -74,7 +78,9 @@ impl Job {
     /// Where its file goes; nowhere if it has none.
     fn path(&self) -> &Path {
         match self {
-            Self::Picture(_, path) | Self::Film(.., path) | Self::Fit(_, path) => path,
+            Self::Picture(_, path) | Self::Film(.., path) | Self::Fit(_, path) | Self::Report(.., path) => {
+                path
+            }
             Self::Clipboard(_) => Path::new(""),
         }
     }
@@ -103,18 +109,31 @@ impl Job {
                 let command = kind.mp4_command(&path);
                 Ok(Made::Film(path, text, command))
             }
+            Self::Report(course, base, key, path) => {
+                // Of what cannot be fitted there is no table.
+                let fit = key.and_then(|key| fitted(&key).ok()).map(|(report, _)| report.to_string());
+                let page = report::page(&course, &base, fit.as_deref())?;
+                write_whole(&path, |file| Ok(file.write_all(page.as_bytes())?))?;
+                let text = format!("Saved {}.", name_of(&path));
+                Ok(Made::File(path, text))
+            }
             Self::Fit(key, path) => {
-                let Fittable { observations, options } = key.fittable().map_err(anyhow::Error::msg)?;
-                let report = |replicates| FitReport::new(&observations, &options, replicates, key.setup.seed);
-                // Where the replicates cannot be fitted, the numbers are those that stand in the tab.
-                let (report, remark) = match report(DEFAULT_REPLICATES) {
-                    Ok(report) => (report, String::new()),
-                    Err(problem) => (report(0)?, format!(" Without a bootstrap: {problem}.")),
-                };
+                let (report, remark) = fitted(&key)?;
                 write_whole(&path, |file| write_json(&report, file))?;
                 let text = format!("Saved {}.{remark}", name_of(&path));
                 Ok(Made::File(path, text))
             }
         }
     }
+}
+
+/// The numbers of a fit, and a remark on them.
+fn fitted(key: &FitKey) -> anyhow::Result<(FitReport, String)> {
+    let Fittable { observations, options } = key.fittable().map_err(anyhow::Error::msg)?;
+    let report = |replicates| FitReport::new(&observations, &options, replicates, key.setup.seed);
+    // Where the replicates cannot be fitted, the numbers are those that stand in the tab.
+    Ok(match report(DEFAULT_REPLICATES) {
+        Ok(report) => (report, String::new()),
+        Err(problem) => (report(0)?, format!(" Without a bootstrap: {problem}.")),
+    })
 }

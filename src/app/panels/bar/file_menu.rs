@@ -8,7 +8,7 @@ use crate::app::command::Command;
 use crate::app::orders::Copied;
 use crate::app::panels::Asks;
 use crate::app::state::State;
-use crate::settings::{PlotTab, Settings};
+use crate::settings::PlotTab;
 
 /// Width of the menu, points.
 const WIDTH: f32 = 230.0;
@@ -21,7 +21,7 @@ const OPEN: [Entry; 2] = [
     ("Own data…", Command::Choose(Purpose::OpenData), "Fits measured disparities, as CSV."),
 ];
 
-const SAVE: [Entry; 6] = [
+const SAVE: [Entry; 7] = [
     ("Save picture…", save(Product::Picture), "The views as they are, as PNG. It remembers its state."),
     ("Save plots as SVG…", save(Product::PlotsSvg), "What the shown tab plots, as a drawing."),
     ("Save plots as CSV…", save(Product::PlotsCsv), "What the shown tab plots, as a table."),
@@ -32,6 +32,11 @@ const SAVE: [Entry; 6] = [
         "T runs through its range once: a GIF, an animated PNG, or a folder of pictures.",
     ),
     ("Save state…", save(Product::State), "All that is set, as TOML."),
+    (
+        "Report of the lesson…",
+        save(Product::Report),
+        "What was predicted and seen in each step, as a page to keep or to print.",
+    ),
 ];
 
 const COPY: [Entry; 5] = [
@@ -78,7 +83,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
 fn entry(ui: &mut Ui, state: &State, (name, command, tip): &Entry, asks: &mut Asks) {
     let keys = ACTIONS.iter().find(|action| action.command == *command).map(Action::keys_text);
     let button = Button::new(*name).shortcut_text(keys.unwrap_or_default());
-    let obstacle = obstacle(&state.settings, command);
+    let obstacle = obstacle(state, command);
     let response = ui.add_enabled(obstacle.is_none(), button).on_hover_text(*tip);
     let response = response.on_disabled_hover_text(obstacle.unwrap_or_default());
     if response.accessible_name(*name).clicked() {
@@ -87,13 +92,15 @@ fn entry(ui: &mut Ui, state: &State, (name, command, tip): &Entry, asks: &mut As
 }
 
 /// Why something cannot be saved as things are.
-fn obstacle(settings: &Settings, command: &Command) -> Option<&'static str> {
+fn obstacle(state: &State, command: &Command) -> Option<&'static str> {
+    let settings = &state.settings;
     let (is_plotted, tab) = (settings.window.plots, settings.plots.plot);
     let Command::Choose(Purpose::Save(product)) = command else { return None };
     match product {
         Product::PlotsSvg | Product::PlotsCsv if !is_plotted => Some("The plots are hidden."),
         Product::PlotsSvg if tab == PlotTab::Accuracy => Some("This tab is a table: save it as CSV."),
         Product::Fit if !is_plotted || tab != PlotTab::Fit => Some("It is made in the Fit tab."),
+        Product::Report if state.course().is_none() => Some("No lesson is gone through."),
         _ => None,
     }
 }

@@ -12,8 +12,9 @@ use crate::app::widgets::markdown;
 use crate::comfort::Verdict;
 use crate::lesson::Text;
 
-/// Corners of a card, and the space inside its border.
+/// Corners of a card, its border, and the space inside that.
 const CORNER: u8 = 6;
+const BORDER: f32 = 1.5;
 const INSIDE: Margin = Margin::symmetric(9, 6);
 
 /// What stands before the text of a card.
@@ -34,12 +35,12 @@ pub fn choice(ui: &mut Ui, text: &Text, is_chosen: bool) -> Response {
     let response = ui
         .scope_builder(builder, |ui| {
             let response = ui.response();
-            let stroke = match (is_chosen, response.hovered() || response.has_focus()) {
-                (true, _) => theme::focus_stroke(ui.visuals()),
-                (false, true) => Stroke::new(1.0, ui.visuals().text_color()),
-                (false, false) => ui.visuals().widgets.noninteractive.bg_stroke,
+            let colour = match (is_chosen, response.hovered()) {
+                (true, _) => theme::focus_stroke(ui.visuals()).color,
+                (false, true) => ui.visuals().text_color(),
+                (false, false) => quiet_line(ui),
             };
-            card(ui, text, Sign::Ring(is_chosen), stroke);
+            card(ui, text, Sign::Ring(is_chosen), colour);
         })
         .response;
     response.widget_info(|| WidgetInfo::selected(Role::RadioButton, ui.is_enabled(), is_chosen, &name));
@@ -48,12 +49,13 @@ pub fn choice(ui: &mut Ui, text: &Text, is_chosen: bool) -> Response {
 
 /// A card that only tells.
 pub fn told(ui: &mut Ui, text: &Text, is_right: bool) {
-    let (sign, stroke) = if is_right {
-        (Sign::Right, Stroke::new(1.5, right_colour(ui)))
-    } else {
-        (Sign::Ring(true), ui.visuals().widgets.noninteractive.bg_stroke)
-    };
-    card(ui, text, sign, stroke);
+    let (sign, colour) =
+        if is_right { (Sign::Right, right_colour(ui)) } else { (Sign::Ring(true), quiet_line(ui)) };
+    card(ui, text, sign, colour);
+}
+
+fn quiet_line(ui: &Ui) -> Color32 {
+    ui.visuals().widgets.noninteractive.bg_stroke.color
 }
 
 /// The colour of what is right.
@@ -61,7 +63,8 @@ pub fn right_colour(ui: &Ui) -> Color32 {
     theme::verdict_colour(Verdict::Comfortable, ui.visuals())
 }
 
-fn card(ui: &mut Ui, text: &Text, sign: Sign, stroke: Stroke) {
+fn card(ui: &mut Ui, text: &Text, sign: Sign, border: Color32) {
+    let stroke = Stroke::new(BORDER, border);
     let fill = ui.visuals().faint_bg_color;
     let frame = Frame::new().fill(fill).corner_radius(CORNER).inner_margin(INSIDE).stroke(stroke);
     frame.show(ui, |ui| {

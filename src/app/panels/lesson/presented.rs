@@ -13,6 +13,9 @@ use crate::lesson::{Kind, Phase, Step};
 /// Largest and smallest sizes of most writing, points: as large as fits.
 const SIZES: [f32; 2] = [30.0, 11.0];
 
+/// Height of the writing in the line above, as a part of all the room.
+const LINE_SHARE: f32 = 0.05;
+
 /// Shows it.
 pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let Some(running) = &state.session.lesson else { return };
@@ -38,7 +41,8 @@ fn where_it_is(ui: &mut Ui, state: &State, running: &Running) {
     let beta = format!("β = {}", figures::beta(&state.speed()));
     let parts = [lesson.title.as_str(), &step, &beta];
     let told = parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("   ·   ");
-    ui.label(RichText::new(told).size(super::SIZES[0]).weak());
+    let size = (LINE_SHARE * ui.max_rect().height()).max(super::SIZES[0]);
+    ui.label(RichText::new(told).size(size).weak());
 }
 
 fn words(ui: &mut Ui, running: &Running, step: &Step, asks: &mut Asks) {

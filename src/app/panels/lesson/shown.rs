@@ -1,6 +1,6 @@
 //! What was predicted beside what is so.
 
-use eframe::egui::{Rect, RichText, Sense, TextStyle, Ui, vec2};
+use eframe::egui::{Align, Layout, Rect, RichText, Sense, TextStyle, Ui, vec2};
 
 use super::cards::{self, Sign};
 use crate::app::theme;
@@ -82,9 +82,11 @@ fn number(ui: &mut Ui, asked: &Number, said: Option<f64>) {
 fn value(ui: &mut Ui, name: &str, value: &str) {
     ui.horizontal(|ui| {
         let size = TextStyle::Body.resolve(ui.style()).size;
-        let (rect, _) = ui.allocate_exact_size(vec2(5.0 * size, 1.6 * size), Sense::hover());
-        let weak = RichText::new(name).weak();
-        ui.put(rect, eframe::egui::Label::new(weak).halign(eframe::egui::Align::Min));
+        let room = vec2(5.0 * size, 1.8 * size);
+        ui.allocate_ui_with_layout(room, Layout::left_to_right(Align::Center), |ui| {
+            ui.set_min_width(room.x);
+            cards::quiet(ui, name);
+        });
         let text = RichText::new(value).size(1.3 * size).color(ui.visuals().strong_text_color());
         ui.label(text);
     });

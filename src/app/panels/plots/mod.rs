@@ -41,10 +41,10 @@ const ABOVE_AND_BELOW: f32 = 60.0;
 /// Shows the plots.
 pub fn show(ui: &mut Ui, state: &State, plotted: Plotted<'_>, asks: &mut Asks) {
     if let Some(sketched) = state.sketched() {
-        ui.horizontal(|ui| sketch::switch(ui, state, asks));
         if state.shows_sketch() {
             return sketch::show(ui, state, sketched, asks);
         }
+        ui.horizontal(|ui| sketch::switch(ui, state, asks));
     }
     let examination = plotted.examination.filter(|_| state.settings.plots.plot == PlotTab::Accuracy);
     ui.horizontal_wrapped(|ui| {

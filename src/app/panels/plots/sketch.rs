@@ -1,7 +1,9 @@
 //! The plot that a curve is drawn into before it is seen; then both stand in it.
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Align2, Color32, Id, PointerButton, RichText, Sense, TextStyle, Ui, Vec2, WidgetInfo};
+use eframe::egui::{
+    Align2, Color32, Id, Label, PointerButton, RichText, Sense, TextStyle, Ui, Vec2, WidgetInfo,
+};
 use egui_plot::{Line, PlotBounds, PlotPoints, PlotResponse, Points, VLine};
 
 use super::axes::{Ruler, Y_AXIS_WIDTH, annotate, axis_label, plot_over_time, shown_in};
@@ -30,6 +32,18 @@ pub(super) fn show(ui: &mut Ui, state: &State, sketched: Sketched<'_>, asks: &mu
     let quantity = plotted(sketched.curve.quantity);
     let unit = shown_in(quantity, state.measures().length);
     ui.spacing_mut().item_spacing.y = 2.0;
+    if !sketched.is_asked {
+        ui.horizontal_wrapped(|ui| {
+            if !state.session.stage.is_presented() {
+                switch(ui, state, asks);
+            }
+            let off =
+                sketched.is_revealed.then(|| difference(&sketched.curve, sketched.points, &state.sight()));
+            if let Some(text) = off.flatten() {
+                ui.add(Label::new(text).extend());
+            }
+        });
+    }
     ui.horizontal_wrapped(|ui| {
         ui.add_space(Y_AXIS_WIDTH);
         let ruler = Ruler::of_height(ui.available_height());
@@ -43,18 +57,12 @@ pub(super) fn show(ui: &mut Ui, state: &State, sketched: Sketched<'_>, asks: &mu
                 asks.push(Command::Lesson(LessonCommand::Draft(None)));
             }
         }
-        if sketched.is_revealed {
-            if let Some(text) = difference(&sketched.curve, sketched.points, &state.sight()) {
-                ui.label(text);
-            }
-        }
     });
     plot(ui, state, sketched, asks);
 }
 
 /// The small switch between the curve and the usual plots.
 pub(super) fn switch(ui: &mut Ui, state: &State, asks: &mut Asks) {
-    let Some(Sketched { is_asked: false, .. }) = state.sketched() else { return };
     let now = !state.shows_sketch();
     let mut plots = now;
     ui.selectable_value(&mut plots, false, "Your curve").on_hover_text("What you drew, and what it is.");
@@ -86,7 +94,8 @@ fn plot(ui: &mut Ui, state: &State, sketched: Sketched<'_>, asks: &mut Asks) {
     let lesson::Curve { quantity, range: values } = sketched.curve;
     let (times, time_unit) = (state.whole_times(), state.measures().time);
     let size = ui.available_size().max(Vec2::splat(20.0));
-    let truth = if sketched.is_revealed { state.sight().curve(quantity, times) } else { Vec::new() };
+    let (settings, track) = (&state.settings, state.session.points.selected().track);
+    let truth = if sketched.is_revealed { quantity.over(settings, &track, times) } else { Vec::new() };
     let drawn = sketch::pieces(sketched.points, times);
     let [drawn_colour, true_colour] = colours(ui, state, quantity);
     let plot = plot_over_time(ui, "sketch", time_unit, size).sense(Sense::drag());
@@ -103,7 +112,7 @@ fn plot(ui: &mut Ui, state: &State, sketched: Sketched<'_>, asks: &mut Asks) {
             let line = Line::new(name, PlotPoints::from(piece.clone())).allow_hover(false).allow_band(false);
             plot.line(line.color(colour).width(WIDTH).style(dash.style()));
         }
-        let value = sketched.is_revealed.then(|| quantity.at(&state.settings, &state.sight().track, now));
+        let value = sketched.is_revealed.then(|| quantity.at(settings, &track, now));
         if let Some(value) = value.flatten() {
             let dot = Points::new("now", vec![[now, value]]).color(true_colour).radius(4.0);
             plot.points(dot.allow_hover(false));

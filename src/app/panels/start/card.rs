@@ -3,27 +3,26 @@
 use std::sync::Arc;
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::epaint::{CornerRadius, RectShape, Shadow};
-use eframe::egui::text::{LayoutJob, TextFormat};
+use eframe::egui::epaint::{CornerRadius, Shadow};
+use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
 use eframe::egui::{
-    Color32, CursorIcon, FontId, Galley, Id, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui,
-    WidgetInfo, pos2, vec2,
+    Color32, CursorIcon, FontId, Galley, Id, Rect, Response, Sense, Stroke, StrokeKind, TextStyle,
+    TextureHandle, Ui, WidgetInfo, pos2, vec2,
 };
 
 use super::Asks;
+use super::picture::{self, ASPECT, RADIUS};
 use crate::app::command::Command;
+use crate::app::eye::Eye;
 use crate::app::theme;
 use crate::app::thumbnails::{Look, Thumbnails};
 use crate::lesson::Lesson;
 
-/// Height of a picture in its widths.
-const ASPECT: f32 = 0.58;
-/// Most pixels of a picture to a point.
-const FINEST: f32 = 2.0;
 /// Space between cards, and around what is written in one; points.
 const BETWEEN: f32 = 14.0;
 const AROUND: f32 = 11.0;
-const RADIUS: u8 = 9;
+/// How wide pictures are drawn, in widths of the narrowest card.
+const DRAWN: f32 = 1.3;
 
 /// The cards of a section.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -74,12 +73,7 @@ impl Cards {
         let columns = self.columns(width, scale, cards.len());
         let between = scale * BETWEEN;
         let card_width = (width - between * (columns - 1) as f32) / columns as f32;
-        let pixels = (ui.pixels_per_point() * scale).clamp(1.0, FINEST);
-        let across = 1.4 * self.narrowest();
-        let look = Look {
-            size: [across, across * ASPECT].map(|side| (side * pixels) as u32),
-            in_light_window: !ui.visuals().dark_mode,
-        };
+        let look = picture::look(ui, DRAWN * self.narrowest(), Eye::Left);
         for row in cards.chunks(columns) {
             let written: Vec<_> = row.iter().map(|card| card.written(ui, self, card_width, scale)).collect();
             let text_height = written.iter().map(|galley| galley.size().y).fold(0.0, f32::max);
@@ -115,7 +109,7 @@ impl Card<'_> {
             Cards::OfPresets => FontId { size: 0.96 * body.size, ..body.clone() },
         };
         let mut job = LayoutJob {
-            wrap: eframe::egui::text::TextWrapping::wrap_at_width((width - 2.0 * scale * AROUND).max(1.0)),
+            wrap: TextWrapping::wrap_at_width((width - 2.0 * scale * AROUND).max(1.0)),
             ..LayoutJob::default()
         };
         if let Some(number) = self.number {
@@ -155,9 +149,9 @@ impl Card<'_> {
             ui.scroll_to_rect(rect, None);
         }
         let is_in_view = ui.is_rect_visible(rect);
-        let texture = thumbnails.of(self.lesson, look, is_in_view).map(eframe::egui::TextureHandle::id);
+        let picture = thumbnails.of(self.lesson, look, is_in_view);
         if is_in_view {
-            self.paint(ui, &response, written, texture);
+            self.paint(ui, &response, written, picture);
         }
         let response = response.on_hover_cursor(CursorIcon::PointingHand);
         if self.tip.is_empty() || self.tip == self.text {
@@ -167,13 +161,7 @@ impl Card<'_> {
         }
     }
 
-    fn paint(
-        &self,
-        ui: &Ui,
-        response: &Response,
-        written: Arc<Galley>,
-        texture: Option<eframe::egui::TextureId>,
-    ) {
+    fn paint(&self, ui: &Ui, response: &Response, written: Arc<Galley>, picture: Option<&TextureHandle>) {
         let (rect, visuals, painter) = (response.rect, ui.visuals(), ui.painter());
         let scale = theme::text_scale(ui.style());
         let is_pointed_at = response.hovered() || response.has_focus();
@@ -185,36 +173,19 @@ impl Card<'_> {
         };
         painter.add(shadow.as_shape(rect, CornerRadius::same(RADIUS)));
         painter.rect_filled(rect, RADIUS, visuals.window_fill);
-        let picture = rect.with_max_y(rect.min.y + rect.width() * ASPECT);
+        let upper = rect.with_max_y(rect.min.y + rect.width() * ASPECT);
         let corners = CornerRadius { nw: RADIUS, ne: RADIUS, sw: 0, se: 0 };
-        match texture {
-            Some(texture) => {
-                let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-                painter.add(RectShape::filled(picture, corners, Color32::WHITE).with_texture(texture, whole));
-            }
-            None => drop(painter.rect_filled(picture, corners, visuals.faint_bg_color)),
-        }
-        let text = pos2(rect.min.x, picture.max.y) + scale * vec2(AROUND, AROUND);
+        picture::paint(ui, upper, corners, picture);
+        let text = pos2(rect.min.x, upper.max.y) + scale * vec2(AROUND, AROUND);
         painter.galley(text, written, visuals.text_color());
         let stroke = match (&self.state, is_pointed_at) {
-            (Some(_), _) => Stroke::new(2.0, visuals.selection.bg_fill),
+            (Some(_), _) => Stroke::new(2.0, theme::primary_colours(visuals)[0]),
             (None, true) => Stroke::new(1.5, theme::focus_stroke(visuals).color),
             (None, false) => visuals.widgets.noninteractive.bg_stroke,
         };
         painter.rect_stroke(rect, RADIUS, stroke, StrokeKind::Inside);
         if let Some(state) = &self.state {
-            tag(ui, picture, state);
+            picture::tag(ui, upper, state, theme::primary_colours(visuals));
         }
     }
-}
-
-/// Writes `text` into the corner of `picture`.
-fn tag(ui: &Ui, picture: Rect, text: &str) {
-    let font = TextStyle::Small.resolve(ui.style());
-    let selection = ui.visuals().selection;
-    let galley = ui.painter().layout_no_wrap(text.to_owned(), font, selection.stroke.color);
-    let around = vec2(7.0, 3.0);
-    let rect = Rect::from_min_size(picture.min + vec2(8.0, 8.0), galley.size() + 2.0 * around);
-    ui.painter().rect_filled(rect, 6.0, selection.bg_fill);
-    ui.painter().galley(rect.min + around, galley, selection.stroke.color);
 }

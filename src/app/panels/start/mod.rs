@@ -1,13 +1,12 @@
 //! The start page: what this is, all lessons, and all presets, each with a picture of what it shows.
 
 mod card;
+mod picture;
 mod words;
 
 use std::sync::Arc;
 
-use eframe::egui::{
-    Align, Button, Key, Layout, Memory, RichText, ScrollArea, TextStyle, Ui, UiBuilder, Vec2, vec2,
-};
+use eframe::egui::{Button, Key, Memory, RichText, ScrollArea, TextStyle, Ui, UiBuilder, Vec2, vec2};
 
 use self::card::{Card, Cards};
 use super::Asks;
@@ -25,6 +24,9 @@ const WIDEST: f32 = 1720.0;
 const SIDES: f32 = 32.0;
 /// How wide lines of the introduction become, points.
 const WIDEST_LINES: f32 = 680.0;
+/// From which width on what both eyes see stands beside the introduction, points, and how much of the width that takes.
+const NARROWEST_WITH_EYES: f32 = 1000.0;
+const WORDS: f32 = 0.54;
 /// Sizes of the heading, of the headings of sections, and of what is written below the first, in those of most writing.
 const HEADING: f32 = 2.0;
 const SECTION: f32 = 1.4;
@@ -61,7 +63,7 @@ pub fn show(ui: &mut Ui, state: &State, thumbnails: &mut Thumbnails, asks: &mut 
             let library = state.library();
             let (presets, lessons): (Vec<_>, Vec<_>) =
                 library.all().iter().partition(|lesson| lesson.is_a_preset());
-            introduction(ui, state, &lessons, asks);
+            head(ui, state, &lessons, presets.first().copied(), thumbnails, asks);
             section(ui, "Lessons", &words::extent(&lessons));
             let numbered =
                 lessons.iter().enumerate().map(|(number, lesson)| of_lesson(state, number, lesson));
@@ -84,22 +86,41 @@ pub fn show(ui: &mut Ui, state: &State, thumbnails: &mut Thumbnails, asks: &mut 
     });
 }
 
+/// What this is, and, where there is room, what both eyes see in the `start`.
+fn head(
+    ui: &mut Ui,
+    state: &State,
+    lessons: &[&Arc<Lesson>],
+    start: Option<&Arc<Lesson>>,
+    thumbnails: &mut Thumbnails,
+    asks: &mut Asks,
+) {
+    let room = ui.available_rect_before_wrap();
+    let is_wide = room.width() >= theme::text_scale(ui.style()) * NARROWEST_WITH_EYES;
+    let end = if is_wide { room.min.x + WORDS * room.width() } else { room.max.x };
+    let words = UiBuilder::new().max_rect(room.with_max_x(end));
+    let words = ui.scope_builder(words, |ui| introduction(ui, state, lessons, asks)).response.rect;
+    if let Some(start) = start.filter(|_| is_wide) {
+        let beside = words.with_min_x(end + SIDES).with_max_x(room.max.x);
+        let pictures = picture::both_eyes(ui, beside, start, thumbnails);
+        ui.add_space((pictures.max.y - words.max.y).max(0.0));
+    }
+}
+
 /// What this is, and the way in.
 fn introduction(ui: &mut Ui, state: &State, lessons: &[&Arc<Lesson>], asks: &mut Asks) {
     let body = TextStyle::Body.resolve(ui.style()).size;
-    ui.scope(|ui| {
-        let scale = theme::text_scale(ui.style());
-        ui.set_max_width(ui.available_width().min(scale * WIDEST_LINES));
-        ui.label(RichText::new(words::HEADING).size(HEADING * body).strong());
-        ui.label(RichText::new(words::INTRODUCTION).size(INTRODUCTION * body));
-    });
+    let scale = theme::text_scale(ui.style());
+    ui.set_max_width(ui.available_width().min(scale * WIDEST_LINES));
+    ui.label(RichText::new(words::HEADING).size(HEADING * body).strong());
+    ui.label(RichText::new(words::INTRODUCTION).size(INTRODUCTION * body));
     ui.add_space(4.0);
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().button_padding = Vec2::new(1.1, 0.6) * body;
         if let Some((words, command)) = way_in(state, lessons) {
-            let selection = ui.visuals().selection;
-            let words = RichText::new(words).size(INTRODUCTION * body).strong().color(selection.stroke.color);
-            if ui.add(Button::new(words).fill(selection.bg_fill)).clicked() {
+            let [ground, ink] = theme::primary_colours(ui.visuals());
+            let words = RichText::new(words).size(INTRODUCTION * body).strong().color(ink);
+            if ui.add(Button::new(words).fill(ground)).clicked() {
                 asks.push(command);
             }
         }
@@ -125,10 +146,9 @@ fn way_in(state: &State, lessons: &[&Arc<Lesson>]) -> Option<(String, Command)> 
 fn section(ui: &mut Ui, title: &str, remark: &str) {
     let body = TextStyle::Body.resolve(ui.style()).size;
     ui.add_space(1.3 * body);
-    ui.with_layout(Layout::left_to_right(Align::Max).with_main_wrap(true), |ui| {
-        ui.label(RichText::new(title).size(SECTION * body).strong());
-        ui.label(RichText::new(remark).weak());
-    });
+    ui.label(RichText::new(title).size(SECTION * body).strong());
+    ui.label(RichText::new(remark).weak());
+    ui.add_space(0.2 * body);
 }
 
 fn of_lesson<'a>(state: &State, number: usize, lesson: &'a Arc<Lesson>) -> Card<'a> {
@@ -141,8 +161,8 @@ fn of_lesson<'a>(state: &State, number: usize, lesson: &'a Arc<Lesson>) -> Card<
         lesson,
         number: Some(number + 1),
         details: words::details(lesson),
-        text: words::summary(&lesson.introduction.markdown),
-        tip: words::plain(&lesson.introduction.markdown),
+        text: words::plain(&lesson.introduction.markdown, 1),
+        tip: words::plain(&lesson.introduction.markdown, usize::MAX),
         state: open.map(words::place),
         command,
     }

@@ -34,18 +34,14 @@ pub fn place(course: &Course) -> String {
     }
 }
 
-/// The first sentence of `markdown`.
-pub fn summary(markdown: &str) -> String {
-    let plain = plain(markdown);
-    let ends = [". ", "? ", ": "].into_iter().filter_map(|end| plain.find(end)).min();
-    ends.map_or(plain.as_str(), |end| &plain[..=end]).trim_end_matches(':').to_owned()
-}
-
-/// `markdown` without its signs, in one paragraph.
-pub fn plain(markdown: &str) -> String {
-    let signs = ['*', '`', '$'];
-    let text: String = markdown.chars().filter(|sign| !signs.contains(sign)).collect();
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
+/// The sentences of `markdown` in one paragraph and without its signs, but for those with formulas and with values that are
+/// still to be worked out; at most so many.
+pub fn plain(markdown: &str, most: usize) -> String {
+    let text: String = markdown.chars().filter(|sign| !['*', '`'].contains(sign)).collect();
+    let words = text.split_whitespace().collect::<Vec<_>>();
+    let sentences = words.split_inclusive(|word| word.ends_with(['.', '?', ':']));
+    let is_plain = |sentence: &&[&str]| !sentence.iter().any(|word| word.contains(['$', '{']));
+    sentences.filter(is_plain).take(most).map(|sentence| sentence.join(" ")).collect::<Vec<_>>().join(" ")
 }
 
 #[cfg(test)]
@@ -53,14 +49,19 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_summary_is_the_first_sentence() {
-        for (markdown, expected) in [
-            ("Rods come\nand *go*. Which is longer?", "Rods come and go."),
-            ("At 0.7 c.", "At 0.7 c."),
-            ("Why is it red? It goes. ", "Why is it red?"),
-            ("", ""),
+    fn cards_tell_sentences_without_signs_and_formulas() {
+        for (markdown, one, all) in [
+            (
+                "Rods come\nand *go*. Which is longer?",
+                "Rods come and go.",
+                "Rods come and go. Which is longer?",
+            ),
+            ("At 0.7 c.", "At 0.7 c.", "At 0.7 c."),
+            ("By {gain:.2} times. Why is it red? It goes.", "Why is it red?", "Why is it red? It goes."),
+            ("Of $\\gamma = {gamma:.3}$.", "", ""),
+            ("No end", "No end", "No end"),
         ] {
-            assert_eq!(summary(markdown), expected);
+            assert_eq!([plain(markdown, 1), plain(markdown, usize::MAX)], [one, all], "{markdown}");
         }
     }
 }

@@ -1,0 +1,119 @@
+//! What somebody did in a lesson, as a page to keep or to print.
+
+use std::fmt::Write as _;
+
+use super::answer::{Answer, Outcome, Record};
+use super::course::Course;
+use super::plan::{Choices, Curve, Kind, Prediction, Step, Text};
+use super::truth::Sight;
+use super::verdict::{Verdict, verdict};
+use super::{curve_plot, picture, sketch};
+use crate::files::html::{Page, Style, escaped};
+use crate::plot::{BLACK, BLUE, Line, Stroke};
+use crate::settings::Settings;
+
+/// The report of `course`, whose states are shown in the place of what `base` says otherwise; with a `fit` that was made,
+/// as a table.
+///
+/// # Errors
+/// A state of the lesson that cannot be had, those of the renderer, and a text that cannot be drawn.
+pub fn page(course: &Course, base: &Settings, fit: Option<&str>) -> anyhow::Result<String> {
+    let lesson = course.lesson();
+    let mut page = Page::new(&lesson.title, Style::Print);
+    page.html(&format!("<h1>{}</h1>\n", escaped(&lesson.title)));
+    text(&mut page, &lesson.introduction)?;
+    for (number, (told, record)) in lesson.steps.iter().zip(course.records()).enumerate() {
+        page.html(&format!("<h2>{}. {}</h2>\n", number + 1, escaped(&told.title)));
+        // What was not asked for is not told.
+        if !course.is_done(number) {
+            page.html("<p>Not done.</p>\n");
+            continue;
+        }
+        let settings = lesson.settings(number, true, base)?;
+        step(&mut page, told, record, &settings)?;
+    }
+    if course.place().step >= lesson.steps.len() && !lesson.sentence.is_empty() {
+        page.html("<h2>In a sentence</h2>\n");
+        text(&mut page, &lesson.sentence)?;
+    }
+    if let Some(fit) = fit {
+        page.html(&format!("<h2>Fit</h2>\n<pre>{}</pre>\n", escaped(fit)));
+    }
+    Ok(page.finish())
+}
+
+fn text(page: &mut Page, text: &Text) -> anyhow::Result<()> {
+    markdown(page, &text.markdown)
+}
+
+fn markdown(page: &mut Page, text: &str) -> anyhow::Result<()> {
+    page.markdown(text, |file| anyhow::bail!("{file}: a lesson holds no pictures of its own"))
+}
+
+/// A step that was done, whose state after the reveal is that of `settings`.
+fn step(page: &mut Page, step: &Step, record: &Record, settings: &Settings) -> anyhow::Result<()> {
+    let scene = settings.opened_scene()?;
+    let (track, prepared) = (settings.track(&scene), scene.prepared());
+    let time = settings.time.unwrap_or_else(|| settings.time_of_approach(&track));
+    let sight = Sight { settings, scene: &scene, prepared: &prepared, track, time };
+    if let Some(Prediction { question, kind }) = &step.prediction {
+        text(page, question)?;
+        if let Some(verdict) = verdict(step, record, &sight) {
+            markdown(page, &told(&verdict, record))?;
+        }
+        if let Kind::Curve(curve) = kind {
+            page.html(&format!("<figure>\n{}</figure>\n", curves(curve, record, &sight)));
+        }
+    }
+    page.html(&format!("<figure>\n{}</figure>\n", picture::figure(settings, &step.title)?));
+    if let Some(reveal) = &step.reveal {
+        text(page, &reveal.text)?;
+    }
+    if let Some(Choices { question, options }) = &step.observation {
+        text(page, question)?;
+        let option = |number: usize| options.texts.get(number).map(|text| text.markdown.as_str());
+        let observed = record.observed.and_then(option).unwrap_or("nothing");
+        let mut said = format!("**Observed:** {observed}");
+        if record.observed != Some(options.right) {
+            write!(said, "\n\n**What there was to observe:** {}", option(options.right).unwrap_or_default())?;
+        }
+        markdown(page, &said)?;
+    }
+    text(page, &step.explanation)
+}
+
+/// What was predicted, how surely, what it is, and whether that is right.
+fn told(verdict: &Verdict, record: &Record) -> String {
+    let Verdict { right, said, is } = verdict;
+    let (who, sure) = match &record.outcome {
+        Some(Outcome::Made { answer: Answer::Votes(_), .. }) => ("Hands raised", String::new()),
+        Some(Outcome::Made { confidence: Some(sure), .. }) => ("Predicted", format!(" (sure: {sure} of 5)")),
+        Some(Outcome::Made { .. }) => ("Predicted", String::new()),
+        Some(Outcome::Skipped) | None => ("Predicted", " (skipped)".to_owned()),
+    };
+    let right = match right {
+        Some(true) => " — right",
+        Some(false) => " — not right",
+        None => "",
+    };
+    format!("**{who}:** {said}{sure}{right}\n\n**It is:** {is}")
+}
+
+/// The true curve, and the one that was drawn.
+fn curves(curve: &Curve, record: &Record, sight: &Sight<'_>) -> String {
+    let drawn = match &record.outcome {
+        Some(Outcome::Made { answer: Answer::Curve(points), .. }) => points.as_slice(),
+        _ => &[],
+    };
+    let [from, to] = sight.settings.time_range(&sight.track);
+    let ends = [drawn.first(), drawn.last()].map(|point| point.map(|[time, _]| *time));
+    let times = [ends[0].map_or(from, |first| first.min(from)), ends[1].map_or(to, |last| last.max(to))];
+    let truth = curve.quantity.over(sight.settings, &sight.track, times);
+    let mut lines = vec![Line::in_pieces("true curve", BLUE, truth)];
+    if !drawn.is_empty() {
+        let pieces = sketch::pieces(drawn, times);
+        lines.push(Line::in_pieces("drawn curve", BLACK, pieces).with(Stroke::Dashed));
+    }
+    let unit = sight.settings.window.units.of(sight.scene).time;
+    curve_plot::svg(curve, times, unit, lines)
+}
