@@ -2,6 +2,8 @@
 
 use relativity_core::{Aperture, Sighting, SourcePoint, Speed, disparity, sighting, stereo};
 
+use gamow::lesson::values::value;
+
 use super::support::lesson;
 use super::told::{number, observed, right, says, settings, words};
 
@@ -126,6 +128,11 @@ fn the_eyes_receive_two_events_and_agree_on_them() {
     let there = settings(&lesson, 3, true).time.expect("a T");
     let later = seen(right_eye, there);
     assert!((later.retarded_time - a.retarded_time).abs() < 0.005);
+    let state = settings(&lesson, 0, false);
+    let scene = state.opened_scene().expect("a scene");
+    let arrives = value("T_right", &state, &scene).expect("a value");
+    assert!((seen(right_eye, arrives).retarded_time - a.retarded_time).abs() < 1e-9);
+    assert!((there - arrives).abs() < 5e-4);
     assert!((later.position[0] + 0.2 - (a.position[0] - 0.2)).abs() < 0.005);
     assert!(there - 1.0 > 0.0 && there - 1.0 < 0.4);
     assert_eq!(

@@ -60,7 +60,7 @@ pub const VALUES: &[Value] = &[
     Value {
         name: "fit_off",
         what: "the most standard errors by which one of these three is off",
-        work_out: |here| here.fitted(|fitted| fitted.iter().map(|f| f.sigmas_off()).fold(0.0, f64::max)),
+        work_out: |here| here.fitted(|fitted| fitted.iter().map(Fitted::sigmas_off).fold(0.0, f64::max)),
     },
     Value {
         name: "fit_samples",
