@@ -91,8 +91,8 @@ use state::State;
 use thumbnails::Thumbnails;
 use watch::Watch;
 
+use crate::lesson::Course;
 use crate::settings::PlotTab;
-pub use widgets::markdown;
 
 /// The whole window.
 pub struct App {
@@ -364,6 +364,9 @@ impl App {
         let lesson = self.lesson_part();
         let layout = Layout::of(area, lesson, window, &self.arranged(ui), plots.plot);
         let layout = layout.with_only(area, self.state.session.stage.maximised);
+        // Its numbers would tell what is being predicted.
+        let is_asked = self.state.course().and_then(Course::asked).is_some();
+        let layout = if is_asked { layout.without_readout() } else { layout };
         self.measure_pictures(ui, &layout.panes);
         self.state.session.shows_map = layout.map.is_some();
         let inset = |rect: Rect| rect.shrink2(INSET);
