@@ -341,7 +341,7 @@ impl App {
         }
         let mut thumbnails = std::mem::take(&mut self.thumbnails);
         self.panel(ui, "start", page, |ui, state, asks| {
-            panels::start::show(ui, state, &mut thumbnails, asks)
+            panels::start::show(ui, state, &mut thumbnails, asks);
         });
         thumbnails.go_on(ui.ctx());
         self.thumbnails = thumbnails;

@@ -6,12 +6,13 @@
 
 mod ends;
 mod fits;
+mod fitted;
 mod here;
 mod optics;
 mod pairs;
 mod rolling;
 
-use self::fits::Fit;
+use self::fitted::Fit;
 use self::here::{Here, Value};
 use super::error::LessonError;
 use super::plan::{Choices, Kind, Lesson, Prediction, Text};

@@ -4,6 +4,7 @@ use eframe::egui::{TextStyle, Ui};
 
 use super::asked::ask;
 use super::cards;
+use crate::app::chooser::{Product, Purpose};
 use crate::app::command::Command;
 use crate::app::overlay::Overlay;
 use crate::app::panels::Asks;
@@ -26,6 +27,10 @@ pub fn show(ui: &mut Ui, course: &Course, asks: &mut Asks) {
     ui.horizontal_wrapped(|ui| {
         if ui.button("Again").on_hover_text("From its first step").clicked() {
             ask(asks, LessonCommand::GoTo(Place::START));
+        }
+        let report = "What was predicted and seen in each step, as a page to keep or to print";
+        if ui.button("Report…").on_hover_text(report).clicked() {
+            asks.push(Command::Choose(Purpose::Save(Product::Report)));
         }
         if ui.button("All lessons").clicked() {
             asks.push(Command::Toggle(Overlay::Start));
