@@ -2,7 +2,8 @@
 
 use eframe::egui::{TextStyle, Ui};
 
-use super::{ask, cards};
+use super::asked::ask;
+use super::cards;
 use crate::app::chooser::{Product, Purpose};
 use crate::app::command::Command;
 use crate::app::overlay::Overlay;
@@ -18,10 +19,10 @@ const LARGER: f32 = 1.4;
 pub fn show(ui: &mut Ui, course: &Course, asks: &mut Asks) {
     cards::quiet(ui, "In a sentence");
     sentence(ui, course);
-    ui.add_space(super::page::APART);
+    ui.add_space(cards::APART);
     if let Some(told) = told(course.score()) {
         ui.label(told);
-        ui.add_space(super::page::APART);
+        ui.add_space(cards::APART);
     }
     ui.horizontal_wrapped(|ui| {
         if ui.button("Again").on_hover_text("From its first step").clicked() {

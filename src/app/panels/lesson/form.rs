@@ -2,7 +2,8 @@
 
 use eframe::egui::{Align, Id, Key, Label, Layout, RichText, Sense, TextEdit, TextStyle, Ui, vec2};
 
-use super::{ask, cards};
+use super::asked::ask;
+use super::cards;
 use crate::app::panels::Asks;
 use crate::app::predicted;
 use crate::app::running::LessonCommand;
@@ -114,7 +115,7 @@ pub fn confidence(ui: &mut Ui, course: &Course, asks: &mut Asks) {
     if course.is_class() {
         return;
     }
-    ui.add_space(super::page::APART);
+    ui.add_space(cards::APART);
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 3.0;
         ui.label(RichText::new("How sure?").weak());

@@ -3,7 +3,7 @@
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Align, Label, Layout, Response, RichText, Sense, Stroke, Ui, WidgetInfo, vec2};
 
-use super::ask;
+use super::asked::ask;
 use crate::app::panels::Asks;
 use crate::app::running::LessonCommand;
 use crate::app::theme;

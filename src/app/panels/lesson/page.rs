@@ -9,9 +9,6 @@ use crate::app::state::State;
 use crate::app::widgets::markdown;
 use crate::lesson::{Course, Phase, Step, Text};
 
-/// Space between what belongs together less.
-pub const APART: f32 = 8.0;
-
 /// Shows the page of the present place.
 pub fn show(ui: &mut Ui, state: &State, running: &Running, asks: &mut Asks) {
     let course = &running.course;
@@ -76,6 +73,14 @@ pub fn text(ui: &mut Ui, text: &Text) {
 /// Space between what came before, if anything did, and what follows.
 fn apart(ui: &mut Ui, is_between: bool) {
     if is_between {
-        ui.add_space(APART);
+        ui.add_space(cards::APART);
     }
+}
+
+/// What the page shows, as far as its height depends on it.
+pub fn what_is_shown(running: &Running) -> String {
+    let course = &running.course;
+    let (lesson, place, record) = (course.lesson(), course.place(), course.record());
+    let is_running = running.is_running();
+    format!("{} {place:?} {record:?} {} {is_running} {:?}", lesson.name, course.is_class(), course.step())
 }

@@ -2,10 +2,11 @@
 
 use eframe::egui::{RichText, Ui, UiBuilder};
 
-use super::{cards, end, form, page, shown, what_is_shown};
+use super::{cards, end, form, page, shown};
 use crate::app::panels::Asks;
 use crate::app::running::Running;
 use crate::app::state::State;
+use crate::app::theme;
 use crate::app::widgets::fitted;
 use crate::figures;
 use crate::lesson::{Kind, Phase, Step};
@@ -22,7 +23,7 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     where_it_is(ui, state, running);
     let rest = ui.available_rect_before_wrap();
     ui.scope_builder(UiBuilder::new().max_rect(rest), |ui| {
-        fitted::show(ui, what_is_shown(running), SIZES, |ui| {
+        fitted::show(ui, page::what_is_shown(running), SIZES, |ui| {
             ui.spacing_mut().item_spacing.y = 5.0;
             match running.course.step() {
                 Some(step) => words(ui, state, running, step, asks),
@@ -41,7 +42,7 @@ fn where_it_is(ui: &mut Ui, state: &State, running: &Running) {
     let beta = format!("β = {}", figures::beta(&state.speed()));
     let parts = [lesson.title.as_str(), &step, &beta];
     let told = parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("   ·   ");
-    let size = (LINE_SHARE * ui.max_rect().height()).max(super::SIZES[0]);
+    let size = (LINE_SHARE * ui.max_rect().height()).max(theme::BODY_SIZE);
     ui.label(RichText::new(told).size(size).weak());
 }
 

@@ -32,11 +32,10 @@ pub(super) fn show(ui: &mut Ui, state: &State, sketched: Sketched<'_>, asks: &mu
     let quantity = plotted(sketched.curve.quantity);
     let unit = shown_in(quantity, state.measures().length);
     ui.spacing_mut().item_spacing.y = 2.0;
-    if !sketched.is_asked {
+    // Before an audience the words of the lesson tell it.
+    if !sketched.is_asked && !state.session.stage.is_presented() {
         ui.horizontal_wrapped(|ui| {
-            if !state.session.stage.is_presented() {
-                switch(ui, state, asks);
-            }
+            switch(ui, state, asks);
             let off =
                 sketched.is_revealed.then(|| difference(&sketched.curve, sketched.points, &state.sight()));
             if let Some(text) = off.flatten() {
