@@ -8,6 +8,7 @@ mod ends;
 mod fits;
 mod fitted;
 mod here;
+mod light;
 mod optics;
 mod pairs;
 mod rolling;
@@ -23,7 +24,7 @@ use crate::settings::Settings;
 
 /// All of them, in the order of the documentation.
 pub fn all() -> impl Iterator<Item = &'static Value> {
-    [optics::VALUES, pairs::VALUES, ends::VALUES, rolling::VALUES, fits::VALUES].into_iter().flatten()
+    [optics::VALUES, light::VALUES, pairs::VALUES, ends::VALUES, rolling::VALUES, fits::VALUES].into_iter().flatten()
 }
 
 /// A value as a text asks for it.
