@@ -171,6 +171,14 @@ impl Layout {
         }
     }
 
+    /// This layout without the numbers for each eye; the controls have their place.
+    #[must_use]
+    pub fn without_readout(self) -> Self {
+        let controls =
+            self.controls.map(|controls| self.readout.map_or(controls, |readout| controls.union(readout)));
+        Self { controls, readout: None, ..self }
+    }
+
     /// This layout of a window with this inner `area`, with nothing but `part` between the bar and the timeline; as it is
     /// where that has no place.
     #[must_use]

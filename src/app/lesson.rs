@@ -8,7 +8,7 @@ use relativity_render::Gaze;
 use super::clock;
 use super::notice::Notice;
 use super::pointer::Pick;
-use super::running::{LessonCommand, Run, Running};
+use super::running::{LessonCommand, Run, Running, Told};
 use super::state::State;
 use crate::lesson::{Animated, Answer, Course, Kind, Lesson, LessonError, Library, Phase, Prediction};
 use crate::settings::{Settings, Window};
@@ -33,12 +33,14 @@ impl State {
     pub fn begin_lesson(&mut self, lesson: &Lesson) -> Result<(), LessonError> {
         let course = Course::new(lesson)?;
         let before = self.session.lesson.as_ref().map_or(self.settings.window, |running| running.before);
-        self.session.lesson = Some(Running { course, is_folded: false, before, plots_in: None, run: None });
+        self.session.lesson =
+            Some(Running { course, is_folded: false, before, plots_in: None, run: None, told: None });
         self.session.overlay = None;
         if !lesson.is_a_preset() {
             self.session.next_lesson = Some(lesson.name.clone());
         }
         self.set_up();
+        self.follow_lesson();
         Ok(())
     }
 
@@ -57,7 +59,7 @@ impl State {
         let Some(running) = &mut self.session.lesson else { return };
         match Lesson::load(path).and_then(|lesson| running.course.renewed(&lesson)) {
             Ok(course) => {
-                running.course = course;
+                (running.course, running.told) = (course, None);
                 self.session.notice = None;
                 self.set_up();
             }
@@ -177,14 +179,26 @@ impl State {
         Settings { window, ..Settings::default().in_place_of(&self.settings) }
     }
 
-    /// The settings of the lesson's present place.
+    /// The settings that the lesson has at its present place.
     #[must_use]
-    pub fn lesson_settings(&self) -> Option<Settings> {
-        let running = self.session.lesson.as_ref()?;
-        let (place, lesson) = (running.course.place(), running.course.lesson());
+    pub fn lesson_settings(&self) -> Option<&Settings> {
+        self.session.lesson.as_ref()?.told.as_ref().map(|told| &told.settings)
+    }
+
+    /// Works out what the lesson has at its present place, if that or the window has changed.
+    pub(super) fn follow_lesson(&mut self) {
+        let Some(running) = &self.session.lesson else { return };
+        let (place, base) = (running.course.place(), self.lesson_base());
+        if running.told.as_ref().is_some_and(|told| told.place == place && told.base == base) {
+            return;
+        }
+        let lesson = running.course.lesson();
         let step = place.step.min(lesson.steps.len().saturating_sub(1));
         let is_revealed = running.course.is_revealed() || place.step > step;
-        lesson.settings(step, is_revealed, &self.lesson_base()).ok()
+        let settings = lesson.settings(step, is_revealed, &base).ok();
+        if let Some(running) = &mut self.session.lesson {
+            running.told = settings.map(|settings| Told { place, base, settings });
+        }
     }
 
     fn close_lesson(&mut self) {

@@ -91,8 +91,8 @@ use state::State;
 use thumbnails::Thumbnails;
 use watch::Watch;
 
+use crate::lesson::Course;
 use crate::settings::PlotTab;
-pub use widgets::markdown;
 
 /// The whole window.
 pub struct App {
@@ -341,7 +341,7 @@ impl App {
         }
         let mut thumbnails = std::mem::take(&mut self.thumbnails);
         self.panel(ui, "start", page, |ui, state, asks| {
-            panels::start::show(ui, state, &mut thumbnails, asks)
+            panels::start::show(ui, state, &mut thumbnails, asks);
         });
         thumbnails.go_on(ui.ctx());
         self.thumbnails = thumbnails;
@@ -364,6 +364,9 @@ impl App {
         let lesson = self.lesson_part();
         let layout = Layout::of(area, lesson, window, &self.arranged(ui), plots.plot);
         let layout = layout.with_only(area, self.state.session.stage.maximised);
+        // Its numbers would tell what is being predicted.
+        let is_asked = self.state.course().and_then(Course::asked).is_some();
+        let layout = if is_asked { layout.without_readout() } else { layout };
         self.measure_pictures(ui, &layout.panes);
         self.state.session.shows_map = layout.map.is_some();
         let inset = |rect: Rect| rect.shrink2(INSET);
@@ -421,7 +424,7 @@ impl App {
         let presentation = match self.lesson_part() {
             LessonPart::Nothing => Presentation::of(area, &self.arranged(ui)),
             LessonPart::Strip | LessonPart::Panel => {
-                let with_plot = self.state.settings.window.plots;
+                let with_plot = self.state.shown_window().plots;
                 Presentation::of_lesson(area, &self.arranged(ui), with_plot)
             }
         };

@@ -10,11 +10,13 @@ use super::eye::Eye;
 use super::panes::EyePane;
 use super::state::State;
 use crate::figures;
-use crate::lesson::{Answer, Kind, Outcome, PointAt, truth};
+use crate::lesson::{Answer, Course, Kind, Outcome, PointAt, truth};
 
 /// Half the size of the cross, and the radius of the ring, points.
 const CROSS: f32 = 9.0;
 const RING: f32 = 9.0;
+/// In how many places of the line between both it is looked for whether it is in sight.
+const LOOKS: u16 = 50;
 /// Strokes of both, above what sets them off from the picture.
 const WIDTHS: [(f32, Color32); 2] = [(4.5, Color32::from_black_alpha(190)), (2.0, Color32::WHITE)];
 
@@ -53,7 +55,7 @@ pub(super) fn paint(ui: &Ui, painter: &Painter, state: &State, pane: EyePane) {
     let place = |direction: [f64; 3]| Some(pane.place(camera.pixel(direction.into())?));
     let clicked = clicked(state);
     let cross = clicked.and_then(|gaze| place(gaze.axes().forward.to_array()));
-    let is_revealed = state.course().is_some_and(|course| course.is_revealed());
+    let is_revealed = state.course().is_some_and(Course::is_revealed);
     let sight = state.sight();
     let seen = is_revealed.then(|| sight.directions(body)).flatten();
     let ring = seen.and_then(|seen| place(seen[pane.eye.index()]?.to_array()));
@@ -91,11 +93,13 @@ fn between(cross: Pos2, ring: Pos2) -> Option<(Pos2, Pos2)> {
     (free > 0.0).then(|| (cross + CROSS * way.normalized(), ring - RING * way.normalized()))
 }
 
-/// Tells the angle beside the middle of the line.
+/// Tells the angle beside the middle of what of the line is in sight.
 fn told(ui: &Ui, painter: &Painter, [cross, ring]: [Pos2; 2], pane: EyePane, text: &str) {
     let font = TextStyle::Small.resolve(ui.style());
     let galley = painter.layout_no_wrap(text.to_owned(), font, Color32::WHITE);
-    let middle = cross + 0.5 * (ring - cross) + vec2(0.0, RING + 6.0);
+    let mut parts = (1..=LOOKS).rev().map(|part| ring + f32::from(part) / f32::from(LOOKS) * (cross - ring));
+    let end = parts.find(|end| pane.rect.contains(*end)).unwrap_or(ring);
+    let middle = ring + 0.5 * (end - ring) + vec2(0.0, RING + 6.0);
     let inside = pane.rect.shrink(8.0);
     let size = galley.size();
     let place = Align2::CENTER_TOP.anchor_size(middle, size);

@@ -2,7 +2,7 @@
 
 use crate::flags::{SpeedParameter, SpeedSetting};
 use crate::lesson::{Animated, Animation, Answer, Course, Place};
-use crate::settings::Window;
+use crate::settings::{Settings, Window};
 
 /// Something asked for in a lesson.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,6 +50,16 @@ pub struct Running {
     pub(super) plots_in: Option<usize>,
     /// What runs.
     pub(super) run: Option<Run>,
+    /// The settings that it has at its present place.
+    pub(super) told: Option<Told>,
+}
+
+/// The settings that a lesson has at a place, in somebody's window.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Told {
+    pub place: Place,
+    pub base: Settings,
+    pub settings: Settings,
 }
 
 /// An animation that runs.

@@ -18,6 +18,7 @@ impl State {
             Command::Reload(path) if self.scene_file() == Some(&path) => self.perform(Command::Reload(path)),
             command => self.step(command),
         }
+        self.follow_lesson();
     }
 
     fn step(&mut self, command: Command) {
@@ -53,6 +54,7 @@ impl State {
         if let Some((running, place)) = self.session.lesson.as_mut().zip(kept.place) {
             running.course.go_to(place);
         }
+        self.stop_run();
         if let Some(time) = kept.time {
             (self.session.time, self.session.opened) = (time, None);
         }

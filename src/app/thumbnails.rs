@@ -32,10 +32,25 @@ struct Job {
     look: Look,
 }
 
+/// What a thumbnail is kept by: a preset may be called like a lesson.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Key {
+    name: String,
+    is_of_a_preset: bool,
+    eye: Eye,
+    size: [u32; 2],
+}
+
+impl Key {
+    fn of(lesson: &Lesson, Look { size, eye, .. }: Look) -> Self {
+        Self { name: lesson.name.clone(), is_of_a_preset: lesson.is_a_preset(), eye, size }
+    }
+}
+
 /// One that was drawn; nothing where there is nothing to draw.
 struct Drawn {
-    name: String,
-    look: Look,
+    key: Key,
+    in_light_window: bool,
     image: Option<ColorImage>,
 }
 
@@ -49,7 +64,7 @@ struct Kept {
 #[derive(Default)]
 pub struct Thumbnails {
     worker: Option<Worker<Job, Drawn>>,
-    kept: HashMap<(String, Eye, [u32; 2]), Kept>,
+    kept: HashMap<Key, Kept>,
     /// The first that is missing, and whether it is in view.
     missing: Option<(Job, bool)>,
     /// How many were drawn.
@@ -71,16 +86,16 @@ impl Thumbnails {
 
     /// Takes in what was drawn.
     pub fn receive(&mut self, ctx: &Context) {
-        let Some(Drawn { name, look, image }) = self.worker.as_ref().and_then(Worker::result) else { return };
-        let texture = image.map(|image| ctx.load_texture(&name, image, TextureOptions::LINEAR));
-        let Look { size, in_light_window, eye } = look;
-        self.kept.insert((name, eye, size), Kept { in_light_window, texture });
+        let Some(drawn) = self.worker.as_ref().and_then(Worker::result) else { return };
+        let Drawn { key, in_light_window, image } = drawn;
+        let texture = image.map(|image| ctx.load_texture(&key.name, image, TextureOptions::LINEAR));
+        self.kept.insert(key, Kept { in_light_window, texture });
         self.count += 1;
     }
 
     /// That of `lesson`, once there is one; until it has this `look` it is noted as missing. Those in view come first.
     pub fn of(&mut self, lesson: &Arc<Lesson>, look: Look, is_in_view: bool) -> Option<&TextureHandle> {
-        let kept = self.kept.get(&(lesson.name.clone(), look.eye, look.size));
+        let kept = self.kept.get(&Key::of(lesson, look));
         let is_missing = kept.is_none_or(|kept| kept.in_light_window != look.in_light_window);
         if is_missing && self.missing.as_ref().is_none_or(|(_, other)| is_in_view && !other) {
             self.missing = Some((Job { lesson: Arc::clone(lesson), look }, is_in_view));
@@ -101,7 +116,7 @@ fn work(Job { lesson, look }: Job, _: &Wanted) -> Option<Drawn> {
     let image = picture(&lesson, look).map(|Picture { size, rgba }| {
         ColorImage::from_rgba_unmultiplied(size.map(|side| side as usize), rgba.as_flattened())
     });
-    Some(Drawn { name: lesson.name.clone(), look, image })
+    Some(Drawn { key: Key::of(&lesson, look), in_light_window: look.in_light_window, image })
 }
 
 /// What is seen in the first step of `lesson`, once that is revealed; nothing where it cannot be shown.

@@ -63,7 +63,7 @@ impl State {
     pub fn usual(&self) -> Settings {
         let of_preset =
             || self.session.preset.map_or_else(Settings::default, |preset| preset.settings.clone());
-        self.lesson_settings().unwrap_or_else(of_preset)
+        self.lesson_settings().cloned().unwrap_or_else(of_preset)
     }
 
     /// Where [`Self::usual`] is from, in words.
@@ -79,7 +79,7 @@ impl State {
     /// Whether nothing is otherwise than the lesson has it at its present place.
     #[must_use]
     pub fn is_as_in_lesson(&self) -> bool {
-        let Some(mut told) = self.lesson_settings() else { return true };
+        let Some(mut told) = self.lesson_settings().cloned() else { return true };
         if told.scene != self.settings.scene {
             return false;
         }

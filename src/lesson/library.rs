@@ -107,3 +107,39 @@ fn files_in(folder: &Path) -> Result<Vec<PathBuf>, LessonError> {
     };
     Ok(listed.into_iter().filter(is_lesson).collect())
 }
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+
+    #[test]
+    fn no_two_lessons_have_one_name() {
+        let library = Library::own();
+        let names: BTreeSet<_> = library.all().iter().map(|lesson| lesson.name.as_str()).collect();
+        assert_eq!(names.len(), library.all().len());
+        assert_eq!(names.len(), OWN.len() + Preset::all().len());
+    }
+
+    #[test]
+    fn a_folder_has_lessons_beside_the_programs_own_and_in_their_place() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let write =
+            |name: &str, text: &str| std::fs::write(folder.path().join(name), text).expect("it is written");
+        let lesson =
+            |title: &str, order| format!("---\ntitle: {title}\norder: {order}\n---\n\n## One\n\nLook.\n");
+        write("rods.md", &lesson("My rods", 1));
+        write("extra.MD", &lesson("Extra", 3));
+        write("README.md", "No lesson.");
+        write("notes.txt", "None either.");
+        let library = Library::new(Some(folder.path())).expect("lessons");
+        let titles: Vec<_> = library.all().iter().map(|lesson| lesson.title.as_str()).collect();
+        assert_eq!(titles.len(), Library::own().all().len() + 1);
+        assert_eq!(titles[0], "My rods");
+        assert!(titles[2..=3].contains(&"Extra"), "{titles:?}");
+        write("broken.md", "---\n");
+        let error = Library::new(Some(folder.path())).expect_err("it is broken").to_string();
+        assert!(error.contains("broken.md:1: "), "{error}");
+    }
+}

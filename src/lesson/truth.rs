@@ -84,14 +84,14 @@ fn refine(
     points: &mut Vec<[f64; 2]>,
 ) {
     let time = 0.5 * (from[0] + to[0]);
-    if let Some(middle) = value(time).filter(|_| halvings > 0) {
-        if (middle - 0.5 * (from[1] + to[1])).abs() > flat {
+    let is_bent = |middle: &f64| (middle - 0.5 * (from[1] + to[1])).abs() > flat;
+    match value(time).filter(|middle| halvings > 0 && is_bent(middle)) {
+        Some(middle) => {
             refine(value, [from, [time, middle]], flat, halvings - 1, points);
             refine(value, [[time, middle], to], flat, halvings - 1, points);
-            return;
         }
+        None => points.push(to),
     }
-    points.push(to);
 }
 
 impl Quantity {

@@ -1,5 +1,7 @@
 //! What somebody said in a step, and what it is: in words, for all who tell it.
 
+use relativity_render::Gaze;
+
 use super::answer::{Answer, Outcome, Record};
 use super::plan::{Curve, Kind, Number, Options, Step};
 use super::truth::{NEAR, Sight, angle_between, rms};
@@ -40,17 +42,18 @@ pub fn verdict(step: &Step, record: &Record, sight: &Sight<'_>) -> Option<Verdic
         Kind::Point(point) => match (answer, sight.direction(&point.body)) {
             (Some(Answer::Direction(direction)), Some(seen)) => {
                 let off = figures::degrees(angle_between(*direction, seen));
-                format!("{off} away: the {} is seen where the ring is", point.body)
+                format!("the ring: {}, {off} away", place(seen))
             }
-            (_, Some(_)) => "where the ring is".to_owned(),
+            (_, Some(seen)) => format!("the ring: {}", place(seen)),
             (_, None) => format!("nowhere: the {} is not seen", point.body),
         },
-        Kind::Curve(curve) => match answer {
-            Some(Answer::Curve(points)) => {
-                difference(curve, points, sight).unwrap_or_else(|| "not there".to_owned())
-            }
-            _ => "the solid curve".to_owned(),
-        },
+        Kind::Curve(curve) => {
+            let off = match answer {
+                Some(Answer::Curve(points)) => difference(curve, points, sight),
+                _ => None,
+            };
+            ["the solid curve".to_owned()].into_iter().chain(off).collect::<Vec<_>>().join("; ")
+        }
     };
     Some(Verdict { right, said, is })
 }
@@ -63,10 +66,16 @@ fn said(kind: &Kind, answer: &Answer) -> String {
             votes.iter().enumerate().map(of).collect::<Vec<_>>().join(", ")
         }
         (Kind::Number(asked), Answer::Number(number)) => asked.text(*number),
-        (_, Answer::Direction(_)) => "the place with the cross".to_owned(),
+        (_, Answer::Direction(direction)) => format!("the cross: {}", place(*direction)),
         (_, Answer::Curve(_)) => "the dashed curve".to_owned(),
         _ => "nothing".to_owned(),
     }
+}
+
+/// A direction in words.
+fn place(direction: Gaze) -> String {
+    let [azimuth, elevation] = [direction.azimuth, direction.elevation].map(figures::degrees);
+    format!("azimuth φ = {azimuth}, elevation θ = {elevation}")
 }
 
 fn option(options: &Options, number: usize) -> String {

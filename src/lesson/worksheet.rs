@@ -74,9 +74,9 @@ fn lab(page: &mut Page, lesson: &Lesson, task: &Text, with_answers: bool) -> any
         let truth = decimal(taken.true_value(*parameter), decimals);
         let name = parameter.name();
         if with_answers {
-            write!(expected, "<li>{name} = {value} ± {uncertainty}; it is {truth}</li>\n")?;
+            writeln!(expected, "<li>{name} = {value} ± {uncertainty}; it is {truth}</li>")?;
         } else {
-            write!(expected, "<li>{name} ± {uncertainty}</li>\n")?;
+            writeln!(expected, "<li>{name} ± {uncertainty}</li>")?;
         }
     }
     let command = escaped(&taken.fittable.command(&format!("{}.csv", lesson.name)));
@@ -94,8 +94,8 @@ fn data(lesson: &Lesson, csv: &str) -> String {
     let cell =
         |field: &str| field.parse::<f64>().map_or_else(|_| field.to_owned(), |value| decimal(value, DIGITS));
     let row = |line: &str, tag: &str| {
-        let cells: String = line.split(',').map(|field| format!("<{tag}>{}</{tag}>", cell(field))).collect();
-        format!("<tr>{cells}</tr>\n")
+        let cells = line.split(',').map(cell).collect::<Vec<_>>().join(&format!("</{tag}><{tag}>"));
+        format!("<tr><{tag}>{cells}</{tag}></tr>\n")
     };
     let mut lines = csv.lines();
     let head = row(lines.next().unwrap_or_default(), "th");

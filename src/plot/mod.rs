@@ -266,8 +266,8 @@ impl<'a> Axes<'a> {
             let (width, height) = (right - left, bottom - top);
             let _ = writeln!(
                 svg,
-                "<clipPath id=\"frame{left}\"><rect x=\"{left}\" y=\"{top}\" width=\"{width:.1}\" height=\"{height:.1}\"/></clipPath>\n\
-                 <g clip-path=\"url(#frame{left})\">"
+                "<clipPath id=\"frame{left}-{top}\"><rect x=\"{left}\" y=\"{top}\" width=\"{width:.1}\" height=\"{height:.1}\"/></clipPath>\n\
+                 <g clip-path=\"url(#frame{left}-{top})\">"
             );
         }
         let mut labels = Labels::new(self.frame);

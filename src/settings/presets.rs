@@ -43,7 +43,7 @@ const FILES: [(&str, &str); 19] = files![
     "lattice",
     "vienna-cube",
     "vienna-sphere",
-    "headlight",
+    "beaming",
     "extreme-gamma",
     "measuring",
     "missing-parallax",

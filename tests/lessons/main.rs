@@ -1,6 +1,8 @@
 //! The lessons are right: every number and claim in them is held against the core, called directly.
 
 mod first;
+mod fitted;
 mod second;
 mod support;
 mod third;
+mod told;

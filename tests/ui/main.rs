@@ -9,6 +9,7 @@ mod files;
 mod fit;
 mod groups;
 mod layouts;
+mod lessons;
 mod manners;
 mod map;
 mod own_data;
@@ -47,6 +48,7 @@ fn main() -> ExitCode {
         fit::TESTS,
         groups::TESTS,
         layouts::TESTS,
+        lessons::TESTS,
         manners::TESTS,
         map::TESTS,
         own_data::TESTS,

@@ -1,6 +1,7 @@
 //! The start page: all lessons and presets, pictures of what they show, and the way in.
 
 use std::collections::BTreeSet;
+use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -13,7 +14,7 @@ use gamow::app::command::Command;
 use gamow::app::overlay::Overlay;
 use gamow::app::running::LessonCommand;
 use gamow::app::state::State;
-use gamow::lesson::Library;
+use gamow::lesson::{Course, Library};
 use gamow::settings::{Preset, Settings, Theme};
 
 use super::Test;
@@ -23,6 +24,7 @@ pub const TESTS: &[Test] = &[
     ("the_start_page_has_all_lessons_and_presets", it_has_all),
     ("the_start_page_opens_and_closes_by_its_key_and_button", it_opens_and_closes),
     ("the_start_page_begins_the_first_lesson_and_then_goes_on", it_goes_on),
+    ("three_clicks_lead_a_newcomer_to_the_first_reveal", three_clicks),
     ("a_click_on_a_card_of_the_start_page_shows_it", a_click_on_a_card),
     ("cards_of_the_start_page_are_reached_and_pressed_by_keys", keys_reach_cards),
     ("keys_change_nothing_behind_the_start_page", keys_change_nothing_behind),
@@ -136,6 +138,22 @@ fn it_goes_on() {
     window.get_by_label(&format!("Begin: {}", second.title));
 }
 
+fn three_clicks() {
+    let text = "---\ntitle: Another first\norder: 1\n---\n\n## One step\n\nLook.\n\n### Predict\n\nWhich?\n\n\
+                - [ ] this one\n- [x] that one\n\n### Reveal\n\nSee.\n";
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("rods.md"), text).expect("it is written");
+    let mut state = newcomers();
+    state.session.library = Some(Arc::new(Library::new(Some(folder.path())).expect("it is a lesson")));
+    let mut window = window(state);
+    for name in ["Begin: Another first", "that one", "Predict"] {
+        assert!(!window.state().state().course().is_some_and(Course::is_revealed), "before {name}");
+        window.get_by_label(name).click();
+        window.run_ok();
+    }
+    assert!(window.state().state().course().is_some_and(Course::is_revealed));
+}
+
 fn a_click_on_a_card() {
     let (lessons, _) = names();
     let mut window = window_of_size(newcomers(), [1280.0, 2400.0], 1.0);
@@ -216,6 +234,7 @@ fn thumbnails_arrive() {
     let count = window.state().thumbnails().count();
     // One of each, and what both eyes see beside the introduction.
     assert_eq!(count, Library::own().all().len() + 2);
+    assert!(window.run_ok().is_some_and(|frames| frames < 4), "nothing is drawn any more");
     let drawn: BTreeSet<_> = pictures(&mut window, &presets).into_iter().collect();
     assert_eq!(drawn.len(), presets.len(), "each preset looks another");
     // They are kept.

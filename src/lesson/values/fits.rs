@@ -1,14 +1,7 @@
 //! Values of the fit of the selected point, as the *Fit* tab has it.
 
-use std::cell::OnceCell;
-
-use relativity_core::{DEFAULT_REPLICATES, Parameter, bootstrap, fit};
-
+use super::fitted::{Fitted, fitted};
 use super::here::{Here, Value};
-use crate::estimate::samples::{Taken, samples_of};
-use crate::estimate::{Estimate, estimate};
-use crate::scene::Scene;
-use crate::settings::Settings;
 
 /// Them.
 pub const VALUES: &[Value] = &[
@@ -60,7 +53,7 @@ pub const VALUES: &[Value] = &[
     Value {
         name: "fit_off",
         what: "the most standard errors by which one of these three is off",
-        work_out: |here| here.fitted(|fitted| fitted.iter().map(|f| f.sigmas_off()).fold(0.0, f64::max)),
+        work_out: |here| here.fitted(|fitted| fitted.iter().map(Fitted::sigmas_off).fold(0.0, f64::max)),
     },
     Value {
         name: "fit_samples",
@@ -74,36 +67,9 @@ pub const VALUES: &[Value] = &[
     },
 ];
 
-/// A fit that is made when it is first asked for. `None` in it: there is none.
-pub type Fit = OnceCell<Option<[Fitted; 3]>>;
-
-/// What a fit finds for a parameter, and the truth.
-#[derive(Debug, Clone)]
-pub struct Fitted {
-    estimate: Estimate,
-    truth: f64,
-}
-
-impl Fitted {
-    /// By how many standard errors it is off, up or down.
-    fn sigmas_off(&self) -> f64 {
-        ((self.estimate.value - self.truth) / self.estimate.uncertainty).abs()
-    }
-}
-
 impl Here<'_> {
     /// `of` the fitted beta, y and z.
     fn fitted(&self, of: fn(&[Fitted; 3]) -> f64) -> Option<f64> {
         self.fit.get_or_init(|| fitted(self.settings, self.scene)).as_ref().map(of)
     }
-}
-
-fn fitted(settings: &Settings, scene: &Scene) -> Option<[Fitted; 3]> {
-    let taken: Taken = samples_of(settings, scene).ok()?;
-    let best = fit(&taken.fittable.observations, &taken.fittable.options).ok()?;
-    let replicates = bootstrap(&best, DEFAULT_REPLICATES, settings.fit.seed).ok();
-    Some([Parameter::Beta, Parameter::Y, Parameter::Z].map(|parameter| Fitted {
-        estimate: estimate(&best, replicates.as_ref(), parameter),
-        truth: taken.true_value(parameter),
-    }))
 }

@@ -2,7 +2,7 @@
 
 use relativity_core::{Disparity, Sighting};
 
-use super::fits::Fit;
+use super::fitted::Fit;
 use crate::scene::{Scene, Track};
 use crate::settings::Settings;
 

@@ -6,13 +6,14 @@
 
 mod ends;
 mod fits;
+mod fitted;
 mod here;
 mod light;
 mod optics;
 mod pairs;
 mod rolling;
 
-use self::fits::Fit;
+use self::fitted::Fit;
 use self::here::{Here, Value};
 use super::error::LessonError;
 use super::plan::{Choices, Kind, Lesson, Prediction, Text};

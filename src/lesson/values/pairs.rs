@@ -45,7 +45,7 @@ pub const VALUES: &[Value] = &[
     },
     Value {
         name: "tau_now",
-        what: "what its own clock shows when the ground's clocks show T",
+        what: "what its own clock, or that of the hub it turns about, shows when the ground's clocks show T",
         work_out: |here| {
             let speed = here.settings.velocity(here.track.motion).speed;
             let x0 = here.settings.carrier(&here.track).x0;

@@ -1,12 +1,14 @@
 //! What the help says in words: what is shown, what the terms and letters mean, and where it comes from.
 
 /// What one is looking at.
-pub const WHAT: [&str; 5] = [
+pub const WHAT: [&str; 6] = [
     "Gamow shows what two eyes see of something that rides past at nearly the speed of light.",
     "Light takes time: each eye sees every point where it was when its light left. So what comes looks long and blue, \
     and what goes short and red.",
     "At one moment the two eyes receive light that left at different times. How their views differ, the disparities, \
     tells how far off something is and how fast it rides.",
+    "Lessons, on the start page (key S), ask what you expect, show what is seen, and explain it. Presets there are states \
+    to look at and to change.",
     "Drag the speed, click a point in a view to follow it, and read its disparities in the plots and in the readout.",
     "The map shows what happens meanwhile: where things are measured now, where each eye sees them, and where two eyes \
     take them to be.",

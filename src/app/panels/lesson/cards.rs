@@ -12,6 +12,8 @@ use crate::app::widgets::markdown;
 use crate::comfort::Verdict;
 use crate::lesson::Text;
 
+/// Space between what belongs together less.
+pub const APART: f32 = 8.0;
 /// Corners of a card, its border, and the space inside that.
 const CORNER: u8 = 6;
 const BORDER: f32 = 1.5;

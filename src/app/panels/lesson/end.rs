@@ -2,7 +2,9 @@
 
 use eframe::egui::{TextStyle, Ui};
 
-use super::{ask, cards};
+use super::asked::ask;
+use super::cards;
+use crate::app::chooser::{Product, Purpose};
 use crate::app::command::Command;
 use crate::app::overlay::Overlay;
 use crate::app::panels::Asks;
@@ -17,14 +19,18 @@ const LARGER: f32 = 1.4;
 pub fn show(ui: &mut Ui, course: &Course, asks: &mut Asks) {
     cards::quiet(ui, "In a sentence");
     sentence(ui, course);
-    ui.add_space(super::page::APART);
+    ui.add_space(cards::APART);
     if let Some(told) = told(course.score()) {
         ui.label(told);
-        ui.add_space(super::page::APART);
+        ui.add_space(cards::APART);
     }
     ui.horizontal_wrapped(|ui| {
         if ui.button("Again").on_hover_text("From its first step").clicked() {
             ask(asks, LessonCommand::GoTo(Place::START));
+        }
+        let report = "What was predicted and seen in each step, as a page to keep or to print";
+        if ui.button("Report…").on_hover_text(report).clicked() {
+            asks.push(Command::Choose(Purpose::Save(Product::Report)));
         }
         if ui.button("All lessons").clicked() {
             asks.push(Command::Toggle(Overlay::Start));

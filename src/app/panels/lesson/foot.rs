@@ -2,7 +2,7 @@
 
 use eframe::egui::{Align, Button, Layout, RichText, Ui, vec2};
 
-use super::ask;
+use super::asked::ask;
 use crate::app::command::Command;
 use crate::app::overlay::Overlay;
 use crate::app::panels::Asks;

@@ -1,23 +1,25 @@
 //! How a prediction is entered: a choice, hands that are counted, a number, a place or a curve; and how sure one is.
 
-use eframe::egui::{Align, Id, Key, Layout, RichText, TextEdit, Ui, vec2};
+use eframe::egui::{Align, Id, Key, Label, Layout, RichText, Sense, TextEdit, TextStyle, Ui, vec2};
 
-use super::{ask, cards};
+use super::asked::ask;
+use super::cards;
 use crate::app::panels::Asks;
+use crate::app::predicted;
 use crate::app::running::LessonCommand;
+use crate::app::state::State;
 use crate::app::widgets::icons::{self, Icon};
 use crate::app::widgets::markdown;
 use crate::figures;
-use crate::lesson::{Answer, Course, Kind, Number, Options, PointAt, Prediction};
+use crate::lesson::{Answer, Course, Kind, Number, Options, Prediction};
 
 /// Shows the form of `prediction`.
-pub fn show(ui: &mut Ui, course: &Course, prediction: &Prediction, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, state: &State, course: &Course, prediction: &Prediction, asks: &mut Asks) {
     match &prediction.kind {
         Kind::Choice(options) if course.counts_hands() => votes(ui, course, options, asks),
         Kind::Choice(options) => choices(ui, course, options, asks),
         Kind::Number(asked) => number(ui, course, asked, asks),
-        Kind::Point(asked) => point(ui, course, asked),
-        Kind::Curve(_) => curve(ui, course),
+        Kind::Point(_) | Kind::Curve(_) => hint(ui, state, course),
     }
 }
 
@@ -38,7 +40,7 @@ pub fn choices(ui: &mut Ui, course: &Course, options: &Options, asks: &mut Asks)
 /// The choices, each with how many hands were raised for it.
 pub fn votes(ui: &mut Ui, course: &Course, options: &Options, asks: &mut Asks) {
     let votes = course.votes(options.texts.len());
-    let side = 1.6 * eframe::egui::TextStyle::Body.resolve(ui.style()).size;
+    let side = 1.6 * TextStyle::Body.resolve(ui.style()).size;
     for (number, text) in options.texts.iter().enumerate() {
         ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
             ui.spacing_mut().item_spacing.x = 2.0;
@@ -53,7 +55,8 @@ pub fn votes(ui: &mut Ui, course: &Course, options: &Options, asks: &mut Asks) {
                 draft(asks, changed(1));
             }
             let count = votes[number];
-            let label = ui.add_sized(vec2(1.2 * side, side), eframe::egui::Label::new(count.to_string()));
+            let label =
+                ui.add_sized(vec2(1.2 * side, side), Label::new(count.to_string()).sense(Sense::hover()));
             label.accessible_name(format!("Hands for {name}: {count}"));
             if icons::button(ui, Icon::Fewer, &format!("One fewer for {name}"), size, false).clicked() {
                 draft(asks, changed(-1));
@@ -78,7 +81,7 @@ pub fn number(ui: &mut Ui, course: &Course, asked: &Number, asks: &mut Asks) {
         let is_edited = ui.memory(|memory| memory.has_focus(id));
         let kept = ui.data(|data| data.get_temp::<String>(id)).filter(|_| is_edited);
         let mut text = kept.unwrap_or(drafted);
-        let size = eframe::egui::TextStyle::Body.resolve(ui.style()).size;
+        let size = TextStyle::Body.resolve(ui.style()).size;
         let field = TextEdit::singleline(&mut text).id(id).desired_width(6.5 * size).hint_text("a number");
         let response = ui.add(field.margin(vec2(8.0, 5.0))).accessible_name("Predicted number");
         if !asked.unit.is_empty() {
@@ -96,21 +99,15 @@ pub fn number(ui: &mut Ui, course: &Course, asked: &Number, asks: &mut Asks) {
     });
 }
 
-fn point(ui: &mut Ui, course: &Course, asked: &PointAt) {
-    let body = &asked.body;
-    if course.draft.is_some() {
-        ui.label("It is marked in the view. Another click moves it.");
-    } else {
-        ui.label(format!("Click in the left eye's view: where will {body} be?"));
-    }
-}
-
-fn curve(ui: &mut Ui, course: &Course) {
-    if course.draft.is_some() {
-        ui.label("It is drawn in the plot. Draw over it to change it.");
-    } else {
-        ui.label("Draw it in the plot, with the pointer held down.");
-    }
+/// What is to be done in a view or in a plot.
+pub fn hint(ui: &mut Ui, state: &State, course: &Course) {
+    let is_marked = course.draft.is_some();
+    match predicted::hint(state) {
+        Some(_) if is_marked => ui.label("It has a cross in the views. Another click moves it."),
+        Some(hint) => ui.label(hint),
+        None if is_marked => ui.label("It is drawn in the plot. Draw over it to change it."),
+        None => ui.label("Draw the curve that you expect in the plot: press and drag."),
+    };
 }
 
 /// How sure one is.
@@ -118,7 +115,7 @@ pub fn confidence(ui: &mut Ui, course: &Course, asks: &mut Asks) {
     if course.is_class() {
         return;
     }
-    ui.add_space(super::page::APART);
+    ui.add_space(cards::APART);
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 3.0;
         ui.label(RichText::new("How sure?").weak());

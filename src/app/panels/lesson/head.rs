@@ -3,7 +3,7 @@
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Align, Label, Layout, Response, RichText, Sense, Stroke, Ui, WidgetInfo, vec2};
 
-use super::ask;
+use super::asked::ask;
 use crate::app::panels::Asks;
 use crate::app::running::LessonCommand;
 use crate::app::theme;
@@ -29,7 +29,7 @@ pub fn show(ui: &mut Ui, course: &Course, asks: &mut Asks) {
         fold(ui, Icon::Back, "Fold the lesson", asks);
         ui.with_layout(Layout::top_down(Align::Min), |ui| {
             ui.add_space(2.0);
-            ui.add(Label::new(RichText::new(&course.lesson().title).strong()).wrap());
+            ui.add(Label::new(&course.lesson().title).wrap());
         });
     });
     let count = course.lesson().steps.len();

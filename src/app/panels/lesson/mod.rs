@@ -1,5 +1,6 @@
 //! The lesson that is gone through: where one is in it, what is said and asked there, and what comes next.
 
+mod asked;
 mod cards;
 mod end;
 mod foot;
@@ -13,8 +14,6 @@ mod shown;
 use eframe::egui::{self, StrokeKind, Ui, UiBuilder, vec2};
 
 use super::Asks;
-use crate::app::command::Command;
-use crate::app::running::{LessonCommand, Running};
 use crate::app::state::State;
 use crate::app::theme;
 use crate::app::widgets::fitted;
@@ -47,23 +46,10 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         let page = page.with_max_y(page.max.y - foot_height);
         let foot = inside.with_min_y(page.max.y);
         ui.scope_builder(UiBuilder::new().id_salt("page").max_rect(page), |ui| {
-            fitted::show(ui, what_is_shown(running), SIZES, |ui| page::show(ui, running, asks));
+            fitted::show(ui, page::what_is_shown(running), SIZES, |ui| page::show(ui, state, running, asks));
         });
         ui.scope_builder(UiBuilder::new().id_salt("foot").max_rect(foot), |ui| {
             foot::show(ui, state, running, asks);
         });
     });
-}
-
-/// What the page shows, as far as its height depends on it.
-fn what_is_shown(running: &Running) -> String {
-    let course = &running.course;
-    let (lesson, place, record) = (course.lesson(), course.place(), course.record());
-    let is_running = running.is_running();
-    format!("{} {place:?} {record:?} {} {is_running} {:?}", lesson.name, course.is_class(), course.step())
-}
-
-/// Asks for something in the lesson.
-fn ask(asks: &mut Asks, command: LessonCommand) {
-    asks.push(Command::Lesson(command));
 }

@@ -2,7 +2,8 @@
 
 use eframe::egui::{RichText, Ui};
 
-use super::{ask, cards};
+use super::asked::ask;
+use super::cards;
 use crate::app::panels::Asks;
 use crate::app::running::LessonCommand;
 use crate::lesson::{Choices, Course, Record};

@@ -5,42 +5,40 @@ use eframe::egui::{RichText, Ui};
 use super::{cards, end, form, observed, shown};
 use crate::app::panels::Asks;
 use crate::app::running::Running;
+use crate::app::state::State;
 use crate::app::widgets::markdown;
 use crate::lesson::{Course, Phase, Step, Text};
 
-/// Space between what belongs together less.
-pub const APART: f32 = 8.0;
-
 /// Shows the page of the present place.
-pub fn show(ui: &mut Ui, running: &Running, asks: &mut Asks) {
+pub fn show(ui: &mut Ui, state: &State, running: &Running, asks: &mut Asks) {
     let course = &running.course;
     let Some(step) = course.step() else { return end::show(ui, course, asks) };
     ui.spacing_mut().item_spacing.y = 6.0;
     if step.title != course.lesson().title {
         ui.label(RichText::new(&step.title).heading().strong());
-        ui.add_space(2.0);
+        ui.add_space(4.0);
     }
     match course.place().phase {
-        Phase::Ask => asked(ui, course, step, asks),
-        Phase::Shown => revealed(ui, running, step, asks),
+        Phase::Ask => asked(ui, state, course, step, asks),
+        Phase::Shown => revealed(ui, state, running, step, asks),
         Phase::Explained => text(ui, &step.explanation),
     }
 }
 
-fn asked(ui: &mut Ui, course: &Course, step: &Step, asks: &mut Asks) {
+fn asked(ui: &mut Ui, state: &State, course: &Course, step: &Step, asks: &mut Asks) {
     text(ui, &step.text);
     let Some(prediction) = &step.prediction else { return };
     apart(ui, !step.text.is_empty());
     cards::question(ui, &prediction.question);
     if course.asked().is_some() {
-        form::show(ui, course, prediction, asks);
+        form::show(ui, state, course, prediction, asks);
         form::confidence(ui, course, asks);
     } else {
-        shown::said(ui, course, prediction);
+        shown::said(ui, state, step, course);
     }
 }
 
-fn revealed(ui: &mut Ui, running: &Running, step: &Step, asks: &mut Asks) {
+fn revealed(ui: &mut Ui, state: &State, running: &Running, step: &Step, asks: &mut Asks) {
     let has_text = said_to_reveal(ui, step);
     if running.is_running() {
         if !has_text {
@@ -51,7 +49,7 @@ fn revealed(ui: &mut Ui, running: &Running, step: &Step, asks: &mut Asks) {
     if let Some(prediction) = &step.prediction {
         apart(ui, has_text);
         cards::question(ui, &prediction.question);
-        shown::compared(ui, &running.course, prediction);
+        shown::compared(ui, state, step, &running.course);
     }
     if let Some(observation) = &step.observation {
         apart(ui, step.prediction.is_some() || has_text);
@@ -75,6 +73,14 @@ pub fn text(ui: &mut Ui, text: &Text) {
 /// Space between what came before, if anything did, and what follows.
 fn apart(ui: &mut Ui, is_between: bool) {
     if is_between {
-        ui.add_space(APART);
+        ui.add_space(cards::APART);
     }
+}
+
+/// What the page shows, as far as its height depends on it.
+pub fn what_is_shown(running: &Running) -> String {
+    let course = &running.course;
+    let (lesson, place, record) = (course.lesson(), course.place(), course.record());
+    let is_running = running.is_running();
+    format!("{} {place:?} {record:?} {} {is_running} {:?}", lesson.name, course.is_class(), course.step())
 }

@@ -2,10 +2,11 @@
 
 use eframe::egui::{RichText, Ui, UiBuilder};
 
-use super::{cards, end, form, page, shown, what_is_shown};
+use super::{cards, end, form, page, shown};
 use crate::app::panels::Asks;
 use crate::app::running::Running;
 use crate::app::state::State;
+use crate::app::theme;
 use crate::app::widgets::fitted;
 use crate::figures;
 use crate::lesson::{Kind, Phase, Step};
@@ -22,10 +23,10 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     where_it_is(ui, state, running);
     let rest = ui.available_rect_before_wrap();
     ui.scope_builder(UiBuilder::new().max_rect(rest), |ui| {
-        fitted::show(ui, what_is_shown(running), SIZES, |ui| {
+        fitted::show(ui, page::what_is_shown(running), SIZES, |ui| {
             ui.spacing_mut().item_spacing.y = 5.0;
             match running.course.step() {
-                Some(step) => words(ui, running, step, asks),
+                Some(step) => words(ui, state, running, step, asks),
                 None => end::sentence(ui, &running.course),
             }
         });
@@ -41,11 +42,11 @@ fn where_it_is(ui: &mut Ui, state: &State, running: &Running) {
     let beta = format!("β = {}", figures::beta(&state.speed()));
     let parts = [lesson.title.as_str(), &step, &beta];
     let told = parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("   ·   ");
-    let size = (LINE_SHARE * ui.max_rect().height()).max(super::SIZES[0]);
+    let size = (LINE_SHARE * ui.max_rect().height()).max(theme::BODY_SIZE);
     ui.label(RichText::new(told).size(size).weak());
 }
 
-fn words(ui: &mut Ui, running: &Running, step: &Step, asks: &mut Asks) {
+fn words(ui: &mut Ui, state: &State, running: &Running, step: &Step, asks: &mut Asks) {
     let course = &running.course;
     let prediction = step.prediction.as_ref();
     match (course.place().phase, prediction) {
@@ -53,16 +54,17 @@ fn words(ui: &mut Ui, running: &Running, step: &Step, asks: &mut Asks) {
             cards::question(ui, &prediction.question);
             let is_open = course.asked().is_some();
             match &prediction.kind {
-                _ if !is_open => shown::said(ui, course, prediction),
+                _ if !is_open => shown::said(ui, state, step, course),
                 Kind::Choice(options) if course.counts_hands() => form::votes(ui, course, options, asks),
                 Kind::Choice(options) => form::choices(ui, course, options, asks),
-                Kind::Number(_) | Kind::Point(_) | Kind::Curve(_) => {}
+                Kind::Point(_) | Kind::Curve(_) => form::hint(ui, state, course),
+                Kind::Number(_) => {}
             }
         }
         (Phase::Ask, None) => page::text(ui, &step.text),
         (Phase::Shown, Some(prediction)) if !running.is_running() => {
             cards::question(ui, &prediction.question);
-            shown::compared(ui, course, prediction);
+            shown::compared(ui, state, step, course);
         }
         (Phase::Shown, _) => {
             page::said_to_reveal(ui, step);

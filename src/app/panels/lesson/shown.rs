@@ -3,51 +3,85 @@
 use eframe::egui::{Align, Layout, Rect, RichText, Sense, TextStyle, Ui, vec2};
 
 use super::cards::{self, Sign};
+use crate::app::state::State;
 use crate::app::theme;
-use crate::app::widgets::markdown;
-use crate::figures;
-use crate::lesson::{Answer, Course, Kind, Number, Options, Outcome, Prediction};
+use crate::app::widgets::{markdown, named_text};
+use crate::lesson::{Answer, Course, Kind, Options, Outcome, Step, verdict};
 
 /// Shows what was said, before it is compared.
-pub fn said(ui: &mut Ui, course: &Course, prediction: &Prediction) {
-    let Some(answer) = answer(course) else { return cards::quiet(ui, "You left this out.") };
-    match (answer, &prediction.kind) {
-        (Answer::Choice(choice), Kind::Choice(options)) => {
+pub fn said(ui: &mut Ui, state: &State, step: &Step, course: &Course) {
+    let told = course.record().and_then(|record| verdict(step, record, &state.sight()));
+    match (kind(step), answer(course)) {
+        (_, None) => cards::quiet(ui, "You left this out."),
+        (Some(Kind::Choice(options)), Some(Answer::Votes(votes))) => bars(ui, options, votes, None),
+        (Some(Kind::Choice(options)), Some(Answer::Choice(choice))) => {
             cards::quiet(ui, "You said");
             options.texts.get(*choice).into_iter().for_each(|text| cards::told(ui, text, false));
         }
-        (Answer::Votes(votes), Kind::Choice(options)) => bars(ui, options, votes, None),
-        (Answer::Number(number), Kind::Number(asked)) => {
-            value(ui, "You said", &with_unit(&figures::shortest(*number), asked));
-        }
-        _ => cards::quiet(ui, "You marked it."),
+        (Some(Kind::Number(_)), _) => told.into_iter().for_each(|told| value(ui, "You said", &told.said)),
+        _ => told.into_iter().for_each(|told| markdown::show(ui, &format!("You said {}.", told.said))),
     }
 }
 
 /// Shows what was said and what is so.
-pub fn compared(ui: &mut Ui, course: &Course, prediction: &Prediction) {
-    match (&prediction.kind, answer(course)) {
-        (Kind::Choice(options), Some(Answer::Votes(votes))) => bars(ui, options, votes, Some(options.right)),
-        (Kind::Choice(options), Some(Answer::Choice(choice))) if *choice != options.right => {
+pub fn compared(ui: &mut Ui, state: &State, step: &Step, course: &Course) {
+    match (kind(step), answer(course)) {
+        (Some(Kind::Choice(options)), Some(Answer::Votes(votes))) => {
+            bars(ui, options, votes, Some(options.right));
+        }
+        (Some(Kind::Choice(options)), Some(Answer::Choice(choice))) if *choice != options.right => {
             cards::quiet(ui, "You said");
             options.texts.get(*choice).into_iter().for_each(|text| cards::told(ui, text, false));
             cards::quiet(ui, "It is");
             cards::told(ui, &options.texts[options.right], true);
         }
-        (Kind::Choice(options), answer) => {
+        (Some(Kind::Choice(options)), answer) => {
             cards::quiet(ui, if answer.is_some() { "You said, and it is" } else { "It is" });
             cards::told(ui, &options.texts[options.right], true);
         }
-        (Kind::Number(asked), answer) => {
-            let said = match answer {
-                Some(Answer::Number(number)) => Some(*number),
-                _ => None,
-            };
-            number(ui, asked, said);
+        (Some(kind), answer) => {
+            let told = course.record().and_then(|record| verdict(step, record, &state.sight()));
+            let Some(told) = told else { return };
+            match (kind, answer) {
+                (Kind::Number(asked), Some(Answer::Number(said))) => {
+                    value(ui, "You said", &told.said);
+                    value(ui, "It is", &told.is);
+                    let off = asked.truth.map(|truth| asked.text((said - truth).abs()));
+                    near(ui, told.right, off);
+                }
+                (Kind::Number(_), _) => value(ui, "It is", &told.is),
+                (Kind::Curve(_), Some(_)) => {
+                    markdown::show(ui, &format!("Your curve is dashed, the true one solid: {}.", told.is));
+                }
+                (Kind::Point(_), Some(_)) => {
+                    markdown::show(ui, &format!("You said {}. It is {}.", told.said, told.is));
+                    near(ui, told.right, None);
+                }
+                _ => markdown::show(ui, &format!("It is {}.", told.is)),
+            }
         }
-        // Places and curves are compared where they were drawn.
-        (Kind::Point(_) | Kind::Curve(_), _) => {}
+        (None, _) => {}
     }
+}
+
+/// Whether that is right, and by how much it is `off`.
+fn near(ui: &mut Ui, is_right: Option<bool>, off: Option<String>) {
+    let off = off.map(|off| format!("{off} off"));
+    match (is_right, off) {
+        (Some(true), off) => {
+            let off = off.map(|off| format!(": {off}")).unwrap_or_default();
+            let text = RichText::new(format!("Near enough{off}.")).color(cards::right_colour(ui));
+            ui.label(text);
+        }
+        (Some(false), Some(off)) => {
+            ui.label(format!("That is {off}."));
+        }
+        _ => {}
+    }
+}
+
+fn kind(step: &Step) -> Option<&Kind> {
+    step.prediction.as_ref().map(|prediction| &prediction.kind)
 }
 
 fn answer(course: &Course) -> Option<&Answer> {
@@ -57,31 +91,10 @@ fn answer(course: &Course) -> Option<&Answer> {
     }
 }
 
-fn with_unit(number: &str, asked: &Number) -> String {
-    format!("{number} {}", asked.unit).trim_end().to_owned()
-}
-
-fn number(ui: &mut Ui, asked: &Number, said: Option<f64>) {
-    let Some(truth) = asked.truth else { return };
-    if let Some(said) = said {
-        value(ui, "You said", &with_unit(&figures::shortest(said), asked));
-    }
-    value(ui, "It is", &with_unit(&figures::fixed(truth, asked.decimals), asked));
-    let Some(said) = said else { return };
-    let off = with_unit(&figures::fixed((said - truth).abs(), asked.decimals), asked);
-    ui.horizontal_wrapped(|ui| {
-        if asked.is_met_by(said) == Some(true) {
-            ui.label(RichText::new(format!("Near enough: {off} off.")).color(cards::right_colour(ui)));
-        } else {
-            ui.label(format!("That is {off} off."));
-        }
-    });
-}
-
 /// A large `value` behind its `name`.
 fn value(ui: &mut Ui, name: &str, value: &str) {
+    let size = TextStyle::Body.resolve(ui.style()).size;
     ui.horizontal(|ui| {
-        let size = TextStyle::Body.resolve(ui.style()).size;
         let room = vec2(5.0 * size, 1.8 * size);
         ui.allocate_ui_with_layout(room, Layout::left_to_right(Align::Center), |ui| {
             ui.set_min_width(room.x);
@@ -109,7 +122,7 @@ fn bars(ui: &mut Ui, options: &Options, votes: &[u32], right: Option<usize>) {
             let filled = Rect::from_min_size(rect.min, vec2(part * rect.width(), rect.height()));
             ui.painter().rect_filled(filled, 3.0, fill);
             let name = markdown::said(ui, &text.markdown);
-            ui.label(count.to_string()).accessible_name(format!("Hands for {name}: {count}"));
+            named_text(ui, count.to_string(), format!("Hands for {name}: {count}"));
         });
     }
 }

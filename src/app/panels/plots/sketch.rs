@@ -2,7 +2,7 @@
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align2, Color32, Id, Label, PointerButton, RichText, Sense, TextStyle, Ui, Vec2, WidgetInfo,
+    Align2, Button, Color32, Id, Label, PointerButton, RichText, Sense, TextStyle, Ui, Vec2, WidgetInfo,
 };
 use egui_plot::{Line, PlotBounds, PlotPoints, PlotResponse, Points, VLine};
 
@@ -32,11 +32,10 @@ pub(super) fn show(ui: &mut Ui, state: &State, sketched: Sketched<'_>, asks: &mu
     let quantity = plotted(sketched.curve.quantity);
     let unit = shown_in(quantity, state.measures().length);
     ui.spacing_mut().item_spacing.y = 2.0;
-    if !sketched.is_asked {
+    // Before an audience the words of the lesson tell it.
+    if !sketched.is_asked && !state.session.stage.is_presented() {
         ui.horizontal_wrapped(|ui| {
-            if !state.session.stage.is_presented() {
-                switch(ui, state, asks);
-            }
+            switch(ui, state, asks);
             let off =
                 sketched.is_revealed.then(|| difference(&sketched.curve, sketched.points, &state.sight()));
             if let Some(text) = off.flatten() {
@@ -51,9 +50,10 @@ pub(super) fn show(ui: &mut Ui, state: &State, sketched: Sketched<'_>, asks: &mu
         let of = state.name_of(state.session.points.selected());
         ui.label(RichText::new(heading).strong());
         ui.label(RichText::new(format!("of the {of}{}", whose(quantity))).weak());
-        if sketched.is_asked && !sketched.points.is_empty() {
-            let clear = ui.button("Clear").on_hover_text("Begins the curve anew.");
-            if clear.clicked() {
+        if sketched.is_asked {
+            // It is always there: the plot stays where it is while something is drawn.
+            let clear = ui.add_enabled(!sketched.points.is_empty(), Button::new("Clear"));
+            if clear.on_hover_text("Begins the curve anew.").clicked() {
                 asks.push(Command::Lesson(LessonCommand::Draft(None)));
             }
         }
@@ -66,7 +66,7 @@ pub(super) fn switch(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let now = !state.shows_sketch();
     let mut plots = now;
     ui.selectable_value(&mut plots, false, "Your curve").on_hover_text("What you drew, and what it is.");
-    ui.selectable_value(&mut plots, true, "Plots").on_hover_text("All that is plotted.");
+    ui.selectable_value(&mut plots, true, "All plots").on_hover_text("All that is plotted.");
     if plots != now {
         asks.push(Command::Lesson(LessonCommand::ShowPlots(plots)));
     }

@@ -68,7 +68,7 @@ impl Cards {
     }
 
     /// Shows `cards`.
-    pub fn show(self, ui: &mut Ui, cards: Vec<Card<'_>>, thumbnails: &mut Thumbnails, asks: &mut Asks) {
+    pub fn show(self, ui: &mut Ui, cards: &[Card<'_>], thumbnails: &mut Thumbnails, asks: &mut Asks) {
         let (width, scale) = (ui.available_width(), theme::text_scale(ui.style()));
         let columns = self.columns(width, scale, cards.len());
         let between = scale * BETWEEN;
@@ -142,7 +142,7 @@ impl Card<'_> {
         look: Look,
         thumbnails: &mut Thumbnails,
     ) -> Response {
-        let id: Id = ui.make_persistent_id(("card", &self.lesson.name));
+        let id: Id = ui.make_persistent_id(("card", self.lesson.is_a_preset(), &self.lesson.name));
         let response = ui.interact(rect, id, Sense::click());
         response.widget_info(|| WidgetInfo::selected(Role::Button, true, self.state.is_some(), self.name()));
         if response.gained_focus() {

@@ -65,20 +65,12 @@ pub fn show(ui: &mut Ui, state: &State, thumbnails: &mut Thumbnails, asks: &mut 
                 library.all().iter().partition(|lesson| lesson.is_a_preset());
             head(ui, state, &lessons, presets.first().copied(), thumbnails, asks);
             section(ui, "Lessons", &words::extent(&lessons));
-            let numbered =
-                lessons.iter().enumerate().map(|(number, lesson)| of_lesson(state, number, lesson));
-            Cards::OfLessons.show(ui, numbered.collect(), thumbnails, asks);
-            section(
-                ui,
-                "Presets",
-                "States to look at and to change. Rest the pointer on one to read what it shows.",
-            );
-            Cards::OfPresets.show(
-                ui,
-                presets.iter().filter_map(|lesson| of_preset(state, lesson)).collect(),
-                thumbnails,
-                asks,
-            );
+            let numbered = lessons.iter().enumerate();
+            let cards: Vec<_> = numbered.map(|(number, lesson)| of_lesson(state, number, lesson)).collect();
+            Cards::OfLessons.show(ui, &cards, thumbnails, asks);
+            section(ui, "Presets", words::PRESETS);
+            let cards: Vec<_> = presets.iter().filter_map(|lesson| of_preset(state, lesson)).collect();
+            Cards::OfPresets.show(ui, &cards, thumbnails, asks);
             ui.add_space(scale * 12.0);
             ui.label(RichText::new(words::OWN).weak());
             ui.add_space(scale * 24.0);
@@ -161,7 +153,7 @@ fn of_lesson<'a>(state: &State, number: usize, lesson: &'a Arc<Lesson>) -> Card<
         lesson,
         number: Some(number + 1),
         details: words::details(lesson),
-        text: words::plain(&lesson.introduction.markdown, 1),
+        text: words::summary(&lesson.introduction.markdown),
         tip: words::plain(&lesson.introduction.markdown, usize::MAX),
         state: open.map(words::place),
         command,

@@ -10,6 +10,9 @@ pub const INTRODUCTION: &str = "Gamow shows what each eye sees of a cyclist who 
     and what two eyes make of it. A lesson asks what you expect, shows what is seen, and explains it. Begin with the \
     first, or look around.";
 
+/// What presets are for.
+pub const PRESETS: &str = "States to look at and to change. Rest the pointer on one to read what it shows.";
+
 /// That there can be more.
 pub const OWN: &str = "A lesson is a text file. Write one of your own, and drop it onto the window.";
 
@@ -34,6 +37,15 @@ pub fn place(course: &Course) -> String {
     }
 }
 
+/// How long what a card tells is at least, if there is more to tell, letters.
+const ENOUGH: usize = 40;
+
+/// What `markdown` begins with, in a sentence or so, as [`plain`].
+pub fn summary(markdown: &str) -> String {
+    let enough = |count: &usize| plain(markdown, *count).chars().count() >= ENOUGH;
+    plain(markdown, (1..=2).find(enough).unwrap_or(2))
+}
+
 /// The sentences of `markdown` in one paragraph and without its signs, but for those with formulas and with values that are
 /// still to be worked out; at most so many.
 pub fn plain(markdown: &str, most: usize) -> String {
@@ -47,6 +59,14 @@ pub fn plain(markdown: &str, most: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_short_sentence_is_told_with_the_next() {
+        let long = "Light of the far end left earlier, when that was further away.";
+        assert_eq!(summary(&format!("A wheel rolls. {long} And so on.")), format!("A wheel rolls. {long}"));
+        assert_eq!(summary(&format!("{long} A wheel rolls.")), long);
+        assert_eq!(summary("A wheel rolls."), "A wheel rolls.");
+    }
 
     #[test]
     fn cards_tell_sentences_without_signs_and_formulas() {

@@ -1,0 +1,10 @@
+//! What the parts of the panel ask for.
+
+use crate::app::command::Command;
+use crate::app::panels::Asks;
+use crate::app::running::LessonCommand;
+
+/// Asks for something in the lesson.
+pub fn ask(asks: &mut Asks, command: LessonCommand) {
+    asks.push(Command::Lesson(command));
+}

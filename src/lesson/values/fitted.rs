@@ -1,0 +1,40 @@
+//! The fit of the selected point, which is made when a value of it is first asked for.
+
+use std::cell::OnceCell;
+
+use relativity_core::{DEFAULT_REPLICATES, Parameter, bootstrap, fit};
+
+use crate::estimate::samples::samples_of;
+use crate::estimate::{Estimate, estimate};
+use crate::scene::Scene;
+use crate::settings::Settings;
+
+/// A fit that is made when it is first asked for. `None` in it: there is none.
+pub type Fit = OnceCell<Option<[Fitted; 3]>>;
+
+/// What a fit finds for a parameter, and the truth.
+#[derive(Debug, Clone)]
+pub struct Fitted {
+    /// What it finds.
+    pub estimate: Estimate,
+    truth: f64,
+}
+
+impl Fitted {
+    /// By how many standard errors it is off, up or down.
+    #[must_use]
+    pub fn sigmas_off(&self) -> f64 {
+        ((self.estimate.value - self.truth) / self.estimate.uncertainty).abs()
+    }
+}
+
+/// The fitted beta, y and z of the selected point; `None` where there is no fit.
+pub fn fitted(settings: &Settings, scene: &Scene) -> Option<[Fitted; 3]> {
+    let taken = samples_of(settings, scene).ok()?;
+    let best = fit(&taken.fittable.observations, &taken.fittable.options).ok()?;
+    let replicates = bootstrap(&best, DEFAULT_REPLICATES, settings.fit.seed).ok();
+    Some([Parameter::Beta, Parameter::Y, Parameter::Z].map(|parameter| Fitted {
+        estimate: estimate(&best, replicates.as_ref(), parameter),
+        truth: taken.true_value(parameter),
+    }))
+}

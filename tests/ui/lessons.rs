@@ -1,0 +1,480 @@
+//! Lessons in the window: what a student does in the panel, what an audience sees, and the way back.
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, Rect, Vec2, pos2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use gamow::app::App;
+use gamow::app::command::Command;
+use gamow::app::running::LessonCommand;
+use gamow::app::state::State;
+use gamow::lesson::{Answer, Course, Kind, Lesson, Library, Outcome, Phase, Place};
+use gamow::settings::{Presence, Settings, Theme, Window};
+use relativity_render::Gaze;
+
+use super::Test;
+use super::support::{FRAME, labels, type_into};
+
+pub const TESTS: &[Test] = &[
+    ("a_lesson_is_gone_through_by_its_labels", a_lesson_is_gone_through),
+    ("a_prediction_in_a_lesson_can_be_skipped_and_the_way_back_is_open", skipped_and_back),
+    (
+        "an_observation_in_a_lesson_against_what_was_shown_offers_to_look_again",
+        an_observation_against_what_was_shown,
+    ),
+    ("hands_are_counted_in_a_lesson_of_a_class", hands_are_counted),
+    ("a_narrow_window_folds_the_lesson_for_its_controls", a_narrow_window_folds_the_lesson),
+    ("what_was_explored_in_a_lesson_is_set_up_again_and_undone", what_was_explored_is_set_up_again),
+    ("closing_a_lesson_has_the_parts_of_the_window_as_before", closing_a_lesson),
+    ("a_lesson_that_is_written_anew_keeps_its_place", a_lesson_written_anew),
+    ("an_audience_is_led_through_a_lesson_with_two_keys", an_audience_is_led_through),
+    ("every_step_of_every_lesson_fits_and_shows_its_state", every_step_of_every_lesson),
+    ("every_step_of_every_lesson_fits_before_an_audience", every_step_before_an_audience),
+];
+
+const LESSON: &str = r#"---
+title: Clocks and rods
+---
+
+## Rods
+
+```state
+scene = "rods"
+time = -20
+
+[motion]
+beta = 0.6
+
+[window]
+map = "on"
+```
+
+Some rods come.
+
+### Predict
+
+How long do they look?
+
+- [ ] short
+- [x] long
+
+### Reveal
+
+```play
+time = -5
+seconds = 2
+```
+
+Look at them.
+
+### Observe
+
+What did you see?
+
+- [x] They looked long.
+- [ ] They looked short.
+
+### Explain
+
+Light is late.
+
+## Gamma
+
+### Predict
+
+How large is gamma?
+
+```number
+truth = "gamma"
+unit = "times"
+decimals = 2
+within = 0.1
+```
+
+### Reveal
+
+It is worked out.
+
+### Explain
+
+So large.
+
+## In a sentence
+
+What comes looks long.
+"#;
+
+fn lesson() -> Lesson {
+    Lesson::read("test", LESSON, "test.md").expect("a lesson")
+}
+
+/// A window of this `size` in which `lesson` begins. Nothing is drawn in its views, which takes most of the time.
+fn window(lesson: &Lesson, size: [f32; 2]) -> Harness<'static, App> {
+    window_with(Window::default(), lesson, size)
+}
+
+/// The same, with these parts.
+fn window_with(parts: Window, lesson: &Lesson, size: [f32; 2]) -> Harness<'static, App> {
+    let settings = Settings { window: parts, ..Settings::default() };
+    let mut state = State::open(settings).expect("usual settings");
+    state.begin_lesson(lesson).expect("it can be worked out");
+    shown(state, size)
+}
+
+fn shown(state: State, size: [f32; 2]) -> Harness<'static, App> {
+    let mut window = Harness::builder()
+        .with_size(Vec2::from(size))
+        .with_step_dt(FRAME)
+        .with_max_steps(60)
+        .build_eframe(|cc| App::new(&cc.egui_ctx, None, state));
+    window.run_steps(2);
+    window
+}
+
+fn course<'a>(window: &'a Harness<'_, App>) -> &'a Course {
+    window.state().state().course().expect("a lesson is gone through")
+}
+
+fn ask(window: &mut Harness<'_, App>, command: LessonCommand) {
+    window.state_mut().ask(Command::Lesson(command));
+    window.run_steps(2);
+}
+
+fn press(window: &mut Harness<'_, App>, name: &str) {
+    window.get_by_role_and_label(Role::Button, name).click();
+    window.run_steps(2);
+}
+
+fn choose(window: &mut Harness<'_, App>, name: &str) {
+    window.get_by_role_and_label(Role::RadioButton, name).click();
+    window.run_steps(2);
+}
+
+fn place(step: usize, phase: Phase) -> Place {
+    Place { step, phase }
+}
+
+fn made(answer: Answer, confidence: Option<u8>) -> Option<Outcome> {
+    Some(Outcome::Made { answer, confidence })
+}
+
+fn is_running(window: &Harness<'_, App>) -> bool {
+    window.state().state().session.lesson.as_ref().is_some_and(gamow::app::running::Running::is_running)
+}
+
+fn time(window: &Harness<'_, App>) -> f64 {
+    window.state().state().session.time
+}
+
+fn a_lesson_is_gone_through() {
+    let mut window = window(&lesson(), [1280.0, 800.0]);
+    window.get_by_label("1 of 2");
+    assert!(window.get_by_role_and_label(Role::Button, "Predict").accesskit_node().is_disabled());
+    choose(&mut window, "short");
+    press(&mut window, "Sure: 4 of 5");
+    press(&mut window, "Predict");
+    assert_eq!(course(&window).records()[0].outcome, made(Answer::Choice(0), Some(4)));
+    // The reveal lasts two seconds.
+    assert!(is_running(&window) && window.query_by_label("What did you see?").is_none());
+    window.run_steps(10);
+    assert!(time(&window) > -20.0 && time(&window) < -5.0, "{}", time(&window));
+    window.run_steps(40);
+    assert!(!is_running(&window));
+    assert!((time(&window) + 5.0).abs() < 1e-12);
+    for name in ["You said", "It is"] {
+        window.get_by_label(name);
+    }
+    choose(&mut window, "They looked long.");
+    window.get_by_label("That is what was shown.");
+    assert_eq!(course(&window).records()[0].observed, Some(0));
+    press(&mut window, "Next");
+    window.get_by_label("Light is late.");
+    press(&mut window, "Next");
+    a_number_is_entered_and_the_end_reached(&mut window);
+}
+
+fn a_number_is_entered_and_the_end_reached(window: &mut Harness<'_, App>) {
+    // 1/sqrt(1 - 0.36) = 1.25.
+    type_into(window, "Predicted number", "1,2");
+    assert_eq!(course(window).records()[1].outcome, made(Answer::Number(1.2), None));
+    press(window, "Next");
+    press(window, "Back");
+    press(window, "Next");
+    press(window, "Next");
+    window.get_by_label("What comes looks long.");
+    window.get_by_label("Predicted: 1 of 2 right.");
+    press(window, "Again");
+    assert_eq!(course(window).place(), Place::START);
+    assert!((time(window) + 20.0).abs() < 1e-12);
+}
+
+fn skipped_and_back() {
+    let mut window = window(&lesson(), [1024.0, 600.0]);
+    press(&mut window, "Skip");
+    assert_eq!(course(&window).records()[0].outcome, Some(Outcome::Skipped));
+    press(&mut window, "Finish");
+    assert!(!is_running(&window));
+    assert_eq!(course(&window).place(), place(0, Phase::Shown));
+    press(&mut window, "Back");
+    assert_eq!(course(&window).place(), Place::START);
+    assert!((window.state().state().session.time + 20.0).abs() < 1e-12);
+    window.get_by_label("You left this out.");
+    press(&mut window, "Step 2: Gamma");
+    assert_eq!(course(&window).place(), place(1, Phase::Ask));
+    press(&mut window, "Step 1: Rods");
+    assert_eq!(course(&window).place(), Place::START);
+}
+
+fn an_observation_against_what_was_shown() {
+    let mut window = window(&lesson(), [1024.0, 600.0]);
+    choose(&mut window, "long");
+    press(&mut window, "Predict");
+    window.get_by_label("Look at them.");
+    press(&mut window, "Finish");
+    window.get_by_label("You said, and it is");
+    choose(&mut window, "They looked short.");
+    press(&mut window, "Look again");
+    assert!(is_running(&window));
+    assert!(window.state().state().session.time < -15.0);
+    assert_eq!(course(&window).records()[0].observed, Some(1));
+}
+
+fn hands_are_counted() {
+    let mut window = window(&lesson(), [1024.0, 600.0]);
+    window.get_by_label("Count hands").click();
+    window.run_steps(2);
+    assert!(window.query_by_label("How sure?").is_none());
+    for name in ["One more for long", "One more for long", "One more for short", "One fewer for long"] {
+        press(&mut window, name);
+    }
+    press(&mut window, "One more for long");
+    press(&mut window, "Predict");
+    press(&mut window, "Finish");
+    assert_eq!(course(&window).records()[0].outcome, made(Answer::Votes(vec![1, 2]), None));
+    for hands in ["Hands for short: 1", "Hands for long: 2"] {
+        assert!(labels(&window).iter().any(|label| label == hands), "{hands}");
+    }
+    assert_eq!(course(&window).score().asked, 0);
+}
+
+fn a_narrow_window_folds_the_lesson() {
+    let has_controls = |window: &Harness<'_, App>| window.query_by_label("Speed β").is_some();
+    let mut wide = window(&lesson(), [1280.0, 800.0]);
+    assert!(has_controls(&wide));
+    ask(&mut wide, LessonCommand::Close);
+    let mut narrow = window(&lesson(), [1024.0, 600.0]);
+    assert!(!has_controls(&narrow));
+    press(&mut narrow, "Fold the lesson");
+    assert!(has_controls(&narrow) && narrow.query_by_label("Some rods come.").is_none());
+    press(&mut narrow, "Unfold the lesson");
+    narrow.get_by_label("Some rods come.");
+    ask(&mut narrow, LessonCommand::Close);
+    assert!(has_controls(&narrow));
+}
+
+fn what_was_explored_is_set_up_again() {
+    let mut window = window(&lesson(), [1024.0, 600.0]);
+    let told = window.state().state().settings.clone();
+    assert!(window.query_by_label("Set up again").is_none());
+    for change in [Command::NudgeSpeed(3), Command::Time(3.0), Command::ToggleMap] {
+        window.state_mut().ask(change);
+        window.run_steps(2);
+        press(&mut window, "Set up again");
+        assert_eq!(window.state().state().settings, told);
+        assert!((window.state().state().session.time + 20.0).abs() < 1e-12);
+        assert!(window.query_by_label("Set up again").is_none());
+    }
+    press(&mut window, "Skip");
+    press(&mut window, "Finish");
+    press(&mut window, "Next");
+    press(&mut window, "Next");
+    assert_eq!(course(&window).place(), place(1, Phase::Ask));
+    window.state_mut().ask(Command::NudgeSpeed(3));
+    window.state_mut().ask(Command::Undo);
+    window.run_steps(2);
+    assert_eq!(course(&window).place(), place(1, Phase::Ask));
+    assert_eq!(window.state().state().settings, told);
+}
+
+fn closing_a_lesson() {
+    let mut state = State::open(Settings::default()).expect("usual settings");
+    let before = Window { readout: false, theme: Theme::Dark, ..Window::default() };
+    state.settings.window = before;
+    state.begin_lesson(&lesson()).expect("it can be worked out");
+    let mut window = shown(state, [1280.0, 800.0]);
+    assert_ne!(window.state().state().settings.window, before);
+    press(&mut window, "Close the lesson");
+    assert!(window.state().state().course().is_none());
+    assert_eq!(window.state().state().settings.window, before);
+}
+
+fn a_lesson_written_anew() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().canonicalize().expect("it is there").join("own.md");
+    std::fs::write(&path, LESSON).expect("it is writable");
+    let mut window = shown(State::open(Settings::default()).expect("usual settings"), [1024.0, 600.0]);
+    window.state_mut().ask(Command::Open(path.clone()));
+    window.run_steps(2);
+    choose(&mut window, "long");
+    press(&mut window, "Predict");
+    press(&mut window, "Finish");
+    press(&mut window, "Next");
+    let records = course(&window).records().to_vec();
+    std::fs::write(&path, LESSON.replace("Light is late.", "Light needs time.")).expect("it is writable");
+    window.state_mut().ask(Command::Reload(path));
+    window.run_steps(2);
+    window.get_by_label("Light needs time.");
+    assert_eq!(course(&window).place(), place(0, Phase::Explained));
+    assert_eq!(course(&window).records(), records);
+}
+
+fn key(window: &mut Harness<'_, App>, key: Key) {
+    window.key_press(key);
+    window.run_steps(3);
+}
+
+fn an_audience_is_led_through() {
+    let mut window = window(&lesson(), [800.0, 600.0]);
+    window.state_mut().ask(Command::TogglePresenting);
+    window.run_steps(3);
+    let text = |window: &Harness<'_, App>, text: &str| labels(window).iter().any(|label| label == text);
+    assert!(text(&window, "How long do they look?") && text(&window, "long"));
+    assert!(!text(&window, "Predict"));
+    // On to the reveal, to its end, to why, to the next step, over its truth to why, to the sentence.
+    key(&mut window, Key::PageDown);
+    assert_eq!(course(&window).records()[0].outcome, Some(Outcome::Skipped));
+    assert!(is_running(&window) && text(&window, "Look at them."));
+    key(&mut window, Key::PageDown);
+    assert!(!is_running(&window) && text(&window, "It is"));
+    key(&mut window, Key::PageDown);
+    assert!(text(&window, "Light is late."));
+    key(&mut window, Key::PageDown);
+    assert!(text(&window, "How large is gamma?"));
+    key(&mut window, Key::PageUp);
+    assert!(text(&window, "Light is late."));
+    for _ in 0..4 {
+        key(&mut window, Key::PageDown);
+    }
+    assert!(text(&window, "What comes looks long."));
+    key(&mut window, Key::Escape);
+    assert!(!window.state().state().session.stage.is_presented());
+    window.get_by_label("Predicted: 0 of 2 right, 2 skipped.");
+}
+
+/// What could be answered to a prediction of this `kind`.
+fn fitting(kind: &Kind) -> Answer {
+    match kind {
+        Kind::Choice(options) => Answer::Choice(options.right),
+        Kind::Number(number) => Answer::Number(number.truth.expect("worked out")),
+        Kind::Point(_) => Answer::Direction(Gaze { azimuth: 1.5, elevation: 0.0 }),
+        Kind::Curve(curve) => Answer::Curve(vec![[-1.0, curve.range[0]], [1.0, curve.range[1]]]),
+    }
+}
+
+/// Goes through all of `lesson` in `window`, and has `look` look at each of its places.
+fn walk(window: &mut Harness<'_, App>, lesson: &Lesson, mut look: impl FnMut(&Harness<'_, App>, &str)) {
+    for _ in 0..6 * lesson.steps.len() + 3 {
+        let at = course(window).place();
+        let name = format!("{} {}: {at:?}", lesson.name, lesson.title);
+        assert!(window.state().state().session.notice.is_none(), "{name}");
+        assert_is_as_told(window, &name);
+        look(window, &name);
+        if let Some(asked) = course(window).asked().cloned() {
+            ask(window, LessonCommand::Draft(Some(fitting(&asked.kind))));
+            look(window, &name);
+            ask(window, LessonCommand::Predict);
+            let record = course(window).record().expect("a step");
+            assert_eq!(record.outcome, made(fitting(&asked.kind), None), "{name}");
+            if is_running(window) {
+                ask(window, LessonCommand::Forward);
+            }
+            continue;
+        }
+        let observation = course(window).step().and_then(|step| step.observation.clone());
+        if let Some(observation) = observation.filter(|_| at.phase == Phase::Shown) {
+            let other = (observation.options.right + 1) % observation.options.texts.len();
+            ask(window, LessonCommand::Observe(other));
+            look(window, &name);
+        }
+        ask(window, LessonCommand::Forward);
+        if is_running(window) {
+            ask(window, LessonCommand::Forward);
+        }
+        if course(window).place() == at {
+            assert!(at.step == lesson.steps.len() || lesson.is_a_preset(), "{name}: no way on");
+            return;
+        }
+    }
+    panic!("{}: no end", lesson.name);
+}
+
+/// Whether the window shows what the lesson says of its place.
+fn assert_is_as_told(window: &Harness<'_, App>, name: &str) {
+    let state = window.state().state();
+    let at = course(window).place();
+    if at.step == course(window).lesson().steps.len() {
+        return;
+    }
+    let usual = Settings::default().in_place_of(&state.settings);
+    let told = course(window).lesson().settings(at.step, at.phase != Phase::Ask, &usual).expect("settings");
+    let of = |settings: &Settings| {
+        let Settings { scene, motion, look, light, plots, map, fit, .. } = settings.clone();
+        (scene, motion, look, light, plots, map, fit)
+    };
+    assert_eq!(of(&told), of(&state.settings), "{name}");
+    if let Some(time) = told.time {
+        assert!((time - state.session.time).abs() <= 1e-9 * (1.0 + time.abs()), "{name}");
+    }
+}
+
+/// Where everything with a name is between `left` and `right`.
+fn named(window: &Harness<'_, App>, left: f32, right: f32) -> Vec<(String, Rect)> {
+    let nodes = window.root().children_recursive();
+    let named = nodes.filter_map(|node| {
+        let text = node.accesskit_node().label().or_else(|| node.accesskit_node().value())?;
+        Some((text, node.rect()))
+    });
+    named.filter(|(_, rect)| rect.min.x >= left && rect.min.x < right && rect.is_positive()).collect()
+}
+
+fn every_step_of_every_lesson() {
+    // What stands beside the panel takes long and changes nothing in it.
+    let parts = Window { plots: false, map: Presence::Off, ..Window::default() };
+    for lesson in Library::own().all() {
+        let mut window = window_with(parts, lesson, [1024.0, 600.0]);
+        walk(&mut window, lesson, |window, name| {
+            let fold = window.get_by_label("Fold the lesson").rect();
+            let foot = window.get_by_role_and_label(Role::Button, "Back").rect();
+            let panel = Rect::from_min_max(pos2(8.0, 38.0), pos2(308.0, 594.0));
+            for (text, rect) in named(window, 0.0, 300.0).into_iter().filter(|(_, rect)| rect.min.y > 39.0) {
+                assert!(panel.contains_rect(rect), "{name}: {text:?} at {rect:?} is out of the panel");
+                let is_page = rect.min.y > fold.max.y && rect.min.y < foot.min.y - 2.0;
+                assert!(
+                    !is_page || rect.max.y <= foot.min.y,
+                    "{name}: {text:?} at {rect:?} needs to be scrolled to"
+                );
+                let is_foot = ["Back", "Skip", "Predict", "Next", "Finish", "Close", "Count hands"];
+                let is_foot =
+                    is_foot.iter().chain(&["Set up again", "All lessons"]).any(|foot| *foot == text);
+                assert!(rect.min.y < foot.min.y - 2.0 || is_foot, "{name}: {text:?} at {rect:?}");
+            }
+        });
+    }
+}
+
+fn every_step_before_an_audience() {
+    let size = [800.0, 600.0];
+    let area = Rect::from_min_size(pos2(0.0, 0.0), size.into());
+    for lesson in Library::own().all().iter().filter(|lesson| !lesson.is_a_preset()) {
+        let mut window = window(lesson, size);
+        window.state_mut().ask(Command::TogglePresenting);
+        window.run_steps(3);
+        walk(&mut window, lesson, |window, name| {
+            let words = named(window, 0.0, 800.0);
+            assert!(words.iter().any(|(text, _)| text.starts_with(&lesson.title)), "{name}: no words");
+            for (text, rect) in words {
+                assert!(area.contains_rect(rect), "{name}: {text:?} at {rect:?}");
+            }
+        });
+    }
+}
