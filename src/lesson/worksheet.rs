@@ -56,12 +56,28 @@ pub fn page(lesson: &Lesson, with_answers: bool) -> anyhow::Result<String> {
     Ok(page.finish())
 }
 
-/// What is measured by hand: its data, as a table and as a file to be taken from the page, and how well they can tell.
+/// What is measured by hand: the picture of its state, if it has one of its own; and where it says how readings are taken,
+/// these, as a table and as a file to be taken from the page, and how well they can tell.
 fn lab(page: &mut Page, lesson: &Lesson, task: &Text, with_answers: bool) -> anyhow::Result<()> {
     let settings = lesson.lab_settings(&Settings::default())?;
-    let taken = samples_of(&settings, &settings.opened_scene()?).map_err(anyhow::Error::msg)?;
     page.html("<h2>Lab</h2>\n");
     text(page, task)?;
+    if settings.fit == Settings::default().fit {
+        if lesson.lab.as_ref().is_some_and(|lab| lab.state.is_some()) {
+            page.html(&format!("<figure>\n{}</figure>\n", picture::figure(&settings, "Lab")?));
+        }
+    } else {
+        readings(page, lesson, &settings, with_answers)?;
+    }
+    if !with_answers {
+        page.html(&answer_lines(LINES[0]));
+    }
+    Ok(())
+}
+
+/// Readings of both eyes, and what a fit of them tells.
+fn readings(page: &mut Page, lesson: &Lesson, settings: &Settings, with_answers: bool) -> anyhow::Result<()> {
+    let taken = samples_of(settings, &settings.opened_scene()?).map_err(anyhow::Error::msg)?;
     let csv = taken.csv();
     page.html(&data(lesson, &csv));
     let found = fit(&taken.fittable.observations, &taken.fittable.options)?;
@@ -83,9 +99,6 @@ fn lab(page: &mut Page, lesson: &Lesson, task: &Text, with_answers: bool) -> any
     page.html(&format!(
         "<p>A fit of these readings, <code>{command}</code>, tells, with its standard errors:</p>\n<ul>\n{expected}</ul>\n"
     ));
-    if !with_answers {
-        page.html(&answer_lines(LINES[0]));
-    }
     Ok(())
 }
 
@@ -157,7 +170,7 @@ fn what_happens(reveal: &Reveal) -> String {
         Some(Animated::Speed(speed)) => {
             format!("Let the speed run to {} c.", figures::beta(&speed.speed()))
         }
-        None => "Have it revealed.".to_owned(),
+        None => "Have it revealed in the window.".to_owned(),
     }
 }
 

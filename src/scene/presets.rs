@@ -1,8 +1,8 @@
 //! The scenes that are compiled in.
 
 /// Names of the presets; the first is the default.
-pub const PRESETS: [&str; 9] =
-    ["street", "cyclist", "cube", "globe", "train", "wheel", "rods", "lattice", "two-balls"];
+pub const PRESETS: [&str; 10] =
+    ["street", "cyclist", "cube", "globe", "train", "wheel", "rods", "twins", "lattice", "two-balls"];
 
 /// The scene file of a preset.
 pub(super) fn text(name: &str) -> Option<&'static str> {
@@ -14,6 +14,7 @@ pub(super) fn text(name: &str) -> Option<&'static str> {
         "train" => include_str!("../../assets/scenes/train.toml"),
         "wheel" => include_str!("../../assets/scenes/wheel.toml"),
         "rods" => include_str!("../../assets/scenes/rods.toml"),
+        "twins" => include_str!("../../assets/scenes/twins.toml"),
         "two-balls" => include_str!("../../assets/scenes/two-balls.toml"),
         "lattice" => include_str!("../../assets/scenes/lattice.toml"),
         _ => return None,

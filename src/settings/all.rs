@@ -13,7 +13,7 @@ use crate::scene::PRESETS;
 #[derive(Debug, Clone, PartialEq, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
 pub struct Settings {
-    /// What rides past: a preset (street, cyclist, cube, globe, train, wheel, rods, lattice, two-balls) or a scene file.
+    /// What rides past: a preset (street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls) or a scene file.
     #[arg(long, value_name = "PRESET|FILE")]
     pub scene: String,
     /// Observation time T [default: when the tracked point is seen 45 degrees before it is abreast; 0 at rest]

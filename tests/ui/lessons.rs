@@ -154,8 +154,8 @@ fn place(step: usize, phase: Phase) -> Place {
     Place { step, phase }
 }
 
-fn made(answer: Answer, confidence: Option<u8>) -> Option<Outcome> {
-    Some(Outcome::Made { answer, confidence })
+fn made(answer: Answer, confidence: Option<u8>) -> Outcome {
+    Outcome::Made { answer, confidence }
 }
 
 fn is_running(window: &Harness<'_, App>) -> bool {
@@ -173,7 +173,7 @@ fn a_lesson_is_gone_through() {
     choose(&mut window, "short");
     press(&mut window, "Sure: 4 of 5");
     press(&mut window, "Predict");
-    assert_eq!(course(&window).records()[0].outcome, made(Answer::Choice(0), Some(4)));
+    assert_eq!(course(&window).records()[0].outcome, Some(made(Answer::Choice(0), Some(4))));
     // The reveal lasts two seconds.
     assert!(is_running(&window) && window.query_by_label("What did you see?").is_none());
     window.run_steps(10);
@@ -196,7 +196,7 @@ fn a_lesson_is_gone_through() {
 fn a_number_is_entered_and_the_end_reached(window: &mut Harness<'_, App>) {
     // 1/sqrt(1 - 0.36) = 1.25.
     type_into(window, "Predicted number", "1,2");
-    assert_eq!(course(window).records()[1].outcome, made(Answer::Number(1.2), None));
+    assert_eq!(course(window).records()[1].outcome, Some(made(Answer::Number(1.2), None)));
     press(window, "Next");
     press(window, "Back");
     press(window, "Next");
@@ -250,7 +250,7 @@ fn hands_are_counted() {
     press(&mut window, "One more for long");
     press(&mut window, "Predict");
     press(&mut window, "Finish");
-    assert_eq!(course(&window).records()[0].outcome, made(Answer::Votes(vec![1, 2]), None));
+    assert_eq!(course(&window).records()[0].outcome, Some(made(Answer::Votes(vec![1, 2]), None)));
     for hands in ["Hands for short: 1", "Hands for long: 2"] {
         assert!(labels(&window).iter().any(|label| label == hands), "{hands}");
     }
@@ -384,7 +384,7 @@ fn walk(window: &mut Harness<'_, App>, lesson: &Lesson, mut look: impl FnMut(&Ha
             look(window, &name);
             ask(window, LessonCommand::Predict);
             let record = course(window).record().expect("a step");
-            assert_eq!(record.outcome, made(fitting(&asked.kind), None), "{name}");
+            assert_eq!(record.outcome, Some(made(fitting(&asked.kind), None)), "{name}");
             if is_running(window) {
                 ask(window, LessonCommand::Forward);
             }

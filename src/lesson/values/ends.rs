@@ -24,6 +24,18 @@ pub const VALUES: &[Value] = &[
         },
     },
     Value {
+        name: "seen_length",
+        what: "how many times as long along the motion as at rest, between where the left eye sees its ends",
+        work_out: |here| {
+            let [from, to] = here.ends()?;
+            let seen = |end| {
+                let end = here.scene.track_at(end, here.body?)?;
+                Some(here.settings.disparity(&end, here.time).ok()?.primary.position[0])
+            };
+            Some((seen(to)? - seen(from)?) / (to[0] - from[0]))
+        },
+    },
+    Value {
         name: "rest_length",
         what: "how long it is at rest, from end to end",
         work_out: |here| {

@@ -28,6 +28,11 @@ pub const VALUES: &[Value] = &[
         work_out: |here| Some(here.own_speed().head_on_doppler_factor()),
     },
     Value {
+        name: "D_going",
+        what: "Doppler factor of what goes straight away from the eyes",
+        work_out: |here| Some(1.0 / here.own_speed().head_on_doppler_factor()),
+    },
+    Value {
         name: "brightness",
         what: "how many times as bright as at rest the left eye receives it, by the exponent that is set",
         work_out: |here| Some(intensity_factor(here.left()?.doppler_factor, here.exponent()?)),
