@@ -198,7 +198,7 @@ fn presets_are_found_by_name_only() {
     assert_eq!(Scene::preset("cyclist.toml"), None);
     assert_eq!(
         Scene::open("cycle").expect_err("no such scene").to_string(),
-        "no scene is called `cycle`: there are street, cyclist, cube, globe, train, wheel, rods, lattice, two-balls; \
+        "no scene is called `cycle`: there are street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls; \
          for a file, give a name ending in .toml"
     );
 }
@@ -468,7 +468,7 @@ fn shapes_and_scenes_are_known_by_name() {
     );
     assert_eq!(
         error("name = \"x\"\n[[include]]\nscene = \"cyclists\""),
-        "balls.toml:3: scene = \"cyclists\" must be one of street, cyclist, cube, globe, train, wheel, rods, lattice, two-balls"
+        "balls.toml:3: scene = \"cyclists\" must be one of street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls"
     );
 }
 
