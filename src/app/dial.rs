@@ -17,8 +17,8 @@ use crate::units::Unit;
 /// A turn of the hand takes about this long, units of the scene: it can be followed with the eyes as it comes.
 const PERIOD: f64 = 2.0;
 /// Least and largest radius of the face, points, and which part of the view's height it is in between.
-const RADII: [f32; 2] = [9.5, 14.0];
-const RADIUS_SHARE: f32 = 0.03;
+const RADII: [f32; 2] = [9.5, 20.0];
+const RADIUS_SHARE: f32 = 0.035;
 /// From the middle of the marker to the nearest of the rim, points.
 const AWAY: f32 = 15.0;
 /// What stays free between the dial and the edge of the view.

@@ -240,7 +240,7 @@ pub struct Presentation {
     pub caption: Rect,
     /// The words of a lesson, in the place of those.
     pub lesson: Option<Rect>,
-    /// One plot.
+    /// One plot, or the map.
     pub plot: Option<Rect>,
 }
 
@@ -269,14 +269,14 @@ impl Presentation {
         Self { panes, speed, sentence, caption, lesson: None, plot: large_enough(plot) }
     }
 
-    /// That with the words of a lesson, and beside them a plot if it shows plots.
+    /// That with the words of a lesson, and something beside them where it shows plots or the map.
     #[must_use]
-    pub fn of_lesson(area: Rect, arranged: &Arrangement, with_plot: bool) -> Self {
+    pub fn of_lesson(area: Rect, arranged: &Arrangement, is_beside: bool) -> Self {
         if let Some(panes) = arranged.whole_screen(area) {
             return Self { panes, ..Self::empty(area) };
         }
         let (upper, lower) = split_top(area, (1.0 - LESSON_WORDS_SHARE.y) * area.height());
-        let share = if with_plot { LESSON_WORDS_SHARE.x } else { 1.0 };
+        let share = if is_beside { LESSON_WORDS_SHARE.x } else { 1.0 };
         let (words, plot) = split_left(lower, share * lower.width());
         let panes = large_enough(upper).map_or_else(Vec::new, |views| arranged.panes(views));
         Self { panes, lesson: Some(inside(words)), plot: large_enough(plot), ..Self::empty(area) }

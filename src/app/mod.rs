@@ -92,7 +92,7 @@ use thumbnails::Thumbnails;
 use watch::Watch;
 
 use crate::lesson::Course;
-use crate::settings::PlotTab;
+use crate::settings::{PlotTab, Presence};
 
 /// The whole window.
 pub struct App {
@@ -424,8 +424,9 @@ impl App {
         let presentation = match self.lesson_part() {
             LessonPart::Nothing => Presentation::of(area, &self.arranged(ui)),
             LessonPart::Strip | LessonPart::Panel => {
-                let with_plot = self.state.shown_window().plots;
-                Presentation::of_lesson(area, &self.arranged(ui), with_plot)
+                let window = self.state.shown_window();
+                let beside = window.plots || window.map == Presence::On;
+                Presentation::of_lesson(area, &self.arranged(ui), beside)
             }
         };
         self.measure_pictures(ui, &presentation.panes);
@@ -434,7 +435,12 @@ impl App {
         for &pane in &presentation.panes {
             self.interact(ui, pane);
         }
-        if let Some(rect) = presentation.plot {
+        let is_wanted = self.state.settings.window.map == Presence::On && !self.state.shows_sketch();
+        let shows_map = presentation.lesson.is_some() && is_wanted;
+        self.state.session.shows_map = shows_map && presentation.plot.is_some();
+        if let Some(rect) = presentation.plot.filter(|_| shows_map) {
+            self.panel(ui, "map", rect, panels::map::show);
+        } else if let Some(rect) = presentation.plot {
             if !self.state.shows_sketch() {
                 self.update_curves();
             }

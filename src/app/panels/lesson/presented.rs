@@ -51,6 +51,10 @@ fn words(ui: &mut Ui, state: &State, running: &Running, step: &Step, asks: &mut 
     let prediction = step.prediction.as_ref();
     match (course.place().phase, prediction) {
         (Phase::Ask, Some(prediction)) => {
+            // Choices need the room, and who presents tells the rest.
+            if !matches!(prediction.kind, Kind::Choice(_)) {
+                page::text(ui, &step.text);
+            }
             cards::question(ui, &prediction.question);
             let is_open = course.asked().is_some();
             match &prediction.kind {
@@ -65,6 +69,7 @@ fn words(ui: &mut Ui, state: &State, running: &Running, step: &Step, asks: &mut 
         (Phase::Shown, Some(prediction)) if !running.is_running() => {
             cards::question(ui, &prediction.question);
             shown::compared(ui, state, step, course);
+            page::said_to_reveal(ui, step);
         }
         (Phase::Shown, _) => {
             page::said_to_reveal(ui, step);

@@ -51,7 +51,7 @@ pub fn compared(ui: &mut Ui, state: &State, step: &Step, course: &Course) {
                 }
                 (Kind::Number(_), _) => value(ui, "It is", &told.is),
                 (Kind::Curve(_), Some(_)) => {
-                    markdown::show(ui, &format!("Your curve is dashed, the true one solid: {}.", told.is));
+                    markdown::show(ui, &format!("You drew {}. It is {}.", told.said, told.is));
                 }
                 (Kind::Point(_), Some(_)) => {
                     markdown::show(ui, &format!("You said {}. It is {}.", told.said, told.is));
