@@ -18,7 +18,7 @@ pub struct LessonArgs {
     /// Name of the lesson or preset (`gamow --list`), or a file.
     #[arg(value_name = "NAME|FILE.md")]
     name: String,
-    /// Where to.
+    /// The page that is written.
     #[arg(long, value_name = "FILE.html")]
     worksheet: PathBuf,
     /// With the answers, for whoever teaches.
