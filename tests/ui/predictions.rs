@@ -292,7 +292,8 @@ fn direction(time: f64, eye: usize) -> DVec3 {
 
 fn a_click_predicts_a_place() {
     let mut window = at_the_place();
-    assert_eq!(labels(&window).iter().filter(|label| *label == HINT).count(), 2, "in both views");
+    let hints = labels(&window).iter().filter(|label| *label == HINT).count();
+    assert_eq!(hints, 3, "in both views and in the panel");
     let before = window.state().state().session.points.clone();
     let there = pane(&window, 1).min + vec2(90.0, 60.0);
     let expected = {
