@@ -252,6 +252,19 @@ const SENTENCE_SHARE: f32 = 0.39;
 
 /// How much of the height the words of a lesson take, and of the width where there is a plot beside them.
 const LESSON_WORDS_SHARE: Vec2 = vec2(0.56, 0.42);
+/// The same where the map is beside them: it is wide, and has much to tell.
+const MAPPED_WORDS_SHARE: Vec2 = vec2(0.4, 0.5);
+
+/// What stands beside the words of a lesson before an audience.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Beside {
+    /// Nothing: they have all the room.
+    Nothing,
+    /// One plot.
+    Plot,
+    /// The map.
+    Map,
+}
 
 impl Presentation {
     /// That in a window with this inner `area`, whose views are `arranged`.
@@ -269,15 +282,19 @@ impl Presentation {
         Self { panes, speed, sentence, caption, lesson: None, plot: large_enough(plot) }
     }
 
-    /// That with the words of a lesson, and something beside them where it shows plots or the map.
+    /// That with the words of a lesson, and what stands beside them.
     #[must_use]
-    pub fn of_lesson(area: Rect, arranged: &Arrangement, is_beside: bool) -> Self {
+    pub fn of_lesson(area: Rect, arranged: &Arrangement, beside: Beside) -> Self {
         if let Some(panes) = arranged.whole_screen(area) {
             return Self { panes, ..Self::empty(area) };
         }
-        let (upper, lower) = split_top(area, (1.0 - LESSON_WORDS_SHARE.y) * area.height());
-        let share = if is_beside { LESSON_WORDS_SHARE.x } else { 1.0 };
-        let (words, plot) = split_left(lower, share * lower.width());
+        let share = match beside {
+            Beside::Nothing => vec2(1.0, LESSON_WORDS_SHARE.y),
+            Beside::Plot => LESSON_WORDS_SHARE,
+            Beside::Map => MAPPED_WORDS_SHARE,
+        };
+        let (upper, lower) = split_top(area, (1.0 - share.y) * area.height());
+        let (words, plot) = split_left(lower, share.x * lower.width());
         let panes = large_enough(upper).map_or_else(Vec::new, |views| arranged.panes(views));
         Self { panes, lesson: Some(inside(words)), plot: large_enough(plot), ..Self::empty(area) }
     }

@@ -80,7 +80,7 @@ use examination::Examination;
 use eyes::EyePictures;
 use fitting::Fitting;
 use full_screen::FullScreen;
-use layout::{Layout, LessonPart, Presentation};
+use layout::{Beside, Layout, LessonPart, Presentation};
 use overlay::Overlay;
 use panels::{Asks, plots::Plotted};
 use panes::{Arrangement, Content};
@@ -92,7 +92,7 @@ use thumbnails::Thumbnails;
 use watch::Watch;
 
 use crate::lesson::Course;
-use crate::settings::{PlotTab, Presence};
+use crate::settings::{PlotTab, Presence, Window};
 
 /// The whole window.
 pub struct App {
@@ -421,11 +421,16 @@ impl App {
 
     /// Shows the views, one plot and the words, large.
     fn show_presented(&mut self, ui: &mut Ui, area: Rect) {
+        let mut shows_map = false;
         let presentation = match self.lesson_part() {
             LessonPart::Nothing => Presentation::of(area, &self.arranged(ui)),
             LessonPart::Strip | LessonPart::Panel => {
-                let window = self.state.shown_window();
-                let beside = window.plots || window.map == Presence::On;
+                let beside = match self.state.shown_window() {
+                    Window { map: Presence::On, .. } if !self.state.shows_sketch() => Beside::Map,
+                    Window { plots: true, .. } => Beside::Plot,
+                    Window { .. } => Beside::Nothing,
+                };
+                shows_map = beside == Beside::Map;
                 Presentation::of_lesson(area, &self.arranged(ui), beside)
             }
         };
@@ -435,11 +440,9 @@ impl App {
         for &pane in &presentation.panes {
             self.interact(ui, pane);
         }
-        let is_wanted = self.state.settings.window.map == Presence::On && !self.state.shows_sketch();
-        let shows_map = presentation.lesson.is_some() && is_wanted;
         self.state.session.shows_map = shows_map && presentation.plot.is_some();
         if let Some(rect) = presentation.plot.filter(|_| shows_map) {
-            self.panel(ui, "map", rect, panels::map::show);
+            self.panel(ui, "map", rect, panels::map::show_presented);
         } else if let Some(rect) = presentation.plot {
             if !self.state.shows_sketch() {
                 self.update_curves();

@@ -83,6 +83,8 @@ pub fn number(ui: &mut Ui, course: &Course, asked: &Number, asks: &mut Asks) {
         let mut text = kept.unwrap_or(drafted);
         let size = TextStyle::Body.resolve(ui.style()).size;
         let field = TextEdit::singleline(&mut text).id(id).desired_width(6.5 * size).hint_text("a number");
+        // On light paper its ground alone does not show it.
+        ui.visuals_mut().widgets.inactive.bg_stroke = ui.visuals().widgets.noninteractive.bg_stroke;
         let response = ui.add(field.margin(vec2(8.0, 5.0))).accessible_name("Predicted number");
         if !asked.unit.is_empty() {
             ui.label(&asked.unit);

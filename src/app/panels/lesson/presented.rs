@@ -39,9 +39,9 @@ fn where_it_is(ui: &mut Ui, state: &State, running: &Running) {
     let (lesson, place) = (course.lesson(), course.place().step);
     let count = lesson.steps.len();
     let step = if count > 1 && place < count { format!("{} of {count}", place + 1) } else { String::new() };
-    let beta = format!("β = {}", figures::beta(&state.speed()));
+    let beta = format!("β\u{a0}=\u{a0}{}", figures::beta(&state.speed()));
     let parts = [lesson.title.as_str(), &step, &beta];
-    let told = parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("   ·   ");
+    let told = parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join("  ·  ");
     let size = (LINE_SHARE * ui.max_rect().height()).max(theme::BODY_SIZE);
     ui.label(RichText::new(told).size(size).weak());
 }

@@ -8,7 +8,7 @@ mod space;
 mod spacetime;
 mod times;
 
-use eframe::egui::{Rect, Ui, UiBuilder, vec2};
+use eframe::egui::{Rect, RichText, Ui, UiBuilder, vec2};
 
 use super::Asks;
 use crate::app::command::Command;
@@ -26,7 +26,21 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let height = STRIP_HEIGHT.min(rect.height());
     let above = Rect::from_min_size(rect.min, vec2(rect.width(), height));
     ui.scope_builder(UiBuilder::new().max_rect(above), |ui| strip(ui, state, asks));
-    let below = Rect::from_min_max(above.left_bottom(), rect.max);
+    face(ui, state, Rect::from_min_max(above.left_bottom(), rect.max), asks);
+}
+
+/// Shows it before an audience: the frame is told, and nothing is chosen.
+pub fn show_presented(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    let whose = match state.settings.map.frame {
+        Frame::Ground => "the ground".to_owned(),
+        Frame::Bicycle => format!("the {}", state.session.scene.rider),
+    };
+    let told = ui.label(RichText::new(format!("Map, in the frame of {whose}")).small().strong());
+    let below = ui.max_rect().with_min_y(told.rect.max.y);
+    face(ui, state, below, asks);
+}
+
+fn face(ui: &mut Ui, state: &State, below: Rect, asks: &mut Asks) {
     match state.settings.map.face {
         Face::Space => space::show(ui, state, below, asks),
         Face::Spacetime => spacetime::show(ui, state, below, asks),
