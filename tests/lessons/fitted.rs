@@ -88,8 +88,8 @@ fn a_speed_is_measured_with_its_uncertainty() {
     assert_eq!(settings(&lesson, 2, true).fit.fit_samples, 960);
     assert_eq!(right(&lesson, 2), "half as large");
     assert!(observed(&lesson, 2).starts_with("yes"));
-    says(&lesson, 2, "Now it is β = {}", value, 4);
-    says(&lesson, 2, "± {}.", quarter, 4);
+    says(&lesson, 2, "Now it is β = {}", value, 5);
+    says(&lesson, 2, "± {}.", quarter, 5);
 }
 
 #[test]

@@ -102,8 +102,8 @@ fn the_eyes_receive_two_events_and_agree_on_them() {
     let [a, b] = [seen(left, 1.0), seen(right_eye, 1.0)];
     assert!(b.retarded_time < a.retarded_time && b.distance > a.distance);
     assert_eq!((right(&lesson, 0), observed(&lesson, 0)), ("earlier for the right eye", "the right eye's"));
-    says(&lesson, 0, "t = {} for the left eye", a.retarded_time, 2);
-    says(&lesson, 0, "t = {} for the right one", b.retarded_time, 2);
+    says(&lesson, 0, "What the left eye receives left the hub at t = {}", a.retarded_time, 2);
+    says(&lesson, 0, "what the right one receives at t = {}", b.retarded_time, 2);
 
     assert_eq!(settings(&lesson, 1, false).time, Some(0.0));
     let before = seen(left, 0.0).retarded_time - seen(right_eye, 0.0).retarded_time;
@@ -201,6 +201,39 @@ fn two_eyes_see_the_contraction() {
     says(&lesson, 2, "{} long: $1/\\gamma$", length, 2);
 }
 
+/// How high the ends of neighbouring spokes of a rolling wheel of radius 1 are, and how far apart, at t = 0 of the road:
+/// each from the Lorentz transformation of its path in the hub's frame.
+fn gaps_between_spokes(beta: f64, spokes: u32) -> Vec<[f64; 2]> {
+    let gamma = 1.0 / (1.0 - beta * beta).sqrt();
+    let end = |spoke: u32| {
+        let at_first = f64::from(spoke) * std::f64::consts::TAU / f64::from(spokes);
+        let place = |own: f64| (at_first - beta * own).sin_cos();
+        // The time of the hub's frame at which the road's t = gamma (t' + beta x') is 0.
+        let [mut from, mut to] = [-2.0, 2.0];
+        for _ in 0..60 {
+            let middle = 0.5 * (from + to);
+            if middle + beta * place(middle).1 < 0.0 { from = middle } else { to = middle }
+        }
+        let (z, x) = place(from);
+        [gamma * (x + beta * from), z]
+    };
+    (0..spokes)
+        .map(|spoke| {
+            let [[ax, az], [bx, bz]] = [end(spoke), end((spoke + 1) % spokes)];
+            [0.5 * (az + bz), (ax - bx).hypot(az - bz)]
+        })
+        .collect()
+}
+
+#[test]
+fn the_clocks_that_are_compared_are_those_of_both_hubs() {
+    let settings = settings(&lesson("clocks"), 3, false);
+    let scene = settings.opened_scene().expect("a scene");
+    let followed = settings.points.expect("two points").0;
+    let names: Vec<_> = followed.iter().map(|point| scene.names[point.body].as_str()).collect();
+    assert_eq!(names, ["front hub", "rear hub"]);
+}
+
 #[test]
 fn the_bottom_of_a_wheel_rests_and_its_top_stays_below_light() {
     let lesson = lesson("red-below");
@@ -226,7 +259,12 @@ fn the_bottom_of_a_wheel_rests_and_its_top_stays_below_light() {
     let added = (2.0 * 0.5_f64.atanh()).tanh();
     assert!((number(&lesson, 1) - added).abs() < 1e-12 && (added - 0.8).abs() < 1e-12);
     says(&lesson, 1, "= {}", 0.8, 1);
-    // A spoke's end moves on the ground by 1 - beta sin a per unit of angle: closest above.
+    let gaps = gaps_between_spokes(0.5, 3600);
+    let [_, above] = gaps.iter().copied().max_by(|[a, _], [b, _]| a.total_cmp(b)).expect("spokes");
+    let [_, below] = gaps.iter().copied().min_by(|[a, _], [b, _]| a.total_cmp(b)).expect("spokes");
+    let within = |gap: f64| gap > above * (1.0 - 1e-6) && gap < below * (1.0 + 1e-6);
+    assert!(gaps.iter().all(|[_, gap]| within(*gap)), "closest above, widest below");
+    assert!((below / above - 1.25 / 0.75).abs() < 1e-3, "{above}, {below}");
     assert!(observed(&lesson, 1).starts_with("above"));
 
     // Going, the hub is infrared, and its top more so; what rests is red.
@@ -235,6 +273,6 @@ fn the_bottom_of_a_wheel_rests_and_its_top_stays_below_light() {
     assert!(received(hub.doppler_factor) > 780.0 && doppler(top(0.5), &hub) < hub.doppler_factor);
     assert_eq!((right(&lesson, 2), observed(&lesson, 2)), ("the bottom", "only its lower part"));
     says(&lesson, 2, "received with D = {}", hub.doppler_factor, 2);
-    says(&lesson, 2, "$D = 1/\\gamma = {}$", (1.0_f64 - 0.8 * 0.8).sqrt(), 1);
+    says(&lesson, 2, "$D = \\sqrt{1 - 0.8^2} = {}$", (1.0_f64 - 0.8 * 0.8).sqrt(), 1);
     says(&lesson, 2, "top goes at {} c", 0.8, 1);
 }
