@@ -237,9 +237,13 @@ fn compared_with_the_core() {
     ask(&mut window, LessonCommand::Forward);
     assert_eq!(window.state().state().course().expect("a lesson").place().phase, Phase::Explained);
     difference(&window);
+    // Before an audience the words of the reveal tell it.
+    ask(&mut window, LessonCommand::Back);
     window.state_mut().ask(Command::TogglePresenting);
     window.run_ok();
-    difference(&window);
+    let number = text.split(' ').nth(2).expect("a number");
+    let is_told = |label: &String| label.contains(&format!("rms difference {number}"));
+    assert!(labels(&window).iter().any(is_told), "{:?}", labels(&window));
 }
 
 fn drawn_before_an_audience() {
