@@ -163,6 +163,7 @@ fn what_is_wrong_with_a_lesson_is_one_line_with_its_place() {
         ("{gamma:.3}", "{gama:.3}", "own.md:7: no value is called `gama`"),
         ("beta = 0.6", "beta = 6", "own.md:15: beta = 6"),
         ("two-balls", "three-balls", "no scene"),
+        ("Two balls.", "Two balls:\n![balls](balls.png)", "own.md:19: a lesson's pictures are"),
     ];
     for (from, to, expected) in cases {
         let folder = Folder::with_lesson(&LESSON.replace(from, to));

@@ -13,12 +13,14 @@ mod optics;
 mod pairs;
 mod rolling;
 
+use pulldown_cmark::{Event, Parser, Tag};
+
 use self::fitted::Fit;
 use self::here::{Here, Value};
 use super::error::LessonError;
 use super::plan::{Choices, Kind, Lesson, Prediction, Text};
 use crate::caption::decimal;
-use crate::formula::markdown::first_fault;
+use crate::formula::markdown::{OPTIONS, first_fault};
 use crate::scene::{Scene, Track};
 use crate::settings::Settings;
 
@@ -176,11 +178,24 @@ impl Lesson {
         let fit = Fit::new();
         let filled = filled(&text.markdown, |asked| value_with(asked, settings, scene, &fit));
         let markdown = filled.map_err(|(line, problem)| self.wrong(text.line + line, problem))?;
+        if let Some(line) = line_of_picture(&markdown) {
+            return Err(
+                self.wrong(text.line + line, "a lesson's pictures are the program's: a text holds none")
+            );
+        }
         if let Some((line, fault)) = first_fault(&markdown) {
             return Err(self.wrong(text.line + line - 1, fault.to_string()));
         }
         Ok(Text { markdown, line: text.line })
     }
+}
+
+/// The line, from 0, of the first picture in `markdown`.
+fn line_of_picture(markdown: &str) -> Option<usize> {
+    let is_picture = |event: &Event<'_>| matches!(event, Event::Start(Tag::Image { .. }));
+    let mut events = Parser::new_ext(markdown, OPTIONS).into_offset_iter();
+    let (_, place) = events.find(|(event, _)| is_picture(event))?;
+    Some(markdown[..place.start].matches('\n').count())
 }
 
 /// `markdown` with a number in each place `{ASKED:.N}`; what is wrong, and in which of its lines, from 0.
