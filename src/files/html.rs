@@ -111,6 +111,15 @@ impl Page {
         Ok(())
     }
 
+    /// Adds Markdown that holds no pictures.
+    ///
+    /// # Errors
+    ///
+    /// A picture, and a formula that cannot be drawn.
+    pub fn text(&mut self, markdown: &str) -> anyhow::Result<()> {
+        self.markdown(markdown, |file| anyhow::bail!("{file}: there are no pictures here"))
+    }
+
     /// Adds HTML as it is.
     pub fn html(&mut self, html: &str) {
         self.text.push_str(html);

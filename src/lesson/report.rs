@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::answer::{Answer, Outcome, Record};
 use super::course::Course;
-use super::plan::{Choices, Curve, Kind, Prediction, Step, Text};
+use super::plan::{Choices, Curve, Kind, Prediction, Step};
 use super::truth::Sight;
 use super::verdict::{Verdict, verdict};
 use super::{curve_plot, picture, sketch};
@@ -21,7 +21,7 @@ pub fn page(course: &Course, base: &Settings, fit: Option<&str>) -> anyhow::Resu
     let lesson = course.lesson();
     let mut page = Page::new(&lesson.title, Style::Print);
     page.html(&format!("<h1>{}</h1>\n", escaped(&lesson.title)));
-    text(&mut page, &lesson.introduction)?;
+    page.text(&lesson.introduction.markdown)?;
     for (number, (told, record)) in lesson.steps.iter().zip(course.records()).enumerate() {
         page.html(&format!("<h2>{}. {}</h2>\n", number + 1, escaped(&told.title)));
         // What was not asked for is not told.
@@ -34,20 +34,12 @@ pub fn page(course: &Course, base: &Settings, fit: Option<&str>) -> anyhow::Resu
     }
     if course.place().step >= lesson.steps.len() && !lesson.sentence.is_empty() {
         page.html("<h2>In a sentence</h2>\n");
-        text(&mut page, &lesson.sentence)?;
+        page.text(&lesson.sentence.markdown)?;
     }
     if let Some(fit) = fit {
         page.html(&format!("<h2>Fit</h2>\n<pre>{}</pre>\n", escaped(fit)));
     }
     Ok(page.finish())
-}
-
-fn text(page: &mut Page, text: &Text) -> anyhow::Result<()> {
-    markdown(page, &text.markdown)
-}
-
-fn markdown(page: &mut Page, text: &str) -> anyhow::Result<()> {
-    page.markdown(text, |file| anyhow::bail!("{file}: a lesson holds no pictures of its own"))
 }
 
 /// A step that was done, whose state after the reveal is that of `settings`.
@@ -57,9 +49,9 @@ fn step(page: &mut Page, step: &Step, record: &Record, settings: &Settings) -> a
     let time = settings.time.unwrap_or_else(|| settings.time_of_approach(&track));
     let sight = Sight { settings, scene: &scene, prepared: &prepared, track, time };
     if let Some(Prediction { question, kind }) = &step.prediction {
-        text(page, question)?;
+        page.text(&question.markdown)?;
         if let Some(verdict) = verdict(step, record, &sight) {
-            markdown(page, &told(&verdict, record))?;
+            page.text(&told(&verdict, record))?;
         }
         if let Kind::Curve(curve) = kind {
             page.html(&format!("<figure>\n{}</figure>\n", curves(curve, record, &sight)));
@@ -67,19 +59,19 @@ fn step(page: &mut Page, step: &Step, record: &Record, settings: &Settings) -> a
     }
     page.html(&format!("<figure>\n{}</figure>\n", picture::figure(settings, &step.title)?));
     if let Some(reveal) = &step.reveal {
-        text(page, &reveal.text)?;
+        page.text(&reveal.text.markdown)?;
     }
     if let Some(Choices { question, options }) = &step.observation {
-        text(page, question)?;
+        page.text(&question.markdown)?;
         let option = |number: usize| options.texts.get(number).map(|text| text.markdown.as_str());
         let observed = record.observed.and_then(option).unwrap_or("nothing");
         let mut said = format!("**Observed:** {observed}");
         if record.observed != Some(options.right) {
             write!(said, "\n\n**What there was to observe:** {}", option(options.right).unwrap_or_default())?;
         }
-        markdown(page, &said)?;
+        page.text(&said)?;
     }
-    text(page, &step.explanation)
+    page.text(&step.explanation.markdown)
 }
 
 /// What was predicted, how surely, what it is, and whether that is right.

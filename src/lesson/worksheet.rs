@@ -37,7 +37,7 @@ pub fn page(lesson: &Lesson, with_answers: bool) -> anyhow::Result<String> {
         page.html("<p>Name: ____________________ &emsp; Date: ____________</p>\n");
     }
     if !lesson.is_a_preset() {
-        text(&mut page, &lesson.introduction)?;
+        page.text(&lesson.introduction.markdown)?;
     }
     for number in 0..lesson.steps.len() {
         step(&mut page, lesson, number, with_answers)?;
@@ -45,7 +45,7 @@ pub fn page(lesson: &Lesson, with_answers: bool) -> anyhow::Result<String> {
     if !lesson.sentence.is_empty() {
         page.html("<h2>In a sentence</h2>\n");
         if with_answers {
-            text(&mut page, &lesson.sentence)?;
+            page.text(&lesson.sentence.markdown)?;
         } else {
             page.html(&answer_lines(LINES[1]));
         }
@@ -61,7 +61,7 @@ pub fn page(lesson: &Lesson, with_answers: bool) -> anyhow::Result<String> {
 fn lab(page: &mut Page, lesson: &Lesson, task: &Text, with_answers: bool) -> anyhow::Result<()> {
     let settings = lesson.lab_settings(&Settings::default())?;
     page.html("<h2>Lab</h2>\n");
-    text(page, task)?;
+    page.text(&task.markdown)?;
     if settings.fit == Settings::default().fit {
         if lesson.lab.as_ref().is_some_and(|lab| lab.state.is_some()) {
             page.html(&format!("<figure>\n{}</figure>\n", picture::figure(&settings, "Lab")?));
@@ -121,41 +121,37 @@ fn data(lesson: &Lesson, csv: &str) -> String {
     )
 }
 
-fn text(page: &mut Page, text: &Text) -> anyhow::Result<()> {
-    page.markdown(&text.markdown, |file| anyhow::bail!("{file}: a lesson holds no pictures of its own"))
-}
-
 fn step(page: &mut Page, lesson: &Lesson, number: usize, with_answers: bool) -> anyhow::Result<()> {
     let Step { title, text: said, prediction, reveal, observation, explanation, .. } = &lesson.steps[number];
     let settings = |is_revealed| lesson.settings(number, is_revealed, &Settings::default());
     page.html(&format!("<h2>{}. {}</h2>\n", number + 1, escaped(title)));
-    text(page, said)?;
+    page.text(&said.markdown)?;
     let shown = settings(false)?;
     page.html(&format!("<figure>\n{}</figure>\n", picture::figure(&shown, title)?));
     if let Some(Prediction { question, kind }) = prediction {
         page.html("<div class=\"question\">\n<h3>Predict</h3>\n");
-        text(page, question)?;
+        page.text(&question.markdown)?;
         ask(page, kind, &shown, with_answers)?;
         page.html("<p>How sure are you? &emsp; 1 &ensp; 2 &ensp; 3 &ensp; 4 &ensp; 5</p>\n</div>\n");
     }
     if let Some(reveal) = reveal {
         page.html("<h3>See</h3>\n");
         page.html(&format!("<p>{}</p>\n", escaped(&what_happens(reveal))));
-        text(page, &reveal.text)?;
+        page.text(&reveal.text.markdown)?;
         if with_answers {
             page.html(&format!("<figure>\n{}</figure>\n", picture::figure(&settings(true)?, title)?));
         }
     }
     if let Some(Choices { question, options }) = observation {
         page.html("<div class=\"question\">\n");
-        text(page, question)?;
+        page.text(&question.markdown)?;
         choices(page, options, with_answers)?;
         page.html("</div>\n");
     }
     if !explanation.is_empty() {
         page.html("<h3>Explain</h3>\n");
         if with_answers {
-            text(page, explanation)?;
+            page.text(&explanation.markdown)?;
         } else {
             page.html(&answer_lines(LINES[0]));
         }
@@ -199,7 +195,7 @@ fn choices(page: &mut Page, options: &Options, with_answers: bool) -> anyhow::Re
         let mark = if with_answers && number == options.right { '☒' } else { '☐' };
         writeln!(list, "{mark} {}\n", option.markdown)?;
     }
-    page.markdown(&list, |file| anyhow::bail!("{file}: a lesson holds no pictures of its own"))
+    page.text(&list)
 }
 
 /// A plot to draw a curve into; `with_answers`, with the curve.
