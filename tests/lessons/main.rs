@@ -1,5 +1,6 @@
 //! The lessons are right: every number and claim in them is held against the core, called directly.
 
+mod documented;
 mod first;
 mod fitted;
 mod second;
