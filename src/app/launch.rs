@@ -199,6 +199,8 @@ mod tests {
         state.begin_lesson(&lesson).expect("it can be shown");
         assert_eq!(state.session.overlay, None);
         memory::remember(&mut kept, &state);
+        // The lesson shows no controls; the next window does.
+        assert!(!state.settings.window.controls && memory::remembered(&kept).window.controls);
         let again = started(Some(&kept), true).session;
         assert_eq!((again.overlay, again.next_lesson.as_deref()), (None, Some("turned")));
     }

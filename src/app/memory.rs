@@ -35,7 +35,8 @@ pub fn recent(storage: &dyn Storage) -> Recent {
 
 /// Keeps what is shown, and which files were opened. A scene's file is found again wherever the program starts next.
 pub fn remember(storage: &mut dyn Storage, state: &State) {
-    let mut settings = state.shown();
+    // A lesson's parts of the window are its own.
+    let mut settings = Settings { window: state.lesson_base().window, ..state.shown() };
     if let Some(path) = state.scene_file().and_then(|path| files::canonical(path).ok()) {
         settings.scene = path.to_string_lossy().into_owned();
     }
