@@ -11,7 +11,8 @@ pub struct Front {
 }
 
 const KEYS: [&str; 4] = ["title", "order", "concept", "minutes"];
-const FENCE: &str = "---";
+/// What stands before it and after it.
+pub const FENCE: &str = "---";
 /// A lesson that does not say its place comes after those that do.
 const LAST: u32 = 1000;
 

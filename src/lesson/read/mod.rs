@@ -47,6 +47,12 @@ impl Lesson {
         })
     }
 
+    /// Whether `text` begins as a lesson does; other Markdown is none.
+    #[must_use]
+    pub fn begins(text: &str) -> bool {
+        text.trim_start_matches('\u{feff}').lines().next().is_some_and(|line| line.trim_end() == front::FENCE)
+    }
+
     /// The lesson in the file at `path`.
     ///
     /// # Errors
@@ -115,7 +121,12 @@ fn step(section: &Part) -> Result<Step, Wrong> {
         observation: None,
         explanation: Text::default(),
     };
-    for part in &below {
+    for (number, part) in below.iter().enumerate() {
+        if let Some(first) = below[..number].iter().find(|first| first.title == part.title) {
+            let (title, line) = (&part.title, first.heading_line());
+            let problem = format!("a second `{title}` in this step: the first is in line {line}");
+            return Err((part.heading_line(), problem));
+        }
         match part.title.as_str() {
             "Predict" => step.prediction = Some(prediction(part)?),
             "Reveal" => step.reveal = Some(reveal(part)?),

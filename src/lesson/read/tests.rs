@@ -131,6 +131,7 @@ fn what_is_wrong_is_named_with_its_line() {
         ("\"contraction\"", "\"contractions\"", "rods.md:53: no value is called `contractions`"),
         ("A rod comes.", "```play\ntime = 1\n```", "rods.md:19: a block ```play can not stand here"),
         ("### Observe", "### Observed", "rods.md:37: unknown part"),
+        ("### Observe", "### Reveal", "rods.md:37: a second `Reveal` in this step: the first is in line 30"),
     ];
     for (from, to, expected) in cases {
         let text = LESSON.replacen(from, to, 1);
