@@ -95,7 +95,7 @@ impl Library {
     }
 }
 
-/// The Markdown files in `folder` that begin as lessons do, by name.
+/// The Markdown files in `folder` that begin as lessons do, but for a README, by name.
 fn files_in(folder: &Path) -> Result<Vec<PathBuf>, LessonError> {
     let listed = files::list_folder(folder).map_err(|reason| LessonError::Read {
         source_name: folder.display().to_string(),
@@ -103,7 +103,8 @@ fn files_in(folder: &Path) -> Result<Vec<PathBuf>, LessonError> {
     })?;
     let is_lesson = |path: &PathBuf| {
         let is_markdown = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("md"));
-        is_markdown && files::read_to_string(path).is_ok_and(|text| Lesson::begins(&text))
+        let is_readme = path.file_stem().is_some_and(|name| name.eq_ignore_ascii_case("readme"));
+        is_markdown && !is_readme && files::read_to_string(path).is_ok_and(|text| Lesson::begins(&text))
     };
     Ok(listed.into_iter().filter(is_lesson).collect())
 }
