@@ -118,44 +118,30 @@ impl State {
 
     /// Has the state of the lesson's present place; its reveal runs, where there is one.
     fn set_up(&mut self) {
-        let Some(running) = &self.session.lesson else { return };
-        let (lesson, place) = (running.course.lesson(), running.course.place());
-        let base = self.lesson_base();
-        let revealed = running.course.is_revealed();
-        let shown = lesson.settings(place.step, revealed, &base);
-        let animation = running.course.step().and_then(|step| step.reveal.as_ref()?.animation);
+        self.follow_lesson();
+        let Some(Running { course, told: Some(told), .. }) = &self.session.lesson else { return };
+        let place = course.place();
+        let animation = course.step().and_then(|step| step.reveal.as_ref()?.animation);
         let animation = animation.filter(|_| place.phase == Phase::Shown);
-        let before = lesson.settings(place.step, false, &base);
-        let (mut settings, before) = match (shown, before) {
-            (Ok(settings), Ok(before)) => (settings, before),
-            (Err(error), _) | (_, Err(error)) => {
-                self.session.notice = Some(Notice::error(error));
-                return;
+        let before = animation.and_then(|_| course.lesson().settings(place.step, false, &told.base).ok());
+        let mut settings = told.settings.clone();
+        if let Some((animation, before)) = animation.zip(before) {
+            match animation.to {
+                Animated::Time(_) => settings.time = before.time,
+                Animated::Speed(_) => settings.motion.speed = before.motion.speed,
             }
-        };
-        let mut run = None;
-        if let Some(animation) = animation {
-            let from = match animation.to {
-                Animated::Time(_) => {
-                    settings.time = before.time;
-                    None
-                }
-                Animated::Speed(_) => {
-                    settings.motion.speed = before.motion.speed;
-                    Some(Animated::Speed(before.motion.speed))
-                }
-            };
-            run = Some((from, animation));
         }
         self.show(settings);
         self.session.playing = false;
-        let time = self.session.time;
+        let run = animation.map(|animation| {
+            let from = match animation.to {
+                Animated::Time(_) => Animated::Time(self.session.time),
+                Animated::Speed(_) => Animated::Speed(self.settings.motion.speed),
+            };
+            Run { from, animation, passed: 0.0 }
+        });
         if let Some(running) = &mut self.session.lesson {
-            running.run = run.map(|(from, animation)| Run {
-                from: from.unwrap_or(Animated::Time(time)),
-                animation,
-                passed: 0.0,
-            });
+            running.run = run;
         }
     }
 
@@ -195,9 +181,12 @@ impl State {
         let lesson = running.course.lesson();
         let step = place.step.min(lesson.steps.len().saturating_sub(1));
         let is_revealed = running.course.is_revealed() || place.step > step;
-        let settings = lesson.settings(step, is_revealed, &base).ok();
+        let told = lesson.settings(step, is_revealed, &base).map(|settings| Told { place, base, settings });
+        if let Err(error) = &told {
+            self.session.notice = Some(Notice::error(error));
+        }
         if let Some(running) = &mut self.session.lesson {
-            running.told = settings.map(|settings| Told { place, base, settings });
+            running.told = told.ok();
         }
     }
 

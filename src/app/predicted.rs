@@ -10,7 +10,7 @@ use super::eye::Eye;
 use super::panes::EyePane;
 use super::state::State;
 use crate::figures;
-use crate::lesson::{Answer, Course, Kind, Outcome, PointAt, truth};
+use crate::lesson::{Answer, Course, Kind, PointAt, truth};
 
 /// Half the size of the cross, and the radius of the ring, points.
 const CROSS: f32 = 9.0;
@@ -37,11 +37,8 @@ pub(super) fn hint(state: &State) -> Option<String> {
 /// The direction that was clicked.
 fn clicked(state: &State) -> Option<Gaze> {
     let course = state.course()?;
-    let made = match course.record()?.outcome.as_ref() {
-        Some(Outcome::Made { answer, .. }) => Some(answer),
-        Some(Outcome::Skipped) => None,
-        None => course.draft.as_ref(),
-    };
+    let record = course.record()?;
+    let made = if record.outcome.is_none() { course.draft.as_ref() } else { record.answer() };
     match made {
         Some(Answer::Direction(direction)) => Some(*direction),
         _ => None,

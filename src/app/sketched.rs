@@ -1,7 +1,7 @@
 //! The curve that a lesson has drawn: what is known of it, and when it stands in the place of the plots.
 
 use super::state::State;
-use crate::lesson::{Answer, Curve, Kind, Outcome, Sight};
+use crate::lesson::{Answer, Curve, Kind, Sight};
 use crate::settings::{Presence, Window};
 
 /// A curve that is drawn, or was.
@@ -24,11 +24,7 @@ impl State {
         let course = self.course()?;
         let Kind::Curve(curve) = course.step()?.prediction.as_ref()?.kind else { return None };
         let is_asked = course.asked().is_some();
-        let answer = match (is_asked, course.record()?.outcome.as_ref()) {
-            (true, _) => course.draft.as_ref(),
-            (false, Some(Outcome::Made { answer, .. })) => Some(answer),
-            (false, _) => None,
-        };
+        let answer = if is_asked { course.draft.as_ref() } else { course.record()?.answer() };
         let points = match answer {
             Some(Answer::Curve(points)) => points.as_slice(),
             _ => &[],

@@ -72,3 +72,14 @@ pub struct Record {
     /// The number of the answer to what was seen.
     pub observed: Option<usize>,
 }
+
+impl Record {
+    /// The prediction that was made, if one was.
+    #[must_use]
+    pub const fn answer(&self) -> Option<&Answer> {
+        match &self.outcome {
+            Some(Outcome::Made { answer, .. }) => Some(answer),
+            Some(Outcome::Skipped) | None => None,
+        }
+    }
+}

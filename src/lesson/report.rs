@@ -93,8 +93,8 @@ fn told(verdict: &Verdict, record: &Record) -> String {
 
 /// The true curve, and the one that was drawn.
 fn curves(curve: &Curve, record: &Record, sight: &Sight<'_>) -> String {
-    let drawn = match &record.outcome {
-        Some(Outcome::Made { answer: Answer::Curve(points), .. }) => points.as_slice(),
+    let drawn = match record.answer() {
+        Some(Answer::Curve(points)) => points.as_slice(),
         _ => &[],
     };
     let [from, to] = sight.settings.time_range(&sight.track);

@@ -35,13 +35,15 @@ impl Sight<'_> {
     /// The direction in which the left eye sees the body of this name.
     #[must_use]
     pub fn direction(&self, body: &str) -> Option<Gaze> {
-        direction_at(self.settings, self.scene, body, self.time)
+        let [left, _] = self.directions(body)?;
+        left.map(|direction| Gaze::along(direction.into()))
     }
 
     /// From each eye to where it sees the point that is followed on the body of this name.
     #[must_use]
     pub fn directions(&self, body: &str) -> Option<[Option<DVec3>; 2]> {
-        Some(self.settings.directions(&track_on(self.scene, body)?, self.time))
+        let track = self.scene.track_on(self.scene.body_named(body)?)?;
+        Some(self.settings.directions(&track, self.time))
     }
 
     /// Whether what the left eye sees in this direction is the body of this name.
@@ -123,24 +125,6 @@ impl Quantity {
             Self::Phi => ["φ", "rad"],
         }
     }
-}
-
-/// The direction in which the left eye sees the body of this name at the settings' T.
-#[must_use]
-pub fn direction(settings: &Settings, scene: &Scene, body: &str) -> Option<Gaze> {
-    let track = track_on(scene, body)?;
-    let time = settings.time.unwrap_or_else(|| settings.time_of_approach(&track));
-    direction_at(settings, scene, body, time)
-}
-
-fn track_on(scene: &Scene, body: &str) -> Option<Track> {
-    scene.track_on(scene.names.iter().position(|name| name == body)?)
-}
-
-fn direction_at(settings: &Settings, scene: &Scene, body: &str, time: f64) -> Option<Gaze> {
-    let track = track_on(scene, body)?;
-    let [left, _] = settings.directions(&track, time);
-    left.map(|direction| Gaze::along(direction.into()))
 }
 
 /// The angle between two directions, radians.

@@ -2,7 +2,7 @@
 
 use relativity_render::Gaze;
 
-use super::answer::{Answer, Outcome, Record};
+use super::answer::{Answer, Record};
 use super::plan::{Curve, Kind, Number, Options, Step};
 use super::truth::{NEAR, Sight, angle_between, rms};
 use crate::caption::decimal;
@@ -24,10 +24,8 @@ pub struct Verdict {
 #[must_use]
 pub fn verdict(step: &Step, record: &Record, sight: &Sight<'_>) -> Option<Verdict> {
     let kind = &step.prediction.as_ref()?.kind;
-    let answer = match record.outcome.as_ref()? {
-        Outcome::Skipped => None,
-        Outcome::Made { answer, .. } => Some(answer),
-    };
+    record.outcome.as_ref()?;
+    let answer = record.answer();
     let said = answer.map_or_else(|| "nothing".to_owned(), |answer| said(kind, answer));
     let right = answer.and_then(|answer| match (kind, answer) {
         (Kind::Point(point), Answer::Direction(direction)) => {

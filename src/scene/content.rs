@@ -104,6 +104,12 @@ impl Scene {
         here.min_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs())).map(|(body, _)| body)
     }
 
+    /// The number of the first body of this name, if there is one.
+    #[must_use]
+    pub fn body_named(&self, name: &str) -> Option<usize> {
+        self.names.iter().position(|known| known == name)
+    }
+
     /// The forward-most point of the body of this number, if there is such a body.
     #[must_use]
     pub fn track_on(&self, body: usize) -> Option<Track> {

@@ -97,7 +97,7 @@ fn value_with(text: &str, settings: &Settings, scene: &Scene, fit: &Fit) -> Resu
 
 /// The point that is followed on the body called `name`, and the number of that.
 fn followed(scene: &Scene, name: &str) -> Result<(Track, Option<usize>), String> {
-    let body = scene.names.iter().position(|known| known == name);
+    let body = scene.body_named(name);
     let body = body.ok_or_else(|| format!("{} has no body called `{name}`", scene.name))?;
     let track = scene.track_on(body).ok_or_else(|| format!("`{name}` has no point to follow"))?;
     Ok((track, Some(body)))
@@ -123,7 +123,7 @@ impl Lesson {
                         let truth = value(&number.value, &after.0, &after.1);
                         number.truth = Some(truth.map_err(|problem| self.wrong(number.line, problem))?);
                     }
-                    Kind::Point(point) if !after.1.names.contains(&point.body) => {
+                    Kind::Point(point) if after.1.body_named(&point.body).is_none() => {
                         let problem = format!("{} has no body called `{}`", after.1.name, point.body);
                         return Err(self.wrong(point.line, problem));
                     }

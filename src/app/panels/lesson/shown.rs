@@ -6,7 +6,7 @@ use super::cards::{self, Sign};
 use crate::app::state::State;
 use crate::app::theme;
 use crate::app::widgets::{markdown, named_text};
-use crate::lesson::{Answer, Course, Kind, Options, Outcome, Step, verdict};
+use crate::lesson::{Answer, Course, Kind, Options, Step, verdict};
 
 /// Shows what was said, before it is compared.
 pub fn said(ui: &mut Ui, state: &State, step: &Step, course: &Course) {
@@ -85,10 +85,7 @@ fn kind(step: &Step) -> Option<&Kind> {
 }
 
 fn answer(course: &Course) -> Option<&Answer> {
-    match course.record()?.outcome.as_ref()? {
-        Outcome::Made { answer, .. } => Some(answer),
-        Outcome::Skipped => None,
-    }
+    course.record()?.answer()
 }
 
 /// A large `value` behind its `name`.
