@@ -1,5 +1,6 @@
 //! What the user is told about the last thing that was done, or could not be.
 
+use crate::platform::files;
 use std::path::Path;
 
 /// A message. It stays until it is closed or another takes its place.
@@ -31,7 +32,7 @@ impl Notice {
         let folder = path.parent().filter(|folder| folder.file_name().is_some());
         let Some(folder) = folder.and_then(Path::to_str) else { return self };
         let text = self.text.replace(&format!("{folder}{}", std::path::MAIN_SEPARATOR), "");
-        Self { text, path: Some(path.display().to_string()), ..self }
+        Self { text, path: Some(files::shown(path)), ..self }
     }
 }
 

@@ -57,7 +57,7 @@ impl Recent {
 /// The name of the file at `path`, without its folder.
 #[must_use]
 pub fn file_name(path: &Path) -> String {
-    path.file_name().map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into_owned())
+    path.file_name().map_or_else(|| files::shown(path), |name| name.to_string_lossy().into_owned())
 }
 
 #[cfg(test)]

@@ -14,6 +14,7 @@ use crate::files::provenance::Provenance;
 use crate::files::whole::write_whole;
 use crate::flags::choices::{FileKind, GazeChoice, Layout};
 use crate::flags::{IntensityExponent, OnOff, SpeedArgs, SpeedParameter, field_of_view, switch};
+use crate::platform::files;
 use crate::settings::{CameraArgs, Settings};
 use crate::studio::Sheet;
 
@@ -76,10 +77,14 @@ Examples:
 /// Runs `gamow rectify`.
 pub fn run(args: &RectifyArgs) -> anyhow::Result<()> {
     let kind = |path: &Path| {
-        FileKind::of(path).with_context(|| format!("{}: it should end in .png or .exr", path.display()))
+        FileKind::of(path).with_context(|| format!("{}: it should end in .png or .exr", files::shown(path)))
     };
     let (from, to) = (kind(&args.image)?, kind(&args.out)?);
-    anyhow::ensure!(from == to, "--out {}: it should be of the same kind as the picture", args.out.display());
+    anyhow::ensure!(
+        from == to,
+        "--out {}: it should be of the same kind as the picture",
+        files::shown(&args.out)
+    );
     match from {
         FileKind::Png => args.rectify_picture(),
         FileKind::Exr => args.rectify_measurements(),
@@ -90,9 +95,9 @@ impl RectifyArgs {
     fn rectify_picture(&self) -> anyhow::Result<()> {
         let file = PngFile::read(&self.image)?;
         let recorded = self.recorded(file.command());
-        let name = self.image.display();
+        let name = files::shown(&self.image);
         let settings = self.settings(recorded.clone(), file.picture().size)?;
-        let (seen, eye) = self.of_an_eye(file, &settings).with_context(|| name.to_string())?;
+        let (seen, eye) = self.of_an_eye(file, &settings).with_context(|| name.clone())?;
         let rectification = &self.rectifications(seen.size, &settings)?[eye];
         let corrected = rectification.picture(&seen, self.light(recorded.as_ref()));
         let provenance = Provenance {
@@ -150,7 +155,7 @@ impl RectifyArgs {
 
     /// The settings that the file's `command` tells, if `gamow render` made it.
     fn recorded(&self, command: &str) -> Option<Settings> {
-        Settings::of_picture(command, &self.image.display().to_string()).ok()
+        Settings::of_picture(command, &files::shown(&self.image)).ok()
     }
 
     fn speed(&self) -> anyhow::Result<(SpeedParameter, f64)> {
@@ -183,7 +188,7 @@ impl RectifyArgs {
     }
 
     fn not_recorded(&self, flags: &str) -> anyhow::Error {
-        anyhow::anyhow!("{}: it does not record {flags}, which is needed then", self.image.display())
+        anyhow::anyhow!("{}: it does not record {flags}, which is needed then", files::shown(&self.image))
     }
 
     /// The command that corrects the picture again, with the camera that took the corrected one.

@@ -130,7 +130,7 @@ impl DataFile {
     ///
     /// A file that cannot be read, and what is wrong in it, in one line that names the file and the line.
     pub fn open(path: &Path, baseline: Baseline) -> anyhow::Result<Self> {
-        let place = path.display().to_string();
+        let place = files::shown(path);
         let mut bytes = Vec::new();
         let read = files::open(path).and_then(|mut file| file.read_to_end(&mut bytes));
         read.with_context(|| place.clone())?;

@@ -21,7 +21,7 @@ pub fn open(file: Option<&Path>) -> anyhow::Result<(String, Box<dyn Read>)> {
     let Some(file) = file.filter(|file| *file != Path::new("-")) else {
         return Ok(("standard input".to_owned(), Box::new(io::stdin().lock())));
     };
-    let name = file.display().to_string();
+    let name = files::shown(file);
     let input = files::open(file).with_context(|| name.clone())?;
     Ok((name, Box::new(input)))
 }

@@ -214,7 +214,7 @@ impl Measurements {
     ///
     /// A file that cannot be read, named.
     pub fn read(path: &Path) -> anyhow::Result<Self> {
-        let layer = first_layer(path).with_context(|| path.display().to_string())?;
+        let layer = first_layer(path).with_context(|| files::shown(path))?;
         let channels = layer.channel_data.list.into_iter().map(|channel| {
             let values = match channel.sample_data {
                 FlatSamples::F32(values) => values,

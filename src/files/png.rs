@@ -157,7 +157,7 @@ impl PngFile {
     ///
     /// A file that cannot be read to its end, named.
     pub fn read(path: &Path) -> anyhow::Result<Self> {
-        Self::decoded(path).with_context(|| path.display().to_string())
+        Self::decoded(path).with_context(|| files::shown(path))
     }
 
     fn decoded(path: &Path) -> anyhow::Result<Self> {

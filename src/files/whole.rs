@@ -81,8 +81,8 @@ pub fn ensure_ending(flag: &str, path: &Path, ending: &str) -> anyhow::Result<()
     anyhow::ensure!(
         is_right || files::is_special(path),
         "{flag} {}: it writes .{ending} files only; {} would be right",
-        path.display(),
-        path.with_extension(ending).display()
+        files::shown(path),
+        files::shown(&path.with_extension(ending))
     );
     Ok(())
 }
@@ -110,7 +110,7 @@ pub fn write_whole(
     path: &Path,
     write: impl FnOnce(&mut BufWriter<File>) -> anyhow::Result<()>,
 ) -> anyhow::Result<()> {
-    let name = || path.display().to_string();
+    let name = || files::shown(path);
     if files::is_special(path) {
         let mut device = BufWriter::with_capacity(BUFFER_BYTES, files::create(path).with_context(name)?);
         write(&mut device)?;

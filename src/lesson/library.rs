@@ -98,7 +98,7 @@ impl Library {
 /// The Markdown files in `folder` that begin as lessons do, but for a README, by name.
 fn files_in(folder: &Path) -> Result<Vec<PathBuf>, LessonError> {
     let listed = files::list_folder(folder).map_err(|reason| LessonError::Read {
-        source_name: folder.display().to_string(),
+        source_name: files::shown(folder),
         reason: reason.to_string(),
     })?;
     let is_lesson = |path: &PathBuf| {

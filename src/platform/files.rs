@@ -9,6 +9,25 @@ use tempfile::NamedTempFile;
 
 pub use std::fs::File;
 
+/// `path` as messages name it: on one line, with nothing in it that a terminal would obey. What is neither text nor fit
+/// to be shown stands as its escape.
+#[must_use]
+pub fn shown(path: &Path) -> String {
+    let mut shown = String::new();
+    for chunk in path.as_os_str().as_encoded_bytes().utf8_chunks() {
+        chunk.valid().chars().for_each(|c| match c {
+            // Marks that turn the direction of text about, or end a line without being control characters.
+            '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => {
+                shown.extend(c.escape_unicode());
+            }
+            c if c.is_control() => shown.extend(c.escape_default()),
+            c => shown.push(c),
+        });
+        shown.extend(chunk.invalid().iter().map(|byte| format!("\\x{byte:02x}")));
+    }
+    shown
+}
+
 /// The file at `path`, to be read.
 ///
 /// # Errors
@@ -112,4 +131,24 @@ pub fn temporary_in(folder: &Path) -> io::Result<NamedTempFile> {
 fn without_path(error: io::Error) -> io::Error {
     let cause = error.get_ref().and_then(Error::source).and_then(|cause| cause.downcast_ref::<io::Error>());
     cause.and_then(io::Error::raw_os_error).map_or(error, io::Error::from_raw_os_error)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_shown_on_one_line_without_anything_a_terminal_obeys() {
+        for name in ["räder 車輪.toml", r"C:\scenes\a.toml", "it's.csv"] {
+            assert_eq!(shown(Path::new(name)), name);
+        }
+        assert_eq!(shown(Path::new("a\u{1b}[31m\nb\u{202e}.toml")), r"a\u{1b}[31m\nb\u{202e}.toml");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn names_that_are_no_text_are_told_by_their_bytes() {
+        use std::os::unix::ffi::OsStrExt as _;
+        assert_eq!(shown(Path::new(std::ffi::OsStr::from_bytes(b"r\xff.csv"))), r"r\xff.csv");
+    }
 }

@@ -35,7 +35,7 @@ impl Scene {
     /// # Errors
     /// One line that names the file, the line in it, what is wrong and what would be right.
     pub fn load(path: &Path) -> Result<Self, SceneError> {
-        let source_name = path.display().to_string();
+        let source_name = files::shown(path);
         match files::read_to_string(path) {
             Ok(text) => Self::parse(&text, &source_name),
             Err(reason) => Err(SceneError::Read { source_name, reason }),

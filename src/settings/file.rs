@@ -51,7 +51,7 @@ impl Settings {
     /// # Errors
     /// One line that names the file and what is wrong with it.
     pub fn with_file(self, path: &Path) -> Result<Self, SettingsError> {
-        let source_name = path.display().to_string();
+        let source_name = files::shown(path);
         let unreadable = |reason: String| SettingsError::Read { source_name: source_name.clone(), reason };
         let mut settings = if let Some(kind) = FileKind::of(path) {
             let command = match kind {

@@ -136,7 +136,7 @@ impl Studio {
             Ok(frame)
         };
         if kind == FilmKind::Folder {
-            files::create_folder(path).with_context(|| path.display().to_string())?;
+            files::create_folder(path).with_context(|| files::shown(path))?;
             for (number, &time) in (0..).zip(times) {
                 let frame = next(self, number, time)?;
                 self.make_file(&frame, FileKind::Png, &frame_path(path, number, FileKind::Png))?;

@@ -13,6 +13,7 @@ use crate::app::overlay::Overlay;
 use crate::app::recent::file_name;
 use crate::app::state::State;
 use crate::app::widgets::icons::{self, Icon};
+use crate::platform::files;
 use crate::scene::{PRESETS, Scene};
 use crate::settings::{Theme, Window};
 use crate::units::Units;
@@ -107,7 +108,7 @@ fn files(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let shown = state.shown_files();
     for path in state.session.recent.all() {
         let choice = ui.selectable_label(shown.contains(path), file_name(path));
-        if choice.on_hover_text(path.display().to_string()).clicked() {
+        if choice.on_hover_text(files::shown(path)).clicked() {
             asks.push(Command::Open(path.clone()));
         }
     }

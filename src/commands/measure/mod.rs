@@ -25,7 +25,7 @@ use crate::files::whole::OutArgs;
 use crate::flags::choices::{FileKind, Layout};
 use crate::flags::{coordinates, finite_number, within};
 use crate::passage::time_within;
-use crate::platform;
+use crate::platform::{self, files};
 use crate::settings::{CameraArgs, MAX_LENGTH, Picture, Settings};
 use crate::studio::Sheet;
 
@@ -112,7 +112,7 @@ pub fn run(args: &MeasureArgs) -> anyhow::Result<()> {
     let times = args.taken.times_of(files.len())?;
     let (mut rows, mut remarks) = (Vec::new(), Remarks::default());
     for (file, time) in files.iter().zip(times) {
-        let name = file.display().to_string();
+        let name = files::shown(file);
         let Some((row, noted)) = measured(file, &name, target, &args.taken, time)? else { continue };
         remarks.note(&name, &noted);
         rows.push(row);
@@ -152,7 +152,7 @@ fn files(inputs: &[PathBuf], target: Target<'_>) -> anyhow::Result<Vec<PathBuf>>
     let kind = target.file_kind();
     let mut files = Vec::new();
     for input in inputs {
-        let name = || input.display().to_string();
+        let name = || files::shown(input);
         if platform::files::is_folder(input) {
             let inside = platform::files::list_folder(input).with_context(name)?;
             files.extend(inside.into_iter().filter(|path| FileKind::of(path) == Some(kind)));

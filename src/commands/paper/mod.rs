@@ -35,7 +35,7 @@ pub struct PaperArgs {
 /// Runs `gamow paper`.
 pub fn run(args: &PaperArgs) -> anyhow::Result<()> {
     let folder = args.out.as_path();
-    files::create_folder(folder).with_context(|| folder.display().to_string())?;
+    files::create_folder(folder).with_context(|| files::shown(folder))?;
     figures::write_all(folder)?;
     let fits = fits::write_all(folder)?;
     let frames = stereo::write_all(folder)?;
@@ -51,6 +51,6 @@ pub fn run(args: &PaperArgs) -> anyhow::Result<()> {
     page.markdown(&text, |figure| Ok(files::read_to_string(&folder.join(figure))?))?;
     figures::write_text(folder, "report.md", &text)?;
     figures::write_text(folder, "report.html", &page.finish())?;
-    println!("{}", folder.join("report.html").display());
+    println!("{}", files::shown(&folder.join("report.html")));
     Ok(())
 }

@@ -9,6 +9,7 @@ use clap::{Arg, Args};
 
 use self::sequence::TimeArgs;
 use crate::flags::choices::FileKind;
+use crate::platform::files;
 use crate::settings::{Settings, StartArgs};
 use crate::studio::Studio;
 use crate::studio::film::FilmKind;
@@ -76,7 +77,7 @@ pub fn run(args: &RenderArgs) -> anyhow::Result<()> {
         studio.make_file(&frame, kind, &out)?;
     }
     if out != args.out {
-        eprintln!("gamow: the picture is {}, a name that headsets know", out.display());
+        eprintln!("gamow: the picture is {}, a name that headsets know", files::shown(&out));
     }
     if args.timings {
         println!("{}", studio.report());
@@ -93,7 +94,7 @@ enum Output {
 
 impl RenderArgs {
     fn output(&self) -> anyhow::Result<Output> {
-        let out = self.out.display();
+        let out = files::shown(&self.out);
         match (FileKind::of(&self.out), FilmKind::of(&self.out), self.times.frames) {
             (Some(FileKind::Exr), _, Some(_)) => {
                 anyhow::bail!("--out {out}: a sequence of measurements needs a folder, not a file")

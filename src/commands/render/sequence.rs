@@ -64,8 +64,8 @@ pub fn run_film(studio: &mut Studio, times: &TimeArgs, kind: FilmKind, path: &Pa
         true
     })?;
     progress.finish_and_clear();
-    let bytes = files::size(path).with_context(|| path.display().to_string())?;
-    eprintln!("{frames} frames in {}: {}", path.display(), figures::bytes(bytes, 3));
+    let bytes = files::size(path).with_context(|| files::shown(path))?;
+    eprintln!("{frames} frames in {}: {}", files::shown(path), figures::bytes(bytes, 3));
     Ok(())
 }
 
@@ -79,7 +79,7 @@ fn time_of(frame: u32, frames: u32, range: [f64; 2]) -> f64 {
 pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Result<()> {
     let frames = times.frames.unwrap_or(1);
     let range = times.range(studio)?;
-    files::create_folder(folder).with_context(|| folder.display().to_string())?;
+    files::create_folder(folder).with_context(|| files::shown(folder))?;
     let progress = progress::bar(frames.into(), "frames");
     let kind = if times.exr { FileKind::Exr } else { FileKind::Png };
     let (mut kept, mut bytes) = (0, 0);
@@ -94,7 +94,7 @@ pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Resu
         } else {
             studio.make_file(&frame, kind, &path)?;
         }
-        bytes += files::size(&path).with_context(|| path.display().to_string())?;
+        bytes += files::size(&path).with_context(|| files::shown(&path))?;
         progress.inc(1);
         if made == probes.len() && made < frames as usize {
             let estimate = figures::bytes(bytes * u64::from(frames) / made as u64, 2);
@@ -106,7 +106,7 @@ pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Resu
     }
     progress.finish_and_clear();
     let (drawn, total) = (frames - kept, figures::bytes(bytes, 3));
-    eprintln!("{drawn} frames drawn and {kept} kept in {}: {total}", folder.display());
+    eprintln!("{drawn} frames drawn and {kept} kept in {}: {total}", files::shown(folder));
     Ok(())
 }
 

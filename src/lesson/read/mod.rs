@@ -16,6 +16,7 @@ use super::plan::{
 };
 use super::values;
 use crate::flags::{SpeedParameter, SpeedSetting};
+use crate::platform::files;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
@@ -58,7 +59,7 @@ impl Lesson {
     /// # Errors
     /// A file that cannot be read, and what is wrong in it.
     pub fn load(path: &Path) -> Result<Self, LessonError> {
-        let source_name = path.display().to_string();
+        let source_name = files::shown(path);
         let text = crate::platform::files::read_to_string(path).map_err(|reason| LessonError::Read {
             source_name: source_name.clone(),
             reason: reason.to_string(),
