@@ -5,6 +5,7 @@
 //! between, so that what follows a control follows it in the same frame.
 
 mod actions;
+mod aids;
 pub mod args;
 mod background_picture;
 pub mod beyond;
@@ -511,6 +512,10 @@ impl eframe::App for App {
 
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         self.show(ui);
+    }
+
+    fn raw_input_hook(&mut self, _ctx: &egui::Context, input: &mut egui::RawInput) {
+        aids::drop_what_is_no_number(input);
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {

@@ -143,7 +143,7 @@ fn what_is_wrong_is_named_with_its_line() {
         (
             "\"times\"\n```",
             "\"times\"",
-            "rods.md:52: the block ```number has no end: a line ``` before line 59",
+            "rods.md:52: the block ```number has no end: a line ``` before line 58",
         ),
         ("beta = 0.9\n```", "beta = 0.9", "rods.md:59: the block ```state has no end: a line ```"),
         (

@@ -10,7 +10,7 @@ fn told(markdown: &str) -> Result<String, (usize, String)> {
 fn values_are_put_in_their_places_and_formulas_stay() {
     let text = told("$\\frac{1}{\\gamma} = {contraction:.3}$ at {beta:.1} c, T = {T:.0}").expect("values");
     assert_eq!(text, "$\\frac{1}{\\gamma} = 0.436$ at 0.9 c, T = 2");
-    assert_eq!(told("{a} {:.x} {b:.} {").expect("nothing to fill"), "{a} {:.x} {b:.} {");
+    assert_eq!(told("$x_{a}^{T}$ {").expect("nothing to fill"), "$x_{a}^{T}$ {");
 }
 
 #[test]

@@ -8,9 +8,9 @@ use gamow::settings::Settings;
 use super::hands::Window;
 use super::nodes::all;
 
-/// What every frame must hold to.
-pub fn of_a_frame(window: &Window) {
-    state(window.state().state());
+/// What every frame must hold to; settings that were `checked` are so still.
+pub fn of_a_frame(window: &Window, checked: &mut Option<Settings>) {
+    state(window.state().state(), checked);
     let typed =
         |state: &State| state.session.notice.as_ref().map(|notice| notice.text.clone()).unwrap_or_default();
     let typed = typed(window.state().state());
@@ -57,9 +57,19 @@ fn shape(drawn: &Shape) {
     }
 }
 
-fn state(state: &State) {
+fn state(state: &State, checked: &mut Option<Settings>) {
     assert!(state.session.time.is_finite(), "T = {}", state.session.time);
-    let shown = state.shown();
+    for view in state.settings.views(state.subject(), state.session.time, state.session.picture_size) {
+        let camera = view.camera;
+        let direction = camera.line_of_sight([0.0, 0.0]);
+        let is_finite = camera.horizontal_fov.is_finite() && direction.is_finite();
+        assert!(is_finite, "a view is {view:?}");
+    }
+    let shown = Settings { time: None, ..state.shown() };
+    if checked.as_ref() == Some(&shown) {
+        return;
+    }
+    *checked = Some(shown.clone());
     let toml = shown.to_toml();
     let read = Settings::default().with_toml(&toml, "x");
     match read {
@@ -69,12 +79,6 @@ fn state(state: &State) {
     for line in toml.lines() {
         let value = line.split_once('=').map_or("", |(_, value)| value.trim());
         assert!(!value.contains("nan") && !value.contains("NaN"), "{line}");
-    }
-    for view in state.settings.views(state.subject(), state.session.time, state.session.picture_size) {
-        let camera = view.camera;
-        let direction = camera.line_of_sight([0.0, 0.0]);
-        let is_finite = camera.horizontal_fov.is_finite() && direction.is_finite();
-        assert!(is_finite, "a view is {view:?}");
     }
 }
 

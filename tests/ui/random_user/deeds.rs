@@ -31,8 +31,7 @@ const SIZES: [[f32; 2]; 7] = [
     [900.0, 320.0],
 ];
 const SCALES: [f32; 5] = [1.0, 1.0, 1.25, 0.75, 2.0];
-const VALUES: [f64; 10] =
-    [0.0, -1.0, 1e300, -1e300, 1e-300, f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.5, 3.0];
+const VALUES: [f64; 7] = [0.0, -1.0, 1e300, -1e300, 1e-300, 0.5, 3.0];
 /// What is typed into the palette.
 const WANTED: &[&str] = &[
     "undo",

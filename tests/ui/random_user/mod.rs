@@ -97,14 +97,14 @@ fn run(actions: usize, is_drawn: bool) {
     let files = Files::new();
     let mut window = opened(is_drawn);
     let mut start = window.state().state().clone();
-    let mut coverage = Coverage::default();
+    let (mut coverage, mut checked) = (Coverage::default(), None);
     let mut story = Story { seed, step: 0, last: VecDeque::new() };
     for step in 0..actions {
         story.step = step;
         let dice = Dice::of_step(seed, step);
         let said = User { window: &mut window, dice, files: &files, coverage: &mut coverage }.act();
         story.note(said);
-        checks::of_a_frame(&window);
+        checks::of_a_frame(&window, &mut checked);
         if step % 25 == 24 {
             checks::of_plots(&mut window);
         }
