@@ -160,7 +160,7 @@ impl User<'_> {
     fn click_something(&mut self, found: &[Found]) -> String {
         let room = self.window.ctx.content_rect();
         let controls = found.iter().filter(|found| {
-            Self::is_usable(found) && found.takes_clicks && room.contains(found.rect.center())
+            Self::is_usable(found) && found.is_control() && room.contains(found.rect.center())
         });
         let Some(control) = self.coverage.choose(controls, &mut self.dice).cloned() else {
             return "finds nothing to click".to_owned();
@@ -382,7 +382,7 @@ impl User<'_> {
 
     fn drop_a_file(&mut self) -> String {
         let path = self.files.any(&mut self.dice);
-        let said = format!("drops {path:?}");
+        let said = format!("drops {}", path.display());
         self.window.input_mut().dropped_files = vec![Files::dropped(path)];
         frame(self.window, []);
         said

@@ -22,9 +22,7 @@ fn hold(window: &mut Window, modifiers: Modifiers) {
 pub fn press(window: &mut Window, key: Key, modifiers: Modifiers) {
     hold(window, modifiers);
     let event = |pressed| Event::Key { key, physical_key: None, pressed, repeat: false, modifiers };
-    frame(window, [event(true)]);
-    hold(window, Modifiers::NONE);
-    frame(window, [event(false)]);
+    frame(window, [event(true), event(false), Event::ModifiersChanged(Modifiers::NONE)]);
 }
 
 pub fn write(window: &mut Window, text: &str) {
@@ -37,9 +35,8 @@ fn button(pos: Pos2, button: PointerButton, pressed: bool, modifiers: Modifiers)
 
 pub fn click(window: &mut Window, place: Pos2, with: PointerButton, modifiers: Modifiers, times: usize) {
     hold(window, modifiers);
-    frame(window, [Event::PointerMoved(place)]);
     for _ in 0..times {
-        frame(window, [button(place, with, true, modifiers)]);
+        frame(window, [Event::PointerMoved(place), button(place, with, true, modifiers)]);
         frame(window, [button(place, with, false, modifiers)]);
     }
     hold(window, Modifiers::NONE);
@@ -59,7 +56,12 @@ pub fn drag(window: &mut Window, places: &[Pos2], with: PointerButton, modifiers
 pub fn turn_wheel(window: &mut Window, place: Pos2, delta: Vec2, modifiers: Modifiers) {
     hold(window, modifiers);
     let (unit, source) = (MouseWheelUnit::Point, MouseWheelSource::Wheel);
-    frame(window, [Event::PointerMoved(place)]);
-    frame(window, [Event::MouseWheel { source, unit, delta, phase: TouchPhase::Move, modifiers }]);
+    frame(
+        window,
+        [
+            Event::PointerMoved(place),
+            Event::MouseWheel { source, unit, delta, phase: TouchPhase::Move, modifiers },
+        ],
+    );
     hold(window, Modifiers::NONE);
 }

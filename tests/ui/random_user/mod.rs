@@ -32,7 +32,7 @@ pub const TESTS: &[Test] = &[
 ];
 
 /// Actions of each run in the usual tests: without views, which cost most of the time, and with them.
-const ACTIONS: [usize; 2] = [1800, 200];
+const ACTIONS: [usize; 2] = [1900, 100];
 /// Actions between two ways back, and those that are told of a run that failed.
 const WAY_BACK: usize = 100;
 const TOLD: usize = 30;
@@ -53,7 +53,7 @@ struct Story {
 }
 
 impl Story {
-    fn note(&mut self, said: String) {
+    fn note(&mut self, said: &str) {
         if self.last.len() == TOLD {
             self.last.pop_front();
         }
@@ -65,7 +65,7 @@ impl Drop for Story {
     fn drop(&mut self) {
         if std::thread::panicking() {
             let Self { seed, step, last } = self;
-            let told = Vec::from_iter(last.drain(..)).join("\n");
+            let told = last.drain(..).collect::<Vec<_>>().join("\n");
             let again = format!("GAMOW_SEED={seed} GAMOW_ACTIONS={}", *step + 1);
             eprintln!("{told}\n{again}: it broke in step {step}, which is not told above");
         }
@@ -103,7 +103,7 @@ fn run(actions: usize, is_drawn: bool) {
         story.step = step;
         let dice = Dice::of_step(seed, step);
         let said = User { window: &mut window, dice, files: &files, coverage: &mut coverage }.act();
-        story.note(said);
+        story.note(&said);
         checks::of_a_frame(&window, &mut checked);
         if step % 25 == 24 {
             checks::of_plots(&mut window);

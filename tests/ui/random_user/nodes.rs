@@ -27,6 +27,11 @@ pub struct Found {
 }
 
 impl Found {
+    /// Whether it does something when it is clicked: text can be selected, and that takes clicks too.
+    pub fn is_control(&self) -> bool {
+        self.is_enabled && self.takes_clicks && !matches!(self.role, Role::Label | Role::ScrollBar)
+    }
+
     /// What it is counted as: numbers in a name change from frame to frame.
     fn kind(&self) -> String {
         let mut kind = format!("{:?} ", self.role);
@@ -70,12 +75,15 @@ pub struct Coverage(BTreeMap<String, [u32; 2]>);
 
 impl Coverage {
     pub fn see(&mut self, found: &[Found]) {
-        for control in found.iter().filter(|found| found.is_enabled && found.takes_clicks) {
+        for control in found.iter().filter(|found| found.is_control()) {
             self.0.entry(control.kind()).or_default()[0] += 1;
         }
     }
 
     pub fn used(&mut self, control: &Found) {
+        if !control.is_control() {
+            return;
+        }
         self.0.entry(control.kind()).or_default()[1] += 1;
     }
 
