@@ -8,7 +8,7 @@ use relativity_core::{Baseline, Curves, FitError, MAX_COORDINATE, Observations, 
 
 use crate::columns::{ROLL, TURN};
 use crate::files::csv_in::{HeaderError, Names, RowError, Rows};
-use crate::platform::limits;
+use crate::platform::sizes;
 
 const NEEDED: &str = "T, dphi or dtheta, and d unless --d gives it";
 
@@ -95,10 +95,10 @@ impl Data {
         while input.read(&mut row).with_context(|| name.to_owned())? {
             let line = input.line(&row);
             anyhow::ensure!(
-                samples.len() < limits::FITTED_ROWS,
+                samples.len() < sizes::FITTED_ROWS,
                 "{}: it has more than {} rows, the most that are fitted",
                 place(line),
-                limits::FITTED_ROWS
+                sizes::FITTED_ROWS
             );
             let sample = input.check_closed(&row).and_then(|()| header.sample(&row, &mut baselines));
             samples.push(sample.with_context(|| place(line))?);

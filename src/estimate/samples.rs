@@ -16,7 +16,7 @@ use crate::columns::{ROLL, TURN};
 use crate::files::csv_out::Rows;
 use crate::flags::words::quoted;
 use crate::passage::time_within;
-use crate::platform::{files, limits};
+use crate::platform::{files, sizes};
 use crate::scene::{Scene, Track};
 use crate::settings::{FitSetup, Settings};
 
@@ -130,7 +130,7 @@ impl DataFile {
     /// A file that cannot be read, and what is wrong in it, in one line that names the file and the line.
     pub fn open(path: &Path, baseline: Baseline) -> anyhow::Result<Self> {
         let place = files::shown(path);
-        let bytes = files::read(path, limits::FILE_BYTES).with_context(|| place.clone())?;
+        let bytes = files::read(path, sizes::FILE_BYTES).with_context(|| place.clone())?;
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let mut file = Self { place, name, bytes, has_sigmas: false, has_separation: false };
         let data = file.data(baseline)?;

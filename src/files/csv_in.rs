@@ -3,7 +3,7 @@
 //! Comma-separated as in RFC 4180, with any line ending; a byte order mark and blank lines are skipped.
 //! There are no comments: a line that starts with `#` is a row. Numbers may be quoted or padded
 //! with blanks. Columns that mean nothing here may hold any bytes. A row is refused once it is longer than
-//! [`limits::ROW_BYTES`], so that a file takes no more memory than that, whatever is in it.
+//! [`sizes::ROW_BYTES`], so that a file takes no more memory than that, whatever is in it.
 
 use std::io::{self, Read};
 use std::path::Path;
@@ -13,7 +13,7 @@ use csv::ByteRecord;
 use thiserror::Error;
 
 use super::csv_out::io_error;
-use crate::platform::{files, limits};
+use crate::platform::{files, sizes};
 
 const BUFFER_BYTES: usize = 1 << 16;
 
@@ -139,10 +139,10 @@ impl<R> Tap<R> {
             self.row = (start + blank as u64, line + lines as u64);
         }
         let (start, line) = self.row;
-        if self.bytes - start <= limits::ROW_BYTES {
+        if self.bytes - start <= sizes::ROW_BYTES {
             return Ok(());
         }
-        let most = limits::ROW_BYTES >> 20;
+        let most = sizes::ROW_BYTES >> 20;
         let problem = format!(
             "the row that starts in line {line} is longer than {most} MB, the most that is read of one"
         );

@@ -19,7 +19,7 @@ use relativity_render::{Appearance, Hit, HitImage, PreparedScene};
 
 use super::provenance::{SOFTWARE, command_in_comments};
 use crate::platform::files::{self, File};
-use crate::platform::limits;
+use crate::platform::sizes;
 
 /// The layers: the eyes, in the order in which two eyes are given everywhere.
 pub const EYES: [&str; 2] = ["left", "right"];
@@ -224,7 +224,7 @@ impl Measurements {
     ///
     /// # Errors
     ///
-    /// What is wrong with it; more than [`limits::MEASURED_VALUES`].
+    /// What is wrong with it; more than [`sizes::MEASURED_VALUES`].
     pub fn decode(input: impl Read + Seek) -> anyhow::Result<Self> {
         let layer = first_layer(input)?;
         let channels = layer.channel_data.list.into_iter().map(|channel| {
@@ -296,7 +296,7 @@ fn first_layer(input: impl Read + Seek) -> anyhow::Result<Layer<AnyChannels<Flat
 fn opened<R: Read + Seek>(input: R) -> anyhow::Result<Reader<R>> {
     let reader = exr::block::read(input, false)?;
     for header in reader.headers() {
-        let (size, channels, most) = (header.layer_size, header.channels.list.len(), limits::MEASURED_VALUES);
+        let (size, channels, most) = (header.layer_size, header.channels.list.len(), sizes::MEASURED_VALUES);
         let values = (size.0 as u64).checked_mul(size.1 as u64).and_then(|n| n.checked_mul(channels as u64));
         anyhow::ensure!(
             values.is_some_and(|values| values <= most),

@@ -7,7 +7,7 @@ use anyhow::Context as _;
 use relativity_render::Picture;
 
 use super::provenance::{SOFTWARE, command_in_texts};
-use crate::platform::{files, limits};
+use crate::platform::{files, sizes};
 
 /// Keyword of the text that names the program.
 const SOFTWARE_KEYWORD: &str = "Software";
@@ -165,14 +165,14 @@ impl PngFile {
     ///
     /// # Errors
     ///
-    /// What is wrong with it; more than [`limits::PICTURE_PIXELS`].
+    /// What is wrong with it; more than [`sizes::PICTURE_PIXELS`].
     pub fn decode(input: impl BufRead + Seek) -> anyhow::Result<Self> {
         let mut decoder = png::Decoder::new(input);
         decoder
             .set_transformations(png::Transformations::normalize_to_color8() | png::Transformations::ALPHA);
         let mut reader = decoder.read_info()?;
         let (width, height) = reader.info().size();
-        let (pixels, most) = (u64::from(width) * u64::from(height), limits::PICTURE_PIXELS);
+        let (pixels, most) = (u64::from(width) * u64::from(height), sizes::PICTURE_PIXELS);
         anyhow::ensure!(
             pixels <= most,
             "it has {width}x{height} pixels, and at most {most} are read, as of 16384x16384"

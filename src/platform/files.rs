@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
 
-use super::limits;
+use super::sizes;
 
 pub use std::fs::File;
 
@@ -61,10 +61,10 @@ pub fn read(path: &Path, most: u64) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// The text in the file at `path`, of [`limits::TEXT_BYTES`] at most.
+/// The text in the file at `path`, of [`sizes::TEXT_BYTES`] at most.
 pub fn read_to_string(path: &Path) -> io::Result<String> {
     let not_text = |_| io::Error::new(io::ErrorKind::InvalidData, "it is no text in UTF-8");
-    String::from_utf8(read(path, limits::TEXT_BYTES)?).map_err(not_text)
+    String::from_utf8(read(path, sizes::TEXT_BYTES)?).map_err(not_text)
 }
 
 /// Makes the folder `path` and those around it, unless they are there.

@@ -5,6 +5,6 @@ pub mod clock;
 pub mod environment;
 pub mod files;
 pub mod interrupt;
-pub mod limits;
 pub mod progress;
+pub mod sizes;
 pub mod threads;

@@ -18,7 +18,7 @@ use anyhow::Context as _;
 use clap::Args;
 
 use crate::files::html::{Page, Style};
-use crate::platform::{files, limits};
+use crate::platform::{files, sizes};
 
 /// Reproduces the paper: its figures as SVG, CSV and PNG, and a report with its numbers beside ours.
 ///
@@ -49,7 +49,7 @@ pub fn run(args: &PaperArgs) -> anyhow::Result<()> {
     let text = report.to_string();
     let mut page = Page::new("Gamow's cyclist, reproduced", Style::Screen);
     page.markdown(&text, |figure| {
-        Ok(String::from_utf8(files::read(&folder.join(figure), limits::FILE_BYTES)?)?)
+        Ok(String::from_utf8(files::read(&folder.join(figure), sizes::FILE_BYTES)?)?)
     })?;
     figures::write_text(folder, "report.md", &text)?;
     figures::write_text(folder, "report.html", &page.finish())?;
