@@ -1,9 +1,11 @@
 //! What the system provides, each in one place, so that what a platform lacks is decided there: the clock, files,
-//! threads, interrupts, the environment, and a terminal.
+//! threads, interrupts, limits, the environment, the standard streams, and a terminal.
 
 pub mod clock;
 pub mod environment;
 pub mod files;
 pub mod interrupt;
+pub mod limits;
 pub mod progress;
+pub mod tell;
 pub mod threads;

@@ -18,6 +18,7 @@ use anyhow::Context as _;
 use clap::Args;
 
 use crate::files::html::{Page, Style};
+use crate::files::whole::say;
 use crate::platform::files;
 
 /// Reproduces the paper: its figures as SVG, CSV and PNG, and a report with its numbers beside ours.
@@ -51,6 +52,5 @@ pub fn run(args: &PaperArgs) -> anyhow::Result<()> {
     page.markdown(&text, |figure| Ok(files::read_to_string(&folder.join(figure))?))?;
     figures::write_text(folder, "report.md", &text)?;
     figures::write_text(folder, "report.html", &page.finish())?;
-    println!("{}", files::shown(&folder.join("report.html")));
-    Ok(())
+    say(|out| Ok(writeln!(out, "{}", files::shown(&folder.join("report.html")))?))
 }
