@@ -119,3 +119,8 @@ pub use target::EyeTarget;
 pub use velocity::{Motion, Velocity};
 pub use view::{Appearance, Colour, Geometry, Shading, View};
 pub use wheel::spin::{MaterialPoint, Spin};
+
+/// The example of the README.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
