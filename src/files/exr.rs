@@ -10,7 +10,7 @@ use anyhow::Context as _;
 use exr::block::reader::{ChunksReader as _, Reader};
 use exr::meta::header::Header;
 use exr::prelude::{
-    AnyChannel, AnyChannels, Compression, Encoding, FlatSamples, Image, Layer, LayerAttributes,
+    AnyChannel, AnyChannels, Compression, Encoding, FlatSamples, Image, Layer, LayerAttributes, LineOrder,
     ReadChannels as _, ReadLayers as _, SmallVec, Text, WritableImage, f16, read,
 };
 use relativity_core::doppler::{intensity_factor, received_wavelength};
@@ -250,7 +250,9 @@ impl Measurements {
             AnyChannel::new(Text::from(name.as_str()), FlatSamples::F32(values))
         };
         let channels: SmallVec<[_; 4]> = self.channels.into_iter().map(channel).collect();
-        let encoding = Encoding { compression: Compression::ZIP16, ..Encoding::default() };
+        // Blocks are compressed side by side: in the order in which they come out, no two files would be alike.
+        let line_order = LineOrder::Increasing;
+        let encoding = Encoding { compression: Compression::ZIP16, line_order, ..Encoding::default() };
         let layer = Layer::new((width, height), self.attributes, encoding, AnyChannels::sort(channels));
         Ok(Image::from_layer(layer).write().to_buffered(out)?)
     }

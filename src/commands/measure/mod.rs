@@ -25,7 +25,7 @@ use crate::files::whole::OutArgs;
 use crate::flags::choices::{FileKind, Layout};
 use crate::flags::{COORDINATES, coordinates, within};
 use crate::passage::time_within;
-use crate::platform::{self, files};
+use crate::platform::{self, files, tell};
 use crate::settings::{CameraArgs, MAX_LENGTH, Picture, Settings};
 use crate::studio::Sheet;
 
@@ -120,9 +120,9 @@ pub fn run(args: &MeasureArgs) -> anyhow::Result<()> {
     anyhow::ensure!(!rows.is_empty(), "none of {} files shows the target to both eyes", files.len());
     rows.sort_by(|a, b| a[0].total_cmp(&b[0]));
     if rows.len() < files.len() {
-        eprintln!("{} of {} files show the target to both eyes", rows.len(), files.len());
+        tell::remark(format_args!("{} of {} files show the target to both eyes", rows.len(), files.len()));
     }
-    remarks.lines(files.len()).for_each(|line| eprintln!("{line}"));
+    remarks.lines(files.len()).for_each(tell::remark);
     args.out.write(|out| {
         let mut csv = csv_out::Rows::new(out);
         let names = [&["T", "d", ROLL, TURN], ANGLES, &["sigma_dphi", "sigma_dtheta"]].concat();

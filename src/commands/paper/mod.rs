@@ -18,6 +18,7 @@ use anyhow::Context as _;
 use clap::Args;
 
 use crate::files::html::{Page, Style};
+use crate::files::whole::say;
 use crate::platform::{files, sizes};
 
 /// Reproduces the paper: its figures as SVG, CSV and PNG, and a report with its numbers beside ours.
@@ -53,6 +54,5 @@ pub fn run(args: &PaperArgs) -> anyhow::Result<()> {
     })?;
     figures::write_text(folder, "report.md", &text)?;
     figures::write_text(folder, "report.html", &page.finish())?;
-    println!("{}", files::shown(&folder.join("report.html")));
-    Ok(())
+    say(|out| Ok(writeln!(out, "{}", files::shown(&folder.join("report.html")))?))
 }
