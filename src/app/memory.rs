@@ -4,6 +4,7 @@ use eframe::Storage;
 
 use super::recent::Recent;
 use super::state::State;
+use crate::lesson::KeptCourse;
 use crate::platform::files;
 use crate::settings::{Legacy, Settings};
 
@@ -53,6 +54,23 @@ pub fn remember(storage: &mut dyn Storage, state: &State) {
     if let Some(name) = &state.session.next_lesson {
         storage.set_string(LESSON, name.clone());
     }
+    match serde_json::to_string(&state.begun()) {
+        Ok(begun) => storage.set_string(BEGUN, begun),
+        Err(error) => log::warn!("the answers in lessons: {error}"),
+    }
+}
+
+/// Where the ways through lessons are kept.
+const BEGUN: &str = "begun";
+
+/// The ways through lessons as they were left; none if there are none that can be read.
+#[must_use]
+pub fn begun(storage: &dyn Storage) -> Vec<KeptCourse> {
+    let Some(text) = storage.get_string(BEGUN) else { return Vec::new() };
+    serde_json::from_str(&text).unwrap_or_else(|error| {
+        log::warn!("the answers in lessons: {error}");
+        Vec::new()
+    })
 }
 
 /// Where the name of the lesson to go on with is kept.

@@ -7,4 +7,5 @@ pub mod gif;
 pub mod html;
 pub mod png;
 pub mod provenance;
+mod watched;
 pub mod whole;
