@@ -34,6 +34,14 @@ pub fn recent(storage: &dyn Storage) -> Recent {
     storage.get_string(RECENT).map(|text| Recent::of_text(&text)).unwrap_or_default()
 }
 
+/// Keeps all that the next start begins with.
+pub fn keep(storage: &mut dyn Storage, state: &State) {
+    if !state.session.hint {
+        remember_a_click(storage);
+    }
+    remember(storage, state);
+}
+
 /// Keeps what is shown, and which files were opened. A scene's file is found again wherever the program starts next.
 pub fn remember(storage: &mut dyn Storage, state: &State) {
     // A lesson's parts of the window are its own.

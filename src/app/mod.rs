@@ -20,6 +20,7 @@ pub mod dial;
 pub mod examination;
 pub mod eye;
 mod eyes;
+mod faulty;
 pub mod fitting;
 mod flicker;
 mod focus;
@@ -50,6 +51,7 @@ pub mod points;
 mod predicted;
 mod projector;
 pub mod recent;
+mod reopening;
 pub mod running;
 mod saving;
 mod screenshot;
@@ -79,6 +81,7 @@ use corrected::Corrected;
 use curves::Curves;
 use examination::Examination;
 use eyes::EyePictures;
+use faulty::Faulty;
 use fitting::Fitting;
 use full_screen::FullScreen;
 use layout::{Beside, Layout, LessonPart, Presentation};
@@ -103,6 +106,7 @@ pub struct App {
     corrected: Option<Corrected>,
     examination: Option<Examination>,
     eyes: Option<EyePictures>,
+    faults: Faulty,
     /// Those in the projector's window, once there was one.
     projected: Option<EyePictures>,
     full_screen: FullScreen,
@@ -130,6 +134,7 @@ impl App {
             corrected: None,
             examination: None,
             eyes: render_state.map(EyePictures::new),
+            faults: Faulty::of(ctx, render_state),
             projected: None,
             full_screen: FullScreen::default(),
             text_scale: 1.0,
@@ -303,6 +308,7 @@ impl App {
         }
         focus::paint(&ctx);
         self.update_projector(&ctx);
+        self.tell_faults(&ctx);
         self.fulfil_orders(ui);
         if self.state.session.playing || self.state.session.lesson.as_ref().is_some_and(Running::is_running) {
             ctx.request_repaint();
@@ -519,10 +525,7 @@ impl eframe::App for App {
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
-        if !self.state.session.hint {
-            memory::remember_a_click(storage);
-        }
-        memory::remember(storage, &self.state);
+        memory::keep(storage, &self.state);
     }
 }
 
