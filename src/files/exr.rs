@@ -348,6 +348,29 @@ mod tests {
 
     const LIGHT: LightCorrection = LightCorrection { doppler_shift: true, intensity_exponent: Some(3.0) };
 
+    impl Measurements {
+        /// Some of this `size`.
+        pub fn for_tests([width, height]: [u32; 2]) -> Self {
+            let channel = |name: &str| {
+                let values = (0..width * height).map(|i| (i.wrapping_mul(i) % 1009) as f32);
+                (name.to_owned(), values.collect())
+            };
+            let channels = ["left.id", "right.id"].into_iter().map(channel).collect();
+            Self { size: [width, height], channels, attributes: LayerAttributes::default() }
+        }
+    }
+
+    #[test]
+    fn a_file_is_the_same_bytes_every_time() {
+        let bytes = || {
+            let mut file = std::io::Cursor::new(Vec::new());
+            Measurements::for_tests([200, 800]).write(&mut file).expect("there is room");
+            file.into_inner()
+        };
+        let first = bytes();
+        assert!((0..5).all(|_| bytes() == first));
+    }
+
     #[test]
     fn channels_are_found_by_their_whole_name_in_any_layer() {
         for channel in Channel::ALL {

@@ -17,6 +17,11 @@ pub struct Watched<W> {
 }
 
 impl<W> Watched<W> {
+    #[cfg(test)]
+    pub(super) const fn to(&self) -> &W {
+        &self.to
+    }
+
     fn kept<T>(&mut self, result: io::Result<T>) -> io::Result<T> {
         if let Err(error) = &result
             && self.failure.is_none()

@@ -195,3 +195,6 @@ fn remove_unfinished() -> MutexGuard<'static, BTreeSet<PathBuf>> {
     }
     all
 }
+
+#[cfg(test)]
+mod tests;

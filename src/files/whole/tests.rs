@@ -1,0 +1,132 @@
+//! Writes that fail after each number of bytes.
+
+use std::io::{Cursor, Seek, SeekFrom};
+
+use csv::ByteRecord;
+use relativity_render::Picture;
+
+use super::*;
+use crate::files::csv_out::Rows;
+use crate::files::exr::Measurements;
+use crate::files::png::Still;
+use crate::files::{gif, png};
+
+/// What a file is written to.
+trait Place: Write + Seek {}
+impl<P: Write + Seek> Place for P {}
+
+/// One that takes so many bytes more, wherever they go to.
+struct Failing<P> {
+    to: P,
+    left: usize,
+}
+
+impl<P: Write> Write for Failing<P> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let written = self.to.write(&bytes[..bytes.len().min(self.left)])?;
+        self.left -= written;
+        if written == 0 && !bytes.is_empty() { Err(io::ErrorKind::StorageFull.into()) } else { Ok(written) }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.to.flush()
+    }
+}
+
+impl<P: Seek> Seek for Failing<P> {
+    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+        self.to.seek(to)
+    }
+}
+
+fn picture() -> Picture {
+    Picture { size: [3, 2], rgba: (0..6).map(|i| [40 * i, 7, 200 - i, u8::MAX]).collect() }
+}
+
+fn csv(out: &mut dyn Place) -> anyhow::Result<()> {
+    let mut rows = Rows::new(out);
+    for row in 0..9 {
+        rows.write(&mut ByteRecord::from(vec!["a,b"]), &[f64::from(row), 0.1])?;
+    }
+    Ok(rows.flush()?)
+}
+
+fn film(out: &mut dyn Place) -> anyhow::Result<()> {
+    let mut film = gif::Frames::new([3, 2], 4, out)?;
+    film.write(&picture())?;
+    film.write(&picture())?;
+    film.finish()
+}
+
+/// Each kind of file, and a small one of it.
+type Kind = (&'static str, fn(&mut dyn Place) -> anyhow::Result<()>);
+const KINDS: [Kind; 7] = [
+    ("csv", csv),
+    ("png", |out| png::write(&picture(), &[("Title", "two by three")], out)),
+    ("apng", |out| {
+        Still { frames: vec![picture(), picture()], pixels_per_metre: Some(5000) }
+            .write(&[("Title", "x")], out)
+    }),
+    ("gif", film),
+    ("exr", |out| Measurements::for_tests([2, 40]).write(out)),
+    ("json", |out| write_json(&[[1.5, 2.5], [3.5, 4.5]], out)),
+    // Pages, drawings and settings are written as one text.
+    ("text", |out| Ok(out.write_all(&b"a line of text\n".repeat(30))?)),
+];
+
+/// How many bytes are written, of which some may take the place of others.
+fn count(write: fn(&mut dyn Place) -> anyhow::Result<()>) -> usize {
+    let mut out = Failing { to: Cursor::new(Vec::new()), left: usize::MAX };
+    write(&mut out).expect("there is room");
+    usize::MAX - out.left
+}
+
+#[test]
+fn no_kind_of_file_hides_that_a_byte_of_it_is_missing() {
+    for (kind, write) in KINDS {
+        let length = count(write);
+        for bytes in 0..length {
+            let mut out = Failing { to: Cursor::new(Vec::new()), left: bytes };
+            assert!(write(&mut out).is_err(), "{kind} after {bytes} of {length} bytes");
+        }
+    }
+}
+
+#[test]
+fn a_write_that_fails_at_any_byte_leaves_what_was_there_and_names_the_file() {
+    let folder = tempfile::tempdir().expect("there is a folder for temporary files");
+    let path = folder.path().join("out");
+    std::fs::write(&path, "precious").expect("it is writable");
+    for (kind, write) in KINDS {
+        // Through a buffer fewer bytes are written where some take the place of others.
+        let attempt = |left: usize, through: &mut dyn FnMut(usize)| {
+            write_whole_through(
+                &path,
+                |file| Failing { to: file, left },
+                |out| {
+                    let written = write(out);
+                    out.flush()?;
+                    through(out.get_ref().to().left);
+                    written
+                },
+            )
+        };
+        let mut length = 0;
+        attempt(usize::MAX, &mut |left| length = usize::MAX - left).expect("there is room");
+        std::fs::write(&path, "precious").expect("it is writable");
+        for bytes in 0..length {
+            let error = attempt(bytes, &mut |_| ()).expect_err("there is no room");
+            let said = format!("{}: no storage space", path.display());
+            assert_eq!(format!("{error:#}"), said, "{kind} after {bytes} of {length} bytes");
+            assert_eq!(std::fs::read(&path).expect("it is there"), b"precious", "{kind} after {bytes}");
+            assert_eq!(std::fs::read_dir(folder.path()).expect("it is there").count(), 1, "{kind}");
+        }
+    }
+}
+
+#[test]
+fn what_went_wrong_before_is_not_laid_on_the_file() {
+    let folder = tempfile::tempdir().expect("there is a folder for temporary files");
+    let error = write_whole(&folder.path().join("out"), |_| anyhow::bail!("rows.csv:3: no number"));
+    assert_eq!(format!("{:#}", error.expect_err("it is bad")), "rows.csv:3: no number");
+}
