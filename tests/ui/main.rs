@@ -19,6 +19,7 @@ mod plots;
 mod predictions;
 mod presenting;
 mod quality;
+mod random_user;
 mod saving;
 mod spacetime;
 mod start;
@@ -58,6 +59,7 @@ fn main() -> ExitCode {
         predictions::TESTS,
         presenting::TESTS,
         quality::TESTS,
+        random_user::TESTS,
         saving::TESTS,
         spacetime::TESTS,
         start::TESTS,
