@@ -47,8 +47,8 @@ pub struct CurveArgs {
     /// Last observation time [default: when it is seen at x = +2 R]
     #[arg(long, value_name = "T", value_parser = within(COORDINATES), allow_hyphen_values = true)]
     to: Option<f64>,
-    /// How many observation times, at least 2.
-    #[arg(long, default_value_t = 201, value_name = "N", value_parser = clap::value_parser!(u64).range(2..))]
+    /// How many observation times, 2 to 1000000000.
+    #[arg(long, default_value_t = 201, value_name = "N", value_parser = clap::value_parser!(u64).range(2..=1_000_000_000))]
     samples: u64,
     #[command(flatten)]
     out: OutArgs,
