@@ -237,3 +237,107 @@ fn keep_in(path: &Path, state: &State) -> anyhow::Result<()> {
     let text = ron::to_string(&stored.0)?;
     write_whole(path, |file| Ok(file.write_all(text.as_bytes())?))
 }
+
+#[cfg(test)]
+mod tests {
+    use std::cell::Cell;
+
+    use super::*;
+    use crate::settings::Settings;
+
+    const LONG: Duration = Duration::from_secs(3600);
+
+    fn state(time: f64) -> State {
+        State::open(Settings { time: Some(time), ..Settings::default() }).expect("a preset")
+    }
+
+    /// Windows that end one after the other as `ends` have it, each after this time; how they ended, and the times that they
+    /// began with.
+    fn opened(ends: &[(Result<(), Break>, Option<&str>, Duration)]) -> (Result<(), Ended>, Vec<Option<f64>>) {
+        let (mut began, lasted) = (Vec::new(), Cell::new(Duration::ZERO));
+        let mut ends = ends.iter().cloned();
+        let ended = kept_open(
+            |begin, estate| {
+                let (result, loss, time) = ends.next().expect("no further window");
+                began.push(begin.as_ref().map(|state| state.session.time));
+                lasted.set(time);
+                // Those that cannot be had leave nothing.
+                if !matches!(&result, Err(Break::Window(_))) {
+                    let mut left = begin.unwrap_or_else(|| state(1.0));
+                    left.session.time += 1.0;
+                    let left = Left { state: left, loss: loss.map(str::to_owned) };
+                    *estate.lock().expect("nothing panics") = Some(left);
+                }
+                result
+            },
+            |_| lasted.get(),
+        );
+        (ended, began)
+    }
+
+    #[test]
+    fn a_lost_device_is_followed_by_another_window_in_the_same_state() {
+        let lost = Err(Break::Device("wgpu error".to_owned()));
+        let now = Duration::from_secs(1);
+        for first in [(Ok(()), Some("gone"), now), (lost.clone(), None, now)] {
+            let (ended, began) = opened(&[first.clone(), (Ok(()), None, now)]);
+            assert!(ended.is_ok());
+            assert_eq!(began, [None, Some(2.0)]);
+            // Soon again: that is the end.
+            let (ended, began) = opened(&[first.clone(), first.clone()]);
+            assert!(
+                matches!(ended, Err(Ended::Broken(Break::Device(_), state)) if state.session.time == 3.0)
+            );
+            assert_eq!(began.len(), 2);
+            // Long after, it is not.
+            let later = (first.0.clone(), first.1, LONG);
+            assert!(opened(&[first, later.clone(), later, (Ok(()), None, now)]).0.is_ok());
+        }
+    }
+
+    #[test]
+    fn a_window_that_cannot_go_on_leaves_its_state() {
+        let now = Duration::from_secs(1);
+        let (ended, _) = opened(&[(Err(Break::Display), Some("with it"), now)]);
+        assert!(matches!(ended, Err(Ended::Broken(Break::Display, state)) if state.session.time == 2.0));
+        let none = Err(Break::Window("no adapter".to_owned()));
+        let (ended, _) = opened(&[(none.clone(), None, now)]);
+        assert!(matches!(ended, Err(Ended::Unopened(_))));
+        // The second is not to be had: what the first showed is not lost.
+        let (ended, _) = opened(&[(Ok(()), Some("gone"), now), (none, None, now)]);
+        assert!(matches!(ended, Err(Ended::Broken(Break::Window(_), state)) if state.session.time == 2.0));
+    }
+
+    #[test]
+    fn only_what_is_known_is_taken_for_a_lost_display_or_device() {
+        let winit = "/home/x/.cargo/registry/src/index/winit-0.30.13/src/platform_impl/linux/x11/window.rs";
+        let connection =
+            "called `Result::unwrap()` on an `Err` value: Connection(IoError(Custom { kind: Other }))";
+        assert_eq!(Break::of(connection, winit), Some(Break::Display));
+        assert_eq!(Break::of(connection, "src/app/mod.rs"), None);
+        assert_eq!(Break::of("index out of bounds", winit), None);
+        let painter = "C:\\registry\\src\\egui-wgpu-0.37.0\\src\\renderer.rs";
+        let staging = "Failed to create staging buffer for index data.";
+        assert!(matches!(Break::of(staging, painter), Some(Break::Device(_))));
+        assert_eq!(Break::of(staging, "src/app/eyes.rs"), None);
+        assert_eq!(Break::of("called `Option::unwrap()` on a `None` value", painter), None);
+        assert!(matches!(Break::of("libX11 could not be loaded", "xlib.rs"), Some(Break::Window(_))));
+    }
+
+    #[test]
+    fn what_is_kept_without_a_window_is_what_the_next_one_remembers() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("app.ron");
+        std::fs::write(&path, r#"{"window": "(pos: \"there\")", "settings": "old"}"#).expect("it is written");
+        let mut state = state(1.5);
+        state.session.hint = false;
+        keep_in(&path, &state).expect("it is kept");
+        // As eframe reads it.
+        let text = std::fs::read_to_string(&path).expect("it is there");
+        let stored = Stored(ron::from_str(&text).expect("a map"));
+        assert_eq!(memory::remembered(&stored), state.shown());
+        assert!(!memory::lacks_a_click(&stored));
+        assert_eq!(stored.0.get("window").map(String::as_str), Some(r#"(pos: "there")"#));
+        assert!(keep_in(&folder.path().join("missing/app.ron"), &state).is_err());
+    }
+}

@@ -5,6 +5,7 @@
 //! with `GAMOW_REQUIRE_GPU=1` that is a failure.
 
 mod controls;
+mod faults;
 mod files;
 mod fit;
 mod groups;
@@ -45,6 +46,7 @@ fn main() -> ExitCode {
     let missing = !required && relativity_render::Gpu::headless().is_err();
     let all = [
         controls::TESTS,
+        faults::TESTS,
         files::TESTS,
         fit::TESTS,
         groups::TESTS,

@@ -1,5 +1,7 @@
 //! The graphics device, made once and shared by everything that draws.
 
+use std::collections::BTreeSet;
+
 use thiserror::Error;
 
 use crate::faults::ErrorScopes;
@@ -92,9 +94,10 @@ pub fn named_adapter(
         |adapter: &&wgpu::Adapter| surface.is_none_or(|surface| adapter.is_surface_supported(surface));
     let present = adapters.iter().filter(shows);
     let chosen = present.clone().find(|adapter| adapter.get_info().name.to_lowercase().contains(name));
-    chosen.cloned().ok_or_else(|| GpuError::NoSuchAdapter {
-        asked: name.to_owned(),
-        present: present.map(|adapter| adapter.get_info().name).collect(),
+    chosen.cloned().ok_or_else(|| {
+        // One is there once for each library that reaches it.
+        let names: BTreeSet<String> = present.map(|adapter| adapter.get_info().name).collect();
+        GpuError::NoSuchAdapter { asked: name.to_owned(), present: names.into_iter().collect() }
     })
 }
 
