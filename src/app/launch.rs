@@ -231,7 +231,9 @@ mod tests {
             assert_eq!((course.records(), course.place()), (left.records(), left.place()));
         };
         // Begun from the start page, and by a flag.
-        [false, true].into_iter().for_each(|begins_first| again(started(None, false), begins_first));
+        for begins_first in [false, true] {
+            again(started(None, false), begins_first);
+        }
         kept.set_string("begun", "[{]".to_owned());
         assert_eq!(memory::begun(&kept), []);
     }

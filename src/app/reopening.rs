@@ -22,7 +22,7 @@ use crate::platform::clock::Instant;
 use crate::platform::files;
 
 /// A device that is lost again within this time is not asked for another window.
-const SOON: Duration = Duration::from_secs(60);
+const SOON: Duration = Duration::from_mins(1);
 
 /// What a window leaves when it ends, however it does.
 #[derive(Debug)]

@@ -12,7 +12,7 @@ use serde::Serialize;
 
 use super::watched::{Named, write_named};
 use crate::platform::files::{self, File, Rights, TempPath};
-use crate::platform::{interrupt, tell};
+use crate::platform::{closed, interrupt, tell};
 
 /// Where a command writes to.
 #[derive(Debug, Clone, Args)]
@@ -44,8 +44,8 @@ impl OutArgs {
 /// Those of `write`, and of standard output, which keeps what reached it before; one that is closed.
 pub fn write_out(write: impl FnOnce(&mut dyn Write) -> anyhow::Result<()>) -> anyhow::Result<()> {
     anyhow::ensure!(
-        !tell::is_stdout_closed(),
-        "{STDOUT}: it is closed, or thrown away by who started this, and all that was asked for would be lost"
+        !closed::is_stdout_closed(),
+        "{STDOUT}: it is closed, and all that was asked for would be lost"
     );
     say(write)
 }

@@ -97,16 +97,6 @@ pub fn is_special(path: &Path) -> bool {
     path.metadata().is_ok_and(|found| !found.is_file())
 }
 
-/// Whether the open file `of` is what throws all away.
-#[cfg(unix)]
-pub fn is_null(of: impl std::os::fd::AsFd) -> bool {
-    use std::os::unix::fs::MetadataExt as _;
-    let device = |file: io::Result<std::fs::Metadata>| file.map(|found| (found.dev(), found.ino())).ok();
-    let file = of.as_fd().try_clone_to_owned().map(File::from);
-    let found = device(file.and_then(|file| file.metadata()));
-    found.is_some() && found == device(std::fs::metadata("/dev/null"))
-}
-
 /// Length of the file at `path`, bytes.
 pub fn size(path: &Path) -> io::Result<u64> {
     Ok(path.metadata()?.len())

@@ -2,6 +2,7 @@
 //! threads, interrupts, limits, the environment, the standard streams, a terminal, and how much memory a file may ask for.
 
 pub mod clock;
+pub mod closed;
 pub mod environment;
 pub mod files;
 pub mod interrupt;

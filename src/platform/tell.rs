@@ -38,25 +38,8 @@ pub fn remark_lines(text: &str) {
 }
 
 /// Standard output, for what was asked for.
-#[must_use]
 pub fn stdout() -> StdoutLock<'static> {
     io::stdout().lock()
-}
-
-/// Whether standard output was closed when the program started: all that is written there would seem to succeed, since
-/// the language then opens `/dev/null` in its place. A program that opens that itself for reading and writing, to throw
-/// away all that this one says, cannot be told from it. Where a system does not tell, it is not closed.
-#[must_use]
-pub fn is_stdout_closed() -> bool {
-    #[cfg(unix)]
-    {
-        use nix::fcntl::{FcntlArg, OFlag, fcntl};
-        let flags = fcntl(io::stdout(), FcntlArg::F_GETFL).unwrap_or_default();
-        let is_for_both = OFlag::from_bits_retain(flags) & OFlag::O_ACCMODE == OFlag::O_RDWR;
-        is_for_both && super::files::is_null(io::stdout())
-    }
-    #[cfg(not(unix))]
-    false
 }
 
 #[cfg(test)]

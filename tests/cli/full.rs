@@ -124,6 +124,10 @@ fn a_closed_standard_output_is_no_success_of_what_was_asked_for() {
         }
         let outcome = in_shell(folder.path(), words, "> /dev/null");
         assert_eq!((outcome.status, outcome.stderr.as_str()), (Some(0), ""), "{words}");
+        // As some languages throw output away.
+        let null = fs::OpenOptions::new().read(true).write(true).open("/dev/null").expect("it is there");
+        let outcome = ended(command(folder.path(), words).stderr(Stdio::piped()).stdout(null));
+        assert_eq!((outcome.status, outcome.stderr.as_str()), (Some(0), ""), "{words}");
     }
 }
 
