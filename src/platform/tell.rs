@@ -38,7 +38,6 @@ pub fn remark_lines(text: &str) {
 }
 
 /// Standard output, for what was asked for.
-#[must_use]
 pub fn stdout() -> StdoutLock<'static> {
     io::stdout().lock()
 }
