@@ -31,7 +31,7 @@ pub struct WindowArgs {
     keep_settings: bool,
     /// Begin this lesson, or preset; a file has its ending, `.md`. `--list` names them all.
     #[arg(long, value_name = "NAME|FILE", conflicts_with = "state")]
-    lesson: Option<String>,
+    lesson: Option<PathBuf>,
     /// A folder with lessons of one's own, beside the program's. One of the same name takes the place of the program's.
     #[arg(long, value_name = "DIR")]
     lessons: Option<PathBuf>,

@@ -5,8 +5,8 @@ use eframe::egui::{Context, TextureId};
 use eframe::egui_wgpu::RenderState;
 use eframe::wgpu::{FilterMode, TextureView};
 use relativity_render::{
-    Appearance, Composed, Composer, Composition, EyeTarget, Gpu, Method, Picture, PreparedScene, Renderers,
-    View,
+    Appearance, Composed, Composer, Composition, EyeTarget, Gpu, GpuError, Method, Picture, PreparedScene,
+    Renderers, View,
 };
 
 use super::stillness::Stillness;
@@ -24,6 +24,10 @@ pub struct EyePictures {
     composed: Option<ComposedPicture>,
     /// How often a picture was drawn.
     drawings: u64,
+    /// Why the device no longer draws, once it has refused to: from then on the reference does.
+    refusal: Option<GpuError>,
+    /// Whether that is yet to be told.
+    is_untold: bool,
 }
 
 struct EyePicture {
@@ -77,6 +81,11 @@ impl Request {
         self.method.of_view(&self.view) == Method::Reference
     }
 
+    /// It, for the reference to draw.
+    fn for_reference(&self) -> Self {
+        Self { method: Method::Reference, ..self.clone() }
+    }
+
     /// What draws it on the GPU.
     fn method_on_gpu(&self) -> Method {
         self.method.on_gpu(&self.view)
@@ -111,16 +120,27 @@ impl ReferencePicture {
 
     /// The picture, once it is done. It is begun when what is asked for no longer changes.
     fn picture(&mut self, ctx: &Context, request: &Request) -> Option<&Picture> {
+        let is_still = self.stillness.is_still(ctx, request);
+        self.update(request, is_still);
+        self.done.as_ref().filter(|_| !self.is_awaited).map(|(_, picture)| picture)
+    }
+
+    /// The newest picture of this size, be it of what was asked for before: a late one is better than none.
+    fn newest(&mut self, request: &Request) -> Option<&(Request, Picture)> {
+        self.update(request, true);
+        self.done.as_ref().filter(|(_, picture)| picture.size == request.view.camera.size)
+    }
+
+    /// Receives what is done, and begins what is asked for if it `may_begin`.
+    fn update(&mut self, request: &Request, may_begin: bool) {
         if let Some(done) = self.worker.result() {
             self.done = Some(done);
         }
-        let is_done = self.done.as_ref().is_some_and(|(of, _)| of == request);
-        if !is_done && self.stillness.is_still(ctx, request) && self.requested.as_ref() != Some(request) {
+        self.is_awaited = self.done.as_ref().is_none_or(|(of, _)| of != request);
+        if self.is_awaited && may_begin && self.requested.as_ref() != Some(request) {
             self.worker.request(request.clone());
             self.requested = Some(request.clone());
         }
-        self.is_awaited = !is_done;
-        self.done.as_ref().filter(|_| is_done).map(|(_, picture)| picture)
     }
 }
 
@@ -139,13 +159,20 @@ impl EyePictures {
             composer: None,
             composed: None,
             drawings: 0,
+            refusal: None,
+            is_untold: false,
         }
     }
 
     /// None yet, for another window of the same device.
     #[must_use]
     pub fn another(&self) -> Self {
-        Self::new(&self.render_state)
+        Self { refusal: self.refusal.clone(), ..Self::new(&self.render_state) }
+    }
+
+    /// Why the device no longer draws, if it has refused to since this was last asked.
+    pub fn newly_refused(&mut self) -> Option<&GpuError> {
+        std::mem::take(&mut self.is_untold).then_some(self.refusal.as_ref()).flatten()
     }
 
     /// The device they are drawn on.
@@ -166,8 +193,38 @@ impl EyePictures {
         !self.references.iter().flatten().any(|reference| reference.is_awaited)
     }
 
-    /// The picture of the eye with this `index` (0 left, 1 right), drawn if it is not up to date.
-    pub fn picture(&mut self, ctx: &Context, index: usize, request: &Request) -> Shown {
+    /// The picture of the eye with this `index` (0 left, 1 right), drawn if it is not up to date; none if neither the device
+    /// nor, once that has refused, the reference draws it.
+    pub fn picture(&mut self, ctx: &Context, index: usize, request: &Request) -> Option<Shown> {
+        let scopes = self.gpu.error_scopes();
+        let shown = if self.refusal.is_some() {
+            Ok(self.picture_by_reference(ctx, index, request))
+        } else {
+            self.picture_by_method(ctx, index, request).map(Some)
+        };
+        scopes.close().and(shown).unwrap_or_else(|error| {
+            self.give_up(index);
+            self.is_untold |= self.refusal.is_none();
+            self.refusal.get_or_insert(error);
+            ctx.request_repaint();
+            None
+        })
+    }
+
+    /// Gives up the picture with this `index`, of which parts may be missing.
+    fn give_up(&mut self, index: usize) {
+        if let Some(EyePicture { texture, .. }) = self.pictures[index].take() {
+            self.render_state.renderer.write().free_texture(&texture);
+        }
+    }
+
+    /// The picture as it is asked for.
+    fn picture_by_method(
+        &mut self,
+        ctx: &Context,
+        index: usize,
+        request: &Request,
+    ) -> Result<Shown, GpuError> {
         let Self { render_state, gpu, renderers, pictures, references, drawings, .. } = self;
         let picture = fitting(&mut pictures[index], request.view.camera.size, gpu, render_state);
         let reference = &mut references[index];
@@ -176,7 +233,7 @@ impl EyePictures {
             if let Some(made) = reference.picture(ctx, request) {
                 return picture.shown(request, Method::Reference, drawings, |target| {
                     target.write(gpu, made);
-                    true
+                    Ok(())
                 });
             }
         } else if let Some(reference) = reference {
@@ -186,8 +243,26 @@ impl EyePictures {
         let method = request.method_on_gpu();
         picture.shown(request, method, drawings, |target| {
             let Request { scene, view, appearance, .. } = request;
-            renderers.draw(method, scene, view, appearance, target).is_ok()
+            renderers.draw(method, scene, view, appearance, target)
         })
+    }
+
+    /// The newest picture by the reference, if that draws what is asked for and has drawn any.
+    fn picture_by_reference(&mut self, ctx: &Context, index: usize, request: &Request) -> Option<Shown> {
+        let request = request.for_reference();
+        let Self { render_state, gpu, pictures, references, drawings, .. } = self;
+        let reference = references[index].get_or_insert_with(|| ReferencePicture::new(ctx));
+        if !request.is_for_reference() {
+            reference.is_awaited = false;
+            return None;
+        }
+        let (of, made) = reference.newest(&request)?;
+        let picture = fitting(&mut pictures[index], made.size, gpu, render_state);
+        let written = picture.shown(of, Method::Reference, drawings, |target| {
+            target.write(gpu, made);
+            Ok(())
+        });
+        written.ok()
     }
 
     /// The picture that is made of those of both eyes, which are drawn first if they are not up to date: each with its
@@ -198,7 +273,8 @@ impl EyePictures {
         composition: Composition,
         requests: [(usize, &Request); 2],
     ) -> Option<Shown> {
-        let [Shown { method, .. }, _] = requests.map(|(index, request)| self.picture(ctx, index, request));
+        let [shown, other] = requests.map(|(index, request)| self.picture(ctx, index, request));
+        let Shown { method, .. } = shown.and(other).and(shown)?;
         let Self { render_state, gpu, pictures, composer, composed, .. } = self;
         let [first, second] = requests.map(|(index, _)| pictures[index].as_ref());
         let (first, second) = (first?, second?);
@@ -230,22 +306,23 @@ impl EyePictures {
 }
 
 impl EyePicture {
-    /// It, after `draw` has drawn what is asked for by `method`, unless that is up to date. `draw` says whether it could.
+    /// It, after `draw` has drawn what is asked for by `method`, unless that is up to date.
     fn shown(
         &mut self,
         request: &Request,
         method: Method,
         drawings: &mut u64,
-        draw: impl FnOnce(&mut EyeTarget) -> bool,
-    ) -> Shown {
+        draw: impl FnOnce(&mut EyeTarget) -> Result<(), GpuError>,
+    ) -> Result<Shown, GpuError> {
         let is_up_to_date = self.drawn.as_ref().is_some_and(|(of, by)| *by == method && of.shows_as(request));
         if !is_up_to_date {
-            let is_drawn = draw(&mut self.target);
-            self.drawn = is_drawn.then(|| (request.clone(), method));
+            self.drawn = None;
+            draw(&mut self.target)?;
+            self.drawn = Some((request.clone(), method));
             *drawings += 1;
             self.number = *drawings;
         }
-        Shown { texture: self.texture, method }
+        Ok(Shown { texture: self.texture, method })
     }
 }
 

@@ -1,19 +1,58 @@
 //! Which graphics device the window asks for: Vulkan, Metal or Direct3D, else OpenGL, with what it has.
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
 
-use eframe::egui_wgpu::{WgpuConfiguration, WgpuSetup, WgpuSetupCreateNew};
-use eframe::wgpu;
+use eframe::egui_wgpu::{
+    NativeAdapterSelectorMethod, SurfaceErrorAction, WgpuConfiguration, WgpuSetup, WgpuSetupCreateNew,
+};
+use eframe::wgpu::{self, CurrentSurfaceTexture};
+use relativity_render::{adapter_name, named_adapter};
 
-/// The configuration of the window's device, and of a screenshot's. `WGPU_BACKEND` chooses a backend.
+use crate::platform::clock::Instant;
+
+/// A surface that cannot be drawn on is configured anew at most so often.
+const BETWEEN_ATTEMPTS: Duration = Duration::from_millis(250);
+
+/// The configuration of the window's device, and of a screenshot's. `WGPU_BACKEND` chooses a backend, `WGPU_ADAPTER_NAME`
+/// an adapter.
 #[must_use]
 pub fn configuration() -> WgpuConfiguration {
     let mut setup = WgpuSetupCreateNew::without_display_handle();
+    setup.native_adapter_selector = adapter_name().map(|name| -> NativeAdapterSelectorMethod {
+        Arc::new(move |adapters, surface| {
+            named_adapter(&name, adapters, surface).map_err(|error| error.to_string())
+        })
+    });
     setup.device_descriptor = Arc::new(|adapter| wgpu::DeviceDescriptor {
         label: Some("gamow"),
         // No more than the adapter has: a fixed demand would rule out older OpenGL.
         required_limits: adapter.limits(),
         ..Default::default()
     });
-    WgpuConfiguration { wgpu_setup: WgpuSetup::CreateNew(setup), ..WgpuConfiguration::default() }
+    let usual = WgpuConfiguration::default().on_surface_status;
+    let last = Mutex::new(None);
+    WgpuConfiguration {
+        wgpu_setup: WgpuSetup::CreateNew(setup),
+        on_surface_status: Arc::new(move |status| match status {
+            CurrentSurfaceTexture::Validation => {
+                let mut last = last.lock().unwrap_or_else(PoisonError::into_inner);
+                let is_due = is_due(last.as_ref().map(Instant::elapsed));
+                if is_due {
+                    *last = Some(Instant::now());
+                    SurfaceErrorAction::Reconfigure
+                } else {
+                    SurfaceErrorAction::SkipFrame
+                }
+            }
+            other => usual(other),
+        }),
+        ..WgpuConfiguration::default()
+    }
+}
+
+/// Whether a surface that was refused is configured again, so long `since` that was tried: its size was that of a window that
+/// has another by now, or is larger than the device can draw.
+fn is_due(since: Option<Duration>) -> bool {
+    since.is_none_or(|since| since >= BETWEEN_ATTEMPTS)
 }

@@ -1,7 +1,7 @@
 //! Opens the window, or says in one sentence why it cannot be opened and what to do instead.
 
-use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
 use std::path::Path;
+use std::sync::Arc;
 
 use eframe::egui::{ViewportBuilder, ViewportCommand};
 use eframe::{CreationContext, NativeOptions, Storage, WindowBuilderHook};
@@ -9,9 +9,11 @@ use eframe::{CreationContext, NativeOptions, Storage, WindowBuilderHook};
 use super::args::WindowArgs;
 use super::notice::Notice;
 use super::overlay::Overlay;
+use super::reopening::{self, Bequeathed, Break, Ended, Estate};
 use super::state::State;
 use super::{App, graphics, icon, memory, screenshot};
 use crate::files::whole::ensure_ending;
+use crate::platform::clock::Instant;
 use crate::settings::Settings;
 
 /// Name under which settings are saved.
@@ -34,10 +36,32 @@ pub fn launch(args: &WindowArgs) -> anyhow::Result<()> {
     }
     // Flags are judged before a window appears; the saved settings are only known once it has.
     args.state(Settings::default())?;
-    let opened = if has_display() { open(args) } else { Err(anyhow::anyhow!("there is no display")) };
-    opened.map_err(|error| {
-        anyhow::anyhow!("the window cannot be opened: {}. {WHAT_TO_DO}.", in_one_line(&error.to_string()))
+    if !has_display() {
+        return Err(unopened("there is no display"));
+    }
+    reopening::kept_open(|begin, estate| open(args, begin, estate), Instant::elapsed).map_err(|ended| {
+        match ended {
+            Ended::Unopened(reason) => unopened(&reason.to_string()),
+            Ended::Broken(reason, state) => broken(&reason, &state),
+        }
     })
+}
+
+fn unopened(reason: &str) -> anyhow::Error {
+    anyhow::anyhow!("the window cannot be opened: {}. {WHAT_TO_DO}.", in_one_line(reason))
+}
+
+/// That a window ended for this `reason`, after its `state` is kept.
+fn broken(reason: &Break, state: &State) -> anyhow::Error {
+    let reason = in_one_line(&reason.to_string());
+    match reopening::keep(state, APP_ID) {
+        Ok(_) => {
+            anyhow::anyhow!("the window cannot go on: {reason}. What it showed is kept for the next start.")
+        }
+        Err(error) => {
+            anyhow::anyhow!("the window cannot go on: {reason}. What it showed could not be kept: {error:#}.")
+        }
+    }
 }
 
 /// Whether the environment names a display, where that is how displays are found.
@@ -53,7 +77,9 @@ fn in_one_line(message: &str) -> String {
     reason.split_whitespace().collect::<Vec<_>>().join(" ").trim_end_matches('.').to_owned()
 }
 
-fn open(args: &WindowArgs) -> anyhow::Result<()> {
+/// Opens a window that begins in this state, or else as the flags and the last one have it, and leaves its own to the
+/// `estate`; returns when it is closed.
+fn open(args: &WindowArgs, begin: Option<State>, estate: &Estate) -> Result<(), Break> {
     let viewport = ViewportBuilder::default()
         .with_title("Gamow")
         .with_app_id(APP_ID)
@@ -70,20 +96,29 @@ fn open(args: &WindowArgs) -> anyhow::Result<()> {
         wgpu_options: graphics::configuration(),
         ..NativeOptions::default()
     };
-    let args = args.clone();
+    let (args, estate) = (args.clone(), Arc::clone(estate));
     let create = move |cc: &CreationContext<'_>| {
-        let left = cc.storage.map(memory::remembered).unwrap_or_default();
-        let mut state = state_from(&args, left)?;
-        state.session.recent.extend(cc.storage.map(memory::recent).unwrap_or_default());
+        let state = match begin {
+            Some(state) => state,
+            None => first_state(&args, cc.storage)?,
+        };
         if args.window_size().is_some() {
             // Where windows are shown before they can be maximised, eframe has a remembered one so once more.
             cc.egui_ctx.send_viewport_cmd(ViewportCommand::Fullscreen(false));
             cc.egui_ctx.send_viewport_cmd(ViewportCommand::Maximized(false));
         }
-        recall(&mut state, cc.storage, args.welcomes());
-        Ok(Box::new(App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state)) as Box<dyn eframe::App>)
+        let app = App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state);
+        Ok(Box::new(Bequeathed::new(app, estate)) as Box<dyn eframe::App>)
     };
-    run_guarded(|| eframe::run_native(APP_ID, options, Box::new(create)))
+    reopening::guarded(|| eframe::run_native(APP_ID, options, Box::new(create)))
+}
+
+/// The state that the flags ask for, and the rest as the last window left it.
+fn first_state(args: &WindowArgs, storage: Option<&dyn Storage>) -> anyhow::Result<State> {
+    let mut state = state_from(args, storage.map(memory::remembered).unwrap_or_default())?;
+    state.session.recent.extend(storage.map(memory::recent).unwrap_or_default());
+    recall(&mut state, storage, args.welcomes());
+    Ok(state)
 }
 
 /// Has `state` know what its user has done before; newcomers, who have neither clicked a point nor begun a lesson, begin with
@@ -95,6 +130,7 @@ fn recall(state: &mut State, storage: Option<&dyn Storage>, welcomes: bool) {
         state.session.overlay = Some(Overlay::Start);
     }
     state.session.next_lesson = begun;
+    state.recall_begun(storage.map(memory::begun).unwrap_or_default());
 }
 
 /// The window that eframe is to make, which has put the remembered size into it, with the size that is asked for instead.
@@ -113,46 +149,14 @@ fn state_from(args: &WindowArgs, left: Settings) -> anyhow::Result<State> {
     })
 }
 
-/// Runs the event loop. The windowing library panics where a system library is missing; that becomes an
-/// error. Any other panic is a defect and is reported as usual.
-fn run_guarded(run: impl FnOnce() -> eframe::Result) -> anyhow::Result<()> {
-    let usual = std::sync::Arc::new(panic::take_hook());
-    let hook = std::sync::Arc::clone(&usual);
-    panic::set_hook(Box::new(move |info| {
-        if missing_library(message(info)).is_none() {
-            hook(info);
-        }
-    }));
-    let outcome = panic::catch_unwind(AssertUnwindSafe(run));
-    panic::set_hook(Box::new(move |info| usual(info)));
-    match outcome {
-        Ok(result) => result.map_err(|error| anyhow::anyhow!("{error}")),
-        Err(payload) => {
-            let text = payload.downcast_ref::<String>().map(String::as_str);
-            let text = text.or(payload.downcast_ref::<&str>().copied()).unwrap_or_default();
-            match missing_library(text) {
-                Some(reason) => Err(anyhow::anyhow!("{reason}")),
-                None => panic::resume_unwind(payload),
-            }
-        }
-    }
-}
-
-fn message<'a>(info: &'a PanicHookInfo<'_>) -> &'a str {
-    info.payload_as_str().unwrap_or_default()
-}
-
-/// What a panic says about a library that is not installed; `None` if it is about something else.
-fn missing_library(message: &str) -> Option<&str> {
-    message.contains("could not be loaded").then_some(message)
-}
-
 #[cfg(test)]
 mod tests {
     use std::collections::BTreeMap;
 
     use super::*;
-    use crate::lesson::Library;
+    use crate::app::command::Command;
+    use crate::app::running::LessonCommand;
+    use crate::lesson::{Library, Record};
 
     /// What is kept, in memory.
     #[derive(Default)]
@@ -203,5 +207,32 @@ mod tests {
         assert!(!state.settings.window.controls && memory::remembered(&kept).window.controls);
         let again = started(Some(&kept), true).session;
         assert_eq!((again.overlay, again.next_lesson.as_deref()), (None, Some("turned")));
+    }
+
+    #[test]
+    fn answers_in_a_lesson_outlast_the_window() {
+        let lesson = Library::own().open("turned").expect("it is there");
+        let mut state = started(None, false);
+        state.begin_lesson(&lesson).expect("it can be shown");
+        state.apply(Command::Lesson(LessonCommand::Skip));
+        let left = state.course().expect("a lesson").clone();
+        assert_ne!(left.records()[0], Record::default());
+        let mut kept = Kept::default();
+        memory::remember(&mut kept, &state);
+        let again = |mut state: State, begins_first: bool| {
+            if begins_first {
+                state.begin_lesson(&lesson).expect("it can be shown");
+            }
+            recall(&mut state, Some(&kept), false);
+            if !begins_first {
+                state.begin_lesson(&lesson).expect("it can be shown");
+            }
+            let course = state.course().expect("a lesson");
+            assert_eq!((course.records(), course.place()), (left.records(), left.place()));
+        };
+        // Begun from the start page, and by a flag.
+        [false, true].into_iter().for_each(|begins_first| again(started(None, false), begins_first));
+        kept.set_string("begun", "[{]".to_owned());
+        assert_eq!(memory::begun(&kept), []);
     }
 }

@@ -4,6 +4,7 @@ use eframe::Storage;
 
 use super::recent::Recent;
 use super::state::State;
+use crate::lesson::KeptCourse;
 use crate::platform::files;
 use crate::settings::{Legacy, Settings};
 
@@ -33,6 +34,14 @@ pub fn recent(storage: &dyn Storage) -> Recent {
     storage.get_string(RECENT).map(|text| Recent::of_text(&text)).unwrap_or_default()
 }
 
+/// Keeps all that the next start begins with.
+pub fn keep(storage: &mut dyn Storage, state: &State) {
+    if !state.session.hint {
+        remember_a_click(storage);
+    }
+    remember(storage, state);
+}
+
 /// Keeps what is shown, and which files were opened. A scene's file is found again wherever the program starts next.
 pub fn remember(storage: &mut dyn Storage, state: &State) {
     // A lesson's parts of the window are its own.
@@ -45,6 +54,23 @@ pub fn remember(storage: &mut dyn Storage, state: &State) {
     if let Some(name) = &state.session.next_lesson {
         storage.set_string(LESSON, name.clone());
     }
+    match serde_json::to_string(&state.begun()) {
+        Ok(begun) => storage.set_string(BEGUN, begun),
+        Err(error) => log::warn!("the answers in lessons: {error}"),
+    }
+}
+
+/// Where the ways through lessons are kept.
+const BEGUN: &str = "begun";
+
+/// The ways through lessons as they were left; none if there are none that can be read.
+#[must_use]
+pub fn begun(storage: &dyn Storage) -> Vec<KeptCourse> {
+    let Some(text) = storage.get_string(BEGUN) else { return Vec::new() };
+    serde_json::from_str(&text).unwrap_or_else(|error| {
+        log::warn!("the answers in lessons: {error}");
+        Vec::new()
+    })
 }
 
 /// Where the name of the lesson to go on with is kept.

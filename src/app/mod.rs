@@ -5,6 +5,7 @@
 //! between, so that what follows a control follows it in the same frame.
 
 mod actions;
+mod aids;
 pub mod args;
 mod background_picture;
 pub mod beyond;
@@ -19,6 +20,7 @@ pub mod dial;
 pub mod examination;
 pub mod eye;
 mod eyes;
+mod faulty;
 pub mod fitting;
 mod flicker;
 mod focus;
@@ -49,6 +51,7 @@ pub mod points;
 mod predicted;
 mod projector;
 pub mod recent;
+mod reopening;
 pub mod running;
 mod saving;
 mod screenshot;
@@ -78,6 +81,7 @@ use corrected::Corrected;
 use curves::Curves;
 use examination::Examination;
 use eyes::EyePictures;
+use faulty::Faulty;
 use fitting::Fitting;
 use full_screen::FullScreen;
 use layout::{Beside, Layout, LessonPart, Presentation};
@@ -102,6 +106,7 @@ pub struct App {
     corrected: Option<Corrected>,
     examination: Option<Examination>,
     eyes: Option<EyePictures>,
+    faults: Faulty,
     /// Those in the projector's window, once there was one.
     projected: Option<EyePictures>,
     full_screen: FullScreen,
@@ -129,6 +134,7 @@ impl App {
             corrected: None,
             examination: None,
             eyes: render_state.map(EyePictures::new),
+            faults: Faulty::of(ctx, render_state),
             projected: None,
             full_screen: FullScreen::default(),
             text_scale: 1.0,
@@ -302,6 +308,7 @@ impl App {
         }
         focus::paint(&ctx);
         self.update_projector(&ctx);
+        self.tell_faults(&ctx);
         self.fulfil_orders(ui);
         if self.state.session.playing || self.state.session.lesson.as_ref().is_some_and(Running::is_running) {
             ctx.request_repaint();
@@ -507,17 +514,19 @@ impl App {
 impl eframe::App for App {
     fn logic(&mut self, ctx: &egui::Context, _frame: &mut eframe::Frame) {
         self.advance(f64::from(ctx.input(|input| input.stable_dt)));
+        log::trace!("a frame took {:.3} ms", 1e3 * ctx.input(|input| input.unstable_dt));
     }
 
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         self.show(ui);
     }
 
+    fn raw_input_hook(&mut self, _ctx: &egui::Context, input: &mut egui::RawInput) {
+        aids::drop_what_is_no_number(input);
+    }
+
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
-        if !self.state.session.hint {
-            memory::remember_a_click(storage);
-        }
-        memory::remember(storage, &self.state);
+        memory::keep(storage, &self.state);
     }
 }
 

@@ -96,7 +96,7 @@ impl State {
     /// it is; the rest is as usual.
     fn settings_in(&self, path: &Path) -> Result<Settings, SettingsError> {
         if is_scene(path) {
-            return Ok(self.settings.clone().with_scene(path.to_string_lossy().into_owned()));
+            return self.settings.clone().with_scene_file(path);
         }
         Settings::default().in_place_of(&self.settings).with_file(path)
     }

@@ -69,7 +69,7 @@ impl App {
     /// Draws `pane`: the up-to-date picture, how far it is off, and the markers.
     fn paint_eye(&mut self, ui: &Ui, pane: EyePane) {
         let request = self.request(ui, pane);
-        let picture = self.eyes.as_mut().map(|eyes| eyes.picture(ui.ctx(), pane.eye.index(), &request));
+        let picture = self.eyes.as_mut().and_then(|eyes| eyes.picture(ui.ctx(), pane.eye.index(), &request));
         let heat_map = self.heat_map(ui, pane, &request);
         panels::views::paint(ui, &self.state, pane, Painted { picture, heat_map });
     }
@@ -79,7 +79,8 @@ impl App {
         let Form::Composed(composition) = self.state.settings.picture.layout.form() else {
             let pane = panes[flicker::turn(ui.ctx())];
             let request = self.request(ui, pane);
-            let picture = self.eyes.as_mut().map(|eyes| eyes.picture(ui.ctx(), pane.eye.index(), &request));
+            let picture =
+                self.eyes.as_mut().and_then(|eyes| eyes.picture(ui.ctx(), pane.eye.index(), &request));
             let heat_map = self.heat_map(ui, pane, &request);
             return panels::views::paint_both(ui, &self.state, &[pane], picture, &[heat_map]);
         };

@@ -4,13 +4,16 @@ use std::path::PathBuf;
 
 use anyhow::Context as _;
 use clap::Args;
-use relativity_core::{Curves, DEFAULT_REPLICATES, FitOptions, Model, Passage};
+use relativity_core::{Curves, DEFAULT_REPLICATES, FitError, FitOptions, Model, Passage};
 
 use crate::estimate::FitReport;
-use crate::estimate::data::{Data, Eyes};
+use crate::estimate::data::{Data, Eyes, SEPARATION, is_separation};
+use crate::figures;
 use crate::files::csv_in;
 use crate::files::whole::ReportArgs;
-use crate::flags::{HeadArgs, WheelArgs, finite_number};
+use crate::flags::{COORDINATES, HeadArgs, WheelArgs, finite_number, within};
+use crate::platform::interrupt::Noted;
+use crate::platform::{clock, progress, tell};
 
 /// Fits speed and distance of a point to the disparities that two eyes measured.
 ///
@@ -25,7 +28,7 @@ pub struct FitArgs {
     /// CSV file; standard input if none or -.
     file: Option<PathBuf>,
     /// Aperture separation; without it, the file's column d.
-    #[arg(long, value_parser = finite_number, allow_hyphen_values = true)]
+    #[arg(long, value_parser = separation, allow_hyphen_values = true)]
     d: Option<f64>,
     /// How the head was held; without them, the file's columns roll and turn (in radians), else straight.
     #[command(flatten)]
@@ -36,14 +39,15 @@ pub struct FitArgs {
     /// Which curves are fitted [default: those that the file has]
     #[arg(long = "use", value_enum)]
     curves: Option<Curves>,
-    /// Number of bootstrap replicates; 0 for none.
+    /// Number of bootstrap replicates, up to 10 million; 0 for none. Ctrl-C ends with those that were drawn, as if so many had
+    /// been asked for.
     #[arg(long, value_name = "N", default_value_t = DEFAULT_REPLICATES, value_parser = replicates)]
     bootstrap: usize,
     /// Seed of the bootstrap.
     #[arg(long, value_name = "S", default_value_t = 1)]
     seed: u64,
     /// The point's objective x at t = 0, if it is known.
-    #[arg(long, default_value_t = 0.0, value_parser = finite_number, allow_hyphen_values = true)]
+    #[arg(long, default_value_t = 0.0, value_parser = within(COORDINATES), allow_hyphen_values = true)]
     x0: f64,
     /// Fit x0 too: the time of passage is unknown.
     #[arg(long, conflicts_with = "x0")]
@@ -70,10 +74,21 @@ Examples:
   gamow fit data.csv --d 0.1 --model published --use dphi --json
   gamow fit valve.csv --d 0.1 --wheel-radius 0.525 --rho 0.85 --angle 1.2";
 
+fn separation(text: &str) -> Result<f64, String> {
+    let value = finite_number(text)?;
+    if is_separation(value) { Ok(value) } else { Err(format!("must be {SEPARATION}")) }
+}
+
+/// The most replicates: each takes 40 bytes, in each of three fits.
+const MOST_REPLICATES: usize = 10_000_000;
+/// From how long on it is said how long the bootstrap takes, and after how long that can be told, seconds.
+const LONG: f64 = 10.0;
+const TOLD_AFTER: f64 = 1.0;
+
 fn replicates(text: &str) -> Result<usize, String> {
     match text.parse() {
-        Ok(1) | Err(_) => Err("not 0, nor a number from 2 on".to_owned()),
-        Ok(number) => Ok(number),
+        Ok(number @ (0 | 2..=MOST_REPLICATES)) => Ok(number),
+        _ => Err(format!("not 0, nor a number from 2 to {MOST_REPLICATES}")),
     }
 }
 
@@ -84,7 +99,37 @@ pub fn run(args: &FitArgs) -> anyhow::Result<()> {
     let curves = data.curves(args.curves);
     let passage = if args.fit_x0 { Passage::Fitted } else { Passage::Known(args.x0) };
     let options = FitOptions { model: args.model, curves, passage, rolling: args.wheel.rolling() };
-    let report =
-        FitReport::new(&data.observations, &options, args.bootstrap, args.seed).with_context(|| name)?;
-    args.report.write(&report)
+    args.report.write(&args.fitted(&data, &options).with_context(|| name)?)
+}
+
+impl FitArgs {
+    /// The fit, with the replicates that are drawn until an interrupt.
+    fn fitted(&self, data: &Data, options: &FitOptions) -> Result<FitReport, FitError> {
+        let (wanted, noted) = (self.bootstrap, Noted::new());
+        let progress = progress::bar(wanted as u64, "replicates");
+        let (start, mut is_told) = (clock::Instant::now(), false);
+        let report = FitReport::while_wanted(&data.observations, options, wanted, self.seed, |drawn| {
+            progress.set_position(drawn as u64);
+            let seconds = start.elapsed().as_secs_f64();
+            if !is_told && drawn > 0 && seconds > TOLD_AFTER {
+                is_told = true;
+                let left = seconds / drawn as f64 * (wanted - drawn) as f64;
+                if left > LONG {
+                    let left = figures::significant(left, 2);
+                    let told = format!(
+                        "gamow: {wanted} replicates take about {left} s more; Ctrl-C ends with those drawn by then"
+                    );
+                    progress.suspend(|| tell::remark(told));
+                }
+            }
+            !noted.is_interrupted()
+        });
+        progress.finish_and_clear();
+        let report = report?;
+        if noted.is_interrupted() {
+            let drawn = report.bootstrap.as_ref().map_or(0, |bootstrap| bootstrap.replicates);
+            tell::remark(format_args!("gamow: interrupted after {drawn} of {wanted} replicates"));
+        }
+        Ok(report)
+    }
 }

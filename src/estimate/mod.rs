@@ -9,8 +9,7 @@ use std::fmt;
 
 use relativity_core::math;
 use relativity_core::{
-    Bootstrap, Combined, Curves, Fit, FitError, FitOptions, Observations, Parameter, Rolling, bootstrap,
-    combined, fit,
+    Bootstrap, Combined, Curves, Fit, FitError, FitOptions, Observations, Parameter, Rolling, combined, fit,
 };
 use serde::Serialize;
 
@@ -161,6 +160,12 @@ impl From<Combined> for Mean {
     }
 }
 
+/// How many samples are drawn in a round of replicates, after which it is asked whether more are wanted: some tenths of a
+/// second. But no less replicates than keep all threads busy.
+const ROUND_SAMPLES: usize = 1_000_000;
+const LEAST_ROUND: usize = 16;
+const MOST_ROUND: usize = 4096;
+
 /// A fit and its bootstrap, if one was asked for.
 type Fitted = (Fit, Option<Bootstrap>);
 
@@ -172,12 +177,44 @@ impl FitReport {
         replicates: usize,
         seed: u64,
     ) -> Result<Self, FitError> {
-        let attempt = |curves| fitted(observations, &FitOptions { curves, ..*options }, replicates, seed);
-        let joint = attempt(options.curves)?;
-        let bootstrap = joint.1.as_ref().map(|b| BootstrapSummary { replicates, failed: b.failed(), seed });
-        let fits = match options.curves {
-            Curves::Azimuth | Curves::Polar => Fits::default(),
-            Curves::Both => Fits::new(attempt(Curves::Azimuth), attempt(Curves::Polar)),
+        Self::while_wanted(observations, options, replicates, seed, |_| true)
+    }
+
+    /// The same with the replicates that were drawn until `is_wanted`, which is asked with how many there are, is no longer
+    /// so; with less than 2 there is no bootstrap.
+    pub fn while_wanted(
+        observations: &Observations,
+        options: &FitOptions,
+        replicates: usize,
+        seed: u64,
+        mut is_wanted: impl FnMut(usize) -> bool,
+    ) -> Result<Self, FitError> {
+        let best = |curves| fit(observations, &FitOptions { curves, ..*options });
+        let mut fits = vec![(Ok(best(options.curves)?), Bootstrap::default())];
+        if options.curves == Curves::Both {
+            fits.extend([Curves::Azimuth, Curves::Polar].map(|curves| (best(curves), Bootstrap::default())));
+        }
+        let round = (ROUND_SAMPLES / observations.samples().len().max(1)).clamp(LEAST_ROUND, MOST_ROUND);
+        let mut drawn = 0;
+        while drawn < replicates && is_wanted(drawn) {
+            let more = round.min(replicates - drawn);
+            for (fit, bootstrap) in &mut fits {
+                if let Ok(fit) = fit {
+                    bootstrap.extend(fit, more, seed);
+                }
+            }
+            drawn += more;
+        }
+        let mut fitted = fits
+            .into_iter()
+            .map(|(fit, bootstrap)| Ok((fit?, if drawn < 2 { None } else { Some(bootstrap.checked()?) })));
+        let joint: Fitted =
+            fitted.next().transpose()?.ok_or(FitError::Bootstrap { failed: 0, replicates })?;
+        let bootstrap =
+            joint.1.as_ref().map(|b| BootstrapSummary { replicates: drawn, failed: b.failed(), seed });
+        let fits = match (fitted.next(), fitted.next()) {
+            (Some(azimuth), Some(polar)) => Fits::new(azimuth, polar),
+            _ => Fits::default(),
         };
         let model = options.model.name();
         let fit = CurvesFit::new(&joint);
@@ -185,17 +222,6 @@ impl FitReport {
         let wheel = options.rolling.map(OnWheel::from);
         Ok(Self { model, converged: true, wheel, sigmas, fit, bootstrap, fits })
     }
-}
-
-fn fitted(
-    observations: &Observations,
-    options: &FitOptions,
-    replicates: usize,
-    seed: u64,
-) -> Result<Fitted, FitError> {
-    let best = fit(observations, options)?;
-    let bootstrap = if replicates == 0 { None } else { Some(bootstrap(&best, replicates, seed)?) };
-    Ok((best, bootstrap))
 }
 
 impl Fits {

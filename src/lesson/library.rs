@@ -83,15 +83,17 @@ impl Library {
     ///
     /// # Errors
     /// No such lesson, or what is wrong in it.
-    pub fn open(&self, name_or_path: &str) -> Result<Arc<Lesson>, LessonError> {
-        if let Some(known) = self.lessons.iter().find(|lesson| lesson.name == name_or_path) {
+    pub fn open(&self, name_or_path: impl AsRef<Path>) -> Result<Arc<Lesson>, LessonError> {
+        let path = name_or_path.as_ref();
+        let name = path.to_str();
+        if let Some(known) = self.lessons.iter().find(|lesson| name == Some(&lesson.name)) {
             return Ok(Arc::clone(known));
         }
-        if looks_like_a_name(name_or_path) {
+        if let Some(name) = name.filter(|name| looks_like_a_name(name)) {
             let known = self.lessons.iter().map(|lesson| lesson.name.as_str()).collect::<Vec<_>>().join(", ");
-            return Err(LessonError::Unknown { name: name_or_path.to_owned(), known });
+            return Err(LessonError::Unknown { name: name.to_owned(), known });
         }
-        Lesson::load(Path::new(name_or_path)).map(Arc::new)
+        Lesson::load(path).map(Arc::new)
     }
 }
 

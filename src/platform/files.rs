@@ -1,12 +1,12 @@
 //! The file system.
 #![expect(clippy::disallowed_methods, clippy::disallowed_types, reason = "this is where files are reached")]
 
-use std::io;
+use std::io::{self, Read as _};
 use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
 
-use super::tell;
+use super::{sizes, tell};
 
 pub use std::fs::File;
 pub use tempfile::TempPath;
@@ -37,14 +37,27 @@ pub fn create(path: &Path) -> io::Result<File> {
     File::create(path)
 }
 
-/// The bytes of the file at `path`.
-pub fn read(path: &Path) -> io::Result<Vec<u8>> {
-    std::fs::read(path)
+/// The bytes of the file at `path`, of which there must be no more than `most`: a longer one is refused, be it a device
+/// without an end.
+pub fn read(path: &Path, most: u64) -> io::Result<Vec<u8>> {
+    let mut file = File::open(path)?;
+    let size = file.metadata()?.len();
+    let mut bytes = Vec::new();
+    if size <= most {
+        bytes.reserve_exact(size as usize + 1);
+        (&mut file).take(most + 1).read_to_end(&mut bytes)?;
+    }
+    if size.max(bytes.len() as u64) > most {
+        let problem = format!("it is longer than {} MB, the most that is read of such a file", most >> 20);
+        return Err(io::Error::new(io::ErrorKind::FileTooLarge, problem));
+    }
+    Ok(bytes)
 }
 
-/// The text in the file at `path`.
+/// The text in the file at `path`, of [`sizes::TEXT_BYTES`] at most.
 pub fn read_to_string(path: &Path) -> io::Result<String> {
-    std::fs::read_to_string(path)
+    let not_text = |_| io::Error::new(io::ErrorKind::InvalidData, "it is no text in UTF-8");
+    String::from_utf8(read(path, sizes::TEXT_BYTES)?).map_err(not_text)
 }
 
 /// Makes the folder `path` and those around it, unless they are there.
@@ -197,6 +210,20 @@ mod tests {
             assert_eq!(shown(Path::new(name)), name);
         }
         assert_eq!(shown(Path::new("a\u{1b}[31m\nb\u{202e}.toml")), r"a\u{1b}[31m\nb\u{202e}.toml");
+    }
+
+    #[test]
+    fn a_file_without_an_end_is_refused() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("a.toml");
+        std::fs::write(&path, "four").expect("it is written");
+        assert_eq!(read(&path, 4).expect("it is short enough"), b"four");
+        let problem = read(&path, 3).expect_err("it is longer").to_string();
+        assert_eq!(problem, "it is longer than 0 MB, the most that is read of such a file");
+        #[cfg(unix)]
+        assert!(read_to_string(Path::new("/dev/zero")).is_err());
+        std::fs::write(&path, b"\xff").expect("it is written");
+        assert_eq!(read_to_string(&path).expect_err("no text").to_string(), "it is no text in UTF-8");
     }
 
     #[cfg(unix)]

@@ -1,12 +1,18 @@
 //! All settings together.
 
+use std::ffi::OsString;
+use std::path::Path;
+
 use clap::Args;
+use clap::builder::{OsStringValueParser, TypedValueParser as _};
 use serde::Serialize;
 
+use super::error::SettingsError;
 use super::sections::{
     FitSetup, Light, Look, Map, Motion, Picture, Playback, Plots, Quality, Screen, Window,
 };
 use crate::flags::{Followed, coordinates, finite_number};
+use crate::platform::files;
 use crate::scene::PRESETS;
 
 /// Everything that is set.
@@ -14,7 +20,7 @@ use crate::scene::PRESETS;
 #[serde(rename_all = "kebab-case")]
 pub struct Settings {
     /// What rides past: a preset (street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls) or a scene file.
-    #[arg(long, value_name = "PRESET|FILE")]
+    #[arg(long, value_name = "PRESET|FILE", value_parser = OsStringValueParser::new().try_map(scene_name))]
     pub scene: String,
     /// Observation time T [default: when the tracked point is seen 45 degrees before it is abreast; 0 at rest]
     #[arg(long, value_name = "T", value_parser = finite_number, allow_hyphen_values = true)]
@@ -61,6 +67,15 @@ pub struct Settings {
     pub window: Window,
 }
 
+/// The name of a scene or its file, as it is recorded.
+fn scene_name(name: OsString) -> Result<String, &'static str> {
+    name.into_string().map_err(|_| NO_TEXT)
+}
+
+/// What is wrong with the name of a scene's file that is no text.
+const NO_TEXT: &str = "the file's name is no text in UTF-8, so that nothing could record which scene is shown; under another \
+                       name it can be";
+
 impl Default for Settings {
     /// The cyclist on Gamow's street.
     fn default() -> Self {
@@ -85,6 +100,17 @@ impl Default for Settings {
 }
 
 impl Settings {
+    /// The same as [`Self::with_scene`] of the scene in the file at `path`.
+    ///
+    /// # Errors
+    /// A name that cannot be recorded.
+    pub fn with_scene_file(self, path: &Path) -> Result<Self, SettingsError> {
+        let unreadable =
+            || SettingsError::Read { source_name: files::shown(path), reason: NO_TEXT.to_owned() };
+        let scene = path.to_str().ok_or_else(unreadable)?.to_owned();
+        Ok(self.with_scene(scene))
+    }
+
     /// These settings with another scene, a preset or a file. What belongs to a scene is as usual: where it passes, where the
     /// eyes look, T, and what is done over a range of T. Speed, eyes and light stay.
     #[must_use]

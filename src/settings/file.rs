@@ -72,8 +72,8 @@ impl Settings {
     pub fn find_scene_beside(&mut self, path: &Path) {
         let beside =
             path.parent().map(|folder| folder.join(&self.scene)).filter(|scene| files::is_file(scene));
-        if let (None, Some(scene)) = (Scene::preset(&self.scene), beside) {
-            self.scene = scene.to_string_lossy().into_owned();
+        if let (None, Some(scene)) = (Scene::preset(&self.scene), beside.as_deref().and_then(Path::to_str)) {
+            self.scene = scene.to_owned();
         }
     }
 }

@@ -1,8 +1,8 @@
 //! The settings to start with: what was left or is usual, what a file says, what flags say.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
+use clap::{Arg, ArgMatches, Args, Command, FromArgMatches, value_parser};
 
 use super::all::Settings;
 use super::error::{Problem, SettingsError};
@@ -13,7 +13,7 @@ use crate::scene::looks_like_a_name;
 /// A flag for each setting, and one for a preset or a file of them.
 #[derive(Debug, Clone)]
 pub struct StartArgs {
-    state: Option<String>,
+    state: Option<PathBuf>,
     given: ArgMatches,
 }
 
@@ -30,7 +30,7 @@ impl StartArgs {
     /// The file of settings in TOML that they start from, if it is one.
     #[must_use]
     pub fn file(&self) -> Option<&Path> {
-        let path = Path::new(self.state.as_ref().filter(|state| Preset::named(state).is_none())?);
+        let path = self.state.as_deref().filter(|state| preset(state).is_none())?;
         FileKind::of(path).is_none().then_some(path)
     }
 
@@ -57,19 +57,26 @@ impl StartArgs {
 }
 
 /// The settings of the preset of this name, or in the file there, in the window that was `left`.
-fn named(preset_or_path: &str, left: &Settings) -> Result<Settings, SettingsError> {
-    match Preset::named(preset_or_path) {
-        Some(preset) => Ok(preset.settings.clone().in_place_of(left)),
-        None if looks_like_a_name(preset_or_path) => {
-            Err(SettingsError::UnknownPreset { name: preset_or_path.to_owned(), known: Preset::names() })
-        }
-        None => Settings::default().in_place_of(left).with_file(Path::new(preset_or_path)),
+fn named(preset_or_path: &Path, left: &Settings) -> Result<Settings, SettingsError> {
+    if let Some(preset) = preset(preset_or_path) {
+        return Ok(preset.settings.clone().in_place_of(left));
     }
+    match preset_or_path.to_str() {
+        Some(name) if looks_like_a_name(name) => {
+            Err(SettingsError::UnknownPreset { name: name.to_owned(), known: Preset::names() })
+        }
+        _ => Settings::default().in_place_of(left).with_file(preset_or_path),
+    }
+}
+
+/// The preset of this name.
+fn preset(name: &Path) -> Option<&'static Preset> {
+    Preset::named(name.to_str()?)
 }
 
 impl Args for StartArgs {
     fn augment_args(command: Command) -> Command {
-        let state = Arg::new(STATE).long(STATE).value_name("PRESET|FILE").help(format!(
+        let state = Arg::new(STATE).long(STATE).value_name("PRESET|FILE").value_parser(value_parser!(PathBuf)).help(format!(
             "Start from a preset ({}), from the settings in a file (.toml), or from those with which a picture was made \
              (.png, .exr)",
             Preset::names(),

@@ -254,3 +254,56 @@ fn a_file_is_called_what_it_is() {
         assert_eq!(words(arguments).complaint(), expected);
     }
 }
+
+#[test]
+fn files_without_an_end_are_refused_in_one_line() {
+    let folder = tempfile::tempdir().expect("there is a folder for temporary files");
+    let write =
+        |name: &str, bytes: &[u8]| fs::write(folder.path().join(name), bytes).expect("it is writable");
+    let complaint =
+        |arguments: &str| run(gamow().args(arguments.split(' ')).current_dir(folder.path()), b"").complaint();
+    write("blanks.toml", &vec![b'\n'; 5 << 20]);
+    let too_long = "it is longer than 4 MB, the most that is read of such a file";
+    for arguments in ["render --scene ./blanks.toml", "render --state ./blanks.toml"] {
+        assert!(
+            complaint(arguments).starts_with("gamow: ./blanks.toml: ")
+                && complaint(arguments).ends_with(too_long)
+        );
+    }
+    let row = "1".repeat(2 << 20);
+    write("eval.csv", format!("{GOOD}\r\n{row}\n").as_bytes());
+    write("fit.csv", format!("T,dphi\n\n0,{row}").as_bytes());
+    let too_long = |line: u8| {
+        format!("the row that starts in line {line} is longer than 1 MB, the most that is read of one")
+    };
+    assert_eq!(complaint("eval eval.csv --out x.csv"), format!("gamow: eval.csv: {}", too_long(4)));
+    assert_eq!(complaint("fit fit.csv --d 1"), format!("gamow: fit.csv: {}", too_long(3)));
+    // Blank lines are no row, however many.
+    let blank = "\n".repeat(3 << 20);
+    assert_eq!(eval(format!("{blank}{GOOD}{blank}")).text(), eval(GOOD).text());
+}
+
+#[test]
+fn a_picture_that_claims_to_be_huge_is_refused_by_its_size() {
+    let folder = tempfile::tempdir().expect("there is a folder for temporary files");
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, 65_535, 65_535);
+    encoder.set_color(png::ColorType::Rgba);
+    let mut writer = encoder.write_header().expect("a header");
+    writer.write_chunk(png::chunk::IDAT, b"none").expect("into memory");
+    drop(writer);
+    fs::write(folder.path().join("big.png"), &bytes).expect("it is writable");
+    for arguments in [
+        "measure big.png --marker ff0000 --times 0 --d 0.1 --fov 50 --gaze 90,0",
+        "rectify big.png --beta 0.5 --fov 50 --gaze 90,0 --out x.png",
+    ] {
+        let arguments = arguments.split(' ');
+        let complaint = run(gamow().args(arguments).current_dir(folder.path()), b"").complaint();
+        let expected =
+            "gamow: big.png: it has 65535x65535 pixels, and at most 268435456 are read, as of 16384x16384";
+        assert_eq!(complaint, expected);
+    }
+    let complaint =
+        run(gamow().args(["measure", ".", "--object", "x"]).current_dir(folder.path()), b"").complaint();
+    assert_eq!(complaint, "gamow: .: there is no .exr file");
+}

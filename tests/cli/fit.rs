@@ -2,6 +2,8 @@
 
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
+use std::io::{BufRead as _, BufReader};
+use std::process::Stdio;
 
 use relativity_core::{Aperture, Model, SourcePoint, Speed, Turning, WheelPoint};
 use serde_json::Value;
@@ -255,4 +257,56 @@ fn why_there_is_no_fit_is_told_in_plain_words() {
         assert!(!foreign.iter().any(|word| line.contains(word)), "{line}");
         assert!(line.starts_with("gamow: standard input"), "{line}");
     }
+}
+
+#[test]
+fn separations_out_of_range_are_named() {
+    for d in ["-1", "0", "1e61"] {
+        let outcome = run(gamow().args(["fit", "--d", d]), b"T,dphi\n0,0.1\n");
+        assert_eq!(outcome.status, Some(2));
+        let expected = format!("error: invalid value '{d}' for '--d <D>': must be above 0 and at most 1e60");
+        assert!(outcome.stderr.starts_with(&expected), "{}", outcome.stderr);
+        let complaint = run(gamow().arg("fit"), format!("T,d,dphi\n0,{d},0.1\n").as_bytes()).complaint();
+        let expected = format!(
+            "gamow: standard input:2: column d: {d} is out of range: it must be above 0 and at most 1e60"
+        );
+        assert_eq!(complaint, expected);
+    }
+    for (flag, value) in [("x0", "1e61"), ("bootstrap", "1"), ("bootstrap", "100000000")] {
+        let outcome = run(gamow().args(["fit", &format!("--{flag}"), value]), b"");
+        assert_eq!(outcome.status, Some(2));
+        assert!(outcome.stderr.starts_with(&format!("error: invalid value '{value}' for '--{flag} <")));
+    }
+}
+
+#[test]
+#[cfg(unix)]
+fn an_interrupted_bootstrap_ends_with_the_replicates_drawn() {
+    use std::io::Write as _;
+    let data = words("curve --samples 2000").text();
+    let mut child = gamow()
+        .args(["fit", "--json", "--bootstrap", "10000000"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    let mut stdin = child.stdin.take().expect("it is piped");
+    stdin.write_all(data.as_bytes()).expect("it reads");
+    drop(stdin);
+    // It says what it costs, once it can tell.
+    let mut said = BufReader::new(child.stderr.take().expect("it is piped")).lines();
+    let told = said.next().expect("it tells").expect("it is text");
+    assert!(told.starts_with("gamow: 10000000 replicates take about "), "{told}");
+    let kill = std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status();
+    assert!(kill.expect("there is kill").success());
+    let ended = said.next().expect("it tells").expect("it is text");
+    let output = child.wait_with_output().expect("it ends");
+    assert_eq!(output.status.code(), Some(0));
+    let drawn = ended.strip_prefix("gamow: interrupted after ").and_then(|rest| rest.split(' ').next());
+    let drawn: usize = drawn.and_then(|drawn| drawn.parse().ok()).expect("it says how many");
+    let report = String::from_utf8(output.stdout).expect("it is text");
+    assert!(report.contains(&format!("\"replicates\": {drawn},")), "{report}");
+    let asked = run(gamow().args(["fit", "--json", "--bootstrap", &drawn.to_string()]), data.as_bytes());
+    assert_eq!(asked.text(), report, "as if so many had been asked for");
 }

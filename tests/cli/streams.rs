@@ -208,3 +208,36 @@ fn an_interrupt_leaves_nothing_behind() {
     assert_eq!(files(), 0);
     drop(rows);
 }
+
+#[test]
+#[cfg(unix)]
+fn files_whose_names_are_no_text_are_read_and_written() {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt as _;
+    let folder = tempfile::tempdir().expect("there is a folder for temporary files");
+    let name = |ending: &[u8]| OsStr::from_bytes(&[b"./r\xff", ending].concat()).to_owned();
+    let gamow = || {
+        let mut gamow = gamow();
+        gamow.current_dir(folder.path());
+        gamow
+    };
+    let small = ["--size", "32x24", "--samples", "1", "--renderer", "reference"];
+    let draw = || {
+        let mut draw = gamow();
+        draw.arg("render").args(small);
+        draw
+    };
+    run(gamow().args(["curve", "--out"]).arg(name(b".csv")), b"").text();
+    assert_eq!(run(gamow().arg("fit").arg(name(b".csv")), b"").status, Some(0));
+    run(draw().arg("--out").arg(name(b".png")), b"").text();
+    run(draw().args(["--out", "a.png", "--state"]).arg(name(b".png")), b"").text();
+    let lesson = "---\ntitle: Mine\n---\n\n## One\n\nLook.\n";
+    fs::write(folder.path().join(name(b".md")), lesson).expect("it is writable");
+    run(gamow().arg("lesson").arg(name(b".md")).args(["--worksheet", "a.html"]), b"").text();
+    // A scene's name is recorded as text.
+    let refused = run(draw().args(["--out", "b.png", "--scene"]).arg(name(b".toml")), b"");
+    assert_eq!(refused.status, Some(2));
+    let reason = "the file's name is no text in UTF-8, so that nothing could record which scene is shown";
+    assert!(refused.stderr.contains(reason), "{}", refused.stderr);
+    assert!(!folder.path().join("b.png").exists());
+}

@@ -6,7 +6,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use gamow::app::App;
 use gamow::app::command::Command;
-use gamow::settings::{PlotTab, Plots};
+use gamow::settings::{PlotTab, Plots, Settings};
 use relativity_core::{Aperture, Sighting, Speed, equidistance_time, sighting};
 use relativity_render::{Colour, Geometry, Shading};
 
@@ -26,7 +26,21 @@ pub const TESTS: &[Test] = &[
     ("one_light_cone_for_both_eyes_is_one_click_away", one_light_cone_is_one_click_away),
     ("each_effect_changes_the_picture", each_effect_changes_the_picture),
     ("settings_survive_saving_and_loading", settings_survive),
+    ("a_slider_is_set_by_an_aid_to_what_may_be_typed_at_most", a_slider_is_set_by_an_aid),
 ];
+
+fn a_slider_is_set_by_an_aid() {
+    let mut window = window_of_size(cyclist(0.5), [1280.0, 1600.0], 1.0);
+    for (name, value) in
+        [("Eyes apart d", 1e300), ("Distance y", -1e300), ("Head tilted", 1e300), ("Field of view", 1e300)]
+    {
+        window.get_by_role_and_label(Role::Slider, name).set_value_accesskit(value);
+        window.run();
+        let state = window.state().state();
+        let read = Settings::default().with_toml(&state.shown().to_toml(), "settings");
+        assert_eq!(read.expect("they can be read"), state.shown(), "{name} set to {value}");
+    }
+}
 
 fn dragging_beta_changes_the_readout() {
     let mut window = window(cyclist(0.5));

@@ -5,6 +5,7 @@
 //! with `GAMOW_REQUIRE_GPU=1` that is a failure.
 
 mod controls;
+mod faults;
 mod files;
 mod fit;
 mod groups;
@@ -19,6 +20,7 @@ mod plots;
 mod predictions;
 mod presenting;
 mod quality;
+mod random_user;
 mod saving;
 mod spacetime;
 mod start;
@@ -44,6 +46,7 @@ fn main() -> ExitCode {
     let missing = !required && relativity_render::Gpu::headless().is_err();
     let all = [
         controls::TESTS,
+        faults::TESTS,
         files::TESTS,
         fit::TESTS,
         groups::TESTS,
@@ -58,6 +61,7 @@ fn main() -> ExitCode {
         predictions::TESTS,
         presenting::TESTS,
         quality::TESTS,
+        random_user::TESTS,
         saving::TESTS,
         spacetime::TESTS,
         start::TESTS,

@@ -35,13 +35,33 @@ const LAST_DAMPING: f64 = 1e12;
 const MAX_FAILED_SHARE: f64 = 0.05;
 
 /// The refits.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Bootstrap {
     /// Beta, y, z and x0 of each replicate, in the order of their random streams; `None` without a fit.
     pub estimates: Vec<Option<[f64; 4]>>,
 }
 
 impl Bootstrap {
+    /// Draws so many `more` replicates of `fit`, as [`bootstrap`] does: to draw all at once, or in parts with the same
+    /// `seed`, gives the same.
+    pub fn extend(&mut self, fit: &Fit, more: usize, seed: u64) {
+        // It is never told to stop.
+        self.estimates.extend(estimates(fit, self.estimates.len(), more, seed, || false).unwrap_or_default());
+    }
+
+    /// It, if enough of its replicates have a fit.
+    ///
+    /// # Errors
+    ///
+    /// As [`bootstrap`].
+    pub fn checked(self) -> Result<Self, FitError> {
+        let (failed, replicates) = (self.failed(), self.estimates.len());
+        if replicates < 2 || failed as f64 > MAX_FAILED_SHARE * replicates as f64 {
+            return Err(FitError::Bootstrap { failed, replicates });
+        }
+        Ok(self)
+    }
+
     /// Replicates that have no fit.
     #[must_use]
     pub fn failed(&self) -> usize {
@@ -150,10 +170,19 @@ pub fn bootstrap_unless(
     seed: u64,
     stopped: impl Fn() -> bool + Sync,
 ) -> Option<Result<Bootstrap, FitError>> {
-    let Some(shared) = Shared::new(fit) else {
-        return Some(Err(FitError::Bootstrap { failed: replicates, replicates }));
-    };
-    let estimates: Option<Vec<_>> = (0..replicates as u64)
+    Some(Bootstrap { estimates: estimates(fit, 0, replicates, seed, stopped)? }.checked())
+}
+
+/// The replicates from `first` on, so many, unless it is `stopped`.
+fn estimates(
+    fit: &Fit,
+    first: usize,
+    replicates: usize,
+    seed: u64,
+    stopped: impl Fn() -> bool + Sync,
+) -> Option<Vec<Option<[f64; 4]>>> {
+    let Some(shared) = Shared::new(fit) else { return Some(vec![None; replicates]) };
+    (first as u64..(first + replicates) as u64)
         .into_par_iter()
         .map_init(
             || vec![0.0; fit.problem.rows.len()],
@@ -165,13 +194,7 @@ pub fn bootstrap_unless(
                 Some(shared.estimate(counts))
             },
         )
-        .collect();
-    let result = Bootstrap { estimates: estimates? };
-    let failed = result.failed();
-    if replicates < 2 || failed as f64 > MAX_FAILED_SHARE * replicates as f64 {
-        return Some(Err(FitError::Bootstrap { failed, replicates }));
-    }
-    Some(Ok(result))
+        .collect()
 }
 
 /// How often each sample is drawn.
@@ -326,6 +349,19 @@ mod tests {
         let asked = asked.into_inner();
         assert!(asked < 10_000, "it went on for {asked} replicates");
         assert_eq!(bootstrap_unless(&best, 20, 3, || false), Some(bootstrap(&best, 20, 3)));
+    }
+
+    #[test]
+    fn replicates_drawn_in_parts_are_those_drawn_at_once() {
+        let observations = Observations::of_pair(0.1, samples()).expect("usable samples");
+        let best = fit(&observations, &FitOptions { curves: Curves::Azimuth, ..FitOptions::default() });
+        let best = best.expect("a fit");
+        let mut parts = Bootstrap::default();
+        for part in [1, 0, 12, 7] {
+            parts.extend(&best, part, 3);
+        }
+        assert_eq!(parts.checked(), bootstrap(&best, 20, 3));
+        assert!(Bootstrap::default().checked().is_err());
     }
 
     #[test]

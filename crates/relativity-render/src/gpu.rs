@@ -1,6 +1,10 @@
 //! The graphics device, made once and shared by everything that draws.
 
+use std::collections::BTreeSet;
+
 use thiserror::Error;
+
+use crate::faults::ErrorScopes;
 
 /// Why nothing can be drawn on a GPU, in one sentence.
 #[derive(Debug, Clone, Error)]
@@ -11,6 +15,17 @@ pub enum GpuError {
          mesa-vulkan-drivers provides a software one"
     )]
     NoAdapter,
+    /// None with the name that is asked for.
+    #[error(
+        "WGPU_ADAPTER_NAME={asked:?} is no part of the name of a graphics adapter; there {}",
+        there(present)
+    )]
+    NoSuchAdapter {
+        /// What the name is to contain.
+        asked: String,
+        /// The names of those that there are.
+        present: Vec<String>,
+    },
     /// An adapter that cannot do what the renderers need.
     #[error("the graphics adapter {adapter} refused a device: {reason}")]
     Device {
@@ -32,6 +47,12 @@ pub enum GpuError {
     /// A view that the renderer in question does not draw.
     #[error(transparent)]
     Undrawn(#[from] Undrawn),
+    /// The device has no room for what it was given to draw.
+    #[error("the graphics device ran out of memory")]
+    OutOfMemory,
+    /// The device did not accept what it was given to draw.
+    #[error("the graphics device refused to draw: {0}")]
+    Refused(String),
     /// The device did not finish what it was given to draw.
     #[error("the graphics device was lost before it had finished drawing")]
     Lost,
@@ -41,6 +62,43 @@ pub enum GpuError {
     /// A picture's memory was given, but not all of it.
     #[error("the picture could not be read back from the graphics device: {0}")]
     Range(wgpu::MapRangeError),
+}
+
+/// Says which adapters are `present`.
+fn there(present: &[String]) -> String {
+    match present {
+        [] => "is none".to_owned(),
+        [one] => format!("is {one:?}"),
+        several => format!("are {several:?}"),
+    }
+}
+
+/// Which adapter the environment asks for: part of its name, in lower case. `None` if it does not.
+#[must_use]
+pub fn adapter_name() -> Option<String> {
+    std::env::var("WGPU_ADAPTER_NAME").ok().map(|name| name.to_lowercase()).filter(|name| !name.is_empty())
+}
+
+/// The first of `adapters` whose name contains `name`, which is in lower case, and which can show what is on `surface`, if
+/// there is one.
+///
+/// # Errors
+///
+/// There is none.
+pub fn named_adapter(
+    name: &str,
+    adapters: &[wgpu::Adapter],
+    surface: Option<&wgpu::Surface<'_>>,
+) -> Result<wgpu::Adapter, GpuError> {
+    let shows =
+        |adapter: &&wgpu::Adapter| surface.is_none_or(|surface| adapter.is_surface_supported(surface));
+    let present = adapters.iter().filter(shows);
+    let chosen = present.clone().find(|adapter| adapter.get_info().name.to_lowercase().contains(name));
+    chosen.cloned().ok_or_else(|| {
+        // One is there once for each library that reaches it.
+        let names: BTreeSet<String> = present.map(|adapter| adapter.get_info().name).collect();
+        GpuError::NoSuchAdapter { asked: name.to_owned(), present: names.into_iter().collect() }
+    })
 }
 
 /// Why a view is not drawn, in one sentence.
@@ -81,9 +139,12 @@ impl Gpu {
             power_preference: wgpu::PowerPreference::HighPerformance,
             ..Default::default()
         };
-        let adapter = match wgpu::util::initialize_adapter_from_env(&instance, None).await {
-            Err(_) => instance.request_adapter(&options).await.map_err(|_| GpuError::NoAdapter)?,
-            Ok(chosen) => chosen,
+        let adapter = match adapter_name() {
+            None => instance.request_adapter(&options).await.map_err(|_| GpuError::NoAdapter)?,
+            Some(name) => {
+                let backends = wgpu::Backends::from_env().unwrap_or(wgpu::Backends::all());
+                named_adapter(&name, &instance.enumerate_adapters(backends).await, None)?
+            }
         };
         let (device, queue) = adapter
             .request_device(&wgpu::DeviceDescriptor {
@@ -112,6 +173,13 @@ impl Gpu {
     #[must_use]
     pub fn description(&self) -> String {
         format!("{} ({:?})", self.info.name, self.info.backend)
+    }
+
+    /// Begins to wait for what the device refuses of what this thread asks of it. What is refused without it is a
+    /// [`Faults`](crate::Faults)' to tell, or ends the program.
+    #[must_use]
+    pub fn error_scopes(&self) -> ErrorScopes {
+        ErrorScopes::open(&self.device)
     }
 
     /// Waits until everything drawn so far is finished; for timing.

@@ -153,7 +153,7 @@ impl Renderers {
     ///
     /// # Errors
     ///
-    /// No device, or a view that nothing draws there.
+    /// No device, a view that nothing draws there, or a device that refuses it.
     pub fn draw(
         &mut self,
         method: Method,
@@ -163,17 +163,18 @@ impl Renderers {
         target: &mut EyeTarget,
     ) -> Result<(), GpuError> {
         view.drawn_on_gpu()?;
+        let scopes = self.gpu.as_ref().ok_or(GpuError::NoAdapter)?.error_scopes();
         let (gpu, canvas, drawing) = self.drawing(method.on_gpu(view))?;
         canvas.paint(gpu, drawing, scene, view, appearance, target);
-        Ok(())
+        scopes.close()
     }
 
     /// The picture of `view` by `method`, the reference with `samples` times `samples` rays per pixel.
     ///
     /// # Errors
     ///
-    /// A view that nothing draws, no device where `method` needs one, a size that it cannot draw, or a device that was
-    /// lost.
+    /// A view that nothing draws, no device where `method` needs one, a size that it cannot draw, or a device that
+    /// refuses it or was lost.
     pub fn picture(
         &mut self,
         method: Method,
@@ -188,9 +189,11 @@ impl Renderers {
             return Ok(scene.picture(view, appearance, samples));
         }
         let size = view.camera.size;
+        let scopes = self.gpu.as_ref().ok_or(GpuError::NoAdapter)?.error_scopes();
         let mut target = self.sized_target(size)?;
-        self.draw(method, scene, view, appearance, &mut target)?;
+        let drawn = self.draw(method, scene, view, appearance, &mut target);
         let bytes = target.rgba8(self.gpu.as_ref().ok_or(GpuError::NoAdapter)?);
+        scopes.close().and(drawn)?;
         self.target = Some(target);
         let rgba = bytes?.chunks_exact(4).map(|pixel| [pixel[0], pixel[1], pixel[2], pixel[3]]).collect();
         Ok(Picture { size, rgba })
@@ -223,8 +226,10 @@ impl Renderers {
             return Ok(scene.hit_image(part));
         }
         self.check_size(part.camera.size)?;
+        let scopes = self.gpu.as_ref().ok_or(GpuError::NoAdapter)?.error_scopes();
         let (gpu, canvas, drawing) = self.drawing(method)?;
-        canvas.hits(gpu, drawing, scene, whole, part)
+        let hits = canvas.hits(gpu, drawing, scene, whole, part);
+        scopes.close().and(hits)
     }
 
     /// The device, what is drawn on, and what stands for `method` on the GPU.

@@ -158,7 +158,12 @@ impl NumberRow<'_> {
         // A typed value may lie beyond the slider's ends and stays as typed.
         let slider =
             Slider::new(value, self.slider.clone()).show_value(false).clamping(SliderClamping::Never);
-        explained(ui.add(slider), self.tip).accessible_name(self.name)
+        let response = explained(ui.add(slider), self.tip).accessible_name(self.name);
+        // An aid for accessibility can set what no drag reaches.
+        if response.changed() {
+            *value = value.clamp(*self.typed.start(), *self.typed.end());
+        }
+        response
     }
 
     fn number(&self, ui: &mut Ui, value: &mut f64) -> bool {

@@ -17,7 +17,7 @@ use crate::lesson::{Library, worksheet};
 pub struct LessonArgs {
     /// Name of the lesson or preset (`gamow --list`), or a file.
     #[arg(value_name = "NAME|FILE.md")]
-    name: String,
+    name: PathBuf,
     /// The page that is written.
     #[arg(long, value_name = "FILE.html")]
     worksheet: PathBuf,

@@ -23,7 +23,7 @@ use crate::files::exr::{EYES, Measurements};
 use crate::files::png::PngFile;
 use crate::files::whole::OutArgs;
 use crate::flags::choices::{FileKind, Layout};
-use crate::flags::{coordinates, finite_number, within};
+use crate::flags::{COORDINATES, coordinates, within};
 use crate::passage::time_within;
 use crate::platform::{self, files, tell};
 use crate::settings::{CameraArgs, MAX_LENGTH, Picture, Settings};
@@ -68,7 +68,7 @@ struct TakenArgs {
     /// Observation times: one per file, in the order of the files (by name in a folder), or the first and the last of evenly
     /// spaced ones [default: as the files record them]
     #[arg(
-        long, visible_alias = "time", value_name = "T,T,...", value_delimiter = ',', value_parser = finite_number,
+        long, visible_alias = "time", value_name = "T,T,...", value_delimiter = ',', value_parser = within(COORDINATES),
         allow_hyphen_values = true
     )]
     times: Vec<f64>,
@@ -166,7 +166,8 @@ fn files(inputs: &[PathBuf], target: Target<'_>) -> anyhow::Result<Vec<PathBuf>>
             files.push(input.clone());
         }
     }
-    anyhow::ensure!(!files.is_empty(), "there is no .{} file", kind.extension());
+    let places = || inputs.iter().map(|input| platform::files::shown(input)).collect::<Vec<_>>().join(", ");
+    anyhow::ensure!(!files.is_empty(), "{}: there is no .{} file", places(), kind.extension());
     Ok(files)
 }
 

@@ -17,8 +17,8 @@ use crate::studio::film::{FilmKind, frame_path};
 /// Flags of a sequence.
 #[derive(Debug, Clone, Args)]
 pub struct TimeArgs {
-    /// Make a sequence of N frames.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..), conflicts_with = "time")]
+    /// Make a sequence of N frames, 1 to 1000000.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000), conflicts_with = "time")]
     pub frames: Option<u32>,
     /// Make the frames of a sequence .exr files of what every pixel shows, not .png pictures.
     #[arg(long, requires = "frames")]

@@ -42,13 +42,16 @@ pub fn fitted(mut settings: Settings) -> anyhow::Result<Settings> {
 /// Where a file of `settings` goes that is asked for at `path`: a picture for headsets has a name that they know.
 #[must_use]
 pub fn named(settings: &Settings, path: &Path) -> PathBuf {
-    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let stem = path.file_stem().unwrap_or_default();
     let is_picture = FileKind::of(path) == Some(FileKind::Png);
-    if !is_asked_for(settings) || !is_picture || stem.ends_with(MARK) {
+    if !is_asked_for(settings) || !is_picture || stem.to_string_lossy().ends_with(MARK) {
         return path.to_owned();
     }
-    let extension = path.extension().unwrap_or_default().to_string_lossy();
-    path.with_file_name(format!("{stem}{MARK}.{extension}"))
+    let mut name = stem.to_owned();
+    name.push(MARK);
+    name.push(".");
+    name.push(path.extension().unwrap_or_default());
+    path.with_file_name(name)
 }
 
 #[cfg(test)]

@@ -1,0 +1,20 @@
+# Sourced by the scripts beside it: what a bare Debian 12 with Rust lacks for them.
+
+step() { printf '\n== %s\n' "$*"; }
+
+as_root() { if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi; }
+
+# A C compiler to link with, a software Vulkan driver in place of a GPU, and a display for the window.
+packages=(gcc libc6-dev mesa-vulkan-drivers xvfb libxcursor1 libxi6 libxkbcommon-x11-0)
+
+# Installs those of them, and of the further ones named, that are missing.
+install_packages() {
+    local missing=() package
+    for package in "${packages[@]}" "$@"; do
+        dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
+    done
+    [ "${#missing[@]}" -eq 0 ] && return
+    step "install ${missing[*]}"
+    as_root apt-get update -qq
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}"
+}

@@ -1,0 +1,102 @@
+//! What goes wrong on a graphics device: told to whoever draws, never the end of the program.
+
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use wgpu::{DeviceLostReason, ErrorFilter};
+
+use crate::gpu::GpuError;
+
+/// What a device reported that nobody was waiting for, and whether it was lost.
+#[derive(Debug, Clone, Default)]
+pub struct Faults(Arc<Mutex<Told>>);
+
+#[derive(Debug, Default)]
+struct Told {
+    errors: u64,
+    first: Option<String>,
+    loss: Option<String>,
+}
+
+impl Faults {
+    /// Those of `device` from now on, in place of the end of the program; each calls `wake`.
+    pub fn of(device: &wgpu::Device, wake: impl Fn() + Clone + Send + Sync + 'static) -> Self {
+        let faults = Self::default();
+        let (told, wakes) = (faults.clone(), wake.clone());
+        device.on_uncaptured_error(Arc::new(move |error| {
+            told.note_error(&error);
+            wakes();
+        }));
+        let told = faults.clone();
+        device.set_device_lost_callback(move |reason, message| {
+            told.note_loss(reason, &message);
+            wake();
+        });
+        faults
+    }
+
+    /// How many errors there were.
+    #[must_use]
+    pub fn errors(&self) -> u64 {
+        self.told().errors
+    }
+
+    /// The first of them.
+    #[must_use]
+    pub fn first(&self) -> Option<String> {
+        self.told().first.clone()
+    }
+
+    /// Why the device is lost, if it is.
+    #[must_use]
+    pub fn loss(&self) -> Option<String> {
+        self.told().loss.clone()
+    }
+
+    fn note_error(&self, error: &wgpu::Error) {
+        let mut told = self.told();
+        told.errors += 1;
+        told.first.get_or_insert_with(|| in_one_line(&error.to_string()));
+    }
+
+    fn note_loss(&self, reason: DeviceLostReason, message: &str) {
+        let message = in_one_line(message);
+        let why = if message.is_empty() { format!("{reason:?}") } else { message };
+        self.told().loss.get_or_insert(why);
+    }
+
+    fn told(&self) -> MutexGuard<'_, Told> {
+        // A report is whole even if another thread ended while it made one.
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Waits for what a device refuses of what this thread asks of it.
+#[derive(Debug)]
+pub struct ErrorScopes([wgpu::ErrorScopeGuard; 3]);
+
+impl ErrorScopes {
+    pub(crate) fn open(device: &wgpu::Device) -> Self {
+        let kinds = [ErrorFilter::Validation, ErrorFilter::OutOfMemory, ErrorFilter::Internal];
+        Self(kinds.map(|kind| device.push_error_scope(kind)))
+    }
+
+    /// Ends waiting.
+    ///
+    /// # Errors
+    ///
+    /// The first that was refused.
+    pub fn close(self) -> Result<(), GpuError> {
+        let [validation, memory, internal] = self.0;
+        // The last that was opened is the first to be closed; the answers are there at once.
+        let refused = [internal, memory, validation].map(|scope| pollster::block_on(scope.pop()));
+        match refused.into_iter().flatten().last() {
+            None => Ok(()),
+            Some(wgpu::Error::OutOfMemory { .. }) => Err(GpuError::OutOfMemory),
+            Some(error) => Err(GpuError::Refused(in_one_line(&error.to_string()))),
+        }
+    }
+}
+
+fn in_one_line(message: &str) -> String {
+    message.split_whitespace().collect::<Vec<_>>().join(" ")
+}

@@ -1,0 +1,343 @@
+//! What becomes of the window's state where the window cannot go on: it is opened again once, else the state is kept for the
+//! next start.
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::io::Write as _;
+use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
+
+use anyhow::Context as _;
+use eframe::Storage;
+use eframe::egui::{Context, Ui};
+
+use super::notice::Notice;
+use super::state::{Session, State};
+use super::{App, memory};
+use crate::caption::capitalised;
+use crate::files::whole::write_whole;
+use crate::platform::clock::Instant;
+use crate::platform::files;
+
+/// A device that is lost again within this time is not asked for another window.
+const SOON: Duration = Duration::from_secs(60);
+
+/// What a window leaves when it ends, however it does.
+#[derive(Debug)]
+pub struct Left {
+    /// What it showed.
+    pub state: State,
+    /// Why its device was lost, if it was.
+    pub loss: Option<String>,
+}
+
+/// Where a window leaves it.
+pub type Estate = Arc<Mutex<Option<Left>>>;
+
+/// The window, whose state outlives it.
+pub struct Bequeathed {
+    app: App,
+    estate: Estate,
+}
+
+impl Bequeathed {
+    /// `app`, which leaves its state to the `estate`.
+    pub const fn new(app: App, estate: Estate) -> Self {
+        Self { app, estate }
+    }
+}
+
+impl eframe::App for Bequeathed {
+    fn logic(&mut self, ctx: &Context, frame: &mut eframe::Frame) {
+        self.app.logic(ctx, frame);
+    }
+
+    fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
+        self.app.ui(ui, frame);
+    }
+
+    fn save(&mut self, storage: &mut dyn Storage) {
+        self.app.save(storage);
+    }
+}
+
+impl Drop for Bequeathed {
+    fn drop(&mut self) {
+        let left = Left { state: self.app.state().clone(), loss: self.app.loss() };
+        *self.estate.lock().unwrap_or_else(PoisonError::into_inner) = Some(left);
+    }
+}
+
+/// What ended a window without its user.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Break {
+    /// It could not be had, or it could not go on, as the windowing library says.
+    Window(String),
+    /// The display that it was on is gone.
+    Display,
+    /// The graphics device is of no use any more, as its library says.
+    Device(String),
+}
+
+impl fmt::Display for Break {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Window(reason) => f.write_str(reason),
+            Self::Display => f.write_str("the display is gone"),
+            Self::Device(reason) => write!(f, "the graphics device was lost ({reason})"),
+        }
+    }
+}
+
+impl Break {
+    /// What a panic of one of the libraries below the window is, if it is none of its defects: a `message` from the source
+    /// `file`. Any other panic is a defect of this program or of theirs.
+    fn of(message: &str, file: &str) -> Option<Self> {
+        let is_from = |library: &str| file.replace('\\', "/").contains(&format!("/{library}-"));
+        if message.contains("could not be loaded") {
+            return Some(Self::Window(message.to_owned()));
+        }
+        let is_windowing =
+            ["winit", "egui-winit", "x11rb", "x11rb-protocol", "eframe"].into_iter().any(is_from);
+        if is_windowing
+            && ["Connection(", "ConnectionError", "IoError"].iter().any(|word| message.contains(word))
+        {
+            return Some(Self::Display);
+        }
+        let said = [
+            "Failed to create staging buffer",
+            "wgpu error",
+            "surface isn't supported",
+            "Error in Surface::",
+        ];
+        let is_drawing = ["egui-wgpu", "wgpu"].into_iter().any(is_from);
+        (is_drawing && said.iter().any(|word| message.contains(word)))
+            .then(|| Self::Device(message.split_whitespace().collect::<Vec<_>>().join(" ")))
+    }
+}
+
+/// Runs the event loop. Where a system library is missing, where the display goes away and where the graphics device is lost
+/// the libraries below the window panic; that becomes an error. Any other panic is a defect and is reported as usual.
+///
+/// # Errors
+/// What ended it.
+pub fn guarded(run: impl FnOnce() -> eframe::Result) -> Result<(), Break> {
+    let usual = Arc::new(panic::take_hook());
+    let (found, hook) = (Arc::new(Mutex::new(None)), Arc::clone(&usual));
+    let noted = Arc::clone(&found);
+    panic::set_hook(Box::new(move |info| match broken(info) {
+        Some(reason) => {
+            noted.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(reason);
+        }
+        None => hook(info),
+    }));
+    let outcome = panic::catch_unwind(AssertUnwindSafe(run));
+    panic::set_hook(Box::new(move |info| usual(info)));
+    let found = found.lock().unwrap_or_else(PoisonError::into_inner).take();
+    match (outcome, found) {
+        (Ok(result), _) => result.map_err(|error| Break::Window(error.to_string())),
+        (Err(_), Some(reason)) => Err(reason),
+        (Err(payload), None) => panic::resume_unwind(payload),
+    }
+}
+
+fn broken(info: &PanicHookInfo<'_>) -> Option<Break> {
+    let file = info.location().map_or("", |place| place.file());
+    Break::of(info.payload_as_str().unwrap_or_default(), file)
+}
+
+/// How a window that did not end by its user came to its end.
+#[derive(Debug)]
+pub enum Ended {
+    /// It was never there.
+    Unopened(Break),
+    /// It could not go on; it showed this.
+    Broken(Break, Box<State>),
+}
+
+/// Has windows open, the first in the state that `open` finds, until one is closed by its user. One that loses its device is
+/// followed by another, which begins in the state of the one before, unless that was itself the other one a minute ago.
+///
+/// # Errors
+/// The window that was not to be had, or did not go on.
+pub fn kept_open(
+    mut open: impl FnMut(Option<State>, &Estate) -> Result<(), Break>,
+    mut since: impl FnMut(&Instant) -> Duration,
+) -> Result<(), Ended> {
+    let mut begin: Option<State> = None;
+    loop {
+        let opened = Instant::now();
+        let estate = Estate::default();
+        let result = open(begin.clone(), &estate);
+        let left = estate.lock().unwrap_or_else(PoisonError::into_inner).take();
+        let (state, loss) = match (left, &begin) {
+            (Some(Left { state, loss }), _) => (state, loss),
+            (None, Some(state)) => (state.clone(), None),
+            (None, None) => return result.map_err(Ended::Unopened),
+        };
+        let reason = match (result, loss) {
+            (Err(Break::Display), _) => Break::Display,
+            (_, Some(why)) => Break::Device(why),
+            (Ok(()), None) => return Ok(()),
+            (Err(reason), None) => reason,
+        };
+        let is_again = begin.is_some() && since(&opened) < SOON;
+        if is_again || !matches!(reason, Break::Device(_)) {
+            return Err(Ended::Broken(reason, Box::new(state)));
+        }
+        let text = format!(
+            "{}. This is another window, with all that the last one showed.",
+            capitalised(&reason.to_string())
+        );
+        log::warn!("{text}");
+        begin =
+            Some(State { session: Session { notice: Some(Notice::error(text)), ..state.session }, ..state });
+    }
+}
+
+/// What eframe keeps in its file, without a window.
+#[derive(Default)]
+struct Stored(BTreeMap<String, String>);
+
+impl Storage for Stored {
+    fn get_string(&self, key: &str) -> Option<String> {
+        self.0.get(key).cloned()
+    }
+
+    fn set_string(&mut self, key: &str, value: String) {
+        self.0.insert(key.to_owned(), value);
+    }
+
+    fn remove_string(&mut self, key: &str) {
+        self.0.remove(key);
+    }
+
+    fn flush(&mut self) {}
+}
+
+/// Keeps `state` as the window of the program `app_id` does when it is closed, and says where.
+///
+/// # Errors
+/// The file system's.
+pub fn keep(state: &State, app_id: &str) -> anyhow::Result<PathBuf> {
+    let folder = eframe::storage_dir(app_id).context("there is no folder for it")?;
+    files::create_folder(&folder)?;
+    let path = folder.join("app.ron");
+    keep_in(&path, state)?;
+    Ok(path)
+}
+
+/// Keeps `state` in eframe's file at `path`, with what else is there.
+fn keep_in(path: &Path, state: &State) -> anyhow::Result<()> {
+    let text = files::read_to_string(path).unwrap_or_default();
+    let mut stored = Stored(ron::from_str(&text).unwrap_or_default());
+    memory::keep(&mut stored, state);
+    let text = ron::to_string(&stored.0)?;
+    write_whole(path, |file| Ok(file.write_all(text.as_bytes())?))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::cell::Cell;
+
+    use super::*;
+    use crate::settings::Settings;
+
+    const LONG: Duration = Duration::from_secs(3600);
+
+    fn state(time: f64) -> State {
+        State::open(Settings { time: Some(time), ..Settings::default() }).expect("a preset")
+    }
+
+    /// Windows that end one after the other as `ends` have it, each after this time; how they ended, and the times that they
+    /// began with.
+    fn opened(ends: &[(Result<(), Break>, Option<&str>, Duration)]) -> (Result<(), Ended>, Vec<Option<f64>>) {
+        let (mut began, lasted) = (Vec::new(), Cell::new(Duration::ZERO));
+        let mut ends = ends.iter().cloned();
+        let ended = kept_open(
+            |begin, estate| {
+                let (result, loss, time) = ends.next().expect("no further window");
+                began.push(begin.as_ref().map(|state| state.session.time));
+                lasted.set(time);
+                // Those that cannot be had leave nothing.
+                if !matches!(&result, Err(Break::Window(_))) {
+                    let mut left = begin.unwrap_or_else(|| state(1.0));
+                    left.session.time += 1.0;
+                    let left = Left { state: left, loss: loss.map(str::to_owned) };
+                    *estate.lock().expect("nothing panics") = Some(left);
+                }
+                result
+            },
+            |_| lasted.get(),
+        );
+        (ended, began)
+    }
+
+    #[test]
+    fn a_lost_device_is_followed_by_another_window_in_the_same_state() {
+        let lost = Err(Break::Device("wgpu error".to_owned()));
+        let now = Duration::from_secs(1);
+        for first in [(Ok(()), Some("gone"), now), (lost.clone(), None, now)] {
+            let (ended, began) = opened(&[first.clone(), (Ok(()), None, now)]);
+            assert!(ended.is_ok());
+            assert_eq!(began, [None, Some(2.0)]);
+            // Soon again: that is the end.
+            let (ended, began) = opened(&[first.clone(), first.clone()]);
+            assert!(
+                matches!(ended, Err(Ended::Broken(Break::Device(_), state)) if state.session.time == 3.0)
+            );
+            assert_eq!(began.len(), 2);
+            // Long after, it is not.
+            let later = (first.0.clone(), first.1, LONG);
+            assert!(opened(&[first, later.clone(), later, (Ok(()), None, now)]).0.is_ok());
+        }
+    }
+
+    #[test]
+    fn a_window_that_cannot_go_on_leaves_its_state() {
+        let now = Duration::from_secs(1);
+        let (ended, _) = opened(&[(Err(Break::Display), Some("with it"), now)]);
+        assert!(matches!(ended, Err(Ended::Broken(Break::Display, state)) if state.session.time == 2.0));
+        let none = Err(Break::Window("no adapter".to_owned()));
+        let (ended, _) = opened(&[(none.clone(), None, now)]);
+        assert!(matches!(ended, Err(Ended::Unopened(_))));
+        // The second is not to be had: what the first showed is not lost.
+        let (ended, _) = opened(&[(Ok(()), Some("gone"), now), (none, None, now)]);
+        assert!(matches!(ended, Err(Ended::Broken(Break::Window(_), state)) if state.session.time == 2.0));
+    }
+
+    #[test]
+    fn only_what_is_known_is_taken_for_a_lost_display_or_device() {
+        let winit = "/home/x/.cargo/registry/src/index/winit-0.30.13/src/platform_impl/linux/x11/window.rs";
+        let connection =
+            "called `Result::unwrap()` on an `Err` value: Connection(IoError(Custom { kind: Other }))";
+        assert_eq!(Break::of(connection, winit), Some(Break::Display));
+        assert_eq!(Break::of(connection, "src/app/mod.rs"), None);
+        assert_eq!(Break::of("index out of bounds", winit), None);
+        let painter = "C:\\registry\\src\\egui-wgpu-0.37.0\\src\\renderer.rs";
+        let staging = "Failed to create staging buffer for index data.";
+        assert!(matches!(Break::of(staging, painter), Some(Break::Device(_))));
+        assert_eq!(Break::of(staging, "src/app/eyes.rs"), None);
+        assert_eq!(Break::of("called `Option::unwrap()` on a `None` value", painter), None);
+        assert!(matches!(Break::of("libX11 could not be loaded", "xlib.rs"), Some(Break::Window(_))));
+    }
+
+    #[test]
+    fn what_is_kept_without_a_window_is_what_the_next_one_remembers() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("app.ron");
+        std::fs::write(&path, r#"{"window": "(pos: \"there\")", "settings": "old"}"#).expect("it is written");
+        let mut state = state(1.5);
+        state.session.hint = false;
+        keep_in(&path, &state).expect("it is kept");
+        // As eframe reads it.
+        let text = std::fs::read_to_string(&path).expect("it is there");
+        let stored = Stored(ron::from_str(&text).expect("a map"));
+        assert_eq!(memory::remembered(&stored), state.shown());
+        assert!(!memory::lacks_a_click(&stored));
+        assert_eq!(stored.0.get("window").map(String::as_str), Some(r#"(pos: "there")"#));
+        assert!(keep_in(&folder.path().join("missing/app.ron"), &state).is_err());
+    }
+}

@@ -1,0 +1,123 @@
+//! What the window does when its graphics device fails. Each test has a device of its own, which it may break.
+
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use eframe::egui::{Vec2, ViewportCommand};
+use eframe::egui_wgpu::{RenderState, RendererOptions, WgpuSetup};
+use eframe::wgpu;
+use egui_kittest::Harness;
+use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
+use gamow::app::App;
+use gamow::app::command::Command;
+
+use super::Test;
+use super::support::{FRAME, cyclist, window};
+
+pub const TESTS: &[Test] = &[
+    ("a_device_that_refuses_leaves_the_views_to_the_cpu", a_device_that_refuses_leaves_the_views_to_the_cpu),
+    ("an_error_that_nobody_waits_for_is_told_once", an_error_that_nobody_waits_for_is_told_once),
+    ("a_lost_device_closes_the_window_and_leaves_its_state", a_lost_device_closes_the_window),
+    ("no_size_of_the_window_is_an_error", no_size_of_the_window_is_an_error),
+];
+
+/// A window, and its device, whose limits are those of the adapter after `lower`.
+fn on_device(lower: fn(&mut wgpu::Limits)) -> (Harness<'static, App>, RenderState) {
+    let mut setup = default_wgpu_setup();
+    if let WgpuSetup::CreateNew(setup) = &mut setup {
+        setup.device_descriptor = Arc::new(move |adapter| {
+            let mut limits = adapter.limits();
+            lower(&mut limits);
+            wgpu::DeviceDescriptor { required_limits: limits, ..Default::default() }
+        });
+    }
+    let render_state = create_render_state(setup, RendererOptions::PREDICTABLE);
+    let harness = Harness::builder()
+        .with_size(Vec2::new(1280.0, 800.0))
+        .with_step_dt(FRAME)
+        .with_max_steps(12)
+        .with_render_cursor(false)
+        .renderer(WgpuTestRenderer::from_render_state(render_state.clone()))
+        .build_eframe(|cc| App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), cyclist(0.9)));
+    (harness, render_state)
+}
+
+fn notice(harness: &Harness<'_, App>) -> Option<String> {
+    harness.state().state().session.notice.as_ref().map(|notice| notice.text.clone())
+}
+
+fn a_device_that_refuses_leaves_the_views_to_the_cpu() {
+    // Less than what a frame's numbers take, and enough for the panels.
+    let (mut harness, _) = on_device(|limits| limits.max_uniform_buffer_binding_size = 64);
+    harness.run_steps(3);
+    let text = notice(&harness).expect("it is told");
+    assert!(text.contains("refused to draw") && text.contains("drawn on the CPU"), "{text}");
+    let deadline = Instant::now() + Duration::from_secs(60);
+    while !harness.state().is_settled() {
+        assert!(Instant::now() < deadline, "the pictures by the CPU do not come");
+        harness.step();
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    // Told once; what is set stays.
+    harness.state_mut().ask(Command::CloseNotice);
+    harness.run_steps(3);
+    assert_eq!(notice(&harness), None);
+    assert_eq!(harness.state().state().speed().beta(), 0.9);
+    let picture = harness.render().expect("it is drawn");
+    let usual = window(cyclist(0.9)).render().expect("it is drawn");
+    let off = picture.pixels().zip(usual.pixels());
+    let off = off.filter(|(a, b)| (0..3).any(|i| a.0[i].abs_diff(b.0[i]) > 48)).count();
+    // Outlines differ by how rays share pixels; without pictures a quarter of the window would.
+    let all = picture.pixels().len();
+    assert!(off * 20 < all, "{off} of {all} pixels");
+}
+
+fn an_error_that_nobody_waits_for_is_told_once() {
+    let (mut harness, render_state) = on_device(|_| {});
+    harness.run_steps(2);
+    let before = notice(&harness);
+    let invalid = |size: u64| {
+        let usage = wgpu::BufferUsages::COPY_DST;
+        let wanted =
+            wgpu::BufferDescriptor { label: Some("too large"), size, usage, mapped_at_creation: false };
+        drop(render_state.device.create_buffer(&wanted));
+    };
+    invalid(1 << 60);
+    harness.run_steps(2);
+    let text = notice(&harness).expect("it is told");
+    assert!(before != Some(text.clone()) && text.contains("too large"), "{text}");
+    harness.state_mut().ask(Command::CloseNotice);
+    for _ in 0..10 {
+        invalid(1 << 61);
+        harness.step();
+        assert_eq!(notice(&harness), None);
+    }
+}
+
+fn a_lost_device_closes_the_window() {
+    let (mut harness, render_state) = on_device(|_| {});
+    harness.run_steps(2);
+    assert_eq!(harness.state().loss(), None);
+    let before = harness.state().state().clone();
+    render_state.device.destroy();
+    let _ = render_state.device.poll(wgpu::PollType::Poll);
+    harness.step();
+    assert!(harness.state().loss().is_some());
+    let mut asked = harness.output().viewport_output.values().flat_map(|output| &output.commands);
+    assert!(asked.any(|command| *command == ViewportCommand::Close));
+    assert_eq!(harness.state().state().settings, before.settings);
+    assert_eq!(harness.state().state().session.points, before.session.points);
+}
+
+fn no_size_of_the_window_is_an_error() {
+    // A device that draws little more than the window is large.
+    let (mut harness, _) = on_device(|limits| limits.max_texture_dimension_2d = 2048);
+    harness.state_mut().ask(Command::TogglePlaying);
+    for size in [[0.0, 0.0], [1.0, 1.0], [1.0, 800.0], [20_000.0, 3.0], [5000.0, 4000.0], [1280.0, 800.0]] {
+        harness.set_size(Vec2::from(size));
+        harness.run_steps(2);
+        let numbers = harness.state().state().session.picture_size;
+        assert!(numbers.iter().all(|side| (1..=2048).contains(side)), "{size:?}: {numbers:?}");
+        assert_eq!(notice(&harness), None, "{size:?}");
+    }
+}
