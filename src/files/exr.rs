@@ -350,6 +350,7 @@ mod tests {
 
     impl Measurements {
         /// Some of this `size`.
+        #[must_use]
         pub fn for_tests([width, height]: [u32; 2]) -> Self {
             let channel = |name: &str| {
                 let values = (0..width * height).map(|i| (i.wrapping_mul(i) % 1009) as f32);

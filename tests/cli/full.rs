@@ -289,3 +289,11 @@ fn what_a_terminal_would_obey_is_quoted_wherever_it_comes_from() {
         assert!(!said.starts_with("gamow: ") || said.lines().count() == 1, "{words:?}: {said}");
     }
 }
+
+/// `.ci/kills COUNT` does it more often, by hand.
+#[test]
+fn a_command_that_is_killed_leaves_what_was_there_or_all_that_is_new() {
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join(".ci/kills");
+    let outcome = ended(Command::new(script).args(["16", env!("CARGO_BIN_EXE_gamow")]));
+    assert_eq!((outcome.status, outcome.stderr.as_str()), (Some(0), ""));
+}
