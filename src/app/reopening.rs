@@ -335,7 +335,7 @@ mod tests {
         // As eframe reads it.
         let text = std::fs::read_to_string(&path).expect("it is there");
         let stored = Stored(ron::from_str(&text).expect("a map"));
-        assert_eq!(memory::remembered(&stored), state.shown());
+        assert_eq!(memory::remembered(&stored).time, Some(1.5));
         assert!(!memory::lacks_a_click(&stored));
         assert_eq!(stored.0.get("window").map(String::as_str), Some(r#"(pos: "there")"#));
         assert!(keep_in(&folder.path().join("missing/app.ron"), &state).is_err());

@@ -35,6 +35,7 @@ fn picture(state: State, size: [u32; 2]) -> anyhow::Result<Picture> {
     let ctx = Context::default();
     let mut app = App::new(&ctx, Some(&render_state), state);
     let painter = Painter::new(&render_state, size);
+    let scopes = painter.gpu.error_scopes();
     let mut settled = 0;
     for frame in 1.. {
         let mut output = ctx.run_ui(input(size, frame), |ui| app.show(ui));
@@ -50,8 +51,9 @@ fn picture(state: State, size: [u32; 2]) -> anyhow::Result<Picture> {
             break;
         }
     }
-    let bytes = painter.target.rgba8(&painter.gpu)?;
-    let rgba = bytes.chunks_exact(4).map(|pixel| [pixel[0], pixel[1], pixel[2], pixel[3]]).collect();
+    let bytes = painter.target.rgba8(&painter.gpu);
+    scopes.close()?;
+    let rgba = bytes?.chunks_exact(4).map(|pixel| [pixel[0], pixel[1], pixel[2], pixel[3]]).collect();
     Ok(Picture { size, rgba })
 }
 

@@ -10,6 +10,7 @@ use super::Test;
 pub const TESTS: &[Test] = &[
     ("a_screenshot_has_the_size_asked_for_and_shows_the_state", a_screenshot_shows_the_state),
     ("a_screenshot_that_cannot_be_written_leaves_nothing", a_screenshot_that_cannot_be_written),
+    ("an_adapter_that_is_not_there_is_named", an_adapter_that_is_not_there_is_named),
     ("bad_flags_are_named_before_anything_is_drawn", bad_flags_are_named),
     ("without_a_display_it_says_what_to_do", without_a_display),
 ];
@@ -91,6 +92,19 @@ fn bad_flags_are_named() {
         assert_eq!(output.status.code(), Some(2), "{message}");
         assert!(message.contains(part), "{message}");
     }
+}
+
+fn an_adapter_that_is_not_there_is_named() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("window.png");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_gamow"));
+    let output = command.env("WGPU_ADAPTER_NAME", "nothing").arg("--screenshot").arg(&path).output();
+    let output = output.expect("it starts");
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    let lines: Vec<&str> = message.lines().filter(|line| line.starts_with("gamow:")).collect();
+    assert!(lines.len() == 1 && lines[0].contains(r#"WGPU_ADAPTER_NAME="nothing""#), "{message}");
+    assert!(!message.contains("panicked") && !path.exists(), "{message}");
 }
 
 fn without_a_display() {
