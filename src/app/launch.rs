@@ -230,7 +230,8 @@ mod tests {
             assert_eq!((course.records(), course.place()), (left.records(), left.place()));
         };
         // Begun from the start page, and by a flag.
-        [false, true].into_iter().for_each(|begins_first| again(started(None, false), begins_first));
+        again(started(None, false), false);
+        again(started(None, false), true);
         kept.set_string("begun", "[{]".to_owned());
         assert_eq!(memory::begun(&kept), []);
     }

@@ -18,13 +18,12 @@ pub fn of_a_frame(window: &Window, checked: &mut Option<Settings>) {
         let rect = found.rect;
         assert!(found.rect == Rect::NOTHING || is_finite(rect), "{:?} is at {rect:?}", found.name);
         // What was typed is shown as it was typed, and quoted.
-        let is_quoted = found.role == eframe::egui::accesskit::Role::TextInput
-            || found.name.contains("must")
-            || found.name == typed;
-        for text in [&found.name, &found.value]
-            .into_iter()
-            .filter(|text| !is_quoted && !typed.contains(text.as_str()))
-        {
+        if found.role == eframe::egui::accesskit::Role::TextInput {
+            continue;
+        }
+        let is_quoted =
+            |text: &str| text.contains(['“', '`']) || text.contains("must") || typed.contains(text);
+        for text in [&found.name, &found.value].into_iter().filter(|text| !is_quoted(text)) {
             let is_broken = text
                 .split(|letter: char| !letter.is_alphanumeric())
                 .any(|word| word == "NaN" || word == "inf");
