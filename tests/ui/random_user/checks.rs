@@ -1,5 +1,6 @@
 //! What must be so whatever was done.
 
+use eframe::egui::accesskit::Role;
 use eframe::egui::{Pos2, Rect, Shape};
 use gamow::app::command::Command;
 use gamow::app::state::State;
@@ -18,7 +19,7 @@ pub fn of_a_frame(window: &Window, checked: &mut Option<Settings>) {
         let rect = found.rect;
         assert!(found.rect == Rect::NOTHING || is_finite(rect), "{:?} is at {rect:?}", found.name);
         // What was typed is shown as it was typed, and quoted.
-        if found.role == eframe::egui::accesskit::Role::TextInput {
+        if matches!(found.role, Role::TextInput | Role::SpinButton) {
             continue;
         }
         let is_quoted =
