@@ -67,7 +67,7 @@ impl Drop for Story {
             let Self { seed, step, last } = self;
             let told = last.drain(..).collect::<Vec<_>>().join("\n");
             let again = format!("GAMOW_SEED={seed} GAMOW_ACTIONS={}", *step + 1);
-            eprintln!("{told}\n{again}: it broke in step {step}, which is not told above");
+            eprintln!("{told}\n{again}: it broke in step {step}, or in what was told last");
         }
     }
 }
