@@ -10,7 +10,7 @@ use super::args::WindowArgs;
 use super::notice::Notice;
 use super::overlay::Overlay;
 use super::state::State;
-use super::{App, graphics, icon, memory, screenshot};
+use super::{App, graphics, icon, memory, screenshot, storage};
 use crate::files::whole::ensure_ending;
 use crate::settings::Settings;
 
@@ -60,7 +60,11 @@ fn open(args: &WindowArgs) -> anyhow::Result<()> {
         .with_icon(icon::icon())
         .with_inner_size(args.window_size_or_default().map(|side| side as f32))
         .with_min_inner_size([480.0, 320.0]);
+    let looked = eframe::storage_dir(APP_ID)
+        .map(|folder| storage::look_through(&folder.join(storage::FILE)))
+        .unwrap_or_default();
     let options = NativeOptions {
+        persistence_path: looked.instead,
         viewport,
         // A size that is asked for is no habit: it does not take the place of the remembered one.
         persist_window: args.window_size().is_none(),
@@ -81,6 +85,7 @@ fn open(args: &WindowArgs) -> anyhow::Result<()> {
             cc.egui_ctx.send_viewport_cmd(ViewportCommand::Maximized(false));
         }
         recall(&mut state, cc.storage, args.welcomes());
+        state.session.notice = looked.notice.clone().or(state.session.notice);
         Ok(Box::new(App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state)) as Box<dyn eframe::App>)
     };
     run_guarded(|| eframe::run_native(APP_ID, options, Box::new(create)))

@@ -6,7 +6,7 @@ use serde::Serialize;
 use super::sections::{
     FitSetup, Light, Look, Map, Motion, Picture, Playback, Plots, Quality, Screen, Window,
 };
-use crate::flags::{Followed, coordinates, finite_number};
+use crate::flags::{Followed, coordinates, time};
 use crate::scene::PRESETS;
 
 /// Everything that is set.
@@ -17,7 +17,7 @@ pub struct Settings {
     #[arg(long, value_name = "PRESET|FILE")]
     pub scene: String,
     /// Observation time T [default: when the tracked point is seen 45 degrees before it is abreast; 0 at rest]
-    #[arg(long, value_name = "T", value_parser = finite_number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "T", value_parser = time, allow_hyphen_values = true)]
     pub time: Option<f64>,
     /// The point that is tracked, at rest [default: the scene's own]
     #[arg(long, value_name = "X,Y,Z", value_parser = coordinates, allow_hyphen_values = true)]

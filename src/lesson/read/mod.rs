@@ -15,6 +15,7 @@ use super::plan::{
     Step, Text, Told,
 };
 use super::values;
+use crate::files::syntax;
 use crate::flags::{SpeedParameter, SpeedSetting};
 use crate::platform::files;
 use serde::Deserialize;
@@ -304,8 +305,8 @@ impl Block {
     /// What it says, as TOML.
     fn table<T: DeserializeOwned>(&self) -> Result<T, Wrong> {
         toml::from_str(&self.text).map_err(|error| {
-            let before = error.span().and_then(|span| self.text.get(..span.start)).unwrap_or_default();
-            let message = error.message().lines().collect::<Vec<_>>().join("; ");
+            let (span, message) = syntax::problem(&self.text, &error);
+            let before = self.text.get(..span.start).unwrap_or_default();
             (self.line + before.matches('\n').count(), message)
         })
     }
