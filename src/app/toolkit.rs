@@ -95,7 +95,7 @@ mod tests {
         section.store(&ctx);
         egui::scroll_area::State::default().store(&ctx, egui::Id::unique("list"));
         ctx.begin_pass(egui::RawInput::default());
-        let _ = ctx.end_pass();
+        ctx.end_pass().textures_delta.clear();
         (ctx.memory(|memory| ron::to_string(memory)).expect("it can be written"), id)
     }
 

@@ -16,7 +16,7 @@ pub struct Settings {
     /// What rides past: a preset (street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls) or a scene file.
     #[arg(long, value_name = "PRESET|FILE")]
     pub scene: String,
-    /// Observation time T [default: when the tracked point is seen 45 degrees before it is abreast; 0 at rest]
+    /// Observation time T, -1e12 to 1e12 [default: when the tracked point is seen 45 degrees before it is abreast; 0 at rest]
     #[arg(long, value_name = "T", value_parser = time, allow_hyphen_values = true)]
     pub time: Option<f64>,
     /// The point that is tracked, at rest [default: the scene's own]

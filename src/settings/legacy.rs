@@ -73,7 +73,7 @@ impl Legacy {
     fn flags(&self) -> Vec<String> {
         let mut flags: Vec<String> = NAMES
             .iter()
-            .filter_map(|(path, name)| Some(format!("--{name}={}", self.at(path)?.text()?)))
+            .filter_map(|(path, name)| Some(format!("--{name}={}", self.at(path)?.text_of(name)?)))
             .collect();
         let more = [self.speed(), self.gaze(), self.renderer(), self.published_right_eye()];
         flags.extend(more.into_iter().flatten());
@@ -114,6 +114,12 @@ impl Legacy {
             ([key, rest @ ..], Self::Group(group)) => group.get(*key)?.at(rest),
             _ => None,
         }
+    }
+
+    /// As the flag of this name has it.
+    fn text_of(&self, name: &str) -> Option<String> {
+        let is_fitted = self == &Self::Optional(None) && name.ends_with("range");
+        if is_fitted { Some("auto".to_owned()) } else { self.text() }
     }
 
     /// As a flag has it.

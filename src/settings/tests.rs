@@ -430,3 +430,55 @@ fn eyes_one_behind_the_other_have_pictures_that_follow_the_gaze() {
         assert_eq!(projection(roll, turn), ProjectionChoice::Gaze, "{roll} {turn}");
     }
 }
+
+/// Whatever a setting is given by: a state file and a lesson's block, a flag, or the command that a picture records.
+#[test]
+fn no_setting_takes_what_is_no_number_or_beyond_all_use() {
+    let names: Vec<_> = super::entries::names().filter(|(_, name)| *name != "scene").collect();
+    assert!(names.len() > 60);
+    for (section, name) in names {
+        for value in ["nan", "-nan", "inf", "-inf", "1e300", "-1e300", "99999999999999999999"] {
+            let head = if section.is_empty() { String::new() } else { format!("[{section}]\n") };
+            for several in [value.to_owned(), format!("[{value}, 0]"), format!("[0, 0, {value}]")] {
+                let read = Settings::default().with_toml(&format!("{head}{name} = {several}"), "state.toml");
+                let error = read.expect_err(&format!("{name} = {several}")).to_string();
+                assert!(error.starts_with("state.toml:") && error.lines().count() == 1, "{error}");
+            }
+            for command in ["gamow", "gamow render"] {
+                let line = format!("{command} --{name}={value},0,0@0");
+                assert!(Settings::default().with_command(&line, "x.png").is_err(), "{line}");
+                let line = format!("{command} --{name}={value}");
+                assert!(Settings::default().with_command(&line, "x.png").is_err(), "{line}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_value_that_is_long_or_no_text_is_shown_on_one_short_line() {
+    let text = format!("theme = \"\\u001b[31m\\n{}\"", "x".repeat(100_000));
+    let error =
+        Settings::default().with_toml(&format!("[window]\n{text}"), "state.toml").expect_err("it is wrong");
+    let shown = error.to_string();
+    assert!(
+        shown.len() < 200 && !shown.contains(['\n', '\u{1b}']) && shown.contains("light, dark"),
+        "{shown}"
+    );
+}
+
+#[test]
+fn what_can_be_told_is_set_and_what_cannot_is_named() {
+    let text =
+        "time = inf\nwhat = 1\n[motion]\nbeta = 0.5\nd = nan\n[more]\nd = 1\n[look]\ngaze = [400, 1e300]\n";
+    let (settings, problems) = Settings::as_far_as_told(text);
+    let told = Settings::default().with_toml("[motion]\nbeta = 0.5", "").expect("it is right");
+    assert_eq!(settings, told);
+    let named = ["gaze = ", "d = nan: ", "unknown section [more]", "time = inf: ", "unknown setting `what`"];
+    assert_eq!(problems.len(), named.len(), "{problems:?}");
+    for name in named {
+        assert!(problems.iter().any(|problem| problem.starts_with(name)), "{name} in {problems:?}");
+    }
+    let (settings, problems) = Settings::as_far_as_told("beta = 0,8");
+    assert_eq!(settings, Settings::default());
+    assert_eq!(problems, ["0,8 is no number: with a decimal point it is beta = 0.8"]);
+}

@@ -8,6 +8,7 @@ mod controls;
 mod files;
 mod fit;
 mod groups;
+mod insane;
 mod layouts;
 mod lessons;
 mod manners;
@@ -47,6 +48,7 @@ fn main() -> ExitCode {
         files::TESTS,
         fit::TESTS,
         groups::TESTS,
+        insane::TESTS,
         layouts::TESTS,
         lessons::TESTS,
         manners::TESTS,
