@@ -1,10 +1,14 @@
 //! What the command line asks for, handed to whom it concerns. Each command's own flags live beside its code in `commands`.
 
-use clap::{Parser, Subcommand};
+use std::process::ExitCode;
+
+use anyhow::Context as _;
+use clap::builder::Styles;
+use clap::{CommandFactory as _, Parser, Subcommand};
 
 use crate::app::{self, args::WindowArgs};
 use crate::commands;
-use crate::platform::environment;
+use crate::platform::{environment, tell};
 
 /// Interactive stereo viewer of special relativity: what each eye sees, exactly.
 ///
@@ -63,6 +67,47 @@ pub fn run(cli: Cli) -> anyhow::Result<()> {
         Some(Command::Render(args)) => commands::render::run(&args),
         Some(Command::Accuracy(args)) => commands::accuracy::run(&args),
     }
+}
+
+/// Says what `error` has in place of a command: help on standard output, or what is wrong with the command line. Gives the
+/// exit status.
+///
+/// # Errors
+///
+/// Help that cannot be written.
+pub fn explain(error: &clap::Error) -> anyhow::Result<ExitCode> {
+    if !error.use_stderr() {
+        error.print().context("standard output")?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    match quoted(std::env::args_os().map(|word| word.to_string_lossy().into_owned()).collect()) {
+        Some(text) => tell::remark_lines(&text),
+        // Where that cannot be written to, nobody is told.
+        None => drop(error.print()),
+    }
+    Ok(ExitCode::from(USAGE))
+}
+
+/// Exit status of a command line that makes no sense.
+const USAGE: u8 = 2;
+
+/// What is wrong with the command line of these `words`, if any of them would have to be quoted: then without colours, since
+/// these are what a terminal obeys too.
+fn quoted(words: Vec<String>) -> Option<String> {
+    let mut odd = words.clone();
+    odd.retain(|word| tell::shown(word) != *word);
+    if odd.is_empty() {
+        return None;
+    }
+    let error = Cli::command().styles(Styles::plain()).try_get_matches_from(words).err()?;
+    let mut text = error.render().ansi().to_string();
+    for word in odd {
+        let value = word.split_once('=').map_or(word.as_str(), |(_, value)| value);
+        for part in [word.as_str(), value].into_iter().filter(|part| !part.trim().is_empty()) {
+            text = text.replace(part, &tell::shown(part));
+        }
+    }
+    Some(tell::shown_lines(&text))
 }
 
 impl Cli {

@@ -1,5 +1,8 @@
 //! Gamow: the window and the headless commands over `relativity-core` and `relativity-render`.
-#![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_types))]
+#![cfg_attr(
+    not(test),
+    warn(clippy::disallowed_methods, clippy::disallowed_types, clippy::print_stdout, clippy::print_stderr)
+)]
 
 pub mod accuracy;
 pub mod app;

@@ -1,24 +1,38 @@
 //! `gamow`: parses the command line, dispatches, and turns an error into one line and exit status 2.
 
-use std::io;
+use std::io::{self, Write as _};
 use std::process::ExitCode;
 
 use clap::Parser as _;
-use gamow::cli::Cli;
+use gamow::cli::{self, Cli};
+use gamow::platform::{limits, tell};
 
 fn main() -> ExitCode {
+    limits::fail_beyond_file_size();
     // The graphics libraries log as errors what they then get over, or what is reported below.
     let quiet = env_logger::Env::default().default_filter_or("error,eframe=off,wgpu_hal=off,rfd=off");
-    env_logger::Builder::from_env(quiet).init();
-    match gamow::cli::run(Cli::parse()) {
-        Ok(()) => ExitCode::SUCCESS,
+    env_logger::Builder::from_env(quiet)
+        .format(|out, record| {
+            let (time, level, text) = (out.timestamp(), record.level(), record.args().to_string());
+            writeln!(out, "[{time} {level} {}] {}", record.target(), tell::shown(&text))
+        })
+        .init();
+    let outcome = match Cli::try_parse() {
+        Ok(cli) => cli::run(cli).map(|()| ExitCode::SUCCESS),
+        Err(error) => cli::explain(&error),
+    };
+    match outcome {
+        Ok(code) => code,
         Err(error) if reader_has_gone(&error) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("gamow: {error:#}");
-            ExitCode::from(2)
+            tell::remark(format_args!("gamow: {error:#}"));
+            ExitCode::from(FAILURE)
         }
     }
 }
+
+/// Exit status of whatever could not be done.
+const FAILURE: u8 = 2;
 
 /// Whether output stopped because nobody reads it any more, as in `gamow curve | head`.
 fn reader_has_gone(error: &anyhow::Error) -> bool {

@@ -1,5 +1,6 @@
 //! `gamow accuracy`, run as its users run it. Costs are not looked at: they belong to the machine.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -71,6 +72,46 @@ fn the_report_says_what_was_measured_where_and_how() {
     assert!(number(&report["published"]["exact_ns"]) > 0.0);
     assert_eq!(entries(&report["effects"], "without").len(), 7);
     assert!(entries(&report, "advice").len() >= 5);
+}
+
+/// Whether the name of a member says that it is a time.
+fn is_a_time(name: &str) -> bool {
+    name.ends_with("_ms") || name.ends_with("_ns")
+}
+
+/// Takes all members out of `report` that `timed` names, each of which it counts.
+fn without(report: &mut Value, timed: &mut BTreeMap<String, usize>) {
+    match report {
+        Value::Object(members) => members.retain(|name, value| {
+            if let Some(count) = timed.get_mut(name) {
+                *count += 1;
+                return false;
+            }
+            assert!(!is_a_time(name), "{name} is a time that nobody has marked");
+            without(value, timed);
+            true
+        }),
+        Value::Array(entries) => entries.iter_mut().for_each(|entry| without(entry, timed)),
+        _ => {}
+    }
+}
+
+#[test]
+fn all_but_what_rests_on_the_clock_is_the_same_in_every_run() {
+    let run = || {
+        let mut report = json(Command::new(env!("CARGO_BIN_EXE_gamow")).env_remove("RUST_LOG").args([
+            "accuracy",
+            "--quick",
+            "--scene=wheel",
+            "--size=48x36",
+        ]));
+        let names = entries(&report, "timed").iter().map(|name| name.as_str().expect("a name").to_owned());
+        let mut timed = names.map(|name| (name, 0)).collect();
+        without(&mut report, &mut timed);
+        assert!(timed.values().all(|&count| count > 0), "{timed:?}");
+        report
+    };
+    assert_eq!(run(), run());
 }
 
 #[test]

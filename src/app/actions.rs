@@ -106,6 +106,7 @@ pub static ACTIONS: &[Action] = &[
     action("set up the step of the lesson again", &[], Command::Lesson(LessonCommand::SetUp)),
     action("count hands in the lesson, or no longer", &[], Command::Lesson(LessonCommand::ToggleClass)),
     action("fold the lesson, or unfold it", &[], Command::Lesson(LessonCommand::ToggleFolded)),
+    action("begin the lesson anew, without its answers", &[], Command::Lesson(LessonCommand::BeginAnew)),
     action("close the lesson", &[], Command::Lesson(LessonCommand::Close)),
     action("the start page: lessons and presets", &[key(Key::S)], Command::Toggle(Overlay::Start)),
     action("find what to do by its name", &[with_control(Key::P)], Command::Toggle(Overlay::Palette)),

@@ -436,6 +436,7 @@ impl State {
                 let recent = std::mem::take(&mut self.session.recent);
                 let (lesson, library) = (self.session.lesson.take(), self.session.library.take());
                 let next_lesson = self.session.next_lesson.take();
+                let begun = std::mem::take(&mut self.session.begun);
                 let session = Session {
                     playing,
                     overlay,
@@ -450,6 +451,7 @@ impl State {
                     recent,
                     lesson,
                     next_lesson,
+                    begun,
                     library,
                     ..state.session
                 };

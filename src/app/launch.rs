@@ -100,6 +100,7 @@ fn recall(state: &mut State, storage: Option<&dyn Storage>, welcomes: bool) {
         state.session.overlay = Some(Overlay::Start);
     }
     state.session.next_lesson = begun;
+    state.recall_begun(storage.map(memory::begun).unwrap_or_default());
 }
 
 /// The window that eframe is to make, which has put the remembered size into it, with the size that is asked for instead.
@@ -157,7 +158,9 @@ mod tests {
     use std::collections::BTreeMap;
 
     use super::*;
-    use crate::lesson::Library;
+    use crate::app::command::Command;
+    use crate::app::running::LessonCommand;
+    use crate::lesson::{Library, Record};
 
     /// What is kept, in memory.
     #[derive(Default)]
@@ -208,5 +211,32 @@ mod tests {
         assert!(!state.settings.window.controls && memory::remembered(&kept).window.controls);
         let again = started(Some(&kept), true).session;
         assert_eq!((again.overlay, again.next_lesson.as_deref()), (None, Some("turned")));
+    }
+
+    #[test]
+    fn answers_in_a_lesson_outlast_the_window() {
+        let lesson = Library::own().open("turned").expect("it is there");
+        let mut state = started(None, false);
+        state.begin_lesson(&lesson).expect("it can be shown");
+        state.apply(Command::Lesson(LessonCommand::Skip));
+        let left = state.course().expect("a lesson").clone();
+        assert_ne!(left.records()[0], Record::default());
+        let mut kept = Kept::default();
+        memory::remember(&mut kept, &state);
+        let again = |mut state: State, begins_first: bool| {
+            if begins_first {
+                state.begin_lesson(&lesson).expect("it can be shown");
+            }
+            recall(&mut state, Some(&kept), false);
+            if !begins_first {
+                state.begin_lesson(&lesson).expect("it can be shown");
+            }
+            let course = state.course().expect("a lesson");
+            assert_eq!((course.records(), course.place()), (left.records(), left.place()));
+        };
+        // Begun from the start page, and by a flag.
+        [false, true].into_iter().for_each(|begins_first| again(started(None, false), begins_first));
+        kept.set_string("begun", "[{]".to_owned());
+        assert_eq!(memory::begun(&kept), []);
     }
 }

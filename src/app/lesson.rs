@@ -10,9 +10,17 @@ use super::notice::Notice;
 use super::pointer::Pick;
 use super::running::{LessonCommand, Run, Running, Told};
 use super::state::State;
-use crate::lesson::{Animated, Answer, Course, Kind, Lesson, LessonError, Library, Phase, Prediction};
+use crate::lesson::{
+    Animated, Answer, Course, KeptCourse, Kind, Lesson, LessonError, Library, Phase, Prediction,
+};
 use crate::settings::{Settings, Window};
 
+/// How many ways through lessons are kept.
+const MOST_KEPT: usize = 64;
+
+/// What is entered in a lesson is kept when it is closed, when another is begun, and, with the settings, when the window is:
+/// whoever opens it again goes on where it was. Answers are no steps of the way back: undoing leads back to settings and
+/// to places, never to a lesson without an answer that was given.
 impl State {
     /// The lessons that there are.
     #[must_use]
@@ -26,12 +34,16 @@ impl State {
         self.session.lesson.as_ref().map(|running| &running.course)
     }
 
-    /// Begins `lesson`.
+    /// Begins `lesson`, or takes it up where it was left.
     ///
     /// # Errors
     /// What cannot be worked out or shown of it.
     pub fn begin_lesson(&mut self, lesson: &Lesson) -> Result<(), LessonError> {
-        let course = Course::new(lesson)?;
+        let mut course = Course::new(lesson)?;
+        self.session.begun = self.begun();
+        if let Some(kept) = self.session.begun.iter().find(|kept| kept.is_of(lesson)) {
+            course.take_up(kept);
+        }
         let before = self.session.lesson.as_ref().map_or(self.settings.window, |running| running.before);
         self.session.lesson =
             Some(Running { course, is_folded: false, before, plots_in: None, run: None, told: None });
@@ -94,6 +106,10 @@ impl State {
             LessonCommand::ShowPlots(is_wanted) => running.plots_in = is_wanted.then_some(was.step),
             LessonCommand::ToggleFolded => running.is_folded = !running.is_folded,
             LessonCommand::SetUp => self.set_up(),
+            LessonCommand::BeginAnew => {
+                course.begin_anew();
+                self.set_up();
+            }
             LessonCommand::Close => self.close_lesson(),
         }
         let Some(now) = self.course().map(Course::place).filter(|now| *now != was) else { return };
@@ -104,6 +120,29 @@ impl State {
             self.set_up();
         } else {
             self.note_end();
+        }
+    }
+
+    /// The ways through lessons that are kept, with that through the open one as it is now.
+    #[must_use]
+    pub fn begun(&self) -> Vec<KeptCourse> {
+        let mut begun = self.session.begun.clone();
+        if let Some(course) = self.course() {
+            begun.retain(|kept| !kept.is_of(course.lesson()));
+            begun.extend(course.kept());
+        }
+        begun.drain(..begun.len().saturating_sub(MOST_KEPT));
+        begun
+    }
+
+    /// Has the ways through lessons that were kept in an earlier window. One of them may be that of the lesson that is open.
+    pub fn recall_begun(&mut self, begun: Vec<KeptCourse>) {
+        self.session.begun = begun;
+        let Some(running) = &mut self.session.lesson else { return };
+        let kept = self.session.begun.iter().find(|kept| kept.is_of(running.course.lesson()));
+        if let Some(kept) = kept.filter(|_| running.course.kept().is_none()) {
+            running.course.take_up(kept);
+            self.set_up();
         }
     }
 
@@ -192,6 +231,7 @@ impl State {
 
     fn close_lesson(&mut self) {
         self.settings.window = self.lesson_base().window;
+        self.session.begun = self.begun();
         self.session.lesson = None;
     }
 

@@ -8,6 +8,7 @@ use eframe::egui::Context;
 use super::recent::Recent;
 use super::state::State;
 use super::toolkit;
+use crate::lesson::KeptCourse;
 use crate::platform::files;
 use crate::settings::{Legacy, Settings};
 
@@ -34,12 +35,16 @@ fn settings_in(text_of: impl Fn(&str) -> Option<String>) -> (Settings, Vec<Strin
     }
 }
 
-/// Has the settings among all that is `kept` be such that each of them can be; what could not, a line each.
+/// Has what is `kept` be such that all of it can be: the settings, and the ways through lessons; what could not, a line each.
 pub fn mend(kept: &mut BTreeMap<String, String>) -> Vec<String> {
-    let (settings, problems) = settings_in(|key| kept.get(key).cloned());
+    let (settings, mut problems) = settings_in(|key| kept.get(key).cloned());
     if !problems.is_empty() {
         kept.remove(eframe::APP_KEY);
         kept.insert(KEY.to_owned(), settings.to_toml());
+    }
+    if let Some(problem) = kept.get(BEGUN).and_then(|text| begun_in(text).err()) {
+        kept.remove(BEGUN);
+        problems.push(problem);
     }
     problems
 }
@@ -69,6 +74,23 @@ pub fn remember(storage: &mut dyn Storage, state: &State) {
     if let Some(name) = &state.session.next_lesson {
         storage.set_string(LESSON, name.clone());
     }
+    match serde_json::to_string(&state.begun()) {
+        Ok(begun) => storage.set_string(BEGUN, begun),
+        Err(error) => log::warn!("the answers in lessons: {error}"),
+    }
+}
+
+/// Where the ways through lessons are kept.
+const BEGUN: &str = "begun";
+
+/// The ways through lessons as they were left; none if there are none that can be read.
+#[must_use]
+pub fn begun(storage: &dyn Storage) -> Vec<KeptCourse> {
+    storage.get_string(BEGUN).and_then(|text| begun_in(&text).ok()).unwrap_or_default()
+}
+
+fn begun_in(text: &str) -> Result<Vec<KeptCourse>, String> {
+    serde_json::from_str(text).map_err(|error| format!("the answers in lessons cannot be read ({error})"))
 }
 
 /// Where the name of the lesson to go on with is kept.

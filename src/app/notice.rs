@@ -1,6 +1,6 @@
 //! What the user is told about the last thing that was done, or could not be.
 
-use crate::platform::files;
+use crate::platform::{files, tell};
 use std::path::Path;
 
 /// A message. It stays until it is closed or another takes its place.
@@ -17,7 +17,7 @@ pub struct Notice {
 impl Notice {
     /// That something was done.
     pub fn done(text: impl Into<String>) -> Self {
-        Self { text: text.into(), is_error: false, path: None }
+        Self { text: tell::shown(&text.into()), is_error: false, path: None }
     }
 
     /// That something could not be done, and why.

@@ -33,7 +33,9 @@ pub enum LessonCommand {
     ShowPlots(bool),
     /// Fold its panel to a strip, or have all of it.
     ToggleFolded,
-    /// End the lesson.
+    /// Begin it anew: the answers that were given in it are forgotten.
+    BeginAnew,
+    /// End the lesson: its answers are kept, and opening it again takes it up where it was.
     Close,
 }
 

@@ -20,7 +20,7 @@ use super::running::Running;
 use super::stage::Stage;
 use crate::estimate::samples::DataFile;
 use crate::flags::choices::ProjectionChoice;
-use crate::lesson::Library;
+use crate::lesson::{KeptCourse, Library};
 use crate::map::Viewpoint;
 use crate::scene::{Scene, SceneError};
 use crate::settings::{Look, Preset, Settings};
@@ -88,6 +88,8 @@ pub struct Session {
     pub lesson: Option<Running>,
     /// The name of the lesson to go on with: the last that was begun, or the one after it once that is over.
     pub next_lesson: Option<String>,
+    /// The ways through lessons that are closed, the last one closed last.
+    pub begun: Vec<KeptCourse>,
     /// The lessons that there are, where they are not the program's own alone.
     pub library: Option<Arc<Library>>,
 }
@@ -137,6 +139,7 @@ impl State {
             opened: None,
             lesson: None,
             next_lesson: None,
+            begun: Vec::new(),
             library: None,
             scene,
         };

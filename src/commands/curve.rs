@@ -9,7 +9,7 @@ use relativity_core::{Baseline, SourcePoint};
 use crate::columns::{Given, ModelArgs, Observation, ObservationError, ROLL, TURN, WHEEL, help_with};
 use crate::files::csv_out;
 use crate::files::whole::OutArgs;
-use crate::flags::{HeadArgs, SpeedArgs, WheelArgs, finite_number};
+use crate::flags::{COORDINATES, HeadArgs, SpeedArgs, WheelArgs, finite_number, within};
 use crate::passage::{passage_times, time_within};
 
 /// Speed of the paper's cyclist.
@@ -42,10 +42,10 @@ pub struct CurveArgs {
     #[command(flatten)]
     wheel: WheelArgs,
     /// First observation time [default: when the point, or the hub of its wheel, is seen at x = -2 R, R being its distance at x = 0]
-    #[arg(long, value_name = "T", value_parser = finite_number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "T", value_parser = within(COORDINATES), allow_hyphen_values = true)]
     from: Option<f64>,
     /// Last observation time [default: when it is seen at x = +2 R]
-    #[arg(long, value_name = "T", value_parser = finite_number, allow_hyphen_values = true)]
+    #[arg(long, value_name = "T", value_parser = within(COORDINATES), allow_hyphen_values = true)]
     to: Option<f64>,
     /// How many observation times, at least 2.
     #[arg(long, default_value_t = 201, value_name = "N", value_parser = clap::value_parser!(u64).range(2..))]

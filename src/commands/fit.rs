@@ -7,10 +7,10 @@ use clap::Args;
 use relativity_core::{Curves, DEFAULT_REPLICATES, FitOptions, Model, Passage};
 
 use crate::estimate::FitReport;
-use crate::estimate::data::{Data, Eyes};
+use crate::estimate::data::{Data, Eyes, SEPARATION, is_separation};
 use crate::files::csv_in;
 use crate::files::whole::ReportArgs;
-use crate::flags::{HeadArgs, WheelArgs, finite_number};
+use crate::flags::{COORDINATES, HeadArgs, WheelArgs, finite_number, within};
 
 /// Fits speed and distance of a point to the disparities that two eyes measured.
 ///
@@ -25,7 +25,7 @@ pub struct FitArgs {
     /// CSV file; standard input if none or -.
     file: Option<PathBuf>,
     /// Aperture separation; without it, the file's column d.
-    #[arg(long, value_parser = finite_number, allow_hyphen_values = true)]
+    #[arg(long, value_parser = separation, allow_hyphen_values = true)]
     d: Option<f64>,
     /// How the head was held; without them, the file's columns roll and turn (in radians), else straight.
     #[command(flatten)]
@@ -43,7 +43,7 @@ pub struct FitArgs {
     #[arg(long, value_name = "S", default_value_t = 1)]
     seed: u64,
     /// The point's objective x at t = 0, if it is known.
-    #[arg(long, default_value_t = 0.0, value_parser = finite_number, allow_hyphen_values = true)]
+    #[arg(long, default_value_t = 0.0, value_parser = within(COORDINATES), allow_hyphen_values = true)]
     x0: f64,
     /// Fit x0 too: the time of passage is unknown.
     #[arg(long, conflicts_with = "x0")]
@@ -69,6 +69,11 @@ Examples:
   gamow fit data.csv --d 0.1 --fit-x0
   gamow fit data.csv --d 0.1 --model published --use dphi --json
   gamow fit valve.csv --d 0.1 --wheel-radius 0.525 --rho 0.85 --angle 1.2";
+
+fn separation(text: &str) -> Result<f64, String> {
+    let value = finite_number(text)?;
+    if is_separation(value) { Ok(value) } else { Err(format!("must be {SEPARATION}")) }
+}
 
 fn replicates(text: &str) -> Result<usize, String> {
     match text.parse() {

@@ -4,12 +4,22 @@ use std::io::Read;
 
 use anyhow::Context as _;
 use csv::ByteRecord;
-use relativity_core::{Baseline, Curves, FitError, Observations, Reading, Sample};
+use relativity_core::{Baseline, Curves, FitError, MAX_COORDINATE, Observations, Reading, Sample};
 
 use crate::columns::{ROLL, TURN};
 use crate::files::csv_in::{HeaderError, Names, RowError, Rows};
+use crate::platform::sizes;
 
 const NEEDED: &str = "T, dphi or dtheta, and d unless --d gives it";
+
+/// What a separation of eyes that measure is, in words: see [`is_separation`].
+pub const SEPARATION: &str = "above 0 and at most 1e60";
+
+/// Whether two eyes so far apart can measure disparities.
+#[must_use]
+pub fn is_separation(value: f64) -> bool {
+    value > 0.0 && value <= MAX_COORDINATE
+}
 
 /// Measured disparities.
 #[derive(Debug)]
@@ -84,6 +94,12 @@ impl Data {
         let (mut baselines, mut samples, mut lines) = (Vec::new(), Vec::new(), Vec::new());
         while input.read(&mut row).with_context(|| name.to_owned())? {
             let line = input.line(&row);
+            anyhow::ensure!(
+                samples.len() < sizes::FITTED_ROWS,
+                "{}: it has more than {} rows, the most that are fitted",
+                place(line),
+                sizes::FITTED_ROWS
+            );
             let sample = input.check_closed(&row).and_then(|()| header.sample(&row, &mut baselines));
             samples.push(sample.with_context(|| place(line))?);
             lines.push(line);
@@ -149,6 +165,9 @@ impl Header {
         };
         let [separation, roll, turn] = self.eyes.map(number);
         let baseline = Baseline { separation: separation?, roll: roll?, turn: turn? };
+        if let (Source::Column(place), false) = (self.eyes[0], is_separation(baseline.separation)) {
+            return Err(self.names.out_of_range(row, place, SEPARATION));
+        }
         let known = baselines.iter().position(|&other| other == baseline);
         let pair = known.unwrap_or_else(|| {
             baselines.push(baseline);

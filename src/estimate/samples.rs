@@ -1,6 +1,5 @@
 //! What is fitted: samples that are simulated of the selected point, or measured ones from a file.
 
-use std::io::Read as _;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -17,7 +16,7 @@ use crate::columns::{ROLL, TURN};
 use crate::files::csv_out::Rows;
 use crate::flags::words::quoted;
 use crate::passage::time_within;
-use crate::platform::files;
+use crate::platform::{files, sizes};
 use crate::scene::{Scene, Track};
 use crate::settings::{FitSetup, Settings};
 
@@ -131,9 +130,7 @@ impl DataFile {
     /// A file that cannot be read, and what is wrong in it, in one line that names the file and the line.
     pub fn open(path: &Path, baseline: Baseline) -> anyhow::Result<Self> {
         let place = files::shown(path);
-        let mut bytes = Vec::new();
-        let read = files::open(path).and_then(|mut file| file.read_to_end(&mut bytes));
-        read.with_context(|| place.clone())?;
+        let bytes = files::read(path, sizes::FILE_BYTES).with_context(|| place.clone())?;
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let mut file = Self { place, name, bytes, has_sigmas: false, has_separation: false };
         let data = file.data(baseline)?;

@@ -2,7 +2,8 @@
 //!
 //! Comma-separated as in RFC 4180, with any line ending; a byte order mark and blank lines are skipped.
 //! There are no comments: a line that starts with `#` is a row. Numbers may be quoted or padded
-//! with blanks. Columns that mean nothing here may hold any bytes.
+//! with blanks. Columns that mean nothing here may hold any bytes. A row is refused once it is longer than
+//! [`sizes::ROW_BYTES`], so that a file takes no more memory than that, whatever is in it.
 
 use std::io::{self, Read};
 use std::path::Path;
@@ -12,7 +13,7 @@ use csv::ByteRecord;
 use thiserror::Error;
 
 use super::csv_out::io_error;
-use crate::platform::files;
+use crate::platform::{files, sizes};
 
 const BUFFER_BYTES: usize = 1 << 16;
 
@@ -38,12 +39,18 @@ impl<R: Read> Rows<R> {
             .has_headers(false)
             .flexible(true) // rows of the wrong length get an error of ours
             .buffer_capacity(BUFFER_BYTES)
-            .from_reader(Tap { inner: reader, chunk: Vec::new(), bytes: 0, has_ended: false });
+            .from_reader(Tap::new(reader));
         Self { csv }
     }
 
     /// Reads the next row into `row`; false if there is none.
+    ///
+    /// # Errors
+    ///
+    /// Those of what is read; a row that is too long.
     pub fn read(&mut self, row: &mut ByteRecord) -> io::Result<bool> {
+        let (start, line) = (self.csv.position().byte(), self.csv.position().line());
+        self.csv.get_mut().begin_row(start, line);
         self.csv.read_byte_record(row).map_err(io_error)
     }
 
@@ -90,10 +97,15 @@ struct Tap<R> {
     chunk: Vec<u8>,
     bytes: u64,
     has_ended: bool,
+    /// Where the row starts that is being read, and in which line.
+    row: (u64, u64),
+    /// Whether it has been begun, by more than blank lines, in what was given.
+    is_begun: bool,
 }
 
 impl<R: Read> Read for Tap<R> {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        self.check_row()?;
         let count = self.inner.read(buffer)?;
         self.has_ended = count == 0;
         if !self.has_ended {
@@ -106,6 +118,37 @@ impl<R: Read> Read for Tap<R> {
 }
 
 impl<R> Tap<R> {
+    const fn new(inner: R) -> Self {
+        Self { inner, chunk: Vec::new(), bytes: 0, has_ended: false, row: (0, 1), is_begun: false }
+    }
+
+    /// Notes that a row is read now, from `start` in the file, which is in this `line`.
+    const fn begin_row(&mut self, start: u64, line: u64) {
+        self.row = (start, line);
+        self.is_begun = false;
+    }
+
+    /// Refuses a row that needs more than what was given if that is long enough for any.
+    fn check_row(&mut self) -> io::Result<()> {
+        if !self.is_begun {
+            let (start, line) = self.row;
+            let given = self.after(start);
+            let blank = given.iter().take_while(|byte| matches!(byte, b'\r' | b'\n')).count();
+            let lines = given[..blank].iter().filter(|byte| **byte == b'\n').count();
+            self.is_begun = blank < given.len();
+            self.row = (start + blank as u64, line + lines as u64);
+        }
+        let (start, line) = self.row;
+        if self.bytes - start <= sizes::ROW_BYTES {
+            return Ok(());
+        }
+        let most = sizes::ROW_BYTES >> 20;
+        let problem = format!(
+            "the row that starts in line {line} is longer than {most} MB, the most that is read of one"
+        );
+        Err(io::Error::new(io::ErrorKind::InvalidData, problem))
+    }
+
     /// What it gave last, before `position` in the file.
     fn before(&self, position: u64) -> &[u8] {
         self.chunk.split_at(self.place(position)).0
@@ -167,6 +210,11 @@ impl Names {
             return Err(RowError::TooLong { fields, columns, value });
         }
         Ok(())
+    }
+
+    /// What to say of the number at `place` in `row` if it is not as `range` says.
+    pub fn out_of_range(&self, row: &ByteRecord, place: usize, range: &'static str) -> RowError {
+        RowError::OutOfRange { column: legible(&self.0[place]), value: legible(&row[place]), range }
     }
 
     /// The number at `place` in `row`.
@@ -245,6 +293,16 @@ pub enum RowError {
     Unclosed {
         /// The field.
         value: String,
+    },
+    /// A value is a number that it cannot be.
+    #[error("column {column}: {value} is out of range: it must be {range}")]
+    OutOfRange {
+        /// Its column.
+        column: String,
+        /// The value as it stands.
+        value: String,
+        /// What it should be.
+        range: &'static str,
     },
     /// A value is no finite number.
     #[error("column {column}: \"{value}\" {problem}")]

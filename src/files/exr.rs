@@ -3,13 +3,14 @@
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
-use std::io::{BufReader, Seek, Write};
+use std::io::{BufReader, Read, Seek, Write};
 use std::path::Path;
 
 use anyhow::Context as _;
-use exr::meta::{Headers, MetaData};
+use exr::block::reader::{ChunksReader as _, Reader};
+use exr::meta::header::Header;
 use exr::prelude::{
-    AnyChannel, AnyChannels, Compression, Encoding, FlatSamples, Image, Layer, LayerAttributes,
+    AnyChannel, AnyChannels, Compression, Encoding, FlatSamples, Image, Layer, LayerAttributes, LineOrder,
     ReadChannels as _, ReadLayers as _, SmallVec, Text, WritableImage, f16, read,
 };
 use relativity_core::doppler::{intensity_factor, received_wavelength};
@@ -17,7 +18,8 @@ use relativity_render::rectify::LightCorrection;
 use relativity_render::{Appearance, Hit, HitImage, PreparedScene};
 
 use super::provenance::{SOFTWARE, command_in_comments};
-use crate::platform::files;
+use crate::platform::files::{self, File};
+use crate::platform::sizes;
 
 /// The layers: the eyes, in the order in which two eyes are given everywhere.
 pub const EYES: [&str; 2] = ["left", "right"];
@@ -214,7 +216,17 @@ impl Measurements {
     ///
     /// A file that cannot be read, named.
     pub fn read(path: &Path) -> anyhow::Result<Self> {
-        let layer = first_layer(path).with_context(|| files::shown(path))?;
+        let read = || Self::decode(BufReader::new(files::open(path)?));
+        read().with_context(|| files::shown(path))
+    }
+
+    /// The first layer of the file whose bytes `input` gives.
+    ///
+    /// # Errors
+    ///
+    /// What is wrong with it; more than [`sizes::MEASURED_VALUES`].
+    pub fn decode(input: impl Read + Seek) -> anyhow::Result<Self> {
+        let layer = first_layer(input)?;
         let channels = layer.channel_data.list.into_iter().map(|channel| {
             let values = match channel.sample_data {
                 FlatSamples::F32(values) => values,
@@ -238,7 +250,9 @@ impl Measurements {
             AnyChannel::new(Text::from(name.as_str()), FlatSamples::F32(values))
         };
         let channels: SmallVec<[_; 4]> = self.channels.into_iter().map(channel).collect();
-        let encoding = Encoding { compression: Compression::ZIP16, ..Encoding::default() };
+        // Blocks are compressed side by side: in the order in which they come out, no two files would be alike.
+        let line_order = LineOrder::Increasing;
+        let encoding = Encoding { compression: Compression::ZIP16, line_order, ..Encoding::default() };
         let layer = Layer::new((width, height), self.attributes, encoding, AnyChannels::sort(channels));
         Ok(Image::from_layer(layer).write().to_buffered(out)?)
     }
@@ -275,10 +289,25 @@ impl Measurements {
     }
 }
 
-fn first_layer(path: &Path) -> anyhow::Result<Layer<AnyChannels<FlatSamples>>> {
-    let file = BufReader::new(files::open(path)?);
+fn first_layer(input: impl Read + Seek) -> anyhow::Result<Layer<AnyChannels<FlatSamples>>> {
     let layers = read().no_deep_data().largest_resolution_level().all_channels().first_valid_layer();
-    Ok(layers.all_attributes().from_buffered(file)?.layer_data)
+    Ok(layers.all_attributes().from_chunks(opened(input)?)?.layer_data)
+}
+
+/// The file whose bytes `input` gives, of which the headers were read and found to promise no more than is read.
+fn opened<R: Read + Seek>(input: R) -> anyhow::Result<Reader<R>> {
+    let reader = exr::block::read(input, false)?;
+    for header in reader.headers() {
+        let (size, channels, most) = (header.layer_size, header.channels.list.len(), sizes::MEASURED_VALUES);
+        let values = (size.0 as u64).checked_mul(size.1 as u64).and_then(|n| n.checked_mul(channels as u64));
+        anyhow::ensure!(
+            values.is_some_and(|values| values <= most),
+            "it has {}x{} pixels of {channels} channels, and at most {most} values are read, as of 4729x4729 pixels of 24",
+            size.0,
+            size.1
+        );
+    }
+    Ok(reader)
 }
 
 /// The comments; none if there are none.
@@ -286,8 +315,8 @@ fn said(attributes: &LayerAttributes) -> Cow<'_, str> {
     String::from_utf8_lossy(attributes.comments.as_ref().map(Text::as_slice).unwrap_or_default())
 }
 
-fn headers(path: &Path) -> anyhow::Result<Headers> {
-    Ok(MetaData::read_from_buffered(BufReader::new(files::open(path)?), false)?.headers)
+fn file(path: &Path) -> anyhow::Result<Reader<BufReader<File>>> {
+    opened(BufReader::new(files::open(path)?))
 }
 
 /// The command that made the EXR file at `path`, as it records it; empty if it does not.
@@ -296,15 +325,21 @@ fn headers(path: &Path) -> anyhow::Result<Headers> {
 ///
 /// A file that cannot be read.
 pub fn command(path: &Path) -> anyhow::Result<String> {
-    let headers = headers(path)?;
-    let first = headers.first().context("it has no layer")?;
+    let file = file(path)?;
+    let first = file.headers().first().context("it has no layer")?;
     Ok(command_in_comments(&said(&first.own_attributes)).to_owned())
 }
 
-/// Whether `path` is an EXR file that says just these `comments`. (Files are written whole or not at all.)
+/// Whether `path` is a whole EXR file that says just these `comments`: all of its blocks are there and can be decompressed.
 #[must_use]
 pub fn is_made(path: &Path, comments: &str) -> bool {
-    headers(path).is_ok_and(|headers| headers.iter().any(|header| said(&header.own_attributes) == comments))
+    let says = |header: &Header| said(&header.own_attributes) == comments;
+    file(path).is_ok_and(|file| file.headers().iter().any(says) && is_whole(file))
+}
+
+fn is_whole(file: Reader<BufReader<File>>) -> bool {
+    let blocks = file.all_chunks(true);
+    blocks.is_ok_and(|blocks| blocks.decompress_parallel(true, |_, _| Ok(())).is_ok())
 }
 
 #[cfg(test)]

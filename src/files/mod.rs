@@ -8,4 +8,5 @@ pub mod html;
 pub mod png;
 pub mod provenance;
 pub mod syntax;
+mod watched;
 pub mod whole;

@@ -1,13 +1,13 @@
 //! PNG files, with the texts in which they remember how they were made.
 
-use std::io::{BufReader, Write};
+use std::io::{BufRead, BufReader, Seek, Write};
 use std::path::Path;
 
 use anyhow::Context as _;
 use relativity_render::Picture;
 
 use super::provenance::{SOFTWARE, command_in_texts};
-use crate::platform::files;
+use crate::platform::{files, sizes};
 
 /// Keyword of the text that names the program.
 const SOFTWARE_KEYWORD: &str = "Software";
@@ -157,14 +157,26 @@ impl PngFile {
     ///
     /// A file that cannot be read to its end, named.
     pub fn read(path: &Path) -> anyhow::Result<Self> {
-        Self::decoded(path).with_context(|| files::shown(path))
+        let read = || Self::decode(BufReader::new(files::open(path)?));
+        read().with_context(|| files::shown(path))
     }
 
-    fn decoded(path: &Path) -> anyhow::Result<Self> {
-        let mut decoder = png::Decoder::new(BufReader::new(files::open(path)?));
+    /// The file whose bytes `input` gives, as [`Self::read`].
+    ///
+    /// # Errors
+    ///
+    /// What is wrong with it; more than [`sizes::PICTURE_PIXELS`].
+    pub fn decode(input: impl BufRead + Seek) -> anyhow::Result<Self> {
+        let mut decoder = png::Decoder::new(input);
         decoder
             .set_transformations(png::Transformations::normalize_to_color8() | png::Transformations::ALPHA);
         let mut reader = decoder.read_info()?;
+        let (width, height) = reader.info().size();
+        let (pixels, most) = (u64::from(width) * u64::from(height), sizes::PICTURE_PIXELS);
+        anyhow::ensure!(
+            pixels <= most,
+            "it has {width}x{height} pixels, and at most {most} are read, as of 16384x16384"
+        );
         let mut bytes = vec![0; reader.output_buffer_size().context("it is too large")?];
         let frame = reader.next_frame(&mut bytes)?;
         let mut frames = vec![picture(&frame, &bytes)];
@@ -208,11 +220,19 @@ fn picture(frame: &png::OutputInfo, bytes: &[u8]) -> Picture {
 
 /// Keywords and texts: those in UTF-8, and in Latin-1 as other programs write them, be they compressed or not.
 fn texts(info: &png::Info<'_>) -> Vec<(String, String)> {
-    let utf8 = info.utf8_text.iter().map(|chunk| (&chunk.keyword, chunk.get_text()));
-    let plain = info.uncompressed_latin1_text.iter().map(|chunk| (&chunk.keyword, Ok(chunk.text.clone())));
-    let compressed = info.compressed_latin1_text.iter().map(|chunk| (&chunk.keyword, chunk.get_text()));
+    // What says too much when it is decompressed says nothing.
+    let utf8 = info.utf8_text.iter().map(|chunk| {
+        let mut chunk = chunk.clone();
+        (chunk.keyword.clone(), chunk.decompress_text().and_then(|()| chunk.get_text()))
+    });
+    let plain = info.uncompressed_latin1_text.iter();
+    let plain = plain.map(|chunk| (chunk.keyword.clone(), Ok(chunk.text.clone())));
+    let compressed = info.compressed_latin1_text.iter().map(|chunk| {
+        let mut chunk = chunk.clone();
+        (chunk.keyword.clone(), chunk.decompress_text().and_then(|()| chunk.get_text()))
+    });
     let all = utf8.chain(plain).chain(compressed);
-    all.filter_map(|(keyword, text)| Some((keyword.clone(), text.ok()?))).collect()
+    all.filter_map(|(keyword, text)| Some((keyword, text.ok()?))).collect()
 }
 
 /// The command that made the PNG file at `path`, as it records it; empty if it does not.

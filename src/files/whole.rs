@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 use std::fmt;
-use std::io::{self, BufWriter, Write};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -10,10 +10,9 @@ use anyhow::Context as _;
 use clap::Args;
 use serde::Serialize;
 
-use crate::platform::files::{self, File};
-use crate::platform::interrupt;
-
-const BUFFER_BYTES: usize = 1 << 16;
+use super::watched::{Named, write_named};
+use crate::platform::files::{self, File, Rights, TempPath};
+use crate::platform::{interrupt, tell};
 
 /// Where a command writes to.
 #[derive(Debug, Clone, Args)]
@@ -42,12 +41,26 @@ impl OutArgs {
 ///
 /// # Errors
 ///
-/// Those of `write`, and of standard output, which keeps what reached it before.
+/// Those of `write`, and of standard output, which keeps what reached it before; one that is closed.
 pub fn write_out(write: impl FnOnce(&mut dyn Write) -> anyhow::Result<()>) -> anyhow::Result<()> {
-    let mut stdout = BufWriter::with_capacity(BUFFER_BYTES, io::stdout().lock());
-    write(&mut stdout)?;
-    Ok(stdout.flush()?)
+    anyhow::ensure!(
+        !tell::is_stdout_closed(),
+        "{STDOUT}: it is closed, or thrown away by who started this, and all that was asked for would be lost"
+    );
+    say(write)
 }
+
+/// The same of what is said beside what was asked for, and may be lost with a standard output that is closed.
+///
+/// # Errors
+///
+/// Those of `write`, and of standard output.
+pub fn say(write: impl FnOnce(&mut dyn Write) -> anyhow::Result<()>) -> anyhow::Result<()> {
+    write_named(tell::stdout(), || STDOUT.to_owned(), |out| write(out)).map(drop)
+}
+
+/// What messages call it.
+const STDOUT: &str = "standard output";
 
 /// How a command writes its report, and where to.
 #[derive(Debug, Clone, Args)]
@@ -93,65 +106,79 @@ pub fn ensure_ending(flag: &str, path: &Path, ending: &str) -> anyhow::Result<()
 ///
 /// Those of `out`.
 pub fn write_json(report: &impl Serialize, mut out: impl Write) -> anyhow::Result<()> {
-    serde_json::to_writer_pretty(&mut out, report)?;
+    // An error of JSON would hide the kind of that of `out`.
+    serde_json::to_writer_pretty(&mut out, report).map_err(io::Error::from)?;
     Ok(writeln!(out)?)
 }
 
-/// Hands `write` a temporary file beside `path`, which takes the place of `path` once all is written. An interrupt
-/// (Ctrl-C) removes it.
+/// Hands `write` a temporary file beside `path`, which takes the place of `path` once all is written, with the access rights
+/// of the file that was there. An interrupt (Ctrl-C) removes it; only a program that is killed outright leaves it, under a
+/// name that begins with `.gamow-`.
 ///
 /// A `path` that is there but is no regular file, such as /dev/null or a named pipe, is written to
 /// directly: to replace it would not be what was asked for.
 ///
 /// # Errors
 ///
-/// Those of `write`, and of the file system; `path` is then left as it was.
+/// Those of `write`, and of the file system, the latter with `path`, which is then left as it was.
 pub fn write_whole(
     path: &Path,
-    write: impl FnOnce(&mut BufWriter<File>) -> anyhow::Result<()>,
+    write: impl FnOnce(&mut Named<File>) -> anyhow::Result<()>,
+) -> anyhow::Result<()> {
+    write_whole_through(path, |file| file, write)
+}
+
+/// The same with what `through` makes of the file.
+fn write_whole_through<W: Write>(
+    path: &Path,
+    through: impl FnOnce(File) -> W,
+    write: impl FnOnce(&mut Named<W>) -> anyhow::Result<()>,
 ) -> anyhow::Result<()> {
     let name = || files::shown(path);
     if files::is_special(path) {
-        let mut device = BufWriter::with_capacity(BUFFER_BYTES, files::create(path).with_context(name)?);
-        write(&mut device)?;
-        return device.flush().with_context(name);
+        let device = files::create(path).with_context(name)?;
+        return write_named(through(device), name, write).map(drop);
     }
     // A link stays a link: what it points to is replaced.
-    let target = files::canonical(path).unwrap_or_else(|_| path.to_owned());
-    interrupt::end_after(remove_unfinished);
-    let temporary = files::temporary_in(&folder_of(&target)).with_context(name)?;
-    let (file, temporary) = temporary.into_parts();
-    let _unfinished = Unfinished::new(&temporary);
-    let mut file = BufWriter::with_capacity(BUFFER_BYTES, file);
-    write(&mut file)?;
-    file.flush().with_context(name)?;
-    drop(file);
-    temporary.persist(&target).with_context(name)
-}
-
-fn folder_of(path: &Path) -> PathBuf {
-    match path.parent() {
-        Some(folder) if folder != Path::new("") => folder.to_owned(),
-        _ => PathBuf::from("."),
-    }
+    let target = files::behind_links(path).with_context(name)?;
+    let (file, unfinished) = Unfinished::beside(&target).with_context(name)?;
+    drop(write_named(through(file), name, write)?);
+    unfinished.take_the_place_of(&target).with_context(name)
 }
 
 /// Temporary files that are being written.
 static UNFINISHED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
-/// A temporary file that goes when the program is interrupted.
-struct Unfinished(PathBuf);
+/// A temporary file, which goes when it is dropped, and when the program is interrupted.
+struct Unfinished(Option<TempPath>);
 
 impl Unfinished {
-    fn new(path: &Path) -> Self {
-        unfinished().insert(path.to_owned());
-        Self(path.to_owned())
+    /// One to take the place of `target`.
+    fn beside(target: &Path) -> io::Result<(File, Self)> {
+        interrupt::end_after(remove_unfinished);
+        let rights = Rights::of(target)?;
+        // Interrupts wait for the lock: there is no moment at which it is there and they do not know it.
+        let mut all = unfinished();
+        let (file, path) = files::temporary_in(files::folder_of(target), rights.as_ref())?.into_parts();
+        all.insert(path.to_path_buf());
+        Ok((file, Self(Some(path))))
+    }
+
+    fn take_the_place_of(mut self, target: &Path) -> io::Result<()> {
+        let mut all = unfinished();
+        let Some(path) = self.0.take() else { return Ok(()) };
+        all.remove(&path.to_path_buf());
+        path.persist(target).map_err(|error| error.error)
     }
 }
 
 impl Drop for Unfinished {
     fn drop(&mut self) {
-        unfinished().remove(&self.0);
+        if let Some(path) = self.0.take() {
+            let mut all = unfinished();
+            all.remove(&path.to_path_buf());
+            drop(path);
+        }
     }
 }
 
@@ -159,9 +186,12 @@ fn unfinished() -> MutexGuard<'static, BTreeSet<PathBuf>> {
     UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-fn remove_unfinished() {
-    for path in unfinished().iter() {
+/// Removes them all; there are no new ones while the guard that it gives is held.
+fn remove_unfinished() -> MutexGuard<'static, BTreeSet<PathBuf>> {
+    let all = unfinished();
+    for path in all.iter() {
         // What cannot be removed is not missed by an output file.
         let _ = files::remove(path);
     }
+    all
 }

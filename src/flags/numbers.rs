@@ -4,6 +4,7 @@ use std::fmt;
 use std::ops::RangeInclusive;
 use std::str::FromStr;
 
+use relativity_core::MAX_COORDINATE;
 use relativity_core::doppler::{
     BOLOMETRIC_INTENSITY_EXPONENT, PAPER_INTENSITY_EXPONENT, SPECIFIC_INTENSITY_EXPONENT,
 };
@@ -19,6 +20,9 @@ pub fn finite_number(text: &str) -> Result<f64, String> {
         Err(_) => Err("not a number".to_owned()),
     }
 }
+
+/// Coordinates and times for which everything is finite.
+pub const COORDINATES: RangeInclusive<f64> = -MAX_COORDINATE..=MAX_COORDINATE;
 
 /// A parser of numbers inside `range`.
 pub fn within(range: RangeInclusive<f64>) -> impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync {

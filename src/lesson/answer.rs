@@ -1,11 +1,12 @@
 //! What somebody predicted, and what became of it.
 
 use relativity_render::Gaze;
+use serde::{Deserialize, Serialize};
 
 use super::plan::{Kind, Number};
 
 /// A prediction.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Answer {
     /// The choice of this number.
     Choice(usize),
@@ -40,6 +41,19 @@ impl Answer {
             _ => None,
         }
     }
+
+    /// Whether it can be given to what is asked in this way.
+    #[must_use]
+    pub fn fits(&self, kind: &Kind) -> bool {
+        match (self, kind) {
+            (Self::Choice(choice), Kind::Choice(options)) => *choice < options.texts.len(),
+            (Self::Votes(votes), Kind::Choice(options)) => votes.len() == options.texts.len(),
+            (Self::Number(_), Kind::Number(_))
+            | (Self::Direction(_), Kind::Point(_))
+            | (Self::Curve(_), Kind::Curve(_)) => true,
+            _ => false,
+        }
+    }
 }
 
 impl Number {
@@ -51,7 +65,7 @@ impl Number {
 }
 
 /// How a prediction came to its end.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Outcome {
     /// Nothing was predicted.
     Skipped,
@@ -65,7 +79,7 @@ pub enum Outcome {
 }
 
 /// What somebody did in a step.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Record {
     /// What was predicted, once the reveal was asked for.
     pub outcome: Option<Outcome>,

@@ -2,12 +2,15 @@
 
 use std::sync::Arc;
 
+use serde::{Deserialize, Serialize};
+
 use super::answer::{Answer, Outcome, Record};
 use super::error::LessonError;
+use super::kept::KeptCourse;
 use super::plan::{Kind, Lesson, Prediction, Step};
 
 /// How far somebody is in a step.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Phase {
     /// Its text is read, and its prediction is made.
     Ask,
@@ -18,7 +21,7 @@ pub enum Phase {
 }
 
 /// A place in a lesson. After its last step comes the sentence to take away.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct Place {
     /// The number of the step.
     pub step: usize,
@@ -72,6 +75,30 @@ impl Course {
         let last = Place { step: renewed.lesson.steps.len(), phase: Phase::Ask };
         renewed.place = renewed.reached(self.place.min(last));
         Ok(renewed)
+    }
+
+    /// Takes up what was `kept` of it: the answers to what is still asked, and the place, if there still is one.
+    pub fn take_up(&mut self, kept: &KeptCourse) {
+        for (number, record) in self.records.iter_mut().enumerate() {
+            *record = kept.record(&self.lesson, number);
+        }
+        let last = Place { step: self.lesson.steps.len(), phase: Phase::Ask };
+        self.place = self.reached(kept.place().min(last));
+        (self.draft, self.confidence) = kept.draft(&self.lesson, self.place);
+    }
+
+    /// What is kept of it while its lesson is closed; none if nothing was done in it.
+    #[must_use]
+    pub fn kept(&self) -> Option<KeptCourse> {
+        let is_new = self.place == Place::START && self.draft.is_none();
+        let is_untouched = is_new && self.records.iter().all(|record| *record == Record::default());
+        (!is_untouched && !self.lesson.is_a_preset()).then(|| KeptCourse::of(self))
+    }
+
+    /// Begins it anew, without the answers that were given.
+    pub fn begin_anew(&mut self) {
+        self.records.fill(Record::default());
+        (self.place, self.draft, self.confidence) = (Place::START, None, None);
     }
 
     /// The lesson, worked out.

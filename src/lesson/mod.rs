@@ -8,6 +8,7 @@ mod answer;
 mod course;
 mod curve_plot;
 mod error;
+mod kept;
 mod library;
 mod picture;
 mod plan;
@@ -23,6 +24,7 @@ pub mod worksheet;
 pub use answer::{Answer, Outcome, Record};
 pub use course::{Course, Phase, Place};
 pub use error::LessonError;
+pub use kept::KeptCourse;
 pub use library::Library;
 pub use plan::{
     Animated, Animation, Choices, Curve, Kind, Lab, Lesson, Number, Options, PointAt, Prediction, Quantity,

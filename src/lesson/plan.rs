@@ -32,6 +32,21 @@ pub struct Told {
     pub line: usize,
 }
 
+impl Told {
+    /// The line of the file in which it gives `key`, if it does.
+    #[must_use]
+    pub fn line_of(&self, key: &str) -> Option<usize> {
+        Some(self.line + line_giving(key, &self.toml)?)
+    }
+}
+
+/// The line, from 0, in which `toml` gives `key`, if it does.
+pub(super) fn line_giving(key: &str, toml: &str) -> Option<usize> {
+    toml.lines().position(|line| {
+        line.trim_start().strip_prefix(key).is_some_and(|rest| rest.trim_start().starts_with('='))
+    })
+}
+
 /// A lesson.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Lesson {

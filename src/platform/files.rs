@@ -1,13 +1,15 @@
 //! The file system.
 #![expect(clippy::disallowed_methods, clippy::disallowed_types, reason = "this is where files are reached")]
 
-use std::error::Error;
-use std::io;
+use std::io::{self, Read as _};
 use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
 
+use super::{sizes, tell};
+
 pub use std::fs::File;
+pub use tempfile::TempPath;
 
 /// `path` as messages name it: on one line, with nothing in it that a terminal would obey. What is neither text nor fit
 /// to be shown stands as its escape.
@@ -15,14 +17,7 @@ pub use std::fs::File;
 pub fn shown(path: &Path) -> String {
     let mut shown = String::new();
     for chunk in path.as_os_str().as_encoded_bytes().utf8_chunks() {
-        chunk.valid().chars().for_each(|c| match c {
-            // Marks that turn the direction of text about, or end a line without being control characters.
-            '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => {
-                shown.extend(c.escape_unicode());
-            }
-            c if c.is_control() => shown.extend(c.escape_default()),
-            c => shown.push(c),
-        });
+        shown.push_str(&tell::shown(chunk.valid()));
         shown.extend(chunk.invalid().iter().map(|byte| format!("\\x{byte:02x}")));
     }
     shown
@@ -42,14 +37,27 @@ pub fn create(path: &Path) -> io::Result<File> {
     File::create(path)
 }
 
-/// The bytes of the file at `path`.
-pub fn read(path: &Path) -> io::Result<Vec<u8>> {
-    std::fs::read(path)
+/// The bytes of the file at `path`, of which there must be no more than `most`: a longer one is refused, be it a device
+/// without an end.
+pub fn read(path: &Path, most: u64) -> io::Result<Vec<u8>> {
+    let mut file = File::open(path)?;
+    let size = file.metadata()?.len();
+    let mut bytes = Vec::new();
+    if size <= most {
+        bytes.reserve_exact(size as usize + 1);
+        (&mut file).take(most + 1).read_to_end(&mut bytes)?;
+    }
+    if size.max(bytes.len() as u64) > most {
+        let problem = format!("it is longer than {} MB, the most that is read of such a file", most >> 20);
+        return Err(io::Error::new(io::ErrorKind::FileTooLarge, problem));
+    }
+    Ok(bytes)
 }
 
-/// The text in the file at `path`.
+/// The text in the file at `path`, of [`sizes::TEXT_BYTES`] at most.
 pub fn read_to_string(path: &Path) -> io::Result<String> {
-    std::fs::read_to_string(path)
+    let not_text = |_| io::Error::new(io::ErrorKind::InvalidData, "it is no text in UTF-8");
+    String::from_utf8(read(path, sizes::TEXT_BYTES)?).map_err(not_text)
 }
 
 /// Makes the folder `path` and those around it, unless they are there.
@@ -89,6 +97,16 @@ pub fn is_special(path: &Path) -> bool {
     path.metadata().is_ok_and(|found| !found.is_file())
 }
 
+/// Whether the open file `of` is what throws all away.
+#[cfg(unix)]
+pub fn is_null(of: impl std::os::fd::AsFd) -> bool {
+    use std::os::unix::fs::MetadataExt as _;
+    let device = |file: io::Result<std::fs::Metadata>| file.map(|found| (found.dev(), found.ino())).ok();
+    let file = of.as_fd().try_clone_to_owned().map(File::from);
+    let found = device(file.and_then(|file| file.metadata()));
+    found.is_some() && found == device(std::fs::metadata("/dev/null"))
+}
+
 /// Length of the file at `path`, bytes.
 pub fn size(path: &Path) -> io::Result<u64> {
     Ok(path.metadata()?.len())
@@ -119,23 +137,72 @@ pub fn remove(path: &Path) -> io::Result<()> {
     std::fs::remove_file(path)
 }
 
-/// A new file of this program in `folder`, which goes when it is dropped. It has the permissions that any new file
-/// would have.
-pub fn temporary_in(folder: &Path) -> io::Result<NamedTempFile> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".gamow-").suffix(".tmp");
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt as _;
-        builder.permissions(std::fs::Permissions::from_mode(0o666)); // less the umask
+/// What a file that is written to `path` is to replace: the file there, or behind the links there, even if it is not there
+/// yet.
+pub fn behind_links(path: &Path) -> io::Result<PathBuf> {
+    match path.canonicalize() {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => {}
+        found => return found,
     }
-    builder.tempfile_in(folder).map_err(without_path)
+    // The system has refused links that lead in a circle already.
+    let mut place = path.to_owned();
+    while let Ok(next) = std::fs::read_link(&place) {
+        place = folder_of(&place).join(next);
+    }
+    Ok(place)
 }
 
-/// What is wrong, without the name of a temporary file: nobody asked for that.
-fn without_path(error: io::Error) -> io::Error {
-    let cause = error.get_ref().and_then(Error::source).and_then(|cause| cause.downcast_ref::<io::Error>());
-    cause.and_then(io::Error::raw_os_error).map_or(error, io::Error::from_raw_os_error)
+/// The folder that `path` is in.
+#[must_use]
+pub fn folder_of(path: &Path) -> &Path {
+    path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."))
+}
+
+/// Who may do what with a file, and whose it is.
+#[derive(Debug, Clone)]
+pub struct Rights(std::fs::Metadata);
+
+impl Rights {
+    /// Those of the file at `path`, none if there is none.
+    ///
+    /// # Errors
+    ///
+    /// A file that may not be written to.
+    pub fn of(path: &Path) -> io::Result<Option<Self>> {
+        match std::fs::OpenOptions::new().write(true).open(path) {
+            Ok(file) => Ok(Some(Self(file.metadata()?))),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// Gives them to `file`, as far as the system lets this program: not everybody may give a file away.
+    fn give_to(&self, file: &File) -> io::Result<()> {
+        #[cfg(unix)]
+        {
+            use std::os::unix::fs::{MetadataExt as _, fchown};
+            let _ = fchown(file, Some(self.0.uid()), Some(self.0.gid()))
+                .or_else(|_| fchown(file, None, Some(self.0.gid())));
+        }
+        file.set_permissions(self.0.permissions())
+    }
+}
+
+/// A new file of this program in `folder`, which goes when it is dropped. It has these `rights`, or else those that any new
+/// file would have.
+pub fn temporary_in(folder: &Path, rights: Option<&Rights>) -> io::Result<NamedTempFile> {
+    let create = |path: &Path| {
+        let mut options = std::fs::OpenOptions::new();
+        options.read(true).write(true).create_new(true);
+        #[cfg(unix)]
+        if rights.is_some() {
+            use std::os::unix::fs::OpenOptionsExt as _;
+            options.mode(0o600); // nobody else's until it is known whose it is
+        }
+        let file = options.open(path)?;
+        rights.map_or(Ok(()), |rights| rights.give_to(&file)).map(|()| file)
+    };
+    tempfile::Builder::new().prefix(".gamow-").suffix(".tmp").make_in(folder, create)
 }
 
 #[cfg(test)]
@@ -148,6 +215,20 @@ mod tests {
             assert_eq!(shown(Path::new(name)), name);
         }
         assert_eq!(shown(Path::new("a\u{1b}[31m\nb\u{202e}.toml")), r"a\u{1b}[31m\nb\u{202e}.toml");
+    }
+
+    #[test]
+    fn a_file_without_an_end_is_refused() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("a.toml");
+        std::fs::write(&path, "four").expect("it is written");
+        assert_eq!(read(&path, 4).expect("it is short enough"), b"four");
+        let problem = read(&path, 3).expect_err("it is longer").to_string();
+        assert_eq!(problem, "it is longer than 0 MB, the most that is read of such a file");
+        #[cfg(unix)]
+        assert!(read_to_string(Path::new("/dev/zero")).is_err());
+        std::fs::write(&path, b"\xff").expect("it is written");
+        assert_eq!(read_to_string(&path).expect_err("no text").to_string(), "it is no text in UTF-8");
     }
 
     #[cfg(unix)]

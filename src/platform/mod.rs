@@ -1,9 +1,12 @@
 //! What the system provides, each in one place, so that what a platform lacks is decided there: the clock, files,
-//! threads, interrupts, the environment, and a terminal.
+//! threads, interrupts, limits, the environment, the standard streams, a terminal, and how much memory a file may ask for.
 
 pub mod clock;
 pub mod environment;
 pub mod files;
 pub mod interrupt;
+pub mod limits;
 pub mod progress;
+pub mod sizes;
+pub mod tell;
 pub mod threads;

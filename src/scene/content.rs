@@ -10,6 +10,8 @@ use super::table::coincide;
 
 /// How far off the surface of a body a point is still taken to be on it: coordinates may be rounded to three decimals.
 const ON_BODY: f64 = 1e-3;
+/// How many names of bodies a message tells.
+const MOST_NAMED: usize = 40;
 
 /// A scene: groups of bodies, each at rest in a frame of its own, and the ground they pass over. Lengths in the scene's
 /// unit, rest-frame coordinates `[x, y, z]` with x along the motion.
@@ -108,6 +110,20 @@ impl Scene {
     #[must_use]
     pub fn body_named(&self, name: &str) -> Option<usize> {
         self.names.iter().position(|known| known == name)
+    }
+
+    /// What is wrong with the name of a body that there is not, and which there are.
+    #[must_use]
+    pub fn no_body_named(&self, name: &str) -> String {
+        let mut known: Vec<&str> = Vec::new();
+        for body in &self.names {
+            if !known.contains(&body.as_str()) {
+                known.push(body);
+            }
+        }
+        let more = if known.len() > MOST_NAMED { ", …" } else { "" };
+        let known = known.into_iter().take(MOST_NAMED).collect::<Vec<_>>().join(", ");
+        format!("{} has no body called `{name}`: there are {known}{more}", self.name)
     }
 
     /// The forward-most point of the body of this number, if there is such a body.

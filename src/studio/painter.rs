@@ -6,7 +6,7 @@ use relativity_render::{
 };
 
 use crate::flags::choices::{ProjectionChoice, RendererChoice};
-use crate::platform::threads;
+use crate::platform::{tell, threads};
 use crate::settings::Settings;
 
 /// A method, and the renderers that draw by it.
@@ -62,7 +62,9 @@ impl Painter {
         match settings.quality.renderer {
             RendererChoice::Reference => {}
             RendererChoice::Auto => {
-                eprintln!("gamow: drawing with the reference renderer on the CPU, the one that knows vr180");
+                tell::remark(
+                    "gamow: drawing with the reference renderer on the CPU, the one that knows vr180",
+                );
             }
             RendererChoice::Rays | RendererChoice::Mesh => {
                 anyhow::bail!("--projection vr180: only `--renderer reference` draws it")
@@ -125,7 +127,7 @@ fn automatic() -> (Method, Option<Gpu>) {
     match Gpu::headless() {
         Ok(gpu) => (Method::Rays, Some(gpu)),
         Err(error) => {
-            eprintln!("gamow: drawing with the reference renderer on the CPU: {error}");
+            tell::remark(format_args!("gamow: drawing with the reference renderer on the CPU: {error}"));
             (Method::Reference, None)
         }
     }

@@ -6,6 +6,8 @@ use std::thread;
 
 mod errors;
 mod fit;
+#[cfg(target_os = "linux")]
+mod full;
 mod garbage;
 mod help;
 mod lessons;

@@ -38,6 +38,7 @@ const ONLY_IN: [(&str, &str, &[&str]); 4] = [
             "rayon",
             "tempfile",
             "ctrlc",
+            "nix",
         ],
     ),
     ("gamow", "app/", &["eframe", "egui_plot"]),

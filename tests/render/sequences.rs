@@ -141,3 +141,64 @@ fn frames_become_an_animation_where_the_name_of_a_file_is_given() {
         assert_eq!(error, format!("gamow: {complaint}\n"));
     }
 }
+
+#[test]
+fn a_frame_counts_only_if_it_is_whole() {
+    let folder = folder();
+    for (ending, flag) in [("png", ""), ("exr", "--exr")] {
+        let flags = format!("--frames 2 --from 1 --to 2 --samples 1 --out {ending} {flag}");
+        let said = || String::from_utf8(output(folder.path(), &flags).stderr).expect("it is text");
+        let kept = |count: usize| format!("{} frames drawn and {count} kept", 2 - count);
+        assert!(said().contains(&kept(0)));
+        assert!(said().contains(&kept(2)));
+        let path = folder.path().join(format!("{ending}/frame_00001.{ending}"));
+        let whole = fs::read(&path).expect("it is there");
+        let length = whole.len();
+        for left in [0, length / 2, length * 9 / 10, length - 12, length - 1] {
+            for end in [0, length - left] {
+                let damaged = [&whole[..left], &vec![0; end]].concat();
+                if damaged == whole {
+                    continue;
+                }
+                fs::write(&path, damaged).expect("it is writable");
+                let said = said();
+                assert!(
+                    said.contains(&kept(1)),
+                    "{ending} of {length} bytes, {left} and {end} zeros: {said}"
+                );
+            }
+        }
+        assert!(said().contains(&kept(2)));
+    }
+}
+
+#[test]
+fn a_sequence_of_a_scene_with_any_name_is_read_again() {
+    let folder = folder();
+    let scene = "name = '車輪 の競走'\n[[object]]\nname = 'ボール'\nshape = 'sphere'\ncenter = [0.0, 3.0, 0.5]\n\
+                 radius = 0.4\n";
+    for (number, name) in
+        ["車輪.toml", "自転車 と 'räder' \"x\".toml", "ゲ\u{301}モフ\u{3000}全角.toml"].iter().enumerate()
+    {
+        fs::write(folder.path().join(name), scene).expect("the folder is writable");
+        for flag in ["", "--exr"] {
+            let ride = format!("ride{number}{flag}");
+            let said = || {
+                let flags = format!("--frames 2 --from 1 --to 2 --samples 1 --out {ride} {flag}");
+                let mut command = super::command_of_any_scene(folder.path(), &flags);
+                let output = command.arg(format!("--scene={name}")).output().expect("the program starts");
+                String::from_utf8(output.stderr).expect("it is text")
+            };
+            assert!(said().contains("2 frames drawn and 0 kept"), "{name} {flag}");
+            assert!(said().contains("0 frames drawn and 2 kept"), "{name} {flag}");
+            let ending = flag.strip_prefix("--").unwrap_or("png");
+            let state = format!("--state {ride}/frame_00000.{ending} --out again.png --samples 1");
+            assert!(
+                super::command_of_any_scene(folder.path(), &state).status().expect("it starts").success()
+            );
+        }
+        let measured = format!("measure ride{number}--exr --object ボール");
+        let output = super::gamow_output(folder.path(), &measured);
+        assert_eq!(String::from_utf8_lossy(&output.stdout).lines().count(), 3, "{output:?}");
+    }
+}

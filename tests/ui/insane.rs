@@ -105,9 +105,9 @@ impl Random {
         let mut all: BTreeMap<String, Vec<String>> = BTreeMap::new();
         for (name, value) in &usual {
             match value.as_table() {
-                Some(section) => all.insert(name.clone(), section.keys().cloned().collect()),
-                None => all.entry(String::new()).or_default().push(name.clone()).into(),
-            };
+                Some(section) => all.entry(name.clone()).or_default().extend(section.keys().cloned()),
+                None => all.entry(String::new()).or_default().push(name.clone()),
+            }
         }
         for (section, name) in UNSET {
             all.entry(section.to_owned()).or_default().push(name.to_owned());

@@ -26,6 +26,7 @@ pub const TESTS: &[Test] = &[
     ("a_narrow_window_folds_the_lesson_for_its_controls", a_narrow_window_folds_the_lesson),
     ("what_was_explored_in_a_lesson_is_set_up_again_and_undone", what_was_explored_is_set_up_again),
     ("closing_a_lesson_has_the_parts_of_the_window_as_before", closing_a_lesson),
+    ("a_lesson_that_is_closed_keeps_its_answers", a_closed_lesson_keeps_its_answers),
     ("a_lesson_that_is_written_anew_keeps_its_place", a_lesson_written_anew),
     ("an_audience_is_led_through_a_lesson_with_two_keys", an_audience_is_led_through),
     ("every_step_of_every_lesson_fits_and_shows_its_state", every_step_of_every_lesson),
@@ -306,6 +307,47 @@ fn closing_a_lesson() {
     press(&mut window, "Close the lesson");
     assert!(window.state().state().course().is_none());
     assert_eq!(window.state().state().settings.window, before);
+}
+
+fn a_closed_lesson_keeps_its_answers() {
+    let mut window = window(&lesson(), [1280.0, 800.0]);
+    choose(&mut window, "short");
+    press(&mut window, "Predict");
+    ask(&mut window, LessonCommand::Forward);
+    choose(&mut window, "They looked long.");
+    let left = course(&window).clone();
+    press(&mut window, "Close the lesson");
+    assert_eq!(window.state().state().course(), None);
+    // Another one is begun and left for the first.
+    ask(&mut window, LessonCommand::Open("rods".to_owned()));
+    window.state_mut().ask(Command::Lesson(LessonCommand::Skip));
+    let begin = |window: &mut Harness<'_, App>| {
+        let mut state = window.state().state().clone();
+        state.begin_lesson(&lesson()).expect("it can be worked out");
+        state
+    };
+    let again = begin(&mut window);
+    let again = again.course().expect("a lesson");
+    assert_eq!((again.records(), again.place()), (left.records(), left.place()));
+    assert_eq!(again.records()[0].observed, Some(0));
+    // What was asked otherwise then is asked again.
+    let other =
+        Lesson::read("test", &LESSON.replace("- [ ] short", "- [ ] shorter"), "test.md").expect("a lesson");
+    let mut state = window.state().state().clone();
+    state.begin_lesson(&other).expect("it can be worked out");
+    let asked = state.course().expect("a lesson");
+    assert_eq!((asked.records()[0].outcome.as_ref(), asked.place()), (None, Place::START));
+    // The start page goes on with the one that was left last.
+    ask(&mut window, LessonCommand::Close);
+    window.state_mut().ask(Command::Toggle(gamow::app::overlay::Overlay::Start));
+    window.run_steps(2);
+    press(&mut window, "Go on: Rods at 0.7 c");
+    assert_eq!(course(&window).records()[0].outcome, Some(Outcome::Skipped));
+    ask(&mut window, LessonCommand::BeginAnew);
+    assert_eq!(
+        (course(&window).records()[0].outcome.as_ref(), course(&window).place()),
+        (None, Place::START)
+    );
 }
 
 fn a_lesson_written_anew() {

@@ -20,6 +20,7 @@ mod plots;
 mod predictions;
 mod presenting;
 mod quality;
+mod random_user;
 mod saving;
 mod spacetime;
 mod start;
@@ -60,6 +61,7 @@ fn main() -> ExitCode {
         predictions::TESTS,
         presenting::TESTS,
         quality::TESTS,
+        random_user::TESTS,
         saving::TESTS,
         spacetime::TESTS,
         start::TESTS,

@@ -15,9 +15,10 @@ use relativity_render::Gaze;
 
 use super::Test;
 use super::saving::save;
-use super::support::{drag, label_starting_with, labels, pane, seen, window};
+use super::support::{drag, label_starting_with, labels, pane, seen, type_into, window};
 
 pub const TESTS: &[Test] = &[
+    ("a_number_that_is_none_stays_where_it_was_typed", a_number_that_is_none),
     ("a_drawn_curve_is_recorded_where_the_mouse_was", recorded_where_the_mouse_was),
     ("nothing_of_the_true_curve_is_shown_before_the_reveal", nothing_is_shown_before),
     ("a_drawn_curve_is_compared_with_the_core", compared_with_the_core),
@@ -134,6 +135,25 @@ fn at_lesson(beta: f64) -> Harness<'static, App> {
 fn ask(window: &mut Harness<'_, App>, command: LessonCommand) {
     window.state_mut().ask(Command::Lesson(command));
     window.run_ok();
+}
+
+fn a_number_that_is_none() {
+    let text = "---\ntitle: Asked\n---\n\n## One\n\n### Predict\n\nHow much?\n\n```number\ntruth = \"gamma\"\n```\n\n### Reveal\n\nSo.\n";
+    let lesson = Lesson::read("asked", text, "asked.md").expect("a lesson");
+    let mut state = State::open(Settings::default()).expect("usual settings");
+    state.begin_lesson(&lesson).expect("it can be worked out");
+    let mut window = window(state);
+    let is = "is not a number: type one such as 1.25 or 2e-3.";
+    for typed in ["1.2.3", "about two", "1e309", "NaN"] {
+        type_into(&mut window, "Predicted number", typed);
+        assert_eq!(window.get_by_label("Predicted number").value().as_deref(), Some(typed));
+        window.get_by_label(&format!("“{typed}” {is}"));
+        assert!(window.state().state().course().expect("a lesson").draft.is_none());
+    }
+    type_into(&mut window, "Predicted number", "1,5");
+    let made = Outcome::Made { answer: Answer::Number(1.5), confidence: None };
+    assert_eq!(window.state().state().course().expect("a lesson").records()[0].outcome, Some(made));
+    assert!(labels(&window).iter().all(|label| !label.contains(is)));
 }
 
 const EMPTY: &str = "Plot to draw D of front tyre against T into";

@@ -4,11 +4,9 @@
 //! from a formula of its own. And where a disparity is extreme or zero, it does not depend on the time to first
 //! order, but each view alone does; so both views must carry the *same* rounding errors of S and X.
 
-use num_traits::Float;
-
 use crate::aperture::Aperture;
 use crate::apparent::{LightCone, rounded};
-use crate::math;
+use crate::math::{self, Elementary};
 use crate::source::SourcePoint;
 use crate::speed::Coefficients;
 
@@ -41,7 +39,7 @@ struct ApparentXs<F> {
     is_opposite: bool,
 }
 
-impl<F: Float> ConePair<F> {
+impl<F: Elementary> ConePair<F> {
     #[inline]
     pub fn new(
         coefficients: &Coefficients<F>,
@@ -253,7 +251,7 @@ struct Across<F> {
     offset: F,
 }
 
-impl<F: Float> Across<F> {
+impl<F: Elementary> Across<F> {
     fn same_sign(&self) -> bool {
         let zero = F::zero();
         (self.left > zero && self.right > zero) || (self.left < zero && self.right < zero)
@@ -266,10 +264,10 @@ impl<F: Float> Across<F> {
 }
 
 /// Of two ways to write one number as a sum of two terms, the one in which less cancels.
-fn smaller_terms<F: Float>(a: (F, F), b: (F, F)) -> F {
+fn smaller_terms<F: Elementary>(a: (F, F), b: (F, F)) -> F {
     if a.0.abs() + a.1.abs() < b.0.abs() + b.1.abs() { a.0 + a.1 } else { b.0 + b.1 }
 }
 
-fn half<F: Float>(x: F) -> F {
+fn half<F: Elementary>(x: F) -> F {
     x / (F::one() + F::one())
 }

@@ -61,7 +61,10 @@
 //!   "the paper" throughout.
 //! - P. M. Mathews and M. Lakshmanan, *On the apparent visual forms of relativistically moving
 //!   objects*, Nuovo Cimento B 12 (1972).
-#![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_types))]
+#![cfg_attr(
+    not(test),
+    warn(clippy::disallowed_methods, clippy::disallowed_types, clippy::print_stdout, clippy::print_stderr)
+)]
 
 /// The accuracy of every output: its error is at most this many units of
 /// `2^-53 (|f| + sum |x_i df/dx_i|)`, the `x_i` being the inputs; 2^-24 in f32. One unit is what rounding the
@@ -117,3 +120,8 @@ pub use published::{PublishedVariant, printed_apparent_x, published_disparity};
 pub use source::{Source, SourcePoint, Turning, WheelPoint};
 pub use speed::{MAX_GAMMA, Speed, SpeedError};
 pub use stereo::{Stereo, StereoError, stereo};
+
+/// The example of the README.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

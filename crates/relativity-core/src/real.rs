@@ -1,12 +1,11 @@
 //! The precisions that batches run in.
 
-use num_traits::Float;
-
 use crate::domain::MAX_COORDINATE;
+use crate::math::Elementary;
 use crate::speed::MAX_GAMMA;
 
 /// The floating-point types that batches run in: f64 and f32.
-pub trait Real: Float + Send + Sync + Into<f64> + sealed::Sealed {
+pub trait Real: Elementary + Send + Sync + Into<f64> + sealed::Sealed {
     /// Largest magnitude of a coordinate or time.
     const MAX_COORDINATE: Self;
     /// Largest Lorentz factor.

@@ -7,6 +7,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Where a camera looks: the direction of its optical axis. Its horizon stays level.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Gaze {
     /// Azimuth from +x towards +y, radians; pi/2 looks straight ahead along +y.
     pub azimuth: f64,

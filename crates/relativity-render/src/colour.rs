@@ -10,6 +10,7 @@
 //! References: CIE 015:2018, *Colorimetry*; CIE 018:2019 (the table, its source and licence: `assets/README.md`); IEC
 //! 61966-2-1:1999 (sRGB).
 
+use std::array::from_fn;
 use std::sync::LazyLock;
 
 use relativity_core::math::{atan, log2, powf};
@@ -100,6 +101,16 @@ pub fn false_colour(octaves: f64) -> [f64; 3] {
 pub fn srgb_encoded(linear: f64) -> f64 {
     if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * powf(linear, 1.0 / 2.4) - 0.055 }
 }
+
+/// The byte, 0 to 255, that stands for a linear value in sRGB: the nearest to its encoding.
+#[must_use]
+pub fn srgb_level(linear: f64) -> u8 {
+    LEAST.partition_point(|least| *least <= linear) as u8
+}
+
+/// The least linear value of each level above 0.
+static LEAST: LazyLock<[f64; 255]> =
+    LazyLock::new(|| from_fn(|below| srgb_decoded((below as f64 + 0.5) / 255.0)));
 
 /// The linear value of an sRGB-encoded one, both in [0, 1].
 #[must_use]

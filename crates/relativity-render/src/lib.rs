@@ -40,7 +40,10 @@
 //! assert_eq!(picture.rgba.len(), 64 * 48);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
-#![cfg_attr(not(test), warn(clippy::disallowed_methods, clippy::disallowed_types))]
+#![cfg_attr(
+    not(test),
+    warn(clippy::disallowed_methods, clippy::disallowed_types, clippy::print_stdout, clippy::print_stderr)
+)]
 
 pub mod backdrop;
 mod block;
@@ -116,3 +119,8 @@ pub use target::EyeTarget;
 pub use velocity::{Motion, Velocity};
 pub use view::{Appearance, Colour, Geometry, Shading, View};
 pub use wheel::spin::{MaterialPoint, Spin};
+
+/// The example of the README.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -1,6 +1,6 @@
 //! A finished picture: sRGB-encoded pixels.
 
-use crate::colour::srgb_encoded;
+use crate::colour::srgb_level;
 
 /// A picture of 8 bits per component, row by row from the top left.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -14,6 +14,6 @@ pub struct Picture {
 /// The opaque pixel of a linear sRGB colour with components in [0, 1].
 #[must_use]
 pub fn encoded(linear: [f64; 3]) -> [u8; 4] {
-    let [r, g, b] = linear.map(|part| (255.0 * srgb_encoded(part)).round() as u8);
+    let [r, g, b] = linear.map(srgb_level);
     [r, g, b, u8::MAX]
 }

@@ -7,7 +7,7 @@ mod support;
 
 use relativity_render::colour::{
     colour_matching, dark_glow, dark_line, false_colour, hue_preserving_clip, linear_srgb, luminance,
-    srgb_decoded, srgb_encoded,
+    srgb_decoded, srgb_encoded, srgb_level,
 };
 use relativity_render::tone::{KNEE, shoulder, toned, untoned};
 
@@ -202,6 +202,16 @@ fn the_srgb_curve_has_the_standard_values() {
         let encoded = f64::from(step) / 255.0;
         assert!((srgb_encoded(srgb_decoded(encoded)) - encoded).abs() < 1e-6);
     }
+}
+
+#[test]
+fn a_level_is_the_nearest_to_the_encoding() {
+    for step in -1_000..101_000 {
+        let linear = f64::from(step) * 1e-5;
+        let expected = (255.0 * srgb_encoded(linear.clamp(0.0, 1.0))).round() as u8;
+        assert_eq!(srgb_level(linear), expected, "{linear}");
+    }
+    assert_eq!([f64::NAN, f64::NEG_INFINITY, f64::INFINITY].map(srgb_level), [0, 0, 255]);
 }
 
 #[test]

@@ -325,8 +325,7 @@ fn wavelengths(ui: &mut Ui, received: &Received, rest_wavelength: Option<f64>) {
 fn swatch(ui: &mut Ui, wavelength_nm: Option<f64>) {
     let (rect, _) = ui.allocate_exact_size(vec2(14.0, 12.0), Sense::hover());
     let linear = wavelength_nm.map_or([0.0; 3], colour::linear_srgb);
-    let [r, g, b] =
-        linear.map(|channel| (255.0 * colour::srgb_encoded(channel.clamp(0.0, 1.0))).round() as u8);
+    let [r, g, b] = linear.map(colour::srgb_level);
     let stroke = ui.visuals().widgets.noninteractive.bg_stroke;
     let painter = ui.painter();
     painter.rect(rect, 2.0, Color32::from_rgb(r, g, b), stroke, egui::StrokeKind::Inside);

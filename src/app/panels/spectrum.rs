@@ -174,8 +174,7 @@ fn scale_colour(wavelength_nm: f64, visuals: &Visuals) -> Color32 {
     let seen = linear.into_iter().fold(0.0, f64::max).min(1.0);
     let [r, g, b] = [0, 1, 2].map(|i| {
         let behind = colour::srgb_decoded(f64::from(behind[i]) / 255.0);
-        let mixed = (behind * (1.0 - seen) + linear[i]).clamp(0.0, 1.0);
-        (255.0 * colour::srgb_encoded(mixed)).round() as u8
+        colour::srgb_level(behind * (1.0 - seen) + linear[i])
     });
     Color32::from_rgb(r, g, b)
 }

@@ -6,7 +6,7 @@ use relativity_render::{Appearance, Gpu, Method, PreparedScene, Renderers, View}
 
 use super::report::{
     AccuracyReport, Circumstances, FormulaReport, FormulaRow, PictureErrors, PictureRow, PublishedReport,
-    PublishedRow, RendererReport, Setting, median,
+    PublishedRow, RendererReport, Setting, TIMED, median,
 };
 use super::{advice, effects};
 use crate::accuracy::{
@@ -65,6 +65,7 @@ pub fn report(
     };
     let mut report = AccuracyReport {
         setting,
+        timed: TIMED,
         missing,
         renderers: measurement.pictures()?,
         formulas: measurement.formulas()?,

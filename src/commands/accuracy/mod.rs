@@ -21,7 +21,8 @@ use crate::scene::Scene;
 ///
 /// Views are of the tracked point seen approaching (at x = -3 R, R being its distance at x = 0), abreast (x = 0)
 /// and receding (x = +3 R), from rest to gamma = 1000. Nothing is stored from earlier runs. Costs are those of the
-/// fastest of several runs; build with --release to have them mean something.
+/// fastest of several runs; build with --release to have them mean something. They, and what rests on them, differ from run
+/// to run; errors do not. In JSON `timed` names those that do.
 #[derive(Debug, Args)]
 #[command(after_long_help = HELP)]
 pub struct AccuracyArgs {

@@ -4,11 +4,27 @@ use serde::Serialize;
 
 use crate::accuracy::{Place, RoundsError, Spread};
 
+/// The members, at whatever depth, that rest on the clock, and differ from run to run: times, ratios of times, and what is said
+/// of them. All others are the same in every run on the same device.
+pub const TIMED: [&str; 9] = [
+    "frame_ms",
+    "point_ns",
+    "ray_ns",
+    "exact_ns",
+    "published_ns",
+    "all_on_ms",
+    "repeatability",
+    "ratio",
+    "advice",
+];
+
 /// All of it.
 #[derive(Debug, Clone, Serialize)]
 pub struct AccuracyReport {
     /// Under which circumstances.
     pub setting: Setting,
+    /// The names of the members that differ from run to run.
+    pub timed: [&'static str; TIMED.len()],
     /// What this machine could not measure, and why.
     pub missing: Vec<String>,
     /// Pictures: one entry per renderer, the reference first.

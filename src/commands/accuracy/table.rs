@@ -4,6 +4,7 @@ use std::fmt;
 
 use super::report::{AccuracyReport, Circumstances, FormulaReport, PictureErrors, RendererReport};
 use crate::accuracy::{RESOLUTION_PX, RoundsError, Spread};
+use crate::platform::tell;
 
 impl fmt::Display for AccuracyReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -25,11 +26,18 @@ impl AccuracyReport {
         writeln!(
             f,
             "{}: {}, {} bodies, {width}x{height} per eye, {} degrees wide",
-            setting.program, setting.scene, setting.bodies, setting.fov_degrees
+            setting.program,
+            tell::shown(&setting.scene),
+            setting.bodies,
+            setting.fov_degrees
         )?;
         let device = setting.device.as_deref().unwrap_or("none");
         let build = if setting.optimised { "" } else { "; NOT AN OPTIMISED BUILD" };
         writeln!(f, "graphics: {device}; CPU threads: {}{build}", setting.threads)?;
+        writeln!(
+            f,
+            "ms, ns and their ratios, and advice that rests on them, differ from run to run; errors are the same in every run"
+        )?;
         self.missing.iter().try_for_each(|missing| writeln!(f, "not measured: {missing}"))
     }
 

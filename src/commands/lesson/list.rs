@@ -4,6 +4,7 @@ use std::fmt;
 
 use crate::files::whole::write_out;
 use crate::lesson::{Lesson, Library};
+use crate::platform::tell;
 
 /// Writes all of `library`, a line each: its name, how long it takes, the concept that it serves, its title.
 ///
@@ -35,5 +36,6 @@ fn row(lesson: &Lesson) -> [String; 4] {
     } else {
         (format!("{} min", lesson.minutes), lesson.concept.clone())
     };
-    [lesson.name.clone(), time, concept, lesson.title.clone()]
+    // They may be those of a file of one's own.
+    [&lesson.name, &time, &concept, &lesson.title].map(|text| tell::shown(text))
 }

@@ -43,7 +43,9 @@ impl Target<'_> {
 
 /// Parses a colour.
 pub fn colour(text: &str) -> Result<[u8; 3], String> {
-    let number = u32::from_str_radix(text.trim_start_matches('#'), 16).ok().filter(|_| text.len() >= 6);
+    let digits = text.strip_prefix('#').unwrap_or(text);
+    let is_colour = digits.len() == 6 && digits.bytes().all(|digit| digit.is_ascii_hexdigit());
+    let number = is_colour.then(|| u32::from_str_radix(digits, 16).ok()).flatten();
     let [_, r, g, b] = number.ok_or("write six hexadecimal digits like ff0000")?.to_be_bytes();
     Ok([r, g, b])
 }
@@ -229,7 +231,9 @@ mod tests {
     fn colours_are_read() {
         assert_eq!(colour("ff8000"), Ok([255, 128, 0]));
         assert_eq!(colour("#00ff01"), Ok([0, 255, 1]));
-        assert!(colour("red").is_err() && colour("fff").is_err());
+        for text in ["red", "fff", "ffff0000", "+12345", "##ff0000", "#12345", "-12345", "ff00００"] {
+            assert!(colour(text).is_err(), "{text}");
+        }
     }
 
     #[test]

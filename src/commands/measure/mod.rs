@@ -23,9 +23,9 @@ use crate::files::exr::{EYES, Measurements};
 use crate::files::png::PngFile;
 use crate::files::whole::OutArgs;
 use crate::flags::choices::{FileKind, Layout};
-use crate::flags::{coordinates, finite_number, within};
+use crate::flags::{COORDINATES, coordinates, within};
 use crate::passage::time_within;
-use crate::platform::{self, files};
+use crate::platform::{self, files, tell};
 use crate::settings::{CameraArgs, MAX_LENGTH, Picture, Settings};
 use crate::studio::Sheet;
 
@@ -68,7 +68,7 @@ struct TakenArgs {
     /// Observation times: one per file, in the order of the files (by name in a folder), or the first and the last of evenly
     /// spaced ones [default: as the files record them]
     #[arg(
-        long, visible_alias = "time", value_name = "T,T,...", value_delimiter = ',', value_parser = finite_number,
+        long, visible_alias = "time", value_name = "T,T,...", value_delimiter = ',', value_parser = within(COORDINATES),
         allow_hyphen_values = true
     )]
     times: Vec<f64>,
@@ -120,9 +120,9 @@ pub fn run(args: &MeasureArgs) -> anyhow::Result<()> {
     anyhow::ensure!(!rows.is_empty(), "none of {} files shows the target to both eyes", files.len());
     rows.sort_by(|a, b| a[0].total_cmp(&b[0]));
     if rows.len() < files.len() {
-        eprintln!("{} of {} files show the target to both eyes", rows.len(), files.len());
+        tell::remark(format_args!("{} of {} files show the target to both eyes", rows.len(), files.len()));
     }
-    remarks.lines(files.len()).for_each(|line| eprintln!("{line}"));
+    remarks.lines(files.len()).for_each(tell::remark);
     args.out.write(|out| {
         let mut csv = csv_out::Rows::new(out);
         let names = [&["T", "d", ROLL, TURN], ANGLES, &["sigma_dphi", "sigma_dtheta"]].concat();
@@ -166,7 +166,8 @@ fn files(inputs: &[PathBuf], target: Target<'_>) -> anyhow::Result<Vec<PathBuf>>
             files.push(input.clone());
         }
     }
-    anyhow::ensure!(!files.is_empty(), "there is no .{} file", kind.extension());
+    let places = || inputs.iter().map(|input| platform::files::shown(input)).collect::<Vec<_>>().join(", ");
+    anyhow::ensure!(!files.is_empty(), "{}: there is no .{} file", places(), kind.extension());
     Ok(files)
 }
 

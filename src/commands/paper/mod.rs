@@ -18,7 +18,8 @@ use anyhow::Context as _;
 use clap::Args;
 
 use crate::files::html::{Page, Style};
-use crate::platform::files;
+use crate::files::whole::say;
+use crate::platform::{files, sizes};
 
 /// Reproduces the paper: its figures as SVG, CSV and PNG, and a report with its numbers beside ours.
 ///
@@ -48,9 +49,10 @@ pub fn run(args: &PaperArgs) -> anyhow::Result<()> {
     };
     let text = report.to_string();
     let mut page = Page::new("Gamow's cyclist, reproduced", Style::Screen);
-    page.markdown(&text, |figure| Ok(files::read_to_string(&folder.join(figure))?))?;
+    page.markdown(&text, |figure| {
+        Ok(String::from_utf8(files::read(&folder.join(figure), sizes::FILE_BYTES)?)?)
+    })?;
     figures::write_text(folder, "report.md", &text)?;
     figures::write_text(folder, "report.html", &page.finish())?;
-    println!("{}", files::shown(&folder.join("report.html")));
-    Ok(())
+    say(|out| Ok(writeln!(out, "{}", files::shown(&folder.join("report.html")))?))
 }

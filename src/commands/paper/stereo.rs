@@ -11,7 +11,7 @@ use super::figures;
 use crate::files::html::data_uri;
 use crate::flags::choices::{FileKind, RendererChoice, Size};
 use crate::flags::{SpeedParameter, SpeedSetting};
-use crate::platform::files;
+use crate::platform::{files, sizes};
 use crate::settings::{Daylight, Picture, Preset, Settings};
 use crate::studio::{Sheet, Studio};
 
@@ -156,7 +156,7 @@ fn svg(folder: &Path, frames: &[Frame]) -> anyhow::Result<String> {
         let (top, text) = (row * index + CAPTION_HEIGHT, row * index + 18);
         let [left, right] = [&frame.seen.primary, &frame.seen.secondary]
             .map(|sighting| REST_WAVELENGTH_NM / sighting.doppler_factor);
-        let picture = data_uri("image/png", &files::read(&folder.join(&frame.file))?);
+        let picture = data_uri("image/png", &files::read(&folder.join(&frame.file), sizes::FILE_BYTES)?);
         let _ = writeln!(
             svg,
             "<text x=\"8\" y=\"{text}\">T = {:.3}; the tracked point at {left:.0} nm (left eye) and {right:.0} nm (right eye)</text>\n\

@@ -8,8 +8,9 @@ use std::path::{Path, PathBuf};
 use clap::{Arg, Args};
 
 use self::sequence::TimeArgs;
+use crate::files::whole::say;
 use crate::flags::choices::FileKind;
-use crate::platform::files;
+use crate::platform::{files, tell};
 use crate::settings::{Settings, StartArgs};
 use crate::studio::Studio;
 use crate::studio::film::FilmKind;
@@ -77,10 +78,10 @@ pub fn run(args: &RenderArgs) -> anyhow::Result<()> {
         studio.make_file(&frame, kind, &out)?;
     }
     if out != args.out {
-        eprintln!("gamow: the picture is {}, a name that headsets know", files::shown(&out));
+        tell::remark(format_args!("gamow: the picture is {}, a name that headsets know", files::shown(&out)));
     }
     if args.timings {
-        println!("{}", studio.report());
+        say(|out| Ok(writeln!(out, "{}", studio.report())?))?;
     }
     Ok(())
 }

@@ -10,7 +10,7 @@ use crate::figures;
 use crate::flags::choices::FileKind;
 use crate::flags::finite_number;
 use crate::passage::{passage_times, time_within};
-use crate::platform::{files, progress};
+use crate::platform::{files, progress, tell};
 use crate::studio::Studio;
 use crate::studio::film::{FilmKind, frame_path};
 
@@ -65,7 +65,7 @@ pub fn run_film(studio: &mut Studio, times: &TimeArgs, kind: FilmKind, path: &Pa
     })?;
     progress.finish_and_clear();
     let bytes = files::size(path).with_context(|| files::shown(path))?;
-    eprintln!("{frames} frames in {}: {}", files::shown(path), figures::bytes(bytes, 3));
+    tell::remark(format_args!("{frames} frames in {}: {}", files::shown(path), figures::bytes(bytes, 3)));
     Ok(())
 }
 
@@ -100,13 +100,15 @@ pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Resu
             let estimate = figures::bytes(bytes * u64::from(frames) / made as u64, 2);
             let size = studio.settings().picture.size;
             progress.suspend(|| {
-                eprintln!("{frames} frames, {size} per eye: about {estimate}, estimated from {made} of them");
+                tell::remark(format_args!(
+                    "{frames} frames, {size} per eye: about {estimate}, estimated from {made} of them"
+                ));
             });
         }
     }
     progress.finish_and_clear();
     let (drawn, total) = (frames - kept, figures::bytes(bytes, 3));
-    eprintln!("{drawn} frames drawn and {kept} kept in {}: {total}", files::shown(folder));
+    tell::remark(format_args!("{drawn} frames drawn and {kept} kept in {}: {total}", files::shown(folder)));
     Ok(())
 }
 

@@ -4,15 +4,16 @@ mod front;
 mod parts;
 mod wrong;
 
+use std::io::ErrorKind;
 use std::path::Path;
 
 use self::front::Front;
-use self::parts::{Block, Part, parts};
+use self::parts::{Block, Part, check_blocks, parts};
 use self::wrong::Wrong;
 use super::error::LessonError;
 use super::plan::{
     Animated, Animation, Choices, Curve, Kind, Lab, Lesson, Number, PointAt, Prediction, Quantity, Reveal,
-    Step, Text, Told,
+    Step, Text, Told, line_giving,
 };
 use super::values;
 use crate::files::syntax;
@@ -31,6 +32,11 @@ const BLOCKS: [&str; 5] = ["state", "play", "number", "point", "curve"];
 /// How long an animation takes, and the longest, seconds.
 const SECONDS: f64 = 4.0;
 const MOST_SECONDS: f64 = 120.0;
+/// What blocks say that are right.
+const NUMBER: &str = "`truth = \"gain\"` (the name of a value), and if it likes `unit = \"times\"`, `decimals = 2`, `within = 0.1`";
+const POINT: &str = "`body = \"front tyre\"`";
+const CURVE: &str = "`of = \"doppler\"`, `from = 0` and `to = 3`";
+const PLAY: &str = "`time = 5` or `beta = 0.9`, and if it likes `seconds = 4`";
 /// By how much a number may be off unless the lesson says, as a part of the truth.
 const WITHIN: f64 = 0.1;
 
@@ -61,9 +67,15 @@ impl Lesson {
     /// A file that cannot be read, and what is wrong in it.
     pub fn load(path: &Path) -> Result<Self, LessonError> {
         let source_name = files::shown(path);
-        let text = crate::platform::files::read_to_string(path).map_err(|reason| LessonError::Read {
+        let text = files::read_to_string(path).map_err(|reason| LessonError::Read {
             source_name: source_name.clone(),
-            reason: reason.to_string(),
+            reason: match reason.kind() {
+                ErrorKind::InvalidData => "it is no text in UTF-8, as which a lesson is saved".to_owned(),
+                _ if files::is_folder(path) => {
+                    "it is a folder; a lesson is a file of Markdown (.md)".to_owned()
+                }
+                _ => reason.to_string(),
+            },
         })?;
         let name = path.file_stem().unwrap_or_default().to_string_lossy();
         Ok(Self { path: Some(path.to_owned()), ..Self::read(&name, &text, &source_name)? })
@@ -72,6 +84,7 @@ impl Lesson {
 
 fn lesson(name: &str, text: &str, source_name: &str) -> Result<Lesson, Wrong> {
     let (front, first) = Front::of(text)?;
+    check_blocks(text, first)?;
     let mut sections = parts(text, first, "## ");
     let introduction = sections.remove(0);
     let introduction =
@@ -173,7 +186,7 @@ fn prediction(part: &Part) -> Result<Prediction, Wrong> {
         kinds.push(Kind::Number(number(&block)?));
     }
     if let Some(block) = take(&mut blocks, "point") {
-        let PointTable { body } = block.table()?;
+        let PointTable { body } = block.table(POINT)?;
         kinds.push(Kind::Point(PointAt { body, line: block.line }));
     }
     if let Some(block) = take(&mut blocks, "curve") {
@@ -199,7 +212,7 @@ struct NumberTable {
 }
 
 fn number(block: &Block) -> Result<Number, Wrong> {
-    let NumberTable { truth, unit, decimals, within } = block.table()?;
+    let NumberTable { truth, unit, decimals, within } = block.table(NUMBER)?;
     let line = block.line_of("truth");
     values::check(&truth).map_err(|problem| (line, problem))?;
     let within = within.unwrap_or(WITHIN);
@@ -224,7 +237,7 @@ struct CurveTable {
 }
 
 fn curve(block: &Block) -> Result<Curve, Wrong> {
-    let CurveTable { of, from, to } = block.table()?;
+    let CurveTable { of, from, to } = block.table(CURVE)?;
     let Some(quantity) = Quantity::named(&of) else {
         let known = Quantity::ALL.map(Quantity::name).join(", ");
         return Err((block.line_of("of"), format!("of = {of}: must be one of {known}")));
@@ -256,7 +269,7 @@ fn reveal(part: &Part) -> Result<Reveal, Wrong> {
 }
 
 fn animation(block: &Block) -> Result<Animation, Wrong> {
-    let PlayTable { time, beta, gamma, rapidity, seconds } = block.table()?;
+    let PlayTable { time, beta, gamma, rapidity, seconds } = block.table(PLAY)?;
     let seconds = seconds.unwrap_or(SECONDS);
     if !(seconds > 0.0 && seconds <= MOST_SECONDS) {
         let problem = format!("seconds = {seconds}: must be above 0 and at most {MOST_SECONDS}");
@@ -302,21 +315,18 @@ impl Part {
 }
 
 impl Block {
-    /// What it says, as TOML.
-    fn table<T: DeserializeOwned>(&self) -> Result<T, Wrong> {
+    /// What it says, as TOML; where that is wrong, `right` tells what it could be.
+    fn table<T: DeserializeOwned>(&self, right: &str) -> Result<T, Wrong> {
         toml::from_str(&self.text).map_err(|error| {
             let (span, message) = syntax::problem(&self.text, &error);
             let before = self.text.get(..span.start).unwrap_or_default();
-            (self.line + before.matches('\n').count(), message)
+            (self.line + before.matches('\n').count(), format!("{message}; such a block says {right}"))
         })
     }
 
     /// The line in which it gives `key`; its first, if it does not.
     fn line_of(&self, key: &str) -> usize {
-        let is_it = |line: &str| {
-            line.trim_start().strip_prefix(key).is_some_and(|rest| rest.trim_start().starts_with('='))
-        };
-        self.line + self.text.lines().position(is_it).unwrap_or(0)
+        self.line + line_giving(key, &self.text).unwrap_or(0)
     }
 }
 

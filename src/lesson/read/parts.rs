@@ -27,6 +27,29 @@ pub struct Block {
 
 const FENCE: &str = "```";
 
+/// Whether each block of `text` after its `first` lines has an end.
+///
+/// # Errors
+/// The line in which one begins that has none.
+pub fn check_blocks(text: &str, first: usize) -> Result<(), Wrong> {
+    let mut open: Option<(usize, &str)> = None;
+    for (number, line) in text.lines().enumerate().skip(first) {
+        let Some(kind) = line.strip_prefix(FENCE) else { continue };
+        match open {
+            None => open = Some((number + 1, kind.trim())),
+            Some(_) if kind.trim().is_empty() => open = None,
+            Some((begin, kind)) => {
+                return Err((begin, endless(kind, &format!(" before line {}", number + 1))));
+            }
+        }
+    }
+    open.map_or(Ok(()), |(begin, kind)| Err((begin, endless(kind, ""))))
+}
+
+fn endless(kind: &str, place: &str) -> String {
+    format!("the block ```{kind} has no end: a line ```{place}")
+}
+
 /// The parts of `text` below the headings that begin like `mark`; the first has none, and begins after so many lines.
 pub fn parts(text: &str, first: usize, mark: &str) -> Vec<Part> {
     let mut all = vec![Part { title: String::new(), line: first, text: String::new() }];
@@ -72,7 +95,7 @@ impl Part {
             let mut text = String::new();
             loop {
                 match lines.next() {
-                    None => return Err((number, format!("the block ```{kind} has no end: a line ```"))),
+                    None => return Err((number, endless(kind, ""))),
                     Some((_, line)) if line.trim_end() == FENCE => break,
                     Some((_, line)) => text = text + line + "\n",
                 }
@@ -94,7 +117,7 @@ impl Part {
                 }
                 options.push(Text { markdown: item.trim().to_owned(), line: place });
                 is_item = true;
-            } else if let Some(last) = options.last_mut().filter(|_| is_item && line.starts_with("  ")) {
+            } else if let Some(last) = options.last_mut().filter(|_| is_item && is_indented(line)) {
                 last.markdown = std::mem::take(&mut last.markdown) + "\n" + line.trim();
             } else {
                 is_item = false;
@@ -119,9 +142,14 @@ impl Part {
 
 /// What a choice says that begins in this line, and whether it is the right one.
 fn item(line: &str) -> Option<(&str, bool)> {
-    let item = line.strip_prefix("- ").or_else(|| line.strip_prefix("* "))?.trim_start();
+    let item = line.strip_prefix(['-', '*']).filter(|item| item.starts_with([' ', '\t']))?.trim_start();
     let marks = [("[ ]", false), ("[x]", true), ("[X]", true)];
     marks.into_iter().find_map(|(mark, is_right)| Some((item.strip_prefix(mark)?, is_right)))
+}
+
+/// Whether a line goes on with the choice that begins before it.
+fn is_indented(line: &str) -> bool {
+    line.starts_with("  ") || line.starts_with('\t')
 }
 
 /// These lines without those that are empty at both ends.

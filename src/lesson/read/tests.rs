@@ -103,7 +103,8 @@ fn a_lesson_has_what_its_file_says() {
 fn a_lesson_is_read_as_other_editors_write_it() {
     let own = read(LESSON).expect("a lesson");
     let stars = LESSON.replace("- [", "* [").replace("[x]", "[X]");
-    for text in [format!("\u{feff}{LESSON}"), LESSON.replace('\n', "\r\n"), stars] {
+    let tabs = LESSON.replace("- [", "-\t[").replace("  by far", "\tby far");
+    for text in [format!("\u{feff}{LESSON}"), LESSON.replace('\n', "\r\n"), stars, tabs] {
         assert_eq!(read(&text), Ok(own.clone()));
     }
 }
@@ -133,7 +134,30 @@ fn what_is_wrong_is_named_with_its_line() {
         ("### Observe", "### Observed", "rods.md:37: unknown part"),
         ("### Observe", "### Reveal", "rods.md:37: a second `Reveal` in this step: the first is in line 30"),
     ];
-    for (from, to, expected) in cases {
+    let more = [
+        (
+            "beta = 0.7\n```",
+            "beta = 0.7",
+            "rods.md:12: the block ```state has no end: a line ``` before line 31",
+        ),
+        (
+            "\"times\"\n```",
+            "\"times\"",
+            "rods.md:52: the block ```number has no end: a line ``` before line 59",
+        ),
+        ("beta = 0.9\n```", "beta = 0.9", "rods.md:59: the block ```state has no end: a line ```"),
+        (
+            "truth = \"contraction\"",
+            "truth = 3",
+            "rods.md:53: invalid type: integer `3`, expected a string; such a block says `truth = \"gain\"`",
+        ),
+        (
+            "time = 5",
+            "time = \"5\"",
+            "rods.md:33: invalid type: string \"5\", expected f64; such a block says `time = 5`",
+        ),
+    ];
+    for (from, to, expected) in cases.into_iter().chain(more) {
         let text = LESSON.replacen(from, to, 1);
         assert_ne!(text, LESSON, "{from}");
         let error = read(&text).expect_err(from).to_string();
@@ -143,6 +167,64 @@ fn what_is_wrong_is_named_with_its_line() {
     let wrong = read(&LESSON.replacen("beta = 0.7", "beta = 1.7", 1)).expect("it is read");
     let error = wrong.settings(0, false, &crate::settings::Settings::default()).expect_err("no speed");
     assert!(error.to_string().starts_with("rods.md:16: "), "{error}");
+}
+
+#[test]
+fn what_cannot_be_worked_out_is_named_with_its_line() {
+    let cases = [
+        ("A rod comes.", "At {beta}.", "rods.md:19: `{beta}` is no place for a value: `{beta:.2}` is one"),
+        (
+            "A rod comes.",
+            "At {gamma:3f}.",
+            "rods.md:19: `{gamma:3f}` is no place for a value: `{gamma:.2}` is one",
+        ),
+        ("A rod comes.", "At $\\gamma = {gamma:3f}$.", "rods.md:19: `{gamma:3f}` is no place for a value"),
+        ("A rod comes.", "At {gama}.", "rods.md:19: `{gama}` is no place for a value"),
+        ("A rod comes.", "At {gama:.2}.", "rods.md:19: no value is called `gama`: there are beta, gamma"),
+        ("A rod comes.", "At {t of sphere:.2}.", "rods.md:19: Rods has no body called `sphere`: there are "),
+        ("A rod comes.", "Its $\\frac{1}{2$ comes.", "rods.md:19: "),
+        ("A rod comes.", "One,\nits $\\gamma comes.", "rods.md:20: a `$` without another one"),
+        ("scene = \"rods\"", "scene = \"rod\"", "rods.md:13: "),
+        ("scene = \"rods\"", "scene = \"rod.toml\"", "rods.md:13: "),
+        ("motion.beta = 0.9", "scene = \"rod.toml\"", "rods.md:60: "),
+        (
+            "```number\ntruth = \"contraction\"\nunit = \"times\"",
+            "```point\nbody = \"sphere\"",
+            "rods.md:53: Rods has no body called `sphere`: there are ",
+        ),
+    ];
+    for (from, to, expected) in cases {
+        let text = LESSON.replacen(from, to, 1);
+        assert_ne!(text, LESSON, "{from}");
+        let error = read(&text).and_then(|lesson| lesson.worked_out()).expect_err(to).to_string();
+        assert!(error.starts_with(expected), "{error}\ninstead of {expected}");
+        assert!(!error.contains('\n'), "{error}");
+    }
+    for right in [r"It costs 3 \$.", r"A set \{beta}.", "`{beta}`", r"$x^{t} + \frac{T}{d}$"] {
+        let text = LESSON.replacen("A rod comes.", right, 1);
+        let lesson = read(&text).and_then(|lesson| lesson.worked_out());
+        assert!(lesson.is_ok(), "{right}: {lesson:?}");
+    }
+}
+
+#[test]
+fn a_lesson_that_is_no_text_is_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let told = |name: &str| Lesson::load(&folder.path().join(name)).expect_err(name).to_string();
+    crate::platform::files::create_folder(&folder.path().join("folder.md")).expect("a folder");
+    assert!(
+        told("folder.md").ends_with("it is a folder; a lesson is a file of Markdown (.md)"),
+        "{}",
+        told("folder.md")
+    );
+    let path = folder.path().join("latin.md");
+    let mut file = crate::platform::files::create(&path).expect("a file");
+    std::io::Write::write_all(&mut file, b"---\ntitle: L\xe4nge\n---\n").expect("it is written");
+    assert!(
+        told("latin.md").ends_with("it is no text in UTF-8, as which a lesson is saved"),
+        "{}",
+        told("latin.md")
+    );
 }
 
 proptest! {

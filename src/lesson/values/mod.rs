@@ -11,15 +11,16 @@ mod here;
 mod light;
 mod optics;
 mod pairs;
+mod places;
 mod rolling;
 
 use pulldown_cmark::{Event, Parser, Tag};
 
 use self::fitted::Fit;
 use self::here::{Here, Value};
+use self::places::{filled, line_of_lone_dollar};
 use super::error::LessonError;
-use super::plan::{Choices, Kind, Lesson, Prediction, Text};
-use crate::caption::decimal;
+use super::plan::{Choices, Kind, Lesson, Prediction, Text, Told};
 use crate::formula::markdown::{OPTIONS, first_fault};
 use crate::scene::{Scene, Track};
 use crate::settings::Settings;
@@ -98,7 +99,7 @@ fn value_with(text: &str, settings: &Settings, scene: &Scene, fit: &Fit) -> Resu
 /// The point that is followed on the body called `name`, and the number of that.
 fn followed(scene: &Scene, name: &str) -> Result<(Track, Option<usize>), String> {
     let body = scene.body_named(name);
-    let body = body.ok_or_else(|| format!("{} has no body called `{name}`", scene.name))?;
+    let body = body.ok_or_else(|| scene.no_body_named(name))?;
     let track = scene.track_on(body).ok_or_else(|| format!("`{name}` has no point to follow"))?;
     Ok((track, Some(body)))
 }
@@ -124,8 +125,7 @@ impl Lesson {
                         number.truth = Some(truth.map_err(|problem| self.wrong(number.line, problem))?);
                     }
                     Kind::Point(point) if after.1.body_named(&point.body).is_none() => {
-                        let problem = format!("{} has no body called `{}`", after.1.name, point.body);
-                        return Err(self.wrong(point.line, problem));
+                        return Err(self.wrong(point.line, after.1.no_body_named(&point.body)));
                     }
                     Kind::Point(_) | Kind::Curve(_) => {}
                 }
@@ -143,7 +143,8 @@ impl Lesson {
         lesson.sentence = self.filled(&self.sentence, &last)?;
         if let Some(lab) = &mut lesson.lab {
             let settings = self.lab_settings(&usual)?;
-            let scene = self.scene(&settings)?;
+            let last = self.told_until(self.steps.len().saturating_sub(1), true);
+            let scene = self.scene(&settings, lab.state.iter().chain(last))?;
             lab.text = self.filled(&lab.text, &(settings, scene))?;
         }
         Ok(lesson)
@@ -156,14 +157,30 @@ impl Lesson {
         base: &Settings,
     ) -> Result<(Settings, Scene), LessonError> {
         let settings = self.settings(step, is_revealed, base)?;
-        let scene = self.scene(&settings)?;
+        let scene = self.scene(&settings, self.told_until(step, is_revealed))?;
         Ok((settings, scene))
     }
 
-    fn scene(&self, settings: &Settings) -> Result<Scene, LessonError> {
-        settings
-            .opened_scene()
-            .map_err(|error| LessonError::Settings(format!("{}: {error}", self.source_name)))
+    /// All that is told of settings up to the step of this number, after its reveal if it `is_revealed`, last first.
+    fn told_until(&self, step: usize, is_revealed: bool) -> impl Iterator<Item = &Told> {
+        let passed = self.steps.iter().enumerate().take(step + 1);
+        let told = passed.flat_map(move |(number, passed)| {
+            let reveal = passed.reveal.as_ref().filter(|_| number < step || is_revealed);
+            [passed.state.as_ref(), reveal.and_then(|reveal| reveal.state.as_ref())]
+        });
+        told.flatten().collect::<Vec<_>>().into_iter().rev()
+    }
+
+    /// The scene of `settings`, which the first that names one of those `told` has chosen.
+    fn scene<'a>(
+        &self,
+        settings: &Settings,
+        mut told: impl Iterator<Item = &'a Told>,
+    ) -> Result<Scene, LessonError> {
+        settings.opened_scene().map_err(|error| {
+            let line = told.find_map(|told| told.line_of("scene")).unwrap_or(1);
+            self.wrong(line, error.to_string())
+        })
     }
 
     fn fill_all(&self, texts: &mut [Text], state: &(Settings, Scene)) -> Result<(), LessonError> {
@@ -186,6 +203,10 @@ impl Lesson {
         if let Some((line, fault)) = first_fault(&markdown) {
             return Err(self.wrong(text.line + line - 1, fault.to_string()));
         }
+        if let Some(line) = line_of_lone_dollar(&markdown) {
+            let problem = "a `$` without another one that ends its formula in the same paragraph; `\\$` is a dollar sign";
+            return Err(self.wrong(text.line + line, problem));
+        }
         Ok(Text { markdown, line: text.line })
     }
 }
@@ -196,29 +217,6 @@ fn line_of_picture(markdown: &str) -> Option<usize> {
     let mut events = Parser::new_ext(markdown, OPTIONS).into_offset_iter();
     let (_, place) = events.find(|(event, _)| is_picture(event))?;
     Some(markdown[..place.start].matches('\n').count())
-}
-
-/// `markdown` with a number in each place `{ASKED:.N}`; what is wrong, and in which of its lines, from 0.
-fn filled(markdown: &str, value: impl Fn(&str) -> Result<f64, String>) -> Result<String, (usize, String)> {
-    let (mut done, mut rest) = (String::new(), markdown);
-    while let Some((begin, asked, decimals, end)) = next_place(rest) {
-        done += &rest[..begin];
-        let line = done.matches('\n').count();
-        done += &decimal(value(asked).map_err(|problem| (line, problem))?, decimals);
-        rest = &rest[end..];
-    }
-    Ok(done + rest)
-}
-
-/// The next place `{ASKED:.N}` in `text`: where it begins, what it asks for, with how many decimals, where it ends. Other
-/// braces are TeX's.
-fn next_place(text: &str) -> Option<(usize, &str, u8, usize)> {
-    text.match_indices('{').find_map(|(begin, _)| {
-        let inside = &text[begin + 1..begin + text[begin..].find('}')?];
-        let (asked, format) = inside.rsplit_once(":.")?;
-        let decimals = format.parse::<u8>().ok().filter(|decimals| *decimals <= 9)?;
-        (!asked.contains('{')).then_some((begin, asked, decimals, begin + inside.len() + 2))
-    })
 }
 
 #[cfg(test)]

@@ -3,9 +3,7 @@
 //! |P - o| - |C - o| = (2 v.q + q.q)/(|P - o| + |C - o|) with v = C - o and q = P - C: with times from when the hub is
 //! seen and distances from its own, nothing cancels however far the camera is.
 
-use num_traits::Float;
-
-use crate::math;
+use crate::math::{self, Elementary};
 
 /// Most steps by Newton's method.
 pub const NEWTON_STEPS: u32 = 20;
@@ -27,12 +25,12 @@ pub const MAX_STEPS: u32 = NEWTON_STEPS + f64::MANTISSA_DIGITS + 1;
 /// At most [`MAX_STEPS`] steps; measured over all angles, near and far, up to |omega r| = 1 - 1e-9: 5 on average, at most 12
 /// in 99 %, 51 in the worst case.
 #[must_use]
-pub fn seen_later<F: Float>(hub: [F; 3], r: F, phase: F, omega: F) -> F {
+pub fn seen_later<F: Elementary>(hub: [F; 3], r: F, phase: F, omega: F) -> F {
     root([-r, r], light_cone(hub, r, phase, omega))
 }
 
 /// By how much too late a point of the wheel would be, and how that rises with what it is later than the hub.
-fn light_cone<F: Float>([x, y, z]: [F; 3], r: F, phase: F, omega: F) -> impl Fn(F) -> (F, F) {
+fn light_cone<F: Elementary>([x, y, z]: [F; 3], r: F, phase: F, omega: F) -> impl Fn(F) -> (F, F) {
     let far = (x * x + y * y + z * z).sqrt();
     let angle = turning_from(phase, omega);
     move |later| {
@@ -49,7 +47,7 @@ fn light_cone<F: Float>([x, y, z]: [F; 3], r: F, phase: F, omega: F) -> impl Fn(
 /// By how much later than the hub a point `r` from it is where it is at one time of the ground, by the clocks of the rest
 /// frame: the root in [-r, r] of later = -`beta q_x`, Kepler's equation. Otherwise as [`seen_later`].
 #[must_use]
-pub fn measured_later<F: Float>(beta: F, r: F, phase: F, omega: F) -> F {
+pub fn measured_later<F: Elementary>(beta: F, r: F, phase: F, omega: F) -> F {
     let angle = turning_from(phase, omega);
     root([-r, r], |later| {
         let (sine, cosine) = angle(later);
@@ -58,7 +56,7 @@ pub fn measured_later<F: Float>(beta: F, r: F, phase: F, omega: F) -> F {
 }
 
 /// Sine and cosine of `phase` - `omega` later, of which only the small part is rounded anew for each.
-fn turning_from<F: Float>(phase: F, omega: F) -> impl Fn(F) -> (F, F) {
+fn turning_from<F: Elementary>(phase: F, omega: F) -> impl Fn(F) -> (F, F) {
     let (sine, cosine) = math::sin_cos(phase);
     move |later| {
         let (s, c) = math::sin_cos(omega * later);
@@ -68,7 +66,7 @@ fn turning_from<F: Float>(phase: F, omega: F) -> impl Fn(F) -> (F, F) {
 
 /// The root in a bracket of a function that rises there, from its value and slope: by Newton's method from the middle as long
 /// as that stays inside and its steps shrink, else by bisection.
-pub(crate) fn root<F: Float>([mut low, mut high]: [F; 2], function: impl Fn(F) -> (F, F)) -> F {
+pub(crate) fn root<F: Elementary>([mut low, mut high]: [F; 2], function: impl Fn(F) -> (F, F)) -> F {
     let half = F::one() / (F::one() + F::one());
     let resolution = half * half * F::epsilon() * (high - low);
     let noise = F::epsilon() * (high - low);

@@ -1,10 +1,8 @@
 //! The light cone of one aperture, solved for a point of a wheel.
 
-use num_traits::Float;
-
 use crate::aperture::Aperture;
 use crate::apparent::{LightCone, Sighting, Solution};
-use crate::math;
+use crate::math::{self, Elementary};
 use crate::source::{Turning, WheelPoint};
 use crate::speed::{Coefficients, Speed};
 
@@ -29,7 +27,7 @@ pub(crate) struct Circle<F> {
     pub slip: F,
 }
 
-impl<F: Float> Circle<F> {
+impl<F: Elementary> Circle<F> {
     /// From the hub to the point at `angle`: x and z.
     pub fn place(&self, angle: F) -> [F; 2] {
         let (sine, cosine) = math::sin_cos(angle);
@@ -83,7 +81,7 @@ pub(crate) struct Seen<F> {
     pub slope: F,
 }
 
-impl<F: Float> Seen<F> {
+impl<F: Elementary> Seen<F> {
     /// The time is that of the root from the hub, which is made better until it agrees with what the point's own place says:
     /// that knows it as well as that of any resting point, also where the hub is far from there for the aperture.
     pub fn new(coefficients: &Coefficients<F>, circle: &Circle<F>, hub: &Hub<F>) -> Self {
@@ -145,7 +143,7 @@ impl<F: Float> Seen<F> {
 
 impl WheelPoint {
     /// Its circle, in the precision `F`.
-    pub(crate) fn circle<F: Float>(&self, speed: &Speed) -> Circle<F> {
+    pub(crate) fn circle<F: Elementary>(&self, speed: &Speed) -> Circle<F> {
         let rim = self.turning.rim_speed(speed.beta());
         let [below_light, slip] = match self.turning {
             Turning::Rolling => {

@@ -28,6 +28,10 @@ pub fn show(ui: &mut Ui, course: &Course, asks: &mut Asks) {
         if ui.button("Again").on_hover_text("From its first step").clicked() {
             ask(asks, LessonCommand::GoTo(Place::START));
         }
+        let anew = "From its first step, without the answers that were given: a report keeps these";
+        if ui.button("Begin anew").on_hover_text(anew).clicked() {
+            ask(asks, LessonCommand::BeginAnew);
+        }
         let report = "What was predicted and seen in each step, as a page to keep or to print";
         if ui.button("Report…").on_hover_text(report).clicked() {
             asks.push(Command::Choose(Purpose::Save(Product::Report)));

@@ -72,14 +72,16 @@ pub fn votes(ui: &mut Ui, course: &Course, options: &Options, asks: &mut Asks) {
 
 /// The field in which a number is typed. Enter predicts it.
 pub fn number(ui: &mut Ui, course: &Course, asked: &Number, asks: &mut Asks) {
+    let id = Id::unique(("number predicted", &course.lesson().name, course.place().step));
     ui.horizontal(|ui| {
-        let id = Id::unique(("number predicted", &course.lesson().name, course.place().step));
         let drafted = match course.draft {
             Some(Answer::Number(number)) => figures::shortest(number),
             _ => String::new(),
         };
         let is_edited = ui.memory(|memory| memory.has_focus(id));
-        let kept = ui.data(|data| data.get_temp::<String>(id)).filter(|_| is_edited);
+        // What is no number stays where it is until it is mended.
+        let is_kept = |text: &String| is_edited || remark(text).is_some();
+        let kept = ui.data(|data| data.get_temp::<String>(id)).filter(is_kept);
         let mut text = kept.unwrap_or(drafted);
         let size = TextStyle::Body.resolve(ui.style()).size;
         let field = TextEdit::singleline(&mut text).id(id).desired_width(6.5 * size).hint_text("a number");
@@ -99,6 +101,18 @@ pub fn number(ui: &mut Ui, course: &Course, asked: &Number, asks: &mut Asks) {
             ask(asks, LessonCommand::Predict);
         }
     });
+    if let Some(remark) = ui.data(|data| data.get_temp::<String>(id)).and_then(|text| remark(&text)) {
+        ui.colored_label(ui.visuals().error_fg_color, remark);
+    }
+}
+
+/// What is wrong with a number that is typed, and what would be right.
+fn remark(text: &str) -> Option<String> {
+    let is_begun = ["", "-", "−", "+"].contains(&text.trim());
+    figures::parsed(text)
+        .err()
+        .filter(|_| !is_begun)
+        .map(|wrong| format!("{wrong}: type one such as 1.25 or 2e-3."))
 }
 
 /// What is to be done in a view or in a plot.

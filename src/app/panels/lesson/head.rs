@@ -23,7 +23,10 @@ pub fn show(ui: &mut Ui, course: &Course, asks: &mut Asks) {
         ui.spacing_mut().item_spacing.x = 2.0;
         let size = vec2(BUTTON_SIDE, BUTTON_SIDE);
         let close = icons::button(ui, Icon::Remove, "Close the lesson", size, false);
-        if close.on_hover_text("Close the lesson: the parts of the window are as before it").clicked() {
+        if close
+            .on_hover_text("Close the lesson: the parts of the window are as before it. Its answers are kept")
+            .clicked()
+        {
             ask(asks, LessonCommand::Close);
         }
         fold(ui, Icon::Back, "Fold the lesson", asks);

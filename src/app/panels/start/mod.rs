@@ -132,7 +132,8 @@ fn way_in(state: &State, lessons: &[&Arc<Lesson>]) -> Option<(String, Command)> 
     let next = lessons.iter().find(|lesson| state.session.next_lesson.as_ref() == Some(&lesson.name));
     let next = next.or(lessons.first())?;
     let command = Command::Lesson(LessonCommand::Open(next.name.clone()));
-    Some((format!("Begin: {}", next.title), command))
+    let word = if state.session.begun.iter().any(|kept| kept.is_of(next)) { "Go on" } else { "Begin" };
+    Some((format!("{word}: {}", next.title), command))
 }
 
 fn section(ui: &mut Ui, title: &str, remark: &str) {

@@ -1,0 +1,72 @@
+//! The standard streams: what this program says there. Nothing it says ends it, and nothing it says commands a terminal.
+
+use std::fmt;
+use std::io::{self, StdoutLock, Write as _};
+
+/// `text` as messages quote it: on one line, with nothing in it that a terminal would obey. What is not fit to be shown
+/// stands as its escape.
+#[must_use]
+pub fn shown(text: &str) -> String {
+    let mut shown = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            // Marks that turn the direction of text about, or end a line without being control characters.
+            '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => {
+                shown.extend(c.escape_unicode());
+            }
+            c if c.is_control() => shown.extend(c.escape_default()),
+            c => shown.push(c),
+        }
+    }
+    shown
+}
+
+/// The same of a text of several lines, which stay lines.
+#[must_use]
+pub fn shown_lines(text: &str) -> String {
+    text.split('\n').map(shown).collect::<Vec<_>>().join("\n")
+}
+
+/// Says `remark` in a line on standard error. Where that cannot be written to nobody is told, and all goes on.
+pub fn remark(remark: impl fmt::Display) {
+    let _ = writeln!(io::stderr(), "{}", shown(&remark.to_string()));
+}
+
+/// Says `text`, which may have several lines, on standard error as it is, in one piece.
+pub fn remark_lines(text: &str) {
+    let _ = io::stderr().write_all(text.as_bytes());
+}
+
+/// Standard output, for what was asked for.
+#[must_use]
+pub fn stdout() -> StdoutLock<'static> {
+    io::stdout().lock()
+}
+
+/// Whether standard output was closed when the program started: all that is written there would seem to succeed, since
+/// the language then opens `/dev/null` in its place. A program that opens that itself for reading and writing, to throw
+/// away all that this one says, cannot be told from it. Where a system does not tell, it is not closed.
+#[must_use]
+pub fn is_stdout_closed() -> bool {
+    #[cfg(unix)]
+    {
+        use nix::fcntl::{FcntlArg, OFlag, fcntl};
+        let flags = fcntl(io::stdout(), FcntlArg::F_GETFL).unwrap_or_default();
+        let is_for_both = OFlag::from_bits_retain(flags) & OFlag::O_ACCMODE == OFlag::O_RDWR;
+        is_for_both && super::files::is_null(io::stdout())
+    }
+    #[cfg(not(unix))]
+    false
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_a_terminal_would_obey_is_spelt_out() {
+        assert_eq!(shown("a\u{1b}[31m\nb\u{202e}\u{9b}2J\u{7}"), r"a\u{1b}[31m\nb\u{202e}\u{9b}2J\u{7}");
+        assert_eq!(shown("räder 車輪 'a' \"b\" \\"), "räder 車輪 'a' \"b\" \\");
+        assert_eq!(shown_lines("a\u{1b}\nb\n"), "a\\u{1b}\nb\n");
+    }
+}
