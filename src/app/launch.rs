@@ -11,7 +11,7 @@ use super::notice::Notice;
 use super::overlay::Overlay;
 use super::reopening::{self, Bequeathed, Break, Ended, Estate};
 use super::state::State;
-use super::{App, graphics, icon, memory, screenshot};
+use super::{App, graphics, icon, memory, screenshot, storage};
 use crate::files::whole::ensure_ending;
 use crate::platform::clock::Instant;
 use crate::settings::Settings;
@@ -86,7 +86,11 @@ fn open(args: &WindowArgs, begin: Option<State>, estate: &Estate) -> Result<(), 
         .with_icon(icon::icon())
         .with_inner_size(args.window_size_or_default().map(|side| side as f32))
         .with_min_inner_size([480.0, 320.0]);
+    let looked = eframe::storage_dir(APP_ID)
+        .map(|folder| storage::look_through(&folder.join(storage::FILE)))
+        .unwrap_or_default();
     let options = NativeOptions {
+        persistence_path: looked.instead,
         viewport,
         // A size that is asked for is no habit: it does not take the place of the remembered one.
         persist_window: args.window_size().is_none(),
@@ -98,10 +102,11 @@ fn open(args: &WindowArgs, begin: Option<State>, estate: &Estate) -> Result<(), 
     };
     let (args, estate) = (args.clone(), Arc::clone(estate));
     let create = move |cc: &CreationContext<'_>| {
-        let state = match begin {
+        let mut state = match begin {
             Some(state) => state,
             None => first_state(&args, cc.storage)?,
         };
+        state.session.notice = looked.notice.or(state.session.notice);
         if args.window_size().is_some() {
             // Where windows are shown before they can be maximised, eframe has a remembered one so once more.
             cc.egui_ctx.send_viewport_cmd(ViewportCommand::Fullscreen(false));

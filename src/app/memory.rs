@@ -1,9 +1,13 @@
 //! What the window remembers from one time to the next.
 
+use std::collections::BTreeMap;
+
 use eframe::Storage;
+use eframe::egui::Context;
 
 use super::recent::Recent;
 use super::state::State;
+use super::toolkit;
 use crate::lesson::KeptCourse;
 use crate::platform::files;
 use crate::settings::{Legacy, Settings};
@@ -13,19 +17,43 @@ const KEY: &str = "settings";
 /// Where the files that were opened are kept.
 const RECENT: &str = "recent";
 
-/// The settings as they were left; as usual if there are none that can be read.
+/// The settings as they were left; as usual if there are none, and where one cannot be.
 #[must_use]
 pub fn remembered(storage: &dyn Storage) -> Settings {
-    let Some(text) = storage.get_string(KEY) else {
-        return eframe::get_value(storage, eframe::APP_KEY)
-            .as_ref()
-            .map(Legacy::settings)
-            .unwrap_or_default();
-    };
-    Settings::default().with_toml(&text, "what was remembered").unwrap_or_else(|error| {
-        log::warn!("{error}");
-        Settings::default()
-    })
+    settings_in(|key| storage.get_string(key)).0
+}
+
+/// The settings that are kept under the key for which there is one; and what of them cannot be, a line each.
+fn settings_in(text_of: impl Fn(&str) -> Option<String>) -> (Settings, Vec<String>) {
+    if let Some(text) = text_of(KEY) {
+        return Settings::as_far_as_told(&text);
+    }
+    let Some(text) = text_of(eframe::APP_KEY) else { return (Settings::default(), Vec::new()) };
+    match ron::from_str::<Legacy>(&text) {
+        Ok(legacy) => legacy.settings(),
+        Err(error) => (Settings::default(), vec![format!("the settings cannot be read ({error})")]),
+    }
+}
+
+/// Has what is `kept` be such that all of it can be: the settings, and the ways through lessons; what could not, a line each.
+pub fn mend(kept: &mut BTreeMap<String, String>) -> Vec<String> {
+    let (settings, mut problems) = settings_in(|key| kept.get(key).cloned());
+    if !problems.is_empty() {
+        kept.remove(eframe::APP_KEY);
+        kept.insert(KEY.to_owned(), settings.to_toml());
+    }
+    if let Some(problem) = kept.get(BEGUN).and_then(|text| begun_in(text).err()) {
+        kept.remove(BEGUN);
+        problems.push(problem);
+    }
+    problems
+}
+
+/// Keeps what the windowing library is to know again.
+pub fn remember_toolkit(storage: &mut dyn Storage, ctx: &Context) {
+    if let Ok(text) = ctx.memory(ron::to_string) {
+        storage.set_string(toolkit::KEY, toolkit::kept(&text).0);
+    }
 }
 
 /// The files that were opened.
@@ -66,11 +94,11 @@ const BEGUN: &str = "begun";
 /// The ways through lessons as they were left; none if there are none that can be read.
 #[must_use]
 pub fn begun(storage: &dyn Storage) -> Vec<KeptCourse> {
-    let Some(text) = storage.get_string(BEGUN) else { return Vec::new() };
-    serde_json::from_str(&text).unwrap_or_else(|error| {
-        log::warn!("the answers in lessons: {error}");
-        Vec::new()
-    })
+    storage.get_string(BEGUN).and_then(|text| begun_in(&text).ok()).unwrap_or_default()
+}
+
+fn begun_in(text: &str) -> Result<Vec<KeptCourse>, String> {
+    serde_json::from_str(text).map_err(|error| format!("the answers in lessons cannot be read ({error})"))
 }
 
 /// Where the name of the lesson to go on with is kept.

@@ -61,8 +61,10 @@ pub mod stage;
 pub mod state;
 pub mod steps;
 mod stillness;
+pub mod storage;
 mod theme;
 pub mod thumbnails;
+mod toolkit;
 pub mod under;
 pub mod usual;
 mod views;
@@ -115,6 +117,8 @@ pub struct App {
     saver: Saver,
     thumbnails: Thumbnails,
     watch: Option<Watch>,
+    /// The windowing library, which is asked what it remembers.
+    ctx: egui::Context,
 }
 
 /// How much larger than usual writing is for an audience.
@@ -142,6 +146,7 @@ impl App {
             saver: Saver::default(),
             thumbnails: Thumbnails::default(),
             watch: None,
+            ctx: ctx.clone(),
         }
     }
 
@@ -527,6 +532,12 @@ impl eframe::App for App {
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
         memory::keep(storage, &self.state);
+        memory::remember_toolkit(storage, &self.ctx);
+    }
+
+    fn persist_egui_memory(&self) -> bool {
+        // What of it is kept is chosen above.
+        false
     }
 }
 

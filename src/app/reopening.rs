@@ -15,7 +15,7 @@ use eframe::egui::{Context, Ui};
 
 use super::notice::Notice;
 use super::state::{Session, State};
-use super::{App, memory};
+use super::{App, memory, storage};
 use crate::caption::capitalised;
 use crate::files::whole::write_whole;
 use crate::platform::clock::Instant;
@@ -224,7 +224,7 @@ impl Storage for Stored {
 pub fn keep(state: &State, app_id: &str) -> anyhow::Result<PathBuf> {
     let folder = eframe::storage_dir(app_id).context("there is no folder for it")?;
     files::create_folder(&folder)?;
-    let path = folder.join("app.ron");
+    let path = folder.join(storage::FILE);
     keep_in(&path, state)?;
     Ok(path)
 }

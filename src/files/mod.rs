@@ -1,4 +1,4 @@
-//! Files in and out: CSV, PNG, EXR and HTML, what they say of how they were made, and files written whole or not at all.
+//! Files in and out: CSV, PNG, EXR and HTML, what is wrong with TOML, what files say of how they were made, and files written whole or not at all.
 
 pub mod csv_in;
 pub mod csv_out;
@@ -7,5 +7,6 @@ pub mod gif;
 pub mod html;
 pub mod png;
 pub mod provenance;
+pub mod syntax;
 mod watched;
 pub mod whole;

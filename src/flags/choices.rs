@@ -10,7 +10,7 @@ use relativity_render::Gaze;
 use serde::{Serialize, Serializer};
 
 pub use super::layout::{Form, Layout, Swapped};
-use super::{finite_number, positive};
+use super::within;
 
 /// What draws.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
@@ -132,7 +132,7 @@ pub enum ZeroParallax {
     Point,
     /// Without end: the pictures are not shifted.
     Infinity,
-    /// This one, across the picture plane. Above 0.
+    /// This one, across the picture plane.
     Distance(f64),
 }
 
@@ -142,7 +142,12 @@ impl ZeroParallax {
     #[must_use]
     pub fn of_tangents(separation: f64, [left, right]: [f64; 2]) -> Self {
         let distance = separation / (left - right);
-        if distance.is_finite() && distance > 0.0 { Self::Distance(distance) } else { Self::Infinity }
+        let (nearest, furthest) = PARALLAX_DISTANCE.into_inner();
+        if distance > 0.0 && distance <= furthest {
+            Self::Distance(distance.max(nearest))
+        } else {
+            Self::Infinity
+        }
     }
 
     /// By how much the tangents in the pictures of two eyes `separation` apart differ at that distance. Nothing where it
@@ -156,6 +161,9 @@ impl ZeroParallax {
     }
 }
 
+/// Nearest and furthest that what has no parallax can be set to be.
+pub const PARALLAX_DISTANCE: RangeInclusive<f64> = 1e-9..=1e12;
+
 /// The widest shift of two pictures, as a tangent: it takes anything out of any picture.
 const MAX_SHIFT: f64 = 1e4;
 
@@ -166,7 +174,7 @@ impl FromStr for ZeroParallax {
         match text {
             "point" => Ok(Self::Point),
             "infinity" => Ok(Self::Infinity),
-            _ => positive(text)
+            _ => within(PARALLAX_DISTANCE)(text)
                 .map(Self::Distance)
                 .map_err(|reason| format!("{reason}; write `point`, `infinity`, or a distance")),
         }
@@ -182,6 +190,11 @@ impl Serialize for ZeroParallax {
         }
     }
 }
+
+/// Azimuths that a gaze can have, degrees: twice round.
+pub const AZIMUTH: RangeInclusive<f64> = -720.0..=720.0;
+/// Elevations that it can have, degrees.
+pub const ELEVATION: RangeInclusive<f64> = -89.999..=89.999;
 
 impl GazeChoice {
     /// The gaze in radians, if it follows nothing.
@@ -219,12 +232,9 @@ impl FromStr for GazeChoice {
             let choices = "write `whole`, `point`, `ahead`, or azimuth and elevation in degrees like 90,0";
             return Err(choices.to_owned());
         };
-        let [azimuth, elevation] = [finite_number(azimuth)?, finite_number(elevation)?];
-        if elevation.abs() >= 90.0 {
-            return Err(
-                "the elevation must be between -90 and 90 degrees, so that the horizon is level".to_owned()
-            );
-        }
+        let azimuth = within(AZIMUTH)(azimuth).map_err(|reason| format!("azimuth: {reason} degrees"))?;
+        let elevation = within(ELEVATION)(elevation)
+            .map_err(|reason| format!("elevation: {reason} degrees, so that the horizon is level"))?;
         Ok(Self::Fixed([azimuth, elevation]))
     }
 }

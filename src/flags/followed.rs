@@ -16,6 +16,9 @@ pub struct FollowedPoint {
     pub body: usize,
 }
 
+/// Most points that a list of them can have.
+const MOST: usize = 64;
+
 /// Points that are followed, at least one: written `X,Y,Z@BODY;X,Y,Z@BODY`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Followed(pub Vec<FollowedPoint>);
@@ -34,6 +37,9 @@ impl FromStr for Followed {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
+        if text.split(';').count() > MOST {
+            return Err(format!("at most {MOST} points can be followed"));
+        }
         text.split(';').map(point).collect::<Result<_, _>>().map(Self)
     }
 }

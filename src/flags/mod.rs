@@ -12,9 +12,9 @@ pub mod words;
 pub use followed::{Followed, FollowedPoint};
 pub use head::{HEAD_DEGREES, HeadArgs};
 pub use numbers::{
-    COORDINATES, EXPOSURE_EV, Exposure, FieldOfView, IntensityExponent, MAX_TIME, OnOff, SCREEN_CM,
-    ScreenWidth, Share, TEMPERATURE_K, TimeRange, coordinates, field_of_view, finite_number, positive,
-    switch, temperature, whole_number, within,
+    COORDINATES, EXPONENT, EXPOSURE_EV, Exposure, FIELD_OF_VIEW, FieldOfView, IntensityExponent, MAX_TIME,
+    OnOff, PLACE, SCREEN_CM, ScreenWidth, Share, TEMPERATURE_K, TimeRange, coordinates, field_of_view,
+    finite_number, switch, temperature, time, whole_number, within,
 };
 pub use speed::{SpeedArgs, SpeedParameter, SpeedSetting};
 pub use wheel::{WheelArgs, rolling};

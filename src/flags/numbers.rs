@@ -21,12 +21,6 @@ pub fn finite_number(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Parses a number above 0.
-pub fn positive(text: &str) -> Result<f64, String> {
-    let value = finite_number(text)?;
-    if value > 0.0 { Ok(value) } else { Err("must be above 0".to_owned()) }
-}
-
 /// Coordinates and times for which everything is finite.
 pub const COORDINATES: RangeInclusive<f64> = -MAX_COORDINATE..=MAX_COORDINATE;
 
@@ -56,14 +50,12 @@ fn short(value: f64) -> String {
     if powers.len() < plain.len() { powers } else { plain }
 }
 
+/// Narrowest and widest field of view of a picture, degrees.
+pub const FIELD_OF_VIEW: RangeInclusive<f64> = 1e-9..=179.999;
+
 /// Parses a field of view, degrees.
 pub fn field_of_view(text: &str) -> Result<f64, String> {
-    let degrees = finite_number(text)?;
-    if degrees > 0.0 && degrees < 180.0 {
-        Ok(degrees)
-    } else {
-        Err("must be between 0 and 180 degrees".to_owned())
-    }
+    within(FIELD_OF_VIEW)(text).map_err(|reason| reason + " degrees")
 }
 
 /// A horizontal field of view, degrees, or `auto`.
@@ -136,9 +128,12 @@ impl Serialize for Share {
     }
 }
 
+/// Coordinates of a place: no body of a scene reaches further.
+pub const PLACE: RangeInclusive<f64> = -1e7..=1e7;
+
 /// Parses a place.
 pub fn coordinates(text: &str) -> Result<[f64; 3], String> {
-    let numbers: Vec<f64> = text.split(',').map(finite_number).collect::<Result<_, _>>()?;
+    let numbers: Vec<f64> = text.split(',').map(within(PLACE)).collect::<Result<_, _>>()?;
     numbers.try_into().map_err(|_| "write three numbers like 0,3,2".to_owned())
 }
 
@@ -154,6 +149,9 @@ pub fn switch(text: &str) -> Result<OnOff, String> {
     }
 }
 
+/// Exponents for which the intensity is a number at any speed.
+pub const EXPONENT: RangeInclusive<f64> = -10.0..=10.0;
+
 /// Exponent n of the received intensity D^n: a number, a word for what it means, or `off`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct IntensityExponent(pub Option<f64>);
@@ -168,8 +166,8 @@ impl FromStr for IntensityExponent {
             "photons" => Some(SPECIFIC_INTENSITY_EXPONENT),
             "surface" => Some(BOLOMETRIC_INTENSITY_EXPONENT),
             _ => Some(
-                finite_number(text)
-                    .map_err(|reason| format!("{reason}, nor one of surface, photons, paper, off"))?,
+                within(EXPONENT)(text)
+                    .map_err(|reason| format!("{reason}; or write surface, photons, paper or off"))?,
             ),
         }))
     }
@@ -231,8 +229,13 @@ pub fn temperature(text: &str) -> Result<f64, String> {
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct TimeRange(pub Option<[f64; 2]>);
 
-/// Largest magnitude of the ends of a range of T: beyond it a step would round away.
+/// Largest magnitude of a T: beyond it a step would round away.
 pub const MAX_TIME: f64 = 1e12;
+
+/// Parses an observation time T.
+pub fn time(text: &str) -> Result<f64, String> {
+    within(-MAX_TIME..=MAX_TIME)(text)
+}
 
 impl FromStr for TimeRange {
     type Err = String;
@@ -244,7 +247,6 @@ impl FromStr for TimeRange {
         let Some((from, to)) = text.split_once(',') else {
             return Err("write `auto`, or the first and the last T like -2,5".to_owned());
         };
-        let time = within(-MAX_TIME..=MAX_TIME);
         let [from, to] = [time(from)?, time(to)?];
         if from <= to {
             Ok(Self(Some([from, to])))
@@ -277,7 +279,7 @@ mod tests {
         assert_eq!([exponent("2.5"), exponent("off")], [Ok(Some(2.5)), Ok(None)]);
         assert_eq!(
             exponent("bright"),
-            Err("not a number, nor one of surface, photons, paper, off".to_owned())
+            Err("not a number; or write surface, photons, paper or off".to_owned())
         );
     }
 

@@ -117,6 +117,11 @@ pub fn canonical(path: &Path) -> io::Result<PathBuf> {
     path.canonicalize()
 }
 
+/// Gives what is at `from` the name `to`; what was there is lost.
+pub fn rename(from: &Path, to: &Path) -> io::Result<()> {
+    std::fs::rename(from, to)
+}
+
 /// Removes the file at `path`.
 pub fn remove(path: &Path) -> io::Result<()> {
     std::fs::remove_file(path)

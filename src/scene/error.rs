@@ -5,6 +5,7 @@ use std::ops::Range;
 use thiserror::Error;
 
 use super::presets::PRESETS;
+use crate::files::syntax;
 
 /// A scene that cannot be had.
 #[derive(Debug, Error)]
@@ -127,6 +128,11 @@ pub enum Problem {
     /// An include of what is not a preset.
     #[error("scene = {name} must be one of {list}", name = .0, list = PRESETS.join(", "))]
     UnknownInclude(String),
+    /// Changes to the wheels of a preset that has none.
+    #[error(
+        "`wheels`: the scene {0} has none that could be changed; leave this out, or include cyclist or wheel"
+    )]
+    NoWheels(String),
     /// A scene without bodies.
     #[error("a scene needs at least one [[object]], [[include]] or [[group]] with one")]
     Empty,
@@ -147,9 +153,8 @@ impl Located {
 
     /// What the TOML reader found, in one line.
     pub fn syntax(text: &str, error: &toml::de::Error) -> Self {
-        let span = error.span().unwrap_or(0..0);
+        let (span, message) = syntax::problem(text, error);
         let (_, column) = position(text, span.start);
-        let message = error.message().lines().collect::<Vec<_>>().join("; ");
         Self { span, problem: Problem::Syntax { column, message } }
     }
 }

@@ -109,6 +109,9 @@ fn included(include: &Table, changes: Changes) -> Result<Vec<Object>, Located> {
     let Some(preset) = changed_preset(name, changes.or(own.unwrap_or_default())) else {
         return Err(include.problem_at("scene", Problem::UnknownInclude));
     };
+    if own.is_some() && !presets::has_wheels(name) {
+        return Err(include.problem_at("wheels", |_| Problem::NoWheels(name.to_owned())));
+    }
     let offset = include.point("offset")?.unwrap_or_default();
     let objects = preset.bodies.into_iter().zip(preset.names);
     Ok(objects.map(|(body, name)| Object { body: body.moved(offset), name: Some(name) }).collect())

@@ -21,6 +21,12 @@ pub(super) fn text(name: &str) -> Option<&'static str> {
     })
 }
 
+/// Whether there are wheels in the preset of that name, or in what it includes.
+pub(super) fn has_wheels(name: &str) -> bool {
+    const TELL: [&str; 2] = ["[[wheel]]", "[include.wheels]"];
+    text(name).is_some_and(|text| text.lines().any(|line| TELL.contains(&line.trim())))
+}
+
 /// Whether `word` reads as a misspelt preset rather than as a path.
 #[must_use]
 pub fn looks_like_a_name(word: &str) -> bool {

@@ -515,3 +515,23 @@ fn the_examples_in_the_description_of_the_format_load() {
     let found: Vec<_> = scenes.iter().map(|scene| (scene.bodies.len(), scene.ground_z)).collect();
     assert_eq!(found, [(5, Some(-2.5)), (18, Some(-2.5))]);
 }
+
+#[test]
+fn wheels_are_changed_only_where_there_are_any() {
+    let text = |scene: &str| {
+        format!("name = \"x\"\n[[include]]\nscene = \"{scene}\"\n[include.wheels]\nrolls = true")
+    };
+    for preset in PRESETS {
+        let read = Scene::parse(&text(preset), "x.toml");
+        match read {
+            Ok(_) => assert!(["street", "cyclist", "wheel"].contains(&preset), "{preset}"),
+            Err(error) => assert_eq!(
+                error.to_string(),
+                format!(
+                    "x.toml:4: `wheels`: the scene {preset} has none that could be changed; leave this out, or \
+                     include cyclist or wheel"
+                )
+            ),
+        }
+    }
+}

@@ -11,7 +11,7 @@ use super::error::SettingsError;
 use super::sections::{
     FitSetup, Light, Look, Map, Motion, Picture, Playback, Plots, Quality, Screen, Window,
 };
-use crate::flags::{Followed, coordinates, finite_number};
+use crate::flags::{Followed, coordinates, time};
 use crate::platform::files;
 use crate::scene::PRESETS;
 
@@ -22,8 +22,8 @@ pub struct Settings {
     /// What rides past: a preset (street, cyclist, cube, globe, train, wheel, rods, twins, lattice, two-balls) or a scene file.
     #[arg(long, value_name = "PRESET|FILE", value_parser = OsStringValueParser::new().try_map(scene_name))]
     pub scene: String,
-    /// Observation time T [default: when the tracked point is seen 45 degrees before it is abreast; 0 at rest]
-    #[arg(long, value_name = "T", value_parser = finite_number, allow_hyphen_values = true)]
+    /// Observation time T, -1e12 to 1e12 [default: when the tracked point is seen 45 degrees before it is abreast; 0 at rest]
+    #[arg(long, value_name = "T", value_parser = time, allow_hyphen_values = true)]
     pub time: Option<f64>,
     /// The point that is tracked, at rest [default: the scene's own]
     #[arg(long, value_name = "X,Y,Z", value_parser = coordinates, allow_hyphen_values = true)]

@@ -2,7 +2,10 @@
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use std::error::Error as _;
+use std::path::Path;
 use thiserror::Error;
+
+use crate::platform::files;
 
 /// Settings that cannot be had.
 #[derive(Debug, Error)]
@@ -46,7 +49,7 @@ impl Problem {
     /// What `clap` finds wrong, in one line.
     pub fn new(error: &clap::Error) -> Self {
         let key = context(error, ContextKind::InvalidArg).map(name);
-        let value = context(error, ContextKind::InvalidValue).unwrap_or_default();
+        let value = shortened(context(error, ContextKind::InvalidValue).unwrap_or_default());
         let shown = key.as_deref().unwrap_or_default();
         let text = match (error.kind(), error.source()) {
             (ErrorKind::ValueValidation, Some(reason)) => format!("{shown} = {value}: {reason}"),
@@ -61,6 +64,17 @@ impl Problem {
     pub fn at(self, place: String) -> SettingsError {
         SettingsError::Content { place, problem: self.text }
     }
+}
+
+/// `value` on one line, cut where it is long.
+fn shortened(value: &str) -> String {
+    const MOST: usize = 60;
+    let mut shown = files::shown(Path::new(value));
+    if let Some((end, _)) = shown.char_indices().nth(MOST) {
+        shown.truncate(end);
+        shown.push('…');
+    }
+    shown
 }
 
 /// `depth-shift` of `--depth-shift <DY>`.

@@ -9,7 +9,7 @@ use toml::de::{DeString, DeTable, DeValue};
 use super::all::Settings;
 use super::entries::names;
 use super::error::{Problem, SettingsError};
-use crate::files::{exr, png};
+use crate::files::{exr, png, syntax};
 use crate::flags::choices::FileKind;
 use crate::platform::files;
 use crate::scene::Scene;
@@ -31,8 +31,9 @@ impl Settings {
             let before = text.get(..span.start).unwrap_or(text);
             format!("{source_name}:{}", before.matches('\n').count() + 1)
         };
-        let given = given(text).map_err(|(span, text)| Problem { key: None, text }.at(place(span)))?;
-        let flags = given.iter().map(|given| format!("--{}={}", given.key, given.text)).collect();
+        let given = given(text).and_then(|all| all.into_iter().collect::<Result<Vec<_>, _>>());
+        let given = given.map_err(|(span, text)| Problem { key: None, text }.at(place(span)))?;
+        let flags = given.iter().map(Given::flag).collect();
         self.set(flags).map_err(|problem| {
             // An error that names no setting begins with it.
             let is_meant = |given: &&Given| {
@@ -42,6 +43,19 @@ impl Settings {
             problem.at(place(span))
         })?;
         Ok(self)
+    }
+
+    /// The settings in `text`, as usual where it says nothing that can be; and what it says that cannot, a line each.
+    #[must_use]
+    pub fn as_far_as_told(text: &str) -> (Self, Vec<String>) {
+        let mut settings = Self::default();
+        let given = given(text).unwrap_or_else(|problem| vec![Err(problem)]);
+        let set = |given: Result<Given, Located>| match given {
+            Ok(given) => settings.set(vec![given.flag()]).err().map(|problem| problem.text),
+            Err((_, problem)) => Some(problem),
+        };
+        let problems = given.into_iter().filter_map(set).collect();
+        (settings, problems)
     }
 
     /// These settings, with what the file at `path` says in their stead: settings in TOML, or a picture (.png) or
@@ -115,26 +129,29 @@ struct Given {
     span: Range<usize>,
 }
 
+impl Given {
+    fn flag(&self) -> String {
+        format!("--{}={}", self.key, self.text)
+    }
+}
+
 /// Something wrong, and where.
 type Located = (Range<usize>, String);
 
-/// The settings that a file's text gives.
-fn given(text: &str) -> Result<Vec<Given>, Located> {
-    let top = DeTable::parse(text).map_err(|error| {
-        let message = error.message().lines().collect::<Vec<_>>().join("; ");
-        (error.span().unwrap_or_default(), message)
-    })?;
+/// The settings that a file's text gives, and what in it is none.
+fn given(text: &str) -> Result<Vec<Result<Given, Located>>, Located> {
+    let top = DeTable::parse(text).map_err(|error| syntax::problem(text, &error))?;
     let mut all = Vec::new();
     for (key, value) in top.get_ref() {
         match value.get_ref() {
-            DeValue::Table(table) => {
-                check_section(key)?;
-                for (inner, value) in table {
-                    all.push(setting(key.get_ref(), inner, value)?);
+            DeValue::Table(table) => match check_section(key) {
+                Ok(()) => {
+                    all.extend(table.iter().map(|(inner, value)| setting(key.get_ref(), inner, value)));
                 }
-            }
+                Err(problem) => all.push(Err(problem)),
+            },
             DeValue::String(_) if TOLD.contains(&key.get_ref().as_ref()) => {}
-            _ => all.push(setting("", key, value)?),
+            _ => all.push(setting("", key, value)),
         }
     }
     Ok(all)

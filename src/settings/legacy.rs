@@ -61,21 +61,19 @@ const NAMES: [([&str; 2], &str); 32] = [
 ];
 
 impl Legacy {
-    /// The settings as they are now. What cannot be told is as usual.
+    /// The settings as they are now, as usual where they cannot be; and what cannot, a line each.
     #[must_use]
-    pub fn settings(&self) -> Settings {
+    pub fn settings(&self) -> (Settings, Vec<String>) {
         let mut settings = Settings::default();
-        for flag in self.flags() {
-            // Better one setting lost than all.
-            let _ = settings.set(vec![flag]);
-        }
-        settings
+        let set = |flag| settings.set(vec![flag]).err().map(|problem| problem.text);
+        let problems = self.flags().into_iter().filter_map(set).collect();
+        (settings, problems)
     }
 
     fn flags(&self) -> Vec<String> {
         let mut flags: Vec<String> = NAMES
             .iter()
-            .filter_map(|(path, name)| Some(format!("--{name}={}", self.at(path)?.text()?)))
+            .filter_map(|(path, name)| Some(format!("--{name}={}", self.at(path)?.text_of(name)?)))
             .collect();
         let more = [self.speed(), self.gaze(), self.renderer(), self.published_right_eye()];
         flags.extend(more.into_iter().flatten());
@@ -116,6 +114,12 @@ impl Legacy {
             ([key, rest @ ..], Self::Group(group)) => group.get(*key)?.at(rest),
             _ => None,
         }
+    }
+
+    /// As the flag of this name has it.
+    fn text_of(&self, name: &str) -> Option<String> {
+        let is_fitted = self == &Self::Optional(None) && name.ends_with("range");
+        if is_fitted { Some("auto".to_owned()) } else { self.text() }
     }
 
     /// As a flag has it.
@@ -169,7 +173,10 @@ mod tests {
 
     fn settings(saved: &str) -> Settings {
         let storage = Storage(HashMap::from([(eframe::APP_KEY.to_owned(), saved.to_owned())]));
-        eframe::get_value::<Legacy>(&storage, eframe::APP_KEY).expect("it can be read").settings()
+        let (settings, problems) =
+            eframe::get_value::<Legacy>(&storage, eframe::APP_KEY).expect("it can be read").settings();
+        assert!(problems.is_empty(), "{problems:?}");
+        settings
     }
 
     #[test]

@@ -78,7 +78,7 @@ pub struct Look {
     #[arg(long, value_enum)]
     pub projection: ProjectionChoice,
     /// What is in the same place in both pictures of the parallel projection, and so at the depth of the screen: the
-    /// tracked point, what is infinitely far away, or what is this far ahead.
+    /// tracked point, what is infinitely far away, or what is this far ahead, 1e-9 to 1e12.
     #[arg(long, value_name = "point|infinity|DISTANCE", allow_hyphen_values = true)]
     pub zero_parallax: ZeroParallax,
 }
@@ -115,7 +115,8 @@ pub struct Light {
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub doppler_shift: OnOff,
     /// Exponent n of the received intensity D^n of light of one wavelength: `surface` (4, what a surface shows),
-    /// `photons` (3, their number, or the power per unit of frequency), `paper` (2), a number, or `off`.
+    /// `photons` (3, their number, or the power per unit of frequency), `paper` (2), a number
+    /// from -10 to 10, or `off`.
     #[arg(long, value_name = "surface|photons|paper|N|off", allow_hyphen_values = true)]
     pub intensity_exponent: IntensityExponent,
     /// Exposure: light is multiplied by 2^EV; `auto` finds it from the speeds and the lights of the scene.

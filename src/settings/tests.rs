@@ -14,11 +14,13 @@ use crate::files::exr::{self, Measurements};
 use crate::files::png;
 use crate::files::provenance::Provenance;
 use crate::flags::choices::{
-    GazeChoice, Layout, ProjectionChoice, RendererChoice, Size, Swapped, ZeroParallax,
+    AZIMUTH, ELEVATION, GazeChoice, Layout, PARALLAX_DISTANCE, ProjectionChoice, RendererChoice, Size,
+    Swapped, ZeroParallax,
 };
 use crate::flags::{
-    EXPOSURE_EV, Exposure, FieldOfView, Followed, FollowedPoint, HEAD_DEGREES, IntensityExponent, MAX_TIME,
-    SCREEN_CM, ScreenWidth, Share, SpeedParameter, SpeedSetting, TEMPERATURE_K, TimeRange,
+    EXPONENT, EXPOSURE_EV, Exposure, FIELD_OF_VIEW, FieldOfView, Followed, FollowedPoint, HEAD_DEGREES,
+    IntensityExponent, MAX_TIME, PLACE, SCREEN_CM, ScreenWidth, Share, SpeedParameter, SpeedSetting,
+    TEMPERATURE_K, TimeRange,
 };
 use crate::units::Units;
 
@@ -55,12 +57,12 @@ fn motion() -> impl Strategy<Value = Motion> {
 }
 
 fn look() -> impl Strategy<Value = Look> {
-    let fixed =
-        (any_number(), -89.5..89.5).prop_map(|(azimuth, elevation)| GazeChoice::Fixed([azimuth, elevation]));
+    let fixed = (number(AZIMUTH), number(ELEVATION))
+        .prop_map(|(azimuth, elevation)| GazeChoice::Fixed([azimuth, elevation]));
     let followed = proptest::sample::select(vec![GazeChoice::Whole, GazeChoice::Point, GazeChoice::Ahead]);
     let gaze = prop_oneof![followed, fixed];
-    let fov = proptest::option::of(1e-9..179.9).prop_map(FieldOfView);
-    let distance = number(f64::MIN_POSITIVE..=f64::MAX).prop_map(ZeroParallax::Distance);
+    let fov = proptest::option::of(number(FIELD_OF_VIEW)).prop_map(FieldOfView);
+    let distance = number(PARALLAX_DISTANCE).prop_map(ZeroParallax::Distance);
     let zero_parallax = prop_oneof![Just(ZeroParallax::Point), Just(ZeroParallax::Infinity), distance];
     (choice::<Geometry>(), gaze, fov, choice::<ProjectionChoice>(), zero_parallax).prop_map(
         |(geometry, gaze, fov, projection, zero_parallax)| Look {
@@ -74,7 +76,7 @@ fn look() -> impl Strategy<Value = Look> {
 }
 
 fn light() -> impl Strategy<Value = Light> {
-    let exponent = prop_oneof![Just(None), any_number().prop_map(Some)].prop_map(IntensityExponent);
+    let exponent = prop_oneof![Just(None), number(EXPONENT).prop_map(Some)].prop_map(IntensityExponent);
     let exposure = proptest::option::of(number(EXPOSURE_EV)).prop_map(Exposure);
     let numbers = (number(TEMPERATURE_K), exponent, exposure);
     let switches = any::<[bool; 5]>();
@@ -189,12 +191,12 @@ fn playback_map_and_plots() -> impl Strategy<Value = (Playback, Map, Plots)> {
 }
 
 fn settings() -> impl Strategy<Value = Settings> {
-    let followed = ([any_number(), any_number(), any_number()], any::<usize>())
+    let followed = ([number(PLACE), number(PLACE), number(PLACE)], any::<usize>())
         .prop_map(|(place, body)| FollowedPoint { place, body });
     let top = (
         ".{0,20}",
-        proptest::option::of(any_number()),
-        proptest::option::of([any_number(), any_number(), any_number()]),
+        proptest::option::of(number(-MAX_TIME..=MAX_TIME)),
+        proptest::option::of([number(PLACE), number(PLACE), number(PLACE)]),
         proptest::option::of(proptest::collection::vec(followed, 1..4).prop_map(Followed)),
     );
     (top, motion(), look(), light(), quality_picture_and_screen(), playback_map_and_plots(), fit(), window())
@@ -307,7 +309,7 @@ fn what_is_wrong_in_a_file_is_said_with_its_line() {
         ("[motion]\nd = nan", "state.toml:2: d = nan: not a finite number"),
         ("time = -inf", "state.toml:1: time = -inf: not a finite number"),
         ("[motion]\nbeta = 1.0", "state.toml:2: beta = 1 is out of range: it must be at least 0 and below 1"),
-        ("[look]\nfov = 180", "state.toml:2: fov = 180: must be between 0 and 180 degrees"),
+        ("[look]\nfov = 180", "state.toml:2: fov = 180: must be between 1e-9 and 179.999 degrees"),
         (
             "[look]\ngeometry = \"sen\"",
             "state.toml:2: geometry = sen: must be one of seen, contracted, rest, published, one-cone",
@@ -372,7 +374,7 @@ fn a_zero_parallax_is_a_distance_ahead() {
     let parsed = |text: &str| text.parse::<ZeroParallax>();
     assert_eq!(parsed("2.5"), Ok(ZeroParallax::Distance(2.5)));
     for (text, expected) in [
-        ("0", "must be above 0; write `point`, `infinity`, or a distance"),
+        ("0", "must be between 1e-9 and 1e12; write `point`, `infinity`, or a distance"),
         ("nan", "not a finite number; write `point`, `infinity`, or a distance"),
         ("far", "not a number; write `point`, `infinity`, or a distance"),
     ] {
@@ -427,4 +429,56 @@ fn eyes_one_behind_the_other_have_pictures_that_follow_the_gaze() {
     for (roll, turn) in [(0.0, 61.0), (0.0, 90.0), (0.0, -90.0), (10.0, 100.0)] {
         assert_eq!(projection(roll, turn), ProjectionChoice::Gaze, "{roll} {turn}");
     }
+}
+
+/// Whatever a setting is given by: a state file and a lesson's block, a flag, or the command that a picture records.
+#[test]
+fn no_setting_takes_what_is_no_number_or_beyond_all_use() {
+    let names: Vec<_> = super::entries::names().filter(|(_, name)| *name != "scene").collect();
+    assert!(names.len() > 60);
+    for (section, name) in names {
+        for value in ["nan", "-nan", "inf", "-inf", "1e300", "-1e300", "99999999999999999999"] {
+            let head = if section.is_empty() { String::new() } else { format!("[{section}]\n") };
+            for several in [value.to_owned(), format!("[{value}, 0]"), format!("[0, 0, {value}]")] {
+                let read = Settings::default().with_toml(&format!("{head}{name} = {several}"), "state.toml");
+                let error = read.expect_err(&format!("{name} = {several}")).to_string();
+                assert!(error.starts_with("state.toml:") && error.lines().count() == 1, "{error}");
+            }
+            for command in ["gamow", "gamow render"] {
+                let line = format!("{command} --{name}={value},0,0@0");
+                assert!(Settings::default().with_command(&line, "x.png").is_err(), "{line}");
+                let line = format!("{command} --{name}={value}");
+                assert!(Settings::default().with_command(&line, "x.png").is_err(), "{line}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_value_that_is_long_or_no_text_is_shown_on_one_short_line() {
+    let text = format!("theme = \"\\u001b[31m\\n{}\"", "x".repeat(100_000));
+    let error =
+        Settings::default().with_toml(&format!("[window]\n{text}"), "state.toml").expect_err("it is wrong");
+    let shown = error.to_string();
+    assert!(
+        shown.len() < 200 && !shown.contains(['\n', '\u{1b}']) && shown.contains("light, dark"),
+        "{shown}"
+    );
+}
+
+#[test]
+fn what_can_be_told_is_set_and_what_cannot_is_named() {
+    let text =
+        "time = inf\nwhat = 1\n[motion]\nbeta = 0.5\nd = nan\n[more]\nd = 1\n[look]\ngaze = [400, 1e300]\n";
+    let (settings, problems) = Settings::as_far_as_told(text);
+    let told = Settings::default().with_toml("[motion]\nbeta = 0.5", "").expect("it is right");
+    assert_eq!(settings, told);
+    let named = ["gaze = ", "d = nan: ", "unknown section [more]", "time = inf: ", "unknown setting `what`"];
+    assert_eq!(problems.len(), named.len(), "{problems:?}");
+    for name in named {
+        assert!(problems.iter().any(|problem| problem.starts_with(name)), "{name} in {problems:?}");
+    }
+    let (settings, problems) = Settings::as_far_as_told("beta = 0,8");
+    assert_eq!(settings, Settings::default());
+    assert_eq!(problems, ["0,8 is no number: with a decimal point it is beta = 0.8"]);
 }

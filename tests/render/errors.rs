@@ -34,7 +34,7 @@ fn flags_that_cannot_be_read_name_what_would_be_right() {
     let folder = folder();
     for (flags, told) in [
         ("--size 0x5", "960x540"),
-        ("--fov 180", "between 0 and 180"),
+        ("--fov 180", "between 1e-9 and 179.999"),
         ("--d -1", "between 0 and 1e6"),
         ("--gaze up", "90,0"),
         ("--gaze 0,90", "level"),

@@ -9,6 +9,7 @@ mod faults;
 mod files;
 mod fit;
 mod groups;
+mod insane;
 mod layouts;
 mod lessons;
 mod manners;
@@ -50,6 +51,7 @@ fn main() -> ExitCode {
         files::TESTS,
         fit::TESTS,
         groups::TESTS,
+        insane::TESTS,
         layouts::TESTS,
         lessons::TESTS,
         manners::TESTS,

@@ -10,6 +10,19 @@ use gamow::flags::{SpeedParameter, SpeedSetting};
 use gamow::settings::Settings;
 use relativity_core::{Aperture, Sighting, SourcePoint, Speed, sighting};
 
+/// What is shown in `state` is what its file gives back: nothing the user did has set a value that the judges of settings
+/// refuse. All that follows from it is a number.
+pub fn assert_sane(state: &State) {
+    let shown = state.shown();
+    let text = shown.to_toml();
+    let read = Settings::default().with_toml(&text, "state.toml");
+    assert_eq!(read.unwrap_or_else(|error| panic!("{error} in\n{text}")), shown, "{text}");
+    let session = &state.session;
+    let [from, to] = state.time_range();
+    let numbers = [session.time, session.cm_per_pixel, from, to];
+    assert!(from <= to && numbers.iter().all(|number| number.is_finite()), "{numbers:?} in\n{text}");
+}
+
 /// The cyclist's tracked point, and the usual separation of the eyes.
 pub const TRACKED: [f64; 3] = [0.0, 3.0, 2.0];
 pub const SEPARATION: f64 = 0.1;

@@ -16,6 +16,7 @@ use super::plan::{
     Step, Text, Told, line_giving,
 };
 use super::values;
+use crate::files::syntax;
 use crate::flags::{SpeedParameter, SpeedSetting};
 use crate::platform::files;
 use serde::Deserialize;
@@ -317,8 +318,8 @@ impl Block {
     /// What it says, as TOML; where that is wrong, `right` tells what it could be.
     fn table<T: DeserializeOwned>(&self, right: &str) -> Result<T, Wrong> {
         toml::from_str(&self.text).map_err(|error| {
-            let before = error.span().and_then(|span| self.text.get(..span.start)).unwrap_or_default();
-            let message = error.message().lines().collect::<Vec<_>>().join("; ");
+            let (span, message) = syntax::problem(&self.text, &error);
+            let before = self.text.get(..span.start).unwrap_or_default();
             (self.line + before.matches('\n').count(), format!("{message}; such a block says {right}"))
         })
     }

@@ -1,0 +1,61 @@
+//! What is wrong with a text that should be TOML, in one line that says what would be right.
+
+use std::ops::Range;
+
+use toml::de::Error;
+
+use crate::figures;
+
+/// What the TOML reader found in `text`, and where: bytes of it.
+#[must_use]
+pub fn problem(text: &str, error: &Error) -> (Range<usize>, String) {
+    let span = error.span().unwrap_or_default();
+    let found = || error.message().lines().collect::<Vec<_>>().join("; ");
+    let problem = decimal_comma(line_at(text, span.start)).unwrap_or_else(found);
+    (span, problem)
+}
+
+/// The line of `text` that has the byte at `offset`.
+fn line_at(text: &str, offset: usize) -> &str {
+    let Some((before, after)) = text.split_at_checked(offset) else { return "" };
+    let start = before.rfind('\n').map_or(0, |newline| newline + 1);
+    let end = after.find('\n').map_or(text.len(), |newline| offset + newline);
+    &text[start..end]
+}
+
+/// What would be right in a line like `beta = 0,8`.
+fn decimal_comma(line: &str) -> Option<String> {
+    let (key, value) = line.split_once('=')?;
+    let value = value.split('#').next().unwrap_or(value).trim();
+    let number = figures::with_point(value);
+    let is_meant = value.contains(',') && number.parse::<f64>().is_ok();
+    is_meant.then(|| format!("{value} is no number: with a decimal point it is {} = {number}", key.trim()))
+}
+
+#[cfg(test)]
+mod tests {
+    use toml::de::DeTable;
+
+    use super::*;
+
+    fn found(text: &str) -> String {
+        problem(text, &DeTable::parse(text).expect_err("it is wrong")).1
+    }
+
+    #[test]
+    fn a_decimal_comma_is_named_with_what_would_be_right() {
+        let expected = "0,8 is no number: with a decimal point it is beta = 0.8";
+        for text in ["beta = 0,8", "[motion]\nd = 1\nbeta=0,8 # fast\nroll = 2", "beta = 0,8\r\n"] {
+            assert_eq!(found(text), expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_else_is_wrong_is_as_the_reader_says_it() {
+        for text in ["d = 1,2,3", "d = = 2", "d = [1, 2", "\u{e4} = ,", "d = 'x,1", ""] {
+            if DeTable::parse(text).is_err() {
+                assert!(!found(text).contains("decimal point") && !found(text).contains('\n'), "{text}");
+            }
+        }
+    }
+}

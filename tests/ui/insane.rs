@@ -1,0 +1,289 @@
+//! Settings that nobody would type: each start with them succeeds, with numbers that are numbers. `GAMOW_INSANE=5000` makes
+//! as many of them, else there are a few hundred; `GAMOW_SEED` makes other ones.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use gamow::app::state::State;
+use gamow::app::{memory, storage};
+use gamow::settings::{Settings, Subject};
+
+use super::Test;
+use super::support::{assert_sane, window};
+
+pub const TESTS: &[Test] = &[
+    ("insane_settings_open_with_numbers_that_are_numbers", insane_settings_open),
+    ("insane_settings_are_drawn", insane_settings_are_drawn),
+];
+
+/// Settings that have no value as usual, with their sections.
+const UNSET: [(&str, &str); 5] =
+    [("", "time"), ("", "point"), ("", "points"), ("motion", "gamma"), ("motion", "rapidity")];
+
+/// What no setting should have, and what only some can.
+const VALUES: [&str; 62] = [
+    "nan",
+    "-nan",
+    "inf",
+    "-inf",
+    "1e300",
+    "-1e300",
+    "1e-300",
+    "5e-324",
+    "0",
+    "-0.0",
+    "-1",
+    "1",
+    "2",
+    "0.5",
+    "0.001",
+    "0.01",
+    "16",
+    "100",
+    "150",
+    "179.999",
+    "180",
+    "-180",
+    "720",
+    "300",
+    "5000",
+    "5001",
+    "1e-9",
+    "1e5",
+    "1e6",
+    "-1e6",
+    "1e12",
+    "-1e12",
+    "1e11",
+    "1e30",
+    "1.1e30",
+    "69.77",
+    "0.9999999999999999",
+    "9223372036854775807",
+    "18446744073709551615",
+    "99999999999999999999999999999999999999999999",
+    "true",
+    "false",
+    "'on'",
+    "'auto'",
+    "'point'",
+    "'whole'",
+    "'nan,nan'",
+    "'1e300,0'",
+    "[nan, inf]",
+    "[-1e12, 1e12]",
+    "[1e12, 1e12]",
+    "[720, 89.999]",
+    "[1e300, -1e300, nan]",
+    "[1e6, -1e6, 1e6]",
+    "'1e7,1e7,-1e7@0;0,0,0@18446744073709551615'",
+    "'1x1'",
+    "'16384x1'",
+    "''",
+    "'\\u001b[31m'",
+    "[[1], {}]",
+    "{ x = 1 }",
+    "1979-05-27",
+];
+
+/// A linear congruential generator (D. E. Knuth's MMIX).
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, count: usize) -> usize {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) as usize % count
+    }
+
+    fn of<'a, T: ?Sized>(&mut self, all: &[&'a T]) -> &'a T {
+        all[self.below(all.len())]
+    }
+
+    /// A file of settings with some of all of them, each with any value.
+    fn settings(&mut self) -> String {
+        let usual: toml::Table = Settings::default().to_toml().parse().expect("it is TOML");
+        let mut all: BTreeMap<String, Vec<String>> = BTreeMap::new();
+        for (name, value) in &usual {
+            match value.as_table() {
+                Some(section) => all.entry(name.clone()).or_default().extend(section.keys().cloned()),
+                None => all.entry(String::new()).or_default().push(name.clone()),
+            }
+        }
+        for (section, name) in UNSET {
+            all.entry(section.to_owned()).or_default().push(name.to_owned());
+        }
+        let share = 1 + self.below(10);
+        let mut text = String::new();
+        for (section, names) in all {
+            if !section.is_empty() {
+                text += &format!("[{section}]\n");
+            }
+            for name in names {
+                if self.below(10) < share {
+                    text += &format!("{name} = {}\n", self.of(&VALUES));
+                }
+            }
+        }
+        text
+    }
+
+    /// `text` with a few bytes that were not in it.
+    fn mutated(&mut self, text: &str) -> Vec<u8> {
+        let mut bytes = text.as_bytes().to_vec();
+        for _ in 0..=self.below(6) {
+            let at = self.below(bytes.len());
+            let end = (at + self.below(8)).min(bytes.len());
+            let put =
+                [&b"1e300"[..], b"NaN", b"inf", b"-", b"9", b"\"", b"=", b"\xff", b"", b"(", b")", b"\n"];
+            bytes.splice(at..end, self.of(&put).iter().copied());
+            if bytes.is_empty() {
+                bytes.push(b'x');
+            }
+        }
+        bytes
+    }
+
+    /// What the file of what is remembered holds.
+    fn storage(&mut self) -> Vec<u8> {
+        let window = format!(
+            "(normal_geometry:(outer_position_pixels:Some((x:{},y:0.0)),scale_factor:{},inner_size_points:(x:{},y:800.0)),\
+             fullscreen:false,maximized:true)",
+            self.number(),
+            self.number(),
+            self.number()
+        );
+        let egui = format!(
+            "(options:(zoom_factor:{},max_passes:{}),data:([(7,(type_id:(3),ron:\"(open:true,open_height:Some({}))\",\
+             generation:1))]))",
+            self.number(),
+            self.number(),
+            self.number()
+        );
+        let app = format!(
+            "(motion:(speed:(parameter:Gamma,value:{}),separation:{}),look:(gaze:Fixed(azimuth:{},elevation:0.1),\
+             fov_degrees:{}),playback:(range:Some(({},2.5))),fit:(samples:{}))",
+            self.number(),
+            self.number(),
+            self.number(),
+            self.number(),
+            self.number(),
+            self.number()
+        );
+        let settings = if self.below(4) == 0 { Settings::default().to_toml() } else { self.settings() };
+        let mut kept =
+            BTreeMap::from([("window", window), ("egui", egui), ("app", app), ("settings", settings)]);
+        for key in ["window", "egui", "app", "settings"] {
+            if self.below(4) == 0 {
+                kept.remove(key);
+            }
+        }
+        let text = ron::to_string(&kept).expect("it is text");
+        if self.below(2) == 0 { text.into_bytes() } else { self.mutated(&text) }
+    }
+
+    fn number(&mut self) -> &'static str {
+        self.of(&[
+            "0.0",
+            "NaN",
+            "inf",
+            "-inf",
+            "1e9",
+            "1e300",
+            "-1.0",
+            "1000.0",
+            "1.0",
+            "18446744073709551615",
+        ])
+    }
+}
+
+/// What is remembered in a file, as the windowing library would read it.
+struct Kept(BTreeMap<String, String>);
+
+impl eframe::Storage for Kept {
+    fn get_string(&self, key: &str) -> Option<String> {
+        self.0.get(key).cloned()
+    }
+
+    fn set_string(&mut self, _: &str, _: String) {}
+
+    fn remove_string(&mut self, _: &str) {}
+
+    fn flush(&mut self) {}
+}
+
+/// A number out of the environment.
+fn given(name: &str, usual: u64) -> u64 {
+    std::env::var(name).map_or(usual, |text| text.parse().expect("it is a number"))
+}
+
+/// The settings of a start with what is remembered in a file of these `bytes`.
+fn remembered(folder: &Path, bytes: &[u8]) -> Settings {
+    let path = folder.join(storage::FILE);
+    std::fs::write(&path, bytes).expect("it is writable");
+    let looked = storage::look_through(&path);
+    assert_eq!(looked.instead, None);
+    let kept = std::fs::read_to_string(&path);
+    let kept = Kept(kept.map_or_else(|_| BTreeMap::new(), |text| ron::from_str(&text).expect("it is read")));
+    if let Some(text) = kept.0.get("egui") {
+        let memory: eframe::egui::Memory = ron::from_str(text).expect("the library reads it");
+        assert!((0.2..=5.0).contains(&memory.options.zoom_factor) && memory.options.max_passes.get() == 2);
+    }
+    assert_eq!(storage::look_through(&path).notice, None, "what was put right is right");
+    for left in std::fs::read_dir(folder).expect("a folder").flatten() {
+        std::fs::remove_file(left.path()).expect("it is writable");
+    }
+    memory::remembered(&kept)
+}
+
+/// The state that `settings` open, in another scene where theirs cannot be had.
+fn opened(settings: Settings) -> State {
+    let usual = settings.clone().with_scene(Settings::default().scene);
+    State::open(settings).or_else(|_| State::open(usual)).expect("the usual scene")
+}
+
+/// As many insane states as the environment says, one of `share`.
+fn each(share: u64, mut judge: impl FnMut(State)) {
+    let seed = given("GAMOW_SEED", 20_261_122);
+    let count = given("GAMOW_INSANE", 300) / share;
+    println!("{count} insane settings from GAMOW_SEED={seed}");
+    let folder = tempfile::tempdir().expect("there is a place for temporary files");
+    let mut random = Random(seed);
+    for number in 0..count {
+        let settings = match number % 3 {
+            0 => Settings::as_far_as_told(&random.settings()).0,
+            1 => {
+                let bytes = random.mutated(&Settings::default().to_toml());
+                Settings::as_far_as_told(&String::from_utf8_lossy(&bytes)).0
+            }
+            _ => remembered(folder.path(), &random.storage()),
+        };
+        judge(opened(settings));
+    }
+}
+
+fn insane_settings_open() {
+    each(1, |state| {
+        assert_sane(&state);
+        let State { settings, session } = &state;
+        let tracked = session.points.selected().track;
+        let subject = Subject { scene: &session.prepared, tracked };
+        let views = settings.views(subject, session.time, session.picture_size);
+        let shown =
+            format!("{views:?} {:?} {:?}", state.appearance(true), settings.automatic_ev(&session.scene));
+        let is_none = |word: &str| ["NaN", "inf"].contains(&word);
+        let words = shown.split(|c: char| !c.is_alphanumeric());
+        assert!(!words.into_iter().any(is_none), "{shown} of\n{}", settings.to_toml());
+    });
+}
+
+fn insane_settings_are_drawn() {
+    each(50, |state| {
+        let text = state.settings.to_toml();
+        let begun = std::time::Instant::now();
+        let harness = window(state);
+        assert_sane(harness.state().state());
+        let took = begun.elapsed().as_secs_f64();
+        assert!(took < 60.0, "{took} s for a window with\n{text}");
+    });
+}
