@@ -245,7 +245,7 @@ mod tests {
     use super::*;
     use crate::settings::Settings;
 
-    const LONG: Duration = Duration::from_secs(3600);
+    const LONG: Duration = Duration::from_hours(1);
 
     fn state(time: f64) -> State {
         State::open(Settings { time: Some(time), ..Settings::default() }).expect("a preset")

@@ -74,7 +74,7 @@ pub fn look_through(path: &Path) -> Looked {
 fn told(problems: &[String]) -> String {
     let mut told = problems.iter().take(MOST_TOLD).cloned().collect::<Vec<_>>().join("; ");
     if let Some(more) = problems.len().checked_sub(MOST_TOLD).filter(|more| *more > 0) {
-        told += &format!("; and {more} more");
+        told = format!("{told}; and {more} more");
     }
     told
 }

@@ -96,7 +96,7 @@ mod tests {
         egui::scroll_area::State::default().store(&ctx, egui::Id::unique("list"));
         ctx.begin_pass(egui::RawInput::default());
         ctx.end_pass().textures_delta.clear();
-        (ctx.memory(|memory| ron::to_string(memory)).expect("it can be written"), id)
+        (ctx.memory(ron::to_string).expect("it can be written"), id)
     }
 
     #[test]

@@ -134,7 +134,7 @@ impl<R> Tap<R> {
             let (start, line) = self.row;
             let given = self.after(start);
             let blank = given.iter().take_while(|byte| matches!(byte, b'\r' | b'\n')).count();
-            let lines = given[..blank].iter().filter(|byte| **byte == b'\n').count();
+            let lines = given[..blank].split(|byte| *byte == b'\n').count() - 1;
             self.is_begun = blank < given.len();
             self.row = (start + blank as u64, line + lines as u64);
         }
@@ -213,6 +213,7 @@ impl Names {
     }
 
     /// What to say of the number at `place` in `row` if it is not as `range` says.
+    #[must_use]
     pub fn out_of_range(&self, row: &ByteRecord, place: usize, range: &'static str) -> RowError {
         RowError::OutOfRange { column: legible(&self.0[place]), value: legible(&row[place]), range }
     }

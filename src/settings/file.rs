@@ -87,7 +87,7 @@ impl Settings {
         let beside =
             path.parent().map(|folder| folder.join(&self.scene)).filter(|scene| files::is_file(scene));
         if let (None, Some(scene)) = (Scene::preset(&self.scene), beside.as_deref().and_then(Path::to_str)) {
-            self.scene = scene.to_owned();
+            scene.clone_into(&mut self.scene);
         }
     }
 }

@@ -87,7 +87,7 @@ struct Mark {
 impl Mark {
     /// Where it stands: at an end of the strip where it lies beyond.
     fn x(&self, strip: Rect) -> f32 {
-        place(strip, self.wavelength_nm).clamp(strip.min.x, strip.max.x)
+        place(strip, self.wavelength_nm).clamp(strip.min.x, strip.max.x.max(strip.min.x))
     }
 }
 

@@ -313,7 +313,7 @@ fn marks(ui: &mut Ui, state: &State, slider: Rect, asks: &mut Asks) {
 fn tick(ui: &Ui, slider: Rect, x: f32, name: Rect, colour: Color32) {
     let painter = ui.painter();
     painter.vline(x, slider.shrink2(vec2(0.0, 2.0)).y_range(), Stroke::new(1.5, colour));
-    let end = pos2(x.clamp(name.min.x + 4.0, name.max.x - 4.0), name.min.y + 3.0);
+    let end = pos2(x.max(name.min.x + 4.0).min(name.max.x - 4.0), name.min.y + 3.0);
     painter.line_segment([pos2(x, slider.max.y - 2.0), end], Stroke::new(1.0, colour));
 }
 
