@@ -2,37 +2,11 @@
 
 use std::sync::Arc;
 
-use serde::{Deserialize, Serialize};
-
 use super::answer::{Answer, Outcome, Record};
 use super::error::LessonError;
 use super::kept::KeptCourse;
+use super::place::{Phase, Place};
 use super::plan::{Kind, Lesson, Prediction, Step};
-
-/// How far somebody is in a step.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-pub enum Phase {
-    /// Its text is read, and its prediction is made.
-    Ask,
-    /// What was predicted is shown, and compared.
-    Shown,
-    /// It is explained.
-    Explained,
-}
-
-/// A place in a lesson. After its last step comes the sentence to take away.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-pub struct Place {
-    /// The number of the step.
-    pub step: usize,
-    /// How far in it.
-    pub phase: Phase,
-}
-
-impl Place {
-    /// The beginning.
-    pub const START: Self = Self { step: 0, phase: Phase::Ask };
-}
 
 /// Somebody's way through a lesson.
 #[derive(Debug, Clone, PartialEq)]
@@ -92,7 +66,9 @@ impl Course {
     pub fn kept(&self) -> Option<KeptCourse> {
         let is_new = self.place == Place::START && self.draft.is_none();
         let is_untouched = is_new && self.records.iter().all(|record| *record == Record::default());
-        (!is_untouched && !self.lesson.is_a_preset()).then(|| KeptCourse::of(self))
+        (!is_untouched && !self.lesson.is_a_preset()).then(|| {
+            KeptCourse::of(&self.lesson, self.place, &self.records, (self.draft.clone(), self.confidence))
+        })
     }
 
     /// Begins it anew, without the answers that were given.

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::answer::{Answer, Outcome, Record};
-use super::course::{Course, Place};
+use super::place::Place;
 use super::plan::{Choices, Kind, Lesson, Options, Prediction, Step};
 
 /// A way through a lesson: the answers, what is being entered, and the place.
@@ -24,14 +24,17 @@ struct KeptStep {
 }
 
 impl KeptCourse {
-    /// What is to be kept of `course`.
+    /// What is to be kept of a way through `lesson`: the place, what was done in each step, and what is being entered.
     #[must_use]
-    pub fn of(course: &Course) -> Self {
-        let lesson = course.lesson();
-        let steps = lesson.steps.iter().zip(course.records());
+    pub fn of(
+        lesson: &Lesson,
+        place: Place,
+        records: &[Record],
+        (draft, confidence): (Option<Answer>, Option<u8>),
+    ) -> Self {
+        let steps = lesson.steps.iter().zip(records);
         let steps = steps.map(|(step, record)| KeptStep { asked: asked(step), record: record.clone() });
-        let (draft, confidence) = (course.draft.clone(), course.confidence);
-        Self { lesson: named(lesson), place: course.place(), steps: steps.collect(), draft, confidence }
+        Self { lesson: named(lesson), place, steps: steps.collect(), draft, confidence }
     }
 
     /// Whether it leads through `lesson`.

@@ -11,6 +11,7 @@ mod error;
 mod kept;
 mod library;
 mod picture;
+mod place;
 mod plan;
 mod read;
 pub mod report;
@@ -22,10 +23,11 @@ mod verdict;
 pub mod worksheet;
 
 pub use answer::{Answer, Outcome, Record};
-pub use course::{Course, Phase, Place};
+pub use course::Course;
 pub use error::LessonError;
 pub use kept::KeptCourse;
 pub use library::Library;
+pub use place::{Phase, Place};
 pub use plan::{
     Animated, Animation, Choices, Curve, Kind, Lab, Lesson, Number, Options, PointAt, Prediction, Quantity,
     Reveal, Step, Text, Told,

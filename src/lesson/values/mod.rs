@@ -193,7 +193,11 @@ impl Lesson {
     /// `text` with its values in their places, as they are in this state.
     fn filled(&self, text: &Text, (settings, scene): &(Settings, Scene)) -> Result<Text, LessonError> {
         let fit = Fit::new();
-        let filled = filled(&text.markdown, |asked| value_with(asked, settings, scene, &fit));
+        let filled = filled(
+            &text.markdown,
+            |asked| check(asked).is_ok(),
+            |asked| value_with(asked, settings, scene, &fit),
+        );
         let markdown = filled.map_err(|(line, problem)| self.wrong(text.line + line, problem))?;
         if let Some(line) = line_of_picture(&markdown) {
             return Err(

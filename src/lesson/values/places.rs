@@ -4,20 +4,20 @@ use std::ops::Range;
 
 use pulldown_cmark::{Event, Parser};
 
-use super::check;
 use crate::caption::decimal;
 use crate::formula::markdown::OPTIONS;
 
 /// Letters of the shortest name that is no sign of a formula, where braces are TeX's.
 const SHORTEST: usize = 3;
 
-/// `markdown` with a number in each place `{ASKED:.N}`; what is wrong, and in which of its lines, from 0.
+/// `markdown` with a number in each place `{ASKED:.N}`; what is wrong, and in which of its lines, from 0. Which names are values, `is_value` tells.
 pub fn filled(
     markdown: &str,
+    is_value: impl Fn(&str) -> bool,
     value: impl Fn(&str) -> Result<f64, String>,
 ) -> Result<String, (usize, String)> {
     let line = |place: usize| markdown[..place].matches('\n').count();
-    if let Some((place, problem)) = broken_place(markdown) {
+    if let Some((place, problem)) = broken_place(markdown, is_value) {
         return Err((line(place), problem));
     }
     let (mut done, mut from) = (String::new(), 0);
@@ -53,7 +53,7 @@ fn place(inside: &str) -> Option<(&str, u8)> {
 }
 
 /// Where the first braces are that were meant for a value and ask for none, and what would be right.
-fn broken_place(markdown: &str) -> Option<(usize, String)> {
+fn broken_place(markdown: &str, is_value: impl Fn(&str) -> bool) -> Option<(usize, String)> {
     let (mut formulas, mut code): (Vec<Range<usize>>, Vec<Range<usize>>) = (Vec::new(), Vec::new());
     for (event, range) in Parser::new_ext(markdown, OPTIONS).into_offset_iter() {
         match event {
@@ -70,7 +70,7 @@ fn broken_place(markdown: &str) -> Option<(usize, String)> {
             return None;
         }
         let asked = inside.split_once(':').map_or(inside, |(asked, _)| asked).trim();
-        let is_value = check(asked).is_ok();
+        let is_value = is_value(asked);
         if is_in(&formulas, begin) && !(is_value && asked.len() >= SHORTEST) {
             return None;
         }

@@ -3,7 +3,7 @@ use super::*;
 fn told(markdown: &str) -> Result<String, (usize, String)> {
     let settings = Settings { time: Some(2.0), ..Settings::default() };
     let scene = settings.opened_scene().expect("a scene");
-    filled(markdown, |asked| value(asked, &settings, &scene))
+    filled(markdown, |asked| check(asked).is_ok(), |asked| value(asked, &settings, &scene))
 }
 
 #[test]
