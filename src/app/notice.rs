@@ -17,7 +17,7 @@ pub struct Notice {
 impl Notice {
     /// That something was done.
     pub fn done(text: impl Into<String>) -> Self {
-        Self { text: tell::shown(&text.into()), is_error: false, path: None }
+        Self { text: tell::in_short(&tell::shown(&text.into())), is_error: false, path: None }
     }
 
     /// That something could not be done, and why.

@@ -27,9 +27,26 @@ pub fn shown_lines(text: &str) -> String {
     text.split('\n').map(shown).collect::<Vec<_>>().join("\n")
 }
 
+/// Most letters of a message.
+const MOST_LETTERS: usize = 4000;
+/// Those that are kept of the end of one that is longer: what is wrong is said there.
+const LAST_LETTERS: usize = 500;
+
+/// `text`, or its beginning and its end where it is too long for a message.
+#[must_use]
+pub fn in_short(text: &str) -> String {
+    let count = text.chars().count();
+    if count <= MOST_LETTERS {
+        return text.to_owned();
+    }
+    let first: String = text.chars().take(MOST_LETTERS - LAST_LETTERS).collect();
+    let last: String = text.chars().skip(count - LAST_LETTERS).collect();
+    format!("{first} (and {} more letters) {last}", count - MOST_LETTERS)
+}
+
 /// Says `remark` in a line on standard error. Where that cannot be written to nobody is told, and all goes on.
 pub fn remark(remark: impl fmt::Display) {
-    let _ = writeln!(io::stderr(), "{}", shown(&remark.to_string()));
+    let _ = writeln!(io::stderr(), "{}", in_short(&shown(&remark.to_string())));
 }
 
 /// Says `text`, which may have several lines, on standard error as it is, in one piece.
@@ -51,5 +68,15 @@ mod tests {
         assert_eq!(shown("a\u{1b}[31m\nb\u{202e}\u{9b}2J\u{7}"), r"a\u{1b}[31m\nb\u{202e}\u{9b}2J\u{7}");
         assert_eq!(shown("räder 車輪 'a' \"b\" \\"), "räder 車輪 'a' \"b\" \\");
         assert_eq!(shown_lines("a\u{1b}\nb\n"), "a\\u{1b}\nb\n");
+    }
+
+    #[test]
+    fn a_message_that_is_too_long_keeps_its_beginning_and_its_end() {
+        let usual = "車".repeat(MOST_LETTERS);
+        assert_eq!(in_short(&usual), usual);
+        let long = format!("x.toml:2: d = {}: not a number", "7".repeat(3_000_000));
+        let short = in_short(&long);
+        assert!(short.starts_with("x.toml:2: d = 777") && short.ends_with("777: not a number"));
+        assert!(short.contains(" (and 2996028 more letters) ") && short.len() < MOST_LETTERS + 40, "{short}");
     }
 }

@@ -24,6 +24,7 @@ pub const TESTS: &[Test] = &[
     ("a_scene_is_read_again_when_its_file_changes", a_scene_is_read_again),
     ("a_state_is_read_again_when_its_file_changes", a_state_is_read_again),
     ("scene_time_point_and_files_are_remembered", what_is_shown_is_remembered),
+    ("a_value_of_megabytes_is_refused_in_a_message_that_can_be_shown", a_long_value_is_refused),
 ];
 
 const BALLS: &str = "name = \"Balls\"\n[[object]]\nname = \"big ball\"\nshape = \"sphere\"\ncenter = [0, 3, 0]\n\
@@ -176,4 +177,15 @@ fn what_is_shown_is_remembered() {
     let again = State::open(memory::remembered(&storage)).expect("it is there");
     assert_eq!(again.session.preset, window.state().state().session.preset);
     assert!(again.session.preset.is_some());
+}
+
+fn a_long_value_is_refused() {
+    let folder = tempfile::tempdir().expect("there is a place for temporary files");
+    let text = format!("[motion]\nd = \"{}\"\n", "7x".repeat(1_500_000));
+    let path = file(folder.path(), "long.toml", &text);
+    let mut window = window(cyclist(0.9));
+    ask(&mut window, Command::Open(path));
+    let notice = window.state().state().session.notice.clone().expect("it is told");
+    assert!(notice.is_error && notice.text.starts_with("long.toml:2: d = 7x7x"), "{:.80}", notice.text);
+    assert!(notice.text.ends_with(": not a number") && notice.text.len() < 5000, "{}", notice.text.len());
 }
