@@ -87,6 +87,7 @@ use faulty::Faulty;
 use fitting::Fitting;
 use full_screen::FullScreen;
 use layout::{Beside, Layout, LessonPart, Presentation};
+use notice::Notice;
 use overlay::Overlay;
 use panels::{Asks, plots::Plotted};
 use panes::{Arrangement, Content};
@@ -316,6 +317,26 @@ impl App {
         self.tell_faults(&ctx);
         self.fulfil_orders(ui);
         if self.state.session.playing || self.state.session.lesson.as_ref().is_some_and(Running::is_running) {
+            ctx.request_repaint();
+        }
+    }
+
+    /// Why the graphics device is lost, if it is: then the window cannot be drawn.
+    #[must_use]
+    pub fn loss(&self) -> Option<String> {
+        self.faults.loss()
+    }
+
+    /// Says once what the graphics device could not do; closes the window that has lost it.
+    fn tell_faults(&mut self, ctx: &egui::Context) {
+        if self.loss().is_some() {
+            ctx.send_viewport_cmd(egui::ViewportCommand::Close);
+            return;
+        }
+        let eyes = [&mut self.eyes, &mut self.projected].into_iter().flatten();
+        let refusal = eyes.filter_map(EyePictures::newly_refused).last().cloned();
+        if let Some(text) = self.faults.newly_told(refusal) {
+            self.state.session.notice = Some(Notice::error(text));
             ctx.request_repaint();
         }
     }

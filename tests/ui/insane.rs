@@ -116,11 +116,11 @@ impl Random {
         let mut text = String::new();
         for (section, names) in all {
             if !section.is_empty() {
-                text += &format!("[{section}]\n");
+                text = format!("{text}[{section}]\n");
             }
             for name in names {
                 if self.below(10) < share {
-                    text += &format!("{name} = {}\n", self.of(&VALUES));
+                    text = format!("{text}{name} = {}\n", self.of(&VALUES));
                 }
             }
         }

@@ -8,7 +8,8 @@ use crate::buffers::{fill_frame_buffer, frame_bindings, frame_buffer, vertex_buf
 use crate::drawing::{Drawing, Shot};
 use crate::effects::Constant;
 use crate::frame::Frame;
-use crate::gpu::{Gpu, GpuError};
+use crate::gpu::Gpu;
+use crate::gpu_error::GpuError;
 use crate::palette;
 use crate::reference::HitImage;
 use crate::scene::PreparedScene;

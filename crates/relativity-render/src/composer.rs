@@ -4,7 +4,8 @@ use crate::canvas::{
     attachment, begin_pass, bind_group, bind_group_layout, pipeline_layout, texture_entry, uniform_entry,
 };
 use crate::compose::{self, Composing, Composition};
-use crate::gpu::{Gpu, GpuError};
+use crate::gpu::Gpu;
+use crate::gpu_error::GpuError;
 use crate::shaders::COMPOSE;
 use crate::target::{self, ENCODED_FORMAT, EyeTarget};
 

@@ -4,7 +4,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use wgpu::{DeviceLostReason, ErrorFilter};
 
-use crate::gpu::GpuError;
+use crate::gpu_error::GpuError;
 
 /// What a device reported that nobody was waiting for, and whether it was lost.
 #[derive(Debug, Clone, Default)]

@@ -1,7 +1,8 @@
 //! Where a picture is drawn: an off-screen texture per eye, and its readback.
 
 use crate::buffers::{frame_buffer, vertex_buffer};
-use crate::gpu::{Gpu, GpuError};
+use crate::gpu::Gpu;
+use crate::gpu_error::GpuError;
 use crate::picture::Picture;
 
 /// Samples per pixel of a picture.
