@@ -76,7 +76,6 @@ fn told(problems: &[String]) -> String {
     if let Some(more) = problems.len().checked_sub(MOST_TOLD).filter(|more| *more > 0) {
         told = format!("{told}; and {more} more");
     }
-    told
 }
 
 /// What is in the file at `path`, if there is one.

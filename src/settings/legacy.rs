@@ -21,7 +21,27 @@ pub enum Legacy {
     /// Several by their names.
     Group(BTreeMap<String, Legacy>),
     /// One that may be missing.
-    Optional(Option<Box<Legacy>>),
+    Optional(Option<Plain>),
+}
+
+/// What may be missing. (No [`Legacy`]: what is none would be looked for in itself without end.)
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(untagged)]
+pub enum Plain {
+    /// A number.
+    Number(f64),
+    /// First and last.
+    List(Vec<f64>),
+}
+
+impl Plain {
+    /// As a flag has it.
+    fn text(&self) -> String {
+        match self {
+            Self::Number(number) => number.to_string(),
+            Self::List(items) => items.iter().map(f64::to_string).collect::<Vec<_>>().join(","),
+        }
+    }
 }
 
 /// Where each setting was, and what it is called now. Those of speed and gaze were in groups of their own.
@@ -132,8 +152,8 @@ impl Legacy {
                 "Polar" => "dtheta".to_owned(),
                 _ => word.to_lowercase(),
             }),
-            Self::List(items) => Some(items.iter().map(f64::to_string).collect::<Vec<_>>().join(",")),
-            Self::Optional(value) => value.as_ref().map_or(Some("off".to_owned()), |value| value.text()),
+            Self::List(items) => Some(Plain::List(items.clone()).text()),
+            Self::Optional(value) => Some(value.as_ref().map_or_else(|| "off".to_owned(), Plain::text)),
             Self::Group(_) => None,
         }
     }
@@ -207,6 +227,19 @@ mod tests {
             (Curves::Azimuth, Model::Published(PublishedVariant::AppendixA), true)
         );
         assert_eq!((window.corrected, window.controls, window.theme), (true, false, Theme::System));
+    }
+
+    #[test]
+    fn what_is_no_setting_is_refused() {
+        for text in
+            ["(motion:[true])", "[(1.0, \"x\")]", "(fit:(samples:Some(\"x\")))", "[[[[[]]]]]", "('x')"]
+        {
+            let read = ron::from_str::<Legacy>(text);
+            assert!(
+                read.is_err() || read.is_ok_and(|legacy| legacy.settings().0 == Settings::default()),
+                "{text}"
+            );
+        }
     }
 
     #[test]

@@ -437,7 +437,7 @@ fn no_setting_takes_what_is_no_number_or_beyond_all_use() {
     let names: Vec<_> = super::entries::names().filter(|(_, name)| *name != "scene").collect();
     assert!(names.len() > 60);
     for (section, name) in names {
-        for value in ["nan", "-nan", "inf", "-inf", "1e300", "-1e300", "99999999999999999999"] {
+        for value in ["nan", "-nan", "inf", "-inf", "1e300", "-1e300"] {
             let head = if section.is_empty() { String::new() } else { format!("[{section}]\n") };
             for several in [value.to_owned(), format!("[{value}, 0]"), format!("[0, 0, {value}]")] {
                 let read = Settings::default().with_toml(&format!("{head}{name} = {several}"), "state.toml");
