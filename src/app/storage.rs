@@ -72,9 +72,10 @@ pub fn look_through(path: &Path) -> Looked {
 
 /// The first few problems, and how many more there are.
 fn told(problems: &[String]) -> String {
-    let mut told = problems.iter().take(MOST_TOLD).cloned().collect::<Vec<_>>().join("; ");
-    if let Some(more) = problems.len().checked_sub(MOST_TOLD).filter(|more| *more > 0) {
-        told = format!("{told}; and {more} more");
+    let told = problems.iter().take(MOST_TOLD).cloned().collect::<Vec<_>>().join("; ");
+    match problems.len().saturating_sub(MOST_TOLD) {
+        0 => told,
+        more => format!("{told}; and {more} more"),
     }
 }
 
