@@ -156,32 +156,11 @@ fn state_from(args: &WindowArgs, left: Settings) -> anyhow::Result<State> {
 
 #[cfg(test)]
 mod tests {
-    use std::collections::BTreeMap;
-
+    use super::reopening::Stored as Kept;
     use super::*;
     use crate::app::command::Command;
     use crate::app::running::LessonCommand;
     use crate::lesson::{Library, Record};
-
-    /// What is kept, in memory.
-    #[derive(Default)]
-    struct Kept(BTreeMap<String, String>);
-
-    impl Storage for Kept {
-        fn get_string(&self, key: &str) -> Option<String> {
-            self.0.get(key).cloned()
-        }
-
-        fn set_string(&mut self, key: &str, value: String) {
-            self.0.insert(key.to_owned(), value);
-        }
-
-        fn remove_string(&mut self, key: &str) {
-            self.0.remove(key);
-        }
-
-        fn flush(&mut self) {}
-    }
 
     fn started(storage: Option<&dyn Storage>, welcomes: bool) -> State {
         let mut state = State::open(Settings::default()).expect("a preset");

@@ -3,7 +3,6 @@
 
 use std::collections::BTreeMap;
 use std::fmt;
-use std::io::Write as _;
 use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -17,7 +16,6 @@ use super::notice::Notice;
 use super::state::{Session, State};
 use super::{App, memory, storage};
 use crate::caption::capitalised;
-use crate::files::whole::write_whole;
 use crate::platform::clock::Instant;
 use crate::platform::files;
 
@@ -199,7 +197,7 @@ pub fn kept_open(
 
 /// What eframe keeps in its file, without a window.
 #[derive(Default)]
-struct Stored(BTreeMap<String, String>);
+pub struct Stored(BTreeMap<String, String>);
 
 impl Storage for Stored {
     fn get_string(&self, key: &str) -> Option<String> {
@@ -231,11 +229,9 @@ pub fn keep(state: &State, app_id: &str) -> anyhow::Result<PathBuf> {
 
 /// Keeps `state` in eframe's file at `path`, with what else is there.
 fn keep_in(path: &Path, state: &State) -> anyhow::Result<()> {
-    let text = files::read_to_string(path).unwrap_or_default();
-    let mut stored = Stored(ron::from_str(&text).unwrap_or_default());
+    let mut stored = Stored(storage::read(path).ok().flatten().unwrap_or_default());
     memory::keep(&mut stored, state);
-    let text = ron::to_string(&stored.0)?;
-    write_whole(path, |file| Ok(file.write_all(text.as_bytes())?))
+    storage::write(path, &stored.0)
 }
 
 #[cfg(test)]

@@ -25,7 +25,7 @@ const MOST_TOLD: usize = 5;
 const WINDOW: &str = "window";
 
 /// All that is remembered, each under its key.
-type Kept = BTreeMap<String, String>;
+pub type Kept = BTreeMap<String, String>;
 
 /// The file as it can be used.
 #[derive(Debug, Default)]
@@ -80,7 +80,7 @@ fn told(problems: &[String]) -> String {
 }
 
 /// What is in the file at `path`, if there is one.
-fn read(path: &Path) -> Result<Option<Kept>, String> {
+pub fn read(path: &Path) -> Result<Option<Kept>, String> {
     if files::is_special(path) {
         return Err("it is no file".to_owned());
     }
@@ -96,7 +96,7 @@ fn read(path: &Path) -> Result<Option<Kept>, String> {
 }
 
 /// Writes `kept` as the windowing library does.
-fn write(path: &Path, kept: &Kept) -> anyhow::Result<()> {
+pub fn write(path: &Path, kept: &Kept) -> anyhow::Result<()> {
     let text = ron::ser::to_string_pretty(kept, ron::ser::PrettyConfig::default())?;
     write_whole(path, |file| Ok(file.write_all(text.as_bytes())?))
 }

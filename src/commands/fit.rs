@@ -39,8 +39,7 @@ pub struct FitArgs {
     /// Which curves are fitted [default: those that the file has]
     #[arg(long = "use", value_enum)]
     curves: Option<Curves>,
-    /// Number of bootstrap replicates, up to 10 million; 0 for none. Ctrl-C ends with those that were drawn, as if so many had
-    /// been asked for.
+    /// Number of bootstrap replicates, up to 10 million; 0 for none. Ctrl-C ends with the report of those that were drawn
     #[arg(long, value_name = "N", default_value_t = DEFAULT_REPLICATES, value_parser = replicates)]
     bootstrap: usize,
     /// Seed of the bootstrap.

@@ -21,7 +21,6 @@ fn mistakes_are_told_in_one_line() {
         ("--scene missing.toml", "missing.toml"),
         ("--beta 1", "beta = 1"),
         ("--out missing/picture.png", "missing/picture.png"),
-        ("--time 1e70", "T = 1e70"),
     ] {
         let line = complaint(folder.path(), flags);
         assert!(line.contains(told), "{flags}: {line}");
@@ -41,6 +40,7 @@ fn flags_that_cannot_be_read_name_what_would_be_right() {
         ("--layout both", "side-by-side"),
         ("--exposure nan", "finite"),
         ("--samples 0", "1..=16"),
+        ("--time 1e70", "between -1e12 and 1e12"),
         ("--time 1 --frames 2", "--frames"),
         ("--beta 0.5 --gamma 2", "--gamma"),
     ] {
