@@ -41,12 +41,11 @@ impl OutArgs {
 ///
 /// # Errors
 ///
-/// Those of `write`, and of standard output, which keeps what reached it before; one that is closed.
+/// Those of `write`, and of standard output, which keeps what reached it before. One that is closed is remarked on.
 pub fn write_out(write: impl FnOnce(&mut dyn Write) -> anyhow::Result<()>) -> anyhow::Result<()> {
-    anyhow::ensure!(
-        !closed::is_stdout_closed(),
-        "{STDOUT}: it is closed, and all that was asked for would be lost"
-    );
+    if closed::is_stdout_closed() {
+        tell::remark(format_args!("gamow: {STDOUT} is closed, or thrown away: nothing of this is kept"));
+    }
     say(write)
 }
 
