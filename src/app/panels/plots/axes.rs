@@ -264,8 +264,9 @@ pub(super) fn annotate(
     let laid = |text: String| painter.layout_no_wrap(text, small.clone(), weak);
     let is_wide = frame.width() >= LEAST_WITH_WORDS[0] && frame.height() >= LEAST_WITH_WORDS[1];
     let mut written = Vec::new();
-    if let Some((time, words)) = equidistant {
-        let x = response.transform.position_from_point_x(time);
+    let placed = equidistant.map(|(time, words)| (response.transform.position_from_point_x(time), words));
+    // At the lowest speeds it is further away than can be told in pixels.
+    if let Some((x, words)) = placed.filter(|(x, _)| frame.x_range().contains(*x)) {
         let galley = laid(if is_wide { format!("T₀, {words}") } else { "T₀".to_owned() });
         // On the side of its line where there is room.
         let left = if x + 3.0 + galley.size().x < frame.max.x { x + 3.0 } else { x - 3.0 - galley.size().x };
