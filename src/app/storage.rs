@@ -12,11 +12,10 @@ use super::notice::Notice;
 use super::toolkit;
 use crate::files::whole::write_whole;
 use crate::platform::files;
+use crate::platform::sizes::TEXT_BYTES;
 
 /// Its name, in the folder that the library has for it.
 pub const FILE: &str = "app.ron";
-/// Longest file that is read, bytes: some hundred times what is written.
-const MOST_BYTES: u64 = 4 << 20;
 /// How many files are kept aside; then the last makes room.
 const MOST_ASIDE: u32 = 9;
 /// How many problems are told one by one.
@@ -85,8 +84,8 @@ pub fn read(path: &Path) -> Result<Option<Kept>, String> {
         return Err("it is no file".to_owned());
     }
     match files::size(path) {
-        Ok(bytes) if bytes > MOST_BYTES => {
-            return Err(format!("the file has {bytes} bytes, more than {MOST_BYTES}"));
+        Ok(bytes) if bytes > TEXT_BYTES => {
+            return Err(format!("the file has {bytes} bytes, more than {TEXT_BYTES}"));
         }
         Ok(_) => {}
         Err(_) => return Ok(None),
