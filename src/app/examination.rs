@@ -114,6 +114,7 @@ impl<'a> Row<'a> {
 pub fn method_name(method: Method) -> String {
     match method {
         Method::Rays => "rays".to_owned(),
+        Method::Packets => "packets".to_owned(),
         Method::Mesh { bound_px } => format!("mesh {} px", figures::trimmed(bound_px, 3)),
         Method::Reference => "reference".to_owned(),
     }

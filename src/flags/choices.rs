@@ -22,6 +22,8 @@ pub enum RendererChoice {
     /// A ray test per pixel on the GPU, in f32.
     #[value(alias = "exact")]
     Rays,
+    /// A ray test per pixel on the CPU, in f32, eight pixels at a time.
+    Packets,
     /// Triangles on the GPU.
     Mesh,
     /// A ray test per pixel on the CPU, in f64.

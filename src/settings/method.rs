@@ -11,6 +11,7 @@ impl Quality {
     pub const fn method(&self) -> Method {
         match self.renderer {
             RendererChoice::Auto | RendererChoice::Rays => Method::Rays,
+            RendererChoice::Packets => Method::Packets,
             RendererChoice::Mesh => Method::Mesh { bound_px: self.bound_px },
             RendererChoice::Reference => Method::Reference,
         }
@@ -21,6 +22,7 @@ impl Quality {
     pub const fn with_method(self, method: Method) -> Self {
         match method {
             Method::Rays => Self { renderer: RendererChoice::Auto, ..self },
+            Method::Packets => Self { renderer: RendererChoice::Packets, ..self },
             Method::Mesh { bound_px } => Self { renderer: RendererChoice::Mesh, bound_px },
             Method::Reference => Self { renderer: RendererChoice::Reference, ..self },
         }

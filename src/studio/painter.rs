@@ -39,7 +39,7 @@ impl Painter {
             _ if is_published => anyhow::bail!(
                 "--geometry published is defined point by point: only `--renderer mesh` draws it"
             ),
-            RendererChoice::Rays if has_one_cone => anyhow::bail!(
+            RendererChoice::Rays | RendererChoice::Packets if has_one_cone => anyhow::bail!(
                 "--geometry one-cone is seen along curved rays: only `--renderer mesh` and `--renderer reference` draw it"
             ),
             RendererChoice::Auto if has_one_cone => match automatic() {
@@ -47,6 +47,7 @@ impl Painter {
                 (_, gpu) => (mesh, gpu),
             },
             RendererChoice::Reference => (Method::Reference, None),
+            RendererChoice::Packets => (Method::Packets, None),
             RendererChoice::Rays => (Method::Rays, Some(Gpu::headless().context("the renderer rays")?)),
             RendererChoice::Auto => automatic(),
         };
@@ -66,7 +67,7 @@ impl Painter {
                     "gamow: drawing with the reference renderer on the CPU, the one that knows vr180",
                 );
             }
-            RendererChoice::Rays | RendererChoice::Mesh => {
+            RendererChoice::Rays | RendererChoice::Packets | RendererChoice::Mesh => {
                 anyhow::bail!("--projection vr180: only `--renderer reference` draws it")
             }
         }
@@ -80,6 +81,7 @@ impl Painter {
         match self.method {
             Method::Reference => RendererChoice::Reference,
             Method::Rays => RendererChoice::Rays,
+            Method::Packets => RendererChoice::Packets,
             Method::Mesh { .. } => RendererChoice::Mesh,
         }
     }
@@ -117,6 +119,7 @@ impl Painter {
                 format!("reference, f64 on {threads} threads, {samples}x{samples} rays per pixel")
             }
             Method::Rays => format!("rays, f32 on {device}"),
+            Method::Packets => format!("packets, f32 on {} threads", threads::count()),
             Method::Mesh { bound_px } => format!("mesh within {bound_px} px, f32 on {device}"),
         }
     }

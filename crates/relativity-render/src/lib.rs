@@ -76,6 +76,7 @@ mod mesh;
 pub mod mirrors;
 mod one_cone;
 mod outline;
+mod packets;
 mod palette;
 mod pattern;
 pub mod picture;

@@ -220,6 +220,7 @@ fn note(state: &State, eye: Eye, picture: Option<Shown>, with_heat_map: bool) ->
         picture.map(|picture| picture.method).filter(|&drawn| drawn != Method::Rays || drawn != chosen);
     let method = method.map(|drawn| match drawn {
         Method::Rays => "rays, until the reference is done".to_owned(),
+        Method::Packets => "packets".to_owned(),
         Method::Mesh { bound_px } => format!("mesh within {} px", figures::trimmed(bound_px, 3)),
         Method::Reference => "reference".to_owned(),
     });

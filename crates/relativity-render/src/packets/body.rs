@@ -1,0 +1,84 @@
+//! A body, a ray, and where they meet, as `shaders/body.wgsl` has them.
+
+use super::lanes::{F, Quaternion, Simd, V3, all};
+use crate::frame::Frame;
+use crate::prepared_body::Placement;
+use crate::view::Geometry;
+
+/// How a group is seen, as the shaders have it.
+#[derive(Debug, Clone, Copy)]
+pub struct Group<'a> {
+    pub frame: &'a Frame,
+    pub geometry: Geometry,
+}
+
+/// A body, the same for all pixels but for its turn.
+#[derive(Debug, Clone, Copy)]
+pub struct Body<S: Simd> {
+    /// From the middle of its group: its centre, or one end of a tube.
+    pub place: V3<S>,
+    /// Of a body with flat faces the least of its half lengths.
+    pub radius: F<S>,
+    /// The other end of a tube; a ring's unit axis; half the lengths of a body with flat faces along its own axes.
+    pub form: V3<S>,
+    /// Radius of a ring's middle circle.
+    pub form_w: F<S>,
+    /// From its own axes to those of the rest frame.
+    pub turn: Quaternion<S>,
+}
+
+/// The rest-frame rays of the pixels.
+#[derive(Debug, Clone, Copy)]
+pub struct Ray<S: Simd> {
+    /// Unit vector towards the source, in the ground frame.
+    pub sight: V3<S>,
+    /// 1/length of the unnormalised line of sight.
+    pub scale: F<S>,
+    /// Unit vector towards the source in the rest frame.
+    pub direction: V3<S>,
+    /// Ground distance per rest-frame distance.
+    pub ground_per_rest: F<S>,
+    pub doppler: F<S>,
+    /// Of the group's middle: its moment about the ray, and its distance along it.
+    pub moment: V3<S>,
+    pub to_centre: F<S>,
+}
+
+/// A tube with rounded ends.
+#[derive(Debug, Clone, Copy)]
+pub struct Capsule<S: Simd> {
+    pub place: V3<S>,
+    pub end: V3<S>,
+    pub radius: F<S>,
+}
+
+/// Where rays meet a body, or how far off they pass.
+#[derive(Debug, Clone, Copy)]
+pub struct Surface<S: Simd> {
+    /// How far inside the outline the ray passes, rest-frame length at the surface; negative outside.
+    pub clearance: F<S>,
+    /// Half the least width that the body is seen with.
+    pub half_width: F<S>,
+    /// From the body to the ray where they come closest, across the outline.
+    pub outward: V3<S>,
+    /// Rest-frame distance along the ray beyond the middle of its group.
+    pub beyond: F<S>,
+    /// The point, from the body's middle.
+    pub place: V3<S>,
+    pub normal: V3<S>,
+}
+
+impl<S: Simd> Body<S> {
+    /// Of what the shaders have.
+    #[inline(always)]
+    pub fn new(simd: S, placement: &Placement) -> Self {
+        let Placement { place_radius, form, turn } = *placement;
+        Self {
+            place: V3::of_four(simd, place_radius),
+            radius: all(simd, place_radius[3]),
+            form: V3::of_four(simd, form),
+            form_w: all(simd, form[3]),
+            turn: Quaternion::all(simd, turn),
+        }
+    }
+}
