@@ -50,6 +50,7 @@ mod block;
 pub mod body;
 mod buffers;
 pub mod camera;
+mod candidates;
 mod canvas;
 mod capsule;
 pub mod colour;
