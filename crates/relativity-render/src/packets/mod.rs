@@ -7,5 +7,10 @@
     reason = "what runs on wide registers must be inlined into where they are chosen"
 )]
 
+mod backdrop;
 mod body;
+mod encode;
 mod lanes;
+mod street;
+#[cfg(test)]
+mod testing;
