@@ -5,10 +5,17 @@
 //! hierarchies, about the nearest first, and stops behind what covers it.
 #![expect(clippy::inline_always, reason = "what runs on wide registers must be inlined into where they are chosen")]
 
+mod backdrop;
 mod body;
+mod encode;
 mod lanes;
 mod look;
+mod numbers;
 mod passing;
+mod shading;
+mod street;
+#[cfg(test)]
+mod testing;
 mod tile;
 
 use fearless_simd::{Level, dispatch};

@@ -1,7 +1,7 @@
 //! A tile of 8 x 8 pixels: what is the nearest in each sample of each of them.
 
 use super::body::{Body, Group, Ray, Surface};
-use super::lanes::{F, LANES, Mask, Simd, V3, all};
+use super::lanes::{F, LANES, Mask, SimdBase, SimdFloat, SimdFrom, SimdMask, Simd, V2, all, select};
 use super::look::{Look, Seen};
 use super::passing::Middles;
 use super::ray::{depth, line_of_sight, movement, rest_ray};
@@ -9,7 +9,7 @@ use super::turning::{Spin, surface_when_shown};
 use super::shape;
 use crate::candidates::TileLook;
 use crate::hierarchy::Beam;
-use crate::tiles::Tile;
+use crate::tiles::{TILE_SIDE, Tile};
 
 /// Packets of a tile: four pixels wide and two high.
 pub const PACKETS: usize = 8;
@@ -37,31 +37,49 @@ pub fn centres<S: Simd>(simd: S, [left, top]: [u32; 2]) -> [F<S>; 2] {
 /// The nearest in a sample of eight pixels.
 #[derive(Debug, Clone, Copy)]
 pub struct Nearest<S: Simd> {
-    /// Beyond the middle of its group, or where there are several the negative of its depth among all.
+    /// Beyond the middle of its group, or where there are several groups the negative of its depth among all.
     pub beyond: F<S>,
-    /// Its place in the list of what is in the tile.
+    /// Its place in the list of what is in the tile, or a negative number.
     pub owner: F<S>,
 }
 
-/// A body that is seen in a tile, and the group of which it is.
+/// The same of `N` samples of each pixel of a tile.
+pub type Layer<S, const N: usize> = [[Nearest<S>; N]; PACKETS];
+
+/// A body that is seen in a tile.
 #[derive(Debug, Clone, Copy)]
 pub struct Owner {
     pub number: usize,
     pub group: usize,
 }
 
-/// What is in a tile: in each of `N` samples of a pixel.
+/// What is in a tile.
 pub struct Drawn<S: Simd, const N: usize> {
-    /// What covers it.
-    pub solid: [[Nearest<S>; N]; PACKETS],
+    /// What covers samples.
+    pub solid: Layer<S, N>,
     /// What is thinner than a pixel, and covers a part of it.
-    pub thin: [[Nearest<S>; N]; PACKETS],
+    pub thin: Layer<S, N>,
     /// The bodies of which something is seen, or was before something nearer was found.
     pub owners: Vec<Owner>,
     /// For each group its rays, where it has any such body.
     pub rays: Vec<Option<Box<[Ray<S>; PACKETS]>>>,
+}
+
+/// What is in a tile of one group.
+struct OfGroup<'a, S: Simd, const N: usize> {
+    simd: S,
+    look: &'a Look<'a>,
+    group: Group<'a>,
+    number: usize,
+    samples: &'a [[f32; 2]; N],
+    tile: &'a Tile,
+    layers: [Layer<S, N>; 2],
+    rays: Option<Box<[Ray<S>; PACKETS]>>,
+    middles: Option<Middles<S>>,
     /// How far the farthest of what covers a sample is, for each packet.
     farthest: [f32; PACKETS],
+    /// Bodies in several pieces that were tested.
+    tested: Vec<u32>,
 }
 
 /// A ray test with what a picture needs of it.
@@ -69,13 +87,14 @@ pub struct Test<S: Simd> {
     pub surface: Surface<S>,
     /// From the camera, rest frame.
     pub distance: F<S>,
-    /// How deep inside the outline, in pixels to the right and down.
-    pub gradient: [F<S>; 2],
-    pub clearance: F<S>,
+    /// How deep inside the outline the middle of the pixel is, in pixels' worth of length, and how that changes from pixel
+    /// to pixel.
+    clearance: F<S>,
+    gradient: V2<S>,
     /// Share of a pixel that it covers, 1 unless it is thinner.
     pub alpha: F<S>,
     /// Whether it is in front of the camera, and above the ground.
-    pub is_there: Mask<S>,
+    is_there: Mask<S>,
 }
 
 impl Look<'_> {
@@ -87,132 +106,155 @@ impl Look<'_> {
         samples: &[[f32; 2]; N],
         tile: &TileLook,
     ) -> Drawn<S, N> {
-        let nothing = Nearest { beyond: all(simd, f32::INFINITY), owner: all(simd, NONE) };
-        let mut drawn = Drawn {
-            solid: [[nothing; N]; PACKETS],
-            thin: [[nothing; N]; PACKETS],
-            owners: Vec::new(),
-            rays: Vec::new(),
-            farthest: [f32::INFINITY; PACKETS],
-        };
+        let nothing = [[Nearest::none(simd); N]; PACKETS];
+        let mut drawn = Drawn { solid: nothing, thin: nothing, owners: Vec::new(), rays: Vec::new() };
         let mut others = tile.others.as_slice();
         for (number, view) in self.views.iter().enumerate() {
-            let group = self.group(number);
             let prepared = &self.scene.groups()[number];
-            let own;
-            (own, others) = others.split_at(others.partition_point(|&body| (body as usize) < prepared.bodies.end));
-            drawn.rays.push(None);
-            // Distances beyond the middle of one group say nothing of another's.
-            drawn.farthest = [f32::INFINITY; PACKETS];
-            let mut middles = None;
-            for &body in own {
-                let seen = self.seen(body as usize);
-                simd.vectorize(
-                    #[inline(always)]
-                    || drawn.add(simd, &group, samples, &tile.tile, &seen, [true; PACKETS]),
-                );
-            }
-            let enter = |drawn: &mut Drawn<S, N>, middles: &mut Option<Middles<S>>, body: usize| {
-                simd.vectorize(
-                    #[inline(always)]
-                    || {
-                        let seen = self.seen(body);
-                        let middles = middles.get_or_insert_with(|| Middles::new(simd, &group, tile.tile.corner));
-                        let placed = Body::new(simd, &seen.shown.placement);
-                        let packets = middles.may_show(simd, &shape::around(seen.body.kind, &placed));
-                        drawn.add(simd, &group, samples, &tile.tile, &seen, lanes_of(packets));
-                    },
-                );
+            let mut own = OfGroup {
+                simd,
+                look: self,
+                group: self.group(number),
+                number,
+                samples,
+                tile: &tile.tile,
+                layers: [nothing; 2],
+                rays: None,
+                middles: None,
+                farthest: [f32::INFINITY; PACKETS],
+                tested: Vec::new(),
             };
+            let count = others.partition_point(|&body| (body as usize) < prepared.bodies.end);
+            let (turning, later) = others.split_at(count);
+            others = later;
+            for &body in turning {
+                own.enter(&mut drawn.owners, body as usize, false);
+            }
             match Beam::new(view, &tile.cone, prepared.extent.middle) {
                 Some(beam) => self.scene.hierarchy(number).along(&beam, |candidate| {
-                    enter(&mut drawn, &mut middles, candidate.body as usize);
-                    drawn.reach()
+                    if !candidate.is_one_of_some || own.is_new(candidate.body) {
+                        own.enter(&mut drawn.owners, candidate.body as usize, true);
+                    }
+                    own.reach()
                 }),
                 None => {
-                    for body in prepared.bodies.clone() {
-                        if self.scene.turning(body).is_none() {
-                            enter(&mut drawn, &mut middles, body);
-                        }
-                    }
+                    let standing = prepared.bodies.clone().filter(|&body| self.scene.turning(body).is_none());
+                    standing.for_each(|body| own.enter(&mut drawn.owners, body, true));
                 }
             }
-            if self.views.len() > 1 {
-                drawn.tell_depths(simd, &group, number);
-            }
+            simd.vectorize(
+                #[inline(always)]
+                || drawn.join(own, self.views.len() > 1),
+            );
         }
         drawn
     }
 }
 
-impl<S: Simd, const N: usize> Drawn<S, N> {
+impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
     /// What is farther than this is seen nowhere in the tile.
     fn reach(&self) -> f32 {
         self.farthest.into_iter().fold(f32::NEG_INFINITY, f32::max)
     }
 
-    /// Tests a body in these packets.
+    fn is_new(&mut self, body: u32) -> bool {
+        let is_new = !self.tested.contains(&body);
+        if is_new {
+            self.tested.push(body);
+        }
+        is_new
+    }
+
+    /// Tests a body, if it `is_told_about` only in those packets that may show it.
     #[inline(always)]
-    fn add(
-        &mut self,
-        simd: S,
-        group: &Group<'_>,
-        samples: &[[f32; 2]; N],
-        tile: &Tile,
-        seen: &Seen<'_>,
-        packets: [bool; PACKETS],
-    ) {
-        let rays = self.rays.last_mut().expect("there is a group");
-        let rays = rays.get_or_insert_with(|| {
+    fn enter(&mut self, owners: &mut Vec<Owner>, number: usize, is_told_about: bool) {
+        self.simd.vectorize(
+            #[inline(always)]
+            || self.test(owners, &self.look.seen(number), is_told_about),
+        );
+    }
+
+    #[inline(always)]
+    fn test(&mut self, owners: &mut Vec<Owner>, seen: &Seen<'_>, is_told_about: bool) {
+        let Self { simd, group, tile, .. } = *self;
+        let body = Body::new(simd, &seen.shown.placement);
+        let packets: [i32; PACKETS] = if is_told_about {
+            let middles = self.middles.get_or_insert_with(|| Middles::new(simd, &group, tile.corner));
+            middles.may_show(simd, &shape::around(seen.body.kind, &body)).into()
+        } else {
+            [-1; PACKETS]
+        };
+        let rays = self.rays.get_or_insert_with(|| {
             Box::new(std::array::from_fn(|packet| {
                 let [u, v] = centres(simd, packet_places(tile.corner, packet));
-                rest_ray(simd, group, line_of_sight(simd, group.frame, u, v))
+                rest_ray(simd, &group, line_of_sight(simd, group.frame, u, v))
             }))
         });
-        let body = Body::new(simd, &seen.shown.placement);
         let spin = Spin::new(simd, seen.shown.spin, seen.shown.rim);
-        // The last one again, if it is in several pieces.
-        let group_number = self.rays.len() - 1;
-        let owner = self.owners.len();
+        let owner = all(simd, owners.len() as f32);
         let mut is_seen = false;
-        for packet in 0..PACKETS {
-            if !packets[packet] {
-                continue;
-            }
-            let test = Test::new(simd, group, seen, &body, &spin, &rays[packet], N > 1);
+        for packet in (0..PACKETS).filter(|&packet| packets[packet] != 0) {
+            let test = Test::new(simd, &group, seen, &body, &spin, &rays[packet], N > 1);
             let beyond = test.surface.beyond;
             let is_whole = test.alpha.simd_ge(1.0);
-            let mut changed = false;
-            for (sample, [right, down]) in samples.iter().enumerate() {
-                let clearance = test.clearance + test.gradient[0] * *right + test.gradient[1] * *down;
-                let is_inside = clearance.simd_gt(0.0) & test.is_there;
-                for (nearest, layer) in [(&mut self.solid, is_whole), (&mut self.thin, !is_whole)] {
-                    let nearest = &mut nearest[packet][sample];
-                    let holds = is_inside & layer & nearest.is_behind(beyond, seen.body.number, &self.owners);
-                    nearest.beyond = holds.select(beyond, nearest.beyond);
-                    nearest.owner = holds.select(all(simd, owner as f32), nearest.owner);
-                    changed |= holds.any_true();
+            let mut is_nearer = false;
+            for (sample, place) in self.samples.iter().enumerate() {
+                let is_inside = test.holds(*place);
+                for (layer, is_in) in self.layers.iter_mut().zip([is_whole, !is_whole]) {
+                    let nearest = &mut layer[packet][sample];
+                    let holds = is_inside & is_in & nearest.is_behind(beyond, seen.body.number, owners);
+                    nearest.beyond = select(holds, beyond, nearest.beyond);
+                    nearest.owner = select(holds, owner, nearest.owner);
+                    is_nearer |= holds.any_true();
                 }
             }
-            if changed {
+            if is_nearer {
                 is_seen = true;
-                let farthest = self.solid[packet].iter().fold(all(simd, f32::NEG_INFINITY), |most, nearest| most.max(nearest.beyond));
-                self.farthest[packet] = (0..LANES).fold(f32::NEG_INFINITY, |most, lane| most.max(farthest[lane]));
+                let most = self.layers[0][packet].iter().fold(all(simd, f32::NEG_INFINITY), |most, nearest| {
+                    most.max(nearest.beyond)
+                });
+                self.farthest[packet] = (0..LANES).fold(f32::NEG_INFINITY, |far, lane| far.max(most[lane]));
             }
         }
         if is_seen {
-            self.owners.push(Owner { number: seen.body.number, group: group_number });
+            owners.push(Owner { number: seen.body.number, group: self.number });
         }
     }
+}
 
-    /// Replaces distances beyond the middle of a group by depths among all.
+impl<S: Simd, const N: usize> Drawn<S, N> {
+    /// Takes what of another group is nearer; with their depths told if there are `several`.
     #[inline(always)]
-    fn tell_depths(&mut self, simd: S, group: &Group<'_>, number: usize) {
-        let _ = (simd, group, number);
+    fn join(&mut self, own: OfGroup<'_, S, N>, several: bool) {
+        let OfGroup { group, mut layers, rays, .. } = own;
+        if let Some(rays) = rays.as_ref().filter(|_| several) {
+            for (nearest, ray) in layers.iter_mut().flat_map(|layer| layer.iter_mut().zip(rays.iter())) {
+                for nearest in nearest {
+                    let depth = depth(&group, ray, nearest.beyond);
+                    let is_none = nearest.owner.simd_lt(0.0);
+                    nearest.beyond = select(is_none, nearest.beyond, -depth);
+                }
+            }
+        }
+        if rays.is_some() {
+            for (known, new) in [&mut self.solid, &mut self.thin].into_iter().zip(layers) {
+                for (known, new) in known.iter_mut().flatten().zip(new.into_iter().flatten()) {
+                    let is_nearer = known.beyond.simd_gt(new.beyond);
+                    known.beyond = select(is_nearer, new.beyond, known.beyond);
+                    known.owner = select(is_nearer, new.owner, known.owner);
+                }
+            }
+        }
+        self.rays.push(rays);
     }
 }
 
 impl<S: Simd> Nearest<S> {
+    #[inline(always)]
+    fn none(simd: S) -> Self {
+        Self { beyond: all(simd, f32::INFINITY), owner: all(simd, NONE) }
+    }
+
     /// Where a surface this far `beyond`, of the body of this `number`, is seen before it: of equally near ones the first.
     #[inline(always)]
     fn is_behind(&self, beyond: F<S>, number: usize, owners: &[Owner]) -> Mask<S> {
@@ -221,10 +263,80 @@ impl<S: Simd> Nearest<S> {
         if !is_as_near.any_true() {
             return is_farther;
         }
-        let is_later: [bool; LANES] = std::array::from_fn(|lane| {
+        let is_later: [i32; LANES] = std::array::from_fn(|lane| {
             let owner = self.owner[lane];
-            owner >= 0.0 && owners.get(owner as usize).is_some_and(|owner| owner.number > number)
+            let is_later = owner >= 0.0 && owners.get(owner as usize).is_some_and(|owner| owner.number > number);
+            -i32::from(is_later)
         });
-        is_farther | (is_as_near & mask_of(self.beyond.simd, is_later))
+        is_farther | (is_as_near & Mask::simd_from(self.beyond.simd, is_later))
+    }
+}
+
+impl<S: Simd> Test<S> {
+    /// Of the `body` that is `seen`; in a picture what is thinner than a pixel is drawn a pixel wide.
+    #[inline(always)]
+    pub fn new(
+        simd: S,
+        group: &Group<'_>,
+        seen: &Seen<'_>,
+        body: &Body<S>,
+        spin: &Spin<S>,
+        ray: &Ray<S>,
+        is_picture: bool,
+    ) -> Self {
+        let kind = seen.body.kind;
+        let surface = surface_when_shown(simd, kind, seen.turns, group, body, ray, spin);
+        let distance = ray.to_centre + surface.beyond;
+        let is_in_front = distance.simd_gt(0.0);
+        let zero = all(simd, 0.0);
+        let mut test = Self {
+            surface,
+            distance,
+            clearance: surface.clearance,
+            gradient: V2::new(zero, zero),
+            alpha: all(simd, 1.0),
+            is_there: is_in_front,
+        };
+        if !is_picture {
+            return test;
+        }
+        let movement = movement(group, ray, surface.outward);
+        let least = -distance.max(0.0);
+        test.gradient = V2::new(least * movement.x, least * movement.y);
+        let half_pixel = test.gradient.length() * 0.5;
+        test.alpha = (surface.half_width / half_pixel.max(1e-30)).min(1.0);
+        test.clearance += (half_pixel - surface.half_width).max(0.0);
+        let height = shape::middle(kind, body).z + surface.place.z + group.frame.middle[2];
+        test.is_there = is_in_front & height.simd_ge(group.frame.ground[2]);
+        test
+    }
+
+    /// In which pixels the sample this far from the centre is inside.
+    #[inline(always)]
+    fn holds(&self, [right, down]: [f32; 2]) -> Mask<S> {
+        let clearance = self.clearance + self.gradient.x * right + self.gradient.y * down;
+        clearance.simd_gt(0.0) & self.is_there
+    }
+}
+
+impl<S: Simd, const N: usize> Drawn<S, N> {
+    /// Those that own a sample of a packet, each with its place in the list.
+    #[inline(always)]
+    pub fn owners_in(&self, simd: S, layer: &Layer<S, N>, packet: usize) -> impl Iterator<Item = (Owner, F<S>)> {
+        let nearest = layer[packet];
+        self.owners.iter().enumerate().filter_map(move |(place, owner)| {
+            let at = all(simd, place as f32);
+            let is_in = nearest.iter().any(|nearest| nearest.owner.simd_eq(at).any_true());
+            is_in.then_some((*owner, at))
+        })
+    }
+}
+
+/// Writes the pixel in this lane of the packet with this corner, if it is in `tile`, into the rows that that is in.
+#[inline(always)]
+pub fn write_one<T>(tile: &Tile, [left, top]: [u32; 2], width: usize, rows: &mut [T], lane: usize, value: T) {
+    let [u, v] = [left + lane as u32 % 4, top + lane as u32 / 4];
+    if u < tile.corner[0] + tile.size[0] && v < tile.corner[1] + tile.size[1] {
+        rows[(v % TILE_SIDE) as usize * width + u as usize] = value;
     }
 }
