@@ -9,3 +9,6 @@
 
 mod body;
 mod lanes;
+mod ray;
+mod ring;
+mod tube;
