@@ -157,6 +157,12 @@ impl<S: Simd> V3<S> {
         }
     }
 
+    /// `function` of each part.
+    #[inline(always)]
+    pub fn map(self, function: impl Fn(F<S>) -> F<S>) -> Self {
+        Self { x: function(self.x), y: function(self.y), z: function(self.z) }
+    }
+
     /// Without signs, part by part.
     #[inline(always)]
     pub fn abs(self) -> Self {

@@ -7,8 +7,12 @@
     reason = "what runs on wide registers must be inlined into where they are chosen"
 )]
 
+mod block;
 mod body;
+mod cylinder;
 mod lanes;
 mod ray;
 mod ring;
+mod shape;
 mod tube;
+mod turning;
