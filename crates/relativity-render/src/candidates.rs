@@ -4,53 +4,75 @@
 use relativity_core::threads::prelude::*;
 
 use crate::camera::LinesOfSight;
+use crate::cap::Cap;
 use crate::cone::Cone;
 use crate::group_view::GroupView;
+use crate::hierarchy::Beam;
 use crate::prepared_body::PreparedBody;
 use crate::scene::PreparedScene;
-use crate::tiles::{TILE_SIDE, Tile, bands};
+use crate::tiles::{TILE_SIDE, Tile};
 use crate::view::View;
 
 /// How long the balls are that follow what turns, in parts of how far that reaches from its axle.
 const BALLS: f64 = 0.15;
 
-/// A tile of a picture.
-pub(crate) struct TileLook {
+/// Rows of pixels that one thread draws at a time.
+const BAND: u32 = 2 * TILE_SIDE;
+
+/// A tile of a picture, and what may be seen in it.
+pub(crate) struct TileLook<'a> {
     /// Its pixels.
     pub tile: Tile,
-    /// Around its lines of sight.
-    pub cone: Cone,
+    /// Around its lines of sight; `None` where no body is.
+    pub cap: Option<Cap>,
     /// The numbers, which ascend, of bodies that may be seen there, of those in no hierarchy of their group.
-    pub others: Vec<u32>,
+    pub others: &'a [u32],
+}
+
+/// Rows of pixels, from the first of a tile's on or before it.
+pub(crate) struct Rows<'a, T> {
+    values: &'a mut [T],
+    width: usize,
+    top: u32,
+}
+
+impl<T> Rows<'_, T> {
+    /// Writes a pixel.
+    pub fn put(&mut self, [u, v]: [u32; 2], value: T) {
+        self.values[(v - self.top) as usize * self.width + u as usize] = value;
+    }
+}
+
+/// What is asked while a picture is divided.
+struct Division<'a> {
+    scene: &'a PreparedScene,
+    views: &'a [GroupView],
+    lines_of_sight: LinesOfSight,
+    /// Where in the sky those are that no hierarchy knows, and their numbers, which ascend.
+    others: Vec<(Cap, u32)>,
 }
 
 impl PreparedScene {
-    /// One value per pixel of `view`, row by row: `draw` is given each tile, and all the rows of pixels that it is in.
+    /// One value per pixel of `view`, row by row: `draw` is given each tile, and the rows of pixels to write it into.
     pub(crate) fn tiles<T: Clone + Default + Send>(
         &self,
         view: &View,
         group_views: &[GroupView],
-        draw: impl Fn(TileLook, &mut [T]) + Sync,
+        draw: impl Fn(&TileLook<'_>, &mut Rows<'_, T>) + Sync,
     ) -> Vec<T> {
-        let (mut cones, mut owners) = (Vec::new(), Vec::new());
-        let keeps_place = |body: &PreparedBody| {
-            self.turning(body.number).is_none() && group_views[body.group].has_straight_rays()
-        };
-        for body in self.bodies().iter().filter(|body| !keeps_place(body)) {
-            self.add_cones(body, &group_views[body.group], &mut cones);
-            owners.resize(cones.len(), body.number as u32);
+        let [width, height] = view.camera.size;
+        let mut image = vec![T::default(); width as usize * height as usize];
+        if image.is_empty() {
+            return image;
         }
-        let lines_of_sight = LinesOfSight::new(&view.camera);
-        let bands = bands(&view.camera, &cones);
-        let [width, height] = view.camera.size.map(|side| side as usize);
-        let mut image = vec![T::default(); width * height];
-        let rows = image.par_chunks_mut((width * TILE_SIDE as usize).max(1));
-        rows.zip(bands).for_each(|(rows, band)| {
-            for (tile, cones) in band {
-                let mut others: Vec<u32> = cones.iter().map(|&cone| owners[cone as usize]).collect();
-                others.dedup();
-                draw(TileLook { tile, cone: tile.cone(&lines_of_sight), others }, rows);
-            }
+        let division = Division::new(self, view, group_views);
+        let bands = image.par_chunks_mut(width as usize * BAND as usize).enumerate();
+        bands.for_each(|(number, values)| {
+            let top = number as u32 * BAND;
+            let tile = Tile { corner: [0, top], size: [width, BAND.min(height - top)] };
+            let mut rows = Rows { values, width: width as usize, top };
+            let all: Vec<u32> = (0..division.others.len() as u32).collect();
+            division.divide(tile, true, &all, &mut |look| draw(look, &mut rows));
         });
         image
     }
@@ -69,5 +91,51 @@ impl PreparedScene {
             capsule.add_balls(longest, &mut balls);
         }
         out.extend(balls.iter().map(|ball| Cone::of_sight(view, ball.from, ball.radius)));
+    }
+}
+
+impl<'a> Division<'a> {
+    fn new(scene: &'a PreparedScene, view: &View, views: &'a [GroupView]) -> Self {
+        let keeps_place = |body: &PreparedBody| {
+            scene.turning(body.number).is_none() && views[body.group].has_straight_rays()
+        };
+        let (mut cones, mut others) = (Vec::new(), Vec::new());
+        for body in scene.bodies().iter().filter(|body| !keeps_place(body)) {
+            scene.add_cones(body, &views[body.group], &mut cones);
+            others.extend(cones.drain(..).map(|cone| (Cap::from(cone), body.number as u32)));
+        }
+        Self { scene, views, lines_of_sight: LinesOfSight::new(&view.camera), others }
+    }
+
+    /// Has all least tiles of `tile` drawn, in which of the others only `candidates` may be seen (numbers into the list), and
+    /// bodies at all only if it `may_show` some.
+    fn divide(&self, tile: Tile, may_show: bool, candidates: &[u32], draw: &mut impl FnMut(&TileLook<'_>)) {
+        let cap = may_show.then(|| tile.cap(&self.lines_of_sight));
+        let others: Vec<u32> = match &cap {
+            Some(cap) => {
+                let meets = |number: &u32| self.others[*number as usize].0.meets(cap);
+                candidates.iter().copied().filter(meets).collect()
+            }
+            None => Vec::new(),
+        };
+        let may_show = cap.is_some_and(|cap| !others.is_empty() || self.shows_standing(&cap));
+        if tile.is_least() {
+            let mut numbers: Vec<u32> = others.iter().map(|&number| self.others[number as usize].1).collect();
+            numbers.dedup();
+            draw(&TileLook { tile, cap: cap.filter(|_| may_show), others: &numbers });
+            return;
+        }
+        for half in tile.halves() {
+            self.divide(half, may_show, &others, draw);
+        }
+    }
+
+    /// Whether anything in the hierarchies may be seen in `cap`.
+    fn shows_standing(&self, cap: &Cap) -> bool {
+        self.views.iter().enumerate().any(|(group, view)| {
+            let hierarchy = self.scene.hierarchy(group);
+            let beam = Beam::new(view, cap, self.scene.groups()[group].extent.middle);
+            beam.map_or(!hierarchy.is_empty(), |beam| hierarchy.is_met(&beam))
+        })
     }
 }

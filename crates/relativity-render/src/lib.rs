@@ -52,6 +52,7 @@ mod buffers;
 pub mod camera;
 mod candidates;
 mod canvas;
+mod cap;
 mod capsule;
 pub mod colour;
 pub mod compose;

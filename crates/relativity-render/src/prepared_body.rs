@@ -207,10 +207,11 @@ pub(crate) fn number_emissions(bodies: &mut [PreparedBody]) -> Vec<Emission> {
     let mut emissions = Vec::new();
     let mut numbers = HashMap::new();
     for body in bodies {
-        body.emission_number = *numbers.entry(body.emission.wavelength_nm().map(f64::to_bits)).or_insert_with(|| {
-            emissions.push(body.emission);
-            emissions.len() as u32 - 1
-        });
+        body.emission_number =
+            *numbers.entry(body.emission.wavelength_nm().map(f64::to_bits)).or_insert_with(|| {
+                emissions.push(body.emission);
+                emissions.len() as u32 - 1
+            });
     }
     emissions
 }

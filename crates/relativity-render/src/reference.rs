@@ -8,8 +8,7 @@ use glam::{DQuat, DVec3};
 
 use crate::backdrop::Backdrop;
 use crate::camera::LinesOfSight;
-use crate::candidates::TileLook;
-use crate::cone::Cone;
+use crate::cap::Cap;
 use crate::first_entry::{Chosen, Standing};
 use crate::group_view::GroupView;
 use crate::hierarchy::Beam;
@@ -19,7 +18,6 @@ use crate::prepared_body::PreparedBody;
 use crate::ray::Ray;
 use crate::scene::PreparedScene;
 use crate::shade::surface_colour;
-use crate::tiles::TILE_SIDE;
 use crate::view::{Appearance, Geometry, View};
 use crate::wheel::spin::about_y;
 
@@ -255,23 +253,22 @@ impl PreparedScene {
         group_views: &[GroupView],
         value: impl Fn(&TileBodies, [u32; 2]) -> T + Sync,
     ) -> Vec<T> {
-        let width = view.camera.size[0] as usize;
-        self.tiles(view, group_views, |TileLook { tile, cone, others }, rows| {
-            let standing = self.standing_in(&cone, group_views);
-            let bodies = TileBodies { others, standing };
-            for [u, v] in tile.pixels() {
-                rows[(v % TILE_SIDE) as usize * width + u as usize] = value(&bodies, [u, v]);
+        self.tiles(view, group_views, |look, rows| {
+            let standing = look.cap.map_or_else(Vec::new, |cap| self.standing_in(&cap, group_views));
+            let bodies = TileBodies { others: look.others.to_vec(), standing };
+            for pixel in look.tile.pixels() {
+                rows.put(pixel, value(&bodies, pixel));
             }
         })
     }
 
-    /// For each group those of its bodies that keep their places and can be seen in `cone`.
-    fn standing_in(&self, cone: &Cone, group_views: &[GroupView]) -> Vec<Standing> {
+    /// For each group those of its bodies that keep their places and can be seen in `cap`.
+    fn standing_in(&self, cap: &Cap, group_views: &[GroupView]) -> Vec<Standing> {
         let of_group = |(group, view): (usize, &GroupView)| {
             if !view.has_straight_rays() {
                 return Standing::Few(Vec::new());
             }
-            let beam = Beam::new(view, cone, self.groups()[group].extent.middle);
+            let beam = Beam::new(view, cap, self.groups()[group].extent.middle);
             beam.map_or(Standing::Many, |beam| self.standing(group, &beam))
         };
         group_views.iter().enumerate().map(of_group).collect()

@@ -123,6 +123,9 @@ impl PreparedScene {
         if turning.iter().all(Option::is_none) {
             turning.clear();
         }
+        let spinning = bodies.iter().filter(|body| body.spin.is_some());
+        let spinning = spinning.map(|body| body.number as u32).collect();
+        let emissions = number_emissions(&mut bodies);
         let hierarchy = |group: &PreparedGroup| {
             let standing = bodies[group.bodies.clone()].iter().filter(|body| !body.is_turned);
             let extent = &group.extent;
@@ -131,9 +134,6 @@ impl PreparedScene {
             });
             Hierarchy::new(pieces, extent.middle)
         };
-        let spinning = bodies.iter().filter(|body| body.spin.is_some());
-        let spinning = spinning.map(|body| body.number as u32).collect();
-        let emissions = number_emissions(&mut bodies);
         let hierarchies = prepared.iter().map(hierarchy).collect();
         let numbers = (0..bodies.len() as u32).collect();
         Self(Arc::new(Prepared {

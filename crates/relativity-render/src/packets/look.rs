@@ -6,8 +6,9 @@ use std::sync::OnceLock;
 use crate::backdrop::Floor;
 use crate::effects::Effects;
 use crate::frame::Frame;
-use crate::group_view::{GroupView, reference_of_depths};
+use crate::group_view::GroupView;
 use crate::light::Light;
+use crate::pipelines::AmongOthers;
 use crate::prepared_body::PreparedBody;
 use crate::scene::PreparedScene;
 use crate::view::{Appearance, View};
@@ -23,8 +24,6 @@ pub struct Look<'a> {
     /// The looks of a picture; `None` asks for numbers.
     pub appearance: Option<&'a Appearance>,
     frames: Vec<Frame>,
-    /// The number of the group among whose bodies depths are told.
-    reference: usize,
     /// What turns, by its number.
     turning: HashMap<usize, (Turns, Shown)>,
     /// Of each emission of the scene the light as shaders have it, without and with a Doppler effect.
@@ -53,7 +52,6 @@ impl<'a> Look<'a> {
         Self {
             turning: turning.collect(),
             lights: scene.emissions().iter().map(|_| Default::default()).collect(),
-            reference: reference_of_depths(&views),
             scene,
             views,
             appearance,
@@ -63,12 +61,12 @@ impl<'a> Look<'a> {
 
     /// The group of this number, for the formulas.
     pub fn group(&self, number: usize) -> Group<'_> {
-        Group {
-            frame: &self.frames[number],
-            geometry: self.views[number].geometry,
-            reference: (self.views.len() > 1).then(|| self.views[self.reference].geometry),
-            is_reference: number == self.reference,
-        }
+        Group { frame: &self.frames[number], geometry: self.views[number].geometry }
+    }
+
+    /// Where the group of this number stands among others, if there are any.
+    pub fn among_others(&self, number: usize) -> Option<AmongOthers> {
+        AmongOthers::new(&self.views, number)
     }
 
     /// The frame of what lies behind all groups.

@@ -1,7 +1,7 @@
 //! Which of the eight packets of a tile a body may be seen in: a lane is a packet here.
 
 use super::body::{Capsule, Group, Ray};
-use super::lanes::{F, LANES, Mask, Simd, V3, all, clamp};
+use super::lanes::{F, LANES, Mask, Simd, SimdFloat, SimdFrom, V3, all, clamp, select};
 use super::ray::{line_of_sight, nearest_to, rest_ray};
 use super::tile::packet_places;
 
@@ -31,13 +31,13 @@ impl<S: Simd> Middles<S> {
             off_squared = off_squared.max(off.dot(off));
         }
         let off = off_squared.sqrt();
-        let spread = off.simd_lt(0.1).select(off * 1.3 + 1e-6, all(simd, f32::INFINITY));
+        let spread = select(off.simd_lt(0.1), off * 1.3 + 1e-6, all(simd, f32::INFINITY));
         Self { ray, spread }
     }
 
     /// Those packets that what is in `capsule` may be seen in.
     #[inline(always)]
-    pub fn may_show(&self, simd: S, capsule: &Capsule<S>) -> Mask<S> {
+    pub fn may_show(&self, capsule: &Capsule<S>) -> Mask<S> {
         let Self { ray, spread } = self;
         let n = ray.direction;
         let anchor = (capsule.place + capsule.end) * 0.5;
@@ -54,7 +54,6 @@ impl<S: Simd> Middles<S> {
         let farthest = ray.to_centre + anchor.dot(n) + extent + capsule.radius;
         // A miss that is no number is none.
         let off = miss.length() * (1.0 - 1e-5) - capsule.radius * (1.0 + 1e-5);
-        let _ = simd;
         !off.simd_gt(farthest.max(0.0) * *spread)
     }
 }

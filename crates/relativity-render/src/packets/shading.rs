@@ -9,6 +9,7 @@ use super::look::Look;
 use super::pattern::mark;
 use super::tile::{Drawn, Owner, PACKETS, Test, centres, packet_places, write_one};
 use super::turning::{Spin, doppler_of, standing};
+use crate::candidates::Rows;
 use crate::tiles::Tile;
 use crate::view::Appearance;
 
@@ -22,8 +23,7 @@ impl<S: Simd> Drawn<S, 4> {
         appearance: &Appearance,
         tables: &Tables,
         tile: &Tile,
-        width: usize,
-        rows: &mut [[u8; 4]],
+        rows: &mut Rows<'_, [u8; 4]>,
     ) {
         let frame = look.frame();
         let part = part(frame, tile.corner.map(|v| v as f32), tile.size.map(|v| v as f32));
@@ -36,7 +36,7 @@ impl<S: Simd> Drawn<S, 4> {
             }
             let pixels = encoded(simd, linear);
             for (lane, pixel) in pixels.into_iter().enumerate() {
-                write_one(tile, corner, width, rows, lane, pixel);
+                write_one(tile, corner, rows, lane, pixel);
             }
         }
     }
@@ -95,10 +95,10 @@ impl<S: Simd> Drawn<S, 4> {
                 let (group, seen) = (look.group(owner.group), look.seen(owner.number));
                 let ray = &self.rays[owner.group].as_ref().expect("it was met")[packet];
                 let body = Body::new(simd, &seen.shown.placement);
-                let spin = Spin::new(simd, seen.shown.spin, seen.shown.rim);
+                let spin = Spin::new(simd, &seen.shown);
                 let test = Test::new(simd, &group, &seen, &body, &spin, ray, true);
                 let (kind, turns, surface) = (seen.body.kind, seen.turns, test.surface);
-                let doppler = doppler_of(simd, kind, turns, &group, &body, surface.place, surface.normal, ray, &spin);
+                let doppler = doppler_of(kind, turns, &group, &body, surface.place, surface.normal, ray.sight, ray.doppler, &spin);
                 let effects = look.effects(owner.group, turns, appearance);
                 let light = look.light(seen.body, turns, appearance);
                 let colour = received_colour(simd, &effects, tables, light, doppler, surface.normal);

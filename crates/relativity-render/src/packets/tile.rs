@@ -1,15 +1,16 @@
 //! A tile of 8 x 8 pixels: what is the nearest in each sample of each of them.
 
 use super::body::{Body, Group, Ray, Surface};
-use super::lanes::{F, LANES, Mask, SimdBase, SimdFloat, SimdFrom, SimdMask, Simd, V2, all, select};
+use super::lanes::{F, LANES, Mask, Simd, SimdFloat, SimdFrom, SimdMask, V2, all, select};
 use super::look::{Look, Seen};
 use super::passing::Middles;
 use super::ray::{depth, line_of_sight, movement, rest_ray};
-use super::turning::{Spin, surface_when_shown};
 use super::shape;
-use crate::candidates::TileLook;
+use super::turning::{Spin, surface_when_shown};
+use crate::candidates::{Rows, TileLook};
 use crate::hierarchy::Beam;
-use crate::tiles::{TILE_SIDE, Tile};
+use crate::pipelines::AmongOthers;
+use crate::tiles::Tile;
 
 /// Packets of a tile: four pixels wide and two high.
 pub const PACKETS: usize = 8;
@@ -104,11 +105,12 @@ impl Look<'_> {
         &self,
         simd: S,
         samples: &[[f32; 2]; N],
-        tile: &TileLook,
+        tile: &TileLook<'_>,
     ) -> Drawn<S, N> {
         let nothing = [[Nearest::none(simd); N]; PACKETS];
         let mut drawn = Drawn { solid: nothing, thin: nothing, owners: Vec::new(), rays: Vec::new() };
-        let mut others = tile.others.as_slice();
+        let Some(cap) = &tile.cap else { return drawn };
+        let mut others = tile.others;
         for (number, view) in self.views.iter().enumerate() {
             let prepared = &self.scene.groups()[number];
             let mut own = OfGroup {
@@ -130,7 +132,7 @@ impl Look<'_> {
             for &body in turning {
                 own.enter(&mut drawn.owners, body as usize, false);
             }
-            match Beam::new(view, &tile.cone, prepared.extent.middle) {
+            match Beam::new(view, cap, prepared.extent.middle) {
                 Some(beam) => self.scene.hierarchy(number).along(&beam, |candidate| {
                     if !candidate.is_one_of_some || own.is_new(candidate.body) {
                         own.enter(&mut drawn.owners, candidate.body as usize, true);
@@ -144,11 +146,27 @@ impl Look<'_> {
             }
             simd.vectorize(
                 #[inline(always)]
-                || drawn.join(own, self.views.len() > 1),
+                || drawn.join(own, self.among_others(number)),
             );
         }
         drawn
     }
+}
+
+/// The rays through the middles of the pixels of the tile with this `corner`.
+#[inline(always)]
+fn rays_of<S: Simd>(simd: S, group: &Group<'_>, corner: [u32; 2]) -> Box<[Ray<S>; PACKETS]> {
+    let mut rays = Box::new([ray_of(simd, group, corner, 0); PACKETS]);
+    for packet in 1..PACKETS {
+        rays[packet] = ray_of(simd, group, corner, packet);
+    }
+    rays
+}
+
+#[inline(always)]
+fn ray_of<S: Simd>(simd: S, group: &Group<'_>, corner: [u32; 2], packet: usize) -> Ray<S> {
+    let [u, v] = centres(simd, packet_places(corner, packet));
+    rest_ray(simd, group, line_of_sight(simd, group.frame, u, v))
 }
 
 impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
@@ -166,7 +184,7 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
     }
 
     /// Tests a body, if it `is_told_about` only in those packets that may show it.
-    #[inline(always)]
+    #[inline(never)]
     fn enter(&mut self, owners: &mut Vec<Owner>, number: usize, is_told_about: bool) {
         self.simd.vectorize(
             #[inline(always)]
@@ -179,18 +197,19 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
         let Self { simd, group, tile, .. } = *self;
         let body = Body::new(simd, &seen.shown.placement);
         let packets: [i32; PACKETS] = if is_told_about {
-            let middles = self.middles.get_or_insert_with(|| Middles::new(simd, &group, tile.corner));
-            middles.may_show(simd, &shape::around(seen.body.kind, &body)).into()
+            if self.middles.is_none() {
+                self.middles = Some(Middles::new(simd, &group, tile.corner));
+            }
+            let Some(middles) = &self.middles else { return };
+            middles.may_show(&shape::around(seen.body.kind, &body)).into()
         } else {
             [-1; PACKETS]
         };
-        let rays = self.rays.get_or_insert_with(|| {
-            Box::new(std::array::from_fn(|packet| {
-                let [u, v] = centres(simd, packet_places(tile.corner, packet));
-                rest_ray(simd, &group, line_of_sight(simd, group.frame, u, v))
-            }))
-        });
-        let spin = Spin::new(simd, seen.shown.spin, seen.shown.rim);
+        if self.rays.is_none() {
+            self.rays = Some(rays_of(simd, &group, tile.corner));
+        }
+        let Some(rays) = &self.rays else { return };
+        let spin = Spin::new(simd, &seen.shown);
         let owner = all(simd, owners.len() as f32);
         let mut is_seen = false;
         for packet in (0..PACKETS).filter(|&packet| packets[packet] != 0) {
@@ -210,10 +229,11 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
             }
             if is_nearer {
                 is_seen = true;
-                let most = self.layers[0][packet].iter().fold(all(simd, f32::NEG_INFINITY), |most, nearest| {
-                    most.max(nearest.beyond)
-                });
-                self.farthest[packet] = (0..LANES).fold(f32::NEG_INFINITY, |far, lane| far.max(most[lane]));
+                let mut most = all(simd, f32::NEG_INFINITY);
+                for nearest in &self.layers[0][packet] {
+                    most = most.max(nearest.beyond);
+                }
+                self.farthest[packet] = most.as_slice().iter().copied().fold(f32::NEG_INFINITY, f32::max);
             }
         }
         if is_seen {
@@ -223,14 +243,14 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
 }
 
 impl<S: Simd, const N: usize> Drawn<S, N> {
-    /// Takes what of another group is nearer; with their depths told if there are `several`.
+    /// Takes what of another group is nearer, which stands so among others if there are any.
     #[inline(always)]
-    fn join(&mut self, own: OfGroup<'_, S, N>, several: bool) {
+    fn join(&mut self, own: OfGroup<'_, S, N>, among_others: Option<AmongOthers>) {
         let OfGroup { group, mut layers, rays, .. } = own;
-        if let Some(rays) = rays.as_ref().filter(|_| several) {
+        if let (Some(rays), Some(_)) = (&rays, among_others) {
             for (nearest, ray) in layers.iter_mut().flat_map(|layer| layer.iter_mut().zip(rays.iter())) {
                 for nearest in nearest {
-                    let depth = depth(&group, ray, nearest.beyond);
+                    let depth = depth(&group, among_others, ray, nearest.beyond);
                     let is_none = nearest.owner.simd_lt(0.0);
                     nearest.beyond = select(is_none, nearest.beyond, -depth);
                 }
@@ -265,7 +285,8 @@ impl<S: Simd> Nearest<S> {
         }
         let is_later: [i32; LANES] = std::array::from_fn(|lane| {
             let owner = self.owner[lane];
-            let is_later = owner >= 0.0 && owners.get(owner as usize).is_some_and(|owner| owner.number > number);
+            let is_later =
+                owner >= 0.0 && owners.get(owner as usize).is_some_and(|owner| owner.number > number);
             -i32::from(is_later)
         });
         is_farther | (is_as_near & Mask::simd_from(self.beyond.simd, is_later))
@@ -322,7 +343,12 @@ impl<S: Simd> Test<S> {
 impl<S: Simd, const N: usize> Drawn<S, N> {
     /// Those that own a sample of a packet, each with its place in the list.
     #[inline(always)]
-    pub fn owners_in(&self, simd: S, layer: &Layer<S, N>, packet: usize) -> impl Iterator<Item = (Owner, F<S>)> {
+    pub fn owners_in(
+        &self,
+        simd: S,
+        layer: &Layer<S, N>,
+        packet: usize,
+    ) -> impl Iterator<Item = (Owner, F<S>)> {
         let nearest = layer[packet];
         self.owners.iter().enumerate().filter_map(move |(place, owner)| {
             let at = all(simd, place as f32);
@@ -334,9 +360,9 @@ impl<S: Simd, const N: usize> Drawn<S, N> {
 
 /// Writes the pixel in this lane of the packet with this corner, if it is in `tile`, into the rows that that is in.
 #[inline(always)]
-pub fn write_one<T>(tile: &Tile, [left, top]: [u32; 2], width: usize, rows: &mut [T], lane: usize, value: T) {
+pub fn write_one<T>(tile: &Tile, [left, top]: [u32; 2], rows: &mut Rows<'_, T>, lane: usize, value: T) {
     let [u, v] = [left + lane as u32 % 4, top + lane as u32 / 4];
     if u < tile.corner[0] + tile.size[0] && v < tile.corner[1] + tile.size[1] {
-        rows[(v % TILE_SIDE) as usize * width + u as usize] = value;
+        rows.put([u, v], value);
     }
 }
