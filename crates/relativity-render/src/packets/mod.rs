@@ -9,8 +9,10 @@
 
 mod backdrop;
 mod body;
+mod colour;
 mod encode;
 mod lanes;
+mod logarithm;
 mod street;
 #[cfg(test)]
 mod testing;
