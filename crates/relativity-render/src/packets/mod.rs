@@ -14,5 +14,9 @@ mod lanes;
 mod ray;
 mod ring;
 mod shape;
+#[cfg(test)]
+mod testing;
+#[cfg(test)]
+mod tests;
 mod tube;
 mod turning;
