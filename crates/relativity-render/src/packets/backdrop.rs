@@ -1,6 +1,7 @@
 //! Sky and resting ground, as `shaders/backdrop.wgsl` has them.
 
 use super::lanes::{F, Simd, SimdFloat as _, SimdMask as _, V2, V3, all, clamp};
+use super::ray::{Sight, line_of_sight};
 use super::street::{Covered, front};
 use crate::backdrop::{
     AXIS_HALF_WIDTH, DASH, Floor, GRID_FADE, KERB_WIDTH, LANE_HALF_WIDTH, LEAST_TOWARDS_FRONTS,
@@ -11,23 +12,8 @@ use crate::frame::Frame;
 /// Lines of sight that fall less do not meet the ground.
 const LEAST_FALL: f32 = -1e-6;
 
-/// Unit vectors towards the source, and 1/length of the unnormalised lines of sight.
-#[derive(Debug, Clone, Copy)]
-struct Sight<S: Simd> {
-    n: V3<S>,
-    scale: F<S>,
-}
-
-#[inline(always)]
-fn line_of_sight<S: Simd>(simd: S, frame: &Frame, u: F<S>, v: F<S>) -> Sight<S> {
-    let [pole_u, pole_v, fine_u, fine_v] = frame.pole;
-    let (right, down) = ((u - pole_u) - fine_u, (v - pole_v) - fine_v);
-    let unnormalised = V3::of_four(simd, frame.base)
-        + V3::of_four(simd, frame.right) * right
-        + V3::of_four(simd, frame.down) * down;
-    let scale = 1.0 / unnormalised.length();
-    Sight { n: unnormalised * scale, scale }
-}
+/// How far around a rectangle is looked, px.
+const MARGIN: f32 = 2.0;
 
 /// What a rectangle of the picture can show: its left and upper edge, and its width and height, px.
 pub fn part(frame: &Frame, [left, top]: [f32; 2], [width, height]: [f32; 2]) -> Part {
@@ -35,7 +21,9 @@ pub fn part(frame: &Frame, [left, top]: [f32; 2], [width, height]: [f32; 2]) -> 
     if floor == Floor::Open {
         return Part::Sky;
     }
-    // As `shows` of the shader has it, which says why.
+    // As `shows` of the shader has it, which says why; a pixel's middle shows what is around it, too.
+    let ([left, top], [width, height]) =
+        ([left - MARGIN, top - MARGIN], [width + 2.0 * MARGIN, height + 2.0 * MARGIN]);
     let [_, _, ground, _] = frame.ground;
     let corners = [[0.0, 0.0], [width, 0.0], [0.0, height], [width, height]].map(|[x, y]| {
         let [pole_u, pole_v, fine_u, fine_v] = frame.pole;
@@ -190,7 +178,6 @@ fn with_fronts<S: Simd>(frame: &Frame, part: Part, without: V3<S>, sky: V3<S>, s
 mod tests {
     use std::f64::consts::PI;
 
-    use fearless_simd::{Level, dispatch};
     use glam::DVec3;
     use relativity_core::{Aperture, Speed};
 
@@ -279,9 +266,11 @@ mod tests {
                         }
                     }
                 };
-                dispatch!(Level::new(), simd => for place in packets() {
-                    let colour = row(simd, &frame, part, place);
-                    check(place, std::array::from_fn(|lane| colour.lane(lane)));
+                at_every_level!(simd => {
+                    for place in packets() {
+                        let colour = row(simd, &frame, part, place);
+                        check(place, std::array::from_fn(|lane| colour.lane(lane)));
+                    }
                 });
             }
         }

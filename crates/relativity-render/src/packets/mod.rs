@@ -8,11 +8,20 @@
 )]
 
 mod backdrop;
+mod block;
 mod body;
 mod colour;
+mod cylinder;
 mod encode;
 mod lanes;
 mod logarithm;
+mod ray;
+mod ring;
+mod shape;
 mod street;
 #[cfg(test)]
 mod testing;
+#[cfg(test)]
+mod tests;
+mod tube;
+mod turning;
