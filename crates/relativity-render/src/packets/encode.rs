@@ -33,15 +33,17 @@ static LEVELS: LazyLock<[u32; CELLS]> = LazyLock::new(|| {
 #[inline(always)]
 pub fn encoded<S: Simd>(simd: S, linear: V3<S>) -> [[u8; 4]; LANES] {
     let table = &*LEVELS;
-    let [red, green, blue] = [linear.x, linear.y, linear.z].map(|part| level(simd, table, part));
-    let opaque = u32x8::splat(simd, 255 << 24);
-    let together: [u32; LANES] = (red | (green << 8) | (blue << 16) | opaque).into();
+    let red = level(simd, table, linear.x);
+    let green = level(simd, table, linear.y) << 8;
+    let blue = level(simd, table, linear.z) << 16;
+    let together: [u32; LANES] = (red | green | blue | u32x8::splat(simd, 255 << 24)).into();
     together.map(u32::to_le_bytes)
 }
 
 #[inline(always)]
 fn level<S: Simd>(simd: S, table: &[u32; CELLS], linear: F<S>) -> u32x8<S> {
-    let bits = simd.reinterpret_u32_f32x8(clamp(linear, F::splat(simd, LEAST_TOLD), F::splat(simd, 1.0)));
+    let told = clamp(linear, F::splat(simd, LEAST_TOLD), F::splat(simd, 1.0));
+    let bits = simd.reinterpret_u32_f32x8(told);
     let cells: [u32; LANES] = ((bits >> DIGITS) & (CELLS as u32 - 1)).into();
     let begun = u32x8::simd_from(simd, cells.map(|cell| table[cell as usize % CELLS]));
     (begun + (bits & ((1 << DIGITS) - 1))) >> DIGITS

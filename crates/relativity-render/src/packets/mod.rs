@@ -11,20 +11,24 @@
 mod backdrop;
 mod block;
 mod body;
+mod colour;
 mod cylinder;
 mod encode;
 mod lanes;
+mod logarithm;
 mod look;
 mod numbers;
 mod passing;
 mod ray;
 mod registers;
 mod ring;
-// mod shading;
+mod shading;
 mod shape;
 mod street;
 #[cfg(test)]
 mod testing;
+#[cfg(test)]
+mod tests;
 mod tile;
 mod tube;
 mod turning;
@@ -36,6 +40,7 @@ use crate::picture::Picture;
 use crate::reference::HitImage;
 use crate::scene::PreparedScene;
 use crate::view::{Appearance, View};
+use colour::Tables;
 use look::Look;
 use registers::{on_registers, widest};
 use tile::{CENTRE, STANDARD};
@@ -50,6 +55,19 @@ impl PacketRenderer {
     /// `None` on a processor without registers for it.
     pub fn new() -> Option<Self> {
         Some(Self { level: widest()? })
+    }
+
+    /// The picture `view` shows of `scene`.
+    pub fn picture(&self, scene: &PreparedScene, view: &View, appearance: &Appearance) -> Picture {
+        let look = Look::new(scene, view, Some(appearance));
+        let tables = Tables::shared();
+        let rgba = scene.tiles(view, &look.views, |tile, rows| {
+            on_registers!(self.level, simd => {
+                look.draw(simd, &STANDARD, tile).shade(simd, &look, appearance, tables, &tile.tile, rows);
+            });
+        });
+        if std::env::var_os("COUNTS").is_some() { println!("{:?}", tile::COUNT); }
+        Picture { size: view.camera.size, rgba }
     }
 
     /// What the centre of every pixel of `view` shows of `scene`.

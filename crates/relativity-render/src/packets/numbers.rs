@@ -17,7 +17,8 @@ impl<S: Simd> Drawn<S, 1> {
     pub fn measure(&self, simd: S, look: &Look<'_>, tile: &Tile, rows: &mut Rows<'_, Numbers>) {
         for packet in 0..PACKETS {
             let corner = packet_places(tile.corner, packet);
-            for (owner, at) in self.owners_in(simd, &self.solid, packet) {
+            for place in 0..self.owners.len() {
+            let Some((owner, at)) = self.owner_in(simd, &self.solid, packet, place) else { continue };
                 let (group, seen) = (look.group(owner.group), look.seen(owner.number));
                 let ray = &self.rays[owner.group].as_ref().expect("it was met")[packet];
                 let body = Body::new(simd, &seen.shown.placement);

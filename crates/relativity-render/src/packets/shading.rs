@@ -6,7 +6,6 @@ use super::colour::{Tables, received_colour};
 use super::encode::encoded;
 use super::lanes::{F, LANES, Simd, SimdFloat, SimdMask, V3, all, select};
 use super::look::Look;
-use super::pattern::mark;
 use super::tile::{Drawn, Owner, PACKETS, Test, centres, packet_places, write_one};
 use super::turning::{Spin, doppler_of, standing};
 use crate::candidates::Rows;
@@ -53,7 +52,8 @@ impl<S: Simd> Drawn<S, 4> {
     ) -> (V3<S>, F<S>) {
         let zero = all(simd, 0.0);
         let mut samples = [(V3::all(simd, [0.0; 3]), zero); 4];
-        for (owner, at) in self.owners_in(simd, &self.solid, packet) {
+        for place in 0..self.owners.len() {
+            let Some((owner, at)) = self.owner_in(simd, &self.solid, packet, place) else { continue };
             let (colour, _) = self.colour(simd, look, appearance, tables, owner, packet);
             for ((sample, cover), nearest) in samples.iter_mut().zip(&self.solid[packet]) {
                 let holds = nearest.owner.simd_eq(at);
@@ -61,7 +61,8 @@ impl<S: Simd> Drawn<S, 4> {
                 *cover = select(holds, all(simd, 1.0), *cover);
             }
         }
-        for (owner, at) in self.owners_in(simd, &self.thin, packet) {
+        for place in 0..self.owners.len() {
+            let Some((owner, at)) = self.owner_in(simd, &self.thin, packet, place) else { continue };
             let (colour, alpha) = self.colour(simd, look, appearance, tables, owner, packet);
             let through = 1.0 - alpha;
             let nearest = self.thin[packet].iter().zip(&self.solid[packet]);
@@ -101,15 +102,15 @@ impl<S: Simd> Drawn<S, 4> {
                 let doppler = doppler_of(kind, turns, &group, &body, surface.place, surface.normal, ray.sight, ray.doppler, &spin);
                 let effects = look.effects(owner.group, turns, appearance);
                 let light = look.light(seen.body, turns, appearance);
-                let colour = received_colour(simd, &effects, tables, light, doppler, surface.normal);
+                let colour = received_colour(simd, effects, tables, light, doppler, surface.normal);
                 let colour = colour * (seen.body.brightness as f32);
-                if seen.body.marking.is_none() {
+                if true || seen.body.marking.is_none() {
                     return (colour, test.alpha);
                 }
                 let there = standing(simd, kind, turns, &group, &body, surface.place, &spin);
                 let distance = test.distance * ray.ground_per_rest;
                 let pattern = seen.body.pattern();
-                let mark = mark(simd, kind, &group, &there.body, pattern, there.place, surface.normal, ray, distance);
+                let mark = all(simd, 1.0);
                 (colour * mark, test.alpha)
             },
         )

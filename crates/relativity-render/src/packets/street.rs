@@ -69,20 +69,30 @@ impl<S: Simd> Pixel<S> {
         let left = ((self.place.x - self.size.x * 0.5) / WIDTH).floor();
         let share = clamp((end - right * WIDTH) / self.size.x.max(1e-6), all(simd, 0.0), all(simd, 1.0));
         let fine = clamp(self.size.x / WIDTH - 0.5, all(simd, 0.0), all(simd, 1.0));
-        let of = |number| {
-            let [height, shade] = house_in_turn(frame, number);
-            self.of_house(height, shade)
-        };
-        let coarse = V3::mix(of(left), of(right), share);
+        let at_right = self.house_in_turn(frame, right);
+        let coarse = V3::mix(self.house_in_turn(frame, left), at_right, share);
         let [height, shade, ..] = frame.houses[3];
         V3::mix(coarse, self.of_house(all(simd, height), all(simd, shade)), fine)
     }
 
+    #[inline(always)]
+    fn house_in_turn(&self, frame: &Frame, number: F<S>) -> V3<S> {
+        let simd = number.simd;
+        let turn = number - (number / 3.0).floor() * 3.0;
+        let (is_first, is_second): (Mask<S>, Mask<S>) = (turn.simd_lt(0.5), turn.simd_lt(1.5));
+        let [first, second, third, _] = frame.houses;
+        let height = select(is_second, all(simd, second[0]), all(simd, third[0]));
+        let shade = select(is_second, all(simd, second[1]), all(simd, third[1]));
+        let height = select(is_first, all(simd, first[0]), height);
+        self.of_house(height, select(is_first, all(simd, first[1]), shade))
+    }
+
     /// Share of the pixel along the fronts that openings of this number cover, with a `margin` around them.
     #[inline(always)]
-    fn along_openings(&self, frame: &Frame, number: usize, period: f32, margin: f32) -> F<S> {
+    fn along_openings(&self, frame: &Frame, number: usize, period: f64, margin: f32) -> F<S> {
         let [from, length, ..] = frame.openings[number];
-        self.along.repeated_cover(self.place.x - from + margin, length + 2.0 * margin, period)
+        let place = self.place.x - from + margin;
+        self.along.repeated_cover(place, length + 2.0 * margin, period as f32)
     }
 
     /// And upwards.
@@ -95,43 +105,32 @@ impl<S: Simd> Pixel<S> {
 
     #[inline(always)]
     fn openings_cover(&self, frame: &Frame, margin: f32) -> V3<S> {
-        const WIDTH: f32 = HOUSE_WIDTH as f32;
-        let along = |number, period| self.along_openings(frame, number, period, margin);
-        let upwards = |number| self.up_openings(frame, number, margin);
+        let windows = self.up_openings(frame, 0, margin) + self.up_openings(frame, 1, margin);
+        let [doors, shops] = [self.up_openings(frame, 2, margin), self.up_openings(frame, 3, margin)];
         V3::new(
-            along(0, 0.5 * WIDTH) * (upwards(0) + upwards(1)),
-            along(2, WIDTH) * upwards(2),
-            along(3, WIDTH) * upwards(3),
+            self.along_openings(frame, 0, 0.5 * HOUSE_WIDTH, margin) * windows,
+            self.along_openings(frame, 2, HOUSE_WIDTH, margin) * doors,
+            self.along_openings(frame, 3, HOUSE_WIDTH, margin) * shops,
         )
     }
-}
-
-/// Height and shade.
-#[inline(always)]
-fn house_in_turn<S: Simd>(frame: &Frame, number: F<S>) -> [F<S>; 2] {
-    let simd = number.simd;
-    let turn = number - (number / 3.0).floor() * 3.0;
-    let (is_first, is_second): (Mask<S>, Mask<S>) = (turn.simd_lt(0.5), turn.simd_lt(1.5));
-    [0, 1].map(|part| {
-        let [first, second, third, _] = frame.houses.map(|house| all(simd, house[part]));
-        select(is_first, first, select(is_second, second, third))
-    })
 }
 
 /// What a pixel of this size shows of the fronts at this place.
 #[inline(always)]
 pub fn front<S: Simd>(frame: &Frame, place: V2<S>, size: V2<S>) -> Front<S> {
     let simd = place.x.simd;
-    let paint = |number: usize| V3::of_four(simd, frame.backdrop[number]);
+    let [.., wall, stone, glass, door, shop] = frame.backdrop;
     let pixel = Pixel { place, size, along: Covered::new(size.x), upwards: Covered::new(size.y) };
     let house = pixel.houses(frame);
     let openings = pixel.openings_cover(frame, 0.0);
     let framed = pixel.openings_cover(frame, FRAME as f32);
     let frames = framed.x + framed.y + framed.z;
-    let [course_from, course_to] = COURSE.map(|height| all(simd, height as f32));
-    let stone = pixel.upwards.band_cover(place.y, course_from, course_to) + house.z + frames;
-    let walls = V3::mix(paint(6) * house.x, paint(7), stone.min(1.0));
-    let glazed = V3::mix(walls, paint(8), openings.x);
-    let with_doors = V3::mix(glazed, paint(9), openings.y);
-    Front { colour: V3::mix(with_doors, paint(10), openings.z), cover: house.y }
+    let [course_from, course_to] = COURSE;
+    let course =
+        pixel.upwards.band_cover(place.y, all(simd, course_from as f32), all(simd, course_to as f32));
+    let stones = (course + house.z + frames).min(1.0);
+    let walls = V3::mix(V3::of_four(simd, wall) * house.x, V3::of_four(simd, stone), stones);
+    let glazed = V3::mix(walls, V3::of_four(simd, glass), openings.x);
+    let with_doors = V3::mix(glazed, V3::of_four(simd, door), openings.y);
+    Front { colour: V3::mix(with_doors, V3::of_four(simd, shop), openings.z), cover: house.y }
 }

@@ -195,6 +195,7 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
     #[inline(always)]
     fn test(&mut self, owners: &mut Vec<Owner>, seen: &Seen<'_>, is_told_about: bool) {
         let Self { simd, group, tile, .. } = *self;
+        COUNT[0].fetch_add(1, std::sync::atomic::Ordering::Relaxed);
         let body = Body::new(simd, &seen.shown.placement);
         let packets: [i32; PACKETS] = if is_told_about {
             if self.middles.is_none() {
@@ -213,6 +214,7 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
         let owner = all(simd, owners.len() as f32);
         let mut is_seen = false;
         for packet in (0..PACKETS).filter(|&packet| packets[packet] != 0) {
+            COUNT[1].fetch_add(1, std::sync::atomic::Ordering::Relaxed);
             let test = Test::new(simd, &group, seen, &body, &spin, &rays[packet], N > 1);
             let beyond = test.surface.beyond;
             let is_whole = test.alpha.simd_ge(1.0);
@@ -237,6 +239,7 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
             }
         }
         if is_seen {
+            COUNT[2].fetch_add(1, std::sync::atomic::Ordering::Relaxed);
             owners.push(Owner { number: seen.body.number, group: self.number });
         }
     }
@@ -341,20 +344,15 @@ impl<S: Simd> Test<S> {
 }
 
 impl<S: Simd, const N: usize> Drawn<S, N> {
-    /// Those that own a sample of a packet, each with its place in the list.
+    /// The body at this place in the list, if it owns a sample of a packet, and that place.
     #[inline(always)]
-    pub fn owners_in(
-        &self,
-        simd: S,
-        layer: &Layer<S, N>,
-        packet: usize,
-    ) -> impl Iterator<Item = (Owner, F<S>)> {
-        let nearest = layer[packet];
-        self.owners.iter().enumerate().filter_map(move |(place, owner)| {
-            let at = all(simd, place as f32);
-            let is_in = nearest.iter().any(|nearest| nearest.owner.simd_eq(at).any_true());
-            is_in.then_some((*owner, at))
-        })
+    pub fn owner_in(&self, simd: S, layer: &Layer<S, N>, packet: usize, place: usize) -> Option<(Owner, F<S>)> {
+        let at = all(simd, place as f32);
+        let mut owns = layer[packet][0].owner.simd_eq(at);
+        for nearest in &layer[packet][1..] {
+            owns = owns | nearest.owner.simd_eq(at);
+        }
+        owns.any_true().then(|| (self.owners[place], at))
     }
 }
 
@@ -366,3 +364,5 @@ pub fn write_one<T>(tile: &Tile, [left, top]: [u32; 2], rows: &mut Rows<'_, T>, 
         rows.put([u, v], value);
     }
 }
+
+pub static COUNT: [std::sync::atomic::AtomicUsize; 3] = [const { std::sync::atomic::AtomicUsize::new(0) }; 3];
