@@ -42,6 +42,7 @@ use crate::scene::PreparedScene;
 use crate::view::{Appearance, View};
 use colour::Tables;
 use look::Look;
+use shading::shade_backdrop;
 use registers::{on_registers, widest};
 use tile::{CENTRE, STANDARD};
 
@@ -63,10 +64,15 @@ impl PacketRenderer {
         let tables = Tables::shared();
         let rgba = scene.tiles(view, &look.views, |tile, rows| {
             on_registers!(self.level, simd => {
-                look.draw(simd, &STANDARD, tile).shade(simd, &look, appearance, tables, &tile.tile, rows);
+                match &tile.cap {
+                    Some(cap) => {
+                        let drawn = look.draw(simd, &STANDARD, tile, cap);
+                        drawn.shade(simd, &look, appearance, tables, &tile.tile, rows);
+                    }
+                    None => shade_backdrop(simd, &look, &tile.tile, rows),
+                }
             });
         });
-        if std::env::var_os("COUNTS").is_some() { println!("{:?}", tile::COUNT); }
         Picture { size: view.camera.size, rgba }
     }
 
@@ -74,8 +80,9 @@ impl PacketRenderer {
     pub fn hits(&self, scene: &PreparedScene, view: &View) -> HitImage {
         let look = Look::new(scene, view, None);
         let both = scene.tiles(view, &look.views, |tile, rows| {
+            let Some(cap) = &tile.cap else { return };
             on_registers!(self.level, simd => {
-                look.draw(simd, &CENTRE, tile).measure(simd, &look, &tile.tile, rows);
+                look.draw(simd, &CENTRE, tile, cap).measure(simd, &look, &tile.tile, rows);
             });
         });
         let (measures, places) = both.into_iter().unzip();

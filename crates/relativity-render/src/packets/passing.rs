@@ -35,6 +35,12 @@ impl<S: Simd> Middles<S> {
         Self { ray, spread }
     }
 
+    /// How far others are off it, of the packet at this place, the same for eight pixels.
+    #[inline(always)]
+    pub fn spread_of(&self, place: usize) -> F<S> {
+        all(self.spread.simd, self.spread[place])
+    }
+
     /// Those packets that what is in `capsule` may be seen in.
     #[inline(always)]
     pub fn may_show(&self, capsule: &Capsule<S>) -> Mask<S> {

@@ -6,14 +6,38 @@ use super::colour::{Tables, received_colour};
 use super::encode::encoded;
 use super::lanes::{F, LANES, Simd, SimdFloat, SimdMask, V3, all, select};
 use super::look::Look;
-use super::tile::{Drawn, Owner, PACKETS, Test, centres, packet_places, write_one};
-use super::turning::{Spin, doppler_of, standing};
+use super::tile::{Drawn, Owner, PACKETS, Packet, Test, centres, packet_places, write_one};
+use super::turning::{Spin, doppler_of, standing, surface_when_shown};
+use crate::backdrop::Part;
 use crate::candidates::Rows;
 use crate::tiles::Tile;
 use crate::view::Appearance;
 
+/// The pixels of a tile behind which no body is.
+#[inline(always)]
+pub fn shade_backdrop<S: Simd>(simd: S, look: &Look<'_>, tile: &Tile, rows: &mut Rows<'_, [u8; 4]>) {
+    let part = part_of(look, tile);
+    for place in 0..PACKETS {
+        let corner = packet_places(tile.corner, place);
+        let [u, v] = centres(simd, corner);
+        write(tile, corner, rows, encoded(simd, behind(simd, look.frame(), part, u, v)));
+    }
+}
+
+#[inline(always)]
+fn part_of(look: &Look<'_>, tile: &Tile) -> Part {
+    part(look.frame(), tile.corner.map(|v| v as f32), tile.size.map(|v| v as f32))
+}
+
+#[inline(always)]
+fn write(tile: &Tile, corner: [u32; 2], rows: &mut Rows<'_, [u8; 4]>, pixels: [[u8; 4]; LANES]) {
+    for (lane, pixel) in pixels.into_iter().enumerate() {
+        write_one(tile, corner, rows, lane, pixel);
+    }
+}
+
 impl<S: Simd> Drawn<S, 4> {
-    /// Writes the pixels of `tile` into `rows`, which are those it is in, `width` pixels each.
+    /// Writes the pixels of `tile` into `rows`.
     #[inline(always)]
     pub fn shade(
         &self,
@@ -24,23 +48,20 @@ impl<S: Simd> Drawn<S, 4> {
         tile: &Tile,
         rows: &mut Rows<'_, [u8; 4]>,
     ) {
-        let frame = look.frame();
-        let part = part(frame, tile.corner.map(|v| v as f32), tile.size.map(|v| v as f32));
-        for packet in 0..PACKETS {
-            let corner = packet_places(tile.corner, packet);
-            let [u, v] = centres(simd, corner);
-            let (mut linear, cover) = self.bodies(simd, look, appearance, tables, packet);
+        let part = part_of(look, tile);
+        for place in 0..PACKETS {
+            let corner = packet_places(tile.corner, place);
+            let (mut linear, cover) = self.bodies(simd, look, appearance, tables, place);
             if cover.simd_lt(1.0).any_true() {
-                linear += behind(simd, frame, part, u, v) * (1.0 - cover);
+                let [u, v] = centres(simd, corner);
+                linear += behind(simd, look.frame(), part, u, v) * (1.0 - cover);
             }
-            let pixels = encoded(simd, linear);
-            for (lane, pixel) in pixels.into_iter().enumerate() {
-                write_one(tile, corner, rows, lane, pixel);
-            }
+            write(tile, corner, rows, encoded(simd, linear));
         }
     }
 
-    /// Linear sRGB of the bodies in a packet, times the share of each pixel that they cover, and that share.
+    /// Linear sRGB of the bodies in the packet at this place, times the share of each pixel that they cover, and that
+    /// share.
     #[inline(always)]
     fn bodies(
         &self,
@@ -48,28 +69,42 @@ impl<S: Simd> Drawn<S, 4> {
         look: &Look<'_>,
         appearance: &Appearance,
         tables: &Tables,
-        packet: usize,
+        place: usize,
     ) -> (V3<S>, F<S>) {
         let zero = all(simd, 0.0);
         let mut samples = [(V3::all(simd, [0.0; 3]), zero); 4];
-        for place in 0..self.owners.len() {
-            let Some((owner, at)) = self.owner_in(simd, &self.solid, packet, place) else { continue };
-            let (colour, _) = self.colour(simd, look, appearance, tables, owner, packet);
-            for ((sample, cover), nearest) in samples.iter_mut().zip(&self.solid[packet]) {
-                let holds = nearest.owner.simd_eq(at);
-                *sample = V3::select(holds, colour, *sample);
-                *cover = select(holds, all(simd, 1.0), *cover);
+        let mut nearest_solid = [all(simd, f32::INFINITY); 4];
+        for packet in &self.packets {
+            if packet.place != place {
+                continue;
+            }
+            for owner in packet.owners[0]..packet.owners[1] {
+                let Some(at) = Packet::owned(simd, &packet.solid, owner) else { continue };
+                let (colour, _) = self.colour(simd, look, appearance, tables, self.owners[owner], packet);
+                for sample in 0..4 {
+                    let nearest = packet.solid[sample];
+                    let holds = nearest.owner.simd_eq(at);
+                    samples[sample].0 = V3::select(holds, colour, samples[sample].0);
+                    samples[sample].1 = select(holds, all(simd, 1.0), samples[sample].1);
+                    nearest_solid[sample] = select(holds, nearest.beyond, nearest_solid[sample]);
+                }
             }
         }
-        for place in 0..self.owners.len() {
-            let Some((owner, at)) = self.owner_in(simd, &self.thin, packet, place) else { continue };
-            let (colour, alpha) = self.colour(simd, look, appearance, tables, owner, packet);
-            let through = 1.0 - alpha;
-            let nearest = self.thin[packet].iter().zip(&self.solid[packet]);
-            for ((sample, cover), (thin, solid)) in samples.iter_mut().zip(nearest) {
-                let holds = thin.owner.simd_eq(at) & thin.beyond.simd_lt(solid.beyond);
-                *sample = V3::select(holds, colour * alpha + *sample * through, *sample);
-                *cover = select(holds, alpha + *cover * through, *cover);
+        for packet in &self.packets {
+            if packet.place != place {
+                continue;
+            }
+            for owner in packet.owners[0]..packet.owners[1] {
+                let Some(at) = Packet::owned(simd, &packet.thin, owner) else { continue };
+                let (colour, alpha) = self.colour(simd, look, appearance, tables, self.owners[owner], packet);
+                let through = 1.0 - alpha;
+                for sample in 0..4 {
+                    let thin = packet.thin[sample];
+                    let holds = thin.owner.simd_eq(at) & thin.beyond.simd_lt(nearest_solid[sample]);
+                    let (behind, cover) = samples[sample];
+                    samples[sample].0 = V3::select(holds, colour * alpha + behind * through, behind);
+                    samples[sample].1 = select(holds, alpha + cover * through, cover);
+                }
             }
         }
         let [first, second, third, fourth] = samples;
@@ -88,17 +123,18 @@ impl<S: Simd> Drawn<S, 4> {
         appearance: &Appearance,
         tables: &Tables,
         owner: Owner,
-        packet: usize,
+        packet: &Packet<S, 4>,
     ) -> (V3<S>, F<S>) {
         simd.vectorize(
             #[inline(always)]
             || {
                 let (group, seen) = (look.group(owner.group), look.seen(owner.number));
-                let ray = &self.rays[owner.group].as_ref().expect("it was met")[packet];
+                let ray = &packet.ray;
                 let body = Body::new(simd, &seen.shown.placement);
                 let spin = Spin::new(simd, &seen.shown);
-                let test = Test::new(simd, &group, &seen, &body, &spin, ray, true);
-                let (kind, turns, surface) = (seen.body.kind, seen.turns, test.surface);
+                let (kind, turns) = (seen.body.kind, seen.turns);
+                let surface = surface_when_shown(simd, kind, turns, &group, &body, ray, &spin);
+                let test = Test::new(simd, &group, &seen, &body, ray, surface, true);
                 let doppler = doppler_of(kind, turns, &group, &body, surface.place, surface.normal, ray.sight, ray.doppler, &spin);
                 let effects = look.effects(owner.group, turns, appearance);
                 let light = look.light(seen.body, turns, appearance);

@@ -8,6 +8,7 @@ use super::ray::{depth, line_of_sight, movement, rest_ray};
 use super::shape;
 use super::turning::{Spin, surface_when_shown};
 use crate::candidates::{Rows, TileLook};
+use crate::cap::Cap;
 use crate::hierarchy::Beam;
 use crate::pipelines::AmongOthers;
 use crate::tiles::Tile;
@@ -44,9 +45,6 @@ pub struct Nearest<S: Simd> {
     pub owner: F<S>,
 }
 
-/// The same of `N` samples of each pixel of a tile.
-pub type Layer<S, const N: usize> = [[Nearest<S>; N]; PACKETS];
-
 /// A body that is seen in a tile.
 #[derive(Debug, Clone, Copy)]
 pub struct Owner {
@@ -54,16 +52,27 @@ pub struct Owner {
     pub group: usize,
 }
 
+/// What a packet shows of one group, in `N` samples of each of its pixels.
+#[derive(Debug, Clone, Copy)]
+pub struct Packet<S: Simd, const N: usize> {
+    /// Its place in the tile.
+    pub place: usize,
+    /// Through the middles of its pixels.
+    pub ray: Ray<S>,
+    /// What covers samples.
+    pub solid: [Nearest<S>; N],
+    /// What is thinner than a pixel, and covers a part of it.
+    pub thin: [Nearest<S>; N],
+    /// Which of the owners are its group's.
+    pub owners: [usize; 2],
+}
+
 /// What is in a tile.
 pub struct Drawn<S: Simd, const N: usize> {
-    /// What covers samples.
-    pub solid: Layer<S, N>,
-    /// What is thinner than a pixel, and covers a part of it.
-    pub thin: Layer<S, N>,
+    /// The packets that were looked into, group by group.
+    pub packets: Vec<Packet<S, N>>,
     /// The bodies of which something is seen, or was before something nearer was found.
     pub owners: Vec<Owner>,
-    /// For each group its rays, where it has any such body.
-    pub rays: Vec<Option<Box<[Ray<S>; PACKETS]>>>,
 }
 
 /// What is in a tile of one group.
@@ -73,10 +82,11 @@ struct OfGroup<'a, S: Simd, const N: usize> {
     group: Group<'a>,
     number: usize,
     samples: &'a [[f32; 2]; N],
-    tile: &'a Tile,
-    layers: [Layer<S, N>; 2],
-    rays: Option<Box<[Ray<S>; PACKETS]>>,
-    middles: Option<Middles<S>>,
+    corner: [u32; 2],
+    drawn: &'a mut Drawn<S, N>,
+    /// Where the packets of this group are among all, those that were looked into.
+    places: [Option<usize>; PACKETS],
+    middles: Middles<S>,
     /// How far the farthest of what covers a sample is, for each packet.
     farthest: [f32; PACKETS],
     /// Bodies in several pieces that were tested.
@@ -88,8 +98,7 @@ pub struct Test<S: Simd> {
     pub surface: Surface<S>,
     /// From the camera, rest frame.
     pub distance: F<S>,
-    /// How deep inside the outline the middle of the pixel is, in pixels' worth of length, and how that changes from pixel
-    /// to pixel.
+    /// How deep inside the outline the middle of the pixel is, and how that changes from pixel to pixel.
     clearance: F<S>,
     gradient: V2<S>,
     /// Share of a pixel that it covers, 1 unless it is thinner.
@@ -99,74 +108,67 @@ pub struct Test<S: Simd> {
 }
 
 impl Look<'_> {
-    /// What is in `tile`.
+    /// What is in `tile`, whose lines of sight are in `cap`.
     #[inline(always)]
     pub fn draw<S: Simd, const N: usize>(
         &self,
         simd: S,
         samples: &[[f32; 2]; N],
         tile: &TileLook<'_>,
+        cap: &Cap,
     ) -> Drawn<S, N> {
-        let nothing = [[Nearest::none(simd); N]; PACKETS];
-        let mut drawn = Drawn { solid: nothing, thin: nothing, owners: Vec::new(), rays: Vec::new() };
-        let Some(cap) = &tile.cap else { return drawn };
+        let mut drawn = Drawn { packets: Vec::with_capacity(PACKETS), owners: Vec::new() };
         let mut others = tile.others;
         for (number, view) in self.views.iter().enumerate() {
             let prepared = &self.scene.groups()[number];
-            let mut own = OfGroup {
-                simd,
-                look: self,
-                group: self.group(number),
-                number,
-                samples,
-                tile: &tile.tile,
-                layers: [nothing; 2],
-                rays: None,
-                middles: None,
-                farthest: [f32::INFINITY; PACKETS],
-                tested: Vec::new(),
-            };
             let count = others.partition_point(|&body| (body as usize) < prepared.bodies.end);
             let (turning, later) = others.split_at(count);
             others = later;
-            for &body in turning {
-                own.enter(&mut drawn.owners, body as usize, false);
+            let beam = Beam::new(view, cap, prepared.extent.middle);
+            if turning.is_empty() && beam.is_some_and(|beam| !self.scene.hierarchy(number).is_met(&beam)) {
+                continue;
             }
-            match Beam::new(view, cap, prepared.extent.middle) {
+            let group = self.group(number);
+            let mut own = OfGroup {
+                simd,
+                look: self,
+                middles: Middles::new(simd, &group, tile.tile.corner),
+                group,
+                number,
+                samples,
+                corner: tile.tile.corner,
+                drawn: &mut drawn,
+                places: [None; PACKETS],
+                farthest: [f32::INFINITY; PACKETS],
+                tested: Vec::new(),
+            };
+            let first_owner = own.drawn.owners.len();
+            for &body in turning {
+                own.enter(body as usize, false);
+            }
+            match beam {
                 Some(beam) => self.scene.hierarchy(number).along(&beam, |candidate| {
                     if !candidate.is_one_of_some || own.is_new(candidate.body) {
-                        own.enter(&mut drawn.owners, candidate.body as usize, true);
+                        own.enter(candidate.body as usize, true);
                     }
                     own.reach()
                 }),
                 None => {
                     let standing = prepared.bodies.clone().filter(|&body| self.scene.turning(body).is_none());
-                    standing.for_each(|body| own.enter(&mut drawn.owners, body, true));
+                    standing.for_each(|body| own.enter(body, true));
                 }
             }
-            simd.vectorize(
-                #[inline(always)]
-                || drawn.join(own, self.among_others(number)),
-            );
+            let places = own.places;
+            let owners = [first_owner, drawn.owners.len()];
+            for place in places.into_iter().flatten() {
+                drawn.packets[place].owners = owners;
+            }
+        }
+        if self.views.len() > 1 {
+            drawn.tell_depths(self);
         }
         drawn
     }
-}
-
-/// The rays through the middles of the pixels of the tile with this `corner`.
-#[inline(always)]
-fn rays_of<S: Simd>(simd: S, group: &Group<'_>, corner: [u32; 2]) -> Box<[Ray<S>; PACKETS]> {
-    let mut rays = Box::new([ray_of(simd, group, corner, 0); PACKETS]);
-    for packet in 1..PACKETS {
-        rays[packet] = ray_of(simd, group, corner, packet);
-    }
-    rays
-}
-
-#[inline(always)]
-fn ray_of<S: Simd>(simd: S, group: &Group<'_>, corner: [u32; 2], packet: usize) -> Ray<S> {
-    let [u, v] = centres(simd, packet_places(corner, packet));
-    rest_ray(simd, group, line_of_sight(simd, group.frame, u, v))
 }
 
 impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
@@ -185,90 +187,144 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
 
     /// Tests a body, if it `is_told_about` only in those packets that may show it.
     #[inline(never)]
-    fn enter(&mut self, owners: &mut Vec<Owner>, number: usize, is_told_about: bool) {
+    fn enter(&mut self, number: usize, is_told_about: bool) {
         self.simd.vectorize(
             #[inline(always)]
-            || self.test(owners, &self.look.seen(number), is_told_about),
+            || self.test(&self.look.seen(number), is_told_about),
         );
     }
 
     #[inline(always)]
-    fn test(&mut self, owners: &mut Vec<Owner>, seen: &Seen<'_>, is_told_about: bool) {
-        let Self { simd, group, tile, .. } = *self;
-        COUNT[0].fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+    fn test(&mut self, seen: &Seen<'_>, is_told_about: bool) {
+        let Self { simd, .. } = *self;
         let body = Body::new(simd, &seen.shown.placement);
         let packets: [i32; PACKETS] = if is_told_about {
-            if self.middles.is_none() {
-                self.middles = Some(Middles::new(simd, &group, tile.corner));
-            }
-            let Some(middles) = &self.middles else { return };
-            middles.may_show(&shape::around(seen.body.kind, &body)).into()
+            self.middles.may_show(&shape::around(seen.body.kind, &body)).into()
         } else {
             [-1; PACKETS]
         };
-        if self.rays.is_none() {
-            self.rays = Some(rays_of(simd, &group, tile.corner));
-        }
-        let Some(rays) = &self.rays else { return };
         let spin = Spin::new(simd, &seen.shown);
-        let owner = all(simd, owners.len() as f32);
+        let owner = self.drawn.owners.len();
         let mut is_seen = false;
-        for packet in (0..PACKETS).filter(|&packet| packets[packet] != 0) {
-            COUNT[1].fetch_add(1, std::sync::atomic::Ordering::Relaxed);
-            let test = Test::new(simd, &group, seen, &body, &spin, &rays[packet], N > 1);
-            let beyond = test.surface.beyond;
-            let is_whole = test.alpha.simd_ge(1.0);
-            let mut is_nearer = false;
-            for (sample, place) in self.samples.iter().enumerate() {
-                let is_inside = test.holds(*place);
-                for (layer, is_in) in self.layers.iter_mut().zip([is_whole, !is_whole]) {
-                    let nearest = &mut layer[packet][sample];
-                    let holds = is_inside & is_in & nearest.is_behind(beyond, seen.body.number, owners);
-                    nearest.beyond = select(holds, beyond, nearest.beyond);
-                    nearest.owner = select(holds, owner, nearest.owner);
-                    is_nearer |= holds.any_true();
-                }
-            }
-            if is_nearer {
-                is_seen = true;
-                let mut most = all(simd, f32::NEG_INFINITY);
-                for nearest in &self.layers[0][packet] {
-                    most = most.max(nearest.beyond);
-                }
-                self.farthest[packet] = most.as_slice().iter().copied().fold(f32::NEG_INFINITY, f32::max);
+        for place in 0..PACKETS {
+            if packets[place] != 0 {
+                is_seen |= self.test_in(place, seen, &body, &spin, owner);
             }
         }
         if is_seen {
-            COUNT[2].fetch_add(1, std::sync::atomic::Ordering::Relaxed);
-            owners.push(Owner { number: seen.body.number, group: self.number });
+            self.drawn.owners.push(Owner { number: seen.body.number, group: self.number });
         }
+    }
+
+    /// Tests a body in the packet at this `place`, and says whether it is seen there.
+    #[inline(always)]
+    fn test_in(&mut self, place: usize, seen: &Seen<'_>, body: &Body<S>, spin: &Spin<S>, owner: usize) -> bool {
+        let Self { simd, group, .. } = *self;
+        let number = match self.places[place] {
+            Some(number) => number,
+            None => {
+                let number = self.drawn.packets.len();
+                self.drawn.packets.push(Packet::new(simd, &group, self.corner, place));
+                self.places[place] = Some(number);
+                number
+            }
+        };
+        let ray = self.drawn.packets[number].ray;
+        let surface = surface_when_shown(simd, seen.body.kind, seen.turns, &group, body, &ray, spin);
+        // Farther outside than a pixel and a half it is in no sample, and not widened into one.
+        let pixels = (ray.to_centre + surface.beyond).max(0.0) * self.middles.spread_of(place);
+        if !(surface.clearance + pixels).simd_gt(0.0).any_true() {
+            return false;
+        }
+        let test = Test::new(simd, &group, seen, body, &ray, surface, N > 1);
+        let is_whole = test.alpha.simd_ge(1.0);
+        let is_thin = !is_whole;
+        let (any_whole, any_thin) = (is_whole.any_true(), is_thin.any_true());
+        let beyond = surface.beyond;
+        let at = all(simd, owner as f32);
+        let owners = &self.drawn.owners;
+        let Packet { solid, thin, .. } = &mut self.drawn.packets[number];
+        let (mut is_in_solid, mut is_in_thin) = (false, false);
+        for sample in 0..N {
+            let is_inside = test.holds(self.samples[sample]);
+            if any_whole {
+                is_in_solid |= solid[sample].take(is_inside & is_whole, beyond, at, seen.body.number, owners);
+            }
+            if any_thin {
+                is_in_thin |= thin[sample].take(is_inside & is_thin, beyond, at, seen.body.number, owners);
+            }
+        }
+        if is_in_solid {
+            let mut most = all(simd, f32::NEG_INFINITY);
+            for nearest in solid {
+                most = most.max(nearest.beyond);
+            }
+            self.farthest[place] = most.as_slice().iter().copied().fold(f32::NEG_INFINITY, f32::max);
+        }
+        is_in_solid || is_in_thin
+    }
+}
+
+impl<S: Simd, const N: usize> Packet<S, N> {
+    #[inline(always)]
+    fn new(simd: S, group: &Group<'_>, corner: [u32; 2], place: usize) -> Self {
+        let [u, v] = centres(simd, packet_places(corner, place));
+        let nothing = [Nearest::none(simd); N];
+        Self {
+            place,
+            ray: rest_ray(simd, group, line_of_sight(simd, group.frame, u, v)),
+            solid: nothing,
+            thin: nothing,
+            owners: [0; 2],
+        }
+    }
+
+    /// Replaces distances beyond the middle of a group by depths among all.
+    #[inline(always)]
+    fn tell_depths(&mut self, group: &Group<'_>, among_others: Option<AmongOthers>) {
+        for nearest in self.solid.iter_mut().chain(&mut self.thin) {
+            let depth = depth(group, among_others, &self.ray, nearest.beyond);
+            nearest.beyond = select(nearest.owner.simd_lt(0.0), nearest.beyond, -depth);
+        }
+    }
+
+    /// Forgets what `other` shows before it, and has that forget the rest; of equally near ones this stays.
+    #[inline(always)]
+    fn compare(&mut self, other: &mut Self) {
+        let own = self.solid.iter_mut().chain(&mut self.thin);
+        for (own, other) in own.zip(other.solid.iter_mut().chain(&mut other.thin)) {
+            let is_farther = own.beyond.simd_gt(other.beyond);
+            own.forget(is_farther);
+            other.forget(!is_farther);
+        }
+    }
+
+    /// Whether the body at this place in the list owns a sample of `layer`, and that place for comparison.
+    #[inline(always)]
+    pub fn owned(simd: S, layer: &[Nearest<S>; N], owner: usize) -> Option<F<S>> {
+        let at = all(simd, owner as f32);
+        let mut owns = layer[0].owner.simd_eq(at);
+        for nearest in &layer[1..] {
+            owns = owns | nearest.owner.simd_eq(at);
+        }
+        owns.any_true().then_some(at)
     }
 }
 
 impl<S: Simd, const N: usize> Drawn<S, N> {
-    /// Takes what of another group is nearer, which stands so among others if there are any.
+    /// Tells the nearest of several groups.
     #[inline(always)]
-    fn join(&mut self, own: OfGroup<'_, S, N>, among_others: Option<AmongOthers>) {
-        let OfGroup { group, mut layers, rays, .. } = own;
-        if let (Some(rays), Some(_)) = (&rays, among_others) {
-            for (nearest, ray) in layers.iter_mut().flat_map(|layer| layer.iter_mut().zip(rays.iter())) {
-                for nearest in nearest {
-                    let depth = depth(&group, among_others, ray, nearest.beyond);
-                    let is_none = nearest.owner.simd_lt(0.0);
-                    nearest.beyond = select(is_none, nearest.beyond, -depth);
-                }
+    fn tell_depths(&mut self, look: &Look<'_>) {
+        for packet in &mut self.packets {
+            let group = self.owners.get(packet.owners[0]).map_or(0, |owner| owner.group);
+            packet.tell_depths(&look.group(group), look.among_others(group));
+        }
+        for number in 1..self.packets.len() {
+            let (before, [packet, ..]) = self.packets.split_at_mut(number) else { return };
+            for other in before.iter_mut().filter(|other| other.place == packet.place) {
+                other.compare(packet);
             }
         }
-        if rays.is_some() {
-            for (known, new) in [&mut self.solid, &mut self.thin].into_iter().zip(layers) {
-                for (known, new) in known.iter_mut().flatten().zip(new.into_iter().flatten()) {
-                    let is_nearer = known.beyond.simd_gt(new.beyond);
-                    known.beyond = select(is_nearer, new.beyond, known.beyond);
-                    known.owner = select(is_nearer, new.owner, known.owner);
-                }
-            }
-        }
-        self.rays.push(rays);
     }
 }
 
@@ -276,6 +332,23 @@ impl<S: Simd> Nearest<S> {
     #[inline(always)]
     fn none(simd: S) -> Self {
         Self { beyond: all(simd, f32::INFINITY), owner: all(simd, NONE) }
+    }
+
+    /// Takes a surface this far `beyond` of the body of this `number`, which will be `at` that place in the list, where
+    /// it `is_inside` and nearest, and says whether it is anywhere.
+    #[inline(always)]
+    fn take(&mut self, is_inside: Mask<S>, beyond: F<S>, at: F<S>, number: usize, owners: &[Owner]) -> bool {
+        let holds = is_inside & self.is_behind(beyond, number, owners);
+        self.beyond = select(holds, beyond, self.beyond);
+        self.owner = select(holds, at, self.owner);
+        holds.any_true()
+    }
+
+    #[inline(always)]
+    fn forget(&mut self, holds: Mask<S>) {
+        let none = Self::none(self.beyond.simd);
+        self.beyond = select(holds, none.beyond, self.beyond);
+        self.owner = select(holds, none.owner, self.owner);
     }
 
     /// Where a surface this far `beyond`, of the body of this `number`, is seen before it: of equally near ones the first.
@@ -286,30 +359,28 @@ impl<S: Simd> Nearest<S> {
         if !is_as_near.any_true() {
             return is_farther;
         }
-        let is_later: [i32; LANES] = std::array::from_fn(|lane| {
-            let owner = self.owner[lane];
-            let is_later =
-                owner >= 0.0 && owners.get(owner as usize).is_some_and(|owner| owner.number > number);
-            -i32::from(is_later)
-        });
+        let mut is_later = [0; LANES];
+        for (is_later, owner) in is_later.iter_mut().zip(self.owner.as_slice()) {
+            let is_known = *owner >= 0.0;
+            *is_later = -i32::from(is_known && owners[*owner as usize].number > number);
+        }
         is_farther | (is_as_near & Mask::simd_from(self.beyond.simd, is_later))
     }
 }
 
 impl<S: Simd> Test<S> {
-    /// Of the `body` that is `seen`; in a picture what is thinner than a pixel is drawn a pixel wide.
+    /// Of the `body` that is `seen`, whose `surface` was found; in a picture what is thinner than a pixel is drawn a pixel wide.
     #[inline(always)]
     pub fn new(
         simd: S,
         group: &Group<'_>,
         seen: &Seen<'_>,
         body: &Body<S>,
-        spin: &Spin<S>,
         ray: &Ray<S>,
+        surface: Surface<S>,
         is_picture: bool,
     ) -> Self {
         let kind = seen.body.kind;
-        let surface = surface_when_shown(simd, kind, seen.turns, group, body, ray, spin);
         let distance = ray.to_centre + surface.beyond;
         let is_in_front = distance.simd_gt(0.0);
         let zero = all(simd, 0.0);
@@ -343,19 +414,6 @@ impl<S: Simd> Test<S> {
     }
 }
 
-impl<S: Simd, const N: usize> Drawn<S, N> {
-    /// The body at this place in the list, if it owns a sample of a packet, and that place.
-    #[inline(always)]
-    pub fn owner_in(&self, simd: S, layer: &Layer<S, N>, packet: usize, place: usize) -> Option<(Owner, F<S>)> {
-        let at = all(simd, place as f32);
-        let mut owns = layer[packet][0].owner.simd_eq(at);
-        for nearest in &layer[packet][1..] {
-            owns = owns | nearest.owner.simd_eq(at);
-        }
-        owns.any_true().then(|| (self.owners[place], at))
-    }
-}
-
 /// Writes the pixel in this lane of the packet with this corner, if it is in `tile`, into the rows that that is in.
 #[inline(always)]
 pub fn write_one<T>(tile: &Tile, [left, top]: [u32; 2], rows: &mut Rows<'_, T>, lane: usize, value: T) {
@@ -364,5 +422,3 @@ pub fn write_one<T>(tile: &Tile, [left, top]: [u32; 2], rows: &mut Rows<'_, T>, 
         rows.put([u, v], value);
     }
 }
-
-pub static COUNT: [std::sync::atomic::AtomicUsize; 3] = [const { std::sync::atomic::AtomicUsize::new(0) }; 3];
