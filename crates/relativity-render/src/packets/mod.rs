@@ -15,6 +15,7 @@ mod cylinder;
 mod encode;
 mod lanes;
 mod logarithm;
+mod pattern;
 mod ray;
 mod ring;
 mod shape;
