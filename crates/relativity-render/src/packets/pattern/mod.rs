@@ -3,6 +3,8 @@
 mod chart;
 mod coverage;
 mod die;
+#[cfg(test)]
+mod tests;
 
 use super::body::{Body, Group, Ray};
 use super::lanes::{F, Simd, SimdFloat as _, V3, all, clamp};
