@@ -94,7 +94,7 @@ fn marks_are_the_references() {
                 let scene = PreparedScene::moving(&[body]);
                 let views = scene.group_views(&view);
                 let frame = Frame::of_groups(&scene, &views, &Appearance::default())[0];
-                for v in (0..SIZE).step_by(3) {
+                for v in (0..SIZE).step_by(9) {
                     let hit = |u: u32| {
                         let hit = scene
                             .first_hit(&view, sights.through([f64::from(u) + 0.5, f64::from(v) + 0.5]))?;
@@ -129,5 +129,5 @@ fn marks_are_the_references() {
         }
     }
     println!("{checked} marks, at most {worst} levels off");
-    assert!(checked > 100_000);
+    assert!(checked > 50_000);
 }
