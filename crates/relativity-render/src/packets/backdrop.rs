@@ -232,7 +232,16 @@ mod tests {
 
     #[inline(always)]
     fn row<S: Simd>(simd: S, frame: &Frame, [u, v]: [u32; 2]) -> V3<S> {
-        let part = part(frame, [u, v].map(|at| (at / 8 * 8) as f32), [8.0; 2]);
+        row_of(simd, frame, tile_part(frame, [u, v]), [u, v])
+    }
+
+    /// What the tile with this pixel can show.
+    fn tile_part(frame: &Frame, pixel: [u32; 2]) -> Part {
+        part(frame, pixel.map(|at| (at / 8 * 8) as f32), [8.0; 2])
+    }
+
+    #[inline(always)]
+    fn row_of<S: Simd>(simd: S, frame: &Frame, part: Part, [u, v]: [u32; 2]) -> V3<S> {
         let along = F::from_fn(simd, |lane| (u + lane as u32) as f32 + 0.5);
         behind(simd, frame, part, along, all(simd, v as f32 + 0.5))
     }
@@ -306,8 +315,9 @@ mod tests {
                     let start = Instant::now();
                     for top in (0..540).step_by(8) {
                         for left in (0..480).step_by(8) {
+                            let part = tile_part(&frame, [left, top]);
                             for v in top..(top + 8).min(540) {
-                                let bytes = encoded(simd, row(simd, &frame, [left, v]));
+                                let bytes = encoded(simd, row_of(simd, &frame, part, [left, v]));
                                 sum += u64::from(u32::from_le_bytes(bytes[3]));
                             }
                         }
