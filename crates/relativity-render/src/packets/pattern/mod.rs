@@ -7,7 +7,7 @@ mod die;
 mod tests;
 
 use super::body::{Body, Group, Ray};
-use super::lanes::{F, Simd, SimdFloat as _, V3, all, clamp};
+use super::lanes::{F, Simd, V3, all, clamp};
 use crate::kind::Kind;
 use crate::pattern::DARK;
 use crate::view::Geometry;
