@@ -196,7 +196,9 @@ impl Renderers {
     ) -> Result<Picture, GpuError> {
         view.drawn()?;
         let method = method.of_view(view);
-        if method == Method::Packets && let Some(packets) = &self.packets {
+        if method == Method::Packets
+            && let Some(packets) = &self.packets
+        {
             return Ok(packets.picture(scene, view, appearance));
         }
         if matches!(method, Method::Reference | Method::Packets) {

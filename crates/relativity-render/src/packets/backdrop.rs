@@ -231,18 +231,23 @@ mod tests {
     }
 
     #[inline(always)]
-    fn row<S: Simd>(simd: S, frame: &Frame, part: Part, [u, v]: [u32; 2]) -> V3<S> {
+    fn row<S: Simd>(simd: S, frame: &Frame, [u, v]: [u32; 2]) -> V3<S> {
+        row_of(simd, frame, tile_part(frame, [u, v]), [u, v])
+    }
+
+    /// What the tile with this pixel can show.
+    fn tile_part(frame: &Frame, pixel: [u32; 2]) -> Part {
+        part(frame, pixel.map(|at| (at / 8 * 8) as f32), [8.0; 2])
+    }
+
+    #[inline(always)]
+    fn row_of<S: Simd>(simd: S, frame: &Frame, part: Part, [u, v]: [u32; 2]) -> V3<S> {
         let along = F::from_fn(simd, |lane| (u + lane as u32) as f32 + 0.5);
         behind(simd, frame, part, along, all(simd, v as f32 + 0.5))
     }
 
     fn packets() -> impl Iterator<Item = [u32; 2]> {
-        (0..SIZE[1]).flat_map(|v| (0..SIZE[0]).step_by(LANES).map(move |u| [u, v]))
-    }
-
-    /// The part with all that a picture can show.
-    fn whole(frame: &Frame) -> Part {
-        *frame.floor().parts().last().expect("each floor has parts")
+        (0..SIZE[1]).step_by(3).flat_map(|v| (0..SIZE[0]).step_by(LANES).map(move |u| [u, v]))
     }
 
     #[test]
@@ -251,7 +256,7 @@ mod tests {
         for camera in cameras() {
             for appearance in appearances() {
                 let (reference, frame) = (Backdrop::new(&camera, &appearance), frame(camera, &appearance));
-                let (sights, part) = (LinesOfSight::new(&camera), whole(&frame));
+                let sights = LinesOfSight::new(&camera);
                 let mut check = |[u, v]: [u32; 2], found: [[f32; 3]; LANES]| {
                     for (u, found) in (u..).zip(found) {
                         let expected =
@@ -268,7 +273,7 @@ mod tests {
                 };
                 at_every_level!(simd => {
                     for place in packets() {
-                        let colour = row(simd, &frame, part, place);
+                        let colour = row(simd, &frame, place);
                         check(place, std::array::from_fn(|lane| colour.lane(lane)));
                     }
                 });
@@ -278,7 +283,7 @@ mod tests {
     }
 
     #[test]
-    fn no_registers_change_a_byte_and_no_part_what_is_seen() {
+    fn no_registers_change_a_byte() {
         for camera in cameras() {
             for appearance in appearances() {
                 let frame = frame(camera, &appearance);
@@ -286,12 +291,7 @@ mod tests {
                 at_every_level!(simd => {
                     let mut bytes = Vec::new();
                     for place in packets() {
-                        let tile = place.map(|at| (at / 8 * 8) as f32);
-                        let found = row(simd, &frame, part(&frame, tile, [8.0; 2]), place);
-                        let expected = row(simd, &frame, whole(&frame), place);
-                        let off = (found - expected).length();
-                        assert!(off.simd_lt(1e-4).all_true(), "{camera:?} {appearance:?} {place:?}");
-                        bytes.extend(encoded(simd, found));
+                        bytes.extend(encoded(simd, row(simd, &frame, place)));
                     }
                     let first = first.get_or_insert_with(|| bytes.clone());
                     assert!(bytes == *first, "{camera:?} {appearance:?}");
@@ -315,9 +315,9 @@ mod tests {
                     let start = Instant::now();
                     for top in (0..540).step_by(8) {
                         for left in (0..480).step_by(8) {
-                            let part = part(&frame, [left as f32, top as f32], [8.0; 2]);
+                            let part = tile_part(&frame, [left, top]);
                             for v in top..(top + 8).min(540) {
-                                let bytes = encoded(simd, row(simd, &frame, part, [left, v]));
+                                let bytes = encoded(simd, row_of(simd, &frame, part, [left, v]));
                                 sum += u64::from(u32::from_le_bytes(bytes[3]));
                             }
                         }

@@ -19,6 +19,7 @@ mod logarithm;
 mod look;
 mod numbers;
 mod passing;
+mod pattern;
 mod ray;
 mod registers;
 mod ring;
@@ -42,8 +43,8 @@ use crate::scene::PreparedScene;
 use crate::view::{Appearance, View};
 use colour::Tables;
 use look::Look;
-use shading::shade_backdrop;
 use registers::{on_registers, widest};
+use shading::shade_backdrop;
 use tile::{CENTRE, STANDARD};
 
 /// Draws on the CPU.

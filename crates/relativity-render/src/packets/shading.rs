@@ -6,6 +6,7 @@ use super::colour::{Tables, received_colour};
 use super::encode::encoded;
 use super::lanes::{F, LANES, Simd, SimdFloat, SimdMask, V3, all, select};
 use super::look::Look;
+use super::pattern::mark;
 use super::tile::{Drawn, Owner, PACKETS, Packet, Test, centres, packet_places, write_one};
 use super::turning::{Spin, doppler_of, standing, surface_when_shown};
 use crate::backdrop::Part;
@@ -135,18 +136,38 @@ impl<S: Simd> Drawn<S, 4> {
                 let (kind, turns) = (seen.body.kind, seen.turns);
                 let surface = surface_when_shown(simd, kind, turns, &group, &body, ray, &spin);
                 let test = Test::new(simd, &group, &seen, &body, ray, surface, true);
-                let doppler = doppler_of(kind, turns, &group, &body, surface.place, surface.normal, ray.sight, ray.doppler, &spin);
+                let doppler = doppler_of(
+                    kind,
+                    turns,
+                    &group,
+                    &body,
+                    surface.place,
+                    surface.normal,
+                    ray.sight,
+                    ray.doppler,
+                    &spin,
+                );
                 let effects = look.effects(owner.group, turns, appearance);
                 let light = look.light(seen.body, turns, appearance);
                 let colour = received_colour(simd, effects, tables, light, doppler, surface.normal);
                 let colour = colour * (seen.body.brightness as f32);
-                if true || seen.body.marking.is_none() {
+                if seen.body.marking.is_none() {
                     return (colour, test.alpha);
                 }
                 let there = standing(simd, kind, turns, &group, &body, surface.place, &spin);
                 let distance = test.distance * ray.ground_per_rest;
                 let pattern = seen.body.pattern();
-                let mark = all(simd, 1.0);
+                let mark = mark(
+                    simd,
+                    kind,
+                    &group,
+                    &there.body,
+                    pattern,
+                    there.place,
+                    surface.normal,
+                    ray,
+                    distance,
+                );
                 (colour * mark, test.alpha)
             },
         )

@@ -218,7 +218,14 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
 
     /// Tests a body in the packet at this `place`, and says whether it is seen there.
     #[inline(always)]
-    fn test_in(&mut self, place: usize, seen: &Seen<'_>, body: &Body<S>, spin: &Spin<S>, owner: usize) -> bool {
+    fn test_in(
+        &mut self,
+        place: usize,
+        seen: &Seen<'_>,
+        body: &Body<S>,
+        spin: &Spin<S>,
+        owner: usize,
+    ) -> bool {
         let Self { simd, group, .. } = *self;
         let number = match self.places[place] {
             Some(number) => number,
@@ -321,8 +328,10 @@ impl<S: Simd, const N: usize> Drawn<S, N> {
         }
         for number in 1..self.packets.len() {
             let (before, [packet, ..]) = self.packets.split_at_mut(number) else { return };
-            for other in before.iter_mut().filter(|other| other.place == packet.place) {
-                other.compare(packet);
+            for other in before {
+                if other.place == packet.place {
+                    other.compare(packet);
+                }
             }
         }
     }

@@ -80,8 +80,9 @@ struct Found {
     /// From the middle of the group.
     place: DVec3,
     normal: DVec3,
-    /// Along `outward`, if that is a unit vector.
+    /// Along the unit vector `across`, which is perpendicular to the ray.
     movement: [f64; 2],
+    across: DVec3,
     own_doppler: f64,
     from_hub: DVec3,
     /// As it is when what is met is shown.
@@ -204,7 +205,9 @@ fn found<S: Simd>(simd: S, case: &Case, [u, v]: &[[f32; LANES]; 2]) -> [Found; L
     let sight = line_of_sight(simd, &case.frame, F::simd_from(simd, *u), F::simd_from(simd, *v));
     let ray = rest_ray(simd, &group, sight);
     let met = surface_when_shown(simd, kind, turns, &group, &body, &ray, &spin);
-    let moved: V2<S> = movement_of(&group, &ray, met.outward);
+    let across = ray.direction.cross(V3::all(simd, [0.3, -0.5, 0.8]));
+    let across = across / across.length();
+    let moved: V2<S> = movement_of(&group, &ray, across);
     let own_doppler =
         doppler_of(kind, turns, &group, &body, met.place, met.normal, ray.sight, ray.doppler, &spin);
     let from_hub = place_of_hit(kind, turns, &body, met.place, &spin);
@@ -228,6 +231,7 @@ fn found<S: Simd>(simd: S, case: &Case, [u, v]: &[[f32; LANES]; 2]) -> [Found; L
             place: vector(place),
             normal: vector(met.normal),
             movement: [number(moved.x), number(moved.y)],
+            across: vector(across),
             own_doppler: number(own_doppler),
             from_hub: vector(from_hub),
             turn: DQuat::from_vec4(vector(turn.v).extend(number(turn.w))),

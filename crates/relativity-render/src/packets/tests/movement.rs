@@ -18,7 +18,7 @@ fn movement_is_what_neighbouring_rays_differ_by() {
             ];
             let greatest = differences[0].length().max(differences[1].length());
             for (found_part, difference) in found.movement.into_iter().zip(differences) {
-                let off = (found_part - difference.dot(found.outward)).abs();
+                let off = (found_part - difference.dot(found.across)).abs();
                 assert!(off < 1e-5 * greatest, "{context}: {found_part} for {difference}");
             }
         }

@@ -63,17 +63,18 @@ fn the_same_rays_hit_at_the_same_places() {
     assert!(hits > 10_000 && 20 * (blended + grazes) < hits);
 }
 
-/// A ray that is moved out of the body by its clearance, and a little more, leaves it; by a little less it does not.
+/// A ray that is moved out of the body by its clearance, and a tenth more, leaves it; by a tenth less it does not. So near
+/// outlines that these are nearly straight.
 #[test]
 fn clearance_is_how_far_rays_are_inside() {
     let mut random = Random(4);
     let mut checked = 0;
     for (context, case) in cases() {
-        for _ in 0..12 {
+        for _ in 0..40 {
             let pixels = case.pixels(&mut random, 1.2);
             for found in case.found_best(&pixels) {
                 let part = found.clearance / found.half_width;
-                let Some(entry) = case.entry(&found, DVec3::ZERO).filter(|_| 1e-3 < part && part < 0.05)
+                let Some(entry) = case.entry(&found, DVec3::ZERO).filter(|_| 1e-4 < part && part < 0.005)
                 else {
                     continue;
                 };
@@ -82,10 +83,11 @@ fn clearance_is_how_far_rays_are_inside() {
                 let moved = |by: f64| case.entry(&found, found.outward * by);
                 let nearly = moved(found.clearance - margin);
                 assert!(nearly.is_some(), "{context}: {found:?}");
-                // Out of this, a ray may meet what is behind.
+                // Out of this, a ray may meet what is behind: a graze is no longer than 0.1 radii before and after.
                 let beyond = moved(found.clearance + margin);
-                let is_out = beyond.is_none_or(|beyond| beyond.distance > entry.distance + found.half_width);
-                assert!(is_out, "{context}: {found:?}");
+                let is_out =
+                    beyond.is_none_or(|beyond| beyond.distance > entry.distance + 0.2 * found.half_width);
+                assert!(is_out, "{context}: {beyond:?} after {entry:?}, {found:?}");
             }
         }
     }
