@@ -3,6 +3,9 @@
 use super::body::{Body, Capsule, Group, Ray, Surface, own_ray, share_of_other};
 use super::lanes::{F, Mask, Simd, SimdFloat, V3, all, select, sign_of};
 
+/// Below this sine of its angle to the ray the image of an axis is a point.
+const LEAST_SINE: f32 = 1e-5;
+
 /// The body's middle.
 #[inline(always)]
 pub fn middle<S: Simd>(body: &Body<S>) -> V3<S> {
@@ -25,24 +28,17 @@ pub fn surface<S: Simd>(simd: S, group: &Group, body: &Body<S>, ray: &Ray<S>) ->
     // Along the ray the box is a hexagon, inside three pairs of lines along the images of its axes. The image of an axis
     // along the ray is a point, and its lines cut off less than f32 resolves.
     let squares = n.yzx().times(n.yzx()) + n.zxy().times(n.zxy());
-    let sines = squares.map(F::sqrt);
-    let least = all(simd, 1e-5);
-    let divisors = sines.map(|sine| sine.max(least));
+    let sines = squares.sqrt();
+    let divisors = sines.at_least(LEAST_SINE);
     let spans = half.yzx().times(steep.zxy()) + half.zxy().times(steep.yzx());
-    let of_lines = |v: V3<S>| {
-        let quotients = v / divisors;
-        let endless = all(simd, 1e30);
-        let of_axis = |sine: F<S>, quotient| select(sine.simd_lt(least), endless, quotient);
-        V3::new(of_axis(sines.x, quotients.x), of_axis(sines.y, quotients.y), of_axis(sines.z, quotients.z))
-    };
-    let widths = of_lines(spans);
-    let inside = of_lines(spans - own.moment.abs());
+    let widths = of_lines(sines, spans / divisors);
+    let inside = of_lines(sines, (spans - own.moment.abs()) / divisors);
     let clearance = inside.min_part();
     let side = first_of(simd, equal_to(inside, clearance));
-    let outward = n.cross(side) * (-sign_of(own.moment.dot(side)) / divisors.dot(side).max(least));
+    let outward = n.cross(side) * (-sign_of(own.moment.dot(side)) / divisors.dot(side).max(LEAST_SINE));
 
-    let towards = n.map(sign_of);
-    let slopes = steep.map(|slope| slope.max(1e-12));
+    let towards = n.signs();
+    let slopes = steep.at_least(1e-12);
     let enters = -(half + towards.times(own.nearest)) / slopes;
     let leaves = (half - towards.times(own.nearest)) / slopes;
     let last_entry = enters.max_part();
@@ -61,7 +57,7 @@ pub fn surface<S: Simd>(simd: S, group: &Group, body: &Body<S>, ray: &Ray<S>) ->
     );
     let second = first_of(simd, equal_to(others, others.max_part()));
     let edge = V3::all(simd, [1.0; 3]) - face - second;
-    let divisor = sines.dot(edge).max(least);
+    let divisor = sines.dot(edge).max(LEAST_SINE);
     let of_edge = towards.times(half).cross(n).dot(edge);
     let from_edge = (own.moment.dot(edge) - of_edge).abs() / divisor;
     let width = (spans.dot(edge) - of_edge.abs()) / divisor;
@@ -77,6 +73,17 @@ pub fn surface<S: Simd>(simd: S, group: &Group, body: &Body<S>, ray: &Ray<S>) ->
         place: body.rest_from_body(place),
         normal: body.rest_from_body(normal),
     }
+}
+
+/// Those of three `distances` whose lines are there.
+#[inline(always)]
+fn of_lines<S: Simd>(sines: V3<S>, distances: V3<S>) -> V3<S> {
+    V3::new(of_line(sines.x, distances.x), of_line(sines.y, distances.y), of_line(sines.z, distances.z))
+}
+
+#[inline(always)]
+fn of_line<S: Simd>(sine: F<S>, distance: F<S>) -> F<S> {
+    select(sine.simd_lt(LEAST_SINE), all(sine.simd, 1e30), distance)
 }
 
 /// Which parts are this `value`.

@@ -157,10 +157,22 @@ impl<S: Simd> V3<S> {
         }
     }
 
-    /// `function` of each part.
+    /// At least `low`, each part.
     #[inline(always)]
-    pub fn map(self, function: impl Fn(F<S>) -> F<S>) -> Self {
-        Self { x: function(self.x), y: function(self.y), z: function(self.z) }
+    pub fn at_least(self, low: f32) -> Self {
+        Self { x: self.x.max(low), y: self.y.max(low), z: self.z.max(low) }
+    }
+
+    /// The root of each part.
+    #[inline(always)]
+    pub fn sqrt(self) -> Self {
+        Self { x: self.x.sqrt(), y: self.y.sqrt(), z: self.z.sqrt() }
+    }
+
+    /// [`sign_of`] each part.
+    #[inline(always)]
+    pub fn signs(self) -> Self {
+        Self { x: sign_of(self.x), y: sign_of(self.y), z: sign_of(self.z) }
     }
 
     /// Without signs, part by part.

@@ -31,8 +31,9 @@ struct Passage<S: Simd> {
 pub fn line_of_sight<S: Simd>(simd: S, frame: &Frame, u: F<S>, v: F<S>) -> Sight<S> {
     let [pole_u, pole_v, fine_u, fine_v] = frame.pole;
     let offset = V2::new((u - pole_u) - fine_u, (v - pole_v) - fine_v);
-    let part = |four| V3::of_four(simd, four);
-    let unnormalised = part(frame.base) + part(frame.right) * offset.x + part(frame.down) * offset.y;
+    let right = V3::of_four(simd, frame.right) * offset.x;
+    let down = V3::of_four(simd, frame.down) * offset.y;
+    let unnormalised = V3::of_four(simd, frame.base) + right + down;
     let scale = 1.0 / unnormalised.length();
     Sight { n: unnormalised * scale, scale }
 }

@@ -232,9 +232,8 @@ fn course_through<S: Simd>(capsule: &Capsule<S>, ray: &Ray<S>, spin: &Spin<S>) -
     let n = ray.direction;
     let nearest = nearest_to(spin.hub, ray);
     let (place, end) = (capsule.place - spin.hub, capsule.end - spin.hub);
-    let squared = |v: V3<S>| v.x * v.x + v.z * v.z;
-    let off_axle = squared(place).max(squared(end)).sqrt() + capsule.radius;
-    let flat_squared = squared(n).max(1e-12);
+    let off_axle = off_axle_squared(place).max(off_axle_squared(end)).sqrt() + capsule.radius;
+    let flat_squared = off_axle_squared(n).max(1e-12);
     let closest = -(nearest.x * n.x + nearest.z * n.z) / flat_squared;
     let side = nearest.x * n.z - nearest.z * n.x;
     let half_chord = ((off_axle * off_axle - side * side / flat_squared).max(0.0) / flat_squared).sqrt();
@@ -244,7 +243,13 @@ fn course_through<S: Simd>(capsule: &Capsule<S>, ray: &Ray<S>, spin: &Spin<S>) -
     let crossings = [(low - nearest.y) / slope, (high - nearest.y) / slope];
     let first = crossings[0].min(crossings[1]);
     let last = crossings[0].max(crossings[1]);
-    [first, last].map(|s| clamp(s, closest - half_chord, closest + half_chord))
+    let (before, after) = (closest - half_chord, closest + half_chord);
+    [clamp(first, before, after), clamp(last, before, after)]
+}
+
+#[inline(always)]
+fn off_axle_squared<S: Simd>(v: V3<S>) -> F<S> {
+    v.x * v.x + v.z * v.z
 }
 
 /// Where rays meet a body that turns, as one round after the other finds it, from `start` along the ray, counted from its
