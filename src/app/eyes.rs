@@ -9,6 +9,7 @@ use relativity_render::{
     Renderers, View,
 };
 
+use super::painting;
 use super::stillness::Stillness;
 use super::worker::{Wanted, Worker};
 use crate::accuracy::REFERENCE_SAMPLES;
@@ -197,11 +198,17 @@ impl EyePictures {
     /// nor, once that has refused, the reference draws it.
     pub fn picture(&mut self, ctx: &Context, index: usize, request: &Request) -> Option<Shown> {
         let scopes = self.gpu.error_scopes();
+        let before = self.drawings;
         let shown = if self.refusal.is_some() {
             Ok(self.picture_by_reference(ctx, index, request))
         } else {
             self.picture_by_method(ctx, index, request).map(Some)
         };
+        if let Ok(Some(Shown { texture, .. })) = shown
+            && self.drawings != before
+        {
+            painting::is_drawn_anew(ctx, texture);
+        }
         scopes.close().and(shown).unwrap_or_else(|error| {
             self.give_up(index);
             self.is_untold |= self.refusal.is_none();
@@ -284,6 +291,7 @@ impl EyePictures {
             let composer = composer.get_or_insert_with(|| Composer::new(gpu));
             composer.compose(gpu, composition, [&first.target, &second.target], &composed.target);
             composed.of = of;
+            painting::is_drawn_anew(ctx, composed.texture);
         }
         Some(Shown { texture: composed.texture, method })
     }
