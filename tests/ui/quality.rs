@@ -223,7 +223,7 @@ fn clicking_a_renderer_chooses_it() {
     settle(&mut window);
     window.get_by_label("mesh 2 px").click();
     window.run();
-    assert_eq!(window.state().state().settings.quality.method(), Method::Mesh { bound_px: 2.0 });
+    assert_eq!(window.state().state().settings.quality.method(), Some(Method::Mesh { bound_px: 2.0 }));
     let mut quality = window.state().state().settings.quality;
     quality.bound_px = 0.25;
     window.state_mut().ask(Command::Quality(quality));

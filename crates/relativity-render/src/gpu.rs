@@ -93,6 +93,12 @@ impl Gpu {
         format!("{} ({:?})", self.info.name, self.info.backend)
     }
 
+    /// Whether the device is software: the CPU does all that it is asked to draw.
+    #[must_use]
+    pub fn is_software(&self) -> bool {
+        self.info.device_type == wgpu::DeviceType::Cpu
+    }
+
     /// Begins to wait for what the device refuses of what this thread asks of it. What is refused without it is a
     /// [`Faults`](crate::Faults)' to tell, or ends the program.
     #[must_use]

@@ -183,7 +183,7 @@ impl PreparedScene {
     pub fn hit_image(&self, view: &View) -> HitImage {
         let lines_of_sight = LinesOfSight::new(&view.camera);
         let group_views = self.group_views(view);
-        let hits = self.pixels(view, &group_views, |bodies, [u, v]| {
+        let hits = self.pixels(view, &group_views, &|| true, |bodies, [u, v]| {
             let center = [f64::from(u) + 0.5, f64::from(v) + 0.5];
             self.first_hit_among(bodies, view, &group_views, lines_of_sight.through(center))
         });
@@ -197,10 +197,35 @@ impl PreparedScene {
     /// averaged in linear light.
     #[must_use]
     pub fn picture(&self, view: &View, appearance: &Appearance, samples: u32) -> Picture {
+        let rgba = self.picture_rows(view, appearance, samples, &|| true);
+        Picture { size: view.camera.size, rgba }
+    }
+
+    /// The same while it `goes_on`, which is asked at every few rows; `None` once it does not.
+    #[must_use]
+    pub fn picture_while(
+        &self,
+        view: &View,
+        appearance: &Appearance,
+        samples: u32,
+        goes_on: &(dyn Fn() -> bool + Sync),
+    ) -> Option<Picture> {
+        let rgba = self.picture_rows(view, appearance, samples, goes_on);
+        goes_on().then_some(Picture { size: view.camera.size, rgba })
+    }
+
+    /// The pixels of a picture, rows of which are left out once it no longer `goes_on`.
+    fn picture_rows(
+        &self,
+        view: &View,
+        appearance: &Appearance,
+        samples: u32,
+        goes_on: &(dyn Fn() -> bool + Sync),
+    ) -> Vec<[u8; 4]> {
         let lines_of_sight = LinesOfSight::new(&view.camera);
         let backdrop = Backdrop::new(&view.camera, appearance);
         let group_views = self.group_views(view);
-        let rgba = self.pixels(view, &group_views, |bodies, pixel| {
+        self.pixels(view, &group_views, goes_on, |bodies, pixel| {
             let sum = sample_grid(pixel, samples).fold([0.0; 3], |sum: [f64; 3], place| {
                 let line_of_sight = lines_of_sight.through(place);
                 let hit = self.first_hit_among(bodies, view, &group_views, line_of_sight);
@@ -212,8 +237,7 @@ impl PreparedScene {
                 std::array::from_fn(|i| sum[i] + colour[i])
             });
             encoded(sum.map(|part| part / f64::from(samples * samples)))
-        });
-        Picture { size: view.camera.size, rgba }
+        })
     }
 
     /// The mark of the pattern at `hit`, on average over what is `covered`: the factor of its light.
@@ -277,11 +301,13 @@ impl PreparedScene {
         out.extend(balls.iter().map(|ball| Cone::of_sight(view, ball.from, ball.radius)));
     }
 
-    /// One value per pixel of `view`, row by row, from the bodies that can be seen there and the pixel.
+    /// One value per pixel of `view`, row by row, from the bodies that can be seen there and the pixel; the default in
+    /// rows that are begun when it no longer `goes_on`.
     fn pixels<T: Clone + Default + Send>(
         &self,
         view: &View,
         group_views: &[GroupView],
+        goes_on: &(dyn Fn() -> bool + Sync),
         value: impl Fn(&[u32], [u32; 2]) -> T + Sync,
     ) -> Vec<T> {
         let (mut cones, mut owners) = (Vec::new(), Vec::new());
@@ -301,7 +327,7 @@ impl PreparedScene {
         let [width, height] = view.camera.size.map(|side| side as usize);
         let mut image = vec![T::default(); width * height];
         let rows = image.par_chunks_mut((width * TILE_SIDE as usize).max(1));
-        rows.zip(bands).for_each(|(rows, band)| {
+        rows.zip(bands).filter(|_| goes_on()).for_each(|(rows, band)| {
             for (tile, bodies) in band {
                 for [u, v] in tile.pixels() {
                     rows[(v % TILE_SIDE) as usize * width + u as usize] = value(&bodies, [u, v]);

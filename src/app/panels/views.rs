@@ -215,18 +215,29 @@ fn note(state: &State, eye: Eye, picture: Option<Shown>, with_heat_map: bool) ->
     };
     let model = state.sees_as_published(eye).then(|| "as published".to_owned());
     let colour = (state.settings.light.colour == Colour::False).then(|| "false colour".to_owned());
-    let chosen = state.settings.quality.method();
-    let method =
-        picture.map(|picture| picture.method).filter(|&drawn| drawn != Method::Rays || drawn != chosen);
-    let method = method.map(|drawn| match drawn {
-        Method::Rays => "rays, until the reference is done".to_owned(),
-        Method::Packets => "packets".to_owned(),
-        Method::Mesh { bound_px } => format!("mesh within {} px", figures::trimmed(bound_px, 3)),
-        Method::Reference => "reference".to_owned(),
-    });
+    let method = picture.and_then(|picture| drawn_by(state, eye, picture.method));
     let heat_map = with_heat_map.then(|| "difference to the reference".to_owned());
     [geometry, model, colour, method, heat_map].into_iter().flatten().collect::<Vec<_>>().join("  ·  ")
 }
+
+/// What has drawn the picture, where that was set or is further off than can be seen.
+fn drawn_by(state: &State, eye: Eye, drawn: Method) -> Option<String> {
+    let geometry = state.view(eye, state.session.picture_size).geometry;
+    let Some(set) = state.settings.quality.method() else {
+        let choice = state.choice(geometry)?;
+        return (choice.error_px > UNSEEN_PX || !choice.holds).then(|| format!("automatic: {choice}"));
+    };
+    match drawn {
+        Method::Rays if set == Method::Rays => None,
+        Method::Rays => Some("rays, until the reference is done".to_owned()),
+        Method::Packets => Some("packets".to_owned()),
+        Method::Mesh { bound_px } => Some(format!("mesh within {} px", figures::trimmed(bound_px, 3))),
+        Method::Reference => Some("reference".to_owned()),
+    }
+}
+
+/// Errors up to this are not told of in the picture, pixels.
+const UNSEEN_PX: f64 = 0.1;
 
 /// Why something in the picture is dark that shines.
 fn unseen(ui: &Ui, state: &State, pane: EyePane) -> Option<String> {
