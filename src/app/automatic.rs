@@ -52,7 +52,13 @@ impl App {
     pub(super) fn may_refine(&self) -> bool {
         let quality = self.state.settings.quality;
         let is_measuring = self.examination.as_ref().is_some_and(Examination::is_pending);
-        quality.refine && quality.renderer != RendererChoice::Mesh && !is_measuring
+        self.refines && quality.refine && quality.renderer != RendererChoice::Mesh && !is_measuring
+    }
+
+    /// This window, whose pictures stay as their method draws them: then they do not depend on how long it has been.
+    #[must_use]
+    pub fn without_refinement(self) -> Self {
+        Self { refines: false, ..self }
     }
 
     /// Whether pictures are as smooth as they get.

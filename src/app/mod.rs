@@ -113,6 +113,8 @@ pub struct App {
     eyes: Option<EyePictures>,
     /// What draws views of each geometry that is shown in this frame, where that is automatic.
     chosen: Vec<(Geometry, Chosen)>,
+    /// Whether pictures may get smoother while nothing changes.
+    refines: bool,
     faults: Faulty,
     /// Those in the projector's window, once there was one.
     projected: Option<EyePictures>,
@@ -144,6 +146,7 @@ impl App {
             examination: None,
             eyes: render_state.map(EyePictures::new),
             chosen: Vec::new(),
+            refines: true,
             faults: Faulty::of(ctx, render_state),
             projected: None,
             full_screen: FullScreen::default(),

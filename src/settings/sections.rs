@@ -185,7 +185,7 @@ pub struct Quality {
     /// What draws.
     #[arg(long, value_enum)]
     pub renderer: RendererChoice,
-    /// How far the mesh renderer may draw a point from where it is seen, pixels.
+    /// How far the mesh renderer, where it is chosen, may draw a point from where it is seen, pixels.
     #[arg(long, value_name = "PX", value_parser = within(BOUND_PX))]
     pub bound_px: f64,
     /// What the automatic renderer keeps.

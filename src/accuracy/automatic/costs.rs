@@ -1,6 +1,6 @@
 //! What each method costs on this machine, as far as it is known: measured in passing, else expected.
 
-use relativity_render::{Geometry, Method};
+use relativity_render::{Geometry, Gpu, Method};
 
 use super::stated::is_on_cpu;
 
@@ -13,6 +13,18 @@ pub enum Machine {
     SoftwareGpu,
     /// A real one.
     Gpu,
+}
+
+impl Machine {
+    /// That with this `gpu`, or without any.
+    #[must_use]
+    pub fn of(gpu: Option<&Gpu>) -> Self {
+        match gpu {
+            None => Self::Cpu,
+            Some(gpu) if gpu.is_software() => Self::SoftwareGpu,
+            Some(_) => Self::Gpu,
+        }
+    }
 }
 
 /// How many of the last measurements count: their median, which one hiccup does not move.
@@ -30,6 +42,8 @@ const MEGAPIXEL: f64 = 1e6;
 #[derive(Debug, Clone)]
 pub struct Costs {
     machine: Machine,
+    /// Rays per pixel of the reference are the square of this.
+    samples: u32,
     records: Vec<Record>,
 }
 
@@ -58,8 +72,8 @@ impl Record {
 impl Costs {
     /// Nothing is measured yet.
     #[must_use]
-    pub const fn new(machine: Machine) -> Self {
-        Self { machine, records: Vec::new() }
+    pub const fn new(machine: Machine, samples: u32) -> Self {
+        Self { machine, samples, records: Vec::new() }
     }
 
     /// What draws.
@@ -132,7 +146,7 @@ impl Costs {
                 .filter(beside)
                 .filter_map(|record| Some((record, record.median()?)))
                 .max_by(|(a, _), (b, _)| a.at_ms.total_cmp(&b.at_ms));
-            let usual = |method| usual_ms(self.machine, method);
+            let usual = |method| usual_ms(self.machine, self.samples, method);
             let scale = newest.map_or(1.0, |(record, ms)| ms / usual(record.method));
             scale * usual(method) * pixels / MEGAPIXEL
         })
@@ -141,11 +155,11 @@ impl Costs {
 
 /// What a method is taken to cost before anything is measured, milliseconds per megapixel: of the start view, on two cores or
 /// a GPU of a desk's computer. Only their order and their ratios count.
-fn usual_ms(machine: Machine, method: Method) -> f64 {
+fn usual_ms(machine: Machine, samples: u32, method: Method) -> f64 {
     let is_real = machine == Machine::Gpu;
     match method {
         Method::Packets => 12.0,
-        Method::Reference => 170.0,
+        Method::Reference => 42.0 * f64::from(samples * samples),
         Method::Rays => {
             if is_real {
                 0.5

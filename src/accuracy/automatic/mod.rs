@@ -19,6 +19,7 @@ pub use stated::F32_ERROR_PX;
 use stated::{Candidate, candidates};
 pub use words::method_name;
 
+use super::REFERENCE_SAMPLES;
 use crate::flags::Goal;
 
 /// The share of the time in which other methods are tried.
@@ -75,7 +76,14 @@ impl Automatic {
     /// On this `machine`, of which nothing is known yet.
     #[must_use]
     pub const fn new(machine: Machine) -> Self {
-        Self { costs: Costs::new(machine), scene: None, kept: Vec::new(), next_trial_ms: None }
+        Self::with_samples(machine, REFERENCE_SAMPLES)
+    }
+
+    /// The same, where the reference draws with `samples` times `samples` rays per pixel.
+    #[must_use]
+    pub const fn with_samples(machine: Machine, samples: u32) -> Self {
+        let costs = Costs::new(machine, samples);
+        Self { costs, scene: None, kept: Vec::new(), next_trial_ms: None }
     }
 
     /// What is known of costs.

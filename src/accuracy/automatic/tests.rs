@@ -115,7 +115,7 @@ fn a_budget_has_the_most_accurate_that_keeps_it() {
 
 #[test]
 fn one_hiccup_does_not_count() {
-    let mut costs = Costs::new(Machine::Gpu);
+    let mut costs = Costs::new(Machine::Gpu, 2);
     let mut now_ms = 0.0;
     let pixels = 2e6;
     let mut draw = |ms: f64| {
@@ -132,7 +132,7 @@ fn one_hiccup_does_not_count() {
 
 #[test]
 fn the_first_drawing_is_not_measured_nor_each_of_the_others() {
-    let (mut costs, rays) = (Costs::new(Machine::Gpu), Method::Rays);
+    let (mut costs, rays) = (Costs::new(Machine::Gpu, 2), Method::Rays);
     assert!(!costs.is_due(rays, Geometry::Seen, 0.0));
     costs.note(rays, Geometry::Seen, None, 0.0);
     let mut measured = 0;

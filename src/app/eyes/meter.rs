@@ -42,8 +42,7 @@ impl Chosen {
 impl Meter {
     /// Nothing is known yet of what `gpu` costs.
     pub fn new(gpu: &Gpu) -> Self {
-        let machine = if gpu.is_software() { Machine::SoftwareGpu } else { Machine::Gpu };
-        let automatic = Automatic::new(machine);
+        let automatic = Automatic::new(Machine::of(Some(gpu)));
         Self { automatic, clock: Instant::now(), is_on: false, drawings: 0, frames: 0 }
     }
 
