@@ -4,7 +4,7 @@
 //! of the calling thread, so that the same code runs there, one task after the other. No result depends on the
 //! number of threads.
 
-pub use rayon::{current_num_threads, prelude};
+pub use rayon::{current_num_threads, join, prelude};
 
 use std::sync::LazyLock;
 

@@ -10,8 +10,9 @@ use relativity_core::threads::prelude::*;
 use crate::backdrop::Backdrop;
 use crate::camera::LinesOfSight;
 use crate::cone::Cone;
+use crate::first_entry::{Chosen, Standing};
 use crate::group_view::GroupView;
-use crate::intersect::Entry;
+use crate::hierarchy::Beam;
 use crate::pattern::Covered;
 use crate::picture::{Picture, encoded};
 use crate::prepared_body::PreparedBody;
@@ -94,25 +95,25 @@ impl PreparedScene {
     /// Tests every body: meant for single rays. [`Self::hit_image`] is much faster per ray.
     #[must_use]
     pub fn first_hit(&self, view: &View, line_of_sight: DVec3) -> Option<Hit> {
-        self.first_hit_among(self.numbers(), view, &self.group_views(view), line_of_sight)
+        let all = TileBodies { others: self.numbers().to_vec(), standing: Vec::new() };
+        self.first_hit_among(&all, view, &self.group_views(view), line_of_sight)
     }
 
-    /// What is seen of `bodies`, whose numbers ascend: of each group the first, of those the nearest by light travel.
+    /// What is seen of `bodies`: of each group the first, of those the nearest by light travel.
     fn first_hit_among(
         &self,
-        mut bodies: &[u32],
+        bodies: &TileBodies,
         view: &View,
         group_views: &[GroupView],
         line_of_sight: DVec3,
     ) -> Option<Hit> {
         let mut nearest: Option<Hit> = None;
-        for (number, group_view) in group_views.iter().enumerate() {
+        let mut others = bodies.others.as_slice();
+        for (group, group_view) in group_views.iter().enumerate() {
             let own;
-            (own, bodies) = self.split(bodies, number);
-            if own.is_empty() {
-                continue;
-            }
-            let hit = self.first_hit_in(number, own, view, group_view, line_of_sight);
+            (own, others) = self.split(others, group);
+            let chosen = Chosen { group, others: own, standing: bodies.standing.get(group) };
+            let hit = self.first_hit_in(&chosen, view, group_view, line_of_sight);
             nearest = match (nearest, hit) {
                 (Some(near), Some(hit)) if hit.distance < near.distance => Some(hit),
                 (near, hit) => near.or(hit),
@@ -131,22 +132,24 @@ impl PreparedScene {
         bodies.split_at(count)
     }
 
-    /// What is seen of `bodies` of the `group` of this number.
+    /// What is seen of the bodies of a group that are `chosen`.
     fn first_hit_in(
         &self,
-        group: usize,
-        bodies: &[u32],
+        chosen: &Chosen<'_>,
         view: &View,
         group_view: &GroupView,
         line_of_sight: DVec3,
     ) -> Option<Hit> {
-        let prepared = &self.groups()[group];
+        if chosen.is_empty() {
+            return None;
+        }
+        let prepared = &self.groups()[chosen.group];
         let (body, entry, distance, ray) = if group_view.geometry == Geometry::OneCone {
-            self.first_entry_in_one_cone(prepared, bodies, group_view, line_of_sight)?
+            self.first_entry_in_one_cone(prepared, chosen.others, group_view, line_of_sight)?
         } else {
             let ray = group_view.rest_ray(line_of_sight);
             let near = Ray::new(ray.origin, ray.direction).counted_from(prepared.extent.middle);
-            let (body, entry) = self.first_entry(bodies, &near, group_view, prepared.tie())?;
+            let (body, entry) = self.first_entry(chosen, &near, group_view)?;
             let distance = (near.from_camera + entry.distance) * ray.ground_per_rest;
             (body, entry, distance, ray)
         };
@@ -163,19 +166,6 @@ impl PreparedScene {
             material_position,
             doppler_factor: ray.doppler_factor * own_doppler,
         })
-    }
-
-    /// The nearest entry of `ray` among `bodies`, whose numbers ascend.
-    fn first_entry(&self, bodies: &[u32], ray: &Ray, view: &GroupView, tie: f64) -> Option<(usize, Entry)> {
-        let entries = bodies.iter().filter_map(|&body| {
-            let body = body as usize;
-            let entry = match self.turning(body) {
-                Some(turning) => turning.entry(ray, view, None).0,
-                None => self.solid(body).entry(ray),
-            };
-            Some((body, entry?))
-        });
-        entries.reduce(|first, next| if next.1.distance < first.1.distance - tie { next } else { first })
     }
 
     /// What `view` shows at the centre of every pixel.
@@ -308,27 +298,27 @@ impl PreparedScene {
         view: &View,
         group_views: &[GroupView],
         goes_on: &(dyn Fn() -> bool + Sync),
-        value: impl Fn(&[u32], [u32; 2]) -> T + Sync,
+        value: impl Fn(&TileBodies, [u32; 2]) -> T + Sync,
     ) -> Vec<T> {
         let (mut cones, mut owners) = (Vec::new(), Vec::new());
-        for body in self.bodies() {
+        let keeps_place = |body: &PreparedBody| {
+            self.turning(body.number).is_none() && group_views[body.group].has_straight_rays()
+        };
+        for body in self.bodies().iter().filter(|body| !keeps_place(body)) {
             self.add_cones(body, &group_views[body.group], &mut cones);
             owners.resize(cones.len(), body.number as u32);
         }
-        let mut bands = bands(&view.camera, &cones);
-        if owners.len() > self.bodies().len() {
-            for (_, bodies) in bands.iter_mut().flatten() {
-                for cone in bodies.iter_mut() {
-                    *cone = owners[*cone as usize];
-                }
-                bodies.dedup();
-            }
-        }
+        let lines_of_sight = LinesOfSight::new(&view.camera);
+        let bands = bands(&view.camera, &cones);
         let [width, height] = view.camera.size.map(|side| side as usize);
         let mut image = vec![T::default(); width * height];
         let rows = image.par_chunks_mut((width * TILE_SIDE as usize).max(1));
         rows.zip(bands).filter(|_| goes_on()).for_each(|(rows, band)| {
-            for (tile, bodies) in band {
+            for (tile, cones) in band {
+                let mut others: Vec<u32> = cones.iter().map(|&cone| owners[cone as usize]).collect();
+                others.dedup();
+                let standing = self.standing_in(&tile.cone(&lines_of_sight), group_views);
+                let bodies = TileBodies { others, standing };
                 for [u, v] in tile.pixels() {
                     rows[(v % TILE_SIDE) as usize * width + u as usize] = value(&bodies, [u, v]);
                 }
@@ -336,6 +326,26 @@ impl PreparedScene {
         });
         image
     }
+
+    /// For each group those of its bodies that keep their places and can be seen in `cone`.
+    fn standing_in(&self, cone: &Cone, group_views: &[GroupView]) -> Vec<Standing> {
+        let of_group = |(group, view): (usize, &GroupView)| {
+            if !view.has_straight_rays() {
+                return Standing::Few(Vec::new());
+            }
+            let beam = Beam::new(view, cone, self.groups()[group].extent.middle);
+            beam.map_or(Standing::Many, |beam| self.standing(group, &beam))
+        };
+        group_views.iter().enumerate().map(of_group).collect()
+    }
+}
+
+/// The bodies that a tile may show.
+struct TileBodies {
+    /// The numbers, which ascend, of those that do not keep their places, or of all those of a group whose rays curve.
+    others: Vec<u32>,
+    /// For each group those that do; none at all where all are among the others.
+    standing: Vec<Standing>,
 }
 
 /// The centres of `samples` times `samples` equal parts of a pixel.

@@ -7,6 +7,7 @@ use std::sync::{Arc, Mutex};
 use crate::body::Body;
 use crate::capsule::Capsule;
 use crate::group_view::GroupView;
+use crate::hierarchy::{Hierarchy, pieces};
 use crate::intersect::Solid;
 use crate::outline::Outline;
 use crate::prepared_body::{Extent, PreparedBody, find_joints, find_patterned};
@@ -56,6 +57,8 @@ struct Prepared {
     solids: Vec<Solid>,
     /// The same of bodies that turn out of their places; none at all where no body does.
     turning: Vec<Option<TurningSolid>>,
+    /// For each group, boxes around those of its bodies that keep their places.
+    hierarchies: Vec<Hierarchy>,
     /// The numbers of all bodies.
     numbers: Vec<u32>,
     capsules: Vec<Capsule>,
@@ -116,12 +119,22 @@ impl PreparedScene {
         if turning.iter().all(Option::is_none) {
             turning.clear();
         }
+        let hierarchy = |group: &PreparedGroup| {
+            let standing = bodies[group.bodies.clone()].iter().filter(|body| !body.is_turned);
+            let extent = &group.extent;
+            let pieces = standing.flat_map(|body| {
+                pieces(&solids[body.number], &capsules[body.capsules.clone()], body.number as u32, extent)
+            });
+            Hierarchy::new(pieces, extent.middle)
+        };
+        let hierarchies = prepared.iter().map(hierarchy).collect();
         let numbers = (0..bodies.len() as u32).collect();
         Self(Arc::new(Prepared {
             groups: prepared,
             bodies,
             solids,
             turning,
+            hierarchies,
             numbers,
             capsules,
             balls,
@@ -155,6 +168,11 @@ impl PreparedScene {
     /// The shape of the body of this number if it turns out of its place.
     pub(crate) fn turning(&self, body: usize) -> Option<&TurningSolid> {
         self.0.turning.get(body)?.as_ref()
+    }
+
+    /// Boxes around the bodies of the group of this number that keep their places in it.
+    pub(crate) fn hierarchy(&self, group: usize) -> &Hierarchy {
+        &self.0.hierarchies[group]
     }
 
     /// The numbers of all bodies.

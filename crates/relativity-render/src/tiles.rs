@@ -41,7 +41,7 @@ impl Tile {
     }
 
     /// The cone around its lines of sight.
-    fn cone(self, lines_of_sight: &LinesOfSight) -> Cone {
+    pub fn cone(self, lines_of_sight: &LinesOfSight) -> Cone {
         let [left, top] = self.corner.map(f64::from);
         let [width, height] = self.size.map(f64::from);
         let through = |x: f64, y: f64| lines_of_sight.through([left + x * width, top + y * height]);
