@@ -7,6 +7,8 @@ use crate::settings::BOUND_PX;
 
 /// How far what is drawn in f32 is off up to [`MEASURED_GAMMA`], pixels (README, Accuracy and speed).
 pub const F32_ERROR_PX: f64 = 0.002;
+/// The same as an angle, radians: what counts where a pixel is small.
+const F32_ERROR_RADIANS: f64 = 1e-6;
 /// The greatest gamma for which that is measured.
 const MEASURED_GAMMA: f64 = 1000.0;
 /// How far it is off from there to [`GROUPS_GAMMA`], pixels: where another body is shown, an outline is no further.
@@ -58,11 +60,12 @@ fn f32_error_px(scene: &PreparedScene, view: &View) -> f64 {
     };
     let fastest = scene.groups().iter().map(|group| gamma(&group.motion)).fold(1.0, f64::max);
     let is_one = scene.groups().iter().filter(|group| !group.bodies.is_empty()).count() <= 1;
-    if fastest <= MEASURED_GAMMA {
+    let by_angle = F32_ERROR_RADIANS * view.camera.px_per_radian();
+    by_angle.max(if fastest <= MEASURED_GAMMA {
         F32_ERROR_PX
     } else if fastest <= GROUPS_GAMMA || is_one {
         F32_FAST_ERROR_PX
     } else {
         f64::INFINITY
-    }
+    })
 }
