@@ -193,6 +193,7 @@ fn what_draws_a_geometry_alone_is_chosen_for_it() {
     let mesh = |bound_px| Some(Method::Mesh { bound_px });
     assert_eq!(chosen(Geometry::Published, Goal::Error(0.25)), mesh(0.25));
     assert_eq!(chosen(Geometry::OneCone, Goal::Error(0.25)), mesh(0.25));
+    assert_ne!(chosen(Geometry::Seen, Goal::Error(100.0)), mesh(100.0));
     // No finer mesh is made.
     assert_eq!(chosen(Geometry::Published, Goal::Error(1e-4)), mesh(0.01));
     assert_eq!(chosen(Geometry::OneCone, Goal::Error(1e-4)), Some(Method::Reference));
