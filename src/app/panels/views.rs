@@ -339,3 +339,37 @@ impl Marker {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::accuracy::Choice;
+    use crate::flags::Goal;
+    use crate::flags::choices::RendererChoice;
+    use crate::scene::Scene;
+    use crate::settings::Settings;
+
+    /// Where it can be seen, and where a goal is not kept.
+    #[test]
+    fn a_view_says_what_automatic_quality_costs_it() {
+        let mut state = State::new(Settings::default(), Scene::default());
+        let mesh = Method::Mesh { bound_px: 0.5 };
+        let (goal, is_measured) = (Goal::Budget(16.0), true);
+        let choice = Choice { method: mesh, error_px: 0.5, ms: 4.0, is_measured, goal, holds: true };
+        let said = |state: &mut State, choice: Choice| {
+            state.session.choices = vec![(Geometry::Seen, choice)];
+            drawn_by(state, Eye::Left, choice.method)
+        };
+        assert_eq!(said(&mut state, choice).as_deref(), Some("automatic: mesh, 4.0 ms of 16, within 0.5 px"));
+        let exact = Choice { method: Method::Packets, error_px: 0.002, ..choice };
+        assert_eq!(said(&mut state, exact), None);
+        let late = Choice { ms: 40.0, holds: false, ..exact };
+        let expected = "automatic: packets, 40 ms, within 0.002 px; nothing keeps 16 ms";
+        assert_eq!(said(&mut state, late).as_deref(), Some(expected));
+        // What is set is said unless it is the rays.
+        state.settings.quality.renderer = RendererChoice::Packets;
+        assert_eq!(drawn_by(&state, Eye::Left, Method::Packets).as_deref(), Some("packets"));
+        state.settings.quality.renderer = RendererChoice::Rays;
+        assert_eq!(drawn_by(&state, Eye::Left, Method::Rays), None);
+    }
+}
