@@ -53,11 +53,13 @@ struct Division<'a> {
 }
 
 impl PreparedScene {
-    /// One value per pixel of `view`, row by row: `draw` is given each tile, and the rows of pixels to write it into.
+    /// One value per pixel of `view`, row by row: `draw` is given each tile, and the rows of pixels to write it into. The
+    /// default is in rows that would begin when it no longer `goes_on`.
     pub(crate) fn tiles<T: Clone + Default + Send>(
         &self,
         view: &View,
         group_views: &[GroupView],
+        goes_on: &(dyn Fn() -> bool + Sync),
         draw: impl Fn(&TileLook<'_>, &mut Rows<'_, T>) + Sync,
     ) -> Vec<T> {
         let [width, height] = view.camera.size;
@@ -67,7 +69,7 @@ impl PreparedScene {
         }
         let division = Division::new(self, view, group_views);
         let bands = image.par_chunks_mut(width as usize * BAND as usize).enumerate();
-        bands.for_each(|(number, values)| {
+        bands.filter(|_| goes_on()).for_each(|(number, values)| {
             let top = number as u32 * BAND;
             let tile = Tile { corner: [0, top], size: [width, BAND.min(height - top)] };
             let mut rows = Rows { values, width: width as usize, top };

@@ -168,7 +168,7 @@ impl PreparedScene {
     pub fn hit_image(&self, view: &View) -> HitImage {
         let lines_of_sight = LinesOfSight::new(&view.camera);
         let group_views = self.group_views(view);
-        let hits = self.pixels(view, &group_views, |bodies, [u, v]| {
+        let hits = self.pixels(view, &group_views, &|| true, |bodies, [u, v]| {
             let center = [f64::from(u) + 0.5, f64::from(v) + 0.5];
             self.first_hit_among(bodies, view, &group_views, lines_of_sight.through(center))
         });
@@ -182,10 +182,35 @@ impl PreparedScene {
     /// averaged in linear light.
     #[must_use]
     pub fn picture(&self, view: &View, appearance: &Appearance, samples: u32) -> Picture {
+        let rgba = self.picture_rows(view, appearance, samples, &|| true);
+        Picture { size: view.camera.size, rgba }
+    }
+
+    /// The same while it `goes_on`, which is asked at every few rows; `None` once it does not.
+    #[must_use]
+    pub fn picture_while(
+        &self,
+        view: &View,
+        appearance: &Appearance,
+        samples: u32,
+        goes_on: &(dyn Fn() -> bool + Sync),
+    ) -> Option<Picture> {
+        let rgba = self.picture_rows(view, appearance, samples, goes_on);
+        goes_on().then_some(Picture { size: view.camera.size, rgba })
+    }
+
+    /// The pixels of a picture, rows of which are left out once it no longer `goes_on`.
+    fn picture_rows(
+        &self,
+        view: &View,
+        appearance: &Appearance,
+        samples: u32,
+        goes_on: &(dyn Fn() -> bool + Sync),
+    ) -> Vec<[u8; 4]> {
         let lines_of_sight = LinesOfSight::new(&view.camera);
         let backdrop = Backdrop::new(&view.camera, appearance);
         let group_views = self.group_views(view);
-        let rgba = self.pixels(view, &group_views, |bodies, pixel| {
+        self.pixels(view, &group_views, goes_on, |bodies, pixel| {
             let sum = sample_grid(pixel, samples).fold([0.0; 3], |sum: [f64; 3], place| {
                 let line_of_sight = lines_of_sight.through(place);
                 let hit = self.first_hit_among(bodies, view, &group_views, line_of_sight);
@@ -197,8 +222,7 @@ impl PreparedScene {
                 std::array::from_fn(|i| sum[i] + colour[i])
             });
             encoded(sum.map(|part| part / f64::from(samples * samples)))
-        });
-        Picture { size: view.camera.size, rgba }
+        })
     }
 
     /// The mark of the pattern at `hit`, on average over what is `covered`: the factor of its light.
@@ -246,14 +270,16 @@ impl PreparedScene {
         }
     }
 
-    /// One value per pixel of `view`, row by row, from the bodies that can be seen there and the pixel.
+    /// One value per pixel of `view`, row by row, from the bodies that can be seen there and the pixel; the default in
+    /// rows that are begun when it no longer `goes_on`.
     fn pixels<T: Clone + Default + Send>(
         &self,
         view: &View,
         group_views: &[GroupView],
+        goes_on: &(dyn Fn() -> bool + Sync),
         value: impl Fn(&TileBodies, [u32; 2]) -> T + Sync,
     ) -> Vec<T> {
-        self.tiles(view, group_views, |look, rows| {
+        self.tiles(view, group_views, goes_on, |look, rows| {
             let standing = look.cap.map_or_else(Vec::new, |cap| self.standing_in(&cap, group_views));
             let bodies = TileBodies { others: look.others.to_vec(), standing };
             for pixel in look.tile.pixels() {

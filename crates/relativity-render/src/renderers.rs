@@ -175,7 +175,14 @@ impl Renderers {
     ) -> Result<(), GpuError> {
         view.drawn_on_gpu()?;
         let scopes = self.gpu.as_ref().ok_or(GpuError::NoAdapter)?.error_scopes();
-        let (gpu, canvas, drawing) = self.drawing(method.on_gpu(view))?;
+        let method = method.on_gpu(view);
+        if method == Method::Packets
+            && let (Some(gpu), Some(packets)) = (&self.gpu, &self.packets)
+        {
+            target.write(gpu, &packets.picture(scene, &view.with_size(target.size()), appearance));
+            return scopes.close();
+        }
+        let (gpu, canvas, drawing) = self.drawing(method)?;
         canvas.paint(gpu, drawing, scene, view, appearance, target);
         scopes.close()
     }
