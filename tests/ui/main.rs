@@ -15,6 +15,7 @@ mod lessons;
 mod manners;
 mod map;
 mod own_data;
+mod painting;
 mod pairs;
 mod picking;
 mod plots;
@@ -57,6 +58,7 @@ fn main() -> ExitCode {
         manners::TESTS,
         map::TESTS,
         own_data::TESTS,
+        painting::TESTS,
         pairs::TESTS,
         picking::TESTS,
         plots::TESTS,
