@@ -47,7 +47,7 @@ fn row(renderers: &mut Renderers, settings: &Settings, light: bool) -> anyhow::R
             state.session.time = time;
             state.session.picture_size = SIZE;
             let (view, appearance) = (state.view(Eye::Left, SIZE), state.appearance(light));
-            let method = state.settings.quality.method();
+            let method = state.method(&view);
             row.push(renderers.picture(method, &state.session.prepared, &view, &appearance, 2)?);
         }
     }

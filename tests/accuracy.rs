@@ -200,7 +200,7 @@ radius = 0.3
 fn without_an_adapter_it_measures_what_it_can_and_says_what_is_missing() {
     let report = json(without_adapter(&mut command(&[])));
     assert!(report["setting"]["device"].is_null());
-    assert_eq!(entries(&report, "renderers").len(), 1);
+    assert_eq!(entries(&report, "renderers").len(), 2);
     assert!(report["missing"][0].as_str().is_some_and(|missing| missing.contains("rays")));
     assert_eq!(report["effects"]["method"], "reference f64");
     let table = output(without_adapter(&mut command(&[])));

@@ -18,7 +18,7 @@ pub const MESH_BOUNDS_PX: [f64; 3] = [0.1, Method::DEFAULT_BOUND_PX, 2.0];
 pub fn methods(renderers: &Renderers) -> Vec<Method> {
     let meshes = MESH_BOUNDS_PX.map(|bound_px| Method::Mesh { bound_px });
     let on_gpu = renderers.gpu().into_iter().flat_map(|_| [Method::Rays].into_iter().chain(meshes));
-    std::iter::once(Method::Reference).chain(on_gpu).collect()
+    [Method::Reference, Method::Packets].into_iter().chain(on_gpu).collect()
 }
 
 /// Milliseconds that `method` takes for a picture of `view`: the fastest of `rounds` runs.
@@ -37,10 +37,10 @@ pub fn frame_ms(
     appearance: &Appearance,
     rounds: u32,
 ) -> Result<f64, GpuError> {
-    if method == Method::Reference {
-        return Ok(fastest_ms(rounds, || {
-            std::hint::black_box(scene.picture(view, appearance, REFERENCE_SAMPLES));
-        }));
+    if matches!(method, Method::Reference | Method::Packets) {
+        return fastest_ms(rounds, || {
+            renderers.picture(method, scene, view, appearance, REFERENCE_SAMPLES).map(std::hint::black_box)
+        });
     }
     let gpu = renderers.gpu().cloned().ok_or(GpuError::NoAdapter)?;
     let mut target = EyeTarget::new(&gpu, view.camera.size);
@@ -72,11 +72,12 @@ fn fastest_frame_ms(rounds: u32, mut draw: impl FnMut(u32) -> Result<(), GpuErro
 }
 
 /// Milliseconds of the fastest of `rounds` runs of `work`.
-fn fastest_ms(rounds: u32, mut work: impl FnMut()) -> f64 {
-    let run = |_| {
+fn fastest_ms<T>(rounds: u32, mut work: impl FnMut() -> Result<T, GpuError>) -> Result<f64, GpuError> {
+    let mut fastest = f64::INFINITY;
+    for _ in 0..rounds.max(1) {
         let start = Instant::now();
-        work();
-        start.elapsed_ms()
-    };
-    (0..rounds.max(1)).map(run).fold(f64::INFINITY, f64::min)
+        work()?;
+        fastest = fastest.min(start.elapsed_ms());
+    }
+    Ok(fastest)
 }

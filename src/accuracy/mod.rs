@@ -2,6 +2,7 @@
 //!
 //! Knows neither the window nor the command line; both call it.
 
+mod automatic;
 mod cost;
 mod difference;
 mod expected;
@@ -12,6 +13,7 @@ mod rounds;
 mod spread;
 mod views;
 
+pub use automatic::{Automatic, Choice, F32_ERROR_PX, Machine, Sight, method_name};
 pub use cost::{MESH_BOUNDS_PX, REFERENCE_SAMPLES, frame_ms, methods};
 pub use difference::{ARCSECONDS, Difference, DifferenceFigures, PixelDifference, angle};
 pub use expected::{Effort, ExpectedError, expected_error};

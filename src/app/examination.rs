@@ -10,9 +10,8 @@ use super::stillness::Stillness;
 use super::worker::{Wanted, Worker};
 use crate::accuracy::{
     DifferenceFigures, Effort, ExpectedError, MESH_BOUNDS_PX, RESOLUTION_PX, RoundsError, Spread,
-    expected_error,
+    expected_error, method_name,
 };
-use crate::figures;
 
 /// What is examined: the present views.
 #[derive(Debug, Clone, PartialEq)]
@@ -73,6 +72,8 @@ pub struct Examination {
     /// How many sights there were.
     number: u64,
     methods: Vec<Method>,
+    /// What draws the views.
+    chosen: Method,
     outcomes: Vec<Outcome>,
     shown_maps: Option<ShownMaps>,
 }
@@ -109,16 +110,6 @@ impl<'a> Row<'a> {
     }
 }
 
-/// What a method is called.
-#[must_use]
-pub fn method_name(method: Method) -> String {
-    match method {
-        Method::Rays => "rays".to_owned(),
-        Method::Mesh { bound_px } => format!("mesh {} px", figures::trimmed(bound_px, 3)),
-        Method::Reference => "reference".to_owned(),
-    }
-}
-
 impl Examination {
     /// Nothing is known yet. Without a `gpu` there is only the reference to measure.
     #[must_use]
@@ -133,6 +124,7 @@ impl Examination {
             sight: None,
             number: 0,
             methods: Vec::new(),
+            chosen: Method::Reference,
             outcomes: Vec::new(),
             shown_maps: None,
         }
@@ -142,6 +134,7 @@ impl Examination {
     pub fn update(&mut self, ctx: &Context, sight: &Sight, chosen: Method) {
         let chosen = sight.views.first().map_or(chosen, |(_, view)| chosen.of_view(view));
         self.methods = methods(self.has_gpu, chosen, sight);
+        self.chosen = chosen;
         if self.sight.as_ref() != Some(sight) {
             self.worker.stop();
             self.sight = Some(sight.clone());
@@ -175,11 +168,24 @@ impl Examination {
         is_seen && self.outcome(method).is_none_or(|outcome| outcome.sight != self.number)
     }
 
+    /// How many pixels of a picture a radian has; nothing while nobody looks.
+    #[must_use]
+    pub fn px_per_radian(&self) -> Option<f64> {
+        let views = &self.sight.as_ref()?.views;
+        views.iter().map(|(_, view)| view.camera.px_per_radian()).reduce(f64::max)
+    }
+
     /// Gives up what is being measured, as nobody looks.
     pub fn rest(&mut self) {
         if self.sight.take().is_some() {
             self.worker.stop();
         }
+    }
+
+    /// What draws the views.
+    #[must_use]
+    pub const fn chosen(&self) -> Method {
+        self.chosen
     }
 
     /// Whether there is more to measure.
@@ -194,7 +200,7 @@ impl Examination {
         self.sight.as_ref().is_none_or(|sight| sight.views.is_empty())
     }
 
-    /// All methods: rays, meshes from fine to coarse, reference.
+    /// All methods: rays, packets, meshes from fine to coarse, reference.
     pub fn rows(&self) -> impl Iterator<Item = Row<'_>> {
         self.methods.iter().map(|&method| {
             let outcome = self.outcome(method);
@@ -236,7 +242,7 @@ impl Examination {
 /// What can be measured: not what another method stands in for.
 fn methods(has_gpu: bool, chosen: Method, sight: &Sight) -> Vec<Method> {
     if !has_gpu {
-        return vec![Method::Reference];
+        return vec![Method::Packets, Method::Reference];
     }
     let mut bounds = MESH_BOUNDS_PX.to_vec();
     if let Method::Mesh { bound_px } = chosen {
@@ -246,7 +252,12 @@ fn methods(has_gpu: bool, chosen: Method, sight: &Sight) -> Vec<Method> {
     bounds.dedup();
     let meshes = bounds.into_iter().map(|bound_px| Method::Mesh { bound_px });
     let draws = |method: &Method| sight.views.iter().all(|(_, view)| method.of_view(view) == *method);
-    [Method::Rays].into_iter().chain(meshes).chain([Method::Reference]).filter(draws).collect()
+    [Method::Rays, Method::Packets]
+        .into_iter()
+        .chain(meshes)
+        .chain([Method::Reference])
+        .filter(draws)
+        .collect()
 }
 
 fn outcome(renderers: &mut Renderers, job: &Job, is_cancelled: &dyn Fn() -> bool) -> Option<Outcome> {

@@ -7,6 +7,7 @@
 mod actions;
 mod aids;
 pub mod args;
+mod automatic;
 mod background_picture;
 pub mod beyond;
 pub mod border;
@@ -77,13 +78,14 @@ use std::path::PathBuf;
 
 use eframe::egui::{self, Rect, Ui, UiBuilder};
 use eframe::egui_wgpu::RenderState;
+use relativity_render::Geometry;
 
 use choosing::Chooser;
 use command::Command;
 use corrected::Corrected;
 use curves::Curves;
 use examination::Examination;
-use eyes::EyePictures;
+use eyes::{Chosen, EyePictures};
 use faulty::Faulty;
 use fitting::Fitting;
 use full_screen::FullScreen;
@@ -110,6 +112,10 @@ pub struct App {
     corrected: Option<Corrected>,
     examination: Option<Examination>,
     eyes: Option<EyePictures>,
+    /// What draws views of each geometry that is shown in this frame, where that is automatic.
+    chosen: Vec<(Geometry, Chosen)>,
+    /// Whether pictures may get smoother while nothing changes.
+    refines: bool,
     faults: Faulty,
     /// Those in the projector's window, once there was one.
     projected: Option<EyePictures>,
@@ -140,6 +146,8 @@ impl App {
             corrected: None,
             examination: None,
             eyes: render_state.map(EyePictures::new),
+            chosen: Vec::new(),
+            refines: true,
             faults: Faulty::of(ctx, render_state),
             projected: None,
             full_screen: FullScreen::default(),
@@ -402,6 +410,7 @@ impl App {
         let is_asked = self.state.course().and_then(Course::asked).is_some();
         let layout = if is_asked { layout.without_readout() } else { layout };
         self.measure_pictures(ui, &layout.panes);
+        self.choose_methods(ui, &layout.panes);
         self.state.session.shows_map = layout.map.is_some();
         let inset = |rect: Rect| rect.shrink2(INSET);
         self.panel(ui, "bar", inset(layout.bar), panels::bar::show);
@@ -469,6 +478,7 @@ impl App {
             }
         };
         self.measure_pictures(ui, &presentation.panes);
+        self.choose_methods(ui, &presentation.panes);
         self.fitting.rest();
         self.update_examination(ui, &presentation.panes, false);
         for &pane in &presentation.panes {

@@ -68,8 +68,10 @@ impl App {
         let panes = layout::views(area, &self.arranged(ui).without_corrected());
         // What is off is examined in pictures of the other window's size.
         let (size, examination) = (self.state.session.picture_size, self.examination.take());
+        let choices = self.state.session.choices.clone();
         std::mem::swap(&mut self.eyes, &mut self.projected);
         self.measure_pictures(ui, &panes);
+        self.choose_methods(ui, &panes);
         for &pane in &panes {
             self.interact(ui, pane);
             self.paint(ui, pane);
@@ -77,6 +79,7 @@ impl App {
         self.forget_composed(&panes);
         std::mem::swap(&mut self.eyes, &mut self.projected);
         (self.state.session.picture_size, self.examination) = (size, examination);
+        self.state.session.choices = choices;
         halo::paint(ui.ctx());
     }
 }

@@ -33,7 +33,7 @@ pub fn save(state: State, size: [u32; 2], texts: &[(&str, &str)], path: &Path) -
 fn picture(state: State, size: [u32; 2]) -> anyhow::Result<Picture> {
     let render_state = render_state().context("the window cannot be drawn")?;
     let ctx = Context::default();
-    let mut app = App::new(&ctx, Some(&render_state), state);
+    let mut app = App::new(&ctx, Some(&render_state), state).without_refinement();
     let painter = Painter::new(&render_state, size);
     let scopes = painter.gpu.error_scopes();
     let mut settled = 0;

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use relativity_core::Speed;
-use relativity_render::{Appearance, Emission, PreparedScene};
+use relativity_render::{Appearance, Emission, Geometry, Method, PreparedScene, View};
 
 use super::chooser::Purpose;
 use super::clock;
@@ -18,6 +18,7 @@ use super::points::{Point, Points};
 use super::recent::Recent;
 use super::running::Running;
 use super::stage::Stage;
+use crate::accuracy::Choice;
 use crate::estimate::samples::DataFile;
 use crate::flags::choices::ProjectionChoice;
 use crate::lesson::{KeptCourse, Library};
@@ -58,6 +59,8 @@ pub struct Session {
     pub preset: Option<&'static Preset>,
     /// Width and height of an eye's picture, which a field of view is fitted to, pixels.
     pub picture_size: [u32; 2],
+    /// What automatic quality has chosen for views of each geometry that is shown.
+    pub choices: Vec<(Geometry, Choice)>,
     /// How large a pixel of the screen is, cm.
     pub cm_per_pixel: f64,
     /// The separation of the eyes before it was narrowed to be comfortable, and then.
@@ -124,6 +127,7 @@ impl State {
             hint: false,
             preset,
             picture_size: settings.picture.size.0,
+            choices: Vec::new(),
             cm_per_pixel: settings.screen.cm_per_point(None),
             narrowed: None,
             stage: Stage::default(),
@@ -233,6 +237,19 @@ impl State {
     #[must_use]
     pub fn rest_wavelength_nm(&self, point: &Point) -> Option<f64> {
         self.emission(point).wavelength_nm()
+    }
+
+    /// What draws `view`: what is set, else what automatic quality has chosen.
+    #[must_use]
+    pub fn method(&self, view: &View) -> Method {
+        let chosen = || self.choice(view.geometry).map(|choice| choice.method);
+        self.settings.quality.method().or_else(chosen).unwrap_or(Method::Rays)
+    }
+
+    /// What automatic quality has chosen for views of this `geometry`.
+    #[must_use]
+    pub fn choice(&self, geometry: Geometry) -> Option<&Choice> {
+        self.session.choices.iter().find_map(|(of, choice)| (*of == geometry).then_some(choice))
     }
 
     /// What becomes of its light, in a light window or a dark one.

@@ -2,6 +2,8 @@
 
 use eframe::egui::{Rect, TextureId, Ui};
 
+use relativity_render::Method;
+
 use super::corrected::{self, Corrected};
 use super::examination::{Examination, Sight};
 use super::eyes::{self, EyePictures};
@@ -13,7 +15,7 @@ use crate::settings::{PlotTab, Settings};
 
 impl App {
     /// Where in `pane` eyes' pictures are, in the order of the layout.
-    fn eye_panes(&self, ui: &Ui, pane: &Pane) -> Vec<EyePane> {
+    pub(super) fn eye_panes(&self, ui: &Ui, pane: &Pane) -> Vec<EyePane> {
         let largest = self.eyes.as_ref().map_or(1, EyePictures::largest_side);
         let scale = ui.pixels_per_point();
         match pane.content {
@@ -51,18 +53,22 @@ impl App {
     /// What is drawn in `pane`.
     fn request(&self, ui: &Ui, pane: EyePane) -> eyes::Request {
         let state = &self.state;
+        let view = state.view(pane.eye, pane.size);
+        let (method, at_once) = self.drawn_by(view.geometry);
         eyes::Request {
-            view: state.view(pane.eye, pane.size),
+            view,
             appearance: state.appearance(!ui.visuals().dark_mode),
             scene: state.session.prepared.clone(),
-            method: state.settings.quality.method(),
+            method,
+            at_once,
+            refine: self.may_refine(),
         }
     }
 
     /// How far the picture of `request` in `pane` is off, where that is to be seen.
     fn heat_map(&mut self, ui: &Ui, pane: EyePane, request: &eyes::Request) -> Option<TextureId> {
         let examination = self.examination.as_mut().filter(|_| self.state.settings.plots.heat_map)?;
-        let method = request.method.of_view(&request.view);
+        let method = self.state.method(&request.view).of_view(&request.view);
         examination.heat_map(ui.ctx(), pane.eye, method).map(Into::into)
     }
 
@@ -134,8 +140,9 @@ impl App {
             appearance: state.appearance(!ui.visuals().dark_mode),
             scene: state.session.prepared.clone(),
         };
+        let chosen = sight.views.first().map_or(Method::Rays, |(_, view)| state.method(view));
         let gpu = self.eyes.as_ref().map(|eyes| eyes.gpu().clone());
         let examination = self.examination.get_or_insert_with(|| Examination::new(ui.ctx(), gpu));
-        examination.update(ui.ctx(), &sight, state.settings.quality.method());
+        examination.update(ui.ctx(), &sight, chosen);
     }
 }

@@ -16,12 +16,14 @@ use super::within;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum RendererChoice {
-    /// Rays where there is a graphics adapter, else reference; mesh for the published geometry.
+    /// The cheapest that keeps `--error`, or the most accurate that keeps `--budget`.
     #[default]
     Auto,
     /// A ray test per pixel on the GPU, in f32.
     #[value(alias = "exact")]
     Rays,
+    /// A ray test per pixel on the CPU, in f32, eight pixels at a time.
+    Packets,
     /// Triangles on the GPU.
     Mesh,
     /// A ray test per pixel on the CPU, in f64.

@@ -2,6 +2,7 @@
 
 pub mod choices;
 mod followed;
+mod goal;
 mod head;
 mod layout;
 mod numbers;
@@ -10,6 +11,7 @@ mod wheel;
 pub mod words;
 
 pub use followed::{Followed, FollowedPoint};
+pub use goal::{BUDGET_MS, ERROR_PX, Goal};
 pub use head::{HEAD_DEGREES, HeadArgs};
 pub use numbers::{
     COORDINATES, EXPONENT, EXPOSURE_EV, Exposure, FIELD_OF_VIEW, FieldOfView, IntensityExponent, MAX_TIME,

@@ -3,7 +3,7 @@
 
 use std::time::Duration;
 
-pub use relativity_core::threads::{current_num_threads as count, prelude};
+pub use relativity_core::threads::{current_num_threads as count, on_half, prelude};
 pub use std::thread::JoinHandle;
 
 /// Runs `work` in a thread of its own.

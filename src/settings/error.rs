@@ -55,6 +55,10 @@ impl Problem {
             (ErrorKind::ValueValidation, Some(reason)) => format!("{shown} = {value}: {reason}"),
             (ErrorKind::InvalidValue, _) => format!("{shown} = {value}: must be {}", choices(error)),
             (ErrorKind::UnknownArgument, _) => format!("there is no setting `{shown}`"),
+            (ErrorKind::ArgumentConflict, _) => {
+                let other = context(error, ContextKind::PriorArg).map(name).unwrap_or_default();
+                format!("{shown} and {other} cannot both be set: choose one")
+            }
             _ => first_line(error),
         };
         Self { key, text }

@@ -6,22 +6,25 @@ use super::Quality;
 use crate::flags::choices::RendererChoice;
 
 impl Quality {
-    /// The renderer with its bound. The window cannot be without a GPU.
+    /// The renderer that is chosen, with its bound; `None` where that is automatic.
     #[must_use]
-    pub const fn method(&self) -> Method {
+    pub const fn method(&self) -> Option<Method> {
         match self.renderer {
-            RendererChoice::Auto | RendererChoice::Rays => Method::Rays,
-            RendererChoice::Mesh => Method::Mesh { bound_px: self.bound_px },
-            RendererChoice::Reference => Method::Reference,
+            RendererChoice::Auto => None,
+            RendererChoice::Rays => Some(Method::Rays),
+            RendererChoice::Packets => Some(Method::Packets),
+            RendererChoice::Mesh => Some(Method::Mesh { bound_px: self.bound_px }),
+            RendererChoice::Reference => Some(Method::Reference),
         }
     }
 
-    /// This, with another renderer.
+    /// This, with a renderer that is chosen.
     #[must_use]
     pub const fn with_method(self, method: Method) -> Self {
         match method {
-            Method::Rays => Self { renderer: RendererChoice::Auto, ..self },
-            Method::Mesh { bound_px } => Self { renderer: RendererChoice::Mesh, bound_px },
+            Method::Rays => Self { renderer: RendererChoice::Rays, ..self },
+            Method::Packets => Self { renderer: RendererChoice::Packets, ..self },
+            Method::Mesh { bound_px } => Self { renderer: RendererChoice::Mesh, bound_px, ..self },
             Method::Reference => Self { renderer: RendererChoice::Reference, ..self },
         }
     }

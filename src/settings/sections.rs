@@ -12,7 +12,7 @@ use crate::flags::choices::{
     GazeChoice, Layout, ProjectionChoice, RendererChoice, Size, Swapped, ZeroParallax,
 };
 use crate::flags::{
-    Exposure, FieldOfView, HEAD_DEGREES, IntensityExponent, OnOff, ScreenWidth, Share, SpeedParameter,
+    Exposure, FieldOfView, Goal, HEAD_DEGREES, IntensityExponent, OnOff, ScreenWidth, Share, SpeedParameter,
     SpeedSetting, TimeRange, switch, temperature, whole_number, within,
 };
 use crate::units::Units;
@@ -185,14 +185,22 @@ pub struct Quality {
     /// What draws.
     #[arg(long, value_enum)]
     pub renderer: RendererChoice,
-    /// How far the mesh renderer may draw a point from where it is seen, pixels.
+    /// How far the mesh renderer, where it is chosen, may draw a point from where it is seen, pixels.
     #[arg(long, value_name = "PX", value_parser = within(BOUND_PX))]
     pub bound_px: f64,
+    /// What the automatic renderer keeps.
+    #[command(flatten)]
+    #[serde(flatten)]
+    pub goal: Goal,
+    /// Whether the views of the window get smoother while nothing changes.
+    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    pub refine: OnOff,
 }
 
 impl Default for Quality {
     fn default() -> Self {
-        Self { renderer: RendererChoice::Auto, bound_px: Method::DEFAULT_BOUND_PX }
+        let bound_px = Method::DEFAULT_BOUND_PX;
+        Self { renderer: RendererChoice::Auto, bound_px, goal: Goal::default(), refine: true }
     }
 }
 

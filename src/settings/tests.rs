@@ -18,9 +18,9 @@ use crate::flags::choices::{
     Swapped, ZeroParallax,
 };
 use crate::flags::{
-    EXPONENT, EXPOSURE_EV, Exposure, FIELD_OF_VIEW, FieldOfView, Followed, FollowedPoint, HEAD_DEGREES,
-    IntensityExponent, MAX_TIME, PLACE, SCREEN_CM, ScreenWidth, Share, SpeedParameter, SpeedSetting,
-    TEMPERATURE_K, TimeRange,
+    BUDGET_MS, ERROR_PX, EXPONENT, EXPOSURE_EV, Exposure, FIELD_OF_VIEW, FieldOfView, Followed,
+    FollowedPoint, Goal, HEAD_DEGREES, IntensityExponent, MAX_TIME, PLACE, SCREEN_CM, ScreenWidth, Share,
+    SpeedParameter, SpeedSetting, TEMPERATURE_K, TimeRange,
 };
 use crate::units::Units;
 
@@ -163,8 +163,9 @@ fn screen() -> impl Strategy<Value = Screen> {
 }
 
 fn quality_picture_and_screen() -> impl Strategy<Value = (Quality, Picture, Screen)> {
-    let quality = (choice::<RendererChoice>(), number(BOUND_PX))
-        .prop_map(|(renderer, bound_px)| Quality { renderer, bound_px });
+    let goal = prop_oneof![number(ERROR_PX).prop_map(Goal::Error), number(BUDGET_MS).prop_map(Goal::Budget)];
+    let quality = (choice::<RendererChoice>(), number(BOUND_PX), goal, any::<bool>())
+        .prop_map(|(renderer, bound_px, goal, refine)| Quality { renderer, bound_px, goal, refine });
     let size = (1..=16_384u32, 1..=16_384u32).prop_map(|(width, height)| Size([width, height]));
     let pairs: Vec<_> = Layout::value_variants().iter().copied().filter(|layout| layout.has_both()).collect();
     let swapped = proptest::sample::subsequence(pairs.clone(), 0..=pairs.len())
@@ -280,7 +281,8 @@ fn every_setting_is_a_flag_under_the_heading_of_its_section() {
     let points = Some(Followed(vec![FollowedPoint { place: [0.0; 3], body: 0 }]));
     let settings = Settings { time: Some(1.0), point: Some([0.0; 3]), points, ..Settings::default() };
     let entries = settings.entries();
-    let known: Vec<_> = entries::names().filter(|(_, name)| !["gamma", "rapidity"].contains(name)).collect();
+    let known: Vec<_> =
+        entries::names().filter(|(_, name)| !["gamma", "rapidity", "budget"].contains(name)).collect();
     let found: Vec<_> = entries.iter().map(|entry| (entry.section.clone(), entry.key.as_str())).collect();
     assert_eq!(found, known);
 }
@@ -316,6 +318,10 @@ fn what_is_wrong_in_a_file_is_said_with_its_line() {
         ),
         ("[quality]\nbound-px = 0", "state.toml:2: bound-px = 0: must be between 0.01 and 100"),
         ("[quality]\nbound-px = nan", "state.toml:2: bound-px = nan: not a finite number"),
+        ("[quality]\nerror = 0", "state.toml:2: error = 0: must be between 1e-6 and 100"),
+        ("[quality]\nerror = -0.1", "state.toml:2: error = -0.1: must be between 1e-6 and 100"),
+        ("[quality]\nbudget = nan", "state.toml:2: budget = nan: not a finite number"),
+        ("[quality]\nbudget = 0", "state.toml:2: budget = 0: must be between 0.01 and 1e6"),
         ("[light]\nsky = 1", "state.toml:2: sky = 1: must be on or off"),
         (
             "[fit]\nseed = -1",
@@ -337,8 +343,26 @@ fn what_is_wrong_in_a_file_is_said_with_its_line() {
     ] {
         assert_eq!(complaint(text), expected);
     }
-    assert!(complaint("[motion]\nbeta = 0.5\ngamma = 2").starts_with("state.toml:"));
+    assert_eq!(
+        complaint("[motion]\nbeta = 0.5\ngamma = 2"),
+        "state.toml:2: beta and gamma cannot both be set: choose one"
+    );
+    assert_eq!(
+        complaint("[quality]\nbudget = 16\nrenderer = \"auto\"\nerror = 0.1"),
+        "state.toml:2: budget and error cannot both be set: choose one"
+    );
     assert!(complaint("time = = 2").starts_with("state.toml:1: "));
+}
+
+/// A later file or flag decides which of the two goals is kept.
+#[test]
+fn one_goal_takes_the_place_of_the_other() {
+    let usual = Settings::default();
+    assert_eq!(usual.quality.goal, Goal::Error(0.1));
+    let hurried = usual.with_toml("[quality]\nbudget = 16", "state.toml").expect("it is right");
+    assert_eq!(hurried.quality.goal, Goal::Budget(16.0));
+    let exact = hurried.with_command("gamow --error=0.01", "x.png").expect("it is right");
+    assert_eq!(exact.quality.goal, Goal::Error(0.01));
 }
 
 #[test]

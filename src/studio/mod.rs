@@ -9,7 +9,7 @@ mod timings;
 
 use std::path::Path;
 
-use relativity_render::{HitImage, PreparedScene};
+use relativity_render::{HitImage, PreparedScene, View};
 
 use self::painter::Painter;
 use self::sheet::Ink;
@@ -55,11 +55,13 @@ impl Studio {
     /// # Errors
     ///
     /// A renderer that cannot be had.
-    pub fn of_scene(mut settings: Settings, scene: Scene, tracked: Track) -> anyhow::Result<Self> {
+    pub fn of_scene(settings: Settings, scene: Scene, tracked: Track) -> anyhow::Result<Self> {
         let mut timings = Timings::default();
         let painter = timings.timed("set up", || Painter::new(&settings))?;
-        settings.quality.renderer = painter.choice();
-        Ok(Self { prepared: scene.prepared(), scene, tracked, settings, painter, timings })
+        let mut studio = Self { prepared: scene.prepared(), scene, tracked, settings, painter, timings };
+        let [_, view] = studio.settings.views(studio.subject(), 0.0, studio.settings.picture.size.0);
+        studio.choose(&view);
+        Ok(studio)
     }
 
     /// What is drawn, and how.
@@ -77,6 +79,12 @@ impl Studio {
     /// What the eyes look at.
     fn subject(&self) -> Subject<'_> {
         Subject { scene: &self.prepared, tracked: self.tracked }
+    }
+
+    /// Has what draws views like this one chosen where that is automatic, and notes it, so that files record what drew them.
+    fn choose(&mut self, view: &View) {
+        let Self { painter, prepared, settings, .. } = self;
+        settings.quality = painter.choose(settings.quality, prepared, view, settings.picture.eyes().len());
     }
 
     /// The frame at `time`, or at the T that the settings say.
@@ -132,6 +140,9 @@ impl Studio {
         let eye =
             |&eye: &usize| timings.timed(EYES[eye], || painter.picture(prepared, &views[eye], &appearance));
         let eyes = picture.eyes().iter().map(eye).collect::<Result<_, _>>()?;
+        // What it took may speak for another in the next frame.
+        self.choose(&views[1]);
+        let Self { timings, .. } = self;
         let labels = picture.labels.then(|| Ink::beside(appearance.light));
         let picture_mm = settings.screen.picture_distance;
         Ok(timings.timed("layout", || layout::still(picture, eyes, labels, picture_mm)))

@@ -5,9 +5,11 @@ use relativity_render::{
     Appearance, Geometry, Gpu, HitImage, Method, Picture, PreparedScene, Renderers, View,
 };
 
+use crate::accuracy::{Automatic, Choice, Machine, Sight};
 use crate::flags::choices::{ProjectionChoice, RendererChoice};
+use crate::platform::clock::Instant;
 use crate::platform::{tell, threads};
-use crate::settings::Settings;
+use crate::settings::{Quality, Settings};
 
 /// A method, and the renderers that draw by it.
 pub struct Painter {
@@ -15,11 +17,15 @@ pub struct Painter {
     method: Method,
     /// Rays per pixel of the reference are the square of this.
     samples: u32,
+    /// What chooses the method, and what it last chose, where that is automatic.
+    automatic: Option<(Automatic, Option<Choice>)>,
+    /// When it was made.
+    clock: Instant,
 }
 
 impl Painter {
-    /// The one that `settings` choose. Where that is automatic and there is no graphics adapter, it says so on standard
-    /// error.
+    /// The one that `settings` choose. Where that is automatic, [`Self::choose`] decides; and where there is no graphics
+    /// adapter for it, it says so on standard error.
     ///
     /// # Errors
     ///
@@ -30,27 +36,47 @@ impl Painter {
         if settings.look.projection == ProjectionChoice::Vr180 {
             return Self::of_vr180(settings);
         }
-        let mesh = Method::Mesh { bound_px: settings.quality.bound_px };
         let (method, gpu) = match settings.quality.renderer {
-            RendererChoice::Mesh => (mesh, Some(Gpu::headless().context("the mesh renderer")?)),
-            RendererChoice::Auto if is_published => {
+            RendererChoice::Auto => return Self::automatic(settings),
+            RendererChoice::Mesh => {
+                let mesh = Method::Mesh { bound_px: settings.quality.bound_px };
                 (mesh, Some(Gpu::headless().context("the mesh renderer")?))
             }
             _ if is_published => anyhow::bail!(
                 "--geometry published is defined point by point: only `--renderer mesh` draws it"
             ),
-            RendererChoice::Rays if has_one_cone => anyhow::bail!(
+            RendererChoice::Rays | RendererChoice::Packets if has_one_cone => anyhow::bail!(
                 "--geometry one-cone is seen along curved rays: only `--renderer mesh` and `--renderer reference` draw it"
             ),
-            RendererChoice::Auto if has_one_cone => match automatic() {
-                (Method::Reference, gpu) => (Method::Reference, gpu),
-                (_, gpu) => (mesh, gpu),
-            },
             RendererChoice::Reference => (Method::Reference, None),
+            RendererChoice::Packets => (Method::Packets, None),
             RendererChoice::Rays => (Method::Rays, Some(Gpu::headless().context("the renderer rays")?)),
-            RendererChoice::Auto => automatic(),
         };
-        Ok(Self { renderers: Renderers::new(gpu), method, samples: settings.picture.samples })
+        Ok(Self::of_method(settings, method, gpu))
+    }
+
+    fn of_method(settings: &Settings, method: Method, gpu: Option<Gpu>) -> Self {
+        let renderers = Renderers::new(gpu);
+        let samples = settings.picture.samples;
+        Self { renderers, method, samples, automatic: None, clock: Instant::now() }
+    }
+
+    /// The one whose method is chosen later.
+    fn automatic(settings: &Settings) -> anyhow::Result<Self> {
+        let gpu = match Gpu::headless() {
+            Ok(gpu) => Some(gpu),
+            Err(error) if settings.look.geometry == Geometry::Published => {
+                return Err(error).context("the mesh renderer");
+            }
+            Err(error) => {
+                tell::remark(format_args!("gamow: drawing on the CPU: {error}"));
+                None
+            }
+        };
+        let machine = Machine::of(gpu.as_ref());
+        let automatic = Automatic::with_samples(machine, settings.picture.samples);
+        let automatic = Some((automatic, None));
+        Ok(Self { automatic, ..Self::of_method(settings, Method::Reference, gpu) })
     }
 
     /// What draws half of the sky.
@@ -66,22 +92,29 @@ impl Painter {
                     "gamow: drawing with the reference renderer on the CPU, the one that knows vr180",
                 );
             }
-            RendererChoice::Rays | RendererChoice::Mesh => {
+            RendererChoice::Rays | RendererChoice::Packets | RendererChoice::Mesh => {
                 anyhow::bail!("--projection vr180: only `--renderer reference` draws it")
             }
         }
-        let samples = settings.picture.samples;
-        Ok(Self { renderers: Renderers::new(None), method: Method::Reference, samples })
+        Ok(Self::of_method(settings, Method::Reference, None))
     }
 
-    /// The choice that leads to this method again.
+    /// Has what draws so many pictures like that of `view` chosen where that is automatic, by what is known of costs by now.
+    /// The `quality` that leads to this method again.
     #[must_use]
-    pub const fn choice(&self) -> RendererChoice {
-        match self.method {
-            Method::Reference => RendererChoice::Reference,
-            Method::Rays => RendererChoice::Rays,
-            Method::Mesh { .. } => RendererChoice::Mesh,
+    pub fn choose(
+        &mut self,
+        quality: Quality,
+        scene: &PreparedScene,
+        view: &View,
+        pictures: usize,
+    ) -> Quality {
+        if let Some((automatic, chosen)) = &mut self.automatic {
+            let pixels = pictures as f64 * view.camera.size.map(f64::from).iter().product::<f64>();
+            *chosen = automatic.choose(quality.goal, Sight { scene, view, pixels });
+            self.method = chosen.map_or(Method::Reference, |choice| choice.method);
         }
+        quality.with_method(self.method)
     }
 
     /// The picture of `view`.
@@ -95,7 +128,16 @@ impl Painter {
         view: &View,
         appearance: &Appearance,
     ) -> anyhow::Result<Picture> {
-        Ok(self.renderers.picture(self.method, scene, view, appearance, self.samples)?)
+        let start = Instant::now();
+        let picture = self.renderers.picture(self.method, scene, view, appearance, self.samples)?;
+        if let Some((automatic, _)) = &mut self.automatic {
+            let (method, now_ms) = (self.method.of_view(view), self.clock.elapsed_ms());
+            let is_due = automatic.costs().is_due(method, view.geometry, now_ms);
+            let pixels = picture.rgba.len() as f64;
+            let measured = is_due.then(|| (start.elapsed_ms(), pixels));
+            automatic.costs().note(method, view.geometry, measured, now_ms);
+        }
+        Ok(picture)
     }
 
     /// What the centre of every pixel of `view` shows.
@@ -111,24 +153,18 @@ impl Painter {
     #[must_use]
     pub fn description(&self) -> String {
         let device = self.renderers.gpu().map(Gpu::description).unwrap_or_default();
-        match self.method {
+        let method = match self.method {
             Method::Reference => {
                 let (threads, samples) = (threads::count(), self.samples);
                 format!("reference, f64 on {threads} threads, {samples}x{samples} rays per pixel")
             }
             Method::Rays => format!("rays, f32 on {device}"),
+            Method::Packets => format!("packets, f32 on {} threads", threads::count()),
             Method::Mesh { bound_px } => format!("mesh within {bound_px} px, f32 on {device}"),
-        }
-    }
-}
-
-/// Rays where there is a graphics adapter, else the reference.
-fn automatic() -> (Method, Option<Gpu>) {
-    match Gpu::headless() {
-        Ok(gpu) => (Method::Rays, Some(gpu)),
-        Err(error) => {
-            tell::remark(format_args!("gamow: drawing with the reference renderer on the CPU: {error}"));
-            (Method::Reference, None)
+        };
+        match self.automatic.as_ref().and_then(|(_, choice)| choice.as_ref()) {
+            Some(choice) => format!("{method}; automatic: {choice}"),
+            None => method,
         }
     }
 }

@@ -4,6 +4,7 @@
 //! Needs a graphics adapter (a software one will do) and reports itself ignored where there is none;
 //! with `GAMOW_REQUIRE_GPU=1` that is a failure.
 
+mod automatic;
 mod controls;
 mod faults;
 mod files;
@@ -47,6 +48,7 @@ fn main() -> ExitCode {
     let required = std::env::var_os("GAMOW_REQUIRE_GPU").is_some_and(|value| value == "1");
     let missing = !required && relativity_render::Gpu::headless().is_err();
     let all = [
+        automatic::TESTS,
         controls::TESTS,
         faults::TESTS,
         files::TESTS,

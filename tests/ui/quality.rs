@@ -122,12 +122,12 @@ fn begins_with_a_conclusion() {
     settle(&mut window);
     let all = labels(&window);
     let sentence = all.iter().find(|label| label.contains("cheapest here")).expect("a sentence");
-    let renderers = ["rays", "mesh 0.1 px", "mesh 0.5 px", "mesh 2 px", "reference"];
+    let renderers = ["rays", "packets", "mesh 0.1 px", "mesh 0.5 px", "mesh 2 px", "reference"];
     let ms = |renderer: &&str| figure(&window, renderer, "ms");
     let cheapest = renderers.iter().min_by(|a, b| ms(a).total_cmp(&ms(b))).expect("some");
     assert!(sentence.to_lowercase().starts_with(&format!("{cheapest}: error ")), "{sentence}");
-    // Rays are the nearest of what the GPU draws: a mesh that costs more gains nothing.
-    let is_worth = renderers[1..4].iter().any(|mesh| ms(mesh) < ms(&"rays"));
+    // Rays are nearer than any mesh: one that costs more gains nothing.
+    let is_worth = renderers[2..5].iter().any(|mesh| ms(mesh) < ms(&"rays").min(ms(&"packets")));
     assert_eq!(sentence.contains("a mesh gains nothing"), !is_worth, "{sentence}");
     assert!(sentence.contains("the reference has none, in "), "{sentence}");
     let csv = window.state_mut().plots_csv();
@@ -139,7 +139,7 @@ fn the_accuracy_tab_measures() {
     window.get_by_label("Accuracy").click();
     window.run_steps(2);
     settle(&mut window);
-    for renderer in ["rays", "mesh 0.1 px", "mesh 0.5 px", "mesh 2 px", "reference"] {
+    for renderer in ["rays", "packets", "mesh 0.1 px", "mesh 0.5 px", "mesh 2 px", "reference"] {
         assert!(figure(&window, renderer, "ms") > 0.0, "{renderer}");
     }
     for (renderer, bound) in [("rays", 0.05), ("mesh 0.1 px", 0.1), ("mesh 0.5 px", 0.5), ("mesh 2 px", 2.0)]
@@ -190,12 +190,12 @@ fn figures_are_of_the_views() {
     let figures =
         |window: &Harness<'_, App>| ["direction / ″", "D"].map(|column| figure(window, "rays", column));
     let slow = figures(&window);
-    assert_eq!(current(&window), 5);
+    assert_eq!(current(&window), 6);
     type_into(&mut window, "Gamma, typed", "1000");
     assert!(!window.state().is_settled());
-    assert!(current(&window) < 5, "what was measured before counts as outdated");
+    assert!(current(&window) < 6, "what was measured before counts as outdated");
     settle(&mut window);
-    assert_eq!(current(&window), 5);
+    assert_eq!(current(&window), 6);
     assert!(figures(&window) != slow);
     window.get_by_label("Views").click();
     window.run();
@@ -223,7 +223,7 @@ fn clicking_a_renderer_chooses_it() {
     settle(&mut window);
     window.get_by_label("mesh 2 px").click();
     window.run();
-    assert_eq!(window.state().state().settings.quality.method(), Method::Mesh { bound_px: 2.0 });
+    assert_eq!(window.state().state().settings.quality.method(), Some(Method::Mesh { bound_px: 2.0 }));
     let mut quality = window.state().state().settings.quality;
     quality.bound_px = 0.25;
     window.state_mut().ask(Command::Quality(quality));

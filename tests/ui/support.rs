@@ -50,7 +50,7 @@ pub fn window_of_size(state: State, size: [f32; 2], pixels_per_point: f32) -> Ha
         .with_max_steps(12)
         .with_render_cursor(false)
         .wgpu()
-        .build_eframe(|cc| App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state));
+        .build_eframe(|cc| App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state).without_refinement());
     harness.run_steps(3);
     harness
 }

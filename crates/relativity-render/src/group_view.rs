@@ -93,6 +93,11 @@ impl GroupView {
         self.velocity.reflected(place - self.origin)
     }
 
+    /// Whether what is seen along a line of sight lies on a straight ray in the group's frame.
+    pub(crate) fn has_straight_rays(&self) -> bool {
+        matches!(self.geometry, Geometry::Seen | Geometry::Contracted | Geometry::Rest)
+    }
+
     /// The rest-frame ray of the camera's `line_of_sight` (unit vector); of [`Geometry::OneCone`] the limit of
     /// [`Self::rest_ray_at`] at great distances.
     ///

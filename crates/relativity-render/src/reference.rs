@@ -5,25 +5,21 @@
 //! that is says [`Method::Reference`](crate::Method::Reference).
 
 use glam::{DQuat, DVec3};
-use relativity_core::threads::prelude::*;
 
 use crate::backdrop::Backdrop;
 use crate::camera::LinesOfSight;
-use crate::cone::Cone;
+use crate::cap::Cap;
+use crate::first_entry::{Chosen, Standing};
 use crate::group_view::GroupView;
-use crate::intersect::Entry;
+use crate::hierarchy::Beam;
 use crate::pattern::Covered;
 use crate::picture::{Picture, encoded};
 use crate::prepared_body::PreparedBody;
 use crate::ray::Ray;
 use crate::scene::PreparedScene;
 use crate::shade::surface_colour;
-use crate::tiles::{TILE_SIDE, bands};
 use crate::view::{Appearance, Geometry, View};
 use crate::wheel::spin::about_y;
-
-/// How long the balls are that follow what turns, in parts of how far that reaches from its axle.
-const BALLS: f64 = 0.15;
 
 /// What one ray meets.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -94,25 +90,25 @@ impl PreparedScene {
     /// Tests every body: meant for single rays. [`Self::hit_image`] is much faster per ray.
     #[must_use]
     pub fn first_hit(&self, view: &View, line_of_sight: DVec3) -> Option<Hit> {
-        self.first_hit_among(self.numbers(), view, &self.group_views(view), line_of_sight)
+        let all = TileBodies { others: self.numbers().to_vec(), standing: Vec::new() };
+        self.first_hit_among(&all, view, &self.group_views(view), line_of_sight)
     }
 
-    /// What is seen of `bodies`, whose numbers ascend: of each group the first, of those the nearest by light travel.
+    /// What is seen of `bodies`: of each group the first, of those the nearest by light travel.
     fn first_hit_among(
         &self,
-        mut bodies: &[u32],
+        bodies: &TileBodies,
         view: &View,
         group_views: &[GroupView],
         line_of_sight: DVec3,
     ) -> Option<Hit> {
         let mut nearest: Option<Hit> = None;
-        for (number, group_view) in group_views.iter().enumerate() {
+        let mut others = bodies.others.as_slice();
+        for (group, group_view) in group_views.iter().enumerate() {
             let own;
-            (own, bodies) = self.split(bodies, number);
-            if own.is_empty() {
-                continue;
-            }
-            let hit = self.first_hit_in(number, own, view, group_view, line_of_sight);
+            (own, others) = self.split(others, group);
+            let chosen = Chosen { group, others: own, standing: bodies.standing.get(group) };
+            let hit = self.first_hit_in(&chosen, view, group_view, line_of_sight);
             nearest = match (nearest, hit) {
                 (Some(near), Some(hit)) if hit.distance < near.distance => Some(hit),
                 (near, hit) => near.or(hit),
@@ -131,22 +127,24 @@ impl PreparedScene {
         bodies.split_at(count)
     }
 
-    /// What is seen of `bodies` of the `group` of this number.
+    /// What is seen of the bodies of a group that are `chosen`.
     fn first_hit_in(
         &self,
-        group: usize,
-        bodies: &[u32],
+        chosen: &Chosen<'_>,
         view: &View,
         group_view: &GroupView,
         line_of_sight: DVec3,
     ) -> Option<Hit> {
-        let prepared = &self.groups()[group];
+        if chosen.is_empty() {
+            return None;
+        }
+        let prepared = &self.groups()[chosen.group];
         let (body, entry, distance, ray) = if group_view.geometry == Geometry::OneCone {
-            self.first_entry_in_one_cone(prepared, bodies, group_view, line_of_sight)?
+            self.first_entry_in_one_cone(prepared, chosen.others, group_view, line_of_sight)?
         } else {
             let ray = group_view.rest_ray(line_of_sight);
             let near = Ray::new(ray.origin, ray.direction).counted_from(prepared.extent.middle);
-            let (body, entry) = self.first_entry(bodies, &near, group_view, prepared.tie())?;
+            let (body, entry) = self.first_entry(chosen, &near, group_view)?;
             let distance = (near.from_camera + entry.distance) * ray.ground_per_rest;
             (body, entry, distance, ray)
         };
@@ -165,25 +163,12 @@ impl PreparedScene {
         })
     }
 
-    /// The nearest entry of `ray` among `bodies`, whose numbers ascend.
-    fn first_entry(&self, bodies: &[u32], ray: &Ray, view: &GroupView, tie: f64) -> Option<(usize, Entry)> {
-        let entries = bodies.iter().filter_map(|&body| {
-            let body = body as usize;
-            let entry = match self.turning(body) {
-                Some(turning) => turning.entry(ray, view, None).0,
-                None => self.solid(body).entry(ray),
-            };
-            Some((body, entry?))
-        });
-        entries.reduce(|first, next| if next.1.distance < first.1.distance - tie { next } else { first })
-    }
-
     /// What `view` shows at the centre of every pixel.
     #[must_use]
     pub fn hit_image(&self, view: &View) -> HitImage {
         let lines_of_sight = LinesOfSight::new(&view.camera);
         let group_views = self.group_views(view);
-        let hits = self.pixels(view, &group_views, |bodies, [u, v]| {
+        let hits = self.pixels(view, &group_views, &|| true, |bodies, [u, v]| {
             let center = [f64::from(u) + 0.5, f64::from(v) + 0.5];
             self.first_hit_among(bodies, view, &group_views, lines_of_sight.through(center))
         });
@@ -197,10 +182,35 @@ impl PreparedScene {
     /// averaged in linear light.
     #[must_use]
     pub fn picture(&self, view: &View, appearance: &Appearance, samples: u32) -> Picture {
+        let rgba = self.picture_rows(view, appearance, samples, &|| true);
+        Picture { size: view.camera.size, rgba }
+    }
+
+    /// The same while it `goes_on`, which is asked at every few rows; `None` once it does not.
+    #[must_use]
+    pub fn picture_while(
+        &self,
+        view: &View,
+        appearance: &Appearance,
+        samples: u32,
+        goes_on: &(dyn Fn() -> bool + Sync),
+    ) -> Option<Picture> {
+        let rgba = self.picture_rows(view, appearance, samples, goes_on);
+        goes_on().then_some(Picture { size: view.camera.size, rgba })
+    }
+
+    /// The pixels of a picture, rows of which are left out once it no longer `goes_on`.
+    fn picture_rows(
+        &self,
+        view: &View,
+        appearance: &Appearance,
+        samples: u32,
+        goes_on: &(dyn Fn() -> bool + Sync),
+    ) -> Vec<[u8; 4]> {
         let lines_of_sight = LinesOfSight::new(&view.camera);
         let backdrop = Backdrop::new(&view.camera, appearance);
         let group_views = self.group_views(view);
-        let rgba = self.pixels(view, &group_views, |bodies, pixel| {
+        self.pixels(view, &group_views, goes_on, |bodies, pixel| {
             let sum = sample_grid(pixel, samples).fold([0.0; 3], |sum: [f64; 3], place| {
                 let line_of_sight = lines_of_sight.through(place);
                 let hit = self.first_hit_among(bodies, view, &group_views, line_of_sight);
@@ -212,8 +222,7 @@ impl PreparedScene {
                 std::array::from_fn(|i| sum[i] + colour[i])
             });
             encoded(sum.map(|part| part / f64::from(samples * samples)))
-        });
-        Picture { size: view.camera.size, rgba }
+        })
     }
 
     /// The mark of the pattern at `hit`, on average over what is `covered`: the factor of its light.
@@ -261,55 +270,43 @@ impl PreparedScene {
         }
     }
 
-    /// Adds cones to `out` in one of which `view` shows what it shows of `body`.
-    fn add_cones(&self, body: &PreparedBody, view: &GroupView, out: &mut Vec<Cone>) {
-        let (Some(turning), Some(spin)) = (self.turning(body.number), &body.spin) else {
-            let solid = self.solid(body.number);
-            out.push(Cone::of_sight(view, solid.center(), solid.bounding_radius()));
-            return;
-        };
-        let (mut capsules, mut balls) = (Vec::new(), Vec::new());
-        view.capsules_when_shown(spin, self.around(body), &mut capsules);
-        let longest = BALLS * turning.ball_around().1;
-        for capsule in &capsules {
-            capsule.add_balls(longest, &mut balls);
-        }
-        out.extend(balls.iter().map(|ball| Cone::of_sight(view, ball.from, ball.radius)));
-    }
-
-    /// One value per pixel of `view`, row by row, from the bodies that can be seen there and the pixel.
+    /// One value per pixel of `view`, row by row, from the bodies that can be seen there and the pixel; the default in
+    /// rows that are begun when it no longer `goes_on`.
     fn pixels<T: Clone + Default + Send>(
         &self,
         view: &View,
         group_views: &[GroupView],
-        value: impl Fn(&[u32], [u32; 2]) -> T + Sync,
+        goes_on: &(dyn Fn() -> bool + Sync),
+        value: impl Fn(&TileBodies, [u32; 2]) -> T + Sync,
     ) -> Vec<T> {
-        let (mut cones, mut owners) = (Vec::new(), Vec::new());
-        for body in self.bodies() {
-            self.add_cones(body, &group_views[body.group], &mut cones);
-            owners.resize(cones.len(), body.number as u32);
-        }
-        let mut bands = bands(&view.camera, &cones);
-        if owners.len() > self.bodies().len() {
-            for (_, bodies) in bands.iter_mut().flatten() {
-                for cone in bodies.iter_mut() {
-                    *cone = owners[*cone as usize];
-                }
-                bodies.dedup();
+        self.tiles(view, group_views, goes_on, |look, rows| {
+            let standing = look.cap.map_or_else(Vec::new, |cap| self.standing_in(&cap, group_views));
+            let bodies = TileBodies { others: look.others.to_vec(), standing };
+            for pixel in look.tile.pixels() {
+                rows.put(pixel, value(&bodies, pixel));
             }
-        }
-        let [width, height] = view.camera.size.map(|side| side as usize);
-        let mut image = vec![T::default(); width * height];
-        let rows = image.par_chunks_mut((width * TILE_SIDE as usize).max(1));
-        rows.zip(bands).for_each(|(rows, band)| {
-            for (tile, bodies) in band {
-                for [u, v] in tile.pixels() {
-                    rows[(v % TILE_SIDE) as usize * width + u as usize] = value(&bodies, [u, v]);
-                }
-            }
-        });
-        image
+        })
     }
+
+    /// For each group those of its bodies that keep their places and can be seen in `cap`.
+    fn standing_in(&self, cap: &Cap, group_views: &[GroupView]) -> Vec<Standing> {
+        let of_group = |(group, view): (usize, &GroupView)| {
+            if !view.has_straight_rays() {
+                return Standing::Few(Vec::new());
+            }
+            let beam = Beam::new(view, cap, self.groups()[group].extent.middle);
+            beam.map_or(Standing::Many, |beam| self.standing(group, &beam))
+        };
+        group_views.iter().enumerate().map(of_group).collect()
+    }
+}
+
+/// The bodies that a tile may show.
+struct TileBodies {
+    /// The numbers, which ascend, of those that do not keep their places, or of all those of a group whose rays curve.
+    others: Vec<u32>,
+    /// For each group those that do; none at all where all are among the others.
+    standing: Vec<Standing>,
 }
 
 /// The centres of `samples` times `samples` equal parts of a pixel.

@@ -4,12 +4,13 @@ use std::ops::Range;
 use std::slice;
 use std::sync::{Arc, Mutex};
 
-use crate::body::Body;
+use crate::body::{Body, Emission};
 use crate::capsule::Capsule;
 use crate::group_view::GroupView;
+use crate::hierarchy::{Hierarchy, pieces};
 use crate::intersect::Solid;
 use crate::outline::Outline;
-use crate::prepared_body::{Extent, PreparedBody, find_joints, find_patterned};
+use crate::prepared_body::{Extent, PreparedBody, find_joints, find_patterned, number_emissions};
 use crate::velocity::Motion;
 use crate::view::View;
 use crate::wheel::solid::TurningSolid;
@@ -56,6 +57,12 @@ struct Prepared {
     solids: Vec<Solid>,
     /// The same of bodies that turn out of their places; none at all where no body does.
     turning: Vec<Option<TurningSolid>>,
+    /// For each group, boxes around those of its bodies that keep their places.
+    hierarchies: Vec<Hierarchy>,
+    /// The numbers of bodies that turn, whether out of their places or not.
+    spinning: Vec<u32>,
+    /// What bodies emit, each once.
+    emissions: Vec<Emission>,
     /// The numbers of all bodies.
     numbers: Vec<u32>,
     capsules: Vec<Capsule>,
@@ -116,12 +123,27 @@ impl PreparedScene {
         if turning.iter().all(Option::is_none) {
             turning.clear();
         }
+        let spinning = bodies.iter().filter(|body| body.spin.is_some());
+        let spinning = spinning.map(|body| body.number as u32).collect();
+        let emissions = number_emissions(&mut bodies);
+        let hierarchy = |group: &PreparedGroup| {
+            let standing = bodies[group.bodies.clone()].iter().filter(|body| !body.is_turned);
+            let extent = &group.extent;
+            let pieces = standing.flat_map(|body| {
+                pieces(&solids[body.number], &capsules[body.capsules.clone()], body.number as u32, extent)
+            });
+            Hierarchy::new(pieces, extent.middle)
+        };
+        let hierarchies = prepared.iter().map(hierarchy).collect();
         let numbers = (0..bodies.len() as u32).collect();
         Self(Arc::new(Prepared {
             groups: prepared,
             bodies,
             solids,
             turning,
+            hierarchies,
+            spinning,
+            emissions,
             numbers,
             capsules,
             balls,
@@ -157,6 +179,11 @@ impl PreparedScene {
         self.0.turning.get(body)?.as_ref()
     }
 
+    /// Boxes around the bodies of the group of this number that keep their places in it.
+    pub(crate) fn hierarchy(&self, group: usize) -> &Hierarchy {
+        &self.0.hierarchies[group]
+    }
+
     /// The numbers of all bodies.
     pub(crate) fn numbers(&self) -> &[u32] {
         &self.0.numbers
@@ -175,6 +202,16 @@ impl PreparedScene {
     /// The ball around `body`, one of these, at every angle to which it turns.
     pub(crate) fn ball_around(&self, body: &PreparedBody) -> &Capsule {
         &self.0.balls[body.number]
+    }
+
+    /// The numbers of the bodies that turn, whether out of their places or not.
+    pub(crate) fn spinning(&self) -> &[u32] {
+        &self.0.spinning
+    }
+
+    /// What bodies emit, each once, by its number.
+    pub(crate) fn emissions(&self) -> &[Emission] {
+        &self.0.emissions
     }
 
     /// The number of the group that the body of this number is in.

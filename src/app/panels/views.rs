@@ -215,17 +215,29 @@ fn note(state: &State, eye: Eye, picture: Option<Shown>, with_heat_map: bool) ->
     };
     let model = state.sees_as_published(eye).then(|| "as published".to_owned());
     let colour = (state.settings.light.colour == Colour::False).then(|| "false colour".to_owned());
-    let chosen = state.settings.quality.method();
-    let method =
-        picture.map(|picture| picture.method).filter(|&drawn| drawn != Method::Rays || drawn != chosen);
-    let method = method.map(|drawn| match drawn {
-        Method::Rays => "rays, until the reference is done".to_owned(),
-        Method::Mesh { bound_px } => format!("mesh within {} px", figures::trimmed(bound_px, 3)),
-        Method::Reference => "reference".to_owned(),
-    });
+    let method = picture.and_then(|picture| drawn_by(state, eye, picture.method));
     let heat_map = with_heat_map.then(|| "difference to the reference".to_owned());
     [geometry, model, colour, method, heat_map].into_iter().flatten().collect::<Vec<_>>().join("  ·  ")
 }
+
+/// What has drawn the picture, where that was set or is further off than can be seen.
+fn drawn_by(state: &State, eye: Eye, drawn: Method) -> Option<String> {
+    let geometry = state.view(eye, state.session.picture_size).geometry;
+    let Some(set) = state.settings.quality.method() else {
+        let choice = state.choice(geometry)?;
+        return (choice.error_px > UNSEEN_PX || !choice.holds).then(|| format!("automatic: {choice}"));
+    };
+    match drawn {
+        Method::Rays if set == Method::Rays => None,
+        Method::Rays => Some("rays, until the reference is done".to_owned()),
+        Method::Packets => Some("packets".to_owned()),
+        Method::Mesh { bound_px } => Some(format!("mesh within {} px", figures::trimmed(bound_px, 3))),
+        Method::Reference => Some("reference".to_owned()),
+    }
+}
+
+/// Errors up to this are not told of in the picture, pixels.
+const UNSEEN_PX: f64 = 0.1;
 
 /// Why something in the picture is dark that shines.
 fn unseen(ui: &Ui, state: &State, pane: EyePane) -> Option<String> {
@@ -325,5 +337,39 @@ impl Marker {
         if !self.hidden {
             painter.circle_filled(place, 2.0, dot);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::accuracy::Choice;
+    use crate::flags::Goal;
+    use crate::flags::choices::RendererChoice;
+    use crate::scene::Scene;
+    use crate::settings::Settings;
+
+    /// Where it can be seen, and where a goal is not kept.
+    #[test]
+    fn a_view_says_what_automatic_quality_costs_it() {
+        let mut state = State::new(Settings::default(), Scene::default());
+        let mesh = Method::Mesh { bound_px: 0.5 };
+        let (goal, is_measured) = (Goal::Budget(16.0), true);
+        let choice = Choice { method: mesh, error_px: 0.5, ms: 4.0, is_measured, goal, holds: true };
+        let said = |state: &mut State, choice: Choice| {
+            state.session.choices = vec![(Geometry::Seen, choice)];
+            drawn_by(state, Eye::Left, choice.method)
+        };
+        assert_eq!(said(&mut state, choice).as_deref(), Some("automatic: mesh, 4.0 ms of 16, within 0.5 px"));
+        let exact = Choice { method: Method::Packets, error_px: 0.002, ..choice };
+        assert_eq!(said(&mut state, exact), None);
+        let late = Choice { ms: 40.0, holds: false, ..exact };
+        let expected = "automatic: packets, 40 ms, within 0.002 px; nothing keeps 16 ms";
+        assert_eq!(said(&mut state, late).as_deref(), Some(expected));
+        // What is set is said unless it is the rays.
+        state.settings.quality.renderer = RendererChoice::Packets;
+        assert_eq!(drawn_by(&state, Eye::Left, Method::Packets).as_deref(), Some("packets"));
+        state.settings.quality.renderer = RendererChoice::Rays;
+        assert_eq!(drawn_by(&state, Eye::Left, Method::Rays), None);
     }
 }

@@ -136,7 +136,7 @@ impl App {
         // Not every renderer draws every geometry: the window then takes the one that does.
         let [left, right] = settings.views(self.state.subject(), self.state.session.time, size);
         let method = settings.quality.method();
-        if [left, right].iter().any(|view| method.of_view(view) != method) {
+        if method.is_some_and(|method| [left, right].iter().any(|view| method.of_view(view) != method)) {
             settings.quality.renderer = RendererChoice::Auto;
         }
         settings

@@ -78,7 +78,11 @@ pub fn report(
 }
 
 /// The views, and what is said of them.
-fn views(scene: &Scene, size: [u32; 2], quick: bool) -> anyhow::Result<Vec<(Circumstances, View)>> {
+pub(super) fn views(
+    scene: &Scene,
+    size: [u32; 2],
+    quick: bool,
+) -> anyhow::Result<Vec<(Circumstances, View)>> {
     let betas: &[f64] = if quick { &QUICK_BETAS } else { &BETAS };
     let gammas: &[f64] = if quick { &[] } else { &GAMMAS };
     let speeds = betas.iter().map(|&beta| Speed::from_beta(beta));

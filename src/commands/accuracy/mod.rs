@@ -1,6 +1,8 @@
 //! `gamow accuracy`: what each method costs on this machine, how far it is from the truth, and what to use.
 
 mod advice;
+#[cfg(test)]
+mod bound;
 mod effects;
 mod measure;
 mod plot;

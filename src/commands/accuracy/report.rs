@@ -98,7 +98,7 @@ pub struct RendererReport {
 }
 
 impl RendererReport {
-    /// Whether it is the ray test on the GPU: it is neither the reference nor made of triangles.
+    /// Whether it is a ray test in f32: it is neither the reference nor made of triangles.
     #[must_use]
     pub const fn is_rays(&self) -> bool {
         !self.is_reference && self.bound_px.is_none()

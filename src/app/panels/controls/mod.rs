@@ -2,6 +2,7 @@
 
 mod light;
 mod projection;
+mod quality;
 mod screen;
 mod speed;
 mod two_eyes;
@@ -17,8 +18,8 @@ use crate::app::state::State;
 use crate::app::usual::Section;
 use crate::app::widgets::{Edit, NumberRow, choice, row, section};
 use crate::flags::FieldOfView;
-use crate::flags::choices::{GazeChoice, RendererChoice};
-use crate::settings::{BOUND_PX, FOV_DEGREES, Look, MAX_LENGTH, Motion, Picture, Quality, USUAL_FOV, Window};
+use crate::flags::choices::GazeChoice;
+use crate::settings::{FOV_DEGREES, Look, MAX_LENGTH, Motion, Picture, USUAL_FOV, Window};
 use crate::units::Unit;
 
 /// Room for the list of layouts before it scrolls, points.
@@ -120,7 +121,7 @@ fn look(ui: &mut Ui, state: &State, asks: &mut Asks) {
     gaze_row(ui, state, &mut look);
     field_of_view_rows(ui, state, &mut look, asks);
     more_rows(ui, state.settings.window, state.measures().time, asks);
-    quality(ui, state.settings.quality, state.usual().quality, asks);
+    quality::show(ui, state, asks);
     if look != state.settings.look {
         asks.push(Command::Look(look));
     }
@@ -154,40 +155,6 @@ fn layout_row(ui: &mut Ui, picture: Picture, asks: &mut Asks) {
         }
     });
 }
-
-fn quality(ui: &mut Ui, set: Quality, usual: Quality, asks: &mut Asks) {
-    // The window has a GPU, so that what is automatic is the rays.
-    let renderer = if set.renderer == RendererChoice::Rays { RendererChoice::Auto } else { set.renderer };
-    let before = Quality { renderer, ..set };
-    let mut quality = before;
-    let tip = "What draws the views.   The Accuracy tab shows what each costs, and how far it is off.";
-    row(ui, "Quality", tip, |ui| _ = choice(ui, &mut quality.renderer, &RENDERERS));
-    if quality.renderer == RendererChoice::Mesh {
-        let bound = NumberRow {
-            name: "Bound",
-            tip: "How far the mesh may draw a point from where it is seen. Coarser is faster.",
-            slider: 0.05..=4.0,
-            typed: BOUND_PX,
-            decimals: 3,
-            suffix: " px",
-        };
-        bound.show(ui, &mut quality.bound_px, usual.bound_px);
-    }
-    if quality != before {
-        asks.push(Command::Quality(quality));
-    }
-}
-
-const RENDERERS: [(RendererChoice, &str, &str); 3] = [
-    (RendererChoice::Auto, "Rays", "A ray test per pixel on the GPU, in 32-bit floats."),
-    (RendererChoice::Mesh, "Mesh", "Triangles on the GPU, as many as keep the bound."),
-    (
-        RendererChoice::Reference,
-        "Reference",
-        "A ray test per pixel on the CPU, in 64-bit floats: the truth that the others are held against.\n\
-        Made in the background when nothing moves; meanwhile the rays draw.",
-    ),
-];
 
 fn geometry_row(ui: &mut Ui, geometry: &mut Geometry) {
     let mut chosen = if is_as_seen(*geometry) { Geometry::Seen } else { *geometry };

@@ -1,13 +1,14 @@
 //! The Accuracy tab's plot: error against cost of each way to draw the present views, both as powers of ten.
 
 use eframe::egui::{self, Align2, Color32, Rect, TextStyle, Ui, Vec2, Visuals, vec2};
-use egui_plot::{PlotBounds, PlotPoint, PlotResponse, PlotUi, Points};
+use egui_plot::{HLine, LineStyle, PlotBounds, PlotPoint, PlotResponse, PlotUi, Points, VLine};
 use relativity_core::math;
 use relativity_render::Method;
 
 use crate::app::examination::{Examination, Row};
 use crate::app::panels::plots::axes::{Ruler, frame, still_plot};
 use crate::app::theme;
+use crate::flags::Goal;
 use crate::plot::extent;
 use crate::settings::Quality;
 
@@ -49,6 +50,43 @@ impl Mark {
     }
 }
 
+/// Where what automatic quality keeps is in the plot.
+#[derive(Debug, Clone, Copy)]
+struct GoalLine {
+    goal: Goal,
+    /// log10 of the milliseconds, or of the error in arcseconds.
+    at: f64,
+    colour: Color32,
+}
+
+impl GoalLine {
+    /// That of `quality`, where it is automatic.
+    fn of(quality: Quality, examination: &Examination, visuals: &Visuals) -> Option<Self> {
+        let value = match quality.goal {
+            Goal::Error(px) => 3600.0 * (px / examination.px_per_radian()?).to_degrees(),
+            Goal::Budget(ms) => ms,
+        };
+        let (goal, at) = (quality.goal, math::log10(value));
+        let colour = theme::point_colour(1, visuals).gamma_multiply(0.7);
+        (quality.method().is_none() && at.is_finite()).then_some(Self { goal, at, colour })
+    }
+
+    /// Along the axis, if it is in the plot.
+    fn draw(self, plot: &mut PlotUi<'_>, bounds: PlotBounds) {
+        let Self { goal, at, colour } = self;
+        let style = LineStyle::dashed_loose();
+        match goal {
+            Goal::Error(_) if bounds.range_y().contains(&at) => {
+                plot.hline(HLine::new("error bound", at).color(colour).style(style).allow_hover(false));
+            }
+            Goal::Budget(_) if bounds.range_x().contains(&at) => {
+                plot.vline(VLine::new("budget", at).color(colour).style(style).allow_hover(false));
+            }
+            Goal::Error(_) | Goal::Budget(_) => {}
+        }
+    }
+}
+
 /// How far a name is from the middle of its mark, points.
 const NAME_GAP: f32 = 8.0;
 
@@ -87,17 +125,21 @@ fn name_marks(ui: &Ui, response: &PlotResponse<()>, marks: &[Mark], axes: [Rect;
 }
 
 /// Shows it in `size`; clicking a mark chooses that renderer.
-pub fn show(ui: &mut Ui, size: egui::Vec2, examination: &Examination, quality: &mut Quality) {
+pub fn show(ui: &mut Ui, size: egui::Vec2, examination: &Examination, chosen: Method, quality: &mut Quality) {
     let mark = |row: Row<'_>| {
         let is_worth = examination.better_than(&row).is_none();
-        Mark::of(&row, is_worth, quality.method(), ui.visuals())
+        Mark::of(&row, is_worth, chosen, ui.visuals())
     };
     let marks: Vec<Mark> = examination.rows().filter_map(mark).collect();
     let rulers = rulers(size);
+    let line = GoalLine::of(*quality, examination, ui.visuals());
     let bounds = bounds(&marks, rulers);
     let [costs, errors] = rulers;
     let response = errors.beside(costs.below(still_plot(ui, "cost and error", size))).show(ui, |plot| {
         plot.set_plot_bounds(bounds);
+        if let Some(line) = line {
+            line.draw(plot, bounds);
+        }
         for mark in &marks {
             mark.draw(plot);
         }

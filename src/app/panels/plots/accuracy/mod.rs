@@ -17,6 +17,8 @@ use crate::app::heat_map;
 use crate::app::panels::Asks;
 use crate::app::state::State;
 use crate::figures;
+use crate::flags::choices::RendererChoice;
+use crate::settings::Quality;
 
 /// Width of the table.
 const TABLE_WIDTH: f32 = 470.0;
@@ -34,19 +36,33 @@ pub fn show(ui: &mut Ui, state: &State, examination: Option<&Examination>, asks:
     }
     let before = state.settings.quality;
     let mut quality = before;
+    automatic(ui, state, &mut quality);
+    let chosen = examination.chosen();
     let (table, plot) = table_and_plots(ui.available_rect_before_wrap(), TABLE_WIDTH, LEAST_PLOT);
     part(ui, "figures", table, |ui| {
         let area = ScrollArea::both().auto_shrink(false);
         area.show(ui, |ui| {
-            table::show(ui, examination, &mut quality);
+            table::show(ui, examination, chosen, &mut quality);
             rounds::show(ui, examination);
         });
     });
     if let Some(plot) = plot {
-        part(ui, "frontier", plot, |ui| frontier::show(ui, plot.size(), examination, &mut quality));
+        part(ui, "frontier", plot, |ui| frontier::show(ui, plot.size(), examination, chosen, &mut quality));
     }
     if quality != before {
         asks.push(Command::Quality(quality));
+    }
+}
+
+/// Whether the choice is automatic, and what was chosen.
+fn automatic(ui: &mut Ui, state: &State, quality: &mut Quality) {
+    let is_automatic = quality.renderer == RendererChoice::Auto;
+    let chosen = state.session.choices.first().filter(|_| is_automatic);
+    let text = chosen.map_or_else(|| "automatic".to_owned(), |(_, choice)| format!("automatic: {choice}"));
+    let tip = "Draw the views by the method that costs least within the error bound, or errs least within the budget. \
+        Its line is in the plot.";
+    if ui.selectable_label(is_automatic, text).on_hover_text(tip).clicked() {
+        quality.renderer = RendererChoice::Auto;
     }
 }
 

@@ -4,8 +4,8 @@ use csv::ByteRecord;
 use eframe::egui::{Grid, RichText, Ui};
 use relativity_render::Method;
 
-use crate::accuracy::{RESOLUTION_PX, Spread};
-use crate::app::examination::{Examination, Row, method_name};
+use crate::accuracy::{RESOLUTION_PX, Spread, method_name};
+use crate::app::examination::{Examination, Row};
 use crate::app::widgets::named_text;
 use crate::figures;
 use crate::files::csv_out::Rows;
@@ -27,22 +27,22 @@ const HEADS: [(&str, &str); 6] = [
 ];
 
 /// Shows it; clicking a renderer chooses it.
-pub fn show(ui: &mut Ui, examination: &Examination, quality: &mut Quality) {
+pub fn show(ui: &mut Ui, examination: &Examination, chosen: Method, quality: &mut Quality) {
     Grid::new("accuracy").num_columns(HEADS.len()).spacing([14.0, 2.0]).show(ui, |ui| {
         for (head, tip) in HEADS {
             ui.label(RichText::new(head).weak()).on_hover_text(tip);
         }
         ui.end_row();
         for row in examination.rows() {
-            table_row(ui, &row, examination.better_than(&row), quality);
+            table_row(ui, &row, examination.better_than(&row), chosen, quality);
             ui.end_row();
         }
     });
 }
 
-fn table_row(ui: &mut Ui, row: &Row<'_>, better: Option<Method>, quality: &mut Quality) {
+fn table_row(ui: &mut Ui, row: &Row<'_>, better: Option<Method>, chosen: Method, quality: &mut Quality) {
     let name = row.name();
-    let is_chosen = quality.method() == row.method;
+    let is_chosen = chosen == row.method;
     let text = RichText::new(&name);
     let text = if better.is_some() && !is_chosen { text.weak() } else { text };
     let label = ui.selectable_label(is_chosen, text);

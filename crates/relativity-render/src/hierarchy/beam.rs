@@ -1,0 +1,128 @@
+//! What a tile of the picture looks along: a cone of rays in the rest frame of a group.
+
+use std::f64::consts::FRAC_PI_2;
+
+use glam::{DVec3, Vec3};
+use relativity_core::math::hypot;
+
+use crate::cap::Cap;
+use crate::group_view::GroupView;
+use crate::ray::Ray;
+use crate::view::Geometry;
+
+/// What f32 loses of a place and an offset, in parts of them.
+const ROUNDING: f32 = 1e-6;
+/// Of beams of a smaller one the planes that touch them are all but one.
+const LEAST_COSINE: f64 = 0.07;
+
+/// A cone of rays, inside four planes through its tip that touch it.
+#[derive(Debug, Clone, Copy)]
+pub struct Beam {
+    /// The parts of the planes' normals, outwards.
+    normals: [[f32; 4]; 3],
+    /// Their sizes.
+    sizes: [[f32; 4]; 3],
+    /// How far outside of the middle of the group they are, less room for rounding.
+    offsets: [f32; 4],
+    /// The middle ray's direction.
+    axis: Vec3,
+    /// By how much other rays' differ from that at most.
+    spread: f32,
+}
+
+impl Beam {
+    /// The rays of the lines of sight within the ground's `cap`, as `view` has them in its group, from near `middle`.
+    /// `None` where they are too wide, or curved, to be told so.
+    #[must_use]
+    pub fn new(view: &GroupView, cap: &Cap, middle: DVec3) -> Option<Self> {
+        let Cap { axis, sine, cosine } = in_rest_frame(cap, view)?;
+        let [u, v] = across(axis);
+        let planes = [u, -u, v, -v].map(|aside| {
+            let along = axis * cosine + aside * sine;
+            let (place, _) = Ray::new(view.origin, along).nearest_to(middle);
+            let normal = aside * cosine - axis * sine;
+            (normal.as_vec3(), normal.dot(place) as f32)
+        });
+        // An angle is no more than pi/2 times its sine.
+        Some(Self::within(planes, axis, FRAC_PI_2 * sine))
+    }
+
+    /// One `ray`, counted from its point nearest to `middle`.
+    #[must_use]
+    pub fn of_ray(ray: &Ray, middle: DVec3) -> Self {
+        let [u, v] = across(ray.direction);
+        let place = ray.start - middle;
+        let planes = [u, -u, v, -v].map(|normal| (normal.as_vec3(), normal.dot(place) as f32));
+        Self::within(planes, ray.direction, 0.0)
+    }
+
+    fn within(planes: [(Vec3, f32); 4], axis: DVec3, half_angle: f64) -> Self {
+        let part = |axis: usize| planes.map(|(normal, _)| normal[axis]);
+        let normals = [part(0), part(1), part(2)];
+        Self {
+            normals,
+            sizes: normals.map(|parts| parts.map(|part| part.abs() + ROUNDING)),
+            offsets: planes.map(|(_, offset)| offset + ROUNDING * offset.abs()),
+            axis: axis.as_vec3(),
+            spread: (half_angle * 1.01) as f32 + ROUNDING,
+        }
+    }
+
+    /// How far beyond the middle of the group it meets a box at least, both told from there; `None` if it passes.
+    #[inline]
+    #[must_use]
+    pub fn nearest(&self, center: Vec3, half: Vec3) -> Option<f32> {
+        let reach = half + ROUNDING * center.abs();
+        let mut is_outside = false;
+        for i in 0..4 {
+            let off =
+                self.normals[0][i] * center.x + self.normals[1][i] * center.y + self.normals[2][i] * center.z;
+            let room = self.sizes[0][i] * reach.x + self.sizes[1][i] * reach.y + self.sizes[2][i] * reach.z;
+            is_outside |= off - room > self.offsets[i];
+        }
+        if is_outside {
+            return None;
+        }
+        let along = self.axis.dot(center) - self.axis.abs().dot(reach);
+        Some(along - self.spread * (center.abs() + reach).length())
+    }
+}
+
+/// Two unit vectors across `axis` and each other, each part of them as accurate as those of `axis`: rays of a camera 1e30
+/// away are turned from x by 1e-30.
+fn across(axis: DVec3) -> [DVec3; 2] {
+    let off_x = hypot(axis.y, axis.z);
+    if off_x == 0.0 {
+        return [DVec3::Y, DVec3::Z];
+    }
+    let (y, z) = (axis.y / off_x, axis.z / off_x);
+    [DVec3::new(-off_x, axis.x * y, axis.x * z), DVec3::new(0.0, -z, y)]
+}
+
+/// The rays in the rest frame of the group that `view` shows, whose lines of sight are in this `cap` on the ground; `None`
+/// where they curve, or reach almost to a right angle.
+fn in_rest_frame(cap: &Cap, view: &GroupView) -> Option<Cap> {
+    let cap = match view.geometry {
+        Geometry::Rest => *cap,
+        Geometry::Seen => {
+            let reflected = Cap { axis: view.velocity.reflected(cap.axis), ..*cap };
+            let cap = reflected.in_rest_frame(&view.velocity.speed)?;
+            Cap { axis: view.velocity.reflected(cap.axis), ..cap }
+        }
+        Geometry::Contracted => stretched(cap, view)?,
+        Geometry::OneCone | Geometry::Published => return None,
+    };
+    (cap.cosine > LEAST_COSINE).then_some(cap)
+}
+
+/// Around what becomes of a cap where x is gamma times as long: of the four corners of a pyramid around it, between which
+/// straight lines stay straight.
+fn stretched(cap: &Cap, view: &GroupView) -> Option<Cap> {
+    if cap.cosine < 0.5 {
+        return None;
+    }
+    let stretched = |direction: DVec3| view.rest_ray(direction.normalize()).direction;
+    let [u, v] = across(cap.axis).map(|aside| aside * (cap.sine / cap.cosine));
+    let corners = [u + v, u - v, v - u, -u - v].map(|corner| stretched(cap.axis + corner));
+    Some(Cap::around(stretched(cap.axis), corners))
+}

@@ -1,0 +1,68 @@
+//! The boxes that a body is given: a long, thin or bent one has several, along it.
+
+use std::iter;
+
+use glam::DVec3;
+
+use super::Piece;
+use crate::capsule::Capsule;
+use crate::intersect::{Form, Solid};
+use crate::prepared_body::Extent;
+
+/// Longer than this part of the reach of its group, a body may have several boxes.
+const LONG: f64 = 1.0 / 24.0;
+/// Half as long as a box of a thin body is, in radii of that.
+const LEAST_SLENDER: f64 = 3.0;
+/// Most halvings of one.
+const MOST_HALVINGS: u32 = 4;
+
+/// Those of the body of this `number` and form, which these capsules contain if there are any, in a group of this `extent`.
+pub fn pieces(
+    solid: &Solid,
+    capsules: &[Capsule],
+    number: u32,
+    extent: &Extent,
+) -> impl Iterator<Item = Piece> + use<> {
+    let longest = LONG * extent.reach;
+    let mut boxes = Vec::new();
+    let is_long = solid.bounding_radius() > longest;
+    match solid.form {
+        Form::Capsule { .. } | Form::Cylinder { .. } | Form::Torus { .. }
+            if is_long && !capsules.is_empty() =>
+        {
+            for capsule in capsules {
+                add_halves(capsule, longest, MOST_HALVINGS, &mut boxes);
+            }
+        }
+        _ => boxes.push(around(solid)),
+    }
+    let is_one_of_some = boxes.len() > 1;
+    boxes.into_iter().map(move |corners| Piece { body: number, is_one_of_some, corners })
+}
+
+fn add_halves(capsule: &Capsule, longest: f64, halvings: u32, out: &mut Vec<[DVec3; 2]>) {
+    let Capsule { from, to, radius } = *capsule;
+    if halvings > 0 && from.distance(to) > longest.max(2.0 * LEAST_SLENDER * radius) {
+        for half in capsule.halves() {
+            add_halves(&half, longest, halvings - 1, out);
+        }
+        return;
+    }
+    out.push([from.min(to) - radius, from.max(to) + radius]);
+}
+
+/// The least box around `solid`.
+fn around(solid: &Solid) -> [DVec3; 2] {
+    // How far across each axis a disc about `axis` reaches.
+    let disc = |axis: DVec3| DVec3::from(axis.to_array().map(|along| (1.0 - along * along).max(0.0).sqrt()));
+    let half = match solid.form {
+        Form::Ball { radius } => DVec3::splat(radius),
+        Form::Capsule { axis, half_length, radius } => axis.abs() * half_length + radius,
+        Form::Torus { axis, radius, tube_radius } => disc(axis) * radius + tube_radius,
+        Form::Block { axes, half } => iter::zip(axes.to_cols_array_2d(), half.to_array())
+            .map(|(axis, half)| DVec3::from(axis).abs() * half)
+            .sum(),
+        Form::Cylinder { axis, half_length, radius } => axis.abs() * half_length + disc(axis) * radius,
+    };
+    [-half, half].map(|half| solid.center() + half)
+}

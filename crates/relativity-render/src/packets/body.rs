@@ -1,0 +1,172 @@
+//! A body, a ray, and where they meet, as `shaders/body.wgsl` has them.
+
+use super::lanes::{F, Mask, Quaternion, Simd, SimdFloat, V3, all, clamp, select};
+use super::ray::movement;
+use crate::frame::Frame;
+use crate::prepared_body::Placement;
+use crate::view::Geometry;
+
+/// How a group is seen, as the shaders have it.
+#[derive(Debug, Clone, Copy)]
+pub struct Group<'a> {
+    pub frame: &'a Frame,
+    pub geometry: Geometry,
+}
+
+/// A body, the same for all pixels but for its turn.
+#[derive(Debug, Clone, Copy)]
+pub struct Body<S: Simd> {
+    /// From the middle of its group: its centre, or one end of a tube.
+    pub place: V3<S>,
+    /// Of a body with flat faces the least of its half lengths.
+    pub radius: F<S>,
+    /// The other end of a tube; a ring's unit axis; half the lengths of a body with flat faces along its own axes.
+    pub form: V3<S>,
+    /// Radius of a ring's middle circle.
+    pub form_w: F<S>,
+    /// From its own axes to those of the rest frame.
+    pub turn: Quaternion<S>,
+}
+
+/// The rest-frame rays of the pixels.
+#[derive(Debug, Clone, Copy)]
+pub struct Ray<S: Simd> {
+    /// Unit vector towards the source, in the ground frame.
+    pub sight: V3<S>,
+    /// 1/length of the unnormalised line of sight.
+    pub scale: F<S>,
+    /// Unit vector towards the source in the rest frame.
+    pub direction: V3<S>,
+    /// Ground distance per rest-frame distance.
+    pub ground_per_rest: F<S>,
+    pub doppler: F<S>,
+    /// Of the group's middle: its moment about the ray, and its distance along it.
+    pub moment: V3<S>,
+    pub to_centre: F<S>,
+}
+
+/// A tube with rounded ends.
+#[derive(Debug, Clone, Copy)]
+pub struct Capsule<S: Simd> {
+    pub place: V3<S>,
+    pub end: V3<S>,
+    pub radius: F<S>,
+}
+
+/// Where rays meet a body, or how far off they pass.
+#[derive(Debug, Clone, Copy)]
+pub struct Surface<S: Simd> {
+    /// How far inside the outline the ray passes, rest-frame length at the surface; negative outside.
+    pub clearance: F<S>,
+    /// Half the least width that the body is seen with.
+    pub half_width: F<S>,
+    /// From the body to the ray where they come closest, across the outline.
+    pub outward: V3<S>,
+    /// Rest-frame distance along the ray beyond the middle of its group.
+    pub beyond: F<S>,
+    /// The point, from the body's middle.
+    pub place: V3<S>,
+    pub normal: V3<S>,
+}
+
+impl<S: Simd> Body<S> {
+    /// Of what the shaders have.
+    #[inline(always)]
+    pub fn new(simd: S, placement: &Placement) -> Self {
+        let Placement { place_radius, form, turn } = *placement;
+        Self {
+            place: V3::of_four(simd, place_radius),
+            radius: all(simd, place_radius[3]),
+            form: V3::of_four(simd, form),
+            form_w: all(simd, form[3]),
+            turn: Quaternion::all(simd, turn),
+        }
+    }
+}
+
+impl<S: Simd> Body<S> {
+    /// From the body's own axes to those of the rest frame.
+    #[inline(always)]
+    pub fn rest_from_body(&self, v: V3<S>) -> V3<S> {
+        self.turn.turned(v)
+    }
+
+    /// And back.
+    #[inline(always)]
+    pub fn body_from_rest(&self, v: V3<S>) -> V3<S> {
+        self.turn.conjugate().turned(v)
+    }
+
+    /// Half its lengths along its own axes, of a body with flat faces: at least `radius`, which is raised where it is
+    /// drawn a pixel wide.
+    #[inline(always)]
+    pub fn halves(&self) -> V3<S> {
+        self.form.max(V3::new(self.radius, self.radius, self.radius))
+    }
+}
+
+impl<S: Simd> Surface<S> {
+    /// Nothing but zeros, to begin with.
+    #[inline(always)]
+    pub fn none(simd: S) -> Self {
+        let zero = all(simd, 0.0);
+        let origin = V3::new(zero, zero, zero);
+        Self {
+            clearance: zero,
+            half_width: zero,
+            outward: origin,
+            beyond: zero,
+            place: origin,
+            normal: origin,
+        }
+    }
+
+    /// `value` where it holds, else `other`.
+    #[inline(always)]
+    pub fn select(holds: Mask<S>, value: &Self, other: &Self) -> Self {
+        Self {
+            clearance: select(holds, value.clearance, other.clearance),
+            half_width: select(holds, value.half_width, other.half_width),
+            outward: V3::select(holds, value.outward, other.outward),
+            beyond: select(holds, value.beyond, other.beyond),
+            place: V3::select(holds, value.place, other.place),
+            normal: V3::select(holds, value.normal, other.normal),
+        }
+    }
+}
+
+/// Rays in the own axes of a body, from its `place`: each is nearest + s direction, and moment their cross product.
+#[derive(Debug, Clone, Copy)]
+pub struct OwnRay<S: Simd> {
+    pub direction: V3<S>,
+    pub moment: V3<S>,
+    pub nearest: V3<S>,
+}
+
+#[inline(always)]
+pub fn own_ray<S: Simd>(simd: S, body: &Body<S>, ray: &Ray<S>) -> OwnRay<S> {
+    let direction = body.body_from_rest(ray.direction);
+    // A ray that passes farther off than bodies are large misses: nearer, no product of its distances overflows.
+    let far = V3::all(simd, [1e15; 3]);
+    let moment = body.body_from_rest(ray.moment + body.place.cross(ray.direction)).clamp(-far, far);
+    OwnRay { direction, moment, nearest: moment.cross(direction) }
+}
+
+/// How much of what pixels show of two faces is the other than that which their rays meet: these pass the common edge at
+/// the distance `from_edge`, `across` is the unit vector across the edge and the ray, and `width` that of the other face
+/// as it is seen.
+#[inline(always)]
+pub fn share_of_other<S: Simd>(
+    group: &Group,
+    from_edge: F<S>,
+    width: F<S>,
+    across: V3<S>,
+    ray: &Ray<S>,
+    beyond: F<S>,
+) -> F<S> {
+    let simd = beyond.simd;
+    let pixel = ((ray.to_centre + beyond) * movement(group, ray, across).length()).max(1e-30);
+    let own = 0.5 + (from_edge / pixel).min(0.5);
+    let other = clamp(0.5 - from_edge / pixel, all(simd, 0.0), (width / pixel).max(0.0));
+    other / (own + other)
+}

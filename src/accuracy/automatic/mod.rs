@@ -1,0 +1,154 @@
+//! Automatic quality: which method draws a view, from what is stated of each one's error and known of its cost.
+//!
+//! Costs are measured in passing. What is not measured is expected; what might be cheaper is tried for a frame now and
+//! then while pictures change, in at most [`TRIED_SHARE`] of the time.
+
+mod best;
+mod costs;
+mod stated;
+#[cfg(test)]
+mod tests;
+mod words;
+
+use relativity_render::{Geometry, Method, PreparedScene, View};
+
+use best::{Offer, best};
+use costs::Costs;
+pub use costs::Machine;
+pub use stated::F32_ERROR_PX;
+use stated::{Candidate, candidates};
+pub use words::method_name;
+
+use super::REFERENCE_SAMPLES;
+use crate::flags::Goal;
+
+/// The share of the time in which other methods are tried.
+const TRIED_SHARE: f64 = 0.02;
+/// How long after a scene appears the first is tried, and how long after one the next, milliseconds.
+const FIRST_TRIAL_MS: f64 = 1000.0;
+/// What was measured is tried again after this, milliseconds.
+const STALE_MS: f64 = 10_000.0;
+/// What was measured to cost so many times as much is far worse, and is not tried again.
+const FAR_WORSE: f64 = 3.0;
+/// What is expected to, without a measurement, is not tried at all.
+const EXPECTED_FAR_WORSE: f64 = 5.0;
+
+/// What was chosen, and why.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Choice {
+    /// What draws.
+    pub method: Method,
+    /// No point is drawn further from where it is seen, pixels.
+    pub error_px: f64,
+    /// What a frame's pictures take, milliseconds.
+    pub ms: f64,
+    /// Whether that was measured, else it is expected.
+    pub is_measured: bool,
+    /// What was to be kept.
+    pub goal: Goal,
+    /// Whether it is kept, as far as is known.
+    pub holds: bool,
+}
+
+/// The views of a frame that are drawn by one method.
+#[derive(Debug, Clone, Copy)]
+pub struct Sight<'a> {
+    /// What is seen.
+    pub scene: &'a PreparedScene,
+    /// One of the views.
+    pub view: &'a View,
+    /// Pixels of all.
+    pub pixels: f64,
+}
+
+/// What chooses.
+#[derive(Debug)]
+pub struct Automatic {
+    costs: Costs,
+    scene: Option<PreparedScene>,
+    /// What drew views of each kind last.
+    kept: Vec<(Geometry, Method)>,
+    /// When something may be tried, milliseconds.
+    next_trial_ms: Option<f64>,
+}
+
+impl Automatic {
+    /// On this `machine`, of which nothing is known yet.
+    #[must_use]
+    pub const fn new(machine: Machine) -> Self {
+        Self::with_samples(machine, REFERENCE_SAMPLES)
+    }
+
+    /// The same, where the reference draws with `samples` times `samples` rays per pixel.
+    #[must_use]
+    pub const fn with_samples(machine: Machine, samples: u32) -> Self {
+        let costs = Costs::new(machine, samples);
+        Self { costs, scene: None, kept: Vec::new(), next_trial_ms: None }
+    }
+
+    /// What is known of costs.
+    pub const fn costs(&mut self) -> &mut Costs {
+        &mut self.costs
+    }
+
+    /// The methods that there are for `sight`, and what each is known or expected to cost.
+    fn offers(&self, goal: Goal, sight: Sight<'_>) -> Vec<Offer> {
+        let Sight { scene, view, pixels } = sight;
+        let has_gpu = self.costs.machine() != Machine::Cpu;
+        let offer = |Candidate { method, error_px }| {
+            let ms = self.costs.expected_ms(method, view.geometry, pixels);
+            Offer { method, error_px, ms }
+        };
+        candidates(goal, has_gpu, scene, view).into_iter().map(offer).collect()
+    }
+
+    /// What is to draw `sight`; `None` if nothing here does.
+    pub fn choose(&mut self, goal: Goal, sight: Sight<'_>) -> Option<Choice> {
+        if self.scene.as_ref() != Some(sight.scene) {
+            self.scene = Some(sight.scene.clone());
+            self.costs.forget();
+            self.kept.clear();
+            self.next_trial_ms = None;
+        }
+        let geometry = sight.view.geometry;
+        let place = self.kept.iter().position(|(of, _)| *of == geometry);
+        let kept = place.map(|place| self.kept.swap_remove(place).1);
+        let Offer { method, error_px, ms } = best(goal, &self.offers(goal, sight), kept)?;
+        self.kept.push((geometry, method));
+        let is_measured = self.costs.measured_at(method, geometry).is_some();
+        let holds = match goal {
+            Goal::Error(px) => error_px <= px,
+            Goal::Budget(budget) => ms <= budget,
+        };
+        Some(Choice { method, error_px, ms, is_measured, goal, holds })
+    }
+
+    /// What is to draw the next frame of `sight` in place of what was `chosen`, to learn what it costs.
+    pub fn trial(&mut self, chosen: &Choice, sight: Sight<'_>, now_ms: f64) -> Option<Method> {
+        let geometry = sight.view.geometry;
+        // The cost of what draws comes first.
+        let own_ms = self.costs.measured_ms(chosen.method, geometry, sight.pixels)?;
+        let next_ms = *self.next_trial_ms.get_or_insert(now_ms + FIRST_TRIAL_MS);
+        if now_ms < next_ms {
+            return None;
+        }
+        let offers = self.offers(chosen.goal, sight);
+        let is_worth_it = |offer: &Offer| {
+            let at_ms = self.costs.measured_at(offer.method, geometry);
+            let most = if at_ms.is_some() { FAR_WORSE } else { EXPECTED_FAR_WORSE };
+            let is_of_use = match chosen.goal {
+                Goal::Error(px) => offer.error_px <= px && offer.ms <= most * own_ms,
+                Goal::Budget(budget) if chosen.holds => {
+                    offer.error_px < chosen.error_px && offer.ms <= most * budget
+                }
+                Goal::Budget(_) => offer.ms <= most * own_ms,
+            };
+            let is_old = at_ms.is_none_or(|at_ms| now_ms - at_ms >= STALE_MS);
+            offer.method != chosen.method && is_of_use && is_old
+        };
+        let tried = offers.into_iter().filter(is_worth_it).min_by(|a, b| a.ms.total_cmp(&b.ms))?;
+        // Paid for before it is done: at what it is expected to take.
+        self.next_trial_ms = Some(now_ms + FIRST_TRIAL_MS.max(tried.ms / TRIED_SHARE));
+        Some(tried.method)
+    }
+}

@@ -1,0 +1,74 @@
+//! What is stated of each method's error, and which methods there are to choose from.
+
+use relativity_render::{Method, Motion, PreparedScene, View};
+
+use crate::flags::Goal;
+use crate::settings::BOUND_PX;
+
+/// How far what is drawn in f32 is off up to [`MEASURED_GAMMA`], pixels (README, Accuracy and speed).
+pub const F32_ERROR_PX: f64 = 0.002;
+/// The same as an angle, radians: what counts where a pixel is small.
+const F32_ERROR_RADIANS: f64 = 1e-6;
+/// The greatest gamma for which that is measured.
+const MEASURED_GAMMA: f64 = 1000.0;
+/// How far it is off from there to [`GROUPS_GAMMA`], pixels: where another body is shown, an outline is no further.
+const F32_FAST_ERROR_PX: f64 = 0.05;
+/// The greatest gamma up to which groups that fly apart are told apart in f32.
+const GROUPS_GAMMA: f64 = 1e5;
+/// The meshes among which a budget chooses, pixels.
+const MESHES_PX: [f64; 3] = [0.1, Method::DEFAULT_BOUND_PX, 2.0];
+
+/// A method, and what is stated of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Candidate {
+    /// Which.
+    pub method: Method,
+    /// No point is drawn further from where it is seen, pixels.
+    pub error_px: f64,
+}
+
+/// The methods that draw `view` of `scene`, the most accurate first, with a GPU if it `has_gpu`.
+///
+/// For a budget there are some meshes. For an error there is that of the error, and only where no rays are drawn: they hardly
+/// cost more, and a mesh may have a hole where a ring is seen almost from the side (0.5 px wide, in one of the 22 views
+/// of `gamow accuracy --scene street --size 240x180`).
+#[must_use]
+pub fn candidates(goal: Goal, has_gpu: bool, scene: &PreparedScene, view: &View) -> Vec<Candidate> {
+    let f32_error_px = f32_error_px(scene, view);
+    let exact = [Method::Packets, Method::Rays].map(|method| (method, f32_error_px));
+    let mesh = |bound_px: f64| (Method::Mesh { bound_px }, bound_px.max(f32_error_px));
+    let meshes: Vec<_> = match goal {
+        Goal::Error(_) if Method::Rays.of_view(view) == Method::Rays => Vec::new(),
+        Goal::Error(px) => vec![mesh(px.clamp(*BOUND_PX.start(), *BOUND_PX.end()))],
+        Goal::Budget(_) => MESHES_PX.map(mesh).into(),
+    };
+    let all = [(Method::Reference, 0.0)].into_iter().chain(exact).chain(meshes);
+    let is_drawn = |method: Method| (has_gpu || is_on_cpu(method)) && method.of_view(view) == method;
+    all.filter(|(method, _)| is_drawn(*method))
+        .map(|(method, error_px)| Candidate { method, error_px })
+        .collect()
+}
+
+/// Whether `method` needs no GPU.
+#[must_use]
+pub const fn is_on_cpu(method: Method) -> bool {
+    matches!(method, Method::Reference | Method::Packets)
+}
+
+/// What is stated of what is drawn in f32, pixels; without end where bodies may be mistaken for others.
+fn f32_error_px(scene: &PreparedScene, view: &View) -> f64 {
+    let gamma = |motion: &Motion| match motion {
+        Motion::Scene => view.speed.gamma(),
+        Motion::Own(velocity) => velocity.speed.gamma(),
+    };
+    let fastest = scene.groups().iter().map(|group| gamma(&group.motion)).fold(1.0, f64::max);
+    let is_one = scene.groups().iter().filter(|group| !group.bodies.is_empty()).count() <= 1;
+    let by_angle = F32_ERROR_RADIANS * view.camera.px_per_radian();
+    by_angle.max(if fastest <= MEASURED_GAMMA {
+        F32_ERROR_PX
+    } else if fastest <= GROUPS_GAMMA || is_one {
+        F32_FAST_ERROR_PX
+    } else {
+        f64::INFINITY
+    })
+}

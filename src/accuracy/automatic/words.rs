@@ -1,0 +1,52 @@
+//! What was chosen, in words.
+
+use std::fmt;
+
+use relativity_render::Method;
+
+use super::Choice;
+use crate::figures;
+use crate::flags::Goal;
+
+/// What a method is called.
+#[must_use]
+pub fn method_name(method: Method) -> String {
+    match method {
+        Method::Rays => "rays".to_owned(),
+        Method::Packets => "packets".to_owned(),
+        Method::Mesh { bound_px } => format!("mesh {} px", figures::trimmed(bound_px, 3)),
+        Method::Reference => "reference".to_owned(),
+    }
+}
+
+/// A number in the fewest digits that say enough of it.
+fn short(number: f64) -> String {
+    figures::trimmed(number, 6)
+}
+
+/// Of `packets, 4 ms, within 0.002 px`.
+impl fmt::Display for Choice {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let name = match self.method {
+            Method::Mesh { .. } => "mesh".to_owned(),
+            method => method_name(method),
+        };
+        f.write_str(&name)?;
+        if self.is_measured {
+            write!(f, ", {} ms", figures::significant(self.ms, 2))?;
+            if let (Goal::Budget(budget), true) = (self.goal, self.holds) {
+                write!(f, " of {}", short(budget))?;
+            }
+        }
+        match self.error_px {
+            0.0 => f.write_str(", exact")?,
+            px if px.is_finite() => write!(f, ", within {} px", short(px))?,
+            _ => f.write_str(", in 32-bit floats, which err at such speeds")?,
+        }
+        match self.goal {
+            Goal::Error(px) if !self.holds => write!(f, "; nothing here keeps {} px", short(px)),
+            Goal::Budget(ms) if !self.holds => write!(f, "; nothing keeps {} ms", short(ms)),
+            Goal::Error(_) | Goal::Budget(_) => Ok(()),
+        }
+    }
+}

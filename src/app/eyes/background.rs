@@ -1,0 +1,120 @@
+//! Pictures by the reference renderer, which are made in the background while nothing changes: step by step with more
+//! rays a pixel.
+
+use eframe::egui::Context;
+use relativity_render::Picture;
+
+use super::request::Request;
+use crate::accuracy::REFERENCE_SAMPLES;
+use crate::app::stillness::Stillness;
+use crate::app::worker::{Wanted, Worker};
+use crate::platform::threads;
+
+/// Rays per pixel and direction of the steps in which pictures get smoother: the first has as many as any other picture.
+const STEPS: [u32; 3] = [REFERENCE_SAMPLES, 4, 8];
+
+/// A picture, and how many rays per pixel and direction it is made of.
+#[derive(Debug)]
+pub struct Made {
+    /// What it is of.
+    pub of: Request,
+    /// Rays per pixel and direction.
+    pub samples: u32,
+    /// The picture.
+    pub picture: Picture,
+}
+
+/// Those of one eye.
+pub struct Background {
+    worker: Worker<(Request, u32), Made>,
+    stillness: Stillness<Request>,
+    requested: Option<(Request, u32)>,
+    /// The newest.
+    done: Option<Made>,
+    /// Whether what is to be shown is not yet made.
+    pub is_awaited: bool,
+    /// Whether what is shown is to get smoother.
+    is_refining: bool,
+}
+
+impl Background {
+    /// None yet.
+    pub fn new(ctx: &Context) -> Self {
+        let work = |(of, samples): (Request, u32), wanted: &Wanted| {
+            let Request { view, appearance, scene, .. } = &of;
+            let picture = || scene.picture_while(view, appearance, samples, &|| wanted.holds());
+            // What is shown without it can wait; what is not there yet cannot.
+            let picture = if samples > REFERENCE_SAMPLES { threads::on_half(picture) } else { picture() }?;
+            Some(Made { of, samples, picture })
+        };
+        Self {
+            worker: Worker::new(ctx.clone(), work),
+            stillness: Stillness::default(),
+            requested: None,
+            done: None,
+            is_awaited: false,
+            is_refining: false,
+        }
+    }
+
+    /// Whether what is shown is to get smoother.
+    pub const fn is_refining(&self) -> bool {
+        self.is_refining
+    }
+
+    /// The picture that `request` is for, once it is done. It is begun when what is asked for no longer changes, and then
+    /// gets smoother if it may.
+    pub fn picture(&mut self, ctx: &Context, request: &Request) -> Option<&Made> {
+        let is_still = self.stillness.is_still(ctx, request);
+        self.update(request, REFERENCE_SAMPLES, is_still);
+        self.done.as_ref().filter(|_| !self.is_awaited)
+    }
+
+    /// A smoother picture than the one of `request` that another method has drawn, if it may be and once there is one.
+    pub fn smoother(&mut self, ctx: &Context, request: &Request) -> Option<&Made> {
+        let is_still = self.stillness.is_still(ctx, request);
+        self.update(request, STEPS[1], is_still);
+        let is_made = !std::mem::take(&mut self.is_awaited);
+        self.is_refining |= !is_made;
+        self.done.as_ref().filter(|made| is_made && made.samples > REFERENCE_SAMPLES)
+    }
+
+    /// The newest picture of this size, be it of what was asked for before: a late one is better than none.
+    pub fn newest(&mut self, request: &Request) -> Option<&Made> {
+        self.update(request, REFERENCE_SAMPLES, true);
+        self.done.as_ref().filter(|made| made.picture.size == request.view.camera.size)
+    }
+
+    /// Receives what is done, and begins the next step, the `first` before all, if it `may_begin`.
+    fn update(&mut self, request: &Request, first: u32, may_begin: bool) {
+        if let Some(done) = self.worker.result() {
+            self.done = Some(done);
+        }
+        let made = self.done.as_ref().filter(|made| made.of == *request).map_or(0, |made| made.samples);
+        self.is_awaited = made < first;
+        let is_wanted = |step: &u32| *step > made && *step >= first && (*step == first || request.refine);
+        let next = STEPS.into_iter().find(is_wanted);
+        self.is_refining = !self.is_awaited && next.is_some();
+        self.requested.take_if(|(of, samples)| {
+            let is_outdated = of != request && *samples > REFERENCE_SAMPLES;
+            if is_outdated {
+                self.worker.stop();
+            }
+            is_outdated
+        });
+        let Some(samples) = next.filter(|_| may_begin) else { return };
+        let is_requested = |(of, step): &(Request, u32)| of == request && *step == samples;
+        if !self.requested.as_ref().is_some_and(is_requested) {
+            self.worker.request((request.clone(), samples));
+            self.requested = Some((request.clone(), samples));
+        }
+    }
+
+    /// Gives up what is being made.
+    pub fn stop(&mut self) {
+        if self.requested.take().is_some() {
+            self.worker.stop();
+        }
+        (self.is_awaited, self.is_refining) = (false, false);
+    }
+}

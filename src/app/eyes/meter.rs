@@ -1,0 +1,109 @@
+//! Automatic quality in the window: what each drawing costs, measured in passing, and what draws the next frame.
+
+use relativity_render::{EyeTarget, Gpu, GpuError, Method, Renderers};
+
+use super::request::Request;
+use crate::accuracy::{Automatic, Choice, Machine, REFERENCE_SAMPLES, Sight};
+use crate::flags::Goal;
+use crate::platform::clock::Instant;
+
+/// Frames in a row in which pictures were drawn, after which they are taken to move: only then others are tried.
+const MOVING: u32 = 8;
+/// What the reference draws within a frame takes no longer than this, milliseconds; else it is made in the background.
+const AT_ONCE_MS: f64 = 100.0;
+
+/// What chooses, and what it goes by.
+pub struct Meter {
+    automatic: Automatic,
+    clock: Instant,
+    /// Whether costs are of use: while the choice is automatic.
+    is_on: bool,
+    /// Drawings when the last frame began, and the frames in a row that had some.
+    drawings: u64,
+    frames: u32,
+}
+
+/// What draws the views of one kind in a frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Chosen {
+    /// What was chosen.
+    pub choice: Choice,
+    /// What draws this frame: that, or what is tried.
+    pub method: Method,
+}
+
+impl Chosen {
+    /// Whether the reference draws within the frame.
+    pub fn at_once(&self) -> bool {
+        self.method != self.choice.method || self.choice.ms <= AT_ONCE_MS
+    }
+}
+
+impl Meter {
+    /// Nothing is known yet of what `gpu` costs.
+    pub fn new(gpu: &Gpu) -> Self {
+        let automatic = Automatic::new(Machine::of(Some(gpu)));
+        Self { automatic, clock: Instant::now(), is_on: false, drawings: 0, frames: 0 }
+    }
+
+    /// Begins a frame after so many `drawings`, in which the choice is automatic or not.
+    pub fn begin(&mut self, drawings: u64, is_on: bool) {
+        let has_moved = drawings != std::mem::replace(&mut self.drawings, drawings);
+        self.frames = if has_moved && is_on { self.frames.saturating_add(1) } else { 0 };
+        self.is_on = is_on;
+    }
+
+    /// What draws `sight` in this frame.
+    pub fn choose(&mut self, goal: Goal, sight: Sight<'_>) -> Option<Chosen> {
+        let choice = self.automatic.choose(goal, sight)?;
+        let now_ms = self.clock.elapsed_ms();
+        let is_moving = self.frames >= MOVING;
+        let trial = is_moving.then(|| self.automatic.trial(&choice, sight, now_ms)).flatten();
+        Some(Chosen { choice, method: trial.unwrap_or(choice.method) })
+    }
+
+    /// Draws `request` by `method` into `target`. What is measured is waited for, and so is what was begun before it; once a
+    /// cost is known that is done twice a second at most, so that it holds nothing up.
+    pub fn draw(
+        &mut self,
+        renderers: &mut Renderers,
+        gpu: &Gpu,
+        request: &Request,
+        method: Method,
+        target: &mut EyeTarget,
+    ) -> Result<(), GpuError> {
+        if !self.is_on {
+            return draw(renderers, gpu, request, method, target);
+        }
+        let geometry = request.view.geometry;
+        let is_due = self.automatic.costs().is_due(method, geometry, self.clock.elapsed_ms());
+        if is_due {
+            gpu.wait()?;
+        }
+        let start = Instant::now();
+        draw(renderers, gpu, request, method, target)?;
+        if is_due {
+            gpu.wait()?;
+        }
+        let [width, height] = target.size().map(f64::from);
+        let measured = is_due.then(|| (start.elapsed_ms(), width * height));
+        self.automatic.costs().note(method, geometry, measured, self.clock.elapsed_ms());
+        Ok(())
+    }
+}
+
+/// Draws `request` by `method` into `target`.
+fn draw(
+    renderers: &mut Renderers,
+    gpu: &Gpu,
+    request: &Request,
+    method: Method,
+    target: &mut EyeTarget,
+) -> Result<(), GpuError> {
+    let Request { scene, view, appearance, .. } = request;
+    if method == Method::Reference {
+        target.write(gpu, &scene.picture(view, appearance, REFERENCE_SAMPLES));
+        return Ok(());
+    }
+    renderers.draw(method, scene, view, appearance, target)
+}

@@ -1,0 +1,230 @@
+//! The two eyes' pictures, each drawn again only when something about it changed: within the frame, or by the reference
+//! renderer in the background, which also makes smoother what does not change.
+
+mod background;
+mod meter;
+mod request;
+mod slot;
+
+use eframe::egui::Context;
+use eframe::egui_wgpu::RenderState;
+use relativity_render::{Composer, Composition, Gpu, GpuError, Method, Renderers};
+
+pub use meter::Chosen;
+pub use request::{Request, Shown};
+
+use self::background::{Background, Made};
+use self::meter::Meter;
+use self::slot::{ComposedPicture, Drawn, EyePicture, fitting, fitting_composed};
+use crate::accuracy::Sight;
+use crate::app::painting;
+use crate::flags::Goal;
+
+/// Both eyes' pictures, and what draws them.
+pub struct EyePictures {
+    render_state: RenderState,
+    gpu: Gpu,
+    renderers: Renderers,
+    meter: Meter,
+    pictures: [Option<EyePicture>; 2],
+    backgrounds: [Option<Background>; 2],
+    composer: Option<Composer>,
+    composed: Option<ComposedPicture>,
+    /// How often a picture was drawn.
+    drawings: u64,
+    /// Why the device no longer draws, once it has refused to: from then on the reference does.
+    refusal: Option<GpuError>,
+    /// Whether that is yet to be told.
+    is_untold: bool,
+}
+
+impl EyePictures {
+    /// On the window's device.
+    #[must_use]
+    pub fn new(render_state: &RenderState) -> Self {
+        let RenderState { adapter, device, queue, .. } = render_state;
+        let gpu = Gpu::from_device(adapter, device.clone(), queue.clone());
+        Self {
+            renderers: Renderers::new(Some(gpu.clone())),
+            meter: Meter::new(&gpu),
+            gpu,
+            render_state: render_state.clone(),
+            pictures: [None, None],
+            backgrounds: [None, None],
+            composer: None,
+            composed: None,
+            drawings: 0,
+            refusal: None,
+            is_untold: false,
+        }
+    }
+
+    /// None yet, for another window of the same device.
+    #[must_use]
+    pub fn another(&self) -> Self {
+        Self { refusal: self.refusal.clone(), ..Self::new(&self.render_state) }
+    }
+
+    /// Why the device no longer draws, if it has refused to since this was last asked.
+    pub fn newly_refused(&mut self) -> Option<&GpuError> {
+        std::mem::take(&mut self.is_untold).then_some(self.refusal.as_ref()).flatten()
+    }
+
+    /// The device they are drawn on.
+    #[must_use]
+    pub const fn gpu(&self) -> &Gpu {
+        &self.gpu
+    }
+
+    /// Largest width and height of a picture, pixels.
+    #[must_use]
+    pub fn largest_side(&self) -> u32 {
+        self.gpu.largest_side()
+    }
+
+    /// Whether every picture is drawn by what is to draw it.
+    #[must_use]
+    pub fn is_settled(&self) -> bool {
+        !self.backgrounds.iter().flatten().any(|background| background.is_awaited)
+    }
+
+    /// Whether no picture is to get smoother.
+    #[must_use]
+    pub fn is_refined(&self) -> bool {
+        !self.backgrounds.iter().flatten().any(Background::is_refining)
+    }
+
+    /// Begins a frame in which the choice of what draws is automatic or not.
+    pub fn begin_frame(&mut self, is_automatic: bool) {
+        self.meter.begin(self.drawings, is_automatic);
+    }
+
+    /// What draws `sight` in this frame, chosen for `goal`; `None` if nothing does.
+    pub fn choose(&mut self, goal: Goal, sight: Sight<'_>) -> Option<Chosen> {
+        self.meter.choose(goal, sight)
+    }
+
+    /// The picture of the eye with this `index` (0 left, 1 right), drawn if it is not up to date; none if neither the device
+    /// nor, once that has refused, the reference draws it.
+    pub fn picture(&mut self, ctx: &Context, index: usize, request: &Request) -> Option<Shown> {
+        let scopes = self.gpu.error_scopes();
+        let before = self.drawings;
+        let shown = if self.refusal.is_some() {
+            Ok(self.picture_by_reference(ctx, index, request))
+        } else {
+            self.picture_by_method(ctx, index, request).map(Some)
+        };
+        if let Ok(Some(Shown { texture, .. })) = shown
+            && self.drawings != before
+        {
+            painting::is_drawn_anew(ctx, texture);
+        }
+        scopes.close().and(shown).unwrap_or_else(|error| {
+            self.give_up(index);
+            self.is_untold |= self.refusal.is_none();
+            self.refusal.get_or_insert(error);
+            ctx.request_repaint();
+            None
+        })
+    }
+
+    /// Gives up the picture with this `index`, of which parts may be missing.
+    fn give_up(&mut self, index: usize) {
+        if let Some(EyePicture { texture, .. }) = self.pictures[index].take() {
+            self.render_state.renderer.write().free_texture(&texture);
+        }
+    }
+
+    /// The picture as it is asked for.
+    fn picture_by_method(
+        &mut self,
+        ctx: &Context,
+        index: usize,
+        request: &Request,
+    ) -> Result<Shown, GpuError> {
+        let Self { render_state, gpu, renderers, meter, pictures, backgrounds, drawings, .. } = self;
+        let picture = fitting(&mut pictures[index], request.view.camera.size, gpu, render_state);
+        let background = &mut backgrounds[index];
+        let method = request.method_in_frame();
+        let made = if request.is_for_reference() {
+            let background = background.get_or_insert_with(|| Background::new(ctx));
+            background.picture(ctx, request).map(|made| (made, Method::Reference))
+        } else if request.refine && request.is_known_to_reference() {
+            let background = background.get_or_insert_with(|| Background::new(ctx));
+            background.smoother(ctx, &request.for_reference()).map(|made| (made, method))
+        } else {
+            // Kept, since ending its thread would take until its picture is done.
+            background.iter_mut().for_each(Background::stop);
+            None
+        };
+        if let Some((Made { picture: made, samples, .. }, method)) = made {
+            let by = Drawn { method, samples: Some(*samples) };
+            return picture.shown(request, by, drawings, |target| {
+                target.write(gpu, made);
+                Ok(())
+            });
+        }
+        picture.shown(request, Drawn { method, samples: None }, drawings, |target| {
+            meter.draw(renderers, gpu, request, method, target)
+        })
+    }
+
+    /// The newest picture by the reference, if that draws what is asked for and has drawn any.
+    fn picture_by_reference(&mut self, ctx: &Context, index: usize, request: &Request) -> Option<Shown> {
+        let request = request.for_reference();
+        let Self { render_state, gpu, pictures, backgrounds, drawings, .. } = self;
+        let background = backgrounds[index].get_or_insert_with(|| Background::new(ctx));
+        if !request.is_for_reference() {
+            background.stop();
+            return None;
+        }
+        let Made { of, picture: made, samples } = background.newest(&request)?;
+        let picture = fitting(&mut pictures[index], made.size, gpu, render_state);
+        let by = Drawn { method: Method::Reference, samples: Some(*samples) };
+        let written = picture.shown(of, by, drawings, |target| {
+            target.write(gpu, made);
+            Ok(())
+        });
+        written.ok()
+    }
+
+    /// The picture that is made of those of both eyes, which are drawn first if they are not up to date: each with its
+    /// number, in the order of the layout.
+    pub fn composed(
+        &mut self,
+        ctx: &Context,
+        composition: Composition,
+        requests: [(usize, &Request); 2],
+    ) -> Option<Shown> {
+        let [shown, other] = requests.map(|(index, request)| self.picture(ctx, index, request));
+        let Shown { method, .. } = shown.and(other).and(shown)?;
+        let Self { render_state, gpu, pictures, composer, composed, .. } = self;
+        let [first, second] = requests.map(|(index, _)| pictures[index].as_ref());
+        let (first, second) = (first?, second?);
+        let composed = fitting_composed(composed, composition.size(first.target.size()), gpu, render_state);
+        let of = Some((composition, [first.number, second.number]));
+        if composed.of != of {
+            let composer = composer.get_or_insert_with(|| Composer::new(gpu));
+            composer.compose(gpu, composition, [&first.target, &second.target], &composed.target);
+            composed.of = of;
+            painting::is_drawn_anew(ctx, composed.texture);
+        }
+        Some(Shown { texture: composed.texture, method })
+    }
+
+    /// Gives up all pictures, as nobody looks.
+    pub fn forget(&mut self) {
+        self.forget_composed();
+        for EyePicture { texture, .. } in self.pictures.iter_mut().filter_map(Option::take) {
+            self.render_state.renderer.write().free_texture(&texture);
+        }
+        self.backgrounds = [None, None];
+    }
+
+    /// Gives up what was composed, as nobody looks.
+    pub fn forget_composed(&mut self) {
+        if let Some(ComposedPicture { texture, .. }) = self.composed.take() {
+            self.render_state.renderer.write().free_texture(&texture);
+        }
+    }
+}

@@ -1,0 +1,100 @@
+//! Where a picture is kept on the device, and what of.
+
+use eframe::egui::TextureId;
+use eframe::egui_wgpu::RenderState;
+use eframe::wgpu::{FilterMode, TextureView};
+use relativity_render::{Composed, Composition, EyeTarget, Gpu, GpuError, Method};
+
+use super::request::{Request, Shown};
+
+/// The picture of an eye.
+pub struct EyePicture {
+    pub target: EyeTarget,
+    pub texture: TextureId,
+    /// What it is of, and what drew that.
+    drawn: Option<(Request, Drawn)>,
+    /// Which of all drawings it was.
+    pub number: u64,
+}
+
+/// What drew a picture.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Drawn {
+    /// By which method.
+    pub method: Method,
+    /// Rays per pixel and direction, where the reference has made it smoother than that does.
+    pub samples: Option<u32>,
+}
+
+/// What is made of both.
+pub struct ComposedPicture {
+    pub target: Composed,
+    pub texture: TextureId,
+    /// How it was composed, and of which drawings.
+    pub of: Option<(Composition, [u64; 2])>,
+}
+
+impl EyePicture {
+    /// It, after `draw` has drawn what is asked for `by` this, unless that is up to date.
+    pub fn shown(
+        &mut self,
+        request: &Request,
+        by: Drawn,
+        drawings: &mut u64,
+        draw: impl FnOnce(&mut EyeTarget) -> Result<(), GpuError>,
+    ) -> Result<Shown, GpuError> {
+        let is_up_to_date =
+            self.drawn.as_ref().is_some_and(|(of, drawn)| *drawn == by && of.shows_as(request));
+        if !is_up_to_date {
+            self.drawn = None;
+            draw(&mut self.target)?;
+            self.drawn = Some((request.clone(), by));
+            *drawings += 1;
+            self.number = *drawings;
+        }
+        Ok(Shown { texture: self.texture, method: by.method })
+    }
+}
+
+/// The picture in `slot`, made anew if it does not have this `size`.
+pub fn fitting<'a>(
+    slot: &'a mut Option<EyePicture>,
+    size: [u32; 2],
+    gpu: &Gpu,
+    render_state: &RenderState,
+) -> &'a mut EyePicture {
+    let outgrown = slot.take_if(|picture| picture.target.size() != size);
+    slot.get_or_insert_with(|| {
+        let target = EyeTarget::new(gpu, size);
+        let texture = registered(render_state, target.view(), outgrown.map(|picture| picture.texture));
+        EyePicture { target, texture, drawn: None, number: 0 }
+    })
+}
+
+/// What is composed in `slot`, made anew if it does not have this `size`.
+pub fn fitting_composed<'a>(
+    slot: &'a mut Option<ComposedPicture>,
+    size: [u32; 2],
+    gpu: &Gpu,
+    render_state: &RenderState,
+) -> &'a mut ComposedPicture {
+    let outgrown = slot.take_if(|composed| composed.target.size() != size);
+    slot.get_or_insert_with(|| {
+        let target = Composed::new(gpu, size);
+        let texture = registered(render_state, target.view(), outgrown.map(|composed| composed.texture));
+        ComposedPicture { target, texture, of: None }
+    })
+}
+
+/// What egui calls the picture in `view`, be it new or in place of the one that it called so `before`.
+fn registered(render_state: &RenderState, view: &TextureView, before: Option<TextureId>) -> TextureId {
+    let mut renderer = render_state.renderer.write();
+    let (device, filter) = (&render_state.device, FilterMode::Linear);
+    match before {
+        Some(texture) => {
+            renderer.update_egui_texture_from_wgpu_texture(device, view, filter, texture);
+            texture
+        }
+        None => renderer.register_native_texture(device, view, filter),
+    }
+}

@@ -1,0 +1,114 @@
+//! The controls of quality: what draws the views, what that keeps, and whether they get smoother.
+
+use eframe::egui::{RichText, Ui};
+
+use crate::app::command::Command;
+use crate::app::panels::Asks;
+use crate::app::state::State;
+use crate::app::widgets::{Edit, NumberRow, choice, named_text, row};
+use crate::flags::choices::RendererChoice;
+use crate::flags::{BUDGET_MS, ERROR_PX, Goal};
+use crate::settings::{BOUND_PX, Quality};
+
+/// Shows them.
+pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
+    let (before, usual) = (state.settings.quality, state.usual().quality);
+    let mut quality = before;
+    let tip = "What draws the views.   The Accuracy tab shows what each costs, and how far it is off.";
+    row(ui, "Quality", tip, |ui| _ = choice(ui, &mut quality.renderer, &RENDERERS[..2]));
+    row(ui, "", "", |ui| _ = choice(ui, &mut quality.renderer, &RENDERERS[2..]));
+    match quality.renderer {
+        RendererChoice::Auto => goal_rows(ui, state, &mut quality, usual),
+        RendererChoice::Mesh => _ = bound().show(ui, &mut quality.bound_px, usual.bound_px),
+        RendererChoice::Rays | RendererChoice::Packets | RendererChoice::Reference => {}
+    }
+    row(ui, "", "", |ui| {
+        let tip =
+            "While nothing changes, the reference draws the views again with more and more rays per pixel.";
+        ui.checkbox(&mut quality.refine, "smoother when still").on_hover_text(tip);
+    });
+    if quality != before {
+        asks.push(Command::Quality(quality));
+    }
+}
+
+/// What automatic quality keeps, and what it has chosen.
+fn goal_rows(ui: &mut Ui, state: &State, quality: &mut Quality, usual: Quality) {
+    let mut is_budget = matches!(quality.goal, Goal::Budget(_));
+    row(ui, "Keeps", "What the automatic choice keeps.", |ui| {
+        if choice(ui, &mut is_budget, &GOALS) {
+            quality.goal = if is_budget { Goal::Budget(Goal::USUAL_BUDGET_MS) } else { Goal::default() };
+        }
+    });
+    let edit = match &mut quality.goal {
+        Goal::Error(px) => error().edit(ui, px),
+        Goal::Budget(ms) => budget().edit(ui, ms),
+    };
+    if edit == Edit::Restored {
+        quality.goal = usual.goal;
+    }
+    if let Some((_, choice)) = state.session.choices.first() {
+        row(ui, "", "", |ui| {
+            _ = named_text(ui, RichText::new(choice.to_string()).small(), format!("Chosen: {choice}"));
+        });
+    }
+}
+
+const RENDERERS: [(RendererChoice, &str, &str); 5] = [
+    (
+        RendererChoice::Auto,
+        "Automatic",
+        "The cheapest that keeps an error bound, or the most accurate that keeps a frame's budget of time.",
+    ),
+    (RendererChoice::Rays, "Rays", "A ray test per pixel on the GPU, in 32-bit floats."),
+    (
+        RendererChoice::Packets,
+        "Packets",
+        "A ray test per pixel on the CPU, in 32-bit floats, eight pixels at a time.",
+    ),
+    (RendererChoice::Mesh, "Mesh", "Triangles on the GPU, as many as keep the bound."),
+    (
+        RendererChoice::Reference,
+        "Reference",
+        "A ray test per pixel on the CPU, in 64-bit floats: the truth that the others are held against.\n\
+        Made in the background when nothing moves; meanwhile the rays draw.",
+    ),
+];
+
+const GOALS: [(bool, &str, &str); 2] = [
+    (false, "Error", "No point is drawn further from where it is seen."),
+    (true, "Budget", "The pictures of a frame take no longer."),
+];
+
+fn bound() -> NumberRow<'static> {
+    NumberRow {
+        name: "Bound",
+        tip: "How far the mesh may draw a point from where it is seen. Coarser is faster.",
+        slider: 0.05..=4.0,
+        typed: BOUND_PX,
+        decimals: 3,
+        suffix: " px",
+    }
+}
+
+fn error() -> NumberRow<'static> {
+    NumberRow {
+        name: "Error bound",
+        tip: "How far a point may be drawn from where it is seen. The cheapest method that keeps it draws.",
+        slider: 0.001..=4.0,
+        typed: ERROR_PX,
+        decimals: 6,
+        suffix: " px",
+    }
+}
+
+fn budget() -> NumberRow<'static> {
+    NumberRow {
+        name: "Frame budget",
+        tip: "How long the pictures of a frame may take. The most accurate method that keeps it draws, or the cheapest.",
+        slider: 1.0..=200.0,
+        typed: BUDGET_MS,
+        decimals: 2,
+        suffix: " ms",
+    }
+}

@@ -1,0 +1,181 @@
+//! Automatic quality in the window: what it says, what it is told, and pictures that get smoother while nothing changes.
+
+use std::time::{Duration, Instant};
+
+use eframe::egui::{Vec2, ViewportId};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use gamow::app::App;
+use gamow::app::command::Command;
+use gamow::app::eye::Eye;
+use gamow::flags::choices::RendererChoice;
+use gamow::flags::{BUDGET_MS, ERROR_PX, Goal};
+
+use super::Test;
+use super::support::{
+    FRAME, assert_sane, cyclist, label_starting_with, labels, pane, type_into, window, window_of_size,
+};
+
+pub const TESTS: &[Test] = &[
+    ("a_still_view_gets_as_smooth_as_the_reference_and_then_costs_nothing", gets_smooth),
+    ("what_changes_is_drawn_plainly_at_once", changes_are_plain),
+    ("what_was_chosen_and_why_is_said", what_was_chosen_is_said),
+    ("a_goal_that_cannot_be_is_refused", wrong_goals_are_refused),
+];
+
+/// A small window whose pictures may get smoother.
+fn refined_window() -> Harness<'static, App> {
+    let mut state = cyclist(0.6);
+    state.settings.window.dials = false;
+    let mut harness = Harness::builder()
+        .with_size(Vec2::new(800.0, 600.0))
+        .with_step_dt(FRAME)
+        .with_max_steps(12)
+        .with_render_cursor(false)
+        .wgpu()
+        .build_eframe(|cc| App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state));
+    harness.run_steps(3);
+    harness
+}
+
+/// Frames until pictures are as smooth as they get.
+fn refine(window: &mut Harness<'_, App>) {
+    let start = Instant::now();
+    window.step();
+    while !window.state().is_refined() {
+        assert!(start.elapsed() < Duration::from_mins(2), "it goes on");
+        std::thread::sleep(Duration::from_millis(5));
+        window.step();
+    }
+    window.run();
+}
+
+/// Height of the notes at the bottom of a pane, pixels.
+const NOTE: u32 = 40;
+
+/// The mean difference of a level in the left pane to the reference with `samples` times `samples` rays per pixel, and the
+/// share of pixels that differ by more than 2 levels.
+fn differences(window: &mut Harness<'_, App>, samples: u32) -> [f64; 2] {
+    let pane = pane(window, 0);
+    let size = [pane.width() as u32, pane.height() as u32];
+    let state = window.state().state();
+    let view = state.view(Eye::Left, size);
+    let reference = state.session.prepared.picture(&view, &state.appearance(false), samples);
+    let shown = window.render().expect("a picture");
+    let (mut sum, mut differing) = (0, 0);
+    let compared = size[0] * (size[1] - NOTE);
+    for (i, expected) in (0..compared).zip(&reference.rgba) {
+        let (u, v) = (i % size[0], i / size[0]);
+        let found = shown.get_pixel(pane.min.x as u32 + u, pane.min.y as u32 + v).0;
+        let off: u32 = (0..3).map(|part| u32::from(found[part].abs_diff(expected[part]))).max().unwrap_or(0);
+        sum += off;
+        differing += u32::from(off > 2);
+    }
+    [f64::from(sum), f64::from(differing)].map(|sum| sum / f64::from(compared))
+}
+
+fn repaint_delay(window: &Harness<'_, App>) -> Duration {
+    window.output().viewport_output[&ViewportId::ROOT].repaint_delay
+}
+
+fn gets_smooth() {
+    let mut window = refined_window();
+    assert!(!window.state().is_refined());
+    let [plain, _] = differences(&mut window, 8);
+    refine(&mut window);
+    let [smooth, differing] = differences(&mut window, 8);
+    // The marker and the hint cover the rest.
+    assert!(
+        smooth < 0.6 * plain && differing < 0.02,
+        "{smooth}, {differing} of the pixels differ; before {plain}"
+    );
+    assert_eq!(repaint_delay(&window), Duration::MAX, "a window at rest uses no processor");
+    // What was made is kept: the next frame makes nothing.
+    window.step();
+    assert!(window.state().is_refined());
+    assert_eq!(repaint_delay(&window), Duration::MAX);
+}
+
+fn changes_are_plain() {
+    let mut window = refined_window();
+    refine(&mut window);
+    window.state_mut().ask(Command::Time(2.0));
+    window.step();
+    assert!(!window.state().is_refined());
+    let [changed, _] = differences(&mut window, 8);
+    assert!(changed < 3.0, "it is a picture of the new time: {changed}");
+    let mut quality = window.state().state().settings.quality;
+    quality.refine = false;
+    window.state_mut().ask(Command::Quality(quality));
+    window.step();
+    assert!(window.state().is_refined(), "nothing is begun");
+    let before = differences(&mut window, 8);
+    std::thread::sleep(Duration::from_millis(300));
+    window.run();
+    assert_eq!(differences(&mut window, 8), before);
+    // The mesh's errors are to be seen.
+    quality.refine = true;
+    quality.renderer = RendererChoice::Mesh;
+    window.state_mut().ask(Command::Quality(quality));
+    window.run();
+    assert!(window.state().is_refined());
+}
+
+fn what_was_chosen_is_said() {
+    let mut window = window(cyclist(0.9));
+    assert!(label_starting_with(&window, "Chosen: ").ends_with(", within 0.002 px"));
+    for (goal, end) in [
+        (Goal::Error(1e-4), ", exact"),
+        (Goal::Budget(0.01), "; nothing keeps 0.01 ms"),
+        (Goal::Error(0.05), ", within 0.002 px"),
+    ] {
+        let mut quality = window.state().state().settings.quality;
+        quality.goal = goal;
+        window.state_mut().ask(Command::Quality(quality));
+        window.run_steps(3);
+        let said = label_starting_with(&window, "Chosen: ");
+        assert!(said.ends_with(end), "{goal:?}: {said}");
+    }
+    window.get_by_label("Rays").click();
+    window.run();
+    assert_eq!(window.state().state().settings.quality.renderer, RendererChoice::Rays);
+    assert!(!labels(&window).iter().any(|label| label.starts_with("Chosen: ")));
+    window.get_by_label("Automatic").click();
+    window.run();
+    assert!(label_starting_with(&window, "Chosen: ").ends_with(", within 0.002 px"));
+    // One undoes the other.
+    window.state_mut().ask(Command::Undo);
+    window.run();
+    assert_eq!(window.state().state().settings.quality.renderer, RendererChoice::Rays);
+}
+
+/// What is no number changes nothing; what is out of range becomes the nearest that is inside.
+fn wrong_goals_are_refused() {
+    let mut window = window_of_size(cyclist(0.9), [1280.0, 1200.0], 1.0);
+    let goal = |window: &Harness<'_, App>| window.state().state().settings.quality.goal;
+    for (text, expected) in [
+        ("0.25", 0.25),
+        ("nan", 0.25),
+        ("px", 0.25),
+        ("inf", 0.25),
+        ("0,5", 0.5),
+        ("-1", *ERROR_PX.start()),
+        ("1e300", *ERROR_PX.end()),
+        ("0", *ERROR_PX.start()),
+    ] {
+        type_into(&mut window, "Error bound, typed", text);
+        assert_eq!(goal(&window), Goal::Error(expected), "{text}");
+        assert_sane(window.state().state());
+    }
+    window.get_by_label("Budget").click();
+    window.run();
+    assert_eq!(goal(&window), Goal::Budget(Goal::USUAL_BUDGET_MS));
+    for (text, expected) in
+        [("nan", 16.0), ("40", 40.0), ("0", *BUDGET_MS.start()), ("1e300", *BUDGET_MS.end())]
+    {
+        type_into(&mut window, "Frame budget, typed", text);
+        assert_eq!(goal(&window), Goal::Budget(expected), "{text}");
+    }
+    assert_sane(window.state().state());
+    assert!(label_starting_with(&window, "Chosen: ").contains("exact"));
+}
