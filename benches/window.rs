@@ -1,41 +1,52 @@
-//! What the views and the map cost: frames of a 1280x800 window while it plays, with and without each, in one run.
-//! Prints medians of whole frames and of what the program itself does of them: all but drawing its triangles and pictures,
-//! which is the GPU's part, or that of its stand-in.
+//! What the views, the map, and the window's own way to paint itself cost: frames of a 1280x800 window while it plays, with
+//! and without each, in one run. Prints medians of whole frames, each drawn on the device before the next begins and not read
+//! back, and of what the program itself does of them: all but waiting for the device.
 //!
 //! `cargo bench --bench window`
 
 use std::time::{Duration, Instant};
 
-use egui_kittest::Harness;
-use gamow::app::App;
+use eframe::egui::{Context, Pos2, RawInput, Rect};
+use eframe::egui_wgpu::{
+    RenderState, RendererOptions, ScreenDescriptor, WgpuConfiguration, WgpuSetup, WgpuSetupCreateNew,
+};
+use eframe::wgpu;
+use gamow::app::command::Command;
 use gamow::app::state::State;
+use gamow::app::{App, painting};
 use gamow::scene::Scene;
 use gamow::settings::{Presence, Settings, Window};
 
-const SIZE: [f32; 2] = [1280.0, 800.0];
-const FRAMES: usize = 60;
+const SIZE: [u32; 2] = [1280, 800];
+const FRAMES: usize = 30;
 const ROUNDS: usize = 3;
 
 fn main() {
     println!("{}", gpu_description());
     let part = |views, map| Window { views, map, ..Window::default() };
-    compare("views", [part(true, Presence::Off), part(false, Presence::Off)]);
-    compare("map", [part(true, Presence::On), part(true, Presence::Off)]);
+    compare(
+        "views",
+        [part(true, Presence::Off), part(false, Presence::Off)].map(|parts| Shown::new(parts, true)),
+    );
+    compare(
+        "map",
+        [part(true, Presence::On), part(true, Presence::Off)].map(|parts| Shown::new(parts, true)),
+    );
+    compare("painting", [true, false].map(|is_painted| Shown::new(part(true, Presence::Off), is_painted)));
 }
 
 /// Prints what a part costs that the first of these windows has and the second has not.
-fn compare(name: &str, windows: [Window; 2]) {
-    let mut windows = windows.map(window);
+fn compare(name: &str, mut windows: [Shown; 2]) {
     let mut times = [[Vec::new(), Vec::new()], [Vec::new(), Vec::new()]];
     for _ in 0..ROUNDS {
         for (window, times) in windows.iter_mut().zip(&mut times) {
-            frames(window, times);
+            window.frames(times);
         }
     }
     let [with, without] = times.map(|times| times.map(|mut times| 1e3 * median(&mut times).as_secs_f64()));
     for (part, [with, without]) in [("frame", [with[0], without[0]]), ("own part", [with[1], without[1]])] {
         println!(
-            "{name:<6} {part:<9} with {with:6.1} ms, without {without:6.1} ms: {:.2} times, {:.1} ms more",
+            "{name:<8} {part:<9} with {with:6.1} ms, without {without:6.1} ms: {:.2} times, {:.1} ms more",
             with / without,
             with - without
         );
@@ -49,32 +60,96 @@ fn gpu_description() -> String {
     }
 }
 
-fn window(parts: Window) -> Harness<'static, App> {
-    let settings = Settings { window: parts, ..Settings::default() };
-    let mut state = State::new(settings, Scene::default());
-    state.session.playing = true;
-    let mut window = Harness::builder()
-        .with_size(SIZE)
-        .with_step_dt(1.0 / 60.0)
-        .with_render_cursor(false)
-        .wgpu()
-        .build_eframe(|cc| App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state));
-    frames(&mut window, &mut Default::default());
-    window
+/// A window that is drawn on a texture.
+struct Shown {
+    app: App,
+    ctx: Context,
+    render_state: RenderState,
+    target: wgpu::TextureView,
+    frame: u32,
 }
 
-/// Runs and draws frames, each finished before the next begins: how long each took, and the program's own part.
-fn frames(window: &mut Harness<'_, App>, [frames, own]: &mut [Vec<Duration>; 2]) {
-    for _ in 0..FRAMES {
-        let start = Instant::now();
-        window.step();
-        let stepped = start.elapsed();
-        window.render().expect("a picture");
-        frames.push(start.elapsed());
-        let start = Instant::now();
-        let shapes = window.output().shapes.clone();
-        std::hint::black_box(window.ctx.tessellate(shapes, 1.0));
-        own.push(stepped + start.elapsed());
+impl Shown {
+    /// One with these `parts`, which is painted as the program's is on a software GPU, or by the toolkit.
+    fn new(parts: Window, is_painted: bool) -> Self {
+        let config = WgpuConfiguration {
+            wgpu_setup: WgpuSetup::CreateNew(WgpuSetupCreateNew::without_display_handle()),
+            ..WgpuConfiguration::default()
+        };
+        let render_state = pollster::block_on(async {
+            let instance = config.wgpu_setup.new_instance().await;
+            RenderState::create(&config, &instance, None, RendererOptions::default()).await.expect("a device")
+        });
+        let ctx = Context::default();
+        if is_painted {
+            painting::install(&ctx, &render_state);
+        }
+        let state = State::new(Settings { window: parts, ..Settings::default() }, Scene::default());
+        let app = App::new(&ctx, Some(&render_state), state);
+        let [width, height] = SIZE;
+        let target = render_state.device.create_texture(&wgpu::TextureDescriptor {
+            label: None,
+            size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: render_state.target_format,
+            usage: wgpu::TextureUsages::RENDER_ATTACHMENT,
+            view_formats: &[],
+        });
+        let target = target.create_view(&wgpu::TextureViewDescriptor::default());
+        let mut shown = Self { app, ctx, render_state, target, frame: 0 };
+        shown.frames(&mut Default::default());
+        shown
+    }
+
+    /// Runs and draws frames, each finished before the next begins: how long each took, and the program's own part.
+    fn frames(&mut self, [frames, own]: &mut [Vec<Duration>; 2]) {
+        for _ in 0..FRAMES {
+            let start = Instant::now();
+            self.draw();
+            own.push(start.elapsed());
+            self.render_state.device.poll(wgpu::PollType::wait_indefinitely()).expect("a device");
+            frames.push(start.elapsed());
+        }
+    }
+
+    /// Draws the next frame, as the toolkit does.
+    fn draw(&mut self) {
+        let RenderState { device, queue, renderer, .. } = &self.render_state;
+        self.frame += 1;
+        self.app.ask(Command::Time(f64::from(self.frame % 200) / 20.0));
+        let input = RawInput {
+            screen_rect: Some(Rect::from_min_size(Pos2::ZERO, SIZE.map(|side| side as f32).into())),
+            time: Some(f64::from(self.frame) / 60.0),
+            ..RawInput::default()
+        };
+        let app = &mut self.app;
+        let mut output = self.ctx.run_ui(input, |ui| app.show(ui));
+        for (id, deltas) in &output.textures_delta.set {
+            for delta in deltas {
+                renderer.write().update_texture(device, queue, *id, delta);
+            }
+        }
+        output.textures_delta.clear();
+        let triangles = self.ctx.tessellate(output.shapes, output.pixels_per_point);
+        let screen = ScreenDescriptor { size_in_pixels: SIZE, pixels_per_point: output.pixels_per_point };
+        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let callbacks = renderer.write().update_buffers(device, queue, &mut encoder, &triangles, &screen);
+        let pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: &self.target,
+                resolve_target: None,
+                ops: wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(wgpu::Color::BLACK),
+                    store: wgpu::StoreOp::Store,
+                },
+                depth_slice: None,
+            })],
+            ..Default::default()
+        });
+        renderer.read().render(&mut pass.forget_lifetime(), &triangles, &screen);
+        queue.submit(callbacks.into_iter().chain([encoder.finish()]));
     }
 }
 

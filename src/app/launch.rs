@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use eframe::egui::{ViewportBuilder, ViewportCommand};
 use eframe::{CreationContext, NativeOptions, Storage, WindowBuilderHook};
+use relativity_render::{colour, planck};
 
 use super::args::WindowArgs;
 use super::notice::Notice;
@@ -14,6 +15,7 @@ use super::state::State;
 use super::{App, graphics, icon, memory, painting, screenshot, storage};
 use crate::files::whole::ensure_ending;
 use crate::platform::clock::Instant;
+use crate::platform::threads;
 use crate::settings::Settings;
 
 /// Name under which settings are saved.
@@ -39,12 +41,19 @@ pub fn launch(args: &WindowArgs) -> anyhow::Result<()> {
     if !has_display() {
         return Err(unopened("there is no display"));
     }
+    begin_tables();
     reopening::kept_open(|begin, estate| open(args, begin, estate), Instant::elapsed).map_err(|ended| {
         match ended {
             Ended::Unopened(reason) => unopened(&reason.to_string()),
             Ended::Broken(reason, state) => broken(&reason, &state),
         }
     })
+}
+
+/// Has the tables made in which colours are looked up, while the window opens: its first frame needs them, and they take
+/// longer than all else of it.
+fn begin_tables() {
+    threads::spawn(|| (colour::linear_srgb(550.0), planck::black_body(12.0), planck::band(9.0)));
 }
 
 fn unopened(reason: &str) -> anyhow::Error {

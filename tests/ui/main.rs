@@ -16,6 +16,7 @@ mod lessons;
 mod manners;
 mod map;
 mod own_data;
+mod painting;
 mod pairs;
 mod picking;
 mod plots;
@@ -59,6 +60,7 @@ fn main() -> ExitCode {
         manners::TESTS,
         map::TESTS,
         own_data::TESTS,
+        painting::TESTS,
         pairs::TESTS,
         picking::TESTS,
         plots::TESTS,

@@ -147,7 +147,7 @@ impl Kept {
             runs.push(Run { scissor, texture: mesh.texture_id, indices: first_index..after, first_vertex });
             vertices.extend_from_slice(bytemuck::cast_slice(&mesh.vertices));
             indices.extend_from_slice(bytemuck::cast_slice(&mesh.indices));
-            first_vertex += mesh.vertices.len() as i32;
+            first_vertex += (mesh.vertices.len() as u32).cast_signed();
             first_index = after;
         }
         (runs, vertices, indices)

@@ -10,12 +10,12 @@ use std::collections::HashSet;
 use eframe::egui::epaint::textures::TexturesDelta;
 use eframe::egui::epaint::{ClippedShape, Mesh, RectShape};
 use eframe::egui::{
-    Color32, Context, FullOutput, Id, Plugin, RawInput, Rect, Shape, TextureId, Vec2, ViewportId, vec2,
+    Color32, Context, FullOutput, Id, Plugin, Pos2, RawInput, Rect, Shape, TextureId, Vec2, ViewportId, vec2,
 };
 use eframe::egui_wgpu::{Callback, RenderState};
 use relativity_render::Gpu;
 
-use kept::Kept;
+use kept::{Kept, Shown};
 use pipelines::Pipelines;
 
 /// Has the window that `ctx` runs painted so, where its device is software; only from its first frame on.
@@ -39,14 +39,16 @@ struct Anew(HashSet<TextureId>);
 struct Painting {
     render_state: RenderState,
     pipelines: Pipelines,
-    /// Those whose passes have begun, the innermost last, and their sizes in points.
-    begun: Vec<(ViewportId, Option<Vec2>)>,
+    /// Those whose passes have begun, the innermost last.
+    begun: Vec<ViewportId>,
     windows: Vec<(ViewportId, Painted)>,
 }
 
 /// What a window shows.
 #[derive(Default)]
 struct Painted {
+    /// Its size as it was last told, points.
+    size: Option<Vec2>,
     kept: Option<Kept>,
     /// What is painted there.
     shapes: Vec<ClippedShape>,
@@ -73,6 +75,12 @@ impl Painting {
         }
     }
 
+    /// The window called `id`, for a while.
+    fn take(&mut self, id: ViewportId) -> Painted {
+        let place = self.windows.iter().position(|(window, _)| *window == id);
+        place.map(|place| self.windows.swap_remove(place).1).unwrap_or_default()
+    }
+
     /// Loads the fonts and images that are new, as the toolkit's renderer would.
     fn load(&self, delta: &mut TexturesDelta) -> News {
         let RenderState { device, queue, renderer, .. } = &self.render_state;
@@ -93,7 +101,7 @@ impl Painting {
 }
 
 impl Painted {
-    /// Paints what of `shapes` is not yet there.
+    /// Paints what of `shapes` is not yet there; what shows it.
     fn paint(
         &mut self,
         painting: &Painting,
@@ -101,10 +109,10 @@ impl Painted {
         shapes: Vec<ClippedShape>,
         size: Vec2,
         pixels_per_point: f32,
-    ) {
+    ) -> Shown {
         let Painting { render_state, pipelines, .. } = painting;
         let News { pictures, is_all } = std::mem::take(&mut self.news);
-        let whole = Rect::from_min_size(Default::default(), size);
+        let whole = Rect::from_min_size(Pos2::ZERO, size);
         let pixels = size * pixels_per_point;
         let pixels = [pixels.x, pixels.y].map(|side| (side.round() as u32).max(1));
         let is_of_size = self.kept.as_ref().is_some_and(|kept| kept.size() == pixels);
@@ -133,9 +141,9 @@ impl Painted {
         if !primitives.is_empty() {
             kept.paint(render_state, pipelines, &primitives, pixels_per_point);
         }
-        self.kept = Some(kept);
         self.shapes = shapes;
         self.pixels_per_point = pixels_per_point;
+        self.kept.insert(kept).shown()
     }
 }
 
@@ -145,28 +153,31 @@ impl Plugin for Painting {
     }
 
     fn input_hook(&mut self, _: &Context, input: &mut RawInput) {
-        self.begun.push((input.viewport_id, input.screen_rect.map(|rect| rect.size())));
+        self.begun.push(input.viewport_id);
+        if let Some(rect) = input.screen_rect {
+            let mut painted = self.take(input.viewport_id);
+            painted.size = Some(rect.size());
+            self.windows.push((input.viewport_id, painted));
+        }
     }
 
     fn output_hook(&mut self, ctx: &Context, output: &mut FullOutput) {
-        let begun = self.begun.pop();
         let mut news = self.load(&mut output.textures_delta);
         news.pictures.extend(ctx.data_mut(|data| data.remove_temp::<Anew>(Id::NULL)).unwrap_or_default().0);
         for (_, window) in &mut self.windows {
             window.news.pictures.extend(&news.pictures);
             window.news.is_all |= news.is_all;
         }
-        let Some((id, Some(size))) = begun else { return };
+        let Some(id) = self.begun.pop() else { return };
         if id == ViewportId::ROOT {
             self.windows.retain(|(window, _)| output.viewport_output.contains_key(window));
         }
-        let place = self.windows.iter().position(|(window, _)| *window == id);
-        let mut painted = place.map(|place| self.windows.swap_remove(place).1).unwrap_or_default();
-        let shapes = std::mem::take(&mut output.shapes);
-        painted.paint(self, ctx, shapes, size, output.pixels_per_point);
-        if let Some(kept) = &painted.kept {
-            let whole = Rect::from_min_size(Default::default(), size);
-            let callback = Callback::new_paint_callback(whole, kept.shown());
+        let mut painted = self.take(id);
+        if let Some(size) = painted.size {
+            let shapes = std::mem::take(&mut output.shapes);
+            let shown = painted.paint(self, ctx, shapes, size, output.pixels_per_point);
+            let whole = Rect::from_min_size(Pos2::ZERO, size);
+            let callback = Callback::new_paint_callback(whole, shown);
             output.shapes = vec![ClippedShape::new(whole, Shape::Callback(callback))];
         }
         self.windows.push((id, painted));
