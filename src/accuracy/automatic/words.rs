@@ -33,7 +33,9 @@ impl fmt::Display for Choice {
         };
         f.write_str(&name)?;
         if self.is_measured {
-            write!(f, ", {} ms", figures::significant(self.ms, 2))?;
+            let ms =
+                if self.ms < 99.5 { figures::significant(self.ms, 2) } else { figures::fixed(self.ms, 0) };
+            write!(f, ", {ms} ms")?;
             if let (Goal::Budget(budget), true) = (self.goal, self.holds) {
                 write!(f, " of {}", short(budget))?;
             }
