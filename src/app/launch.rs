@@ -11,7 +11,7 @@ use super::notice::Notice;
 use super::overlay::Overlay;
 use super::reopening::{self, Bequeathed, Break, Ended, Estate};
 use super::state::State;
-use super::{App, graphics, icon, memory, screenshot, storage};
+use super::{App, graphics, icon, memory, painting, screenshot, storage};
 use crate::files::whole::ensure_ending;
 use crate::platform::clock::Instant;
 use crate::settings::Settings;
@@ -111,6 +111,9 @@ fn open(args: &WindowArgs, begin: Option<State>, estate: &Estate) -> Result<(), 
             // Where windows are shown before they can be maximised, eframe has a remembered one so once more.
             cc.egui_ctx.send_viewport_cmd(ViewportCommand::Fullscreen(false));
             cc.egui_ctx.send_viewport_cmd(ViewportCommand::Maximized(false));
+        }
+        if let Some(render_state) = &cc.wgpu_render_state {
+            painting::install(&cc.egui_ctx, render_state);
         }
         let app = App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state);
         Ok(Box::new(Bequeathed::new(app, estate)) as Box<dyn eframe::App>)

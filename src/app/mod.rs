@@ -43,6 +43,7 @@ pub mod on_wheel;
 mod opening;
 pub mod orders;
 pub mod overlay;
+pub mod painting;
 mod panels;
 pub mod panes;
 mod plotted;

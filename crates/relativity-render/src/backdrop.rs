@@ -14,27 +14,27 @@ use crate::street::{self, Front, Paints};
 use crate::view::Appearance;
 
 /// Half the width of the grid's lines, one per unit of length along x and along y.
-const LINE_HALF_WIDTH: f64 = 0.012;
+pub(crate) const LINE_HALF_WIDTH: f64 = 0.012;
 /// Half the width of the two lines through the origin.
-const AXIS_HALF_WIDTH: f64 = 0.02;
+pub(crate) const AXIS_HALF_WIDTH: f64 = 0.02;
 /// Where a pixel is p units wide on the ground, the share of the grid drawn is the first less p times the second:
 /// all of it where four pixels lie between two lines, none where only two do and lines would merge.
-const GRID_FADE: [f64; 2] = [2.0, 4.0];
+pub(crate) const GRID_FADE: [f64; 2] = [2.0, 4.0];
 /// Width of the kerbs beside a road.
-const KERB_WIDTH: f64 = 0.25;
+pub(crate) const KERB_WIDTH: f64 = 0.25;
 /// Half the width of the line in the middle of a road.
-const LANE_HALF_WIDTH: f64 = 0.09;
+pub(crate) const LANE_HALF_WIDTH: f64 = 0.09;
 /// Length of the dashes of that line, the first of which begins at x = 0, and from one to the next.
-const DASH: [f64; 2] = [3.0, 8.0];
+pub(crate) const DASH: [f64; 2] = [3.0, 8.0];
 /// Of the ground at the distance s the share 1/(1 + haze s^2) is seen, of a grid half of it 20 units away, of a road
 /// half of it 50 units away: so the plane ends in the sky and not in a line, and the flicker of far lines with it.
 const GRID_HAZE: f64 = 0.0025;
 const ROAD_HAZE: f64 = 0.0004;
 /// Lines of sight with a lesser y meet no house fronts.
-const LEAST_TOWARDS_FRONTS: f64 = 1e-4;
+pub(crate) const LEAST_TOWARDS_FRONTS: f64 = 1e-4;
 /// The sky is the zenith's colour above the height z of a line of sight of 1/`SKY_RISE`, 46 degrees: a picture
 /// that looks straight ahead shows all of the gradient.
-const SKY_RISE: f64 = 1.4;
+pub(crate) const SKY_RISE: f64 = 1.4;
 
 /// Columns and rows of the tiles that a picture is drawn in.
 pub(crate) const TILES: [u32; 2] = [12, 24];
@@ -140,12 +140,19 @@ impl Part {
     /// All of them, by their number.
     pub const ALL: [Self; 5] = [Self::Sky, Self::Grid, Self::Road, Self::Fronts, Self::Street];
 
-    const fn has_ground(self) -> bool {
+    /// Whether the ground can be seen in it.
+    pub const fn has_ground(self) -> bool {
         matches!(self, Self::Grid | Self::Road | Self::Street)
     }
 
-    const fn has_fronts(self) -> bool {
+    /// Whether house fronts can.
+    pub const fn has_fronts(self) -> bool {
         matches!(self, Self::Fronts | Self::Street)
+    }
+
+    /// Of what is there at the distance s the share 1/(1 + haze s^2) is seen.
+    pub const fn haze(self) -> f64 {
+        if matches!(self, Self::Grid) { GRID_HAZE } else { ROAD_HAZE }
     }
 }
 
@@ -166,7 +173,7 @@ pub(crate) fn constants(part: Part) -> Vec<Constant> {
         ("GRID_FADE_START", GRID_FADE[0]),
         ("GRID_FADE_RATE", GRID_FADE[1]),
         ("LEAST_TOWARDS_FRONTS", LEAST_TOWARDS_FRONTS),
-        ("HAZE", if part == Part::Grid { GRID_HAZE } else { ROAD_HAZE }),
+        ("HAZE", part.haze()),
         ("SKY_RISE", SKY_RISE),
     ];
     of_backdrop.into_iter().chain(street::CONSTANTS).collect()

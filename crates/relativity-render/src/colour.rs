@@ -109,7 +109,7 @@ pub fn srgb_level(linear: f64) -> u8 {
 }
 
 /// The least linear value of each level above 0.
-static LEAST: LazyLock<[f64; 255]> =
+pub(crate) static LEAST: LazyLock<[f64; 255]> =
     LazyLock::new(|| from_fn(|below| srgb_decoded((below as f64 + 0.5) / 255.0)));
 
 /// The linear value of an sRGB-encoded one, both in [0, 1].

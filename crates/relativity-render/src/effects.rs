@@ -6,9 +6,12 @@ use crate::view::{Appearance, Colour, Shading};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Effects {
     spectrum: Spectrum,
-    doppler_shift: bool,
-    invisible: bool,
-    form: bool,
+    /// Whether the Doppler factor shifts the wavelength.
+    pub(crate) doppler_shift: bool,
+    /// Whether what eyes do not see keeps its form.
+    pub(crate) invisible: bool,
+    /// Whether form is shown by shading.
+    pub(crate) form: bool,
 }
 
 /// How the shaders come from a Doppler factor to a colour.

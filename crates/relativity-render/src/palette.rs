@@ -27,7 +27,7 @@ pub const GLOW: Range = Range { first: 5.0, last: 24.0 };
 /// Of bands: 97 nm to 3100 nm.
 pub const BAND: Range = Range { first: 6.6, last: 11.6 };
 /// Of false colours: D from 1/256 to 256.
-const MAP: Range = Range { first: -8.0, last: 8.0 };
+pub const MAP: Range = Range { first: -8.0, last: 8.0 };
 
 impl Range {
     /// Entries per octave.

@@ -48,11 +48,18 @@ pub enum Output {
 impl Key {
     /// For bodies of this `kind` that turn so, in the group of this number among those that `views` show.
     pub fn new(kind: Kind, turns: Turns, views: &[GroupView], group: usize, output: Output) -> Self {
-        let among_others = (views.len() > 1).then(|| {
-            let reference = reference_of_depths(views);
-            AmongOthers { is_reference: reference == group, reference: views[reference].geometry }
-        });
+        let among_others = AmongOthers::new(views, group);
         Self { kind, geometry: views[group].geometry, among_others, turns, output }
+    }
+}
+
+impl AmongOthers {
+    /// Of the group of this number among those that `views` show, if it is not the only one.
+    pub fn new(views: &[GroupView], group: usize) -> Option<Self> {
+        (views.len() > 1).then(|| {
+            let reference = reference_of_depths(views);
+            Self { is_reference: reference == group, reference: views[reference].geometry }
+        })
     }
 }
 

@@ -35,6 +35,8 @@ pub struct PreparedBody {
     pub group: usize,
     /// Its light in the rest frame.
     pub emission: Emission,
+    /// The number of that among all of the scene.
+    pub(crate) emission_number: u32,
     /// Brightness beside other bodies, above 0 and at most 1.
     pub brightness: f64,
     /// Which shaders draw it.
@@ -140,6 +142,7 @@ impl PreparedBody {
             number,
             group,
             emission: body.emission,
+            emission_number: 0,
             brightness: body.brightness,
             kind: Kind::of(&body.shape),
             shape: body.shape,
@@ -197,6 +200,20 @@ pub(crate) fn find_patterned(bodies: &mut [PreparedBody]) {
         let is_joined = body.joint.as_it_is || body.joint.widened;
         body.is_patterned = body.marking.is_some() || has_patterns && is_joined;
     }
+}
+
+/// Numbers what `bodies` emit, and returns it, each once.
+pub(crate) fn number_emissions(bodies: &mut [PreparedBody]) -> Vec<Emission> {
+    let mut emissions = Vec::new();
+    let mut numbers = HashMap::new();
+    for body in bodies {
+        body.emission_number =
+            *numbers.entry(body.emission.wavelength_nm().map(f64::to_bits)).or_insert_with(|| {
+                emissions.push(body.emission);
+                emissions.len() as u32 - 1
+            });
+    }
+    emissions
 }
 
 /// Which of `bodies` have an end in one place with another that has the same `trait_of`.

@@ -5,11 +5,10 @@
 //! that is says [`Method::Reference`](crate::Method::Reference).
 
 use glam::{DQuat, DVec3};
-use relativity_core::threads::prelude::*;
 
 use crate::backdrop::Backdrop;
 use crate::camera::LinesOfSight;
-use crate::cone::Cone;
+use crate::cap::Cap;
 use crate::first_entry::{Chosen, Standing};
 use crate::group_view::GroupView;
 use crate::hierarchy::Beam;
@@ -19,12 +18,8 @@ use crate::prepared_body::PreparedBody;
 use crate::ray::Ray;
 use crate::scene::PreparedScene;
 use crate::shade::surface_colour;
-use crate::tiles::{TILE_SIDE, bands};
 use crate::view::{Appearance, Geometry, View};
 use crate::wheel::spin::about_y;
-
-/// How long the balls are that follow what turns, in parts of how far that reaches from its axle.
-const BALLS: f64 = 0.15;
 
 /// What one ray meets.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -275,22 +270,6 @@ impl PreparedScene {
         }
     }
 
-    /// Adds cones to `out` in one of which `view` shows what it shows of `body`.
-    fn add_cones(&self, body: &PreparedBody, view: &GroupView, out: &mut Vec<Cone>) {
-        let (Some(turning), Some(spin)) = (self.turning(body.number), &body.spin) else {
-            let solid = self.solid(body.number);
-            out.push(Cone::of_sight(view, solid.center(), solid.bounding_radius()));
-            return;
-        };
-        let (mut capsules, mut balls) = (Vec::new(), Vec::new());
-        view.capsules_when_shown(spin, self.around(body), &mut capsules);
-        let longest = BALLS * turning.ball_around().1;
-        for capsule in &capsules {
-            capsule.add_balls(longest, &mut balls);
-        }
-        out.extend(balls.iter().map(|ball| Cone::of_sight(view, ball.from, ball.radius)));
-    }
-
     /// One value per pixel of `view`, row by row, from the bodies that can be seen there and the pixel; the default in
     /// rows that are begun when it no longer `goes_on`.
     fn pixels<T: Clone + Default + Send>(
@@ -300,40 +279,22 @@ impl PreparedScene {
         goes_on: &(dyn Fn() -> bool + Sync),
         value: impl Fn(&TileBodies, [u32; 2]) -> T + Sync,
     ) -> Vec<T> {
-        let (mut cones, mut owners) = (Vec::new(), Vec::new());
-        let keeps_place = |body: &PreparedBody| {
-            self.turning(body.number).is_none() && group_views[body.group].has_straight_rays()
-        };
-        for body in self.bodies().iter().filter(|body| !keeps_place(body)) {
-            self.add_cones(body, &group_views[body.group], &mut cones);
-            owners.resize(cones.len(), body.number as u32);
-        }
-        let lines_of_sight = LinesOfSight::new(&view.camera);
-        let bands = bands(&view.camera, &cones);
-        let [width, height] = view.camera.size.map(|side| side as usize);
-        let mut image = vec![T::default(); width * height];
-        let rows = image.par_chunks_mut((width * TILE_SIDE as usize).max(1));
-        rows.zip(bands).filter(|_| goes_on()).for_each(|(rows, band)| {
-            for (tile, cones) in band {
-                let mut others: Vec<u32> = cones.iter().map(|&cone| owners[cone as usize]).collect();
-                others.dedup();
-                let standing = self.standing_in(&tile.cone(&lines_of_sight), group_views);
-                let bodies = TileBodies { others, standing };
-                for [u, v] in tile.pixels() {
-                    rows[(v % TILE_SIDE) as usize * width + u as usize] = value(&bodies, [u, v]);
-                }
+        self.tiles(view, group_views, goes_on, |look, rows| {
+            let standing = look.cap.map_or_else(Vec::new, |cap| self.standing_in(&cap, group_views));
+            let bodies = TileBodies { others: look.others.to_vec(), standing };
+            for pixel in look.tile.pixels() {
+                rows.put(pixel, value(&bodies, pixel));
             }
-        });
-        image
+        })
     }
 
-    /// For each group those of its bodies that keep their places and can be seen in `cone`.
-    fn standing_in(&self, cone: &Cone, group_views: &[GroupView]) -> Vec<Standing> {
+    /// For each group those of its bodies that keep their places and can be seen in `cap`.
+    fn standing_in(&self, cap: &Cap, group_views: &[GroupView]) -> Vec<Standing> {
         let of_group = |(group, view): (usize, &GroupView)| {
             if !view.has_straight_rays() {
                 return Standing::Few(Vec::new());
             }
-            let beam = Beam::new(view, cone, self.groups()[group].extent.middle);
+            let beam = Beam::new(view, cap, self.groups()[group].extent.middle);
             beam.map_or(Standing::Many, |beam| self.standing(group, &beam))
         };
         group_views.iter().enumerate().map(of_group).collect()

@@ -8,6 +8,7 @@ use crate::drawing::Drawing;
 use crate::gpu::Gpu;
 use crate::gpu_error::{GpuError, Undrawn};
 use crate::mesh::MeshRenderer;
+use crate::packets::PacketRenderer;
 use crate::picture::Picture;
 use crate::rays::{Bounds, RayRenderer};
 use crate::reference::HitImage;
@@ -135,14 +136,15 @@ pub struct Renderers {
     canvas: Option<Canvas>,
     rays: Option<RayRenderer>,
     mesh: Option<MeshRenderer>,
+    packets: Option<PacketRenderer>,
     target: Option<EyeTarget>,
 }
 
 impl Renderers {
     /// Renderers on `gpu`; without one, only the reference.
     #[must_use]
-    pub const fn new(gpu: Option<Gpu>) -> Self {
-        Self { gpu, bounds: Bounds::Tight, canvas: None, rays: None, mesh: None, target: None }
+    pub fn new(gpu: Option<Gpu>) -> Self {
+        Self { gpu, packets: PacketRenderer::new(), ..Self::default() }
     }
 
     /// Renderers of which the rays test every body at every pixel: the same pictures, and what its bounds are
@@ -173,7 +175,14 @@ impl Renderers {
     ) -> Result<(), GpuError> {
         view.drawn_on_gpu()?;
         let scopes = self.gpu.as_ref().ok_or(GpuError::NoAdapter)?.error_scopes();
-        let (gpu, canvas, drawing) = self.drawing(method.on_gpu(view))?;
+        let method = method.on_gpu(view);
+        if method == Method::Packets
+            && let (Some(gpu), Some(packets)) = (&self.gpu, &self.packets)
+        {
+            target.write(gpu, &packets.picture(scene, &view.with_size(target.size()), appearance));
+            return scopes.close();
+        }
+        let (gpu, canvas, drawing) = self.drawing(method)?;
         canvas.paint(gpu, drawing, scene, view, appearance, target);
         scopes.close()
     }
@@ -194,6 +203,11 @@ impl Renderers {
     ) -> Result<Picture, GpuError> {
         view.drawn()?;
         let method = method.of_view(view);
+        if method == Method::Packets
+            && let Some(packets) = &self.packets
+        {
+            return Ok(packets.picture(scene, view, appearance));
+        }
         if matches!(method, Method::Reference | Method::Packets) {
             return Ok(scene.picture(view, appearance, samples));
         }
@@ -231,8 +245,12 @@ impl Renderers {
     ) -> Result<HitImage, GpuError> {
         part.drawn()?;
         let method = method.of_view(part);
-        if matches!(method, Method::Reference | Method::Packets) {
+        if method == Method::Reference {
             return Ok(scene.hit_image(part));
+        }
+        if method == Method::Packets {
+            let packets = self.packets.as_ref();
+            return Ok(packets.map_or_else(|| scene.hit_image(part), |packets| packets.hits(scene, part)));
         }
         self.check_size(part.camera.size)?;
         let scopes = self.gpu.as_ref().ok_or(GpuError::NoAdapter)?.error_scopes();

@@ -4,13 +4,13 @@ use std::ops::Range;
 use std::slice;
 use std::sync::{Arc, Mutex};
 
-use crate::body::Body;
+use crate::body::{Body, Emission};
 use crate::capsule::Capsule;
 use crate::group_view::GroupView;
 use crate::hierarchy::{Hierarchy, pieces};
 use crate::intersect::Solid;
 use crate::outline::Outline;
-use crate::prepared_body::{Extent, PreparedBody, find_joints, find_patterned};
+use crate::prepared_body::{Extent, PreparedBody, find_joints, find_patterned, number_emissions};
 use crate::velocity::Motion;
 use crate::view::View;
 use crate::wheel::solid::TurningSolid;
@@ -59,6 +59,10 @@ struct Prepared {
     turning: Vec<Option<TurningSolid>>,
     /// For each group, boxes around those of its bodies that keep their places.
     hierarchies: Vec<Hierarchy>,
+    /// The numbers of bodies that turn, whether out of their places or not.
+    spinning: Vec<u32>,
+    /// What bodies emit, each once.
+    emissions: Vec<Emission>,
     /// The numbers of all bodies.
     numbers: Vec<u32>,
     capsules: Vec<Capsule>,
@@ -119,6 +123,9 @@ impl PreparedScene {
         if turning.iter().all(Option::is_none) {
             turning.clear();
         }
+        let spinning = bodies.iter().filter(|body| body.spin.is_some());
+        let spinning = spinning.map(|body| body.number as u32).collect();
+        let emissions = number_emissions(&mut bodies);
         let hierarchy = |group: &PreparedGroup| {
             let standing = bodies[group.bodies.clone()].iter().filter(|body| !body.is_turned);
             let extent = &group.extent;
@@ -135,6 +142,8 @@ impl PreparedScene {
             solids,
             turning,
             hierarchies,
+            spinning,
+            emissions,
             numbers,
             capsules,
             balls,
@@ -193,6 +202,16 @@ impl PreparedScene {
     /// The ball around `body`, one of these, at every angle to which it turns.
     pub(crate) fn ball_around(&self, body: &PreparedBody) -> &Capsule {
         &self.0.balls[body.number]
+    }
+
+    /// The numbers of the bodies that turn, whether out of their places or not.
+    pub(crate) fn spinning(&self) -> &[u32] {
+        &self.0.spinning
+    }
+
+    /// What bodies emit, each once, by its number.
+    pub(crate) fn emissions(&self) -> &[Emission] {
+        &self.0.emissions
     }
 
     /// The number of the group that the body of this number is in.

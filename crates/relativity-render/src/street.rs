@@ -9,7 +9,7 @@ use crate::colour::mix;
 use crate::cover::{band_cover, repeated_cover};
 
 /// Width of a house.
-const HOUSE_WIDTH: f64 = 8.0;
+pub(crate) const HOUSE_WIDTH: f64 = 8.0;
 /// Houses take turns at these heights (the highest first, then the lowest) and shades of their walls; the means of both,
 /// for where they are finer than pixels.
 pub(crate) const HOUSES: [[f64; 2]; 4] = [[10.8, 0.78], [9.7, 1.0], [10.3, 0.6], [10.27, 0.79]];
@@ -18,11 +18,11 @@ pub(crate) const HOUSES: [[f64; 2]; 4] = [[10.8, 0.78], [9.7, 1.0], [10.3, 0.6],
 pub(crate) const OPENINGS: [[f64; 4]; 4] =
     [[1.25, 1.5, 4.6, 6.6], [1.25, 1.5, 7.7, 9.0], [1.2, 1.6, 0.0, 3.1], [3.9, 3.0, 1.0, 3.1]];
 /// Width of the frames around them.
-const FRAME: f64 = 0.14;
+pub(crate) const FRAME: f64 = 0.14;
 /// Heights between which a course of stone runs above the shops.
-const COURSE: [f64; 2] = [3.7, 3.95];
+pub(crate) const COURSE: [f64; 2] = [3.7, 3.95];
 /// Height of the cornice under the roofs.
-const CORNICE: f64 = 0.3;
+pub(crate) const CORNICE: f64 = 0.3;
 
 /// The shader's constants.
 pub(crate) const CONSTANTS: [(&str, f64); 5] = [

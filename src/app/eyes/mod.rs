@@ -17,6 +17,7 @@ use self::background::{Background, Made};
 use self::meter::Meter;
 use self::slot::{ComposedPicture, Drawn, EyePicture, fitting, fitting_composed};
 use crate::accuracy::Sight;
+use crate::app::painting;
 use crate::flags::Goal;
 
 /// Both eyes' pictures, and what draws them.
@@ -107,11 +108,17 @@ impl EyePictures {
     /// nor, once that has refused, the reference draws it.
     pub fn picture(&mut self, ctx: &Context, index: usize, request: &Request) -> Option<Shown> {
         let scopes = self.gpu.error_scopes();
+        let before = self.drawings;
         let shown = if self.refusal.is_some() {
             Ok(self.picture_by_reference(ctx, index, request))
         } else {
             self.picture_by_method(ctx, index, request).map(Some)
         };
+        if let Ok(Some(Shown { texture, .. })) = shown
+            && self.drawings != before
+        {
+            painting::is_drawn_anew(ctx, texture);
+        }
         scopes.close().and(shown).unwrap_or_else(|error| {
             self.give_up(index);
             self.is_untold |= self.refusal.is_none();
@@ -200,6 +207,7 @@ impl EyePictures {
             let composer = composer.get_or_insert_with(|| Composer::new(gpu));
             composer.compose(gpu, composition, [&first.target, &second.target], &composed.target);
             composed.of = of;
+            painting::is_drawn_anew(ctx, composed.texture);
         }
         Some(Shown { texture: composed.texture, method })
     }

@@ -1,18 +1,19 @@
 //! What a tile of the picture looks along: a cone of rays in the rest frame of a group.
 
-use std::f64::consts::PI;
+use std::f64::consts::FRAC_PI_2;
 
 use glam::{DVec3, Vec3};
-use relativity_core::Speed;
-use relativity_core::math::{atan, atan2, hypot, sin_cos, tan};
+use relativity_core::math::hypot;
 
-use crate::cone::Cone;
+use crate::cap::Cap;
 use crate::group_view::GroupView;
 use crate::ray::Ray;
 use crate::view::Geometry;
 
 /// What f32 loses of a place and an offset, in parts of them.
 const ROUNDING: f32 = 1e-6;
+/// Of beams of a smaller one the planes that touch them are all but one.
+const LEAST_COSINE: f64 = 0.07;
 
 /// A cone of rays, inside four planes through its tip that touch it.
 #[derive(Debug, Clone, Copy)]
@@ -30,21 +31,20 @@ pub struct Beam {
 }
 
 impl Beam {
-    /// The rays of the lines of sight within the ground's `cone`, as `view` has them in its group, from near `middle`.
+    /// The rays of the lines of sight within the ground's `cap`, as `view` has them in its group, from near `middle`.
     /// `None` where they are too wide, or curved, to be told so.
     #[must_use]
-    pub fn new(view: &GroupView, cone: &Cone, middle: DVec3) -> Option<Self> {
-        let Cone { axis, half_angle } = cone.in_rest_frame(view)?;
-        let (sine, cosine) = sin_cos(half_angle);
+    pub fn new(view: &GroupView, cap: &Cap, middle: DVec3) -> Option<Self> {
+        let Cap { axis, sine, cosine } = in_rest_frame(cap, view)?;
         let [u, v] = across(axis);
-        let aside = [u, -u, v, -v];
-        let planes = aside.map(|aside| {
+        let planes = [u, -u, v, -v].map(|aside| {
             let along = axis * cosine + aside * sine;
             let (place, _) = Ray::new(view.origin, along).nearest_to(middle);
             let normal = aside * cosine - axis * sine;
             (normal.as_vec3(), normal.dot(place) as f32)
         });
-        Some(Self::within(planes, axis, half_angle))
+        // An angle is no more than pi/2 times its sine.
+        Some(Self::within(planes, axis, FRAC_PI_2 * sine))
     }
 
     /// One `ray`, counted from its point nearest to `middle`.
@@ -99,57 +99,30 @@ fn across(axis: DVec3) -> [DVec3; 2] {
     [DVec3::new(-off_x, axis.x * y, axis.x * z), DVec3::new(0.0, -z, y)]
 }
 
-impl Cone {
-    /// The rays in the rest frame of the group that `view` shows, whose lines of sight are in this cone on the ground;
-    /// `None` where they curve, or reach further than to all sides.
-    fn in_rest_frame(&self, view: &GroupView) -> Option<Self> {
-        let cone = match view.geometry {
-            Geometry::Rest => *self,
-            Geometry::Seen => {
-                let reflected = Self { axis: view.velocity.reflected(self.axis), ..*self };
-                let cone = reflected.aberrated(&view.velocity.speed)?;
-                Self { axis: view.velocity.reflected(cone.axis), ..cone }
-            }
-            Geometry::Contracted => self.stretched(view)?,
-            Geometry::OneCone | Geometry::Published => return None,
-        };
-        // Beyond this planes that touch it are all but one.
-        (cone.half_angle < 1.5).then_some(cone)
-    }
-
-    /// The rest-frame cone of this one on the ground, for motion along +x; `None` if it holds -x, from where light comes from
-    /// all sides.
-    ///
-    /// In the plane through `axis` and x it ends at the angles psi +- `half_angle` from x, and aberration scales tan(psi/2).
-    fn aberrated(&self, speed: &Speed) -> Option<Self> {
-        let (x, off_x) = (self.axis.x, hypot(self.axis.y, self.axis.z));
-        let middle = if x > 0.0 { off_x / (1.0 + x) } else { (1.0 - x) / off_x };
-        let half = tan(0.5 * self.half_angle);
-        if middle * half >= 1.0 - 1e-9 || self.half_angle >= PI {
-            return None;
+/// The rays in the rest frame of the group that `view` shows, whose lines of sight are in this `cap` on the ground; `None`
+/// where they curve, or reach almost to a right angle.
+fn in_rest_frame(cap: &Cap, view: &GroupView) -> Option<Cap> {
+    let cap = match view.geometry {
+        Geometry::Rest => *cap,
+        Geometry::Seen => {
+            let reflected = Cap { axis: view.velocity.reflected(cap.axis), ..*cap };
+            let cap = reflected.in_rest_frame(&view.velocity.speed)?;
+            Cap { axis: view.velocity.reflected(cap.axis), ..cap }
         }
-        let seen = |tangent: f64| 2.0 * atan(tangent / speed.head_on_doppler_factor());
-        let [low, high] =
-            [(middle - half) / (1.0 + middle * half), (middle + half) / (1.0 - middle * half)].map(seen);
-        let (sine, cosine) = sin_cos(0.5 * (low + high));
-        let across = DVec3::new(0.0, self.axis.y, self.axis.z).normalize_or_zero();
-        let half_angle = 0.5 * (high - low) * (1.0 + 1e-12);
-        Some(Self { axis: DVec3::X * cosine + across * sine, half_angle })
-    }
+        Geometry::Contracted => stretched(cap, view)?,
+        Geometry::OneCone | Geometry::Published => return None,
+    };
+    (cap.cosine > LEAST_COSINE).then_some(cap)
+}
 
-    /// The cone around what becomes of this one where x is gamma times as long: of the four corners of a pyramid around
-    /// it, between which straight lines stay straight.
-    fn stretched(&self, view: &GroupView) -> Option<Self> {
-        if self.half_angle > 1.0 {
-            return None;
-        }
-        let stretched = |direction: DVec3| view.rest_ray(direction.normalize()).direction;
-        let [u, v] = across(self.axis).map(|aside| aside * tan(self.half_angle));
-        let axis = stretched(self.axis);
-        let corners = [u + v, u - v, v - u, -u - v].map(|corner| stretched(self.axis + corner));
-        let half_angle =
-            corners.into_iter().map(|corner| atan2(axis.cross(corner).length(), axis.dot(corner)));
-        let half_angle = half_angle.fold(0.0, f64::max);
-        Some(Self { axis, half_angle: half_angle * (1.0 + 1e-12) })
+/// Around what becomes of a cap where x is gamma times as long: of the four corners of a pyramid around it, between which
+/// straight lines stay straight.
+fn stretched(cap: &Cap, view: &GroupView) -> Option<Cap> {
+    if cap.cosine < 0.5 {
+        return None;
     }
+    let stretched = |direction: DVec3| view.rest_ray(direction.normalize()).direction;
+    let [u, v] = across(cap.axis).map(|aside| aside * (cap.sine / cap.cosine));
+    let corners = [u + v, u - v, v - u, -u - v].map(|corner| stretched(cap.axis + corner));
+    Some(Cap::around(stretched(cap.axis), corners))
 }

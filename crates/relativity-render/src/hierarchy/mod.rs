@@ -59,6 +59,21 @@ pub struct Candidate {
 }
 
 impl Hierarchy {
+    /// Whether there is nothing in it.
+    pub fn is_empty(&self) -> bool {
+        self.nodes.is_empty()
+    }
+
+    /// Whether `beam` may meet anything.
+    pub fn is_met(&self, beam: &Beam) -> bool {
+        let mut is_met = false;
+        self.along(beam, |_| {
+            is_met = true;
+            f32::NEG_INFINITY
+        });
+        is_met
+    }
+
     /// Has `visit` told of all that `beam` may meet, about from the nearest to the farthest. What lies farther beyond the
     /// middle of the group than `visit` answers is left out from then on.
     pub fn along(&self, beam: &Beam, mut visit: impl FnMut(Candidate) -> f32) {

@@ -1,6 +1,7 @@
 //! A body, a ray, and where they meet, as `shaders/body.wgsl` has them.
 
-use super::lanes::{F, Quaternion, Simd, V3, all};
+use super::lanes::{F, Mask, Quaternion, Simd, SimdFloat, V3, all, clamp, select};
+use super::ray::movement;
 use crate::frame::Frame;
 use crate::prepared_body::Placement;
 use crate::view::Geometry;
@@ -81,4 +82,91 @@ impl<S: Simd> Body<S> {
             turn: Quaternion::all(simd, turn),
         }
     }
+}
+
+impl<S: Simd> Body<S> {
+    /// From the body's own axes to those of the rest frame.
+    #[inline(always)]
+    pub fn rest_from_body(&self, v: V3<S>) -> V3<S> {
+        self.turn.turned(v)
+    }
+
+    /// And back.
+    #[inline(always)]
+    pub fn body_from_rest(&self, v: V3<S>) -> V3<S> {
+        self.turn.conjugate().turned(v)
+    }
+
+    /// Half its lengths along its own axes, of a body with flat faces: at least `radius`, which is raised where it is
+    /// drawn a pixel wide.
+    #[inline(always)]
+    pub fn halves(&self) -> V3<S> {
+        self.form.max(V3::new(self.radius, self.radius, self.radius))
+    }
+}
+
+impl<S: Simd> Surface<S> {
+    /// Nothing but zeros, to begin with.
+    #[inline(always)]
+    pub fn none(simd: S) -> Self {
+        let zero = all(simd, 0.0);
+        let origin = V3::new(zero, zero, zero);
+        Self {
+            clearance: zero,
+            half_width: zero,
+            outward: origin,
+            beyond: zero,
+            place: origin,
+            normal: origin,
+        }
+    }
+
+    /// `value` where it holds, else `other`.
+    #[inline(always)]
+    pub fn select(holds: Mask<S>, value: &Self, other: &Self) -> Self {
+        Self {
+            clearance: select(holds, value.clearance, other.clearance),
+            half_width: select(holds, value.half_width, other.half_width),
+            outward: V3::select(holds, value.outward, other.outward),
+            beyond: select(holds, value.beyond, other.beyond),
+            place: V3::select(holds, value.place, other.place),
+            normal: V3::select(holds, value.normal, other.normal),
+        }
+    }
+}
+
+/// Rays in the own axes of a body, from its `place`: each is nearest + s direction, and moment their cross product.
+#[derive(Debug, Clone, Copy)]
+pub struct OwnRay<S: Simd> {
+    pub direction: V3<S>,
+    pub moment: V3<S>,
+    pub nearest: V3<S>,
+}
+
+#[inline(always)]
+pub fn own_ray<S: Simd>(simd: S, body: &Body<S>, ray: &Ray<S>) -> OwnRay<S> {
+    let direction = body.body_from_rest(ray.direction);
+    // A ray that passes farther off than bodies are large misses: nearer, no product of its distances overflows.
+    let far = V3::all(simd, [1e15; 3]);
+    let moment = body.body_from_rest(ray.moment + body.place.cross(ray.direction)).clamp(-far, far);
+    OwnRay { direction, moment, nearest: moment.cross(direction) }
+}
+
+/// How much of what pixels show of two faces is the other than that which their rays meet: these pass the common edge at
+/// the distance `from_edge`, `across` is the unit vector across the edge and the ray, and `width` that of the other face
+/// as it is seen.
+#[inline(always)]
+pub fn share_of_other<S: Simd>(
+    group: &Group,
+    from_edge: F<S>,
+    width: F<S>,
+    across: V3<S>,
+    ray: &Ray<S>,
+    beyond: F<S>,
+) -> F<S> {
+    let simd = beyond.simd;
+    let pixel = ((ray.to_centre + beyond) * movement(group, ray, across).length()).max(1e-30);
+    let own = 0.5 + (from_edge / pixel).min(0.5);
+    let other = clamp(0.5 - from_edge / pixel, all(simd, 0.0), (width / pixel).max(0.0));
+    other / (own + other)
 }

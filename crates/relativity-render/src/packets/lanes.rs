@@ -4,7 +4,7 @@
 //! pictures are the same whatever registers a processor has.
 
 use std::array;
-use std::ops::{Add, AddAssign, Mul, Neg, Sub};
+use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 pub use fearless_simd::prelude::*;
 use fearless_simd::{f32x8, mask32x8};
@@ -45,6 +45,12 @@ pub fn all<S: Simd>(simd: S, value: f32) -> F<S> {
     F::splat(simd, value)
 }
 
+/// No for all.
+#[inline(always)]
+pub fn no<S: Simd>(simd: S) -> Mask<S> {
+    Mask::splat(simd, 0)
+}
+
 /// `value` where it holds, else `other`.
 #[inline(always)]
 pub fn select<S: Simd>(holds: Mask<S>, value: F<S>, other: F<S>) -> F<S> {
@@ -74,6 +80,16 @@ impl<S: Simd> V2<S> {
     #[inline(always)]
     pub fn new(x: F<S>, y: F<S>) -> Self {
         Self { x, y }
+    }
+
+    #[inline(always)]
+    pub fn dot(self, other: Self) -> F<S> {
+        self.x * other.x + self.y * other.y
+    }
+
+    #[inline(always)]
+    pub fn select(holds: Mask<S>, value: Self, other: Self) -> Self {
+        Self { x: select(holds, value.x, other.x), y: select(holds, value.y, other.y) }
     }
 
     #[inline(always)]
@@ -123,6 +139,70 @@ impl<S: Simd> V3<S> {
     #[inline(always)]
     pub fn times(self, other: Self) -> Self {
         Self { x: self.x * other.x, y: self.y * other.y, z: self.z * other.z }
+    }
+
+    /// The greater of both, part by part.
+    #[inline(always)]
+    pub fn max(self, other: Self) -> Self {
+        Self { x: self.x.max(other.x), y: self.y.max(other.y), z: self.z.max(other.z) }
+    }
+
+    /// At least `low`, at most `high`, part by part.
+    #[inline(always)]
+    pub fn clamp(self, low: Self, high: Self) -> Self {
+        Self {
+            x: clamp(self.x, low.x, high.x),
+            y: clamp(self.y, low.y, high.y),
+            z: clamp(self.z, low.z, high.z),
+        }
+    }
+
+    /// At least `low`, each part.
+    #[inline(always)]
+    pub fn at_least(self, low: f32) -> Self {
+        Self { x: self.x.max(low), y: self.y.max(low), z: self.z.max(low) }
+    }
+
+    /// The root of each part.
+    #[inline(always)]
+    pub fn sqrt(self) -> Self {
+        Self { x: self.x.sqrt(), y: self.y.sqrt(), z: self.z.sqrt() }
+    }
+
+    /// [`sign_of`] each part.
+    #[inline(always)]
+    pub fn signs(self) -> Self {
+        Self { x: sign_of(self.x), y: sign_of(self.y), z: sign_of(self.z) }
+    }
+
+    /// Without signs, part by part.
+    #[inline(always)]
+    pub fn abs(self) -> Self {
+        Self { x: self.x.abs(), y: self.y.abs(), z: self.z.abs() }
+    }
+
+    /// The greatest part.
+    #[inline(always)]
+    pub fn max_part(self) -> F<S> {
+        self.x.max(self.y.max(self.z))
+    }
+
+    /// The least part.
+    #[inline(always)]
+    pub fn min_part(self) -> F<S> {
+        self.x.min(self.y.min(self.z))
+    }
+
+    /// The parts y, z and x.
+    #[inline(always)]
+    pub fn yzx(self) -> Self {
+        Self { x: self.y, y: self.z, z: self.x }
+    }
+
+    /// The parts z, x and y.
+    #[inline(always)]
+    pub fn zxy(self) -> Self {
+        Self { x: self.z, y: self.x, z: self.y }
     }
 
     /// With x reversed where `sign` is -1.
@@ -214,6 +294,25 @@ impl<S: Simd> Neg for V3<S> {
     #[inline(always)]
     fn neg(self) -> Self {
         Self { x: -self.x, y: -self.y, z: -self.z }
+    }
+}
+
+impl<S: Simd> Div<F<S>> for V3<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn div(self, divisor: F<S>) -> Self {
+        Self { x: self.x / divisor, y: self.y / divisor, z: self.z / divisor }
+    }
+}
+
+/// Part by part.
+impl<S: Simd> Div for V3<S> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn div(self, divisors: Self) -> Self {
+        Self { x: self.x / divisors.x, y: self.y / divisors.y, z: self.z / divisors.z }
     }
 }
 

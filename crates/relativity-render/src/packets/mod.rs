@@ -1,11 +1,92 @@
 //! The rays on the CPU: a test per pixel, in the rest frame and in f32, eight pixels at a time.
 //!
 //! The same formulas as in `shaders/`, function by function, so that it is as accurate as [`rays`](crate::rays); it needs
-//! no graphics adapter, and is faster than one that is software.
+//! no graphics adapter, and is faster than one that is software. A tile of the picture looks for bodies in the
+//! hierarchies, about the nearest first, and stops behind what covers it.
 #![expect(
     clippy::inline_always,
     reason = "what runs on wide registers must be inlined into where they are chosen"
 )]
 
+mod backdrop;
+mod block;
 mod body;
+mod colour;
+mod cylinder;
+mod encode;
 mod lanes;
+mod logarithm;
+mod look;
+mod numbers;
+mod passing;
+mod pattern;
+mod ray;
+mod registers;
+mod ring;
+mod shading;
+mod shape;
+mod street;
+#[cfg(test)]
+mod testing;
+#[cfg(test)]
+mod tests;
+mod tile;
+mod tube;
+mod turning;
+
+use fearless_simd::Level;
+
+use crate::canvas::Measures;
+use crate::picture::Picture;
+use crate::reference::HitImage;
+use crate::scene::PreparedScene;
+use crate::view::{Appearance, View};
+use colour::Tables;
+use look::Look;
+use registers::{on_registers, widest};
+use shading::shade_backdrop;
+use tile::{CENTRE, STANDARD};
+
+/// Draws on the CPU.
+#[derive(Debug)]
+pub struct PacketRenderer {
+    level: Level,
+}
+
+impl PacketRenderer {
+    /// `None` on a processor without registers for it.
+    pub fn new() -> Option<Self> {
+        Some(Self { level: widest()? })
+    }
+
+    /// The picture `view` shows of `scene`.
+    pub fn picture(&self, scene: &PreparedScene, view: &View, appearance: &Appearance) -> Picture {
+        let look = Look::new(scene, view, Some(appearance));
+        let tables = Tables::shared();
+        let rgba = scene.tiles(view, &look.views, &|| true, |tile, rows| {
+            on_registers!(self.level, simd => {
+                match &tile.cap {
+                    Some(cap) => {
+                        let drawn = look.draw(simd, &STANDARD, tile, cap);
+                        drawn.shade(simd, &look, appearance, tables, &tile.tile, rows);
+                    }
+                    None => shade_backdrop(simd, &look, &tile.tile, rows),
+                }
+            });
+        });
+        Picture { size: view.camera.size, rgba }
+    }
+
+    /// What the centre of every pixel of `view` shows of `scene`.
+    pub fn hits(&self, scene: &PreparedScene, view: &View) -> HitImage {
+        let look = Look::new(scene, view, None);
+        let both = scene.tiles(view, &look.views, &|| true, |tile, rows| {
+            let Some(cap) = &tile.cap else { return };
+            on_registers!(self.level, simd => {
+                look.draw(simd, &CENTRE, tile, cap).measure(simd, &look, &tile.tile, rows);
+            });
+        });
+        let (measures, places) = both.into_iter().unzip();
+        Measures { measures, places }.hit_image(scene, view)
+    }
+}

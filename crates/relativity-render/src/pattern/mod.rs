@@ -6,8 +6,8 @@
 //! the same constants.
 
 mod chart;
-mod coverage;
-mod die;
+pub(crate) mod coverage;
+pub(crate) mod die;
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -21,11 +21,11 @@ pub(crate) use coverage::Covered;
 use coverage::{line, wave};
 
 /// Share of the light that is left where a pattern is dark.
-const DARK: f64 = 0.2;
+pub(crate) const DARK: f64 = 0.2;
 /// Half the width of a graticule's line, in steps.
-const LINE_REACH: f64 = 0.035;
+pub(crate) const LINE_REACH: f64 = 0.035;
 /// How far below the surface stripes and squares are looked up, in steps: an end lies where one of them does.
-const NUDGE: f64 = 1e-3;
+pub(crate) const NUDGE: f64 = 1e-3;
 
 /// The shaders' constants.
 pub(crate) fn constants(has_patterns: bool) -> [Constant; 10] {
@@ -57,7 +57,7 @@ pub(crate) struct Marking {
 
 /// What is drawn, as the shaders count it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Ruling {
+pub(crate) enum Ruling {
     Faces = 1,
     Graticule = 2,
     Chequer = 3,

@@ -1,0 +1,331 @@
+//! Sky and resting ground, as `shaders/backdrop.wgsl` has them.
+
+use super::lanes::{F, Simd, SimdFloat as _, SimdMask as _, V2, V3, all, clamp};
+use super::ray::{Sight, line_of_sight};
+use super::street::{Covered, front};
+use crate::backdrop::{
+    AXIS_HALF_WIDTH, DASH, Floor, GRID_FADE, KERB_WIDTH, LANE_HALF_WIDTH, LEAST_TOWARDS_FRONTS,
+    LINE_HALF_WIDTH, Part, SKY_RISE,
+};
+use crate::frame::Frame;
+
+/// Lines of sight that fall less do not meet the ground.
+const LEAST_FALL: f32 = -1e-6;
+
+/// How far around a rectangle is looked, px.
+const MARGIN: f32 = 2.0;
+
+/// What a rectangle of the picture can show: its left and upper edge, and its width and height, px.
+pub fn part(frame: &Frame, [left, top]: [f32; 2], [width, height]: [f32; 2]) -> Part {
+    let floor = frame.floor();
+    if floor == Floor::Open {
+        return Part::Sky;
+    }
+    // As `shows` of the shader has it, which says why; a pixel's middle shows what is around it, too.
+    let ([left, top], [width, height]) =
+        ([left - MARGIN, top - MARGIN], [width + 2.0 * MARGIN, height + 2.0 * MARGIN]);
+    let [_, _, ground, _] = frame.ground;
+    let corners = [[0.0, 0.0], [width, 0.0], [0.0, height], [width, height]].map(|[x, y]| {
+        let [pole_u, pole_v, fine_u, fine_v] = frame.pole;
+        let (right, down) = ((left + x - pole_u) - fine_u, (top + y - pole_v) - fine_v);
+        let [towards, rise] =
+            [1, 2].map(|axis| frame.base[axis] + frame.right[axis] * right + frame.down[axis] * down);
+        let above = rise * frame.road[2] - ground * towards;
+        [towards, rise, above]
+    });
+    let all = |holds: &dyn Fn([f32; 3]) -> bool| corners.iter().all(|corner| holds(*corner));
+    let [highest, lowest, ..] = frame.houses.map(|house| house[0]);
+    let is_beside = all(&|[towards, ..]| towards <= 0.0)
+        || all(&|[.., above]| above < 0.0)
+        || all(&|[towards, _, above]| above > highest * towards);
+    let has_fronts = floor == Floor::Street && !is_beside;
+    let is_covered =
+        has_fronts && all(&|[towards, _, above]| towards > 0.01 && above > 0.0 && above < lowest * towards);
+    let has_ground = !all(&|[_, rise, _]| rise >= 0.0) && !is_covered;
+    match (has_ground, has_fronts, floor) {
+        (false, false, _) => Part::Sky,
+        (false, true, _) => Part::Fronts,
+        (true, true, _) => Part::Street,
+        (true, false, Floor::Grid | Floor::Open) => Part::Grid,
+        (true, false, Floor::Road | Floor::Street) => Part::Road,
+    }
+}
+
+/// Linear sRGB of what lies behind the bodies at these pixels, of which is seen no more than this part.
+#[inline(always)]
+pub fn behind<S: Simd>(simd: S, frame: &Frame, part: Part, u: F<S>, v: F<S>) -> V3<S> {
+    let sight = line_of_sight(simd, frame, u, v);
+    let nearness = 1.0 - (sight.n.z.abs() * SKY_RISE as f32).min(1.0);
+    let sky = V3::mix(paint(simd, frame, 1), paint(simd, frame, 0), nearness * nearness);
+    let mut colour = sky;
+    if part.has_ground() {
+        let falls = sight.n.z.simd_lt(LEAST_FALL);
+        if falls.any_true() {
+            colour = V3::select(falls, ground_colour(simd, frame, part, sky, sight), sky);
+        }
+    }
+    if part.has_fronts() {
+        let meets = sight.n.y.simd_gt(LEAST_TOWARDS_FRONTS as f32);
+        if meets.any_true() {
+            colour = V3::select(meets, with_fronts(frame, part, colour, sky, sight), colour);
+        }
+    }
+    colour
+}
+
+#[inline(always)]
+fn paint<S: Simd>(simd: S, frame: &Frame, number: usize) -> V3<S> {
+    V3::of_four(simd, frame.backdrop[number])
+}
+
+/// What is seen at a distance of this colour.
+#[inline(always)]
+fn hazy<S: Simd>(part: Part, sky: V3<S>, colour: V3<S>, distance: F<S>) -> V3<S> {
+    V3::mix(sky, colour, 1.0 / (1.0 + distance * distance * part.haze() as f32))
+}
+
+/// Width and height of a pixel on a plane: its two axes' parts of the line of sight, per part across the plane, are
+/// `slope`, and `reach` is how far the place that it meets moves where the line's end moves along the plane.
+///
+/// What the shader works out by `turn_towards`: of that, what is along the line cancels.
+#[inline(always)]
+fn pixel_on<S: Simd>(frame: &Frame, axes: [usize; 2], across: usize, slope: V2<S>, reach: F<S>) -> V2<S> {
+    let [first, second] = axes;
+    V2::new(
+        size_along(frame, first, across, slope.x) * reach.abs(),
+        size_along(frame, second, across, slope.y) * reach.abs(),
+    )
+}
+
+#[inline(always)]
+fn size_along<S: Simd>(frame: &Frame, axis: usize, across: usize, slope: F<S>) -> F<S> {
+    let right = slope * -frame.right[across] + frame.right[axis];
+    let down = slope * -frame.down[across] + frame.down[axis];
+    V2::new(right, down).length()
+}
+
+#[inline(always)]
+fn ground_colour<S: Simd>(simd: S, frame: &Frame, part: Part, sky: V3<S>, sight: Sight<S>) -> V3<S> {
+    let [camera_x, camera_y, ground, _] = frame.ground;
+    let per_fall = 1.0 / sight.n.z;
+    let distance = per_fall * ground;
+    let foot = V2::new(sight.n.x * distance + camera_x, sight.n.y * distance + camera_y);
+    let slope = V2::new(sight.n.x * per_fall, sight.n.y * per_fall);
+    let pixel = pixel_on(frame, [0, 1], 2, slope, sight.scale * distance);
+    let grid = grid_cover(foot.x, pixel.x).max(grid_cover(foot.y, pixel.y));
+    let gridded = V3::mix(paint(simd, frame, 2), paint(simd, frame, 3), grid);
+    let painted = if part == Part::Grid {
+        let axes = line_cover(foot.x, AXIS_HALF_WIDTH as f32, pixel.x).max(line_cover(
+            foot.y,
+            AXIS_HALF_WIDTH as f32,
+            pixel.y,
+        ));
+        V3::mix(gridded, paint(simd, frame, 4), axes)
+    } else {
+        let [near, far, ..] = frame.road;
+        let upwards = Covered::new(pixel.y);
+        let road = upwards.band_cover(foot.y, all(simd, near), all(simd, far));
+        let surface = V3::mix(gridded, paint(simd, frame, 5), road);
+        V3::mix(surface, paint(simd, frame, 4), marks_cover(frame, foot, Covered::new(pixel.x), upwards))
+    };
+    hazy(part, sky, painted, distance)
+}
+
+#[inline(always)]
+fn line_cover<S: Simd>(off_line: F<S>, half_width: f32, pixel: F<S>) -> F<S> {
+    let simd = pixel.simd;
+    let half = (pixel * 0.5).max(half_width);
+    let per_pixel = 1.0 / pixel.max(1e-6);
+    let cover = clamp((half - off_line.abs()) * per_pixel + 0.5, all(simd, 0.0), all(simd, 1.0));
+    cover * (per_pixel * (2.0 * half_width)).min(1.0)
+}
+
+/// Of the lines at whole numbers; a grid finer than pixels is left out.
+#[inline(always)]
+fn grid_cover<S: Simd>(foot: F<S>, pixel: F<S>) -> F<S> {
+    let simd = pixel.simd;
+    let [start, rate] = GRID_FADE;
+    let fade = clamp(start as f32 - pixel * rate as f32, all(simd, 0.0), all(simd, 1.0));
+    line_cover(foot - foot.round_ties_even(), LINE_HALF_WIDTH as f32, pixel) * fade
+}
+
+#[inline(always)]
+fn marks_cover<S: Simd>(frame: &Frame, foot: V2<S>, along: Covered<S>, across: Covered<S>) -> F<S> {
+    let simd = foot.x.simd;
+    let [near, far, ..] = frame.road;
+    let [kerb, lane] = [KERB_WIDTH as f32, LANE_HALF_WIDTH as f32];
+    let middle = 0.5 * (near + far);
+    let near_kerb = across.band_cover(foot.y, all(simd, near - kerb), all(simd, near));
+    let far_kerb = across.band_cover(foot.y, all(simd, far), all(simd, far + kerb));
+    let line = across.band_cover(foot.y, all(simd, middle - lane), all(simd, middle + lane));
+    let [length, period] = DASH;
+    near_kerb + far_kerb + line * along.repeated_cover(foot.x, length as f32, period as f32)
+}
+
+#[inline(always)]
+fn with_fronts<S: Simd>(frame: &Frame, part: Part, without: V3<S>, sky: V3<S>, sight: Sight<S>) -> V3<S> {
+    let [camera_x, _, ground, _] = frame.ground;
+    let per_towards = 1.0 / sight.n.y;
+    let distance = per_towards * frame.road[2];
+    let place = V2::new(sight.n.x * distance + camera_x, sight.n.z * distance - ground);
+    let slope = V2::new(sight.n.x * per_towards, sight.n.z * per_towards);
+    let size = pixel_on(frame, [0, 2], 1, slope, sight.scale * distance);
+    let seen = front(frame, place, size);
+    V3::mix(without, hazy(part, sky, seen.colour, distance), seen.cover)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use glam::DVec3;
+    use relativity_core::{Aperture, Speed};
+
+    use super::super::lanes::{LANES, SimdBase as _};
+    use super::*;
+    use crate::backdrop::Backdrop;
+    use crate::camera::{Camera, Gaze, LinesOfSight, Projection};
+    use crate::colour::srgb_encoded;
+    use crate::packets::encode::encoded;
+    use crate::packets::testing::at_every_level;
+    use crate::scene::PreparedScene;
+    use crate::velocity::Motion;
+    use crate::view::{Appearance, Geometry, View};
+
+    const SIZE: [u32; 2] = [120, 136];
+
+    fn appearances() -> Vec<Appearance> {
+        let road = Appearance { ground_z: Some(-1.5), road: Some([1.0, 9.0]), ..Appearance::default() };
+        let dark = [
+            Appearance::default(),
+            Appearance { sky: false, ..Appearance::default() },
+            Appearance { ground_z: Some(-0.3), ..Appearance::default() },
+            Appearance { ground_z: Some(-40.0), ..Appearance::default() },
+            Appearance { ground_z: Some(1.5), ..Appearance::default() },
+            road,
+            Appearance { fronts: Some(12.0), ..road },
+            Appearance { fronts: Some(400.0), ground_z: Some(-6.0), ..road },
+        ];
+        dark.into_iter().flat_map(|dark| [dark, Appearance { light: true, ..dark }]).collect()
+    }
+
+    fn cameras() -> Vec<Camera> {
+        let gazes =
+            [(0.5, 0.0), (0.45, -0.1), (0.1, 0.2), (1.3, -0.6), (-0.5, -0.02), (0.62, 0.5), (0.5, -1.55)];
+        let mut cameras = Vec::new();
+        for (i, (azimuth, elevation)) in gazes.into_iter().enumerate() {
+            let aperture = Aperture { x: [0.03, -7.3][i % 2], y: [0.0, 0.4, -2.0][i % 3], z: 0.1 };
+            let gaze = Gaze { azimuth: azimuth * PI, elevation };
+            let camera = Camera::new(aperture, gaze, [1.0, 0.2, 2.0][i % 3], SIZE);
+            let projection = Projection::Parallel { right: DVec3::X, shift: 0.05 };
+            cameras.extend([camera, Camera { projection, ..camera }]);
+        }
+        cameras
+    }
+
+    fn frame(camera: Camera, appearance: &Appearance) -> Frame {
+        let speed = Speed::from_beta(0.9).expect("below 1");
+        let view = View { camera, speed, observation_time: 0.0, geometry: Geometry::Seen };
+        let groups = [view.of_group(Motion::Scene)];
+        Frame::of_groups(&PreparedScene::new([]), &groups, appearance)[0]
+    }
+
+    #[inline(always)]
+    fn row<S: Simd>(simd: S, frame: &Frame, [u, v]: [u32; 2]) -> V3<S> {
+        row_of(simd, frame, tile_part(frame, [u, v]), [u, v])
+    }
+
+    /// What the tile with this pixel can show.
+    fn tile_part(frame: &Frame, pixel: [u32; 2]) -> Part {
+        part(frame, pixel.map(|at| (at / 8 * 8) as f32), [8.0; 2])
+    }
+
+    #[inline(always)]
+    fn row_of<S: Simd>(simd: S, frame: &Frame, part: Part, [u, v]: [u32; 2]) -> V3<S> {
+        let along = F::from_fn(simd, |lane| (u + lane as u32) as f32 + 0.5);
+        behind(simd, frame, part, along, all(simd, v as f32 + 0.5))
+    }
+
+    fn packets() -> impl Iterator<Item = [u32; 2]> {
+        (0..SIZE[1]).step_by(3).flat_map(|v| (0..SIZE[0]).step_by(LANES).map(move |u| [u, v]))
+    }
+
+    #[test]
+    fn what_lies_behind_is_what_the_reference_has_there() {
+        let mut worst: f64 = 0.0;
+        for camera in cameras() {
+            for appearance in appearances() {
+                let (reference, frame) = (Backdrop::new(&camera, &appearance), frame(camera, &appearance));
+                let sights = LinesOfSight::new(&camera);
+                let mut check = |[u, v]: [u32; 2], found: [[f32; 3]; LANES]| {
+                    for (u, found) in (u..).zip(found) {
+                        let expected =
+                            reference.behind(sights.through([u, v].map(|place| f64::from(place) + 0.5)));
+                        for (found, expected) in found.into_iter().zip(expected) {
+                            let off = 255.0 * (srgb_encoded(found.into()) - srgb_encoded(expected)).abs();
+                            worst = worst.max(off);
+                            assert!(
+                                off < 2.0,
+                                "{camera:?} {appearance:?} at {u}, {v}: {found} for {expected}"
+                            );
+                        }
+                    }
+                };
+                at_every_level!(simd => {
+                    for place in packets() {
+                        let colour = row(simd, &frame, place);
+                        check(place, std::array::from_fn(|lane| colour.lane(lane)));
+                    }
+                });
+            }
+        }
+        println!("at most {worst} levels off");
+    }
+
+    #[test]
+    fn no_registers_change_a_byte() {
+        for camera in cameras() {
+            for appearance in appearances() {
+                let frame = frame(camera, &appearance);
+                let mut first: Option<Vec<_>> = None;
+                at_every_level!(simd => {
+                    let mut bytes = Vec::new();
+                    for place in packets() {
+                        bytes.extend(encoded(simd, row(simd, &frame, place)));
+                    }
+                    let first = first.get_or_insert_with(|| bytes.clone());
+                    assert!(bytes == *first, "{camera:?} {appearance:?}");
+                });
+            }
+        }
+    }
+
+    /// Run by hand: how long a picture of 480 by 540 pixels takes.
+    #[test]
+    #[ignore = "measures"]
+    fn time() {
+        use std::time::Instant;
+        for appearance in appearances() {
+            let camera = Camera { size: [480, 540], ..cameras()[0] };
+            let frame = frame(camera, &appearance);
+            at_every_level!(simd => {
+                let mut least = f64::INFINITY;
+                let mut sum = 0u64;
+                for _ in 0..20 {
+                    let start = Instant::now();
+                    for top in (0..540).step_by(8) {
+                        for left in (0..480).step_by(8) {
+                            let part = tile_part(&frame, [left, top]);
+                            for v in top..(top + 8).min(540) {
+                                let bytes = encoded(simd, row_of(simd, &frame, part, [left, v]));
+                                sum += u64::from(u32::from_le_bytes(bytes[3]));
+                            }
+                        }
+                    }
+                    least = least.min(start.elapsed().as_secs_f64());
+                }
+                println!("{:?} {:.3} ms {sum}", frame.floor(), least * 1e3);
+            });
+        }
+    }
+}

@@ -1,0 +1,106 @@
+//! What one view shows, as the shaders would have it: worked out once, used by all tiles.
+
+use std::collections::HashMap;
+use std::sync::OnceLock;
+
+use crate::backdrop::Floor;
+use crate::effects::Effects;
+use crate::frame::Frame;
+use crate::group_view::GroupView;
+use crate::light::Light;
+use crate::pipelines::AmongOthers;
+use crate::prepared_body::PreparedBody;
+use crate::scene::PreparedScene;
+use crate::view::{Appearance, View};
+use crate::wheel::packed::{Shown, Turns};
+
+use super::body::Group;
+
+/// One view of a scene.
+pub struct Look<'a> {
+    pub scene: &'a PreparedScene,
+    /// How each of the groups is seen.
+    pub views: Vec<GroupView>,
+    /// The looks of a picture; `None` asks for numbers.
+    pub appearance: Option<&'a Appearance>,
+    frames: Vec<Frame>,
+    /// What turns, by its number.
+    turning: HashMap<usize, (Turns, Shown)>,
+    /// Of each emission of the scene the light as shaders have it, without and with a Doppler effect.
+    lights: Vec<[OnceLock<[f32; 4]>; 2]>,
+}
+
+/// A body as one view has it.
+#[derive(Debug, Clone, Copy)]
+pub struct Seen<'a> {
+    pub body: &'a PreparedBody,
+    pub turns: Turns,
+    pub shown: Shown,
+}
+
+impl<'a> Look<'a> {
+    pub fn new(scene: &'a PreparedScene, view: &View, appearance: Option<&'a Appearance>) -> Self {
+        let views = scene.group_views(view);
+        let frames = Frame::of_groups(scene, &views, appearance.unwrap_or(&Appearance::default()));
+        let turning = scene.spinning().iter().filter_map(|&number| {
+            let body = &scene.bodies()[number as usize];
+            let view = &views[body.group];
+            let turns = view.turns(body);
+            let shown = view.shown(body, scene.groups()[body.group].extent.middle);
+            (turns != Turns::Not).then_some((body.number, (turns, shown)))
+        });
+        Self {
+            turning: turning.collect(),
+            lights: scene.emissions().iter().map(|_| Default::default()).collect(),
+            scene,
+            views,
+            appearance,
+            frames,
+        }
+    }
+
+    /// The group of this number, for the formulas.
+    pub fn group(&self, number: usize) -> Group<'_> {
+        Group { frame: &self.frames[number], geometry: self.views[number].geometry }
+    }
+
+    /// Where the group of this number stands among others, if there are any.
+    pub fn among_others(&self, number: usize) -> Option<AmongOthers> {
+        AmongOthers::new(&self.views, number)
+    }
+
+    /// The frame of what lies behind all groups.
+    pub fn frame(&self) -> &Frame {
+        &self.frames[0]
+    }
+
+    /// What is to be seen below the horizon.
+    pub fn floor(&self) -> Floor {
+        self.frame().floor()
+    }
+
+    /// The body of this number.
+    pub fn seen(&self, number: usize) -> Seen<'_> {
+        let body = &self.scene.bodies()[number];
+        let turning = if body.spin.is_some() { self.turning.get(&number) } else { None };
+        let (turns, shown) = turning.copied().unwrap_or_else(|| {
+            (Turns::Not, Shown { placement: body.placement, spin: [0.0; 4], rim: [0.0; 2] })
+        });
+        Seen { body, turns, shown }
+    }
+
+    /// Which effects a body that `turns` so has in the group of this number.
+    pub fn effects(&self, group: usize, turns: Turns, appearance: &Appearance) -> Effects {
+        Effects::new(turns.has_doppler_effect(self.views[group].geometry), appearance)
+    }
+
+    /// The light of `body` for the formulas.
+    pub fn light(&self, body: &PreparedBody, turns: Turns, appearance: &Appearance) -> [f32; 4] {
+        let has_doppler_effect = turns.has_doppler_effect(self.views[body.group].geometry);
+        let light = || {
+            let effects = Effects::new(has_doppler_effect, appearance);
+            Light::new(body.emission, appearance).packed(appearance, effects).map(|part| part as f32)
+        };
+        *self.lights[body.emission_number as usize][usize::from(has_doppler_effect)].get_or_init(light)
+    }
+}

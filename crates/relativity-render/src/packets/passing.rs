@@ -1,0 +1,65 @@
+//! Which of the eight packets of a tile a body may be seen in: a lane is a packet here.
+
+use super::body::{Capsule, Group, Ray};
+use super::lanes::{F, LANES, Mask, Simd, SimdFloat, SimdFrom, V3, all, clamp, select};
+use super::ray::{line_of_sight, nearest_to, rest_ray};
+use super::tile::packet_places;
+
+/// The ray through the middle of each packet, and how far others of it are off that.
+#[derive(Debug, Clone, Copy)]
+pub struct Middles<S: Simd> {
+    ray: Ray<S>,
+    /// Per distance, with a pixel and a half around the packet. Without an end where its image is not small.
+    spread: F<S>,
+}
+
+impl<S: Simd> Middles<S> {
+    /// Of the tile with this `corner`.
+    #[inline(always)]
+    pub fn new(simd: S, group: &Group<'_>, corner: [u32; 2]) -> Self {
+        let places: [[f32; 2]; LANES] = std::array::from_fn(|packet| {
+            let [u, v] = packet_places(corner, packet);
+            [u as f32 + 2.0, v as f32 + 1.0]
+        });
+        let u = F::simd_from(simd, places.map(|[u, _]| u));
+        let v = F::simd_from(simd, places.map(|[_, v]| v));
+        let ray = rest_ray(simd, group, line_of_sight(simd, group.frame, u, v));
+        let mut off_squared = all(simd, 0.0);
+        for (right, down) in [(-3.5, -2.5), (3.5, -2.5), (-3.5, 2.5), (3.5, 2.5)] {
+            let at_corner = rest_ray(simd, group, line_of_sight(simd, group.frame, u + right, v + down));
+            let off = at_corner.direction - ray.direction;
+            off_squared = off_squared.max(off.dot(off));
+        }
+        let off = off_squared.sqrt();
+        let spread = select(off.simd_lt(0.1), off * 1.3 + 1e-6, all(simd, f32::INFINITY));
+        Self { ray, spread }
+    }
+
+    /// How far others are off it, of the packet at this place, the same for eight pixels.
+    #[inline(always)]
+    pub fn spread_of(&self, place: usize) -> F<S> {
+        all(self.spread.simd, self.spread[place])
+    }
+
+    /// Those packets that what is in `capsule` may be seen in.
+    #[inline(always)]
+    pub fn may_show(&self, capsule: &Capsule<S>) -> Mask<S> {
+        let Self { ray, spread } = self;
+        let n = ray.direction;
+        let anchor = (capsule.place + capsule.end) * 0.5;
+        let half = (capsule.end - capsule.place) * 0.5;
+        let extent = half.length();
+        let axis = half * (1.0 / extent.max(1e-30));
+        let nearest = nearest_to(anchor, ray);
+        let cosine = axis.dot(n);
+        let across: V3<S> = axis.cross(n);
+        let sine_squared = across.dot(across).max(1e-12);
+        let closest = nearest.dot(axis) / sine_squared;
+        let on_segment = clamp(closest, -extent, extent);
+        let miss = nearest + (n * cosine - axis) * on_segment;
+        let farthest = ray.to_centre + anchor.dot(n) + extent + capsule.radius;
+        // A miss that is no number is none.
+        let off = miss.length() * (1.0 - 1e-5) - capsule.radius * (1.0 + 1e-5);
+        !off.simd_gt(farthest.max(0.0) * *spread)
+    }
+}

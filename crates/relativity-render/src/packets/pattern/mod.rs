@@ -1,0 +1,111 @@
+//! Patterns on bodies, as `shaders/pattern.wgsl` has them.
+
+mod chart;
+mod coverage;
+mod die;
+#[cfg(test)]
+mod tests;
+
+use super::body::{Body, Group, Ray};
+use super::lanes::{F, Simd, V3, all, clamp};
+use crate::kind::Kind;
+use crate::pattern::DARK;
+use crate::view::Geometry;
+use coverage::Covered;
+
+/// The mark of `pattern` (its ruling, and its steps along and around) on `body` at `place` (from its middle), at this
+/// ground distance along the rays: what share of its light is left.
+#[inline(always)]
+#[expect(clippy::too_many_arguments, reason = "those of the shader, and what is global there")]
+pub fn mark<S: Simd>(
+    simd: S,
+    kind: Kind,
+    group: &Group,
+    body: &Body<S>,
+    pattern: [f32; 3],
+    place: V3<S>,
+    normal: V3<S>,
+    ray: &Ray<S>,
+    distance: F<S>,
+) -> F<S> {
+    if pattern[0] == 0.0 {
+        return all(simd, 1.0);
+    }
+    simd.vectorize(
+        #[inline(always)]
+        || {
+            let place = body.body_from_rest(place);
+            let normal = body.body_from_rest(normal);
+            let dark = darkness(simd, kind, group, body, pattern, place, normal, ray, distance);
+            1.0 - clamp(dark, all(simd, 0.0), all(simd, 1.0)) * (1.0 - DARK) as f32
+        },
+    )
+}
+
+/// In the body's own axes.
+#[inline(always)]
+#[expect(clippy::too_many_arguments, reason = "those of `mark`")]
+fn darkness<S: Simd>(
+    simd: S,
+    kind: Kind,
+    group: &Group,
+    body: &Body<S>,
+    pattern: [f32; 3],
+    place: V3<S>,
+    normal: V3<S>,
+    ray: &Ray<S>,
+    distance: F<S>,
+) -> F<S> {
+    match kind {
+        Kind::Tube => {
+            let covered = covered_by_pixel(simd, group, body, ray, normal, distance);
+            chart::on_tube(body, pattern, place, normal).darkness(pattern, &covered)
+        }
+        Kind::Ring => {
+            let covered = covered_by_pixel(simd, group, body, ray, normal, distance);
+            chart::on_ring(body, place).darkness(pattern, &covered)
+        }
+        Kind::Cylinder => {
+            let normal = chart::normal_of_cylinder(body, place);
+            let covered = covered_by_pixel(simd, group, body, ray, normal, distance);
+            chart::on_cylinder(body, pattern, place, normal).darkness(pattern, &covered)
+        }
+        Kind::Box => {
+            let normal = die::normal_of_box(body, place);
+            let covered = covered_by_pixel(simd, group, body, ray, normal, distance);
+            die::darkness_of_box(body, pattern, place, normal, &covered)
+        }
+    }
+}
+
+/// In the body's own axes.
+#[inline(always)]
+fn covered_by_pixel<S: Simd>(
+    simd: S,
+    group: &Group,
+    body: &Body<S>,
+    ray: &Ray<S>,
+    normal: V3<S>,
+    distance: F<S>,
+) -> Covered<S> {
+    let direction = body.body_from_rest(ray.direction);
+    let right = body.body_from_rest(shift(group, ray, V3::of_four(simd, group.frame.right)));
+    let down = body.body_from_rest(shift(group, ray, V3::of_four(simd, group.frame.down)));
+    Covered::new(direction, normal, right, down, distance)
+}
+
+/// How far what is seen moves in the rest frame from pixel to pixel along `across`, per ground distance, but for what is
+/// along the ray. As `GroupView::shift` has it, but for one light cone of both eyes.
+#[inline(always)]
+fn shift<S: Simd>(group: &Group, ray: &Ray<S>, across: V3<S>) -> V3<S> {
+    let turn = (across - ray.sight * ray.sight.dot(across)) * ray.scale;
+    let [beta, _, _, gamma] = group.frame.speed;
+    match group.geometry {
+        Geometry::Seen | Geometry::Published | Geometry::OneCone => {
+            let along = turn.x * (group.frame.motion[0] * beta * gamma);
+            V3::new(ray.doppler * turn.x, turn.y - along * ray.direction.y, turn.z - along * ray.direction.z)
+        }
+        Geometry::Contracted => V3::new(turn.x * gamma, turn.y, turn.z),
+        Geometry::Rest => turn,
+    }
+}

@@ -1,0 +1,175 @@
+//! What a tile looks like.
+
+use super::backdrop::{behind, part};
+use super::body::Body;
+use super::colour::{Tables, received_colour};
+use super::encode::encoded;
+use super::lanes::{F, LANES, Simd, SimdFloat, SimdMask, V3, all, select};
+use super::look::Look;
+use super::pattern::mark;
+use super::tile::{Drawn, Owner, PACKETS, Packet, Test, centres, packet_places, write_one};
+use super::turning::{Spin, doppler_of, standing, surface_when_shown};
+use crate::backdrop::Part;
+use crate::candidates::Rows;
+use crate::tiles::Tile;
+use crate::view::Appearance;
+
+/// The pixels of a tile behind which no body is.
+#[inline(always)]
+pub fn shade_backdrop<S: Simd>(simd: S, look: &Look<'_>, tile: &Tile, rows: &mut Rows<'_, [u8; 4]>) {
+    let part = part_of(look, tile);
+    for place in 0..PACKETS {
+        let corner = packet_places(tile.corner, place);
+        let [u, v] = centres(simd, corner);
+        write(tile, corner, rows, encoded(simd, behind(simd, look.frame(), part, u, v)));
+    }
+}
+
+#[inline(always)]
+fn part_of(look: &Look<'_>, tile: &Tile) -> Part {
+    part(look.frame(), tile.corner.map(|v| v as f32), tile.size.map(|v| v as f32))
+}
+
+#[inline(always)]
+fn write(tile: &Tile, corner: [u32; 2], rows: &mut Rows<'_, [u8; 4]>, pixels: [[u8; 4]; LANES]) {
+    for (lane, pixel) in pixels.into_iter().enumerate() {
+        write_one(tile, corner, rows, lane, pixel);
+    }
+}
+
+impl<S: Simd> Drawn<S, 4> {
+    /// Writes the pixels of `tile` into `rows`.
+    #[inline(always)]
+    pub fn shade(
+        &self,
+        simd: S,
+        look: &Look<'_>,
+        appearance: &Appearance,
+        tables: &Tables,
+        tile: &Tile,
+        rows: &mut Rows<'_, [u8; 4]>,
+    ) {
+        let part = part_of(look, tile);
+        for place in 0..PACKETS {
+            let corner = packet_places(tile.corner, place);
+            let (mut linear, cover) = self.bodies(simd, look, appearance, tables, place);
+            if cover.simd_lt(1.0).any_true() {
+                let [u, v] = centres(simd, corner);
+                linear += behind(simd, look.frame(), part, u, v) * (1.0 - cover);
+            }
+            write(tile, corner, rows, encoded(simd, linear));
+        }
+    }
+
+    /// Linear sRGB of the bodies in the packet at this place, times the share of each pixel that they cover, and that
+    /// share.
+    #[inline(always)]
+    fn bodies(
+        &self,
+        simd: S,
+        look: &Look<'_>,
+        appearance: &Appearance,
+        tables: &Tables,
+        place: usize,
+    ) -> (V3<S>, F<S>) {
+        let zero = all(simd, 0.0);
+        let mut samples = [(V3::all(simd, [0.0; 3]), zero); 4];
+        let mut nearest_solid = [all(simd, f32::INFINITY); 4];
+        for packet in &self.packets {
+            if packet.place != place {
+                continue;
+            }
+            for owner in packet.owners[0]..packet.owners[1] {
+                let Some(at) = Packet::owned(simd, &packet.solid, owner) else { continue };
+                let (colour, _) = self.colour(simd, look, appearance, tables, self.owners[owner], packet);
+                for sample in 0..4 {
+                    let nearest = packet.solid[sample];
+                    let holds = nearest.owner.simd_eq(at);
+                    samples[sample].0 = V3::select(holds, colour, samples[sample].0);
+                    samples[sample].1 = select(holds, all(simd, 1.0), samples[sample].1);
+                    nearest_solid[sample] = select(holds, nearest.beyond, nearest_solid[sample]);
+                }
+            }
+        }
+        for packet in &self.packets {
+            if packet.place != place {
+                continue;
+            }
+            for owner in packet.owners[0]..packet.owners[1] {
+                let Some(at) = Packet::owned(simd, &packet.thin, owner) else { continue };
+                let (colour, alpha) = self.colour(simd, look, appearance, tables, self.owners[owner], packet);
+                let through = 1.0 - alpha;
+                for sample in 0..4 {
+                    let thin = packet.thin[sample];
+                    let holds = thin.owner.simd_eq(at) & thin.beyond.simd_lt(nearest_solid[sample]);
+                    let (behind, cover) = samples[sample];
+                    samples[sample].0 = V3::select(holds, colour * alpha + behind * through, behind);
+                    samples[sample].1 = select(holds, alpha + cover * through, cover);
+                }
+            }
+        }
+        let [first, second, third, fourth] = samples;
+        let linear = (first.0 + second.0) + (third.0 + fourth.0);
+        let cover = (first.1 + second.1) + (third.1 + fourth.1);
+        (linear * 0.25, cover * 0.25)
+    }
+
+    /// Linear sRGB of a body where the rays through the middles of a packet's pixels meet it, and the share of a pixel
+    /// that it covers as it is too thin.
+    #[inline(always)]
+    fn colour(
+        &self,
+        simd: S,
+        look: &Look<'_>,
+        appearance: &Appearance,
+        tables: &Tables,
+        owner: Owner,
+        packet: &Packet<S, 4>,
+    ) -> (V3<S>, F<S>) {
+        simd.vectorize(
+            #[inline(always)]
+            || {
+                let (group, seen) = (look.group(owner.group), look.seen(owner.number));
+                let ray = &packet.ray;
+                let body = Body::new(simd, &seen.shown.placement);
+                let spin = Spin::new(simd, &seen.shown);
+                let (kind, turns) = (seen.body.kind, seen.turns);
+                let surface = surface_when_shown(simd, kind, turns, &group, &body, ray, &spin);
+                let test = Test::new(simd, &group, &seen, &body, ray, surface, true);
+                let doppler = doppler_of(
+                    kind,
+                    turns,
+                    &group,
+                    &body,
+                    surface.place,
+                    surface.normal,
+                    ray.sight,
+                    ray.doppler,
+                    &spin,
+                );
+                let effects = look.effects(owner.group, turns, appearance);
+                let light = look.light(seen.body, turns, appearance);
+                let colour = received_colour(simd, effects, tables, light, doppler, surface.normal);
+                let colour = colour * (seen.body.brightness as f32);
+                if seen.body.marking.is_none() {
+                    return (colour, test.alpha);
+                }
+                let there = standing(simd, kind, turns, &group, &body, surface.place, &spin);
+                let distance = test.distance * ray.ground_per_rest;
+                let pattern = seen.body.pattern();
+                let mark = mark(
+                    simd,
+                    kind,
+                    &group,
+                    &there.body,
+                    pattern,
+                    there.place,
+                    surface.normal,
+                    ray,
+                    distance,
+                );
+                (colour * mark, test.alpha)
+            },
+        )
+    }
+}

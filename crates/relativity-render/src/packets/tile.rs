@@ -1,0 +1,433 @@
+//! A tile of 8 x 8 pixels: what is the nearest in each sample of each of them.
+
+use super::body::{Body, Group, Ray, Surface};
+use super::lanes::{F, LANES, Mask, Simd, SimdFloat, SimdFrom, SimdMask, V2, all, select};
+use super::look::{Look, Seen};
+use super::passing::Middles;
+use super::ray::{depth, line_of_sight, movement, rest_ray};
+use super::shape;
+use super::turning::{Spin, surface_when_shown};
+use crate::candidates::{Rows, TileLook};
+use crate::cap::Cap;
+use crate::hierarchy::Beam;
+use crate::pipelines::AmongOthers;
+use crate::tiles::Tile;
+
+/// Packets of a tile: four pixels wide and two high.
+pub const PACKETS: usize = 8;
+/// No body.
+const NONE: f32 = -1.0;
+
+/// The four samples of a pixel, from its centre, in the standard places.
+pub const STANDARD: [[f32; 2]; 4] = [[-0.125, -0.375], [0.375, -0.125], [-0.375, 0.125], [0.125, 0.375]];
+/// Its centre alone.
+pub const CENTRE: [[f32; 2]; 1] = [[0.0, 0.0]];
+
+/// The pixel at the top left of the packet of this number, in the tile with this `corner`.
+pub fn packet_places([left, top]: [u32; 2], packet: usize) -> [u32; 2] {
+    [left + 4 * (packet as u32 % 2), top + 2 * (packet as u32 / 2)]
+}
+
+/// The centres of the pixels of a packet.
+#[inline(always)]
+pub fn centres<S: Simd>(simd: S, [left, top]: [u32; 2]) -> [F<S>; 2] {
+    let u: [f32; LANES] = std::array::from_fn(|lane| (left + lane as u32 % 4) as f32 + 0.5);
+    let v: [f32; LANES] = std::array::from_fn(|lane| (top + lane as u32 / 4) as f32 + 0.5);
+    [F::simd_from(simd, u), F::simd_from(simd, v)]
+}
+
+/// The nearest in a sample of eight pixels.
+#[derive(Debug, Clone, Copy)]
+pub struct Nearest<S: Simd> {
+    /// Beyond the middle of its group, or where there are several groups the negative of its depth among all.
+    pub beyond: F<S>,
+    /// Its place in the list of what is in the tile, or a negative number.
+    pub owner: F<S>,
+}
+
+/// A body that is seen in a tile.
+#[derive(Debug, Clone, Copy)]
+pub struct Owner {
+    pub number: usize,
+    pub group: usize,
+}
+
+/// What a packet shows of one group, in `N` samples of each of its pixels.
+#[derive(Debug, Clone, Copy)]
+pub struct Packet<S: Simd, const N: usize> {
+    /// Its place in the tile.
+    pub place: usize,
+    /// Through the middles of its pixels.
+    pub ray: Ray<S>,
+    /// What covers samples.
+    pub solid: [Nearest<S>; N],
+    /// What is thinner than a pixel, and covers a part of it.
+    pub thin: [Nearest<S>; N],
+    /// Which of the owners are its group's.
+    pub owners: [usize; 2],
+}
+
+/// What is in a tile.
+pub struct Drawn<S: Simd, const N: usize> {
+    /// The packets that were looked into, group by group.
+    pub packets: Vec<Packet<S, N>>,
+    /// The bodies of which something is seen, or was before something nearer was found.
+    pub owners: Vec<Owner>,
+}
+
+/// What is in a tile of one group.
+struct OfGroup<'a, S: Simd, const N: usize> {
+    simd: S,
+    look: &'a Look<'a>,
+    group: Group<'a>,
+    number: usize,
+    samples: &'a [[f32; 2]; N],
+    corner: [u32; 2],
+    drawn: &'a mut Drawn<S, N>,
+    /// Where the packets of this group are among all, those that were looked into.
+    places: [Option<usize>; PACKETS],
+    middles: Middles<S>,
+    /// How far the farthest of what covers a sample is, for each packet.
+    farthest: [f32; PACKETS],
+    /// Bodies in several pieces that were tested.
+    tested: Vec<u32>,
+}
+
+/// A ray test with what a picture needs of it.
+pub struct Test<S: Simd> {
+    pub surface: Surface<S>,
+    /// From the camera, rest frame.
+    pub distance: F<S>,
+    /// How deep inside the outline the middle of the pixel is, and how that changes from pixel to pixel.
+    clearance: F<S>,
+    gradient: V2<S>,
+    /// Share of a pixel that it covers, 1 unless it is thinner.
+    pub alpha: F<S>,
+    /// Whether it is in front of the camera, and above the ground.
+    is_there: Mask<S>,
+}
+
+impl Look<'_> {
+    /// What is in `tile`, whose lines of sight are in `cap`.
+    #[inline(always)]
+    pub fn draw<S: Simd, const N: usize>(
+        &self,
+        simd: S,
+        samples: &[[f32; 2]; N],
+        tile: &TileLook<'_>,
+        cap: &Cap,
+    ) -> Drawn<S, N> {
+        let mut drawn = Drawn { packets: Vec::with_capacity(PACKETS), owners: Vec::new() };
+        let mut others = tile.others;
+        for (number, view) in self.views.iter().enumerate() {
+            let prepared = &self.scene.groups()[number];
+            let count = others.partition_point(|&body| (body as usize) < prepared.bodies.end);
+            let (turning, later) = others.split_at(count);
+            others = later;
+            let beam = Beam::new(view, cap, prepared.extent.middle);
+            if turning.is_empty() && beam.is_some_and(|beam| !self.scene.hierarchy(number).is_met(&beam)) {
+                continue;
+            }
+            let group = self.group(number);
+            let mut own = OfGroup {
+                simd,
+                look: self,
+                middles: Middles::new(simd, &group, tile.tile.corner),
+                group,
+                number,
+                samples,
+                corner: tile.tile.corner,
+                drawn: &mut drawn,
+                places: [None; PACKETS],
+                farthest: [f32::INFINITY; PACKETS],
+                tested: Vec::new(),
+            };
+            let first_owner = own.drawn.owners.len();
+            for &body in turning {
+                own.enter(body as usize, false);
+            }
+            match beam {
+                Some(beam) => self.scene.hierarchy(number).along(&beam, |candidate| {
+                    if !candidate.is_one_of_some || own.is_new(candidate.body) {
+                        own.enter(candidate.body as usize, true);
+                    }
+                    own.reach()
+                }),
+                None => {
+                    let standing = prepared.bodies.clone().filter(|&body| self.scene.turning(body).is_none());
+                    standing.for_each(|body| own.enter(body, true));
+                }
+            }
+            let places = own.places;
+            let owners = [first_owner, drawn.owners.len()];
+            for place in places.into_iter().flatten() {
+                drawn.packets[place].owners = owners;
+            }
+        }
+        if self.views.len() > 1 {
+            drawn.tell_depths(self);
+        }
+        drawn
+    }
+}
+
+impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
+    /// What is farther than this is seen nowhere in the tile.
+    fn reach(&self) -> f32 {
+        self.farthest.into_iter().fold(f32::NEG_INFINITY, f32::max)
+    }
+
+    fn is_new(&mut self, body: u32) -> bool {
+        let is_new = !self.tested.contains(&body);
+        if is_new {
+            self.tested.push(body);
+        }
+        is_new
+    }
+
+    /// Tests a body, if it `is_told_about` only in those packets that may show it.
+    #[inline(never)]
+    fn enter(&mut self, number: usize, is_told_about: bool) {
+        self.simd.vectorize(
+            #[inline(always)]
+            || self.test(&self.look.seen(number), is_told_about),
+        );
+    }
+
+    #[inline(always)]
+    fn test(&mut self, seen: &Seen<'_>, is_told_about: bool) {
+        let Self { simd, .. } = *self;
+        let body = Body::new(simd, &seen.shown.placement);
+        let packets: [i32; PACKETS] = if is_told_about {
+            self.middles.may_show(&shape::around(seen.body.kind, &body)).into()
+        } else {
+            [-1; PACKETS]
+        };
+        let spin = Spin::new(simd, &seen.shown);
+        let owner = self.drawn.owners.len();
+        let mut is_seen = false;
+        for place in 0..PACKETS {
+            if packets[place] != 0 {
+                is_seen |= self.test_in(place, seen, &body, &spin, owner);
+            }
+        }
+        if is_seen {
+            self.drawn.owners.push(Owner { number: seen.body.number, group: self.number });
+        }
+    }
+
+    /// Tests a body in the packet at this `place`, and says whether it is seen there.
+    #[inline(always)]
+    fn test_in(
+        &mut self,
+        place: usize,
+        seen: &Seen<'_>,
+        body: &Body<S>,
+        spin: &Spin<S>,
+        owner: usize,
+    ) -> bool {
+        let Self { simd, group, .. } = *self;
+        let number = match self.places[place] {
+            Some(number) => number,
+            None => {
+                let number = self.drawn.packets.len();
+                self.drawn.packets.push(Packet::new(simd, &group, self.corner, place));
+                self.places[place] = Some(number);
+                number
+            }
+        };
+        let ray = self.drawn.packets[number].ray;
+        let surface = surface_when_shown(simd, seen.body.kind, seen.turns, &group, body, &ray, spin);
+        // Farther outside than a pixel and a half it is in no sample, and not widened into one.
+        let pixels = (ray.to_centre + surface.beyond).max(0.0) * self.middles.spread_of(place);
+        if !(surface.clearance + pixels).simd_gt(0.0).any_true() {
+            return false;
+        }
+        let test = Test::new(simd, &group, seen, body, &ray, surface, N > 1);
+        let is_whole = test.alpha.simd_ge(1.0);
+        let is_thin = !is_whole;
+        let (any_whole, any_thin) = (is_whole.any_true(), is_thin.any_true());
+        let beyond = surface.beyond;
+        let at = all(simd, owner as f32);
+        let owners = &self.drawn.owners;
+        let Packet { solid, thin, .. } = &mut self.drawn.packets[number];
+        let (mut is_in_solid, mut is_in_thin) = (false, false);
+        for sample in 0..N {
+            let is_inside = test.holds(self.samples[sample]);
+            if any_whole {
+                is_in_solid |= solid[sample].take(is_inside & is_whole, beyond, at, seen.body.number, owners);
+            }
+            if any_thin {
+                is_in_thin |= thin[sample].take(is_inside & is_thin, beyond, at, seen.body.number, owners);
+            }
+        }
+        if is_in_solid {
+            let mut most = all(simd, f32::NEG_INFINITY);
+            for nearest in solid {
+                most = most.max(nearest.beyond);
+            }
+            self.farthest[place] = most.as_slice().iter().copied().fold(f32::NEG_INFINITY, f32::max);
+        }
+        is_in_solid || is_in_thin
+    }
+}
+
+impl<S: Simd, const N: usize> Packet<S, N> {
+    #[inline(always)]
+    fn new(simd: S, group: &Group<'_>, corner: [u32; 2], place: usize) -> Self {
+        let [u, v] = centres(simd, packet_places(corner, place));
+        let nothing = [Nearest::none(simd); N];
+        Self {
+            place,
+            ray: rest_ray(simd, group, line_of_sight(simd, group.frame, u, v)),
+            solid: nothing,
+            thin: nothing,
+            owners: [0; 2],
+        }
+    }
+
+    /// Replaces distances beyond the middle of a group by depths among all.
+    #[inline(always)]
+    fn tell_depths(&mut self, group: &Group<'_>, among_others: Option<AmongOthers>) {
+        for nearest in self.solid.iter_mut().chain(&mut self.thin) {
+            let depth = depth(group, among_others, &self.ray, nearest.beyond);
+            nearest.beyond = select(nearest.owner.simd_lt(0.0), nearest.beyond, -depth);
+        }
+    }
+
+    /// Forgets what `other` shows before it, and has that forget the rest; of equally near ones this stays.
+    #[inline(always)]
+    fn compare(&mut self, other: &mut Self) {
+        let own = self.solid.iter_mut().chain(&mut self.thin);
+        for (own, other) in own.zip(other.solid.iter_mut().chain(&mut other.thin)) {
+            let is_farther = own.beyond.simd_gt(other.beyond);
+            own.forget(is_farther);
+            other.forget(!is_farther);
+        }
+    }
+
+    /// Whether the body at this place in the list owns a sample of `layer`, and that place for comparison.
+    #[inline(always)]
+    pub fn owned(simd: S, layer: &[Nearest<S>; N], owner: usize) -> Option<F<S>> {
+        let at = all(simd, owner as f32);
+        let mut owns = layer[0].owner.simd_eq(at);
+        for nearest in &layer[1..] {
+            owns = owns | nearest.owner.simd_eq(at);
+        }
+        owns.any_true().then_some(at)
+    }
+}
+
+impl<S: Simd, const N: usize> Drawn<S, N> {
+    /// Tells the nearest of several groups.
+    #[inline(always)]
+    fn tell_depths(&mut self, look: &Look<'_>) {
+        for packet in &mut self.packets {
+            let group = self.owners.get(packet.owners[0]).map_or(0, |owner| owner.group);
+            packet.tell_depths(&look.group(group), look.among_others(group));
+        }
+        for number in 1..self.packets.len() {
+            let (before, [packet, ..]) = self.packets.split_at_mut(number) else { return };
+            for other in before {
+                if other.place == packet.place {
+                    other.compare(packet);
+                }
+            }
+        }
+    }
+}
+
+impl<S: Simd> Nearest<S> {
+    #[inline(always)]
+    fn none(simd: S) -> Self {
+        Self { beyond: all(simd, f32::INFINITY), owner: all(simd, NONE) }
+    }
+
+    /// Takes a surface this far `beyond` of the body of this `number`, which will be `at` that place in the list, where
+    /// it `is_inside` and nearest, and says whether it is anywhere.
+    #[inline(always)]
+    fn take(&mut self, is_inside: Mask<S>, beyond: F<S>, at: F<S>, number: usize, owners: &[Owner]) -> bool {
+        let holds = is_inside & self.is_behind(beyond, number, owners);
+        self.beyond = select(holds, beyond, self.beyond);
+        self.owner = select(holds, at, self.owner);
+        holds.any_true()
+    }
+
+    #[inline(always)]
+    fn forget(&mut self, holds: Mask<S>) {
+        let none = Self::none(self.beyond.simd);
+        self.beyond = select(holds, none.beyond, self.beyond);
+        self.owner = select(holds, none.owner, self.owner);
+    }
+
+    /// Where a surface this far `beyond`, of the body of this `number`, is seen before it: of equally near ones the first.
+    #[inline(always)]
+    fn is_behind(&self, beyond: F<S>, number: usize, owners: &[Owner]) -> Mask<S> {
+        let is_farther = self.beyond.simd_gt(beyond);
+        let is_as_near = self.beyond.simd_eq(beyond);
+        if !is_as_near.any_true() {
+            return is_farther;
+        }
+        let mut is_later = [0; LANES];
+        for (is_later, owner) in is_later.iter_mut().zip(self.owner.as_slice()) {
+            let is_known = *owner >= 0.0;
+            *is_later = -i32::from(is_known && owners[*owner as usize].number > number);
+        }
+        is_farther | (is_as_near & Mask::simd_from(self.beyond.simd, is_later))
+    }
+}
+
+impl<S: Simd> Test<S> {
+    /// Of the `body` that is `seen`, whose `surface` was found; in a picture what is thinner than a pixel is drawn a pixel wide.
+    #[inline(always)]
+    pub fn new(
+        simd: S,
+        group: &Group<'_>,
+        seen: &Seen<'_>,
+        body: &Body<S>,
+        ray: &Ray<S>,
+        surface: Surface<S>,
+        is_picture: bool,
+    ) -> Self {
+        let kind = seen.body.kind;
+        let distance = ray.to_centre + surface.beyond;
+        let is_in_front = distance.simd_gt(0.0);
+        let zero = all(simd, 0.0);
+        let mut test = Self {
+            surface,
+            distance,
+            clearance: surface.clearance,
+            gradient: V2::new(zero, zero),
+            alpha: all(simd, 1.0),
+            is_there: is_in_front,
+        };
+        if !is_picture {
+            return test;
+        }
+        let movement = movement(group, ray, surface.outward);
+        let least = -distance.max(0.0);
+        test.gradient = V2::new(least * movement.x, least * movement.y);
+        let half_pixel = test.gradient.length() * 0.5;
+        test.alpha = (surface.half_width / half_pixel.max(1e-30)).min(1.0);
+        test.clearance += (half_pixel - surface.half_width).max(0.0);
+        let height = shape::middle(kind, body).z + surface.place.z + group.frame.middle[2];
+        test.is_there = is_in_front & height.simd_ge(group.frame.ground[2]);
+        test
+    }
+
+    /// In which pixels the sample this far from the centre is inside.
+    #[inline(always)]
+    fn holds(&self, [right, down]: [f32; 2]) -> Mask<S> {
+        let clearance = self.clearance + self.gradient.x * right + self.gradient.y * down;
+        clearance.simd_gt(0.0) & self.is_there
+    }
+}
+
+/// Writes the pixel in this lane of the packet with this corner, if it is in `tile`, into the rows that that is in.
+#[inline(always)]
+pub fn write_one<T>(tile: &Tile, [left, top]: [u32; 2], rows: &mut Rows<'_, T>, lane: usize, value: T) {
+    let [u, v] = [left + lane as u32 % 4, top + lane as u32 / 4];
+    if u < tile.corner[0] + tile.size[0] && v < tile.corner[1] + tile.size[1] {
+        rows.put([u, v], value);
+    }
+}
