@@ -137,9 +137,9 @@ impl Costs {
     #[must_use]
     pub fn expected_ms(&self, method: Method, geometry: Geometry, pixels: f64) -> f64 {
         self.measured_ms(method, geometry, pixels).unwrap_or_else(|| {
-            let beside = |record: &&Record| {
-                record.geometry == geometry && is_on_cpu(record.method) == is_on_cpu(method)
-            };
+            // A GPU that is software is the same processors.
+            let is_alike = |other| self.machine != Machine::Gpu || is_on_cpu(other) == is_on_cpu(method);
+            let beside = |record: &&Record| record.geometry == geometry && is_alike(record.method);
             let newest = self
                 .records
                 .iter()
