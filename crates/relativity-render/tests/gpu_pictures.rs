@@ -127,7 +127,11 @@ fn agree_with_the_reference(
         for appearance in appearances {
             let truth = reference.picture(&view, appearance, 1).rgba;
             // A mesh's normals are interpolated between corners.
-            let methods = [(Method::Rays, rays_levels), (Method::Mesh { bound_px }, mesh_levels)];
+            let methods = [
+                (Method::Rays, rays_levels),
+                (Method::Packets, rays_levels),
+                (Method::Mesh { bound_px }, mesh_levels),
+            ];
             for (method, levels) in methods.into_iter().filter(|(method, _)| method.of_view(&view) == *method)
             {
                 let drawn = renderers.picture(method, reference, &view, appearance, 1).expect("device works");
@@ -169,10 +173,12 @@ fn edges_are_the_references_on_average(renderers: &mut Renderers) {
     let bodies = still_life();
     let appearance = Appearance { intensity_exponent: None, sky: false, ..Appearance::default() };
     let scene = PreparedScene::moving(&bodies);
-    let [expected, found] = [Method::Reference, Method::Rays].map(|method| {
+    let [expected, rays, packets] = [Method::Reference, Method::Rays, Method::Packets].map(|method| {
         light(&renderers.picture(method, &scene, &fast(), &appearance, 4).expect("device works"))
     });
-    assert!((found / expected - 1.0).abs() < LIGHT_SHARE, "{found} for {expected}");
+    for found in [rays, packets] {
+        assert!((found / expected - 1.0).abs() < LIGHT_SHARE, "{found} for {expected}");
+    }
 }
 
 /// Sum of linear light.
@@ -187,7 +193,8 @@ fn every_speed_gives_a_picture(renderers: &mut Renderers) {
         let speed = Speed::from_gamma(gamma).expect("in range");
         for observation_time in [-10.0, 0.0, 5.0] {
             let view = View { observation_time, ..view(speed) };
-            for method in [Method::Rays, Method::Mesh { bound_px: Method::DEFAULT_BOUND_PX }] {
+            for method in [Method::Rays, Method::Packets, Method::Mesh { bound_px: Method::DEFAULT_BOUND_PX }]
+            {
                 let image = renderers.hits(method, &scene, &view).expect("device works");
                 for hit in image.hits.into_iter().flatten() {
                     assert!(

@@ -57,6 +57,9 @@ fn views_across_gaze() -> impl Iterator<Item = View> {
     })
 }
 
+/// On the GPU, and on the CPU.
+const METHODS: [Method; 2] = [Method::Rays, Method::Packets];
+
 /// What the documentation of the rays promises.
 struct Promise {
     wrong_percent: f64,
@@ -149,9 +152,23 @@ fn groups_agree_with_the_reference(renderers: &mut Renderers) {
 }
 
 fn agrees(renderers: &mut Renderers, reference: &PreparedScene, bodies: &[Body], view: &View) {
-    let image = renderers.hits(Method::Rays, reference, view).expect("device works");
     let truth = reference.hit_image(view);
-    let context = format!("{:?} gamma {} T {}", view.geometry, view.speed.gamma(), view.observation_time);
+    for method in METHODS {
+        let image = renderers.hits(method, reference, view).expect("device works");
+        let context =
+            format!("{method}, {:?} gamma {} T {}", view.geometry, view.speed.gamma(), view.observation_time);
+        agree(&image, &truth, &context, reference, bodies, view);
+    }
+}
+
+fn agree(
+    image: &HitImage,
+    truth: &HitImage,
+    context: &str,
+    reference: &PreparedScene,
+    bodies: &[Body],
+    view: &View,
+) {
     let mut wrong = 0;
     for (i, (hit, true_hit)) in image.hits.iter().zip(&truth.hits).enumerate() {
         if let (Some(hit), Some(true_hit)) = (hit, true_hit) {
@@ -169,8 +186,12 @@ fn agrees(renderers: &mut Renderers, reference: &PreparedScene, bodies: &[Body],
         let body = hit.map(|hit| hit.body);
         if body != true_hit.map(|hit| hit.body) {
             wrong += 1;
-            let nearby = bodies_around(reference, view, pixel(&image, i));
-            assert!(nearby.contains(&body), "{context}: pixel {:?} is wrong inside", pixel(&image, i));
+            let nearby = bodies_around(reference, view, pixel(image, i));
+            assert!(
+                nearby.contains(&body),
+                "{context}: pixel {:?} is wrong inside: {hit:?} for {true_hit:?}",
+                pixel(image, i)
+            );
         } else if let (Some(hit), Some(true_hit)) = (hit, true_hit)
             && hit.rest_normal.distance(true_hit.rest_normal) > 0.5
         {
@@ -208,9 +229,9 @@ fn around([u, v]: [f64; 2]) -> [[f64; 2]; 16] {
 }
 
 fn hits_appear_where_the_light_cone_says(renderers: &mut Renderers) {
-    for view in views() {
+    for (view, method) in views().flat_map(|view| METHODS.map(|method| (view, method))) {
         let image =
-            renderers.hits(Method::Rays, &PreparedScene::moving(&still_life()), &view).expect("device works");
+            renderers.hits(method, &PreparedScene::moving(&still_life()), &view).expect("device works");
         for (i, hit) in image.hits.iter().enumerate().filter_map(|(i, hit)| Some((i, (*hit)?))) {
             let point = SourcePoint::from_rest(hit.rest_position.to_array(), &view.speed);
             let seen = sighting(&view.speed, point, view.camera.aperture, view.observation_time);
@@ -230,14 +251,16 @@ fn where_surfaces_coincide_the_first_body_is_seen(renderers: &mut Renderers) {
     let mut bodies = joints();
     for _ in 0..2 {
         for view in views_across_gaze() {
-            let image =
-                renderers.hits(Method::Rays, &PreparedScene::moving(&bodies), &view).expect("device works");
-            let [shared, not_first] = shared_pixels(&image, &bodies, &view);
-            assert!(
-                not_first * 1000 <= shared.max(1000),
-                "gamma {}: {not_first} of {shared} pixels show the other body",
-                view.speed.gamma()
-            );
+            for method in METHODS {
+                let image =
+                    renderers.hits(method, &PreparedScene::moving(&bodies), &view).expect("device works");
+                let [shared, not_first] = shared_pixels(&image, &bodies, &view);
+                assert!(
+                    not_first * 1000 <= shared.max(1000),
+                    "{method}, gamma {}: {not_first} of {shared} pixels show the other body",
+                    view.speed.gamma()
+                );
+            }
             agrees(renderers, &PreparedScene::moving(&bodies), &bodies, &view);
         }
         bodies.reverse();

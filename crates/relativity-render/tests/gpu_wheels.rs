@@ -14,7 +14,7 @@ use wheels::{From, SPIN, scene, view_of_wheel};
 
 fn main() -> ExitCode {
     gpu_support::run(&[
-        ("the_rays_agree_with_the_reference", the_rays_agree_with_the_reference),
+        ("the_rays_and_packets_agree_with_the_reference", the_rays_and_packets_agree_with_the_reference),
         ("bounds_never_clip", bounds_never_clip),
         ("the_mesh_keeps_its_bound", the_mesh_keeps_its_bound),
         ("the_mesh_shows_points_where_they_are_seen", the_mesh_shows_points_where_they_are_seen),
@@ -40,15 +40,17 @@ static PROMISE: LazyLock<Promise> = LazyLock::new(|| Promise {
 const RENDERERS: &str = include_str!("../src/renderers.rs");
 
 /// From the side, before and behind, and in the wheel's plane, where rays run along spokes that overtake them.
-fn the_rays_agree_with_the_reference(renderers: &mut Renderers) {
+fn the_rays_and_packets_agree_with_the_reference(renderers: &mut Renderers) {
     let scene = scene();
-    for (beta, geometry) in BETAS.into_iter().flat_map(|beta| GEOMETRIES.map(|geometry| (beta, geometry))) {
+    let cases = BETAS.into_iter().flat_map(|beta| GEOMETRIES.map(|geometry| (beta, geometry)));
+    let methods = [Method::Rays, Method::Packets];
+    for (method, (beta, geometry)) in cases.flat_map(|case| methods.map(|method| (method, case))) {
         let (mut shown, mut wrong, mut most_off, mut most_doppler) = (0, 0, 0.0f64, 0.0f64);
         for (from, aside) in From::ALL.into_iter().flat_map(|from| ASIDE.map(|aside| (from, aside))) {
             let view = view_of_wheel(from, beta, geometry, aside);
             let truth = scene.hit_image(&view);
-            let image = renderers.hits(Method::Rays, &scene, &view).expect("device works");
-            let context = format!("{geometry:?} beta {beta} {from:?}");
+            let image = renderers.hits(method, &scene, &view).expect("device works");
+            let context = format!("{method}, {geometry:?} beta {beta} {from:?}");
             for (i, (hit, true_hit)) in image.hits.iter().zip(&truth.hits).enumerate() {
                 shown += usize::from(true_hit.is_some());
                 if hit.map(|hit| hit.body) != true_hit.map(|hit| hit.body) {
@@ -65,7 +67,7 @@ fn the_rays_agree_with_the_reference(renderers: &mut Renderers) {
             }
         }
         println!(
-            "{geometry:?} beta {beta}: {wrong} of {shown} wrong, {most_off} px off; D {most_doppler:.1e} gamma"
+            "{method}, {geometry:?} beta {beta}: {wrong} of {shown} wrong, {most_off} px off; D {most_doppler:.1e} gamma"
         );
         assert!(
             f64::from(wrong) <= 0.01 * PROMISE.wrong_percent * shown as f64,

@@ -4,6 +4,9 @@ use super::body::{Body, Capsule, Ray, Surface};
 use super::lanes::{Simd, SimdFloat, SimdMask, V3, clamp, select};
 use super::ray::nearest_to;
 
+/// How far beside the ends, in radii.
+const BESIDE: f32 = 0.02;
+
 /// The body's middle.
 #[inline(always)]
 pub fn middle<S: Simd>(body: &Body<S>) -> V3<S> {
@@ -44,14 +47,18 @@ pub fn surface<S: Simd>(body: &Body<S>, ray: &Ray<S>) -> Surface<S> {
     let mut beyond = anchor.dot(n) + s;
     let mut place = nearest + n * s;
     let along = nearest_along + s * cosine;
-    let is_cap = along.abs().simd_ge(extent);
-    if is_cap.any_true() {
+    // Beside an end the side is as near as the end is, but for rounding: what shares the end must not come before it there.
+    let is_near_cap = along.abs().simd_ge(extent - body.radius * BESIDE);
+    if is_near_cap.any_true() {
         // From the end itself: tubes that share a rounded end get the same depth there to the bit.
         let end = V3::select(along.simd_lt(0.0), body.place, body.form);
         let from_end = nearest_to(end, ray);
         let depth_squared = body.radius * body.radius - from_end.dot(from_end);
         let half_cap = depth_squared.max(0.0).sqrt();
-        beyond = select(is_cap, end.dot(n) - half_cap, beyond);
+        let beyond_cap = end.dot(n) - half_cap;
+        let is_first = is_near_cap & depth_squared.simd_gt(0.0) & beyond_cap.simd_lt(beyond);
+        let is_cap = is_first | along.abs().simd_ge(extent);
+        beyond = select(is_cap, beyond_cap, beyond);
         place = V3::select(is_cap, (end - anchor) + (from_end - n * half_cap), place);
     }
     let mut normal = outward;
