@@ -17,10 +17,21 @@ pub struct Painter {
     method: Method,
     /// Rays per pixel of the reference are the square of this.
     samples: u32,
-    /// What chooses the method, and what it last chose, where that is automatic.
-    automatic: Option<(Automatic, Option<Choice>)>,
+    /// What chooses the method, where that is automatic.
+    automatic: Option<Choosing>,
     /// When it was made.
     clock: Instant,
+}
+
+/// What chooses, and how far that is.
+struct Choosing {
+    automatic: Automatic,
+    /// What was chosen last.
+    choice: Option<Choice>,
+    /// Whether a picture was measured since.
+    is_measured: bool,
+    /// Whether it stays: once the first picture was measured, so that frames of a film look alike.
+    is_settled: bool,
 }
 
 impl Painter {
@@ -75,7 +86,7 @@ impl Painter {
         };
         let machine = Machine::of(gpu.as_ref());
         let automatic = Automatic::with_samples(machine, settings.picture.samples);
-        let automatic = Some((automatic, None));
+        let automatic = Some(Choosing { automatic, choice: None, is_measured: false, is_settled: false });
         Ok(Self { automatic, ..Self::of_method(settings, Method::Reference, gpu) })
     }
 
@@ -99,8 +110,8 @@ impl Painter {
         Ok(Self::of_method(settings, Method::Reference, None))
     }
 
-    /// Has what draws so many pictures like that of `view` chosen where that is automatic, by what is known of costs by now.
-    /// The `quality` that leads to this method again.
+    /// Has what draws so many pictures like that of `view` chosen where that is automatic: by what methods usually cost, and
+    /// once more when the first picture was measured. The `quality` that leads to this method again.
     #[must_use]
     pub fn choose(
         &mut self,
@@ -109,10 +120,11 @@ impl Painter {
         view: &View,
         pictures: usize,
     ) -> Quality {
-        if let Some((automatic, chosen)) = &mut self.automatic {
+        if let Some(choosing) = self.automatic.as_mut().filter(|choosing| !choosing.is_settled) {
             let pixels = pictures as f64 * view.camera.size.map(f64::from).iter().product::<f64>();
-            *chosen = automatic.choose(quality.goal, Sight { scene, view, pixels });
-            self.method = chosen.map_or(Method::Reference, |choice| choice.method);
+            choosing.choice = choosing.automatic.choose(quality.goal, Sight { scene, view, pixels });
+            choosing.is_settled = choosing.is_measured;
+            self.method = choosing.choice.map_or(Method::Reference, |choice| choice.method);
         }
         quality.with_method(self.method)
     }
@@ -130,11 +142,12 @@ impl Painter {
     ) -> anyhow::Result<Picture> {
         let start = Instant::now();
         let picture = self.renderers.picture(self.method, scene, view, appearance, self.samples)?;
-        if let Some((automatic, _)) = &mut self.automatic {
+        if let Some(Choosing { automatic, is_measured, .. }) = &mut self.automatic {
             let (method, now_ms) = (self.method.of_view(view), self.clock.elapsed_ms());
             let is_due = automatic.costs().is_due(method, view.geometry, now_ms);
             let pixels = picture.rgba.len() as f64;
             let measured = is_due.then(|| (start.elapsed_ms(), pixels));
+            *is_measured |= is_due;
             automatic.costs().note(method, view.geometry, measured, now_ms);
         }
         Ok(picture)
@@ -162,7 +175,7 @@ impl Painter {
             Method::Packets => format!("packets, f32 on {} threads", threads::count()),
             Method::Mesh { bound_px } => format!("mesh within {bound_px} px, f32 on {device}"),
         };
-        match self.automatic.as_ref().and_then(|(_, choice)| choice.as_ref()) {
+        match self.automatic.as_ref().and_then(|choosing| choosing.choice) {
             Some(choice) => format!("{method}; automatic: {choice}"),
             None => method,
         }

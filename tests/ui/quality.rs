@@ -37,7 +37,7 @@ fn examined(beta: f64) -> State {
 
 /// A window whose small views are measured soon.
 fn small_window(state: State) -> Harness<'static, App> {
-    window_of_size(state, [1000.0, 560.0], 1.0)
+    window_of_size(state, [1000.0, 720.0], 1.0)
 }
 
 /// Frames until nothing is left to do in the background.

@@ -137,9 +137,9 @@ impl Costs {
     #[must_use]
     pub fn expected_ms(&self, method: Method, geometry: Geometry, pixels: f64) -> f64 {
         self.measured_ms(method, geometry, pixels).unwrap_or_else(|| {
-            let beside = |record: &&Record| {
-                record.geometry == geometry && is_on_cpu(record.method) == is_on_cpu(method)
-            };
+            // A GPU that is software is the same processors.
+            let is_alike = |other| self.machine != Machine::Gpu || is_on_cpu(other) == is_on_cpu(method);
+            let beside = |record: &&Record| record.geometry == geometry && is_alike(record.method);
             let newest = self
                 .records
                 .iter()
@@ -153,22 +153,22 @@ impl Costs {
     }
 }
 
-/// What a method is taken to cost before anything is measured, milliseconds per megapixel: of the start view, on two cores or
-/// a GPU of a desk's computer. Only their order and their ratios count.
+/// What a method is taken to cost before anything is measured, milliseconds per megapixel: as the presets do on two cores,
+/// or with a GPU of a desk's computer. Only their order and their ratios count.
 fn usual_ms(machine: Machine, samples: u32, method: Method) -> f64 {
     let is_real = machine == Machine::Gpu;
     match method {
-        Method::Packets => 12.0,
-        Method::Reference => 42.0 * f64::from(samples * samples),
+        Method::Packets => 20.0,
+        Method::Reference => 150.0 * f64::from(samples * samples),
         Method::Rays => {
             if is_real {
                 0.5
             } else {
-                34.0
+                45.0
             }
         }
         Method::Mesh { bound_px } => {
-            let at_one_px = if is_real { 1.0 } else { 50.0 };
+            let at_one_px = if is_real { 1.0 } else { 100.0 };
             at_one_px / bound_px.sqrt()
         }
     }

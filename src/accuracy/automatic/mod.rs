@@ -4,20 +4,20 @@
 //! then while pictures change, in at most [`TRIED_SHARE`] of the time.
 
 mod best;
+mod choice;
 mod costs;
 mod stated;
 #[cfg(test)]
 mod tests;
-mod words;
 
 use relativity_render::{Geometry, Method, PreparedScene, View};
 
 use best::{Offer, best};
+pub use choice::{Choice, method_name};
 use costs::Costs;
 pub use costs::Machine;
 pub use stated::F32_ERROR_PX;
 use stated::{Candidate, candidates};
-pub use words::method_name;
 
 use super::REFERENCE_SAMPLES;
 use crate::flags::Goal;
@@ -32,23 +32,6 @@ const STALE_MS: f64 = 10_000.0;
 const FAR_WORSE: f64 = 3.0;
 /// What is expected to, without a measurement, is not tried at all.
 const EXPECTED_FAR_WORSE: f64 = 5.0;
-
-/// What was chosen, and why.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Choice {
-    /// What draws.
-    pub method: Method,
-    /// No point is drawn further from where it is seen, pixels.
-    pub error_px: f64,
-    /// What a frame's pictures take, milliseconds.
-    pub ms: f64,
-    /// Whether that was measured, else it is expected.
-    pub is_measured: bool,
-    /// What was to be kept.
-    pub goal: Goal,
-    /// Whether it is kept, as far as is known.
-    pub holds: bool,
-}
 
 /// The views of a frame that are drawn by one method.
 #[derive(Debug, Clone, Copy)]

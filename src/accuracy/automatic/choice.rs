@@ -1,12 +1,28 @@
-//! What was chosen, in words.
+//! What was chosen, and in words.
 
 use std::fmt;
 
 use relativity_render::Method;
 
-use super::Choice;
 use crate::figures;
 use crate::flags::Goal;
+
+/// What was chosen, and why.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Choice {
+    /// What draws.
+    pub method: Method,
+    /// No point is drawn further from where it is seen, pixels.
+    pub error_px: f64,
+    /// What a frame's pictures take, milliseconds.
+    pub ms: f64,
+    /// Whether that was measured, else it is expected.
+    pub is_measured: bool,
+    /// What was to be kept.
+    pub goal: Goal,
+    /// Whether it is kept, as far as is known.
+    pub holds: bool,
+}
 
 /// What a method is called.
 #[must_use]
@@ -33,7 +49,9 @@ impl fmt::Display for Choice {
         };
         f.write_str(&name)?;
         if self.is_measured {
-            write!(f, ", {} ms", figures::significant(self.ms, 2))?;
+            let ms =
+                if self.ms < 99.5 { figures::significant(self.ms, 2) } else { figures::fixed(self.ms, 0) };
+            write!(f, ", {ms} ms")?;
             if let (Goal::Budget(budget), true) = (self.goal, self.holds) {
                 write!(f, " of {}", short(budget))?;
             }
