@@ -1,7 +1,7 @@
 //! The first body of a group that a straight ray enters.
 
 use crate::group_view::GroupView;
-use crate::hierarchy::{Beam, Candidate};
+use crate::hierarchy::{Beam, Candidate, Line};
 use crate::intersect::Entry;
 use crate::ray::Ray;
 use crate::scene::PreparedScene;
@@ -82,7 +82,7 @@ impl PreparedScene {
         for &body in chosen.others {
             first.enter(body);
         }
-        let along = || Beam::of_ray(ray, prepared.extent.middle);
+        let along = || Line::new(ray, prepared.extent.middle);
         match chosen.standing {
             None => {}
             Some(Standing::Few(candidates)) => {

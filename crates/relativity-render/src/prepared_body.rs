@@ -1,7 +1,6 @@
 //! A body prepared for every way to draw it: all of it that no view changes, worked out once per scene.
 
 use std::collections::HashMap;
-use std::hash::Hash;
 use std::ops::Range;
 
 use glam::{DQuat, DVec3};
@@ -51,11 +50,11 @@ pub struct PreparedBody {
     /// Whether its surface may coincide with another's.
     pub(crate) joint: Joint,
     /// The block that contains it, if it has one.
-    pub(crate) block: Option<Block>,
+    pub(crate) block: Option<Box<Block>>,
     /// Which of the scene's capsules contain it otherwise.
     pub(crate) capsules: Range<usize>,
     /// Its pattern; `None` for a plain one.
-    pub(crate) marking: Option<Marking>,
+    pub(crate) marking: Option<Box<Marking>>,
     /// How it turns within its group.
     pub spin: Option<Spin>,
     /// Whether turning changes where its surface is.
@@ -134,7 +133,7 @@ impl PreparedBody {
     ) -> Self {
         let turn = turn_of(&body.shape);
         let first = capsules.len();
-        let block = block(&body.shape);
+        let block = block(&body.shape).map(Box::new);
         if block.is_none() {
             add_capsules(&body.shape, capsules);
         }
@@ -152,7 +151,7 @@ impl PreparedBody {
             joint: Joint::default(),
             block,
             capsules: first..capsules.len(),
-            marking: Marking::new(body.pattern, Form::new(&body.shape), turn),
+            marking: Marking::new(body.pattern, Form::new(&body.shape), turn).map(Box::new),
             spin: body.spin,
             is_turned: body.displacing_spin().is_some(),
             is_patterned: false,
@@ -166,7 +165,7 @@ impl PreparedBody {
 
     /// Its pattern for the shaders: 0 for none, and else what it is, and its steps along and around.
     pub(crate) fn pattern(&self) -> [f32; 3] {
-        self.marking.map_or([0.0; 3], |marking| marking.packed())
+        self.marking.as_ref().map_or([0.0; 3], |marking| marking.packed())
     }
 
     /// The centres of the ends of a tube, or of another body, as bits.
@@ -217,13 +216,19 @@ pub(crate) fn number_emissions(bodies: &mut [PreparedBody]) -> Vec<Emission> {
 }
 
 /// Which of `bodies` have an end in one place with another that has the same `trait_of`.
-fn shared_ends<T: Eq + Hash>(bodies: &[PreparedBody], trait_of: impl Fn(&PreparedBody) -> T) -> Vec<bool> {
-    let ends = |body| PreparedBody::ends(body).map(|end| (end, trait_of(body)));
-    let mut bodies_at = HashMap::<_, u32>::new();
-    for end in bodies.iter().flat_map(ends) {
-        *bodies_at.entry(end).or_default() += 1;
+fn shared_ends<T: Ord>(bodies: &[PreparedBody], trait_of: impl Fn(&PreparedBody) -> T) -> Vec<bool> {
+    let ends = bodies.iter().enumerate();
+    let ends = ends.flat_map(|(place, body)| body.ends().map(move |end| (end, place)));
+    let mut ends: Vec<_> = ends.map(|(end, place)| (end, trait_of(&bodies[place]), place)).collect();
+    ends.sort_unstable();
+    let mut are_shared = vec![false; bodies.len()];
+    for [first, second] in ends.array_windows() {
+        if (first.0, &first.1) == (second.0, &second.1) && first.2 != second.2 {
+            are_shared[first.2] = true;
+            are_shared[second.2] = true;
+        }
     }
-    bodies.iter().map(|body| ends(body).any(|end| bodies_at[&end] > 1)).collect()
+    are_shared
 }
 
 /// For the shaders.

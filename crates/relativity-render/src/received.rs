@@ -44,7 +44,7 @@ impl PreparedScene {
             let mut shares = Shares::default();
             for body in &self.bodies()[group.bodies.clone()] {
                 let light = Light::new(body.emission, appearance);
-                let ball = body.block.map(|block| block.ball_around());
+                let ball = body.block.as_ref().map(|block| block.ball_around());
                 let capsules = ball.as_ref().map_or_else(|| self.capsules(body), slice::from_ref);
                 let samples = capsules.iter().flat_map(|capsule| samples(capsule, body, &seen));
                 for Sample { weight, doppler_factor } in samples {

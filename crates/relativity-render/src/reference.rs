@@ -231,7 +231,7 @@ impl PreparedScene {
         let place = hit.material_position - self.solid(hit.body).center();
         let covered =
             if hit.turn == 0.0 { covered } else { covered.turned(DQuat::from_rotation_y(-hit.turn)) };
-        body.marking.map_or(1.0, |marking| marking.mark(place, hit.material_normal(), covered))
+        body.marking.as_ref().map_or(1.0, |marking| marking.mark(place, hit.material_normal(), covered))
     }
 
     /// What a sample covers of the surface at `hit`, where `line_of_sight` turns so to those beside and below it.

@@ -183,9 +183,9 @@ impl<'a> Sight<'a> {
             let around = scene.ball_around(body);
             let center = projection.apparent_centre(view.reflected_from_camera(around.from), around.radius);
             let ball = center.map(|center| Ball { center, radius: around.radius });
-            let bounds = match (scene.turning(body.number), body.block) {
+            let bounds = match (scene.turning(body.number), &body.block) {
                 (Some(turning), _) => Bounds::Turning(turning.ring_around()),
-                (None, Some(block)) => Bounds::Block(block),
+                (None, Some(block)) => Bounds::Block(**block),
                 (None, None) => Bounds::Capsules(scene.capsules(body)),
             };
             Seen { ball, bounds, images: OnceCell::new() }

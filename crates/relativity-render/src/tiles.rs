@@ -6,6 +6,9 @@ use crate::cap::Cap;
 /// Side of a tile that is not halved any more, pixels; those at the right and lower edge may be smaller.
 pub const TILE_SIDE: u32 = 8;
 
+/// How far around a tile is looked, px: what is thinner than a pixel is widened to one.
+const ROOM: f64 = 0.4;
+
 /// A rectangle of pixels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Tile {
@@ -43,8 +46,8 @@ impl Tile {
     /// latitude, where along each edge the cosine of that angle rises to one maximum and falls. That holds below a right
     /// angle; in no more than the largest tiles of a picture is it wider.
     pub fn cap(self, lines_of_sight: &LinesOfSight) -> Cap {
-        let [left, top] = self.corner.map(f64::from);
-        let [width, height] = self.size.map(f64::from);
+        let [left, top] = self.corner.map(|place| f64::from(place) - ROOM);
+        let [width, height] = self.size.map(|side| f64::from(side) + 2.0 * ROOM);
         let through = |x: f64, y: f64| lines_of_sight.through([left + x * width, top + y * height]);
         let corners = [through(0.0, 0.0), through(1.0, 0.0), through(0.0, 1.0), through(1.0, 1.0)];
         Cap::around(through(0.5, 0.5), corners)

@@ -30,6 +30,48 @@ pub struct Beam {
     spread: f32,
 }
 
+/// One ray.
+#[derive(Debug, Clone, Copy)]
+pub struct Line {
+    /// Two directions across it and each other, without and with their signs, and how far along them it passes the middle
+    /// of the group.
+    across: [(Vec3, Vec3, f32); 2],
+    axis: Vec3,
+}
+
+/// What looks for boxes.
+pub trait Looks {
+    /// How far beyond the middle of the group it meets a box at least, both told from there; `None` if it passes.
+    fn nearest(&self, center: Vec3, half: Vec3) -> Option<f32>;
+}
+
+impl Line {
+    /// Of `ray`, counted from its point nearest to `middle`.
+    #[must_use]
+    pub fn new(ray: &Ray, middle: DVec3) -> Self {
+        let place = ray.start - middle;
+        let side = |normal: DVec3| {
+            let side = normal.as_vec3();
+            (side, side.abs() + ROUNDING, normal.dot(place) as f32)
+        };
+        Self { across: across(ray.direction).map(side), axis: ray.direction.as_vec3() }
+    }
+}
+
+impl Looks for Line {
+    #[inline]
+    fn nearest(&self, center: Vec3, half: Vec3) -> Option<f32> {
+        let reach = half + ROUNDING * center.abs();
+        let [(u, u_size, u_offset), (v, v_size, v_offset)] = self.across;
+        let off_u = (u.dot(center) - u_offset).abs() - ROUNDING * u_offset.abs();
+        let off_v = (v.dot(center) - v_offset).abs() - ROUNDING * v_offset.abs();
+        if off_u > u_size.dot(reach) || off_v > v_size.dot(reach) {
+            return None;
+        }
+        Some(self.axis.dot(center) - (self.axis.abs() + ROUNDING).dot(reach))
+    }
+}
+
 impl Beam {
     /// The rays of the lines of sight within the ground's `cap`, as `view` has them in its group, from near `middle`.
     /// `None` where they are too wide, or curved, to be told so.
@@ -47,15 +89,6 @@ impl Beam {
         Some(Self::within(planes, axis, FRAC_PI_2 * sine))
     }
 
-    /// One `ray`, counted from its point nearest to `middle`.
-    #[must_use]
-    pub fn of_ray(ray: &Ray, middle: DVec3) -> Self {
-        let [u, v] = across(ray.direction);
-        let place = ray.start - middle;
-        let planes = [u, -u, v, -v].map(|normal| (normal.as_vec3(), normal.dot(place) as f32));
-        Self::within(planes, ray.direction, 0.0)
-    }
-
     fn within(planes: [(Vec3, f32); 4], axis: DVec3, half_angle: f64) -> Self {
         let part = |axis: usize| planes.map(|(normal, _)| normal[axis]);
         let normals = [part(0), part(1), part(2)];
@@ -67,11 +100,11 @@ impl Beam {
             spread: (half_angle * 1.01) as f32 + ROUNDING,
         }
     }
+}
 
-    /// How far beyond the middle of the group it meets a box at least, both told from there; `None` if it passes.
+impl Looks for Beam {
     #[inline]
-    #[must_use]
-    pub fn nearest(&self, center: Vec3, half: Vec3) -> Option<f32> {
+    fn nearest(&self, center: Vec3, half: Vec3) -> Option<f32> {
         let reach = half + ROUNDING * center.abs();
         let mut is_outside = false;
         for i in 0..4 {

@@ -10,7 +10,7 @@ use super::{Hierarchy, IN_PIECES, MOST_WAITING, Node, Piece};
 /// Places, along the longest side, at which a division is tried.
 const BINS: usize = 16;
 /// So many are not divided any more.
-const MOST_IN_LEAF: usize = 2;
+const MOST_IN_LEAF: usize = 1;
 /// Fewer than this are built by one thread.
 const LEAST_FOR_TWO: usize = 4096;
 /// Below this depth boxes are halved by number, so that none is deeper than what may wait.

@@ -10,7 +10,7 @@ mod pieces;
 
 use glam::{DVec3, Vec3};
 
-pub use beam::Beam;
+pub use beam::{Beam, Line, Looks};
 pub use pieces::pieces;
 
 /// Marks a body in [`Hierarchy::bodies`] of which there is more than one piece.
@@ -74,14 +74,14 @@ impl Hierarchy {
         is_met
     }
 
-    /// Has `visit` told of all that `beam` may meet, about from the nearest to the farthest. What lies farther beyond the
+    /// Has `visit` told of all that `looks` may meet, about from the nearest to the farthest. What lies farther beyond the
     /// middle of the group than `visit` answers is left out from then on.
-    pub fn along(&self, beam: &Beam, mut visit: impl FnMut(Candidate) -> f32) {
+    pub fn along(&self, looks: &impl Looks, mut visit: impl FnMut(Candidate) -> f32) {
         let Some(root) = self.nodes.first() else { return };
         let mut waiting = [(0_u32, 0_f32); MOST_WAITING];
         let mut count = 0;
         let mut farthest = f32::INFINITY;
-        let mut next = beam.nearest(root.center, root.half).map(|nearest| (0, nearest));
+        let mut next = looks.nearest(root.center, root.half).map(|nearest| (0, nearest));
         loop {
             let (number, nearest) = match next.take() {
                 Some(node) => node,
@@ -104,7 +104,7 @@ impl Hierarchy {
             }
             let child = |number: u32| {
                 let child = &self.nodes[number as usize];
-                Some((number, beam.nearest(child.center, child.half)?))
+                Some((number, looks.nearest(child.center, child.half)?))
             };
             let children = [child(number + 1), child(node.start)];
             let (near, far) = match children {

@@ -9,7 +9,8 @@ use super::tile::packet_places;
 #[derive(Debug, Clone, Copy)]
 pub struct Middles<S: Simd> {
     ray: Ray<S>,
-    /// Per distance, with a pixel and a half around the packet. Without an end where its image is not small.
+    /// Per distance, with a pixel around the middles of its pixels: no sample is further off them than 0.4 px, and nothing is
+    /// widened by more than half a pixel. Without an end where its image is not small.
     spread: F<S>,
 }
 
@@ -25,13 +26,13 @@ impl<S: Simd> Middles<S> {
         let v = F::simd_from(simd, places.map(|[_, v]| v));
         let ray = rest_ray(simd, group, line_of_sight(simd, group.frame, u, v));
         let mut off_squared = all(simd, 0.0);
-        for (right, down) in [(-3.5, -2.5), (3.5, -2.5), (-3.5, 2.5), (3.5, 2.5)] {
+        for (right, down) in [(-2.5, -1.5), (2.5, -1.5), (-2.5, 1.5), (2.5, 1.5)] {
             let at_corner = rest_ray(simd, group, line_of_sight(simd, group.frame, u + right, v + down));
             let off = at_corner.direction - ray.direction;
             off_squared = off_squared.max(off.dot(off));
         }
         let off = off_squared.sqrt();
-        let spread = select(off.simd_lt(0.1), off * 1.3 + 1e-6, all(simd, f32::INFINITY));
+        let spread = select(off.simd_lt(0.03), off * 1.05 + 1e-6, all(simd, f32::INFINITY));
         Self { ray, spread }
     }
 

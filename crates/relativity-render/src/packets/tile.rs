@@ -236,14 +236,14 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
                 number
             }
         };
-        let ray = self.drawn.packets[number].ray;
-        let surface = surface_when_shown(simd, seen.body.kind, seen.turns, &group, body, &ray, spin);
-        // Farther outside than a pixel and a half it is in no sample, and not widened into one.
+        let ray = &self.drawn.packets[number].ray;
+        let surface = surface_when_shown(simd, seen.body.kind, seen.turns, &group, body, ray, spin);
+        // Farther outside than a pixel it is in no sample, and not widened into one.
         let pixels = (ray.to_centre + surface.beyond).max(0.0) * self.middles.spread_of(place);
         if !(surface.clearance + pixels).simd_gt(0.0).any_true() {
             return false;
         }
-        let test = Test::new(simd, &group, seen, body, &ray, surface, N > 1);
+        let test = Test::new(simd, &group, seen, body, ray, surface, N > 1);
         let is_whole = test.alpha.simd_ge(1.0);
         let is_thin = !is_whole;
         let (any_whole, any_thin) = (is_whole.any_true(), is_thin.any_true());

@@ -106,7 +106,7 @@ impl Pieces {
         body: &PreparedBody,
     ) {
         self.rectangles.clear();
-        match (body.spin, body.block) {
+        match (body.spin, &body.block) {
             (Some(spin), _) if view.turns(body) == Turns::About => {
                 self.shown.clear();
                 view.capsules_when_shown(&spin, scene.around(body), &mut self.shown);
