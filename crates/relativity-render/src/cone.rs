@@ -85,13 +85,6 @@ impl Cone {
         Self { axis: wide.axis * cos + across * sin, half_angle }
     }
 
-    /// Whether the cones share a direction, with a little to spare for rounding.
-    #[must_use]
-    pub fn meets(&self, other: &Self) -> bool {
-        let between = atan2(self.axis.cross(other.axis).length(), self.axis.dot(other.axis));
-        between <= (self.half_angle + other.half_angle) * (1.0 + 1e-12) + 1e-14
-    }
-
     /// The ground's cone of this rest-frame cone of half-angle up to pi/2, for motion along +x.
     ///
     /// In the plane through `axis` and x the cone ends at the angles psi +- `half_angle` from x, and

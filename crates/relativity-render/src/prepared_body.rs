@@ -45,8 +45,6 @@ pub struct PreparedBody {
     pub(crate) turn: DQuat,
     /// The same for the shaders.
     pub(crate) placement: Placement,
-    /// What triangles approach.
-    pub(crate) surface: Surface,
     /// Whether its surface may coincide with another's.
     pub(crate) joint: Joint,
     /// The block that contains it, if it has one.
@@ -147,7 +145,6 @@ impl PreparedBody {
             shape: body.shape,
             turn,
             placement: Placement::new(&body.shape, turn, extent.middle),
-            surface: Surface::new(&body.shape),
             joint: Joint::default(),
             block,
             capsules: first..capsules.len(),
@@ -156,6 +153,11 @@ impl PreparedBody {
             is_turned: body.displacing_spin().is_some(),
             is_patterned: false,
         }
+    }
+
+    /// What triangles approach.
+    pub(crate) fn surface(&self) -> Surface {
+        Surface::new(&self.shape, self.turn)
     }
 
     /// Its number for the shaders: floats hold those up to 2^24.

@@ -4,7 +4,6 @@ use glam::{DQuat, DVec3};
 use relativity_core::math;
 
 use crate::body::Shape;
-use crate::turn::turn_of;
 
 /// A body's surface in the rest frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -56,9 +55,8 @@ pub struct CylinderSurface {
 }
 
 impl Surface {
-    /// Of `shape`.
-    pub fn new(shape: &Shape) -> Self {
-        let turn = turn_of(shape);
+    /// Of `shape`, whose own axes are turned so.
+    pub fn new(shape: &Shape, turn: DQuat) -> Self {
         match *shape {
             Shape::Sphere { center, radius } => {
                 Self::Tube(TubeSurface { center: center.into(), turn, half_length: 0.0, radius })

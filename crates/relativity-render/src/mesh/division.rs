@@ -46,7 +46,7 @@ pub fn division(body: &PreparedBody, view: &GroupView, bound_px: f64) -> Divisio
         focal_length_px: view.camera.focal_length_px(),
         bound_px: 0.25 * bound_px,
     };
-    match &body.surface {
+    match &body.surface() {
         Surface::Tube(tube) => {
             let arc = curvature.of_arcs(tube);
             let side = || curvature.greatest(|t, angle, h| tube.side(t + h, angle));

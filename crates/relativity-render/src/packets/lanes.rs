@@ -63,12 +63,6 @@ pub fn clamp<S: Simd>(value: F<S>, low: F<S>, high: F<S>) -> F<S> {
     value.max(low).min(high)
 }
 
-/// From `first` at 0 to `second` at 1.
-#[inline(always)]
-pub fn mix<S: Simd>(first: F<S>, second: F<S>, share: F<S>) -> F<S> {
-    first * (1.0 - share) + second * share
-}
-
 /// 1, or -1 below 0.
 #[inline(always)]
 pub fn sign_of<S: Simd>(x: F<S>) -> F<S> {
@@ -229,16 +223,6 @@ impl<S: Simd> V3<S> {
     #[inline(always)]
     pub fn lane(self, lane: usize) -> [f32; 3] {
         [self.x[lane], self.y[lane], self.z[lane]]
-    }
-
-    /// Of what each of the pixels has.
-    #[inline(always)]
-    pub fn from_lanes(simd: S, lanes: [[f32; 3]; LANES]) -> Self {
-        let part = |axis: usize| {
-            let values: [f32; LANES] = array::from_fn(|lane| lanes[lane][axis]);
-            F::simd_from(simd, values)
-        };
-        Self { x: part(0), y: part(1), z: part(2) }
     }
 }
 

@@ -3,7 +3,6 @@
 use std::collections::HashMap;
 use std::sync::OnceLock;
 
-use crate::backdrop::Floor;
 use crate::effects::Effects;
 use crate::frame::Frame;
 use crate::group_view::GroupView;
@@ -21,8 +20,6 @@ pub struct Look<'a> {
     pub scene: &'a PreparedScene,
     /// How each of the groups is seen.
     pub views: Vec<GroupView>,
-    /// The looks of a picture; `None` asks for numbers.
-    pub appearance: Option<&'a Appearance>,
     frames: Vec<Frame>,
     /// What turns, by its number.
     turning: HashMap<usize, (Turns, Shown)>,
@@ -39,7 +36,8 @@ pub struct Seen<'a> {
 }
 
 impl<'a> Look<'a> {
-    pub fn new(scene: &'a PreparedScene, view: &View, appearance: Option<&'a Appearance>) -> Self {
+    /// A picture that looks as `appearance` says, or numbers.
+    pub fn new(scene: &'a PreparedScene, view: &View, appearance: Option<&Appearance>) -> Self {
         let views = scene.group_views(view);
         let frames = Frame::of_groups(scene, &views, appearance.unwrap_or(&Appearance::default()));
         let turning = scene.spinning().iter().filter_map(|&number| {
@@ -54,7 +52,6 @@ impl<'a> Look<'a> {
             lights: scene.emissions().iter().map(|_| Default::default()).collect(),
             scene,
             views,
-            appearance,
             frames,
         }
     }
@@ -72,11 +69,6 @@ impl<'a> Look<'a> {
     /// The frame of what lies behind all groups.
     pub fn frame(&self) -> &Frame {
         &self.frames[0]
-    }
-
-    /// What is to be seen below the horizon.
-    pub fn floor(&self) -> Floor {
-        self.frame().floor()
     }
 
     /// The body of this number.
