@@ -13,7 +13,7 @@ mod rounds;
 mod spread;
 mod views;
 
-pub use automatic::{Automatic, Choice, F32_ERROR_PX, Machine, Sight, method_name};
+pub use automatic::{Automatic, Choice, Machine, Sight, method_name};
 pub use cost::{MESH_BOUNDS_PX, REFERENCE_SAMPLES, frame_ms, methods};
 pub use difference::{ARCSECONDS, Difference, DifferenceFigures, PixelDifference, angle};
 pub use expected::{Effort, ExpectedError, expected_error};

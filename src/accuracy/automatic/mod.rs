@@ -16,7 +16,6 @@ use best::{Offer, best};
 pub use choice::{Choice, method_name};
 use costs::Costs;
 pub use costs::Machine;
-pub use stated::F32_ERROR_PX;
 use stated::{Candidate, candidates};
 
 use super::REFERENCE_SAMPLES;

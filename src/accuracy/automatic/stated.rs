@@ -6,7 +6,7 @@ use crate::flags::Goal;
 use crate::settings::BOUND_PX;
 
 /// How far what is drawn in f32 is off up to [`MEASURED_GAMMA`], pixels (README, Accuracy and speed).
-pub const F32_ERROR_PX: f64 = 0.002;
+const F32_ERROR_PX: f64 = 0.002;
 /// The same as an angle, radians: what counts where a pixel is small.
 const F32_ERROR_RADIANS: f64 = 1e-6;
 /// The greatest gamma for which that is measured.
