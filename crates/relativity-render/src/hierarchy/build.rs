@@ -5,7 +5,8 @@
 use glam::{DVec3, Vec3};
 use relativity_core::threads::join;
 
-use super::{Hierarchy, IN_PIECES, MOST_WAITING, Node, Piece};
+use super::pieces::Piece;
+use super::{Hierarchy, IN_PIECES, MOST_WAITING, Node};
 
 /// Places, along the longest side, at which a division is tried.
 const BINS: usize = 16;

@@ -8,7 +8,7 @@ mod beam;
 mod build;
 mod pieces;
 
-use glam::{DVec3, Vec3};
+use glam::Vec3;
 
 pub use beam::{Beam, Line, Looks};
 pub use pieces::pieces;
@@ -34,17 +34,6 @@ struct Node {
     start: u32,
     half: Vec3,
     count: u32,
-}
-
-/// A part of a body, in a box.
-#[derive(Debug, Clone, Copy)]
-pub struct Piece {
-    /// The number of the body.
-    pub body: u32,
-    /// Whether it has others.
-    pub is_one_of_some: bool,
-    /// The lowest and the highest corner, rest frame.
-    pub corners: [DVec3; 2],
 }
 
 /// What a beam may meet.

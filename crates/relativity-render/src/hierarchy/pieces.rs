@@ -4,7 +4,6 @@ use std::iter;
 
 use glam::DVec3;
 
-use super::Piece;
 use crate::capsule::Capsule;
 use crate::intersect::{Form, Solid};
 use crate::prepared_body::Extent;
@@ -15,6 +14,17 @@ const LONG: f64 = 1.0 / 24.0;
 const LEAST_SLENDER: f64 = 3.0;
 /// Most halvings of one.
 const MOST_HALVINGS: u32 = 4;
+
+/// A part of a body, in a box.
+#[derive(Debug, Clone, Copy)]
+pub struct Piece {
+    /// The number of the body.
+    pub body: u32,
+    /// Whether it has others.
+    pub is_one_of_some: bool,
+    /// The lowest and the highest corner, rest frame.
+    pub corners: [DVec3; 2],
+}
 
 /// Those of the body of this `number` and form, which these capsules contain if there are any, in a group of this `extent`.
 pub fn pieces(

@@ -1,7 +1,6 @@
 //! A body, a ray, and where they meet, as `shaders/body.wgsl` has them.
 
-use super::lanes::{F, Mask, Quaternion, Simd, SimdFloat, V3, all, clamp, select};
-use super::ray::movement;
+use super::lanes::{F, Mask, Quaternion, Simd, V3, all, select};
 use crate::frame::Frame;
 use crate::prepared_body::Placement;
 use crate::view::Geometry;
@@ -150,23 +149,4 @@ pub fn own_ray<S: Simd>(simd: S, body: &Body<S>, ray: &Ray<S>) -> OwnRay<S> {
     let far = V3::all(simd, [1e15; 3]);
     let moment = body.body_from_rest(ray.moment + body.place.cross(ray.direction)).clamp(-far, far);
     OwnRay { direction, moment, nearest: moment.cross(direction) }
-}
-
-/// How much of what pixels show of two faces is the other than that which their rays meet: these pass the common edge at
-/// the distance `from_edge`, `across` is the unit vector across the edge and the ray, and `width` that of the other face
-/// as it is seen.
-#[inline(always)]
-pub fn share_of_other<S: Simd>(
-    group: &Group,
-    from_edge: F<S>,
-    width: F<S>,
-    across: V3<S>,
-    ray: &Ray<S>,
-    beyond: F<S>,
-) -> F<S> {
-    let simd = beyond.simd;
-    let pixel = ((ray.to_centre + beyond) * movement(group, ray, across).length()).max(1e-30);
-    let own = 0.5 + (from_edge / pixel).min(0.5);
-    let other = clamp(0.5 - from_edge / pixel, all(simd, 0.0), (width / pixel).max(0.0));
-    other / (own + other)
 }

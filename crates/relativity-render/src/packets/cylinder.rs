@@ -1,6 +1,7 @@
 //! Rays against cylinders with flat ends: `shaders/cylinder.wgsl`.
 
-use super::body::{Body, Capsule, Group, Ray, Surface, own_ray, share_of_other};
+use super::body::{Body, Capsule, Group, Ray, Surface, own_ray};
+use super::edge::share_of_other;
 use super::lanes::{F, Simd, SimdFloat, V2, V3, all, clamp, select, sign_of};
 
 /// The body's middle.

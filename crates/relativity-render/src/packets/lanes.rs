@@ -3,7 +3,6 @@
 //! Only `+ - * /`, roots, comparisons and roundings are used, which IEEE 754 fixes to the bit, and no fused ones: so
 //! pictures are the same whatever registers a processor has.
 
-use std::array;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 pub use fearless_simd::prelude::*;

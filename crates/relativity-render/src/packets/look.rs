@@ -75,9 +75,9 @@ impl<'a> Look<'a> {
     pub fn seen(&self, number: usize) -> Seen<'_> {
         let body = &self.scene.bodies()[number];
         let turning = if body.spin.is_some() { self.turning.get(&number) } else { None };
-        let (turns, shown) = turning.copied().unwrap_or_else(|| {
-            (Turns::Not, Shown { placement: body.placement, spin: [0.0; 4], rim: [0.0; 2] })
-        });
+        let (turns, shown) = turning
+            .copied()
+            .unwrap_or((Turns::Not, Shown { placement: body.placement, spin: [0.0; 4], rim: [0.0; 2] }));
         Seen { body, turns, shown }
     }
 

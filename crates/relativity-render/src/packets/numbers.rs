@@ -3,7 +3,8 @@
 use super::body::Body;
 use super::lanes::{LANES, Simd, SimdFloat};
 use super::look::Look;
-use super::tile::{Drawn, Packet, Test, packet_places, write_one};
+use super::places::{packet_places, write_one};
+use super::tile::{Drawn, Packet, Test};
 use super::turning::{Spin, doppler_of, place_of_hit, surface_when_shown};
 use crate::candidates::Rows;
 use crate::tiles::Tile;

@@ -57,14 +57,14 @@ fn entry<S: Simd>(
 ) -> Search<S> {
     let (mut search, mut s, mut active) = (before, start, active);
     for _ in 0..MAX_STEPS {
-        active = active & !s.simd_gt(end);
+        active &= !s.simd_gt(end);
         if !active.any_true() {
             break;
         }
         let at = torus_at(course, body, s);
         // F changes by 2 r across the surface, and rho is known to some 1e-7 R: on the surface as f32 sees it.
         let found = active & at.value.simd_le(1e-6 * body.form_w * body.radius);
-        active = active & !found;
+        active &= !found;
         let nearer = found | active & at.value.simd_lt(search.value);
         search = Search {
             found: search.found | found,
@@ -73,7 +73,7 @@ fn entry<S: Simd>(
         };
         let discriminant = at.first * at.first - 2.0 * curvature * at.value;
         let divisor = discriminant.max(0.0).sqrt() - at.first;
-        active = active & !(discriminant.simd_lt(0.0) | divisor.simd_le(0.0));
+        active &= !(discriminant.simd_lt(0.0) | divisor.simd_le(0.0));
         s = select(active, s + 2.0 * at.value / divisor, s);
     }
     search
@@ -138,7 +138,7 @@ pub fn surface<S: Simd>(simd: S, body: &Body<S>, ray: &Ray<S>) -> Surface<S> {
     let mut deepest = search;
     for _ in 0..3 {
         let at = torus_at(&course, body, deepest.s);
-        deepest.s = deepest.s - at.first / at.second.max(0.5);
+        deepest.s -= at.first / at.second.max(0.5);
     }
     deepest = nearer(&search, deepest.s, torus_at(&course, body, deepest.s).value);
     let miss = (deepest.value + body.radius * body.radius).max(0.0).sqrt();

@@ -7,7 +7,8 @@ use super::encode::encoded;
 use super::lanes::{F, LANES, Simd, SimdFloat, SimdMask, V3, all, select};
 use super::look::Look;
 use super::pattern::mark;
-use super::tile::{Drawn, Owner, PACKETS, Packet, Test, centres, packet_places, write_one};
+use super::places::{PACKETS, centres, packet_places, write_one};
+use super::tile::{Drawn, Owner, Packet, Test};
 use super::turning::{Spin, doppler_of, standing, surface_when_shown};
 use crate::backdrop::Part;
 use crate::candidates::Rows;
@@ -81,7 +82,7 @@ impl<S: Simd> Drawn<S, 4> {
             }
             for owner in packet.owners[0]..packet.owners[1] {
                 let Some(at) = Packet::owned(simd, &packet.solid, owner) else { continue };
-                let (colour, _) = self.colour(simd, look, appearance, tables, self.owners[owner], packet);
+                let (colour, _) = Self::colour(simd, look, appearance, tables, self.owners[owner], packet);
                 for sample in 0..4 {
                     let nearest = packet.solid[sample];
                     let holds = nearest.owner.simd_eq(at);
@@ -97,7 +98,8 @@ impl<S: Simd> Drawn<S, 4> {
             }
             for owner in packet.owners[0]..packet.owners[1] {
                 let Some(at) = Packet::owned(simd, &packet.thin, owner) else { continue };
-                let (colour, alpha) = self.colour(simd, look, appearance, tables, self.owners[owner], packet);
+                let (colour, alpha) =
+                    Self::colour(simd, look, appearance, tables, self.owners[owner], packet);
                 let through = 1.0 - alpha;
                 for sample in 0..4 {
                     let thin = packet.thin[sample];
@@ -118,7 +120,6 @@ impl<S: Simd> Drawn<S, 4> {
     /// that it covers as it is too thin.
     #[inline(always)]
     fn colour(
-        &self,
         simd: S,
         look: &Look<'_>,
         appearance: &Appearance,

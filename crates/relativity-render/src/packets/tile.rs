@@ -4,17 +4,15 @@ use super::body::{Body, Group, Ray, Surface};
 use super::lanes::{F, LANES, Mask, Simd, SimdFloat, SimdFrom, SimdMask, V2, all, select};
 use super::look::{Look, Seen};
 use super::passing::Middles;
+use super::places::{PACKETS, centres, packet_places};
 use super::ray::{depth, line_of_sight, movement, rest_ray};
 use super::shape;
 use super::turning::{Spin, surface_when_shown};
-use crate::candidates::{Rows, TileLook};
+use crate::candidates::TileLook;
 use crate::cap::Cap;
 use crate::hierarchy::Beam;
 use crate::pipelines::AmongOthers;
-use crate::tiles::Tile;
 
-/// Packets of a tile: four pixels wide and two high.
-pub const PACKETS: usize = 8;
 /// No body.
 const NONE: f32 = -1.0;
 
@@ -22,19 +20,6 @@ const NONE: f32 = -1.0;
 pub const STANDARD: [[f32; 2]; 4] = [[-0.125, -0.375], [0.375, -0.125], [-0.375, 0.125], [0.125, 0.375]];
 /// Its centre alone.
 pub const CENTRE: [[f32; 2]; 1] = [[0.0, 0.0]];
-
-/// The pixel at the top left of the packet of this number, in the tile with this `corner`.
-pub fn packet_places([left, top]: [u32; 2], packet: usize) -> [u32; 2] {
-    [left + 4 * (packet as u32 % 2), top + 2 * (packet as u32 / 2)]
-}
-
-/// The centres of the pixels of a packet.
-#[inline(always)]
-pub fn centres<S: Simd>(simd: S, [left, top]: [u32; 2]) -> [F<S>; 2] {
-    let u: [f32; LANES] = std::array::from_fn(|lane| (left + lane as u32 % 4) as f32 + 0.5);
-    let v: [f32; LANES] = std::array::from_fn(|lane| (top + lane as u32 / 4) as f32 + 0.5);
-    [F::simd_from(simd, u), F::simd_from(simd, v)]
-}
 
 /// The nearest in a sample of eight pixels.
 #[derive(Debug, Clone, Copy)]
@@ -95,7 +80,6 @@ struct OfGroup<'a, S: Simd, const N: usize> {
 
 /// A ray test with what a picture needs of it.
 pub struct Test<S: Simd> {
-    pub surface: Surface<S>,
     /// From the camera, rest frame.
     pub distance: F<S>,
     /// How deep inside the outline the middle of the pixel is, and how that changes from pixel to pixel.
@@ -146,17 +130,16 @@ impl Look<'_> {
             for &body in turning {
                 own.enter(body as usize, false);
             }
-            match beam {
-                Some(beam) => self.scene.hierarchy(number).along(&beam, |candidate| {
+            if let Some(beam) = beam {
+                self.scene.hierarchy(number).along(&beam, |candidate| {
                     if !candidate.is_one_of_some || own.is_new(candidate.body) {
                         own.enter(candidate.body as usize, true);
                     }
                     own.reach()
-                }),
-                None => {
-                    let standing = prepared.bodies.clone().filter(|&body| self.scene.turning(body).is_none());
-                    standing.for_each(|body| own.enter(body, true));
-                }
+                });
+            } else {
+                let standing = prepared.bodies.clone().filter(|&body| self.scene.turning(body).is_none());
+                standing.for_each(|body| own.enter(body, true));
             }
             let places = own.places;
             let owners = [first_owner, drawn.owners.len()];
@@ -206,8 +189,8 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
         let spin = Spin::new(simd, &seen.shown);
         let owner = self.drawn.owners.len();
         let mut is_seen = false;
-        for place in 0..PACKETS {
-            if packets[place] != 0 {
+        for (place, may_show) in packets.into_iter().enumerate() {
+            if may_show != 0 {
                 is_seen |= self.test_in(place, seen, &body, &spin, owner);
             }
         }
@@ -227,14 +210,13 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
         owner: usize,
     ) -> bool {
         let Self { simd, group, .. } = *self;
-        let number = match self.places[place] {
-            Some(number) => number,
-            None => {
-                let number = self.drawn.packets.len();
-                self.drawn.packets.push(Packet::new(simd, &group, self.corner, place));
-                self.places[place] = Some(number);
-                number
-            }
+        let number = if let Some(number) = self.places[place] {
+            number
+        } else {
+            let number = self.drawn.packets.len();
+            self.drawn.packets.push(Packet::new(simd, &group, self.corner, place));
+            self.places[place] = Some(number);
+            number
         };
         let ray = &self.drawn.packets[number].ray;
         let surface = surface_when_shown(simd, seen.body.kind, seen.turns, &group, body, ray, spin);
@@ -312,7 +294,7 @@ impl<S: Simd, const N: usize> Packet<S, N> {
         let at = all(simd, owner as f32);
         let mut owns = layer[0].owner.simd_eq(at);
         for nearest in &layer[1..] {
-            owns = owns | nearest.owner.simd_eq(at);
+            owns |= nearest.owner.simd_eq(at);
         }
         owns.any_true().then_some(at)
     }
@@ -394,7 +376,6 @@ impl<S: Simd> Test<S> {
         let is_in_front = distance.simd_gt(0.0);
         let zero = all(simd, 0.0);
         let mut test = Self {
-            surface,
             distance,
             clearance: surface.clearance,
             gradient: V2::new(zero, zero),
@@ -420,14 +401,5 @@ impl<S: Simd> Test<S> {
     fn holds(&self, [right, down]: [f32; 2]) -> Mask<S> {
         let clearance = self.clearance + self.gradient.x * right + self.gradient.y * down;
         clearance.simd_gt(0.0) & self.is_there
-    }
-}
-
-/// Writes the pixel in this lane of the packet with this corner, if it is in `tile`, into the rows that that is in.
-#[inline(always)]
-pub fn write_one<T>(tile: &Tile, [left, top]: [u32; 2], rows: &mut Rows<'_, T>, lane: usize, value: T) {
-    let [u, v] = [left + lane as u32 % 4, top + lane as u32 / 4];
-    if u < tile.corner[0] + tile.size[0] && v < tile.corner[1] + tile.size[1] {
-        rows.put([u, v], value);
     }
 }

@@ -102,12 +102,12 @@ fn later_from<S: Simd>(hub: V3<S>, q: V3<S>) -> Later<S> {
 #[expect(clippy::excessive_precision, reason = "as they are published")]
 #[inline(always)]
 fn sine_cosine<S: Simd>(angle: F<S>) -> Turn<S> {
-    let quarters = (angle * 0.6366197724).round_ties_even();
-    let x = (angle - quarters * 1.5703125) - quarters * 4.8382679e-4;
+    let quarters = (angle * std::f32::consts::FRAC_2_PI).round_ties_even();
+    let x = (angle - quarters * 1.570_312_5) - quarters * 4.838_267_9e-4;
     let xx = x * x;
-    let sine = x + x * xx * (-0.16666654611 + xx * (0.0083321608736 - xx * 0.00019515295891));
-    let cosine =
-        1.0 - 0.5 * xx + xx * xx * (0.041666645683 + xx * (-0.0013887316255 + xx * 0.000024433157118));
+    let sine = x + x * xx * (-0.166_666_546_11 + xx * (0.008_332_160_873_6 - xx * 0.000_195_152_958_91));
+    let cosine = 1.0 - 0.5 * xx
+        + xx * xx * (0.041_666_645_683 + xx * (-0.001_388_731_625_5 + xx * 0.000_024_433_157_118));
     let quarter = quarters - 4.0 * (0.25 * quarters).floor();
     let is_odd = quarter.simd_eq(1.0) | quarter.simd_eq(3.0);
     let is_reversed = quarter.simd_ge(2.0);
@@ -203,13 +203,13 @@ fn first_within<S: Simd>(
         let is_closer = active & outside.simd_lt(least);
         least = select(is_closer, outside, least);
         closest = select(is_closer, s, closest);
-        active = active & !outside.simd_le(0.01 * capsule.radius);
+        active &= !outside.simd_le(0.01 * capsule.radius);
         let slope = off_axis.dot(at.tangent) / distance;
         let off_axle = V2::new(q.x, q.z).length();
         let bend = spin.omega.abs() * (2.0 + spin.omega.abs() * off_axle);
         let step = (slope + (slope * slope + 2.0 * bend * outside).sqrt()) / bend;
         s = select(active, s + step, s);
-        active = active & !s.simd_gt(to);
+        active &= !s.simd_gt(to);
         if !active.any_true() {
             break;
         }
@@ -285,10 +285,10 @@ fn surface_near<S: Simd>(
         let reached = clamp(s + (round.beyond - along) / rate, start - reach, start + reach);
         // The curve departs from its tangent by no more than about this.
         let off = spin.omega.abs() * (reached - s) * (reached - s);
-        round.clearance = round.clearance - off;
+        round.clearance -= off;
         met = Surface::select(active, &round, &met);
         s = select(active, reached, s);
-        active = active & !off.simd_lt(SETTLED * body.radius);
+        active &= !off.simd_lt(SETTLED * body.radius);
         if !active.any_true() {
             break;
         }

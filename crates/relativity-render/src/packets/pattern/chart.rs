@@ -156,7 +156,7 @@ fn angle_to<S: Simd>(y: F<S>, x: F<S>) -> F<S> {
     let slope = width.min(height) / width.max(height).max(1e-30);
     let s = slope * slope;
     let high = 0.042_909_61 + s * (-0.016_165_737 + s * 0.002_866_225_7);
-    let low = -0.142_088_99 + s * (0.106_562_64 + s * (-0.075_289_64 + s * high));
+    let low = -0.142_089 + s * (0.106_562_64 + s * (-0.075_289_64 + s * high));
     let small = slope * (1.0 + s * (-0.333_331_45 + s * (0.199_935_51 + s * low)));
     let steep = select(height.simd_gt(width), FRAC_PI_2 - small, small);
     let angle = select(x.simd_lt(0.0), PI - steep, steep);

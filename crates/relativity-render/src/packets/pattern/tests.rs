@@ -64,7 +64,8 @@ fn found<S: Simd>(simd: S, asked: &Asked) -> [f32; LANES] {
     let own = PacketBody::new(simd, &body.placement);
     let center = asked.scene.solid(0).center();
     let lanes = |part: &dyn Fn(&Hit) -> DVec3| {
-        V3::from_lanes(simd, std::array::from_fn(|lane| part(&asked.hits[lane]).as_vec3().to_array()))
+        let axis = |axis: usize| F::from_fn(simd, |lane| part(&asked.hits[lane])[axis] as f32);
+        V3::new(axis(0), axis(1), axis(2))
     };
     let place = lanes(&|hit| hit.rest_position - center);
     let normal = lanes(&|hit| hit.rest_normal);

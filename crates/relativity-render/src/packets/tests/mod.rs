@@ -15,7 +15,7 @@ use relativity_core::{Aperture, Speed, Turning};
 
 use super::body::{Body as PacketBody, Group as PacketGroup};
 use super::lanes::{F, LANES, Simd, SimdFrom, V2, V3};
-use super::ray::{depth, line_of_sight, movement as movement_of, rest_ray};
+use super::ray::{line_of_sight, movement as movement_of, rest_ray};
 use super::shape::middle;
 use super::turning::{Spin as PacketSpin, doppler_of, place_of_hit, standing, surface_when_shown};
 use crate::frame::Frame;
@@ -88,7 +88,6 @@ struct Found {
     /// As it is when what is met is shown.
     turn: DQuat,
     there: DVec3,
-    depth: f64,
 }
 
 impl Passing {
@@ -213,7 +212,6 @@ fn found<S: Simd>(simd: S, case: &Case, [u, v]: &[[f32; LANES]; 2]) -> [Found; L
     let from_hub = place_of_hit(kind, turns, &body, met.place, &spin);
     let stands = standing(simd, kind, turns, &group, &body, met.place, &spin);
     let place = middle(kind, &body) + met.place;
-    let depth = depth(&group, None, &ray, met.beyond);
     array::from_fn(|lane| {
         let number = |x: F<S>| f64::from(x[lane]);
         let vector = |v: V3<S>| DVec3::from(v.lane(lane).map(f64::from));
@@ -236,7 +234,6 @@ fn found<S: Simd>(simd: S, case: &Case, [u, v]: &[[f32; LANES]; 2]) -> [Found; L
             from_hub: vector(from_hub),
             turn: DQuat::from_vec4(vector(turn.v).extend(number(turn.w))),
             there: vector(stands.place),
-            depth: number(depth),
         }
     })
 }

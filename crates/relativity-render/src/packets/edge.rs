@@ -1,0 +1,24 @@
+//! Where two faces of a body meet: `share_of_other` of `shaders/body.wgsl`.
+
+use super::body::{Group, Ray};
+use super::lanes::{F, Simd, SimdFloat, V3, all, clamp};
+use super::ray::movement;
+
+/// How much of what pixels show of two faces is the other than that which their rays meet: these pass the common edge at
+/// the distance `from_edge`, `across` is the unit vector across the edge and the ray, and `width` that of the other face
+/// as it is seen.
+#[inline(always)]
+pub fn share_of_other<S: Simd>(
+    group: &Group,
+    from_edge: F<S>,
+    width: F<S>,
+    across: V3<S>,
+    ray: &Ray<S>,
+    beyond: F<S>,
+) -> F<S> {
+    let simd = beyond.simd;
+    let pixel = ((ray.to_centre + beyond) * movement(group, ray, across).length()).max(1e-30);
+    let own = 0.5 + (from_edge / pixel).min(0.5);
+    let other = clamp(0.5 - from_edge / pixel, all(simd, 0.0), (width / pixel).max(0.0));
+    other / (own + other)
+}
