@@ -29,7 +29,7 @@ macro_rules! on_registers {
         }
     };
 }
-pub(super) use on_registers;
+pub(crate) use on_registers;
 
 /// The widest that there are, if they are wide enough.
 pub fn widest() -> Option<Level> {

@@ -12,33 +12,11 @@ pub fn levels() -> Vec<Level> {
     wide.into_iter().flatten().collect()
 }
 
-/// Runs the same on each. Without any, eight numbers are scalars, and a long test takes minutes to compile: that is left
-/// out.
-#[cfg(target_arch = "x86_64")]
+/// Runs the same on each.
 macro_rules! at_every_level {
     ($simd:ident => $body:expr) => {
         for level in $crate::packets::testing::levels() {
-            match level {
-                fearless_simd::Level::Sse4_2($simd) => fearless_simd::Simd::vectorize(
-                    $simd,
-                    #[inline(always)]
-                    || $body,
-                ),
-                fearless_simd::Level::Avx2($simd) => fearless_simd::Simd::vectorize(
-                    $simd,
-                    #[inline(always)]
-                    || $body,
-                ),
-                _ => {}
-            }
-        }
-    };
-}
-#[cfg(not(target_arch = "x86_64"))]
-macro_rules! at_every_level {
-    ($simd:ident => $body:expr) => {
-        for level in $crate::packets::testing::levels() {
-            fearless_simd::dispatch!(level, $simd => $body);
+            $crate::packets::registers::on_registers!(level, $simd => $body);
         }
     };
 }
