@@ -1,6 +1,6 @@
-//! What the rays cost, against a loop over all bodies per pixel and against triangles.
+//! What the rays cost, against a loop over all bodies per pixel, packets of rays on the CPU, and triangles.
 //!
-//! `cargo bench -p relativity-render --bench gpu` prints, for 64, 640 and 6,400 bodies that ride past at
+//! `cargo bench -p relativity-render --bench gpu` prints, for up to 100,000 bodies that ride past at
 //! beta = 0.9, milliseconds per frame of two eyes of 480 x 540 pixels (median of rounds taken in turns) and
 //! ratios to the rays'; then what it adds to compose the two pictures into one, and what pictures
 //! parallel to the baseline cost beside those across the gaze.
@@ -19,12 +19,16 @@ const ROUNDS: usize = 5;
 const SIZE: [u32; 2] = [480, 540];
 /// A brute-force frame of more bodies than this takes half a minute on a software GPU.
 const MOST_FOR_BRUTE_FORCE: usize = 64;
+/// And a mesh of more.
+const MOST_FOR_MESH: usize = 6400;
 
 fn main() -> Result<(), GpuError> {
     let gpu = Gpu::headless()?;
     println!("{}, 2 x {} x {}, ms per frame", gpu.description(), SIZE[0], SIZE[1]);
-    println!("bodies  no bodies   rays  brute force        mesh 0.5 px       mesh 0.05 px");
-    for count in [64, 640, 6400] {
+    println!(
+        "bodies  no bodies   rays  packets: no bodies   packets  brute force        mesh 0.5 px       mesh 0.05 px"
+    );
+    for count in [0, 64, 640, 6400, 100_000] {
         compare(&gpu, &crowd(count))?;
     }
     for composition in [
@@ -107,7 +111,7 @@ fn compare(gpu: &Gpu, bodies: &[Body]) -> Result<(), GpuError> {
     let (scene, empty) = (PreparedScene::moving(bodies), PreparedScene::moving(&[]));
     let appearance = Appearance { ground_z: Some(-2.5), ..Appearance::default() };
     let mut targets = [EyeTarget::new(gpu, SIZE), EyeTarget::new(gpu, SIZE)];
-    let mut times = [const { Vec::new() }; 5];
+    let mut times = [const { Vec::new() }; 7];
     for round in 0..=ROUNDS {
         let mut timed = |times: &mut Vec<f64>, renderers: &mut Renderers, method, scene| {
             let start = Instant::now();
@@ -123,21 +127,25 @@ fn compare(gpu: &Gpu, bodies: &[Body]) -> Result<(), GpuError> {
         };
         timed(&mut times[0], &mut renderers, Method::Rays, &empty)?;
         timed(&mut times[1], &mut renderers, Method::Rays, &scene)?;
+        timed(&mut times[5], &mut renderers, Method::Packets, &empty)?;
+        timed(&mut times[6], &mut renderers, Method::Packets, &scene)?;
         if bodies.len() <= MOST_FOR_BRUTE_FORCE {
             timed(&mut times[2], &mut brute, Method::Rays, &scene)?;
         }
-        for (bound_px, times) in [0.5, 0.05].into_iter().zip(&mut times[3..]) {
+        let bounds = [0.5, 0.05].into_iter().filter(|_| bodies.len() <= MOST_FOR_MESH);
+        for (bound_px, times) in bounds.zip(&mut times[3..5]) {
             timed(times, &mut renderers, Method::Mesh { bound_px }, &scene)?;
         }
     }
-    let [none, rays, brute, coarse, fine] = times.map(median);
+    let [none, rays, brute, coarse, fine, no_packets, packets] = times.map(median);
     let ratio = |time: f64| {
         let text = if time.is_nan() { "-".to_owned() } else { format!("{time:.1} ({:5.2} x)", time / rays) };
         format!("{text:>18}")
     };
     println!(
-        "{:6}  {none:9.1}  {rays:5.1}  {}  {}  {}",
+        "{:6}  {none:9.1}  {rays:5.1}  {no_packets:18.1}  {}  {}  {}  {}",
         bodies.len(),
+        ratio(packets),
         ratio(brute),
         ratio(coarse),
         ratio(fine)

@@ -1,7 +1,8 @@
-//! What cones around bodies and tiles save: the reference renderer against its own loop over all bodies.
+//! What boxes within boxes and tiles save: the reference renderer against its own loop over all bodies.
 //!
 //! `cargo bench -p relativity-render --bench reference` prints, for 64, 640 and 6,400 bodies in a crowd that
-//! rides past at beta = 0.9, the time per image of both and their ratio, measured in turns in one run.
+//! rides past at beta = 0.9, the time per image of both and their ratio, measured in turns in one run; then, for up to a million tubes, how long
+//! these take to be prepared and how many rays a second it traces.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -18,6 +19,9 @@ fn main() {
     println!("bodies  covered  loop ms  image ms  ratio");
     for bodies in [64, 640, 6400] {
         compare(&crowd(bodies));
+    }
+    for count in [6400, 100_000, 1_000_000] {
+        scale(count);
     }
 }
 
@@ -37,6 +41,39 @@ fn compare(bodies: &[Body]) {
     let covered = 100.0 * image() as f64 / f64::from(view.camera.size[0] * view.camera.size[1]);
     let ratio = looped_ms / image_ms;
     println!("{:6}  {covered:5.1} %  {looped_ms:7.1}  {image_ms:8.1}  {ratio:5.1}", bodies.len());
+}
+
+/// Prints how long tubes, as many as that, take to be prepared, and how many rays a second the reference traces among them;
+/// the thinner the more they are, so that they fill the same part of the picture.
+fn scale(count: u32) {
+    let bodies = tubes(count);
+    let start = Instant::now();
+    let scene = PreparedScene::moving(&bodies);
+    let prepared_ms = start.elapsed().as_secs_f64() * 1e3;
+    let view = view();
+    let image = || scene.hit_image(&view).hits.iter().flatten().count();
+    let mut times: Vec<_> = (0..ROUNDS).map(|_| milliseconds(image)).collect();
+    let image_ms = median(&mut times);
+    let rays = f64::from(view.camera.size[0] * view.camera.size[1]);
+    let covered = 100.0 * image() as f64 / rays;
+    let per_second = rays / image_ms / 1e3;
+    println!(
+        "{count} tubes, {covered:.0} % covered: prepared in {prepared_ms:.0} ms, {per_second:.2} million rays/s"
+    );
+}
+
+/// Tubes spread over the same block as the crowd.
+fn tubes(count: u32) -> Vec<Body> {
+    let size = f64::from(count).sqrt().recip();
+    let spread = |i: u32, root: f64| (f64::from(i) * root.sqrt()).fract();
+    let body = |i| {
+        let place = DVec3::new(12.0 * spread(i, 2.0) - 6.0, 3.0 + 4.0 * spread(i, 3.0), 4.0 * spread(i, 5.0));
+        let turned =
+            DVec3::new(spread(i, 7.0) - 0.5, spread(i, 11.0) - 0.5, spread(i, 13.0) - 0.5).normalize();
+        let (from, to) = (place - turned * 4.0 * size, place + turned * 4.0 * size);
+        Body::new(Shape::Tube { from: from.to_array(), to: to.to_array(), radius: 2.0 * size }, 600.0)
+    };
+    (0..count).map(body).collect()
 }
 
 /// Pixels that show a body, every ray tested against every body, on as many threads as the renderer uses.

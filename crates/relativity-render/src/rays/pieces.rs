@@ -4,18 +4,22 @@
 //! agree to the bit, and a strict depth test draws each pixel once.
 
 use std::collections::BTreeMap;
+use std::mem;
 use std::slice::{self, Iter};
 
 use bytemuck::{Pod, Zeroable};
 use glam::DVec2;
 
+use crate::camera::LinesOfSight;
 use crate::capsule::Capsule;
 use crate::drawing::{Shot, Trait};
 use crate::footprint::{Bound, Footprint, Projection, Rectangle};
 use crate::group_view::GroupView;
+use crate::hierarchy::Beam;
 use crate::kind::Kind;
 use crate::prepared_body::{Placement, PreparedBody};
 use crate::scene::PreparedScene;
+use crate::tiles::Tile;
 use crate::view::Geometry;
 use crate::wheel::packed::{Shown, Turns};
 
@@ -61,6 +65,8 @@ pub struct Pieces {
     rectangles: Vec<Rectangle>,
     /// What contains the last body that turns.
     shown: Vec<Capsule>,
+    /// The numbers of bodies that may be in the picture.
+    candidates: Vec<u32>,
 }
 
 impl Pieces {
@@ -68,15 +74,20 @@ impl Pieces {
     pub fn refill(&mut self, shot: &Shot<'_>, bounds: Bounds) {
         let thin_px = if shot.appearance.is_some() { THIN_PX } else { 0.0 };
         self.lists.values_mut().for_each(Vec::clear);
-        for (view, group) in shot.views.iter().zip(shot.scene.groups()) {
+        for (number, view) in shot.views.iter().enumerate() {
             let projection = Projection::new(view);
-            for body in &shot.scene.bodies()[group.bodies.clone()] {
+            let mut candidates = mem::take(&mut self.candidates);
+            candidates.clear();
+            add_candidates(shot.scene, number, view, bounds, &mut candidates);
+            for &body in &candidates {
+                let body = &shot.scene.bodies()[body as usize];
                 match bounds {
                     Bounds::Tight => self.bound(&projection, view, shot.scene, body),
                     Bounds::None => self.bound_nowhere(),
                 }
                 self.add(body, shot, thin_px);
             }
+            self.candidates = candidates;
         }
     }
 
@@ -148,6 +159,28 @@ const EVERYWHERE: Rectangle = Rectangle {
 /// the ground it is sheared by what moves at less than 1.
 fn least_shown(radius: f64, view: &GroupView) -> f64 {
     if view.geometry == Geometry::Contracted { 0.5 * radius } else { radius }
+}
+
+/// Adds the numbers, in order, of the bodies of a group that may be in the picture: of those that keep their places as far as
+/// the hierarchy tells.
+fn add_candidates(scene: &PreparedScene, group: usize, view: &GroupView, bounds: Bounds, out: &mut Vec<u32>) {
+    let prepared = &scene.groups()[group];
+    let picture = Tile { corner: [0, 0], size: view.camera.size };
+    let cap = picture.cap(&LinesOfSight::new(&view.camera));
+    let beam = Beam::new(view, &cap, prepared.extent.middle).filter(|_| bounds == Bounds::Tight);
+    let Some(beam) = beam else {
+        out.extend(prepared.bodies.clone().map(|body| body as u32));
+        return;
+    };
+    let turning = scene.spinning().iter().copied();
+    let is_in = |body: &u32| prepared.bodies.contains(&(*body as usize));
+    out.extend(turning.filter(|body| is_in(body) && scene.turning(*body as usize).is_some()));
+    scene.hierarchy(group).along(&beam, |candidate| {
+        out.push(candidate.body);
+        f32::INFINITY
+    });
+    out.sort_unstable();
+    out.dedup();
 }
 
 fn add_capsules(projection: &Projection, view: &GroupView, capsules: &[Capsule], out: &mut Vec<Rectangle>) {
