@@ -48,7 +48,10 @@ pub enum Method {
     ///
     /// # Accuracy
     ///
-    /// That of [`Self::Rays`], whose formulas it shares.
+    /// That of [`Self::Rays`], whose formulas it shares: the same tests hold it to the same promises. Of several bodies thinner
+    /// than a pixel it blends the nearest with what covers the pixel behind, and leaves out those between.
+    ///
+    /// On a processor that has not even registers of four numbers, the rays or the reference draw instead.
     Packets,
     /// Triangles on the GPU that keep a bound on the picture.
     ///
