@@ -53,7 +53,7 @@ fn flags_that_cannot_be_read_name_what_would_be_right() {
 
 #[test]
 #[cfg(target_os = "linux")]
-fn without_an_adapter_it_draws_by_reference_and_says_so() {
+fn without_an_adapter_it_draws_on_the_cpu_and_says_so() {
     let folder = folder();
     let mut command = Command::new(env!("CARGO_BIN_EXE_gamow"));
     let flags = ["render", "--size=48x36", "--samples=1", "--out=picture.png"];
@@ -62,9 +62,9 @@ fn without_an_adapter_it_draws_by_reference_and_says_so() {
     let output = output.expect("the program starts");
     let stderr = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{stderr}");
-    assert!(stderr.contains("reference renderer") && stderr.lines().count() == 1, "{stderr}");
+    assert!(stderr.contains("drawing on the CPU") && stderr.lines().count() == 1, "{stderr}");
     let parameters = &Png::read(&folder.path().join("picture.png")).texts["Parameters"];
-    assert!(parameters.contains("--renderer=reference"), "{parameters}");
+    assert!(parameters.contains("--renderer=packets"), "{parameters}");
 
     let mut command = Command::new(env!("CARGO_BIN_EXE_gamow"));
     let demanded = command.args(flags).arg("--renderer=rays").env("WGPU_BACKEND", "dx12").output();
