@@ -10,6 +10,7 @@ use egui_kittest::Harness;
 use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
 use gamow::app::App;
 use gamow::app::command::Command;
+use gamow::flags::choices::RendererChoice;
 
 use super::Test;
 use super::support::{FRAME, cyclist, window};
@@ -32,13 +33,16 @@ fn on_device(lower: fn(&mut wgpu::Limits)) -> (Harness<'static, App>, RenderStat
         });
     }
     let render_state = create_render_state(setup, RendererOptions::PREDICTABLE);
+    let mut state = cyclist(0.9);
+    // A software device would have the CPU draw in its place.
+    state.settings.quality.renderer = RendererChoice::Rays;
     let harness = Harness::builder()
         .with_size(Vec2::new(1280.0, 800.0))
         .with_step_dt(FRAME)
         .with_max_steps(12)
         .with_render_cursor(false)
         .renderer(WgpuTestRenderer::from_render_state(render_state.clone()))
-        .build_eframe(|cc| App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), cyclist(0.9)));
+        .build_eframe(|cc| App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state));
     (harness, render_state)
 }
 
