@@ -18,6 +18,7 @@ mod encode;
 mod lanes;
 mod logarithm;
 mod look;
+mod met;
 mod numbers;
 mod passing;
 mod pattern;

@@ -1,11 +1,11 @@
 //! What a tile shows in numbers.
 
-use super::body::Body;
 use super::lanes::{LANES, Simd, SimdFloat};
 use super::look::Look;
+use super::met::Met;
 use super::places::{packet_places, write_one};
-use super::tile::{Drawn, Packet, Test};
-use super::turning::{Spin, doppler_of, place_of_hit, surface_when_shown};
+use super::tile::{Drawn, Packet};
+use super::turning::place_of_hit;
 use crate::candidates::Rows;
 use crate::tiles::Tile;
 
@@ -21,25 +21,9 @@ impl<S: Simd> Drawn<S, 1> {
             for owner in packet.owners[0]..packet.owners[1] {
                 let Some(at) = Packet::owned(simd, &packet.solid, owner) else { continue };
                 let owner = self.owners[owner];
-                let (group, seen) = (look.group(owner.group), look.seen(owner.number));
-                let (kind, turns, ray) = (seen.body.kind, seen.turns, &packet.ray);
-                let body = Body::new(simd, &seen.shown.placement);
-                let spin = Spin::new(simd, &seen.shown);
-                let surface = surface_when_shown(simd, kind, turns, &group, &body, ray, &spin);
-                let test = Test::new(simd, &group, &seen, &body, ray, surface, false);
-                let doppler = doppler_of(
-                    kind,
-                    turns,
-                    &group,
-                    &body,
-                    surface.place,
-                    surface.normal,
-                    ray.sight,
-                    ray.doppler,
-                    &spin,
-                );
-                let distance = test.distance * ray.ground_per_rest;
-                let place = place_of_hit(kind, turns, &body, surface.place, &spin);
+                let Met { seen, body, spin, surface, doppler, distance, .. } =
+                    Met::new(simd, look, owner, packet);
+                let place = place_of_hit(seen.body.kind, seen.turns, &body, surface.place, &spin);
                 let holds: [i32; LANES] = packet.solid[0].owner.simd_eq(at).into();
                 let number = owner.number as f32;
                 for lane in (0..LANES).filter(|&lane| holds[lane] != 0) {

@@ -1,15 +1,15 @@
 //! What a tile looks like.
 
 use super::backdrop::{behind, part};
-use super::body::Body;
 use super::colour::{Tables, received_colour};
 use super::encode::encoded;
 use super::lanes::{F, LANES, Simd, SimdFloat, SimdMask, V3, all, select};
 use super::look::Look;
+use super::met::Met;
 use super::pattern::mark;
 use super::places::{PACKETS, centres, packet_places, write_one};
-use super::tile::{Drawn, Owner, Packet, Test};
-use super::turning::{Spin, doppler_of, standing, surface_when_shown};
+use super::tile::{Drawn, Owner, Packet};
+use super::turning::standing;
 use crate::backdrop::Part;
 use crate::candidates::Rows;
 use crate::tiles::Tile;
@@ -130,24 +130,9 @@ impl<S: Simd> Drawn<S, 4> {
         simd.vectorize(
             #[inline(always)]
             || {
-                let (group, seen) = (look.group(owner.group), look.seen(owner.number));
-                let ray = &packet.ray;
-                let body = Body::new(simd, &seen.shown.placement);
-                let spin = Spin::new(simd, &seen.shown);
+                let Met { group, seen, body, spin, ray, surface, test, doppler, distance } =
+                    Met::new(simd, look, owner, packet);
                 let (kind, turns) = (seen.body.kind, seen.turns);
-                let surface = surface_when_shown(simd, kind, turns, &group, &body, ray, &spin);
-                let test = Test::new(simd, &group, &seen, &body, ray, surface, true);
-                let doppler = doppler_of(
-                    kind,
-                    turns,
-                    &group,
-                    &body,
-                    surface.place,
-                    surface.normal,
-                    ray.sight,
-                    ray.doppler,
-                    &spin,
-                );
                 let effects = look.effects(owner.group, turns, appearance);
                 let light = look.light(seen.body, turns, appearance);
                 let colour = received_colour(simd, effects, tables, light, doppler, surface.normal);
@@ -156,7 +141,6 @@ impl<S: Simd> Drawn<S, 4> {
                     return (colour, test.alpha);
                 }
                 let there = standing(simd, kind, turns, &group, &body, surface.place, &spin);
-                let distance = test.distance * ray.ground_per_rest;
                 let pattern = seen.body.pattern();
                 let mark = mark(
                     simd,

@@ -1,0 +1,39 @@
+//! Where the rays of a packet meet a body that is seen there.
+
+use super::body::{Body, Group, Ray, Surface};
+use super::lanes::{F, Simd};
+use super::look::{Look, Seen};
+use super::tile::{Owner, Packet, Test};
+use super::turning::{Spin, doppler_of, surface_when_shown};
+
+/// What is known of that, eight pixels at a time.
+pub struct Met<'a, S: Simd> {
+    pub group: Group<'a>,
+    pub seen: Seen<'a>,
+    pub body: Body<S>,
+    pub spin: Spin<S>,
+    pub ray: &'a Ray<S>,
+    pub surface: Surface<S>,
+    pub test: Test<S>,
+    /// Doppler factor of the light from there.
+    pub doppler: F<S>,
+    /// From the camera, ground frame.
+    pub distance: F<S>,
+}
+
+impl<'a, S: Simd> Met<'a, S> {
+    /// Of `owner`, in a packet with `N` samples to a pixel: in a picture there is more than one.
+    #[inline(always)]
+    pub fn new<const N: usize>(simd: S, look: &'a Look<'a>, owner: Owner, packet: &'a Packet<S, N>) -> Self {
+        let (group, seen, ray) = (look.group(owner.group), look.seen(owner.number), &packet.ray);
+        let (kind, turns) = (seen.body.kind, seen.turns);
+        let body = Body::new(simd, &seen.shown.placement);
+        let spin = Spin::new(simd, &seen.shown);
+        let surface = surface_when_shown(simd, kind, turns, &group, &body, ray, &spin);
+        let test = Test::new(simd, &group, &seen, &body, ray, surface, N > 1);
+        let Surface { place, normal, .. } = surface;
+        let doppler = doppler_of(kind, turns, &group, &body, place, normal, ray.sight, ray.doppler, &spin);
+        let distance = test.distance * ray.ground_per_rest;
+        Self { group, seen, body, spin, ray, surface, test, doppler, distance }
+    }
+}
