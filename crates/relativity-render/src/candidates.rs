@@ -7,7 +7,6 @@ use crate::camera::LinesOfSight;
 use crate::cap::Cap;
 use crate::cone::Cone;
 use crate::group_view::GroupView;
-use crate::hierarchy::Beam;
 use crate::prepared_body::PreparedBody;
 use crate::scene::PreparedScene;
 use crate::tiles::{TILE_SIDE, Tile};
@@ -136,8 +135,7 @@ impl<'a> Division<'a> {
     fn shows_standing(&self, cap: &Cap) -> bool {
         self.views.iter().enumerate().any(|(group, view)| {
             let hierarchy = self.scene.hierarchy(group);
-            let beam = Beam::new(view, cap, self.scene.groups()[group].extent.middle);
-            beam.map_or(!hierarchy.is_empty(), |beam| hierarchy.is_met(&beam))
+            self.scene.beam(group, view, cap).map_or(!hierarchy.is_empty(), |beam| hierarchy.is_met(&beam))
         })
     }
 }

@@ -11,7 +11,6 @@ use crate::camera::LinesOfSight;
 use crate::cap::Cap;
 use crate::first_entry::{Chosen, Standing};
 use crate::group_view::GroupView;
-use crate::hierarchy::Beam;
 use crate::pattern::Covered;
 use crate::picture::{Picture, encoded};
 use crate::prepared_body::PreparedBody;
@@ -90,20 +89,20 @@ impl PreparedScene {
     /// Tests every body: meant for single rays. [`Self::hit_image`] is much faster per ray.
     #[must_use]
     pub fn first_hit(&self, view: &View, line_of_sight: DVec3) -> Option<Hit> {
-        let all = TileBodies { others: self.numbers().to_vec(), standing: Vec::new() };
+        let all = TileBodies { others: self.numbers(), standing: Vec::new() };
         self.first_hit_among(&all, view, &self.group_views(view), line_of_sight)
     }
 
     /// What is seen of `bodies`: of each group the first, of those the nearest by light travel.
     fn first_hit_among(
         &self,
-        bodies: &TileBodies,
+        bodies: &TileBodies<'_>,
         view: &View,
         group_views: &[GroupView],
         line_of_sight: DVec3,
     ) -> Option<Hit> {
         let mut nearest: Option<Hit> = None;
-        let mut others = bodies.others.as_slice();
+        let mut others = bodies.others;
         for (group, group_view) in group_views.iter().enumerate() {
             let own;
             (own, others) = self.split(others, group);
@@ -277,11 +276,11 @@ impl PreparedScene {
         view: &View,
         group_views: &[GroupView],
         goes_on: &(dyn Fn() -> bool + Sync),
-        value: impl Fn(&TileBodies, [u32; 2]) -> T + Sync,
+        value: impl Fn(&TileBodies<'_>, [u32; 2]) -> T + Sync,
     ) -> Vec<T> {
         self.tiles(view, group_views, goes_on, |look, rows| {
             let standing = look.cap.map_or_else(Vec::new, |cap| self.standing_in(&cap, group_views));
-            let bodies = TileBodies { others: look.others.to_vec(), standing };
+            let bodies = TileBodies { others: look.others, standing };
             for pixel in look.tile.pixels() {
                 rows.put(pixel, value(&bodies, pixel));
             }
@@ -294,17 +293,16 @@ impl PreparedScene {
             if !view.has_straight_rays() {
                 return Standing::Few(Vec::new());
             }
-            let beam = Beam::new(view, cap, self.groups()[group].extent.middle);
-            beam.map_or(Standing::Many, |beam| self.standing(group, &beam))
+            self.beam(group, view, cap).map_or(Standing::Many, |beam| self.standing(group, &beam))
         };
         group_views.iter().enumerate().map(of_group).collect()
     }
 }
 
 /// The bodies that a tile may show.
-struct TileBodies {
+struct TileBodies<'a> {
     /// The numbers, which ascend, of those that do not keep their places, or of all those of a group whose rays curve.
-    others: Vec<u32>,
+    others: &'a [u32],
     /// For each group those that do; none at all where all are among the others.
     standing: Vec<Standing>,
 }

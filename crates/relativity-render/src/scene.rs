@@ -5,9 +5,10 @@ use std::slice;
 use std::sync::{Arc, Mutex};
 
 use crate::body::{Body, Emission};
+use crate::cap::Cap;
 use crate::capsule::Capsule;
 use crate::group_view::GroupView;
-use crate::hierarchy::{Hierarchy, pieces};
+use crate::hierarchy::{Beam, Hierarchy, pieces};
 use crate::intersect::Solid;
 use crate::outline::Outline;
 use crate::prepared_body::{Extent, PreparedBody, find_joints, find_patterned, number_emissions};
@@ -182,6 +183,11 @@ impl PreparedScene {
     /// Boxes around the bodies of the group of this number that keep their places in it.
     pub(crate) fn hierarchy(&self, group: usize) -> &Hierarchy {
         &self.0.hierarchies[group]
+    }
+
+    /// The rays within `cap` as `view` has them in the group of this number; `None` where they cannot be told so.
+    pub(crate) fn beam(&self, group: usize, view: &GroupView, cap: &Cap) -> Option<Beam> {
+        Beam::new(view, cap, self.groups()[group].extent.middle)
     }
 
     /// The numbers of all bodies.

@@ -2,6 +2,7 @@
 
 use relativity_render::{Method, Motion, PreparedScene, View};
 
+use crate::accuracy::cost::MESH_BOUNDS_PX;
 use crate::flags::Goal;
 use crate::settings::BOUND_PX;
 
@@ -15,8 +16,6 @@ const MEASURED_GAMMA: f64 = 1000.0;
 const F32_FAST_ERROR_PX: f64 = 0.05;
 /// The greatest gamma up to which groups that fly apart are told apart in f32.
 const GROUPS_GAMMA: f64 = 1e5;
-/// The meshes among which a budget chooses, pixels.
-const MESHES_PX: [f64; 3] = [0.1, Method::DEFAULT_BOUND_PX, 2.0];
 
 /// A method, and what is stated of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,7 +39,7 @@ pub fn candidates(goal: Goal, has_gpu: bool, scene: &PreparedScene, view: &View)
     let meshes: Vec<_> = match goal {
         Goal::Error(_) if Method::Rays.of_view(view) == Method::Rays => Vec::new(),
         Goal::Error(px) => vec![mesh(px.clamp(*BOUND_PX.start(), *BOUND_PX.end()))],
-        Goal::Budget(_) => MESHES_PX.map(mesh).into(),
+        Goal::Budget(_) => MESH_BOUNDS_PX.map(mesh).into(),
     };
     let all = [(Method::Reference, 0.0)].into_iter().chain(exact).chain(meshes);
     let is_drawn = |method: Method| (has_gpu || is_on_cpu(method)) && method.of_view(view) == method;

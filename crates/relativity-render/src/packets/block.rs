@@ -7,7 +7,7 @@ use super::lanes::{F, Mask, Simd, SimdFloat, V3, all, select, sign_of};
 /// Below this sine of its angle to the ray the image of an axis is a point.
 const LEAST_SINE: f32 = 1e-5;
 
-/// The body's middle.
+/// The middle of a body with flat faces.
 #[inline(always)]
 pub fn middle<S: Simd>(body: &Body<S>) -> V3<S> {
     body.place

@@ -81,9 +81,7 @@ impl<S: Simd> Body<S> {
             turn: Quaternion::all(simd, turn),
         }
     }
-}
 
-impl<S: Simd> Body<S> {
     /// From the body's own axes to those of the rest frame.
     #[inline(always)]
     pub fn rest_from_body(&self, v: V3<S>) -> V3<S> {

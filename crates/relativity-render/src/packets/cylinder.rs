@@ -1,20 +1,8 @@
 //! Rays against cylinders with flat ends: `shaders/cylinder.wgsl`.
 
-use super::body::{Body, Capsule, Group, Ray, Surface, own_ray};
+use super::body::{Body, Group, Ray, Surface, own_ray};
 use super::edge::share_of_other;
 use super::lanes::{F, Simd, SimdFloat, V2, V3, all, clamp, select, sign_of};
-
-/// The body's middle.
-#[inline(always)]
-pub fn middle<S: Simd>(body: &Body<S>) -> V3<S> {
-    body.place
-}
-
-/// What holds it.
-#[inline(always)]
-pub fn around<S: Simd>(body: &Body<S>) -> Capsule<S> {
-    Capsule { place: body.place, end: body.place, radius: body.halves().length() }
-}
 
 /// Where rays meet it.
 #[inline(always)]

@@ -36,8 +36,7 @@ pub fn middle<S: Simd>(kind: Kind, body: &Body<S>) -> V3<S> {
     match kind {
         Kind::Tube => tube::middle(body),
         Kind::Ring => ring::middle(body),
-        Kind::Box => block::middle(body),
-        Kind::Cylinder => cylinder::middle(body),
+        Kind::Box | Kind::Cylinder => block::middle(body),
     }
 }
 
@@ -47,7 +46,6 @@ pub fn around<S: Simd>(kind: Kind, body: &Body<S>) -> Capsule<S> {
     match kind {
         Kind::Tube => tube::around(body),
         Kind::Ring => ring::around(body),
-        Kind::Box => block::around(body),
-        Kind::Cylinder => cylinder::around(body),
+        Kind::Box | Kind::Cylinder => block::around(body),
     }
 }

@@ -10,7 +10,6 @@ use super::shape;
 use super::turning::{Spin, surface_when_shown};
 use crate::candidates::TileLook;
 use crate::cap::Cap;
-use crate::hierarchy::Beam;
 use crate::pipelines::AmongOthers;
 
 /// No body.
@@ -71,7 +70,7 @@ struct OfGroup<'a, S: Simd, const N: usize> {
     drawn: &'a mut Drawn<S, N>,
     /// Where the packets of this group are among all, those that were looked into.
     places: [Option<usize>; PACKETS],
-    middles: Middles<S>,
+    middles: Option<Middles<S>>,
     /// How far the farthest of what covers a sample is, for each packet.
     farthest: [f32; PACKETS],
     /// Bodies in several pieces that were tested.
@@ -108,21 +107,18 @@ impl Look<'_> {
             let count = others.partition_point(|&body| (body as usize) < prepared.bodies.end);
             let (turning, later) = others.split_at(count);
             others = later;
-            let beam = Beam::new(view, cap, prepared.extent.middle);
-            if turning.is_empty() && beam.is_some_and(|beam| !self.scene.hierarchy(number).is_met(&beam)) {
-                continue;
-            }
+            let beam = self.scene.beam(number, view, cap);
             let group = self.group(number);
             let mut own = OfGroup {
                 simd,
                 look: self,
-                middles: Middles::new(simd, &group, tile.tile.corner),
                 group,
                 number,
                 samples,
                 corner: tile.tile.corner,
                 drawn: &mut drawn,
                 places: [None; PACKETS],
+                middles: None,
                 farthest: [f32::INFINITY; PACKETS],
                 tested: Vec::new(),
             };
@@ -179,10 +175,15 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
 
     #[inline(always)]
     fn test(&mut self, seen: &Seen<'_>, is_told_about: bool) {
-        let Self { simd, .. } = *self;
+        let Self { simd, group, corner, .. } = *self;
+        let middles = self.middles.unwrap_or_else(
+            #[inline(always)]
+            || Middles::new(simd, &group, corner),
+        );
+        self.middles = Some(middles);
         let body = Body::new(simd, &seen.shown.placement);
         let packets: [i32; PACKETS] = if is_told_about {
-            self.middles.may_show(&shape::around(seen.body.kind, &body)).into()
+            middles.may_show(&shape::around(seen.body.kind, &body)).into()
         } else {
             [-1; PACKETS]
         };
@@ -191,7 +192,7 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
         let mut is_seen = false;
         for (place, may_show) in packets.into_iter().enumerate() {
             if may_show != 0 {
-                is_seen |= self.test_in(place, seen, &body, &spin, owner);
+                is_seen |= self.test_in(place, middles.spread_of(place), seen, &body, &spin, owner);
             }
         }
         if is_seen {
@@ -199,11 +200,12 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
         }
     }
 
-    /// Tests a body in the packet at this `place`, and says whether it is seen there.
+    /// Tests a body in the packet at this `place`, whose rays are off its middle by no more than `spread`, and says whether it is seen there.
     #[inline(always)]
     fn test_in(
         &mut self,
         place: usize,
+        spread: F<S>,
         seen: &Seen<'_>,
         body: &Body<S>,
         spin: &Spin<S>,
@@ -221,7 +223,7 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
         let ray = &self.drawn.packets[number].ray;
         let surface = surface_when_shown(simd, seen.body.kind, seen.turns, &group, body, ray, spin);
         // Farther outside than a pixel it is in no sample, and not widened into one.
-        let pixels = (ray.to_centre + surface.beyond).max(0.0) * self.middles.spread_of(place);
+        let pixels = (ray.to_centre + surface.beyond).max(0.0) * spread;
         if !(surface.clearance + pixels).simd_gt(0.0).any_true() {
             return false;
         }

@@ -15,7 +15,6 @@ use crate::capsule::Capsule;
 use crate::drawing::{Shot, Trait};
 use crate::footprint::{Bound, Footprint, Projection, Rectangle};
 use crate::group_view::GroupView;
-use crate::hierarchy::Beam;
 use crate::kind::Kind;
 use crate::prepared_body::{Placement, PreparedBody};
 use crate::scene::PreparedScene;
@@ -167,7 +166,7 @@ fn add_candidates(scene: &PreparedScene, group: usize, view: &GroupView, bounds:
     let prepared = &scene.groups()[group];
     let picture = Tile { corner: [0, 0], size: view.camera.size };
     let cap = picture.cap(&LinesOfSight::new(&view.camera));
-    let beam = Beam::new(view, &cap, prepared.extent.middle).filter(|_| bounds == Bounds::Tight);
+    let beam = scene.beam(group, view, &cap).filter(|_| bounds == Bounds::Tight);
     let Some(beam) = beam else {
         out.extend(prepared.bodies.clone().map(|body| body as u32));
         return;
