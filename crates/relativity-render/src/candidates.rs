@@ -97,13 +97,19 @@ impl PreparedScene {
 
 impl<'a> Division<'a> {
     fn new(scene: &'a PreparedScene, view: &View, views: &'a [GroupView]) -> Self {
-        let keeps_place = |body: &PreparedBody| {
-            scene.turning(body.number).is_none() && views[body.group].has_straight_rays()
-        };
         let (mut cones, mut others) = (Vec::new(), Vec::new());
-        for body in scene.bodies().iter().filter(|body| !keeps_place(body)) {
+        let mut add = |body: &PreparedBody| {
             scene.add_cones(body, &views[body.group], &mut cones);
             others.extend(cones.drain(..).map(|cone| (Cap::from(cone), body.number as u32)));
+        };
+        for (group, view) in scene.groups().iter().zip(views) {
+            let bodies = group.bodies.clone();
+            if !view.has_straight_rays() {
+                scene.bodies()[bodies].iter().for_each(&mut add);
+                continue;
+            }
+            let turning = scene.spinning_in(bodies).filter(|&body| scene.turning(body).is_some());
+            turning.for_each(|body| add(&scene.bodies()[body]));
         }
         Self { scene, views, lines_of_sight: LinesOfSight::new(&view.camera), others }
     }

@@ -1,155 +1,211 @@
 //! The first body of a group that a straight ray enters.
 
+use crate::cap::Cap;
 use crate::group_view::GroupView;
-use crate::hierarchy::{Beam, Candidate, Line};
+use fearless_simd::Level;
+use glam::DVec3;
+
+use crate::hierarchy::{Beam, Candidate, Hierarchy, Line, Lines};
 use crate::intersect::Entry;
 use crate::ray::Ray;
+use crate::registers::on_registers;
 use crate::scene::PreparedScene;
 
-/// Of a tile more bodies than this are looked for along each of its rays.
-const MOST_SHARED: usize = 24;
-
-/// Which of the bodies of a group that keep their places a tile may show.
-#[derive(Debug, Clone)]
-pub(crate) enum Standing {
-    /// These, the nearest first.
-    Few(Vec<Candidate>),
-    /// More than it is worth to keep.
-    Many,
-}
-
-/// The bodies of a group that a ray may enter.
+/// The bodies of a group that rays may enter.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Chosen<'a> {
     /// The number of the group.
     pub group: usize,
     /// Of those that turn, or of all; their numbers ascend.
     pub others: &'a [u32],
-    /// Of those that keep their places.
-    pub standing: Option<&'a Standing>,
+    /// Where those that keep their places are looked for, if they are.
+    pub standing: Option<Within>,
 }
 
-/// The nearest entry so far.
-struct First<'a> {
-    scene: &'a PreparedScene,
-    ray: &'a Ray,
-    view: &'a GroupView,
-    tie: f64,
-    found: Option<(usize, Entry)>,
+/// What rays are inside of.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Within(Option<Beam>);
+
+/// A body, and where a ray enters it.
+pub(crate) type Found = (usize, Entry);
+
+/// The nearest entry of a ray so far.
+#[derive(Debug, Clone, Copy, Default)]
+struct First {
+    found: Option<Found>,
     /// Whether another was as near.
     is_tied: bool,
+}
+
+/// What rays look for.
+struct Search<'a> {
+    scene: &'a PreparedScene,
+    view: &'a GroupView,
+    chosen: &'a Chosen<'a>,
+    tie: f64,
 }
 
 impl Chosen<'_> {
     /// Whether there are none.
     pub fn is_empty(&self) -> bool {
-        self.others.is_empty()
-            && self.standing.is_none_or(|standing| matches!(standing, Standing::Few(few) if few.is_empty()))
+        self.others.is_empty() && self.standing.is_none()
     }
 }
 
 impl PreparedScene {
-    /// Which bodies of this `group` that keep their places are met by `beam`, which is wider than a ray.
-    pub(crate) fn standing(&self, group: usize, beam: &Beam) -> Standing {
-        let mut few: Vec<Candidate> = Vec::new();
-        let mut are_many = false;
-        self.hierarchy(group).along(beam, |candidate| {
-            let is_known = |known: &&mut Candidate| candidate.is_one_of_some && known.body == candidate.body;
-            match few.iter_mut().find(is_known) {
-                Some(known) => known.nearest = known.nearest.min(candidate.nearest),
-                None => few.push(candidate),
-            }
-            are_many = few.len() > MOST_SHARED;
-            if are_many { f32::NEG_INFINITY } else { f32::INFINITY }
-        });
-        if are_many {
-            return Standing::Many;
+    /// Where lines of sight within `cap` may meet the bodies of this `group` that keep their places.
+    pub(crate) fn standing(&self, group: usize, view: &GroupView, cap: &Cap) -> Option<Within> {
+        let hierarchy = self.hierarchy(group);
+        if hierarchy.is_empty() || !view.has_straight_rays() {
+            return None;
         }
-        few.sort_by(|a, b| a.nearest.total_cmp(&b.nearest));
-        Standing::Few(few)
+        let beam = self.beam(group, view, cap);
+        beam.is_none_or(|beam| hierarchy.is_met(&beam)).then_some(Within(beam))
     }
 
-    /// The nearest entry of `ray`, counted from its point nearest to the middle of the group, among the bodies that are
-    /// `chosen`; of equally near ones that of the lowest number.
-    pub(crate) fn first_entry(
+    /// The nearest entry of each of `rays`, which are counted from their points nearest to the middle of the group, among
+    /// the bodies that are `chosen`; of equally near ones that of the lowest number. There are at most [`Lines::MOST`].
+    pub(crate) fn first_entries(
         &self,
         chosen: &Chosen<'_>,
-        ray: &Ray,
+        rays: &[Ray],
         view: &GroupView,
-    ) -> Option<(usize, Entry)> {
-        let prepared = &self.groups()[chosen.group];
-        let mut first = First { scene: self, ray, view, tie: prepared.tie(), found: None, is_tied: false };
-        for &body in chosen.others {
-            first.enter(body);
+    ) -> Vec<Option<Found>> {
+        let tie = self.groups()[chosen.group].tie();
+        let search = Search { scene: self, view, chosen, tie };
+        let mut firsts = vec![First::default(); rays.len()];
+        for (first, ray) in firsts.iter_mut().zip(rays) {
+            for &body in chosen.others {
+                search.enter(first, ray, body);
+            }
         }
-        let along = || Line::new(ray, prepared.extent.middle);
-        match chosen.standing {
+        match &chosen.standing {
             None => {}
-            Some(Standing::Few(candidates)) => {
-                for candidate in candidates {
-                    if candidate.nearest > first.farthest() {
-                        break;
-                    }
-                    first.enter(candidate.body);
+            Some(Within(Some(beam))) => search.along_all(beam, rays, &mut firsts),
+            Some(Within(None)) => {
+                for (first, ray) in firsts.iter_mut().zip(rays) {
+                    search.along_one(ray, first);
                 }
             }
-            Some(Standing::Many) => self.hierarchy(chosen.group).along(&along(), |candidate| {
-                first.enter(candidate.body);
-                first.farthest()
-            }),
         }
-        if !first.is_tied {
-            return first.found;
-        }
-        let mut all = chosen.others.to_vec();
-        match chosen.standing {
-            None => {}
-            Some(Standing::Few(candidates)) => all.extend(candidates.iter().map(|candidate| candidate.body)),
-            Some(Standing::Many) => self.hierarchy(chosen.group).along(&along(), |candidate| {
-                all.push(candidate.body);
-                f32::INFINITY
-            }),
-        }
-        all.sort_unstable();
-        all.dedup();
-        first.in_order(&all)
+        let untied = |(first, ray): (&First, &Ray)| {
+            if first.is_tied { search.first_in_order(ray) } else { first.found }
+        };
+        firsts.iter().zip(rays).map(untied).collect()
     }
 }
 
-impl First<'_> {
-    fn entry(&self, body: u32) -> Option<(usize, Entry)> {
+/// Rays that look for them at once.
+struct All<'a> {
+    search: &'a Search<'a>,
+    rays: &'a [Ray],
+    lines: Lines,
+    firsts: &'a mut [First],
+    /// What begins farther along a ray than this is not seen, nor along any than `reach`.
+    farthest: [f32; Lines::MOST],
+    reach: f32,
+}
+
+impl All<'_> {
+    /// Tests what may be met, and says how far looking is worth while.
+    #[inline(always)]
+    fn visit(&mut self, candidate: &Candidate) -> f32 {
+        let mut meeting = self.lines.meeting(candidate.center, candidate.half, &self.farthest);
+        let mut has_less_reach = false;
+        while meeting != 0 {
+            let i = meeting.trailing_zeros() as usize;
+            meeting &= meeting - 1;
+            if self.search.enter(&mut self.firsts[i], &self.rays[i], candidate.body) {
+                self.farthest[i] = self.firsts[i].farthest(self.search.tie);
+                has_less_reach = true;
+            }
+        }
+        if has_less_reach {
+            self.reach = most(&self.farthest);
+        }
+        self.reach
+    }
+}
+
+impl Search<'_> {
+    /// Looks along `rays`, which are inside of `beam`, at once.
+    fn along_all(&self, beam: &Beam, rays: &[Ray], firsts: &mut [First]) {
+        let mut farthest = [f32::NEG_INFINITY; Lines::MOST];
+        for (farthest, first) in farthest.iter_mut().zip(&*firsts) {
+            *farthest = first.farthest(self.tie);
+        }
+        let (lines, reach) = (Lines::new(rays, self.middle()), most(&farthest));
+        let mut all = All { search: self, rays, lines, firsts, farthest, reach };
+        let hierarchy = self.hierarchy();
+        let looked = on_registers!(Level::new(), _simd => hierarchy.along(beam, #[inline(always)] |candidate| all.visit(&candidate)));
+        if looked.is_none() {
+            hierarchy.along(beam, |candidate| all.visit(&candidate));
+        }
+    }
+
+    fn along_one(&self, ray: &Ray, first: &mut First) {
+        self.hierarchy().along(&Line::new(ray, self.middle()), |candidate| {
+            self.enter(first, ray, candidate.body);
+            first.farthest(self.tie)
+        });
+    }
+
+    /// The same of bodies whose numbers ascend.
+    fn first_in_order(&self, ray: &Ray) -> Option<Found> {
+        let mut all = self.chosen.others.to_vec();
+        if self.chosen.standing.is_some() {
+            self.hierarchy().along(&Line::new(ray, self.middle()), |candidate| {
+                all.push(candidate.body);
+                f32::INFINITY
+            });
+        }
+        all.sort_unstable();
+        all.dedup();
+        let entries = all.iter().filter_map(|&body| self.entry(ray, body));
+        entries.reduce(|first, next| if next.1.distance < first.1.distance - self.tie { next } else { first })
+    }
+
+    fn hierarchy(&self) -> &Hierarchy {
+        self.scene.hierarchy(self.chosen.group)
+    }
+
+    fn middle(&self) -> DVec3 {
+        self.scene.groups()[self.chosen.group].extent.middle
+    }
+
+    fn entry(&self, ray: &Ray, body: u32) -> Option<Found> {
         let number = body as usize;
         let entry = match self.scene.turning(number) {
-            Some(turning) => turning.entry(self.ray, self.view, None).0,
-            None => self.scene.solid(number).entry(self.ray),
+            Some(turning) => turning.entry(ray, self.view, None).0,
+            None => self.scene.solid(number).entry(ray),
         };
         Some((number, entry?))
     }
 
-    fn enter(&mut self, body: u32) {
-        if self.found.is_some_and(|(found, _)| found == body as usize) {
-            return;
+    /// Tests `ray` against a body, and says whether that is the `first` now.
+    fn enter(&self, first: &mut First, ray: &Ray, body: u32) -> bool {
+        if first.found.is_some_and(|(found, _)| found == body as usize) {
+            return false;
         }
-        let Some((number, entry)) = self.entry(body) else { return };
-        let Some((_, nearest)) = self.found else {
-            self.found = Some((number, entry));
-            return;
-        };
-        self.is_tied |= (entry.distance - nearest.distance).abs() <= 2.0 * self.tie;
-        if entry.distance < nearest.distance {
-            self.found = Some((number, entry));
+        let Some((number, entry)) = self.entry(ray, body) else { return false };
+        let nearest = first.found.map(|(_, nearest)| nearest.distance);
+        first.is_tied |= nearest.is_some_and(|nearest| (entry.distance - nearest).abs() <= 2.0 * self.tie);
+        let is_nearer = nearest.is_none_or(|nearest| entry.distance < nearest);
+        if is_nearer {
+            first.found = Some((number, entry));
         }
+        is_nearer
     }
+}
 
+impl First {
     /// What begins farther than this is not seen.
-    fn farthest(&self) -> f32 {
+    fn farthest(&self, tie: f64) -> f32 {
         let Some((_, Entry { distance, .. })) = self.found else { return f32::INFINITY };
-        (distance + 3.0 * self.tie + 1e-6 * distance.abs()) as f32
+        (distance + 3.0 * tie + 1e-6 * distance.abs()) as f32
     }
+}
 
-    /// The same of bodies whose numbers ascend.
-    fn in_order(&self, bodies: &[u32]) -> Option<(usize, Entry)> {
-        let entries = bodies.iter().filter_map(|&body| self.entry(body));
-        entries.reduce(|first, next| if next.1.distance < first.1.distance - self.tie { next } else { first })
-    }
+fn most(values: &[f32]) -> f32 {
+    values.iter().fold(f32::NEG_INFINITY, |most, &value| if value > most { value } else { most })
 }

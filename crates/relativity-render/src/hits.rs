@@ -32,7 +32,7 @@ impl Measures {
             };
             let rest_position = from + DVec3::new(x, y, z);
             let Turned { own_time, turn, material_position, .. } =
-                Turned::new(prepared, group_view, rest_position);
+                Turned::new(prepared.spin, group_view, rest_position);
             let pixel = [(i % width) as f64 + 0.5, (i / width) as f64 + 0.5];
             Some(Hit {
                 body,

@@ -44,6 +44,10 @@
     not(test),
     warn(clippy::disallowed_methods, clippy::disallowed_types, clippy::print_stdout, clippy::print_stderr)
 )]
+#![expect(
+    clippy::inline_always,
+    reason = "what runs on wide registers must be inlined into where they are chosen"
+)]
 
 pub mod backdrop;
 mod block;
@@ -74,6 +78,7 @@ mod hits;
 pub mod intersect;
 mod ipt;
 mod kind;
+mod lanes;
 mod light;
 mod mesh;
 #[doc(hidden)]
@@ -94,6 +99,7 @@ pub mod received;
 pub mod rectified_hits;
 pub mod rectify;
 pub mod reference;
+mod registers;
 pub mod renderers;
 pub mod scene;
 mod shade;

@@ -12,6 +12,7 @@ use glam::DVec3;
 use relativity_core::math::{self, atan2};
 
 use crate::cone::Cone;
+use crate::first_entry::Found;
 use crate::group_view::{GroupView, RestRay};
 use crate::intersect::Entry;
 use crate::ray::Ray;
@@ -145,7 +146,7 @@ impl PreparedScene {
         bodies: &[u32],
         group_view: &GroupView,
         line_of_sight: DVec3,
-    ) -> Option<(usize, Entry, f64, RestRay)> {
+    ) -> Option<(Found, f64, RestRay)> {
         let (middle, tie) = (prepared.extent.middle, prepared.tie());
         let limit = group_view.rest_ray(line_of_sight);
         let meetings = bodies.iter().filter_map(|&body| {
@@ -156,7 +157,7 @@ impl PreparedScene {
         });
         let first = meetings.reduce(|first, next| if next.is_before(&first, tie) { next } else { first })?;
         let Meeting { body, entry, distance, .. } = first;
-        Some((body, entry, distance, group_view.rest_ray_at(line_of_sight, distance)))
+        Some(((body, entry), distance, group_view.rest_ray_at(line_of_sight, distance)))
     }
 
     /// Where `line_of_sight` enters the `body` of this number, and how far that is on the ground. Rays are counted from

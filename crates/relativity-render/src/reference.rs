@@ -9,16 +9,18 @@ use glam::{DQuat, DVec3};
 use crate::backdrop::Backdrop;
 use crate::camera::LinesOfSight;
 use crate::cap::Cap;
-use crate::first_entry::{Chosen, Standing};
-use crate::group_view::GroupView;
+use crate::first_entry::{Chosen, Found};
+use crate::group_view::{GroupView, RestRay};
+use crate::hierarchy::Lines;
+use crate::intersect::Entry;
 use crate::pattern::Covered;
 use crate::picture::{Picture, encoded};
-use crate::prepared_body::PreparedBody;
 use crate::ray::Ray;
 use crate::scene::PreparedScene;
 use crate::shade::surface_colour;
+use crate::tiles::TILE_SIDE;
 use crate::view::{Appearance, Geometry, View};
-use crate::wheel::spin::about_y;
+use crate::wheel::spin::{Spin, about_y};
 
 /// What one ray meets.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,10 +64,10 @@ pub(crate) struct Turned {
 }
 
 impl Turned {
-    /// Of `body`, hit at `place`, which `group_view` shows.
-    pub fn new(body: &PreparedBody, group_view: &GroupView, place: DVec3) -> Self {
+    /// Of a body that turns so, hit at `place`, which `group_view` shows.
+    pub fn new(spin: Option<Spin>, group_view: &GroupView, place: DVec3) -> Self {
         let own_time = group_view.time_at(place);
-        let Some(spin) = body.spin else {
+        let Some(spin) = spin else {
             return Self { own_time, turn: 0.0, material_position: place, own_doppler: 1.0 };
         };
         let turn = group_view.turn_at(&spin, place);
@@ -89,29 +91,38 @@ impl PreparedScene {
     /// Tests every body: meant for single rays. [`Self::hit_image`] is much faster per ray.
     #[must_use]
     pub fn first_hit(&self, view: &View, line_of_sight: DVec3) -> Option<Hit> {
-        let all = TileBodies { others: self.numbers(), standing: Vec::new() };
-        self.first_hit_among(&all, view, &self.group_views(view), line_of_sight)
+        let all = TileBodies { others: self.numbers(), standing: None };
+        self.first_hits_among(&all, view, &self.group_views(view), &[line_of_sight]).pop()?
     }
 
-    /// What is seen of `bodies`: of each group the first, of those the nearest by light travel.
-    fn first_hit_among(
+    /// What is seen of `bodies` along each of these lines of sight, at most [`Lines::MOST`]: of each group the first, of
+    /// those the nearest by light travel.
+    fn first_hits_among(
         &self,
         bodies: &TileBodies<'_>,
         view: &View,
         group_views: &[GroupView],
-        line_of_sight: DVec3,
-    ) -> Option<Hit> {
-        let mut nearest: Option<Hit> = None;
+        lines_of_sight: &[DVec3],
+    ) -> Vec<Option<Hit>> {
+        let mut nearest: Vec<Option<Hit>> = vec![None; lines_of_sight.len()];
         let mut others = bodies.others;
         for (group, group_view) in group_views.iter().enumerate() {
             let own;
             (own, others) = self.split(others, group);
-            let chosen = Chosen { group, others: own, standing: bodies.standing.get(group) };
-            let hit = self.first_hit_in(&chosen, view, group_view, line_of_sight);
-            nearest = match (nearest, hit) {
-                (Some(near), Some(hit)) if hit.distance < near.distance => Some(hit),
-                (near, hit) => near.or(hit),
-            };
+            let within = |cap: &Cap| self.standing(group, group_view, cap);
+            let standing = bodies.standing.as_ref().and_then(within);
+            let chosen = Chosen { group, others: own, standing };
+            if chosen.is_empty() {
+                continue;
+            }
+            for (nearest, hit) in
+                nearest.iter_mut().zip(self.first_hits_in(&chosen, view, group_view, lines_of_sight))
+            {
+                *nearest = match (*nearest, hit) {
+                    (Some(near), Some(hit)) if hit.distance < near.distance => Some(hit),
+                    (near, hit) => near.or(hit),
+                };
+            }
         }
         nearest
     }
@@ -127,39 +138,48 @@ impl PreparedScene {
     }
 
     /// What is seen of the bodies of a group that are `chosen`.
-    fn first_hit_in(
+    fn first_hits_in(
         &self,
         chosen: &Chosen<'_>,
         view: &View,
         group_view: &GroupView,
-        line_of_sight: DVec3,
-    ) -> Option<Hit> {
-        if chosen.is_empty() {
-            return None;
-        }
+        lines_of_sight: &[DVec3],
+    ) -> Vec<Option<Hit>> {
         let prepared = &self.groups()[chosen.group];
-        let (body, entry, distance, ray) = if group_view.geometry == Geometry::OneCone {
-            self.first_entry_in_one_cone(prepared, chosen.others, group_view, line_of_sight)?
-        } else {
-            let ray = group_view.rest_ray(line_of_sight);
-            let near = Ray::new(ray.origin, ray.direction).counted_from(prepared.extent.middle);
-            let (body, entry) = self.first_entry(chosen, &near, group_view)?;
-            let distance = (near.from_camera + entry.distance) * ray.ground_per_rest;
-            (body, entry, distance, ray)
+        let hit = |line_of_sight, (body, entry): Found, distance, ray: &RestRay| {
+            let Entry { position, normal, .. } = entry;
+            let Turned { own_time, turn, material_position, own_doppler } =
+                Turned::new(self.spin(body), group_view, position);
+            Hit {
+                body,
+                rest_position: position,
+                rest_normal: normal,
+                distance,
+                emission_time: view.emission_time(line_of_sight, distance),
+                own_time,
+                turn,
+                material_position,
+                doppler_factor: ray.doppler_factor * own_doppler,
+            }
         };
-        let Turned { own_time, turn, material_position, own_doppler } =
-            Turned::new(&self.bodies()[body], group_view, entry.position);
-        Some(Hit {
-            body,
-            rest_position: entry.position,
-            rest_normal: entry.normal,
-            distance,
-            emission_time: view.emission_time(line_of_sight, distance),
-            own_time,
-            turn,
-            material_position,
-            doppler_factor: ray.doppler_factor * own_doppler,
-        })
+        if group_view.geometry == Geometry::OneCone {
+            let one = |&line_of_sight: &DVec3| {
+                let (found, distance, ray) =
+                    self.first_entry_in_one_cone(prepared, chosen.others, group_view, line_of_sight)?;
+                Some(hit(line_of_sight, found, distance, &ray))
+            };
+            return lines_of_sight.iter().map(one).collect();
+        }
+        let rays: Vec<_> = lines_of_sight.iter().map(|&sight| group_view.rest_ray(sight)).collect();
+        let near = |ray: &RestRay| Ray::new(ray.origin, ray.direction).counted_from(prepared.extent.middle);
+        let near: Vec<_> = rays.iter().map(near).collect();
+        let entries = self.first_entries(chosen, &near, group_view);
+        let one = |(i, found): (usize, Option<Found>)| {
+            let (body, entry) = found?;
+            let distance = (near[i].from_camera + entry.distance) * rays[i].ground_per_rest;
+            Some(hit(lines_of_sight[i], (body, entry), distance, &rays[i]))
+        };
+        entries.into_iter().enumerate().map(one).collect()
     }
 
     /// What `view` shows at the centre of every pixel.
@@ -167,10 +187,7 @@ impl PreparedScene {
     pub fn hit_image(&self, view: &View) -> HitImage {
         let lines_of_sight = LinesOfSight::new(&view.camera);
         let group_views = self.group_views(view);
-        let hits = self.pixels(view, &group_views, &|| true, |bodies, [u, v]| {
-            let center = [f64::from(u) + 0.5, f64::from(v) + 0.5];
-            self.first_hit_among(bodies, view, &group_views, lines_of_sight.through(center))
-        });
+        let hits = self.pixels(view, &group_views, &lines_of_sight, 1, &|| true, |met| met.hits[0]);
         HitImage { size: view.camera.size, hits }
     }
 
@@ -209,10 +226,9 @@ impl PreparedScene {
         let lines_of_sight = LinesOfSight::new(&view.camera);
         let backdrop = Backdrop::new(&view.camera, appearance);
         let group_views = self.group_views(view);
-        self.pixels(view, &group_views, goes_on, |bodies, pixel| {
-            let sum = sample_grid(pixel, samples).fold([0.0; 3], |sum: [f64; 3], place| {
-                let line_of_sight = lines_of_sight.through(place);
-                let hit = self.first_hit_among(bodies, view, &group_views, line_of_sight);
+        self.pixels(view, &group_views, &lines_of_sight, samples, goes_on, |met| {
+            let rays = met.places.iter().zip(met.sights).zip(met.hits);
+            let sum = rays.fold([0.0; 3], |sum: [f64; 3], ((&place, &line_of_sight), &hit)| {
                 let mark = |hit: &Hit| {
                     let turns = lines_of_sight.turns(place).map(|turn| turn / f64::from(samples));
                     self.mark(hit, self.covered(hit, &group_views, line_of_sight, turns))
@@ -269,42 +285,59 @@ impl PreparedScene {
         }
     }
 
-    /// One value per pixel of `view`, row by row, from the bodies that can be seen there and the pixel; the default in
-    /// rows that are begun when it no longer `goes_on`.
+    /// One value per pixel of `view`, row by row, from what `samples` times `samples` rays meet in it; the default in rows
+    /// that are begun when it no longer `goes_on`.
     fn pixels<T: Clone + Default + Send>(
         &self,
         view: &View,
         group_views: &[GroupView],
+        lines_of_sight: &LinesOfSight,
+        samples: u32,
         goes_on: &(dyn Fn() -> bool + Sync),
-        value: impl Fn(&TileBodies<'_>, [u32; 2]) -> T + Sync,
+        value: impl Fn(&Met<'_>) -> T + Sync,
     ) -> Vec<T> {
+        // As many pixels are looked at together as have the rays of a tile with one ray to each.
+        let side = (TILE_SIDE / samples).max(1);
         self.tiles(view, group_views, goes_on, |look, rows| {
-            let standing = look.cap.map_or_else(Vec::new, |cap| self.standing_in(&cap, group_views));
-            let bodies = TileBodies { others: look.others, standing };
-            for pixel in look.tile.pixels() {
-                rows.put(pixel, value(&bodies, pixel));
+            for part in look.tile.parts(side) {
+                let cap = || if part == look.tile { look.cap } else { Some(part.cap(lines_of_sight)) };
+                let bodies = TileBodies { others: look.others, standing: look.cap.and_then(|_| cap()) };
+                let mut places = Vec::with_capacity(Lines::MOST);
+                part.pixels().for_each(|pixel| places.extend(sample_grid(pixel, samples)));
+                let sights: Vec<_> = places.iter().map(|&place| lines_of_sight.through(place)).collect();
+                let mut hits = Vec::with_capacity(sights.len());
+                for some in sights.chunks(Lines::MOST) {
+                    hits.append(&mut self.first_hits_among(&bodies, view, group_views, some));
+                }
+                let count = (samples * samples) as usize;
+                let mut first = 0;
+                part.pixels().for_each(|pixel| {
+                    let own = first..first + count;
+                    let met =
+                        Met { places: &places[own.clone()], sights: &sights[own.clone()], hits: &hits[own] };
+                    rows.put(pixel, value(&met));
+                    first += count;
+                });
             }
         })
     }
-
-    /// For each group those of its bodies that keep their places and can be seen in `cap`.
-    fn standing_in(&self, cap: &Cap, group_views: &[GroupView]) -> Vec<Standing> {
-        let of_group = |(group, view): (usize, &GroupView)| {
-            if !view.has_straight_rays() {
-                return Standing::Few(Vec::new());
-            }
-            self.beam(group, view, cap).map_or(Standing::Many, |beam| self.standing(group, &beam))
-        };
-        group_views.iter().enumerate().map(of_group).collect()
-    }
 }
 
-/// The bodies that a tile may show.
+/// What the rays of a pixel meet.
+struct Met<'a> {
+    /// Where they are in the picture, px.
+    places: &'a [[f64; 2]],
+    /// Their lines of sight.
+    sights: &'a [DVec3],
+    hits: &'a [Option<Hit>],
+}
+
+/// The bodies that a part of a picture may show.
 struct TileBodies<'a> {
     /// The numbers, which ascend, of those that do not keep their places, or of all those of a group whose rays curve.
     others: &'a [u32],
-    /// For each group those that do; none at all where all are among the others.
-    standing: Vec<Standing>,
+    /// Around the lines of sight along which those that do are looked for.
+    standing: Option<Cap>,
 }
 
 /// The centres of `samples` times `samples` equal parts of a pixel.

@@ -15,6 +15,7 @@ use crate::prepared_body::{Extent, PreparedBody, find_joints, find_patterned, nu
 use crate::velocity::Motion;
 use crate::view::View;
 use crate::wheel::solid::TurningSolid;
+use crate::wheel::spin::Spin;
 
 /// Bodies that move alike.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -210,9 +211,20 @@ impl PreparedScene {
         &self.0.balls[body.number]
     }
 
+    /// How the body of this number turns. Where none does, nothing is looked up.
+    pub(crate) fn spin(&self, body: usize) -> Option<Spin> {
+        if self.spinning().is_empty() { None } else { self.bodies()[body].spin }
+    }
+
     /// The numbers of the bodies that turn, whether out of their places or not.
     pub(crate) fn spinning(&self) -> &[u32] {
         &self.0.spinning
+    }
+
+    /// The numbers of those among `bodies` that turn, whether out of their places or not.
+    pub(crate) fn spinning_in(&self, bodies: Range<usize>) -> impl Iterator<Item = usize> {
+        let spinning = self.spinning().iter().map(|&body| body as usize);
+        spinning.skip_while(move |&body| body < bodies.start).take_while(move |&body| body < bodies.end)
     }
 
     /// What bodies emit, each once, by its number.

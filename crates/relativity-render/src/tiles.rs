@@ -25,6 +25,18 @@ impl Tile {
         (top..top + height).flat_map(move |v| (left..left + width).map(move |u| [u, v]))
     }
 
+    /// Its parts of no more than this `side`, row by row.
+    pub fn parts(self, side: u32) -> impl Iterator<Item = Self> {
+        let Self { corner: [left, top], size: [width, height] } = self;
+        let starts = move |length: u32| (0..length).step_by(side as usize);
+        starts(height).flat_map(move |y| {
+            starts(width).map(move |x| Self {
+                corner: [left + x, top + y],
+                size: [side.min(width - x), side.min(height - y)],
+            })
+        })
+    }
+
     /// Whether it is not halved any more.
     pub fn is_least(self) -> bool {
         self.size[0].max(self.size[1]) <= TILE_SIDE

@@ -10,20 +10,22 @@ use crate::group_view::GroupView;
 use crate::ray::Ray;
 use crate::view::Geometry;
 
+/// Squares below this are no longer accurate.
+const LEAST_SQUARE: f64 = 1e-280;
 /// What f32 loses of a place and an offset, in parts of them.
-const ROUNDING: f32 = 1e-6;
+pub(super) const ROUNDING: f32 = 1e-6;
 /// Of beams of a smaller one the planes that touch them are all but one.
 const LEAST_COSINE: f64 = 0.07;
 
 /// A cone of rays, inside four planes through its tip that touch it.
 #[derive(Debug, Clone, Copy)]
 pub struct Beam {
-    /// The parts of the planes' normals, outwards.
-    normals: [[f32; 4]; 3],
+    /// The parts of the planes' normals, outwards; all planes are there twice, for two boxes at once.
+    normals: [[f32; 8]; 3],
     /// Their sizes.
-    sizes: [[f32; 4]; 3],
+    sizes: [[f32; 8]; 3],
     /// How far outside of the middle of the group they are, less room for rounding.
-    offsets: [f32; 4],
+    offsets: [f32; 8],
     /// The middle ray's direction.
     axis: Vec3,
     /// By how much other rays' differ from that at most.
@@ -39,10 +41,11 @@ pub struct Line {
     axis: Vec3,
 }
 
-/// What looks for boxes.
+/// What looks for boxes, told by their middles and the halves of their sides.
 pub trait Looks {
-    /// How far beyond the middle of the group it meets a box at least, both told from there; `None` if it passes.
-    fn nearest(&self, center: Vec3, half: Vec3) -> Option<f32>;
+    /// How far beyond the middle of the group it meets each of two boxes at least, both told from there; `None` if it
+    /// passes.
+    fn nearest(&self, boxes: [[Vec3; 2]; 2]) -> [Option<f32>; 2];
 }
 
 impl Line {
@@ -59,16 +62,21 @@ impl Line {
 }
 
 impl Looks for Line {
-    #[inline]
-    fn nearest(&self, center: Vec3, half: Vec3) -> Option<f32> {
-        let reach = half + ROUNDING * center.abs();
-        let [(u, u_size, u_offset), (v, v_size, v_offset)] = self.across;
-        let off_u = (u.dot(center) - u_offset).abs() - ROUNDING * u_offset.abs();
-        let off_v = (v.dot(center) - v_offset).abs() - ROUNDING * v_offset.abs();
-        if off_u > u_size.dot(reach) || off_v > v_size.dot(reach) {
-            return None;
-        }
-        Some(self.axis.dot(center) - (self.axis.abs() + ROUNDING).dot(reach))
+    #[inline(always)]
+    fn nearest(&self, boxes: [[Vec3; 2]; 2]) -> [Option<f32>; 2] {
+        boxes.map(
+            #[inline(always)]
+            |[center, half]| {
+                let reach = half + ROUNDING * center.abs();
+                let [(u, u_size, u_offset), (v, v_size, v_offset)] = self.across;
+                let off_u = (u.dot(center) - u_offset).abs() - ROUNDING * u_offset.abs();
+                let off_v = (v.dot(center) - v_offset).abs() - ROUNDING * v_offset.abs();
+                if off_u > u_size.dot(reach) || off_v > v_size.dot(reach) {
+                    return None;
+                }
+                Some(self.axis.dot(center) - (self.axis.abs() + ROUNDING).dot(reach))
+            },
+        )
     }
 }
 
@@ -90,8 +98,8 @@ impl Beam {
     }
 
     fn within(planes: [(Vec3, f32); 4], axis: DVec3, half_angle: f64) -> Self {
-        let part = |axis: usize| planes.map(|(normal, _)| normal[axis]);
-        let normals = [part(0), part(1), part(2)];
+        let planes = std::array::from_fn::<_, 8, _>(|i| planes[i % 4]);
+        let normals = [0, 1, 2].map(|axis: usize| planes.map(|(normal, _)| normal[axis]));
         Self {
             normals,
             sizes: normals.map(|parts| parts.map(|part| part.abs() + ROUNDING)),
@@ -103,28 +111,38 @@ impl Beam {
 }
 
 impl Looks for Beam {
-    #[inline]
-    fn nearest(&self, center: Vec3, half: Vec3) -> Option<f32> {
-        let reach = half + ROUNDING * center.abs();
-        let mut is_outside = false;
-        for i in 0..4 {
+    #[inline(always)]
+    fn nearest(&self, boxes: [[Vec3; 2]; 2]) -> [Option<f32>; 2] {
+        let [first, second] = boxes;
+        let reach = [first[1] + ROUNDING * first[0].abs(), second[1] + ROUNDING * second[0].abs()];
+        let [near, far] = [first[0], second[0]];
+        let mut excess = [0.0; 8];
+        for (i, excess) in excess.iter_mut().enumerate() {
+            let (center, reach) = if i < 4 { (near, reach[0]) } else { (far, reach[1]) };
             let off =
                 self.normals[0][i] * center.x + self.normals[1][i] * center.y + self.normals[2][i] * center.z;
             let room = self.sizes[0][i] * reach.x + self.sizes[1][i] * reach.y + self.sizes[2][i] * reach.z;
-            is_outside |= off - room > self.offsets[i];
+            *excess = off - room;
         }
-        if is_outside {
-            return None;
+        let mut is_outside = [false; 2];
+        for i in 0..4 {
+            is_outside[0] |= excess[i] > self.offsets[i];
+            is_outside[1] |= excess[4 + i] > self.offsets[4 + i];
         }
-        let along = self.axis.dot(center) - self.axis.abs().dot(reach);
-        Some(along - self.spread * (center.abs() + reach).length())
+        let along = |center: Vec3, reach: Vec3| {
+            let along = self.axis.dot(center) - self.axis.abs().dot(reach);
+            // The sum of its parts is no less than a length.
+            along - self.spread * (center.abs() + reach).element_sum()
+        };
+        [(!is_outside[0]).then(|| along(near, reach[0])), (!is_outside[1]).then(|| along(far, reach[1]))]
     }
 }
 
 /// Two unit vectors across `axis` and each other, each part of them as accurate as those of `axis`: rays of a camera 1e30
 /// away are turned from x by 1e-30.
-fn across(axis: DVec3) -> [DVec3; 2] {
-    let off_x = hypot(axis.y, axis.z);
+pub(super) fn across(axis: DVec3) -> [DVec3; 2] {
+    let square = axis.y * axis.y + axis.z * axis.z;
+    let off_x = if square > LEAST_SQUARE { square.sqrt() } else { hypot(axis.y, axis.z) };
     if off_x == 0.0 {
         return [DVec3::Y, DVec3::Z];
     }

@@ -6,12 +6,10 @@ use glam::{DVec3, Vec3};
 use relativity_core::threads::join;
 
 use super::pieces::Piece;
-use super::{Hierarchy, IN_PIECES, MOST_WAITING, Node};
+use super::{Hierarchy, Holds, MOST_WAITING, Node, Pair};
 
 /// Places, along the longest side, at which a division is tried.
 const BINS: usize = 16;
-/// So many are not divided any more.
-const MOST_IN_LEAF: usize = 1;
 /// Fewer than this are built by one thread.
 const LEAST_FOR_TWO: usize = 4096;
 /// Below this depth boxes are halved by number, so that none is deeper than what may wait.
@@ -24,35 +22,33 @@ struct Bounds {
     high: Vec3,
 }
 
-/// What is divided: a piece, counted from the middle of the group and rounded outwards.
-#[derive(Debug, Clone, Copy)]
-struct Part {
-    bounds: Bounds,
-    body: u32,
-}
-
 impl Hierarchy {
     /// Of these, which are told from `middle`.
     #[must_use]
     pub fn new(pieces: impl IntoIterator<Item = Piece>, middle: DVec3) -> Self {
-        let mut parts: Vec<_> = pieces.into_iter().map(|piece| Part::new(&piece, middle)).collect();
-        if parts.is_empty() {
+        let mut leaves: Vec<_> = pieces.into_iter().map(|piece| Node::leaf(&piece, middle)).collect();
+        if leaves.is_empty() {
             return Self::default();
         }
-        let mut nodes = Vec::new();
-        build(&mut parts, 0, 0, &mut nodes);
-        Self { nodes, bodies: parts.iter().map(|part| part.body).collect() }
+        let mut pairs = vec![Pair::default(); leaves.len() - 1];
+        let root = build(&mut leaves, 0, 0, &mut pairs);
+        Self { root: Some(root), pairs }
     }
 }
 
-impl Part {
-    fn new(piece: &Piece, middle: DVec3) -> Self {
+impl Node {
+    /// Of `piece`, rounded outwards.
+    fn leaf(piece: &Piece, middle: DVec3) -> Self {
         let [low, high] = piece.corners.map(|corner| corner - middle);
-        let mark = if piece.is_one_of_some { IN_PIECES } else { 0 };
-        // More than f32 loses, of it and of the middle and half of a box.
+        // More than f32 loses, of it and of the boxes that it is in.
         let room = 1e-6 * low.abs().max(high.abs()).max_element() as f32;
         let bounds = Bounds { low: low.as_vec3() - room, high: high.as_vec3() + room };
-        Self { bounds, body: piece.body | mark }
+        let holds = if piece.is_one_of_some { Holds::Piece } else { Holds::Body };
+        bounds.node(piece.body, holds)
+    }
+
+    fn bounds(&self) -> Bounds {
+        Bounds { low: self.center - self.half, high: self.center + self.half }
     }
 }
 
@@ -63,9 +59,10 @@ impl Bounds {
         Self { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
-    /// Twice its middle.
-    fn sum(&self) -> Vec3 {
-        self.low + self.high
+    /// A node, of what has this `number`.
+    fn node(self, number: u32, holds: Holds) -> Node {
+        let (center, half) = (0.5 * (self.low + self.high), 0.5 * (self.high - self.low));
+        Node { center, half: half * (1.0 + 1e-6), number, holds }
     }
 
     /// Half of its surface; none of one that holds nothing.
@@ -75,74 +72,54 @@ impl Bounds {
     }
 }
 
-/// Adds the nodes of `parts`, which are put in the order of the leaves, to `nodes`; they are `first` and the next of all.
-fn build(parts: &mut [Part], first: usize, depth: usize, nodes: &mut Vec<Node>) {
-    let around = parts.iter().fold(Bounds::NONE, |around, part| around.joined(part.bounds));
-    let (center, half) = (0.5 * around.sum(), 0.5 * (around.high - around.low));
-    let place = nodes.len();
-    nodes.push(Node { center, half: half * (1.0 + 1e-6), start: first as u32, count: parts.len() as u32 });
-    if parts.len() <= MOST_IN_LEAF {
-        return;
-    }
-    let count = divided(parts, depth);
-    let (left, right) = parts.split_at_mut(count);
-    nodes[place].count = 0;
-    if left.len().min(right.len()) < LEAST_FOR_TWO {
-        build(left, first, depth + 1, nodes);
-        nodes[place].start = nodes.len() as u32;
-        build(right, first + count, depth + 1, nodes);
-        return;
-    }
-    let built = |parts: &mut [Part], first| {
-        let mut nodes = Vec::new();
-        build(parts, first, depth + 1, &mut nodes);
-        nodes
-    };
-    let (left, right) = join(|| built(left, first), || built(right, first + count));
-    for half in [left, right] {
-        let start = nodes.len() as u32;
-        nodes[place].start = start;
-        nodes.extend(half.into_iter().map(|node| {
-            let start = if node.count == 0 { node.start + start } else { node.start };
-            Node { start, ..node }
-        }));
-    }
+/// A node of all `leaves`, which are put in another order. It takes all of `pairs`, one less, of which the first has this
+/// number.
+fn build(leaves: &mut [Node], number: u32, depth: usize, pairs: &mut [Pair]) -> Node {
+    let Some((pair, pairs)) = pairs.split_first_mut() else { return leaves[0] };
+    let around = leaves.iter().fold(Bounds::NONE, |around, leaf| around.joined(leaf.bounds()));
+    let count = divided(leaves, depth);
+    let (first, second) = leaves.split_at_mut(count);
+    let (first_pairs, second_pairs) = pairs.split_at_mut(count - 1);
+    let (is_worth_two, depth) = (first.len().min(second.len()) >= LEAST_FOR_TWO, depth + 1);
+    let mut first = || build(first, number + 1, depth, first_pairs);
+    let mut second = || build(second, number + count as u32, depth, second_pairs);
+    let (first, second) = if is_worth_two { join(first, second) } else { (first(), second()) };
+    *pair = Pair([first, second]);
+    around.node(number, Holds::Pair)
 }
 
-/// Puts `parts` in two halves, and says how many are in the first.
-fn divided(parts: &mut [Part], depth: usize) -> usize {
-    let middles = parts.iter().fold(Bounds::NONE, |around, part| {
-        let middle = part.bounds.sum();
-        around.joined(Bounds { low: middle, high: middle })
-    });
+/// Puts `leaves` in two halves, and says how many are in the first.
+fn divided(leaves: &mut [Node], depth: usize) -> usize {
+    let middles = leaves
+        .iter()
+        .fold(Bounds::NONE, |around, leaf| around.joined(Bounds { low: leaf.center, high: leaf.center }));
     let sides = middles.high - middles.low;
     let axis = sides.max_position();
-    let halved = parts.len() / 2;
+    let halved = leaves.len() / 2;
     if sides[axis] <= 0.0 || !sides[axis].is_finite() {
         return halved;
     }
-    let by_middle = |a: &Part, b: &Part| a.bounds.sum()[axis].total_cmp(&b.bounds.sum()[axis]);
-    if depth > DEEPEST_BY_COST || parts.len() <= 4 {
-        parts.select_nth_unstable_by(halved, by_middle);
+    if depth > DEEPEST_BY_COST || leaves.len() <= 4 {
+        leaves.select_nth_unstable_by(halved, |a, b| a.center[axis].total_cmp(&b.center[axis]));
         return halved;
     }
     let scale = BINS as f32 * (1.0 - 1e-6) / sides[axis];
-    let bin = |part: &Part| (((part.bounds.sum()[axis] - middles.low[axis]) * scale) as usize).min(BINS - 1);
+    let bin = |leaf: &Node| (((leaf.center[axis] - middles.low[axis]) * scale) as usize).min(BINS - 1);
     let mut bins = [(Bounds::NONE, 0_usize); BINS];
-    for part in parts.iter() {
-        let (bounds, count) = &mut bins[bin(part)];
-        *bounds = bounds.joined(part.bounds);
+    for leaf in leaves.iter() {
+        let (bounds, count) = &mut bins[bin(leaf)];
+        *bounds = bounds.joined(leaf.bounds());
         *count += 1;
     }
     let last = cheapest(&bins);
     let mut count = 0;
-    for i in 0..parts.len() {
-        if bin(&parts[i]) <= last {
-            parts.swap(i, count);
+    for i in 0..leaves.len() {
+        if bin(&leaves[i]) <= last {
+            leaves.swap(i, count);
             count += 1;
         }
     }
-    if count == 0 || count == parts.len() { halved } else { count }
+    if count == 0 || count == leaves.len() { halved } else { count }
 }
 
 /// The last bin of the first half where the sum of surfaces, each times how many are in it, is least.

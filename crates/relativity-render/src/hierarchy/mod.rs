@@ -6,37 +6,52 @@
 
 mod beam;
 mod build;
+mod lines;
 mod pieces;
 
 use glam::Vec3;
 
 pub use beam::{Beam, Line, Looks};
+pub use lines::Lines;
 pub use pieces::pieces;
 
-/// Marks a body in [`Hierarchy::bodies`] of which there is more than one piece.
-const IN_PIECES: u32 = 1 << 31;
 /// Nodes that wait while others are looked into: no hierarchy is as deep.
 const MOST_WAITING: usize = 64;
 
 /// Of those bodies of a group that stand still in it.
 #[derive(Debug, Default)]
 pub struct Hierarchy {
-    /// The first is around all. The children of a node are the next one and that at `start`.
-    nodes: Vec<Node>,
-    /// The numbers of the bodies in the leaves, in their order.
-    bodies: Vec<u32>,
+    /// Around all, if there are any.
+    root: Option<Node>,
+    pairs: Vec<Pair>,
 }
 
-/// A box, counted from the middle of the group: of two nodes, or of `count` bodies from `start` on.
+/// The two halves of a node, which are looked at together: a line of cache.
+#[derive(Debug, Clone, Copy, Default)]
+#[repr(align(64))]
+struct Pair([Node; 2]);
+
+/// A box, counted from the middle of the group.
 #[derive(Debug, Clone, Copy, Default)]
 struct Node {
     center: Vec3,
-    start: u32,
+    /// Of what it holds.
+    number: u32,
     half: Vec3,
-    count: u32,
+    holds: Holds,
 }
 
-/// What a beam may meet.
+#[derive(Debug, Clone, Copy, Default)]
+enum Holds {
+    /// The nodes of a pair.
+    #[default]
+    Pair,
+    Body,
+    /// A body of which there is more than one piece.
+    Piece,
+}
+
+/// What may be met, in its box.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Candidate {
     /// The number of the body.
@@ -45,12 +60,16 @@ pub struct Candidate {
     pub is_one_of_some: bool,
     /// It is met no nearer than this, beyond the middle of the group.
     pub nearest: f32,
+    /// The middle of the box, from that of the group.
+    pub center: Vec3,
+    /// Half of its sides.
+    pub half: Vec3,
 }
 
 impl Hierarchy {
     /// Whether there is nothing in it.
     pub fn is_empty(&self) -> bool {
-        self.nodes.is_empty()
+        self.root.is_none()
     }
 
     /// Whether `beam` may meet anything.
@@ -65,14 +84,16 @@ impl Hierarchy {
 
     /// Has `visit` told of all that `looks` may meet, about from the nearest to the farthest. What lies farther beyond the
     /// middle of the group than `visit` answers is left out from then on.
+    #[inline(always)]
     pub fn along(&self, looks: &impl Looks, mut visit: impl FnMut(Candidate) -> f32) {
-        let Some(root) = self.nodes.first() else { return };
-        let mut waiting = [(0_u32, 0_f32); MOST_WAITING];
+        let Some(root) = &self.root else { return };
+        let mut waiting = [(root, 0_f32); MOST_WAITING];
         let mut count = 0;
         let mut farthest = f32::INFINITY;
-        let mut next = looks.nearest(root.center, root.half).map(|nearest| (0, nearest));
+        let around = [root.center, root.half];
+        let mut next = looks.nearest([around, around])[0].map(|nearest| (root, nearest));
         loop {
-            let (number, nearest) = match next.take() {
+            let (node, nearest) = match next.take() {
                 Some(node) => node,
                 None if count > 0 => {
                     count -= 1;
@@ -83,28 +104,26 @@ impl Hierarchy {
             if nearest > farthest {
                 continue;
             }
-            let node = &self.nodes[number as usize];
-            if node.count > 0 {
-                for &body in &self.bodies[node.start as usize..(node.start + node.count) as usize] {
-                    let is_one_of_some = body & IN_PIECES != 0;
-                    farthest = visit(Candidate { body: body & !IN_PIECES, is_one_of_some, nearest });
-                }
+            if !matches!(node.holds, Holds::Pair) {
+                let Node { center, half, number, holds } = *node;
+                let is_one_of_some = matches!(holds, Holds::Piece);
+                farthest = visit(Candidate { body: number, is_one_of_some, nearest, center, half });
                 continue;
             }
-            let child = |number: u32| {
-                let child = &self.nodes[number as usize];
-                Some((number, looks.nearest(child.center, child.half)?))
+            let Pair([first, second]) = &self.pairs[node.number as usize];
+            let nearest = looks.nearest([[first.center, first.half], [second.center, second.half]]);
+            next = match nearest {
+                [Some(near), Some(far)] => {
+                    let (near, far) = ((first, near), (second, far));
+                    let (near, far) = if far.1 < near.1 { (far, near) } else { (near, far) };
+                    waiting[count] = far;
+                    count += 1;
+                    Some(near)
+                }
+                [Some(near), None] => Some((first, near)),
+                [None, Some(near)] => Some((second, near)),
+                [None, None] => None,
             };
-            let children = [child(number + 1), child(node.start)];
-            let (near, far) = match children {
-                [Some(first), Some(second)] if second.1 < first.1 => (Some(second), Some(first)),
-                [first, second] => (first.or(second), first.and(second)),
-            };
-            next = near;
-            if let Some(far) = far {
-                waiting[count] = far;
-                count += 1;
-            }
         }
     }
 }
@@ -114,7 +133,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_node_is_half_a_line_of_cache() {
-        assert_eq!(size_of::<Node>(), 32);
+    fn a_pair_is_a_line_of_cache() {
+        assert_eq!(size_of::<Pair>(), 64);
     }
 }

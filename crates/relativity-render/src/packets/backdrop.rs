@@ -1,6 +1,5 @@
 //! Sky and resting ground, as `shaders/backdrop.wgsl` has them.
 
-use super::lanes::{F, Simd, SimdFloat as _, SimdMask as _, V2, V3, all, clamp};
 use super::ray::{Sight, line_of_sight};
 use super::street::{Covered, front};
 use crate::backdrop::{
@@ -8,6 +7,7 @@ use crate::backdrop::{
     LINE_HALF_WIDTH, Part, SKY_RISE,
 };
 use crate::frame::Frame;
+use crate::lanes::{F, Simd, SimdFloat as _, SimdMask as _, V2, V3, all, clamp};
 
 /// Lines of sight that fall less do not meet the ground.
 const LEAST_FALL: f32 = -1e-6;
@@ -181,11 +181,11 @@ mod tests {
     use glam::DVec3;
     use relativity_core::{Aperture, Speed};
 
-    use super::super::lanes::{LANES, SimdBase as _};
     use super::*;
     use crate::backdrop::Backdrop;
     use crate::camera::{Camera, Gaze, LinesOfSight, Projection};
     use crate::colour::srgb_encoded;
+    use crate::lanes::{LANES, SimdBase as _};
     use crate::packets::encode::encoded;
     use crate::packets::testing::at_every_level;
     use crate::scene::PreparedScene;

@@ -2,7 +2,7 @@
 
 use super::body::{Body, Capsule, Group, Ray, Surface, own_ray};
 use super::edge::share_of_other;
-use super::lanes::{F, Mask, Simd, SimdFloat, V3, all, select, sign_of};
+use crate::lanes::{F, Mask, Simd, SimdFloat, V3, all, select, sign_of};
 
 /// Below this sine of its angle to the ray the image of an axis is a point.
 const LEAST_SINE: f32 = 1e-5;

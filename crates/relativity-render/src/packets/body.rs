@@ -1,7 +1,7 @@
 //! A body, a ray, and where they meet, as `shaders/body.wgsl` has them.
 
-use super::lanes::{F, Mask, Quaternion, Simd, V3, all, select};
 use crate::frame::Frame;
+use crate::lanes::{F, Mask, Quaternion, Simd, V3, all, select};
 use crate::prepared_body::Placement;
 use crate::view::Geometry;
 

@@ -5,9 +5,9 @@ use std::sync::LazyLock;
 use fearless_simd::i32x8;
 use relativity_core::math;
 
-use super::lanes::{F, LANES, Simd, SimdFloat as _, SimdFrom as _, V3, all, clamp};
 use super::logarithm::{log2, power_of_two};
 use crate::effects::{Effects, Spectrum};
+use crate::lanes::{F, LANES, Simd, SimdFloat as _, SimdFrom as _, V3, all, clamp};
 use crate::palette::{self, BAND, ENTRIES, GLOW, MAP};
 use crate::planck::DAYLIGHT_KELVIN;
 use crate::shade::{FORM, LIGHT};

@@ -2,7 +2,7 @@
 
 use super::body::{Body, Group, Ray, Surface, own_ray};
 use super::edge::share_of_other;
-use super::lanes::{F, Simd, SimdFloat, V2, V3, all, clamp, select, sign_of};
+use crate::lanes::{F, Simd, SimdFloat, V2, V3, all, clamp, select, sign_of};
 
 /// Where rays meet it.
 #[inline(always)]

@@ -4,8 +4,8 @@ use std::sync::LazyLock;
 
 use fearless_simd::u32x8;
 
-use super::lanes::{F, LANES, Simd, SimdBase as _, SimdFrom as _, V3, clamp};
 use crate::colour::LEAST;
+use crate::lanes::{F, LANES, Simd, SimdBase as _, SimdFrom as _, V3, clamp};
 
 /// The rest of the digits of a float, after those that tell its cell: in none does more than one level begin.
 const DIGITS: u32 = 16;

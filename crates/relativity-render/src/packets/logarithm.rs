@@ -4,7 +4,7 @@ use std::f64::consts::{LN_2, SQRT_2};
 
 use fearless_simd::{Bytes as _, i32x8};
 
-use super::lanes::{F, Simd, SimdFloat as _, SimdInt as _, all, clamp, select};
+use crate::lanes::{F, Simd, SimdFloat as _, SimdInt as _, all, clamp, select};
 
 /// Digits of a float after the point, and what is added to its exponent.
 const DIGITS: u32 = 23;
@@ -63,8 +63,8 @@ fn float<S: Simd>(bits: i32x8<S>) -> F<S> {
 mod tests {
     use relativity_core::math;
 
-    use super::super::lanes::{LANES, SimdFrom as _};
     use super::*;
+    use crate::lanes::{LANES, SimdFrom as _};
     use crate::packets::testing::at_every_level;
 
     #[test]

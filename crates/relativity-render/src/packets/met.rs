@@ -1,10 +1,10 @@
 //! Where the rays of a packet meet a body that is seen there.
 
 use super::body::{Body, Group, Ray, Surface};
-use super::lanes::{F, Simd};
 use super::look::{Look, Seen};
 use super::tile::{Owner, Packet, Test};
 use super::turning::{Spin, doppler_of, surface_when_shown};
+use crate::lanes::{F, Simd};
 
 /// What is known of that, eight pixels at a time.
 pub struct Met<'a, S: Simd> {

@@ -3,10 +3,6 @@
 //! The same formulas as in `shaders/`, function by function, so that it is as accurate as [`rays`](crate::rays); it needs
 //! no graphics adapter, and is faster than one that is software. A tile of the picture looks for bodies in the
 //! hierarchies, about the nearest first, and stops behind what covers it.
-#![expect(
-    clippy::inline_always,
-    reason = "what runs on wide registers must be inlined into where they are chosen"
-)]
 
 mod backdrop;
 mod block;
@@ -15,7 +11,6 @@ mod colour;
 mod cylinder;
 mod edge;
 mod encode;
-mod lanes;
 mod logarithm;
 mod look;
 mod met;
@@ -24,7 +19,6 @@ mod passing;
 mod pattern;
 mod places;
 mod ray;
-mod registers;
 mod ring;
 mod shading;
 mod shape;
@@ -42,11 +36,11 @@ use fearless_simd::Level;
 use crate::canvas::Measures;
 use crate::picture::Picture;
 use crate::reference::HitImage;
+use crate::registers::{on_registers, widest};
 use crate::scene::PreparedScene;
 use crate::view::{Appearance, View};
 use colour::Tables;
 use look::Look;
-use registers::{on_registers, widest};
 use shading::shade_backdrop;
 use tile::{CENTRE, STANDARD};
 

@@ -1,12 +1,12 @@
 //! What a tile shows in numbers.
 
-use super::lanes::{LANES, Simd, SimdFloat};
 use super::look::Look;
 use super::met::Met;
 use super::places::{packet_places, write_one};
 use super::tile::{Drawn, Packet};
 use super::turning::place_of_hit;
 use crate::candidates::Rows;
+use crate::lanes::{LANES, Simd, SimdFloat};
 use crate::tiles::Tile;
 
 /// What a pixel shows in numbers, as the shaders write it.

@@ -1,9 +1,9 @@
 //! Which of the eight packets of a tile a body may be seen in: a lane is a packet here.
 
 use super::body::{Capsule, Group, Ray};
-use super::lanes::{F, LANES, Mask, Simd, SimdFloat, SimdFrom, V3, all, clamp, select};
 use super::places::packet_places;
 use super::ray::{line_of_sight, nearest_to, rest_ray};
+use crate::lanes::{F, LANES, Mask, Simd, SimdFloat, SimdFrom, V3, all, clamp, select};
 
 /// The ray through the middle of each packet, and how far others of it are off that.
 #[derive(Debug, Clone, Copy)]

@@ -1,7 +1,7 @@
 //! Where the packets of a tile of 8 x 8 pixels are, and their pixels.
 
-use super::lanes::{F, LANES, Simd, SimdFrom};
 use crate::candidates::Rows;
+use crate::lanes::{F, LANES, Simd, SimdFrom};
 use crate::tiles::Tile;
 
 /// Packets of a tile: four pixels wide and two high.

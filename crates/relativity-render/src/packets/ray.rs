@@ -2,8 +2,8 @@
 //! `shaders/rest_ray.wgsl`.
 
 use super::body::{Group, Ray};
-use super::lanes::{F, Simd, SimdFloat, V2, V3, all, select};
 use crate::frame::Frame;
+use crate::lanes::{F, Simd, SimdFloat, V2, V3, all, select};
 use crate::pipelines::AmongOthers;
 use crate::view::Geometry;
 

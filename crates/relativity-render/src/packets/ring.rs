@@ -1,8 +1,8 @@
 //! Rays against tori: `shaders/ring.wgsl`, where the method is explained.
 
 use super::body::{Body, Capsule, Ray, Surface};
-use super::lanes::{F, Mask, Simd, SimdFloat, SimdMask, V3, all, no, select};
 use super::ray::nearest_to;
+use crate::lanes::{F, Mask, Simd, SimdFloat, SimdMask, V3, all, no, select};
 
 /// Reached only where the ray grazes within rounding.
 const MAX_STEPS: u32 = 32;

@@ -3,7 +3,6 @@
 use super::backdrop::{behind, part};
 use super::colour::{Tables, received_colour};
 use super::encode::encoded;
-use super::lanes::{F, LANES, Simd, SimdFloat, SimdMask, V3, all, select};
 use super::look::Look;
 use super::met::Met;
 use super::pattern::mark;
@@ -12,6 +11,7 @@ use super::tile::{Drawn, Owner, Packet};
 use super::turning::standing;
 use crate::backdrop::Part;
 use crate::candidates::Rows;
+use crate::lanes::{F, LANES, Simd, SimdFloat, SimdMask, V3, all, select};
 use crate::tiles::Tile;
 use crate::view::Appearance;
 

@@ -1,9 +1,9 @@
 //! Rays against bodies of each kind.
 
 use super::body::{Body, Capsule, Group, Ray, Surface};
-use super::lanes::{Simd, V3};
 use super::{block, cylinder, ring, tube};
 use crate::kind::Kind;
+use crate::lanes::{Simd, V3};
 
 /// Where rays meet a body.
 ///

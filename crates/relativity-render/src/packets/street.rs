@@ -1,7 +1,7 @@
 //! House fronts beside a road, as `shaders/street.wgsl` has them.
 
-use super::lanes::{F, Mask, Simd, SimdFloat as _, V2, V3, all, clamp, select};
 use crate::frame::Frame;
+use crate::lanes::{F, Mask, Simd, SimdFloat as _, V2, V3, all, clamp, select};
 use crate::street::{CORNICE, COURSE, FRAME, HOUSE_WIDTH};
 
 /// What a pixel covers along one axis.

@@ -16,7 +16,7 @@ pub fn levels() -> Vec<Level> {
 macro_rules! at_every_level {
     ($simd:ident => $body:expr) => {
         for level in $crate::packets::testing::levels() {
-            $crate::packets::registers::on_registers!(level, $simd => $body);
+            $crate::registers::on_registers!(level, $simd => $body);
         }
     };
 }

@@ -1,7 +1,6 @@
 //! A tile of 8 x 8 pixels: what is the nearest in each sample of each of them.
 
 use super::body::{Body, Group, Ray, Surface};
-use super::lanes::{F, LANES, Mask, Simd, SimdFloat, SimdFrom, SimdMask, V2, all, select};
 use super::look::{Look, Seen};
 use super::passing::Middles;
 use super::places::{PACKETS, centres, packet_places};
@@ -10,6 +9,7 @@ use super::shape;
 use super::turning::{Spin, surface_when_shown};
 use crate::candidates::TileLook;
 use crate::cap::Cap;
+use crate::lanes::{F, LANES, Mask, Simd, SimdFloat, SimdFrom, SimdMask, V2, all, select};
 use crate::pipelines::AmongOthers;
 
 /// No body.

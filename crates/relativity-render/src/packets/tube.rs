@@ -1,8 +1,8 @@
 //! Rays against cylinders with rounded ends, and balls: `shaders/tube.wgsl`.
 
 use super::body::{Body, Capsule, Ray, Surface};
-use super::lanes::{Simd, SimdFloat, SimdMask, V3, clamp, select};
 use super::ray::nearest_to;
+use crate::lanes::{Simd, SimdFloat, SimdMask, V3, clamp, select};
 
 /// How far beside the ends, in radii.
 const BESIDE: f32 = 0.02;

@@ -1,10 +1,10 @@
 //! Rays against bodies that turn about an axle along y: `shaders/turning.wgsl`, where the method is explained.
 
 use super::body::{Body, Capsule, Group, Ray, Surface};
-use super::lanes::{F, Mask, Quaternion, Simd, SimdFloat, SimdMask, V2, V3, all, clamp, select};
 use super::ray::nearest_to;
 use super::shape::{around, middle, surface};
 use crate::kind::Kind;
+use crate::lanes::{F, Mask, Quaternion, Simd, SimdFloat, SimdMask, V2, V3, all, clamp, select};
 use crate::view::Geometry;
 use crate::wheel::packed::{Shown, Turns};
 
@@ -271,7 +271,7 @@ fn surface_near<S: Simd>(
     let hub_along = spin.hub.dot(n);
     let mut s = start;
     let mut met = Surface::none(simd);
-    let mut active = !super::lanes::no(simd);
+    let mut active = !crate::lanes::no(simd);
     for _ in 0..MOST_ROUNDS {
         let at = co_moving(simd, group, nearest + n * s, n, spin);
         let rate = at.tangent.length().max(1e-6);

@@ -4,8 +4,8 @@
 use std::f32::consts::{FRAC_PI_2, PI};
 
 use super::super::body::Body;
-use super::super::lanes::{F, Simd, SimdFloat as _, V2, V3, all, clamp, select, sign_of};
 use super::coverage::{Covered, line, wave};
+use crate::lanes::{F, Simd, SimdFloat as _, V2, V3, all, clamp, select, sign_of};
 use crate::pattern::{LINE_REACH, NUDGE, Ruling};
 
 /// Where places are on a round shape.

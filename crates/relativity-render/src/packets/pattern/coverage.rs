@@ -1,6 +1,6 @@
 //! What pixels cover of a surface, and the averages of lines, bands and discs over that.
 
-use super::super::lanes::{F, Simd, SimdFloat as _, V3, all, clamp, select};
+use crate::lanes::{F, Simd, SimdFloat as _, V3, all, clamp, select};
 use crate::pattern::coverage::{COVERED, GRAZING};
 
 /// How far the places that pixels show move on the surface towards the pixel on the right, and below.

@@ -1,8 +1,8 @@
 //! Patterns on boxes, as `shaders/pattern_box.wgsl` has them. All in the body's own axes.
 
 use super::super::body::Body;
-use super::super::lanes::{F, Simd, SimdFloat as _, V3, all, select, sign_of};
 use super::coverage::{Covered, pip, rim, wave};
+use crate::lanes::{F, Simd, SimdFloat as _, V3, all, select, sign_of};
 use crate::pattern::die::{PIP_PLACE, PIP_RADIUS, RIM};
 use crate::pattern::{NUDGE, Ruling};
 

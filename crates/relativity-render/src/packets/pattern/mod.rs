@@ -7,8 +7,8 @@ mod die;
 mod tests;
 
 use super::body::{Body, Group, Ray};
-use super::lanes::{F, Simd, V3, all, clamp};
 use crate::kind::Kind;
+use crate::lanes::{F, Simd, V3, all, clamp};
 use crate::pattern::DARK;
 use crate::view::Geometry;
 use coverage::Covered;

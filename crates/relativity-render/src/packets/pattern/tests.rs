@@ -4,13 +4,13 @@ use glam::DVec3;
 use relativity_core::{Aperture, Speed};
 
 use super::super::body::{Body as PacketBody, Group as PacketGroup};
-use super::super::lanes::{F, LANES, Simd, SimdBase as _, SimdFrom as _, V3, all};
 use super::super::ray::{line_of_sight, rest_ray};
 use super::super::testing::at_every_level;
 use super::mark;
 use crate::camera::LinesOfSight;
 use crate::colour::srgb_encoded;
 use crate::frame::Frame;
+use crate::lanes::{F, LANES, Simd, SimdBase as _, SimdFrom as _, V3, all};
 use crate::pattern::Covered;
 use crate::reference::Hit;
 use crate::{Appearance, Body, Camera, Gaze, Geometry, GroupView, Pattern, PreparedScene, Shape, View};

@@ -1,0 +1,174 @@
+//! Many rays at once: which of them may meet a box.
+
+use fearless_simd::Level;
+use glam::{DVec3, Vec3};
+
+use super::beam::{ROUNDING, across};
+use crate::lanes::{F, LANES, Mask, Simd, SimdBase, SimdFloat, SimdMask};
+use crate::ray::Ray;
+use crate::registers::on_registers;
+
+/// Rays of one group, each counted from its point nearest to the middle of that; at most [`Lines::MOST`].
+#[derive(Debug)]
+pub struct Lines {
+    level: Level,
+    count: usize,
+    /// Two directions across each and each other.
+    across: [Side; 2],
+    axis: [[f32; Self::MOST]; 3],
+    /// The same of one ray of each eight that follow each other.
+    rows: [RowSide; 2],
+}
+
+/// A direction, part by part, and how far along it each ray passes the middle of the group.
+#[derive(Debug)]
+struct Side {
+    normal: [[f32; Lines::MOST]; 3],
+    offset: [f32; Lines::MOST],
+}
+
+/// A direction across one ray of each eight, and by how much the others differ from it at most.
+#[derive(Debug, Default)]
+struct RowSide {
+    normal: [[f32; ROWS]; 3],
+    offset: [f32; ROWS],
+    /// Of the direction.
+    turn: [f32; ROWS],
+    /// Of the offset, with room for rounding.
+    shift: [f32; ROWS],
+}
+
+/// So many times eight rays are there at most.
+const ROWS: usize = Lines::MOST / LANES;
+
+impl Lines {
+    /// So many rays are looked along at once: those of a tile.
+    pub const MOST: usize = 64;
+
+    /// Of these.
+    #[must_use]
+    pub fn new(rays: &[Ray], middle: DVec3) -> Self {
+        const NONE: [f32; Lines::MOST] = [0.0; Lines::MOST];
+        let side = || Side { normal: [NONE; 3], offset: NONE };
+        let count = rays.len().min(Self::MOST);
+        let rows = Default::default();
+        let mut lines = Self { level: Level::new(), count, across: [side(), side()], axis: [NONE; 3], rows };
+        for (i, ray) in rays.iter().take(count).enumerate() {
+            let place = ray.start - middle;
+            for (side, normal) in lines.across.iter_mut().zip(across(ray.direction)) {
+                side.offset[i] = normal.dot(place) as f32;
+                put(&mut side.normal, i, normal.as_vec3());
+            }
+            put(&mut lines.axis, i, ray.direction.as_vec3());
+        }
+        lines.rows = [0, 1].map(|side| RowSide::of(&lines.across[side], count));
+        lines
+    }
+
+    /// A bit for each ray that may meet a box nearer than its `farthest`. All of them on a processor without wide
+    /// registers, for which bodies are tested one by one.
+    #[must_use]
+    pub fn meeting(&self, center: Vec3, half: Vec3, farthest: &[f32; Self::MOST]) -> u64 {
+        let all = u64::MAX >> (Self::MOST - self.count);
+        let meeting = on_registers!(self.level, simd => self.meeting_on(simd, center, half, farthest));
+        meeting.map_or(all, |meeting| meeting & all)
+    }
+
+    #[inline(always)]
+    fn meeting_on<S: Simd>(&self, simd: S, center: Vec3, half: Vec3, farthest: &[f32; Self::MOST]) -> u64 {
+        let reach = half + ROUNDING * center.abs();
+        let distance = center.length();
+        let [u, v] = &self.rows;
+        let rows = u.misses(simd, center, reach, distance) | v.misses(simd, center, reach, distance);
+        let mut meeting = 0;
+        for (row, _) in rows.as_slice().iter().enumerate().filter(|(_, misses)| **misses == 0) {
+            let first = row * LANES;
+            let along = along(simd, &self.axis, first, center, reach);
+            let is_behind = (along.middle - along.size).simd_gt(some(simd, farthest, first));
+            let [u, v] = &self.across;
+            let misses =
+                u.misses(simd, first, center, reach) | v.misses(simd, first, center, reach) | is_behind;
+            if misses.all_true() {
+                continue;
+            }
+            for (lane, misses) in misses.as_slice().iter().enumerate() {
+                meeting |= u64::from(*misses == 0) << (first + lane);
+            }
+        }
+        meeting
+    }
+}
+
+impl Side {
+    /// Which rays from the `first` on pass a box on this side or the other.
+    #[inline(always)]
+    fn misses<S: Simd>(&self, simd: S, first: usize, center: Vec3, reach: Vec3) -> Mask<S> {
+        let along = along(simd, &self.normal, first, center, reach);
+        let offset = some(simd, &self.offset, first);
+        ((along.middle - offset).abs() - offset.abs() * ROUNDING).simd_gt(along.size)
+    }
+}
+
+impl RowSide {
+    /// Of the rays in `side`, of which the last of all stand in for those that lack.
+    fn of(side: &Side, count: usize) -> Self {
+        let mut rows = Self::default();
+        let ray = |i: usize| (Vec3::from(side.normal.map(|part| part[i])), side.offset[i]);
+        for row in 0..count.div_ceil(LANES) {
+            let all = row * LANES..count.min((row + 1) * LANES);
+            let (normal, offset) = ray(usize::midpoint(all.start, all.end));
+            let (mut turn, mut shift) = (0.0_f32, 0.0_f32);
+            for (other, other_offset) in all.map(ray) {
+                turn = turn.max(other.distance(normal));
+                shift = shift.max((other_offset - offset).abs());
+            }
+            put(&mut rows.normal, row, normal);
+            rows.offset[row] = offset;
+            rows.turn[row] = turn * 1.01 + ROUNDING;
+            rows.shift[row] = shift * 1.01 + ROUNDING * offset.abs();
+        }
+        rows
+    }
+
+    /// Of which rows all rays pass a box this far from the middle on this side or the other.
+    #[inline(always)]
+    fn misses<S: Simd>(&self, simd: S, center: Vec3, reach: Vec3, distance: f32) -> Mask<S> {
+        let along = along(simd, &self.normal, 0, center, reach);
+        let room = some(simd, &self.turn, 0) * (distance + reach.element_sum()) + some(simd, &self.shift, 0);
+        ((along.middle - some(simd, &self.offset, 0)).abs() - room).simd_gt(along.size)
+    }
+}
+
+/// Where the middle of a box is along directions, and half of its size.
+struct Along<S: Simd> {
+    middle: F<S>,
+    size: F<S>,
+}
+
+/// Along those from the `first` on.
+#[inline(always)]
+fn along<S: Simd, const N: usize>(
+    simd: S,
+    directions: &[[f32; N]; 3],
+    first: usize,
+    center: Vec3,
+    reach: Vec3,
+) -> Along<S> {
+    let [x, y, z] = directions;
+    let (x, y, z) = (some(simd, x, first), some(simd, y, first), some(simd, z, first));
+    Along {
+        middle: x * center.x + y * center.y + z * center.z,
+        size: x.abs() * reach.x + y.abs() * reach.y + z.abs() * reach.z + ROUNDING * reach.element_sum(),
+    }
+}
+
+#[inline(always)]
+fn some<S: Simd, const N: usize>(simd: S, values: &[f32; N], first: usize) -> F<S> {
+    F::from_slice(simd, &values[first..first + LANES])
+}
+
+fn put<const N: usize>(parts: &mut [[f32; N]; 3], place: usize, v: Vec3) {
+    for (part, value) in parts.iter_mut().zip(v.to_array()) {
+        part[place] = value;
+    }
+}
