@@ -28,9 +28,8 @@ pub struct Candidate {
 
 /// The methods that draw `view` of `scene`, the most accurate first, with a GPU if it `has_gpu`.
 ///
-/// For a budget there are some meshes. For an error there is that of the error, and only where no rays are drawn: they hardly
-/// cost more, and a mesh may have a hole where a ring is seen almost from the side (0.5 px wide, in one of the 22 views
-/// of `gamow accuracy --scene street --size 240x180`).
+/// For a budget there are some meshes. For an error there is that of the error, and only where no rays are drawn: they cost
+/// about as much or less, and are far more accurate.
 #[must_use]
 pub fn candidates(goal: Goal, has_gpu: bool, scene: &PreparedScene, view: &View) -> Vec<Candidate> {
     let f32_error_px = f32_error_px(scene, view);
