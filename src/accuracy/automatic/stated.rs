@@ -41,16 +41,10 @@ pub fn candidates(goal: Goal, has_gpu: bool, scene: &PreparedScene, view: &View)
         Goal::Budget(_) => MESH_BOUNDS_PX.map(mesh).into(),
     };
     let all = [(Method::Reference, 0.0)].into_iter().chain(exact).chain(meshes);
-    let is_drawn = |method: Method| (has_gpu || is_on_cpu(method)) && method.of_view(view) == method;
+    let is_drawn = |method: Method| (has_gpu || method.is_on_cpu()) && method.of_view(view) == method;
     all.filter(|(method, _)| is_drawn(*method))
         .map(|(method, error_px)| Candidate { method, error_px })
         .collect()
-}
-
-/// Whether `method` needs no GPU.
-#[must_use]
-pub const fn is_on_cpu(method: Method) -> bool {
-    matches!(method, Method::Reference | Method::Packets)
 }
 
 /// What is stated of what is drawn in f32, pixels; without end where bodies may be mistaken for others.

@@ -55,7 +55,7 @@ fn whatever_is_chosen_for_an_error_keeps_it_in_every_view() {
                 for favourite in [Method::Packets, Method::Rays, Method::Mesh { bound_px: px }] {
                     let method = chosen(&scene, &view, px, favourite);
                     let is_known = worst.iter().any(|(of, at, _)| (of, at) == (&method, &view));
-                    if is_known || method == Method::Reference || (!has_gpu && method != Method::Packets) {
+                    if is_known || method == Method::Reference || (!has_gpu && !method.is_on_cpu()) {
                         continue;
                     }
                     let effort = Effort { outline_places, rounds: 1 };
@@ -113,7 +113,7 @@ fn where_pixels_are_small_the_error_is_kept_too() {
     };
     let (view, prepared) = (seen(0.05), scene.prepared());
     for favourite in [Method::Packets, Method::Rays] {
-        if renderers.gpu().is_none() && favourite != Method::Packets {
+        if renderers.gpu().is_none() && !favourite.is_on_cpu() {
             continue;
         }
         assert_eq!(chosen(&scene, &view, 0.1, favourite), favourite);
