@@ -7,13 +7,11 @@
 use std::time::{Duration, Instant};
 
 use eframe::egui::{Context, Pos2, RawInput, Rect};
-use eframe::egui_wgpu::{
-    RenderState, RendererOptions, ScreenDescriptor, WgpuConfiguration, WgpuSetup, WgpuSetupCreateNew,
-};
+use eframe::egui_wgpu::{RenderState, RendererOptions, WgpuConfiguration, WgpuSetup, WgpuSetupCreateNew};
 use eframe::wgpu;
 use gamow::app::command::Command;
 use gamow::app::state::State;
-use gamow::app::{App, painting};
+use gamow::app::{App, on_texture, painting};
 use gamow::scene::Scene;
 use gamow::settings::{Presence, Settings, Window};
 
@@ -116,7 +114,6 @@ impl Shown {
 
     /// Draws the next frame, as the toolkit does.
     fn draw(&mut self) {
-        let RenderState { device, queue, renderer, .. } = &self.render_state;
         self.frame += 1;
         self.app.ask(Command::Time(f64::from(self.frame % 200) / 20.0));
         let input = RawInput {
@@ -126,30 +123,8 @@ impl Shown {
         };
         let app = &mut self.app;
         let mut output = self.ctx.run_ui(input, |ui| app.show(ui));
-        for (id, deltas) in &output.textures_delta.set {
-            for delta in deltas {
-                renderer.write().update_texture(device, queue, *id, delta);
-            }
-        }
-        output.textures_delta.clear();
-        let triangles = self.ctx.tessellate(output.shapes, output.pixels_per_point);
-        let screen = ScreenDescriptor { size_in_pixels: SIZE, pixels_per_point: output.pixels_per_point };
-        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        let callbacks = renderer.write().update_buffers(device, queue, &mut encoder, &triangles, &screen);
-        let pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: &self.target,
-                resolve_target: None,
-                ops: wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(wgpu::Color::BLACK),
-                    store: wgpu::StoreOp::Store,
-                },
-                depth_slice: None,
-            })],
-            ..Default::default()
-        });
-        renderer.read().render(&mut pass.forget_lifetime(), &triangles, &screen);
-        queue.submit(callbacks.into_iter().chain([encoder.finish()]));
+        on_texture::load(&self.render_state, &mut output);
+        on_texture::paint(&self.render_state, &self.ctx, output, &self.target, SIZE);
     }
 }
 

@@ -37,7 +37,7 @@ pub fn frame_ms(
     appearance: &Appearance,
     rounds: u32,
 ) -> Result<f64, GpuError> {
-    if matches!(method, Method::Reference | Method::Packets) {
+    if method.is_on_cpu() {
         return fastest_ms(rounds, || {
             renderers.picture(method, scene, view, appearance, REFERENCE_SAMPLES).map(std::hint::black_box)
         });

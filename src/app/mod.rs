@@ -39,6 +39,7 @@ pub mod lesson;
 pub mod memory;
 pub mod notice;
 pub mod observer;
+pub mod on_texture;
 pub mod on_wheel;
 mod opening;
 pub mod orders;

@@ -157,7 +157,9 @@ struct Measure {
 
 // From the pixel's own ray, which is better than what is interpolated between corners: the Doppler factor
 // depends on the line of sight alone, in the rest frame depth is not contracted, and the body itself is nearer
-// or farther than the triangle by what may be more than the gap to the next body.
+// or farther than the triangle by what may be more than the gap to the next body. Where two walls of a body lie
+// behind each other, as a ring's do, triangles of both have the depth of the nearer, and either may be drawn: so both
+// show the nearer. Where the ray misses the body, there is the triangle alone.
 fn measure(fragment: Fragment) -> Measure {
     let ray = rest_ray(fragment.position.xy);
     let normal = fragment.normal / max(length(fragment.normal), 1e-30);
@@ -182,7 +184,7 @@ fn measure(fragment: Fragment) -> Measure {
         return Measure(depth, doppler, ray, hit.place, hit.normal, distance);
     }
     let doppler = doppler_of(body, fragment.place, normal, ray.sight, ray.doppler, spin);
-    return Measure(depth, doppler, ray, fragment.place, normal, distance);
+    return Measure(depth, doppler, ray, fragment.place, normal, length(fragment.apparent));
 }
 
 // The same where both eyes have one light cone, from the ray that touches the curve of events where the fragment appears.
@@ -210,7 +212,7 @@ fn measure_in_one_cone(fragment: Fragment, straight: Ray, normal: vec3f) -> Meas
         return Measure(depth, doppler, ray, hit.place, hit.normal, distance);
     }
     let doppler = doppler_of(body, fragment.place, normal, sight, ray.doppler, spin);
-    return Measure(depth, doppler, ray, fragment.place, normal, distance);
+    return Measure(depth, doppler, ray, fragment.place, normal, length(fragment.apparent));
 }
 
 // As `GroupView::rest_ray_at`, from the `straight` ray through the middle's event.
@@ -295,10 +297,10 @@ fn hits(fragment: Fragment) -> Hit {
     let measure = measure(fragment);
     return Hit(
         bitcast<vec4u>(
-            vec4f(fragment.cover_brightness_index.z, length(fragment.apparent), measure.doppler, 1.0),
+            vec4f(fragment.cover_brightness_index.z, measure.distance, measure.doppler, 1.0),
         ),
         bitcast<vec4u>(vec4f(
-            place_of_hit(body_of(fragment), fragment.place, spin_of(fragment.spin, fragment.rim)),
+            place_of_hit(body_of(fragment), measure.place, spin_of(fragment.spin, fragment.rim)),
             0.0,
         )),
         measure.depth,

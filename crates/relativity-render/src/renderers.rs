@@ -71,6 +71,12 @@ impl Method {
     /// The bound of a mesh unless another is chosen, pixels.
     pub const DEFAULT_BOUND_PX: f64 = 0.5;
 
+    /// Whether it draws on the CPU, and so needs no GPU.
+    #[must_use]
+    pub const fn is_on_cpu(self) -> bool {
+        matches!(self, Self::Reference | Self::Packets)
+    }
+
     /// What draws `view` where this is asked for: the published model, which is defined point by point, is known to
     /// the mesh renderer alone; one light cone for both eyes, whose rays are curved, not to the rays; a picture of half
     /// the sky to the reference alone. Whether anything draws it says [`View::drawn`].
@@ -211,7 +217,7 @@ impl Renderers {
         {
             return Ok(packets.picture(scene, view, appearance));
         }
-        if matches!(method, Method::Reference | Method::Packets) {
+        if method.is_on_cpu() {
             return Ok(scene.picture(view, appearance, samples));
         }
         let size = view.camera.size;

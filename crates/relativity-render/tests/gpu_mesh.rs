@@ -120,8 +120,8 @@ fn keep_bounds(
     }
 }
 
-/// Every pixel shows the body that the reference shows there, or an outline is within the bound of there, or a place
-/// where f32 cannot tell which of two is nearer.
+/// Every pixel shows the body that the reference shows there, and the same side of it, or an outline is within the bound
+/// of there, or a place where f32 cannot tell which of two is nearer.
 fn keeps_bound(
     image: &HitImage,
     truth: &HitImage,
@@ -131,7 +131,7 @@ fn keeps_bound(
     view: &View,
 ) {
     for (i, (hit, true_hit)) in image.hits.iter().zip(&truth.hits).enumerate() {
-        if hit.map(|hit| hit.body) == true_hit.map(|hit| hit.body) {
+        if !is_across_an_outline(*hit, *true_hit) {
             continue;
         }
         let mut nearby = around(pixel(image, i), bound_px)
@@ -148,7 +148,7 @@ fn keeps_bound(
     }
 }
 
-/// Whether two neighbouring hits are on different bodies, or on different sides of one.
+/// Whether two hits in the same place or near each other are on different bodies, or on different sides of one.
 fn is_across_an_outline(a: Option<Hit>, b: Option<Hit>) -> bool {
     match (a, b) {
         (Some(a), Some(b)) => a.body != b.body || a.rest_position.distance(b.rest_position) > 0.2,

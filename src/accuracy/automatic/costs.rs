@@ -2,8 +2,6 @@
 
 use relativity_render::{Geometry, Gpu, Method};
 
-use super::stated::is_on_cpu;
-
 /// What a machine draws with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Machine {
@@ -138,7 +136,8 @@ impl Costs {
     pub fn expected_ms(&self, method: Method, geometry: Geometry, pixels: f64) -> f64 {
         self.measured_ms(method, geometry, pixels).unwrap_or_else(|| {
             // A GPU that is software is the same processors.
-            let is_alike = |other| self.machine != Machine::Gpu || is_on_cpu(other) == is_on_cpu(method);
+            let is_alike =
+                |other: Method| self.machine != Machine::Gpu || other.is_on_cpu() == method.is_on_cpu();
             let beside = |record: &&Record| record.geometry == geometry && is_alike(record.method);
             let newest = self
                 .records

@@ -28,9 +28,8 @@ pub struct Candidate {
 
 /// The methods that draw `view` of `scene`, the most accurate first, with a GPU if it `has_gpu`.
 ///
-/// For a budget there are some meshes. For an error there is that of the error, and only where no rays are drawn: they hardly
-/// cost more, and a mesh may have a hole where a ring is seen almost from the side (0.5 px wide, in one of the 22 views
-/// of `gamow accuracy --scene street --size 240x180`).
+/// For a budget there are some meshes. For an error there is that of the error, and only where no rays are drawn: they cost
+/// about as much or less, and are far more accurate.
 #[must_use]
 pub fn candidates(goal: Goal, has_gpu: bool, scene: &PreparedScene, view: &View) -> Vec<Candidate> {
     let f32_error_px = f32_error_px(scene, view);
@@ -42,16 +41,10 @@ pub fn candidates(goal: Goal, has_gpu: bool, scene: &PreparedScene, view: &View)
         Goal::Budget(_) => MESH_BOUNDS_PX.map(mesh).into(),
     };
     let all = [(Method::Reference, 0.0)].into_iter().chain(exact).chain(meshes);
-    let is_drawn = |method: Method| (has_gpu || is_on_cpu(method)) && method.of_view(view) == method;
+    let is_drawn = |method: Method| (has_gpu || method.is_on_cpu()) && method.of_view(view) == method;
     all.filter(|(method, _)| is_drawn(*method))
         .map(|(method, error_px)| Candidate { method, error_px })
         .collect()
-}
-
-/// Whether `method` needs no GPU.
-#[must_use]
-pub const fn is_on_cpu(method: Method) -> bool {
-    matches!(method, Method::Reference | Method::Packets)
 }
 
 /// What is stated of what is drawn in f32, pixels; without end where bodies may be mistaken for others.
