@@ -172,3 +172,56 @@ fn put<const N: usize>(parts: &mut [[f32; N]; 3], place: usize, v: Vec3) {
         part[place] = value;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// From 0 to 1, all over.
+    fn spread(i: u32, root: f64) -> f64 {
+        (f64::from(i) * root.sqrt()).fract()
+    }
+
+    fn place(i: u32, size: f64) -> DVec3 {
+        size * (DVec3::new(spread(i, 2.0), spread(i, 3.0), spread(i, 5.0)) * 2.0 - 1.0)
+    }
+
+    /// Where in a box `ray` is, if anywhere: between three pairs of planes, in f64.
+    fn inside(ray: &Ray, center: DVec3, half: DVec3) -> Option<[f64; 2]> {
+        let to = |corner: DVec3| (corner - ray.start) / ray.direction;
+        let (low, high) = (to(center - half), to(center + half));
+        let [from, until] = [low.min(high).max_element(), low.max(high).min_element()];
+        (from <= until).then_some([from, until])
+    }
+
+    #[test]
+    fn rays_are_told_that_meet_a_box_and_hardly_others() {
+        let middle = DVec3::new(3.0, -2.0, 1.0);
+        for (distance, gap) in [(5.0, 0.05), (1e6, 1e-7), (1e12, 1e-13)] {
+            // Fewer than there may be: the last eight are not all there.
+            let rays: Vec<_> = (0..61)
+                .map(|i| {
+                    let towards = middle + place(i, 1.5) + DVec3::X * f64::from(i) * gap;
+                    let camera = middle + DVec3::new(0.3, -1.0, 0.2).normalize() * distance;
+                    Ray::new(camera, (towards - camera).normalize()).counted_from(middle)
+                })
+                .collect();
+            let lines = Lines::new(&rays, middle);
+            let (mut met, mut told) = (0, 0);
+            for number in 0..2000 {
+                let (center, half) = (place(number, 1.5), 0.6 * place(number + 7, 1.0).abs());
+                let farthest = 0.5 * place(number, 1.0).x as f32;
+                let mask = lines.meeting(center.as_vec3(), half.as_vec3(), &[farthest; Lines::MOST]);
+                assert_eq!(mask >> rays.len(), 0);
+                for (i, ray) in rays.iter().enumerate() {
+                    let is_told = mask >> i & 1 == 1;
+                    let entry = inside(ray, middle + center, half);
+                    let is_met = entry.is_some_and(|[from, _]| from < f64::from(farthest) - 1e-5);
+                    assert!(is_told || !is_met, "ray {i} from {distance} meets {center} {half}");
+                    (met, told) = (met + u32::from(is_met), told + u32::from(is_told));
+                }
+            }
+            assert!(met > 500 && told < 3 * met, "{told} told of {met}");
+        }
+    }
+}
