@@ -30,6 +30,9 @@ pub struct Group<'a> {
 /// body with the lower number is seen: they are one surface, and which comes out nearer is a matter of rounding.
 const TIE: f64 = 1e-12;
 
+/// No place.
+const NONE: u32 = u32::MAX;
+
 /// A scene prepared for every way to draw it, for hits and for picking. Clones share it; equal are those that do.
 ///
 /// Bodies may overlap; the nearest surface is seen, of equally near ones that of the lowest number.
@@ -57,8 +60,10 @@ struct Prepared {
     bodies: Vec<PreparedBody>,
     /// Their shapes for rays, side by side: a ray looks at many, and at nothing else of them.
     solids: Vec<Solid>,
-    /// The same of bodies that turn out of their places; none at all where no body does.
-    turning: Vec<Option<TurningSolid>>,
+    /// The same of bodies that turn out of their places.
+    turning: Vec<TurningSolid>,
+    /// For each body its place among those, [`NONE`] if it is not there; none at all where no body is.
+    turning_places: Vec<u32>,
     /// For each group, boxes around those of its bodies that keep their places.
     hierarchies: Vec<Hierarchy>,
     /// The numbers of bodies that turn, whether out of their places or not.
@@ -90,19 +95,21 @@ impl PreparedScene {
     #[must_use]
     pub fn new<'a>(groups: impl IntoIterator<Item = Group<'a>>) -> Self {
         let (mut bodies, mut solids, mut capsules) = (Vec::new(), Vec::new(), Vec::new());
-        let mut turning = Vec::new();
+        let (mut turning, mut turning_places) = (Vec::<TurningSolid>::new(), Vec::new());
         let mut prepared = Vec::new();
         for (number, Group { motion, bodies: own }) in groups.into_iter().enumerate() {
             let first = bodies.len();
             solids.extend(own.iter().map(|body| Solid::new(&body.shape)));
-            turning.extend(own.iter().zip(&solids[first..]).map(|(body, solid)| {
-                let spin = body.displacing_spin()?;
-                Some(TurningSolid::new(*solid, spin))
-            }));
-            let boxes = solids[first..].iter().zip(&turning[first..]);
-            let extent = Extent::new(boxes.map(|(solid, turning): (&Solid, &Option<TurningSolid>)| {
-                turning.as_ref().map_or_else(|| solid.bounds(), TurningSolid::bounds)
-            }));
+            let boxes =
+                own.iter().zip(&solids[first..]).enumerate().map(|(i, (body, solid)): (_, (_, &Solid))| {
+                    let Some(spin) = body.displacing_spin() else { return solid.bounds() };
+                    let moved = TurningSolid::new(*solid, spin);
+                    turning_places.resize(first + i, NONE);
+                    turning_places.push(turning.len() as u32);
+                    turning.push(moved);
+                    turning[turning.len() - 1].bounds()
+                });
+            let extent = Extent::new(boxes);
             for (i, body) in own.iter().enumerate() {
                 bodies.push(PreparedBody::new(first + i, number, body, &extent, &mut capsules));
             }
@@ -113,7 +120,8 @@ impl PreparedScene {
         if prepared.is_empty() {
             prepared.push(PreparedGroup { motion: Motion::Scene, bodies: 0..0, extent: Extent::new([]) });
         }
-        let ball = |body: &PreparedBody| match (&turning[body.number], &body.block) {
+        let place = |body: &PreparedBody| turning_places.get(body.number).copied().unwrap_or(NONE);
+        let ball = |body: &PreparedBody| match (turning.get(place(body) as usize), &body.block) {
             (Some(turning), _) => {
                 let (center, radius) = turning.ball_around();
                 Capsule::ball(center, radius)
@@ -122,9 +130,6 @@ impl PreparedScene {
             (None, None) => Capsule::ball_around(&capsules[body.capsules.clone()]),
         };
         let balls = bodies.iter().map(ball).collect();
-        if turning.iter().all(Option::is_none) {
-            turning.clear();
-        }
         let spinning = bodies.iter().filter(|body| body.spin.is_some());
         let spinning = spinning.map(|body| body.number as u32).collect();
         let emissions = number_emissions(&mut bodies);
@@ -143,6 +148,7 @@ impl PreparedScene {
             bodies,
             solids,
             turning,
+            turning_places,
             hierarchies,
             spinning,
             emissions,
@@ -178,7 +184,7 @@ impl PreparedScene {
 
     /// The shape of the body of this number if it turns out of its place.
     pub(crate) fn turning(&self, body: usize) -> Option<&TurningSolid> {
-        self.0.turning.get(body)?.as_ref()
+        self.0.turning.get(*self.0.turning_places.get(body)? as usize)
     }
 
     /// Boxes around the bodies of the group of this number that keep their places in it.

@@ -1,6 +1,5 @@
 //! What one view shows, as the shaders would have it: worked out once, used by all tiles.
 
-use std::collections::HashMap;
 use std::sync::OnceLock;
 
 use crate::effects::Effects;
@@ -21,8 +20,8 @@ pub struct Look<'a> {
     /// How each of the groups is seen.
     pub views: Vec<GroupView>,
     frames: Vec<Frame>,
-    /// What turns, by its number.
-    turning: HashMap<usize, (Turns, Shown)>,
+    /// What turns, with its number; these ascend.
+    turning: Vec<(usize, Turns, Shown)>,
     /// Of each emission of the scene the light as shaders have it, without and with a Doppler effect.
     lights: Vec<[OnceLock<[f32; 4]>; 2]>,
 }
@@ -31,6 +30,7 @@ pub struct Look<'a> {
 #[derive(Debug, Clone, Copy)]
 pub struct Seen<'a> {
     pub body: &'a PreparedBody,
+    pub number: usize,
     pub turns: Turns,
     pub shown: Shown,
 }
@@ -45,7 +45,7 @@ impl<'a> Look<'a> {
             let view = &views[body.group];
             let turns = view.turns(body);
             let shown = view.shown(body, scene.groups()[body.group].extent.middle);
-            (turns != Turns::Not).then_some((body.number, (turns, shown)))
+            (turns != Turns::Not).then_some((body.number, turns, shown))
         });
         Self {
             turning: turning.collect(),
@@ -72,13 +72,15 @@ impl<'a> Look<'a> {
     }
 
     /// The body of this number.
+    #[inline]
     pub fn seen(&self, number: usize) -> Seen<'_> {
         let body = &self.scene.bodies()[number];
-        let turning = if body.spin.is_some() { self.turning.get(&number) } else { None };
-        let (turns, shown) = turning
-            .copied()
-            .unwrap_or((Turns::Not, Shown { placement: body.placement, spin: [0.0; 4], rim: [0.0; 2] }));
-        Seen { body, turns, shown }
+        let place = self.turning.binary_search_by_key(&number, |(number, ..)| *number);
+        let (turns, shown) = match place {
+            Ok(place) => (self.turning[place].1, self.turning[place].2),
+            Err(_) => (Turns::Not, Shown { placement: body.placement, spin: [0.0; 4], rim: [0.0; 2] }),
+        };
+        Seen { body, number, turns, shown }
     }
 
     /// Which effects a body that `turns` so has in the group of this number.

@@ -1,8 +1,11 @@
 //! Which of the eight packets of a tile a body may be seen in: a lane is a packet here.
 
-use super::body::{Capsule, Group, Ray};
-use super::places::packet_places;
+use super::body::{Body, Group, Ray};
+use super::places::{PACKETS, packet_places};
 use super::ray::{line_of_sight, nearest_to, rest_ray};
+use super::ring;
+use super::shape::around;
+use crate::kind::Kind;
 use crate::lanes::{F, LANES, Mask, Simd, SimdFloat, SimdFrom, V3, all, clamp, select};
 
 /// The ray through the middle of each packet, and how far others of it are off that.
@@ -42,11 +45,12 @@ impl<S: Simd> Middles<S> {
         all(self.spread.simd, self.spread[place])
     }
 
-    /// Those packets that what is in `capsule` may be seen in.
+    /// Those packets that `body` may be seen in, unless all of it is farther there than the `farthest` of what covers them.
     #[inline(always)]
-    pub fn may_show(&self, capsule: &Capsule<S>) -> Mask<S> {
+    pub fn may_show(&self, kind: Kind, body: &Body<S>, farthest: [f32; PACKETS]) -> Mask<S> {
         let Self { ray, spread } = self;
         let n = ray.direction;
+        let capsule = around(kind, body);
         let anchor = (capsule.place + capsule.end) * 0.5;
         let half = (capsule.end - capsule.place) * 0.5;
         let extent = half.length();
@@ -58,9 +62,17 @@ impl<S: Simd> Middles<S> {
         let closest = nearest.dot(axis) / sine_squared;
         let on_segment = clamp(closest, -extent, extent);
         let miss = nearest + (n * cosine - axis) * on_segment;
-        let farthest = ray.to_centre + anchor.dot(n) + extent + capsule.radius;
+        let along = anchor.dot(n);
+        let longest = extent + capsule.radius;
         // A miss that is no number is none.
-        let off = miss.length() * (1.0 - 1e-5) - capsule.radius * (1.0 + 1e-5);
-        !off.simd_gt(farthest.max(0.0) * *spread)
+        let mut off = miss.length() * (1.0 - 1e-5) - capsule.radius * (1.0 + 1e-5);
+        if kind == Kind::Ring {
+            off = off.max(ring::least_miss(body, ray) * (1.0 - 1e-5) - longest * 1e-5);
+        }
+        let is_off = off.simd_gt((ray.to_centre + along + longest).max(0.0) * *spread);
+        let room = (*spread + 1e-5) * (anchor.length() + longest);
+        let begins = along - cosine.abs() * extent - capsule.radius - room;
+        let is_behind = begins.simd_gt(F::simd_from(spread.simd, farthest));
+        !(is_off | is_behind)
     }
 }

@@ -91,6 +91,20 @@ pub fn around<S: Simd>(body: &Body<S>) -> Capsule<S> {
     Capsule { place: body.place, end: body.place, radius: body.form_w + body.radius }
 }
 
+/// How far off its surface rays pass at least.
+///
+/// Where a ray crosses the ring's plane it is |rho - R| from the middle circle. On from there, rho changes by no more than
+/// the cosine of its slope and z by the sine, per step: so it comes no nearer than the sine times that.
+#[inline(always)]
+pub fn least_miss<S: Simd>(body: &Body<S>, ray: &Ray<S>) -> F<S> {
+    let nearest = nearest_to(body.place, ray);
+    let (height, slope) = (nearest.dot(body.form), ray.direction.dot(body.form));
+    let start = nearest - body.form * height;
+    let flat_direction = ray.direction - body.form * slope;
+    let times_sine = (start * slope - flat_direction * height).length();
+    (times_sine - body.form_w * slope.abs()).abs() - body.radius
+}
+
 /// Where rays meet it.
 #[inline(always)]
 pub fn surface<S: Simd>(simd: S, body: &Body<S>, ray: &Ray<S>) -> Surface<S> {

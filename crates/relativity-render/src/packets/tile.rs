@@ -4,14 +4,18 @@ use super::body::{Body, Group, Ray, Surface};
 use super::look::{Look, Seen};
 use super::passing::Middles;
 use super::places::{PACKETS, centres, packet_places};
-use super::ray::{depth, line_of_sight, movement, rest_ray};
+use super::ray::{depth, line_of_sight, movement, nearest_to, rest_ray};
+use super::ring;
 use super::shape;
 use super::turning::{Spin, surface_when_shown};
 use crate::candidates::TileLook;
 use crate::cap::Cap;
+use crate::kind::Kind;
 use crate::lanes::{F, LANES, Mask, Simd, SimdFloat, SimdFrom, SimdMask, V2, all, select};
 use crate::pipelines::AmongOthers;
 
+/// A pixel in parts of a spread.
+const PIXEL: f32 = 0.6;
 /// No body.
 const NONE: f32 = -1.0;
 
@@ -183,7 +187,7 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
         self.middles = Some(middles);
         let body = Body::new(simd, &seen.shown.placement);
         let packets: [i32; PACKETS] = if is_told_about {
-            middles.may_show(&shape::around(seen.body.kind, &body)).into()
+            middles.may_show(seen.body.kind, &body, self.farthest).into()
         } else {
             [-1; PACKETS]
         };
@@ -192,11 +196,12 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
         let mut is_seen = false;
         for (place, may_show) in packets.into_iter().enumerate() {
             if may_show != 0 {
-                is_seen |= self.test_in(place, middles.spread_of(place), seen, &body, &spin, owner);
+                is_seen |=
+                    self.test_in(place, middles.spread_of(place), seen, &body, &spin, owner, is_told_about);
             }
         }
         if is_seen {
-            self.drawn.owners.push(Owner { number: seen.body.number, group: self.number });
+            self.drawn.owners.push(Owner { number: seen.number, group: self.number });
         }
     }
 
@@ -210,6 +215,7 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
         body: &Body<S>,
         spin: &Spin<S>,
         owner: usize,
+        is_told_about: bool,
     ) -> bool {
         let Self { simd, group, .. } = *self;
         let number = if let Some(number) = self.places[place] {
@@ -221,9 +227,18 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
             number
         };
         let ray = &self.drawn.packets[number].ray;
+        if is_told_about && seen.body.kind == Kind::Ring {
+            let nearest = nearest_to(body.place, ray);
+            let longest = body.form_w + body.radius;
+            let off = ring::least_miss(body, ray).max(nearest.length() - longest) - longest * 1e-5;
+            let pixel = (ray.to_centre + body.place.dot(ray.direction) + longest).max(0.0) * spread * PIXEL;
+            if off.simd_gt(pixel).all_true() {
+                return false;
+            }
+        }
         let surface = surface_when_shown(simd, seen.body.kind, seen.turns, &group, body, ray, spin);
         // Farther outside than a pixel it is in no sample, and not widened into one.
-        let pixels = (ray.to_centre + surface.beyond).max(0.0) * spread;
+        let pixels = (ray.to_centre + surface.beyond).max(0.0) * spread * PIXEL;
         if !(surface.clearance + pixels).simd_gt(0.0).any_true() {
             return false;
         }
@@ -239,10 +254,10 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
         for sample in 0..N {
             let is_inside = test.holds(self.samples[sample]);
             if any_whole {
-                is_in_solid |= solid[sample].take(is_inside & is_whole, beyond, at, seen.body.number, owners);
+                is_in_solid |= solid[sample].take(is_inside & is_whole, beyond, at, seen.number, owners);
             }
             if any_thin {
-                is_in_thin |= thin[sample].take(is_inside & is_thin, beyond, at, seen.body.number, owners);
+                is_in_thin |= thin[sample].take(is_inside & is_thin, beyond, at, seen.number, owners);
             }
         }
         if is_in_solid {
