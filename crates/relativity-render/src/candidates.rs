@@ -15,6 +15,9 @@ use crate::view::View;
 /// How long the balls are that follow what turns, in parts of how far that reaches from its axle.
 const BALLS: f64 = 0.15;
 
+/// Smaller parts of a picture, px, are not asked whether they show anything: that would cost what it spares.
+const LEAST_ASKED: u32 = 2 * TILE_SIDE;
+
 /// Rows of pixels that one thread draws at a time.
 const BAND: u32 = 2 * TILE_SIDE;
 
@@ -22,7 +25,7 @@ const BAND: u32 = 2 * TILE_SIDE;
 pub(crate) struct TileLook<'a> {
     /// Its pixels.
     pub tile: Tile,
-    /// Around its lines of sight; `None` where no body is.
+    /// Around its lines of sight; `None` far from all bodies.
     pub cap: Option<Cap>,
     /// The numbers, which ascend, of bodies that may be seen there, of those in no hierarchy of their group.
     pub others: &'a [u32],
@@ -125,13 +128,16 @@ impl<'a> Division<'a> {
             }
             None => Vec::new(),
         };
-        let may_show = cap.is_some_and(|cap| !others.is_empty() || self.shows_standing(&cap));
         if tile.is_least() {
             let mut numbers: Vec<u32> = others.iter().map(|&number| self.others[number as usize].1).collect();
             numbers.dedup();
-            draw(&TileLook { tile, cap: cap.filter(|_| may_show), others: &numbers });
+            draw(&TileLook { tile, cap, others: &numbers });
             return;
         }
+        let [width, height] = tile.size;
+        let is_asked = width.max(height) > LEAST_ASKED;
+        let shows = |cap: &Cap| !is_asked || !others.is_empty() || self.shows_standing(cap);
+        let may_show = cap.as_ref().is_some_and(shows);
         for half in tile.halves() {
             self.divide(half, may_show, &others, draw);
         }

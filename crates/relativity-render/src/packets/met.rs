@@ -30,7 +30,7 @@ impl<'a, S: Simd> Met<'a, S> {
         let body = Body::new(simd, &seen.shown.placement);
         let spin = Spin::new(simd, &seen.shown);
         let surface = surface_when_shown(simd, kind, turns, &group, &body, ray, &spin);
-        let test = Test::new(simd, &group, &seen, &body, ray, surface, N > 1);
+        let test = Test::new(simd, &group, kind, &body, ray, surface, N > 1);
         let Surface { place, normal, .. } = surface;
         let doppler = doppler_of(kind, turns, &group, &body, place, normal, ray.sight, ray.doppler, &spin);
         let distance = test.distance * ray.ground_per_rest;

@@ -62,11 +62,9 @@ impl PacketRenderer {
         let tables = Tables::shared();
         let rgba = scene.tiles(view, &look.views, &|| true, |tile, rows| {
             on_registers!(self.level, simd => {
-                match &tile.cap {
-                    Some(cap) => {
-                        let drawn = look.draw(simd, &STANDARD, tile, cap);
-                        drawn.shade(simd, &look, appearance, tables, &tile.tile, rows);
-                    }
+                let drawn = tile.cap.as_ref().map(#[inline(always)] |cap| look.draw(simd, &STANDARD, tile, cap));
+                match drawn.filter(|drawn| !drawn.packets.is_empty()) {
+                    Some(drawn) => drawn.shade(simd, &look, appearance, tables, &tile.tile, rows),
                     None => shade_backdrop(simd, &look, &tile.tile, rows),
                 }
             });

@@ -2,10 +2,9 @@
 
 use super::body::{Body, Group, Ray, Surface};
 use super::look::{Look, Seen};
-use super::passing::Middles;
+use super::passing::{Middles, may_show as may_show_in};
 use super::places::{PACKETS, centres, packet_places};
-use super::ray::{depth, line_of_sight, movement, nearest_to, rest_ray};
-use super::ring;
+use super::ray::{depth, line_of_sight, movement, rest_ray};
 use super::shape;
 use super::turning::{Spin, surface_when_shown};
 use crate::candidates::TileLook;
@@ -14,8 +13,6 @@ use crate::kind::Kind;
 use crate::lanes::{F, LANES, Mask, Simd, SimdFloat, SimdFrom, SimdMask, V2, all, select};
 use crate::pipelines::AmongOthers;
 
-/// A pixel in parts of a spread.
-const PIXEL: f32 = 0.6;
 /// No body.
 const NONE: f32 = -1.0;
 
@@ -74,7 +71,7 @@ struct OfGroup<'a, S: Simd, const N: usize> {
     drawn: &'a mut Drawn<S, N>,
     /// Where the packets of this group are among all, those that were looked into.
     places: [Option<usize>; PACKETS],
-    middles: Option<Middles<S>>,
+    middles: Middles<S>,
     /// How far the farthest of what covers a sample is, for each packet.
     farthest: [f32; PACKETS],
     /// Bodies in several pieces that were tested.
@@ -122,7 +119,7 @@ impl Look<'_> {
                 corner: tile.tile.corner,
                 drawn: &mut drawn,
                 places: [None; PACKETS],
-                middles: None,
+                middles: Middles::new(simd, &group, tile.tile.corner),
                 farthest: [f32::INFINITY; PACKETS],
                 tested: Vec::new(),
             };
@@ -179,15 +176,10 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
 
     #[inline(always)]
     fn test(&mut self, seen: &Seen<'_>, is_told_about: bool) {
-        let Self { simd, group, corner, .. } = *self;
-        let middles = self.middles.unwrap_or_else(
-            #[inline(always)]
-            || Middles::new(simd, &group, corner),
-        );
-        self.middles = Some(middles);
+        let simd = self.simd;
         let body = Body::new(simd, &seen.shown.placement);
         let packets: [i32; PACKETS] = if is_told_about {
-            middles.may_show(seen.body.kind, &body, self.farthest).into()
+            self.middles.may_show(seen.body.kind, &body, self.farthest).into()
         } else {
             [-1; PACKETS]
         };
@@ -195,77 +187,81 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
         let owner = self.drawn.owners.len();
         let mut is_seen = false;
         for (place, may_show) in packets.into_iter().enumerate() {
-            if may_show != 0 {
-                is_seen |=
-                    self.test_in(place, middles.spread_of(place), seen, &body, &spin, owner, is_told_about);
+            if may_show == 0 {
+                continue;
             }
+            let number = self.packet(place);
+            let pixel = self.middles.pixel_of(place);
+            // The search along a ring costs far more than to ask this.
+            if is_told_about && seen.body.kind == Kind::Ring {
+                let packet = &self.drawn.packets[number];
+                let farthest = packet.farthest(simd);
+                if !may_show_in(seen.body.kind, &body, &packet.ray, pixel, farthest).any_true() {
+                    continue;
+                }
+            }
+            is_seen |= self.test_in(number, pixel, seen, &body, &spin, owner);
         }
         if is_seen {
             self.drawn.owners.push(Owner { number: seen.number, group: self.number });
         }
     }
 
-    /// Tests a body in the packet at this `place`, whose rays are off its middle by no more than `spread`, and says whether it is seen there.
+    /// The number of the packet at this place.
+    #[inline(always)]
+    fn packet(&mut self, place: usize) -> usize {
+        if let Some(number) = self.places[place] {
+            return number;
+        }
+        let number = self.drawn.packets.len();
+        self.drawn.packets.push(Packet::new(self.simd, &self.group, self.corner, place));
+        self.places[place] = Some(number);
+        number
+    }
+
+    /// Tests a body in the packet of this number, in which a `pixel` is so wide per distance, and says whether it is seen
+    /// there.
     #[inline(always)]
     fn test_in(
         &mut self,
-        place: usize,
-        spread: F<S>,
+        number: usize,
+        pixel: F<S>,
         seen: &Seen<'_>,
         body: &Body<S>,
         spin: &Spin<S>,
         owner: usize,
-        is_told_about: bool,
     ) -> bool {
         let Self { simd, group, .. } = *self;
-        let number = if let Some(number) = self.places[place] {
-            number
-        } else {
-            let number = self.drawn.packets.len();
-            self.drawn.packets.push(Packet::new(simd, &group, self.corner, place));
-            self.places[place] = Some(number);
-            number
-        };
         let ray = &self.drawn.packets[number].ray;
-        if is_told_about && seen.body.kind == Kind::Ring {
-            let nearest = nearest_to(body.place, ray);
-            let longest = body.form_w + body.radius;
-            let off = ring::least_miss(body, ray).max(nearest.length() - longest) - longest * 1e-5;
-            let pixel = (ray.to_centre + body.place.dot(ray.direction) + longest).max(0.0) * spread * PIXEL;
-            if off.simd_gt(pixel).all_true() {
-                return false;
-            }
-        }
-        let surface = surface_when_shown(simd, seen.body.kind, seen.turns, &group, body, ray, spin);
+        let kind = seen.body.kind;
+        let surface = surface_when_shown(simd, kind, seen.turns, &group, body, ray, spin);
         // Farther outside than a pixel it is in no sample, and not widened into one.
-        let pixels = (ray.to_centre + surface.beyond).max(0.0) * spread * PIXEL;
+        let pixels = (ray.to_centre + surface.beyond).max(0.0) * pixel;
         if !(surface.clearance + pixels).simd_gt(0.0).any_true() {
             return false;
         }
-        let test = Test::new(simd, &group, seen, body, ray, surface, N > 1);
+        let test = Test::new(simd, &group, kind, body, ray, surface, N > 1);
         let is_whole = test.alpha.simd_ge(1.0);
         let is_thin = !is_whole;
         let (any_whole, any_thin) = (is_whole.any_true(), is_thin.any_true());
         let beyond = surface.beyond;
         let at = all(simd, owner as f32);
         let owners = &self.drawn.owners;
-        let Packet { solid, thin, .. } = &mut self.drawn.packets[number];
+        let packet = &mut self.drawn.packets[number];
         let (mut is_in_solid, mut is_in_thin) = (false, false);
         for sample in 0..N {
             let is_inside = test.holds(self.samples[sample]);
             if any_whole {
-                is_in_solid |= solid[sample].take(is_inside & is_whole, beyond, at, seen.number, owners);
+                let whole = &mut packet.solid[sample];
+                is_in_solid |= whole.take(is_inside & is_whole, beyond, at, seen.number, owners);
             }
             if any_thin {
-                is_in_thin |= thin[sample].take(is_inside & is_thin, beyond, at, seen.number, owners);
+                let thin = &mut packet.thin[sample];
+                is_in_thin |= thin.take(is_inside & is_thin, beyond, at, seen.number, owners);
             }
         }
         if is_in_solid {
-            let mut most = all(simd, f32::NEG_INFINITY);
-            for nearest in solid {
-                most = most.max(nearest.beyond);
-            }
-            self.farthest[place] = most.as_slice().iter().copied().fold(f32::NEG_INFINITY, f32::max);
+            self.farthest[packet.place] = packet.reach(simd);
         }
         is_in_solid || is_in_thin
     }
@@ -283,6 +279,22 @@ impl<S: Simd, const N: usize> Packet<S, N> {
             thin: nothing,
             owners: [0; 2],
         }
+    }
+
+    /// How far the farthest of what covers a pixel's samples is.
+    #[inline(always)]
+    fn farthest(&self, simd: S) -> F<S> {
+        let mut farthest = all(simd, f32::NEG_INFINITY);
+        for nearest in &self.solid {
+            farthest = farthest.max(nearest.beyond);
+        }
+        farthest
+    }
+
+    /// What is farther than this is seen nowhere in it.
+    #[inline(always)]
+    fn reach(&self, simd: S) -> f32 {
+        self.farthest(simd).as_slice().iter().copied().fold(f32::NEG_INFINITY, f32::max)
     }
 
     /// Replaces distances beyond the middle of a group by depths among all.
@@ -382,13 +394,12 @@ impl<S: Simd> Test<S> {
     pub fn new(
         simd: S,
         group: &Group<'_>,
-        seen: &Seen<'_>,
+        kind: Kind,
         body: &Body<S>,
         ray: &Ray<S>,
         surface: Surface<S>,
         is_picture: bool,
     ) -> Self {
-        let kind = seen.body.kind;
         let distance = ray.to_centre + surface.beyond;
         let is_in_front = distance.simd_gt(0.0);
         let zero = all(simd, 0.0);
