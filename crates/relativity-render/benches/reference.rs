@@ -26,7 +26,7 @@ fn main() {
 }
 
 fn compare(bodies: &[Body]) {
-    let view = view();
+    let view = view([480, 360]);
     let scene = PreparedScene::moving(bodies);
     let image = || scene.hit_image(&view).hits.iter().flatten().count();
     let looped = || loop_over_all(&scene, &view);
@@ -50,16 +50,17 @@ fn scale(count: u32) {
     let start = Instant::now();
     let scene = PreparedScene::moving(&bodies);
     let prepared_ms = start.elapsed().as_secs_f64() * 1e3;
-    let view = view();
-    let image = || scene.hit_image(&view).hits.iter().flatten().count();
-    let mut times: Vec<_> = (0..ROUNDS).map(|_| milliseconds(image)).collect();
-    let image_ms = median(&mut times);
-    let rays = f64::from(view.camera.size[0] * view.camera.size[1]);
-    let covered = 100.0 * image() as f64 / rays;
-    let per_second = rays / image_ms / 1e3;
-    println!(
-        "{count} tubes, {covered:.0} % covered: prepared in {prepared_ms:.0} ms, {per_second:.2} million rays/s"
-    );
+    println!("{count} tubes: prepared in {prepared_ms:.0} ms");
+    for size in [[480, 360], [1920, 1080]] {
+        let view = view(size);
+        let image = || scene.hit_image(&view).hits.iter().flatten().count();
+        let mut times: Vec<_> = (0..ROUNDS).map(|_| milliseconds(image)).collect();
+        let image_ms = median(&mut times);
+        let rays = f64::from(size[0] * size[1]);
+        let covered = 100.0 * image() as f64 / rays;
+        let per_second = rays / image_ms / 1e3;
+        println!("  {} x {}, {covered:.0} % covered: {per_second:.2} million rays/s", size[0], size[1]);
+    }
 }
 
 /// Tubes spread over the same block as the crowd.
@@ -108,9 +109,8 @@ fn crowd(count: u32) -> Vec<Body> {
     (0..count).map(body).collect()
 }
 
-fn view() -> View {
-    let camera =
-        Camera::new(Aperture::default(), Gaze::along([0.0, 4.0, 2.0]), 40f64.to_radians(), [480, 360]);
+fn view(size: [u32; 2]) -> View {
+    let camera = Camera::new(Aperture::default(), Gaze::along([0.0, 4.0, 2.0]), 40f64.to_radians(), size);
     let speed = Speed::from_beta(0.9).expect("below 1");
     View { camera, speed, observation_time: 4.0, geometry: Geometry::Seen }
 }
