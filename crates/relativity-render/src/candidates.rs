@@ -65,7 +65,9 @@ impl PreparedScene {
         draw: impl Fn(&TileLook<'_>, &mut Rows<'_, T>) + Sync,
     ) -> Vec<T> {
         let [width, height] = view.camera.size;
-        let mut image = vec![T::default(); width as usize * height as usize];
+        // By all threads: the first touch of so much memory takes its time.
+        let count = width as usize * height as usize;
+        let mut image: Vec<_> = (0..count).into_par_iter().map(|_| T::default()).collect();
         if image.is_empty() {
             return image;
         }

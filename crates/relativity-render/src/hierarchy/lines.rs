@@ -4,7 +4,7 @@ use fearless_simd::Level;
 use glam::{DVec3, Vec3};
 
 use super::beam::{ROUNDING, across};
-use crate::lanes::{F, LANES, Mask, Simd, SimdBase, SimdFloat, SimdMask};
+use crate::lanes::{F, LANES, Mask, Simd, SimdBase, SimdFloat};
 use crate::ray::Ray;
 use crate::registers::on_registers;
 
@@ -81,22 +81,30 @@ impl Lines {
         let [u, v] = &self.rows;
         let rows = u.misses(simd, center, reach, distance) | v.misses(simd, center, reach, distance);
         let mut meeting = 0;
-        for (row, _) in rows.as_slice().iter().enumerate().filter(|(_, misses)| **misses == 0) {
-            let first = row * LANES;
+        let mut left = met_in(rows);
+        while left != 0 {
+            let first = left.trailing_zeros() as usize % ROWS * LANES;
+            left &= left - 1;
             let along = along(simd, &self.axis, first, center, reach);
             let is_behind = (along.middle - along.size).simd_gt(some(simd, farthest, first));
             let [u, v] = &self.across;
             let misses =
                 u.misses(simd, first, center, reach) | v.misses(simd, first, center, reach) | is_behind;
-            if misses.all_true() {
-                continue;
-            }
-            for (lane, misses) in misses.as_slice().iter().enumerate() {
-                meeting |= u64::from(*misses == 0) << (first + lane);
-            }
+            meeting |= met_in(misses) << first;
         }
         meeting
     }
+}
+
+/// A bit for each lane that does not miss.
+#[inline(always)]
+fn met_in<S: Simd>(misses: Mask<S>) -> u64 {
+    let misses: [i32; LANES] = misses.into();
+    let mut met = 0;
+    for (lane, misses) in misses.into_iter().enumerate() {
+        met |= u64::from(misses == 0) << lane;
+    }
+    met
 }
 
 impl Side {
