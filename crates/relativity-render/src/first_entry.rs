@@ -1,10 +1,10 @@
 //! The first body of a group that a straight ray enters.
 
-use crate::cap::Cap;
-use crate::group_view::GroupView;
 use fearless_simd::Level;
 use glam::DVec3;
 
+use crate::cap::Cap;
+use crate::group_view::GroupView;
 use crate::hierarchy::{Beam, Candidate, Hierarchy, Line, Lines};
 use crate::intersect::Entry;
 use crate::ray::Ray;
@@ -137,7 +137,11 @@ impl Search<'_> {
         let (lines, reach) = (Lines::new(rays, self.middle()), most(&farthest));
         let mut all = All { search: self, rays, lines, firsts, farthest, reach };
         let hierarchy = self.hierarchy();
-        let looked = on_registers!(Level::new(), _simd => hierarchy.along(beam, #[inline(always)] |candidate| all.visit(&candidate)));
+        let looked = on_registers!(Level::new(), _simd => hierarchy.along(
+            beam,
+            #[inline(always)]
+            |candidate| all.visit(&candidate),
+        ));
         if looked.is_none() {
             hierarchy.along(beam, |candidate| all.visit(&candidate));
         }

@@ -4,7 +4,6 @@ use relativity_core::Speed;
 use relativity_render::{Appearance, Gpu, Method, Renderers, View};
 
 use super::measure::views;
-use super::report::Circumstances;
 use crate::accuracy::{
     Automatic, Effort, ExpectedError, Machine, Place, RESOLUTION_PX, Sight, expected_error, view_at,
 };
@@ -77,26 +76,6 @@ fn whatever_is_chosen_for_an_error_keeps_it_in_every_view() {
             }
         }
         report(name, &worst);
-    }
-}
-
-/// At a ring seen almost from the side, one of whose walls is in front of the other.
-#[test]
-fn a_mesh_keeps_its_bound_at_the_outlines_of_walls_behind_each_other() {
-    let mut renderers = Renderers::new(Gpu::headless().ok());
-    if renderers.gpu().is_none() {
-        return;
-    }
-    let scene = Scene::preset("street").expect("a preset");
-    let views = views(&scene, [240, 180], true).expect("inside the domain");
-    let is_meant = |(seen, _): &&(Circumstances, View)| seen.beta == 0.9 && seen.place == Place::Approaching;
-    let (_, view) = views.iter().find(is_meant).expect("it is measured");
-    let (effort, appearance) = (Effort { outline_places: 60, rounds: 1 }, Appearance::default());
-    for bound_px in [0.01, 0.1] {
-        let (method, prepared) = (Method::Mesh { bound_px }, scene.prepared());
-        let error = expected_error(&mut renderers, &prepared, method, view, &appearance, effort, &|| false);
-        let off = worst_px(&error.expect("it is drawn").expect("nothing cancels it"), view);
-        assert!(off <= bound_px, "{method} is off by {off} px");
     }
 }
 

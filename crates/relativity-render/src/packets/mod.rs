@@ -62,7 +62,10 @@ impl PacketRenderer {
         let tables = Tables::shared();
         let rgba = scene.tiles(view, &look.views, &|| true, |tile, rows| {
             on_registers!(self.level, simd => {
-                let drawn = tile.cap.as_ref().map(#[inline(always)] |cap| look.draw(simd, &STANDARD, tile, cap));
+                let drawn = tile.cap.as_ref().map(
+                    #[inline(always)]
+                    |cap| look.draw(simd, &STANDARD, tile, cap),
+                );
                 match drawn.filter(|drawn| !drawn.packets.is_empty()) {
                     Some(drawn) => drawn.shade(simd, &look, appearance, tables, &tile.tile, rows),
                     None => shade_backdrop(simd, &look, &tile.tile, rows),
