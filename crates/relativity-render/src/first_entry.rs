@@ -1,14 +1,14 @@
 //! The first body of a group that a straight ray enters.
 
-use fearless_simd::Level;
+use fearless_simd::{Level, dispatch};
 use glam::DVec3;
 
 use crate::cap::Cap;
 use crate::group_view::GroupView;
 use crate::hierarchy::{Beam, Candidate, Hierarchy, Line, Lines};
 use crate::intersect::Entry;
+use crate::lanes::Simd;
 use crate::ray::Ray;
-use crate::registers::on_registers;
 use crate::scene::PreparedScene;
 
 /// The bodies of a group that rays may enter.
@@ -109,8 +109,8 @@ struct All<'a> {
 impl All<'_> {
     /// Tests what may be met, and says how far looking is worth while.
     #[inline(always)]
-    fn visit(&mut self, candidate: &Candidate) -> f32 {
-        let mut meeting = self.lines.meeting(candidate.center, candidate.half, &self.farthest);
+    fn visit<S: Simd>(&mut self, simd: S, candidate: &Candidate) -> f32 {
+        let mut meeting = self.lines.meeting(simd, candidate.center, candidate.half, &self.farthest);
         let mut has_less_reach = false;
         while meeting != 0 {
             let i = meeting.trailing_zeros() as usize;
@@ -137,14 +137,13 @@ impl Search<'_> {
         let (lines, reach) = (Lines::new(rays, self.middle()), most(&farthest));
         let mut all = All { search: self, rays, lines, firsts, farthest, reach };
         let hierarchy = self.hierarchy();
-        let looked = on_registers!(Level::new(), _simd => hierarchy.along(
+        let beam = &beam.around(rays, self.middle());
+        dispatch!(Level::new(), simd => hierarchy.along_on(
+            simd,
             beam,
             #[inline(always)]
-            |candidate| all.visit(&candidate),
+            |candidate| all.visit(simd, &candidate),
         ));
-        if looked.is_none() {
-            hierarchy.along(beam, |candidate| all.visit(&candidate));
-        }
     }
 
     fn along_one(&self, ray: &Ray, first: &mut First) {

@@ -50,6 +50,17 @@ pub fn no<S: Simd>(simd: S) -> Mask<S> {
     Mask::splat(simd, 0)
 }
 
+/// A bit for each lane where it holds.
+#[inline(always)]
+pub fn bits<S: Simd>(holds: Mask<S>) -> u32 {
+    let lanes: [i32; LANES] = holds.into();
+    let mut bits = 0;
+    for (lane, holds) in lanes.into_iter().enumerate() {
+        bits |= u32::from(holds != 0) << lane;
+    }
+    bits
+}
+
 /// `value` where it holds, else `other`.
 #[inline(always)]
 pub fn select<S: Simd>(holds: Mask<S>, value: F<S>, other: F<S>) -> F<S> {

@@ -2,11 +2,13 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use glam::{DVec3, Vec3};
+use glam::{DVec2, DVec3, Vec3};
 use relativity_core::math::hypot;
 
+use super::Boxes;
 use crate::cap::Cap;
 use crate::group_view::GroupView;
+use crate::lanes::{F, Simd, SimdFloat, all, select};
 use crate::ray::Ray;
 use crate::view::Geometry;
 
@@ -20,32 +22,33 @@ const LEAST_COSINE: f64 = 0.07;
 /// A cone of rays, inside four planes through its tip that touch it.
 #[derive(Debug, Clone, Copy)]
 pub struct Beam {
-    /// The parts of the planes' normals, outwards; all planes are there twice, for two boxes at once.
-    normals: [[f32; 8]; 3],
-    /// Their sizes.
-    sizes: [[f32; 8]; 3],
-    /// How far outside of the middle of the group they are, less room for rounding.
-    offsets: [f32; 8],
+    planes: [Plane; 4],
     /// The middle ray's direction.
     axis: Vec3,
     /// By how much other rays' differ from that at most.
     spread: f32,
 }
 
+/// A direction, without and with its signs, and how far along it something passes the middle of the group.
+#[derive(Debug, Clone, Copy)]
+struct Plane {
+    normal: Vec3,
+    size: Vec3,
+    offset: f32,
+}
+
 /// One ray.
 #[derive(Debug, Clone, Copy)]
 pub struct Line {
-    /// Two directions across it and each other, without and with their signs, and how far along them it passes the middle
-    /// of the group.
-    across: [(Vec3, Vec3, f32); 2],
+    /// Across it and each other.
+    across: [Plane; 2],
     axis: Vec3,
 }
 
-/// What looks for boxes, told by their middles and the halves of their sides.
+/// What looks for boxes.
 pub trait Looks {
-    /// How far beyond the middle of the group it meets each of two boxes at least, both told from there; `None` if it
-    /// passes.
-    fn nearest(&self, boxes: [[Vec3; 2]; 2]) -> [Option<f32>; 2];
+    /// How far beyond the middle of the group it meets each of `boxes` at least; infinity if it passes.
+    fn nearest<S: Simd>(&self, simd: S, boxes: &Boxes) -> F<S>;
 }
 
 impl Line {
@@ -53,30 +56,24 @@ impl Line {
     #[must_use]
     pub fn new(ray: &Ray, middle: DVec3) -> Self {
         let place = ray.start - middle;
-        let side = |normal: DVec3| {
-            let side = normal.as_vec3();
-            (side, side.abs() + ROUNDING, normal.dot(place) as f32)
-        };
-        Self { across: across(ray.direction).map(side), axis: ray.direction.as_vec3() }
+        Self {
+            across: across(ray.direction).map(|normal| Plane::new(normal, place)),
+            axis: ray.direction.as_vec3(),
+        }
     }
 }
 
 impl Looks for Line {
     #[inline(always)]
-    fn nearest(&self, boxes: [[Vec3; 2]; 2]) -> [Option<f32>; 2] {
-        boxes.map(
-            #[inline(always)]
-            |[center, half]| {
-                let reach = half + ROUNDING * center.abs();
-                let [(u, u_size, u_offset), (v, v_size, v_offset)] = self.across;
-                let off_u = (u.dot(center) - u_offset).abs() - ROUNDING * u_offset.abs();
-                let off_v = (v.dot(center) - v_offset).abs() - ROUNDING * v_offset.abs();
-                if off_u > u_size.dot(reach) || off_v > v_size.dot(reach) {
-                    return None;
-                }
-                Some(self.axis.dot(center) - (self.axis.abs() + ROUNDING).dot(reach))
-            },
-        )
+    fn nearest<S: Simd>(&self, simd: S, boxes: &Boxes) -> F<S> {
+        let boxes = boxes.on(simd);
+        let mut excess = all(simd, f32::NEG_INFINITY);
+        for plane in &self.across {
+            let (middles, sizes) = boxes.along(plane.normal, plane.size);
+            excess = excess.max((middles - plane.offset).abs() - ROUNDING * plane.offset.abs() - sizes);
+        }
+        let (middles, sizes) = boxes.along(self.axis, self.axis.abs() + ROUNDING);
+        select(excess.simd_gt(0.0), all(simd, f32::INFINITY), middles - sizes)
     }
 }
 
@@ -90,51 +87,70 @@ impl Beam {
         let planes = [u, -u, v, -v].map(|aside| {
             let along = axis * cosine + aside * sine;
             let (place, _) = Ray::new(view.origin, along).nearest_to(middle);
-            let normal = aside * cosine - axis * sine;
-            (normal.as_vec3(), normal.dot(place) as f32)
+            Plane::new(aside * cosine - axis * sine, place)
         });
         // An angle is no more than pi/2 times its sine.
-        Some(Self::within(planes, axis, FRAC_PI_2 * sine))
+        let spread = (FRAC_PI_2 * sine * 1.01) as f32 + ROUNDING;
+        Some(Self { planes, axis: axis.as_vec3(), spread })
     }
+}
 
-    fn within(planes: [(Vec3, f32); 4], axis: DVec3, half_angle: f64) -> Self {
-        let planes = std::array::from_fn::<_, 8, _>(|i| planes[i % 4]);
-        let normals = [0, 1, 2].map(|axis: usize| planes.map(|(normal, _)| normal[axis]));
-        Self {
-            normals,
-            sizes: normals.map(|parts| parts.map(|part| part.abs() + ROUNDING)),
-            offsets: planes.map(|(_, offset)| offset + ROUNDING * offset.abs()),
-            axis: axis.as_vec3(),
-            spread: (half_angle * 1.01) as f32 + ROUNDING,
+impl Beam {
+    /// The same no wider than `rays` in it, the first and the last of which are in opposite corners of about a square; they
+    /// are counted from their points nearest to `middle`.
+    #[must_use]
+    pub fn around(&self, rays: &[Ray], middle: DVec3) -> Self {
+        let [first, .., last] = rays else { return *self };
+        let axis = rays[rays.len() / 2].direction;
+        let [u, v] = across(axis);
+        let off = |direction: DVec3| DVec2::new(u.dot(direction), v.dot(direction));
+        // The sides of a square are half a right angle off its diagonal.
+        let diagonal = off(last.direction) - off(first.direction);
+        let Some(DVec2 { x, y }) = (diagonal + diagonal.perp()).try_normalize() else { return *self };
+        let asides = [u * x + v * y, v * x - u * y];
+        let mut extremes = [(f64::NEG_INFINITY, first); 4];
+        for ray in rays {
+            let ahead = axis.dot(ray.direction);
+            if ahead < LEAST_COSINE {
+                return *self;
+            }
+            let [right, down] = asides.map(|aside| aside.dot(ray.direction) / ahead);
+            for (extreme, slope) in extremes.iter_mut().zip([right, -right, down, -down]) {
+                if slope > extreme.0 {
+                    *extreme = (slope, ray);
+                }
+            }
         }
+        let plane = |i: usize, sign: f64| {
+            let (_, Ray { direction, start, .. }) = extremes[i];
+            let aside = asides[i / 2] * sign;
+            Plane::new(aside * axis.dot(*direction) - axis * aside.dot(*direction), start - middle)
+        };
+        Self { planes: [plane(0, 1.0), plane(1, -1.0), plane(2, 1.0), plane(3, -1.0)], ..*self }
+    }
+}
+
+impl Plane {
+    /// Through `place`, from the middle of the group.
+    fn new(normal: DVec3, place: DVec3) -> Self {
+        let offset = normal.dot(place) as f32;
+        let normal = normal.as_vec3();
+        Self { normal, size: normal.abs() + ROUNDING, offset }
     }
 }
 
 impl Looks for Beam {
     #[inline(always)]
-    fn nearest(&self, boxes: [[Vec3; 2]; 2]) -> [Option<f32>; 2] {
-        let [first, second] = boxes;
-        let reach = [first[1] + ROUNDING * first[0].abs(), second[1] + ROUNDING * second[0].abs()];
-        let [near, far] = [first[0], second[0]];
-        let mut excess = [0.0; 8];
-        for (i, excess) in excess.iter_mut().enumerate() {
-            let (center, reach) = if i < 4 { (near, reach[0]) } else { (far, reach[1]) };
-            let off =
-                self.normals[0][i] * center.x + self.normals[1][i] * center.y + self.normals[2][i] * center.z;
-            let room = self.sizes[0][i] * reach.x + self.sizes[1][i] * reach.y + self.sizes[2][i] * reach.z;
-            *excess = off - room;
+    fn nearest<S: Simd>(&self, simd: S, boxes: &Boxes) -> F<S> {
+        let boxes = boxes.on(simd);
+        let mut excess = all(simd, f32::NEG_INFINITY);
+        for plane in &self.planes {
+            let (middles, sizes) = boxes.along(plane.normal, plane.size);
+            excess = excess.max(middles - sizes - (plane.offset + ROUNDING * plane.offset.abs()));
         }
-        let mut is_outside = [false; 2];
-        for i in 0..4 {
-            is_outside[0] |= excess[i] > self.offsets[i];
-            is_outside[1] |= excess[4 + i] > self.offsets[4 + i];
-        }
-        let along = |center: Vec3, reach: Vec3| {
-            let along = self.axis.dot(center) - self.axis.abs().dot(reach);
-            // The sum of its parts is no less than a length.
-            along - self.spread * (center.abs() + reach).element_sum()
-        };
-        [(!is_outside[0]).then(|| along(near, reach[0])), (!is_outside[1]).then(|| along(far, reach[1]))]
+        let (middles, sizes) = boxes.along(self.axis, self.axis.abs());
+        let nearest = middles - sizes - boxes.farthest() * self.spread;
+        select(excess.simd_gt(0.0), all(simd, f32::INFINITY), nearest)
     }
 }
 
@@ -176,4 +192,55 @@ fn stretched(cap: &Cap, view: &GroupView) -> Option<Cap> {
     let [u, v] = across(cap.axis).map(|aside| aside * (cap.sine / cap.cosine));
     let corners = [u + v, u - v, v - u, -u - v].map(|corner| stretched(cap.axis + corner));
     Some(Cap::around(stretched(cap.axis), corners))
+}
+
+#[cfg(test)]
+mod tests {
+    use fearless_simd::{Level, dispatch};
+
+    use super::super::testing::{inside, place};
+    use super::*;
+    use crate::hierarchy::WIDTH;
+
+    /// `side` times as many, of a square this wide per distance, which is turned and looks at `middle`.
+    fn rays(middle: DVec3, distance: f64, width: f64, side: u32) -> Vec<Ray> {
+        let axis = DVec3::new(0.3, -1.0, 0.2).normalize();
+        let (camera, [u, v]) = (middle - axis * distance, across(axis));
+        let (right, down) = (u * 0.8 + v * 0.6, v * 0.8 - u * 0.6);
+        let off = |i: u32| (f64::from(i) / f64::from(side - 1) - 0.5) * width;
+        let one = |i: u32| axis + right * off(i % side) + down * off(i / side);
+        (0..side * side).map(|i| Ray::new(camera, one(i).normalize()).counted_from(middle)).collect()
+    }
+
+    fn of_one(center: Vec3, half: Vec3) -> Boxes {
+        let all = |v: Vec3| v.to_array().map(|part| [part; WIDTH]);
+        Boxes { center: all(center), half: all(half) }
+    }
+
+    #[test]
+    fn around_rays_it_meets_what_they_meet_and_hardly_more() {
+        let middle = DVec3::new(3.0, -2.0, 1.0);
+        for (distance, width) in [(2.0, 0.4), (5.0, 0.1), (1e6, 5e-7), (1e12, 5e-13)] {
+            let square = |side| rays(middle, distance, width, side);
+            let (some, many) = (square(8), square(32));
+            let axis = some[some.len() / 2].direction;
+            let nothing = Plane { normal: Vec3::ZERO, size: Vec3::ZERO, offset: 1.0 };
+            let wide = Beam { planes: [nothing; 4], axis: axis.as_vec3(), spread: width as f32 };
+            let beam = wide.around(&some, middle);
+            let (mut met, mut told) = (0, 0);
+            for number in 0..4000 {
+                let (center, half) = (place(number, 1.0), 0.1 * place(number + 7, 1.0).abs());
+                let entries = many.iter().filter_map(|ray| inside(ray, middle + center, half));
+                let first = entries.map(|[from, _]| from).reduce(f64::min);
+                let boxes = of_one(center.as_vec3(), half.as_vec3());
+                let nearest = dispatch!(Level::new(), simd => beam.nearest(simd, &boxes)[0]);
+                if let Some(first) = first {
+                    assert!(f64::from(nearest) < first + 1e-5, "{nearest} for {first} from {distance}");
+                    met += 1;
+                }
+                told += u32::from(nearest < f32::INFINITY);
+            }
+            assert!(met > 100 && told < met + met / 4, "{told} for {met} from {distance}");
+        }
+    }
 }

@@ -3,17 +3,18 @@
 //! Reference: I. Wald, *On fast construction of SAH-based bounding volume hierarchies* (2007).
 
 use glam::{DVec3, Vec3};
-use relativity_core::threads::join;
+use relativity_core::threads::prelude::*;
 
+use super::beam::ROUNDING;
 use super::pieces::Piece;
-use super::{Hierarchy, Holds, MOST_WAITING, Node, Pair};
+use super::{Boxes, DEEPEST, Hierarchy, Holds, Node, WIDTH};
 
 /// Places, along the longest side, at which a division is tried.
 const BINS: usize = 16;
 /// Fewer than this are built by one thread.
 const LEAST_FOR_TWO: usize = 4096;
 /// Below this depth boxes are halved by number, so that none is deeper than what may wait.
-const DEEPEST_BY_COST: usize = MOST_WAITING - 34;
+const DEEPEST_BY_COST: usize = DEEPEST - 32;
 
 /// A box, in f32.
 #[derive(Debug, Clone, Copy)]
@@ -22,33 +23,143 @@ struct Bounds {
     high: Vec3,
 }
 
+/// A box of what is not divided further.
+#[derive(Debug, Clone, Copy)]
+struct Leaf {
+    bounds: Bounds,
+    number: u32,
+    holds: Holds,
+}
+
+/// Some of the leaves, in a box.
+struct Part<'a> {
+    leaves: &'a mut [Leaf],
+    bounds: Bounds,
+    /// So often has all been divided.
+    depth: usize,
+}
+
 impl Hierarchy {
     /// Of these, which are told from `middle`.
     #[must_use]
     pub fn new(pieces: impl IntoIterator<Item = Piece>, middle: DVec3) -> Self {
-        let mut leaves: Vec<_> = pieces.into_iter().map(|piece| Node::leaf(&piece, middle)).collect();
-        if leaves.is_empty() {
-            return Self::default();
+        let mut leaves: Vec<_> = pieces.into_iter().map(|piece| Leaf::new(&piece, middle)).collect();
+        let mut nodes = Vec::with_capacity(leaves.len() / 3);
+        if !leaves.is_empty() {
+            Part::new(&mut leaves, 0).build(&mut nodes);
         }
-        let mut pairs = vec![Pair::default(); leaves.len() - 1];
-        let root = build(&mut leaves, 0, 0, &mut pairs);
-        Self { root: Some(root), pairs }
+        Self { nodes }
     }
 }
 
-impl Node {
+impl Leaf {
     /// Of `piece`, rounded outwards.
-    fn leaf(piece: &Piece, middle: DVec3) -> Self {
+    fn new(piece: &Piece, middle: DVec3) -> Self {
         let [low, high] = piece.corners.map(|corner| corner - middle);
         // More than f32 loses, of it and of the boxes that it is in.
         let room = 1e-6 * low.abs().max(high.abs()).max_element() as f32;
         let bounds = Bounds { low: low.as_vec3() - room, high: high.as_vec3() + room };
         let holds = if piece.is_one_of_some { Holds::Piece } else { Holds::Body };
-        bounds.node(piece.body, holds)
+        Self { bounds, number: piece.body, holds }
     }
 
-    fn bounds(&self) -> Bounds {
-        Bounds { low: self.center - self.half, high: self.center + self.half }
+    fn middle(&self) -> Vec3 {
+        self.bounds.low + self.bounds.high
+    }
+}
+
+impl<'a> Part<'a> {
+    fn new(leaves: &'a mut [Leaf], depth: usize) -> Self {
+        let bounds = leaves.iter().fold(Bounds::NONE, |around, leaf| around.joined(leaf.bounds));
+        Self { leaves, bounds, depth }
+    }
+
+    fn halves(self) -> [Self; 2] {
+        let count = divided(self.leaves, self.depth);
+        let (first, second) = self.leaves.split_at_mut(count);
+        [first, second].map(|half| Self::new(half, self.depth + 1))
+    }
+
+    /// Itself in as many as there are boxes in a node: in halves, and ever again the one that holds the most; what fits into
+    /// a node stays together.
+    fn parts(self) -> Vec<Self> {
+        if self.leaves.len() <= WIDTH {
+            return self.leaves.chunks_mut(1).map(|leaf| Self::new(leaf, self.depth + 1)).collect();
+        }
+        let mut parts = vec![self];
+        while parts.len() < WIDTH {
+            let count = |part: &usize| parts[*part].leaves.len();
+            let Some(largest) = (0..parts.len()).max_by_key(count).filter(|part| count(part) > WIDTH) else {
+                break;
+            };
+            let largest = parts.swap_remove(largest);
+            parts.extend(largest.halves());
+        }
+        parts
+    }
+
+    /// Adds its node, and the nodes in that.
+    fn build(self, nodes: &mut Vec<Node>) {
+        let is_worth_two = self.leaves.len() >= LEAST_FOR_TWO;
+        let place = nodes.len();
+        nodes.push(Node::EMPTY);
+        let mut inner = Vec::new();
+        for (lane, part) in self.parts().into_iter().enumerate() {
+            nodes[place].put(lane, &part);
+            if part.leaves.len() > 1 {
+                inner.push((lane, part));
+            }
+        }
+        if is_worth_two {
+            let built = inner.into_par_iter().map(|(lane, part)| {
+                let mut own = Vec::new();
+                part.build(&mut own);
+                (lane, own)
+            });
+            for (lane, own) in built.collect::<Vec<_>>() {
+                let first = nodes.len() as u32;
+                nodes[place].numbers[lane] = first;
+                nodes.extend(own.into_iter().map(|node| node.after(first)));
+            }
+            return;
+        }
+        for (lane, part) in inner {
+            nodes[place].numbers[lane] = nodes.len() as u32;
+            part.build(nodes);
+        }
+    }
+}
+
+impl Node {
+    const EMPTY: Self = Self {
+        boxes: Boxes { center: [[0.0; WIDTH]; 3], half: [[f32::NEG_INFINITY; WIDTH]; 3] },
+        numbers: [0; WIDTH],
+        holds: [Holds::Nothing; WIDTH],
+    };
+
+    /// Puts the box of `part` here, and what that holds if it is a leaf.
+    fn put(&mut self, lane: usize, part: &Part<'_>) {
+        let Bounds { low, high } = part.bounds;
+        let center = 0.5 * (low + high);
+        let half = 0.5 * (high - low) * (1.0 + 1e-6) + ROUNDING * center.abs();
+        for axis in 0..3 {
+            self.boxes.center[axis][lane] = center[axis];
+            self.boxes.half[axis][lane] = half[axis];
+        }
+        (self.numbers[lane], self.holds[lane]) = match &*part.leaves {
+            [Leaf { number, holds, .. }] => (*number, *holds),
+            _ => (0, Holds::Node),
+        };
+    }
+
+    /// The same with `count` others before it.
+    fn after(mut self, count: u32) -> Self {
+        for (number, holds) in self.numbers.iter_mut().zip(self.holds) {
+            if holds == Holds::Node {
+                *number += count;
+            }
+        }
+        self
     }
 }
 
@@ -59,12 +170,6 @@ impl Bounds {
         Self { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
-    /// A node, of what has this `number`.
-    fn node(self, number: u32, holds: Holds) -> Node {
-        let (center, half) = (0.5 * (self.low + self.high), 0.5 * (self.high - self.low));
-        Node { center, half: half * (1.0 + 1e-6), number, holds }
-    }
-
     /// Half of its surface; none of one that holds nothing.
     fn area(&self) -> f32 {
         let side = (self.high - self.low).max(Vec3::ZERO);
@@ -72,27 +177,11 @@ impl Bounds {
     }
 }
 
-/// A node of all `leaves`, which are put in another order. It takes all of `pairs`, one less, of which the first has this
-/// number.
-fn build(leaves: &mut [Node], number: u32, depth: usize, pairs: &mut [Pair]) -> Node {
-    let Some((pair, pairs)) = pairs.split_first_mut() else { return leaves[0] };
-    let around = leaves.iter().fold(Bounds::NONE, |around, leaf| around.joined(leaf.bounds()));
-    let count = divided(leaves, depth);
-    let (first, second) = leaves.split_at_mut(count);
-    let (first_pairs, second_pairs) = pairs.split_at_mut(count - 1);
-    let (is_worth_two, depth) = (first.len().min(second.len()) >= LEAST_FOR_TWO, depth + 1);
-    let mut first = || build(first, number + 1, depth, first_pairs);
-    let mut second = || build(second, number + count as u32, depth, second_pairs);
-    let (first, second) = if is_worth_two { join(first, second) } else { (first(), second()) };
-    *pair = Pair([first, second]);
-    around.node(number, Holds::Pair)
-}
-
 /// Puts `leaves` in two halves, and says how many are in the first.
-fn divided(leaves: &mut [Node], depth: usize) -> usize {
+fn divided(leaves: &mut [Leaf], depth: usize) -> usize {
     let middles = leaves
         .iter()
-        .fold(Bounds::NONE, |around, leaf| around.joined(Bounds { low: leaf.center, high: leaf.center }));
+        .fold(Bounds::NONE, |around, leaf| around.joined(Bounds { low: leaf.middle(), high: leaf.middle() }));
     let sides = middles.high - middles.low;
     let axis = sides.max_position();
     let halved = leaves.len() / 2;
@@ -100,15 +189,15 @@ fn divided(leaves: &mut [Node], depth: usize) -> usize {
         return halved;
     }
     if depth > DEEPEST_BY_COST || leaves.len() <= 4 {
-        leaves.select_nth_unstable_by(halved, |a, b| a.center[axis].total_cmp(&b.center[axis]));
+        leaves.select_nth_unstable_by(halved, |a, b| a.middle()[axis].total_cmp(&b.middle()[axis]));
         return halved;
     }
     let scale = BINS as f32 * (1.0 - 1e-6) / sides[axis];
-    let bin = |leaf: &Node| (((leaf.center[axis] - middles.low[axis]) * scale) as usize).min(BINS - 1);
+    let bin = |leaf: &Leaf| (((leaf.middle()[axis] - middles.low[axis]) * scale) as usize).min(BINS - 1);
     let mut bins = [(Bounds::NONE, 0_usize); BINS];
     for leaf in leaves.iter() {
         let (bounds, count) = &mut bins[bin(leaf)];
-        *bounds = bounds.joined(leaf.bounds());
+        *bounds = bounds.joined(leaf.bounds);
         *count += 1;
     }
     let last = cheapest(&bins);
@@ -137,4 +226,42 @@ fn cheapest(bins: &[(Bounds, usize); BINS]) -> usize {
     }
     let cheaper = |best: usize, next: usize| if costs[next] < costs[best] { next } else { best };
     (0..BINS - 1).fold(0, cheaper)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Line;
+    use super::*;
+    use crate::ray::Ray;
+
+    /// How often each of `bodies` is told to a ray along x, which meets all: boxes around places there, of this size.
+    fn told(bodies: &[(f64, f64)]) -> Vec<u32> {
+        let pieces = bodies.iter().zip(0..).map(|(&(x, half), body)| {
+            let corners = [-half, half].map(|off| DVec3::new(x + off, off, off));
+            Piece { body, is_one_of_some: false, corners }
+        });
+        let hierarchy = Hierarchy::new(pieces, DVec3::ZERO);
+        let ray = Ray::new(DVec3::X * -10.0, DVec3::X).counted_from(DVec3::ZERO);
+        let mut told = vec![0; bodies.len()];
+        hierarchy.along(&Line::new(&ray, DVec3::ZERO), |candidate| {
+            told[candidate.body as usize] += 1;
+            f32::INFINITY
+        });
+        told
+    }
+
+    #[test]
+    fn however_bodies_lie_each_is_told_once() {
+        let in_one_place = vec![(1.0, 0.1); 20_000];
+        let in_a_row: Vec<_> = (0..20_000).map(|i| (f64::from(i % 141) * 0.1, 0.04)).collect();
+        // Each half as far as the one before: a division by cost leaves out one at a time.
+        let towards_a_point: Vec<_> =
+            (0..120).map(|i| f64::from(-i).exp2()).map(|x| (x, 0.2 * x)).cycle().take(9000).collect();
+        for bodies in [&in_one_place, &in_a_row, &towards_a_point] {
+            for count in [1, 2, 7, 8, 9, 17, 64, 65, 1000, bodies.len()] {
+                assert_eq!(told(&bodies[..count]), vec![1; count]);
+            }
+        }
+        assert!(told(&[]).is_empty());
+    }
 }

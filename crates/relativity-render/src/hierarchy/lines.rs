@@ -1,17 +1,14 @@
 //! Many rays at once: which of them may meet a box.
 
-use fearless_simd::Level;
 use glam::{DVec3, Vec3};
 
 use super::beam::{ROUNDING, across};
-use crate::lanes::{F, LANES, Mask, Simd, SimdBase, SimdFloat};
+use crate::lanes::{F, LANES, Mask, Simd, SimdBase, SimdFloat, bits};
 use crate::ray::Ray;
-use crate::registers::on_registers;
 
 /// Rays of one group, each counted from its point nearest to the middle of that; at most [`Lines::MOST`].
 #[derive(Debug)]
 pub struct Lines {
-    level: Level,
     count: usize,
     /// Two directions across each and each other.
     across: [Side; 2],
@@ -52,7 +49,7 @@ impl Lines {
         let side = || Side { normal: [NONE; 3], offset: NONE };
         let count = rays.len().min(Self::MOST);
         let rows = Default::default();
-        let mut lines = Self { level: Level::new(), count, across: [side(), side()], axis: [NONE; 3], rows };
+        let mut lines = Self { count, across: [side(), side()], axis: [NONE; 3], rows };
         for (i, ray) in rays.iter().take(count).enumerate() {
             let place = ray.start - middle;
             for (side, normal) in lines.across.iter_mut().zip(across(ray.direction)) {
@@ -65,23 +62,16 @@ impl Lines {
         lines
     }
 
-    /// A bit for each ray that may meet a box nearer than its `farthest`. All of them on a processor without wide
-    /// registers, for which bodies are tested one by one.
-    #[must_use]
-    pub fn meeting(&self, center: Vec3, half: Vec3, farthest: &[f32; Self::MOST]) -> u64 {
-        let all = u64::MAX >> (Self::MOST - self.count);
-        let meeting = on_registers!(self.level, simd => self.meeting_on(simd, center, half, farthest));
-        meeting.map_or(all, |meeting| meeting & all)
-    }
-
+    /// A bit for each ray that may meet a box nearer than its `farthest`.
     #[inline(always)]
-    fn meeting_on<S: Simd>(&self, simd: S, center: Vec3, half: Vec3, farthest: &[f32; Self::MOST]) -> u64 {
+    #[must_use]
+    pub fn meeting<S: Simd>(&self, simd: S, center: Vec3, half: Vec3, farthest: &[f32; Self::MOST]) -> u64 {
         let reach = half + ROUNDING * center.abs();
         let distance = center.length();
         let [u, v] = &self.rows;
         let rows = u.misses(simd, center, reach, distance) | v.misses(simd, center, reach, distance);
         let mut meeting = 0;
-        let mut left = met_in(rows);
+        let mut left = bits(!rows);
         while left != 0 {
             let first = left.trailing_zeros() as usize % ROWS * LANES;
             left &= left - 1;
@@ -90,21 +80,10 @@ impl Lines {
             let [u, v] = &self.across;
             let misses =
                 u.misses(simd, first, center, reach) | v.misses(simd, first, center, reach) | is_behind;
-            meeting |= met_in(misses) << first;
+            meeting |= u64::from(bits(!misses)) << first;
         }
-        meeting
+        meeting & (u64::MAX >> (Self::MOST - self.count))
     }
-}
-
-/// A bit for each lane that does not miss.
-#[inline(always)]
-fn met_in<S: Simd>(misses: Mask<S>) -> u64 {
-    let misses: [i32; LANES] = misses.into();
-    let mut met = 0;
-    for (lane, misses) in misses.into_iter().enumerate() {
-        met |= u64::from(misses == 0) << lane;
-    }
-    met
 }
 
 impl Side {
@@ -183,49 +162,30 @@ fn put<const N: usize>(parts: &mut [[f32; N]; 3], place: usize, v: Vec3) {
 
 #[cfg(test)]
 mod tests {
+    use fearless_simd::{Level, dispatch};
+
+    use super::super::testing::{inside, looks, place};
     use super::*;
-
-    /// From 0 to 1, all over.
-    fn spread(i: u32, root: f64) -> f64 {
-        (f64::from(i) * root.sqrt()).fract()
-    }
-
-    fn place(i: u32, size: f64) -> DVec3 {
-        size * (DVec3::new(spread(i, 2.0), spread(i, 3.0), spread(i, 5.0)) * 2.0 - 1.0)
-    }
-
-    /// Where in a box `ray` is, if anywhere: between three pairs of planes, in f64.
-    fn inside(ray: &Ray, center: DVec3, half: DVec3) -> Option<[f64; 2]> {
-        let to = |corner: DVec3| (corner - ray.start) / ray.direction;
-        let (low, high) = (to(center - half), to(center + half));
-        let [from, until] = [low.min(high).max_element(), low.max(high).min_element()];
-        (from <= until).then_some([from, until])
-    }
 
     #[test]
     fn rays_are_told_that_meet_a_box_and_hardly_others() {
         let middle = DVec3::new(3.0, -2.0, 1.0);
-        for (distance, gap) in [(5.0, 0.05), (1e6, 1e-7), (1e12, 1e-13)] {
-            // Fewer than there may be: the last eight are not all there.
-            let rays: Vec<_> = (0..61)
-                .map(|i| {
-                    let towards = middle + place(i, 1.5) + DVec3::X * f64::from(i) * gap;
-                    let camera = middle + DVec3::new(0.3, -1.0, 0.2).normalize() * distance;
-                    Ray::new(camera, (towards - camera).normalize()).counted_from(middle)
-                })
-                .collect();
+        for rays in looks(middle) {
             let lines = Lines::new(&rays, middle);
             let (mut met, mut told) = (0, 0);
             for number in 0..2000 {
                 let (center, half) = (place(number, 1.5), 0.6 * place(number + 7, 1.0).abs());
                 let farthest = 0.5 * place(number, 1.0).x as f32;
-                let mask = lines.meeting(center.as_vec3(), half.as_vec3(), &[farthest; Lines::MOST]);
+                let all = [farthest; Lines::MOST];
+                let mask = dispatch!(Level::new(), simd => {
+                    lines.meeting(simd, center.as_vec3(), half.as_vec3(), &all)
+                });
                 assert_eq!(mask >> rays.len(), 0);
                 for (i, ray) in rays.iter().enumerate() {
                     let is_told = mask >> i & 1 == 1;
                     let entry = inside(ray, middle + center, half);
                     let is_met = entry.is_some_and(|[from, _]| from < f64::from(farthest) - 1e-5);
-                    assert!(is_told || !is_met, "ray {i} from {distance} meets {center} {half}");
+                    assert!(is_told || !is_met, "ray {i} of {:?} meets {center} {half}", rays[0]);
                     (met, told) = (met + u32::from(is_met), told + u32::from(is_told));
                 }
             }

@@ -8,44 +8,54 @@ mod beam;
 mod build;
 mod lines;
 mod pieces;
+#[cfg(test)]
+mod testing;
 
+use fearless_simd::{Level, dispatch};
 use glam::Vec3;
 
 pub use beam::{Beam, Line, Looks};
 pub use lines::Lines;
 pub use pieces::pieces;
 
-/// Nodes that wait while others are looked into: no hierarchy is as deep.
-const MOST_WAITING: usize = 64;
+use crate::lanes::{F, LANES, Simd, SimdBase, SimdFloat, V3, bits};
+
+/// Boxes that are looked at together.
+const WIDTH: usize = LANES;
+/// A hierarchy is no deeper.
+const DEEPEST: usize = 62;
+/// Boxes that wait while others are looked into.
+const MOST_WAITING: usize = WIDTH + DEEPEST * (WIDTH - 1);
 
 /// Of those bodies of a group that stand still in it.
 #[derive(Debug, Default)]
 pub struct Hierarchy {
-    /// Around all, if there are any.
-    root: Option<Node>,
-    pairs: Vec<Pair>,
+    /// The first of them is around all, if there are any.
+    nodes: Vec<Node>,
 }
 
-/// The two halves of a node, which are looked at together: a line of cache.
-#[derive(Debug, Clone, Copy, Default)]
+/// Boxes that are in one, and what is in them: lines of cache of its own.
+#[derive(Debug, Clone, Copy)]
 #[repr(align(64))]
-struct Pair([Node; 2]);
-
-/// A box, counted from the middle of the group.
-#[derive(Debug, Clone, Copy, Default)]
 struct Node {
-    center: Vec3,
-    /// Of what it holds.
-    number: u32,
-    half: Vec3,
-    holds: Holds,
+    boxes: Boxes,
+    /// Of what is in each.
+    numbers: [u32; WIDTH],
+    holds: [Holds; WIDTH],
 }
 
-#[derive(Debug, Clone, Copy, Default)]
+/// Boxes, counted from the middle of the group; those that lack are no box.
+#[derive(Debug, Clone, Copy)]
+pub struct Boxes {
+    center: [[f32; WIDTH]; 3],
+    half: [[f32; WIDTH]; 3],
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
 enum Holds {
-    /// The nodes of a pair.
-    #[default]
-    Pair,
+    Nothing,
+    /// Boxes, which are a node.
+    Node,
     Body,
     /// A body of which there is more than one piece.
     Piece,
@@ -69,7 +79,7 @@ pub struct Candidate {
 impl Hierarchy {
     /// Whether there is nothing in it.
     pub fn is_empty(&self) -> bool {
-        self.root.is_none()
+        self.nodes.is_empty()
     }
 
     /// Whether `beam` may meet anything.
@@ -82,58 +92,101 @@ impl Hierarchy {
         is_met
     }
 
-    /// Has `visit` told of all that `looks` may meet, about from the nearest to the farthest. What lies farther beyond the
+    /// Has `visit` told of all that `looks` may meet, about from the nearest to the farthest. What lies no nearer beyond the
     /// middle of the group than `visit` answers is left out from then on.
+    pub fn along(&self, looks: &impl Looks, visit: impl FnMut(Candidate) -> f32) {
+        dispatch!(Level::new(), simd => self.along_on(simd, looks, visit));
+    }
+
+    /// The same where `simd` is in use.
     #[inline(always)]
-    pub fn along(&self, looks: &impl Looks, mut visit: impl FnMut(Candidate) -> f32) {
-        let Some(root) = &self.root else { return };
-        let mut waiting = [(root, 0_f32); MOST_WAITING];
+    pub fn along_on<S: Simd>(&self, simd: S, looks: &impl Looks, mut visit: impl FnMut(Candidate) -> f32) {
+        if self.nodes.is_empty() {
+            return;
+        }
+        let mut waiting = [(0_u32, 0_f32); MOST_WAITING];
         let mut count = 0;
         let mut farthest = f32::INFINITY;
-        let around = [root.center, root.half];
-        let mut next = looks.nearest([around, around])[0].map(|nearest| (root, nearest));
+        let mut number = 0;
         loop {
-            let (node, nearest) = match next.take() {
-                Some(node) => node,
-                None if count > 0 => {
-                    count -= 1;
-                    waiting[count]
+            let nearest = looks.nearest(simd, &self.nodes[number as usize].boxes);
+            let mut met = bits(nearest.simd_lt(farthest));
+            let nearest: [f32; WIDTH] = nearest.into();
+            let first = count;
+            while met != 0 {
+                let lane = met.trailing_zeros() as usize % WIDTH;
+                met &= met - 1;
+                // The nearest of them last.
+                let mut place = count;
+                while place > first && waiting[place - 1].1 < nearest[lane] {
+                    waiting[place] = waiting[place - 1];
+                    place -= 1;
                 }
-                None => return,
-            };
-            if nearest > farthest {
-                continue;
+                waiting[place] = (number * WIDTH as u32 + lane as u32, nearest[lane]);
+                count += 1;
             }
-            if !matches!(node.holds, Holds::Pair) {
-                let Node { center, half, number, holds } = *node;
-                let is_one_of_some = matches!(holds, Holds::Piece);
-                farthest = visit(Candidate { body: number, is_one_of_some, nearest, center, half });
-                continue;
-            }
-            let Pair([first, second]) = &self.pairs[node.number as usize];
-            let nearest = looks.nearest([[first.center, first.half], [second.center, second.half]]);
-            next = match nearest {
-                [Some(near), Some(far)] => {
-                    let (near, far) = ((first, near), (second, far));
-                    let (near, far) = if far.1 < near.1 { (far, near) } else { (near, far) };
-                    waiting[count] = far;
-                    count += 1;
-                    Some(near)
+            loop {
+                if count == 0 {
+                    return;
                 }
-                [Some(near), None] => Some((first, near)),
-                [None, Some(near)] => Some((second, near)),
-                [None, None] => None,
-            };
+                count -= 1;
+                let (place, nearest) = waiting[count];
+                if nearest >= farthest {
+                    continue;
+                }
+                let (node, lane) = (&self.nodes[place as usize / WIDTH], place as usize % WIDTH);
+                if node.holds[lane] == Holds::Node {
+                    number = node.numbers[lane];
+                    break;
+                }
+                farthest = visit(node.candidate(lane, nearest));
+            }
         }
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+impl Boxes {
+    #[inline(always)]
+    fn on<S: Simd>(&self, simd: S) -> BoxesOn<S> {
+        let three = |parts: &[[f32; WIDTH]; 3]| {
+            let [x, y, z] = parts.map(|part| F::from_slice(simd, &part));
+            V3 { x, y, z }
+        };
+        BoxesOn { center: three(&self.center), half: three(&self.half) }
+    }
+}
 
-    #[test]
-    fn a_pair_is_a_line_of_cache() {
-        assert_eq!(size_of::<Pair>(), 64);
+/// Boxes in registers.
+struct BoxesOn<S: Simd> {
+    center: V3<S>,
+    half: V3<S>,
+}
+
+impl<S: Simd> BoxesOn<S> {
+    /// Where the middles of the boxes are along `direction`, and half of their sizes along one of this `size`.
+    #[inline(always)]
+    fn along(&self, direction: Vec3, size: Vec3) -> (F<S>, F<S>) {
+        let dot = |v: V3<S>, w: Vec3| v.x * w.x + v.y * w.y + v.z * w.z;
+        (dot(self.center, direction), dot(self.half, size))
+    }
+
+    /// No place in a box is farther from the middle of the group.
+    #[inline(always)]
+    fn farthest(&self) -> F<S> {
+        // The sum of its parts is no less than a length.
+        let place = self.center.abs() + self.half;
+        place.x + place.y + place.z
+    }
+}
+
+impl Node {
+    fn candidate(&self, lane: usize, nearest: f32) -> Candidate {
+        Candidate {
+            body: self.numbers[lane],
+            is_one_of_some: self.holds[lane] == Holds::Piece,
+            nearest,
+            center: self.boxes.center.map(|part| part[lane]).into(),
+            half: self.boxes.half.map(|part| part[lane]).into(),
+        }
     }
 }
