@@ -64,7 +64,7 @@ impl Leaf {
     }
 
     fn middle(&self) -> Vec3 {
-        self.bounds.low + self.bounds.high
+        0.5 * (self.bounds.low + self.bounds.high)
     }
 }
 
@@ -188,7 +188,7 @@ fn divided(leaves: &mut [Leaf], depth: usize) -> usize {
     if sides[axis] <= 0.0 || !sides[axis].is_finite() {
         return halved;
     }
-    if depth > DEEPEST_BY_COST || leaves.len() <= 4 {
+    if depth > DEEPEST_BY_COST {
         leaves.select_nth_unstable_by(halved, |a, b| a.middle()[axis].total_cmp(&b.middle()[axis]));
         return halved;
     }
