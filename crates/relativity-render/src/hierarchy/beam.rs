@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use glam::{DVec2, DVec3, Vec3};
 use relativity_core::math::hypot;
 
-use super::Boxes;
+use super::boxes::Boxes;
 use crate::cap::Cap;
 use crate::group_view::GroupView;
 use crate::lanes::{F, Simd, SimdFloat, all, select};
@@ -200,7 +200,7 @@ mod tests {
 
     use super::super::testing::{inside, place};
     use super::*;
-    use crate::hierarchy::WIDTH;
+    use crate::hierarchy::boxes::WIDTH;
 
     /// `side` times as many, of a square this wide per distance, which is turned and looks at `middle`.
     fn rays(middle: DVec3, distance: f64, width: f64, side: u32) -> Vec<Ray> {

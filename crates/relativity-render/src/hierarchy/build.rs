@@ -6,8 +6,9 @@ use glam::{DVec3, Vec3};
 use relativity_core::threads::prelude::*;
 
 use super::beam::ROUNDING;
+use super::boxes::{Boxes, WIDTH};
 use super::pieces::Piece;
-use super::{Boxes, DEEPEST, Hierarchy, Holds, Node, WIDTH};
+use super::{DEEPEST, Hierarchy, Holds, Node};
 
 /// Places, along the longest side, at which a division is tried.
 const BINS: usize = 16;

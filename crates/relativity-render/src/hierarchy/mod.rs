@@ -5,6 +5,7 @@
 //! place, in f32, where this looks along cones whose tip may be 1e30 away, and the building of it is the shorter part.
 
 mod beam;
+mod boxes;
 mod build;
 mod lines;
 mod pieces;
@@ -18,10 +19,9 @@ pub use beam::{Beam, Line, Looks};
 pub use lines::Lines;
 pub use pieces::pieces;
 
-use crate::lanes::{F, LANES, Simd, SimdBase, SimdFloat, V3, bits};
+use self::boxes::{Boxes, WIDTH};
+use crate::lanes::{Simd, SimdFloat, bits};
 
-/// Boxes that are looked at together.
-const WIDTH: usize = LANES;
 /// A hierarchy is no deeper.
 const DEEPEST: usize = 62;
 /// Boxes that wait while others are looked into.
@@ -42,13 +42,6 @@ struct Node {
     /// Of what is in each.
     numbers: [u32; WIDTH],
     holds: [Holds; WIDTH],
-}
-
-/// Boxes, counted from the middle of the group; those that lack are no box.
-#[derive(Debug, Clone, Copy)]
-pub struct Boxes {
-    center: [[f32; WIDTH]; 3],
-    half: [[f32; WIDTH]; 3],
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -142,40 +135,6 @@ impl Hierarchy {
                 farthest = visit(node.candidate(lane, nearest));
             }
         }
-    }
-}
-
-impl Boxes {
-    #[inline(always)]
-    fn on<S: Simd>(&self, simd: S) -> BoxesOn<S> {
-        let three = |parts: &[[f32; WIDTH]; 3]| {
-            let [x, y, z] = parts.map(|part| F::from_slice(simd, &part));
-            V3 { x, y, z }
-        };
-        BoxesOn { center: three(&self.center), half: three(&self.half) }
-    }
-}
-
-/// Boxes in registers.
-struct BoxesOn<S: Simd> {
-    center: V3<S>,
-    half: V3<S>,
-}
-
-impl<S: Simd> BoxesOn<S> {
-    /// Where the middles of the boxes are along `direction`, and half of their sizes along one of this `size`.
-    #[inline(always)]
-    fn along(&self, direction: Vec3, size: Vec3) -> (F<S>, F<S>) {
-        let dot = |v: V3<S>, w: Vec3| v.x * w.x + v.y * w.y + v.z * w.z;
-        (dot(self.center, direction), dot(self.half, size))
-    }
-
-    /// No place in a box is farther from the middle of the group.
-    #[inline(always)]
-    fn farthest(&self) -> F<S> {
-        // The sum of its parts is no less than a length.
-        let place = self.center.abs() + self.half;
-        place.x + place.y + place.z
     }
 }
 

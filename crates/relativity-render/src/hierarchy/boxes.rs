@@ -1,0 +1,52 @@
+//! Boxes that are looked at together.
+
+use glam::Vec3;
+
+use crate::lanes::{F, LANES, Simd, SimdBase, V3};
+
+/// How many they are.
+pub const WIDTH: usize = LANES;
+
+/// Boxes, counted from the middle of the group; those that lack are no box.
+#[derive(Debug, Clone, Copy)]
+pub struct Boxes {
+    /// Of each its middle, part by part.
+    pub center: [[f32; WIDTH]; 3],
+    /// Half of its sides.
+    pub half: [[f32; WIDTH]; 3],
+}
+
+impl Boxes {
+    /// In registers.
+    #[inline(always)]
+    pub fn on<S: Simd>(&self, simd: S) -> BoxesOn<S> {
+        let three = |parts: &[[f32; WIDTH]; 3]| {
+            let [x, y, z] = parts.map(|part| F::from_slice(simd, &part));
+            V3 { x, y, z }
+        };
+        BoxesOn { center: three(&self.center), half: three(&self.half) }
+    }
+}
+
+/// Boxes in registers.
+pub struct BoxesOn<S: Simd> {
+    center: V3<S>,
+    half: V3<S>,
+}
+
+impl<S: Simd> BoxesOn<S> {
+    /// Where the middles of the boxes are along `direction`, and half of their sizes along one of this `size`.
+    #[inline(always)]
+    pub fn along(&self, direction: Vec3, size: Vec3) -> (F<S>, F<S>) {
+        let dot = |v: V3<S>, w: Vec3| v.x * w.x + v.y * w.y + v.z * w.z;
+        (dot(self.center, direction), dot(self.half, size))
+    }
+
+    /// No place in a box is farther from the middle of the group.
+    #[inline(always)]
+    pub fn farthest(&self) -> F<S> {
+        // The sum of its parts is no less than a length.
+        let place = self.center.abs() + self.half;
+        place.x + place.y + place.z
+    }
+}
