@@ -93,9 +93,7 @@ impl Beam {
         let spread = (FRAC_PI_2 * sine * 1.01) as f32 + ROUNDING;
         Some(Self { planes, axis: axis.as_vec3(), spread })
     }
-}
 
-impl Beam {
     /// The same no wider than `rays` in it, the first and the last of which are in opposite corners of about a square; they
     /// are counted from their points nearest to `middle`.
     #[must_use]
