@@ -299,33 +299,4 @@ mod tests {
             }
         }
     }
-
-    /// Run by hand: how long a picture of 480 by 540 pixels takes.
-    #[test]
-    #[ignore = "measures"]
-    fn time() {
-        use std::time::Instant;
-        for appearance in appearances() {
-            let camera = Camera { size: [480, 540], ..cameras()[0] };
-            let frame = frame(camera, &appearance);
-            at_every_level!(simd => {
-                let mut least = f64::INFINITY;
-                let mut sum = 0u64;
-                for _ in 0..20 {
-                    let start = Instant::now();
-                    for top in (0..540).step_by(8) {
-                        for left in (0..480).step_by(8) {
-                            let part = tile_part(&frame, [left, top]);
-                            for v in top..(top + 8).min(540) {
-                                let bytes = encoded(simd, row_of(simd, &frame, part, [left, v]));
-                                sum += u64::from(u32::from_le_bytes(bytes[3]));
-                            }
-                        }
-                    }
-                    least = least.min(start.elapsed().as_secs_f64());
-                }
-                println!("{:?} {:.3} ms {sum}", frame.floor(), least * 1e3);
-            });
-        }
-    }
 }

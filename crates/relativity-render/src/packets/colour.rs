@@ -272,31 +272,4 @@ mod tests {
         }
         println!("at most {worst} levels off");
     }
-
-    /// Run by hand: how long a packet takes.
-    #[test]
-    #[ignore = "measures"]
-    fn time() {
-        use std::time::Instant;
-        let factors = doppler_factors();
-        for colour in [Colour::OneWavelength, Colour::Glowing, Colour::White, Colour::False] {
-            let appearance = Appearance { colour, ..Appearance::default() };
-            let effects = Effects::new(true, &appearance);
-            let light = Light::new(Emission::Wavelength(600.0), &appearance);
-            let packed = light.packed(&appearance, effects).map(|part| part as f32);
-            at_every_level!(simd => {
-                let toward = V3::all(simd, [0.48, -0.6, 0.64]);
-                let (mut least, mut sum) = (f64::INFINITY, V3::all(simd, [0.0; 3]));
-                for _ in 0..200 {
-                    let start = Instant::now();
-                    for factors in &factors {
-                        let doppler = F::simd_from(simd, *factors);
-                        sum += received_colour(simd, effects, Tables::shared(), packed, doppler, toward);
-                    }
-                    least = least.min(start.elapsed().as_secs_f64() / factors.len() as f64);
-                }
-                println!("{colour:?}: {:.1} ns a packet {:?}", least * 1e9, sum.lane(0));
-            });
-        }
-    }
 }
