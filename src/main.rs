@@ -24,15 +24,9 @@ fn main() -> ExitCode {
     match outcome {
         Ok(code) => code,
         Err(error) if reader_has_gone(&error) => ExitCode::SUCCESS,
-        Err(error) => {
-            tell::remark(format_args!("gamow: {error:#}"));
-            ExitCode::from(FAILURE)
-        }
+        Err(error) => ExitCode::from(tell::failure(&error)),
     }
 }
-
-/// Exit status of whatever could not be done.
-const FAILURE: u8 = 2;
 
 /// Whether output stopped because nobody reads it any more, as in `gamow curve | head`.
 fn reader_has_gone(error: &anyhow::Error) -> bool {

@@ -1,7 +1,6 @@
 //! Opens the window, or says in one sentence why it cannot be opened and what to do instead.
 
 use std::path::Path;
-use std::sync::Arc;
 
 use eframe::egui::{ViewportBuilder, ViewportCommand};
 use eframe::{CreationContext, NativeOptions, Storage, WindowBuilderHook};
@@ -15,7 +14,8 @@ use super::state::State;
 use super::{App, graphics, icon, memory, painting, screenshot, storage};
 use crate::files::whole::ensure_ending;
 use crate::platform::clock::Instant;
-use crate::platform::threads;
+use crate::platform::last_word::LastWord;
+use crate::platform::{tell, threads};
 use crate::settings::Settings;
 
 /// Name under which settings are saved.
@@ -109,7 +109,14 @@ fn open(args: &WindowArgs, begin: Option<State>, estate: &Estate) -> Result<(), 
         wgpu_options: graphics::configuration(),
         ..NativeOptions::default()
     };
-    let (args, estate) = (args.clone(), Arc::clone(estate));
+    let left = estate.clone();
+    let _last_word = LastWord::new(move || {
+        tell::failure(&match left.take() {
+            Some(left) => broken(&Break::Exit, &left.state),
+            None => unopened(&Break::Exit.to_string()),
+        })
+    });
+    let (args, estate) = (args.clone(), estate.clone());
     let create = move |cc: &CreationContext<'_>| {
         let mut state = match begin {
             Some(state) => state,

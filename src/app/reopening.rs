@@ -1,10 +1,12 @@
 //! What becomes of the window's state where the window cannot go on: it is opened again once, else the state is kept for the
 //! next start.
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
 use std::path::{Path, PathBuf};
+use std::rc::{Rc, Weak};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
@@ -31,40 +33,66 @@ pub struct Left {
     pub loss: Option<String>,
 }
 
-/// Where a window leaves it.
-pub type Estate = Arc<Mutex<Option<Left>>>;
+impl Left {
+    /// What `app` would leave now.
+    fn of(app: &App) -> Self {
+        Self { state: app.state().clone(), loss: app.loss() }
+    }
+}
+
+/// Where a window leaves it, and is found until then.
+#[derive(Clone, Default)]
+pub struct Estate {
+    window: Rc<RefCell<Weak<RefCell<App>>>>,
+    left: Rc<RefCell<Option<Left>>>,
+}
+
+impl Estate {
+    fn leave(&self, left: Left) {
+        self.left.replace(Some(left));
+    }
+
+    /// What the window has left, or would leave now; `None` if it was never there.
+    pub fn take(&self) -> Option<Left> {
+        self.left.take().or_else(|| {
+            let app = self.window.borrow().upgrade()?;
+            app.try_borrow().ok().map(|app| Left::of(&app))
+        })
+    }
+}
 
 /// The window, whose state outlives it.
 pub struct Bequeathed {
-    app: App,
+    app: Rc<RefCell<App>>,
     estate: Estate,
 }
 
 impl Bequeathed {
     /// `app`, which leaves its state to the `estate`.
-    pub const fn new(app: App, estate: Estate) -> Self {
+    pub fn new(app: App, estate: Estate) -> Self {
+        let app = Rc::new(RefCell::new(app));
+        estate.window.replace(Rc::downgrade(&app));
         Self { app, estate }
     }
 }
 
 impl eframe::App for Bequeathed {
     fn logic(&mut self, ctx: &Context, frame: &mut eframe::Frame) {
-        self.app.logic(ctx, frame);
+        self.app.borrow_mut().logic(ctx, frame);
     }
 
     fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
-        self.app.ui(ui, frame);
+        self.app.borrow_mut().ui(ui, frame);
     }
 
     fn save(&mut self, storage: &mut dyn Storage) {
-        self.app.save(storage);
+        self.app.borrow_mut().save(storage);
     }
 }
 
 impl Drop for Bequeathed {
     fn drop(&mut self) {
-        let left = Left { state: self.app.state().clone(), loss: self.app.loss() };
-        *self.estate.lock().unwrap_or_else(PoisonError::into_inner) = Some(left);
+        self.estate.leave(Left::of(&self.app.borrow()));
     }
 }
 
@@ -75,6 +103,8 @@ pub enum Break {
     Window(String),
     /// The display that it was on is gone.
     Display,
+    /// A system library ended the program.
+    Exit,
     /// The graphics device is of no use any more, as its library says.
     Device(String),
 }
@@ -84,6 +114,9 @@ impl fmt::Display for Break {
         match self {
             Self::Window(reason) => f.write_str(reason),
             Self::Display => f.write_str("the display is gone"),
+            Self::Exit => {
+                f.write_str("a system library ended it, as that of X11 does where the display is gone")
+            }
             Self::Device(reason) => write!(f, "the graphics device was lost ({reason})"),
         }
     }
@@ -169,8 +202,7 @@ pub fn kept_open(
         let opened = Instant::now();
         let estate = Estate::default();
         let result = open(begin.clone(), &estate);
-        let left = estate.lock().unwrap_or_else(PoisonError::into_inner).take();
-        let (state, loss) = match (left, &begin) {
+        let (state, loss) = match (estate.take(), &begin) {
             (Some(Left { state, loss }), _) => (state, loss),
             (None, Some(state)) => (state.clone(), None),
             (None, None) => return result.map_err(Ended::Unopened),
@@ -262,7 +294,7 @@ mod tests {
                     let mut left = begin.unwrap_or_else(|| state(1.0));
                     left.session.time += 1.0;
                     let left = Left { state: left, loss: loss.map(str::to_owned) };
-                    *estate.lock().expect("nothing panics") = Some(left);
+                    estate.leave(left);
                 }
                 result
             },

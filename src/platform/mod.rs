@@ -1,11 +1,12 @@
 //! What the system provides, each in one place, so that what a platform lacks is decided there: the clock, files,
-//! threads, interrupts, limits, the environment, the standard streams, a terminal, and how much memory a file may ask for.
+//! threads, interrupts, being ended, limits, the environment, the standard streams, a terminal, and how much memory a file may ask for.
 
 pub mod clock;
 pub mod closed;
 pub mod environment;
 pub mod files;
 pub mod interrupt;
+pub mod last_word;
 pub mod limits;
 pub mod progress;
 pub mod sizes;

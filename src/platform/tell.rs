@@ -49,6 +49,16 @@ pub fn remark(remark: impl fmt::Display) {
     let _ = writeln!(io::stderr(), "{}", in_short(&shown(&remark.to_string())));
 }
 
+/// Exit status of whatever could not be done.
+const FAILURE: u8 = 2;
+
+/// Says in a line why what was asked for could not be done; the exit status for that.
+#[must_use]
+pub fn failure(error: &anyhow::Error) -> u8 {
+    remark(format_args!("gamow: {error:#}"));
+    FAILURE
+}
+
 /// Says `text`, which may have several lines, on standard error as it is, in one piece.
 pub fn remark_lines(text: &str) {
     let _ = io::stderr().write_all(text.as_bytes());
