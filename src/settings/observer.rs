@@ -293,7 +293,7 @@ impl Settings {
         let [camera, _] = self.cameras_with(look, [1, 1]);
         let along_baseline = self.rows_along_baseline(look);
         let tangents = self.directions(point, observation_time).map(|direction| {
-            let tangents = direction.and_then(|direction| camera.tangents(direction));
+            let tangents = direction.and_then(|direction| camera.coordinates(direction));
             // There is no place behind the picture plane.
             tangents.map_or(f64::NAN, |[aside, _]| aside * along_baseline)
         });

@@ -48,18 +48,22 @@ fn shows(number: vec2u) -> bool {
         line_near(high, vec2f(1.0, -1.0)),
     );
     // Of planes through the aperture: how far the corners are in front of the fronts' plane, above their foot, and below
-    // the highest and the lowest of the roofs. A tile is on one side of a plane if all of its corners are.
+    // the highest and the lowest of the roofs. A tile is on one side of a plane if all of its corners are; in a conformal
+    // picture, whose rows may bulge between the corners, by the square of a tile's height.
+    let rows = select(0.0, 2.0 / (f32(TILE_ROWS) * frame.clip_up.w) + 4.0 * frame.base.w, CONFORMAL);
+    let bulge = rows * rows;
     let ground = frame.ground.z;
     let towards = vec4f(corners[0].y, corners[1].y, corners[2].y, corners[3].y);
     let rise = vec4f(corners[0].z, corners[1].z, corners[2].z, corners[3].z);
     let height = rise * frame.road.z;
     let above = height - ground * towards;
-    let is_beside = all(towards <= vec4f(0.0)) || all(above < vec4f(0.0))
-        || all(above > frame.houses[0].x * towards);
+    let room = bulge * (frame.road.z + abs(ground) + frame.houses[0].x);
+    let is_beside = all(towards <= vec4f(-bulge)) || all(above < vec4f(-room))
+        || all(above > frame.houses[0].x * towards + room);
     let has_fronts = frame.road.z > 0.0 && !is_beside;
-    let is_covered = has_fronts && all(towards > vec4f(0.01)) && all(above > vec4f(0.0))
-        && all(above < frame.houses[1].x * towards);
-    let has_ground = ground > NO_GROUND && any(rise < vec4f(0.0)) && !is_covered;
+    let is_covered = has_fronts && all(towards > vec4f(0.01 + bulge)) && all(above > vec4f(room))
+        && all(above < frame.houses[1].x * towards - room);
+    let has_ground = ground > NO_GROUND && any(rise < vec4f(bulge)) && !is_covered;
     return has_ground == GROUND && has_fronts == FRONTS;
 }
 
@@ -68,6 +72,14 @@ const NO_GROUND = -1e38;
 
 // The line of sight (unnormalised) two pixels to the right and down, or against that, of a place in clip coordinates.
 fn line_near(place: vec2f, outwards: vec2f) -> vec3f {
+    if CONFORMAL {
+        let off = 2.0 * frame.base.w * outwards;
+        let middle = vec2f(frame.forward.w + place.x / frame.clip_right.w, place.y / frame.clip_up.w);
+        let half = arcs(0.5 * (middle + vec2f(off.x, -off.y)));
+        let sines = 2.0 * half.sines * (1.0 + half.versines);
+        let cosine = 1.0 - 2.0 * half.sines.y * half.sines.y;
+        return frame.clip_right.xyz * sines.x + frame.forward.xyz * cosine + frame.clip_up.xyz * sines.y;
+    }
     // In a sheared picture `clip_right` is not across `forward`, and that is not in the middle.
     let along = dot(frame.clip_right.xyz, frame.forward.xyz);
     let across = frame.clip_right.xyz - frame.forward.xyz * along;
@@ -105,8 +117,8 @@ fn marks_cover(foot: vec2f, pixel: vec2f) -> f32 {
 
 fn ground_colour(sky: vec3f, sight: vec4f, distance: f32) -> vec3f {
     let foot = frame.ground.xy + sight.xy * distance;
-    let right = shift(sight, frame.right.xyz, distance);
-    let down = shift(sight, frame.down.xyz, distance);
+    let right = shift(sight, step_right(sight.xyz), distance);
+    let down = shift(sight, step_down(sight.xyz), distance);
     let pixel = sqrt(right * right + down * down);
     let fade = clamp(GRID_FADE_START - GRID_FADE_RATE * pixel, vec2f(0.0), vec2f(1.0));
     let grid = line_cover(foot - round(foot), LINE_HALF_WIDTH, pixel) * fade;
@@ -131,8 +143,8 @@ fn shift_on_fronts(sight: vec4f, across: vec3f, distance: f32) -> vec2f {
 fn with_fronts(without: vec3f, sky: vec3f, sight: vec4f) -> vec3f {
     let distance = frame.road.z / sight.y;
     let place = vec2f(frame.ground.x, -frame.ground.z) + sight.xz * distance;
-    let right = shift_on_fronts(sight, frame.right.xyz, distance);
-    let down = shift_on_fronts(sight, frame.down.xyz, distance);
+    let right = shift_on_fronts(sight, step_right(sight.xyz), distance);
+    let down = shift_on_fronts(sight, step_down(sight.xyz), distance);
     let seen = front(place, sqrt(right * right + down * down));
     return mix(without, mix(sky, seen.rgb, 1.0 / (1.0 + HAZE * distance * distance)), seen.a);
 }

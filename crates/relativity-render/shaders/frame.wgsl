@@ -4,12 +4,15 @@
 // on the CPU and arrives here.
 
 struct Frame {
-    // Line of sight (unnormalised) = base + right * (u - pole.x) + down * (v - pole.y), u and v in pixels.
+    // Line of sight (unnormalised) = base + right * (u - pole.x) + down * (v - pole.y), u and v in pixels; of a conformal
+    // picture see `conformal_line`.
     // The pole is the pixel towards where the group comes from (-x, if it moves along +x) when that is in front of the
     // camera: there n_y and n_z are small, matter relatively, and must not come out of a difference.
     base: vec4f,
     right: vec4f,
     down: vec4f,
+    // Unit vector from the baseline to the pole, of a conformal picture.
+    radial: vec4f,
     // xy: the pole, px; zw: what f32 loses of it.
     pole: vec4f,
     // Of the group against the camera: beta, 1 - beta, 1/gamma, gamma.
@@ -40,7 +43,8 @@ struct Frame {
     openings: array<vec4f, 4>,
     // Linear sRGB: horizon, zenith, ground, its grid's lines, the paint on it, a road; walls, frames, glass, doors, shops.
     backdrop: array<vec4f, 11>,
-    // Products with an apparent position give its clip coordinates x, y and w.
+    // Products with an apparent position give its clip coordinates x, y and w. In a conformal picture the unit vectors along
+    // the baseline, up and ahead, and w: the clip coordinates of a unit of u, of a radian of v, and u in the middle.
     clip_right: vec4f,
     clip_up: vec4f,
     forward: vec4f,
@@ -48,8 +52,70 @@ struct Frame {
 
 @group(0) @binding(0) var<uniform> frame: Frame;
 
-// xyz: unit vector towards the source; w: 1/length of the unnormalised line of sight.
+// Whether the picture is conformal.
+override CONFORMAL: bool;
+
+// sinh and cosh - 1 of the first number, sin and cos - 1 of the second.
+struct Arcs {
+    sines: vec2f,
+    versines: vec2f,
+}
+
+// Of numbers up to 6: both from the series of a quarter of them, doubled twice. No sum cancels, so that small ones keep all
+// their digits.
+fn arcs(angles: vec2f) -> Arcs {
+    let quarters = 0.25 * angles;
+    let square = vec2f(quarters.x * quarters.x, -quarters.y * quarters.y);
+    var sines = quarters * (1.0 + square / 6.0 * (1.0 + square / 20.0 * (1.0 + square / 42.0 * (1.0 + square / 72.0))));
+    var versines = 0.5 * square
+        * (1.0 + square / 12.0 * (1.0 + square / 30.0 * (1.0 + square / 56.0 * (1.0 + square / 90.0))));
+    for (var i = 0; i < 2; i++) {
+        sines = 2.0 * sines * (1.0 + versines);
+        versines = 2.0 * versines * (2.0 + versines);
+    }
+    return Arcs(sines, versines);
+}
+
+// cosh u times the line of sight at this much u and v from the pole: with w half of that u and P at the pole,
+// sinh(P + 2 w) = sinh P + sinh w (e^P e^w + e^-P e^-w).
+fn conformal_line(from_pole: vec2f) -> vec3f {
+    let half = arcs(0.5 * from_pole);
+    let grown = 1.0 + half.versines.x + abs(half.sines.x);
+    let grows = from_pole.x >= 0.0;
+    let powers = select(vec2f(1.0 / grown, grown), vec2f(grown, 1.0 / grown), grows);
+    let along = half.sines.x * (frame.right.w * powers.x + frame.down.w * powers.y);
+    let sine = 2.0 * half.sines.y * (1.0 + half.versines.y);
+    let versine = -2.0 * half.sines.y * half.sines.y;
+    return frame.base.xyz + frame.clip_right.xyz * along + frame.radial.xyz * versine + frame.down.xyz * sine;
+}
+
+// How the line of sight `sight` (unit vector) moves to the next pixel on the right and below. What is along it does not count,
+// and is 0 in a conformal picture, where none of them comes out of a difference.
+fn step_right(sight: vec3f) -> vec3f {
+    if CONFORMAL {
+        let along = frame.clip_right.xyz;
+        let cosine = dot(sight, along);
+        let across = sight - along * cosine;
+        return (along * dot(across, across) - across * cosine) * frame.base.w;
+    }
+    return frame.right.xyz;
+}
+
+fn step_down(sight: vec3f) -> vec3f {
+    if CONFORMAL {
+        return cross(sight, frame.clip_right.xyz) * frame.base.w;
+    }
+    return frame.down.xyz;
+}
+
+// xyz: unit vector towards the source; w: 1/length of the unnormalised line of sight, by which steps to the next pixels are
+// multiplied; those of a conformal picture are not.
 fn line_of_sight(pixel: vec2f) -> vec4f {
+    if CONFORMAL {
+        let from_pole = ((pixel - frame.pole.xy) - frame.pole.zw) * vec2f(frame.base.w, -frame.base.w);
+        let line = conformal_line(from_pole);
+        return vec4f(line / sqrt(dot(line, line)), 1.0);
+    }
     let offset = (pixel - frame.pole.xy) - frame.pole.zw;
     let unnormalised = frame.base.xyz + frame.right.xyz * offset.x + frame.down.xyz * offset.y;
     let scale = 1.0 / sqrt(dot(unnormalised, unnormalised));

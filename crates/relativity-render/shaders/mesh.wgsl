@@ -118,14 +118,8 @@ fn corner(corner: Corner, instance: Instance) -> Fragment {
         let sight = seen.position / max(length(seen.position), 1e-30);
         seen.doppler = doppler_of(body, earlier.place - middle(body), shape.normal, sight, seen.doppler, spin);
     }
-    let clip = vec4f(
-        dot(seen.position, frame.clip_right.xyz),
-        dot(seen.position, frame.clip_up.xyz),
-        NEAR,
-        dot(seen.position, frame.forward.xyz),
-    );
     return Fragment(
-        clip,
+        clip_place(seen.position, body),
         place,
         shape.normal,
         seen.position,
@@ -143,6 +137,48 @@ fn corner(corner: Corner, instance: Instance) -> Fragment {
 
 // Nothing nearer than this is drawn.
 const NEAR = 1e-4;
+
+// Where a corner of `body` that appears there is in the picture, in clip coordinates.
+fn clip_place(position: vec3f, body: Body) -> vec4f {
+    if CONFORMAL {
+        return conformal_place(position, mapped(frame.middle.xyz + (frame.middle_fine.xyz + middle(body))).position);
+    }
+    return vec4f(
+        dot(position, frame.clip_right.xyz),
+        dot(position, frame.clip_up.xyz),
+        NEAR,
+        dot(position, frame.forward.xyz),
+    );
+}
+
+// The same in a conformal picture. Of a body that reaches all around, whose middle is seen at `centre`, triangles that would
+// be torn at half a turn stay whole: v counts from there.
+fn conformal_place(position: vec3f, centre: vec3f) -> vec4f {
+    let largest = max(max(abs(position.x), abs(position.y)), max(abs(position.z), 1e-30));
+    let scaled = position / largest;
+    let aside = dot(scaled, frame.clip_right.xyz);
+    let off = vec2f(dot(scaled, frame.forward.xyz), dot(scaled, frame.clip_up.xyz));
+    let rho = max(length(off), 1e-30);
+    let u = sign_of(aside) * log((abs(aside) + sqrt(aside * aside + rho * rho)) / rho);
+    let ahead = vec2f(dot(centre, frame.forward.xyz), dot(centre, frame.clip_up.xyz));
+    let axis = ahead / max(max(abs(ahead.x), abs(ahead.y)), 1e-30);
+    let v = angle_of(axis) + angle_of(vec2f(dot(off, axis), off.y * axis.x - off.x * axis.y));
+    return vec4f((u - frame.forward.w) * frame.clip_right.w, v * frame.clip_up.w, 0.5, 1.0);
+}
+
+// The angle from the first axis to `place`, radians from -pi to pi. WGSL leaves 12 bits of `atan2` to whoever computes it; this
+// is the series of the arctangent of a quarter of it.
+fn angle_of(place: vec2f) -> f32 {
+    let half = place.y / max(length(place) + abs(place.x), 1e-30);
+    let quarter = half / (1.0 + sqrt(1.0 + half * half));
+    let square = -quarter * quarter;
+    var series = 1.0 / 15.0;
+    for (var odd = 13.0; odd > 0.0; odd -= 2.0) {
+        series = series * square + 1.0 / odd;
+    }
+    let angle = 4.0 * quarter * series;
+    return select(angle, sign_of(place.y) * 3.14159265 - angle, place.x < 0.0);
+}
 
 struct Measure {
     depth: f32,

@@ -55,8 +55,8 @@ fn mark(body: Body, pattern: vec3f, place: vec3f, normal: vec3f, ray: Ray, dista
 
 fn covered_by_pixel(ray: Ray, normal: vec3f, distance: f32, body: Body) -> Covered {
     let direction = body_from_rest(ray.direction, body);
-    let right = body_from_rest(shift(ray, frame.right.xyz, distance), body);
-    let down = body_from_rest(shift(ray, frame.down.xyz, distance), body);
+    let right = body_from_rest(shift(ray, step_right(ray.sight), distance), body);
+    let down = body_from_rest(shift(ray, step_down(ray.sight), distance), body);
     return Covered(
         on_surface(right, direction, normal) * distance,
         on_surface(down, direction, normal) * distance,

@@ -84,7 +84,7 @@ fn movement(ray: Ray, across: vec3f) -> vec2f {
         ground = vec3f(across.x * frame.speed.w, across.yz) * ray.ground_per_rest;
     }
     let turned = (ground - ray.sight * dot(ray.sight, ground)) * ray.scale;
-    return vec2f(dot(turned, frame.right.xyz), dot(turned, frame.down.xyz));
+    return vec2f(dot(turned, step_right(ray.sight)), dot(turned, step_down(ray.sight)));
 }
 
 // Where the ray comes closest to `anchor` (from the group's middle), from there. The double cross product

@@ -156,9 +156,10 @@ impl Part {
     }
 }
 
-/// The shader's constants for a part.
-pub(crate) fn constants(part: Part) -> Vec<Constant> {
+/// The shader's constants for a part of a picture.
+pub(crate) fn constants(part: Part, is_conformal: bool) -> Vec<Constant> {
     let of_backdrop = [
+        ("CONFORMAL", number(is_conformal)),
         ("GROUND", number(part.has_ground())),
         ("ROAD", number(part != Part::Grid)),
         ("FRONTS", number(part.has_fronts())),

@@ -1,9 +1,11 @@
 //! A pinhole camera at an aperture: lines of sight of pixels, and pixels of lines of sight.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use relativity_core::Aperture;
-use relativity_core::math::{asin, atan, atan2, hypot, sin_cos, tan};
+use relativity_core::math::{asin, asinh, atan, atan2, hypot, sin_cos, sinh, tan};
 use std::f64::consts::{FRAC_PI_2, PI};
+
+use crate::mercator::{MOST_ASIDE, Mercator};
 
 /// Where a camera looks: the direction of its optical axis. Its horizon stays level.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,8 +51,8 @@ pub struct Camera {
     pub aperture: Aperture,
     /// Optical axis.
     pub gaze: Gaze,
-    /// Angle between the left and the right edge of the picture if its middle is on its axis, radians, in (0, pi): what sets
-    /// the focal length, so that it stays as the gaze moves.
+    /// Angle between the left and the right edge of the picture if its middle is on its axis (abreast, in a conformal one),
+    /// radians, in (0, pi): what sets the focal length, so that it stays as the gaze moves.
     pub horizontal_fov: f64,
     /// Width and height, pixels.
     pub size: [u32; 2],
@@ -81,12 +83,31 @@ pub enum Projection {
         /// before the eyes has one place in both pictures where that is (`off_middle` . `right`)/s.
         shift: f64,
     },
+    /// Conformal: Mercator's projection with its poles at the ends of the baseline. Rows are planes through the baseline, so
+    /// whatever is in one row of one picture is in that of the other; small shapes are true, wherever they are seen; and motion
+    /// along the baseline slides the picture by its rapidity, with all shapes as at rest.
+    ///
+    /// As [`Self::Parallel`], the picture is never upside down. A gaze along the baseline is held 0.04 degrees off it.
+    Mercator {
+        /// Unit vector along the baseline, from the left eye to the right one.
+        right: DVec3,
+        /// By how much u the picture's content is moved to the right, this eye's image shift.
+        shift: f64,
+    },
     /// Half of the sky: 180 by 180 degrees of longitude and latitude, about the level direction across the baseline that is
     /// nearest to the gaze. Drawn by the reference renderer alone.
     Vr180 {
         /// Unit vector along the baseline, from the left eye to the right one.
         right: DVec3,
     },
+}
+
+impl Projection {
+    /// Whether pictures are conformal.
+    #[must_use]
+    pub const fn is_conformal(&self) -> bool {
+        matches!(self, Self::Mercator { .. })
+    }
 }
 
 /// Unit vectors of a camera: right, up and forward.
@@ -139,7 +160,8 @@ impl Camera {
         Self { aperture, gaze, horizontal_fov, size, off_middle, projection: Projection::Gaze }
     }
 
-    /// Distance from the pinhole to the picture plane, in pixels: how many of them a radian about the picture's axis has.
+    /// Distance from the pinhole to the picture plane, in pixels: how many of them a radian about the picture's axis has, or a
+    /// unit of u in a conformal picture.
     #[must_use]
     pub fn focal_length_px(&self) -> f64 {
         0.5 * f64::from(self.size[0]) / self.half_width()
@@ -148,13 +170,15 @@ impl Camera {
     /// How many pixels of the middle of the picture a radian along its rows has.
     #[must_use]
     pub fn px_per_radian(&self) -> f64 {
-        self.focal_length_px() * self.through_middle().length_squared()
+        let stretch = self.through_middle().length();
+        self.focal_length_px() * if self.projection.is_conformal() { stretch } else { stretch * stretch }
     }
 
     /// Half the width of the picture, focal lengths.
     pub(crate) fn half_width(&self) -> f64 {
         match self.projection {
             Projection::Gaze | Projection::Parallel { .. } => tan(0.5 * self.horizontal_fov),
+            Projection::Mercator { .. } => asinh(tan(0.5 * self.horizontal_fov)),
             Projection::Vr180 { .. } => FRAC_PI_2,
         }
     }
@@ -162,7 +186,9 @@ impl Camera {
     /// Towards the middle of the picture: its part along the axis is 1.
     pub(crate) fn through_middle(&self) -> DVec3 {
         let axes = self.axes();
-        axes.forward + axes.right * self.middle(&axes)
+        let middle = self.middle(&axes);
+        let aside = if self.projection.is_conformal() { sinh(middle) } else { middle };
+        axes.forward + axes.right * aside
     }
 
     /// The axes of the picture: along its rows, up its columns, and across it.
@@ -171,6 +197,7 @@ impl Camera {
         match self.projection {
             Projection::Gaze => self.gaze.axes(),
             Projection::Parallel { right, .. } => Axes::beside(right, self.gaze.axes().forward),
+            Projection::Mercator { right, .. } => Axes::across(right, self.gaze.axes().forward),
             Projection::Vr180 { right } => {
                 let ahead = Gaze { elevation: 0.0, ..self.gaze }.axes().forward;
                 let level = level_across(right).map(|level| level * 1f64.copysign(level.dot(ahead)));
@@ -179,10 +206,14 @@ impl Camera {
         }
     }
 
-    /// Where along `direction` (any length above 0) something is seen, as tangents to the right of the picture's axis and up,
-    /// the same for all image shifts; `None` behind the camera.
+    /// Where along `direction` (any length above 0) something is seen, focal lengths to the right of the picture's axis and
+    /// up, the same for all image shifts: tangents, or (u, v) in a conformal picture. `None` where it is in no picture: behind
+    /// a flat one, along the baseline of a conformal one.
     #[must_use]
-    pub fn tangents(&self, direction: DVec3) -> Option<[f64; 2]> {
+    pub fn coordinates(&self, direction: DVec3) -> Option<[f64; 2]> {
+        if let Some(mercator) = self.mercator() {
+            return mercator.coordinates(direction).map(Into::into);
+        }
         let Axes { right, up, forward } = self.axes();
         let depth = direction.dot(forward);
         (depth > 0.0).then(|| [direction.dot(right) / depth, direction.dot(up) / depth])
@@ -196,9 +227,21 @@ impl Camera {
         Gauge { right: right - forward * middle, up, forward, middle }
     }
 
-    /// The tangent to the right of the picture's axis at which its middle is.
+    /// The projection of a conformal picture.
+    pub(crate) fn mercator(&self) -> Option<Mercator> {
+        if !self.projection.is_conformal() {
+            return None;
+        }
+        let (axes, px_per_unit) = (self.axes(), self.focal_length_px());
+        let [width, height] = self.size.map(f64::from);
+        let origin = DVec2::new(0.5 * width - self.middle(&axes) * px_per_unit, 0.5 * height);
+        Some(Mercator { axes, px_per_unit, origin })
+    }
+
+    /// Where to the right of the picture's axis its middle is: a tangent, or u in a conformal picture.
     fn middle(&self, axes: &Axes) -> f64 {
         match self.projection {
+            Projection::Mercator { shift, .. } => axes.aside(self.gaze.axes().forward) - shift,
             Projection::Parallel { shift, .. } => axes.shear_towards(self.gaze.axes().forward) - shift,
             Projection::Gaze | Projection::Vr180 { .. } => 0.0,
         }
@@ -218,6 +261,7 @@ impl Camera {
         match self.projection {
             Projection::Gaze => self.level_gaze_with(direction, pixel),
             Projection::Parallel { right, shift } => self.slanted_gaze_with(direction, pixel, right, shift),
+            Projection::Mercator { right, shift } => self.slid_gaze_with(direction, pixel, right, shift),
             Projection::Vr180 { .. } => self.gaze,
         }
     }
@@ -253,10 +297,24 @@ impl Camera {
         across.turned_gaze_with(direction, [held(slant) + aside - shift, rise])
     }
 
+    /// The same for a conformal picture, whose content only slides as the gaze moves.
+    fn slid_gaze_with(&self, direction: DVec3, [x, y]: [f64; 2], baseline: DVec3, shift: f64) -> Gaze {
+        let [width, height] = self.size.map(f64::from);
+        let off_middle = DVec2::new(x - 0.5 * width, 0.5 * height - y) / self.focal_length_px();
+        let across = Axes::across(baseline, direction);
+        let (sine, cosine) = sin_cos(-off_middle.y);
+        let axes = Axes::upright(across.right, across.forward * cosine + across.up * sine);
+        let u = (across.aside(direction) - off_middle.x + shift).clamp(-MOST_ASIDE, MOST_ASIDE);
+        Gaze::along((axes.forward + axes.right * sinh(u)).to_array())
+    }
+
     /// Where in the picture (pixels) something along `direction` (any length above 0) appears; `None`
-    /// behind the camera. May lie outside the picture.
+    /// behind the camera, and along the baseline of a conformal picture. May lie outside the picture.
     #[must_use]
     pub fn pixel(&self, direction: DVec3) -> Option<[f64; 2]> {
+        if let Some(mercator) = self.mercator() {
+            return mercator.coordinates(direction).map(|coordinates| mercator.place_of(coordinates));
+        }
         let [width, height] = self.size.map(f64::from);
         if let Projection::Vr180 { .. } = self.projection {
             let Axes { right, up, forward } = self.axes();
@@ -278,17 +336,20 @@ impl Camera {
     pub fn magnified(&self, pixel: [f64; 2], size: [u32; 2], factor: f64) -> Self {
         let sight = self.line_of_sight(pixel);
         let half_width = 0.5 * f64::from(size[0]) / (self.focal_length_px() * factor);
-        let projection = match self.projection {
+        let (projection, half_tangent) = match self.projection {
             // However far it slants.
             Projection::Parallel { right, .. } => {
                 let axes = Axes::beside(right, sight);
                 let shift = axes.shear_towards(sight) - sight.dot(axes.right) / sight.dot(axes.forward);
-                Projection::Parallel { right, shift }
+                (Projection::Parallel { right, shift }, half_width)
             }
-            Projection::Gaze | Projection::Vr180 { .. } => Projection::Gaze,
+            Projection::Mercator { right, .. } => {
+                (Projection::Mercator { right, shift: 0.0 }, sinh(half_width))
+            }
+            Projection::Gaze | Projection::Vr180 { .. } => (Projection::Gaze, half_width),
         };
         let gaze = Gaze::along(sight.to_array());
-        Self { gaze, horizontal_fov: 2.0 * atan(half_width), size, projection, ..*self }
+        Self { gaze, horizontal_fov: 2.0 * atan(half_tangent), size, projection, ..*self }
     }
 
     /// Whether what lies along `direction` (any length above 0) is in the picture, its edges included.
@@ -357,6 +418,13 @@ impl Axes {
         Gaze::along((forward * cosine + right * sine).to_array())
     }
 
+    /// How far aside `gaze` is in a conformal picture: u, up to [`MOST_ASIDE`].
+    fn aside(&self, gaze: DVec3) -> f64 {
+        let u = asinh(gaze.dot(self.right) / hypot(gaze.dot(self.forward), gaze.dot(self.up)));
+        // No number inside the aperture.
+        if u.is_nan() { 0.0 } else { u.clamp(-MOST_ASIDE, MOST_ASIDE) }
+    }
+
     /// The tangent to the right of the axis at which the picture has `gaze` in its middle, up to [`MAX_SLANT`].
     pub(crate) fn shear_towards(&self, gaze: DVec3) -> f64 {
         let (aside, depth) = (gaze.dot(self.right), gaze.dot(self.forward));
@@ -409,6 +477,8 @@ enum Map {
     Flat { to_top_left: DVec3 },
     /// By longitude and latitude, a picture of this size being half of the sky.
     Round { size: [f64; 2] },
+    /// Conformally.
+    Mercator(Mercator),
 }
 
 impl LinesOfSight {
@@ -421,6 +491,8 @@ impl LinesOfSight {
         let size = camera.size.map(f64::from);
         let map = if let Projection::Vr180 { .. } = camera.projection {
             Map::Round { size }
+        } else if let Some(mercator) = camera.mercator() {
+            Map::Mercator(mercator)
         } else {
             let to_left = 0.5 * size[0] - camera.middle(&axes) * focal_length_px;
             Map::Flat { to_top_left: forward * focal_length_px - right * to_left + up * (0.5 * size[1]) }
@@ -439,6 +511,7 @@ impl LinesOfSight {
                 let (height, level) = sin_cos(PI * (0.5 - v / height));
                 (forward * cosine + right * sine) * level + up * height
             }
+            Map::Mercator(mercator) => mercator.line_of_sight(mercator.coordinates_at([u, v])),
         }
     }
 
@@ -464,6 +537,7 @@ impl LinesOfSight {
                 let along_row = right * sight.dot(forward) - forward * sight.dot(right);
                 [along_row * (PI / width), across(-up).normalize_or_zero() * (PI / height)]
             }
+            Map::Mercator(mercator) => mercator.turns(sight),
         }
     }
 }

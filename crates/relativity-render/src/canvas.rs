@@ -3,6 +3,8 @@
 //! Bodies are drawn with four samples per pixel over nothing, in linear light; the last pass puts them over sky
 //! and ground and applies the sRGB curve.
 
+use std::sync::OnceLock;
+
 use crate::backdrop::{self, Part, TILES};
 use crate::buffers::{fill_frame_buffer, frame_bindings, frame_buffer, vertex_buffer};
 use crate::drawing::{Drawing, Shot};
@@ -23,9 +25,12 @@ pub struct Canvas {
     layer_layout: wgpu::BindGroupLayout,
     /// The tables of colours.
     tables: wgpu::TextureView,
-    /// The last pass, by the number of the part that it draws.
-    last_pass: [wgpu::RenderPipeline; 5],
+    /// The last pass of flat pictures and of conformal ones.
+    last_passes: [LastPass; 2],
 }
+
+/// The last pass, by the number of the part that it draws; made when it is first needed.
+type LastPass = OnceLock<[wgpu::RenderPipeline; 5]>;
 
 /// What a pass over the bodies wrote: RGBA32 floats, see the shaders' `Hit`.
 pub struct Measures {
@@ -38,11 +43,19 @@ impl Canvas {
         let device = &gpu.device;
         let frame_layout = bind_group_layout(device, &[uniform_entry(), texture_entry(1)]);
         let layer_layout = bind_group_layout(device, &[texture_entry(0)]);
-        let module = gpu.shader("backdrop", BACKDROP);
-        let layout = pipeline_layout(device, &[Some(&frame_layout), Some(&layer_layout)]);
-        let last_pass = Part::ALL.map(|part| last_pass(device, &module, &layout, &backdrop::constants(part)));
         let tables = tables(gpu);
-        Self { frame_layout, layer_layout, tables, last_pass }
+        Self { frame_layout, layer_layout, tables, last_passes: [OnceLock::new(), OnceLock::new()] }
+    }
+
+    /// The last pass of pictures that are conformal, or flat.
+    fn last_pass(&self, gpu: &Gpu, is_conformal: bool) -> &[wgpu::RenderPipeline; 5] {
+        self.last_passes[usize::from(is_conformal)].get_or_init(|| {
+            let module = gpu.shader("backdrop", BACKDROP);
+            let layout = pipeline_layout(&gpu.device, &[Some(&self.frame_layout), Some(&self.layer_layout)]);
+            Part::ALL.map(|part| {
+                last_pass(&gpu.device, &module, &layout, &backdrop::constants(part, is_conformal))
+            })
+        })
     }
 
     /// The layout of pipelines that draw bodies.
@@ -66,6 +79,7 @@ impl Canvas {
         let frames = Frame::of_groups(scene, &views, appearance);
         fill_frame_buffer(gpu, &mut target.frames, &frames);
         let floor = frames[0].floor();
+        let last_pass = self.last_pass(gpu, frames[0].is_conformal());
         let frames = self.frame_bind_groups(gpu, &target.frames, frames.len());
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         {
@@ -82,7 +96,7 @@ impl Canvas {
             pass.set_bind_group(0, &frames[0], &[]);
             pass.set_bind_group(1, &self.layer_bind_group(gpu, &target.bodies), &[]);
             for part in floor.parts() {
-                pass.set_pipeline(&self.last_pass[*part as usize]);
+                pass.set_pipeline(&last_pass[*part as usize]);
                 pass.draw(0..4, 0..TILES[0] * TILES[1]);
             }
         }

@@ -2,10 +2,12 @@
 
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec2, DVec3};
+use relativity_core::math::{cosh, exp, sin_cos, sinh};
 
 use crate::backdrop::{Backdrop, Floor};
-use crate::camera::{Camera, Gauge};
+use crate::camera::{Axes, Camera, Gauge};
 use crate::group_view::{GroupView, reference_of_depths};
+use crate::mercator::Mercator;
 use crate::prepared_body::{Extent, packed};
 use crate::scene::{PreparedGroup, PreparedScene};
 use crate::street::{HOUSES, OPENINGS};
@@ -16,19 +18,22 @@ use crate::view::{Appearance, Geometry};
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct Frame {
-    /// Line of sight through the pole, unnormalised: its part along the optical axis is 1.
+    /// Line of sight through the pole, unnormalised: its part along the optical axis is 1. In a conformal picture cosh u long,
+    /// and the size of a pixel in u and v.
     pub base: [f32; 4],
-    /// By how much it changes from one pixel to the next on the right.
+    /// By how much it changes from one pixel to the next on the right. In a conformal picture only e^u at the pole.
     pub right: [f32; 4],
-    /// From one pixel to the next below.
+    /// From one pixel to the next below. In a conformal picture the unit vector upwards at the pole, and e^-u there.
     pub down: [f32; 4],
+    /// Unit vector from the baseline to the pole, of a conformal picture.
+    pub radial: [f32; 4],
     /// The pole, from which pixels are counted: u and v, px, and what f32 loses of them. It is the pixel towards where
     /// the group comes from, if that is in front, where the last digits of a line of sight matter most; else the middle
     /// of the picture.
     pub pole: [f32; 4],
     /// Of the group against the camera: beta, 1 - beta, 1/gamma, gamma.
     pub speed: [f32; 4],
-    /// -1 if the group moves towards -x, else 1; the same of the reference of depths.
+    /// -1 if the group moves towards -x, else 1; the same of the reference of depths; 1 if the picture is conformal, else 0.
     pub motion: [f32; 4],
     /// Where the camera is from the middle between the eyes, where these have one light cone, else 0; reflected so that
     /// the group moves along +x; and 1 if it is not in the middle.
@@ -56,13 +61,77 @@ pub struct Frame {
     /// Linear sRGB of the horizon, the zenith, the ground, its grid's lines, the paint on it, a road; walls, frames, glass,
     /// doors, shops.
     pub backdrop: [[f32; 4]; 11],
-    /// Its product with an apparent position is the clip coordinate x.
+    /// Its product with an apparent position is the clip coordinate x. In a conformal picture the unit vector along the
+    /// baseline, and the clip coordinates of a unit of u.
     pub clip_right: [f32; 4],
-    /// y.
+    /// y. In a conformal picture the unit vector across the baseline and `forward`, and the clip coordinates of a radian of v.
     pub clip_up: [f32; 4],
-    /// w: the depth along the optical axis.
+    /// w: the depth along the optical axis. In a conformal picture also u in the middle of the picture.
     pub forward: [f32; 4],
 }
+
+/// What tells the shaders the camera's lines of sight and clip coordinates.
+struct Sights {
+    pole: DVec2,
+    base: [f32; 4],
+    right: [f32; 4],
+    down: [f32; 4],
+    radial: [f32; 4],
+    clip_right: [f32; 4],
+    clip_up: [f32; 4],
+    forward: [f32; 4],
+}
+
+impl Sights {
+    /// Those of `camera`, for a group that comes from the end of the x axis with this `sign`.
+    fn new(camera: &Camera, sign: f64) -> Self {
+        camera
+            .mercator()
+            .map_or_else(|| Self::flat(camera, sign), |mercator| Self::conformal(&mercator, camera, sign))
+    }
+
+    fn flat(camera: &Camera, sign: f64) -> Self {
+        let (axes, gauge) = (camera.axes(), camera.gauge());
+        let [width, height] = camera.size.map(f64::from);
+        let to_clip = 2.0 * camera.focal_length_px();
+        let per_px = 1.0 / camera.focal_length_px();
+        let (pole, base) = pole(camera, &gauge, sign);
+        Self {
+            pole,
+            base: vector(base),
+            right: vector(axes.right * per_px),
+            down: vector(-axes.up * per_px),
+            radial: [0.0; 4],
+            clip_right: vector(gauge.right * (to_clip / width)),
+            clip_up: vector(gauge.up * (to_clip / height)),
+            forward: vector(gauge.forward),
+        }
+    }
+
+    fn conformal(mercator: &Mercator, camera: &Camera, sign: f64) -> Self {
+        let Axes { right, up, forward } = mercator.axes;
+        let [width, height] = camera.size.map(f64::from);
+        let per_px = 1.0 / mercator.px_per_unit;
+        let (pole, line) = conformal_pole(mercator, camera, DVec3::X * sign);
+        let (sine, cosine) = sin_cos(pole.y);
+        let radial = forward * cosine + up * sine;
+        let middle = mercator.coordinates_at([0.5 * width, 0.5 * height]).x;
+        Self {
+            pole: DVec2::from(mercator.place_of(pole)),
+            base: packed(line, per_px),
+            right: packed(DVec3::ZERO, exp(pole.x)),
+            down: packed(up * cosine - forward * sine, exp(-pole.x)),
+            radial: vector(radial),
+            clip_right: packed(right, 2.0 * mercator.px_per_unit / width),
+            clip_up: packed(up, 2.0 * mercator.px_per_unit / height),
+            forward: packed(forward, middle),
+        }
+    }
+}
+
+/// How far aside the pole of a conformal picture can be, as |u|, to be the place that pixels are counted from: further on,
+/// e^-|u| of a rounding is left of what would be lost.
+const FARTHEST_POLE: f64 = 5.0;
 
 impl Frame {
     /// One for each group of `scene`, which its `views` show.
@@ -88,11 +157,8 @@ impl Frame {
     /// That of a group which is its own reference.
     fn new(view: &GroupView, appearance: &Appearance, extent: &Extent) -> Self {
         let camera = &view.camera;
-        let (axes, gauge) = (camera.axes(), camera.gauge());
-        let [width, height] = camera.size.map(f64::from);
-        let to_clip = 2.0 * camera.focal_length_px();
-        let per_px = 1.0 / camera.focal_length_px();
-        let (pole, base) = pole(camera, &gauge, -view.velocity.direction());
+        let sights = Sights::new(camera, -view.velocity.direction());
+        let Sights { pole, base, right, down, radial, clip_right, clip_up, forward } = sights;
         let aperture = camera.aperture;
         let backdrop = Backdrop::new(camera, appearance);
         let [near_kerb, far_kerb, fronts] = backdrop.street();
@@ -110,12 +176,13 @@ impl Frame {
         let eye = if is_one_cone { view.velocity.reflected(camera.off_middle) } else { DVec3::ZERO };
         let eye = packed(eye, if eye == DVec3::ZERO { 0.0 } else { 1.0 });
         Self {
-            base: vector(base),
-            right: vector(axes.right * per_px),
-            down: vector(-axes.up * per_px),
+            base,
+            right,
+            down,
+            radial,
             pole: [coarse.x, coarse.y, fine.x, fine.y],
             speed,
-            motion: [reflection, reflection, 0.0, 0.0],
+            motion: [reflection, reflection, f32::from(u8::from(camera.mercator().is_some())), 0.0],
             eye,
             reference_eye: eye,
             reference_speed: speed,
@@ -127,10 +194,15 @@ impl Frame {
             houses: HOUSES.map(|[height, shade]| [height as f32, shade as f32, 0.0, 0.0]),
             openings: OPENINGS.map(|opening| opening.map(|v| v as f32)),
             backdrop: backdrop.colours().map(|colour| vector(colour.into())),
-            clip_right: vector(gauge.right * (to_clip / width)),
-            clip_up: vector(gauge.up * (to_clip / height)),
-            forward: vector(gauge.forward),
+            clip_right,
+            clip_up,
+            forward,
         }
+    }
+
+    /// Whether the picture is conformal.
+    pub fn is_conformal(&self) -> bool {
+        self.motion[2] != 0.0
     }
 
     /// What is to be seen below the horizon.
@@ -148,13 +220,31 @@ fn vector(v: DVec3) -> [f32; 4] {
     packed(v, 0.0)
 }
 
+/// Well in front is what is this much along the gaze.
+const LEAST_DEPTH: f64 = 0.05;
+
+/// u and v from which those of a conformal picture's pixels are counted, and cosh u times the line of sight there: those of the
+/// direction `towards` an end of the x axis, where that is well in front; those of the middle of the picture, where it is not;
+/// and u = 0, v = 0 where the baseline is along x, since parts across it are products then.
+fn conformal_pole(mercator: &Mercator, camera: &Camera, towards: DVec3) -> (DVec2, DVec3) {
+    let Axes { right, forward, .. } = mercator.axes;
+    let Some(pole) = mercator.coordinates(towards).filter(|pole| pole.x.abs() <= FARTHEST_POLE) else {
+        return (DVec2::ZERO, forward);
+    };
+    if towards.dot(camera.gaze.axes().forward) >= LEAST_DEPTH {
+        return (pole, towards * cosh(pole.x));
+    }
+    let u = mercator.coordinates_at(camera.size.map(|side| 0.5 * f64::from(side))).x;
+    (DVec2::new(u, 0.0), forward + right * sinh(u))
+}
+
 /// The pixel towards the end of the x axis with this sign and its (unnormalised) line of sight, if it is well in
 /// front of the camera; else the middle of the picture and what is seen there.
 fn pole(camera: &Camera, gauge: &Gauge, sign: f64) -> (DVec2, DVec3) {
     let Gauge { right, up, forward, .. } = *gauge;
     let middle = DVec2::from(camera.size.map(f64::from)) * 0.5;
     let depth = sign * forward.x;
-    if depth < 0.05 {
+    if depth < LEAST_DEPTH {
         return (middle, camera.through_middle());
     }
     let scale = sign * camera.focal_length_px() / depth;

@@ -80,6 +80,7 @@ mod ipt;
 mod kind;
 mod lanes;
 mod light;
+mod mercator;
 mod mesh;
 #[doc(hidden)]
 pub mod mirrors;

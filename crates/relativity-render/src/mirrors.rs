@@ -57,7 +57,7 @@ macro_rules! mirror {
 /// The uniform blocks.
 pub const BLOCKS: [Mirror; 2] = [
     mirror!(
-        Frame: base, right, down, pole, speed, motion, eye, reference_eye, reference_speed, reference_middle, middle, middle_fine, ground, road, houses, openings, backdrop,
+        Frame: base, right, down, radial, pole, speed, motion, eye, reference_eye, reference_speed, reference_middle, middle, middle_fine, ground, road, houses, openings, backdrop,
         clip_right, clip_up, forward
     ),
     mirror!(Composing: first, second, form),
@@ -82,7 +82,7 @@ pub fn shaders() -> Vec<Shader> {
     let backdrop = Shader {
         name: "backdrop".to_owned(),
         source: shaders::BACKDROP,
-        constants: backdrop::constants(backdrop::Part::Street),
+        constants: backdrop::constants(backdrop::Part::Street, true),
     };
     let compose = Shader {
         name: "compose".to_owned(),
@@ -102,7 +102,14 @@ fn of_bodies(kind: Kind, name: &str, technique: &Technique) -> Shader {
         is_patterned: true,
         effects: Effects::new(true, &Appearance::default()),
     };
-    let key = Key { kind, geometry: Geometry::Seen, among_others: None, turns: Turns::About, output };
+    let key = Key {
+        kind,
+        geometry: Geometry::Seen,
+        is_conformal: true,
+        among_others: None,
+        turns: Turns::About,
+        output,
+    };
     Shader {
         name: format!("{name} of a {kind:?}"),
         source: (technique.source)(kind),

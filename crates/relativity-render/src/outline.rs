@@ -4,9 +4,10 @@
 use std::f64::consts::FRAC_PI_2;
 
 use glam::DVec3;
-use relativity_core::math::{atan, sin_cos, tan};
+use relativity_core::math::{atan, sin_cos, sinh, tan};
 
 use crate::camera::{Axes, Camera, Gauge, Gaze, Projection, held};
+use crate::mercator::{MOST_ASIDE, Mercator};
 
 /// The part of the picture that is left free on each side of what is framed.
 const MARGIN: f64 = 0.1;
@@ -37,10 +38,31 @@ pub struct Outline {
 pub struct Framing {
     /// It.
     pub gaze: Gaze,
-    /// How far the outline reaches from there, across and up, focal lengths.
+    /// How far the outline reaches from there, across and up, focal lengths (in conformal pictures u and radians).
     reach: [f64; 2],
-    /// How it lies in pictures that are parallel to the baseline.
-    sheared: Option<Sheared>,
+    lies: Lies,
+}
+
+/// How an outline lies in the pictures of both eyes, where these depend on the line between them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Lies {
+    /// They do not: pictures are across the gaze.
+    Alone,
+    /// In pictures parallel to that line.
+    Sheared(Sheared),
+    /// In conformal ones.
+    Slid(Slid),
+}
+
+/// How an outline lies in both eyes' conformal pictures.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Slid {
+    /// `right` along the baseline, and as much above the outline as below.
+    axes: Axes,
+    /// Between which u it lies for the left eye and for the right one.
+    across: [Range; 2],
+    /// How far up and down it reaches, radians.
+    up: f64,
 }
 
 /// Least and greatest.
@@ -76,23 +98,36 @@ impl Outline {
     /// Whether nothing of it is in the picture of a `camera` at its apertures, taking each body for the ball around it.
     #[must_use]
     pub fn is_out_of(&self, camera: &Camera) -> bool {
+        let is_in = |ball: &Ball| match camera.mercator() {
+            Some(mercator) => ball.is_in_conformal(&mercator, camera.size),
+            None => ball.is_in_flat(camera),
+        };
+        !self.surrounds && !self.balls.iter().any(is_in)
+    }
+}
+
+impl Ball {
+    fn is_in_conformal(&self, mercator: &Mercator, size: [u32; 2]) -> bool {
+        let [right, bottom] = size.map(f64::from);
+        let [low, high] = [[0.0, bottom], [right, 0.0]].map(|place| mercator.coordinates_at(place));
+        mercator.around_ball(self.center, self.radius).is_none_or(|patch| patch.meets(low, high))
+    }
+
+    fn is_in_flat(&self, camera: &Camera) -> bool {
         let Gauge { right, up, forward, .. } = camera.gauge();
         // A picture of half the sky has no edges but that.
         let is_flat = !matches!(camera.projection, Projection::Vr180 { .. });
         let half_width = camera.half_width();
         let half_height = half_width * f64::from(camera.size[1]) / f64::from(camera.size[0]);
-        let is_in = |ball: &Ball| {
-            let inside = |side: DVec3, half: f64| {
-                // In front of the picture's edges, planes through the aperture, or by less than the radius behind them.
-                [side, -side].into_iter().all(|side| {
-                    let inwards = forward * half - side;
-                    ball.center.dot(inwards) >= -ball.radius * inwards.length()
-                })
-            };
-            let is_in_picture = || inside(right, half_width) && inside(up, half_height);
-            ball.center.dot(forward) > -ball.radius && (!is_flat || is_in_picture())
+        let inside = |side: DVec3, half: f64| {
+            // In front of the picture's edges, planes through the aperture, or by less than the radius behind them.
+            [side, -side].into_iter().all(|side| {
+                let inwards = forward * half - side;
+                self.center.dot(inwards) >= -self.radius * inwards.length()
+            })
         };
-        !self.surrounds && !self.balls.iter().any(is_in)
+        let is_in_picture = || inside(right, half_width) && inside(up, half_height);
+        self.center.dot(forward) > -self.radius && (!is_flat || is_in_picture())
     }
 }
 
@@ -101,7 +136,14 @@ impl Framing {
     /// of a picture across it.
     pub(crate) fn level(gaze: Gaze, reach: [f64; 2]) -> Self {
         let tangent = |reach: f64| if reach < 0.5 * WIDEST { tan(reach) } else { f64::INFINITY };
-        Self { gaze, reach: reach.map(tangent), sheared: None }
+        Self { gaze, reach: reach.map(tangent), lies: Lies::Alone }
+    }
+
+    /// Of what lies between these u to the right in conformal pictures with these `axes`, for the left and for the right eye,
+    /// and reaches this far up and down, radians.
+    pub(crate) fn slid(axes: Axes, across: [Range; 2], up: f64) -> Self {
+        let lies = Lies::Slid(Slid { axes, across, up });
+        Self { gaze: Gaze::STRAIGHT_AHEAD, reach: [0.0; 2], lies }.shifted([0.0; 2])
     }
 
     /// Of what lies between these angles to the right of the forward axis of `axes`, which are parallel to the baseline, for
@@ -109,8 +151,8 @@ impl Framing {
     pub(crate) fn sheared(axes: Axes, across: [Range; 2], up: impl Fn(&Axes) -> Range) -> Self {
         let turn = turn(across, [0.0; 2]);
         let up = up(&axes.turned(turn)).map(|up| tangent(up).abs());
-        let sheared = Some(Sheared { axes, across, up: up[0].max(up[1]), turn });
-        Self { gaze: Gaze::STRAIGHT_AHEAD, reach: [0.0; 2], sheared }.shifted([0.0; 2])
+        let lies = Lies::Sheared(Sheared { axes, across, up: up[0].max(up[1]), turn });
+        Self { gaze: Gaze::STRAIGHT_AHEAD, reach: [0.0; 2], lies }.shifted([0.0; 2])
     }
 
     /// The same for pictures of the left and of the right eye with these image shifts ([`Projection::Parallel`]): the gaze
@@ -118,7 +160,21 @@ impl Framing {
     /// turns the pictures). What both pictures show of it is in the middle of them together.
     #[must_use]
     pub fn shifted(&self, shifts: [f64; 2]) -> Self {
-        let Some(Sheared { axes, across, up, turn: known }) = self.sheared else { return *self };
+        match self.lies {
+            Lies::Alone => *self,
+            Lies::Sheared(sheared) => self.sheared_by(sheared, shifts),
+            Lies::Slid(Slid { axes, across: [left, right], up }) => {
+                let least = (left[0] + shifts[0]).min(right[0] + shifts[1]).max(-MOST_ASIDE);
+                let most = (left[1] + shifts[0]).max(right[1] + shifts[1]).min(MOST_ASIDE);
+                let middle = 0.5 * (least + most);
+                let gaze = Gaze::along((axes.forward + axes.right * sinh(middle)).to_array());
+                Self { gaze, reach: [0.5 * (most - least), up], ..*self }
+            }
+        }
+    }
+
+    fn sheared_by(&self, sheared: Sheared, shifts: [f64; 2]) -> Self {
+        let Sheared { axes, across, up, turn: known } = sheared;
         let turn = turn(across, shifts);
         let axes = axes.turned(turn);
         let [low, high] = shown(across, shifts, turn);
@@ -138,7 +194,8 @@ impl Framing {
         let [width, height] = size.map(f64::from);
         let [across, up] = self.reach;
         let outline = across.max(up * width / height);
-        let fov = |share: f64| 2.0 * atan(outline / share);
+        let half_tangent = |reach: f64| if let Lies::Slid(_) = self.lies { sinh(reach) } else { reach };
+        let fov = |share: f64| 2.0 * atan(half_tangent(outline / share));
         let narrowest = fov(SMALLEST_SHARE).clamp(NARROWEST_OF_ALL, NARROWEST);
         fov(1.0 - 2.0 * MARGIN).clamp(narrowest, WIDEST)
     }

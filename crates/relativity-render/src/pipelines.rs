@@ -19,6 +19,8 @@ pub struct Key {
     pub kind: Kind,
     /// As it shows them.
     pub geometry: Geometry,
+    /// Whether the picture is conformal.
+    pub is_conformal: bool,
     /// How depths are told among those of other groups, if there are any.
     pub among_others: Option<AmongOthers>,
     /// Whether they turn.
@@ -49,7 +51,9 @@ impl Key {
     /// For bodies of this `kind` that turn so, in the group of this number among those that `views` show.
     pub fn new(kind: Kind, turns: Turns, views: &[GroupView], group: usize, output: Output) -> Self {
         let among_others = AmongOthers::new(views, group);
-        Self { kind, geometry: views[group].geometry, among_others, turns, output }
+        let GroupView { geometry, camera, .. } = views[group];
+        let is_conformal = camera.projection.is_conformal();
+        Self { kind, geometry, is_conformal, among_others, turns, output }
     }
 }
 
@@ -120,6 +124,7 @@ impl Technique {
             (self.constant)(key),
             key.turns.constant(),
             ("GEOMETRY", key.geometry.number()),
+            ("CONFORMAL", number(key.is_conformal)),
             ("HAS_OTHERS", number(key.among_others.is_some())),
             ("IS_REFERENCE", number(others.is_reference)),
             ("REFERENCE_GEOMETRY", others.reference.number()),

@@ -121,7 +121,7 @@ impl View {
     fn drawn_on_gpu(&self) -> Result<(), Undrawn> {
         match self.camera.projection {
             Projection::Vr180 { .. } => Err(Undrawn::HalfOfSkyOnGpu),
-            Projection::Gaze | Projection::Parallel { .. } => Ok(()),
+            Projection::Gaze | Projection::Parallel { .. } | Projection::Mercator { .. } => Ok(()),
         }
     }
 }

@@ -7,10 +7,11 @@
 //! contracted geometry a ball is flattened, and the outline is that of the ball around it.
 
 use std::cell::OnceCell;
+use std::f64::consts::FRAC_PI_2;
 use std::sync::{Arc, PoisonError};
 
 use glam::DVec3;
-use relativity_core::math::{atan, sin_cos};
+use relativity_core::math::{asinh, atan, hypot, sin_cos, tan};
 
 use crate::block::Block;
 use crate::body::Shape;
@@ -115,6 +116,7 @@ fn outline(scene: &PreparedScene, views: &[View]) -> Outline {
     let sum: DVec3 = balls.iter().map(|ball| ball.center.normalize_or_zero()).sum();
     let framing = sum.try_normalize().map(|towards| match views[0].camera.projection {
         PictureProjection::Parallel { right, .. } => framed_parallel_to(right, &sights, towards),
+        PictureProjection::Mercator { right, .. } => framed_about(right, &sights, towards),
         PictureProjection::Gaze | PictureProjection::Vr180 { .. } => framed(&sights, towards),
     });
     Outline { balls, surrounds, framing }
@@ -129,6 +131,28 @@ fn framed_parallel_to(baseline: DVec3, sights: &[Sight], towards: DVec3) -> Fram
     let last = sights.last().map_or(0, |sight| sight.eye);
     let of_eye = |eye| reach(sights.iter().filter(|sight| sight.eye == eye), &axes)[0];
     Framing::sheared(axes, [of_eye(0), of_eye(last)], |turned| reach(sights, turned)[1])
+}
+
+/// How to hold all that is seen in conformal pictures with their poles at the ends of the `baseline`; `towards` is somewhere in
+/// the midst of it.
+fn framed_about(baseline: DVec3, sights: &[Sight], towards: DVec3) -> Framing {
+    let axes = Axes::across(baseline, towards);
+    let last = sights.last().map_or(0, |sight| sight.eye);
+    let [left, right] = [0, last].map(|eye| {
+        let mut found = Reach::NOWHERE;
+        for sight in sights.iter().filter(|sight| sight.eye == eye) {
+            sight.widen(&axes, Across::Baseline, &mut found);
+        }
+        found
+    });
+    let column = |angle: f64| {
+        if angle.abs() < FRAC_PI_2 { asinh(tan(angle)) } else { f64::INFINITY.copysign(angle) }
+    };
+    let columns = [left, right].map(|reach| reach.across.angles().map(column));
+    let [low, high] = left.up.union(&right.up).angles();
+    let (sine, cosine) = sin_cos(0.5 * (low + high));
+    let axes = Axes::upright(axes.right, axes.forward * cosine + axes.up * sine);
+    Framing::slid(axes, columns, 0.5 * (high - low))
 }
 
 /// How to hold all that is seen in pictures across the gaze; `towards` is somewhere in the midst of it.
@@ -156,7 +180,7 @@ fn tilted(elevation: f64) -> f64 {
 fn reach<'a>(sights: impl IntoIterator<Item = &'a Sight<'a>>, axes: &Axes) -> [Range; 2] {
     let mut found = Reach::NOWHERE;
     for sight in sights {
-        sight.widen(axes, &mut found);
+        sight.widen(axes, Across::Upright, &mut found);
     }
     [found.across, found.up].map(|wedge| wedge.angles())
 }
@@ -201,10 +225,11 @@ impl<'a> Sight<'a> {
     }
 
     /// Widens `found` so that it holds every body.
-    fn widen(&self, axes: &Axes, found: &mut Reach) {
+    fn widen(&self, axes: &Axes, across: Across, found: &mut Reach) {
         let reflected = |v| self.view.velocity.reflected(v);
         let axes =
-            &Axes { right: reflected(axes.right), up: reflected(axes.up), forward: reflected(axes.forward) };
+            Axes { right: reflected(axes.right), up: reflected(axes.up), forward: reflected(axes.forward) };
+        let axes = &Ruled { axes, across };
         // A sample comes first: few of the others reach further then.
         for number in (0..self.bodies.len()).step_by(SAMPLED).chain(0..self.bodies.len()) {
             let body = &self.bodies[number];
@@ -219,7 +244,7 @@ impl<'a> Sight<'a> {
     }
 
     /// Widens `found` so that it holds a piece with this image.
-    fn widen_by(&self, image: Option<&Image>, halvings: u32, axes: &Axes, found: &mut Reach) {
+    fn widen_by(&self, image: Option<&Image>, halvings: u32, axes: &Ruled, found: &mut Reach) {
         let Some(&Image { piece, ends, bulge }) = image else {
             *found = Reach::EVERYWHERE;
             return;
@@ -229,13 +254,14 @@ impl<'a> Sight<'a> {
             found.widen(&ball(end), axes);
         }
         let beyond = ends.map(|end| ball(end + bulge));
-        if beyond.iter().all(|ball| found.holds(ball, axes)) {
+        let sag = axes.sag(ends.map(|end| end + 0.5 * bulge));
+        if beyond.iter().all(|ball| found.holds_nearer(ball, sag, axes)) {
             return;
         }
         let slight = SLIGHT_BULGE * SLIGHT_BULGE * ends[0].length_squared().min(ends[1].length_squared());
-        if halvings == 0 || bulge.length_squared() <= slight {
+        if halvings == 0 || bulge.length_squared().max(sag * sag) <= slight {
             for ball in &beyond {
-                found.widen(ball, axes);
+                found.widen_nearer(ball, sag, axes);
             }
             return;
         }
@@ -252,7 +278,53 @@ impl<'a> Sight<'a> {
     }
 }
 
-/// Between which planes through the picture's upright, and between which through its level line, something lies.
+/// What the columns of a picture are, which tells how far across something reaches.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Across {
+    /// Planes through the picture's upright.
+    Upright,
+    /// Cones about the baseline.
+    Baseline,
+}
+
+/// The axes of a picture, and what its columns are.
+#[derive(Debug, Clone, Copy)]
+struct Ruled {
+    axes: Axes,
+    across: Across,
+}
+
+impl Ruled {
+    /// How far `place` is to the right, and from where angles across count: how deep, or how far from the baseline.
+    fn across(&self, place: DVec3) -> [f64; 2] {
+        let Axes { right, up, forward } = self.axes;
+        let depth = place.dot(forward);
+        let off = if self.across == Across::Baseline { hypot(depth, place.dot(up)) } else { depth };
+        [place.dot(right), off]
+    }
+
+    /// By how much the straight line between these places is nearer to the baseline, in its midst, than the mean of both: it
+    /// bows in a picture with cones for columns. At most s^2/(8 least), where s^2 is the square of what of it is across both
+    /// the baseline and the way there, and `least` how near it comes.
+    fn sag(&self, [first, last]: [DVec3; 2]) -> f64 {
+        if self.across == Across::Upright {
+            return 0.0;
+        }
+        let flat = |place: DVec3| place.reject_from_normalized(self.axes.right);
+        let (from, to) = (flat(first), flat(last));
+        let span = to - from;
+        let squared = span.length_squared();
+        if squared == 0.0 {
+            return 0.0;
+        }
+        let least = (from + span * (-from.dot(span) / squared).clamp(0.0, 1.0)).length();
+        let outwards = to.length() - from.length();
+        let farther = from.length().max(to.length());
+        ((squared - outwards * outwards).max(0.0) / (8.0 * least.max(f64::MIN_POSITIVE))).min(farther)
+    }
+}
+
+/// Between which columns, and between which planes through the picture's level line, something lies.
 #[derive(Debug, Clone, Copy)]
 struct Reach {
     across: Wedge,
@@ -263,16 +335,27 @@ impl Reach {
     const NOWHERE: Self = Self { across: Wedge::NOWHERE, up: Wedge::NOWHERE };
     const EVERYWHERE: Self = Self { across: Wedge::EVERYWHERE, up: Wedge::EVERYWHERE };
 
-    fn holds(&self, ball: &Ball, axes: &Axes) -> bool {
-        let depth = ball.center.dot(axes.forward);
-        self.across.holds(ball.center.dot(axes.right), depth, ball.radius)
-            && self.up.holds(ball.center.dot(axes.up), depth, ball.radius)
+    fn holds(&self, ball: &Ball, axes: &Ruled) -> bool {
+        self.holds_nearer(ball, 0.0, axes)
     }
 
-    fn widen(&mut self, ball: &Ball, axes: &Axes) {
-        let depth = ball.center.dot(axes.forward);
-        self.across.widen(ball.center.dot(axes.right), depth, ball.radius);
-        self.up.widen(ball.center.dot(axes.up), depth, ball.radius);
+    /// Whether it holds `ball`, also where that is nearer to the baseline by this much.
+    fn holds_nearer(&self, ball: &Ball, nearer: f64, axes: &Ruled) -> bool {
+        let [aside, off] = axes.across(ball.center);
+        self.across.holds(aside, off - nearer, ball.radius)
+            && (nearer == 0.0 || self.across.holds(aside, off, ball.radius))
+            && self.up.holds(ball.center.dot(axes.axes.up), ball.center.dot(axes.axes.forward), ball.radius)
+    }
+
+    fn widen(&mut self, ball: &Ball, axes: &Ruled) {
+        self.widen_nearer(ball, 0.0, axes);
+    }
+
+    fn widen_nearer(&mut self, ball: &Ball, nearer: f64, axes: &Ruled) {
+        let [aside, off] = axes.across(ball.center);
+        self.across.widen(aside, off, ball.radius);
+        self.across.widen(aside, off - nearer, ball.radius);
+        self.up.widen(ball.center.dot(axes.axes.up), ball.center.dot(axes.axes.forward), ball.radius);
     }
 }
 
@@ -304,7 +387,11 @@ impl Wedge {
             return;
         }
         let [low, high] = tangents(aside, depth, radius);
-        self.tangents = [self.tangents[0].min(low), self.tangents[1].max(high)];
+        self.take([self.tangents[0].min(low), self.tangents[1].max(high)]);
+    }
+
+    fn take(&mut self, tangents: Range) {
+        self.tangents = tangents;
         self.sides = self.tangents.map(|tangent| {
             let squared = tangent * tangent;
             if squared.is_finite() {
@@ -313,6 +400,13 @@ impl Wedge {
                 [0.0, -1.0]
             }
         });
+    }
+
+    /// Around both.
+    fn union(&self, other: &Self) -> Self {
+        let mut union = *self;
+        union.take([self.tangents[0].min(other.tangents[0]), self.tangents[1].max(other.tangents[1])]);
+        union
     }
 
     /// The angles.

@@ -55,8 +55,8 @@ impl Tile {
     /// The cap of the sky around its lines of sight.
     ///
     /// No line of sight is further from the middle one than a corner's: not in a flat picture, nor in one by longitude and
-    /// latitude, where along each edge the cosine of that angle rises to one maximum and falls. That holds below a right
-    /// angle; in no more than the largest tiles of a picture is it wider.
+    /// latitude (a conformal one has them about the baseline), where along each edge the cosine of that angle rises to one
+    /// maximum and falls. That holds below a right angle; in no more than the largest tiles of a picture is it wider.
     pub fn cap(self, lines_of_sight: &LinesOfSight) -> Cap {
         let [left, top] = self.corner.map(|place| f64::from(place) - ROOM);
         let [width, height] = self.size.map(|side| f64::from(side) + 2.0 * ROOM);

@@ -28,11 +28,14 @@ impl Projection {
             let seen = self.apparent_centre(corner, 0.0).unwrap_or(corner);
             (hull[i], hull[i + 8]) = (seen, seen + DVec3::X * bulge);
         }
+        let points = if bulge == 0.0 { &hull[..8] } else { &hull };
+        if let Some(mercator) = &self.mercator {
+            return self.conformal_footprint(mercator, points, 0.0, block.radius);
+        }
         // All that can be in the picture is deeper than this.
         let slope = 0.5 * self.size / self.focal_length_px + DVec2::new(self.gauge.middle.abs(), 0.0);
         let nearest = 0.99 * distance * self.least_scale;
         let near = nearest / (1.0 + slope.length_squared()).sqrt();
-        let points = if bulge == 0.0 { &hull[..8] } else { &hull };
         let images = Images::new(self, points, near);
         let radius_px = self.radius_px(block.radius, &hull);
         Some(images.rectangle(self, block, bulge, nearest, radius_px))

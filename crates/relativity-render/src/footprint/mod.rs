@@ -8,6 +8,7 @@
 //! extent along any direction of the picture is the root of a quadratic.
 
 mod block;
+mod conformal;
 mod projection;
 
 use crate::block::Block;

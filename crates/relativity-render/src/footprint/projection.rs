@@ -5,17 +5,18 @@ use glam::{DVec2, DVec3};
 use crate::camera::Gauge;
 use crate::capsule::Capsule;
 use crate::group_view::GroupView;
+use crate::mercator::Mercator;
 use crate::view::Geometry;
 
 /// Space left around an outline, px: a pixel's samples lie up to 0.4 px from its centre, thin pieces are drawn up to
 /// half a pixel wider than they are, and f32 rounds.
-const MARGIN_PX: f64 = 1.5;
+pub(super) const MARGIN_PX: f64 = 1.5;
 /// In front is what lies deeper than this many times its own reach in depth: at 1 the outline runs off to infinity, and
 /// just beyond it the quadratic for its extent has lost its digits.
 const CLEAR_OF_APERTURE: f64 = 1.001;
 /// How much longer than wide a piece may bulge before halves are worth their own rectangles: by this many radii and
 /// this many pixels. Halves of a bulge are a quarter of it each.
-const LOOSE_RADII: f64 = 2.0;
+pub(super) const LOOSE_RADII: f64 = 2.0;
 pub(super) const LOOSE_PX: f64 = 4.0;
 
 /// Where it can appear.
@@ -26,6 +27,9 @@ pub enum Footprint {
     /// Inside a rectangle.
     Inside(Rectangle),
 }
+
+/// Anywhere in the picture.
+pub(super) const EVERYWHERE: Footprint = Footprint::Inside(Rectangle::EVERYWHERE);
 
 /// A rectangle in the picture, clip coordinates.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,10 +42,22 @@ pub struct Rectangle {
     pub is_loose: bool,
 }
 
+impl Rectangle {
+    /// The whole picture.
+    pub const EVERYWHERE: Self = Self {
+        middle: DVec2::ZERO,
+        half_axes: [DVec2::X, DVec2::Y],
+        radius_px: f64::INFINITY,
+        is_loose: false,
+    };
+}
+
 /// Maps capsules and blocks to footprints for one view of a group; all is reflected so that the group moves along +x.
 #[derive(Debug, Clone, Copy)]
 pub struct Projection {
     pub(super) gauge: Gauge,
+    /// That of a conformal picture.
+    pub(super) mercator: Option<Mercator>,
     pub(super) focal_length_px: f64,
     pub(super) size: DVec2,
     pub(super) geometry: Geometry,
@@ -57,6 +73,10 @@ impl Projection {
         let speed = &view.velocity.speed;
         Self {
             gauge: view.camera.gauge().reflected(|v| view.velocity.reflected(v)),
+            mercator: view
+                .camera
+                .mercator()
+                .map(|mercator| mercator.reflected(|v| view.velocity.reflected(v))),
             focal_length_px: view.camera.focal_length_px(),
             size: DVec2::from(view.camera.size.map(f64::from)),
             geometry: view.geometry,
@@ -76,6 +96,9 @@ impl Projection {
     /// Where `capsule` can appear; `None` if that cannot be said of it as a whole.
     pub fn footprint(&self, capsule: &Capsule) -> Option<Footprint> {
         let balls = self.hull(capsule)?;
+        if let Some(mercator) = &self.mercator {
+            return self.conformal_footprint(mercator, &balls, capsule.radius, capsule.radius);
+        }
         let depth = self.depth(balls[0], capsule.radius);
         if depth == Depth::Across || balls.iter().any(|ball| self.depth(*ball, capsule.radius) != depth) {
             return None;
@@ -248,6 +271,15 @@ impl Extent {
     /// Of an upright one, what is not farther than `limit` from the middle of the picture.
     pub fn within(self, limit: DVec2) -> Self {
         Self { low: self.low.max(-limit), high: self.high.min(limit), ..self }
+    }
+
+    /// The area with this much room around it.
+    pub fn area_with(&self, room: f64) -> f64 {
+        (self.high - self.low + 2.0 * room).element_product()
+    }
+
+    pub fn widened(self, room: f64) -> Self {
+        Self { low: self.low - room, high: self.high + room, ..self }
     }
 
     pub fn footprint(&self, projection: &Projection, radius_px: f64, is_loose: bool) -> Footprint {

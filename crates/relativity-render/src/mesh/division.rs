@@ -7,6 +7,9 @@
 //! (g^2 |P_uu| + 2 g h |P_uv| + h^2 |P_vv|)/8
 //! ```
 //!
+//! A flat picture shows straight lines as such, and the second derivatives are those of the surface in space; a conformal one
+//! bends them, and there they are those of the image itself.
+//!
 //! Each direction gets a quarter of the bound, so that the mixed term, no larger than the geometric mean of the
 //! others on these shapes, has the other half. The derivatives come from second differences of the apparent
 //! position in f64 at places all over the body: so the count follows from what the speed makes of the shape.
@@ -19,6 +22,7 @@ use relativity_core::math;
 use super::template::Division;
 use crate::camera::Gauge;
 use crate::group_view::GroupView;
+use crate::mercator::{Mercator, nearest_turn};
 use crate::prepared_body::PreparedBody;
 use crate::surface::{BoxSurface, CylinderSurface, Surface, TubeSurface};
 
@@ -43,6 +47,7 @@ pub fn division(body: &PreparedBody, view: &GroupView, bound_px: f64) -> Divisio
         view,
         body,
         gauge: view.camera.gauge(),
+        mercator: view.camera.mercator(),
         focal_length_px: view.camera.focal_length_px(),
         bound_px: 0.25 * bound_px,
     };
@@ -89,6 +94,7 @@ struct Curvature<'a> {
     view: &'a GroupView,
     body: &'a PreparedBody,
     gauge: Gauge,
+    mercator: Option<Mercator>,
     focal_length_px: f64,
     bound_px: f64,
 }
@@ -139,8 +145,11 @@ impl Curvature<'_> {
     /// Segments per unit of h that the curve needs at h = 0.
     fn segments(&self, curve: impl Fn(f64) -> DVec3) -> f64 {
         let [before, at, after] = [-STEP, 0.0, STEP].map(|h| self.apparent(curve(h)));
-        let second = (before - 2.0 * at + after) / (STEP * STEP);
-        (self.image_of_change(at, second).length() / (8.0 * self.bound_px)).sqrt()
+        let bend = match &self.mercator {
+            Some(mercator) => bend_of_image(mercator, [before, at, after]),
+            None => self.image_of_change(at, before - 2.0 * at + after),
+        };
+        (bend.length() / (STEP * STEP * 8.0 * self.bound_px)).sqrt()
     }
 
     /// Where the corner at `place` appears; no number outside the domain of the core, which asks for the finest division.
@@ -159,4 +168,13 @@ impl Curvature<'_> {
         let moved = DVec2::new(change.dot(right), change.dot(up));
         (moved - image * change.dot(forward)) * (self.focal_length_px / depth)
     }
+}
+
+/// The second difference of the images of three places in a conformal picture, px.
+fn bend_of_image(mercator: &Mercator, places: [DVec3; 3]) -> DVec2 {
+    let [Some(before), Some(at), Some(after)] = places.map(|place| mercator.coordinates(place)) else {
+        return DVec2::ZERO;
+    };
+    let off = |image: DVec2| DVec2::new(image.x, nearest_turn(image.y, at.y)) - at;
+    (off(before) + off(after)) * mercator.px_per_unit
 }

@@ -2,6 +2,7 @@
 
 use bytemuck::{Pod, Zeroable};
 use glam::DVec3;
+use relativity_core::math::hypot;
 use relativity_core::threads::prelude::*;
 
 use super::division::division;
@@ -159,9 +160,14 @@ impl Instance {
     /// Drawn at least a pixel wide: thinner, it is faded instead of broken up.
     fn widened(self, solid: &Solid, spin: Option<Spin>, view: &GroupView) -> Self {
         let center = view.place_when_shown(MaterialPoint { rest: solid.center(), spin });
-        // Away from the axis of a picture nothing is smaller than on it, as deep.
-        let forward = view.camera.axes().forward;
-        let depth = view.apparent_position(center).map_or(f64::INFINITY, |place| place.dot(forward));
+        // Away from the axis of a flat picture nothing is smaller than on it, as deep; in a conformal one, as far from the
+        // baseline.
+        let axes = view.camera.axes();
+        let is_conformal = view.camera.mercator().is_some();
+        let depth = view.apparent_position(center).map_or(f64::INFINITY, |place| {
+            let depth = place.dot(axes.forward);
+            if is_conformal { hypot(depth, place.dot(axes.up)) } else { depth }
+        });
         let [x, y, z, _] = self.place_radius;
         let half_width = solid.half_width((center - view.origin).normalize_or(DVec3::Y)) as f32;
         let half_pixel = (0.5 * depth / view.camera.focal_length_px()) as f32;

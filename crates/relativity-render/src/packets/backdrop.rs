@@ -1,13 +1,13 @@
 //! Sky and resting ground, as `shaders/backdrop.wgsl` has them.
 
-use super::ray::{Sight, line_of_sight};
+use super::ray::{Sight, line_of_sight, steps};
 use super::street::{Covered, front};
 use crate::backdrop::{
     AXIS_HALF_WIDTH, DASH, Floor, GRID_FADE, KERB_WIDTH, LANE_HALF_WIDTH, LEAST_TOWARDS_FRONTS,
     LINE_HALF_WIDTH, Part, SKY_RISE,
 };
 use crate::frame::Frame;
-use crate::lanes::{F, Simd, SimdFloat as _, SimdMask as _, V2, V3, all, clamp};
+use crate::lanes::{F, Simd, SimdBase as _, SimdFloat as _, SimdMask as _, V2, V3, all, clamp};
 
 /// Lines of sight that fall less do not meet the ground.
 const LEAST_FALL: f32 = -1e-6;
@@ -16,7 +16,8 @@ const LEAST_FALL: f32 = -1e-6;
 const MARGIN: f32 = 2.0;
 
 /// What a rectangle of the picture can show: its left and upper edge, and its width and height, px.
-pub fn part(frame: &Frame, [left, top]: [f32; 2], [width, height]: [f32; 2]) -> Part {
+#[inline(always)]
+pub fn part<S: Simd>(simd: S, frame: &Frame, [left, top]: [f32; 2], [width, height]: [f32; 2]) -> Part {
     let floor = frame.floor();
     if floor == Floor::Open {
         return Part::Sky;
@@ -25,23 +26,25 @@ pub fn part(frame: &Frame, [left, top]: [f32; 2], [width, height]: [f32; 2]) -> 
     let ([left, top], [width, height]) =
         ([left - MARGIN, top - MARGIN], [width + 2.0 * MARGIN, height + 2.0 * MARGIN]);
     let [_, _, ground, _] = frame.ground;
-    let corners = [[0.0, 0.0], [width, 0.0], [0.0, height], [width, height]].map(|[x, y]| {
-        let [pole_u, pole_v, fine_u, fine_v] = frame.pole;
-        let (right, down) = ((left + x - pole_u) - fine_u, (top + y - pole_v) - fine_v);
-        let [towards, rise] =
-            [1, 2].map(|axis| frame.base[axis] + frame.right[axis] * right + frame.down[axis] * down);
-        let above = rise * frame.road[2] - ground * towards;
-        [towards, rise, above]
-    });
-    let all = |holds: &dyn Fn([f32; 3]) -> bool| corners.iter().all(|corner| holds(*corner));
+    let u = F::from_fn(simd, |lane| left + [0.0, width][lane % 2]);
+    let v = F::from_fn(simd, |lane| top + [0.0, height][lane / 2 % 2]);
+    let sight = line_of_sight(simd, frame, u, v).n;
+    let (towards, rise) = (sight.y, sight.z);
+    let above = rise * frame.road[2] - towards * ground;
     let [highest, lowest, ..] = frame.houses.map(|house| house[0]);
-    let is_beside = all(&|[towards, ..]| towards <= 0.0)
-        || all(&|[.., above]| above < 0.0)
-        || all(&|[towards, _, above]| above > highest * towards);
+    // Between the corners rows of a conformal picture may bulge by the square of the height.
+    let rows = if frame.is_conformal() { height * frame.base[3] } else { 0.0 };
+    let bulge = rows * rows;
+    let room = bulge * (frame.road[2] + ground.abs() + highest);
+    let is_beside = towards.simd_le(-bulge).all_true()
+        || above.simd_lt(-room).all_true()
+        || above.simd_gt(towards * highest + room).all_true();
     let has_fronts = floor == Floor::Street && !is_beside;
-    let is_covered =
-        has_fronts && all(&|[towards, _, above]| towards > 0.01 && above > 0.0 && above < lowest * towards);
-    let has_ground = !all(&|[_, rise, _]| rise >= 0.0) && !is_covered;
+    let is_covered = has_fronts
+        && towards.simd_gt(0.01 + bulge).all_true()
+        && above.simd_gt(room).all_true()
+        && above.simd_lt(towards * lowest - room).all_true();
+    let has_ground = !rise.simd_ge(bulge).all_true() && !is_covered;
     match (has_ground, has_fronts, floor) {
         (false, false, _) => Part::Sky,
         (false, true, _) => Part::Fronts,
@@ -89,19 +92,19 @@ fn hazy<S: Simd>(part: Part, sky: V3<S>, colour: V3<S>, distance: F<S>) -> V3<S>
 ///
 /// What the shader works out by `turn_towards`: of that, what is along the line cancels.
 #[inline(always)]
-fn pixel_on<S: Simd>(frame: &Frame, axes: [usize; 2], across: usize, slope: V2<S>, reach: F<S>) -> V2<S> {
-    let [first, second] = axes;
-    V2::new(
-        size_along(frame, first, across, slope.x) * reach.abs(),
-        size_along(frame, second, across, slope.y) * reach.abs(),
-    )
-}
-
-#[inline(always)]
-fn size_along<S: Simd>(frame: &Frame, axis: usize, across: usize, slope: F<S>) -> F<S> {
-    let right = slope * -frame.right[across] + frame.right[axis];
-    let down = slope * -frame.down[across] + frame.down[axis];
-    V2::new(right, down).length()
+fn pixel_on<S: Simd>(
+    frame: &Frame,
+    sight: V3<S>,
+    axes: [usize; 2],
+    across: usize,
+    slope: V2<S>,
+    reach: F<S>,
+) -> V2<S> {
+    let [right, down] = steps(frame, sight).map(|step| [step.x, step.y, step.z]);
+    let size = |axis: usize, slope: F<S>| {
+        V2::new(right[axis] - slope * right[across], down[axis] - slope * down[across]).length()
+    };
+    V2::new(size(axes[0], slope.x) * reach.abs(), size(axes[1], slope.y) * reach.abs())
 }
 
 #[inline(always)]
@@ -111,7 +114,7 @@ fn ground_colour<S: Simd>(simd: S, frame: &Frame, part: Part, sky: V3<S>, sight:
     let distance = per_fall * ground;
     let foot = V2::new(sight.n.x * distance + camera_x, sight.n.y * distance + camera_y);
     let slope = V2::new(sight.n.x * per_fall, sight.n.y * per_fall);
-    let pixel = pixel_on(frame, [0, 1], 2, slope, sight.scale * distance);
+    let pixel = pixel_on(frame, sight.n, [0, 1], 2, slope, sight.scale * distance);
     let grid = grid_cover(foot.x, pixel.x).max(grid_cover(foot.y, pixel.y));
     let gridded = V3::mix(paint(simd, frame, 2), paint(simd, frame, 3), grid);
     let painted = if part == Part::Grid {
@@ -169,7 +172,7 @@ fn with_fronts<S: Simd>(frame: &Frame, part: Part, without: V3<S>, sky: V3<S>, s
     let distance = per_towards * frame.road[2];
     let place = V2::new(sight.n.x * distance + camera_x, sight.n.z * distance - ground);
     let slope = V2::new(sight.n.x * per_towards, sight.n.z * per_towards);
-    let size = pixel_on(frame, [0, 2], 1, slope, sight.scale * distance);
+    let size = pixel_on(frame, sight.n, [0, 2], 1, slope, sight.scale * distance);
     let seen = front(frame, place, size);
     V3::mix(without, hazy(part, sky, seen.colour, distance), seen.cover)
 }
@@ -185,7 +188,7 @@ mod tests {
     use crate::backdrop::Backdrop;
     use crate::camera::{Camera, Gaze, LinesOfSight, Projection};
     use crate::colour::srgb_encoded;
-    use crate::lanes::{LANES, SimdBase as _};
+    use crate::lanes::LANES;
     use crate::packets::encode::encoded;
     use crate::packets::testing::at_every_level;
     use crate::scene::PreparedScene;
@@ -218,7 +221,12 @@ mod tests {
             let gaze = Gaze { azimuth: azimuth * PI, elevation };
             let camera = Camera::new(aperture, gaze, [1.0, 0.2, 2.0][i % 3], SIZE);
             let projection = Projection::Parallel { right: DVec3::X, shift: 0.05 };
-            cameras.extend([camera, Camera { projection, ..camera }]);
+            let tilted = DVec3::new(0.9, 0.1, 0.42).normalize();
+            let conformal = [DVec3::X, tilted].map(|right| Projection::Mercator { right, shift: 0.05 });
+            cameras.push(camera);
+            cameras.extend(
+                [projection].into_iter().chain(conformal).map(|projection| Camera { projection, ..camera }),
+            );
         }
         cameras
     }
@@ -232,12 +240,13 @@ mod tests {
 
     #[inline(always)]
     fn row<S: Simd>(simd: S, frame: &Frame, [u, v]: [u32; 2]) -> V3<S> {
-        row_of(simd, frame, tile_part(frame, [u, v]), [u, v])
+        row_of(simd, frame, tile_part(simd, frame, [u, v]), [u, v])
     }
 
     /// What the tile with this pixel can show.
-    fn tile_part(frame: &Frame, pixel: [u32; 2]) -> Part {
-        part(frame, pixel.map(|at| (at / 8 * 8) as f32), [8.0; 2])
+    #[inline(always)]
+    fn tile_part<S: Simd>(simd: S, frame: &Frame, pixel: [u32; 2]) -> Part {
+        part(simd, frame, pixel.map(|at| (at / 8 * 8) as f32), [8.0; 2])
     }
 
     #[inline(always)]

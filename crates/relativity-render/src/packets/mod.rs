@@ -13,6 +13,7 @@ mod edge;
 mod encode;
 mod logarithm;
 mod look;
+mod mercator;
 mod met;
 mod numbers;
 mod passing;

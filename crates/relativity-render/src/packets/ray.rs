@@ -2,6 +2,7 @@
 //! `shaders/rest_ray.wgsl`.
 
 use super::body::{Group, Ray};
+use super::mercator::conformal_line;
 use crate::frame::Frame;
 use crate::lanes::{F, Simd, SimdFloat, V2, V3, all, select};
 use crate::pipelines::AmongOthers;
@@ -12,7 +13,8 @@ use crate::view::Geometry;
 pub struct Sight<S: Simd> {
     /// Unit vector towards the source, in the ground frame.
     pub n: V3<S>,
-    /// 1/length of the unnormalised line of sight.
+    /// 1/length of the unnormalised line of sight, by which steps to the next pixels are multiplied; those of a conformal
+    /// picture are not.
     pub scale: F<S>,
 }
 
@@ -31,11 +33,31 @@ struct Passage<S: Simd> {
 pub fn line_of_sight<S: Simd>(simd: S, frame: &Frame, u: F<S>, v: F<S>) -> Sight<S> {
     let [pole_u, pole_v, fine_u, fine_v] = frame.pole;
     let offset = V2::new((u - pole_u) - fine_u, (v - pole_v) - fine_v);
+    if frame.is_conformal() {
+        let per_px = frame.base[3];
+        let line = conformal_line(simd, frame, offset.x * per_px, offset.y * -per_px);
+        return Sight { n: line / line.length(), scale: all(simd, 1.0) };
+    }
     let right = V3::of_four(simd, frame.right) * offset.x;
     let down = V3::of_four(simd, frame.down) * offset.y;
     let unnormalised = V3::of_four(simd, frame.base) + right + down;
     let scale = 1.0 / unnormalised.length();
     Sight { n: unnormalised * scale, scale }
+}
+
+/// How the line of sight `sight` (unit vector) moves to the next pixel on the right, and to the one below. In a flat
+/// picture, what is along it does not count.
+#[inline(always)]
+pub fn steps<S: Simd>(frame: &Frame, sight: V3<S>) -> [V3<S>; 2] {
+    let simd = sight.x.simd;
+    if !frame.is_conformal() {
+        return [V3::of_four(simd, frame.right), V3::of_four(simd, frame.down)];
+    }
+    let along = V3::of_four(simd, frame.clip_right);
+    let cosine = sight.dot(along);
+    let across = sight - along * cosine;
+    let right = along * across.dot(across) - across * cosine;
+    [right * frame.base[3], across.cross(along) * frame.base[3]]
 }
 
 /// How the line of sight along the unit vector `sight` passes a group of this `speed`, with the `sign` of its motion.
@@ -97,8 +119,8 @@ pub fn movement<S: Simd>(group: &Group, ray: &Ray<S>, across: V3<S>) -> V2<S> {
         Geometry::Rest => across,
     };
     let turned = (ground - ray.sight * ray.sight.dot(ground)) * ray.scale;
-    let simd = ray.scale.simd;
-    V2::new(turned.dot(V3::of_four(simd, frame.right)), turned.dot(V3::of_four(simd, frame.down)))
+    let [right, down] = steps(frame, ray.sight);
+    V2::new(turned.dot(right), turned.dot(down))
 }
 
 /// Where the ray comes closest to `anchor` (from the group's middle), from there.

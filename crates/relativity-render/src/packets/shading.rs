@@ -18,7 +18,7 @@ use crate::view::Appearance;
 /// The pixels of a tile behind which no body is.
 #[inline(always)]
 pub fn shade_backdrop<S: Simd>(simd: S, look: &Look<'_>, tile: &Tile, rows: &mut Rows<'_, [u8; 4]>) {
-    let part = part_of(look, tile);
+    let part = part_of(simd, look, tile);
     for place in 0..PACKETS {
         let corner = packet_places(tile.corner, place);
         let [u, v] = centres(simd, corner);
@@ -27,8 +27,8 @@ pub fn shade_backdrop<S: Simd>(simd: S, look: &Look<'_>, tile: &Tile, rows: &mut
 }
 
 #[inline(always)]
-fn part_of(look: &Look<'_>, tile: &Tile) -> Part {
-    part(look.frame(), tile.corner.map(|v| v as f32), tile.size.map(|v| v as f32))
+fn part_of<S: Simd>(simd: S, look: &Look<'_>, tile: &Tile) -> Part {
+    part(simd, look.frame(), tile.corner.map(|v| v as f32), tile.size.map(|v| v as f32))
 }
 
 #[inline(always)]
@@ -50,7 +50,7 @@ impl<S: Simd> Drawn<S, 4> {
         tile: &Tile,
         rows: &mut Rows<'_, [u8; 4]>,
     ) {
-        let part = part_of(look, tile);
+        let part = part_of(simd, look, tile);
         for place in 0..PACKETS {
             let corner = packet_places(tile.corner, place);
             let (mut linear, cover) = self.bodies(simd, look, appearance, tables, place);

@@ -135,24 +135,16 @@ impl Pieces {
             }
             _ => add_capsules(projection, view, scene.capsules(body), &mut self.rectangles),
         }
-        if self.rectangles.contains(&EVERYWHERE) {
+        if self.rectangles.contains(&Rectangle::EVERYWHERE) {
             self.bound_nowhere();
         }
     }
 
     fn bound_nowhere(&mut self) {
         self.rectangles.clear();
-        self.rectangles.push(EVERYWHERE);
+        self.rectangles.push(Rectangle::EVERYWHERE);
     }
 }
-
-/// A rectangle over the whole picture.
-const EVERYWHERE: Rectangle = Rectangle {
-    middle: DVec2::ZERO,
-    half_axes: [DVec2::X, DVec2::Y],
-    radius_px: f64::INFINITY,
-    is_loose: false,
-};
 
 /// Half the width that a body of this `radius` which turns is shown with at least: light stretches it, and at one time of
 /// the ground it is sheared by what moves at less than 1.
@@ -193,7 +185,7 @@ fn add_rectangles<B: Bound>(projection: &Projection, bound: &B, halvings: u32, o
     match bound.footprint(projection) {
         Some(Footprint::Hidden) => {}
         Some(Footprint::Inside(rectangle)) if is_whole || !rectangle.is_loose => out.push(rectangle),
-        None if is_whole => out.push(EVERYWHERE),
+        None if is_whole => out.push(Rectangle::EVERYWHERE),
         Some(Footprint::Inside(_)) | None => {
             for half in bound.halves() {
                 add_rectangles(projection, &half, halvings - 1, out);

@@ -7,6 +7,7 @@ mod die;
 mod tests;
 
 use super::body::{Body, Group, Ray};
+use super::ray::steps;
 use crate::kind::Kind;
 use crate::lanes::{F, Simd, V3, all, clamp};
 use crate::pattern::DARK;
@@ -36,7 +37,7 @@ pub fn mark<S: Simd>(
         || {
             let place = body.body_from_rest(place);
             let normal = body.body_from_rest(normal);
-            let dark = darkness(simd, kind, group, body, pattern, place, normal, ray, distance);
+            let dark = darkness(kind, group, body, pattern, place, normal, ray, distance);
             1.0 - clamp(dark, all(simd, 0.0), all(simd, 1.0)) * (1.0 - DARK) as f32
         },
     )
@@ -46,7 +47,6 @@ pub fn mark<S: Simd>(
 #[inline(always)]
 #[expect(clippy::too_many_arguments, reason = "those of `mark`")]
 fn darkness<S: Simd>(
-    simd: S,
     kind: Kind,
     group: &Group,
     body: &Body<S>,
@@ -58,21 +58,21 @@ fn darkness<S: Simd>(
 ) -> F<S> {
     match kind {
         Kind::Tube => {
-            let covered = covered_by_pixel(simd, group, body, ray, normal, distance);
+            let covered = covered_by_pixel(group, body, ray, normal, distance);
             chart::on_tube(body, pattern, place, normal).darkness(pattern, &covered)
         }
         Kind::Ring => {
-            let covered = covered_by_pixel(simd, group, body, ray, normal, distance);
+            let covered = covered_by_pixel(group, body, ray, normal, distance);
             chart::on_ring(body, place).darkness(pattern, &covered)
         }
         Kind::Cylinder => {
             let normal = chart::normal_of_cylinder(body, place);
-            let covered = covered_by_pixel(simd, group, body, ray, normal, distance);
+            let covered = covered_by_pixel(group, body, ray, normal, distance);
             chart::on_cylinder(body, pattern, place, normal).darkness(pattern, &covered)
         }
         Kind::Box => {
             let normal = die::normal_of_box(body, place);
-            let covered = covered_by_pixel(simd, group, body, ray, normal, distance);
+            let covered = covered_by_pixel(group, body, ray, normal, distance);
             die::darkness_of_box(body, pattern, place, normal, &covered)
         }
     }
@@ -81,7 +81,6 @@ fn darkness<S: Simd>(
 /// In the body's own axes.
 #[inline(always)]
 fn covered_by_pixel<S: Simd>(
-    simd: S,
     group: &Group,
     body: &Body<S>,
     ray: &Ray<S>,
@@ -89,8 +88,8 @@ fn covered_by_pixel<S: Simd>(
     distance: F<S>,
 ) -> Covered<S> {
     let direction = body.body_from_rest(ray.direction);
-    let right = body.body_from_rest(shift(group, ray, V3::of_four(simd, group.frame.right)));
-    let down = body.body_from_rest(shift(group, ray, V3::of_four(simd, group.frame.down)));
+    let [right, down] =
+        steps(group.frame, ray.sight).map(|step| body.body_from_rest(shift(group, ray, step)));
     Covered::new(direction, normal, right, down, distance)
 }
 

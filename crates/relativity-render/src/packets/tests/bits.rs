@@ -2,7 +2,7 @@
 
 use fearless_simd::Level;
 
-use super::{Found, Random, cases, cases_of, wheels};
+use super::{Found, Random, cases, cases_of_wheels};
 use crate::packets::testing::levels;
 
 fn text(found: &[Found]) -> String {
@@ -14,7 +14,7 @@ fn all_registers_give_the_same_bits() {
     let levels = levels();
     assert!(!levels.is_empty());
     let mut random = Random(6);
-    for (context, case) in cases().chain(cases_of(wheels())) {
+    for (context, case) in cases().chain(cases_of_wheels()) {
         let pixels = case.pixels(&mut random, 1.3);
         let expected = text(&case.found(Level::new(), &pixels));
         assert!(!expected.contains("NaN"), "{context}: {expected}");

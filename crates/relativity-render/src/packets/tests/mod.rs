@@ -20,8 +20,8 @@ use super::turning::{Spin as PacketSpin, doppler_of, place_of_hit, standing, sur
 use crate::frame::Frame;
 use crate::lanes::{F, LANES, Simd, SimdFrom, V2, V3};
 use crate::{
-    Appearance, Body, Camera, Gaze, Geometry, Group, GroupView, MaterialPoint, Motion, PreparedScene, Shape,
-    Spin, Velocity, View,
+    Appearance, Body, Camera, Gaze, Geometry, Group, GroupView, MaterialPoint, Motion, PreparedScene,
+    Projection, Shape, Spin, Velocity, View,
 };
 
 /// Evenly spread numbers, the same in each run (`SplitMix64`).
@@ -63,6 +63,7 @@ struct Passing {
     beta: f64,
     is_backward: bool,
     geometry: Geometry,
+    projection: Projection,
 }
 
 /// What packets find in a pixel.
@@ -100,10 +101,28 @@ impl Passing {
                 (Geometry::Contracted, false),
                 (Geometry::Contracted, true),
             ]
-            .map(|(geometry, is_backward)| Self { beta, is_backward, geometry })
+            .map(|(geometry, is_backward)| Self {
+                beta,
+                is_backward,
+                geometry,
+                projection: Projection::Gaze,
+            })
         });
-        let ridden = [0.5, 0.9999].map(|beta| Self { beta, is_backward: false, geometry: Geometry::Rest });
+        let ridden = [0.5, 0.9999].map(|beta| Self {
+            beta,
+            is_backward: false,
+            geometry: Geometry::Rest,
+            projection: Projection::Gaze,
+        });
         seen.chain(ridden)
+    }
+
+    /// The same in flat pictures, and in conformal ones of a head held straight and of one that is not.
+    fn in_all_projections() -> impl Iterator<Item = Self> {
+        let tilted = DVec3::new(0.9, 0.1, 0.42).normalize();
+        let conformal = [DVec3::X, tilted].map(|right| Projection::Mercator { right, shift: 0.05 });
+        let projections = [Projection::Gaze, conformal[0], conformal[1]];
+        Self::all().flat_map(move |passing| projections.map(|projection| Self { projection, ..passing }))
     }
 
     fn motion(&self) -> Motion {
@@ -125,6 +144,7 @@ impl Passing {
         let forward = (x - event.x / speed.gamma()) / self.beta.max(1e-3);
         let observation_time = if self.is_backward { -forward } else { forward };
         let camera = Camera::new(aperture, Gaze::STRAIGHT_AHEAD, 1.0, [1000, 800]);
+        let camera = Camera { projection: self.projection, ..camera };
         View { camera, speed, observation_time, geometry: self.geometry }
     }
 }
@@ -269,18 +289,24 @@ const EVENTS: [DVec3; 4] = [
 
 /// Each shape in each view.
 fn cases() -> impl Iterator<Item = (String, Case)> {
-    cases_of(shapes().into_iter().map(|shape| Body::new(shape, 600.0)).collect())
+    let bodies = shapes().into_iter().map(|shape| Body::new(shape, 600.0)).collect();
+    cases_of(bodies, Passing::in_all_projections().collect())
 }
 
-fn cases_of(bodies: Vec<Body>) -> impl Iterator<Item = (String, Case)> {
-    bodies.into_iter().flat_map(|body| {
-        Passing::all().flat_map(move |passing| {
+fn cases_of(bodies: Vec<Body>, passings: Vec<Passing>) -> impl Iterator<Item = (String, Case)> {
+    bodies.into_iter().flat_map(move |body| {
+        passings.clone().into_iter().flat_map(move |passing| {
             EVENTS.map(|from| {
                 let context = format!("{:?}, {passing:?} from {from}", body.shape);
                 (context, Case::new(body, CENTRE + from, passing))
             })
         })
     })
+}
+
+/// Wheels in flat pictures: how the way along a ray is searched does not ask where the ray comes from.
+fn cases_of_wheels() -> impl Iterator<Item = (String, Case)> {
+    cases_of(wheels(), Passing::all().collect())
 }
 
 /// Bodies of each kind that turn about an axle, and one that turns in its place.

@@ -1,10 +1,16 @@
 //! Rays, against those of the reference.
 
+use glam::DVec3;
+
 use super::{Random, cases};
+use crate::Projection;
 
 /// What f32 loses, in parts of each quantity; of the moment in parts of how far the group's middle is. Of pixels that are
 /// further from the frame's pole than the focal length is long, as many times as much.
 const PART: f64 = 1e-6;
+/// In conformal pictures of a tilted head n_x is a sum of parts of order 1, which f32 rounds by so much; the contracted geometry
+/// stretches it by gamma.
+const ROUNDING: f64 = 6e-8;
 
 #[test]
 fn rest_rays_are_those_of_the_reference() {
@@ -28,7 +34,11 @@ fn rest_rays_are_those_of_the_reference() {
             let off = off.map(|off| off / from_pole.max(1.0));
             let worst = off.into_iter().fold(0.0, f64::max);
             most = most.max(worst);
-            assert!(worst < PART, "{context}: {off:?}");
+            let tilted = match case.view.camera.projection {
+                Projection::Mercator { right, .. } if right != DVec3::X => ROUNDING * case.view.speed.gamma(),
+                _ => 0.0,
+            };
+            assert!(worst < PART.max(tilted), "{context}: {off:?}");
         }
     }
     println!("at most {most:e}");

@@ -2,7 +2,7 @@
 
 use glam::{DQuat, DVec3};
 
-use super::{Case, Found, Random, cases_of, wheels};
+use super::{Case, Found, Random, cases_of_wheels};
 use crate::intersect::Entry;
 use crate::kind::Kind;
 use crate::wheel::packed::Turns;
@@ -30,7 +30,7 @@ fn what_turns_is_met_where_it_is_shown() {
     let mut random = Random(5);
     let (mut hits, mut rays, mut wrong) = (0, 0, 0);
     let [mut most_clear, mut most_off, mut most_apart, mut most_doppler] = [0.0f64; 4];
-    for (context, case) in cases_of(wheels()) {
+    for (context, case) in cases_of_wheels() {
         let prepared = &case.scene.bodies()[0];
         let spin = prepared.spin.expect("it turns");
         let (solid, turns) = (case.scene.solid(0), case.group_view.turns(prepared));

@@ -1,0 +1,46 @@
+//! Lines of sight of a conformal picture: `conformal_line` of `shaders/frame.wgsl`, and what that needs.
+
+use crate::frame::Frame;
+use crate::lanes::{F, Simd, SimdFloat as _, V3, select};
+
+/// A sine and a cosine less 1.
+#[derive(Debug, Clone, Copy)]
+struct Arc<S: Simd> {
+    sine: F<S>,
+    versine: F<S>,
+}
+
+/// sin and cos - 1 of `angle`, or the hyperbolic ones where `sign` is 1, of numbers up to 6: both from the series of a quarter
+/// of it, doubled twice. No sum cancels, so that small ones keep all their digits.
+#[inline(always)]
+fn arc<S: Simd>(angle: F<S>, sign: f32) -> Arc<S> {
+    let quarter = angle * 0.25;
+    let square = quarter * quarter * sign;
+    let series = |factors: [f32; 4]| {
+        factors.iter().rev().fold(square * 0.0 + 1.0, |sum, factor| square * (1.0 / factor) * sum + 1.0)
+    };
+    let mut sine = quarter * series([6.0, 20.0, 42.0, 72.0]);
+    let mut versine = square * 0.5 * series([12.0, 30.0, 56.0, 90.0]);
+    for _ in 0..2 {
+        sine = sine * 2.0 * (versine + 1.0);
+        versine = versine * 2.0 * (versine + 2.0);
+    }
+    Arc { sine, versine }
+}
+
+/// cosh u times the line of sight at this much u and v from the pole.
+#[inline(always)]
+pub fn conformal_line<S: Simd>(simd: S, frame: &Frame, u: F<S>, v: F<S>) -> V3<S> {
+    let (across, up) = (arc(u * 0.5, 1.0), arc(v * 0.5, -1.0));
+    let grown = across.versine + 1.0 + across.sine.abs();
+    let shrunk = 1.0 / grown;
+    let grows = u.simd_ge(0.0);
+    let [at_pole, per_pole] = [frame.right[3], frame.down[3]];
+    let powers = select(grows, grown, shrunk) * at_pole + select(grows, shrunk, grown) * per_pole;
+    let sine = up.sine * 2.0 * (up.versine + 1.0);
+    let versine = up.sine * up.sine * -2.0;
+    V3::of_four(simd, frame.base)
+        + V3::of_four(simd, frame.clip_right) * (across.sine * powers)
+        + V3::of_four(simd, frame.radial) * versine
+        + V3::of_four(simd, frame.down) * sine
+}
