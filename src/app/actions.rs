@@ -83,6 +83,7 @@ pub static ACTIONS: &[Action] = &[
     action("look down", &[], Command::LookAside([0.0, -LOOK_STEP])),
     action("next layout of the two pictures", &[key(Key::L)], Command::NextLayout(1)),
     action("the layout before", &[with_shift(Key::L)], Command::NextLayout(-1)),
+    action("conformal or camera pictures", &[key(Key::V)], Command::ToggleProjection),
     action("swap the eyes", &[key(Key::X)], Command::SwapEyes),
     action("show or hide the map", &[key(Key::M)], Command::ToggleMap),
     action("draw the map in the ground's or the bicycle's frame", &[key(Key::G)], Command::ToggleFrame),

@@ -18,7 +18,7 @@ use super::state::{Session, State};
 use super::usual::Section;
 use crate::comfort::comfortable_separation;
 use crate::flags::FieldOfView;
-use crate::flags::choices::{GazeChoice, Layout};
+use crate::flags::choices::{GazeChoice, Layout, ProjectionChoice};
 use crate::map::Viewpoint;
 use crate::passage::time_within;
 use crate::settings::{
@@ -37,6 +37,8 @@ pub enum Command {
     Layout(Layout),
     /// Layouts further in the list of them, or back.
     NextLayout(isize),
+    /// Shows conformal pictures, or if these are shown camera pictures, which look at the same.
+    ToggleProjection,
     /// Swap the eyes of the present layout.
     SwapEyes,
     /// New colours.
@@ -191,6 +193,13 @@ impl State {
             Command::Motion(motion) => self.settings.motion = motion,
             Command::Look(look) => self.settings.look = look,
             Command::Layout(layout) => self.settings.picture.layout = layout,
+            Command::ToggleProjection => {
+                let projection = &mut self.settings.look.projection;
+                *projection = match *projection {
+                    ProjectionChoice::Mercator => ProjectionChoice::Gaze,
+                    _ => ProjectionChoice::Mercator,
+                };
+            }
             Command::NextLayout(steps) => {
                 self.settings.picture.layout = self.settings.picture.layout.further(steps);
             }

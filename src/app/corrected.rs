@@ -47,7 +47,8 @@ fn picture(job: &Job) -> Picture {
     let camera = Camera { size: size.map(|side| FINENESS * side), ..job.view.camera };
     let view = View { camera, ..job.view };
     let velocity = Velocity::forward(job.speed);
-    let rest = Camera { size, ..Rectification::rest_camera(&across_gaze(&camera), &velocity) };
+    let ground = if camera.projection.is_conformal() { camera } else { across_gaze(&camera) };
+    let rest = Camera { size, ..Rectification::rest_camera(&ground, &velocity) };
     let rectification = Rectification::new(view.camera, rest, velocity);
     let hits = job.scene.hit_image(&view);
     let plain = Appearance { sky: false, ground_z: None, ..job.appearance };

@@ -97,11 +97,11 @@ pub struct Session {
     pub library: Option<Arc<Library>>,
 }
 
-/// What a headset shows is shown in parallel, and that is said.
+/// A picture for a headset is shown as a conformal one instead, and that is said.
 fn without_headset(look: &mut Look) -> Option<Notice> {
     (look.projection == ProjectionChoice::Vr180).then(|| {
-        look.projection = ProjectionChoice::Parallel;
-        Notice::error("Half of the sky is for headsets: `gamow render --projection vr180` draws it. Here the pictures are parallel.")
+        look.projection = ProjectionChoice::Mercator;
+        Notice::error("Half of the sky is for headsets: `gamow render --projection vr180` draws it. The window shows conformal pictures instead.")
     })
 }
 

@@ -168,7 +168,11 @@ impl RectifyArgs {
         let velocity = Velocity { speed: parameter.speed(value)?, is_backward: self.backward };
         let grounds = settings.recorded_cameras(size).map_err(|flag| self.not_recorded(flag))?;
         // Where both eyes look, whatever the image shift of each.
-        let centred = Camera { projection: Projection::Gaze, ..grounds[0] };
+        let projection = match grounds[0].projection {
+            Projection::Mercator { right, .. } => Projection::Mercator { right, shift: 0.0 },
+            _ => Projection::Gaze,
+        };
+        let centred = Camera { projection, ..grounds[0] };
         let mut rest = Rectification::rest_camera(&centred, &velocity);
         if let Some(fov) = self.out_fov {
             rest.horizontal_fov = fov.to_radians();

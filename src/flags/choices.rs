@@ -111,16 +111,20 @@ pub enum GazeChoice {
     Fixed([f64; 2]),
 }
 
-/// What the picture plane of an eye is.
+/// How an eye's lines of sight become places in its picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ProjectionChoice {
-    /// Both eyes' picture planes are parallel to the line between the eyes: every point lies as high in one picture as in
-    /// the other, so that eyes can fuse them.
+    /// Conformal: Mercator's projection with its poles at the ends of the line between the eyes. Small shapes are true
+    /// everywhere, and motion along that line slides the picture by the rapidity. Both eyes see a point in one row if the head
+    /// is held along the motion, or the point rests. Enlarges what is far aside.
     #[default]
-    Parallel,
-    /// The picture planes stand across the gaze and follow it, as in the paper.
+    Mercator,
+    /// Camera: a flat picture across the gaze, as in the paper. Stretches what is far from its middle, where eyes cannot fuse
+    /// the two pictures.
     Gaze,
+    /// Flat screens: planes parallel to the line between the eyes. Rows as in the conformal picture; stretches what is aside.
+    Parallel,
     /// All that lies ahead, 180 x 180 degrees, for headsets. Drawn by the reference renderer; the field of view and
     /// the gaze's elevation are not used.
     Vr180,
@@ -138,11 +142,19 @@ pub enum ZeroParallax {
     Distance(f64),
 }
 
-impl ZeroParallax {
-    /// That where the tangents of a point's direction, along the line between two eyes `separation` apart, are these two,
-    /// left and right; it has no end where its directions do not meet in front.
+impl ProjectionChoice {
+    /// Whether both eyes' pictures can be fused, and are shifted for what lies in the screen.
     #[must_use]
-    pub fn of_tangents(separation: f64, [left, right]: [f64; 2]) -> Self {
+    pub const fn is_fused(self) -> bool {
+        matches!(self, Self::Mercator | Self::Parallel)
+    }
+}
+
+impl ZeroParallax {
+    /// The distance at which a point would lie that is in these columns of the left and the right eye's unshifted picture,
+    /// focal lengths to the right along the line between two eyes `separation` apart; infinity where that is not in front.
+    #[must_use]
+    pub fn of_columns(separation: f64, [left, right]: [f64; 2]) -> Self {
         let distance = separation / (left - right);
         let (nearest, furthest) = PARALLAX_DISTANCE.into_inner();
         if distance > 0.0 && distance <= furthest {
@@ -152,8 +164,8 @@ impl ZeroParallax {
         }
     }
 
-    /// By how much the tangents in the pictures of two eyes `separation` apart differ at that distance. Nothing where it
-    /// is not known yet.
+    /// By how many focal lengths the columns in the pictures of two eyes `separation` apart differ at that distance. Nothing
+    /// where it is not known yet.
     #[must_use]
     pub fn shift(self, separation: f64) -> f64 {
         match self {
@@ -166,7 +178,7 @@ impl ZeroParallax {
 /// Nearest and furthest that what has no parallax can be set to be.
 pub const PARALLAX_DISTANCE: RangeInclusive<f64> = 1e-9..=1e12;
 
-/// The widest shift of two pictures, as a tangent: it takes anything out of any picture.
+/// The widest shift of two pictures, focal lengths: it takes anything out of any picture.
 const MAX_SHIFT: f64 = 1e4;
 
 impl FromStr for ZeroParallax {

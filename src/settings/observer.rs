@@ -4,6 +4,7 @@
 use std::sync::Arc;
 
 use glam::DVec3;
+use relativity_core::math::{asinh, sinh};
 use relativity_core::{
     Aperture, Baseline, Disparity, Model, PairError, PublishedVariant, Source, SourcePoint, Speed, Stereo,
     StereoError, equidistance_time,
@@ -21,7 +22,7 @@ use crate::flags::{Exposure, FieldOfView, MAX_TIME};
 use crate::passage;
 use crate::scene::{Scene, SceneError, Track};
 
-/// How far one eye can be ahead of the other, in parts of their separation, for pictures parallel to the line between them:
+/// How far one eye can be ahead of the other, in parts of their separation, for pictures ruled by the line between them:
 /// further on, what is abreast would be seen along that line.
 const MOST_AHEAD: f64 = 0.87;
 
@@ -287,17 +288,17 @@ impl Settings {
     /// Where the pictures of eyes with this `look`, whose gaze is fixed, have no parallax: a distance instead of `point`.
     fn zero_parallax(&self, look: &Look, point: &Track, observation_time: f64) -> ZeroParallax {
         let is_followed = look.zero_parallax == ZeroParallax::Point;
-        if look.projection != ProjectionChoice::Parallel || !is_followed {
+        if !look.projection.is_fused() || !is_followed {
             return look.zero_parallax;
         }
         let [camera, _] = self.cameras_with(look, [1, 1]);
         let along_baseline = self.rows_along_baseline(look);
-        let tangents = self.directions(point, observation_time).map(|direction| {
-            let tangents = direction.and_then(|direction| camera.coordinates(direction));
+        let columns = self.directions(point, observation_time).map(|direction| {
+            let place = direction.and_then(|direction| camera.coordinates(direction));
             // There is no place behind the picture plane.
-            tangents.map_or(f64::NAN, |[aside, _]| aside * along_baseline)
+            place.map_or(f64::NAN, |[aside, _]| aside * along_baseline)
         });
-        ZeroParallax::of_tangents(self.motion.d, tangents)
+        ZeroParallax::of_columns(self.motion.d, columns)
     }
 
     /// The outline of what moves with the `scene` in both eyes together.
@@ -313,12 +314,18 @@ impl Settings {
         if self.projection() == ProjectionChoice::Gaze {
             return Gaze::towards(directions);
         }
-        // On a plane along the baseline it is the tangents that have a mean: both directions are cut off equally far from
-        // the line through the eyes.
-        let off_baseline =
-            |direction: DVec3| direction.reject_from_normalized(self.baseline_direction()).length();
-        let [left, right] = directions.map(|direction| direction / off_baseline(direction));
-        Gaze::towards([left + right; 2])
+        // It is the columns that have a mean. Both directions are cut off equally far from the line through the eyes; then
+        // they are tangents, and of a conformal picture their arsinh.
+        let baseline = self.baseline_direction();
+        let [left, right] = directions.map(|direction| {
+            let off_baseline = direction.reject_from_normalized(baseline);
+            (off_baseline.normalize(), direction.dot(baseline) / off_baseline.length())
+        });
+        let aside = match self.projection() {
+            ProjectionChoice::Mercator => 2.0 * sinh(0.5 * (asinh(left.1) + asinh(right.1))),
+            _ => left.1 + right.1,
+        };
+        Gaze::towards([left.0 + right.0 + baseline * aside; 2])
     }
 
     /// From each eye to where the shown geometry has `point`; `None` outside the domain of the core.
@@ -349,12 +356,12 @@ impl Settings {
         })
     }
 
-    /// Where the pictures' planes lie: none suits both eyes where one is behind the other.
+    /// The projection of both pictures: none along the baseline suits both eyes where one is behind the other.
     #[must_use]
     pub fn projection(&self) -> ProjectionChoice {
         let [_, ahead, _] = self.baseline().direction();
         match self.look.projection {
-            ProjectionChoice::Parallel if ahead.abs() > MOST_AHEAD => ProjectionChoice::Gaze,
+            fused if fused.is_fused() && ahead.abs() > MOST_AHEAD => ProjectionChoice::Gaze,
             projection => projection,
         }
     }
@@ -369,6 +376,7 @@ impl Settings {
         let camera = |eye: usize, aperture, side: f64| Camera {
             off_middle: right * (side * half_separation),
             projection: match self.projection() {
+                ProjectionChoice::Mercator => Projection::Mercator { right, shift: shifts[eye] },
                 ProjectionChoice::Parallel => Projection::Parallel { right, shift: shifts[eye] },
                 ProjectionChoice::Gaze => Projection::Gaze,
                 ProjectionChoice::Vr180 => Projection::Vr180 { right },
@@ -379,14 +387,14 @@ impl Settings {
         [camera(0, left, -1.0), camera(1, right, 1.0)]
     }
 
-    /// The image shifts of the left and the right eye's parallel pictures with this `look`: what the left eye has further to
+    /// The image shifts of the left and the right eye's pictures with this `look`: what the left eye has further to
     /// the right comes together with what the right eye has.
     fn shifts(&self, look: &Look) -> [f64; 2] {
         let half = 0.5 * look.zero_parallax.shift(self.motion.d);
         [-half, half].map(|shift| shift * self.rows_along_baseline(look))
     }
 
-    /// 1 where the rows of parallel pictures run as the baseline does, -1 where they run against it, behind the head.
+    /// 1 where the rows of pictures run as the baseline does, -1 where they run against it, behind the head.
     fn rows_along_baseline(&self, look: &Look) -> f64 {
         let gaze = look.gaze.fixed().unwrap_or(Gaze::STRAIGHT_AHEAD);
         let (right, plain) = (self.baseline_direction(), Camera::new(Aperture::default(), gaze, 1.0, [1, 1]));
@@ -406,7 +414,7 @@ impl Settings {
         if look.set_fov().is_none() {
             return Err("--fov");
         }
-        if look.projection == ProjectionChoice::Parallel && look.zero_parallax == ZeroParallax::Point {
+        if look.projection.is_fused() && look.zero_parallax == ZeroParallax::Point {
             return Err("--zero-parallax");
         }
         Ok(self.cameras_with(look, size))

@@ -77,7 +77,7 @@ pub struct Look {
     /// How directions become places in a picture. What is measured by them does not change.
     #[arg(long, value_enum)]
     pub projection: ProjectionChoice,
-    /// What is in the same place in both pictures of the parallel projection, and so at the depth of the screen: the
+    /// What is in the same place in both pictures, and so at the depth of the screen (not with --projection gaze): the
     /// tracked point, what is infinitely far away, or what is this far ahead, 1e-9 to 1e12.
     #[arg(long, value_name = "point|infinity|DISTANCE", allow_hyphen_values = true)]
     pub zero_parallax: ZeroParallax,

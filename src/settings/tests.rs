@@ -408,9 +408,9 @@ fn a_zero_parallax_is_a_distance_ahead() {
     for (separation, tangents) in
         [(0.1, [0.0, 0.1]), (0.1, [0.3, 0.3]), (0.0, [0.2, 0.2]), (0.1, [f64::NAN; 2])]
     {
-        assert_eq!(ZeroParallax::of_tangents(separation, tangents), ZeroParallax::Infinity);
+        assert_eq!(ZeroParallax::of_columns(separation, tangents), ZeroParallax::Infinity);
     }
-    assert_eq!(ZeroParallax::of_tangents(0.1, [0.02, -0.02]), ZeroParallax::Distance(2.5));
+    assert_eq!(ZeroParallax::of_columns(0.1, [0.02, -0.02]), ZeroParallax::Distance(2.5));
     assert!((ZeroParallax::Distance(2.5).shift(0.1) - 0.04).abs() < 1e-15);
 }
 

@@ -352,6 +352,26 @@ impl Camera {
         Self { gaze, horizontal_fov: 2.0 * atan(half_tangent), size, projection, ..*self }
     }
 
+    /// How unlike this picture and one of the other kind are, at most at its corners: how many times as long as wide a flat
+    /// picture shows a small disc there, or how many times as large as in its middle a conformal one shows it. 1 for half of
+    /// the sky, which is looked at all around.
+    #[must_use]
+    pub fn stretch(&self) -> f64 {
+        let axes = self.axes();
+        let [width, height] = self.size.map(f64::from);
+        let scale = |place: [f64; 2]| {
+            let sight = self.line_of_sight(place);
+            match self.projection {
+                Projection::Gaze | Projection::Parallel { .. } => 1.0 / sight.dot(axes.forward),
+                Projection::Mercator { .. } => 1.0 / sight.reject_from_normalized(axes.right).length(),
+                Projection::Vr180 { .. } => 1.0,
+            }
+        };
+        let corners = [[0.0, 0.0], [width, 0.0], [0.0, height], [width, height]].map(scale);
+        let largest = corners.into_iter().fold(1.0, f64::max);
+        if self.projection.is_conformal() { largest / scale([0.5 * width, 0.5 * height]) } else { largest }
+    }
+
     /// Whether what lies along `direction` (any length above 0) is in the picture, its edges included.
     #[must_use]
     pub fn shows(&self, direction: DVec3) -> bool {

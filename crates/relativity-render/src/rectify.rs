@@ -12,7 +12,7 @@
 use std::sync::LazyLock;
 
 use relativity_core::doppler::intensity_factor;
-use relativity_core::math::atan;
+use relativity_core::math::{atan, sinh};
 use relativity_core::threads::prelude::*;
 
 use crate::camera::{Camera, Gaze, LinesOfSight, Projection};
@@ -72,7 +72,8 @@ impl Rectification {
         Self { ground, rest, velocity, lines_of_sight: LinesOfSight::new(&rest) }
     }
 
-    /// The moving camera that has what `ground` has in its centre in its own, equally large, its picture across its gaze.
+    /// The moving camera that has what `ground` has in its centre in its own, equally large, its picture across its gaze; or
+    /// conformal as that of `ground` is: then its picture is the same for eyes along the motion, slid by the rapidity.
     #[must_use]
     pub fn rest_camera(ground: &Camera, velocity: &Velocity) -> Camera {
         let to_centre = ground.through_middle();
@@ -82,7 +83,17 @@ impl Rectification {
         let gaze = Gaze::along(velocity.rest_from_ground(centre).to_array());
         // Small angles are D times as large in the rest frame, so the focal length is 1/D times as long.
         let half_width = ground.half_width() * velocity.doppler_factor(centre) / stretch;
-        Camera { gaze, horizontal_fov: 2.0 * atan(half_width), projection: Projection::Gaze, ..*ground }
+        let Projection::Mercator { right, .. } = ground.projection else {
+            return Camera {
+                gaze,
+                horizontal_fov: 2.0 * atan(half_width),
+                projection: Projection::Gaze,
+                ..*ground
+            };
+        };
+        let rest = Camera { gaze, projection: Projection::Mercator { right, shift: 0.0 }, ..*ground };
+        let half_width = half_width * rest.through_middle().length();
+        Camera { horizontal_fov: 2.0 * atan(sinh(half_width)), ..rest }
     }
 
     /// The moving camera.

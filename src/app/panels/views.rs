@@ -6,7 +6,7 @@ use eframe::egui::{
     StrokeKind, TextStyle, TextureId, Ui, pos2, vec2,
 };
 use relativity_core::math;
-use relativity_render::{Colour, Geometry, Method, PreparedScene, View};
+use relativity_render::{Camera, Colour, Geometry, Method, PreparedScene, Projection, View};
 
 use super::Asks;
 use crate::app::actions::LOOK_STEP;
@@ -213,12 +213,33 @@ fn note(state: &State, eye: Eye, picture: Option<Shown>, with_heat_map: bool) ->
         Geometry::Contracted => Some("contracted only".to_owned()),
         Geometry::Rest => Some("at rest".to_owned()),
     };
+    let projection = projection_note(&state.view(eye, state.session.picture_size).camera);
     let model = state.sees_as_published(eye).then(|| "as published".to_owned());
     let colour = (state.settings.light.colour == Colour::False).then(|| "false colour".to_owned());
     let method = picture.and_then(|picture| drawn_by(state, eye, picture.method));
     let heat_map = with_heat_map.then(|| "difference to the reference".to_owned());
-    [geometry, model, colour, method, heat_map].into_iter().flatten().collect::<Vec<_>>().join("  ·  ")
+    [geometry, model, projection, colour, method, heat_map]
+        .into_iter()
+        .flatten()
+        .collect::<Vec<_>>()
+        .join("  ·  ")
 }
+
+/// Names the projection where a picture of another one would look different.
+fn projection_note(camera: &Camera) -> Option<String> {
+    let stretch = camera.stretch();
+    let times = figures::trimmed(stretch, 1);
+    let note = match camera.projection {
+        Projection::Mercator { .. } => "conformal".to_owned(),
+        Projection::Gaze => format!("camera: stretched up to {times} times at the corners"),
+        Projection::Parallel { .. } => format!("flat screens: stretched up to {times} times at the corners"),
+        Projection::Vr180 { .. } => return None,
+    };
+    (stretch > NOTICEABLE_STRETCH).then_some(note)
+}
+
+/// Pictures of two projections look different from so many times on.
+const NOTICEABLE_STRETCH: f64 = 1.15;
 
 /// What has drawn the picture, where that was set or is further off than can be seen.
 fn drawn_by(state: &State, eye: Eye, drawn: Method) -> Option<String> {

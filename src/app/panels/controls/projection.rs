@@ -18,28 +18,34 @@ const DEPTH: RangeInclusive<f64> = 1e-3..=MAX_LENGTH;
 pub fn show(ui: &mut Ui, state: &State, look: &mut Look) {
     projection_row(ui, &mut look.projection);
     if state.settings.projection() != look.projection && look.projection == state.settings.look.projection {
-        ui.label("The eyes are one behind the other: their pictures follow the gaze.");
+        ui.label("The eyes are one behind the other: the views show camera pictures.");
     }
     zero_parallax_rows(ui, state, look);
 }
 
 fn projection_row(ui: &mut Ui, projection: &mut ProjectionChoice) {
-    let tip = "How directions become places in the views. Nothing that is measured changes by it.";
+    let tip = "How lines of sight become places in the views. Measured values do not change.";
     row(ui, "Pictures", tip, |ui| _ = choice(ui, projection, &PROJECTIONS));
 }
 
-const PROJECTIONS: [(ProjectionChoice, &str, &str); 2] = [
+const PROJECTIONS: [(ProjectionChoice, &str, &str); 3] = [
     (
-        ProjectionChoice::Parallel,
-        "Parallel",
-        "Both pictures lie in planes along the line between the eyes: what is seen of a point is as high in one as in \
-        the other, so that two eyes can fuse them. What is far to the side is drawn longer, as on any plane.",
+        ProjectionChoice::Mercator,
+        "Conformal",
+        "Shows small shapes true everywhere: a globe stays round. Motion only slides the picture, by the rapidity, and two \
+        eyes can fuse it. What is far aside is enlarged. (V changes to the camera and back.)",
     ),
     (
         ProjectionChoice::Gaze,
-        "Follow the gaze",
-        "Each picture stands across the gaze, as in the paper. To the side a point is then at two heights in the \
-        two, further apart than eyes can fuse.",
+        "Camera",
+        "Shows what a photograph does, as in the paper: straight lines stay straight, and what is far from the middle is \
+        stretched. A point is then at two heights in the two pictures, further apart than eyes can fuse.",
+    ),
+    (
+        ProjectionChoice::Parallel,
+        "Flat screens",
+        "Projects both pictures onto planes along the line between the eyes, as two screens side by side would show them. \
+        Two eyes can fuse them; what is aside is stretched.",
     ),
 ];
 
@@ -73,7 +79,7 @@ fn zero_parallax_rows(ui: &mut Ui, state: &State, look: &mut Look) {
         ZeroParallax::Infinity => ScreenDepth::Infinity,
         ZeroParallax::Distance(_) => ScreenDepth::Distance,
     };
-    let (mut chosen, is_used) = (before, look.projection == ProjectionChoice::Parallel);
+    let (mut chosen, is_used) = (before, look.projection.is_fused());
     row(ui, "At the screen", tip, |ui| {
         _ = ui.add_enabled_ui(is_used, |ui| choice(ui, &mut chosen, &SCREEN_DEPTHS));
     });
