@@ -165,7 +165,7 @@ fn circle(center: DVec3, axis: DVec3, radius: f64, count: u32) -> Vec<DVec3> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::flags::choices::GazeChoice;
+    use crate::flags::choices::{GazeChoice, ProjectionChoice};
     use crate::flags::{FieldOfView, SpeedParameter, SpeedSetting};
     use crate::settings::{Settings, Subject};
 
@@ -176,6 +176,7 @@ mod tests {
     fn wide(beta: f64) -> Settings {
         let mut settings = Settings { scene: "cyclist".to_owned(), ..Settings::default() };
         settings.motion.speed = SpeedSetting::new(SpeedParameter::Beta, beta).expect("a speed");
+        settings.look.projection = ProjectionChoice::Parallel;
         settings.look.gaze = GazeChoice::Point;
         settings.look.fov = FieldOfView(Some(170.0));
         settings

@@ -199,6 +199,8 @@ impl State {
             controls: before.controls,
             readout: before.readout,
             dials: before.dials,
+            ruler: before.ruler,
+            resting: before.resting,
             ..now
         };
         Settings { window, ..Settings::default().in_place_of(&self.settings) }

@@ -59,6 +59,7 @@ pub mod running;
 mod saving;
 mod screenshot;
 pub mod sketched;
+mod slide;
 mod speed_slider;
 pub mod stage;
 pub mod state;
@@ -72,6 +73,7 @@ pub mod under;
 pub mod usual;
 mod views;
 mod watch;
+mod wavelength_colour;
 mod widgets;
 mod worker;
 

@@ -107,6 +107,8 @@ pub enum GazeChoice {
     Point,
     /// Straight ahead, along +y.
     Ahead,
+    /// Abreast, as high as what moves with the scene: in conformal pictures the whole passage, from far left to far right.
+    Passage,
     /// Fixed: azimuth and elevation, degrees.
     Fixed([f64; 2]),
 }
@@ -215,7 +217,7 @@ impl GazeChoice {
     #[must_use]
     pub fn fixed(self) -> Option<Gaze> {
         match self {
-            Self::Whole | Self::Point => None,
+            Self::Whole | Self::Point | Self::Passage => None,
             Self::Ahead => Some(Gaze::STRAIGHT_AHEAD),
             Self::Fixed(degrees) => {
                 let [azimuth, elevation] = degrees.map(f64::to_radians);
@@ -240,10 +242,12 @@ impl FromStr for GazeChoice {
             // What it was called before there were others.
             "point" | "track" => return Ok(Self::Point),
             "ahead" => return Ok(Self::Ahead),
+            "passage" => return Ok(Self::Passage),
             _ => (),
         }
         let Some((azimuth, elevation)) = text.split_once(',') else {
-            let choices = "write `whole`, `point`, `ahead`, or azimuth and elevation in degrees like 90,0";
+            let choices =
+                "write `whole`, `point`, `ahead`, `passage`, or azimuth and elevation in degrees like 90,0";
             return Err(choices.to_owned());
         };
         let azimuth = within(AZIMUTH)(azimuth).map_err(|reason| format!("azimuth: {reason} degrees"))?;
@@ -259,6 +263,7 @@ impl Serialize for GazeChoice {
             Self::Whole => serializer.serialize_str("whole"),
             Self::Point => serializer.serialize_str("point"),
             Self::Ahead => serializer.serialize_str("ahead"),
+            Self::Passage => serializer.serialize_str("passage"),
             Self::Fixed(degrees) => degrees.serialize(serializer),
         }
     }

@@ -30,6 +30,7 @@ pub use instant::{Instant, Picture, Places};
 pub use light::{Front, Ray, fronts, rays};
 pub use lines::{Ball, Line, Lines, Vertex};
 pub use nearest::{Nearest, along};
+pub use outline::strokes;
 pub use projection::Projection;
 pub use sight::field_of_view;
 pub use ticks::ticks;

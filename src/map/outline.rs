@@ -82,6 +82,18 @@ pub(super) fn outline(
     }
 }
 
+/// The places along each stroke of the outline of `shape`, at rest: of a ball along no stroke, since that depends on who looks.
+pub fn strokes(shape: &Shape) -> impl Iterator<Item = Vec<DVec3>> + use<> {
+    let mut all = Vec::new();
+    if !matches!(shape, Shape::Sphere { .. }) {
+        outline(shape, |_, _| DVec3::Y, &mut all);
+    }
+    all.into_iter().map(|stroke| {
+        let parts = 4 * stroke.path.parts();
+        (0..=parts).map(|part| stroke.path.at(f64::from(part) / f64::from(parts))).collect()
+    })
+}
+
 /// The circle that a ball shows to each projection: across its line of sight.
 fn great_circles(center: DVec3, radius: f64, line_of_sight: impl Fn(Projection) -> DVec3) -> [Stroke; 2] {
     Projection::BOTH.map(|projection| {

@@ -260,7 +260,9 @@ impl Settings {
     #[must_use]
     pub fn fixed_look(&self, subject: Subject, observation_time: f64, size: [u32; 2]) -> Look {
         let framing = match self.look.gaze {
-            GazeChoice::Whole => self.outline(subject.scene, observation_time).framing(),
+            GazeChoice::Whole | GazeChoice::Passage => {
+                self.outline(subject.scene, observation_time).framing()
+            }
             _ => None,
         };
         let gaze = match self.look.gaze {
@@ -269,9 +271,10 @@ impl Settings {
         };
         // Inside an aperture, and where nothing is, there is no direction to follow.
         let fixed_at = |gaze: Option<Gaze>| GazeChoice::fixed_at(gaze.unwrap_or(Gaze::STRAIGHT_AHEAD));
-        let gaze = match self.look.gaze {
-            GazeChoice::Fixed(degrees) => GazeChoice::Fixed(degrees),
-            _ => fixed_at(gaze),
+        let (gaze, framing) = match self.look.gaze {
+            GazeChoice::Fixed(degrees) => (GazeChoice::Fixed(degrees), None),
+            GazeChoice::Passage => (fixed_at(gaze.map(|gaze| self.abreast(gaze))), None),
+            _ => (fixed_at(gaze), framing),
         };
         let zero_parallax =
             self.zero_parallax(&Look { gaze, ..self.look }, &subject.tracked, observation_time);
@@ -283,6 +286,12 @@ impl Settings {
         // Where pictures turn with the gaze, the shift has turned a little, too.
         let unshifted = Look { zero_parallax: self.look.zero_parallax, ..look };
         Look { zero_parallax: self.zero_parallax(&unshifted, &subject.tracked, observation_time), ..look }
+    }
+
+    /// The gaze across the line between the eyes that is as high above it as `gaze`.
+    fn abreast(&self, gaze: Gaze) -> Gaze {
+        let across = gaze.axes().forward.reject_from_normalized(self.baseline_direction());
+        across.try_normalize().map_or(gaze, |across| Gaze::along(across.to_array()))
     }
 
     /// Where the pictures of eyes with this `look`, whose gaze is fixed, have no parallax: a distance instead of `point`.

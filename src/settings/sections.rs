@@ -66,12 +66,12 @@ pub struct Look {
     /// Which geometry is shown.
     #[arg(long, value_enum)]
     pub geometry: Geometry,
-    /// Where both eyes look: at the middle of all that moves with the scene, at the tracked point, straight ahead, or
-    /// azimuth (from +x towards +y; 90 is straight ahead) and elevation in degrees.
-    #[arg(long, value_name = "whole|point|ahead|AZ,EL", allow_hyphen_values = true)]
+    /// Where both eyes look: at the middle of all that moves with the scene, at the tracked point, straight ahead, abreast at
+    /// the whole passage, or azimuth (from +x towards +y; 90 is straight ahead) and elevation in degrees.
+    #[arg(long, value_name = "whole|point|ahead|passage|AZ,EL", allow_hyphen_values = true)]
     pub gaze: GazeChoice,
     /// Horizontal field of view of each eye, degrees, as it would be straight ahead; `auto` shows the whole scene with a margin (usually 42 to 150), is 110
-    /// straight ahead and else 60.
+    /// straight ahead, 161.23 of the passage and else 60.
     #[arg(long, value_name = "auto|DEG", allow_hyphen_values = true)]
     pub fov: FieldOfView,
     /// How directions become places in a picture. What is measured by them does not change.
@@ -88,6 +88,9 @@ pub const USUAL_FOV: f64 = 60.0;
 /// That straight ahead, degrees: wide enough for what passes to be seen coming and going.
 const FOV_AHEAD: f64 = 110.0;
 
+/// That of a whole passage, degrees: u from -2.5 to 2.5 in a conformal picture.
+const FOV_OF_PASSAGE: f64 = 161.23;
+
 impl Look {
     /// The field of view, degrees, unless what is to be seen decides it.
     #[must_use]
@@ -95,6 +98,7 @@ impl Look {
         self.fov.0.or(match self.gaze {
             GazeChoice::Whole => None,
             GazeChoice::Ahead => Some(FOV_AHEAD),
+            GazeChoice::Passage => Some(FOV_OF_PASSAGE),
             GazeChoice::Point | GazeChoice::Fixed(_) => Some(USUAL_FOV),
         })
     }
@@ -540,6 +544,12 @@ pub struct Window {
     /// At each followed point in the views, a clock that shows the body's own time as the eye sees it.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub dials: OnOff,
+    /// Along the lower edge of conformal views, a ruler of rapidity and the spectrum that stands still above it.
+    #[arg(long, value_parser = switch, value_name = "ON|OFF")]
+    pub ruler: OnOff,
+    /// In conformal views, the outline of what moves where it would be seen at rest, and the arrow by which motion slides it.
+    #[arg(long, value_parser = switch, value_name = "ON|OFF", num_args = 0..=1, default_missing_value = "on")]
+    pub resting: OnOff,
     /// Units of the lengths and times that the window shows and takes. Files and flags have the scene's own always.
     #[arg(long, value_enum)]
     pub units: Units,
@@ -563,6 +573,8 @@ impl Default for Window {
             strip_share: Share(None),
             map_share: Share(None),
             dials: true,
+            ruler: true,
+            resting: false,
             units: Units::Natural,
             theme: Theme::Dark,
         }

@@ -123,9 +123,9 @@ fn fit() -> impl Strategy<Value = FitSetup> {
 fn window() -> impl Strategy<Value = Window> {
     let share = || proptest::option::of(number(0.0..=1.0)).prop_map(Share);
     let shares = (share(), share(), share());
-    (any::<[bool; 8]>(), shares, choice::<Presence>(), choice::<Units>(), choice::<Theme>()).prop_map(
+    (any::<[bool; 10]>(), shares, choice::<Presence>(), choice::<Units>(), choice::<Theme>()).prop_map(
         |(
-            [views, corrected, spectrum, sentence, plots, controls, readout, dials],
+            [views, corrected, spectrum, sentence, plots, controls, readout, dials, ruler, resting],
             (side_share, strip_share, map_share),
             map,
             units,
@@ -144,6 +144,8 @@ fn window() -> impl Strategy<Value = Window> {
                 strip_share,
                 map_share,
                 dials,
+                ruler,
+                resting,
                 units,
                 theme,
             }
@@ -448,7 +450,7 @@ fn eyes_one_behind_the_other_have_pictures_that_follow_the_gaze() {
         settings.projection()
     };
     for (roll, turn) in [(0.0, 0.0), (90.0, 0.0), (0.0, 60.0), (0.0, -60.0), (0.0, 180.0), (45.0, 90.0)] {
-        assert_eq!(projection(roll, turn), ProjectionChoice::Parallel, "{roll} {turn}");
+        assert_eq!(projection(roll, turn), ProjectionChoice::Mercator, "{roll} {turn}");
     }
     for (roll, turn) in [(0.0, 61.0), (0.0, 90.0), (0.0, -90.0), (10.0, 100.0)] {
         assert_eq!(projection(roll, turn), ProjectionChoice::Gaze, "{roll} {turn}");

@@ -217,18 +217,24 @@ fn chi_squared_per_sample(csv: &str) -> [f64; 2] {
 /// their sigmas.
 #[test]
 fn errors_of_disparities_are_as_large_as_their_sigmas_say() {
+    // In a conformal picture a ball has one outline in both eyes, in the same rows: errors cancel in part.
+    for (projection, least) in [("gaze", 0.4), ("mercator", 0.0)] {
+        errors_are_as_large_as_their_sigmas_say(projection, least);
+    }
+}
+
+fn errors_are_as_large_as_their_sigmas_say(projection: &str, least: f64) {
     let folder = folder();
-    ride(folder.path(), "--exr");
+    let projection = format!("--projection {projection}");
+    ride(folder.path(), &format!("{projection} --exr"));
     let of_body = run_gamow(folder.path(), "measure ride --object 0");
     std::fs::remove_dir_all(folder.path().join("ride")).expect("it is there");
-    ride(
-        folder.path(),
-        "--doppler-shift off --intensity-exponent off --shading emission --ground off --sky off",
-    );
+    let plain = "--doppler-shift off --intensity-exponent off --shading emission --ground off --sky off";
+    ride(folder.path(), &format!("{projection} {plain}"));
     let of_colour = run_gamow(folder.path(), &format!("measure ride --marker {}", green()));
     for csv in [of_body, of_colour] {
         let [dphi, dtheta] = chi_squared_per_sample(&csv);
-        assert!((0.4..1.7).contains(&dphi) && dtheta < 1.7, "{dphi} {dtheta}");
+        assert!((least..1.7).contains(&dphi) && dtheta < 1.7, "{dphi} {dtheta}");
     }
 }
 

@@ -23,12 +23,14 @@ fn corrected_and_true(
     beta: f64,
     time: f64,
     extension: &str,
+    projection: &str,
 ) -> [std::path::PathBuf; 2] {
     // One exposure for both, since each picture would find its own; and the paper's intensity, of which a picture in
     // bytes holds all.
     let size = "--size 320x240 --fov 60 --ground off --sky off --shading emission --exposure 0 --intensity-exponent 2";
     let layout = if extension == "png" { "--layout left" } else { "" };
-    render(folder, &format!("{scene} --beta {beta} --time {time} {size} {layout} --out seen.{extension}"));
+    let seen = format!("{scene} --beta {beta} --time {time} {size} {layout} --projection {projection}");
+    render(folder, &format!("{seen} --out seen.{extension}"));
     run_gamow(folder, &format!("rectify seen.{extension} --beta {beta} --out corrected.{extension}"));
     let corrected = folder.join(format!("corrected.{extension}"));
     let command = match extension {
@@ -37,11 +39,13 @@ fn corrected_and_true(
     };
     let value = |flag| command.split_whitespace().find_map(|word| word.strip_prefix(flag));
     let [fov, gaze] = ["--out-fov=", "--out-gaze="].map(|flag| value(flag).expect("it is recorded"));
+    // What two screens show is corrected to what a camera does.
+    let projection = if projection == "mercator" { projection } else { "gaze" };
     let size = size.replace("--fov 60", &format!("--fov {fov} --gaze {gaze}"));
     render(
         folder,
         &format!(
-            "{scene} --beta {beta} --time {time} {size} {layout} --projection gaze --geometry rest --out true.{extension}"
+            "{scene} --beta {beta} --time {time} {size} {layout} --projection {projection} --geometry rest --out true.{extension}"
         ),
     );
     [corrected, folder.join(format!("true.{extension}"))]
@@ -95,10 +99,12 @@ fn misplaced(
 
 #[test]
 fn outlines_and_wavelengths_are_those_of_a_camera_riding_along() {
-    for (beta, time) in CASES {
+    for ((beta, time), projection) in
+        CASES.into_iter().flat_map(|case| ["parallel", "mercator"].map(|of| (case, of)))
+    {
         let folder = folder();
-        let [corrected, truth] =
-            corrected_and_true(folder.path(), SCENE, beta, time, "exr").map(|path| measurements(&path));
+        let [corrected, truth] = corrected_and_true(folder.path(), SCENE, beta, time, "exr", projection)
+            .map(|path| measurements(&path));
         let seen = measurements(&folder.path().join("seen.exr"));
         let rectification = rectification(&seen, &truth, beta);
         let shows = |[column, row]: [usize; 2]| {
@@ -138,7 +144,7 @@ fn assert_wavelengths(corrected: &Measurements, truth: &Measurements) -> usize {
 #[test]
 fn a_picture_becomes_evenly_red() {
     let folder = folder();
-    let [corrected, truth] = corrected_and_true(folder.path(), "", 0.6, 1.2, "png")
+    let [corrected, truth] = corrected_and_true(folder.path(), "", 0.6, 1.2, "png", "parallel")
         .map(|path| PngFile::read(&path).expect("it was written").picture().clone());
     let is_red = |[r, g, b, _]: [u8; 4]| r > 150 && g < 60 && b < 160 && r > b;
     let count = |picture: &Picture| picture.rgba.iter().filter(|&&pixel| is_red(pixel)).count();

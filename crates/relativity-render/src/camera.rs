@@ -5,7 +5,9 @@ use relativity_core::Aperture;
 use relativity_core::math::{asin, asinh, atan, atan2, hypot, sin_cos, sinh, tan};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::mercator::{MOST_ASIDE, Mercator};
+pub use crate::axes::{Axes, MAX_ELEVATION};
+use crate::axes::{LEAST_ACROSS, level_across};
+use crate::mercator::{MOST_ASIDE, MOST_SHIFTED, Mercator};
 
 /// Where a camera looks: the direction of its optical axis. Its horizon stays level.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,15 +19,10 @@ pub struct Gaze {
     pub elevation: f64,
 }
 
-/// Steepest elevation of a gaze that follows something: at the zenith itself no horizon is level.
-pub const MAX_ELEVATION: f64 = 89.5 * PI / 180.0;
-
 /// How far a gaze can be from the plane across the baseline for a picture to stay parallel to that, radians: further on it
 /// would be stretched too much, and turns with the gaze.
 pub const MAX_SLANT: f64 = 65.0 * PI / 180.0;
-/// A gaze of which less than this is across the baseline does not tell how a picture parallel to that is tilted.
-const LEAST_ACROSS: f64 = 1e-9;
-/// Nor does one that is turned further aside than this, radians.
+/// A gaze that is turned further aside than this does not tell how a picture parallel to the baseline is tilted, radians.
 const MOST_SLANT: f64 = FRAC_PI_2 - 1e-6;
 
 /// A pinhole camera at rest on the ground. [`Projection`] says where its picture plane lies: across the gaze, unless two
@@ -87,7 +84,7 @@ pub enum Projection {
     /// whatever is in one row of one picture is in that of the other; small shapes are true, wherever they are seen; and motion
     /// along the baseline slides the picture by its rapidity, with all shapes as at rest.
     ///
-    /// As [`Self::Parallel`], the picture is never upside down. A gaze along the baseline is held 0.04 degrees off it.
+    /// As [`Self::Parallel`], the picture is never upside down. A gaze along the baseline is held 1e-12 radians off it.
     Mercator {
         /// Unit vector along the baseline, from the left eye to the right one.
         right: DVec3,
@@ -108,17 +105,6 @@ impl Projection {
     pub const fn is_conformal(&self) -> bool {
         matches!(self, Self::Mercator { .. })
     }
-}
-
-/// Unit vectors of a camera: right, up and forward.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Axes {
-    /// To the right edge of the picture.
-    pub right: DVec3,
-    /// To its upper edge.
-    pub up: DVec3,
-    /// Along the optical axis, away from the camera.
-    pub forward: DVec3,
 }
 
 impl Gaze {
@@ -227,8 +213,9 @@ impl Camera {
         Gauge { right: right - forward * middle, up, forward, middle }
     }
 
-    /// The projection of a conformal picture.
-    pub(crate) fn mercator(&self) -> Option<Mercator> {
+    /// Where lines of sight appear, if the picture is conformal.
+    #[must_use]
+    pub fn mercator(&self) -> Option<Mercator> {
         if !self.projection.is_conformal() {
             return None;
         }
@@ -241,7 +228,9 @@ impl Camera {
     /// Where to the right of the picture's axis its middle is: a tangent, or u in a conformal picture.
     fn middle(&self, axes: &Axes) -> f64 {
         match self.projection {
-            Projection::Mercator { shift, .. } => axes.aside(self.gaze.axes().forward) - shift,
+            Projection::Mercator { shift, .. } => {
+                (aside(&axes, self.gaze.axes().forward) - shift).clamp(-MOST_SHIFTED, MOST_SHIFTED)
+            }
             Projection::Parallel { shift, .. } => axes.shear_towards(self.gaze.axes().forward) - shift,
             Projection::Gaze | Projection::Vr180 { .. } => 0.0,
         }
@@ -304,7 +293,7 @@ impl Camera {
         let across = Axes::across(baseline, direction);
         let (sine, cosine) = sin_cos(-off_middle.y);
         let axes = Axes::upright(across.right, across.forward * cosine + across.up * sine);
-        let u = (across.aside(direction) - off_middle.x + shift).clamp(-MOST_ASIDE, MOST_ASIDE);
+        let u = (aside(&across, direction) - off_middle.x + shift).clamp(-MOST_ASIDE, MOST_ASIDE);
         Gaze::along((axes.forward + axes.right * sinh(u)).to_array())
     }
 
@@ -381,43 +370,11 @@ impl Camera {
 }
 
 impl Axes {
-    /// Those of the picture parallel to `baseline` (a unit vector) with its axis as near to `towards` as can be.
-    pub(crate) fn across(baseline: DVec3, towards: DVec3) -> Self {
-        let right = baseline.normalize_or(DVec3::X);
-        let part = towards - right * towards.dot(right);
-        let is_told = part.length() > LEAST_ACROSS * towards.length();
-        let forward = if is_told { part.normalize() } else { level_across(right).unwrap_or(DVec3::Y) };
-        let up = right.cross(forward);
-        // Upright; of a head on its side neither way is.
-        if up.z < -1e-12 { Self { right: -right, up: -up, forward } } else { Self { right, up, forward } }
-    }
-
-    /// Those of the picture with rows along `right` and its axis along `towards`, across these; at the steepest
-    /// elevation where that would turn it upside down.
-    pub(crate) fn upright(right: DVec3, towards: DVec3) -> Self {
-        let forward = towards.normalize();
-        let Some(level) = level_across(right) else {
-            return Self { right, up: right.cross(forward), forward };
-        };
-        let rise = right.cross(level);
-        let tilt = atan2(forward.dot(rise), forward.dot(level));
-        let (sine, cosine) = sin_cos(tilt.clamp(-MAX_ELEVATION, MAX_ELEVATION));
-        let forward = if tilt.abs() > MAX_ELEVATION { level * cosine + rise * sine } else { forward };
-        Self { right, up: right.cross(forward), forward }
-    }
-
     /// Those of the picture beside `baseline` with `gaze` in its middle: parallel to it, up to [`MAX_SLANT`].
     pub(crate) fn beside(baseline: DVec3, gaze: DVec3) -> Self {
         let across = Self::across(baseline, gaze);
         let slant = atan2(gaze.dot(across.right), gaze.dot(across.forward));
         across.turned(slant - slant.clamp(-MAX_SLANT, MAX_SLANT))
-    }
-
-    /// These, turned to the right about `up` by an angle.
-    pub(crate) fn turned(&self, angle: f64) -> Self {
-        let Self { right, up, forward } = *self;
-        let (sine, cosine) = sin_cos(angle);
-        Self { right: right * cosine - forward * sine, up, forward: forward * cosine + right * sine }
     }
 
     /// The gaze further aside than [`MAX_SLANT`] with which something along `direction`, which these are across the baseline
@@ -438,13 +395,6 @@ impl Axes {
         Gaze::along((forward * cosine + right * sine).to_array())
     }
 
-    /// How far aside `gaze` is in a conformal picture: u, up to [`MOST_ASIDE`].
-    fn aside(&self, gaze: DVec3) -> f64 {
-        let u = asinh(gaze.dot(self.right) / hypot(gaze.dot(self.forward), gaze.dot(self.up)));
-        // No number inside the aperture.
-        if u.is_nan() { 0.0 } else { u.clamp(-MOST_ASIDE, MOST_ASIDE) }
-    }
-
     /// The tangent to the right of the axis at which the picture has `gaze` in its middle, up to [`MAX_SLANT`].
     pub(crate) fn shear_towards(&self, gaze: DVec3) -> f64 {
         let (aside, depth) = (gaze.dot(self.right), gaze.dot(self.forward));
@@ -452,15 +402,17 @@ impl Axes {
     }
 }
 
+/// How far aside `gaze` is in a conformal picture: u, up to [`MOST_ASIDE`].
+fn aside(axes: &Axes, gaze: DVec3) -> f64 {
+    let u = asinh(gaze.dot(axes.right) / hypot(gaze.dot(axes.forward), gaze.dot(axes.up)));
+    // No number inside the aperture.
+    if u.is_nan() { 0.0 } else { u.clamp(-MOST_ASIDE, MOST_ASIDE) }
+}
+
 /// A tangent, held at that of [`MAX_SLANT`].
 pub(crate) fn held(tangent: f64) -> f64 {
     let steepest = tan(MAX_SLANT);
     tangent.clamp(-steepest, steepest)
-}
-
-/// The level direction across `right` with which that is to the right; `None` where `right` is plumb.
-fn level_across(right: DVec3) -> Option<DVec3> {
-    DVec3::Z.cross(right).try_normalize()
 }
 
 /// What tells where in a flat picture places appear: their products with `right` and `up`, over that with `forward`, count

@@ -223,20 +223,26 @@ fn vector(v: DVec3) -> [f32; 4] {
 /// Well in front is what is this much along the gaze.
 const LEAST_DEPTH: f64 = 0.05;
 
-/// u and v from which those of a conformal picture's pixels are counted, and cosh u times the line of sight there: those of the
-/// direction `towards` an end of the x axis, where that is well in front; those of the middle of the picture, where it is not;
-/// and u = 0, v = 0 where the baseline is along x, since parts across it are products then.
+/// u and v from which those of a conformal picture's pixels are counted, and cosh u times the line of sight there.
+///
+/// They are those of the direction `towards` an end of the x axis, where that is well in front; else those of the middle of the
+/// picture. Where the baseline is along x, parts across it are products: nothing is lost there, and they are u = 0, v = 0, for
+/// what is abreast to keep the digits of n_x, unless that is too far from the picture.
 fn conformal_pole(mercator: &Mercator, camera: &Camera, towards: DVec3) -> (DVec2, DVec3) {
     let Axes { right, forward, .. } = mercator.axes;
-    let Some(pole) = mercator.coordinates(towards).filter(|pole| pole.x.abs() <= FARTHEST_POLE) else {
-        return (DVec2::ZERO, forward);
-    };
-    if towards.dot(camera.gaze.axes().forward) >= LEAST_DEPTH {
-        return (pole, towards * cosh(pole.x));
-    }
     let u = mercator.coordinates_at(camera.size.map(|side| 0.5 * f64::from(side))).x;
-    (DVec2::new(u, 0.0), forward + right * sinh(u))
+    let middle = (DVec2::new(u, 0.0), forward + right * sinh(u));
+    match mercator.coordinates(towards).filter(|pole| pole.x.abs() <= FARTHEST_POLE) {
+        Some(pole) if towards.dot(camera.gaze.axes().forward) >= LEAST_DEPTH => {
+            (pole, towards * cosh(pole.x))
+        }
+        None if u.abs() <= FARTHEST_ABREAST => (DVec2::ZERO, forward),
+        _ => middle,
+    }
 }
+
+/// How far aside the middle of a picture is at most whose pixels are counted from what is abreast, as |u|.
+const FARTHEST_ABREAST: f64 = 3.0;
 
 /// The pixel towards the end of the x axis with this sign and its (unnormalised) line of sight, if it is well in
 /// front of the camera; else the middle of the picture and what is seen there.

@@ -49,6 +49,7 @@
     reason = "what runs on wide registers must be inlined into where they are chosen"
 )]
 
+mod axes;
 pub mod backdrop;
 mod block;
 pub mod body;
@@ -80,7 +81,7 @@ mod ipt;
 mod kind;
 mod lanes;
 mod light;
-mod mercator;
+pub mod mercator;
 mod mesh;
 #[doc(hidden)]
 pub mod mirrors;

@@ -18,11 +18,12 @@ use std::f64::consts::{PI, TAU};
 use glam::{DVec2, DVec3};
 use relativity_core::math::{asin, asinh, atan2, atanh, hypot, sin_cos, sinh};
 
-use crate::camera::Axes;
+use crate::axes::Axes;
 
-/// How far aside the middle of a picture can be, as |u|: 0.04 degrees from the baseline, where a gaze along the baseline itself
-/// is held.
-pub const MOST_ASIDE: f64 = 8.0;
+/// How far aside a gaze can be, as |u|: 1.4e-12 radians from the baseline, about as near as one told by angles can be.
+pub const MOST_ASIDE: f64 = 28.0;
+/// How far aside the middle of a shifted picture can be: f32 has cosh^2 u at its edges.
+pub const MOST_SHIFTED: f64 = 36.0;
 
 /// Where lines of sight appear in one conformal picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,12 +39,15 @@ pub struct Mercator {
 /// A rectangle of u and v.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Patch {
+    /// Its middle.
     pub middle: DVec2,
+    /// Half its width and its height.
     pub half: DVec2,
 }
 
 impl Mercator {
     /// The same for places that are `reflected`.
+    #[must_use]
     pub fn reflected(&self, reflected: impl Fn(DVec3) -> DVec3) -> Self {
         let Axes { right, up, forward } = self.axes;
         Self {
@@ -55,6 +59,7 @@ impl Mercator {
     /// (u, v) of `direction` (any length above 0); `None` along the baseline, which is infinitely far aside.
     ///
     /// v is from -pi to pi.
+    #[must_use]
     pub fn coordinates(&self, direction: DVec3) -> Option<DVec2> {
         let Axes { right, up, forward } = self.axes;
         let (ahead, rise) = (direction.dot(forward), direction.dot(up));
@@ -63,6 +68,7 @@ impl Mercator {
     }
 
     /// The line of sight (unit vector) at these coordinates.
+    #[must_use]
     pub fn line_of_sight(&self, DVec2 { x: u, y: v }: DVec2) -> DVec3 {
         let Axes { right, up, forward } = self.axes;
         let (sine, cosine) = sin_cos(v);
@@ -71,11 +77,13 @@ impl Mercator {
     }
 
     /// (u, v) at this place in the picture, px.
+    #[must_use]
     pub fn coordinates_at(&self, [x, y]: [f64; 2]) -> DVec2 {
         DVec2::new(x - self.origin.x, self.origin.y - y) / self.px_per_unit
     }
 
     /// The place in the picture, px, of these coordinates.
+    #[must_use]
     pub fn place_of(&self, DVec2 { x: u, y: v }: DVec2) -> [f64; 2] {
         [self.origin.x + u * self.px_per_unit, self.origin.y - v * self.px_per_unit]
     }
@@ -84,6 +92,7 @@ impl Mercator {
     ///
     /// dn/du = right - n (n . right) and dn/dv = right x n, both cosh u times shorter than 1. Of n = c right + t the first is
     /// t^2 right - c t, which is no difference of what is nearly the same.
+    #[must_use]
     pub fn turns(&self, sight: DVec3) -> [DVec3; 2] {
         let right = self.axes.right;
         let cosine = sight.dot(right);
@@ -96,6 +105,7 @@ impl Mercator {
     /// the baseline, and reaches infinitely far aside.
     ///
     /// With k = `radius`/rho the outline is 2 artanh k wide and 2 arcsin k high, wherever along the baseline the ball is.
+    #[must_use]
     pub fn around_ball(&self, center: DVec3, radius: f64) -> Option<Patch> {
         let Axes { right, up, forward } = self.axes;
         let (ahead, rise) = (center.dot(forward), center.dot(up));
@@ -112,12 +122,14 @@ impl Mercator {
 }
 
 /// `angle` plus as many whole turns as bring it nearest to `other`, radians.
+#[must_use]
 pub fn nearest_turn(angle: f64, other: f64) -> f64 {
     angle - TAU * ((angle - other) / TAU).round()
 }
 
 impl Patch {
     /// Whether it shares a place with the rectangle between `low` and `high`, or does so a whole turn of v further.
+    #[must_use]
     pub fn meets(&self, low: DVec2, high: DVec2) -> bool {
         let middle = 0.5 * (low + high);
         let off_v = (nearest_turn(self.middle.y, middle.y) - middle.y).abs().min(PI);

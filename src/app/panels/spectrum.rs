@@ -5,12 +5,12 @@ use eframe::egui::{
     Ui, Visuals, accesskit::Role, pos2, vec2,
 };
 use relativity_core::math;
-use relativity_render::colour;
 use relativity_render::spectrum::VISIBLE_NM;
 
 use crate::app::eye::Eye;
 use crate::app::state::State;
 use crate::app::theme;
+use crate::app::wavelength_colour::visible_colour;
 use crate::app::widgets::apart::{Span, apart};
 use crate::caption::{Moment, Source, in_words};
 
@@ -164,19 +164,12 @@ fn paint_names(painter: &Painter, strip: Rect, marks: &[Mark], visuals: &Visuals
 /// The colour of a wavelength over that of its part of the scale, which shows where it has none.
 fn scale_colour(wavelength_nm: f64, visuals: &Visuals) -> Color32 {
     let [ultraviolet, infrared] = if visuals.dark_mode {
-        [[0x26, 0x1E, 0x3A], [0x3A, 0x1E, 0x1E]]
+        [Color32::from_rgb(0x26, 0x1E, 0x3A), Color32::from_rgb(0x3A, 0x1E, 0x1E)]
     } else {
-        [[0xDD, 0xD6, 0xEC], [0xF0, 0xDC, 0xD8]]
+        [Color32::from_rgb(0xDD, 0xD6, 0xEC), Color32::from_rgb(0xF0, 0xDC, 0xD8)]
     };
-    let behind: [u8; 3] =
-        if wavelength_nm < VISIBLE_NM[0].midpoint(VISIBLE_NM[1]) { ultraviolet } else { infrared };
-    let linear = colour::linear_srgb(wavelength_nm);
-    let seen = linear.into_iter().fold(0.0, f64::max).min(1.0);
-    let [r, g, b] = [0, 1, 2].map(|i| {
-        let behind = colour::srgb_decoded(f64::from(behind[i]) / 255.0);
-        colour::srgb_level(behind * (1.0 - seen) + linear[i])
-    });
-    Color32::from_rgb(r, g, b)
+    let is_ultraviolet = wavelength_nm < VISIBLE_NM[0].midpoint(VISIBLE_NM[1]);
+    visible_colour(wavelength_nm, if is_ultraviolet { ultraviolet } else { infrared })
 }
 
 /// Ticks on the strip, and above them the numbers, none of which covers another.

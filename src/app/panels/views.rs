@@ -19,7 +19,7 @@ use crate::app::pointer::{Pick, Turn, Zoom};
 use crate::app::points::Point;
 use crate::app::state::State;
 use crate::app::widgets::pane_title;
-use crate::app::{beyond, highlight, layouts, predicted, theme, under};
+use crate::app::{beyond, highlight, layouts, predicted, slide, theme, under};
 use crate::caption;
 use crate::figures;
 use crate::flags::choices::Form;
@@ -176,6 +176,9 @@ fn image(ui: &Ui, rect: Rect, texture: TextureId) {
 /// Says in the picture of `pane` what is beyond it, what it is, and why a part of it is dark.
 fn words(ui: &Ui, state: &State, pane: EyePane, note: String) {
     let inside = ui.painter().with_clip_rect(pane.rect);
+    slide::paint(ui, &inside, state, pane);
+    let ruler = if slide::has_ruler(state, pane) { slide::HEIGHT } else { 0.0 };
+    let pane = EyePane { rect: pane.rect.with_max_y(pane.rect.max.y - ruler), ..pane };
     beyond::paint(ui, &inside, pane.rect, &state.beyond(pane.eye, pane.size));
     let _ = write(ui, &inside, pane, Align2::LEFT_BOTTOM, note);
     let _ = write(ui, &inside, pane, Align2::LEFT_TOP, unseen(ui, state, pane).unwrap_or_default());

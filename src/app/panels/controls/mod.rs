@@ -222,6 +222,19 @@ fn more_rows(ui: &mut Ui, before: Window, unit: Unit, asks: &mut Asks) {
         ui.checkbox(&mut window.corrected, "corrected").on_hover_text(corrected);
         ui.checkbox(&mut window.dials, "clocks").on_hover_text(dial::tip(unit, false));
     });
+    row(
+        ui,
+        "The slide",
+        "What conformal views show of it: motion slides the resting picture by the rapidity.",
+        |ui| {
+            let ruler = "Shows rapidity along the lower edge of conformal views, and above it the colours that a body passes \
+            through.";
+            ui.checkbox(&mut window.ruler, "ruler").on_hover_text(ruler);
+            let resting = "Outlines what moves where it would be seen at rest, in conformal views. Motion slides it by the \
+            rapidity, along the arrow.";
+            ui.checkbox(&mut window.resting, "resting outline").on_hover_text(resting);
+        },
+    );
     row(ui, "Below them", "What stands below the views.", |ui| {
         let spectrum = "Which wavelengths arrive of the selected point, among all that there are.";
         ui.checkbox(&mut window.spectrum, "spectrum").on_hover_text(spectrum);
@@ -248,10 +261,11 @@ enum GazeMode {
     Whole,
     Point,
     Ahead,
+    Passage,
     Stays,
 }
 
-const GAZES: [(GazeMode, &str, &str); 4] = [
+const GAZES: [(GazeMode, &str, &str); 5] = [
     (GazeMode::Whole, "Whole", "At the whole scene: the middle of all that moves with the scene.   Key: F"),
     (
         GazeMode::Point,
@@ -259,6 +273,11 @@ const GAZES: [(GazeMode, &str, &str); 4] = [
         "At the selected point: the mean of its two apparent directions, as in the paper.",
     ),
     (GazeMode::Ahead, "Ahead", "Straight ahead along y, as somebody stands who waits for it to pass."),
+    (
+        GazeMode::Passage,
+        "Passage",
+        "Shows the whole passage at once, in conformal pictures from 81° left to 81° right. Suits pictures above each other.",
+    ),
     (GazeMode::Stays, "Stays", "In the present direction, however the scene moves."),
 ];
 
@@ -268,6 +287,7 @@ impl GazeMode {
             GazeChoice::Whole => Self::Whole,
             GazeChoice::Point => Self::Point,
             GazeChoice::Ahead => Self::Ahead,
+            GazeChoice::Passage => Self::Passage,
             GazeChoice::Fixed(_) => Self::Stays,
         }
     }
@@ -279,6 +299,7 @@ impl GazeMode {
             Self::Whole => Look { gaze: GazeChoice::Whole, ..look },
             Self::Point => Look { gaze: GazeChoice::Point, ..look },
             Self::Ahead => Look { gaze: GazeChoice::Ahead, ..look },
+            Self::Passage => Look { gaze: GazeChoice::Passage, ..look },
             // The present field of view stays too.
             Self::Stays => Look { zero_parallax: look.zero_parallax, ..state.look() },
         }

@@ -1,0 +1,130 @@
+//! The resting picture: where all that moves would be seen by a camera that rides along, and the arrow by which motion slides
+//! it.
+
+use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Shape as Drawing, Stroke, pos2, vec2};
+use glam::DVec3;
+use relativity_render::{Body, GroupView, MaterialPoint, Motion, Shape};
+
+use super::Slide;
+use crate::app::panes::EyePane;
+use crate::app::state::State;
+use crate::figures;
+use crate::map::strokes;
+
+/// At most this many bodies are outlined; larger scenes are strided.
+const MOST_BODIES: usize = 600;
+/// Corners of a ball's outline.
+const AROUND: u32 = 48;
+const COLOUR: Color32 = Color32::from_rgb(255, 224, 130);
+/// Length of the arrow's head, points.
+const HEAD: f32 = 10.0;
+const FONT: FontId = FontId::proportional(12.0);
+
+/// Draws both into `pane`, for each group that moves.
+pub fn paint(painter: &Painter, state: &State, pane: EyePane, slide: &Slide) {
+    let scene = &state.session.scene;
+    let stride = scene.bodies.len().div_ceil(MOST_BODIES).max(1);
+    for group in &scene.groups {
+        let velocity = state.settings.velocity(group.motion);
+        if velocity.beta() == 0.0 {
+            continue;
+        }
+        let seen = Resting { slide, group: slide.view.of_group(group.motion), pane };
+        for body in scene.bodies[group.bodies()].iter().step_by(stride) {
+            seen.paint_outline(painter, body);
+        }
+        let anchor = anchor(state, group.motion).or_else(|| middle(scene.bodies.get(group.bodies().start)?));
+        let shift = slide.shift(&velocity);
+        if let Some(from) = anchor.and_then(|point| seen.place(seen.group.place_when_shown(point))) {
+            let name = format!(
+                "{} = artanh {}",
+                figures::fixed(velocity.speed.rapidity(), 3),
+                figures::beta(&velocity.speed)
+            );
+            seen.paint_arrow(painter, from, shift, &name);
+        }
+    }
+}
+
+/// The selected point, if it moves so.
+fn anchor(state: &State, motion: Motion) -> Option<MaterialPoint> {
+    let point = state.session.points.selected();
+    (point.track.motion == motion).then(|| point.track.point())
+}
+
+fn middle(body: &Body) -> Option<MaterialPoint> {
+    let place = strokes(&body.shape).next()?.first().copied()?;
+    Some(MaterialPoint { rest: place, spin: body.spin })
+}
+
+/// How a group at rest would be seen from the same event.
+struct Resting<'a> {
+    slide: &'a Slide,
+    group: GroupView,
+    pane: EyePane,
+}
+
+impl Resting<'_> {
+    /// Where the place `rest` of the group would be seen, points.
+    fn place(&self, rest: DVec3) -> Option<Pos2> {
+        let mercator = &self.slide.mercator;
+        let coordinates = mercator.coordinates(rest - self.group.origin)?;
+        let [x, y] = mercator.place_of(coordinates);
+        let place = self.pane.rect.min + super::points_per_px(self.pane) * vec2(x as f32, y as f32);
+        let limit = self.pane.rect.expand(4.0 * self.pane.rect.width());
+        limit.contains(place).then_some(place)
+    }
+
+    fn paint_outline(&self, painter: &Painter, body: &Body) {
+        let stroke = Stroke::new(1.0, COLOUR.gamma_multiply(0.75));
+        let paint = |places: &[DVec3]| {
+            let shown = |&rest: &DVec3| {
+                self.place(self.group.place_when_shown(MaterialPoint { rest, spin: body.spin }))
+            };
+            if let Some(places) = places.iter().map(shown).collect::<Option<Vec<_>>>() {
+                painter.add(Drawing::line(places, stroke));
+            }
+        };
+        if let Shape::Sphere { center, radius } = body.shape {
+            paint(&self.around_ball(center.into(), radius));
+            return;
+        }
+        strokes(&body.shape).for_each(|places| paint(&places));
+    }
+
+    /// The circle along which lines of sight touch a ball.
+    fn around_ball(&self, center: DVec3, radius: f64) -> Vec<DVec3> {
+        let from = center - self.group.origin;
+        let squared = (radius * radius / from.length_squared()).min(1.0);
+        let (across, up) = from.normalize_or(DVec3::Y).any_orthonormal_pair();
+        let reach = radius * (1.0 - squared).sqrt();
+        let corner = |step: u32| {
+            let (sine, cosine) =
+                relativity_core::math::sin_cos(std::f64::consts::TAU * f64::from(step) / f64::from(AROUND));
+            center - from * squared + (across * cosine + up * sine) * reach
+        };
+        (0..=AROUND).map(corner).collect()
+    }
+
+    /// The arrow from where something would be seen at rest to where it is seen.
+    fn paint_arrow(&self, painter: &Painter, from: Pos2, shift: f64, name: &str) {
+        let per_unit = self.slide.mercator.px_per_unit as f32 * super::points_per_px(self.pane).x;
+        let to = pos2(from.x + shift as f32 * per_unit, from.y);
+        if (to.x - from.x).abs() < 1.0 {
+            return;
+        }
+        for stroke in [Stroke::new(4.0, Color32::from_black_alpha(150)), Stroke::new(2.0, COLOUR)] {
+            painter.line_segment([from, to], stroke);
+        }
+        let back = HEAD * (from.x - to.x).signum();
+        let head = vec![to, to + vec2(back, -0.5 * HEAD), to + vec2(back, 0.5 * HEAD)];
+        painter.add(Drawing::convex_polygon(head, COLOUR, Stroke::new(1.0, Color32::from_black_alpha(150))));
+        let shown = self.pane.rect.x_range();
+        let ends = [from.x, to.x].map(|x| shown.clamp(x));
+        let galley = painter.layout_no_wrap(format!("η = {name}"), FONT, COLOUR);
+        let place =
+            Align2::CENTER_BOTTOM.anchor_size(pos2(0.5 * (ends[0] + ends[1]), from.y - 5.0), galley.size());
+        painter.rect_filled(place.expand2(vec2(4.0, 1.0)), 3.0, Color32::from_black_alpha(150));
+        painter.galley(place.min, galley, COLOUR);
+    }
+}

@@ -1,0 +1,132 @@
+//! The rapidity ruler: ticks named by speed, as far to both sides of where things are seen abreast as that speed slides them.
+
+use eframe::egui::{
+    self, Align2, Color32, FontId, Painter, Rect, Sense, Stroke, Ui, accesskit::Role, pos2, vec2,
+};
+use relativity_core::math;
+
+use super::{Slide, spectrum};
+use crate::app::panes::EyePane;
+use crate::app::state::State;
+use crate::figures;
+
+/// Height of the ruler and the spectrum above it, points.
+pub const HEIGHT: f32 = 30.0;
+/// Lower views have none.
+pub const LEAST_VIEW: f32 = 110.0;
+/// Height of the ruler alone.
+const RULER: f32 = 18.0;
+const FONT: FontId = FontId::proportional(11.0);
+/// Least space between two names.
+const BETWEEN: f32 = 8.0;
+/// Ticks without a name, this much rapidity apart.
+const FINE: f64 = 0.1;
+/// Least distance of these, points.
+const LEAST_FINE: f64 = 5.0;
+/// The speeds that have ticks, the first to be named first.
+const SPEEDS: [f64; 17] =
+    [0.0, 0.9, 0.5, 0.99, 0.999, 0.9999, 0.7, 0.8, 0.3, 0.6, 0.95, 0.1, 0.2, 0.4, 0.98, 0.995, 0.99999];
+const TIP: &str = "Measures rapidity: a speed slides everything by as much, from where it would be seen at rest to where it is \
+    seen. Zero is where things are seen abreast.\nη = artanh β\nThe colours are those of a passing body's light in that column: \
+    they stand still while it passes.\n1/D = γ (1 + β tanh u)";
+
+/// Where the columns of a view are on the screen.
+#[derive(Debug, Clone, Copy)]
+pub struct Columns {
+    pub rect: Rect,
+    /// x of u = 0 ahead, and points per unit of u; below 0 where the picture runs against the motion.
+    zero: f64,
+    per_unit: f64,
+}
+
+impl Columns {
+    fn new(pane: EyePane, slide: &Slide) -> Self {
+        let scale = f64::from(super::points_per_px(pane).x);
+        let rect = Rect::from_min_max(pos2(pane.rect.min.x, pane.rect.max.y - HEIGHT), pane.rect.max);
+        let zero = f64::from(rect.min.x) + slide.mercator.origin.x * scale;
+        Self { rect, zero, per_unit: slide.mercator.px_per_unit * scale * slide.ahead }
+    }
+
+    /// u along the motion at `x`.
+    pub fn u(&self, x: f32) -> f64 {
+        (f64::from(x) - self.zero) / self.per_unit
+    }
+
+    /// x of `u` along the motion.
+    pub fn x(&self, u: f64) -> f32 {
+        (self.zero + u * self.per_unit) as f32
+    }
+}
+
+/// Draws it along the lower edge of `pane`, with the spectrum.
+pub fn paint(ui: &Ui, painter: &Painter, state: &State, pane: EyePane, slide: &Slide) {
+    let columns = Columns::new(pane, slide);
+    let ruler = Rect::from_min_max(pos2(columns.rect.min.x, columns.rect.max.y - RULER), columns.rect.max);
+    painter.rect_filled(ruler, 0.0, Color32::from_black_alpha(190));
+    let strip = Rect::from_min_max(columns.rect.min, pos2(ruler.max.x, ruler.min.y));
+    spectrum::paint(painter, state, slide, &columns, strip);
+    paint_fine_ticks(painter, ruler, &columns);
+    let own = state.speed();
+    let named = paint_named_ticks(painter, ruler, &columns, own.beta());
+    if own.rapidity() > 0.0 {
+        let x = columns.x(-own.rapidity());
+        let tip = pos2(x, strip.min.y - 1.0);
+        let corners = vec![tip, tip + vec2(-5.0, -7.0), tip + vec2(5.0, -7.0)];
+        painter.add(egui::Shape::convex_polygon(corners, Color32::WHITE, Stroke::new(1.0, Color32::BLACK)));
+    }
+    let name = format!(
+        "Rapidity ruler, {}: ticks at {}; {}",
+        pane.eye.name(),
+        named.join(", "),
+        spectrum::description(state)
+    );
+    let id = ui.scope_id().with(("rapidity ruler", pane.eye.index()));
+    let response = ui.interact(columns.rect, id, Sense::hover());
+    response.widget_info(|| egui::WidgetInfo::labeled(Role::Label, true, &name));
+    response.on_hover_text(TIP);
+}
+
+fn paint_fine_ticks(painter: &Painter, ruler: Rect, columns: &Columns) {
+    if columns.per_unit.abs() * FINE < LEAST_FINE {
+        return;
+    }
+    let ends = [ruler.min.x, ruler.max.x].map(|x| columns.u(x) / FINE);
+    let (first, last) = (ends[0].min(ends[1]).ceil() as i64, ends[0].max(ends[1]).floor() as i64);
+    for number in first..=last {
+        let x = columns.x(number as f64 * FINE);
+        let top = ruler.min.y;
+        painter.vline(x, top..=top + 3.0, Stroke::new(1.0, Color32::from_gray(130)));
+    }
+}
+
+/// Draws the ticks of speeds with the names that have room, and tells these. That of `own` goes first.
+fn paint_named_ticks(painter: &Painter, ruler: Rect, columns: &Columns, own: f64) -> Vec<String> {
+    let mut taken: Vec<Rect> = Vec::new();
+    let mut named = Vec::new();
+    let speeds = [own].into_iter().chain(SPEEDS);
+    for (number, beta) in speeds.enumerate().filter(|(number, beta)| *number == 0 || *beta != own) {
+        for side in [-1.0, 1.0] {
+            let x = columns.x(side * math::atanh(beta));
+            if !ruler.x_range().contains(x) || (beta == 0.0 && side > 0.0) {
+                continue;
+            }
+            let text =
+                if beta == 0.0 { "abreast".to_owned() } else { format!("{} c", figures::trimmed(beta, 6)) };
+            let is_own = number == 0 && side < 0.0;
+            let colour = if is_own { Color32::WHITE } else { Color32::from_gray(200) };
+            let galley = painter.layout_no_wrap(text.clone(), FONT, colour);
+            let place = Align2::CENTER_BOTTOM.anchor_size(pos2(x, ruler.max.y - 1.0), galley.size());
+            let has_room = ruler.x_range().contains(place.min.x)
+                && ruler.x_range().contains(place.max.x)
+                && !taken.iter().any(|other| other.expand(BETWEEN).intersects(place));
+            if !has_room {
+                continue;
+            }
+            painter.vline(x, ruler.min.y..=ruler.min.y + 6.0, Stroke::new(1.5, colour));
+            painter.galley(place.min, galley, colour);
+            taken.push(place);
+            named.push(text);
+        }
+    }
+    named
+}

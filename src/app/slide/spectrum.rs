@@ -1,0 +1,153 @@
+//! The standing spectrum: what becomes of the light of everything that moves with the scene, column by column.
+//!
+//! D = cosh u/cosh(u + eta) depends on the column alone.
+
+use eframe::egui::{Align2, Color32, FontId, Mesh, Painter, Rect, Shape, Stroke, pos2};
+use relativity_core::Speed;
+use relativity_core::math::{atanh, cosh, ln, sinh, tanh};
+use relativity_render::Geometry;
+use relativity_render::spectrum::VISIBLE_NM;
+
+use super::Slide;
+use super::ruler::Columns;
+use crate::app::state::State;
+use crate::app::wavelength_colour::visible_colour;
+use crate::caption::{Source, in_words};
+use crate::figures;
+
+/// Points between colours that are worked out.
+const STEP: f32 = 2.0;
+/// Between the lines of a hatch, points.
+const HATCH: f32 = 6.0;
+const INVISIBLE: Color32 = Color32::from_gray(58);
+const HATCH_COLOUR: Color32 = Color32::from_gray(120);
+const FONT: FontId = FontId::proportional(10.0);
+/// The Doppler factors that are named where light is not of one wavelength.
+const NAMED: [f64; 7] = [1.0, 2.0, 0.5, 4.0, 0.25, 10.0, 0.1];
+
+/// Draws it into `strip`.
+pub fn paint(painter: &Painter, state: &State, slide: &Slide, columns: &Columns, strip: Rect) {
+    let speed = match slide.view.geometry {
+        Geometry::Seen => state.speed(),
+        _ => Speed::REST,
+    };
+    painter.rect_filled(strip, 0.0, INVISIBLE);
+    match rest_wavelength(state) {
+        Some(nm) => paint_colours(painter, columns, strip, |u| nm / doppler_factor(&speed, u)),
+        None => paint_factors(painter, columns, strip, &speed),
+    }
+    painter.hline(strip.x_range(), strip.min.y, Stroke::new(1.0, Color32::from_black_alpha(200)));
+}
+
+/// The strip in words.
+pub fn description(state: &State) -> String {
+    rest_wavelength(state).map_or_else(
+        || "the Doppler factor of each column".to_owned(),
+        |nm| format!("the spectrum of light of {}", in_words(&[nm])),
+    )
+}
+
+/// The wavelength at rest of the selected point, if its light has one and that is shown.
+fn rest_wavelength(state: &State) -> Option<f64> {
+    match state.moment().source {
+        Source::Line(nm) if state.settings.light.doppler_shift => Some(nm),
+        _ => None,
+    }
+}
+
+/// D in the column `u`: 1/(gamma (1 + beta tanh u)), from exponentials where that would cancel.
+fn doppler_factor(speed: &Speed, u: f64) -> f64 {
+    let eta = speed.rapidity();
+    // Both are large where they overflow: their quotient is that of the exponentials.
+    if (u + eta).abs() > 300.0 { speed.head_on_doppler_factor() } else { cosh(u) / cosh(u + eta) }
+}
+
+/// The column with this Doppler factor; `None` where there is none.
+fn column_of(speed: &Speed, doppler_factor: f64) -> Option<f64> {
+    // 1/D = cosh eta + sinh eta tanh u.
+    let eta = speed.rapidity();
+    let aside = (1.0 / doppler_factor - cosh(eta)) / sinh(eta);
+    if doppler_factor == 1.0 {
+        return Some(-0.5 * eta);
+    }
+    let is_there = eta > 0.0 && ln(doppler_factor).abs() < eta;
+    is_there.then(|| atanh(aside)).filter(|u| u.is_finite() && tanh(*u).abs() < 1.0)
+}
+
+fn paint_colours(painter: &Painter, columns: &Columns, strip: Rect, wavelength: impl Fn(f64) -> f64) {
+    let count = (strip.width() / STEP).ceil().max(1.0) as u32;
+    let mut mesh = Mesh::default();
+    let mut hatched: Vec<(f32, bool)> = Vec::new();
+    for column in 0..=count {
+        let x = strip.min.x + strip.width() * column as f32 / count as f32;
+        let nm = wavelength(columns.u(x));
+        let colour = visible_colour(nm, INVISIBLE);
+        mesh.colored_vertex(pos2(x, strip.min.y), colour);
+        mesh.colored_vertex(pos2(x, strip.max.y), colour);
+        if column > 0 {
+            let last = 2 * column + 1;
+            mesh.add_triangle(last - 3, last - 2, last - 1);
+            mesh.add_triangle(last - 2, last - 1, last);
+        }
+        let is_next = hatched.last().is_none_or(|(other, _)| x - other >= HATCH);
+        if is_next && !(VISIBLE_NM[0]..=VISIBLE_NM[1]).contains(&nm) {
+            hatched.push((x, nm > VISIBLE_NM[1]));
+        }
+    }
+    painter.add(Shape::mesh(mesh));
+    let half = 0.5 * strip.height();
+    for (x, is_infrared) in hatched {
+        let rise = if is_infrared { -half } else { half };
+        let ends = [pos2(x - half, strip.center().y - rise), pos2(x + half, strip.center().y + rise)];
+        painter
+            .with_clip_rect(strip.intersect(painter.clip_rect()))
+            .line_segment(ends, Stroke::new(1.0, HATCH_COLOUR));
+    }
+}
+
+fn paint_factors(painter: &Painter, columns: &Columns, strip: Rect, speed: &Speed) {
+    let mut taken: Vec<Rect> = Vec::new();
+    for factor in NAMED {
+        let Some(x) = column_of(speed, factor).map(|u| columns.x(u)) else { continue };
+        let text = format!("D = {}", figures::trimmed(factor, 2));
+        let galley = painter.layout_no_wrap(text, FONT, Color32::WHITE);
+        let place = Align2::LEFT_CENTER.anchor_size(pos2(x + 3.0, strip.center().y), galley.size());
+        if strip.x_range().contains(x) && !taken.iter().any(|other| other.expand(6.0).intersects(place)) {
+            painter.vline(x, strip.y_range(), Stroke::new(1.5, Color32::WHITE));
+            painter.galley(place.min, galley, Color32::WHITE);
+            taken.push(place);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Against the core's Doppler factor along the line of sight in that column.
+    #[test]
+    fn each_column_has_one_doppler_factor() {
+        for beta in [0.0, 0.3, 0.9, 0.9999] {
+            let speed = Speed::from_beta(beta).expect("below 1");
+            for u in [-4.0, -1.3, 0.0, 0.7, 5.0] {
+                let sight = [tanh(u), 1.0 / cosh(u), 0.0];
+                let expected = relativity_core::aberration::doppler_factor(sight, &speed);
+                let found = doppler_factor(&speed, u);
+                assert!((found / expected - 1.0).abs() < 1e-12, "{beta} {u}: {found} for {expected}");
+                if beta > 0.0 {
+                    let column = column_of(&speed, found).expect("it is between both ends");
+                    assert!((column - u).abs() < 1e-6, "{beta} {u}: {column}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_greatest_speeds_have_colours_too() {
+        let speed = Speed::from_gamma(1e30).expect("in range");
+        for u in [-80.0, -8.0, 0.0, 8.0] {
+            assert!(doppler_factor(&speed, u).is_finite());
+        }
+        assert_eq!(column_of(&speed, 1.0), Some(-0.5 * speed.rapidity()));
+    }
+}
