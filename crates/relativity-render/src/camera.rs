@@ -229,7 +229,7 @@ impl Camera {
     fn middle(&self, axes: &Axes) -> f64 {
         match self.projection {
             Projection::Mercator { shift, .. } => {
-                (aside(&axes, self.gaze.axes().forward) - shift).clamp(-MOST_SHIFTED, MOST_SHIFTED)
+                (aside(axes, self.gaze.axes().forward) - shift).clamp(-MOST_SHIFTED, MOST_SHIFTED)
             }
             Projection::Parallel { shift, .. } => axes.shear_towards(self.gaze.axes().forward) - shift,
             Projection::Gaze | Projection::Vr180 { .. } => 0.0,

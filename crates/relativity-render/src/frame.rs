@@ -227,7 +227,7 @@ const LEAST_DEPTH: f64 = 0.05;
 ///
 /// They are those of the direction `towards` an end of the x axis, where that is well in front; else those of the middle of the
 /// picture. Where the baseline is along x, parts across it are products: nothing is lost there, and they are u = 0, v = 0, for
-/// what is abreast to keep the digits of n_x, unless that is too far from the picture.
+/// what is abreast to keep the digits of `n_x`, unless that is too far from the picture.
 fn conformal_pole(mercator: &Mercator, camera: &Camera, towards: DVec3) -> (DVec2, DVec3) {
     let Axes { right, forward, .. } = mercator.axes;
     let u = mercator.coordinates_at(camera.size.map(|side| 0.5 * f64::from(side))).x;
