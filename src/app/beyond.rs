@@ -27,13 +27,13 @@ impl Beyond {
         let axes = camera.axes();
         let [width, height] = camera.size.map(f64::from);
         let middle = camera.line_of_sight([0.5 * width, 0.5 * height]);
-        let [right, up] = match camera.pixel(direction).filter(|_| camera.projection.is_conformal()) {
-            Some([u, v]) => [u - 0.5 * width, 0.5 * height - v],
+        let conformal_place = camera.pixel(direction).filter(|_| camera.projection.is_conformal());
+        let [right, up] = if let Some([x, y]) = conformal_place {
+            [x - 0.5 * width, 0.5 * height - y]
+        } else {
             // From where the middle's line of sight is as far in front of the eye, or behind it, on a plane like the picture.
-            None => {
-                let off = direction - middle * (direction.dot(axes.forward) / middle.dot(axes.forward));
-                [axes.right, axes.up].map(|axis| off.dot(axis))
-            }
+            let off = direction - middle * (direction.dot(axes.forward) / middle.dot(axes.forward));
+            [axes.right, axes.up].map(|axis| off.dot(axis))
         };
         // What is right behind is as near on either side.
         let towards = DVec3::new(right, -up, 0.0).try_normalize().unwrap_or(DVec3::X);

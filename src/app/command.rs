@@ -18,7 +18,7 @@ use super::state::{Session, State};
 use super::usual::Section;
 use crate::comfort::comfortable_separation;
 use crate::flags::FieldOfView;
-use crate::flags::choices::{GazeChoice, Layout, ProjectionChoice};
+use crate::flags::choices::{GazeChoice, Layout};
 use crate::map::Viewpoint;
 use crate::passage::time_within;
 use crate::settings::{
@@ -194,11 +194,7 @@ impl State {
             Command::Look(look) => self.settings.look = look,
             Command::Layout(layout) => self.settings.picture.layout = layout,
             Command::ToggleProjection => {
-                let projection = &mut self.settings.look.projection;
-                *projection = match *projection {
-                    ProjectionChoice::Mercator => ProjectionChoice::Gaze,
-                    _ => ProjectionChoice::Mercator,
-                };
+                self.settings.look.projection = self.settings.look.projection.toggled();
             }
             Command::NextLayout(steps) => {
                 self.settings.picture.layout = self.settings.picture.layout.further(steps);

@@ -150,6 +150,15 @@ impl ProjectionChoice {
     pub const fn is_fused(self) -> bool {
         matches!(self, Self::Mercator | Self::Parallel)
     }
+
+    /// Returns the camera's projection for the conformal one, and the conformal one for any other.
+    #[must_use]
+    pub const fn toggled(self) -> Self {
+        match self {
+            Self::Mercator => Self::Gaze,
+            Self::Gaze | Self::Parallel | Self::Vr180 => Self::Mercator,
+        }
+    }
 }
 
 impl ZeroParallax {

@@ -27,7 +27,7 @@ macro_rules! files {
 }
 
 /// The names of all, and their files; the first is the start.
-const FILES: [(&str, &str); 19] = files![
+const FILES: [(&str, &str); 20] = files![
     "street",
     "overhead",
     "approaching",
@@ -40,6 +40,7 @@ const FILES: [(&str, &str); 19] = files![
     "globe",
     "train",
     "rolling-wheel",
+    "panorama",
     "lattice",
     "vienna-cube",
     "vienna-sphere",
