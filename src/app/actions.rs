@@ -84,6 +84,8 @@ pub static ACTIONS: &[Action] = &[
     action("next layout of the two pictures", &[key(Key::L)], Command::NextLayout(1)),
     action("the layout before", &[with_shift(Key::L)], Command::NextLayout(-1)),
     action("conformal or camera pictures", &[key(Key::V)], Command::ToggleProjection),
+    action("the panorama of the whole passage, or two views", &[key(Key::U)], Command::TogglePanorama),
+    action("the resting outline in conformal views, or none", &[key(Key::O)], Command::ToggleResting),
     action("swap the eyes", &[key(Key::X)], Command::SwapEyes),
     action("show or hide the map", &[key(Key::M)], Command::ToggleMap),
     action("draw the map in the ground's or the bicycle's frame", &[key(Key::G)], Command::ToggleFrame),

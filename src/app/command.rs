@@ -39,6 +39,10 @@ pub enum Command {
     NextLayout(isize),
     /// Shows conformal pictures, or if these are shown camera pictures, which look at the same.
     ToggleProjection,
+    /// Shows the whole passage in one strip for each eye, or if that is shown two views.
+    TogglePanorama,
+    /// Outlines in conformal views what moves where it would be seen at rest, or no longer.
+    ToggleResting,
     /// Swap the eyes of the present layout.
     SwapEyes,
     /// New colours.
@@ -196,6 +200,11 @@ impl State {
             Command::ToggleProjection => {
                 self.settings.look.projection = self.settings.look.projection.toggled();
             }
+            Command::TogglePanorama => {
+                let usual = self.usual();
+                self.settings.toggle_panorama(&usual);
+            }
+            Command::ToggleResting => self.settings.window.resting = !self.settings.window.resting,
             Command::NextLayout(steps) => {
                 self.settings.picture.layout = self.settings.picture.layout.further(steps);
             }
@@ -266,13 +275,7 @@ impl State {
                 let is_shown = self.session.shows_map;
                 self.settings.window.map = if is_shown { Presence::Off } else { Presence::On };
             }
-            Command::ToggleFrame => {
-                let frame = match self.settings.map.frame {
-                    Frame::Ground => Frame::Bicycle,
-                    Frame::Bicycle => Frame::Ground,
-                };
-                self.set_map(Map { frame, ..self.settings.map });
-            }
+            Command::ToggleFrame => self.toggle_frame(),
             Command::Toggle(overlay) => self.toggle(overlay),
             Command::ToggleFullScreen => self.session.stage.full_screen = !self.session.stage.full_screen,
             Command::TogglePresenting => self.session.stage.toggle_presenting(),
@@ -281,6 +284,14 @@ impl State {
             Command::CloseNotice => self.session.notice = None,
             Command::Close => self.close(),
         }
+    }
+
+    fn toggle_frame(&mut self) {
+        let frame = match self.settings.map.frame {
+            Frame::Ground => Frame::Bicycle,
+            Frame::Bicycle => Frame::Ground,
+        };
+        self.set_map(Map { frame, ..self.settings.map });
     }
 
     fn show_next(&mut self, steps: i32) {

@@ -448,9 +448,7 @@ impl App {
         if let Some(rect) = layout.readout {
             self.panel(ui, "readout", inset(rect), panels::readout::show);
         }
-        for &pane in &layout.panes {
-            self.paint(ui, pane);
-        }
+        self.paint_all(ui, &layout.panes);
         if let Some(rect) = layout.spectrum {
             self.panel(ui, "spectrum", rect, |ui, state, _| panels::spectrum::show(ui, state));
         }
@@ -500,9 +498,7 @@ impl App {
             });
             self.curves = curves;
         }
-        for &pane in &presentation.panes {
-            self.paint(ui, pane);
-        }
+        self.paint_all(ui, &presentation.panes);
         self.forget_composed(&presentation.panes);
         let views = presentation.panes.iter().map(|pane| pane.rect).reduce(Rect::union);
         self.message(ui.ctx(), views.unwrap_or(area), area);

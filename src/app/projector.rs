@@ -74,8 +74,8 @@ impl App {
         self.choose_methods(ui, &panes);
         for &pane in &panes {
             self.interact(ui, pane);
-            self.paint(ui, pane);
         }
+        self.paint_all(ui, &panes);
         self.forget_composed(&panes);
         std::mem::swap(&mut self.eyes, &mut self.projected);
         (self.state.session.picture_size, self.examination) = (size, examination);

@@ -1,6 +1,6 @@
 //! The panes of the views: which pictures stand in them, what reads the mouse in them, and what draws them.
 
-use eframe::egui::{Rect, TextureId, Ui};
+use eframe::egui::{Rect, TextureId, Ui, vec2};
 
 use relativity_render::Method;
 
@@ -9,7 +9,8 @@ use super::examination::{Examination, Sight};
 use super::eyes::{self, EyePictures};
 use super::panels::views::Painted;
 use super::panes::{self, Content, EyePane, Pane};
-use super::{App, flicker, panels};
+use super::slide::panorama;
+use super::{App, flicker, panels, theme};
 use crate::flags::choices::Form;
 use crate::settings::{PlotTab, Settings};
 
@@ -41,8 +42,25 @@ impl App {
         }
     }
 
+    /// Draws what stands in all `panes`, and what joins them.
+    pub(super) fn paint_all(&mut self, ui: &mut Ui, panes: &[Pane]) {
+        for &pane in panes {
+            self.paint(ui, pane);
+        }
+        let of_eyes: Vec<_> = panes.iter().flat_map(|pane| self.eye_panes(ui, pane)).collect();
+        if let (true, &[upper, lower]) = (self.state.settings.is_panorama(), of_eyes.as_slice()) {
+            panorama::join(ui, &self.state, [upper, lower]);
+        }
+        let Some(area) = panes.iter().map(|pane| pane.rect).reduce(Rect::union) else { return };
+        if panorama::is_offered(&self.state, area) {
+            let height = theme::text_scale(ui.style()) * theme::TITLE_HEIGHT;
+            let strip = Rect::from_min_max(area.min - vec2(0.0, height), area.right_top());
+            self.panel(ui, "panorama", strip, |ui, state, asks| panorama::offer(ui, state, strip, asks));
+        }
+    }
+
     /// Draws what stands in `pane`.
-    pub(super) fn paint(&mut self, ui: &Ui, pane: Pane) {
+    fn paint(&mut self, ui: &Ui, pane: Pane) {
         match (pane.content, self.eye_panes(ui, &pane).as_slice()) {
             (Content::Both, &[first, second]) => self.paint_both(ui, [first, second]),
             (Content::Corrected, _) => self.show_corrected(ui, pane.rect),

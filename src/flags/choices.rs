@@ -135,7 +135,7 @@ pub enum ProjectionChoice {
 /// The distance at which something is in the same place in both eyes' pictures, which an image shift sets.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum ZeroParallax {
-    /// That at which two eyes take the tracked point to be.
+    /// That at which two eyes take the tracked point to be, or the hub that it turns about.
     #[default]
     Point,
     /// Without end: the pictures are not shifted.

@@ -72,6 +72,13 @@ pub struct Track {
 }
 
 impl Track {
+    /// Returns the hub that it turns about, where its axle has it; itself if it does not turn.
+    #[must_use]
+    pub fn carrier(&self) -> Self {
+        let rest = self.spin.map_or(self.rest, |Spin { hub: [x, _, z], .. }| [x, self.rest[1], z]);
+        Self { rest, spin: None, ..*self }
+    }
+
     /// The point in the frame of its group.
     #[must_use]
     pub fn point(&self) -> MaterialPoint {

@@ -128,9 +128,15 @@ impl Settings {
     }
 
     /// These settings in the window, on the screen and in the layout of `other`, which belong to whoever looks and not to what
-    /// is shown.
+    /// is shown. Only a panorama brings its layout along, and takes it away again.
     #[must_use]
     pub fn in_place_of(self, other: &Self) -> Self {
-        Self { picture: other.picture, screen: other.screen, window: other.window, ..self }
+        let layout = match (self.is_panorama(), other.is_panorama()) {
+            (true, _) => self.picture.layout,
+            (false, true) => Picture::default().layout,
+            (false, false) => other.picture.layout,
+        };
+        let picture = Picture { layout, ..other.picture };
+        Self { picture, screen: other.screen, window: other.window, ..self }
     }
 }

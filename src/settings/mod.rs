@@ -11,6 +11,7 @@ mod file;
 mod legacy;
 mod method;
 mod observer;
+mod panorama;
 mod photograph;
 mod presets;
 mod sections;

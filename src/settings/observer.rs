@@ -276,8 +276,9 @@ impl Settings {
             GazeChoice::Passage => (fixed_at(gaze.map(|gaze| self.abreast(gaze))), None),
             _ => (fixed_at(gaze), framing),
         };
-        let zero_parallax =
-            self.zero_parallax(&Look { gaze, ..self.look }, &subject.tracked, observation_time);
+        // A point that turns would have the pictures sway with each turn.
+        let steady = subject.tracked.carrier();
+        let zero_parallax = self.zero_parallax(&Look { gaze, ..self.look }, &steady, observation_time);
         let look = Look { gaze, zero_parallax, ..self.look };
         let framing = framing.map(|framing| framing.shifted(self.shifts(&look)));
         let fitted = || framing.map_or(USUAL_FOV, |framing| framing.horizontal_fov(size).to_degrees());
@@ -285,7 +286,7 @@ impl Settings {
         let look = Look { gaze: framing.map_or(gaze, |framing| fixed_at(Some(framing.gaze))), fov, ..look };
         // Where pictures turn with the gaze, the shift has turned a little, too.
         let unshifted = Look { zero_parallax: self.look.zero_parallax, ..look };
-        Look { zero_parallax: self.zero_parallax(&unshifted, &subject.tracked, observation_time), ..look }
+        Look { zero_parallax: self.zero_parallax(&unshifted, &steady, observation_time), ..look }
     }
 
     /// The gaze across the line between the eyes that is as high above it as `gaze`.

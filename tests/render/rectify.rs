@@ -45,7 +45,7 @@ fn corrected_and_true(
     render(
         folder,
         &format!(
-            "{scene} --beta {beta} --time {time} {size} {layout} --projection {projection} --geometry rest --out true.{extension}"
+            "{scene} --beta {beta} --time {time} {size} {layout} --projection {projection} --zero-parallax infinity --geometry rest --out true.{extension}"
         ),
     );
     [corrected, folder.join(format!("true.{extension}"))]

@@ -27,6 +27,7 @@ pub const TESTS: &[Test] = &[
 fn refined_window() -> Harness<'static, App> {
     let mut state = cyclist(0.6);
     state.settings.window.dials = false;
+    state.settings.window.ruler = false;
     let mut harness = Harness::builder()
         .with_size(Vec2::new(800.0, 600.0))
         .with_step_dt(FRAME)
@@ -149,7 +150,7 @@ fn what_was_chosen_is_said() {
 
 /// What is no number changes nothing; what is out of range becomes the nearest that is inside.
 fn wrong_goals_are_refused() {
-    let mut window = window_of_size(cyclist(0.9), [1280.0, 1200.0], 1.0);
+    let mut window = window_of_size(cyclist(0.9), [1280.0, 1300.0], 1.0);
     let goal = |window: &Harness<'_, App>| window.state().state().settings.quality.goal;
     for (text, expected) in [
         ("0.25", 0.25),

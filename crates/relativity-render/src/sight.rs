@@ -25,7 +25,7 @@ use crate::prepared_body::PreparedBody;
 use crate::scene::{PreparedGroup, PreparedScene};
 use crate::view::{Geometry, View};
 
-/// Bulge of a piece, in parts of its distance, that is not worth halving it.
+/// Bulge of a piece, as it is seen, that is not worth halving it: radians, or units of u.
 const SLIGHT_BULGE: f64 = 1e-4;
 /// How often a piece is halved at most.
 const HALVINGS: u32 = 12;
@@ -258,8 +258,8 @@ impl<'a> Sight<'a> {
         if beyond.iter().all(|ball| found.holds_nearer(ball, sag, axes)) {
             return;
         }
-        let slight = SLIGHT_BULGE * SLIGHT_BULGE * ends[0].length_squared().min(ends[1].length_squared());
-        if halvings == 0 || bulge.length_squared().max(sag * sag) <= slight {
+        let seen_bulge = ends.iter().map(|&end| axes.seen_size(bulge, sag, end)).fold(0.0, f64::max);
+        if halvings == 0 || seen_bulge <= SLIGHT_BULGE {
             for ball in &beyond {
                 found.widen_nearer(ball, sag, axes);
             }
@@ -301,6 +301,20 @@ impl Ruled {
         let depth = place.dot(forward);
         let off = if self.across == Across::Baseline { hypot(depth, place.dot(up)) } else { depth };
         [place.dot(right), off]
+    }
+
+    /// How large a `bulge` at `place` and a `sag` there are seen, radians or units of u.
+    fn seen_size(&self, bulge: DVec3, sag: f64, place: DVec3) -> f64 {
+        let distance = place.length();
+        match self.across {
+            Across::Upright => bulge.length() / distance,
+            Across::Baseline => {
+                let right = self.axes.right;
+                let along = bulge.dot(right);
+                let off = (bulge - right * along).length().max(sag);
+                along.abs().max(off * distance / place.reject_from_normalized(right).length()) / distance
+            }
+        }
     }
 
     /// By how much the straight line between these places is nearer to the baseline, in its midst, than the mean of both: it

@@ -5,7 +5,7 @@ use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Shape as Drawing, Str
 use glam::DVec3;
 use relativity_render::{Body, GroupView, MaterialPoint, Motion, Shape};
 
-use super::Slide;
+use super::sliding_view::{SlidingView, points_per_px};
 use crate::app::panes::EyePane;
 use crate::app::state::State;
 use crate::figures;
@@ -21,7 +21,7 @@ const HEAD: f32 = 10.0;
 const FONT: FontId = FontId::proportional(12.0);
 
 /// Draws both into `pane`, for each group that moves.
-pub fn paint(painter: &Painter, state: &State, pane: EyePane, slide: &Slide) {
+pub fn paint(painter: &Painter, state: &State, pane: EyePane, slide: &SlidingView) {
     let scene = &state.session.scene;
     let stride = scene.bodies.len().div_ceil(MOST_BODIES).max(1);
     for group in &scene.groups {
@@ -59,7 +59,7 @@ fn middle(body: &Body) -> Option<MaterialPoint> {
 
 /// How a group at rest would be seen from the same event.
 struct Resting<'a> {
-    slide: &'a Slide,
+    slide: &'a SlidingView,
     group: GroupView,
     pane: EyePane,
 }
@@ -70,7 +70,7 @@ impl Resting<'_> {
         let mercator = &self.slide.mercator;
         let coordinates = mercator.coordinates(rest - self.group.origin)?;
         let [x, y] = mercator.place_of(coordinates);
-        let place = self.pane.rect.min + super::points_per_px(self.pane) * vec2(x as f32, y as f32);
+        let place = self.pane.rect.min + points_per_px(self.pane) * vec2(x as f32, y as f32);
         let limit = self.pane.rect.expand(4.0 * self.pane.rect.width());
         limit.contains(place).then_some(place)
     }
@@ -108,7 +108,7 @@ impl Resting<'_> {
 
     /// The arrow from where something would be seen at rest to where it is seen.
     fn paint_arrow(&self, painter: &Painter, from: Pos2, shift: f64, name: &str) {
-        let per_unit = self.slide.mercator.px_per_unit as f32 * super::points_per_px(self.pane).x;
+        let per_unit = self.slide.mercator.px_per_unit as f32 * points_per_px(self.pane).x;
         let to = pos2(from.x + shift as f32 * per_unit, from.y);
         if (to.x - from.x).abs() < 1.0 {
             return;

@@ -5,13 +5,13 @@ use eframe::egui::{
 };
 use relativity_core::math;
 
-use super::{Slide, spectrum};
+use super::columns::Columns;
+use super::sliding_view::SlidingView;
+use super::spectrum;
 use crate::app::panes::EyePane;
 use crate::app::state::State;
 use crate::figures;
 
-/// Height of the ruler and the spectrum above it, points.
-pub const HEIGHT: f32 = 30.0;
 /// Lower views have none.
 pub const LEAST_VIEW: f32 = 110.0;
 /// Height of the ruler alone.
@@ -30,36 +30,8 @@ const TIP: &str = "Measures rapidity: a speed slides everything by as much, from
     seen. Zero is where things are seen abreast.\nη = artanh β\nThe colours are those of a passing body's light in that column: \
     they stand still while it passes.\n1/D = γ (1 + β tanh u)";
 
-/// Where the columns of a view are on the screen.
-#[derive(Debug, Clone, Copy)]
-pub struct Columns {
-    pub rect: Rect,
-    /// x of u = 0 ahead, and points per unit of u; below 0 where the picture runs against the motion.
-    zero: f64,
-    per_unit: f64,
-}
-
-impl Columns {
-    fn new(pane: EyePane, slide: &Slide) -> Self {
-        let scale = f64::from(super::points_per_px(pane).x);
-        let rect = Rect::from_min_max(pos2(pane.rect.min.x, pane.rect.max.y - HEIGHT), pane.rect.max);
-        let zero = f64::from(rect.min.x) + slide.mercator.origin.x * scale;
-        Self { rect, zero, per_unit: slide.mercator.px_per_unit * scale * slide.ahead }
-    }
-
-    /// u along the motion at `x`.
-    pub fn u(&self, x: f32) -> f64 {
-        (f64::from(x) - self.zero) / self.per_unit
-    }
-
-    /// x of `u` along the motion.
-    pub fn x(&self, u: f64) -> f32 {
-        (self.zero + u * self.per_unit) as f32
-    }
-}
-
 /// Draws it along the lower edge of `pane`, with the spectrum.
-pub fn paint(ui: &Ui, painter: &Painter, state: &State, pane: EyePane, slide: &Slide) {
+pub fn paint(ui: &Ui, painter: &Painter, state: &State, pane: EyePane, slide: &SlidingView) {
     let columns = Columns::new(pane, slide);
     let ruler = Rect::from_min_max(pos2(columns.rect.min.x, columns.rect.max.y - RULER), columns.rect.max);
     painter.rect_filled(ruler, 0.0, Color32::from_black_alpha(190));

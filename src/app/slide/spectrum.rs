@@ -8,8 +8,8 @@ use relativity_core::math::{atanh, cosh, ln, sinh, tanh};
 use relativity_render::Geometry;
 use relativity_render::spectrum::VISIBLE_NM;
 
-use super::Slide;
-use super::ruler::Columns;
+use super::columns::Columns;
+use super::sliding_view::SlidingView;
 use crate::app::state::State;
 use crate::app::wavelength_colour::visible_colour;
 use crate::caption::{Source, in_words};
@@ -26,7 +26,7 @@ const FONT: FontId = FontId::proportional(10.0);
 const NAMED: [f64; 7] = [1.0, 2.0, 0.5, 4.0, 0.25, 10.0, 0.1];
 
 /// Draws it into `strip`.
-pub fn paint(painter: &Painter, state: &State, slide: &Slide, columns: &Columns, strip: Rect) {
+pub fn paint(painter: &Painter, state: &State, slide: &SlidingView, columns: &Columns, strip: Rect) {
     let speed = match slide.view.geometry {
         Geometry::Seen => state.speed(),
         _ => Speed::REST,

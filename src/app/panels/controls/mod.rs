@@ -231,7 +231,7 @@ fn more_rows(ui: &mut Ui, before: Window, unit: Unit, asks: &mut Asks) {
             through.";
             ui.checkbox(&mut window.ruler, "ruler").on_hover_text(ruler);
             let resting = "Outlines what moves where it would be seen at rest, in conformal views. Motion slides it by the \
-            rapidity, along the arrow.";
+            rapidity, along the arrow.   Key: O";
             ui.checkbox(&mut window.resting, "resting outline").on_hover_text(resting);
         },
     );
@@ -261,11 +261,12 @@ enum GazeMode {
     Whole,
     Point,
     Ahead,
+    /// That of a panorama, which a button of its own changes to.
     Passage,
     Stays,
 }
 
-const GAZES: [(GazeMode, &str, &str); 5] = [
+const GAZES: [(GazeMode, &str, &str); 4] = [
     (GazeMode::Whole, "Whole", "At the whole scene: the middle of all that moves with the scene.   Key: F"),
     (
         GazeMode::Point,
@@ -273,11 +274,6 @@ const GAZES: [(GazeMode, &str, &str); 5] = [
         "At the selected point: the mean of its two apparent directions, as in the paper.",
     ),
     (GazeMode::Ahead, "Ahead", "Straight ahead along y, as somebody stands who waits for it to pass."),
-    (
-        GazeMode::Passage,
-        "Passage",
-        "Shows the whole passage at once, in conformal pictures from 81° left to 81° right. Suits pictures above each other.",
-    ),
     (GazeMode::Stays, "Stays", "In the present direction, however the scene moves."),
 ];
 

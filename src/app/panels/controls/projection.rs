@@ -61,7 +61,8 @@ const SCREEN_DEPTHS: [(ScreenDepth, &str, &str); 3] = [
     (
         ScreenDepth::Point,
         "The point",
-        "The selected point: it is at the same place in both pictures, where two eyes look most easily.",
+        "The selected point, or the hub that it turns about: it is at the same place in both pictures, where two eyes look \
+        most easily.",
     ),
     (
         ScreenDepth::Infinity,

@@ -1,0 +1,64 @@
+//! The panorama's own marks: the line that joins the selected point in both strips, and the button that offers the panorama.
+
+use eframe::egui::{
+    Align2, Button, Color32, Pos2, Rect, RichText, Stroke, TextStyle, TextWrapMode, Ui, UiBuilder, vec2,
+};
+
+use crate::app::command::Command;
+use crate::app::panels::Asks;
+use crate::app::panes::EyePane;
+use crate::app::state::State;
+use crate::app::theme;
+use crate::flags::choices::{Form, ProjectionChoice};
+
+/// A views' area at least this many times as wide as high offers the panorama.
+const WIDE: f32 = 2.4;
+
+/// Joins the selected point's places in the two `panes` of a panorama. The line leans by the disparity.
+pub fn join(ui: &Ui, state: &State, panes: [EyePane; 2]) {
+    let point = state.session.points.selected();
+    let place = |pane: EyePane| -> Option<Pos2> {
+        let camera = state.view(pane.eye, pane.size).camera;
+        let pixel = camera.pixel(state.direction(point, pane.eye)?)?;
+        Some(pane.place(pixel)).filter(|place| pane.rect.contains(*place))
+    };
+    let [Some(upper), Some(lower)] = panes.map(place) else { return };
+    let colour = theme::point_colour(point.number, ui.visuals());
+    let area = panes[0].rect.union(panes[1].rect);
+    let painter = ui.painter().with_clip_rect(area);
+    painter.line_segment([upper, lower], Stroke::new(1.0, colour));
+}
+
+/// Whether a views' area of this shape has the button that changes to the panorama and back.
+pub fn is_offered(state: &State, area: Rect) -> bool {
+    let settings = &state.settings;
+    let is_wide = area.width() >= WIDE * area.height();
+    let can_be = settings.projection() == ProjectionChoice::Mercator
+        && matches!(settings.picture.layout.form(), Form::Beside | Form::Above);
+    can_be && (settings.is_panorama() || is_wide || state.session.stage.is_presented())
+}
+
+/// Shows the button at the right end of the title strip `strip`.
+pub fn offer(ui: &mut Ui, state: &State, strip: Rect, asks: &mut Asks) {
+    let is_panorama = state.settings.is_panorama();
+    let (name, tip) = if is_panorama {
+        ("Two views", "Leaves the panorama.   Key: U")
+    } else {
+        (
+            "Panorama",
+            "Shows the whole passage at once, the left eye's strip above the right eye's. The columns of a point differ by its \
+             disparity.   Key: U",
+        )
+    };
+    let font = TextStyle::Small.resolve(ui.style());
+    let width = ui.painter().layout_no_wrap(name.to_owned(), font, Color32::WHITE).size().x + 12.0;
+    let place = Align2::RIGHT_TOP.align_size_within_rect(vec2(width, strip.height() - 3.0), strip);
+    ui.scope_builder(UiBuilder::new().max_rect(place), |ui| {
+        ui.spacing_mut().button_padding = vec2(4.0, 0.0);
+        let button =
+            Button::new(RichText::new(name).small()).min_size(place.size()).wrap_mode(TextWrapMode::Extend);
+        if ui.add(button).on_hover_text(tip).clicked() {
+            asks.push(Command::TogglePanorama);
+        }
+    });
+}

@@ -1,0 +1,44 @@
+//! A view in which motion is a slide: a conformal one, of a head held along the motion.
+
+use eframe::egui::Vec2;
+use relativity_render::mercator::Mercator;
+use relativity_render::{Geometry, Velocity, View};
+
+use crate::app::panes::EyePane;
+use crate::app::state::State;
+
+/// A view in which motion is a slide.
+#[derive(Debug, Clone, Copy)]
+pub struct SlidingView {
+    /// The view.
+    pub view: View,
+    /// Its map of the sky.
+    pub mercator: Mercator,
+    /// 1 where columns to the right are ahead along +x, -1 where they are behind the head.
+    pub ahead: f64,
+}
+
+impl SlidingView {
+    /// That of `view`; `None` where it is not conformal, or the head is tilted: columns are not told by the motion then.
+    #[must_use]
+    pub fn new(state: &State, view: View) -> Option<Self> {
+        let mercator = view.camera.mercator().filter(|_| state.settings.baseline().is_along_motion())?;
+        let shows_motion = matches!(view.geometry, Geometry::Seen | Geometry::Rest);
+        let ahead = mercator.axes.right.x.signum();
+        shows_motion.then_some(Self { view, mercator, ahead })
+    }
+
+    /// How far to the right `velocity` slides the picture that would be seen at rest: the rapidity, against the motion.
+    pub fn shift(&self, velocity: &Velocity) -> f64 {
+        match self.view.geometry {
+            Geometry::Seen => -self.ahead * velocity.speed.rapidity().copysign(velocity.beta()),
+            _ => 0.0,
+        }
+    }
+}
+
+/// Points per pixel of the picture in `pane`.
+pub fn points_per_px(pane: EyePane) -> Vec2 {
+    let [width, height] = pane.size;
+    pane.rect.size() / Vec2::new(width as f32, height as f32)
+}

@@ -1,0 +1,60 @@
+//! The panorama: the whole passage in one conformal strip for each eye, the left eye's above the right eye's.
+
+use super::{Look, Picture, Settings};
+use crate::flags::FieldOfView;
+use crate::flags::choices::{Form, GazeChoice, Layout, ProjectionChoice, ZeroParallax};
+
+impl Settings {
+    /// Whether both eyes' pictures are strips of the whole passage, one above the other.
+    #[must_use]
+    pub fn is_panorama(&self) -> bool {
+        self.projection() == ProjectionChoice::Mercator
+            && self.look.gaze == GazeChoice::Passage
+            && self.picture.layout.form() == Form::Above
+    }
+
+    /// Changes from any other pictures to the panorama, and from that to the defaults of `usual`.
+    ///
+    /// The strips are not shifted for what lies in the screen, so that a point's disparity is the difference of its columns.
+    pub(crate) fn toggle_panorama(&mut self, usual: &Self) {
+        let (look, picture) = (self.look, self.picture);
+        if self.is_panorama() {
+            let Look { gaze, fov, zero_parallax, .. } =
+                if usual.is_panorama() { Look::default() } else { usual.look };
+            let layout = if usual.is_panorama() { Picture::default().layout } else { usual.picture.layout };
+            self.look = Look { gaze, fov, zero_parallax, ..look };
+            self.picture = Picture { layout, ..picture };
+        } else {
+            let (gaze, zero_parallax) = (GazeChoice::Passage, ZeroParallax::Infinity);
+            let (projection, fov) = (ProjectionChoice::Mercator, FieldOfView(None));
+            self.look = Look { gaze, fov, projection, zero_parallax, ..look };
+            self.picture = Picture { layout: Layout::OverUnder, ..picture };
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::settings::Preset;
+
+    #[test]
+    fn a_panorama_is_left_as_it_was_entered() {
+        let before = Settings::default();
+        let mut settings = before.clone();
+        settings.toggle_panorama(&before);
+        assert!(settings.is_panorama());
+        settings.toggle_panorama(&before);
+        assert_eq!(settings, before);
+    }
+
+    #[test]
+    fn the_panorama_among_the_presets_is_one_and_can_be_left() {
+        let preset = Preset::all().iter().find(|preset| preset.name == "panorama").expect("it is listed");
+        let mut settings = preset.settings.clone();
+        assert!(settings.is_panorama());
+        assert_eq!(settings.look.zero_parallax, ZeroParallax::Infinity);
+        settings.toggle_panorama(&preset.settings);
+        assert!(!settings.is_panorama());
+    }
+}
