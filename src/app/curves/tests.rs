@@ -22,6 +22,7 @@ fn key(beta: f64, point: [f64; 3]) -> CurvesKey {
         model,
         published: true,
         stereo: true,
+        conformal: true,
     }
 }
 
