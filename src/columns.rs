@@ -12,7 +12,7 @@ use thiserror::Error;
 
 use crate::flags::finite_number;
 
-/// Every column, in order, the last five with `--stereo` only, and the very last of a head that is tilted or turned or a
+/// Every column but those of `--conformal`, in order, the last five with `--stereo` only, and the very last of a head that is tilted or turned or a
 /// point that turns; [`TURNED`] come before those. Left and right are the primary and the secondary aperture.
 const COLUMNS: [&str; 21] = [
     "x_left",
@@ -47,6 +47,8 @@ pub const WHEEL: [&str; 3] = ["wheel_radius", "rho", "angle"];
 const USUAL: usize = 16;
 /// The columns of how far a wheel has turned, for its points only.
 const TURNED: [&str; 2] = ["angle_left", "angle_right"];
+/// The columns of `--conformal`, after all others.
+const CONFORMAL: [&str; 4] = ["u_left", "u_right", "v_left", "v_right"];
 /// Those of angles.
 pub const ANGLES: &[&str] = COLUMNS.split_at(14).0.split_at(8).1;
 
@@ -80,6 +82,12 @@ front; the gain is the parallax across the line of sight, along that of a restin
   stereo_miss  length of that connection
 Those to a point of a wheel pass each other too, since it is elsewhere for the other eye: it has a stereo_miss as well.
 
+With --conformal the last columns are the conformal coordinates, in the axes of the head (X along the line between the eyes, Y \
+ahead, Z up), for each eye:
+  u          to the right, arsinh(X/hypot(Y, Z)), in units of rapidity: motion along that line slides u back by the rapidity
+  v          up from straight ahead, atan2(Z, Y), radians
+Both are empty for a point that the eye sees along the line between the eyes, infinitely far aside.
+
 With one cone both eyes receive what the middle between them does: t, doppler and own are that event's, x, phi and theta \
 are from each eye to it.
 
@@ -99,6 +107,9 @@ pub struct ModelArgs {
     /// Append where two eyes take the point to be: the stereo gain, and the place.
     #[arg(long)]
     pub stereo: bool,
+    /// Append the conformal coordinates u and v for each eye.
+    #[arg(long)]
+    pub conformal: bool,
 }
 
 /// What the input tells of, which decides which columns there are.
@@ -224,14 +235,16 @@ impl ModelArgs {
     pub fn columns(&self, given: Given) -> Result<Vec<&'static str>, StereoError> {
         let (usual, stereo) = COLUMNS.split_at(USUAL);
         let turned = if given.on_wheel { &TURNED[..] } else { &[] };
+        let conformal = if self.conformal { &CONFORMAL[..] } else { &[] };
         match (self.stereo, self.model) {
             (true, Model::Published(_)) => Err(StereoError::Published(self.model.name())),
-            (true, _) => Ok([usual, turned, &stereo[..given.stereo()]].concat()),
-            (false, _) => Ok([usual, turned].concat()),
+            (true, _) => Ok([usual, turned, &stereo[..given.stereo()], conformal].concat()),
+            (false, _) => Ok([usual, turned, conformal].concat()),
         }
     }
 
-    /// The values of the [`columns`](Self::columns), finite; NaN where there is none, since lines of sight do not meet.
+    /// The values of the [`columns`](Self::columns), finite; NaN where there is none: lines of sight do not
+    /// meet, or one is along the baseline.
     ///
     /// # Errors
     ///
@@ -254,6 +267,12 @@ impl ModelArgs {
                 Err(error) => return Err(error.into()),
             };
             values.extend(&found[..given.stereo()]);
+        }
+        if self.conformal {
+            let axes = baseline.axes();
+            let seen = [both.primary, both.secondary].map(|seen| axes.conformal(seen.position));
+            values.extend(seen.map(|seen| seen.map_or(f64::NAN, |seen| seen.u)));
+            values.extend(seen.map(|seen| seen.map_or(f64::NAN, |seen| seen.v)));
         }
         Ok(values)
     }

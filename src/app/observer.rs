@@ -176,6 +176,7 @@ impl State {
             model,
             published: self.settings.plots.published && !matches!(model, Model::Published(_)),
             stereo,
+            conformal: self.settings.plots.is_conformal(),
         }
     }
 

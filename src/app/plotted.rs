@@ -26,7 +26,7 @@ impl State {
     /// What is plotted, the one plot for an audience included.
     #[must_use]
     pub fn plotted_quantities(&self) -> &'static [Quantity] {
-        let all = quantities(self.settings.plots.plot);
+        let all = quantities(&self.settings.plots);
         match (self.session.stage.is_presented(), all) {
             (false, all) => all,
             (true, [first, ..]) => std::slice::from_ref(first),
@@ -59,7 +59,8 @@ impl State {
     #[must_use]
     pub fn pinned_key(&self, pin: &Pin, quantity: Quantity) -> CurvesKey {
         let stereo = self.settings.plots.plot == PlotTab::Stereo;
-        CurvesKey { range: self.plotted_times(quantity), published: false, stereo, ..pin.key }
+        let conformal = self.settings.plots.is_conformal();
+        CurvesKey { range: self.plotted_times(quantity), published: false, stereo, conformal, ..pin.key }
     }
 
     /// What all curves that are plotted depend on, each once.

@@ -2,7 +2,7 @@
 
 use super::curves::{CurvesKey, Quantity};
 use super::points::Point;
-use crate::settings::PlotTab;
+use crate::settings::{PlotTab, Plots};
 
 /// Most curves that can be pinned: as many as there are dashes to tell them apart.
 pub const MAX_PINS: usize = 4;
@@ -108,10 +108,11 @@ impl Plotting {
     }
 }
 
-/// What the plots of a tab show; nothing of those that do not plot against T.
+/// What the shown tab of plots shows; nothing of those that do not plot against T.
 #[must_use]
-pub const fn quantities(tab: PlotTab) -> &'static [Quantity] {
-    match tab {
+pub fn quantities(plots: &Plots) -> &'static [Quantity] {
+    match plots.plot {
+        PlotTab::Disparity if plots.is_conformal() => &[Quantity::DeltaU, Quantity::DeltaV],
         PlotTab::Disparity => &[Quantity::DeltaPhi, Quantity::DeltaTheta],
         PlotTab::Angles => &[Quantity::Phi, Quantity::Theta],
         PlotTab::Doppler => &[Quantity::LogDoppler],
@@ -122,6 +123,12 @@ pub const fn quantities(tab: PlotTab) -> &'static [Quantity] {
 
 /// Whether two pins have the same curves.
 fn is_same(a: &Pin, b: &Pin) -> bool {
-    let bare = |pin: &Pin| CurvesKey { range: [0.0; 2], published: false, stereo: false, ..pin.key };
+    let bare = |pin: &Pin| CurvesKey {
+        range: [0.0; 2],
+        published: false,
+        stereo: false,
+        conformal: false,
+        ..pin.key
+    };
     bare(a) == bare(b)
 }

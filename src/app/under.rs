@@ -3,7 +3,7 @@
 use eframe::egui::accesskit::Role;
 use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{Color32, Pos2, Rect, Sense, TextStyle, Ui, Vec2, WidgetInfo, pos2, vec2};
-use relativity_core::Sighting;
+use relativity_core::{Conformal, Sighting};
 use relativity_render::Geometry;
 
 use super::eye::Eye;
@@ -11,6 +11,7 @@ use super::state::State;
 use super::{clock, theme};
 use crate::caption::times::told;
 use crate::figures;
+use crate::flags::choices::ProjectionChoice;
 
 /// From the pointer to the tag, and around its words; points.
 const AWAY: Vec2 = vec2(16.0, 14.0);
@@ -74,7 +75,15 @@ impl State {
     fn received(&self, seen: &Sighting) -> Vec<String> {
         let at = format!("seen at {}", self.place(seen.position));
         let times = [self.session.time, seen.retarded_time, seen.own_time];
-        [at].into_iter().chain(told(times, self.measures().time, 2)).collect()
+        [at].into_iter().chain(self.conformal(seen)).chain(told(times, self.measures().time, 2)).collect()
+    }
+
+    /// The coordinates in a conformal picture of what is seen; none in another picture, and along the line between the eyes.
+    fn conformal(&self, seen: &Sighting) -> Option<String> {
+        let is_conformal = self.settings.projection() == ProjectionChoice::Mercator;
+        let axes = self.settings.baseline().axes();
+        let Conformal { u, v } = axes.conformal(seen.position).filter(|_| is_conformal)?;
+        Some(format!("u = {}, v = {} rad", figures::fixed(u, 3), figures::fixed(v, 3)))
     }
 
     /// A place in words.

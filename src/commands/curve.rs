@@ -62,6 +62,7 @@ Examples:
   gamow curve --beta 0.9 --d 0.3 --y 0.5 --z 0.5 --from -2 --to 5 --model published
   gamow curve --stereo | cut -d, -f 6,23-26
   gamow curve --stereo --roll 90
+  gamow curve --conformal --samples 5 | cut -d, -f 6,23-26
   gamow curve --wheel-radius 0.525 --rho 1 --angle 0 --from -2 --to 8
   gamow curve --gamma 1e6 --x0 -10 --from 0 --to 20 --out curve.csv";
 

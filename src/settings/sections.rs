@@ -337,6 +337,17 @@ pub enum PlotTab {
     Accuracy,
 }
 
+/// The coordinates of the disparity plots.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Coordinates {
+    /// Azimuth and elevation: delta-phi and delta-theta.
+    #[default]
+    Angles,
+    /// u and v, the coordinates of conformal pictures: delta-u and delta-v.
+    Conformal,
+}
+
 /// What the plots show.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Args)]
 #[serde(rename_all = "kebab-case")]
@@ -345,12 +356,23 @@ pub struct Plots {
     /// What is plotted.
     #[arg(long, value_enum)]
     pub plot: PlotTab,
+    /// The coordinates of the disparity plots.
+    #[arg(long, value_enum)]
+    pub coordinates: Coordinates,
     /// Whether the published model is drawn too, dashed.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub published: OnOff,
     /// Whether the views show how far their pictures are off, while the Accuracy tab does.
     #[arg(long, value_parser = switch, value_name = "ON|OFF")]
     pub heat_map: OnOff,
+}
+
+impl Plots {
+    /// Whether the disparities of u and v are plotted.
+    #[must_use]
+    pub fn is_conformal(&self) -> bool {
+        self.plot == PlotTab::Disparity && self.coordinates == Coordinates::Conformal
+    }
 }
 
 /// Fewest and most samples that are fitted: their fit still takes less than a second.

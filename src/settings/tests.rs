@@ -184,11 +184,9 @@ fn playback_map_and_plots() -> impl Strategy<Value = (Playback, Map, Plots)> {
         looping,
         range,
     });
-    let plots = (choice::<PlotTab>(), any::<[bool; 2]>()).prop_map(|(plot, [published, heat_map])| Plots {
-        plot,
-        published,
-        heat_map,
-    });
+    let plots = (choice::<PlotTab>(), choice::<Coordinates>(), any::<[bool; 2]>()).prop_map(
+        |(plot, coordinates, [published, heat_map])| Plots { plot, coordinates, published, heat_map },
+    );
     let map = (choice::<Face>(), choice::<Frame>()).prop_map(|(face, frame)| Map { face, frame });
     (playback, map, plots)
 }

@@ -299,6 +299,109 @@ fn stereo_columns_of_one_light_cone_are_what_the_middle_sees() {
     assert!(table.column("stereo_y").iter().all(|&y| y == 3.0));
 }
 
+/// The point is seen the rapidity behind where it would be seen at rest, at any speed; other columns stay as they are.
+#[test]
+fn conformal_columns_are_the_resting_ones_slid_by_the_rapidity() {
+    for flags in
+        ["", "--beta 0.99 --y -0.7 --x0 2", "--gamma 1e6 --from -3 --to 9", "--rapidity 0 --from 0 --to 3"]
+    {
+        let plain = words(&format!("curve --samples 41 {flags}")).text();
+        let text = words(&format!("curve --samples 41 --conformal {flags}")).text();
+        for (plain, line) in plain.lines().zip(text.lines()) {
+            assert!(line.starts_with(&format!("{plain},")), "{line}");
+        }
+        let table = Table::parsed(&text);
+        let names = ["u_left", "u_right", "v_left", "v_right", "y", "z", "x0", "d", "T"];
+        let [left, right, v_left, v_right, y, z, x0, d, time] = names.map(|name| table.column(name));
+        let [speed] = ["beta", "gamma", "rapidity"]
+            .into_iter()
+            .filter(|name| {
+                text.lines().next().is_some_and(|head| head.split(',').any(|column| column == *name))
+            })
+            .map(|name| match (name, table.column(name)[0]) {
+                ("beta", beta) => Speed::from_beta(beta).expect("a speed"),
+                ("gamma", gamma) => Speed::from_gamma(gamma).expect("a speed"),
+                (_, rapidity) => Speed::from_rapidity(rapidity).expect("a speed"),
+            })
+            .collect::<Vec<_>>()[..]
+        else {
+            panic!("{text}")
+        };
+        for i in 0..left.len() {
+            let rho = y[i].hypot(z[i]);
+            for (u, v, eye) in [(left[i], v_left[i], -0.5), (right[i], v_right[i], 0.5)] {
+                let xi = speed.gamma() * (x0[i] + speed.beta() * time[i] - eye * d[i]);
+                let expected = (xi / rho).asinh() - speed.rapidity();
+                // xi is a difference, of which gamma makes what it lacks larger.
+                let tolerance = 1e-13 + 1e-15 * speed.gamma() * time[i].abs() / xi.hypot(rho);
+                assert_near(u, expected, tolerance);
+                assert_near(v, z[i].atan2(y[i]), 1e-15);
+            }
+        }
+    }
+}
+
+/// Told by hand: at T = 0 the point at x = 0 is seen at X = -gamma beta rho, the rapidity behind.
+#[test]
+fn what_is_abreast_is_seen_behind_by_the_rapidity() {
+    for (beta, slide) in [("0.5", 0.5493), ("0.9", 1.4722), ("0.99", 2.6467)] {
+        let input = format!("beta,d,y,z,T\n{beta},0,3,2,0\n");
+        let table = run(gamow().args(["eval", "--conformal"]), input.as_bytes()).table();
+        assert_near(table.column("u_left")[0], -slide, 5e-5);
+        assert_near(table.column("v_left")[0], 0.5880, 5e-5);
+    }
+}
+
+#[test]
+fn conformal_columns_are_along_the_baseline_of_a_tilted_head_and_of_wheels_too() {
+    let curve = words("curve --samples 5 --stereo --conformal --roll 90").text();
+    let table = Table::parsed(&curve);
+    let names = ["u_left", "u_right", "v_left", "v_right", "x_left", "x_right"];
+    let [left, right, v_left, v_right, x_left, x_right] = names.map(|name| table.column(name));
+    for i in 0..left.len() {
+        // The head lies on its left side: its right is up, and its crown points to -x.
+        for (u, v, x, z) in [(left[i], v_left[i], x_left[i], 2.05), (right[i], v_right[i], x_right[i], 1.95)]
+        {
+            assert_near(u, (z / x.hypot(3.0)).asinh(), 1e-14);
+            assert_near(v, (-x).atan2(3.0), 1e-14);
+        }
+    }
+    let inputs: String =
+        curve.lines().map(|line| line.split(',').take(8).collect::<Vec<_>>().join(",") + "\n").collect();
+    assert_eq!(run(gamow().args(["eval", "--stereo", "--conformal"]), inputs.as_bytes()).text(), curve);
+
+    let wheel = "--wheel-radius 0.525 --rho 0.8 --angle=-1.5 --from -2 --to 8 --samples 7";
+    for model in ["exact", "one-cone", "published"] {
+        let table = words(&format!("curve --conformal {wheel} --model {model}")).table();
+        let names = ["u_left", "v_left", "x_left", "phi_left", "theta_left"];
+        let [u, v, x, phi, theta] = names.map(|name| table.column(name));
+        for i in 0..u.len() {
+            assert_near(u[i].tanh(), phi[i].cos() * theta[i].cos(), 1e-13);
+            assert_near(v[i], theta[i].sin().atan2(phi[i].sin() * theta[i].cos()), 1e-13);
+            assert!(x[i].signum() == u[i].signum());
+        }
+    }
+}
+
+#[test]
+fn what_is_on_the_baseline_has_empty_conformal_columns_and_extremes_are_numbers() {
+    let input = "gamma,d,y,z,T\n2,0.1,0,0,3\n1e30,0.1,3,2,-1e12\n1e30,0.1,3,2,1e12\n1e30,0,1e-300,0,0\n";
+    let text = run(gamow().args(["eval", "--conformal"]), input.as_bytes()).text();
+    let lines: Vec<&str> = text.lines().skip(1).collect();
+    assert!(lines[0].ends_with(",,,,") && !text.contains("NaN") && !text.contains("inf"), "{text}");
+    for line in &lines[1..] {
+        assert!(line.split(',').all(|field| field.parse().is_ok_and(f64::is_finite)), "{line}");
+    }
+    let table =
+        Table::parsed(&words("curve --gamma 1e30 --conformal --from -1e12 --to 1e12 --samples 3").text());
+    // u = arsinh(xi/rho) - eta, with ln(2 gamma T/rho) for the arsinh of what is far.
+    let (rho, eta) = (13.0_f64.sqrt(), 2.0_f64.ln() + 30.0 * 10.0_f64.ln());
+    let far = 2.0_f64.ln() + 42.0 * 10.0_f64.ln() - rho.ln();
+    let u = table.column("u_left");
+    assert_near(u[0], -far - eta, 1e-11);
+    assert_near(u[2], far - eta, 1e-11);
+}
+
 #[test]
 fn intensity_follows_its_exponent() {
     for (flag, exponent) in [("", 2), ("--intensity-exponent 3", 3), ("--intensity-exponent -4", -4)] {

@@ -12,7 +12,7 @@ use gamow::app::curves::{PUBLISHED, Quantity};
 use gamow::app::plotting::{MAX_PINS, PlotCommand, Ranges};
 use gamow::app::state::State;
 use gamow::flags::{SpeedParameter, SpeedSetting};
-use gamow::settings::{PlotTab, Plots};
+use gamow::settings::{Coordinates, PlotTab, Plots};
 use gamow::units::Units;
 use relativity_core::{Aperture, Disparity, Model, SourcePoint, Speed};
 use relativity_render::Geometry;
@@ -27,6 +27,7 @@ pub const TESTS: &[Test] = &[
     ("the_plots_as_files_hold_what_the_core_says", files_hold_what_the_core_says),
     ("the_plots_as_files_have_the_units_that_are_shown", files_have_the_shown_units),
     ("the_plots_as_files_are_whole_at_the_extremes", files_are_whole_at_the_extremes),
+    ("the_disparity_has_a_choice_of_coordinates", the_disparity_has_a_choice_of_coordinates),
     ("a_constant_is_a_line_in_the_middle", a_constant_is_a_line_in_the_middle),
     ("scrolling_in_a_plot_zooms_about_the_pointer_and_a_double_click_resets", scrolling_zooms),
     ("a_drag_with_the_right_button_moves_a_plot_and_leaves_T", a_right_drag_moves),
@@ -159,17 +160,48 @@ fn files_are_whole_at_the_extremes() {
         state.apply(Command::Plotting(PlotCommand::Pin));
         state.apply(Command::Plotting(PlotCommand::Cursor(None)));
         let mut window = window(state);
-        for plot in [PlotTab::Disparity, PlotTab::Angles, PlotTab::Doppler, PlotTab::Stereo] {
-            let plots = Plots { plot, published: true, ..Plots::default() };
+        let tabs = [PlotTab::Disparity, PlotTab::Angles, PlotTab::Doppler, PlotTab::Stereo];
+        let tabs = tabs.map(|plot| Plots { plot, published: true, ..Plots::default() });
+        let conformal = Plots { coordinates: Coordinates::Conformal, ..tabs[0] };
+        for plots in tabs.into_iter().chain([conformal]) {
             window.state_mut().ask(Command::Plots(plots));
             window.run();
             let texts = [window.state_mut().plots_svg(), window.state_mut().plots_csv()];
             for text in texts.into_iter().chain(labels(&window)) {
                 let mut words = text.split(|letter: char| !letter.is_alphabetic());
-                assert!(words.all(|word| word != "NaN" && word != "inf"), "{beta} {d} {plot:?}: {text}");
+                assert!(words.all(|word| word != "NaN" && word != "inf"), "{beta} {d} {plots:?}: {text}");
             }
         }
     }
+}
+
+fn the_disparity_has_a_choice_of_coordinates() {
+    let mut window = showing(PlotTab::Disparity, 0.9);
+    window.get_by_role_and_label(Role::ComboBox, "Coordinates of the disparities").click();
+    window.run();
+    window.get_by_label("u and v (conformal)").click();
+    window.run();
+    assert_eq!(window.state().state().settings.plots.coordinates, Coordinates::Conformal);
+    let (head, rows) = table(&window.state_mut().plots_csv());
+    assert_eq!(head, ["T / units", "Δu: front tyre", "Δu: at rest, eyes γd apart", "Δv / rad: front tyre"]);
+    let speed = Speed::from_beta(0.9).expect("a speed");
+    let point = SourcePoint::from_rest(TRACKED, &speed);
+    let rho = point.y.hypot(point.z);
+    assert!(rows.len() > 100);
+    for row in &rows {
+        let numbers: Vec<f64> = row.iter().map(|cell| cell.expect("everywhere there")).collect();
+        let u = |eye: f64| (speed.gamma() * (point.x0 + 0.9 * numbers[0] - eye) / rho).asinh();
+        let expected = u(-0.5 * SEPARATION) - u(0.5 * SEPARATION);
+        assert!(
+            (numbers[1] - expected).abs() < 1e-14 && (numbers[2] - expected).abs() < 1e-14,
+            "{numbers:?}"
+        );
+        assert_eq!(numbers[3], 0.0);
+    }
+    let svg = window.state_mut().plots_svg();
+    assert!(svg.contains(">Δu, left − right / 10⁻³<") && svg.contains(">at rest, eyes γd apart<"), "{svg}");
+    let command = window.state().state().curve_command().expect("a command");
+    assert!(command.contains(" --conformal "), "{command}");
 }
 
 fn a_constant_is_a_line_in_the_middle() {

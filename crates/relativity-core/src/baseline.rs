@@ -42,6 +42,18 @@ impl Baseline {
         [cos_roll * cos_turn, cos_roll * sin_turn, sin_roll]
     }
 
+    /// Returns the axes of the head, with this direction to its right.
+    #[must_use]
+    pub fn axes(&self) -> HeadAxes {
+        let ([sin_roll, cos_roll], [sin_turn, cos_turn]) =
+            (sine_and_cosine(self.roll), sine_and_cosine(self.turn));
+        HeadAxes {
+            right: self.direction(),
+            ahead: [0.0 - sin_turn, cos_turn, 0.0],
+            up: [0.0 - sin_roll * cos_turn, 0.0 - sin_roll * sin_turn, cos_roll],
+        }
+    }
+
     /// Whether it is along x, as published models have it.
     #[must_use]
     pub fn is_along_motion(&self) -> bool {
@@ -64,6 +76,43 @@ impl Baseline {
         let [x, y, z] = self.direction().map(|along| half * along);
         // 0 - 0 is 0, not -0.
         [Aperture { x: 0.0 - x, y: 0.0 - y, z: 0.0 - z }, Aperture { x: 0.0 + x, y: 0.0 + y, z: 0.0 + z }]
+    }
+}
+
+/// The axes of a head, unit vectors.
+///
+/// # Examples
+///
+/// ```
+/// use relativity_core::Baseline;
+/// use std::f64::consts::FRAC_PI_2;
+///
+/// // A head that is turned to the left looks against the motion; its right is ahead on the ground.
+/// let axes = Baseline { turn: FRAC_PI_2, ..Baseline::straight(0.1) }.axes();
+/// assert_eq!((axes.right, axes.ahead, axes.up), ([0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]));
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HeadAxes {
+    /// Along the baseline, from the left to the right aperture.
+    pub right: [f64; 3],
+    /// Straight ahead, level on the ground.
+    pub ahead: [f64; 3],
+    /// To the crown.
+    pub up: [f64; 3],
+}
+
+impl HeadAxes {
+    /// Returns a vector on the ground along these axes: to the right, ahead and up.
+    #[must_use]
+    pub fn along(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
+        [self.right, self.ahead, self.up].map(|axis| x * axis[0] + y * axis[1] + z * axis[2])
+    }
+
+    /// Returns these axes in a mirror across x.
+    #[must_use]
+    pub fn mirrored(&self) -> Self {
+        let mirrored = |[x, y, z]: [f64; 3]| [0.0 - x, y, z];
+        Self { right: mirrored(self.right), ahead: mirrored(self.ahead), up: mirrored(self.up) }
     }
 }
 

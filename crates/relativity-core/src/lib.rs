@@ -86,6 +86,7 @@ pub mod batch_wheel;
 pub mod bootstrap;
 pub mod combined;
 mod cone_pair;
+pub mod conformal;
 pub mod disparity;
 pub mod domain;
 pub mod doppler;
@@ -104,9 +105,10 @@ pub mod wheel;
 
 pub use aperture::Aperture;
 pub use apparent::{Sighting, sighting};
-pub use baseline::Baseline;
+pub use baseline::{Baseline, HeadAxes};
 pub use bootstrap::{Bootstrap, DEFAULT_REPLICATES, bootstrap, bootstrap_unless};
 pub use combined::{Combined, combined};
+pub use conformal::{Conformal, ConformalDisparity};
 pub use disparity::{Disparity, disparities, disparity};
 pub use domain::{DomainError, MAX_COORDINATE};
 pub use fit::{

@@ -4,7 +4,7 @@ use thiserror::Error;
 
 use crate::aperture::Aperture;
 use crate::apparent::{Sighting, check_inputs, sighting};
-use crate::cone_pair::ConePair;
+use crate::cone_pair::{ConePair, LinesOfSight};
 use crate::disparity::{Disparity, disparity};
 use crate::domain::DomainError;
 use crate::one_cone::{self, middle, one_cone_disparity};
@@ -13,6 +13,7 @@ use crate::source::Source;
 use crate::source::SourcePoint;
 use crate::speed::Speed;
 use crate::stereo::{Stereo, StereoError, stereo};
+use crate::wheel::baseline;
 
 /// A binocular model.
 ///
@@ -141,6 +142,45 @@ impl Model {
             }
             Self::Published(_) => Err(StereoError::Published(self.name())),
         }
+    }
+
+    /// Both lines of sight in this model; `None` of a point inside both apertures.
+    ///
+    /// # Errors
+    ///
+    /// A coordinate or time outside the domain; a pair that is not along x, in a published model.
+    pub(crate) fn lines_of_sight(
+        self,
+        speed: &Speed,
+        source: impl Into<Source>,
+        pair: [Aperture; 2],
+        observation_time: f64,
+    ) -> Result<Option<LinesOfSight<f64>>, PairError> {
+        let source = source.into();
+        let [left, right] = pair;
+        for aperture in pair {
+            check_inputs(source, aperture, observation_time)?;
+        }
+        if matches!(self, Self::Published(_)) && (left.y, left.z) != (right.y, right.z) {
+            return Err(PairError::OffTheMotion(self));
+        }
+        let Aperture { y, z, .. } = middle(pair);
+        Ok(match (self, source.simplest()) {
+            (_, Source::Point(point)) => {
+                let (cones, _) = self.cone_pair(speed, point, pair, observation_time);
+                cones.lines_of_sight(point.y - y, point.z - z)
+            }
+            (Self::Exact, Source::Wheel(wheel)) => {
+                Some(wheel.seen_by_pair(speed, pair, observation_time, baseline(pair)).lines)
+            }
+            (Self::OneCone, Source::Wheel(wheel)) => {
+                let seen = wheel.seen(speed, middle(pair), observation_time).cone;
+                one_cone::cone_pair(&seen, pair).lines_of_sight(seen.y, seen.z)
+            }
+            (Self::Published(variant), Source::Wheel(wheel)) => {
+                Some(wheel.seen_as_published(speed, pair, observation_time, variant).0.lines)
+            }
+        })
     }
 
     /// Both light cones, and by how much the second one's observation time is later. The published model

@@ -16,6 +16,7 @@
 use std::f64::consts::{PI, TAU};
 
 use glam::{DVec2, DVec3};
+use relativity_core::Conformal;
 use relativity_core::math::{asin, asinh, atan2, atanh, hypot, sin_cos, sinh};
 
 use crate::axes::Axes;
@@ -24,6 +25,9 @@ use crate::axes::Axes;
 pub const MOST_ASIDE: f64 = 28.0;
 /// How far aside the middle of a shifted picture can be: f32 has cosh^2 u at its edges.
 pub const MOST_SHIFTED: f64 = 36.0;
+
+/// How far aside a line of sight can be drawn, as |u|: its sinh is a number.
+const MOST_DRAWN: f64 = 710.0;
 
 /// Where lines of sight appear in one conformal picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,9 +66,8 @@ impl Mercator {
     #[must_use]
     pub fn coordinates(&self, direction: DVec3) -> Option<DVec2> {
         let Axes { right, up, forward } = self.axes;
-        let (ahead, rise) = (direction.dot(forward), direction.dot(up));
-        let u = asinh(direction.dot(right) / hypot(ahead, rise));
-        u.is_finite().then(|| DVec2::new(u, atan2(rise, ahead)))
+        let Conformal { u, v } = Conformal::of([right, forward, up].map(|axis| direction.dot(axis)))?;
+        (u.abs() <= MOST_DRAWN).then(|| DVec2::new(u, v))
     }
 
     /// The line of sight (unit vector) at these coordinates.

@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 use relativity_core::{
-    Aperture, Disparity, MAX_GAMMA, Model, PairError, Sighting, Source, SourcePoint, Speed, SpeedError,
-    Stereo, StereoError, Turning, WheelPoint, aberration, math,
+    Aperture, Baseline, ConformalDisparity, Disparity, MAX_GAMMA, Model, PairError, Sighting, Source,
+    SourcePoint, Speed, SpeedError, Stereo, StereoError, Turning, WheelPoint, aberration, math,
 };
 
 use crate::wheel::spin::MaterialPoint;
@@ -150,6 +150,59 @@ impl Velocity {
         };
         let (primary, secondary) = (sighting(there.primary), sighting(there.secondary));
         Ok(Disparity { primary, secondary, dphi: -there.dphi, dtheta: there.dtheta })
+    }
+
+    /// Returns the conformal disparity of `point` in the frame that moves so, in this `model`, for the eyes at the ends of
+    /// `baseline`; `None` where one sees it along the baseline.
+    ///
+    /// # Errors
+    ///
+    /// A coordinate or time outside the domain of the core; a baseline that the model does not know.
+    pub fn conformal(
+        &self,
+        model: Model,
+        point: impl Into<MaterialPoint>,
+        baseline: &Baseline,
+        observation_time: f64,
+    ) -> Result<Option<ConformalDisparity>, PairError> {
+        let source = self.reflected_source(point);
+        self.conformal_of(model, &self.speed, source, baseline, observation_time)
+    }
+
+    /// Returns the conformal disparity of `point` resting where it is at `observation_time` in the frame that moves so, for
+    /// eyes gamma d apart in place of d: of a `baseline` along the motion that of the moving point. `None` of a point that
+    /// turns, of another baseline, and of a point on the baseline.
+    ///
+    /// # Errors
+    ///
+    /// A coordinate or time outside the domain of the core.
+    pub fn resting_conformal(
+        &self,
+        point: impl Into<MaterialPoint>,
+        baseline: &Baseline,
+        observation_time: f64,
+    ) -> Result<Option<ConformalDisparity>, PairError> {
+        let Source::Point(SourcePoint { x0, y, z }) = self.reflected_source(point) else { return Ok(None) };
+        if !baseline.is_along_motion() {
+            return Ok(None);
+        }
+        let (beta, gamma) = (self.speed.beta(), self.speed.gamma());
+        let resting = SourcePoint { x0: gamma * (x0 + beta * observation_time), y, z };
+        let wide = Baseline { separation: gamma * baseline.separation, ..*baseline };
+        self.conformal_of(Model::Exact, &Speed::REST, resting.into(), &wide, observation_time)
+    }
+
+    /// The same of what is reflected already.
+    fn conformal_of(
+        &self,
+        model: Model,
+        speed: &Speed,
+        source: Source,
+        baseline: &Baseline,
+        time: f64,
+    ) -> Result<Option<ConformalDisparity>, PairError> {
+        let axes = if self.is_backward { baseline.axes().mirrored() } else { baseline.axes() };
+        model.conformal(speed, source, self.reflected_pair(baseline.apertures()), &axes, time)
     }
 
     /// Where in this `model` the `pair` of apertures (left, right) takes `point` to be in the frame that

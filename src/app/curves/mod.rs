@@ -22,6 +22,10 @@ pub enum Quantity {
     DeltaPhi,
     /// Delta-theta.
     DeltaTheta,
+    /// Delta-u.
+    DeltaU,
+    /// Delta-v.
+    DeltaV,
     /// phi of the left and the right eye.
     Phi,
     /// theta of the left and the right eye.
@@ -40,6 +44,12 @@ impl Quantity {
     pub const fn is_logarithm(self) -> bool {
         matches!(self, Self::LogDoppler | Self::LogGain | Self::LogDistance)
     }
+
+    /// Whether it is a difference between what both eyes see.
+    #[must_use]
+    pub const fn is_disparity(self) -> bool {
+        matches!(self, Self::DeltaPhi | Self::DeltaTheta | Self::DeltaU | Self::DeltaV)
+    }
 }
 
 /// One curve of a point: of a quantity and, where that has several, which of them.
@@ -49,6 +59,12 @@ pub enum Curve {
     DeltaPhi,
     /// Delta-theta.
     DeltaTheta,
+    /// Delta-u.
+    DeltaU,
+    /// Delta-v.
+    DeltaV,
+    /// Delta-u of the point at rest, for eyes gamma d apart.
+    RestingU,
     /// phi of the left (0) or the right (1) eye.
     Phi(usize),
     /// theta of an eye.
@@ -59,6 +75,14 @@ pub enum Curve {
     LogGain,
     /// Decimal logarithm of a distance.
     LogDistance(DistanceKind),
+}
+
+impl Curve {
+    /// Whether it is a difference between what both eyes see.
+    #[must_use]
+    pub const fn is_disparity(self) -> bool {
+        matches!(self, Self::DeltaPhi | Self::DeltaTheta | Self::DeltaU | Self::DeltaV | Self::RestingU)
+    }
 }
 
 /// A distance of a point at one T.
@@ -94,6 +118,8 @@ pub struct CurvesKey {
     pub published: bool,
     /// Whether what two eyes make of it is wanted too.
     pub stereo: bool,
+    /// Whether the disparities of u and v are wanted too.
+    pub conformal: bool,
 }
 
 /// Every curve of one point.
@@ -103,7 +129,12 @@ pub struct Curves {
     shown: OfModel,
     exact: Option<OfModel>,
     published: [Vec<PlotPoint>; 2],
+    published_conformal: [Pieces; 2],
+    resting: Pieces,
 }
+
+/// The pieces of a curve.
+type Pieces = Vec<Vec<PlotPoint>>;
 
 /// Those of one binocular model.
 #[derive(Debug, Clone)]
@@ -113,6 +144,8 @@ struct OfModel {
     gains: Vec<Vec<PlotPoint>>,
     /// Logs of the distances, each of the kind that its number says.
     distances: Vec<Vec<PlotPoint>>,
+    /// Delta-u and Delta-v, in pieces.
+    conformal: [Pieces; 2],
 }
 
 /// Delta-phi, Delta-theta, then phi, theta and log D of the left and of the right eye.
@@ -136,14 +169,20 @@ impl OfModel {
                 distances.push(distance);
             }
         }
-        Self { eyes, gains, distances }
+        let conformal = conformal_pieces(key, bends, |time| conformal_values(key, model, time));
+        Self { eyes, gains, distances, conformal }
     }
 
     fn of(&self, curve: Curve) -> &[Vec<PlotPoint>] {
         if let Some(channel) = eyes_channel(curve) {
             return &self.eyes[channel..=channel];
         }
-        let Curve::LogDistance(kind) = curve else { return &self.gains };
+        let kind = match curve {
+            Curve::DeltaU => return &self.conformal[0],
+            Curve::DeltaV => return &self.conformal[1],
+            Curve::LogDistance(kind) => kind,
+            _ => return &self.gains,
+        };
         let from = match kind {
             DistanceKind::Measured => 0,
             DistanceKind::Seen(eye) => 2 - eye,
@@ -161,7 +200,7 @@ const fn eyes_channel(curve: Curve) -> Option<usize> {
         Curve::Phi(eye) => Some(2 + eye),
         Curve::Theta(eye) => Some(4 + eye),
         Curve::LogDoppler(eye) => Some(6 + eye),
-        Curve::LogGain | Curve::LogDistance(_) => None,
+        Curve::DeltaU | Curve::DeltaV | Curve::RestingU | Curve::LogGain | Curve::LogDistance(_) => None,
     }
 }
 
@@ -180,7 +219,10 @@ impl Curves {
         } else {
             [Vec::new(), Vec::new()]
         };
-        Self { key, shown, exact, published }
+        let conformal = |time| conformal_values(&key, PUBLISHED, time).filter(|_| key.published);
+        let published_conformal = conformal_pieces(&key, &bends, conformal);
+        let [resting] = conformal_pieces(&key, &bends, |time| resting_value(&key, time).map(|du| [du]));
+        Self { key, shown, exact, published, published_conformal, resting }
     }
 
     /// What they were made for.
@@ -197,9 +239,12 @@ impl Curves {
             if self.key.published { &self.published[number..=number] } else { &[] }
         };
         match (model, &self.exact, curve) {
+            (_, _, Curve::RestingU) => &self.resting,
             _ if model == self.key.model => self.shown.of(curve),
             (Model::Published(_), _, Curve::DeltaPhi) => published(0),
             (Model::Published(_), _, Curve::DeltaTheta) => published(1),
+            (Model::Published(_), _, Curve::DeltaU) => &self.published_conformal[0],
+            (Model::Published(_), _, Curve::DeltaV) => &self.published_conformal[1],
             (Model::Exact, Some(exact), _) => exact.of(curve),
             _ => &[],
         }
@@ -221,6 +266,9 @@ pub fn value(key: &CurvesKey, model: Model, curve: Curve, time: f64) -> Option<f
         return Some(values(key, model, time)?[channel]);
     }
     let value = match curve {
+        Curve::DeltaU => return conformal_values(key, model, time).map(|[du, _]| du),
+        Curve::DeltaV => return conformal_values(key, model, time).map(|[_, dv]| dv),
+        Curve::RestingU => return resting_value(key, time),
         Curve::LogDistance(DistanceKind::Stereo) => fused(key, model, time)?.distance(),
         Curve::LogDistance(DistanceKind::Seen(eye)) => seen_distances(key, model, time)?[eye],
         Curve::LogDistance(DistanceKind::Measured) => measured_distance(key, time),
@@ -249,6 +297,34 @@ fn published_values(key: &CurvesKey, time: f64) -> Option<[f64; 2]> {
     let both = key.velocity.disparity(PUBLISHED, key.point, key.baseline.apertures(), time).ok()?;
     let values = [both.dphi, both.dtheta];
     values.iter().all(|value| value.is_finite()).then_some(values)
+}
+
+/// Delta-u and Delta-v in this `model` at `time`; `None` where an eye sees the point along the baseline.
+fn conformal_values(key: &CurvesKey, model: Model, time: f64) -> Option<[f64; 2]> {
+    let both = key.velocity.conformal(model, key.point, &key.baseline, time).ok()??;
+    Some([both.du, both.dv])
+}
+
+/// Delta-u at `time` of the point at rest where it is in its own frame, for eyes gamma d apart; `None` where motion is no slide.
+fn resting_value(key: &CurvesKey, time: f64) -> Option<f64> {
+    Some(key.velocity.resting_conformal(key.point, &key.baseline, time).ok()??.du)
+}
+
+/// The pieces of curves of u and v, if these are wanted.
+fn conformal_pieces<const N: usize>(
+    key: &CurvesKey,
+    bends: &Bends,
+    values: impl Fn(f64) -> Option<[f64; N]>,
+) -> [Pieces; N] {
+    let mut all = std::array::from_fn(|_| Pieces::new());
+    if key.conformal {
+        for piece in pieces(key.range, bends, &values) {
+            for (channel, points) in channels(&sampled(piece, bends, &values)).into_iter().enumerate() {
+                all[channel].push(points);
+            }
+        }
+    }
+    all
 }
 
 /// What two eyes make in this `model` at `time` of the point of `key`; none where the lines of sight do not meet.

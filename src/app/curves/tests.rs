@@ -22,6 +22,7 @@ fn key(beta: f64, point: [f64; 3]) -> CurvesKey {
         model,
         published: true,
         stereo: true,
+        conformal: true,
     }
 }
 
@@ -64,11 +65,60 @@ fn every_drawn_value_is_finite() {
         for point in [[0.0, 0.0, 0.0], [0.15, 0.0, 0.0], [0.0, 0.0, 1.0], [1e6, 1e-9, 0.0]] {
             let curves = Curves::new(key(beta, point));
             let models = [Some(&curves.shown), curves.exact.as_ref()].into_iter().flatten();
-            let models = models.flat_map(|of| of.eyes.iter().chain(&of.gains).chain(&of.distances));
-            let all = models.chain(&curves.published).flatten();
+            let models = models.flat_map(|of| {
+                of.eyes.iter().chain(&of.gains).chain(&of.distances).chain(of.conformal.iter().flatten())
+            });
+            let conformal = curves.published_conformal.iter().flatten().chain(&curves.resting);
+            let all = models.chain(&curves.published).chain(conformal).flatten();
             assert!(all.clone().all(|point| point.x.is_finite() && point.y.is_finite()));
-            assert!(all.count() < 20_000, "beta = {beta}, {point:?}");
+            assert!(all.count() < 30_000, "beta = {beta}, {point:?}");
         }
+    }
+}
+
+/// Delta-u of what moves is that of what rests, for eyes gamma d apart, at every T and speed; a drawn curve is within a pixel.
+#[test]
+fn disparities_of_u_are_those_of_a_resting_point_for_wider_eyes() {
+    for (beta, is_turned) in [(0.0, false), (0.5, false), (-0.9, false), (0.9999, true)] {
+        let turn = if is_turned { std::f64::consts::PI } else { 0.0 };
+        let key = CurvesKey {
+            model: Model::Exact,
+            baseline: Baseline { turn, ..Baseline::straight(0.3) },
+            ..key(beta, [0.3, 3.0, 2.0])
+        };
+        let curves = Curves::new(key);
+        let [drawn_resting] = curves.pieces(Curve::RestingU, Model::Exact) else { panic!("one piece") };
+        let [drawn_moving] = curves.pieces(Curve::DeltaU, Model::Exact) else { panic!("one piece") };
+        let height = drawn_moving.iter().map(|point| point.y.abs()).fold(0.0, f64::max);
+        for i in 0..2000 {
+            let time = -2.0 + 7.0 * (f64::from(i) + 0.37) / 2000.0;
+            let of = |curve| value(&key, Model::Exact, curve, time).expect("off the baseline");
+            let (moving, resting) = (of(Curve::DeltaU), of(Curve::RestingU));
+            // In front of a head that faces the other way the left eye is still the left one.
+            assert!(
+                moving > 0.0 && (moving - resting).abs() <= 1e-11 * height,
+                "{beta} {time}: {moving} {resting}"
+            );
+            for drawn in [drawn_moving, drawn_resting].map(|curve| drawn(curve, time)) {
+                assert!((drawn - moving).abs() <= height / 600.0, "{beta} {time}: {drawn} for {moving}");
+            }
+            assert_eq!(of(Curve::DeltaV).abs(), 0.0);
+        }
+    }
+}
+
+/// Motion is no slide for a tilted head, nor is there one resting place of what turns with a wheel.
+#[test]
+fn there_is_no_resting_curve_where_motion_is_no_slide() {
+    let tilted = CurvesKey {
+        baseline: Baseline { roll: 0.3, ..Baseline::straight(0.3) },
+        ..key(0.9, [0.0, 3.0, 2.0])
+    };
+    let tilted = CurvesKey { published: false, ..tilted };
+    for key in [tilted, wheel_key(0.9, 1.0, 0.0)] {
+        let curves = Curves::new(key);
+        assert!(curves.pieces(Curve::RestingU, Model::Exact).is_empty());
+        assert_eq!(curves.pieces(Curve::DeltaV, Model::Exact).len(), 1);
     }
 }
 

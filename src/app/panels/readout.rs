@@ -1,7 +1,7 @@
 //! The numbers: what each eye receives of the selected point now, and how the two differ.
 
 use eframe::egui::{self, Align, Color32, Grid, Layout, RichText, ScrollArea, Sense, Ui, vec2};
-use relativity_core::{Disparity, Model, Sighting, StereoError, doppler::received_wavelength};
+use relativity_core::{Conformal, Disparity, Model, Sighting, StereoError, doppler::received_wavelength};
 use relativity_render::{Velocity, colour};
 
 use super::Asks;
@@ -13,6 +13,7 @@ use crate::app::theme;
 use crate::app::widgets::{dot, named_text};
 use crate::caption::times::{HAPPENED, OWN_CLOCK, RECEIVED, TimeName};
 use crate::figures;
+use crate::flags::choices::ProjectionChoice;
 use crate::units::{Measures, Unit};
 
 /// Shows the readout.
@@ -60,6 +61,11 @@ fn table(ui: &mut Ui, state: &State) {
             wavelengths(ui, &received, rest_wavelength);
             for quantity in &QUANTITIES {
                 quantity.row(ui, state, &received);
+            }
+            if state.settings.projection() == ProjectionChoice::Mercator {
+                for quantity in &CONFORMAL {
+                    quantity.row(ui, state, &received);
+                }
             }
             if point.track.spin.is_some() {
                 for quantity in &TURNING {
@@ -241,6 +247,51 @@ const QUANTITIES: [Quantity; 9] = [
         |seen, _| seen.theta(),
     ),
 ];
+
+/// A conformal coordinate.
+struct OfHead {
+    symbol: &'static str,
+    name: &'static str,
+    tip: &'static str,
+    unit: Unit,
+    value: fn(&Conformal) -> f64,
+}
+
+const CONFORMAL: [OfHead; 2] = [
+    OfHead {
+        symbol: "u",
+        name: "Conformal u",
+        tip: "Column of the conformal picture, in units of rapidity: to the right along the line between the eyes, X there.\n\
+            u = arsinh(X/√(Y² + Z²)). Motion along that line slides it back by the rapidity. None along the line itself.",
+        unit: Unit::OWN,
+        value: |seen| seen.u,
+    },
+    OfHead {
+        symbol: "v",
+        name: "Conformal v",
+        tip: "Row of the conformal picture: the angle about the line between the eyes, up from straight ahead.\n\
+            v = atan2(Z, Y). Motion along that line leaves it.",
+        unit: Unit { factor: 1.0, name: "rad" },
+        value: |seen| seen.v,
+    },
+];
+
+impl OfHead {
+    fn row(&self, ui: &mut Ui, state: &State, received: &Received) {
+        const DECIMALS: u8 = 5;
+        let axes = state.settings.baseline().axes();
+        let value_of =
+            |seen: &Sighting| axes.conformal(seen.position).map_or(f64::NAN, |seen| (self.value)(&seen));
+        ui.label(RichText::new(self.unit.label(self.symbol)).weak()).on_hover_text(self.tip);
+        for (eye, seen) in Eye::BOTH.into_iter().zip(&received.shown) {
+            let value = seen.as_ref().map_or(f64::NAN, value_of);
+            let name = format!("{}, {}: {}", eye.name(), self.name, self.unit.text(value, DECIMALS));
+            let tip = received.tip(eye, self.tip, |exact| self.unit.text(value_of(exact), DECIMALS));
+            named_text(ui, self.unit.number(value, DECIMALS), name).on_hover_text(tip);
+        }
+        ui.end_row();
+    }
+}
 
 /// Of a point that turns with a wheel.
 struct OfWheel {

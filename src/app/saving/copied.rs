@@ -55,7 +55,8 @@ impl State {
         let intensity_exponent = self.settings.light.intensity_exponent.0.unwrap_or_default();
         let model = self.settings.shown_model();
         // The paper's lines of sight meet nowhere.
-        ModelArgs { model, intensity_exponent, stereo: !matches!(model, Model::Published(_)) }
+        let (stereo, conformal) = (!matches!(model, Model::Published(_)), self.settings.plots.is_conformal());
+        ModelArgs { model, intensity_exponent, stereo, conformal }
     }
 
     /// The `gamow curve` command that gives the numbers of the selected point's curves over the range of T.
@@ -65,8 +66,9 @@ impl State {
     /// Why there is none.
     pub fn curve_command(&self) -> Result<String, String> {
         let (speed, observation) = self.told_point()?;
-        let ModelArgs { model, intensity_exponent, stereo } = self.told_model();
+        let ModelArgs { model, intensity_exponent, stereo, conformal } = self.told_model();
         let stereo = if stereo { " --stereo" } else { "" };
+        let conformal = if conformal { " --conformal" } else { "" };
         let Settings { motion, .. } = self.settings;
         let [from, to] = self.time_range();
         let point = observation.source.place();
@@ -88,7 +90,7 @@ impl State {
             format!(" --{}={}", name.replace('_', "-"), quoted(&value.to_string()))
         };
         let flags: String = numbers.into_iter().chain(wheel).map(flag).collect();
-        Ok(format!("gamow curve{flags} --model={}{stereo} --samples={SAMPLES}", model.name()))
+        Ok(format!("gamow curve{flags} --model={}{stereo}{conformal} --samples={SAMPLES}", model.name()))
     }
 
     /// What `gamow eval --stereo` tells of the selected point at T: the names and the numbers, a line each, between tabs.

@@ -28,7 +28,7 @@ use crate::wheel::seen::{Circle, Hub, Seen};
 pub(crate) struct SeenPair {
     /// As the primary and the secondary one see it.
     pub each: [Seen<f64>; 2],
-    lines: LinesOfSight<f64>,
+    pub lines: LinesOfSight<f64>,
 }
 
 /// From one aperture to the other, and by how much later that one looks.

@@ -4,6 +4,7 @@
 
 mod arithmetic;
 mod batch;
+mod conformal;
 mod draw;
 mod model;
 mod tally;

@@ -271,3 +271,61 @@ pub fn aberration(parameter: Parameter, sign: f64, inputs: &[Big]) -> [Big; 4] {
     let transverse = &gamma * &factor;
     [(x + beta) / factor, y / &transverse, z / &transverse, big(1.0) / transverse]
 }
+
+/// arsinh, of magnitudes: nothing cancels.
+fn arsinh(x: &Big) -> Big {
+    if *x < big(0.0) {
+        return -arsinh(&-x);
+    }
+    (x + sqrt(&(square(x) + big(1.0)))).ln()
+}
+
+/// u and v of a place, for a head tilted by `roll` and turned by `turn`.
+fn conformal([x, y, z]: [&Big; 3], [roll, turn]: [&Big; 2]) -> [Big; 2] {
+    let ((sin_roll, cos_roll), (sin_turn, cos_turn)) = (roll.sin_cos(), turn.sin_cos());
+    // The turn is undone first, then the tilt.
+    let [along, ahead] = [x * &cos_turn + y * &sin_turn, y * &cos_turn - x * &sin_turn];
+    let [right, up] = [&along * &cos_roll + z * &sin_roll, z * &cos_roll - &along * &sin_roll];
+    [arsinh(&(right / sqrt(&(square(&ahead) + square(&up))))), atan2(&up, &ahead)]
+}
+
+/// u and v of one aperture's view. `inputs`: speed parameter, x0, y, z, aperture x, y, z, T, roll, turn.
+pub fn conformal_view(parameter: Parameter, inputs: &[Big]) -> [Big; 2] {
+    let speed = speed(parameter, &inputs[0]);
+    let View { x, y, z, .. } = View::new(&speed, difference(&inputs[1..4], &inputs[4..7]), &inputs[7]);
+    conformal([&x, &y, &z], [&inputs[8], &inputs[9]])
+}
+
+/// `u_l` - `u_r` of the paper's pair; `inputs` as for [`pair_disparity`].
+pub fn conformal_disparity(parameter: Parameter, inputs: &[Big]) -> [Big; 1] {
+    let half = &inputs[5] / big(2.0);
+    let speed = speed(parameter, &inputs[0]);
+    let u = |s0: Big| {
+        let View { x, y, z, .. } = View::new(&speed, [s0, inputs[2].clone(), inputs[3].clone()], &inputs[4]);
+        let [u, _] = conformal([&x, &y, &z], [&big(0.0), &big(0.0)]);
+        u
+    };
+    [u(&inputs[1] + &half) - u(&inputs[1] - &half)]
+}
+
+/// `u_l` - `u_r` and `v_l` - `v_r` for two apertures of a tilted and turned head. `inputs`: speed parameter, x0, y, z, T,
+/// left x, y, z, right x, y, z, roll, turn.
+pub fn conformal_disparity_of_head(parameter: Parameter, inputs: &[Big]) -> [Big; 2] {
+    let speed = speed(parameter, &inputs[0]);
+    let seen = |aperture: &[Big]| {
+        let View { x, y, z, .. } = View::new(&speed, difference(&inputs[1..4], aperture), &inputs[4]);
+        conformal([&x, &y, &z], [&inputs[11], &inputs[12]])
+    };
+    let ([ul, vl], [ur, vr]) = (seen(&inputs[5..8]), seen(&inputs[8..11]));
+    let pi = atan2(&big(0.0), &big(-1.0));
+    let turn = &pi + &pi;
+    let dv = vl - vr;
+    let dv = if dv > pi {
+        dv - turn
+    } else if dv < -pi {
+        dv + turn
+    } else {
+        dv
+    };
+    [ul - ur, dv]
+}

@@ -192,6 +192,8 @@ pub(super) const fn label(quantity: Quantity) -> &'static str {
     match quantity {
         Quantity::DeltaPhi => "Δφ",
         Quantity::DeltaTheta => "Δθ",
+        Quantity::DeltaU => "Δu",
+        Quantity::DeltaV => "Δv",
         Quantity::Phi => "φ",
         Quantity::Theta => "θ",
         Quantity::LogDoppler => "D",
@@ -205,6 +207,8 @@ const fn words(quantity: Quantity) -> &'static str {
     match quantity {
         Quantity::DeltaPhi => "Δφ, left − right",
         Quantity::DeltaTheta => "Δθ, left − right",
+        Quantity::DeltaU => "Δu, left − right",
+        Quantity::DeltaV => "Δv, left − right",
         Quantity::Phi => "azimuth φ",
         Quantity::Theta => "elevation θ",
         Quantity::LogDoppler => "Doppler factor D",
@@ -225,7 +229,7 @@ pub(super) fn column_label(quantity: Quantity, unit: Unit) -> String {
 
 fn with_unit(quantity: Quantity, words: &str, unit: Unit) -> String {
     match quantity {
-        Quantity::LogDoppler | Quantity::LogGain => words.to_owned(),
+        Quantity::DeltaU | Quantity::LogDoppler | Quantity::LogGain => words.to_owned(),
         _ => in_unit(words, unit),
     }
 }
@@ -244,7 +248,7 @@ pub(super) fn in_unit(words: &str, unit: Unit) -> String {
 pub(super) const fn shown_in(quantity: Quantity, length: Unit) -> Unit {
     match quantity {
         Quantity::LogDistance => length,
-        Quantity::LogDoppler | Quantity::LogGain => Unit::OWN,
+        Quantity::DeltaU | Quantity::LogDoppler | Quantity::LogGain => Unit::OWN,
         _ => Unit { factor: 1.0, name: "rad" },
     }
 }

@@ -8,7 +8,6 @@ use super::chart::{Chart, Dash};
 use super::plotted::Plotted;
 use super::traces::chart;
 use super::{accuracy, fit};
-use crate::app::curves::Quantity;
 use crate::app::plotting::quantities;
 use crate::app::state::State;
 use crate::files::csv_out::Rows;
@@ -43,7 +42,7 @@ pub fn csv(state: &State, plotted: Plotted<'_>) -> String {
 const HEIGHT: f32 = 300.0;
 
 fn charts<'a>(state: &'a State, plotted: Plotted<'a>) -> impl Iterator<Item = Chart<'a>> {
-    quantities(state.settings.plots.plot)
+    quantities(&state.settings.plots)
         .iter()
         .map(move |&quantity| chart(state, plotted.curves, quantity, HEIGHT))
 }
@@ -63,7 +62,7 @@ fn panel(state: &State, chart: &Chart<'_>) -> Panel {
     });
     let labels = [time_label(chart.time_unit), axis_label(chart.quantity, chart.unit)];
     let point = state.name_of(state.session.points.selected());
-    let title = if matches!(chart.quantity, Quantity::DeltaPhi | Quantity::DeltaTheta) { "" } else { &point };
+    let title = if chart.quantity.is_disparity() { "" } else { &point };
     let shown = |time| chart.time_unit.shown(time);
     let now = (shown(chart.now), "T".to_owned());
     let cursors =

@@ -12,7 +12,7 @@ use egui_plot::PlotResponse;
 
 use super::axes::label;
 use super::chart::{Chart, Dash, Trace};
-use crate::app::curves::{PUBLISHED, Quantity};
+use crate::app::curves::PUBLISHED;
 
 /// Length of a piece of line, and what is between it and its name; points.
 pub(super) const SAMPLE: f32 = 18.0;
@@ -83,7 +83,7 @@ fn rows(ui: &Ui, chart: &Chart<'_>, detail: Detail) -> Vec<Row> {
 /// The names of the curves that the title does not name: one point needs none.
 fn names(chart: &Chart<'_>, detail: Detail, visuals: &Visuals) -> Vec<Row> {
     let is_published = |trace: &&Trace<'_>| trace.source.model == PUBLISHED;
-    let is_of_points = matches!(chart.quantity, Quantity::DeltaPhi | Quantity::DeltaTheta);
+    let is_of_points = chart.quantity.is_disparity();
     let several = is_of_points && chart.traces.iter().filter(|trace| !is_published(trace)).count() > 1;
     let named = chart.traces.iter().filter(|trace| trace.pale || (several && !is_published(trace)));
     let row = |trace: &Trace<'_>| Row {

@@ -19,7 +19,7 @@ mod title;
 mod traces;
 
 use clap::ValueEnum as _;
-use eframe::egui::{self, Ui, vec2};
+use eframe::egui::{self, ComboBox, Ui, vec2};
 use egui_plot::{LineStyle, PlotBounds, PlotResponse, PlotUi, VLine};
 
 use self::axes::{annotate, label, plot_over_time};
@@ -33,7 +33,7 @@ use crate::app::curves::{Curves, Quantity};
 use crate::app::panels::Asks;
 use crate::app::state::State;
 use crate::app::theme;
-use crate::settings::PlotTab;
+use crate::settings::{Coordinates, PlotTab};
 
 /// Height of a plot's title and of the numbers along T, points.
 const ABOVE_AND_BELOW: f32 = 60.0;
@@ -102,7 +102,9 @@ fn tabs(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let mut plots = state.settings.plots;
     for &tab in PlotTab::value_variants() {
         let (name, tip) = match tab {
-            PlotTab::Disparity => ("Disparity", "Δφ and Δθ: how differently the eyes see each point"),
+            PlotTab::Disparity => {
+                ("Disparity", "Δφ and Δθ, or Δu and Δv: how differently the eyes see each point")
+            }
             PlotTab::Angles => ("Angles", "φ and θ of the selected point, each eye"),
             PlotTab::Doppler => ("Doppler", "D of the selected point, each eye"),
             PlotTab::Stereo => ("Stereo", "How far off two eyes take the selected point to be, and how deep"),
@@ -118,9 +120,34 @@ fn tabs(ui: &mut Ui, state: &State, asks: &mut Asks) {
         let published = egui::Checkbox::new(&mut plots.published, "Published");
         ui.add_enabled(with_published, published).on_hover_text(tip);
     }
+    if plots.plot == PlotTab::Disparity {
+        coordinates(ui, &mut plots.coordinates);
+    }
     if plots != state.settings.plots {
         asks.push(Command::Plots(plots));
     }
+}
+
+/// Chooses the coordinates of the disparities.
+fn coordinates(ui: &mut Ui, chosen: &mut Coordinates) {
+    let name = |coordinates| match coordinates {
+        Coordinates::Angles => "Angles",
+        Coordinates::Conformal => "u and v (conformal)",
+    };
+    let tip = |coordinates| match coordinates {
+        Coordinates::Angles => "Δφ and Δθ: azimuth and elevation.",
+        Coordinates::Conformal => {
+            "Δu and Δv: the columns and rows of conformal pictures. Motion slides u by the rapidity for both eyes alike, so \
+            that Δu of a moving point is that of a resting one for eyes γd apart, dashed."
+        }
+    };
+    let shown = ComboBox::from_id_salt("coordinates").selected_text(name(*chosen)).show_ui(ui, |ui| {
+        for &coordinates in Coordinates::value_variants() {
+            ui.selectable_value(chosen, coordinates, name(coordinates)).on_hover_text(tip(coordinates));
+        }
+    });
+    let tip = "The coordinates in which the disparities are plotted.";
+    shown.response.on_hover_text(tip).accessible_name("Coordinates of the disparities");
 }
 
 fn plot(ui: &mut Ui, size: egui::Vec2, state: &State, chart: &Chart<'_>, asks: &mut Asks) {

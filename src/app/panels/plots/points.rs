@@ -45,7 +45,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
         }
         ui.add_space(6.0);
     }
-    if !plotting::quantities(state.settings.plots.plot).is_empty() {
+    if !plotting::quantities(&state.settings.plots).is_empty() {
         buttons(ui, state, asks);
     }
 }

@@ -85,7 +85,7 @@ const fn plotted(quantity: lesson::Quantity) -> Quantity {
 /// Whose it is: disparities are of both eyes.
 const fn whose(quantity: Quantity) -> &'static str {
     match quantity {
-        Quantity::DeltaPhi | Quantity::DeltaTheta => "",
+        _ if quantity.is_disparity() => "",
         _ => ", left eye",
     }
 }

@@ -55,6 +55,15 @@ const fn tip(quantity: Quantity) -> &'static str {
         Quantity::DeltaTheta => {
             "Elevation as the left eye sees the point, less that of the right eye, at the observer's time T."
         }
+        Quantity::DeltaU => {
+            "u as the left eye sees the point, less that of the right eye, at the observer's time T. u = arsinh(X/√(Y² + Z²)), \
+            along the line between the eyes, is a rapidity: motion slides it for both eyes alike, which drops out.\n\
+            Dashed: the same point at rest, where it is in its own frame, for eyes γd apart."
+        }
+        Quantity::DeltaV => {
+            "v as the left eye sees the point, less that of the right eye, at the observer's time T. v = atan2(Z, Y) is the angle \
+            about the line between the eyes, up from straight ahead: the vertical parallax of a conformal picture."
+        }
         Quantity::Phi => {
             "The direction the point is seen in, from the direction of motion towards straight ahead."
         }
@@ -94,18 +103,18 @@ fn values_now(ui: &mut Ui, state: &State, chart: &Chart<'_>, exponent: i32) {
         let suffix =
             if exponent == 0 && chart.quantity != Quantity::DeltaPhi { "" } else { &chart.unit.suffix() };
         match trace.source.curve {
-            Curve::DeltaPhi | Curve::DeltaTheta if trace.source.model == PUBLISHED => {
+            curve if curve.is_disparity() && trace.source.model == PUBLISHED => {
                 let text = format!("published {value}{suffix}");
                 let tip = "The same by the paper's approximate binocular model, drawn dashed.";
                 entry(ui, trace, &text, &format!("Published {symbol} at T: {value}{suffix}"), tip);
             }
-            Curve::DeltaPhi | Curve::DeltaTheta if is_told_apart => {
+            curve if curve.is_disparity() && is_told_apart => {
                 let text = format!("{value}{suffix}");
                 let tip =
                     "As two eyes see it, each by its own light cone, or by the one that the views show.";
                 entry(ui, trace, &text, &format!("Exact {symbol} at T: {value}{suffix}"), tip);
             }
-            Curve::DeltaPhi | Curve::DeltaTheta => {
+            Curve::DeltaPhi | Curve::DeltaTheta | Curve::DeltaU | Curve::DeltaV | Curve::RestingU => {
                 ui.label(format!("{value}{}", chart.unit.suffix()));
             }
             Curve::LogGain => {

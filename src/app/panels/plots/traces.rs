@@ -38,9 +38,7 @@ fn rounding(key: &CurvesKey, quantity: Quantity) -> f64 {
     let distance = key.point.rest.length();
     let separation = key.baseline.separation;
     match quantity {
-        Quantity::DeltaPhi | Quantity::DeltaTheta if separation > 0.0 => {
-            SHARE * separation / distance.max(separation)
-        }
+        _ if quantity.is_disparity() && separation > 0.0 => SHARE * separation / distance.max(separation),
         Quantity::Phi | Quantity::Theta => SHARE,
         _ => 0.0,
     }
@@ -55,6 +53,11 @@ fn traces<'a>(state: &State, curves: &'a [Curves], quantity: Quantity) -> Vec<Tr
     let present = match quantity {
         Quantity::DeltaPhi => of_points(state, own, Curve::DeltaPhi),
         Quantity::DeltaTheta => of_points(state, own, Curve::DeltaTheta),
+        Quantity::DeltaU => {
+            let resting = of_selected(|own| resting(own).into_iter().collect());
+            of_points(state, own, Curve::DeltaU).into_iter().chain(resting).collect()
+        }
+        Quantity::DeltaV => of_points(state, own, Curve::DeltaV),
         Quantity::Phi => of_selected(|own| of_eyes(own, Curve::Phi)),
         Quantity::Theta => of_selected(|own| of_eyes(own, Curve::Theta)),
         Quantity::LogDoppler => of_selected(|own| of_eyes(own, Curve::LogDoppler)),
@@ -69,6 +72,22 @@ fn traces<'a>(state: &State, curves: &'a [Curves], quantity: Quantity) -> Vec<Tr
         Some(of_pin(found(state.pinned_key(pin, quantity))?, &name, pin.point.number, dash, quantity))
     });
     pinned.flatten().chain(present).collect()
+}
+
+/// The disparity of the point at rest, for eyes as far apart as the moving one shows them; none where motion is no slide.
+fn resting(own: &Curves) -> Option<Trace<'_>> {
+    let (curve, model) = (Curve::RestingU, Model::Exact);
+    let pieces = own.pieces(curve, model);
+    (!pieces.is_empty()).then(|| Trace {
+        name: "at rest, eyes γd apart".to_owned(),
+        pieces,
+        hue: Hue::Measured,
+        dash: Dash::RIGHT,
+        wide: false,
+        pale: false,
+        dot: false,
+        source: Source { key: *own.key(), model, curve },
+    })
 }
 
 /// A quantity that each eye has: the right one's dashes let the left one's line be seen where they coincide.
@@ -109,6 +128,8 @@ fn of_pin<'a>(
     match quantity {
         Quantity::DeltaPhi => vec![trace(name, Hue::Point(number), Curve::DeltaPhi)],
         Quantity::DeltaTheta => vec![trace(name, Hue::Point(number), Curve::DeltaTheta)],
+        Quantity::DeltaU => vec![trace(name, Hue::Point(number), Curve::DeltaU)],
+        Quantity::DeltaV => vec![trace(name, Hue::Point(number), Curve::DeltaV)],
         Quantity::Phi => of_eyes(Curve::Phi),
         Quantity::Theta => of_eyes(Curve::Theta),
         Quantity::LogDoppler => of_eyes(Curve::LogDoppler),
