@@ -51,12 +51,14 @@ fn projected(mut view: View, projection: Projection) -> View {
 struct Promise {
     wrong_percent: f64,
     outline_px: f64,
+    grazed_percent: f64,
     doppler_error: f64,
 }
 
 static PROMISE: LazyLock<Promise> = LazyLock::new(|| Promise {
     wrong_percent: documented(RENDERERS, "the body differs at fewer than "),
     outline_px: documented(RENDERERS, "Outlines of what turns are within "),
+    grazed_percent: documented(RENDERERS, "is met or missed wrongly at up to "),
     doppler_error: documented(RENDERERS, "and its D within "),
 });
 const RENDERERS: &str = include_str!("../src/renderers.rs");
@@ -70,7 +72,7 @@ fn the_rays_and_packets_agree_with_the_reference(renderers: &mut Renderers) {
     for (method, ((beta, geometry), projection)) in
         cases.flat_map(|case| methods.map(|method| (method, case)))
     {
-        let (mut shown, mut wrong, mut most_off, mut most_doppler) = (0, 0, 0.0f64, 0.0f64);
+        let (mut shown, mut wrong, mut grazed, mut most_off, mut most_doppler) = (0, 0, 0, 0.0f64, 0.0f64);
         for (from, aside) in From::ALL.into_iter().flat_map(|from| ASIDE.map(|aside| (from, aside))) {
             let view = projected(view_of_wheel(from, beta, geometry, aside), projection);
             let truth = scene.hit_image(&view);
@@ -81,8 +83,11 @@ fn the_rays_and_packets_agree_with_the_reference(renderers: &mut Renderers) {
                 if hit.map(|hit| hit.body) != true_hit.map(|hit| hit.body) {
                     wrong += 1;
                     let off = outline_distance(&scene, &view, pixel(&image, i), *hit);
-                    let Some(off) = off else { panic!("{context}: {:?} is wrong inside", pixel(&image, i)) };
-                    most_off = most_off.max(off);
+                    match off.filter(|off| *off <= PROMISE.outline_px) {
+                        Some(off) => most_off = most_off.max(off),
+                        None if from.is_in_plane() => grazed += 1,
+                        None => panic!("{context}: {:?} is {off:?} px off", pixel(&image, i)),
+                    }
                 } else if let (Some(hit), Some(true_hit)) = (hit, true_hit) {
                     let doppler = (hit.doppler_factor / true_hit.doppler_factor - 1.0).abs();
                     most_doppler = most_doppler.max(doppler / view.speed.gamma());
@@ -92,13 +97,13 @@ fn the_rays_and_packets_agree_with_the_reference(renderers: &mut Renderers) {
             }
         }
         println!(
-            "{method}, {geometry:?} beta {beta} {projection:?}: {wrong} of {shown} wrong, {most_off} px off; D {most_doppler:.1e} gamma"
+            "{method}, {geometry:?} beta {beta} {projection:?}: {wrong} of {shown} wrong, {most_off} px off but for {grazed}; D {most_doppler:.1e} gamma"
         );
         assert!(
             f64::from(wrong) <= 0.01 * PROMISE.wrong_percent * shown as f64,
             "{wrong} of {shown} are wrong"
         );
-        assert!(most_off <= PROMISE.outline_px, "outlines are {most_off} px off");
+        assert!(f64::from(grazed) <= 0.01 * PROMISE.grazed_percent * shown as f64, "{grazed} of {shown}");
         assert!(most_doppler < PROMISE.doppler_error, "D is {most_doppler:e} gamma off");
     }
 }
@@ -195,8 +200,10 @@ fn the_mesh_shows_points_where_they_are_seen(renderers: &mut Renderers) {
         [Geometry::Seen, Geometry::Contracted, Geometry::Rest, Geometry::OneCone, Geometry::Published];
     let mut most_of_bound = 0.0f64;
     for (beta, geometry) in BETAS[1..].iter().flat_map(|&beta| geometries.map(|geometry| (beta, geometry))) {
-        let bounded = From::ALL.into_iter().filter(|&from| is_bounded(from, beta, geometry));
-        for (from, projection) in bounded.flat_map(|from| PROJECTIONS.map(|projection| (from, projection))) {
+        let cases = From::ALL.into_iter().flat_map(|from| PROJECTIONS.map(|projection| (from, projection)));
+        for (from, projection) in
+            cases.filter(|&(from, projection)| is_bounded(from, beta, geometry, projection))
+        {
             let view = projected(view_of_wheel(from, beta, geometry, ASIDE[0]), projection);
             for bound_px in BOUNDS_PX {
                 let image = renderers.hits(Method::Mesh { bound_px }, &scene, &view).expect("device works");
@@ -221,10 +228,15 @@ fn the_mesh_shows_points_where_they_are_seen(renderers: &mut Renderers) {
 /// Where the bound is kept. In the wheel's plane the published model shows some points of a wheel at such a distance from
 /// their neighbours, and the fastest wheel that recedes there is seen so near to where it came from, that no division is
 /// fine enough (a ring that stands still there is not, either).
-fn is_bounded(from: From, beta: f64, geometry: Geometry) -> bool {
-    let is_in_plane = matches!(from, From::PlaneBefore | From::PlaneBehind | From::PlaneAbove);
+///
+/// In a conformal picture, what is close to the line through the eyes, as spokes of a wheel around that are, is bent there
+/// without a bound.
+fn is_bounded(from: From, beta: f64, geometry: Geometry, projection: Projection) -> bool {
+    if projection.is_conformal() && matches!(from, From::PlaneBefore | From::PlaneBehind) {
+        return false;
+    }
     match geometry {
-        Geometry::Published => !is_in_plane && beta < 0.999,
+        Geometry::Published => !from.is_in_plane() && beta < 0.999,
         _ => from != From::PlaneBehind || beta < 0.999,
     }
 }

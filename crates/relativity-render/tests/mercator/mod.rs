@@ -265,7 +265,8 @@ pub fn slid(renderers: &mut Renderers, method: Method, reach_px: f64) -> Slid {
 }
 
 /// What the reference shows this far from `place`, and there.
-fn bodies_around(scene: &PreparedScene, view: &View, place: DVec2, reach_px: f64) -> Vec<Option<usize>> {
+#[must_use]
+pub fn bodies_around(scene: &PreparedScene, view: &View, place: DVec2, reach_px: f64) -> Vec<Option<usize>> {
     let turned = |k: u32| DVec2::from_angle(std::f64::consts::TAU * f64::from(k) / 16.0);
     let places = (0..16).map(|k| place + turned(k) * reach_px).chain([place]);
     let body =
