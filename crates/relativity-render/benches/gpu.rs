@@ -3,8 +3,9 @@
 //! `cargo bench -p relativity-render --bench gpu` prints, for up to 100,000 bodies that ride past at
 //! beta = 0.9, milliseconds per frame of two eyes of 480 x 540 pixels (median of rounds taken in turns) and
 //! ratios to the rays'; then what it adds to compose the two pictures into one, and what pictures
-//! parallel to the baseline cost beside those across the gaze.
+//! parallel to the baseline and conformal ones cost beside those across the gaze. With `-- projections` it prints that alone.
 
+use std::hint::black_box;
 use std::time::Instant;
 
 use glam::DVec3;
@@ -25,6 +26,9 @@ const MOST_FOR_MESH: usize = 6400;
 fn main() -> Result<(), GpuError> {
     let gpu = Gpu::headless()?;
     println!("{}, 2 x {} x {}, ms per frame", gpu.description(), SIZE[0], SIZE[1]);
+    if std::env::args().any(|argument| argument == "projections") {
+        return compare_all_projections(&gpu);
+    }
     println!(
         "bodies  no bodies   rays  packets: no bodies   packets  brute force        mesh 0.5 px       mesh 0.05 px"
     );
@@ -41,14 +45,29 @@ fn main() -> Result<(), GpuError> {
     ] {
         compose(&gpu, composition, &crowd(64))?;
     }
-    println!("bodies  across the gaze      parallel, the same picture      parallel, sheared");
-    for (count, method) in [(64, Method::Rays), (640, Method::Rays), (640, Method::Mesh { bound_px: 0.5 })] {
-        compare_projections(&gpu, &crowd(count), method)?;
+    compare_all_projections(&gpu)
+}
+
+fn compare_all_projections(gpu: &Gpu) -> Result<(), GpuError> {
+    println!("bodies  across the gaze      parallel, the same picture      parallel, sheared      conformal");
+    for (count, method) in [
+        (0, Method::Rays),
+        (64, Method::Rays),
+        (640, Method::Rays),
+        (0, Method::Packets),
+        (64, Method::Packets),
+        (640, Method::Packets),
+        (64, Method::Mesh { bound_px: 0.5 }),
+        (640, Method::Mesh { bound_px: 0.5 }),
+        (64, Method::Reference),
+    ] {
+        compare_projections(gpu, &crowd(count), method)?;
     }
     Ok(())
 }
 
-/// Of the picture across the gaze, of the same as one parallel to its rows, and of one that is sheared.
+/// Of the picture across the gaze, of the same as one parallel to its rows, of one that is sheared, and of a conformal one with
+/// as many pixels per radian in its middle.
 fn compare_projections(gpu: &Gpu, bodies: &[Body], method: Method) -> Result<(), GpuError> {
     let mut renderers = Renderers::new(Some(gpu.clone()));
     let scene = PreparedScene::moving(bodies);
@@ -56,14 +75,23 @@ fn compare_projections(gpu: &Gpu, bodies: &[Body], method: Method) -> Result<(),
     let mut targets = [EyeTarget::new(gpu, SIZE), EyeTarget::new(gpu, SIZE)];
     let same = views()[0].camera.gaze.axes().right;
     let parallel = |right| Projection::Parallel { right, shift: 0.0 };
-    let projections = [Projection::Gaze, parallel(same), parallel(DVec3::X)];
-    let mut times = [const { Vec::new() }; 3];
+    let projections = [
+        Projection::Gaze,
+        parallel(same),
+        parallel(DVec3::X),
+        Projection::Mercator { right: DVec3::X, shift: 0.0 },
+    ];
+    let mut times = [const { Vec::new() }; 4];
     for round in 0..=4 * ROUNDS {
         for (projection, times) in projections.into_iter().zip(&mut times) {
             let start = Instant::now();
-            for (mut view, target) in views().into_iter().zip(&mut targets) {
-                view.camera.projection = projection;
-                renderers.draw(method, &scene, &view, &appearance, target)?;
+            for (view, target) in views().into_iter().zip(&mut targets) {
+                let view = projected(view, projection);
+                if method == Method::Reference {
+                    black_box(renderers.picture(method, &scene, &view, &appearance, 1)?);
+                } else {
+                    renderers.draw(method, &scene, &view, &appearance, target)?;
+                }
             }
             gpu.wait()?;
             if round > 0 {
@@ -71,10 +99,32 @@ fn compare_projections(gpu: &Gpu, bodies: &[Body], method: Method) -> Result<(),
             }
         }
     }
-    let [across, same, sheared] = times.map(median);
-    let ratio = |time: f64| format!("{time:8.1} ({:5.3} x)", time / across);
-    println!("{:6}  {method}  {across:8.1}  {}  {}", bodies.len(), ratio(same), ratio(sheared));
+    let across = times[0].clone();
+    let ratio = |times: &[f64]| {
+        let ratios = times.iter().zip(&across).map(|(time, across)| time / across);
+        format!("{:8.1} ({:5.3} x)", median(times.to_vec()), median(ratios.collect()))
+    };
+    println!(
+        "{:6}  {method}  {}  {}  {}  {}",
+        bodies.len(),
+        ratio(&times[0]),
+        ratio(&times[1]),
+        ratio(&times[2]),
+        ratio(&times[3])
+    );
     Ok(())
+}
+
+/// `view` in this projection; a conformal one is as fine in its middle as a flat one.
+fn projected(mut view: View, projection: Projection) -> View {
+    let px_per_radian = view.camera.px_per_radian();
+    view.camera.projection = projection;
+    if projection.is_conformal() {
+        let [x, y, z] = view.camera.gaze.axes().forward.to_array();
+        let px_per_unit = px_per_radian * y.hypot(z) / x.hypot(y).hypot(z);
+        view.camera.horizontal_fov = 2.0 * (0.5 * f64::from(SIZE[0]) / px_per_unit).sinh().atan();
+    }
+    view
 }
 
 /// Prints what a frame of two eyes costs with and without a composition of them.

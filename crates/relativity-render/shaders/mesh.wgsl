@@ -24,6 +24,8 @@ struct Instance {
     // The `Spin`.
     @location(8) spin: vec4f,
     @location(9) rim: vec2f,
+    // As `copies.rs` says: the axis that v counts from, its v, and whether this draws the other side of it alone.
+    @location(10) copy: vec4f,
 }
 
 struct Fragment {
@@ -42,6 +44,9 @@ struct Fragment {
     @location(9) @interpolate(flat) pattern: vec3f,
     @location(10) @interpolate(flat) spin: vec4f,
     @location(11) @interpolate(flat) rim: vec2f,
+    // How much of the corners is far to the left of the body's axis, and to the right, seen along the baseline; and which copy
+    // this is.
+    @location(12) ends: vec3f,
 }
 
 struct Sighting {
@@ -118,8 +123,14 @@ fn corner(corner: Corner, instance: Instance) -> Fragment {
         let sight = seen.position / max(length(seen.position), 1e-30);
         seen.doppler = doppler_of(body, earlier.place - middle(body), shape.normal, sight, seen.doppler, spin);
     }
+    var place_in_picture: Place;
+    if CONFORMAL {
+        place_in_picture = conformal_place(seen.position, instance.copy);
+    } else {
+        place_in_picture = flat_place(seen.position);
+    }
     return Fragment(
-        clip_place(seen.position, body),
+        place_in_picture.clip,
         place,
         shape.normal,
         seen.position,
@@ -132,38 +143,57 @@ fn corner(corner: Corner, instance: Instance) -> Fragment {
         instance.pattern,
         instance.spin,
         instance.rim,
+        place_in_picture.ends,
     );
 }
 
 // Nothing nearer than this is drawn.
 const NEAR = 1e-4;
 
-// Where a corner of `body` that appears there is in the picture, in clip coordinates.
-fn clip_place(position: vec3f, body: Body) -> vec4f {
-    if CONFORMAL {
-        return conformal_place(position, mapped(frame.middle.xyz + (frame.middle_fine.xyz + middle(body))).position);
-    }
-    return vec4f(
+// Where a corner is in the picture, in clip coordinates, and `Fragment.ends`.
+struct Place {
+    clip: vec4f,
+    ends: vec3f,
+}
+
+// Of what appears there.
+fn flat_place(position: vec3f) -> Place {
+    let clip = vec4f(
         dot(position, frame.clip_right.xyz),
         dot(position, frame.clip_up.xyz),
         NEAR,
         dot(position, frame.forward.xyz),
     );
+    return Place(clip, vec3f(0.0));
 }
 
-// The same in a conformal picture. Of a body that reaches all around, whose middle is seen at `centre`, triangles that would
-// be torn at half a turn stay whole: v counts from there.
-fn conformal_place(position: vec3f, centre: vec3f) -> vec4f {
+// The same in a conformal picture, for this copy of the body.
+fn conformal_place(position: vec3f, copy: vec4f) -> Place {
     let largest = max(max(abs(position.x), abs(position.y)), max(abs(position.z), 1e-30));
     let scaled = position / largest;
     let aside = dot(scaled, frame.clip_right.xyz);
     let off = vec2f(dot(scaled, frame.forward.xyz), dot(scaled, frame.clip_up.xyz));
     let rho = max(length(off), 1e-30);
     let u = sign_of(aside) * log((abs(aside) + sqrt(aside * aside + rho * rho)) / rho);
-    let ahead = vec2f(dot(centre, frame.forward.xyz), dot(centre, frame.clip_up.xyz));
-    let axis = ahead / max(max(abs(ahead.x), abs(ahead.y)), 1e-30);
-    let v = angle_of(axis) + angle_of(vec2f(dot(off, axis), off.y * axis.x - off.x * axis.y));
-    return vec4f((u - frame.forward.w) * frame.clip_right.w, v * frame.clip_up.w, 0.5, 1.0);
+    let axis = copy.xy;
+    let along = dot(off, axis);
+    let across = off.y * axis.x - off.x * axis.y;
+    var from_axis = angle_of(vec2f(along, across));
+    if copy.w > 0.0 && from_axis < 0.0 {
+        from_axis += 6.2831853;
+    }
+    let v = copy.z + from_axis;
+    let clip = vec4f((u - frame.forward.w) * frame.clip_right.w, v * frame.clip_up.w, 0.5, 1.0);
+    let is_far = along < 0.0;
+    let ends = vec2f(select(0.0, 1.0, is_far && across < 0.0), select(0.0, 1.0, is_far && across >= 0.0));
+    return Place(clip, vec3f(ends, copy.w));
+}
+
+// Whether another copy of the body draws this fragment: of a triangle with corners at both ends of what counts from the axis, that
+// which draws the other side.
+fn is_of_other_copy(fragment: Fragment) -> bool {
+    let is_on_other_side = fragment.ends.x > 0.0 && fragment.ends.y > 0.0;
+    return CONFORMAL && is_on_other_side != (fragment.ends.z > 0.5);
 }
 
 // The angle from the first axis to `place`, radians from -pi to pi. WGSL leaves 12 bits of `atan2` to whoever computes it; this
@@ -314,7 +344,7 @@ fn picture(fragment: Fragment) -> Picture {
             measure.distance,
         );
     }
-    if fragment.apparent.z < frame.ground.z {
+    if fragment.apparent.z < frame.ground.z || is_of_other_copy(fragment) {
         discard;
     }
     return Picture(vec4f(colour, 1.0) * fragment.cover_brightness_index.x, measure.depth);
@@ -330,6 +360,9 @@ struct Hit {
 
 @fragment
 fn hits(fragment: Fragment) -> Hit {
+    if is_of_other_copy(fragment) {
+        discard;
+    }
     let measure = measure(fragment);
     return Hit(
         bitcast<vec4u>(

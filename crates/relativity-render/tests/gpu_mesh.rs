@@ -9,7 +9,7 @@ mod support;
 use std::process::ExitCode;
 
 use glam::{DVec2, DVec3};
-use gpu_support::scenes::{parallel_views, still_life, time_seen_at, view_following};
+use gpu_support::scenes::{conformal_views, parallel_views, still_life, time_seen_at, view_following};
 use joints::joints;
 use relativity_core::{Aperture, MAX_GAMMA, Model, PublishedVariant, SourcePoint, Speed, sighting};
 use relativity_render::{
@@ -39,11 +39,12 @@ fn views() -> impl Iterator<Item = View> {
     let fastest = Speed::from_gamma(MAX_GAMMA).expect("in range");
     let speeds: Vec<_> = speeds.into_iter().chain([fastest]).collect();
     let parallel: Vec<_> = parallel_views(speeds.clone(), FOLLOWED).collect();
+    let conformal: Vec<_> = conformal_views(speeds.clone(), FOLLOWED).collect();
     let across_gaze = speeds.into_iter().flat_map(|speed| {
         [-8.0, -1.0, 0.0, 1.0, 4.0]
             .map(|along| view_following(FOLLOWED, speed, time_seen_at(FOLLOWED, &speed, along), 45.0))
     });
-    across_gaze.chain(parallel)
+    across_gaze.chain(parallel).chain(conformal)
 }
 
 fn the_picture_keeps_the_bound(renderers: &mut Renderers) {

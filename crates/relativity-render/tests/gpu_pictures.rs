@@ -6,7 +6,7 @@ mod support;
 
 use std::process::ExitCode;
 
-use gpu_support::scenes::{parallel_views, still_life, time_seen_at, view_following};
+use gpu_support::scenes::{conformal_views, parallel_views, still_life, time_seen_at, view_following};
 use relativity_core::Speed;
 use relativity_render::{
     Appearance, Body, Colour, Emission, Geometry, HitImage, Method, Pattern, Picture, PreparedScene,
@@ -116,10 +116,12 @@ fn agree_with_the_reference(
     let bound_px = documented(RENDERERS, "`tests/gpu_pictures.rs`: within ");
     let mesh_levels = documented(RENDERERS, "colours away from outlines are within ");
     let geometries = [Geometry::Seen, Geometry::OneCone, Geometry::Contracted, Geometry::Rest];
-    let oblique = [Geometry::Seen, Geometry::OneCone]
-        .map(|geometry| (geometry, parallel_views([fast_speed()], FOLLOWED).last()));
-    for (geometry, view) in geometries.map(|geometry| (geometry, Some(fast()))).into_iter().chain(oblique) {
-        let mut view = View { geometry, ..view.expect("there are views") };
+    let parallel = parallel_views([fast_speed()], FOLLOWED).skip(3);
+    let oblique = parallel
+        .chain(conformal_views([fast_speed()], FOLLOWED))
+        .flat_map(|view| [Geometry::Seen, Geometry::OneCone].map(|geometry| (geometry, view)));
+    for (geometry, view) in geometries.map(|geometry| (geometry, fast())).into_iter().chain(oblique) {
+        let mut view = View { geometry, ..view };
         if geometry == Geometry::OneCone {
             (view.camera.aperture.x, view.camera.off_middle.x) = (0.3, 0.3);
         }
@@ -189,10 +191,12 @@ fn light(picture: &Picture) -> f64 {
 
 fn every_speed_gives_a_picture(renderers: &mut Renderers) {
     let scene = PreparedScene::moving(&still_life());
-    for gamma in [1.0, 1e3, 1e6, 1e12, 1e30] {
-        let speed = Speed::from_gamma(gamma).expect("in range");
-        for observation_time in [-10.0, 0.0, 5.0] {
-            let view = View { observation_time, ..view(speed) };
+    let speeds = [1.0, 1e3, 1e6, 1e12, 1e30].map(|gamma| Speed::from_gamma(gamma).expect("in range"));
+    for speed in speeds {
+        let gamma = speed.gamma();
+        let conformal = conformal_views([speed], FOLLOWED);
+        let flat = [-10.0, 0.0, 5.0].map(|observation_time| View { observation_time, ..view(speed) });
+        for view in flat.into_iter().chain(conformal) {
             for method in [Method::Rays, Method::Packets, Method::Mesh { bound_px: Method::DEFAULT_BOUND_PX }]
             {
                 let image = renderers.hits(method, &scene, &view).expect("device works");

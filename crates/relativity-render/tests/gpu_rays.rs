@@ -9,7 +9,8 @@ use std::sync::LazyLock;
 
 use glam::DVec3;
 use gpu_support::scenes::{
-    crowd, parallel_views, round_still_life, speeds, still_life, time_seen_at, view_following,
+    conformal_views, crowd, parallel_views, round_still_life, speeds, still_life, time_seen_at,
+    view_following,
 };
 use joints::{joints, shared_pixels};
 use relativity_core::{SourcePoint, Speed, sighting};
@@ -45,7 +46,8 @@ const FOLLOWED: [f64; 3] = [-0.4, 3.0, 0.7];
 const ALONG: [f64; 5] = [-8.0, -1.0, 0.0, 1.0, 4.0];
 
 fn views() -> impl Iterator<Item = View> {
-    views_across_gaze().chain(parallel_views(speeds(), FOLLOWED))
+    let parallel = parallel_views(speeds(), FOLLOWED);
+    views_across_gaze().chain(parallel).chain(conformal_views(speeds(), FOLLOWED))
 }
 
 fn views_across_gaze() -> impl Iterator<Item = View> {
@@ -273,20 +275,26 @@ fn bounds_never_clip(renderers: &mut Renderers) {
     for geometry in [Geometry::Seen, Geometry::Contracted, Geometry::Rest] {
         for speed in speeds() {
             let cases = [([2.0, 1.0, 0.5], 50.0), ([-3.0, 0.5, -1.0], 120.0)];
-            for ((rest, fov), is_sheared) in cases.into_iter().flat_map(|case| [(case, false), (case, true)])
-            {
+            let right = DVec3::new(0.96, 0.0, 0.28);
+            let projections = [
+                Projection::Gaze,
+                Projection::Parallel { right, shift: 0.1 },
+                Projection::Mercator { right, shift: 0.1 },
+                Projection::Mercator { right: DVec3::X, shift: 0.1 },
+            ];
+            let cases = cases
+                .into_iter()
+                .flat_map(|case| projections.into_iter().map(move |projection| (case, projection)));
+            for ((rest, fov), projection) in cases {
                 let mut view = View { geometry, ..view_following(rest, speed, 0.3, fov) };
-                if is_sheared {
-                    view.camera.projection =
-                        Projection::Parallel { right: DVec3::new(0.96, 0.0, 0.28), shift: 0.1 };
-                }
+                view.camera.projection = projection;
                 let [found, expected] = [&mut *renderers, &mut unbounded].map(|renderers| {
                     renderers
                         .hits(Method::Rays, &PreparedScene::moving(&bodies), &view)
                         .expect("device works")
                 });
                 let differing = found.hits.iter().zip(&expected.hits).filter(|(a, b)| a != b).count();
-                assert_eq!(differing, 0, "{geometry:?} gamma {} fov {fov}", speed.gamma());
+                assert_eq!(differing, 0, "{geometry:?} gamma {} fov {fov} {projection:?}", speed.gamma());
             }
         }
     }

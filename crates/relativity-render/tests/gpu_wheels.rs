@@ -8,7 +8,10 @@ mod wheels;
 use std::process::ExitCode;
 use std::sync::LazyLock;
 
-use relativity_render::{Geometry, Hit, HitImage, MaterialPoint, Method, PreparedScene, Renderers, View};
+use glam::DVec3;
+use relativity_render::{
+    Geometry, Hit, HitImage, MaterialPoint, Method, PreparedScene, Projection, Renderers, View,
+};
 use support::documented;
 use wheels::{From, SPIN, scene, view_of_wheel};
 
@@ -25,16 +28,37 @@ const BETAS: [f64; 5] = [0.0, 0.5, 0.93, 0.99, 0.9999];
 const GEOMETRIES: [Geometry; 3] = [Geometry::Seen, Geometry::Contracted, Geometry::Rest];
 const ASIDE: [f64; 2] = [-0.05, 0.3];
 
+/// A flat picture, and a conformal one.
+const PROJECTIONS: [Projection; 2] = [Projection::Gaze, Projection::Mercator { right: DVec3::X, shift: 0.0 }];
+
+/// The widest half of a conformal picture of a wheel, in units of u: a wheel around the baseline is seen infinitely far aside.
+const WIDEST: f64 = 1.2;
+
+/// `view` in this projection, the wheel as large in the picture.
+fn projected(mut view: View, projection: Projection) -> View {
+    view.camera.projection = projection;
+    if projection.is_conformal() {
+        let flat = (0.5 * view.camera.horizontal_fov).tan();
+        let gaze = view.camera.gaze.axes().forward;
+        // cosh u times as large as abreast.
+        let half_width = (flat / gaze.y.hypot(gaze.z)).min(WIDEST);
+        view.camera.horizontal_fov = 2.0 * half_width.sinh().atan();
+    }
+    view
+}
+
 /// What the documentation of the rays promises of what turns.
 struct Promise {
     wrong_percent: f64,
     outline_px: f64,
+    grazed_percent: f64,
     doppler_error: f64,
 }
 
 static PROMISE: LazyLock<Promise> = LazyLock::new(|| Promise {
     wrong_percent: documented(RENDERERS, "the body differs at fewer than "),
     outline_px: documented(RENDERERS, "Outlines of what turns are within "),
+    grazed_percent: documented(RENDERERS, "is met or missed wrongly at up to "),
     doppler_error: documented(RENDERERS, "and its D within "),
 });
 const RENDERERS: &str = include_str!("../src/renderers.rs");
@@ -43,21 +67,27 @@ const RENDERERS: &str = include_str!("../src/renderers.rs");
 fn the_rays_and_packets_agree_with_the_reference(renderers: &mut Renderers) {
     let scene = scene();
     let cases = BETAS.into_iter().flat_map(|beta| GEOMETRIES.map(|geometry| (beta, geometry)));
+    let cases = cases.flat_map(|case| PROJECTIONS.map(|projection| (case, projection)));
     let methods = [Method::Rays, Method::Packets];
-    for (method, (beta, geometry)) in cases.flat_map(|case| methods.map(|method| (method, case))) {
-        let (mut shown, mut wrong, mut most_off, mut most_doppler) = (0, 0, 0.0f64, 0.0f64);
+    for (method, ((beta, geometry), projection)) in
+        cases.flat_map(|case| methods.map(|method| (method, case)))
+    {
+        let (mut shown, mut wrong, mut grazed, mut most_off, mut most_doppler) = (0, 0, 0, 0.0f64, 0.0f64);
         for (from, aside) in From::ALL.into_iter().flat_map(|from| ASIDE.map(|aside| (from, aside))) {
-            let view = view_of_wheel(from, beta, geometry, aside);
+            let view = projected(view_of_wheel(from, beta, geometry, aside), projection);
             let truth = scene.hit_image(&view);
             let image = renderers.hits(method, &scene, &view).expect("device works");
-            let context = format!("{method}, {geometry:?} beta {beta} {from:?}");
+            let context = format!("{method}, {geometry:?} beta {beta} {from:?} {projection:?}");
             for (i, (hit, true_hit)) in image.hits.iter().zip(&truth.hits).enumerate() {
                 shown += usize::from(true_hit.is_some());
                 if hit.map(|hit| hit.body) != true_hit.map(|hit| hit.body) {
                     wrong += 1;
                     let off = outline_distance(&scene, &view, pixel(&image, i), *hit);
-                    let Some(off) = off else { panic!("{context}: {:?} is wrong inside", pixel(&image, i)) };
-                    most_off = most_off.max(off);
+                    match off.filter(|off| *off <= PROMISE.outline_px) {
+                        Some(off) => most_off = most_off.max(off),
+                        None if from.is_in_plane() => grazed += 1,
+                        None => panic!("{context}: {:?} is {off:?} px off", pixel(&image, i)),
+                    }
                 } else if let (Some(hit), Some(true_hit)) = (hit, true_hit) {
                     let doppler = (hit.doppler_factor / true_hit.doppler_factor - 1.0).abs();
                     most_doppler = most_doppler.max(doppler / view.speed.gamma());
@@ -67,13 +97,13 @@ fn the_rays_and_packets_agree_with_the_reference(renderers: &mut Renderers) {
             }
         }
         println!(
-            "{method}, {geometry:?} beta {beta}: {wrong} of {shown} wrong, {most_off} px off; D {most_doppler:.1e} gamma"
+            "{method}, {geometry:?} beta {beta} {projection:?}: {wrong} of {shown} wrong, {most_off} px off but for {grazed}; D {most_doppler:.1e} gamma"
         );
         assert!(
             f64::from(wrong) <= 0.01 * PROMISE.wrong_percent * shown as f64,
             "{wrong} of {shown} are wrong"
         );
-        assert!(most_off <= PROMISE.outline_px, "outlines are {most_off} px off");
+        assert!(f64::from(grazed) <= 0.01 * PROMISE.grazed_percent * shown as f64, "{grazed} of {shown}");
         assert!(most_doppler < PROMISE.doppler_error, "D is {most_doppler:e} gamma off");
     }
 }
@@ -94,12 +124,15 @@ fn bounds_never_clip(renderers: &mut Renderers) {
     let mut unbounded = Renderers::brute_force(renderers.gpu().expect("a device").clone());
     let scene = scene();
     for (beta, geometry) in BETAS[1..].iter().flat_map(|&beta| GEOMETRIES.map(|geometry| (beta, geometry))) {
-        for from in From::ALL {
-            let view = view_of_wheel(from, beta, geometry, ASIDE[0]).with_size([96, 96]);
+        for (from, projection) in
+            From::ALL.into_iter().flat_map(|from| PROJECTIONS.map(|projection| (from, projection)))
+        {
+            let view =
+                projected(view_of_wheel(from, beta, geometry, ASIDE[0]).with_size([96, 96]), projection);
             let [found, expected] = [&mut *renderers, &mut unbounded]
                 .map(|renderers| renderers.hits(Method::Rays, &scene, &view).expect("device works"));
             let differing = found.hits.iter().zip(&expected.hits).filter(|(a, b)| a != b).count();
-            assert_eq!(differing, 0, "{geometry:?} beta {beta} {from:?}");
+            assert_eq!(differing, 0, "{geometry:?} beta {beta} {from:?} {projection:?}");
         }
     }
 }
@@ -114,8 +147,12 @@ fn the_mesh_keeps_its_bound(renderers: &mut Renderers) {
     for (beta, geometry) in
         [0.5, 0.93, 0.99].iter().flat_map(|&beta| geometries.map(|geometry| (beta, geometry)))
     {
-        for (from, bound_px) in From::ALL.into_iter().zip(BOUNDS_PX.into_iter().cycle()) {
-            let view = view_of_wheel(from, beta, geometry, ASIDE[0]).with_size([140, 140]);
+        let bounds = From::ALL.into_iter().zip(BOUNDS_PX.into_iter().cycle());
+        for ((from, bound_px), projection) in
+            bounds.flat_map(|case| PROJECTIONS.map(|projection| (case, projection)))
+        {
+            let view =
+                projected(view_of_wheel(from, beta, geometry, ASIDE[0]), projection).with_size([140, 140]);
             let truth = scene.hit_image(&view);
             let image = renderers.hits(Method::Mesh { bound_px }, &scene, &view).expect("device works");
             let bad = image.hits.iter().zip(&truth.hits).enumerate().filter(|(i, (hit, true_hit))| {
@@ -126,11 +163,13 @@ fn the_mesh_keeps_its_bound(renderers: &mut Renderers) {
             let bad = bad.count();
             let shown = truth.hits.iter().flatten().count();
             if bad > 0 {
-                println!("{geometry:?} beta {beta} {from:?}: {bad} of {shown} beyond {bound_px} px");
+                println!(
+                    "{geometry:?} beta {beta} {from:?} {projection:?}: {bad} of {shown} beyond {bound_px} px"
+                );
             }
             assert!(
                 bad as f64 <= (0.01 * shown as f64).max(1.0),
-                "{geometry:?} beta {beta} {from:?}: {bad} of {shown} pixels are off by more than {bound_px} px"
+                "{geometry:?} beta {beta} {from:?} {projection:?}: {bad} of {shown} pixels are off by more than {bound_px} px"
             );
         }
     }
@@ -161,8 +200,11 @@ fn the_mesh_shows_points_where_they_are_seen(renderers: &mut Renderers) {
         [Geometry::Seen, Geometry::Contracted, Geometry::Rest, Geometry::OneCone, Geometry::Published];
     let mut most_of_bound = 0.0f64;
     for (beta, geometry) in BETAS[1..].iter().flat_map(|&beta| geometries.map(|geometry| (beta, geometry))) {
-        for from in From::ALL.into_iter().filter(|&from| is_bounded(from, beta, geometry)) {
-            let view = view_of_wheel(from, beta, geometry, ASIDE[0]);
+        let cases = From::ALL.into_iter().flat_map(|from| PROJECTIONS.map(|projection| (from, projection)));
+        for (from, projection) in
+            cases.filter(|&(from, projection)| is_bounded(from, beta, geometry, projection))
+        {
+            let view = projected(view_of_wheel(from, beta, geometry, ASIDE[0]), projection);
             for bound_px in BOUNDS_PX {
                 let image = renderers.hits(Method::Mesh { bound_px }, &scene, &view).expect("device works");
                 for (i, hit) in image.hits.iter().enumerate().filter_map(|(i, hit)| Some((i, (*hit)?))) {
@@ -173,7 +215,7 @@ fn the_mesh_shows_points_where_they_are_seen(renderers: &mut Renderers) {
                     let off = (u - x).hypot(v - y);
                     assert!(
                         off <= bound_px,
-                        "{geometry:?} beta {beta} {from:?}: {off} px off, bound {bound_px}"
+                        "{geometry:?} beta {beta} {from:?} {projection:?}: {off} px off, bound {bound_px}"
                     );
                     most_of_bound = most_of_bound.max(off / bound_px);
                 }
@@ -186,10 +228,15 @@ fn the_mesh_shows_points_where_they_are_seen(renderers: &mut Renderers) {
 /// Where the bound is kept. In the wheel's plane the published model shows some points of a wheel at such a distance from
 /// their neighbours, and the fastest wheel that recedes there is seen so near to where it came from, that no division is
 /// fine enough (a ring that stands still there is not, either).
-fn is_bounded(from: From, beta: f64, geometry: Geometry) -> bool {
-    let is_in_plane = matches!(from, From::PlaneBefore | From::PlaneBehind | From::PlaneAbove);
+///
+/// In a conformal picture, what is close to the line through the eyes, as spokes of a wheel around that are, is bent there
+/// without a bound.
+fn is_bounded(from: From, beta: f64, geometry: Geometry, projection: Projection) -> bool {
+    if projection.is_conformal() && matches!(from, From::PlaneBefore | From::PlaneBehind) {
+        return false;
+    }
     match geometry {
-        Geometry::Published => !is_in_plane && beta < 0.999,
+        Geometry::Published => !from.is_in_plane() && beta < 0.999,
         _ => from != From::PlaneBehind || beta < 0.999,
     }
 }

@@ -8,6 +8,7 @@
 //! Which of two bodies is nearer is decided by the pixel's ray where there is one, as by the rays:
 //! bodies that nearly touch are nearer to each other than triangles are to their surfaces.
 
+mod copies;
 mod division;
 mod parts;
 mod template;

@@ -5,8 +5,10 @@ use glam::DVec3;
 use relativity_core::math::hypot;
 use relativity_core::threads::prelude::*;
 
+use super::copies::{Around, Copy, FLAT};
 use super::division::division;
 use super::template::Division;
+use crate::capsule::Capsule;
 use crate::drawing::{Shot, Trait};
 use crate::footprint::Projection;
 use crate::group_view::GroupView;
@@ -28,6 +30,7 @@ pub struct Instance {
     pub pattern: [f32; 3],
     pub spin: [f32; 4],
     pub rim: [f32; 2],
+    pub copy: Copy,
 }
 
 /// A body as it is drawn.
@@ -40,6 +43,8 @@ struct Part {
     joint: Joint,
     is_patterned: bool,
     turns: Turns,
+    /// In a conformal picture.
+    around: Option<Around>,
 }
 
 /// The parts of a view. Kept from view to view, for their memory.
@@ -57,15 +62,16 @@ impl Parts {
     pub fn refill(&mut self, shot: &Shot<'_>, bound_px: f64) {
         let Shot { scene, views, divided_for, appearance } = *shot;
         let projections: Vec<_> = views.iter().map(Projection::new).collect();
+        let ball = |body: &PreparedBody| {
+            if body.is_turned {
+                return *scene.ball_around(body);
+            }
+            let solid = scene.solid(body.number);
+            Capsule::ball(solid.center(), solid.bounding_radius())
+        };
         let is_seen = |body: &PreparedBody| {
             let view = &views[body.group];
-            let (center, radius) = if body.is_turned {
-                let around = scene.ball_around(body);
-                (around.from, around.radius)
-            } else {
-                let solid = scene.solid(body.number);
-                (solid.center(), solid.bounding_radius())
-            };
+            let Capsule { from: center, radius, .. } = ball(body);
             let middle = view.reflected_from_camera(center);
             // Neither the published positions nor those of one light cone for both eyes are the camera's.
             matches!(view.geometry, Geometry::Published | Geometry::OneCone)
@@ -84,6 +90,14 @@ impl Parts {
                 joint: body.joint,
                 is_patterned: body.is_patterned,
                 turns: view.turns(body),
+                around: views[body.group].camera.mercator().map(|mercator| {
+                    let view = &views[body.group];
+                    let middle = MaterialPoint { rest: scene.solid(body.number).center(), spin: body.spin };
+                    let ball = ball(body);
+                    let whole = [ball];
+                    let pieces = if body.is_turned { &whole } else { scene.around(body) };
+                    Around::new(&mercator, view, view.apparent_position(middle), &ball, pieces)
+                }),
             }
         };
         scene
@@ -92,7 +106,12 @@ impl Parts {
             .map(|body| is_seen(body).then(|| part(body)))
             .collect_into_vec(&mut self.found);
         self.sorted.clear();
-        self.sorted.extend(self.found.iter().flatten());
+        for part in self.found.iter().flatten() {
+            match part.around {
+                None => self.sorted.push(*part),
+                Some(around) => self.sorted.extend(around.copies().map(|copy| part.copied(copy))),
+            }
+        }
         self.sorted.sort_unstable_by_key(Part::rank);
     }
 
@@ -104,6 +123,10 @@ impl Parts {
 }
 
 impl Part {
+    fn copied(&self, copy: Copy) -> Self {
+        Self { instance: Instance { copy, ..self.instance }, ..*self }
+    }
+
     /// What it has in common with those that are drawn with it.
     fn common(&self) -> Trait<Division> {
         let Self { division, group, is_patterned, turns, .. } = *self;
@@ -139,7 +162,7 @@ impl Instance {
         step_mode: wgpu::VertexStepMode::Instance,
         attributes: &wgpu::vertex_attr_array![
             2 => Float32x4, 3 => Float32x4, 4 => Float32x4, 5 => Float32x4, 6 => Float32x3,
-            7 => Float32x3, 8 => Float32x4, 9 => Float32x2
+            7 => Float32x3, 8 => Float32x4, 9 => Float32x2, 10 => Float32x4
         ],
     };
 
@@ -154,6 +177,7 @@ impl Instance {
             pattern: body.pattern(),
             spin,
             rim,
+            copy: FLAT,
         }
     }
 

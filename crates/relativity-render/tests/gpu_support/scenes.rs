@@ -109,12 +109,35 @@ pub fn view_following(rest: [f64; 3], speed: Speed, observation_time: f64, fov_d
 /// Views as above with pictures parallel to baselines along the motion, tilted and upright, in which `rest` is
 /// seen far aside: at most 72 degrees from the picture's axis.
 pub fn parallel_views(speeds: impl IntoIterator<Item = Speed>, rest: [f64; 3]) -> impl Iterator<Item = View> {
+    fused_views(speeds, rest, |right, shift| Projection::Parallel { right, shift })
+}
+
+/// The same with conformal pictures, every other of which shows the sky from far on the left to far on the right.
+pub fn conformal_views(
+    speeds: impl IntoIterator<Item = Speed>,
+    rest: [f64; 3],
+) -> impl Iterator<Item = View> {
+    let views = fused_views(speeds, rest, |right, shift| Projection::Mercator { right, shift });
+    views.zip([false, true].into_iter().cycle()).map(|(mut view, is_wide)| {
+        if is_wide {
+            view.camera.horizontal_fov = 150f64.to_radians();
+        }
+        view
+    })
+}
+
+/// Views of eyes whose baselines are along the motion, tilted and upright.
+fn fused_views(
+    speeds: impl IntoIterator<Item = Speed>,
+    rest: [f64; 3],
+    projection: impl Fn(DVec3, f64) -> Projection,
+) -> impl Iterator<Item = View> {
     let baselines = [DVec3::X, DVec3::new(0.8, -0.36, 0.48), DVec3::Z];
     let cases = speeds.into_iter().flat_map(|speed| [-3.0, -0.8, 0.4, 2.5].map(|along| (speed, along)));
     cases.zip((0..).map(move |i| (baselines[i % 3], 0.04 * (i % 5) as f64 - 0.05))).map(
         move |((speed, along), (right, shift))| {
             let mut view = view_following(rest, speed, time_seen_at(rest, &speed, along), 45.0);
-            view.camera.projection = Projection::Parallel { right, shift };
+            view.camera.projection = projection(right, shift);
             view
         },
     )

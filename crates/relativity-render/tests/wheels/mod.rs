@@ -73,6 +73,11 @@ impl From {
         Self::PlaneAbove,
     ];
 
+    /// Whether the camera is in the wheel's plane, as good as.
+    pub const fn is_in_plane(self) -> bool {
+        matches!(self, Self::PlaneBefore | Self::PlaneBehind | Self::PlaneAbove)
+    }
+
     /// The hub from the camera's event.
     const fn hub(self) -> DVec3 {
         match self {
