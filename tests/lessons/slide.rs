@@ -44,8 +44,11 @@ fn a_die_is_seen_where_it_would_rest_moved_back_by_its_rapidity() {
     assert!(matches!(kind, Kind::Point(point) if point.body == "die"), "{kind:?}");
     // The selected edge: at rest straight ahead, and measured there at t = 0.
     let scene = state.opened_scene().expect("a scene");
-    let edge = state.source(&state.track(&scene));
-    assert_eq!((edge.x0, edge.y), (0.0, 3.0));
+    let edge = state.disparity(&state.track(&scene), 0.0).expect("seen").primary;
+    let [u, v] = coordinates(edge.position);
+    assert!((u + 0.5_f64.atanh()).abs() < 1e-12 && v == 0.0, "{u}, {v}");
+    let resting = settings(&l, 0, false).disparity(&state.track(&scene), 0.0).expect("seen").primary;
+    assert_eq!(resting.position.map(|x| x + 0.0), [0.0, 3.0, 0.0]);
 }
 
 #[test]
@@ -139,7 +142,7 @@ fn slides_add() {
     let twice = 2.0 * 0.5_f64.atanh();
     assert!((number(&l, 4) - 0.8).abs() < 1e-12 && (twice.tanh() - 0.8).abs() < 1e-12);
     says(&l, 4, "the arrow is {} long", 0.5_f64.atanh(), 3);
-    says(&l, 4, "slides by {} for", 0.5_f64.atanh(), 3);
+    says(&l, 4, "slides by {}.", 0.5_f64.atanh(), 3);
     says(&l, 4, "add up to {}, and", twice, 3);
     assert_eq!(observed(&l, 4), "twice as long");
 }

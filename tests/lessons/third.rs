@@ -103,12 +103,12 @@ fn a_globe_keeps_a_round_outline() {
         assert!(off.abs() < 1e-9, "{off}");
     }
     assert_eq!(right(&l, 3), "a circle");
-    assert_eq!(observed(&l, 3), "no, it is round");
+    assert_eq!(observed(&l, 3), "no, it was round all the time");
     says(&l, 3, "{} times as thick as it is high", (1.0_f64 - 0.999 * 0.999).sqrt(), 3);
     // The part that faces the eyes is its rear: in its own frame the eyes are seen far behind it.
     let behind = axis[0].atan2(axis[1]).to_degrees();
     assert!((behind - 87.0).abs() < 1.0, "{behind}");
-    says(&l, 3, "it looks turned by {} degrees, and you see its rear", 87.0, 0);
+    says(&l, 3, "abreast it looks turned by {} degrees, and you see its rear", 87.0, 0);
 }
 
 /// The front of the front tyre, the rear of the rear tyre, with the shift of the lesson.
