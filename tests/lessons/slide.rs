@@ -107,7 +107,7 @@ fn a_globe_has_one_outline_all_the_way() {
     // It stays in the picture.
     let half = (142.5_f64 / 2.0).to_radians().sin().atanh();
     let middle = 127.2_f64.to_radians().cos().atanh();
-    for (time, revealed) in [(-1.5, false), (14.0, true)] {
+    for (time, revealed) in [(-1.2, false), (14.0, true)] {
         assert_eq!(settings(&l, 2, revealed).time, Some(time));
         let [u, _] = coordinates(seen(0.9, [-1.5, 6.0, 0.0], time).position);
         assert!((u - middle).abs() + 0.26 < half, "T = {time}: {u}, {middle} +- {half}");
