@@ -68,6 +68,20 @@ fn a_rod_that_goes_is_seen_less_than_half_as_long() {
     assert_eq!((right(&l, 2), observed(&l, 2)), ("less than 0.71 times as long", "less than half as long"));
 }
 
+/// In the picture itself: columns are arsinh(X/rho), and a twin rests 0.3 below the eyes, 4 away.
+#[test]
+fn the_pictures_of_rods_are_as_long_as_the_text_says() {
+    for (time, middle) in [(-4.5, -12.0), (4.01, 0.0), (29.8, 12.0)] {
+        let [rear, _, front] = rod(time).map(|end| {
+            let [x, y, z] = end.position;
+            (x / y.hypot(z)).asinh()
+        });
+        let twin = [-1.0, 1.0].map(|end| ((middle + end - LEFT.x) / 4.0_f64.hypot(0.3)).asinh());
+        let drawn = (front - rear) / (twin[1] - twin[0]);
+        assert!((drawn / length(rod(time)) - 1.0).abs() < 0.015, "{time}: {drawn}");
+    }
+}
+
 #[test]
 fn the_street_measures_one_length_each_time() {
     let l = lesson("rods");

@@ -22,7 +22,9 @@ fn coordinates([x, y, z]: [f64; 3]) -> [f64; 2] {
 
 /// The corners of the lesson's die, from the eyes: edge 2, its near side 3 away.
 fn corners() -> impl Iterator<Item = [f64; 3]> {
-    (0..8).map(|corner| [-2.0 * f64::from(corner & 1), 3.0 + f64::from(corner & 2), f64::from(corner / 4) * 2.0 - 1.0])
+    (0..8).map(|corner| {
+        [-2.0 * f64::from(corner & 1), 3.0 + f64::from(corner & 2), f64::from(corner / 4) * 2.0 - 1.0]
+    })
 }
 
 #[test]
@@ -77,11 +79,8 @@ fn outline(beta: f64, time: f64) -> [f64; 2] {
     let aside = [axis[1], -axis[0], 0.0];
     let around = (0..7200).map(|part| {
         let (s, c) = (f64::from(part) * std::f64::consts::TAU / 7200.0).sin_cos();
-        let rest = [
-            cos * axis[0] + sin * c * aside[0],
-            cos * axis[1] + sin * c * aside[1],
-            cos * axis[2] + sin * s,
-        ];
+        let rest =
+            [cos * axis[0] + sin * c * aside[0], cos * axis[1] + sin * c * aside[1], cos * axis[2] + sin * s];
         coordinates(ground_from_rest(rest, &speed))
     });
     let around: Vec<_> = around.collect();
