@@ -18,6 +18,8 @@ const SIZES: [[u32; 2]; 3] = [[480, 540], [960, 720], [300, 700]];
 const TIMES: u32 = 40;
 /// Part of the picture that stays free on each side at least.
 const LEAST_MARGIN: f64 = 0.05;
+/// Points of each scene at least.
+const LEAST_POINTS: usize = 200;
 
 /// The presets as the window opens them at this beta.
 fn states(beta: f64) -> impl Iterator<Item = State> {
@@ -42,18 +44,24 @@ fn surface(scene: &Scene) -> Vec<MaterialPoint> {
     let extent = scene.groups()[0].extent;
     let directions = (0..8).map(|i| (TAU * f64::from(i) / 8.0, 0.0)).chain([(0.3, 1.5), (0.3, -1.5)]);
     let tilted = (0..4).flat_map(|i| [0.7, -0.7].map(|tilt| (TAU * f64::from(i) / 4.0, tilt)));
-    let cameras = directions.chain(tilted).map(|(azimuth, elevation)| {
-        let gaze = Gaze { azimuth, elevation };
-        let place = extent.middle - gaze.axes().forward * (20.0 * extent.reach);
-        let aperture = Aperture { x: place.x, y: place.y, z: place.z };
-        Camera::new(aperture, gaze, 0.101, [40, 40])
-    });
-    let hits = cameras.flat_map(|camera| {
-        let (speed, geometry) = (Speed::REST, Geometry::Seen);
-        scene.hit_image(&View { camera, speed, observation_time: 0.0, geometry }).hits
-    });
-    let point = |hit: Hit| MaterialPoint { rest: hit.material_position, spin: bodies[hit.body].spin };
-    hits.flatten().map(point).collect()
+    let gazes: Vec<_> = directions.chain(tilted).collect();
+    let points = |side: u32| -> Vec<MaterialPoint> {
+        let cameras = gazes.iter().map(|&(azimuth, elevation)| {
+            let gaze = Gaze { azimuth, elevation };
+            let place = extent.middle - gaze.axes().forward * (20.0 * extent.reach);
+            let aperture = Aperture { x: place.x, y: place.y, z: place.z };
+            Camera::new(aperture, gaze, 0.101, [side, side])
+        });
+        let hits = cameras.flat_map(|camera| {
+            let (speed, geometry) = (Speed::REST, Geometry::Seen);
+            scene.hit_image(&View { camera, speed, observation_time: 0.0, geometry }).hits
+        });
+        let point = |hit: Hit| MaterialPoint { rest: hit.material_position, spin: bodies[hit.body].spin };
+        hits.flatten().map(point).collect()
+    };
+    // A thin rod is seldom hit in a coarse picture.
+    let coarse = points(40);
+    if coarse.len() > LEAST_POINTS { coarse } else { points(160) }
 }
 
 /// Directions from an eye to what it is shown of `points`.
@@ -83,7 +91,7 @@ fn assert_whole(state: &State, geometry: Geometry) {
     let mut state = state.clone();
     state.settings.look.geometry = geometry;
     let points = surface(&state.session.scene);
-    assert!(points.len() > 200, "{}: {} points", state.settings.scene, points.len());
+    assert!(points.len() > LEAST_POINTS, "{}: {} points", state.settings.scene, points.len());
     for time in times(&state) {
         let seen = views(&state, time, SIZES[0]).map(|view| directions(&view, &points));
         for size in SIZES {

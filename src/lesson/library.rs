@@ -16,13 +16,14 @@ macro_rules! files {
 }
 
 /// The names of the program's own, and their files, in their order.
-const OWN: [(&str, &str); 12] = files![
+const OWN: [(&str, &str); 13] = files![
     "rods",
     "what-gamow-drew",
     "light-is-late",
     "turned",
     "colour",
     "headlight",
+    "slide",
     "clocks",
     "two-eyes",
     "depth",

@@ -1,4 +1,4 @@
-//! Lessons 11 and 12: what is measured and fitted.
+//! Lessons 12 and 13: what is measured and fitted.
 
 use relativity_core::{
     Aperture, DEFAULT_REPLICATES, FitOptions, Model, Parameter, PublishedVariant, Simulation, SourcePoint,

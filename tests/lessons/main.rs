@@ -4,6 +4,7 @@ mod documented;
 mod first;
 mod fitted;
 mod second;
+mod slide;
 mod support;
 mod third;
 mod told;

@@ -1,4 +1,4 @@
-//! Lessons 7 to 10.
+//! Lessons 8 to 11.
 
 use relativity_core::{Aperture, Sighting, SourcePoint, Speed, disparity, sighting, stereo};
 

@@ -7,7 +7,7 @@ use relativity_core::aberration::{ground_from_rest, rest_from_ground};
 use relativity_core::{Aperture, Sighting, SourcePoint, Speed, sighting};
 
 use super::support::lesson;
-use super::told::{number, observed, right, says};
+use super::told::{number, observed, right, says, settings};
 
 /// The left eye of the usual pair.
 const LEFT: Aperture = Aperture { x: -0.05, y: 0.0, z: 0.0 };
@@ -102,13 +102,17 @@ fn a_globe_keeps_a_round_outline() {
         let off = dot(from(*direction, outline[0]), normal) / length;
         assert!(off.abs() < 1e-9, "{off}");
     }
+    // It comes, passes and goes.
+    let [before, after] = [14.0, 30.0].map(|time| seen(0.999, [-1.5, 22.0, 0.0], time).position[0]);
+    assert!(before < -1.5 && after > 1.5, "{before}, {after}");
+    assert_eq!(settings(&l, 3, true).time, Some(30.0));
     assert_eq!(right(&l, 3), "a circle");
-    assert_eq!(observed(&l, 3), "no, it is round");
+    assert_eq!(observed(&l, 3), "no, it was round all the time");
     says(&l, 3, "{} times as thick as it is high", (1.0_f64 - 0.999 * 0.999).sqrt(), 3);
     // The part that faces the eyes is its rear: in its own frame the eyes are seen far behind it.
     let behind = axis[0].atan2(axis[1]).to_degrees();
     assert!((behind - 87.0).abs() < 1.0, "{behind}");
-    says(&l, 3, "it looks turned by {} degrees, and you see its rear", 87.0, 0);
+    says(&l, 3, "abreast it looks turned by {} degrees, and you see its rear", 87.0, 0);
 }
 
 /// The front of the front tyre, the rear of the rear tyre, with the shift of the lesson.

@@ -22,6 +22,19 @@ pub const VALUES: &[Value] = &[
         what: "arcsin beta, by which what is small or far abeam looks turned, degrees",
         work_out: |here| Some(math::asin(here.settings.speed().beta()).to_degrees()),
     },
+    Value {
+        name: "rapidity",
+        what: "artanh beta, by which motion slides a conformal picture",
+        work_out: |here| Some(here.settings.speed().rapidity()),
+    },
+    Value {
+        name: "u",
+        what: "where the left eye sees it along the motion in a conformal picture: artanh of the cosine of the angle from +x",
+        work_out: |here| {
+            let [x, y, z] = here.left()?.position;
+            Some(math::asinh(x / math::hypot(y, z))).filter(|u| u.is_finite())
+        },
+    },
     Value { name: "T", what: "when light is received", work_out: |here| Some(here.time) },
     Value {
         name: "t",
