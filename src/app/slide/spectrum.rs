@@ -106,6 +106,11 @@ fn paint_colours(painter: &Painter, columns: &Columns, strip: Rect, wavelength: 
 }
 
 fn paint_factors(painter: &Painter, columns: &Columns, strip: Rect, speed: &Speed) {
+    if speed.beta() == 0.0 {
+        let text = "D = 1 everywhere";
+        painter.text(strip.center(), Align2::CENTER_CENTER, text, FONT, Color32::WHITE);
+        return;
+    }
     let mut taken: Vec<Rect> = Vec::new();
     for factor in NAMED {
         let Some(x) = column_of(speed, factor).map(|u| columns.x(u)) else { continue };

@@ -1,10 +1,12 @@
 //! What the help says in words: what is shown, what the terms and letters mean, and where it comes from.
 
 /// What one is looking at.
-pub const WHAT: [&str; 6] = [
+pub const WHAT: [&str; 7] = [
     "Gamow shows what two eyes see of something that rides past at nearly the speed of light.",
-    "Light takes time: each eye sees every point where it was when its light left. So what comes looks long and blue, \
-    and what goes short and red.",
+    "Light takes time: each eye sees every point where it was when its light left. So what comes nearly \
+    straight at you looks long and blue, and what goes short and red.",
+    "The views are conformal: small things keep their shape. A passing body has the picture that it has at rest, slid back by \
+    the rapidity, which the ruler below it measures. Key V changes to a camera's picture, key O outlines the body at rest.",
     "At one moment the two eyes receive light that left at different times. How their views differ, the disparities, \
     tells how far off something is and how fast it rides.",
     "Lessons, on the start page (key S), ask what you expect, show what is seen, and explain it. Presets there are states \
@@ -15,13 +17,17 @@ pub const WHAT: [&str; 6] = [
 ];
 
 /// What the terms and letters mean, beside the three times.
-pub const WORDS: [(&str, &str); 14] = [
+pub const WORDS: [(&str, &str); 15] = [
     ("β, γ, η", "the speed in parts of that of light, v/c; γ = 1/√(1 − β²); the rapidity η = artanh β"),
     ("d", "how far apart the eyes are"),
     ("Doppler factor D", "received over rest frequency: above 1 is bluer. So fast is a clock seen to run"),
     (
         "disparity Δφ, Δθ",
         "how differently the eyes see a point: azimuth φ and elevation θ, left minus right, in radians",
+    ),
+    (
+        "u, v",
+        "column and row of a point in a conformal picture; motion along the eyes' line takes η from u and keeps v",
     ),
     ("T₀", "the T at which both eyes see the point equally far, so that both receive the same event"),
     ("presently abreast", "measured beside the eyes now, at x = 0; nobody sees it there yet"),
