@@ -8,6 +8,9 @@ use crate::fit::{start, wheel_start};
 const TURNED: usize = 2;
 const TURNS: i32 = 8;
 const ROUNDS: u32 = 4;
+/// Of a wheel on the other side of z = 0: parts of a turn that are tried, and how many turns more and less.
+const PARTS: i32 = 8;
+const MIRRORED_TURNS: i32 = 2;
 
 /// Where the best of several starts leads. All get a few steps against some of the data; those that promise
 /// most, and are on different ways, are followed.
@@ -19,8 +22,26 @@ pub(super) fn best_start(problem: &Problem) -> Option<Free> {
     let from_hub = wheel_start::best_start(problem, &hubs, &ways(&hubs));
     let coarse = start::thinned(problem, start::GRID_SAMPLES);
     let turned = ways(problem).into_iter().take(TURNED).map(|way| otherwise_turned(problem, &coarse, way));
-    let found = from_hub.into_iter().chain(turned);
-    found.min_by(|a, b| a.cost.total_cmp(&b.cost)).map(|best| best.free)
+    let best = lowest(from_hub.into_iter().chain(turned))?;
+    let mirrored = hubs.is_even_in_z().then(|| mirrored(problem, &coarse, &best)).flatten();
+    lowest([best].into_iter().chain(mirrored)).map(|best| best.free)
+}
+
+fn lowest(descents: impl Iterator<Item = Descent>) -> Option<Descent> {
+    descents.min_by(|a, b| a.cost.total_cmp(&b.cost))
+}
+
+/// The lowest minimum on the other side of z = 0. The hub's own curve does not tell the side, and that of its wheel has minima
+/// at other turns there, between which no descent leads: the wheel is tried in parts of a turn.
+fn mirrored(problem: &Problem, coarse: &Problem, way: &Descent) -> Option<Descent> {
+    let mut other = way.free;
+    other[2] = -other[2];
+    let turned = |part: i32| problem.turned(&other, f64::from(part) / f64::from(PARTS));
+    let starts = (-PARTS * MIRRORED_TURNS..=PARTS * MIRRORED_TURNS).filter_map(turned).collect();
+    let glances = descents(coarse, starts, START_PATIENCE);
+    let promising = glances.iter().take(TURNED).map(|descent| descent.free).collect();
+    let lowest = *descents(problem, promising, START_PATIENCE).first()?;
+    Some(otherwise_turned(problem, coarse, lowest))
 }
 
 /// The lowest of the minima that show the same passage with a wheel that has turned some times more or less before: each is
