@@ -387,15 +387,15 @@ fn noisy_curves_of_wheels_give_their_hubs_back() {
 /// the search found a minimum on the wrong one.
 #[test]
 fn a_wheel_seen_in_azimuth_alone_is_looked_for_on_both_sides_of_the_level_of_the_eyes() {
-    let rolling = Some(Rolling { radius: 0.215, rho: 0.98, angle: 0.06081360179006268 });
+    let rolling = Some(Rolling { radius: 0.215, rho: 0.98, angle: 0.060_813_601_790_062_68 });
     let case = Case {
         beta: 0.398,
         y: 3.46,
         z: -2.07,
-        x0: 3.6937900000000923,
+        x0: 3.693_790_000_000_092_3,
         samples: 336,
         noise: 0.05,
-        extent: 2.725795000000005,
+        extent: 2.725_795_000_000_005,
         rolling,
         ..PAPER
     };
