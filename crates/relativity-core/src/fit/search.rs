@@ -1,8 +1,9 @@
 //! Where the descent to the minimum starts: the best of several starts, and of a wheel of several numbers of turns.
 
-use crate::fit::descent::{Descent, ROUNDING, START_PATIENCE, descents, ways};
+use crate::fit::descent::{Descent, ROUNDING, START_PATIENCE, descent, descents, ways};
 use crate::fit::problem::{Free, Problem};
 use crate::fit::{start, wheel_start};
+use crate::threads::prelude::*;
 
 /// Of a wheel: ways that are followed with other numbers of turns, how many turns more and less, and how often from the best.
 const TURNED: usize = 2;
@@ -34,12 +35,14 @@ fn lowest(descents: impl Iterator<Item = Descent>) -> Option<Descent> {
 /// The lowest minimum on the other side of z = 0. The hub's own curve does not tell the side, and that of its wheel has minima
 /// at other turns there, between which no descent leads: the wheel is tried in parts of a turn.
 fn mirrored(problem: &Problem, coarse: &Problem, way: &Descent) -> Option<Descent> {
+    let samples = start::thinned(problem, wheel_start::SAMPLES);
     let mut other = way.free;
     other[2] = -other[2];
     let turned = |part: i32| problem.turned(&other, f64::from(part) / f64::from(PARTS));
-    let starts = (-PARTS * MIRRORED_TURNS..=PARTS * MIRRORED_TURNS).filter_map(turned).collect();
-    let glances = descents(coarse, starts, START_PATIENCE);
-    let promising = glances.iter().take(TURNED).map(|descent| descent.free).collect();
+    let starts: Vec<Free> = (-PARTS * MIRRORED_TURNS..=PARTS * MIRRORED_TURNS).filter_map(turned).collect();
+    let glances = starts.into_par_iter().map(|start| descent(&samples, start, START_PATIENCE)).collect();
+    let promising =
+        wheel_start::lowest(glances, wheel_start::FOLLOWED).iter().map(|descent| descent.free).collect();
     let lowest = *descents(problem, promising, START_PATIENCE).first()?;
     Some(otherwise_turned(problem, coarse, lowest))
 }
