@@ -102,9 +102,10 @@ fn a_turned_head_sees_the_same_place_in_its_own_axes() {
     let Conformal { u, v } = axes.conformal(place).expect("off the baseline");
     let length = (9.0_f64 + 4.0 + 0.25).sqrt();
     // n = right tanh u + (ahead cos v + up sin v)/cosh u.
-    for (i, place) in place.into_iter().enumerate() {
-        let n = axes.right[i] * u.tanh() + (axes.ahead[i] * v.cos() + axes.up[i] * v.sin()) / u.cosh();
-        assert!((n - place / length).abs() < 1e-15);
+    let HeadAxes { right, ahead, up } = axes;
+    for (i, along) in place.into_iter().enumerate() {
+        let n = right[i] * u.tanh() + (ahead[i] * v.cos() + up[i] * v.sin()) / u.cosh();
+        assert!((n - along / length).abs() < 1e-15);
     }
     assert_eq!(straight(), HeadAxes { right: [1.0, 0.0, 0.0], ahead: [0.0, 1.0, 0.0], up: [0.0, 0.0, 1.0] });
 }

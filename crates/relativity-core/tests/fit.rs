@@ -382,3 +382,28 @@ fn noisy_curves_of_wheels_give_their_hubs_back() {
     }
     assert!(tally.right as f64 >= 0.95 * tally.cases as f64, "{tally} {:?}", tally.complaints);
 }
+
+/// Delta-phi alone of a wheel's point with the passage unknown: the two sides of z = 0 are told apart by the wheel alone, and
+/// the search found a minimum on the wrong one.
+#[test]
+fn a_wheel_seen_in_azimuth_alone_is_looked_for_on_both_sides_of_the_level_of_the_eyes() {
+    let rolling = Some(Rolling { radius: 0.215, rho: 0.98, angle: 0.060_813_601_790_062_68 });
+    let case = Case {
+        beta: 0.398,
+        y: 3.46,
+        z: -2.07,
+        x0: 3.693_790_000_000_092_3,
+        samples: 336,
+        noise: 0.05,
+        extent: 2.725_795_000_000_005,
+        rolling,
+        ..PAPER
+    };
+    let observations = case.observations(Model::Exact, 127);
+    let passage = Passage::Fitted;
+    let options = FitOptions { curves: Curves::Azimuth, passage, rolling, ..FitOptions::default() };
+    let found = fit(&observations, &options).expect("a fit");
+    let best = fit_from(&observations, &options, case.truth()).expect("a fit");
+    assert!(found.rms <= best.rms * (1.0 + 1e-9), "{:?} for {:?}", found.values, best.values);
+    assert!((found.value(Parameter::Z) + 2.07).abs() < 3.0 * found.standard_error(Parameter::Z));
+}

@@ -1,13 +1,17 @@
 //! Where the descent to the minimum starts: the best of several starts, and of a wheel of several numbers of turns.
 
-use crate::fit::descent::{Descent, ROUNDING, START_PATIENCE, descents, ways};
+use crate::fit::descent::{Descent, ROUNDING, START_PATIENCE, descent, descents, ways};
 use crate::fit::problem::{Free, Problem};
 use crate::fit::{start, wheel_start};
+use crate::threads::prelude::*;
 
 /// Of a wheel: ways that are followed with other numbers of turns, how many turns more and less, and how often from the best.
 const TURNED: usize = 2;
 const TURNS: i32 = 8;
 const ROUNDS: u32 = 4;
+/// Of a wheel on the other side of z = 0: parts of a turn that are tried, and how many turns more and less.
+const PARTS: i32 = 8;
+const MIRRORED_TURNS: i32 = 2;
 
 /// Where the best of several starts leads. All get a few steps against some of the data; those that promise
 /// most, and are on different ways, are followed.
@@ -19,8 +23,28 @@ pub(super) fn best_start(problem: &Problem) -> Option<Free> {
     let from_hub = wheel_start::best_start(problem, &hubs, &ways(&hubs));
     let coarse = start::thinned(problem, start::GRID_SAMPLES);
     let turned = ways(problem).into_iter().take(TURNED).map(|way| otherwise_turned(problem, &coarse, way));
-    let found = from_hub.into_iter().chain(turned);
-    found.min_by(|a, b| a.cost.total_cmp(&b.cost)).map(|best| best.free)
+    let best = lowest(from_hub.into_iter().chain(turned))?;
+    let mirrored = hubs.is_even_in_z().then(|| mirrored(problem, &coarse, &best)).flatten();
+    lowest([best].into_iter().chain(mirrored)).map(|best| best.free)
+}
+
+fn lowest(descents: impl Iterator<Item = Descent>) -> Option<Descent> {
+    descents.min_by(|a, b| a.cost.total_cmp(&b.cost))
+}
+
+/// The lowest minimum on the other side of z = 0. The hub's own curve does not tell the side, and that of its wheel has minima
+/// at other turns there, between which no descent leads: the wheel is tried in parts of a turn.
+fn mirrored(problem: &Problem, coarse: &Problem, way: &Descent) -> Option<Descent> {
+    let samples = start::thinned(problem, wheel_start::SAMPLES);
+    let mut other = way.free;
+    other[2] = -other[2];
+    let turned = |part: i32| problem.turned(&other, f64::from(part) / f64::from(PARTS));
+    let starts: Vec<Free> = (-PARTS * MIRRORED_TURNS..=PARTS * MIRRORED_TURNS).filter_map(turned).collect();
+    let glances = starts.into_par_iter().map(|start| descent(&samples, start, START_PATIENCE)).collect();
+    let promising =
+        wheel_start::lowest(glances, wheel_start::FOLLOWED).iter().map(|descent| descent.free).collect();
+    let lowest = *descents(problem, promising, START_PATIENCE).first()?;
+    Some(otherwise_turned(problem, coarse, lowest))
 }
 
 /// The lowest of the minima that show the same passage with a wheel that has turned some times more or less before: each is

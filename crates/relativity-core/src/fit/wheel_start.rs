@@ -34,11 +34,11 @@ const HUB_PATIENCE: usize = 2;
 /// Times of passage of each speed that are kept.
 const PASSAGES: usize = 3;
 /// Samples that starts are held against.
-const SAMPLES: usize = 97;
+pub(super) const SAMPLES: usize = 97;
 /// How many of the best starts get how many evaluations per parameter, one round after the other; those that are then
 /// followed with all samples.
 const GLANCES: [(usize, usize); 2] = [(64, 1), (20, 3)];
-const FOLLOWED: usize = 5;
+pub(super) const FOLLOWED: usize = 5;
 const PATIENCE: usize = 8;
 /// Share of a sum of squares by which descents differ that are in different places.
 const SAME: f64 = 1e-4;
@@ -59,7 +59,7 @@ pub(super) fn best_start(problem: &Problem, hubs: &Problem, ways: &[Descent]) ->
 }
 
 /// The lowest of `descents`, at most `count`, each once.
-fn lowest(mut descents: Vec<Descent>, count: usize) -> Vec<Descent> {
+pub(super) fn lowest(mut descents: Vec<Descent>, count: usize) -> Vec<Descent> {
     descents.retain(|descent| descent.cost.is_finite());
     descents.sort_by(|a, b| a.cost.total_cmp(&b.cost));
     descents.dedup_by(|higher, lower| higher.cost - lower.cost <= SAME * lower.cost);
