@@ -16,16 +16,22 @@ struct Arc<S: Simd> {
 fn arc<S: Simd>(angle: F<S>, sign: f32) -> Arc<S> {
     let quarter = angle * 0.25;
     let square = quarter * quarter * sign;
-    let series = |factors: [f32; 4]| {
-        factors.iter().rev().fold(square * 0.0 + 1.0, |sum, factor| square * (1.0 / factor) * sum + 1.0)
-    };
-    let mut sine = quarter * series([6.0, 20.0, 42.0, 72.0]);
-    let mut versine = square * 0.5 * series([12.0, 30.0, 56.0, 90.0]);
+    let mut sine = quarter * series(square, [6.0, 20.0, 42.0, 72.0]);
+    let mut versine = square * 0.5 * series(square, [12.0, 30.0, 56.0, 90.0]);
     for _ in 0..2 {
         sine = sine * 2.0 * (versine + 1.0);
         versine = versine * 2.0 * (versine + 2.0);
     }
     Arc { sine, versine }
+}
+
+/// 1 + x/a (1 + x/b (1 + x/c (1 + x/d))). Without a closure, which would be a call between registers of other widths.
+#[inline(always)]
+fn series<S: Simd>(x: F<S>, [a, b, c, d]: [f32; 4]) -> F<S> {
+    let last = x * (1.0 / d) + 1.0;
+    let third = x * (1.0 / c) * last + 1.0;
+    let second = x * (1.0 / b) * third + 1.0;
+    x * (1.0 / a) * second + 1.0
 }
 
 /// cosh u times the line of sight at this much u and v from the pole.
