@@ -173,7 +173,10 @@ fn gaze_and_field_run_smoothly_while_time_does() {
             if !is_about_a_quarter(coarse, fine) {
                 let finest = greatest_changes(&state, 16000);
                 let scene = &state.settings.scene;
-                assert!(is_about_a_quarter(fine, finest), "{scene} at {beta}: {fine:?} to {finest:?} degrees");
+                assert!(
+                    is_about_a_quarter(fine, finest),
+                    "{scene} at {beta}: {fine:?} to {finest:?} degrees"
+                );
             }
         }
     }

@@ -22,8 +22,8 @@ use crate::flags::choices::{GazeChoice, Layout};
 use crate::map::Viewpoint;
 use crate::passage::time_within;
 use crate::settings::{
-    Daylight, FOV_DEGREES, FitSetup, Frame, Light, Look, Map, Motion, Playback, Plots, Presence, Preset,
-    Quality, Screen, Settings, Window,
+    Daylight, FitSetup, Frame, Light, Look, Map, Motion, Playback, Plots, Presence, Preset, Quality, Screen,
+    Settings, Window,
 };
 
 /// Something the user asked for.
@@ -393,7 +393,8 @@ impl State {
         let camera = self.view(zoom.eye, zoom.size).camera;
         let direction = camera.line_of_sight(zoom.pixel);
         let fov = camera.horizontal_fov.to_degrees() * zoom.factor;
-        let fov = fov.clamp(*FOV_DEGREES.start(), *FOV_DEGREES.end());
+        let range = self.settings.look.fov_range();
+        let fov = fov.clamp(*range.start(), *range.end());
         self.settings.look.fov = FieldOfView(Some(fov));
         let zoomed = Camera { horizontal_fov: fov.to_radians(), ..camera };
         self.stay_at(zoomed.gaze_with(direction, zoom.pixel));

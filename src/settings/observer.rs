@@ -11,12 +11,12 @@ use relativity_core::{
 };
 use relativity_render::exposure::automatic_ev;
 use relativity_render::{
-    Appearance, Camera, Gaze, Geometry, MaterialPoint, Motion, Outline, PreparedScene, Projection, Velocity,
-    View,
+    Appearance, Camera, Framing, Gaze, Geometry, MaterialPoint, Motion, Outline, PreparedScene, Projection,
+    Velocity, View,
 };
 
 use super::all::Settings;
-use super::sections::{self, Daylight, Frame, Light, Look, Theme, USUAL_FOV};
+use super::sections::{self, Daylight, FOV_AHEAD, Frame, Light, Look, Theme, USUAL_FOV};
 use crate::flags::choices::{GazeChoice, ProjectionChoice, ZeroParallax};
 use crate::flags::{Exposure, FieldOfView, MAX_TIME};
 use crate::passage;
@@ -25,6 +25,13 @@ use crate::scene::{Scene, SceneError, Track};
 /// How far one eye can be ahead of the other, in parts of their separation, for pictures ruled by the line between them:
 /// further on, what is abreast would be seen along that line.
 const MOST_AHEAD: f64 = 0.87;
+
+/// The field of view of a whole passage at least, degrees: u from -2.5 to 2.5 in a conformal picture.
+const FOV_OF_PASSAGE: f64 = 161.23;
+/// What moves has this part of the height of a picture of its passage at most: below it stands the ruler.
+const SHARE_OF_PASSAGE: f64 = 0.6;
+/// A resting picture that is further aside, as a rapidity, is left out of what is framed.
+const FARTHEST_RESTING: f64 = 4.0;
 
 /// What gazes turn to.
 #[derive(Debug, Clone, Copy)]
@@ -260,9 +267,7 @@ impl Settings {
     #[must_use]
     pub fn fixed_look(&self, subject: Subject, observation_time: f64, size: [u32; 2]) -> Look {
         let framing = match self.look.gaze {
-            GazeChoice::Whole | GazeChoice::Passage => {
-                self.outline(subject.scene, observation_time).framing()
-            }
+            GazeChoice::Whole | GazeChoice::Passage => self.framing(subject.scene, observation_time),
             _ => None,
         };
         let gaze = match self.look.gaze {
@@ -271,7 +276,7 @@ impl Settings {
         };
         // Inside an aperture, and where nothing is, there is no direction to follow.
         let fixed_at = |gaze: Option<Gaze>| GazeChoice::fixed_at(gaze.unwrap_or(Gaze::STRAIGHT_AHEAD));
-        let (gaze, framing) = match self.look.gaze {
+        let (gaze, whole) = match self.look.gaze {
             GazeChoice::Fixed(degrees) => (GazeChoice::Fixed(degrees), None),
             GazeChoice::Passage => (fixed_at(gaze.map(|gaze| self.abreast(gaze))), None),
             _ => (fixed_at(gaze), framing),
@@ -280,13 +285,36 @@ impl Settings {
         let steady = subject.tracked.carrier();
         let zero_parallax = self.zero_parallax(&Look { gaze, ..self.look }, &steady, observation_time);
         let look = Look { gaze, zero_parallax, ..self.look };
-        let framing = framing.map(|framing| framing.shifted(self.shifts(&look)));
-        let fitted = || framing.map_or(USUAL_FOV, |framing| framing.horizontal_fov(size).to_degrees());
+        let whole = whole.map(|framing| framing.shifted(self.shifts(&look)));
+        let fitted = || match self.look.gaze {
+            GazeChoice::Passage => self.passage_fov(framing, size),
+            _ => whole.map_or(USUAL_FOV, |whole| whole.horizontal_fov(size).to_degrees()),
+        };
         let fov = FieldOfView(Some(self.look.set_fov().unwrap_or_else(fitted)));
-        let look = Look { gaze: framing.map_or(gaze, |framing| fixed_at(Some(framing.gaze))), fov, ..look };
+        let look = Look { gaze: whole.map_or(gaze, |whole| fixed_at(Some(whole.gaze))), fov, ..look };
         // Where pictures turn with the gaze, the shift has turned a little, too.
         let unshifted = Look { zero_parallax: self.look.zero_parallax, ..look };
         Look { zero_parallax: self.zero_parallax(&unshifted, &steady, observation_time), ..look }
+    }
+
+    /// The framing of what moves with the `scene`; of its resting picture, too, where that is outlined.
+    fn framing(&self, scene: &PreparedScene, observation_time: f64) -> Option<Framing> {
+        let framing = self.outline(scene, observation_time).framing()?;
+        let velocity = self.velocity(Motion::Scene);
+        let rapidity = velocity.speed.rapidity();
+        let slides = self.baseline().is_along_motion() && self.geometry() == Geometry::Seen;
+        let is_outlined = self.window.resting && slides && rapidity <= FARTHEST_RESTING;
+        Some(if is_outlined { framing.and_slid(rapidity.copysign(velocity.beta())) } else { framing })
+    }
+
+    /// The field of view of the whole passage, degrees: u from -2.5 to 2.5, or as far as pictures of this `size` have to reach
+    /// for what moves to have room in their height, as the `framing` has it.
+    fn passage_fov(&self, framing: Option<Framing>, size: [u32; 2]) -> f64 {
+        if self.projection() != ProjectionChoice::Mercator {
+            return FOV_AHEAD;
+        }
+        let by_height = framing.map(|framing| framing.fov_by_height(size, SHARE_OF_PASSAGE).to_degrees());
+        by_height.unwrap_or(0.0).max(FOV_OF_PASSAGE)
     }
 
     /// The gaze across the line between the eyes that is as high above it as `gaze`.

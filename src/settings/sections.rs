@@ -56,7 +56,9 @@ impl Default for Motion {
 }
 
 /// Narrowest and widest field of view that can be set in the window, degrees.
-pub const FOV_DEGREES: RangeInclusive<f64> = 2.0..=150.0;
+const FOV_DEGREES: RangeInclusive<f64> = 2.0..=150.0;
+/// The widest of them in conformal pictures: u from -5.4 to 5.4.
+const WIDEST_CONFORMAL: f64 = 179.5;
 
 /// Geometry, gaze, field of view and projection.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Args)]
@@ -70,8 +72,8 @@ pub struct Look {
     /// the whole passage, or azimuth (from +x towards +y; 90 is straight ahead) and elevation in degrees.
     #[arg(long, value_name = "whole|point|ahead|passage|AZ,EL", allow_hyphen_values = true)]
     pub gaze: GazeChoice,
-    /// Horizontal field of view of each eye, degrees, as it would be straight ahead; `auto` shows the whole scene with a margin (usually 42 to 150), is 110
-    /// straight ahead, 161.23 of the passage and else 60.
+    /// Horizontal field of view of each eye, degrees, as it would be straight ahead; `auto` shows the whole scene with a margin (usually 42 to 150), and the
+    /// whole passage from 81 degrees left to 81 right, or further; is 110 straight ahead and else 60.
     #[arg(long, value_name = "auto|DEG", allow_hyphen_values = true)]
     pub fov: FieldOfView,
     /// How directions become places in a picture. What is measured by them does not change.
@@ -86,19 +88,22 @@ pub struct Look {
 /// The field of view that is used to show a point or a direction, degrees.
 pub const USUAL_FOV: f64 = 60.0;
 /// That straight ahead, degrees: wide enough for what passes to be seen coming and going.
-const FOV_AHEAD: f64 = 110.0;
-
-/// That of a whole passage, degrees: u from -2.5 to 2.5 in a conformal picture.
-const FOV_OF_PASSAGE: f64 = 161.23;
+pub const FOV_AHEAD: f64 = 110.0;
 
 impl Look {
+    /// The fields of view that can be set in the window, degrees.
+    #[must_use]
+    pub const fn fov_range(&self) -> RangeInclusive<f64> {
+        let conformal = matches!(self.projection, ProjectionChoice::Mercator);
+        *FOV_DEGREES.start()..=if conformal { WIDEST_CONFORMAL } else { *FOV_DEGREES.end() }
+    }
+
     /// The field of view, degrees, unless what is to be seen decides it.
     #[must_use]
     pub fn set_fov(&self) -> Option<f64> {
         self.fov.0.or(match self.gaze {
-            GazeChoice::Whole => None,
+            GazeChoice::Whole | GazeChoice::Passage => None,
             GazeChoice::Ahead => Some(FOV_AHEAD),
-            GazeChoice::Passage => Some(FOV_OF_PASSAGE),
             GazeChoice::Point | GazeChoice::Fixed(_) => Some(USUAL_FOV),
         })
     }

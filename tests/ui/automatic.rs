@@ -26,8 +26,7 @@ pub const TESTS: &[Test] = &[
 /// A small window whose pictures may get smoother.
 fn refined_window() -> Harness<'static, App> {
     let mut state = cyclist(0.6);
-    state.settings.window.dials = false;
-    state.settings.window.ruler = false;
+    (state.settings.window.dials, state.settings.window.ruler) = (false, false);
     let mut harness = Harness::builder()
         .with_size(Vec2::new(800.0, 600.0))
         .with_step_dt(FRAME)

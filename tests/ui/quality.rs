@@ -76,7 +76,7 @@ fn share_in_pane(window: &mut Harness<'_, App>, differs: fn([u8; 3], [u8; 3]) ->
 
 fn the_reference_draws_the_views() {
     let mut state = cyclist(0.6);
-    state.settings.window.dials = false;
+    (state.settings.window.dials, state.settings.window.ruler) = (false, false);
     let mut window = window(state);
     let any =
         |shown: [u8; 3], reference: [u8; 3]| shown.into_iter().zip(reference).any(|(a, b)| a.abs_diff(b) > 2);

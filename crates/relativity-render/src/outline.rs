@@ -17,8 +17,10 @@ const NARROWEST: f64 = 42.0 * DEGREE;
 const SMALLEST_SHARE: f64 = 0.1;
 /// Narrowest field of view of all, radians: what is still further off is a speck.
 const NARROWEST_OF_ALL: f64 = 2.0 * DEGREE;
-/// Widest horizontal field of view that frames, radians. What reaches further is cropped.
+/// Widest horizontal field of view that frames in flat pictures, radians. What reaches further is cropped.
 const WIDEST: f64 = 150.0 * DEGREE;
+/// The same in conformal pictures: u from -5.4 to 5.4.
+const WIDEST_CONFORMAL: f64 = 179.5 * DEGREE;
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 /// A tangent that stands for all that are larger.
 const FAR_OUT: f64 = 1e6;
@@ -188,16 +190,47 @@ impl Framing {
     }
 
     /// Horizontal field of view that holds the outline with a margin, radians, in a picture of this `size` (width and
-    /// height): 42 to 150 degrees, or down to 2 where the outline would fill less than a tenth of the picture.
+    /// height): 42 to 150 degrees (179.5 in conformal pictures), or down to 2 where the outline would fill less than a tenth of the picture.
     #[must_use]
     pub fn horizontal_fov(&self, size: [u32; 2]) -> f64 {
         let [width, height] = size.map(f64::from);
         let [across, up] = self.reach;
         let outline = across.max(up * width / height);
-        let half_tangent = |reach: f64| if let Lies::Slid(_) = self.lies { sinh(reach) } else { reach };
-        let fov = |share: f64| 2.0 * atan(half_tangent(outline / share));
+        let fov = |share: f64| self.fov_of(outline / share);
         let narrowest = fov(SMALLEST_SHARE).clamp(NARROWEST_OF_ALL, NARROWEST);
-        fov(1.0 - 2.0 * MARGIN).clamp(narrowest, WIDEST)
+        fov(1.0 - 2.0 * MARGIN).clamp(narrowest, self.widest())
+    }
+
+    /// Horizontal field of view in which the outline has this `share` of the height of a picture of this `size`, radians, as
+    /// far as that can be.
+    #[must_use]
+    pub fn fov_by_height(&self, size: [u32; 2], share: f64) -> f64 {
+        let [width, height] = size.map(f64::from);
+        let [_, up] = self.reach;
+        self.fov_of(up * width / height / share).min(self.widest())
+    }
+
+    /// The same with what conformal pictures show seen once more, slid this far along +x as the resting picture of what moves
+    /// is; that of flat pictures stays.
+    #[must_use]
+    pub fn and_slid(&self, along_x: f64) -> Self {
+        let Lies::Slid(Slid { axes, across, up }) = self.lies else { return *self };
+        let slide = along_x * axes.right.x;
+        let both = |[low, high]: Range| [low.min(low + slide), high.max(high + slide)];
+        Self::slid(axes, across.map(both), up)
+    }
+
+    /// The field of view of pictures that reach this far to either side, focal lengths.
+    fn fov_of(&self, half_width: f64) -> f64 {
+        2.0 * atan(if self.is_conformal() { sinh(half_width) } else { half_width })
+    }
+
+    const fn widest(&self) -> f64 {
+        if self.is_conformal() { WIDEST_CONFORMAL } else { WIDEST }
+    }
+
+    const fn is_conformal(&self) -> bool {
+        matches!(self.lies, Lies::Slid(_))
     }
 }
 

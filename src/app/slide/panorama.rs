@@ -1,7 +1,7 @@
 //! The panorama's own marks: the line that joins the selected point in both strips, and the button that offers the panorama.
 
 use eframe::egui::{
-    Align2, Button, Color32, Pos2, Rect, RichText, Stroke, TextStyle, TextWrapMode, Ui, UiBuilder, vec2,
+    Button, Color32, Pos2, Rect, RichText, Stroke, TextStyle, TextWrapMode, Ui, UiBuilder, vec2,
 };
 
 use crate::app::command::Command;
@@ -13,6 +13,9 @@ use crate::flags::choices::{Form, ProjectionChoice};
 
 /// A views' area at least this many times as wide as high offers the panorama.
 const WIDE: f32 = 2.4;
+
+/// From the left end of a title to beyond the longest name of an eye, points.
+const AFTER_NAME: f32 = 100.0;
 
 /// Joins the selected point's places in the two `panes` of a panorama. The line leans by the disparity.
 pub fn join(ui: &Ui, state: &State, panes: [EyePane; 2]) {
@@ -38,7 +41,7 @@ pub fn is_offered(state: &State, area: Rect) -> bool {
     can_be && (settings.is_panorama() || is_wide || state.session.stage.is_presented())
 }
 
-/// Shows the button at the right end of the title strip `strip`.
+/// Shows the button in the title strip `strip`, after the name of the left eye.
 pub fn offer(ui: &mut Ui, state: &State, strip: Rect, asks: &mut Asks) {
     let is_panorama = state.settings.is_panorama();
     let (name, tip) = if is_panorama {
@@ -52,9 +55,11 @@ pub fn offer(ui: &mut Ui, state: &State, strip: Rect, asks: &mut Asks) {
     };
     let font = TextStyle::Small.resolve(ui.style());
     let width = ui.painter().layout_no_wrap(name.to_owned(), font, Color32::WHITE).size().x + 12.0;
-    let place = Align2::RIGHT_TOP.align_size_within_rect(vec2(width, strip.height() - 3.0), strip);
+    let left = strip.left_top() + vec2(theme::text_scale(ui.style()) * AFTER_NAME, 0.0);
+    let place = Rect::from_min_size(left, vec2(width, strip.height() - 3.0));
     ui.scope_builder(UiBuilder::new().max_rect(place), |ui| {
         ui.spacing_mut().button_padding = vec2(4.0, 0.0);
+        ui.spacing_mut().interact_size.y = 0.0;
         let button =
             Button::new(RichText::new(name).small()).min_size(place.size()).wrap_mode(TextWrapMode::Extend);
         if ui.add(button).on_hover_text(tip).clicked() {

@@ -19,7 +19,7 @@ use crate::app::usual::Section;
 use crate::app::widgets::{Edit, NumberRow, choice, row, section};
 use crate::flags::FieldOfView;
 use crate::flags::choices::GazeChoice;
-use crate::settings::{FOV_DEGREES, Look, MAX_LENGTH, Motion, Picture, USUAL_FOV, Window};
+use crate::settings::{Look, MAX_LENGTH, Motion, Picture, USUAL_FOV, Window};
 use crate::units::Unit;
 
 /// Room for the list of layouts before it scrolls, points.
@@ -306,8 +306,8 @@ fn field_of_view_rows(ui: &mut Ui, state: &State, look: &mut Look, asks: &mut As
     let row_of_number = NumberRow {
         name: "Field of view",
         tip: "Angle from the left to the right edge of each view.   Scroll over a view to zoom there.",
-        slider: 10.0..=*FOV_DEGREES.end(),
-        typed: FOV_DEGREES,
+        slider: 10.0..=*look.fov_range().end(),
+        typed: look.fov_range(),
         decimals: 1,
         suffix: "°",
     };
@@ -321,7 +321,7 @@ fn field_of_view_rows(ui: &mut Ui, state: &State, look: &mut Look, asks: &mut As
     }
     row(ui, "", "", |ui| {
         let mut is_auto = look.fov.0.is_none();
-        let tip = "Fits the field of view to all that moves with the scene, from 42° to 150° (narrower where it is far away). \
+        let tip = "Fits the field of view to all that moves with the scene, from 42° to 150° (wider in conformal views, narrower where it is far away). \
             Where the gaze is another: 60°, ahead 110°.";
         if ui.checkbox(&mut is_auto, "auto").on_hover_text(tip).changed() {
             look.fov = FieldOfView(Some(fov).filter(|_| !is_auto));
