@@ -177,7 +177,7 @@ fn image(ui: &Ui, rect: Rect, texture: TextureId) {
 fn words(ui: &Ui, state: &State, pane: EyePane, note: String) {
     let inside = ui.painter().with_clip_rect(pane.rect);
     slide::paint(ui, &inside, state, pane);
-    let ruler = if slide::has_ruler(state, pane) { slide::HEIGHT } else { 0.0 };
+    let ruler = slide::ruler_height(ui, state, pane).unwrap_or(0.0);
     let pane = EyePane { rect: pane.rect.with_max_y(pane.rect.max.y - ruler), ..pane };
     beyond::paint(ui, &inside, pane.rect, &state.beyond(pane.eye, pane.size));
     let _ = write(ui, &inside, pane, Align2::LEFT_BOTTOM, note);

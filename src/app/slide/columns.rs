@@ -5,7 +5,7 @@ use eframe::egui::{Rect, pos2};
 use super::sliding_view::{SlidingView, points_per_px};
 use crate::app::panes::EyePane;
 
-/// Height of the ruler and the spectrum above it, points.
+/// Height of the ruler and the spectrum above it where writing is of the default size, points.
 pub const HEIGHT: f32 = 30.0;
 
 /// Where the columns of a view are on the screen.
@@ -16,15 +16,17 @@ pub struct Columns {
     /// x of u = 0 ahead, and points per unit of u; below 0 where the picture runs against the motion.
     zero: f64,
     pub per_unit: f64,
+    /// How many times as large as by default writing is.
+    pub scale: f32,
 }
 
 impl Columns {
-    /// Those of `pane`.
-    pub fn new(pane: EyePane, slide: &SlidingView) -> Self {
-        let scale = f64::from(points_per_px(pane).x);
-        let rect = Rect::from_min_max(pos2(pane.rect.min.x, pane.rect.max.y - HEIGHT), pane.rect.max);
-        let zero = f64::from(rect.min.x) + slide.mercator.origin.x * scale;
-        Self { rect, zero, per_unit: slide.mercator.px_per_unit * scale * slide.ahead }
+    /// The columns of `pane`, where writing is `scale` times as large as by default.
+    pub fn new(pane: EyePane, slide: &SlidingView, scale: f32) -> Self {
+        let per_px = f64::from(points_per_px(pane).x);
+        let rect = Rect::from_min_max(pos2(pane.rect.min.x, pane.rect.max.y - scale * HEIGHT), pane.rect.max);
+        let zero = f64::from(rect.min.x) + slide.mercator.origin.x * per_px;
+        Self { rect, zero, per_unit: slide.mercator.px_per_unit * per_px * slide.ahead, scale }
     }
 
     /// u along the motion at `x`.

@@ -18,10 +18,10 @@ const AROUND: u32 = 48;
 const COLOUR: Color32 = Color32::from_rgb(255, 224, 130);
 /// Length of the arrow's head, points.
 const HEAD: f32 = 10.0;
-const FONT: FontId = FontId::proportional(12.0);
+const FONT_SIZE: f32 = 12.0;
 
-/// Draws both into `pane`, for each group that moves.
-pub fn paint(painter: &Painter, state: &State, pane: EyePane, slide: &SlidingView) {
+/// Draws both into `pane`, for each group that moves, where writing is `scale` times as large as by default.
+pub fn paint(painter: &Painter, state: &State, pane: EyePane, slide: &SlidingView, scale: f32) {
     let scene = &state.session.scene;
     let stride = scene.bodies.len().div_ceil(MOST_BODIES).max(1);
     for group in &scene.groups {
@@ -29,7 +29,7 @@ pub fn paint(painter: &Painter, state: &State, pane: EyePane, slide: &SlidingVie
         if velocity.beta() == 0.0 {
             continue;
         }
-        let seen = Resting { slide, group: slide.view.of_group(group.motion), pane };
+        let seen = Resting { slide, group: slide.view.of_group(group.motion), pane, scale };
         for body in scene.bodies[group.bodies()].iter().step_by(stride) {
             seen.paint_outline(painter, body);
         }
@@ -62,6 +62,7 @@ struct Resting<'a> {
     slide: &'a SlidingView,
     group: GroupView,
     pane: EyePane,
+    scale: f32,
 }
 
 impl Resting<'_> {
@@ -121,7 +122,8 @@ impl Resting<'_> {
         painter.add(Drawing::convex_polygon(head, COLOUR, Stroke::new(1.0, Color32::from_black_alpha(150))));
         let shown = self.pane.rect.x_range();
         let ends = [from.x, to.x].map(|x| shown.clamp(x));
-        let galley = painter.layout_no_wrap(format!("η = {name}"), FONT, COLOUR);
+        let font = FontId::proportional(self.scale * FONT_SIZE);
+        let galley = painter.layout_no_wrap(format!("η = {name}"), font, COLOUR);
         let place =
             Align2::CENTER_BOTTOM.anchor_size(pos2(0.5 * (ends[0] + ends[1]), from.y - 5.0), galley.size());
         painter.rect_filled(place.expand2(vec2(4.0, 1.0)), 3.0, Color32::from_black_alpha(150));

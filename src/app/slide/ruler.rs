@@ -10,13 +10,14 @@ use super::sliding_view::SlidingView;
 use super::spectrum;
 use crate::app::panes::EyePane;
 use crate::app::state::State;
+use crate::app::theme;
 use crate::figures;
 
 /// Lower views have none.
 pub const LEAST_VIEW: f32 = 110.0;
 /// Height of the ruler alone.
 const RULER: f32 = 18.0;
-const FONT: FontId = FontId::proportional(11.0);
+const FONT_SIZE: f32 = 11.0;
 /// Least space between two names.
 const BETWEEN: f32 = 8.0;
 /// Ticks without a name, this much rapidity apart.
@@ -32,8 +33,9 @@ const TIP: &str = "Measures rapidity: a speed slides everything by as much, from
 
 /// Draws it along the lower edge of `pane`, with the spectrum.
 pub fn paint(ui: &Ui, painter: &Painter, state: &State, pane: EyePane, slide: &SlidingView) {
-    let columns = Columns::new(pane, slide);
-    let ruler = Rect::from_min_max(pos2(columns.rect.min.x, columns.rect.max.y - RULER), columns.rect.max);
+    let columns = Columns::new(pane, slide, theme::text_scale(ui.style()));
+    let top = columns.rect.max.y - columns.scale * RULER;
+    let ruler = Rect::from_min_max(pos2(columns.rect.min.x, top), columns.rect.max);
     painter.rect_filled(ruler, 0.0, Color32::from_black_alpha(190));
     let strip = Rect::from_min_max(columns.rect.min, pos2(ruler.max.x, ruler.min.y));
     spectrum::paint(painter, state, slide, &columns, strip);
@@ -86,7 +88,8 @@ fn paint_named_ticks(painter: &Painter, ruler: Rect, columns: &Columns, own: f64
                 if beta == 0.0 { "abreast".to_owned() } else { format!("{} c", figures::trimmed(beta, 6)) };
             let is_own = number == 0 && side < 0.0;
             let colour = if is_own { Color32::WHITE } else { Color32::from_gray(200) };
-            let galley = painter.layout_no_wrap(text.clone(), FONT, colour);
+            let galley =
+                painter.layout_no_wrap(text.clone(), FontId::proportional(columns.scale * FONT_SIZE), colour);
             let place = Align2::CENTER_BOTTOM.anchor_size(pos2(x, ruler.max.y - 1.0), galley.size());
             let has_room = ruler.x_range().contains(place.min.x)
                 && ruler.x_range().contains(place.max.x)

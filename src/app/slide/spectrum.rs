@@ -21,7 +21,7 @@ const STEP: f32 = 2.0;
 const HATCH: f32 = 6.0;
 const INVISIBLE: Color32 = Color32::from_gray(58);
 const HATCH_COLOUR: Color32 = Color32::from_gray(120);
-const FONT: FontId = FontId::proportional(10.0);
+const FONT_SIZE: f32 = 10.0;
 /// The Doppler factors that are named where light is not of one wavelength.
 const NAMED: [f64; 7] = [1.0, 2.0, 0.5, 4.0, 0.25, 10.0, 0.1];
 
@@ -106,16 +106,16 @@ fn paint_colours(painter: &Painter, columns: &Columns, strip: Rect, wavelength: 
 }
 
 fn paint_factors(painter: &Painter, columns: &Columns, strip: Rect, speed: &Speed) {
+    let font = FontId::proportional(columns.scale * FONT_SIZE);
     if speed.beta() == 0.0 {
-        let text = "D = 1 everywhere";
-        painter.text(strip.center(), Align2::CENTER_CENTER, text, FONT, Color32::WHITE);
+        painter.text(strip.center(), Align2::CENTER_CENTER, "D = 1 everywhere", font, Color32::WHITE);
         return;
     }
     let mut taken: Vec<Rect> = Vec::new();
     for factor in NAMED {
         let Some(x) = column_of(speed, factor).map(|u| columns.x(u)) else { continue };
         let text = format!("D = {}", figures::trimmed(factor, 2));
-        let galley = painter.layout_no_wrap(text, FONT, Color32::WHITE);
+        let galley = painter.layout_no_wrap(text, font.clone(), Color32::WHITE);
         let place = Align2::LEFT_CENTER.anchor_size(pos2(x + 3.0, strip.center().y), galley.size());
         if strip.x_range().contains(x) && !taken.iter().any(|other| other.expand(6.0).intersects(place)) {
             painter.vline(x, strip.y_range(), Stroke::new(1.5, Color32::WHITE));

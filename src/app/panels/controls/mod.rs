@@ -221,24 +221,17 @@ fn more_rows(ui: &mut Ui, before: Window, unit: Unit, asks: &mut Asks) {
             while the Fit tab is shown, else by the one set here.";
         ui.checkbox(&mut window.corrected, "corrected").on_hover_text(corrected);
         ui.checkbox(&mut window.dials, "clocks").on_hover_text(dial::tip(unit, false));
-    });
-    row(
-        ui,
-        "The slide",
-        "What conformal views show of it: motion slides the resting picture by the rapidity.",
-        |ui| {
-            let ruler = "Shows rapidity along the lower edge of conformal views, and above it the colours that a body passes \
-            through.";
-            ui.checkbox(&mut window.ruler, "ruler").on_hover_text(ruler);
-            let resting = "Outlines what moves where it would be seen at rest, in conformal views. Motion slides it by the \
+        let resting = "Outlines what moves where it would be seen at rest, in conformal views. Motion slides it by the \
             rapidity, along the arrow.   Key: O";
-            ui.checkbox(&mut window.resting, "resting outline").on_hover_text(resting);
-        },
-    );
+        ui.checkbox(&mut window.resting, "outline").on_hover_text(resting);
+    });
     row(ui, "Below them", "What stands below the views.", |ui| {
         let spectrum = "Which wavelengths arrive of the selected point, among all that there are.";
         ui.checkbox(&mut window.spectrum, "spectrum").on_hover_text(spectrum);
         ui.checkbox(&mut window.sentence, "sentence").on_hover_text("The moment in words.");
+        let ruler = "Shows rapidity along the lower edge of conformal views, and above it the colours that a body passes \
+            through.";
+        ui.checkbox(&mut window.ruler, "ruler").on_hover_text(ruler);
     });
     if window != before {
         asks.push(Command::Window(window));
