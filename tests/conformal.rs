@@ -9,7 +9,7 @@ use relativity_render::{Camera, Gaze, Geometry, HitImage, Projection, View};
 /// Width and height, px, and how many columns the rapidity is.
 const SIZE: [u32; 2] = [1600, 500];
 const COLUMNS: usize = 600;
-/// How near to the centre of a pixel an outline may pass for rounding to decide what is seen there, px.
+/// The least distance from the centre of a pixel at which rounding does not decide on which side of an outline it is, px.
 const ROUNDING_PX: f64 = 1e-6;
 
 /// Each pixel shows the point of the body that the pixel so many columns further to the right shows to a camera that moves along, at the

@@ -113,7 +113,7 @@ pub enum GazeChoice {
     Fixed([f64; 2]),
 }
 
-/// How an eye's lines of sight become places in its picture.
+/// The map from an eye's lines of sight to places in its picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ProjectionChoice {
@@ -135,7 +135,7 @@ pub enum ProjectionChoice {
 /// The distance at which something is in the same place in both eyes' pictures, which an image shift sets.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum ZeroParallax {
-    /// That at which two eyes take the tracked point to be, or the hub that it turns about.
+    /// The distance at which two eyes take the tracked point to be, or the hub that it turns about.
     #[default]
     Point,
     /// Without end: the pictures are not shifted.

@@ -72,7 +72,7 @@ pub struct Track {
 }
 
 impl Track {
-    /// Returns the hub that it turns about, where its axle has it; itself if it does not turn.
+    /// Returns the point of the axle that this point turns about; the point itself if it does not turn.
     #[must_use]
     pub fn carrier(&self) -> Self {
         let rest = self.spin.map_or(self.rest, |Spin { hub: [x, _, z], .. }| [x, self.rest[1], z]);

@@ -22,13 +22,13 @@ use crate::flags::{Exposure, FieldOfView, MAX_TIME};
 use crate::passage;
 use crate::scene::{Scene, SceneError, Track};
 
-/// How far one eye can be ahead of the other, in parts of their separation, for pictures ruled by the line between them:
+/// The most that one eye can be ahead of the other, in parts of their separation, for pictures ruled by the line between them:
 /// further on, what is abreast would be seen along that line.
 const MOST_AHEAD: f64 = 0.87;
 
 /// The field of view of a whole passage at least, degrees: u from -2.5 to 2.5 in a conformal picture.
 const FOV_OF_PASSAGE: f64 = 161.23;
-/// What moves has this part of the height of a picture of its passage at most: below it stands the ruler.
+/// The share of a strip's height that the outline of what moves has at most: the ruler takes some of the rest.
 const SHARE_OF_PASSAGE: f64 = 0.6;
 /// A resting picture that is further aside, as a rapidity, is left out of what is framed.
 const FARTHEST_RESTING: f64 = 4.0;

@@ -22,7 +22,7 @@ pub struct Axes {
 }
 
 impl Axes {
-    /// Those of the picture parallel to `baseline` (a unit vector) with its axis as near to `towards` as can be.
+    /// Returns the axes of the picture parallel to `baseline` (a unit vector) with its axis as near to `towards` as can be.
     pub(crate) fn across(baseline: DVec3, towards: DVec3) -> Self {
         let right = baseline.normalize_or(DVec3::X);
         let part = towards - right * towards.dot(right);
@@ -33,7 +33,7 @@ impl Axes {
         if up.z < -1e-12 { Self { right: -right, up: -up, forward } } else { Self { right, up, forward } }
     }
 
-    /// Those of the picture with rows along `right` and its axis along `towards`, across these; at the steepest
+    /// Returns the axes of the picture with rows along `right` and its axis along `towards`, across these; at the steepest
     /// elevation where that would turn it upside down.
     pub(crate) fn upright(right: DVec3, towards: DVec3) -> Self {
         let forward = towards.normalize();

@@ -192,7 +192,7 @@ impl Camera {
         }
     }
 
-    /// Where along `direction` (any length above 0) something is seen, focal lengths to the right of the picture's axis and
+    /// Returns the coordinates of `direction` (any length above 0) in the picture, focal lengths to the right of the picture's axis and
     /// up, the same for all image shifts: tangents, or (u, v) in a conformal picture. `None` where it is in no picture: behind
     /// a flat one, along the baseline of a conformal one.
     #[must_use]
@@ -213,7 +213,7 @@ impl Camera {
         Gauge { right: right - forward * middle, up, forward, middle }
     }
 
-    /// Where lines of sight appear, if the picture is conformal.
+    /// Returns the map of the sky, if the picture is conformal.
     #[must_use]
     pub fn mercator(&self) -> Option<Mercator> {
         if !self.projection.is_conformal() {
@@ -225,7 +225,7 @@ impl Camera {
         Some(Mercator { axes, px_per_unit, origin })
     }
 
-    /// Where to the right of the picture's axis its middle is: a tangent, or u in a conformal picture.
+    /// Returns the place of the picture's middle to the right of its axis: a tangent, or u in a conformal picture.
     fn middle(&self, axes: &Axes) -> f64 {
         match self.projection {
             Projection::Mercator { shift, .. } => {
@@ -341,7 +341,7 @@ impl Camera {
         Self { gaze, horizontal_fov: 2.0 * atan(half_tangent), size, projection, ..*self }
     }
 
-    /// How unlike this picture and one of the other kind are, at most at its corners: how many times as long as wide a flat
+    /// Returns the greatest difference in shape or size to a picture of the other kind, at the corners: how many times as long as wide a flat
     /// picture shows a small disc there, or how many times as large as in its middle a conformal one shows it. 1 for half of
     /// the sky, which is looked at all around.
     #[must_use]
@@ -402,7 +402,7 @@ impl Axes {
     }
 }
 
-/// How far aside `gaze` is in a conformal picture: u, up to [`MOST_ASIDE`].
+/// Returns the u of `gaze` in a conformal picture, up to [`MOST_ASIDE`].
 fn aside(axes: &Axes, gaze: DVec3) -> f64 {
     let u = asinh(gaze.dot(axes.right) / hypot(gaze.dot(axes.forward), gaze.dot(axes.up)));
     // No number inside the aperture.
@@ -449,7 +449,7 @@ enum Map {
     Flat { to_top_left: DVec3 },
     /// By longitude and latitude, a picture of this size being half of the sky.
     Round { size: [f64; 2] },
-    /// Conformally.
+    /// Onto a conformal map of the sky.
     Mercator(Mercator),
 }
 

@@ -70,7 +70,7 @@ pub struct Frame {
     pub forward: [f32; 4],
 }
 
-/// What tells the shaders the camera's lines of sight and clip coordinates.
+/// The vectors from which shaders find lines of sight and clip coordinates.
 struct Sights {
     pole: DVec2,
     base: [f32; 4],
@@ -83,7 +83,7 @@ struct Sights {
 }
 
 impl Sights {
-    /// Those of `camera`, for a group that comes from the end of the x axis with this `sign`.
+    /// Returns the vectors of `camera`, for a group that comes from the end of the x axis with this `sign`.
     fn new(camera: &Camera, sign: f64) -> Self {
         camera
             .mercator()
@@ -129,7 +129,7 @@ impl Sights {
     }
 }
 
-/// How far aside the pole of a conformal picture can be, as |u|, to be the place that pixels are counted from: further on,
+/// The farthest that the pole of a conformal picture can be aside, as |u|, to be the place that pixels are counted from: further on,
 /// e^-|u| of a rounding is left of what would be lost.
 const FARTHEST_POLE: f64 = 5.0;
 
@@ -241,7 +241,7 @@ fn conformal_pole(mercator: &Mercator, camera: &Camera, towards: DVec3) -> (DVec
     }
 }
 
-/// How far aside the middle of a picture is at most whose pixels are counted from what is abreast, as |u|.
+/// The farthest that the middle of a picture is aside whose pixels are counted from what is abreast, as |u|.
 const FARTHEST_ABREAST: f64 = 3.0;
 
 /// The pixel towards the end of the x axis with this sign and its (unnormalised) line of sight, if it is well in

@@ -21,29 +21,29 @@ use relativity_core::math::{asin, asinh, atan2, atanh, hypot, sin_cos, sinh};
 
 use crate::axes::Axes;
 
-/// How far aside a gaze can be, as |u|: 1.4e-12 radians from the baseline, about as near as one told by angles can be.
+/// The farthest that a gaze can be aside, as |u|: 1.4e-12 radians from the baseline, about the resolution of a gaze in angles.
 pub const MOST_ASIDE: f64 = 28.0;
-/// How far aside the middle of a shifted picture can be: f32 has cosh^2 u at its edges.
+/// The farthest that the middle of a shifted picture can be aside, as |u|: f32 has cosh^2 u at its edges.
 pub const MOST_SHIFTED: f64 = 36.0;
 
-/// How far aside a line of sight can be drawn, as |u|: its sinh is a number.
+/// The farthest that a line of sight can be drawn aside, as |u|: its sinh is a number.
 const MOST_DRAWN: f64 = 710.0;
 
-/// Where lines of sight appear in one conformal picture.
+/// The map of the sky that one conformal picture is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Mercator {
     /// `right` is the baseline; v counts from `forward` towards `up`.
     pub axes: Axes,
     /// Pixels per unit of u and per radian of v.
     pub px_per_unit: f64,
-    /// Where in the picture u and v are 0, px to the right and down.
+    /// The place in the picture where u and v are 0, px to the right and down.
     pub origin: DVec2,
 }
 
 /// A rectangle of u and v.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Patch {
-    /// Its middle.
+    /// The middle, as u and v.
     pub middle: DVec2,
     /// Half its width and its height.
     pub half: DVec2,

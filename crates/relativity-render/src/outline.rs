@@ -40,30 +40,30 @@ pub struct Outline {
 pub struct Framing {
     /// It.
     pub gaze: Gaze,
-    /// How far the outline reaches from there, across and up, focal lengths (in conformal pictures u and radians).
+    /// The reach of the outline from there, across and up, focal lengths (in conformal pictures u and radians).
     reach: [f64; 2],
     lies: Lies,
 }
 
-/// How an outline lies in the pictures of both eyes, where these depend on the line between them.
+/// The place of an outline in the pictures of both eyes, where these depend on the line between them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Lies {
-    /// They do not: pictures are across the gaze.
+    /// Pictures are across the gaze, and do not depend on that line.
     Alone,
     /// In pictures parallel to that line.
     Sheared(Sheared),
-    /// In conformal ones.
+    /// In conformal pictures.
     Slid(Slid),
 }
 
-/// How an outline lies in both eyes' conformal pictures.
+/// The place of an outline in both eyes' conformal pictures.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Slid {
     /// `right` along the baseline, and as much above the outline as below.
     axes: Axes,
     /// Between which u it lies for the left eye and for the right one.
     across: [Range; 2],
-    /// How far up and down it reaches, radians.
+    /// The reach up and down, radians.
     up: f64,
 }
 
@@ -141,7 +141,7 @@ impl Framing {
         Self { gaze, reach: reach.map(tangent), lies: Lies::Alone }
     }
 
-    /// Of what lies between these u to the right in conformal pictures with these `axes`, for the left and for the right eye,
+    /// Frames what lies between these u to the right in conformal pictures with these `axes`, for the left and for the right eye,
     /// and reaches this far up and down, radians.
     pub(crate) fn slid(axes: Axes, across: [Range; 2], up: f64) -> Self {
         let lies = Lies::Slid(Slid { axes, across, up });

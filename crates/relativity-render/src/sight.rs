@@ -133,7 +133,7 @@ fn framed_parallel_to(baseline: DVec3, sights: &[Sight], towards: DVec3) -> Fram
     Framing::sheared(axes, [of_eye(0), of_eye(last)], |turned| reach(sights, turned)[1])
 }
 
-/// How to hold all that is seen in conformal pictures with their poles at the ends of the `baseline`; `towards` is somewhere in
+/// Frames all that is seen in conformal pictures with their poles at the ends of the `baseline`; `towards` is somewhere in
 /// the midst of it.
 fn framed_about(baseline: DVec3, sights: &[Sight], towards: DVec3) -> Framing {
     let axes = Axes::across(baseline, towards);
@@ -278,7 +278,7 @@ impl<'a> Sight<'a> {
     }
 }
 
-/// What the columns of a picture are, which tells how far across something reaches.
+/// The kind of surface that a column of a picture is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Across {
     /// Planes through the picture's upright.
@@ -295,7 +295,7 @@ struct Ruled {
 }
 
 impl Ruled {
-    /// How far `place` is to the right, and from where angles across count: how deep, or how far from the baseline.
+    /// Returns the distance of `place` to the right, and that from which angles across count: its depth, or its distance from the baseline.
     fn across(&self, place: DVec3) -> [f64; 2] {
         let Axes { right, up, forward } = self.axes;
         let depth = place.dot(forward);
@@ -303,7 +303,7 @@ impl Ruled {
         [place.dot(right), off]
     }
 
-    /// How large a `bulge` at `place` and a `sag` there are seen, radians or units of u.
+    /// Returns the apparent size of a `bulge` at `place` and a `sag` there, radians or units of u.
     fn seen_size(&self, bulge: DVec3, sag: f64, place: DVec3) -> f64 {
         let distance = place.length();
         match self.across {
@@ -416,7 +416,7 @@ impl Wedge {
         });
     }
 
-    /// Around both.
+    /// Returns the wedge around both.
     fn union(&self, other: &Self) -> Self {
         let mut union = *self;
         union.take([self.tangents[0].min(other.tangents[0]), self.tangents[1].max(other.tangents[1])]);

@@ -17,7 +17,7 @@ use support::documented;
 
 const RENDERERS: &str = include_str!("../src/renderers.rs");
 
-/// Of the reference and of packets, px.
+/// The bound for the reference and for packets, px.
 const BOUNDS: [(Method, f64); 2] = [(Method::Reference, 0.01), (Method::Packets, 0.03)];
 
 #[test]

@@ -26,7 +26,7 @@ fn main() -> ExitCode {
 
 const RENDERERS: &str = include_str!("../src/renderers.rs");
 
-/// Of the rays, and of meshes, px.
+/// The bounds for the rays and for meshes, px.
 const BOUNDS: [(Method, f64); 3] =
     [(Method::Rays, 0.03), (Method::Mesh { bound_px: 0.5 }, 0.5), (Method::Mesh { bound_px: 0.1 }, 0.1)];
 

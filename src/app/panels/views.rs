@@ -241,7 +241,7 @@ fn projection_note(camera: &Camera) -> Option<String> {
     (stretch > NOTICEABLE_STRETCH).then_some(note)
 }
 
-/// Pictures of two projections look different from so many times on.
+/// The least stretch at which pictures of two projections look different.
 const NOTICEABLE_STRETCH: f64 = 1.15;
 
 /// What has drawn the picture, where that was set or is further off than can be seen.

@@ -8,15 +8,15 @@ use crate::app::panes::EyePane;
 /// Height of the ruler and the spectrum above it where writing is of the default size, points.
 pub const HEIGHT: f32 = 30.0;
 
-/// Where the columns of a view are on the screen.
+/// The columns of a view on the screen.
 #[derive(Debug, Clone, Copy)]
 pub struct Columns {
-    /// Of the ruler and the spectrum above it.
+    /// The rectangle of the ruler and the spectrum above it.
     pub rect: Rect,
     /// x of u = 0 ahead, and points per unit of u; below 0 where the picture runs against the motion.
     zero: f64,
     pub per_unit: f64,
-    /// How many times as large as by default writing is.
+    /// The size of writing over its default.
     pub scale: f32,
 }
 

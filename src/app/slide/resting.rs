@@ -57,7 +57,7 @@ fn middle(body: &Body) -> Option<MaterialPoint> {
     Some(MaterialPoint { rest: place, spin: body.spin })
 }
 
-/// How a group at rest would be seen from the same event.
+/// The view of a group as if it rested, from the same event.
 struct Resting<'a> {
     slide: &'a SlidingView,
     group: GroupView,
@@ -66,7 +66,7 @@ struct Resting<'a> {
 }
 
 impl Resting<'_> {
-    /// Where the place `rest` of the group would be seen, points.
+    /// Returns the place on the screen at which `rest` of the group would be seen, points.
     fn place(&self, rest: DVec3) -> Option<Pos2> {
         let mercator = &self.slide.mercator;
         let coordinates = mercator.coordinates(rest - self.group.origin)?;

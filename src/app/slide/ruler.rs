@@ -73,7 +73,7 @@ fn paint_fine_ticks(painter: &Painter, ruler: Rect, columns: &Columns) {
     }
 }
 
-/// Draws the ticks of speeds with the names that have room, and tells these. That of `own` goes first.
+/// Draws the ticks of speeds with the names that have room, and returns these. The tick of `own` goes first.
 fn paint_named_ticks(painter: &Painter, ruler: Rect, columns: &Columns, own: f64) -> Vec<String> {
     let mut taken: Vec<Rect> = Vec::new();
     let mut named = Vec::new();

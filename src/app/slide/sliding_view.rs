@@ -10,16 +10,16 @@ use crate::app::state::State;
 /// A view in which motion is a slide.
 #[derive(Debug, Clone, Copy)]
 pub struct SlidingView {
-    /// The view.
+    /// The view with the camera at its eye.
     pub view: View,
-    /// Its map of the sky.
+    /// The map of the sky that the picture is.
     pub mercator: Mercator,
     /// 1 where columns to the right are ahead along +x, -1 where they are behind the head.
     pub ahead: f64,
 }
 
 impl SlidingView {
-    /// That of `view`; `None` where it is not conformal, or the head is tilted: columns are not told by the motion then.
+    /// Returns `None` where `view` is not conformal, or the head is tilted: motion is no slide along the rows then.
     #[must_use]
     pub fn new(state: &State, view: View) -> Option<Self> {
         let mercator = view.camera.mercator().filter(|_| state.settings.baseline().is_along_motion())?;
@@ -28,7 +28,7 @@ impl SlidingView {
         shows_motion.then_some(Self { view, mercator, ahead })
     }
 
-    /// How far to the right `velocity` slides the picture that would be seen at rest: the rapidity, against the motion.
+    /// Returns by how much u `velocity` slides the resting picture to the right: the rapidity, against the motion.
     pub fn shift(&self, velocity: &Velocity) -> f64 {
         match self.view.geometry {
             Geometry::Seen => -self.ahead * velocity.speed.rapidity().copysign(velocity.beta()),

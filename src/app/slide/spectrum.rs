@@ -1,4 +1,4 @@
-//! The standing spectrum: what becomes of the light of everything that moves with the scene, column by column.
+//! The standing spectrum: the received colour of everything that moves with the scene, column by column.
 //!
 //! D = cosh u/cosh(u + eta) depends on the column alone.
 

@@ -9,7 +9,7 @@ use crate::threads::prelude::*;
 const TURNED: usize = 2;
 const TURNS: i32 = 8;
 const ROUNDS: u32 = 4;
-/// Of a wheel on the other side of z = 0: parts of a turn that are tried, and how many turns more and less.
+/// For a wheel on the other side of z = 0: the parts of a turn that are tried, and how many turns more and less.
 const PARTS: i32 = 8;
 const MIRRORED_TURNS: i32 = 2;
 

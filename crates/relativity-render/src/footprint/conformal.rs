@@ -1,4 +1,4 @@
-//! Where in a conformal picture something can appear.
+//! Bounds on the place of a body in a conformal picture.
 //!
 //! The straight line between two places is seen along a great circle. Mercator's scale is cosh u, and so the curvature of its
 //! image is the part of grad ln cosh u across it: at most |tanh u|, below 1. What a convex body shows is bounded by such lines.
@@ -20,11 +20,11 @@ use crate::mercator::{Mercator, nearest_turn};
 const MOST_APART: f64 = 1.0;
 /// Nor do balls that reach so much of the way to the baseline.
 const MOST_NEAR: f64 = 0.8;
-/// What it bends by, at most, in parts of the square of its length.
+/// The most that it bends by, in parts of the square of its length.
 const BEND: f64 = 1.0 / 7.0;
 
 impl Projection {
-    /// Where the hull of balls of this `radius` around `points` can appear in the picture of `mercator`, of a piece with this
+    /// Returns the patch in which the hull of balls of this `radius` around `points` can appear in the picture of `mercator`, of a piece with this
     /// least radius; `None` if that cannot be said of it as a whole.
     pub(super) fn conformal_footprint(
         &self,

@@ -56,7 +56,7 @@ impl Rectangle {
 #[derive(Debug, Clone, Copy)]
 pub struct Projection {
     pub(super) gauge: Gauge,
-    /// That of a conformal picture.
+    /// The bounds of a conformal picture.
     pub(super) mercator: Option<Mercator>,
     pub(super) focal_length_px: f64,
     pub(super) size: DVec2,

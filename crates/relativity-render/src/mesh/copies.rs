@@ -1,4 +1,4 @@
-//! How often a body is drawn in a conformal picture, which is a strip around the baseline, cut open.
+//! The copies of a body that are drawn in a conformal picture, which is a strip around the baseline, cut open.
 //!
 //! v of a corner counts from an axis, the plane through the baseline and the body's middle. Of a body around the baseline
 //! triangles on the other side have corners at both ends of that count, and would be torn across the picture: the shader leaves
@@ -16,30 +16,30 @@ use crate::group_view::GroupView;
 use crate::mercator::Mercator;
 use crate::view::Geometry;
 
-/// How a body lies around the baseline.
+/// The range of v in which a body is seen.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Around {
     /// Unit vector from the baseline to the body's middle: ahead and up.
     axis: [f64; 2],
-    /// Its v.
+    /// The v of its middle.
     v: f64,
-    /// How much further or less far round it reaches from there, at most.
+    /// The most that it reaches to both sides from there, radians.
     reach: f64,
-    /// How much v the picture reaches up and down.
+    /// The range of v in the picture.
     half_height: f64,
 }
 
-/// What one copy of an instance is told: the axis, its v, and whether only the triangles on the other side are drawn, 1 or 0.
+/// The vertex attribute of one copy of an instance: the axis, its v, and whether only the triangles on the other side are drawn, 1 or 0.
 pub type Copy = [f32; 4];
 
-/// That of the only copy in a flat picture.
+/// The attribute of the only copy in a flat picture.
 pub const FLAT: Copy = [1.0, 0.0, 0.0, 0.0];
 
 /// More than 1 px of the picture's edges: what is seen there is drawn with some room.
 const ROOM: f64 = 0.1;
 
 impl Around {
-    /// Of a body whose middle appears at `middle`, in a ball around it, of which `pieces` is all; both as they are at rest.
+    /// Returns the range of a body whose middle appears at `middle`, in a ball around it, of which `pieces` is all; both as they are at rest.
     pub fn new(
         mercator: &Mercator,
         view: &GroupView,
@@ -57,7 +57,7 @@ impl Around {
         Self { axis, v: atan2(axis[1], axis[0]), reach, half_height }
     }
 
-    /// Its copies.
+    /// Returns the copies to draw.
     pub fn copies(&self) -> impl Iterator<Item = Copy> + use<> {
         let Self { axis, v, reach, half_height } = *self;
         let copy = move |turned: f64, is_other_side: bool| {
@@ -75,7 +75,7 @@ impl Around {
     }
 }
 
-/// How far round from its middle a body in this ball can be seen; pi if it may be around the baseline.
+/// Returns the farthest angle from its middle at which a body in this ball can be seen; pi if it may be around the baseline.
 fn reach(mercator: &Mercator, view: &GroupView, ball: &Capsule, pieces: &[Capsule]) -> f64 {
     let right = mercator.axes.right;
     let flat = |place: DVec3| place.reject_from_normalized(right);

@@ -45,7 +45,7 @@ pub fn line_of_sight<S: Simd>(simd: S, frame: &Frame, u: F<S>, v: F<S>) -> Sight
     Sight { n: unnormalised * scale, scale }
 }
 
-/// How the line of sight `sight` (unit vector) moves to the next pixel on the right, and to the one below. In a flat
+/// Returns the steps of the line of sight `sight` (unit vector) to the next pixel on the right, and to the one below. In a flat
 /// picture, what is along it does not count.
 #[inline(always)]
 pub fn steps<S: Simd>(frame: &Frame, sight: V3<S>) -> [V3<S>; 2] {

@@ -52,7 +52,7 @@ pub fn doppler_factor(speed: &Speed, u: f64) -> f64 {
 }
 
 impl Chart {
-    /// That of the picture of `view`.
+    /// Returns the map of the picture of `view`.
     #[must_use]
     pub fn new(view: &View) -> Self {
         let camera = &view.camera;

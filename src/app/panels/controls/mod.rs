@@ -226,6 +226,7 @@ fn more_rows(ui: &mut Ui, before: Window, unit: Unit, asks: &mut Asks) {
         ui.checkbox(&mut window.resting, "outline").on_hover_text(resting);
     });
     row(ui, "Below them", "What stands below the views.", |ui| {
+        (ui.spacing_mut().item_spacing.x, ui.spacing_mut().icon_spacing) = (4.0, 2.0);
         let spectrum = "Which wavelengths arrive of the selected point, among all that there are.";
         ui.checkbox(&mut window.spectrum, "spectrum").on_hover_text(spectrum);
         ui.checkbox(&mut window.sentence, "sentence").on_hover_text("The moment in words.");
@@ -254,7 +255,7 @@ enum GazeMode {
     Whole,
     Point,
     Ahead,
-    /// That of a panorama, which a button of its own changes to.
+    /// The gaze of a panorama, which has a button of its own.
     Passage,
     Stays,
 }
