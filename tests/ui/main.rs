@@ -25,6 +25,7 @@ mod presenting;
 mod quality;
 mod random_user;
 mod saving;
+mod slide;
 mod spacetime;
 mod start;
 mod start_page;
@@ -69,6 +70,7 @@ fn main() -> ExitCode {
         quality::TESTS,
         random_user::TESTS,
         saving::TESTS,
+        slide::TESTS,
         spacetime::TESTS,
         start::TESTS,
         start_page::TESTS,

@@ -24,6 +24,7 @@ const FONT_SIZE: f32 = 12.0;
 pub fn paint(painter: &Painter, state: &State, pane: EyePane, slide: &SlidingView, scale: f32) {
     let scene = &state.session.scene;
     let stride = scene.bodies.len().div_ceil(MOST_BODIES).max(1);
+    let mut named_above = false;
     for group in &scene.groups {
         let velocity = state.settings.velocity(group.motion);
         if velocity.beta() == 0.0 {
@@ -33,7 +34,8 @@ pub fn paint(painter: &Painter, state: &State, pane: EyePane, slide: &SlidingVie
         for body in scene.bodies[group.bodies()].iter().step_by(stride) {
             seen.paint_outline(painter, body);
         }
-        let anchor = anchor(state, group.motion).or_else(|| middle(scene.bodies.get(group.bodies().start)?));
+        let anchor =
+            anchor(state, group.motion).or_else(|| place_on(scene.bodies.get(group.bodies().start)?));
         let shift = slide.shift(&velocity);
         if let Some(from) = anchor.and_then(|point| seen.place(seen.group.place_when_shown(point))) {
             let name = format!(
@@ -41,7 +43,9 @@ pub fn paint(painter: &Painter, state: &State, pane: EyePane, slide: &SlidingVie
                 figures::fixed(velocity.speed.rapidity(), 3),
                 figures::beta(&velocity.speed)
             );
-            seen.paint_arrow(painter, from, shift, &name);
+            // Names of arrows that lie together stand on both sides.
+            named_above = !named_above;
+            seen.paint_arrow(painter, from, shift, &name, named_above);
         }
     }
 }
@@ -52,9 +56,13 @@ fn anchor(state: &State, motion: Motion) -> Option<MaterialPoint> {
     (point.track.motion == motion).then(|| point.track.point())
 }
 
-fn middle(body: &Body) -> Option<MaterialPoint> {
-    let place = strokes(&body.shape).next()?.first().copied()?;
-    Some(MaterialPoint { rest: place, spin: body.spin })
+/// A place on the outline of `body`; of a ball its centre.
+fn place_on(body: &Body) -> Option<MaterialPoint> {
+    let rest = match body.shape {
+        Shape::Sphere { center, .. } => center.into(),
+        _ => strokes(&body.shape).next()?.first().copied()?,
+    };
+    Some(MaterialPoint { rest, spin: body.spin })
 }
 
 /// The view of a group as if it rested, from the same event.
@@ -108,7 +116,7 @@ impl Resting<'_> {
     }
 
     /// The arrow from where something would be seen at rest to where it is seen.
-    fn paint_arrow(&self, painter: &Painter, from: Pos2, shift: f64, name: &str) {
+    fn paint_arrow(&self, painter: &Painter, from: Pos2, shift: f64, name: &str, is_above: bool) {
         let per_unit = self.slide.mercator.px_per_unit as f32 * points_per_px(self.pane).x;
         let to = pos2(from.x + shift as f32 * per_unit, from.y);
         if (to.x - from.x).abs() < 1.0 {
@@ -124,8 +132,12 @@ impl Resting<'_> {
         let ends = [from.x, to.x].map(|x| shown.clamp(x));
         let font = FontId::proportional(self.scale * FONT_SIZE);
         let galley = painter.layout_no_wrap(format!("η = {name}"), font, COLOUR);
-        let place =
-            Align2::CENTER_BOTTOM.anchor_size(pos2(0.5 * (ends[0] + ends[1]), from.y - 5.0), galley.size());
+        let middle = 0.5 * (ends[0] + ends[1]);
+        let place = if is_above {
+            Align2::CENTER_BOTTOM.anchor_size(pos2(middle, from.y - 5.0), galley.size())
+        } else {
+            Align2::CENTER_TOP.anchor_size(pos2(middle, from.y + 7.0), galley.size())
+        };
         painter.rect_filled(place.expand2(vec2(4.0, 1.0)), 3.0, Color32::from_black_alpha(150));
         painter.galley(place.min, galley, COLOUR);
     }
