@@ -73,7 +73,7 @@ fn centre(image: &HitImage, i: usize) -> [f64; 2] {
     [(i % width) as f64 + 0.5, (i / width) as f64 + 0.5]
 }
 
-/// What is seen this near to `place`, and there.
+/// The bodies that are seen this near to `place`, and there.
 fn bodies_around(
     scene: &relativity_render::PreparedScene,
     view: &View,

@@ -108,7 +108,7 @@ impl Plotting {
     }
 }
 
-/// What the shown tab of plots shows; nothing of those that do not plot against T.
+/// Returns the quantities that the shown tab plots against T.
 #[must_use]
 pub fn quantities(plots: &Plots) -> &'static [Quantity] {
     match plots.plot {

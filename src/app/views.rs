@@ -42,14 +42,16 @@ impl App {
         }
     }
 
-    /// Draws what stands in all `panes`, and what joins them.
+    /// Draws all `panes`, the line that joins the strips of a panorama, and the button that offers one.
     pub(super) fn paint_all(&mut self, ui: &mut Ui, panes: &[Pane]) {
         for &pane in panes {
             self.paint(ui, pane);
         }
-        let of_eyes: Vec<_> = panes.iter().flat_map(|pane| self.eye_panes(ui, pane)).collect();
-        if let (true, &[upper, lower]) = (self.state.settings.is_panorama(), of_eyes.as_slice()) {
-            panorama::join(ui, &self.state, [upper, lower]);
+        if self.state.settings.is_panorama() {
+            let strips: Vec<_> = panes.iter().flat_map(|pane| self.eye_panes(ui, pane)).collect();
+            if let &[upper, lower] = strips.as_slice() {
+                panorama::join(ui, &self.state, [upper, lower]);
+            }
         }
         let Some(area) = panes.iter().map(|pane| pane.rect).reduce(Rect::union) else { return };
         if panorama::is_offered(&self.state, area) {

@@ -1,7 +1,10 @@
-//! The colour of light of one wavelength.
+//! The colour of light of one wavelength, and strips of such colours.
 
-use eframe::egui::Color32;
+use eframe::egui::{Color32, Mesh, Painter, Rect, Shape, pos2};
 use relativity_render::colour;
+
+/// Points between the places of a strip whose colours are worked out.
+const STEP: f32 = 2.0;
 
 /// The colour of light of this wavelength, nm, over `behind`, which shows where eyes see nothing.
 pub fn visible_colour(wavelength_nm: f64, behind: Color32) -> Color32 {
@@ -13,4 +16,25 @@ pub fn visible_colour(wavelength_nm: f64, behind: Color32) -> Color32 {
         colour::srgb_level(behind * (1.0 - seen) + linear[i])
     });
     Color32::from_rgb(r, g, b)
+}
+
+/// Returns the places along `strip` whose colours are worked out, from its left end to its right end.
+pub fn places(strip: Rect) -> impl Iterator<Item = f32> {
+    let columns = (strip.width() / STEP).ceil().max(1.0) as u32;
+    (0..=columns).map(move |column| strip.min.x + strip.width() * column as f32 / columns as f32)
+}
+
+/// Fills `strip` with `colours`, each with its place.
+pub fn paint_strip(painter: &Painter, strip: Rect, colours: impl Iterator<Item = (f32, Color32)>) {
+    let mut mesh = Mesh::default();
+    for (column, (x, colour)) in (0..).zip(colours) {
+        mesh.colored_vertex(pos2(x, strip.min.y), colour);
+        mesh.colored_vertex(pos2(x, strip.max.y), colour);
+        if column > 0 {
+            let last = 2 * column + 1;
+            mesh.add_triangle(last - 3, last - 2, last - 1);
+            mesh.add_triangle(last - 2, last - 1, last);
+        }
+    }
+    painter.add(Shape::mesh(mesh));
 }

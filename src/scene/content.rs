@@ -75,8 +75,7 @@ impl Track {
     /// Returns the point of the axle that this point turns about; the point itself if it does not turn.
     #[must_use]
     pub fn carrier(&self) -> Self {
-        let rest = self.spin.map_or(self.rest, |Spin { hub: [x, _, z], .. }| [x, self.rest[1], z]);
-        Self { rest, spin: None, ..*self }
+        Self { rest: self.axle(), spin: None, ..*self }
     }
 
     /// The point in the frame of its group.

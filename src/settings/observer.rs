@@ -300,11 +300,10 @@ impl Settings {
     /// The framing of what moves with the `scene`; of its resting picture, too, where that is outlined.
     fn framing(&self, scene: &PreparedScene, observation_time: f64) -> Option<Framing> {
         let framing = self.outline(scene, observation_time).framing()?;
-        let velocity = self.velocity(Motion::Scene);
-        let rapidity = velocity.speed.rapidity();
+        let rapidity = self.velocity(Motion::Scene).rapidity();
         let slides = self.baseline().is_along_motion() && self.geometry() == Geometry::Seen;
-        let is_outlined = self.window.resting && slides && rapidity <= FARTHEST_RESTING;
-        Some(if is_outlined { framing.and_slid(rapidity.copysign(velocity.beta())) } else { framing })
+        let is_outlined = self.window.resting && slides && rapidity.abs() <= FARTHEST_RESTING;
+        Some(if is_outlined { framing.and_slid(rapidity) } else { framing })
     }
 
     /// The field of view of the whole passage, degrees: u from -2.5 to 2.5, or as far as pictures of this `size` have to reach

@@ -19,9 +19,9 @@ impl Settings {
     pub(crate) fn toggle_panorama(&mut self, usual: &Self) {
         let (look, picture) = (self.look, self.picture);
         if self.is_panorama() {
-            let Look { gaze, fov, zero_parallax, .. } =
-                if usual.is_panorama() { Look::default() } else { usual.look };
-            let layout = if usual.is_panorama() { Picture::default().layout } else { usual.picture.layout };
+            let default = Self::default();
+            let usual = if usual.is_panorama() { &default } else { usual };
+            let (Look { gaze, fov, zero_parallax, .. }, layout) = (usual.look, usual.picture.layout);
             self.look = Look { gaze, fov, zero_parallax, ..look };
             self.picture = Picture { layout, ..picture };
         } else {

@@ -97,7 +97,7 @@ pub struct HeadAxes {
     pub right: [f64; 3],
     /// Straight ahead, level on the ground.
     pub ahead: [f64; 3],
-    /// To the crown.
+    /// Unit vector from the middle of the eyes to the crown.
     pub up: [f64; 3],
 }
 

@@ -66,7 +66,7 @@ fn compare_all_projections(gpu: &Gpu) -> Result<(), GpuError> {
     Ok(())
 }
 
-/// Of the picture across the gaze, of the same as one parallel to its rows, of one that is sheared, and of a conformal one with
+/// Prints the times of the picture across the gaze, of the same as one parallel to its rows, of one that is sheared, and of a conformal one with
 /// as many pixels per radian in its middle.
 fn compare_projections(gpu: &Gpu, bodies: &[Body], method: Method) -> Result<(), GpuError> {
     let mut renderers = Renderers::new(Some(gpu.clone()));

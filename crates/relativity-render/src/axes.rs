@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 /// Steepest elevation of a gaze that follows something: at the zenith itself no horizon is level.
 pub const MAX_ELEVATION: f64 = 89.5 * PI / 180.0;
 
-/// A gaze of which less than this is across the baseline does not tell how a picture along that is tilted.
+/// The least part of a gaze across the baseline from which the tilt of a picture along that is found.
 pub(crate) const LEAST_ACROSS: f64 = 1e-12;
 
 /// Unit vectors of a camera: right, up and forward.

@@ -22,7 +22,7 @@ pub struct Gaze {
 /// How far a gaze can be from the plane across the baseline for a picture to stay parallel to that, radians: further on it
 /// would be stretched too much, and turns with the gaze.
 pub const MAX_SLANT: f64 = 65.0 * PI / 180.0;
-/// A gaze that is turned further aside than this does not tell how a picture parallel to the baseline is tilted, radians.
+/// The farthest that a gaze can be aside for the tilt of a picture parallel to the baseline to be found, radians.
 const MOST_SLANT: f64 = FRAC_PI_2 - 1e-6;
 
 /// A pinhole camera at rest on the ground. [`Projection`] says where its picture plane lies: across the gaze, unless two

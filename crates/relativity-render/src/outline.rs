@@ -52,7 +52,7 @@ enum Lies {
     Alone,
     /// In pictures parallel to that line.
     Sheared(Sheared),
-    /// In conformal pictures.
+    /// Pictures are conformal.
     Slid(Slid),
 }
 

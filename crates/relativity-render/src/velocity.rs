@@ -223,6 +223,12 @@ impl Velocity {
         Ok(Stereo { position: self.reflected(there.position.into()).to_array(), ..there })
     }
 
+    /// Returns the rapidity along +x, below 0 for the other way.
+    #[must_use]
+    pub fn rapidity(&self) -> f64 {
+        self.direction() * self.speed.rapidity()
+    }
+
     /// This velocity as a camera sees it that moves at `camera`: rapidities subtract.
     #[must_use]
     #[expect(clippy::missing_panics_doc, reason = "the greatest gamma is a speed")]
@@ -233,8 +239,7 @@ impl Velocity {
         if self.is_rest() {
             return Self { is_backward: !camera.is_backward, ..camera };
         }
-        let signed = |v: Self| v.direction() * v.speed.rapidity();
-        let rapidity = signed(self) - signed(camera);
+        let rapidity = self.rapidity() - camera.rapidity();
         // Two that fly apart at the greatest gamma part no faster than that.
         let speed = Speed::from_rapidity(rapidity.abs()).or_else(|_| Speed::from_gamma(MAX_GAMMA));
         Self { speed: speed.expect("the greatest gamma is one"), is_backward: rapidity < 0.0 }

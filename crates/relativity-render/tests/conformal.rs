@@ -76,7 +76,7 @@ fn both_eyes_see_a_point_in_one_row() {
     }
 }
 
-/// D is told by the column alone; when light left follows from u, too.
+/// D depends on the column alone; the emission time follows from u, too.
 #[test]
 fn the_column_tells_the_doppler_factor() {
     let scene = PreparedScene::moving(&still_life());

@@ -22,9 +22,9 @@ pub enum Quantity {
     DeltaPhi,
     /// Delta-theta.
     DeltaTheta,
-    /// Delta-u.
+    /// Delta-u, the difference of columns of conformal pictures.
     DeltaU,
-    /// Delta-v.
+    /// Delta-v, the difference of rows of conformal pictures.
     DeltaV,
     /// phi of the left and the right eye.
     Phi,
@@ -59,9 +59,9 @@ pub enum Curve {
     DeltaPhi,
     /// Delta-theta.
     DeltaTheta,
-    /// Delta-u.
+    /// Delta-u, the difference of columns of conformal pictures.
     DeltaU,
-    /// Delta-v.
+    /// Delta-v, the difference of rows of conformal pictures.
     DeltaV,
     /// Delta-u of the point at rest, for eyes gamma d apart.
     RestingU,

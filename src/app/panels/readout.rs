@@ -248,7 +248,7 @@ const QUANTITIES: [Quantity; 9] = [
     ),
 ];
 
-/// A conformal coordinate.
+/// A row of the readout: a conformal coordinate, in the axes of the head.
 struct OfHead {
     symbol: &'static str,
     name: &'static str,

@@ -1,8 +1,8 @@
 //! The wavelengths that arrive of the selected point, on a scale of all that are near the visible.
 
 use eframe::egui::{
-    self, Align2, Color32, CornerRadius, FontId, Mesh, Painter, Pos2, Rect, Sense, Shape, Stroke, StrokeKind,
-    Ui, Visuals, accesskit::Role, pos2, vec2,
+    self, Align2, Color32, CornerRadius, FontId, Painter, Pos2, Rect, Sense, Shape, Stroke, StrokeKind, Ui,
+    Visuals, accesskit::Role, pos2, vec2,
 };
 use relativity_core::math;
 use relativity_render::spectrum::VISIBLE_NM;
@@ -10,7 +10,7 @@ use relativity_render::spectrum::VISIBLE_NM;
 use crate::app::eye::Eye;
 use crate::app::state::State;
 use crate::app::theme;
-use crate::app::wavelength_colour::visible_colour;
+use crate::app::wavelength_colour::{paint_strip, places, visible_colour};
 use crate::app::widgets::apart::{Span, apart};
 use crate::caption::{Moment, Source, in_words};
 
@@ -22,8 +22,6 @@ const NUMBERS_HEIGHT: f32 = 16.0;
 const BELOW: f32 = 3.0;
 /// Least space between two numbers.
 const BETWEEN: f32 = 12.0;
-/// Points between colours that are worked out.
-const STEP: f32 = 2.0;
 /// Least space between a mark and a name on the strip.
 const NAME_MARGIN: f32 = 6.0;
 /// Size of the writing.
@@ -124,20 +122,8 @@ fn description(marks: &[Mark], moment: &Moment) -> String {
 
 /// The colours of the scale.
 fn paint_colours(painter: &Painter, strip: Rect, visuals: &Visuals) {
-    let columns = (strip.width() / STEP).ceil().max(1.0) as u32;
-    let mut mesh = Mesh::default();
-    for column in 0..=columns {
-        let x = strip.min.x + strip.width() * column as f32 / columns as f32;
-        let colour = scale_colour(wavelength_at(strip, x), visuals);
-        mesh.colored_vertex(pos2(x, strip.min.y), colour);
-        mesh.colored_vertex(pos2(x, strip.max.y), colour);
-        if column > 0 {
-            let last = 2 * column + 1;
-            mesh.add_triangle(last - 3, last - 2, last - 1);
-            mesh.add_triangle(last - 2, last - 1, last);
-        }
-    }
-    painter.add(Shape::mesh(mesh));
+    let colours = places(strip).map(|x| (x, scale_colour(wavelength_at(strip, x), visuals)));
+    paint_strip(painter, strip, colours);
     let stroke = visuals.widgets.noninteractive.bg_stroke;
     painter.rect_stroke(strip, CornerRadius::ZERO, stroke, StrokeKind::Outside);
 }

@@ -176,8 +176,7 @@ fn image(ui: &Ui, rect: Rect, texture: TextureId) {
 /// Says in the picture of `pane` what is beyond it, what it is, and why a part of it is dark.
 fn words(ui: &Ui, state: &State, pane: EyePane, note: String) {
     let inside = ui.painter().with_clip_rect(pane.rect);
-    slide::paint(ui, &inside, state, pane);
-    let ruler = slide::ruler_height(ui, state, pane).unwrap_or(0.0);
+    let ruler = slide::paint(ui, &inside, state, pane);
     let pane = EyePane { rect: pane.rect.with_max_y(pane.rect.max.y - ruler), ..pane };
     beyond::paint(ui, &inside, pane.rect, &state.beyond(pane.eye, pane.size));
     let _ = write(ui, &inside, pane, Align2::LEFT_BOTTOM, note);

@@ -6,7 +6,7 @@ use super::sliding_view::{SlidingView, points_per_px};
 use crate::app::panes::EyePane;
 
 /// Height of the ruler and the spectrum above it where writing is of the default size, points.
-pub const HEIGHT: f32 = 30.0;
+const HEIGHT: f32 = 30.0;
 
 /// The columns of a view on the screen.
 #[derive(Debug, Clone, Copy)]

@@ -16,26 +16,20 @@ use super::panes::EyePane;
 use super::state::State;
 use super::theme;
 
-use columns::HEIGHT;
+use columns::Columns;
 use sliding_view::SlidingView;
 
-/// The height of the ruler and the spectrum in `pane`, points; `None` where they are not shown.
-#[must_use]
-pub fn ruler_height(ui: &Ui, state: &State, pane: EyePane) -> Option<f32> {
+/// Draws into `pane` what is switched on, and returns the height of the ruler and the spectrum there, points.
+pub fn paint(ui: &Ui, painter: &Painter, state: &State, pane: EyePane) -> f32 {
+    let Some(slide) = SlidingView::new(state, state.view(pane.eye, pane.size)) else { return 0.0 };
     let scale = theme::text_scale(ui.style());
-    let is_shown = state.settings.window.ruler
-        && pane.rect.height() >= scale * ruler::LEAST_VIEW
-        && SlidingView::new(state, state.view(pane.eye, pane.size)).is_some();
-    is_shown.then_some(scale * HEIGHT)
-}
-
-/// Draws into `pane` what is switched on.
-pub fn paint(ui: &Ui, painter: &Painter, state: &State, pane: EyePane) {
-    let Some(slide) = SlidingView::new(state, state.view(pane.eye, pane.size)) else { return };
     if state.settings.window.resting {
-        resting::paint(painter, state, pane, &slide, theme::text_scale(ui.style()));
+        resting::paint(painter, state, pane, &slide, scale);
     }
-    if ruler_height(ui, state, pane).is_some() {
-        ruler::paint(ui, painter, state, pane, &slide);
+    if !state.settings.window.ruler || pane.rect.height() < scale * ruler::LEAST_VIEW {
+        return 0.0;
     }
+    let columns = Columns::new(pane, &slide, scale);
+    ruler::paint(ui, painter, state, pane, &slide, &columns);
+    columns.rect.height()
 }

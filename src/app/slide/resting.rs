@@ -8,6 +8,7 @@ use relativity_render::{Body, GroupView, MaterialPoint, Motion, Shape};
 use super::sliding_view::{SlidingView, points_per_px};
 use crate::app::panes::EyePane;
 use crate::app::state::State;
+use crate::comfort::circle;
 use crate::figures;
 use crate::map::strokes;
 
@@ -78,8 +79,7 @@ impl Resting<'_> {
     fn place(&self, rest: DVec3) -> Option<Pos2> {
         let mercator = &self.slide.mercator;
         let coordinates = mercator.coordinates(rest - self.group.origin)?;
-        let [x, y] = mercator.place_of(coordinates);
-        let place = self.pane.rect.min + points_per_px(self.pane) * vec2(x as f32, y as f32);
+        let place = self.pane.place(mercator.place_of(coordinates));
         let limit = self.pane.rect.expand(4.0 * self.pane.rect.width());
         limit.contains(place).then_some(place)
     }
@@ -105,14 +105,10 @@ impl Resting<'_> {
     fn around_ball(&self, center: DVec3, radius: f64) -> Vec<DVec3> {
         let from = center - self.group.origin;
         let squared = (radius * radius / from.length_squared()).min(1.0);
-        let (across, up) = from.normalize_or(DVec3::Y).any_orthonormal_pair();
         let reach = radius * (1.0 - squared).sqrt();
-        let corner = |step: u32| {
-            let (sine, cosine) =
-                relativity_core::math::sin_cos(std::f64::consts::TAU * f64::from(step) / f64::from(AROUND));
-            center - from * squared + (across * cosine + up * sine) * reach
-        };
-        (0..=AROUND).map(corner).collect()
+        let mut corners = circle(center - from * squared, from, reach, AROUND);
+        corners.push(corners[0]);
+        corners
     }
 
     /// The arrow from where something would be seen at rest to where it is seen.

@@ -10,7 +10,6 @@ use super::sliding_view::SlidingView;
 use super::spectrum;
 use crate::app::panes::EyePane;
 use crate::app::state::State;
-use crate::app::theme;
 use crate::figures;
 
 /// Lower views have none.
@@ -31,17 +30,23 @@ const TIP: &str = "Measures rapidity: a speed slides everything by as much, from
     seen. Zero is where things are seen abreast.\nη = artanh β\nThe colours are those of a passing body's light in that column: \
     they stand still while it passes.\n1/D = γ (1 + β tanh u)";
 
-/// Draws it along the lower edge of `pane`, with the spectrum.
-pub fn paint(ui: &Ui, painter: &Painter, state: &State, pane: EyePane, slide: &SlidingView) {
-    let columns = Columns::new(pane, slide, theme::text_scale(ui.style()));
+/// Draws it along the lower edge of `pane`, which has these `columns`, with the spectrum.
+pub fn paint(
+    ui: &Ui,
+    painter: &Painter,
+    state: &State,
+    pane: EyePane,
+    slide: &SlidingView,
+    columns: &Columns,
+) {
     let top = columns.rect.max.y - columns.scale * RULER;
     let ruler = Rect::from_min_max(pos2(columns.rect.min.x, top), columns.rect.max);
     painter.rect_filled(ruler, 0.0, Color32::from_black_alpha(190));
     let strip = Rect::from_min_max(columns.rect.min, pos2(ruler.max.x, ruler.min.y));
-    spectrum::paint(painter, state, slide, &columns, strip);
-    paint_fine_ticks(painter, ruler, &columns);
+    spectrum::paint(painter, state, slide, columns, strip);
+    paint_fine_ticks(painter, ruler, columns);
     let own = state.speed();
-    let named = paint_named_ticks(painter, ruler, &columns, own.beta());
+    let named = paint_named_ticks(painter, ruler, columns, own.beta());
     if own.rapidity() > 0.0 {
         let x = columns.x(-own.rapidity());
         let tip = pos2(x, strip.min.y - 1.0);

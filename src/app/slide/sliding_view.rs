@@ -31,7 +31,7 @@ impl SlidingView {
     /// Returns by how much u `velocity` slides the resting picture to the right: the rapidity, against the motion.
     pub fn shift(&self, velocity: &Velocity) -> f64 {
         match self.view.geometry {
-            Geometry::Seen => -self.ahead * velocity.speed.rapidity().copysign(velocity.beta()),
+            Geometry::Seen => -self.ahead * velocity.rapidity(),
             _ => 0.0,
         }
     }

@@ -2,21 +2,19 @@
 //!
 //! D = cosh u/cosh(u + eta) depends on the column alone.
 
-use eframe::egui::{Align2, Color32, FontId, Mesh, Painter, Rect, Shape, Stroke, pos2};
-use relativity_core::Speed;
+use eframe::egui::{Align2, Color32, FontId, Painter, Rect, Stroke, pos2};
 use relativity_core::math::{atanh, cosh, ln, sinh, tanh};
+use relativity_core::{Speed, aberration};
 use relativity_render::Geometry;
 use relativity_render::spectrum::VISIBLE_NM;
 
 use super::columns::Columns;
 use super::sliding_view::SlidingView;
 use crate::app::state::State;
-use crate::app::wavelength_colour::visible_colour;
+use crate::app::wavelength_colour::{paint_strip, places, visible_colour};
 use crate::caption::{Source, in_words};
 use crate::figures;
 
-/// Points between colours that are worked out.
-const STEP: f32 = 2.0;
 /// Between the lines of a hatch, points.
 const HATCH: f32 = 6.0;
 const INVISIBLE: Color32 = Color32::from_gray(58);
@@ -55,11 +53,9 @@ fn rest_wavelength(state: &State) -> Option<f64> {
     }
 }
 
-/// D in the column `u`: 1/(gamma (1 + beta tanh u)), from exponentials where that would cancel.
+/// The Doppler factor D in the column `u`.
 fn doppler_factor(speed: &Speed, u: f64) -> f64 {
-    let eta = speed.rapidity();
-    // Both are large where they overflow: their quotient is that of the exponentials.
-    if (u + eta).abs() > 300.0 { speed.head_on_doppler_factor() } else { cosh(u) / cosh(u + eta) }
+    aberration::doppler_factor([tanh(u), 1.0 / cosh(u), 0.0], speed)
 }
 
 /// The column with this Doppler factor; `None` where there is none.
@@ -75,26 +71,15 @@ fn column_of(speed: &Speed, doppler_factor: f64) -> Option<f64> {
 }
 
 fn paint_colours(painter: &Painter, columns: &Columns, strip: Rect, wavelength: impl Fn(f64) -> f64) {
-    let count = (strip.width() / STEP).ceil().max(1.0) as u32;
-    let mut mesh = Mesh::default();
+    let received: Vec<_> = places(strip).map(|x| (x, wavelength(columns.u(x)))).collect();
+    paint_strip(painter, strip, received.iter().map(|&(x, nm)| (x, visible_colour(nm, INVISIBLE))));
     let mut hatched: Vec<(f32, bool)> = Vec::new();
-    for column in 0..=count {
-        let x = strip.min.x + strip.width() * column as f32 / count as f32;
-        let nm = wavelength(columns.u(x));
-        let colour = visible_colour(nm, INVISIBLE);
-        mesh.colored_vertex(pos2(x, strip.min.y), colour);
-        mesh.colored_vertex(pos2(x, strip.max.y), colour);
-        if column > 0 {
-            let last = 2 * column + 1;
-            mesh.add_triangle(last - 3, last - 2, last - 1);
-            mesh.add_triangle(last - 2, last - 1, last);
-        }
+    for (x, nm) in received {
         let is_next = hatched.last().is_none_or(|(other, _)| x - other >= HATCH);
         if is_next && !(VISIBLE_NM[0]..=VISIBLE_NM[1]).contains(&nm) {
             hatched.push((x, nm > VISIBLE_NM[1]));
         }
     }
-    painter.add(Shape::mesh(mesh));
     let half = 0.5 * strip.height();
     for (x, is_infrared) in hatched {
         let rise = if is_infrared { -half } else { half };
@@ -129,14 +114,13 @@ fn paint_factors(painter: &Painter, columns: &Columns, strip: Rect, speed: &Spee
 mod tests {
     use super::*;
 
-    /// Against the core's Doppler factor along the line of sight in that column.
+    /// Against the closed form of a Mercator map.
     #[test]
     fn each_column_has_one_doppler_factor() {
         for beta in [0.0, 0.3, 0.9, 0.9999] {
             let speed = Speed::from_beta(beta).expect("below 1");
             for u in [-4.0, -1.3, 0.0, 0.7, 5.0] {
-                let sight = [tanh(u), 1.0 / cosh(u), 0.0];
-                let expected = relativity_core::aberration::doppler_factor(sight, &speed);
+                let expected = cosh(u) / cosh(u + speed.rapidity());
                 let found = doppler_factor(&speed, u);
                 assert!((found / expected - 1.0).abs() < 1e-12, "{beta} {u}: {found} for {expected}");
                 if beta > 0.0 {

@@ -32,7 +32,7 @@ fn lowest(descents: impl Iterator<Item = Descent>) -> Option<Descent> {
     descents.min_by(|a, b| a.cost.total_cmp(&b.cost))
 }
 
-/// The lowest minimum on the other side of z = 0. The hub's own curve does not tell the side, and that of its wheel has minima
+/// The lowest minimum on the other side of z = 0. The hub's own curve is the same on both sides, and that of its wheel has minima
 /// at other turns there, between which no descent leads: the wheel is tried in parts of a turn.
 fn mirrored(problem: &Problem, coarse: &Problem, way: &Descent) -> Option<Descent> {
     let samples = start::thinned(problem, wheel_start::SAMPLES);

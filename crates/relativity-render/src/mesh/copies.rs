@@ -8,7 +8,7 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use glam::DVec3;
-use relativity_core::math::{asin, atan2, hypot};
+use relativity_core::math::{asin, atan2, hypot, sin_cos};
 
 use crate::capsule::Capsule;
 use crate::footprint::Projection;
@@ -43,6 +43,7 @@ impl Around {
     pub fn new(
         mercator: &Mercator,
         view: &GroupView,
+        projection: &Projection,
         middle: Option<DVec3>,
         ball: &Capsule,
         pieces: &[Capsule],
@@ -53,7 +54,7 @@ impl Around {
         let rho = hypot(ahead, rise);
         let axis = if rho > 0.0 { [ahead / rho, rise / rho] } else { [1.0, 0.0] };
         let half_height = 0.5 * f64::from(view.camera.size[1]) / mercator.px_per_unit + ROOM;
-        let reach = reach(mercator, view, ball, pieces);
+        let reach = reach(mercator, view, projection, ball, pieces);
         Self { axis, v: atan2(axis[1], axis[0]), reach, half_height }
     }
 
@@ -76,7 +77,13 @@ impl Around {
 }
 
 /// Returns the farthest angle from its middle at which a body in this ball can be seen; pi if it may be around the baseline.
-fn reach(mercator: &Mercator, view: &GroupView, ball: &Capsule, pieces: &[Capsule]) -> f64 {
+fn reach(
+    mercator: &Mercator,
+    view: &GroupView,
+    projection: &Projection,
+    ball: &Capsule,
+    pieces: &[Capsule],
+) -> f64 {
     let right = mercator.axes.right;
     let flat = |place: DVec3| place.reject_from_normalized(right);
     // Along the motion nothing changes what is across.
@@ -91,7 +98,7 @@ fn reach(mercator: &Mercator, view: &GroupView, ball: &Capsule, pieces: &[Capsul
         return PI;
     }
     let center = view.reflected_from_camera(ball.from);
-    let image = Projection::new(view).apparent_centre(center, ball.radius);
+    let image = projection.apparent_centre(center, ball.radius);
     let k = image.map_or(1.0, |image| ball.radius / flat(view.velocity.reflected(image)).length());
     if k < 1.0 { 2.0 * asin(k) } else { PI }
 }
@@ -102,7 +109,7 @@ const DIRECTIONS: u32 = 32;
 /// Whether all `pieces` are on one side of the line through the eye along x.
 fn is_beside(view: &GroupView, pieces: &[Capsule]) -> bool {
     (0..DIRECTIONS).any(|i| {
-        let (sine, cosine) = relativity_core::math::sin_cos(TAU * f64::from(i) / f64::from(DIRECTIONS));
+        let (sine, cosine) = sin_cos(TAU * f64::from(i) / f64::from(DIRECTIONS));
         let direction = DVec3::new(0.0, cosine, sine);
         let is_there = |end: DVec3, radius: f64| (end - view.origin).dot(direction) > radius;
         pieces.iter().all(|piece| is_there(piece.from, piece.radius) && is_there(piece.to, piece.radius))

@@ -62,6 +62,7 @@ impl Parts {
     pub fn refill(&mut self, shot: &Shot<'_>, bound_px: f64) {
         let Shot { scene, views, divided_for, appearance } = *shot;
         let projections: Vec<_> = views.iter().map(Projection::new).collect();
+        let maps: Vec<_> = views.iter().map(|view| view.camera.mercator()).collect();
         let ball = |body: &PreparedBody| {
             if body.is_turned {
                 return *scene.ball_around(body);
@@ -90,13 +91,13 @@ impl Parts {
                 joint: body.joint,
                 is_patterned: body.is_patterned,
                 turns: view.turns(body),
-                around: views[body.group].camera.mercator().map(|mercator| {
-                    let view = &views[body.group];
+                around: maps[body.group].map(|mercator| {
+                    let (view, projection) = (&views[body.group], &projections[body.group]);
                     let middle = MaterialPoint { rest: scene.solid(body.number).center(), spin: body.spin };
                     let ball = ball(body);
                     let whole = [ball];
                     let pieces = if body.is_turned { &whole } else { scene.around(body) };
-                    Around::new(&mercator, view, view.apparent_position(middle), &ball, pieces)
+                    Around::new(&mercator, view, projection, view.apparent_position(middle), &ball, pieces)
                 }),
             }
         };

@@ -14,7 +14,7 @@ use crate::scenes::{still_life, time_seen_at, view_following};
 
 pub const FOLLOWED: [f64; 3] = [-0.4, 3.0, 0.7];
 
-/// Which pixel is where, in a conformal picture of the sky.
+/// The map between u, v and the pixels of a conformal picture.
 #[derive(Debug, Clone, Copy)]
 pub struct Chart {
     /// u and v in the middle of the picture.
@@ -92,7 +92,7 @@ pub fn centre(image: &HitImage, i: usize) -> DVec2 {
     DVec2::new((i % width) as f64 + 0.5, (i / width) as f64 + 0.5)
 }
 
-/// How far from its pixel's centre, px, what a pixel shows is seen: at most, and in how many pixels something is.
+/// The largest distance, px, of a shown point from its pixel's centre, and the number of pixels that show something.
 #[must_use]
 pub fn farthest_off(image: &HitImage, view: &View) -> (f64, usize) {
     let chart = Chart::new(view);
@@ -220,14 +220,14 @@ fn has_outline(image: &HitImage, view: &View, reach_px: f64, context: &str) {
 /// Speeds, and by how many columns each is to move the picture.
 const SLIDES: [(f64, usize); 4] = [(0.3, 90), (0.9, 370), (0.99, 450), (0.99999, 800)];
 
-/// What a picture has in common with the resting one, moved back by the rapidity.
+/// The comparison of a picture with the resting one, moved back by the rapidity.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Slid {
     /// Pixels that show a body.
     pub shown: usize,
     /// Pixels of these, and of others, that show another body than at rest.
     pub differing: usize,
-    /// How far apart the points of one body are, at most, that the others show, on each body.
+    /// The largest distance between the points of one body that the other pixels show, on each body.
     pub farthest: f64,
 }
 
@@ -264,7 +264,7 @@ pub fn slid(renderers: &mut Renderers, method: Method, reach_px: f64) -> Slid {
     all
 }
 
-/// What the reference shows this far from `place`, and there.
+/// The bodies that the reference shows this far from `place`, and there.
 #[must_use]
 pub fn bodies_around(scene: &PreparedScene, view: &View, place: DVec2, reach_px: f64) -> Vec<Option<usize>> {
     let turned = |k: u32| DVec2::from_angle(std::f64::consts::TAU * f64::from(k) / 16.0);
