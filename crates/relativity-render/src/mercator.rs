@@ -17,7 +17,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::{DVec2, DVec3};
 use relativity_core::Conformal;
-use relativity_core::math::{asin, asinh, atan2, atanh, hypot, sin_cos, sinh};
+use relativity_core::math::{asin, asinh, atan2, atanh, exp, hypot, sin_cos};
 
 use crate::axes::Axes;
 
@@ -26,8 +26,8 @@ pub const MOST_ASIDE: f64 = 28.0;
 /// The farthest that the middle of a shifted picture can be aside, as |u|: f32 has cosh^2 u at its edges.
 pub const MOST_SHIFTED: f64 = 36.0;
 
-/// The farthest that a line of sight can be drawn aside, as |u|: its sinh is a number.
-const MOST_DRAWN: f64 = 710.0;
+/// The farthest that a line of sight can be drawn aside, as |u|: its exponential is a number.
+const MOST_DRAWN: f64 = 709.0;
 
 /// The map of the sky that one conformal picture is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -75,8 +75,9 @@ impl Mercator {
     pub fn line_of_sight(&self, DVec2 { x: u, y: v }: DVec2) -> DVec3 {
         let Axes { right, up, forward } = self.axes;
         let (sine, cosine) = sin_cos(v);
-        let aside = sinh(u);
-        (right * aside + forward * cosine + up * sine) / hypot(1.0, aside)
+        let grown = exp(u);
+        let shrunk = 1.0 / grown;
+        (right * (grown - shrunk) + (forward * cosine + up * sine) * 2.0) / (grown + shrunk)
     }
 
     /// (u, v) at this place in the picture, px.

@@ -100,11 +100,14 @@ fn pixel_on<S: Simd>(
     slope: V2<S>,
     reach: F<S>,
 ) -> V2<S> {
-    let [right, down] = steps(frame, sight).map(|step| [step.x, step.y, step.z]);
-    let size = |axis: usize, slope: F<S>| {
-        V2::new(right[axis] - slope * right[across], down[axis] - slope * down[across]).length()
-    };
-    V2::new(size(axes[0], slope.x) * reach.abs(), size(axes[1], slope.y) * reach.abs())
+    let [right, down] = steps(frame, sight);
+    let (right, down) = ([right.x, right.y, right.z], [down.x, down.y, down.z]);
+    // Without a closure, which would be a call between registers of other widths.
+    let size = [
+        V2::new(right[axes[0]] - slope.x * right[across], down[axes[0]] - slope.x * down[across]).length(),
+        V2::new(right[axes[1]] - slope.y * right[across], down[axes[1]] - slope.y * down[across]).length(),
+    ];
+    V2::new(size[0] * reach.abs(), size[1] * reach.abs())
 }
 
 #[inline(always)]

@@ -100,7 +100,8 @@ pub fn rest_ray<S: Simd>(simd: S, group: &Group, sight: Sight<S>) -> Ray<S> {
     let centre = V3::of_four(simd, frame.middle);
     let moment = centre.cross(direction) + V3::of_four(simd, frame.middle_fine).cross(direction);
     let to_centre = centre.dot(direction);
-    Ray { sight: n, scale, direction, ground_per_rest, doppler, moment, to_centre }
+    let steps = steps(frame, n);
+    Ray { sight: n, scale, steps, direction, ground_per_rest, doppler, moment, to_centre }
 }
 
 /// How far the ray's direction (rest frame) moves along the unit vector `across`, perpendicular to it, from one pixel to
@@ -119,7 +120,7 @@ pub fn movement<S: Simd>(group: &Group, ray: &Ray<S>, across: V3<S>) -> V2<S> {
         Geometry::Rest => across,
     };
     let turned = (ground - ray.sight * ray.sight.dot(ground)) * ray.scale;
-    let [right, down] = steps(frame, ray.sight);
+    let [right, down] = ray.steps;
     V2::new(turned.dot(right), turned.dot(down))
 }
 

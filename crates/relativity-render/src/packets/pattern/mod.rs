@@ -7,7 +7,6 @@ mod die;
 mod tests;
 
 use super::body::{Body, Group, Ray};
-use super::ray::steps;
 use crate::kind::Kind;
 use crate::lanes::{F, Simd, V3, all, clamp};
 use crate::pattern::DARK;
@@ -88,8 +87,9 @@ fn covered_by_pixel<S: Simd>(
     distance: F<S>,
 ) -> Covered<S> {
     let direction = body.body_from_rest(ray.direction);
-    let [right, down] =
-        steps(group.frame, ray.sight).map(|step| body.body_from_rest(shift(group, ray, step)));
+    // One after the other: a closure would be a call between registers of other widths.
+    let right = body.body_from_rest(shift(group, ray, ray.steps[0]));
+    let down = body.body_from_rest(shift(group, ray, ray.steps[1]));
     Covered::new(direction, normal, right, down, distance)
 }
 
