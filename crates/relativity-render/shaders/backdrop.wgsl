@@ -60,10 +60,10 @@ fn shows(number: vec2u) -> bool {
     let room = bulge * (frame.road.z + abs(ground) + frame.houses[0].x);
     let is_beside = all(towards <= vec4f(-bulge)) || all(above < vec4f(-room))
         || all(above > frame.houses[0].x * towards + room);
-    let has_fronts = frame.road.z > 0.0 && !is_beside;
+    let has_fronts = !is_beside && frame.road.z > 0.0;
     let is_covered = has_fronts && all(towards > vec4f(0.01 + bulge)) && all(above > vec4f(room))
         && all(above < frame.houses[1].x * towards - room);
-    let has_ground = ground > NO_GROUND && any(rise < vec4f(bulge)) && !is_covered;
+    let has_ground = any(rise < vec4f(bulge)) && !is_covered && ground > NO_GROUND;
     return has_ground == GROUND && has_fronts == FRONTS;
 }
 

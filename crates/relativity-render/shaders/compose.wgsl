@@ -2,17 +2,18 @@
 //
 // Repeats `compose.rs`, which says what is composed how and gives these.
 
-override HUE_KEPT: u32;
-override BY_ROWS: u32;
-override HALVES_BESIDE: u32;
-override HALVES_ABOVE: u32;
+// What is composed: none of these is a clipped mixture.
+override HUE_KEPT: bool;
+override BY_ROWS: bool;
+override HALVES_BESIDE: bool;
+override HALVES_ABOVE: bool;
 
 struct Composing {
     // Weights of red, green, blue and the largest of them in each component.
     first: array<vec4f, 3>,
     second: array<vec4f, 3>,
-    // One of the above; of interleaved rows, the number of the picture that the topmost is of.
-    form: vec4u,
+    // x: of interleaved rows, the number of the picture that the topmost is of.
+    top: vec4u,
 }
 
 @group(0) @binding(0) var<uniform> composing: Composing;
@@ -55,7 +56,7 @@ fn mixture(place: vec2u) -> vec3f {
     for (var part = 0u; part < 3u; part++) {
         mixed[part] = dot(composing.first[part], one) + dot(composing.second[part], two);
     }
-    if composing.form.x == HUE_KEPT {
+    if HUE_KEPT {
         return mixed / max(1.0, max(mixed.r, max(mixed.g, mixed.b)));
     }
     return clamp(mixed, vec3f(0.0), vec3f(1.0));
@@ -64,16 +65,16 @@ fn mixture(place: vec2u) -> vec3f {
 @fragment
 fn compose(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let place = vec2u(position.xy);
-    if composing.form.x == BY_ROWS {
-        return vec4f(pixel_of((place.y + composing.form.y) & 1u, place), 1.0);
+    if BY_ROWS {
+        return vec4f(pixel_of((place.y + composing.top.x) & 1u, place), 1.0);
     }
     // Halves are of one size.
     let half = (textureDimensions(first) + 1u) / 2u;
     var linear: vec3f;
-    if composing.form.x == HALVES_BESIDE {
+    if HALVES_BESIDE {
         let number = place.x / half.x;
         linear = mean(number, vec2u(2u * (place.x - number * half.x), place.y), vec2u(1u, 0u));
-    } else if composing.form.x == HALVES_ABOVE {
+    } else if HALVES_ABOVE {
         let number = place.y / half.y;
         linear = mean(number, vec2u(place.x, 2u * (place.y - number * half.y)), vec2u(0u, 1u));
     } else {

@@ -21,7 +21,7 @@ struct Frame {
     // reference of depths.
     motion: vec4f,
     // xyz: where the camera is from the middle between the eyes, where these have one light cone, else 0; reflected as the
-    // group is; w: 1 if that is not 0. And the same, reflected as the reference is.
+    // group is. And the same, reflected as the reference is.
     eye: vec4f,
     reference_eye: vec4f,
     // `speed` and `middle` of the reference.

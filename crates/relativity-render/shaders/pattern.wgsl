@@ -5,6 +5,8 @@
 
 // Whether any body of this draw carries a pattern.
 override PATTERNS: bool;
+// Whether both eyes have one light cone.
+override ONE_CONE: bool;
 override DARK: f32;
 override LINE_REACH: f32;
 override PIP_RADIUS: f32;
@@ -78,7 +80,7 @@ fn shift_in_one_cone(ray: Ray, turn: vec3f, distance: f32) -> vec3f {
 // along the ray.
 fn shift(ray: Ray, across: vec3f, distance: f32) -> vec3f {
     let turn = (across - ray.sight * dot(ray.sight, across)) * ray.scale;
-    if frame.eye.w != 0.0 {
+    if ONE_CONE {
         return shift_in_one_cone(ray, turn, distance);
     }
     if GEOMETRY == 0u {

@@ -16,7 +16,7 @@ use std::sync::LazyLock;
 use bytemuck::{Pod, Zeroable};
 
 use crate::colour::{hue_preserving_clip, srgb_decoded};
-use crate::effects::Constant;
+use crate::effects::{Constant, number};
 use crate::picture::{Picture, encoded};
 
 /// How two pictures of one size, the first and the second, become one.
@@ -115,19 +115,23 @@ impl Composition {
         matches!(self, Self::Overlay(_))
     }
 
+    /// Which pipeline draws it.
+    pub(crate) const fn form(self) -> Form {
+        match self {
+            Self::Anaglyph | Self::Dubois => Form::Clipped,
+            Self::Overlay(_) => Form::HueKept,
+            Self::Rows { .. } => Form::Rows,
+            Self::HalfSideBySide => Form::HalvesBeside,
+            Self::HalfOverUnder => Form::HalvesAbove,
+        }
+    }
+
     /// What the shader is told.
     pub(crate) fn composing(self) -> Composing {
-        let form = match self {
-            Self::Anaglyph | Self::Dubois => CLIPPED,
-            Self::Overlay(_) => HUE_KEPT,
-            Self::Rows { .. } => BY_ROWS,
-            Self::HalfSideBySide => HALVES_BESIDE,
-            Self::HalfOverUnder => HALVES_ABOVE,
-        };
         let top = if let Self::Rows { top } = self { top as u32 } else { 0 };
         let [first, second] =
             self.weights().map(|weights| weights.map(|row| row.map(|weight| weight as f32)));
-        Composing { first, second, form: [form, top, 0, 0] }
+        Composing { first, second, top: [top, 0, 0, 0] }
     }
 }
 
@@ -139,25 +143,37 @@ pub struct Composing {
     pub first: [[f32; 4]; 3],
     /// Of the second's.
     pub second: [[f32; 4]; 3],
-    /// One of the forms below; of interleaved rows, the number of the picture that the topmost is of.
-    pub form: [u32; 4],
+    /// Of interleaved rows, the number of the picture that the topmost is of; the rest is padding.
+    pub top: [u32; 4],
 }
 
-const CLIPPED: u32 = 0;
-const HUE_KEPT: u32 = 1;
-const BY_ROWS: u32 = 2;
-const HALVES_BESIDE: u32 = 3;
-const HALVES_ABOVE: u32 = 4;
+/// How the shader composes: a constant of its pipeline, since a software GPU compiles a shader anew for each value of a
+/// uniform that it branches on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Form {
+    /// A mixture, clipped component by component.
+    Clipped,
+    /// A mixture that keeps its hue.
+    HueKept,
+    /// Rows of both in turn.
+    Rows,
+    /// Two halves beside each other.
+    HalvesBeside,
+    /// Two halves one above the other.
+    HalvesAbove,
+}
 
-/// The shader's constants.
-pub(crate) fn constants() -> [Constant; 4] {
-    [
-        ("HUE_KEPT", HUE_KEPT),
-        ("BY_ROWS", BY_ROWS),
-        ("HALVES_BESIDE", HALVES_BESIDE),
-        ("HALVES_ABOVE", HALVES_ABOVE),
-    ]
-    .map(|(name, number)| (name, f64::from(number)))
+impl Form {
+    /// The shader's constants.
+    pub(crate) fn constants(self) -> [Constant; 4] {
+        let of = |name, form| (name, number(self == form));
+        [
+            of("HUE_KEPT", Self::HueKept),
+            of("BY_ROWS", Self::Rows),
+            of("HALVES_BESIDE", Self::HalvesBeside),
+            of("HALVES_ABOVE", Self::HalvesAbove),
+        ]
+    }
 }
 
 /// Dubois' matrices, so that what is grey in both pictures stays as it is: rounded as they are published, the weights of

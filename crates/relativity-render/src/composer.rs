@@ -1,9 +1,11 @@
 //! Composes two eyes' pictures on the GPU, in one pass.
 
+use std::collections::HashMap;
+
 use crate::canvas::{
     attachment, begin_pass, bind_group, bind_group_layout, pipeline_layout, texture_entry, uniform_entry,
 };
-use crate::compose::{self, Composing, Composition};
+use crate::compose::{Composing, Composition, Form};
 use crate::gpu::Gpu;
 use crate::gpu_error::GpuError;
 use crate::shaders::COMPOSE;
@@ -13,7 +15,10 @@ use crate::target::{self, ENCODED_FORMAT, EyeTarget};
 #[derive(Debug)]
 pub struct Composer {
     layout: wgpu::BindGroupLayout,
-    pipeline: wgpu::RenderPipeline,
+    module: wgpu::ShaderModule,
+    pipeline_layout: wgpu::PipelineLayout,
+    /// Those that were needed.
+    pipelines: HashMap<Form, wgpu::RenderPipeline>,
 }
 
 /// What was composed: sRGB-encoded RGBA8 that can be sampled, copied and read back.
@@ -72,14 +77,19 @@ impl Composer {
         let device = &gpu.device;
         let layout = bind_group_layout(device, &[uniform_entry(), texture_entry(1), texture_entry(2)]);
         let module = gpu.shader("compose", COMPOSE);
-        let constants = compose::constants();
+        let pipeline_layout = pipeline_layout(device, &[Some(&layout)]);
+        Self { layout, module, pipeline_layout, pipelines: HashMap::new() }
+    }
+
+    fn pipeline(&self, gpu: &Gpu, form: Form) -> wgpu::RenderPipeline {
+        let constants = form.constants();
         let compilation_options =
             wgpu::PipelineCompilationOptions { constants: &constants, ..Default::default() };
-        let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some("compose"),
-            layout: Some(&pipeline_layout(device, &[Some(&layout)])),
+            layout: Some(&self.pipeline_layout),
             vertex: wgpu::VertexState {
-                module: &module,
+                module: &self.module,
                 entry_point: Some("whole"),
                 compilation_options: compilation_options.clone(),
                 buffers: &[],
@@ -88,19 +98,29 @@ impl Composer {
             depth_stencil: None,
             multisample: wgpu::MultisampleState::default(),
             fragment: Some(wgpu::FragmentState {
-                module: &module,
+                module: &self.module,
                 entry_point: Some("compose"),
                 compilation_options,
                 targets: &[Some(ENCODED_FORMAT.into())],
             }),
             multiview_mask: None,
             cache: None,
-        });
-        Self { layout, pipeline }
+        })
     }
 
     /// Draws into `target` what is made of the first and the second of `pictures`, which have one size.
-    pub fn compose(&self, gpu: &Gpu, composition: Composition, pictures: [&EyeTarget; 2], target: &Composed) {
+    pub fn compose(
+        &mut self,
+        gpu: &Gpu,
+        composition: Composition,
+        pictures: [&EyeTarget; 2],
+        target: &Composed,
+    ) {
+        let form = composition.form();
+        if !self.pipelines.contains_key(&form) {
+            let pipeline = self.pipeline(gpu, form);
+            self.pipelines.insert(form, pipeline);
+        }
         gpu.queue.write_buffer(&target.composing, 0, bytemuck::bytes_of(&composition.composing()));
         let [first, second] = pictures.map(|picture| wgpu::BindingResource::TextureView(picture.view()));
         let resources = [target.composing.as_entire_binding(), first, second];
@@ -113,7 +133,7 @@ impl Composer {
         {
             let picture = attachment(&target.view, wgpu::StoreOp::Store);
             let mut pass = begin_pass(&mut encoder, "compose", &[Some(picture)], None);
-            pass.set_pipeline(&self.pipeline);
+            pass.set_pipeline(&self.pipelines[&form]);
             pass.set_bind_group(0, &group, &[]);
             pass.draw(0..3, 0..1);
         }

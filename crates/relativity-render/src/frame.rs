@@ -36,7 +36,7 @@ pub struct Frame {
     /// -1 if the group moves towards -x, else 1; the same of the reference of depths; 1 if the picture is conformal, else 0.
     pub motion: [f32; 4],
     /// Where the camera is from the middle between the eyes, where these have one light cone, else 0; reflected so that
-    /// the group moves along +x; and 1 if it is not in the middle.
+    /// the group moves along +x.
     pub eye: [f32; 4],
     /// `eye` of the reference.
     pub reference_eye: [f32; 4],
@@ -174,7 +174,7 @@ impl Frame {
         let reflection = view.velocity.direction() as f32;
         let is_one_cone = view.geometry == Geometry::OneCone;
         let eye = if is_one_cone { view.velocity.reflected(camera.off_middle) } else { DVec3::ZERO };
-        let eye = packed(eye, if eye == DVec3::ZERO { 0.0 } else { 1.0 });
+        let eye = packed(eye, 0.0);
         Self {
             base,
             right,

@@ -60,7 +60,7 @@ pub const BLOCKS: [Mirror; 2] = [
         Frame: base, right, down, radial, pole, speed, motion, eye, reference_eye, reference_speed, reference_middle, middle, middle_fine, ground, road, houses, openings, backdrop,
         clip_right, clip_up, forward
     ),
-    mirror!(Composing: first, second, form),
+    mirror!(Composing: first, second, top),
 ];
 
 /// The structs of vertices and instances.
@@ -87,7 +87,7 @@ pub fn shaders() -> Vec<Shader> {
     let compose = Shader {
         name: "compose".to_owned(),
         source: shaders::COMPOSE,
-        constants: compose::constants().to_vec(),
+        constants: compose::Form::Rows.constants().to_vec(),
     };
     let bodies = Kind::ALL.iter().flat_map(|&kind| {
         [("impostor", rays::TECHNIQUE), ("mesh", mesh::TECHNIQUE)]

@@ -133,7 +133,7 @@ impl Technique {
         constants.extend(shade::constants());
         constants.extend(tone::constants());
         constants.extend(palette::constants());
-        constants.extend(pattern::constants(is_patterned));
+        constants.extend(pattern::constants(is_patterned, key.geometry));
         constants
     }
 }

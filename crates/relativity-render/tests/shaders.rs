@@ -1,7 +1,10 @@
 //! Every shader, parsed and validated without a device; and what it shares with Rust against Rust's side of it.
 
 use naga::valid::{Capabilities, ValidationFlags, Validator};
-use naga::{Binding, Module, ScalarKind, StructMember, TypeInner};
+use naga::{
+    AddressSpace, Binding, Block, Expression, Function, Handle, Module, ScalarKind, Statement, StructMember,
+    TypeInner,
+};
 use relativity_render::mirrors::{self, Mirror, Shader};
 use wgpu::VertexFormat;
 
@@ -66,6 +69,91 @@ fn vertices_match_their_rust_mirrors() {
                 .collect();
             assert_eq!(declared, read, "{struct_name} in {shader}");
         });
+    }
+}
+
+/// A software GPU (Mesa's lavapipe) compiles a shader anew for each value of such a uniform, which stops playing for
+/// milliseconds, and keeps what it compiled.
+#[test]
+fn no_shader_branches_on_what_only_uniforms_say() {
+    for shader in mirrors::shaders() {
+        let module = module(&shader);
+        let entry_points = module.entry_points.iter().map(|entry_point| &entry_point.function);
+        for function in module.functions.iter().map(|(_, function)| function).chain(entry_points) {
+            let mut conditions = Vec::new();
+            collect_conditions(&function.body, &mut conditions);
+            for condition in conditions {
+                let sources = sources(&module, function, condition);
+                assert!(
+                    !sources.uniforms || sources.others,
+                    "{} of {}: {:?}",
+                    function.name.as_deref().unwrap_or("?"),
+                    shader.name,
+                    function.expressions[condition]
+                );
+            }
+        }
+    }
+}
+
+/// What branches in `block` ask.
+fn collect_conditions(block: &Block, conditions: &mut Vec<Handle<Expression>>) {
+    for statement in block {
+        match statement {
+            Statement::If { condition, accept, reject } => {
+                conditions.push(*condition);
+                collect_conditions(accept, conditions);
+                collect_conditions(reject, conditions);
+            }
+            Statement::Switch { selector, cases } => {
+                conditions.push(*selector);
+                cases.iter().for_each(|case| collect_conditions(&case.body, conditions));
+            }
+            Statement::Loop { body, continuing, break_if } => {
+                conditions.extend(break_if);
+                collect_conditions(body, conditions);
+                collect_conditions(continuing, conditions);
+            }
+            Statement::Block(block) => collect_conditions(block, conditions),
+            _ => {}
+        }
+    }
+}
+
+/// What a value comes from, but for constants.
+#[derive(Clone, Copy, Default)]
+struct Sources {
+    uniforms: bool,
+    others: bool,
+}
+
+fn sources(module: &Module, function: &Function, expression: Handle<Expression>) -> Sources {
+    let of = |parts: &[Handle<Expression>]| {
+        parts.iter().fold(Sources::default(), |sum, &part| {
+            let part = sources(module, function, part);
+            Sources { uniforms: sum.uniforms || part.uniforms, others: sum.others || part.others }
+        })
+    };
+    match function.expressions[expression] {
+        Expression::Literal(_)
+        | Expression::Constant(_)
+        | Expression::Override(_)
+        | Expression::ZeroValue(_) => Sources::default(),
+        Expression::GlobalVariable(variable) => {
+            let uniforms = module.global_variables[variable].space == AddressSpace::Uniform;
+            Sources { uniforms, others: !uniforms }
+        }
+        Expression::AccessIndex { base: part, .. }
+        | Expression::Load { pointer: part }
+        | Expression::Splat { value: part, .. }
+        | Expression::Swizzle { vector: part, .. }
+        | Expression::Unary { expr: part, .. }
+        | Expression::As { expr: part, .. } => of(&[part]),
+        Expression::Access { base, index } => of(&[base, index]),
+        Expression::Binary { left, right, .. } => of(&[left, right]),
+        Expression::Select { condition, accept, reject } => of(&[condition, accept, reject]),
+        Expression::Compose { ref components, .. } => of(components),
+        _ => Sources { uniforms: false, others: true },
     }
 }
 

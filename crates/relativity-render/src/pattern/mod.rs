@@ -15,6 +15,7 @@ use glam::{DQuat, DVec3};
 
 use crate::body::Pattern;
 use crate::effects::{Constant, number};
+use crate::view::Geometry;
 use chart::Chart;
 pub(crate) use chart::Form;
 pub(crate) use coverage::Covered;
@@ -27,10 +28,11 @@ pub(crate) const LINE_REACH: f64 = 0.035;
 /// How far below the surface stripes and squares are looked up, in steps: an end lies where one of them does.
 pub(crate) const NUDGE: f64 = 1e-3;
 
-/// The shaders' constants.
-pub(crate) fn constants(has_patterns: bool) -> [Constant; 10] {
+/// The shaders' constants, of what is shown in this geometry.
+pub(crate) fn constants(has_patterns: bool, geometry: Geometry) -> [Constant; 11] {
     [
         ("PATTERNS", number(has_patterns)),
+        ("ONE_CONE", number(geometry == Geometry::OneCone)),
         ("DARK", DARK),
         ("LINE_REACH", LINE_REACH),
         ("PIP_RADIUS", die::PIP_RADIUS),
