@@ -9,9 +9,10 @@ use toml::de::{DeString, DeTable, DeValue};
 use super::all::Settings;
 use super::entries::names;
 use super::error::{Problem, SettingsError};
+use super::start::SCENE;
 use crate::files::{exr, png, syntax};
 use crate::flags::choices::FileKind;
-use crate::platform::files;
+use crate::platform::{files, tell};
 use crate::scene::Scene;
 
 impl Settings {
@@ -164,7 +165,10 @@ fn check_section(section: &Spanned<DeString>) -> Result<(), Located> {
     if known.iter().any(|name| name == section.get_ref()) {
         return Ok(());
     }
-    Err((section.span(), format!("unknown section [{}]: there are {}", section.get_ref(), known.join(", "))))
+    Err((
+        section.span(),
+        format!("unknown section [{}]: there are {}", tell::excerpt(section.get_ref()), known.join(", ")),
+    ))
 }
 
 fn setting(section: &str, key: &Spanned<DeString>, value: &Spanned<DeValue>) -> Result<Given, Located> {
@@ -172,7 +176,12 @@ fn setting(section: &str, key: &Spanned<DeString>, value: &Spanned<DeValue>) -> 
     let name = key.get_ref();
     if !known.contains(&name.as_ref()) {
         let owner = if section.is_empty() { "before the first section" } else { section };
-        return Err((key.span(), format!("unknown setting `{name}`: {owner} has {}", known.join(", "))));
+        let problem = format!("unknown setting `{}`: {owner} has {}", tell::excerpt(name), known.join(", "));
+        return Err((key.span(), problem));
+    }
+    if (section, name.as_ref()) == ("", SCENE) && value.get_ref().as_str().is_none() {
+        let problem = format!("{SCENE}: must be the name of a scene or of its file, in double quotes");
+        return Err((value.span(), problem));
     }
     let text = text_of(value.get_ref());
     let text =

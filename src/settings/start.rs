@@ -18,7 +18,7 @@ pub struct StartArgs {
 }
 
 const STATE: &str = "state";
-const SCENE: &str = "scene";
+pub(super) const SCENE: &str = "scene";
 
 impl StartArgs {
     /// Whether they say what is shown: a scene, or a state.

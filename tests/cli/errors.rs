@@ -139,7 +139,7 @@ fn quotes_that_swallow_the_rest_of_the_file_are_named() {
     );
     assert_complaint(
         format!("beta,d,y,z,T,note\r\n{good},\"a\r\n{good},b\r\n{good},\"\"\r\n"),
-        "2: the quote that opens \"a\\r\\n0.9,0.3,0.5,0.5,0,b\\r\\n0.9,0.3,0.5,...\" is never closed",
+        "2: the quote that opens \"a\\r\\n0.9,0.3,0.5,0.5,0,b\\r\\n0.9,0.3,0.5,0.5,0,…\" is never closed",
     );
     for note in ["\"two\nlines\"", "\"two\nlines\"\n", "\"ends in one\n\"\n", "\"says \"\"hi\"\"\n\"\"\"\r\n"]
     {

@@ -1,10 +1,12 @@
-//! `gamow --list`: all lessons and presets.
+//! `gamow --list`: all lessons and presets, or all bodies of a scene.
 
+use std::collections::BTreeSet;
 use std::fmt;
 
 use crate::files::whole::write_out;
 use crate::lesson::{Lesson, Library};
 use crate::platform::tell;
+use crate::scene::Scene;
 
 /// Writes all of `library`, a line each: its name, how long it takes, the concept that it serves, its title.
 ///
@@ -13,6 +15,16 @@ use crate::platform::tell;
 /// Those of standard output.
 pub fn list(library: &Library) -> anyhow::Result<()> {
     write_out(|out| Ok(write!(out, "{}", Table(library))?))
+}
+
+/// Writes the names of the bodies of `scene`, a line each.
+///
+/// # Errors
+///
+/// Those of standard output.
+pub fn list_bodies(scene: &Scene) -> anyhow::Result<()> {
+    let names: BTreeSet<&str> = scene.names.iter().map(String::as_str).collect();
+    write_out(|out| Ok(names.iter().try_for_each(|name| writeln!(out, "{}", tell::shown(name)))?))
 }
 
 /// Lessons in rows, in columns as wide as they need.
