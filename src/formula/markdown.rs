@@ -14,6 +14,7 @@ pub const OPTIONS: Options = Options::ENABLE_TABLES.union(Options::ENABLE_MATH);
 
 /// The events of a Markdown text with their places. Links to other addresses than [`is_link`] permits are left out, and so
 /// is what is nested deeper than [`sizes::NESTED`]: their words stay.
+#[must_use]
 pub fn events(markdown: &str) -> Events<'_> {
     Events { parser: Parser::new_ext(markdown, OPTIONS).into_offset_iter(), open: Vec::new(), depth: 0 }
 }

@@ -16,6 +16,8 @@ static FLAGS: LazyLock<Command> = LazyLock::new(|| {
     Settings::augment_args_for_update(flags)
 });
 
+/// The setting that names a scene.
+pub(super) const SCENE: &str = "scene";
 /// What draws a picture of settings.
 const RENDER: &str = "gamow render";
 /// What opens a window with settings.

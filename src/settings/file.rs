@@ -7,9 +7,8 @@ use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
 use super::all::Settings;
-use super::entries::names;
+use super::entries::{SCENE, names};
 use super::error::{Problem, SettingsError};
-use super::start::SCENE;
 use crate::files::{exr, png, syntax};
 use crate::flags::choices::FileKind;
 use crate::platform::{files, tell};
