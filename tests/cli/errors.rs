@@ -321,6 +321,13 @@ fn a_state_whose_scene_is_no_name_is_refused_with_its_line() {
         let said = "gamow: a.toml:2: scene: must be the name of a scene or of its file, in double quotes";
         assert_eq!(complaint, said);
     }
+    fs::write(folder.path().join("a.toml"), "time = 1\nscene = \"stret\"\n").expect("it is written");
+    let render = ["render", "--state", "a.toml", "--out", "a.png"];
+    let complaint = run(gamow().args(render).current_dir(folder.path()), b"").complaint();
+    assert!(
+        complaint.starts_with("gamow: a.toml:2: no scene is called `stret`: there are street, "),
+        "{complaint}"
+    );
 }
 
 #[test]
