@@ -55,7 +55,10 @@ pub fn run(cli: Cli) -> anyhow::Result<()> {
         environment::settle_without_session();
     }
     match cli.command {
-        None if cli.window.list => commands::lesson::list::list(&cli.window.library()?),
+        None if cli.window.list => match cli.window.named_scene()? {
+            Some(scene) => commands::lesson::list::list_bodies(&scene),
+            None => commands::lesson::list::list(&cli.window.library()?),
+        },
         None => app::launch::launch(&cli.window),
         Some(Command::Eval(args)) => commands::eval::run(&args),
         Some(Command::Curve(args)) => commands::curve::run(&args),

@@ -5,6 +5,8 @@ use std::borrow::Cow;
 use relativity_core::Speed;
 use relativity_core::math;
 
+use crate::platform::tell;
+
 /// What stands where a number does not exist.
 pub const NONE: &str = "–";
 
@@ -116,21 +118,8 @@ pub fn parsed(text: &str) -> Result<f64, String> {
     let plain = with_point(&plain);
     match plain.parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
-        _ => Err(format!("“{}” is not a number", quoted(text))),
+        _ => Err(format!("“{}” is not a number", tell::excerpt(text))),
     }
-}
-
-/// How much of what was typed a message repeats, letters.
-const QUOTED: usize = 24;
-
-/// What was typed, as a message repeats it: on one line, and not at length.
-fn quoted(text: &str) -> String {
-    let mut letters = text.trim().chars().filter(|letter| !letter.is_control());
-    let mut quoted: String = letters.by_ref().take(QUOTED).collect();
-    if letters.next().is_some() {
-        quoted.push('…');
-    }
-    quoted
 }
 
 /// A number with a decimal point in place of a decimal comma. What has a point already, or more commas, is left as it is.

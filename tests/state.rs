@@ -29,7 +29,9 @@ fn in_window(settings: Settings) -> [View; 2] {
 fn in_picture(settings: &Settings) -> [View; 2] {
     let scene = Scene::open(&settings.scene).expect("the scene is there");
     let (prepared, tracked) = (scene.prepared(), settings.track(&scene));
-    let command = settings.resolved(Subject { scene: &prepared, tracked }).command();
+    let command = settings
+        .resolved(Subject { scene: &prepared, tracked })
+        .command(gamow::flags::words::Shell::RECORDED);
     let recorded = Settings::default().with_command(&command, "picture.png").expect("it can be read");
     let time = recorded.time.expect("it is recorded");
     // The gaze and the field are recorded as angles, so that nothing needs to be followed.
@@ -326,7 +328,7 @@ fn surroundings_are_left_out_and_put_back_and_all_else_stays() {
 #[test]
 fn both_commands_know_every_setting() {
     for flags in [vec!["gamow"], vec!["gamow", "render"]] {
-        let usual = Settings::default().command();
+        let usual = Settings::default().command(gamow::flags::words::Shell::RECORDED);
         let given = usual.split_whitespace().skip(2).map(str::to_owned);
         let more = [
             "--time=2",

@@ -9,6 +9,7 @@ use super::stage::Stage;
 use super::state::State;
 use crate::flags::choices::sides;
 use crate::lesson::{LessonError, Library};
+use crate::scene::Scene;
 use crate::settings::{Settings, StartArgs};
 
 /// Flags of the window. A setting that is not given is as it was left or, with a scene or a state given, as usual.
@@ -35,7 +36,7 @@ pub struct WindowArgs {
     /// A folder with lessons of one's own, beside the program's. One of the same name takes the place of the program's.
     #[arg(long, value_name = "DIR")]
     lessons: Option<PathBuf>,
-    /// Name all lessons and presets, and exit.
+    /// Name all lessons and presets, or with `--scene` or `--state` all bodies of that scene, and exit.
     #[arg(long)]
     pub list: bool,
     /// Inner size of the window.
@@ -98,6 +99,17 @@ impl WindowArgs {
     #[must_use]
     pub fn welcomes(&self) -> bool {
         !self.names_what_is_shown() && !self.present
+    }
+
+    /// The scene that a flag or a state names, if one does.
+    ///
+    /// # Errors
+    /// A bad flag, file or scene.
+    pub fn named_scene(&self) -> anyhow::Result<Option<Scene>> {
+        if !self.start.name_what_is_shown() {
+            return Ok(None);
+        }
+        Ok(Some(self.start.settings(Settings::default())?.opened_scene()?))
     }
 
     /// The lessons that there are.

@@ -13,6 +13,7 @@ use super::reopening::{self, Bequeathed, Break, Ended, Estate};
 use super::state::State;
 use super::{App, graphics, icon, memory, painting, screenshot, storage};
 use crate::files::whole::ensure_ending;
+use crate::flags::words::Shell;
 use crate::platform::clock::Instant;
 use crate::platform::last_word::LastWord;
 use crate::platform::{tell, threads};
@@ -33,7 +34,7 @@ pub fn launch(args: &WindowArgs) -> anyhow::Result<()> {
     if let Some(path) = &args.screenshot {
         ensure_ending("--screenshot", path, "png")?;
         let state = args.state(Settings::default())?;
-        let provenance = state.session.scene.provenance(state.shown().window_command());
+        let provenance = state.session.scene.provenance(state.shown().window_command(Shell::RECORDED));
         return screenshot::save(state, args.window_size_or_default(), &provenance.texts(), path);
     }
     // Flags are judged before a window appears; the saved settings are only known once it has.

@@ -14,7 +14,7 @@ use relativity_render::Velocity;
 use super::data::{Data, Eyes};
 use crate::columns::{ROLL, TURN};
 use crate::files::csv_out::Rows;
-use crate::flags::words::quoted;
+use crate::flags::words::Shell;
 use crate::passage::time_within;
 use crate::platform::{files, sizes};
 use crate::scene::{Scene, Track};
@@ -168,7 +168,7 @@ impl Fittable {
         let wheel = rolling.map_or_else(String::new, |Rolling { radius, rho, angle }| {
             format!(" --wheel-radius {radius} --rho {rho} --angle={angle}")
         });
-        format!("gamow fit {}{passage}{model}{used}{wheel}", quoted(file))
+        format!("gamow fit {}{passage}{model}{used}{wheel}", Shell::here().file(file))
     }
 }
 

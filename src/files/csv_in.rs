@@ -13,7 +13,7 @@ use csv::ByteRecord;
 use thiserror::Error;
 
 use super::csv_out::io_error;
-use crate::platform::{files, sizes};
+use crate::platform::{files, sizes, tell};
 
 const BUFFER_BYTES: usize = 1 << 16;
 
@@ -195,7 +195,7 @@ impl Names {
     /// What to say if the column `name`, one of those `needed`, is not there.
     pub fn missing(&self, name: &'static str, needed: &'static str) -> HeaderError {
         let found = self.0.iter().map(legible).collect::<Vec<_>>().join(", ");
-        HeaderError::Missing { name, needed, found: shortened(&found, 120) }
+        HeaderError::Missing { name, needed, found: tell::excerpt(&found) }
     }
 
     /// Refuses a row that has not as many fields as there are names.
@@ -319,12 +319,5 @@ pub enum RowError {
 
 /// `field` as it can stand in a message.
 fn legible(field: &[u8]) -> String {
-    shortened(&String::from_utf8_lossy(field.trim_ascii()).escape_debug().to_string(), 40)
-}
-
-fn shortened(text: &str, length: usize) -> String {
-    match text.char_indices().nth(length) {
-        Some((end, _)) => format!("{}...", &text[..end]),
-        None => text.to_owned(),
-    }
+    tell::excerpt(&String::from_utf8_lossy(field.trim_ascii()).escape_debug().to_string())
 }

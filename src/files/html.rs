@@ -1,7 +1,7 @@
 //! Pages of Markdown that hold all that they show: pictures, formulas and style.
 
 use anyhow::Context as _;
-use pulldown_cmark::{CowStr, Event, Parser, Tag, TagEnd, html};
+use pulldown_cmark::{CowStr, Event, Tag, TagEnd, html};
 
 use crate::formula::{self, Formula, markdown};
 pub use crate::markup::escaped;
@@ -82,7 +82,8 @@ impl Page {
     }
 
     /// Adds Markdown, in which each picture is replaced by what `picture` gives for its file, as a figure with its
-    /// caption. Formulas are drawn; HTML is shown as the text that it is.
+    /// caption. Formulas are drawn; HTML is shown as the text that it is, and so is
+    /// a link to anything but the web, mail or a place in the page.
     ///
     /// # Errors
     ///
@@ -93,7 +94,7 @@ impl Page {
         picture: impl Fn(&str) -> anyhow::Result<String>,
     ) -> anyhow::Result<()> {
         let mut events = Vec::new();
-        let mut parser = Parser::new_ext(text, markdown::OPTIONS);
+        let mut parser = markdown::events(text).map(|(event, _)| event);
         while let Some(event) = parser.next() {
             let Event::Start(Tag::Image { dest_url, .. }) = event else {
                 events.push(drawn(event)?);
@@ -234,6 +235,40 @@ mod tests {
         );
         let error = super::tests::page("$\\gama$").expect_err("it is no TeX");
         assert!(error.to_string().contains("gama"), "{error}");
+    }
+
+    #[test]
+    fn what_a_text_links_to_is_the_web_mail_or_the_page() {
+        let hostile = "[a](javascript:alert(1)) [b](data:text/html;base64,PHNjcmlwdD4=) [c](file:///etc/passwd) \
+            <javascript:alert(2)> [d](JAVASCRIPT&colon;alert(3)) [e](java&#10;script:alert(4)) [f](vbscript:x) [g](x.html) \
+            [h][i] **[j](javascript:1 \"a\")**\n\n[i]: javascript:alert(5)\n\n| a |\n|---|\n| [k](ftp://x) |\n";
+        let page = page(hostile).expect("it is Markdown");
+        assert!(
+            !page.contains("<a") && !page.contains("href") && page.contains("<strong>j</strong>"),
+            "{page}"
+        );
+        assert!(
+            page.contains("<p>a b c javascript:alert(2) d e f g\nh") || page.contains("<p>a b c"),
+            "{page}"
+        );
+        let kind = "[a](https://a.org/?b=\"c\") <http://b.org> <me@c.org> [d](#e) [f](mailto:g@h.org)";
+        let page = super::tests::page(kind).expect("it is Markdown");
+        let links: Vec<_> =
+            page.split("<a href=\"").skip(1).filter_map(|link| link.split('"').next()).collect();
+        let expected =
+            ["https://a.org/?b=%22c%22", "http://b.org", "mailto:me@c.org", "#e", "mailto:g@h.org"];
+        assert_eq!(links, expected);
+        assert_eq!(page.matches("</a>").count(), 5);
+    }
+
+    #[test]
+    fn what_is_nested_without_end_is_a_page() {
+        for begin in [">", "- ", "1. ", "> * ", "*a **b ", "[", "![", "<b>", "`", "| "] {
+            let markdown = begin.repeat(20_000) + "x";
+            let page = page(&markdown).expect("it is Markdown");
+            assert!(page.matches("<blockquote>").count() + page.matches("<ul>").count() <= 16, "{begin}");
+            assert_eq!(page.matches("<li>").count(), page.matches("</li>").count(), "{begin}");
+        }
     }
 
     /// Every element is closed by its own end, and nothing is loaded from elsewhere.

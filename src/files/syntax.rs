@@ -5,14 +5,25 @@ use std::ops::Range;
 use toml::de::Error;
 
 use crate::figures;
+use crate::platform::tell;
 
 /// What the TOML reader found in `text`, and where: bytes of it.
 #[must_use]
 pub fn problem(text: &str, error: &Error) -> (Range<usize>, String) {
     let span = error.span().unwrap_or_default();
-    let found = || error.message().lines().collect::<Vec<_>>().join("; ");
+    let found = || with_short_quotations(&error.message().lines().collect::<Vec<_>>().join("; "));
     let problem = decimal_comma(line_at(text, span.start)).unwrap_or_else(found);
     (span, problem)
+}
+
+/// `message` with short beginnings of what it quotes of the file.
+fn with_short_quotations(message: &str) -> String {
+    let parts = message.split('`').enumerate();
+    let short = parts.map(|(number, part)| match number % 2 {
+        0 => part.to_owned(),
+        _ => tell::excerpt(part),
+    });
+    short.collect::<Vec<_>>().join("`")
 }
 
 /// The line of `text` that has the byte at `offset`.
@@ -29,7 +40,8 @@ fn decimal_comma(line: &str) -> Option<String> {
     let value = value.split('#').next().unwrap_or(value).trim();
     let number = figures::with_point(value);
     let is_meant = value.contains(',') && number.parse::<f64>().is_ok();
-    is_meant.then(|| format!("{value} is no number: with a decimal point it is {} = {number}", key.trim()))
+    let [key, value, number] = [key, value, &number].map(tell::excerpt);
+    is_meant.then(|| format!("{value} is no number: with a decimal point it is {key} = {number}"))
 }
 
 #[cfg(test)]

@@ -17,6 +17,7 @@ use ratex_types::display_item::DisplayItem;
 use ratex_types::path_command::PathCommand;
 
 pub use self::faces::Face;
+use crate::platform::{sizes, tell};
 
 /// Size of a formula's em in that of the text around it: TeX's letters are small beside those of screens.
 pub const EM: f32 = 1.1;
@@ -114,23 +115,43 @@ impl Formula {
         let laid_out = ratex_layout::layout(nodes, &LayoutOptions { style, ..LayoutOptions::default() });
         ratex_layout::validate_layout(&laid_out)?;
         let list = ratex_layout::to_display_list(&laid_out);
-        Ok(Self {
+        let formula = Self {
             words: words::of(nodes).unwrap_or_else(|| on_one_line(tex)),
             width: list.width as f32,
             ascent: list.height as f32,
             descent: list.depth as f32,
             marks: list.items.iter().map(|item| mark(item, list.height)).collect::<Result<_, _>>()?,
-        })
+        };
+        if formula.is_drawable() {
+            Ok(formula)
+        } else {
+            Err(format!("it reaches further than {} em from where it begins", sizes::FORMULA_EM))
+        }
+    }
+
+    /// Whether all that is drawn is near enough for numbers of a page.
+    fn is_drawable(&self) -> bool {
+        let is_near = |lengths: &[f32]| lengths.iter().all(|length| length.abs() <= sizes::FORMULA_EM);
+        is_near(&[self.width, self.ascent, self.descent])
+            && self.marks.iter().all(|mark| match mark {
+                Mark::Glyph { at, size, .. } => is_near(at) && is_near(&[*size]),
+                Mark::Rule { min, size } => is_near(min) && is_near(size),
+                Mark::Area(contours) => contours.iter().flatten().all(|point| is_near(point)),
+            })
     }
 }
 
 fn nodes(tex: &str) -> Result<Vec<ParseNode>, FormulaError> {
+    if tex.len() > sizes::FORMULA_BYTES {
+        let reason = format!("it is longer than {} bytes", sizes::FORMULA_BYTES);
+        return Err(FormulaError::new(tex, &reason));
+    }
     ratex_parser::parse(tex).map_err(|error| FormulaError::new(tex, &error.message))
 }
 
 impl FormulaError {
     fn new(tex: &str, reason: &str) -> Self {
-        Self { tex: on_one_line(tex), reason: on_one_line(reason) }
+        Self { tex: tell::excerpt(&on_one_line(tex)), reason: tell::excerpt(&on_one_line(reason)) }
     }
 }
 

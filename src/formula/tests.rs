@@ -221,3 +221,67 @@ fn pictures_are_named_and_closed() {
     }
     assert!(inline("a<b").svg().contains("aria-label=\"a &lt; b\""));
 }
+
+#[test]
+fn formulas_of_absurd_size_are_refused_in_a_line() {
+    let huge = "9".repeat(60);
+    for tex in [
+        &format!(r"\rule{{{huge}em}}{{1em}}"),
+        &format!(r"\rule{{1em}}{{{huge}{huge}{huge}{huge}{huge}{huge}em}}"),
+        &format!(r"\kern{{{huge}em}}x"),
+        r"\rlap{\rule{1001em}{1em}}x",
+        &format!(r"\raisebox{{{huge}em}}{{x}}"),
+        &format!(r"x\kern{huge}em\rule{{1em}}{{1em}}\kern-{huge}em y"),
+        &r"\rule{999em}{1em}".repeat(2),
+    ] {
+        let error = Formula::new(tex, Style::Displayed).expect_err(tex).to_string();
+        assert!(error.starts_with("the formula $") && error.len() < 250 && !error.contains('\n'), "{error}");
+    }
+    let svg = displayed(r"\rule{999em}{999em}").svg();
+    assert!(!svg.contains("inf") && !svg.contains("NaN"), "{svg}");
+}
+
+#[test]
+fn formulas_that_nest_deeply_are_refused_in_a_line() {
+    for (begin, end) in [
+        ("{", "}"),
+        (r"\frac{1}{", "}"),
+        (r"\left(", r"\right)"),
+        ("x^", ""),
+        (r"\sqrt", ""),
+        (r"\begin{matrix}", r"\end{matrix}"),
+        (r"\def\a{\a\a}\a", ""),
+    ] {
+        for depth in [50, 10_000] {
+            let tex = begin.repeat(depth) + "x" + &end.repeat(depth);
+            let error = Formula::new(&tex, Style::Displayed).expect_err(&tex).to_string();
+            assert!(error.len() < 250 && !error.contains('\n'), "{error}");
+        }
+    }
+}
+
+#[test]
+fn only_the_web_and_mail_are_linked_to() {
+    for address in ["https://a.org", "HTTP://a.org/b?c", "mailto:a@b.org", "#top"] {
+        assert!(markdown::is_link(address), "{address}");
+    }
+    for address in [
+        "javascript:alert(1)",
+        "JaVaScRiPt:alert(1)",
+        "java\tscript:alert(1)",
+        " https://a.org",
+        "https://a.org\nb",
+        "data:text/html,<script>",
+        "file:///etc/passwd",
+        "vbscript:x",
+        "//a.org",
+        r"\\server\share",
+        "ftp://a.org",
+        "a.html",
+        "https:a",
+        "",
+        "ä",
+    ] {
+        assert!(!markdown::is_link(address), "{address}");
+    }
+}

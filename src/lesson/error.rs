@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+use crate::platform::tell;
+
 /// A lesson that cannot be had.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum LessonError {
@@ -14,7 +16,10 @@ pub enum LessonError {
         reason: String,
     },
     /// Neither the name of a lesson nor a path.
-    #[error("no lesson is called `{name}`: there are {known}; for a file, give its name with its ending")]
+    #[error(
+        "no lesson is called `{}`: there are {known}; for a file, give its name with its ending",
+        tell::excerpt(name)
+    )]
     Unknown {
         /// What was given.
         name: String,

@@ -36,6 +36,16 @@ const OWN: [(&str, &str); 13] = files![
 #[derive(Debug, Clone, PartialEq)]
 pub struct Library {
     lessons: Vec<Arc<Lesson>>,
+    refused: Vec<Refused>,
+}
+
+/// A lesson of a folder that cannot be read.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Refused {
+    /// Its name: that of its file without the ending.
+    pub name: String,
+    /// What is wrong with it.
+    pub error: LessonError,
 }
 
 static OWN_LIBRARY: LazyLock<Arc<Library>> = LazyLock::new(|| {
@@ -56,21 +66,35 @@ impl Library {
     pub fn new(folder: Option<&Path>) -> Result<Self, LessonError> {
         let own = OWN.map(|(name, text)| Lesson::read(name, text, &format!("{name}.md")));
         let mut lessons = own.into_iter().collect::<Result<Vec<_>, _>>()?;
+        let mut refused = Vec::new();
         for path in folder.map(files_in).transpose()?.unwrap_or_default() {
-            let lesson = Lesson::load(&path)?;
+            let lesson = match Lesson::load(&path) {
+                Ok(lesson) => lesson,
+                Err(error) => {
+                    let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+                    refused.push(Refused { name, error });
+                    continue;
+                }
+            };
             // One of somebody's own takes the place of one of the program's.
             lessons.retain(|known| known.name != lesson.name);
             lessons.push(lesson);
         }
         lessons.sort_by_key(|lesson| lesson.order);
         lessons.extend(Preset::all().iter().map(Lesson::of_preset));
-        Ok(Self { lessons: lessons.into_iter().map(Arc::new).collect() })
+        Ok(Self { lessons: lessons.into_iter().map(Arc::new).collect(), refused })
     }
 
     /// All of them: lessons in their order, then presets.
     #[must_use]
     pub fn all(&self) -> &[Arc<Lesson>] {
         &self.lessons
+    }
+
+    /// The lessons of the folder that cannot be read, by name.
+    #[must_use]
+    pub fn refused(&self) -> &[Refused] {
+        &self.refused
     }
 
     /// The lesson after the one of this name; no preset.
@@ -87,6 +111,9 @@ impl Library {
     pub fn open(&self, name_or_path: impl AsRef<Path>) -> Result<Arc<Lesson>, LessonError> {
         let path = name_or_path.as_ref();
         let name = path.to_str();
+        if let Some(refused) = self.refused.iter().find(|refused| name == Some(&refused.name)) {
+            return Err(refused.error.clone());
+        }
         if let Some(known) = self.lessons.iter().find(|lesson| name == Some(&lesson.name)) {
             return Ok(Arc::clone(known));
         }
@@ -98,7 +125,7 @@ impl Library {
     }
 }
 
-/// The Markdown files in `folder` that begin as lessons do, but for a README, by name.
+/// The Markdown files in `folder` that begin as lessons do, but for a README, by name; and those that cannot be read.
 fn files_in(folder: &Path) -> Result<Vec<PathBuf>, LessonError> {
     let listed = files::list_folder(folder).map_err(|reason| LessonError::Read {
         source_name: files::shown(folder),
@@ -107,7 +134,7 @@ fn files_in(folder: &Path) -> Result<Vec<PathBuf>, LessonError> {
     let is_lesson = |path: &PathBuf| {
         let is_markdown = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("md"));
         let is_readme = path.file_stem().is_some_and(|name| name.eq_ignore_ascii_case("readme"));
-        is_markdown && !is_readme && files::read_to_string(path).is_ok_and(|text| Lesson::begins(&text))
+        is_markdown && !is_readme && files::read_to_string(path).map_or(true, |text| Lesson::begins(&text))
     };
     Ok(listed.into_iter().filter(is_lesson).collect())
 }
@@ -144,7 +171,15 @@ mod tests {
         assert_eq!(titles[0], "My rods");
         assert!(titles[2..=3].contains(&"Extra"), "{titles:?}");
         write("broken.md", "---\n");
-        let error = Library::new(Some(folder.path())).expect_err("it is broken").to_string();
-        assert!(error.contains("broken.md:1: "), "{error}");
+        write("two-eyes.md", "---\ntitle: x\n");
+        std::fs::write(folder.path().join("bytes.md"), b"---\ntitle: \xff\n").expect("it is written");
+        let library = Library::new(Some(folder.path())).expect("the others are lessons");
+        assert_eq!(library.all().len(), titles.len());
+        let refused: Vec<_> = library.refused().iter().map(|refused| refused.name.as_str()).collect();
+        assert_eq!(refused, ["broken", "bytes", "two-eyes"]);
+        for name in refused {
+            let error = library.open(name).expect_err("it is broken").to_string();
+            assert!(error.contains(&format!("{name}.md:")), "{error}");
+        }
     }
 }

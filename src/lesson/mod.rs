@@ -26,7 +26,7 @@ pub use answer::{Answer, Outcome, Record};
 pub use course::Course;
 pub use error::LessonError;
 pub use kept::KeptCourse;
-pub use library::Library;
+pub use library::{Library, Refused};
 pub use place::{Phase, Place};
 pub use plan::{
     Animated, Animation, Choices, Curve, Kind, Lab, Lesson, Number, Options, PointAt, Prediction, Quantity,

@@ -27,6 +27,21 @@ pub fn shown_lines(text: &str) -> String {
     text.split('\n').map(shown).collect::<Vec<_>>().join("\n")
 }
 
+/// Most letters that a message repeats of a text of somebody else.
+const EXCERPT_LETTERS: usize = 60;
+
+/// Returns the beginning of `text` as messages quote it: on one line, and never at length.
+#[must_use]
+pub fn excerpt(text: &str) -> String {
+    // What is shown of a letter is never shorter than it.
+    let begin: String = text.trim().chars().take(EXCERPT_LETTERS + 1).collect();
+    let shown = shown(&begin);
+    match shown.char_indices().nth(EXCERPT_LETTERS) {
+        Some((end, _)) => format!("{}…", &shown[..end]),
+        None => shown,
+    }
+}
+
 /// Most letters of a message.
 const MOST_LETTERS: usize = 4000;
 /// Those that are kept of the end of one that is longer: what is wrong is said there.
@@ -78,6 +93,18 @@ mod tests {
         assert_eq!(shown("a\u{1b}[31m\nb\u{202e}\u{9b}2J\u{7}"), r"a\u{1b}[31m\nb\u{202e}\u{9b}2J\u{7}");
         assert_eq!(shown("räder 車輪 'a' \"b\" \\"), "räder 車輪 'a' \"b\" \\");
         assert_eq!(shown_lines("a\u{1b}\nb\n"), "a\\u{1b}\nb\n");
+    }
+
+    #[test]
+    fn an_excerpt_is_short_and_on_one_line() {
+        assert_eq!(excerpt(" räder 車輪\n"), "räder 車輪");
+        assert_eq!(excerpt("two\nlines\u{1b}"), r"two\nlines\u{1b}");
+        let usual = "車".repeat(EXCERPT_LETTERS);
+        assert_eq!(excerpt(&usual), usual);
+        for long in ["車", "\u{1b}", "\n"] {
+            let long = excerpt(&format!("a{}b", long.repeat(1_000_000)));
+            assert_eq!((long.chars().count(), long.ends_with('…')), (EXCERPT_LETTERS + 1, true), "{long}");
+        }
     }
 
     #[test]

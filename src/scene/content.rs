@@ -1,5 +1,6 @@
 //! What a scene consists of.
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 use relativity_render::{Body, Group, MaterialPoint, Motion, PreparedScene, Spin, Velocity};
@@ -7,11 +8,12 @@ use relativity_render::{Body, Group, MaterialPoint, Motion, PreparedScene, Spin,
 use super::forward_most::forward_most_on;
 use super::near_body::outside;
 use super::table::coincide;
+use crate::platform::{sizes, tell};
 
 /// How far off the surface of a body a point is still taken to be on it: coordinates may be rounded to three decimals.
 const ON_BODY: f64 = 1e-3;
 /// How many names of bodies a message tells.
-const MOST_NAMED: usize = 40;
+const NEAREST: usize = 3;
 
 /// A scene: groups of bodies, each at rest in a frame of its own, and the ground they pass over. Lengths in the scene's
 /// unit, rest-frame coordinates `[x, y, z]` with x along the motion.
@@ -118,18 +120,27 @@ impl Scene {
         self.names.iter().position(|known| known == name)
     }
 
-    /// What is wrong with the name of a body that there is not, and which there are.
+    /// Says that no body is called `name`, which are called most like that, and where all names are.
     #[must_use]
     pub fn no_body_named(&self, name: &str) -> String {
-        let mut known: Vec<&str> = Vec::new();
-        for body in &self.names {
-            if !known.contains(&body.as_str()) {
-                known.push(body);
-            }
+        let known: BTreeSet<&str> = self.names.iter().map(String::as_str).collect();
+        let sought: String = name.to_lowercase().chars().take(sizes::NAME_LETTERS).collect();
+        let mut nearest: Vec<_> = known
+            .iter()
+            .map(|known| (strsim::damerau_levenshtein(&known.to_lowercase(), &sought), known))
+            .collect();
+        nearest.sort();
+        let nearest: Vec<String> =
+            nearest.iter().take(NEAREST).map(|(_, known)| tell::excerpt(known)).collect();
+        let (scene, name) = (tell::excerpt(&self.name), tell::excerpt(name));
+        let nearest = nearest.join(", ");
+        match known.len() {
+            ..=NEAREST => format!("{scene} has no body called `{name}`: there are {nearest}"),
+            count => format!(
+                "{scene} has no body called `{name}`: there are {count}, most like it {nearest}; \
+                 `gamow --list --scene` with the scene lists all"
+            ),
         }
-        let more = if known.len() > MOST_NAMED { ", …" } else { "" };
-        let known = known.into_iter().take(MOST_NAMED).collect::<Vec<_>>().join(", ");
-        format!("{} has no body called `{name}`: there are {known}{more}", self.name)
     }
 
     /// The forward-most point of the body of this number, if there is such a body.

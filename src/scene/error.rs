@@ -6,6 +6,7 @@ use thiserror::Error;
 
 use super::presets::PRESETS;
 use crate::files::syntax;
+use crate::platform::{sizes, tell};
 
 /// A scene that cannot be had.
 #[derive(Debug, Error)]
@@ -19,7 +20,7 @@ pub enum SceneError {
         reason: std::io::Error,
     },
     /// Neither a preset nor a path.
-    #[error("no scene is called `{0}`: there are {list}; for a file, give a name ending in .toml", list = PRESETS.join(", "))]
+    #[error("no scene is called `{name}`: there are {list}; for a file, give a name ending in .toml", name = tell::excerpt(.0), list = PRESETS.join(", "))]
     UnknownPreset(String),
     /// The file says something wrong.
     #[error("{source_name}:{line}: {problem}")]
@@ -45,7 +46,7 @@ pub enum Problem {
         message: String,
     },
     /// A key that means nothing here.
-    #[error("unknown key `{key}`: {owner} has {known}")]
+    #[error("unknown key `{key}`: {owner} has {known}", key = tell::excerpt(key))]
     UnknownKey {
         /// The key.
         key: String,
@@ -72,6 +73,20 @@ pub enum Problem {
         /// What it should be.
         expected: &'static str,
     },
+    /// A name of more letters than one may have.
+    #[error("{key} = {value} must have at most {most} letters", most = sizes::NAME_LETTERS)]
+    LongName {
+        /// The key.
+        key: &'static str,
+        /// Its beginning.
+        value: String,
+    },
+    /// A scene of more groups than one may have.
+    #[error("a scene has at most {most} groups, and this one has {0}", most = sizes::GROUPS)]
+    ManyGroups(usize),
+    /// A scene of more bodies than one may have.
+    #[error("a scene has at most {most} bodies, and here there are more", most = sizes::BODIES)]
+    ManyBodies,
     /// A coordinate that is not finite, or too far out to draw.
     #[error("{key} = {value} must lie between -1e6 and 1e6")]
     OutOfRange {

@@ -10,6 +10,7 @@ use super::object::{Object, object};
 use super::presets;
 use super::table::Table;
 use super::wheel::{Changes, wheel};
+use crate::platform::sizes;
 
 /// What rides past where the file has no word for it.
 const RIDER: &str = "rider";
@@ -67,10 +68,17 @@ fn groups(top: &Table, name: &str, changes: Changes) -> Result<(Vec<Object>, Vec
     let mut all = objects(top, changes)?;
     let mut groups =
         vec![SceneGroup { name: name.to_owned(), motion: Motion::Scene, first: 0, count: all.len() }];
-    for table in top.tables("group", "a group")? {
+    let tables = top.tables("group", "a group")?;
+    if let Some(excess) = tables.get(sizes::GROUPS) {
+        return Err(Located { span: excess.span.clone(), problem: Problem::ManyGroups(tables.len()) });
+    }
+    for table in tables {
         table.check_keys(&["name", "beta", "include", "wheel", "object"])?;
         let (name, motion) = (table.needed_string("name")?.to_owned(), motion(&table)?);
         let own = objects(&table, changes)?;
+        if all.len() + own.len() > sizes::BODIES {
+            return Err(Located { span: table.span, problem: Problem::ManyBodies });
+        }
         groups.push(SceneGroup { name, motion, first: all.len(), count: own.len() });
         all.extend(own);
     }
@@ -95,7 +103,11 @@ fn objects(group: &Table, changes: Changes) -> Result<Vec<Object>, Located> {
         objects.extend(wheel(&table, changes)?);
     }
     for table in group.tables("object", "an object")? {
+        let span = table.span.clone();
         objects.extend(repeated(table)?);
+        if objects.len() > sizes::BODIES {
+            return Err(Located { span, problem: Problem::ManyBodies });
+        }
     }
     Ok(objects)
 }

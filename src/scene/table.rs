@@ -6,6 +6,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::error::{Located, Problem};
+use crate::platform::{sizes, tell};
 
 /// Largest magnitude of a coordinate: beyond it, f32 has steps of more than 1/16.
 const MAX_COORDINATE: f64 = 1e6;
@@ -85,7 +86,11 @@ impl<'a> Table<'a> {
     pub fn string(&self, key: &'static str) -> Result<Option<&'a str>, Located> {
         let Some(value) = self.value(key) else { return Ok(None) };
         let text = value.get_ref().as_str();
-        text.map(Some).ok_or_else(|| self.wrong_type(key, value, "a text in double quotes"))
+        let text = text.ok_or_else(|| self.wrong_type(key, value, "a text in double quotes"))?;
+        if text.chars().nth(sizes::NAME_LETTERS).is_some() {
+            return Err(self.problem_at(key, |value| Problem::LongName { key, value }));
+        }
+        Ok(Some(text))
     }
 
     /// A positive size that must be there.
@@ -235,12 +240,9 @@ impl<'a> Table<'a> {
 
     /// A piece of the file, in one line of bounded length.
     fn quoted(&self, span: &Range<usize>) -> String {
-        const LONGEST: usize = 40;
-        let words = self.text[span.clone()].split_whitespace().collect::<Vec<_>>().join(" ");
-        if words.chars().count() <= LONGEST {
-            return words;
-        }
-        words.chars().take(LONGEST).chain("...".chars()).collect()
+        // A value may be as long as the file.
+        let begin: String = self.text[span.clone()].chars().take(1000).collect();
+        tell::excerpt(&begin.split_whitespace().collect::<Vec<_>>().join(" "))
     }
 }
 

@@ -535,3 +535,71 @@ fn wheels_are_changed_only_where_there_are_any() {
         }
     }
 }
+
+#[test]
+fn names_bodies_and_groups_have_limits() {
+    let long = "n".repeat(1_000_000);
+    let ball = "[[object]]\nshape = \"sphere\"\ncenter = [0, 3, 2]\nradius = 1\n";
+    let start = |line: u32, key: &str| format!("balls.toml:{line}: {key} = \"nnnnn");
+    let end = "… must have at most 100 letters";
+    for (text, start) in [
+        (format!("name = \"{long}\"\n{ball}"), start(1, "name")),
+        (format!("name = \"x\"\nrider = \"{long}\"\n{ball}"), start(2, "rider")),
+        (format!("name = \"x\"\n{ball}name = \"{long}\"\nrepeat = 1000\n"), start(6, "name")),
+        (format!("name = \"x\"\n{ball}[[group]]\nname = \"{long}\"\n"), start(7, "name")),
+    ] {
+        let error = error(&text);
+        assert!(error.starts_with(&start) && error.ends_with(end) && error.len() < 200, "{error}");
+    }
+    let groups = format!("name = \"x\"\n{ball}{}", "[[group]]\nname = \"g\"\n".repeat(5000));
+    let told = error(&groups);
+    assert_eq!(told, "balls.toml:406: a scene has at most 200 groups, and this one has 5000");
+    let bodies = format!("name = \"x\"\n{}", format!("{ball}repeat = 1000\n").repeat(1001));
+    let told = error(&bodies);
+    assert_eq!(told, "balls.toml:5002: a scene has at most 1000000 bodies, and here there are more");
+}
+
+#[test]
+fn what_is_nested_without_end_is_refused() {
+    for value in ["[".repeat(100_000), "{a=".repeat(100_000), "[[{a=[".repeat(50_000)] {
+        let error = error(&format!("name = \"x\"\nstreet = {value}"));
+        assert!(error.starts_with("balls.toml:2: ") && error.len() < 300, "{error}");
+    }
+    let error = error(&format!("{}b = 1", "a.".repeat(100_000)));
+    assert!(error.starts_with("balls.toml:1: ") && error.len() < 300, "{error}");
+}
+
+#[test]
+fn errors_quote_little_of_a_file() {
+    let long = "k".repeat(1_000_000);
+    for text in [
+        format!("{long} = 1\n"),
+        format!("name = \"x\"\nname = \"{long}\"\n"),
+        format!("name = [{long}]\n"),
+        format!("name = \"x\"\nstreet = \"{long}\"\n"),
+        format!("name = \"x\"\n\"{long}\" = 1\n\"{long}\" = 2\n"),
+        format!("{long} = 0,5\n"),
+        format!("name = 0,{}\n", "5".repeat(1_000_000)),
+        format!("name = \"x\"\n[[include]]\nscene = \"{}\"\n", "k".repeat(99)),
+    ] {
+        let error = error(&text);
+        assert!(error.len() < 400 && !error.contains('\n'), "{} letters: {error:.300}", error.len());
+    }
+    let unknown = Scene::open(&long).expect_err("there is none").to_string();
+    assert!(unknown.len() < 400, "{unknown:.300}");
+}
+
+#[test]
+fn a_body_that_there_is_not_is_told_by_those_most_like_it() {
+    let street = Scene::preset("street").expect("a preset");
+    let told = street.no_body_named("fornt tire");
+    assert!(told.contains("most like it front tyre, ") && told.len() < 300, "{told}");
+    assert_eq!(told.matches(", ").count(), 3, "{told}");
+    assert!(told.ends_with("`gamow --list --scene` with the scene lists all"), "{told}");
+    assert!(street.no_body_named(&"x".repeat(1_000_000)).len() < 400);
+    let balls = Scene::parse(EXAMPLE, "balls.toml").expect("it is right");
+    assert_eq!(
+        balls.no_body_named("x"),
+        "Two balls has no body called `x`: there are ring 2, tube 1, sphere 0"
+    );
+}

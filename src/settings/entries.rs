@@ -8,7 +8,7 @@ use toml::{Table, Value};
 use super::all::Settings;
 use super::error::{Problem, SettingsError};
 use crate::flags::choices::ProjectionChoice;
-use crate::flags::words::{quoted, words};
+use crate::flags::words::{Shell, words};
 
 /// All settings as flags.
 static FLAGS: LazyLock<Command> = LazyLock::new(|| {
@@ -16,6 +16,8 @@ static FLAGS: LazyLock<Command> = LazyLock::new(|| {
     Settings::augment_args_for_update(flags)
 });
 
+/// The setting that names a scene.
+pub(super) const SCENE: &str = "scene";
 /// What draws a picture of settings.
 const RENDER: &str = "gamow render";
 /// What opens a window with settings.
@@ -57,22 +59,22 @@ impl Settings {
     /// The command that draws a picture with these settings: all that decide what it shows, and of the others those
     /// that are not as usual.
     #[must_use]
-    pub fn command(&self) -> String {
-        self.command_line(RENDER, |section| OF_VIEWS.contains(&section) || section == OF_PICTURES)
+    pub fn command(&self, shell: Shell) -> String {
+        self.command_line(shell, RENDER, |section| OF_VIEWS.contains(&section) || section == OF_PICTURES)
     }
 
     /// The command that opens a window with these settings.
     #[must_use]
-    pub fn window_command(&self) -> String {
-        self.command_line(WINDOW, |section| OF_VIEWS.contains(&section))
+    pub fn window_command(&self, shell: Shell) -> String {
+        self.command_line(shell, WINDOW, |section| OF_VIEWS.contains(&section))
     }
 
-    fn command_line(&self, command: &str, is_told: impl Fn(&str) -> bool) -> String {
+    fn command_line(&self, shell: Shell, command: &str, is_told: impl Fn(&str) -> bool) -> String {
         let usual = Self::default().entries();
         let told =
             self.entries().into_iter().filter(|entry| is_told(&entry.section) || !usual.contains(entry));
         told.fold(command.to_owned(), |line, Entry { key, text, .. }| {
-            line + " --" + &key + "=" + &quoted(&text)
+            line + " --" + &key + "=" + &shell.quoted(&text)
         })
     }
 

@@ -2,10 +2,9 @@
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use std::error::Error as _;
-use std::path::Path;
 use thiserror::Error;
 
-use crate::platform::files;
+use crate::platform::tell;
 
 /// Settings that cannot be had.
 #[derive(Debug, Error)]
@@ -19,7 +18,10 @@ pub enum SettingsError {
         reason: String,
     },
     /// Neither a preset nor a path.
-    #[error("no preset is called `{name}`: there are {known}; for a file, give its name with its ending")]
+    #[error(
+        "no preset is called `{}`: there are {known}; for a file, give its name with its ending",
+        tell::excerpt(name)
+    )]
     UnknownPreset {
         /// What was given.
         name: String,
@@ -49,8 +51,8 @@ impl Problem {
     /// What `clap` finds wrong, in one line.
     pub fn new(error: &clap::Error) -> Self {
         let key = context(error, ContextKind::InvalidArg).map(name);
-        let value = shortened(context(error, ContextKind::InvalidValue).unwrap_or_default());
-        let shown = key.as_deref().unwrap_or_default();
+        let value = tell::excerpt(context(error, ContextKind::InvalidValue).unwrap_or_default());
+        let shown = tell::excerpt(key.as_deref().unwrap_or_default());
         let text = match (error.kind(), error.source()) {
             (ErrorKind::ValueValidation, Some(reason)) => format!("{shown} = {value}: {reason}"),
             (ErrorKind::InvalidValue, _) => format!("{shown} = {value}: must be {}", choices(error)),
@@ -68,17 +70,6 @@ impl Problem {
     pub fn at(self, place: String) -> SettingsError {
         SettingsError::Content { place, problem: self.text }
     }
-}
-
-/// `value` on one line, cut where it is long.
-fn shortened(value: &str) -> String {
-    const MOST: usize = 60;
-    let mut shown = files::shown(Path::new(value));
-    if let Some((end, _)) = shown.char_indices().nth(MOST) {
-        shown.truncate(end);
-        shown.push('…');
-    }
-    shown
 }
 
 /// `depth-shift` of `--depth-shift <DY>`.

@@ -7,12 +7,12 @@ use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
 use super::all::Settings;
-use super::entries::names;
+use super::entries::{SCENE, names};
 use super::error::{Problem, SettingsError};
 use crate::files::{exr, png, syntax};
 use crate::flags::choices::FileKind;
-use crate::platform::files;
-use crate::scene::Scene;
+use crate::platform::{files, tell};
+use crate::scene::{Scene, SceneError, looks_like_a_name};
 
 impl Settings {
     /// All settings as a file.
@@ -27,10 +27,7 @@ impl Settings {
     /// # Errors
     /// One line that names the file, the line in it, what is wrong and what would be right.
     pub fn with_toml(mut self, text: &str, source_name: &str) -> Result<Self, SettingsError> {
-        let place = |span: Range<usize>| {
-            let before = text.get(..span.start).unwrap_or(text);
-            format!("{source_name}:{}", before.matches('\n').count() + 1)
-        };
+        let place = |span: Range<usize>| place(text, source_name, &span);
         let given = given(text).and_then(|all| all.into_iter().collect::<Result<Vec<_>, _>>());
         let given = given.map_err(|(span, text)| Problem { key: None, text }.at(place(span)))?;
         let flags = given.iter().map(Given::flag).collect();
@@ -67,19 +64,32 @@ impl Settings {
     pub fn with_file(self, path: &Path) -> Result<Self, SettingsError> {
         let source_name = files::shown(path);
         let unreadable = |reason: String| SettingsError::Read { source_name: source_name.clone(), reason };
-        let mut settings = if let Some(kind) = FileKind::of(path) {
+        if let Some(kind) = FileKind::of(path) {
             let command = match kind {
                 FileKind::Png => png::command(path),
                 FileKind::Exr => exr::command(path),
             };
             let command = command.map_err(|error| unreadable(format!("{error:#}")))?;
-            self.with_command(&command, &source_name)?
-        } else {
-            let text = files::read_to_string(path).map_err(|reason| unreadable(reason.to_string()))?;
-            self.with_toml(&text, &source_name)?
-        };
+            let mut settings = self.with_command(&command, &source_name)?;
+            settings.find_scene_beside(path);
+            return Ok(settings);
+        }
+        let text = files::read_to_string(path).map_err(|reason| unreadable(reason.to_string()))?;
+        let mut settings = self.with_toml(&text, &source_name)?;
         settings.find_scene_beside(path);
+        settings.check_scene_of(&text, &source_name)?;
         Ok(settings)
+    }
+
+    /// Whether a scene that `text`, a file called `source_name`, gives by its name is a preset.
+    fn check_scene_of(&self, text: &str, source_name: &str) -> Result<(), SettingsError> {
+        if !looks_like_a_name(&self.scene) || Scene::preset(&self.scene).is_some() {
+            return Ok(());
+        }
+        let given = given(text).unwrap_or_default().into_iter().flatten().find(|given| given.key == SCENE);
+        let Some(Given { span, .. }) = given else { return Ok(()) };
+        let problem = SceneError::UnknownPreset(self.scene.clone()).to_string();
+        Err(SettingsError::Content { place: place(text, source_name, &span), problem })
     }
 
     /// Has a scene that they name by a relative path beside the file at `path`, if there is one.
@@ -138,6 +148,12 @@ impl Given {
 /// Something wrong, and where.
 type Located = (Range<usize>, String);
 
+/// The file called `source_name`, with the line of `text` in which `span` begins.
+fn place(text: &str, source_name: &str, span: &Range<usize>) -> String {
+    let before = text.get(..span.start).unwrap_or(text);
+    format!("{source_name}:{}", before.matches('\n').count() + 1)
+}
+
 /// The settings that a file's text gives, and what in it is none.
 fn given(text: &str) -> Result<Vec<Result<Given, Located>>, Located> {
     let top = DeTable::parse(text).map_err(|error| syntax::problem(text, &error))?;
@@ -164,7 +180,10 @@ fn check_section(section: &Spanned<DeString>) -> Result<(), Located> {
     if known.iter().any(|name| name == section.get_ref()) {
         return Ok(());
     }
-    Err((section.span(), format!("unknown section [{}]: there are {}", section.get_ref(), known.join(", "))))
+    Err((
+        section.span(),
+        format!("unknown section [{}]: there are {}", tell::excerpt(section.get_ref()), known.join(", ")),
+    ))
 }
 
 fn setting(section: &str, key: &Spanned<DeString>, value: &Spanned<DeValue>) -> Result<Given, Located> {
@@ -172,7 +191,12 @@ fn setting(section: &str, key: &Spanned<DeString>, value: &Spanned<DeValue>) -> 
     let name = key.get_ref();
     if !known.contains(&name.as_ref()) {
         let owner = if section.is_empty() { "before the first section" } else { section };
-        return Err((key.span(), format!("unknown setting `{name}`: {owner} has {}", known.join(", "))));
+        let problem = format!("unknown setting `{}`: {owner} has {}", tell::excerpt(name), known.join(", "));
+        return Err((key.span(), problem));
+    }
+    if (section, name.as_ref()) == ("", SCENE) && value.get_ref().as_str().is_none() {
+        let problem = format!("{SCENE}: must be the name of a scene or of its file, in double quotes");
+        return Err((value.span(), problem));
     }
     let text = text_of(value.get_ref());
     let text =

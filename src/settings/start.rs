@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::{Arg, ArgMatches, Args, Command, FromArgMatches, value_parser};
 
 use super::all::Settings;
+use super::entries::SCENE;
 use super::error::{Problem, SettingsError};
 use super::presets::Preset;
 use crate::flags::choices::FileKind;
@@ -18,7 +19,6 @@ pub struct StartArgs {
 }
 
 const STATE: &str = "state";
-const SCENE: &str = "scene";
 
 impl StartArgs {
     /// Whether they say what is shown: a scene, or a state.

@@ -17,6 +17,7 @@ use crate::flags::choices::{
     AZIMUTH, ELEVATION, GazeChoice, Layout, PARALLAX_DISTANCE, ProjectionChoice, RendererChoice, Size,
     Swapped, ZeroParallax,
 };
+use crate::flags::words::Shell;
 use crate::flags::{
     BUDGET_MS, ERROR_PX, EXPONENT, EXPOSURE_EV, Exposure, FIELD_OF_VIEW, FieldOfView, Followed,
     FollowedPoint, Goal, HEAD_DEGREES, IntensityExponent, MAX_TIME, PLACE, SCREEN_CM, ScreenWidth, Share,
@@ -237,7 +238,7 @@ fn settings() -> impl Strategy<Value = Settings> {
 fn through_file(settings: &Settings, path: &Path) -> Settings {
     let provenance = Provenance {
         title: "Any".to_owned(),
-        parameters: settings.command(),
+        parameters: settings.command(Shell::RECORDED),
         scene_fingerprint: "0".to_owned(),
     };
     let file = std::fs::File::create(path).expect("the folder is there");
@@ -264,7 +265,7 @@ fn a_thousand_states_survive_every_file_and_flags() {
             "{}",
             text
         );
-        for line in [state.command(), state.window_command()] {
+        for line in [state.command(Shell::RECORDED), state.window_command(Shell::RECORDED)] {
             let read = Settings::default().with_command(&line, "").expect("it is right");
             prop_assert_eq!(&read, &state, "{}", line);
         }

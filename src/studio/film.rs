@@ -12,7 +12,7 @@ use crate::files::png::Animation;
 use crate::files::whole::write_whole;
 use crate::files::{gif, png};
 use crate::flags::choices::FileKind;
-use crate::flags::words::quoted;
+use crate::flags::words::Shell;
 use crate::passage::time_within;
 use crate::platform::files;
 
@@ -49,20 +49,23 @@ impl FilmKind {
         }
     }
 
-    /// The command that makes an MP4 of such a film at `path`.
+    /// The command for `shell` that makes an MP4 of such a film at `path`.
     #[must_use]
-    pub fn mp4_command(self, path: &Path) -> String {
+    pub fn mp4_command(self, path: &Path, shell: Shell) -> String {
+        let file = |path: &Path| shell.file(&path.to_string_lossy());
         let input = match self {
-            Self::Gif => format!("-i {}", quoted(&path.to_string_lossy())),
-            Self::Png => format!("-f apng -i {}", quoted(&path.to_string_lossy())),
+            Self::Gif => format!("-i {}", file(path)),
+            Self::Png => format!("-f apng -i {}", file(path)),
             Self::Folder => {
-                let frames = path.join("frame_%05d.png");
-                format!("-framerate {FRAMES_PER_SECOND} -i {}", quoted(&frames.to_string_lossy()))
+                // The name of the frames is a pattern, and so is that of their folder.
+                let folder = path.to_string_lossy().replace('%', "%%");
+                let frames = Path::new(&folder).join("frame_%05d.png");
+                format!("-framerate {FRAMES_PER_SECOND} -i {}", file(&frames))
             }
         };
-        let out = quoted(&path.with_extension("mp4").to_string_lossy());
+        let out = file(&path.with_extension("mp4"));
         // The usual encoding takes sides of an even number of pixels.
-        let even = quoted("pad=ceil(iw/2)*2:ceil(ih/2)*2");
+        let even = shell.quoted("pad=ceil(iw/2)*2:ceil(ih/2)*2");
         format!("ffmpeg {input} -vf {even} -c:v libx264 -pix_fmt yuv420p {out}")
     }
 }
@@ -168,6 +171,7 @@ impl Studio {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::flags::words::words;
 
     #[test]
     fn a_loop_does_not_show_its_first_moment_twice() {
@@ -178,10 +182,20 @@ mod tests {
 
     #[test]
     fn the_command_of_an_mp4_quotes_what_a_shell_would_split() {
-        let command =
-            FilmKind::of(Path::new("my ride.gif")).expect("a film").mp4_command(Path::new("my ride.gif"));
-        let words = crate::flags::words::words(&command);
-        assert_eq!([words[2].as_str(), words[words.len() - 1].as_str()], ["my ride.gif", "my ride.mp4"]);
+        let files = |path: &str| {
+            let kind = FilmKind::of(Path::new(path)).expect("a film");
+            let mut words = words(&kind.mp4_command(Path::new(path), Shell::Posix));
+            let input = words.iter().position(|word| word == "-i").expect("it has an input");
+            [words.remove(input + 1), words.pop().expect("it has an output")]
+        };
+        assert_eq!(files("my ride.gif"), ["my ride.gif", "my ride.mp4"]);
+        assert_eq!(files("-ride.png"), ["./-ride.png", "./-ride.mp4"]);
+        assert_eq!(files("100 % 5d"), ["100 %% 5d/frame_%05d.png", "100 % 5d.mp4"]);
+        let command = FilmKind::Folder.mp4_command(Path::new("50%&c"), Shell::Cmd);
+        assert!(
+            command.contains(r#" -i "50"^%""^%"&c"#) && command.contains(r#"frame_"^%"05d.png" "#),
+            "{command}"
+        );
         assert_eq!(FilmKind::of(Path::new("ride.avi")), None);
         assert_eq!(FilmKind::of(Path::new("a/ride")), Some(FilmKind::Folder));
     }

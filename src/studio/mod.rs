@@ -21,6 +21,7 @@ use crate::files::provenance::Provenance;
 use crate::files::whole::write_whole;
 use crate::files::{exr, png};
 use crate::flags::choices::FileKind;
+use crate::flags::words::Shell;
 use crate::scene::{Scene, Track};
 use crate::settings::{Settings, Subject};
 
@@ -97,7 +98,7 @@ impl Studio {
         let settings = settings.resolved(self.subject()).exposed_for(&self.scene);
         let time = settings.time.unwrap_or_default();
         settings.disparity(&self.tracked, time)?;
-        let provenance = self.scene.provenance(settings.command());
+        let provenance = self.scene.provenance(settings.command(Shell::RECORDED));
         Ok(Frame { settings, time, provenance })
     }
 

@@ -139,8 +139,10 @@ fn quotes_that_swallow_the_rest_of_the_file_are_named() {
     );
     assert_complaint(
         format!("beta,d,y,z,T,note\r\n{good},\"a\r\n{good},b\r\n{good},\"\"\r\n"),
-        "2: the quote that opens \"a\\r\\n0.9,0.3,0.5,0.5,0,b\\r\\n0.9,0.3,0.5,...\" is never closed",
+        "2: the quote that opens \"a\\r\\n0.9,0.3,0.5,0.5,0,b\\r\\n0.9,0.3,0.5,0.5,0,\\\"\" is never closed",
     );
+    let long = format!("3: the quote that opens \"{}…\" is never closed", "x".repeat(60));
+    assert_complaint(format!("beta,d,y,z,T,note\n{good},\n{good},\"{}\n", "x".repeat(5000)), &long);
     for note in ["\"two\nlines\"", "\"two\nlines\"\n", "\"ends in one\n\"\n", "\"says \"\"hi\"\"\n\"\"\"\r\n"]
     {
         eval(format!("beta,d,y,z,T,note\n{good},{note}")).text();
@@ -306,4 +308,38 @@ fn a_picture_that_claims_to_be_huge_is_refused_by_its_size() {
     let complaint =
         run(gamow().args(["measure", ".", "--object", "x"]).current_dir(folder.path()), b"").complaint();
     assert_eq!(complaint, "gamow: .: there is no .exr file");
+}
+
+#[test]
+fn a_state_whose_scene_is_no_name_is_refused_with_its_line() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for value in ["5", "true", "[1, 2]"] {
+        fs::write(folder.path().join("a.toml"), format!("time = 1\nscene = {value}\n"))
+            .expect("it is written");
+        let render = ["render", "--state", "a.toml", "--out", "a.png"];
+        let complaint = run(gamow().args(render).current_dir(folder.path()), b"").complaint();
+        let said = "gamow: a.toml:2: scene: must be the name of a scene or of its file, in double quotes";
+        assert_eq!(complaint, said);
+    }
+    fs::write(folder.path().join("a.toml"), "time = 1\nscene = \"stret\"\n").expect("it is written");
+    let render = ["render", "--state", "a.toml", "--out", "a.png"];
+    let complaint = run(gamow().args(render).current_dir(folder.path()), b"").complaint();
+    assert!(
+        complaint.starts_with("gamow: a.toml:2: no scene is called `stret`: there are street, "),
+        "{complaint}"
+    );
+}
+
+#[test]
+fn a_scene_with_names_of_a_megabyte_is_refused_before_it_is_large() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let name = "n".repeat(1_000_000);
+    let scene = format!(
+        "name = \"x\"\n[[object]]\nname = \"{name}\"\nrepeat = 1000\nshape = \"sphere\"\ncenter = [0, 3, 2]\nradius = 1\n"
+    );
+    fs::write(folder.path().join("a.toml"), scene).expect("it is written");
+    let render = ["render", "--scene", "a.toml", "--out", "a.png"];
+    let complaint = run(gamow().args(render).current_dir(folder.path()), b"").complaint();
+    assert!(complaint.starts_with("gamow: a.toml:3: name = \"nnnn") && complaint.len() < 150, "{complaint}");
+    assert!(!folder.path().join("a.png").exists());
 }

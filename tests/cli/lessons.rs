@@ -57,6 +57,23 @@ fn lessons_of_ones_own_are_listed_in_their_place() {
     assert_eq!(lines.len(), list(&[]).len() + 1);
     assert!(lines[0].starts_with("rods ") && lines[0].ends_with("  Other rods"), "{}", lines[0]);
     assert_eq!(lines.iter().filter(|line| line.ends_with("  Mine")).count(), 1);
+    // One that cannot be read is listed with the reason.
+    write("broken\u{1b}.md", "Broken\n## x", 3);
+    fs::write(folder.path().join("wrong.md"), "---\norder: 1\n---\n").expect("it is written");
+    let with_wrong = list(&["--lessons", folder.path().to_str().expect("a plain path")]);
+    assert_eq!(with_wrong.len(), lines.len() + 2);
+    let last = with_wrong.last().expect("a line");
+    assert!(last.starts_with("wrong ") && last.contains("  (refused)  "), "{last}");
+    assert!(last.ends_with("wrong.md:3: a lesson needs a title: `title: …`"), "{last}");
+    let page = folder.path().join("page.html");
+    let worksheet = |name: &str| {
+        run(gamow().args(["lesson", name, "--worksheet"]).arg(&page).arg("--lessons").arg(folder.path()), b"")
+    };
+    let complaint = worksheet("wrong").complaint();
+    assert!(complaint.ends_with("wrong.md:3: a lesson needs a title: `title: …`"), "{complaint}");
+    assert!(!page.exists());
+    worksheet("mine").text();
+    assert!(page.exists());
     let complaint = words("--list --lessons /nowhere/at/all").complaint();
     assert!(complaint.contains("/nowhere/at/all"), "{complaint}");
 }
@@ -87,4 +104,36 @@ fn a_lesson_that_is_not_there_is_told_in_a_line() {
     }
     words("--lesson no-such").complaint();
     words("--lesson nowhere.md").complaint();
+}
+
+/// What a text cannot have ends neither the window nor a worksheet, and leaves no file.
+#[test]
+fn a_hostile_lesson_is_refused_in_a_line() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let front = "---\ntitle: x\n---\n\n## One\n\n";
+    for (text, said) in [
+        (">".repeat(8000) + " x", "7: quotes, lists and emphasis may be nested at most 16 deep"),
+        ("- ".repeat(4000) + "x", "7: quotes, lists and emphasis may be nested at most 16 deep"),
+        ("- ".repeat(6000) + "x", "7: a text that is shown at once has at most 8 kB"),
+        ("a ".repeat(2_000_000), "1: a lesson has at most 64 kB"),
+        (format!("${}x{}$", "{".repeat(200), "}".repeat(200)), "7: the formula ${{{"),
+        (format!("$\\rule{{{}em}}{{1em}}$", "9".repeat(50)), "7: the formula $\\rule{999"),
+    ] {
+        fs::write(folder.path().join("q.md"), format!("{front}{text}\n")).expect("it is written");
+        for arguments in
+            [["lesson", "q.md", "--worksheet", "q.html"], ["--screenshot", "q.png", "--lesson", "q.md"]]
+        {
+            let complaint = run(gamow().args(arguments).current_dir(folder.path()), b"").complaint();
+            assert!(complaint.starts_with(&format!("gamow: q.md:{said}")), "{complaint}");
+            assert!(complaint.len() < 250, "{complaint}");
+            assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 1, "{arguments:?}");
+        }
+    }
+}
+
+#[test]
+fn the_bodies_of_a_scene_are_listed() {
+    let names = list(&["--scene", "twins"]);
+    assert_eq!(names[..2], ["resting rod 1", "resting rod 2"]);
+    assert_eq!(list(&["--scene", "street"]).iter().filter(|name| *name == "front tyre").count(), 1);
 }

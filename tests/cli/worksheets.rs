@@ -177,3 +177,43 @@ fn what_is_wrong_with_a_lesson_is_one_line_with_its_place() {
     let unknown = run(gamow().args(["lesson", "rodds", "--worksheet", "a.html"]), b"").complaint();
     assert!(unknown.starts_with("gamow: no lesson is called `rodds`: there are rods, "), "{unknown}");
 }
+
+/// What a lesson says is text on its worksheet, and never a part of the page's workings.
+#[test]
+fn a_hostile_lesson_makes_a_harmless_page() {
+    const SCRIPT: &str = "</title></h1></p><script>alert(1)</script><img src=x onerror='alert(2)'>";
+    const LINKS: &str =
+        "[a](javascript:alert(3)) [b](data:text/html,c) <file:///etc/passwd> <b onclick=\"alert(4)\">d</b>";
+    let folder = tempfile::tempdir().expect("a folder");
+    let both = format!("{SCRIPT} {LINKS}");
+    let lesson = format!(
+        "---\ntitle: {SCRIPT}\nconcept: {SCRIPT}\n---\n\n{both}\n\n## {SCRIPT}\n\n{both}\n\n### Predict\n\n{both}\n\n\
+         ```number\ntruth = \"gamma\"\nunit = \"{SCRIPT}\"\n```\n\n### Reveal\n\n{both}\n\n### Observe\n\n{both}\n\n\
+         - [ ] {both}\n- [x] {both}\n\n### Explain\n\n{both}\n\n## In a sentence\n\n{both}\n\n## Lab\n\n{both}\n\n\
+         ```state\n[fit]\nfit-samples = 12\n```\n"
+    );
+    let name = "-<script>'&$(x).md";
+    std::fs::write(folder.path().join(name), lesson).expect("it is written");
+    let path = folder.path().join("page.html");
+    run(
+        gamow()
+            .args(["lesson", &format!("./{name}"), "--answers", "--worksheet"])
+            .arg(&path)
+            .current_dir(folder.path()),
+        b"",
+    )
+    .text();
+    let page = std::fs::read_to_string(path).expect("it is written");
+    let tags: Vec<&str> = page.split('<').skip(1).filter_map(|tag| tag.split('>').next()).collect();
+    for tag in tags {
+        // What stands between quotes is a value.
+        let names: String = tag.split('"').step_by(2).collect::<String>().to_lowercase();
+        assert!(!names.starts_with("script") && !names.contains(" on"), "{tag:.200}");
+        let is_data =
+            tag.contains("href=\"data:text/csv;base64,") || tag.contains("src=\"data:image/png;base64,");
+        assert!(!(tag.contains("href=") || tag.contains("src=")) || is_data, "{tag:.200}");
+    }
+    assert_eq!(page.matches("</title>").count(), 1);
+    // The command of the fit takes the file for a file.
+    assert!(page.contains("gamow fit './-&lt;script&gt;'\\''&amp;$(x).csv'"), "{page:.0}");
+}

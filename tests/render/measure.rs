@@ -56,7 +56,7 @@ fn measurements_of_a_body_give_its_speed_and_distance() {
     let by_number = run_gamow(folder.path(), "measure ride --object 0");
     assert_eq!(run_gamow(folder.path(), "measure ride --object green"), by_number);
     let complaint = complaint_of(folder.path(), "measure ride --object red");
-    assert!(complaint.contains("the scene A ball has nothing called `red`: it has Green\n"), "{complaint}");
+    assert!(complaint.contains("A ball has no body called `red`: there are Green\n"), "{complaint}");
     assert!(
         complaint_of(folder.path(), "measure ride --object 7").contains("none of 30 files shows the target")
     );

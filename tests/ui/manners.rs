@@ -333,6 +333,7 @@ fn the_help_fits() {
         ("Keys", "play or pause"),
         ("Mouse", "Shift-click"),
         ("Paper", "Cryer-Jenkins"),
+        ("Licences", "Under the Apache License, Version 2.0"),
     ] {
         let tab = window.get_by_label(section);
         assert!(whole.contains_rect(tab.rect()), "{section}");

@@ -31,6 +31,7 @@ pub const TESTS: &[Test] = &[
     ("thumbnails_arrive_once_and_differ", thumbnails_arrive),
     ("no_thumbnail_is_drawn_while_the_start_page_is_closed", nothing_is_drawn_while_closed),
     ("the_start_page_fits_every_window", it_fits),
+    ("lessons_that_cannot_be_read_stand_beside_the_others_with_the_reason", some_cannot_be_read),
 ];
 
 /// A window as a newcomer finds it.
@@ -66,6 +67,22 @@ pub fn wait(window: &mut Harness<'_, App>) {
         window.step();
         still = if window.state().is_settled() { still + 1 } else { 0 };
     }
+}
+
+fn some_cannot_be_read() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for number in 0..30 {
+        std::fs::write(folder.path().join(format!("{number}.md")), "---\n").expect("it is written");
+    }
+    let good = "---\ntitle: A good one\norder: 0\n---\n\n## One\n\nLook.\n";
+    std::fs::write(folder.path().join("good.md"), good).expect("it is written");
+    let mut state = newcomers();
+    state.session.library =
+        Some(Arc::new(Library::new(Some(folder.path())).expect("the others are lessons")));
+    let window = window_of_size(state, [1000.0, 8000.0], 1.0);
+    assert!(window.query_by_label("1. A good one").is_some());
+    assert_eq!(window.query_all_by_label_contains(".md:1: a lesson begins with a line `---`").count(), 20);
+    assert_eq!(window.query_all_by_label_contains("10 more lessons cannot be read").count(), 1);
 }
 
 fn it_has_all() {

@@ -5,7 +5,7 @@ use relativity_render::Motion;
 
 use crate::app::state::State;
 use crate::columns::{Given, ModelArgs, Observation, ROLL, TURN, WHEEL};
-use crate::flags::words::quoted;
+use crate::flags::words::Shell;
 use crate::flags::{SpeedParameter, SpeedSetting};
 use crate::scene::Track;
 use crate::settings::Settings;
@@ -87,7 +87,7 @@ impl State {
         ];
         let wheel = on_wheel(observation.source);
         let flag = |(name, value): (&str, f64)| {
-            format!(" --{}={}", name.replace('_', "-"), quoted(&value.to_string()))
+            format!(" --{}={}", name.replace('_', "-"), Shell::here().quoted(&value.to_string()))
         };
         let flags: String = numbers.into_iter().chain(wheel).map(flag).collect();
         Ok(format!("gamow curve{flags} --model={}{stereo}{conformal} --samples={SAMPLES}", model.name()))

@@ -10,6 +10,7 @@ use crate::app::notice::Notice;
 use crate::app::orders::{Copied, Order, Saving};
 use crate::files::whole::write_whole;
 use crate::flags::choices::{RendererChoice, Size};
+use crate::flags::words::Shell;
 use crate::platform::files;
 use crate::settings::{Daylight, Settings};
 use crate::studio::film::{FilmKind, loop_times};
@@ -149,9 +150,9 @@ impl App {
                 let job = Job::Clipboard(self.drawn(ui, self.state.session.picture_size));
                 return self.begin(ctx, job, "the picture".to_owned(), 1);
             }
-            Copied::Command => Ok(self.state.shown().window_command()),
+            Copied::Command => Ok(self.state.shown().window_command(Shell::here())),
             Copied::RenderCommand => {
-                Ok(self.settings_of_picture(ui, self.state.session.picture_size).command())
+                Ok(self.settings_of_picture(ui, self.state.session.picture_size).command(Shell::here()))
             }
             Copied::CurveCommand => self.state.curve_command(),
             Copied::Values => self.state.values_as_table(),

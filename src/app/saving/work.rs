@@ -10,6 +10,7 @@ use crate::estimate::FitReport;
 use crate::estimate::samples::{FitKey, Fittable};
 use crate::files::whole::{write_json, write_whole};
 use crate::flags::choices::FileKind;
+use crate::flags::words::Shell;
 use crate::lesson::{Course, report};
 use crate::scene::{Scene, Track};
 use crate::settings::Settings;
@@ -106,7 +107,7 @@ impl Job {
                 drawn.studio()?.make_film(&times, kind, &path, goes_on)?;
                 let seconds = times.len() as f64 / f64::from(FRAMES_PER_SECOND);
                 let text = format!("Saved {}: {} frames, {seconds:.1} s.", name_of(&path), times.len());
-                let command = kind.mp4_command(&path);
+                let command = kind.mp4_command(&path, Shell::here());
                 Ok(Made::Film(path, text, command))
             }
             Self::Report(course, base, key, path) => {

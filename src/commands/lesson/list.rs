@@ -1,12 +1,15 @@
-//! `gamow --list`: all lessons and presets.
+//! `gamow --list`: all lessons and presets, or all bodies of a scene.
 
+use std::collections::BTreeSet;
 use std::fmt;
 
 use crate::files::whole::write_out;
-use crate::lesson::{Lesson, Library};
+use crate::lesson::{Lesson, Library, Refused};
 use crate::platform::tell;
+use crate::scene::Scene;
 
-/// Writes all of `library`, a line each: its name, how long it takes, the concept that it serves, its title.
+/// Writes all of `library`, a line each: its name, how long it takes, the concept that it serves, its title; and for each
+/// lesson that cannot be read why.
 ///
 /// # Errors
 ///
@@ -15,12 +18,23 @@ pub fn list(library: &Library) -> anyhow::Result<()> {
     write_out(|out| Ok(write!(out, "{}", Table(library))?))
 }
 
+/// Writes the names of the bodies of `scene`, a line each.
+///
+/// # Errors
+///
+/// Those of standard output.
+pub fn list_bodies(scene: &Scene) -> anyhow::Result<()> {
+    let names: BTreeSet<&str> = scene.names.iter().map(String::as_str).collect();
+    write_out(|out| Ok(names.iter().try_for_each(|name| writeln!(out, "{}", tell::shown(name)))?))
+}
+
 /// Lessons in rows, in columns as wide as they need.
 struct Table<'a>(&'a Library);
 
 impl fmt::Display for Table<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let rows: Vec<_> = self.0.all().iter().map(|lesson| row(lesson)).collect();
+        let refused = self.0.refused().iter().map(refused_row);
+        let rows: Vec<_> = self.0.all().iter().map(|lesson| row(lesson)).chain(refused).collect();
         let [names, minutes, concepts] = [0, 1, 2].map(|column: usize| {
             rows.iter().map(|row| row[column].chars().count()).max().unwrap_or_default()
         });
@@ -28,6 +42,16 @@ impl fmt::Display for Table<'_> {
             writeln!(f, "{name:names$}  {time:>minutes$}  {concept:concepts$}  {title}")
         })
     }
+}
+
+/// The row of a lesson that cannot be read, with the reason in place of a title.
+fn refused_row(Refused { name, error }: &Refused) -> [String; 4] {
+    [
+        tell::shown(name),
+        String::new(),
+        "(refused)".to_owned(),
+        tell::in_short(&tell::shown(&error.to_string())),
+    ]
 }
 
 fn row(lesson: &Lesson) -> [String; 4] {

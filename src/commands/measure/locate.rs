@@ -1,7 +1,6 @@
 //! Where in a picture the target is.
 
 use std::borrow::Cow;
-use std::collections::BTreeSet;
 
 use glam::DVec3;
 use relativity_core::math;
@@ -101,19 +100,7 @@ pub fn bodies(name: &str, scene: &Scene) -> anyhow::Result<Vec<usize>> {
     }
     let is_called_so = |body: &usize| scene.name_of(*body).eq_ignore_ascii_case(name);
     let bodies: Vec<_> = (0..scene.bodies.len()).filter(is_called_so).collect();
-    anyhow::ensure!(
-        !bodies.is_empty(),
-        "the scene {} has nothing called `{name}`: it has {}",
-        scene.name,
-        scene
-            .names
-            .iter()
-            .map(String::as_str)
-            .collect::<BTreeSet<_>>()
-            .into_iter()
-            .collect::<Vec<_>>()
-            .join(", ")
-    );
+    anyhow::ensure!(!bodies.is_empty(), scene.no_body_named(name));
     Ok(bodies)
 }
 

@@ -8,6 +8,7 @@ use super::numbers::Row;
 use super::stereo::{Figure, Frame};
 use super::values::{WeightedMean, ratio_text, weighted, written};
 use crate::estimate::{Attempt, CurvesFit, Parameters};
+use crate::flags::words::Shell;
 
 /// Everything the report tells.
 #[derive(Debug)]
@@ -252,7 +253,13 @@ impl PaperReport<'_> {
         for (figure, frames) in &self.frames {
             writeln!(f, "\n![{}]({}.svg)\n", figure.caption, figure.name)?;
             for frame in frames {
-                writeln!(f, "- {}: T = {:.3}; `{}`", frame.file, frame.time, frame.settings.command())?;
+                writeln!(
+                    f,
+                    "- {}: T = {:.3}; `{}`",
+                    frame.file,
+                    frame.time,
+                    frame.settings.command(Shell::RECORDED)
+                )?;
             }
         }
         Ok(())

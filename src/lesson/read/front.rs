@@ -1,6 +1,7 @@
 //! The front matter of a lesson: lines `key: value` between two lines of three dashes.
 
 use super::wrong::Wrong;
+use crate::platform::{sizes, tell};
 
 /// What it says.
 pub struct Front {
@@ -40,7 +41,11 @@ impl Front {
             let Some((key, value)) = line.split_once(':') else {
                 return Err((
                     number,
-                    format!("`{line}`: must be `key: value`, with one of {}", KEYS.join(", ")),
+                    format!(
+                        "`{}`: must be `key: value`, with one of {}",
+                        tell::excerpt(line),
+                        KEYS.join(", ")
+                    ),
                 ));
             };
             front.set(key.trim(), value.trim().trim_matches('"')).map_err(|problem| (number, problem))?;
@@ -51,14 +56,20 @@ impl Front {
     fn set(&mut self, key: &str, value: &str) -> Result<(), String> {
         let whole = |value: &str| {
             let number = value.parse::<u32>().ok().filter(|number| *number < LAST);
-            number.ok_or_else(|| format!("{key} = {value}: must be a whole number below {LAST}"))
+            number.ok_or_else(|| {
+                format!("{key} = {}: must be a whole number below {LAST}", tell::excerpt(value))
+            })
         };
+        if value.chars().nth(sizes::NAME_LETTERS).is_some() {
+            let value = tell::excerpt(value);
+            return Err(format!("{key} = {value}: must have at most {} letters", sizes::NAME_LETTERS));
+        }
         match key {
             "title" => value.clone_into(&mut self.title),
             "concept" => value.clone_into(&mut self.concept),
             "order" => self.order = whole(value)?,
             "minutes" => self.minutes = whole(value)?,
-            _ => return Err(format!("unknown key `{key}`: there are {}", KEYS.join(", "))),
+            _ => return Err(format!("unknown key `{}`: there are {}", tell::excerpt(key), KEYS.join(", "))),
         }
         Ok(())
     }

@@ -1,6 +1,7 @@
 //! From a Markdown file to a lesson. What is wrong is named with its line.
 
 mod front;
+mod limits;
 mod parts;
 mod wrong;
 
@@ -18,7 +19,7 @@ use super::plan::{
 use super::values;
 use crate::files::syntax;
 use crate::flags::{SpeedParameter, SpeedSetting};
-use crate::platform::files;
+use crate::platform::{files, sizes, tell};
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
@@ -83,6 +84,7 @@ impl Lesson {
 }
 
 fn lesson(name: &str, text: &str, source_name: &str) -> Result<Lesson, Wrong> {
+    limits::check_length(text)?;
     let (front, first) = Front::of(text)?;
     check_blocks(text, first)?;
     let mut sections = parts(text, first, "## ");
@@ -97,6 +99,10 @@ fn lesson(name: &str, text: &str, source_name: &str) -> Result<Lesson, Wrong> {
                 let (mut blocks, text) = section.blocks(&["state"], &BLOCKS)?;
                 lab = Some(Lab { text, state: told(&mut blocks) });
             }
+            title if title.chars().nth(sizes::NAME_LETTERS).is_some() => {
+                let most = sizes::NAME_LETTERS;
+                return Err((section.heading_line(), format!("a title has at most {most} letters")));
+            }
             _ => steps.push(step(section)?),
         }
     }
@@ -105,7 +111,7 @@ fn lesson(name: &str, text: &str, source_name: &str) -> Result<Lesson, Wrong> {
     }
     let Front { title, order, concept, minutes } = front;
     let (name, source_name) = (name.to_owned(), source_name.to_owned());
-    Ok(Lesson {
+    let lesson = Lesson {
         name,
         source_name,
         path: None,
@@ -117,7 +123,9 @@ fn lesson(name: &str, text: &str, source_name: &str) -> Result<Lesson, Wrong> {
         steps,
         sentence,
         lab,
-    })
+    };
+    limits::check(&lesson)?;
+    Ok(lesson)
 }
 
 fn step(section: &Part) -> Result<Step, Wrong> {
@@ -151,7 +159,7 @@ fn step(section: &Part) -> Result<Step, Wrong> {
                 let known = PARTS.join(", ");
                 return Err((
                     part.heading_line(),
-                    format!("unknown part `{other}` of a step: there are {known}"),
+                    format!("unknown part `{}` of a step: there are {known}", tell::excerpt(other)),
                 ));
             }
         }
@@ -187,6 +195,7 @@ fn prediction(part: &Part) -> Result<Prediction, Wrong> {
     }
     if let Some(block) = take(&mut blocks, "point") {
         let PointTable { body } = block.table(POINT)?;
+        check_name("body", &body, &block)?;
         kinds.push(Kind::Point(PointAt { body, line: block.line }));
     }
     if let Some(block) = take(&mut blocks, "curve") {
@@ -211,8 +220,18 @@ struct NumberTable {
     within: Option<f64>,
 }
 
+/// Whether `name`, which `block` gives as `key`, is short enough.
+fn check_name(key: &str, name: &str, block: &Block) -> Result<(), Wrong> {
+    if name.chars().nth(sizes::NAME_LETTERS).is_some() {
+        let (name, most) = (tell::excerpt(name), sizes::NAME_LETTERS);
+        return Err((block.line_of(key), format!("{key} = {name}: must have at most {most} letters")));
+    }
+    Ok(())
+}
+
 fn number(block: &Block) -> Result<Number, Wrong> {
     let NumberTable { truth, unit, decimals, within } = block.table(NUMBER)?;
+    check_name("unit", &unit, block)?;
     let line = block.line_of("truth");
     values::check(&truth).map_err(|problem| (line, problem))?;
     let within = within.unwrap_or(WITHIN);
@@ -240,7 +259,7 @@ fn curve(block: &Block) -> Result<Curve, Wrong> {
     let CurveTable { of, from, to } = block.table(CURVE)?;
     let Some(quantity) = Quantity::named(&of) else {
         let known = Quantity::ALL.map(Quantity::name).join(", ");
-        return Err((block.line_of("of"), format!("of = {of}: must be one of {known}")));
+        return Err((block.line_of("of"), format!("of = {}: must be one of {known}", tell::excerpt(&of))));
     };
     if !(from.is_finite() && to.is_finite() && from < to) {
         return Err((

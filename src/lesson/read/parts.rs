@@ -2,6 +2,7 @@
 
 use super::wrong::Wrong;
 use crate::lesson::plan::{Options, Text};
+use crate::platform::tell;
 
 /// What stands below a heading.
 #[derive(Debug)]
@@ -47,7 +48,7 @@ pub fn check_blocks(text: &str, first: usize) -> Result<(), Wrong> {
 }
 
 fn endless(kind: &str, place: &str) -> String {
-    format!("the block ```{kind} has no end: a line ```{place}")
+    format!("the block ```{} has no end: a line ```{place}", tell::excerpt(kind))
 }
 
 /// The parts of `text` below the headings that begin like `mark`; the first has none, and begins after so many lines.

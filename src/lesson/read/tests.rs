@@ -256,3 +256,85 @@ proptest! {
         }
     }
 }
+
+/// The error of the lesson with `with` in the place of `what`, once it is worked out.
+fn refusal(what: &str, with: &str) -> String {
+    let read = read(&LESSON.replacen(what, with, 1)).and_then(|lesson| lesson.worked_out());
+    read.expect_err("it is too much").to_string()
+}
+
+#[test]
+fn what_is_nested_too_deeply_is_refused_with_its_line() {
+    let expected = "rods.md:19: quotes, lists and emphasis may be nested at most 16 deep";
+    let nested = |begin: &str, end: &str, depth: usize| begin.repeat(depth) + "x" + &end.repeat(depth);
+    for (begin, end) in [(">", ""), ("- ", ""), ("1. ", ""), ("> - ", ""), ("*a **b ", " c** d*")] {
+        let text = nested(begin, end, 400);
+        assert_eq!(refusal("A rod comes.", &text), expected, "{begin}");
+        assert!(
+            read(&LESSON.replace("A rod comes.", &nested(begin, end, 8)))
+                .and_then(|lesson| lesson.worked_out())
+                .is_ok()
+        );
+    }
+}
+
+#[test]
+fn what_is_too_long_is_refused_with_its_line() {
+    let long = "long ".repeat(2000);
+    let expected = "rods.md:19: a text that is shown at once has at most 8 kB";
+    assert_eq!(refusal("A rod comes.", &long), expected);
+    assert_eq!(refusal("A rod comes.", &"long ".repeat(20_000)), "rods.md:1: a lesson has at most 64 kB");
+    let expected = "rods.md:19: a text has at most 100 formulas";
+    assert_eq!(refusal("A rod comes.", &"$x$ ".repeat(101)), expected);
+    let formula = refusal("A rod comes.", &format!("${}$", "x".repeat(5000)));
+    assert!(
+        formula.starts_with("rods.md:19: the formula $xxx") && formula.ends_with("longer than 1024 bytes")
+    );
+    assert!(formula.len() < 200, "{formula}");
+    let title = format!("## {}", "C".repeat(200));
+    assert_eq!(refusal("## Coming", &title), "rods.md:10: a title has at most 100 letters");
+    assert!(refusal("title: Rods", &format!("title: {long}")).starts_with("rods.md:2: title = long long"));
+    let unit = refusal("\"times\"", &format!("\"{long}\""));
+    assert!(unit.starts_with("rods.md:54: unit = long") && unit.ends_with("at most 100 letters"), "{unit}");
+    let choice = refusal("- [ ] shorter", &"- [ ] shorter\n".repeat(21));
+    assert_eq!(choice, "rods.md:45: a question has at most 20 choices");
+    let step = refusal("## Lab", &("## More\n\nLook.\n\n".repeat(100) + "## Lab"));
+    assert!(step.ends_with(": a lesson has at most 100 steps"), "{step}");
+    let asked = format!("What?\n\n- [ ] {long}\n- [x] b\n\n### Reveal\n\n### Explain\n\n");
+    let asked = refusal(
+        "## Lab",
+        &(format!("## More\n\n### Predict\n\n{}", asked.replace("long ", "long")).repeat(2) + "## Lab"),
+    );
+    assert!(
+        asked.ends_with(": all questions and choices of a lesson have at most 12 kB together"),
+        "{asked}"
+    );
+}
+
+#[test]
+fn errors_quote_little_of_a_file() {
+    let long = "k".repeat(50_000);
+    for (what, with) in [
+        ("order: 1", format!("{long}: 1")),
+        ("order: 1", long.clone()),
+        ("### Explain", format!("### {long}")),
+        ("{contraction:.2}", format!("{{{long}:.2}}")),
+        ("{contraction:.2}", format!("{{contraction of {long}:.2}}")),
+        ("\"contraction\"", format!("\"{long}\"")),
+        ("unit =", format!("{long} =")),
+        ("time = 5", format!("{long} = 5")),
+        ("[motion]", format!("[{long}]")),
+        ("beta = 0.7", format!("{long} = 0.7")),
+        ("beta = 0.7", format!("beta = \"{long}\"")),
+        ("scene = \"rods\"", format!("scene = \"{long}\"")),
+    ] {
+        let text = LESSON.replacen(what, &with, 1);
+        // The paragraph of the value is longer than a text may be.
+        let told = read(&text).and_then(|lesson| lesson.worked_out()).expect_err("it is wrong").to_string();
+        assert!(
+            told.starts_with("rods.md:") && told.len() < 1000,
+            "{what}: {} letters: {told:.300}",
+            told.len()
+        );
+    }
+}

@@ -22,6 +22,7 @@ use self::places::{filled, line_of_lone_dollar};
 use super::error::LessonError;
 use super::plan::{Choices, Kind, Lesson, Prediction, Text, Told};
 use crate::formula::markdown::{OPTIONS, first_fault};
+use crate::platform::tell;
 use crate::scene::{Scene, Track};
 use crate::settings::Settings;
 
@@ -46,7 +47,7 @@ impl<'a> Asked<'a> {
         let (rest, time) = match text.rsplit_once(" at ") {
             Some((rest, time)) => {
                 let number = time.trim().parse::<f64>().ok().filter(|time| time.is_finite());
-                (rest, Some(number.ok_or_else(|| format!("at {time}: must be a number"))?))
+                (rest, Some(number.ok_or_else(|| format!("at {}: must be a number", tell::excerpt(time)))?))
             }
             None => (text, None),
         };
@@ -60,7 +61,7 @@ impl<'a> Asked<'a> {
     fn value(&self) -> Result<&'static Value, String> {
         all().find(|value| value.name == self.name).ok_or_else(|| {
             let known = all().map(|value| value.name).collect::<Vec<_>>().join(", ");
-            format!("no value is called `{}`: there are {known}", self.name)
+            format!("no value is called `{}`: there are {known}", tell::excerpt(self.name))
         })
     }
 }
@@ -93,7 +94,7 @@ fn value_with(text: &str, settings: &Settings, scene: &Scene, fit: &Fit) -> Resu
     let time = asked.time.or(settings.time).unwrap_or_else(|| settings.time_of_approach(&track));
     let here = Here { settings, scene, track, body, time, fit };
     let worked_out = (value.work_out)(&here).filter(|value| value.is_finite());
-    worked_out.ok_or_else(|| format!("`{text}` does not exist in this state"))
+    worked_out.ok_or_else(|| format!("`{}` does not exist in this state", tell::excerpt(text)))
 }
 
 /// The point that is followed on the body called `name`, and the number of that.

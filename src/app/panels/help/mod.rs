@@ -2,7 +2,11 @@
 
 mod words;
 
-use eframe::egui::{Align2, Context, Grid, Id, RichText, Ui, Window, vec2};
+use std::sync::LazyLock;
+
+use eframe::egui::{
+    Align2, Context, Grid, Id, RichText, ScrollArea, TextStyle, TextWrapMode, Ui, Window, vec2,
+};
 
 use super::Asks;
 use crate::app::actions::ACTIONS;
@@ -10,7 +14,7 @@ use crate::app::command::Command;
 use crate::app::overlay::Overlay;
 use crate::app::state::State;
 use crate::caption::times::TIMES;
-use words::{PAPER, PAPER_ADDRESS, WHAT, WORDS};
+use words::{OWN_LICENCE, PAPER, PAPER_ADDRESS, WHAT, WORDS};
 
 /// Width and height of what scrolls, and how much of the window is left around it; points.
 const SIZE: [f32; 2] = [600.0, 440.0];
@@ -26,14 +30,16 @@ enum Section {
     Keys,
     Mouse,
     Paper,
+    Licences,
 }
 
-const SECTIONS: [(Section, &str); 5] = [
+const SECTIONS: [(Section, &str); 6] = [
     (Section::What, "What is this?"),
     (Section::Words, "Words"),
     (Section::Keys, "Keys"),
     (Section::Mouse, "Mouse"),
     (Section::Paper, "Paper"),
+    (Section::Licences, "Licences"),
 ];
 
 const MOUSE: [(&str, &str); 12] = [
@@ -82,8 +88,13 @@ pub fn show(ctx: &Context, state: &State, asks: &mut Asks) {
                 }
             });
             ui.separator();
-            let area = eframe::egui::ScrollArea::vertical().id_salt(shown as usize).max_height(size.y);
-            area.auto_shrink([false, false]).show(ui, |ui| section(ui, shown));
+            let area =
+                ScrollArea::both().id_salt(shown as usize).max_height(size.y).auto_shrink([false, false]);
+            if shown == Section::Licences {
+                licences(ui, area);
+            } else {
+                area.scroll([false, true]).show(ui, |ui| section(ui, shown));
+            }
         });
     ctx.data_mut(|data| data.insert_temp(id, shown));
     if !open {
@@ -106,7 +117,25 @@ fn section(ui: &mut Ui, section: Section) {
             paragraphs(ui, &PAPER);
             ui.hyperlink(PAPER_ADDRESS);
         }
+        Section::Licences => {}
     }
+}
+
+/// Shows the lines of the notice of licences that are in sight.
+fn licences(ui: &mut Ui, area: ScrollArea) {
+    static LINES: LazyLock<Vec<&str>> = LazyLock::new(|| {
+        [OWN_LICENCE, ""]
+            .into_iter()
+            .chain(include_str!("../../../../LICENSES-THIRD-PARTY.txt").lines())
+            .collect()
+    });
+    let height = ui.text_style_height(&TextStyle::Body);
+    area.show_rows(ui, height, LINES.len(), |ui, rows| {
+        ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
+        for line in &LINES[rows] {
+            ui.label(*line);
+        }
+    });
 }
 
 fn paragraphs(ui: &mut Ui, texts: &[&str]) {

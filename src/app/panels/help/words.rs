@@ -51,3 +51,7 @@ pub const PAPER: [&str; 2] = [
 
 /// The paper's address.
 pub const PAPER_ADDRESS: &str = "https://doi.org/10.1098/rspa.2019.0703";
+
+/// The licence of Gamow itself.
+pub const OWN_LICENCE: &str =
+    "Gamow may be used under the MIT licence or the Apache License 2.0, as you prefer.";

@@ -16,7 +16,8 @@ use crate::app::running::LessonCommand;
 use crate::app::state::State;
 use crate::app::theme;
 use crate::app::thumbnails::Thumbnails;
-use crate::lesson::Lesson;
+use crate::lesson::{Lesson, Refused};
+use crate::platform::tell;
 use crate::settings::Preset;
 
 /// The widest that what is on the page becomes, and what stays free at its sides, points.
@@ -31,6 +32,8 @@ const WORDS: f32 = 0.54;
 const HEADING: f32 = 2.0;
 const SECTION: f32 = 1.4;
 const INTRODUCTION: f32 = 1.1;
+/// Most lessons that cannot be read of which the reason is told.
+const MOST_REFUSED: usize = 20;
 /// How far the arrow keys scroll, points.
 const LINE: f32 = 60.0;
 
@@ -68,6 +71,7 @@ pub fn show(ui: &mut Ui, state: &State, thumbnails: &mut Thumbnails, asks: &mut 
             let numbered = lessons.iter().enumerate();
             let cards: Vec<_> = numbered.map(|(number, lesson)| of_lesson(state, number, lesson)).collect();
             Cards::OfLessons.show(ui, &cards, thumbnails, asks);
+            refused(ui, library.refused());
             section(ui, "Presets", words::PRESETS);
             let cards: Vec<_> = presets.iter().filter_map(|lesson| of_preset(state, lesson)).collect();
             Cards::OfPresets.show(ui, &cards, thumbnails, asks);
@@ -76,6 +80,20 @@ pub fn show(ui: &mut Ui, state: &State, thumbnails: &mut Thumbnails, asks: &mut 
             ui.add_space(scale * 24.0);
         });
     });
+}
+
+/// Says which lessons of a folder cannot be read, and why.
+fn refused(ui: &mut Ui, refused: &[Refused]) {
+    let colour = ui.visuals().error_fg_color;
+    for Refused { error, .. } in refused.iter().take(MOST_REFUSED) {
+        ui.colored_label(colour, tell::in_short(&tell::shown(&error.to_string())));
+    }
+    if let Some(more) = refused.len().checked_sub(MOST_REFUSED).filter(|more| *more > 0) {
+        ui.colored_label(
+            colour,
+            format!("{more} more lessons cannot be read: `gamow --lessons DIR --list` tells which."),
+        );
+    }
 }
 
 /// What this is, and, where there is room, what both eyes see in the `start`.

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use pulldown_cmark::{Alignment, Event, HeadingLevel, Parser, Tag, TagEnd};
+use pulldown_cmark::{Alignment, Event, HeadingLevel, Tag, TagEnd};
 
 use crate::formula::{Formula, Style, markdown};
 
@@ -67,24 +67,28 @@ pub struct Blocks {
 impl Blocks {
     /// The blocks of this Markdown.
     pub fn of(markdown: &str) -> Self {
-        let mut reader = Reader { events: Parser::new_ext(markdown, markdown::OPTIONS), links: Vec::new() };
+        let mut reader = Reader { events: markdown::events(markdown), links: Vec::new() };
         let blocks = reader.blocks();
         Self { blocks, links: reader.links }
     }
 }
 
 struct Reader<'a> {
-    events: Parser<'a>,
+    events: markdown::Events<'a>,
     links: Vec<String>,
 }
 
-impl Reader<'_> {
+impl<'a> Reader<'a> {
+    fn next(&mut self) -> Option<Event<'a>> {
+        self.events.next().map(|(event, _)| event)
+    }
+
     /// The blocks to the end of what holds them.
     fn blocks(&mut self) -> Vec<Block> {
         let mut blocks = Vec::new();
         // Items of a list without blank lines hold their words without a paragraph.
         let mut loose = Vec::new();
-        while let Some(event) = self.events.next() {
+        while let Some(event) = self.next() {
             let block = match event {
                 Event::End(_) => break,
                 Event::Start(Tag::Paragraph) => Block::Paragraph(self.pieces()),
@@ -112,7 +116,7 @@ impl Reader<'_> {
 
     fn items(&mut self) -> Vec<Vec<Block>> {
         let mut items = Vec::new();
-        while let Some(Event::Start(_)) = self.events.next() {
+        while let Some(Event::Start(_)) = self.next() {
             items.push(self.blocks());
         }
         items
@@ -120,7 +124,7 @@ impl Reader<'_> {
 
     fn rows(&mut self) -> Vec<Vec<Vec<Piece>>> {
         let mut rows: Vec<Vec<Vec<Piece>>> = Vec::new();
-        while let Some(event) = self.events.next() {
+        while let Some(event) = self.next() {
             match event {
                 Event::End(TagEnd::Table) => break,
                 Event::Start(Tag::TableHead | Tag::TableRow) => rows.push(Vec::new()),
@@ -139,7 +143,7 @@ impl Reader<'_> {
 
     fn code(&mut self) -> String {
         let mut code = String::new();
-        for event in self.events.by_ref() {
+        while let Some(event) = self.next() {
             match event {
                 Event::Text(text) | Event::Html(text) => code.push_str(&text),
                 Event::End(_) => break,
@@ -156,7 +160,7 @@ impl Reader<'_> {
 
     fn pieces_with(&mut self, look: Look) -> Vec<Piece> {
         let mut pieces = Vec::new();
-        while let Some(event) = self.events.next() {
+        while let Some(event) = self.next() {
             if matches!(event, Event::End(_)) {
                 break;
             }
@@ -174,6 +178,10 @@ impl Reader<'_> {
             Event::SoftBreak => pieces.push(Piece::Space(look)),
             Event::HardBreak => pieces.push(Piece::Break),
             Event::Start(Tag::Strong) => pieces.extend(self.pieces_with(Look { is_strong: true, ..look })),
+            // A page has places to go to; a window has not.
+            Event::Start(Tag::Link { dest_url, .. }) if dest_url.starts_with('#') => {
+                pieces.extend(self.pieces_with(look));
+            }
             Event::Start(Tag::Link { dest_url, .. }) => {
                 self.links.push(dest_url.into_string());
                 let link = Some(self.links.len() - 1);

@@ -223,6 +223,23 @@ fn links_open_their_address() {
 }
 
 #[test]
+fn what_is_no_link_is_text() {
+    let text = "[a](javascript:x) [b](file:///c) [d](#e) [f](data:text/html,g) [h](https://i.org)";
+    let (written, _) = page(text, 400.0, 1.0);
+    assert_eq!(written.links, ["https://i.org"]);
+    assert_eq!(written.page.parts[0].text, "a b d f h");
+}
+
+#[test]
+fn what_is_nested_without_end_is_shown() {
+    for text in [">", "- ", "1. ", "> - ", "*a **b ", "[", "![a ", "- a\n\n  > "] {
+        let text: &'static str = (text.repeat(8000) + "x").leak();
+        let (written, _) = page(text, 400.0, 1.0);
+        assert!(written.page.parts.last().is_some_and(|part| part.text.ends_with('x')), "{text:.9}");
+    }
+}
+
+#[test]
 fn a_text_is_set_once_and_anew_when_its_setting_changes() {
     let seen = Arc::new(Mutex::new(Vec::<Arc<Written>>::new()));
     let pages = Arc::new(Mutex::new(0));
