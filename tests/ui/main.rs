@@ -11,6 +11,7 @@ mod files;
 mod fit;
 mod groups;
 mod insane;
+mod kept;
 mod layouts;
 mod lessons;
 mod manners;
@@ -56,6 +57,7 @@ fn main() -> ExitCode {
         fit::TESTS,
         groups::TESTS,
         insane::TESTS,
+        kept::TESTS,
         layouts::TESTS,
         lessons::TESTS,
         manners::TESTS,

@@ -1,0 +1,74 @@
+//! What the window keeps on the device: no more after many switches than after the first.
+
+use eframe::egui::{Key, Vec2};
+use eframe::egui_wgpu::{RenderState, RendererOptions, WgpuConfiguration};
+use eframe::wgpu;
+use egui_kittest::Harness;
+use egui_kittest::wgpu::{WgpuTestRenderer, default_wgpu_setup};
+use gamow::app::App;
+use gamow::flags::choices::RendererChoice;
+
+use super::Test;
+use super::support::{FRAME, cyclist};
+
+pub const TESTS: &[Test] = &[("switches_keep_nothing_on_the_device", switches_keep_nothing_on_the_device)];
+
+/// What a user switches among: geometries, layouts, presenting, projections, the panorama, outlines and the map.
+const SWITCHES: [&[Key]; 6] = [
+    &[Key::Num2, Key::Num3, Key::Num4, Key::Num1],
+    &[Key::L; 16],
+    &[Key::P, Key::Escape],
+    &[Key::V, Key::V],
+    &[Key::U, Key::U],
+    &[Key::O, Key::O, Key::M, Key::M],
+];
+
+/// The live resources of the device, by kind.
+fn live(instance: &wgpu::Instance) -> [(&'static str, usize); 7] {
+    let hub = instance.generate_report().expect("it is no browser's").hub;
+    [
+        ("buffers", hub.buffers),
+        ("textures", hub.textures),
+        ("views of textures", hub.texture_views),
+        ("bind groups", hub.bind_groups),
+        ("samplers", hub.samplers),
+        ("pipelines", hub.render_pipelines),
+        ("shaders", hub.shader_modules),
+    ]
+    .map(|(name, report)| (name, report.num_kept_from_user))
+}
+
+fn switches_keep_nothing_on_the_device() {
+    for renderer in [RendererChoice::Rays, RendererChoice::Mesh, RendererChoice::Packets] {
+        let setup = default_wgpu_setup();
+        let instance = pollster::block_on(setup.new_instance());
+        let configuration = WgpuConfiguration { wgpu_setup: setup, ..WgpuConfiguration::default() };
+        let render_state = RenderState::create(&configuration, &instance, None, RendererOptions::PREDICTABLE);
+        let render_state = pollster::block_on(render_state).expect("there is a device");
+        let mut state = cyclist(0.9);
+        state.settings.quality.renderer = renderer;
+        let mut harness = Harness::builder()
+            .with_size(Vec2::new(1000.0, 700.0))
+            .with_step_dt(FRAME)
+            .with_max_steps(12)
+            .with_render_cursor(false)
+            .renderer(WgpuTestRenderer::from_render_state(render_state))
+            .build_eframe(|cc| {
+                App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state).without_refinement()
+            });
+        harness.run_steps(3);
+        for switch in SWITCHES {
+            let mut round = || {
+                for key in switch {
+                    harness.key_press(*key);
+                    harness.run_steps(2);
+                }
+                live(&instance)
+            };
+            round();
+            let second = round();
+            let later = [round(), round()];
+            assert_eq!(later, [second; 2], "{renderer:?}: {switch:?}");
+        }
+    }
+}
