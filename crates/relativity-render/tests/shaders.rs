@@ -107,7 +107,9 @@ fn collect_conditions(block: &Block, conditions: &mut Vec<Handle<Expression>>) {
             }
             Statement::Switch { selector, cases } => {
                 conditions.push(*selector);
-                cases.iter().for_each(|case| collect_conditions(&case.body, conditions));
+                for case in cases {
+                    collect_conditions(&case.body, conditions);
+                }
             }
             Statement::Loop { body, continuing, break_if } => {
                 conditions.extend(break_if);
