@@ -247,7 +247,7 @@ mod tests {
             !page.contains("<a") && !page.contains("href") && page.contains("<strong>j</strong>"),
             "{page}"
         );
-        assert!(page.contains("<p>a b c"), "{page}");
+        assert!(page.contains("<p>a b c javascript:alert(2) d e f g"), "{page}");
         let kind = "[a](https://a.org/?b=\"c\") <http://b.org> <me@c.org> [d](#e) [f](mailto:g@h.org)";
         let page = super::tests::page(kind).expect("it is Markdown");
         let links: Vec<_> =

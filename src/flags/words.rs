@@ -177,7 +177,7 @@ mod tests {
         }
     }
 
-    /// What `cmd.exe` hands to a program for a line at its prompt, where no variable of an odd name is set: `%` of a pair is
+    /// The line that `cmd.exe` passes to a program, given that no variable of an odd name is set: `%` of a pair is
     /// an error here, and so is what would end the command.
     fn handed_over_by_cmd(line: &str) -> String {
         let (mut handed, mut is_quoted) = (String::new(), false);

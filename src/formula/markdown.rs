@@ -25,18 +25,18 @@ pub struct Events<'a> {
     parser: OffsetIter<'a>,
     /// The elements that are open.
     open: Vec<Element>,
-    /// How many of them are nested.
+    /// How many of the open elements count towards [`sizes::NESTED`].
     depth: usize,
 }
 
 /// An open element of a Markdown text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Element {
-    /// One that can hold itself.
+    /// It can contain another of its kind, and counts towards the depth.
     Nested,
-    /// One that cannot.
+    /// It cannot contain another of its kind.
     Simple,
-    /// One that is left out.
+    /// Its tags are dropped and only its words are kept.
     Dropped,
 }
 

@@ -42,9 +42,9 @@ pub struct Library {
 /// A lesson of a folder that cannot be read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Refused {
-    /// Its name: that of its file without the ending.
+    /// The name of its file without the extension.
     pub name: String,
-    /// What is wrong with it.
+    /// Why it could not be read.
     pub error: LessonError,
 }
 

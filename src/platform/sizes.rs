@@ -2,30 +2,30 @@
 
 /// Most bytes of a text that is read whole: a scene, a state, a lesson.
 pub const TEXT_BYTES: u64 = 4 << 20;
-/// Most bytes of a lesson.
+/// Maximum size of a lesson, bytes.
 pub const LESSON_BYTES: usize = 64 << 10;
-/// Most steps of a lesson.
+/// Maximum number of steps in a lesson.
 pub const STEPS: usize = 100;
-/// Most choices of a question.
+/// Maximum number of choices in a question.
 pub const CHOICES: usize = 20;
-/// Most bytes of a text of a lesson that is shown at once.
+/// Maximum size of the text that a lesson shows at one time, bytes.
 pub const PASSAGE_BYTES: usize = 8 << 10;
-/// Most bytes of all questions of a lesson with their choices, which are kept beside the answers.
+/// Maximum size of all questions and choices in a lesson, bytes: they are stored with the answers.
 pub const QUESTION_BYTES: usize = 12 << 10;
-/// How deeply quotes, lists and emphasis are nested at most in a text of a lesson. TOML has a limit of its own (80), and so
-/// have formulas (32), what is remembered of the window (RON, 128) and the answers in it (JSON, 128).
+/// Maximum nesting depth of quotes, lists and emphasis in a lesson's Markdown. The parsers of TOML (80), formulas (32),
+/// RON (128) and JSON (128) have limits of their own.
 pub const NESTED: usize = 16;
-/// Most formulas of a text that is shown at once.
+/// Maximum number of formulas in the text that a lesson shows at one time.
 pub const FORMULAS: usize = 100;
-/// Most bytes of a formula.
+/// Maximum size of a formula, bytes.
 pub const FORMULA_BYTES: usize = 1 << 10;
-/// How far a formula reaches at most from where it begins, em: some twenty times as far as the text is wide.
+/// Maximum distance of any part of a formula from its start, em: about twenty times the width of the text.
 pub const FORMULA_EM: f32 = 1000.0;
-/// Most letters of a name, or of another word of a scene or a lesson.
+/// Maximum length of a name or title in a scene or a lesson, characters.
 pub const NAME_LETTERS: usize = 100;
-/// Most groups of a scene.
+/// Maximum number of groups in a scene.
 pub const GROUPS: usize = 200;
-/// Most bodies of a scene. In memory a million takes 650 MB.
+/// Maximum number of bodies in a scene; a million of them take 650 MB of memory.
 pub const BODIES: usize = 1_000_000;
 /// Most bytes of another file that is kept whole, such as a table that is fitted in the window.
 pub const FILE_BYTES: u64 = 64 << 20;
@@ -37,3 +37,9 @@ pub const FITTED_ROWS: usize = 1_000_000;
 pub const PICTURE_PIXELS: u64 = 1 << 28;
 /// Most values of measurements that are read, pixels times channels. In memory each takes 4 bytes.
 pub const MEASURED_VALUES: u64 = 1 << 29;
+
+/// Whether `name` is longer than [`NAME_LETTERS`], without counting all of it.
+#[must_use]
+pub fn is_too_long_for_a_name(name: &str) -> bool {
+    name.chars().nth(NAME_LETTERS).is_some()
+}

@@ -27,7 +27,7 @@ pub fn shown_lines(text: &str) -> String {
     text.split('\n').map(shown).collect::<Vec<_>>().join("\n")
 }
 
-/// Most letters that a message repeats of a text of somebody else.
+/// Maximum length of a quotation from a file or a flag in a message, characters.
 const EXCERPT_LETTERS: usize = 60;
 
 /// Returns the beginning of `text` as messages quote it: on one line, and never at length.

@@ -12,7 +12,7 @@ use crate::platform::{sizes, tell};
 
 /// How far off the surface of a body a point is still taken to be on it: coordinates may be rounded to three decimals.
 const ON_BODY: f64 = 1e-3;
-/// How many names of bodies a message tells.
+/// How many similar names an error message suggests.
 const NEAREST: usize = 3;
 
 /// A scene: groups of bodies, each at rest in a frame of its own, and the ground they pass over. Lengths in the scene's
@@ -120,10 +120,16 @@ impl Scene {
         self.names.iter().position(|known| known == name)
     }
 
-    /// Says that no body is called `name`, which are called most like that, and where all names are.
+    /// The names of its bodies, each once, in alphabetical order.
+    #[must_use]
+    pub fn body_names(&self) -> BTreeSet<&str> {
+        self.names.iter().map(String::as_str).collect()
+    }
+
+    /// The error message for a `name` that no body has: it suggests the most similar names, and says how to list them all.
     #[must_use]
     pub fn no_body_named(&self, name: &str) -> String {
-        let known: BTreeSet<&str> = self.names.iter().map(String::as_str).collect();
+        let known = self.body_names();
         let sought: String = name.to_lowercase().chars().take(sizes::NAME_LETTERS).collect();
         let mut nearest: Vec<_> = known
             .iter()

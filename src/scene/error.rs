@@ -76,9 +76,9 @@ pub enum Problem {
     /// A name of more letters than one may have.
     #[error("{key} = {value} must have at most {most} letters", most = sizes::NAME_LETTERS)]
     LongName {
-        /// The key.
+        /// The key in the file.
         key: &'static str,
-        /// Its beginning.
+        /// The first characters of the name.
         value: String,
     },
     /// A scene of more groups than one may have.

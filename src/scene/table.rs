@@ -87,7 +87,7 @@ impl<'a> Table<'a> {
         let Some(value) = self.value(key) else { return Ok(None) };
         let text = value.get_ref().as_str();
         let text = text.ok_or_else(|| self.wrong_type(key, value, "a text in double quotes"))?;
-        if text.chars().nth(sizes::NAME_LETTERS).is_some() {
+        if sizes::is_too_long_for_a_name(text) {
             return Err(self.problem_at(key, |value| Problem::LongName { key, value }));
         }
         Ok(Some(text))

@@ -106,7 +106,7 @@ fn a_lesson_that_is_not_there_is_told_in_a_line() {
     words("--lesson nowhere.md").complaint();
 }
 
-/// What a text cannot have ends neither the window nor a worksheet, and leaves no file.
+/// Neither the window nor a worksheet crashes on it, and no file is left behind.
 #[test]
 fn a_hostile_lesson_is_refused_in_a_line() {
     let folder = tempfile::tempdir().expect("a folder");

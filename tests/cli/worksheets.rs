@@ -178,7 +178,7 @@ fn what_is_wrong_with_a_lesson_is_one_line_with_its_place() {
     assert!(unknown.starts_with("gamow: no lesson is called `rodds`: there are rods, "), "{unknown}");
 }
 
-/// What a lesson says is text on its worksheet, and never a part of the page's workings.
+/// Every field of a lesson reaches the page as text, never as markup or script.
 #[test]
 fn a_hostile_lesson_makes_a_harmless_page() {
     const SCRIPT: &str = "</title></h1></p><script>alert(1)</script><img src=x onerror='alert(2)'>";

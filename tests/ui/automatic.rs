@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use eframe::egui::{Vec2, ViewportId};
+use eframe::egui::ViewportId;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use gamow::app::App;
@@ -13,7 +13,7 @@ use gamow::flags::{BUDGET_MS, ERROR_PX, Goal};
 
 use super::Test;
 use super::support::{
-    FRAME, assert_sane, cyclist, label_starting_with, labels, pane, type_into, window, window_of_size,
+    assert_sane, builder, cyclist, label_starting_with, labels, pane, type_into, window, window_of_size,
 };
 
 pub const TESTS: &[Test] = &[
@@ -27,11 +27,7 @@ pub const TESTS: &[Test] = &[
 fn refined_window() -> Harness<'static, App> {
     let mut state = cyclist(0.6);
     (state.settings.window.dials, state.settings.window.ruler) = (false, false);
-    let mut harness = Harness::builder()
-        .with_size(Vec2::new(800.0, 600.0))
-        .with_step_dt(FRAME)
-        .with_max_steps(12)
-        .with_render_cursor(false)
+    let mut harness = builder([800.0, 600.0])
         .wgpu()
         .build_eframe(|cc| App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state));
     harness.run_steps(3);

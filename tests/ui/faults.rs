@@ -13,7 +13,7 @@ use gamow::app::command::Command;
 use gamow::flags::choices::RendererChoice;
 
 use super::Test;
-use super::support::{FRAME, cyclist, window};
+use super::support::{builder, cyclist, window};
 
 pub const TESTS: &[Test] = &[
     ("a_device_that_refuses_leaves_the_views_to_the_cpu", a_device_that_refuses_leaves_the_views_to_the_cpu),
@@ -36,11 +36,7 @@ fn on_device(lower: fn(&mut wgpu::Limits)) -> (Harness<'static, App>, RenderStat
     let mut state = cyclist(0.9);
     // A software device would have the CPU draw in its place.
     state.settings.quality.renderer = RendererChoice::Rays;
-    let harness = Harness::builder()
-        .with_size(Vec2::new(1280.0, 800.0))
-        .with_step_dt(FRAME)
-        .with_max_steps(12)
-        .with_render_cursor(false)
+    let harness = builder([1280.0, 800.0])
         .renderer(WgpuTestRenderer::from_render_state(render_state.clone()))
         .build_eframe(|cc| App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state));
     (harness, render_state)

@@ -1,19 +1,18 @@
-//! What the window keeps on the device: no more after many switches than after the first.
+//! GPU resources of the window: switching back and forth does not accumulate any.
 
-use eframe::egui::{Key, Vec2};
+use eframe::egui::Key;
 use eframe::egui_wgpu::{RenderState, RendererOptions, WgpuConfiguration};
 use eframe::wgpu;
-use egui_kittest::Harness;
 use egui_kittest::wgpu::{WgpuTestRenderer, default_wgpu_setup};
 use gamow::app::App;
 use gamow::flags::choices::RendererChoice;
 
 use super::Test;
-use super::support::{FRAME, cyclist};
+use super::support::{builder, cyclist};
 
 pub const TESTS: &[Test] = &[("switches_keep_nothing_on_the_device", switches_keep_nothing_on_the_device)];
 
-/// What a user switches among: geometries, layouts, presenting, projections, the panorama, outlines and the map.
+/// Keys that switch geometry, layout, presenting, projection, panorama, outline and map, and back.
 const SWITCHES: [&[Key]; 6] = [
     &[Key::Num2, Key::Num3, Key::Num4, Key::Num1],
     &[Key::L; 16],
@@ -47,11 +46,7 @@ fn switches_keep_nothing_on_the_device() {
         let render_state = pollster::block_on(render_state).expect("there is a device");
         let mut state = cyclist(0.9);
         state.settings.quality.renderer = renderer;
-        let mut harness = Harness::builder()
-            .with_size(Vec2::new(1000.0, 700.0))
-            .with_step_dt(FRAME)
-            .with_max_steps(12)
-            .with_render_cursor(false)
+        let mut harness = builder([1000.0, 700.0])
             .renderer(WgpuTestRenderer::from_render_state(render_state))
             .build_eframe(|cc| {
                 App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state).without_refinement()

@@ -2,8 +2,8 @@
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Pos2, Rect, Vec2};
-use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use egui_kittest::{Harness, HarnessBuilder};
 use gamow::app::App;
 use gamow::app::state::State;
 use gamow::flags::{SpeedParameter, SpeedSetting};
@@ -42,13 +42,18 @@ pub fn window(state: State) -> Harness<'static, App> {
     window_of_size(state, [1280.0, 800.0], 1.0)
 }
 
-pub fn window_of_size(state: State, size: [f32; 2], pixels_per_point: f32) -> Harness<'static, App> {
-    let mut harness = Harness::builder()
+/// A window of this `size`, points, before it is given a renderer and an app.
+pub fn builder(size: [f32; 2]) -> HarnessBuilder<App> {
+    Harness::builder()
         .with_size(Vec2::from(size))
-        .with_pixels_per_point(pixels_per_point)
         .with_step_dt(FRAME)
         .with_max_steps(12)
         .with_render_cursor(false)
+}
+
+pub fn window_of_size(state: State, size: [f32; 2], pixels_per_point: f32) -> Harness<'static, App> {
+    let mut harness = builder(size)
+        .with_pixels_per_point(pixels_per_point)
         .wgpu()
         .build_eframe(|cc| App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state).without_refinement());
     harness.run_steps(3);

@@ -115,7 +115,7 @@ impl Composition {
         matches!(self, Self::Overlay(_))
     }
 
-    /// Which pipeline draws it.
+    /// The variant of the shader that draws it.
     pub(crate) const fn form(self) -> Form {
         match self {
             Self::Anaglyph | Self::Dubois => Form::Clipped,
@@ -143,12 +143,12 @@ pub struct Composing {
     pub first: [[f32; 4]; 3],
     /// Of the second's.
     pub second: [[f32; 4]; 3],
-    /// Of interleaved rows, the number of the picture that the topmost is of; the rest is padding.
+    /// `top[0]`: which picture the topmost of interleaved rows comes from; the rest is padding.
     pub top: [u32; 4],
 }
 
-/// How the shader composes: a constant of its pipeline, since a software GPU compiles a shader anew for each value of a
-/// uniform that it branches on.
+/// A variant of the shader. It is a pipeline constant because Mesa's software GPU recompiles a shader for every new value
+/// of a uniform that it branches on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Form {
     /// A mixture, clipped component by component.
@@ -164,7 +164,7 @@ pub enum Form {
 }
 
 impl Form {
-    /// The shader's constants.
+    /// Values of the pipeline constants that select this variant.
     pub(crate) fn constants(self) -> [Constant; 4] {
         let of = |name, form| (name, number(self == form));
         [

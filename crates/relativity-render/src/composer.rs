@@ -17,7 +17,7 @@ pub struct Composer {
     layout: wgpu::BindGroupLayout,
     module: wgpu::ShaderModule,
     pipeline_layout: wgpu::PipelineLayout,
-    /// Those that were needed.
+    /// Pipelines created so far.
     pipelines: HashMap<Form, wgpu::RenderPipeline>,
 }
 

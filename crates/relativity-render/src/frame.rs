@@ -173,8 +173,7 @@ impl Frame {
             [speed.beta(), speed.one_minus_beta(), 1.0 / speed.gamma(), speed.gamma()].map(|v| v as f32);
         let reflection = view.velocity.direction() as f32;
         let is_one_cone = view.geometry == Geometry::OneCone;
-        let eye = if is_one_cone { view.velocity.reflected(camera.off_middle) } else { DVec3::ZERO };
-        let eye = packed(eye, 0.0);
+        let eye = vector(if is_one_cone { view.velocity.reflected(camera.off_middle) } else { DVec3::ZERO });
         Self {
             base,
             right,

@@ -72,8 +72,8 @@ fn vertices_match_their_rust_mirrors() {
     }
 }
 
-/// A software GPU (Mesa's lavapipe) compiles a shader anew for each value of such a uniform, which stops playing for
-/// milliseconds, and keeps what it compiled.
+/// Mesa's lavapipe recompiles a shader for every new value of a uniform that decides a branch by itself. Each compilation
+/// takes milliseconds, and its result is never freed.
 #[test]
 fn no_shader_branches_on_what_only_uniforms_say() {
     for shader in mirrors::shaders() {
@@ -96,7 +96,7 @@ fn no_shader_branches_on_what_only_uniforms_say() {
     }
 }
 
-/// What branches in `block` ask.
+/// Collects the conditions of all branches in `block`.
 fn collect_conditions(block: &Block, conditions: &mut Vec<Handle<Expression>>) {
     for statement in block {
         match statement {
@@ -122,7 +122,7 @@ fn collect_conditions(block: &Block, conditions: &mut Vec<Handle<Expression>>) {
     }
 }
 
-/// What a value comes from, but for constants.
+/// Where a value comes from, constants aside.
 #[derive(Clone, Copy, Default)]
 struct Sources {
     uniforms: bool,

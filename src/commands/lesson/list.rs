@@ -1,6 +1,5 @@
 //! `gamow --list`: all lessons and presets, or all bodies of a scene.
 
-use std::collections::BTreeSet;
 use std::fmt;
 
 use crate::files::whole::write_out;
@@ -24,7 +23,7 @@ pub fn list(library: &Library) -> anyhow::Result<()> {
 ///
 /// Those of standard output.
 pub fn list_bodies(scene: &Scene) -> anyhow::Result<()> {
-    let names: BTreeSet<&str> = scene.names.iter().map(String::as_str).collect();
+    let names = scene.body_names();
     write_out(|out| Ok(names.iter().try_for_each(|name| writeln!(out, "{}", tell::shown(name)))?))
 }
 

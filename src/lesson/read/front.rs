@@ -1,7 +1,8 @@
 //! The front matter of a lesson: lines `key: value` between two lines of three dashes.
 
+use super::limits::check_name;
 use super::wrong::Wrong;
-use crate::platform::{sizes, tell};
+use crate::platform::tell;
 
 /// What it says.
 pub struct Front {
@@ -60,10 +61,7 @@ impl Front {
                 format!("{key} = {}: must be a whole number below {LAST}", tell::excerpt(value))
             })
         };
-        if value.chars().nth(sizes::NAME_LETTERS).is_some() {
-            let value = tell::excerpt(value);
-            return Err(format!("{key} = {value}: must have at most {} letters", sizes::NAME_LETTERS));
-        }
+        check_name(key, value)?;
         match key {
             "title" => value.clone_into(&mut self.title),
             "concept" => value.clone_into(&mut self.concept),

@@ -2,7 +2,7 @@
 
 use super::wrong::Wrong;
 use crate::lesson::plan::{Choices, Kind, Lesson, Options, Prediction, Step, Text};
-use crate::platform::sizes;
+use crate::platform::{sizes, tell};
 
 /// Whether a lesson's `text` is short enough to be read.
 ///
@@ -11,6 +11,18 @@ use crate::platform::sizes;
 pub fn check_length(text: &str) -> Result<(), Wrong> {
     if text.len() > sizes::LESSON_BYTES {
         return Err((1, format!("a lesson has at most {} kB", sizes::LESSON_BYTES >> 10)));
+    }
+    Ok(())
+}
+
+/// Checks the length of the `name` given as `key`.
+///
+/// # Errors
+/// What is wrong with it.
+pub fn check_name(key: &str, name: &str) -> Result<(), String> {
+    if sizes::is_too_long_for_a_name(name) {
+        let (name, most) = (tell::excerpt(name), sizes::NAME_LETTERS);
+        return Err(format!("{key} = {name}: must have at most {most} letters"));
     }
     Ok(())
 }
@@ -54,7 +66,7 @@ fn check_options(options: &Options) -> Result<(), Wrong> {
     }
 }
 
-/// All texts of a step.
+/// Every text that a step shows.
 fn texts(step: &Step) -> impl Iterator<Item = &Text> {
     let reveal = step.reveal.as_ref().map(|reveal| &reveal.text);
     [&step.text, &step.explanation].into_iter().chain(reveal).chain(questions(step))

@@ -99,7 +99,7 @@ fn lesson(name: &str, text: &str, source_name: &str) -> Result<Lesson, Wrong> {
                 let (mut blocks, text) = section.blocks(&["state"], &BLOCKS)?;
                 lab = Some(Lab { text, state: told(&mut blocks) });
             }
-            title if title.chars().nth(sizes::NAME_LETTERS).is_some() => {
+            title if sizes::is_too_long_for_a_name(title) => {
                 let most = sizes::NAME_LETTERS;
                 return Err((section.heading_line(), format!("a title has at most {most} letters")));
             }
@@ -195,7 +195,7 @@ fn prediction(part: &Part) -> Result<Prediction, Wrong> {
     }
     if let Some(block) = take(&mut blocks, "point") {
         let PointTable { body } = block.table(POINT)?;
-        check_name("body", &body, &block)?;
+        check_name(&block, "body", &body)?;
         kinds.push(Kind::Point(PointAt { body, line: block.line }));
     }
     if let Some(block) = take(&mut blocks, "curve") {
@@ -220,18 +220,14 @@ struct NumberTable {
     within: Option<f64>,
 }
 
-/// Whether `name`, which `block` gives as `key`, is short enough.
-fn check_name(key: &str, name: &str, block: &Block) -> Result<(), Wrong> {
-    if name.chars().nth(sizes::NAME_LETTERS).is_some() {
-        let (name, most) = (tell::excerpt(name), sizes::NAME_LETTERS);
-        return Err((block.line_of(key), format!("{key} = {name}: must have at most {most} letters")));
-    }
-    Ok(())
+/// Checks the length of the `name` given as `key` in `block`.
+fn check_name(block: &Block, key: &str, name: &str) -> Result<(), Wrong> {
+    limits::check_name(key, name).map_err(|problem| (block.line_of(key), problem))
 }
 
 fn number(block: &Block) -> Result<Number, Wrong> {
     let NumberTable { truth, unit, decimals, within } = block.table(NUMBER)?;
-    check_name("unit", &unit, block)?;
+    check_name(block, "unit", &unit)?;
     let line = block.line_of("truth");
     values::check(&truth).map_err(|problem| (line, problem))?;
     let within = within.unwrap_or(WITHIN);

@@ -102,12 +102,16 @@ fn pixel_on<S: Simd>(
 ) -> V2<S> {
     let [right, down] = steps(frame, sight);
     let (right, down) = ([right.x, right.y, right.z], [down.x, down.y, down.z]);
-    // Without a closure, which would be a call between registers of other widths.
-    let size = [
-        V2::new(right[axes[0]] - slope.x * right[across], down[axes[0]] - slope.x * down[across]).length(),
-        V2::new(right[axes[1]] - slope.y * right[across], down[axes[1]] - slope.y * down[across]).length(),
-    ];
-    V2::new(size[0] * reach.abs(), size[1] * reach.abs())
+    let width = size_along(axes[0], across, right, down, slope.x);
+    let height = size_along(axes[1], across, right, down, slope.y);
+    V2::new(width * reach.abs(), height * reach.abs())
+}
+
+/// Size of a pixel along an axis of the plane, before it is scaled by the reach. A function, since a closure would be a call
+/// between registers of different widths.
+#[inline(always)]
+fn size_along<S: Simd>(axis: usize, across: usize, right: [F<S>; 3], down: [F<S>; 3], slope: F<S>) -> F<S> {
+    V2::new(right[axis] - slope * right[across], down[axis] - slope * down[across]).length()
 }
 
 #[inline(always)]

@@ -34,8 +34,8 @@ pub struct Ray<S: Simd> {
     pub sight: V3<S>,
     /// 1/length of the unnormalised line of sight.
     pub scale: F<S>,
-    /// Of the unnormalised line of sight: to the next pixel on the right, and to the one below. In a flat picture what is
-    /// along it does not count.
+    /// How the unnormalised line of sight changes to the next pixel on the right, and to the one below. In a flat picture
+    /// the component along the line of sight does not count.
     pub steps: [V3<S>; 2],
     /// Unit vector towards the source in the rest frame.
     pub direction: V3<S>,

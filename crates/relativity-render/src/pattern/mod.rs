@@ -28,7 +28,7 @@ pub(crate) const LINE_REACH: f64 = 0.035;
 /// How far below the surface stripes and squares are looked up, in steps: an end lies where one of them does.
 pub(crate) const NUDGE: f64 = 1e-3;
 
-/// The shaders' constants, of what is shown in this geometry.
+/// Values of the shaders' constants for a scene shown in this `geometry`.
 pub(crate) fn constants(has_patterns: bool, geometry: Geometry) -> [Constant; 11] {
     [
         ("PATTERNS", number(has_patterns)),

@@ -32,7 +32,7 @@ const WORDS: f32 = 0.54;
 const HEADING: f32 = 2.0;
 const SECTION: f32 = 1.4;
 const INTRODUCTION: f32 = 1.1;
-/// Most lessons that cannot be read of which the reason is told.
+/// Maximum number of unreadable lessons listed with the reason.
 const MOST_REFUSED: usize = 20;
 /// How far the arrow keys scroll, points.
 const LINE: f32 = 60.0;

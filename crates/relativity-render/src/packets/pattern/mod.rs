@@ -87,7 +87,7 @@ fn covered_by_pixel<S: Simd>(
     distance: F<S>,
 ) -> Covered<S> {
     let direction = body.body_from_rest(ray.direction);
-    // One after the other: a closure would be a call between registers of other widths.
+    // No `map`: its closure would be a call between registers of different widths.
     let right = body.body_from_rest(shift(group, ray, ray.steps[0]));
     let down = body.body_from_rest(shift(group, ray, ray.steps[1]));
     Covered::new(direction, normal, right, down, distance)
