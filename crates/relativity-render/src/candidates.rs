@@ -1,5 +1,7 @@
-//! A picture in tiles, and those bodies that each of them may show which no hierarchy knows: what turns, and what is seen
-//! along rays that curve.
+//! A picture in tiles, and what each of them may show: which groups, and which bodies that no hierarchy knows, as they turn
+//! or are seen along rays that curve.
+
+use std::borrow::Cow;
 
 use relativity_core::threads::prelude::*;
 
@@ -27,6 +29,8 @@ pub(crate) struct TileLook<'a> {
     pub tile: Tile,
     /// Around its lines of sight; `None` far from all bodies.
     pub cap: Option<Cap>,
+    /// The numbers, which ascend, of the groups of which something may be seen there.
+    pub groups: &'a [u32],
     /// The numbers, which ascend, of bodies that may be seen there, of those in no hierarchy of their group.
     pub others: &'a [u32],
 }
@@ -54,6 +58,15 @@ struct Division<'a> {
     others: Vec<(Cap, u32)>,
 }
 
+/// What may be seen in a part of a picture; the numbers ascend.
+#[derive(Default)]
+struct Candidates<'a> {
+    /// Numbers of groups.
+    groups: Cow<'a, [u32]>,
+    /// Numbers into the list of others of the division, all of these groups.
+    others: Vec<u32>,
+}
+
 impl PreparedScene {
     /// One value per pixel of `view`, row by row: `draw` is given each tile, and the rows of pixels to write it into. The
     /// default is in rows that would begin when it no longer `goes_on`.
@@ -77,8 +90,9 @@ impl PreparedScene {
             let top = number as u32 * BAND;
             let tile = Tile { corner: [0, top], size: [width, BAND.min(height - top)] };
             let mut rows = Rows { values, width: width as usize, top };
-            let all: Vec<u32> = (0..division.others.len() as u32).collect();
-            division.divide(tile, true, &all, &mut |look| draw(look, &mut rows));
+            let groups = (0..group_views.len() as u32).collect();
+            let all = Candidates { groups, others: (0..division.others.len() as u32).collect() };
+            division.divide(tile, &all, &mut |look| draw(look, &mut rows));
         });
         image
     }
@@ -119,37 +133,47 @@ impl<'a> Division<'a> {
         Self { scene, views, lines_of_sight: LinesOfSight::new(&view.camera), others }
     }
 
-    /// Has all least tiles of `tile` drawn, in which of the others only `candidates` may be seen (numbers into the list), and
-    /// bodies at all only if it `may_show` some.
-    fn divide(&self, tile: Tile, may_show: bool, candidates: &[u32], draw: &mut impl FnMut(&TileLook<'_>)) {
-        let cap = may_show.then(|| tile.cap(&self.lines_of_sight));
-        let others: Vec<u32> = match &cap {
-            Some(cap) => {
-                let meets = |number: &u32| self.others[*number as usize].0.meets(cap);
-                candidates.iter().copied().filter(meets).collect()
-            }
-            None => Vec::new(),
-        };
-        if tile.is_least() {
-            let mut numbers: Vec<u32> = others.iter().map(|&number| self.others[number as usize].1).collect();
-            numbers.dedup();
-            draw(&TileLook { tile, cap, others: &numbers });
-            return;
-        }
+    /// Has all least tiles of `tile` drawn, in which nothing but the `candidates` may be seen.
+    fn divide(&self, tile: Tile, candidates: &Candidates<'_>, draw: &mut impl FnMut(&TileLook<'_>)) {
+        let cap = (!candidates.groups.is_empty()).then(|| tile.cap(&self.lines_of_sight));
         let [width, height] = tile.size;
         let is_asked = width.max(height) > LEAST_ASKED;
-        let shows = |cap: &Cap| !is_asked || !others.is_empty() || self.shows_standing(cap);
-        let may_show = cap.as_ref().is_some_and(shows);
+        let shown = cap.map(|cap| self.among(candidates, &cap, is_asked)).unwrap_or_default();
+        if tile.is_least() {
+            let mut others: Vec<u32> = shown.others.iter().map(|&other| self.body(other)).collect();
+            others.dedup();
+            draw(&TileLook { tile, cap, groups: &shown.groups, others: &others });
+            return;
+        }
         for half in tile.halves() {
-            self.divide(half, may_show, &others, draw);
+            self.divide(half, &shown, draw);
         }
     }
 
-    /// Whether anything in the hierarchies may be seen in `cap`.
-    fn shows_standing(&self, cap: &Cap) -> bool {
-        self.views.iter().enumerate().any(|(group, view)| {
-            let hierarchy = self.scene.hierarchy(group);
-            self.scene.beam(group, view, cap).map_or(!hierarchy.is_empty(), |beam| hierarchy.is_met(&beam))
-        })
+    /// What of the `candidates` may be seen in `cap`; groups are left out only if that `is_asked`.
+    fn among<'b>(&self, candidates: &'b Candidates<'_>, cap: &Cap, is_asked: bool) -> Candidates<'b> {
+        let meets = |other: &u32| self.others[*other as usize].0.meets(cap);
+        let others: Vec<u32> = candidates.others.iter().copied().filter(meets).collect();
+        if !is_asked {
+            return Candidates { groups: Cow::Borrowed(&candidates.groups), others };
+        }
+        let mut of_others: Vec<_> =
+            others.iter().map(|&other| self.scene.group_of(self.body(other) as usize)).collect();
+        of_others.dedup();
+        let shows = |group: usize| of_others.binary_search(&group).is_ok() || self.shows_standing(group, cap);
+        let groups = candidates.groups.iter().copied().filter(|&group| shows(group as usize)).collect();
+        Candidates { groups, others }
+    }
+
+    /// The number of the body that this one of the others is of.
+    fn body(&self, other: u32) -> u32 {
+        self.others[other as usize].1
+    }
+
+    /// Whether anything in the hierarchy of the group of this number may be seen in `cap`.
+    fn shows_standing(&self, group: usize, cap: &Cap) -> bool {
+        let hierarchy = self.scene.hierarchy(group);
+        let beam = self.scene.beam(group, &self.views[group], cap);
+        beam.map_or(!hierarchy.is_empty(), |beam| hierarchy.is_met(&beam))
     }
 }

@@ -60,10 +60,13 @@ impl Key {
 impl AmongOthers {
     /// Of the group of this number among those that `views` show, if it is not the only one.
     pub fn new(views: &[GroupView], group: usize) -> Option<Self> {
-        (views.len() > 1).then(|| {
-            let reference = reference_of_depths(views);
-            Self { is_reference: reference == group, reference: views[reference].geometry }
-        })
+        Self::beside(views, reference_of_depths(views), group)
+    }
+
+    /// The same where the group of the number `reference` is known to be the reference.
+    pub fn beside(views: &[GroupView], reference: usize, group: usize) -> Option<Self> {
+        let reference_geometry = views[reference].geometry;
+        (views.len() > 1).then_some(Self { is_reference: reference == group, reference: reference_geometry })
     }
 }
 

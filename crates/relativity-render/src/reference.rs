@@ -91,7 +91,8 @@ impl PreparedScene {
     /// Tests every body: meant for single rays. [`Self::hit_image`] is much faster per ray.
     #[must_use]
     pub fn first_hit(&self, view: &View, line_of_sight: DVec3) -> Option<Hit> {
-        let all = TileBodies { others: self.numbers(), standing: None };
+        let groups: Vec<u32> = (0..self.groups().len() as u32).collect();
+        let all = TileBodies { groups: &groups, others: self.numbers(), standing: None };
         self.first_hits_among(&all, view, &self.group_views(view), &[line_of_sight]).pop()?
     }
 
@@ -106,7 +107,8 @@ impl PreparedScene {
     ) -> Vec<Option<Hit>> {
         let mut nearest: Vec<Option<Hit>> = vec![None; lines_of_sight.len()];
         let mut others = bodies.others;
-        for (group, group_view) in group_views.iter().enumerate() {
+        for group in bodies.groups.iter().map(|&group| group as usize) {
+            let group_view = &group_views[group];
             let own;
             (own, others) = self.split(others, group);
             let within = |cap: &Cap| self.standing(group, group_view, cap);
@@ -301,7 +303,8 @@ impl PreparedScene {
         self.tiles(view, group_views, goes_on, |look, rows| {
             for part in look.tile.parts(side) {
                 let cap = || if part == look.tile { look.cap } else { Some(part.cap(lines_of_sight)) };
-                let bodies = TileBodies { others: look.others, standing: look.cap.and_then(|_| cap()) };
+                let standing = look.cap.and_then(|_| cap());
+                let bodies = TileBodies { groups: look.groups, others: look.others, standing };
                 let mut places = Vec::with_capacity(Lines::MOST);
                 part.pixels().for_each(|pixel| places.extend(sample_grid(pixel, samples)));
                 let sights: Vec<_> = places.iter().map(|&place| lines_of_sight.through(place)).collect();
@@ -334,6 +337,8 @@ struct Met<'a> {
 
 /// The bodies that a part of a picture may show.
 struct TileBodies<'a> {
+    /// The numbers, which ascend, of the groups they are in.
+    groups: &'a [u32],
     /// The numbers, which ascend, of those that do not keep their places, or of all those of a group whose rays curve.
     others: &'a [u32],
     /// Around the lines of sight along which those that do are looked for.

@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 
 use crate::effects::Effects;
 use crate::frame::Frame;
-use crate::group_view::GroupView;
+use crate::group_view::{GroupView, reference_of_depths};
 use crate::light::Light;
 use crate::pipelines::AmongOthers;
 use crate::prepared_body::PreparedBody;
@@ -20,6 +20,8 @@ pub struct Look<'a> {
     /// How each of the groups is seen.
     pub views: Vec<GroupView>,
     frames: Vec<Frame>,
+    /// The number of the group among whose bodies the depths of all are told.
+    reference: usize,
     /// What turns, with its number; these ascend.
     turning: Vec<(usize, Turns, Shown)>,
     /// Of each emission of the scene the light as shaders have it, without and with a Doppler effect.
@@ -50,6 +52,7 @@ impl<'a> Look<'a> {
         Self {
             turning: turning.collect(),
             lights: scene.emissions().iter().map(|_| Default::default()).collect(),
+            reference: reference_of_depths(&views),
             scene,
             views,
             frames,
@@ -63,7 +66,7 @@ impl<'a> Look<'a> {
 
     /// Where the group of this number stands among others, if there are any.
     pub fn among_others(&self, number: usize) -> Option<AmongOthers> {
-        AmongOthers::new(&self.views, number)
+        AmongOthers::beside(&self.views, self.reference, number)
     }
 
     /// The frame of what lies behind all groups.

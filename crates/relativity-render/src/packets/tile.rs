@@ -103,7 +103,8 @@ impl Look<'_> {
     ) -> Drawn<S, N> {
         let mut drawn = Drawn { packets: Vec::with_capacity(PACKETS), owners: Vec::new() };
         let mut others = tile.others;
-        for (number, view) in self.views.iter().enumerate() {
+        for number in tile.groups.iter().map(|&number| number as usize) {
+            let view = &self.views[number];
             let prepared = &self.scene.groups()[number];
             let count = others.partition_point(|&body| (body as usize) < prepared.bodies.end);
             let (turning, later) = others.split_at(count);
@@ -145,7 +146,7 @@ impl Look<'_> {
             }
         }
         if self.views.len() > 1 {
-            drawn.tell_depths(self);
+            drawn.tell_depths(simd, self);
         }
         drawn
     }
@@ -306,15 +307,10 @@ impl<S: Simd, const N: usize> Packet<S, N> {
         }
     }
 
-    /// Forgets what `other` shows before it, and has that forget the rest; of equally near ones this stays.
+    /// What is nearest in each sample: of what covers it, and of what is thinner.
     #[inline(always)]
-    fn compare(&mut self, other: &mut Self) {
-        let own = self.solid.iter_mut().chain(&mut self.thin);
-        for (own, other) in own.zip(other.solid.iter_mut().chain(&mut other.thin)) {
-            let is_farther = own.beyond.simd_gt(other.beyond);
-            own.forget(is_farther);
-            other.forget(!is_farther);
-        }
+    fn layers(&mut self) -> [&mut [Nearest<S>; N]; 2] {
+        [&mut self.solid, &mut self.thin]
     }
 
     /// Whether the body at this place in the list owns a sample of `layer`, and that place for comparison.
@@ -330,21 +326,38 @@ impl<S: Simd, const N: usize> Packet<S, N> {
 }
 
 impl<S: Simd, const N: usize> Drawn<S, N> {
-    /// Tells the nearest of several groups.
+    /// Tells the nearest of several groups, of equally near ones the first, and forgets the rest.
     #[inline(always)]
-    fn tell_depths(&mut self, look: &Look<'_>) {
+    fn tell_depths(&mut self, simd: S, look: &Look<'_>) {
+        let mut nearest = [[[all(simd, f32::INFINITY); N]; 2]; PACKETS];
         for packet in &mut self.packets {
             let group = self.owners.get(packet.owners[0]).map_or(0, |owner| owner.group);
             packet.tell_depths(&look.group(group), look.among_others(group));
-        }
-        for number in 1..self.packets.len() {
-            let (before, [packet, ..]) = self.packets.split_at_mut(number) else { return };
-            for other in before {
-                if other.place == packet.place {
-                    other.compare(packet);
+            for (nearest, layer) in nearest[packet.place].iter_mut().zip(packet.layers()) {
+                for (nearest, own) in nearest.iter_mut().zip(layer) {
+                    *nearest = select(own.beyond.simd_lt(*nearest), own.beyond, *nearest);
                 }
             }
         }
+        let mut kept = 0;
+        for number in 0..self.packets.len() {
+            let packet = &mut self.packets[number];
+            let mut is_seen = false;
+            for (nearest, layer) in nearest[packet.place].iter_mut().zip(packet.layers()) {
+                for (nearest, own) in nearest.iter_mut().zip(layer) {
+                    let is_nearest = own.beyond.simd_le(*nearest);
+                    own.forget(!is_nearest);
+                    // The next that is as near is not the first.
+                    *nearest = select(is_nearest, all(simd, f32::NEG_INFINITY), *nearest);
+                    is_seen |= own.owner.simd_ge(0.0).any_true();
+                }
+            }
+            if is_seen {
+                self.packets.swap(kept, number);
+                kept += 1;
+            }
+        }
+        self.packets.truncate(kept);
     }
 }
 
