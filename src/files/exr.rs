@@ -50,7 +50,8 @@ pub enum Channel {
     Doppler,
     /// Received wavelength, nm; 0 where the light is white.
     WavelengthNm,
-    /// Received over rest intensity, before any exposure: D^n of one wavelength, the luminance of what has many.
+    /// Received over rest intensity, before any exposure: D^n of one wavelength, the luminance of what has many; 3.4e38 where
+    /// it is more.
     Intensity,
     /// Where the light left, in the rest frame of the body's group, along the motion.
     RestX,
@@ -164,6 +165,11 @@ fn material_angle(hit: &Hit, light: &Light<'_>) -> f64 {
     spin.map_or(f64::from(NO_ANGLE), |spin| spin.angle(hit.material_position))
 }
 
+/// `value` as files have it: what f32 has no room for stands as its largest number.
+fn in_f32(value: f64) -> f32 {
+    (value as f32).clamp(f32::MIN, f32::MAX)
+}
+
 fn received_nm(hit: &Hit, light: &Light<'_>) -> f64 {
     let rest_nm = light.scene.bodies()[hit.body].emission.wavelength_nm();
     rest_nm.map_or(NO_WAVELENGTH_NM, |rest_nm| received_wavelength(rest_nm, hit.doppler_factor))
@@ -201,7 +207,7 @@ impl Measurements {
             for channel in Channel::ALL {
                 let Definition { name, nothing, value, .. } = channel.definition();
                 let sample =
-                    |hit: &Option<Hit>| hit.as_ref().map_or(nothing, |hit| value(hit, &light) as f32);
+                    |hit: &Option<Hit>| hit.as_ref().map_or(nothing, |hit| in_f32(value(hit, &light)));
                 channels.insert(format!("{eye}.{name}"), image.hits.iter().map(sample).collect());
             }
         }

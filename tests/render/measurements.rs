@@ -171,6 +171,40 @@ fn each_group_of_a_scene_is_measured_by_its_own_speed() {
     assert_eq!(self::channels(&folder.path().join("corrected.exr")).len(), 24);
 }
 
+/// A ball that rides over the observer.
+const HEAD_ON: &str = r#"
+name = "Head-on"
+[[object]]
+shape = "sphere"
+center = [0.0, 0.0, 0.0]
+radius = 0.5
+"#;
+
+#[test]
+fn every_channel_is_finite_at_the_extremes() {
+    let folder = folder();
+    std::fs::write(folder.path().join("head-on.toml"), HEAD_ON).expect("the folder is there");
+    let ahead = "--scene head-on.toml --gaze 180,0 --projection gaze --size 65x49 --gamma 1e10 --d 0.1 --time=-0.050000001";
+    let passing = [(1e12, 0.0), (1e30, -1e12), (1e30, 0.0), (1e30, 1e12)];
+    let passing = passing.map(|(gamma, time)| format!("--size 64x48 --gamma {gamma:e} --time {time:e}"));
+    for renderer in ["reference", "packets"] {
+        for flags in passing.iter().map(String::as_str).chain([ahead]) {
+            render(folder.path(), &format!("{flags} --renderer {renderer} --out hits.exr"));
+            let channels = channels(&folder.path().join("hits.exr"));
+            for (name, values) in &channels {
+                let wrong = values.iter().find(|value| !value.is_finite());
+                assert_eq!(wrong, None, "{name} by {renderer} with {flags}");
+            }
+            if flags == ahead {
+                // In the middle of the picture D is 2 gamma, and its fourth power more than f32 has room for.
+                let middle = |name: &str| channels[name][24 * 65 + 32];
+                assert!((middle("left.doppler") / 2e10 - 1.0).abs() < 1e-5, "{}", middle("left.doppler"));
+                assert_eq!(middle("left.intensity"), f32::MAX);
+            }
+        }
+    }
+}
+
 #[test]
 fn each_point_of_a_rolling_wheel_is_measured_by_its_own_light_cone() {
     const BETA: f64 = 0.93;

@@ -81,7 +81,8 @@ fn shaded(fragment: Fragment) -> Shaded {
         clearance += max(half_pixel - hit.half_width, 0.0);
     }
     let height = frame.middle.z + middle(body).z + hit.place.z;
-    if distance <= 0.0 || height < frame.ground.z {
+    // So that what is no number is nowhere: where light leaves farther away than f32 can say.
+    if !(distance > 0.0 && height >= frame.ground.z) {
         discard;
     }
     let doppler = doppler_of(body, hit.place, hit.normal, ray.sight, ray.doppler, spin);
@@ -117,7 +118,7 @@ struct Sample {
 @fragment
 fn picture_sample(fragment: Fragment, @builtin(sample_index) index: u32) -> Sample {
     let shaded = shaded(fragment);
-    if shaded.clearances[index] <= 0.0 {
+    if !(shaded.clearances[index] > 0.0) {
         discard;
     }
     return Sample(shaded.colour, shaded.depth);
@@ -139,7 +140,7 @@ fn hits(fragment: Fragment) -> Hit {
     let spin = spin_of(fragment.spin, fragment.rim);
     let hit = surface_when_shown(body, ray, spin);
     let distance = ray.to_centre + hit.beyond;
-    if hit.clearance <= 0.0 || distance <= 0.0 {
+    if !(hit.clearance > 0.0 && distance > 0.0) {
         discard;
     }
     let doppler = doppler_of(body, hit.place, hit.normal, ray.sight, ray.doppler, spin);

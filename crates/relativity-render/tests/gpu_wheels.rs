@@ -5,10 +5,12 @@ mod gpu_support;
 mod support;
 mod wheels;
 
+use std::iter;
 use std::process::ExitCode;
 use std::sync::LazyLock;
 
 use glam::DVec3;
+use relativity_core::Speed;
 use relativity_render::{
     Geometry, Hit, HitImage, MaterialPoint, Method, PreparedScene, Projection, Renderers, View,
 };
@@ -18,6 +20,7 @@ use wheels::{From, SPIN, scene, view_of_wheel};
 fn main() -> ExitCode {
     gpu_support::run(&[
         ("the_rays_and_packets_agree_with_the_reference", the_rays_and_packets_agree_with_the_reference),
+        ("every_number_is_finite_at_the_extremes", every_number_is_finite_at_the_extremes),
         ("bounds_never_clip", bounds_never_clip),
         ("the_mesh_keeps_its_bound", the_mesh_keeps_its_bound),
         ("the_mesh_shows_points_where_they_are_seen", the_mesh_shows_points_where_they_are_seen),
@@ -106,6 +109,41 @@ fn the_rays_and_packets_agree_with_the_reference(renderers: &mut Renderers) {
         assert!(f64::from(grazed) <= 0.01 * PROMISE.grazed_percent * shown as f64, "{grazed} of {shown}");
         assert!(most_doppler < PROMISE.doppler_error, "D is {most_doppler:e} gamma off");
     }
+}
+
+/// Long before and long after the wheel passes, and while it does, at the highest speeds.
+fn every_number_is_finite_at_the_extremes(renderers: &mut Renderers) {
+    let scene = scene();
+    let methods = [Method::Rays, Method::Packets, Method::Mesh { bound_px: Method::DEFAULT_BOUND_PX }];
+    let mut shown = [0; 4];
+    for (gamma, observation_time) in
+        [1e3, 1e12, 1e30].into_iter().flat_map(|gamma| [-1e12, -1.0, 3.3, 1e12].map(|time| (gamma, time)))
+    {
+        let speed = Speed::from_gamma(gamma).expect("in range");
+        for projection in PROJECTIONS {
+            let mut view = view_of_wheel(From::Side, 0.5, Geometry::Seen, 0.0);
+            (view.speed, view.observation_time, view.camera.projection) =
+                (speed, observation_time, projection);
+            let Some(framing) = scene.outline(&[view]).framing() else { continue };
+            view.camera.gaze = framing.gaze;
+            view.camera.horizontal_fov = framing.horizontal_fov(view.camera.size);
+            let reference = iter::once(scene.hit_image(&view));
+            let others = methods.map(|method| renderers.hits(method, &scene, &view).expect("device works"));
+            for (shown, image) in shown.iter_mut().zip(reference.chain(others)) {
+                for hit in image.hits.iter().flatten() {
+                    *shown += 1;
+                    assert!(all_numbers(hit).iter().all(|number| number.is_finite()), "{view:?}: {hit:?}");
+                }
+            }
+        }
+    }
+    assert!(shown.iter().all(|&pixels| pixels > 1000), "{shown:?} pixels show something");
+}
+
+fn all_numbers(hit: &Hit) -> Vec<f64> {
+    let vectors = [hit.rest_position, hit.rest_normal, hit.material_position];
+    let numbers = [hit.distance, hit.emission_time, hit.own_time, hit.turn, hit.doppler_factor];
+    vectors.into_iter().flat_map(|vector| vector.to_array()).chain(numbers).collect()
 }
 
 /// How far from `place` the reference shows what `hit` is on, px, in steps; `None` if it is not near.
