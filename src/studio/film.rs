@@ -142,7 +142,9 @@ impl Studio {
             files::create_folder(path).with_context(|| files::shown(path))?;
             for (number, &time) in (0..).zip(times) {
                 let frame = next(self, number, time)?;
-                self.make_file(&frame, FileKind::Png, &frame_path(path, number, FileKind::Png))?;
+                let file = frame_path(path, number, FileKind::Png);
+                files::check_replaceable(&file).with_context(|| files::shown(&file))?;
+                self.make_file(&frame, FileKind::Png, &file)?;
             }
             return Ok(());
         }

@@ -10,6 +10,8 @@ mod fit;
 mod full;
 mod garbage;
 mod help;
+#[cfg(unix)]
+mod irregular;
 mod lessons;
 mod numbers;
 mod paper;

@@ -59,6 +59,10 @@ impl App {
     }
 
     fn save_as(&mut self, ui: &Ui, Saving { product, path, size }: Saving) {
+        // A pipe would keep the window waiting for a reader.
+        if let Err(problem) = files::check_replaceable(&path) {
+            return self.tell(ui.ctx(), Notice::error(format!("Nothing was saved: {problem}.")).about(&path));
+        }
         let name = name_of(&path);
         match product {
             Product::Picture => {

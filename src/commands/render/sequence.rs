@@ -92,6 +92,8 @@ pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Resu
         if frame.is_made(kind, &path) {
             kept += 1;
         } else {
+            // Only what is named on the command line may be a pipe that waits for its reader.
+            files::check_replaceable(&path).with_context(|| files::shown(&path))?;
             studio.make_file(&frame, kind, &path)?;
         }
         bytes += files::size(&path).with_context(|| files::shown(&path))?;
