@@ -246,7 +246,7 @@ fn pictures_and_files_open_in_the_window_and_in_render_alike() {
     render(folder.path(), "--state c.exr --out d.png");
     let bytes = |name: &str| std::fs::read(path(name)).expect("it is there");
     let pixels = |name: &str| PngFile::read(&path(name)).expect("it is there").picture().rgba.clone();
-    // The scene's path is found beside the file, and recorded as it was found.
+    // The scene is found beside the file, and recorded by the name that it has there.
     assert!(bytes("b.png") == bytes("d.png"));
 
     let mut shown = Vec::new();

@@ -115,7 +115,8 @@ pub fn write_json(report: &impl Serialize, mut out: impl Write) -> anyhow::Resul
 /// name that begins with `.gamow-`.
 ///
 /// A `path` that is there but is no regular file, such as /dev/null or a named pipe, is written to
-/// directly: to replace it would not be what was asked for.
+/// directly, once there is a reader: to replace it would not be what was asked for. Where that is not asked for,
+/// [`files::check_replaceable`] says so before.
 ///
 /// # Errors
 ///

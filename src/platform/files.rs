@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
 
-use super::{sizes, tell};
+use super::{names, sizes, tell};
 
 pub use std::fs::File;
 pub use tempfile::TempPath;
@@ -55,15 +55,19 @@ fn check_regular(found: &std::fs::Metadata) -> io::Result<()> {
 }
 
 /// How a file is opened without waiting for whoever is at its other end.
+#[cfg(unix)]
 fn at_once() -> OpenOptions {
+    use nix::libc;
+    use std::os::unix::fs::OpenOptionsExt as _;
     let mut options = OpenOptions::new();
-    #[cfg(unix)]
-    {
-        use nix::libc;
-        use std::os::unix::fs::OpenOptionsExt as _;
-        options.custom_flags(libc::O_NONBLOCK | libc::O_NOCTTY);
-    }
+    options.custom_flags(libc::O_NONBLOCK | libc::O_NOCTTY);
     options
+}
+
+/// The same: only names that [`names::is_device`] knows would be waited for.
+#[cfg(not(unix))]
+fn at_once() -> OpenOptions {
+    OpenOptions::new()
 }
 
 /// The regular file at `path`, to be read.
@@ -73,6 +77,9 @@ fn at_once() -> OpenOptions {
 /// Those of the file system, as everywhere here. What is no regular file: a device is not even opened, and a pipe is not
 /// waited for.
 pub fn open(path: &Path) -> io::Result<Regular> {
+    if cfg!(windows) && names::is_device(&path.to_string_lossy()) {
+        return Err(irregular("it is the name of a device"));
+    }
     check_regular(&path.metadata()?)?;
     let file = at_once().read(true).open(path)?;
     // By now there may be something else.
@@ -205,6 +212,25 @@ pub fn behind_links(path: &Path) -> io::Result<PathBuf> {
     Ok(place)
 }
 
+/// The name by which a file in `folder` calls that at `path`, for whoever has both: the way down from the folder, or from
+/// the one around it to itself or the folders in it. A longer way would tell where the files of their owner lie: then it is
+/// the name alone, and so it is where there is no such file. `None` if it is no text.
+#[must_use]
+pub fn name_from(folder: &Path, path: &Path) -> Option<String> {
+    let near = || {
+        let (folder, path) = (folder.canonicalize().ok()?, path.canonicalize().ok()?);
+        if let Ok(below) = path.strip_prefix(&folder) {
+            return Some(below.to_owned());
+        }
+        let beside = path.strip_prefix(folder.parent()?).ok()?;
+        (beside.components().count() <= 2).then(|| Path::new("..").join(beside))
+    };
+    let name = near().or_else(|| path.file_name().map(PathBuf::from))?;
+    let parts: Option<Vec<_>> = name.components().map(|part| part.as_os_str().to_str()).collect();
+    // So that every system can read it.
+    Some(parts?.join("/"))
+}
+
 /// The folder that `path` is in.
 #[must_use]
 pub fn folder_of(path: &Path) -> &Path {
@@ -214,13 +240,8 @@ pub fn folder_of(path: &Path) -> &Path {
 /// Has the names in the folder `path` reach the disc, where the system can be told so. Where it cannot, the old name of a
 /// file may come back after a power cut, and what it leads to is whole all the same.
 pub fn sync_folder(path: &Path) {
-    #[cfg(unix)]
-    {
+    if cfg!(unix) {
         let _ = File::open(path).and_then(|folder| folder.sync_all());
-    }
-    #[cfg(not(unix))]
-    {
-        let _ = path;
     }
 }
 

@@ -16,6 +16,7 @@ mod lessons;
 mod numbers;
 mod paper;
 mod quiet;
+mod records;
 mod streams;
 mod wheels;
 mod worksheets;
