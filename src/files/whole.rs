@@ -142,7 +142,7 @@ fn write_whole_through<W: Write>(
     // A link stays a link: what it points to is replaced.
     let target = files::behind_links(path).with_context(name)?;
     let (file, unfinished) = Unfinished::beside(&target).with_context(name)?;
-    // Nobody misses a new file after a power cut as they would an old one; and the disc takes 5 ms for each that is made
+    // Nobody misses a new file after a power cut as they would an old one; and the disc takes milliseconds for each that is made
     // sure of, which a sequence of many small frames would be slower by.
     let replacing = files::is_there(&target).then(|| file.try_clone()).transpose().with_context(name)?;
     drop(write_named(through(file), name, write)?);
