@@ -142,8 +142,8 @@ fn write_whole_through<W: Write>(
     // A link stays a link: what it points to is replaced.
     let target = files::behind_links(path).with_context(name)?;
     let (file, unfinished) = Unfinished::beside(&target).with_context(name)?;
-    // Nobody misses a new file after a power cut as they would an old one; and the disc takes milliseconds for each that is made
-    // sure of, which a sequence of many small frames would be slower by.
+    // Nobody misses a new file after a power cut as they would an old one, and a sequence of many small frames would wait for a
+    // busy disc at each.
     let replacing = files::is_there(&target).then(|| file.try_clone()).transpose().with_context(name)?;
     drop(write_named(through(file), name, write)?);
     unfinished.take_the_place_of(&target, replacing).with_context(name)
