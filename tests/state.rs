@@ -246,7 +246,7 @@ fn pictures_and_files_open_in_the_window_and_in_render_alike() {
     render(folder.path(), "--state c.exr --out d.png");
     let bytes = |name: &str| std::fs::read(path(name)).expect("it is there");
     let pixels = |name: &str| PngFile::read(&path(name)).expect("it is there").picture().rgba.clone();
-    // The scene's path is found beside the file, and recorded as it was found.
+    // The scene is found beside the file, and recorded by the name that it has there.
     assert!(bytes("b.png") == bytes("d.png"));
 
     let mut shown = Vec::new();
@@ -340,5 +340,39 @@ fn both_commands_know_every_setting() {
         ];
         let words = flags.iter().map(ToString::to_string).chain(given).chain(more.map(str::to_owned));
         assert!(Cli::try_parse_from(words).is_ok(), "{flags:?}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn the_window_opens_no_pipe_and_does_not_wait_for_one() {
+    let folder = tempfile::tempdir().expect("there is a place for temporary files");
+    let named_by = folder.path().join("state.toml");
+    std::fs::write(&named_by, "scene = \"pipe.toml\"").expect("the folder is writable");
+    let mut paths: Vec<_> = ["toml", "csv", "md", "png", "exr"]
+        .map(|ending| folder.path().join("pipe").with_extension(ending))
+        .into();
+    for path in &paths {
+        let made = std::process::Command::new("mkfifo").arg(path).status();
+        assert!(made.expect("there is mkfifo").success());
+    }
+    paths.extend([named_by, "/dev/zero".into()]);
+    let (sender, told) = std::sync::mpsc::channel();
+    std::thread::spawn(move || {
+        for path in paths {
+            let mut state = State::open(Settings::default()).expect("a preset");
+            let before = state.clone();
+            state.apply(Command::Open(path.clone()));
+            let notice = state.session.notice.take();
+            sender.send((path, notice, state == before)).expect("it is waited for");
+        }
+    });
+    for _ in 0..7 {
+        let (path, notice, is_as_before) =
+            told.recv_timeout(std::time::Duration::from_mins(1)).expect("nothing waits");
+        let notice = notice.expect("it says why");
+        let right = "it is a device or a pipe; an ordinary file would be right";
+        assert!(notice.is_error && notice.text.contains(right), "{path:?}: {}", notice.text);
+        assert!(is_as_before, "{path:?}");
     }
 }

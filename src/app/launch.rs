@@ -34,7 +34,8 @@ pub fn launch(args: &WindowArgs) -> anyhow::Result<()> {
     if let Some(path) = &args.screenshot {
         ensure_ending("--screenshot", path, "png")?;
         let state = args.state(Settings::default())?;
-        let provenance = state.session.scene.provenance(state.shown().window_command(Shell::RECORDED));
+        let provenance =
+            state.session.scene.provenance(state.shown().as_told_in(path).window_command(Shell::RECORDED));
         return screenshot::save(state, args.window_size_or_default(), &provenance.texts(), path);
     }
     // Flags are judged before a window appears; the saved settings are only known once it has.

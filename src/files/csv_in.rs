@@ -23,8 +23,8 @@ pub fn open(file: Option<&Path>) -> anyhow::Result<(String, Box<dyn Read>)> {
         return Ok(("standard input".to_owned(), Box::new(io::stdin().lock())));
     };
     let name = files::shown(file);
-    let input = files::open(file).with_context(|| name.clone())?;
-    Ok((name, Box::new(input)))
+    let input = files::open_stream(file).with_context(|| name.clone())?;
+    Ok((name, input))
 }
 
 /// Reads rows, and knows the line of the last one.

@@ -18,7 +18,7 @@ use relativity_render::rectify::LightCorrection;
 use relativity_render::{Appearance, Hit, HitImage, PreparedScene};
 
 use super::provenance::{SOFTWARE, command_in_comments};
-use crate::platform::files::{self, File};
+use crate::platform::files::{self, Regular};
 use crate::platform::sizes;
 
 /// The layers: the eyes, in the order in which two eyes are given everywhere.
@@ -321,7 +321,7 @@ fn said(attributes: &LayerAttributes) -> Cow<'_, str> {
     String::from_utf8_lossy(attributes.comments.as_ref().map(Text::as_slice).unwrap_or_default())
 }
 
-fn file(path: &Path) -> anyhow::Result<Reader<BufReader<File>>> {
+fn file(path: &Path) -> anyhow::Result<Reader<BufReader<Regular>>> {
     opened(BufReader::new(files::open(path)?))
 }
 
@@ -343,7 +343,7 @@ pub fn is_made(path: &Path, comments: &str) -> bool {
     file(path).is_ok_and(|file| file.headers().iter().any(says) && is_whole(file))
 }
 
-fn is_whole(file: Reader<BufReader<File>>) -> bool {
+fn is_whole(file: Reader<BufReader<Regular>>) -> bool {
     let blocks = file.all_chunks(true);
     blocks.is_ok_and(|blocks| blocks.decompress_parallel(true, |_, _| Ok(())).is_ok())
 }

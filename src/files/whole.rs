@@ -115,7 +115,8 @@ pub fn write_json(report: &impl Serialize, mut out: impl Write) -> anyhow::Resul
 /// name that begins with `.gamow-`.
 ///
 /// A `path` that is there but is no regular file, such as /dev/null or a named pipe, is written to
-/// directly: to replace it would not be what was asked for.
+/// directly, once there is a reader: to replace it would not be what was asked for. Where that is not asked for,
+/// [`files::check_replaceable`] says so before.
 ///
 /// # Errors
 ///
@@ -135,14 +136,17 @@ fn write_whole_through<W: Write>(
 ) -> anyhow::Result<()> {
     let name = || files::shown(path);
     if files::is_special(path) {
-        let device = files::create(path).with_context(name)?;
+        let device = files::open_special(path).with_context(name)?;
         return write_named(through(device), name, write).map(drop);
     }
     // A link stays a link: what it points to is replaced.
     let target = files::behind_links(path).with_context(name)?;
     let (file, unfinished) = Unfinished::beside(&target).with_context(name)?;
+    // Nobody misses a new file after a power cut as they would an old one, and a sequence of many small frames would wait for a
+    // busy disc at each.
+    let replacing = files::is_there(&target).then(|| file.try_clone()).transpose().with_context(name)?;
     drop(write_named(through(file), name, write)?);
-    unfinished.take_the_place_of(&target).with_context(name)
+    unfinished.take_the_place_of(&target, replacing).with_context(name)
 }
 
 /// Temporary files that are being written.
@@ -163,11 +167,21 @@ impl Unfinished {
         Ok((file, Self(Some(path))))
     }
 
-    fn take_the_place_of(mut self, target: &Path) -> io::Result<()> {
+    /// Has the file take the place of `target`. If it is `replacing` what is there, one or the other is there after a power
+    /// cut, whole.
+    fn take_the_place_of(mut self, target: &Path, replacing: Option<File>) -> io::Result<()> {
+        let is_replacing = replacing.is_some();
+        if let Some(file) = replacing {
+            file.sync_all()?;
+        }
         let mut all = unfinished();
         let Some(path) = self.0.take() else { return Ok(()) };
         all.remove(&path.to_path_buf());
-        path.persist(target).map_err(|error| error.error)
+        path.persist(target).map_err(|error| error.error)?;
+        if is_replacing {
+            files::sync_folder(files::folder_of(target));
+        }
+        Ok(())
     }
 }
 

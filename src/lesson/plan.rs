@@ -287,14 +287,18 @@ impl Lesson {
 
     /// `settings` with what is `told` in their stead. What belongs to a scene does not go over to another.
     pub(super) fn with(&self, settings: Settings, told: Option<&Told>) -> Result<Settings, LessonError> {
-        let Some(Told { toml, line }) = told else { return Ok(settings) };
+        let Some(told) = told else { return Ok(settings) };
+        let Told { toml, line } = told;
         // Empty lines before it make the errors name the lines of the file.
         let text = "\n".repeat(line - 1) + toml;
         let read = |settings: Settings| {
+            let before = settings.scene.clone();
             let read = settings.with_toml(&text, &self.source_name);
             let mut read = read.map_err(|error| LessonError::Settings(error.to_string()))?;
-            if let Some(path) = &self.path {
-                read.find_scene_beside(path);
+            // What was found before is no name in the file.
+            if let Some(path) = self.path.as_ref().filter(|_| read.scene != before) {
+                read.find_scene_beside(path)
+                    .map_err(|problem| self.wrong(told.line_of("scene").unwrap_or(*line), problem))?;
             }
             Ok(read)
         };

@@ -1,12 +1,13 @@
 //! The file system.
 #![expect(clippy::disallowed_methods, clippy::disallowed_types, reason = "this is where files are reached")]
 
-use std::io::{self, Read as _};
+use std::fs::OpenOptions;
+use std::io::{self, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
 
-use super::{sizes, tell};
+use super::{names, sizes, tell};
 
 pub use std::fs::File;
 pub use tempfile::TempPath;
@@ -23,25 +24,94 @@ pub fn shown(path: &Path) -> String {
     shown
 }
 
-/// The file at `path`, to be read.
+/// A regular file that is read. To read it never waits for anybody.
+#[derive(Debug)]
+pub struct Regular(File);
+
+impl Read for Regular {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        self.0.read(buffer).map_err(|error| match error.kind() {
+            // Some that the system calls regular are none, such as /proc/kmsg.
+            io::ErrorKind::WouldBlock => irregular("what it says is yet to come"),
+            _ => error,
+        })
+    }
+}
+
+impl Seek for Regular {
+    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+        self.0.seek(to)
+    }
+}
+
+/// The error of what is no regular file, but `what` it is.
+fn irregular(what: &str) -> io::Error {
+    io::Error::new(io::ErrorKind::InvalidInput, format!("{what}; an ordinary file would be right"))
+}
+
+/// Refuses what is `found` in place of a regular file. Of a folder the system says itself that it is none.
+fn check_regular(found: &std::fs::Metadata) -> io::Result<()> {
+    if found.is_file() || found.is_dir() { Ok(()) } else { Err(irregular("it is a device or a pipe")) }
+}
+
+/// How a file is opened without waiting for whoever is at its other end.
+#[cfg(unix)]
+fn at_once() -> OpenOptions {
+    use nix::libc;
+    use std::os::unix::fs::OpenOptionsExt as _;
+    let mut options = OpenOptions::new();
+    options.custom_flags(libc::O_NONBLOCK | libc::O_NOCTTY);
+    options
+}
+
+/// The same: only names that [`names::is_device`] knows would be waited for.
+#[cfg(not(unix))]
+fn at_once() -> OpenOptions {
+    OpenOptions::new()
+}
+
+/// The regular file at `path`, to be read.
 ///
 /// # Errors
 ///
-/// Those of the file system, as everywhere here.
-pub fn open(path: &Path) -> io::Result<File> {
-    File::open(path)
+/// Those of the file system, as everywhere here. What is no regular file: a device is not even opened, and a pipe is not
+/// waited for.
+pub fn open(path: &Path) -> io::Result<Regular> {
+    if cfg!(windows) && names::is_device(&path.to_string_lossy()) {
+        return Err(irregular("it is the name of a device"));
+    }
+    check_regular(&path.metadata()?)?;
+    let file = at_once().read(true).open(path)?;
+    // By now there may be something else.
+    check_regular(&file.metadata()?)?;
+    Ok(Regular(file))
 }
 
-/// The file at `path`, to be written; what it held is lost.
-pub fn create(path: &Path) -> io::Result<File> {
+/// What is at `path`, to be read from its beginning to its end: also a pipe or a terminal, for whose other end it waits, as
+/// one does who is told to read from there.
+pub fn open_stream(path: &Path) -> io::Result<Box<dyn Read>> {
+    let found = path.metadata()?;
+    if found.is_file() || found.is_dir() {
+        return Ok(Box::new(open(path)?));
+    }
+    Ok(Box::new(File::open(path)?))
+}
+
+/// What is at `path` and no regular file, to be written to. A pipe waits for its reader, as in a shell.
+pub fn open_special(path: &Path) -> io::Result<File> {
     File::create(path)
 }
 
-/// The bytes of the file at `path`, of which there must be no more than `most`: a longer one is refused, be it a device
-/// without an end.
+/// Refuses a place for a file that a device or a pipe takes.
+pub fn check_replaceable(path: &Path) -> io::Result<()> {
+    path.metadata().map_or(Ok(()), |found| check_regular(&found))
+}
+
+/// The bytes of the file at `path`, of which there must be no more than `most`: a longer one is refused, be it one
+/// that grows as it is read.
 pub fn read(path: &Path, most: u64) -> io::Result<Vec<u8>> {
-    let mut file = File::open(path)?;
-    let size = file.metadata()?.len();
+    let mut file = open(path)?;
+    let size = file.0.metadata()?.len();
     let mut bytes = Vec::new();
     if size <= most {
         bytes.reserve_exact(size as usize + 1);
@@ -142,10 +212,37 @@ pub fn behind_links(path: &Path) -> io::Result<PathBuf> {
     Ok(place)
 }
 
+/// The name by which a file in `folder` calls that at `path`, for whoever has both: the way down from the folder, or from
+/// the one around it to itself or the folders in it. A longer way would tell where the files of their owner lie: then it is
+/// the name alone, and so it is where there is no such file. `None` if it is no text.
+#[must_use]
+pub fn name_from(folder: &Path, path: &Path) -> Option<String> {
+    let near = || {
+        let (folder, path) = (folder.canonicalize().ok()?, path.canonicalize().ok()?);
+        if let Ok(below) = path.strip_prefix(&folder) {
+            return Some(below.to_owned());
+        }
+        let beside = path.strip_prefix(folder.parent()?).ok()?;
+        (beside.components().count() <= 2).then(|| Path::new("..").join(beside))
+    };
+    let name = near().or_else(|| path.file_name().map(PathBuf::from))?;
+    let parts: Option<Vec<_>> = name.components().map(|part| part.as_os_str().to_str()).collect();
+    // So that every system can read it.
+    Some(parts?.join("/"))
+}
+
 /// The folder that `path` is in.
 #[must_use]
 pub fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."))
+}
+
+/// Has the names in the folder `path` reach the disc, where the system can be told so. Where it cannot, the old name of a
+/// file may come back after a power cut, and what it leads to is whole all the same.
+pub fn sync_folder(path: &Path) {
+    if cfg!(unix) {
+        let _ = File::open(path).and_then(|folder| folder.sync_all());
+    }
 }
 
 /// Who may do what with a file, and whose it is.
@@ -159,7 +256,7 @@ impl Rights {
     ///
     /// A file that may not be written to.
     pub fn of(path: &Path) -> io::Result<Option<Self>> {
-        match std::fs::OpenOptions::new().write(true).open(path) {
+        match at_once().write(true).open(path) {
             Ok(file) => Ok(Some(Self(file.metadata()?))),
             Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
             Err(error) => Err(error),
@@ -182,7 +279,7 @@ impl Rights {
 /// file would have.
 pub fn temporary_in(folder: &Path, rights: Option<&Rights>) -> io::Result<NamedTempFile> {
     let create = |path: &Path| {
-        let mut options = std::fs::OpenOptions::new();
+        let mut options = OpenOptions::new();
         options.read(true).write(true).create_new(true);
         #[cfg(unix)]
         if rights.is_some() {
@@ -215,10 +312,48 @@ mod tests {
         assert_eq!(read(&path, 4).expect("it is short enough"), b"four");
         let problem = read(&path, 3).expect_err("it is longer").to_string();
         assert_eq!(problem, "it is longer than 0 MB, the most that is read of such a file");
-        #[cfg(unix)]
-        assert!(read_to_string(Path::new("/dev/zero")).is_err());
         std::fs::write(&path, b"\xff").expect("it is written");
         assert_eq!(read_to_string(&path).expect_err("no text").to_string(), "it is no text in UTF-8");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn devices_and_pipes_are_no_files_and_are_not_waited_for() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let pipe = folder.path().join("pipe.toml");
+        let made = std::process::Command::new("mkfifo").arg(&pipe).status();
+        assert!(made.expect("there is mkfifo").success());
+        let link = folder.path().join("link.toml");
+        std::os::unix::fs::symlink(&pipe, &link).expect("links work here");
+        let (sender, told) = std::sync::mpsc::channel();
+        let paths = [pipe, link, "/dev/zero".into(), "/dev/null".into(), "/dev/tty".into()];
+        std::thread::spawn(move || {
+            for path in paths {
+                let problems = [open(&path).map(drop), read(&path, 9).map(drop), check_replaceable(&path)];
+                let problems = problems.map(|read| read.expect_err("it is no file").to_string());
+                sender.send((path, problems)).expect("it is waited for");
+            }
+        });
+        for _ in 0..5 {
+            let (path, problems) =
+                told.recv_timeout(std::time::Duration::from_secs(20)).expect("nothing waits");
+            for problem in problems {
+                assert_eq!(problem, "it is a device or a pipe; an ordinary file would be right", "{path:?}");
+            }
+        }
+    }
+
+    /// Only some users may read what the kernel says, and it says nothing more once all was read.
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn what_says_nothing_yet_is_not_waited_for() {
+        let (sender, told) = std::sync::mpsc::channel();
+        std::thread::spawn(move || sender.send(read_to_string(Path::new("/proc/kmsg"))));
+        let problem = told.recv_timeout(std::time::Duration::from_secs(20)).expect("it does not wait");
+        let problem = problem.expect_err("it has no end");
+        let right = "what it says is yet to come; an ordinary file would be right";
+        assert!(problem.to_string() == right || problem.raw_os_error().is_some(), "{problem}");
+        assert!(read_to_string(Path::new("/proc/self/status")).expect("it has an end").contains("Name:"));
     }
 
     #[cfg(unix)]

@@ -1,5 +1,6 @@
 //! Settings as a list of names and values, which files, flags and records of pictures have in common.
 
+use std::path::Path;
 use std::sync::LazyLock;
 
 use clap::{Arg, Args as _, Command, FromArgMatches as _};
@@ -9,6 +10,7 @@ use super::all::Settings;
 use super::error::{Problem, SettingsError};
 use crate::flags::choices::ProjectionChoice;
 use crate::flags::words::{Shell, words};
+use crate::platform::files;
 
 /// All settings as flags.
 static FLAGS: LazyLock<Command> = LazyLock::new(|| {
@@ -86,7 +88,8 @@ impl Settings {
         self.with_command_of(&[RENDER, WINDOW], command, place)
     }
 
-    /// The settings with which `gamow render` made what is at `place`, where this `command` was recorded.
+    /// The settings with which `gamow render` made what is at `place`, where this `command` was recorded, with the scene by the
+    /// name that is recorded.
     ///
     /// # Errors
     /// As [`Self::with_command`].
@@ -94,12 +97,20 @@ impl Settings {
         Self::default().with_command_of(&[RENDER], command, place)
     }
 
-    /// The same, but nothing where `command` is none of `gamow render`'s: where a file records none.
+    /// The same of the file at `path`, with the scene where it is; but nothing where `command` is none of `gamow render`'s:
+    /// where a file records none.
     ///
     /// # Errors
     /// A flag that does not exist, or a value that it cannot have.
-    pub fn recorded_in(command: &str, place: &str) -> Result<Option<Self>, SettingsError> {
-        command.starts_with(RENDER).then(|| Self::of_picture(command, place)).transpose()
+    pub fn recorded_in(command: &str, path: &Path) -> Result<Option<Self>, SettingsError> {
+        if !command.starts_with(RENDER) {
+            return Ok(None);
+        }
+        let place = files::shown(path);
+        let mut settings = Self::of_picture(command, &place)?;
+        let found = settings.find_scene_beside(path);
+        found.map_err(|problem| SettingsError::Content { place, problem })?;
+        Ok(Some(settings))
     }
 
     fn with_command_of(mut self, known: &[&str], command: &str, place: &str) -> Result<Self, SettingsError> {

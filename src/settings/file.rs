@@ -11,6 +11,7 @@ use super::entries::{SCENE, names};
 use super::error::{Problem, SettingsError};
 use crate::files::{exr, png, syntax};
 use crate::flags::choices::FileKind;
+use crate::platform::names::problem_in_a_file;
 use crate::platform::{files, tell};
 use crate::scene::{Scene, SceneError, looks_like_a_name};
 
@@ -71,34 +72,64 @@ impl Settings {
             };
             let command = command.map_err(|error| unreadable(format!("{error:#}")))?;
             let mut settings = self.with_command(&command, &source_name)?;
-            settings.find_scene_beside(path);
+            let found = settings.find_scene_beside(path);
+            found.map_err(|problem| SettingsError::Content { place: source_name, problem })?;
             return Ok(settings);
         }
         let text = files::read_to_string(path).map_err(|reason| unreadable(reason.to_string()))?;
         let mut settings = self.with_toml(&text, &source_name)?;
-        settings.find_scene_beside(path);
-        settings.check_scene_of(&text, &source_name)?;
+        let given = given(&text).unwrap_or_default().into_iter().flatten().find(|given| given.key == SCENE);
+        let Some(Given { span, .. }) = given else { return Ok(settings) };
+        let found = settings.find_scene_beside(path);
+        found.and_then(|()| settings.check_scene()).map_err(|problem| {
+            let place = place(&text, &source_name, &span);
+            SettingsError::Content { place, problem }
+        })?;
         Ok(settings)
     }
 
-    /// Whether a scene that `text`, a file called `source_name`, gives by its name is a preset.
-    fn check_scene_of(&self, text: &str, source_name: &str) -> Result<(), SettingsError> {
+    /// Whether a scene that they give by its name is a preset.
+    fn check_scene(&self) -> Result<(), String> {
         if !looks_like_a_name(&self.scene) || Scene::preset(&self.scene).is_some() {
             return Ok(());
         }
-        let given = given(text).unwrap_or_default().into_iter().flatten().find(|given| given.key == SCENE);
-        let Some(Given { span, .. }) = given else { return Ok(()) };
-        let problem = SceneError::UnknownPreset(self.scene.clone()).to_string();
-        Err(SettingsError::Content { place: place(text, source_name, &span), problem })
+        Err(SceneError::UnknownPreset(self.scene.clone()).to_string())
     }
 
-    /// Has a scene that they name by a relative path beside the file at `path`, if there is one.
-    pub fn find_scene_beside(&mut self, path: &Path) {
-        let beside =
-            path.parent().map(|folder| folder.join(&self.scene)).filter(|scene| files::is_file(scene));
-        if let (None, Some(scene)) = (Scene::preset(&self.scene), beside.as_deref().and_then(Path::to_str)) {
+    /// Has a scene that the file at `path` names by a relative path where it is: beside the file, else where the program
+    /// runs; beside the file as well if it is nowhere.
+    ///
+    /// # Errors
+    /// A name, one of Windows, that must not be looked for because somebody else may have written it.
+    pub fn find_scene_beside(&mut self, path: &Path) -> Result<(), String> {
+        if Scene::preset(&self.scene).is_some() {
+            return Ok(());
+        }
+        if let Some(problem) = problem_in_a_file(&self.scene).filter(|_| cfg!(windows)) {
+            return Err(format!("{SCENE} = {}: {problem}", tell::excerpt(&self.scene)));
+        }
+        let beside = files::folder_of(path).join(&self.scene);
+        let is_nowhere = || !looks_like_a_name(&self.scene) && !files::is_there(Path::new(&self.scene));
+        if (files::is_file(&beside) || is_nowhere())
+            && let Some(scene) = beside.to_str()
+        {
             scene.clone_into(&mut self.scene);
         }
+        Ok(())
+    }
+
+    /// These settings as the file at `path` is to tell them: with the name that it has for the file of their scene. They are
+    /// found again wherever both files go, and do not tell where they lay.
+    #[must_use]
+    pub fn as_told_in(&self, path: &Path) -> Self {
+        let mut told = self.clone();
+        if Scene::preset(&self.scene).is_none()
+            && let Some(name) = files::name_from(files::folder_of(path), Path::new(&self.scene))
+        {
+            // What looks like the name of a preset is taken for one.
+            told.scene = if looks_like_a_name(&name) { format!("./{name}") } else { name };
+        }
+        told
     }
 }
 

@@ -270,7 +270,10 @@ fn a_thousand_states_survive_every_file_and_flags() {
             prop_assert_eq!(&read, &state, "{}", line);
         }
         for name in ["picture.png", "measurements.exr"] {
-            prop_assert_eq!(&through_file(&state, &folder.path().join(name)), &state);
+            let read = through_file(&state, &folder.path().join(name));
+            // A scene that is nowhere is one beside the file.
+            prop_assert!(read.scene.ends_with(&state.scene), "{}", read.scene);
+            prop_assert_eq!(&Settings { scene: state.scene.clone(), ..read }, &state);
         }
         Ok(())
     });
@@ -426,10 +429,49 @@ fn a_scene_is_looked_for_beside_the_file_that_names_it() {
     let folder = tempfile::tempdir().expect("there is a place for temporary files");
     let [file, scene] = ["state.toml", "ball.toml"].map(|name| folder.path().join(name));
     std::fs::write(&file, "scene = \"ball.toml\"").expect("it is writable");
-    let named = |file| Settings::default().with_file(file).expect("it is right").scene;
-    assert_eq!(named(&file), "ball.toml");
+    let opened = |file| Settings::default().with_file(file).expect("it is right");
+    // Where it is nowhere, that is where it is missed.
+    let missed = opened(&file).opened_scene().expect_err("it is not there").to_string();
+    assert!(missed.starts_with(&format!("{}: cannot read this scene file: ", scene.display())), "{missed}");
     std::fs::write(&scene, "").expect("it is writable");
-    assert_eq!(Path::new(&named(&file)), scene);
+    assert_eq!(Path::new(&opened(&file).scene), scene);
+}
+
+#[test]
+fn files_tell_a_scene_by_its_way_from_them_and_no_folder_beyond() {
+    let folder = tempfile::tempdir().expect("there is a place for temporary files");
+    let at = |name: &str| folder.path().join(name);
+    for name in ["user/pictures/below/further", "user/scenes", "user/secret/scenes"] {
+        std::fs::create_dir_all(at(name)).expect("it is writable");
+    }
+    for (scene, expected) in [
+        ("user/pictures/ball.toml", "ball.toml"),
+        ("user/pictures/below/further/ball.toml", "below/further/ball.toml"),
+        ("user/scenes/ball.toml", "../scenes/ball.toml"),
+        ("user/ball.toml", "../ball.toml"),
+        ("user/pictures/ball", "./ball"),
+        ("user/pictures/-ball.toml", "-ball.toml"),
+        // Further away: the name alone.
+        ("user/secret/scenes/ball.toml", "ball.toml"),
+        ("ball.toml", "ball.toml"),
+    ] {
+        std::fs::write(at(scene), "").expect("it is writable");
+        let given = at(scene).to_str().expect("it is text").to_owned();
+        let settings = Settings { scene: given, ..Settings::default() };
+        let picture = at("user/pictures/seen.png");
+        let told = settings.as_told_in(&picture);
+        assert_eq!(told.scene, expected, "{scene}");
+        assert_eq!(Settings { scene: settings.scene.clone(), ..told.clone() }, settings);
+        let mut found = told;
+        found.find_scene_beside(&picture).expect("it is a name");
+        let found = std::fs::canonicalize(&found.scene).ok();
+        let is_far = ["ball.toml", "user/secret/scenes/ball.toml"].contains(&scene);
+        assert_eq!(found == std::fs::canonicalize(at(scene)).ok(), !is_far, "{scene}");
+    }
+    let gone = Settings { scene: at("user/gone/gone.toml").display().to_string(), ..Settings::default() };
+    assert_eq!(gone.as_told_in(&at("user/pictures/seen.png")).scene, "gone.toml");
+    let preset = Settings { scene: "street".to_owned(), ..Settings::default() };
+    assert_eq!(preset.as_told_in(&at("street/seen.png")), preset);
 }
 
 #[test]

@@ -9,6 +9,7 @@ use thiserror::Error;
 
 use super::{Frame, Studio};
 use crate::files::png::Animation;
+use crate::files::provenance::Provenance;
 use crate::files::whole::write_whole;
 use crate::files::{gif, png};
 use crate::flags::choices::FileKind;
@@ -95,13 +96,19 @@ enum Animated<W: Write> {
 }
 
 impl<W: Write> Animated<W> {
-    /// One of so many `frames` of this `size`, the `first` of which says how it was made.
-    fn new(kind: FilmKind, size: [u32; 2], frames: usize, first: &Frame, out: W) -> anyhow::Result<Self> {
+    /// One of so many `frames` of this `size`, of which the `record` tells how it was made.
+    fn new(
+        kind: FilmKind,
+        size: [u32; 2],
+        frames: usize,
+        record: &Provenance,
+        out: W,
+    ) -> anyhow::Result<Self> {
         if kind == FilmKind::Gif {
             return Ok(Self::Gif(gif::Frames::new(size, 100 / FRAMES_PER_SECOND, out)?));
         }
         let animation = Animation { frames: u32::try_from(frames)?, seconds: [1, FRAMES_PER_SECOND] };
-        Ok(Self::Png(png::Frames::new(size, Some(animation), None, &first.provenance.texts(), out)?))
+        Ok(Self::Png(png::Frames::new(size, Some(animation), None, &record.texts(), out)?))
     }
 
     fn write(&mut self, frame: &Picture) -> anyhow::Result<()> {
@@ -142,7 +149,9 @@ impl Studio {
             files::create_folder(path).with_context(|| files::shown(path))?;
             for (number, &time) in (0..).zip(times) {
                 let frame = next(self, number, time)?;
-                self.make_file(&frame, FileKind::Png, &frame_path(path, number, FileKind::Png))?;
+                let file = frame_path(path, number, FileKind::Png);
+                files::check_replaceable(&file).with_context(|| files::shown(&file))?;
+                self.make_file(&frame, FileKind::Png, &file)?;
             }
             return Ok(());
         }
@@ -150,7 +159,8 @@ impl Studio {
         write_whole(path, |file| {
             let frame = next(self, 0, first)?;
             let picture = self.shown_in_film(&frame, 0)?;
-            let mut film = Animated::new(kind, picture.size, times.len(), &frame, file)?;
+            let mut film =
+                Animated::new(kind, picture.size, times.len(), &self.provenance(&frame, path), file)?;
             film.write(&picture)?;
             for (number, &time) in (1..).zip(rest) {
                 let frame = next(self, number, time)?;

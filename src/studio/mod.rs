@@ -98,8 +98,22 @@ impl Studio {
         let settings = settings.resolved(self.subject()).exposed_for(&self.scene);
         let time = settings.time.unwrap_or_default();
         settings.disparity(&self.tracked, time)?;
-        let provenance = self.scene.provenance(settings.command(Shell::RECORDED));
-        Ok(Frame { settings, time, provenance })
+        Ok(Frame { settings, time })
+    }
+
+    /// What the file of `frame` at `path` records.
+    fn provenance(&self, frame: &Frame, path: &Path) -> Provenance {
+        self.scene.provenance(frame.settings.as_told_in(path).command(Shell::RECORDED))
+    }
+
+    /// Whether `path` is a whole file of this `kind` and of just this `frame`.
+    #[must_use]
+    pub fn has_made(&self, frame: &Frame, kind: FileKind, path: &Path) -> bool {
+        let provenance = self.provenance(frame, path);
+        match kind {
+            FileKind::Png => png::is_made(path, &provenance.texts()),
+            FileKind::Exr => exr::is_made(path, &provenance.comments()),
+        }
     }
 
     /// Makes the file of `frame` at `path`, whole or not at all.
@@ -108,7 +122,7 @@ impl Studio {
     ///
     /// Those of the renderer and of the file system.
     pub fn make_file(&mut self, frame: &Frame, kind: FileKind, path: &Path) -> anyhow::Result<()> {
-        let provenance = &frame.provenance;
+        let provenance = self.provenance(frame, path);
         match kind {
             FileKind::Png => {
                 let still = self.still(frame)?;
@@ -174,16 +188,4 @@ pub struct Frame {
     /// The settings, with nothing left to be found out.
     settings: Settings,
     time: f64,
-    provenance: Provenance,
-}
-
-impl Frame {
-    /// Whether `path` is a whole file of this `kind` and of just this frame.
-    #[must_use]
-    pub fn is_made(&self, kind: FileKind, path: &Path) -> bool {
-        match kind {
-            FileKind::Png => png::is_made(path, &self.provenance.texts()),
-            FileKind::Exr => exr::is_made(path, &self.provenance.comments()),
-        }
-    }
 }

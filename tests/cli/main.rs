@@ -10,10 +10,13 @@ mod fit;
 mod full;
 mod garbage;
 mod help;
+#[cfg(unix)]
+mod irregular;
 mod lessons;
 mod numbers;
 mod paper;
 mod quiet;
+mod records;
 mod streams;
 mod wheels;
 mod worksheets;

@@ -27,6 +27,8 @@ pub const TESTS: &[Test] = &[
     ("a_saved_state_opens_as_it_was", a_saved_state_opens_as_it_was),
     ("a_file_that_is_there_is_replaced_only_when_asked", a_file_that_is_there_is_replaced_only_when_asked),
     ("what_cannot_be_written_is_said_and_leaves_nothing", what_cannot_be_written_is_said),
+    #[cfg(unix)]
+    ("nothing_is_saved_to_a_pipe_that_nobody_reads", nothing_is_saved_to_a_pipe),
     ("films_have_the_frames_of_the_loop", films_have_the_frames_of_the_loop),
     ("a_stopped_film_leaves_no_file", a_stopped_film_leaves_no_file),
     ("the_copied_commands_give_the_same_again", the_copied_commands_give_the_same_again),
@@ -228,6 +230,29 @@ fn what_cannot_be_written_is_said() {
         assert_eq!(window.state().state().session.chooser, None);
     }
     assert!(names_in(folder.path()).is_empty());
+}
+
+#[cfg(unix)]
+fn nothing_is_saved_to_a_pipe() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = window(special());
+    for (entry, name) in [("Save state…", "ride.toml"), ("Save picture…", "ride.png")] {
+        let path = folder.path().join(name);
+        let made = std::process::Command::new("mkfifo").arg(&path).status();
+        assert!(made.expect("there is mkfifo").success());
+        // A window that waits gets its reader in the end, and has not said what it should.
+        let reader = path.clone();
+        std::thread::spawn(move || {
+            std::thread::sleep(Duration::from_mins(1));
+            std::fs::read(reader)
+        });
+        choose(&mut window, entry);
+        type_into(&mut window, "Path", path.to_str().expect("a plain path"));
+        window.get_by_label("Replace it").click();
+        window.run_ok();
+        let right = "Nothing was saved: it is a device or a pipe; an ordinary file would be right.";
+        assert_eq!(message(&mut window), right);
+    }
 }
 
 /// A short loop in small pictures.

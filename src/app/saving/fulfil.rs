@@ -59,6 +59,10 @@ impl App {
     }
 
     fn save_as(&mut self, ui: &Ui, Saving { product, path, size }: Saving) {
+        // A pipe would keep the window waiting for a reader.
+        if let Err(problem) = files::check_replaceable(&path) {
+            return self.tell(ui.ctx(), Notice::error(format!("Nothing was saved: {problem}.")).about(&path));
+        }
         let name = name_of(&path);
         match product {
             Product::Picture => {
@@ -96,13 +100,8 @@ impl App {
                 self.write_text(ui.ctx(), &path, &text);
             }
             Product::State => {
-                let mut shown = self.state.shown();
-                if let Some(scene) = Some(&shown.scene).filter(|scene| files::is_file(scene.as_ref())) {
-                    // The state may be opened from anywhere.
-                    let whole = files::canonical(scene.as_ref());
-                    shown.scene = whole.map_or(shown.scene, |path| path.to_string_lossy().into_owned());
-                }
-                self.write_text(ui.ctx(), &path, &shown.to_toml());
+                let told = self.state.shown().as_told_in(&path);
+                self.write_text(ui.ctx(), &path, &told.to_toml());
             }
         }
     }

@@ -228,7 +228,7 @@ fn measured(
     let (places, size, settings) = match target {
         Target::Marker(colour) => {
             let file = PngFile::read(path)?;
-            let recorded = Settings::recorded_in(file.command(), name)?;
+            let recorded = Settings::recorded_in(file.command(), path)?;
             let settings = taken.settings(recorded, file.picture().size, false, time);
             let settings = settings.with_context(|| name.to_owned())?;
             let sheet = sheet(&settings.picture, file.picture().size).with_context(|| name.to_owned())?;
@@ -242,7 +242,7 @@ fn measured(
         }
         Target::Point(_) | Target::Body(_) => {
             let file = Measurements::read(path)?;
-            let recorded = Settings::recorded_in(&file.command(), name)?;
+            let recorded = Settings::recorded_in(&file.command(), path)?;
             let settings =
                 taken.settings(recorded, file.size, true, time).with_context(|| name.to_owned())?;
             let place =

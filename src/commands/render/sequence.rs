@@ -89,9 +89,11 @@ pub fn run(studio: &mut Studio, times: &TimeArgs, folder: &Path) -> anyhow::Resu
         let time = time_of(frame, frames, range);
         let path = vr180::named(studio.settings(), &frame_path(folder, frame, kind));
         let frame = studio.frame(Some(time))?;
-        if frame.is_made(kind, &path) {
+        if studio.has_made(&frame, kind, &path) {
             kept += 1;
         } else {
+            // Only what is named on the command line may be a pipe that waits for its reader.
+            files::check_replaceable(&path).with_context(|| files::shown(&path))?;
             studio.make_file(&frame, kind, &path)?;
         }
         bytes += files::size(&path).with_context(|| files::shown(&path))?;
