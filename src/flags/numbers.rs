@@ -196,7 +196,7 @@ impl Serialize for IntensityExponent {
 pub struct Exposure(pub Option<f64>);
 
 /// Dimmest and brightest exposure, factors of 2.
-pub const EXPOSURE_EV: RangeInclusive<f64> = -40.0..=40.0;
+pub const EXPOSURE_EV: RangeInclusive<f64> = -100.0..=100.0;
 
 impl FromStr for Exposure {
     type Err = String;

@@ -110,7 +110,8 @@ pub enum Colour {
     OneWavelength,
     /// Each body glows: a black body of one temperature H, seen as one of the temperature D H.
     Glowing,
-    /// Each body reflects daylight, most of it about its own wavelength.
+    /// Each body reflects daylight of 6504 K, as if the lamp rode along with it: a quarter at every wavelength, the rest about the
+    /// body's own.
     White,
     /// The colour tells the Doppler factor: grey at D = 1, blue above, red below.
     False,

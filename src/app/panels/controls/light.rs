@@ -92,7 +92,11 @@ fn exposure_rows(ui: &mut Ui, automatic_ev: f64, exposure: &mut Exposure, usual:
 const COLOURS: [(Colour, &str, &str); 4] = [
     (Colour::OneWavelength, "One λ", "Each body sends light of one wavelength, as in the paper."),
     (Colour::Glowing, "Glow", "Each body is a black body of one temperature H, seen at D·H (Planck's law)."),
-    (Colour::White, "White", "Each body reflects daylight (6504 K), most of it about its own wavelength."),
+    (
+        Colour::White,
+        "White",
+        "Each body reflects daylight (6504 K) of a lamp that rides along: a quarter at every wavelength, the rest about its own.",
+    ),
     (Colour::False, "False", "The colour tells the Doppler factor: grey at D = 1, blue above, red below."),
 ];
 
