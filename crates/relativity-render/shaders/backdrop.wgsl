@@ -95,15 +95,10 @@ fn line_cover(off_line: vec2f, half_width: f32, pixel: vec2f) -> vec2f {
     return cover * (half_width / half);
 }
 
-// How the line of sight turns from one pixel to the next towards `across`.
-fn turn_towards(sight: vec4f, across: vec3f) -> vec3f {
-    return (across - sight.xyz * dot(sight.xyz, across)) * sight.w;
-}
-
-// How the place where a line of sight meets the ground moves then.
-fn shift(sight: vec4f, across: vec3f, distance: f32) -> vec2f {
-    let turn = turn_towards(sight, across);
-    return (turn.xy - sight.xy * (turn.z / sight.z)) * distance;
+// How the place where a line of sight meets the ground moves to the next pixel. A multiple of the line of sight in its `step` does
+// not move it.
+fn shift(sight: vec4f, step: vec3f, distance: f32) -> vec2f {
+    return (step.xy - sight.xy * (step.z / sight.z)) * (sight.w * distance);
 }
 
 fn marks_cover(foot: vec2f, pixel: vec2f) -> f32 {
@@ -117,7 +112,7 @@ fn marks_cover(foot: vec2f, pixel: vec2f) -> f32 {
 
 fn ground_colour(sky: vec3f, sight: vec4f, distance: f32) -> vec3f {
     let foot = frame.ground.xy + sight.xy * distance;
-    let right = shift(sight, step_right(sight.xyz), distance);
+    let right = shift(sight, step_right_but_along(), distance);
     let down = shift(sight, step_down(sight.xyz), distance);
     let pixel = sqrt(right * right + down * down);
     let fade = clamp(GRID_FADE_START - GRID_FADE_RATE * pixel, vec2f(0.0), vec2f(1.0));
@@ -135,15 +130,14 @@ fn ground_colour(sky: vec3f, sight: vec4f, distance: f32) -> vec3f {
 }
 
 // How the place where it meets house fronts moves.
-fn shift_on_fronts(sight: vec4f, across: vec3f, distance: f32) -> vec2f {
-    let turn = turn_towards(sight, across);
-    return (turn.xz - sight.xz * (turn.y / sight.y)) * distance;
+fn shift_on_fronts(sight: vec4f, step: vec3f, distance: f32) -> vec2f {
+    return (step.xz - sight.xz * (step.y / sight.y)) * (sight.w * distance);
 }
 
 fn with_fronts(without: vec3f, sky: vec3f, sight: vec4f) -> vec3f {
     let distance = frame.road.z / sight.y;
     let place = vec2f(frame.ground.x, -frame.ground.z) + sight.xz * distance;
-    let right = shift_on_fronts(sight, step_right(sight.xyz), distance);
+    let right = shift_on_fronts(sight, step_right_but_along(), distance);
     let down = shift_on_fronts(sight, step_down(sight.xyz), distance);
     let seen = front(place, sqrt(right * right + down * down));
     return mix(without, mix(sky, seen.rgb, 1.0 / (1.0 + HAZE * distance * distance)), seen.a);

@@ -442,6 +442,9 @@ pub struct LinesOfSight {
     map: Map,
 }
 
+/// The highest rectangle of a conformal picture whose middle row is found between the outer ones, radians.
+const MOST_ROWS_AROUND: f64 = 3.0;
+
 /// How places in a picture are mapped to directions.
 #[derive(Debug, Clone, Copy)]
 enum Map {
@@ -485,6 +488,21 @@ impl LinesOfSight {
             }
             Map::Mercator(mercator) => mercator.line_of_sight(mercator.coordinates_at([u, v])),
         }
+    }
+
+    /// Unit vectors through the middle of the rectangle between these places of the picture, in pixels, and through its corners.
+    pub(crate) fn around(&self, [left, top]: [f64; 2], [right, bottom]: [f64; 2]) -> (DVec3, [DVec3; 4]) {
+        if let Map::Mercator(mercator) = self.map {
+            let [low, high] = [[left, bottom], [right, top]].map(|place| mercator.coordinates_at(place));
+            if high.y - low.y < MOST_ROWS_AROUND {
+                return mercator.lines_of_sight_around(low, high);
+            }
+        }
+        let middle = self.through([0.5 * (left + right), 0.5 * (top + bottom)]);
+        (
+            middle,
+            [[left, top], [right, top], [left, bottom], [right, bottom]].map(|place| self.through(place)),
+        )
     }
 
     /// By how much that turns from there to the pixel on the right, and to the one below.

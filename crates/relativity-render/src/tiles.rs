@@ -58,10 +58,9 @@ impl Tile {
     /// latitude (a conformal one has them about the baseline), where along each edge the cosine of that angle rises to one
     /// maximum and falls. That holds below a right angle; in no more than the largest tiles of a picture is it wider.
     pub fn cap(self, lines_of_sight: &LinesOfSight) -> Cap {
-        let [left, top] = self.corner.map(|place| f64::from(place) - ROOM);
-        let [width, height] = self.size.map(|side| f64::from(side) + 2.0 * ROOM);
-        let through = |x: f64, y: f64| lines_of_sight.through([left + x * width, top + y * height]);
-        let corners = [through(0.0, 0.0), through(1.0, 0.0), through(0.0, 1.0), through(1.0, 1.0)];
-        Cap::around(through(0.5, 0.5), corners)
+        let low = self.corner.map(|place| f64::from(place) - ROOM);
+        let high = [0, 1].map(|axis| f64::from(self.corner[axis] + self.size[axis]) + ROOM);
+        let (middle, corners) = lines_of_sight.around(low, high);
+        Cap::around(middle, corners)
     }
 }

@@ -1,6 +1,6 @@
 //! Sky and resting ground, as `shaders/backdrop.wgsl` has them.
 
-use super::ray::{Sight, line_of_sight, steps};
+use super::ray::{Sight, line_of_sight, steps_but_along};
 use super::street::{Covered, front};
 use crate::backdrop::{
     AXIS_HALF_WIDTH, DASH, Floor, GRID_FADE, KERB_WIDTH, LANE_HALF_WIDTH, LEAST_TOWARDS_FRONTS,
@@ -54,10 +54,9 @@ pub fn part<S: Simd>(simd: S, frame: &Frame, [left, top]: [f32; 2], [width, heig
     }
 }
 
-/// Linear sRGB of what lies behind the bodies at these pixels, of which is seen no more than this part.
+/// Linear sRGB of the background along these lines of sight, of which no more than this part is seen.
 #[inline(always)]
-pub fn behind<S: Simd>(simd: S, frame: &Frame, part: Part, u: F<S>, v: F<S>) -> V3<S> {
-    let sight = line_of_sight(simd, frame, u, v);
+pub fn behind<S: Simd>(simd: S, frame: &Frame, part: Part, sight: Sight<S>) -> V3<S> {
     let nearness = 1.0 - (sight.n.z.abs() * SKY_RISE as f32).min(1.0);
     let sky = V3::mix(paint(simd, frame, 1), paint(simd, frame, 0), nearness * nearness);
     let mut colour = sky;
@@ -88,9 +87,8 @@ fn hazy<S: Simd>(part: Part, sky: V3<S>, colour: V3<S>, distance: F<S>) -> V3<S>
 }
 
 /// Width and height of a pixel on a plane: its two axes' parts of the line of sight, per part across the plane, are
-/// `slope`, and `reach` is how far the place that it meets moves where the line's end moves along the plane.
-///
-/// What the shader works out by `turn_towards`: of that, what is along the line cancels.
+/// `slope`, and `reach` is how far the place that it meets moves where the line's end moves along the plane. A multiple of the line in
+/// its steps does not count.
 #[inline(always)]
 fn pixel_on<S: Simd>(
     frame: &Frame,
@@ -100,7 +98,7 @@ fn pixel_on<S: Simd>(
     slope: V2<S>,
     reach: F<S>,
 ) -> V2<S> {
-    let [right, down] = steps(frame, sight);
+    let [right, down] = steps_but_along(frame, sight);
     let (right, down) = ([right.x, right.y, right.z], [down.x, down.y, down.z]);
     let width = size_along(axes[0], across, right, down, slope.x);
     let height = size_along(axes[1], across, right, down, slope.y);
@@ -259,7 +257,7 @@ mod tests {
     #[inline(always)]
     fn row_of<S: Simd>(simd: S, frame: &Frame, part: Part, [u, v]: [u32; 2]) -> V3<S> {
         let along = F::from_fn(simd, |lane| (u + lane as u32) as f32 + 0.5);
-        behind(simd, frame, part, along, all(simd, v as f32 + 0.5))
+        behind(simd, frame, part, line_of_sight(simd, frame, along, all(simd, v as f32 + 0.5)))
     }
 
     fn packets() -> impl Iterator<Item = [u32; 2]> {

@@ -34,19 +34,31 @@ fn series<S: Simd>(x: F<S>, [a, b, c, d]: [f32; 4]) -> F<S> {
     x * (1.0 / a) * second + 1.0
 }
 
-/// cosh u times the line of sight at this much u and v from the pole.
+/// The part of lines of sight that all of a column share: by how much sinh u exceeds that of the pole, at this much u from it.
+///
+/// With w half of that and P at the pole, sinh(P + 2 w) = sinh P + sinh w (e^P e^w + e^-P e^-w).
 #[inline(always)]
-pub fn conformal_line<S: Simd>(simd: S, frame: &Frame, u: F<S>, v: F<S>) -> V3<S> {
-    let (across, up) = (arc(u * 0.5, 1.0), arc(v * 0.5, -1.0));
+pub fn column<S: Simd>(frame: &Frame, u: F<S>) -> F<S> {
+    let across = arc(u * 0.5, 1.0);
     let grown = across.versine + 1.0 + across.sine.abs();
     let shrunk = 1.0 / grown;
     let grows = u.simd_ge(0.0);
     let [at_pole, per_pole] = [frame.right[3], frame.down[3]];
     let powers = select(grows, grown, shrunk) * at_pole + select(grows, shrunk, grown) * per_pole;
+    across.sine * powers
+}
+
+/// The part of lines of sight that all of a row share: how the unit vector across the baseline turns from the pole to this much v from it.
+#[inline(always)]
+pub fn row<S: Simd>(simd: S, frame: &Frame, v: F<S>) -> V3<S> {
+    let up = arc(v * 0.5, -1.0);
     let sine = up.sine * 2.0 * (up.versine + 1.0);
     let versine = up.sine * up.sine * -2.0;
-    V3::of_four(simd, frame.base)
-        + V3::of_four(simd, frame.clip_right) * (across.sine * powers)
-        + V3::of_four(simd, frame.radial) * versine
-        + V3::of_four(simd, frame.down) * sine
+    V3::of_four(simd, frame.radial) * versine + V3::of_four(simd, frame.down) * sine
+}
+
+/// cosh u times the line of sight in this column and row.
+#[inline(always)]
+pub fn line<S: Simd>(simd: S, frame: &Frame, column: F<S>, row: V3<S>) -> V3<S> {
+    V3::of_four(simd, frame.base) + V3::of_four(simd, frame.clip_right) * column + row
 }

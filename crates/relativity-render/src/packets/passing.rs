@@ -2,7 +2,7 @@
 
 use super::body::{Body, Group, Ray};
 use super::places::{PACKETS, packet_places};
-use super::ray::{line_of_sight, nearest_to, rest_ray};
+use super::ray::{corner_sights, line_of_sight, nearest_to, rest_ray};
 use super::ring;
 use super::shape::around;
 use crate::kind::Kind;
@@ -31,12 +31,10 @@ impl<S: Simd> Middles<S> {
         let v = F::simd_from(simd, places.map(|[_, v]| v));
         let ray = rest_ray(simd, group, line_of_sight(simd, group.frame, u, v));
         let mut most_squared = all(simd, 0.0);
+        let sights = corner_sights(simd, group.frame, [u, v], [2.5, 1.5]);
         let mut corners = [V3::all(simd, [0.0; 3]); 4];
-        for (off, [right, down]) in
-            corners.iter_mut().zip([[-2.5, -1.5], [2.5, -1.5], [-2.5, 1.5], [2.5, 1.5]])
-        {
-            let there = rest_ray(simd, group, line_of_sight(simd, group.frame, u + right, v + down));
-            *off = there.direction - ray.direction;
+        for (off, sight) in corners.iter_mut().zip(sights) {
+            *off = rest_ray(simd, group, sight).direction - ray.direction;
         }
         for off in corners {
             most_squared = most_squared.max(off.dot(off));

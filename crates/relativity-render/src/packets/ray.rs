@@ -2,9 +2,10 @@
 //! `shaders/rest_ray.wgsl`.
 
 use super::body::{Group, Ray};
-use super::mercator::conformal_line;
+use super::mercator;
+use super::places::{centres, packet_places};
 use crate::frame::Frame;
-use crate::lanes::{F, Simd, SimdFloat, V2, V3, all, select};
+use crate::lanes::{F, Simd, SimdBase as _, SimdFloat, V2, V3, all, select};
 use crate::pipelines::AmongOthers;
 use crate::view::Geometry;
 
@@ -16,6 +17,8 @@ pub struct Sight<S: Simd> {
     /// 1/length of the unnormalised line of sight, by which steps to the next pixels are multiplied; those of a conformal
     /// picture are not.
     pub scale: F<S>,
+    /// 1/cosh u in a conformal picture: the sine of the angle to the baseline.
+    sech: F<S>,
 }
 
 /// How lines of sight pass a group.
@@ -28,36 +31,170 @@ struct Passage<S: Simd> {
     doppler: F<S>,
 }
 
-/// Of the places `u` and `v` in the picture, px.
-#[inline(always)]
-pub fn line_of_sight<S: Simd>(simd: S, frame: &Frame, u: F<S>, v: F<S>) -> Sight<S> {
-    let [pole_u, pole_v, fine_u, fine_v] = frame.pole;
-    let offset = V2::new((u - pole_u) - fine_u, (v - pole_v) - fine_v);
-    if frame.is_conformal() {
-        let per_px = frame.base[3];
-        let line = conformal_line(simd, frame, offset.x * per_px, offset.y * -per_px);
-        return Sight { n: line / line.length(), scale: all(simd, 1.0) };
-    }
-    let right = V3::of_four(simd, frame.right) * offset.x;
-    let down = V3::of_four(simd, frame.down) * offset.y;
-    let unnormalised = V3::of_four(simd, frame.base) + right + down;
-    let scale = 1.0 / unnormalised.length();
-    Sight { n: unnormalised * scale, scale }
+/// Lines of sight through the pixels of one tile. In a conformal picture columns and rows share what costs most.
+#[derive(Debug, Clone, Copy)]
+pub struct TileSights<'a, S: Simd> {
+    simd: S,
+    frame: &'a Frame,
+    corner: [u32; 2],
+    /// The shared parts, in a conformal picture.
+    parts: Option<Parts<S>>,
 }
 
-/// Returns the steps of the line of sight `sight` (unit vector) to the next pixel on the right, and to the one below. In a flat
-/// picture, what is along it does not count.
+/// The parts of a conformal picture's lines of sight that the two columns and the four rows of a tile's packets share.
+#[derive(Debug, Clone, Copy)]
+struct Parts<S: Simd> {
+    columns: [F<S>; 2],
+    rows: [V3<S>; 4],
+}
+
+impl<S: Simd> Parts<S> {
+    /// Spreads the parts of the tile's eight columns and eight rows of pixels over its packets.
+    #[inline(always)]
+    fn new(simd: S, column: F<S>, row: V3<S>) -> Self {
+        let mut columns = [column; 2];
+        for (place, columns) in columns.iter_mut().enumerate() {
+            *columns = F::from_fn(simd, |lane| column[4 * place + lane % 4]);
+        }
+        let mut rows = [row; 4];
+        for (place, rows) in rows.iter_mut().enumerate() {
+            let at = |lane: usize| 2 * place + lane / 4;
+            rows.x = F::from_fn(simd, |lane| row.x[at(lane)]);
+            rows.y = F::from_fn(simd, |lane| row.y[at(lane)]);
+            rows.z = F::from_fn(simd, |lane| row.z[at(lane)]);
+        }
+        Self { columns, rows }
+    }
+}
+
+impl<'a, S: Simd> TileSights<'a, S> {
+    /// Prepares the lines of sight of the tile with this `corner`.
+    #[inline(always)]
+    pub fn new(simd: S, frame: &'a Frame, corner: [u32; 2]) -> Self {
+        let parts = frame.is_conformal().then(
+            #[inline(always)]
+            || {
+                let centres =
+                    corner.map(|first| F::from_fn(simd, |place| (first + place as u32) as f32 + 0.5));
+                let offset = conformal_from_pole(frame, centres);
+                Parts::new(simd, mercator::column(frame, offset.x), mercator::row(simd, frame, offset.y))
+            },
+        );
+        Self { simd, frame, corner, parts }
+    }
+
+    /// Returns the lines of sight of the packet at this place.
+    #[inline(always)]
+    pub fn of_packet(&self, place: usize) -> Sight<S> {
+        let Self { simd, frame, .. } = *self;
+        if let Some(Parts { columns, rows }) = &self.parts {
+            return Sight::of_conformal(mercator::line(simd, frame, columns[place % 2], rows[place / 2]));
+        }
+        let place = centres(simd, packet_places(self.corner, place));
+        Sight::of_flat(simd, frame, from_pole(frame, place))
+    }
+}
+
+impl<S: Simd> Sight<S> {
+    /// Takes a conformal picture's line of sight, which is cosh u long.
+    #[inline(always)]
+    fn of_conformal(line: V3<S>) -> Self {
+        let sech = 1.0 / line.length();
+        Self { n: line * sech, scale: all(line.x.simd, 1.0), sech }
+    }
+
+    /// Returns a flat picture's line of sight `offset` pixels to the right of the pole and below it.
+    #[inline(always)]
+    fn of_flat(simd: S, frame: &Frame, offset: V2<S>) -> Self {
+        let right = V3::of_four(simd, frame.right) * offset.x;
+        let down = V3::of_four(simd, frame.down) * offset.y;
+        let unnormalised = V3::of_four(simd, frame.base) + right + down;
+        let scale = 1.0 / unnormalised.length();
+        Self { n: unnormalised * scale, scale, sech: scale }
+    }
+}
+
+/// Pixels to the right of the pole and below it.
 #[inline(always)]
-pub fn steps<S: Simd>(frame: &Frame, sight: V3<S>) -> [V3<S>; 2] {
-    let simd = sight.x.simd;
+fn from_pole<S: Simd>(frame: &Frame, [u, v]: [F<S>; 2]) -> V2<S> {
+    let [pole_u, pole_v, fine_u, fine_v] = frame.pole;
+    V2::new((u - pole_u) - fine_u, (v - pole_v) - fine_v)
+}
+
+/// The coordinates of a conformal picture there, from those of the pole.
+#[inline(always)]
+fn conformal_from_pole<S: Simd>(frame: &Frame, place: [F<S>; 2]) -> V2<S> {
+    let V2 { x, y } = from_pole(frame, place);
+    let per_px = frame.base[3];
+    V2::new(x * per_px, y * -per_px)
+}
+
+/// The line of sight through any place `u` and `v` of the picture, px.
+#[inline(always)]
+pub fn line_of_sight<S: Simd>(simd: S, frame: &Frame, u: F<S>, v: F<S>) -> Sight<S> {
+    if frame.is_conformal() {
+        let V2 { x, y } = conformal_from_pole(frame, [u, v]);
+        let (column, row) = (mercator::column(frame, x), mercator::row(simd, frame, y));
+        return Sight::of_conformal(mercator::line(simd, frame, column, row));
+    }
+    Sight::of_flat(simd, frame, from_pole(frame, [u, v]))
+}
+
+/// The lines of sight through the corners of rectangles around the places `u` and `v` of the picture, px, twice this `half` wide and
+/// high: the upper two, then the lower two.
+#[inline(always)]
+pub fn corner_sights<S: Simd>(
+    simd: S,
+    frame: &Frame,
+    [u, v]: [F<S>; 2],
+    [half_width, half_height]: [f32; 2],
+) -> [Sight<S>; 4] {
+    let [left, right, top, bottom] = [u - half_width, u + half_width, v - half_height, v + half_height];
+    if !frame.is_conformal() {
+        return [
+            line_of_sight(simd, frame, left, top),
+            line_of_sight(simd, frame, right, top),
+            line_of_sight(simd, frame, left, bottom),
+            line_of_sight(simd, frame, right, bottom),
+        ];
+    }
+    let (first, last) =
+        (conformal_from_pole(frame, [left, top]), conformal_from_pole(frame, [right, bottom]));
+    let [left, right] = [mercator::column(frame, first.x), mercator::column(frame, last.x)];
+    let [top, bottom] = [mercator::row(simd, frame, first.y), mercator::row(simd, frame, last.y)];
+    [
+        Sight::of_conformal(mercator::line(simd, frame, left, top)),
+        Sight::of_conformal(mercator::line(simd, frame, right, top)),
+        Sight::of_conformal(mercator::line(simd, frame, left, bottom)),
+        Sight::of_conformal(mercator::line(simd, frame, right, bottom)),
+    ]
+}
+
+/// Returns how the line of sight `n` (unit vector) changes to the next pixel on the right and to the one below, up to multiples of `n`:
+/// of a conformal picture, dn/du = b - n (n . b) without its second part, b along the baseline.
+#[inline(always)]
+pub fn steps_but_along<S: Simd>(frame: &Frame, n: V3<S>) -> [V3<S>; 2] {
+    let simd = n.x.simd;
     if !frame.is_conformal() {
         return [V3::of_four(simd, frame.right), V3::of_four(simd, frame.down)];
     }
-    let along = V3::of_four(simd, frame.clip_right);
-    let cosine = sight.dot(along);
-    let across = sight - along * cosine;
-    let right = along * across.dot(across) - across * cosine;
-    [right * frame.base[3], across.cross(along) * frame.base[3]]
+    let baseline = V3::of_four(simd, frame.clip_right);
+    [baseline * frame.base[3], n.cross(baseline) * frame.base[3]]
+}
+
+/// Returns the steps of the line of `sight` to the next pixel on the right, and to the one below. In a flat picture, what is along it
+/// does not count; in a conformal one it is 0, since close to the baseline it would exceed what is across.
+#[inline(always)]
+fn steps<S: Simd>(frame: &Frame, sight: Sight<S>) -> [V3<S>; 2] {
+    let Sight { n, sech, .. } = sight;
+    let [right, down] = steps_but_along(frame, n);
+    if !frame.is_conformal() {
+        return [right, down];
+    }
+    let baseline = V3::of_four(n.x.simd, frame.clip_right);
+    let cosine = n.dot(baseline);
+    let across = n - baseline * cosine;
+    [(baseline * (sech * sech) - across * cosine) * frame.base[3], down]
 }
 
 /// How the line of sight along the unit vector `sight` passes a group of this `speed`, with the `sign` of its motion.
@@ -94,13 +231,13 @@ fn passage<S: Simd>(simd: S, sight: V3<S>, geometry: Geometry, speed: [f32; 4], 
 #[inline(always)]
 pub fn rest_ray<S: Simd>(simd: S, group: &Group, sight: Sight<S>) -> Ray<S> {
     let Group { frame, geometry } = *group;
-    let Sight { n, scale } = sight;
+    let Sight { n, scale, .. } = sight;
     let Passage { direction, ground_per_rest, doppler } =
         passage(simd, n, geometry, frame.speed, frame.motion[0]);
     let centre = V3::of_four(simd, frame.middle);
     let moment = centre.cross(direction) + V3::of_four(simd, frame.middle_fine).cross(direction);
     let to_centre = centre.dot(direction);
-    let steps = steps(frame, n);
+    let steps = steps(frame, sight);
     Ray { sight: n, scale, steps, direction, ground_per_rest, doppler, moment, to_centre }
 }
 

@@ -6,7 +6,8 @@ use super::encode::encoded;
 use super::look::Look;
 use super::met::Met;
 use super::pattern::mark;
-use super::places::{PACKETS, centres, packet_places, write_one};
+use super::places::{PACKETS, packet_places, write_one};
+use super::ray::TileSights;
 use super::tile::{Drawn, Owner, Packet};
 use super::turning::standing;
 use crate::backdrop::Part;
@@ -19,10 +20,10 @@ use crate::view::Appearance;
 #[inline(always)]
 pub fn shade_backdrop<S: Simd>(simd: S, look: &Look<'_>, tile: &Tile, rows: &mut Rows<'_, [u8; 4]>) {
     let part = part_of(simd, look, tile);
+    let sights = TileSights::new(simd, look.frame(), tile.corner);
     for place in 0..PACKETS {
         let corner = packet_places(tile.corner, place);
-        let [u, v] = centres(simd, corner);
-        write(tile, corner, rows, encoded(simd, behind(simd, look.frame(), part, u, v)));
+        write(tile, corner, rows, encoded(simd, behind(simd, look.frame(), part, sights.of_packet(place))));
     }
 }
 
@@ -51,12 +52,12 @@ impl<S: Simd> Drawn<S, 4> {
         rows: &mut Rows<'_, [u8; 4]>,
     ) {
         let part = part_of(simd, look, tile);
+        let sights = TileSights::new(simd, look.frame(), tile.corner);
         for place in 0..PACKETS {
             let corner = packet_places(tile.corner, place);
             let (mut linear, cover) = self.bodies(simd, look, appearance, tables, place);
             if cover.simd_lt(1.0).any_true() {
-                let [u, v] = centres(simd, corner);
-                linear += behind(simd, look.frame(), part, u, v) * (1.0 - cover);
+                linear += behind(simd, look.frame(), part, sights.of_packet(place)) * (1.0 - cover);
             }
             write(tile, corner, rows, encoded(simd, linear));
         }

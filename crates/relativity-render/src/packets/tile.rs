@@ -3,8 +3,8 @@
 use super::body::{Body, Group, Ray, Surface};
 use super::look::{Look, Seen};
 use super::passing::{Middles, may_show as may_show_in};
-use super::places::{PACKETS, centres, packet_places};
-use super::ray::{depth, line_of_sight, movement, rest_ray};
+use super::places::PACKETS;
+use super::ray::{TileSights, depth, movement, rest_ray};
 use super::shape;
 use super::turning::{Spin, surface_when_shown};
 use crate::candidates::TileLook;
@@ -67,7 +67,7 @@ struct OfGroup<'a, S: Simd, const N: usize> {
     group: Group<'a>,
     number: usize,
     samples: &'a [[f32; 2]; N],
-    corner: [u32; 2],
+    sights: TileSights<'a, S>,
     drawn: &'a mut Drawn<S, N>,
     /// Where the packets of this group are among all, those that were looked into.
     places: [Option<usize>; PACKETS],
@@ -117,7 +117,7 @@ impl Look<'_> {
                 group,
                 number,
                 samples,
-                corner: tile.tile.corner,
+                sights: TileSights::new(simd, group.frame, tile.tile.corner),
                 drawn: &mut drawn,
                 places: [None; PACKETS],
                 middles: Middles::new(simd, &group, tile.tile.corner),
@@ -215,7 +215,7 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
             return number;
         }
         let number = self.drawn.packets.len();
-        self.drawn.packets.push(Packet::new(self.simd, &self.group, self.corner, place));
+        self.drawn.packets.push(Packet::new(self.simd, &self.group, &self.sights, place));
         self.places[place] = Some(number);
         number
     }
@@ -270,12 +270,11 @@ impl<S: Simd, const N: usize> OfGroup<'_, S, N> {
 
 impl<S: Simd, const N: usize> Packet<S, N> {
     #[inline(always)]
-    fn new(simd: S, group: &Group<'_>, corner: [u32; 2], place: usize) -> Self {
-        let [u, v] = centres(simd, packet_places(corner, place));
+    fn new(simd: S, group: &Group<'_>, sights: &TileSights<'_, S>, place: usize) -> Self {
         let nothing = [Nearest::none(simd); N];
         Self {
             place,
-            ray: rest_ray(simd, group, line_of_sight(simd, group.frame, u, v)),
+            ray: rest_ray(simd, group, sights.of_packet(place)),
             solid: nothing,
             thin: nothing,
             owners: [0; 2],
