@@ -2,6 +2,7 @@
 //! [`samples`] of a point.
 
 pub mod data;
+pub mod other_side;
 pub mod samples;
 pub mod sigmas;
 
@@ -69,6 +70,9 @@ pub struct CurvesFit {
     pub reduced_chi_squared: Option<f64>,
     /// Readings fitted.
     pub readings: usize,
+    /// The remark on z of the other sign, where that fits within the noise too.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub other_side: Option<String>,
 }
 
 /// One value per parameter.
@@ -261,6 +265,7 @@ impl CurvesFit {
             rms: fit.rms,
             reduced_chi_squared: fit.reduced_chi_squared,
             readings: fit.readings,
+            other_side: other_side::remark(fit),
         }
     }
 }
@@ -339,6 +344,9 @@ impl fmt::Display for CurvesFit {
                 write!(f, "{:>7}", correlation_text(*correlation))?;
             }
             writeln!(f)?;
+        }
+        if let Some(remark) = &self.other_side {
+            writeln!(f, "  {remark}")?;
         }
         Ok(())
     }

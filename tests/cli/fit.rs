@@ -110,6 +110,28 @@ fn a_point_on_a_rolling_wheel_is_fitted_by_its_wheel() {
     assert!(incomplete.status == Some(2) && incomplete.stderr.contains("--wheel-radius"));
 }
 
+/// Delta-phi tells the sides of the eyes' level apart by the wheel's wiggle alone, which noise hides where the point is near the hub.
+#[test]
+fn a_side_that_fits_within_the_noise_is_remarked_on() {
+    let hub = SourcePoint { x0: 0.0, y: 3.0, z: 2.0 };
+    let remark = "the sign of z is uncertain: z = ";
+    for (rho, is_uncertain) in [(0.02, true), (1.0, false)] {
+        let wheel = WheelPoint { hub, radius: 0.525, rho, angle: 0.5, turning: Turning::Rolling };
+        let clean = Table::parsed(&of_a_wheel(0.6, wheel));
+        let noisy = |row: usize| {
+            let noise = 1e-3 * ((row * 37 % 101) as f64 / 50.0 - 1.0);
+            let [time, dphi] = ["T", "dphi"].map(|name| clean.column(name)[row]);
+            format!("{time},{},1e-3\n", dphi + noise)
+        };
+        let csv = "T,dphi,sigma_dphi\n".to_owned() + &(0..240).map(noisy).collect::<String>();
+        let flags = format!("--d 0.1 --wheel-radius 0.525 --rho {rho} --angle=0.5 --bootstrap 0");
+        let table = run(gamow().arg("fit").args(flags.split_whitespace()), csv.as_bytes()).text();
+        assert_eq!(table.contains(remark), is_uncertain, "{table}");
+        let report = fitted(&csv, &format!("{flags} --json"));
+        assert_eq!(report["other_side"].is_string(), is_uncertain);
+    }
+}
+
 #[test]
 fn a_turned_head_gives_the_object_back_by_columns_and_by_flags() {
     for head in ["--roll 90", "--turn -40", "--roll 30 --turn 90"] {

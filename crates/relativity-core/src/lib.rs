@@ -112,8 +112,8 @@ pub use conformal::{Conformal, ConformalDisparity};
 pub use disparity::{Disparity, disparities, disparity};
 pub use domain::{DomainError, MAX_COORDINATE};
 pub use fit::{
-    Curves, Fit, FitError, FitOptions, NotConverged, Observations, Parameter, Passage, Reading, Rolling,
-    Sample, Simulation, fit, fit_from,
+    Curves, Fit, FitError, FitOptions, NotConverged, Observations, OtherSide, Parameter, Passage, Reading,
+    Rolling, Sample, Simulation, fit, fit_from,
 };
 pub use model::{Model, PairError};
 pub use one_cone::one_cone_disparity;

@@ -406,4 +406,11 @@ fn a_wheel_seen_in_azimuth_alone_is_looked_for_on_both_sides_of_the_level_of_the
     let best = fit_from(&observations, &options, case.truth()).expect("a fit");
     assert!(found.rms <= best.rms * (1.0 + 1e-9), "{:?} for {:?}", found.values, best.values);
     assert!((found.value(Parameter::Z) + 2.07).abs() < 3.0 * found.standard_error(Parameter::Z));
+    let other = found.other_side.expect("the search looks beyond the level of the eyes");
+    let [beta, y, z, x0] = other.values;
+    assert!(z > 0.0 && other.excess > 0.0);
+    // By the sums of squares of two fits of their own.
+    let there = fit_from(&observations, &options, [beta, y, z, x0]).expect("a fit");
+    let excess = (there.rms.powi(2) / found.rms.powi(2) - 1.0) * (336.0 - 4.0);
+    assert!((other.excess - excess).abs() < 1e-6 * excess, "{} for {excess}", other.excess);
 }

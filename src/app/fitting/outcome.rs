@@ -12,7 +12,7 @@ use relativity_core::{
 
 use crate::app::curves::{Bends, Sample, sampled};
 use crate::estimate::samples::{FitKey, Fittable, Samples, Simulated};
-use crate::estimate::{Estimate, estimate};
+use crate::estimate::{Estimate, estimate, other_side};
 use crate::platform::clock::Instant;
 use crate::platform::threads::prelude::*;
 
@@ -51,6 +51,8 @@ pub struct Fitted {
     pub reduced_chi_squared: Option<f64>,
     /// Readings fitted.
     pub readings: usize,
+    /// The remark on z of the other sign, where that fits within the noise too.
+    pub other_side: Option<String>,
     /// Why the uncertainties are by linearisation, not by the bootstrap.
     pub no_bootstrap: Option<String>,
 }
@@ -159,6 +161,7 @@ impl Fitted {
             rms: best.rms,
             reduced_chi_squared: best.reduced_chi_squared,
             readings: best.readings,
+            other_side: other_side::remark(&best),
             no_bootstrap,
         }))
     }

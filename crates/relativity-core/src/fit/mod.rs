@@ -45,6 +45,7 @@ use nalgebra::{Matrix4, Vector4};
 use crate::math;
 use descent::Minimum;
 use prepare::Data;
+use search::Starts;
 use trial::Trial;
 
 /// The accuracy of a fit of curves without noise: the largest error of beta, y, z and x0 for the paper's object,
@@ -71,8 +72,20 @@ pub struct Fit {
     pub reduced_chi_squared: Option<f64>,
     /// Readings that were fitted.
     pub readings: usize,
+    /// The best fit on the other side of z = 0, where the search looked there: of a wheel's point seen in Delta-phi alone.
+    pub other_side: Option<OtherSide>,
     pub(crate) problem: Problem,
     pub(crate) free: Free,
+}
+
+/// A minimum on the other side of z = 0 from the best fit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OtherSide {
+    /// Values of beta, y, z, x0 there.
+    pub values: [f64; 4],
+    /// By how much chi squared is larger there, with the variance of a weighed residual that the covariance has: the square of the
+    /// number of standard deviations by which noise must mislead for this side to be the true one.
+    pub excess: f64,
 }
 
 impl Fit {
@@ -159,8 +172,8 @@ impl Fit {
 /// ```
 pub fn fit(observations: &Observations, options: &FitOptions) -> Result<Fit, FitError> {
     let data = prepare::prepare(observations, options)?;
-    let start = search::best_start(&data.problem).ok_or(FitError::NotConverged(NotConverged::NoStart))?;
-    fit_downhill(data, options, start)
+    let starts = search::best_starts(&data.problem).ok_or(FitError::NotConverged(NotConverged::NoStart))?;
+    fit_downhill(data, options, &starts)
 }
 
 /// The fit downhill of a guess of beta, y, z and x0: less work than [`fit`], if the guess is good.
@@ -176,18 +189,24 @@ pub fn fit_from(observations: &Observations, options: &FitOptions, guess: [f64; 
         return Err(FitError::Guess { beta, y });
     }
     let passage_time = if data.problem.fits_passage { -x0 / beta } else { 0.0 };
-    let start = Free::new(math::ln(math::atanh(beta)), math::ln(y), z, passage_time);
-    fit_downhill(data, options, start)
+    let best = Free::new(math::ln(math::atanh(beta)), math::ln(y), z, passage_time);
+    fit_downhill(data, options, &Starts { best, other_side: None })
 }
 
-fn fit_downhill(mut data: Data, options: &FitOptions, start: Free) -> Result<Fit, FitError> {
-    let mut minimum = descent::minimum(&data.problem, start)?;
+fn fit_downhill(mut data: Data, options: &FitOptions, starts: &Starts) -> Result<Fit, FitError> {
+    let mut minimum = descent::minimum(&data.problem, starts.best)?;
     if data.estimates_noise() {
         // Weights from the scatter about a first fit, twice: the weights move the fit a little.
         for _ in 0..2 {
             data.reweigh(&minimum.trial);
             minimum = descent::minimum(&data.problem, minimum.free)?;
         }
+    }
+    let other_side = starts.other_side.and_then(|start| descent::minimum(&data.problem, start).ok());
+    let mut other_side = other_side.filter(|other| other.trial.z * minimum.trial.z < 0.0);
+    // The weights may have moved since the search.
+    if let Some(other) = other_side.as_mut().filter(|other| other.cost < minimum.cost) {
+        std::mem::swap(&mut minimum, other);
     }
     verdict::check_explained(&data, minimum.cost)?;
     let Minimum { mut free, mut trial, cost } = minimum;
@@ -205,6 +224,8 @@ fn fit_downhill(mut data: Data, options: &FitOptions, start: Free) -> Result<Fit
         rms: data.rms(&trial, [true, true]),
         reduced_chi_squared: data.has_all_sigmas.then_some(reduced),
         readings: data.problem.readings(),
+        other_side: other_side
+            .map(|other| OtherSide { values: other.trial.reported(), excess: (other.cost - cost) / scatter }),
         problem: data.problem,
         free,
     })

@@ -85,9 +85,13 @@ impl Problem {
     }
 
     /// The object that passes as that of `free` does, but whose wheel has turned by some `turns` more since t' = 0: as the hub
-    /// passes x = 0 it is at the angle at t' = 0 plus gamma x0/W. `None` if it is not a wheel, or no such object.
+    /// passes x = 0 it is at the angle at t' = 0 plus gamma x0/W. `None` if it is not a wheel, or no such object: where x0 = 0 is
+    /// known, the wheel has turned as it has.
     pub fn turned(&self, free: &Free, turns: f64) -> Option<Free> {
         let (rolling, trial) = (self.rolling?, self.trial(free)?);
+        if turns == 0.0 {
+            return Some(*free);
+        }
         let by = TAU * turns * rolling.radius;
         let mut turned = *free;
         if self.fits_passage {

@@ -13,19 +13,30 @@ const ROUNDS: u32 = 4;
 const PARTS: i32 = 8;
 const MIRRORED_TURNS: i32 = 2;
 
-/// Where the best of several starts leads. All get a few steps against some of the data; those that promise
-/// most, and are on different ways, are followed.
-pub(super) fn best_start(problem: &Problem) -> Option<Free> {
+/// The starts of the descents that end a search.
+pub(super) struct Starts {
+    /// The lowest of all that were tried.
+    pub best: Free,
+    /// The lowest beyond z = 0, of a wheel in Delta-phi alone, whose hub's curve is the same on both sides.
+    pub other_side: Option<Free>,
+}
+
+/// Searches for where to start. All starts get a few steps against some of the data; those that promise most, and are on different
+/// ways, are followed.
+pub(super) fn best_starts(problem: &Problem) -> Option<Starts> {
     if problem.rolling.is_none() {
-        return ways(problem).first().map(|best| best.free);
+        return ways(problem).first().map(|best| Starts { best: best.free, other_side: None });
     }
     let hubs = Problem { rolling: None, ..problem.clone() };
     let from_hub = wheel_start::best_start(problem, &hubs, &ways(&hubs));
     let coarse = start::thinned(problem, start::GRID_SAMPLES);
     let turned = ways(problem).into_iter().take(TURNED).map(|way| otherwise_turned(problem, &coarse, way));
-    let best = lowest(from_hub.into_iter().chain(turned))?;
-    let mirrored = hubs.is_even_in_z().then(|| mirrored(problem, &coarse, &best)).flatten();
-    lowest([best].into_iter().chain(mirrored)).map(|best| best.free)
+    let mut best = lowest(from_hub.into_iter().chain(turned))?;
+    let mut other_side = hubs.is_even_in_z().then(|| mirrored(problem, &coarse, &best)).flatten();
+    if let Some(other) = other_side.as_mut().filter(|other| other.cost < best.cost) {
+        std::mem::swap(&mut best, other);
+    }
+    Some(Starts { best: best.free, other_side: other_side.map(|other| other.free) })
 }
 
 fn lowest(descents: impl Iterator<Item = Descent>) -> Option<Descent> {

@@ -158,9 +158,11 @@ fn verdict(fitted: &Fitted) -> Option<String> {
 
 /// What is taken for granted of samples, a sentence each.
 fn assumptions(outcome: &FitOutcome, fitted: &Fitted) -> Vec<String> {
+    let other_side = fitted.other_side.as_deref().map(sentence);
     let (file, baseline) = match &outcome.key.samples {
         Samples::Simulated(simulated) => {
-            return simulated.rolling().map(|_| ON_A_WHEEL.to_owned()).into_iter().collect();
+            let on_a_wheel = simulated.rolling().map(|_| ON_A_WHEEL.to_owned());
+            return on_a_wheel.into_iter().chain(other_side).collect();
         }
         Samples::Measured(file, baseline) => (file, baseline),
     };
@@ -187,6 +189,7 @@ fn assumptions(outcome: &FitOutcome, fitted: &Fitted) -> Vec<String> {
     if !outcome.key.setup.fit_x0 {
         told.push("x₀ = 0 is taken for known: at t = 0 the point is abreast.".to_owned());
     }
+    told.extend(other_side);
     told
 }
 
