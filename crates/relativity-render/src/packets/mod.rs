@@ -8,6 +8,7 @@ mod backdrop;
 mod block;
 mod body;
 mod colour;
+mod course;
 mod cylinder;
 mod edge;
 mod encode;

@@ -1,17 +1,17 @@
 //! Rays against bodies that turn about an axle along y: `shaders/turning.wgsl`, where the method is explained.
 
-use super::body::{Body, Capsule, Group, Ray, Surface};
+use super::body::{Body, Group, Ray, Surface};
+use super::course::Course;
 use super::ray::nearest_to;
 use super::shape::{around, middle, surface};
 use crate::kind::Kind;
-use crate::lanes::{F, Mask, Quaternion, Simd, SimdFloat, SimdMask, V2, V3, all, clamp, select};
+use crate::lanes::{F, Quaternion, Simd, SimdFloat, SimdMask, V2, V3, all, clamp, select};
 use crate::view::Geometry;
 use crate::wheel::packed::{Shown, Turns};
 
-/// What turns by less than this angle (radians) while a ray passes it is met in rounds from the middle; else the ray is
-/// followed there first, in this many steps at most.
+/// A tube is met where a course says (`course.rs`). What is none and turns by less than this angle (radians) while a ray
+/// passes it is met in rounds from the middle; else the course is followed first, to the tube around it.
 const SHORT: f32 = 0.4;
-const MOST_STEPS: u32 = 48;
 /// Most rounds, and when one is the last: what is off then is this part of the body's radius.
 const MOST_ROUNDS: u32 = 6;
 const SETTLED: f32 = 1e-4;
@@ -31,16 +31,16 @@ pub struct Spin<S: Simd> {
 
 /// By how much later places are shown than the hub, and how much earlier per step from there.
 #[derive(Clone, Copy)]
-struct Later<S: Simd> {
-    time: F<S>,
-    slowness: V3<S>,
+pub struct Later<S: Simd> {
+    pub time: F<S>,
+    pub slowness: V3<S>,
 }
 
 /// Sine and cosine of an angle.
 #[derive(Clone, Copy)]
-struct Turn<S: Simd> {
-    sine: F<S>,
-    cosine: F<S>,
+pub struct Turn<S: Simd> {
+    pub sine: F<S>,
+    pub cosine: F<S>,
 }
 
 /// What is shown along rays, in the frame that turns.
@@ -74,7 +74,7 @@ impl<S: Simd> Spin<S> {
 
 /// Of the place `q` from the hub.
 #[inline(always)]
-fn later<S: Simd>(simd: S, group: &Group, q: V3<S>, spin: &Spin<S>) -> Later<S> {
+pub fn later<S: Simd>(simd: S, group: &Group, q: V3<S>, spin: &Spin<S>) -> Later<S> {
     let frame = group.frame;
     if group.geometry == Geometry::Contracted {
         // One time of the ground.
@@ -101,7 +101,7 @@ fn later_from<S: Simd>(hub: V3<S>, q: V3<S>) -> Later<S> {
 /// Sine and cosine within 2e-7 for moderate angles. Polynomials of S. L. Moshier's Cephes library (1989).
 #[expect(clippy::excessive_precision, reason = "as they are published")]
 #[inline(always)]
-fn sine_cosine<S: Simd>(angle: F<S>) -> Turn<S> {
+pub fn sine_cosine<S: Simd>(angle: F<S>) -> Turn<S> {
     let quarters = (angle * std::f32::consts::FRAC_2_PI).round_ties_even();
     let x = (angle - quarters * 1.570_312_5) - quarters * 4.838_267_9e-4;
     let xx = x * x;
@@ -120,14 +120,14 @@ fn sine_cosine<S: Simd>(angle: F<S>) -> Turn<S> {
 
 /// `v` turned about +y: from z towards x.
 #[inline(always)]
-fn about_y<S: Simd>(v: V3<S>, turn: Turn<S>) -> V3<S> {
+pub fn about_y<S: Simd>(v: V3<S>, turn: Turn<S>) -> V3<S> {
     let Turn { sine, cosine } = turn;
     V3::new(v.x * cosine + v.z * sine, v.y, v.z * cosine - v.x * sine)
 }
 
 /// The velocity of what turns so at `q` from the hub.
 #[inline(always)]
-fn velocity_at<S: Simd>(simd: S, q: V3<S>, spin: &Spin<S>) -> V3<S> {
+pub fn velocity_at<S: Simd>(simd: S, q: V3<S>, spin: &Spin<S>) -> V3<S> {
     V3::new(q.z, all(simd, 0.0), -q.x) * spin.omega
 }
 
@@ -161,60 +161,21 @@ fn surface_of_turning<S: Simd>(
     spin: &Spin<S>,
 ) -> Surface<S> {
     let capsule = around(kind, body);
-    let course = course_through(&capsule, ray, spin);
-    let [from, to] = course;
+    let course = Course::new(simd, group, &capsule, ray, spin);
+    if kind == Kind::Tube {
+        return course.surface(spin);
+    }
+    let Course { from, to, .. } = course;
     let length = to - from;
     let is_short = (spin.omega.abs() * length).simd_lt(SHORT);
     let mut start = 0.5 * (from + to);
     let mut reach = 1.5 * length;
     if !is_short.all_true() {
-        let first = first_within(simd, group, &capsule, ray, spin, course, !is_short);
+        let (first, _) = course.first_at_tube(!is_short);
         start = select(is_short, start, first);
         reach = select(is_short, reach, 0.5 * SHORT / spin.omega.abs() + capsule.radius);
     }
     surface_near(simd, kind, group, body, ray, spin, start, reach)
-}
-
-/// Where on this course those rays that are `active` first come into `capsule`, which turns, or else come closest to it.
-#[inline(always)]
-fn first_within<S: Simd>(
-    simd: S,
-    group: &Group,
-    capsule: &Capsule<S>,
-    ray: &Ray<S>,
-    spin: &Spin<S>,
-    [from, to]: [F<S>; 2],
-    active: Mask<S>,
-) -> F<S> {
-    let n = ray.direction;
-    let nearest = nearest_to(spin.hub, ray);
-    let beginning = capsule.place - spin.hub;
-    let axis = capsule.end - capsule.place;
-    let length_squared = axis.dot(axis).max(1e-30);
-    let (zero, one) = (all(simd, 0.0), all(simd, 1.0));
-    let (mut closest, mut least, mut s, mut active) = (from, all(simd, 1e30), from, active);
-    for _ in 0..MOST_STEPS {
-        let q = nearest + n * s;
-        let at = co_moving(simd, group, q, n, spin);
-        let along = clamp((at.place - beginning).dot(axis) / length_squared, zero, one);
-        let off_axis = (at.place - beginning) - axis * along;
-        let distance = off_axis.length();
-        let outside = distance - capsule.radius;
-        let is_closer = active & outside.simd_lt(least);
-        least = select(is_closer, outside, least);
-        closest = select(is_closer, s, closest);
-        active &= !outside.simd_le(0.01 * capsule.radius);
-        let slope = off_axis.dot(at.tangent) / distance;
-        let off_axle = V2::new(q.x, q.z).length();
-        let bend = spin.omega.abs() * (2.0 + spin.omega.abs() * off_axle);
-        let step = (slope + (slope * slope + 2.0 * bend * outside).sqrt()) / bend;
-        s = select(active, s + step, s);
-        active &= !s.simd_gt(to);
-        if !active.any_true() {
-            break;
-        }
-    }
-    closest
 }
 
 /// What is shown at `q`, from the hub, along rays in the direction of `n`.
@@ -224,32 +185,6 @@ fn co_moving<S: Simd>(simd: S, group: &Group, q: V3<S>, n: V3<S>, spin: &Spin<S>
     let turn = sine_cosine(-spin.omega * shown.time);
     let tangent = n + velocity_at(simd, q, spin) * shown.slowness.dot(n);
     CoMoving { place: about_y(q, turn), tangent: about_y(tangent, turn) }
-}
-
-/// Between which distances from its point nearest to the hub a ray may meet what turns and is inside `capsule`.
-#[inline(always)]
-fn course_through<S: Simd>(capsule: &Capsule<S>, ray: &Ray<S>, spin: &Spin<S>) -> [F<S>; 2] {
-    let n = ray.direction;
-    let nearest = nearest_to(spin.hub, ray);
-    let (place, end) = (capsule.place - spin.hub, capsule.end - spin.hub);
-    let off_axle = off_axle_squared(place).max(off_axle_squared(end)).sqrt() + capsule.radius;
-    let flat_squared = off_axle_squared(n).max(1e-12);
-    let closest = -(nearest.x * n.x + nearest.z * n.z) / flat_squared;
-    let side = nearest.x * n.z - nearest.z * n.x;
-    let half_chord = ((off_axle * off_axle - side * side / flat_squared).max(0.0) / flat_squared).sqrt();
-    let slope = select(n.y.simd_lt(0.0), n.y.min(-1e-9), n.y.max(1e-9));
-    let low = place.y.min(end.y) - capsule.radius;
-    let high = place.y.max(end.y) + capsule.radius;
-    let crossings = [(low - nearest.y) / slope, (high - nearest.y) / slope];
-    let first = crossings[0].min(crossings[1]);
-    let last = crossings[0].max(crossings[1]);
-    let (before, after) = (closest - half_chord, closest + half_chord);
-    [clamp(first, before, after), clamp(last, before, after)]
-}
-
-#[inline(always)]
-fn off_axle_squared<S: Simd>(v: V3<S>) -> F<S> {
-    v.x * v.x + v.z * v.z
 }
 
 /// Where rays meet a body that turns, as one round after the other finds it, from `start` along the ray, counted from its
