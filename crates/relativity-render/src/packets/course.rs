@@ -3,7 +3,7 @@
 
 use super::body::{Capsule, Group, Ray, Surface};
 use super::ray::nearest_to;
-use super::turning::{Spin, Turn, about_y, later, sine_cosine, velocity_at};
+use super::spin::{Spin, Turn, about_y, later, sine_cosine, velocity_at};
 use crate::lanes::{F, Mask, Simd, SimdFloat, SimdMask, V3, all, clamp, select};
 
 /// Most steps to an entry: of 58 million rays (`tests/spokes.rs`) none took more than half.

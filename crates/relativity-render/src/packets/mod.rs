@@ -24,6 +24,7 @@ mod ray;
 mod ring;
 mod shading;
 mod shape;
+mod spin;
 mod street;
 #[cfg(test)]
 mod testing;
