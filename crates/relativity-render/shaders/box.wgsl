@@ -1,5 +1,8 @@
 // Ray against a box: `place` is its middle, `form` half its lengths along its own axes.
 
+// Whether `around` is all of it.
+const IS_TUBE = false;
+
 fn middle(body: Body) -> vec3f {
     return body.place;
 }

@@ -69,6 +69,9 @@ fn entry(body: Body, course: Course, curvature: f32, start: f32, end: f32, befor
     return search;
 }
 
+// Whether `around` is all of it.
+const IS_TUBE = false;
+
 fn middle(body: Body) -> vec3f {
     return body.place;
 }

@@ -1,5 +1,8 @@
 // Ray against a cylinder with rounded ends: `place` and `form` are their centres. A ball has both in one place.
 
+// Whether `around` is all of it.
+const IS_TUBE = true;
+
 fn middle(body: Body) -> vec3f {
     return 0.5 * (body.place + body.form.xyz);
 }

@@ -7,10 +7,9 @@
 // 0 not at all, 1 bodies of revolution about the axle, 2 others.
 override TURNS: u32;
 
-// What turns by less than this angle (radians) while a ray passes it is met in rounds from the middle; else the ray is
-// followed there first, in this many steps at most.
+// A tube is met where a course says (`course.wgsl`). What is none and turns by less than this angle (radians) while a ray
+// passes it is met in rounds from the middle; else the course is followed first, to the tube around it.
 const SHORT = 0.4;
-const MOST_STEPS = 48;
 // Most rounds, each along the tangent where the one before met the body, and when one is the last: what is off then is
 // this part of the body's radius.
 const MOST_ROUNDS = 6;
@@ -90,50 +89,15 @@ fn surface_when_shown(body: Body, ray: Ray, spin: Spin) -> Surface {
     }
     let capsule = around(body);
     let course = course_through(capsule, ray, spin);
-    let length = course.y - course.x;
+    if IS_TUBE {
+        return tube_when_shown(body, course, spin);
+    }
+    let length = course.end - course.start;
     if abs(spin.omega) * length < SHORT {
-        return surface_near(body, ray, spin, 0.5 * (course.x + course.y), 1.5 * length);
+        return surface_near(body, ray, spin, 0.5 * (course.start + course.end), 1.5 * length);
     }
-    let start = first_within(capsule, ray, spin, course);
+    let start = first_at_tube(course).s;
     return surface_near(body, ray, spin, start, 0.5 * SHORT / abs(spin.omega) + capsule.radius);
-}
-
-// Where on this course a ray first comes into `capsule`, which turns, or else comes closest to it.
-//
-// In the frame that turns the ray is a curve a(s) with |a''| <= 2 |omega| + omega^2 rho, rho being its distance from the
-// axle, and its distance from a straight axis bends towards that no faster. So a parabola lies below that distance, and
-// stepping to its first root never passes an entry.
-fn first_within(capsule: Capsule, ray: Ray, spin: Spin, course: vec2f) -> f32 {
-    let n = ray.direction;
-    let nearest = nearest_to(spin.hub, ray);
-    let beginning = capsule.place - spin.hub;
-    let axis = capsule.end - capsule.place;
-    let length_squared = max(dot(axis, axis), 1e-30);
-    var closest = course.x;
-    var least = 1e30;
-    var s = course.x;
-    for (var i = 0; i < MOST_STEPS; i++) {
-        let q = nearest + n * s;
-        let at = co_moving(q, n, spin);
-        let along = clamp(dot(at.place - beginning, axis) / length_squared, 0.0, 1.0);
-        let off_axis = (at.place - beginning) - axis * along;
-        let distance = sqrt(dot(off_axis, off_axis));
-        let outside = distance - capsule.radius;
-        if outside < least {
-            least = outside;
-            closest = s;
-        }
-        if outside <= 0.01 * capsule.radius {
-            break;
-        }
-        let slope = dot(off_axis, at.tangent) / distance;
-        let bend = abs(spin.omega) * (2.0 + abs(spin.omega) * sqrt(dot(q.xz, q.xz)));
-        s += (slope + sqrt(slope * slope + 2.0 * bend * outside)) / bend;
-        if s > course.y {
-            break;
-        }
-    }
-    return closest;
 }
 
 // What is shown at `q`, from the hub, along a ray in the direction of `n`, in the frame that turns.
@@ -149,26 +113,6 @@ fn co_moving(q: vec3f, n: vec3f, spin: Spin) -> CoMoving {
     let turn = sine_cosine(-spin.omega * shown.time);
     let tangent = n + velocity_at(q, spin) * dot(shown.slowness, n);
     return CoMoving(about_y(q, turn), about_y(tangent, turn));
-}
-
-// Between which distances from its point nearest to the hub a ray may meet what turns and is inside `capsule`: within a
-// slab across the axle and a cylinder about it.
-fn course_through(capsule: Capsule, ray: Ray, spin: Spin) -> vec2f {
-    let n = ray.direction;
-    let nearest = nearest_to(spin.hub, ray);
-    let ends = array<vec3f, 2>(capsule.place - spin.hub, capsule.end - spin.hub);
-    let off_axle = sqrt(max(dot(ends[0].xz, ends[0].xz), dot(ends[1].xz, ends[1].xz))) + capsule.radius;
-    let flat_squared = max(dot(n.xz, n.xz), 1e-12);
-    let closest = -dot(nearest.xz, n.xz) / flat_squared;
-    let side = nearest.x * n.z - nearest.z * n.x;
-    let half_chord = sqrt(max(off_axle * off_axle - side * side / flat_squared, 0.0) / flat_squared);
-    let slope = select(max(n.y, 1e-9), min(n.y, -1e-9), n.y < 0.0);
-    let low = min(ends[0].y, ends[1].y) - capsule.radius;
-    let high = max(ends[0].y, ends[1].y) + capsule.radius;
-    let crossings = (vec2f(low, high) - nearest.y) / slope;
-    let first = min(crossings.x, crossings.y);
-    let last = max(crossings.x, crossings.y);
-    return clamp(vec2f(first, last), vec2f(closest - half_chord), vec2f(closest + half_chord));
 }
 
 // Where a ray meets a body that turns, as one round after the other finds it, from `start` along the ray, counted from

@@ -21,7 +21,7 @@ use crate::scene::Scene;
 const SEPARATION: f64 = 0.1;
 /// That of `gamow render`.
 const FOV_DEGREES: f64 = 60.0;
-const BETAS: [f64; 6] = [0.0, 0.5, 0.9, 0.99, 0.999, 0.9999];
+const BETAS: [f64; 7] = [0.0, 0.3, 0.6, 0.9, 0.99, 0.999, 0.9999];
 const QUICK_BETAS: [f64; 3] = [0.0, 0.9, 0.9999];
 /// Beyond what beta says well.
 const GAMMAS: [f64; 2] = [100.0, 1000.0];

@@ -50,11 +50,12 @@ What is measured:
                  by bisection, the method draws a strip across, up to 4096 times magnified
   line of sight  angle between a pixel's line of sight and that along which the point it
                  shows is really seen, by the light cone in f64, arcseconds
-  D              relative error of the Doppler factor
+  D              relative error of the Doppler factor, in each view, and the worst at each speed
   wrong body     pixels that show another body than the reference, per pixel that shows
                  one; where two bodies share a surface, that of the first is right
-  rounds         where bodies turn: how far rays that find spokes in rounds, as the GPU's
-                 do, are off after 1, 2, 3 and 6, along the ray in radii of the wheel
+  rounds         where bodies turn: how far a search for spokes is off that costs less than
+                 the renderers' own: after 1, 2, 3 and 6 rounds along straight lines, along
+                 the ray in radii of the wheel
 
 Examples:
   gamow accuracy

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::report::{AccuracyReport, Circumstances, FormulaReport, PictureErrors, RendererReport};
+use super::report::{AccuracyReport, Circumstances, FormulaRow, PictureErrors, PictureRow, RendererReport};
 use crate::accuracy::{RESOLUTION_PX, RoundsError, Spread};
 use crate::platform::tell;
 
@@ -58,7 +58,11 @@ impl AccuracyReport {
                 writeln!(f, "{:36}{}", view(&row.view), picture(renderer, row.frame_ms, &row.errors))?;
             }
         }
-        Ok(())
+        writeln!(f, "\nWorst error of D by speed, relative, over all three places")?;
+        let worst = |row: &PictureRow| (row.view, row.errors.doppler_relative);
+        self.renderers.iter().filter(|renderer| !renderer.is_reference).try_for_each(|renderer| {
+            by_speed(f, &renderer.method, &renderer.views.iter().map(worst).collect::<Vec<_>>())
+        })
     }
 
     /// Nothing where nothing turns.
@@ -70,7 +74,7 @@ impl AccuracyReport {
         }
         writeln!(
             f,
-            "\nSpokes, in rounds as the rays take them: ns per ray and body, one thread; median, 99 % and worst error"
+            "\nSpokes, by a cheaper search than the rays have, in rounds: ns per ray and body, one thread; median, 99 % and worst error"
         )?;
         writeln!(
             f,
@@ -103,10 +107,10 @@ impl AccuracyReport {
             writeln!(f, "{:36}{:9.2}  {errors}", formula.formula, formula.point_ns)?;
         }
         writeln!(f, "\nWorst line of sight by speed, arcseconds, over all three places")?;
-        self.formulas
-            .iter()
-            .filter(|formula| !formula.is_reference)
-            .try_for_each(|formula| by_speed(f, formula))
+        let worst = |row: &FormulaRow| (row.view, row.line_of_sight_arcseconds);
+        self.formulas.iter().filter(|formula| !formula.is_reference).try_for_each(|formula| {
+            by_speed(f, &formula.formula, &formula.views.iter().map(worst).collect::<Vec<_>>())
+        })
     }
 
     fn write_published(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -190,12 +194,12 @@ fn spread(spread: Option<Spread>, resolution: f64) -> String {
     )
 }
 
-fn by_speed(f: &mut fmt::Formatter<'_>, formula: &FormulaReport) -> fmt::Result {
-    write!(f, "{:36}", formula.formula)?;
-    for rows in formula.views.chunk_by(|a, b| a.view.gamma == b.view.gamma) {
-        let worst =
-            rows.iter().filter_map(|row| Some(row.line_of_sight_arcseconds?.worst)).fold(0.0, f64::max);
-        let speed = view(&rows[0].view);
+/// The worst of the errors at each speed, of rows in the order of speeds.
+fn by_speed(f: &mut fmt::Formatter<'_>, name: &str, rows: &[(Circumstances, Option<Spread>)]) -> fmt::Result {
+    write!(f, "{name:36}")?;
+    for rows in rows.chunk_by(|(a, _), (b, _)| a.gamma == b.gamma) {
+        let worst = rows.iter().filter_map(|(_, errors)| Some((*errors)?.worst)).fold(0.0, f64::max);
+        let speed = view(&rows[0].0);
         let speed = speed.split(',').next().unwrap_or_default();
         write!(f, "  {speed}: {worst:.2e}")?;
     }

@@ -2,8 +2,9 @@
 
 use super::body::{Body, Group, Ray, Surface};
 use super::look::{Look, Seen};
+use super::spin::Spin;
 use super::tile::{Owner, Packet, Test};
-use super::turning::{Spin, doppler_of, surface_when_shown};
+use super::turning::{doppler_of, surface_when_shown};
 use crate::lanes::{F, Simd};
 
 /// What is known of that, eight pixels at a time.

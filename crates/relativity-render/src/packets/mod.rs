@@ -8,6 +8,7 @@ mod backdrop;
 mod block;
 mod body;
 mod colour;
+mod course;
 mod cylinder;
 mod edge;
 mod encode;
@@ -23,6 +24,7 @@ mod ray;
 mod ring;
 mod shading;
 mod shape;
+mod spin;
 mod street;
 #[cfg(test)]
 mod testing;

@@ -1,47 +1,21 @@
 //! Rays against bodies that turn about an axle along y: `shaders/turning.wgsl`, where the method is explained.
 
-use super::body::{Body, Capsule, Group, Ray, Surface};
+use super::body::{Body, Group, Ray, Surface};
+use super::course::Course;
 use super::ray::nearest_to;
 use super::shape::{around, middle, surface};
+use super::spin::{Spin, about_y, later, sine_cosine, velocity_at};
 use crate::kind::Kind;
-use crate::lanes::{F, Mask, Quaternion, Simd, SimdFloat, SimdMask, V2, V3, all, clamp, select};
+use crate::lanes::{F, Quaternion, Simd, SimdFloat, SimdMask, V2, V3, all, clamp, select};
 use crate::view::Geometry;
-use crate::wheel::packed::{Shown, Turns};
+use crate::wheel::packed::Turns;
 
-/// What turns by less than this angle (radians) while a ray passes it is met in rounds from the middle; else the ray is
-/// followed there first, in this many steps at most.
+/// A tube is met where a course says (`course.rs`). What is none and turns by less than this angle (radians) while a ray
+/// passes it is met in rounds from the middle; else the course is followed first, to the tube around it.
 const SHORT: f32 = 0.4;
-const MOST_STEPS: u32 = 48;
 /// Most rounds, and when one is the last: what is off then is this part of the body's radius.
 const MOST_ROUNDS: u32 = 6;
 const SETTLED: f32 = 1e-4;
-
-/// How a body turns.
-#[derive(Debug, Clone, Copy)]
-pub struct Spin<S: Simd> {
-    /// The middle of the axle, from the group's.
-    pub hub: V3<S>,
-    /// About +y.
-    pub omega: F<S>,
-    /// By how much the speed of the rim is below 1, and that of a ring's outermost circle below the rim's, along the
-    /// group's motion.
-    pub below_light: F<S>,
-    pub lag: F<S>,
-}
-
-/// By how much later places are shown than the hub, and how much earlier per step from there.
-#[derive(Clone, Copy)]
-struct Later<S: Simd> {
-    time: F<S>,
-    slowness: V3<S>,
-}
-
-/// Sine and cosine of an angle.
-#[derive(Clone, Copy)]
-struct Turn<S: Simd> {
-    sine: F<S>,
-    cosine: F<S>,
-}
 
 /// What is shown along rays, in the frame that turns.
 struct CoMoving<S: Simd> {
@@ -56,79 +30,6 @@ struct CoMoving<S: Simd> {
 pub struct Standing<S: Simd> {
     pub body: Body<S>,
     pub place: V3<S>,
-}
-
-impl<S: Simd> Spin<S> {
-    /// Of what the shaders have.
-    #[inline(always)]
-    pub fn new(simd: S, shown: &Shown) -> Self {
-        let Shown { spin, rim: [below_light, lag], .. } = *shown;
-        Self {
-            hub: V3::of_four(simd, spin),
-            omega: all(simd, spin[3]),
-            below_light: all(simd, below_light),
-            lag: all(simd, lag),
-        }
-    }
-}
-
-/// Of the place `q` from the hub.
-#[inline(always)]
-fn later<S: Simd>(simd: S, group: &Group, q: V3<S>, spin: &Spin<S>) -> Later<S> {
-    let frame = group.frame;
-    if group.geometry == Geometry::Contracted {
-        // One time of the ground.
-        let slowness = V3::all(simd, [frame.motion[0] * frame.speed[0], 0.0, 0.0]);
-        return Later { time: -slowness.x * q.x, slowness };
-    }
-    let fine = V3::of_four(simd, frame.middle_fine) + spin.hub;
-    later_from(V3::of_four(simd, frame.middle) + fine, q)
-}
-
-/// The same for the light to a camera event from which the hub is at `hub`.
-#[inline(always)]
-fn later_from<S: Simd>(hub: V3<S>, q: V3<S>) -> Later<S> {
-    let largest = hub.abs().max_part().max(1e-12);
-    let scaled = hub / largest;
-    let reach = scaled.length();
-    let towards = scaled / reach;
-    let step = q / (largest * reach);
-    let there = towards + step;
-    let distance = there.length().max(1e-12);
-    Later { time: -q.dot(towards + there) / (1.0 + distance), slowness: there / distance }
-}
-
-/// Sine and cosine within 2e-7 for moderate angles. Polynomials of S. L. Moshier's Cephes library (1989).
-#[expect(clippy::excessive_precision, reason = "as they are published")]
-#[inline(always)]
-fn sine_cosine<S: Simd>(angle: F<S>) -> Turn<S> {
-    let quarters = (angle * std::f32::consts::FRAC_2_PI).round_ties_even();
-    let x = (angle - quarters * 1.570_312_5) - quarters * 4.838_267_9e-4;
-    let xx = x * x;
-    let sine = x + x * xx * (-0.166_666_546_11 + xx * (0.008_332_160_873_6 - xx * 0.000_195_152_958_91));
-    let cosine = 1.0 - 0.5 * xx
-        + xx * xx * (0.041_666_645_683 + xx * (-0.001_388_731_625_5 + xx * 0.000_024_433_157_118));
-    let quarter = quarters - 4.0 * (0.25 * quarters).floor();
-    let is_odd = quarter.simd_eq(1.0) | quarter.simd_eq(3.0);
-    let is_reversed = quarter.simd_ge(2.0);
-    let along = Turn { sine: select(is_odd, cosine, sine), cosine: select(is_odd, -sine, cosine) };
-    Turn {
-        sine: select(is_reversed, -along.sine, along.sine),
-        cosine: select(is_reversed, -along.cosine, along.cosine),
-    }
-}
-
-/// `v` turned about +y: from z towards x.
-#[inline(always)]
-fn about_y<S: Simd>(v: V3<S>, turn: Turn<S>) -> V3<S> {
-    let Turn { sine, cosine } = turn;
-    V3::new(v.x * cosine + v.z * sine, v.y, v.z * cosine - v.x * sine)
-}
-
-/// The velocity of what turns so at `q` from the hub.
-#[inline(always)]
-fn velocity_at<S: Simd>(simd: S, q: V3<S>, spin: &Spin<S>) -> V3<S> {
-    V3::new(q.z, all(simd, 0.0), -q.x) * spin.omega
 }
 
 /// Where rays meet a body as it is shown.
@@ -161,60 +62,21 @@ fn surface_of_turning<S: Simd>(
     spin: &Spin<S>,
 ) -> Surface<S> {
     let capsule = around(kind, body);
-    let course = course_through(&capsule, ray, spin);
-    let [from, to] = course;
+    let course = Course::new(simd, group, &capsule, ray, spin);
+    if kind == Kind::Tube {
+        return course.surface(spin);
+    }
+    let Course { from, to, .. } = course;
     let length = to - from;
     let is_short = (spin.omega.abs() * length).simd_lt(SHORT);
     let mut start = 0.5 * (from + to);
     let mut reach = 1.5 * length;
     if !is_short.all_true() {
-        let first = first_within(simd, group, &capsule, ray, spin, course, !is_short);
+        let (first, _) = course.first_at_tube(!is_short);
         start = select(is_short, start, first);
         reach = select(is_short, reach, 0.5 * SHORT / spin.omega.abs() + capsule.radius);
     }
     surface_near(simd, kind, group, body, ray, spin, start, reach)
-}
-
-/// Where on this course those rays that are `active` first come into `capsule`, which turns, or else come closest to it.
-#[inline(always)]
-fn first_within<S: Simd>(
-    simd: S,
-    group: &Group,
-    capsule: &Capsule<S>,
-    ray: &Ray<S>,
-    spin: &Spin<S>,
-    [from, to]: [F<S>; 2],
-    active: Mask<S>,
-) -> F<S> {
-    let n = ray.direction;
-    let nearest = nearest_to(spin.hub, ray);
-    let beginning = capsule.place - spin.hub;
-    let axis = capsule.end - capsule.place;
-    let length_squared = axis.dot(axis).max(1e-30);
-    let (zero, one) = (all(simd, 0.0), all(simd, 1.0));
-    let (mut closest, mut least, mut s, mut active) = (from, all(simd, 1e30), from, active);
-    for _ in 0..MOST_STEPS {
-        let q = nearest + n * s;
-        let at = co_moving(simd, group, q, n, spin);
-        let along = clamp((at.place - beginning).dot(axis) / length_squared, zero, one);
-        let off_axis = (at.place - beginning) - axis * along;
-        let distance = off_axis.length();
-        let outside = distance - capsule.radius;
-        let is_closer = active & outside.simd_lt(least);
-        least = select(is_closer, outside, least);
-        closest = select(is_closer, s, closest);
-        active &= !outside.simd_le(0.01 * capsule.radius);
-        let slope = off_axis.dot(at.tangent) / distance;
-        let off_axle = V2::new(q.x, q.z).length();
-        let bend = spin.omega.abs() * (2.0 + spin.omega.abs() * off_axle);
-        let step = (slope + (slope * slope + 2.0 * bend * outside).sqrt()) / bend;
-        s = select(active, s + step, s);
-        active &= !s.simd_gt(to);
-        if !active.any_true() {
-            break;
-        }
-    }
-    closest
 }
 
 /// What is shown at `q`, from the hub, along rays in the direction of `n`.
@@ -224,32 +86,6 @@ fn co_moving<S: Simd>(simd: S, group: &Group, q: V3<S>, n: V3<S>, spin: &Spin<S>
     let turn = sine_cosine(-spin.omega * shown.time);
     let tangent = n + velocity_at(simd, q, spin) * shown.slowness.dot(n);
     CoMoving { place: about_y(q, turn), tangent: about_y(tangent, turn) }
-}
-
-/// Between which distances from its point nearest to the hub a ray may meet what turns and is inside `capsule`.
-#[inline(always)]
-fn course_through<S: Simd>(capsule: &Capsule<S>, ray: &Ray<S>, spin: &Spin<S>) -> [F<S>; 2] {
-    let n = ray.direction;
-    let nearest = nearest_to(spin.hub, ray);
-    let (place, end) = (capsule.place - spin.hub, capsule.end - spin.hub);
-    let off_axle = off_axle_squared(place).max(off_axle_squared(end)).sqrt() + capsule.radius;
-    let flat_squared = off_axle_squared(n).max(1e-12);
-    let closest = -(nearest.x * n.x + nearest.z * n.z) / flat_squared;
-    let side = nearest.x * n.z - nearest.z * n.x;
-    let half_chord = ((off_axle * off_axle - side * side / flat_squared).max(0.0) / flat_squared).sqrt();
-    let slope = select(n.y.simd_lt(0.0), n.y.min(-1e-9), n.y.max(1e-9));
-    let low = place.y.min(end.y) - capsule.radius;
-    let high = place.y.max(end.y) + capsule.radius;
-    let crossings = [(low - nearest.y) / slope, (high - nearest.y) / slope];
-    let first = crossings[0].min(crossings[1]);
-    let last = crossings[0].max(crossings[1]);
-    let (before, after) = (closest - half_chord, closest + half_chord);
-    [clamp(first, before, after), clamp(last, before, after)]
-}
-
-#[inline(always)]
-fn off_axle_squared<S: Simd>(v: V3<S>) -> F<S> {
-    v.x * v.x + v.z * v.z
 }
 
 /// Where rays meet a body that turns, as one round after the other finds it, from `start` along the ray, counted from its

@@ -1,4 +1,5 @@
-//! The first entry of a ray into a body that turns, in rounds, as the rays on the GPU find it (`turning.wgsl`).
+//! The first entry of a ray into a body that turns, in rounds, as the rays on the GPU find what is no tube (`turning.wgsl`).
+//! Spokes they find as `course.wgsl` says, which costs about as much and passes no entry.
 //!
 //! In the frame that turns with the body the ray is a curve (see `solid.rs`). A round takes its tangent for it,
 //! and the next one the tangent where that met the body, or passed it: what is off is about squared each time. Where the

@@ -1,5 +1,7 @@
 //! A wheel of a bicycle, and views of it.
 
+pub mod spokes;
+
 use std::f64::consts::TAU;
 
 use glam::DVec3;
@@ -95,7 +97,13 @@ impl From {
 /// A picture of the wheel, as wide as the picture, from there, `aside` from the middle between the eyes.
 pub fn view_of_wheel(from: From, beta: f64, geometry: Geometry, aside: f64) -> View {
     let speed = Speed::from_beta(beta).expect("below 1");
-    let event = DVec3::from(HUB) - from.hub();
+    view_of_hub(from.hub(), speed, geometry, aside)
+}
+
+/// The same where the hub is at `hub` from the camera's event, in the rest frame.
+pub fn view_of_hub(hub: DVec3, speed: Speed, geometry: Geometry, aside: f64) -> View {
+    let beta = speed.beta();
+    let event = DVec3::from(HUB) - hub;
     let x = if beta > 0.0 { aside } else { event.x };
     let aperture = Aperture { x, y: event.y, z: event.z };
     // The camera's event, or that of the middle between the eyes, is at gamma (x - beta T) in the rest frame.

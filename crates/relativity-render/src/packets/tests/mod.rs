@@ -16,7 +16,8 @@ use relativity_core::{Aperture, Speed, Turning};
 use super::body::{Body as PacketBody, Group as PacketGroup};
 use super::ray::{line_of_sight, movement as movement_of, rest_ray};
 use super::shape::middle;
-use super::turning::{Spin as PacketSpin, doppler_of, place_of_hit, standing, surface_when_shown};
+use super::spin::Spin as PacketSpin;
+use super::turning::{doppler_of, place_of_hit, standing, surface_when_shown};
 use crate::frame::Frame;
 use crate::lanes::{F, LANES, Simd, SimdFrom, V2, V3};
 use crate::{

@@ -1,4 +1,4 @@
-//! Under the Accuracy tab's table: how far off spokes are after each round of the rays' search for them.
+//! Under the Accuracy tab's table: how far off spokes are after each round of a search along straight lines.
 
 use eframe::egui::{Grid, RichText, Ui};
 
@@ -11,7 +11,7 @@ use crate::figures;
 const HEADS: [(&str, &str); 5] = [
     (
         "spokes",
-        "Rays find what turns in rounds: each takes a straight line for what is a curve to the spoke. They stop once it is exact.",
+        "A search that costs less than the one that draws: each round takes a straight line for what is a curve to the spoke.",
     ),
     ("ns", "Time per ray and body on this machine, one thread, nanoseconds."),
     (
