@@ -453,7 +453,7 @@ impl State {
                 let recent = std::mem::take(&mut self.session.recent);
                 let (lesson, library) = (self.session.lesson.take(), self.session.library.take());
                 let next_lesson = self.session.next_lesson.take();
-                let begun = std::mem::take(&mut self.session.begun);
+                let answers = std::mem::take(&mut self.session.answers);
                 let session = Session {
                     playing,
                     overlay,
@@ -468,7 +468,7 @@ impl State {
                     recent,
                     lesson,
                     next_lesson,
-                    begun,
+                    answers,
                     library,
                     ..state.session
                 };

@@ -2,24 +2,26 @@
 
 use std::path::Path;
 
-use eframe::egui::{ViewportBuilder, ViewportCommand};
-use eframe::{CreationContext, NativeOptions, Storage, WindowBuilderHook};
+use eframe::egui::ViewportBuilder;
+use eframe::{CreationContext, NativeOptions};
 use relativity_render::{colour, planck};
 
 use super::args::WindowArgs;
 use super::notice::Notice;
 use super::overlay::Overlay;
+use super::persistence::{Keeper, Loaded, Memory};
 use super::reopening::{self, Bequeathed, Break, Ended, Estate};
 use super::state::State;
-use super::{App, graphics, icon, memory, painting, screenshot, storage};
+use super::{App, graphics, icon, painting, screenshot};
 use crate::files::whole::ensure_ending;
 use crate::flags::words::Shell;
+use crate::lesson::Answers;
 use crate::platform::clock::Instant;
 use crate::platform::last_word::LastWord;
 use crate::platform::{tell, threads};
 use crate::settings::Settings;
 
-/// Name under which settings are saved.
+/// Name of the window for the system, and of the folder of its settings.
 const APP_ID: &str = "gamow";
 
 const WHAT_TO_DO: &str = "On Debian and Ubuntu install `libx11-6 libxcursor1 libxi6 libxkbcommon-x11-0 mesa-vulkan-drivers` \
@@ -29,7 +31,7 @@ const WHAT_TO_DO: &str = "On Debian and Ubuntu install `libx11-6 libxcursor1 lib
 /// Opens the window and returns when it is closed; with `--screenshot` draws it once instead.
 ///
 /// # Errors
-/// A bad flag or scene, no display, no graphics adapter, or a missing system library.
+/// A bad flag or scene, no display, no graphics adapter, a missing system library, or settings and answers that could not be written.
 pub fn launch(args: &WindowArgs) -> anyhow::Result<()> {
     if let Some(path) = &args.screenshot {
         ensure_ending("--screenshot", path, "png")?;
@@ -44,12 +46,14 @@ pub fn launch(args: &WindowArgs) -> anyhow::Result<()> {
         return Err(unopened("there is no display"));
     }
     begin_tables();
-    reopening::kept_open(|begin, estate| open(args, begin, estate), Instant::elapsed).map_err(|ended| {
-        match ended {
+    let keeper = Keeper::of_user(APP_ID)?;
+    reopening::kept_open(|begin, estate| open(args, begin, estate, &keeper), Instant::elapsed).map_err(
+        |ended| match ended {
             Ended::Unopened(reason) => unopened(&reason.to_string()),
-            Ended::Broken(reason, state) => broken(&reason, &state),
-        }
-    })
+            Ended::Broken(reason, state) => broken(&reason, &state, &keeper),
+        },
+    )?;
+    keeper.end()
 }
 
 /// Has the tables made in which colours are looked up, while the window opens: its first frame needs them, and they take
@@ -63,10 +67,10 @@ fn unopened(reason: &str) -> anyhow::Error {
 }
 
 /// That a window ended for this `reason`, after its `state` is kept.
-fn broken(reason: &Break, state: &State) -> anyhow::Error {
+fn broken(reason: &Break, state: &State, keeper: &Keeper) -> anyhow::Error {
     let reason = in_one_line(&reason.to_string());
-    match reopening::keep(state, APP_ID) {
-        Ok(_) => {
+    match keeper.keep(state) {
+        Ok(()) => {
             anyhow::anyhow!("the window cannot go on: {reason}. What it showed is kept for the next start.")
         }
         Err(error) => {
@@ -90,78 +94,82 @@ fn in_one_line(message: &str) -> String {
 
 /// Opens a window that begins in this state, or else as the flags and the last one have it, and leaves its own to the
 /// `estate`; returns when it is closed.
-fn open(args: &WindowArgs, begin: Option<State>, estate: &Estate) -> Result<(), Break> {
+fn open(args: &WindowArgs, begin: Option<State>, estate: &Estate, keeper: &Keeper) -> Result<(), Break> {
+    // Another window in place of a broken one begins in the state of that.
+    let loaded = if begin.is_none() { keeper.load() } else { Loaded::default() };
     let viewport = ViewportBuilder::default()
         .with_title("Gamow")
         .with_app_id(APP_ID)
         .with_icon(icon::icon())
         .with_inner_size(args.window_size_or_default().map(|side| side as f32))
         .with_min_inner_size([480.0, 320.0]);
-    let looked = eframe::storage_dir(APP_ID)
-        .map(|folder| storage::look_through(&folder.join(storage::FILE)))
-        .unwrap_or_default();
-    let options = NativeOptions {
-        persistence_path: looked.instead,
-        viewport,
+    let viewport = if args.window_size().is_none() {
+        keeper.placed(viewport)
+    } else {
         // A size that is asked for is no habit: it does not take the place of the remembered one.
-        persist_window: args.window_size().is_none(),
-        window_builder: args
-            .window_size()
-            .map(|size| -> WindowBuilderHook { Box::new(move |viewport| of_size(viewport, size)) }),
-        wgpu_options: graphics::configuration(),
-        ..NativeOptions::default()
+        keeper.forget_place();
+        viewport
     };
-    let left = estate.clone();
+    let options =
+        NativeOptions { viewport, wgpu_options: graphics::configuration(), ..NativeOptions::default() };
+    let (left, left_to) = (estate.clone(), keeper.clone());
     let _last_word = LastWord::new(move || {
         tell::failure(&match left.take() {
-            Some(left) => broken(&Break::Exit, &left.state),
+            Some(left) => broken(&Break::Exit, &left.state, &left_to),
             None => unopened(&Break::Exit.to_string()),
         })
     });
-    let (args, estate) = (args.clone(), estate.clone());
+    let (args, estate, keeper) = (args.clone(), estate.clone(), keeper.clone());
     let create = move |cc: &CreationContext<'_>| {
-        let mut state = match begin {
+        let state = match begin {
             Some(state) => state,
-            None => first_state(&args, cc.storage)?,
+            None => first_state(&args, loaded)?,
         };
-        state.session.notice = looked.notice.or(state.session.notice);
-        if args.window_size().is_some() {
-            // Where windows are shown before they can be maximised, eframe has a remembered one so once more.
-            cc.egui_ctx.send_viewport_cmd(ViewportCommand::Fullscreen(false));
-            cc.egui_ctx.send_viewport_cmd(ViewportCommand::Maximized(false));
+        keeper.memory().restore_in(&cc.egui_ctx, args.window_size().is_none());
+        if args.window_size().is_none() {
+            bring_back(cc, &keeper.memory());
         }
         if let Some(render_state) = &cc.wgpu_render_state {
             painting::install(&cc.egui_ctx, render_state);
         }
-        let app = App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state);
+        let app = App::new(&cc.egui_ctx, cc.wgpu_render_state.as_ref(), state).kept_by(keeper);
         Ok(Box::new(Bequeathed::new(app, estate)) as Box<dyn eframe::App>)
     };
     reopening::guarded(|| eframe::run_native(APP_ID, options, Box::new(create)))
 }
 
+/// Has a window that was left on a screen that is no longer there come back.
+fn bring_back(cc: &CreationContext<'_>, memory: &Memory) {
+    let Some(window) = cc.winit_window() else { return };
+    let scale = window.scale_factor();
+    let monitors = window.available_monitors().map(|monitor| {
+        let (position, size) = (monitor.position(), monitor.size());
+        let places = [[position.x.into(), position.y.into()], [size.width.into(), size.height.into()]];
+        places.map(|pair: [f64; 2]| pair.map(|side| (side / scale) as f32))
+    });
+    memory.bring_back(&cc.egui_ctx, monitors);
+}
+
 /// The state that the flags ask for, and the rest as the last window left it.
-fn first_state(args: &WindowArgs, storage: Option<&dyn Storage>) -> anyhow::Result<State> {
-    let mut state = state_from(args, storage.map(memory::remembered).unwrap_or_default())?;
-    state.session.recent.extend(storage.map(memory::recent).unwrap_or_default());
-    recall(&mut state, storage, args.welcomes());
+fn first_state(args: &WindowArgs, left: Loaded) -> anyhow::Result<State> {
+    let Loaded { settings, memory, answers, notice } = left;
+    let mut state = state_from(args, settings)?;
+    state.session.recent.extend(memory.recent());
+    recall(&mut state, &memory, &answers, args.welcomes());
+    state.session.notice = notice.or(state.session.notice);
     Ok(state)
 }
 
 /// Has `state` know what its user has done before; newcomers, who have neither clicked a point nor begun a lesson, begin with
 /// the start page if the window `welcomes` them.
-fn recall(state: &mut State, storage: Option<&dyn Storage>, welcomes: bool) {
-    state.session.hint = storage.is_none_or(memory::lacks_a_click);
-    let begun = state.session.next_lesson.take().or_else(|| storage.and_then(memory::next_lesson));
-    if welcomes && state.session.hint && begun.is_none() {
+fn recall(state: &mut State, memory: &Memory, answers: &Answers, welcomes: bool) {
+    state.session.hint = !memory.clicked;
+    let next = state.session.next_lesson.take().or_else(|| memory.lesson.clone());
+    if welcomes && state.session.hint && next.is_none() {
         state.session.overlay = Some(Overlay::Start);
     }
-    state.session.next_lesson = begun;
-    state.recall_begun(storage.map(memory::begun).unwrap_or_default());
-}
-
-/// The window that eframe is to make, which has put the remembered size into it, with the size that is asked for instead.
-fn of_size(viewport: ViewportBuilder, size: [u32; 2]) -> ViewportBuilder {
-    viewport.with_inner_size(size.map(|side| side as f32)).with_maximized(false).with_fullscreen(false)
+    state.session.next_lesson = next;
+    state.recall_answers(answers);
 }
 
 /// The state to start in. Where the scene that was left is no more, the usual one is shown, and why.
@@ -177,69 +185,71 @@ fn state_from(args: &WindowArgs, left: Settings) -> anyhow::Result<State> {
 
 #[cfg(test)]
 mod tests {
-    use super::reopening::Stored as Kept;
     use super::*;
     use crate::app::command::Command;
     use crate::app::running::LessonCommand;
     use crate::lesson::{Library, Record};
 
-    fn started(storage: Option<&dyn Storage>, welcomes: bool) -> State {
-        let mut state = State::open(Settings::default()).expect("a preset");
-        recall(&mut state, storage, welcomes);
+    /// A window over what is kept in a folder, and what it did there.
+    fn started(keeper: &Keeper, welcomes: bool) -> State {
+        let Loaded { settings, memory, answers, .. } = keeper.load();
+        let mut state = State::open(settings).expect("a preset");
+        recall(&mut state, &memory, &answers, welcomes);
         state
     }
 
     #[test]
     fn newcomers_begin_with_the_start_page() {
-        let overlay = |storage: &Kept, welcomes| started(Some(storage), welcomes).session.overlay;
-        let mut kept = Kept::default();
-        assert_eq!(started(None, true).session.overlay, Some(Overlay::Start));
-        assert_eq!(overlay(&kept, true), Some(Overlay::Start));
-        assert_eq!(overlay(&kept, false), None);
+        let folder = tempfile::tempdir().expect("a folder");
+        let keeper = || Keeper::in_folder(folder.path());
+        let overlay = |welcomes| started(&keeper(), welcomes).session.overlay;
+        assert_eq!((overlay(true), overlay(false)), (Some(Overlay::Start), None));
         // Closing it and the window changes nothing.
-        let closed = started(Some(&kept), true);
-        memory::remember(&mut kept, &closed);
-        assert_eq!(overlay(&kept, true), Some(Overlay::Start));
-        let mut clicked = Kept::default();
-        memory::remember_a_click(&mut clicked);
-        assert_eq!(overlay(&clicked, true), None);
-        let mut state = started(None, true);
+        let window = keeper();
+        window.keep(&started(&window, true)).expect("it is written");
+        assert_eq!(overlay(true), Some(Overlay::Start));
+        let window = keeper();
+        let mut state = started(&window, true);
         let lesson = Library::own().open("turned").expect("it is there");
         state.begin_lesson(&lesson).expect("it can be shown");
         assert_eq!(state.session.overlay, None);
-        memory::remember(&mut kept, &state);
+        window.keep(&state).expect("it is written");
         // The lesson shows no controls; the next window does.
-        assert!(!state.settings.window.controls && memory::remembered(&kept).window.controls);
-        let again = started(Some(&kept), true).session;
-        assert_eq!((again.overlay, again.next_lesson.as_deref()), (None, Some("turned")));
+        let again = started(&keeper(), true);
+        assert!(!state.settings.window.controls && again.settings.window.controls);
+        assert_eq!((again.session.overlay, again.session.next_lesson.as_deref()), (None, Some("turned")));
+        let other = tempfile::tempdir().expect("a folder");
+        let window = Keeper::in_folder(other.path());
+        let mut state = started(&window, true);
+        state.session.hint = false;
+        window.keep(&state).expect("it is written");
+        assert_eq!(started(&Keeper::in_folder(other.path()), true).session.overlay, None);
     }
 
     #[test]
     fn answers_in_a_lesson_outlast_the_window() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let keeper = Keeper::in_folder(folder.path());
         let lesson = Library::own().open("turned").expect("it is there");
-        let mut state = started(None, false);
+        let mut state = started(&keeper, false);
         state.begin_lesson(&lesson).expect("it can be shown");
         state.apply(Command::Lesson(LessonCommand::Skip));
         let left = state.course().expect("a lesson").clone();
         assert_ne!(left.records()[0], Record::default());
-        let mut kept = Kept::default();
-        memory::remember(&mut kept, &state);
-        let again = |mut state: State, begins_first: bool| {
+        keeper.keep(&state).expect("it is written");
+        // Begun from the start page, and by a flag.
+        for begins_first in [false, true] {
+            let Loaded { memory, answers, .. } = Keeper::in_folder(folder.path()).load();
+            let mut state = State::open(Settings::default()).expect("a preset");
             if begins_first {
                 state.begin_lesson(&lesson).expect("it can be shown");
             }
-            recall(&mut state, Some(&kept), false);
+            recall(&mut state, &memory, &answers, false);
             if !begins_first {
                 state.begin_lesson(&lesson).expect("it can be shown");
             }
             let course = state.course().expect("a lesson");
             assert_eq!((course.records(), course.place()), (left.records(), left.place()));
-        };
-        // Begun from the start page, and by a flag.
-        for begins_first in [false, true] {
-            again(started(None, false), begins_first);
         }
-        kept.set_string("begun", "[{]".to_owned());
-        assert_eq!(memory::begun(&kept), []);
     }
 }

@@ -11,15 +11,12 @@ use super::pointer::Pick;
 use super::running::{LessonCommand, Run, Running, Told};
 use super::state::State;
 use crate::lesson::{
-    Animated, Answer, Course, KeptCourse, Kind, Lesson, LessonError, Library, Phase, Prediction,
+    Animated, Answer, Answers, Course, Kind, Lesson, LessonError, Library, Phase, Prediction,
 };
+use crate::platform::clock as wall_clock;
 use crate::settings::{Settings, Window};
 
-/// How many ways through lessons are kept.
-const MOST_KEPT: usize = 64;
-
-/// What is entered in a lesson is kept when it is closed, when another is begun, and, with the settings, when the window is:
-/// whoever opens it again goes on where it was. Answers are no steps of the way back: undoing leads back to settings and
+/// What is entered in a lesson is noted at once: whoever opens it again goes on where it was. Answers are no steps of the way back: undoing leads back to settings and
 /// to places, never to a lesson without an answer that was given.
 impl State {
     /// The lessons that there are.
@@ -40,9 +37,8 @@ impl State {
     /// What cannot be worked out or shown of it.
     pub fn begin_lesson(&mut self, lesson: &Lesson) -> Result<(), LessonError> {
         let mut course = Course::new(lesson)?;
-        self.session.begun = self.begun();
-        if let Some(kept) = self.session.begun.iter().find(|kept| kept.is_of(lesson)) {
-            course.take_up(kept);
+        if let Some(way) = self.session.answers.of(lesson) {
+            course.take_up(way);
         }
         let before = self.session.lesson.as_ref().map_or(self.settings.window, |running| running.before);
         self.session.lesson =
@@ -108,6 +104,7 @@ impl State {
             LessonCommand::SetUp => self.set_up(),
             LessonCommand::BeginAnew => {
                 course.begin_anew();
+                self.session.answers.clear(course.lesson(), wall_clock::since_1970_ms());
                 self.set_up();
             }
             LessonCommand::Close => self.close_lesson(),
@@ -123,25 +120,21 @@ impl State {
         }
     }
 
-    /// The ways through lessons that are kept, with that through the open one as it is now.
-    #[must_use]
-    pub fn begun(&self) -> Vec<KeptCourse> {
-        let mut begun = self.session.begun.clone();
-        if let Some(course) = self.course() {
-            begun.retain(|kept| !kept.is_of(course.lesson()));
-            begun.extend(course.kept());
+    /// Notes what was entered in the open lesson since it was as `before`.
+    pub(super) fn note_answers(&mut self, before: &Course) {
+        if let Some(running) = &self.session.lesson {
+            self.session.answers.note(before, &running.course, wall_clock::since_1970_ms());
         }
-        begun.drain(..begun.len().saturating_sub(MOST_KEPT));
-        begun
     }
 
-    /// Has the ways through lessons that were kept in an earlier window. One of them may be that of the lesson that is open.
-    pub fn recall_begun(&mut self, begun: Vec<KeptCourse>) {
-        self.session.begun = begun;
+    /// Adds the `answers` that were kept, by an earlier window or by another one. Some may be of the lesson that is open: it
+    /// takes them up if nothing has been done in it yet.
+    pub fn recall_answers(&mut self, answers: &Answers) {
+        self.session.answers.merge(answers);
         let Some(running) = &mut self.session.lesson else { return };
-        let kept = self.session.begun.iter().find(|kept| kept.is_of(running.course.lesson()));
-        if let Some(kept) = kept.filter(|_| running.course.kept().is_none()) {
-            running.course.take_up(kept);
+        let way = self.session.answers.of(running.course.lesson());
+        if let Some(way) = way.filter(|_| running.course.is_untouched()) {
+            running.course.take_up(way);
             self.set_up();
         }
     }
@@ -233,7 +226,6 @@ impl State {
 
     fn close_lesson(&mut self) {
         self.settings.window = self.lesson_base().window;
-        self.session.begun = self.begun();
         self.session.lesson = None;
     }
 

@@ -36,7 +36,6 @@ pub mod launch;
 mod layout;
 mod layouts;
 pub mod lesson;
-pub mod memory;
 pub mod notice;
 pub mod observer;
 pub mod on_texture;
@@ -47,6 +46,7 @@ pub mod overlay;
 pub mod painting;
 mod panels;
 pub mod panes;
+pub mod persistence;
 mod plotted;
 pub mod plotting;
 pub mod pointer;
@@ -65,10 +65,8 @@ pub mod stage;
 pub mod state;
 pub mod steps;
 mod stillness;
-pub mod storage;
 mod theme;
 pub mod thumbnails;
-mod toolkit;
 pub mod under;
 pub mod usual;
 mod views;
@@ -97,6 +95,7 @@ use notice::Notice;
 use overlay::Overlay;
 use panels::{Asks, plots::Plotted};
 use panes::{Arrangement, Content};
+use persistence::Keeper;
 use running::Running;
 use saving::Saver;
 use stage::Part;
@@ -128,8 +127,8 @@ pub struct App {
     saver: Saver,
     thumbnails: Thumbnails,
     watch: Option<Watch>,
-    /// The windowing library, which is asked what it remembers.
-    ctx: egui::Context,
+    /// Writes what outlasts the window; none where nothing does.
+    keeper: Option<Keeper>,
 }
 
 /// How much larger than usual writing is for an audience.
@@ -159,8 +158,14 @@ impl App {
             saver: Saver::default(),
             thumbnails: Thumbnails::default(),
             watch: None,
-            ctx: ctx.clone(),
+            keeper: None,
         }
+    }
+
+    /// Has the `keeper` write what outlasts the window.
+    #[must_use]
+    pub fn kept_by(self, keeper: Keeper) -> Self {
+        Self { keeper: Some(keeper), ..self }
     }
 
     /// What it shows.
@@ -230,6 +235,9 @@ impl App {
     /// Does what the user would have asked for.
     pub fn ask(&mut self, command: Command) {
         self.state.apply(command);
+        if let Some(keeper) = &self.keeper {
+            keeper.note(&mut self.state);
+        }
     }
 
     /// Lets T run by a `step` of the wall clock, seconds.
@@ -549,6 +557,9 @@ impl App {
 
 impl eframe::App for App {
     fn logic(&mut self, ctx: &egui::Context, _frame: &mut eframe::Frame) {
+        if let Some(keeper) = &self.keeper {
+            keeper.keep_on(&mut self.state, ctx);
+        }
         self.advance(f64::from(ctx.input(|input| input.stable_dt)));
         log::trace!("a frame took {:.3} ms", 1e3 * ctx.input(|input| input.unstable_dt));
     }
@@ -561,14 +572,13 @@ impl eframe::App for App {
         aids::drop_what_is_no_number(input);
     }
 
-    fn save(&mut self, storage: &mut dyn eframe::Storage) {
-        memory::keep(storage, &self.state);
-        memory::remember_toolkit(storage, &self.ctx);
-    }
-
-    fn persist_egui_memory(&self) -> bool {
-        // What of it is kept is chosen above.
-        false
+    fn on_exit(&mut self) {
+        if let Some(keeper) = &self.keeper
+            && let Err(failure) = keeper.keep(&self.state)
+        {
+            // It is told once more when the program ends.
+            log::warn!("{failure}");
+        }
     }
 }
 

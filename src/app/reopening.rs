@@ -1,25 +1,20 @@
-//! What becomes of the window's state where the window cannot go on: it is opened again once, else the state is kept for the
+//! What becomes of the window's state where the window cannot go on: it is opened again once, else the state is left for the
 //! next start.
 
 use std::cell::RefCell;
-use std::collections::BTreeMap;
 use std::fmt;
 use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
-use std::path::{Path, PathBuf};
 use std::rc::{Rc, Weak};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
-use anyhow::Context as _;
-use eframe::Storage;
 use eframe::egui::{Context, Ui};
 
+use super::App;
 use super::notice::Notice;
 use super::state::{Session, State};
-use super::{App, memory, storage};
 use crate::caption::capitalised;
 use crate::platform::clock::Instant;
-use crate::platform::files;
 
 /// A device that is lost again within this time is not asked for another window.
 const SOON: Duration = Duration::from_mins(1);
@@ -85,8 +80,8 @@ impl eframe::App for Bequeathed {
         self.app.borrow_mut().ui(ui, frame);
     }
 
-    fn save(&mut self, storage: &mut dyn Storage) {
-        self.app.borrow_mut().save(storage);
+    fn on_exit(&mut self) {
+        self.app.borrow_mut().on_exit();
     }
 }
 
@@ -227,45 +222,6 @@ pub fn kept_open(
     }
 }
 
-/// What eframe keeps in its file, without a window.
-#[derive(Default)]
-pub struct Stored(BTreeMap<String, String>);
-
-impl Storage for Stored {
-    fn get_string(&self, key: &str) -> Option<String> {
-        self.0.get(key).cloned()
-    }
-
-    fn set_string(&mut self, key: &str, value: String) {
-        self.0.insert(key.to_owned(), value);
-    }
-
-    fn remove_string(&mut self, key: &str) {
-        self.0.remove(key);
-    }
-
-    fn flush(&mut self) {}
-}
-
-/// Keeps `state` as the window of the program `app_id` does when it is closed, and says where.
-///
-/// # Errors
-/// The file system's.
-pub fn keep(state: &State, app_id: &str) -> anyhow::Result<PathBuf> {
-    let folder = eframe::storage_dir(app_id).context("there is no folder for it")?;
-    files::create_folder(&folder)?;
-    let path = folder.join(storage::FILE);
-    keep_in(&path, state)?;
-    Ok(path)
-}
-
-/// Keeps `state` in eframe's file at `path`, with what else is there.
-fn keep_in(path: &Path, state: &State) -> anyhow::Result<()> {
-    let mut stored = Stored(storage::read(path).ok().flatten().unwrap_or_default());
-    memory::keep(&mut stored, state);
-    storage::write(path, &stored.0)
-}
-
 #[cfg(test)]
 mod tests {
     use std::cell::Cell;
@@ -350,22 +306,5 @@ mod tests {
         assert_eq!(Break::of(staging, "src/app/eyes.rs"), None);
         assert_eq!(Break::of("called `Option::unwrap()` on a `None` value", painter), None);
         assert!(matches!(Break::of("libX11 could not be loaded", "xlib.rs"), Some(Break::Window(_))));
-    }
-
-    #[test]
-    fn what_is_kept_without_a_window_is_what_the_next_one_remembers() {
-        let folder = tempfile::tempdir().expect("a folder");
-        let path = folder.path().join("app.ron");
-        std::fs::write(&path, r#"{"window": "(pos: \"there\")", "settings": "old"}"#).expect("it is written");
-        let mut state = state(1.5);
-        state.session.hint = false;
-        keep_in(&path, &state).expect("it is kept");
-        // As eframe reads it.
-        let text = std::fs::read_to_string(&path).expect("it is there");
-        let stored = Stored(ron::from_str(&text).expect("a map"));
-        assert_eq!(memory::remembered(&stored).time, Some(1.5));
-        assert!(!memory::lacks_a_click(&stored));
-        assert_eq!(stored.0.get("window").map(String::as_str), Some(r#"(pos: "there")"#));
-        assert!(keep_in(&folder.path().join("missing/app.ron"), &state).is_err());
     }
 }

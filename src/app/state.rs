@@ -21,7 +21,7 @@ use super::stage::Stage;
 use crate::accuracy::Choice;
 use crate::estimate::samples::DataFile;
 use crate::flags::choices::ProjectionChoice;
-use crate::lesson::{KeptCourse, Library};
+use crate::lesson::{Answers, Library};
 use crate::map::Viewpoint;
 use crate::scene::{Scene, SceneError};
 use crate::settings::{Look, Preset, Settings};
@@ -91,8 +91,8 @@ pub struct Session {
     pub lesson: Option<Running>,
     /// The name of the lesson to go on with: the last that was begun, or the one after it once that is over.
     pub next_lesson: Option<String>,
-    /// The ways through lessons that are closed, the last one closed last.
-    pub begun: Vec<KeptCourse>,
+    /// Everything that was entered in lessons, in the open one too.
+    pub answers: Answers,
     /// The lessons that there are, where they are not the program's own alone.
     pub library: Option<Arc<Library>>,
 }
@@ -143,7 +143,7 @@ impl State {
             opened: None,
             lesson: None,
             next_lesson: None,
-            begun: Vec::new(),
+            answers: Answers::default(),
             library: None,
             scene,
         };

@@ -11,6 +11,7 @@ use crate::lesson::Course;
 impl State {
     /// Does what was asked, so that it can be undone.
     pub fn apply(&mut self, command: Command) {
+        let before = self.course().cloned();
         match command {
             Command::Undo => self.travel(Direction::Back),
             Command::Redo => self.travel(Direction::Forwards),
@@ -19,6 +20,9 @@ impl State {
             command => self.step(command),
         }
         self.follow_lesson();
+        if let Some(before) = before {
+            self.note_answers(&before);
+        }
     }
 
     fn step(&mut self, command: Command) {

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use super::answer::{Answer, Outcome, Record};
+use super::answers::Way;
 use super::error::LessonError;
-use super::kept::KeptCourse;
 use super::place::{Phase, Place};
 use super::plan::{Kind, Lesson, Prediction, Step};
 
@@ -52,7 +52,7 @@ impl Course {
     }
 
     /// Takes up what was `kept` of it: the answers to what is still asked, and the place, if there still is one.
-    pub fn take_up(&mut self, kept: &KeptCourse) {
+    pub fn take_up(&mut self, kept: &Way) {
         for (number, record) in self.records.iter_mut().enumerate() {
             *record = kept.record(&self.lesson, number);
         }
@@ -61,14 +61,11 @@ impl Course {
         (self.draft, self.confidence) = kept.draft(&self.lesson, self.place);
     }
 
-    /// What is kept of it while its lesson is closed; none if nothing was done in it.
+    /// Returns whether nothing was done in it.
     #[must_use]
-    pub fn kept(&self) -> Option<KeptCourse> {
+    pub fn is_untouched(&self) -> bool {
         let is_new = self.place == Place::START && self.draft.is_none();
-        let is_untouched = is_new && self.records.iter().all(|record| *record == Record::default());
-        (!is_untouched && !self.lesson.is_a_preset()).then(|| {
-            KeptCourse::of(&self.lesson, self.place, &self.records, (self.draft.clone(), self.confidence))
-        })
+        is_new && self.records.iter().all(|record| *record == Record::default())
     }
 
     /// Begins it anew, without the answers that were given.

@@ -5,10 +5,10 @@
 //! in their places. A [`Course`] is somebody's way through it.
 
 mod answer;
+mod answers;
 mod course;
 mod curve_plot;
 mod error;
-mod kept;
 mod library;
 mod picture;
 mod place;
@@ -23,9 +23,9 @@ mod verdict;
 pub mod worksheet;
 
 pub use answer::{Answer, Outcome, Record};
+pub use answers::{Answers, Moment, Way};
 pub use course::Course;
 pub use error::LessonError;
-pub use kept::KeptCourse;
 pub use library::{Library, Refused};
 pub use place::{Phase, Place};
 pub use plan::{

@@ -3,6 +3,13 @@
 
 use std::time::Duration;
 
+/// Returns the date, milliseconds since 1970.
+#[must_use]
+pub fn since_1970_ms() -> u64 {
+    let passed = std::time::SystemTime::now().duration_since(std::time::SystemTime::UNIX_EPOCH);
+    passed.map_or(0, |passed| passed.as_millis() as u64)
+}
+
 /// A moment of the wall clock, to tell how long ago it was.
 #[derive(Debug, Clone, Copy)]
 pub struct Instant(std::time::Instant);

@@ -1,4 +1,23 @@
-//! What the environment tells the graphics libraries.
+//! What the environment tells: the graphics libraries, and where data of the user belong.
+
+use std::path::PathBuf;
+
+/// Returns the folder in which the program called `name` keeps data of its user: in `$XDG_DATA_HOME`, else `~/.local/share`; on macOS
+/// in `~/Library/Application Support`, on Windows in `%APPDATA%`. `None` if the user has no home.
+#[must_use]
+pub fn data_folder(name: &str) -> Option<PathBuf> {
+    let home = |inside: &str| std::env::home_dir().map(|home| home.join(inside));
+    let given =
+        |variable: &str| std::env::var_os(variable).map(PathBuf::from).filter(|path| path.is_absolute());
+    let base = if cfg!(windows) {
+        given("APPDATA").or_else(|| home("AppData/Roaming"))
+    } else if cfg!(target_os = "macos") {
+        home("Library/Application Support")
+    } else {
+        given("XDG_DATA_HOME").or_else(|| home(".local/share"))
+    };
+    Some(base?.join(name))
+}
 
 /// Names the folder in which the programs of a session meet: among others, the sockets of displays are in it.
 #[cfg(unix)]

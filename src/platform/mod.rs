@@ -1,5 +1,5 @@
 //! What the system provides, each in one place, so that what a platform lacks is decided there: the clock, files,
-//! threads, interrupts, being ended, limits, what names of files mean, the environment, the standard streams, a terminal, and how much memory a file may ask for.
+//! locks, threads, interrupts, being ended, limits, what names of files mean, the environment, the standard streams, a terminal, and how much memory a file may ask for.
 
 pub mod clock;
 pub mod closed;
@@ -8,6 +8,7 @@ pub mod files;
 pub mod interrupt;
 pub mod last_word;
 pub mod limits;
+pub mod locks;
 pub mod names;
 pub mod progress;
 pub mod sizes;

@@ -12,8 +12,8 @@ pub const CHOICES: usize = 20;
 pub const PASSAGE_BYTES: usize = 8 << 10;
 /// Maximum size of all questions and choices in a lesson, bytes: they are stored with the answers.
 pub const QUESTION_BYTES: usize = 12 << 10;
-/// Maximum nesting depth of quotes, lists and emphasis in a lesson's Markdown. The parsers of TOML (80), formulas (32),
-/// RON (128) and JSON (128) have limits of their own.
+/// Maximum nesting depth of quotes, lists and emphasis in a lesson's Markdown. The parsers of TOML (80), formulas (32)
+/// and JSON (128) have limits of their own.
 pub const NESTED: usize = 16;
 /// Maximum number of formulas in the text that a lesson shows at one time.
 pub const FORMULAS: usize = 100;

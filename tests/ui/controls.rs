@@ -6,6 +6,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use gamow::app::App;
 use gamow::app::command::Command;
+use gamow::app::persistence::Keeper;
 use gamow::settings::{PlotTab, Plots, Settings};
 use relativity_core::{Aperture, Sighting, Speed, equidistance_time, sighting};
 use relativity_render::{Colour, Geometry, Shading};
@@ -231,23 +232,6 @@ fn each_effect_changes_the_picture() {
     assert_eq!(window.state().state().settings.look.geometry, Geometry::Seen);
 }
 
-/// What eframe saves to, in memory.
-#[derive(Default)]
-pub struct Storage(std::collections::HashMap<String, String>);
-
-impl eframe::Storage for Storage {
-    fn get_string(&self, key: &str) -> Option<String> {
-        self.0.get(key).cloned()
-    }
-    fn set_string(&mut self, key: &str, value: String) {
-        self.0.insert(key.to_owned(), value);
-    }
-    fn remove_string(&mut self, key: &str) {
-        self.0.remove(key);
-    }
-    fn flush(&mut self) {}
-}
-
 fn settings_survive() {
     let mut window = window(cyclist(0.9));
     type_into(&mut window, "Gamma, typed", "1e12");
@@ -255,9 +239,9 @@ fn settings_survive() {
         window.get_by_role_and_label(Role::Button, choice).click();
         window.run();
     }
-    let mut storage = Storage::default();
-    eframe::App::save(window.state_mut(), &mut storage);
-    let loaded = gamow::app::memory::remembered(&storage);
+    let folder = tempfile::tempdir().expect("a folder");
+    Keeper::in_folder(folder.path()).keep(window.state().state()).expect("it is written");
+    let loaded = Keeper::in_folder(folder.path()).load().settings;
     assert_eq!(loaded, window.state().state().shown());
     assert_ne!(loaded, cyclist(0.9).settings);
 }

@@ -10,11 +10,10 @@ use egui_kittest::kittest::Queryable as _;
 use gamow::app::App;
 use gamow::app::chooser::Purpose;
 use gamow::app::command::Command;
-use gamow::app::memory;
+use gamow::app::persistence::Keeper;
 use gamow::app::state::State;
 
 use super::Test;
-use super::controls::Storage;
 use super::picking::click;
 use super::support::{cyclist, labels, pane, window};
 
@@ -160,21 +159,22 @@ fn a_state_is_read_again() {
 fn what_is_shown_is_remembered() {
     let folder = tempfile::tempdir().expect("a folder");
     let balls = file(folder.path(), "balls.toml", BALLS);
-    let mut window = window_on_a_ball(&balls);
-    let mut storage = Storage::default();
-    eframe::App::save(window.state_mut(), &mut storage);
-    let again = State::open(memory::remembered(&storage)).expect("it is there");
+    let window = window_on_a_ball(&balls);
+    let kept = tempfile::tempdir().expect("a folder");
+    Keeper::in_folder(kept.path()).keep(window.state().state()).expect("it is written");
+    let loaded = Keeper::in_folder(kept.path()).load();
+    let again = State::open(loaded.settings).expect("it is there");
     let left = window.state().state();
     assert_eq!((&again.settings, &again.session.scene), (&left.settings, &left.session.scene));
     assert_eq!(again.session.time, 1.25);
     assert_eq!(again.session.points.selected().track, left.session.points.selected().track);
-    assert_eq!(memory::recent(&storage).all(), [balls]);
+    assert_eq!(loaded.memory.recent().all(), [balls]);
     // The start is the same preset at any T.
     let mut window =
         super::support::window(State::open(gamow::settings::Settings::default()).expect("a preset"));
     ask(&mut window, Command::Time(1.25));
-    eframe::App::save(window.state_mut(), &mut storage);
-    let again = State::open(memory::remembered(&storage)).expect("it is there");
+    Keeper::in_folder(kept.path()).keep(window.state().state()).expect("it is written");
+    let again = State::open(Keeper::in_folder(kept.path()).load().settings).expect("it is there");
     assert_eq!(again.session.preset, window.state().state().session.preset);
     assert!(again.session.preset.is_some());
 }

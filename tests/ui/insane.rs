@@ -4,8 +4,8 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use gamow::app::persistence::{self, Keeper};
 use gamow::app::state::State;
-use gamow::app::{memory, storage};
 use gamow::settings::{Settings, Subject};
 
 use super::Test;
@@ -143,48 +143,27 @@ impl Random {
         bytes
     }
 
-    /// What the file of what is remembered holds.
-    fn storage(&mut self) -> Vec<u8> {
-        let window = format!(
-            "(normal_geometry:(outer_position_pixels:Some((x:{},y:0.0)),scale_factor:{},inner_size_points:(x:{},y:800.0)),\
-             fullscreen:false,maximized:true)",
+    /// A file of what is remembered beside the settings.
+    fn memory(&mut self) -> Vec<u8> {
+        let text = format!(
+            "clicked = true\nzoom = {}\nfolded = [\"Light\"]\n[place]\nposition = [{}, 0.0]\nsize = [{}, 800.0]\nmaximised = true\n",
             self.number(),
             self.number(),
             self.number()
         );
-        let egui = format!(
-            "(options:(zoom_factor:{},max_passes:{}),data:([(7,(type_id:(3),ron:\"(open:true,open_height:Some({}))\",\
-             generation:1))]))",
-            self.number(),
-            self.number(),
-            self.number()
-        );
-        let app = format!(
-            "(motion:(speed:(parameter:Gamma,value:{}),separation:{}),look:(gaze:Fixed(azimuth:{},elevation:0.1),\
-             fov_degrees:{}),playback:(range:Some(({},2.5))),fit:(samples:{}))",
-            self.number(),
-            self.number(),
-            self.number(),
-            self.number(),
-            self.number(),
-            self.number()
-        );
-        let settings = if self.below(4) == 0 { Settings::default().to_toml() } else { self.settings() };
-        let mut kept =
-            BTreeMap::from([("window", window), ("egui", egui), ("app", app), ("settings", settings)]);
-        for key in ["window", "egui", "app", "settings"] {
-            if self.below(4) == 0 {
-                kept.remove(key);
-            }
-        }
-        let text = ron::to_string(&kept).expect("it is text");
         if self.below(2) == 0 { text.into_bytes() } else { self.mutated(&text) }
+    }
+
+    /// A file of settings as a window keeps it, or nearly.
+    fn kept_settings(&mut self) -> Vec<u8> {
+        let text = if self.below(4) == 0 { Settings::default().to_toml() } else { self.settings() };
+        if text.is_empty() || self.below(2) == 0 { text.into_bytes() } else { self.mutated(&text) }
     }
 
     fn number(&mut self) -> &'static str {
         self.of(&[
             "0.0",
-            "NaN",
+            "nan",
             "inf",
             "-inf",
             "1e9",
@@ -197,43 +176,30 @@ impl Random {
     }
 }
 
-/// What is remembered in a file, as the windowing library would read it.
-struct Kept(BTreeMap<String, String>);
-
-impl eframe::Storage for Kept {
-    fn get_string(&self, key: &str) -> Option<String> {
-        self.0.get(key).cloned()
-    }
-
-    fn set_string(&mut self, _: &str, _: String) {}
-
-    fn remove_string(&mut self, _: &str) {}
-
-    fn flush(&mut self) {}
-}
-
 /// A number out of the environment.
 fn given(name: &str, usual: u64) -> u64 {
     std::env::var(name).map_or(usual, |text| text.parse().expect("it is a number"))
 }
 
-/// The settings of a start with what is remembered in a file of these `bytes`.
-fn remembered(folder: &Path, bytes: &[u8]) -> Settings {
-    let path = folder.join(storage::FILE);
-    std::fs::write(&path, bytes).expect("it is writable");
-    let looked = storage::look_through(&path);
-    assert_eq!(looked.instead, None);
-    let kept = std::fs::read_to_string(&path);
-    let kept = Kept(kept.map_or_else(|_| BTreeMap::new(), |text| ron::from_str(&text).expect("it is read")));
-    if let Some(text) = kept.0.get("egui") {
-        let memory: eframe::egui::Memory = ron::from_str(text).expect("the library reads it");
-        assert!((0.2..=5.0).contains(&memory.options.zoom_factor) && memory.options.max_passes.get() == 2);
-    }
-    assert_eq!(storage::look_through(&path).notice, None, "what was put right is right");
+/// The settings of a start with files of these bytes.
+fn remembered(folder: &Path, settings: &[u8], memory: &[u8]) -> Settings {
+    let write = |name: &str, bytes: &[u8]| std::fs::write(folder.join(name), bytes).expect("it is writable");
+    write(persistence::SETTINGS, settings);
+    write(persistence::MEMORY, memory);
+    let loaded = Keeper::in_folder(folder).load();
+    let ctx = eframe::egui::Context::default();
+    loaded.memory.restore_in(&ctx, true);
+    assert!((0.2..=5.0).contains(&ctx.zoom_factor()));
+    let window = Keeper::in_folder(folder);
+    let again = window.load();
+    assert_eq!(again.notice, None, "what was put right is right");
+    assert_eq!((&again.settings, &again.memory), (&loaded.settings, &loaded.memory));
+    let placed = window.placed(eframe::egui::ViewportBuilder::default());
+    assert!(placed.inner_size.is_none_or(|size| size.min_elem() >= 1.0 && size.max_elem() <= 32_767.0));
     for left in std::fs::read_dir(folder).expect("a folder").flatten() {
         std::fs::remove_file(left.path()).expect("it is writable");
     }
-    memory::remembered(&kept)
+    loaded.settings
 }
 
 /// The state that `settings` open, in another scene where theirs cannot be had.
@@ -256,7 +222,10 @@ fn each(share: u64, mut judge: impl FnMut(State)) {
                 let bytes = random.mutated(&Settings::default().to_toml());
                 Settings::as_far_as_told(&String::from_utf8_lossy(&bytes)).0
             }
-            _ => remembered(folder.path(), &random.storage()),
+            _ => {
+                let (settings, memory) = (random.kept_settings(), random.memory());
+                remembered(folder.path(), &settings, &memory)
+            }
         };
         judge(opened(settings));
     }

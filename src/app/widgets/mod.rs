@@ -16,6 +16,7 @@ use eframe::egui::{
 use relativity_core::math;
 
 use self::icons::Icon;
+use crate::app::persistence::folded;
 use crate::app::theme;
 use crate::figures;
 use crate::flags::MAX_TIME;
@@ -29,12 +30,14 @@ const NUMBER_WIDTH: f32 = 68.0;
 /// A titled group of rows that can be folded away, with a button in its title that has them as usual, unless they are:
 /// then `reset` is none, else what the button does. True if it was clicked.
 pub fn section(ui: &mut Ui, title: &str, reset: Option<&str>, rows: impl FnOnce(&mut Ui)) -> bool {
-    let header = egui::CollapsingHeader::new(RichText::new(title).strong()).default_open(true);
+    let is_open = !folded::is_folded(ui.ctx(), title);
+    let header = egui::CollapsingHeader::new(RichText::new(title).strong()).default_open(is_open);
     let shown = header.show_unindented(ui, |ui| {
         ui.add_space(2.0);
         rows(ui);
         ui.add_space(6.0);
     });
+    folded::note(ui.ctx(), title, shown.openness < 0.5);
     let title_rect = shown.header_response.rect;
     let middle = pos2(ui.max_rect().max.x - RESET_SIDE, title_rect.center().y);
     let rect = Rect::from_center_size(middle, Vec2::splat(RESET_SIDE));
