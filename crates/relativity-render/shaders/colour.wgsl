@@ -42,9 +42,12 @@ fn looked_up(row: i32, place: f32) -> vec4f {
     return mix(low, high, inside - f32(below));
 }
 
-// 2^x, within what floats hold with room to spare.
+// The largest power of two that light is multiplied by: within what floats hold with room to spare.
+const MOST_POWER = 100.0;
+
+// 2^x, held within that.
 fn power_of_two(x: f32) -> f32 {
-    return exp2(clamp(x, -100.0, 100.0));
+    return exp2(clamp(x, -MOST_POWER, MOST_POWER));
 }
 
 fn shoulder(x: f32) -> f32 {
@@ -82,8 +85,11 @@ fn of_daylight(light: vec4f, octaves: f32, shift: f32) -> vec3f {
     let white = looked_up(GLOW_ROW, place);
     let own = looked_up(BAND_ROW, light.x - BAND_PER_OCTAVE * shift);
     let exponent = select(light.w, 0.0, DOPPLER_SHIFT);
-    let sum = white.rgb * power_of_two(white.a + exponent * octaves + light.z)
-        + own.rgb * power_of_two(own.a + light.w * octaves + light.y);
+    let white_power = white.a + exponent * octaves + light.z;
+    let own_power = own.a + light.w * octaves + light.y;
+    // Beyond what floats hold both are held back alike: so their mixture keeps its hue.
+    let beyond = max(max(white_power, own_power) - MOST_POWER, 0.0);
+    let sum = white.rgb * power_of_two(white_power - beyond) + own.rgb * power_of_two(own_power - beyond);
     return shown(sum, GLOW_ROW, place);
 }
 

@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 use fearless_simd::i32x8;
 use relativity_core::math;
 
-use super::logarithm::{log2, power_of_two};
+use super::logarithm::{MOST_POWER, log2, power_of_two};
 use crate::effects::{Effects, Spectrum};
 use crate::lanes::{F, LANES, Simd, SimdFloat as _, SimdFrom as _, V3, all, clamp};
 use crate::palette::{self, BAND, ENTRIES, GLOW, MAP};
@@ -149,8 +149,11 @@ fn of_daylight<S: Simd>(
     let (white, white_level) = tables.looked_up(GLOW_ROW, place);
     let (own, own_level) = tables.looked_up(BAND_ROW, shift * -tables.band_per_octave + band);
     let exponent = if effects.doppler_shift { 0.0 } else { band_exponent };
-    let sum = white * power_of_two(white_level + octaves * exponent + exposure)
-        + own * power_of_two(own_level + octaves * band_exponent + band_exposure);
+    let white_power = white_level + octaves * exponent + exposure;
+    let own_power = own_level + octaves * band_exponent + band_exposure;
+    // Beyond what floats hold both are held back alike: so their mixture keeps its hue.
+    let beyond = (white_power.max(own_power) - MOST_POWER).max(0.0);
+    let sum = white * power_of_two(white_power - beyond) + own * power_of_two(own_power - beyond);
     shown(effects, tables, sum, GLOW_ROW, place)
 }
 
@@ -205,7 +208,14 @@ mod tests {
         for colour in colours {
             for doppler_shift in [true, false] {
                 for intensity_exponent in [None, Some(2.5), Some(4.0)] {
-                    for (exposure_ev, invisible) in [(0.0, true), (-6.0, false), (6.0, true)] {
+                    for (exposure_ev, invisible) in [
+                        (0.0, true),
+                        (-6.0, false),
+                        (6.0, true),
+                        (81.0, true),
+                        (100.0, false),
+                        (-100.0, true),
+                    ] {
                         let shading = if invisible { Shading::Form } else { Shading::Emission };
                         appearances.push(Appearance {
                             colour,
