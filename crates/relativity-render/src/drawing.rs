@@ -86,7 +86,7 @@ impl Shot<'_> {
     pub fn light(&self, body: &PreparedBody) -> [f32; 4] {
         self.appearance.map_or([0.0; 4], |appearance| {
             let view = &self.views[body.group];
-            let effects = Effects::new(view.turns(body).has_doppler_effect(view.geometry), appearance);
+            let effects = Effects::of(view, view.turns(body), appearance);
             Light::new(body.emission, appearance).packed(appearance, effects).map(|part| part as f32)
         })
     }

@@ -1,6 +1,8 @@
 //! Which effects a picture has, as far as they choose a pipeline: what is off is not computed.
 
+use crate::group_view::GroupView;
 use crate::view::{Appearance, Colour, Shading};
+use crate::wheel::packed::Turns;
 
 /// The effects of `colour.wgsl`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -23,6 +25,8 @@ pub enum Spectrum {
     OnePlace,
     /// By a place in each of two: daylight, and the band of it that a body reflects most of.
     Daylight,
+    /// The same for the street's daylight, in the parts of [`crate::daylight`].
+    StreetDaylight,
     /// By the Doppler factor alone.
     Map,
 }
@@ -42,11 +46,25 @@ impl Effects {
         let spectrum = match appearance.colour {
             Colour::False if has_doppler_effect => Spectrum::Map,
             _ if !has_doppler_effect || !(doppler_shift || intensity_exponent.is_some()) => Spectrum::AtRest,
-            Colour::White => Spectrum::Daylight,
+            Colour::White | Colour::StreetDaylight => Spectrum::Daylight,
             _ => Spectrum::OnePlace,
         };
         let invisible = appearance.invisible && matches!(spectrum, Spectrum::OnePlace | Spectrum::Daylight);
         Self { spectrum, doppler_shift, invisible, form }
+    }
+
+    /// Those of what turns so in the group of `view`.
+    pub fn of(view: &GroupView, turns: Turns, appearance: &Appearance) -> Self {
+        let effects = Self::new(turns.has_doppler_effect(view.geometry), appearance);
+        if view.is_lit_by_the_street(appearance) {
+            return effects.in_street_daylight();
+        }
+        effects
+    }
+
+    /// The same for what the street's daylight lights.
+    pub(crate) fn in_street_daylight(self) -> Self {
+        Self { spectrum: Spectrum::StreetDaylight, ..self }
     }
 
     /// How colours are found.
@@ -61,6 +79,7 @@ impl Effects {
             Spectrum::OnePlace => 1.0,
             Spectrum::Daylight => 2.0,
             Spectrum::Map => 3.0,
+            Spectrum::StreetDaylight => 4.0,
         };
         [
             ("SPECTRUM", spectrum),

@@ -5,6 +5,7 @@ use std::sync::LazyLock;
 use fearless_simd::i32x8;
 use relativity_core::math;
 
+use super::daylight::{Facing, of_street_daylight};
 use super::logarithm::{MOST_POWER, log2, power_of_two};
 use crate::effects::{Effects, Spectrum};
 use crate::lanes::{F, LANES, Simd, SimdFloat as _, SimdFrom as _, V3, all, clamp};
@@ -15,20 +16,21 @@ use crate::tone::KNEE;
 
 /// The tables' rows. What eyes do not see of a light stands in the row after it.
 const LINE_ROW: usize = 0;
-const GLOW_ROW: usize = 2;
-const BAND_ROW: usize = 4;
+pub(super) const GLOW_ROW: usize = 2;
+pub(super) const BAND_ROW: usize = 4;
 const MAP_ROW: usize = 5;
 
 const LENGTH: usize = ENTRIES as usize;
-const LAST: f32 = (ENTRIES - 1) as f32;
+pub(super) const LAST: f32 = (ENTRIES - 1) as f32;
 
 /// The tables that colours are found in, and where in them.
 #[derive(Debug)]
 pub struct Tables {
     rows: Vec<[[f32; 4]; LENGTH]>,
-    glow_per_octave: f32,
-    band_per_octave: f32,
-    daylight_place: f32,
+    pub(super) glow_per_octave: f32,
+    pub(super) band_per_octave: f32,
+    pub(super) daylight_place: f32,
+    pub(super) daylight_quanta: f32,
     map_middle: f32,
     map_per_octave: f32,
     /// Unit vector towards the light of the shading, in the rest frame.
@@ -43,6 +45,7 @@ impl Tables {
             glow_per_octave: GLOW.per_octave() as f32,
             band_per_octave: BAND.per_octave() as f32,
             daylight_place: GLOW.place(math::log2(DAYLIGHT_KELVIN)) as f32,
+            daylight_quanta: palette::daylight_quanta() as f32,
             map_middle: MAP.place(0.0) as f32,
             map_per_octave: MAP.per_octave() as f32,
             light: LIGHT.normalize().as_vec3().to_array(),
@@ -52,7 +55,7 @@ impl Tables {
 
     /// The colours there, and log2 of what they are multiplied by.
     #[inline(always)]
-    fn looked_up<S: Simd>(&self, row: usize, place: F<S>) -> (V3<S>, F<S>) {
+    pub(super) fn looked_up<S: Simd>(&self, row: usize, place: F<S>) -> (V3<S>, F<S>) {
         let simd = place.simd;
         let inside = clamp(place, all(simd, 0.0), all(simd, LAST));
         let below = inside.floor().min(LAST - 1.0);
@@ -108,7 +111,13 @@ fn shoulder<S: Simd>(x: F<S>) -> F<S> {
 
 /// `light` as a screen shows it, with what eyes do not see of it under it, where it is all but black.
 #[inline(always)]
-fn shown<S: Simd>(effects: Effects, tables: &Tables, light: V3<S>, row: usize, place: F<S>) -> V3<S> {
+pub(super) fn shown<S: Simd>(
+    effects: Effects,
+    tables: &Tables,
+    light: V3<S>,
+    row: usize,
+    place: F<S>,
+) -> V3<S> {
     let largest = light.x.max(light.y).max(light.z);
     let toned = shoulder(largest);
     let colour = light * (toned / largest.max(1e-30));
@@ -158,7 +167,14 @@ fn of_daylight<S: Simd>(
 }
 
 #[inline(always)]
-fn colour_of<S: Simd>(simd: S, effects: Effects, tables: &Tables, light: [f32; 4], doppler: F<S>) -> V3<S> {
+fn colour_of<S: Simd>(
+    simd: S,
+    effects: Effects,
+    tables: &Tables,
+    light: [f32; 4],
+    doppler: F<S>,
+    facing: Option<Facing<S>>,
+) -> V3<S> {
     if effects.spectrum() == Spectrum::AtRest {
         return V3::of_four(simd, light);
     }
@@ -167,12 +183,16 @@ fn colour_of<S: Simd>(simd: S, effects: Effects, tables: &Tables, light: [f32; 4
     match effects.spectrum() {
         Spectrum::AtRest | Spectrum::OnePlace => of_one_place(effects, tables, light, octaves, shift),
         Spectrum::Daylight => of_daylight(effects, tables, light, octaves, shift),
+        Spectrum::StreetDaylight => {
+            let facing = facing.expect("it is known where the street's daylight is shown");
+            of_street_daylight(effects, tables, light, shift, facing)
+        }
         Spectrum::Map => tables.looked_up(MAP_ROW, octaves * tables.map_per_octave + tables.map_middle).0,
     }
 }
 
 /// Linear sRGB of a body with this [`Light::packed`](crate::light::Light::packed) where it is received with this Doppler
-/// factor, before its brightness.
+/// factor, before its brightness; and `facing` the street's daylight, where that lights it.
 #[inline(always)]
 pub fn received_colour<S: Simd>(
     simd: S,
@@ -181,8 +201,9 @@ pub fn received_colour<S: Simd>(
     light: [f32; 4],
     doppler: F<S>,
     normal: V3<S>,
+    facing: Option<Facing<S>>,
 ) -> V3<S> {
-    let colour = colour_of(simd, effects, tables, light, doppler);
+    let colour = colour_of(simd, effects, tables, light, doppler, facing);
     if !effects.form {
         return colour;
     }
@@ -197,6 +218,7 @@ mod tests {
     use super::*;
     use crate::body::Emission;
     use crate::colour::srgb_encoded;
+    use crate::daylight;
     use crate::light::Light;
     use crate::packets::testing::at_every_level;
     use crate::shade::form;
@@ -261,7 +283,7 @@ mod tests {
                     for factors in doppler_factors() {
                         let toward = V3::all(simd, normal.as_vec3().to_array());
                         let doppler = F::simd_from(simd, factors);
-                        let found = received_colour(simd, effects, Tables::shared(), packed, doppler, toward);
+                        let found = received_colour(simd, effects, Tables::shared(), packed, doppler, toward, None);
                         for (lane, factor) in factors.into_iter().enumerate() {
                             bits.extend(found.lane(lane).map(f32::to_bits));
                             let shading = if effects.form { form(normal) } else { 1.0 };
@@ -277,6 +299,52 @@ mod tests {
                         }
                     }
                     assert!(bits == *first.get_or_insert_with(|| bits.clone()), "{appearance:?} {emission:?}");
+                });
+            }
+        }
+        println!("at most {worst} levels off");
+    }
+
+    #[test]
+    fn street_daylight_is_the_references() {
+        let appearance = |exposure_ev| {
+            let (colour, shading) = (Colour::StreetDaylight, Shading::Emission);
+            Appearance { colour, exposure_ev, shading, ..Appearance::default() }
+        };
+        let mut worst: f64 = 0.0;
+        for (rapid, ahead, exposure_ev) in [
+            (0.0, 0.3, 0.0),
+            (1e-6, -0.7, 1.0),
+            (0.1, 0.9, 0.0),
+            (0.75, -1.0, 2.0),
+            (2.0647, 1.0, -2.0),
+            (2.0647, 0.0, 1.0),
+            (2.0647, -0.4, 5.0),
+            (7.0, -0.95, 8.0),
+            (22.4, 0.2, -4.0),
+            (1e6, 1.0, 100.0),
+        ] {
+            let appearance = appearance(exposure_ev);
+            let effects = Effects::new(true, &appearance).in_street_daylight();
+            for emission in [Emission::White, Emission::Wavelength(450.0), Emission::Wavelength(640.0)] {
+                let light = Light::new(emission, &appearance);
+                let packed = light.packed(&appearance, effects).map(|part| part as f32);
+                at_every_level!(simd => {
+                    let facing = Facing { rapid: all(simd, rapid as f32), ahead: all(simd, ahead as f32) };
+                    for factors in doppler_factors() {
+                        let (doppler, toward) = (F::simd_from(simd, factors), V3::all(simd, [0.0, 0.0, 1.0]));
+                        let found =
+                            received_colour(simd, effects, Tables::shared(), packed, doppler, toward, Some(facing));
+                        let parts = daylight::Facing { rapid, ahead }.parts();
+                        for (lane, factor) in factors.into_iter().enumerate() {
+                            let expected = light.shown_in_parts(&appearance, factor.into(), &parts);
+                            for (found, expected) in found.lane(lane).into_iter().zip(expected) {
+                                let off = 255.0 * (srgb_encoded(found.into()) - srgb_encoded(expected)).abs();
+                                worst = worst.max(off);
+                                assert!(off < 2.0, "{rapid} {ahead} {emission:?} D = {factor}: {found} {expected}");
+                            }
+                        }
+                    }
                 });
             }
         }

@@ -9,6 +9,7 @@ mod block;
 mod body;
 mod colour;
 mod cylinder;
+mod daylight;
 mod edge;
 mod encode;
 mod logarithm;

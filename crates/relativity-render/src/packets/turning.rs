@@ -127,7 +127,7 @@ fn about_y<S: Simd>(v: V3<S>, turn: Turn<S>) -> V3<S> {
 
 /// The velocity of what turns so at `q` from the hub.
 #[inline(always)]
-fn velocity_at<S: Simd>(simd: S, q: V3<S>, spin: &Spin<S>) -> V3<S> {
+pub fn velocity_at<S: Simd>(simd: S, q: V3<S>, spin: &Spin<S>) -> V3<S> {
     V3::new(q.z, all(simd, 0.0), -q.x) * spin.omega
 }
 
