@@ -99,9 +99,8 @@ pub struct ModelArgs {
     /// How the two eyes' views are computed.
     #[arg(long, value_enum, default_value_t)]
     pub model: Model,
-    /// Intensity = doppler^N: `surface` (4, what a surface of one wavelength shows, as in pictures), `photons` (3, their
-    /// number, or the power per unit of frequency), `paper` (2), or a number.
-    #[arg(long, value_name = "surface|photons|paper|N", default_value = "surface", value_parser = column_exponent,
+    /// Intensity = doppler^N: surface (4), photons (3), paper (2), or N.
+    #[arg(long, value_name = "N", default_value = "surface", value_parser = column_exponent,
           allow_hyphen_values = true)]
     pub intensity_exponent: f64,
     /// Append where two eyes take the point to be: the stereo gain, and the place.

@@ -1,8 +1,6 @@
 //! Which effects a picture has, as far as they choose a pipeline: what is off is not computed.
 
-use crate::group_view::GroupView;
 use crate::view::{Appearance, Colour, Shading};
-use crate::wheel::packed::Turns;
 
 /// The effects of `colour.wgsl`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -51,15 +49,6 @@ impl Effects {
         };
         let invisible = appearance.invisible && matches!(spectrum, Spectrum::OnePlace | Spectrum::Daylight);
         Self { spectrum, doppler_shift, invisible, form }
-    }
-
-    /// Those of what turns so in the group of `view`.
-    pub fn of(view: &GroupView, turns: Turns, appearance: &Appearance) -> Self {
-        let effects = Self::new(turns.has_doppler_effect(view.geometry), appearance);
-        if view.is_lit_by_the_street(appearance) {
-            return effects.in_street_daylight();
-        }
-        effects
     }
 
     /// The same for what the street's daylight lights.

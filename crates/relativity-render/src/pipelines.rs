@@ -80,7 +80,7 @@ impl Output {
         is_patterned: bool,
     ) -> Self {
         appearance.map_or(Self::Hits, |appearance| {
-            let effects = Effects::of(view, turns, appearance);
+            let effects = view.effects(turns, appearance);
             Self::Picture { is_thin, is_patterned, effects }
         })
     }

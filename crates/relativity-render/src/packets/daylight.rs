@@ -3,9 +3,9 @@
 use std::f64::consts::LN_2;
 
 use super::body::{Body, Group};
-use super::colour::{BAND_ROW, GLOW_ROW, LAST, Tables, shown};
 use super::logarithm::{MOST_POWER, log2, power_of_two};
 use super::shape::middle;
+use super::tables::{BAND_ROW, GLOW_ROW, LAST, Tables, shown};
 use super::turning::{Spin, velocity_at};
 use crate::daylight::{LEAST_BETA, MOST_RAPID, PARTS};
 use crate::effects::Effects;

@@ -25,6 +25,7 @@ mod ring;
 mod shading;
 mod shape;
 mod street;
+mod tables;
 #[cfg(test)]
 mod testing;
 #[cfg(test)]
@@ -41,9 +42,9 @@ use crate::reference::HitImage;
 use crate::registers::{on_registers, widest};
 use crate::scene::PreparedScene;
 use crate::view::{Appearance, View};
-use colour::Tables;
 use look::Look;
 use shading::shade_backdrop;
+use tables::Tables;
 use tile::{CENTRE, STANDARD};
 
 /// Draws on the CPU.

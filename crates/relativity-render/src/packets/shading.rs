@@ -1,13 +1,14 @@
 //! What a tile looks like.
 
 use super::backdrop::{behind, part};
-use super::colour::{Tables, received_colour};
+use super::colour::received_colour;
 use super::daylight::facing_of;
 use super::encode::encoded;
 use super::look::Look;
 use super::met::Met;
 use super::pattern::mark;
 use super::places::{PACKETS, centres, packet_places, write_one};
+use super::tables::Tables;
 use super::tile::{Drawn, Owner, Packet};
 use super::turning::standing;
 use crate::backdrop::Part;
