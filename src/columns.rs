@@ -3,14 +3,13 @@
 use std::f64::consts::{PI, TAU};
 
 use clap::Args;
-use relativity_core::doppler::PAPER_INTENSITY_EXPONENT;
 use relativity_core::{
     Baseline, Disparity, DomainError, MAX_COORDINATE, Model, PairError, Source, Speed, SpeedError, Stereo,
     StereoError, WheelPoint,
 };
 use thiserror::Error;
 
-use crate::flags::finite_number;
+use crate::flags::column_exponent;
 
 /// Every column but those of `--conformal`, in order, the last five with `--stereo` only, and the very last of a head that is tilted or turned or a
 /// point that turns; [`TURNED`] come before those. Left and right are the primary and the secondary aperture.
@@ -100,8 +99,8 @@ pub struct ModelArgs {
     /// How the two eyes' views are computed.
     #[arg(long, value_enum, default_value_t)]
     pub model: Model,
-    /// Intensity = doppler^N: 2 is the paper's, 3 specific, 4 bolometric.
-    #[arg(long, value_name = "N", default_value_t = PAPER_INTENSITY_EXPONENT, value_parser = finite_number,
+    /// Intensity = doppler^N: surface (4), photons (3), paper (2), or N.
+    #[arg(long, value_name = "N", default_value = "surface", value_parser = column_exponent,
           allow_hyphen_values = true)]
     pub intensity_exponent: f64,
     /// Append where two eyes take the point to be: the stereo gain, and the place.

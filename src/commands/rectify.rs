@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::Context as _;
 use clap::{Args, ValueEnum};
-use relativity_core::doppler::PAPER_INTENSITY_EXPONENT;
+use relativity_core::doppler::BOLOMETRIC_INTENSITY_EXPONENT;
 use relativity_render::rectify::{LightCorrection, Rectification};
 use relativity_render::{Camera, Picture, Projection, Velocity};
 
@@ -50,7 +50,7 @@ pub struct RectifyArgs {
     #[arg(long, default_value = "on", value_name = "ON|OFF", value_parser = switch)]
     doppler_shift: OnOff,
     /// Exponent n of the received intensity D^n to divide by, as of `gamow render` [default: as the file records it, else
-    /// the paper's 2]
+    /// surface]
     #[arg(long, value_name = "surface|photons|paper|N|off", allow_hyphen_values = true)]
     intensity_exponent: Option<IntensityExponent>,
     /// Where to: a file of the same kind, written whole or not at all.
@@ -149,7 +149,7 @@ impl RectifyArgs {
 
     fn light(&self, recorded: Option<&Settings>) -> LightCorrection {
         let exponent = self.intensity_exponent.or(recorded.map(|settings| settings.light.intensity_exponent));
-        let exponent = exponent.unwrap_or(IntensityExponent(Some(PAPER_INTENSITY_EXPONENT)));
+        let exponent = exponent.unwrap_or(IntensityExponent(Some(BOLOMETRIC_INTENSITY_EXPONENT)));
         LightCorrection { doppler_shift: self.doppler_shift, intensity_exponent: exponent.0 }
     }
 

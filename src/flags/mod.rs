@@ -15,8 +15,8 @@ pub use goal::{BUDGET_MS, ERROR_PX, Goal};
 pub use head::{HEAD_DEGREES, HeadArgs};
 pub use numbers::{
     COORDINATES, EXPONENT, EXPOSURE_EV, Exposure, FIELD_OF_VIEW, FieldOfView, IntensityExponent, MAX_TIME,
-    OnOff, PLACE, SCREEN_CM, ScreenWidth, Share, TEMPERATURE_K, TimeRange, coordinates, field_of_view,
-    finite_number, switch, temperature, time, whole_number, within,
+    OnOff, PLACE, SCREEN_CM, ScreenWidth, Share, TEMPERATURE_K, TimeRange, column_exponent, coordinates,
+    field_of_view, finite_number, switch, temperature, time, whole_number, within,
 };
 pub use speed::{SpeedArgs, SpeedParameter, SpeedSetting};
 pub use wheel::{WheelArgs, rolling};

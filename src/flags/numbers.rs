@@ -152,6 +152,23 @@ pub fn switch(text: &str) -> Result<OnOff, String> {
 /// Exponents for which the intensity is a number at any speed.
 pub const EXPONENT: RangeInclusive<f64> = -10.0..=10.0;
 
+/// The exponents that have a name.
+fn named_exponent(name: &str) -> Option<f64> {
+    match name {
+        "paper" => Some(PAPER_INTENSITY_EXPONENT),
+        "photons" => Some(SPECIFIC_INTENSITY_EXPONENT),
+        "surface" => Some(BOLOMETRIC_INTENSITY_EXPONENT),
+        _ => None,
+    }
+}
+
+/// Parses the exponent of a column of intensities: one that has a name, or any finite number, of which a row says
+/// where the intensity is none.
+pub fn column_exponent(text: &str) -> Result<f64, String> {
+    let explained = |reason| format!("{reason}; or write surface, photons or paper");
+    named_exponent(text).map_or_else(|| finite_number(text).map_err(explained), Ok)
+}
+
 /// Exponent n of the received intensity D^n: a number, a word for what it means, or `off`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct IntensityExponent(pub Option<f64>);
@@ -160,16 +177,12 @@ impl FromStr for IntensityExponent {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        Ok(Self(match text {
-            "off" => None,
-            "paper" => Some(PAPER_INTENSITY_EXPONENT),
-            "photons" => Some(SPECIFIC_INTENSITY_EXPONENT),
-            "surface" => Some(BOLOMETRIC_INTENSITY_EXPONENT),
-            _ => Some(
-                within(EXPONENT)(text)
-                    .map_err(|reason| format!("{reason}; or write surface, photons, paper or off"))?,
-            ),
-        }))
+        if text == "off" {
+            return Ok(Self(None));
+        }
+        let exponent = named_exponent(text).map_or_else(|| within(EXPONENT)(text), Ok);
+        let explained = |reason| format!("{reason}; or write surface, photons, paper or off");
+        exponent.map(|exponent| Self(Some(exponent))).map_err(explained)
     }
 }
 

@@ -128,7 +128,9 @@ pub struct Light {
     /// from -10 to 10, or `off`.
     #[arg(long, value_name = "surface|photons|paper|N|off", allow_hyphen_values = true)]
     pub intensity_exponent: IntensityExponent,
-    /// Exposure: light is multiplied by 2^EV; `auto` finds it from the speeds and the lights of the scene.
+    /// Exposure: light is multiplied by 2^EV, EV from -100 to 100; `auto` finds it from the speeds and the lights of the scene,
+    /// and brightens what glows by at most 6 EV, for what passes abreast. What glows at 1000 degrees Celsius and recedes at
+    /// 0.9 c needs about 80.
     #[arg(long, value_name = "auto|EV", allow_hyphen_values = true)]
     pub exposure: Exposure,
     /// Whether what is received as ultraviolet or infrared keeps its form, very dark; eyes see nothing there.

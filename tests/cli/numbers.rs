@@ -203,8 +203,8 @@ fn every_column_agrees_with_bisection_on_the_light_cone() {
             assert_near(table.column(&format!("{name}_left"))[0], left[index], 1e-10);
             assert_near(table.column(&format!("{name}_right"))[0], right[index], 1e-10);
         }
-        assert_near(table.column("intensity_left")[0], left[2].powi(2), 1e-9);
-        assert_near(table.column("intensity_right")[0], right[2].powi(2), 1e-9);
+        assert_near(table.column("intensity_left")[0], left[2].powi(4), 1e-9);
+        assert_near(table.column("intensity_right")[0], right[2].powi(4), 1e-9);
         assert_near(table.column("dphi")[0], left[3] - right[3], 1e-10);
         assert_near(table.column("dtheta")[0], left[4] - right[4], 1e-10);
     }
@@ -404,7 +404,15 @@ fn what_is_on_the_baseline_has_empty_conformal_columns_and_extremes_are_numbers(
 
 #[test]
 fn intensity_follows_its_exponent() {
-    for (flag, exponent) in [("", 2), ("--intensity-exponent 3", 3), ("--intensity-exponent -4", -4)] {
+    let flag = "--intensity-exponent";
+    for (flag, exponent) in [
+        (String::new(), 4),
+        (format!("{flag} surface"), 4),
+        (format!("{flag} photons"), 3),
+        (format!("{flag} paper"), 2),
+        (format!("{flag} 2"), 2),
+        (format!("{flag} -4"), -4),
+    ] {
         let table = words(&format!("curve --samples 9 {flag}")).table();
         for (doppler, intensity) in table.column("doppler_right").iter().zip(table.column("intensity_right"))
         {

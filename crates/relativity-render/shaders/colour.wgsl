@@ -3,7 +3,7 @@
 // A table per row, see `palette.rs`; the last component is log2 of what the colour is multiplied by.
 @group(0) @binding(1) var tables: texture_2d<f32>;
 
-// How colours are found: 0 as at rest, 1 by one place in a table, 2 daylight, 3 by the Doppler factor.
+// How colours are found: 0 as at rest, 1 by one place in a table, 2 daylight, 3 by the Doppler factor, 4 the street's daylight.
 override SPECTRUM: u32;
 // Whether the Doppler factor shifts the wavelength.
 override DOPPLER_SHIFT: bool;
@@ -25,6 +25,11 @@ override GLOW_PER_OCTAVE: f32;
 override BAND_PER_OCTAVE: f32;
 override DAYLIGHT_PLACE: f32;
 override MAP_MIDDLE: f32;
+// log2 of the quanta of daylight at the beginning of the table of bands.
+override DAYLIGHT_QUANTA: f32;
+// Below this speed the parts of the street's daylight are weighted as at it; and the largest gamma beta that it lights.
+override LEAST_BETA: f32;
+override MOST_RAPID: f32;
 override MAP_PER_OCTAVE: f32;
 
 // The tables' rows. What eyes do not see of a light stands in the row after it.
@@ -42,9 +47,12 @@ fn looked_up(row: i32, place: f32) -> vec4f {
     return mix(low, high, inside - f32(below));
 }
 
-// 2^x, within what floats hold with room to spare.
+// The largest power of two that light is multiplied by: within what floats hold with room to spare.
+const MOST_POWER = 100.0;
+
+// 2^x, held within that.
 fn power_of_two(x: f32) -> f32 {
-    return exp2(clamp(x, -100.0, 100.0));
+    return exp2(clamp(x, -MOST_POWER, MOST_POWER));
 }
 
 fn shoulder(x: f32) -> f32 {
@@ -82,26 +90,106 @@ fn of_daylight(light: vec4f, octaves: f32, shift: f32) -> vec3f {
     let white = looked_up(GLOW_ROW, place);
     let own = looked_up(BAND_ROW, light.x - BAND_PER_OCTAVE * shift);
     let exponent = select(light.w, 0.0, DOPPLER_SHIFT);
-    let sum = white.rgb * power_of_two(white.a + exponent * octaves + light.z)
-        + own.rgb * power_of_two(own.a + light.w * octaves + light.y);
+    let white_power = white.a + exponent * octaves + light.z;
+    let own_power = own.a + light.w * octaves + light.y;
+    // Beyond what floats hold both are held back alike: so their mixture keeps its hue.
+    let beyond = max(max(white_power, own_power) - MOST_POWER, 0.0);
+    let sum = white.rgb * power_of_two(white_power - beyond) + own.rgb * power_of_two(own_power - beyond);
     return shown(sum, GLOW_ROW, place);
 }
 
-fn colour_of(light: vec4f, doppler: f32) -> vec3f {
+// The angle with this cosine, within 7e-5: M. Abramowitz, I. A. Stegun, Handbook of Mathematical Functions, 4.4.45.
+fn arc_cosine(cosine: f32) -> f32 {
+    let x = abs(cosine);
+    let sum = 1.5707288 + x * (-0.2121144 + x * (0.074261 - 0.0187293 * x));
+    let angle = sqrt(max(1.0 - x, 0.0)) * sum;
+    return select(angle, 3.14159265 - angle, cosine < 0.0);
+}
+
+// 1 - 2^-octaves.
+fn missing(octaves: f32) -> f32 {
+    let natural = octaves * 0.69314718;
+    return select(1.0 - power_of_two(-octaves), natural * (1.0 - 0.5 * natural), natural < 0.01);
+}
+
+// Places of Gauss and Legendre in [0, 1], and their weights.
+const PARTS = array<vec2f, 6>(
+    vec2f(0.0337652429, 0.0856622462),
+    vec2f(0.1693953068, 0.1803807865),
+    vec2f(0.380690407, 0.2339569673),
+    vec2f(0.619309593, 0.2339569673),
+    vec2f(0.8306046932, 0.1803807865),
+    vec2f(0.9662347571, 0.0856622462),
+);
+
+// `light` as of daylight; its parts as `daylight.rs` has them, the hottest first.
+fn of_street_daylight(light: vec4f, shift: f32, facing: Facing) -> vec3f {
+    let ahead = facing.ahead;
+    let gamma = sqrt(1.0 + facing.rapid * facing.rapid);
+    let beta = facing.rapid / gamma;
+    let below_light = 1.0 / (gamma * gamma * (1.0 + beta));
+    let weighed = max(beta, LEAST_BETA);
+    let beside = select(below_light, 1.0 - LEAST_BETA, beta < LEAST_BETA);
+    let across = sqrt(max(1.0 - ahead * ahead, 0.0));
+    let faces_back = ahead < 0.0;
+    let hottest = beside + select(0.0, weighed * ahead * ahead / (1.0 + across), faces_back);
+    let coldest = 1.0 + weighed * select(across, 1.0, faces_back);
+    let first = log2(hottest);
+    let octaves = log2(coldest / hottest);
+    let own = looked_up(BAND_ROW, light.x - BAND_PER_OCTAVE * shift);
+    let quanta = power_of_two(DAYLIGHT_QUANTA - light.x / BAND_PER_OCTAVE);
+    let own_power = own.a + light.w * shift + light.y + quanta;
+    let at_rest = missing(quanta);
+    let last = f32(textureDimensions(tables).x) - 1.0;
+    var parts = PARTS;
+    var sum = vec3f(0.0);
+    var shares = 0.0;
+    var beyond = 0.0;
+    var hottest_place = 0.0;
+    for (var i = 0; i < 6; i++) {
+        let slowed = exp2(first + octaves * parts[i].x);
+        let aside = clamp((slowed - beside) / weighed, 0.0, 2.0);
+        let along = ahead * (1.0 - aside);
+        let sideways = across * sqrt(max(aside * (2.0 - aside), 0.0));
+        let half_turn = arc_cosine(clamp(-along / max(sideways, 1e-9), -1.0, 1.0));
+        let seen = along * half_turn + sqrt(max(sideways * sideways - along * along, 0.0));
+        let share = parts[i].y * slowed * seen;
+        let log2_doppler = -log2(gamma * (below_light + beta * aside));
+        let place = DAYLIGHT_PLACE + GLOW_PER_OCTAVE * (shift + log2_doppler);
+        let white = looked_up(GLOW_ROW, place);
+        let received = quanta * power_of_two(-log2_doppler);
+        // Hotter than the table, light of any wavelength rises as the temperature.
+        let hotter = max(place - last, 0.0) / GLOW_PER_OCTAVE;
+        let white_power = white.a + light.z + hotter;
+        if i == 0 {
+            // Beyond what floats hold all are held back alike: so their mixture keeps its hue.
+            beyond = max(max(white_power, own_power - received) - MOST_POWER, 0.0);
+            hottest_place = place;
+        }
+        let more = at_rest / max(missing(received), 1e-30);
+        sum += share * (white.rgb * power_of_two(white_power - beyond)
+            + own.rgb * (power_of_two(own_power - received - beyond) * more));
+        shares += share;
+    }
+    return shown(sum / max(shares, 1e-30), GLOW_ROW, hottest_place);
+}
+
+fn colour_of(light: vec4f, doppler: f32, facing: Facing) -> vec3f {
     let octaves = log2(doppler);
     let shift = select(0.0, octaves, DOPPLER_SHIFT);
     switch SPECTRUM {
         case 0u: { return light.rgb; }
         case 1u: { return of_one_place(light, octaves, shift); }
         case 2u: { return of_daylight(light, octaves, shift); }
+        case 4u: { return of_street_daylight(light, shift, facing); }
         default: { return looked_up(MAP_ROW, MAP_MIDDLE + MAP_PER_OCTAVE * octaves).rgb; }
     }
 }
 
 // Of a body with this `light`, which is rgb at rest, else as above. Form comes after the shoulder: so it shows in what is
 // very bright, and in what is all but black.
-fn received_colour(light: vec4f, doppler: f32, normal: vec3f) -> vec3f {
-    let colour = colour_of(light, doppler);
+fn received_colour(light: vec4f, doppler: f32, normal: vec3f, facing: Facing) -> vec3f {
+    let colour = colour_of(light, doppler, facing);
     if FORM {
         return colour * (FORM_ACROSS + FORM_TOWARDS * dot(normal, vec3f(LIGHT_X, LIGHT_Y, LIGHT_Z)));
     }

@@ -86,7 +86,8 @@ fn shaded(fragment: Fragment) -> Shaded {
         discard;
     }
     let doppler = doppler_of(body, hit.place, hit.normal, ray.sight, ray.doppler, spin);
-    var colour = received_colour(fragment.light, doppler, hit.normal) * fragment.index_brightness.y;
+    let facing = facing_of(body, hit.place, hit.normal, spin);
+    var colour = received_colour(fragment.light, doppler, hit.normal, facing) * fragment.index_brightness.y;
     if PATTERNS {
         let there = standing(body, hit.place, spin);
         let ground_distance = distance * ray.ground_per_rest;

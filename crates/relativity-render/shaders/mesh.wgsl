@@ -330,7 +330,9 @@ struct Picture {
 @fragment
 fn picture(fragment: Fragment) -> Picture {
     let measure = measure(fragment);
-    var colour = received_colour(fragment.light, measure.doppler, measure.normal)
+    let turning = spin_of(fragment.spin, fragment.rim);
+    let facing = facing_of(body_of(fragment), measure.place, measure.normal, turning);
+    var colour = received_colour(fragment.light, measure.doppler, measure.normal, facing)
         * fragment.cover_brightness_index.y;
     if PATTERNS {
         let spin = spin_of(fragment.spin, fragment.rim);

@@ -6,7 +6,6 @@
 use std::ops::Range;
 
 use crate::buffers::fill_vertex_buffer;
-use crate::effects::Effects;
 use crate::gpu::Gpu;
 use crate::group_view::GroupView;
 use crate::kind::Kind;
@@ -86,7 +85,7 @@ impl Shot<'_> {
     pub fn light(&self, body: &PreparedBody) -> [f32; 4] {
         self.appearance.map_or([0.0; 4], |appearance| {
             let view = &self.views[body.group];
-            let effects = Effects::new(view.turns(body).has_doppler_effect(view.geometry), appearance);
+            let effects = view.effects(view.turns(body), appearance);
             Light::new(body.emission, appearance).packed(appearance, effects).map(|part| part as f32)
         })
     }

@@ -23,6 +23,8 @@ pub enum Spectrum {
     OnePlace,
     /// By a place in each of two: daylight, and the band of it that a body reflects most of.
     Daylight,
+    /// The same for the street's daylight, in the parts of [`crate::daylight`].
+    StreetDaylight,
     /// By the Doppler factor alone.
     Map,
 }
@@ -42,11 +44,16 @@ impl Effects {
         let spectrum = match appearance.colour {
             Colour::False if has_doppler_effect => Spectrum::Map,
             _ if !has_doppler_effect || !(doppler_shift || intensity_exponent.is_some()) => Spectrum::AtRest,
-            Colour::White => Spectrum::Daylight,
+            Colour::White | Colour::StreetDaylight => Spectrum::Daylight,
             _ => Spectrum::OnePlace,
         };
         let invisible = appearance.invisible && matches!(spectrum, Spectrum::OnePlace | Spectrum::Daylight);
         Self { spectrum, doppler_shift, invisible, form }
+    }
+
+    /// The same for what the street's daylight lights.
+    pub(crate) fn in_street_daylight(self) -> Self {
+        Self { spectrum: Spectrum::StreetDaylight, ..self }
     }
 
     /// How colours are found.
@@ -61,6 +68,7 @@ impl Effects {
             Spectrum::OnePlace => 1.0,
             Spectrum::Daylight => 2.0,
             Spectrum::Map => 3.0,
+            Spectrum::StreetDaylight => 4.0,
         };
         [
             ("SPECTRUM", spectrum),

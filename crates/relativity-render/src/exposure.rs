@@ -56,7 +56,9 @@ pub fn automatic_ev(
     match (appearance.colour, lines) {
         (Colour::OneWavelength, Some([near, bright])) => -0.5 * (near + bright),
         (Colour::Glowing, _) => for_abreast(appearance.temperature_k, slowest_clock, appearance),
-        (Colour::OneWavelength | Colour::White, _) => for_abreast(DAYLIGHT_KELVIN, slowest_clock, appearance),
+        (Colour::OneWavelength | Colour::White | Colour::StreetDaylight, _) => {
+            for_abreast(DAYLIGHT_KELVIN, slowest_clock, appearance)
+        }
         (Colour::False, _) => 0.0,
     }
 }

@@ -8,7 +8,7 @@ use relativity_core::{Aperture, Model, PublishedVariant, SourcePoint, published_
 
 use crate::camera::Camera;
 use crate::velocity::{Motion, Velocity};
-use crate::view::{Geometry, View};
+use crate::view::{Appearance, Geometry, View};
 use crate::wheel::spin::MaterialPoint;
 
 /// A ray in the rest frame of a group, where it is straight and the bodies stand still.
@@ -86,6 +86,14 @@ impl GroupView {
             cone_times: [(received + aperture.x) / head_on, (received - aperture.x) * head_on],
             observation_time: received,
         }
+    }
+
+    /// Whether daylight that rests on the street shows on the group otherwise than a lamp that rides along: not where nothing
+    /// shifts wavelengths, nor if the camera rides along.
+    pub(crate) fn is_lit_by_the_street(&self, appearance: &Appearance) -> bool {
+        appearance.is_lit_by_the_street(self.geometry)
+            && self.velocity == self.on_ground
+            && !self.on_ground.is_rest()
     }
 
     /// From the camera's event to `place`, both in the group's frame, reflected so that the group moves along +x.

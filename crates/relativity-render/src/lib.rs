@@ -64,6 +64,7 @@ pub mod compose;
 mod composer;
 mod cone;
 mod cover;
+mod daylight;
 mod drawing;
 mod effects;
 pub mod exposure;

@@ -8,6 +8,7 @@ use relativity_core::math::{exp2, log2};
 
 use crate::body::Emission;
 use crate::colour::{dark_glow, dark_line, false_colour, linear_srgb, luminance};
+use crate::daylight::{Part, log2_more};
 use crate::effects::{Effects, Spectrum};
 use crate::palette;
 use crate::planck::{DAYLIGHT_KELVIN, band, black_body};
@@ -52,7 +53,7 @@ impl Light {
             (Colour::Glowing, _) => Self::Glow(appearance.temperature_k),
             (Colour::OneWavelength, Emission::Wavelength(nm)) => Self::Line(nm),
             (Colour::OneWavelength, Emission::White) => Self::Glow(DAYLIGHT_KELVIN),
-            (Colour::White, emission) => Self::Daylight(emission.wavelength_nm()),
+            (Colour::White | Colour::StreetDaylight, emission) => Self::Daylight(emission.wavelength_nm()),
         }
     }
 
@@ -70,15 +71,20 @@ impl Light {
 
     /// Linear sRGB, in [0, 1], of it at `doppler_factor`, on a surface that faces the light.
     pub fn shown(self, appearance: &Appearance, doppler_factor: f64) -> [f64; 3] {
+        self.shown_in_parts(appearance, doppler_factor, &[Part::OWN])
+    }
+
+    /// The same where daylight is received in these `parts`, the hottest first.
+    pub fn shown_in_parts(self, appearance: &Appearance, doppler_factor: f64, parts: &[Part]) -> [f64; 3] {
         if self == Self::Map {
             return false_colour(log2(doppler_factor));
         }
         let shift = if appearance.doppler_shift { log2(doppler_factor) } else { 0.0 };
         // A product that overflows is as bright as can be, not infinite: black times infinity is no number.
         let exposed = |part: f64| (part * exp2(appearance.exposure_ev)).min(f64::MAX);
-        let received = self.received(shift, self.log2_intensity(appearance, doppler_factor));
+        let received = self.received(shift, self.log2_intensity(appearance, doppler_factor), parts);
         let shown = toned(received.map(exposed));
-        if appearance.invisible { over_dark(shown, self.dark(shift)) } else { shown }
+        if appearance.invisible { over_dark(shown, self.dark(shift, parts)) } else { shown }
     }
 
     /// log2 of the part of the received intensity that its colour does not tell: D^n of one wavelength, and of all where
@@ -97,29 +103,35 @@ impl Light {
         }
     }
 
-    /// Linear sRGB before any exposure, for light shifted by `shift` octaves. At rest its largest component is about 1.
-    fn received(self, shift: f64, log2_intensity: f64) -> [f64; 3] {
+    /// Linear sRGB before any exposure, for light shifted by `shift` octaves, where daylight is received in these `parts`. At
+    /// rest its largest component is about 1.
+    fn received(self, shift: f64, log2_intensity: f64, parts: &[Part]) -> [f64; 3] {
         match self {
             Self::Line(nm) => linear_srgb(exp2(log2(nm) - shift)).map(|part| part * exp2(log2_intensity)),
             Self::Glow(kelvin) => glow(kelvin, shift, log2_intensity - black_body(log2(kelvin)).log2_level),
             Self::Daylight(tint) => {
-                let levels = daylight(tint);
-                let white = glow(DAYLIGHT_KELVIN, shift, log2_intensity + levels.glow);
-                let Some(nm) = tint else { return white };
-                let own = band(log2(nm) - shift);
-                let level = own.log2_level + levels.band + BAND_EXPONENT * shift + log2_intensity;
-                std::array::from_fn(|i| white[i] + own.hue[i] * exp2(level.min(1e3)))
+                let of_part = |part: &Part| {
+                    let light = reflected(tint, shift, log2_intensity, part.log2_doppler);
+                    light.map(|component| component * part.share)
+                };
+                parts
+                    .iter()
+                    .map(of_part)
+                    .fold([0.0; 3], |sum, part| std::array::from_fn(|i| sum[i] + part[i]))
             }
             Self::Map => [0.0; 3],
         }
     }
 
-    /// Linear sRGB of what eyes do not see of it, kept very dark.
-    fn dark(self, shift: f64) -> [f64; 3] {
+    /// Linear sRGB of what eyes do not see of it, kept very dark; of daylight as its hottest part has it.
+    fn dark(self, shift: f64, parts: &[Part]) -> [f64; 3] {
         match self {
             Self::Line(nm) => dark_line(exp2(log2(nm) - shift)),
             Self::Glow(kelvin) => dark_glow(log2(kelvin) + shift),
-            Self::Daylight(_) => dark_glow(log2(DAYLIGHT_KELVIN) + shift),
+            Self::Daylight(_) => {
+                let hottest = parts.first().map_or(0.0, |part| part.log2_doppler);
+                dark_glow(log2(DAYLIGHT_KELVIN) + shift + hottest)
+            }
             Self::Map => [0.0; 3],
         }
     }
@@ -156,6 +168,18 @@ fn glow(kelvin: f64, shift: f64, log2_factor: f64) -> [f64; 3] {
     light.hue.map(|part| part * exp2((light.log2_level + log2_factor).min(1e3)))
 }
 
+/// Linear sRGB of what a body with this `tint` reflects of daylight that it receives shifted by `received_shift` octaves,
+/// shifted by `shift` more.
+fn reflected(tint: Option<f64>, shift: f64, log2_intensity: f64, received_shift: f64) -> [f64; 3] {
+    let levels = daylight(tint);
+    let white = glow(DAYLIGHT_KELVIN, shift + received_shift, log2_intensity + levels.glow);
+    let Some(nm) = tint else { return white };
+    let own = band(log2(nm) - shift);
+    let more = if received_shift == 0.0 { 0.0 } else { log2_more(log2(nm), received_shift) };
+    let level = own.log2_level + levels.band + BAND_EXPONENT * shift + log2_intensity + more;
+    std::array::from_fn(|i| white[i] + own.hue[i] * exp2(level.min(1e3)))
+}
+
 /// By how much the parts of daylight with this `tint` have to be scaled for a largest component of 1 at rest.
 fn daylight(tint: Option<f64>) -> Levels {
     let white = -black_body(log2(DAYLIGHT_KELVIN)).log2_level;
@@ -186,7 +210,8 @@ pub fn received_intensity(emission: Emission, appearance: &Appearance, doppler_f
     if matches!(light, Light::Line(_) | Light::Map) || !appearance.doppler_shift {
         return appearance.intensity_exponent.map_or(1.0, of_exponent);
     }
-    let [received, at_rest] = [log2(doppler_factor), 0.0].map(|shift| luminance(light.received(shift, 0.0)));
+    let [received, at_rest] =
+        [log2(doppler_factor), 0.0].map(|shift| luminance(light.received(shift, 0.0, &[Part::OWN])));
     received / at_rest
 }
 
@@ -205,7 +230,7 @@ mod tests {
         let lights =
             [Light::Line(700.0), Light::Glow(1273.15), Light::Daylight(None), Light::Daylight(Some(600.0))];
         for light in lights {
-            let largest = light.received(0.0, 0.0).into_iter().fold(0.0, f64::max);
+            let largest = light.received(0.0, 0.0, &[Part::OWN]).into_iter().fold(0.0, f64::max);
             assert!((largest - 1.0).abs() < 1e-9, "{light:?}: {largest}");
             assert!((shoulder(largest) - 0.8).abs() < 1e-9);
         }

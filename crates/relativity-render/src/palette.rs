@@ -3,6 +3,7 @@
 use relativity_core::math::{exp2, log2};
 
 use crate::colour::{dark_glow, dark_line, false_colour, linear_srgb};
+use crate::daylight::{LEAST_BETA, MOST_RAPID, log2_quantum_nm};
 use crate::effects::Constant;
 use crate::planck::{Broad, DAYLIGHT_KELVIN, band, black_body};
 
@@ -48,14 +49,22 @@ impl Range {
 }
 
 /// The shader's constants.
-pub fn constants() -> [Constant; 5] {
+pub fn constants() -> [Constant; 8] {
     [
         ("GLOW_PER_OCTAVE", GLOW.per_octave()),
         ("BAND_PER_OCTAVE", BAND.per_octave()),
         ("DAYLIGHT_PLACE", GLOW.place(log2(DAYLIGHT_KELVIN))),
+        ("DAYLIGHT_QUANTA", daylight_quanta()),
+        ("LEAST_BETA", LEAST_BETA),
+        ("MOST_RAPID", MOST_RAPID),
         ("MAP_MIDDLE", MAP.place(0.0)),
         ("MAP_PER_OCTAVE", MAP.per_octave()),
     ]
+}
+
+/// log2 of the quanta of [`crate::daylight`] at the beginning of the table of bands.
+pub fn daylight_quanta() -> f64 {
+    log2_quantum_nm() - BAND.first
 }
 
 /// The tables, RGBA, a row each. The last component is log2 of what the colour is multiplied by.

@@ -80,7 +80,7 @@ impl Output {
         is_patterned: bool,
     ) -> Self {
         appearance.map_or(Self::Hits, |appearance| {
-            let effects = Effects::new(turns.has_doppler_effect(view.geometry), appearance);
+            let effects = view.effects(turns, appearance);
             Self::Picture { is_thin, is_patterned, effects }
         })
     }

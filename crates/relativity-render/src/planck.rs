@@ -14,7 +14,7 @@ use crate::spectrum::VISIBLE_NM;
 /// Temperature of daylight (CIE D65), K.
 pub const DAYLIGHT_KELVIN: f64 = 6504.0;
 /// hc/k, nm K: the second radiation constant (CODATA 2018, exact).
-const SECOND_RADIATION_NM_K: f64 = 1.438_776_877e7;
+pub(crate) const SECOND_RADIATION_NM_K: f64 = 1.438_776_877e7;
 /// Wavelengths of the sums, nm: those that eyes see.
 const SUMMED_NM: std::ops::RangeInclusive<u32> = VISIBLE_NM[0] as u32..=VISIBLE_NM[1] as u32;
 /// Entries of a table per octave.

@@ -44,11 +44,13 @@ impl PreparedScene {
             let mut shares = Shares::default();
             for body in &self.bodies()[group.bodies.clone()] {
                 let light = Light::new(body.emission, appearance);
+                let ahead = seen.on_ground.speed.head_on_doppler_factor();
+                let lit = if seen.is_lit_by_the_street(appearance) { ahead } else { 1.0 };
                 let ball = body.block.as_ref().map(|block| block.ball_around());
                 let capsules = ball.as_ref().map_or_else(|| self.capsules(body), slice::from_ref);
                 let samples = capsules.iter().flat_map(|capsule| samples(capsule, body, &seen));
                 for Sample { weight, doppler_factor } in samples {
-                    shares[light.band(appearance, doppler_factor) as usize] += weight;
+                    shares[light.band(appearance, lit * doppler_factor) as usize] += weight;
                 }
             }
             normalised(shares)

@@ -66,7 +66,7 @@ fn corrected_colour(
     doppler_factor: f64,
 ) -> [f64; 3] {
     let left = hit.doppler_factor / doppler_factor;
-    let colour = surface_colour(appearance, &scene.bodies()[hit.body], hit.rest_normal, left);
+    let colour = surface_colour(appearance, &scene.bodies()[hit.body], hit.rest_normal, left, None);
     colour.map(|part| part * scene.mark(hit, Covered::NOTHING))
 }
 

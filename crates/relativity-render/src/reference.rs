@@ -9,6 +9,7 @@ use glam::{DQuat, DVec3};
 use crate::backdrop::Backdrop;
 use crate::camera::LinesOfSight;
 use crate::cap::Cap;
+use crate::daylight::Facing;
 use crate::first_entry::{Chosen, Found};
 use crate::group_view::{GroupView, RestRay};
 use crate::hierarchy::Lines;
@@ -235,7 +236,8 @@ impl PreparedScene {
                     let turns = lines_of_sight.turns(place).map(|turn| turn / f64::from(samples));
                     self.mark(hit, self.covered(hit, &group_views, line_of_sight, turns))
                 };
-                let colour = self.colour(appearance, &backdrop, line_of_sight, hit, mark);
+                let facing = |hit: &Hit| self.facing(appearance, &group_views, hit);
+                let colour = self.colour(appearance, &backdrop, line_of_sight, hit, mark, facing);
                 std::array::from_fn(|i| sum[i] + colour[i])
             });
             encoded(sum.map(|part| part / f64::from(samples * samples)))
@@ -249,6 +251,13 @@ impl PreparedScene {
         let covered =
             if hit.turn == 0.0 { covered } else { covered.turned(DQuat::from_rotation_y(-hit.turn)) };
         body.marking.as_ref().map_or(1.0, |marking| marking.mark(place, hit.material_normal(), covered))
+    }
+
+    /// How the surface at `hit` faces the street's daylight, if that lights it.
+    fn facing(&self, appearance: &Appearance, group_views: &[GroupView], hit: &Hit) -> Option<Facing> {
+        let view = &group_views[self.group_of(hit.body)];
+        let facing = || Facing::new(view, self.spin(hit.body).as_ref(), hit.rest_position, hit.rest_normal);
+        view.is_lit_by_the_street(appearance).then(facing)
     }
 
     /// What a sample covers of the surface at `hit`, where `line_of_sight` turns so to those beside and below it.
@@ -273,13 +282,14 @@ impl PreparedScene {
         line_of_sight: DVec3,
         hit: Option<Hit>,
         mark: impl Fn(&Hit) -> f64,
+        facing: impl Fn(&Hit) -> Option<Facing>,
     ) -> [f64; 3] {
         let ground_distance = backdrop.ground_distance(line_of_sight);
         match (hit, ground_distance) {
             (Some(hit), ground) if ground.is_none_or(|distance| hit.distance <= distance) => {
                 let body = &self.bodies()[hit.body];
                 let Hit { rest_normal, doppler_factor, .. } = hit;
-                let colour = surface_colour(appearance, body, rest_normal, doppler_factor);
+                let colour = surface_colour(appearance, body, rest_normal, doppler_factor, facing(&hit));
                 let mark = if body.marking.is_some() { mark(&hit) } else { 1.0 };
                 colour.map(|part| part * mark)
             }

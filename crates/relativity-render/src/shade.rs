@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use crate::daylight::Facing;
 use crate::effects::Constant;
 use crate::light::Light;
 use crate::prepared_body::PreparedBody;
@@ -25,7 +26,8 @@ pub fn form(rest_normal: DVec3) -> f64 {
     FORM[0] + FORM[1] * rest_normal.dot(LIGHT.normalize())
 }
 
-/// Linear sRGB, in [0, 1], of the surface of `body` with `rest_normal`, received at `doppler_factor`.
+/// Linear sRGB, in [0, 1], of the surface of `body` with `rest_normal`, received at `doppler_factor`; and how it
+/// faces the street's daylight, if that lights it.
 ///
 /// Form and the body's brightness come after the shoulder: so they show in what is very bright, and in what is all but
 /// black.
@@ -35,11 +37,16 @@ pub fn surface_colour(
     body: &PreparedBody,
     rest_normal: DVec3,
     doppler_factor: f64,
+    facing: Option<Facing>,
 ) -> [f64; 3] {
     let shading = match appearance.shading {
         Shading::Emission => 1.0,
         Shading::Form => form(rest_normal),
     };
     let light = Light::new(body.emission, appearance);
-    light.shown(appearance, doppler_factor).map(|part| part * shading * body.brightness)
+    let shown = match facing {
+        Some(facing) => light.shown_in_parts(appearance, doppler_factor, &facing.parts()),
+        None => light.shown(appearance, doppler_factor),
+    };
+    shown.map(|part| part * shading * body.brightness)
 }

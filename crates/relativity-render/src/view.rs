@@ -51,7 +51,8 @@ impl Geometry {
     }
 
     /// Whether the Doppler factor is other than 1.
-    pub(crate) const fn has_doppler_effect(self) -> bool {
+    #[must_use]
+    pub const fn has_doppler_effect(self) -> bool {
         matches!(self, Self::Seen | Self::Published | Self::OneCone)
     }
 
@@ -113,6 +114,10 @@ pub enum Colour {
     /// Each body reflects daylight of 6504 K, as if the lamp rode along with it: a quarter at every wavelength, the rest about the
     /// body's own.
     White,
+    /// The same lit by the street's daylight, which comes equally from all sides there: what moves receives it blue and bright
+    /// ahead, red and dim behind, and its light is shifted again on its way to the eye. Needs the Doppler shift and a camera
+    /// that rests on the street; else as `white`.
+    StreetDaylight,
     /// The colour tells the Doppler factor: grey at D = 1, blue above, red below.
     False,
 }
@@ -162,6 +167,12 @@ pub struct Appearance {
 impl Appearance {
     /// The temperature of what glows unless another is chosen, K: 1000 degrees Celsius, orange.
     pub const TEMPERATURE_K: f64 = 1273.15;
+
+    /// Whether what moves is lit by daylight that rests on the street, as `geometry` shows it.
+    #[must_use]
+    pub fn is_lit_by_the_street(&self, geometry: Geometry) -> bool {
+        self.colour == Colour::StreetDaylight && self.doppler_shift && geometry.has_doppler_effect()
+    }
 }
 
 impl Default for Appearance {

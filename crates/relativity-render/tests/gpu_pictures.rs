@@ -55,6 +55,7 @@ fn appearances() -> Vec<Appearance> {
         Appearance { doppler_shift: true, colour: Colour::False, ..plain },
         Appearance { doppler_shift: true, colour: Colour::Glowing, exposure_ev: 5.0, ..plain },
         Appearance { doppler_shift: true, colour: Colour::White, exposure_ev: 2.0, ..plain },
+        Appearance { doppler_shift: true, colour: Colour::StreetDaylight, exposure_ev: 1.0, ..plain },
         Appearance { doppler_shift: true, invisible: false, ..plain },
         Appearance { intensity_exponent: Some(2.0), exposure_ev: 1.0, ..plain },
         Appearance { intensity_exponent: Some(3.0), ..plain },

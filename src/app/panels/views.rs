@@ -23,6 +23,7 @@ use crate::app::{beyond, highlight, layouts, predicted, slide, theme, under};
 use crate::caption;
 use crate::figures;
 use crate::flags::choices::Form;
+use crate::settings::Light;
 
 /// Zoom per point of scrolling.
 const ZOOM_PER_SCROLL: f64 = 0.002;
@@ -217,7 +218,7 @@ fn note(state: &State, eye: Eye, picture: Option<Shown>, with_heat_map: bool) ->
     };
     let projection = projection_note(&state.view(eye, state.session.picture_size).camera);
     let model = state.sees_as_published(eye).then(|| "as published".to_owned());
-    let colour = (state.settings.light.colour == Colour::False).then(|| "false colour".to_owned());
+    let colour = colour_note(&state.settings.light, state.settings.geometry()).map(str::to_owned);
     let method = picture.and_then(|picture| drawn_by(state, eye, picture.method));
     let heat_map = with_heat_map.then(|| "difference to the reference".to_owned());
     [geometry, model, projection, colour, method, heat_map]
@@ -225,6 +226,17 @@ fn note(state: &State, eye: Eye, picture: Option<Shown>, with_heat_map: bool) ->
         .flatten()
         .collect::<Vec<_>>()
         .join("  ·  ")
+}
+
+/// Names the light where it is not that of the bodies alone.
+fn colour_note(light: &Light, geometry: Geometry) -> Option<&'static str> {
+    let on_street = light.doppler_shift && geometry.has_doppler_effect();
+    match light.colour {
+        Colour::OneWavelength | Colour::Glowing => None,
+        Colour::StreetDaylight if on_street => Some("lit by the street's daylight"),
+        Colour::White | Colour::StreetDaylight => Some("daylight rides along"),
+        Colour::False => Some("false colour"),
+    }
 }
 
 /// Names the projection where a picture of another one would look different.

@@ -38,7 +38,7 @@ pub struct EvalArgs {
 const EXAMPLES: &str = "\
 Examples:
   printf 'beta,d,y,z,T\\n0.9,0.3,0.5,0.5,0\\n' | gamow eval
-  printf 'gamma,d,y,z,T,x0,name\\n1e9,0.1,3,2,4,-1,rider\\n' | gamow eval --intensity-exponent 4
+  printf 'gamma,d,y,z,T,x0,name\\n1e9,0.1,3,2,4,-1,rider\\n' | gamow eval --intensity-exponent photons
   printf 'beta,d,y,z,T,wheel_radius,rho,angle\\n0.9,0.1,3,2,4,0.5,1,0\\n' | gamow eval
   gamow curve | cut -d, -f 1-6 | gamow eval --model published --out published.csv";
 

@@ -1,124 +1,11 @@
 //! From a Doppler factor to linear sRGB, as `shaders/colour.wgsl` has it.
 
-use std::sync::LazyLock;
-
-use fearless_simd::i32x8;
-use relativity_core::math;
-
-use super::logarithm::{log2, power_of_two};
+use super::daylight::{Facing, of_street_daylight};
+use super::logarithm::{MOST_POWER, log2, power_of_two};
+use super::tables::{BAND_ROW, GLOW_ROW, LINE_ROW, MAP_ROW, Tables, shown};
 use crate::effects::{Effects, Spectrum};
-use crate::lanes::{F, LANES, Simd, SimdFloat as _, SimdFrom as _, V3, all, clamp};
-use crate::palette::{self, BAND, ENTRIES, GLOW, MAP};
-use crate::planck::DAYLIGHT_KELVIN;
-use crate::shade::{FORM, LIGHT};
-use crate::tone::KNEE;
-
-/// The tables' rows. What eyes do not see of a light stands in the row after it.
-const LINE_ROW: usize = 0;
-const GLOW_ROW: usize = 2;
-const BAND_ROW: usize = 4;
-const MAP_ROW: usize = 5;
-
-const LENGTH: usize = ENTRIES as usize;
-const LAST: f32 = (ENTRIES - 1) as f32;
-
-/// The tables that colours are found in, and where in them.
-#[derive(Debug)]
-pub struct Tables {
-    rows: Vec<[[f32; 4]; LENGTH]>,
-    glow_per_octave: f32,
-    band_per_octave: f32,
-    daylight_place: f32,
-    map_middle: f32,
-    map_per_octave: f32,
-    /// Unit vector towards the light of the shading, in the rest frame.
-    light: [f32; 3],
-}
-
-impl Tables {
-    /// Made at the first call.
-    pub fn shared() -> &'static Self {
-        static TABLES: LazyLock<Tables> = LazyLock::new(|| Tables {
-            rows: palette::tables().as_chunks().0.to_vec(),
-            glow_per_octave: GLOW.per_octave() as f32,
-            band_per_octave: BAND.per_octave() as f32,
-            daylight_place: GLOW.place(math::log2(DAYLIGHT_KELVIN)) as f32,
-            map_middle: MAP.place(0.0) as f32,
-            map_per_octave: MAP.per_octave() as f32,
-            light: LIGHT.normalize().as_vec3().to_array(),
-        });
-        &TABLES
-    }
-
-    /// The colours there, and log2 of what they are multiplied by.
-    #[inline(always)]
-    fn looked_up<S: Simd>(&self, row: usize, place: F<S>) -> (V3<S>, F<S>) {
-        let simd = place.simd;
-        let inside = clamp(place, all(simd, 0.0), all(simd, LAST));
-        let below = inside.floor().min(LAST - 1.0);
-        let share: [f32; LANES] = (inside - below).into();
-        let table = &self.rows[row];
-        let entries = entries(below);
-        let mut parts = [[0.0; LANES]; 4];
-        for lane in 0..LANES {
-            let (low, high) = (table[entries[lane]], table[(entries[lane] + 1) % LENGTH]);
-            for part in 0..4 {
-                parts[part][lane] = low[part] * (1.0 - share[lane]) + high[part] * share[lane];
-            }
-        }
-        let [red, green, blue, log2] = parts;
-        (
-            V3::new(F::simd_from(simd, red), F::simd_from(simd, green), F::simd_from(simd, blue)),
-            F::simd_from(simd, log2),
-        )
-    }
-
-    /// What eyes do not see of the light of this row.
-    #[inline(always)]
-    fn dark<S: Simd>(&self, row: usize, place: F<S>) -> V3<S> {
-        let simd = place.simd;
-        let table = &self.rows[row + 1];
-        let entries = entries(clamp(place, all(simd, 0.0), all(simd, LAST)) + 0.5);
-        let mut parts = [[0.0; LANES]; 3];
-        for lane in 0..LANES {
-            let entry = table[entries[lane]];
-            for part in 0..3 {
-                parts[part][lane] = entry[part];
-            }
-        }
-        let [red, green, blue] = parts;
-        V3::new(F::simd_from(simd, red), F::simd_from(simd, green), F::simd_from(simd, blue))
-    }
-}
-
-/// The whole parts of numbers within a table.
-#[inline(always)]
-fn entries<S: Simd>(place: F<S>) -> [usize; LANES] {
-    let whole: i32x8<S> = place.to_int();
-    let whole: [i32; LANES] = whole.into();
-    whole.map(|whole| whole as usize % LENGTH)
-}
-
-#[inline(always)]
-fn shoulder<S: Simd>(x: F<S>) -> F<S> {
-    const ABOVE: f32 = (1.0 - KNEE) as f32;
-    let above = (x - KNEE as f32).max(0.0) / ABOVE;
-    x.min(KNEE as f32) + above / (above + 1.0) * ABOVE
-}
-
-/// `light` as a screen shows it, with what eyes do not see of it under it, where it is all but black.
-#[inline(always)]
-fn shown<S: Simd>(effects: Effects, tables: &Tables, light: V3<S>, row: usize, place: F<S>) -> V3<S> {
-    let largest = light.x.max(light.y).max(light.z);
-    let toned = shoulder(largest);
-    let colour = light * (toned / largest.max(1e-30));
-    if !effects.invisible {
-        return colour;
-    }
-    let left = 1.0 - toned;
-    let square = left * left;
-    colour + tables.dark(row, place) * (square * square)
-}
+use crate::lanes::{F, Simd, SimdFloat as _, V3, all};
+use crate::shade::FORM;
 
 #[inline(always)]
 fn of_one_place<S: Simd>(
@@ -149,13 +36,23 @@ fn of_daylight<S: Simd>(
     let (white, white_level) = tables.looked_up(GLOW_ROW, place);
     let (own, own_level) = tables.looked_up(BAND_ROW, shift * -tables.band_per_octave + band);
     let exponent = if effects.doppler_shift { 0.0 } else { band_exponent };
-    let sum = white * power_of_two(white_level + octaves * exponent + exposure)
-        + own * power_of_two(own_level + octaves * band_exponent + band_exposure);
+    let white_power = white_level + octaves * exponent + exposure;
+    let own_power = own_level + octaves * band_exponent + band_exposure;
+    // Beyond what floats hold both are held back alike: so their mixture keeps its hue.
+    let beyond = (white_power.max(own_power) - MOST_POWER).max(0.0);
+    let sum = white * power_of_two(white_power - beyond) + own * power_of_two(own_power - beyond);
     shown(effects, tables, sum, GLOW_ROW, place)
 }
 
 #[inline(always)]
-fn colour_of<S: Simd>(simd: S, effects: Effects, tables: &Tables, light: [f32; 4], doppler: F<S>) -> V3<S> {
+fn colour_of<S: Simd>(
+    simd: S,
+    effects: Effects,
+    tables: &Tables,
+    light: [f32; 4],
+    doppler: F<S>,
+    facing: Option<Facing<S>>,
+) -> V3<S> {
     if effects.spectrum() == Spectrum::AtRest {
         return V3::of_four(simd, light);
     }
@@ -164,12 +61,16 @@ fn colour_of<S: Simd>(simd: S, effects: Effects, tables: &Tables, light: [f32; 4
     match effects.spectrum() {
         Spectrum::AtRest | Spectrum::OnePlace => of_one_place(effects, tables, light, octaves, shift),
         Spectrum::Daylight => of_daylight(effects, tables, light, octaves, shift),
+        Spectrum::StreetDaylight => {
+            let facing = facing.expect("it is known where the street's daylight is shown");
+            of_street_daylight(effects, tables, light, shift, facing)
+        }
         Spectrum::Map => tables.looked_up(MAP_ROW, octaves * tables.map_per_octave + tables.map_middle).0,
     }
 }
 
 /// Linear sRGB of a body with this [`Light::packed`](crate::light::Light::packed) where it is received with this Doppler
-/// factor, before its brightness.
+/// factor, before its brightness; and `facing` the street's daylight, where that lights it.
 #[inline(always)]
 pub fn received_colour<S: Simd>(
     simd: S,
@@ -178,8 +79,9 @@ pub fn received_colour<S: Simd>(
     light: [f32; 4],
     doppler: F<S>,
     normal: V3<S>,
+    facing: Option<Facing<S>>,
 ) -> V3<S> {
-    let colour = colour_of(simd, effects, tables, light, doppler);
+    let colour = colour_of(simd, effects, tables, light, doppler, facing);
     if !effects.form {
         return colour;
     }
@@ -190,10 +92,13 @@ pub fn received_colour<S: Simd>(
 #[cfg(test)]
 mod tests {
     use glam::DVec3;
+    use relativity_core::math;
 
     use super::*;
     use crate::body::Emission;
     use crate::colour::srgb_encoded;
+    use crate::daylight;
+    use crate::lanes::{LANES, SimdFrom as _};
     use crate::light::Light;
     use crate::packets::testing::at_every_level;
     use crate::shade::form;
@@ -205,7 +110,14 @@ mod tests {
         for colour in colours {
             for doppler_shift in [true, false] {
                 for intensity_exponent in [None, Some(2.5), Some(4.0)] {
-                    for (exposure_ev, invisible) in [(0.0, true), (-6.0, false), (6.0, true)] {
+                    for (exposure_ev, invisible) in [
+                        (0.0, true),
+                        (-6.0, false),
+                        (6.0, true),
+                        (81.0, true),
+                        (100.0, false),
+                        (-100.0, true),
+                    ] {
                         let shading = if invisible { Shading::Form } else { Shading::Emission };
                         appearances.push(Appearance {
                             colour,
@@ -251,7 +163,7 @@ mod tests {
                     for factors in doppler_factors() {
                         let toward = V3::all(simd, normal.as_vec3().to_array());
                         let doppler = F::simd_from(simd, factors);
-                        let found = received_colour(simd, effects, Tables::shared(), packed, doppler, toward);
+                        let found = received_colour(simd, effects, Tables::shared(), packed, doppler, toward, None);
                         for (lane, factor) in factors.into_iter().enumerate() {
                             bits.extend(found.lane(lane).map(f32::to_bits));
                             let shading = if effects.form { form(normal) } else { 1.0 };
@@ -267,6 +179,52 @@ mod tests {
                         }
                     }
                     assert!(bits == *first.get_or_insert_with(|| bits.clone()), "{appearance:?} {emission:?}");
+                });
+            }
+        }
+        println!("at most {worst} levels off");
+    }
+
+    #[test]
+    fn street_daylight_is_the_references() {
+        let appearance = |exposure_ev| {
+            let (colour, shading) = (Colour::StreetDaylight, Shading::Emission);
+            Appearance { colour, exposure_ev, shading, ..Appearance::default() }
+        };
+        let mut worst: f64 = 0.0;
+        for (rapid, ahead, exposure_ev) in [
+            (0.0, 0.3, 0.0),
+            (1e-6, -0.7, 1.0),
+            (0.1, 0.9, 0.0),
+            (0.75, -1.0, 2.0),
+            (2.0647, 1.0, -2.0),
+            (2.0647, 0.0, 1.0),
+            (2.0647, -0.4, 5.0),
+            (7.0, -0.95, 8.0),
+            (22.4, 0.2, -4.0),
+            (1e6, 1.0, 100.0),
+        ] {
+            let appearance = appearance(exposure_ev);
+            let effects = Effects::new(true, &appearance).in_street_daylight();
+            for emission in [Emission::White, Emission::Wavelength(450.0), Emission::Wavelength(640.0)] {
+                let light = Light::new(emission, &appearance);
+                let packed = light.packed(&appearance, effects).map(|part| part as f32);
+                at_every_level!(simd => {
+                    let facing = Facing { rapid: all(simd, rapid as f32), ahead: all(simd, ahead as f32) };
+                    for factors in doppler_factors() {
+                        let (doppler, toward) = (F::simd_from(simd, factors), V3::all(simd, [0.0, 0.0, 1.0]));
+                        let found =
+                            received_colour(simd, effects, Tables::shared(), packed, doppler, toward, Some(facing));
+                        let parts = daylight::Facing { rapid, ahead }.parts();
+                        for (lane, factor) in factors.into_iter().enumerate() {
+                            let expected = light.shown_in_parts(&appearance, factor.into(), &parts);
+                            for (found, expected) in found.lane(lane).into_iter().zip(expected) {
+                                let off = 255.0 * (srgb_encoded(found.into()) - srgb_encoded(expected)).abs();
+                                worst = worst.max(off);
+                                assert!(off < 2.0, "{rapid} {ahead} {emission:?} D = {factor}: {found} {expected}");
+                            }
+                        }
+                    }
                 });
             }
         }

@@ -30,7 +30,10 @@ pub fn log2<S: Simd>(x: F<S>) -> F<S> {
     select(is_above, exponent + 1.0, exponent) + part
 }
 
-/// 2^`x`, held between -100 and 100: within 2e-7 of its own size.
+/// The largest power of two that [`power_of_two`] gives; the least is its inverse.
+pub const MOST_POWER: f32 = 100.0;
+
+/// 2^`x`, `x` held between -100 and 100: within 2e-7 of its own size.
 #[inline(always)]
 pub fn power_of_two<S: Simd>(x: F<S>) -> F<S> {
     // e^(f ln 2), up to the seventh power.
@@ -45,7 +48,7 @@ pub fn power_of_two<S: Simd>(x: F<S>) -> F<S> {
         terms
     };
     let simd = x.simd;
-    let inside = clamp(x, all(simd, -100.0), all(simd, 100.0));
+    let inside = clamp(x, all(simd, -MOST_POWER), all(simd, MOST_POWER));
     let whole = inside.round_ties_even();
     let f = inside - whole;
     let high = f * (f * (f * TERMS[7] + TERMS[6]) + TERMS[5]) + TERMS[4];

@@ -88,7 +88,7 @@ impl<'a> Look<'a> {
 
     /// Which effects a body that `turns` so has in the group of this number.
     pub fn effects(&self, group: usize, turns: Turns, appearance: &Appearance) -> Effects {
-        Effects::new(turns.has_doppler_effect(self.views[group].geometry), appearance)
+        self.views[group].effects(turns, appearance)
     }
 
     /// The light of `body` for the formulas.

@@ -10,6 +10,7 @@ mod body;
 mod colour;
 mod course;
 mod cylinder;
+mod daylight;
 mod edge;
 mod encode;
 mod logarithm;
@@ -26,6 +27,7 @@ mod shading;
 mod shape;
 mod spin;
 mod street;
+mod tables;
 #[cfg(test)]
 mod testing;
 #[cfg(test)]
@@ -42,9 +44,9 @@ use crate::reference::HitImage;
 use crate::registers::{on_registers, widest};
 use crate::scene::PreparedScene;
 use crate::view::{Appearance, View};
-use colour::Tables;
 use look::Look;
 use shading::shade_backdrop;
+use tables::Tables;
 use tile::{CENTRE, STANDARD};
 
 /// Draws on the CPU.

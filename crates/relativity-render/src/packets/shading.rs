@@ -1,17 +1,20 @@
 //! What a tile looks like.
 
 use super::backdrop::{behind, part};
-use super::colour::{Tables, received_colour};
+use super::colour::received_colour;
+use super::daylight::facing_of;
 use super::encode::encoded;
 use super::look::Look;
 use super::met::Met;
 use super::pattern::mark;
 use super::places::{PACKETS, packet_places, write_one};
 use super::ray::TileSights;
+use super::tables::Tables;
 use super::tile::{Drawn, Owner, Packet};
 use super::turning::standing;
 use crate::backdrop::Part;
 use crate::candidates::Rows;
+use crate::effects::Spectrum;
 use crate::lanes::{F, LANES, Simd, SimdFloat, SimdMask, V3, all, select};
 use crate::tiles::Tile;
 use crate::view::Appearance;
@@ -136,7 +139,11 @@ impl<S: Simd> Drawn<S, 4> {
                 let (kind, turns) = (seen.body.kind, seen.turns);
                 let effects = look.effects(owner.group, turns, appearance);
                 let light = look.light(seen.body, turns, appearance);
-                let colour = received_colour(simd, effects, tables, light, doppler, surface.normal);
+                let is_lit_by_the_street = effects.spectrum() == Spectrum::StreetDaylight;
+                let facing = is_lit_by_the_street.then(|| {
+                    facing_of(simd, kind, turns, &group, &body, surface.place, surface.normal, &spin)
+                });
+                let colour = received_colour(simd, effects, tables, light, doppler, surface.normal, facing);
                 let colour = colour * (seen.body.brightness as f32);
                 if seen.body.marking.is_none() {
                     return (colour, test.alpha);

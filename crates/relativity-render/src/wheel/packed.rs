@@ -4,11 +4,11 @@ use glam::{DQuat, DVec3};
 use relativity_core::Turning;
 
 use crate::body::Shape;
-use crate::effects::Constant;
+use crate::effects::{Constant, Effects};
 use crate::group_view::GroupView;
 use crate::prepared_body::{Placement, PreparedBody};
 use crate::velocity::Velocity;
-use crate::view::Geometry;
+use crate::view::{Appearance, Geometry};
 use crate::wheel::spin::{MaterialPoint, Spin};
 
 /// Whether a body turns within its group, as far as it chooses a pipeline: what stands still is drawn as if nothing could
@@ -53,6 +53,12 @@ impl Turns {
 }
 
 impl GroupView {
+    /// The effects of a picture, for what turns so.
+    pub(crate) fn effects(&self, turns: Turns, appearance: &Appearance) -> Effects {
+        let effects = Effects::new(turns.has_doppler_effect(self.geometry), appearance);
+        if self.is_lit_by_the_street(appearance) { effects.in_street_daylight() } else { effects }
+    }
+
     /// How `body`, one of the group, turns.
     pub(crate) fn turns(&self, body: &PreparedBody) -> Turns {
         match body.spin {

@@ -63,7 +63,7 @@ fn intensity_row(ui: &mut Ui, light: &mut Light) {
     row(ui, "Intensity", tip, |ui| match light.colour {
         Colour::OneWavelength => _ = choice(ui, &mut light.intensity_exponent.0, &EXPONENTS),
         Colour::Glowing => _ = ui.weak("Planck's law at D·H: no exponent"),
-        Colour::White => _ = ui.weak("Planck's law at D·6504 K"),
+        Colour::White | Colour::StreetDaylight => _ = ui.weak("Planck's law at D·6504 K"),
         Colour::False => _ = ui.weak("not shown: the colour is D"),
     });
 }
@@ -89,13 +89,19 @@ fn exposure_rows(ui: &mut Ui, automatic_ev: f64, exposure: &mut Exposure, usual:
     }
 }
 
-const COLOURS: [(Colour, &str, &str); 4] = [
+const COLOURS: [(Colour, &str, &str); 5] = [
     (Colour::OneWavelength, "One λ", "Each body sends light of one wavelength, as in the paper."),
     (Colour::Glowing, "Glow", "Each body is a black body of one temperature H, seen at D·H (Planck's law)."),
     (
         Colour::White,
         "White",
         "Each body reflects daylight (6504 K) of a lamp that rides along: a quarter at every wavelength, the rest about its own.",
+    ),
+    (
+        Colour::StreetDaylight,
+        "Daylight",
+        "The same lit by the street's daylight, which comes from all sides there: what moves is lit bluer and brighter from ahead, \
+         redder and dimmer from behind. Its light is shifted again on its way to the eye. Needs the Doppler shift and eyes that rest.",
     ),
     (Colour::False, "False", "The colour tells the Doppler factor: grey at D = 1, blue above, red below."),
 ];

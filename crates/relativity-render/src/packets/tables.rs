@@ -1,0 +1,122 @@
+//! The tables that colours are found in, and how a screen shows what is found there.
+
+use std::sync::LazyLock;
+
+use fearless_simd::i32x8;
+use relativity_core::math;
+
+use crate::effects::Effects;
+use crate::lanes::{F, LANES, Simd, SimdFloat as _, SimdFrom as _, V3, all, clamp};
+use crate::palette::{self, BAND, ENTRIES, GLOW, MAP};
+use crate::planck::DAYLIGHT_KELVIN;
+use crate::shade::LIGHT;
+use crate::tone::KNEE;
+
+/// The tables' rows. What eyes do not see of a light stands in the row after it.
+pub const LINE_ROW: usize = 0;
+pub const GLOW_ROW: usize = 2;
+pub const BAND_ROW: usize = 4;
+pub const MAP_ROW: usize = 5;
+
+const LENGTH: usize = ENTRIES as usize;
+pub const LAST: f32 = (ENTRIES - 1) as f32;
+
+/// The tables that colours are found in, and where in them.
+#[derive(Debug)]
+pub struct Tables {
+    rows: Vec<[[f32; 4]; LENGTH]>,
+    pub glow_per_octave: f32,
+    pub band_per_octave: f32,
+    pub daylight_place: f32,
+    pub daylight_quanta: f32,
+    pub map_middle: f32,
+    pub map_per_octave: f32,
+    /// Unit vector towards the light of the shading, in the rest frame.
+    pub light: [f32; 3],
+}
+
+impl Tables {
+    /// Made at the first call.
+    pub fn shared() -> &'static Self {
+        static TABLES: LazyLock<Tables> = LazyLock::new(|| Tables {
+            rows: palette::tables().as_chunks().0.to_vec(),
+            glow_per_octave: GLOW.per_octave() as f32,
+            band_per_octave: BAND.per_octave() as f32,
+            daylight_place: GLOW.place(math::log2(DAYLIGHT_KELVIN)) as f32,
+            daylight_quanta: palette::daylight_quanta() as f32,
+            map_middle: MAP.place(0.0) as f32,
+            map_per_octave: MAP.per_octave() as f32,
+            light: LIGHT.normalize().as_vec3().to_array(),
+        });
+        &TABLES
+    }
+
+    /// The colours there, and log2 of what they are multiplied by.
+    #[inline(always)]
+    pub fn looked_up<S: Simd>(&self, row: usize, place: F<S>) -> (V3<S>, F<S>) {
+        let simd = place.simd;
+        let inside = clamp(place, all(simd, 0.0), all(simd, LAST));
+        let below = inside.floor().min(LAST - 1.0);
+        let share: [f32; LANES] = (inside - below).into();
+        let table = &self.rows[row];
+        let entries = entries(below);
+        let mut parts = [[0.0; LANES]; 4];
+        for lane in 0..LANES {
+            let (low, high) = (table[entries[lane]], table[(entries[lane] + 1) % LENGTH]);
+            for part in 0..4 {
+                parts[part][lane] = low[part] * (1.0 - share[lane]) + high[part] * share[lane];
+            }
+        }
+        let [red, green, blue, log2] = parts;
+        (
+            V3::new(F::simd_from(simd, red), F::simd_from(simd, green), F::simd_from(simd, blue)),
+            F::simd_from(simd, log2),
+        )
+    }
+
+    /// What eyes do not see of the light of this row.
+    #[inline(always)]
+    fn dark<S: Simd>(&self, row: usize, place: F<S>) -> V3<S> {
+        let simd = place.simd;
+        let table = &self.rows[row + 1];
+        let entries = entries(clamp(place, all(simd, 0.0), all(simd, LAST)) + 0.5);
+        let mut parts = [[0.0; LANES]; 3];
+        for lane in 0..LANES {
+            let entry = table[entries[lane]];
+            for part in 0..3 {
+                parts[part][lane] = entry[part];
+            }
+        }
+        let [red, green, blue] = parts;
+        V3::new(F::simd_from(simd, red), F::simd_from(simd, green), F::simd_from(simd, blue))
+    }
+}
+
+/// The whole parts of numbers within a table.
+#[inline(always)]
+fn entries<S: Simd>(place: F<S>) -> [usize; LANES] {
+    let whole: i32x8<S> = place.to_int();
+    let whole: [i32; LANES] = whole.into();
+    whole.map(|whole| whole as usize % LENGTH)
+}
+
+#[inline(always)]
+fn shoulder<S: Simd>(x: F<S>) -> F<S> {
+    const ABOVE: f32 = (1.0 - KNEE) as f32;
+    let above = (x - KNEE as f32).max(0.0) / ABOVE;
+    x.min(KNEE as f32) + above / (above + 1.0) * ABOVE
+}
+
+/// `light` as a screen shows it, with what eyes do not see of it under it, where it is all but black.
+#[inline(always)]
+pub fn shown<S: Simd>(effects: Effects, tables: &Tables, light: V3<S>, row: usize, place: F<S>) -> V3<S> {
+    let largest = light.x.max(light.y).max(light.z);
+    let toned = shoulder(largest);
+    let colour = light * (toned / largest.max(1e-30));
+    if !effects.invisible {
+        return colour;
+    }
+    let left = 1.0 - toned;
+    let square = left * left;
+    colour + tables.dark(row, place) * (square * square)
+}

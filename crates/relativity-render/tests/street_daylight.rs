@@ -1,0 +1,87 @@
+//! Pictures by the street's daylight, beside those by daylight that rides along.
+
+use relativity_core::{Aperture, Speed};
+use relativity_render::{
+    Appearance, Body, Camera, Colour, Gaze, Geometry, Group, Motion, Picture, PreparedScene, Shading, Shape,
+    Velocity, View,
+};
+
+const SIZE: [u32; 2] = [64, 48];
+
+fn appearance(colour: Colour) -> Appearance {
+    let (shading, exposure_ev) = (Shading::Emission, -2.0);
+    Appearance { colour, exposure_ev, shading, sky: false, ..Appearance::default() }
+}
+
+fn view(beta: f64, time: f64, azimuth: f64) -> View {
+    let gaze = Gaze { azimuth, elevation: 0.0 };
+    View {
+        camera: Camera::new(Aperture::default(), gaze, 0.9, SIZE),
+        speed: Speed::from_beta(beta).expect("a speed"),
+        observation_time: time,
+        geometry: Geometry::Seen,
+    }
+}
+
+fn dice() -> Vec<Body> {
+    let die = |x: f64, nm: f64| {
+        Body::new(Shape::Box { center: [x, 3.0, 0.0], half: [0.5; 3], turn: [0.1, 0.2, 0.3, 0.9] }, nm)
+    };
+    vec![die(-1.2, 620.0), die(0.3, 480.0)]
+}
+
+/// Both pictures of `scene`: daylight that rides along, and the street's.
+fn both(scene: &PreparedScene, view: &View) -> [Picture; 2] {
+    [Colour::White, Colour::StreetDaylight].map(|colour| scene.picture(view, &appearance(colour), 1))
+}
+
+/// The colour in the middle of the picture.
+fn middle(picture: &Picture) -> [f64; 3] {
+    let [width, height] = SIZE.map(|side| side as usize);
+    let [red, green, blue, _] = picture.rgba[height / 2 * width + width / 2];
+    [red, green, blue].map(f64::from)
+}
+
+#[test]
+fn at_rest_both_pictures_are_the_same() {
+    let scene = PreparedScene::moving(&dice());
+    let [own, street] = both(&scene, &view(0.0, 0.0, 1.7));
+    assert!(own.rgba == street.rgba && own.rgba.iter().any(|pixel| *pixel != own.rgba[0]));
+}
+
+#[test]
+fn what_rests_on_the_street_is_the_same_beside_what_moves() {
+    let far = [Body::new(Shape::Sphere { center: [0.0, 60.0, 40.0], radius: 1.0 }, 600.0)];
+    let passing = Group { motion: Motion::Scene, bodies: &far };
+    let scene = PreparedScene::new([passing, Group { motion: Motion::Own(Velocity::REST), bodies: &dice() }]);
+    let [own, street] = both(&scene, &view(0.9, 0.0, 1.7));
+    assert!(own.rgba == street.rgba && own.rgba.iter().any(|pixel| *pixel != own.rgba[0]));
+}
+
+/// A face across the motion, seen from ahead and from behind.
+#[test]
+fn the_front_is_lit_blue_and_bright_and_the_rear_red_and_dim() {
+    let shape = Shape::Box { center: [0.0; 3], half: [0.5, 2.0, 2.0], turn: [0.0, 0.0, 0.0, 1.0] };
+    let mut body = Body::new(shape, 600.0);
+    body.emission = relativity_render::Emission::White;
+    let scene = PreparedScene::moving(&[body]);
+    let [own, street] = both(&scene, &view(0.3, -20.0, std::f64::consts::PI)).map(|picture| middle(&picture));
+    assert!(street[2] > own[2] && street[2] / street[0] >= own[2] / own[0], "front {own:?} {street:?}");
+    let [own, street] = both(&scene, &view(0.3, 20.0, 0.0)).map(|picture| middle(&picture));
+    assert!(street[0] < own[0] && street[2] / street[0] < own[2] / own[0], "rear {own:?} {street:?}");
+}
+
+/// Where nothing shifts wavelengths, and where the camera rides along, the lamp does, too.
+#[test]
+fn without_a_doppler_effect_daylight_rides_along() {
+    let scene = PreparedScene::moving(&dice());
+    for geometry in [Geometry::Contracted, Geometry::Rest] {
+        let [own, street] = both(&scene, &View { geometry, ..view(0.9, 0.0, 1.7) });
+        assert!(own.rgba == street.rgba, "{geometry:?}");
+    }
+    let shown = |colour| {
+        let appearance = Appearance { doppler_shift: false, ..appearance(colour) };
+        scene.picture(&view(0.9, 1.0, 1.7), &appearance, 1).rgba
+    };
+    assert!(shown(Colour::White) == shown(Colour::StreetDaylight));
+}
