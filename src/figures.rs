@@ -87,6 +87,17 @@ pub fn significant(value: f64, digits: usize) -> String {
     format!("{value:.decimals$}")
 }
 
+/// Returns the number of decimals that show two digits of `uncertainty`, but no more than nine.
+#[must_use]
+pub fn decimals_of(uncertainty: f64) -> usize {
+    const MOST: f64 = 9.0;
+    if uncertainty > 0.0 {
+        (1.0 - math::log10(uncertainty).floor()).clamp(0.0, MOST) as usize
+    } else {
+        MOST as usize
+    }
+}
+
 /// So many bytes, with that many significant `digits`, in the largest unit that leaves a number above 1.
 #[must_use]
 pub fn bytes(count: u64, digits: i32) -> String {

@@ -8,11 +8,12 @@ pub mod sigmas;
 
 use std::fmt;
 
-use relativity_core::math;
 use relativity_core::{
     Bootstrap, Combined, Curves, Fit, FitError, FitOptions, Observations, Parameter, Rolling, combined, fit,
 };
 use serde::Serialize;
+
+use crate::figures;
 
 /// The fit, and with both curves also the fit of each and their weighted mean.
 #[derive(Debug, Serialize)]
@@ -365,19 +366,8 @@ fn write_estimate(
     uncertainty: f64,
     [low, high]: [f64; 2],
 ) -> fmt::Result {
-    let decimals = decimals(uncertainty);
+    let decimals = figures::decimals_of(uncertainty);
     let value = format!("{value:.decimals$} +- {uncertainty:.decimals$}");
     let interval = format!("{low:.decimals$} ... {high:.decimals$}");
     write!(f, "  {:5}{value:24} {interval:24}", parameter.name())
-}
-
-/// Decimals that show two digits of `uncertainty`, but no more than nine.
-#[must_use]
-pub fn decimals(uncertainty: f64) -> usize {
-    const MOST: f64 = 9.0;
-    if uncertainty > 0.0 {
-        (1.0 - math::log10(uncertainty).floor()).clamp(0.0, MOST) as usize
-    } else {
-        MOST as usize
-    }
 }

@@ -2,8 +2,7 @@
 
 use relativity_core::{Fit, OtherSide, Parameter};
 
-use super::decimals;
-use crate::figures::significant;
+use crate::figures::{decimals_of, significant};
 
 /// Excess of chi squared up to which the other side is within the noise: three standard deviations.
 const WITHIN_NOISE: f64 = 9.0;
@@ -15,7 +14,7 @@ const WITHIN_NOISE: f64 = 9.0;
 pub fn remark(fit: &Fit) -> Option<String> {
     let OtherSide { values, excess } = fit.other_side.filter(|other| other.excess < WITHIN_NOISE)?;
     let z = values[Parameter::Z as usize];
-    let decimals = decimals(fit.standard_error(Parameter::Z));
+    let decimals = decimals_of(fit.standard_error(Parameter::Z));
     let excess = significant(excess, 2);
     Some(format!(
         "the sign of z is uncertain: z = {z:.decimals$} fits too, with chi squared larger by {excess}; dtheta would tell"

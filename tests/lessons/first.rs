@@ -63,7 +63,7 @@ fn a_rod_that_goes_is_seen_less_than_half_as_long() {
     assert!((place(going) - 12.0).abs() < 0.2, "above its twin: {}", place(going));
     assert!(going[2].retarded_time < going[0].retarded_time && going[2].distance > going[0].distance);
     assert!(length(going) < 0.5 && length(going) < (1.0 - beta * beta).sqrt());
-    says(&l, 2, "here to {};", length(going), 2);
+    says(&l, 2, "here to {}.", length(going), 2);
     says(&l, 2, r"\sqrt{\frac{1-\beta}{1+\beta}} = {}", ((1.0 - beta) / (1.0 + beta)).sqrt(), 2);
     assert_eq!((right(&l, 2), observed(&l, 2)), ("less than 0.71 times as long", "less than half as long"));
 }

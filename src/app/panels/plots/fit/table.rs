@@ -7,7 +7,7 @@ use crate::app::fitting::{FitOutcome, Fitted, Fitting};
 use crate::app::widgets::named_text;
 use crate::caption::capitalised;
 use crate::estimate::samples::Samples;
-use crate::estimate::{Estimate, decimals, sigmas};
+use crate::estimate::{Estimate, sigmas};
 use crate::figures;
 use crate::units::Unit;
 
@@ -86,7 +86,7 @@ fn shown(estimate: &Estimate, unit: Unit) -> Estimate {
 fn row(ui: &mut Ui, parameter: Parameter, unit: Unit, estimate: &Estimate, truth: Option<f64>) {
     let (symbol, tip) = named(parameter);
     let Estimate { value, uncertainty, ci95: [low, high], .. } = *estimate;
-    let places = decimals(uncertainty) as u8;
+    let places = figures::decimals_of(uncertainty) as u8;
     let number = |value| figures::fixed(value, places);
     ui.label(unit.label(symbol)).on_hover_text(tip);
     let value_text = RichText::new(number(value)).strong();
