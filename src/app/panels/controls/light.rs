@@ -19,8 +19,9 @@ pub fn show(ui: &mut Ui, state: &State, asks: &mut Asks) {
     let before = state.settings.light;
     let (mut light, usual) = (before, state.usual().light);
     row(ui, "Light", "What light the bodies send, and how it becomes a colour.", |ui| {
-        choice(ui, &mut light.colour, &COLOURS);
+        choice(ui, &mut light.colour, &COLOURS[..3]);
     });
+    row(ui, "", "", |ui| _ = choice(ui, &mut light.colour, &COLOURS[3..]));
     if light.colour == Colour::Glowing {
         temperature().show(ui, &mut light.temperature, usual.temperature);
     }
@@ -61,11 +62,14 @@ fn temperature() -> NumberRow<'static> {
 fn intensity_row(ui: &mut Ui, light: &mut Light) {
     let tip = "How much brighter the Doppler factor D makes light.";
     row(ui, "Intensity", tip, |ui| match light.colour {
-        Colour::OneWavelength => _ = choice(ui, &mut light.intensity_exponent.0, &EXPONENTS),
+        Colour::OneWavelength => _ = choice(ui, &mut light.intensity_exponent.0, &EXPONENTS[..2]),
         Colour::Glowing => _ = ui.weak("Planck's law at D·H: no exponent"),
         Colour::White | Colour::StreetDaylight => _ = ui.weak("Planck's law at D·6504 K"),
         Colour::False => _ = ui.weak("not shown: the colour is D"),
     });
+    if light.colour == Colour::OneWavelength {
+        row(ui, "", "", |ui| _ = choice(ui, &mut light.intensity_exponent.0, &EXPONENTS[2..]));
+    }
 }
 
 /// Whether the exposure is automatic, and the number.
