@@ -1,5 +1,5 @@
-//! Rounds against the exact entry into bodies that turn: how far off rays are that take straight lines for curves so many
-//! times, and what each costs. The renderers find spokes by steps that pass no entry (`course.wgsl`); bodies that are no tubes,
+//! Errors and costs of entries into turning bodies that are found in rounds, each of which takes the ray's curve for a straight
+//! line, against the exact entry. The renderers find spokes by steps that pass no entry (`course.wgsl`); bodies that are no tubes,
 //! which no scene file has turn about an axle, they still find in rounds.
 
 use std::hint::black_box;
@@ -13,7 +13,7 @@ use serde::Serialize;
 use super::spread::Spread;
 use crate::platform::clock::Instant;
 
-/// How many rounds are measured: the shader takes six at most of what is no tube.
+/// The numbers of rounds that are measured. The shader takes six at most, for bodies that are no tubes.
 const ROUNDS: [u32; 4] = [1, 2, 3, 6];
 /// Most rays that are compared.
 const RAYS: usize = 2000;

@@ -16,7 +16,7 @@ use crate::lesson::{
 use crate::platform::clock as wall_clock;
 use crate::settings::{Settings, Window};
 
-/// What is entered in a lesson is noted at once: whoever opens it again goes on where it was. Answers are no steps of the way back: undoing leads back to settings and
+/// Entries in a lesson are noted at once: whoever opens it again goes on where it was. Answers are no steps of the way back: undoing leads back to settings and
 /// to places, never to a lesson without an answer that was given.
 impl State {
     /// The lessons that there are.

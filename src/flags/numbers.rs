@@ -162,8 +162,8 @@ fn named_exponent(name: &str) -> Option<f64> {
     }
 }
 
-/// Parses the exponent of a column of intensities: one that has a name, or any finite number, of which a row says
-/// where the intensity is none.
+/// Parses the exponent of a column of intensities: a name, or any finite number. A row in which the power overflows is refused later,
+/// with its number.
 pub fn column_exponent(text: &str) -> Result<f64, String> {
     let explained = |reason| format!("{reason}; or write surface, photons or paper");
     named_exponent(text).map_or_else(|| finite_number(text).map_err(explained), Ok)

@@ -1,4 +1,4 @@
-//! What the environment tells: the graphics libraries, and where data of the user belong.
+//! The environment of the program: the session that graphics libraries see, and the folder of the user's data.
 
 use std::path::PathBuf;
 

@@ -41,10 +41,10 @@ pub const LEAST_BETA: f64 = 1e-3;
 /// told from that by any table.
 pub const MOST_RAPID: f64 = 1e15;
 
-/// How a surface moves through the street's light.
+/// The motion of a surface through the street's light.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Facing {
-    /// Its gamma beta on the street.
+    /// gamma beta on the street.
     pub rapid: f64,
     /// The cosine, in its own frame, of the angle between its normal and its motion.
     pub ahead: f64,
@@ -60,12 +60,12 @@ pub struct Part {
 }
 
 impl Part {
-    /// All of it, from a lamp that rides along.
+    /// The whole light of a lamp that rides along.
     pub const OWN: Self = Self { share: 1.0, log2_doppler: 0.0 };
 }
 
 impl Facing {
-    /// Of a surface at `place` with `rest_normal`, which may turn about `spin`, in the frame of the group of `view`.
+    /// Takes the surface at `place` with `rest_normal`, which may turn about `spin`, in the frame of the group of `view`.
     pub fn new(view: &GroupView, spin: Option<&Spin>, place: DVec3, rest_normal: DVec3) -> Self {
         let (on_ground, normal) = (view.on_ground, view.on_ground.reflected(rest_normal));
         let speed = on_ground.speed;
@@ -137,7 +137,7 @@ pub fn log2_quantum_nm() -> f64 {
     log2(SECOND_RADIATION_NM_K / (DAYLIGHT_KELVIN * LN_2))
 }
 
-/// 1 - 2^-`octaves`.
+/// Returns 1 - 2^-`octaves`, to the last digit for few octaves too.
 fn missing(octaves: f64) -> f64 {
     -exp_m1(-octaves * LN_2)
 }
@@ -186,8 +186,8 @@ mod tests {
         worst
     }
 
-    /// Where light comes from, of a hemisphere about a normal, and with which share and Doppler factor it is received:
-    /// evenly over the disc below the hemisphere, which has the cosine in it, and finer where the light is crowded.
+    /// Samples the hemisphere about a normal: share and Doppler factor of the light from each direction, evenly over the disc below
+    /// the hemisphere, which has the cosine in it, and finer where the light is crowded.
     fn hemisphere(beta: f64, ahead: f64) -> Vec<(f64, f64)> {
         let gamma = 1.0 / (1.0 - beta * beta).sqrt();
         let across = (1.0 - ahead * ahead).sqrt();

@@ -123,7 +123,7 @@ impl Light {
         }
     }
 
-    /// Linear sRGB of what eyes do not see of it, kept very dark; of daylight as its hottest part has it.
+    /// Returns linear sRGB, very dark, for its invisible part; for daylight, that of its hottest part.
     fn dark(self, shift: f64, parts: &[Part]) -> [f64; 3] {
         match self {
             Self::Line(nm) => dark_line(exp2(log2(nm) - shift)),

@@ -253,7 +253,7 @@ impl PreparedScene {
         body.marking.as_ref().map_or(1.0, |marking| marking.mark(place, hit.material_normal(), covered))
     }
 
-    /// How the surface at `hit` faces the street's daylight, if that lights it.
+    /// Returns the motion of the surface at `hit` through the street's daylight, if that lights it.
     fn facing(&self, appearance: &Appearance, group_views: &[GroupView], hit: &Hit) -> Option<Facing> {
         let view = &group_views[self.group_of(hit.body)];
         let facing = || Facing::new(view, self.spin(hit.body).as_ref(), hit.rest_position, hit.rest_normal);

@@ -71,7 +71,7 @@ fn the_front_is_lit_blue_and_bright_and_the_rear_red_and_dim() {
     assert!(street[0] < own[0] && street[2] / street[0] < own[2] / own[0], "rear {own:?} {street:?}");
 }
 
-/// Where nothing shifts wavelengths, and where the camera rides along, the lamp does, too.
+/// The lamp rides along where nothing shifts wavelengths, and where the camera rides along.
 #[test]
 fn without_a_doppler_effect_daylight_rides_along() {
     let scene = PreparedScene::moving(&dice());

@@ -8,11 +8,11 @@ use super::kept_file::KeptFile;
 use crate::lesson::{Answers, Moment};
 use crate::platform::{files, locks};
 
-/// Its name.
+/// The name of the file of answers.
 pub const NAME: &str = "answers.json";
 /// The file that is locked while it is read and written. It is another one, since each writing replaces the first.
 const LOCK: &str = "answers.lock";
-/// Longest that another window is waited for, which takes milliseconds to write.
+/// The longest wait for another window, which takes milliseconds to write.
 const LONGEST: Duration = Duration::from_secs(2);
 
 /// The file, and how much of it is written.

@@ -1,4 +1,4 @@
-//! Which sections of the controls are folded: noted while they are shown, and restored in the next window.
+//! The folded sections of the controls: noted while they are shown, and restored in the next window.
 
 use std::collections::BTreeSet;
 

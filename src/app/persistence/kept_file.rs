@@ -26,7 +26,7 @@ impl KeptFile {
         Self { path: folder.join(name), known: None, untouchable: None }
     }
 
-    /// Its path, as messages show it.
+    /// Returns the path of the file, as messages show it.
     pub fn shown(&self) -> String {
         files::shown(&self.path)
     }
@@ -46,7 +46,7 @@ impl KeptFile {
         Ok(self.known.clone())
     }
 
-    /// Moves it aside, so that another can take its place, and returns a sentence that says where it is.
+    /// Moves the file aside, so that another can take its place, and returns a sentence with its new path.
     pub fn set_aside(&mut self) -> String {
         let aside = self.free_name();
         self.known = None;

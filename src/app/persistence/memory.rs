@@ -1,5 +1,5 @@
-//! What the window remembers beside its settings and answers: its place, zoom, folded sections, the files that were opened, and what
-//! its user has done before.
+//! The memory of the window beside its settings and answers: its place, zoom, folded sections, recent files, and which hints its user
+//! no longer needs.
 
 use std::collections::BTreeSet;
 
@@ -16,7 +16,7 @@ const ZOOM: [f32; 2] = [0.2, 5.0];
 /// Furthest that a window can lie on any screen, and largest, points: X11 has 16 bits for it.
 const FURTHEST: f32 = 32_767.0;
 
-/// It.
+/// The contents of the file `window.toml`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Memory {
     /// Whether the user has ever followed a point by a click.
@@ -45,10 +45,10 @@ impl Default for Memory {
     }
 }
 
-/// Where a window is, in points of the system, which the zoom does not change.
+/// The place of a window, in points of the system, which the zoom does not change.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 struct Place {
-    /// The upper left corner with its frame, where the system tells.
+    /// The upper left corner with its frame, on systems that report it.
     position: Option<[f32; 2]>,
     /// The inner size while it is not maximised.
     size: [f32; 2],
@@ -127,7 +127,7 @@ impl Memory {
 
     /// Has a new window that would be on none of the `monitors` (position and size of each, points) on the first of them.
     pub fn bring_back(&self, ctx: &Context, mut monitors: impl Iterator<Item = [[f32; 2]; 2]>) {
-        /// How much of it must be on a monitor to be grasped, points.
+        /// The part of the window, points, that must be on a monitor to be grasped.
         const GRASP: f32 = 40.0;
         let Some([x, y]) = self.place.and_then(|place| place.position) else { return };
         let is_on = |[[left, top], [width, height]]: [[f32; 2]; 2]| {

@@ -49,11 +49,11 @@ const MOST_LISTED: usize = 5;
 pub struct Loaded {
     /// The settings; the default ones if there are none, and where one was invalid.
     pub settings: Settings,
-    /// What the window remembers beside them.
+    /// The memory of the window beside them.
     pub memory: Memory,
     /// The answers in lessons.
     pub answers: Answers,
-    /// What is to be told of it.
+    /// The message to show at the start, if any.
     pub notice: Option<Notice>,
 }
 
@@ -131,7 +131,7 @@ impl Keeper {
         self.0.borrow_mut().is_usual_place = false;
     }
 
-    /// What the window remembers beside its settings, as far as it is known.
+    /// Returns the memory of the window beside its settings, as far as it is known.
     #[must_use]
     pub fn memory(&self) -> Memory {
         self.0.borrow().memory.clone()
@@ -215,7 +215,7 @@ impl Files {
         (!problems.is_empty()).then(|| reset(&mut self.memory_file, &self.memory.to_text(), &problems))
     }
 
-    /// Takes the lock of windows; a message if another one has it, or if nothing can be written there.
+    /// Takes the lock of windows. Returns a message if another window has it, or if nothing can be written there.
     fn greeting(&mut self) -> Option<Notice> {
         let locked =
             files::create_folder(&self.folder).and_then(|()| locks::try_lock(&self.folder.join(WINDOW_LOCK)));
@@ -253,7 +253,7 @@ impl Files {
         }
     }
 
-    /// What could not be written the last time, and why.
+    /// Returns the files that could not be written the last time, and why.
     fn failure(&self) -> Option<String> {
         let mut failures: Vec<_> = self.failures.iter().flatten().map(String::as_str).collect();
         failures.dedup();
@@ -275,7 +275,7 @@ impl Files {
         self.shown = failure;
     }
 
-    /// Whether something is half entered that is not written, and has not changed for a while. If it may be soon, a frame is asked for.
+    /// Returns whether an unwritten entry has rested for a while. Requests a frame if it may rest soon.
     fn is_entry_rested(&mut self, answers: &Answers, ctx: &Context) -> bool {
         if !self.answers.lacks_an_entry(answers) {
             self.entering = None;
@@ -304,7 +304,7 @@ fn left(state: &State) -> Settings {
     settings
 }
 
-/// What is to be done about a `failure`.
+/// Returns the message for a `failure`, with the remedy.
 fn advice(failure: &str) -> String {
     let failure = crate::caption::capitalised(failure);
     format!(
@@ -312,7 +312,7 @@ fn advice(failure: &str) -> String {
     )
 }
 
-/// Moves a file with `problems` aside, has `text` in its place, and says so.
+/// Moves a file with `problems` aside, writes `text` in its place, and returns a message for both.
 fn reset(file: &mut KeptFile, text: &str, problems: &[String]) -> String {
     let where_it_is = file.set_aside();
     // Where this fails it fails again when the window is closed, and is told.

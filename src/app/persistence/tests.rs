@@ -1,4 +1,4 @@
-//! An answer is on the disc when it is given; two windows lose nothing; what cannot be written or read is told.
+//! An answer is on the disc when it is given; two windows lose nothing; failures to read and to write are reported.
 
 use std::path::Path;
 
@@ -90,7 +90,7 @@ fn what_is_half_entered_is_kept_when_the_window_is_closed() {
     );
 }
 
-/// Nobody can write to a folder where a file stands, whoever they are.
+/// Not even root can create a folder below a file.
 #[test]
 fn what_cannot_be_written_is_told_at_the_start_when_it_fails_and_at_the_end() {
     let folder = folder();

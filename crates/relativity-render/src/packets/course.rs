@@ -6,9 +6,9 @@ use super::ray::nearest_to;
 use super::spin::{Spin, Turn, about_y, later, sine_cosine, velocity_at};
 use crate::lanes::{F, Mask, Simd, SimdFloat, SimdMask, V3, all, clamp, select};
 
-/// Most steps to an entry: of 58 million rays (`tests/spokes.rs`) none took more than half.
+/// The limit of steps to an entry. Of 58 million rays (`tests/spokes.rs`) none took more than half.
 const MOST_STEPS: u32 = 64;
-/// What is no farther from a tube than this part of its radius, and this part of how far it reaches from the axle, is at it.
+/// A ray is at a tube within the first part of the tube's radius plus the second part of its reach from the axle, which rounding takes.
 const AT_TUBE: f32 = 1e-4;
 const ROUNDING: f32 = 1e-7;
 /// Steps to where a ray passes that does not enter.
@@ -17,7 +17,7 @@ const PASSING_STEPS: u32 = 2;
 /// A ray among what a tube sweeps, from its point nearest to the hub.
 pub struct Course<'a, S: Simd> {
     capsule: &'a Capsule<S>,
-    /// Of the capsule, from the hub, and from there to its other end.
+    /// The capsule's one end, from the hub, and the way from there to its other end.
     beginning: V3<S>,
     axis: V3<S>,
     direction: V3<S>,
@@ -25,7 +25,7 @@ pub struct Course<'a, S: Simd> {
     /// Between which distances along the ray it may meet the tube.
     pub from: F<S>,
     pub to: F<S>,
-    /// By which angle the ray is turned back at `from`, and how much more per distance.
+    /// The angle by which the ray is turned back at `from`, and its change per distance.
     turn: F<S>,
     rate: F<S>,
     /// By how much earlier places are shown per step from there.
@@ -47,7 +47,7 @@ struct Place<S: Simd> {
 }
 
 impl<'a, S: Simd> Course<'a, S> {
-    /// Of `ray` among what is in `capsule`, which turns.
+    /// Follows `ray` past the turning `capsule`.
     #[inline(always)]
     pub fn new(simd: S, group: &Group, capsule: &'a Capsule<S>, ray: &Ray<S>, spin: &Spin<S>) -> Self {
         let n = ray.direction;
@@ -114,7 +114,7 @@ impl<'a, S: Simd> Course<'a, S> {
         }
     }
 
-    /// Where rays first come to the tube, of those that are `active`, and which do; else where they were found closest to it.
+    /// Returns where the `active` rays first reach the tube, or else come closest to it, and which of them reach it.
     #[inline(always)]
     pub fn first_at_tube(&self, active: Mask<S>) -> (F<S>, Mask<S>) {
         let simd = self.from.simd;
@@ -156,7 +156,7 @@ impl<'a, S: Simd> Course<'a, S> {
         (select(enters, s, closest), enters)
     }
 
-    /// Where rays meet the tube, if it is what is in the capsule.
+    /// Returns where rays meet the tube that fills the capsule.
     #[inline(always)]
     pub fn surface(&self, spin: &Spin<S>) -> Surface<S> {
         let simd = self.from.simd;
@@ -200,14 +200,14 @@ impl<S: Simd> Place<S> {
         self.velocity.dot(self.velocity) + self.off.dot(self.acceleration)
     }
 
-    /// The square of the least distance, as the parabola through this place has it: 0 where it bends inwards.
+    /// Returns the square of the least distance by the parabola through this place: 0 where it bends inwards.
     #[inline(always)]
     fn miss_squared(&self) -> F<S> {
         let least = self.distance * self.distance + self.off.dot(self.velocity) * self.to_closest();
         select(self.growth().simd_gt(0.0), least.max(0.0), all(least.simd, 0.0))
     }
 
-    /// How far it is from here to where the ray is closest to the axis, by Newton's method; 0 where it is farthest there.
+    /// Returns the way from here to where the ray is closest to the axis, by Newton's method; 0 where that would be the farthest place.
     #[inline(always)]
     fn to_closest(&self) -> F<S> {
         let growth = self.growth();

@@ -1,4 +1,4 @@
-//! The street's daylight as surfaces receive it, as `shaders/daylight.wgsl` has it: see [`crate::daylight`].
+//! The street's daylight as surfaces receive it: `shaders/daylight.wgsl` on the CPU. [`crate::daylight`] derives it.
 
 use std::f64::consts::LN_2;
 
@@ -13,21 +13,21 @@ use crate::kind::Kind;
 use crate::lanes::{F, Simd, SimdFloat as _, V2, V3, all, clamp, select};
 use crate::wheel::packed::Turns;
 
-/// How surfaces move through the street's light.
+/// The motion of surfaces through the street's light.
 #[derive(Debug, Clone, Copy)]
 pub struct Facing<S: Simd> {
-    /// Their gamma beta on the street.
+    /// gamma beta on the street.
     pub rapid: F<S>,
     /// The cosine, in their own frame, of the angle between their normal and their motion.
     pub ahead: F<S>,
 }
 
-/// What all parts of the light that is received have in common.
+/// The numbers that all parts of the received light share.
 #[derive(Clone, Copy)]
 struct Course<S: Simd> {
     gamma: F<S>,
     beta: F<S>,
-    /// 1 - beta.
+    /// 1 - beta, to the last digit near the speed of light.
     below_light: F<S>,
     /// beta as parts are weighted by it, and 1 less that.
     weighed: F<S>,
@@ -45,7 +45,7 @@ struct Part<S: Simd> {
     log2_doppler: F<S>,
 }
 
-/// How what is at `place`, from the body's middle, with this `normal` faces the street's light.
+/// Returns the motion of the surface at `place`, from the body's middle, with this `normal`.
 #[expect(clippy::too_many_arguments, reason = "as the shader has them, and what are constants there")]
 #[inline(always)]
 pub fn facing_of<S: Simd>(
@@ -125,7 +125,7 @@ fn arc_cosine<S: Simd>(simd: S, cosine: F<S>) -> F<S> {
     select(cosine.simd_lt(all(simd, 0.0)), std::f32::consts::PI - angle, angle)
 }
 
-/// 1 - 2^-`octaves`.
+/// Returns 1 - 2^-`octaves`, to the last digit for few octaves too.
 #[inline(always)]
 fn missing<S: Simd>(octaves: F<S>) -> F<S> {
     let natural = octaves * LN_2 as f32;

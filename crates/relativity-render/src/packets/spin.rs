@@ -1,16 +1,16 @@
-//! How a body turns about an axle along y, and how far it has where something of it is shown: `shaders/turning.wgsl`.
+//! The turning of a body about an axle along y, and its angle at the moment that a ray shows: `shaders/turning.wgsl`.
 
 use super::body::Group;
 use crate::lanes::{F, Simd, SimdFloat, V3, all, select};
 use crate::view::Geometry;
 use crate::wheel::packed::Shown;
 
-/// How a body turns.
+/// The axle of a turning body, and its speed.
 #[derive(Debug, Clone, Copy)]
 pub struct Spin<S: Simd> {
     /// The middle of the axle, from the group's.
     pub hub: V3<S>,
-    /// About +y.
+    /// The angular velocity about +y.
     pub omega: F<S>,
     /// By how much the speed of the rim is below 1, and that of a ring's outermost circle below the rim's, along the
     /// group's motion.
@@ -33,7 +33,7 @@ pub struct Turn<S: Simd> {
 }
 
 impl<S: Simd> Spin<S> {
-    /// Of what the shaders have.
+    /// Unpacks the uniforms of the shaders.
     #[inline(always)]
     pub fn new(simd: S, shown: &Shown) -> Self {
         let Shown { spin, rim: [below_light, lag], .. } = *shown;
@@ -46,7 +46,7 @@ impl<S: Simd> Spin<S> {
     }
 }
 
-/// Of the place `q` from the hub.
+/// Returns how much later the place `q`, from the hub, is shown than the hub.
 #[inline(always)]
 pub fn later<S: Simd>(simd: S, group: &Group, q: V3<S>, spin: &Spin<S>) -> Later<S> {
     let frame = group.frame;

@@ -12,7 +12,7 @@ use crate::planck::DAYLIGHT_KELVIN;
 use crate::shade::LIGHT;
 use crate::tone::KNEE;
 
-/// The tables' rows. What eyes do not see of a light stands in the row after it.
+/// The rows of the tables. The row after a light's own is for its invisible part.
 pub const LINE_ROW: usize = 0;
 pub const GLOW_ROW: usize = 2;
 pub const BAND_ROW: usize = 4;
@@ -74,7 +74,7 @@ impl Tables {
         )
     }
 
-    /// What eyes do not see of the light of this row.
+    /// Returns the invisible part of the light of this row.
     #[inline(always)]
     fn dark<S: Simd>(&self, row: usize, place: F<S>) -> V3<S> {
         let simd = place.simd;

@@ -10,8 +10,8 @@ use crate::lanes::{F, Quaternion, Simd, SimdFloat, SimdMask, V2, V3, all, clamp,
 use crate::view::Geometry;
 use crate::wheel::packed::Turns;
 
-/// A tube is met where a course says (`course.rs`). What is none and turns by less than this angle (radians) while a ray
-/// passes it is met in rounds from the middle; else the course is followed first, to the tube around it.
+/// The angle, radians, below which a turning body that is no tube is met in rounds from the middle of the ray's passage. Beyond it the
+/// ray is first followed to the tube around the body. Tubes are always met in steps (`course.rs`).
 const SHORT: f32 = 0.4;
 /// Most rounds, and when one is the last: what is off then is this part of the body's radius.
 const MOST_ROUNDS: u32 = 6;

@@ -10,11 +10,11 @@ use relativity_render::{Body, Geometry, Hit, HitImage, Method, PreparedScene, Re
 use super::{view_of_hub, wheel};
 use crate::support::spread;
 
-/// How much thicker stout spokes are than thin ones.
+/// The ratio of the radii of stout and thin spokes.
 const STOUT: f64 = 4.4;
 /// By how much the distances of one place differ, as two methods have them.
 const SAME_DISTANCE: f64 = 2e-3;
-/// How far from a pixel what it shows is looked for, px, after the stated error.
+/// The distances from a pixel, px, at which its hit is looked for beyond the stated error.
 const REACHES_PX: [f64; 8] = [0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0];
 
 /// Wheels with thin spokes and with stout ones.
@@ -57,12 +57,12 @@ pub struct WrongPixel {
     truth: Option<(usize, f64)>,
     /// Between the ray and the wheel's plane, degrees.
     angle: f64,
-    /// How near to the pixel it is seen, px.
+    /// The distance from the pixel at which the reference shows it, px.
     off_px: f64,
 }
 
-/// How many pixels of the `views` of these numbers show a body, and those where `method` shows what the reference shows nowhere
-/// within `stated_px` of them.
+/// Returns the number of pixels in these `views` that show a body, and the wrong ones: there `method` shows a place that the reference
+/// shows nowhere within `stated_px`.
 pub fn wrong_pixels(
     renderers: &mut Renderers,
     method: Method,
@@ -105,7 +105,7 @@ fn is_same(a: Option<Hit>, b: Option<Hit>) -> bool {
     }
 }
 
-/// How far from there the reference shows `hit`, px: up to `stated_px`, or at least as much more; without end beyond a pixel.
+/// Returns the distance, px, at which the reference shows `hit`: up to `stated_px`, or one of [`REACHES_PX`]; infinity beyond a pixel.
 fn distance_px(
     scene: &PreparedScene,
     view: &View,
