@@ -152,6 +152,8 @@ pub struct Mean {
     pub ci95: [f64; 2],
     /// Correlation between both estimates.
     pub correlation: f64,
+    /// By how many of its own standard errors the difference of both estimates is off 0.
+    pub disagreement: f64,
 }
 
 impl From<Combined> for Mean {
@@ -161,6 +163,7 @@ impl From<Combined> for Mean {
             uncertainty: mean.standard_error,
             ci95: mean.interval_95,
             correlation: mean.correlation,
+            disagreement: mean.disagreement,
         }
     }
 }
@@ -170,6 +173,9 @@ impl From<Combined> for Mean {
 const ROUND_SAMPLES: usize = 1_000_000;
 const LEAST_ROUND: usize = 16;
 const MOST_ROUND: usize = 4096;
+
+/// Difference of the estimates of both curves, in standard errors, beyond which it is remarked on.
+const AGREEING: f64 = 3.0;
 
 /// A fit and its bootstrap, if one was asked for.
 type Fitted = (Fit, Option<Bootstrap>);
@@ -325,6 +331,13 @@ impl fmt::Display for FitReport {
         for (parameter, mean) in combined.iter() {
             write_estimate(f, parameter, mean.value, mean.uncertainty, mean.ci95)?;
             writeln!(f, "  {}", correlation_text(mean.correlation))?;
+        }
+        for (parameter, mean) in combined.iter().filter(|(_, mean)| mean.disagreement > AGREEING) {
+            let (name, sigmas) = (parameter.name(), figures::significant(mean.disagreement, 2));
+            writeln!(
+                f,
+                "  {name} differs by {sigmas} standard errors between dphi and dtheta: the model may be wrong"
+            )?;
         }
         Ok(())
     }

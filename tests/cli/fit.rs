@@ -176,6 +176,38 @@ fn the_json_holds_values_intervals_and_the_combined_fit() {
     }
 }
 
+/// Below the eyes' level dphi is the same and dtheta has the other sign: so has z, and all else stays.
+#[test]
+fn below_the_eyes_the_mean_of_both_curves_is_mirrored() {
+    let above = noisy_curve(&["T", "dphi", "dtheta"], "exact");
+    let with_dtheta = |factor: f64| {
+        let table = Table::parsed(&above);
+        let [times, dphi, dtheta] = ["T", "dphi", "dtheta"].map(|name| table.column(name));
+        let row = |i: usize| format!("{},{},{}\n", times[i], dphi[i], factor * dtheta[i]);
+        "T,dphi,dtheta\n".to_owned() + &(0..times.len()).map(row).collect::<String>()
+    };
+    let flags = "--d 0.1 --bootstrap 50";
+    let [above, below] = [1.0, -1.0].map(|factor| {
+        let report = fitted(&with_dtheta(factor), &format!("{flags} --json"));
+        ["beta", "y", "z"].map(|name| {
+            let mean = &report["fits"]["combined"][name];
+            ["value", "uncertainty", "disagreement"].map(|key| number(&mean[key]))
+        })
+    });
+    assert!(above[2][0] > 1.9 && below[2][0] < -1.9, "{above:?} {below:?}");
+    for (above, below) in above.iter().zip(below) {
+        for (above, below) in above.iter().zip(below) {
+            assert!((above.abs() - below.abs()).abs() < 1e-6 * above.abs(), "{above} {below}");
+        }
+        assert!(above[2] < 3.0);
+    }
+    let table = |factor: f64| {
+        run(gamow().arg("fit").args(flags.split_whitespace()), with_dtheta(factor).as_bytes()).text()
+    };
+    let remark = "standard errors between dphi and dtheta: the model may be wrong";
+    assert!(!table(-1.0).contains(remark) && table(1.2).contains(remark), "{}", table(1.2));
+}
+
 #[test]
 fn the_same_seed_gives_the_same_bytes() {
     let csv = noisy_curve(&["T", "dphi", "dtheta"], "exact");

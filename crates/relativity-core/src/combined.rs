@@ -5,7 +5,7 @@
 //! says how much. A joint fit ([`crate::fit::Curves::Both`]) uses the same data better.
 
 use crate::bootstrap::{Bootstrap, covariance, percentiles_95};
-use crate::fit::{Fit, Parameter};
+use crate::fit::{Fit, NOISE_FREE_ERROR, Parameter};
 
 /// A weighted mean of the azimuthal and the polar estimate of one parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,11 +20,15 @@ pub struct Combined {
     pub correlation: f64,
     /// Weight of the azimuthal estimate, 0 to 1.
     pub azimuth_weight: f64,
+    /// By how many of its own standard errors the difference of both estimates is off 0; 0 where it is no more than
+    /// the accuracy of a fit, [`NOISE_FREE_ERROR`].
+    pub disagreement: f64,
 }
 
 /// The weighted mean of two fits of `parameter`.
 ///
-/// Both bootstraps must have drawn the same samples: same observations, seed and number of replicates.
+/// Both bootstraps must have drawn the same samples: same observations, seed and number of replicates. Where the azimuthal fit knows
+/// z but for its sign, it takes that of the polar fit.
 ///
 /// # Examples
 ///
@@ -57,12 +61,15 @@ pub struct Combined {
 #[must_use]
 pub fn combined(azimuth: (&Fit, &Bootstrap), polar: (&Fit, &Bootstrap), parameter: Parameter) -> Combined {
     let of = |estimate: &Option<[f64; 4]>| estimate.map(|values| values[parameter as usize]);
+    let is_mirrored =
+        parameter == Parameter::Z && azimuth.0.problem.is_even_in_z() && polar.0.value(parameter) < 0.0;
+    let sign = if is_mirrored { -1.0 } else { 1.0 };
     let pairs: Vec<(f64, f64)> = azimuth
         .1
         .estimates
         .iter()
         .zip(&polar.1.estimates)
-        .filter_map(|(a, b)| Some((of(a)?, of(b)?)))
+        .filter_map(|(a, b)| Some((sign * of(a)?, of(b)?)))
         .collect();
     let covariance = covariance(pairs.iter().copied());
     let [error_a, error_b] = [azimuth.1, polar.1].map(|bootstrap| bootstrap.standard_error(parameter));
@@ -74,8 +81,12 @@ pub fn combined(azimuth: (&Fit, &Bootstrap), polar: (&Fit, &Bootstrap), paramete
     let mean = |a: f64, b: f64| weight * a + rest * b;
     let variance = weight * weight * variance_a + rest * rest * variance_b + 2.0 * weight * rest * covariance;
     let correlation = if error_a * error_b > 0.0 { covariance / (error_a * error_b) } else { 0.0 };
+    let estimates = (sign * azimuth.0.value(parameter), polar.0.value(parameter));
+    let difference = (estimates.0 - estimates.1).abs();
+    let apart = (total - 2.0 * covariance).max(0.0).sqrt();
     Combined {
-        value: mean(azimuth.0.value(parameter), polar.0.value(parameter)),
+        value: mean(estimates.0, estimates.1),
+        disagreement: if difference > NOISE_FREE_ERROR && apart > 0.0 { difference / apart } else { 0.0 },
         standard_error: variance.max(0.0).sqrt(),
         interval_95: percentiles_95(pairs.iter().map(|&(a, b)| mean(a, b))),
         correlation,
