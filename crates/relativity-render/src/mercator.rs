@@ -73,11 +73,19 @@ impl Mercator {
     /// The line of sight (unit vector) at these coordinates.
     #[must_use]
     pub fn line_of_sight(&self, DVec2 { x: u, y: v }: DVec2) -> DVec3 {
-        let Axes { right, up, forward } = self.axes;
+        self.line(exp(u), self.across(v))
+    }
+
+    /// Returns the unit vector across the baseline at this `v`.
+    fn across(&self, v: f64) -> DVec3 {
         let (sine, cosine) = sin_cos(v);
-        let grown = exp(u);
+        self.axes.forward * cosine + self.axes.up * sine
+    }
+
+    /// Returns the line of sight at the u of which e^u is `grown`, in the half plane of the unit vector `across` the baseline.
+    fn line(&self, grown: f64, across: DVec3) -> DVec3 {
         let shrunk = 1.0 / grown;
-        (right * (grown - shrunk) + (forward * cosine + up * sine) * 2.0) / (grown + shrunk)
+        (self.axes.right * (grown - shrunk) + across * 2.0) / (grown + shrunk)
     }
 
     /// The lines of sight in the middle of the rectangle between the coordinates `low` and `high`, and at its corners.
@@ -87,21 +95,12 @@ impl Mercator {
     /// turn apart.
     #[must_use]
     pub fn lines_of_sight_around(&self, low: DVec2, high: DVec2) -> (DVec3, [DVec3; 4]) {
-        let Axes { right, up, forward } = self.axes;
-        let across = |v| {
-            let (sine, cosine) = sin_cos(v);
-            forward * cosine + up * sine
-        };
-        let line = |grown: f64, across: DVec3| {
-            let shrunk = 1.0 / grown;
-            (right * (grown - shrunk) + across * 2.0) / (grown + shrunk)
-        };
         let [left_most, right_most] = [exp(low.x), exp(high.x)];
-        let [lowest, highest] = [across(low.y), across(high.y)];
-        let middle = line(left_most.sqrt() * right_most.sqrt(), (lowest + highest).normalize());
+        let [lowest, highest] = [low.y, high.y].map(|v| self.across(v));
+        let middle = self.line(left_most.sqrt() * right_most.sqrt(), (lowest + highest).normalize());
         let corners =
             [(left_most, highest), (right_most, highest), (left_most, lowest), (right_most, lowest)];
-        (middle, corners.map(|(grown, across)| line(grown, across)))
+        (middle, corners.map(|(grown, across)| self.line(grown, across)))
     }
 
     /// (u, v) at this place in the picture, px.
